@@ -12,9 +12,10 @@ use pyo3::exceptions::{PyFileNotFoundError, PyOSError};
 use pyo3::prelude::*;
 use pyo3::types::{PyCFunction, PyDict, PyList, PyString, PyTuple};
 use questions::{OptionName, SamplingInput};
+use questions::{Phase, RunError, RunOptions, Watch, run_scene};
+use report::assessment::Assessment;
 use report::explain::explain;
-use report::products::{Product, each_product};
-use report::run::{Asked, Phase, RunError, Watch, carry_out as carry_out_scene};
+use report::products::{Product, SceneProducts};
 use report::run_stamp::RunStamp;
 use report::scene_note_words;
 use report::summary::summary;
@@ -137,7 +138,7 @@ impl PyScene {
         occasion: (Option<String>, Option<String>),
         observer: Option<Py<PyAny>>,
     ) -> PyResult<(String, Bound<'py, PyDict>, Bound<'py, PyDict>)> {
-        let asked = Asked { report, judge, uncertainty };
+        let asked = RunOptions { report, judge, uncertainty };
         let (date, typed) = occasion;
         let occasion = RunStamp { date, command: typed };
         let state = Arc::new(Mutex::new(AtHand::default()));
@@ -225,12 +226,19 @@ struct Made {
 }
 
 impl Made {
-    fn of(scene: &Scene, asked: Asked, occasion: RunStamp, watch: &Watching<'_>) -> Result<Self, RunError> {
-        let mut carried = carry_out_scene(scene, asked, watch)?;
-        carried.findings = carried.findings.map(|findings| findings.on(occasion));
-        let (results, trust) = (&carried.results, carried.assessment());
+    fn of(
+        scene: &Scene,
+        asked: RunOptions,
+        occasion: RunStamp,
+        watch: &Watching<'_>,
+    ) -> Result<Self, RunError> {
+        let outcome = run_scene(scene, asked, watch)?;
+        let (results, findings) = (&outcome.results, outcome.findings.as_ref());
+        let assessment =
+            Assessment { judgement: outcome.judgement.as_ref(), uncertainty: outcome.uncertainty.as_ref() };
+        let products = SceneProducts { scene, results, findings, assessment, run_stamp: &occasion };
         let (mut tables, mut files) = (Vec::new(), Vec::new());
-        let Ok(()) = each_product(scene, results, carried.findings.as_ref(), trust, |name, product| {
+        let Ok(()) = products.each(|name, product| {
             let mut bytes = Vec::new();
             product.write(Format::Csv, &mut bytes).expect("memory takes everything");
             files.push((product.file_name(name, Format::Csv), bytes));
@@ -239,9 +247,9 @@ impl Made {
             }
             Ok::<(), std::convert::Infallible>(())
         });
-        let answer = match &carried.findings {
-            Some(findings) => summary(scene, results, &findings.answer, trust),
-            None => summary(scene, results, &Answer::from_results(scene, results), trust),
+        let answer = match findings {
+            Some(findings) => summary(scene, results, &findings.answer, assessment),
+            None => summary(scene, results, &Answer::from_results(scene, results), assessment),
         };
         Ok(Made { answer, tables, files })
     }

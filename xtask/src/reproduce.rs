@@ -5,11 +5,12 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
+use findings::SceneFindings;
 use judge::{JudgePlan, Judgement, Settings};
 use paper::{Evidence, Verdict};
 use report::assessment::Assessment;
 use report::page::Report;
-use report::products::{self, Findings};
+use report::products::SceneProducts;
 use report::run_stamp::RunStamp;
 use scene::Template;
 use staging::{StagedFiles, write_file};
@@ -38,34 +39,36 @@ fn reproduce(folder: &Path) -> Result<(), Box<dyn Error>> {
     let judgements = evidence.iter().map(judged).collect::<Result<Vec<_>, _>>()?;
     let ledger = paper::ledger(&evidence);
     let computing = start.elapsed();
-    for ((evidence, findings), judgement) in evidence.iter().zip(&findings).zip(&judgements) {
+    let run_stamp = RunStamp::default();
+    let products: Vec<SceneProducts<'_>> = evidence
+        .iter()
+        .zip(&findings)
+        .zip(&judgements)
+        .map(|((evidence, findings), judgement)| SceneProducts {
+            scene: &evidence.scene,
+            results: &evidence.results,
+            findings: Some(findings),
+            assessment: Assessment { judgement: Some(judgement), uncertainty: None },
+            run_stamp: &run_stamp,
+        })
+        .collect();
+    for (evidence, products) in evidence.iter().zip(&products) {
         let folder = folder.join(evidence.template.name());
-        let (scene, results) = (&evidence.scene, &evidence.results);
         std::fs::create_dir_all(&folder)?;
         let mut files = StagedFiles::default();
-        let names = products::each_file(
-            scene,
-            results,
-            Some(findings),
-            Assessment { judgement: Some(judgement), uncertainty: None },
-            Format::Csv,
-            |name, content| files.stage(&folder.join(name), |out| content(out)),
-        )?;
+        let names = products
+            .each_file(Format::Csv, |name, content| files.stage(&folder.join(name), |out| content(out)))?;
         files.publish()?;
-        println!("{}: {} files in {}", scene.title, names.len(), folder.display());
+        println!("{}: {} files in {}", evidence.scene.title, names.len(), folder.display());
     }
-    let scenes = evidence.iter().zip(&findings).zip(&judgements);
+    let parts = evidence.iter().zip(&products);
     let report = Report {
         title: "Real contact area of ultrananocrystalline diamond",
-        scenes: scenes
-            .map(|((evidence, findings), judgement)| {
-                let label = label(evidence.template.name());
-                let trust = Assessment { judgement: Some(judgement), uncertainty: None };
-                findings.report(label, &evidence.scene, &evidence.results, trust)
-            })
+        scenes: parts
+            .filter_map(|(evidence, products)| products.report(label(evidence.template.name())))
             .collect(),
         extra: Some(paper::section(&ledger, &paper::other_models(&evidence)?, label)),
-        run_stamp: &RunStamp::default(),
+        run_stamp: &run_stamp,
         repeat: "cargo xtask reproduce, which also writes every number of every figure as a table.",
     };
     let page = folder.join("report.html");
@@ -90,8 +93,8 @@ fn label(spectrum: &str) -> &str {
     }
 }
 
-fn found(evidence: &Evidence) -> Result<Findings, Box<dyn Error>> {
-    Findings::from_results(&evidence.scene, &evidence.results).map_err(Into::into)
+fn found(evidence: &Evidence) -> Result<SceneFindings, Box<dyn Error>> {
+    SceneFindings::from_results(&evidence.scene, &evidence.results, &Unobserved).map_err(Into::into)
 }
 
 fn judged(evidence: &Evidence) -> Result<Judgement, Box<dyn Error>> {

@@ -7,10 +7,8 @@ use staging::StagedFiles;
 
 use crate::failure::Failure;
 use crate::interruption;
-use report::assessment::Assessment;
-use report::products::{self, Findings};
-use scene::Scene;
-use study::plan::{PlanError, Results};
+use report::products::SceneProducts;
+use study::plan::PlanError;
 use tables::{Format, TableError};
 
 /// A path, or `-` for stdin or stdout.
@@ -193,17 +191,13 @@ pub fn make_folder(option: &str, folder: &Path) -> Result<(), Failure> {
 /// # Errors
 /// [`Failure::System`] that names the path.
 pub fn write_products(
-    scene: &Scene,
-    results: &Results,
-    findings: Option<&Findings>,
-    trust: Assessment<'_>,
+    products: &SceneProducts<'_>,
     format: Format,
     folder: &Path,
 ) -> Result<Vec<String>, Failure> {
     let mut files = StagedFiles::default();
-    let names = products::each_file(scene, results, findings, trust, format, |name, content| {
-        stage(&mut files, &folder.join(name), |out| content(out))
-    })?;
+    let names = products
+        .each_file(format, |name, content| stage(&mut files, &folder.join(name), |out| content(out)))?;
     publish(files)?;
     Ok(names)
 }

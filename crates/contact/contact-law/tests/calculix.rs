@@ -22,7 +22,7 @@ struct Said {
 }
 
 impl Punch {
-    /// The input of CalculiX. A contact pair of nodes and faces, which is what the comments of tables ask for.
+    /// The input of CalculiX, with the contact pair of nodes and faces that the comments of tables require.
     fn deck(&self) -> String {
         let mut nodes = String::new();
         let planes = [-1.0, 0.0, self.clearance_mm, self.clearance_mm + 1.0];

@@ -45,7 +45,7 @@ pub struct Contact {
     /// Residual: sum of p|g| over the sum of p h_rms, over the points with 0 < p < saturation; or, if larger, a tenth
     /// of the largest overlap at p = 0 or gap at the saturation, over h_rms.
     pub residual: f64,
-    /// Tells if the residual is below the tolerance.
+    /// Returns true if the residual is below the tolerance.
     pub ending: Ending,
     /// Pressure \[Pa\] at every point, row by row.
     pub pressures_pa: Vec<f64>,

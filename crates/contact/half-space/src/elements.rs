@@ -14,7 +14,7 @@ use crate::{Grid, HalfSpaceError, operators, sums};
 /// Number of progress steps of a solve: the residual's way to the tolerance, in decades, is divided into as many.
 pub const PROGRESS_STEPS: usize = 100;
 
-/// Relative distance from the saturation within which a point flows.
+/// Relative distance from the saturation within which a point yields.
 const FLOWING: f64 = 1e-9;
 
 /// Boundary elements under a rigid rough surface: plans and buffers, kept between loads.

@@ -30,7 +30,7 @@ pub enum HalfSpaceError {
     /// A height, modulus, pressure or tolerance is out of its bounds.
     #[error("pressing boundary elements: {0}")]
     OutOfBounds(#[from] OutOfBounds),
-    /// The load is not below the pressure at which the surface flows.
+    /// The load is not below the pressure at which the surface yields.
     #[error(
         "pressing boundary elements: a nominal pressure of {nominal_pressure_pa:e} Pa cannot be carried, since no point \
          carries more than {saturation_pa:e} Pa; it must be less"
@@ -38,7 +38,7 @@ pub enum HalfSpaceError {
     CannotBeCarried {
         /// Nominal pressure \[Pa\].
         nominal_pressure_pa: f64,
-        /// Pressure at which the surface flows \[Pa\].
+        /// Pressure at which the surface yields \[Pa\].
         saturation_pa: f64,
     },
     /// The work was cancelled.

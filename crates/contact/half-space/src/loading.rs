@@ -11,7 +11,7 @@ pub struct Loading {
     pub contact_modulus_pa: f64,
     /// Load over the area of the grid \[Pa\].
     pub nominal_pressure_pa: f64,
-    /// Pressure at which the surface flows, an indentation hardness \[Pa\]; `None` if it is elastic throughout.
+    /// Pressure at which the surface yields, an indentation hardness \[Pa\]; `None` if it is elastic throughout.
     pub saturation_pa: Option<f64>,
     /// Largest [`residual`](crate::Contact::residual), above 0 and at most 0.1.
     pub tolerance: f64,

@@ -1,4 +1,4 @@
-//! Whatever is pressed, the solver ends in equilibrium, and within a known amount of work.
+//! The solver ends in equilibrium on every surface, within a known amount of work.
 
 mod common;
 
@@ -133,7 +133,7 @@ fn what_cannot_be_pressed_is_refused() {
     assert!(Grid::new(8, 8, 1.0, 0.0).unwrap_err().to_string().contains("length along y in m is 0"));
 }
 
-/// Ends the work when it has been told of so many steps.
+/// Cancels the work after this number of steps.
 struct EndsAfter(usize, std::sync::atomic::AtomicUsize);
 
 impl Progress for EndsAfter {

@@ -1,4 +1,4 @@
-//! Changes of the input that leave an answer as it is, or change it in a known way.
+//! Changes of the input that leave an answer unchanged, or change it in a known way.
 
 mod common;
 

@@ -1,6 +1,6 @@
 //! Division of the nominal area into elastic contact, plastic contact and gap.
 
-/// The shares of the nominal area that touch elastically, that touch and flow, and that do not touch; their sum is 1.
+/// The shares of the nominal area in elastic contact, in plastic contact, and out of contact; their sum is 1.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct ContactAreas {
     /// Share in contact below the hardness, in \[0, 1\].

@@ -19,8 +19,8 @@ const LATE: f64 = 0.5;
 /// rounding.
 static RULE: LazyLock<GaussLegendre> = LazyLock::new(|| GaussLegendre::new(9));
 
-/// Returns the shares of the nominal area under a nominal pressure p > 0 \[Pa\], a spread s >= 0 \[Pa\] and a
-/// hardness H > 0 \[Pa\]. For p >= H everything touches and flows, at every scale.
+/// Returns the shares of the nominal area under a nominal pressure p > 0 \[Pa\], a spread s >= 0 \[Pa\] and a hardness
+/// H > 0 \[Pa\]. For p >= H the whole area touches and yields, at every scale.
 #[must_use]
 pub fn areas(pressure_pa: f64, spread_pa: f64, hardness_pa: f64) -> ContactAreas {
     if pressure_pa >= hardness_pa {

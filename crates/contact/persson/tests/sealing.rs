@@ -13,7 +13,7 @@ const C0: f64 = 0.000_023_041_816_986_325_86;
 const SHARPEST: f64 = 1e6;
 const FLATTEST: f64 = 1e4;
 
-/// C1D = pi^2 q C(q), told at so many samples.
+/// C1D = pi^2 q C(q), at this number of samples.
 fn roughness(intervals: u32) -> Roughness {
     let moment = |q: f64, k: f64| PI * C0 * (q.powf(k - 1.6) - FLATTEST.powf(k - 1.6)) / (k - 1.6);
     let sample = |i: u32| {

@@ -9,7 +9,7 @@ pub struct Pressing {
     pub contact_modulus_pa: f64,
     /// Nominal pressures \[Pa\], in the order of the results.
     pub pressures_pa: Vec<f64>,
-    /// Pressure at which the surface flows, an indentation hardness \[Pa\]; `None` if it is elastic throughout.
+    /// Pressure at which the surface yields, an indentation hardness \[Pa\]; `None` if it is elastic throughout.
     pub saturation_pa: Option<f64>,
     /// Largest residual: sum of p|g| over the sum of p h_rms, above 0 and at most 0.1.
     pub tolerance: f64,

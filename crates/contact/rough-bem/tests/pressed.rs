@@ -1,4 +1,4 @@
-//! Surfaces pressed as whole ensembles: their means, what they are held against, and how they end.
+//! Surfaces pressed as ensembles: their means, comparisons, and cancellation.
 
 use approx::assert_relative_eq;
 use gaussian_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};

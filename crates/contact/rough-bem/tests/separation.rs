@@ -1,4 +1,4 @@
-//! The mean gap and the stiffness of Persson's theory beside those of the surfaces themselves.
+//! Mean gap and stiffness of Persson's theory compared with those of boundary elements.
 
 use gaussian_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};
 use parallel::Unobserved;

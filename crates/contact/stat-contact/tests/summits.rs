@@ -23,7 +23,7 @@ struct Row {
     pressure: f64,
 }
 
-/// A committed table whose first columns are alpha, the separation, the area (not held at 1) and the pressure.
+/// A committed table whose first columns are alpha, the separation, the area (not limited to 1) and the pressure.
 fn rows(name: &str) -> Vec<Row> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../tests/reference").join(name);
     let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
@@ -37,7 +37,7 @@ fn rows(name: &str) -> Vec<Row> {
         .collect()
 }
 
-/// The larger relative deviation of area and pressure from a row; areas above 1 are held at it.
+/// Computes the larger relative deviation of area and pressure from a row; areas above 1 count as 1.
 fn deviation(state: &ContactState, row: &Row) -> f64 {
     let area = if row.area_fraction > 1.0 { 1.0 } else { row.area_fraction };
     assert_eq!(state.clamped, row.area_fraction > 1.0, "alpha = {}, u = {}", row.alpha, row.u);

@@ -1,4 +1,4 @@
-//! Sensitivities as data for others, and ended by whoever watches.
+//! Sensitivities as data for other programs, and cancelled by the observer.
 
 use findings::sensitivity::sensitivities;
 use scene::{Overrides, Scene};

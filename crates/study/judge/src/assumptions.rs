@@ -1,4 +1,4 @@
-//! The assumptions of a curve, and where it breaks them.
+//! The assumptions of a curve, and the scales at which they fail.
 
 use scene::Scene;
 use serde::Serialize;
@@ -44,8 +44,8 @@ impl BrokenAssumption {
     }
 }
 
-/// The assumption of a curve that breaks at the longest wavelength. `hardness` is that of the material at each scale, if it
-/// yields.
+/// Finds the assumption of a curve that fails at the longest wavelength. `hardness` is that of the material at each
+/// scale, if it yields.
 pub(crate) fn first_broken(
     scene: &Scene,
     results: &Results,

@@ -9,7 +9,7 @@ use study::plan::CurveModel;
 pub enum Body {
     /// The body never yields.
     Elastic,
-    /// The body flows at a hardness that is the same at every scale.
+    /// The body yields at a hardness that is the same at every scale.
     Hard {
         /// The hardness \[Pa\].
         hardness_pa: f64,

@@ -164,8 +164,8 @@ impl<'s> Case<'s> {
         self.broken[at.curve * self.loads() + at.load]
     }
 
-    /// The scale at which a curve whose strength grows is first pressed beyond its hardness: by its own pressure, or by that
-    /// of an elastic contact, which is an upper bound.
+    /// Finds the first scale at which the pressure on a curve whose strength grows exceeds its hardness. The pressure
+    /// is the curve's own, or that of an elastic contact, an upper bound.
     pub fn yields_while_growing(&self, at: CurveAtLoad) -> Option<AboveHardness> {
         let hardness = self.hardness()?;
         let own = hardness.first_above(real_pressures(self.scene, self.results, at));

@@ -10,7 +10,7 @@ use units::OutOfBounds;
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum JudgeError {
-    /// The spectrum is not that of a surface, or a window of it does not fit the grid.
+    /// No surface has this spectrum, or a window of it does not fit the grid.
     #[error("making surfaces of the spectrum for the judge: {0}")]
     Surface(#[from] SurfaceError),
     /// A surface cannot be pressed.

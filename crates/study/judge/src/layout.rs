@@ -9,7 +9,7 @@ use crate::window::{Window, bands, decades_held};
 
 /// Pressures that differ by less than this share a solution.
 const SAME_PRESSURE: f64 = 0.01;
-/// Above this share of the hardness everything flows: the area fraction lies between p/H and 1.
+/// Above this share of the hardness the whole contact yields: the area fraction lies between p/H and 1.
 const FLOWING: f64 = 0.98;
 /// With fewer points in contact the grid says little about the area.
 const MIN_POINTS: f64 = 200.0;
@@ -42,7 +42,7 @@ pub(crate) struct Cell {
 pub(crate) enum PlannedPress {
     /// Elements solve it: the index of the press.
     Solve(usize),
-    /// Everything flows: the area is between p/H and 1.
+    /// The whole contact yields: the area is between p/H and 1.
     Flows {
         /// Mean pressure over hardness.
         share: f64,

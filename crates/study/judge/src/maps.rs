@@ -1,4 +1,5 @@
-//! Measured maps under the elements beside Gaussian surfaces of their waves: the effect of what a spectrum leaves out.
+//! Measured maps pressed by boundary elements, compared with Gaussian surfaces that have the same waves. The difference
+//! is the effect of everything that a spectrum omits.
 
 use gaussian_surfaces::{MapWaves, Surface};
 use half_space::{Elements, Grid, Loading};
@@ -27,7 +28,7 @@ const NEARLY_FULL: f64 = 1.0;
 pub struct MapVerdict {
     /// The name of the measurement.
     pub map: String,
-    /// The load, by index: the first of those that press the map alike.
+    /// The load, by index: the first of those with the same pressure on the map.
     pub load: usize,
     /// The mean pressure on the map, by Persson's theory for the longer waves, over E* times the rms gradient of the map.
     pub pressure_over_gradient: f64,

@@ -29,7 +29,7 @@ pub enum Reason {
     },
     /// An assumption of the curve does not hold.
     Broken(BrokenAssumption),
-    /// The strength grows at small scales, and the contact yields: elements know one hardness only.
+    /// The strength grows at small scales, and the contact yields: boundary elements have only one hardness.
     StrengthGrows {
         /// The wavelength \[m\] at which the curve's pressure first exceeds its hardness.
         wavelength_m: f64,

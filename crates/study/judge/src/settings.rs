@@ -17,7 +17,7 @@ pub(crate) const GRIDS: [usize; 10] = [1024, 768, 512, 384, 256, 192, 128, 96, 6
 /// The settings of the judge.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
-    /// Points along each side of a surface; `None` for as many as the budget allows.
+    /// Points along each side of a surface; `None` for the largest number within the budget.
     pub grid: Option<usize>,
     /// Surfaces in each window; `None` for [`DEFAULT_REALISATIONS`] if the budget allows.
     pub realisations: Option<usize>,

@@ -17,8 +17,8 @@ pub struct WindowOutcome {
     pub longest_m: f64,
     /// The shortest wave of the window \[m\].
     pub shortest_m: f64,
-    /// True for the whole band in place of a window: its area is that of the last window, times the share that the longer
-    /// waves leave by Persson's theory.
+    /// True for the whole band, whose area is that of the last window times the share that the longer waves leave by
+    /// Persson's theory; false for a window.
     pub is_whole_band: bool,
     /// The mean pressure on the window \[Pa\]: the real pressure with the longer waves alone.
     pub pressure_pa: f64,

@@ -1,4 +1,4 @@
-//! Rows of a curve that are held at a bound or lie outside the range of a law.
+//! Rows of a curve that are limited by a bound or lie outside the range of a law.
 
 use asperity::FLAGGED_ASPECT_RATIO_OVER_CRITICAL;
 use persson::Cut;
@@ -29,7 +29,7 @@ pub struct LevelCounts {
     pub beyond: usize,
 }
 
-/// Cutoffs at which Persson's theory assumes small slopes of a steep surface, and loads under which everything flows.
+/// Cutoffs at which the slopes are too steep for Persson's theory, and loads under which the whole contact yields.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct CutCounts {
     /// All cutoffs, over all loads.

@@ -55,7 +55,7 @@ pub struct CurveQuestion {
     pub tolerance: Option<f64>,
     /// Cutoffs at which the contact is wanted.
     pub cutoffs: Cutoffs,
-    /// True appends columns that tell how each row was found.
+    /// True appends columns on how each row was found.
     pub details: bool,
     /// True draws the area against the cutoff as well.
     pub figure: bool,

@@ -47,7 +47,7 @@ pub struct ElementsQuestion {
     pub pressures: Vec<LoadInput>,
     /// Nominal pressures as ranges, behind the others.
     pub pressure_ranges: Vec<RangeInput>,
-    /// The pressure at which the surface flows; elastic throughout if absent.
+    /// The pressure at which the surface yields; elastic throughout if absent.
     #[serde(with = "optional_pressure")]
     pub saturation: Option<Pressure>,
     /// The largest residual, above 0 and at most 0.1.
@@ -185,7 +185,7 @@ impl PreparedElements {
     }
 }
 
-/// Random surfaces that have a spectrum in the band that the grid holds, pressed by whoever asks.
+/// Random surfaces with the spectrum in the band that the grid holds.
 pub(crate) fn random_surfaces(
     surface: &Surface,
     random: &RandomInput,

@@ -57,7 +57,7 @@ pub enum QuestionError {
         /// The name of the surface.
         surface: String,
     },
-    /// A figure with more lines than people tell apart.
+    /// A figure with more lines than a reader can distinguish.
     #[error("a figure with {lines} lines is unreadable; at most {most} are drawn")]
     TooManyLines {
         /// One line per load and separation.
@@ -100,7 +100,7 @@ pub enum QuestionError {
 }
 
 impl QuestionError {
-    /// True if the person who asked ended the work.
+    /// Returns true if the user cancelled the work.
     #[must_use]
     pub fn is_cancelled(&self) -> bool {
         use half_space::HalfSpaceError;

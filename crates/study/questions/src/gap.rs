@@ -23,7 +23,7 @@ use crate::loads::{LoadInput, RangeInput, nominal_pressure, pressures_pa};
 use crate::option::{Reason, first_given};
 use crate::{Answer, GapCounts, MaterialInput, Note, OptionName, QuestionError, SamplingInput};
 
-/// The light-load law is said to hold within this share of the pressure.
+/// The light-load law holds within this share of the pressure.
 pub const LIGHT_LOADS_SHARE: f64 = 0.01;
 
 /// A model of gaps, its material and its spectrum: what gaps and laws have in common.
@@ -339,8 +339,8 @@ impl Note {
 }
 
 impl GapCounts {
-    /// Counts states. `rms_height_m` is that of the surface if few asperities are to be told by it: not if
-    /// [`Note::of_gap_law`] has.
+    /// Counts states. `rms_height_m`, that of the surface, is for counting loads under which few asperities touch;
+    /// `None` if [`Note::of_gap_law`] already reports them.
     #[must_use]
     pub fn of(states: &[GapState], rms_height_m: Option<f64>) -> Self {
         let counted = |which: &dyn Fn(Option<f64>) -> bool| {

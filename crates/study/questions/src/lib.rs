@@ -11,6 +11,7 @@ mod material;
 mod note;
 mod option;
 mod sampling;
+mod scene_run;
 mod spectrum;
 mod states;
 mod text;
@@ -25,6 +26,7 @@ pub use material::{BodyInput, MaterialInput};
 pub use note::{FEW_TOUCH, GapCounts, MadeSurfaces, Note, OutsideFit, SampledScales};
 pub use option::{OptionName, Reason, Spelling, UnusedOption};
 pub use sampling::SamplingInput;
+pub use scene_run::{Phase, RunError, RunOptions, SceneOutcome, Watch, run_scene};
 pub use spectrum::{SpectrumQuantity, SpectrumQuestion};
 pub use states::StatesQuestion;
 

@@ -11,7 +11,7 @@ use units::{IndentationHardness, Pressure};
 use crate::text::optional_pressure;
 use crate::{OptionName, QuestionError};
 
-/// All properties of the rough body and of what presses on it. A model uses some of them.
+/// All properties of the rough body and its counterface. A model uses some of them.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct MaterialInput {

@@ -17,7 +17,7 @@ use crate::CurveCounts;
 /// A fact that a reader has to know about an answer. Deliberately not `#[non_exhaustive]`: `report` must word every variant.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Note {
-    /// About the spectrum that the question is asked of.
+    /// About the spectrum of the question.
     Surface(study::Note),
     /// Physics speaks against a number.
     Doubt(Doubt),
@@ -28,7 +28,7 @@ pub enum Note {
     },
     /// A tolerance beyond double precision.
     ToleranceTooFine {
-        /// The tolerance asked for.
+        /// The requested tolerance.
         asked: f64,
         /// The tolerance used.
         used: f64,
@@ -83,7 +83,7 @@ pub enum Note {
         /// The exponent.
         hurst_exponent: f64,
     },
-    /// The spectrum of an area is taken as it is.
+    /// The spectrum of an area is used as it is.
     AreaSpectrumAsItIs,
     /// Surfaces made of a spectrum.
     RandomSurfaces(Box<MadeSurfaces>),

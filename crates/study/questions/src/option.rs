@@ -62,7 +62,7 @@ pub enum OptionName {
     Reading,
     /// Number of random surfaces.
     Realisations,
-    /// Pressure at which boundary elements flow.
+    /// Pressure at which boundary elements yield.
     Saturation,
     /// Density of scales.
     ScalesPerDecade,
@@ -107,7 +107,7 @@ impl OptionName {
     }
 }
 
-/// An option that is given and changes nothing.
+/// A given option that has no effect.
 #[derive(Debug, Clone, PartialEq)]
 pub struct UnusedOption {
     /// The option.
@@ -116,14 +116,14 @@ pub struct UnusedOption {
     pub why: Reason,
 }
 
-/// The reason why an option changes nothing.
+/// The reason why an option has no effect.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Reason {
     /// The model has no such option.
     Model(&'static str),
     /// Only other models have it.
     OnlyOn {
-        /// The model asked for.
+        /// The requested model.
         model: &'static str,
         /// The models that have the option.
         models: Vec<&'static str>,

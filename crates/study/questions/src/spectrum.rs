@@ -29,7 +29,8 @@ pub enum SpectrumQuantity {
     Fit {
         /// One end of the band that is fitted \[m\]; the longest wavelength if absent.
         from_m: Option<f64>,
-        /// The other end \[m\]; the shortest wavelength if absent. Given both, either may be the longer one.
+        /// The other end \[m\]; the shortest wavelength if absent. If both ends are given, either may be the longer
+        /// one.
         to_m: Option<f64>,
     },
 }

@@ -1,5 +1,5 @@
-//! A question asked through the struct and the same one asked as a scene's curve. The answers are written for the test of the
-//! Python package, which asks the same questions once more.
+//! One question, answered through the struct and as a scene's curve. The answers are written for the test of the Python
+//! package, which asks the questions once more.
 
 use parallel::Unobserved;
 use persson::corrections::Correction;

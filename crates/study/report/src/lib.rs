@@ -6,7 +6,6 @@ pub mod page;
 mod pictures;
 pub mod plot;
 pub mod products;
-pub mod run;
 pub mod run_stamp;
 mod words;
 

@@ -10,17 +10,16 @@ use crate::page::{Report, SceneReport};
 use crate::plot;
 use crate::provenance::provenance;
 use crate::run_stamp::RunStamp;
-use findings::answer::Answer;
+use findings::SceneFindings;
 use findings::interface::{InterfaceStates, slots_table};
-use findings::sensitivity::{Sensitivity, sensitivities_with_work};
 use judge::Judgement;
+use questions::RunOptions;
 use scene::Scene;
 use scene::file_names::{INTERFACE_TABLE, JUDGE_TABLES, REPORT_TABLES, UNCERTAINTY_TABLES};
 use study::figure::{Figure, FigureData, Shows, over_scans};
 use study::interface::Slot;
-use study::plan::{Cutoffs, PlanError, Results, Work};
+use study::plan::{Cutoffs, Results};
 use study::result_tables;
-use study::{Progress, Unobserved};
 use tables::{Format, Table};
 use uncertainty::{QuantityInterval, Uncertainty};
 
@@ -102,7 +101,7 @@ fn reported_figures(scene: &Scene, results: &Results, assessment: Assessment<'_>
 const ANSWER_NAME: &str = "_answer";
 const SPECTRUM_NAME: &str = "_spectrum";
 
-/// The most lines that a reader can tell apart.
+/// The largest number of lines that a reader can distinguish.
 const MAX_LINES: usize = 12;
 
 /// Reduces a figure with too many lines to the smallest and the largest load.
@@ -131,76 +130,6 @@ fn origin(scene: &Scene, what: &str) -> Vec<String> {
     lines
 }
 
-/// The findings of a report besides curves and figures.
-pub struct Findings {
-    /// The answer.
-    pub answer: Answer,
-    /// The sensitivities of the areas to modelling choices.
-    pub sensitivities: Vec<Sensitivity>,
-    /// The work that the sensitivities took.
-    pub work: Work,
-    /// Date and command of the run.
-    pub run_stamp: RunStamp,
-}
-
-impl Findings {
-    /// Extracts the findings from the results of a scene, and computes the sensitivities.
-    ///
-    /// # Errors
-    /// [`PlanError`], as of the scene itself.
-    pub fn from_results(scene: &Scene, results: &Results) -> Result<Self, PlanError> {
-        Self::from_results_observed(scene, results, &Unobserved)
-    }
-
-    /// Extracts the findings; `progress` watches the sensitivities and may cancel them.
-    ///
-    /// # Errors
-    /// [`PlanError`], as of the scene itself.
-    pub fn from_results_observed(
-        scene: &Scene,
-        results: &Results,
-        progress: &dyn Progress,
-    ) -> Result<Self, PlanError> {
-        let answer = Answer::from_results(scene, results);
-        let (sensitivities, work) = sensitivities_with_work(scene, results, progress)?;
-        Ok(Findings { answer, sensitivities, work, run_stamp: RunStamp::default() })
-    }
-
-    /// Adds date and command of the run.
-    #[must_use]
-    pub fn on(self, run_stamp: RunStamp) -> Self {
-        Findings { run_stamp, ..self }
-    }
-
-    /// The part of a report on these findings.
-    pub fn report<'a>(
-        &'a self,
-        label: &'a str,
-        scene: &'a Scene,
-        results: &'a Results,
-        assessment: Assessment<'a>,
-    ) -> SceneReport<'a> {
-        SceneReport {
-            label,
-            scene,
-            results,
-            answer: &self.answer,
-            assessment,
-            sensitivities: &self.sensitivities,
-            figures: reported_figures(scene, results, assessment),
-        }
-    }
-
-    fn tables(&self, scene: &Scene) -> [(&'static str, Table); 3] {
-        let [scales, decades, sensitivity] = REPORT_TABLES;
-        [
-            (scales, self.answer.scales_table(&scene.needs)),
-            (decades, self.answer.decades_table(&scene.needs)),
-            (sensitivity, findings::sensitivity::table(&self.sensitivities, &scene.needs)),
-        ]
-    }
-}
-
 /// The verdict on every curve, and on every window.
 fn judge_tables(judgement: &Judgement, scene: &Scene) -> [(&'static str, Table); 2] {
     let [models, windows] = JUDGE_TABLES;
@@ -217,31 +146,20 @@ fn uncertainty_tables(uncertainty: &Uncertainty, scene: &Scene) -> [(&'static st
     ]
 }
 
-/// The optional products of a scene besides its curves and figures.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Parts {
-    /// The report and its tables.
-    pub report: bool,
-    /// The tables of the judge.
-    pub judgement: bool,
-    /// The tables of draws.
-    pub uncertainty: bool,
-}
-
 /// The names of the files that a scene may have, for checks before anything is computed. Tables of the judge or of
 /// draws without rows are not written.
 #[must_use]
-pub fn file_names(scene: &Scene, parts: Parts, format: Format) -> Vec<String> {
+pub fn file_names(scene: &Scene, options: RunOptions, format: Format) -> Vec<String> {
     let table = |name: &str| format!("{name}.{}", format.extension());
     let mut names: Vec<String> = scene.needs.curves.iter().map(|curve| table(&curve.name)).collect();
-    if parts.judgement {
+    if options.is_judged(scene) {
         names.extend(JUDGE_TABLES.map(table));
     }
-    if parts.uncertainty {
+    if options.is_drawn(scene) {
         names.extend(UNCERTAINTY_TABLES.map(table));
     }
     names.extend(scene.interface.as_ref().map(|_| table(INTERFACE_TABLE)));
-    if parts.report {
+    if options.report {
         names.extend(REPORT_TABLES.map(table));
         names.push(REPORT.to_owned());
     }
@@ -253,28 +171,6 @@ pub fn file_names(scene: &Scene, parts: Parts, format: Format) -> Vec<String> {
 
 /// The writer of one file's content.
 pub type Content<'c> = &'c dyn Fn(&mut dyn Write) -> io::Result<()>;
-
-/// Passes the name and content of every file of a scene to `file`, and returns the names.
-///
-/// # Errors
-/// Any error that `file` returns.
-pub fn each_file<E>(
-    scene: &Scene,
-    results: &Results,
-    findings: Option<&Findings>,
-    assessment: Assessment<'_>,
-    format: Format,
-    mut file: impl FnMut(&str, Content<'_>) -> Result<(), E>,
-) -> Result<Vec<String>, E> {
-    let mut names = Vec::new();
-    each_product(scene, results, findings, assessment, |name, product| {
-        let name = product.file_name(name, format);
-        let written = file(&name, &|out| product.write(format, out));
-        names.push(name);
-        written
-    })?;
-    Ok(names)
-}
 
 /// A product of a scene.
 #[derive(Debug, Clone, Copy)]
@@ -315,59 +211,106 @@ impl Product<'_> {
     }
 }
 
-/// Passes every product of a scene to `take`, by name. The report and its tables need findings; the tables of the judge
-/// and of draws need the assessment. A table is made when its turn comes, so that only one is held.
-///
-/// # Errors
-/// Any error that `take` returns.
-pub fn each_product<E>(
-    scene: &Scene,
-    results: &Results,
-    findings: Option<&Findings>,
-    assessment: Assessment<'_>,
-    mut take: impl FnMut(&str, Product<'_>) -> Result<(), E>,
-) -> Result<(), E> {
-    let mut take_table = |name: &str, what: &str, table: &Table| {
-        let origin = origin(scene, &format!("{what} {name}"));
-        take(name, Product::Table { table, origin: &origin })
-    };
-    for (curve, result) in scene.needs.curves.iter().zip(&results.curves) {
-        take_table(&curve.name, "curve", &result_tables::curve(result, &scene.needs.loads, true))?;
+/// A scene with its results, and the products made of them.
+#[derive(Clone, Copy)]
+pub struct SceneProducts<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// Its results.
+    pub results: &'a Results,
+    /// Its findings; without them there is no report.
+    pub findings: Option<&'a SceneFindings>,
+    /// The assessment of its results.
+    pub assessment: Assessment<'a>,
+    /// Date and command of the run.
+    pub run_stamp: &'a RunStamp,
+}
+
+impl<'a> SceneProducts<'a> {
+    /// Passes the name and content of every file to `file`, and returns the names.
+    ///
+    /// # Errors
+    /// Any error that `file` returns.
+    pub fn each_file<E>(
+        &self,
+        format: Format,
+        mut file: impl FnMut(&str, Content<'_>) -> Result<(), E>,
+    ) -> Result<Vec<String>, E> {
+        let mut names = Vec::new();
+        self.each(|name, product| {
+            let name = product.file_name(name, format);
+            let written = file(&name, &|out| product.write(format, out));
+            names.push(name);
+            written
+        })?;
+        Ok(names)
     }
-    let reported = findings.map(|findings| findings.tables(scene));
-    for (name, table) in reported.iter().flatten().filter(|(_, table)| table.rows() > 0) {
-        take_table(name, "table", table)?;
-    }
-    let judged = assessment.judgement.into_iter().flat_map(|judgement| judge_tables(judgement, scene));
-    let drawn_from = assessment.uncertainty.into_iter();
-    let of_draws = drawn_from.flat_map(|uncertainty| uncertainty_tables(uncertainty, scene));
-    for (name, table) in judged.chain(of_draws) {
-        if table.rows() > 0 {
-            take_table(name, "table", &table)?;
-        }
-    }
-    if let Some(states) = InterfaceStates::from_scene(scene, results) {
-        take_table(INTERFACE_TABLE, "table", &interface_table(&states, scene, assessment.uncertainty))?;
-    }
-    let figures: Vec<FigureData> =
-        scene.figures.iter().map(|figure| data(scene, results, figure, assessment.uncertainty)).collect();
-    for figure in &figures {
-        take_table(&figure.name, "figure", &figure.table())?;
-    }
-    for figure in &figures {
-        take(&figure.name, Product::Figure(&drawn(scene, figure)))?;
-    }
-    if let Some(findings) = findings {
-        let report = Report {
-            title: &scene.title,
-            scenes: vec![findings.report(&scene.title, scene, results, assessment)],
-            extra: None,
-            repeat: "truearea run with the scene below; the tables beside this page hold its numbers.",
-            run_stamp: &findings.run_stamp,
+
+    /// Passes every product to `take`, by name. The report and its tables need findings; the tables of the judge and of
+    /// draws need the assessment. A table is made when its turn comes, so that only one is held.
+    ///
+    /// # Errors
+    /// Any error that `take` returns.
+    pub fn each<E>(&self, mut take: impl FnMut(&str, Product<'_>) -> Result<(), E>) -> Result<(), E> {
+        let SceneProducts { scene, results, findings, assessment, run_stamp } = *self;
+        let mut take_table = |name: &str, what: &str, table: &Table| {
+            let origin = origin(scene, &format!("{what} {name}"));
+            take(name, Product::Table { table, origin: &origin })
         };
-        take(REPORT, Product::Report(&report.html()))?;
+        for (curve, result) in scene.needs.curves.iter().zip(&results.curves) {
+            take_table(&curve.name, "curve", &result_tables::curve(result, &scene.needs.loads, true))?;
+        }
+        let reported = findings.map(|findings| findings.tables(&scene.needs));
+        for (name, table) in reported.iter().flatten().filter(|(_, table)| table.rows() > 0) {
+            take_table(name, "table", table)?;
+        }
+        let judged = assessment.judgement.into_iter().flat_map(|judgement| judge_tables(judgement, scene));
+        let drawn_from = assessment.uncertainty.into_iter();
+        let of_draws = drawn_from.flat_map(|uncertainty| uncertainty_tables(uncertainty, scene));
+        for (name, table) in judged.chain(of_draws) {
+            if table.rows() > 0 {
+                take_table(name, "table", &table)?;
+            }
+        }
+        if let Some(states) = InterfaceStates::from_scene(scene, results) {
+            take_table(INTERFACE_TABLE, "table", &interface_table(&states, scene, assessment.uncertainty))?;
+        }
+        let figures: Vec<FigureData> =
+            scene.figures.iter().map(|figure| data(scene, results, figure, assessment.uncertainty)).collect();
+        for figure in &figures {
+            take_table(&figure.name, "figure", &figure.table())?;
+        }
+        for figure in &figures {
+            take(&figure.name, Product::Figure(&drawn(scene, figure)))?;
+        }
+        if let Some(part) = self.report(&scene.title) {
+            let report = Report {
+                title: &scene.title,
+                scenes: vec![part],
+                extra: None,
+                repeat: "truearea run with the scene below; the tables beside this page hold its numbers.",
+                run_stamp,
+            };
+            take(REPORT, Product::Report(&report.html()))?;
+        }
+        Ok(())
     }
-    Ok(())
+
+    /// Returns the part of a report on this scene; `None` without findings.
+    #[must_use]
+    pub fn report(&self, label: &'a str) -> Option<SceneReport<'a>> {
+        let SceneProducts { scene, results, findings, assessment, .. } = *self;
+        let findings = findings?;
+        Some(SceneReport {
+            label,
+            scene,
+            results,
+            answer: &findings.answer,
+            assessment,
+            sensitivities: &findings.sensitivities,
+            figures: reported_figures(scene, results, assessment),
+        })
+    }
 }
 
 /// A row per quantity, load and curve with a value: `quantity, nominal_pressure_pa, curve, value, median, low, high,

@@ -1,4 +1,4 @@
-//! A surface of roughness parameters: that it was assumed stands beside its answer.
+//! The answer for a surface of roughness parameters states that the spectrum was assumed.
 
 use report::scan_words;
 use scene::{Overrides, Scene};

@@ -2,8 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use findings::SceneFindings;
+use questions::RunOptions;
 use report::assessment::Assessment;
-use report::products::{self, Findings, Parts};
+use report::products::{self, SceneProducts};
+use report::run_stamp::RunStamp;
 use report::summary::summary;
 use scene::{Overrides, Scene};
 use study::NoFiles;
@@ -18,7 +21,7 @@ use uncertainty::{
 const SCENE: &str = r#"
     title = "Diamond, as measured"
     surface = { psd = "builtin:uncd-measured" }
-    material = { youngs_modulus = "463 GPa", poisson_ratio = 0.2, yield_strength = "1.8 GPa" }
+    material = { youngs_modulus = "463 GPa +- 5 GPa", poisson_ratio = 0.2, yield_strength = "1.8 GPa" }
     loads = { pressures = ["1 MPa", "100 MPa"] }
     [[curve]]
     model = "elastic"
@@ -40,14 +43,14 @@ const SCENE: &str = r#"
 struct Study {
     scene: Scene,
     results: Results,
-    findings: Findings,
+    findings: SceneFindings,
 }
 
 impl Study {
     fn new() -> Self {
         let scene = Scene::parse(SCENE, &NoFiles, &Overrides::default()).unwrap();
         let results = scene.plan().compute().unwrap();
-        let findings = Findings::from_results(&scene, &results).unwrap();
+        let findings = SceneFindings::from_results(&scene, &results, &study::Unobserved).unwrap();
         Study { scene, results, findings }
     }
 
@@ -61,19 +64,19 @@ impl Study {
     fn files(&self, uncertainty: Option<&Uncertainty>) -> BTreeMap<String, String> {
         let mut files = BTreeMap::new();
         let trust = Assessment { judgement: None, uncertainty };
-        let names = products::each_file(
-            &self.scene,
-            &self.results,
-            Some(&self.findings),
-            trust,
-            Format::Csv,
-            |name, content| {
-                let mut bytes = Vec::new();
-                content(&mut bytes)?;
-                files.insert(name.to_owned(), String::from_utf8(bytes).unwrap());
-                Ok::<(), std::io::Error>(())
-            },
-        );
+        let products = SceneProducts {
+            scene: &self.scene,
+            results: &self.results,
+            findings: Some(&self.findings),
+            assessment: trust,
+            run_stamp: &RunStamp::default(),
+        };
+        let names = products.each_file(Format::Csv, |name, content| {
+            let mut bytes = Vec::new();
+            content(&mut bytes)?;
+            files.insert(name.to_owned(), String::from_utf8(bytes).unwrap());
+            Ok::<(), std::io::Error>(())
+        });
         assert_eq!(names.unwrap().len(), files.len());
         files
     }
@@ -253,8 +256,8 @@ fn a_run_with_draws_adds_its_tables_and_a_run_without_has_the_files_that_it_had(
     let (plain, drawn) = (study.files(None), study.files(Some(&study.drawn())));
     let added: Vec<&String> = drawn.keys().filter(|name| !plain.contains_key(*name)).collect();
     assert_eq!(added, ["report-advice.csv", "report-sobol.csv", "report-uncertainty.csv"]);
-    let parts = Parts { report: true, judgement: false, uncertainty: true };
-    let mut announced = products::file_names(&study.scene, parts, Format::Csv);
+    let options = RunOptions { report: true, judge: Some(false), uncertainty: Some(true) };
+    let mut announced = products::file_names(&study.scene, options, Format::Csv);
     announced.sort();
     assert_eq!(announced, drawn.keys().cloned().collect::<Vec<_>>());
     // Tables of figures hold no bands.

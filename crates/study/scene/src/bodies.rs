@@ -42,14 +42,14 @@ pub(super) struct UncertainCounterface {
 }
 
 impl UncertainCounterface {
-    /// A body of which nothing but its elastic constants is known.
+    /// A body with only its elastic constants.
     pub fn exactly(body: ElasticBody) -> Self {
         let elastic = Some(KnownBody { body, youngs_modulus: None, poisson_ratio: None });
         UncertainCounterface { elastic, ..Self::default() }
     }
 }
 
-/// The material against its counterface, how well both are known, and what else there is to know of them.
+/// The material against its counterface, the uncertainties of both, and their other properties.
 pub(super) fn resolve_material(
     raw: &Spanned<RawMaterial>,
     counterface: UncertainCounterface,
@@ -103,8 +103,8 @@ pub(super) fn resolve_material(
     Ok((material, spreads, bodies))
 }
 
-/// The body that flows, where the counterface has a strength: the one of the smaller C(nu) S_y, by the medians, and the
-/// rough body of two alike.
+/// Returns the body that yields, if the counterface has a strength: the one with the smaller C(nu) S_y, by the medians.
+/// If both are equal, the rough body yields.
 fn softer(
     rough: &HardnessAndStrength,
     rough_body: ElasticBody,
@@ -129,7 +129,7 @@ fn softer(
     Some(softer)
 }
 
-/// The strain-gradient length is one of the body that flows: that of the other says nothing.
+/// Refuses a strain-gradient length of the harder body: only that of the body that yields has an effect.
 fn refuse_length_of_the_harder(rough: &BodyKeys, counterface: &KnownStrength) -> Result<(), SceneError> {
     match (&rough.strain_gradient_length, counterface.length) {
         (Some(length), None) => {

@@ -19,24 +19,24 @@ pub struct SceneError {
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum SceneProblem {
-    /// The text, a key or a value is none that a scene may have.
+    /// The text, a key or a value does not belong in a scene.
     Text(String),
     /// No section of this place has such a key.
     UnknownKey {
         /// The key.
         key: String,
-        /// The keys there are.
+        /// The accepted keys.
         known: Vec<String>,
-        /// The one that looks most like it.
+        /// The most similar key.
         meant: Option<String>,
     },
-    /// A choice that is none of those there are.
+    /// A choice that does not exist.
     UnknownValue {
         /// The value.
         value: String,
-        /// The values there are.
+        /// The accepted values.
         known: Vec<String>,
-        /// The one that looks most like it.
+        /// The most similar value.
         meant: Option<String>,
     },
     /// A value of another kind than its key takes.
@@ -55,7 +55,7 @@ pub enum SceneProblem {
     Value {
         /// The key with its section.
         key: String,
-        /// The value as it stands there.
+        /// The value as typed.
         value: String,
         /// Description of the error.
         problem: String,
@@ -67,7 +67,7 @@ pub enum SceneProblem {
         /// The name that it is taken by.
         by: String,
     },
-    /// A curve needs what the material lacks.
+    /// A curve needs a property that the material lacks.
     Material(MaterialError),
     /// The spectrum or the scans cannot be had.
     Surface(Box<SurfaceError>),
@@ -82,7 +82,7 @@ impl SceneError {
         SceneError { problem: problem.into(), span: None }
     }
 
-    /// The key to blame, where one is known.
+    /// The key at fault, if known.
     #[must_use]
     pub fn key(&self) -> Option<&str> {
         match &self.problem {

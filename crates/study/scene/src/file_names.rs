@@ -1,4 +1,4 @@
-//! The names of curves and figures become those of files, which must not replace one another.
+//! Names of curves and figures. They become names of files, which must not replace one another.
 
 use std::ops::Range;
 
@@ -16,7 +16,7 @@ pub const JUDGE_TABLES: [&str; 2] = ["report-models", "report-judge"];
 /// The names of the tables of draws: the interval of every area, the indices of its inputs, and what to measure next.
 pub const UNCERTAINTY_TABLES: [&str; 3] = ["report-uncertainty", "report-sobol", "report-advice"];
 
-/// The name of the table of what the interface does besides touching.
+/// The name of the table of the results on the interface.
 pub const INTERFACE_TABLE: &str = "report-interface";
 
 /// Refuses curves and figures whose files would replace those of another or of the report. Disks differ in whether case

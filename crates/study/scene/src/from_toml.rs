@@ -5,7 +5,7 @@ use toml::de::Error;
 use super::error::{SceneError, SceneProblem};
 use super::spelling::meant;
 
-/// The names of types as the reader has them, and what a person would write there.
+/// Type names of the TOML reader, and the words that a person would write for them.
 const WANTED: [(&str, &str); 16] = [
     ("f64", "a number"),
     ("i64", "a whole number"),
@@ -25,7 +25,8 @@ const WANTED: [(&str, &str); 16] = [
     ("struct RawUncertainty", "a section [uncertainty]"),
 ];
 
-/// The error with its place. The reader tells what it expected in words alone, in which names stand between backticks.
+/// Makes an error with its place. The TOML reader describes what it expected only in words, with names between
+/// backticks.
 pub(super) fn scene_error(error: &Error) -> SceneError {
     SceneError { problem: problem(error.message()), span: error.span() }
 }

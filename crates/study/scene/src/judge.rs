@@ -11,8 +11,8 @@ use super::values::{value_error, whole_number};
 /// transforms.
 const GRID: Bound = Bound::Within { at_least: 32.0, at_most: 8192.0 };
 
-/// Surfaces that the judge may press: of one there is no scatter; the standard error of 10,000 is far below what their grid
-/// leaves.
+/// The number of surfaces that the judge may press. One surface has no scatter; the standard error of 10,000 is far
+/// below the error of their grid.
 const REALISATIONS: Bound = Bound::Within { at_least: 2.0, at_most: 10_000.0 };
 
 /// Settings of the judge in a scene. The judge chooses those that are absent.
@@ -31,7 +31,7 @@ pub struct JudgeChoices {
 }
 
 impl JudgeChoices {
-    /// No judge, whatever the scene says.
+    /// Turns the judge off.
     pub(super) const OFF: Self =
         JudgeChoices { grid: None, realisations: None, seed: None, budget: None, off: true };
 }

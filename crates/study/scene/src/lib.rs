@@ -149,7 +149,7 @@ impl Scene {
         choices
     }
 
-    /// The hardness H = 3 S0 \[Pa\] of its material, where there is a strength.
+    /// Returns the hardness H = 3 S0 \[Pa\] of the material, if it has a strength.
     pub fn hardness_pa(&self) -> Option<f64> {
         self.material?.hardness_pa()
     }

@@ -1,4 +1,4 @@
-//! The keys of a body, and those that the table of materials fills because the scene names one.
+//! The keys of a body, with missing keys filled from the table of materials if the scene names a material.
 
 use std::ops::Range;
 
@@ -69,7 +69,7 @@ impl BodyKeys {
         format!("{}.{name}", self.section)
     }
 
-    /// Fills what was left out from the table, where a material is named.
+    /// Fills missing keys from the table, if a material is named.
     fn filled(mut self, name: Option<&Spanned<String>>) -> Result<Self, SceneError> {
         let Some(name) = name else { return Ok(self) };
         let TabledMaterial {

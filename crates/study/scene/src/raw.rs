@@ -1,4 +1,4 @@
-//! A scene as it may be typed: every key there is.
+//! A scene as typed, with every key that exists.
 
 use std::fmt;
 
@@ -67,7 +67,7 @@ pub(super) struct RawSurface {
     pub hurst: Option<Spanned<f64>>,
 }
 
-/// A scan: its file alone, or with what the file does not say.
+/// A scan: its file alone, or with the options that the file needs.
 #[derive(Debug, Default)]
 pub(super) struct RawScan(pub RawScanKeys);
 
@@ -103,7 +103,7 @@ pub(super) struct RawMaterial {
 /// A property of a material: text with a unit, perhaps with how well it is known, or the distribution of it.
 #[derive(Debug, Clone)]
 pub(super) enum RawProperty {
-    /// A text, a number, or what is neither, to be refused with the mend.
+    /// A text, a number, or anything else, which is refused with the remedy.
     Value(toml::Value),
     /// A table.
     Distribution(RawDistribution),

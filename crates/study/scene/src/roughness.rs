@@ -21,10 +21,10 @@ pub(super) fn keys(surface: &RawSurface) -> [(&'static str, bool); 5] {
     ]
 }
 
-/// The surface that has these parameters.
+/// Makes the surface with these parameters.
 ///
-/// `rms_height` is Rq and `rms_slope` Rdq, both of a profile, and one of `mean_width`, RSm, and `rolloff_wavelength` tells how wide its
-/// widest features are. RSm does not stand for the slope: the standard leaves narrow elements out of it, and they are the
+/// `rms_height` is Rq and `rms_slope` Rdq, both of a profile. One of `mean_width`, RSm, and `rolloff_wavelength` gives
+/// the width of its widest features. RSm cannot replace the slope: the standard ignores narrow elements, which are the
 /// steep ones.
 pub(super) fn resolve_roughness(key: &str, raw: &Spanned<RawSurface>) -> Result<Surface, SceneError> {
     let surface = raw.get_ref();

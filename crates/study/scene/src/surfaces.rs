@@ -1,4 +1,5 @@
-//! The surfaces of a scene: a spectrum, scans to make one of, or roughness parameters; the counterface's added where it has one.
+//! The surfaces of a scene: a spectrum, scans to make one of, or roughness parameters; with the surface of the
+//! counterface added if it has one.
 
 use serde_spanned::Spanned;
 use spectrum::ReadOptions;
@@ -54,7 +55,7 @@ pub(super) fn resolve_surface(
     }
 }
 
-/// Refuses keys that say nothing about what is given: a scene that is not carried out as it reads is worse than none.
+/// Refuses keys that have no effect on the given kind of surface: silently ignoring them would be worse than an error.
 fn refuse_idle_keys(key: &str, raw: &Spanned<RawSurface>) -> Result<(), SceneError> {
     let surface = raw.get_ref();
     let of_spectra = [

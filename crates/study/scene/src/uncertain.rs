@@ -35,7 +35,8 @@ pub(super) trait Property: FromStr<Err = QuantityError> {
     /// The property of a value in SI units.
     fn of_si(value: f64) -> Self;
 
-    /// A standard uncertainty in SI units that has no size without its value; `None` where it has one by itself.
+    /// Returns a standard uncertainty in SI units if its size depends on the value; `None` if it can be read without the
+    /// value.
     fn uncertainty_beside(_value: &str, _uncertainty: &str) -> Result<Option<f64>, QuantityError> {
         Ok(None)
     }
@@ -239,7 +240,7 @@ fn ratio(text: &str) -> Result<f64, String> {
     text.trim().parse().map_err(|_| format!("'{text}' is no number, such as 0.3"))
 }
 
-/// A share, of what is typed in percent alone.
+/// A share, typed in percent only.
 fn share(text: &str) -> Result<Option<f64>, String> {
     if !text.ends_with('%') {
         return Ok(None);
@@ -260,7 +261,7 @@ struct Reading<T> {
     bound: Bound,
 }
 
-/// A property from the table of its distribution, which stands at `span`.
+/// Reads a property from the table of its distribution, at `span` in the text.
 fn of_table<T>(
     key: &str,
     table: &RawDistribution,

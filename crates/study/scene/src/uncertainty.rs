@@ -33,7 +33,7 @@ impl UncertaintyChoices {
     /// Draws of the design that shares of variance are taken from: below, a share is lost in its own error.
     pub const SHARES_DRAWS: Bound = Bound::Within { at_least: 64.0, at_most: 1_000_000.0 };
 
-    /// No draws, whatever the scene says.
+    /// Turns the draws off.
     pub(super) const OFF: Self =
         UncertaintyChoices { level: None, draws: None, seed: None, shares_draws: None, off: true };
 }

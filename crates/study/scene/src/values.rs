@@ -17,7 +17,7 @@ pub(super) fn optional<T: FromStr<Err: std::fmt::Display>>(
     raw.map(|raw| quantity(key, raw)).transpose()
 }
 
-/// A quantity with its unit; a bare number is read as text without one, so that the message tells the units.
+/// A quantity with its unit. A bare number is read as text without a unit, so that the message lists the units.
 pub(super) fn quantity<T: FromStr<Err: std::fmt::Display>>(
     key: &str,
     raw: &RawQuantity,

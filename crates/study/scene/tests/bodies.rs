@@ -1,4 +1,4 @@
-//! The two bodies of a scene: materials by name, which of the two flows, and what they conduct.
+//! The two bodies of a scene: materials by name, the body that yields, and conductivities.
 
 use scene::{Overrides, Scene, SceneError, SceneProblem};
 use study::NoFiles;

@@ -1,4 +1,4 @@
-//! The indentation hardness of a scene's material: what follows it, what is assumed of it, and what is refused.
+//! The indentation hardness of a scene's material: its consequences, assumptions and errors.
 
 use scene::{Overrides, Scene, SceneError, SceneProblem};
 use study::NoFiles;

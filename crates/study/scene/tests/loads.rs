@@ -1,4 +1,4 @@
-//! Loads: one bound for all, and as many as are wanted.
+//! Loads: their number is free, and one bound holds for all.
 
 use scene::{Overrides, Scene};
 use study::plan::{LoadRange, Needs, NominalPressure, Part, Plan, PlanError};

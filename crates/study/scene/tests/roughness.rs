@@ -1,4 +1,4 @@
-//! A surface of a scene by its roughness parameters: what it becomes, what is said of it, and what is refused.
+//! A surface of a scene by its roughness parameters: the surface, its notes, and the errors.
 
 use scene::{Overrides, Scene, SceneError, SceneProblem};
 use spectrum::{Normalisation, cumulative_moments};

@@ -82,7 +82,7 @@ pub enum RowsNote {
         /// The number of all rows.
         all: usize,
     },
-    /// Rows of a spectrum narrower than that of any surface, for a model of its summits: their results are empty.
+    /// Rows of a spectrum too narrow for any surface, for a model of its summits: their results are empty.
     NarrowSpectra {
         /// The number of such rows and their alpha.
         narrow: NarrowSpectra,
@@ -98,7 +98,7 @@ pub enum RowsNote {
         /// The number of all rows.
         all: usize,
     },
-    /// Rows whose pressure is not below their hardness: all of them touches and flows.
+    /// Rows whose pressure is not below their hardness: the whole area touches and yields.
     FlowingEverywhere {
         /// The number of such rows.
         rows: usize,

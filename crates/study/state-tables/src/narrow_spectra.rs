@@ -1,4 +1,4 @@
-//! Spectra that are narrower than that of any surface.
+//! Spectra that are too narrow for any surface.
 
 /// The number of spectra without summits, and the range of their alpha = m0 m4/m2^2.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

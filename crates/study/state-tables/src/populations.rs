@@ -61,7 +61,7 @@ struct RowRequest {
 const REQUIRED_COLUMNS: [&str; 3] = ["model", "youngs_modulus_pa", "poisson_ratio"];
 
 impl Populations {
-    /// Populations against a rigid counterface, with every choice as it is by default.
+    /// Populations against a rigid counterface, with default choices.
     #[must_use]
     pub fn new() -> Self {
         Populations {
@@ -163,7 +163,7 @@ impl Populations {
         }
     }
 
-    /// Sets the results. Given cells stay as typed; computed ones are empty without asperities.
+    /// Sets the results. Given cells are kept as typed; computed ones are empty for rows without asperities.
     fn set_results(
         &self,
         input: &mut InputTable,
@@ -253,7 +253,7 @@ impl RowByRow for Populations {
     }
 }
 
-/// The columns that the rows of a block need between them: those of asperities unless every model takes moments.
+/// Returns the columns that the rows of a block need together: those of asperities unless every model takes moments.
 fn required_columns(block: &InputTable) -> Result<Vec<&'static str>, Refusal> {
     let models = block.rows(&["model"], |row| {
         // A model that is none is told of with its row.

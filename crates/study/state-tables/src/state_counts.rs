@@ -2,7 +2,7 @@
 
 use stat_contact::ContactState;
 
-/// Counts of states held at a bound, or on asperities outside the range of their law.
+/// Counts of states that are limited by a bound, or rest on asperities outside the range of their law.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct StateCounts {
     /// All states.

@@ -1,5 +1,5 @@
 //! Properties of the two bodies of a scene besides their elastic constants: conductivities and resistivities, sources
-//! of values in the table of materials, and the body that flows.
+//! of values in the table of materials, and the body that yields.
 
 use asperity::{ElasticBody, MaterialPair};
 use units::display::pressure;
@@ -39,9 +39,9 @@ impl Body {
 /// Thermal and electrical transport properties of a body; no law of contact needs them.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Transport {
-    /// Its thermal conductivity \[W/(m K)\], where it is given.
+    /// Its thermal conductivity \[W/(m K)\], if given.
     pub thermal_conductivity_w_per_m_k: Option<f64>,
-    /// Its electrical resistivity \[ohm m\], where it is given.
+    /// Its electrical resistivity \[ohm m\], if given.
     pub resistivity_ohm_m: Option<f64>,
 }
 
@@ -50,13 +50,13 @@ pub struct Transport {
 pub struct FromTable {
     /// The name in the table.
     pub name: String,
-    /// The keys that were left out and filled, in their order in a scene.
+    /// The missing keys that were filled, in their order in a scene.
     pub keys: Vec<&'static str>,
     /// Sources of the values in the table.
     pub sources: String,
 }
 
-/// The body that flows, where the counterface has a strength: the one of the smaller C S_y, C = 1.295 exp(0.736 nu)
+/// The body that yields, if the counterface has a strength: the one with the smaller C S_y, C = 1.295 exp(0.736 nu)
 /// (Jackson & Green 2005).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Softer {
@@ -79,12 +79,13 @@ pub struct Bodies {
     pub from_table: Option<FromTable>,
     /// Values of the counterface filled from the table of materials.
     pub counterface_from_table: Option<FromTable>,
-    /// The body that flows; absent if the counterface has no strength, as then the rough body alone yields.
+    /// The body that yields; absent if the counterface has no strength, because then only the rough body yields.
     pub softer: Option<Softer>,
 }
 
 impl Bodies {
-    /// A line for each thing that a scene does not say itself: what was taken from the table, and which body flows.
+    /// Returns a line for each fact that a scene does not state itself: values from the table, and the body that
+    /// yields.
     #[must_use]
     pub fn describe(&self, spreads: &MaterialSpreads) -> Vec<String> {
         let filled = [(Body::Rough, &self.from_table), (Body::Counterface, &self.counterface_from_table)];

@@ -1,4 +1,4 @@
-//! The choices that the models leave open, in words: what a setting is, and of which paper.
+//! Descriptions of the choices that the models leave open: each setting, and its source.
 
 use asperity::Hardness;
 use persson::corrections::Correction;

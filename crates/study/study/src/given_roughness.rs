@@ -1,9 +1,9 @@
-//! A surface of which roughness parameters are all that is given.
+//! A surface given only by roughness parameters.
 
 use spectrum::{RoughnessParameters, SelfAffineProfile};
 use units::display::{length, three_digits};
 
-/// The Hurst exponent where none is given: what measured surfaces have mostly.
+/// The default Hurst exponent, common among measured surfaces.
 pub const ASSUMED_HURST: f64 = 0.8;
 
 /// The spectrum of roughness parameters, and what of it was assumed.

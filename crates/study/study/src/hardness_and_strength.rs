@@ -6,7 +6,7 @@ use units::{IndentationHardness, Pressure, number};
 /// H/S0.
 pub const HARDNESS_OVER_STRENGTH: f64 = 3.0;
 
-/// The share of 3 that H/S0 may be off by where both are given, so that rounded values of a data sheet pass.
+/// The share by which H/S0 may differ from 3 if both are given, so that rounded values of a data sheet pass.
 const MISFIT: f64 = 0.01;
 
 /// A hardness and a yield strength that do not belong to one body, by more than 1 % of H = 3 S0.
@@ -25,7 +25,7 @@ pub struct HardnessOffStrength {
     pub yield_strength_pa: f64,
 }
 
-/// Formats a ratio with five digits, enough to tell it from 3 by 1 %.
+/// Formats a ratio with five digits, which shows a deviation of 1 % from 3.
 fn five_digits(ratio: f64) -> String {
     format!("{ratio:.4e}").parse().map_or_else(|_| number(ratio), number)
 }
@@ -38,10 +38,10 @@ pub struct HardnessAndStrength {
 }
 
 impl HardnessAndStrength {
-    /// The hardness H > 0 and the yield strength S0, each where it is given.
+    /// Takes the hardness H > 0 and the yield strength S0; either may be absent.
     ///
     /// # Errors
-    /// [`HardnessOffStrength`] where both are given and H/S0 is more than 1 % off 3.
+    /// [`HardnessOffStrength`] if both are given and H/S0 is more than 1 % off 3.
     pub fn new(
         hardness: Option<IndentationHardness>,
         yield_strength: Option<Pressure>,
@@ -58,14 +58,15 @@ impl HardnessAndStrength {
         }
     }
 
-    /// The indentation hardness H \[Pa\]: as given, or else 3 S0.
+    /// Returns the indentation hardness H \[Pa\]: as given, or else 3 S0.
     #[must_use]
     pub fn hardness_pa(&self) -> Option<f64> {
         let of_strength = || Some(HARDNESS_OVER_STRENGTH * self.yield_strength?.pascals(None)?);
         self.hardness_pa.or_else(of_strength)
     }
 
-    /// The yield strength S0 \[Pa\]: as given, or else H/3; none as well where it was given in units of the hardness.
+    /// Returns the yield strength S0 \[Pa\]: as given, or else H/3. `None` also if it was given in units of the
+    /// hardness.
     #[must_use]
     pub fn yield_strength_pa(&self) -> Option<f64> {
         match self.yield_strength {
@@ -74,13 +75,13 @@ impl HardnessAndStrength {
         }
     }
 
-    /// The hardness H \[Pa\], where it was given by itself.
+    /// Returns the hardness H \[Pa\] if it was given.
     #[must_use]
     pub fn given_hardness_pa(&self) -> Option<f64> {
         self.hardness_pa
     }
 
-    /// The yield strength S0 \[Pa\] where none was given: H/3.
+    /// Returns the yield strength S0 \[Pa\] that follows from the hardness, H/3, if no strength was given.
     #[must_use]
     pub fn assumed_yield_strength_pa(&self) -> Option<f64> {
         let hardness_pa = self.hardness_pa.filter(|_| self.yield_strength.is_none())?;

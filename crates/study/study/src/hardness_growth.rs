@@ -18,11 +18,11 @@ pub enum GrowthError {
     Hardness(#[from] HardnessError),
 }
 
-/// The hardness of a material that grows by a law, up to the material's cap; constant, and without a cap, where no law is
-/// given.
+/// Returns the hardness of a material that grows by a law, up to the material's cap. Without a law it is constant and
+/// has no cap.
 ///
 /// # Errors
-/// [`GrowthError`] where the material lacks what the law takes, or has it out of bounds.
+/// [`GrowthError`] if the material lacks a property that the law needs, or has it out of bounds.
 pub fn hardness_of(material: &Material, law: Option<&GrowthLaw>) -> Result<Hardness, GrowthError> {
     let options = ModelOptions { hardness_law: law.cloned(), ..ModelOptions::default() };
     Ok(PlasticLaw::new(material, &options)?.hardness()?)

@@ -1,20 +1,20 @@
-//! The areas that go with the load, for the roughness of a spectrum: yardsticks for elastic models.
+//! Linear laws for the roughness of a spectrum: areas proportional to the load, for comparison with elastic models.
 
 use spectrum::{Normalisation, ProfilePsd, cumulative_moments};
 use stat_contact::LinearLaw;
 
 use crate::models::CurveModel;
 
-/// The rms gradient of an isotropic surface with the spectrum of a profile, sqrt(2 m2), by the shortest wavelength \[m\] that takes
-/// part: one for each but the longest. Of Parseval's moments, whatever normalisation tables are asked for in.
+/// Computes the rms gradient of an isotropic surface, sqrt(2 m2), for every cutoff \[m\] but the longest, from the
+/// spectrum of a profile. The moments are Parseval's, whatever the normalisation of tables.
 #[must_use]
 pub fn rms_gradients(psd: &ProfilePsd) -> Vec<(f64, f64)> {
     let moments = cumulative_moments(psd, Normalisation::default());
     moments.iter().map(|moments| (moments.wavelength_m, (2.0 * moments.m2).sqrt())).collect()
 }
 
-/// The area fractions of the linear laws, the smaller first, under a nominal pressure \[Pa\] and for an rms gradient; none for
-/// a model that yields, where the gradient is zero, and where the larger law leaves its range: beyond the nominal area.
+/// Computes the area fractions of the linear laws, the smaller first, under a nominal pressure \[Pa\] and for an rms
+/// gradient. `None` for a model that yields, for a zero gradient, and if the larger area exceeds the nominal one.
 #[must_use]
 pub fn linear_areas(model: &CurveModel, nominal_pressure_pa: f64, rms_gradient: f64) -> Option<[f64; 2]> {
     let modulus_pa = model.pair().composite_modulus_pa();

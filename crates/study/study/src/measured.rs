@@ -26,7 +26,7 @@ named!(Kind, "kind of file", { Scan => "scan", Spectrum => "spectrum" });
 pub enum Measured {
     /// The heights of a map.
     Map(Box<MapOfFile>),
-    /// A spectrum, of which there are many surfaces.
+    /// A spectrum, which many surfaces share.
     Spectrum(Box<Surface>),
 }
 
@@ -37,7 +37,7 @@ pub struct MeasuredOptions {
     pub kind: Option<Kind>,
     /// Options for reading a spectrum.
     pub spectrum: ReadOptions,
-    /// The recipe that says what is subtracted from heights.
+    /// The recipe, including the trend to subtract from heights.
     pub recipe: Recipe,
 }
 
@@ -45,7 +45,7 @@ impl Measured {
     /// Reads a file, or a built-in spectrum.
     ///
     /// # Errors
-    /// [`SurfaceError`] that names the file, and place, value and bound where they are to blame.
+    /// [`SurfaceError`] with the file, and place, value and bound if they are at fault.
     pub fn load(
         request: &ScanRequest,
         files: &dyn Files,
@@ -82,7 +82,7 @@ impl Measured {
     }
 }
 
-/// Files of which one has been read already, as a stream can be read only once.
+/// Files of which one was already read, because a stream can be read only once.
 struct Held<'f> {
     name: &'f str,
     bytes: &'f [u8],

@@ -58,7 +58,7 @@ pub struct ModelOptions {
     pub hardness_law: Option<GrowthLaw>,
 }
 
-/// An option that was given and that the model ignores.
+/// A given option that the model ignores.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct IgnoredOption {
     /// The option.
@@ -71,7 +71,8 @@ pub struct IgnoredOption {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum IgnoredReason {
-    /// The model has no such option; [`ModelEntry::has`](crate::models::ModelEntry::has) tells which models have it.
+    /// The model has no such option; [`ModelEntry::has`](crate::models::ModelEntry::has) returns true for those that
+    /// have it.
     NoSuchOption,
     /// The model never yields, so that it has neither strength nor hardness.
     NeverYields,
@@ -79,7 +80,7 @@ pub enum IgnoredReason {
     CorrectionsAreElastic,
     /// The hardness law is not `nix-gao`, the only one that takes a strain-gradient length.
     OtherHardnessLaw,
-    /// Neither strength nor hardness grows, so that there is nothing to cap.
+    /// Neither strength nor hardness grows, so a cap has no effect.
     NothingGrows,
 }
 

@@ -18,9 +18,9 @@ pub enum Note {
     OfParameters(GivenRoughness),
     /// A remark on the scans that the spectrum is made from.
     Scans(Remark),
-    /// It is the sum of the spectra of two surfaces.
+    /// The spectrum is the sum of the spectra of two surfaces.
     Superposition {
-        /// Longest and shortest wavelength \[m\] that both have; absent where they share none.
+        /// Longest and shortest wavelength \[m\] that both have; absent if they share none.
         shared_m: Option<[f64; 2]>,
     },
     /// About one of the two surfaces of a contact.

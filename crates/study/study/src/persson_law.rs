@@ -58,14 +58,14 @@ pub enum PerssonDeformation {
     ElasticPlastic(PlasticLaw),
 }
 
-/// A hardness with its growth towards short wavelengths, beside the strength of the same body.
+/// A hardness with its growth towards short wavelengths, and the strength of the same body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlasticLaw {
     /// The strength, with the strain-gradient length where the hardness grows as Nix & Gao have it.
     strength: NixGao,
     /// The hardness \[Pa\] at long wavelengths.
     hardness_pa: f64,
-    /// H/S0, 3 but for the misfit that a given pair of them may have.
+    /// H/S0: 3, except for the deviation that a given pair may have.
     hardness_over_strength: f64,
     /// The law of a hardness that grows without a strain gradient.
     growth: Option<GrowthLaw>,
@@ -100,14 +100,14 @@ impl PerssonLaw {
         }
     }
 
-    /// Returns the same law with another strength, or nothing for an elastic surface. A measured hardness stays.
+    /// Returns the law with another strength, or nothing for an elastic surface. A measured hardness is kept.
     #[must_use]
     pub fn with_strength(&self, strength: NixGao) -> Option<Self> {
         let plastic = self.plastic()?.with_strength(strength);
         Some(PerssonLaw { deformation: PerssonDeformation::ElasticPlastic(plastic), ..*self })
     }
 
-    /// Returns the same law with another correction, or nothing for a surface that yields.
+    /// Returns the law with another correction, or nothing for a surface that yields.
     #[must_use]
     pub fn with_correction(&self, correction: Option<Correction>) -> Option<Self> {
         let deformation = self.correction().map(|_| PerssonDeformation::Elastic { correction })?;
@@ -163,7 +163,7 @@ impl PlasticLaw {
         Ok(PlasticLaw { strength, hardness_pa, hardness_over_strength, growth })
     }
 
-    /// Returns the strength of the body that flows.
+    /// Returns the strength of the body that yields.
     #[must_use]
     pub fn strength(&self) -> NixGao {
         self.strength

@@ -40,7 +40,8 @@ pub fn amplitude(results: &Results) -> Table {
         .with_numbers("aspect_ratio", scales.iter().map(stacked_contact::Scale::aspect_ratio))
 }
 
-/// The self-affine fit, lengths in m: one row, its cells empty where nothing could be identified.
+/// Makes the table of the self-affine fit, lengths in m: one row, with empty cells for parameters that could not be
+/// identified.
 pub fn fit(results: &Results) -> Table {
     let fit = results.fit.as_ref();
     let rolloff = fit.and_then(|fit| fit.rolloff);
@@ -62,13 +63,14 @@ pub fn curve(curve: &CurveResult, loads: &[Load], details: bool) -> Table {
     part_of_curve(curve, &pressures_pa, loads.len() > 1, details)
 }
 
-/// Some blocks of a curve, under these nominal pressures \[Pa\]; `several` tells whether the whole curve has more loads than
-/// one.
+/// Makes a table of some blocks of a curve, under these nominal pressures \[Pa\]. `several` is true if the whole curve
+/// has more than one load.
 pub fn part_of_curve(curve: &CurveResult, pressures_pa: &[f64], several: bool, details: bool) -> Table {
     curve.table(pressures_pa, several, details)
 }
 
-/// A surface under loads: a row a load. The law of light loads is the same in every row, where the model has one.
+/// Makes the table of a surface under loads, with a row per load. The law of light loads is in every row, if the model
+/// has one.
 pub fn gaps(states: &[GapState], light: Option<&LightLoads>) -> Table {
     let column = |of: fn(&GapState) -> Option<f64>| states.iter().map(of);
     let of_light = |of: fn(&LightLoads) -> f64| states.iter().map(move |_| light.map(of));

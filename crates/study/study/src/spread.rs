@@ -33,7 +33,7 @@ pub enum Spread {
         /// The upper end, above it.
         to: f64,
     },
-    /// Values that were measured, in rising order and not all the same, each as likely.
+    /// Measured values in rising order, not all equal, each equally likely.
     Values(Vec<f64>),
 }
 
@@ -63,7 +63,7 @@ pub enum SpreadError {
     NoSinglePeak {
         /// The median.
         median: f64,
-        /// The standard uncertainty asked for.
+        /// The given standard uncertainty.
         standard_uncertainty: f64,
         /// The largest with a single peak.
         most: f64,
@@ -82,7 +82,7 @@ const CENTRAL_95: f64 = 1.959_963_984_540_054;
 /// The range of centres, in SI units: no draw from a spread leaves the range of magnitudes that laws take.
 const CENTRE: Bound = Bound::Within { at_least: 1e-20, at_most: 1e20 };
 
-/// A standard uncertainty over its value: beyond, nothing but the order of magnitude would be known.
+/// A standard uncertainty over its value. Above the bound, only the order of magnitude would be known.
 const RELATIVE: Bound = Bound::Within { at_least: 0.0, at_most: 10.0 };
 
 /// The upper end of an interval over its lower one.
@@ -92,7 +92,8 @@ const END_OVER_BEGINNING: Bound = Bound::Within { at_least: 1.0, at_most: 1000.0
 const RATIO: Bound = Bound::Within { at_least: 1e-6, at_most: 0.499999 };
 
 impl Spread {
-    /// A log-normal quantity > 0 of this median and standard deviation; `None` where that is nothing beside rounding.
+    /// Creates a log-normal quantity > 0 with this median and standard deviation; `None` if the deviation is within
+    /// rounding.
     ///
     /// # Errors
     /// [`SpreadError::OutOfBounds`] for a median or a relative standard uncertainty beyond its bound.
@@ -107,7 +108,8 @@ impl Spread {
         Ok((relative > f64::EPSILON).then_some(Spread::LogNormal { median, sigma_ln }))
     }
 
-    /// A log-normal quantity > 0 of which an interval holds the central 95 %: its geometric mean, and how it scatters.
+    /// Creates a log-normal quantity > 0 whose central 95 % are this interval. Returns its geometric mean and its
+    /// spread.
     ///
     /// # Errors
     /// [`SpreadError`] for an interval that does not rise, or is too wide.
@@ -121,7 +123,8 @@ impl Spread {
         Ok((median, (sigma_ln > f64::EPSILON).then_some(Spread::LogNormal { median, sigma_ln })))
     }
 
-    /// A Poisson's ratio of this median and standard deviation on (0, 0.5); `None` where that is nothing beside rounding.
+    /// Creates a Poisson's ratio with this median and standard deviation on (0, 0.5); `None` if the deviation is within
+    /// rounding.
     ///
     /// # Errors
     /// [`SpreadError`] for a median outside (0, 0.5), and for a standard uncertainty beyond what a single peak allows.
@@ -160,10 +163,10 @@ impl Spread {
         Ok((0.5 * (from + to), (from < to).then_some(Spread::Uniform { from, to })))
     }
 
-    /// Values that were measured: their median, and how they scatter.
+    /// Returns the median of measured values, and their spread.
     ///
     /// # Errors
-    /// [`SpreadError::NoValues`] where there are none.
+    /// [`SpreadError::NoValues`] without values.
     pub fn values(mut values: Vec<f64>) -> Result<(f64, Option<Self>), SpreadError> {
         values.sort_by(f64::total_cmp);
         let (Some(first), Some(last)) = (values.first(), values.last()) else {
@@ -203,8 +206,8 @@ impl Spread {
         }
     }
 
-    /// Returns the distribution of the quantity over its centre. That of a Poisson's ratio is returned unchanged: no
-    /// caller needs it.
+    /// Returns the distribution of the quantity over its centre. A Poisson's ratio is returned unchanged, because no
+    /// caller needs its distribution.
     #[must_use]
     pub fn over_its_centre(self) -> Self {
         let centre = self.centre();
@@ -234,7 +237,7 @@ fn rising(from: f64, to: f64) -> Result<(f64, f64), SpreadError> {
     if from <= to { Ok((from, to)) } else { Err(SpreadError::NotRising { from, to }) }
 }
 
-/// The middle one, or the mean of the middle two; of none, 0.
+/// Returns the middle value, or the mean of the middle two; 0 without values.
 fn median_of_sorted(values: &[f64]) -> f64 {
     let upper = values.len() / 2;
     let lower = values.len().saturating_sub(1) / 2;
@@ -242,11 +245,11 @@ fn median_of_sorted(values: &[f64]) -> f64 {
     0.5 * (at(lower) + at(upper))
 }
 
-/// The shapes of the beta distribution on (0, 1) with this median and standard deviation and a single peak; where there is
-/// none, the largest standard deviation that has one.
+/// Finds the shapes of the beta distribution on (0, 1) with this median and standard deviation and a single peak. If
+/// there is none, returns the largest standard deviation that has one as the error.
 ///
-/// At a given median a larger sum of the shapes makes the distribution narrower; the widest with a single peak has one shape
-/// of 1, where the median is in closed form.
+/// At a given median a larger sum of the shapes makes the distribution narrower. The widest distribution with a single
+/// peak has one shape of 1, and its median has a closed form.
 fn shapes_of(median: f64, deviation: f64) -> Result<(f64, f64), f64> {
     if median > 0.5 {
         return shapes_of(1.0 - median, deviation).map(|(alpha, beta)| (beta, alpha));

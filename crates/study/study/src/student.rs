@@ -1,4 +1,5 @@
-//! Student's t distribution (Student 1908, Biometrika 6:1): the distance of the mean of a few values from what it estimates.
+//! Student's t distribution (Student 1908, Biometrika 6:1): the deviation of the mean of a few values from the true
+//! mean.
 
 use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
 

@@ -1,4 +1,4 @@
-//! The surface a scene or a command names: its spectrum, and what its file says about itself.
+//! The surface that a scene or a command names: its spectrum, and information from its file.
 
 use std::io;
 
@@ -14,14 +14,14 @@ use crate::note::Note;
 use measurements::Files;
 use measurements::{CompositeOfFiles, ScanProblem, ScanRequest, TopographyError};
 
-/// Spectra that come with the program, under the names by which they are asked for, as the text of their files; origin
-/// and licence stand in their comments.
+/// Spectra that come with the program, by name, as the text of their files; comments in the files state origin and
+/// licence.
 pub const BUILTIN: [(&str, &str); 2] = [
     ("builtin:uncd-measured", include_str!("../../../../data/uncd_psd_measured.csv")),
     ("builtin:uncd-reconstructed", include_str!("../../../../data/uncd_psd_reconstructed.csv")),
 ];
 
-/// The one of them that is a reconstruction.
+/// The built-in spectrum that is a reconstruction.
 const RECONSTRUCTION: &str = "builtin:uncd-reconstructed";
 
 /// Why there is no spectrum to work with.
@@ -58,7 +58,7 @@ pub enum SurfaceError {
         /// The format of the scan.
         format: ScanFormat,
     },
-    /// The spectrum is of a convention that cannot become that of a profile.
+    /// The convention of the spectrum cannot be converted to that of a profile.
     #[error("{name}: {error}")]
     Conversion {
         /// The file.
@@ -100,19 +100,19 @@ pub struct Surface {
     pub name: String,
     /// The spectrum in the working convention.
     pub psd: ProfilePsd,
-    /// The spectrum as given, if it is that of an area.
+    /// The spectrum as given, if it is the spectrum of an area.
     pub of_area: Option<Psd>,
-    /// The comment lines of the file: origin, licence, what it is.
+    /// The comment lines of the file: origin, licence, description.
     pub remarks: Vec<String>,
     /// Assumptions made in reading, and doubts.
     pub notes: Vec<Note>,
-    /// The scans it is the composite of, where it is not given as a spectrum.
+    /// The scans behind the spectrum, if it is a composite.
     pub made_from: Option<CompositeOfFiles>,
-    /// The roughness parameters that it is made from, where they are all that is given.
+    /// The roughness parameters behind the spectrum, if only they were given.
     pub roughness: Option<GivenRoughness>,
-    /// The files that it was read from; those of scans are told in the remarks.
+    /// The files that were read. Files of scans are in the remarks.
     pub sources: Vec<SourceFile>,
-    /// The two surfaces that it is the sum of, where it is one.
+    /// The two surfaces, if this is the sum of two.
     pub parts: Option<Box<[Surface; 2]>>,
     /// See [`Surface::holes`].
     holes: Vec<Hole>,
@@ -122,7 +122,7 @@ impl Surface {
     /// Reads the spectrum `name`: a built-in one, or a file.
     ///
     /// # Errors
-    /// [`SurfaceError`] that names the file, and line, column, value and bound where they are to blame.
+    /// [`SurfaceError`] with the file, and line, column, value and bound if they are at fault.
     pub fn load(name: &str, files: &dyn Files, options: &ReadOptions) -> Result<Self, SurfaceError> {
         let bytes = if name.starts_with("builtin:") {
             let (_, text) = BUILTIN
@@ -150,10 +150,10 @@ impl Surface {
         Ok(surface)
     }
 
-    /// A spectrum under a name, from no file.
+    /// Makes a surface from a spectrum with a name, without a file.
     ///
     /// # Errors
-    /// [`SurfaceError::Conversion`] where its convention cannot become that of a profile.
+    /// [`SurfaceError::Conversion`] if its convention cannot be converted to that of a profile.
     pub fn of_psd(name: String, psd: Psd) -> Result<Self, SurfaceError> {
         let of_area = psd.convention().factor_to(Convention::Ciso).is_ok().then(|| psd.clone());
         let psd = psd.profile().map_err(|error| SurfaceError::Conversion { name: name.clone(), error })?;
@@ -173,10 +173,10 @@ impl Surface {
         })
     }
 
-    /// The composite spectrum of scans.
+    /// Makes the composite spectrum of scans.
     ///
     /// # Errors
-    /// [`SurfaceError`] that names the file, and place, value and bound where they are to blame.
+    /// [`SurfaceError`] with the file, and place, value and bound if they are at fault.
     pub fn from_scans(
         requests: &[ScanRequest],
         files: &dyn Files,
@@ -186,10 +186,10 @@ impl Surface {
         Self::of_composite(CompositeOfFiles::read(requests, files, recipe)?, names.join(" + "))
     }
 
-    /// A composite spectrum under a name.
+    /// Makes a surface from a composite spectrum with a name.
     ///
     /// # Errors
-    /// [`SurfaceError`] where its values are none that a spectrum may have.
+    /// [`SurfaceError`] if a spectrum may not have its values.
     pub fn of_composite(scans: CompositeOfFiles, name: String) -> Result<Self, SurfaceError> {
         let psd = scans
             .spectrum
@@ -234,15 +234,16 @@ impl Surface {
         })
     }
 
-    /// Wavelengths that were not measured, from long to short: where neighbouring samples of the spectrum are a factor of
-    /// [`spectrum::HOLE_FACTOR`] or more apart; of two surfaces, those of either.
+    /// Returns the wavelengths that were not measured, from long to short. There neighbouring samples of the spectrum
+    /// are a factor of [`spectrum::HOLE_FACTOR`] or more apart. For the sum of two surfaces, these are the holes of
+    /// either.
     #[must_use]
     pub fn holes(&self) -> &[Hole] {
         &self.holes
     }
 
-    /// The sum of two surfaces that know nothing of each other: their spectra add where both have one, and elsewhere the
-    /// one that does stands alone.
+    /// Adds the spectrum of another, uncorrelated surface. Where only one of the two has a spectrum, the sum is that
+    /// one.
     pub fn against(self, other: Surface) -> Self {
         let sum = superpose(&self.psd, &other.psd);
         let mut holes = [self.holes.clone(), other.holes.clone(), sum.psd.holes()].concat();
@@ -274,7 +275,7 @@ impl Surface {
         self.holes.contains(hole)
     }
 
-    /// Its notes with its name. What is said of scans has their names already.
+    /// Returns the notes with the name of the surface. Notes on scans already have names.
     fn named_notes(&self) -> Vec<Note> {
         let named = |note: &Note| match note {
             Note::Scans(_) => note.clone(),
@@ -283,7 +284,7 @@ impl Surface {
         self.notes.iter().map(named).collect()
     }
 
-    /// Its remarks with its name, but for those that name scans.
+    /// Returns the remarks with the name of the surface, except for those that name scans.
     fn named_remarks(&self) -> Vec<String> {
         let named = |line: &String| match self.made_from {
             Some(_) => line.clone(),

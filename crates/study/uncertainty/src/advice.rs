@@ -32,7 +32,8 @@ pub(crate) const MIN_SCANS: usize = 3;
 /// The mean square slope has a limit where the spectrum falls more steeply than this.
 const STEEP_FOR_SLOPES: f64 = -3.0;
 
-/// The mean square curvature, which sets the radius of asperities, has one where it falls more steeply than this.
+/// The mean square curvature, which sets the radius of asperities, has a limit if the spectrum falls more steeply than
+/// this.
 const STEEP_FOR_RADII: f64 = -5.0;
 
 /// An area that moves by less than this when the spectrum goes on has settled.
@@ -57,8 +58,8 @@ impl Adviser<'_> {
         }
     }
 
-    /// The advice for every area that has some; empty if the surface is certain, is a sum of two, or if the work was
-    /// cancelled.
+    /// Computes the advice for every area that has some. Empty if the surface is certain or a sum of two, or if the
+    /// work was cancelled.
     pub fn advice(&self, progress: &dyn Progress) -> (Vec<Advice>, Work, usize) {
         let nothing = || (Vec::new(), Work::default(), 0);
         let Some(psd) = single(&self.inputs.surface).filter(|_| self.inputs.surface_scatters()) else {

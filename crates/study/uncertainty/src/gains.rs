@@ -88,7 +88,7 @@ impl Gains {
         self.priors.iter().any(|prior| prior.gain_sd > 0.0 || prior.slope_sd > 0.0)
     }
 
-    /// The gains if that of one instrument were known exactly.
+    /// The gains if the gain of one instrument were known exactly.
     pub fn without(&self, instrument: usize) -> Self {
         let mut priors = self.priors.clone();
         priors[instrument] = Prior { gain_sd: 0.0, slope_sd: 0.0 };
@@ -97,8 +97,8 @@ impl Gains {
         Gains::new(&priors, &observations)
     }
 
-    /// Draws gain and slope of every instrument: each overlap moves a draw of the prior as it moves the mean, with the
-    /// overlap itself drawn with its scatter. This is a draw of the posterior (Matheron's rule).
+    /// Draws gain and slope of every instrument. Each overlap is drawn with its scatter and moves a draw of the prior
+    /// as it moves the mean, which makes it a draw of the posterior (Matheron's rule).
     pub fn draw(&self, numbers: &mut impl Rng) -> Vec<[f64; 2]> {
         let mut normal = || -> f64 { StandardNormal.sample(numbers) };
         let before: Vec<f64> = self

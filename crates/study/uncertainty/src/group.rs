@@ -27,7 +27,7 @@ named!(Group, "group of inputs", {
 /// A share of the variance of ln A, with its own error.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Index {
-    /// The share, about 0 to 1; its own error may carry it beyond either.
+    /// The share, about 0 to 1; its own error may put it outside.
     pub value: f64,
     /// Its standard error.
     pub standard_error: f64,

@@ -1,8 +1,8 @@
 //! The scans of one instrument in the bins of the composite, and their draws.
 //!
-//! The mean of n scans is drawn as n repeated indications are by JCGM 101:2008, 6.4.9: deviations from it of Student's t with
-//! n - 1 degrees of freedom. Each scan's whole deviation is multiplied by one normal number, a bootstrap with normal
-//! multipliers, so that what goes together along the wavevector in the scans does so in the draws.
+//! The mean of n scans is drawn as JCGM 101:2008, 6.4.9, draws the mean of n repeated indications: with deviations of
+//! Student's t with n - 1 degrees of freedom. One normal number multiplies the whole deviation of a scan (a bootstrap
+//! with normal multipliers), so the draws keep the correlations of the scans along the wavevector.
 
 use rand_chacha::rand_core::Rng;
 use rand_distr::{ChiSquared, Distribution, StandardNormal};
@@ -14,7 +14,7 @@ use crate::student::StudentFactors;
 pub(crate) struct InstrumentBins {
     /// The number of places measured, or of the parts of one map that represent them.
     pub units: usize,
-    /// Standard deviation of ln C between places, for bins that know one place alone.
+    /// Standard deviation of ln C between places, for bins with only one place.
     pub place_sd: f64,
     /// True for one place only, which parts of its map may represent.
     pub is_one_place: bool,
@@ -51,7 +51,7 @@ pub(crate) enum Beside {
 }
 
 impl Beside {
-    /// The variance; for a single scan that of its logarithm.
+    /// The variance; for a single scan, that of its logarithm.
     pub fn variance(self) -> f64 {
         match self {
             Beside::Nothing => 0.0,

@@ -23,9 +23,9 @@ pub struct MaterialDraws {
 pub struct DrawnMaterial {
     /// The bodies in contact.
     pub pair: MaterialPair,
-    /// The yield strength, and the hardness, over that of the plain run.
+    /// The ratio of yield strength and hardness to those of the plain run.
     pub strength_over_centre: f64,
-    /// The strain-gradient length \[m\]; that of the plain run where absent.
+    /// The strain-gradient length \[m\]; if absent, that of the plain run.
     pub strain_gradient_length_m: Option<f64>,
 }
 
@@ -76,7 +76,8 @@ impl MaterialDraws {
 }
 
 impl DrawnMaterial {
-    /// The model with this material. A cap of the strength stays, but is never below the strength itself.
+    /// Returns the model with this material. A cap of the strength is kept, and raised if it is below the drawn
+    /// strength.
     #[must_use]
     pub fn apply(&self, model: &CurveModel) -> CurveModel {
         let moved = model.with_pair(self.pair);
@@ -99,8 +100,8 @@ impl DrawnMaterial {
     }
 }
 
-/// Draws a body in place of a plain one, which stays if the draw leaves the range of magnitudes; the bounds of spreads
-/// keep it inside.
+/// Draws a body in place of a plain one. Returns the plain one if the draw leaves the range of magnitudes, which the
+/// bounds of spreads prevent.
 fn drawn_body(
     plain: ElasticBody,
     youngs_modulus: &Option<Spread>,

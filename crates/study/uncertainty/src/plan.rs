@@ -34,7 +34,7 @@ const MIN_DRAWS: usize = 20;
 /// The relative Monte Carlo error of an interval above which it is a guess.
 const MAX_MONTE_CARLO_ERROR: f64 = 0.25;
 
-/// The least share of draws with an area for an interval of them.
+/// The smallest share of draws that must have an area for it to have an interval.
 const MIN_SHARE_WITH_AREA: f64 = 0.9;
 
 /// The level of the narrower interval: one standard uncertainty of a normal distribution.
@@ -81,7 +81,7 @@ impl<'p> UncertaintyPlan<'p> {
     /// shares and advice.
     ///
     /// # Errors
-    /// [`PlanError::Cancelled`] where fewer than 20 draws were made by then.
+    /// [`PlanError::Cancelled`] if fewer than 20 draws were made by then.
     pub fn run(&self, progress: &dyn Progress) -> Result<Uncertainty, PlanError> {
         let drawn = self.drawn(progress)?;
         let draws = drawn.ln_areas.len();

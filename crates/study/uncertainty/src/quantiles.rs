@@ -39,13 +39,14 @@ impl Interval {
 /// Computes the equal-tailed interval that holds a share `level` of the draws (above 0, below 1); `None` without draws.
 ///
 /// Quantiles are the eighth of Hyndman & Fan 1996 (Am. Stat. 50:361), whose median is the true quantile whatever the
-/// distribution is; beyond the first and the last draw there is nothing to tell, so that an end stays there. The number of
-/// draws below a true quantile is binomial: a standard error is half the distance between the draws that lie one standard
-/// deviation of that number to either side. With two or three draws beyond an end (95 % of 100) it is rather too large.
+/// distribution. Draws give no information beyond the first and the last of them, so an end beyond these is the first
+/// or last draw. The number of draws below a true quantile is binomial: a standard error is half the distance between
+/// the draws one standard deviation of that number to either side. With two or three draws beyond an end (95 % of 100)
+/// it is rather too large.
 ///
-/// JCGM 101:2008 (7.2) suggests 10^4/(1 - level) draws, 200,000 for 95 %, where a result is wanted to one or two digits of
-/// its standard uncertainty without looking; its adaptive procedure (7.9) stops where twice the standard error is below what
-/// is wanted. Here the number of draws is given and the error said.
+/// JCGM 101:2008 (7.2) suggests 10^4/(1 - level) draws, 200,000 for 95 %, for one or two digits of the standard
+/// uncertainty without a check. Its adaptive procedure (7.9) stops when twice the standard error is below the required
+/// one. Here the number of draws is given and the error reported.
 pub fn interval(draws: &[f64], level: f64) -> Option<Interval> {
     let mut sorted = draws.to_vec();
     sorted.sort_by(f64::total_cmp);
@@ -69,12 +70,12 @@ pub fn interval(draws: &[f64], level: f64) -> Option<Interval> {
 /// Computes the interval about the result of the best estimates, corrected for bias: a result off the middle of its
 /// draws lies as far off the middle of its interval. With z0 the normal quantile of the share of draws below the
 /// result, the quantiles are those of the normal probabilities 2 z0 - z, 2 z0 and 2 z0 + z (Efron 1981, Can. J. Stat.
-/// 9:139). Smooth results that scatter little lie in the middle of their draws, and their interval is that of
-/// [`interval`]; largest values, and moments of inputs that scatter by factors, lie off it.
+/// 9:139). Smooth results with little scatter lie in the middle of their draws, and their interval is that of
+/// [`interval`]. Largest values, and moments of inputs that scatter by factors, do not.
 ///
-/// A z0 beyond half a standard deviation counts as that: where a result is the larger or the smaller of two that nearly agree, z0
-/// follows its own error, and twice of it would lead away from the truth. Synthetic studies bear the bound out
-/// (`docs/guide/uncertainty.md`): with it intervals hold the truth as often as they say for spectra of all slopes.
+/// z0 is limited to half a standard deviation. If a result is the larger or the smaller of two that nearly agree, z0
+/// follows its own error, and twice z0 would lead away from the truth. Synthetic studies confirm the limit
+/// (`docs/guide/uncertainty.md`): with it, intervals hold the truth as often as they should, for spectra of all slopes.
 pub fn interval_about(best: f64, draws: &[f64], level: f64) -> Option<Interval> {
     let plain = interval(draws, level)?;
     if plain.low.value == plain.high.value {

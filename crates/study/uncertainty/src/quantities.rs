@@ -22,7 +22,7 @@ pub(crate) struct Quantities<'p> {
     slots: Vec<Slot>,
 }
 
-/// The least share of draws with a value for an interval of them.
+/// The smallest share of draws that must have a value for a quantity to have an interval.
 const MIN_SHARE_WITH_VALUE: f64 = 0.9;
 
 /// The results of the draws.

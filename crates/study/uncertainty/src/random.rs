@@ -36,7 +36,7 @@ impl Streams {
         StandardNormal.sample(&mut numbers)
     }
 
-    /// The random numbers of a group in a draw, for one of two surfaces.
+    /// Returns the random numbers of a group in a draw, for the first or the second surface.
     pub fn of_surface(self, group: Group, draw: u64, surface: u64) -> ChaCha8Rng {
         let mut numbers = ChaCha8Rng::seed_from_u64(self.seed);
         numbers.set_stream((group as u64 + GROUPS * surface) * MAX_DRAWS + draw);

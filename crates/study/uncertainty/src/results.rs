@@ -12,7 +12,7 @@ use crate::settings::Settings;
 pub struct Uncertainty {
     /// The settings of the draws.
     pub settings: Settings,
-    /// The number of draws behind the intervals: as many as requested, unless they were stopped early.
+    /// The number of draws behind the intervals: the requested number, unless the draws were stopped early.
     pub draws: usize,
     /// True if the draws were stopped early.
     pub ended_early: bool,
@@ -157,7 +157,8 @@ pub struct OverlapMisfit {
     pub misfit: f64,
     /// The standard uncertainty of the misfit from the scatter of the scans.
     pub scatter: f64,
-    /// The standard uncertainty of the misfit with that of the height scales, to compare it with.
+    /// The standard uncertainty of the misfit, including that of the height scales: the scale on which to judge the
+    /// misfit.
     pub expected: f64,
     /// The number of shared bins.
     pub bins: usize,
@@ -196,7 +197,7 @@ pub enum Guess {
     },
     /// Some draws leave the range of a model, so that its interval rests on the others.
     DrawsWithoutArea {
-        /// The number of draws without an area, for the area with the most of them.
+        /// The number of draws without an area, for the area that has the most such draws.
         draws: usize,
         /// The number of all draws.
         of: usize,

@@ -14,8 +14,8 @@ use crate::instruments::instruments;
 use crate::overlap::overlaps;
 use crate::results::{InstrumentInput, OverlapMisfit};
 
-/// The largest deviation of ln C that a draw may have, a factor of 22,000: Student's t of two scans has no variance, and an
-/// interval that reaches so far says that nothing is known.
+/// The largest deviation of ln C in a draw, a factor of 22,000. Student's t of two scans has no variance, and an
+/// interval this wide means that nothing is known.
 const MAX_DEVIATION: f64 = 10.0;
 
 /// An uncertain composite of scans.

@@ -101,8 +101,8 @@ fn of_group(base: &[&Vec<Option<f64>>], mixed: &Drawn, size: usize, area: usize)
     indices(&a, &b, &ab)
 }
 
-/// The bounds of heavy tails, which would make all of the variance: Student's distribution of few scans has none. Tails
-/// are held at the ends of the 95 % interval, which they do not move.
+/// The bounds of heavy tails, which would otherwise dominate the variance: Student's distribution of few scans has
+/// none. Tails are cut at the ends of the 95 % interval, which does not move these ends.
 struct Tails {
     ends: [f64; 2],
 }

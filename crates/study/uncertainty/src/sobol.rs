@@ -40,11 +40,11 @@ const UNKNOWN: Index = Index { value: 0.0, standard_error: 1.0 };
 const NOTHING: Index = Index { value: 0.0, standard_error: 0.0 };
 
 /// Computes the indices of one group from the outputs of Saltelli's design: `a` and `b` from two independent draws of
-/// all inputs, `ab` from those of `a` with this group's from `b`. Slices are cut to the shortest of them.
+/// all inputs, `ab` from the inputs of `a` with this group's inputs from `b`. Slices are cut to the shortest.
 ///
-/// Standard errors are of first order, from the influence of each draw on the index; they agree with a bootstrap over the
-/// draws. Where the output does not vary, both indices are 0 with no error: there is no variance to share out. Fewer than 8
-/// draws, or draws of which A and B go together entirely, give 0 with a standard error of 1.
+/// Standard errors are of first order, from the influence of each draw on the index; they agree with a bootstrap over
+/// the draws. If the output does not vary, both indices are 0 with no error, because there is no variance to share.
+/// Fewer than 8 draws, or draws in which A and B are fully correlated, give 0 with a standard error of 1.
 pub fn indices(a: &[f64], b: &[f64], ab: &[f64]) -> Indices {
     let draws = a.len().min(b.len()).min(ab.len());
     let (a, b, ab) = (&a[..draws], &b[..draws], &ab[..draws]);
@@ -81,7 +81,7 @@ fn does_not_vary(outputs: &[f64]) -> bool {
     outputs.windows(2).all(|pair| pair[0] == pair[1])
 }
 
-/// Outputs with mean 0 and variance 1; none where they do not vary or are not finite.
+/// Scales outputs to mean 0 and variance 1; `None` if they do not vary or are not finite.
 fn standardised(outputs: &[f64]) -> Option<Vec<f64>> {
     let n = outputs.len() as f64;
     let mean = outputs.iter().sum::<f64>() / n;

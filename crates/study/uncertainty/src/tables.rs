@@ -64,7 +64,7 @@ impl Uncertainty {
         (is_known && value.is_finite()).then_some(value)
     }
 
-    /// The share of interactions between groups, and of the errors of the shares. `None` if a share is not known.
+    /// The share of interactions between groups, and of the errors of the shares. `None` if a share is unknown.
     #[must_use]
     pub fn share_of_others(&self, area: &AreaInterval) -> Option<f64> {
         SHARES.iter().try_fold(1.0, |left, (_, group)| Some(left - self.share(area, *group)?))

@@ -1,4 +1,4 @@
-//! Draws against what is known by hand.
+//! Draws against results derived by hand.
 
 use std::collections::BTreeMap;
 
@@ -112,7 +112,7 @@ fn shares_are_those_of_a_brute_force() {
     }
 }
 
-/// With so many per cent of standard uncertainty in modulus and strength.
+/// Compares shares with a brute force, for these standard uncertainties of modulus and strength in per cent.
 fn hold_shares_against_a_brute_force(model: &str, error: f64, modulus_percent: f64, strength_percent: f64) {
     // The variance of the mean over all else, with each input fixed in turn at values of its distribution.
     let with = |modulus: &str, strength: &str| {

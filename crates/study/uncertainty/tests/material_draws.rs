@@ -1,4 +1,4 @@
-//! Draws of a scene's material against what the scene says of it.
+//! Draws of a scene's material against the distributions that the scene states.
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;

@@ -1,4 +1,4 @@
-//! Intervals of what the interface does, against the linear law.
+//! Intervals of the quantities of an interface, against the linear law.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! The tables of draws: their columns, what is empty in them and why.
+//! The tables of draws: their columns, and the reasons for empty cells.
 
 use scene::{Overrides, Scene};
 use study::NoFiles;

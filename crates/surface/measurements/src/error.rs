@@ -76,13 +76,13 @@ pub enum ScanProblem {
     /// Boundary elements are given a line scan.
     #[error("boundary elements cannot press a line scan; compute its spectrum and give that")]
     LineIsNoSurface,
-    /// An areal spectrum is asked of no scan or several.
+    /// An areal spectrum was requested of no scan or of several.
     #[error("the file holds {0} scans, and an areal spectrum needs one map; choose it by its channel")]
     NotOneMap(usize),
-    /// An areal spectrum is asked of a line.
+    /// An areal spectrum was requested of a line.
     #[error("a line scan has no areal spectrum; give a map")]
     LineHasNoArea,
-    /// An areal spectrum is asked for along an axis.
+    /// An areal spectrum was requested along an axis.
     #[error("an areal spectrum averages over all directions of a map; leave out direction = \"{0}\"")]
     AreaHasNoDirection(Direction),
 }

@@ -44,7 +44,7 @@ pub enum ListError {
     Rows(#[from] Refusal),
 }
 
-/// Parses a list of scans; `name` stands for it in messages.
+/// Parses a list of scans; `name` is its name in messages.
 ///
 /// The columns are `file, unit, channel, size, tip_radius, shortest, gaps, direction, instrument, z_calibration,
 /// slope_uncertainty`. All but the first are optional; an empty cell leaves the option open.

@@ -1,4 +1,4 @@
-//! Scans as they are asked for.
+//! Scans as requested by users.
 
 use std::collections::BTreeMap;
 

@@ -47,7 +47,7 @@ pub enum ConversionError {
     NoFactor {
         /// The convention of the data.
         from: Convention,
-        /// The convention asked for.
+        /// The requested convention.
         to: Convention,
     },
     /// Fewer than three samples for the Abel integral, which drops the last.
@@ -59,7 +59,7 @@ pub enum ConversionError {
     TooFewSamples {
         /// The convention of the data.
         from: Convention,
-        /// The convention asked for.
+        /// The requested convention.
         to: Convention,
         /// Number of samples.
         samples: usize,
@@ -74,7 +74,7 @@ pub enum ConversionError {
     NotPositive {
         /// The convention of the data.
         from: Convention,
-        /// The convention asked for.
+        /// The requested convention.
         to: Convention,
         /// Wavelength in m.
         wavelength_m: f64,

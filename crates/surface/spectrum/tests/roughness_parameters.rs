@@ -1,4 +1,4 @@
-//! Spectra of given roughness parameters have them, and say how little the parameters tell.
+//! Spectra made from roughness parameters have these parameters, and large standard errors.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! Files that state no units, and what the caller says about them; series of JSON among them.
+//! Files without units, with units given by the caller; series of JSON among them.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! Filled gaps leave the spectrum of a surface what it is at wavelengths above four times their size.
+//! Filled gaps do not change the spectrum of a surface at wavelengths above four times their size.
 
 mod transform_support;
 

@@ -1,4 +1,4 @@
-//! A white floor at the short end of a spectrum is found where there is one, and nowhere else.
+//! A white floor at the short end of a spectrum is found if there is one, and not otherwise.
 
 mod transform_support;
 

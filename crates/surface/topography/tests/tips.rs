@@ -1,4 +1,4 @@
-//! The radius of a tip: found in words, used where asked for, and what a scan says of one that nobody knows.
+//! The radius of a tip: found in comments, used on request, and bounded by the scan if it is unknown.
 
 mod transform_support;
 

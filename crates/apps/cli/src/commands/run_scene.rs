@@ -17,12 +17,11 @@ use crate::progress::{Progress, Unseen, UntilEnded};
 use crate::targets::Targets;
 use crate::timings::Timings;
 use findings::answer::Answer;
-use questions::OptionName;
+use questions::{OptionName, Phase, RunError, RunOptions, Watch, run_scene};
 use report::assessment::Assessment;
 use report::explain::explain;
-use report::products;
+use report::products::{self, SceneProducts};
 use report::reasons::reasons;
-use report::run::{self, Asked, Phase, RunError, Watch};
 use report::run_stamp::RunStamp;
 use report::scene_note_words;
 use report::summary::summary;
@@ -45,24 +44,25 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
         return print(&format!("{}\n{}", explain(&scene), reasons(&scene, &results, &answer)), context);
     }
     let watching = Watching { timings: RefCell::new(timings) };
-    let carried = run::carry_out(&scene, asked(args), &watching).map_err(|error| failed(args, error))?;
+    let outcome = run_scene(&scene, options(args), &watching).map_err(|error| failed(args, error))?;
     let mut timings = watching.timings.into_inner();
-    let trust =
-        Assessment { judgement: carried.judgement.as_ref(), uncertainty: carried.uncertainty.as_ref() };
-    let (results, uncertainty) = (carried.results, &carried.uncertainty);
+    let assessment =
+        Assessment { judgement: outcome.judgement.as_ref(), uncertainty: outcome.uncertainty.as_ref() };
+    let (results, uncertainty) = (&outcome.results, &outcome.uncertainty);
     let run_stamp = RunStamp { date: Some(now()), command: Some(context.typed.to_owned()) };
-    let findings = carried.findings.map(|findings| findings.on(run_stamp));
+    let findings = outcome.findings.as_ref();
     make_folder("--out", &folder)?;
-    let written =
-        output::write_products(&scene, &results, findings.as_ref(), trust, context.shared.format, &folder)?;
+    let products = SceneProducts { scene: &scene, results, findings, assessment, run_stamp: &run_stamp };
+    let written = output::write_products(&products, context.shared.format, &folder)?;
     timings.lap("writing");
     let mut files = format!("\n{} files in {}: {}\n", written.len(), folder.display(), written.join(", "));
     let others = output::other_files(&folder, &written)?;
     if !others.is_empty() {
         files += &format!("not of this run, and left there: {}\n", others.join(", "));
     }
-    let answer = findings.map_or_else(|| Answer::from_results(&scene, &results), |findings| findings.answer);
-    print(&format!("{}{files}", summary(&scene, &results, &answer, trust)), context)?;
+    let answer =
+        findings.map_or_else(|| Answer::from_results(&scene, results), |findings| findings.answer.clone());
+    print(&format!("{}{files}", summary(&scene, results, &answer, assessment)), context)?;
     timings.report(context.shared.timings);
     match uncertainty.as_ref().filter(|found| found.ended_early) {
         None => Ok(()),
@@ -79,8 +79,8 @@ fn failed(args: &RunArgs, error: RunError) -> Failure {
 }
 
 /// Returns the options of the run.
-fn asked(args: &RunArgs) -> Asked {
-    Asked { report: !args.no_report, judge: None, uncertainty: None }
+fn options(args: &RunArgs) -> RunOptions {
+    RunOptions { report: !args.no_report, judge: None, uncertainty: None }
 }
 
 /// Progress bars, and the time that each phase takes. While draws are made, the first Ctrl-C ends no more than them.
@@ -129,7 +129,7 @@ fn read(args: &RunArgs, folder: &Path, context: &Context<'_>) -> Result<Scene, F
         .map_err(|error| Failure::Input(report::scene_errors::drawn(&error, text, &name)))?;
     if writes_files && folder.is_dir() {
         let mut results = Targets::default();
-        for name in products::file_names(&scene, asked(args).parts(&scene), context.shared.format) {
+        for name in products::file_names(&scene, options(args), context.shared.format) {
             results = results.with_file("--out", &folder.join(name))?;
         }
         results.spare_place(&args.scene)?;

@@ -53,7 +53,7 @@ pub fn elastic(nominal_pressure_pa: f64, tolerance: f64) -> Loading {
     Loading { contact_modulus_pa: 1.0, nominal_pressure_pa, saturation_pa: None, tolerance }
 }
 
-/// A load on a body of modulus 1 that flows at `saturation_pa`.
+/// A load on a body of modulus 1 that yields at `saturation_pa`.
 pub fn flowing(nominal_pressure_pa: f64, saturation_pa: f64, tolerance: f64) -> Loading {
     Loading { saturation_pa: Some(saturation_pa), ..elastic(nominal_pressure_pa, tolerance) }
 }

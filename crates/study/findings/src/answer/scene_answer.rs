@@ -9,12 +9,12 @@ use scene::Scene;
 use study::plan::{Curve, CurveResult, Cutoffs, Load, Results};
 use topography::InstrumentsDisagree;
 
-/// The fewest scales of a spectrum from which the deciding scales can be told, over [`MIN_DECADES`].
+/// The smallest number of scales of a spectrum, over [`MIN_DECADES`], from which the deciding scales can be found.
 pub const MIN_SCALES: usize = 5;
 /// The fewest decades for [`MIN_SCALES`].
 pub const MIN_DECADES: f64 = 1.0;
 
-/// The factor from which on models are said to disagree.
+/// The factor from which on models disagree.
 pub const DISAGREEMENT: f64 = 2.0;
 
 /// The findings on the areas of a scene.

@@ -43,7 +43,7 @@ fn band(data: &FigureData, scene: &Scene, label: &str, area: &AreaBand) -> Optio
     })
 }
 
-/// The intervals at the scene's loads, on the lines whose asperities are those of the whole spectrum.
+/// The intervals at the scene's loads, for lines that use the whole spectrum.
 fn bars(
     data: &FigureData,
     figure: &Figure,

@@ -1,4 +1,4 @@
-//! Figures as data that only a report has, and what it lays over the figures of a scene.
+//! Figures as data that only a report has, and additions of the report to the figures of a scene.
 
 pub mod elements_figure;
 pub(crate) mod interface_figure;

@@ -58,7 +58,7 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
     Some(table("Share of each decade of wavelengths, in percent.", &head, &body))
 }
 
-/// The strips of each curve; neighbouring loads whose strips read the same share one.
+/// The strips of each curve. Neighbouring loads share a strip if their strips read the same.
 fn strips(report: &SceneReport<'_>, decades: &[DecadeShare]) -> Vec<(usize, Vec<Strip>)> {
     let of_curve = |(curve, answers): (usize, Vec<(usize, &findings::answer::LoadAnswer)>)| {
         let mut strips: Vec<Strip> = Vec::new();

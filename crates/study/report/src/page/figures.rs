@@ -1,4 +1,4 @@
-//! The figures, those of several scenes side by side.
+//! The figures, with those of several scenes side by side.
 
 use maud::{Markup, PreEscaped, html};
 
@@ -7,7 +7,7 @@ use super::{SceneReport, Section};
 use crate::plot;
 use study::figure::{BandKind, FigureData, Shows};
 
-/// The figure that shows the answer: the first of the first scene that has one of areas against the cutoff there.
+/// The figure that shows the answer: the first figure of area against cutoff, in the first scene that has one.
 pub(super) fn of_the_answer(scenes: &[SceneReport<'_>]) -> Markup {
     let name = leading(scenes);
     html! { @if let Some(name) = name { div.figures { (figure(scenes, name)) } } }
@@ -64,7 +64,7 @@ fn words(scene: &SceneReport<'_>, figure: &FigureData) -> String {
     format!("{} ({}): {} against {}", figure.title, scene.label, figure.y_label, figure.x_label)
 }
 
-/// `Figure 3a. ` of `figure-3a`; other names say nothing that the title does not.
+/// Returns `Figure 3a. ` for `figure-3a`. Other names add nothing to the title.
 fn numbered(name: &str) -> String {
     name.strip_prefix("figure-").map_or_else(String::new, |number| format!("Figure {number}. "))
 }

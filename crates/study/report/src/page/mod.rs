@@ -1,7 +1,7 @@
-//! The report: one page that opens with the answer and holds everything it rests on, and asks the network for nothing.
+//! The report: one page that opens with the answer, holds everything behind it, and needs no network.
 //!
-//! It is written about any scene, or about several that ask the same of different spectra, which then stand side by side.
-//! A section has a file; each makes its part from a [`SceneReport`] alone.
+//! It describes one scene, or several that differ in their spectra, side by side. A section has a file, and each makes
+//! its part from a [`SceneReport`] alone.
 
 mod answer;
 mod choices;
@@ -43,7 +43,7 @@ pub struct SceneReport<'a> {
     pub assessment: Assessment<'a>,
     /// The sensitivities of its areas to modelling choices.
     pub sensitivities: &'a [Sensitivity],
-    /// Its figures; the first of them shows the answer, where it is one of areas against the cutoff.
+    /// Its figures. The first one shows the answer, if it is one of area against cutoff.
     pub figures: Vec<FigureData>,
 }
 
@@ -153,7 +153,7 @@ fn per_numbered_scene(
     })
 }
 
-/// A table that scrolls by itself on a page that is narrower.
+/// A table that scrolls separately on a narrow page.
 #[must_use]
 pub fn table(caption: &str, head: &Markup, body: &Markup) -> Markup {
     html! {
@@ -191,7 +191,7 @@ impl SceneReport<'_> {
         in_full(&self.scene.needs.curves[curve])
     }
 
-    /// A pressure in units of the hardness, where there is one.
+    /// A pressure in units of the hardness, if there is one.
     fn pressure(&self, pressure_pa: f64) -> String {
         match self.scene.hardness_pa() {
             Some(hardness_pa) => format!("{} H", typeset_digits(pressure_pa / hardness_pa)),

@@ -1,4 +1,4 @@
-//! Laws used outside their fitted range, and states held at a bound.
+//! Laws used outside their fitted range, and states limited by a bound.
 
 use maud::{Markup, html};
 

@@ -31,7 +31,7 @@ const COLOURS: [[u8; 3]; 9] = [
 pub struct FieldPicture {
     /// Title, frame and scale.
     pub svg: String,
-    /// The place of the points in it: left, top, width and height in px.
+    /// The rectangle of the points in the picture: left, top, width and height in px.
     pub place: [f64; 4],
     /// Points along x.
     pub columns: usize,

@@ -104,7 +104,7 @@ fn noun(measure: &Measure) -> &'static str {
     }
 }
 
-/// A difference of values, with a prefix where it is one of lengths.
+/// A difference of values, with an SI prefix if the values are lengths.
 fn difference(measure: &Measure, value: f64) -> String {
     match measure {
         Measure::Height | Measure::Length => length(value),
@@ -120,7 +120,7 @@ struct Scale {
 }
 
 impl Scale {
-    /// A length in the unit that fits the largest one, anything else in its own.
+    /// A length in the unit that fits the largest length, or another value in its own unit.
     fn fitting(measure: &Measure, largest: f64) -> Self {
         match measure {
             Measure::Height | Measure::Length => {

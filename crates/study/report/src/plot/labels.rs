@@ -2,7 +2,7 @@
 
 use super::text_width_px;
 
-/// Height of a label's letters, and how far it keeps from lines: from its own, and from those of other colours.
+/// Height of a label's letters, and its distance from lines: from its own, and from those of other colours.
 pub(super) const SIZE_PX: f64 = 11.0;
 const GAP_PX: f64 = 4.0;
 const BERTH_PX: f64 = 7.0;

@@ -1,4 +1,4 @@
-//! Figures as SVG, with logarithmic axes, fit to print: the one module that knows the plotting library.
+//! Figures as SVG, with logarithmic axes, fit to print. No other module uses the plotting library.
 
 mod bands;
 mod decades;
@@ -174,7 +174,7 @@ fn frame(computed: &ComputedLayout) -> Box {
     }
 }
 
-/// Draws minor ticks below; those of the library are evenly spaced, which a logarithmic axis is not.
+/// Draws minor ticks below the axis. Those of the library are evenly spaced, which is wrong for a logarithmic axis.
 fn ticks_below(scene: &mut Scene, computed: &ComputedLayout, frame: Box, x: Decades) {
     for power in x.minor_ticks() {
         let at = computed.map_x(power);

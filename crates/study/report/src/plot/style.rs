@@ -1,4 +1,4 @@
-//! Colours and dash patterns: no two of either are the same, however many lines a figure has.
+//! Colours and dash patterns. All are different, however many lines a figure has.
 
 use kuva::plot::line::LineStyle;
 
@@ -12,14 +12,14 @@ const COLOURS: [[u8; 3]; 6] = [
     [0x00, 0x00, 0x00],
 ];
 
-/// The share of a colour that is left each time the six are used again; the rest is grey.
+/// The share of a colour that remains each time the six colours are reused; the rest is grey.
 const LEFT: f64 = 0.6;
 const GREY: f64 = 128.0;
 
 /// The colour of lines without a meaning of their colour.
 pub(super) const NEUTRAL: usize = COLOURS.len() - 1;
 
-/// The colour of an index: one of six, greyer each time that these are used again.
+/// The colour of an index: one of six, greyer each time they are reused.
 pub(super) fn colour(index: usize) -> String {
     let left = LEFT.powi((index / COLOURS.len()) as i32);
     hexadecimal(COLOURS[index % COLOURS.len()].map(|part| GREY + left * (f64::from(part) - GREY)))
@@ -41,7 +41,7 @@ fn hexadecimal(parts: [f64; 3]) -> String {
     format!("#{red:02x}{green:02x}{blue:02x}")
 }
 
-/// Dash patterns that stay apart in print; from the eighth on a long dash and ever more dots.
+/// Dash patterns that can be distinguished in print; from the eighth on a long dash and more and more dots.
 pub(super) fn dash(index: usize) -> LineStyle {
     let custom = |pattern: &str| LineStyle::Custom(pattern.to_owned());
     match index {

@@ -5,7 +5,7 @@ use rough_bem::{PressedLoad, RandomSurfaces};
 use study::validity::SMALL_SLOPE_PRESSURE;
 use units::display::{counted, length, percent, pressure, three_digits};
 
-/// The note on a spectrum that was given as that of an area.
+/// The note on a spectrum that was given as the spectrum of an area.
 pub const TAKEN_AS_IT_IS: &str =
     "surfaces are made of the spectrum of areas as it is, without the Abel integral and all of its samples";
 

@@ -1,4 +1,4 @@
-//! Everything that is said in words: sentences, notes and text tables, made from results as data.
+//! All texts: sentences, notes and text tables, made from results as data.
 
 pub mod advice_words;
 pub(crate) mod answer_words;

@@ -8,7 +8,7 @@ use scene::{SceneError, SceneProblem};
 use spectrum::ReadOption;
 use study::surface::SurfaceError;
 
-/// The message with file, line, and the line itself; that it is an error is said where it is reported.
+/// The message with file, line, and the line itself. The caller adds the word `error`.
 #[must_use]
 pub fn drawn(error: &SceneError, scene: &str, name: &str) -> String {
     let message = format!("{error}{}", mended(error));

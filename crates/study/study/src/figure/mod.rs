@@ -27,14 +27,14 @@ pub enum Shows {
     AreaAgainstLoad,
 }
 
-/// A figure as asked for.
+/// A requested figure.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Figure {
     /// The name of its files.
     pub name: String,
     /// The subject.
     pub shows: Shows,
-    /// Its title; what it shows, where absent.
+    /// Its title; if absent, the title is the subject.
     pub title: Option<String>,
     /// Indices of the curves that it draws.
     pub curves: Vec<usize>,
@@ -47,9 +47,9 @@ pub struct Figure {
 pub struct Series {
     /// Its column in the table.
     pub column: String,
-    /// The curve it belongs to, which its dash pattern stands for.
+    /// The curve it belongs to, which its dash pattern shows.
     pub curve: String,
-    /// The load or cutoff it is drawn for, as typed, which its colour stands for; empty where it is alone.
+    /// The load or cutoff of the line as typed, which its colour shows; empty if there is only one.
     pub condition: String,
     /// The load or cutoff in the words of the legend: a load also in units of the hardness.
     pub condition_in_full: String,
@@ -100,7 +100,7 @@ pub struct Band {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum BandKind {
-    /// Something else to hold them against.
+    /// Other values for comparison.
     Yardstick,
     /// The interval in which the lines lie, as far as is known.
     Interval,
@@ -125,7 +125,7 @@ pub struct FigureData {
     pub series: Vec<Series>,
     /// The bands that the lines are compared with.
     pub bands: Vec<Band>,
-    /// Pairs of abscissas between which nothing was measured, so that no line is drawn from one to the other.
+    /// Pairs of abscissas between which nothing was measured, so that no line connects them.
     pub gaps: Vec<(f64, f64)>,
     /// Values with their errors that belong to no line.
     pub marks: Vec<Mark>,
@@ -136,7 +136,7 @@ pub struct FigureData {
 pub struct Mark {
     /// The label in the legend.
     pub label: String,
-    /// True if it is drawn as a ring, to tell it from others drawn as discs.
+    /// True if it is drawn as a ring rather than a disc.
     pub is_ring: bool,
     /// The colour group of the lines that it belongs with.
     pub colour: usize,
@@ -144,7 +144,7 @@ pub struct Mark {
     pub x: f64,
     /// The ordinate.
     pub y: f64,
-    /// The least that the ordinate may be, > 0.
+    /// The lower limit of the ordinate, > 0.
     pub low: f64,
     /// The largest.
     pub high: f64,
@@ -162,11 +162,11 @@ pub struct Axis {
 const WAVEVECTOR: Axis = Axis { column: "wavevector_rad_per_m", label: "wavevector q (rad/m)" };
 const PSD: &str = "power spectral density C1D (m³)";
 
-/// The name of the figure that is drawn where none is asked for.
+/// The name of the default figure.
 pub const AREA_OF_ALL: &str = "area-fraction";
 
 impl Figure {
-    /// The figure drawn where none is asked for: the area of all these curves against cutoff.
+    /// Returns the default figure: the area of all these curves against cutoff.
     pub fn area_of_all(curves: Vec<usize>) -> Self {
         Figure { name: AREA_OF_ALL.to_owned(), shows: Shows::Area, title: None, curves, sweeps: Vec::new() }
     }
@@ -198,7 +198,7 @@ impl FigureData {
         FigureData { gaps, ..self }
     }
 
-    /// The points of a line in pieces, none of which crosses a gap. Points inside a gap are interpolated and left out.
+    /// Splits the points of a line into pieces that cross no gap. Points inside a gap are interpolated and left out.
     #[must_use]
     pub fn pieces(&self, series: &Series) -> Vec<Vec<(f64, f64)>> {
         // An abscissa at the end of a gap was measured, whatever the rounding.

@@ -13,8 +13,8 @@ const PRESSURE: Axis = Axis { column: "nominal_pressure_pa", label: "nominal pre
 const AREA: &str = "contact area / nominal area";
 
 impl Figure {
-    /// The figure's data, from the results of the plan that asked for it; loads are labelled in units of the hardness
-    /// \[Pa\] as well, where there is one.
+    /// Computes the data of a figure from the results of its plan. Loads are also labelled in units of the hardness
+    /// \[Pa\], if there is one.
     pub fn data(&self, results: &Results, needs: &Needs, hardness_pa: Option<f64>) -> FigureData {
         let (x, y_label, series) = match self.shows {
             Shows::Psd => (WAVEVECTOR, PSD, psd_series(results)),
@@ -98,7 +98,7 @@ impl Figure {
         series
     }
 
-    /// The lines of the sweeps, each under the cutoff of the spectrum that its values are those of.
+    /// Makes the lines of the sweeps, each under the cutoff of its spectrum.
     fn load_series(&self, results: &Results, needs: &Needs) -> Vec<Series> {
         let cutoffs_m: Vec<f64> = self.sweeps.iter().map(|&sweep| results.sweeps[sweep].cutoff_m).collect();
         let labels = lengths_apart(&cutoffs_m);

@@ -8,7 +8,7 @@ use measurements::CompositeOfFiles;
 
 const COMPOSITE_COLOUR: usize = 5;
 
-/// Figure 1 of a composite: every scan where it is trusted, and the composite on top.
+/// Makes the figure of a composite: every scan in its reliable band, and the composite on top.
 #[must_use]
 pub fn composite_figure(scans: &CompositeOfFiles, name: &str) -> FigureData {
     let composite = scans.spectrum.composite.profile();
@@ -26,7 +26,7 @@ pub fn over_scans(scans: &CompositeOfFiles, figure: FigureData) -> FigureData {
     FigureData { series, ..figure }
 }
 
-/// The spectrum of every scan in the band where it is trusted, averaged in the composite's bins.
+/// Averages the spectrum of every scan, in its reliable band, in the composite's bins.
 fn scan_series(scans: &CompositeOfFiles) -> Vec<Series> {
     let names = scans.spectrum.series_names();
     let line = |(index, scan): (usize, &ScanSpectrum)| {

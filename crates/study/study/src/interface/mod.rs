@@ -1,4 +1,4 @@
-//! Quantities of an interface besides its area, and the request of them that a scene makes.
+//! Quantities of an interface besides its area, and the scene's request for them.
 
 mod quantity;
 mod request;

@@ -45,7 +45,7 @@ pub enum Quantity {
 pub struct Slot {
     /// The quantity.
     pub quantity: Quantity,
-    /// The load, by index; absent where the quantity is the same under all of them.
+    /// The load, by index; absent if the quantity does not depend on the load.
     pub load: Option<usize>,
     /// The curve whose area it is made from, by index; absent where Persson's elastic theory makes it.
     pub curve: Option<usize>,

@@ -13,13 +13,13 @@ use super::quantity::{Quantity, Slot};
 pub struct InterfaceRequest {
     /// The elastic energy factor gamma of Persson's theory, above 0 and at most 1.
     pub energy_factor: f64,
-    /// The band that a cutoff lets through in Persson's theory: the waves of profiles, or those of the surface.
+    /// The spectrum that a cutoff applies to in Persson's theory: that of profiles, or that of the surface.
     pub band: Band,
     /// Thermal conductivities of both bodies.
     pub conductivities: Option<Conductivities>,
     /// Resistivities of both.
     pub resistivities: Option<Resistivities>,
-    /// The nominal area \[m^2\] that a force was given with.
+    /// The nominal area \[m^2\], if a force was given.
     pub nominal_area_m2: Option<f64>,
     /// The seal that the contact makes.
     pub seal: Option<Seal>,
@@ -48,7 +48,7 @@ pub struct Adhesion {
 }
 
 impl InterfaceRequest {
-    /// Everything asked for, under every load and of every curve, whether or not it will have a value.
+    /// Lists all requested quantities, under every load and of every curve, whether or not they will have a value.
     #[must_use]
     pub fn slots(&self, loads: usize, curves: usize, has_hardness: bool) -> Vec<Slot> {
         let mut slots: Vec<Slot> = self

@@ -64,10 +64,10 @@ impl Asperities {
     }
 }
 
-/// Returns what a statistical model presses of a roughness.
+/// Returns the asperities of a roughness as a statistical model presses them.
 ///
 /// # Errors
-/// [`AsperityError`] for numbers that the law does not take.
+/// [`AsperityError`] for numbers out of the law's bounds.
 pub(crate) fn contact_of(model: &Statistical, roughness: &Roughness) -> Result<Pressable, AsperityError> {
     let Roughness { moments, asperities } = roughness;
     model.press(match model.law {

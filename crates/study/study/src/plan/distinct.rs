@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::hash::Hash;
 
-/// Things without their repetitions, and where each of them is found.
+/// Distinct values, and the index of each original value among them.
 pub(super) struct Distinct<T> {
     /// The things that differ, in the order of their first appearance.
     pub items: Vec<T>,

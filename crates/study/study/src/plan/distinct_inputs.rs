@@ -5,12 +5,12 @@ use super::distinct::Distinct;
 use super::theory::theory_of;
 use super::{Curve, CurveModel, CurveResult, Cutoffs, Needs};
 
-/// The differing models of a plan and the differing conditions that they are asked at. Equal models under equal conditions
-/// are computed once; the curves and loads of the plan then find their rows by index.
+/// The distinct models of a plan and the distinct conditions at which they are computed. Equal models under equal
+/// conditions are computed once; the curves and loads of the plan then find their rows by index.
 pub(super) struct DistinctInputs {
     /// The models of the curves.
     pub models: Distinct<CurveModel>,
-    /// The cutoffs at which each of the differing models is wanted.
+    /// The cutoffs at which each distinct model is needed.
     pub cutoffs: Vec<Cutoffs>,
     /// The loads, and behind them the separations.
     pub conditions: Distinct<Condition>,
@@ -31,14 +31,14 @@ impl DistinctInputs {
         }
     }
 
-    /// Returns the differing conditions that a model takes: loads, and separations where it knows them.
+    /// Returns the distinct conditions that a model takes: loads, and separations if it has them.
     pub fn conditions_of(&self, model: &CurveModel) -> Vec<Condition> {
         let takes_separations = theory_of(model).takes_separations();
         let conditions = self.conditions.items.iter().copied();
         conditions.filter(|condition| takes_separations || condition.pressure_pa().is_some()).collect()
     }
 
-    /// The rows of every curve, out of those of each differing model.
+    /// Assembles the rows of every curve from those of each distinct model.
     pub fn handed_out(&self, rows_of_models: Vec<CurveResult>, curves: &[Curve]) -> Vec<CurveResult> {
         let mut handed_out: Vec<(usize, CurveResult)> = Vec::with_capacity(curves.len());
         for (model, rows) in rows_of_models.into_iter().enumerate() {
@@ -58,7 +58,7 @@ impl DistinctInputs {
     }
 }
 
-/// A model is followed over every cutoff where one of its curves is.
+/// Returns the cutoffs of a model: every cutoff if one of its curves needs them.
 fn cutoffs_of(model: usize, models: &Distinct<CurveModel>, curves: &[Curve]) -> Cutoffs {
     let mut of_model = curves.iter().zip(&models.index_of).filter(|(_, index)| **index == model);
     let followed = of_model.any(|(curve, _)| curve.cutoffs == Cutoffs::Every);

@@ -1,4 +1,4 @@
-//! Why a plan cannot be carried out.
+//! Errors of plans.
 
 use std::num::NonZeroU32;
 
@@ -10,14 +10,14 @@ use units::display::{length, three_digits};
 /// More scales than any spectrum resolves, and what still fits into memory under a handful of loads.
 pub(super) const MOST_SCALES: usize = 2_000_000;
 
-/// The most rows of curves that are held at once; each takes some 150 bytes.
+/// The largest number of rows of curves in memory; each takes some 150 bytes.
 pub(super) const MOST_ROWS: usize = 10_000_000;
 
-/// Why a plan cannot be carried out.
+/// An error of a plan.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PlanError {
-    /// The cutoff leaves nothing.
+    /// No wavelength is left above the cutoff.
     #[error(
         "the cutoff {} leaves no scale: the longest wavelength is {}; choose a shorter one",
         length(*.cutoff_m), length(*.longest_m)
@@ -34,7 +34,7 @@ pub enum PlanError {
         three_digits(*.scales)
     )]
     TooManyScales {
-        /// The density asked for.
+        /// The requested number of scales per decade.
         scales_per_decade: NonZeroU32,
         /// The scales it makes.
         scales: f64,
@@ -54,7 +54,7 @@ pub enum PlanError {
         /// The rows that they and the sweeps over loads make, at most.
         rows: usize,
     },
-    /// Whoever watches the plan has ended it.
+    /// The observer of the plan cancelled it.
     #[error("ended before all was computed")]
     Cancelled,
     /// The fit has too little to go by.

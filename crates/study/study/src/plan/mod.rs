@@ -1,8 +1,9 @@
 //! Plans: everything that is needed, computed once. Every table, figure and reported number comes from one plan.
 //!
-//! `needs` holds requests and `results` their answers. `prepared_spectrum` computes from the spectrum what curves stand on,
-//! `distinct_inputs` finds equal curves and loads, `theory` computes the rows of a model, a module per theory, and `sweeps`
-//! those over loads, `compute` puts them together; `stream` hands curves on in parts that are not held.
+//! `needs` holds requests and `results` their answers. `prepared_spectrum` computes everything that curves need from
+//! the spectrum. `distinct_inputs` finds equal curves and loads. `theory` computes the rows of a model, with a module
+//! per theory, and `sweeps` those over loads. `compute` assembles the results; `stream` passes curves on in parts that
+//! are not kept.
 
 mod compute;
 mod condition;
@@ -35,7 +36,7 @@ pub use work::Work;
 
 use spectrum::ProfilePsd;
 
-/// A spectrum, and what is to be computed of it.
+/// A spectrum, and the values to compute from it.
 pub struct Plan<'p> {
     /// The spectrum as read.
     pub psd: &'p ProfilePsd,

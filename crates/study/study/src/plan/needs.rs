@@ -24,11 +24,11 @@ pub struct Curve {
     pub name: String,
     /// The model.
     pub model: CurveModel,
-    /// The cutoffs at which its area is wanted.
+    /// The cutoffs at which its area is needed.
     pub cutoffs: Cutoffs,
 }
 
-/// The cutoffs at which a curve is wanted.
+/// The cutoffs at which a curve is needed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Cutoffs {
@@ -55,7 +55,8 @@ pub struct LoadSweep {
 pub struct Needs {
     /// Spectral moments for every cutoff; statistical curves always need them.
     pub moments: Option<Normalisation>,
-    /// McCool's asperity parameters from the moments at every cutoff; statistical curves have them where they need them.
+    /// McCool's asperity parameters from the moments at every cutoff. Statistical curves have them in any case if they
+    /// need them.
     pub asperities: bool,
     /// Amplitudes; stacked curves always need them.
     pub amplitudes: Option<AmplitudeDefinition>,
@@ -67,7 +68,7 @@ pub struct Needs {
     pub loads: Vec<Load>,
     /// The loads behind them, as ranges without names.
     pub load_ranges: Vec<LoadRange>,
-    /// Separations \[m\], of either sign, at which statistical curves are wanted besides the loads.
+    /// Separations \[m\], of either sign, for statistical curves, in addition to the loads.
     pub separations_m: Vec<f64>,
     /// Statistical curves against load.
     pub sweeps: Vec<LoadSweep>,

@@ -13,8 +13,8 @@ use super::error::MOST_SCALES;
 use super::run::Run;
 use super::{Cutoffs, LoadSweep, Plan, PlanError, Work};
 
-/// All that is needed of a spectrum but the curves. A plan of the same spectrum, sampling, normalisation and amplitude can
-/// go on from it.
+/// Everything that a plan computes from a spectrum before the curves. A plan with the same spectrum, sampling,
+/// normalisation and amplitude can reuse it.
 #[derive(Debug, Clone)]
 pub struct PreparedSpectrum {
     pub(super) psd: ProfilePsd,
@@ -65,7 +65,7 @@ impl PreparedSpectrum {
         &self.scales
     }
 
-    /// Returns the number of cutoffs at which a statistical curve is wanted.
+    /// Returns the number of cutoffs at which a statistical curve is needed.
     pub(super) fn cutoff_count(&self, wanted: Cutoffs) -> usize {
         match wanted {
             Cutoffs::Every => self.moments.len() + 1,
@@ -87,7 +87,7 @@ impl PreparedSpectrum {
 }
 
 impl Plan<'_> {
-    /// Computes what the curves stand on.
+    /// Computes the values that the curves need.
     pub(super) fn prepare(&self, run: Run<'_>) -> Result<PreparedSpectrum, PlanError> {
         let sampled = self.sampled()?;
         run.go_on()?;

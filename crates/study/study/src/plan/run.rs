@@ -4,7 +4,7 @@ use parallel::Progress;
 
 use super::{Plan, PlanError, Tolerance};
 
-/// The observer of the work, which may end it, and the tolerance of statistical states.
+/// The observer of the work, which may cancel it, and the tolerance of statistical states.
 #[derive(Clone, Copy)]
 pub(super) struct Run<'r> {
     progress: &'r dyn Progress,
@@ -17,7 +17,7 @@ impl<'r> Run<'r> {
         Run { progress, tolerance: plan.needs.tolerance }
     }
 
-    /// Ends the work here where whoever watches wants it ended.
+    /// Returns an error if the observer has cancelled the work.
     pub fn go_on(self) -> Result<(), PlanError> {
         if self.progress.is_cancelled() { Err(PlanError::Cancelled) } else { Ok(()) }
     }

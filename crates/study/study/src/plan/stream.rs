@@ -9,7 +9,7 @@ use super::run::Run;
 use super::theory::{Job, theory_of};
 use super::{Curve, CurveResult, Cutoffs, Plan, PlanError, PreparedSpectrum};
 
-/// The rows of a part, about: enough to keep every core busy, and few beside what a spectrum holds.
+/// The approximate number of rows of a part: enough to keep every core busy, and few compared with a spectrum.
 const PART: usize = 1 << 14;
 
 /// The curves of a plan, to be computed part by part in the order of their rows.
@@ -20,7 +20,7 @@ pub struct Stream<'p> {
 
 /// Some rows of a curve: whole blocks, or a piece of one.
 pub struct Part {
-    /// The nominal pressures \[Pa\] of the blocks; those of separations have none.
+    /// The nominal pressures \[Pa\] of the blocks; blocks at separations have no entry.
     pub pressures_pa: Vec<f64>,
     /// The rows.
     pub rows: CurveResult,

@@ -66,7 +66,7 @@ pub(super) fn results(
     Ok((sweeps.map(result).collect(), work))
 }
 
-/// The known states, and those at the wanted pressures \[Pa\] that are missing among them.
+/// Completes known states by those missing at the wanted pressures \[Pa\].
 fn completed(
     mut states: KnownStates,
     wanted_pa: &[f64],

@@ -2,7 +2,8 @@
 
 use asperity::{AsperityError, Bound};
 
-/// The relative error allowed of a statistical state: what is used, which double precision may hold above what was asked.
+/// The relative error allowed of a statistical state. The value in use may be larger than the requested one, because
+/// double precision limits it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tolerance {
     used: f64,

@@ -4,7 +4,7 @@ use std::ops::AddAssign;
 
 use serde::Serialize;
 
-/// Counters of the work done, to show that nothing else was computed. Repetitions are not computed again.
+/// Counters of the work done, which show that nothing is computed twice or without need.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 pub struct Work {
     /// Cutoffs for which moments were computed.
@@ -21,7 +21,7 @@ pub struct Work {
     pub law_evaluations: usize,
     /// Samples that took part in a fit.
     pub fitted_samples: usize,
-    /// Levels that were wanted and found among those of an equal stack under an equal load.
+    /// Levels that were needed and found among those of an equal stack under an equal load.
     pub shared_levels: usize,
     /// States that were wanted and found among the others: of an equal model and population, at an equal load.
     pub shared_states: usize,

@@ -19,7 +19,7 @@ pub enum SeriesError {
     /// No series of the requested name.
     #[error("there is no series '{asked}'; {}", offer(.found))]
     UnknownSeries {
-        /// The name asked for.
+        /// The requested name.
         asked: String,
         /// The series there are.
         found: Vec<SeriesName>,
@@ -27,7 +27,7 @@ pub enum SeriesError {
     /// No subject of the requested name.
     #[error("there is no subject '{asked}'; {}", offer(.found))]
     UnknownSubject {
-        /// The name asked for.
+        /// The requested name.
         asked: String,
         /// The series there are.
         found: Vec<SeriesName>,

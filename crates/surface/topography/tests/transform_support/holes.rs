@@ -1,4 +1,4 @@
-//! Self-affine maps with the holes that optical instruments leave, and what treatments of them do to the spectrum.
+//! Self-affine maps with the holes that optical instruments leave, and the effect of treatments on the spectrum.
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;

@@ -21,7 +21,7 @@ use crate::models::{CurveModel, Theory};
 #[derive(Debug, Clone, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum CurveResult {
-    /// Levels of the stack; the last alone where only the shortest cutoff is wanted.
+    /// Levels of the stack; only the last one if only the shortest cutoff is needed.
     Stacked(Vec<Vec<Level>>),
     /// States of the population that each cutoff leaves; the separations follow the loads.
     Statistical(Vec<Vec<CutoffState>>),
@@ -194,11 +194,11 @@ pub(super) trait CurveTheory {
         Ok(())
     }
 
-    /// Computes a block of rows for every condition, and how much work they took. `places` are the rows of a block that
-    /// are wanted, for a theory that splits them.
+    /// Computes a block of rows for every condition, and counts the work. `places` are the needed rows of a block, for
+    /// a theory that splits them.
     ///
     /// # Errors
-    /// [`PlanError`] for values that the theory cannot take, and where the work was cancelled.
+    /// [`PlanError`] for values out of the theory's bounds, and if the work was cancelled.
     fn blocks(
         &self,
         job: &Job<'_>,

@@ -22,9 +22,9 @@ use crate::plan::{Cutoffs, PlanError, PreparedSpectrum, Work};
 pub struct CutoffState {
     /// The cutoff \[m\].
     pub wavelength_m: f64,
-    /// The asperities and their contact; none at the longest wavelength, where there are no moments yet.
+    /// The asperities and their contact; `None` at the longest wavelength, where there are no moments yet.
     pub contact: Option<(AsperityParameters, ContactState)>,
-    /// Alpha of a spectrum narrower than that of any surface, where a model needs the summits of one: no contact.
+    /// Alpha of a spectrum too narrow for any surface, for a model of summits: there is no contact.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub too_narrow_alpha: Option<f64>,
 }
@@ -32,7 +32,7 @@ pub struct CutoffState {
 /// One column of a state.
 type StateColumn = (&'static str, fn(&ContactState) -> Option<f64>);
 
-/// Columns of a statistical state that tell how it was found, and its logarithms.
+/// Columns of a statistical state on how it was found, and its logarithms.
 pub const STATE_DETAILS: [StateColumn; 5] = [
     ("error_estimate", |state| Some(state.error_estimate)),
     ("evaluations", |state| Some(state.evaluations as f64)),

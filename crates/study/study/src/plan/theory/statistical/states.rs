@@ -11,8 +11,8 @@ use crate::plan::run::Run;
 use crate::plan::work::counted;
 use crate::plan::{PlanError, Work};
 
-/// The most states that follow one another. Each begins where its neighbour ended; the first of them begins with nothing
-/// known, which costs some evaluations and no digit.
+/// The largest number of consecutive states. Each starts from its neighbour's solution. The first starts without one,
+/// which costs some evaluations and changes no digit.
 const STATES_PER_BLOCK: usize = 256;
 
 /// The states of a model.
@@ -38,8 +38,8 @@ impl States<'_> {
         Ok(counted(blocks))
     }
 
-    /// The states of one population, one for every pressure \[Pa\], which are distinct; none where the model has nothing to
-    /// press.
+    /// Computes the states of one population, one for each of the distinct pressures \[Pa\]; empty if the model has
+    /// nothing to press.
     pub fn over_loads(
         &self,
         roughness: &Roughness,
@@ -52,7 +52,7 @@ impl States<'_> {
         self.states(&contact, &pressures_pa.iter().map(condition).collect::<Vec<_>>())
     }
 
-    /// A block of one row for every condition: what is evaluated for one of them serves those after it.
+    /// Computes a block of one row for every condition. Evaluations for one condition are reused for those after it.
     fn at_one_cutoff(
         &self,
         wavelength_m: f64,
@@ -151,7 +151,7 @@ impl States<'_> {
         })
     }
 
-    /// Tells whoever watches, and counts, a state that was computed.
+    /// Reports a computed state to the observer, and counts it.
     fn count(&self, state: &ContactState, work: &mut Work) {
         self.run.state_is_known();
         work.statistical_states += 1;

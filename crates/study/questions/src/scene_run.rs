@@ -1,17 +1,15 @@
 //! Runs a scene from its plan to all of its results, in the same order for every front end.
 
+use findings::SceneFindings;
 use judge::{JudgeError, JudgePlan, Judgement};
 use scene::Scene;
 use study::Progress;
 use study::plan::{PlanError, Results};
 use uncertainty::{Uncertainty, UncertaintyPlan, scattering_groups};
 
-use crate::assessment::Assessment;
-use crate::products::{Findings, Parts};
-
-/// Results requested of a scene besides its curves and figures.
+/// Results of a scene to compute besides its curves and figures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Asked {
+pub struct RunOptions {
     /// True to write a report, which also compares other choices.
     pub report: bool,
     /// True if boundary elements judge the curves; if absent, the scene and `report` decide.
@@ -20,7 +18,7 @@ pub struct Asked {
     pub uncertainty: Option<bool>,
 }
 
-impl Asked {
+impl RunOptions {
     /// Returns true if boundary elements judge the curves. By default they do for a report and for a scene with a
     /// `judge` section, unless that section turns them off.
     #[must_use]
@@ -36,12 +34,6 @@ impl Asked {
         let off = scene.uncertainty.as_ref().is_some_and(|choices| choices.off);
         let is_wanted = self.uncertainty.unwrap_or(!off && (self.report || scene.uncertainty.is_some()));
         is_wanted && !scattering_groups(scene).is_empty()
-    }
-
-    /// Returns the parts of the output to make.
-    #[must_use]
-    pub fn parts(&self, scene: &Scene) -> Parts {
-        Parts { report: self.report, judgement: self.is_judged(scene), uncertainty: self.is_drawn(scene) }
     }
 }
 
@@ -81,23 +73,15 @@ pub trait Watch {
 }
 
 /// All results of a scene.
-pub struct Carried {
+pub struct SceneOutcome {
     /// Curves and figures of the scene.
     pub results: Results,
     /// Further findings of the report; absent if none was requested.
-    pub findings: Option<Findings>,
+    pub findings: Option<SceneFindings>,
     /// Judgement by boundary elements; absent if it was not requested.
     pub judgement: Option<Judgement>,
     /// Result of the uncertainty analysis; absent if no draws were made.
     pub uncertainty: Option<Uncertainty>,
-}
-
-impl Carried {
-    /// Returns the assessment of how far the results can be trusted.
-    #[must_use]
-    pub fn assessment(&self) -> Assessment<'_> {
-        Assessment { judgement: self.judgement.as_ref(), uncertainty: self.uncertainty.as_ref() }
-    }
 }
 
 /// Error of a run.
@@ -107,7 +91,7 @@ pub enum RunError {
     /// The run was cancelled.
     #[error("ended before the result was there")]
     Cancelled,
-    /// The plan cannot be carried out.
+    /// The plan cannot be computed.
     #[error(transparent)]
     Plan(PlanError),
     /// There is no judgement.
@@ -133,35 +117,35 @@ impl From<JudgeError> for RunError {
     }
 }
 
-/// Carries a scene out.
+/// Runs a scene.
 ///
 /// # Errors
 /// [`RunError`], of the first phase that fails or is ended.
-pub fn carry_out(scene: &Scene, asked: Asked, watch: &dyn Watch) -> Result<Carried, RunError> {
+pub fn run_scene(scene: &Scene, options: RunOptions, watch: &dyn Watch) -> Result<SceneOutcome, RunError> {
     let plan = scene.plan();
     let results = plan.compute_observed(&*watch.begin(Phase::Computing, plan.statistical_states()))?;
     watch.end(Phase::Computing);
-    let findings = match asked.report {
-        true => Some(Findings::from_results_observed(scene, &results, &*watch.begin(Phase::Comparing, 0))?),
+    let findings = match options.report {
+        true => Some(SceneFindings::from_results(scene, &results, &*watch.begin(Phase::Comparing, 0))?),
         false => None,
     };
     watch.end(Phase::Comparing);
-    let judgement = judgement(scene, &results, asked, watch)?;
+    let judgement = judgement(scene, &results, options, watch)?;
     watch.end(Phase::Judging);
-    let uncertainty = uncertainty(scene, &results, asked, watch)?;
+    let uncertainty = uncertainty(scene, &results, options, watch)?;
     if uncertainty.is_some() {
         watch.end(Phase::Drawing);
     }
-    Ok(Carried { results, findings, judgement, uncertainty })
+    Ok(SceneOutcome { results, findings, judgement, uncertainty })
 }
 
 fn judgement(
     scene: &Scene,
     results: &Results,
-    asked: Asked,
+    options: RunOptions,
     watch: &dyn Watch,
 ) -> Result<Option<Judgement>, RunError> {
-    if !asked.is_judged(scene) {
+    if !options.is_judged(scene) {
         return Ok(None);
     }
     let settings = judge::Settings::from_choices(scene.judge.as_ref());
@@ -175,10 +159,10 @@ fn judgement(
 fn uncertainty(
     scene: &Scene,
     results: &Results,
-    asked: Asked,
+    options: RunOptions,
     watch: &dyn Watch,
 ) -> Result<Option<Uncertainty>, RunError> {
-    if !asked.is_drawn(scene) {
+    if !options.is_drawn(scene) {
         return Ok(None);
     }
     let settings = uncertainty::Settings::from_choices(scene.uncertainty.as_ref());
