@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyString};
 use questions::{LoadInput, RandomInput, SamplingInput};
 use rough_bem::RandomChoices;
-use study::hardness_growth::GrowthLaw;
+use study::growth_law::GrowthLaw;
 use study::models::ModelOptions;
 use units::{
     Bound, IndentationHardness, Length, Modulus, Pressure, QuantityError, SignedLength, UnknownName, display,
@@ -29,6 +29,11 @@ impl<'py> Arguments<'py> {
     /// An argument as it is, None if it is not given.
     pub fn raw(&self, name: &str) -> PyResult<Given<'py>> {
         Ok(self.0.get_item(name)?.unwrap_or_else(|| self.0.py().None().into_bound(self.0.py())))
+    }
+
+    /// Converts an argument that is needed.
+    pub fn required<T>(&self, name: &str, convert: impl Fn(&str, &Given<'py>) -> PyResult<T>) -> PyResult<T> {
+        convert(name, &self.raw(name)?)
     }
 
     /// An argument, if it is given.
@@ -249,20 +254,12 @@ pub fn number(argument: &str, given: &Given<'_>) -> PyResult<f64> {
 
 /// A whole number in a range.
 fn whole(argument: &str, given: &Given<'_>, range: &RangeInclusive<u64>) -> PyResult<u64> {
-    let refused = |what: String| {
+    number(argument, given)?;
+    let whole = given.extract::<i128>().ok().and_then(|number| u64::try_from(number).ok());
+    whole.filter(|number| range.contains(number)).ok_or_else(|| {
         let (least, most) = (range.start(), range.end());
-        input(format!("{argument} is {what}; it must be a whole number from {least} to {most}"))
-    };
-    if given.is_instance_of::<PyBool>() {
-        return Err(refused(type_name(given)));
-    }
-    match given.extract::<i128>() {
-        Ok(number) => match u64::try_from(number).ok().filter(|number| range.contains(number)) {
-            Some(number) => Ok(number),
-            None => Err(refused(number.to_string())),
-        },
-        Err(_) => Err(refused(given.str().map_or_else(|_| type_name(given), |text| text.to_string()))),
-    }
+        input(format!("{argument} is {given}; it must be a whole number from {least} to {most}"))
+    })
 }
 
 /// The text of an argument.

@@ -74,7 +74,7 @@ fn question(material: &PyMaterial, arguments: &Arguments<'_>) -> PyResult<Elemen
         material: material.input,
         pressures: arguments.pressures()?,
         saturation: arguments.quantity("saturation")?,
-        tolerance: number("tolerance", &arguments.raw("tolerance")?)?,
+        tolerance: arguments.required("tolerance", number)?,
         ..ElementsQuestion::default()
     };
     question.check().map(|()| question).map_err(refused)

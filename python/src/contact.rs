@@ -29,7 +29,7 @@ pub fn contact_states<'py>(
     material_index: Option<PyReadonlyArrayDyn<'py, i64>>,
     arguments: Arguments<'py>,
 ) -> PyResult<PyAnswer> {
-    let model = text("model", &arguments.raw("model")?)?;
+    let model = arguments.required("model", text)?;
     let question = StatesQuestion {
         model: Some(
             models::named(Framework::Statistical, &model).map_err(|error| of_argument("model", error))?,

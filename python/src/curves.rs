@@ -29,7 +29,7 @@ pub fn curve(
     material: &PyMaterial,
     arguments: Arguments<'_>,
 ) -> PyResult<Curve> {
-    let model = text("model", &arguments.raw("model")?)?;
+    let model = arguments.required("model", text)?;
     let (framework, model, spelling): (_, _, &'static (dyn Spelling + Sync)) = match framework {
         "stacked" => (Framework::Stacked, model.as_str(), &Keywords),
         "statistical" => (Framework::Statistical, model.as_str(), &Keywords),
@@ -85,7 +85,7 @@ pub fn gaps(
 
 /// A model that knows a distance between the surfaces; `others` are names that are taken besides.
 pub fn gap_model(material: &PyMaterial, arguments: &Arguments<'_>, others: &[&str]) -> PyResult<GapModel> {
-    let name = text("model", &arguments.raw("model")?)?;
+    let name = arguments.required("model", text)?;
     let known: Vec<&'static ModelEntry> = models::with_gaps().collect();
     let model = known.iter().copied().find(|entry| entry.name == name);
     if model.is_none() && !others.contains(&name.as_str()) {

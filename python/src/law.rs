@@ -44,7 +44,7 @@ impl PyContactLaw {
         })?;
         let by = gap_model(material, &arguments, &[])?;
         let question = LawQuestion { by, from: from.pressure, to: to.pressure };
-        let tolerance = number("tolerance", &arguments.raw("tolerance")?)?;
+        let tolerance = arguments.required("tolerance", number)?;
         let tolerance = checked("tolerance", ContactLaw::TOLERANCES, tolerance)?;
         let found = carry_out(py, None, |progress| {
             let found = question.answer(&surface.surface, progress)?;

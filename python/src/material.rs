@@ -79,8 +79,8 @@ pub fn counterface(arguments: &Arguments<'_>) -> PyResult<Option<BodyInput>> {
 
 /// The elastic constants of the rough body, within their bounds.
 fn body(arguments: &Arguments<'_>) -> PyResult<BodyInput> {
-    let modulus: Modulus = quantity("youngs_modulus", &arguments.raw("youngs_modulus")?)?;
-    let ratio = number("poisson_ratio", &arguments.raw("poisson_ratio")?)?;
+    let modulus: Modulus = arguments.required("youngs_modulus", quantity)?;
+    let ratio = arguments.required("poisson_ratio", number)?;
     Ok(BodyInput {
         youngs_modulus_pa: checked("youngs_modulus", Bound::Magnitude, modulus.pa)?,
         poisson_ratio: checked("poisson_ratio", ElasticBody::POISSON_RATIO, ratio)?,

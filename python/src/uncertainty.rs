@@ -116,7 +116,7 @@ fn needs(names: &[String], material: &PyMaterial, arguments: &Arguments<'_>) -> 
         needs.loads = of_curve.loads;
     }
     let any = |needed: fn(&Curve) -> bool| needs.curves.iter().any(needed);
-    let tolerance = number("tolerance", &arguments.raw("tolerance")?)?;
+    let tolerance = arguments.required("tolerance", number)?;
     Ok(Needs {
         moments: arguments.named("normalisation")?.filter(|_| any(|curve| curve.model.needs_moments())),
         amplitudes: arguments.named("amplitude")?.filter(|_| any(|curve| curve.model.needs_amplitudes())),

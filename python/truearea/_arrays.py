@@ -20,7 +20,7 @@ def lengths_of(argument: str, of_size: str, size: Any, shape: tuple[int, ...]) -
     if len(lengths) == 1 and len(shape) == 2:
         if shape[0] != shape[1]:
             raise InputError(
-                f"{of_size} is one length, and {argument} has {shape[0]} rows and {shape[1]} columns; give (lx, ly)"
+                f"{of_size}: one length is that of a square map, and {argument} has {shape[0]} rows and {shape[1]} columns; give (lx, ly)"
             )
         return 2 * lengths
     if len(lengths) != len(shape):

@@ -15,7 +15,7 @@ use serde_json::{Map, Value, json};
 use spectrum::{Normalisation, ReadOptions};
 use study::NoFiles;
 use study::gap_law::GapState;
-use study::hardness_growth::GrowthLaw;
+use study::growth_law::GrowthLaw;
 use study::models::{self, Choice, Framework, MODELS, ModelOptions};
 use study::result_tables;
 use study::surface::Surface;

@@ -5,7 +5,7 @@ use std::path::Path;
 use persson::hardness_laws::HardnessTable;
 use questions::CurveQuestion;
 use state_tables::Flattened;
-use study::hardness_growth::GrowthLaw;
+use study::growth_law::GrowthLaw;
 use study::models::{self, Framework, ModelOptions};
 use study::persson_law::Deformation;
 use units::Bound;
