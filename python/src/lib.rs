@@ -22,31 +22,21 @@ mod work;
 #[pyo3::pymodule]
 mod _native {
     #[pymodule_export]
-    use super::answer::PyAnswer;
-    #[pymodule_export]
-    use super::boundary_elements::{press_heights, press_spectrum};
-    #[pymodule_export]
-    use super::contact::contact_states;
-    #[pymodule_export]
-    use super::curves::{curve, gaps};
-    #[pymodule_export]
-    use super::errors::InputError;
-    #[pymodule_export]
-    use super::law::PyContactLaw;
-    #[pymodule_export]
-    use super::lengths::in_metres;
-    #[pymodule_export]
-    use super::material::PyMaterial;
-    #[pymodule_export]
-    use super::scans::{PyAskedScan, PyScan, channels_of, composite, scans_of};
-    #[pymodule_export]
-    use super::scene::{PyScene, scene_template, scene_with_keys, tables_of_runs, write_files};
-    #[pymodule_export]
-    use super::surface::PySurface;
-    #[pymodule_export]
-    use super::threads::{set_threads, threads};
-    #[pymodule_export]
-    use super::uncertainty::uncertainty_of;
+    use super::{
+        answer::PyAnswer,
+        boundary_elements::{press_heights, press_spectrum},
+        contact::contact_states,
+        curves::{curve, gaps},
+        errors::InputError,
+        law::PyContactLaw,
+        lengths::in_metres,
+        material::PyMaterial,
+        scans::{PyAskedScan, PyScan, channels_of, composite, scans_of},
+        scene::{PyScene, scene_template, scene_with_keys, tables_of_runs, write_files},
+        surface::PySurface,
+        threads::{set_threads, threads},
+        uncertainty::uncertainty_of,
+    };
 
     /// The version of the program.
     #[pymodule_export]

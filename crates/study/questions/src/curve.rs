@@ -168,7 +168,7 @@ impl CurveQuestion {
 }
 
 /// A tolerance beyond double precision.
-fn of_tolerance(tolerance: Tolerance) -> Option<Note> {
+pub(crate) fn of_tolerance(tolerance: Tolerance) -> Option<Note> {
     let used = tolerance.value();
     tolerance.asked_finer().map(|asked| Note::ToleranceTooFine { asked, used })
 }

@@ -18,6 +18,7 @@ use units::Pressure;
 
 use crate::FEW_TOUCH;
 use crate::choices;
+use crate::curve::of_tolerance;
 use crate::elements::{RandomInput, random_surfaces};
 use crate::loads::{LoadInput, RangeInput, nominal_pressure, pressures_pa};
 use crate::option::{Reason, first_given};
@@ -195,11 +196,12 @@ impl GapModel {
 
     /// Notes known before anything is computed.
     fn notes(&self, material: &Material, surface: &Surface) -> Vec<Note> {
+        let too_fine = self.checked_tolerance().ok().and_then(of_tolerance);
         let doubt = Doubt::of_material(material).map(Note::Doubt);
         let surface_notes = surface.notes.iter().cloned().map(Note::Surface);
         let strength = self.model.and_then(|entry| Note::of_strength(material, entry));
         let of_spectrum = Doubt::of_spectrum(&surface.psd).into_iter().map(Note::Doubt);
-        doubt.into_iter().chain(surface_notes).chain(strength).chain(of_spectrum).collect()
+        too_fine.into_iter().chain(doubt).chain(surface_notes).chain(strength).chain(of_spectrum).collect()
     }
 }
 
