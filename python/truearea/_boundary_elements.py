@@ -178,8 +178,8 @@ def boundary_elements(
     return Pressed(arrays, axes, tuple(answer.notes))
 
 
-_OF_HEIGHTS = dict.fromkeys(("size", "periodic", "detrend"))
-_OF_SPECTRA = dict.fromkeys(("grid", "realisations", "seed", "longest", "shortest", "side", "phases")) | {
+_OF_HEIGHTS: dict[str, Any] = dict.fromkeys(("size", "periodic", "detrend"))
+_OF_SPECTRA: dict[str, Any] = dict.fromkeys(("grid", "realisations", "seed", "longest", "shortest", "side", "phases")) | {
     "per_realisation": False
 }
 
