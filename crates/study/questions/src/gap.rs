@@ -25,7 +25,7 @@ use crate::option::{Reason, first_given};
 use crate::{Answer, GapCounts, MaterialInput, Note, OptionName, QuestionError, SamplingInput};
 
 /// The light-load law holds within this share of the pressure.
-pub const LIGHT_LOADS_SHARE: f64 = 0.01;
+const LIGHT_LOADS_SHARE: f64 = 0.01;
 
 /// A model of gaps, its material and its spectrum: what gaps and laws have in common.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -359,8 +359,7 @@ impl GapCounts {
 }
 
 /// States of boundary elements in the form of models: the mean of all surfaces under each load.
-#[must_use]
-pub fn states_of_elements(loads: &[PressedLoad]) -> Vec<GapState> {
+fn states_of_elements(loads: &[PressedLoad]) -> Vec<GapState> {
     let state = |load: &PressedLoad| {
         let mean = load.mean();
         GapState {

@@ -20,7 +20,7 @@ pub use counts::{CurveCounts, CutCounts, LevelCounts};
 pub use curve::{CurveQuestion, CurveStream, PreparedCurve};
 pub use elements::{ElementsQuestion, PreparedElements, RandomInput};
 pub use error::QuestionError;
-pub use gap::{FoundLaw, GapModel, GapQuestion, LIGHT_LOADS_SHARE, LawForm, LawQuestion, states_of_elements};
+pub use gap::{FoundLaw, GapModel, GapQuestion, LawForm, LawQuestion};
 pub use loads::{LoadInput, RangeInput};
 pub use material::{BodyInput, MaterialInput};
 pub use note::{FEW_TOUCH, GapCounts, MadeSurfaces, Note, OutsideFit, SampledScales};
