@@ -93,15 +93,22 @@ impl<'py> Arguments<'py> {
         Ok(SamplingInput { scales_per_decade, cutoff_m: self.length_m("cutoff")? })
     }
 
+    /// The form of the hardness of spheres, by its name or by `hardness`, the former one.
     pub fn hardness_form(&self) -> PyResult<Option<Hardness>> {
+        let [is_new, is_former] =
+            [self.get("hardness_formula")?, self.get("hardness")?].map(|given| given.is_some());
+        if is_new && is_former {
+            return Err(input("hardness_formula and hardness, its former name, are both given; give one"));
+        }
+        let argument = if is_new { "hardness_formula" } else { "hardness" };
         let form = |name: String| {
             let found = Hardness::ALL.into_iter().find(|hardness| hardness.name() == name);
             found.ok_or_else(|| {
                 let names = Hardness::ALL.map(Hardness::name).join(", ");
-                of_argument("hardness", format!("'{name}' is none of {names}"))
+                of_argument(argument, format!("'{name}' is none of {names}"))
             })
         };
-        self.text("hardness")?.map(form).transpose()
+        self.text(argument)?.map(form).transpose()
     }
 
     pub fn model_options(&self) -> PyResult<ModelOptions> {

@@ -4,7 +4,8 @@ use numpy::{PyArray1, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use questions::StatesQuestion;
-use state_tables::{Roughness, STATE_COLUMNS, StateCondition, StateRequest, StatesError};
+use stat_contact::Condition;
+use state_tables::{Roughness, STATE_COLUMNS, StateRequest, StatesError};
 use study::models::{self, Framework};
 
 use crate::answer::{PyAnswer, of_material, refused};
@@ -53,8 +54,8 @@ pub fn contact_states<'py>(
         material: &materials[material_of(row)].get().material,
         roughness: Roughness(of_roughness.each_ref().map(|column| column.at(row))),
         at: match is_pressure {
-            true => StateCondition::Pressure(of_condition.at(row)),
-            false => StateCondition::Separation(of_condition.at(row)),
+            true => Condition::Pressure(of_condition.at(row)),
+            false => Condition::Separation(of_condition.at(row)),
         },
     };
     let states = match rows <= LIGHT_ROWS {

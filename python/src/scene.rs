@@ -13,7 +13,6 @@ use pyo3::prelude::*;
 use pyo3::types::{PyCFunction, PyDict, PyList, PyString, PyTuple};
 use questions::{OptionName, SamplingInput};
 use questions::{Phase, RunError, RunOptions, Watch, run_scene};
-use report::assessment::Assessment;
 use report::explain::explain;
 use report::products::{Product, SceneProducts};
 use report::run_stamp::RunStamp;
@@ -233,10 +232,9 @@ impl Made {
         watch: &Watching<'_>,
     ) -> Result<Self, RunError> {
         let outcome = run_scene(scene, asked, watch)?;
-        let (results, findings) = (&outcome.results, outcome.findings.as_ref());
-        let assessment =
-            Assessment { judgement: outcome.judgement.as_ref(), uncertainty: outcome.uncertainty.as_ref() };
-        let products = SceneProducts { scene, results, findings, assessment, run_stamp: &occasion };
+        let (evidence, conclusions) = (outcome.evidence(scene), &outcome.conclusions);
+        let sensitivities = outcome.sensitivities.as_deref();
+        let products = SceneProducts { evidence, conclusions, sensitivities, run_stamp: &occasion };
         let (mut tables, mut files) = (Vec::new(), Vec::new());
         let Ok(()) = products.each(|name, product| {
             let mut bytes = Vec::new();
@@ -247,10 +245,7 @@ impl Made {
             }
             Ok::<(), std::convert::Infallible>(())
         });
-        let answer = match findings {
-            Some(findings) => summary(scene, results, &findings.answer, assessment),
-            None => summary(scene, results, &Answer::from_results(scene, results), assessment),
-        };
+        let answer = summary(&evidence, conclusions);
         Ok(Made { answer, tables, files })
     }
 }

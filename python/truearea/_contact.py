@@ -43,6 +43,7 @@ def contact(
     pressure: Any = None,
     separation: npt.ArrayLike | None = None,
     strain_gradient: bool = False,
+    hardness_formula: str | None = None,
     hardness: str | None = None,
     interference_law: str | None = None,
     tolerance: float = 1e-12,
@@ -69,8 +70,8 @@ def contact(
         Separations [m] from the mean of the asperity heights, in place of pressures.
     strain_gradient : bool, default False
         Let the strength grow at small depths, with the material's ``strain_gradient_length``.
-    hardness : {"2005", "cosine"}, optional
-        The form of the hardness of spheres that yield.
+    hardness_formula : {"2005", "cosine"}, optional
+        The form of the hardness of spheres that yield; ``hardness`` is its former name.
     interference_law : str, optional
         What ties pressure to interference of elastic sinusoids.
     tolerance : float, default 1e-12

@@ -136,6 +136,7 @@ def statistical(
     pressure: Pressures | None = None,
     separation: Pressures | None = None,
     strain_gradient: bool = False,
+    hardness_formula: str | None = None,
     hardness: str | None = None,
     interference_law: str | None = None,
     normalisation: str = "parseval",
@@ -159,8 +160,8 @@ def statistical(
         Separations, in m or as text, besides pressures or in place of them.
     strain_gradient : bool, default False
         Let the strength grow at small depths, with the material's ``strain_gradient_length``.
-    hardness : {"2005", "cosine"}, optional
-        The form of the hardness of spheres that yield.
+    hardness_formula : {"2005", "cosine"}, optional
+        The form of the hardness of spheres that yield; ``hardness`` is its former name.
     interference_law : str, optional
         What ties pressure to interference of elastic sinusoids.
     normalisation : {"parseval", "as-printed"}

@@ -32,6 +32,7 @@ def gap(
     gamma: float | None = None,
     band: str | None = None,
     strain_gradient: bool = False,
+    hardness_formula: str | None = None,
     hardness: str | None = None,
     interference_law: str | None = None,
     normalisation: str | None = None,
@@ -69,8 +70,8 @@ def gap(
         agrees with boundary elements where the spectrum rolls off.
     strain_gradient : bool, default False
         Let the strength grow at small depths, with the material's ``strain_gradient_length``.
-    hardness : {"2005", "cosine"}, optional
-        The form of the hardness of spheres that yield.
+    hardness_formula : {"2005", "cosine"}, optional
+        The form of the hardness of spheres that yield; ``hardness`` is its former name.
     interference_law : str, optional
         What ties pressure to interference of elastic sinusoids.
     normalisation : {"parseval", "as-printed"}, optional

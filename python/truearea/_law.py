@@ -103,6 +103,7 @@ def law(
     gamma: float | None = None,
     band: str | None = None,
     strain_gradient: bool = False,
+    hardness_formula: str | None = None,
     hardness: str | None = None,
     interference_law: str | None = None,
     normalisation: str | None = None,
@@ -128,7 +129,7 @@ def law(
         What makes the gap.
     tolerance : float, default 0.01
         The largest relative error of the pressure on the straight lines between the points, from 1e-5 to 0.5.
-    gamma, band, strain_gradient, hardness, interference_law, normalisation, cutoff, scales_per_decade : optional
+    gamma, band, strain_gradient, hardness_formula, interference_law, normalisation, cutoff, scales_per_decade : optional
         As :func:`gap` has them.
 
     Returns

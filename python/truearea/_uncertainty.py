@@ -126,6 +126,7 @@ def uncertainty(
     counterface_youngs_modulus: Quantity | None = None,
     counterface_poisson_ratio: Quantity | None = None,
     strain_gradient: bool = False,
+    hardness_formula: str | None = None,
     hardness: str | None = None,
     interference_law: str | None = None,
     normalisation: str = "parseval",
@@ -163,7 +164,7 @@ def uncertainty(
         one.
     counterface_youngs_modulus, counterface_poisson_ratio : float or str, optional
         The same of the counterface.
-    strain_gradient, hardness, interference_law, normalisation, amplitude, tolerance, cutoff, scales_per_decade : optional
+    strain_gradient, hardness_formula, interference_law, normalisation, amplitude, tolerance, cutoff, scales_per_decade : optional
         As for ``stacked`` and ``statistical``.
     progress : bool or callable, default False
         True for a line on stderr; or what is called with the steps done, and None.

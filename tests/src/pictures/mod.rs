@@ -122,14 +122,19 @@ fn picture(
     Picture { name, svg: plot::svg(&figure, subject, &provenance) }
 }
 
-/// Line under a condition, which its colour denotes.
-fn line(condition: &str, colour: usize, points: Vec<(f64, f64)>) -> Series {
-    Series::under(condition, colour, points)
+/// Line under a condition.
+fn line(condition: &str, condition_index: usize, points: Vec<(f64, f64)>) -> Series {
+    Series::under(condition, condition_index, points)
 }
 
-/// Line distinguished by its dash from others of its colour.
+/// Line of a curve with a dash pattern: 0 is solid. The drawing dashes the first curve of several and leaves the second solid.
 fn dashed(curve: &str, dash: usize, line: Series) -> Series {
-    Series { curve: curve.to_owned(), dash, ..line }
+    let curve_index = match dash {
+        0 => 1,
+        1 => 0,
+        more => more,
+    };
+    Series { curve: curve.to_owned(), curve_index, ..line }
 }
 
 /// `count` values in geometric steps; both ends are met exactly.

@@ -2,6 +2,7 @@
 
 use questions::{OptionName, QuestionError, Spelling};
 use report::question_words;
+use study::models::Choice;
 
 use crate::failure::Failure;
 
@@ -17,7 +18,8 @@ impl Spelling for Flags {
             OptionName::MissingPoints => "gaps",
             OptionName::Reading => return "an option for reading spectra".to_owned(),
             OptionName::Side => "box",
-            OptionName::StrainGradient => "strain-gradient-length",
+            OptionName::ModelOption(Choice::Hardness) => "hardness-formula",
+            OptionName::ModelOption(Choice::StrainGradient) => "strain-gradient-length",
             option => return format!("--{}", option.snake_case().replace('_', "-")),
         };
         format!("--{name}")

@@ -1,5 +1,6 @@
 //! Sources of input and destinations of results: standard streams, or files that appear whole or not at all.
 
+use std::ffi::OsStr;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
@@ -7,7 +8,7 @@ use staging::StagedFiles;
 
 use crate::failure::Failure;
 use crate::interruption;
-use report::products::SceneProducts;
+use report::products::{ANSWER, SceneProducts};
 use study::plan::PlanError;
 use tables::{Format, TableError};
 
@@ -186,18 +187,58 @@ pub fn make_folder(option: &str, folder: &Path) -> Result<(), Failure> {
     std::fs::create_dir_all(folder).map_err(|error| Failure::writing(&folder.display().to_string(), &error))
 }
 
+/// The folders that the files of a scene go to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Layout {
+    /// All in one folder, as `run` has them.
+    Flat,
+    /// The report, the scene and the summary above the folders `figures` and `data`.
+    Folders,
+}
+
+impl Layout {
+    /// The place of a file by its name.
+    fn place(self, name: &str) -> String {
+        let folder = match Path::new(name).extension().and_then(OsStr::to_str) {
+            Some("svg") => "figures/",
+            Some("csv" | "json") if name != ANSWER => "data/",
+            _ => "",
+        };
+        match self {
+            Layout::Flat => name.to_owned(),
+            Layout::Folders => format!("{folder}{name}"),
+        }
+    }
+}
+
 /// Writes every file of a scene into a folder, all of them or none; yields their names.
 ///
 /// # Errors
 /// [`Failure::System`] that names the path.
 pub fn write_products(
     products: &SceneProducts<'_>,
+    summary: &str,
     format: Format,
     folder: &Path,
+    layout: Layout,
 ) -> Result<Vec<String>, Failure> {
     let mut files = StagedFiles::default();
-    let names = products
-        .each_file(format, |name, content| stage(&mut files, &folder.join(name), |out| content(out)))?;
+    if layout == Layout::Folders {
+        for inner in ["figures", "data"] {
+            make_folder("--out", &folder.join(inner))?;
+        }
+    }
+    let place = |name: &str| folder.join(layout.place(name));
+    let names =
+        products.each_file(format, |name, content| stage(&mut files, &place(name), |out| content(out)))?;
+    let mut names: Vec<String> = names.iter().map(|name| layout.place(name)).collect();
+    if layout == Layout::Folders {
+        let texts = [("summary.txt", summary), ("scene.toml", products.evidence.scene.text.as_str())];
+        for (name, text) in texts {
+            stage(&mut files, &folder.join(name), |out| out.write_all(text.as_bytes()))?;
+            names.push(name.to_owned());
+        }
+    }
     publish(files)?;
     Ok(names)
 }

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use spectrum::Normalisation;
 use study::gap_law::{GapChoices, GapLaw, GapState};
 use study::material::Material;
-use study::models::{Choice, Framework, ModelEntry, ModelOptions};
+use study::models::{Choice, ModelEntry, ModelOptions, MomentUse};
 use study::persson_law::PerssonLaw;
 use study::plan::{Needs, Plan, PlanError, Tolerance};
 use study::result_tables;
@@ -130,32 +130,25 @@ impl GapModel {
         let options = &self.options;
         let Some(entry) = self.model else {
             let given = [
-                (OptionName::Gamma, options.gamma.is_some()),
                 (OptionName::Normalisation, self.normalisation.is_some()),
                 (OptionName::Tolerance, self.tolerance.is_some()),
-                (OptionName::Hardness, options.hardness.is_some()),
-                (OptionName::InterferenceLaw, options.interference_law.is_some()),
-                (OptionName::Band, options.band.is_some()),
-                (OptionName::StrainGradient, options.strain_gradient),
                 (OptionName::StrainGradientLength, self.material.strain_gradient_length_m.is_some()),
                 (OptionName::StrengthCap, self.material.strength_cap.is_some()),
                 (OptionName::ScalesPerDecade, self.sampling.scales_per_decade.is_some()),
                 (OptionName::Cutoff, self.sampling.cutoff_m.is_some()),
             ];
-            return Ok(first_given(given, || Reason::BoundaryElements)?);
+            let of_models = options.given().map(|choice| (OptionName::of_choice(choice), true));
+            return Ok(first_given(of_models.chain(given), || Reason::BoundaryElements)?);
         };
-        let is_persson = entry.framework == Framework::Persson;
-        let without_law = [
-            (OptionName::Normalisation, self.normalisation.is_some() && is_persson),
-            (OptionName::Tolerance, self.tolerance.is_some() && is_persson),
-            (OptionName::Hardness, options.hardness.is_some() && !entry.has(Choice::Hardness)),
-            (
-                OptionName::InterferenceLaw,
-                options.interference_law.is_some() && !entry.has(Choice::Interference),
-            ),
-            (OptionName::StrainGradient, options.strain_gradient && !entry.has(Choice::StrainGradient)),
+        let facts = entry.framework.facts();
+        let of_other_frameworks = [
+            (OptionName::Normalisation, self.normalisation.is_some() && facts.moments != MomentUse::Chosen),
+            (OptionName::Tolerance, self.tolerance.is_some() && !facts.has_states),
         ];
-        first_given(without_law, || Reason::Model(entry.name))?;
+        let of_asperities = [Choice::Hardness, Choice::Interference, Choice::StrainGradient];
+        let missing = options.given().filter(|choice| of_asperities.contains(choice) && !entry.has(*choice));
+        let missing = missing.map(|choice| (OptionName::of_choice(choice), true));
+        first_given(of_other_frameworks.into_iter().chain(missing), || Reason::Model(entry.name))?;
         choices::check(options, entry, self.material.strength_cap.is_some())?;
         self.checked_tolerance().map(drop)
     }
@@ -175,12 +168,9 @@ impl GapModel {
     ) -> Result<GapLaw, QuestionError> {
         self.sampling.check(surface)?;
         let model = entry.build(material, &self.options)?;
-        let normalisation = match entry.framework {
-            Framework::Persson => Normalisation::Parseval,
-            _ => self.normalisation.unwrap_or_default(),
-        };
+        let moments = entry.framework.facts().moments.normalisation(self.normalisation);
         let needs = Needs {
-            moments: Some(normalisation),
+            moments: Some(moments.unwrap_or_default()),
             amplitudes: model.needs_amplitudes().then(Default::default),
             ..Needs::default()
         };

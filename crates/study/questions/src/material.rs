@@ -2,7 +2,6 @@
 
 use asperity::ElasticBody;
 use serde::{Deserialize, Serialize};
-use study::bodies::Body;
 use study::hardness_and_strength::HardnessAndStrength;
 use study::material::{GivenMaterial, Material, MaterialError};
 use study::models::{Choice, ModelEntry, ModelOptions};
@@ -103,13 +102,13 @@ impl MaterialInput {
             self.youngs_modulus_pa.ok_or(QuestionError::ElasticConstant(OptionName::YoungsModulus))?;
         let poisson_ratio =
             self.poisson_ratio.ok_or(QuestionError::ElasticConstant(OptionName::PoissonRatio))?;
+        let body = BodyInput { youngs_modulus_pa, poisson_ratio }.body(OptionName::PoissonRatio)?;
         Ok(Material::new(GivenMaterial {
-            body: BodyInput { youngs_modulus_pa, poisson_ratio }.body(OptionName::PoissonRatio)?,
             counterface: self.counterface()?,
-            flows: Body::Rough,
             hardness_and_strength: self.hardness_and_strength()?,
             strength_cap: self.strength_cap,
             strain_gradient_length_m: self.strain_gradient_length_m,
+            ..GivenMaterial::new(body)
         }))
     }
 }

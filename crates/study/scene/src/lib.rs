@@ -16,6 +16,7 @@ mod raw;
 mod replace;
 mod resolve;
 mod roughness;
+mod section;
 mod spelling;
 mod surfaces;
 mod template;
@@ -83,7 +84,7 @@ impl Scene {
     pub fn parse(text: &str, files: &dyn Files, overrides: &Overrides) -> Result<Self, SceneError> {
         let raw = raw::RawScene::parse(text)?;
         let (scene, ignored) = resolve::resolve(text, &raw, files, overrides)?;
-        Ok(Scene { notes: notes::notes(text, &scene, &ignored, overrides), ..scene })
+        Ok(Scene { notes: notes::notes(text, &raw, &scene, &ignored, overrides), ..scene })
     }
 
     /// Returns a scene that comes with the program.

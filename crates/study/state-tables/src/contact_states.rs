@@ -2,9 +2,8 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use asperity::AsperityError;
 use parallel::{Progress, fill_blocks};
-use stat_contact::{ContactState, Sweep};
+use stat_contact::{Condition, ContactState};
 use study::material::{Material, MaterialError};
 use study::models::{ModelEntry, ModelOptions, Pressable};
 use study::plan::Tolerance;
@@ -34,16 +33,7 @@ pub struct StateRequest<'m> {
     /// The roughness.
     pub roughness: Roughness,
     /// The separation or pressure.
-    pub at: StateCondition,
-}
-
-/// The condition of a state.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum StateCondition {
-    /// A separation \[m\] from the mean of the asperity heights.
-    Separation(f64),
-    /// A pressure \[Pa\] over the nominal area.
-    Pressure(f64),
+    pub at: Condition,
 }
 
 /// Names of the result columns: separation \[m\], pressure over the nominal area \[Pa\], real over nominal area, natural
@@ -140,7 +130,7 @@ impl ContactStates {
                 found.assumed_strengths += assumes;
                 match (&mut sweep, &pressed) {
                     (Some(sweep), _) => {
-                        let state = next.at.state(sweep).map_err(|error| blame(row)(error.into()))?;
+                        let state = sweep.at(next.at).map_err(|error| blame(row)(error.into()))?;
                         found.counts.add([&state]);
                         set(&mut columns, row, Some(&state));
                     }
@@ -181,15 +171,6 @@ impl StateRequest<'_> {
     }
 }
 
-impl StateCondition {
-    fn state(self, sweep: &mut Sweep<'_>) -> Result<ContactState, AsperityError> {
-        match self {
-            StateCondition::Separation(separation_m) => sweep.at_separation(separation_m),
-            StateCondition::Pressure(pressure_pa) => sweep.at_pressure(pressure_pa),
-        }
-    }
-}
-
 /// Sets a row of the columns, in the order of [`STATE_COLUMNS`].
 fn set(columns: &mut [&mut [f64]; 8], row: usize, state: Option<&ContactState>) {
     let values = state.map_or([f64::NAN; 8], |state| {
@@ -220,21 +201,13 @@ mod tests {
     use asperity::{ElasticBody, MaterialPair};
     use parallel::Unobserved;
     use stat_contact::{AsperityLaw, Population, StatisticalContact};
-    use study::hardness_and_strength::HardnessAndStrength;
     use study::material::GivenMaterial;
     use study::models::{Framework, named};
 
     use super::*;
 
     fn material(modulus_pa: f64) -> Material {
-        Material::new(GivenMaterial {
-            body: ElasticBody::new(modulus_pa, 0.3).unwrap(),
-            counterface: None,
-            flows: study::bodies::Body::Rough,
-            hardness_and_strength: HardnessAndStrength::default(),
-            strength_cap: None,
-            strain_gradient_length_m: None,
-        })
+        Material::new(GivenMaterial::new(ElasticBody::new(modulus_pa, 0.3).unwrap()))
     }
 
     fn states_of(model: &str) -> ContactStates {
@@ -258,7 +231,7 @@ mod tests {
         let (columns, found) = filled("hertz", rows, |row| StateRequest {
             material: &materials[which(row)],
             roughness: Roughness([radius_m(row), 1e12, 1e-8]),
-            at: StateCondition::Pressure(pressure_pa(row)),
+            at: Condition::Pressure(pressure_pa(row)),
         })
         .unwrap();
         assert_eq!(found.counts.all, rows);
@@ -280,13 +253,13 @@ mod tests {
         let asked = |row: usize| StateRequest {
             material: &steel,
             roughness: Roughness([if row < 1500 { 1e-6 } else { -1.0 }, 1e12, 1e-8]),
-            at: StateCondition::Separation(0.0),
+            at: Condition::Separation(0.0),
         };
         assert!(matches!(filled("hertz", 3000, asked), Err(StatesError::Row { row: 1500, .. })));
         let narrow = |row: usize| StateRequest {
             material: &steel,
             roughness: Roughness([1e-16, 1e-2, if row == 1 { 1e11 } else { 1e13 }]),
-            at: StateCondition::Separation(1e-8),
+            at: Condition::Separation(1e-8),
         };
         let (columns, found) = filled("bgt", 3, narrow).unwrap();
         assert!(columns[2][1].is_nan() && columns[2][0] > 0.0 && columns[2][2] > 0.0);

@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 pub mod bodies;
+pub mod body_properties;
 pub mod choices_in_words;
 pub mod figure;
 pub mod gap_law;
@@ -17,7 +18,6 @@ pub mod measured;
 pub mod model_options;
 pub mod models;
 mod note;
-pub mod persson_law;
 pub mod plan;
 pub mod result_tables;
 pub mod spread;
@@ -26,5 +26,6 @@ pub mod surface;
 pub mod validity;
 
 pub use measurements::{self, Files, NoFiles};
+pub use models::persson as persson_law;
 pub use note::Note;
 pub use parallel::{Progress, Unobserved};

@@ -8,7 +8,6 @@ use persson::corrections::Correction;
 use persson::hardness_laws::HardnessTable;
 use persson::variance::Band;
 use spectrum::{Normalisation, ProfilePsd};
-use study::bodies::Body;
 use study::growth_law::GrowthLaw;
 use study::hardness_and_strength::HardnessAndStrength;
 use study::material::{GivenMaterial, Material};
@@ -28,12 +27,10 @@ fn spectrum() -> ProfilePsd {
 fn material(yield_strength: Option<&str>) -> Material {
     let strength = yield_strength.map(|text| text.parse().unwrap());
     Material::new(GivenMaterial {
-        body: ElasticBody::new(210e9, 0.3).unwrap(),
-        counterface: None,
-        flows: Body::Rough,
         hardness_and_strength: HardnessAndStrength::new(None, strength).unwrap(),
         strength_cap: Some("40 GPa".parse().unwrap()),
         strain_gradient_length_m: Some(1e-7),
+        ..GivenMaterial::new(ElasticBody::new(210e9, 0.3).unwrap())
     })
 }
 

@@ -14,6 +14,7 @@ mod scan;
 mod spectrum_tables;
 mod stacked;
 mod statistical;
+mod surface_report;
 
 use std::time::{Duration, Instant};
 
@@ -65,6 +66,7 @@ pub fn run(args: Args, typed: &str) -> Result<(), Failure> {
         Command::Stacked(args) => stacked::run(&args, &context),
         Command::Statistical(args) => statistical::run(&args, &context),
         Command::Persson(args) => persson::run(&args, &context),
+        Command::Report(args) => surface_report::run(&args, &context),
         Command::Run(args) => run_scene::run(&args, &context),
         Command::Completions { shell } => completions::run(shell, &context),
         Command::Man(args) => man_pages::run(&args, &context),

@@ -44,15 +44,12 @@ fn over_cutoffs(
         name: Some("persson".to_owned()),
         options: ModelOptions {
             strain_gradient: material.strain_gradient_in(model),
-            correction: args.correction,
-            band: args.band,
-            gamma: Some(args.gamma),
             hardness_law: hardness_law.transpose()?,
-            ..ModelOptions::default()
+            ..args.options()
         },
         material,
-        pressures: load_inputs(&args.pressures),
-        pressure_ranges: range_inputs(&args.pressure_ranges),
+        pressures: load_inputs(&args.loads.pressures),
+        pressure_ranges: range_inputs(&args.loads.pressure_ranges),
         sampling: args.sampling.input(),
         amplitude: args.amplitude.amplitude,
         figure: figure.is_some(),
@@ -72,7 +69,7 @@ fn table_of_hardnesses(path: &Path) -> Result<HardnessTable, Failure> {
 
 fn of_rows(input: &Place, args: &PerssonArgs, context: &Context<'_>) -> Result<(), Failure> {
     let mut constants = Constants::default();
-    if args.pressures.len() > 1 {
+    if args.loads.pressures.len() > 1 {
         return Err(Failure::input("the rows of a table take one --pressure"));
     }
     let hardness_pa = args.material.indentation_hardness.map(|hardness| hardness.pa);
@@ -81,7 +78,7 @@ fn of_rows(input: &Place, args: &PerssonArgs, context: &Context<'_>) -> Result<(
             "--indentation-hardness has no bearing on --model elastic, which does not yield; leave it out",
         ));
     }
-    for (pressure, label) in &args.pressures {
+    for (pressure, label) in &args.loads.pressures {
         let pressure_pa = pressure.pascals(hardness_pa).ok_or_else(|| {
             Failure::Input(format!(
                 "--pressure {label}: a pressure in H needs the hardness: give --indentation-hardness"

@@ -2,6 +2,7 @@
 
 pub mod advice_words;
 pub(crate) mod answer_words;
+pub mod conclusion_words;
 pub(crate) mod curve_counts;
 pub mod curve_names;
 pub mod doubt_words;

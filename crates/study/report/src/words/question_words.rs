@@ -7,7 +7,9 @@ use questions::{
     SampledScales, Spelling, UnusedOption,
 };
 use rough_bem::ElementsError;
-use study::material::{MaterialError, MaterialProperty};
+use study::body_properties::BodyProperty;
+use study::material::MaterialError;
+use study::models::Choice;
 use study::validity::SMALL_SLOPE_GRADIENT;
 use topography::Severity;
 use units::display::{counted, length, pressure, three_digits};
@@ -59,7 +61,9 @@ fn texts(note: &Note, spelling: &dyn Spelling) -> Vec<String> {
             persson_words::words(note)
         }
         Note::WavesOfProfiles => {
-            vec![persson_words::by_profiles(&spelling.with_value(OptionName::Band, "2d"))]
+            vec![persson_words::by_profiles(
+                &spelling.with_value(OptionName::ModelOption(Choice::Band), "2d"),
+            )]
         }
         Note::LightLoads { up_to_pa, share } => vec![format!(
             "below {} the logarithmic law u = u0 ln(p00/p), K = p/u0 is within {} % of the pressure",
@@ -167,13 +171,14 @@ pub fn unused(UnusedOption { option, why }: &UnusedOption, spelling: &dyn Spelli
             model,
             &format!(
                 " without {} or {}: the hardness does not grow",
-                name(OptionName::HardnessLaw),
+                name(OptionName::ModelOption(Choice::HardnessLaw)),
                 name(OptionName::StrainGradientLength)
             ),
         ),
-        Reason::OtherHardnessLaw(model) => {
-            on(model, &format!(" with a {} other than nix-gao", name(OptionName::HardnessLaw)))
-        }
+        Reason::OtherHardnessLaw(model) => on(
+            model,
+            &format!(" with a {} other than nix-gao", name(OptionName::ModelOption(Choice::HardnessLaw))),
+        ),
         Reason::StrengthDoesNotGrow => format!(
             "{option} limits a strength that grows at small depths, and without {} none does; leave it out, or give that \
              length",
@@ -254,9 +259,9 @@ pub fn of_material(error: &MaterialError, spelling: &dyn Spelling) -> String {
     match error {
         MaterialError::Missing(needed_for) => {
             let options = match needed_for.property() {
-                MaterialProperty::IndentationHardness => format!("{} or {}", hardness(), strength()),
-                MaterialProperty::YieldStrength => format!("{} or {}", strength(), hardness()),
-                MaterialProperty::StrainGradientLength => name(OptionName::StrainGradientLength),
+                BodyProperty::IndentationHardness => format!("{} or {}", hardness(), strength()),
+                BodyProperty::YieldStrength => format!("{} or {}", strength(), hardness()),
+                _ => name(OptionName::StrainGradientLength),
             };
             format!("{error}: give {}{options}", spelling.of_material())
         }
