@@ -8,10 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from truearea import _native
-from truearea._arrays import formula_of
 from truearea._cores import material_of, surface_of
 from truearea._curves import Pressures
-from truearea._gap import _choices
 from truearea._material import Material, Quantity
 from truearea._native import InputError
 from truearea._results import FloatArray, Table
@@ -152,15 +150,10 @@ def law(
     >>> float(law.pressure_pa[0]), float(law.overclosure_m[0]), float(law.pressure_pa[-1])
     (0.0, 0.0, 10000000.0)
     """
-    options: dict[str, Any] = {
-        "pressure": _range(pressure, from_pressure, to_pressure),
-        "model": model,
-        "choices": _choices(
-            gamma, band, strain_gradient, formula_of(hardness_formula, hardness), interference_law, normalisation, cutoff, scales_per_decade
-        ),
-        "tolerance": tolerance,
-    }
-    return _made_again(spectrum, material, options)
+    arguments = locals()
+    arguments["pressure"] = _range(pressure, from_pressure, to_pressure)
+    del arguments["spectrum"], arguments["material"]
+    return _made_again(spectrum, material, arguments)
 
 
 def _range(pressure: Any, from_pressure: Quantity | None, to_pressure: Quantity | None) -> Any:
@@ -173,19 +166,13 @@ def _range(pressure: Any, from_pressure: Quantity | None, to_pressure: Quantity 
     return ends if pressure is None else pressure
 
 
-def _made_again(spectrum: Spectrum, material: Material, options: dict[str, Any]) -> ContactLaw:
-    native = _native.ContactLaw(
-        surface_of(spectrum),
-        material_of(material),
-        options["pressure"],
-        options["model"],
-        options["choices"],
-        options["tolerance"],
-    )
-    found = ContactLaw._of(native.columns(), tuple(native.notes), axis="point")
+def _made_again(spectrum: Spectrum, material: Material, arguments: dict[str, Any]) -> ContactLaw:
+    native = _native.ContactLaw(surface_of(spectrum), material_of(material), arguments)
+    answer = native.answer()
+    found = ContactLaw._of(answer.columns, tuple(answer.notes), axis="point")
     found._native = native
     # A law is pickled as what it was made from, since its text takes more than its numbers.
-    found._recipe = (spectrum, material, options)
+    found._recipe = (spectrum, material, arguments)
     return found
 
 

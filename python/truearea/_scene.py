@@ -12,7 +12,6 @@ from typing import Any
 import numpy as np
 
 from truearea import _native
-from truearea._arrays import formula_of
 from truearea._material import Material, Quantity
 from truearea._native import InputError
 from truearea._progress import Line, Progress, observer_of
@@ -128,7 +127,8 @@ class Scene:
             "normalisation": normalisation,
             "amplitude": amplitude,
             "scales_per_decade": scales_per_decade,
-            "hardness": formula_of(hardness_formula, hardness),
+            "hardness_formula": hardness_formula,
+            "hardness": hardness,
             "strength_cap": strength_cap,
             "cutoff": cutoff,
             "counterface": counterface,
@@ -159,7 +159,7 @@ class Scene:
     ) -> Scene:
         given = dict(overrides)
         if (other := given.get("counterface")) is not None:
-            given["counterface"] = (other.youngs_modulus, other.poisson_ratio)
+            given["counterface"] = other._native
         scene = cls.__new__(cls)
         scene._native = _native.Scene(text, name, folder, files, given)
         scene._recipe = (text, name, folder, scene._native.files, overrides)

@@ -8,7 +8,6 @@ from typing import Any, Union
 import numpy as np
 
 from truearea import _native
-from truearea._arrays import formula_of
 from truearea._composite import composite
 from truearea._curves import Pressures
 from truearea._cores import material_of
@@ -193,6 +192,7 @@ def uncertainty(
     >>> list(found.shares.group) == ["strength"]
     True
     """
+    arguments = locals()
     if not isinstance(spectrum, (Spectrum, list, tuple)):
         kind = type(spectrum).__name__
         raise InputError(f"spectrum: a Spectrum is needed, or a list of scans, and this is of type {kind}")
@@ -212,27 +212,12 @@ def uncertainty(
             "counterface_poisson_ratio": counterface_poisson_ratio,
         },
     )
-    of_draws = {"draws": draws, "seed": seed, "level": level, "shares_draws": shares_draws}
     line = Line()
     observer = observer_of(progress, line)
     watch = None if observer is None else lambda done: observer("steps", done, None)
     try:
         found = _native.uncertainty_of(
-            surface._native,
-            material_of(material),
-            names,
-            pressure,
-            strain_gradient,
-            formula_of(hardness_formula, hardness),
-            interference_law,
-            normalisation,
-            amplitude,
-            tolerance,
-            of_draws,
-            spreads,
-            cutoff,
-            scales_per_decade,
-            watch,
+            surface._native, material_of(material), names, spreads, arguments, watch
         )
     finally:
         line.end()

@@ -10,7 +10,7 @@ mod report;
 mod scans;
 
 pub(crate) use bem::BemArgs;
-pub(crate) use gap::{GapArgs, LawArgs, LawForm};
+pub(crate) use gap::{GapArgs, LawArgs};
 pub(crate) use groups::{
     AmplitudeArg, CounterfaceArgs, FigureArg, HardnessFormulaArg, MaterialArgs, NormalisationArg,
     PressureArgs, PsdArgs, ReadingArgs, SamplingArgs, SharedArgs, StrengthCapArg,

@@ -2,6 +2,7 @@
 
 use findings::doubts::{Doubt, RealPressures};
 use parallel::Progress;
+use persson::separation::LightLoads;
 use scene::Scene;
 use serde::{Deserialize, Serialize};
 use spectrum::{AmplitudeDefinition, Normalisation};
@@ -70,6 +71,14 @@ impl CurveQuestion {
         self.resolve().map(drop)
     }
 
+    /// The curve, its loads and all else that a plan needs.
+    ///
+    /// # Errors
+    /// Returns the errors of [`check`](Self::check).
+    pub fn needs(&self) -> Result<Needs, QuestionError> {
+        self.resolve().map(|resolved| resolved.needs)
+    }
+
     /// Prepares the curve of a surface.
     ///
     /// # Errors
@@ -100,7 +109,7 @@ impl CurveQuestion {
     }
 
     fn resolve(&self) -> Result<Resolved, QuestionError> {
-        let entry = self.model.ok_or(QuestionError::Missing(OptionName::Model))?;
+        let entry = self.model.ok_or(QuestionError::Missing(&[OptionName::Model]))?;
         let facts = entry.framework.facts();
         choices::check(&self.options, entry, self.material.strength_cap.is_some())?;
         let takes_normalisation = facts.moments == MomentUse::Chosen;
@@ -117,7 +126,10 @@ impl CurveQuestion {
         let model = entry.build(&material, &self.options)?;
         let (loads, load_ranges) = resolved(&self.pressures, &self.pressure_ranges, &material)?;
         if loads.is_empty() && load_ranges.is_empty() && self.separations_m.is_empty() {
-            return Err(QuestionError::Missing(OptionName::Pressure));
+            return Err(QuestionError::Missing(match facts.has_states {
+                true => &[OptionName::Pressure, OptionName::Separation],
+                false => &[OptionName::Pressure],
+            }));
         }
         let mut needs = Needs {
             moments: facts.moments.normalisation(self.normalisation),
@@ -150,7 +162,7 @@ impl CurveQuestion {
 }
 
 /// A tolerance beyond double precision.
-fn of_tolerance(tolerance: Tolerance) -> Option<Note> {
+pub(crate) fn of_tolerance(tolerance: Tolerance) -> Option<Note> {
     let used = tolerance.value();
     tolerance.asked_finer().map(|asked| Note::ToleranceTooFine { asked, used })
 }
@@ -215,6 +227,39 @@ impl<'s> PreparedCurve<'s> {
         self.plan.sampling
     }
 
+    /// Nominal pressures \[Pa\] of the blocks of rows; absent for blocks of separations.
+    #[must_use]
+    pub fn pressures_pa(&self) -> Vec<Option<f64>> {
+        let needs = &self.plan.needs;
+        let of_separations = needs.separations_m.iter().map(|_| None);
+        needs.pressures().map(|pressure| Some(pressure.pa())).chain(of_separations).collect()
+    }
+
+    /// Notes on rows that somebody else has computed, and on what they were made from.
+    #[must_use]
+    pub fn notes_on(&self, rows: &CurveResult) -> Vec<Note> {
+        let pressures_pa: Vec<f64> = self.plan.needs.pressures().map(NominalPressure::pa).collect();
+        let mut remarks = self.remarks();
+        remarks.add(rows, &pressures_pa);
+        [self.notes.clone(), self.doubts(), remarks.notes()].concat()
+    }
+
+    /// Doubts about the spectrum and the loads.
+    fn doubts(&self) -> Vec<Note> {
+        let Plan { psd, needs, .. } = &self.plan;
+        let labels = needs.loads.iter().map(|load| Some(load.label.as_str())).chain(std::iter::repeat(None));
+        let of_pressures = Doubt::of_pressures(needs.pressures().zip(labels), self.hardness_pa);
+        Doubt::of_spectrum(psd).into_iter().chain(of_pressures).map(Note::Doubt).collect()
+    }
+
+    fn remarks(&self) -> Remarks<'_> {
+        Remarks {
+            curve: self.curve(),
+            counts: CurveCounts::default(),
+            pressures: RealPressures::new(self.hardness_pa),
+        }
+    }
+
     /// Samples the spectrum and finds everything that can be wrong before there are rows.
     ///
     /// # Errors
@@ -267,10 +312,16 @@ impl CurveStream<'_> {
         self.stream.rows(self.prepared.curve())
     }
 
+    /// The law of light loads, if the model is Persson's theory and the cutoff leaves roughness.
+    #[must_use]
+    pub fn light_loads(&self) -> Option<LightLoads> {
+        self.surface.as_ref()?.separation.light_loads()
+    }
+
     /// Notes known before any row is computed.
     #[must_use]
     pub fn notes(&self) -> Vec<Note> {
-        let PreparedCurve { plan, hardness_pa, notes, .. } = self.prepared;
+        let PreparedCurve { plan, notes, .. } = self.prepared;
         let mut notes = notes.clone();
         let model = &self.prepared.curve().model;
         if model.stacked().is_some() {
@@ -290,10 +341,7 @@ impl CurveStream<'_> {
                 light.iter().flat_map(|light| Note::of_separation(light, roughness, rms_height_m, least_pa)),
             );
         }
-        notes.extend(Doubt::of_spectrum(plan.psd).into_iter().map(Note::Doubt));
-        let labels =
-            plan.needs.loads.iter().map(|load| Some(load.label.as_str())).chain(std::iter::repeat(None));
-        notes.extend(Doubt::of_pressures(plan.needs.pressures().zip(labels), *hardness_pa).map(Note::Doubt));
+        notes.extend(self.prepared.doubts());
         notes
     }
 
@@ -306,7 +354,7 @@ impl CurveStream<'_> {
         progress: &dyn Progress,
         mut each: impl FnMut(Table) -> Result<(), E>,
     ) -> Result<Vec<Note>, E> {
-        let mut remarks = self.remarks();
+        let mut remarks = self.prepared.remarks();
         let several = self.prepared.plan.needs.load_count() > 1;
         let details = self.prepared.details;
         self.stream.parts(self.prepared.curve(), progress, |part: Part| {
@@ -326,7 +374,7 @@ impl CurveStream<'_> {
         let needs = &plan.needs;
         let pressures_pa: Vec<f64> = needs.pressures().map(NominalPressure::pa).collect();
         let rows = &results.curves[0];
-        let mut remarks = self.remarks();
+        let mut remarks = self.prepared.remarks();
         remarks.add(rows, &pressures_pa);
         let several = needs.load_count() > 1;
         let table = result_tables::part_of_curve(rows, &pressures_pa, several, self.prepared.details);
@@ -335,15 +383,6 @@ impl CurveStream<'_> {
             of.data(&results, needs, self.prepared.hardness_pa)
         });
         Ok(Answer { table, notes: remarks.notes(), figure })
-    }
-
-    fn remarks(&self) -> Remarks<'_> {
-        let hardness_pa = self.prepared.hardness_pa;
-        Remarks {
-            curve: self.prepared.curve(),
-            counts: CurveCounts::default(),
-            pressures: RealPressures::new(hardness_pa),
-        }
     }
 }
 

@@ -23,6 +23,8 @@ pub enum OptionName {
     Direction,
     /// Figure of the table.
     Figure,
+    /// Form in which a law is written.
+    Form,
     /// Points along a side of a random surface.
     Grid,
     /// Indentation hardness.

@@ -13,7 +13,7 @@ use super::error::SceneError;
 use super::interface::{GAMMA, checked};
 use super::raw::RawCurve;
 use super::values::{check_file_name, value_error};
-use study::hardness_growth::GrowthLaw;
+use study::growth_law::GrowthLaw;
 use study::material::Material;
 use study::models::{Choice, Framework, IgnoredOption, MODELS, ModelOptions};
 use study::plan::{Curve, Cutoffs};

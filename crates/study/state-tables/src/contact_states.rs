@@ -36,27 +36,19 @@ pub struct StateRequest<'m> {
     pub at: Condition,
 }
 
-/// The result columns, all of one length. NaN marks a missing value: a separation beyond complete contact, or a state
-/// of a spectrum too narrow for any surface.
-#[derive(Debug)]
-pub struct StateColumns<'c> {
-    /// Separations \[m\].
-    pub separation_m: &'c mut [f64],
-    /// Pressures over the nominal area \[Pa\].
-    pub pressure_pa: &'c mut [f64],
-    /// Real over nominal area, in \[0, 1\].
-    pub area_fraction: &'c mut [f64],
-    /// Natural logarithms of the pressures in Pa.
-    pub ln_pressure: &'c mut [f64],
-    /// Natural logarithms of the area fractions.
-    pub ln_area_fraction: &'c mut [f64],
-    /// Stiffnesses over the nominal area \[Pa/m\].
-    pub stiffness_pa_per_m: &'c mut [f64],
-    /// Estimates of the relative numerical error of pressure and area.
-    pub error_estimate: &'c mut [f64],
-    /// Shares of the load on asperities outside the range of their law.
-    pub out_of_range_load_share: &'c mut [f64],
-}
+/// Names of the result columns: separation \[m\], pressure over the nominal area \[Pa\], real over nominal area, natural
+/// logarithms of the pressure in Pa and of that area, stiffness over the nominal area \[Pa/m\], an estimate of the relative
+/// numerical error of pressure and area, and the share of the load on asperities outside the range of their law.
+pub const STATE_COLUMNS: [&str; 8] = [
+    "separation_m",
+    "pressure_pa",
+    "area_fraction",
+    "ln_pressure",
+    "ln_area_fraction",
+    "stiffness_pa_per_m",
+    "error_estimate",
+    "out_of_range_load_share",
+];
 
 /// Counts over all rows, for notes.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -87,22 +79,22 @@ pub enum StatesError {
 }
 
 impl ContactStates {
-    /// Sets the columns from the request of each row. Neighbouring rows of one material and population share work; the
-    /// digits depend neither on the order of rows nor on the number of threads. `progress` advances once per row.
+    /// Computes the columns, as [`STATE_COLUMNS`] names them, from the request of each row. NaN marks a missing value: a
+    /// separation beyond complete contact, or a state of a spectrum narrower than that of any surface. Neighbouring rows of
+    /// one material and population share work; the digits depend neither on the order of rows nor on the number of threads.
+    /// `progress` advances once per row.
     ///
     /// # Errors
     /// [`StatesError`] of the first bad row, or where `progress` is cancelled.
-    ///
-    /// # Panics
-    /// Where the columns are not of one length.
-    pub fn fill_in<'m>(
+    pub fn compute<'m>(
         &self,
-        columns: StateColumns<'_>,
+        rows: usize,
         asked: impl Fn(usize) -> StateRequest<'m> + Sync,
         progress: &dyn Progress,
-    ) -> Result<StatesFound, StatesError> {
+    ) -> Result<([Vec<f64>; 8], StatesFound), StatesError> {
+        let mut columns: [Vec<f64>; 8] = std::array::from_fn(|_| vec![0.0; rows]);
         let found = Mutex::new(StatesFound::default());
-        fill_blocks(columns.into_array(), BLOCK, |first, columns| {
+        fill_blocks(columns.each_mut().map(Vec::as_mut_slice), BLOCK, |first, columns| {
             if progress.is_cancelled() {
                 return Err(StatesError::Cancelled);
             }
@@ -112,7 +104,7 @@ impl ContactStates {
             progress.advance(rows);
             Ok(())
         })?;
-        Ok(found.into_inner().unwrap_or_else(PoisonError::into_inner))
+        Ok((columns, found.into_inner().unwrap_or_else(PoisonError::into_inner)))
     }
 
     fn fill_block<'m>(
@@ -179,32 +171,7 @@ impl StateRequest<'_> {
     }
 }
 
-impl<'c> StateColumns<'c> {
-    fn into_array(self) -> [&'c mut [f64]; 8] {
-        let StateColumns {
-            separation_m,
-            pressure_pa,
-            area_fraction,
-            ln_pressure,
-            ln_area_fraction,
-            stiffness_pa_per_m,
-            error_estimate,
-            out_of_range_load_share,
-        } = self;
-        [
-            separation_m,
-            pressure_pa,
-            area_fraction,
-            ln_pressure,
-            ln_area_fraction,
-            stiffness_pa_per_m,
-            error_estimate,
-            out_of_range_load_share,
-        ]
-    }
-}
-
-/// Sets a row of the columns, in the order of [`StateColumns`].
+/// Sets a row of the columns, in the order of [`STATE_COLUMNS`].
 fn set(columns: &mut [&mut [f64]; 8], row: usize, state: Option<&ContactState>) {
     let values = state.map_or([f64::NAN; 8], |state| {
         [
@@ -251,20 +218,7 @@ mod tests {
     type Filled = Result<([Vec<f64>; 8], StatesFound), StatesError>;
 
     fn filled<'m>(model: &str, rows: usize, asked: impl Fn(usize) -> StateRequest<'m> + Sync) -> Filled {
-        let mut columns: [Vec<f64>; 8] = std::array::from_fn(|_| vec![0.0; rows]);
-        let [a, b, c, d, e, f, g, h] = columns.each_mut().map(Vec::as_mut_slice);
-        let of_states = StateColumns {
-            separation_m: a,
-            pressure_pa: b,
-            area_fraction: c,
-            ln_pressure: d,
-            ln_area_fraction: e,
-            stiffness_pa_per_m: f,
-            error_estimate: g,
-            out_of_range_load_share: h,
-        };
-        let found = states_of(model).fill_in(of_states, asked, &Unobserved)?;
-        Ok((columns, found))
+        states_of(model).compute(rows, asked, &Unobserved)
     }
 
     #[test]

@@ -11,7 +11,7 @@ mod state_counts;
 mod strength_columns;
 
 pub use asperities::Asperities;
-pub use contact_states::{ContactStates, StateColumns, StateRequest, StatesError, StatesFound};
+pub use contact_states::{ContactStates, STATE_COLUMNS, StateRequest, StatesError, StatesFound};
 pub use flattened::Flattened;
 pub use narrow_spectra::NarrowSpectra;
 pub use populations::{GivenColumn, Populations};

@@ -4,6 +4,7 @@
 //! the undeformed one where asperities are pressed one by one, as none of them moves the others.
 
 use contact_law::{ContactLaw, ExponentialLaw, LawPoint, SamplingError};
+use parallel::Progress;
 use persson::Roughness;
 use persson::separation::{LightLoads, SeparationLaw};
 use persson::variance::Band;
@@ -71,12 +72,22 @@ impl GapLaw {
         self.separation().and_then(|separation| separation.light_load_limit_pa(share))
     }
 
-    /// The law between two pressures \[Pa\] by points, straight within a relative `tolerance` of the pressure.
+    /// The law between two pressures \[Pa\] by points, straight within a relative `tolerance` of the pressure. `progress`
+    /// advances once per state that is computed; how many are needed shows only in the end.
     ///
     /// # Errors
-    /// [`SamplingError`] as [`ContactLaw::sample`] has it.
-    pub fn sampled(&self, range_pa: [f64; 2], tolerance: f64) -> Result<ContactLaw, SamplingError<GapError>> {
+    /// [`SamplingError`] as [`ContactLaw::sample`] has it, and [`GapError::Cancelled`].
+    pub fn sampled(
+        &self,
+        range_pa: [f64; 2],
+        tolerance: f64,
+        progress: &dyn Progress,
+    ) -> Result<ContactLaw, SamplingError<GapError>> {
         ContactLaw::sample(range_pa, tolerance, |pressure_pa| {
+            if progress.is_cancelled() {
+                return Err(GapError::Cancelled);
+            }
+            progress.advance(1);
             let GapState { area_fraction, mean_gap_m, .. } = self.at(pressure_pa)?;
             Ok(mean_gap_m.map(|mean_gap_m| LawPoint { pressure_pa, mean_gap_m, area_fraction }))
         })
@@ -208,7 +219,7 @@ mod tests {
     fn a_law_is_sampled_as_close_as_it_needs() {
         for name in ["persson", "hertz", "bgt"] {
             let law = law_of(name, &spectrum()).unwrap();
-            let sampled = law.sampled([1e4, 1e7], 0.01).unwrap();
+            let sampled = law.sampled([1e4, 1e7], 0.01, &parallel::Unobserved).unwrap();
             for pressure_pa in [1e4, 7e4, 3.3e6, 1e7] {
                 let overclosure_m = sampled.overclosure_m(law.at(pressure_pa).unwrap().mean_gap_m.unwrap());
                 let off = sampled.pressure_pa(overclosure_m) / pressure_pa - 1.0;

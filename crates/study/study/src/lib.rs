@@ -8,7 +8,6 @@ pub mod gap_law;
 pub mod given_roughness;
 pub mod growth_law;
 pub mod hardness_and_strength;
-pub mod hardness_growth;
 pub mod interface;
 pub mod linear_laws;
 mod load;

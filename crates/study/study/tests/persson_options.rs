@@ -8,11 +8,11 @@ use persson::corrections::Correction;
 use persson::hardness_laws::HardnessTable;
 use persson::variance::Band;
 use spectrum::{Normalisation, ProfilePsd};
+use study::growth_law::GrowthLaw;
 use study::hardness_and_strength::HardnessAndStrength;
-use study::hardness_growth::{GrowthLaw, hardness_of};
 use study::material::{GivenMaterial, Material};
 use study::models::{Choice, MODELS, ModelEntry, ModelOptions};
-use study::persson_law::PerssonLaw;
+use study::persson_law::{PerssonLaw, PlasticLaw};
 use study::plan::{Curve, CurveResult, Cutoffs, Load, Needs, NominalPressure, PlanError, Sampling};
 use study::{Unobserved, gap_law, plan::Plan};
 
@@ -91,7 +91,7 @@ fn a_curve_of_a_plan_and_its_stream_equal_the_theory_bit_for_bit() {
         let theory = match *name {
             "persson" => PerssonModel::Elastic { contact_modulus_pa, correction: options.correction },
             _ => {
-                let hardness = hardness_of(material, options.hardness_law.as_ref()).unwrap();
+                let hardness = PlasticLaw::new(material, options).unwrap().hardness().unwrap();
                 PerssonModel::ElasticPlastic { contact_modulus_pa, hardness }
             }
         };

@@ -4,11 +4,11 @@ use clap::Args as ClapArgs;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use contact_law::{ContactLaw, Dialect, Heading, UnitSystem};
 use persson::variance::Band;
-use questions::GapModel;
+use questions::{GapModel, LawForm};
 use stat_contact::InterferenceLaw;
 use study::models::{self, ModelEntry, ModelOptions};
 use study::plan::Tolerance;
-use units::{Pressure, named};
+use units::Pressure;
 
 use super::bem::RandomArgs;
 use super::parsers::{one_of, parse_tolerance};
@@ -98,21 +98,12 @@ pub(crate) struct GapArgs {
     pub loads: PressureArgs,
     #[command(flatten)]
     pub choices: GapChoiceArgs,
-    /// Relative tolerance of statistical states, in (0, 0.01]; a looser one costs less
-    #[arg(long, value_name = "T", default_value = "1e-12", value_parser = parse_tolerance)]
-    pub tolerance: Tolerance,
+    /// Relative tolerance of statistical states, in (0, 0.01]; 1e-12 where not given, and a looser one costs less
+    #[arg(long, value_name = "T", value_parser = parse_tolerance)]
+    pub tolerance: Option<Tolerance>,
     #[command(flatten)]
     pub random: RandomArgs,
 }
-
-/// Form of a law in the input of CalculiX.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum LawForm {
-    Table,
-    Exponential,
-}
-
-named!(LawForm, "form of the law", { Table => "table", Exponential => "exponential" });
 
 #[derive(Debug, ClapArgs)]
 pub(crate) struct LawArgs {

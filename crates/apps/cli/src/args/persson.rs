@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args as ClapArgs;
 use persson::corrections::Correction;
 use persson::variance::Band;
-use study::hardness_growth::GrowthLaw;
+use study::growth_law::GrowthLaw;
 use study::models::ModelOptions;
 use study::persson_law::{Deformation, PerssonLaw};
 use units::Bound;

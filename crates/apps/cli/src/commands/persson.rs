@@ -5,7 +5,7 @@ use std::path::Path;
 use persson::hardness_laws::HardnessTable;
 use questions::CurveQuestion;
 use state_tables::Flattened;
-use study::hardness_growth::GrowthLaw;
+use study::growth_law::GrowthLaw;
 use study::models::{self, Framework, ModelOptions};
 use study::persson_law::Deformation;
 use units::Bound;
@@ -32,11 +32,7 @@ fn over_cutoffs(
     args: &PerssonArgs,
     context: &Context<'_>,
 ) -> Result<(), Failure> {
-    let name = match deformation {
-        Deformation::Elastic => "persson",
-        Deformation::ElasticPlastic => "persson-plastic",
-    };
-    let model = models::named(Framework::Persson, name).map_err(Failure::input)?;
+    let model = models::named(Framework::Persson, deformation.model_name()).map_err(Failure::input)?;
     let material = args.material.input();
     let hardness_law = args.hardness_law.as_ref().map(|law| match law {
         GrowthArg::Law(law) => Ok(law.clone()),

@@ -8,15 +8,13 @@ pub mod curve_names;
 pub mod doubt_words;
 pub mod elements_words;
 pub mod explain;
-pub mod gap_words;
 pub(crate) mod interface_words;
 pub(crate) mod listing;
-pub mod material_words;
-pub mod persson_words;
+pub(crate) mod persson_words;
 pub mod provenance;
 pub mod question_words;
 pub mod reasons;
-pub mod row_notes;
+pub(crate) mod row_notes;
 pub mod scan_words;
 pub mod scans_table;
 #[cfg(feature = "scene-errors")]

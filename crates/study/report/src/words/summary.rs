@@ -2,11 +2,9 @@
 
 use std::fmt::Write;
 
-use spectrum::ProfilePsd;
 use stacked_contact::{Convergence, Level, StackedModel, largest_full_contact_pressure_pa};
 
 use super::curve_counts::{beyond_fitted_range, statistical_notes};
-pub use super::state_words::notes_of_states;
 use crate::curve_names::in_full;
 use crate::question_words::sampled_scales;
 use crate::yardstick_words::yardsticks;
@@ -17,7 +15,6 @@ use conclusions::{Conclusions, Evidence};
 use findings::answer::LoadAnswer;
 use findings::doubts::Doubt;
 use findings::interface::InterfaceStates;
-pub use questions::CurveCounts;
 use questions::SampledScales;
 use scene::Scene;
 use study::material::Material;
@@ -97,12 +94,7 @@ pub fn summary(evidence: &Evidence<'_>, conclusions: &Conclusions) -> String {
 
 /// The sampling of the spectrum, on which the stacked area depends.
 pub fn sampling(results: &Results) -> String {
-    sampling_of(&results.psd)
-}
-
-/// The sampling of a spectrum.
-pub fn sampling_of(psd: &ProfilePsd) -> String {
-    sampled_scales(&SampledScales::of(psd))
+    sampled_scales(&SampledScales::of(&results.psd))
 }
 
 /// The position of intervals among the columns of a curve.

@@ -130,6 +130,17 @@ pub enum Deformation {
 
 units::named!(Deformation, "model", { Elastic => "elastic", ElasticPlastic => "elastic-plastic" });
 
+impl Deformation {
+    /// Returns the name of its model, as scenes have it.
+    #[must_use]
+    pub fn model_name(self) -> &'static str {
+        match self {
+            Deformation::Elastic => "persson",
+            Deformation::ElasticPlastic => "persson-plastic",
+        }
+    }
+}
+
 /// Persson's theory with its choices.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PerssonLaw {
@@ -336,4 +347,35 @@ pub(crate) fn roughness<'m>(
         })
         .collect();
     Roughness::new(&samples, beyond, band)
+}
+
+#[cfg(test)]
+mod tests {
+    use asperity::ElasticBody;
+
+    use super::*;
+    use crate::hardness_and_strength::HardnessAndStrength;
+    use crate::material::GivenMaterial;
+
+    #[test]
+    fn a_hardness_that_grows_has_the_cap_of_the_strength_and_a_constant_one_has_none() {
+        let hardness = |length_m, law: Option<GrowthLaw>| {
+            let material = Material::new(GivenMaterial {
+                hardness_and_strength: HardnessAndStrength::new(None, Some("1 GPa".parse().unwrap()))
+                    .unwrap(),
+                strength_cap: Some("2 GPa".parse().unwrap()),
+                strain_gradient_length_m: length_m,
+                ..GivenMaterial::new(ElasticBody::new(463e9, 0.2).unwrap())
+            });
+            let options = ModelOptions { hardness_law: law, ..ModelOptions::default() };
+            PlasticLaw::new(&material, &options).map(|law| law.hardness().unwrap())
+        };
+        let constant = Hardness::new(HardnessGrowth::Constant { hardness_pa: 3e9 }, None).unwrap();
+        assert_eq!(hardness(None, None), Ok(constant));
+        let growth = HardnessGrowth::NixGao { hardness_pa: 3e9, length_m: 1e-6 };
+        let growing = Hardness::new(growth, Some(6e9)).unwrap();
+        assert_eq!(hardness(Some(1e-6), Some(GrowthLaw::NixGao)), Ok(growing));
+        let missing = MaterialError::Missing(NeededFor::StrainGradient);
+        assert_eq!(hardness(None, Some(GrowthLaw::NixGao)), Err(missing));
+    }
 }

@@ -59,6 +59,9 @@ pub enum GapError {
     /// A value that no model takes.
     #[error(transparent)]
     Value(#[from] AsperityError),
+    /// The work was cancelled.
+    #[error("ended before all was computed")]
+    Cancelled,
 }
 
 /// A surface with its whole spectrum, as a model presses it.

@@ -1,6 +1,6 @@
 //! Curves part by part, so that neither their rows nor their loads need be held.
 
-use parallel::Progress;
+use parallel::{Progress, Unobserved};
 use spectrum::ProfilePsd;
 use stat_contact::Condition;
 
@@ -32,7 +32,7 @@ impl Plan<'_> {
     /// # Errors
     /// Returns the errors of [`compute`](Plan::compute).
     pub fn stream(&self) -> Result<Stream<'_>, PlanError> {
-        let prepared = self.prepare()?;
+        let prepared = self.prepare(Run::of(self, &Unobserved))?;
         for curve in &self.needs.curves {
             theory_of(&curve.model).check(&prepared, curve.cutoffs)?;
         }
