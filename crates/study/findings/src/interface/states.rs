@@ -258,7 +258,7 @@ impl<'a> InterfaceStates<'a> {
     /// The spot that conducts like the whole interface, if its nominal area is known.
     fn spot(&self, stiffness: &RelativeStiffness) -> Result<Option<Spot>, InterfaceError> {
         let spot = self.request.nominal_area_m2.map(|area_m2| stiffness.equivalent_spot(area_m2));
-        Ok(spot.transpose()?)
+        spot.transpose()
     }
 
     fn heat(&self, load: usize, quantity: Quantity) -> Result<Option<f64>, InterfaceError> {
