@@ -2,7 +2,7 @@
 
 mod support;
 
-use scans::{Measure, Mend, ScanOption, ScanOptions, read_scans, visit_channels};
+use scans::{ForeignFile, Measure, Mend, ScanOption, ScanOptions, ScanReadError, read_scans, visit_channels};
 use support::nanoscope::{Image, NanoscopeFile};
 use support::netcdf::{Attribute, Kind, NetCdf, Variable};
 use support::x3p::X3p;
@@ -24,18 +24,17 @@ fn replaced(bytes: &[u8], from: &str, to: &str) -> Vec<u8> {
 
 #[test]
 fn unknown_formats_are_named_by_their_first_bytes_with_advice() {
-    let unknown = refusal(b"\x89PNG\r\n\x1a\n", &none());
-    assert_eq!(
-        unknown,
-        "recognising 'scan': no format that is read begins with '\\x89PNG\\r\\n\\x1a\\n'; save the heights as text, or in a \
-         format of docs/guide/instruments.md"
-    );
+    let of = |bytes: &[u8]| read_scans(bytes, "scan", &none()).unwrap_err();
+    assert!(matches!(of(b"\x89PNG\r\n\x1a\n"), ScanReadError::Foreign(ForeignFile::Picture("PNG"))));
+    assert!(matches!(of(b"%PDF-1.7\n1 2\n"), ScanReadError::Foreign(ForeignFile::Pdf)));
+    assert!(matches!(of(b"<!DOCTYPE html>\n"), ScanReadError::Foreign(ForeignFile::WebPage)));
+    assert!(matches!(
+        of(b"\x01\x02\x03"),
+        ScanReadError::UnknownFormat { start, .. } if start == "'\\x01\\x02\\x03'"
+    ));
     assert!(refusal(b"", &none()).contains("reading text: the file holds no line of numbers"));
     assert!(refusal(b"\x89HDF\r\n\x1a\n....", &none()).starts_with("reading 'HDF5': "));
-    assert!(
-        refusal(&zipped(&[("a.bin", b"\0\x01")]), &none())
-            .contains("a ZIP file without a scan that is known")
-    );
+    assert!(matches!(of(&zipped(&[("a.bin", b"\0\x01")])), ScanReadError::Foreign(ForeignFile::Zip)));
 }
 
 #[test]
