@@ -87,13 +87,14 @@ impl MaterialInput {
             self.youngs_modulus_pa.ok_or(QuestionError::ElasticConstant(OptionName::YoungsModulus))?;
         let poisson_ratio =
             self.poisson_ratio.ok_or(QuestionError::ElasticConstant(OptionName::PoissonRatio))?;
-        Ok(Material::new(GivenMaterial {
+        let material = Material::new(GivenMaterial {
             body: BodyInput { youngs_modulus_pa, poisson_ratio }.body(OptionName::PoissonRatio)?,
             counterface: self.counterface()?,
             flows: Body::Rough,
             hardness_and_strength: self.hardness_and_strength()?,
             strength_cap: self.strength_cap,
             strain_gradient_length_m: self.strain_gradient_length_m,
-        }))
+        });
+        Ok(material.checked()?)
     }
 }
