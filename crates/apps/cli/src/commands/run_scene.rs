@@ -26,7 +26,7 @@ use report::run_stamp::RunStamp;
 use report::scene_note_words;
 use report::summary::summary;
 use report::uncertainty_words;
-use scene::{Overrides, Scene};
+use scene::{FileContent, Overrides, Scene, SceneError, SceneProblem};
 
 pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> {
     let mut timings = Timings::start();
@@ -55,10 +55,10 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     let products = SceneProducts { scene: &scene, results, findings, assessment, run_stamp: &run_stamp };
     let written = output::write_products(&products, context.shared.format, &folder)?;
     timings.lap("writing");
-    let mut files = format!("\n{} files in {}: {}\n", written.len(), folder.display(), written.join(", "));
-    let others = output::other_files(&folder, &written)?;
-    if !others.is_empty() {
-        files += &format!("not of this run, and left there: {}\n", others.join(", "));
+    let files = format!("\n{} files in {}: {}\n", written.len(), folder.display(), written.join(", "));
+    let removed = output::clear_earlier_runs(&folder, &written, &scene.title)?;
+    if !removed.is_empty() {
+        say_notes([format!("removed from {}, of an earlier run: {}", folder.display(), removed.join(", "))]);
     }
     let answer =
         findings.map_or_else(|| Answer::from_results(&scene, results), |findings| findings.answer.clone());
@@ -124,12 +124,15 @@ fn read(args: &RunArgs, folder: &Path, context: &Context<'_>) -> Result<Scene, F
         Place::File(path) => (path.display().to_string(), Folder::of(path, targets)),
     };
     let bytes = args.scene.read()?;
-    let text = utf8(&bytes, &name, "scene")?;
+    let text =
+        utf8(&bytes, &name, "scene").map_err(|failure| not_a_scene(&bytes, &name).unwrap_or(failure))?;
     let scene = Scene::parse(text, &files, &overrides(args)?)
         .map_err(|error| Failure::Input(report::scene_errors::drawn(&error, text, &name)))?;
     if writes_files && folder.is_dir() {
         let mut results = Targets::default();
-        for name in products::file_names(&scene, options(args), context.shared.format) {
+        let written = products::file_names(&scene, options(args), context.shared.format);
+        output::refuse_other_scenes(folder, &written, &scene.title)?;
+        for name in written {
             results = results.with_file("--out", &folder.join(name))?;
         }
         results.spare_place(&args.scene)?;
@@ -137,6 +140,12 @@ fn read(args: &RunArgs, folder: &Path, context: &Context<'_>) -> Result<Scene, F
     }
     refuse_idle_options(args, &scene)?;
     Ok(scene)
+}
+
+/// The failure of a binary file given in place of a scene, such as a scan.
+fn not_a_scene(bytes: &[u8], name: &str) -> Option<Failure> {
+    let problem = SceneProblem::NotAScene(FileContent::recognise(bytes)?);
+    Some(Failure::Input(report::scene_errors::drawn(&SceneError { problem, span: None }, "", name)))
 }
 
 fn overrides(args: &RunArgs) -> Result<Overrides, Failure> {
