@@ -255,14 +255,21 @@ pub fn refuse_other_scenes(folder: &Path, written: &[String], title: &str) -> Re
     }
 }
 
-/// Removes the tables and figures of earlier runs of this scene that are none of those just written; yields their
-/// names.
+/// Removes the tables and figures of earlier runs that are none of those just written, of the scene with this title or
+/// of any; yields their names.
 ///
 /// # Errors
 /// [`Failure::System`] that names the folder.
-pub fn clear_earlier_runs(folder: &Path, written: &[String], title: &str) -> Result<Vec<String>, Failure> {
+pub fn clear_earlier_runs(
+    folder: &Path,
+    written: &[String],
+    title: Option<&str>,
+) -> Result<Vec<String>, Failure> {
     let mut removed = Vec::new();
-    for (table, _) in stale_tables(folder, written)?.into_iter().filter(|(_, other)| other == title) {
+    for (table, _) in stale_tables(folder, written)?
+        .into_iter()
+        .filter(|(_, other)| title.is_none_or(|title| other == title))
+    {
         let figure = table.replace(".csv", ".svg");
         for name in [table, figure] {
             if !written.contains(&name) && std::fs::remove_file(folder.join(&name)).is_ok() {
@@ -306,7 +313,7 @@ mod tests {
         assert!(refuse_other_scenes(folder.path(), &written, "a, \"b\"").is_ok());
         assert!(matches!(refuse_other_scenes(folder.path(), &written, "c"), Err(Failure::Input(_))));
         assert!(matches!(refuse_other_scenes(folder.path(), &[], "a, \"b\""), Err(Failure::Input(_))));
-        let removed = clear_earlier_runs(folder.path(), &written, "a, \"b\"").unwrap();
+        let removed = clear_earlier_runs(folder.path(), &written, Some("a, \"b\"")).unwrap();
         assert_eq!(removed, ["old.csv", "old.svg"]);
         assert!(["kept.csv", "mine.csv"].iter().all(|name| folder.path().join(name).is_file()));
     }

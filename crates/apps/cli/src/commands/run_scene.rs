@@ -56,7 +56,8 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     let written = output::write_products(&products, context.shared.format, &folder)?;
     timings.lap("writing");
     let files = format!("\n{} files in {}: {}\n", written.len(), folder.display(), written.join(", "));
-    let removed = output::clear_earlier_runs(&folder, &written, &scene.title)?;
+    let removed =
+        output::clear_earlier_runs(&folder, &written, args.out.as_ref().map(|_| scene.title.as_str()))?;
     if !removed.is_empty() {
         say_notes([format!("removed from {}, of an earlier run: {}", folder.display(), removed.join(", "))]);
     }
@@ -131,7 +132,10 @@ fn read(args: &RunArgs, folder: &Path, context: &Context<'_>) -> Result<Scene, F
     if writes_files && folder.is_dir() {
         let mut results = Targets::default();
         let written = products::file_names(&scene, options(args), context.shared.format);
-        output::refuse_other_scenes(folder, &written, &scene.title)?;
+        // A folder named after the scene is its own, whatever its title was.
+        if args.out.is_some() {
+            output::refuse_other_scenes(folder, &written, &scene.title)?;
+        }
         for name in written {
             results = results.with_file("--out", &folder.join(name))?;
         }
