@@ -1,113 +1,77 @@
 //! Many states of any populations, as a ufunc has it: rows that were broadcast, and columns that are found.
 
-use numpy::{PyArray1, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use numpy::{PyArray1, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::prelude::*;
-use report::row_notes;
-use report::summary::notes_of_states;
-use state_tables::{
-    ContactStates, Roughness, RowsNote, StateColumns, StateCondition, StateRequest, StatesError, StatesFound,
-};
-use study::material::Material;
+use pyo3::types::PyDict;
+use questions::StatesQuestion;
+use stat_contact::Condition;
+use state_tables::{Roughness, STATE_COLUMNS, StateRequest, StatesError};
 use study::models::{self, Framework};
-use study::plan::Tolerance;
 
+use crate::answer::{PyAnswer, of_material, refused};
+use crate::arguments::{Arguments, text};
 use crate::columns::Column;
-use crate::curves::model_options;
 use crate::errors::{input, of_argument};
-use crate::material::{PyMaterial, told, told_in_words};
+use crate::material::PyMaterial;
 use crate::work::{carry_out, light};
 
 /// Number of rows that are done before another thread has begun.
 const LIGHT_ROWS: usize = 64;
 
-/// Names of the columns, in the order of [`StateColumns`].
-const COLUMNS: [&str; 8] = [
-    "separation_m",
-    "pressure_pa",
-    "area_fraction",
-    "ln_pressure",
-    "ln_area_fraction",
-    "stiffness_pa_per_m",
-    "error_estimate",
-    "out_of_range_load_share",
-];
-
-/// A column under its name.
-type Named<'py> = (&'static str, Bound<'py, PyArray1<f64>>);
-
-/// States of a model for rows of roughness and condition, all of the same shape. The material of a row is that at its index among
-/// the `materials`, or the one that there is.
+/// States of a model for rows of roughness and condition, all of the same shape; the condition is a pressure \[Pa\] or a
+/// separation \[m\]. The material of a row is that at its index among the `materials`, or the one that there is.
 #[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "the arguments of a call from Python, by name")]
 pub fn contact_states<'py>(
     py: Python<'py>,
-    model: &str,
     roughness: [PyReadonlyArrayDyn<'py, f64>; 3],
+    condition: &str,
+    at: PyReadonlyArrayDyn<'py, f64>,
     materials: Vec<Py<PyMaterial>>,
     material_index: Option<PyReadonlyArrayDyn<'py, i64>>,
-    pressure_pa: Option<PyReadonlyArrayDyn<'py, f64>>,
-    separation_m: Option<PyReadonlyArrayDyn<'py, f64>>,
-    tolerance: f64,
-    strain_gradient: bool,
-    hardness: Option<&str>,
-    interference_law: Option<&str>,
-) -> PyResult<(Vec<Named<'py>>, Vec<String>)> {
-    let entry = models::named(Framework::Statistical, model).map_err(|error| of_argument("model", error))?;
-    let states = ContactStates {
-        entry,
-        options: model_options(entry, strain_gradient, hardness, interference_law)?,
-        tolerance: Tolerance::new(tolerance).map_err(input)?,
+    arguments: Arguments<'py>,
+) -> PyResult<PyAnswer> {
+    let model = arguments.required("model", text)?;
+    let question = StatesQuestion {
+        model: Some(
+            models::named(Framework::Statistical, &model).map_err(|error| of_argument("model", error))?,
+        ),
+        options: arguments.model_options()?,
+        tolerance: arguments.number("tolerance", None)?,
     };
+    let states = question.states().map_err(refused)?;
     let rows = roughness[0].len();
     let of_roughness = roughness.each_ref().map(Column::of);
-    let (of_condition, is_pressure) = match (&pressure_pa, &separation_m) {
-        (Some(pressure_pa), None) => (Column::of(pressure_pa), true),
-        (None, Some(separation_m)) => (Column::of(separation_m), false),
-        (Some(_), Some(_)) => return Err(input("pressure and separation are both given; give one of them")),
-        (None, None) => return Err(input("pressure or separation is needed; give one of them")),
-    };
-    let materials: Vec<Material> = materials.iter().map(|material| material.get().material).collect();
+    let (of_condition, is_pressure) = (Column::of(&at), condition == "pressure");
+    if rows > 0 && materials.is_empty() {
+        return Err(of_argument("material", "it is empty; give at least one"));
+    }
     let of_material = material_index.as_ref().map(Column::of);
     let material_of = |row: usize| match &of_material {
-        None => materials.first(),
-        Some(index) => usize::try_from(index.at(row)).ok().and_then(|at| materials.get(at)),
+        None => 0,
+        Some(index) => index.at(row) as usize,
     };
-    if rows > 0 && materials.is_empty() {
-        return Err(input("material: it is empty; give at least one"));
-    }
     let asked = |row: usize| StateRequest {
-        material: material_of(row).unwrap_or(&materials[0]),
+        material: &materials[material_of(row)].get().material,
         roughness: Roughness(of_roughness.each_ref().map(|column| column.at(row))),
         at: match is_pressure {
-            true => StateCondition::Pressure(of_condition.at(row)),
-            false => StateCondition::Separation(of_condition.at(row)),
+            true => Condition::Pressure(of_condition.at(row)),
+            false => Condition::Separation(of_condition.at(row)),
         },
     };
-    let found: [Bound<'py, PyArray1<f64>>; 8] = std::array::from_fn(|_| PyArray1::zeros(py, rows, false));
-    let mut written = found.each_ref().map(|column| column.readwrite());
-    let [a, b, c, d, e, f, g, h] = written.each_mut();
-    let slice = |column| numpy::PyReadwriteArray1::as_slice_mut(column).map_err(input);
-    let columns = StateColumns {
-        separation_m: slice(a)?,
-        pressure_pa: slice(b)?,
-        area_fraction: slice(c)?,
-        ln_pressure: slice(d)?,
-        ln_area_fraction: slice(e)?,
-        stiffness_pa_per_m: slice(f)?,
-        error_estimate: slice(g)?,
-        out_of_range_load_share: slice(h)?,
+    let states = match rows <= LIGHT_ROWS {
+        true => light(py, || states.compute(rows, asked, &parallel::Unobserved)),
+        false => carry_out(py, None, |progress| states.compute(rows, asked, progress))?,
     };
-    let done = match rows <= LIGHT_ROWS {
-        true => light(py, || states.fill_in(columns, asked, &parallel::Unobserved)),
-        false => carry_out(py, None, |progress| states.fill_in(columns, asked, progress))?,
-    };
-    let done = done.map_err(|error| refused(&error, roughness[0].shape()))?;
-    drop(written);
-    Ok((COLUMNS.into_iter().zip(found).collect(), notes(&done, rows)))
+    let (found, counts) = states.map_err(|error| bad_row(&error, roughness[0].shape()))?;
+    let columns = PyDict::new(py);
+    for (name, column) in STATE_COLUMNS.into_iter().zip(found) {
+        columns.set_item(name, PyArray1::from_vec(py, column))?;
+    }
+    Ok(PyAnswer::of_columns(columns, question.notes_on(&counts, rows)))
 }
 
 /// A bad row, by its place in the arrays.
-fn refused(error: &StatesError, shape: &[usize]) -> PyErr {
+fn bad_row(error: &StatesError, shape: &[usize]) -> PyErr {
     let StatesError::Row { row, problem } = error else { return input(error) };
     let mut rest = *row;
     let mut place: Vec<String> = Vec::new();
@@ -116,15 +80,7 @@ fn refused(error: &StatesError, shape: &[usize]) -> PyErr {
         rest /= len;
     }
     match place.is_empty() {
-        true => told(problem),
-        false => input(format!("element [{}]: {}", place.join(", "), told_in_words(problem))),
+        true => input(of_material(problem)),
+        false => of_argument(&format!("element [{}]", place.join(", ")), of_material(problem)),
     }
-}
-
-fn notes(found: &StatesFound, all: usize) -> Vec<String> {
-    let (rows, narrow) = (found.assumed_strengths, found.narrow);
-    let assumed = (rows > 0).then_some(RowsNote::AssumedStrengths { rows, all });
-    let narrow = (narrow.count > 0).then_some(RowsNote::NarrowSpectra { narrow, all });
-    let notes = assumed.into_iter().chain(narrow).flat_map(|note| row_notes::lines(&note));
-    notes.chain(notes_of_states(&found.counts)).collect()
 }

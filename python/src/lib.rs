@@ -1,21 +1,19 @@
 //! The core of truearea for Python: arguments become the core's types, and its tables arrays. What a call means, and what it
 //! yields, is told in the Python modules beside this crate.
 
+mod answer;
+mod arguments;
 mod boundary_elements;
 mod columns;
 mod contact;
 mod curves;
 mod errors;
-mod gap;
 mod law;
 mod lengths;
 mod material;
-mod persson;
-mod quantities;
 mod scans;
 mod scene;
 mod surface;
-mod tables;
 mod threads;
 mod uncertainty;
 mod work;
@@ -24,33 +22,21 @@ mod work;
 #[pyo3::pymodule]
 mod _native {
     #[pymodule_export]
-    use super::boundary_elements::{press_heights, press_spectrum};
-    #[pymodule_export]
-    use super::contact::contact_states;
-    #[pymodule_export]
-    use super::curves::curve;
-    #[pymodule_export]
-    use super::errors::InputError;
-    #[pymodule_export]
-    use super::gap::gaps;
-    #[pymodule_export]
-    use super::law::PyContactLaw;
-    #[pymodule_export]
-    use super::lengths::in_metres;
-    #[pymodule_export]
-    use super::material::PyMaterial;
-    #[pymodule_export]
-    use super::persson::persson_curve;
-    #[pymodule_export]
-    use super::scans::{PyAskedScan, PyScan, channels_of, composite, scans_of};
-    #[pymodule_export]
-    use super::scene::{PyScene, scene_template, scene_with_keys, tables_of_runs, write_files};
-    #[pymodule_export]
-    use super::surface::PySurface;
-    #[pymodule_export]
-    use super::threads::{set_threads, threads};
-    #[pymodule_export]
-    use super::uncertainty::uncertainty_of;
+    use super::{
+        answer::PyAnswer,
+        boundary_elements::{press_heights, press_spectrum},
+        contact::contact_states,
+        curves::{curve, gaps},
+        errors::InputError,
+        law::PyContactLaw,
+        lengths::in_metres,
+        material::PyMaterial,
+        scans::{PyAskedScan, PyScan, channels_of, composite, scans_of},
+        scene::{PyScene, scene_template, scene_with_keys, tables_of_runs, write_files},
+        surface::PySurface,
+        threads::{set_threads, threads},
+        uncertainty::uncertainty_of,
+    };
 
     /// The version of the program.
     #[pymodule_export]

@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 use std::io;
-use std::num::NonZeroU32;
 use std::sync::{Mutex, PoisonError};
 
 use measurements::{
@@ -22,10 +21,10 @@ use study::surface::{Surface, SurfaceError};
 use topography::Recipe;
 use units::{Length, LengthUnit};
 
+use crate::answer::columns;
+use crate::arguments::{Arguments, Given, named, number, quantity, text};
 use crate::errors::{input, of_argument};
-use crate::quantities::{Given, number, quantity};
-use crate::surface::{PySurface, named};
-use crate::tables::columns;
+use crate::surface::PySurface;
 use crate::work::{carry_out, light};
 
 /// Files that were read already, under their names.
@@ -233,44 +232,12 @@ fn scan_of_array(
     (of_size, size): (String, Vec<Given<'_>>),
 ) -> PyResult<ScanFile> {
     let shape = heights_m.shape();
-    let lengths_m: Vec<f64> = match &size[..] {
-        [one] => vec![quantity::<Length>(&of_size, one)?.m],
-        several => {
-            let length = |(at, length): (usize, &Given<'_>)| {
-                quantity::<Length>(&format!("{of_size}[{at}]"), length).map(|length| length.m)
-            };
-            several.iter().enumerate().map(length).collect::<PyResult<_>>()?
-        }
+    let length = |(at, length): (usize, &Given<'_>)| {
+        quantity::<Length>(&format!("{of_size}[{at}]"), length).map(|length| length.m)
     };
-    let size = match (shape, &lengths_m[..]) {
-        ([_], [x_m]) => ScanSize { x_m: *x_m, y_m: None },
-        ([rows, columns], [x_m]) if rows == columns => ScanSize { x_m: *x_m, y_m: Some(*x_m) },
-        ([rows, columns], [_]) => {
-            return Err(input(format!(
-                "{of_size}: one length is that of a line or a square map, and {argument} has {rows} rows and {columns} \
-                 columns; give (lx, ly)"
-            )));
-        }
-        ([_, _], [x_m, y_m]) => ScanSize { x_m: *x_m, y_m: Some(*y_m) },
-        ([_], lengths) => {
-            return Err(input(format!(
-                "{of_size}: {} lengths are given, and {argument} is a line; give one",
-                lengths.len()
-            )));
-        }
-        ([_, _], lengths) => {
-            return Err(input(format!(
-                "{of_size}: {} lengths are given, and {argument} is a map; give (lx, ly)",
-                lengths.len()
-            )));
-        }
-        (shape, _) => {
-            return Err(input(format!(
-                "{argument}: a map of two axes, (rows, columns), or a line of one is needed, and this has {}",
-                shape.len()
-            )));
-        }
-    };
+    let lengths_m: Vec<f64> = size.iter().enumerate().map(length).collect::<PyResult<_>>()?;
+    let [x_m, ..] = lengths_m[..] else { return Err(of_argument(&of_size, "it is empty")) };
+    let size = ScanSize { x_m, y_m: lengths_m.get(1).copied() };
     let found: MissingPoints = match gaps {
         Some(gaps) => gaps.as_array().iter().enumerate().filter(|(_, gap)| **gap).map(|(at, _)| at).collect(),
         None => MissingPoints::default(),
@@ -304,10 +271,10 @@ pub fn composite(
     name: String,
     asked: Vec<Py<PyAskedScan>>,
     files: BTreeMap<String, PyBackedBytes>,
-    recipe: &Bound<'_, PyDict>,
+    recipe: Arguments<'_>,
     argument: &str,
 ) -> PyResult<PySurface> {
-    let recipe = recipe_of(recipe)?;
+    let recipe = recipe_of(&recipe)?;
     let asked = asked.iter().map(|asked| asked.get().taken()).collect::<PyResult<Vec<_>>>()?;
     let files = HeldFiles(files);
     let made = carry_out(py, None, |progress| {
@@ -388,33 +355,16 @@ fn with_options(mut request: ScanRequest, options: &Bound<'_, PyDict>) -> PyResu
 }
 
 /// Builds the recipe for the spectra of all scans.
-fn recipe_of(options: &Bound<'_, PyDict>) -> PyResult<Recipe> {
-    let mut recipe = Recipe::default();
-    for (key, value) in options {
-        if value.is_none() {
-            continue;
-        }
-        let key: String = key.extract()?;
-        match key.as_str() {
-            "detrend" => recipe.detrend = Some(named(&key, &text(&key, &value)?)?),
-            "window" => recipe.window = Some(named(&key, &text(&key, &value)?)?),
-            "average" => recipe.average = named(&key, &text(&key, &value)?)?,
-            "bins_per_decade" => recipe.bins_per_decade = bins_per_decade(&value)?,
-            "tip_radius" => match tip_radius(&key, &value)? {
-                TipRadius::Known(radius_m) => recipe.tip_radius_m = Some(radius_m),
-                TipRadius::Auto => recipe.tip_radius_auto = true,
-            },
-            other => return Err(input(format!("there is no option {other} of spectra"))),
-        }
-    }
-    Ok(recipe)
-}
-
-fn bins_per_decade(value: &Given<'_>) -> PyResult<NonZeroU32> {
-    let count = number("bins_per_decade", value)?;
-    let whole = value.extract::<i64>().ok().and_then(|count| u32::try_from(count).ok());
-    whole.and_then(NonZeroU32::new).ok_or_else(|| {
-        input(format!("bins_per_decade is {count}; it must be a whole number from 1 to {}", u32::MAX))
+fn recipe_of(arguments: &Arguments<'_>) -> PyResult<Recipe> {
+    let (usual, tip_radius) = (Recipe::default(), arguments.convert("tip_radius", tip_radius)?);
+    Ok(Recipe {
+        detrend: arguments.named("detrend")?,
+        window: arguments.named("window")?,
+        average: arguments.named("average")?.unwrap_or(usual.average),
+        bins_per_decade: arguments.count("bins_per_decade")?.unwrap_or(usual.bins_per_decade),
+        tip_radius_m: tip_radius.and_then(TipRadius::known_m),
+        tip_radius_auto: tip_radius == Some(TipRadius::Auto),
+        ..usual
     })
 }
 
@@ -428,12 +378,6 @@ fn tip_radius(argument: &str, value: &Given<'_>) -> PyResult<TipRadius> {
 /// Parses an argument by the rules of the command line.
 fn typed<T: std::str::FromStr<Err = String>>(argument: &str, text: &str) -> PyResult<T> {
     text.parse().map_err(|error| of_argument(argument, error))
-}
-
-fn text(argument: &str, value: &Given<'_>) -> PyResult<String> {
-    value.extract().map_err(|_| {
-        of_argument(argument, format!("text is needed, and this is {}", crate::quantities::type_name(value)))
-    })
 }
 
 fn number_or_text(argument: &str, value: &Given<'_>) -> PyResult<String> {

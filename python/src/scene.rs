@@ -6,33 +6,30 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use asperity::ElasticBody;
 use findings::answer::Answer;
 use parallel::Progress;
 use pyo3::exceptions::{PyFileNotFoundError, PyOSError};
 use pyo3::prelude::*;
 use pyo3::types::{PyCFunction, PyDict, PyList, PyString, PyTuple};
-use report::explain::explain;
+use questions::{OptionName, SamplingInput};
 use questions::{Phase, RunError, RunOptions, Watch, run_scene};
-use report::assessment::Assessment;
+use report::explain::explain;
 use report::products::{Product, SceneProducts};
 use report::run_stamp::RunStamp;
 use report::scene_note_words;
 use report::summary::summary;
 use scene::file_names::{JUDGE_TABLES, REPORT_TABLES, UNCERTAINTY_TABLES};
 use scene::{Overrides, Scene, SceneError, SceneProblem, Template, with_keys};
-use spectrum::{AmplitudeDefinition, Normalisation};
 use staging::StagedFiles;
 use study::Files;
 use tables::{Format, Table};
 use toml::Value;
 
-use crate::curves::form_of_hardness;
+use crate::answer::{columns, refused as questions_refused};
+use crate::arguments::{Arguments, Given, named, type_name};
 use crate::errors::{input, of_argument};
-use crate::material::elastic_body;
-use crate::quantities::{Given, optional, type_name};
-use crate::surface::{named, notes, per_decade};
-use crate::tables::columns;
+use crate::material::counterface;
+use crate::surface::notes;
 use crate::work::{carry_out, light};
 
 /// A scene as the core has it, and the files that it read.
@@ -95,9 +92,9 @@ impl PyScene {
         name: String,
         folder: Option<PathBuf>,
         files: Read,
-        overrides: &Bound<'_, PyDict>,
+        overrides: Arguments<'_>,
     ) -> PyResult<Self> {
-        let overrides = read_overrides(overrides)?;
+        let overrides = read_overrides(&overrides)?;
         let files = Remembering { folder, read: Mutex::new(files) };
         let scene = light(py, || Scene::parse(text, &files, &overrides));
         let scene = scene.map_err(|error| refused(&error, text, &name))?;
@@ -228,12 +225,16 @@ struct Made {
 }
 
 impl Made {
-    fn of(scene: &Scene, asked: RunOptions, occasion: RunStamp, watch: &Watching<'_>) -> Result<Self, RunError> {
+    fn of(
+        scene: &Scene,
+        asked: RunOptions,
+        occasion: RunStamp,
+        watch: &Watching<'_>,
+    ) -> Result<Self, RunError> {
         let outcome = run_scene(scene, asked, watch)?;
-        let (results, findings) = (&outcome.results, outcome.findings.as_ref());
-        let assessment =
-            Assessment { judgement: outcome.judgement.as_ref(), uncertainty: outcome.uncertainty.as_ref() };
-        let products = SceneProducts { scene, results, findings, assessment, run_stamp: &occasion };
+        let (evidence, conclusions) = (outcome.evidence(scene), &outcome.conclusions);
+        let sensitivities = outcome.sensitivities.as_deref();
+        let products = SceneProducts { evidence, conclusions, sensitivities, run_stamp: &occasion };
         let (mut tables, mut files) = (Vec::new(), Vec::new());
         let Ok(()) = products.each(|name, product| {
             let mut bytes = Vec::new();
@@ -244,10 +245,7 @@ impl Made {
             }
             Ok::<(), std::convert::Infallible>(())
         });
-        let answer = match findings {
-            Some(findings) => summary(scene, results, &findings.answer, assessment),
-            None => summary(scene, results, &Answer::from_results(scene, results), assessment),
-        };
+        let answer = summary(&evidence, conclusions);
         Ok(Made { answer, tables, files })
     }
 }
@@ -325,61 +323,26 @@ fn refused(error: &SceneError, text: &str, name: &str) -> PyErr {
     }
 }
 
-fn read_overrides(given: &Bound<'_, PyDict>) -> PyResult<Overrides> {
-    let text = |key: &str| -> PyResult<Option<String>> {
-        let Some(value) = given.get_item(key)?.filter(|value| !value.is_none()) else { return Ok(None) };
-        let text = value.cast::<PyString>();
-        let text = text
-            .map_err(|_| of_argument(key, format!("a name is needed, and this is {}", type_name(&value))))?;
-        Ok(Some(text.to_str()?.to_owned()))
-    };
-    let value = |key: &str| -> PyResult<Option<Given<'_>>> {
-        Ok(given.get_item(key)?.filter(|value| !value.is_none()))
-    };
-    let counterface: Option<ElasticBody> = match value("counterface")? {
-        None => None,
-        Some(pair) => {
-            let (modulus, ratio): (Given<'_>, Given<'_>) = pair.extract()?;
-            Some(elastic_body("counterface.youngs_modulus", &modulus, "counterface.poisson_ratio", &ratio)?)
-        }
-    };
+fn read_overrides(arguments: &Arguments<'_>) -> PyResult<Overrides> {
+    let counterface =
+        counterface(arguments)?.map(|body| body.body(OptionName::CounterfacePoissonRatio)).transpose();
     Ok(Overrides {
-        normalisation: text("normalisation")?
-            .map(|name| named::<Normalisation>("normalisation", &name))
-            .transpose()?,
-        amplitude: text("amplitude")?
-            .map(|name| named::<AmplitudeDefinition>("amplitude", &name))
-            .transpose()?,
-        scales_per_decade: value("scales_per_decade")?
-            .map(|count| match count.extract() {
-                Ok(count) => per_decade(count),
-                Err(_) => {
-                    let what = type_name(&count);
-                    Err(of_argument(
-                        "scales_per_decade",
-                        format!("a whole number is needed, and this is {what}"),
-                    ))
-                }
-            })
-            .transpose()?,
-        hardness: text("hardness")?.map(|name| form_of_hardness(&name)).transpose()?,
-        strength_cap: optional("strength_cap", value("strength_cap")?.as_ref())?,
-        cutoff: optional("cutoff", value("cutoff")?.as_ref())?,
-        counterface,
+        normalisation: arguments.named("normalisation")?,
+        amplitude: arguments.named("amplitude")?,
+        scales_per_decade: arguments.sampling()?.scales_per_decade,
+        hardness: arguments.hardness_form()?,
+        strength_cap: arguments.quantity("strength_cap")?,
+        cutoff: arguments.quantity("cutoff")?,
+        counterface: counterface.map_err(questions_refused)?,
         ..Overrides::default()
     })
 }
 
 /// Refuses arguments that nothing in the scene has a use for.
 fn refuse_idle(overrides: &Overrides, scene: &Scene, name: &str) -> PyResult<()> {
-    let shortest_m = scene.surface.psd.shortest_wavelength_m();
-    if let Some(cutoff) = overrides.cutoff.filter(|cutoff| cutoff.m < shortest_m) {
-        return Err(input(format!(
-            "cutoff is {} m and leaves nothing out: the shortest wavelength of {} is {shortest_m} m; leave it out, or choose \
-             a longer one",
-            cutoff.m, scene.surface.name
-        )));
-    }
+    let cutoff_m = overrides.cutoff.map(|cutoff| cutoff.m);
+    let sampling = SamplingInput { cutoff_m, ..SamplingInput::default() };
+    sampling.check(&scene.surface).map_err(questions_refused)?;
     match overrides.first_unused(scene) {
         None => Ok(()),
         Some(argument) => Err(input(format!(

@@ -1,26 +1,25 @@
 //! Uncertainty of areas: draws of scans, instruments and material through a scene's plan.
 
-use report::{advice_words, uncertainty_words};
-use scene::{Scene, UncertainProperty, UncertaintyChoices};
-use study::bodies::Bodies;
-use study::material_spreads::MaterialSpreads;
-use study::models::{self, Choice, ModelEntry};
-use study::plan::{Curve, Cutoffs, Needs, PlanError, Results, Tolerance};
-use study::spread::Spread;
-
 use numpy::ndarray::Array2;
 use numpy::{PyArray2, ToPyArray};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
+use questions::{CurveQuestion, Note, PreparedCurve};
+use report::{advice_words, uncertainty_words};
+use scene::{Scene, UncertainProperty, UncertaintyChoices};
+use study::bodies::Bodies;
+use study::material_spreads::MaterialSpreads;
+use study::models::{self, Choice, ModelEntry, ModelOptions};
+use study::plan::{Curve, Needs, PlanError, Results, Tolerance};
+use study::spread::Spread;
 use uncertainty::{AreaInterval, Settings, Uncertainty, UncertaintyPlan, scattering_groups};
 use units::Bound as NumberBound;
 
-use crate::curves::{findings, model_options};
+use crate::answer::{Keywords, columns, refused, words};
+use crate::arguments::{Arguments, Given, number};
 use crate::errors::{input, of_argument};
-use crate::material::{PyMaterial, loads, told};
-use crate::quantities::{Given, checked, number};
-use crate::surface::{PySurface, named, notes, sampling};
-use crate::tables::columns;
+use crate::material::PyMaterial;
+use crate::surface::PySurface;
 use crate::work::carry_out;
 
 /// A standard uncertainty: what its argument is called, what the property is given as, and the uncertainty.
@@ -31,60 +30,19 @@ const NOTHING_SCATTERS: &str = "nothing of the surface or the material is known 
                                 with standard errors (c1d_se), or say how well the material is known, such as \
                                 youngs_modulus=\"5 %\"";
 
-/// The choices that models have.
-struct ModelChoices<'c> {
-    strain_gradient: bool,
-    hardness: Option<&'c str>,
-    interference_law: Option<&'c str>,
-}
-
-/// The numbers of draws, as given.
-#[derive(FromPyObject)]
-pub struct DrawChoices<'py> {
-    #[pyo3(item)]
-    draws: Given<'py>,
-    #[pyo3(item)]
-    seed: Given<'py>,
-    #[pyo3(item)]
-    level: Given<'py>,
-    #[pyo3(item)]
-    shares_draws: Option<Given<'py>>,
-}
-
 /// Intervals of the areas of some models under some loads: arrays of (loads, models), tables, and what there is to say.
 #[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "the arguments of a call from Python, by name")]
 pub fn uncertainty_of<'py>(
     py: Python<'py>,
     surface: &PySurface,
     material: &PyMaterial,
     names: Vec<String>,
-    pressure: &Given<'py>,
-    strain_gradient: bool,
-    hardness: Option<&str>,
-    interference_law: Option<&str>,
-    normalisation: &str,
-    amplitude: &str,
-    tolerance: f64,
-    of_draws: DrawChoices<'py>,
     of_material: Vec<GivenSpread<'py>>,
-    cutoff: Option<&Given<'py>>,
-    scales_per_decade: Option<i64>,
+    arguments: Arguments<'py>,
     observer: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let choices = of_draws.checked()?;
-    let of_models = ModelChoices { strain_gradient, hardness, interference_law };
-    let curves = curves(&names, material, &of_models)?;
-    let (normalisation, amplitude) = (named("normalisation", normalisation)?, named("amplitude", amplitude)?);
-    let any = |needed: fn(&Curve) -> bool| curves.iter().any(needed);
-    let needs = Needs {
-        moments: any(|curve| curve.model.needs_moments()).then_some(normalisation),
-        amplitudes: any(|curve| curve.model.needs_amplitudes()).then_some(amplitude),
-        loads: loads("pressure", pressure, &material.material)?,
-        tolerance: Tolerance::new(tolerance).map_err(input)?,
-        curves,
-        ..Needs::default()
-    };
+    let sampling = arguments.sampling()?;
+    sampling.check(&surface.surface).map_err(refused)?;
     let scene = Scene {
         text: String::new(),
         title: surface.surface.name.clone(),
@@ -92,11 +50,11 @@ pub fn uncertainty_of<'py>(
         material: Some(material.material),
         spreads: spreads(&of_material)?,
         bodies: Bodies::default(),
-        sampling: sampling(&surface.surface, cutoff, scales_per_decade)?,
-        needs,
+        sampling: sampling.sampling(),
+        needs: needs(&names, material, &arguments)?,
         figures: Vec::new(),
         judge: None,
-        uncertainty: Some(choices),
+        uncertainty: Some(choices(&arguments)?),
         interface: None,
         notes: Vec::new(),
     };
@@ -117,8 +75,8 @@ pub fn uncertainty_of<'py>(
     told_of(py, &scene, &results, &found)
 }
 
-/// The models, each once, with the choices that they have.
-fn curves(names: &[String], material: &PyMaterial, choices: &ModelChoices<'_>) -> PyResult<Vec<Curve>> {
+/// The models, each once, with the choices that they have, and their loads.
+fn needs(names: &[String], material: &PyMaterial, arguments: &Arguments<'_>) -> PyResult<Needs> {
     let of_all = models::MODELS;
     let entries = names.iter().map(|name| {
         of_all.iter().find(|entry| entry.name == name).ok_or_else(|| {
@@ -126,59 +84,62 @@ fn curves(names: &[String], material: &PyMaterial, choices: &ModelChoices<'_>) -
             of_argument("model", format!("'{name}' is none of {}", known.join(", ")))
         })
     });
-    let entries: Vec<&ModelEntry> = entries.collect::<PyResult<_>>()?;
+    let entries: Vec<&'static ModelEntry> = entries.collect::<PyResult<_>>()?;
     if entries.is_empty() {
         return Err(of_argument("model", "it is empty; give at least one"));
     }
-    if let Some((at, entry)) = entries
-        .iter()
-        .enumerate()
-        .find(|(at, entry)| entries[..*at].iter().any(|other| other.name == entry.name))
-    {
-        return Err(input(format!("model[{at}] is {}, which stands twice; keep one", entry.name)));
-    }
-    let curve = |entry: &&'static ModelEntry| {
+    let given = arguments.model_options()?;
+    let pressures = arguments.pressures()?;
+    let mut needs = Needs::default();
+    for (at, entry) in entries.iter().enumerate() {
+        if entries[..at].iter().any(|other| other.name == entry.name) {
+            return Err(input(format!("model[{at}] is {}, which stands twice; keep one", entry.name)));
+        }
         // A choice that only some models have goes to those; one that none has is refused by the first.
         let theirs = |choice| entry.has(choice) || !entries.iter().any(|entry| entry.has(choice));
-        let options = model_options(
-            entry,
-            choices.strain_gradient && theirs(Choice::StrainGradient),
-            choices.hardness.filter(|_| theirs(Choice::Hardness)),
-            choices.interference_law.filter(|_| theirs(Choice::Interference)),
-        )?;
-        Ok(Curve {
-            name: entry.name.to_owned(),
-            model: entry.build(&material.material, &options).map_err(|error| told(&error))?,
-            cutoffs: Cutoffs::Every,
-        })
-    };
-    entries.iter().map(curve).collect()
-}
-
-impl DrawChoices<'_> {
-    fn checked(&self) -> PyResult<UncertaintyChoices> {
-        let count =
-            |argument: &str, given: &Given<'_>, bound| whole(argument, given, bound).map(|n| n as usize);
-        let level = number("level", &self.level)?;
-        Ok(UncertaintyChoices {
-            level: Some(checked("level", UncertaintyChoices::LEVEL, level)?),
-            draws: Some(count("draws", &self.draws, UncertaintyChoices::DRAWS)?),
-            seed: Some(whole("seed", &self.seed, NumberBound::AtLeast(0.0))?),
-            shares_draws: self
-                .shares_draws
-                .as_ref()
-                .map(|given| count("shares_draws", given, UncertaintyChoices::SHARES_DRAWS))
-                .transpose()?,
-            off: false,
-        })
+        let options = ModelOptions {
+            strain_gradient: given.strain_gradient && theirs(Choice::StrainGradient),
+            hardness: given.hardness.filter(|_| theirs(Choice::Hardness)),
+            interference_law: given.interference_law.filter(|_| theirs(Choice::Interference)),
+            ..ModelOptions::default()
+        };
+        let question = CurveQuestion {
+            model: Some(entry),
+            name: Some(entry.name.to_owned()),
+            material: material.input.used_with(&options),
+            options,
+            pressures: pressures.clone(),
+            ..CurveQuestion::default()
+        };
+        let of_curve = question.needs().map_err(refused)?;
+        needs.curves.extend(of_curve.curves);
+        needs.loads = of_curve.loads;
     }
+    let any = |needed: fn(&Curve) -> bool| needs.curves.iter().any(needed);
+    let tolerance = arguments.required("tolerance", number)?;
+    Ok(Needs {
+        moments: arguments.named("normalisation")?.filter(|_| any(|curve| curve.model.needs_moments())),
+        amplitudes: arguments.named("amplitude")?.filter(|_| any(|curve| curve.model.needs_amplitudes())),
+        tolerance: Tolerance::new(tolerance).map_err(input)?,
+        ..needs
+    })
 }
 
-/// A whole number within its bound.
-fn whole(argument: &str, given: &Given<'_>, bound: NumberBound) -> PyResult<u64> {
-    let value = number(argument, given)?;
-    checked(argument, bound, value)?;
-    given.extract().map_err(|_| input(format!("{argument} is {value}; it must be a whole number")))
+/// The numbers of draws.
+fn choices(arguments: &Arguments<'_>) -> PyResult<UncertaintyChoices> {
+    let whole = |argument: &str, bound: NumberBound| -> PyResult<Option<u64>> {
+        let Some(value) = arguments.number(argument, Some(bound))? else { return Ok(None) };
+        let whole = arguments.raw(argument)?.extract();
+        whole.map(Some).map_err(|_| input(format!("{argument} is {value}; it must be a whole number")))
+    };
+    let count = |argument: &str, bound| Ok::<_, PyErr>(whole(argument, bound)?.map(|count| count as usize));
+    Ok(UncertaintyChoices {
+        level: arguments.number("level", Some(UncertaintyChoices::LEVEL))?,
+        draws: count("draws", UncertaintyChoices::DRAWS)?,
+        seed: whole("seed", NumberBound::AtLeast(0.0))?,
+        shares_draws: count("shares_draws", UncertaintyChoices::SHARES_DRAWS)?,
+        off: false,
+    })
 }
 
 /// Reads the uncertainties of the material.
@@ -273,15 +234,13 @@ fn told_of<'py>(
     told.set_item("bands", columns(py, &found.bands_table(needs))?)?;
     told.set_item("draws", found.draws)?;
     let mut said = uncertainty_words::sentences(found);
-    said.extend(notes(&scene.surface));
-    let plan = scene.plan();
-    if let Some(material) = &scene.material {
-        let of_curves = needs.curves.iter().zip(&results.curves);
-        let of_curves = of_curves.flat_map(|(curve, rows)| findings(curve, rows, &plan, material));
-        for note in of_curves {
-            if !said.contains(&note) {
-                said.push(note);
-            }
+    let mut notes: Vec<Note> = scene.surface.notes.iter().cloned().map(Note::Surface).collect();
+    for (at, rows) in results.curves.iter().enumerate() {
+        notes.extend(PreparedCurve::of_scene(scene, at).notes_on(rows));
+    }
+    for note in words(&notes, &Keywords) {
+        if !said.contains(&note) {
+            said.push(note);
         }
     }
     told.set_item("notes", said)?;

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 from collections.abc import Callable
+from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -28,3 +31,14 @@ def command_line() -> Callable[..., Columns]:
 def reference() -> Callable[[str], Columns]:
     """A committed table of high-precision values, by name."""
     return lambda name: columns_of((REFERENCE / name).read_text(encoding="utf-8"))
+
+
+@pytest.fixture(scope="session")
+def questions() -> list[dict[str, Any]]:
+    """Random questions about curves with the answers that the crates give, as their own test writes them."""
+    written = os.environ.get("TRUEAREA_QUESTIONS")
+    if written is None:
+        subprocess.run(["cargo", "test", "--quiet", "--workspace", "--test", "front_ends"], cwd=ROOT, check=True)
+        written = str(ROOT / "target" / "tmp" / "questions.json")
+    found: list[dict[str, Any]] = json.loads(Path(written).read_text(encoding="utf-8"))
+    return found

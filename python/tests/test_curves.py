@@ -81,7 +81,7 @@ def test_stacks_follow_the_reference(reference: Callable[[str], Columns]) -> Non
         ({"pressure": []}, "pressure: empty"),
         ({"pressure": [1e6, 0.0]}, "pressure[1] 0;"),
         ({"pressure": "1 m"}, "pressure: '1 m' 'm'"),
-        ({"pressure": None}, "pressure separation"),
+        ({"pressure": None}, "pressure"),
         ({"pressure": [True]}, "pressure[0]:"),
         ({"model": "hertz"}, "model: 'hertz' elastic"),
         ({"cutoff": "1 m"}, "scale"),
@@ -95,6 +95,18 @@ def test_what_cannot_be_used_is_refused(changes: dict[str, Any], told: str) -> N
     given: dict[str, Any] = {"material": DIAMOND, "pressure": 1e6, **changes}
     with refused_naming(*told.split()):
         ta.stacked(ta.read_psd(UNCD), **given)
+
+
+def test_a_statistical_curve_needs_a_pressure_or_a_separation() -> None:
+    with refused_naming("pressure", "separation"):
+        ta.statistical(ta.read_psd(UNCD), DIAMOND, model="hertz")
+
+
+def test_a_cap_of_a_strength_that_does_not_grow_changes_nothing() -> None:
+    capped = DIAMOND.replace(strength_cap="2 GPa")
+    for model in ("elastic", "elastic-plastic"):
+        of_both = [ta.stacked(ta.read_psd(UNCD), one, pressure="2 MPa", model=model) for one in (DIAMOND, capped)]
+        assert of_both[0] == of_both[1] and of_both[0].notes == of_both[1].notes
 
 
 def test_curves_are_frames_datasets_and_pickles() -> None:

@@ -256,7 +256,7 @@ def test_missing_files_and_wrong_bytes(folder: Path) -> None:
         ({"amplitude": 5}, "amplitude: int"),
         ({"hardness": "2006"}, "hardness: '2006'"),
         ({"strength_cap": "1 H"}, "strength_cap scene"),
-        ({"cutoff": "1 pm"}, "cutoff spectrum.csv 0.000000000001"),
+        ({"cutoff": "1 pm"}, "cutoff spectrum.csv 1 pm"),
         ({"cutoff": -1.0}, "cutoff -1;"),
         ({"scales_per_decade": 0}, "scales_per_decade 0; 1"),
         ({"scales_per_decade": "ten"}, "scales_per_decade: str"),

@@ -205,7 +205,7 @@ def test_what_cannot_be_drawn_is_told() -> None:
     for options, words in refusals:
         with refused_naming(*words.split()):
             quick(**options)
-    with refused_naming("real number", by=TypeError):
+    with refused_naming("tolerance:", "number", "str"):
         quick(tolerance="x")
     given: Any = None
     with refused_naming("spectrum: ", "Spectrum", "scans"):

@@ -10,6 +10,25 @@ from truearea._native import InputError
 from truearea._results import FloatArray
 
 
+def lengths_of(argument: str, of_size: str, size: Any, shape: tuple[int, ...]) -> list[Any]:
+    """Lengths along x, and of a map along y; of a square map one is enough."""
+    if len(shape) not in (1, 2):
+        raise InputError(
+            f"{argument}: a map of two axes, (rows, columns), or a line of one is needed, and this has {len(shape)}"
+        )
+    lengths = [size] if isinstance(size, str) or np.ndim(size) == 0 else list(size)
+    if len(lengths) == 1 and len(shape) == 2:
+        if shape[0] != shape[1]:
+            raise InputError(
+                f"{of_size}: one length is that of a square map, and {argument} has {shape[0]} rows and {shape[1]} columns; give (lx, ly)"
+            )
+        return 2 * lengths
+    if len(lengths) != len(shape):
+        needed = "a line; give one" if len(shape) == 1 else "a map; give (lx, ly)"
+        raise InputError(f"{of_size}: {len(lengths)} lengths are given, and {argument} is {needed}")
+    return lengths
+
+
 def doubles(argument: str, given: Any) -> FloatArray:
     """An array of doubles, the same memory where it is one already.
 

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from truearea import _native
-from truearea._arrays import doubles
+from truearea._arrays import doubles, lengths_of
 from truearea._cores import material_of
 from truearea._curves import Pressures
 from truearea._material import Material, Quantity
@@ -151,82 +151,60 @@ def boundary_elements(
     >>> bool(abs(pressed.pressure_pa[1].mean() / 1e9 - 1) < 1e-9)
     True
     """
-    random = {
-        "grid": grid,
-        "realisations": realisations,
-        "seed": seed,
-        "longest": longest,
-        "shortest": shortest,
-        "side": side,
-        "phases": phases,
-    }
+    arguments = locals()
     line = Line()
     observer = observer_of(progress, line)
     try:
         if isinstance(h, Spectrum):
-            of_maps = {"size": size, "periodic": periodic, "detrend": detrend}
-            _refuse("a spectrum, only on heights", [name for name, given in of_maps.items() if given is not None])
+            _refuse(arguments, _OF_HEIGHTS, "a spectrum, only on heights")
             surfaces: tuple[str, ...] = ("surface",)
-            columns, of_points, notes = _native.press_spectrum(
-                h._native,
-                random,
-                material_of(material),
-                pressure,
-                saturation,
-                tolerance,
-                per_realisation,
-                fields,
-                observer,
-            )
+            answer, fields_found = _native.press_spectrum(h._native, material_of(material), arguments, observer)
         else:
-            of_spectra = [name for name, given in random.items() if given is not None]
-            of_spectra += ["per_realisation"] if per_realisation else []
-            _refuse("heights, only on a spectrum", of_spectra)
+            _refuse(arguments, _OF_SPECTRA, "heights, only on a spectrum")
             heights, lengths, repeats = _map(h, size, bool(periodic))
             surfaces = ()
-            columns, of_points, notes = _native.press_heights(
-                heights,
-                lengths,
-                repeats,
-                repeats if periodic is None else bool(periodic),
-                detrend,
-                material_of(material),
-                pressure,
-                saturation,
-                tolerance,
-                fields,
-                observer,
+            arguments["periodic"] = repeats if periodic is None else bool(periodic)
+            answer, fields_found = _native.press_heights(
+                heights, lengths, repeats, material_of(material), arguments, observer
             )
     finally:
         line.end()
-    arrays, axes = _of_table(columns)
-    if of_points is not None:
+    arrays, axes = _of_table(answer.columns)
+    if fields_found is not None:
         points = (*surfaces, "row", "column")
-        for name, array in zip(("pressure_pa", "gap_m", "height_m"), of_points):
+        for name, array in zip(("pressure_pa", "gap_m", "height_m"), fields_found):
             arrays[name] = array
             axes[name] = points if name == "height_m" else ("load", *points)
-    return Pressed(arrays, axes, tuple(notes))
+    return Pressed(arrays, axes, tuple(answer.notes))
 
 
-def _refuse(what: str, idle: list[str]) -> None:
-    if idle:
-        raise InputError(f"{idle[0]} has no bearing on {what}; leave it out")
+_OF_HEIGHTS: dict[str, Any] = dict.fromkeys(("size", "periodic", "detrend"))
+_OF_SPECTRA: dict[str, Any] = dict.fromkeys(("grid", "realisations", "seed", "longest", "shortest", "side", "phases")) | {
+    "per_realisation": False
+}
 
 
-def _map(h: Any, size: Any, periodic: bool) -> tuple[FloatArray, tuple[Any, Any], bool]:
+def _refuse(arguments: dict[str, Any], idle: dict[str, Any], what: str) -> None:
+    for name, left_out in idle.items():
+        if arguments[name] is not left_out:
+            raise InputError(f"{name} has no bearing on {what}; leave it out")
+
+
+def _map(h: Any, size: Any, periodic: bool) -> tuple[FloatArray, list[Any], bool]:
     """Heights, the lengths of their map, and whether they repeat themselves: of an array nobody else says it."""
-    own: tuple[float, ...]
+    own: tuple[float, ...] | None = None
     if isinstance(h, Scan):
         given, own, repeats = h.heights_m, h.size_m, h.is_periodic
     elif is_topography(h):
         given, own, repeats = heights_and_size(h, "h")
     else:
-        heights = _heights(h)
-        return heights, _size(size, heights.shape), periodic
-    if size is not None:
+        given, repeats = h, periodic
+    if own is None and size is None:
+        raise InputError("size is needed: the lengths (lx, ly) of the map, in m or as text")
+    if own is not None and size is not None:
         raise InputError(f"size has no bearing on a {type(h).__name__}, which knows its own; leave it out")
     heights = _heights(given)
-    return heights, _size(own, heights.shape), repeats
+    return heights, lengths_of("h", "size", size if own is None else own, heights.shape), repeats
 
 
 def _heights(given: Any) -> FloatArray:
@@ -243,23 +221,6 @@ def _heights(given: Any) -> FloatArray:
             f"h: {unknown} of {heights.size} heights are NaN or infinite; fill them before the map is pressed"
         )
     return heights
-
-
-def _size(given: Any, shape: tuple[int, ...]) -> tuple[Any, Any]:
-    """Lengths along x and y."""
-    if given is None:
-        raise InputError("size is needed: the lengths (lx, ly) of the map, in m or as text")
-    if isinstance(given, str) or np.ndim(given) == 0:
-        rows, columns = shape
-        if rows != columns:
-            raise InputError(
-                f"size is one length, and h has {rows} rows and {columns} columns; give two, (lx, ly)"
-            )
-        return (given, given)
-    lengths = tuple(given)
-    if len(lengths) != 2:
-        raise InputError(f"size: two lengths (lx, ly) are needed, and these are {len(lengths)}")
-    return lengths
 
 
 def _of_table(columns: dict[str, Any]) -> tuple[dict[str, AnyArray], dict[str, tuple[str, ...]]]:

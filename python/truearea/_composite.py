@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from truearea import _native
-from truearea._arrays import doubles
+from truearea._arrays import doubles, lengths_of
 from truearea._material import Quantity
 from truearea._native import InputError
 from truearea._results import FloatArray
@@ -220,9 +220,9 @@ def _heights(argument: str, of_size: str, name: str, given: Any, size: Any, peri
         periodic = its_own if periodic is None else periodic
     elif size is None:
         raise InputError(f"{of_size} is needed: (lx, ly), or one length of a line or a square map")
-    lengths = [size] if isinstance(size, str) or np.ndim(size) == 0 else list(size)
     gaps = np.ma.getmaskarray(given) if np.ma.is_masked(given) else None
     heights_m = doubles(argument, np.ma.getdata(given) if np.ma.isMaskedArray(given) else given)
+    lengths = lengths_of(argument, of_size, size, heights_m.shape)
     return Heights(argument, name, heights_m, gaps, (of_size, lengths), bool(periodic))
 
 

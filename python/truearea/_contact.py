@@ -43,6 +43,7 @@ def contact(
     pressure: Any = None,
     separation: npt.ArrayLike | None = None,
     strain_gradient: bool = False,
+    hardness_formula: str | None = None,
     hardness: str | None = None,
     interference_law: str | None = None,
     tolerance: float = 1e-12,
@@ -69,8 +70,8 @@ def contact(
         Separations [m] from the mean of the asperity heights, in place of pressures.
     strain_gradient : bool, default False
         Let the strength grow at small depths, with the material's ``strain_gradient_length``.
-    hardness : {"2005", "cosine"}, optional
-        The form of the hardness of spheres that yield.
+    hardness_formula : {"2005", "cosine"}, optional
+        The form of the hardness of spheres that yield; ``hardness`` is its former name.
     interference_law : str, optional
         What ties pressure to interference of elastic sinusoids.
     tolerance : float, default 1e-12
@@ -100,6 +101,7 @@ def contact(
     >>> bool(np.all(np.diff(states.area_fraction) > 0))
     True
     """
+    arguments = locals()
     of_summits = model == "bgt"
     names = ("m0", "m2", "m4") if of_summits else ("radius", "density", "sigma_s")
     given = dict(radius=radius, density=density, sigma_s=sigma_s, m0=m0, m2=m2, m4=m4)
@@ -125,22 +127,18 @@ def contact(
         raise InputError(f"the shapes do not broadcast against each other: {told}") from None
     rows = {name: np.broadcast_to(array, shape) for name, array in arrays.items()}
     which = np.arange(materials.size).reshape(materials.shape)
-    found, notes = _native.contact_states(
-        model,
-        tuple(rows[name] for name in names),
+    answer = _native.contact_states(
+        [rows[name] for name in names],
+        condition,
+        rows[condition],
         [one._native for one in materials.reshape(-1)],
         np.broadcast_to(which, shape) if materials.ndim else None,
-        rows[condition] if condition == "pressure" else None,
-        rows[condition] if condition == "separation" else None,
-        tolerance,
-        strain_gradient,
-        hardness,
-        interference_law,
+        arguments,
     )
     axes = _axes(len(shape))
     # Of one state the arrays are plain doubles, as ufuncs have it.
-    columns = {name: column.reshape(shape)[()] for name, column in found}
-    return ContactStates(columns, {name: axes for name in columns}, tuple(notes))
+    columns = {name: column.reshape(shape)[()] for name, column in answer.columns.items()}
+    return ContactStates(columns, {name: axes for name in columns}, tuple(answer.notes))
 
 
 def _axes(count: int) -> tuple[str, ...]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -30,22 +30,16 @@ class Curve(Result):
     area_fraction: FloatArray
 
     @classmethod
-    def _of_blocks(
-        cls,
-        columns: dict[str, Any],
-        loads: dict[str, FloatArray],
-        notes: list[str],
-        shared: tuple[str, ...],
-    ) -> Self:
+    def _along(cls, answer: _native.Answer, pressures_pa: list[float | None], shared: tuple[str, ...]) -> Self:
         """Columns that came block after block; what is the same under every load has the axis of cutoffs alone."""
-        blocks = len(next(iter(loads.values())))
-        arrays: dict[str, AnyArray] = dict(loads)
-        axes: dict[str, tuple[str, ...]] = {name: ("load",) for name in loads}
-        for name, values in columns.items():
-            array = np.asarray(values).reshape(blocks, -1)
-            arrays[name] = array[0] if name in shared else array
-            axes[name] = ("cutoff",) if name in shared else ("load", "cutoff")
-        return cls(arrays, axes, tuple(notes))
+        arrays: dict[str, AnyArray] = {"nominal_pressure_pa": np.array(pressures_pa, dtype=np.float64)}
+        axes: dict[str, tuple[str, ...]] = {"nominal_pressure_pa": ("load",)}
+        for name, values in answer.columns.items():
+            if name not in arrays:
+                array = np.asarray(values).reshape(len(pressures_pa), -1)
+                arrays[name] = array[0] if name in shared else array
+                axes[name] = ("cutoff",) if name in shared else ("load", "cutoff")
+        return cls(arrays, axes, tuple(answer.notes))
 
 
 class StackedCurve(Curve):
@@ -129,24 +123,9 @@ def stacked(
     >>> curve.area_fraction.shape == (2, curve.wavelength_m.size)
     True
     """
-    columns, pressures_pa, notes = _native.curve(
-        "stacked",
-        model,
-        surface_of(spectrum),
-        material_of(material),
-        pressure,
-        None,
-        strain_gradient,
-        None,
-        None,
-        "parseval",
-        amplitude,
-        1e-12,
-        cutoff,
-        scales_per_decade,
-    )
-    loads = {"nominal_pressure_pa": np.asarray(pressures_pa)}
-    return StackedCurve._of_blocks(columns, loads, notes, ("wavelength_m", "amplitude_m"))
+    arguments = locals()
+    answer, pressures_pa, _ = _native.curve("stacked", surface_of(spectrum), material_of(material), arguments)
+    return StackedCurve._along(answer, pressures_pa, ("wavelength_m", "amplitude_m"))
 
 
 def statistical(
@@ -157,6 +136,7 @@ def statistical(
     pressure: Pressures | None = None,
     separation: Pressures | None = None,
     strain_gradient: bool = False,
+    hardness_formula: str | None = None,
     hardness: str | None = None,
     interference_law: str | None = None,
     normalisation: str = "parseval",
@@ -180,8 +160,8 @@ def statistical(
         Separations, in m or as text, besides pressures or in place of them.
     strain_gradient : bool, default False
         Let the strength grow at small depths, with the material's ``strain_gradient_length``.
-    hardness : {"2005", "cosine"}, optional
-        The form of the hardness of spheres that yield.
+    hardness_formula : {"2005", "cosine"}, optional
+        The form of the hardness of spheres that yield; ``hardness`` is its former name.
     interference_law : str, optional
         What ties pressure to interference of elastic sinusoids.
     normalisation : {"parseval", "as-printed"}
@@ -213,24 +193,6 @@ def statistical(
     >>> curve.area_fraction[0, -1]
     np.float64(0.00049...)
     """
-    columns, pressures_pa, notes = _native.curve(
-        "statistical",
-        model,
-        surface_of(spectrum),
-        material_of(material),
-        pressure,
-        separation,
-        strain_gradient,
-        hardness,
-        interference_law,
-        normalisation,
-        "eq5",
-        tolerance,
-        cutoff,
-        scales_per_decade,
-    )
-    blocks = len(columns["wavelength_m"]) // len(np.unique(columns["wavelength_m"]))
-    nominal_pa = np.full(blocks, np.nan)
-    nominal_pa[: len(pressures_pa)] = pressures_pa
-    shared = ("wavelength_m", "radius_m", "density_per_m2", "sigma_s_m")
-    return StatisticalCurve._of_blocks(columns, {"nominal_pressure_pa": nominal_pa}, notes, shared)
+    arguments = locals()
+    answer, pressures_pa, _ = _native.curve("statistical", surface_of(spectrum), material_of(material), arguments)
+    return StatisticalCurve._along(answer, pressures_pa, ("wavelength_m", "radius_m", "density_per_m2", "sigma_s_m"))

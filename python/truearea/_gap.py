@@ -32,10 +32,11 @@ def gap(
     gamma: float | None = None,
     band: str | None = None,
     strain_gradient: bool = False,
+    hardness_formula: str | None = None,
     hardness: str | None = None,
     interference_law: str | None = None,
     normalisation: str | None = None,
-    tolerance: float = 1e-12,
+    tolerance: float | None = None,
     cutoff: Quantity | None = None,
     scales_per_decade: int | None = None,
     grid: int | None = None,
@@ -69,14 +70,14 @@ def gap(
         agrees with boundary elements where the spectrum rolls off.
     strain_gradient : bool, default False
         Let the strength grow at small depths, with the material's ``strain_gradient_length``.
-    hardness : {"2005", "cosine"}, optional
-        The form of the hardness of spheres that yield.
+    hardness_formula : {"2005", "cosine"}, optional
+        The form of the hardness of spheres that yield; ``hardness`` is its former name.
     interference_law : str, optional
         What ties pressure to interference of elastic sinusoids.
     normalisation : {"parseval", "as-printed"}, optional
         The factor of the moments of statistical models.
-    tolerance : float, default 1e-12
-        Relative tolerance of statistical states, above 0 and at most 0.01.
+    tolerance : float, optional
+        Relative tolerance of statistical states, above 0 and at most 0.01; 1e-12 where left out.
     cutoff : float or str, optional
         The shortest wavelength that takes part.
     scales_per_decade : int, optional
@@ -107,42 +108,6 @@ def gap(
     >>> bool(gaps.stiffness_pa_per_m[1] > gaps.stiffness_pa_per_m[0])
     True
     """
-    choices = _choices(
-        gamma, band, strain_gradient, hardness, interference_law, normalisation, cutoff, scales_per_decade
-    )
-    random = {
-        "grid": grid,
-        "realisations": realisations,
-        "seed": seed,
-        "longest": longest,
-        "shortest": shortest,
-        "side": side,
-        "phases": phases,
-    }
-    columns, notes = _native.gaps(
-        surface_of(spectrum), material_of(material), pressure, model, choices, tolerance, random
-    )
-    return Gaps._of(columns, tuple(notes), axis="load")
-
-
-def _choices(
-    gamma: float | None,
-    band: str | None,
-    strain_gradient: bool,
-    hardness: str | None,
-    interference_law: str | None,
-    normalisation: str | None,
-    cutoff: Quantity | None,
-    scales_per_decade: int | None,
-) -> dict[str, object]:
-    """What there is to choose of the models of gaps."""
-    return {
-        "gamma": gamma,
-        "band": band,
-        "strain_gradient": strain_gradient,
-        "hardness": hardness,
-        "interference_law": interference_law,
-        "normalisation": normalisation,
-        "cutoff": cutoff,
-        "scales_per_decade": scales_per_decade,
-    }
+    arguments = locals()
+    answer = _native.gaps(surface_of(spectrum), material_of(material), arguments)
+    return Gaps._of(answer.columns, tuple(answer.notes), axis="load")

@@ -10,7 +10,6 @@ from typing import Any
 from truearea import _native
 from truearea._cores import material_of, surface_of
 from truearea._curves import Pressures
-from truearea._gap import _choices
 from truearea._material import Material, Quantity
 from truearea._native import InputError
 from truearea._results import FloatArray, Table
@@ -104,6 +103,7 @@ def law(
     gamma: float | None = None,
     band: str | None = None,
     strain_gradient: bool = False,
+    hardness_formula: str | None = None,
     hardness: str | None = None,
     interference_law: str | None = None,
     normalisation: str | None = None,
@@ -129,7 +129,7 @@ def law(
         What makes the gap.
     tolerance : float, default 0.01
         The largest relative error of the pressure on the straight lines between the points, from 1e-5 to 0.5.
-    gamma, band, strain_gradient, hardness, interference_law, normalisation, cutoff, scales_per_decade : optional
+    gamma, band, strain_gradient, hardness_formula, interference_law, normalisation, cutoff, scales_per_decade : optional
         As :func:`gap` has them.
 
     Returns
@@ -150,15 +150,10 @@ def law(
     >>> float(law.pressure_pa[0]), float(law.overclosure_m[0]), float(law.pressure_pa[-1])
     (0.0, 0.0, 10000000.0)
     """
-    options: dict[str, Any] = {
-        "pressure": _range(pressure, from_pressure, to_pressure),
-        "model": model,
-        "choices": _choices(
-            gamma, band, strain_gradient, hardness, interference_law, normalisation, cutoff, scales_per_decade
-        ),
-        "tolerance": tolerance,
-    }
-    return _made_again(spectrum, material, options)
+    arguments = locals()
+    arguments["pressure"] = _range(pressure, from_pressure, to_pressure)
+    del arguments["spectrum"], arguments["material"]
+    return _made_again(spectrum, material, arguments)
 
 
 def _range(pressure: Any, from_pressure: Quantity | None, to_pressure: Quantity | None) -> Any:
@@ -171,19 +166,13 @@ def _range(pressure: Any, from_pressure: Quantity | None, to_pressure: Quantity 
     return ends if pressure is None else pressure
 
 
-def _made_again(spectrum: Spectrum, material: Material, options: dict[str, Any]) -> ContactLaw:
-    native = _native.ContactLaw(
-        surface_of(spectrum),
-        material_of(material),
-        options["pressure"],
-        options["model"],
-        options["choices"],
-        options["tolerance"],
-    )
-    found = ContactLaw._of(native.columns(), tuple(native.notes), axis="point")
+def _made_again(spectrum: Spectrum, material: Material, arguments: dict[str, Any]) -> ContactLaw:
+    native = _native.ContactLaw(surface_of(spectrum), material_of(material), arguments)
+    answer = native.answer()
+    found = ContactLaw._of(answer.columns, tuple(answer.notes), axis="point")
     found._native = native
     # A law is pickled as what it was made from, since its text takes more than its numbers.
-    found._recipe = (spectrum, material, options)
+    found._recipe = (spectrum, material, arguments)
     return found
 
 

@@ -73,16 +73,8 @@ class Material:
             raise _native.InputError(
                 f"counterface: a Material is needed, and this is of type {type(counterface).__name__}"
             )
-        other = None if counterface is None else (counterface.youngs_modulus, counterface.poisson_ratio)
-        self._native = _native.Material(
-            youngs_modulus,
-            poisson_ratio,
-            yield_strength,
-            indentation_hardness,
-            strain_gradient_length,
-            strength_cap,
-            other,
-        )
+        other = None if counterface is None else counterface._native
+        self._native: _native.Material = _native.Material({**self._given, "counterface": other})
 
     @property
     def youngs_modulus(self) -> Quantity:

@@ -8,11 +8,12 @@ import numpy.typing as npt
 
 _Floats = npt.NDArray[np.float64]
 _Columns = dict[str, Any]
-_Quantity = float | str | np.floating[Any] | np.integer[Any]
+_Arguments = Mapping[str, Any]
 
 __all__ = [
     "METADATA_FILES",
     "VERSION",
+    "Answer",
     "AskedScan",
     "ContactLaw",
     "InputError",
@@ -26,7 +27,6 @@ __all__ = [
     "curve",
     "gaps",
     "in_metres",
-    "persson_curve",
     "press_heights",
     "press_spectrum",
     "scans_of",
@@ -53,114 +53,57 @@ def threads() -> int:
 def in_metres(argument: str, unit: str, lengths: _Floats) -> _Floats:
     """Lengths in m, of lengths in a unit."""
 
+@final
+class Answer:
+    """The columns of a table, and the notes on it."""
+
+    @property
+    def columns(self) -> _Columns: ...
+    @property
+    def notes(self) -> list[str]: ...
+    @property
+    def facts(self) -> list[str]:
+        """The notes as data."""
+
 def contact_states(
-    model: str,
     roughness: Sequence[_Floats],
+    condition: str,
+    at: _Floats,
     materials: Sequence[Material],
     material_index: npt.NDArray[np.int64] | None,
-    pressure_pa: _Floats | None,
-    separation_m: _Floats | None,
-    tolerance: float,
-    strain_gradient: bool,
-    hardness: str | None,
-    interference_law: str | None,
-) -> tuple[list[tuple[str, _Floats]], list[str]]: ...
+    arguments: _Arguments,
+) -> Answer: ...
 def curve(
-    framework: str,
-    model: str,
-    surface: Surface,
-    material: Material,
-    pressure: Any | None,
-    separation: Any | None,
-    strain_gradient: bool,
-    hardness: str | None,
-    interference_law: str | None,
-    normalisation: str,
-    amplitude: str,
-    tolerance: float,
-    cutoff: _Quantity | None,
-    scales_per_decade: int | None,
-) -> tuple[_Columns, list[float], list[str]]: ...
+    framework: str, surface: Surface, material: Material, arguments: _Arguments
+) -> tuple[Answer, list[float | None], tuple[float, float] | None]: ...
 def press_heights(
     heights_m: _Floats,
     size: Sequence[Any],
     repeats: bool,
-    periodic: bool,
-    detrend: str | None,
     material: Material,
-    pressure: Any,
-    saturation: Any | None,
-    tolerance: float,
-    fields: bool,
+    arguments: _Arguments,
     observer: Callable[[str, int, int | None], None] | None,
-) -> tuple[_Columns, tuple[_Floats, _Floats, _Floats] | None, list[str]]: ...
+) -> tuple[Answer, tuple[_Floats, _Floats, _Floats] | None]: ...
 def press_spectrum(
     surface: Surface,
-    random: Mapping[str, Any],
     material: Material,
-    pressure: Any,
-    saturation: Any | None,
-    tolerance: float,
-    per_realisation: bool,
-    fields: bool,
+    arguments: _Arguments,
     observer: Callable[[str, int, int | None], None] | None,
-) -> tuple[_Columns, tuple[_Floats, _Floats, _Floats] | None, list[str]]: ...
-def gaps(
-    surface: Surface,
-    material: Material,
-    pressure: Any,
-    model: str,
-    choices: Mapping[str, Any],
-    tolerance: float,
-    random: Mapping[str, Any],
-) -> tuple[_Columns, list[str]]: ...
-def persson_curve(
-    surface: Surface,
-    material: Material,
-    pressure: Any,
-    model: str,
-    correction: str | None,
-    gamma: Any,
-    band: str,
-    hardness_law: str | None,
-    hardness_table: tuple[_Floats, _Floats] | None,
-    strain_gradient: bool,
-    amplitude: str,
-    cutoff: _Quantity | None,
-    scales_per_decade: int | None,
-) -> tuple[_Columns, list[float], tuple[float, float] | None, list[str]]: ...
+) -> tuple[Answer, tuple[_Floats, _Floats, _Floats] | None]: ...
+def gaps(surface: Surface, material: Material, arguments: _Arguments) -> Answer: ...
 @final
 class ContactLaw:
-    def __new__(
-        cls,
-        surface: Surface,
-        material: Material,
-        pressure: Any,
-        model: str,
-        choices: Mapping[str, Any],
-        tolerance: float,
-    ) -> ContactLaw: ...
+    def __new__(cls, surface: Surface, material: Material, arguments: _Arguments) -> ContactLaw: ...
     @property
     def cut_pressure_pa(self) -> float: ...
     @property
     def interpolation_error(self) -> float: ...
-    @property
-    def notes(self) -> list[str]: ...
-    def columns(self) -> _Columns: ...
+    def answer(self) -> Answer: ...
     def to_text(self, dialect: str, units: str, name: str, form: str) -> str: ...
 
 @final
 class Material:
-    def __new__(
-        cls,
-        youngs_modulus: Any,
-        poisson_ratio: Any,
-        yield_strength: Any | None,
-        indentation_hardness: Any | None,
-        strain_gradient_length: Any | None,
-        strength_cap: Any | None,
-        counterface: tuple[Any, Any] | None,
-    ) -> Material: ...
+    def __new__(cls, arguments: _Arguments) -> Material: ...
     @property
     def composite_modulus_pa(self) -> float: ...
     @property
@@ -182,7 +125,7 @@ class Surface:
         convention: str,
     ) -> Surface: ...
     @staticmethod
-    def of_file(name: str, bytes: bytes | None, options: Mapping[str, str | None]) -> Surface: ...
+    def of_file(name: str, bytes: bytes | None, arguments: _Arguments) -> Surface: ...
     def against(self, other: Surface) -> Surface: ...
     @property
     def name(self) -> str: ...
@@ -196,13 +139,7 @@ class Surface:
     def notes(self) -> list[str]: ...
     @property
     def remarks(self) -> list[str]: ...
-    def moments(
-        self, normalisation: str, cutoff: _Quantity | None, scales_per_decade: int | None
-    ) -> _Columns: ...
-    def amplitudes(
-        self, definition: str, cutoff: _Quantity | None, scales_per_decade: int | None
-    ) -> _Columns: ...
-    def fit(self, longest: _Quantity | None, shortest: _Quantity | None) -> _Columns: ...
+    def quantity(self, quantity: str, arguments: _Arguments) -> Answer: ...
     def svg(self) -> str: ...
 
 def scene_template(name: str) -> str: ...
@@ -217,7 +154,7 @@ class Scene:
         name: str,
         folder: str | None,
         files: Mapping[str, bytes],
-        overrides: Mapping[str, Any],
+        overrides: _Arguments,
     ) -> Scene: ...
     @property
     def title(self) -> str: ...
@@ -287,7 +224,7 @@ def composite(
     name: str,
     asked: Sequence[AskedScan],
     files: Mapping[str, bytes],
-    recipe: Mapping[str, Any],
+    recipe: _Arguments,
     argument: str,
 ) -> Surface: ...
 def scans_of(surface: Surface) -> _Columns | None: ...
@@ -298,16 +235,7 @@ def uncertainty_of(
     surface: Surface,
     material: Material,
     names: Sequence[str],
-    pressure: Any,
-    strain_gradient: bool,
-    hardness: str | None,
-    interference_law: str | None,
-    normalisation: str,
-    amplitude: str,
-    tolerance: float,
-    of_draws: Mapping[str, Any],
     of_material: Sequence[tuple[str, Any, Any]],
-    cutoff: _Quantity | None,
-    scales_per_decade: int | None,
+    arguments: _Arguments,
     observer: Callable[[int], object] | None,
 ) -> dict[str, Any]: ...

@@ -108,25 +108,11 @@ def persson(
     >>> bool(1e-9 < curve.u0_m < 1e-6)
     True
     """
-    name = hardness_law if isinstance(hardness_law, str) else None
-    table = None if hardness_law is None or isinstance(hardness_law, str) else _table(hardness_law)
-    columns, pressures_pa, light, notes = _native.persson_curve(
-        surface_of(spectrum),
-        material_of(material),
-        pressure,
-        model,
-        correction,
-        gamma,
-        band,
-        name,
-        table,
-        strain_gradient,
-        amplitude,
-        cutoff,
-        scales_per_decade,
-    )
-    loads = {"nominal_pressure_pa": np.asarray(pressures_pa)}
-    blocks = PerssonCurve._of_blocks(columns, loads, notes, ("wavelength_m", "rms_gradient"))
+    arguments = locals()
+    if not (hardness_law is None or isinstance(hardness_law, str)):
+        arguments["hardness_law"] = _table(hardness_law)
+    answer, pressures_pa, light = _native.curve("persson", surface_of(spectrum), material_of(material), arguments)
+    blocks = PerssonCurve._along(answer, pressures_pa, ("wavelength_m", "rms_gradient"))
     u0_m, p00_pa = (np.nan, np.nan) if light is None else light
     arrays = dict(blocks) | {"u0_m": np.asarray(u0_m), "p00_pa": np.asarray(p00_pa)}
     axes = {name: blocks.axes(name) for name in blocks} | {"u0_m": (), "p00_pa": ()}

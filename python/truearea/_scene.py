@@ -61,6 +61,7 @@ class Scene:
         normalisation: str | None = None,
         amplitude: str | None = None,
         scales_per_decade: int | None = None,
+        hardness_formula: str | None = None,
         hardness: str | None = None,
         strength_cap: Quantity | None = None,
         cutoff: Quantity | None = None,
@@ -74,7 +75,7 @@ class Scene:
             The path of a scene, or its text: what has line breaks, or neither ends in ``.toml`` nor names a file.
         folder : str or path-like, optional
             Where the files are that it names. Left out, the folder of the scene; of a text, the working folder.
-        normalisation, amplitude, hardness : str, optional
+        normalisation, amplitude, hardness_formula : str, optional
             Choices of the models, in place of the scene's own, as in its section ``[options]``.
         scales_per_decade : int, optional
             Resample the spectrum to so many wavelengths a decade.
@@ -126,6 +127,7 @@ class Scene:
             "normalisation": normalisation,
             "amplitude": amplitude,
             "scales_per_decade": scales_per_decade,
+            "hardness_formula": hardness_formula,
             "hardness": hardness,
             "strength_cap": strength_cap,
             "cutoff": cutoff,
@@ -157,7 +159,7 @@ class Scene:
     ) -> Scene:
         given = dict(overrides)
         if (other := given.get("counterface")) is not None:
-            given["counterface"] = (other.youngs_modulus, other.poisson_ratio)
+            given["counterface"] = other._native
         scene = cls.__new__(cls)
         scene._native = _native.Scene(text, name, folder, files, given)
         scene._recipe = (text, name, folder, scene._native.files, overrides)

@@ -272,8 +272,9 @@ class Spectrum:
         >>> float(moments.m2[-1]) ** 0.5
         0.389...
         """
-        columns = self._native.moments(normalisation, cutoff, scales_per_decade)
-        return Moments._of(columns, self.notes)
+        arguments = locals()
+        answer = self._native.quantity("moments", arguments)
+        return Moments._of(answer.columns, tuple(answer.notes))
 
     def amplitudes(
         self,
@@ -283,11 +284,15 @@ class Spectrum:
         scales_per_decade: int | None = None,
     ) -> Amplitudes:
         """Amplitude [m] and aspect ratio of every scale (Jackson & Jacobs, Eq. 5)."""
-        return Amplitudes._of(self._native.amplitudes(definition, cutoff, scales_per_decade), self.notes)
+        arguments = locals()
+        answer = self._native.quantity("amplitudes", arguments)
+        return Amplitudes._of(answer.columns, tuple(answer.notes))
 
     def fit(self, *, longest: Quantity | None = None, shortest: Quantity | None = None) -> Fit:
         """Hurst exponent and roll-off of the spectrum between two wavelengths, by least squares in logarithms."""
-        return Fit._of(self._native.fit(longest, shortest), self.notes)
+        arguments = locals()
+        answer = self._native.quantity("fit", arguments)
+        return Fit._of(answer.columns, tuple(answer.notes))
 
     def against(self, other: Spectrum) -> Spectrum:
         """The sum of two surfaces that know nothing of each other."""

@@ -159,7 +159,13 @@ def _into_folder(path: Path, rows: Rows, size: Any, asked_size: int | None, clie
     observer = observer_of(progress, line)
     client = client or _client_of_this_process()
     try:
-        for done, _ in enumerate(_written(folder, left, client), folder.partitions - len(left) + 1):
+        if client is None or not left:
+            written = map(folder.write, left)
+        else:
+            # Futures of other workers that are not done when the sweep ends are cancelled.
+            shared = client.scatter(folder, broadcast=True, hash=False)
+            written = client.get_executor(pure=False).map(_write, left, [shared] * len(left))
+        for done, _ in enumerate(written, folder.partitions - len(left) + 1):
             if observer is not None:
                 observer("partitions", done, folder.partitions)
     finally:
@@ -185,24 +191,6 @@ def _client_of_this_process() -> Any:
         return sys.modules["distributed"].client.default_client()
     except ValueError:
         return None
-
-
-def _written(folder: Folder, left: list[int], client: Any) -> Any:
-    """Writes the partitions that are left, and yields as each is there."""
-    if client is None:
-        for partition in left:
-            yield folder.write(partition)
-        return
-    if not left:
-        return
-    distributed = needed("distributed", "client")
-    shared = client.scatter(folder, broadcast=True, hash=False)
-    futures = client.map(_write, left, folder=shared, pure=False)
-    try:
-        for future in distributed.as_completed(futures, loop=client.loop):
-            yield future.result()
-    finally:
-        client.cancel(futures)
 
 
 def _write(partition: int, folder: Folder) -> int:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import math
 import pickle
 from collections.abc import Iterable, Mapping
 from typing import Any
@@ -32,16 +33,12 @@ class Axes:
         if twice := {name for name in self.names if self.names.count(name) > 1}:
             raise InputError(f"over: {min(twice)} is given twice")
         self._lengths = [len(next(iter(factor.values()))) for factor in self._factors]
-        self.rows = int(np.prod(self._lengths, dtype=object))
+        self.rows = math.prod(self._lengths)
 
     def block(self, rows: AnyArray) -> dict[str, AnyArray]:
         """The values of each of some rows, by name."""
-        found: dict[str, AnyArray] = {}
-        rest = rows
-        for factor, length in zip(reversed(self._factors), reversed(self._lengths)):
-            rest, at = np.divmod(rest, length)
-            found.update({name: column[at] for name, column in factor.items()})
-        return {name: found[name] for name in self.names}
+        places = np.unravel_index(rows, self._lengths)
+        return {name: column[at] for factor, at in zip(self._factors, places) for name, column in factor.items()}
 
     def digest(self) -> list[list[Any]]:
         """What tells these values from any others."""
@@ -49,8 +46,7 @@ class Axes:
 
     def told(self) -> dict[str, Any]:
         """The values for people; of many, how many there are, the first and the last."""
-        columns = {name: column for factor in self._factors for name, column in factor.items()}
-        return {name: _told(column) for name, column in columns.items()}
+        return {name: _told(column) for factor in self._factors for name, column in factor.items()}
 
 
 def _factor(names: str | tuple[str, ...], values: Any) -> dict[str, AnyArray]:

@@ -106,7 +106,7 @@ class Rows:
                     first = len(self._head)
                     self._head.extend(self._row(row) for row in range(first, count))
                     taken = (time.perf_counter() - begun) * count / max(count - first, 1)
-                if taken >= min(_PROBE_SECONDS, seconds) or count >= min(self.count, most):
+                if taken >= min(_PROBE_SECONDS, seconds) or 2 * count > min(self.count, most):
                     break
                 count *= 2
         rows = max(1.0, count * seconds / max(taken, 1e-9))

@@ -126,6 +126,7 @@ def uncertainty(
     counterface_youngs_modulus: Quantity | None = None,
     counterface_poisson_ratio: Quantity | None = None,
     strain_gradient: bool = False,
+    hardness_formula: str | None = None,
     hardness: str | None = None,
     interference_law: str | None = None,
     normalisation: str = "parseval",
@@ -163,7 +164,7 @@ def uncertainty(
         one.
     counterface_youngs_modulus, counterface_poisson_ratio : float or str, optional
         The same of the counterface.
-    strain_gradient, hardness, interference_law, normalisation, amplitude, tolerance, cutoff, scales_per_decade : optional
+    strain_gradient, hardness_formula, interference_law, normalisation, amplitude, tolerance, cutoff, scales_per_decade : optional
         As for ``stacked`` and ``statistical``.
     progress : bool or callable, default False
         True for a line on stderr; or what is called with the steps done, and None.
@@ -191,6 +192,7 @@ def uncertainty(
     >>> list(found.shares.group) == ["strength"]
     True
     """
+    arguments = locals()
     if not isinstance(spectrum, (Spectrum, list, tuple)):
         kind = type(spectrum).__name__
         raise InputError(f"spectrum: a Spectrum is needed, or a list of scans, and this is of type {kind}")
@@ -210,27 +212,12 @@ def uncertainty(
             "counterface_poisson_ratio": counterface_poisson_ratio,
         },
     )
-    of_draws = {"draws": draws, "seed": seed, "level": level, "shares_draws": shares_draws}
     line = Line()
     observer = observer_of(progress, line)
     watch = None if observer is None else lambda done: observer("steps", done, None)
     try:
         found = _native.uncertainty_of(
-            surface._native,
-            material_of(material),
-            names,
-            pressure,
-            strain_gradient,
-            hardness,
-            interference_law,
-            normalisation,
-            amplitude,
-            tolerance,
-            of_draws,
-            spreads,
-            cutoff,
-            scales_per_decade,
-            watch,
+            surface._native, material_of(material), names, spreads, arguments, watch
         )
     finally:
         line.end()

@@ -63,7 +63,7 @@ fn section(curve: &GoldenCurve) -> Markup {
 fn overlaid(curve: &GoldenCurve, accepted: Option<&str>) -> FigureData {
     let columns = accepted.and_then(columns).unwrap_or_default();
     let abscissas = columns.first().map(|(_, values)| values.as_slice()).unwrap_or_default();
-    let old = |(colour, (name, values)): (usize, &(String, Vec<f64>))| {
+    let old = |(index, (name, values)): (usize, &(String, Vec<f64>))| {
         let points = abscissas.iter().copied().zip(values.iter().copied());
         Series {
             column: name.clone(),
@@ -71,15 +71,15 @@ fn overlaid(curve: &GoldenCurve, accepted: Option<&str>) -> FigureData {
             condition: String::new(),
             condition_in_full: String::new(),
             load: None,
-            colour,
-            dash: 0,
+            curve_index: 1,
+            condition_index: Some(index),
             points: points.filter(|(_, value)| !value.is_nan()).collect(),
         }
     };
-    let new = |(colour, series): (usize, &Series)| Series {
+    let new = |(index, series): (usize, &Series)| Series {
         curve: "computed now".to_owned(),
-        colour,
-        dash: 1,
+        curve_index: 0,
+        condition_index: Some(index),
         ..series.clone()
     };
     let old = columns.iter().skip(1).enumerate().map(old);

@@ -1,6 +1,6 @@
 //! Exact counters of work: nothing is computed that a scene does not need, and a change that does more work fails.
 
-use findings::SceneFindings;
+use findings::sensitivity::sensitivities_with_work;
 use insta::assert_debug_snapshot;
 use scene::{Overrides, Scene, Template};
 use spectrum::{Convention, ProfilePsd, Psd};
@@ -279,7 +279,7 @@ fn sensitivities_compute_no_state_that_the_scene_or_another_of_them_has() {
     let bem = "[[curve]]\nmodel = \"elastic-sine\"\ninterference_law = \"bem\"\nname = \"bem\"\n";
     let of = |curves: &str| {
         let scene = scene(&[DIAMOND, &loads(&["1 MPa"]), curves].concat());
-        SceneFindings::from_results(&scene, &scene.plan().compute().unwrap(), &Unobserved).unwrap().work
+        sensitivities_with_work(&scene, &scene.plan().compute().unwrap(), &Unobserved).unwrap().1
     };
     // The other normalisation, three densities, the other law: five states of one curve.
     assert_eq!(of(elastic).statistical_states, 5);

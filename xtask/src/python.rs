@@ -25,6 +25,7 @@ fn carry_out(anew: bool) -> Result<(), String> {
         package: root.join("python"),
         built: root.join("target/python"),
         program: command_line(root)?,
+        questions: questions(root)?,
     };
     std::fs::create_dir_all(&place.built)
         .map_err(|error| format!("making {}: {error}", place.built.display()))?;
@@ -53,26 +54,32 @@ fn carry_out(anew: bool) -> Result<(), String> {
 
 /// Builds the command line of this checkout, whose digits the tests compare with.
 fn command_line(root: &Path) -> Result<PathBuf, String> {
+    // With the features that the whole workspace resolves to, as `cargo test --workspace` has built it.
+    cargo(root, &["build", "--quiet", "--workspace", "--bin", "truearea"], "building the command line")?;
+    Ok(root.join("target/debug/truearea").with_extension(std::env::consts::EXE_EXTENSION))
+}
+
+/// Lets the crates answer the random questions that the tests ask once more.
+fn questions(root: &Path) -> Result<PathBuf, String> {
+    cargo(root, &["test", "--quiet", "--workspace", "--test", "front_ends"], "answering random questions")?;
+    Ok(root.join("target/tmp/questions.json"))
+}
+
+fn cargo(root: &Path, arguments: &[&str], doing: &str) -> Result<(), String> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let status = Command::new(cargo)
-        // With the features that the whole workspace resolves to, as `cargo test --workspace` has built it.
-        .args(["build", "--quiet", "--workspace", "--bin", "truearea"])
-        .current_dir(root)
-        .status();
-    match status {
-        Ok(status) if status.success() => {
-            Ok(root.join("target/debug/truearea").with_extension(std::env::consts::EXE_EXTENSION))
-        }
-        Ok(status) => Err(format!("building the command line has failed ({status})")),
+    match Command::new(cargo).args(arguments).current_dir(root).status() {
+        Ok(status) if status.success() => Ok(()),
+        Ok(status) => Err(format!("{doing} has failed ({status})")),
         Err(error) => Err(format!("running cargo: {error}")),
     }
 }
 
-/// Folders of the package and of its environment, and the command line beside it.
+/// Folders of the package and of its environment, and the command line and the answered questions beside it.
 struct Place {
     package: PathBuf,
     built: PathBuf,
     program: PathBuf,
+    questions: PathBuf,
 }
 
 impl Place {
@@ -125,6 +132,7 @@ impl Place {
             .current_dir(&self.built)
             .env("CARGO_TARGET_DIR", &self.built)
             .env("TRUEAREA_PROGRAM", &self.program)
+            .env("TRUEAREA_QUESTIONS", &self.questions)
             .env("PIP_DISABLE_PIP_VERSION_CHECK", "1")
             .status()
             .map_err(|error| format!("running {}: {error}", program.display()))?;

@@ -5,10 +5,11 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-use findings::SceneFindings;
+use conclusions::Conclusions;
+use findings::answer::Answer;
+use findings::sensitivity::{Sensitivity, sensitivities};
 use judge::{JudgePlan, Judgement, Settings};
 use paper::{Evidence, Verdict};
-use report::assessment::Assessment;
 use report::page::Report;
 use report::products::SceneProducts;
 use report::run_stamp::RunStamp;
@@ -35,20 +36,21 @@ pub(crate) fn run() -> ExitCode {
 fn reproduce(folder: &Path) -> Result<(), Box<dyn Error>> {
     let start = Instant::now();
     let evidence = SCENES.into_iter().map(Evidence::compute).collect::<Result<Vec<_>, _>>()?;
-    let findings = evidence.iter().map(found).collect::<Result<Vec<_>, _>>()?;
-    let judgements = evidence.iter().map(judged).collect::<Result<Vec<_>, _>>()?;
+    let found = evidence.iter().map(Found::about).collect::<Result<Vec<_>, _>>()?;
     let ledger = paper::ledger(&evidence);
     let computing = start.elapsed();
     let run_stamp = RunStamp::default();
-    let products: Vec<SceneProducts<'_>> = evidence
-        .iter()
-        .zip(&findings)
-        .zip(&judgements)
-        .map(|((evidence, findings), judgement)| SceneProducts {
-            scene: &evidence.scene,
-            results: &evidence.results,
-            findings: Some(findings),
-            assessment: Assessment { judgement: Some(judgement), uncertainty: None },
+    let of_scenes: Vec<conclusions::Evidence<'_>> =
+        evidence.iter().zip(&found).map(|(evidence, found)| found.beside(evidence)).collect();
+    let conclusions: Vec<Conclusions> = of_scenes.iter().map(Conclusions::new).collect();
+    let products: Vec<SceneProducts<'_>> = of_scenes
+        .into_iter()
+        .zip(&found)
+        .zip(&conclusions)
+        .map(|((evidence, found), conclusions)| SceneProducts {
+            evidence,
+            conclusions,
+            sensitivities: Some(&found.sensitivities),
             run_stamp: &run_stamp,
         })
         .collect();
@@ -93,14 +95,33 @@ fn label(spectrum: &str) -> &str {
     }
 }
 
-fn found(evidence: &Evidence) -> Result<SceneFindings, Box<dyn Error>> {
-    SceneFindings::from_results(&evidence.scene, &evidence.results, &Unobserved).map_err(Into::into)
+/// The findings on the scene of a spectrum, besides its results.
+struct Found {
+    answer: Answer,
+    sensitivities: Vec<Sensitivity>,
+    judgement: Judgement,
 }
 
-fn judged(evidence: &Evidence) -> Result<Judgement, Box<dyn Error>> {
-    let settings = Settings::from_choices(evidence.scene.judge.as_ref());
-    let plan = JudgePlan::new(&evidence.scene, &evidence.results, &settings);
-    plan.run(&Unobserved).map_err(Into::into)
+impl Found {
+    fn about(evidence: &Evidence) -> Result<Self, Box<dyn Error>> {
+        let (scene, results) = (&evidence.scene, &evidence.results);
+        let settings = Settings::from_choices(scene.judge.as_ref());
+        Ok(Found {
+            answer: Answer::from_results(scene, results),
+            sensitivities: sensitivities(scene, results, &Unobserved)?,
+            judgement: JudgePlan::new(scene, results, &settings).run(&Unobserved)?,
+        })
+    }
+
+    fn beside<'a>(&'a self, evidence: &'a Evidence) -> conclusions::Evidence<'a> {
+        conclusions::Evidence {
+            scene: &evidence.scene,
+            results: &evidence.results,
+            answer: &self.answer,
+            judgement: Some(&self.judgement),
+            uncertainty: None,
+        }
+    }
 }
 
 /// The number of statements that each spectrum reproduces.

@@ -69,7 +69,10 @@ pub fn stale() -> Vec<String> {
     let mut stale: Vec<String> =
         drawn.iter().filter(differs).map(|picture| picture.name.to_owned()).collect();
     let committed = std::fs::read_dir(committed_file("docs/pictures")).into_iter().flatten();
-    let names = committed.filter_map(|entry| Some(entry.ok()?.path().file_stem()?.to_str()?.to_owned()));
+    let svgs = committed.filter_map(Result::ok).map(|entry| entry.path());
+    // A photograph of the report in a browser is not drawn here.
+    let svgs = svgs.filter(|path| path.extension().is_some_and(|extension| extension == "svg"));
+    let names = svgs.filter_map(|path| Some(path.file_stem()?.to_str()?.to_owned()));
     stale.extend(names.filter(|name| !drawn.iter().any(|picture| picture.name == name)));
     stale.sort();
     stale
@@ -122,14 +125,19 @@ fn picture(
     Picture { name, svg: plot::svg(&figure, subject, &provenance) }
 }
 
-/// Line under a condition, which its colour denotes.
-fn line(condition: &str, colour: usize, points: Vec<(f64, f64)>) -> Series {
-    Series::under(condition, colour, points)
+/// Line under a condition.
+fn line(condition: &str, condition_index: usize, points: Vec<(f64, f64)>) -> Series {
+    dashed("", 0, Series::under(condition, condition_index, points))
 }
 
-/// Line distinguished by its dash from others of its colour.
+/// Line of a curve with a dash pattern: 0 is solid. The drawing dashes the first curve of several and leaves the second solid.
 fn dashed(curve: &str, dash: usize, line: Series) -> Series {
-    Series { curve: curve.to_owned(), dash, ..line }
+    let curve_index = match dash {
+        0 => 1,
+        1 => 0,
+        more => more,
+    };
+    Series { curve: curve.to_owned(), curve_index, ..line }
 }
 
 /// `count` values in geometric steps; both ends are met exactly.

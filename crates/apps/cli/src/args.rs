@@ -6,16 +6,18 @@ mod groups;
 mod misplaced;
 mod parsers;
 mod persson;
+mod report;
 mod scans;
 
 pub(crate) use bem::BemArgs;
-pub(crate) use gap::{GapArgs, LawArgs, LawForm};
+pub(crate) use gap::{GapArgs, LawArgs};
 pub(crate) use groups::{
-    AmplitudeArg, CounterfaceArgs, FigureArg, HardnessArg, MaterialArgs, NormalisationArg, PsdArgs,
-    ReadingArgs, SamplingArgs, SharedArgs, StrengthCapArg,
+    AmplitudeArg, CounterfaceArgs, FigureArg, HardnessFormulaArg, MaterialArgs, NormalisationArg,
+    PressureArgs, PsdArgs, ReadingArgs, SamplingArgs, SharedArgs, StrengthCapArg,
 };
 pub(crate) use misplaced::{behind_the_command, foreign_option};
 pub(crate) use persson::{GrowthArg, PerssonArgs};
+pub(crate) use report::ReportArgs;
 pub(crate) use scans::{ScanArgs, ScansArgs};
 
 use std::path::PathBuf;
@@ -28,7 +30,7 @@ use crate::output::Place;
 use parsers::{model_of, one_of, parse_labelled_pressure, parse_place, parse_poisson_ratio, parse_tolerance};
 use scene::Template;
 use state_tables::GivenColumn;
-use study::models::{Framework, ModelEntry};
+use study::models::{Framework, ModelEntry, ModelOptions};
 use study::plan::Tolerance;
 use units::PressureRange;
 use units::{IndentationHardness, Length, Modulus, Pressure, SignedLength};
@@ -246,11 +248,23 @@ the fit is a power law.
 Example:
   truearea fit psd.csv --from 100um --to 100nm")]
     Fit(FitArgs),
+    /// Answer the whole question: from scans or a spectrum to a report with a verdict
+    #[command(after_help = "\
+Runs every model that applies, presses the surface by boundary elements, and
+says how much touches, how sure that is, and what to measure next. The folder
+holds report.html, scene.toml (which repeats it), summary.txt, answer.json,
+figures and data.
+
+Examples:
+  truearea report trace1.txt trace2.txt:unit=um --material 100Cr6 \\
+      --on 100Cr6 --pressure 10MPa --seal
+  truearea report builtin:uncd-measured --material diamond --pressure 5.4MPa")]
+    Report(Box<ReportArgs>),
     /// Carry out a scene: tables, figures and a summary
     #[command(after_help = "\
-Writes one table per curve, one table and one SVG per figure, and prints a
-summary: area fraction, real pressure, and the wavelength at which the area
-has settled, per load. Options given here count more than the scene's own.
+Writes one table per curve, one table and one SVG per figure, a report and
+answer.json, and prints a summary of at most twelve lines; --verbose prints
+every note and number. Options given here count more than the scene's own.
 
 Example:
   truearea scene uncd-measured > uncd.toml
@@ -385,12 +399,8 @@ pub(crate) struct StackedArgs {
     /// Deformation model of every scale
     #[arg(long, value_parser = model_of(Framework::Stacked))]
     pub model: &'static ModelEntry,
-    /// Nominal pressure; give it several times for several loads
-    #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
-    pub pressures: Vec<(Pressure, String)>,
-    /// COUNT log-spaced pressures from FROM to TO, in addition to any --pressure
-    #[arg(long = "pressures", value_name = "FROM:TO:COUNT", allow_hyphen_values = true)]
-    pub pressure_ranges: Vec<PressureRange>,
+    #[command(flatten)]
+    pub loads: PressureArgs,
     #[command(flatten)]
     pub material: MaterialArgs,
     #[command(flatten)]
@@ -465,12 +475,24 @@ pub(crate) struct StatisticalArgs {
     #[command(flatten)]
     pub normalisation: NormalisationArg,
     #[command(flatten)]
-    pub hardness: HardnessArg,
+    pub hardness: HardnessFormulaArg,
     /// Append error_estimate, evaluations, out_of_range_load_share, ln_pressure_pa and ln_area_fraction
     #[arg(long)]
     pub details: bool,
     #[command(flatten)]
     pub figure: FigureArg,
+}
+
+impl StatisticalArgs {
+    /// The options of the model; its strength grows as soon as a length is given.
+    pub fn options(&self) -> ModelOptions {
+        ModelOptions {
+            strain_gradient: self.material.strain_gradient_length.is_some(),
+            hardness: self.hardness.hardness_formula,
+            interference_law: self.interference_law,
+            ..ModelOptions::default()
+        }
+    }
 }
 
 #[derive(Debug, ClapArgs)]
@@ -518,7 +540,7 @@ pub(crate) struct RunArgs {
     #[command(flatten)]
     pub amplitude: AmplitudeArg,
     #[command(flatten)]
-    pub hardness: HardnessArg,
+    pub hardness: HardnessFormulaArg,
     #[command(flatten)]
     pub strength_cap: StrengthCapArg,
     #[command(flatten)]

@@ -2,6 +2,7 @@
 
 use questions::{OptionName, QuestionError, Spelling};
 use report::question_words;
+use study::models::Choice;
 
 use crate::failure::Failure;
 
@@ -17,8 +18,9 @@ impl Spelling for Flags {
             OptionName::MissingPoints => "gaps",
             OptionName::Reading => return "an option for reading spectra".to_owned(),
             OptionName::Side => "box",
-            OptionName::StrainGradient => "strain-gradient-length",
-            option => return format!("--{}", kebab_case(&format!("{option:?}"))),
+            OptionName::ModelOption(Choice::Hardness) => "hardness-formula",
+            OptionName::ModelOption(Choice::StrainGradient) => "strain-gradient-length",
+            option => return format!("--{}", option.snake_case().replace('_', "-")),
         };
         format!("--{name}")
     }
@@ -44,18 +46,6 @@ impl Spelling for PerssonFlags {
     fn model(&self, name: &str) -> String {
         Flags.model(if name == "persson" { "elastic" } else { "elastic-plastic" })
     }
-}
-
-/// `StrengthCap` as `strength-cap`.
-fn kebab_case(name: &str) -> String {
-    let mut text = String::new();
-    for letter in name.chars() {
-        if letter.is_uppercase() && !text.is_empty() {
-            text.push('-');
-        }
-        text.extend(letter.to_lowercase());
-    }
-    text
 }
 
 /// A question's error as the failure of a command.

@@ -1,5 +1,6 @@
 //! Sources of input and destinations of results: standard streams, or files that appear whole or not at all.
 
+use std::ffi::OsStr;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
@@ -8,7 +9,7 @@ use staging::StagedFiles;
 use crate::failure::Failure;
 use crate::files;
 use crate::interruption;
-use report::products::SceneProducts;
+use report::products::{ANSWER, SceneProducts};
 use study::plan::PlanError;
 use tables::{Format, TableError};
 
@@ -194,32 +195,81 @@ pub fn make_folder(option: &str, folder: &Path) -> Result<(), Failure> {
     std::fs::create_dir_all(folder).map_err(|error| Failure::writing(&folder.display().to_string(), &error))
 }
 
+/// The folders that the files of a scene go to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Layout {
+    /// All in one folder, as `run` has them.
+    Flat,
+    /// The report, the scene and the summary above the folders `figures` and `data`.
+    Folders,
+}
+
+impl Layout {
+    /// The folder of tables.
+    fn tables(self) -> &'static str {
+        match self {
+            Layout::Flat => "",
+            Layout::Folders => "data",
+        }
+    }
+
+    /// The place of a file by its name.
+    fn place(self, name: &str) -> String {
+        let folder = match Path::new(name).extension().and_then(OsStr::to_str) {
+            Some("svg") => "figures/",
+            Some("csv" | "json") if name != ANSWER => "data/",
+            _ => "",
+        };
+        match self {
+            Layout::Flat => name.to_owned(),
+            Layout::Folders => format!("{folder}{name}"),
+        }
+    }
+}
+
 /// Writes every file of a scene into a folder, all of them or none; yields their names.
 ///
 /// # Errors
 /// [`Failure::System`] that names the path.
 pub fn write_products(
     products: &SceneProducts<'_>,
+    summary: &str,
     format: Format,
     folder: &Path,
+    layout: Layout,
 ) -> Result<Vec<String>, Failure> {
     let mut files = StagedFiles::default();
-    let names = products
-        .each_file(format, |name, content| stage(&mut files, &folder.join(name), |out| content(out)))?;
+    if layout == Layout::Folders {
+        for inner in ["figures", "data"] {
+            make_folder("--out", &folder.join(inner))?;
+        }
+    }
+    let place = |name: &str| folder.join(layout.place(name));
+    let names =
+        products.each_file(format, |name, content| stage(&mut files, &place(name), |out| content(out)))?;
+    let mut names: Vec<String> = names.iter().map(|name| layout.place(name)).collect();
+    if layout == Layout::Folders {
+        let texts = [("summary.txt", summary), ("scene.toml", products.evidence.scene.text.as_str())];
+        for (name, text) in texts {
+            stage(&mut files, &folder.join(name), |out| out.write_all(text.as_bytes()))?;
+            names.push(name.to_owned());
+        }
+    }
     publish(files)?;
     Ok(names)
 }
 
 /// Tables in a folder of results that a run does not replace, with the title of the scene that each is of. Figures go
 /// with their tables.
-fn stale_tables(folder: &Path, written: &[String]) -> Result<Vec<(String, String)>, Failure> {
+fn stale_tables(folder: &Path, layout: Layout, written: &[String]) -> Result<Vec<(String, String)>, Failure> {
     let reading = |error: io::Error| Failure::System(format!("reading {}: {error}", folder.display()));
     let mut tables = Vec::new();
-    for entry in std::fs::read_dir(folder).map_err(reading)? {
+    for entry in std::fs::read_dir(folder.join(layout.tables())).map_err(reading)? {
         let name = entry.map_err(reading)?.file_name().to_string_lossy().into_owned();
-        if name.ends_with(".csv") && !written.contains(&name) {
+        let place = layout.place(&name);
+        if name.ends_with(".csv") && !written.contains(&place) {
             let mut start = Vec::new();
-            let file = std::fs::File::open(folder.join(&name)).map_err(reading)?;
+            let file = std::fs::File::open(folder.join(place)).map_err(reading)?;
             io::Read::read_to_end(&mut io::Read::take(file, 1024), &mut start).map_err(reading)?;
             tables.extend(
                 scene_of_table(&String::from_utf8_lossy(&start)).map(|title| (name, title.to_owned())),
@@ -245,7 +295,7 @@ fn scene_of_table(text: &str) -> Option<&str> {
 /// # Errors
 /// [`Failure::Input`] that names one of them.
 pub fn refuse_other_scenes(folder: &Path, written: &[String], title: &str) -> Result<(), Failure> {
-    let stale = stale_tables(folder, written)?;
+    let stale = stale_tables(folder, Layout::Flat, written)?;
     match stale.iter().find(|(_, other)| other != title) {
         None => Ok(()),
         Some((table, other)) => Err(Failure::Input(format!(
@@ -262,16 +312,17 @@ pub fn refuse_other_scenes(folder: &Path, written: &[String], title: &str) -> Re
 /// [`Failure::System`] that names the folder.
 pub fn clear_earlier_runs(
     folder: &Path,
+    layout: Layout,
     written: &[String],
     title: Option<&str>,
 ) -> Result<Vec<String>, Failure> {
     let mut removed = Vec::new();
-    for (table, _) in stale_tables(folder, written)?
+    for (table, _) in stale_tables(folder, layout, written)?
         .into_iter()
         .filter(|(_, other)| title.is_none_or(|title| other == title))
     {
         let figure = table.replace(".csv", ".svg");
-        for name in [table, figure] {
+        for name in [table, figure].map(|name| layout.place(&name)) {
             if !written.contains(&name) && std::fs::remove_file(folder.join(&name)).is_ok() {
                 removed.push(name);
             }
@@ -313,9 +364,17 @@ mod tests {
         assert!(refuse_other_scenes(folder.path(), &written, "a, \"b\"").is_ok());
         assert!(matches!(refuse_other_scenes(folder.path(), &written, "c"), Err(Failure::Input(_))));
         assert!(matches!(refuse_other_scenes(folder.path(), &[], "a, \"b\""), Err(Failure::Input(_))));
-        let removed = clear_earlier_runs(folder.path(), &written, Some("a, \"b\"")).unwrap();
+        let removed = clear_earlier_runs(folder.path(), Layout::Flat, &written, Some("a, \"b\"")).unwrap();
         assert_eq!(removed, ["old.csv", "old.svg"]);
         assert!(["kept.csv", "mine.csv"].iter().all(|name| folder.path().join(name).is_file()));
+        for inner in ["data", "figures"] {
+            std::fs::create_dir(folder.path().join(inner)).unwrap();
+        }
+        write("data/old.csv", "# truearea 0.1.0: scene \"a\", curve old\n");
+        write("figures/old.svg", "<svg/>");
+        let removed = clear_earlier_runs(folder.path(), Layout::Folders, &written, None).unwrap();
+        assert_eq!(removed, ["data/old.csv", "figures/old.svg"]);
+        assert!(folder.path().join("kept.csv").is_file());
     }
 
     #[cfg(unix)]

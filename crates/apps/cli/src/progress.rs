@@ -20,15 +20,22 @@ pub struct Progress {
 impl Progress {
     /// Progress towards so many of something, e.g. `states`.
     pub fn towards(total: usize, things: &str) -> Self {
+        Self::new(Some(total as u64), "{wide_bar} {pos}/{len} {msg}, {eta} left", things)
+    }
+
+    /// Progress of work that shows only in the end how much there was to do.
+    pub fn counting(things: &str) -> Self {
+        Self::new(None, "{spinner} {pos} {msg}", things)
+    }
+
+    fn new(total: Option<u64>, template: &str, things: &str) -> Self {
         let target = if std::io::stderr().is_terminal() {
             ProgressDrawTarget::stderr()
         } else {
             ProgressDrawTarget::hidden()
         };
-        let bar = ProgressBar::with_draw_target(Some(total as u64), target);
-        bar.set_style(
-            ProgressStyle::with_template("{wide_bar} {pos}/{len} {msg}, {eta} left").expect("a template"),
-        );
+        let bar = ProgressBar::with_draw_target(total, target);
+        bar.set_style(ProgressStyle::with_template(template).expect("a template"));
         bar.set_message(things.to_owned());
         Progress { bar, begun: Instant::now(), done: AtomicU64::new(0) }
     }

@@ -232,7 +232,7 @@ fn an_option_before_its_command_means_what_it_means_behind() {
         ("--cutoff 1um", &statistical),
         ("--amplitude parseval", "amplitude psd.csv"),
         ("--amplitude parseval", model),
-        ("--hardness cosine", &statistical),
+        ("--hardness-formula cosine", &statistical),
         ("--strength-cap 5MPa", model),
         ("--strength-cap 5MPa", &statistical),
         (counterface, model),

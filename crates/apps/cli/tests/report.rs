@@ -70,10 +70,10 @@ fn a_scene_of_one_s_own_has_a_report_with_every_figure_and_section() {
     let tree = parsed(&page);
     assert!(page.len() < 2_000_000, "{}", page.len());
     let count = |name: &str| tree.descendants().filter(|node| node.has_tag_name(name)).count();
-    assert_eq!((count("svg"), count("figcaption"), count("h1")), (4, 4, 1));
+    assert_eq!((count("svg"), count("figcaption"), count("h1")), (6, 4, 1));
     let sections: Vec<&str> = tree
         .descendants()
-        .filter(|node| node.has_tag_name("section"))
+        .filter(|node| node.has_tag_name("details"))
         .filter_map(|node| node.attribute("id"))
         .collect();
     assert_eq!(
@@ -176,7 +176,7 @@ fn a_report_can_be_made_again_from_itself() {
         nodes.flat_map(|node| node.descendants()).filter_map(|node| node.text()).collect()
     };
     assert!(text("pre").iter().any(|typed| *typed == scene.trim_end()), "{:?}", text("pre"));
-    let section: String = text("section").concat();
+    let section: String = text("details").concat();
     for said in
         ["380 GPa", "0.22", concat!("truearea ", env!("CARGO_PKG_VERSION")), "truearea run s.toml", " UTC"]
     {

@@ -42,10 +42,10 @@ fn a_hole_in_a_composite_is_told_in_table_summary_report_and_figure() {
             "[surface]\n{surface}\n[material]\nyoungs_modulus = \"1 GPa\"\npoisson_ratio = 0.3\n\
              [loads]\npressures = [\"1 MPa\"]\n[[curve]]\nmodel = \"elastic\"\n[[figure]]\nname = \"psd\"\nshows = \"psd\"\n"
         );
-        let run = bench.write("s.toml", scene).run(&["run", "s.toml"]);
+        let run = bench.write("s.toml", scene).run(&["run", "s.toml", "-v"]);
         assert_eq!(run.remarks(&hole).len(), 1, "{}", run.stderr);
         let summary = run.ok();
-        assert_eq!(lines_with(&summary, &hole[1..]).len(), 1, "{summary}");
+        assert!(!lines_with(&summary, &hole[1..]).is_empty(), "{summary}");
         let report = bench.read("s-results/report.html");
         assert!(!lines_with(&report, &["not measured"]).is_empty(), "{summary}");
         let decades = bench.read("s-results/report-decades.csv");

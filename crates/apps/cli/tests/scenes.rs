@@ -28,7 +28,7 @@ fn every_template_reads_and_the_shipped_scenes_run_from_any_folder() {
     let bench = Bench::new();
     for name in ["uncd-measured", "uncd-reconstructed"] {
         let scene = bench.run(&["scene", name]).ok();
-        let summary = bench.run_with_input(&["run", "-", "--out", name], &scene).ok();
+        let summary = bench.run_with_input(&["run", "-", "-v", "--out", name], &scene).ok();
         assert_names(&summary, &["\nelastic-plastic-strain-gradient: ", "(Jackson-Streator)"]);
         for figure in ["1", "2", "3a", "3b", "4", "7"] {
             let svg = bench.read(&format!("{name}/figure-{figure}.svg"));
@@ -45,7 +45,7 @@ fn every_template_reads_and_the_shipped_scenes_run_from_any_folder() {
 #[test]
 fn a_scene_writes_a_table_per_curve_and_a_table_and_picture_per_figure() {
     let bench = Bench::new();
-    let summary = bench.write("s.toml", SMALL).run(&["run", "s.toml"]).ok();
+    let summary = bench.write("s.toml", SMALL).run(&["run", "s.toml", "-v"]).ok();
     assert_names(&summary, &["\n\nsmall\n46 scales", "149 µm", "3.5 nm", "9.72"]);
     let mut files: Vec<String> = std::fs::read_dir(bench.path("s-results"))
         .unwrap()
@@ -55,6 +55,7 @@ fn a_scene_writes_a_table_per_curve_and_a_table_and_picture_per_figure() {
     assert_eq!(
         files,
         [
+            "answer.json",
             "area-fraction.csv",
             "area-fraction.svg",
             "elastic.csv",
@@ -208,7 +209,7 @@ fn an_area_against_cutoff_cannot_be_drawn_of_a_curve_at_one_cutoff() {
 fn options_on_the_command_line_count_more_than_the_scene_s() {
     let bench = Bench::new();
     bench.write("s.toml", format!("{SMALL}\n[options]\nscales_per_decade = 20\n"));
-    let summary = |more: &[&str]| bench.run(&[&["run", "s.toml"], more].concat()).ok();
+    let summary = |more: &[&str]| bench.run(&[&["run", "s.toml", "-v"], more].concat()).ok();
     assert!(summary(&[]).contains("94 scales"), "{}", summary(&[]));
     assert!(summary(&["--scales-per-decade", "3"]).contains("3.02 per decade"));
 }
@@ -271,8 +272,8 @@ fn a_hardness_in_place_of_a_strength_gives_the_same_areas_and_is_told_in_summary
         "hardness.toml",
         SMALL.replace("yield_strength = \"1.8 GPa\"", "indentation_hardness = \"5.4 GPa\""),
     );
-    let by_strength = bench.run(&["run", "strength.toml"]).ok();
-    let by_hardness = bench.run(&["run", "hardness.toml"]).ok();
+    let by_strength = bench.run(&["run", "strength.toml", "-v"]).ok();
+    let by_hardness = bench.run(&["run", "hardness.toml", "-v"]).ok();
     let page = bench.read("hardness-results/report.html");
     for text in [by_hardness, page] {
         assert!(text.contains("H/3") && !by_strength.contains("H/3"), "{text}");
@@ -300,7 +301,7 @@ fn tables_of_earlier_runs_are_removed() {
 fn idle_keys_and_doubts_are_told_and_the_scene_runs() {
     let bench = Bench::new();
     bench.write("s.toml", SMALL.replacen("[[curve]]", "[[curve]]\nstrain_gradient = true", 1));
-    let ran = bench.run(&["run", "s.toml"]);
+    let ran = bench.run(&["run", "s.toml", "-v"]);
     let doubt = ["elastic at 54 MPa", "9.42 H", "H = 5.4 GPa"];
     assert_eq!(lines_with(&ran.ok_remarking(&["note: line 13: ", "curve.strain_gradient"]), &doubt).len(), 1);
     assert_names(&bench.read("s-results/report.html"), &["H = 5.4 GPa"]);

@@ -143,16 +143,15 @@ fn what_calculix_has_no_room_for_is_refused_with_the_mend() {
     let long = sampled([1.0, 1e10], 1e-3);
     assert!(long.points().len() > Dialect::MOST_CALCULIX_ROWS);
     let refused = Dialect::Calculix.table(&long, UnitSystem::Millimetres, &heading(), &[]).unwrap_err();
-    assert!(refused.to_string().contains("take a larger tolerance or a narrower range"), "{refused}");
+    let (rows, most) = (long.points().len(), Dialect::MOST_CALCULIX_ROWS);
+    assert!(
+        matches!(refused, ContactLawError::TooManyRows { rows: found, most: bound, .. } if (found, bound) == (rows, most))
+    );
     assert!(Dialect::Abaqus.table(&long, UnitSystem::Millimetres, &heading(), &[]).is_ok());
     // Near complete contact the gap closes by less than 0.1 nm from row to row.
     let heavy = sampled([1e9, 5e10], 0.01);
     let refused = Dialect::Calculix.table(&heavy, UnitSystem::Si, &heading(), &[]).unwrap_err();
-    assert!(matches!(refused, ContactLawError::TooClose { unit: "m", .. }), "{refused}");
-    assert!(
-        refused.to_string().contains("less than 1e-10 m; take a smaller unit of length, as uN-um has"),
-        "{refused}"
-    );
+    assert!(matches!(refused, ContactLawError::TooClose { unit: "m", least: 1e-10, .. }), "{refused}");
     assert!(Dialect::Calculix.table(&heavy, UnitSystem::Micrometres, &heading(), &[]).is_ok());
 }
 
@@ -173,7 +172,7 @@ fn the_exponential_form_is_that_of_the_light_loads() {
     assert!(said.contains("For smaller pressures take p0 = p00 exp(-s/u0) and a mesh"), "{text}");
     assert!(text.contains("PRESSURE-OVERCLOSURE=EXPONENTIAL\n"), "{text}");
     let refused = Dialect::Abaqus.exponential(&law, UnitSystem::Si, &heading()).unwrap_err();
-    assert!(refused.to_string().contains("take the table for abaqus"), "{refused}");
+    assert!(matches!(refused, ContactLawError::NoExponential("abaqus")), "{refused}");
 }
 
 #[test]

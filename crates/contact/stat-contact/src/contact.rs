@@ -6,7 +6,7 @@ use crate::asperities::answers::Asperities;
 use crate::asperities::hertz_ellipses::ElasticSummits;
 use crate::quadrature::frames::Frames;
 use crate::quadrature::precision::Precision;
-use crate::{AsperityLaw, ContactState, NayakSummits, Population, Sweep};
+use crate::{AsperityLaw, Condition, ContactState, NayakSummits, Population, Sweep};
 
 /// Gaussian asperities pressed by a rigid flat (Greenwood & Williamson 1966; `docs/theory/models.md`, section 3) under any
 /// of the laws: p(d) = eta Int_0^inf F(w) g(d + w) dw, and likewise the area over the nominal one, limited to 1.
@@ -63,6 +63,19 @@ impl StatisticalContact {
         start: Option<&ContactState>,
     ) -> Result<ContactState, AsperityError> {
         self.sweep(tolerance).starting_at(start).at_pressure(pressure_pa)
+    }
+
+    /// Returns the state at a pressure, which a neighbouring state as `start` makes cheaper, or at a separation.
+    ///
+    /// # Errors
+    /// The errors of [`at_pressure`](Self::at_pressure) and [`at_separation`](Self::at_separation).
+    pub fn at(
+        &self,
+        condition: Condition,
+        tolerance: f64,
+        start: Option<&ContactState>,
+    ) -> Result<ContactState, AsperityError> {
+        self.sweep(tolerance).starting_at(start).at(condition)
     }
 
     /// Computes states at many separations and pressures, to a relative `tolerance` as in

@@ -7,15 +7,16 @@
 //! * [`StatisticalContact`]: population and law under a material; computes states at a separation or at a pressure.
 //! * [`LinearLaw`]: area in proportion to the load, as a yardstick for elastic areas.
 //! * [`Sweep`]: many states of one population and material, which share work.
+//! * [`Condition`]: a pressure or a separation, at which a state is wanted.
 //! * [`ContactState`]: a state with its error estimate and its cost; also in logarithms, because pressures span
 //!   hundreds of decades.
 #![deny(missing_docs)]
 
 mod asperities;
+mod condition;
 mod contact;
 mod far;
 mod gaussian;
-mod law;
 mod linear_law;
 mod population;
 mod quadrature;
@@ -24,8 +25,9 @@ mod state;
 mod summits;
 mod sweep;
 
+pub use asperities::{AsperityLaw, InterferenceLaw};
+pub use condition::Condition;
 pub use contact::StatisticalContact;
-pub use law::{AsperityLaw, InterferenceLaw};
 pub use linear_law::LinearLaw;
 pub use population::Population;
 pub use state::ContactState;

@@ -2,10 +2,10 @@
 
 use asperity::{AsperityError, Bound};
 
-use crate::ContactState;
 use crate::far::FarBelow;
 use crate::quadrature::frames::Frames;
 use crate::search::problem::{Answer, CellSolution, Neighbour, Search};
+use crate::{Condition, ContactState};
 
 /// States of one population under one law, computed one after the other; the evaluations for one serve those after it
 /// ([`StatisticalContact::sweep`](crate::StatisticalContact::sweep)).
@@ -53,6 +53,17 @@ impl<'a> Sweep<'a> {
     pub(crate) fn starting_at(self, state: Option<&ContactState>) -> Self {
         let near = state.and_then(|state| state.separation_m).map(|d| d / self.frames.sigma_s_m);
         Sweep { near: near.map(|u| Neighbour { u, sums: None }), ..self }
+    }
+
+    /// Returns the state at a pressure or a separation.
+    ///
+    /// # Errors
+    /// The errors of [`at_pressure`](Self::at_pressure) and [`at_separation`](Self::at_separation).
+    pub fn at(&mut self, condition: Condition) -> Result<ContactState, AsperityError> {
+        match condition {
+            Condition::Pressure(pressure_pa) => self.at_pressure(pressure_pa),
+            Condition::Separation(separation_m) => self.at_separation(separation_m),
+        }
     }
 
     /// Returns the state at a separation d \[m\] from the mean of the asperity heights, of either sign.

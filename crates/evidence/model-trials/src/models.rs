@@ -133,14 +133,11 @@ fn corrected(surface: &AreaSpectrum, loads: &[(usize, TrialLoad)]) -> Vec<ModelA
 fn material(load: &TrialLoad) -> Result<Material, TrialError> {
     let youngs_modulus_pa = CONTACT_MODULUS_PA * (1.0 - POISSON_RATIO * POISSON_RATIO);
     let hardness = load.hardness_pa().map(|pa| IndentationHardness { pa });
+    let body =
+        ElasticBody::new(youngs_modulus_pa, POISSON_RATIO).map_err(study::material::MaterialError::from)?;
     Ok(Material::new(GivenMaterial {
-        body: ElasticBody::new(youngs_modulus_pa, POISSON_RATIO)
-            .map_err(study::material::MaterialError::from)?,
-        counterface: None,
-        flows: study::bodies::Body::Rough,
         hardness_and_strength: HardnessAndStrength::new(hardness, None)
             .map_err(study::material::MaterialError::from)?,
-        strength_cap: None,
-        strain_gradient_length_m: None,
+        ..GivenMaterial::new(body)
     }))
 }

@@ -40,12 +40,6 @@ impl WaveBand {
         (self.last_wave / self.first_wave).log10()
     }
 
-    /// True if it is level at its long end.
-    #[must_use]
-    pub fn has_rolloff(&self) -> bool {
-        self.rolloff_wave > self.first_wave
-    }
-
     /// Spectrum of the band, at [`RMS_GRADIENT`].
     ///
     /// # Errors

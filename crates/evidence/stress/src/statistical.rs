@@ -1,6 +1,7 @@
 //! States of the statistical model: their numbers, and how they are drawn.
 
 use asperity::{AsperityError, Hardness};
+pub use stat_contact::Condition as Question;
 use stat_contact::{ContactState, Population, StatisticalContact};
 
 use crate::law::Response;
@@ -58,15 +59,6 @@ impl Kind {
     fn has_gradient(self) -> bool {
         matches!(self, Kind::GradientSphere | Kind::GradientSine)
     }
-}
-
-/// Given quantity of a state.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Question {
-    /// Separation \[m\].
-    Separation(f64),
-    /// Pressure \[Pa\].
-    Pressure(f64),
 }
 
 /// Population of asperities of a material, and a given quantity; printed, it is a literal that recreates it.
@@ -186,9 +178,6 @@ impl StatisticalCase {
     }
 
     pub(crate) fn state_of(&self, contact: &StatisticalContact) -> Result<ContactState, AsperityError> {
-        match self.question {
-            Question::Separation(d_m) => contact.at_separation(d_m, self.tolerance),
-            Question::Pressure(pressure_pa) => contact.at_pressure(pressure_pa, self.tolerance, None),
-        }
+        contact.at(self.question, self.tolerance, None)
     }
 }

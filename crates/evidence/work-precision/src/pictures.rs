@@ -24,7 +24,7 @@ pub fn work_precision(
     let mut series = Vec::new();
     // scipy with laws in numpy is a decade or more above the tuned one, and has a row in the tables.
     let drawn = Engine::ALL.into_iter().filter(|engine| *engine != Engine::QuadNumpy);
-    for (colour, engine) in drawn.enumerate() {
+    for (index, engine) in drawn.enumerate() {
         let of_engine =
             || points.iter().filter(|point| point.engine == engine && point.population == population);
         let mut separations: Vec<f64> = of_engine().map(|point| point.separation_over_sigma).collect();
@@ -33,7 +33,7 @@ pub fn work_precision(
         series.extend(separations.into_iter().map(|separation| {
             let here = of_engine().filter(|point| point.separation_over_sigma == separation);
             let right = here.filter_map(|point| Some((point.error()?.max(LEAST_ERROR), point.seconds)));
-            Series::under(engine.name(), colour, without_repetitions(right.collect()))
+            Series::under(engine.name(), index, without_repetitions(right.collect()))
         }));
     }
     let figure = FigureData {
@@ -65,12 +65,8 @@ fn without_repetitions(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
 
 /// Plots the program's processor time over the size of its input.
 pub fn scaling(scaling: &Scaling, facts: &[Fact]) -> String {
-    let series = scaling.growths.iter().enumerate().map(|(colour, growth)| {
-        Series::under(
-            growth.what,
-            colour,
-            growth.runs.iter().map(|run| (run.size, run.processor_s)).collect(),
-        )
+    let series = scaling.growths.iter().enumerate().map(|(index, growth)| {
+        Series::under(growth.what, index, growth.runs.iter().map(|run| (run.size, run.processor_s)).collect())
     });
     let x_label = "number of scales, cutoffs, loads or rows";
     let figure = FigureData {

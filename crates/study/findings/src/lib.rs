@@ -4,7 +4,4 @@ pub mod answer;
 pub mod doubts;
 pub mod features;
 pub mod interface;
-mod scene_findings;
 pub mod sensitivity;
-
-pub use scene_findings::SceneFindings;

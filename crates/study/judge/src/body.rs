@@ -38,3 +38,35 @@ impl Body {
         }
     }
 }
+
+/// The bodies that boundary elements press, for curves to be compared with.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case", tag = "bodies")]
+pub enum Reference {
+    /// Bodies that never yield.
+    Elastic,
+    /// Bodies that flow at the hardness.
+    Yielding {
+        /// The hardness \[Pa\].
+        hardness_pa: f64,
+    },
+}
+
+impl Reference {
+    /// The name in tables.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Reference::Elastic => "elastic",
+            Reference::Yielding { .. } => "yielding",
+        }
+    }
+
+    /// The elements with this bound \[Pa\] on the pressure of every point.
+    pub(crate) fn from_saturation(saturation_pa: Option<f64>) -> Self {
+        match saturation_pa {
+            None => Reference::Elastic,
+            Some(hardness_pa) => Reference::Yielding { hardness_pa },
+        }
+    }
+}

@@ -7,7 +7,7 @@ use study::plan::Results;
 use study::validity::SMALL_SLOPE_PRESSURE;
 
 use crate::assumptions::{BrokenAssumption, CurveAtLoad, first_broken, real_pressures};
-use crate::body::Body;
+use crate::body::{Body, Reference};
 use crate::hardness_of_scales::{AboveHardness, HardnessOfScales};
 use crate::window::Band;
 use crate::yielding::Yielding;
@@ -39,12 +39,6 @@ impl<'s> Case<'s> {
     pub fn new(scene: &'s Scene, results: &'s Results) -> Self {
         let bodies: Vec<Body> =
             scene.needs.curves.iter().map(|curve| Body::from_model(&curve.model)).collect();
-        let mut bounds_pa: Vec<Option<f64>> = Vec::new();
-        for bound_pa in bodies.iter().map(|body| body.saturation_pa()) {
-            if !bounds_pa.contains(&bound_pa) {
-                bounds_pa.push(bound_pa);
-            }
-        }
         let pressure_pa = |load: &usize| scene.needs.loads[*load].nominal_pressure_pa();
         let mut loads_by_pressure: Vec<usize> = (0..scene.needs.loads.len()).collect();
         loads_by_pressure.sort_by(|a, b| pressure_pa(a).total_cmp(&pressure_pa(b)));
@@ -58,7 +52,7 @@ impl<'s> Case<'s> {
             results,
             composite_modulus_pa: scene.material.map_or(1.0, |material| material.pair.composite_modulus_pa()),
             surface: (results.psd.len() > 1).then(|| AreaSpectrum::from_profile(&results.psd).ok()).flatten(),
-            bounds_pa,
+            bounds_pa: Vec::new(),
             loads_by_pressure,
             moments: cumulative_moments(&results.psd, Normalisation::default()),
             bodies,
@@ -66,6 +60,7 @@ impl<'s> Case<'s> {
             growing_hardness: hardness(true),
             broken: Vec::new(),
         };
+        case.bounds_pa = case.bounds_needed_pa();
         case.broken = case.all().map(|at| first_broken(scene, results, at, case.hardness())).collect();
         case
     }
@@ -97,6 +92,28 @@ impl<'s> Case<'s> {
     /// True if the strength of a curve's body grows at small scales.
     pub fn strength_grows(&self, curve: usize) -> bool {
         self.bodies[curve] == Body::Growing
+    }
+
+    /// The distinct bounds \[Pa\] that the curves' bodies need, and those of the scene's material: without a bound if it may
+    /// stay elastic, at its hardness if an elastic contact would exceed that.
+    fn bounds_needed_pa(&self) -> Vec<Option<f64>> {
+        let yields = (0..self.loads()).any(|load| self.yielding(load).above_constant.is_some());
+        let may_stay_elastic = !yields || self.growing_hardness.is_some();
+        let hardness_pa = self.scene.material.and_then(|material| material.hardness_pa());
+        let of_material =
+            may_stay_elastic.then_some(None).into_iter().chain(hardness_pa.filter(|_| yields).map(Some));
+        let mut bounds_pa: Vec<Option<f64>> = Vec::new();
+        for bound_pa in self.bodies.iter().map(|body| body.saturation_pa()).chain(of_material) {
+            if !bounds_pa.contains(&bound_pa) {
+                bounds_pa.push(bound_pa);
+            }
+        }
+        bounds_pa
+    }
+
+    /// The elements that a curve is compared with.
+    pub fn reference(&self, curve: usize) -> Reference {
+        Reference::from_saturation(self.bodies[curve].saturation_pa())
     }
 
     /// The place in `bounds_pa` of the bound of a curve's body.

@@ -4,6 +4,7 @@ use study::plan::PlanError;
 
 use crate::JudgeError;
 use crate::assumptions::CurveAtLoad;
+use crate::body::Reference;
 use crate::case::Case;
 use crate::headline::Headline;
 use crate::judgement::Judgement;
@@ -11,9 +12,10 @@ use crate::layout::{Cell, Extent, Layout, PlannedPress};
 use crate::model_areas;
 use crate::reason::Reason;
 use crate::solve::{Solutions, Solved};
-use crate::verdict::{ERRORS_GIVEN, Verdict};
-use crate::verdicts::{CurveVerdict, ElementArea, WindowOutcome};
+use crate::verdict::{ERRORS_GIVEN, Verdict, WorstWindow};
+use crate::verdicts::{CurveVerdict, ElementArea, ReferenceArea, WindowOutcome};
 use crate::window::{Band, Window};
+use crate::yielding::Yielding;
 
 /// One standard error, as a share of the area, of an area of the whole band: it joins Persson's theory for the longer waves
 /// to elements under a uniform pressure on the last window.
@@ -51,39 +53,56 @@ impl Comparisons<'_> {
         Ok(outcomes)
     }
 
-    /// Compares every curve on the whole band with the elements' area on the last window, times the share of the area that
-    /// the longer waves leave by Persson's theory. Empty if the elements were pressed with the whole band.
-    pub fn on_whole_band(&self, windows: &[WindowOutcome]) -> Vec<WindowOutcome> {
-        if self.layout.is_whole_band() {
-            return Vec::new();
-        }
+    /// Compares every curve with the elements on the whole band.
+    pub fn on_whole_band(&self) -> Vec<WindowOutcome> {
         let case = self.case;
         let band = case.band();
         let gradient_pa = 2.0 * case.rms_pressure_pa(band.shortest_m);
         let outcome = |at: CurveAtLoad| {
-            let last = windows.iter().rev().find(|on| on.is_of(at.curve, at.load))?;
-            let pressure_pa = case.nominal_pressure_pa(at.load);
-            let elements = last.elements_of_whole(pressure_pa).map(|elements| ElementArea {
-                standard_error: elements.standard_error.hypot(SEAM_ERROR * elements.area_fraction),
-                ..elements
-            });
             let comparison = Comparison {
                 at,
                 band,
-                pressure_pa,
+                pressure_pa: case.nominal_pressure_pa(at.load),
                 gradient_pa,
                 area_fraction: case.final_area(at),
-                elements: elements.ok_or(last.reason),
+                elements: self.area_of_whole_band(case.bound(at.curve), at.load),
             };
-            Some(WindowOutcome { is_whole_band: true, ..comparison.outcome(case) })
+            WindowOutcome { is_whole_band: true, ..comparison.outcome(case) }
         };
-        case.all().filter_map(outcome).collect()
+        case.all().map(outcome).collect()
+    }
+
+    /// The areas of all elements on the whole band, under every load.
+    pub fn references(&self) -> Vec<ReferenceArea> {
+        let loads = 0..self.case.loads();
+        let of_load = |load: usize| {
+            self.case.bounds_pa.iter().enumerate().map(move |(bound, bound_pa)| ReferenceArea {
+                load,
+                reference: Reference::from_saturation(*bound_pa),
+                elements: self.area_of_whole_band(bound, load).ok(),
+            })
+        };
+        loads.flat_map(of_load).collect()
+    }
+
+    /// The area of elements on the whole band: as pressed, or that of the last window times the share of the surface that
+    /// the longer waves leave in contact by Persson's theory.
+    fn area_of_whole_band(&self, bound: usize, load: usize) -> Result<ElementArea, Reason> {
+        let Some(last) = self.layout.windows.len().checked_sub(1) else { return Err(Reason::NoSurface) };
+        let area = element_area(self.layout.planned(Cell { bound, window: last, load }), self.solutions)?;
+        if self.layout.is_whole_band() {
+            return Ok(area);
+        }
+        let longest_m = self.layout.windows[last].band.longest_m;
+        let left = self.case.nominal_pressure_pa(load) / self.case.pressure_pa(bound, load, longest_m);
+        let area_fraction = left * area.area_fraction;
+        let standard_error = (left * area.standard_error).hypot(SEAM_ERROR * area_fraction);
+        Ok(ElementArea { area_fraction, standard_error })
     }
 
     /// Combines the outcomes of every curve under every load into its verdict.
-    pub fn verdicts(&self, windows: &[WindowOutcome]) -> Vec<CurveVerdict> {
-        let verdict = |at| curve_verdict(self.case, at, windows, self.layout.is_whole_band());
-        self.case.all().map(verdict).collect()
+    pub fn verdicts(&self, windows: &[WindowOutcome], whole_band: &[WindowOutcome]) -> Vec<CurveVerdict> {
+        whole_band.iter().map(|whole| curve_verdict(self.case, whole, windows)).collect()
     }
 }
 
@@ -169,7 +188,7 @@ impl Comparison {
             .filter(|broken| broken.wavelength_m() >= band.shortest_m * (1.0 - 1e-9));
         let (verdict, reason) = match (broken, area_fraction.zip(elements)) {
             (Some(broken), _) => (Verdict::OutOfRange, Reason::Broken(broken)),
-            (None, Some((area_fraction, elements))) => self.compared(area_fraction, elements),
+            (None, Some((area_fraction, elements))) => Self::compared(area_fraction, elements),
             (None, None) => (Verdict::NotJudged, reason),
         };
         WindowOutcome {
@@ -197,47 +216,41 @@ impl Comparison {
         }
     }
 
-    fn compared(&self, area_fraction: f64, elements: ElementArea) -> (Verdict, Reason) {
+    fn compared(area_fraction: f64, elements: ElementArea) -> (Verdict, Reason) {
         let ratio = area_fraction / elements.area_fraction;
-        let verdict = Verdict::from_ratio(ratio, elements.relative_error());
-        let reason = Reason::Compared {
-            longest_m: self.band.longest_m,
-            shortest_m: self.band.shortest_m,
-            ratio,
-            pressure_over_gradient: self.pressure_pa / self.gradient_pa,
-            agreeing: usize::from(verdict == Verdict::Agrees),
-            windows: 1,
-        };
-        (verdict, reason)
+        (Verdict::from_ratio(ratio, elements.relative_error()), Reason::Compared { ratio })
     }
 }
 
-/// The verdict on a curve from its outcomes: that of its worst window, unless one of its assumptions is broken.
-fn curve_verdict(
-    case: &Case<'_>,
-    at: CurveAtLoad,
-    windows: &[WindowOutcome],
-    whole_band: bool,
-) -> CurveVerdict {
-    let own = || windows.iter().filter(move |on| on.is_of(at.curve, at.load));
-    let compared = || own().filter(|on| on.ratio_and_error().is_some());
+/// The verdict on a curve: that of the whole band, with its worst window beside it.
+fn curve_verdict(case: &Case<'_>, whole: &WindowOutcome, windows: &[WindowOutcome]) -> CurveVerdict {
+    let at = CurveAtLoad { curve: whole.curve, load: whole.load };
+    let compared = || windows.iter().filter(|on| on.is_of(at) && on.ratio_and_error().is_some());
     let worst = compared().max_by(|a, b| badness(a).total_cmp(&badness(b)));
-    let agreeing = own().filter(|on| on.verdict == Verdict::Agrees).count();
-    let broken = case.broken_assumption(at);
-    let (verdict, reason) = match (broken, worst) {
-        (Some(broken), _) => (Verdict::OutOfRange, Reason::Broken(broken)),
-        (None, Some(worst)) => (worst.verdict, worst.reason.over_windows(agreeing, compared().count())),
-        (None, None) => (Verdict::NotJudged, own().next_back().map_or(Reason::NoSurface, |on| on.reason)),
+    let worst_window = worst.and_then(|on| {
+        let WindowOutcome { longest_m, shortest_m, verdict, .. } = *on;
+        Some(WorstWindow { longest_m, shortest_m, ratio: on.ratio()?, verdict })
+    });
+    let agreeing = compared().filter(|on| on.verdict == Verdict::Agrees).count();
+    let windows = compared().count();
+    let reason = match whole.reason {
+        Reason::Compared { ratio } => {
+            Reason::ComparedOnWholeBand { ratio, worst: worst_window, agreeing, windows }
+        }
+        reason => reason,
     };
     CurveVerdict {
         curve: at.curve,
         load: at.load,
-        area_fraction: case.final_area(at),
-        elements: own().next().and_then(|on| on.elements).filter(|_| whole_band),
-        ratio: worst.and_then(WindowOutcome::ratio),
-        verdict,
+        area_fraction: whole.area_fraction,
+        reference: case.reference(at.curve),
+        elements: whole.elements,
+        verdict: whole.verdict,
         reason,
-        broken,
+        broken: case.broken_assumption(at),
+        worst_window,
+        agreeing,
+        windows,
     }
 }
 
@@ -255,14 +268,17 @@ pub(crate) fn without_elements(case: &Case<'_>, reason: Reason) -> Judgement {
             curve: at.curve,
             load: at.load,
             area_fraction: case.final_area(at),
+            reference: case.reference(at.curve),
             elements: None,
-            ratio: None,
             verdict: if broken.is_some() { Verdict::OutOfRange } else { Verdict::NotJudged },
             reason: broken.map_or(reason, Reason::Broken),
             broken,
+            worst_window: None,
+            agreeing: 0,
+            windows: 0,
         }
     };
-    conclude(case, None, Vec::new(), case.all().map(verdict).collect())
+    conclude(case, None, Vec::new(), case.all().map(verdict).collect(), Vec::new())
 }
 
 /// Adds to the verdicts what follows from them and from the case; the maps are left empty.
@@ -271,15 +287,19 @@ pub(crate) fn conclude(
     extent: Option<Extent>,
     windows: Vec<WindowOutcome>,
     curves: Vec<CurveVerdict>,
+    references: Vec<ReferenceArea>,
 ) -> Judgement {
-    let headlines = (0..case.loads()).filter_map(|load| Headline::new(load, &windows, &curves)).collect();
+    let yielding: Vec<Yielding> = (0..case.loads()).map(|load| case.yielding(load)).collect();
+    let headlines =
+        yielding.iter().filter_map(|yielding| Headline::new(yielding, &references, &curves)).collect();
     Judgement {
         extent,
         windows,
         curves,
+        references,
         headlines,
         maps: Vec::new(),
-        yielding: (0..case.loads()).map(|load| case.yielding(load)).collect(),
+        yielding,
         steep_from_m: case.steep_from_m(),
         rms_gradient: case.rms_gradient(),
     }

@@ -1,9 +1,10 @@
-//! The headline of a load: one number with a bracket, or the range of the models.
+//! The headline of a load: the area that the scene supports, its range, and the assumption that decides it.
 
 use serde::Serialize;
 
-use crate::verdict::{ERRORS_GIVEN, Verdict};
-use crate::verdicts::{CurveVerdict, ElementArea, WindowOutcome};
+use crate::body::Reference;
+use crate::verdicts::{CurveVerdict, ElementArea, ReferenceArea};
+use crate::yielding::Yielding;
 
 /// The area of a load, to be said first.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -12,99 +13,135 @@ pub struct Headline {
     pub load: usize,
     /// The source of the number.
     pub basis: Basis,
+    /// The best estimate of the area fraction; `None` if only models give it.
+    pub area_fraction: Option<f64>,
     /// The least area fraction that the judge cannot exclude.
     pub low: f64,
     /// The largest area fraction that the judge cannot exclude.
     pub high: f64,
+    /// The area under another assumption on the hardness, if that moves it beyond the range.
+    pub otherwise: Option<Otherwise>,
+    /// The curve nearest to the elements of the headline, among those that agree on the whole band and on most windows.
+    pub best_curve: Option<usize>,
 }
 
 /// The source of a headline.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Basis {
-    /// A curve whose assumptions hold and which agrees with the elements in most windows.
-    Curve {
-        /// The curve, by index.
-        curve: usize,
-        /// Its area fraction.
-        area_fraction: f64,
-        /// The number of windows on which it agrees.
-        agreeing: usize,
-        /// The number of windows on which it was compared.
-        windows: usize,
-        /// True if the elements were pressed with the whole band.
-        whole_band: bool,
+    /// Boundary elements that match the material.
+    Elements(Reference),
+    /// Boundary elements on both sides: the contact yields, at a hardness that grows at small scales, so that it touches more
+    /// than elastic elements and less than those with the constant hardness.
+    BetweenElements {
+        /// The area of elastic elements.
+        elastic: ElementArea,
+        /// The area of elements that flow at the constant hardness.
+        yielding: ElementArea,
     },
-    /// No curve is valid: the range of the models.
+    /// The range of the models, since no elements were pressed.
     RangeOfModels {
         /// The curve of the least area.
         least: usize,
         /// The curve of the largest.
         most: usize,
-        /// The area of boundary elements on the whole band, if they were pressed for a curve whose assumptions hold.
-        elements: Option<ElementArea>,
     },
 }
 
+/// The area if the hardness is the same at every scale.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Otherwise {
+    /// The constant hardness \[Pa\].
+    pub hardness_pa: f64,
+    /// The area of elements that flow at it.
+    pub elements: ElementArea,
+}
+
 impl Headline {
-    /// The headline of a load; `None` if no curve has an area under it.
-    pub(crate) fn new(load: usize, windows: &[WindowOutcome], curves: &[CurveVerdict]) -> Option<Self> {
-        let of_load = || curves.iter().filter(move |curve| curve.load == load);
-        let is_valid = |curve: &&CurveVerdict| {
-            let whole = widest(windows, curve);
-            curve.broken.is_none() && whole.is_some_and(|on| on.verdict == Verdict::Agrees)
+    /// The headline of a load; `None` if there are no elements and no curve has an area under it.
+    pub(crate) fn new(yielding: &Yielding, areas: &[ReferenceArea], curves: &[CurveVerdict]) -> Option<Self> {
+        let load = yielding.load;
+        let area = |is_wanted: fn(Reference) -> bool| {
+            areas
+                .iter()
+                .find(|area| area.load == load && is_wanted(area.reference) && area.elements.is_some())
         };
-        let candidates = of_load().filter(is_valid);
-        let with_agreement = candidates.map(|curve| {
-            let own = || windows.iter().filter(|on| on.is_of(curve.curve, load));
-            (curve, own().filter(|on| on.verdict == Verdict::Agrees).count())
-        });
-        // Of several that agree as often the first is kept.
-        let best = with_agreement.reduce(|best, other| if other.1 > best.1 { other } else { best });
-        match best {
-            Some((curve, agreeing)) => Self::from_curve(curve, agreeing, windows),
-            None => {
-                let sound = of_load().filter(|curve| curve.broken.is_none());
-                let elements = sound.filter_map(|curve| widest(windows, curve)?.elements).next();
-                Self::from_range(load, of_load(), elements)
+        let elastic = area(|reference| reference == Reference::Elastic);
+        let flowing = area(|reference| reference != Reference::Elastic);
+        let grows = yielding.hardness_grows && yielding.above_constant.is_some();
+        match (elastic, flowing) {
+            (Some(elastic), Some(flowing)) if grows && yielding.above_growing.is_some() => {
+                Self::between(load, elastic.elements?, flowing.elements?)
             }
+            (Some(elastic), other) if grows && yielding.above_growing.is_none() => {
+                let headline = Self::from_elements(elastic, curves)?;
+                let otherwise = other.and_then(Otherwise::new);
+                let moves = |other: &Otherwise| {
+                    !(headline.low..=headline.high).contains(&other.elements.area_fraction)
+                };
+                Some(Headline { otherwise: otherwise.filter(moves), ..headline })
+            }
+            (_, Some(flowing)) if yielding.above_constant.is_some() && !yielding.hardness_grows => {
+                Self::from_elements(flowing, curves)
+            }
+            (Some(elastic), _) if yielding.above_constant.is_none() => Self::from_elements(elastic, curves),
+            _ => Self::from_range(load, curves),
         }
     }
 
-    fn from_curve(curve: &CurveVerdict, agreeing: usize, windows: &[WindowOutcome]) -> Option<Self> {
-        let area_fraction = curve.area_fraction?;
-        let own = windows.iter().filter(|on| on.is_of(curve.curve, curve.load));
-        let judged_windows = own.filter_map(WindowOutcome::ratio_and_error).count();
-        let elements = widest(windows, curve)?.elements?;
-        let given = ERRORS_GIVEN * elements.standard_error;
-        // The bracket holds the curve's own area.
-        let low = area_fraction.min(elements.area_fraction - given);
-        let high = area_fraction.max(elements.area_fraction + given);
-        let basis = Basis::Curve {
-            curve: curve.curve,
-            area_fraction,
-            agreeing,
-            windows: judged_windows,
-            whole_band: curve.elements.is_some(),
-        };
-        Some(Headline { load: curve.load, basis, low, high: high.min(1.0) })
+    fn from_elements(area: &ReferenceArea, curves: &[CurveVerdict]) -> Option<Self> {
+        let elements = area.elements?;
+        let off = |curve: &CurveVerdict| curve.ratio().map_or(f64::INFINITY, |ratio| ratio.ln().abs());
+        let candidates = curves
+            .iter()
+            .filter(|curve| curve.load == area.load && curve.reference == area.reference && curve.holds());
+        Some(Headline {
+            load: area.load,
+            basis: Basis::Elements(area.reference),
+            area_fraction: Some(elements.area_fraction),
+            low: elements.low(),
+            high: elements.high(),
+            otherwise: None,
+            best_curve: candidates.min_by(|a, b| off(a).total_cmp(&off(b))).map(|curve| curve.curve),
+        })
     }
 
-    fn from_range<'c>(
-        load: usize,
-        curves: impl Iterator<Item = &'c CurveVerdict>,
-        elements: Option<ElementArea>,
-    ) -> Option<Self> {
-        let areas: Vec<(usize, f64)> =
-            curves.filter_map(|curve| Some((curve.curve, curve.area_fraction?))).collect();
-        let least = areas.iter().copied().reduce(|a, b| if b.1 < a.1 { b } else { a })?;
-        let most = areas.iter().copied().reduce(|a, b| if b.1 > a.1 { b } else { a })?;
-        let basis = Basis::RangeOfModels { least: least.0, most: most.0, elements };
-        Some(Headline { load, basis, low: least.1, high: most.1 })
+    fn between(load: usize, elastic: ElementArea, yielding: ElementArea) -> Option<Self> {
+        Some(Headline {
+            load,
+            basis: Basis::BetweenElements { elastic, yielding },
+            area_fraction: None,
+            low: elastic.low(),
+            high: yielding.high(),
+            otherwise: None,
+            best_curve: None,
+        })
+    }
+
+    fn from_range(load: usize, curves: &[CurveVerdict]) -> Option<Self> {
+        let areas = || {
+            let of_load = curves.iter().filter(|curve| curve.load == load);
+            of_load.filter_map(|curve| Some((curve.curve, curve.area_fraction?)))
+        };
+        let least = areas().reduce(|a, b| if b.1 < a.1 { b } else { a })?;
+        let most = areas().reduce(|a, b| if b.1 > a.1 { b } else { a })?;
+        Some(Headline {
+            load,
+            basis: Basis::RangeOfModels { least: least.0, most: most.0 },
+            area_fraction: None,
+            low: least.1,
+            high: most.1,
+            otherwise: None,
+            best_curve: None,
+        })
     }
 }
 
-/// The outcome of a curve on its widest band: the whole band, which follows the windows.
-fn widest<'w>(windows: &'w [WindowOutcome], curve: &CurveVerdict) -> Option<&'w WindowOutcome> {
-    windows.iter().rev().find(|on| on.is_of(curve.curve, curve.load))
+impl Otherwise {
+    fn new(area: &ReferenceArea) -> Option<Self> {
+        match area.reference {
+            Reference::Elastic => None,
+            Reference::Yielding { hardness_pa } => Some(Otherwise { hardness_pa, elements: area.elements? }),
+        }
+    }
 }

@@ -50,10 +50,16 @@ impl<'s> JudgePlan<'s> {
         let maps = self.maps(layout, progress)?;
         let comparisons = Comparisons { case: &self.case, layout, solutions: &solutions };
         let mut windows = comparisons.on_windows()?;
-        windows.extend(comparisons.on_whole_band(&windows));
-        let curves = comparisons.verdicts(&windows);
+        let whole_band = comparisons.on_whole_band();
+        let curves = comparisons.verdicts(&windows, &whole_band);
+        if !layout.is_whole_band() {
+            windows.extend(whole_band);
+        }
         let extent = layout.extent(&self.settings, solutions.spent);
-        Ok(Judgement { maps, ..conclude(&self.case, Some(extent), windows, curves) })
+        Ok(Judgement {
+            maps,
+            ..conclude(&self.case, Some(extent), windows, curves, comparisons.references())
+        })
     }
 
     /// Compares the measured maps behind the spectrum with Gaussian surfaces of their waves.

@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::headline::Headline;
 use crate::layout::Extent;
 use crate::maps::MapVerdict;
-use crate::verdicts::{CurveVerdict, WindowOutcome};
+use crate::verdicts::{CurveVerdict, ReferenceArea, WindowOutcome};
 use crate::yielding::Yielding;
 
 /// The verdicts of the judge on a scene.
@@ -17,6 +17,8 @@ pub struct Judgement {
     pub windows: Vec<WindowOutcome>,
     /// Every curve under every load on the whole band.
     pub curves: Vec<CurveVerdict>,
+    /// The areas of the elements themselves, on the whole band.
+    pub references: Vec<ReferenceArea>,
     /// The headline of every load.
     pub headlines: Vec<Headline>,
     /// Measured maps beside Gaussian surfaces of their waves.

@@ -11,6 +11,7 @@ use topography::{Detrend, detrended_m};
 use crate::JudgeError;
 use crate::case::Case;
 use crate::solve::{Solved, TOLERANCE};
+use crate::verdict::ERRORS_GIVEN;
 use crate::verdicts::ElementArea;
 use crate::window::POINTS_PER_SHORTEST;
 
@@ -22,6 +23,8 @@ const TWINS: u64 = 4;
 const MIN_POINTS: f64 = 200.0;
 /// The pressure over E* h' at which nearly all of a map touches.
 const NEARLY_FULL: f64 = 1.0;
+/// The least difference between a map and its twins that counts.
+const LEAST_DIFFERENCE: f64 = 0.05;
 
 /// The area of a measured map under a load, and that of Gaussian surfaces with the same waves.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -43,6 +46,18 @@ impl MapVerdict {
     #[must_use]
     pub fn ratio(&self) -> f64 {
         self.area_fraction / self.twins.area_fraction
+    }
+
+    /// Two standard errors of the ratio.
+    #[must_use]
+    pub fn ratio_error(&self) -> f64 {
+        ERRORS_GIVEN * self.twins.relative_error() * self.ratio()
+    }
+
+    /// True if the map touches otherwise than its twins: its heights are not Gaussian, which no spectrum shows.
+    #[must_use]
+    pub fn differs(&self) -> bool {
+        (self.ratio() - 1.0).abs() > self.ratio_error().max(LEAST_DIFFERENCE)
     }
 }
 

@@ -6,22 +6,24 @@ use serde::Serialize;
 use units::display::{length, percent, pressure, three_digits};
 
 use crate::assumptions::BrokenAssumption;
+use crate::verdict::WorstWindow;
 
 /// The reason for a verdict.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Reason {
-    /// Areas were compared: for the verdict on a curve, on its worst window.
+    /// Areas were compared.
     Compared {
-        /// The longest wave of the window \[m\].
-        longest_m: f64,
-        /// The shortest one \[m\].
-        shortest_m: f64,
         /// The curve's area over that of the elements.
         ratio: f64,
-        /// Mean pressure on the window over E* times its rms gradient.
-        pressure_over_gradient: f64,
+    },
+    /// Areas were compared with the whole band, and on windows of it.
+    ComparedOnWholeBand {
+        /// The curve's area over that of the elements with the whole band.
+        ratio: f64,
+        /// The window on which the curve is farthest from the elements.
+        worst: Option<WorstWindow>,
         /// The number of windows on which the curve agrees.
         agreeing: usize,
         /// The number of windows on which it was compared.
@@ -51,16 +53,21 @@ pub enum Reason {
 impl fmt::Display for Reason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Reason::Compared { longest_m, shortest_m, ratio, pressure_over_gradient, agreeing, windows } => {
-                write!(
-                    f,
-                    "{} times the area of boundary elements from {} to {} at p/(E* h') = {}; agrees on {agreeing} of {windows} \
-                     windows",
-                    three_digits(ratio),
-                    length(longest_m),
-                    length(shortest_m),
-                    three_digits(pressure_over_gradient)
-                )
+            Reason::Compared { ratio } => {
+                write!(f, "{} times the area of boundary elements", three_digits(ratio))
+            }
+            Reason::ComparedOnWholeBand { ratio, worst, agreeing, windows } => {
+                write!(f, "{} times the area of boundary elements", three_digits(ratio))?;
+                if let Some(WorstWindow { longest_m, shortest_m, ratio, .. }) = worst {
+                    write!(
+                        f,
+                        "; agrees on {agreeing} of {windows} windows, worst from {} to {}: {} times",
+                        length(longest_m),
+                        length(shortest_m),
+                        three_digits(ratio)
+                    )?;
+                }
+                Ok(())
             }
             Reason::Broken(BrokenAssumption::Yields(above)) => write!(
                 f,
@@ -87,16 +94,5 @@ impl fmt::Display for Reason {
             Reason::BeyondBudget => f.write_str("even the coarsest grid exceeds judge.budget"),
             Reason::NoSurface => f.write_str("no surface can be made of the spectrum"),
         }
-    }
-}
-
-impl Reason {
-    /// The reason of a worst window, as that of its curve: with the number of windows on which the curve agrees, and was
-    /// compared.
-    pub(crate) fn over_windows(mut self, agreeing_windows: usize, compared_windows: usize) -> Self {
-        if let Reason::Compared { agreeing, windows, .. } = &mut self {
-            (*agreeing, *windows) = (agreeing_windows, compared_windows);
-        }
-        self
     }
 }

@@ -4,7 +4,6 @@ use study::plan::Needs;
 use tables::Table;
 
 use crate::judgement::Judgement;
-use crate::verdict::ERRORS_GIVEN;
 use crate::verdicts::{CurveVerdict, WindowOutcome};
 
 impl Judgement {
@@ -32,12 +31,14 @@ impl Judgement {
     }
 
     /// A row per curve and load: `curve, nominal_pressure_pa, area_fraction, judged_low, judged_high, ratio_to_judge, verdict,
-    /// reason`. `judged_low` and `judged_high`, two standard errors either way, are empty unless elements were pressed with
-    /// the whole band; the ratio is that of the worst window, which the reason names.
+    /// reason, reference, worst_window_ratio, worst_window_verdict, worst_window_longest_m, worst_window_shortest_m`. Ratio and
+    /// verdict are those of the whole band; `judged_low` and `judged_high` are the elements' area with two standard errors
+    /// either way; `reference` names the bodies of these elements, elastic or yielding.
     #[must_use]
     pub fn models_table(&self, needs: &Needs) -> Table {
         let rows = || self.curves.iter();
         let found = |of: fn(&CurveVerdict) -> Option<f64>| rows().map(of);
+        let worst_verdict = |row: &CurveVerdict| row.worst_window.map_or("", |worst| worst.verdict.name());
         Table::default()
             .with_text("curve", rows().map(|row| needs.curves[row.curve].name.clone()))
             .with_numbers(
@@ -45,16 +46,15 @@ impl Judgement {
                 rows().map(|row| needs.loads[row.load].nominal_pressure_pa()),
             )
             .with_numbers("area_fraction", found(|row| row.area_fraction))
-            .with_numbers(
-                "judged_low",
-                found(|row| Some(row.elements?.area_fraction - ERRORS_GIVEN * row.elements?.standard_error)),
-            )
-            .with_numbers(
-                "judged_high",
-                found(|row| Some(row.elements?.area_fraction + ERRORS_GIVEN * row.elements?.standard_error)),
-            )
-            .with_numbers("ratio_to_judge", found(|row| row.ratio))
+            .with_numbers("judged_low", found(|row| Some(row.elements?.low())))
+            .with_numbers("judged_high", found(|row| Some(row.elements?.high())))
+            .with_numbers("ratio_to_judge", found(CurveVerdict::ratio))
             .with_text("verdict", rows().map(|row| row.verdict.name().to_owned()))
             .with_text("reason", rows().map(|row| row.reason.to_string()))
+            .with_text("reference", rows().map(|row| row.reference.name().to_owned()))
+            .with_numbers("worst_window_ratio", found(|row| Some(row.worst_window?.ratio)))
+            .with_text("worst_window_verdict", rows().map(|row| worst_verdict(row).to_owned()))
+            .with_numbers("worst_window_longest_m", found(|row| Some(row.worst_window?.longest_m)))
+            .with_numbers("worst_window_shortest_m", found(|row| Some(row.worst_window?.shortest_m)))
     }
 }

@@ -58,6 +58,19 @@ impl Verdict {
     }
 }
 
+/// The window on which a curve is farthest from the elements.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct WorstWindow {
+    /// The longest wave of the window \[m\].
+    pub longest_m: f64,
+    /// The shortest wave of the window \[m\].
+    pub shortest_m: f64,
+    /// The curve's area over that of the elements.
+    pub ratio: f64,
+    /// The verdict on that ratio.
+    pub verdict: Verdict,
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -2,9 +2,10 @@
 
 use serde::Serialize;
 
-use crate::assumptions::BrokenAssumption;
+use crate::assumptions::{BrokenAssumption, CurveAtLoad};
+use crate::body::Reference;
 use crate::reason::Reason;
-use crate::verdict::Verdict;
+use crate::verdict::{ERRORS_GIVEN, Verdict, WorstWindow};
 
 /// A curve under a load on a window, held against boundary elements.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -44,6 +45,18 @@ pub struct ElementArea {
 }
 
 impl ElementArea {
+    /// The area less two standard errors; at least a tenth of the area, since an area is positive.
+    #[must_use]
+    pub fn low(self) -> f64 {
+        (self.area_fraction - ERRORS_GIVEN * self.standard_error).max(0.1 * self.area_fraction)
+    }
+
+    /// The area with two standard errors, at most 1.
+    #[must_use]
+    pub fn high(self) -> f64 {
+        (self.area_fraction + ERRORS_GIVEN * self.standard_error).min(1.0)
+    }
+
     /// The standard error over the area.
     #[must_use]
     pub fn relative_error(self) -> f64 {
@@ -59,8 +72,8 @@ impl WindowOutcome {
     }
 
     /// True for the outcomes of this curve under this load.
-    pub(crate) fn is_of(&self, curve: usize, load: usize) -> bool {
-        (self.curve, self.load) == (curve, load)
+    pub(crate) fn is_of(&self, at: CurveAtLoad) -> bool {
+        (self.curve, self.load) == (at.curve, at.load)
     }
 
     /// The ratio and its relative error, if it counts for the verdict on the curve.
@@ -79,16 +92,47 @@ pub struct CurveVerdict {
     pub load: usize,
     /// The area fraction at the shortest wavelength, if the curve has one.
     pub area_fraction: Option<f64>,
-    /// The area of boundary elements, if they were pressed with the whole band.
+    /// The bodies of the elements that the curve is compared with.
+    pub reference: Reference,
+    /// The area of these elements with the whole band, if it is known.
     pub elements: Option<ElementArea>,
-    /// The ratio to boundary elements on the worst window.
-    pub ratio: Option<f64>,
-    /// The verdict on the curve.
+    /// The verdict on the area at the shortest wavelength.
     pub verdict: Verdict,
     /// The reason for the verdict.
     pub reason: Reason,
     /// The assumption of the curve that breaks first.
     pub broken: Option<BrokenAssumption>,
+    /// The window on which the curve is farthest from the elements; `None` if no window was compared.
+    pub worst_window: Option<WorstWindow>,
+    /// The number of windows on which the curve agrees.
+    pub agreeing: usize,
+    /// The number of windows on which it was compared.
+    pub windows: usize,
+}
+
+impl CurveVerdict {
+    /// The curve's area over that of the elements, both with the whole band.
+    #[must_use]
+    pub fn ratio(&self) -> Option<f64> {
+        Some(self.area_fraction? / self.elements?.area_fraction)
+    }
+
+    /// True if the curve agrees with the elements on the whole band and on more than half of the windows.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        self.verdict == Verdict::Agrees && 2 * self.agreeing > self.windows
+    }
+}
+
+/// The area of boundary elements with the whole band under a load.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct ReferenceArea {
+    /// The load, by index.
+    pub load: usize,
+    /// The bodies that were pressed.
+    pub reference: Reference,
+    /// The area, if it was found.
+    pub elements: Option<ElementArea>,
 }
 
 impl WindowOutcome {

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use judge::{Basis, JudgePlan, Judgement, Reason, Settings, Verdict};
+use judge::{Basis, JudgePlan, Judgement, Reason, Reference, Settings, Verdict};
 use scene::{Overrides, Scene};
 use study::plan::Results;
 use study::{Files, Progress, Unobserved};
@@ -80,13 +80,16 @@ fn a_band_that_the_grid_holds_is_solved_whole_and_its_bracket_is_that_of_the_ele
     }
     // Persson's theory is 15 to 31 % low below a third of contact (Dapp, Prodanov & Mueser 2014).
     let persson = &judgement.curves[1];
-    assert!((0.65..0.9).contains(&persson.ratio.unwrap()), "{persson:?}");
+    assert!((0.65..0.9).contains(&persson.ratio().unwrap()), "{persson:?}");
     let headline = judgement.headline(0).unwrap();
-    // Cut off in the surface or in its profiles: the gradient differs by 4 %.
+    assert_eq!(headline.basis, Basis::Elements(Reference::Elastic));
+    // The number is that of the elements, in the middle of their bracket.
     let judged = persson.elements.unwrap();
-    let of_whole = persson.area_fraction.unwrap() / judged.area_fraction;
-    assert!((of_whole / persson.ratio.unwrap() - 1.0).abs() < 0.05, "{of_whole}");
+    assert_eq!(headline.area_fraction, Some(judged.area_fraction));
     assert!(headline.low < judged.area_fraction && judged.area_fraction < headline.high);
+    // Cut off in the surface or in its profiles: the gradient differs by 4 %.
+    let window = persson.worst_window.unwrap();
+    assert!((window.ratio / persson.ratio().unwrap() - 1.0).abs() < 0.05, "{window:?}");
 }
 
 #[test]
@@ -104,11 +107,65 @@ fn windows_step_by_half_a_decade_and_the_widest_is_the_whole_band() {
     // The mean pressure on windows rises as roughness is taken in.
     assert!(windows.windows(2).all(|pair| pair[1].pressure_pa > pair[0].pressure_pa));
     for row in &judgement.curves {
-        assert!(matches!(row.reason, Reason::Compared { windows: 5, .. }), "{row:?}");
-        assert!(row.elements.is_none());
+        assert!(matches!(row.reason, Reason::ComparedOnWholeBand { windows: 4, .. }), "{row:?}");
+        assert!(row.windows == 4 && row.worst_window.is_some());
+        assert_eq!(row.elements, judgement.references[0].elements);
     }
-    let Basis::Curve { curve, .. } = judgement.headline(0).unwrap().basis else { panic!("{judgement:?}") };
-    assert_eq!(judgement.curves[curve].broken, None);
+    let best = judgement.headline(0).unwrap().best_curve.unwrap();
+    assert!(judgement.curves[best].holds() && judgement.curves[best].broken.is_none());
+}
+
+#[test]
+fn the_verdict_on_a_number_is_that_of_the_whole_band_and_the_worst_window_stands_beside_it() {
+    let scene = scene(2.2, "", "\"300 MPa\"", &ELASTIC);
+    let (_, judgement) = judged(&scene, &coarse(64, 2));
+    for row in &judgement.curves {
+        let ratio = row.area_fraction.unwrap() / row.elements.unwrap().area_fraction;
+        assert_eq!(row.ratio(), Some(ratio));
+        assert_eq!(row.verdict, Verdict::from_ratio(ratio, row.elements.unwrap().relative_error()));
+        let own = judgement.windows.iter().filter(|on| on.curve == row.curve && !on.is_whole_band);
+        let worst = row.worst_window.unwrap();
+        assert!(own.clone().any(|on| (on.shortest_m, on.ratio()) == (worst.shortest_m, Some(worst.ratio))));
+        assert_eq!(row.agreeing, own.filter(|on| on.verdict == Verdict::Agrees).count());
+    }
+}
+
+#[test]
+fn elements_are_those_of_the_material_whichever_curves_are_listed() {
+    let headline = |curves: &[&str]| {
+        let scene = scene(0.9, "yield_strength = \"300 MPa\"", "\"300 MPa\"", curves);
+        *judged(&scene, &coarse(64, 3)).1.headline(0).unwrap()
+    };
+    let (one, three) = (
+        headline(&["model = \"elastic\""]),
+        headline(&["model = \"elastic\"", "model = \"persson-plastic\""]),
+    );
+    assert!(
+        matches!(one.basis, Basis::Elements(Reference::Yielding { hardness_pa }) if (hardness_pa / 900e6 - 1.0).abs() < 1e-12)
+    );
+    assert_eq!(
+        (one.basis, one.area_fraction, one.low, one.high),
+        (three.basis, three.area_fraction, three.low, three.high)
+    );
+    assert_eq!((one.best_curve, three.best_curve), (None, Some(1)));
+}
+
+#[test]
+fn a_hardness_that_may_grow_leaves_two_areas_side_by_side() {
+    let headline = |length: &str| {
+        let material = format!("yield_strength = \"100 MPa\"\nstrain_gradient_length = \"{length}\"");
+        let scene = scene(0.9, &material, "\"200 MPa\"", &["model = \"elastic\""]);
+        *judged(&scene, &coarse(64, 3)).1.headline(0).unwrap()
+    };
+    // Grown beyond every pressure, the contact stays elastic; at the constant hardness it touches more.
+    let grown = headline("1 mm");
+    let Some(otherwise) = grown.otherwise else { panic!("{grown:?}") };
+    assert_eq!(grown.basis, Basis::Elements(Reference::Elastic));
+    assert!(otherwise.elements.area_fraction > grown.high, "{grown:?}");
+    // Grown a little, it still yields: the area lies between those of both kinds of elements.
+    let between = headline("1 nm");
+    assert!(matches!(between.basis, Basis::BetweenElements { elastic, yielding }
+        if between.low < elastic.area_fraction && elastic.area_fraction < yielding.area_fraction && yielding.area_fraction < between.high));
 }
 
 #[test]
@@ -122,8 +179,9 @@ fn what_yields_is_held_against_saturated_elements_and_elastic_curves_are_out_of_
     assert_eq!(plastic.verdict, Verdict::Agrees, "{plastic:?}");
     // The load over the hardness is the least that can touch.
     assert!(plastic.elements.unwrap().area_fraction >= 300.0 / 900.0);
-    let basis = judgement.headline(0).unwrap().basis;
-    assert!(matches!(basis, Basis::Curve { curve: 1 | 2, .. }), "{basis:?}");
+    let headline = judgement.headline(0).unwrap();
+    assert!(matches!(headline.basis, Basis::Elements(Reference::Yielding { .. })));
+    assert!(matches!(headline.best_curve, Some(1 | 2)), "{headline:?}");
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Options of a model that it ignores.
 
-use study::models::{self, Choice, Framework, IgnoredReason, ModelEntry, ModelOptions};
+use study::models::{self, Choice, IgnoredReason, ModelEntry, ModelOptions};
 
 use crate::option::{OptionName, Reason, UnusedOption};
 
@@ -12,7 +12,7 @@ pub(crate) fn check(
 ) -> Result<(), UnusedOption> {
     if let Some(ignored) = options.ignored_by(entry).first() {
         return Err(UnusedOption {
-            option: name(ignored.choice),
+            option: OptionName::of_choice(ignored.choice),
             why: reason(ignored.choice, ignored.reason, entry),
         });
     }
@@ -21,19 +21,6 @@ pub(crate) fn check(
         Some(why) => {
             Err(UnusedOption { option: OptionName::StrengthCap, why: reason(Choice::Strength, why, entry) })
         }
-    }
-}
-
-fn name(choice: Choice) -> OptionName {
-    match choice {
-        Choice::StrainGradient => OptionName::StrainGradient,
-        Choice::Hardness => OptionName::Hardness,
-        Choice::Interference => OptionName::InterferenceLaw,
-        Choice::Correction => OptionName::Correction,
-        Choice::Band => OptionName::Band,
-        Choice::Gamma => OptionName::Gamma,
-        Choice::HardnessLaw => OptionName::HardnessLaw,
-        _ => OptionName::YieldStrength,
     }
 }
 
@@ -46,14 +33,14 @@ fn reason(choice: Choice, why: IgnoredReason, entry: &'static ModelEntry) -> Rea
         IgnoredReason::NoSuchOption => Reason::OnlyOn { model, models },
         // Statistical and stacked models that yield are named.
         IgnoredReason::NeverYields
-            if choice == Choice::StrainGradient && entry.framework != Framework::Persson =>
+            if choice == Choice::StrainGradient && !entry.framework.facts().takes_hardness =>
         {
             Reason::OnlyOn { model, models }
         }
         IgnoredReason::NeverYields => Reason::DoesNotYield(model),
         IgnoredReason::CorrectionsAreElastic => Reason::CorrectionsAreElastic(model),
         IgnoredReason::OtherHardnessLaw => Reason::OtherHardnessLaw(model),
-        IgnoredReason::NothingGrows if entry.framework == Framework::Persson => {
+        IgnoredReason::NothingGrows if entry.framework.facts().takes_hardness => {
             Reason::HardnessDoesNotGrow(model)
         }
         IgnoredReason::NothingGrows => Reason::StrengthDoesNotGrow,

@@ -52,10 +52,14 @@ impl CurveCounts {
 
     /// Counts the rows under one load.
     pub fn add_block(&mut self, part: &CurveResult, block: usize) {
-        match part {
-            CurveResult::Stacked(blocks) => self.levels.add(&blocks[block]),
-            CurveResult::Persson(blocks) => self.cuts.add(&blocks[block]),
-            CurveResult::Statistical(blocks) => self.add_states(&blocks[block]),
+        if let Some(blocks) = part.stacked() {
+            self.levels.add(&blocks[block]);
+        }
+        if let Some(blocks) = part.persson() {
+            self.cuts.add(&blocks[block]);
+        }
+        if let Some(blocks) = part.statistical() {
+            self.add_states(&blocks[block]);
         }
     }
 

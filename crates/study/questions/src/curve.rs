@@ -2,19 +2,17 @@
 
 use findings::doubts::{Doubt, RealPressures};
 use parallel::Progress;
-use persson::corrections::Correction;
-use persson::separation::SeparationLaw;
-use persson::{PerssonModel, Roughness};
+use persson::separation::LightLoads;
 use scene::Scene;
 use serde::{Deserialize, Serialize};
 use spectrum::{AmplitudeDefinition, Normalisation};
 use study::figure::Figure;
 use study::material::Material;
-use study::models::{Framework, ModelEntry, ModelOptions};
-use study::persson_law::roughness;
+use study::models::{ModelEntry, ModelOptions, MomentUse, Theory};
+use study::persson_law::PerssonLaw;
 use study::plan::{
-    Curve, CurveResult, Cutoffs, Load, LoadRange, Needs, NominalPressure, Part, Plan, PlanError,
-    PreparedSpectrum, Sampling, Stream, Tolerance,
+    Curve, CurveResult, Cutoffs, Load, LoadRange, Needs, NominalPressure, Part, PerssonSurface, Plan,
+    PlanError, Sampling, Stream, Tolerance,
 };
 use study::result_tables;
 use study::surface::Surface;
@@ -73,6 +71,14 @@ impl CurveQuestion {
         self.resolve().map(drop)
     }
 
+    /// The curve, its loads and all else that a plan needs.
+    ///
+    /// # Errors
+    /// Returns the errors of [`check`](Self::check).
+    pub fn needs(&self) -> Result<Needs, QuestionError> {
+        self.resolve().map(|resolved| resolved.needs)
+    }
+
     /// Prepares the curve of a surface.
     ///
     /// # Errors
@@ -103,32 +109,31 @@ impl CurveQuestion {
     }
 
     fn resolve(&self) -> Result<Resolved, QuestionError> {
-        let entry = self.model.ok_or(QuestionError::Missing(OptionName::Model))?;
-        let is_statistical = entry.framework == Framework::Statistical;
+        let entry = self.model.ok_or(QuestionError::Missing(&[OptionName::Model]))?;
+        let facts = entry.framework.facts();
         choices::check(&self.options, entry, self.material.strength_cap.is_some())?;
-        let of_statistical = [
-            (OptionName::Normalisation, self.normalisation.is_some() && !is_statistical),
-            (OptionName::Tolerance, self.tolerance.is_some() && !is_statistical),
-            (OptionName::Separation, !self.separations_m.is_empty() && !is_statistical),
-            (OptionName::Amplitude, self.amplitude.is_some() && is_statistical),
+        let takes_normalisation = facts.moments == MomentUse::Chosen;
+        let of_other_frameworks = [
+            (OptionName::Normalisation, self.normalisation.is_some() && !takes_normalisation),
+            (OptionName::Tolerance, self.tolerance.is_some() && !facts.has_states),
+            (OptionName::Separation, !self.separations_m.is_empty() && !facts.has_states),
+            (OptionName::Amplitude, self.amplitude.is_some() && !facts.takes_amplitude),
         ];
-        first_given(of_statistical, || Reason::Model(entry.name))?;
+        first_given(of_other_frameworks, || Reason::Model(entry.name))?;
         let material = self.material.material()?;
         let tolerance = self.tolerance.map(Tolerance::new).transpose().map_err(PlanError::from)?;
         let tolerance = tolerance.unwrap_or_default();
         let model = entry.build(&material, &self.options)?;
         let (loads, load_ranges) = resolved(&self.pressures, &self.pressure_ranges, &material)?;
         if loads.is_empty() && load_ranges.is_empty() && self.separations_m.is_empty() {
-            return Err(QuestionError::Missing(OptionName::Pressure));
+            return Err(QuestionError::Missing(match facts.has_states {
+                true => &[OptionName::Pressure, OptionName::Separation],
+                false => &[OptionName::Pressure],
+            }));
         }
-        let normalisation = match entry.framework {
-            Framework::Stacked => None,
-            Framework::Statistical => Some(self.normalisation.unwrap_or_default()),
-            Framework::Persson => Some(Normalisation::Parseval),
-        };
         let mut needs = Needs {
-            moments: normalisation,
-            amplitudes: (!is_statistical).then(|| self.amplitude.unwrap_or_default()),
+            moments: facts.moments.normalisation(self.normalisation),
+            amplitudes: facts.takes_amplitude.then(|| self.amplitude.unwrap_or_default()),
             curves: vec![Curve {
                 name: self.name.clone().unwrap_or_else(|| entry.curve_name(&self.options)),
                 model,
@@ -157,7 +162,7 @@ impl CurveQuestion {
 }
 
 /// A tolerance beyond double precision.
-fn of_tolerance(tolerance: Tolerance) -> Option<Note> {
+pub(crate) fn of_tolerance(tolerance: Tolerance) -> Option<Note> {
     let used = tolerance.value();
     tolerance.asked_finer().map(|asked| Note::ToleranceTooFine { asked, used })
 }
@@ -170,27 +175,17 @@ struct Resolved {
     needs: Needs,
 }
 
-/// Persson's theory of a spectrum.
-struct Theory {
-    model: PerssonModel,
-    roughness: Roughness,
-    separation: SeparationLaw,
-    correction: Option<Correction>,
-}
-
-impl Theory {
-    /// Refuses loads that the hardness cannot carry; if it carries the largest, it carries all.
-    fn check(&self, needs: &Needs) -> Result<(), QuestionError> {
-        let at =
-            |pressure: NominalPressure| self.model.at_last(&self.roughness, &self.separation, pressure.pa());
-        let largest = needs.pressures().max_by(|a, b| a.pa().total_cmp(&b.pa()));
-        if largest.is_some_and(|largest| at(largest).is_err()) {
-            for pressure in needs.pressures() {
-                at(pressure)?;
-            }
+/// Refuses loads that the hardness of Persson's theory cannot carry; if it carries the largest, it carries all.
+fn check_loads(surface: &PerssonSurface, needs: &Needs) -> Result<(), QuestionError> {
+    let PerssonSurface { model, roughness, separation } = surface;
+    let at = |pressure: NominalPressure| model.at_last(roughness, separation, pressure.pa());
+    let largest = needs.pressures().max_by(|a, b| a.pa().total_cmp(&b.pa()));
+    if largest.is_some_and(|largest| at(largest).is_err()) {
+        for pressure in needs.pressures() {
+            at(pressure)?;
         }
-        Ok(())
     }
+    Ok(())
 }
 
 /// A curve of a surface, ready to be computed.
@@ -210,8 +205,8 @@ impl<'s> PreparedCurve<'s> {
         let material = scene.material.as_ref();
         let curve = scene.needs.curves[curve].clone();
         let tolerance = scene.needs.tolerance;
-        let is_statistical = curve.model.statistical().is_some();
-        let mut notes: Vec<Note> = of_tolerance(tolerance).filter(|_| is_statistical).into_iter().collect();
+        let has_states = curve.model.takes_separations();
+        let mut notes: Vec<Note> = of_tolerance(tolerance).filter(|_| has_states).into_iter().collect();
         notes.extend(material.and_then(|material| Note::of_strength(material, curve.model.entry())));
         notes.extend(material.and_then(Doubt::of_material).map(Note::Doubt));
         notes.extend(scene.surface.notes.iter().cloned().map(Note::Surface));
@@ -232,29 +227,53 @@ impl<'s> PreparedCurve<'s> {
         self.plan.sampling
     }
 
+    /// Nominal pressures \[Pa\] of the blocks of rows; absent for blocks of separations.
+    #[must_use]
+    pub fn pressures_pa(&self) -> Vec<Option<f64>> {
+        let needs = &self.plan.needs;
+        let of_separations = needs.separations_m.iter().map(|_| None);
+        needs.pressures().map(|pressure| Some(pressure.pa())).chain(of_separations).collect()
+    }
+
+    /// Notes on rows that somebody else has computed, and on what they were made from.
+    #[must_use]
+    pub fn notes_on(&self, rows: &CurveResult) -> Vec<Note> {
+        let pressures_pa: Vec<f64> = self.plan.needs.pressures().map(NominalPressure::pa).collect();
+        let mut remarks = self.remarks();
+        remarks.add(rows, &pressures_pa);
+        [self.notes.clone(), self.doubts(), remarks.notes()].concat()
+    }
+
+    /// Doubts about the spectrum and the loads.
+    fn doubts(&self) -> Vec<Note> {
+        let Plan { psd, needs, .. } = &self.plan;
+        let labels = needs.loads.iter().map(|load| Some(load.label.as_str())).chain(std::iter::repeat(None));
+        let of_pressures = Doubt::of_pressures(needs.pressures().zip(labels), self.hardness_pa);
+        Doubt::of_spectrum(psd).into_iter().chain(of_pressures).map(Note::Doubt).collect()
+    }
+
+    fn remarks(&self) -> Remarks<'_> {
+        Remarks {
+            curve: self.curve(),
+            counts: CurveCounts::default(),
+            pressures: RealPressures::new(self.hardness_pa),
+        }
+    }
+
     /// Samples the spectrum and finds everything that can be wrong before there are rows.
     ///
     /// # Errors
     /// [`QuestionError::Plan`].
     pub fn stream(&self) -> Result<CurveStream<'_>, QuestionError> {
         let stream = self.plan.stream()?;
-        let theory = self.theory(stream.prepared())?;
-        if let Some(theory) = &theory {
-            theory.check(&self.plan.needs)?;
+        let surface = match self.curve().model.theory() {
+            Theory::Persson(theory) => Some(PerssonSurface::new(theory, &self.plan, stream.prepared())?),
+            _ => None,
+        };
+        if let Some(surface) = &surface {
+            check_loads(surface, &self.plan.needs)?;
         }
-        Ok(CurveStream { prepared: self, stream, theory })
-    }
-
-    fn theory(&self, ground: &PreparedSpectrum) -> Result<Option<Theory>, QuestionError> {
-        let model = &self.curve().model;
-        let Some(law) = model.persson() else { return Ok(None) };
-        let moments = ground.moments().iter().map(|(moments, _)| moments);
-        let beyond = self.plan.beyond(ground.psd(), law.band);
-        let (psd, scales) = (ground.psd(), ground.scales());
-        let roughness = roughness(psd, moments, self.normalisation(), scales, &beyond, law.band);
-        let model = law.model(&model.pair())?;
-        let separation = model.separation(&roughness, law.energy_factor);
-        Ok(Some(Theory { model, roughness, separation, correction: law.correction().flatten() }))
+        Ok(CurveStream { prepared: self, stream, surface })
     }
 
     /// Answers at once.
@@ -282,7 +301,8 @@ impl<'s> PreparedCurve<'s> {
 pub struct CurveStream<'p> {
     prepared: &'p PreparedCurve<'p>,
     stream: Stream<'p>,
-    theory: Option<Theory>,
+    /// The surface, if the model is Persson's theory.
+    surface: Option<PerssonSurface>,
 }
 
 impl CurveStream<'_> {
@@ -292,10 +312,16 @@ impl CurveStream<'_> {
         self.stream.rows(self.prepared.curve())
     }
 
+    /// The law of light loads, if the model is Persson's theory and the cutoff leaves roughness.
+    #[must_use]
+    pub fn light_loads(&self) -> Option<LightLoads> {
+        self.surface.as_ref()?.separation.light_loads()
+    }
+
     /// Notes known before any row is computed.
     #[must_use]
     pub fn notes(&self) -> Vec<Note> {
-        let PreparedCurve { plan, hardness_pa, notes, .. } = self.prepared;
+        let PreparedCurve { plan, notes, .. } = self.prepared;
         let mut notes = notes.clone();
         let model = &self.prepared.curve().model;
         if model.stacked().is_some() {
@@ -303,7 +329,8 @@ impl CurveStream<'_> {
         } else if model.statistical().is_some() {
             notes.push(Note::FirstRowIsEmpty);
         }
-        if let Some(Theory { roughness, separation, correction, .. }) = &self.theory {
+        if let Some(PerssonSurface { roughness, separation, .. }) = &self.surface {
+            let correction = model.persson().and_then(PerssonLaw::correction).flatten();
             notes.extend(correction.map(|correction| Note::of_correction(correction, roughness)));
             let least_pa = plan.needs.pressures().map(NominalPressure::pa).fold(f64::INFINITY, f64::min);
             let moments = self.stream.prepared().moments().last();
@@ -314,10 +341,7 @@ impl CurveStream<'_> {
                 light.iter().flat_map(|light| Note::of_separation(light, roughness, rms_height_m, least_pa)),
             );
         }
-        notes.extend(Doubt::of_spectrum(plan.psd).into_iter().map(Note::Doubt));
-        let labels =
-            plan.needs.loads.iter().map(|load| Some(load.label.as_str())).chain(std::iter::repeat(None));
-        notes.extend(Doubt::of_pressures(plan.needs.pressures().zip(labels), *hardness_pa).map(Note::Doubt));
+        notes.extend(self.prepared.doubts());
         notes
     }
 
@@ -330,7 +354,7 @@ impl CurveStream<'_> {
         progress: &dyn Progress,
         mut each: impl FnMut(Table) -> Result<(), E>,
     ) -> Result<Vec<Note>, E> {
-        let mut remarks = self.remarks();
+        let mut remarks = self.prepared.remarks();
         let several = self.prepared.plan.needs.load_count() > 1;
         let details = self.prepared.details;
         self.stream.parts(self.prepared.curve(), progress, |part: Part| {
@@ -350,7 +374,7 @@ impl CurveStream<'_> {
         let needs = &plan.needs;
         let pressures_pa: Vec<f64> = needs.pressures().map(NominalPressure::pa).collect();
         let rows = &results.curves[0];
-        let mut remarks = self.remarks();
+        let mut remarks = self.prepared.remarks();
         remarks.add(rows, &pressures_pa);
         let several = needs.load_count() > 1;
         let table = result_tables::part_of_curve(rows, &pressures_pa, several, self.prepared.details);
@@ -359,15 +383,6 @@ impl CurveStream<'_> {
             of.data(&results, needs, self.prepared.hardness_pa)
         });
         Ok(Answer { table, notes: remarks.notes(), figure })
-    }
-
-    fn remarks(&self) -> Remarks<'_> {
-        let hardness_pa = self.prepared.hardness_pa;
-        Remarks {
-            curve: self.prepared.curve(),
-            counts: CurveCounts::default(),
-            pressures: RealPressures::new(hardness_pa),
-        }
     }
 }
 

@@ -164,6 +164,12 @@ impl PreparedElements {
         rough_bem::progress_steps(&self.surfaces, &self.pressing)
     }
 
+    /// Number of loads.
+    #[must_use]
+    pub fn loads(&self) -> usize {
+        self.pressing.pressures_pa.len()
+    }
+
     /// Presses the surfaces; `see` is shown each one under each load as it is solved.
     ///
     /// # Errors

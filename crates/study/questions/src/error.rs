@@ -1,10 +1,12 @@
 //! Why a question has no answer.
 
 use asperity::AsperityError;
+use contact_law::SamplingError;
 use persson::hardness_laws::HardnessError;
 use rough_bem::ElementsError;
 use study::gap_law::GapError;
 use study::material::MaterialError;
+use study::models::ModelEntry;
 use study::plan::PlanError;
 
 use crate::{OptionName, UnusedOption};
@@ -16,9 +18,9 @@ pub enum QuestionError {
     /// An option is given that changes nothing.
     #[error("{0:?} has no bearing here")]
     Unused(UnusedOption),
-    /// An option is missing.
-    #[error("{0:?} is needed")]
-    Missing(OptionName),
+    /// None of some options is given, and one is needed.
+    #[error("one of {0:?} is needed")]
+    Missing(&'static [OptionName]),
     /// An elastic constant is missing.
     #[error("{0:?} is needed: every model is at least elastic")]
     ElasticConstant(OptionName),
@@ -72,6 +74,12 @@ pub enum QuestionError {
     /// The model or the spectrum has no gaps.
     #[error(transparent)]
     Gap(#[from] GapError),
+    /// The law cannot be sampled between its pressures.
+    #[error(transparent)]
+    Sampling(#[from] SamplingError<GapError>),
+    /// The model has no exponential law of light loads.
+    #[error("{0} has no exponential law of light loads")]
+    NoExponentialLaw(&'static ModelEntry),
     /// Boundary elements failed or were cancelled.
     #[error(transparent)]
     Elements(#[from] ElementsError),
@@ -99,6 +107,7 @@ impl QuestionError {
         matches!(
             self,
             QuestionError::Plan(PlanError::Cancelled)
+                | QuestionError::Sampling(SamplingError::Source(GapError::Cancelled))
                 | QuestionError::Elements(ElementsError::HalfSpace(HalfSpaceError::Cancelled))
         )
     }

@@ -1,5 +1,6 @@
 //! Mean gap and stiffness under loads, and laws made from them.
 
+use contact_law::{ContactLaw, ExponentialLaw};
 use findings::doubts::Doubt;
 use parallel::Progress;
 use persson::variance::Band;
@@ -8,22 +9,23 @@ use serde::{Deserialize, Serialize};
 use spectrum::Normalisation;
 use study::gap_law::{GapChoices, GapLaw, GapState};
 use study::material::Material;
-use study::models::{Choice, Framework, ModelEntry, ModelOptions};
+use study::models::{Choice, ModelEntry, ModelOptions, MomentUse};
 use study::persson_law::PerssonLaw;
 use study::plan::{Needs, Plan, PlanError, Tolerance};
 use study::result_tables;
 use study::surface::Surface;
 use units::Pressure;
 
+use crate::FEW_TOUCH;
 use crate::choices;
+use crate::curve::of_tolerance;
 use crate::elements::{RandomInput, random_surfaces};
 use crate::loads::{LoadInput, RangeInput, nominal_pressure, pressures_pa};
 use crate::option::{Reason, first_given};
 use crate::{Answer, GapCounts, MaterialInput, Note, OptionName, QuestionError, SamplingInput};
-use crate::{FEW_TOUCH, UnusedOption};
 
 /// The light-load law holds within this share of the pressure.
-pub const LIGHT_LOADS_SHARE: f64 = 0.01;
+const LIGHT_LOADS_SHARE: f64 = 0.01;
 
 /// A model of gaps, its material and its spectrum: what gaps and laws have in common.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -40,7 +42,7 @@ pub struct GapModel {
     pub sampling: SamplingInput,
     /// Normalisation of moments, for statistical models.
     pub normalisation: Option<Normalisation>,
-    /// Relative tolerance of statistical states, in (0, 0.01\].
+    /// Relative tolerance of statistical states, in (0, 0.01\], for statistical models.
     pub tolerance: Option<f64>,
 }
 
@@ -79,9 +81,22 @@ impl Default for LawQuestion {
     }
 }
 
+/// The form in which a law is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LawForm {
+    /// Rows of pressure and overclosure.
+    Table,
+    /// The exponential law of light loads, which Persson's theory has.
+    Exponential,
+}
+
+units::named!(LawForm, "form of the law", { Table => "table", Exponential => "exponential" });
+
 /// A law of gaps of a surface.
 #[derive(Debug)]
 pub struct FoundLaw {
+    /// The model.
+    pub model: &'static ModelEntry,
     /// The law under any load.
     pub law: GapLaw,
     /// The least and the largest nominal pressure \[Pa\].
@@ -90,37 +105,57 @@ pub struct FoundLaw {
     pub notes: Vec<Note>,
 }
 
+impl FoundLaw {
+    /// The law of light loads in the form that finite element codes take.
+    ///
+    /// # Errors
+    /// [`QuestionError::NoExponentialLaw`] if the model is not Persson's theory.
+    pub fn exponential(&self) -> Result<ExponentialLaw, QuestionError> {
+        self.law.exponential(LIGHT_LOADS_SHARE).ok_or(QuestionError::NoExponentialLaw(self.model))
+    }
+
+    /// Samples the law between its pressures, straight within a relative `tolerance` of the pressure. `progress` advances once
+    /// per state that is computed; how many are needed shows only in the end.
+    ///
+    /// # Errors
+    /// [`QuestionError::Sampling`] for pressures between which the gap does not close, and if `progress` is cancelled.
+    pub fn sampled(&self, tolerance: f64, progress: &dyn Progress) -> Result<ContactLaw, QuestionError> {
+        Ok(self.law.sampled(self.range_pa, tolerance, progress)?)
+    }
+}
+
 impl GapModel {
     /// Refuses options that the model ignores.
-    fn check(&self) -> Result<(), UnusedOption> {
+    fn check(&self) -> Result<(), QuestionError> {
         let options = &self.options;
         let Some(entry) = self.model else {
             let given = [
-                (OptionName::Gamma, options.gamma.is_some()),
                 (OptionName::Normalisation, self.normalisation.is_some()),
-                (OptionName::Hardness, options.hardness.is_some()),
-                (OptionName::InterferenceLaw, options.interference_law.is_some()),
-                (OptionName::Band, options.band.is_some()),
-                (OptionName::StrainGradient, options.strain_gradient),
+                (OptionName::Tolerance, self.tolerance.is_some()),
                 (OptionName::StrainGradientLength, self.material.strain_gradient_length_m.is_some()),
                 (OptionName::StrengthCap, self.material.strength_cap.is_some()),
                 (OptionName::ScalesPerDecade, self.sampling.scales_per_decade.is_some()),
                 (OptionName::Cutoff, self.sampling.cutoff_m.is_some()),
             ];
-            return first_given(given, || Reason::BoundaryElements);
+            let of_models = options.given().map(|choice| (OptionName::of_choice(choice), true));
+            return Ok(first_given(of_models.chain(given), || Reason::BoundaryElements)?);
         };
-        let is_persson = entry.framework == Framework::Persson;
-        let without_law = [
-            (OptionName::Normalisation, self.normalisation.is_some() && is_persson),
-            (OptionName::Hardness, options.hardness.is_some() && !entry.has(Choice::Hardness)),
-            (
-                OptionName::InterferenceLaw,
-                options.interference_law.is_some() && !entry.has(Choice::Interference),
-            ),
-            (OptionName::StrainGradient, options.strain_gradient && !entry.has(Choice::StrainGradient)),
+        let facts = entry.framework.facts();
+        let of_other_frameworks = [
+            (OptionName::Normalisation, self.normalisation.is_some() && facts.moments != MomentUse::Chosen),
+            (OptionName::Tolerance, self.tolerance.is_some() && !facts.has_states),
         ];
-        first_given(without_law, || Reason::Model(entry.name))?;
-        choices::check(options, entry, self.material.strength_cap.is_some())
+        let of_asperities = [Choice::Hardness, Choice::Interference, Choice::StrainGradient];
+        let missing = options.given().filter(|choice| of_asperities.contains(choice) && !entry.has(*choice));
+        let missing = missing.map(|choice| (OptionName::of_choice(choice), true));
+        first_given(of_other_frameworks.into_iter().chain(missing), || Reason::Model(entry.name))?;
+        choices::check(options, entry, self.material.strength_cap.is_some())?;
+        self.checked_tolerance().map(drop)
+    }
+
+    fn checked_tolerance(&self) -> Result<Tolerance, QuestionError> {
+        let tolerance = self.tolerance.map(Tolerance::new).transpose().map_err(PlanError::from)?;
+        Ok(tolerance.unwrap_or_default())
     }
 
     /// The law with the whole spectrum.
@@ -133,33 +168,30 @@ impl GapModel {
     ) -> Result<GapLaw, QuestionError> {
         self.sampling.check(surface)?;
         let model = entry.build(material, &self.options)?;
-        let normalisation = match entry.framework {
-            Framework::Persson => Normalisation::Parseval,
-            _ => self.normalisation.unwrap_or_default(),
-        };
+        let moments = entry.framework.facts().moments.normalisation(self.normalisation);
         let needs = Needs {
-            moments: Some(normalisation),
+            moments: Some(moments.unwrap_or_default()),
             amplitudes: model.needs_amplitudes().then(Default::default),
             ..Needs::default()
         };
         let plan = Plan { psd: &surface.psd, sampling: self.sampling.sampling(), needs };
         let results = plan.compute_observed(progress)?;
-        let tolerance = self.tolerance.map(Tolerance::new).transpose().map_err(PlanError::from)?;
         let choices = GapChoices {
             energy_factor: self.options.gamma.unwrap_or(PerssonLaw::ENERGY_FACTOR),
             band: self.options.band.unwrap_or_default(),
-            tolerance: tolerance.unwrap_or_default(),
+            tolerance: self.checked_tolerance()?,
         };
         Ok(GapLaw::of(&model, &plan, &results, &choices)?)
     }
 
     /// Notes known before anything is computed.
     fn notes(&self, material: &Material, surface: &Surface) -> Vec<Note> {
+        let too_fine = self.checked_tolerance().ok().and_then(of_tolerance);
         let doubt = Doubt::of_material(material).map(Note::Doubt);
         let surface_notes = surface.notes.iter().cloned().map(Note::Surface);
         let strength = self.model.and_then(|entry| Note::of_strength(material, entry));
         let of_spectrum = Doubt::of_spectrum(&surface.psd).into_iter().map(Note::Doubt);
-        doubt.into_iter().chain(surface_notes).chain(strength).chain(of_spectrum).collect()
+        too_fine.into_iter().chain(doubt).chain(surface_notes).chain(strength).chain(of_spectrum).collect()
     }
 }
 
@@ -266,13 +298,13 @@ impl LawQuestion {
     /// [`QuestionError`].
     pub fn answer(&self, surface: &Surface, progress: &dyn Progress) -> Result<FoundLaw, QuestionError> {
         self.by.check()?;
-        let entry = self.by.model.ok_or(QuestionError::Missing(OptionName::Model))?;
+        let entry = self.by.model.ok_or(QuestionError::Missing(&[OptionName::Model]))?;
         let material = self.by.material.material()?;
         let range_pa = self.range_pa(&material)?;
         let mut notes = self.by.notes(&material, surface);
         let law = self.by.law(entry, &material, surface, progress)?;
         notes.extend(Note::of_gap_law(&law, range_pa[0]));
-        Ok(FoundLaw { law, range_pa, notes })
+        Ok(FoundLaw { model: entry, law, range_pa, notes })
     }
 
     fn range_pa(&self, material: &Material) -> Result<[f64; 2], QuestionError> {
@@ -317,8 +349,7 @@ impl GapCounts {
 }
 
 /// States of boundary elements in the form of models: the mean of all surfaces under each load.
-#[must_use]
-pub fn states_of_elements(loads: &[PressedLoad]) -> Vec<GapState> {
+fn states_of_elements(loads: &[PressedLoad]) -> Vec<GapState> {
     let state = |load: &PressedLoad| {
         let mean = load.mean();
         GapState {

@@ -10,23 +10,27 @@ mod loads;
 mod material;
 mod note;
 mod option;
+mod report_question;
 mod sampling;
 mod scene_run;
 mod spectrum;
+mod states;
 mod text;
 
 pub use counts::{CurveCounts, CutCounts, LevelCounts};
 pub use curve::{CurveQuestion, CurveStream, PreparedCurve};
 pub use elements::{ElementsQuestion, PreparedElements, RandomInput};
 pub use error::QuestionError;
-pub use gap::{FoundLaw, GapModel, GapQuestion, LIGHT_LOADS_SHARE, LawQuestion, states_of_elements};
+pub use gap::{FoundLaw, GapModel, GapQuestion, LawForm, LawQuestion};
 pub use loads::{LoadInput, RangeInput};
 pub use material::{BodyInput, MaterialInput};
 pub use note::{FEW_TOUCH, GapCounts, MadeSurfaces, Note, OutsideFit, SampledScales};
 pub use option::{OptionName, Reason, Spelling, UnusedOption};
+pub use report_question::{BodyText, ReportQuestion, ReportSurface};
 pub use sampling::SamplingInput;
 pub use scene_run::{Phase, RunError, RunOptions, SceneOutcome, Watch, run_scene};
 pub use spectrum::{SpectrumQuantity, SpectrumQuestion};
+pub use states::StatesQuestion;
 
 use study::figure::FigureData;
 use tables::Table;

@@ -2,10 +2,9 @@
 
 use asperity::ElasticBody;
 use serde::{Deserialize, Serialize};
-use study::bodies::Body;
 use study::hardness_and_strength::HardnessAndStrength;
 use study::material::{GivenMaterial, Material, MaterialError};
-use study::models::{Choice, ModelEntry};
+use study::models::{Choice, ModelEntry, ModelOptions};
 use units::{IndentationHardness, Pressure};
 
 use crate::text::optional_pressure;
@@ -55,10 +54,26 @@ impl BodyInput {
 }
 
 impl MaterialInput {
+    /// The material of a question whose material is a value of its own, so that it has properties that models ignore: without
+    /// those of a growing strength if nothing grows.
+    #[must_use]
+    pub fn used_with(self, options: &ModelOptions) -> Self {
+        match options.strain_gradient || options.hardness_law.is_some() {
+            true => self,
+            false => MaterialInput { strain_gradient_length_m: None, strength_cap: None, ..self },
+        }
+    }
+
     /// True if the strength of a model grows as soon as the material has the length for it.
     #[must_use]
     pub fn strain_gradient_in(&self, entry: &ModelEntry) -> bool {
         self.strain_gradient_length_m.is_some() && entry.has(Choice::StrainGradient)
+    }
+
+    /// The elastic constants of the rough body, if both are given.
+    #[must_use]
+    pub fn body(&self) -> Option<BodyInput> {
+        Some(BodyInput { youngs_modulus_pa: self.youngs_modulus_pa?, poisson_ratio: self.poisson_ratio? })
     }
 
     /// The elastic counterface, if there is one.
@@ -87,13 +102,13 @@ impl MaterialInput {
             self.youngs_modulus_pa.ok_or(QuestionError::ElasticConstant(OptionName::YoungsModulus))?;
         let poisson_ratio =
             self.poisson_ratio.ok_or(QuestionError::ElasticConstant(OptionName::PoissonRatio))?;
+        let body = BodyInput { youngs_modulus_pa, poisson_ratio }.body(OptionName::PoissonRatio)?;
         let material = Material::new(GivenMaterial {
-            body: BodyInput { youngs_modulus_pa, poisson_ratio }.body(OptionName::PoissonRatio)?,
             counterface: self.counterface()?,
-            flows: Body::Rough,
             hardness_and_strength: self.hardness_and_strength()?,
             strength_cap: self.strength_cap,
             strain_gradient_length_m: self.strain_gradient_length_m,
+            ..GivenMaterial::new(body)
         });
         Ok(material.checked()?)
     }

@@ -9,7 +9,7 @@ use rough_bem::{PressedLoad, RandomSurfaces};
 use spectrum::ProfilePsd;
 use state_tables::RowsNote;
 use study::material::Material;
-use study::models::{Choice, Framework, ModelEntry};
+use study::models::{Choice, ModelEntry};
 use study::plan::scales_per_decade;
 
 use crate::CurveCounts;
@@ -177,7 +177,7 @@ impl Note {
     /// Returns a note if asperities yield at H/3 because no strength is given. Persson's theory takes H itself.
     #[must_use]
     pub fn of_strength(material: &Material, model: &ModelEntry) -> Option<Note> {
-        let takes_strength = model.has(Choice::Strength) && model.framework != Framework::Persson;
+        let takes_strength = model.has(Choice::Strength) && !model.framework.facts().takes_hardness;
         let strength_pa = material.assumed_yield_strength_pa().filter(|_| takes_strength)?;
         Some(Note::AssumedStrength { yield_strength_pa: strength_pa })
     }

@@ -1,6 +1,7 @@
 //! Options of questions, the reasons why one is ignored, and how a front end writes them.
 
 use study::measured::Kind;
+use study::models::Choice;
 
 /// An option of a question, whatever a front end calls it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -8,14 +9,10 @@ use study::measured::Kind;
 pub enum OptionName {
     /// Amplitude of a scale.
     Amplitude,
-    /// Waves that a cutoff lets through in Persson's theory.
-    Band,
     /// Edges of a map.
     Boundary,
     /// Channel of a file of heights.
     Channel,
-    /// Correction of Persson's elastic theory.
-    Correction,
     /// Poisson's ratio of the counterface.
     CounterfacePoissonRatio,
     /// Shortest wavelength that takes part.
@@ -26,24 +23,20 @@ pub enum OptionName {
     Direction,
     /// Figure of the table.
     Figure,
-    /// Elastic energy factor.
-    Gamma,
+    /// Form in which a law is written.
+    Form,
     /// Points along a side of a random surface.
     Grid,
-    /// Form of the hardness of a sphere.
-    Hardness,
-    /// Growth of the hardness towards short wavelengths.
-    HardnessLaw,
     /// Indentation hardness.
     IndentationHardness,
-    /// Law of elastic sinusoids.
-    InterferenceLaw,
     /// Longest wavelength of random surfaces.
     Longest,
     /// Treatment of points without a height.
     MissingPoints,
     /// Model.
     Model,
+    /// Option of a model.
+    ModelOption(Choice),
     /// Normalisation of moments.
     Normalisation,
     /// Phases of random surfaces.
@@ -74,8 +67,6 @@ pub enum OptionName {
     Side,
     /// Size of a scan.
     Size,
-    /// Growth of the strength at small depths.
-    StrainGradient,
     /// Length of that growth.
     StrainGradientLength,
     /// Limit of that growth.
@@ -88,6 +79,33 @@ pub enum OptionName {
     YieldStrength,
     /// Young's modulus.
     YoungsModulus,
+}
+
+impl OptionName {
+    /// Returns the option of a choice; that of a strength is the yield strength.
+    #[must_use]
+    pub fn of_choice(choice: Choice) -> Self {
+        match choice {
+            Choice::Strength => OptionName::YieldStrength,
+            choice => OptionName::ModelOption(choice),
+        }
+    }
+
+    /// Returns the name in lower case, with underscores between its words: `interference_law`.
+    #[must_use]
+    pub fn snake_case(self) -> String {
+        if let OptionName::ModelOption(choice) = self {
+            return choice.key().to_owned();
+        }
+        let mut name = String::new();
+        for letter in format!("{self:?}").chars() {
+            if letter.is_uppercase() && !name.is_empty() {
+                name.push('_');
+            }
+            name.extend(letter.to_lowercase());
+        }
+        name
+    }
 }
 
 /// A given option that has no effect.

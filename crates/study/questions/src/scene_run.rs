@@ -1,6 +1,8 @@
 //! Runs a scene from its plan to all of its results, in the same order for every front end.
 
-use findings::SceneFindings;
+use conclusions::{Conclusions, Evidence};
+use findings::answer::Answer;
+use findings::sensitivity::{Sensitivity, sensitivities};
 use judge::{JudgeError, JudgePlan, Judgement};
 use scene::Scene;
 use study::Progress;
@@ -76,12 +78,30 @@ pub trait Watch {
 pub struct SceneOutcome {
     /// Curves and figures of the scene.
     pub results: Results,
-    /// Further findings of the report; absent if none was requested.
-    pub findings: Option<SceneFindings>,
+    /// The areas and the scales that decide them.
+    pub answer: Answer,
+    /// The sensitivities of the areas to modelling choices; absent if no report was requested.
+    pub sensitivities: Option<Vec<Sensitivity>>,
     /// Judgement by boundary elements; absent if it was not requested.
     pub judgement: Option<Judgement>,
     /// Result of the uncertainty analysis; absent if no draws were made.
     pub uncertainty: Option<Uncertainty>,
+    /// The conclusions from all of these.
+    pub conclusions: Conclusions,
+}
+
+impl SceneOutcome {
+    /// Returns the evidence that the conclusions rest on.
+    #[must_use]
+    pub fn evidence<'a>(&'a self, scene: &'a Scene) -> Evidence<'a> {
+        Evidence {
+            scene,
+            results: &self.results,
+            answer: &self.answer,
+            judgement: self.judgement.as_ref(),
+            uncertainty: self.uncertainty.as_ref(),
+        }
+    }
 }
 
 /// Error of a run.
@@ -125,8 +145,9 @@ pub fn run_scene(scene: &Scene, options: RunOptions, watch: &dyn Watch) -> Resul
     let plan = scene.plan();
     let results = plan.compute_observed(&*watch.begin(Phase::Computing, plan.statistical_states()))?;
     watch.end(Phase::Computing);
-    let findings = match options.report {
-        true => Some(SceneFindings::from_results(scene, &results, &*watch.begin(Phase::Comparing, 0))?),
+    let answer = Answer::from_results(scene, &results);
+    let sensitivities = match options.report {
+        true => Some(sensitivities(scene, &results, &*watch.begin(Phase::Comparing, 0))?),
         false => None,
     };
     watch.end(Phase::Comparing);
@@ -136,7 +157,14 @@ pub fn run_scene(scene: &Scene, options: RunOptions, watch: &dyn Watch) -> Resul
     if uncertainty.is_some() {
         watch.end(Phase::Drawing);
     }
-    Ok(SceneOutcome { results, findings, judgement, uncertainty })
+    let conclusions = Conclusions::new(&Evidence {
+        scene,
+        results: &results,
+        answer: &answer,
+        judgement: judgement.as_ref(),
+        uncertainty: uncertainty.as_ref(),
+    });
+    Ok(SceneOutcome { results, answer, sensitivities, judgement, uncertainty, conclusions })
 }
 
 fn judgement(

@@ -58,6 +58,9 @@ impl Default for SpectrumQuestion {
 }
 
 impl SpectrumQuestion {
+    /// Number of steps that the progress counts: quantity, table, doubts.
+    pub const STEPS: usize = 3;
+
     /// Computes the quantity.
     ///
     /// # Errors
@@ -77,6 +80,7 @@ impl SpectrumQuestion {
         };
         let plan = Plan { psd: &surface.psd, sampling: self.sampling.sampling(), needs };
         let results = plan.compute_observed(progress)?;
+        progress.advance(1);
         let (table, shows) = match self.quantity {
             SpectrumQuantity::Moments { .. } => (result_tables::moments(&results), Some(Shows::Moments)),
             SpectrumQuantity::Amplitude { .. } => {
@@ -84,6 +88,7 @@ impl SpectrumQuestion {
             }
             SpectrumQuantity::Fit { .. } => (result_tables::fit(&results), None),
         };
+        progress.advance(1);
         let figure = shows.filter(|_| self.figure).map(|shows| {
             let of = Figure { shows, ..Figure::area_of_all(Vec::new()) };
             of.data(&results, &plan.needs, None)
@@ -94,6 +99,7 @@ impl SpectrumQuestion {
         }
         notes.extend(of_fit(&results));
         notes.extend(Doubt::of_spectrum(&surface.psd).into_iter().map(Note::Doubt));
+        progress.advance(1);
         Ok(Answer { table, notes, figure })
     }
 }

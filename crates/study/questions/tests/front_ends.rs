@@ -1,20 +1,25 @@
-//! One question, answered through the struct and as a scene's curve.
+//! One question, answered through the struct and as a scene's curve. The answers are written for the test of the Python
+//! package, which asks the questions once more.
 
 use parallel::Unobserved;
 use persson::corrections::Correction;
 use persson::variance::Band;
 use questions::{
-    BodyInput, CurveQuestion, LoadInput, MaterialInput, Note, PreparedCurve, QuestionError, SamplingInput,
+    BodyInput, CurveQuestion, GapCounts, GapModel, GapQuestion, LawQuestion, LoadInput, MaterialInput, Note,
+    PreparedCurve, QuestionError, SamplingInput,
 };
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use scene::{Overrides, Scene};
+use serde_json::{Map, Value, json};
 use spectrum::{Normalisation, ReadOptions};
 use study::NoFiles;
-use study::hardness_growth::GrowthLaw;
-use study::models::{Choice, Framework, MODELS, ModelOptions};
+use study::gap_law::GapState;
+use study::growth_law::GrowthLaw;
+use study::models::{self, Choice, Framework, MODELS, ModelOptions};
 use study::result_tables;
 use study::surface::Surface;
+use tables::{Cell, Cells, Table};
 use units::{Length, Pressure};
 
 const SPECTRUM: &str = "builtin:uncd-measured";
@@ -150,10 +155,11 @@ fn two_hundred_random_questions_have_the_same_digits_notes_and_doubts_as_curves_
     let mut dice = Dice(ChaCha8Rng::seed_from_u64(23));
     let surface = Surface::load(SPECTRUM, &NoFiles, &ReadOptions::default()).unwrap();
     let (mut answered, mut doubted) = (0, 0);
+    let mut for_python = Vec::new();
     for at in 0..200 {
         let (question, text) = random(&mut dice);
         let written = serde_json::to_value(&question).unwrap();
-        let question: CurveQuestion = serde_json::from_value(written).unwrap();
+        let question: CurveQuestion = serde_json::from_value(written.clone()).unwrap();
         let scene = Scene::parse(&text, &NoFiles, &Overrides::default())
             .unwrap_or_else(|error| panic!("{at}: {error:?}\n{text}"));
         let of_scene = PreparedCurve::of_scene(&scene, 0).answer(&Unobserved);
@@ -164,14 +170,65 @@ fn two_hundred_random_questions_have_the_same_digits_notes_and_doubts_as_curves_
                 let results = scene.plan().compute().unwrap();
                 let table = result_tables::curve(&results.curves[0], &scene.needs.loads, false);
                 assert_eq!(format!("{:?}", asked.table), format!("{table:?}"), "{at}: {text}");
+                let facts: Vec<String> = asked.notes.iter().map(|note| format!("{note:?}")).collect();
+                for_python
+                    .push(json!({ "question": written, "columns": columns(&asked.table), "facts": facts }));
                 answered += 1;
                 doubted += usize::from(asked.notes.iter().any(Note::is_doubt));
             }
-            (Err(asked), Err(found)) => assert_eq!(asked.to_string(), found.to_string(), "{at}: {text}"),
+            (Err(asked), Err(found)) => {
+                assert_eq!(asked.to_string(), found.to_string(), "{at}: {text}");
+                for_python.push(json!({ "question": written }));
+            }
             (asked, found) => panic!("{at}: {:?} and {:?}\n{text}", asked.err(), found.err()),
         }
     }
     assert!(answered > 150 && doubted > 20, "{answered} answered, {doubted} doubted");
+    let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("questions.json");
+    std::fs::write(path, serde_json::to_string(&for_python).unwrap()).unwrap();
+}
+
+/// The columns of a table by their names; null where a cell is empty.
+fn columns(table: &Table) -> Map<String, Value> {
+    let value = |cells: &Cells| match cells {
+        Cells::Numbers(numbers) => json!(numbers),
+        Cells::Words(words) => json!(words),
+        Cells::Typed(cells) => json!(cells.iter().map(Cell::text).collect::<Vec<_>>()),
+    };
+    table.columns().map(|(name, cells)| (name.to_owned(), value(cells))).collect()
+}
+
+#[test]
+fn states_are_counted_by_what_they_leave_open() {
+    let state = |mean_gap_m| GapState {
+        nominal_pressure_pa: 1e6,
+        area_fraction: 0.1,
+        mean_gap_m,
+        stiffness_pa_per_m: None,
+    };
+    let states = [state(Some(4e-8)), state(Some(1e-8)), state(Some(-1e-9)), state(None)];
+    let counted = |few_touch| GapCounts { all: 4, few_touch, negative: 1, missing: 1 };
+    assert_eq!(GapCounts::of(&states, Some(1e-8)), counted(1));
+    assert_eq!(GapCounts::of(&states, None), counted(0));
+}
+
+#[test]
+fn a_tolerance_is_refused_by_gaps_and_laws_without_statistical_states() {
+    let material = MaterialInput {
+        youngs_modulus_pa: Some(463e9),
+        poisson_ratio: Some(0.2),
+        ..MaterialInput::default()
+    };
+    let pressures = vec![LoadInput { pressure: Pressure::Pascals(1e6), label: "1 MPa".to_owned() }];
+    for model in models::with_gaps().map(Some).chain([None]) {
+        let by = GapModel { model, material, tolerance: Some(1e-6), ..GapModel::default() };
+        let is_statistical = model.is_some_and(|entry| entry.framework == Framework::Statistical);
+        let gap = GapQuestion { by: by.clone(), pressures: pressures.clone(), ..GapQuestion::default() };
+        let law = LawQuestion { by, ..LawQuestion::default() };
+        for checked in [gap.check(), law.check()] {
+            assert_eq!(matches!(checked, Err(QuestionError::Unused(_))), !is_statistical, "{model:?}");
+        }
+    }
 }
 
 #[test]

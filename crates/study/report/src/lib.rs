@@ -1,6 +1,5 @@
 #![doc = include_str!("../README.md")]
 
-pub mod assessment;
 mod figures;
 pub mod page;
 mod pictures;
@@ -15,8 +14,10 @@ pub use pictures::{field_picture, heights_picture};
 #[cfg(feature = "scene-errors")]
 pub use words::scene_errors;
 pub use words::{
-    advice_words, curve_names, doubt_words, elements_words, explain, gap_words, material_words,
-    persson_words, provenance, question_words, reasons, row_notes, scan_words, scans_table, scene_note_words,
-    spectrum_words, summary, uncertainty_words,
+    advice_words, conclusion_words, curve_names, doubt_words, elements_words, explain, provenance,
+    question_words, reasons, scan_words, scans_table, scene_note_words, spectrum_words, summary,
+    uncertainty_words,
 };
-use words::{answer_words, interface_words, listing, verdict_words, yardstick_words};
+use words::{
+    answer_words, interface_words, listing, persson_words, row_notes, verdict_words, yardstick_words,
+};

@@ -2,7 +2,6 @@
 
 use std::io::{self, Write};
 
-use crate::assessment::Assessment;
 use crate::curve_names::with_full_names;
 use crate::intervals::with_intervals;
 use crate::judged;
@@ -10,12 +9,15 @@ use crate::page::{Report, SceneReport};
 use crate::plot;
 use crate::provenance::provenance;
 use crate::run_stamp::RunStamp;
-use findings::SceneFindings;
+use conclusions::{Conclusions, Evidence};
+use findings::answer::Answer;
 use findings::interface::{InterfaceStates, slots_table};
+use findings::sensitivity::Sensitivity;
 use judge::Judgement;
 use questions::RunOptions;
 use scene::Scene;
 use scene::file_names::{INTERFACE_TABLE, JUDGE_TABLES, REPORT_TABLES, UNCERTAINTY_TABLES};
+use serde::Serialize;
 use study::figure::{Figure, FigureData, Shows, over_scans};
 use study::interface::Slot;
 use study::plan::{Cutoffs, Results};
@@ -24,7 +26,10 @@ use tables::{Format, Table};
 use uncertainty::{QuantityInterval, Uncertainty};
 
 /// The name of the report page.
-const REPORT: &str = "report.html";
+pub const REPORT: &str = "report.html";
+
+/// The name of the conclusions for scripts.
+pub const ANSWER: &str = "answer.json";
 
 /// The figures of a scene with their data.
 pub fn figures(scene: &Scene, results: &Results) -> Vec<FigureData> {
@@ -56,12 +61,13 @@ fn data(scene: &Scene, results: &Results, figure: &Figure, uncertainty: Option<&
 
 /// The figures of a report: first the area of all curves against the cutoff, then the spectrum, both made where the scene
 /// does not ask for them, then the others.
-fn reported_figures(scene: &Scene, results: &Results, assessment: Assessment<'_>) -> Vec<FigureData> {
+fn reported_figures(evidence: &Evidence<'_>) -> Vec<FigureData> {
+    let Evidence { scene, results, .. } = *evidence;
     let mut own = scene.figures.clone();
-    let data = |figure: &Figure| data(scene, results, figure, assessment.uncertainty);
+    let data = |figure: &Figure| data(scene, results, figure, evidence.uncertainty);
     let finished = |data: FigureData| {
         let named = with_full_names(data, &scene.needs.curves);
-        match assessment.judgement {
+        match evidence.judgement {
             Some(judgement) if named.shows == Shows::Area => judged::with_marks(named, judgement, scene),
             _ => named,
         }
@@ -130,6 +136,20 @@ fn origin(scene: &Scene, what: &str) -> Vec<String> {
     lines
 }
 
+/// The tables of the answer and of the sensitivities.
+fn report_tables(
+    answer: &Answer,
+    sensitivities: &[Sensitivity],
+    scene: &Scene,
+) -> [(&'static str, Table); 3] {
+    let [scales, decades, sensitivity] = REPORT_TABLES;
+    [
+        (scales, answer.scales_table(&scene.needs)),
+        (decades, answer.decades_table(&scene.needs)),
+        (sensitivity, findings::sensitivity::table(sensitivities, &scene.needs)),
+    ]
+}
+
 /// The verdict on every curve, and on every window.
 fn judge_tables(judgement: &Judgement, scene: &Scene) -> [(&'static str, Table); 2] {
     let [models, windows] = JUDGE_TABLES;
@@ -163,6 +183,7 @@ pub fn file_names(scene: &Scene, options: RunOptions, format: Format) -> Vec<Str
         names.extend(REPORT_TABLES.map(table));
         names.push(REPORT.to_owned());
     }
+    names.push(ANSWER.to_owned());
     for figure in &scene.figures {
         names.extend([table(&figure.name), format!("{}.svg", figure.name)]);
     }
@@ -186,6 +207,8 @@ pub enum Product<'p> {
     Figure(&'p str),
     /// The report as an HTML page.
     Report(&'p str),
+    /// The conclusions as JSON.
+    Answer(&'p str),
 }
 
 impl Product<'_> {
@@ -196,6 +219,7 @@ impl Product<'_> {
             Product::Table { .. } => format!("{name}.{}", format.extension()),
             Product::Figure(_) => format!("{name}.svg"),
             Product::Report(_) => REPORT.to_owned(),
+            Product::Answer(_) => ANSWER.to_owned(),
         }
     }
 
@@ -206,22 +230,22 @@ impl Product<'_> {
     pub fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
         match self {
             Product::Table { table, origin } => table.write(format, origin, out),
-            Product::Figure(text) | Product::Report(text) => out.write_all(text.as_bytes()),
+            Product::Figure(text) | Product::Report(text) | Product::Answer(text) => {
+                out.write_all(text.as_bytes())
+            }
         }
     }
 }
 
-/// A scene with its results, and the products made of them.
+/// A scene with what was found about it, and the products made of that.
 #[derive(Clone, Copy)]
 pub struct SceneProducts<'a> {
-    /// The scene.
-    pub scene: &'a Scene,
-    /// Its results.
-    pub results: &'a Results,
-    /// Its findings; without them there is no report.
-    pub findings: Option<&'a SceneFindings>,
-    /// The assessment of its results.
-    pub assessment: Assessment<'a>,
+    /// The scene and what was found about it.
+    pub evidence: Evidence<'a>,
+    /// The conclusions.
+    pub conclusions: &'a Conclusions,
+    /// The sensitivities to modelling choices; without them there is no report.
+    pub sensitivities: Option<&'a [Sensitivity]>,
     /// Date and command of the run.
     pub run_stamp: &'a RunStamp,
 }
@@ -246,13 +270,14 @@ impl<'a> SceneProducts<'a> {
         Ok(names)
     }
 
-    /// Passes every product to `take`, by name. The report and its tables need findings; the tables of the judge and of
-    /// draws need the assessment. A table is made when its turn comes, so that only one is held.
+    /// Passes every product to `take`, by name. The report and its tables need sensitivities; the tables of the
+    /// judge and of draws need those. A table is made when its turn comes, so that only one is held.
     ///
     /// # Errors
     /// Any error that `take` returns.
     pub fn each<E>(&self, mut take: impl FnMut(&str, Product<'_>) -> Result<(), E>) -> Result<(), E> {
-        let SceneProducts { scene, results, findings, assessment, run_stamp } = *self;
+        let SceneProducts { evidence, sensitivities, run_stamp, .. } = *self;
+        let Evidence { scene, results, answer, .. } = evidence;
         let mut take_table = |name: &str, what: &str, table: &Table| {
             let origin = origin(scene, &format!("{what} {name}"));
             take(name, Product::Table { table, origin: &origin })
@@ -260,12 +285,12 @@ impl<'a> SceneProducts<'a> {
         for (curve, result) in scene.needs.curves.iter().zip(&results.curves) {
             take_table(&curve.name, "curve", &result_tables::curve(result, &scene.needs.loads, true))?;
         }
-        let reported = findings.map(|findings| findings.tables(&scene.needs));
+        let reported = sensitivities.map(|sensitivities| report_tables(answer, sensitivities, scene));
         for (name, table) in reported.iter().flatten().filter(|(_, table)| table.rows() > 0) {
             take_table(name, "table", table)?;
         }
-        let judged = assessment.judgement.into_iter().flat_map(|judgement| judge_tables(judgement, scene));
-        let drawn_from = assessment.uncertainty.into_iter();
+        let judged = evidence.judgement.into_iter().flat_map(|judgement| judge_tables(judgement, scene));
+        let drawn_from = evidence.uncertainty.into_iter();
         let of_draws = drawn_from.flat_map(|uncertainty| uncertainty_tables(uncertainty, scene));
         for (name, table) in judged.chain(of_draws) {
             if table.rows() > 0 {
@@ -273,16 +298,17 @@ impl<'a> SceneProducts<'a> {
             }
         }
         if let Some(states) = InterfaceStates::from_scene(scene, results) {
-            take_table(INTERFACE_TABLE, "table", &interface_table(&states, scene, assessment.uncertainty))?;
+            take_table(INTERFACE_TABLE, "table", &interface_table(&states, scene, evidence.uncertainty))?;
         }
         let figures: Vec<FigureData> =
-            scene.figures.iter().map(|figure| data(scene, results, figure, assessment.uncertainty)).collect();
+            scene.figures.iter().map(|figure| data(scene, results, figure, evidence.uncertainty)).collect();
         for figure in &figures {
             take_table(&figure.name, "figure", &figure.table())?;
         }
         for figure in &figures {
             take(&figure.name, Product::Figure(&drawn(scene, figure)))?;
         }
+        take(ANSWER, Product::Answer(&answer_json(self.conclusions, scene)))?;
         if let Some(part) = self.report(&scene.title) {
             let report = Report {
                 title: &scene.title,
@@ -296,21 +322,44 @@ impl<'a> SceneProducts<'a> {
         Ok(())
     }
 
-    /// Returns the part of a report on this scene; `None` without findings.
+    /// Returns the part of a report on this scene; `None` without sensitivities.
     #[must_use]
     pub fn report(&self, label: &'a str) -> Option<SceneReport<'a>> {
-        let SceneProducts { scene, results, findings, assessment, .. } = *self;
-        let findings = findings?;
+        let SceneProducts { evidence, conclusions, sensitivities, .. } = *self;
+        let Evidence { scene, results, answer, .. } = evidence;
         Some(SceneReport {
             label,
             scene,
             results,
-            answer: &findings.answer,
-            assessment,
-            sensitivities: &findings.sensitivities,
-            figures: reported_figures(scene, results, assessment),
+            answer,
+            evidence,
+            conclusions,
+            sensitivities: sensitivities?,
+            figures: reported_figures(&evidence),
         })
     }
+}
+
+/// The conclusions as JSON, with the names of the curves that they number.
+fn answer_json(conclusions: &Conclusions, scene: &Scene) -> String {
+    let answer = AnswerFile {
+        program: concat!("truearea ", env!("CARGO_PKG_VERSION")),
+        curves: scene.needs.curves.iter().map(|curve| curve.name.as_str()).collect(),
+        conclusions,
+    };
+    // Conclusions have text keys only, so that they can be written.
+    serde_json::to_string_pretty(&answer).unwrap_or_default() + "\n"
+}
+
+/// The content of `answer.json`.
+#[derive(Serialize)]
+struct AnswerFile<'a> {
+    /// The program and its version.
+    program: &'static str,
+    /// The names of the curves, in the order of their indices.
+    curves: Vec<&'a str>,
+    #[serde(flatten)]
+    conclusions: &'a Conclusions,
 }
 
 /// A row per quantity, load and curve with a value: `quantity, nominal_pressure_pa, curve, value, median, low, high,

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use findings::sensitivity::sensitivities;
-use judge::{Basis, JudgePlan, Verdict};
+use judge::{JudgePlan, Verdict};
 use persson::corrections::Correction;
 use persson::variance::Band;
 use report::curve_names::in_full;
@@ -75,10 +75,9 @@ fn a_corrected_curve_is_in_table_figure_verdict_first_line_and_interval() {
     let judgement = JudgePlan::new(&scene, &results, &settings).run(&Unobserved).unwrap();
     let of_corrected = &judgement.curves[CORRECTED];
     assert_eq!(of_corrected.verdict, Verdict::Agrees, "{of_corrected:?}");
-    let off = |curve: usize| (judgement.curves[curve].ratio.unwrap() - 1.0).abs();
+    let off = |curve: usize| (judgement.curves[curve].ratio().unwrap() - 1.0).abs();
     assert!(off(CORRECTED) < 0.05 && off(PLAIN) > 0.15, "{} {}", off(CORRECTED), off(PLAIN));
-    let basis = judgement.headline(0).unwrap().basis;
-    assert!(matches!(basis, Basis::Curve { curve: CORRECTED, .. }), "{basis:?}");
+    assert_eq!(judgement.headline(0).unwrap().best_curve, Some(CORRECTED));
 
     let drawn = UncertaintyPlan::new(&scene, &results, &uncertainty::Settings::default()).unwrap();
     let found = drawn.run(&Unobserved).unwrap();

@@ -2,9 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use findings::SceneFindings;
+use conclusions::{Conclusions, Evidence};
+use findings::answer::Answer;
+use findings::sensitivity::{Sensitivity, sensitivities};
 use questions::RunOptions;
-use report::assessment::Assessment;
 use report::products::{self, SceneProducts};
 use report::run_stamp::RunStamp;
 use report::summary::summary;
@@ -43,32 +44,43 @@ const SCENE: &str = r#"
 struct Study {
     scene: Scene,
     results: Results,
-    findings: SceneFindings,
+    answer: Answer,
+    sensitivities: Vec<Sensitivity>,
 }
 
 impl Study {
     fn new() -> Self {
         let scene = Scene::parse(SCENE, &NoFiles, &Overrides::default()).unwrap();
         let results = scene.plan().compute().unwrap();
-        let findings = SceneFindings::from_results(&scene, &results, &study::Unobserved).unwrap();
-        Study { scene, results, findings }
+        let answer = Answer::from_results(&scene, &results);
+        let sensitivities = sensitivities(&scene, &results, &study::Unobserved).unwrap();
+        Study { scene, results, answer, sensitivities }
+    }
+
+    fn evidence<'a>(&'a self, uncertainty: Option<&'a Uncertainty>) -> Evidence<'a> {
+        Evidence {
+            scene: &self.scene,
+            results: &self.results,
+            answer: &self.answer,
+            judgement: None,
+            uncertainty,
+        }
     }
 
     fn words(&self, uncertainty: &Uncertainty) -> String {
-        let trust = Assessment { judgement: None, uncertainty: Some(uncertainty) };
+        let evidence = self.evidence(Some(uncertainty));
         // As it stands before lines are broken.
-        let text = summary(&self.scene, &self.results, &self.findings.answer, trust);
+        let text = summary(&evidence, &Conclusions::new(&evidence));
         text.replace('\n', " ")
     }
 
     fn files(&self, uncertainty: Option<&Uncertainty>) -> BTreeMap<String, String> {
         let mut files = BTreeMap::new();
-        let trust = Assessment { judgement: None, uncertainty };
+        let evidence = self.evidence(uncertainty);
         let products = SceneProducts {
-            scene: &self.scene,
-            results: &self.results,
-            findings: Some(&self.findings),
-            assessment: trust,
+            evidence,
+            conclusions: &Conclusions::new(&evidence),
+            sensitivities: Some(&self.sensitivities),
             run_stamp: &RunStamp::default(),
         };
         let names = products.each_file(Format::Csv, |name, content| {
@@ -129,7 +141,7 @@ impl Study {
     }
 
     fn area(&self, curve: usize, load: usize) -> AreaInterval {
-        let area_fraction = self.findings.answer.curves[curve][load].as_ref().unwrap().area_fraction;
+        let area_fraction = self.answer.curves[curve][load].as_ref().unwrap().area_fraction;
         let index = |value| Index { value, standard_error: 0.02 };
         let indices = |value| Indices { first_order: index(value), total: index(value) };
         AreaInterval {
@@ -287,7 +299,7 @@ fn the_page_has_a_section_on_how_sure_it_is_and_one_on_what_to_measure_next() {
     let study = Study::new();
     let (plain, drawn) = (study.files(None), study.files(Some(&study.drawn())));
     for id in ["how-sure", "measure-next"] {
-        let section = format!("<section id=\"{id}\">");
+        let section = format!("id=\"{id}\">");
         assert!(drawn["report.html"].contains(&section) && !plain["report.html"].contains(&section), "{id}");
     }
     let text = drawn["report.html"].strip_prefix("<!DOCTYPE html>").unwrap();

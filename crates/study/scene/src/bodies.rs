@@ -1,6 +1,8 @@
 //! The material and the counterface of a scene.
 
+use std::fmt::Display;
 use std::ops::Range;
+use std::str::FromStr;
 
 use asperity::ElasticBody;
 use serde_spanned::Spanned;
@@ -8,9 +10,10 @@ use serde_spanned::Spanned;
 use super::error::{SceneError, SceneProblem};
 use super::named_material::BodyKeys;
 use super::raw::{RawCounterface, RawMaterial, RawProperty};
-use super::uncertain::{Uncertain, optional_property, poisson_ratio, property};
-use super::values::{optional, value_error};
+use super::uncertain::{Property, Uncertain, poisson_ratio, property};
+use super::values::{quantity_at, value_error};
 use study::bodies::{Bodies, Body, FromTable, Softer, Transport};
+use study::body_properties::BodyProperty;
 use study::hardness_and_strength::HardnessAndStrength;
 use study::material::{GivenMaterial, Material, MaterialError};
 use study::material_spreads::MaterialSpreads;
@@ -59,12 +62,12 @@ pub(super) fn resolve_material(
     counterface: UncertainCounterface,
     strength_cap: Option<Pressure>,
 ) -> Result<(Material, MaterialSpreads, Bodies), SceneError> {
-    let keys = BodyKeys::of_material(raw)?;
+    let keys = BodyKeys::new(raw)?;
     let of_rough = strength(&keys)?;
     let own = elastic_body(
         &keys,
-        required(&keys, "youngs_modulus", keys.youngs_modulus.as_ref())?,
-        required(&keys, "poisson_ratio", keys.poisson_ratio.as_ref())?,
+        required(&keys, BodyProperty::YoungsModulus)?,
+        required(&keys, BodyProperty::PoissonRatio)?,
     )?;
     let transport = transport(&keys)?;
     let softer = softer(&of_rough.hardness_and_strength, own.body, &counterface);
@@ -82,7 +85,7 @@ pub(super) fn resolve_material(
         None => (None, None, None),
     };
     let modulus_span = || match flows {
-        Body::Rough => keys.youngs_modulus.as_ref().map(Spanned::span),
+        Body::Rough => keys.get(BodyProperty::YoungsModulus).map(Spanned::span),
         Body::Counterface => None,
     };
     let material = Material::new(GivenMaterial {
@@ -141,7 +144,7 @@ fn softer(
 
 /// Refuses a strain-gradient length of the harder body: only that of the body that yields has an effect.
 fn refuse_length_of_the_harder(rough: &BodyKeys, counterface: &KnownStrength) -> Result<(), SceneError> {
-    match (&rough.strain_gradient_length, counterface.length) {
+    match (rough.get(BodyProperty::StrainGradientLength), counterface.length) {
         (Some(length), None) => {
             let message = "key material.strain_gradient_length: the counterface is the softer and flows, and this is a length of \
                            the other body; give counterface.strain_gradient_length instead";
@@ -153,16 +156,16 @@ fn refuse_length_of_the_harder(rough: &BodyKeys, counterface: &KnownStrength) ->
 
 /// Resolves the body that presses on the rough body. It is rigid if no elastic constants are given.
 pub(super) fn resolve_counterface(raw: &Spanned<RawCounterface>) -> Result<UncertainCounterface, SceneError> {
-    let keys = BodyKeys::of_counterface(raw)?;
+    let keys = BodyKeys::new(raw)?;
     let strength = strength(&keys)?;
     let transport = transport(&keys)?;
     if strength.hardness_and_strength.strength_is_in_hardnesses() {
-        let span = keys.yield_strength.as_ref().map_or(keys.span, Spanned::span);
+        let span = keys.get(BodyProperty::YieldStrength).map_or(keys.span.clone(), Spanned::span);
         return Err(SceneError::at(span, MaterialError::StrengthInHardnesses));
     }
-    let has_strength = keys.yield_strength.is_some() || keys.indentation_hardness.is_some();
+    let has_strength = keys.has_strength();
     let has_more = raw.get_ref().surface.is_some() || transport != Transport::default();
-    let elastic = match (&keys.youngs_modulus, &keys.poisson_ratio) {
+    let elastic = match (keys.get(BodyProperty::YoungsModulus), keys.get(BodyProperty::PoissonRatio)) {
         (Some(modulus), Some(ratio)) => Some(elastic_body(&keys, modulus, ratio)?),
         (None, None) if has_more && !has_strength => None,
         (None, None) if has_strength => {
@@ -181,20 +184,15 @@ pub(super) fn resolve_counterface(raw: &Spanned<RawCounterface>) -> Result<Uncer
 
 /// The hardness, the strength and its length, as far as they are given.
 fn strength(keys: &BodyKeys) -> Result<KnownStrength, SceneError> {
-    let (length, of_length) = apart(optional_property::<Length>(
-        &keys.key("strain_gradient_length"),
-        keys.strain_gradient_length.as_ref(),
-    )?);
-    let hardness_key = keys.key("indentation_hardness");
-    let (hardness, of_hardness) =
-        apart(optional_property::<IndentationHardness>(&hardness_key, keys.indentation_hardness.as_ref())?);
-    let (strength, of_strength) =
-        apart(optional_property::<Pressure>(&keys.key("yield_strength"), keys.yield_strength.as_ref())?);
-    let hardness_span = || keys.indentation_hardness.as_ref().map(Spanned::span);
+    let (length, of_length) = known::<Length>(keys, BodyProperty::StrainGradientLength)?;
+    let (hardness, of_hardness) = known::<IndentationHardness>(keys, BodyProperty::IndentationHardness)?;
+    let (strength, of_strength) = known::<Pressure>(keys, BodyProperty::YieldStrength)?;
+    let hardness_span = || keys.get(BodyProperty::IndentationHardness).map(Spanned::span);
     if of_hardness.is_some() && of_strength.is_some() {
         let message = "yield_strength says how well it is known as well, and the hardness is three times it; keep one of \
                        the two uncertainties";
-        let problem = SceneProblem::from(format!("key {hardness_key}: {message}"));
+        let problem =
+            SceneProblem::from(format!("key {}: {message}", keys.key(BodyProperty::IndentationHardness)));
         return Err(SceneError { problem, span: hardness_span() });
     }
     let hardness_and_strength = HardnessAndStrength::new(hardness, strength)
@@ -203,25 +201,34 @@ fn strength(keys: &BodyKeys) -> Result<KnownStrength, SceneError> {
 }
 
 fn transport(keys: &BodyKeys) -> Result<Transport, SceneError> {
-    let conductivity: Option<ThermalConductivity> =
-        optional(&keys.key("thermal_conductivity"), keys.thermal_conductivity.as_ref())?;
-    let resistivity: Option<Resistivity> = optional(&keys.key("resistivity"), keys.resistivity.as_ref())?;
+    let conductivity: Option<ThermalConductivity> = exact(keys, BodyProperty::ThermalConductivity)?;
+    let resistivity: Option<Resistivity> = exact(keys, BodyProperty::Resistivity)?;
     Ok(Transport {
         thermal_conductivity_w_per_m_k: conductivity.map(|conductivity| conductivity.w_per_m_k),
         resistivity_ohm_m: resistivity.map(|resistivity| resistivity.ohm_m),
     })
 }
 
-fn apart<T>(known: Option<Uncertain<T>>) -> (Option<T>, Option<Spread>) {
-    known.map_or((None, None), |known| (Some(known.value), known.spread))
+/// Reads a property that may be uncertain.
+fn known<T: Property>(
+    keys: &BodyKeys,
+    which: BodyProperty,
+) -> Result<(Option<T>, Option<Spread>), SceneError> {
+    let known = keys.get(which).map(|raw| property::<T>(&keys.key(which), raw)).transpose()?;
+    Ok(known.map_or((None, None), |known| (Some(known.value), known.spread)))
 }
 
-fn required<'k>(
-    keys: &BodyKeys,
-    name: &str,
-    given: Option<&'k Spanned<RawProperty>>,
-) -> Result<&'k Spanned<RawProperty>, SceneError> {
-    given.ok_or_else(|| SceneError::at(keys.span.clone(), SceneProblem::MissingKey { key: name.to_owned() }))
+/// Reads a property that may not be uncertain.
+fn exact<T: FromStr<Err: Display>>(keys: &BodyKeys, which: BodyProperty) -> Result<Option<T>, SceneError> {
+    match keys.get(which).map(|raw| (raw.get_ref(), raw.span())) {
+        Some((RawProperty::Value(value), span)) => quantity_at(&keys.key(which), value, span).map(Some),
+        _ => Ok(None),
+    }
+}
+
+fn required(keys: &BodyKeys, which: BodyProperty) -> Result<&Spanned<RawProperty>, SceneError> {
+    let missing = || SceneProblem::MissingKey { key: which.key().to_owned() };
+    keys.get(which).ok_or_else(|| SceneError::at(keys.span.clone(), missing()))
 }
 
 fn elastic_body(
@@ -229,9 +236,9 @@ fn elastic_body(
     youngs_modulus: &Spanned<RawProperty>,
     ratio: &Spanned<RawProperty>,
 ) -> Result<KnownBody, SceneError> {
-    let modulus: Uncertain<Modulus> = property(&keys.key("youngs_modulus"), youngs_modulus)?;
+    let modulus: Uncertain<Modulus> = property(&keys.key(BodyProperty::YoungsModulus), youngs_modulus)?;
     refuse_mistaken_prefix(keys, modulus.value.pa, youngs_modulus.span())?;
-    let key = keys.key("poisson_ratio");
+    let key = keys.key(BodyProperty::PoissonRatio);
     let known_ratio = poisson_ratio(&key, ratio)?;
     let body = ElasticBody::new(modulus.value.pa, known_ratio.value)
         .map_err(|error| SceneError::at(ratio.span(), format!("key {key}: {error}")))?;
@@ -259,7 +266,7 @@ fn refuse_mistaken_prefix(keys: &BodyKeys, modulus_pa: f64, span: Range<usize>) 
                 pressure(tabled_pa),
                 prefixed(modulus_pa, tabled_pa)
             );
-            Err(value_error(&keys.key("youngs_modulus"), &typed, span, problem))
+            Err(value_error(&keys.key(BodyProperty::YoungsModulus), &typed, span, problem))
         }
         _ => Ok(()),
     }

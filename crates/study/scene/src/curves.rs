@@ -3,6 +3,7 @@
 use std::io::Cursor;
 
 use measurements::Files;
+use persson::corrections::Correction;
 use persson::hardness_laws::HardnessTable;
 use serde_spanned::Spanned;
 use tables::TableSource;
@@ -12,10 +13,10 @@ use super::error::SceneError;
 use super::interface::{GAMMA, checked};
 use super::raw::RawCurve;
 use super::values::{check_file_name, value_error};
-use study::hardness_growth::GrowthLaw;
+use study::growth_law::GrowthLaw;
 use study::material::Material;
-use study::models::{IgnoredOption, ModelOptions};
-use study::plan::Curve;
+use study::models::{Choice, Framework, IgnoredOption, MODELS, ModelOptions};
+use study::plan::{Curve, Cutoffs};
 
 /// Returns the curves, and for each of them the options that its model ignores. `options` are those of the whole scene,
 /// which curves may override.
@@ -29,19 +30,19 @@ pub(super) fn resolve_curves(
     let mut ignored = Vec::new();
     for spanned in raw {
         let curve = spanned.get_ref();
-        let Some(material) = material else {
+        let Some((material, entry)) = material.zip(curve.model) else {
             return Err(SceneError::at(spanned.span(), "a curve needs a section [material]"));
         };
         let own = own_options(curve, files)?;
-        ignored.push(own.ignored_by(curve.model));
+        ignored.push(own.ignored_by(entry));
         let with_those_of_the_scene = ModelOptions {
             hardness: options.hardness,
             interference_law: own.interference_law.or(options.interference_law),
             ..own.clone()
         };
-        let model = curve.model.build(material, &with_those_of_the_scene);
+        let model = entry.build(material, &with_those_of_the_scene);
         let model = model.map_err(|error| SceneError::at(spanned.span(), error))?;
-        let default_name = || curve.model.curve_name(&own);
+        let default_name = || entry.curve_name(&own);
         let name = curve.name.as_ref().map_or_else(default_name, |name| name.get_ref().clone());
         let name_span = curve.name.as_ref().map_or_else(|| spanned.span(), Spanned::span);
         check_file_name(&name, name_span.clone())?;
@@ -54,18 +55,38 @@ pub(super) fn resolve_curves(
     Ok((curves, ignored))
 }
 
+/// Returns a curve for every model that applies to a material: models that need a property which the material lacks are
+/// left out. Models with a strength that may grow, and with a correction that is nearer to boundary elements, come in both
+/// forms.
+pub(super) fn curves_that_apply(material: &Material, options: &ModelOptions) -> Vec<Curve> {
+    let plain = ModelOptions { hardness: options.hardness, ..ModelOptions::default() };
+    let mut curves: Vec<Curve> = Vec::new();
+    for entry in MODELS {
+        let mut forms = vec![ModelOptions { interference_law: options.interference_law, ..plain.clone() }];
+        // Persson's theory with a hardness that grows takes longer than all other models together.
+        if entry.has(Choice::StrainGradient) && entry.framework != Framework::Persson {
+            forms.push(ModelOptions { strain_gradient: true, ..forms[0].clone() });
+        }
+        if entry.has(Choice::Correction) {
+            forms.push(ModelOptions { correction: Some(Correction::AlgebraicNayak), ..plain.clone() });
+        }
+        for own in forms {
+            let Ok(model) = entry.build(material, &own) else { continue };
+            let own = ModelOptions { hardness: None, interference_law: None, ..own };
+            curves.push(Curve { name: entry.curve_name(&own), model, cutoffs: Cutoffs::default() });
+        }
+    }
+    curves
+}
+
 /// Returns the options that a curve gives itself.
 fn own_options(curve: &RawCurve, files: &dyn Files) -> Result<ModelOptions, SceneError> {
     let gamma = curve.gamma.as_ref();
     let gamma = gamma.map(|gamma| checked("curve.gamma", "the elastic energy factor", gamma, GAMMA));
     Ok(ModelOptions {
-        strain_gradient: curve.strain_gradient,
-        hardness: None,
-        interference_law: curve.interference_law,
-        correction: curve.correction,
-        band: curve.band,
         gamma: gamma.transpose()?,
         hardness_law: curve.hardness_law.as_ref().map(|text| growth_law(text, files)).transpose()?,
+        ..curve.options.clone()
     })
 }
 

@@ -4,7 +4,8 @@ use std::fmt;
 use std::ops::Range;
 
 use crate::file_content::FileContent;
-use study::material::{MaterialError, MaterialProperty};
+use study::body_properties::BodyProperty;
+use study::material::MaterialError;
 use study::surface::SurfaceError;
 
 /// Error in a scene, with its place in the text.
@@ -137,9 +138,9 @@ impl fmt::Display for SceneProblem {
             SceneProblem::Text(text) => f.write_str(text),
             SceneProblem::Material(error @ MaterialError::Missing(needed_for)) => {
                 let key = match needed_for.property() {
-                    MaterialProperty::IndentationHardness => "indentation_hardness or yield_strength",
-                    MaterialProperty::YieldStrength => "yield_strength or indentation_hardness",
-                    MaterialProperty::StrainGradientLength => "strain_gradient_length",
+                    BodyProperty::IndentationHardness => "indentation_hardness or yield_strength",
+                    BodyProperty::YieldStrength => "yield_strength or indentation_hardness",
+                    other => other.key(),
                 };
                 write!(f, "{error}: add {key} in [material]")
             }

@@ -18,6 +18,7 @@ mod raw;
 mod replace;
 mod resolve;
 mod roughness;
+mod section;
 mod spelling;
 mod surfaces;
 mod template;
@@ -90,7 +91,7 @@ impl Scene {
                 None => error,
             })?;
         let (scene, ignored) = resolve::resolve(text, &raw, files, overrides)?;
-        Ok(Scene { notes: notes::notes(text, &scene, &ignored, overrides), ..scene })
+        Ok(Scene { notes: notes::notes(text, &raw, &scene, &ignored, overrides), ..scene })
     }
 
     /// Returns a scene that comes with the program.

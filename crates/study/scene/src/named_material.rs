@@ -5,10 +5,14 @@ use std::ops::Range;
 use serde_spanned::Spanned;
 
 use super::error::{SceneError, SceneProblem};
-use super::raw::{RawCounterface, RawMaterial, RawProperty, RawQuantity};
+use super::raw::{RawBody, RawProperty};
 use super::spelling::meant;
 use study::bodies::FromTable;
+use study::body_properties::BodyProperty;
 use study::materials::{TabledMaterial, UnknownMaterial, materials, named};
+
+/// The properties that give each other: H = 3 S0.
+const STRENGTHS: [BodyProperty; 2] = [BodyProperty::YieldStrength, BodyProperty::IndentationHardness];
 
 /// The keys of a body, as given or from the table.
 pub(super) struct BodyKeys {
@@ -16,98 +20,52 @@ pub(super) struct BodyKeys {
     pub section: &'static str,
     /// Bytes of the scene that the section spans.
     pub span: Range<usize>,
-    pub youngs_modulus: Option<Spanned<RawProperty>>,
-    pub poisson_ratio: Option<Spanned<RawProperty>>,
-    pub yield_strength: Option<Spanned<RawProperty>>,
-    pub indentation_hardness: Option<Spanned<RawProperty>>,
-    pub strain_gradient_length: Option<Spanned<RawProperty>>,
-    pub thermal_conductivity: Option<RawQuantity>,
-    pub resistivity: Option<RawQuantity>,
+    properties: Vec<(BodyProperty, Spanned<RawProperty>)>,
     /// Properties that were filled from the table of materials.
     pub from_table: Option<FromTable>,
 }
 
 impl BodyKeys {
-    /// Returns the keys of the rough body.
-    pub fn of_material(raw: &Spanned<RawMaterial>) -> Result<Self, SceneError> {
-        let keys = raw.get_ref().clone();
-        BodyKeys {
-            section: "material",
-            span: raw.span(),
-            youngs_modulus: keys.youngs_modulus,
-            poisson_ratio: keys.poisson_ratio,
-            yield_strength: keys.yield_strength,
-            indentation_hardness: keys.indentation_hardness,
-            strain_gradient_length: keys.strain_gradient_length,
-            thermal_conductivity: keys.thermal_conductivity,
-            resistivity: keys.resistivity,
-            from_table: None,
-        }
-        .filled(keys.name.as_ref())
+    /// Returns the keys of a section, and those that it leaves to the table.
+    pub fn new<const IS_COUNTERFACE: bool>(
+        raw: &Spanned<RawBody<IS_COUNTERFACE>>,
+    ) -> Result<Self, SceneError> {
+        let RawBody { name, properties, .. } = raw.get_ref();
+        let section = if IS_COUNTERFACE { "counterface" } else { "material" };
+        let keys = BodyKeys { section, span: raw.span(), properties: properties.clone(), from_table: None };
+        keys.filled(name.as_ref())
     }
 
-    /// Returns the keys of the counterface.
-    pub fn of_counterface(raw: &Spanned<RawCounterface>) -> Result<Self, SceneError> {
-        let keys = raw.get_ref();
-        BodyKeys {
-            section: "counterface",
-            span: raw.span(),
-            youngs_modulus: keys.youngs_modulus.clone(),
-            poisson_ratio: keys.poisson_ratio.clone(),
-            yield_strength: keys.yield_strength.clone(),
-            indentation_hardness: keys.indentation_hardness.clone(),
-            strain_gradient_length: keys.strain_gradient_length.clone(),
-            thermal_conductivity: keys.thermal_conductivity.clone(),
-            resistivity: keys.resistivity.clone(),
-            from_table: None,
-        }
-        .filled(keys.name.as_ref())
+    /// Returns a property as given or from the table.
+    pub fn get(&self, property: BodyProperty) -> Option<&Spanned<RawProperty>> {
+        self.properties.iter().find(|(own, _)| *own == property).map(|(_, given)| given)
     }
 
-    /// The key of this body under a name, with its section.
-    pub fn key(&self, name: &str) -> String {
-        format!("{}.{name}", self.section)
+    /// Returns true if hardness or strength is given; they give each other.
+    pub fn has_strength(&self) -> bool {
+        STRENGTHS.into_iter().any(|property| self.get(property).is_some())
+    }
+
+    /// Returns the key of a property with its section.
+    pub fn key(&self, property: BodyProperty) -> String {
+        format!("{}.{}", self.section, property.key())
     }
 
     /// Fills missing keys from the table, if a material is named.
     fn filled(mut self, name: Option<&Spanned<String>>) -> Result<Self, SceneError> {
         let Some(name) = name else { return Ok(self) };
-        let TabledMaterial {
-            name: known_as,
-            aliases: _,
-            youngs_modulus,
-            poisson_ratio,
-            yield_strength,
-            indentation_hardness,
-            thermal_conductivity,
-            resistivity,
-            sources,
-        } = tabled(name)?;
-        let span = name.span();
+        let tabled = tabled(name)?;
         // Hardness and strength give each other: one of them given leaves none of them out.
-        let has_strength = self.yield_strength.is_some() || self.indentation_hardness.is_some();
-        let of_table = |text: Option<String>| text.filter(|_| !has_strength).map(toml::Value::String);
+        let has_strength = self.has_strength();
         let mut keys = Vec::new();
-        let mut fill =
-            |key: &'static str, given: &mut Option<Spanned<RawProperty>>, value: Option<toml::Value>| {
-                if let (None, Some(value)) = (&given, value) {
-                    keys.push(key);
-                    *given = Some(Spanned::new(span.clone(), RawProperty::Value(value)));
-                }
-            };
-        fill("youngs_modulus", &mut self.youngs_modulus, Some(toml::Value::String(youngs_modulus)));
-        fill("poisson_ratio", &mut self.poisson_ratio, Some(toml::Value::Float(poisson_ratio)));
-        fill("yield_strength", &mut self.yield_strength, of_table(yield_strength));
-        fill("indentation_hardness", &mut self.indentation_hardness, of_table(indentation_hardness));
-        let mut fill = |key: &'static str, given: &mut Option<RawQuantity>, text: Option<String>| {
-            if let (None, Some(text)) = (&given, text) {
-                keys.push(key);
-                *given = Some(Spanned::new(span.clone(), toml::Value::String(text)));
+        for property in BodyProperty::ALL {
+            let is_given = self.get(property).is_some() || has_strength && STRENGTHS.contains(&property);
+            if let Some(value) = tabled.value(property).filter(|_| !is_given) {
+                keys.push(property.key());
+                self.properties.push((property, Spanned::new(name.span(), RawProperty::Value(value))));
             }
-        };
-        fill("thermal_conductivity", &mut self.thermal_conductivity, thermal_conductivity);
-        fill("resistivity", &mut self.resistivity, resistivity);
-        self.from_table = Some(FromTable { name: known_as, keys, sources });
+        }
+        self.from_table = Some(FromTable { name: tabled.name, keys, sources: tabled.sources });
         Ok(self)
     }
 }

@@ -3,11 +3,12 @@
 use std::ops::Range;
 
 use serde::Serialize;
-use toml::de::{DeTable, DeValue};
+use toml_edit::Document;
 
+use super::raw::RawScene;
 use super::{Overrides, Scene};
-use study::figure::Shows;
-use study::models::{Choice, IgnoredOption, IgnoredReason, ModelEntry};
+use study::figure::{Figure, Shows};
+use study::models::{Choice, IgnoredOption, IgnoredReason};
 
 /// A key of a scene that has no effect, or not the one that it reads as.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -66,169 +67,135 @@ pub enum Unused {
 /// Returns the notes on a scene in the order of its sections. Keys that are overridden from outside get no note.
 pub(super) fn notes(
     text: &str,
+    raw: &RawScene,
     scene: &Scene,
     ignored: &[Vec<IgnoredOption>],
     overrides: &Overrides,
 ) -> Vec<SceneNote> {
     // A text that does not parse was refused before.
-    let Ok(document) = DeTable::parse(text) else { return Vec::new() };
-    let mut keys = Keys { text, document: document.get_ref(), notes: Vec::new() };
-    curves(&mut keys, ignored);
-    loads(&mut keys, scene);
-    figures(&mut keys, scene);
-    cutoffs(&mut keys, scene, overrides);
-    options(&mut keys, scene, overrides);
-    judge(&mut keys, scene, overrides);
-    uncertainty(&mut keys, scene, overrides);
-    keys.notes
+    let Ok(document) = Document::parse(text) else { return Vec::new() };
+    let mut sections = Vec::new();
+    sections.extend(ignored.iter().enumerate().map(|(at, options)| ("curve", Some(at), curve(options))));
+    sections.push(("loads", None, loads(scene)));
+    sections.extend(scene.figures.iter().enumerate().map(|(at, figure)| ("figure", Some(at), shown(figure))));
+    sections.push(("cutoffs", None, cutoffs(scene, overrides)));
+    sections.push(("options", None, options(raw, scene, overrides)));
+    sections.push(("judge", None, judge(scene, overrides)));
+    sections.push(("uncertainty", None, uncertainty(scene, overrides)));
+    let note = |section: &str, at: Option<usize>, (key, reason): (&str, Unused)| {
+        let found = document.get(section)?;
+        let table = at.map_or(Some(found), |at| found.get(at))?.as_table_like()?;
+        let (name, value) = table.get_key_value(key)?;
+        let span = name.span()?.start..value.span()?.end;
+        let line = 1 + text[..span.start].matches('\n').count();
+        Some(SceneNote { key: format!("{section}.{key}"), line, span, reason })
+    };
+    let keys = sections
+        .into_iter()
+        .flat_map(|(section, at, keys)| keys.into_iter().filter_map(move |key| note(section, at, key)));
+    keys.collect()
 }
 
-fn curves(keys: &mut Keys<'_>, ignored: &[Vec<IgnoredOption>]) {
-    for (table, ignored) in keys.tables("curve").into_iter().zip(ignored) {
-        for option in ignored {
-            let reason = match (option.reason, option.choice) {
-                (IgnoredReason::NeverYields, _) => Unused::ModelDoesNotYield,
-                (IgnoredReason::CorrectionsAreElastic, _) => Unused::CorrectionsAreElastic,
-                (IgnoredReason::OtherHardnessLaw, _) => Unused::OtherHardnessLaw,
-                (_, Choice::Interference) => Unused::ModelHasNoInterferenceLaw,
-                _ => Unused::ModelHasNoSuchOption,
-            };
-            keys.note("curve", table, option.choice.key(), reason);
-        }
-    }
+/// Keys of a section that have no effect where they are in the text.
+type UnusedKeys = Vec<(&'static str, Unused)>;
+
+fn all(keys: &[&'static str], reason: Unused) -> UnusedKeys {
+    keys.iter().map(|key| (*key, reason)).collect()
 }
 
-fn loads(keys: &mut Keys<'_>, scene: &Scene) {
-    let Some(table) = keys.section("loads") else { return };
-    if scene.needs.curves.is_empty() && scene.interface.is_none() {
-        for key in ["pressures", "force", "nominal_area"] {
-            keys.note("loads", table, key, Unused::NoCurveUsesIt);
-        }
-    }
-}
-
-fn figures(keys: &mut Keys<'_>, scene: &Scene) {
-    for (table, figure) in keys.tables("figure").into_iter().zip(&scene.figures) {
-        let idle: &[&str] = match figure.shows {
-            Shows::AreaAgainstLoad => &[],
-            Shows::Area => &["loads", "cutoff_multiples"],
-            Shows::Psd | Shows::Moments | Shows::Amplitude | Shows::AspectRatio => {
-                &["curves", "loads", "cutoff_multiples"]
-            }
+fn curve(ignored: &[IgnoredOption]) -> UnusedKeys {
+    let key = |option: &IgnoredOption| {
+        let reason = match (option.reason, option.choice) {
+            (IgnoredReason::NeverYields, _) => Unused::ModelDoesNotYield,
+            (IgnoredReason::CorrectionsAreElastic, _) => Unused::CorrectionsAreElastic,
+            (IgnoredReason::OtherHardnessLaw, _) => Unused::OtherHardnessLaw,
+            (_, Choice::Interference) => Unused::ModelHasNoInterferenceLaw,
+            _ => Unused::ModelHasNoSuchOption,
         };
-        for key in idle {
-            keys.note("figure", table, key, Unused::FigureShowsSomethingElse);
-        }
-    }
+        (option.choice.key(), reason)
+    };
+    ignored.iter().map(key).collect()
 }
 
-fn cutoffs(keys: &mut Keys<'_>, scene: &Scene, overrides: &Overrides) {
+fn loads(scene: &Scene) -> UnusedKeys {
+    if !scene.needs.curves.is_empty() || scene.interface.is_some() {
+        return Vec::new();
+    }
+    all(&["pressures", "force", "nominal_area"], Unused::NoCurveUsesIt)
+}
+
+fn shown(figure: &Figure) -> UnusedKeys {
+    let unused: &[&str] = match figure.shows {
+        Shows::AreaAgainstLoad => &[],
+        Shows::Area => &["loads", "cutoff_multiples"],
+        Shows::Psd | Shows::Moments | Shows::Amplitude | Shows::AspectRatio => {
+            &["curves", "loads", "cutoff_multiples"]
+        }
+    };
+    all(unused, Unused::FigureShowsSomethingElse)
+}
+
+fn cutoffs(scene: &Scene, overrides: &Overrides) -> UnusedKeys {
     let shortest_m = scene.surface.psd.shortest_wavelength_m();
     let below = scene.sampling.cutoff_m.is_some_and(|cutoff_m| cutoff_m < shortest_m);
-    if let Some(table) = keys.section("cutoffs").filter(|_| below && overrides.cutoff.is_none()) {
-        keys.note("cutoffs", table, "shortest_wavelength", Unused::CutoffBelowData { shortest_m });
+    if !below || overrides.cutoff.is_some() {
+        return Vec::new();
     }
+    vec![("shortest_wavelength", Unused::CutoffBelowData { shortest_m })]
 }
 
-fn options(keys: &mut Keys<'_>, scene: &Scene, overrides: &Overrides) {
-    let Some(table) = keys.section("options") else { return };
+fn options(raw: &RawScene, scene: &Scene, overrides: &Overrides) -> UnusedKeys {
     let needs = &scene.needs;
-    let any_model = |is: fn(&ModelEntry) -> bool| needs.curves.iter().any(|curve| is(curve.model.entry()));
+    let has = |choice| needs.curves.iter().any(|curve| curve.model.entry().has(choice));
+    let grows = needs.curves.iter().any(|curve| curve.model.strength_grows());
+    let mut unused = Vec::new();
     if needs.moments.is_none() && overrides.normalisation.is_none() {
-        keys.note("options", table, "normalisation", Unused::NothingNeedsIt);
+        unused.push(("normalisation", Unused::NothingNeedsIt));
     }
     if needs.amplitudes.is_none() && overrides.amplitude.is_none() {
-        keys.note("options", table, "amplitude", Unused::NothingNeedsIt);
+        unused.push(("amplitude", Unused::NothingNeedsIt));
     }
-    if overrides.hardness.is_none() && !any_model(|model| model.has(Choice::Hardness)) {
-        keys.note("options", table, "hardness", Unused::NoCurveUsesIt);
+    if overrides.hardness.is_none() && !has(Choice::Hardness) {
+        unused.extend(all(&["hardness_formula", "hardness"], Unused::NoCurveUsesIt));
     }
-    if overrides.strength_cap.is_none() && !needs.curves.iter().any(|curve| curve.model.strength_grows()) {
-        keys.note("options", table, "strength_cap", Unused::NoCurveUsesIt);
+    if overrides.strength_cap.is_none() && !grows {
+        unused.push(("strength_cap", Unused::NoCurveUsesIt));
     }
-    interference_law(keys, table, scene);
+    let mut sinusoids = raw
+        .curve
+        .iter()
+        .map(|curve| curve.get_ref())
+        .filter(|curve| curve.model.is_some_and(|model| model.has(Choice::Interference)));
+    if !has(Choice::Interference) {
+        unused.push(("interference_law", Unused::NoCurveUsesIt));
+    } else if sinusoids.all(|curve| curve.options.interference_law.is_some()) {
+        unused.push(("interference_law", Unused::EveryCurveHasItsOwn));
+    }
     if needs.curves.iter().all(|curve| curve.model.statistical().is_none()) {
-        keys.note("options", table, "tolerance", Unused::NoCurveUsesIt);
+        unused.push(("tolerance", Unused::NoCurveUsesIt));
     } else if needs.tolerance.asked_finer().is_some() {
-        let used = needs.tolerance.value();
-        keys.note("options", table, "tolerance", Unused::ToleranceHeld { used });
+        unused.push(("tolerance", Unused::ToleranceHeld { used: needs.tolerance.value() }));
     }
+    unused
 }
 
-fn judge(keys: &mut Keys<'_>, scene: &Scene, overrides: &Overrides) {
-    let Some(table) = keys.section("judge").filter(|_| !overrides.no_judge) else { return };
-    let off = scene.judge.is_some_and(|judge| judge.off);
-    let idle = off.then_some(Unused::JudgeIsOff);
-    if let Some(reason) = idle.or(scene.needs.curves.is_empty().then_some(Unused::NoCurveUsesIt)) {
-        for key in ["grid", "realisations", "seed", "budget"] {
-            keys.note("judge", table, key, reason);
-        }
-    }
+fn judge(scene: &Scene, overrides: &Overrides) -> UnusedKeys {
+    let reason = match scene.judge {
+        _ if overrides.no_judge => return Vec::new(),
+        Some(judge) if judge.off => Unused::JudgeIsOff,
+        _ if scene.needs.curves.is_empty() => Unused::NoCurveUsesIt,
+        _ => return Vec::new(),
+    };
+    all(&["grid", "realisations", "seed", "budget"], reason)
 }
 
-fn uncertainty(keys: &mut Keys<'_>, scene: &Scene, overrides: &Overrides) {
-    let Some(table) = keys.section("uncertainty").filter(|_| !overrides.no_uncertainty) else { return };
-    let off = scene.uncertainty.is_some_and(|uncertainty| uncertainty.off);
-    let idle = [
-        (off, Unused::UncertaintyIsOff),
-        (scene.needs.curves.is_empty(), Unused::NoCurveUsesIt),
-        (!scene.scatters(), Unused::NothingScatters),
-    ];
-    let Some((_, reason)) = idle.into_iter().find(|(holds, _)| *holds) else { return };
-    for key in ["level", "draws", "seed", "shares_draws"] {
-        keys.note("uncertainty", table, key, reason);
-    }
-}
-
-fn interference_law<'d>(keys: &mut Keys<'d>, options: &'d DeTable<'d>, scene: &Scene) {
-    let tables = keys.tables("curve");
-    let of_sinusoids: Vec<_> = tables
-        .into_iter()
-        .zip(&scene.needs.curves)
-        .filter(|(_, curve)| curve.model.entry().has(Choice::Interference))
-        .collect();
-    if of_sinusoids.is_empty() {
-        keys.note("options", options, "interference_law", Unused::NoCurveUsesIt);
-    } else if of_sinusoids.iter().all(|(table, _)| value(table, "interference_law").is_some()) {
-        keys.note("options", options, "interference_law", Unused::EveryCurveHasItsOwn);
-    }
-}
-
-/// The keys that stand in a scene, and what there is to note of them.
-struct Keys<'d> {
-    text: &'d str,
-    document: &'d DeTable<'d>,
-    notes: Vec<SceneNote>,
-}
-
-impl<'d> Keys<'d> {
-    fn section(&self, name: &str) -> Option<&'d DeTable<'d>> {
-        match value(self.document, name)? {
-            DeValue::Table(table) => Some(table),
-            _ => None,
-        }
-    }
-
-    /// The tables of an array of them, in order.
-    fn tables(&self, name: &str) -> Vec<&'d DeTable<'d>> {
-        let Some(DeValue::Array(items)) = value(self.document, name) else { return Vec::new() };
-        let table = |item: &'d toml::Spanned<DeValue<'d>>| match item.get_ref() {
-            DeValue::Table(table) => Some(table),
-            _ => None,
-        };
-        items.iter().filter_map(table).collect()
-    }
-
-    /// Notes a key where it stands in its table.
-    fn note(&mut self, section: &str, table: &DeTable<'_>, key: &str, reason: Unused) {
-        let found = table.iter().find(|(name, _)| name.get_ref() == key);
-        let Some((name, value)) = found else { return };
-        let span = name.span().start..value.span().end;
-        let line = 1 + self.text[..span.start].matches('\n').count();
-        self.notes.push(SceneNote { key: format!("{section}.{key}"), line, span, reason });
-    }
-}
-
-fn value<'d>(table: &'d DeTable<'d>, key: &str) -> Option<&'d DeValue<'d>> {
-    table.iter().find(|(name, _)| name.get_ref() == key).map(|(_, value)| value.get_ref())
+fn uncertainty(scene: &Scene, overrides: &Overrides) -> UnusedKeys {
+    let reason = match scene.uncertainty {
+        _ if overrides.no_uncertainty => return Vec::new(),
+        Some(uncertainty) if uncertainty.off => Unused::UncertaintyIsOff,
+        _ if scene.needs.curves.is_empty() => Unused::NoCurveUsesIt,
+        _ if !scene.scatters() => Unused::NothingScatters,
+        _ => return Vec::new(),
+    };
+    all(&["level", "draws", "seed", "shares_draws"], reason)
 }

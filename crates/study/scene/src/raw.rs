@@ -1,9 +1,8 @@
 //! A scene as typed, with every key that exists.
 
 use std::fmt;
+use std::sync::LazyLock;
 
-use persson::corrections::Correction;
-use persson::variance::Band;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
@@ -15,8 +14,10 @@ use topography::{Average, Detrend, Direction, GapTreatment, Window};
 use super::error::SceneError;
 use super::from_toml::scene_error;
 use super::mistyped::explained;
+use super::section::{Section, read_section};
+use study::body_properties::BodyProperty;
 use study::figure::Shows;
-use study::models::ModelEntry;
+use study::models::{Choice, ModelEntry, ModelOptions};
 use study::plan::Cutoffs;
 
 /// A quantity: text with a unit. Any other value is let in here, to be refused with the mend.
@@ -88,17 +89,52 @@ pub(super) struct RawScanKeys {
     pub slope_uncertainty: Option<RawQuantity>,
 }
 
-#[derive(Debug, Clone, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct RawMaterial {
+/// The rough body.
+pub(super) type RawMaterial = RawBody<false>;
+
+/// The body that presses on the rough one, perhaps with a surface of its own.
+pub(super) type RawCounterface = RawBody<true>;
+
+#[derive(Debug, Default)]
+pub(super) struct RawBody<const IS_COUNTERFACE: bool> {
     pub name: Option<Spanned<String>>,
-    pub youngs_modulus: Option<Spanned<RawProperty>>,
-    pub poisson_ratio: Option<Spanned<RawProperty>>,
-    pub yield_strength: Option<Spanned<RawProperty>>,
-    pub indentation_hardness: Option<Spanned<RawProperty>>,
-    pub strain_gradient_length: Option<Spanned<RawProperty>>,
-    pub thermal_conductivity: Option<RawQuantity>,
-    pub resistivity: Option<RawQuantity>,
+    pub properties: Vec<(BodyProperty, Spanned<RawProperty>)>,
+    pub surface: Option<Spanned<RawSurface>>,
+}
+
+static BODY_KEYS: LazyLock<Vec<&str>> = LazyLock::new(|| {
+    let properties = BodyProperty::ALL.map(BodyProperty::key);
+    ["name"].into_iter().chain(properties).chain(["surface"]).collect()
+});
+
+impl<const IS_COUNTERFACE: bool> Section for RawBody<IS_COUNTERFACE> {
+    const NAME: &'static str = if IS_COUNTERFACE { "RawCounterface" } else { "RawMaterial" };
+
+    fn keys() -> &'static [&'static str] {
+        &BODY_KEYS[..BODY_KEYS.len() - usize::from(!IS_COUNTERFACE)]
+    }
+
+    fn read<'de, A: MapAccess<'de>>(&mut self, key: &str, values: &mut A) -> Result<(), A::Error> {
+        match BodyProperty::of_key(key) {
+            Some(property) if property.may_be_uncertain() => {
+                self.properties.push((property, values.next_value()?));
+            }
+            Some(property) => {
+                let quantity: RawQuantity = values.next_value()?;
+                let given = Spanned::new(quantity.span(), RawProperty::Value(quantity.into_inner()));
+                self.properties.push((property, given));
+            }
+            None if key == "name" => self.name = Some(values.next_value()?),
+            None => self.surface = Some(values.next_value()?),
+        }
+        Ok(())
+    }
+}
+
+impl<'de, const IS_COUNTERFACE: bool> Deserialize<'de> for RawBody<IS_COUNTERFACE> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        read_section(deserializer)
+    }
 }
 
 /// A property of a material: text with a unit, perhaps with how well it is known, or the distribution of it.
@@ -133,39 +169,59 @@ pub(super) enum Distribution {
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct RawCounterface {
-    pub name: Option<Spanned<String>>,
-    pub youngs_modulus: Option<Spanned<RawProperty>>,
-    pub poisson_ratio: Option<Spanned<RawProperty>>,
-    pub yield_strength: Option<Spanned<RawProperty>>,
-    pub indentation_hardness: Option<Spanned<RawProperty>>,
-    pub strain_gradient_length: Option<Spanned<RawProperty>>,
-    pub thermal_conductivity: Option<RawQuantity>,
-    pub resistivity: Option<RawQuantity>,
-    pub surface: Option<Spanned<RawSurface>>,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub(super) struct RawLoads {
     pub pressures: Option<Vec<RawQuantity>>,
     pub force: Option<RawQuantity>,
     pub nominal_area: Option<RawQuantity>,
 }
 
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+/// A curve. Of the options of its model, those whose values need more checks stand beside the others.
+#[derive(Debug, Default)]
 pub(super) struct RawCurve {
-    pub model: &'static ModelEntry,
-    #[serde(default)]
-    pub strain_gradient: bool,
-    pub interference_law: Option<InterferenceLaw>,
-    pub correction: Option<Correction>,
-    pub band: Option<Band>,
+    pub model: Option<&'static ModelEntry>,
+    pub options: ModelOptions,
     pub gamma: Option<Spanned<f64>>,
     pub hardness_law: Option<Spanned<String>>,
     pub cutoffs: Option<Cutoffs>,
     pub name: Option<Spanned<String>>,
+}
+
+static CURVE_KEYS: LazyLock<Vec<&str>> = LazyLock::new(|| {
+    let options = Choice::OF_CURVES.map(Choice::key);
+    ["model"].into_iter().chain(options).chain(["cutoffs", "name"]).collect()
+});
+
+impl Section for RawCurve {
+    const NAME: &'static str = "RawCurve";
+
+    fn keys() -> &'static [&'static str] {
+        &CURVE_KEYS
+    }
+
+    fn read<'de, A: MapAccess<'de>>(&mut self, key: &str, values: &mut A) -> Result<(), A::Error> {
+        match key {
+            "model" => self.model = Some(values.next_value()?),
+            "gamma" => self.gamma = Some(values.next_value()?),
+            "hardness_law" => self.hardness_law = Some(values.next_value()?),
+            "cutoffs" => self.cutoffs = Some(values.next_value()?),
+            "name" => self.name = Some(values.next_value()?),
+            key => {
+                let choice = Choice::OF_CURVES.into_iter().find(|choice| choice.key() == key);
+                choice.map_or(Ok(()), |choice| self.options.read(choice, values))?;
+            }
+        }
+        Ok(())
+    }
+
+    fn missing(&self) -> Option<&'static str> {
+        self.model.is_none().then_some("model")
+    }
+}
+
+impl<'de> Deserialize<'de> for RawCurve {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        read_section(deserializer)
+    }
 }
 
 #[derive(Debug, Deserialize)]
@@ -199,7 +255,8 @@ pub(super) struct RawOptions {
     pub normalisation: Option<Normalisation>,
     pub amplitude: Option<AmplitudeDefinition>,
     pub scales_per_decade: Option<Spanned<i64>>,
-    pub hardness: Option<asperity::Hardness>,
+    #[serde(alias = "hardness")]
+    pub hardness_formula: Option<asperity::Hardness>,
     pub strength_cap: Option<RawQuantity>,
     pub interference_law: Option<InterferenceLaw>,
     pub tolerance: Option<Spanned<f64>>,
@@ -212,6 +269,8 @@ pub(super) struct RawJudge {
     pub realisations: Option<Spanned<i64>>,
     pub seed: Option<Spanned<i64>>,
     pub budget: Option<Spanned<f64>>,
+    #[serde(default)]
+    pub all_models: bool,
     #[serde(default)]
     pub off: bool,
 }

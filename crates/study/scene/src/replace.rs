@@ -1,43 +1,32 @@
 //! The text of a scene with some of its keys set anew. All else of it, comments too, stays as it was typed.
 
+use std::cmp::Ordering;
 use std::fmt;
-use std::ops::Range;
 
 use serde::Deserialize;
 use serde::de::value::Error as NoValue;
 use serde::de::{Deserializer, Error as _, Visitor};
 use toml::Value;
-use toml::de::{DeTable, DeValue};
+use toml_edit::{DocumentMut, Item, Key, Table, TomlError};
 
-use super::error::SceneError;
-use super::from_toml::scene_error;
+use super::error::{SceneError, SceneProblem};
 use super::raw::{
     RawCounterface, RawCurve, RawCutoffs, RawFigure, RawInterface, RawJudge, RawLoads, RawMaterial,
     RawOptions, RawSeal, RawSurface, RawUncertainty,
 };
 use super::spelling::meant;
+use study::body_properties::BodyProperty;
 
 /// Names that stand for a key of another name, as functions and options have them.
 const OTHER_NAMES: [(&str, [&str; 2]); 2] =
     [("cutoff", ["cutoffs", "shortest_wavelength"]), ("pressure", ["loads", "pressures"])];
 
-/// The SI units of the keys that are typed with a unit, so that a plain number can be given for them.
-const SI_UNITS: [(&str, &str); 27] = [
+/// The SI units of the keys that are typed with a unit, so that a plain number can be given for them; those of bodies are in
+/// their own table.
+const SI_UNITS: [(&str, &str); 15] = [
     ("surface.rms_height", "m"),
     ("surface.mean_width", "m"),
     ("surface.rolloff_wavelength", "m"),
-    ("material.youngs_modulus", "Pa"),
-    ("material.yield_strength", "Pa"),
-    ("material.indentation_hardness", "Pa"),
-    ("material.strain_gradient_length", "m"),
-    ("material.thermal_conductivity", "W/(m K)"),
-    ("material.resistivity", "ohm m"),
-    ("counterface.youngs_modulus", "Pa"),
-    ("counterface.yield_strength", "Pa"),
-    ("counterface.indentation_hardness", "Pa"),
-    ("counterface.strain_gradient_length", "m"),
-    ("counterface.thermal_conductivity", "W/(m K)"),
-    ("counterface.resistivity", "ohm m"),
     ("loads.pressures", "Pa"),
     ("loads.force", "N"),
     ("loads.nominal_area", "m^2"),
@@ -115,10 +104,10 @@ impl fmt::Display for ReplaceError {
 
 impl std::error::Error for ReplaceError {}
 
-/// The text of a scene with keys set to values. A name is `section.key`, or a key alone where one section has it: of those that
-/// have it in the text, or where none does, of those in the text that may have it. `cutoff` and `pressure` are known as well.
-/// Sections that may stand several times are counted: `curve.0.model`. A number for a key that is typed with a unit is in SI
-/// units.
+/// Returns the text of a scene with keys set to values. A name is `section.key`, or a key alone where one section has it: of
+/// those that have it in the text, or where none does, of those in the text that may have it. `cutoff` and `pressure` are
+/// known as well. Sections that may stand several times are counted: `curve.0.model`. A number for a key that is typed with a
+/// unit is in SI units. Lines end with a line feed alone.
 ///
 /// # Errors
 /// [`ReplaceError`] that names what is known. Values are checked when the scene is read.
@@ -126,27 +115,20 @@ pub fn with_keys<'k>(
     text: &str,
     changes: impl IntoIterator<Item = (&'k str, Value)>,
 ) -> Result<String, ReplaceError> {
-    let mut text = text.to_owned();
+    let mut document: DocumentMut = text.parse().map_err(|error: TomlError| {
+        let problem = SceneProblem::Text(error.message().to_owned());
+        ReplaceError::Scene(SceneError { problem, span: error.span() })
+    })?;
     for (name, value) in changes {
-        let document = DeTable::parse(&text).map_err(|error| ReplaceError::Scene(scene_error(&error)))?;
-        let document = document.get_ref();
-        let place = place(document, name)?;
+        let place = place(&document, name)?;
         let value = fitted(&place, value);
-        let edit = edit(&text, document, &place, &value)
-            .ok_or_else(|| ReplaceError::NoValue { name: name.to_owned() })?;
-        text.replace_range(edit.at, &edit.with);
+        set(&mut document, &place, &value).ok_or_else(|| ReplaceError::NoValue { name: name.to_owned() })?;
     }
-    Ok(text)
-}
-
-/// Replacement of a part of the text.
-struct Edit {
-    at: Range<usize>,
-    with: String,
+    Ok(document.to_string())
 }
 
 /// Returns the place of a name, part by part.
-fn place(document: &DeTable<'_>, name: &str) -> Result<Vec<String>, ReplaceError> {
+fn place(document: &DocumentMut, name: &str) -> Result<Vec<String>, ReplaceError> {
     if let Some((_, place)) = OTHER_NAMES.iter().find(|(other, _)| *other == name) {
         return Ok(place.map(str::to_owned).to_vec());
     }
@@ -162,10 +144,8 @@ fn place(document: &DeTable<'_>, name: &str) -> Result<Vec<String>, ReplaceError
         [section, at, key]
             if keys_of(&REPEATED, section).is_some_and(|keys| keys.contains(&key.as_str())) =>
         {
-            let count = match document.get(section.as_str()).map(|sections| sections.get_ref()) {
-                Some(DeValue::Array(sections)) => sections.len(),
-                _ => 0,
-            };
+            let count =
+                (0..).take_while(|at| document.get(section).and_then(|all| all.get(at)).is_some()).count();
             let is_there = at.parse::<usize>().is_ok_and(|at| at < count);
             if is_there { Ok(parts) } else { Err(ReplaceError::TooFew { name: name.to_owned(), count }) }
         }
@@ -174,13 +154,10 @@ fn place(document: &DeTable<'_>, name: &str) -> Result<Vec<String>, ReplaceError
 }
 
 /// The section of a key that is named alone.
-fn of_short_name(document: &DeTable<'_>, key: &str) -> Result<Vec<String>, ReplaceError> {
+fn of_short_name(document: &DocumentMut, key: &str) -> Result<Vec<String>, ReplaceError> {
     let may_have: Vec<&str> =
         SECTIONS.iter().filter(|(_, keys)| keys().contains(&key)).map(|(section, _)| *section).collect();
-    let table = |section: &str| match document.get(section)?.get_ref() {
-        DeValue::Table(table) => Some(table),
-        _ => None,
-    };
+    let table = |section: &str| document.get(section)?.as_table_like();
     let of = |section: &&str| table(section).is_some_and(|table| table.contains_key(key));
     let has: Vec<&str> = may_have.iter().copied().filter(of).collect();
     let stand: Vec<&str> = may_have.iter().copied().filter(|section| table(section).is_some()).collect();
@@ -224,8 +201,14 @@ fn unknown(name: &str) -> ReplaceError {
 /// The value as its key takes it: numbers with the SI unit of the key, and one pressure as a list of one.
 fn fitted(place: &[String], value: Value) -> Value {
     let name = place.join(".");
-    let value = match SI_UNITS.iter().find(|(key, _)| *key == name) {
-        Some((_, unit)) => with_unit(value, unit),
+    let unit = match place {
+        [section, key] if section == "material" || section == "counterface" => {
+            BodyProperty::of_key(key).and_then(BodyProperty::unit)
+        }
+        _ => SI_UNITS.iter().find(|(key, _)| *key == name).map(|(_, unit)| *unit),
+    };
+    let value = match unit {
+        Some(unit) => with_unit(value, unit),
         None => value,
     };
     match value {
@@ -250,69 +233,50 @@ fn with_unit(value: Value, unit: &str) -> Value {
     }
 }
 
-/// Returns the edit that sets the value at a place, or `None` if a part of the path is not a section.
-fn edit(text: &str, document: &DeTable<'_>, place: &[String], value: &Value) -> Option<Edit> {
+/// Sets the value at a place; `None` if it is a section, or below a value that is none. A new key is the first of its
+/// section, a new section the last of the text.
+fn set(document: &mut DocumentMut, place: &[String], value: &Value) -> Option<()> {
+    let mut value: toml_edit::Value = value.to_string().parse().ok()?;
     let (key, sections) = place.split_last()?;
-    let mut table = document;
-    let mut span = 0..0;
-    let mut sections = sections.iter().enumerate();
-    while let Some((depth, section)) = sections.next() {
-        let Some(found) = table.get(section.as_str()) else {
-            let section = place[..=depth].join(".");
-            let inner = &place[depth + 1..];
-            let break_before = if text.is_empty() || text.ends_with('\n') { "" } else { "\n" };
-            let with = format!("{break_before}\n[{section}]\n{} = {value}\n", inner.join("."));
-            return Some(Edit { at: text.len()..text.len(), with });
-        };
-        span = found.span();
-        table = match found.get_ref() {
-            DeValue::Table(table) => table,
-            DeValue::Array(several) => {
-                let (_, at) = sections.next()?;
-                let one = several.get(at.parse::<usize>().ok()?)?;
-                span = one.span();
-                match one.get_ref() {
-                    DeValue::Table(table) => table,
-                    _ => return None,
-                }
-            }
-            _ => return None,
+    if let Some(section) = sections.first().filter(|section| !document.contains_key(section)) {
+        let end = document.trailing().as_str().unwrap_or_default().to_owned();
+        let line_break = if end.is_empty() || end.ends_with('\n') { "\n" } else { "\n\n" };
+        let mut table = Table::new();
+        table.decor_mut().set_prefix(end + line_break);
+        table.set_position(Some(isize::MAX));
+        document.set_trailing("");
+        document.insert(section, Item::Table(table));
+    }
+    let mut item = document.as_item_mut();
+    for part in sections {
+        item = match part.parse::<usize>() {
+            Ok(at) => item.get_mut(at)?,
+            Err(_) => item.get_mut(part)?,
         };
     }
-    if let Some(found) = table.get(key.as_str()) {
-        return match found.get_ref() {
-            // A section of its own, or keys with dots: they stand in several places.
-            DeValue::Table(_) if !text[found.span()].starts_with('{') => None,
-            _ => Some(Edit { at: found.span(), with: value.to_string() }),
-        };
-    }
-    let line = format!("{key} = {value}");
-    if text[span.clone()].starts_with('{') {
-        let comma = if table.is_empty() { "" } else { "," };
-        return Some(Edit { at: span.start + 1..span.start + 1, with: format!(" {line}{comma}") });
-    }
-    Some(match text[span.clone()].starts_with('[') {
-        true => Edit { at: span.end..span.end, with: String::new() }.behind_its_line(text, &line),
-        false => {
-            // Keys with dots: beside one of them, with what stands before it.
-            let beside = table.keys().map(|key| key.span().start).min().unwrap_or(0);
-            let start = text[..beside].rfind('\n').map_or(0, |end| end + 1);
-            Edit { at: start..start, with: format!("{}{line}\n", &text[start..beside]) }
+    let slot = item.get_mut(key)?;
+    match slot {
+        Item::Value(old) => {
+            value.decor_mut().clone_from(old.decor());
+            *old = value;
         }
-    })
+        Item::None => {
+            *slot = Item::Value(value);
+            match item {
+                Item::Table(table) => table.sort_values_by(|a, _, b, _| key_first(key, a, b)),
+                Item::Value(toml_edit::Value::InlineTable(table)) => {
+                    table.sort_values_by(|a, _, b, _| key_first(key, a, b));
+                }
+                _ => {}
+            }
+        }
+        _ => return None,
+    }
+    Some(())
 }
 
-impl Edit {
-    /// A line of its own behind the line that a header stands in.
-    fn behind_its_line(self, text: &str, line: &str) -> Self {
-        match text[self.at.end..].find('\n') {
-            Some(end) => {
-                let at = self.at.end + end + 1;
-                Edit { at: at..at, with: format!("{line}\n") }
-            }
-            None => Edit { at: text.len()..text.len(), with: format!("\n{line}\n") },
-        }
-    }
+fn key_first(key: &str, a: &Key, b: &Key) -> Ordering {
+    (a.get() != key).cmp(&(b.get() != key))
 }
 
 type Keys = fn() -> &'static [&'static str];
@@ -379,8 +343,8 @@ mod tests {
         with_keys(text, [(name, value.into())]).unwrap_or_else(|error| panic!("{error}"))
     }
 
-    fn refused(text: &str, name: &str) -> String {
-        with_keys(text, [(name, Value::from(1.0))]).unwrap_err().to_string()
+    fn refused(text: &str, name: &str) -> ReplaceError {
+        with_keys(text, [(name, Value::from(1.0))]).unwrap_err()
     }
 
     const SCENE: &str = "title = \"a\" # what it is\n[surface]\npsd = \"a.csv\"\n\n[material]   # steel\n\
@@ -415,7 +379,7 @@ mod tests {
         let inline = "material = { youngs_modulus = \"1 GPa\" }\n";
         let changed = set(inline, "material.poisson_ratio", 0.3);
         assert_eq!(changed, "material = { poisson_ratio = 0.3, youngs_modulus = \"1 GPa\" }\n");
-        assert_eq!(set("judge = {}", "judge.grid", 64), "judge = { grid = 64}");
+        assert_eq!(set("judge = {}", "judge.grid", 64), "judge = { grid = 64 }\n");
     }
 
     #[test]
@@ -439,32 +403,25 @@ mod tests {
     fn a_short_name_is_that_of_the_section_that_has_it() {
         let two = format!("{SCENE}[counterface]\nname = \"glass\"\n");
         assert_eq!(set(&two, "youngs_modulus", "200 GPa"), two.replace("210 GPa", "200 GPa"));
-        let told = refused(&two, "yield_strength");
-        assert_eq!(
-            told,
-            "yield_strength may be material.yield_strength or counterface.yield_strength; name the one that is meant"
-        );
+        let ReplaceError::Ambiguous { places, .. } = refused(&two, "yield_strength") else { panic!() };
+        assert_eq!(places, ["material.yield_strength", "counterface.yield_strength"]);
         assert!(set(SCENE, "yield_strength", "1 GPa").contains("[material]   # steel\nyield_strength"));
     }
 
     #[test]
     fn an_unknown_name_is_refused_with_what_is_known() {
-        let told = refused(SCENE, "young_modulus");
-        assert!(
-            told.starts_with("young_modulus: a scene has no such key, did you mean youngs_modulus?"),
-            "{told}"
-        );
-        assert!(told.contains("poisson_ratio") && told.contains("cutoff"), "{told}");
-        assert!(
-            refused(SCENE, "material.colour").contains("it may be material.name, material.youngs_modulus")
-        );
-        assert!(refused(SCENE, "curve.1.model").contains("the scene has 1 such sections"));
-        assert!(refused(SCENE, "curve.model").contains("it may be curve.0.model"));
+        let unknown = |name: &str| match refused(SCENE, name) {
+            ReplaceError::Unknown { known, meant, .. } => (known, meant),
+            other => panic!("{other}"),
+        };
+        let (known, meant) = unknown("young_modulus");
+        assert_eq!(meant.as_deref(), Some("youngs_modulus"));
+        assert!(["poisson_ratio", "cutoff"].iter().all(|name| known.iter().any(|known| known == name)));
+        assert_eq!(unknown("material.colour").0[..2], ["material.name", "material.youngs_modulus"]);
+        assert_eq!(unknown("curve.model").0[0], "curve.0.model");
+        assert!(matches!(refused(SCENE, "curve.1.model"), ReplaceError::TooFew { count: 1, .. }));
         let apart = "[material.youngs_modulus]\ndistribution = \"uniform\"\n";
-        assert!(
-            refused(apart, "youngs_modulus")
-                .ends_with("is no single value in this scene; set it in the text")
-        );
+        assert!(matches!(refused(apart, "youngs_modulus"), ReplaceError::NoValue { .. }));
         let broken = with_keys("title = ", [("title", Value::from("b"))]);
         assert!(matches!(broken, Err(ReplaceError::Scene(_))));
     }

@@ -7,7 +7,7 @@ use spectrum::{AmplitudeDefinition, Normalisation};
 
 use super::Scene;
 use super::bodies::{UncertainCounterface, resolve_counterface, resolve_material};
-use super::curves::resolve_curves;
+use super::curves::{curves_that_apply, resolve_curves};
 use super::error::SceneError;
 use super::figures::resolve_figures;
 use super::file_names;
@@ -23,7 +23,7 @@ use study::bodies::Bodies;
 use study::figure::Shows;
 use study::material_spreads::MaterialSpreads;
 use study::models::{Choice, CurveModel, IgnoredOption, ModelOptions};
-use study::plan::{Needs, Sampling};
+use study::plan::{Curve, Needs, Sampling};
 use units::{Length, Pressure};
 
 /// Options given outside the scene, which count more than the scene's own.
@@ -58,7 +58,7 @@ impl Overrides {
         let idle = [
             ("normalisation", self.normalisation.is_some(), scene.needs.moments.is_some()),
             ("amplitude", self.amplitude.is_some(), scene.needs.amplitudes.is_some()),
-            ("hardness", self.hardness.is_some(), any_curve(has_spheres_that_yield)),
+            ("hardness_formula", self.hardness.is_some(), any_curve(has_spheres_that_yield)),
             ("strength_cap", self.strength_cap.is_some(), any_curve(has_growing_strength)),
         ];
         idle.into_iter().find(|(_, given, used)| *given && !used).map(|(name, ..)| name)
@@ -102,11 +102,19 @@ pub(super) fn resolve(
     let per_decade =
         options.scales_per_decade.as_ref().map(|raw| count("options.scales_per_decade", raw)).transpose()?;
     let law_options = ModelOptions {
-        hardness: overrides.hardness.or(options.hardness),
+        hardness: overrides.hardness.or(options.hardness_formula),
         interference_law: options.interference_law,
         ..ModelOptions::default()
     };
-    let (curves, ignored) = resolve_curves(&raw.curve, material.as_ref(), &law_options, files)?;
+    let (mut curves, ignored) = resolve_curves(&raw.curve, material.as_ref(), &law_options, files)?;
+    let judges_all = raw.judge.as_ref().is_some_and(|judge| judge.all_models);
+    let runs_all = judges_all || (raw.curve.is_empty() && raw.figure.is_empty() && raw.loads.is_some());
+    if let Some(material) = material.as_ref().filter(|_| runs_all) {
+        let others = curves_that_apply(material, &law_options);
+        let is_listed = |curve: &Curve| curves.iter().any(|listed| listed.name == curve.name);
+        let others: Vec<Curve> = others.into_iter().filter(|curve| !is_listed(curve)).collect();
+        curves.extend(others);
+    }
     let loads = match &raw.loads {
         Some(loads) => resolve_loads(loads, material.as_ref())?,
         None if curves.is_empty() => Vec::new(),
@@ -133,7 +141,10 @@ pub(super) fn resolve(
         ));
     }
     if curves.is_empty() && figures.is_empty() && interface.is_none() {
-        return Err(SceneError::anywhere("the scene asks for nothing; add a [[curve]] or a [[figure]]"));
+        return Err(SceneError::anywhere(match raw.loads.is_some() && material.is_none() {
+            true => "the scene has loads and no material; add [material] with name = \"...\"",
+            false => "the scene asks for nothing; add a [[curve]] or a [[figure]], or [material] and [loads]",
+        }));
     }
     let own = resolve_surface("surface", &raw.surface, files)?;
     let surface = match raw.counterface.as_ref().and_then(|raw| raw.get_ref().surface.as_ref()) {

@@ -152,14 +152,6 @@ pub(super) fn property<T: Property>(
     }
 }
 
-/// Returns an optional property with a unit, under its key.
-pub(super) fn optional_property<T: Property>(
-    key: &str,
-    raw: Option<&Spanned<RawProperty>>,
-) -> Result<Option<Uncertain<T>>, SceneError> {
-    raw.map(|raw| property(key, raw)).transpose()
-}
-
 /// A Poisson's ratio under its key.
 pub(super) fn poisson_ratio(key: &str, raw: &Spanned<RawProperty>) -> Result<Uncertain<f64>, SceneError> {
     match raw.get_ref() {

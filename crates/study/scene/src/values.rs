@@ -22,8 +22,17 @@ pub(super) fn quantity<T: FromStr<Err: std::fmt::Display>>(
     key: &str,
     raw: &RawQuantity,
 ) -> Result<T, SceneError> {
-    let text = text_of(raw.get_ref());
-    text.parse().map_err(|error| value_error(key, &text, raw.span(), error))
+    quantity_at(key, raw.get_ref(), raw.span())
+}
+
+/// A quantity with its unit at `span`.
+pub(super) fn quantity_at<T: FromStr<Err: std::fmt::Display>>(
+    key: &str,
+    value: &toml::Value,
+    span: std::ops::Range<usize>,
+) -> Result<T, SceneError> {
+    let text = text_of(value);
+    text.parse().map_err(|error| value_error(key, &text, span, error))
 }
 
 /// A value as text that a quantity is read from.

@@ -45,8 +45,7 @@ fn how_well_a_hardness_is_known_may_be_told_in_steps_of_its_scale() {
     assert!((relative("60 HRC +- 1 HRC") - 23.0 / 697.0).abs() < 1e-9);
     assert!((relative("200 HBW +- 10 HBW") - 0.05).abs() < 1e-9);
     assert!(relative("58 HRC to 62 HRC") > 0.03);
-    let error = scene("700 HV +- 1 HRC").unwrap_err().to_string();
-    assert!(error.contains("'1 HRC' has the unit 'HRC'"), "{error}");
+    assert_eq!(scene("700 HV +- 1 HRC").unwrap_err().key(), Some("material.indentation_hardness"));
 }
 
 #[test]
@@ -79,8 +78,7 @@ fn a_hardness_and_a_strength_of_two_bodies_are_refused_with_both_values() {
         assert_eq!(off, HardnessOffStrength { hardness_pa: 4e9, yield_strength_pa: 1e9 });
         assert_eq!(error.span.map(|span| span.len()), Some("\"4 GPa\"".len()));
     }
-    let error = of_material("", "elastic").unwrap_err().to_string();
-    assert!(error.ends_with("add indentation_hardness or yield_strength in [material]"), "{error}");
-    let error = of_material("indentation_hardness = \"1 H\"\n", "elastic").unwrap_err().to_string();
-    assert!(error.starts_with("key material.indentation_hardness: '1 H' has the unit 'H'"), "{error}");
+    assert_eq!(of_material("", "elastic").unwrap_err().key(), Some("loads.pressures"));
+    let error = of_material("indentation_hardness = \"1 H\"\n", "elastic").unwrap_err();
+    assert_eq!(error.key(), Some("material.indentation_hardness"));
 }

@@ -40,24 +40,16 @@ fn what_is_typed_is_what_is_chosen_and_the_rest_is_left_open() {
 
 #[test]
 fn values_out_of_bounds_are_refused_with_key_value_and_bound() {
-    for (typed, key, message) in [
-        ("grid = 31", "judge.grid", "the number of points per side is 31; it must be from 32 to 8192"),
-        ("grid = 8193", "judge.grid", "the number of points per side is 8193; it must be from 32 to 8192"),
-        ("realisations = 1", "judge.realisations", "the number of surfaces is 1; it must be from 2 to 10000"),
-        ("seed = -1", "judge.seed", "the seed is -1; it must be finite and at least 0"),
-        (
-            "budget = 0.0",
-            "judge.budget",
-            "the number of operators times points is 0; it must be finite and greater than 0",
-        ),
-        (
-            "budget = inf",
-            "judge.budget",
-            "the number of operators times points is inf; it must be finite and greater than 0",
-        ),
+    for (typed, key) in [
+        ("grid = 31", "judge.grid"),
+        ("grid = 8193", "judge.grid"),
+        ("realisations = 1", "judge.realisations"),
+        ("seed = -1", "judge.seed"),
+        ("budget = 0.0", "judge.budget"),
+        ("budget = inf", "judge.budget"),
     ] {
         let error = parsed(&format!("[judge]\n{typed}\n")).unwrap_err();
-        assert_eq!((error.key(), error.to_string()), (Some(key), format!("key {key}: {message}")));
+        assert!(matches!(&error.problem, SceneProblem::Value { key: found, .. } if found == key), "{error}");
         let value = typed.split(" = ").nth(1).unwrap();
         assert_eq!(error.span.map(|span| span.len()), Some(value.len()), "{typed}");
     }
@@ -68,11 +60,13 @@ fn unknown_keys_and_wrong_kinds_are_told_with_what_was_meant() {
     let error = parsed("[judge]\nrealizations = 8\n").unwrap_err();
     let SceneProblem::UnknownKey { meant, .. } = &error.problem else { panic!("{error}") };
     assert_eq!(meant.as_deref(), Some("realisations"));
-    let message = |typed: &str| parsed(typed).unwrap_err().to_string();
-    assert_eq!(message("[judge]\ngrid = 512.5\n"), "floating point 512.5 stands where a whole number should");
-    assert_eq!(message("[judge]\noff = \"yes\"\n"), "string \"yes\" stands where true or false should");
-    assert!(message("[juge]\ngrid = 512\n").contains("did you mean `judge`?"));
-    assert!(message("[judge]\n\n[options]\njudge = 1\n").starts_with("unknown key `judge`"));
+    let problem = |typed: &str| parsed(typed).unwrap_err().problem;
+    assert!(matches!(problem("[judge]\ngrid = 512.5\n"), SceneProblem::WrongType { .. }));
+    assert!(matches!(problem("[judge]\noff = \"yes\"\n"), SceneProblem::WrongType { .. }));
+    let SceneProblem::UnknownKey { meant, .. } = problem("[juge]\ngrid = 512\n") else { panic!() };
+    assert_eq!(meant.as_deref(), Some("judge"));
+    let SceneProblem::UnknownKey { key, .. } = problem("[judge]\n\n[options]\njudge = 1\n") else { panic!() };
+    assert_eq!(key, "judge");
 }
 
 #[test]

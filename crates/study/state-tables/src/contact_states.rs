@@ -2,9 +2,8 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use asperity::AsperityError;
 use parallel::{Progress, fill_blocks};
-use stat_contact::{ContactState, Sweep};
+use stat_contact::{Condition, ContactState};
 use study::material::{Material, MaterialError};
 use study::models::{ModelEntry, ModelOptions, Pressable};
 use study::plan::Tolerance;
@@ -34,39 +33,22 @@ pub struct StateRequest<'m> {
     /// The roughness.
     pub roughness: Roughness,
     /// The separation or pressure.
-    pub at: StateCondition,
+    pub at: Condition,
 }
 
-/// The condition of a state.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum StateCondition {
-    /// A separation \[m\] from the mean of the asperity heights.
-    Separation(f64),
-    /// A pressure \[Pa\] over the nominal area.
-    Pressure(f64),
-}
-
-/// The result columns, all of one length. NaN marks a missing value: a separation beyond complete contact, or a state
-/// of a spectrum too narrow for any surface.
-#[derive(Debug)]
-pub struct StateColumns<'c> {
-    /// Separations \[m\].
-    pub separation_m: &'c mut [f64],
-    /// Pressures over the nominal area \[Pa\].
-    pub pressure_pa: &'c mut [f64],
-    /// Real over nominal area, in \[0, 1\].
-    pub area_fraction: &'c mut [f64],
-    /// Natural logarithms of the pressures in Pa.
-    pub ln_pressure: &'c mut [f64],
-    /// Natural logarithms of the area fractions.
-    pub ln_area_fraction: &'c mut [f64],
-    /// Stiffnesses over the nominal area \[Pa/m\].
-    pub stiffness_pa_per_m: &'c mut [f64],
-    /// Estimates of the relative numerical error of pressure and area.
-    pub error_estimate: &'c mut [f64],
-    /// Shares of the load on asperities outside the range of their law.
-    pub out_of_range_load_share: &'c mut [f64],
-}
+/// Names of the result columns: separation \[m\], pressure over the nominal area \[Pa\], real over nominal area, natural
+/// logarithms of the pressure in Pa and of that area, stiffness over the nominal area \[Pa/m\], an estimate of the relative
+/// numerical error of pressure and area, and the share of the load on asperities outside the range of their law.
+pub const STATE_COLUMNS: [&str; 8] = [
+    "separation_m",
+    "pressure_pa",
+    "area_fraction",
+    "ln_pressure",
+    "ln_area_fraction",
+    "stiffness_pa_per_m",
+    "error_estimate",
+    "out_of_range_load_share",
+];
 
 /// Counts over all rows, for notes.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -97,22 +79,22 @@ pub enum StatesError {
 }
 
 impl ContactStates {
-    /// Sets the columns from the request of each row. Neighbouring rows of one material and population share work; the
-    /// digits depend neither on the order of rows nor on the number of threads. `progress` advances once per row.
+    /// Computes the columns, as [`STATE_COLUMNS`] names them, from the request of each row. NaN marks a missing value: a
+    /// separation beyond complete contact, or a state of a spectrum narrower than that of any surface. Neighbouring rows of
+    /// one material and population share work; the digits depend neither on the order of rows nor on the number of threads.
+    /// `progress` advances once per row.
     ///
     /// # Errors
     /// [`StatesError`] of the first bad row, or where `progress` is cancelled.
-    ///
-    /// # Panics
-    /// Where the columns are not of one length.
-    pub fn fill_in<'m>(
+    pub fn compute<'m>(
         &self,
-        columns: StateColumns<'_>,
+        rows: usize,
         asked: impl Fn(usize) -> StateRequest<'m> + Sync,
         progress: &dyn Progress,
-    ) -> Result<StatesFound, StatesError> {
+    ) -> Result<([Vec<f64>; 8], StatesFound), StatesError> {
+        let mut columns: [Vec<f64>; 8] = std::array::from_fn(|_| vec![0.0; rows]);
         let found = Mutex::new(StatesFound::default());
-        fill_blocks(columns.into_array(), BLOCK, |first, columns| {
+        fill_blocks(columns.each_mut().map(Vec::as_mut_slice), BLOCK, |first, columns| {
             if progress.is_cancelled() {
                 return Err(StatesError::Cancelled);
             }
@@ -122,7 +104,7 @@ impl ContactStates {
             progress.advance(rows);
             Ok(())
         })?;
-        Ok(found.into_inner().unwrap_or_else(PoisonError::into_inner))
+        Ok((columns, found.into_inner().unwrap_or_else(PoisonError::into_inner)))
     }
 
     fn fill_block<'m>(
@@ -148,7 +130,7 @@ impl ContactStates {
                 found.assumed_strengths += assumes;
                 match (&mut sweep, &pressed) {
                     (Some(sweep), _) => {
-                        let state = next.at.state(sweep).map_err(|error| blame(row)(error.into()))?;
+                        let state = sweep.at(next.at).map_err(|error| blame(row)(error.into()))?;
                         found.counts.add([&state]);
                         set(&mut columns, row, Some(&state));
                     }
@@ -189,41 +171,7 @@ impl StateRequest<'_> {
     }
 }
 
-impl StateCondition {
-    fn state(self, sweep: &mut Sweep<'_>) -> Result<ContactState, AsperityError> {
-        match self {
-            StateCondition::Separation(separation_m) => sweep.at_separation(separation_m),
-            StateCondition::Pressure(pressure_pa) => sweep.at_pressure(pressure_pa),
-        }
-    }
-}
-
-impl<'c> StateColumns<'c> {
-    fn into_array(self) -> [&'c mut [f64]; 8] {
-        let StateColumns {
-            separation_m,
-            pressure_pa,
-            area_fraction,
-            ln_pressure,
-            ln_area_fraction,
-            stiffness_pa_per_m,
-            error_estimate,
-            out_of_range_load_share,
-        } = self;
-        [
-            separation_m,
-            pressure_pa,
-            area_fraction,
-            ln_pressure,
-            ln_area_fraction,
-            stiffness_pa_per_m,
-            error_estimate,
-            out_of_range_load_share,
-        ]
-    }
-}
-
-/// Sets a row of the columns, in the order of [`StateColumns`].
+/// Sets a row of the columns, in the order of [`STATE_COLUMNS`].
 fn set(columns: &mut [&mut [f64]; 8], row: usize, state: Option<&ContactState>) {
     let values = state.map_or([f64::NAN; 8], |state| {
         [
@@ -253,21 +201,13 @@ mod tests {
     use asperity::{ElasticBody, MaterialPair};
     use parallel::Unobserved;
     use stat_contact::{AsperityLaw, Population, StatisticalContact};
-    use study::hardness_and_strength::HardnessAndStrength;
     use study::material::GivenMaterial;
     use study::models::{Framework, named};
 
     use super::*;
 
     fn material(modulus_pa: f64) -> Material {
-        Material::new(GivenMaterial {
-            body: ElasticBody::new(modulus_pa, 0.3).unwrap(),
-            counterface: None,
-            flows: study::bodies::Body::Rough,
-            hardness_and_strength: HardnessAndStrength::default(),
-            strength_cap: None,
-            strain_gradient_length_m: None,
-        })
+        Material::new(GivenMaterial::new(ElasticBody::new(modulus_pa, 0.3).unwrap()))
     }
 
     fn states_of(model: &str) -> ContactStates {
@@ -278,20 +218,7 @@ mod tests {
     type Filled = Result<([Vec<f64>; 8], StatesFound), StatesError>;
 
     fn filled<'m>(model: &str, rows: usize, asked: impl Fn(usize) -> StateRequest<'m> + Sync) -> Filled {
-        let mut columns: [Vec<f64>; 8] = std::array::from_fn(|_| vec![0.0; rows]);
-        let [a, b, c, d, e, f, g, h] = columns.each_mut().map(Vec::as_mut_slice);
-        let of_states = StateColumns {
-            separation_m: a,
-            pressure_pa: b,
-            area_fraction: c,
-            ln_pressure: d,
-            ln_area_fraction: e,
-            stiffness_pa_per_m: f,
-            error_estimate: g,
-            out_of_range_load_share: h,
-        };
-        let found = states_of(model).fill_in(of_states, asked, &Unobserved)?;
-        Ok((columns, found))
+        states_of(model).compute(rows, asked, &Unobserved)
     }
 
     #[test]
@@ -304,7 +231,7 @@ mod tests {
         let (columns, found) = filled("hertz", rows, |row| StateRequest {
             material: &materials[which(row)],
             roughness: Roughness([radius_m(row), 1e12, 1e-8]),
-            at: StateCondition::Pressure(pressure_pa(row)),
+            at: Condition::Pressure(pressure_pa(row)),
         })
         .unwrap();
         assert_eq!(found.counts.all, rows);
@@ -326,13 +253,13 @@ mod tests {
         let asked = |row: usize| StateRequest {
             material: &steel,
             roughness: Roughness([if row < 1500 { 1e-6 } else { -1.0 }, 1e12, 1e-8]),
-            at: StateCondition::Separation(0.0),
+            at: Condition::Separation(0.0),
         };
         assert!(matches!(filled("hertz", 3000, asked), Err(StatesError::Row { row: 1500, .. })));
         let narrow = |row: usize| StateRequest {
             material: &steel,
             roughness: Roughness([1e-16, 1e-2, if row == 1 { 1e11 } else { 1e13 }]),
-            at: StateCondition::Separation(1e-8),
+            at: Condition::Separation(1e-8),
         };
         let (columns, found) = filled("bgt", 3, narrow).unwrap();
         assert!(columns[2][1].is_nan() && columns[2][0] > 0.0 && columns[2][2] > 0.0);

@@ -11,13 +11,12 @@ mod state_counts;
 mod strength_columns;
 
 pub use asperities::Asperities;
-pub use contact_states::{
-    ContactStates, StateColumns, StateCondition, StateRequest, StatesError, StatesFound,
-};
+pub use contact_states::{ContactStates, STATE_COLUMNS, StateRequest, StatesError, StatesFound};
 pub use flattened::Flattened;
 pub use narrow_spectra::NarrowSpectra;
 pub use populations::{GivenColumn, Populations};
 pub use row_contact::Roughness;
+pub use stat_contact::Condition;
 pub use state_counts::StateCounts;
 
 use asperity::AsperityError;

@@ -2,16 +2,16 @@
 
 use asperity::{Bound, ElasticBody};
 use parallel::Progress;
-use stat_contact::{ContactState, Sweep};
+use stat_contact::{Condition, ContactState, Sweep};
 use tables::{Cell, Cells, InputTable, Refusal, Row};
 use units::Pressure;
 
-use super::contact_states::StateCondition;
 use super::row_contact::Roughness;
 use super::strength_columns::{INDENTATION_HARDNESS, YIELD_STRENGTH, hardness_and_strength};
 use super::{NarrowSpectra, RowByRow, RowsError, RowsNote, StateCounts};
+use study::body_properties::BodyProperty;
 use study::hardness_and_strength::HardnessAndStrength;
-use study::material::{GivenMaterial, Material, MaterialError, MaterialProperty};
+use study::material::{GivenMaterial, Material, MaterialError};
 use study::models::{self, Choice, Framework, ModelEntry, ModelOptions, Pressable, Statistical};
 use study::plan::{NominalPressure, Tolerance};
 use study::result_tables::STATE_DETAILS;
@@ -53,7 +53,7 @@ pub struct Populations {
 /// A row of the table: a population and the condition of its state.
 struct RowRequest {
     contact: Pressable,
-    at: StateCondition,
+    at: Condition,
     /// True if a third of the hardness is used as the yield strength.
     strength_is_assumed: bool,
 }
@@ -121,10 +121,9 @@ impl Populations {
         let modulus_pa = row.number("youngs_modulus_pa", Bound::Magnitude)?;
         let poisson_ratio = row.number("poisson_ratio", ElasticBody::POISSON_RATIO)?;
         let optional = |column| if strong { row.optional_number(column, Bound::Magnitude) } else { Ok(None) };
+        let body = ElasticBody::new(modulus_pa, poisson_ratio).map_err(|error| error.to_string())?;
         Ok(Material::new(GivenMaterial {
-            body: ElasticBody::new(modulus_pa, poisson_ratio).map_err(|error| error.to_string())?,
             counterface: self.counterface,
-            flows: study::bodies::Body::Rough,
             hardness_and_strength: if strong {
                 hardness_and_strength(row, Bound::Magnitude)?
             } else {
@@ -132,10 +131,11 @@ impl Populations {
             },
             strength_cap: self.strength_cap,
             strain_gradient_length_m: optional("strain_gradient_length_m")?,
+            ..GivenMaterial::new(body)
         }))
     }
 
-    fn condition(&self, row: &Row<'_>) -> Result<StateCondition, String> {
+    fn condition(&self, row: &Row<'_>) -> Result<Condition, String> {
         let separation = || row.optional_number("separation_m", Sweep::SEPARATION_M);
         let pressure = || {
             // What is no pressure at all is told so, before what is too large a one.
@@ -143,15 +143,15 @@ impl Populations {
             row.optional_number("pressure_pa", NominalPressure::BOUND)
         };
         match self.given {
-            Some(GivenColumn::Separation) => separation()?.map(StateCondition::Separation).ok_or_else(|| {
+            Some(GivenColumn::Separation) => separation()?.map(Condition::Separation).ok_or_else(|| {
                 "column separation_m: the cell is empty, and the separation is to be given".to_owned()
             }),
-            Some(GivenColumn::Pressure) => pressure()?.map(StateCondition::Pressure).ok_or_else(|| {
+            Some(GivenColumn::Pressure) => pressure()?.map(Condition::Pressure).ok_or_else(|| {
                 "column pressure_pa: the cell is empty, and the pressure is to be given".to_owned()
             }),
             None => match (separation()?, pressure()?) {
-                (Some(separation_m), None) => Ok(StateCondition::Separation(separation_m)),
-                (None, Some(pressure_pa)) => Ok(StateCondition::Pressure(pressure_pa)),
+                (Some(separation_m), None) => Ok(Condition::Separation(separation_m)),
+                (None, Some(pressure_pa)) => Ok(Condition::Pressure(pressure_pa)),
                 (Some(_), Some(_)) => Err(format!(
                     "columns separation_m and pressure_pa are both filled; {}",
                     self.how_to_say_given
@@ -171,22 +171,17 @@ impl Populations {
         states: &[Option<ContactState>],
     ) {
         let computed = |value: Option<f64>| value.map_or_else(|| Cell::Field(String::new()), Cell::Computed);
-        let mut filled =
-            |name: &str, given: fn(&StateCondition) -> bool, of: fn(&ContactState) -> Option<f64>| {
-                let typed = input.table.column(name).cloned();
-                let cell = |row: usize| match (&typed, &asked[row]) {
-                    (Some(Cells::Typed(cells)), Some(asked)) if given(&asked.at) => cells[row].clone(),
-                    _ => computed(states[row].as_ref().and_then(of)),
-                };
-                let cells = (0..states.len()).map(cell).collect();
-                input.table.set(name, Cells::Typed(cells));
+        let mut filled = |name: &str, given: fn(&Condition) -> bool, of: fn(&ContactState) -> Option<f64>| {
+            let typed = input.table.column(name).cloned();
+            let cell = |row: usize| match (&typed, &asked[row]) {
+                (Some(Cells::Typed(cells)), Some(asked)) if given(&asked.at) => cells[row].clone(),
+                _ => computed(states[row].as_ref().and_then(of)),
             };
-        filled("separation_m", |at| matches!(at, StateCondition::Separation(_)), |state| state.separation_m);
-        filled(
-            "pressure_pa",
-            |at| matches!(at, StateCondition::Pressure(_)),
-            |state| Some(state.pressure_pa),
-        );
+            let cells = (0..states.len()).map(cell).collect();
+            input.table.set(name, Cells::Typed(cells));
+        };
+        filled("separation_m", |at| matches!(at, Condition::Separation(_)), |state| state.separation_m);
+        filled("pressure_pa", |at| matches!(at, Condition::Pressure(_)), |state| Some(state.pressure_pa));
         filled("area_fraction", |_| false, |state| Some(state.area_fraction));
         if self.details {
             for (name, of) in STATE_DETAILS {
@@ -222,10 +217,7 @@ impl RowByRow for Populations {
             let Some(RowRequest { contact: Pressable::Contact(contact), at, .. }) = asked else {
                 return Ok(None);
             };
-            let state = match at {
-                StateCondition::Separation(separation_m) => contact.at_separation(*separation_m, tolerance),
-                StateCondition::Pressure(pressure_pa) => contact.at_pressure(*pressure_pa, tolerance, None),
-            };
+            let state = contact.at(*at, tolerance, None);
             progress.advance(1);
             Ok(Some(state?))
         };
@@ -271,9 +263,9 @@ fn required_columns(block: &InputTable) -> Result<Vec<&'static str>, Refusal> {
 fn missing_cell(error: &MaterialError) -> String {
     let MaterialError::Missing(needed_for) = error else { return error.to_string() };
     let column = match needed_for.property() {
-        MaterialProperty::IndentationHardness => INDENTATION_HARDNESS,
-        MaterialProperty::YieldStrength => YIELD_STRENGTH,
-        MaterialProperty::StrainGradientLength => "strain_gradient_length_m",
+        BodyProperty::IndentationHardness => INDENTATION_HARDNESS,
+        BodyProperty::YieldStrength => YIELD_STRENGTH,
+        _ => "strain_gradient_length_m",
     };
     format!("column {column}: the cell is empty; {error}")
 }

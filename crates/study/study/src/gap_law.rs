@@ -3,85 +3,25 @@
 //! The gap is measured from the mean plane of the rough surface to the flat: of the deformed surface in Persson's theory, of
 //! the undeformed one where asperities are pressed one by one, as none of them moves the others.
 
-use asperity::AsperityError;
 use contact_law::{ContactLaw, ExponentialLaw, LawPoint, SamplingError};
-use persson::hardness_laws::HardnessError;
+use parallel::Progress;
+use persson::Roughness;
 use persson::separation::{LightLoads, SeparationLaw};
 use persson::variance::Band;
-use persson::{PerssonModel, Roughness};
-use spectrum::{AsperityParameters, Normalisation};
-use stat_contact::StatisticalContact;
+use spectrum::Normalisation;
 
-use crate::models::{CurveModel, Persson, Pressable, Theory};
-use crate::persson_law;
-use crate::plan::{Plan, Results, Roughness as CutRoughness, Tolerance, contact_of};
-
-/// A surface under a nominal pressure.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct GapState {
-    /// Nominal pressure \[Pa\].
-    pub nominal_pressure_pa: f64,
-    /// Real over nominal area of contact.
-    pub area_fraction: f64,
-    /// Mean gap \[m\]; none where the model has none: with more than 3 % of the contact plastic in Persson's theory, and beyond
-    /// complete contact.
-    pub mean_gap_m: Option<f64>,
-    /// K = -dp/du \[Pa/m\]; none where there is no gap.
-    pub stiffness_pa_per_m: Option<f64>,
-}
-
-/// Choices beside the model.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct GapChoices {
-    /// Elastic energy factor of Persson's theory, in (0, 1].
-    pub energy_factor: f64,
-    /// The band that a cutoff lets through in Persson's theory.
-    pub band: Band,
-    /// Relative tolerance of statistical states.
-    pub tolerance: Tolerance,
-}
-
-/// Why a model has no gaps.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum GapError {
-    /// A model that knows no distance between the surfaces.
-    #[error("the model {0} knows areas and no distances; take a statistical one, or one of Persson's theory")]
-    NoDistances(&'static str),
-    /// One sample, or moments that make no asperities.
-    #[error(
-        "the spectrum has no gap: its moments need two samples at least, and numbers within the range of doubles"
-    )]
-    NoRoughness,
-    /// A spectrum that no isotropic surface has.
-    #[error(
-        "the spectrum is narrower than that of any isotropic surface (alpha = {alpha}, at least 1.5): it has no summits"
-    )]
-    TooNarrow {
-        /// m0 m4/m2^2.
-        alpha: f64,
-    },
-    /// A hardness that cannot be used with this spectrum, or cannot carry a load.
-    #[error(transparent)]
-    Hardness(#[from] HardnessError),
-    /// A value that no model takes.
-    #[error(transparent)]
-    Value(#[from] AsperityError),
-}
+use crate::models::CurveModel;
+use crate::plan::gap::LoadedSurface;
+pub use crate::plan::gap::{GapChoices, GapError, GapState};
+use crate::plan::{Plan, PreparedSpectrum, Results};
 
 /// A surface under any load.
 #[derive(Debug)]
 pub struct GapLaw {
-    pressed: PressedBy,
+    surface: Box<dyn LoadedSurface>,
     rms_height_m: f64,
     /// The band that a cutoff lets through in Persson's theory.
     band: Band,
-}
-
-#[derive(Debug)]
-enum PressedBy {
-    Persson { model: PerssonModel, roughness: Roughness, separation: SeparationLaw },
-    Asperities { contact: StatisticalContact, mean_height_m: f64, tolerance: f64 },
 }
 
 impl GapLaw {
@@ -100,26 +40,10 @@ impl GapLaw {
         let (moments, _) = results.moments.last().ok_or(GapError::NoRoughness)?;
         let parseval = Normalisation::Parseval.factor() / normalisation.factor();
         let rms_height_m = parseval.sqrt() * moments.rms_height_m();
-        let pressed = match model.theory() {
-            Theory::Stacked(_) => return Err(GapError::NoDistances(model.entry().name)),
-            Theory::Persson(Persson { pair, law }) => {
-                let model = law.model(pair)?;
-                let roughness = roughness(plan, results, choices.band);
-                let separation = model.separation(&roughness, choices.energy_factor);
-                PressedBy::Persson { model, roughness, separation }
-            }
-            Theory::Statistical(statistical) => {
-                let asperities = AsperityParameters::from_moments(moments).ok_or(GapError::NoRoughness)?;
-                let cut = CutRoughness { moments: *moments, asperities };
-                let contact = match contact_of(statistical, &cut)? {
-                    Pressable::Contact(contact) => contact,
-                    Pressable::TooNarrow { alpha } => return Err(GapError::TooNarrow { alpha }),
-                };
-                let mean_height_m = if model.entry().takes_moments() { 0.0 } else { asperities.offset_m };
-                PressedBy::Asperities { contact, mean_height_m, tolerance: choices.tolerance.value() }
-            }
-        };
-        Ok(GapLaw { pressed, rms_height_m, band: choices.band })
+        let prepared = PreparedSpectrum::from_results(results);
+        let surface = plan.surface(model, &prepared, choices)?;
+        let surface = surface.ok_or(GapError::NoDistances(model.entry().name))?;
+        Ok(GapLaw { surface, rms_height_m, band: choices.band })
     }
 
     /// The surface under a nominal pressure > 0 \[Pa\].
@@ -127,27 +51,7 @@ impl GapLaw {
     /// # Errors
     /// [`GapError::Hardness`] and [`GapError::Value`] for a pressure that cannot be carried.
     pub fn at(&self, pressure_pa: f64) -> Result<GapState, GapError> {
-        match &self.pressed {
-            PressedBy::Persson { model, roughness, separation } => {
-                let last = model.at_last(roughness, separation, pressure_pa)?;
-                let last = last.ok_or(GapError::NoRoughness)?;
-                Ok(GapState {
-                    nominal_pressure_pa: pressure_pa,
-                    area_fraction: last.areas.contact(),
-                    mean_gap_m: last.mean_gap_m,
-                    stiffness_pa_per_m: last.stiffness_pa_per_m,
-                })
-            }
-            PressedBy::Asperities { contact, mean_height_m, tolerance } => {
-                let state = contact.at_pressure(pressure_pa, *tolerance, None)?;
-                Ok(GapState {
-                    nominal_pressure_pa: pressure_pa,
-                    area_fraction: state.area_fraction,
-                    mean_gap_m: state.separation_m.map(|separation_m| separation_m + mean_height_m),
-                    stiffness_pa_per_m: state.stiffness_pa_per_m(),
-                })
-            }
-        }
+        self.surface.at(pressure_pa)
     }
 
     /// Returns the band that a cutoff lets through; `None` if the model is not Persson's theory.
@@ -168,12 +72,22 @@ impl GapLaw {
         self.separation().and_then(|separation| separation.light_load_limit_pa(share))
     }
 
-    /// The law between two pressures \[Pa\] by points, straight within a relative `tolerance` of the pressure.
+    /// The law between two pressures \[Pa\] by points, straight within a relative `tolerance` of the pressure. `progress`
+    /// advances once per state that is computed; how many are needed shows only in the end.
     ///
     /// # Errors
-    /// [`SamplingError`] as [`ContactLaw::sample`] has it.
-    pub fn sampled(&self, range_pa: [f64; 2], tolerance: f64) -> Result<ContactLaw, SamplingError<GapError>> {
+    /// [`SamplingError`] as [`ContactLaw::sample`] has it, and [`GapError::Cancelled`].
+    pub fn sampled(
+        &self,
+        range_pa: [f64; 2],
+        tolerance: f64,
+        progress: &dyn Progress,
+    ) -> Result<ContactLaw, SamplingError<GapError>> {
         ContactLaw::sample(range_pa, tolerance, |pressure_pa| {
+            if progress.is_cancelled() {
+                return Err(GapError::Cancelled);
+            }
+            progress.advance(1);
             let GapState { area_fraction, mean_gap_m, .. } = self.at(pressure_pa)?;
             Ok(mean_gap_m.map(|mean_gap_m| LawPoint { pressure_pa, mean_gap_m, area_fraction }))
         })
@@ -195,10 +109,7 @@ impl GapLaw {
     /// The roughness as Persson's theory takes it, where that is the model.
     #[must_use]
     pub fn roughness(&self) -> Option<&Roughness> {
-        match &self.pressed {
-            PressedBy::Persson { roughness, .. } => Some(roughness),
-            PressedBy::Asperities { .. } => None,
-        }
+        self.surface.persson().map(|(roughness, _)| roughness)
     }
 
     /// Rms height of the surface \[m\].
@@ -208,36 +119,26 @@ impl GapLaw {
     }
 
     fn separation(&self) -> Option<&SeparationLaw> {
-        match &self.pressed {
-            PressedBy::Persson { separation, .. } => Some(separation),
-            PressedBy::Asperities { .. } => None,
-        }
+        self.surface.persson().map(|(_, separation)| separation)
     }
 }
 
 /// Builds the roughness that Persson's theory takes from a computed plan, including the part that the cutoff left out.
 #[must_use]
 pub fn roughness(plan: &Plan<'_>, results: &Results, band: Band) -> Roughness {
-    persson_law::roughness(
-        &results.psd,
-        results.moments.iter().map(|(moments, _)| moments),
-        plan.needs.moments.unwrap_or_default(),
-        &results.scales,
-        &plan.beyond(&results.psd, band),
-        band,
-    )
+    plan.roughness(&results.psd, &results.moments, &results.scales, band)
 }
 
 #[cfg(test)]
 mod tests {
     use asperity::ElasticBody;
-    use spectrum::ProfilePsd;
+    use spectrum::{AsperityParameters, ProfilePsd};
 
     use super::*;
     use crate::hardness_and_strength::HardnessAndStrength;
     use crate::material::{GivenMaterial, Material};
-    use crate::models::{Framework, MODELS, ModelOptions};
-    use crate::plan::{Needs, Sampling};
+    use crate::models::{MODELS, ModelOptions};
+    use crate::plan::{Needs, Sampling, Tolerance};
 
     fn choices() -> GapChoices {
         GapChoices { energy_factor: 0.45, band: Band::Profile, tolerance: Tolerance::default() }
@@ -245,12 +146,8 @@ mod tests {
 
     fn material() -> Material {
         Material::new(GivenMaterial {
-            body: ElasticBody::new(463e9, 0.2).unwrap(),
-            counterface: None,
-            flows: crate::bodies::Body::Rough,
             hardness_and_strength: HardnessAndStrength::new(None, Some("10 GPa".parse().unwrap())).unwrap(),
-            strength_cap: None,
-            strain_gradient_length_m: None,
+            ..GivenMaterial::new(ElasticBody::new(463e9, 0.2).unwrap())
         })
     }
 
@@ -275,7 +172,7 @@ mod tests {
         let psd = spectrum();
         // At this hardness more than a few per cent of the contact flow, and there is no gap then.
         let has_gaps = |name: &str| name != "persson-plastic";
-        let entries = MODELS.iter().filter(|entry| entry.framework != Framework::Stacked);
+        let entries = MODELS.iter().filter(|entry| entry.framework.facts().has_gaps);
         for entry in entries.filter(|entry| has_gaps(entry.name)) {
             let law = law_of(entry.name, &psd).unwrap();
             for pressure_pa in [1e5, 3e6, 2e8] {
@@ -322,7 +219,7 @@ mod tests {
     fn a_law_is_sampled_as_close_as_it_needs() {
         for name in ["persson", "hertz", "bgt"] {
             let law = law_of(name, &spectrum()).unwrap();
-            let sampled = law.sampled([1e4, 1e7], 0.01).unwrap();
+            let sampled = law.sampled([1e4, 1e7], 0.01, &parallel::Unobserved).unwrap();
             for pressure_pa in [1e4, 7e4, 3.3e6, 1e7] {
                 let overclosure_m = sampled.overclosure_m(law.at(pressure_pa).unwrap().mean_gap_m.unwrap());
                 let off = sampled.pressure_pa(overclosure_m) / pressure_pa - 1.0;

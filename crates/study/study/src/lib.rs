@@ -1,13 +1,13 @@
 #![doc = include_str!("../README.md")]
 
 pub mod bodies;
+pub mod body_properties;
 pub mod choices_in_words;
 pub mod figure;
 pub mod gap_law;
 pub mod given_roughness;
 pub mod growth_law;
 pub mod hardness_and_strength;
-pub mod hardness_growth;
 pub mod interface;
 pub mod linear_laws;
 mod load;
@@ -19,7 +19,6 @@ mod model_names;
 pub mod model_options;
 pub mod models;
 mod note;
-pub mod persson_law;
 pub mod plan;
 pub mod result_tables;
 pub mod spread;
@@ -28,5 +27,6 @@ pub mod surface;
 pub mod validity;
 
 pub use measurements::{self, Files, NoFiles};
+pub use models::persson as persson_law;
 pub use note::Note;
 pub use parallel::{Progress, Unobserved};

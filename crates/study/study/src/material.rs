@@ -3,6 +3,7 @@
 use asperity::{AsperityError, ElasticBody, MaterialPair, NixGao};
 
 use crate::bodies::Body;
+use crate::body_properties::BodyProperty;
 use crate::hardness_and_strength::{HardnessAndStrength, HardnessOffStrength};
 use crate::load::NominalPressure;
 use units::Pressure;
@@ -43,15 +44,19 @@ pub struct GivenMaterial {
     pub strain_gradient_length_m: Option<f64>,
 }
 
-/// A property of a material that not everything needs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum MaterialProperty {
-    /// The indentation hardness H, three times the yield strength.
-    IndentationHardness,
-    /// The yield strength S0, a third of the indentation hardness.
-    YieldStrength,
-    /// h*, the strain-gradient length of Eq. (8).
-    StrainGradientLength,
+impl GivenMaterial {
+    /// Returns a body against a rigid one, with no property but its elastic constants.
+    #[must_use]
+    pub fn new(body: ElasticBody) -> Self {
+        GivenMaterial {
+            body,
+            counterface: None,
+            flows: Body::Rough,
+            hardness_and_strength: HardnessAndStrength::default(),
+            strength_cap: None,
+            strain_gradient_length_m: None,
+        }
+    }
 }
 
 /// The purpose that a property of the material is needed for.
@@ -69,11 +74,11 @@ pub enum NeededFor {
 impl NeededFor {
     /// The property that it takes.
     #[must_use]
-    pub fn property(self) -> MaterialProperty {
+    pub fn property(self) -> BodyProperty {
         match self {
-            NeededFor::PressureInHardnesses => MaterialProperty::IndentationHardness,
-            NeededFor::Yielding => MaterialProperty::YieldStrength,
-            NeededFor::StrainGradient => MaterialProperty::StrainGradientLength,
+            NeededFor::PressureInHardnesses => BodyProperty::IndentationHardness,
+            NeededFor::Yielding => BodyProperty::YieldStrength,
+            NeededFor::StrainGradient => BodyProperty::StrainGradientLength,
         }
     }
 }

@@ -2,6 +2,8 @@
 
 use serde::Deserialize;
 
+use crate::body_properties::BodyProperty;
+
 /// The table, with the source of every row.
 const TABLE: &str = include_str!("../../../../data/materials.toml");
 
@@ -87,6 +89,21 @@ pub fn named(name: &str) -> Result<TabledMaterial, UnknownMaterial> {
 }
 
 impl TabledMaterial {
+    /// Returns the value of a property as a scene types it, or nothing if the table lacks it.
+    #[must_use]
+    pub fn value(&self, property: BodyProperty) -> Option<toml::Value> {
+        let text = match property {
+            BodyProperty::PoissonRatio => return Some(toml::Value::Float(self.poisson_ratio)),
+            BodyProperty::YoungsModulus => Some(&self.youngs_modulus),
+            BodyProperty::YieldStrength => self.yield_strength.as_ref(),
+            BodyProperty::IndentationHardness => self.indentation_hardness.as_ref(),
+            BodyProperty::ThermalConductivity => self.thermal_conductivity.as_ref(),
+            BodyProperty::Resistivity => self.resistivity.as_ref(),
+            BodyProperty::StrainGradientLength => None,
+        };
+        text.cloned().map(toml::Value::String)
+    }
+
     /// Returns true if the material has this name or alias; case does not count.
     #[must_use]
     pub fn answers_to(&self, name: &str) -> bool {

@@ -3,7 +3,7 @@
 use crate::models::ModelEntry;
 
 /// Abbreviations and authors, without case, blanks and hyphens, and the model of each.
-const ALIASES: [(&str, &str); 15] = [
+const ALIASES: [(&str, &str); 13] = [
     ("archard", "elastic"),
     ("archardstack", "elastic"),
     ("jacksonstreator", "elastic"),
@@ -14,15 +14,13 @@ const ALIASES: [(&str, &str); 15] = [
     ("rostamijackson", "elastic-sine"),
     ("krithivasanjackson", "ep-sine"),
     ("bushgibsonthomas", "bgt"),
-    ("perssonelastic", "persson"),
     ("perssonstheory", "persson"),
     ("perssontheory", "persson"),
-    ("perssonelasticplastic", "persson-plastic"),
     ("perssonep", "persson-plastic"),
 ];
 
 impl ModelEntry {
-    /// Returns true if people call the model so: by its name, its full name as reports print it, an abbreviation or its
+    /// Returns true if people call the model so: by its name, its short or full name in print, an abbreviation or its
     /// authors. Case, blanks and punctuation do not count.
     #[must_use]
     pub fn answers_to(&self, name: &str) -> bool {
@@ -30,7 +28,7 @@ impl ModelEntry {
             text.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect()
         };
         let wanted = plain(name);
-        [self.name, self.full_name].into_iter().any(|known| plain(known) == wanted)
+        [self.name, self.short_name, self.full_name].into_iter().any(|known| plain(known) == wanted)
             || ALIASES.iter().any(|&(alias, known)| alias == wanted && known == self.name)
     }
 }
@@ -47,8 +45,9 @@ mod tests {
             MODELS.iter().filter(|entry| entry.answers_to(name)).map(|entry| entry.name).collect()
         };
         for entry in MODELS {
-            assert_eq!(answering(entry.name), [entry.name]);
-            assert_eq!(answering(entry.full_name), [entry.name]);
+            for name in [entry.name, entry.short_name, entry.full_name] {
+                assert_eq!(answering(name), [entry.name], "{name}");
+            }
         }
         for (alias, name) in ALIASES {
             assert_eq!(answering(alias), [name], "{alias}");

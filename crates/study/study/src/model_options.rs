@@ -3,9 +3,11 @@
 use asperity::Hardness;
 use persson::corrections::Correction;
 use persson::variance::Band;
+use serde::de::MapAccess;
 use serde::{Deserialize, Serialize};
 use stat_contact::InterferenceLaw;
 
+use crate::choices_in_words;
 use crate::growth_law::GrowthLaw;
 
 /// A property or an option that some models take and others do not, besides the elastic constants.
@@ -58,6 +60,15 @@ pub struct ModelOptions {
     pub hardness_law: Option<GrowthLaw>,
 }
 
+/// A setting of an option, for people.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Setting {
+    /// Its part of the name of a curve, e.g. `power-0.5`.
+    pub name: String,
+    /// The setting in words.
+    pub words: String,
+}
+
 /// A given option that the model ignores.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct IgnoredOption {
@@ -85,13 +96,23 @@ pub enum IgnoredReason {
 }
 
 impl Choice {
+    /// The choices that a curve of a scene may make, in the order of its keys.
+    pub const OF_CURVES: [Choice; 6] = [
+        Choice::StrainGradient,
+        Choice::Interference,
+        Choice::Correction,
+        Choice::Band,
+        Choice::Gamma,
+        Choice::HardnessLaw,
+    ];
+
     /// Returns the key of the choice in scenes and columns, e.g. `interference_law`.
     #[must_use]
     pub fn key(self) -> &'static str {
         match self {
             Choice::Strength => "yield_strength",
             Choice::StrainGradient => "strain_gradient",
-            Choice::Hardness => "hardness",
+            Choice::Hardness => "hardness_formula",
             Choice::Interference => "interference_law",
             Choice::Correction => "correction",
             Choice::Band => "band",
@@ -102,6 +123,63 @@ impl Choice {
 }
 
 impl ModelOptions {
+    /// The elastic energy factor of separations (Almqvist et al. 2011) where none is given.
+    pub const ENERGY_FACTOR: f64 = 0.45;
+
+    /// Returns the settings that differ from the defaults of a model which has some of the choices. The form of the hardness
+    /// of spheres is one of a whole scene and is left out.
+    #[must_use]
+    pub fn settings(&self, has: impl Fn(Choice) -> bool) -> Vec<Setting> {
+        let growth = self.hardness_law.as_ref().filter(|_| has(Choice::HardnessLaw));
+        let has_gradient = growth.map_or(self.strain_gradient, |law| *law == GrowthLaw::NixGao);
+        let growth_name = |law: &GrowthLaw| match law {
+            GrowthLaw::Power(exponent) => Some(format!("power-{exponent}")),
+            GrowthLaw::Table(_) => Some("hardness-table".to_owned()),
+            GrowthLaw::NixGao => None,
+        };
+        let growth = growth.and_then(|law| Some((growth_name(law)?, choices_in_words::hardness_law(law))));
+        let interference = self.interference_law.filter(|law| *law != InterferenceLaw::default());
+        let band = self.band.filter(|band| *band != Band::default());
+        let gamma = self.gamma.filter(|gamma| *gamma != Self::ENERGY_FACTOR);
+        let settings = [
+            (
+                Choice::StrainGradient,
+                has_gradient.then(|| ("strain-gradient".into(), "strain gradient".into())),
+            ),
+            (Choice::HardnessLaw, growth),
+            (
+                Choice::Interference,
+                interference.map(|law| (law.to_string(), choices_in_words::interference(law).into())),
+            ),
+            (
+                Choice::Correction,
+                self.correction.map(|form| (form.to_string(), choices_in_words::correction(form).into())),
+            ),
+            (Choice::Band, band.map(|band| (band.to_string(), choices_in_words::band(band).into()))),
+            (Choice::Gamma, gamma.map(|gamma| (format!("gamma-{gamma}"), format!("energy factor {gamma}")))),
+        ];
+        let of_model = settings.into_iter().filter(|(choice, _)| has(*choice));
+        of_model.filter_map(|(_, setting)| setting.map(|(name, words)| Setting { name, words })).collect()
+    }
+
+    /// Reads the value of an option, which comes next; a strength is none.
+    ///
+    /// # Errors
+    /// The errors of the reader.
+    pub fn read<'de, A: MapAccess<'de>>(&mut self, choice: Choice, values: &mut A) -> Result<(), A::Error> {
+        match choice {
+            Choice::Strength => {}
+            Choice::StrainGradient => self.strain_gradient = values.next_value()?,
+            Choice::Hardness => self.hardness = values.next_value()?,
+            Choice::Interference => self.interference_law = values.next_value()?,
+            Choice::Correction => self.correction = values.next_value()?,
+            Choice::Band => self.band = values.next_value()?,
+            Choice::Gamma => self.gamma = values.next_value()?,
+            Choice::HardnessLaw => self.hardness_law = values.next_value()?,
+        }
+        Ok(())
+    }
+
     /// Returns the options that were given, in the order of the fields.
     pub fn given(&self) -> impl Iterator<Item = Choice> {
         let given = [

@@ -3,7 +3,6 @@
 use asperity::{ElasticBody, MaterialPair};
 
 use spectrum::ProfilePsd;
-use study::bodies::Body;
 use study::hardness_and_strength::HardnessAndStrength;
 use study::linear_laws::{linear_areas, rms_gradients};
 use study::material::{GivenMaterial, Material};
@@ -13,12 +12,8 @@ use study::models::{Framework, ModelOptions, named};
 fn the_laws_hold_for_elastic_models_below_the_nominal_area() {
     let pair = MaterialPair::against_rigid(ElasticBody::new(1e11, 0.0).unwrap());
     let material = Material::new(GivenMaterial {
-        body: pair.body(),
-        counterface: None,
-        flows: Body::Rough,
         hardness_and_strength: HardnessAndStrength::new(None, Some("1 GPa".parse().unwrap())).unwrap(),
-        strength_cap: None,
-        strain_gradient_length_m: None,
+        ..GivenMaterial::new(pair.body())
     });
     let stacked = |name: &str| {
         let entry = named(Framework::Stacked, name).unwrap();

@@ -8,12 +8,11 @@ use persson::corrections::Correction;
 use persson::hardness_laws::HardnessTable;
 use persson::variance::Band;
 use spectrum::{Normalisation, ProfilePsd};
-use study::bodies::Body;
+use study::growth_law::GrowthLaw;
 use study::hardness_and_strength::HardnessAndStrength;
-use study::hardness_growth::{GrowthLaw, hardness_of};
 use study::material::{GivenMaterial, Material};
 use study::models::{Choice, MODELS, ModelEntry, ModelOptions};
-use study::persson_law::PerssonLaw;
+use study::persson_law::{PerssonLaw, PlasticLaw};
 use study::plan::{Curve, CurveResult, Cutoffs, Load, Needs, NominalPressure, PlanError, Sampling};
 use study::{Unobserved, gap_law, plan::Plan};
 
@@ -28,12 +27,10 @@ fn spectrum() -> ProfilePsd {
 fn material(yield_strength: Option<&str>) -> Material {
     let strength = yield_strength.map(|text| text.parse().unwrap());
     Material::new(GivenMaterial {
-        body: ElasticBody::new(210e9, 0.3).unwrap(),
-        counterface: None,
-        flows: Body::Rough,
         hardness_and_strength: HardnessAndStrength::new(None, strength).unwrap(),
         strength_cap: Some("40 GPa".parse().unwrap()),
         strain_gradient_length_m: Some(1e-7),
+        ..GivenMaterial::new(ElasticBody::new(210e9, 0.3).unwrap())
     })
 }
 
@@ -94,7 +91,7 @@ fn a_curve_of_a_plan_and_its_stream_equal_the_theory_bit_for_bit() {
         let theory = match *name {
             "persson" => PerssonModel::Elastic { contact_modulus_pa, correction: options.correction },
             _ => {
-                let hardness = hardness_of(material, options.hardness_law.as_ref()).unwrap();
+                let hardness = PlasticLaw::new(material, options).unwrap().hardness().unwrap();
                 PerssonModel::ElasticPlastic { contact_modulus_pa, hardness }
             }
         };

@@ -1,6 +1,6 @@
 //! Assignment of scans to instruments: by the given name, else by the file's own text or its format.
 
-use scans::ScanFile;
+use scans::{ScanFile, ScanFormat};
 
 use crate::request::ScanRequest;
 
@@ -20,7 +20,7 @@ pub struct InstrumentOfScan {
 impl InstrumentOfScan {
     pub(crate) fn new<S>(request: &ScanRequest, file: &ScanFile<S>) -> Self {
         InstrumentOfScan {
-            name: request.instrument.clone().unwrap_or_else(|| guessed_name(file)),
+            name: request.instrument.clone().unwrap_or_else(|| guessed_name(request, file)),
             is_guessed: request.instrument.is_none(),
             z_calibration: request.z_calibration,
             slope_uncertainty: request.slope_uncertainty,
@@ -28,12 +28,16 @@ impl InstrumentOfScan {
     }
 }
 
-/// Guesses the instrument from a line `Instrument: ...` in the file's text, else from its format, which is a maker's.
-fn guessed_name<S>(file: &ScanFile<S>) -> String {
+/// Guesses the instrument from a line `Instrument: ...` in the file's text, else from its format, which is a maker's. Any
+/// instrument may have written plain text, so each such file has an instrument of its own.
+fn guessed_name<S>(request: &ScanRequest, file: &ScanFile<S>) -> String {
     let written = file.free_text.lines().find_map(|line| {
         let rest = line.trim().strip_prefix("Instrument")?.trim_start();
         let name = rest.strip_prefix(['-', '–', ':', '='])?.trim().trim_end_matches('.');
         (!name.is_empty()).then(|| name.to_owned())
     });
-    written.unwrap_or_else(|| file.format.to_string())
+    written.unwrap_or_else(|| match file.format {
+        ScanFormat::Text => request.path.clone(),
+        format => format.to_string(),
+    })
 }

@@ -150,6 +150,16 @@ fn is_on_drive(drive: &str, path: &str) -> bool {
 }
 
 impl ScanRequest {
+    /// Returns the request with an option set by its name on the command line.
+    ///
+    /// # Errors
+    /// [`RequestError`] for an unknown option or an invalid value.
+    pub fn with_option(&self, key: &str, value: &str) -> Result<Self, RequestError> {
+        let mut changed = self.clone();
+        changed.set(key, value)?;
+        Ok(changed)
+    }
+
     /// Sets an option by its name on the command line, or in a scene.
     pub(crate) fn set(&mut self, key: &str, value: &str) -> Result<(), RequestError> {
         let bad = |problem: String| RequestError::BadValue {

@@ -1,6 +1,7 @@
 //! Containers of contact.engineering: which data count, whose scale and size, and archives that mean harm.
 #![cfg(feature = "container")]
 
+#[macro_use]
 mod support;
 
 use scans::{Probe, Scan, ScanFile, ScanFormat, ScanOptions, ScanReadError, read_metadata, read_scans};
@@ -79,9 +80,9 @@ fn one_measurement_can_be_chosen() {
     let chosen = |name: &str| ScanOptions { measurement: Some(name.to_owned()), ..ScanOptions::default() };
     assert_eq!(scans(&chosen("stylus")).unwrap().len(), 1);
     assert_eq!(scans(&chosen("afm.001")).unwrap()[0].name, "afm");
-    assert_eq!(
-        scans(&chosen("tem")).unwrap_err().to_string(),
-        "reading container: there is no measurement 'tem'; there are 'afm', 'stylus'"
+    refused!(
+        scans(&chosen("tem")).unwrap_err(),
+        NoChannel { wanted: "measurement 'tem'", channels: ["afm", "stylus"] }
     );
 }
 
@@ -121,38 +122,33 @@ fn processed_copies_stand_in_for_originals_that_cannot_be_read() {
     assert_close(heights_m(&scans[0].scan), &map, 1e-22);
     assert!(scans[0].notes[0].starts_with("the instrument's file cannot be read ("), "{:?}", scans[0].notes);
     let gone = zipped(&[("index.json", json.as_bytes())]);
-    assert_eq!(
+    refused!(
         refusal(&gone, &ScanOptions::default()),
-        "measurement 'a' in 'a-squeezed.nc': unpacking 'a-squeezed.nc': specified file not found in archive; pack the \
-         archive again"
+        Measurement { measurement: "a", source: Zip { what: "'a-squeezed.nc'" } }
     );
 }
 
 #[test]
 fn metadata_that_make_no_sense_are_refused_with_their_path() {
-    let message = |text: &str| read_metadata(text, "x/meta.yml").unwrap_err().to_string();
-    assert_eq!(
-        message("a: 1"),
-        "reading container, the file: there is no list 'surfaces'; download the container again"
-    );
-    assert_eq!(
+    let message = |text: &str| read_metadata(text, "x/meta.yml").unwrap_err();
+    refused!(message("a: 1"), MissingField { field: "list 'surfaces'" });
+    refused!(
         message("surfaces:\n- topographies:\n  - size: [-1]\n"),
-        "reading container, surfaces[0].topographies[0]: 'size' is [-1], it must be one or two finite numbers above 0; \
-         correct it, or download the container again"
+        BadField { field: "'size'", value: "[-1]" }
     );
-    assert!(
-        message("surfaces:\n- topographies:\n  - unit: V\n")
-            .contains("'unit' is \"V\", it must be one of m, cm")
+    refused!(
+        message("surfaces:\n- topographies:\n  - unit: V\n"),
+        BadField { field: "'unit'", value: "\"V\"" }
     );
-    assert!(message("surfaces: [").starts_with("reading 'meta.yml': line 1 column "));
-    assert!(message("{\"surfaces\": }").contains("line 1 column 14"));
+    refused!(message("surfaces: ["), Syntax { file: "meta.yml" });
+    refused!(message("{\"surfaces\": }"), Syntax { file: "meta.yml" });
     let mut aliases = "a0: &a0 [x,x,x,x,x,x,x,x,x,x]\n".to_owned();
     for level in 1..9 {
         let ten = vec![format!("*a{}", level - 1); 10].join(",");
         aliases += &format!("a{level}: &a{level} [{ten}]\n");
     }
-    assert!(message(&aliases).starts_with("reading 'meta.yml': line "));
-    assert!(message(&"[".repeat(100_000)).starts_with("reading 'meta.yml': line "));
+    refused!(message(&aliases), Syntax { file: "meta.yml" });
+    refused!(message(&"[".repeat(100_000)), Syntax { file: "meta.yml" });
 }
 
 #[test]
@@ -162,39 +158,41 @@ fn archives_that_unpack_without_bound_are_refused() {
     assert!(archive.len() < 10_000);
     let options = ScanOptions { max_unpacked_bytes: Some(100_000), ..ScanOptions::default() };
     let stylus = ScanOptions { measurement: Some("stylus".to_owned()), ..options };
-    let message = |bytes: &[u8]| read_scans(bytes, "bomb.zip", &stylus).unwrap_err().to_string();
-    let refused = "measurement 'stylus' in 'stylus.txt': unpacking 'stylus.txt': it takes more than 100000 bytes, the \
-                   most that is accepted; pack fewer or smaller files";
-    assert_eq!(message(&archive), refused);
+    let message = |bytes: &[u8]| read_scans(bytes, "bomb.zip", &stylus).unwrap_err();
+    refused!(
+        message(&archive),
+        Measurement {
+            measurement: "stylus",
+            source: ArchiveTooLarge { what: "'stylus.txt'", bound: 100000 }
+        }
+    );
     // The sizes in the directory may lie: here a megabyte is called ten bytes, wherever it is said.
     let size = (1u32 << 20).to_le_bytes();
     let mut lying = archive.clone();
     while let Some(at) = lying.windows(4).position(|window| window == size) {
         lying[at..at + 4].copy_from_slice(&10u32.to_le_bytes());
     }
-    assert!(message(&lying).starts_with("measurement 'stylus' in 'stylus.txt': unpacking 'stylus.txt': "));
+    refused!(message(&lying), Measurement { measurement: "stylus", source: Zip { what: "'stylus.txt'" } });
     let names: Vec<String> = (0..10_001).map(|index| index.to_string()).collect();
     let many: Vec<(&str, &[u8])> = names.iter().map(|name| (name.as_str(), [].as_slice())).collect();
-    assert!(refusal(&zipped(&many), &ScanOptions::default()).contains("it takes more than 10000 files"));
+    refused!(
+        refusal(&zipped(&many), &ScanOptions::default()),
+        ArchiveTooLarge { what: "the archive", bound: 10000 }
+    );
 }
 
 #[test]
 fn paths_that_lead_outside_are_refused() {
-    for path in ["../meta.yml", "a/../../b", "/etc/passwd", "c:\\b", "a\\..\\b"] {
-        let archive = zipped(&[("meta.yml", YAML.as_bytes()), (path, b"1")]);
-        assert_eq!(
-            refusal(&archive, &ScanOptions::default()),
-            format!(
-                "unpacking the archive: the path '{path}' leads out of it; pack the archive again with relative paths"
-            )
-        );
+    for outside in ["../meta.yml", "a/../../b", "/etc/passwd", "c:\\b", "a\\..\\b"] {
+        let archive = zipped(&[("meta.yml", YAML.as_bytes()), (outside, b"1")]);
+        refused!(refusal(&archive, &ScanOptions::default()), PathOutside { path: outside });
     }
     // No processed copy stands in for a file that is not where it should be.
     let index = YAML.replace("stylus.txt", "../stylus.txt, squeezed-netcdf: afm.nc");
     let archive = zipped(&[("meta.yml", index.as_bytes())]);
     let options = ScanOptions { measurement: Some("stylus".to_owned()), ..ScanOptions::default() };
-    let message = read_scans(&archive, "container.zip", &options).unwrap_err().to_string();
-    assert!(message.contains("the path '../stylus.txt' leads out of it"), "{message}");
+    let message = read_scans(&archive, "container.zip", &options).unwrap_err();
+    refused!(message, Measurement { measurement: "stylus", source: PathOutside { path: "../stylus.txt" } });
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! Scans as text: layouts, separators, decimal commas, headers, and what is refused.
 
+#[macro_use]
 mod support;
 
 use scans::{Mend, Scan, ScanOption, ScanOptions, ScanSize};
@@ -21,11 +22,7 @@ fn decimal_commas_are_read_where_they_are_no_separators() {
         let scan = read_one(text.as_bytes(), &in_unit("m")).unwrap().scan;
         assert_eq!((spacings_m(&scan).0, heights_m(&scan)), (0.5, [1.5, 2.5].as_slice()), "{text}");
     }
-    assert_eq!(
-        refusal(b"0,1\n0,2\n", &in_unit("nm")),
-        "line 1: in '0,1' the comma may separate two columns or mark the decimals of one number, and no other line \
-         tells; separate columns with semicolons or tabs, or write decimals with points"
-    );
+    refused!(refusal(b"0,1\n0,2\n", &in_unit("nm")), AmbiguousComma { line: 1 });
 }
 
 #[test]
@@ -34,10 +31,7 @@ fn one_column_needs_its_length() {
     assert_eq!((spacings_m(&scan).0, heights_m(&scan).len()), (0.5e-6, 4));
     let stated = read_one(b"# Spacing: 0.5 um\n# Unit: nm\n1\n2\n", &ScanOptions::default()).unwrap().scan;
     assert_eq!(spacings_m(&stated).0, 0.5e-6);
-    assert_eq!(
-        refusal(b"1\n2\n3\n", &in_unit("nm")),
-        "reading text: the file does not say how long the line of heights is"
-    );
+    refused!(refusal(b"1\n2\n3\n", &in_unit("nm")), NoSize { what: "how long the line of heights is" });
 }
 
 #[test]
@@ -61,24 +55,15 @@ fn a_matrix_takes_its_size_from_the_options_before_its_header() {
     assert_eq!(spacings_m(&read_one(&latin1, &ScanOptions::default()).unwrap().scan), (2.5e-6, 2e-6));
     // A bare number may count pixels.
     let bare = "# Width: 4\n# Height: 2\n1 2 3 4\n5 6 7 8\n";
-    assert_eq!(
-        refusal(bare.as_bytes(), &in_unit("nm")),
-        "reading text: the file does not say how large the map is"
-    );
+    refused!(refusal(bare.as_bytes(), &in_unit("nm")), NoSize { what: "how large the map is" });
 }
 
 #[test]
 fn units_come_from_the_header_or_the_options() {
     let scan = read_one(b"x [mm];h [um]\n0;1\n1;2\n", &ScanOptions::default()).unwrap().scan;
     assert_eq!((spacings_m(&scan).0, heights_m(&scan)[1]), (1e-3, 2e-6));
-    assert_eq!(
-        refusal(b"0 1\n1 2\n", &ScanOptions::default()),
-        "reading text: the file does not say the unit of heights"
-    );
-    assert_eq!(
-        refusal(b"x (mm) h (V)\n0 1\n1 2\n", &ScanOptions::default()),
-        "reading text: the file does not say the unit of heights"
-    );
+    refused!(refusal(b"0 1\n1 2\n", &ScanOptions::default()), NoUnit { what: "heights" });
+    refused!(refusal(b"x (mm) h (V)\n0 1\n1 2\n", &ScanOptions::default()), NoUnit { what: "heights" });
     let options = ScanOptions { height_unit: "nm".parse().ok(), ..in_unit("um") };
     let scan = read_one(b"# Unit: mm\n0 1\n1 2\n", &options).unwrap();
     assert_eq!((spacings_m(&scan.scan).0, heights_m(&scan.scan)[1]), (1e-6, 2e-9));
@@ -108,17 +93,14 @@ fn missing_points_and_broken_rows_are_named_by_their_line() {
     let refused = |text: &str| refusal(text.as_bytes(), &in_unit("nm"));
     let told = |text: &str| missing_points(text.as_bytes(), &in_unit("nm"));
     assert_eq!(told("# a profile\n0 1\n1 NaN\n2 1\n"), [1]);
-    assert_eq!(
-        read_one(b"# a profile\n0 1\n1 NaN\n2 1\n", &in_unit("nm")).unwrap_err().to_string(),
-        "building a scan: 1 of 3 points have no height, the first in point 2; have them filled, or cut them out"
+    refused!(
+        read_one(b"# a profile\n0 1\n1 NaN\n2 1\n", &in_unit("nm")).unwrap_err(),
+        Scan(MissingPoints { missing: 1, points: 3 })
     );
     assert_eq!(told("0;1\n1;\n2;1\n"), [1]);
-    assert!(refused("0;1\n1\n2;1\n").starts_with("line 2: the number of columns is 1, in line 1 it is 2;"));
-    assert!(refused("0;1;0\n1;;2\n").starts_with("line 2: column 2 is 'no position', which is no number"));
-    assert_eq!(
-        refused("0 1\n1 2x\n"),
-        "line 2: column 2 is '2x', which is no number; correct it or remove the line"
-    );
+    refused!(refused("0;1\n1\n2;1\n"), Ragged { line: 2, found: 1, expected: 2 });
+    refused!(refused("0;1;0\n1;;2\n"), NotANumber { line: 2, column: 2, text: "no position" });
+    refused!(refused("0 1\n1 2x\n"), NotANumber { line: 2, column: 2, text: "2x" });
     // Rows of missing points on top are rows of the scan, whatever they are separated by.
     // Points without position and height say nothing.
     let points = measured(b"NaN NaN NaN\nnan nan nan\n1 2 3\n4 5 6\n", &in_unit("nm")).unwrap().scan;
@@ -136,26 +118,22 @@ fn missing_points_and_broken_rows_are_named_by_their_line() {
             "{text}"
         );
     }
-    assert!(refused("0 1\n1 2 3\n").starts_with("line 2: the number of columns is 3, in line 1 it is 2;"));
-    assert_eq!(
-        refused("# nothing\n"),
-        "reading text: the file holds no line of numbers, it must hold at least 2"
-    );
-    assert_eq!(refused("0 1\n"), "building a scan: the number of points is 1, it must be at least 2");
+    refused!(refused("0 1\n1 2 3\n"), Ragged { line: 2, found: 3, expected: 2 });
+    refused!(refused("# nothing\n"), NoRows {});
+    refused!(refused("0 1\n"), Scan(TooFew { what: "points", found: 1 }));
     let late = "0 1
 1 2
 "
     .repeat(100)
         + "\0";
-    assert!(refused(&late).starts_with("line 201: byte 800 of the file is 0x00, which is no text"));
+    refused!(refused(&late), NotText { line: 201, offset: 800 });
 }
 
 #[test]
 fn profiles_must_not_turn_back() {
-    assert_eq!(
+    refused!(
         refusal(b"# traced\n0 1\n2 1\n1.5 2\n3 1\n", &in_unit("nm")),
-        "line 4: the position is 1.5, that of the point before 2; positions must rise: cut out points where the profile \
-         turns back (re-entrant points of a traced contour), or sort the lines"
+        PositionsDoNotRise { line: 4, position: 1.5, before: 2.0 }
     );
     let fallen = read_one(b"2 1\n1 2\n0 3\n", &in_unit("nm")).unwrap();
     assert_eq!((heights_m(&fallen.scan), fallen.notes.len()), ([3e-9, 2e-9, 1e-9].as_slice(), 1));
@@ -166,17 +144,16 @@ fn points_must_fill_a_grid() {
     let refused = |text: &str| refusal(text.as_bytes(), &in_unit("nm"));
     let hole = measured(b"0 0 1\n1 0 1\n0 1 1\n", &in_unit("nm")).unwrap().scan;
     assert_eq!((hole.points(), hole.missing_points().indices().collect::<Vec<_>>()), ((2, Some(2)), vec![3]));
-    assert_eq!(
-        refused("0 0 1\n1 0 1\n0 1 1\n1 1 1\n1 0 2\n"),
-        "line 5: the point x = 1, y = 0 stands in line 2 already; keep one"
-    );
-    assert_eq!(
+    refused!(refused("0 0 1\n1 0 1\n0 1 1\n1 1 1\n1 0 2\n"), RepeatedPoint { line: 5, first_line: 2 });
+    refused!(
         refused("0 0 1\n1.0 0 1\n3.5 0 1\n0 1 1\n1 1 1\n3.5 1 1\n"),
-        "line 2: x = 1 lies on no grid of 3 evenly spaced values from 0 to 3.5; points of a map must form a regular \
-         grid: interpolate them onto one"
+        NotAGrid { line: 2, axis: 'x', position: 1.0, count: 3 }
     );
     // Whole numbers are no rounded multiples of 1.5.
-    assert!(refused("0 0 1\n1 0 1\n3 0 1\n0 1 1\n1 1 1\n3 1 1\n").contains("x = 1 lies on no grid of 3"));
+    refused!(
+        refused("0 0 1\n1 0 1\n3 0 1\n0 1 1\n1 1 1\n3 1 1\n"),
+        NotAGrid { line: 2, axis: 'x', position: 1.0, count: 3 }
+    );
     // Positions with a last digit that varies.
     let map = read_one(b"0.000 0 1\n0.334 0 2\n0.667 0 3\n0 1 4\n0.333 1.001 5\n0.666 1 6\n", &in_unit("nm"))
         .unwrap();

@@ -168,14 +168,15 @@ mod tests {
 
     #[test]
     fn samples_that_make_no_profile_are_refused() {
-        let message = |wavelengths_m: &[f64], c1d_m3: &[f64]| {
-            ProfilePsd::new(wavelengths_m.to_vec(), c1d_m3.to_vec()).unwrap_err().to_string()
+        let error = |wavelengths_m: &[f64], c1d_m3: &[f64]| {
+            ProfilePsd::new(wavelengths_m.to_vec(), c1d_m3.to_vec()).unwrap_err()
         };
-        assert!(message(&[], &[]).contains("0 rows; give at least 1"));
-        assert!(message(&[2.0], &[1.0, 1.0]).contains("1 wavelength and 2 values"));
-        assert!(message(&[2.0, 1.0], &[1.0, f64::INFINITY]).contains("the density in row 2 is inf"));
-        let order = "the wavelength in row 2 is 2 m; they must fall from row to row";
-        assert!(message(&[2.0, 2.0], &[1.0, 1.0]).contains(order));
+        assert!(matches!(error(&[], &[]), PsdError::TooFewRows { rows: 0, least: 1 }));
+        assert!(matches!(error(&[2.0], &[1.0, 1.0]), PsdError::LengthMismatch { wavelengths: 1, values: 2 }));
+        let infinite = error(&[2.0, 1.0], &[1.0, f64::INFINITY]);
+        assert!(matches!(infinite, PsdError::BadDensity { row: 2, value: f64::INFINITY }));
+        let level = error(&[2.0, 2.0], &[1.0, 1.0]);
+        assert!(matches!(level, PsdError::OutOfOrder { row: 2, wavelength_m: 2.0 }));
         assert_eq!(ProfilePsd::new(vec![2.0], vec![1.0]).unwrap().len(), 1);
     }
 

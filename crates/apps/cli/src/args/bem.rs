@@ -11,10 +11,10 @@ use questions::{MaterialInput, OptionName, RandomInput};
 use rough_bem::{Boundary, RandomChoices};
 use study::measured::Kind;
 use topography::Detrend;
-use units::{IndentationHardness, Length, Modulus, Pressure, PressureRange};
+use units::{IndentationHardness, Length, Modulus, Pressure};
 
-use super::groups::{CounterfaceArgs, FigureArg, ReadingArgs};
-use super::parsers::{one_of, parse_count, parse_labelled_pressure, parse_poisson_ratio};
+use super::groups::{CounterfaceArgs, FigureArg, PressureArgs, ReadingArgs};
+use super::parsers::{one_of, parse_count, parse_poisson_ratio};
 use super::scans::{MapTreatmentArgs, UntoldArgs};
 
 /// A surface, how it is pressed, and what is written.
@@ -27,12 +27,8 @@ pub(crate) struct BemArgs {
     /// Kind of the file, where its content does not tell
     #[arg(long = "as", value_name = "KIND", value_parser = one_of::<Kind, _>(Kind::ALL))]
     pub kind: Option<Kind>,
-    /// Nominal pressure; give it several times for several loads
-    #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
-    pub pressures: Vec<(Pressure, String)>,
-    /// COUNT log-spaced pressures from FROM to TO, in addition to any --pressure
-    #[arg(long = "pressures", value_name = "FROM:TO:COUNT", allow_hyphen_values = true)]
-    pub pressure_ranges: Vec<PressureRange>,
+    #[command(flatten)]
+    pub loads: PressureArgs,
     /// The pressure at which the surface flows, an indentation hardness as 3GPa or 1H; elastic throughout where not given
     #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub saturation: Option<Pressure>,

@@ -4,16 +4,16 @@ use clap::Args as ClapArgs;
 use clap::builder::TypedValueParser;
 use contact_law::{ContactLaw, Dialect, Heading, UnitSystem};
 use persson::variance::Band;
-use questions::GapModel;
+use questions::{GapModel, LawForm};
 use stat_contact::InterferenceLaw;
 use study::models::{self, ModelEntry, ModelOptions};
 use study::plan::Tolerance;
-use units::{Pressure, PressureRange, named};
+use units::Pressure;
 
 use super::bem::RandomArgs;
-use super::parsers::{ModelName, one_of, parse_labelled_pressure, parse_tolerance};
+use super::parsers::{ModelName, one_of, parse_tolerance};
 use super::persson::parse_gamma;
-use super::{HardnessArg, MaterialArgs, NormalisationArg, ReadingArgs, SamplingArgs};
+use super::{HardnessFormulaArg, MaterialArgs, NormalisationArg, PressureArgs, ReadingArgs, SamplingArgs};
 
 /// Model of the gap: a law of asperities, Persson's theory, or boundary elements if there is none.
 #[derive(Debug, Clone, Copy)]
@@ -53,7 +53,7 @@ pub(crate) struct GapChoiceArgs {
     #[arg(long, value_parser = one_of::<InterferenceLaw, _>(InterferenceLaw::ALL))]
     pub interference_law: Option<InterferenceLaw>,
     #[command(flatten)]
-    pub hardness: HardnessArg,
+    pub hardness: HardnessFormulaArg,
     #[command(flatten)]
     pub normalisation: NormalisationArg,
     #[command(flatten)]
@@ -70,7 +70,7 @@ impl GapChoiceArgs {
             model,
             options: ModelOptions {
                 strain_gradient: model.is_some_and(|entry| material.strain_gradient_in(entry)),
-                hardness: self.hardness.hardness,
+                hardness: self.hardness.hardness_formula,
                 interference_law: self.interference_law,
                 band: self.band,
                 gamma: self.gamma,
@@ -94,29 +94,16 @@ pub(crate) struct GapArgs {
     /// Model of the gap: Persson's theory, a law of asperities, or boundary elements
     #[arg(long, value_parser = gap_model())]
     pub model: GapModelArg,
-    /// Nominal pressure; give it several times for several loads
-    #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
-    pub pressures: Vec<(Pressure, String)>,
-    /// COUNT log-spaced pressures from FROM to TO, in addition to any --pressure
-    #[arg(long = "pressures", value_name = "FROM:TO:COUNT", allow_hyphen_values = true)]
-    pub pressure_ranges: Vec<PressureRange>,
+    #[command(flatten)]
+    pub loads: PressureArgs,
     #[command(flatten)]
     pub choices: GapChoiceArgs,
-    /// Relative tolerance of statistical states, in (0, 0.01]; a looser one costs less
-    #[arg(long, value_name = "T", default_value = "1e-12", value_parser = parse_tolerance)]
-    pub tolerance: Tolerance,
+    /// Relative tolerance of statistical states, in (0, 0.01]; 1e-12 where not given, and a looser one costs less
+    #[arg(long, value_name = "T", value_parser = parse_tolerance)]
+    pub tolerance: Option<Tolerance>,
     #[command(flatten)]
     pub random: RandomArgs,
 }
-
-/// Form of a law in the input of CalculiX.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum LawForm {
-    Table,
-    Exponential,
-}
-
-named!(LawForm, "form of the law", { Table => "table", Exponential => "exponential" });
 
 #[derive(Debug, ClapArgs)]
 pub(crate) struct LawArgs {

@@ -7,9 +7,11 @@ use clap::Args as ClapArgs;
 use questions::{BodyInput, MaterialInput, SamplingInput};
 use spectrum::{Abscissa, AmplitudeDefinition, Convention, Normalisation};
 use tables::Format;
-use units::{IndentationHardness, Length, Modulus, Pressure};
+use units::{IndentationHardness, Length, Modulus, Pressure, PressureRange};
 
-use super::parsers::{hardness, one_of, parse_count, parse_place, parse_poisson_ratio};
+use super::parsers::{
+    hardness, one_of, parse_count, parse_labelled_pressure, parse_place, parse_poisson_ratio,
+};
 use crate::output::Place;
 use crate::picture::Picture;
 
@@ -26,6 +28,9 @@ pub(crate) struct SharedArgs {
     /// Begin CSV tables with comment lines that tell where they come from; those of `psd` and `run` always do
     #[arg(long, global = true)]
     pub provenance: bool,
+    /// Print every note and number that the summary of `run` and `report` leaves out
+    #[arg(short, long, global = true)]
+    pub verbose: bool,
     /// Say on standard error how long reading, computing and writing took
     #[arg(long, global = true)]
     pub timings: bool,
@@ -64,6 +69,17 @@ pub(crate) struct ReadingArgs {
     /// Unit of the spectrum where the file states none, e.g. um^3
     #[arg(long, value_name = "UNIT")]
     pub psd_unit: Option<String>,
+}
+
+/// Nominal pressures, one by one and as ranges.
+#[derive(Debug, Clone, ClapArgs)]
+pub(crate) struct PressureArgs {
+    /// Nominal pressure; give it several times for several loads
+    #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
+    pub pressures: Vec<(Pressure, String)>,
+    /// COUNT log-spaced pressures from FROM to TO, in addition to any --pressure
+    #[arg(long = "pressures", value_name = "FROM:TO:COUNT", allow_hyphen_values = true)]
+    pub pressure_ranges: Vec<PressureRange>,
 }
 
 /// Options that select the scales of a spectrum.
@@ -106,11 +122,11 @@ pub(crate) struct AmplitudeArg {
 
 /// Option for the form of the hardness of a sphere.
 #[derive(Debug, Clone, ClapArgs)]
-pub(crate) struct HardnessArg {
+pub(crate) struct HardnessFormulaArg {
     /// Hardness of the sphere in the model ep-sphere: 2005, that of Jackson & Green 2005, or cosine, the cosine form
     /// 2.84 - 0.92 [1 - cos(pi a/R)]
-    #[arg(long, value_parser = hardness())]
-    pub hardness: Option<Hardness>,
+    #[arg(long, alias = "hardness", value_parser = hardness())]
+    pub hardness_formula: Option<Hardness>,
 }
 
 /// Option for the upper limit of a growing strength.
@@ -168,6 +184,16 @@ impl CounterfaceArgs {
 }
 
 impl MaterialArgs {
+    /// Options that rows of Persson's theory do not take, which have a pressure and a hardness alone.
+    pub const OF_SPECTRA: [&str; 6] = [
+        "youngs_modulus",
+        "poisson_ratio",
+        "yield_strength",
+        "strain_gradient_length",
+        "strength_cap",
+        "counterface_youngs_modulus",
+    ];
+
     /// The material as questions take it.
     pub fn input(&self) -> MaterialInput {
         MaterialInput {

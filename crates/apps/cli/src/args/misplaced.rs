@@ -11,13 +11,27 @@ use super::Args;
 /// as with `--help`, is left as it is.
 pub(crate) fn behind_the_command(line: Vec<OsString>) -> Vec<OsString> {
     let program = Args::command();
-    match Sorted::of(&line, &program) {
-        Some(sorted) => sorted.into_line(),
-        None => line,
+    let mut command = &program;
+    let mut moved = line.clone();
+    let (mut words, mut at) = (1, 1);
+    while command.has_subcommands() {
+        let Some(word) = line.get(at) else { return line };
+        if let Some(found) = command.find_subcommand(word) {
+            moved[words..=at].rotate_right(1);
+            command = found;
+            words += 1;
+        } else {
+            match takes_next_word(&program, word) {
+                Some(takes) => at += usize::from(takes),
+                None => return line,
+            }
+        }
+        at += 1;
     }
+    moved
 }
 
-/// Returns advice on an option that the command does not have and others do.
+/// Returns advice on an option that the command, which the line begins with, does not have and others do.
 pub(crate) fn foreign_option(error: &clap::Error, line: &[OsString]) -> Option<String> {
     let (ErrorKind::UnknownArgument, Some(ContextValue::String(option))) =
         (error.kind(), error.get(ContextKind::InvalidArg))
@@ -26,75 +40,38 @@ pub(crate) fn foreign_option(error: &clap::Error, line: &[OsString]) -> Option<S
     };
     let program = Args::command();
     let name = option.strip_prefix("--")?;
-    let mut owners = Vec::new();
-    for command in program.get_subcommands() {
-        let has = with_subcommands(command).any(|command| long_option(command, name).is_some());
-        owners.extend(has.then(|| format!("`{}`", command.get_name())));
-    }
-    let (last, others) = owners.split_last()?;
-    let owners = match others {
-        [] => last.clone(),
-        others => format!("{} and {last}", others.join(", ")),
+    let has =
+        |command: &&Command| with_subcommands(command).any(|command| long_option(command, name).is_some());
+    let owners: Vec<_> =
+        program.get_subcommands().filter(has).map(|command| format!("`{}`", command.get_name())).collect();
+    let owners = match owners.split_last()? {
+        (last, []) => last.clone(),
+        (last, others) => format!("{} and {last}", others.join(", ")),
     };
-    let words = Sorted::of(line, &program)?.words;
-    let command: Vec<_> = words.iter().skip(1).map(|word| word.to_string_lossy()).collect();
-    Some(format!(
-        "{option} has no bearing on `{}`: it is an option of {owners}; leave it out",
-        command.join(" ")
-    ))
-}
-
-/// A command line in its three parts.
-struct Sorted {
-    /// The program and the words that name its command.
-    words: Vec<OsString>,
-    /// The options that stand among these words.
-    options: Vec<OsString>,
-    /// All that follows the command.
-    rest: Vec<OsString>,
-}
-
-impl Sorted {
-    /// Sorts a command line; none where something stands before the command that is not an option of some command.
-    fn of(line: &[OsString], program: &Command) -> Option<Self> {
-        let mut left = line.iter().cloned();
-        let mut sorted = Sorted { words: vec![left.next()?], options: Vec::new(), rest: Vec::new() };
-        let mut command = program;
-        while command.has_subcommands() {
-            let word = left.next()?;
-            if let Some(found) = command.find_subcommand(&word) {
-                command = found;
-                sorted.words.push(word);
-            } else {
-                let takes_next_word = takes_next_word(program, &word)?;
-                sorted.options.push(word);
-                if takes_next_word {
-                    sorted.options.push(left.next()?);
-                }
-            }
-        }
-        sorted.rest = left.collect();
-        Some(sorted)
-    }
-
-    fn into_line(self) -> Vec<OsString> {
-        [self.words, self.options, self.rest].concat()
-    }
+    let mut command = &program;
+    let words = line.iter().skip(1).map_while(|word| {
+        command = command.find_subcommand(word)?;
+        Some(command.get_name())
+    });
+    let words = words.collect::<Vec<_>>().join(" ");
+    let is_whole = !command.has_subcommands();
+    is_whole
+        .then(|| format!("{option} has no bearing on `{words}`: it is an option of {owners}; leave it out"))
 }
 
 /// Returns true if the value of an option is the word after it; none where no command has the option.
 fn takes_next_word(program: &Command, word: &OsStr) -> Option<bool> {
     let option = word.to_str()?.strip_prefix("--")?;
-    let (name, has_value) = match option.split_once('=') {
-        Some((name, _)) => (name, true),
-        None => (option, false),
-    };
+    let name = option.split('=').next()?;
     let arg = with_subcommands(program).find_map(|command| long_option(command, name))?;
-    Some(!has_value && arg.get_action().takes_values())
+    Some(name == option && arg.get_action().takes_values())
 }
 
 fn long_option<'c>(command: &'c Command, name: &str) -> Option<&'c clap::Arg> {
-    command.get_arguments().find(|arg| arg.get_long() == Some(name))
+    let is_called = |arg: &&clap::Arg| {
+        arg.get_long() == Some(name) || arg.get_all_aliases().is_some_and(|names| names.contains(&name))
+    };
+    command.get_arguments().find(is_called)
 }
 
 /// A command, and all below it.

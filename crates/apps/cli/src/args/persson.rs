@@ -5,12 +5,13 @@ use std::path::PathBuf;
 use clap::Args as ClapArgs;
 use persson::corrections::Correction;
 use persson::variance::Band;
-use study::hardness_growth::GrowthLaw;
+use study::growth_law::GrowthLaw;
+use study::models::ModelOptions;
 use study::persson_law::{Deformation, PerssonLaw};
-use units::{Bound, Pressure, PressureRange};
+use units::Bound;
 
-use super::parsers::{one_of, parse_labelled_pressure, parse_place};
-use super::{AmplitudeArg, FigureArg, MaterialArgs, ReadingArgs, SamplingArgs};
+use super::parsers::{one_of, parse_place};
+use super::{AmplitudeArg, FigureArg, MaterialArgs, PressureArgs, ReadingArgs, SamplingArgs};
 use crate::output::Place;
 
 /// Growth of a hardness towards short wavelengths.
@@ -23,7 +24,7 @@ pub(crate) enum GrowthArg {
 }
 
 /// Options that mean nothing without a spectrum.
-const OF_SPECTRA: [&str; 18] = [
+const OF_SPECTRA: [&str; 16] = [
     "column",
     "x",
     "convention",
@@ -40,13 +41,7 @@ const OF_SPECTRA: [&str; 18] = [
     "hardness_law",
     "gamma",
     "pressure_ranges",
-    "youngs_modulus",
-    "poisson_ratio",
 ];
-
-/// Options of the material that mean nothing in rows.
-const OF_MATERIALS: [&str; 4] =
-    ["yield_strength", "strain_gradient_length", "strength_cap", "counterface_youngs_modulus"];
 
 #[derive(Debug, ClapArgs)]
 #[command(group = clap::ArgGroup::new("source").required(true).args(["psd", "input"]))]
@@ -58,7 +53,7 @@ pub(crate) struct PerssonArgs {
     #[command(flatten)]
     pub reading: ReadingArgs,
     /// A table of pressures instead, CSV or JSON: a path, or - for standard input
-    #[arg(long, value_name = "PATH", value_parser = parse_place, conflicts_with_all = OF_SPECTRA, conflicts_with_all = OF_MATERIALS)]
+    #[arg(long, value_name = "PATH", value_parser = parse_place, conflicts_with_all = OF_SPECTRA, conflicts_with_all = MaterialArgs::OF_SPECTRA)]
     pub input: Option<Place>,
     /// Deformation of the surface; where left out, rows with a hardness yield and the others do not
     #[arg(long, value_parser = one_of::<Deformation, _>(Deformation::ALL))]
@@ -76,12 +71,8 @@ pub(crate) struct PerssonArgs {
     /// Elastic energy factor of the mean separation, in (0, 1]
     #[arg(long, value_name = "G", default_value_t = PerssonLaw::ENERGY_FACTOR, value_parser = parse_gamma, allow_hyphen_values = true)]
     pub gamma: f64,
-    /// Nominal pressure; give it several times for several loads
-    #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
-    pub pressures: Vec<(Pressure, String)>,
-    /// COUNT log-spaced pressures from FROM to TO, in addition to any --pressure
-    #[arg(long = "pressures", value_name = "FROM:TO:COUNT", allow_hyphen_values = true)]
-    pub pressure_ranges: Vec<PressureRange>,
+    #[command(flatten)]
+    pub loads: PressureArgs,
     #[command(flatten)]
     pub material: MaterialArgs,
     #[command(flatten)]
@@ -90,6 +81,18 @@ pub(crate) struct PerssonArgs {
     pub amplitude: AmplitudeArg,
     #[command(flatten)]
     pub figure: FigureArg,
+}
+
+impl PerssonArgs {
+    /// The options that need no file.
+    pub fn options(&self) -> ModelOptions {
+        ModelOptions {
+            correction: self.correction,
+            band: self.band,
+            gamma: Some(self.gamma),
+            ..ModelOptions::default()
+        }
+    }
 }
 
 fn parse_growth(text: &str) -> Result<GrowthArg, String> {

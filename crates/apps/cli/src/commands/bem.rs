@@ -28,8 +28,8 @@ use crate::timings::Timings;
 pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> {
     let question = ElementsQuestion {
         material: args.material.input(),
-        pressures: load_inputs(&args.pressures),
-        pressure_ranges: range_inputs(&args.pressure_ranges),
+        pressures: load_inputs(&args.loads.pressures),
+        pressure_ranges: range_inputs(&args.loads.pressure_ranges),
         saturation: args.saturation,
         tolerance: args.tolerance,
         random: args.random.input(),

@@ -9,11 +9,11 @@ use crate::progress::Progress;
 use crate::timings::Timings;
 
 pub(super) fn run(args: &GapArgs, context: &Context<'_>) -> Result<(), Failure> {
-    let tolerance = Some(args.tolerance.asked_finer().unwrap_or(args.tolerance.value()));
+    let tolerance = args.tolerance.map(|tolerance| tolerance.asked_finer().unwrap_or(tolerance.value()));
     let question = GapQuestion {
         by: GapModel { tolerance, ..args.choices.input(args.model.0) },
-        pressures: load_inputs(&args.pressures),
-        pressure_ranges: range_inputs(&args.pressure_ranges),
+        pressures: load_inputs(&args.loads.pressures),
+        pressure_ranges: range_inputs(&args.loads.pressure_ranges),
         random: args.random.input(),
     };
     question.check()?;

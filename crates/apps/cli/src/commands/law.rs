@@ -1,16 +1,15 @@
 //! `law`: pressure against overclosure for finite elements.
 
-use contact_law::{ContactLawError, Heading, SamplingError};
-use questions::{FoundLaw, LIGHT_LOADS_SHARE, LawQuestion};
+use contact_law::{ContactLawError, Heading};
+use questions::{LawForm, LawQuestion};
 use report::provenance::provenance;
-use study::gap_law::GapError;
 use tables::Format;
 
 use super::{Context, say_all};
-use crate::args::{LawArgs, LawForm};
+use crate::args::LawArgs;
 use crate::failure::Failure;
 use crate::flags::Flags;
-use crate::progress::Unseen;
+use crate::progress::Progress;
 use crate::timings::Timings;
 
 pub(super) fn run(args: &LawArgs, context: &Context<'_>) -> Result<(), Failure> {
@@ -25,40 +24,26 @@ pub(super) fn run(args: &LawArgs, context: &Context<'_>) -> Result<(), Failure> 
     let mut timings = Timings::start();
     let surface = context.load(&args.psd, &args.reading, None)?;
     timings.lap("reading");
-    let found = question.answer(&surface, &Unseen)?;
-    say_all(&found.notes, &Flags);
-    let FoundLaw { law, range_pa, .. } = found;
+    let progress = Progress::counting("states");
+    let found = question.answer(&surface, &progress)?;
+    progress.aside(|| say_all(&found.notes, &Flags));
     let mut origin = provenance(context.typed, &surface, question.by.sampling.sampling());
     origin.push(format!("{}: {}", args.model.full_name, args.model.citation));
     let heading = Heading { provenance: origin, name: args.name.clone() };
     let text = match args.form {
         LawForm::Table => {
-            let sampled = law.sampled(range_pa, args.error)?;
+            let sampled = found.sampled(args.error, &progress)?;
             args.dialect.table(&sampled, args.units, &heading, &[])?
         }
-        LawForm::Exponential => {
-            let exponential = law.exponential(LIGHT_LOADS_SHARE).ok_or_else(|| {
-                Failure::Input(format!(
-                    "--form exponential is the law of light loads of Persson's theory, and --model {} has none; take the \
-                     table",
-                    args.model
-                ))
-            })?;
-            args.dialect.exponential(&exponential, args.units, &heading)?
-        }
+        LawForm::Exponential => args.dialect.exponential(&found.exponential()?, args.units, &heading)?,
     };
+    drop(progress);
     timings.lap("computing");
     context.targets(None)?;
     context.shared.output.write(|out| out.write_all(text.as_bytes()))?;
     timings.lap("writing");
     timings.report(context.shared.timings);
     Ok(())
-}
-
-impl From<SamplingError<GapError>> for Failure {
-    fn from(error: SamplingError<GapError>) -> Self {
-        Failure::input(error)
-    }
 }
 
 impl From<ContactLawError> for Failure {

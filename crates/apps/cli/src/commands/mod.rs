@@ -14,6 +14,7 @@ mod scan;
 mod spectrum_tables;
 mod stacked;
 mod statistical;
+mod surface_report;
 
 use std::time::{Duration, Instant};
 
@@ -36,7 +37,7 @@ use crate::flags::{Flags, failure};
 use crate::interruption;
 use crate::output::{Place, Stopped, publish, stage};
 use crate::picture::Picture;
-use crate::progress::{Progress, Unseen};
+use crate::progress::Progress;
 use crate::stderr::say;
 use crate::targets::Targets;
 use crate::timings::Timings;
@@ -65,6 +66,7 @@ pub fn run(args: Args, typed: &str) -> Result<(), Failure> {
         Command::Stacked(args) => stacked::run(&args, &context),
         Command::Statistical(args) => statistical::run(&args, &context),
         Command::Persson(args) => persson::run(&args, &context),
+        Command::Report(args) => surface_report::run(&args, &context),
         Command::Run(args) => run_scene::run(&args, &context),
         Command::Completions { shell } => completions::run(shell, &context),
         Command::Man(args) => man_pages::run(&args, &context),
@@ -92,7 +94,9 @@ impl Context<'_> {
         let mut timings = Timings::start();
         let surface = self.load(&psd.psd, &psd.reading, figure)?;
         timings.lap("reading");
-        let answer = question.answer(&surface, &Unseen)?;
+        let progress = Progress::towards(SpectrumQuestion::STEPS, "steps");
+        let answer = question.answer(&surface, &progress)?;
+        drop(progress);
         timings.lap("computing");
         let sampling = question.sampling.sampling();
         self.publish_answer(&answer, &surface, sampling, figure, timings)
@@ -266,16 +270,8 @@ fn compute(plan: &Plan<'_>) -> Result<Results, PlanError> {
 }
 
 /// The flag that gives an option of reading.
-fn flag_of(option: ReadOption) -> &'static str {
-    match option {
-        ReadOption::Column => "--column",
-        ReadOption::Convention => "--convention",
-        ReadOption::X => "--x",
-        ReadOption::Series => "--series",
-        ReadOption::Subject => "--subject",
-        ReadOption::XUnit => "--x-unit",
-        ReadOption::PsdUnit => "--psd-unit",
-    }
+fn flag_of(option: ReadOption) -> String {
+    format!("--{}", option.key().replace('_', "-"))
 }
 
 /// Loads as questions take them.

@@ -5,7 +5,7 @@ use std::path::Path;
 use persson::hardness_laws::HardnessTable;
 use questions::CurveQuestion;
 use state_tables::Flattened;
-use study::hardness_growth::GrowthLaw;
+use study::growth_law::GrowthLaw;
 use study::models::{self, Framework, ModelOptions};
 use study::persson_law::Deformation;
 use units::Bound;
@@ -32,11 +32,7 @@ fn over_cutoffs(
     args: &PerssonArgs,
     context: &Context<'_>,
 ) -> Result<(), Failure> {
-    let name = match deformation {
-        Deformation::Elastic => "persson",
-        Deformation::ElasticPlastic => "persson-plastic",
-    };
-    let model = models::named(Framework::Persson, name).map_err(Failure::input)?;
+    let model = models::named(Framework::Persson, deformation.model_name()).map_err(Failure::input)?;
     let material = args.material.input();
     let hardness_law = args.hardness_law.as_ref().map(|law| match law {
         GrowthArg::Law(law) => Ok(law.clone()),
@@ -48,15 +44,12 @@ fn over_cutoffs(
         name: Some("persson".to_owned()),
         options: ModelOptions {
             strain_gradient: material.strain_gradient_in(model),
-            correction: args.correction,
-            band: args.band,
-            gamma: Some(args.gamma),
             hardness_law: hardness_law.transpose()?,
-            ..ModelOptions::default()
+            ..args.options()
         },
         material,
-        pressures: load_inputs(&args.pressures),
-        pressure_ranges: range_inputs(&args.pressure_ranges),
+        pressures: load_inputs(&args.loads.pressures),
+        pressure_ranges: range_inputs(&args.loads.pressure_ranges),
         sampling: args.sampling.input(),
         amplitude: args.amplitude.amplitude,
         figure: figure.is_some(),
@@ -76,7 +69,7 @@ fn table_of_hardnesses(path: &Path) -> Result<HardnessTable, Failure> {
 
 fn of_rows(input: &Place, args: &PerssonArgs, context: &Context<'_>) -> Result<(), Failure> {
     let mut constants = Constants::default();
-    if args.pressures.len() > 1 {
+    if args.loads.pressures.len() > 1 {
         return Err(Failure::input("the rows of a table take one --pressure"));
     }
     let hardness_pa = args.material.indentation_hardness.map(|hardness| hardness.pa);
@@ -85,7 +78,7 @@ fn of_rows(input: &Place, args: &PerssonArgs, context: &Context<'_>) -> Result<(
             "--indentation-hardness has no bearing on --model elastic, which does not yield; leave it out",
         ));
     }
-    for (pressure, label) in &args.pressures {
+    for (pressure, label) in &args.loads.pressures {
         let pressure_pa = pressure.pascals(hardness_pa).ok_or_else(|| {
             Failure::Input(format!(
                 "--pressure {label}: a pressure in H needs the hardness: give --indentation-hardness"

@@ -1,6 +1,6 @@
 //! Tables of any length, checked as a whole and then computed block by block.
 
-use questions::{BodyInput, MaterialInput, Note, OptionName, QuestionError};
+use questions::{MaterialInput, Note, OptionName, QuestionError};
 
 use super::{Context, say_all};
 use crate::failure::Failure;
@@ -38,12 +38,9 @@ impl Constants {
 
     /// The elastic constants of the rough body.
     pub fn add_elastic(&mut self, material: &MaterialInput) -> Result<(), Failure> {
-        let MaterialInput { youngs_modulus_pa, poisson_ratio, .. } = *material;
-        if let (Some(youngs_modulus_pa), Some(poisson_ratio)) = (youngs_modulus_pa, poisson_ratio) {
-            BodyInput { youngs_modulus_pa, poisson_ratio }.body(OptionName::PoissonRatio)?;
-        }
-        self.add_number("--youngs-modulus", "youngs_modulus_pa", youngs_modulus_pa);
-        self.add_number("--poisson-ratio", "poisson_ratio", poisson_ratio);
+        material.body().map(|body| body.body(OptionName::PoissonRatio)).transpose()?;
+        self.add_number("--youngs-modulus", "youngs_modulus_pa", material.youngs_modulus_pa);
+        self.add_number("--poisson-ratio", "poisson_ratio", material.poisson_ratio);
         Ok(())
     }
 

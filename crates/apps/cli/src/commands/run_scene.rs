@@ -12,13 +12,14 @@ use crate::failure::Failure;
 use crate::files::Folder;
 use crate::interruption::EarlyEnd;
 use crate::output;
-use crate::output::{Place, make_folder, utf8};
+use crate::output::{Layout, Place, make_folder, utf8};
 use crate::progress::{Progress, Unseen, UntilEnded};
 use crate::targets::Targets;
 use crate::timings::Timings;
 use findings::answer::Answer;
+use findings::interface::InterfaceStates;
 use questions::{OptionName, Phase, RunError, RunOptions, Watch, run_scene};
-use report::assessment::Assessment;
+use report::conclusion_words::{SummaryEnd, short_summary};
 use report::explain::explain;
 use report::products::{self, SceneProducts};
 use report::reasons::reasons;
@@ -27,55 +28,115 @@ use report::scene_note_words;
 use report::summary::summary;
 use report::uncertainty_words;
 use scene::{FileContent, Overrides, Scene, SceneError, SceneProblem};
+use topography::Severity;
 
 pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> {
     let mut timings = Timings::start();
     let folder = args.out.clone().unwrap_or_else(|| default_folder(&args.scene));
     let scene = read(args, &folder, context)?;
     timings.lap("reading");
-    say_surface(&scene.surface);
-    say_notes(scene.notes.iter().map(scene_note_words::line));
+    if args.dry_run || args.explain {
+        say_scene(&scene);
+    }
     if args.dry_run {
         return print(&explain(&scene), context);
     }
     if args.explain {
-        let results = compute(&scene.plan()).map_err(|error| failed(args, error.into()))?;
+        let results = compute(&scene.plan()).map_err(|error| failed(error.into()))?;
         let answer = Answer::from_results(&scene, &results);
         return print(&format!("{}\n{}", explain(&scene), reasons(&scene, &results, &answer)), context);
     }
-    let watching = Watching { timings: RefCell::new(timings) };
-    let outcome = run_scene(&scene, options(args), &watching).map_err(|error| failed(args, error))?;
-    let mut timings = watching.timings.into_inner();
-    let assessment =
-        Assessment { judgement: outcome.judgement.as_ref(), uncertainty: outcome.uncertainty.as_ref() };
-    let (results, uncertainty) = (&outcome.results, &outcome.uncertainty);
-    let run_stamp = RunStamp { date: Some(now()), command: Some(context.typed.to_owned()) };
-    let findings = outcome.findings.as_ref();
-    make_folder("--out", &folder)?;
-    let products = SceneProducts { scene: &scene, results, findings, assessment, run_stamp: &run_stamp };
-    let written = output::write_products(&products, context.shared.format, &folder)?;
-    timings.lap("writing");
-    let files = format!("\n{} files in {}: {}\n", written.len(), folder.display(), written.join(", "));
-    let removed =
-        output::clear_earlier_runs(&folder, &written, args.out.as_ref().map(|_| scene.title.as_str()))?;
-    if !removed.is_empty() {
-        say_notes([format!("removed from {}, of an earlier run: {}", folder.display(), removed.join(", "))]);
-    }
-    let answer =
-        findings.map_or_else(|| Answer::from_results(&scene, results), |findings| findings.answer.clone());
-    print(&format!("{}{files}", summary(&scene, results, &answer, assessment)), context)?;
-    timings.report(context.shared.timings);
-    match uncertainty.as_ref().filter(|found| found.ended_early) {
-        None => Ok(()),
-        Some(found) => Err(Failure::EndedEarly(uncertainty_words::ended_early(found))),
+    let scene_run = SceneRun {
+        scene: &scene,
+        folder: &folder,
+        owns_folder: args.out.is_none(),
+        layout: Layout::Flat,
+        options: options(args),
+    };
+    scene_run.run(timings, context).map_err(|error| match error {
+        Failure::Input(message) => Failure::Input(format!("{}: {message}", args.scene)),
+        error => error,
+    })
+}
+
+/// Says the notes on a scene before anything of it is computed.
+fn say_scene(scene: &Scene) {
+    say_surface(&scene.surface);
+    say_notes(scene.notes.iter().map(scene_note_words::line));
+}
+
+/// A scene that is run into a folder.
+pub(super) struct SceneRun<'a> {
+    pub scene: &'a Scene,
+    pub folder: &'a Path,
+    /// True for a folder named after the scene: tables of any scene in it are of an earlier run.
+    pub owns_folder: bool,
+    pub layout: Layout,
+    pub options: RunOptions,
+}
+
+impl SceneRun<'_> {
+    /// Runs the scene, writes its files, and prints the summary.
+    pub fn run(&self, timings: Timings, context: &Context<'_>) -> Result<(), Failure> {
+        let SceneRun { scene, folder, owns_folder, layout, options } = *self;
+        if context.shared.verbose {
+            say_scene(scene);
+        }
+        let watching = Watching { timings: RefCell::new(timings) };
+        let outcome = run_scene(scene, options, &watching).map_err(failed)?;
+        let mut timings = watching.timings.into_inner();
+        let run_stamp = RunStamp { date: Some(now()), command: Some(context.typed.to_owned()) };
+        make_folder("--out", folder)?;
+        let (evidence, conclusions) = (outcome.evidence(scene), &outcome.conclusions);
+        let sensitivities = outcome.sensitivities.as_deref();
+        let products = SceneProducts { evidence, conclusions, sensitivities, run_stamp: &run_stamp };
+        let states = InterfaceStates::from_scene(scene, &outcome.results);
+        let report = folder.join(products::REPORT);
+        let report = options.report.then(|| report.display().to_string());
+        let noted = [Severity::Warning, Severity::Note]
+            .map(|severity| scene.surface.notes.iter().filter(|note| note.severity() == severity).count());
+        let end = SummaryEnd {
+            report: report.as_deref(),
+            warnings: noted[0],
+            notes: noted[1] + scene.notes.len(),
+            verbose_option: "-v",
+        };
+        let short = short_summary(conclusions, scene, states.as_ref(), &end);
+        let written = output::write_products(&products, &short, context.shared.format, folder, layout)?;
+        timings.lap("writing");
+        let mut text = short;
+        if context.shared.verbose {
+            text += &format!(
+                "\n{}\n{} files in {}: {}\n",
+                summary(&evidence, conclusions),
+                written.len(),
+                folder.display(),
+                written.join(", ")
+            );
+        }
+        let title = (!owns_folder).then_some(scene.title.as_str());
+        let removed = output::clear_earlier_runs(folder, layout, &written, title)?;
+        if !removed.is_empty() {
+            say_notes([format!(
+                "removed from {}, of an earlier run: {}",
+                folder.display(),
+                removed.join(", ")
+            )]);
+        }
+        print(&text, context)?;
+        timings.report(context.shared.timings);
+        match outcome.uncertainty.as_ref().filter(|found| found.ended_early) {
+            None => Ok(()),
+            Some(found) => Err(Failure::EndedEarly(uncertainty_words::ended_early(found))),
+        }
     }
 }
 
 /// Converts the error of a run: an interruption, or an error in the scene.
-fn failed(args: &RunArgs, error: RunError) -> Failure {
+fn failed(error: RunError) -> Failure {
     match error {
         RunError::Cancelled => Failure::Interrupted,
-        error => Failure::Input(format!("{}: {error}", args.scene)),
+        error => Failure::Input(error.to_string()),
     }
 }
 
@@ -157,7 +218,7 @@ fn overrides(args: &RunArgs) -> Result<Overrides, Failure> {
         normalisation: args.normalisation.normalisation,
         amplitude: args.amplitude.amplitude,
         scales_per_decade: args.sampling.scales_per_decade,
-        hardness: args.hardness.hardness,
+        hardness: args.hardness.hardness_formula,
         strength_cap: args.strength_cap.strength_cap,
         cutoff: args.sampling.cutoff,
         counterface: args

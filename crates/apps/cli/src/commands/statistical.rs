@@ -25,7 +25,7 @@ fn over_cutoffs(psd: &str, args: &StatisticalArgs, context: &Context<'_>) -> Res
     let figure = args.figure.figure.as_ref();
     let question = CurveQuestion {
         model: args.model,
-        options: ModelOptions { strain_gradient, ..options(args) },
+        options: ModelOptions { strain_gradient, ..args.options() },
         material,
         pressures: load_inputs(&args.pressures),
         pressure_ranges: range_inputs(&args.pressure_ranges),
@@ -40,15 +40,6 @@ fn over_cutoffs(psd: &str, args: &StatisticalArgs, context: &Context<'_>) -> Res
     context.curve(&question, psd, &args.reading, figure, &Flags)
 }
 
-fn options(args: &StatisticalArgs) -> ModelOptions {
-    ModelOptions {
-        strain_gradient: args.material.strain_gradient_length.is_some(),
-        hardness: args.hardness.hardness,
-        interference_law: args.interference_law,
-        ..ModelOptions::default()
-    }
-}
-
 fn of_rows(input: &Place, args: &StatisticalArgs, context: &Context<'_>) -> Result<(), Failure> {
     let used = args.tolerance.value();
     let too_fine = args.tolerance.asked_finer().map(|asked| Note::ToleranceTooFine { asked, used });
@@ -56,7 +47,7 @@ fn of_rows(input: &Place, args: &StatisticalArgs, context: &Context<'_>) -> Resu
     let mut rows = Populations::new();
     let material = args.material.input();
     rows.counterface = material.counterface()?;
-    rows.options = options(args);
+    rows.options = args.options();
     rows.strength_cap = material.strength_cap;
     rows.given = args.given;
     rows.how_to_say_given = "say with --given which one counts";

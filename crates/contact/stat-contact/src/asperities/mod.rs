@@ -1,5 +1,6 @@
 //! Populations of asperities under their laws, as seen by a quadrature over the interference: [`answers`] has the
-//! trait, [`pieces`] the intervals and coordinates in which a law is smooth. Each law has a file.
+//! trait, [`pieces`] the intervals and coordinates in which a law is smooth. Each law has a file, and a variant of
+//! [`AsperityLaw`] with its parameters.
 
 pub mod answers;
 pub mod bem_sines;
@@ -13,3 +14,141 @@ pub mod hertz_ellipses;
 pub mod hertz_spheres;
 pub mod pieces;
 pub mod sine_charts;
+
+use asperity::{Hardness, MaterialPair, NixGao};
+use units::named;
+
+use self::answers::Asperities;
+use self::bem_sines::BemSines;
+use self::elastic_plastic_sines::ElasticPlasticSines;
+use self::elastic_plastic_spheres::ElasticPlasticSpheres;
+use self::elastic_sines::ElasticSines;
+use self::gradient_sines::GradientSines;
+use self::hertz_spheres::ElasticSpheres;
+use crate::Population;
+
+/// Response of one asperity to the flat that presses on it (`docs/theory/models.md`, sections 2 and 3.1).
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub enum AsperityLaw {
+    /// An elastic sphere (Greenwood & Williamson 1966).
+    Hertz,
+    /// Elastic-plastic sphere of Jackson & Green (2005; section 2.2); the area of one never exceeds pi R^2.
+    EpSphere {
+        /// Yield strength, at the depth of the interference.
+        strength: NixGao,
+        /// Decrease of the hardness as the contact grows.
+        hardness: Hardness,
+    },
+    /// The elastic sinusoid of Johnson, Greenwood & Higginson (1985; section 2.3), with the density and the curvature
+    /// of the population (Jackson & Jacobs, Eqs. 6 and 7).
+    ElasticSine {
+        /// Relation between pressure and interference.
+        interference: InterferenceLaw,
+    },
+    /// The elastic-plastic sinusoid of Krithivasan & Jackson (2007; section 2.4), pressed by the mean gap of Rostami &
+    /// Jackson (2013; section 2.6).
+    EpSine {
+        /// Yield strength, at the depth of the interference.
+        strength: NixGao,
+    },
+}
+
+impl AsperityLaw {
+    /// Strength of the asperities, if they yield.
+    #[must_use]
+    pub fn strength(mut self) -> Option<NixGao> {
+        self.strength_mut().copied()
+    }
+
+    /// Returns this law with another strength; `None` if it never yields.
+    #[must_use]
+    pub fn with_strength(mut self, strength: NixGao) -> Option<Self> {
+        *self.strength_mut()? = strength;
+        Some(self)
+    }
+
+    /// Returns this law with another form of the hardness; `None` if it has no hardness.
+    #[must_use]
+    pub fn with_hardness(self, hardness: Hardness) -> Option<Self> {
+        match self {
+            AsperityLaw::EpSphere { strength, .. } => Some(AsperityLaw::EpSphere { strength, hardness }),
+            _ => None,
+        }
+    }
+
+    /// Returns this law with another relation between pressure and interference; `None` if it has only one.
+    #[must_use]
+    pub fn with_interference(self, interference: InterferenceLaw) -> Option<Self> {
+        match self {
+            AsperityLaw::ElasticSine { .. } => Some(AsperityLaw::ElasticSine { interference }),
+            _ => None,
+        }
+    }
+
+    fn strength_mut(&mut self) -> Option<&mut NixGao> {
+        match self {
+            AsperityLaw::Hertz | AsperityLaw::ElasticSine { .. } => None,
+            AsperityLaw::EpSphere { strength, .. } => Some(strength),
+            AsperityLaw::EpSine { strength } => Some(strength),
+        }
+    }
+
+    /// Population of asperities that follow this law.
+    pub(crate) fn asperities(self, pair: &MaterialPair, population: &Population) -> Box<dyn Asperities> {
+        match self {
+            AsperityLaw::Hertz => Box::new(ElasticSpheres::new(pair, population)),
+            AsperityLaw::EpSphere { strength, hardness } => {
+                Box::new(ElasticPlasticSpheres::new(pair, population, strength, hardness))
+            }
+            AsperityLaw::ElasticSine { interference: InterferenceLaw::RostamiJackson } => {
+                Box::new(ElasticSines::new(pair, population))
+            }
+            AsperityLaw::ElasticSine { interference: InterferenceLaw::Bem } => {
+                Box::new(BemSines::new(pair, population))
+            }
+            AsperityLaw::EpSine { strength } if strength.strain_gradient_length_m().is_none() => {
+                let strength_pa = strength.macroscopic_strength_pa();
+                Box::new(ElasticPlasticSines::new(pair, population, strength_pa))
+            }
+            AsperityLaw::EpSine { strength } => Box::new(GradientSines::new(pair, population, strength)),
+        }
+    }
+}
+
+/// Mean gap of the elastic sinusoid over its mean pressure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum InterferenceLaw {
+    /// The fit of Rostami & Jackson (2013), not Hertzian at light pressure.
+    #[default]
+    RostamiJackson,
+    /// Boundary-element solutions, Hertzian at light pressure (section 3.3).
+    Bem,
+}
+
+named!(InterferenceLaw, "interference law", {
+    RostamiJackson => "rostami-jackson",
+    Bem => "bem",
+});
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_parse_as_printed() {
+        for law in InterferenceLaw::ALL {
+            assert_eq!(law.to_string().parse::<InterferenceLaw>().as_ref(), Ok(law));
+        }
+    }
+
+    #[test]
+    fn a_yielding_law_takes_another_strength_and_keeps_its_other_options() {
+        let [soft, hard] = [1e9, 2e9].map(|strength_pa| NixGao::constant(strength_pa).unwrap());
+        let law = AsperityLaw::EpSphere { strength: soft, hardness: Hardness::Cosine };
+        let harder = law.with_strength(hard).unwrap();
+        assert_eq!(harder, AsperityLaw::EpSphere { strength: hard, hardness: Hardness::Cosine });
+        assert_eq!((law.strength(), harder.strength()), (Some(soft), Some(hard)));
+        assert_eq!((AsperityLaw::Hertz.strength(), AsperityLaw::Hertz.with_strength(hard)), (None, None));
+    }
+}

@@ -111,6 +111,12 @@ impl Doubt {
         doubts
     }
 
+    /// Returns true for a doubt about what was typed, false for one about the area of a model.
+    #[must_use]
+    pub fn is_about_inputs(&self) -> bool {
+        !matches!(self, Doubt::RealAboveHardness { .. } | Doubt::RealAboveThirdModulus { .. })
+    }
+
     /// Doubts about the slopes of a spectrum. A mistaken unit shows here.
     #[must_use]
     pub fn of_spectrum(psd: &ProfilePsd) -> Vec<Doubt> {

@@ -5,7 +5,7 @@ use std::cell::OnceCell;
 use asperity::MaterialPair;
 use interface::OutOfBounds;
 use interface::adhesion::{FullerTabor, PastewkaRobbins, StickyContact};
-use interface::conductance::{CutSurface, PlasticCorrelation, PressureRatio, RelativeStiffness};
+use interface::conductance::{CutSurface, PlasticCorrelation, PressureRatio, RelativeStiffness, Spot};
 use interface::friction::SlidingContact;
 use interface::leak::Constriction;
 use persson::corrections::Correction;
@@ -255,6 +255,12 @@ impl<'a> InterfaceStates<'a> {
         }
     }
 
+    /// The spot that conducts like the whole interface, if its nominal area is known.
+    fn spot(&self, stiffness: &RelativeStiffness) -> Result<Option<Spot>, InterfaceError> {
+        let spot = self.request.nominal_area_m2.map(|area_m2| stiffness.equivalent_spot(area_m2));
+        spot.transpose()
+    }
+
     fn heat(&self, load: usize, quantity: Quantity) -> Result<Option<f64>, InterfaceError> {
         let (Some(conductivities), Some(stiffness)) =
             (&self.request.conductivities, self.relative_stiffness(load)?)
@@ -264,8 +270,7 @@ impl<'a> InterfaceStates<'a> {
         if quantity == Quantity::ThermalConductance {
             return Ok(Some(stiffness.thermal_conductance_w_per_m2_k(conductivities)));
         }
-        let spot =
-            self.request.nominal_area_m2.map(|area_m2| stiffness.equivalent_spot(area_m2)).transpose()?;
+        let spot = self.spot(&stiffness)?;
         Ok(spot.map(|spot| spot.thermal_resistance_k_per_w(conductivities)))
     }
 
@@ -278,8 +283,7 @@ impl<'a> InterfaceStates<'a> {
         if quantity == Quantity::ElectricalConductance {
             return Ok(Some(stiffness.electrical_conductance_s_per_m2(resistivities)));
         }
-        let spot =
-            self.request.nominal_area_m2.map(|area_m2| stiffness.equivalent_spot(area_m2)).transpose()?;
+        let spot = self.spot(&stiffness)?;
         Ok(spot.map(|spot| spot.electrical_resistance_ohm(resistivities)))
     }
 

@@ -12,9 +12,9 @@ pub fn area_against_load(loads: &[PressedLoad]) -> FigureData {
     let mut means: Vec<(f64, Mean)> =
         loads.iter().map(|load| (load.nominal_pressure_pa, load.mean())).collect();
     means.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let line = |colour: usize, name: &str, of: fn(&Mean) -> Option<f64>| {
+    let line = |index: usize, name: &str, of: fn(&Mean) -> Option<f64>| {
         let points = means.iter().filter_map(|(pressure_pa, mean)| Some((*pressure_pa, of(mean)?)));
-        Series::under(name, colour, points.collect())
+        Series::under(name, index, points.collect())
     };
     let lines = [
         line(0, "points in contact", |mean| Some(mean.area_fraction)),

@@ -28,22 +28,16 @@ pub(crate) fn gap_against_load(
     let along: Vec<f64> = log_spaced(least_pa, most_pa, POINTS).collect();
     // Nearly closed gaps would take up most of a logarithmic axis.
     let least_m = 1e-3 * states.rms_height_m();
-    let line = |column: &str, dash: usize, gap_m: &dyn Fn(f64) -> f64| {
+    let line = |column: &str, curve_index: usize, gap_m: &dyn Fn(f64) -> f64| {
         let points: Vec<(f64, f64)> = along
             .iter()
             .map(|&pressure_pa| (pressure_pa, gap_m(pressure_pa)))
             .filter(|(_, gap_m)| *gap_m > least_m)
             .collect();
-        Series {
-            curve: column.to_owned(),
-            condition: String::new(),
-            condition_in_full: String::new(),
-            dash,
-            ..Series::under(column, 0, points)
-        }
+        Series { curve: column.to_owned(), curve_index, ..Series::alone(column, points) }
     };
-    let whole = line("mean gap", 0, &|pressure_pa| states.separation_under(pressure_pa).mean_gap_m);
-    let law = line("law of light loads", 1, &|pressure_pa| {
+    let whole = line("mean gap", 1, &|pressure_pa| states.separation_under(pressure_pa).mean_gap_m);
+    let law = line("law of light loads", 0, &|pressure_pa| {
         light.decay_length_m * (light.reference_pressure_pa / pressure_pa).ln()
     });
     let mark = |load: usize| {
@@ -53,7 +47,7 @@ pub(crate) fn gap_against_load(
         let [low, high] = interval.map_or([y, y], |interval| [interval.low, interval.high]);
         let x = scene.needs.loads[load].nominal_pressure_pa();
         let label = "loads of the scene".to_owned();
-        Some(Mark { label, is_ring: false, colour: 0, x, y, low: low.min(y), high: high.max(y) })
+        Some(Mark { label, is_ring: false, condition_index: None, x, y, low: low.min(y), high: high.max(y) })
     };
     Some(FigureData {
         name: "gap".to_owned(),

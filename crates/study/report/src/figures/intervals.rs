@@ -37,8 +37,7 @@ fn band(data: &FigureData, scene: &Scene, label: &str, area: &AreaBand) -> Optio
         label: label.to_owned(),
         kind: BandKind::Interval,
         load: line.load,
-        colour: line.colour,
-        dash: line.dash,
+        curve_index: line.curve_index,
         points: points.collect(),
     })
 }
@@ -53,19 +52,19 @@ fn bars(
 ) -> Vec<Mark> {
     let ends = figure.sweeps.iter().zip(&data.series).filter_map(|(&sweep, line)| {
         let sweep = scene.needs.sweeps.get(sweep)?;
-        (sweep.cutoff_multiple == 1.0).then_some((sweep.curve, line.colour))
+        (sweep.cutoff_multiple == 1.0).then_some((sweep.curve, line.condition_index))
     });
-    let bar = |area: &AreaInterval, colour: usize| Mark {
+    let bar = |area: &AreaInterval, condition_index: Option<usize>| Mark {
         label: label.to_owned(),
         is_ring: false,
-        colour,
+        condition_index,
         x: scene.needs.loads[area.load].nominal_pressure_pa(),
         y: area.area_fraction,
         low: area.low,
         high: area.high,
     };
-    ends.flat_map(|(curve, colour)| {
-        uncertainty.areas.iter().filter(move |area| area.curve == curve).map(move |area| bar(area, colour))
+    ends.flat_map(|(curve, condition)| {
+        uncertainty.areas.iter().filter(move |area| area.curve == curve).map(move |area| bar(area, condition))
     })
     .filter(|mark| mark.low > 0.0)
     .collect()

@@ -24,7 +24,7 @@ pub(crate) fn with_marks(figure: FigureData, judgement: &Judgement, scene: &Scen
         let mark = Mark {
             label: label.to_owned(),
             is_ring,
-            colour: on.load,
+            condition_index: Some(on.load),
             x: on.shortest_m,
             y: judged.area_fraction,
             low: (judged.area_fraction - given).max(0.1 * judged.area_fraction),

@@ -2,20 +2,19 @@
 
 use maud::{Markup, html};
 
-use super::SceneReport;
+use super::{SceneReport, Section};
 use crate::answer_words;
 use crate::scan_words;
 use crate::summary::sampling;
 use crate::verdict_words;
 use units::display::typeset;
 
-pub(super) fn lead(scenes: &[SceneReport<'_>]) -> Markup {
-    html! {
-        section id="answer" {
-            h2 { "The answer" }
-            div.answers { @for scene in scenes { div { (of(scene, scenes.len() > 1)) } } }
-        }
-    }
+pub(super) fn section(scenes: &[SceneReport<'_>], figures: &Markup) -> Section {
+    let body = html! {
+        div.answers { @for scene in scenes { div { (of(scene, scenes.len() > 1)) } } }
+        (figures)
+    };
+    Section { id: "answer", title: "The answer in words", body }
 }
 
 fn of(report: &SceneReport<'_>, several: bool) -> Markup {
@@ -24,7 +23,7 @@ fn of(report: &SceneReport<'_>, several: bool) -> Markup {
     let shortcomings = answer_words::shortcomings(answer, scene, report.results);
     html! {
         @if several { h3 { (report.label) } }
-        @for text in verdict_words::opening(scene, answer, report.assessment) { p.first { strong { (typeset(&text)) } } }
+        @for text in verdict_words::opening(report.conclusions, &report.evidence) { p.first { strong { (typeset(&text)) } } }
         p.spectrum { (sampling(report.results)) "." @for note in scan_words::foremost(&scene.surface) { " " strong { (sentence(&note)) } } }
         @if scene.needs.curves.is_empty() { p { "No contact was computed: the scene has no curves." } }
         @for text in &sentences { p { (with_name_in_bold(text)) } }

@@ -15,7 +15,7 @@ pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
 }
 
 fn of(report: &SceneReport<'_>) -> Option<Markup> {
-    let uncertainty = report.assessment.uncertainty?;
+    let uncertainty = report.evidence.uncertainty?;
     Some(html! {
         @for text in uncertainty_words::sentences(uncertainty) { p { (typeset(&text)) } }
         (intervals(report, uncertainty))

@@ -24,7 +24,7 @@ fn of(report: &SceneReport<'_>, at: usize) -> Option<Markup> {
     let further = interface_words::further_keys(report.scene);
     Some(html! {
         @if let Some(states) = &found {
-            @for note in interface_words::notes(states, report.scene, report.assessment.uncertainty) { p { (typeset(&capital(&note))) "." } }
+            @for note in interface_words::notes(states, report.scene, report.evidence.uncertainty) { p { (typeset(&capital(&note))) "." } }
             (quantities(report, states))
             (gap(report, states, &format!("scene-{at}-gap")))
         }
@@ -33,7 +33,7 @@ fn of(report: &SceneReport<'_>, at: usize) -> Option<Markup> {
 }
 
 fn quantities(report: &SceneReport<'_>, states: &InterfaceStates<'_>) -> Markup {
-    let uncertainty = report.assessment.uncertainty;
+    let uncertainty = report.evidence.uncertainty;
     let head = html! {
         tr {
             th scope="col" { "nominal pressure" } th scope="col" { "quantity" } th scope="col" { "value" }
@@ -77,7 +77,7 @@ fn quantities(report: &SceneReport<'_>, states: &InterfaceStates<'_>) -> Markup 
 }
 
 fn gap(report: &SceneReport<'_>, states: &InterfaceStates<'_>, id: &str) -> Markup {
-    let Some(figure) = gap_against_load(states, report.scene, report.assessment.uncertainty) else {
+    let Some(figure) = gap_against_load(states, report.scene, report.evidence.uncertainty) else {
         return html! {};
     };
     let words = format!("{} against {}", figure.y_label, figure.x_label);

@@ -3,7 +3,7 @@
 use maud::{Markup, PreEscaped, html};
 
 use super::{SceneReport, Section, per_numbered_scene, table};
-use crate::advice_words::{describe_step, in_a_line, narrows, settling, subject};
+use crate::advice_words::{describe_step, foremost_advice, in_a_line, narrows, settling, subject};
 use crate::plot;
 use uncertainty::{Advice, DecadeOfVariance, Uncertainty};
 use units::display::{length, typeset};
@@ -19,8 +19,8 @@ pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
 }
 
 fn of(report: &SceneReport<'_>, at: usize) -> Option<Markup> {
-    let uncertainty = report.assessment.uncertainty?;
-    let advice = report.assessment.foremost_advice()?;
+    let uncertainty = report.evidence.uncertainty?;
+    let advice = foremost_advice(&report.evidence, report.conclusions)?;
     let worthwhile: Vec<String> = advice
         .steps
         .iter()

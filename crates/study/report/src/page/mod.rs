@@ -4,14 +4,17 @@
 //! its part from a [`SceneReport`] alone.
 
 mod answer;
+mod area_curve;
 mod choices;
 mod decades;
 mod disagreements;
 mod figures;
+mod first_screen;
 mod how_sure;
 mod key_numbers;
 mod meaning;
 mod measure_next;
+mod model_style;
 mod provenance;
 mod sensitivities;
 mod validity;
@@ -19,9 +22,9 @@ mod verdict;
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-use crate::assessment::Assessment;
-use crate::curve_names::in_full;
+use crate::curve_names::{in_full, short_name};
 use crate::run_stamp::RunStamp;
+use conclusions::{Conclusions, Evidence};
 use findings::answer::{Answer, LoadAnswer};
 use findings::sensitivity::Sensitivity;
 use scene::Scene;
@@ -39,8 +42,10 @@ pub struct SceneReport<'a> {
     pub results: &'a Results,
     /// Its answer.
     pub answer: &'a Answer,
-    /// The assessment of its results.
-    pub assessment: Assessment<'a>,
+    /// Everything found about it.
+    pub evidence: Evidence<'a>,
+    /// The conclusions.
+    pub conclusions: &'a Conclusions,
     /// The sensitivities of its areas to modelling choices.
     pub sensitivities: &'a [Sensitivity],
     /// Its figures. The first one shows the answer, if it is one of area against cutoff.
@@ -77,6 +82,7 @@ impl Report<'_> {
     pub fn html(&self) -> String {
         let scenes = &self.scenes;
         let sections: Vec<Section> = [
+            Some(answer::section(scenes, &figures::of_the_answer(scenes))),
             verdict::section(scenes),
             how_sure::section(scenes),
             measure_next::section(scenes),
@@ -85,7 +91,6 @@ impl Report<'_> {
             decades::section(scenes),
             disagreements::section(scenes),
             figures::section(scenes),
-            self.extra.clone(),
             sensitivities::section(scenes),
             validity::section(scenes),
             choices::section(scenes),
@@ -107,16 +112,15 @@ impl Report<'_> {
                 body {
                     header {
                         h1 { (self.title) }
-                        p.subtitle { "Real contact area, and the scales of roughness that decide it" }
                     }
                     main {
-                        (answer::lead(scenes))
-                        (figures::of_the_answer(scenes))
-                        nav aria-label="Contents" {
-                            ul { @for section in &sections { li { a href={ "#" (section.id) } { (section.title) } } } }
-                        }
+                        @for (at, scene) in scenes.iter().enumerate() { (first_screen::first_screen(scene, at, scenes.len() > 1)) }
+                        @if let Some(extra) = &self.extra { section id=(extra.id) { h2 { (extra.title) } (extra.body) } }
                         @for section in &sections {
-                            section id=(section.id) { h2 { (section.title) } (section.body) }
+                            details.folded id=(section.id) {
+                                summary { h2 { (section.title) } }
+                                (section.body)
+                            }
                         }
                     }
                 }
@@ -184,6 +188,11 @@ impl SceneReport<'_> {
             self.scene.needs.loads[load].nominal_pressure_pa(),
             self.scene.hardness_pa(),
         )
+    }
+
+    /// A curve's short name.
+    fn short_curve(&self, curve: usize) -> String {
+        short_name(&self.scene.needs.curves[curve])
     }
 
     /// A curve's name in full.

@@ -12,7 +12,7 @@ pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
 }
 
 fn of(report: &SceneReport<'_>) -> Option<Markup> {
-    let judgement = report.assessment.judgement?;
+    let judgement = report.evidence.judgement?;
     let head = html! {
         tr {
             th scope="col" { "nominal pressure" } th scope="col" { "model" } th scope="col" { "area" }
@@ -29,16 +29,17 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
                     th scope="row" { (report.load(row.load)) }
                     td { span.curve { (report.curve(row.curve)) } }
                     td { (digits(row.area_fraction)) }
-                    td { (digits(row.ratio)) }
+                    td { (digits(row.ratio())) }
                     td { (row.verdict.name()) }
                     td { (typeset(&row.reason.to_string())) }
                 }
             }
         }
     };
-    let caption = "Every curve under every load: its area over that of boundary elements on its worst window of the spectrum.";
+    let caption =
+        "Every curve under every load: its area over that of boundary elements, both with the whole band.";
     Some(html! {
-        @for text in verdict_words::sentences(judgement, report.scene, report.answer) { p { (typeset(&text)) } }
+        @for text in verdict_words::sentences(judgement, report.scene) { p { (typeset(&text)) } }
         (table(caption, &head, &body))
     })
 }

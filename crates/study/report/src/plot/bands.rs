@@ -6,8 +6,8 @@ use kuva::render::layout::ComputedLayout;
 use kuva::render::render::{PathData, Primitive, Scene};
 
 use super::labels::Box;
-use super::style::{colour, dash};
-use study::figure::{Band, BandKind};
+use super::style::{colour, colour_index, dash, dash_index};
+use study::figure::{Band, BandKind, FigureData};
 
 /// The opacity of a yardstick.
 pub(super) const OPACITY: f64 = 0.18;
@@ -17,13 +17,13 @@ pub(super) const INTERVAL_OPACITY: f64 = 0.1;
 pub(super) const EDGE_PX: f64 = 0.75;
 
 /// Draws the bands as far as they lie inside the frame.
-pub(super) fn draw(scene: &mut Scene, computed: &ComputedLayout, frame: Box, bands: &[Band]) {
-    for band in bands {
+pub(super) fn draw(scene: &mut Scene, computed: &ComputedLayout, frame: Box, figure: &FigureData) {
+    for band in &figure.bands {
         let inside = visible(computed, frame, band);
         if inside.is_empty() {
             continue;
         }
-        let dark = colour(band.colour);
+        let dark = colour(colour_index(figure, band.load));
         let opacity = match band.kind {
             BandKind::Yardstick => OPACITY,
             BandKind::Interval => INTERVAL_OPACITY,
@@ -44,7 +44,7 @@ pub(super) fn draw(scene: &mut Scene, computed: &ComputedLayout, frame: Box, ban
                     stroke: Color::from(dark.as_str()),
                     stroke_width: EDGE_PX,
                     opacity: None,
-                    stroke_dasharray: dash(band.dash).dasharray(),
+                    stroke_dasharray: dash(dash_index(figure, band.curve_index)).dasharray(),
                 })));
             }
         }

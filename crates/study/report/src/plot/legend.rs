@@ -6,7 +6,7 @@ use kuva::render::render::{Primitive, Scene, TextAnchor};
 
 use super::bands::{EDGE_PX, INTERVAL_OPACITY, OPACITY};
 use super::marks;
-use super::style::{NEUTRAL, colour, dash, tint};
+use super::style::{NEUTRAL, colour, colour_index, dash, dash_index, tint};
 use super::text_width_px;
 use study::figure::{BandKind, FigureData};
 
@@ -124,7 +124,8 @@ fn conditions(figure: &FigureData) -> Vec<Entry<'_>> {
         let label = series.condition_in_full.as_str();
         if !entries.iter().any(|entry| entry.label == label) {
             let sample = Sample::Line { dash: 0, width_px: 2.0 };
-            entries.push(Entry { label, colour: colour(series.colour), sample });
+            let colour = colour(colour_index(figure, series.condition_index));
+            entries.push(Entry { label, colour, sample });
         }
     }
     entries
@@ -136,9 +137,9 @@ fn curves(figure: &FigureData) -> Vec<Entry<'_>> {
     let mut entries: Vec<Entry<'_>> = Vec::new();
     for series in figure.series.iter().filter(|series| compared && !series.curve.is_empty()) {
         if !entries.iter().any(|entry| entry.label == series.curve) {
-            let (colour, width_px) =
-                if series.dash == 0 { (tint(NEUTRAL), 3.5) } else { (colour(NEUTRAL), 1.6) };
-            let sample = Sample::Line { dash: series.dash, width_px };
+            let dash = dash_index(figure, series.curve_index);
+            let (colour, width_px) = if dash == 0 { (tint(NEUTRAL), 3.5) } else { (colour(NEUTRAL), 1.6) };
+            let sample = Sample::Line { dash, width_px };
             entries.push(Entry { label: &series.curve, colour, sample });
         }
     }

@@ -5,8 +5,6 @@ use kuva::render::layout::ComputedLayout;
 use kuva::render::render::{Primitive, Scene};
 use study::figure::Mark;
 
-use super::style::colour;
-
 const RADIUS_PX: f64 = 3.0;
 const CAP_PX: f64 = 3.0;
 const WIDTH_PX: f64 = 1.2;
@@ -16,19 +14,18 @@ pub(super) fn ends(mark: &Mark) -> [(f64, f64); 2] {
     [(mark.x, mark.low), (mark.x, mark.high)]
 }
 
-/// Draws a mark among the lines: a disc, and a bar with caps from the least to the largest value.
-pub(super) fn draw(scene: &mut Scene, computed: &ComputedLayout, mark: &Mark) {
+/// Draws a mark among the lines in their colour: a disc, and a bar with caps from the least to the largest value.
+pub(super) fn draw(scene: &mut Scene, computed: &ComputedLayout, mark: &Mark, dark: &str) {
     let x = computed.map_x(mark.x.log10());
     let [y, low, high] = [mark.y, mark.low, mark.high].map(|value| computed.map_y(value.log10()));
-    let dark = colour(mark.colour);
     let mut line = |x1: f64, y1: f64, x2: f64, y2: f64| {
-        let stroke = Color::from(dark.as_str());
+        let stroke = Color::from(dark);
         scene.add(Primitive::Line { x1, y1, x2, y2, stroke, stroke_width: WIDTH_PX, stroke_dasharray: None });
     };
     line(x, low, x, high);
     line(x - CAP_PX, low, x + CAP_PX, low);
     line(x - CAP_PX, high, x + CAP_PX, high);
-    disc(scene, x, y, &dark, mark.is_ring);
+    disc(scene, x, y, dark, mark.is_ring);
 }
 
 /// A disc with a white rim, which is seen on top of lines, or a ring.

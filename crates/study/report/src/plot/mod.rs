@@ -23,7 +23,7 @@ pub(crate) use shares::shares_of_decades;
 use decades::{Decades, powers_of_ten};
 use labels::{Box, Track};
 use study::figure::{FigureData, Series};
-use style::{colour, dash, tint};
+use style::{colour, colour_index, dash, dash_index, tint};
 use thinned::thinned;
 use units::display::typeset;
 
@@ -81,14 +81,20 @@ fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
         let pieces = figure.pieces(series).into_iter().map(|piece| thinned(logarithms(&piece)));
         pieces.filter(|piece| !piece.is_empty()).collect()
     };
-    let traces: Vec<Trace<'_>> =
-        figure.series.iter().map(|series| Trace { series, runs: drawn(series) }).collect();
+    let traces: Vec<Trace> = figure
+        .series
+        .iter()
+        .map(|series| Trace {
+            label: typeset(&series.condition),
+            colour: colour_index(figure, series.condition_index),
+            dash: dash_index(figure, series.curve_index),
+            runs: drawn(series),
+        })
+        .collect();
     // Lines that coincide have to be seen: solid ones are broad and pale, and dashed ones lie dark on top of them.
-    let (solid, dashed): (Vec<_>, Vec<_>) = traces.iter().partition(|trace| trace.series.dash == 0);
-    let traces: Vec<&Trace<'_>> = solid.into_iter().chain(dashed).collect();
-    let line = |trace: &&Trace<'_>| {
-        trace.runs.iter().map(|run| line(trace.series, run, compared)).collect::<Vec<_>>()
-    };
+    let (solid, dashed): (Vec<_>, Vec<_>) = traces.iter().partition(|trace| trace.dash == 0);
+    let traces: Vec<&Trace> = solid.into_iter().chain(dashed).collect();
+    let line = |trace: &&Trace| trace.runs.iter().map(|run| line(trace, run, compared)).collect::<Vec<_>>();
     let lines: Vec<Plot> = traces.iter().flat_map(line).collect();
     let layout = layout
         .with_x_axis_min(x.first)
@@ -111,19 +117,19 @@ fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
     for (from, to) in &figure.gaps {
         shade(&mut scene, &computed, frame, [from.log10(), to.log10()]);
     }
-    bands::draw(&mut scene, &computed, frame, &figure.bands);
+    bands::draw(&mut scene, &computed, frame, figure);
     for mark in &figure.marks {
-        marks::draw(&mut scene, &computed, mark);
+        marks::draw(&mut scene, &computed, mark, &colour(colour_index(figure, mark.condition_index)));
     }
     let in_pixels = |points: &[(f64, f64)]| {
         points.iter().map(|(x, y)| (computed.map_x(*x), computed.map_y(*y))).collect()
     };
     let tracks: Vec<Track> = traces
         .iter()
-        .flat_map(|trace| trace.runs.iter().map(move |run| (trace.series, run)))
-        .map(|(series, run)| Track {
-            label: typeset(&series.condition),
-            colour: series.colour,
+        .flat_map(|trace| trace.runs.iter().map(move |run| (trace, run)))
+        .map(|(trace, run)| Track {
+            label: trace.label.clone(),
+            colour: trace.colour,
             points: in_pixels(run),
         })
         .collect();
@@ -145,8 +151,10 @@ fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
 }
 
 /// A line and its drawn parts between holes, in powers of ten.
-struct Trace<'f> {
-    series: &'f Series,
+struct Trace {
+    label: String,
+    colour: usize,
+    dash: usize,
     runs: Vec<Vec<(f64, f64)>>,
 }
 
@@ -199,16 +207,16 @@ fn logarithms(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     points.iter().filter(|(_, y)| *y > 0.0).map(|(x, y)| (x.log10(), y.log10())).collect()
 }
 
-fn line(series: &Series, points: &[(f64, f64)], compared: bool) -> Plot {
+fn line(trace: &Trace, points: &[(f64, f64)], compared: bool) -> Plot {
     let points = points.to_vec();
-    let dark = colour(series.colour);
+    let dark = colour(trace.colour);
     if points.len() == 1 {
         return Plot::Scatter(ScatterPlot::new().with_data(points).with_color(dark).with_size(3.0));
     }
     let (colour, width_px) =
-        if compared && series.dash == 0 { (tint(series.colour), 3.5) } else { (dark, 1.6) };
+        if compared && trace.dash == 0 { (tint(trace.colour), 3.5) } else { (dark, 1.6) };
     let line = LinePlot::new().with_data(points).with_color(colour).with_stroke_width(width_px);
-    Plot::Line(line.with_line_style(dash(series.dash)))
+    Plot::Line(line.with_line_style(dash(trace.dash)))
 }
 
 /// An upper estimate of the width of a text in the usual fonts.
@@ -258,14 +266,8 @@ mod tests {
 
     fn figure(name: &str) -> FigureData {
         let series = Series {
-            column: String::new(),
-            curve: String::new(),
-            condition: "1e-3 H".to_owned(),
             condition_in_full: "10 MPa = 10⁻³ H".to_owned(),
-            load: None,
-            colour: 0,
-            dash: 0,
-            points: vec![(1.0, 1e-30), (10.0, 1e-20)],
+            ..Series::under("1e-3 H", 0, vec![(1.0, 1e-30), (10.0, 1e-20)])
         };
         FigureData {
             name: name.to_owned(),
@@ -315,12 +317,11 @@ mod tests {
     fn a_band_is_drawn_inside_the_frame_and_named_once() {
         let mut figure = figure("a");
         let whole = svg(&figure, "", &[]);
-        let band = |colour, share: f64| Band {
+        let band = |load, share: f64| Band {
             label: "linear laws".to_owned(),
             kind: BandKind::Yardstick,
-            load: None,
-            colour,
-            dash: 0,
+            load: Some(load),
+            curve_index: 0,
             points: [1.0, 3.0, 10.0].map(|x| (x, [1e-26 * share, 3e-26 * share])).to_vec(),
         };
         // The last lies beside the decades that are drawn.
@@ -335,12 +336,13 @@ mod tests {
     #[test]
     fn an_interval_has_edges_in_the_dash_pattern_of_its_line_and_belongs_on_the_axes() {
         let mut figure = figure("a");
+        let held_against = Series { curve_index: 1, ..figure.series[0].clone() };
+        figure.series.push(held_against);
         figure.bands = vec![Band {
             label: "95 % coverage interval".to_owned(),
             kind: BandKind::Interval,
             load: None,
-            colour: 0,
-            dash: 1,
+            curve_index: 0,
             points: vec![(1.0, [1e-33, 1e-29]), (10.0, [1e-21, 1e-19])],
         }];
         let banded = svg(&figure, "", &[]);

@@ -1,6 +1,7 @@
 //! Colours and dash patterns. All are different, however many lines a figure has.
 
 use kuva::plot::line::LineStyle;
+use study::figure::FigureData;
 
 /// Colours for any colour vision, dark enough for thin lines (Okabe & Ito).
 const COLOURS: [[u8; 3]; 6] = [
@@ -18,6 +19,28 @@ const GREY: f64 = 128.0;
 
 /// The colour of lines without a meaning of their colour.
 pub(super) const NEUTRAL: usize = COLOURS.len() - 1;
+
+/// The colour index of lines under a condition of a figure. A line without a condition among others that have some is
+/// black, and none of these is.
+pub(super) fn colour_index(figure: &FigureData, condition: Option<usize>) -> usize {
+    let without = figure.series.iter().filter(|series| series.condition_index.is_none()).count();
+    let is_mixed = (1..figure.series.len()).contains(&without);
+    match condition {
+        Some(index) => index + usize::from(is_mixed && index >= NEUTRAL),
+        None if is_mixed => NEUTRAL,
+        None => 0,
+    }
+}
+
+/// The dash index of the lines of a curve. The first of several is the reference that the others are held against: dashed.
+pub(super) fn dash_index(figure: &FigureData, curve: usize) -> usize {
+    match curve {
+        _ if !figure.compares_curves() => 0,
+        0 => 1,
+        1 => 0,
+        more => more,
+    }
+}
 
 /// The colour of an index: one of six, greyer each time they are reused.
 pub(super) fn colour(index: usize) -> String {

@@ -1,5 +1,6 @@
 //! The advice on what to measure next, in words.
 
+use conclusions::{Conclusions, Evidence, LoadConclusion};
 use scene::Scene;
 use uncertainty::{Advice, Settling, Step, StepKind, Uncertainty};
 use units::display::{length, three_digits};
@@ -13,6 +14,13 @@ const NO_CHANGE: f64 = 0.005;
 
 /// A relative standard error this small is rounding.
 const NO_ERROR: f64 = 1e-9;
+
+/// The advice for the curve that stands for the answer, under the first load that has some; or else the first advice.
+pub(crate) fn foremost_advice<'a>(evidence: &Evidence<'a>, conclusions: &Conclusions) -> Option<&'a Advice> {
+    let uncertainty = evidence.uncertainty?;
+    let of_load = |load: &LoadConclusion| uncertainty.advice_for(load.nearest_curve()?, load.load);
+    conclusions.loads.iter().find_map(of_load).or_else(|| uncertainty.advice.first())
+}
 
 /// The subject of the advice: `Greenwood-Williamson (Hertz) at 5 MPa`.
 pub(crate) fn subject(advice: &Advice, scene: &Scene) -> String {

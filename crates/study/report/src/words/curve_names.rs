@@ -1,6 +1,5 @@
 //! The names of curves in print: their models in full, as the field calls them.
 
-use study::choices_in_words;
 use study::figure::{FigureData, Shows};
 use study::models::CurveModel;
 use study::plan::Curve;
@@ -10,6 +9,28 @@ use study::plan::Curve;
 pub fn in_full(curve: &Curve) -> String {
     let (key, full) = (key(&curve.model), model_in_full(&curve.model));
     if curve.name == key { full } else { format!("{}, {full}", curve.name) }
+}
+
+/// The short name of a curve in print; its own name if the user gave one.
+#[must_use]
+pub fn short_name(curve: &Curve) -> String {
+    if curve.name == key(&curve.model) { model_in_short(&curve.model) } else { curve.name.clone() }
+}
+
+/// The short name of a model, with the choices that differ from the plain one.
+fn model_in_short(model: &CurveModel) -> String {
+    let mut name = model.entry().short_name.to_owned();
+    let options = model.options();
+    if options.strain_gradient {
+        name.push_str(", hardening");
+    }
+    if options.hardness_law.is_some() {
+        name.push_str(", growing hardness");
+    }
+    if let Some(correction) = options.correction {
+        name.push_str(&format!(", {}", correction.name()));
+    }
+    name
 }
 
 /// A figure of areas whose legend has the curves' names in full.
@@ -29,27 +50,9 @@ pub fn with_full_names(figure: FigureData, curves: &[Curve]) -> FigureData {
 
 /// The full name of a model, with the choices that differ from the plain one.
 fn model_in_full(model: &CurveModel) -> String {
-    let mut name = model.entry().full_name.to_owned();
-    let options = model.options();
-    if options.strain_gradient {
-        name.push_str(", strain gradient");
-    }
-    if let Some(law) = options.interference_law {
-        name.push_str(&format!(", {}", choices_in_words::interference(law)));
-    }
-    if let Some(law) = options.hardness_law {
-        name.push_str(&format!(", {}", choices_in_words::hardness_law(&law)));
-    }
-    if let Some(correction) = options.correction {
-        name.push_str(&format!(", {}", choices_in_words::correction(correction)));
-    }
-    if let Some(band) = options.band {
-        name.push_str(&format!(", {}", choices_in_words::band(band)));
-    }
-    if let Some(gamma) = options.gamma {
-        name.push_str(&format!(", energy factor {gamma}"));
-    }
-    name
+    let settings = model.options().settings(|choice| model.entry().has(choice));
+    let words = settings.iter().map(|setting| setting.words.as_str());
+    std::iter::once(model.entry().full_name).chain(words).collect::<Vec<_>>().join(", ")
 }
 
 /// The default name of a curve with this model in a scene.

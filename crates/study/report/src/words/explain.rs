@@ -7,26 +7,10 @@ use findings::sensitivity::wanted_areas;
 use scene::Scene;
 use study::choices_in_words;
 use study::figure::Shows;
-use study::plan::{Curve, CurveModel, Cutoffs, Needs, scales_per_decade};
+use study::models::Framework;
+use study::plan::{Curve, Cutoffs, Needs, scales_per_decade};
 use uncertainty::{Settings, scattering_groups};
 use units::display::{length, three_digits};
-
-type IsFramework = fn(&CurveModel) -> bool;
-
-const FRAMEWORKS: [(&str, IsFramework); 3] =
-    [("stacked", is_stacked), ("statistical", is_statistical), ("persson", is_persson)];
-
-fn is_stacked(model: &CurveModel) -> bool {
-    model.stacked().is_some()
-}
-
-fn is_statistical(model: &CurveModel) -> bool {
-    model.statistical().is_some()
-}
-
-fn is_persson(model: &CurveModel) -> bool {
-    model.persson().is_some()
-}
 
 /// The explanation of a scene.
 pub fn explain(scene: &Scene) -> String {
@@ -71,11 +55,12 @@ pub fn explain(scene: &Scene) -> String {
             None => "amplitudes: no curve and no figure uses them".to_owned(),
         },
     );
-    for (framework, is_its) in FRAMEWORKS {
-        if !needs.curves.iter().any(|curve| is_its(&curve.model)) {
+    for framework in Framework::ALL {
+        let is_its = |curve: &Curve| curve.model.entry().framework == framework;
+        if !needs.curves.iter().any(is_its) {
             row("skipped", format!("{framework} model: no curve asks for it"));
         }
-        for (at, curve) in needs.curves.iter().enumerate().filter(|(_, curve)| is_its(&curve.model)) {
+        for (at, curve) in needs.curves.iter().enumerate().filter(|(_, curve)| is_its(curve)) {
             let what = format!(
                 "{framework} curve {} at {} loads{}",
                 curve.name,
@@ -167,7 +152,7 @@ fn spectrum(scene: &Scene) -> String {
 /// The users of moments: figures, curves of Persson's theory, and asperities.
 fn users_of_moments(scene: &Scene) -> String {
     let drawn = figures(scene, &[Shows::Moments]);
-    let persson = scene.needs.curves.iter().any(|curve| is_persson(&curve.model));
+    let persson = scene.needs.curves.iter().any(|curve| curve.model.persson().is_some());
     let persson = persson.then(|| "the curves of Persson's theory".to_owned());
     let asperities = scene.plan().asperity_cutoffs_wanted().map(|cutoffs| match cutoffs {
         Cutoffs::Every => "asperities at each".to_owned(),

@@ -3,6 +3,7 @@
 use findings::interface::InterfaceStates;
 use interface::conductance::{ELECTRON_MEAN_FREE_PATH_M, MOST_PLASTIC_SHARE, PressureRatio};
 use persson::variance::Band;
+use questions::Note;
 use scene::Scene;
 use study::interface::{Quantity, Seal, Slot};
 use uncertainty::Uncertainty;
@@ -157,7 +158,8 @@ fn of_the_gap(states: &InterfaceStates<'_>, scene: &Scene) -> Vec<String> {
     let least_pa = loads.iter().map(|load| load.nominal_pressure_pa()).fold(f64::INFINITY, f64::min);
     let light = states.light_loads();
     let mut notes = light.map_or_else(Vec::new, |light| {
-        persson_words::separation(&light, states.roughness(), states.rms_height_m(), least_pa)
+        let notes = Note::of_separation(&light, states.roughness(), states.rms_height_m(), least_pa);
+        notes.iter().flat_map(persson_words::words).collect()
     });
     if states.request().band == Band::Profile {
         notes.push(persson_words::by_profiles("interface.band = \"2d\""));

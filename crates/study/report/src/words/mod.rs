@@ -2,20 +2,19 @@
 
 pub mod advice_words;
 pub(crate) mod answer_words;
+pub mod conclusion_words;
 pub(crate) mod curve_counts;
 pub mod curve_names;
 pub mod doubt_words;
 pub mod elements_words;
 pub mod explain;
-pub mod gap_words;
 pub(crate) mod interface_words;
 pub(crate) mod listing;
-pub mod material_words;
-pub mod persson_words;
+pub(crate) mod persson_words;
 pub mod provenance;
 pub mod question_words;
 pub mod reasons;
-pub mod row_notes;
+pub(crate) mod row_notes;
 pub mod scan_words;
 pub mod scans_table;
 #[cfg(feature = "scene-errors")]

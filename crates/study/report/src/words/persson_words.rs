@@ -1,8 +1,6 @@
 //! The limits of Persson's theory in words.
 
-use persson::Roughness;
 use persson::corrections::Correction;
-use persson::separation::LightLoads;
 use questions::{FEW_TOUCH, Note, OutsideFit};
 use units::display::{length, pressure, three_digits};
 
@@ -12,24 +10,6 @@ pub(crate) fn by_profiles(mend: &str) -> String {
         "gap and stiffness use the waves of profiles, which makes the stiffness of a surface with a roll-off 17 to 51 % lower than \
          boundary elements give; use {mend} for the waves of the surface"
     )
-}
-
-/// The notes on a corrected form: it is a fit, and the cutoffs at which the roughness is outside its range.
-#[must_use]
-pub fn correction(correction: Correction, roughness: &Roughness) -> Vec<String> {
-    words(&Note::of_correction(correction, roughness))
-}
-
-/// The notes on mean gap and stiffness that mean little: for a spectrum that begins inside the fractal range, and for loads
-/// (the least of them in Pa) under which few asperities touch.
-#[must_use]
-pub fn separation(
-    light: &LightLoads,
-    roughness: &Roughness,
-    rms_height_m: f64,
-    least_pa: f64,
-) -> Vec<String> {
-    Note::of_separation(light, roughness, rms_height_m, least_pa).iter().flat_map(words).collect()
 }
 
 /// The words of a note on the limits of the theory; none for other notes.

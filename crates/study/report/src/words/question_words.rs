@@ -7,7 +7,9 @@ use questions::{
     SampledScales, Spelling, UnusedOption,
 };
 use rough_bem::ElementsError;
-use study::material::{MaterialError, MaterialProperty};
+use study::body_properties::BodyProperty;
+use study::material::MaterialError;
+use study::models::Choice;
 use study::validity::SMALL_SLOPE_GRADIENT;
 use topography::Severity;
 use units::display::{counted, length, pressure, three_digits};
@@ -38,10 +40,9 @@ fn texts(note: &Note, spelling: &dyn Spelling) -> Vec<String> {
     match note {
         Note::Surface(note) => vec![scan_words::note(note)],
         Note::Doubt(doubt) => vec![format!("doubtful: {}", doubt_words::line(doubt))],
-        Note::AssumedStrength { yield_strength_pa } => vec![format!(
-            "no yield strength is given: a third of the hardness is taken, S0 = H/3 = {}",
-            pressure(*yield_strength_pa)
-        )],
+        Note::AssumedStrength { yield_strength_pa } => {
+            vec![format!("no yield strength given: S0 = H/3 = {} is used", pressure(*yield_strength_pa))]
+        }
         Note::ToleranceTooFine { asked, used } => vec![format!(
             "{} is finer than double precision reaches: {} is used",
             spelling.with_value(OptionName::Tolerance, &number(*asked)),
@@ -60,7 +61,9 @@ fn texts(note: &Note, spelling: &dyn Spelling) -> Vec<String> {
             persson_words::words(note)
         }
         Note::WavesOfProfiles => {
-            vec![persson_words::by_profiles(&spelling.with_value(OptionName::Band, "2d"))]
+            vec![persson_words::by_profiles(
+                &spelling.with_value(OptionName::ModelOption(Choice::Band), "2d"),
+            )]
         }
         Note::LightLoads { up_to_pa, share } => vec![format!(
             "below {} the logarithmic law u = u0 ln(p00/p), K = p/u0 is within {} % of the pressure",
@@ -103,8 +106,7 @@ pub(crate) fn sampled_scales(scales: &SampledScales) -> String {
 }
 
 /// Counts of a curve in words.
-#[must_use]
-pub fn of_counts(counts: &CurveCounts) -> Vec<String> {
+pub(crate) fn of_counts(counts: &CurveCounts) -> Vec<String> {
     let all = counted(counts.states.all + counts.narrow.count, "row");
     let narrow = narrow_spectra(&counts.narrow, &all);
     let of_states = notes_of_states(&counts.states).into_iter().chain(narrow);
@@ -142,17 +144,14 @@ fn of_cuts(CutCounts { all, steep, longest_steep_m, steepest, flowing }: &CutCou
 
 /// Gaps that mean little, or are missing.
 pub(crate) fn of_gaps(gaps: &GapCounts) -> Vec<String> {
-    let at = |count: usize, what: String| {
-        (count > 0).then(|| format!("at {count} of {} loads the{what}", gaps.all))
-    };
+    let GapCounts { all, few_touch, negative, missing } = *gaps;
+    let at = |count: usize, told: &str| (count > 0).then(|| format!("at {count} of {all} loads {told}"));
     let few = format!(
-        " mean gap exceeds {FEW_TOUCH} rms heights: of a finite sample only a few asperities touch then"
+        "the mean gap exceeds {FEW_TOUCH} rms heights: only a few asperities of a finite sample touch"
     );
-    let negative = " mean gap is negative: the flat lies below the mean plane of the surface as it was, and asperities that \
-                    move none of their neighbours do not know that it sinks";
-    let missing = "re is no mean gap: more than 3 % of the contact is plastic, or it is complete";
-    let counted = [(gaps.few_touch, few), (gaps.negative, negative.into()), (gaps.missing, missing.into())];
-    counted.into_iter().filter_map(|(count, what)| at(count, what)).collect()
+    let below = "the mean gap is negative: the model ignores that asperities push their neighbours down";
+    let none = "there is no mean gap: more than 3 % of the contact is plastic, or it is complete";
+    [at(few_touch, &few), at(negative, below), at(missing, none)].into_iter().flatten().collect()
 }
 
 /// An unused option in words: `--gamma has no bearing on --model hertz; leave it out`.
@@ -172,13 +171,14 @@ pub fn unused(UnusedOption { option, why }: &UnusedOption, spelling: &dyn Spelli
             model,
             &format!(
                 " without {} or {}: the hardness does not grow",
-                name(OptionName::HardnessLaw),
+                name(OptionName::ModelOption(Choice::HardnessLaw)),
                 name(OptionName::StrainGradientLength)
             ),
         ),
-        Reason::OtherHardnessLaw(model) => {
-            on(model, &format!(" with a {} other than nix-gao", name(OptionName::HardnessLaw)))
-        }
+        Reason::OtherHardnessLaw(model) => on(
+            model,
+            &format!(" with a {} other than nix-gao", name(OptionName::ModelOption(Choice::HardnessLaw))),
+        ),
         Reason::StrengthDoesNotGrow => format!(
             "{option} limits a strength that grows at small depths, and without {} none does; leave it out, or give that \
              length",
@@ -202,7 +202,10 @@ pub fn error(error: &QuestionError, spelling: &dyn Spelling) -> String {
     let name = |option: &OptionName| spelling.option(*option);
     match error {
         QuestionError::Unused(option) => unused(option, spelling),
-        QuestionError::Missing(option) => format!("{} is needed", name(option)),
+        QuestionError::Missing(options) => {
+            let names: Vec<String> = options.iter().map(name).collect();
+            format!("{} is needed", names.join(" or "))
+        }
         QuestionError::ElasticConstant(option) => {
             format!("{} is needed: every model is at least elastic", name(option))
         }
@@ -223,6 +226,11 @@ pub fn error(error: &QuestionError, spelling: &dyn Spelling) -> String {
         QuestionError::TooManyLines { lines, most } => format!(
             "{} draws a line for each pressure and separation, and {lines} are given; give at most {most}",
             name(&OptionName::Figure)
+        ),
+        QuestionError::NoExponentialLaw(model) => format!(
+            "{} is the law of light loads of Persson's theory, and {} has none; take the table",
+            spelling.with_value(OptionName::Form, "exponential"),
+            spelling.model(model.name)
         ),
         QuestionError::SaturationWithoutHardness => format!(
             "{} is given in H, and the material has no hardness: add {} or {}",
@@ -251,9 +259,9 @@ pub fn of_material(error: &MaterialError, spelling: &dyn Spelling) -> String {
     match error {
         MaterialError::Missing(needed_for) => {
             let options = match needed_for.property() {
-                MaterialProperty::IndentationHardness => format!("{} or {}", hardness(), strength()),
-                MaterialProperty::YieldStrength => format!("{} or {}", strength(), hardness()),
-                MaterialProperty::StrainGradientLength => name(OptionName::StrainGradientLength),
+                BodyProperty::IndentationHardness => format!("{} or {}", hardness(), strength()),
+                BodyProperty::YieldStrength => format!("{} or {}", strength(), hardness()),
+                _ => name(OptionName::StrainGradientLength),
             };
             format!("{error}: give {}{options}", spelling.of_material())
         }

@@ -188,7 +188,7 @@ fn scan_remark(remark: &ScanRemark) -> String {
             length(*radius_m)
         ),
         ScanRemark::NoiseFloor(floor) => format!(
-            "the spectrum is level at {} m³ at its short end: noise of the instrument, which sets in at {}; assessment only longer \
+            "the spectrum is level at {} m³ at its short end: noise of the instrument, which sets in at {}; trust only longer \
              wavelengths",
             three_digits(floor.c1d_m3),
             length(floor.wavelength_m)

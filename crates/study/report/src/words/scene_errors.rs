@@ -54,24 +54,12 @@ fn mended(error: &SceneError, name: &str) -> String {
     match error.as_ref() {
         SurfaceError::Scan { .. } => "; give it in scans = [...] instead of psd".to_owned(),
         SurfaceError::Spectrum { error, .. } => {
-            error.mend().map_or_else(String::new, |mend| spectrum_words::mend(&mend, reading_key))
+            let key = |option: ReadOption| option.key().to_owned();
+            error.mend().map_or_else(String::new, |mend| spectrum_words::mend(&mend, key))
         }
         SurfaceError::Scans(error) => {
             error.mend().map_or_else(String::new, |mend| scan_words::mend(mend, key))
         }
         _ => String::new(),
-    }
-}
-
-/// The key of a surface for an option of reading.
-fn reading_key(option: ReadOption) -> &'static str {
-    match option {
-        ReadOption::Column => "column",
-        ReadOption::Convention => "convention",
-        ReadOption::X => "x",
-        ReadOption::Series => "series",
-        ReadOption::Subject => "subject",
-        ReadOption::XUnit => "x_unit",
-        ReadOption::PsdUnit => "psd_unit",
     }
 }

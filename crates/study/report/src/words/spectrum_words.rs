@@ -5,7 +5,7 @@ use spectrum::{ReadMend, ReadOption, Wanted};
 /// The remedy for an error of reading a spectrum, in words that follow the error. `name_of` returns the name of an option in
 /// the front end.
 #[must_use]
-pub fn mend(mend: &ReadMend, name_of: impl Fn(ReadOption) -> &'static str) -> String {
+pub fn mend(mend: &ReadMend, name_of: impl Fn(ReadOption) -> String) -> String {
     match mend {
         ReadMend::Give(wanted) => {
             let verb = match wanted.iter().all(|wanted| wanted.values.is_empty()) {

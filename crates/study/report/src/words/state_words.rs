@@ -16,7 +16,7 @@ pub(crate) fn narrow_spectra(narrow: &NarrowSpectra, of: &str) -> Option<String>
 }
 
 /// The notes on states, with those beyond complete contact.
-pub fn notes_of_states(counts: &StateCounts) -> Vec<String> {
+pub(crate) fn notes_of_states(counts: &StateCounts) -> Vec<String> {
     let what = "beyond complete contact of every asperity, area fraction 1, no separation";
     of_states(counts.incomplete, counts, what).into_iter().chain(state_notes(counts)).collect()
 }

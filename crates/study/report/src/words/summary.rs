@@ -2,22 +2,19 @@
 
 use std::fmt::Write;
 
-use spectrum::ProfilePsd;
 use stacked_contact::{Convergence, Level, StackedModel, largest_full_contact_pressure_pa};
 
 use super::curve_counts::{beyond_fitted_range, statistical_notes};
-pub use super::state_words::notes_of_states;
-use crate::assessment::Assessment;
 use crate::curve_names::in_full;
 use crate::question_words::sampled_scales;
 use crate::yardstick_words::yardsticks;
 use crate::{
     advice_words, answer_words, doubt_words, interface_words, scan_words, uncertainty_words, verdict_words,
 };
-use findings::answer::{Answer, LoadAnswer};
+use conclusions::{Conclusions, Evidence};
+use findings::answer::LoadAnswer;
 use findings::doubts::Doubt;
 use findings::interface::InterfaceStates;
-pub use questions::CurveCounts;
 use questions::SampledScales;
 use scene::Scene;
 use study::material::Material;
@@ -25,12 +22,13 @@ use study::plan::{Curve, Results};
 use uncertainty::Uncertainty;
 use units::display::{length, pressure, three_digits};
 
-/// The summary of the results of a scene. It opens with the assessment, if there is one.
-pub fn summary(scene: &Scene, results: &Results, answer: &Answer, assessment: Assessment<'_>) -> String {
+/// All that is known about a scene, in words; it opens with the conclusions.
+pub fn summary(evidence: &Evidence<'_>, conclusions: &Conclusions) -> String {
+    let Evidence { scene, results, answer, judgement, uncertainty } = *evidence;
     // Names of curves are hyphenated and stay whole.
     let columns = textwrap::Options::new(100).word_splitter(textwrap::WordSplitter::NoHyphenation);
     let mut text = String::new();
-    for first in verdict_words::opening(scene, answer, assessment) {
+    for first in verdict_words::opening(conclusions, evidence) {
         let _ = writeln!(text, "{}\n", textwrap::fill(&first, &columns));
     }
     let _ = write!(text, "{}\n{}\n", scene.title, sampling(results));
@@ -38,9 +36,8 @@ pub fn summary(scene: &Scene, results: &Results, answer: &Answer, assessment: As
         let _ = writeln!(text, "Warning: {warning}");
     }
     text.push('\n');
-    let judgement = assessment.judgement;
     let mut paragraphs =
-        judgement.map_or_else(Vec::new, |judgement| verdict_words::sentences(judgement, scene, answer));
+        judgement.map_or_else(Vec::new, |judgement| verdict_words::sentences(judgement, scene));
     paragraphs.extend(answer_words::sentences(answer, scene, results));
     let shortcomings = answer_words::shortcomings(answer, scene, results);
     paragraphs.extend(shortcomings.iter().map(ToString::to_string));
@@ -48,8 +45,8 @@ pub fn summary(scene: &Scene, results: &Results, answer: &Answer, assessment: As
     for paragraph in paragraphs {
         let _ = writeln!(text, "{}\n", textwrap::fill(&paragraph, &columns));
     }
-    if let Some(uncertainty) = assessment.uncertainty {
-        let advice = assessment.foremost_advice().into_iter();
+    if let Some(uncertainty) = uncertainty {
+        let advice = advice_words::foremost_advice(evidence, conclusions).into_iter();
         let advice = advice.flat_map(|advice| advice_words::in_short(uncertainty, advice, scene));
         for line in uncertainty_words::sentences(uncertainty).into_iter().chain(advice) {
             let _ = writeln!(text, "{}", textwrap::fill(&line, &columns));
@@ -57,14 +54,14 @@ pub fn summary(scene: &Scene, results: &Results, answer: &Answer, assessment: As
         text.push('\n');
     }
     if let Some(states) = InterfaceStates::from_scene(scene, results) {
-        for list in interface_words::quantity_lists(&states, scene, assessment.uncertainty) {
+        for list in interface_words::quantity_lists(&states, scene, uncertainty) {
             let _ = writeln!(text, "{}", list.heading);
             let width = list.lines.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
             for (name, value) in &list.lines {
                 let _ = writeln!(text, "  {name:<width$}  {value}");
             }
         }
-        for note in interface_words::notes(&states, scene, assessment.uncertainty) {
+        for note in interface_words::notes(&states, scene, uncertainty) {
             let _ = writeln!(text, "note: {note}");
         }
         text.push('\n');
@@ -90,19 +87,14 @@ pub fn summary(scene: &Scene, results: &Results, answer: &Answer, assessment: As
     }
     for (curve, loads) in answer.curves.iter().enumerate() {
         text.push('\n');
-        text.push_str(&curve_summary(scene, results, curve, loads, assessment.uncertainty));
+        text.push_str(&curve_summary(scene, results, curve, loads, uncertainty));
     }
     text
 }
 
 /// The sampling of the spectrum, on which the stacked area depends.
 pub fn sampling(results: &Results) -> String {
-    sampling_of(&results.psd)
-}
-
-/// The sampling of a spectrum.
-pub fn sampling_of(psd: &ProfilePsd) -> String {
-    sampled_scales(&SampledScales::of(psd))
+    sampled_scales(&SampledScales::of(&results.psd))
 }
 
 /// The position of intervals among the columns of a curve.

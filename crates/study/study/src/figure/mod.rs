@@ -47,35 +47,42 @@ pub struct Figure {
 pub struct Series {
     /// Its column in the table.
     pub column: String,
-    /// The curve it belongs to, which its dash pattern shows.
+    /// The curve it belongs to.
     pub curve: String,
-    /// The load or cutoff of the line as typed, which its colour shows; empty if there is only one.
+    /// The place of its curve among those of the figure, the one that others are held against first.
+    pub curve_index: usize,
+    /// The load or cutoff it is drawn for, as typed; empty where it is alone.
     pub condition: String,
     /// The load or cutoff in the words of the legend: a load also in units of the hardness.
     pub condition_in_full: String,
     /// The load it is drawn for, by index; `None` for a line against the load, or without one.
     pub load: Option<usize>,
-    /// The group it belongs to: lines of one group share a colour.
-    pub colour: usize,
-    /// The dash pattern, shared by the lines of a curve; 0 is solid.
-    pub dash: usize,
+    /// The place of its condition among those of the figure, which is the index of the load where there is one; `None` where
+    /// it has no condition.
+    pub condition_index: Option<usize>,
     /// Abscissa and ordinate of each point; the abscissas run one way.
     pub points: Vec<(f64, f64)>,
 }
 
 impl Series {
-    /// A solid line that belongs to no curve: its condition, by which its column goes too, is its colour.
-    pub fn under(condition: &str, colour: usize, points: Vec<(f64, f64)>) -> Self {
+    /// A line that belongs to no curve; its column is called like its condition.
+    pub fn under(condition: &str, condition_index: usize, points: Vec<(f64, f64)>) -> Self {
         Series {
             column: condition.to_owned(),
             curve: String::new(),
+            curve_index: 0,
             condition: condition.to_owned(),
             condition_in_full: condition.to_owned(),
             load: None,
-            colour,
-            dash: 0,
+            condition_index: Some(condition_index),
             points,
         }
+    }
+
+    /// The only line of a figure, which belongs to no curve.
+    pub fn alone(column: &str, points: Vec<(f64, f64)>) -> Self {
+        let nameless = Series { condition_index: None, ..Series::under("", 0, points) };
+        Series { column: column.to_owned(), ..nameless }
     }
 }
 
@@ -84,14 +91,12 @@ impl Series {
 pub struct Band {
     /// The label in the legend.
     pub label: String,
-    /// The role of the band beside the lines of its colour.
+    /// The role of the band beside the lines under its load.
     pub kind: BandKind,
     /// The load of these lines, by index, if they are drawn for one.
     pub load: Option<usize>,
-    /// The colour of those lines.
-    pub colour: usize,
-    /// The dash pattern of the line whose interval it is; 0 of a yardstick.
-    pub dash: usize,
+    /// The place of the curve whose interval it is; 0 of a yardstick.
+    pub curve_index: usize,
     /// Abscissa, and the lower and the upper ordinate, of each point.
     pub points: Vec<(f64, [f64; 2])>,
 }
@@ -138,8 +143,8 @@ pub struct Mark {
     pub label: String,
     /// True if it is drawn as a ring rather than a disc.
     pub is_ring: bool,
-    /// The colour group of the lines that it belongs with.
-    pub colour: usize,
+    /// The place of the condition of the lines that it belongs with, if they have one.
+    pub condition_index: Option<usize>,
     /// The abscissa.
     pub x: f64,
     /// The ordinate.
@@ -221,7 +226,7 @@ impl FigureData {
 
     /// Returns true if the lines belong to several curves.
     pub fn compares_curves(&self) -> bool {
-        self.series.iter().any(|series| series.dash > 0)
+        self.series.iter().any(|series| series.curve_index != self.series[0].curve_index)
     }
 }
 

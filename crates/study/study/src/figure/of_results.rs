@@ -5,7 +5,7 @@ use units::display::{length, lengths_apart, load_in_full, pressure, typeset};
 
 use super::{Axis, Band, BandKind, Figure, FigureData, PSD, Series, Shows, WAVEVECTOR};
 use crate::linear_laws::{linear_areas, rms_gradients};
-use crate::plan::{CurveResult, Load, Needs, Results};
+use crate::plan::{Load, Needs, Results};
 
 const WAVELENGTH: Axis = Axis { column: "wavelength_m", label: "wavelength (m)" };
 const CUTOFF: Axis = Axis { column: "wavelength_m", label: "shortest wavelength included (m)" };
@@ -56,16 +56,15 @@ impl Figure {
         let mut models = self.curves.iter().map(|&curve| &needs.curves[curve].model);
         let Some(elastic) = models.find(|model| model.strength().is_none()) else { return Vec::new() };
         let gradients = rms_gradients(&results.psd);
-        let band = |(colour, load): (usize, &Load)| {
+        let band = |(index, load): (usize, &Load)| {
             let areas = |gradient| linear_areas(elastic, load.nominal_pressure_pa(), gradient);
             let point = |&(cutoff_m, gradient): &(f64, f64)| Some((cutoff_m, areas(gradient)?));
             let points = gradients.iter().filter_map(point).collect();
             Band {
                 label: "linear laws".to_owned(),
                 kind: BandKind::Yardstick,
-                load: Some(colour),
-                colour,
-                dash: 0,
+                load: Some(index),
+                curve_index: 0,
                 points,
             }
         };
@@ -75,23 +74,23 @@ impl Figure {
     fn area_series(&self, results: &Results, needs: &Needs, hardness_pa: Option<f64>) -> Vec<Series> {
         let mut series = Vec::new();
         for (place, &curve) in self.curves.iter().enumerate() {
-            for (colour, load) in needs.loads.iter().enumerate() {
-                let points = results.curves[curve].area_fractions(colour);
-                let line = self.line(&needs.curves[curve].name, &load.label, place, colour, points);
+            for (index, load) in needs.loads.iter().enumerate() {
+                let points = results.curves[curve].area_fractions(index);
+                let line = line(&needs.curves[curve].name, &load.label, place, index, points);
                 series.push(Series {
                     condition_in_full: load_in_full(&load.label, load.nominal_pressure_pa(), hardness_pa),
-                    load: Some(colour),
+                    load: Some(index),
                     ..line
                 });
             }
-            if let CurveResult::Statistical(_) = results.curves[curve] {
+            if needs.curves[curve].model.takes_separations() {
                 for (at, separation_m) in needs.separations_m.iter().enumerate() {
                     // The blocks of separations follow those of the loads.
                     let block = needs.loads.len() + at;
                     let sign = if *separation_m < 0.0 { "-" } else { "" };
                     let label = format!("separation {sign}{}", length(separation_m.abs()));
                     let points = results.curves[curve].area_fractions(block);
-                    series.push(self.line(&needs.curves[curve].name, &label, place, block, points));
+                    series.push(line(&needs.curves[curve].name, &label, place, block, points));
                 }
             }
         }
@@ -102,86 +101,59 @@ impl Figure {
     fn load_series(&self, results: &Results, needs: &Needs) -> Vec<Series> {
         let cutoffs_m: Vec<f64> = self.sweeps.iter().map(|&sweep| results.sweeps[sweep].cutoff_m).collect();
         let labels = lengths_apart(&cutoffs_m);
-        let mut colours: Vec<f64> = Vec::new();
-        let line = |((&sweep, &cutoff_m), label): ((&usize, &f64), String)| {
+        let mut distinct_m: Vec<f64> = Vec::new();
+        let of_sweep = |((&sweep, &cutoff_m), label): ((&usize, &f64), String)| {
             let (asked, found) = (&needs.sweeps[sweep], &results.sweeps[sweep]);
-            let colour = colours.iter().position(|&other| other == cutoff_m).unwrap_or_else(|| {
-                colours.push(cutoff_m);
-                colours.len() - 1
+            let index = distinct_m.iter().position(|&other| other == cutoff_m).unwrap_or_else(|| {
+                distinct_m.push(cutoff_m);
+                distinct_m.len() - 1
             });
             let place = self.curves.iter().position(|&curve| curve == asked.curve).unwrap_or(0);
             let areas = found.states.iter().map(|state| state.area_fraction);
             let points = asked.pressures_pa.iter().copied().zip(areas).collect();
-            let line = self.line(&needs.curves[asked.curve].name, &label, place, colour, points);
+            let line = line(&needs.curves[asked.curve].name, &label, place, index, points);
             Series { condition_in_full: format!("cutoff {label}"), ..line }
         };
-        self.sweeps.iter().zip(&cutoffs_m).zip(labels).map(line).collect()
+        self.sweeps.iter().zip(&cutoffs_m).zip(labels).map(of_sweep).collect()
     }
+}
 
-    /// The line of one curve under one condition. The first of several curves is the reference that the others are held
-    /// against: dashed.
-    fn line(
-        &self,
-        curve: &str,
-        condition: &str,
-        place: usize,
-        colour: usize,
-        points: Vec<(f64, f64)>,
-    ) -> Series {
-        let dash = if self.curves.len() > 1 { [1, 0].get(place).copied().unwrap_or(place) } else { 0 };
-        Series {
-            column: format!("{curve} at {condition}"),
-            curve: curve.to_owned(),
-            condition: condition.to_owned(),
-            condition_in_full: typeset(condition),
-            load: None,
-            colour,
-            dash,
-            points,
-        }
+/// The line of one curve under one condition.
+fn line(
+    curve: &str,
+    condition: &str,
+    curve_index: usize,
+    condition_index: usize,
+    points: Vec<(f64, f64)>,
+) -> Series {
+    Series {
+        column: format!("{curve} at {condition}"),
+        curve: curve.to_owned(),
+        curve_index,
+        condition: condition.to_owned(),
+        condition_in_full: typeset(condition),
+        load: None,
+        condition_index: Some(condition_index),
+        points,
     }
 }
 
 fn psd_series(results: &Results) -> Vec<Series> {
     let wavevectors =
         results.psd.wavelengths_m().iter().map(|wavelength_m| std::f64::consts::TAU / wavelength_m);
-    vec![alone("c1d_m3", wavevectors.zip(results.psd.c1d_m3().iter().copied()).collect())]
+    vec![Series::alone("c1d_m3", wavevectors.zip(results.psd.c1d_m3().iter().copied()).collect())]
 }
 
 fn scale_series(results: &Results, column: &str, of: fn(&Scale) -> f64) -> Vec<Series> {
-    vec![alone(column, results.scales.iter().map(|scale| (scale.wavelength_m, of(scale))).collect())]
+    vec![Series::alone(column, results.scales.iter().map(|scale| (scale.wavelength_m, of(scale))).collect())]
 }
 
 fn moment_series(results: &Results) -> Vec<Series> {
-    let moment = |colour, name: &str, of: fn(&spectrum::Moments) -> f64| {
+    let moment = |index, name: &str, of: fn(&spectrum::Moments) -> f64| {
         let last = results.moments.last().map_or(1.0, |(moments, _)| of(moments));
-        Series {
-            column: format!("{name}_over_final"),
-            curve: String::new(),
-            condition: name.to_owned(),
-            condition_in_full: name.to_owned(),
-            load: None,
-            colour,
-            dash: 0,
-            points: results
-                .moments
-                .iter()
-                .map(|(moments, _)| (moments.wavelength_m, of(moments) / last))
-                .collect(),
-        }
+        let point = |(moments, _): &(spectrum::Moments, _)| (moments.wavelength_m, of(moments) / last);
+        let points = results.moments.iter().map(point).collect();
+        Series { column: format!("{name}_over_final"), ..Series::under(name, index, points) }
     };
     vec![moment(0, "m0", |m| m.m0_m2), moment(1, "m2", |m| m.m2), moment(2, "m4", |m| m.m4_per_m2)]
-}
-
-fn alone(column: &str, points: Vec<(f64, f64)>) -> Series {
-    Series {
-        column: column.to_owned(),
-        curve: String::new(),
-        condition: String::new(),
-        condition_in_full: String::new(),
-        load: None,
-        colour: 0,
-        dash: 0,
-        points,
-    }
 }

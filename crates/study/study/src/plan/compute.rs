@@ -25,7 +25,7 @@ impl Plan<'_> {
     /// Returns the errors of [`compute`](Self::compute), and [`PlanError::Cancelled`].
     pub fn compute_observed(&self, progress: &dyn Progress) -> Result<Results, PlanError> {
         self.check_size()?;
-        self.compute_on(self.prepare()?, progress)
+        self.compute_on(self.prepare(Run::of(self, progress))?, progress)
     }
 
     /// Computes the plan from a spectrum that is already prepared, and reports to `progress`.

@@ -3,25 +3,18 @@
 use asperity::AsperityError;
 use ordered_float::OrderedFloat;
 use spectrum::AsperityParameters;
+use stat_contact::Condition;
 
+use super::Needs;
+use super::distinct::Distinct;
 use super::prepared_spectrum::Roughness;
-use super::{Needs, NominalPressure};
 use crate::models::{Pressable, Statistical, StatisticalLaw};
-
-/// The condition of a state: a nominal pressure or a separation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(super) enum Condition {
-    /// A nominal pressure \[Pa\].
-    Pressure(OrderedFloat<f64>),
-    /// A separation \[m\], of either sign.
-    Separation(OrderedFloat<f64>),
-}
 
 impl Needs {
     /// All loads, and behind them the separations.
     pub(super) fn conditions(&self) -> impl Iterator<Item = Condition> + Clone {
-        let separation = |&separation_m: &f64| Condition::Separation(OrderedFloat(separation_m));
-        self.pressures().map(Condition::from).chain(self.separations_m.iter().map(separation))
+        let pressures = self.pressures().map(|pressure| Condition::Pressure(pressure.pa()));
+        pressures.chain(self.separations_m.iter().copied().map(Condition::Separation))
     }
 
     /// Returns the number of conditions.
@@ -30,20 +23,12 @@ impl Needs {
     }
 }
 
-impl Condition {
-    /// Returns the nominal pressure \[Pa\], or nothing for a separation.
-    pub fn pressure_pa(self) -> Option<f64> {
-        match self {
-            Condition::Pressure(pressure_pa) => Some(pressure_pa.0),
-            Condition::Separation(_) => None,
-        }
-    }
-}
-
-impl From<NominalPressure> for Condition {
-    fn from(pressure: NominalPressure) -> Self {
-        Condition::Pressure(OrderedFloat(pressure.pa()))
-    }
+/// Removes the repetitions of conditions.
+pub(super) fn distinct(conditions: impl IntoIterator<Item = Condition>) -> Distinct<Condition> {
+    Distinct::by_key(conditions, |condition| match *condition {
+        Condition::Pressure(pressure_pa) => (true, OrderedFloat(pressure_pa)),
+        Condition::Separation(separation_m) => (false, OrderedFloat(separation_m)),
+    })
 }
 
 /// The asperity parameters that a state depends on: if these are equal, so are the moments, the summits and the states.

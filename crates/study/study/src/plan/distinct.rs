@@ -17,10 +17,15 @@ impl<T> Distinct<T> {
     where
         T: Copy + Hash + Eq,
     {
+        Self::by_key(things, |thing| *thing)
+    }
+
+    /// Removes repetitions in one pass, for things that have the same key if they are the same.
+    pub fn by_key<K: Hash + Eq>(things: impl IntoIterator<Item = T>, key: impl Fn(&T) -> K) -> Self {
         let mut known = HashMap::new();
         let mut items = Vec::new();
         let index_of = |thing| {
-            *known.entry(thing).or_insert_with(|| {
+            *known.entry(key(&thing)).or_insert_with(|| {
                 items.push(thing);
                 items.len() - 1
             })

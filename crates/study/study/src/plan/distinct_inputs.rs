@@ -1,8 +1,9 @@
 //! The inputs of a plan, each one once.
 
-use super::condition::Condition;
+use stat_contact::Condition;
+
+use super::condition::distinct;
 use super::distinct::Distinct;
-use super::theory::theory_of;
 use super::{Curve, CurveModel, CurveResult, Cutoffs, Needs};
 
 /// The distinct models of a plan and the distinct conditions at which they are computed. Equal models under equal
@@ -26,14 +27,14 @@ impl DistinctInputs {
         DistinctInputs {
             models,
             cutoffs,
-            conditions: Distinct::of(needs.conditions()),
+            conditions: distinct(needs.conditions()),
             loads: needs.load_count(),
         }
     }
 
     /// Returns the distinct conditions that a model takes: loads, and separations if it has them.
     pub fn conditions_of(&self, model: &CurveModel) -> Vec<Condition> {
-        let takes_separations = theory_of(model).takes_separations();
+        let takes_separations = model.takes_separations();
         let conditions = self.conditions.items.iter().copied();
         conditions.filter(|condition| takes_separations || condition.pressure_pa().is_some()).collect()
     }
@@ -44,7 +45,7 @@ impl DistinctInputs {
         for (model, rows) in rows_of_models.into_iter().enumerate() {
             let of_model: Vec<usize> =
                 (0..curves.len()).filter(|&curve| self.models.index_of[curve] == model).collect();
-            let index_of = match theory_of(&self.models.items[model]).takes_separations() {
+            let index_of = match self.models.items[model].takes_separations() {
                 true => &self.conditions.index_of[..],
                 false => &self.conditions.index_of[..self.loads],
             };

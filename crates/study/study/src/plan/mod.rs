@@ -2,7 +2,8 @@
 //!
 //! `needs` holds requests and `results` their answers. `prepared_spectrum` computes everything that curves need from
 //! the spectrum. `distinct_inputs` finds equal curves and loads. `theory` computes the rows of a model, with a module
-//! per theory, and `sweeps` those over loads. `compute` assembles the results; `stream` passes curves on in parts that
+//! per theory, and `sweeps` those over loads. `gap` presses a surface with its whole
+//! spectrum. `compute` assembles the results; `stream` passes curves on in parts that
 //! are not kept.
 
 mod compute;
@@ -11,6 +12,7 @@ mod count;
 mod distinct;
 mod distinct_inputs;
 mod error;
+pub(crate) mod gap;
 mod needs;
 mod prepared_spectrum;
 mod results;
@@ -23,18 +25,21 @@ mod work;
 
 pub use crate::load::{Load, LoadRange, NominalPressure};
 pub use crate::models::CurveModel;
-pub(crate) use condition::contact_of;
 pub use error::PlanError;
 pub use needs::{Curve, Cutoffs, LoadSweep, Needs, Sampling};
 pub use prepared_spectrum::PreparedSpectrum;
-pub(crate) use prepared_spectrum::Roughness;
 pub use results::{Results, SweepResult};
 pub use stream::{Part, Stream};
-pub use theory::{CurveResult, CutoffState, STATE_DETAILS};
+pub use theory::{CurveResult, CutoffState, PerssonSurface, STATE_DETAILS};
 pub use tolerance::Tolerance;
 pub use work::Work;
 
-use spectrum::ProfilePsd;
+use persson::Roughness;
+use persson::variance::Band;
+use spectrum::{AsperityParameters, Moments, ProfilePsd};
+use stacked_contact::Scale;
+
+use crate::models::persson::roughness;
 
 /// A spectrum, and the values to compute from it.
 pub struct Plan<'p> {
@@ -44,6 +49,22 @@ pub struct Plan<'p> {
     pub sampling: Sampling,
     /// The results to be computed.
     pub needs: Needs,
+}
+
+impl Plan<'_> {
+    /// Builds the roughness that Persson's theory takes from a sampled spectrum with its moments and amplitudes, including the
+    /// part that the cutoff left out.
+    pub(crate) fn roughness(
+        &self,
+        psd: &ProfilePsd,
+        moments: &[(Moments, Option<AsperityParameters>)],
+        scales: &[Scale],
+        band: Band,
+    ) -> Roughness {
+        let normalisation = self.needs.moments.unwrap_or_default();
+        let moments = moments.iter().map(|(moments, _)| moments);
+        roughness(psd, moments, normalisation, scales, &self.beyond(psd, band), band)
+    }
 }
 
 /// Scales per decade of a spectrum, on average; absent for a single scale.

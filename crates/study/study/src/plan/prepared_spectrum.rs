@@ -10,6 +10,7 @@ use spectrum::{
 use stacked_contact::Scale;
 
 use super::error::MOST_SCALES;
+use super::run::Run;
 use super::{Cutoffs, LoadSweep, Plan, PlanError, Work};
 
 /// Everything that a plan computes from a spectrum before the curves. A plan with the same spectrum, sampling,
@@ -87,16 +88,19 @@ impl PreparedSpectrum {
 
 impl Plan<'_> {
     /// Computes the values that the curves need.
-    pub(super) fn prepare(&self) -> Result<PreparedSpectrum, PlanError> {
+    pub(super) fn prepare(&self, run: Run<'_>) -> Result<PreparedSpectrum, PlanError> {
         let sampled = self.sampled()?;
+        run.go_on()?;
         let nothing_left =
             |cutoff_m| PlanError::NothingLeft { cutoff_m, longest_m: sampled.longest_wavelength_m() };
         let kept = |cutoff_m| sampled.truncated_at(cutoff_m).ok_or_else(|| nothing_left(cutoff_m));
         let kept = self.sampling.cutoff_m.map(kept).transpose()?;
         let psd = kept.as_ref().unwrap_or(&sampled);
         let moments = self.moments(&sampled);
+        run.go_on()?;
         let scales =
             self.needs.amplitudes.map_or_else(Vec::new, |definition| kept_scales(&sampled, psd, definition));
+        run.go_on()?;
         let fit =
             self.needs.fit_band_m.map(|(from_m, to_m)| fit_self_affine(psd, from_m..=to_m)).transpose()?;
         let mut work = Work {

@@ -1,10 +1,10 @@
 //! Curves part by part, so that neither their rows nor their loads need be held.
 
-use parallel::Progress;
+use parallel::{Progress, Unobserved};
 use spectrum::ProfilePsd;
+use stat_contact::Condition;
 
-use super::condition::Condition;
-use super::distinct::Distinct;
+use super::condition::distinct;
 use super::run::Run;
 use super::theory::{Job, theory_of};
 use super::{Curve, CurveResult, Cutoffs, Plan, PlanError, PreparedSpectrum};
@@ -32,7 +32,7 @@ impl Plan<'_> {
     /// # Errors
     /// Returns the errors of [`compute`](Plan::compute).
     pub fn stream(&self) -> Result<Stream<'_>, PlanError> {
-        let prepared = self.prepare()?;
+        let prepared = self.prepare(Run::of(self, &Unobserved))?;
         for curve in &self.needs.curves {
             theory_of(&curve.model).check(&prepared, curve.cutoffs)?;
         }
@@ -61,7 +61,7 @@ impl Stream<'_> {
     }
 
     fn conditions(&self, curve: &Curve) -> impl Iterator<Item = Condition> {
-        let takes_separations = theory_of(&curve.model).takes_separations();
+        let takes_separations = curve.model.takes_separations();
         let conditions = self.plan.needs.conditions();
         conditions.filter(move |condition| takes_separations || condition.pressure_pa().is_some())
     }
@@ -84,7 +84,7 @@ impl Stream<'_> {
         // Where a block has more rows than a part, and a part hence one condition, it comes in pieces if it can.
         let piece = if theory.splits_blocks() { PART } else { rows.max(1) };
         in_parts(self.conditions(curve), rows, |conditions| {
-            let distinct = Distinct::of(conditions.iter().copied());
+            let distinct = distinct(conditions.iter().copied());
             let pressures_pa: Vec<f64> = conditions.iter().filter_map(|at| at.pressure_pa()).collect();
             for first in (0..rows.max(1)).step_by(piece) {
                 let places = first..(first + piece).min(rows);

@@ -4,9 +4,9 @@
 use std::collections::HashMap;
 
 use ordered_float::OrderedFloat;
-use stat_contact::ContactState;
+use stat_contact::{Condition, ContactState};
 
-use super::condition::{Asperities, Condition};
+use super::condition::Asperities;
 use super::distinct::Distinct;
 use super::distinct_inputs::DistinctInputs;
 use super::prepared_spectrum::{Cutoff, PreparedSpectrum, Roughness};
@@ -95,7 +95,7 @@ fn states_of_curve(roughness: &Roughness, inputs: &DistinctInputs, curve: &Curve
             .filter(|(found, _)| Asperities::of(found) == asperities)
             .map(|(_, state)| state)
             .next()?;
-        Some((pressure_pa, state))
+        Some((OrderedFloat(pressure_pa), state))
     };
     inputs.conditions.items.iter().zip(blocks).filter_map(known).collect()
 }

@@ -1,6 +1,7 @@
 //! Alicona: a depth image behind a list of tags.
 
-use scans::{Probe, ScanOptions, read_scans};
+use crate::refusal;
+use scans::Probe;
 
 use crate::bytes::Bytes;
 use crate::{Sample, assert_holds, heights};
@@ -59,23 +60,15 @@ fn rows_are_cut_where_they_are_filled_up_and_marks_are_missing_points() {
 
 #[test]
 fn damage_is_told() {
-    assert_eq!(
+    refused!(
         refusal(&file(&with("Cols", "-3"), 0.0)),
-        "reading Alicona, byte 141: 'Cols' is '-3', it must be a whole number above 0; the file is damaged or of a variant \
-         that is not known: export it again"
+        BadField { field: "'Cols'", value: "'-3'", place: scans::Place::Byte(141) }
     );
-    assert_eq!(
-        refusal(&file(&TAGS[..5], 0.0)),
-        "reading Alicona, the file: there is no tag 'DepthImageOffset'; export the file again with its depth image"
-    );
+    refused!(refusal(&file(&TAGS[..5], 0.0)), MissingField { field: "tag 'DepthImageOffset'" });
     let mut line = file(&TAGS, 0.0);
     line[67] = b' ';
-    assert!(refusal(&line).contains("byte 67: the end of a tag is another, it must be a line break"));
+    refused!(refusal(&line), BadField { field: "the end of a tag", value: "another" });
     let many = file(&with("Rows", "1000000000000"), 0.0);
-    assert!(refusal(&many).contains("but the file ends 32 bytes on"), "{}", refusal(&many));
-    assert!(refusal(&file(&with("PixelSizeXMeter", "0"), 0.0)).contains("does not say how large the map is"));
-}
-
-fn refusal(bytes: &[u8]) -> String {
-    read_scans(bytes, "scan", &ScanOptions::default()).unwrap_err().to_string()
+    refused!(refusal(&many), Truncated { needed: 15999999999996, available: 32 });
+    refused!(refusal(&file(&with("PixelSizeXMeter", "0"), 0.0)), NoSize { what: "how large the map is" });
 }

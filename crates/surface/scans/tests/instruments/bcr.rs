@@ -1,6 +1,6 @@
 //! BCR-STM and BCRF: text headers in three encodings before counts or floating-point numbers.
 
-use scans::{ScanOptions, read_scans};
+use crate::refusal;
 
 use crate::{Sample, assert_holds, channels, heights};
 
@@ -99,7 +99,7 @@ fn what_is_left_out_is_assumed_or_asked_for() {
     assert_eq!(scan.notes, ["the file does not say the height of a count; it is taken to be 1"]);
     assert_holds(&scan.scan, SIZE_M, &heights_m(2e-9), 1e-20);
     let no_size = counts(&with("xlength = 0"));
-    assert_eq!(refusal(&no_size), "reading BCR: the file does not say how large the map is");
+    refused!(refusal(&no_size), NoSize { what: "how large the map is" });
     let current = counts(&with("zunit = nA"));
     assert!(heights(&current).is_empty());
     assert_eq!(channels(&current, true).remove(0).unwrap().measure.to_string(), "nA");
@@ -107,17 +107,13 @@ fn what_is_left_out_is_assumed_or_asked_for() {
 
 #[test]
 fn damage_is_told() {
-    assert_eq!(
+    refused!(
         refusal(&counts(&with("xpixels = many"))),
-        "reading BCR, the file: 'xpixels' in the header is 'many', it must be a whole number above 0; export the file again"
+        BadField { field: "'xpixels' in the header", value: "'many'" }
     );
-    assert!(refusal(&counts(&LINES[1..])).contains("there is no 'xpixels' in the header"));
-    assert!(refusal(&counts(&with("ypixels = 4"))).contains("takes 24 bytes, but the file ends 12 bytes on"));
+    refused!(refusal(&counts(&LINES[1..])), MissingField { field: "'xpixels' in the header" });
+    refused!(refusal(&counts(&with("ypixels = 4"))), Truncated { needed: 24, available: 12 });
     let mut other = header("bcrx", &LINES, 2048).into_bytes();
     other.extend([0; 12]);
-    assert!(refusal(&other).contains("'fileformat' in the header is 'bcrx', it must be bcrstm or bcrf"));
-}
-
-fn refusal(bytes: &[u8]) -> String {
-    read_scans(bytes, "scan", &ScanOptions::default()).unwrap_err().to_string()
+    refused!(refusal(&other), BadField { field: "'fileformat' in the header", value: "'bcrx'" });
 }

@@ -1,36 +1,33 @@
 //! Headers that claim more than any instrument writes are refused before they cost memory or time.
 
-use scans::{ScanOptions, read_scans};
+use crate::refusal;
 
 use crate::zip_file::stored;
-
-fn refusal(bytes: &[u8]) -> String {
-    read_scans(bytes, "scan", &ScanOptions::default()).unwrap_err().to_string()
-}
 
 #[test]
 fn channels_without_number_are_refused() {
     let image = |number: u32| format!("/{number}/data\0oGwyDataField\0\0\0\0\0").into_bytes();
     let images: Vec<u8> = (0..2000).flat_map(image).collect();
     let size = u32::try_from(images.len()).unwrap().to_le_bytes();
-    assert_eq!(
+    refused!(
         refusal(&[b"GWYPGwyContainer\0".as_slice(), &size, &images].concat()),
-        "reading Gwyddion, the file: the number of channels is at least 1025, it must be at most 1024; the file is damaged, or has to be \
-         exported in parts"
+        BadField { field: "the number of channels", value: "at least 1025" }
     );
     let images = "\\*AFM image list\r\n".repeat(2000);
     let header = format!("\\*File list\r\n\\Version: 0x09200000\r\n{images}\\*File list end\r\n");
-    assert!(refusal(header.as_bytes()).contains("the number of channels is at least 2000"));
+    refused!(
+        refusal(header.as_bytes()),
+        BadField { field: "the number of channels", value: "at least 2000" }
+    );
 }
 
 #[test]
 fn names_that_would_stand_in_every_path_are_refused() {
     let name = [600u32.to_le_bytes().as_slice(), &[b'a'; 600]].concat();
     let file = [b"VCA DATA\x01\x00\x00\x55".as_slice(), &name, &[0x7d, 1, 0]].concat();
-    assert_eq!(
+    refused!(
         refusal(&file),
-        "reading Vision64, byte 12: the length of a name is 600, it must be below 512 with those of the values around it; the \
-         file is damaged or of a variant that is not known: export it again"
+        BadField { field: "the length of a name", value: "600", place: scans::Place::Byte(12) }
     );
 }
 
@@ -38,16 +35,13 @@ fn names_that_would_stand_in_every_path_are_refused() {
 fn an_archive_of_more_files_than_any_has_is_refused_before_it_is_opened() {
     let paths: Vec<String> = (0..10_001).map(|index| index.to_string()).collect();
     let files: Vec<(&str, &[u8])> = paths.iter().map(|path| (path.as_str(), b"".as_slice())).collect();
-    assert_eq!(
-        refusal(&stored(&files)),
-        "unpacking the archive: it takes more than 10000 files, the most that is accepted; pack fewer or smaller files"
-    );
+    refused!(refusal(&stored(&files)), ArchiveTooLarge { what: "the archive", bound: 10000 });
 }
 
 #[test]
 fn a_header_longer_than_that_of_any_array_is_refused() {
     let header = [b"\x93NUMPY\x02\x00".as_slice(), &100_000u32.to_le_bytes(), &[b' '; 100_000]].concat();
-    assert!(refusal(&header).contains("the length of the header is 100000, it must be at most 65536"));
+    refused!(refusal(&header), BadField { field: "the length of the header", value: "100000" });
 }
 
 /// Rows of no columns, more than anyone could walk through.
@@ -65,10 +59,7 @@ fn a_map_without_columns_ends_at_once() {
         [none(0), tag(6), counts(&[0, 0])].concat(),
     ]
     .concat();
-    assert_eq!(
-        crate::heights_if_told(&file).unwrap_err().to_string(),
-        "building a scan: the number of points is 0, it must be at least 2"
-    );
+    refused!(crate::heights_if_told(&file).unwrap_err(), Scan(TooFew { what: "points", found: 0 }));
 }
 
 /// Every channel of a file has a copy of its comment.

@@ -2,7 +2,8 @@
 
 use std::io::Write;
 
-use scans::{Probe, ScanOptions, read_scans};
+use crate::refusal;
+use scans::Probe;
 
 use crate::bytes::Bytes;
 use crate::{Sample, assert_holds, channels, heights};
@@ -217,35 +218,30 @@ fn what_is_no_length_is_no_height() {
 #[test]
 fn without_a_spacing_the_size_is_asked_for() {
     let bytes = Object { spacings: [0.0, 1.0], ..map() }.bytes();
-    assert_eq!(refusal(&bytes), "reading Digital Surf: the file does not say how large the map is");
+    refused!(refusal(&bytes), NoSize { what: "how large the map is" });
 }
 
 #[test]
 fn damage_is_told() {
-    assert_eq!(
+    refused!(
         refusal(&Object { kind: 20, ..map() }.bytes()),
-        "reading Digital Surf, byte 18: a spectrum cannot be read; export a surface or a profile"
+        Unsupported { found: "a spectrum", place: scans::Place::Byte(18) }
     );
     let mut bits = map().bytes();
     bits[98] = 24;
-    assert!(refusal(&bits).contains("byte 98: the bits of a point is 24, it must be 16 or 32"));
+    refused!(refusal(&bits), BadField { field: "the bits of a point", value: "24" });
     let cut = map().bytes();
-    assert_eq!(
-        refusal(&cut[..cut.len() - 1]),
-        "reading Digital Surf, byte 525: a channel of 3 x 2 points takes 12 bytes, but the file ends 11 bytes on; the \
-         file is cut off or its header damaged: export it again"
-    );
+    refused!(refusal(&cut[..cut.len() - 1]), Truncated { needed: 12, available: 11, offset: 525 });
     let mut packed = Object { is_packed: true, ..map() }.bytes();
     packed[549] ^= 0xff;
-    assert!(refusal(&packed).contains("the packed data is"), "{}", refusal(&packed));
+    refused!(refusal(&packed), BadField { field: "the packed data", value: "corrupt deflate stream" });
     let mut long = Object { is_packed: true, ..map() }.bytes();
     long[529] = 200;
-    assert!(refusal(&long).contains("must be at most the 12 bytes that the points leave"));
+    refused!(refusal(&long), BadField { field: "the length of a stream", value: "200" });
     let mut huge = Object { is_packed: true, ..map() }.bytes();
     huge[108..116].fill(0x7f);
-    assert!(refusal(&huge).contains("the most that is accepted"));
-}
-
-fn refusal(bytes: &[u8]) -> String {
-    read_scans(bytes, "scan", &ScanOptions::default()).unwrap_err().to_string()
+    refused!(
+        refusal(&huge),
+        ArchiveTooLarge { what: "the 2139062143 x 2139062143 points", bound: 1073741824 }
+    );
 }

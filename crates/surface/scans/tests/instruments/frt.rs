@@ -1,8 +1,9 @@
 //! MicroProf files: blocks of both widths, a topography of its own or in a list of images.
 
 use crate::bytes::Bytes;
+use crate::refusal;
 use crate::{Sample, assert_holds, channels, heights};
-use scans::{Measure, Probe, ScanOptions, read_scans};
+use scans::{Measure, Probe};
 
 fn file(version: &str, blocks: &[(u16, Vec<u8>)]) -> Vec<u8> {
     let mut file = Bytes::default();
@@ -94,24 +95,11 @@ fn images_stand_in_a_list() {
 
 #[test]
 fn damage_is_told() {
-    let message = |bytes: &[u8]| read_scans(bytes, "scan", &ScanOptions::default()).unwrap_err().to_string();
     let cut = alone("1.00");
-    assert!(
-        message(&cut[..cut.len() - 15]).contains("block 0x0b takes 12 bytes"),
-        "{}",
-        message(&cut[..cut.len() - 15])
-    );
-    let empty = message(&file("1.00", &frame()));
-    assert_eq!(
-        empty,
-        "reading FRT, the file: there is no block 0x0b, the heights; the file holds no heights, or is damaged: export it again"
-    );
-    assert!(
-        message(&file("2.00", &frame())).contains("byte 12: the version is '2.00', it must be 1.00 or 1.01")
-    );
+    refused!(refusal(&cut[..cut.len() - 15]), Truncated { needed: 12, available: 4 });
+    let empty = refusal(&file("1.00", &frame()));
+    refused!(empty, MissingField { field: "block 0x0b, the heights" });
+    refused!(refusal(&file("2.00", &frame())), BadField { field: "the version", value: "'2.00'" });
     let small = file("1.00", &[frame(), vec![(0x0b, vec![0; 10])]].concat());
-    assert!(
-        message(&small)
-            .contains("the size of the block is 10, it must be at least the 12 bytes of 3 x 2 points")
-    );
+    refused!(refusal(&small), BadField { field: "the size of the block", value: "10" });
 }

@@ -176,7 +176,7 @@ fn images_are_read_with_their_units_titles_and_comments() {
     assert_eq!(all[1].as_ref().unwrap().measure, Measure::Other("V".to_owned()));
     assert_eq!(all[3].as_ref().unwrap().measure, Measure::Length);
     // Without any unit the size must be given.
-    assert!(all[2].as_ref().unwrap_err().to_string().contains("does not say the unit of heights"));
+    refused!(all[2].as_ref().unwrap_err(), NoUnit { what: "heights" });
 }
 
 #[test]
@@ -312,7 +312,7 @@ fn more_curves_than_any_file_has_are_refused() {
         "scan",
         &scans::ScanOptions::default(),
     );
-    assert!(found.unwrap_err().to_string().contains("the number of channels is at least 1025"));
+    refused!(found.unwrap_err(), BadField { field: "the number of channels", value: "at least 1025" });
     // Curves of no heights are none of them.
     let parts = [graph(1, ["m", "N"], "", &curves), component("/0/data", b'o', field("m", "m", &VALUES))];
     assert_eq!(heights(&file(&parts)).len(), 1);
@@ -320,30 +320,24 @@ fn more_curves_than_any_file_has_are_refused() {
 
 #[test]
 fn what_is_damaged_is_refused_with_its_place() {
-    let message = |bytes: &[u8]| {
-        scans::read_scans(bytes, "scan", &scans::ScanOptions::default()).unwrap_err().to_string()
-    };
+    let message =
+        |bytes: &[u8]| scans::read_scans(bytes, "scan", &scans::ScanOptions::default()).unwrap_err();
     let short = component("/0/data", b'o', field("m", "m", &VALUES[1..]));
-    assert_eq!(
-        message(&file(&[short])),
-        "reading Gwyddion, /0/data: 'data' is an array of 5 values, it must be an array of the 3 x 2 values of 'xres' and \
-         'yres'; the file is damaged: save it again from Gwyddion"
-    );
+    refused!(message(&file(&[short])), BadField { field: "'data'", value: "an array of 5 values" });
     let empty = component("/0/data", b'o', object("GwyDataField", &[]));
-    assert_eq!(
-        message(&file(&[empty])),
-        "reading Gwyddion, /0/data: there is no component 'xres'; the file is damaged: save it again from Gwyddion"
-    );
+    refused!(message(&file(&[empty])), MissingField { field: "component 'xres'" });
     let negative = component("/0/data", b'o', object("GwyDataField", &[integer("xres", -3)]));
-    assert!(message(&file(&[negative])).contains("'xres' is -3, it must be a whole number above 0"));
+    refused!(message(&file(&[negative])), BadField { field: "'xres'", value: "-3" });
     let unknown = component("name", b'?', []);
-    assert_eq!(
+    refused!(
         message(&file(&[unknown])),
-        "reading Gwyddion, byte 26: the type of a component is '?', it must be one of the letters b, c, i, q, d, s, o, C, I, \
-         Q, D, S, O; the file is damaged: save it again from Gwyddion"
+        BadField { field: "the type of a component", value: "'?'", place: scans::Place::Byte(26) }
     );
-    assert!(message(&file(&[])).contains("a file without any image"));
+    refused!(
+        message(&file(&[])),
+        Unsupported { found: "a file without any image or profile, such as one of volume data" }
+    );
     let mut cut = whole();
     cut.truncate(500);
-    assert!(message(&cut).contains("byte 21: the object 'GwyContainer' takes"));
+    refused!(message(&cut), Truncated { needed: 1194, available: 479 });
 }

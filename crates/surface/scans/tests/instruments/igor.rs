@@ -206,24 +206,25 @@ fn columns_of_a_table_and_waves_of_one_dimension_are_lines() {
 
 #[test]
 fn what_holds_no_heights_is_refused() {
-    let message =
-        |wave: Wave| read_scans(&wave.bytes(), "scan", &ScanOptions::default()).unwrap_err().to_string();
-    assert_eq!(
+    let message = |wave: Wave| read_scans(&wave.bytes(), "scan", &ScanOptions::default()).unwrap_err();
+    refused!(
         message(Wave { type_code: 0, ..Wave::scan() }),
-        "reading Igor, byte 80: the type of the numbers is 0, it must be 2, 4, 8, 16, 32 or 128, with 64 added where there is \
-         no sign: texts and complex numbers are no heights; the file is damaged or of a variant that is not known: export it again"
+        BadField { field: "the type of the numbers", value: "0", place: scans::Place::Byte(80) }
     );
-    assert!(
-        message(Wave { points: [2, 2, 2, 1], ..Wave::scan() })
-            .contains("a wave of four dimensions cannot be read")
+    refused!(
+        message(Wave { points: [2, 2, 2, 1], ..Wave::scan() }),
+        Unsupported { found: "a wave of four dimensions" }
     );
-    assert!(
-        message(Wave { points: [3, 2, 20, 0], ..Wave::scan() })
-            .contains("a wave of [3, 2, 20] points takes 480 bytes")
+    refused!(
+        message(Wave { points: [3, 2, 20, 0], ..Wave::scan() }),
+        Truncated { needed: 480, available: 205 }
     );
-    assert!(message(Wave { points: [0, 2, 3, 0], ..Wave::scan() }).contains("it must be at least one"));
+    refused!(
+        message(Wave { points: [0, 2, 3, 0], ..Wave::scan() }),
+        BadField { field: "the number of points of the dimensions", value: "[0, 2, 3, 0]" }
+    );
     let over_time = Wave { units: ["m", "s", ""], ..table() };
-    assert!(message(over_time).contains("there is no channel of heights"));
+    refused!(message(over_time), NoChannel { wanted: "channel of heights", channels: ["Left", "Right"] });
     let without_unit = Wave { units: ["", "um", "um"], note: "", labels: &[], ..Wave::scan() };
-    assert!(message(without_unit).contains("the file does not say the unit of heights"));
+    refused!(message(without_unit), NoUnit { what: "heights" });
 }

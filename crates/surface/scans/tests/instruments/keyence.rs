@@ -1,6 +1,7 @@
 //! Keyence files, plain and packed.
 
 use crate::bytes::Bytes;
+use crate::refusal;
 use crate::zip_file::zipped;
 use crate::{Sample, assert_holds, channels, heights};
 use scans::{Measure, Probe, ScanOptions, read_scans};
@@ -87,15 +88,9 @@ fn packed_files_are_read() {
 
 #[test]
 fn damage_is_told() {
-    let message = |bytes: &[u8]| read_scans(bytes, "scan", &ScanOptions::default()).unwrap_err().to_string();
-    let with = |image: &[u8]| message(&plain("VK4_", image, None, &[]));
-    assert!(with(&image(24, 0, &[0; 18])).contains("the bits of a number is 24, it must be 8, 16 or 32"));
-    assert!(
-        with(&image(16, 1, &[0; 12])).contains("compression 1 cannot be read; export it without compression")
-    );
-    assert!(
-        with(&image(16, 0, &[0; 11]))
-            .contains("a channel of 3 x 2 points takes 12 bytes, but the file ends 11")
-    );
-    assert!(message(b"VK4_").contains("takes 4 bytes, but the file ends"));
+    let with = |image: &[u8]| refusal(&plain("VK4_", image, None, &[]));
+    refused!(with(&image(24, 0, &[0; 18])), BadField { field: "the bits of a number", value: "24" });
+    refused!(with(&image(16, 1, &[0; 12])), Unsupported { found: "compression 1" });
+    refused!(with(&image(16, 0, &[0; 11])), Truncated { needed: 12, available: 11 });
+    refused!(refusal(b"VK4_"), Truncated { needed: 4, available: 0 });
 }

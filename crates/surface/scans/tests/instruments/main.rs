@@ -3,6 +3,10 @@
 //! A module a format has `fn samples() -> Vec<Sample>`: small files that the reader of the format reads. From them also
 //! start the fuzzer and the test that cuts and flips bytes.
 
+#[macro_use]
+#[path = "../support/refused.rs"]
+mod refused;
+
 mod alicona;
 mod bcr;
 mod bounds;
@@ -96,6 +100,11 @@ fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
 /// The channels of heights of a file; each must be readable.
 pub fn heights(bytes: &[u8]) -> Vec<ScanFile> {
     channels(bytes, false).into_iter().map(|channel| channel.unwrap()).collect()
+}
+
+/// The error of a file that cannot be read.
+pub fn refusal(bytes: &[u8]) -> ScanReadError {
+    read_scans(bytes, "scan", &ScanOptions::default()).unwrap_err()
 }
 
 /// Every channel of a file.

@@ -1,6 +1,7 @@
 //! MarWin: traced profiles in a ZIP file, evenly spaced or not.
 
-use scans::{Measured, Probe, Scan, ScanOptions, read_scans};
+use crate::refusal;
+use scans::{Measured, Probe, Scan};
 
 use crate::bytes::Bytes;
 use crate::{Sample, assert_holds, heights, zip_file};
@@ -76,22 +77,18 @@ fn uneven_profiles_leave_them_out() {
 #[test]
 fn damage_is_told() {
     let refusal_of = |profile: Vec<u8>| refusal(&zipped(&[("Kontur1.prf", profile)]));
-    assert!(refusal_of(b"PK".to_vec()).contains("the beginning of a profile is 'PK', it must be '[p3dlin]'"));
+    refused!(refusal_of(b"PK".to_vec()), BadField { field: "the beginning of a profile", value: "'PK'" });
     let whole = profile(EVEN_MM);
-    assert!(
-        refusal_of(whole[..whole.len() - 1].to_vec())
-            .contains("takes 16 bytes, but the file ends 15 bytes on")
-    );
+    refused!(refusal_of(whole[..whole.len() - 1].to_vec()), Truncated { needed: 16, available: 15 });
     let mut marks = whole.clone();
     marks.iter_mut().filter(|byte| **byte == b'T').for_each(|byte| *byte = b't');
-    assert!(refusal_of(marks).contains("there is no section '[Trajec]'"));
+    refused!(refusal_of(marks), MissingField { field: "section '[Trajec]'" });
     let mut count = whole;
     count[0x14..0x18].fill(0x7f);
-    assert!(refusal_of(count).contains("a channel of 2139062143 x 1 points"));
-    assert!(refusal(&of([0.0, f64::NAN, 2.0, 3.0])).contains("a position is no number at point 2"));
-    assert!(refusal(&of([0.0, -1.0, 2.0, 3.0])).contains("the position of point"));
-}
-
-fn refusal(bytes: &[u8]) -> String {
-    read_scans(bytes, "scan", &ScanOptions::default()).unwrap_err().to_string()
+    refused!(refusal_of(count), Truncated { needed: 17112497144, available: 112 });
+    refused!(
+        refusal(&of([0.0, f64::NAN, 2.0, 3.0])),
+        BadField { field: "a position", value: "no number at point 2" }
+    );
+    refused!(refusal(&of([0.0, -1.0, 2.0, 3.0])), Scan(PositionsDoNotRise {}));
 }

@@ -1,6 +1,7 @@
 //! MetroPro: phases behind a header of one of three formats and intensities.
 
-use scans::{Probe, ScanOptions, read_scans};
+use crate::refusal;
+use scans::Probe;
 
 use crate::bytes::Bytes;
 use crate::{Sample, assert_holds, heights};
@@ -102,25 +103,23 @@ fn the_sign_turns_heights() {
 #[test]
 fn damage_is_told() {
     let no_size = Phases { spacing_m: 0.0, ..map() }.bytes();
-    assert_eq!(refusal(&no_size), "reading MetroPro: the file does not say how large the map is");
-    assert_eq!(
+    refused!(refusal(&no_size), NoSize { what: "how large the map is" });
+    refused!(
         refusal(&Phases { resolution: 3, ..map() }.bytes()),
-        "reading MetroPro, byte 218: the resolution of phases is 3, it must be 0, 1 or 2; the file is damaged or of a \
-         variant that is not known: export it again"
+        BadField { field: "the resolution of phases", value: "3", place: scans::Place::Byte(218) }
     );
     let none = Phases { columns: 0, phases: vec![], ..map() }.bytes();
-    assert!(refusal(&none).contains("there is no phase data (0 x 0 points)"));
-    assert!(
-        refusal(&Phases { obliquity: 0.0, ..map() }.bytes())
-            .contains("it must be a finite number other than 0")
+    refused!(refusal(&none), MissingField { field: "phase data (0 x 0 points)" });
+    refused!(
+        refusal(&Phases { obliquity: 0.0, ..map() }.bytes()),
+        BadField {
+            field: "the scale factor times wavelength times obliquity",
+            value: "0.5 x 0.000000512 x 0"
+        }
     );
     let cut = map().bytes();
-    assert!(refusal(&cut[..cut.len() - 4]).contains("takes 24 bytes, but the file ends 20 bytes on"));
+    refused!(refusal(&cut[..cut.len() - 4]), Truncated { needed: 24, available: 20 });
     let mut short = map().bytes();
     short[8] = 0;
-    assert!(refusal(&short).contains("the length of the header is 66, it must be at least 834"));
-}
-
-fn refusal(bytes: &[u8]) -> String {
-    read_scans(bytes, "scan", &ScanOptions::default()).unwrap_err().to_string()
+    refused!(refusal(&short), BadField { field: "the length of the header", value: "66" });
 }

@@ -2,7 +2,8 @@
 
 use std::io::{Cursor, Write};
 
-use scans::{ScanFormat, ScanOptions, read_scans};
+use crate::refusal;
+use scans::ScanFormat;
 
 use crate::{Sample, assert_holds, heights};
 
@@ -147,24 +148,16 @@ fn other_compound_files_are_not_told_to_be_documents() {
 
 #[test]
 fn damage_is_told() {
-    assert_eq!(
+    refused!(
         refusal(&Document { class: 4, ..map() }.bytes()),
-        "reading MountainsMap, the file: a document without a measured surface cannot be read; export the surface or \
-         profile from MountainsMap as SUR, PRO or X3P"
+        Unsupported { found: "a document without a measured surface" }
     );
     let fewer = refusal(&Document { columns: 4, ..map() }.bytes());
-    assert!(
-        fewer.contains("the number of elements of an array is 6, it must be that of its points, 8"),
-        "{fewer}"
-    );
+    refused!(fewer, BadField { field: "the number of elements of an array", value: "6" });
     let current = Document { unit: "V", ..map() }.bytes();
     assert!(heights(&current).is_empty());
     let short = compound(&[0; 4]);
-    assert!(refusal(&short).contains("the document takes 8 bytes, but the file ends 4 bytes on"));
+    refused!(refusal(&short), Truncated { needed: 8, available: 4 });
     let empty = compound(&[0; 8]);
-    assert!(refusal(&empty).contains("there is no entry [1, 2bd, 2, 1] in this part of the document"));
-}
-
-fn refusal(bytes: &[u8]) -> String {
-    read_scans(bytes, "scan", &ScanOptions::default()).unwrap_err().to_string()
+    refused!(refusal(&empty), MissingField { field: "entry [1, 2bd, 2, 1] in this part of the document" });
 }

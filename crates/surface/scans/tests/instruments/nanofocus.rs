@@ -40,11 +40,11 @@ fn what_makes_no_sense_is_another_file() {
         nanofocus((-1.0, 1.0), 0.001, &PARTS[1..]),
     ] {
         assert_eq!(ScanFormat::recognise(&bytes), None);
-        assert!(
-            read_scans(&bytes, "scan", &ScanOptions::default())
-                .unwrap_err()
-                .to_string()
-                .starts_with("recognising")
+        refused!(
+            read_scans(&bytes, "scan", &ScanOptions::default()).unwrap_err(),
+            UnknownFormat {
+                start: "'\\x00\\x00\\x00\\x00\\x00\\x00\\x00\\x00\\x00\\x00\\x00\\x00\\x00\\x00\\x00\\x00'"
+            }
         );
     }
 }

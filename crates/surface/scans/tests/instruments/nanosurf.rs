@@ -1,6 +1,7 @@
 //! Files of Nanosurf.
 
-use scans::{Axis, Measure, Probe, ScanOptions, read_scans};
+use crate::refusal;
+use scans::{Axis, Measure, Probe};
 
 use super::{Sample, assert_holds, channels, heights};
 
@@ -70,10 +71,9 @@ fn both_directions_are_read_from_their_bottom() {
 
 #[test]
 fn what_cannot_be_read_is_told() {
-    let message = |bytes: &[u8]| read_scans(bytes, "scan", &ScanOptions::default()).unwrap_err().to_string();
-    assert_eq!(
-        message(&volts()),
-        "reading Nanosurf: there is no channel of heights; there is 'Scan forward (Friction)'"
+    refused!(
+        refusal(&volts()),
+        NoChannel { wanted: "channel of heights", channels: ["Scan forward (Friction)"] }
     );
     let changed = |from: &str, to: &str| {
         let text: String = scan().iter().map(|byte| char::from(*byte)).collect();
@@ -82,24 +82,17 @@ fn what_cannot_be_read_is_told() {
             .map(|letter| u8::try_from(u32::from(letter)).unwrap())
             .collect::<Vec<u8>>()
     };
-    assert_eq!(
-        message(&changed("GroupCount=2", "GroupCount=none")),
-        "reading Nanosurf, [DataSet]: 'GroupCount' is 'none', it must be a whole number above 0; the header is damaged: export \
-         the file again"
+    refused!(
+        refusal(&changed("GroupCount=2", "GroupCount=none")),
+        BadField { field: "'GroupCount'", value: "'none'" }
     );
     // A channel of unknown size hides those behind it.
     let hidden = changed("SaveBits=16", "SaveBits=24");
     let all = channels(&hidden, true);
-    assert!(all[0].as_ref().unwrap_err().to_string().contains("'SaveBits' is '24', it must be 8, 16 or 32"));
-    assert!(
-        all[2]
-            .as_ref()
-            .unwrap_err()
-            .to_string()
-            .contains("a channel behind one of unknown size cannot be read")
-    );
-    assert!(message(&changed("#!", "??")).contains("there is no '#!' before it"));
+    refused!(all[0].as_ref().unwrap_err(), BadField { field: "'SaveBits'", value: "'24'" });
+    refused!(all[2].as_ref().unwrap_err(), Unsupported { found: "a channel behind one of unknown size" });
+    refused!(refusal(&changed("#!", "??")), MissingField { field: "'#!' before it, which ends the header" });
     let mut cut = scan();
     cut.truncate(cut.len() - 25);
-    assert!(message(&cut).contains("a channel of 2 x 2 points takes 8 bytes, but the file ends 3 bytes on"));
+    refused!(refusal(&cut), Truncated { needed: 8, available: 3 });
 }

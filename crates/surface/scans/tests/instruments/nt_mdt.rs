@@ -1,6 +1,7 @@
 //! Files of NT-MDT.
 
-use scans::{Measure, Probe, ScanOptions, read_scans};
+use crate::refusal;
+use scans::{Measure, Probe};
 
 use super::bytes::Bytes;
 use super::{Sample, assert_holds, channels};
@@ -61,20 +62,16 @@ fn scanned_images_are_read_from_their_bottom() {
 
 #[test]
 fn what_is_damaged_is_refused() {
-    let message = |bytes: &[u8]| read_scans(bytes, "scan", &ScanOptions::default()).unwrap_err().to_string();
-    assert_eq!(
-        message(&file(&[frame(106, 0, -1, 0, [3, 2])])),
-        "reading NT-MDT, the file: a file without a frame of a scanned image cannot be read; export an image of heights"
+    refused!(
+        refusal(&file(&[frame(106, 0, -1, 0, [3, 2])])),
+        Unsupported { found: "a file without a frame of a scanned image" }
     );
     let large = file(&[frame(0, 0, -1, 0, [30, 20])]);
-    assert!(
-        message(&large)
-            .contains("a channel of 30 x 20 points takes 1200 bytes, but the file ends 26 bytes on")
-    );
+    refused!(refusal(&large), Truncated { needed: 1200, available: 26 });
     let mut small = whole();
     small[33..37].copy_from_slice(&[7, 0, 0, 0]);
-    assert!(message(&small).contains("byte 33: the size of a frame is 7, it must be at least 22"));
+    refused!(refusal(&small), BadField { field: "the size of a frame", value: "7" });
     let mut cut = whole();
     cut.truncate(300);
-    assert!(message(&cut).contains("but the file ends"), "{}", message(&cut));
+    refused!(refusal(&cut), Truncated { needed: 46, available: 5 });
 }

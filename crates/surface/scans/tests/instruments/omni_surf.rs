@@ -1,6 +1,6 @@
 //! OmniSurf3D: heights behind texts of any length.
 
-use scans::{ScanOptions, read_scans};
+use crate::refusal;
 
 use crate::bytes::Bytes;
 use crate::{Sample, assert_holds, heights};
@@ -37,16 +37,11 @@ fn maps_and_lines_are_read() {
 
 #[test]
 fn damage_is_told() {
-    assert_eq!(
+    refused!(
         refusal(&map(-1.0, 2)),
-        "reading OmniSurf3D, byte 66: the distance of columns is -1, it must be a number above 0; the file is damaged or \
-         of a variant that is not known: export it again"
+        BadField { field: "the distance of columns", value: "-1", place: scans::Place::Byte(66) }
     );
-    assert!(refusal(&map(1.0, 3)).contains("takes 36 bytes, but the file ends 24 bytes on"));
-    assert!(refusal(&map(1.0, 0)).contains("the number of rows is 0"));
-    assert!(refusal(&map(1.0, 2)[..30]).contains("the identification takes 13 bytes"));
-}
-
-fn refusal(bytes: &[u8]) -> String {
-    read_scans(bytes, "scan", &ScanOptions::default()).unwrap_err().to_string()
+    refused!(refusal(&map(1.0, 3)), Truncated { needed: 36, available: 24 });
+    refused!(refusal(&map(1.0, 0)), BadField { field: "the number of rows", value: "0" });
+    refused!(refusal(&map(1.0, 2)[..30]), Truncated { needed: 13, available: 8 });
 }

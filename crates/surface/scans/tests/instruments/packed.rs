@@ -54,31 +54,25 @@ fn the_format_is_told_by_what_is_packed() {
 fn one_of_several_scans_is_asked_for() {
     let several = zipped(&[("a.txt", PROFILE), ("b.txt", b"# Unit: um\n0 3\n1 3\n")]);
     let refused = read_scans(&several, "scans.zip", &ScanOptions::default()).unwrap_err();
-    assert_eq!(
-        refused.to_string(),
-        "reading container: there is no single scan in the ZIP file; there are 'a.txt', 'b.txt'"
-    );
+    refused!(refused, NoChannel { wanted: "single scan in the ZIP file", channels: ["a.txt", "b.txt"] });
     assert_eq!(refused.mend(), Some(Mend::Give(ScanOption::Measurement)));
     let wanted = |name: &str| ScanOptions { measurement: Some(name.to_owned()), ..ScanOptions::default() };
     assert_eq!(heights_m(&several, &wanted("b.txt")), [Some(3e-6); 2]);
     let gone = read_scans(&several, "scans.zip", &wanted("c.txt")).unwrap_err();
-    assert!(gone.to_string().contains("there is no measurement 'c.txt'; there are 'a.txt', 'b.txt'"));
+    refused!(gone, NoChannel { wanted: "measurement 'c.txt'", channels: ["a.txt", "b.txt"] });
 }
 
 #[test]
 fn bounds_and_damage_are_told() {
     let bounded = ScanOptions { max_unpacked_bytes: Some(1000), ..ScanOptions::default() };
-    let refused = |bytes: &[u8]| read_scans(bytes, "scan", &bounded).unwrap_err().to_string();
+    let refused = |bytes: &[u8]| read_scans(bytes, "scan", &bounded).unwrap_err();
     let bomb = gzipped(&[b'1'; 1 << 20]);
-    assert_eq!(
-        refused(&bomb),
-        "unpacking the gzip file: it takes more than 1000 bytes, the most that is accepted; pack fewer or smaller files"
-    );
-    assert!(
-        refused(&zipped(&[("a", &[b'1'; 1 << 20])]))
-            .starts_with("unpacking 'a': it takes more than 1000 bytes")
-    );
-    assert!(refused(&gzipped(PROFILE)[..15]).starts_with("unpacking the gzip file: "));
+    refused!(refused(&bomb), ArchiveTooLarge { what: "the gzip file", bound: 1000 });
+    refused!(refused(&zipped(&[("a", &[b'1'; 1 << 20])])), ArchiveTooLarge { what: "'a'", bound: 1000 });
+    refused!(refused(&gzipped(PROFILE)[..15]), Zip { what: "the gzip file" });
     // One level is unpacked, no more.
-    assert!(refused(&gzipped(&gzipped(PROFILE))).starts_with("recognising 'scan'"));
+    refused!(
+        refused(&gzipped(&gzipped(PROFILE))),
+        UnknownFormat { start: "'\\x1f\\x8b\\x08\\x00\\x00\\x00\\x00\\x00\\x00\\xffSV\\x08\\xcd\\xcb,'" }
+    );
 }

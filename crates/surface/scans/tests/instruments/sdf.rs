@@ -1,8 +1,8 @@
 //! Surface data files in text and binary, with every type of number.
 
 use crate::bytes::Bytes;
+use crate::refusal;
 use crate::{Sample, assert_holds, heights};
-use scans::{ScanOptions, read_scans};
 
 /// A binary file of 3 x 2 points with spacings of 1 and 2 µm.
 fn binary(version: &str, data_type: u8, check_type: u8, extra: &[u8], data: &[u8]) -> Vec<u8> {
@@ -94,22 +94,19 @@ fn a_line_and_a_check_sum() {
 
 #[test]
 fn damage_is_told() {
-    let message = |bytes: &[u8]| read_scans(bytes, "scan", &ScanOptions::default()).unwrap_err().to_string();
-    let text = |from: &str, to: &str| message(TEXT.replace(from, to).as_bytes());
-    assert_eq!(
+    let text = |from: &str, to: &str| refusal(TEXT.replace(from, to).as_bytes());
+    refused!(
         text("4 BAD 6", "4 BAD"),
-        "reading SDF, line 15: the number of heights is 5, it must be 3 x 2, NumPoints and NumProfiles; export the file again"
+        BadField { field: "the number of heights", value: "5", place: scans::Place::Line(15) }
     );
-    assert_eq!(
+    refused!(
         text("4 BAD 6", "4 BAD x"),
-        "reading SDF, line 17: a height is x, it must be a number or BAD; export the file again"
+        BadField { field: "a height", value: "x", place: scans::Place::Line(17) }
     );
-    assert!(text("NumPoints", "Points").contains("there is no line 'NumPoints' in the header"));
-    assert!(text("DataType = 7", "DataType = 9").contains("line 13: DataType is 9, it must be from 0 to 7"));
-    assert!(text("Compression = 0", "Compression = 1").contains("compression 1 cannot be read"));
-    assert!(text("Xscale = 1.0E-6", "Xscale = 0").contains("must be finite and above 0"));
+    refused!(text("NumPoints", "Points"), MissingField { field: "line 'NumPoints' in the header" });
+    refused!(text("DataType = 7", "DataType = 9"), BadField { field: "DataType", value: "9" });
+    refused!(text("Compression = 0", "Compression = 1"), Unsupported { found: "compression 1" });
+    refused!(text("Xscale = 1.0E-6", "Xscale = 0"), Scan(BadSpacing { what: "spacing along x", value: 0.0 }));
     let short = binary("bISO-1.0", 7, 0, &[], &[0; 47]);
-    assert!(
-        message(&short).contains("a channel of 3 x 2 points takes 48 bytes, but the file ends 47 bytes on")
-    );
+    refused!(refusal(&short), Truncated { needed: 48, available: 47 });
 }

@@ -1,6 +1,7 @@
 //! Sensofar: topographies and profiles behind a header that begins with the time.
 
-use scans::{Probe, ScanFormat, ScanOptions, read_scans};
+use crate::refusal;
+use scans::{Probe, ScanFormat};
 
 use crate::bytes::Bytes;
 use crate::{Sample, assert_holds, heights};
@@ -110,19 +111,15 @@ fn only_a_time_with_zero_bytes_behind_it_tells_the_format() {
 
 #[test]
 fn damage_is_told() {
-    assert_eq!(
+    refused!(
         refusal(&Measurement { kind: 4, ..topography() }.bytes()),
-        "reading Sensofar, byte 428: a measurement of type 4 cannot be read; export a topography or a profile"
+        Unsupported { found: "a measurement of type 4", place: scans::Place::Byte(428) }
     );
     let no_size = Measurement { spacings: [0.0, f32::NAN], ..topography() }.bytes();
-    assert_eq!(refusal(&no_size), "reading Sensofar: the file does not say how large the map is");
+    refused!(refusal(&no_size), NoSize { what: "how large the map is" });
     let mut many = profiles().bytes();
     many[502] = 1;
-    assert!(refusal(&many).contains("the number of profiles is 65538, it must be at most 10000"));
+    refused!(refusal(&many), BadField { field: "the number of profiles", value: "65538" });
     let profile = profile().bytes();
-    assert!(refusal(&profile[..520]).contains("takes 16 bytes, but the file ends 12 bytes on"));
-}
-
-fn refusal(bytes: &[u8]) -> String {
-    read_scans(bytes, "scan", &ScanOptions::default()).unwrap_err().to_string()
+    refused!(refusal(&profile[..520]), Truncated { needed: 16, available: 12 });
 }

@@ -1,5 +1,6 @@
 //! Sensofar PLUX: an index in XML and layers in a ZIP file.
 
+use crate::refusal;
 use scans::{Probe, ScanOptions, read_scans};
 
 use crate::{Sample, assert_holds, heights, zip_file};
@@ -61,17 +62,9 @@ fn a_missing_layer_leaves_the_others() {
 #[test]
 fn damage_is_told() {
     let short = zipped(&[("index.xml", index("2")), ("LAYER_0.raw", layer(&POINTS[..5]))]);
-    assert!(refusal(&short).contains("takes 24 bytes, but the file ends 20 bytes on"));
+    refused!(refusal(&short), Truncated { needed: 24, available: 20 });
     let no_rows = zipped(&[("index.xml", index("none")), ("LAYER_0.raw", layer(&POINTS))]);
-    assert_eq!(
-        refusal(&no_rows),
-        "reading Sensofar PLUX, GENERAL/IMAGE_SIZE_Y: the text is 'none', it must be a whole number above 0; export the \
-         file again"
-    );
+    refused!(refusal(&no_rows), BadField { field: "the text", value: "'none'" });
     let no_general = zipped(&[("index.xml", b"<xml/>".to_vec()), ("LAYER_0.raw", layer(&POINTS))]);
-    assert!(refusal(&no_general).contains("index.xml: there is no element 'GENERAL'"));
-}
-
-fn refusal(bytes: &[u8]) -> String {
-    read_scans(bytes, "scan", &ScanOptions::default()).unwrap_err().to_string()
+    refused!(refusal(&no_general), MissingField { field: "element 'GENERAL'" });
 }

@@ -109,10 +109,7 @@ fn lines_without_position_and_height_stay_in_their_place() {
         "scan",
         &ScanOptions { unit: "nm".parse().ok(), ..ScanOptions::default() },
     );
-    assert_eq!(
-        message.unwrap_err().to_string(),
-        "line 2: column 1 is 'no position', which is no number; correct it or remove the line"
-    );
+    refused!(message.unwrap_err(), NotANumber { line: 2, column: 1, text: "no position" });
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Vision64: profiles and maps in a tree of typed values.
 
-use scans::{Probe, ScanOptions, read_scans};
+use crate::refusal;
+use scans::Probe;
 
 use crate::bytes::Bytes;
 use crate::{Sample, assert_holds, channels, heights};
@@ -145,31 +146,19 @@ fn the_primary_map_comes_first_and_names_are_told_apart() {
 
 #[test]
 fn damage_is_told() {
-    assert!(
-        refusal(&file(&[profile_data(5)]))
-            .contains("'/1D_Data/Raw/NumPoints' is 5, it must be the 4 of its array")
-    );
+    refused!(refusal(&file(&[profile_data(5)])), BadField { field: "'/1D_Data/Raw/NumPoints'", value: "5" });
     let unknown = file(&[item("What", 0x33, vec![])]);
-    assert_eq!(
+    refused!(
         refusal(&unknown),
-        "reading Vision64, byte 20: the type of a value is 0x33, it must be one that is known; the file is damaged or of \
-         a variant that is not known: export it again"
+        BadField { field: "the type of a value", value: "0x33", place: scans::Place::Byte(20) }
     );
     let cut = profile();
-    assert!(refusal(&cut[..100]).contains("the values of '/1D_Data' takes"), "{}", refusal(&cut[..100]));
+    refused!(refusal(&cut[..100]), Truncated { needed: 255, available: 74 });
     let deep = (0..40).fold(Vec::new(), |inner, _| item("a", 0x7d, counted(&inner)));
-    assert!(refusal(&file(&[deep])).contains("the depth of nested values is 33, it must be at most 32"));
+    refused!(refusal(&file(&[deep])), BadField { field: "the depth of nested values", value: "33" });
     let short = map_data("Raw", "Height", "nm", &ROWS, false);
     let mut short = file(&[group("2D_Data", 0x7d, &[short])]);
     let rows = short.windows(8).position(|part| part == [2, 0, 0, 0, 3, 0, 0, 0]).unwrap();
     short[rows] = 3;
-    assert!(
-        refusal(&short).contains("is 24, it must be the 3 x 3 points of 4 or 8 bytes"),
-        "{}",
-        refusal(&short)
-    );
-}
-
-fn refusal(bytes: &[u8]) -> String {
-    read_scans(bytes, "scan", &ScanOptions::default()).unwrap_err().to_string()
+    refused!(refusal(&short), BadField { field: "the length of '/2D_Data/Raw/Matrix'", value: "24" });
 }

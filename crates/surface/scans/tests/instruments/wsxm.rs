@@ -75,27 +75,19 @@ fn other_channels_are_told_and_a_size_alone_makes_a_square() {
 
 #[test]
 fn what_is_damaged_is_refused() {
-    let message = |text: &str| {
-        read_scans(&file(text, &[0; 12]), "scan", &ScanOptions::default()).unwrap_err().to_string()
-    };
+    let message =
+        |text: &str| read_scans(&file(text, &[0; 12]), "scan", &ScanOptions::default()).unwrap_err();
     let changed = |from: &str, to: &str| message(&header("short").replace(from, to));
-    assert_eq!(
+    refused!(
         changed("SxM Image file", "FZ curve file"),
-        "reading WSxM, line 2: a file of kind 'FZ curve file' cannot be read; export an image of heights"
+        Unsupported { found: "a file of kind 'FZ curve file'", place: scans::Place::Line(2) }
     );
-    assert_eq!(
-        changed("8 \u{c5}", "eight"),
-        "reading WSxM, [General Info]: 'Z Amplitude' is 'eight', it must be a number of at least 0 with its unit; the header is \
-         damaged: export the file again"
+    refused!(changed("8 \u{c5}", "eight"), BadField { field: "'Z Amplitude'", value: "'eight'" });
+    refused!(changed("short", "long"), BadField { field: "'Image Data Type'", value: "'long'" });
+    refused!(changed("rows: 2", "rows: 3"), Truncated { needed: 18, available: 12 });
+    refused!(
+        changed("[Header end]", ""),
+        MissingField { field: "'[Header end]' before it, which ends the header" }
     );
-    assert!(
-        changed("short", "long")
-            .contains("'Image Data Type' is 'long', it must be short, integer, float or double")
-    );
-    assert!(
-        changed("rows: 2", "rows: 3")
-            .contains("a channel of 3 x 3 points takes 18 bytes, but the file ends 12")
-    );
-    assert!(changed("[Header end]", "").contains("there is no '[Header end]' before it"));
-    assert!(changed("X Amplitude", "Ex").contains("does not say how large the map is"));
+    refused!(changed("X Amplitude", "Ex"), NoSize { what: "how large the map is" });
 }

@@ -1,6 +1,7 @@
 //! Wyko: arrays of floating-point numbers, counts and bytes behind a directory.
 
-use scans::{Probe, ScanOptions, read_scans};
+use crate::refusal;
+use scans::Probe;
 
 use crate::bytes::Bytes;
 use crate::{Sample, assert_holds, channels, heights};
@@ -112,31 +113,26 @@ fn intensities_are_no_heights() {
 
 #[test]
 fn what_is_missing_is_told() {
-    assert_eq!(
+    refused!(
         refusal(&without("Wavelength")),
-        "reading Wyko, the file: there is no block 'Wavelength', which scales the heights; export the file again"
+        MissingField { field: "block 'Wavelength', which scales the heights" }
     );
-    assert_eq!(refusal(&without("Pixel_size")), "reading Wyko: the file does not say how large the map is");
-    assert_eq!(refusal(&without("Raw")), "reading Wyko: there is no channel of heights; there is 'Image'");
+    refused!(refusal(&without("Pixel_size")), NoSize { what: "how large the map is" });
+    refused!(refusal(&without("Raw")), NoChannel { wanted: "channel of heights", channels: ["Image"] });
 }
 
 #[test]
 fn damage_is_told() {
     let mut directory = file(&map());
     directory[20] += 1;
-    assert_eq!(
+    refused!(
         refusal(&directory),
-        "reading Wyko, byte 20: the length of the directory is 193, it must be a multiple of 24, for at least 1 and at most 10000 blocks; the file \
-         is damaged or of a variant that is not known: export it again"
+        BadField { field: "the length of the directory", value: "193", place: scans::Place::Byte(20) }
     );
     let mut blocks = map();
     blocks.truncate(5);
     let cut = file(&blocks);
-    assert!(refusal(&cut[..cut.len() - 3]).contains("takes 24 bytes, but the file ends 21 bytes on"));
+    refused!(refusal(&cut[..cut.len() - 3]), Truncated { needed: 24, available: 21 });
     blocks[4].2[4] = 8;
-    assert!(refusal(&file(&blocks)).contains("the number of bytes of a point is 8, it must be 1, 2 or 4"));
-}
-
-fn refusal(bytes: &[u8]) -> String {
-    read_scans(bytes, "scan", &ScanOptions::default()).unwrap_err().to_string()
+    refused!(refusal(&file(&blocks)), BadField { field: "the number of bytes of a point", value: "8" });
 }

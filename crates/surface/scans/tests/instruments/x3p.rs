@@ -1,8 +1,9 @@
 //! X3P files whose points have positions of their own, and whose data stand in the XML.
 
+use crate::refusal;
 use crate::zip_file::zipped;
 use crate::{Sample, assert_holds, heights};
-use scans::{Probe, ScanOptions, read_scans};
+use scans::Probe;
 
 fn axis(name: &str, axis_type: &str, data_type: &str, increment: f64) -> String {
     format!(
@@ -96,23 +97,25 @@ fn data_may_stand_in_the_description() {
 
 #[test]
 fn points_off_a_grid_and_damage_are_told() {
-    let message = |bytes: &[u8]| read_scans(bytes, "scan", &ScanOptions::default()).unwrap_err().to_string();
     let mut points = POINTS;
     points[0].0 = 0.7e-6;
-    assert_eq!(
-        message(&cloud(&points)),
-        "reading X3P, Record1/FeatureType: points that lie on no even grid, one at each of its points cannot be read; \
-         export a surface (SUR) on a regular grid"
+    refused!(
+        refusal(&cloud(&points)),
+        Unsupported { found: "points that lie on no even grid, one at each of its points" }
     );
     points = POINTS;
     points[0] = points[1];
-    assert!(message(&cloud(&points)).contains("one at each of its points"));
-    let list = |points: &[&str]| message(&listed("SUR", ("I", "I"), &matrix(2, 2), points));
-    assert!(list(&["1", "2", "3"]).contains("Record3/DataList: the number of points is 3, it must be 2 x 2"));
-    assert!(list(&["1", "2", "3", "4;5"]).contains("the number of values of a point is 2, it must be 1"));
-    assert!(
-        list(&["1", "2", "3", "x"]).contains("Record3/DataList/Datum: the text is 'x', it must be numbers")
+    refused!(
+        refusal(&cloud(&points)),
+        Unsupported { found: "points that lie on no even grid, one at each of its points" }
     );
+    let list = |points: &[&str]| refusal(&listed("SUR", ("I", "I"), &matrix(2, 2), points));
+    refused!(list(&["1", "2", "3"]), BadField { field: "the number of points", value: "3" });
+    refused!(
+        list(&["1", "2", "3", "4;5"]),
+        BadField { field: "the number of values of a point", value: "2" }
+    );
+    refused!(list(&["1", "2", "3", "x"]), BadField { field: "the text", value: "'x'" });
     let even = listed("PCL", ("I", "A"), "<ListDimension>1</ListDimension>", &["1;2"]);
-    assert!(message(&even).contains("it must be A (positions) for points"));
+    refused!(refusal(&even), BadField { field: "the text", value: "'I'" });
 }

@@ -1,6 +1,7 @@
 //! Zeta: counts behind a header and a comment.
 
-use scans::{Probe, ScanOptions, read_scans};
+use crate::refusal;
+use scans::Probe;
 
 use crate::bytes::Bytes;
 use crate::{Sample, assert_holds, heights};
@@ -32,15 +33,10 @@ fn counts_are_heights() {
 
 #[test]
 fn damage_is_told() {
-    assert_eq!(
+    refused!(
         refusal(&map(0.0)),
-        "reading Zeta, byte 105: the height of a count is 0, it must be a number above 0; the file is damaged or of a \
-         variant that is not known: export it again"
+        BadField { field: "the height of a count", value: "0", place: scans::Place::Byte(105) }
     );
-    assert!(refusal(&map(1.0)[..220]).contains("takes 12 bytes, but the file ends 11 bytes on"));
-    assert!(refusal(&map(1.0)[..40]).contains("the number of columns takes 4 bytes"));
-}
-
-fn refusal(bytes: &[u8]) -> String {
-    read_scans(bytes, "scan", &ScanOptions::default()).unwrap_err().to_string()
+    refused!(refusal(&map(1.0)[..220]), Truncated { needed: 12, available: 11 });
+    refused!(refusal(&map(1.0)[..40]), Truncated { needed: 4, available: 0 });
 }

@@ -1,6 +1,9 @@
 //! Synthetic scans and writers of every format that scans are read from.
 #![allow(dead_code, reason = "every test uses some of it")]
 
+#[macro_use]
+pub mod refused;
+
 pub mod corpus;
 pub mod nanoscope;
 pub mod netcdf;
@@ -51,11 +54,11 @@ pub fn missing_points(bytes: &[u8], options: &ScanOptions) -> Vec<usize> {
     measured(bytes, options).unwrap().scan.missing_points().indices().collect()
 }
 
-/// The message of a file that cannot be read.
-pub fn refusal(bytes: &[u8], options: &ScanOptions) -> String {
+/// The error of a file that cannot be read.
+pub fn refusal(bytes: &[u8], options: &ScanOptions) -> ScanReadError {
     match read_scans(bytes, "scan", options) {
         Ok(scans) => panic!("it should be refused, but holds {} scans", scans.len()),
-        Err(error) => error.to_string(),
+        Err(error) => error,
     }
 }
 

@@ -20,8 +20,7 @@ pub struct Wanted {
     pub values: Vec<String>,
 }
 
-/// A field of [`ReadOptions`](crate::ReadOptions). Deliberately not `#[non_exhaustive]`: every front end must name
-/// every field.
+/// A field of [`ReadOptions`](crate::ReadOptions).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ReadOption {
     /// Name of the column of the spectrum.
@@ -41,6 +40,20 @@ pub enum ReadOption {
 }
 
 impl ReadOption {
+    /// The key of the option in scenes and in Python, e.g. `x_unit`.
+    #[must_use]
+    pub fn key(self) -> &'static str {
+        match self {
+            ReadOption::Column => "column",
+            ReadOption::Convention => "convention",
+            ReadOption::X => "x",
+            ReadOption::Series => "series",
+            ReadOption::Subject => "subject",
+            ReadOption::XUnit => "x_unit",
+            ReadOption::PsdUnit => "psd_unit",
+        }
+    }
+
     /// Asks for this option with a name from the file.
     pub(crate) fn name_in_file(self) -> Wanted {
         Wanted { option: self, values: Vec::new() }

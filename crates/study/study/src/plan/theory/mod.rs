@@ -8,11 +8,13 @@ use std::ops::Range;
 
 use serde::Serialize;
 use stacked_contact::Level;
+use stat_contact::Condition;
 use tables::Table;
 
+pub use persson::PerssonSurface;
 pub use statistical::{CutoffState, STATE_DETAILS};
 
-use super::condition::Condition;
+use super::gap::{GapChoices, GapError, LoadedSurface};
 use super::run::Run;
 use super::{Cutoffs, Plan, PlanError, PreparedSpectrum, Work};
 use crate::models::{CurveModel, Theory};
@@ -163,11 +165,6 @@ pub(super) struct Job<'j> {
 
 /// The computation of curves by one theory.
 pub(super) trait CurveTheory {
-    /// Returns true if separations are conditions of the theory besides loads.
-    fn takes_separations(&self) -> bool {
-        false
-    }
-
     /// Returns the most levels of a stack that a load takes over so many scales.
     fn most_levels(&self, _scales: usize) -> usize {
         0
@@ -205,6 +202,32 @@ pub(super) trait CurveTheory {
         conditions: &[Condition],
         places: Range<usize>,
     ) -> Result<(CurveResult, Work), PlanError>;
+
+    /// Returns the surface with its whole spectrum, which a plan has prepared, or nothing for a theory without distances.
+    ///
+    /// # Errors
+    /// [`GapError`] for a spectrum that has no gap.
+    fn surface(
+        &self,
+        _plan: &Plan<'_>,
+        _prepared: &PreparedSpectrum,
+        _choices: &GapChoices,
+    ) -> Result<Option<Box<dyn LoadedSurface>>, GapError> {
+        Ok(None)
+    }
+}
+
+impl Plan<'_> {
+    /// Returns the surface of a model with its whole spectrum, or nothing for a theory without
+    /// distances.
+    pub(crate) fn surface(
+        &self,
+        model: &CurveModel,
+        prepared: &PreparedSpectrum,
+        choices: &GapChoices,
+    ) -> Result<Option<Box<dyn LoadedSurface>>, GapError> {
+        theory_of(model).surface(self, prepared, choices)
+    }
 }
 
 /// Returns the theory behind a model.

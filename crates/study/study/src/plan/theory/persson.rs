@@ -2,14 +2,16 @@
 
 use std::ops::Range;
 
-use ::persson::Cut;
+use ::persson::hardness_laws::HardnessError;
+use ::persson::separation::SeparationLaw;
+use ::persson::{Cut, PerssonModel, Roughness};
+use stat_contact::Condition;
 use tables::Table;
 
 use super::{CurveResult, CurveTheory, Job, Rows, pressures_pa, with_loads};
-use crate::models::Persson;
-use crate::persson_law::roughness;
-use crate::plan::condition::Condition;
-use crate::plan::{Cutoffs, PlanError, PreparedSpectrum, Work};
+use crate::models::persson::{Persson, PerssonLaw};
+use crate::plan::gap::{GapChoices, GapError, GapState, LoadedSurface};
+use crate::plan::{Cutoffs, Plan, PlanError, PreparedSpectrum, Work};
 
 impl CurveTheory for Persson {
     fn rows_per_block(&self, prepared: &PreparedSpectrum, _: Cutoffs) -> usize {
@@ -22,14 +24,8 @@ impl CurveTheory for Persson {
         conditions: &[Condition],
         _: Range<usize>,
     ) -> Result<(CurveResult, Work), PlanError> {
-        let Persson { pair, law } = self;
         let Job { plan, prepared, cutoffs, run } = job;
-        let moments = prepared.moments.iter().map(|(moments, _)| moments);
-        let normalisation = plan.needs.moments.unwrap_or_default();
-        let beyond = plan.beyond(&prepared.psd, law.band);
-        let roughness = roughness(&prepared.psd, moments, normalisation, &prepared.scales, &beyond, law.band);
-        let model = law.model(pair)?;
-        let separation = model.separation(&roughness, law.energy_factor);
+        let PerssonSurface { model, roughness, separation } = PerssonSurface::new(self, plan, prepared)?;
         let blocks = parallel::try_map(&pressures_pa(conditions), |&pressure_pa| {
             run.go_on()?;
             let mut cuts = model.along(&roughness, &separation, pressure_pa)?;
@@ -39,6 +35,71 @@ impl CurveTheory for Persson {
             Ok::<_, PlanError>(cuts)
         })?;
         Ok((CurveResult::Persson(blocks), Work::default()))
+    }
+
+    fn surface(
+        &self,
+        plan: &Plan<'_>,
+        prepared: &PreparedSpectrum,
+        choices: &GapChoices,
+    ) -> Result<Option<Box<dyn LoadedSurface>>, GapError> {
+        let roughness = plan.roughness(&prepared.psd, &prepared.moments, &prepared.scales, choices.band);
+        let surface = PerssonSurface::of_roughness(self, roughness, choices.energy_factor)?;
+        Ok(Some(Box::new(surface)))
+    }
+}
+
+/// A surface by Persson's theory.
+#[derive(Debug)]
+pub struct PerssonSurface {
+    /// The theory of the bodies in contact.
+    pub model: PerssonModel,
+    /// The roughness.
+    pub roughness: Roughness,
+    /// The law of its separations.
+    pub separation: SeparationLaw,
+}
+
+impl PerssonSurface {
+    /// Returns the surface that a plan has prepared.
+    ///
+    /// # Errors
+    /// [`HardnessError`] for a hardness beyond the range of magnitudes.
+    pub fn new(
+        theory: &Persson,
+        plan: &Plan<'_>,
+        prepared: &PreparedSpectrum,
+    ) -> Result<Self, HardnessError> {
+        let PerssonLaw { band, energy_factor, .. } = theory.law;
+        let roughness = plan.roughness(&prepared.psd, &prepared.moments, &prepared.scales, band);
+        Self::of_roughness(theory, roughness, energy_factor)
+    }
+
+    fn of_roughness(
+        theory: &Persson,
+        roughness: Roughness,
+        energy_factor: f64,
+    ) -> Result<Self, HardnessError> {
+        let model = theory.law.model(&theory.pair)?;
+        let separation = model.separation(&roughness, energy_factor);
+        Ok(PerssonSurface { model, roughness, separation })
+    }
+}
+
+impl LoadedSurface for PerssonSurface {
+    fn at(&self, pressure_pa: f64) -> Result<GapState, GapError> {
+        let last = self.model.at_last(&self.roughness, &self.separation, pressure_pa)?;
+        let last = last.ok_or(GapError::NoRoughness)?;
+        Ok(GapState {
+            nominal_pressure_pa: pressure_pa,
+            area_fraction: last.areas.contact(),
+            mean_gap_m: last.mean_gap_m,
+            stiffness_pa_per_m: last.stiffness_pa_per_m,
+        })
+    }
+
+    fn persson(&self) -> Option<(&Roughness, &SeparationLaw)> {
+        Some((&self.roughness, &self.separation))
     }
 }
 

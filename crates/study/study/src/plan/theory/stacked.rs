@@ -3,10 +3,10 @@
 use std::ops::Range;
 
 use stacked_contact::{FinalLevels, Level, Scale, StackedModel, levels_under_loads};
+use stat_contact::Condition;
 use tables::Table;
 
 use super::{CurveResult, CurveTheory, Job, Rows, pressures_pa, with_loads};
-use crate::plan::condition::Condition;
 use crate::plan::{Cutoffs, PlanError, PreparedSpectrum, Work};
 
 /// Loads computed together share the load-independent work of each level. More than 8 gain nothing (measured).

@@ -7,15 +7,16 @@ use std::ops::Range;
 
 use serde::Serialize;
 use spectrum::AsperityParameters;
-use stat_contact::ContactState;
+use stat_contact::{Condition, ContactState, StatisticalContact};
 use tables::Table;
 
 use self::states::States;
 use super::{CurveResult, CurveTheory, Job, Rows};
-use crate::models::Statistical;
-use crate::plan::condition::{Condition, contact_of};
-use crate::plan::prepared_spectrum::Cutoff;
-use crate::plan::{Cutoffs, PlanError, PreparedSpectrum, Work};
+use crate::models::{Pressable, Statistical, StatisticalLaw};
+use crate::plan::condition::contact_of;
+use crate::plan::gap::{GapChoices, GapError, GapState, LoadedSurface};
+use crate::plan::prepared_spectrum::{Cutoff, Roughness};
+use crate::plan::{Cutoffs, Plan, PlanError, PreparedSpectrum, Work};
 
 /// The contact of the asperities that a spectrum has up to a cutoff.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -42,10 +43,6 @@ pub const STATE_DETAILS: [StateColumn; 5] = [
 ];
 
 impl CurveTheory for Statistical {
-    fn takes_separations(&self) -> bool {
-        true
-    }
-
     fn most_states(&self, cutoffs: usize) -> usize {
         cutoffs
     }
@@ -79,6 +76,45 @@ impl CurveTheory for Statistical {
         let states = States { model: self, run: job.run };
         let (blocks, work) = states.over_cutoffs(&cutoffs, conditions)?;
         Ok((CurveResult::Statistical(blocks), work))
+    }
+
+    fn surface(
+        &self,
+        _: &Plan<'_>,
+        prepared: &PreparedSpectrum,
+        choices: &GapChoices,
+    ) -> Result<Option<Box<dyn LoadedSurface>>, GapError> {
+        let (moments, _) = prepared.moments.last().ok_or(GapError::NoRoughness)?;
+        let asperities = AsperityParameters::from_moments(moments).ok_or(GapError::NoRoughness)?;
+        let contact = match contact_of(self, &Roughness { moments: *moments, asperities })? {
+            Pressable::Contact(contact) => contact,
+            Pressable::TooNarrow { alpha } => return Err(GapError::TooNarrow { alpha }),
+        };
+        let mean_height_m = match self.law {
+            StatisticalLaw::Asperities(_) => asperities.offset_m,
+            StatisticalLaw::Summits => 0.0,
+        };
+        Ok(Some(Box::new(PressedAsperities { contact, mean_height_m, tolerance: choices.tolerance.value() })))
+    }
+}
+
+/// All asperities of a spectrum, the mean of their heights above the mean plane of the surface.
+#[derive(Debug)]
+struct PressedAsperities {
+    contact: StatisticalContact,
+    mean_height_m: f64,
+    tolerance: f64,
+}
+
+impl LoadedSurface for PressedAsperities {
+    fn at(&self, pressure_pa: f64) -> Result<GapState, GapError> {
+        let state = self.contact.at_pressure(pressure_pa, self.tolerance, None)?;
+        Ok(GapState {
+            nominal_pressure_pa: pressure_pa,
+            area_fraction: state.area_fraction,
+            mean_gap_m: state.separation_m.map(|separation_m| separation_m + self.mean_height_m),
+            stiffness_pa_per_m: state.stiffness_pa_per_m(),
+        })
     }
 }
 

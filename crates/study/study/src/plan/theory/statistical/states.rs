@@ -1,11 +1,10 @@
 //! States of statistical models, in runs: one after the other from its neighbour, run beside run.
 
-use ordered_float::OrderedFloat;
-use stat_contact::{ContactState, StatisticalContact};
+use stat_contact::{Condition, ContactState, StatisticalContact};
 
 use super::CutoffState;
 use crate::models::{Pressable, Statistical};
-use crate::plan::condition::{Asperities, Condition, contact_of};
+use crate::plan::condition::{Asperities, contact_of};
 use crate::plan::prepared_spectrum::{Cutoff, Roughness};
 use crate::plan::run::Run;
 use crate::plan::work::counted;
@@ -48,8 +47,8 @@ impl States<'_> {
         let Pressable::Contact(contact) = contact_of(self.model, roughness)? else {
             return Ok(Default::default());
         };
-        let condition = |&pressure_pa: &f64| Condition::Pressure(OrderedFloat(pressure_pa));
-        self.states(&contact, &pressures_pa.iter().map(condition).collect::<Vec<_>>())
+        let conditions: Vec<Condition> = pressures_pa.iter().copied().map(Condition::Pressure).collect();
+        self.states(&contact, &conditions)
     }
 
     /// Computes a block of one row for every condition. Evaluations for one condition are reused for those after it.
@@ -86,10 +85,7 @@ impl States<'_> {
             let mut work = Work::default();
             let state = |condition: &Condition| {
                 self.run.go_on()?;
-                let state = match condition {
-                    Condition::Pressure(pressure_pa) => sweep.at_pressure(pressure_pa.0)?,
-                    Condition::Separation(separation_m) => sweep.at_separation(separation_m.0)?,
-                };
+                let state = sweep.at(*condition)?;
                 self.count(&state, &mut work);
                 Ok(state)
             };
@@ -125,7 +121,9 @@ impl States<'_> {
                         }
                     };
                     let neighbour = neighbour.map(|(_, state)| state);
-                    let state = self.state(&contact, condition, neighbour.as_ref())?;
+                    let tolerance = self.run.tolerance.value();
+                    // The neighbour saves work and changes no digit.
+                    let state = contact.at(condition, tolerance, neighbour.as_ref())?;
                     self.count(&state, &mut work);
                     state
                 }
@@ -135,20 +133,6 @@ impl States<'_> {
         };
         let rows = cutoffs.iter().map(&mut row).collect::<Result<Vec<_>, PlanError>>()?;
         Ok((rows, work))
-    }
-
-    /// A state; `neighbour` saves work and changes no digit.
-    fn state(
-        &self,
-        contact: &StatisticalContact,
-        condition: Condition,
-        neighbour: Option<&ContactState>,
-    ) -> Result<ContactState, PlanError> {
-        let tolerance = self.run.tolerance.value();
-        Ok(match condition {
-            Condition::Pressure(pressure_pa) => contact.at_pressure(pressure_pa.0, tolerance, neighbour)?,
-            Condition::Separation(separation_m) => contact.at_separation(separation_m.0, tolerance)?,
-        })
     }
 
     /// Reports a computed state to the observer, and counts it.

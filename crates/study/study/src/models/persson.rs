@@ -8,10 +8,116 @@ use persson::{PerssonModel, Roughness, RoughnessSample};
 use spectrum::{Moments, Normalisation, ProfilePsd};
 use stacked_contact::Scale;
 
+use super::{Choice, Framework, FrameworkFacts, ModelEntry, MomentUse, Theory, TheoryLaw};
 use crate::growth_law::GrowthLaw;
 use crate::hardness_and_strength::HARDNESS_OVER_STRENGTH;
 use crate::material::{Material, MaterialError, NeededFor};
 use crate::model_options::ModelOptions;
+
+/// Properties of every form of the theory.
+pub(super) static FACTS: FrameworkFacts = FrameworkFacts {
+    name: "persson",
+    noun: "model of Persson's theory",
+    moments: MomentUse::Parseval,
+    takes_amplitude: true,
+    has_states: false,
+    has_gaps: true,
+    takes_hardness: true,
+};
+
+/// The forms of the theory.
+pub(super) const MODELS: &[ModelEntry] = &[
+    ModelEntry {
+        name: "persson",
+        short_name: "Persson, elastic",
+        full_name: "Persson's theory, elastic",
+        citation: "Persson (2001), J. Chem. Phys. 115:3840; Manners & Greenwood (2006), Wear 261:600",
+        framework: Framework::Persson,
+        choices: &[Choice::Correction, Choice::Band, Choice::Gamma],
+        takes_moments: false,
+        build: |material, options| {
+            let deformation = PerssonDeformation::Elastic { correction: options.correction };
+            Ok(Theory::Persson(Persson { pair: material.pair, law: PerssonLaw::new(deformation, options) }))
+        },
+    },
+    ModelEntry {
+        name: "persson-plastic",
+        short_name: "Persson, elastic-plastic",
+        full_name: "Persson's theory, elastic-plastic",
+        citation: "Persson (2001), Phys. Rev. Lett. 87:116101; Persson (2006), Surf. Sci. Rep. 61:201",
+        framework: Framework::Persson,
+        choices: &[
+            Choice::Strength,
+            Choice::StrainGradient,
+            Choice::Band,
+            Choice::Gamma,
+            Choice::HardnessLaw,
+        ],
+        takes_moments: false,
+        build: |material, options| {
+            let plastic = PlasticLaw::new(material, options)?;
+            let law = PerssonLaw::new(PerssonDeformation::ElasticPlastic(plastic), options);
+            Ok(Theory::Persson(Persson { pair: material.pair, law }))
+        },
+    },
+];
+
+/// Persson's theory of bodies in contact.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Persson {
+    /// The bodies in contact.
+    pub pair: MaterialPair,
+    /// The law with its choices.
+    pub law: PerssonLaw,
+}
+
+impl Persson {
+    /// Returns the theory of the same bodies with another law.
+    pub(super) fn with_law(&self, law: PerssonLaw) -> Theory {
+        Theory::Persson(Persson { pair: self.pair, law })
+    }
+}
+
+impl TheoryLaw for Persson {
+    fn pair(&self) -> MaterialPair {
+        self.pair
+    }
+
+    fn with_pair(&self, pair: MaterialPair) -> Theory {
+        Theory::Persson(Persson { pair, law: self.law.clone() })
+    }
+
+    fn strength(&self) -> Option<NixGao> {
+        self.law.plastic().map(PlasticLaw::strength)
+    }
+
+    fn with_strength(&self, strength: NixGao) -> Option<Theory> {
+        Some(self.with_law(self.law.with_strength(strength)?))
+    }
+
+    fn hardness_pa(&self) -> Option<f64> {
+        self.law.plastic().map(PlasticLaw::hardness_pa)
+    }
+
+    fn strength_grows(&self) -> bool {
+        self.law.plastic().is_some_and(PlasticLaw::grows)
+    }
+
+    fn needs_amplitudes(&self) -> bool {
+        self.has_strain_gradient()
+    }
+
+    fn options(&self) -> ModelOptions {
+        let PerssonLaw { band, energy_factor, .. } = self.law;
+        ModelOptions {
+            correction: self.law.correction().flatten(),
+            band: (band != Band::default()).then_some(band),
+            gamma: (energy_factor != PerssonLaw::ENERGY_FACTOR).then_some(energy_factor),
+            hardness_law: self.law.plastic().and_then(PlasticLaw::growth).cloned(),
+            ..ModelOptions::default()
+        }
+    }
+}
 
 /// The deformation of the surface, as requested: elastic, or elastic-plastic at a hardness.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -23,6 +129,17 @@ pub enum Deformation {
 }
 
 units::named!(Deformation, "model", { Elastic => "elastic", ElasticPlastic => "elastic-plastic" });
+
+impl Deformation {
+    /// Returns the name of its model, as scenes have it.
+    #[must_use]
+    pub fn model_name(self) -> &'static str {
+        match self {
+            Deformation::Elastic => "persson",
+            Deformation::ElasticPlastic => "persson-plastic",
+        }
+    }
+}
 
 /// Persson's theory with its choices.
 #[derive(Debug, Clone, PartialEq)]
@@ -62,7 +179,7 @@ pub struct PlasticLaw {
 
 impl PerssonLaw {
     /// The elastic energy factor of separations (Almqvist et al. 2011).
-    pub const ENERGY_FACTOR: f64 = 0.45;
+    pub const ENERGY_FACTOR: f64 = ModelOptions::ENERGY_FACTOR;
 
     /// Returns the law of a deformation, with the other choices as given or by default.
     #[must_use]
@@ -208,7 +325,7 @@ impl PlasticLaw {
 /// A spectrum with the moments, of a normalisation, that it has from the second wavelength on, and the amplitudes of its
 /// scales; without amplitudes no hardness can follow them. `beyond` are the samples \[m\], \[m^3\] that a cutoff has left out.
 #[must_use]
-pub fn roughness<'m>(
+pub(crate) fn roughness<'m>(
     psd: &ProfilePsd,
     moments: impl Iterator<Item = &'m Moments>,
     normalisation: Normalisation,
@@ -230,4 +347,35 @@ pub fn roughness<'m>(
         })
         .collect();
     Roughness::new(&samples, beyond, band)
+}
+
+#[cfg(test)]
+mod tests {
+    use asperity::ElasticBody;
+
+    use super::*;
+    use crate::hardness_and_strength::HardnessAndStrength;
+    use crate::material::GivenMaterial;
+
+    #[test]
+    fn a_hardness_that_grows_has_the_cap_of_the_strength_and_a_constant_one_has_none() {
+        let hardness = |length_m, law: Option<GrowthLaw>| {
+            let material = Material::new(GivenMaterial {
+                hardness_and_strength: HardnessAndStrength::new(None, Some("1 GPa".parse().unwrap()))
+                    .unwrap(),
+                strength_cap: Some("2 GPa".parse().unwrap()),
+                strain_gradient_length_m: length_m,
+                ..GivenMaterial::new(ElasticBody::new(463e9, 0.2).unwrap())
+            });
+            let options = ModelOptions { hardness_law: law, ..ModelOptions::default() };
+            PlasticLaw::new(&material, &options).map(|law| law.hardness().unwrap())
+        };
+        let constant = Hardness::new(HardnessGrowth::Constant { hardness_pa: 3e9 }, None).unwrap();
+        assert_eq!(hardness(None, None), Ok(constant));
+        let growth = HardnessGrowth::NixGao { hardness_pa: 3e9, length_m: 1e-6 };
+        let growing = Hardness::new(growth, Some(6e9)).unwrap();
+        assert_eq!(hardness(Some(1e-6), Some(GrowthLaw::NixGao)), Ok(growing));
+        let missing = MaterialError::Missing(NeededFor::StrainGradient);
+        assert_eq!(hardness(None, Some(GrowthLaw::NixGao)), Err(missing));
+    }
 }

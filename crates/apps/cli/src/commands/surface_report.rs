@@ -1,0 +1,231 @@
+//! `report`: one command from scans to a verdict.
+
+use std::io::{self, BufRead, IsTerminal, Write};
+use std::path::{Path, PathBuf};
+
+use measurements::{ScanProblem, ScanRequest, TopographyError};
+use questions::{ReportQuestion, ReportSurface, RunOptions};
+use report::products::REPORT;
+use scans::{Mend, ScanOption};
+use scene::{Overrides, Scene, SceneError, SceneProblem};
+use spectrum::ReadOptions;
+use study::surface::{Surface, SurfaceError};
+
+use super::Context;
+use super::psd::refusal;
+use super::run_scene::SceneRun;
+use crate::args::ReportArgs;
+use crate::failure::Failure;
+use crate::files::Folder;
+use crate::output::{Layout, make_folder};
+use crate::targets::Targets;
+use crate::timings::Timings;
+
+pub(super) fn run(args: &ReportArgs, context: &Context<'_>) -> Result<(), Failure> {
+    let mut timings = Timings::start();
+    let folder = args.out.clone().unwrap_or_else(|| default_folder(&args.files));
+    let mut question = question(args, context)?;
+    // Paths in the scene are relative to the folder, so that the scene there repeats the report.
+    let made = !folder.exists();
+    make_folder("--out", &folder)?;
+    let scene = scene(&mut question, &folder, context).inspect_err(|_| {
+        if made {
+            // A folder that is not empty stays.
+            let _ = std::fs::remove_dir(&folder);
+        }
+    })?;
+    timings.lap("reading");
+    let options = RunOptions { report: true, judge: None, uncertainty: None };
+    let owns_folder = args.out.is_none();
+    SceneRun { scene: &scene, folder: &folder, owns_folder, layout: Layout::Folders, options }
+        .run(timings, context)?;
+    if args.open {
+        let page = folder.join(REPORT);
+        opener::open(&page)
+            .map_err(|error| Failure::System(format!("opening {}: {error}", page.display())))?;
+    }
+    Ok(())
+}
+
+/// Fills the question from the options, and asks for what is missing if somebody can answer.
+fn question(args: &ReportArgs, context: &Context<'_>) -> Result<ReportQuestion, Failure> {
+    let mut material = args.material();
+    if material.is_empty() {
+        material.name =
+            Some(needed("material of the rough body", "steel 100Cr6", "--material \"steel 100Cr6\"")?);
+    }
+    let mut pressures = args.pressure.clone();
+    if pressures.is_empty() {
+        pressures.push(needed("nominal pressure", "10 MPa", "--pressure 10MPa")?);
+    }
+    let counterface = Some(args.counterface()).filter(|body| !body.is_empty());
+    let pressures = pressures.iter().map(|pressure| spaced(pressure)).collect();
+    Ok(ReportQuestion {
+        title: Some(args.title.clone().unwrap_or_else(|| default_title(&args.files))),
+        surface: surface(args, context)?,
+        material,
+        counterface,
+        pressures,
+        strength_cap: args.strength_cap.clone(),
+        seal: args.seal,
+    })
+}
+
+/// The files as scans, or the one file as a spectrum.
+fn surface(args: &ReportArgs, context: &Context<'_>) -> Result<ReportSurface, Failure> {
+    let requests: Vec<ScanRequest> = args.files.iter().map(|file| args.untold.told_of(file)).collect();
+    if let [request] = &requests[..] {
+        let files = Folder::current(context.targets(None)?);
+        match Surface::load(&request.path, &files, &ReadOptions::default()) {
+            Ok(_) => return Ok(ReportSurface::Psd(request.path.clone())),
+            Err(error @ SurfaceError::NoSuchBuiltin { .. }) => return Err(Failure::input(error)),
+            Err(_) => {}
+        }
+    }
+    Ok(ReportSurface::Scans(requests))
+}
+
+/// The scene of the question, its files relative to the folder. Asks for what a file does not state.
+fn scene(question: &mut ReportQuestion, folder: &Path, context: &Context<'_>) -> Result<Scene, Failure> {
+    loop {
+        let placed = relative_to(question, folder)?;
+        let text = placed.scene_text();
+        let files = Folder::of(&folder.join("scene.toml"), context.targets(None)?);
+        match Scene::parse(&text, &files, &Overrides::default()) {
+            Ok(scene) => {
+                files.spare_from(&Targets::default())?;
+                return Ok(scene);
+            }
+            Err(error) => {
+                let answered = missing(&error).is_some_and(|(at, option)| ask_for(question, at, option));
+                if !answered {
+                    let typed = |file: &str| as_typed(file, &question.surface, &placed.surface);
+                    return Err(Failure::Input(worded(error, &text, typed)));
+                }
+            }
+        }
+    }
+}
+
+/// The question with its paths relative to a folder.
+fn relative_to(question: &ReportQuestion, folder: &Path) -> Result<ReportQuestion, Failure> {
+    let from = std::path::absolute(folder)
+        .map_err(|error| Failure::writing(&folder.display().to_string(), &error))?;
+    let relative = |path: &str| -> String {
+        if path.starts_with("builtin:") || path == "-" {
+            return path.to_owned();
+        }
+        let to = std::path::absolute(path).ok();
+        let found = to.and_then(|to| pathdiff::diff_paths(to, &from));
+        found.map_or_else(|| path.to_owned(), |path| path.to_string_lossy().into_owned())
+    };
+    let surface = match &question.surface {
+        ReportSurface::Psd(path) => ReportSurface::Psd(relative(path)),
+        ReportSurface::Scans(scans) => ReportSurface::Scans(
+            scans.iter().map(|scan| ScanRequest { path: relative(&scan.path), ..scan.clone() }).collect(),
+        ),
+    };
+    Ok(ReportQuestion { surface, ..question.clone() })
+}
+
+/// The scan whose file lacks something, and the option that gives it.
+fn missing(error: &SceneError) -> Option<(usize, ScanOption)> {
+    let SceneProblem::Surface(surface) = &error.problem else { return None };
+    let SurfaceError::Scans(error) = &**surface else { return None };
+    match error.mend()? {
+        Mend::Give(option) => Some((error.request.unwrap_or(0), option)),
+        Mend::LeaveOut(_) => None,
+    }
+}
+
+/// Asks for an option of a scan on a terminal; returns true if it was given.
+fn ask_for(question: &mut ReportQuestion, at: usize, option: ScanOption) -> bool {
+    let ReportSurface::Scans(scans) = &mut question.surface else { return false };
+    let Some(scan) = scans.get_mut(at) else { return false };
+    let (key, subject, example) = match option {
+        ScanOption::Unit => ("unit", "unit of heights", "um"),
+        ScanOption::Size => ("size", "size along the scan lines", "100 um"),
+        _ => return false,
+    };
+    let Some(value) = ask(&format!("{subject} in {}", scan.path), example) else { return false };
+    // An answer that is no value is asked for again.
+    match scan.with_option(key, &value) {
+        Ok(changed) => *scan = changed,
+        Err(error) => crate::stderr::say(&error.to_string()),
+    }
+    true
+}
+
+/// Asks for a value that the options lack.
+fn needed(subject: &str, example: &str, option: &str) -> Result<String, Failure> {
+    ask(subject, example).ok_or_else(|| Failure::Input(format!("a report needs the {subject}; add {option}")))
+}
+
+/// Asks on a terminal; `None` if nobody is there to answer.
+fn ask(subject: &str, example: &str) -> Option<String> {
+    if !io::stdin().is_terminal() || !io::stderr().is_terminal() {
+        return None;
+    }
+    let mut stderr = io::stderr().lock();
+    write!(stderr, "{subject}? [{example}] ").and_then(|()| stderr.flush()).ok()?;
+    let mut line = String::new();
+    let read = io::stdin().lock().read_line(&mut line).ok()?;
+    let answer = line.trim();
+    (read > 0).then(|| if answer.is_empty() { example.to_owned() } else { answer.to_owned() })
+}
+
+/// The path of a file in the scene as it was typed.
+fn as_typed(file: &str, typed: &ReportSurface, placed: &ReportSurface) -> String {
+    let (ReportSurface::Scans(typed), ReportSurface::Scans(placed)) = (typed, placed) else {
+        return file.to_owned();
+    };
+    let mut pairs = typed.iter().zip(placed);
+    let found =
+        pairs.find_map(|(typed, placed)| Some(format!("{}{}", typed.path, file.strip_prefix(&placed.path)?)));
+    found.unwrap_or_else(|| file.to_owned())
+}
+
+/// The error of the scene in one line: of scans with the option that mends it, of a value with its key.
+fn worded(error: SceneError, text: &str, as_typed: impl Fn(&str) -> String) -> String {
+    let SceneProblem::Surface(surface) = error.problem else {
+        return report::scene_errors::drawn(&error, text, "the options of `report`");
+    };
+    let SurfaceError::Scans(error) = *surface else { return surface.to_string() };
+    let file = error.file.as_deref().map(as_typed);
+    match error.problem {
+        ScanProblem::Reading(error) => format!("reading {}: {error}", file.unwrap_or_default()),
+        _ => refusal(TopographyError { file, ..error }),
+    }
+}
+
+/// A quantity with a space before its unit: `10 MPa` of `10MPa`.
+fn spaced(text: &str) -> String {
+    let unit = text.trim_end_matches(|c: char| !c.is_ascii_digit());
+    let (number, unit) = text.split_at(unit.len());
+    if number.is_empty() || unit.is_empty() || unit.starts_with(' ') {
+        return text.to_owned();
+    }
+    format!("{number} {unit}")
+}
+
+/// `flange and 2 more scans`, after the first file.
+fn default_title(files: &[ScanRequest]) -> String {
+    match files.len() {
+        0 | 1 => stem(files),
+        2 => format!("{} and 1 more scan", stem(files)),
+        count => format!("{} and {} more scans", stem(files), count - 1),
+    }
+}
+
+fn default_folder(files: &[ScanRequest]) -> PathBuf {
+    PathBuf::from(format!("{}-report", stem(files)))
+}
+
+/// The name of the first file without folder and extension.
+fn stem(files: &[ScanRequest]) -> String {
+    let name = files.first().map_or("", |file| file.path.as_str());
+    let name = name.strip_prefix("builtin:").unwrap_or(name);
+    Path::new(name)
+        .file_stem()
+        .map_or_else(|| "surface".to_owned(), |stem| stem.to_string_lossy().into_owned())
+}

@@ -1,0 +1,51 @@
+//! States of populations of asperities, row by row of arrays.
+
+use serde::{Deserialize, Serialize};
+use state_tables::{ContactStates, RowsNote, StatesFound};
+use study::models::{ModelEntry, ModelOptions};
+use study::plan::{PlanError, Tolerance};
+
+use crate::{CurveCounts, Note, OptionName, QuestionError, choices};
+
+/// States of a statistical model, for rows of any roughness, material and condition.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct StatesQuestion {
+    /// The model.
+    #[serde(with = "crate::text::model")]
+    pub model: Option<&'static ModelEntry>,
+    /// Choices that the model leaves open.
+    pub options: ModelOptions,
+    /// Relative tolerance of pressure and area, in (0, 0.01\].
+    pub tolerance: Option<f64>,
+}
+
+impl StatesQuestion {
+    /// Finds options that the model ignores, and a tolerance out of its bounds.
+    ///
+    /// # Errors
+    /// [`QuestionError`] with the first of them.
+    pub fn check(&self) -> Result<(), QuestionError> {
+        self.states().map(drop)
+    }
+
+    /// Prepares the states; their rows are computed by [`ContactStates::compute`].
+    ///
+    /// # Errors
+    /// Returns the errors of [`check`](Self::check).
+    pub fn states(&self) -> Result<ContactStates, QuestionError> {
+        let entry = self.model.ok_or(QuestionError::Missing(&[OptionName::Model]))?;
+        choices::check(&self.options, entry, false)?;
+        let tolerance = self.tolerance.map(Tolerance::new).transpose().map_err(PlanError::from)?;
+        Ok(ContactStates { entry, options: self.options.clone(), tolerance: tolerance.unwrap_or_default() })
+    }
+
+    /// Notes on the states of so many rows.
+    #[must_use]
+    pub fn notes_on(&self, found: &StatesFound, all: usize) -> Vec<Note> {
+        let StatesFound { counts, narrow, assumed_strengths: rows } = *found;
+        let assumed = (rows > 0).then_some(Note::Rows(RowsNote::AssumedStrengths { rows, all }));
+        let counts = Note::Counts(CurveCounts { states: counts, narrow, ..CurveCounts::default() });
+        assumed.into_iter().chain([counts]).collect()
+    }
+}

@@ -1,0 +1,245 @@
+//! The area against the cutoff under one load: every model, boundary elements with their errors, and holes of the spectrum.
+
+use std::fmt::Write;
+
+use judge::Reference;
+use maud::{Markup, PreEscaped, html};
+use units::display::length;
+
+use super::SceneReport;
+use super::model_style::ModelStyle;
+use crate::listing::share;
+
+/// Size and margins in units of the drawing.
+const WIDTH: f64 = 520.0;
+const HEIGHT: f64 = 330.0;
+const LEFT: f64 = 58.0;
+const RIGHT: f64 = 12.0;
+const TOP: f64 = 10.0;
+const BOTTOM: f64 = 44.0;
+
+/// The most points of a line.
+const MAX_POINTS: usize = 90;
+
+/// The largest number of decades with a tick each.
+const MAX_TICKS: i32 = 9;
+
+/// A logarithmic axis from one value to another, in units of the drawing.
+#[derive(Clone, Copy)]
+struct Axis {
+    least: f64,
+    most: f64,
+    start: f64,
+    end: f64,
+}
+
+impl Axis {
+    fn place(&self, value: f64) -> f64 {
+        let share = (value / self.least).ln() / (self.most / self.least).ln();
+        self.start + share * (self.end - self.start)
+    }
+
+    /// The powers of ten on the axis, thinned to a few.
+    fn ticks(&self) -> impl Iterator<Item = f64> + use<> {
+        let (first, last) =
+            ((self.least.log10() - 1e-9).ceil() as i32, (self.most.log10() + 1e-9).floor() as i32);
+        let step = ((last - first) / MAX_TICKS + 1) as usize;
+        (first..=last).rev().step_by(step).map(|power| 10f64.powi(power))
+    }
+}
+
+/// Draws the figure of a load; `None` if no curve was followed along the cutoff.
+pub(super) fn figure(report: &SceneReport<'_>, load: usize, styles: &[ModelStyle]) -> Option<Markup> {
+    let curves: Vec<(usize, Vec<(f64, f64)>)> = report
+        .answers()
+        .filter(|(_, answers)| answers.iter().any(|(at, answer)| *at == load && answer.followed))
+        .map(|(curve, _)| (curve, thinned(report.results.curves[curve].area_fractions(load))))
+        .collect();
+    let psd = &report.results.psd;
+    let marks = marks(report, load);
+    let areas = || {
+        curves
+            .iter()
+            .flat_map(|(_, points)| points.iter().map(|(_, area)| *area))
+            .chain(marks.iter().map(|mark| mark.low))
+    };
+    let least = areas().filter(|area| *area > 0.0).fold(1.0, f64::min);
+    if curves.is_empty() || least >= 1.0 {
+        return None;
+    }
+    let x = Axis {
+        least: psd.shortest_wavelength_m(),
+        most: psd.longest_wavelength_m(),
+        start: LEFT,
+        end: WIDTH - RIGHT,
+    };
+    let floor = 10f64.powf((0.6 * least).log10().mul_add(2.0, 0.0).floor() / 2.0);
+    let y = Axis { least: floor, most: 1.0, start: HEIGHT - BOTTOM, end: TOP };
+    let label =
+        format!("Contact area at {} as finer roughness is included", report.scene.needs.loads[load].label);
+    Some(html! {
+        svg.area viewBox=(format!("0 0 {WIDTH} {HEIGHT}")) role="img" aria-label=(label) xmlns="http://www.w3.org/2000/svg" {
+            (PreEscaped(background(report, x, y)))
+            @for (curve, points) in &curves {
+                @let style = &styles[*curve];
+                g class=(format!("m{curve}")) {
+                    path d=(path(points, x, y)) fill="none" stroke=(style.colour) stroke-width="2" stroke-dasharray=(style.dash) {}
+                    title { (report.curve(*curve)) }
+                }
+            }
+            (PreEscaped(elements(&marks, x, y)))
+            (PreEscaped(labels(report, &curves, styles, x, y)))
+        }
+    })
+}
+
+/// Grey holes, grid lines and tick labels.
+fn background(report: &SceneReport<'_>, x: Axis, y: Axis) -> String {
+    let mut text = String::new();
+    for hole in report.scene.surface.holes() {
+        let (left, right) = (x.place(hole.shortest_m).max(LEFT), x.place(hole.longest_m).min(WIDTH - RIGHT));
+        let _ = write!(
+            text,
+            "<rect class=\"hole\" x=\"{left:.1}\" y=\"{TOP}\" width=\"{:.1}\" height=\"{:.1}\"/><text class=\"quiet\" x=\"{:.1}\" \
+             y=\"{:.1}\" text-anchor=\"middle\">not measured</text>",
+            (right - left).max(0.0),
+            HEIGHT - BOTTOM - TOP,
+            0.5 * (left + right),
+            TOP + 12.0
+        );
+    }
+    for tick in y.ticks() {
+        let place = y.place(tick);
+        let _ = write!(
+            text,
+            "<path class=\"grid\" d=\"M{LEFT} {place:.1}H{:.1}\"/><text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\">{}</text>",
+            WIDTH - RIGHT,
+            LEFT - 5.0,
+            place + 3.5,
+            share(tick)
+        );
+    }
+    for tick in x.ticks() {
+        let place = x.place(tick);
+        let _ = write!(
+            text,
+            "<path class=\"grid\" d=\"M{place:.1} {TOP}V{:.1}\"/><text x=\"{place:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{}</text>",
+            HEIGHT - BOTTOM,
+            HEIGHT - BOTTOM + 14.0,
+            length(tick)
+        );
+    }
+    let _ = write!(
+        text,
+        "<text class=\"quiet\" x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\">shortest wavelength included (finer ←)</text>",
+        WIDTH - RIGHT,
+        HEIGHT - BOTTOM + 30.0
+    );
+    text
+}
+
+/// An area of boundary elements on the figure.
+struct ElementMark {
+    wavelength_m: f64,
+    area_fraction: f64,
+    low: f64,
+    high: f64,
+    reference: Reference,
+}
+
+/// The areas of the elements on each window, with the whole surface, and at the end of the spectrum.
+fn marks(report: &SceneReport<'_>, load: usize) -> Vec<ElementMark> {
+    let Some(judgement) = report.evidence.judgement else { return Vec::new() };
+    let nominal_pa = report.scene.needs.loads[load].nominal_pressure_pa();
+    let shortest_m = report.results.psd.shortest_wavelength_m();
+    let whole = judgement
+        .references
+        .iter()
+        .filter(|area| area.load == load)
+        .filter_map(|area| Some((area.reference, shortest_m, area.elements?)));
+    let on_windows = judgement.windows.iter().filter(|on| on.load == load && !on.is_whole_band);
+    let on_windows = on_windows.filter_map(|on| {
+        let reference = judgement.curves.iter().find(|curve| curve.curve == on.curve)?.reference;
+        Some((reference, on.shortest_m, on.elements_of_whole(nominal_pa)?))
+    });
+    let mut marks: Vec<ElementMark> = Vec::new();
+    for (reference, wavelength_m, elements) in whole.chain(on_windows) {
+        let is_drawn = |mark: &ElementMark| {
+            mark.reference == reference && (mark.wavelength_m / wavelength_m - 1.0).abs() < 0.01
+        };
+        // Curves of one body share their elements, and the last window ends where the spectrum does.
+        if !marks.iter().any(is_drawn) {
+            let (low, high) = (elements.low(), elements.high());
+            marks.push(ElementMark {
+                wavelength_m,
+                area_fraction: elements.area_fraction,
+                low,
+                high,
+                reference,
+            });
+        }
+    }
+    marks
+}
+
+fn elements(marks: &[ElementMark], x: Axis, y: Axis) -> String {
+    let mut text = String::new();
+    for mark in marks {
+        let class = match mark.reference {
+            Reference::Elastic => "elements",
+            Reference::Yielding { .. } => "elements yielding",
+        };
+        let (across, up) = (x.place(mark.wavelength_m), y.place(mark.area_fraction));
+        let _ = write!(
+            text,
+            "<g class=\"{class}\"><path d=\"M{across:.1} {:.1}V{:.1}\"/><circle cx=\"{across:.1}\" cy=\"{up:.1}\" r=\"3.5\"/>\
+             <title>boundary elements, {}: {}</title></g>",
+            y.place(mark.low.max(y.least)),
+            y.place(mark.high),
+            mark.reference.name(),
+            share(mark.area_fraction)
+        );
+    }
+    text
+}
+
+/// The names of the models at the short ends of their lines, moved apart.
+fn labels(
+    report: &SceneReport<'_>,
+    curves: &[(usize, Vec<(f64, f64)>)],
+    styles: &[ModelStyle],
+    x: Axis,
+    y: Axis,
+) -> String {
+    let mut text = String::new();
+    for (curve, points) in curves {
+        let Some((wavelength_m, area)) = points.last() else { continue };
+        let name = html! { (report.short_curve(*curve)) }.into_string();
+        let _ = write!(
+            text,
+            "<text class=\"m{curve} name\" x=\"{:.1}\" y=\"{:.1}\" style=\"fill:{}\">{name}</text>",
+            x.place(*wavelength_m) + 6.0,
+            (y.place(*area) + 14.0).min(HEIGHT - BOTTOM - 3.0),
+            styles[*curve].colour
+        );
+    }
+    text
+}
+
+fn path(points: &[(f64, f64)], x: Axis, y: Axis) -> String {
+    let mut text = String::new();
+    for (at, (wavelength_m, area)) in points.iter().enumerate() {
+        let command = if at == 0 { 'M' } else { 'L' };
+        let _ = write!(text, "{command}{:.1} {:.1}", x.place(*wavelength_m), y.place(area.max(y.least)));
+    }
+    text
+}
+
+/// Every point, or evenly chosen ones with both ends.
+fn thinned(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+    if points.len() <= MAX_POINTS {
+        return points;
+    }
+    let last = points.len() - 1;
+    (0..MAX_POINTS).map(|at| points[at * last / (MAX_POINTS - 1)]).collect()
+}

@@ -1,0 +1,320 @@
+//! The first screen: the answer, what it hangs on, what to know before quoting it, the models, and the area against the cutoff.
+//!
+//! Chips choose the load and boxes the lines, by CSS alone, so that the page needs no script.
+
+use std::fmt::Write;
+
+use conclusions::{Caution, Conclusions, LoadConclusion, ModelCell, ReferenceGroup, Source};
+use findings::interface::InterfaceStates;
+use judge::{AGREEMENT, Reference, Verdict};
+use maud::{Markup, PreEscaped, html};
+use units::display::{three_digits, typeset};
+
+use super::SceneReport;
+use super::area_curve;
+use super::model_style::ModelStyle;
+use crate::conclusion_words::{
+    caution_words, condition, next_words, quantity_rows, seal_words, source_words,
+};
+use crate::listing::{capital, decade_name, share, share_range};
+
+/// The most cautions on the first screen.
+const CAUTIONS_SHOWN: usize = 3;
+
+/// Makes the first screen of a scene; `at` is the number of the scene in the page.
+pub(super) fn first_screen(report: &SceneReport<'_>, at: usize, several: bool) -> Markup {
+    let conclusions = report.conclusions;
+    let styles: Vec<ModelStyle> = (0..report.scene.needs.curves.len()).map(ModelStyle::new).collect();
+    let middle = conclusions.loads.len() / 2;
+    html! {
+        section.screen id=(format!("s{at}")) aria-label="The answer" {
+            style { (PreEscaped(rules(report, at))) }
+            div.top {
+                h2 class=[(!several).then_some("unseen")] { @if several { (report.label) } @else { "The answer" } }
+                @if let Some(bodies) = bodies(report) { p.bodies { (bodies) } }
+                @if conclusions.loads.len() > 1 { (chips(conclusions, at, middle)) }
+                @else if let Some(load) = conclusions.loads.first() { p.bodies { "at " (typeset(&load.label)) } }
+            }
+            @if conclusions.loads.is_empty() {
+                div.cards { section.card { h3 { "No area" } p { "The scene has no curve with an area." } } (before_quoting(conclusions, false)) }
+            }
+            @for load in &conclusions.loads {
+                div class={ "cards " (load_class(load)) } {
+                    (best_estimate(report, load))
+                    (hangs_on(report, load))
+                    (before_quoting(conclusions, load.otherwise.is_some()))
+                }
+            }
+            (interface_strip(report))
+            div.below {
+                @if conclusions.loads.iter().any(|load| !load.references.is_empty()) { (matrix(report, at, &styles)) }
+                div.chart {
+                    @for load in &conclusions.loads {
+                        @if let Some(figure) = area_curve::figure(report, load.load, &styles) {
+                            figure class=(load_class(load)) {
+                                h3 { "Contact area as finer roughness is included, at " (typeset(&load.label)) }
+                                (figure)
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn load_class(load: &LoadConclusion) -> String {
+    format!("l{}", load.load)
+}
+
+/// The rules that hide what belongs to other loads, and lines of models whose box is empty. A browser that does not know
+/// `:has` shows all.
+fn rules(report: &SceneReport<'_>, at: usize) -> String {
+    let mut text = String::new();
+    if report.conclusions.loads.len() > 1 {
+        for load in &report.conclusions.loads {
+            let load = load.load;
+            let _ = write!(text, "#s{at}:not(:has(#s{at}-l{load}:checked)) .l{load}{{display:none}}");
+        }
+    }
+    if report.conclusions.loads.iter().any(|load| !load.references.is_empty()) {
+        for curve in 0..report.scene.needs.curves.len() {
+            let _ = write!(text, "#s{at}:not(:has(#s{at}-m{curve}:checked)) .m{curve}{{display:none}}");
+        }
+    }
+    text
+}
+
+/// `diamond on a rigid flat`.
+fn bodies(report: &SceneReport<'_>) -> Option<String> {
+    let scene = report.scene;
+    let material = scene.material.as_ref()?;
+    let name = |body: &Option<study::bodies::FromTable>| body.as_ref().map(|body| body.name.clone());
+    let other = match material.counterface() {
+        None => "a rigid flat".to_owned(),
+        Some(_) => name(&scene.bodies.counterface_from_table)?,
+    };
+    Some(match name(&scene.bodies.from_table) {
+        Some(rough) => format!("{rough} on {other}"),
+        None => format!("on {other}"),
+    })
+}
+
+fn chips(conclusions: &Conclusions, at: usize, middle: usize) -> Markup {
+    html! {
+        fieldset.chips {
+            legend { "pressure" }
+            @for (place, load) in conclusions.loads.iter().enumerate() {
+                @let id = format!("s{at}-l{}", load.load);
+                (input("radio", &id, &format!("s{at}-load"), place == middle))
+                label for=(id) { (typeset(&load.label)) }
+            }
+        }
+    }
+}
+
+/// A radio button or a box, closed so that the page reads as XML as well.
+fn input(kind: &str, id: &str, name: &str, is_checked: bool) -> Markup {
+    let checked = if is_checked { " checked=\"checked\"" } else { "" };
+    PreEscaped(format!("<input type=\"{kind}\" id=\"{id}\" name=\"{name}\"{checked} />"))
+}
+
+fn best_estimate(report: &SceneReport<'_>, load: &LoadConclusion) -> Markup {
+    let area = &load.area;
+    let number = area.area_fraction.map_or_else(|| share_range(area.low, area.high), share);
+    let heading = match (area.source, load.otherwise) {
+        (Source::Model { .. } | Source::Models, _) => "Not checked",
+        (_, Some(_)) => "✓ Best estimate – if the hardness grows at small scales",
+        (Source::BetweenElements, _) => "Between two limits",
+        _ => "✓ Best estimate",
+    };
+    let inputs = if area.includes_inputs { ", inputs included" } else { "" };
+    html! {
+        section.card.best {
+            h3 { (heading) }
+            p.number { (number) " touches" }
+            p {
+                @if area.area_fraction.is_some() && area.low < area.high { (share_range(area.low, area.high)) " by " }
+                (source_words(area.source)) (inputs) "."
+                @if let Some(best) = &load.best_model {
+                    " Nearest model: " (report.short_curve(best.curve))
+                    @if let Some(area_fraction) = best.area_fraction { ", " (share(area_fraction)) }
+                    "."
+                }
+            }
+        }
+    }
+}
+
+/// The assumption that decides the answer, or else the scales that do.
+fn hangs_on(report: &SceneReport<'_>, load: &LoadConclusion) -> Markup {
+    if let Some(other) = load.otherwise {
+        return html! {
+            section.card {
+                h3 { (capital(&condition(&other))) }
+                p.number { (share(other.area_fraction)) " touches" }
+                p { (three_digits(other.ratio)) " times as much. Settle it by nano-indentation at the depth of the roughness." }
+            }
+        };
+    }
+    let decisive = load.nearest_curve().and_then(|curve| {
+        let answer = report.answer.curves[curve][load.load].as_ref()?;
+        let decade = answer.decisive_decade()?;
+        Some((decade_name(decade, &report.results.psd), decade.share, answer.real_pressure_pa))
+    });
+    html! {
+        section.card {
+            h3 { "What it hangs on" }
+            @match decisive {
+                Some((name, decided, _)) => {
+                    p.number { (format!("{:.0} %", 100.0 * decided)) }
+                    p { "of the answer is decided by roughness from " (name) "." }
+                }
+                None => p { "The scales that decide are not known: no curve was followed along the cutoff." }
+            }
+        }
+    }
+}
+
+/// The cautions; that on the hardness is left out if it has a card of its own.
+fn before_quoting(conclusions: &Conclusions, says_hardness: bool) -> Markup {
+    let is_shown =
+        |caution: &&Caution| !(says_hardness && matches!(caution, Caution::HardnessDecides { .. }));
+    html! {
+        section.card.before {
+            h3 { "Before you quote it – trust: " (conclusions.trust.name()) }
+            @if conclusions.cautions.is_empty() { p { "No cautions." } }
+            @else {
+                ol {
+                    @for caution in conclusions.cautions.iter().filter(is_shown).take(CAUTIONS_SHOWN) { li { (typeset(&caution_words(caution))) } }
+                }
+            }
+            @if let Some(step) = conclusions.next.first() { p.next { strong { "Next: " } (typeset(&next_words(step))) "." } }
+        }
+    }
+}
+
+/// The seal, the gap, heat and current in one line, where the scene asks for them.
+fn interface_strip(report: &SceneReport<'_>) -> Markup {
+    let conclusions = report.conclusions;
+    let mut rows: Vec<(&str, String)> =
+        conclusions.seal.iter().map(|seal| ("Seals?", seal_words(seal, report.scene))).collect();
+    let states = InterfaceStates::from_scene(report.scene, report.results);
+    rows.extend(states.iter().flat_map(|states| quantity_rows(conclusions, states)));
+    html! {
+        @if !rows.is_empty() {
+            dl.strip { @for (name, words) in &rows { div { dt { (name) } dd { (typeset(words)) } } } }
+        }
+    }
+}
+
+/// Every model under every load beside the elements.
+fn matrix(report: &SceneReport<'_>, at: usize, styles: &[ModelStyle]) -> Markup {
+    let loads = &report.conclusions.loads;
+    let drawn = drawn_at_first(loads);
+    let references = references(loads);
+    html! {
+        div.matrix {
+            h3 { "Which model to believe – area ÷ boundary elements" }
+            div.wide role="region" aria-label="Models against boundary elements" tabindex="0" {
+                table {
+                    thead { tr { th scope="col" { "model" } @for load in loads { th scope="col" { (typeset(&load.label)) } } } }
+                    @for reference in references {
+                        tbody {
+                            tr.group { th colspan=(loads.len() + 1) scope="rowgroup" { (group_heading(reference, loads)) } }
+                            @for curve in curves_of(reference, loads) {
+                                @let id = format!("s{at}-m{curve}");
+                                tr {
+                                    th scope="row" {
+                                        (input("checkbox", &id, &id, drawn.contains(&curve)))
+                                        label for=(id) { span.key style={ "--line:" (styles[curve].colour) } {} (report.short_curve(curve)) }
+                                    }
+                                    @for load in loads { (cell(report, load, reference, curve)) }
+                                }
+                            }
+                        }
+                    }
+                }
+            }
+            p.legend {
+                span.agrees { "✓ within 4/3" } " " span.large { "▲ too large" } " " span.small { "▼ too small" } " "
+                span.invalid { "⊘ outside its assumptions" } " tick a model to draw it"
+            }
+        }
+    }
+}
+
+fn references(loads: &[LoadConclusion]) -> Vec<Reference> {
+    let mut found: Vec<Reference> = Vec::new();
+    for group in loads.iter().flat_map(|load| &load.references) {
+        if !found.contains(&group.reference) {
+            found.push(group.reference);
+        }
+    }
+    found
+}
+
+fn group(load: &LoadConclusion, reference: Reference) -> Option<&ReferenceGroup> {
+    load.references.iter().find(|group| group.reference == reference)
+}
+
+/// The curves of a group, in the order of the load in the middle.
+fn curves_of(reference: Reference, loads: &[LoadConclusion]) -> Vec<usize> {
+    let middle = loads.get(loads.len() / 2).and_then(|load| group(load, reference));
+    middle.map_or_else(Vec::new, |group| group.models.iter().map(|cell| cell.curve).collect())
+}
+
+/// The models whose lines are drawn before anybody ticks one: the nearest of each group.
+fn drawn_at_first(loads: &[LoadConclusion]) -> Vec<usize> {
+    let Some(load) = loads.get(loads.len() / 2) else { return Vec::new() };
+    let nearest = load.references.iter().filter_map(|group| group.models.first()).map(|cell| cell.curve);
+    nearest.chain(load.best_model.map(|cell| cell.curve)).collect()
+}
+
+fn group_heading(reference: Reference, loads: &[LoadConclusion]) -> Markup {
+    let words = match reference {
+        Reference::Elastic => "elastic elements",
+        Reference::Yielding { .. } => "elements that yield",
+    };
+    html! {
+        "against " (words)
+        @for load in loads {
+            @if let Some(area) = group(load, reference).and_then(|group| group.area_fraction) {
+                span class=(load_class(load)) { ": " (share(area)) " at " (typeset(&load.label)) }
+            }
+        }
+    }
+}
+
+fn cell(report: &SceneReport<'_>, load: &LoadConclusion, reference: Reference, curve: usize) -> Markup {
+    let found = group(load, reference).and_then(|group| group.models.iter().find(|cell| cell.curve == curve));
+    let Some(found) = found else { return html! { td {} } };
+    let (class, glyph) = match found.verdict {
+        Verdict::Agrees => ("agrees", "✓"),
+        Verdict::TooLarge => ("large", "▲"),
+        Verdict::TooSmall => ("small", "▼"),
+        Verdict::OutOfRange => ("invalid", "⊘"),
+        Verdict::NotJudged => ("unknown", "–"),
+    };
+    let reason = reason(report, found, load.load);
+    html! {
+        td class={ "cell " (class) } style={ "--fill:" (format!("{:.2}", fill(found))) } tabindex="0" title=(reason) {
+            (glyph) @if let Some(ratio) = found.ratio { " ×" (three_digits(ratio)) }
+            span.reason { (reason) }
+        }
+    }
+}
+
+/// The strength of a cell's fill: faint at the limit of agreement, full a factor of 1.5 away from it.
+fn fill(cell: &ModelCell) -> f64 {
+    let Some(ratio) = cell.ratio else { return 0.3 };
+    let distance = (ratio.ln().abs() - AGREEMENT.ln()).abs() / 1.5f64.ln();
+    0.35 + 0.65 * distance.min(1.0)
+}
+
+fn reason(report: &SceneReport<'_>, cell: &ModelCell, load: usize) -> String {
+    let verdicts = report.evidence.judgement.map_or(&[][..], |judgement| &judgement.curves);
+    let verdict = verdicts.iter().find(|verdict| verdict.curve == cell.curve && verdict.load == load);
+    let area = cell.area_fraction.map_or_else(String::new, |area| format!("{}: ", share(area)));
+    verdict.map_or_else(String::new, |verdict| format!("{area}{}", verdict.reason))
+}

@@ -1,0 +1,429 @@
+//! The models by name: one table that the command line, scenes, tables of populations and sensitivities go by.
+//!
+//! Each theory has a module with its models, with what they have in common, and with what a model is made of. A law of its
+//! own crate becomes a model of the program by one entry there.
+
+mod curve_model;
+pub mod persson;
+mod stacked;
+mod statistical;
+
+use std::sync::LazyLock;
+
+use asperity::{MaterialPair, NixGao};
+use serde::{Deserialize, Deserializer};
+use spectrum::Normalisation;
+use stacked_contact::StackedModel;
+use units::UnknownName;
+
+pub use self::curve_model::CurveModel;
+pub use self::persson::Persson;
+pub use self::statistical::{Pressable, Statistical, StatisticalLaw};
+use crate::growth_law::GrowthLaw;
+use crate::hardness_and_strength::HARDNESS_OVER_STRENGTH;
+use crate::material::{Material, MaterialError};
+pub use crate::model_options::{Choice, IgnoredOption, IgnoredReason, ModelOptions};
+
+/// A theory with its law and the bodies in contact.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Theory {
+    /// Scale upon scale.
+    Stacked(StackedModel),
+    /// Asperities of Gaussian heights.
+    Statistical(Statistical),
+    /// Persson's theory, without asperities.
+    Persson(Persson),
+}
+
+impl Theory {
+    fn law(&self) -> &dyn TheoryLaw {
+        match self {
+            Theory::Stacked(model) => model,
+            Theory::Statistical(model) => model,
+            Theory::Persson(model) => model,
+        }
+    }
+}
+
+/// Properties of a model that its theory knows.
+trait TheoryLaw {
+    /// Returns the bodies in contact.
+    fn pair(&self) -> MaterialPair;
+
+    /// Returns the same theory of other bodies in contact.
+    fn with_pair(&self, pair: MaterialPair) -> Theory;
+
+    /// Returns the strength of the body that yields, or nothing for an elastic model.
+    fn strength(&self) -> Option<NixGao>;
+
+    /// Returns the same theory with another strength, or nothing for one that never yields.
+    fn with_strength(&self, strength: NixGao) -> Option<Theory>;
+
+    /// Returns the hardness \[Pa\] at which the model flows at long wavelengths, or nothing for an elastic one.
+    fn hardness_pa(&self) -> Option<f64> {
+        self.strength().map(|strength| HARDNESS_OVER_STRENGTH * strength.macroscopic_strength_pa())
+    }
+
+    /// Returns true if the strength grows at small depths.
+    fn has_strain_gradient(&self) -> bool {
+        self.strength().is_some_and(|strength| strength.strain_gradient_length_m().is_some())
+    }
+
+    /// Returns true if strength or hardness grow at small scales.
+    fn strength_grows(&self) -> bool {
+        self.has_strain_gradient()
+    }
+
+    /// Returns true if it stands on the amplitudes of scales.
+    fn needs_amplitudes(&self) -> bool {
+        false
+    }
+
+    /// Returns the options that differ from their defaults, but for the strain gradient.
+    fn options(&self) -> ModelOptions {
+        ModelOptions::default()
+    }
+}
+
+/// The theory by which a model gets from the roughness to the contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Framework {
+    /// Scale upon scale.
+    Stacked,
+    /// A population of asperities.
+    Statistical,
+    /// The pressure spreads as roughness is taken in, without asperities.
+    Persson,
+}
+
+/// Properties that the models of a framework share.
+#[derive(Debug)]
+pub struct FrameworkFacts {
+    /// The name, e.g. `stacked`.
+    pub name: &'static str,
+    /// One of its models in a sentence, e.g. `stacked model`.
+    pub noun: &'static str,
+    /// The moments that the models stand on.
+    pub moments: MomentUse,
+    /// True if a choice of the amplitude of a scale matters.
+    pub takes_amplitude: bool,
+    /// True if every row is a state that is solved for: within a tolerance, and at a separation as well as under a load.
+    pub has_states: bool,
+    /// True if the models know a distance between the surfaces.
+    pub has_gaps: bool,
+    /// True if a model that yields takes the hardness of the material rather than its strength.
+    pub takes_hardness: bool,
+}
+
+/// The use of spectral moments by the models of a framework.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MomentUse {
+    /// The models do without.
+    None,
+    /// Moments of the normalisation that the user chooses.
+    Chosen,
+    /// Moments of Parseval's normalisation.
+    Parseval,
+}
+
+impl MomentUse {
+    /// Returns the normalisation of the moments, where `chosen` is that of the user, or nothing for models without moments.
+    #[must_use]
+    pub fn normalisation(self, chosen: Option<Normalisation>) -> Option<Normalisation> {
+        match self {
+            MomentUse::None => None,
+            MomentUse::Chosen => Some(chosen.unwrap_or_default()),
+            MomentUse::Parseval => Some(Normalisation::Parseval),
+        }
+    }
+}
+
+impl Framework {
+    /// Every framework, in the order of the documentation.
+    pub const ALL: [Framework; 3] = [Framework::Stacked, Framework::Statistical, Framework::Persson];
+
+    /// Returns the properties that its models share.
+    #[must_use]
+    pub fn facts(self) -> &'static FrameworkFacts {
+        match self {
+            Framework::Stacked => &stacked::FACTS,
+            Framework::Statistical => &statistical::FACTS,
+            Framework::Persson => &persson::FACTS,
+        }
+    }
+}
+
+impl std::fmt::Display for Framework {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(self.facts().name)
+    }
+}
+
+impl ModelOptions {
+    /// Returns the options that were given and that a model ignores.
+    #[must_use]
+    pub fn ignored_by(&self, entry: &ModelEntry) -> Vec<IgnoredOption> {
+        let ignored = |choice| Some(IgnoredOption { choice, reason: self.reason_to_ignore(choice, entry)? });
+        self.given().filter_map(ignored).collect()
+    }
+
+    /// Returns why a model ignores a cap of the strength, or nothing if it heeds one. The cap belongs to the material,
+    /// which is why it is no field here.
+    #[must_use]
+    pub fn reason_to_ignore_strength_cap(&self, entry: &ModelEntry) -> Option<IgnoredReason> {
+        match entry.has(Choice::Strength) {
+            false => Some(IgnoredReason::NeverYields),
+            true if self.strain_gradient || self.hardness_law.is_some() => None,
+            true => Some(IgnoredReason::NothingGrows),
+        }
+    }
+
+    fn reason_to_ignore(&self, choice: Choice, entry: &ModelEntry) -> Option<IgnoredReason> {
+        let yields = entry.has(Choice::Strength);
+        let is_of_framework = || of_framework(entry.framework).any(|other| other.has(choice));
+        let other_law = || self.hardness_law.as_ref().is_some_and(|law| *law != GrowthLaw::NixGao);
+        match choice {
+            Choice::StrainGradient if entry.has(Choice::HardnessLaw) && other_law() => {
+                Some(IgnoredReason::OtherHardnessLaw)
+            }
+            choice if entry.has(choice) => None,
+            Choice::StrainGradient if !yields => Some(IgnoredReason::NeverYields),
+            Choice::HardnessLaw if !yields && is_of_framework() => Some(IgnoredReason::NeverYields),
+            Choice::Correction if yields && is_of_framework() => Some(IgnoredReason::CorrectionsAreElastic),
+            _ => Some(IgnoredReason::NoSuchOption),
+        }
+    }
+}
+
+/// The description of a model before it is built.
+#[derive(Debug, Clone, Copy)]
+pub struct ModelEntry {
+    /// The name that people type, which is also that of its curves.
+    pub name: &'static str,
+    /// The short name in print.
+    pub short_name: &'static str,
+    /// The full name, with the authors of the model.
+    pub full_name: &'static str,
+    /// The publication.
+    pub citation: &'static str,
+    /// Its framework.
+    pub framework: Framework,
+    choices: &'static [Choice],
+    /// True if the model takes the moments of a surface, rather than the asperities that they make.
+    takes_moments: bool,
+    build: fn(&Material, &ModelOptions) -> Result<Theory, MaterialError>,
+}
+
+/// The models of each framework.
+const TABLES: [&[ModelEntry]; 3] = [stacked::MODELS, statistical::MODELS, persson::MODELS];
+
+/// Every model, in the order of the documentation.
+pub static MODELS: &[ModelEntry] = &joined::<{ count() }>();
+
+const fn count() -> usize {
+    let (mut count, mut table) = (0, 0);
+    while table < TABLES.len() {
+        count += TABLES[table].len();
+        table += 1;
+    }
+    count
+}
+
+/// Returns the entries of all tables, one table after the other.
+const fn joined<const COUNT: usize>() -> [ModelEntry; COUNT] {
+    let mut entries = [TABLES[0][0]; COUNT];
+    let (mut at, mut table, mut row) = (0, 0, 0);
+    while at < COUNT {
+        if row == TABLES[table].len() {
+            (table, row) = (table + 1, 0);
+        } else {
+            entries[at] = TABLES[table][row];
+            (at, row) = (at + 1, row + 1);
+        }
+    }
+    entries
+}
+/// The names of all models.
+static NAMES: LazyLock<Vec<&'static str>> = LazyLock::new(|| MODELS.iter().map(|entry| entry.name).collect());
+
+/// The models of a framework.
+pub fn of_framework(framework: Framework) -> impl Iterator<Item = &'static ModelEntry> {
+    MODELS.iter().filter(move |entry| entry.framework == framework)
+}
+
+/// The models that know a distance between the surfaces; the theory without asperities comes first.
+pub fn with_gaps() -> impl Iterator<Item = &'static ModelEntry> {
+    let frameworks = Framework::ALL.into_iter().rev().filter(|framework| framework.facts().has_gaps);
+    frameworks.flat_map(of_framework)
+}
+
+/// The model of a name in a framework.
+///
+/// # Errors
+/// [`UnknownName`], which lists the names of that framework.
+pub fn named(framework: Framework, name: &str) -> Result<&'static ModelEntry, UnknownName> {
+    of_framework(framework).find(|entry| entry.answers_to(name)).ok_or_else(|| UnknownName {
+        what: framework.facts().noun,
+        given: name.to_owned(),
+        accepted: of_framework(framework).map(|entry| entry.name).collect::<Vec<_>>().join(", "),
+    })
+}
+
+impl ModelEntry {
+    /// The model of a material, with the choices made.
+    ///
+    /// # Errors
+    /// [`MaterialError`] where the model needs what the material lacks, or what it has is out of bounds.
+    pub fn build(
+        &'static self,
+        material: &Material,
+        options: &ModelOptions,
+    ) -> Result<CurveModel, MaterialError> {
+        Ok(CurveModel::new(self, (self.build)(material, options)?))
+    }
+
+    /// Returns true if it takes the moments of a surface, rather than the asperities that they make.
+    #[must_use]
+    pub fn takes_moments(&self) -> bool {
+        self.takes_moments
+    }
+
+    /// Returns true if it takes asperities of one curvature, McCool's.
+    #[must_use]
+    pub fn takes_asperities(&self) -> bool {
+        self.framework == Framework::Statistical && !self.takes_moments
+    }
+
+    /// Returns true if the model has this choice.
+    #[must_use]
+    pub fn has(&self, choice: Choice) -> bool {
+        self.choices.contains(&choice)
+    }
+
+    /// Returns the name of a curve that is given none: the model's, followed by the options that differ from its defaults.
+    #[must_use]
+    pub fn curve_name(&self, options: &ModelOptions) -> String {
+        let settings = options.settings(|choice| self.has(choice));
+        let parts = settings.iter().map(|setting| setting.name.as_str());
+        std::iter::once(self.name).chain(parts).collect::<Vec<_>>().join("-")
+    }
+}
+
+impl PartialEq for ModelEntry {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+}
+
+impl std::fmt::Display for ModelEntry {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(self.name)
+    }
+}
+
+impl<'de> Deserialize<'de> for &'static ModelEntry {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let name = String::deserialize(deserializer)?;
+        let found = MODELS.iter().find(|entry| entry.answers_to(&name));
+        found.ok_or_else(|| serde::de::Error::unknown_variant(&name, &NAMES))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use ::persson::corrections::Correction;
+    use ::persson::variance::Band;
+    use asperity::{ElasticBody, Hardness};
+    use stat_contact::InterferenceLaw;
+    use units::Pressure;
+
+    use super::*;
+    use crate::hardness_and_strength::HardnessAndStrength;
+    use crate::material::{GivenMaterial, NeededFor};
+
+    fn material(yield_strength: Option<Pressure>) -> Material {
+        Material::new(GivenMaterial {
+            hardness_and_strength: HardnessAndStrength::new(None, yield_strength).unwrap(),
+            strain_gradient_length_m: Some(5e-6),
+            ..GivenMaterial::new(ElasticBody::new(463e9, 0.2).unwrap())
+        })
+    }
+
+    #[test]
+    fn every_model_is_built_known_again_and_has_the_choices_that_its_law_has() {
+        let strong = material(Some("1.8 GPa".parse().unwrap()));
+        for entry in MODELS {
+            let model = entry.build(&strong, &ModelOptions::default()).unwrap();
+            assert_eq!(model.entry(), entry);
+            let built = entry.build(&material(None), &ModelOptions::default());
+            assert_eq!(built.is_err(), entry.has(Choice::Strength), "{entry}");
+            assert!(built.err().is_none_or(|error| error == MaterialError::Missing(NeededFor::Yielding)));
+            let strength = NixGao::constant(2e9).unwrap();
+            assert_eq!(model.with_strength(strength).is_some(), entry.has(Choice::Strength), "{entry}");
+            assert_eq!(
+                model.with_hardness(Hardness::Cosine).is_some(),
+                entry.has(Choice::Hardness),
+                "{entry}"
+            );
+            let bem = model.with_interference(InterferenceLaw::Bem);
+            assert_eq!(bem.is_some(), entry.has(Choice::Interference), "{entry}");
+            let growing = ModelOptions { strain_gradient: true, ..ModelOptions::default() };
+            let grows = entry.build(&strong, &growing).unwrap() != model;
+            assert_eq!(grows, entry.has(Choice::StrainGradient), "{entry}");
+            assert_eq!(named(entry.framework, entry.name).unwrap(), entry);
+            let other = MaterialPair::against_rigid(ElasticBody::new(70e9, 0.33).unwrap());
+            let moved = model.with_pair(other);
+            assert_eq!((moved.pair(), moved.strength(), moved.entry()), (other, model.strength(), entry));
+            assert_eq!(moved.with_pair(model.pair()), model);
+        }
+    }
+
+    #[test]
+    fn an_option_is_ignored_by_the_models_that_do_not_have_it_with_the_reason() {
+        use IgnoredReason::{
+            CorrectionsAreElastic, NeverYields, NoSuchOption, NothingGrows, OtherHardnessLaw,
+        };
+        let all = ModelOptions {
+            strain_gradient: true,
+            hardness: Some(Hardness::default()),
+            interference_law: Some(InterferenceLaw::Bem),
+            correction: Some(Correction::AlgebraicNayak),
+            band: Some(Band::Surface),
+            gamma: Some(0.5),
+            hardness_law: Some(GrowthLaw::Power(0.5)),
+        };
+        assert_eq!(ModelOptions::default().given().count(), 0);
+        assert_eq!(all.given().count(), 7);
+        let entry = |name: &str| MODELS.iter().find(|entry| entry.name == name).unwrap();
+        for entry in MODELS {
+            let reasons = all.ignored_by(entry);
+            for choice in all.given() {
+                let ignored = reasons.iter().find(|ignored| ignored.choice == choice);
+                let reason = match choice {
+                    Choice::StrainGradient if entry.name == "persson-plastic" => Some(OtherHardnessLaw),
+                    choice if entry.has(choice) => None,
+                    Choice::StrainGradient => Some(NeverYields),
+                    Choice::HardnessLaw if entry.name == "persson" => Some(NeverYields),
+                    Choice::Correction if entry.name == "persson-plastic" => Some(CorrectionsAreElastic),
+                    _ => Some(NoSuchOption),
+                };
+                assert_eq!(ignored.map(|ignored| ignored.reason), reason, "{choice:?} of {entry}");
+            }
+        }
+        let nix_gao = ModelOptions { hardness_law: Some(GrowthLaw::NixGao), ..all.clone() };
+        let ignored = nix_gao.ignored_by(entry("persson-plastic"));
+        assert!(ignored.iter().all(|ignored| ignored.choice != Choice::StrainGradient));
+        let cap = |options: &ModelOptions, name: &str| options.reason_to_ignore_strength_cap(entry(name));
+        assert_eq!(cap(&all, "persson"), Some(NeverYields));
+        assert_eq!(cap(&ModelOptions::default(), "persson-plastic"), Some(NothingGrows));
+        assert_eq!(cap(&nix_gao, "persson-plastic"), None);
+    }
+
+    #[test]
+    fn a_name_of_the_other_framework_is_unknown_and_those_of_its_own_are_listed() {
+        let error = named(Framework::Statistical, "elastic").unwrap_err();
+        assert_eq!((error.what, error.given.as_str()), ("statistical model", "elastic"));
+        let names: Vec<&str> = of_framework(Framework::Statistical).map(|entry| entry.name).collect();
+        assert_eq!(error.accepted.split(", ").collect::<Vec<_>>(), names);
+    }
+}

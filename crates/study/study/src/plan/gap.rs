@@ -1,0 +1,79 @@
+//! Surfaces under any load, with their mean gaps.
+
+use asperity::AsperityError;
+use persson::Roughness;
+use persson::hardness_laws::HardnessError;
+use persson::separation::SeparationLaw;
+use persson::variance::Band;
+
+use super::Tolerance;
+
+/// A surface under a nominal pressure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GapState {
+    /// Nominal pressure \[Pa\].
+    pub nominal_pressure_pa: f64,
+    /// Real over nominal area of contact.
+    pub area_fraction: f64,
+    /// Mean gap \[m\]; none where the model has none: with more than 3 % of the contact plastic in Persson's theory, and beyond
+    /// complete contact.
+    pub mean_gap_m: Option<f64>,
+    /// K = -dp/du \[Pa/m\]; none where there is no gap.
+    pub stiffness_pa_per_m: Option<f64>,
+}
+
+/// Choices beside the model.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GapChoices {
+    /// Elastic energy factor of Persson's theory, in (0, 1].
+    pub energy_factor: f64,
+    /// The band that a cutoff lets through in Persson's theory.
+    pub band: Band,
+    /// Relative tolerance of statistical states.
+    pub tolerance: Tolerance,
+}
+
+/// Why a model has no gaps.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum GapError {
+    /// A model that knows no distance between the surfaces.
+    #[error("the model {0} knows areas and no distances; take a statistical one, or one of Persson's theory")]
+    NoDistances(&'static str),
+    /// One sample, or moments that make no asperities.
+    #[error(
+        "the spectrum has no gap: its moments need two samples at least, and numbers within the range of doubles"
+    )]
+    NoRoughness,
+    /// A spectrum that no isotropic surface has.
+    #[error(
+        "the spectrum is narrower than that of any isotropic surface (alpha = {alpha}, at least 1.5): it has no summits"
+    )]
+    TooNarrow {
+        /// m0 m4/m2^2.
+        alpha: f64,
+    },
+    /// A hardness that cannot be used with this spectrum, or cannot carry a load.
+    #[error(transparent)]
+    Hardness(#[from] HardnessError),
+    /// A value that no model takes.
+    #[error(transparent)]
+    Value(#[from] AsperityError),
+    /// The work was cancelled.
+    #[error("ended before all was computed")]
+    Cancelled,
+}
+
+/// A surface with its whole spectrum, as a model presses it.
+pub(crate) trait LoadedSurface: std::fmt::Debug + Send + Sync {
+    /// Returns the surface under a nominal pressure > 0 \[Pa\].
+    ///
+    /// # Errors
+    /// [`GapError`] for a pressure that cannot be carried.
+    fn at(&self, pressure_pa: f64) -> Result<GapState, GapError>;
+
+    /// Returns the roughness and the separations of Persson's theory, or nothing for another theory.
+    fn persson(&self) -> Option<(&Roughness, &SeparationLaw)> {
+        None
+    }
+}

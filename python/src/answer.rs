@@ -1,0 +1,141 @@
+//! Answers to questions, with notes and errors in terms of arguments.
+
+use numpy::PyArray1;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use questions::{Note, OptionName, QuestionError, Spelling};
+use report::question_words;
+use study::material::MaterialError;
+use tables::{Cell, Cells, Table};
+use topography::Severity;
+
+use crate::errors::input;
+
+/// The columns of a table, and the notes on it.
+#[pyclass(frozen, name = "Answer", module = "truearea._native")]
+pub struct PyAnswer {
+    #[pyo3(get)]
+    columns: Py<PyDict>,
+    notes: Vec<Note>,
+    spelling: &'static (dyn Spelling + Sync),
+}
+
+#[pymethods]
+impl PyAnswer {
+    /// The notes in words.
+    #[getter]
+    fn notes(&self) -> Vec<String> {
+        words(&self.notes, self.spelling)
+    }
+
+    /// The notes as data.
+    #[getter]
+    fn facts(&self) -> Vec<String> {
+        self.notes.iter().map(|note| format!("{note:?}")).collect()
+    }
+}
+
+impl PyAnswer {
+    pub fn new(py: Python<'_>, table: &Table, notes: Vec<Note>) -> PyResult<Self> {
+        Ok(Self::of_columns(columns(py, table)?, notes))
+    }
+
+    pub fn of_columns(columns: Bound<'_, PyDict>, notes: Vec<Note>) -> Self {
+        PyAnswer { columns: columns.unbind(), notes, spelling: &Keywords }
+    }
+
+    pub fn spelled(self, spelling: &'static (dyn Spelling + Sync)) -> Self {
+        PyAnswer { spelling, ..self }
+    }
+}
+
+/// Arguments of functions, as `interference_law`.
+pub struct Keywords;
+
+/// Arguments of `persson`, whose models are called `elastic` and `elastic-plastic`.
+pub struct PerssonKeywords;
+
+impl Spelling for Keywords {
+    fn option(&self, option: OptionName) -> String {
+        match option {
+            OptionName::MissingPoints => "gaps".to_owned(),
+            option => option.snake_case(),
+        }
+    }
+
+    fn with_value(&self, option: OptionName, value: &str) -> String {
+        let quote = if value.parse::<f64>().is_ok() { "" } else { "\"" };
+        format!("{}={quote}{value}{quote}", self.option(option))
+    }
+
+    fn model(&self, name: &str) -> String {
+        format!("model {name}")
+    }
+
+    fn of_material(&self) -> &'static str {
+        "the material "
+    }
+}
+
+impl Spelling for PerssonKeywords {
+    fn option(&self, option: OptionName) -> String {
+        Keywords.option(option)
+    }
+
+    fn with_value(&self, option: OptionName, value: &str) -> String {
+        Keywords.with_value(option, value)
+    }
+
+    fn model(&self, name: &str) -> String {
+        Keywords.model(if name == "persson" { "elastic" } else { "elastic-plastic" })
+    }
+
+    fn of_material(&self) -> &'static str {
+        Keywords.of_material()
+    }
+}
+
+/// Converts an error of a question, with the argument that mends it.
+pub fn refused(error: QuestionError) -> PyErr {
+    refused_by(&Keywords)(error)
+}
+
+/// Converts errors of questions whose options are spelled in some way.
+pub fn refused_by(spelling: &'static dyn Spelling) -> impl Fn(QuestionError) -> PyErr {
+    move |error| input(question_words::error(&error, spelling))
+}
+
+/// Words an error of a material, with the argument that mends it.
+pub fn of_material(error: &MaterialError) -> String {
+    question_words::of_material(error, &Keywords)
+}
+
+/// Notes in words; checks that were passed are left out.
+pub fn words(notes: &[Note], spelling: &dyn Spelling) -> Vec<String> {
+    let lines = notes.iter().flat_map(|note| question_words::lines(note, spelling));
+    let lines = lines.filter_map(|line| match line.severity {
+        Severity::Passed => None,
+        Severity::Note => Some(line.text),
+        Severity::Warning => Some(format!("warning: {}", line.text)),
+    });
+    lines.collect()
+}
+
+/// The columns of a table by their names: numbers as arrays of doubles, NaN where a cell is empty, as data frames have it;
+/// anything else as a list of text.
+pub fn columns<'py>(py: Python<'py>, table: &Table) -> PyResult<Bound<'py, PyDict>> {
+    let columns = PyDict::new(py);
+    for (name, cells) in table.columns() {
+        match cells {
+            Cells::Numbers(numbers) => {
+                let numbers = numbers.iter().map(|number| number.unwrap_or(f64::NAN));
+                columns.set_item(name, PyArray1::from_iter(py, numbers))?;
+            }
+            Cells::Words(words) => columns.set_item(name, words)?,
+            Cells::Typed(cells) => {
+                columns.set_item(name, cells.iter().map(Cell::text).collect::<Vec<_>>())?;
+            }
+        }
+    }
+    Ok(columns)
+}
