@@ -66,10 +66,10 @@ def test_files_are_those_of_the_command_line(folder: Path) -> None:
         check=True, capture_output=True, text=True,
     )  # fmt: skip
     results = quick(ta.Scene.from_toml(folder / "scene.toml"))
-    assert done.stdout.startswith(results.answer)
+    assert done.stdout.splitlines()[0].startswith(ta.Scene.from_toml(folder / "scene.toml").title)
     written = {path.name: path.read_bytes() for path in out.iterdir()}
     assert sorted(written) == sorted(results.files)
-    assert len(written) == 8
+    assert len(written) == 9
     for name, content in written.items():
         if name == "report.html":
             assert results.report_html is not None
@@ -115,7 +115,7 @@ def test_tables_hold_what_the_files_hold(folder: Path) -> None:
 
 def test_without_a_report(folder: Path) -> None:
     results = ta.Scene.from_toml(folder / "scene.toml").run(report=False)
-    assert sorted(results.files) == ["areas.csv", "areas.svg", "elastic.csv", "ep-sphere.csv"]
+    assert sorted(results.files) == ["answer.json", "areas.csv", "areas.svg", "elastic.csv", "ep-sphere.csv"]
     assert results.report_html is None
     assert "<svg" in results._repr_html_() and "Steel on glass" in results._repr_html_()
 

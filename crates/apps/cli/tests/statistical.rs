@@ -471,7 +471,7 @@ fn elastic_areas_of_a_scene_have_the_linear_laws_beside_them() {
          poisson_ratio = 0.2\nyield_strength = \"1.8 GPa\"\n[loads]\npressures = [\"1 MPa\"]\n\
          [[curve]]\nmodel = \"bgt\"\n[[curve]]\nmodel = \"ep-sphere\"\n",
     );
-    let summary = bench.run(&["run", "scene.toml"]).ok();
+    let summary = bench.run(&["run", "scene.toml", "-v"]).ok();
     // kappa p/(E* h'), E* = 482.29 GPa and h' = sqrt(2 m2) = 0.55028 at the last cutoff.
     assert_eq!(lines_with(&summary, &["h' = 0.55", "6.01e-6 to 9.44e-6", "1 MPa"]).len(), 1, "{summary}");
     let report = bench.read("scene-results/report.html");

@@ -76,8 +76,11 @@ impl Caution {
     #[must_use]
     pub fn trust_left(&self) -> Trust {
         match self {
-            Caution::TooFewScales { .. } | Caution::InstrumentsDisagree(_) => Trust::None,
-            Caution::Doubt(_) | Caution::HardnessDecides { .. } | Caution::NotJudged => Trust::Poor,
+            Caution::TooFewScales { .. } => Trust::None,
+            Caution::InstrumentsDisagree(_)
+            | Caution::Doubt(_)
+            | Caution::HardnessDecides { .. }
+            | Caution::NotJudged => Trust::Poor,
             Caution::NotMeasured(hole) if hole.longest_m > 10.0 * hole.shortest_m => Trust::Poor,
             Caution::NoModelAgrees { .. }
             | Caution::NotMeasured(_)

@@ -28,7 +28,7 @@ pub use note::{FEW_TOUCH, GapCounts, MadeSurfaces, Note, OutsideFit, SampledScal
 pub use option::{OptionName, Reason, Spelling, UnusedOption};
 pub use report_question::{BodyText, ReportQuestion, ReportSurface};
 pub use sampling::SamplingInput;
-pub use scene_run::{Phase, RunError, RunOptions, SceneOutcome, Watch, run_scene};
+pub use scene_run::{Phase, RunError, RunOptions, SceneOutcome, Unwatched, Watch, run_scene};
 pub use spectrum::{SpectrumQuantity, SpectrumQuestion};
 pub use states::StatesQuestion;
 

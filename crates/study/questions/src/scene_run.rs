@@ -5,8 +5,8 @@ use findings::answer::Answer;
 use findings::sensitivity::{Sensitivity, sensitivities};
 use judge::{JudgeError, JudgePlan, Judgement};
 use scene::Scene;
-use study::Progress;
 use study::plan::{PlanError, Results};
+use study::{Progress, Unobserved};
 use uncertainty::{Uncertainty, UncertaintyPlan, scattering_groups};
 
 /// Results of a scene to compute besides its curves and figures.
@@ -72,6 +72,16 @@ pub trait Watch {
 
     /// Ends a phase. Phases that are not requested end at once, except draws, which do not end.
     fn end(&self, _phase: Phase) {}
+}
+
+/// Observer that does nothing.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Unwatched;
+
+impl Watch for Unwatched {
+    fn begin(&self, _: Phase, _: usize) -> Box<dyn Progress + '_> {
+        Box::new(Unobserved)
+    }
 }
 
 /// All results of a scene.

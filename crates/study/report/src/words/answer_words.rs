@@ -39,7 +39,7 @@ pub(crate) fn sentences(answer: &Answer, scene: &Scene, results: &Results) -> Ve
 
 /// A limit of what the spectrum determines.
 pub(crate) struct Shortcoming {
-    /// Remaining answer: `Upper bound` or `No answer`.
+    /// Remaining answer: `Upper bound`, `Order of magnitude` or `No answer`.
     pub heading: &'static str,
     /// The reason.
     pub reason: String,
@@ -53,31 +53,32 @@ impl std::fmt::Display for Shortcoming {
 
 /// The limits of what the spectrum determines.
 pub(crate) fn shortcomings(answer: &Answer, scene: &Scene, results: &Results) -> Vec<Shortcoming> {
-    let no_answer = |reason| vec![Shortcoming { heading: "No answer", reason }];
     let wavelengths_m = results.psd.wavelengths_m();
     let (longest_m, shortest_m) = (wavelengths_m[0], wavelengths_m[wavelengths_m.len() - 1]);
     if scene.needs.curves.is_empty() {
         return Vec::new();
     }
     if let Some(scales) = answer.too_few_scales {
-        return no_answer(format!(
+        let reason = format!(
             "The spectrum is too short to tell how much touches: it has {} from {} to {}, and at least {MIN_SCALES} over \
              {MIN_DECADES} decade are needed. The tables hold what these scales alone give.",
             counted(scales, "scale"),
             length(longest_m),
             length(shortest_m)
-        ));
+        );
+        return vec![Shortcoming { heading: "No answer", reason }];
     }
     if let Some(InstrumentsDisagree { names: [first, second], ratio, longest_m, shortest_m }) =
         &answer.instruments_disagree
     {
-        return no_answer(format!(
+        let reason = format!(
             "The instruments do not show the same surface: {first} has {} times the spectrum of {second} from {} to {}, where both \
              measure. Check units, height scales and places, or leave one of them out. The tables hold the composite of both.",
             three_digits(*ratio),
             length(*longest_m),
             length(*shortest_m)
-        ));
+        );
+        return vec![Shortcoming { heading: "Order of magnitude", reason }];
     }
     // Curves that fail in the same way share a sentence.
     let mut failing: Vec<(String, Vec<String>)> = Vec::new();
