@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use staging::StagedFiles;
 
 use crate::failure::Failure;
+use crate::files;
 use crate::interruption;
 use report::products::{ANSWER, SceneProducts};
 use study::plan::PlanError;
@@ -48,9 +49,16 @@ impl Place {
                 io::Read::read_to_end(&mut io::stdin().lock(), &mut bytes)
                     .map_err(|error| Failure::reading("standard input", &error))?;
             }
+            Place::File(path) if path.is_dir() => {
+                let folder = path.display();
+                return Err(Failure::Input(format!(
+                    "{folder}: this is a folder; name a scene in it, or try `truearea report {folder}`"
+                )));
+            }
             Place::File(path) => {
-                bytes = std::fs::read(path)
-                    .map_err(|error| Failure::reading(&path.display().to_string(), &error))?;
+                bytes = std::fs::read(path).map_err(|error| {
+                    Failure::reading(&path.display().to_string(), &files::explained(error, path))
+                })?;
             }
         }
         Ok(bytes)
@@ -197,6 +205,14 @@ pub enum Layout {
 }
 
 impl Layout {
+    /// The folder of tables.
+    fn tables(self) -> &'static str {
+        match self {
+            Layout::Flat => "",
+            Layout::Folders => "data",
+        }
+    }
+
     /// The place of a file by its name.
     fn place(self, name: &str) -> String {
         let folder = match Path::new(name).extension().and_then(OsStr::to_str) {
@@ -243,22 +259,76 @@ pub fn write_products(
     Ok(names)
 }
 
-/// The files of a folder that are none of those just written: they may be of an earlier run.
+/// Tables in a folder of results that a run does not replace, with the title of the scene that each is of. Figures go
+/// with their tables.
+fn stale_tables(folder: &Path, layout: Layout, written: &[String]) -> Result<Vec<(String, String)>, Failure> {
+    let reading = |error: io::Error| Failure::System(format!("reading {}: {error}", folder.display()));
+    let mut tables = Vec::new();
+    for entry in std::fs::read_dir(folder.join(layout.tables())).map_err(reading)? {
+        let name = entry.map_err(reading)?.file_name().to_string_lossy().into_owned();
+        let place = layout.place(&name);
+        if name.ends_with(".csv") && !written.contains(&place) {
+            let mut start = Vec::new();
+            let file = std::fs::File::open(folder.join(place)).map_err(reading)?;
+            io::Read::read_to_end(&mut io::Read::take(file, 1024), &mut start).map_err(reading)?;
+            tables.extend(
+                scene_of_table(&String::from_utf8_lossy(&start)).map(|title| (name, title.to_owned())),
+            );
+        }
+    }
+    tables.sort();
+    Ok(tables)
+}
+
+/// The title of the scene that a table is of, by the line that begins its provenance.
+fn scene_of_table(text: &str) -> Option<&str> {
+    let line = text.lines().next()?.strip_prefix("# truearea ")?;
+    let (_, rest) = line.split_once(": scene \"")?;
+    [", curve ", ", figure ", ", table "]
+        .iter()
+        .find_map(|kind| rest.split_once(&format!("\"{kind}")))
+        .map(|(title, _)| title)
+}
+
+/// Refuses a folder with tables of another scene that a run of this one would leave beside its own.
+///
+/// # Errors
+/// [`Failure::Input`] that names one of them.
+pub fn refuse_other_scenes(folder: &Path, written: &[String], title: &str) -> Result<(), Failure> {
+    let stale = stale_tables(folder, Layout::Flat, written)?;
+    match stale.iter().find(|(_, other)| other != title) {
+        None => Ok(()),
+        Some((table, other)) => Err(Failure::Input(format!(
+            "--out {}: {table} is of another scene, \"{other}\"; name another folder, or delete it",
+            folder.display()
+        ))),
+    }
+}
+
+/// Removes the tables and figures of earlier runs that are none of those just written, of the scene with this title or
+/// of any; yields their names.
 ///
 /// # Errors
 /// [`Failure::System`] that names the folder.
-pub fn other_files(folder: &Path, written: &[String]) -> Result<Vec<String>, Failure> {
-    let reading = |error: io::Error| Failure::System(format!("reading {}: {error}", folder.display()));
-    let mut others = Vec::new();
-    for entry in std::fs::read_dir(folder).map_err(reading)? {
-        let entry = entry.map_err(reading)?;
-        let name = entry.file_name().to_string_lossy().into_owned();
-        if entry.path().is_file() && !written.contains(&name) {
-            others.push(name);
+pub fn clear_earlier_runs(
+    folder: &Path,
+    layout: Layout,
+    written: &[String],
+    title: Option<&str>,
+) -> Result<Vec<String>, Failure> {
+    let mut removed = Vec::new();
+    for (table, _) in stale_tables(folder, layout, written)?
+        .into_iter()
+        .filter(|(_, other)| title.is_none_or(|title| other == title))
+    {
+        let figure = table.replace(".csv", ".svg");
+        for name in [table, figure].map(|name| layout.place(&name)) {
+            if !written.contains(&name) && std::fs::remove_file(folder.join(&name)).is_ok() {
+                removed.push(name);
+            }
         }
     }
-    others.sort();
-    Ok(others)
+    Ok(removed)
 }
 
 #[cfg(test)]
@@ -280,6 +350,31 @@ mod tests {
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
         place.write(|out| out.write_all(b"new")).unwrap();
         assert_eq!(std::fs::read_to_string(&path).unwrap(), "new");
+    }
+
+    #[test]
+    fn tables_of_other_scenes_are_refused_and_those_of_earlier_runs_removed() {
+        let folder = tempfile::tempdir().unwrap();
+        let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+        write("old.csv", "# truearea 0.1.0: scene \"a, \"b\"\", curve old\nx\n1\n");
+        write("old.svg", "<svg/>");
+        write("kept.csv", "# truearea 0.1.0: scene \"other\", table kept\n");
+        write("mine.csv", "x\n1\n");
+        let written = ["kept.csv".to_owned()];
+        assert!(refuse_other_scenes(folder.path(), &written, "a, \"b\"").is_ok());
+        assert!(matches!(refuse_other_scenes(folder.path(), &written, "c"), Err(Failure::Input(_))));
+        assert!(matches!(refuse_other_scenes(folder.path(), &[], "a, \"b\""), Err(Failure::Input(_))));
+        let removed = clear_earlier_runs(folder.path(), Layout::Flat, &written, Some("a, \"b\"")).unwrap();
+        assert_eq!(removed, ["old.csv", "old.svg"]);
+        assert!(["kept.csv", "mine.csv"].iter().all(|name| folder.path().join(name).is_file()));
+        for inner in ["data", "figures"] {
+            std::fs::create_dir(folder.path().join(inner)).unwrap();
+        }
+        write("data/old.csv", "# truearea 0.1.0: scene \"a\", curve old\n");
+        write("figures/old.svg", "<svg/>");
+        let removed = clear_earlier_runs(folder.path(), Layout::Folders, &written, None).unwrap();
+        assert_eq!(removed, ["data/old.csv", "figures/old.svg"]);
+        assert!(folder.path().join("kept.csv").is_file());
     }
 
     #[cfg(unix)]

@@ -61,7 +61,7 @@ fn a_file_that_leaves_its_unit_open_names_the_option_that_tells_it() {
     bench.write("bare.txt", "0 1\n1 2\n2 1\n");
     let run = bench.run(&["scan", "bare.txt"]);
     assert_eq!(run.status, 2);
-    assert_names(&run.stderr, &["bare.txt: ", "--unit"]);
+    assert_names(&run.stderr, &["bare.txt: ", ":unit=um"]);
     assert_eq!(column(&bench.run(&["scan", "bare.txt", "--unit", "um"]).stdout, "size_x_m"), ["3e-6"]);
 }
 
@@ -84,7 +84,7 @@ fn a_channel_without_lengths_is_shown_and_drawn_in_its_unit_and_is_no_scan() {
     let image = |name| Image { name, direction: "Trace", heights_m: &values };
     let images = vec![image("Phase"), image("Height")];
     bench.write("scan.001", NanoscopeFile { images, ..NanoscopeFile::new(8, 4, &values) }.to_bytes());
-    let names = ["error: scan.001: ", "Nanoscope", "'Phase (Trace)'", " V", "'Height (Trace)'", "--channel"];
+    let names = ["error: scan.001: ", "Nanoscope", "'Phase (Trace)'", " V", "'Height (Trace)'", ":channel="];
     bench.run(&["psd", "scan.001:channel=Phase"]).refused_naming(&names);
     let run = bench.run(&["scan", "scan.001", "--all-channels", "--figure", "drawn.svg"]);
     assert_eq!(run.status, 0, "{}", run.stderr);

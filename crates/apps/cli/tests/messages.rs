@@ -4,6 +4,9 @@
 #[allow(dead_code, reason = "written for the tests of the reader")]
 mod nanoscope;
 mod support;
+#[path = "../../../surface/scans/tests/support/zip_file.rs"]
+#[allow(dead_code, reason = "written for the tests of readers")]
+mod zip_file;
 
 use std::fmt::Write;
 
@@ -68,6 +71,47 @@ fn map(missing: usize, offset: f64) -> String {
     format!("# Channel: Topo\n# Width: 64 nm\n# Height: 48 nm\n# Value units: nm\n{}", lines(0..48, row))
 }
 
+/// A workbook of Excel with a profile in mm and um, and notes on a sheet before it.
+fn workbook() -> Vec<u8> {
+    let cell = |place: String, value: String| format!(r#"<c r="{place}"><v>{value}</v></c>"#);
+    let text =
+        |place: &str, text: &str| format!(r#"<c r="{place}" t="inlineStr"><is><t>{text}</t></is></c>"#);
+    let row = |at: usize| {
+        let cells = [
+            cell(format!("A{}", at + 2), (0.1 * at as f64).to_string()),
+            cell(format!("B{}", at + 2), (at * 7 % 32).to_string()),
+        ];
+        format!(r#"<row r="{}">{}</row>"#, at + 2, cells.concat())
+    };
+    let sheet = |rows: String| {
+        format!(
+            r#"<worksheet xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"><sheetData>{rows}</sheetData></worksheet>"#
+        )
+    };
+    let notes = sheet(format!(r#"<row r="1">{}</row>"#, text("A1", "a flange")));
+    let heading = format!(r#"<row r="1">{}{}</row>"#, text("A1", "X (mm)"), text("B1", "Z (um)"));
+    let heights = sheet(heading + &(0..64).map(row).collect::<String>());
+    let office = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";
+    let packed = "http://schemas.openxmlformats.org/package/2006/relationships";
+    let root = format!(
+        r#"<Relationships xmlns="{packed}"><Relationship Id="rId1" Type="{office}/officeDocument" Target="xl/workbook.xml"/></Relationships>"#
+    );
+    let links = ["1", "2"].map(|n| {
+        format!(r#"<Relationship Id="rId{n}" Type="{office}/worksheet" Target="worksheets/sheet{n}.xml"/>"#)
+    });
+    let links = format!(r#"<Relationships xmlns="{packed}">{}</Relationships>"#, links.concat());
+    let index = format!(
+        r#"<workbook xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main" xmlns:r="{office}"><sheets><sheet name="Notes" sheetId="1" r:id="rId1"/><sheet name="Trace" sheetId="2" r:id="rId2"/></sheets></workbook>"#
+    );
+    zip_file::zipped(&[
+        ("_rels/.rels", root.as_bytes()),
+        ("xl/workbook.xml", index.as_bytes()),
+        ("xl/_rels/workbook.xml.rels", links.as_bytes()),
+        ("xl/worksheets/sheet1.xml", notes.as_bytes()),
+        ("xl/worksheets/sheet2.xml", heights.as_bytes()),
+    ])
+}
+
 /// A spectrum that falls as a power of the wavevector above 1 um and faster below.
 fn settling(rows: usize, decades: f64, errors: bool) -> String {
     let row = |at: usize| {
@@ -88,6 +132,11 @@ fn write_surfaces(bench: &Bench) {
         bench.write(name, profile(spacing_nm, scale));
     }
     bench.write("rough.txt", profile(200.0, 0.1)).write("apart.txt", profile(20.0, 10.0));
+    bench.write("high.txt", profile(5.0, 100.0)).write("heights.xlsx", workbook());
+    bench
+        .write("picture.png", b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR")
+        .write("old.xls", b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1");
+    bench.write("steep.csv", "wavelength_m,C1D_m3\n1e-5,1e-13\n1e-6,1e-16\n1e-7,1e-19\n");
     let whole = profile(5.0, 0.1);
     bench.write(
         "cut.txt",
@@ -119,9 +168,15 @@ fn write_surfaces(bench: &Bench) {
     }
     bench.write("utf-16.csv", b"\xff\xfe\0b").write("latin-1.toml", b"title = \"\xb5m\"");
     bench.write("blank.toml", bench.run(&["scene", "new"]).ok());
-    for folder in ["folder", "sub"] {
+    for folder in ["folder", "sub", "optical", "day"] {
         std::fs::create_dir(bench.path(folder)).unwrap();
     }
+    bench
+        .write("day/a.txt", profile(5.0, 0.1))
+        .write("day/b.txt", profile(20.0, 0.1))
+        .write("day/readme.md", "# Nothing\n");
+    let optical = "surfaces:\n- topographies:\n  - {name: m, datafile: {original: map.txt}, unit: nm, instrument: {type: microscope-based}}\n";
+    bench.write("optical/map.txt", map(0, 0.0)).write("optical/meta.yml", optical);
     let meta = "surfaces:\n- topographies:\n  - {name: my line, datafile: {original: line.txt}, unit: nm}\n";
     bench.write("sub/line.txt", profile(1.0, 0.1)).write("sub/meta.yml", meta);
 }

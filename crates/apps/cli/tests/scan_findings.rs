@@ -82,7 +82,7 @@ fn a_scan_without_tip_radius_is_told_once_with_what_was_assumed() {
     let bench = Bench::new();
     bench.write("map.txt", map(0.0)).write("line.txt", line(256, 5.0));
     let run = bench.run(&["psd", "map.txt", "line.txt:unit=nm"]);
-    let assumed = ["warning: ", "2 pixels", "tip radius"];
+    let assumed = ["warning: ", ":tip-radius=", "tip radius"];
     assert_eq!(run.remarks(&assumed).len(), 2, "{}", run.stderr);
     for words in [["map.txt: ", "20 nm"], ["line.txt: ", "10 nm"]] {
         assert_eq!(run.remarks(&[&assumed[..], &words].concat()).len(), 1, "{}", run.stderr);
@@ -147,12 +147,12 @@ fn a_spectrum_of_one_row_and_a_flat_scan_are_refused() {
 fn an_error_names_the_option_where_it_is_given_and_the_file_as_it_is() {
     let bench = Bench::new();
     bench.write("map--unit.txt", line(64, 5.0));
-    bench.run(&["psd", "map--unit.txt"]).refused_naming(&["map--unit.txt: ", " --unit ("]);
+    bench.run(&["psd", "map--unit.txt"]).refused_naming(&["map--unit.txt: ", ":unit=um"]);
     bench.write(
         "s.toml",
         "[surface]\nscans = [{ file = \"map--unit.txt\" }]\n[[figure]]\nname = \"psd\"\nshows = \"psd\"\n",
     );
-    bench.run(&["run", "s.toml"]).refused_naming(&["map--unit.txt: ", " unit ("]);
+    bench.run(&["run", "s.toml"]).refused_naming(&["map--unit.txt: ", " unit = "]);
 }
 
 #[test]

@@ -67,7 +67,7 @@ fn a_periodic_sinusoid_has_its_variance() {
 fn metadata_beside_a_file_give_its_unit_and_size() {
     let bench = Bench::new();
     bench.write("line.txt", line(256, 5.0));
-    bench.run(&["psd", "line.txt"]).refused_naming(&["line.txt: ", "--unit"]);
+    bench.run(&["psd", "line.txt"]).refused_naming(&["line.txt: ", ":unit=um"]);
     let meta = "surfaces:\n- topographies:\n  - name: my line\n    datafile:\n      original: line.txt\n    \
                 size: !!python/tuple [1280.0]\n    unit: nm\n    height_scale: 2.0\n";
     let plain = bench.run(&["psd", "line.txt", "--unit", "nm"]).ok();
@@ -161,7 +161,7 @@ fn what_is_wrong_with_one_scan_of_a_scene_points_at_that_scan() {
     let scene = "[surface]\nscans = [\n    { file = \"a.txt\", unit = \"nm\" },\n    { file = \"b.txt\" },\n]\n\
                  [[figure]]\nname = \"psd\"\nshows = \"psd\"\n";
     let refused = bench.write("s.toml", scene).run(&["run", "s.toml"]).refused();
-    assert_names(&refused, &[" unit (", "--> s.toml:4:5"]);
+    assert_names(&refused, &[" unit = ", "--> s.toml:4:5"]);
     assert!(!refused.contains("--unit") && !refused.contains("a.txt"), "{refused}");
 }
 

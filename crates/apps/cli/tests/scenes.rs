@@ -288,15 +288,13 @@ fn a_hardness_in_place_of_a_strength_gives_the_same_areas_and_is_told_in_summary
 }
 
 #[test]
-fn files_that_are_not_of_this_run_are_named() {
+fn tables_of_earlier_runs_are_removed() {
     let bench = Bench::new();
     bench.write("s.toml", SMALL);
     bench.run(&["run", "s.toml"]).ok();
-    let again = bench.run(&["run", "s.toml"]).ok();
-    assert!(!again.ends_with(": hardening.csv\n"), "{again}");
     bench.write("s.toml", SMALL.replace("\"hardening\"", "\"harder\""));
-    let said = bench.run(&["run", "s.toml"]).ok();
-    assert!(said.ends_with(": hardening.csv\n"), "{said}");
+    bench.run(&["run", "s.toml"]).ok_remarking(&["note: ", "hardening.csv"]);
+    assert!(bench.path("s-results/harder.csv").is_file() && !bench.path("s-results/hardening.csv").exists());
 }
 
 #[test]

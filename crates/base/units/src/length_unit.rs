@@ -21,10 +21,16 @@ pub struct LengthUnit {
 
 /// A text that is not a unit of length.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("'{text}' is not a unit of length; use one of {}", LengthUnit::accepted())]
+#[error("'{text}' is not a unit of length; use {}", meant(text))]
 pub struct UnknownLengthUnit {
     /// The text in the place of the unit.
     pub text: String,
+}
+
+/// The unit that a text in another case means, or all units.
+fn meant(text: &str) -> String {
+    let in_other_case = LengthUnit::parse_any_case(text).map(|unit| unit.ascii.to_owned());
+    in_other_case.unwrap_or_else(|| format!("one of {}", LengthUnit::accepted()))
 }
 
 impl LengthUnit {
@@ -216,6 +222,7 @@ mod tests {
             assert!(text.parse::<LengthUnit>().is_err(), "{text}");
         }
         assert_eq!(LengthUnit::NANOMETRE.to_m(5.65), 5.65e-9);
+        assert!("UM".parse::<LengthUnit>().unwrap_err().to_string().ends_with("; use um"));
         assert_eq!(
             "ft".parse::<LengthUnit>().unwrap_err().to_string(),
             "'ft' is not a unit of length; use one of m, cm, mm, µm, nm, Å, pm, km, inch, uin"

@@ -6,6 +6,7 @@ mod hardness_scale;
 mod length_unit;
 mod named;
 mod number;
+mod number_text;
 mod pressure_range;
 mod quantity;
 mod quantity_error;
@@ -20,6 +21,7 @@ pub use bound::{Bound, OutOfBounds};
 pub use length_unit::{LengthUnit, UnknownLengthUnit};
 pub use named::UnknownName;
 pub use number::{number, write_number};
+pub use number_text::without_comma;
 pub use pressure_range::{PressureRange, PressureRangeError, log_spaced};
 pub use quantity::{
     Area, Force, IndentationHardness, Length, Modulus, Pressure, Resistivity, SignedLength,

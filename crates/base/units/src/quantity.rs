@@ -291,6 +291,31 @@ mod tests {
     }
 
     #[test]
+    fn a_slip_of_the_keyboard_is_refused_with_what_may_be_meant() {
+        let refused = |text: &str| text.parse::<Pressure>().unwrap_err();
+        let meant = |text: &str| match refused(text) {
+            QuantityError::UnitCase { meant, .. } => meant,
+            QuantityError::Comma { meant, .. } | QuantityError::PowerOfTen { meant, .. } => vec![meant],
+            other => panic!("{text}: {other}"),
+        };
+        assert_eq!(meant("10 mpa"), ["10 MPa", "10e-3 Pa"]);
+        assert_eq!(meant("10 mPa"), ["10 MPa", "10e-3 Pa"]);
+        assert_eq!(meant("2gpa"), ["2 GPa"]);
+        assert_eq!(meant("0.1 h"), ["0.1 H"]);
+        assert_eq!(meant("10,5 mpa"), ["10.5 mpa"]);
+        assert_eq!(meant("5x10^9 Pa"), ["5e9 Pa"]);
+        let length = |text: &str| match text.parse::<Length>().unwrap_err() {
+            QuantityError::UnitCase { meant, .. } => meant,
+            other => panic!("{text}: {other}"),
+        };
+        assert_eq!((length("5 NM"), length("5 Um")), (vec!["5 nm".to_owned()], vec!["5 um".to_owned()]));
+        let force = "5 mn".parse::<Force>().unwrap_err();
+        assert!(matches!(force, QuantityError::UnitCase { meant, .. } if meant == ["5 mN", "5 MN"]));
+        assert_eq!("2 kN/mm2".parse::<Modulus>().unwrap().pa, 2e9);
+        assert_eq!("10 mbar".parse::<Pressure>(), Ok(Pressure::Pascals(1e3)));
+    }
+
+    #[test]
     fn an_invalid_quantity_is_refused_with_a_valid_example() {
         let error = |text: &str| text.parse::<Pressure>().unwrap_err();
         assert!(matches!(error("463e9"), QuantityError::NoUnit { example: "5.4 MPa", .. }));

@@ -40,6 +40,32 @@ pub enum QuantityError {
         /// The accepted units.
         units: String,
     },
+    /// A unit in the wrong case, such as `mpa`.
+    #[error("'{text}' has the unit '{unit}'; write {}", meant.join(" or "))]
+    UnitCase {
+        /// The typed text.
+        text: String,
+        /// The unit in it.
+        unit: String,
+        /// The quantities that it may mean, at least one.
+        meant: Vec<String>,
+    },
+    /// A comma in a number.
+    #[error("'{text}' has a comma; write {meant}")]
+    Comma {
+        /// The typed text.
+        text: String,
+        /// The text without the comma, both readings where it has two.
+        meant: String,
+    },
+    /// A power of ten with `10^`.
+    #[error("'{text}' has a power of ten; write {meant}")]
+    PowerOfTen {
+        /// The typed text.
+        text: String,
+        /// The text with `e`.
+        meant: String,
+    },
     /// Zero, negative or beyond the largest double.
     #[error("'{text}' is out of range; {} {what} must be greater than 0 and finite", article(what))]
     NotPositive {

@@ -5,6 +5,7 @@
 //! decimal text is multiplied by it before the single rounding to a double.
 
 use crate::length_unit::LengthUnit;
+use crate::number_text::{without_comma, without_power};
 use crate::quantity_error::QuantityError;
 use crate::typed_spread::TypedSpread;
 use crate::unit_scale::UnitScale;
@@ -39,11 +40,11 @@ pub(crate) const PRESSURE: Kind = Kind {
     what: "pressure",
     units: Units::Listed(&[
         (&["Pa", "N/m^2", "N/m2", "N/m²"], ten(0)),
-        (&["hPa"], ten(2)),
+        (&["hPa", "mbar"], ten(2)),
         (&["kPa"], ten(3)),
         (&["bar"], ten(5)),
-        (&["MPa", "N/mm^2", "N/mm2", "N/mm²"], ten(6)),
-        (&["GPa"], ten(9)),
+        (&["MPa", "N/mm^2", "N/mm2", "N/mm²", "MN/m^2", "MN/m2", "MN/m²"], ten(6)),
+        (&["GPa", "kN/mm^2", "kN/mm2", "kN/mm²"], ten(9)),
         (&["TPa"], ten(12)),
         (&["psi"], UnitScale::decimal(PSI.0, PSI.1)),
         (&["ksi"], UnitScale::decimal(PSI.0, PSI.1 + 3)),
@@ -165,6 +166,12 @@ impl Kind {
 
     /// Splits a text into number and unit, neither of them empty.
     pub(crate) fn split<'t>(&self, text: &'t str) -> Result<(&'t str, &'t str), QuantityError> {
+        if let Some(meant) = without_comma(text) {
+            return Err(QuantityError::Comma { text: text.to_owned(), meant });
+        }
+        if let Some(meant) = without_power(text) {
+            return Err(QuantityError::PowerOfTen { text: text.to_owned(), meant });
+        }
         let (number, unit) = split_number(text.trim()).ok_or_else(|| QuantityError::NoNumber {
             text: text.to_owned(),
             what: self.what,
@@ -181,6 +188,33 @@ impl Kind {
         Ok((number, unit))
     }
 
+    /// Returns the quantities that a unit in the wrong case may mean: those of this kind, and thousandths of the basic
+    /// unit for a small `m`, which is refused where a slip from mega to milli would pass unnoticed.
+    fn in_right_case(&self, text: &str, unit: &str) -> Vec<String> {
+        let Some((number, _)) = split_number(text.trim()) else { return Vec::new() };
+        let lower = unit.to_lowercase();
+        let mut meant: Vec<String> = match self.units {
+            Units::Lengths => LengthUnit::parse_any_case(unit)
+                .map(LengthUnit::ascii)
+                .into_iter()
+                .map(str::to_owned)
+                .collect(),
+            Units::Listed(units) => units
+                .iter()
+                .filter_map(|(spellings, _)| spellings.iter().find(|known| known.to_lowercase() == lower))
+                .map(|known| (*known).to_owned())
+                .collect(),
+        };
+        meant.extend(
+            self.own_units.iter().filter(|own| own.to_lowercase() == lower).map(|own| (*own).to_owned()),
+        );
+        meant.retain(|meant| meant != unit);
+        let milli = lower == "mpa" && !number.contains(['e', 'E']);
+        let mut meant: Vec<String> = meant.into_iter().map(|unit| format!("{number} {unit}")).collect();
+        meant.extend(milli.then(|| format!("{number}e-3 Pa")));
+        meant
+    }
+
     pub(crate) fn positive(&self, text: &str, value: f64) -> Result<f64, QuantityError> {
         if value > 0.0 && value.is_finite() {
             Ok(value)
@@ -193,12 +227,12 @@ impl Kind {
         if TypedSpread::parse(text).is_some() {
             return QuantityError::OneValueWanted { text: text.to_owned(), what: self.what };
         }
-        QuantityError::WrongUnit {
-            text: text.to_owned(),
-            unit: unit.to_owned(),
-            what: self.what,
-            units: self.unit_list(),
+        let meant = self.in_right_case(text, unit);
+        let (text, unit) = (text.to_owned(), unit.to_owned());
+        if !meant.is_empty() {
+            return QuantityError::UnitCase { text, unit, meant };
         }
+        QuantityError::WrongUnit { text, unit, what: self.what, units: self.unit_list() }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::str::FromStr;
 
+use crate::number_text::without_comma;
 use crate::unit_scale::UnitScale;
 
 /// A fraction, typed as `3 %` or `0.03`. Finite; further bounds belong to its use.
@@ -13,7 +14,7 @@ pub struct Share {
 
 /// A text that is not a fraction.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("'{0}' is not a fraction; write '3 %' or '0.03'")]
+#[error("'{text}' is not a fraction; write {meant}", text = .0, meant = without_comma(.0).unwrap_or_else(|| "'3 %' or '0.03'".to_owned()))]
 pub struct ShareError(pub String);
 
 impl FromStr for Share {
@@ -42,6 +43,14 @@ mod tests {
         {
             assert_eq!(text.parse(), Ok(Share { fraction }), "{text}");
         }
+    }
+
+    #[test]
+    fn a_decimal_comma_is_refused_with_a_point() {
+        assert_eq!(
+            "3,5 %".parse::<Share>().unwrap_err().to_string(),
+            "'3,5 %' is not a fraction; write 3.5 %"
+        );
     }
 
     #[test]

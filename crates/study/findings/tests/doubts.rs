@@ -63,6 +63,23 @@ fn a_spectrum_in_the_wrong_unit_and_a_body_too_strong_are_doubted() {
 }
 
 #[test]
+fn a_modulus_of_a_polymer_with_the_ratio_of_a_metal_is_doubted() {
+    let doubt = |modulus: &str, ratio: f64| {
+        let text = format!(
+            "[surface]\npsd = \"builtin:uncd-measured\"\n[material]\nyoungs_modulus = \"{modulus}\"\npoisson_ratio = {ratio}\n\
+             [loads]\npressures = [\"1 MPa\"]\n[[curve]]\nmodel = \"elastic\"\n"
+        );
+        let scene = Scene::parse(&text, &std::collections::BTreeMap::new(), &Overrides::default()).unwrap();
+        scene.material.as_ref().and_then(Doubt::of_material)
+    };
+    let expected = Doubt::SofterThanItsRatio { youngs_modulus_pa: 210e6, poisson_ratio: 0.3 };
+    assert_eq!(doubt("210 MPa", 0.3), Some(expected));
+    for (modulus, ratio) in [("210 GPa", 0.3), ("500 MPa", 0.46), ("5.5 MPa", 0.3), ("1 GPa", 0.3)] {
+        assert_eq!(doubt(modulus, ratio), None, "{modulus}");
+    }
+}
+
+#[test]
 fn nothing_is_doubted_where_physics_has_nothing_against_it() {
     assert_eq!(
         doubts(

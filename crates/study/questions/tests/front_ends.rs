@@ -54,7 +54,8 @@ fn random(dice: &mut Dice) -> (CurveQuestion, String) {
     };
     let mut of_material =
         format!("youngs_modulus = \"{youngs_modulus_gpa} GPa\"\npoisson_ratio = {poisson_ratio}\n");
-    let strength_gpa = dice.one(&[0.5, 1.0, 60.0]);
+    // A strength above the modulus is refused.
+    let strength_gpa = dice.one(&[0.5, 1.0, 60.0f64]).min(youngs_modulus_gpa);
     if yields || dice.below(3) == 0 {
         if dice.below(2) == 0 {
             material.yield_strength = Some(Pressure::Pascals(strength_gpa * 1e9));

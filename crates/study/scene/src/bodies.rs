@@ -1,6 +1,7 @@
 //! The material and the counterface of a scene.
 
 use std::fmt::Display;
+use std::ops::Range;
 use std::str::FromStr;
 
 use asperity::ElasticBody;
@@ -10,13 +11,15 @@ use super::error::{SceneError, SceneProblem};
 use super::named_material::BodyKeys;
 use super::raw::{RawCounterface, RawMaterial, RawProperty};
 use super::uncertain::{Property, Uncertain, poisson_ratio, property};
-use super::values::quantity_at;
+use super::values::{quantity_at, value_error};
 use study::bodies::{Bodies, Body, FromTable, Softer, Transport};
 use study::body_properties::BodyProperty;
 use study::hardness_and_strength::HardnessAndStrength;
 use study::material::{GivenMaterial, Material, MaterialError};
 use study::material_spreads::MaterialSpreads;
+use study::materials::named;
 use study::spread::Spread;
+use units::display::pressure;
 use units::{IndentationHardness, Length, Modulus, Pressure, Resistivity, ThermalConductivity};
 
 /// An elastic body, and how well its constants are known.
@@ -81,6 +84,10 @@ pub(super) fn resolve_material(
         Some(known) => (Some(known.body), known.youngs_modulus, known.poisson_ratio),
         None => (None, None, None),
     };
+    let modulus_span = || match flows {
+        Body::Rough => keys.get(BodyProperty::YoungsModulus).map(Spanned::span),
+        Body::Counterface => None,
+    };
     let material = Material::new(GivenMaterial {
         body: own.body,
         counterface: counterface_body,
@@ -88,7 +95,9 @@ pub(super) fn resolve_material(
         hardness_and_strength: flowing.hardness_and_strength,
         strength_cap,
         strain_gradient_length_m: flowing.length.map(|length| length.m),
-    });
+    })
+    .checked()
+    .map_err(|error| SceneError { problem: error.into(), span: modulus_span() })?;
     let spreads = MaterialSpreads {
         youngs_modulus: own.youngs_modulus,
         poisson_ratio: own.poisson_ratio,
@@ -228,9 +237,37 @@ fn elastic_body(
     ratio: &Spanned<RawProperty>,
 ) -> Result<KnownBody, SceneError> {
     let modulus: Uncertain<Modulus> = property(&keys.key(BodyProperty::YoungsModulus), youngs_modulus)?;
+    refuse_mistaken_prefix(keys, modulus.value.pa, youngs_modulus.span())?;
     let key = keys.key(BodyProperty::PoissonRatio);
     let known_ratio = poisson_ratio(&key, ratio)?;
     let body = ElasticBody::new(modulus.value.pa, known_ratio.value)
         .map_err(|error| SceneError::at(ratio.span(), format!("key {key}: {error}")))?;
     Ok(KnownBody { body, youngs_modulus: modulus.spread, poisson_ratio: known_ratio.spread })
+}
+
+/// Ratio of a modulus to that of the table, either way, from which a prefix is mistaken: grades differ by less.
+const OTHER_PREFIX: f64 = 100.0;
+
+/// A modulus with the prefix that brings it closest to that of the table.
+fn prefixed(modulus_pa: f64, tabled_pa: f64) -> String {
+    let steps = ((tabled_pa / modulus_pa).log10() / 3.0).round();
+    pressure(modulus_pa * 1e3f64.powi(steps as i32))
+}
+
+/// Refuses a modulus far from that of the named material.
+fn refuse_mistaken_prefix(keys: &BodyKeys, modulus_pa: f64, span: Range<usize>) -> Result<(), SceneError> {
+    let Some(FromTable { name, .. }) = &keys.from_table else { return Ok(()) };
+    let tabled = named(name).ok().and_then(|material| material.youngs_modulus.parse::<Modulus>().ok());
+    match tabled.map(|tabled| tabled.pa) {
+        Some(tabled_pa) if (tabled_pa / modulus_pa).ln().abs() > OTHER_PREFIX.ln() => {
+            let typed = pressure(modulus_pa);
+            let problem = format!(
+                "{typed}, but {name} has {}; did you mean {}?",
+                pressure(tabled_pa),
+                prefixed(modulus_pa, tabled_pa)
+            );
+            Err(value_error(&keys.key(BodyProperty::YoungsModulus), &typed, span, problem))
+        }
+        _ => Ok(()),
+    }
 }

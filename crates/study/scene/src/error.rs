@@ -3,6 +3,7 @@
 use std::fmt;
 use std::ops::Range;
 
+use crate::file_content::FileContent;
 use study::body_properties::BodyProperty;
 use study::material::MaterialError;
 use study::surface::SurfaceError;
@@ -22,6 +23,27 @@ pub struct SceneError {
 pub enum SceneProblem {
     /// The text, a key or a value does not belong in a scene.
     Text(String),
+    /// The file is not a scene.
+    NotAScene(FileContent),
+    /// A text without quotes.
+    NoQuotes {
+        /// The value as typed.
+        value: String,
+        /// The text that it means.
+        meant: String,
+    },
+    /// A number with a decimal comma.
+    DecimalComma {
+        /// The value as typed.
+        value: String,
+        /// The number that it means.
+        meant: String,
+    },
+    /// A path with backslashes in double quotes, which begin escape sequences there.
+    Backslash {
+        /// The path as typed.
+        path: String,
+    },
     /// No section of this place has such a key.
     UnknownKey {
         /// The key.
@@ -131,7 +153,19 @@ impl fmt::Display for SceneProblem {
             SceneProblem::UnknownValue { value, known, meant } => {
                 write!(f, "unknown value `{value}`{} it may be {}", hint(meant), known.join(", "))
             }
-            SceneProblem::WrongType { found, wanted } => write!(f, "{found} stands where {wanted} should"),
+            SceneProblem::WrongType { found, wanted } => {
+                write!(f, "{found} stands where {wanted} should")?;
+                let text = found.strip_prefix("string ").filter(|_| wanted == "a list in brackets");
+                text.map_or(Ok(()), |text| write!(f, "; write [{text}]"))
+            }
+            SceneProblem::NotAScene(content) => write!(f, "this is {content}, not a scene"),
+            SceneProblem::NoQuotes { value, meant } => write!(f, "{value} needs quotes; write \"{meant}\""),
+            SceneProblem::DecimalComma { value, meant } => {
+                write!(f, "{value} has a decimal comma; write {meant}")
+            }
+            SceneProblem::Backslash { path } => {
+                write!(f, "backslashes need single quotes; write '{path}'")
+            }
             SceneProblem::MissingKey { key } => write!(f, "the key {key} is missing here"),
             SceneProblem::Value { key, problem, .. } => write!(f, "key {key}: {problem}"),
             SceneProblem::FileNameTaken { name, by } if name == by => {

@@ -5,11 +5,13 @@ mod bodies;
 mod curves;
 mod error;
 mod figures;
+mod file_content;
 pub mod file_names;
 mod from_toml;
 mod interface;
 mod judge;
 mod loads;
+mod mistyped;
 mod named_material;
 mod notes;
 mod raw;
@@ -25,6 +27,7 @@ mod uncertainty;
 mod values;
 
 pub use error::{SceneError, SceneProblem};
+pub use file_content::FileContent;
 pub use judge::JudgeChoices;
 pub use notes::{SceneNote, Unused};
 pub use replace::{ReplaceError, with_keys};
@@ -82,7 +85,11 @@ impl Scene {
     /// # Errors
     /// [`SceneError`] with place, key, value and bound.
     pub fn parse(text: &str, files: &dyn Files, overrides: &Overrides) -> Result<Self, SceneError> {
-        let raw = raw::RawScene::parse(text)?;
+        let raw =
+            raw::RawScene::parse(text).map_err(|error| match FileContent::recognise(text.as_bytes()) {
+                Some(content) => SceneError::anywhere(SceneProblem::NotAScene(content)),
+                None => error,
+            })?;
         let (scene, ignored) = resolve::resolve(text, &raw, files, overrides)?;
         Ok(Scene { notes: notes::notes(text, &raw, &scene, &ignored, overrides), ..scene })
     }

@@ -9,7 +9,7 @@ use super::raw::{RawBody, RawProperty};
 use super::spelling::meant;
 use study::bodies::FromTable;
 use study::body_properties::BodyProperty;
-use study::materials::{TabledMaterial, materials};
+use study::materials::{TabledMaterial, UnknownMaterial, materials, named};
 
 /// The properties that give each other: H = 3 S0.
 const STRENGTHS: [BodyProperty; 2] = [BodyProperty::YieldStrength, BodyProperty::IndentationHardness];
@@ -72,13 +72,13 @@ impl BodyKeys {
 
 /// The material of the table that answers to a name.
 fn tabled(name: &Spanned<String>) -> Result<TabledMaterial, SceneError> {
-    let table = materials();
-    if let Some(found) = table.iter().find(|material| material.answers_to(name.get_ref())) {
-        return Ok(found.clone());
-    }
-    let known: Vec<String> = table.iter().map(|material| material.name.clone()).collect();
-    let names = table.iter().flat_map(|material| std::iter::once(&material.name).chain(&material.aliases));
-    let meant = meant(name.get_ref(), names.map(String::as_str)).map(str::to_owned);
-    let problem = SceneProblem::UnknownValue { value: name.get_ref().clone(), known, meant };
-    Err(SceneError::at(name.span(), problem))
+    named(name.get_ref()).map_err(|UnknownMaterial { name: value, known }| {
+        let table = materials();
+        let names =
+            table.iter().flat_map(|material| std::iter::once(&material.name).chain(&material.aliases));
+        // Grades of one material are as likely as each other.
+        let is_open = known.len() == table.len();
+        let meant = is_open.then(|| meant(&value, names.map(String::as_str))).flatten().map(str::to_owned);
+        SceneError::at(name.span(), SceneProblem::UnknownValue { value, known, meant })
+    })
 }

@@ -13,6 +13,7 @@ use topography::{Average, Detrend, Direction, GapTreatment, Window};
 
 use super::error::SceneError;
 use super::from_toml::scene_error;
+use super::mistyped::explained;
 use super::section::{Section, read_section};
 use study::body_properties::BodyProperty;
 use study::figure::Shows;
@@ -367,6 +368,6 @@ impl<'de> Deserialize<'de> for RawProperty {
 
 impl RawScene {
     pub fn parse(text: &str) -> Result<Self, SceneError> {
-        toml::from_str(text).map_err(|error| scene_error(&error))
+        toml::from_str(text).map_err(|error| explained(scene_error(&error), text))
     }
 }

@@ -39,6 +39,9 @@ impl Template {
     /// The scenes of the paper, which draw all of its figures.
     pub const OF_THE_PAPER: [Template; 2] = [Template::UncdMeasured, Template::UncdReconstructed];
 
+    /// The file that [`Template::New`] names in place of one's own.
+    pub const PLACEHOLDER: &str = "my_psd.csv";
+
     /// The scene file.
     pub fn text(self) -> &'static str {
         match self {

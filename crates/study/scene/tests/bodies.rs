@@ -1,6 +1,7 @@
 //! The two bodies of a scene: materials by name, the body that yields, and conductivities.
 
-use scene::{Overrides, Scene, SceneError, SceneProblem};
+use scans::{ForeignFile, ScanFormat};
+use scene::{FileContent, Overrides, Scene, SceneError, SceneProblem};
 use study::NoFiles;
 use study::bodies::{Body, Transport};
 use study::material::MaterialError;
@@ -199,4 +200,68 @@ fn conductivity_and_resistivity_are_read_of_both_bodies() {
     ))
     .unwrap();
     assert!(rigid.material.unwrap().counterface().is_none());
+}
+
+#[test]
+fn a_material_in_several_grades_is_refused_with_them() {
+    for name in ["steel", "Stahl"] {
+        let error = of_bodies(&format!("[material]\nname = \"{name}\"\n")).unwrap_err();
+        let SceneProblem::UnknownValue { known, meant, .. } = &error.problem else { panic!("{error}") };
+        assert_eq!((known.len(), meant), (3, &None), "{error}");
+    }
+}
+
+#[test]
+fn a_modulus_with_a_mistaken_prefix_is_refused() {
+    let of_name = of_bodies("[material]\nname = \"steel C45\"\nyoungs_modulus = \"210 MPa\"\n").unwrap_err();
+    assert!(
+        matches!(&of_name.problem, SceneProblem::Value { key, .. } if key == "material.youngs_modulus"),
+        "{of_name}"
+    );
+    let body = "[material]\nyoungs_modulus = \"210 MPa\"\npoisson_ratio = 0.3\nyield_strength = ";
+    let of_strength = of_bodies(&format!("{body}\"1 GPa\"\n")).unwrap_err();
+    assert!(
+        matches!(
+            &of_strength.problem,
+            SceneProblem::Material(MaterialError::ModulusBelowStrength { yield_strength_pa, .. })
+                if *yield_strength_pa == 1e9
+        ),
+        "{of_strength}"
+    );
+    assert!(of_strength.span.is_some() && of_bodies(&format!("{body}\"100 MPa\"\n")).is_ok());
+}
+
+#[test]
+fn a_file_that_is_no_scene_is_named_as_what_it_is() {
+    let content = |text: &str| match Scene::parse(text, &NoFiles, &Overrides::default()).unwrap_err().problem
+    {
+        SceneProblem::NotAScene(content) => content,
+        other => panic!("{text}: {other}"),
+    };
+    assert_eq!(content("X (mm),Z (um)\n0,0.5\n0.1,0.25\n"), FileContent::Scan(ScanFormat::Text));
+    assert_eq!(content("wavelength_m,C1D_m3\n1e-5,1e-20\n1e-6,1e-23\n"), FileContent::Spectrum);
+    assert_eq!(content("<!DOCTYPE html>\n"), FileContent::Foreign(ForeignFile::WebPage));
+    assert_eq!(FileContent::recognise(b"\x89PNG"), Some(FileContent::Foreign(ForeignFile::Picture("PNG"))));
+    assert_eq!(FileContent::recognise(b"[surface]\npsd = \"a\"\n"), None);
+}
+
+#[test]
+fn a_list_of_one_pressure_may_lack_its_brackets_only_with_advice() {
+    let text = "[surface]\npsd = \"builtin:uncd-measured\"\n[loads]\npressures = \"1 MPa\"\n";
+    let error = Scene::parse(text, &NoFiles, &Overrides::default()).unwrap_err();
+    assert!(matches!(&error.problem, SceneProblem::WrongType { .. }), "{error}");
+    assert!(error.to_string().contains("[\"1 MPa\"]"), "{error}");
+}
+
+#[test]
+fn models_answer_to_the_names_that_reports_print() {
+    let model = |name: &str| {
+        let text = format!(
+            "[surface]\npsd = \"builtin:uncd-measured\"\n{STEEL}[loads]\npressures = [\"1 MPa\"]\n[[curve]]\nmodel = \"{name}\"\n"
+        );
+        Scene::parse(&text, &NoFiles, &Overrides::default()).map(|scene| scene.needs.curves[0].name.clone())
+    };
+    assert_eq!(model("GW").unwrap(), "hertz");
+    assert_eq!(model("Persson's theory, elastic").unwrap(), "persson");
+    assert!(model("rigid").is_err());
 }

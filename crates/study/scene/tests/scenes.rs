@@ -1,8 +1,10 @@
 //! Errors of scenes, and keys without effect.
 
+use scans::{ForeignFile, ScanFormat};
 use scene::{Overrides, Scene, SceneError, SceneProblem, Unused};
 use study::NoFiles;
 use study::plan::Sampling;
+use study::surface::SurfaceError;
 
 const STEEL: &str = "[surface]\npsd = \"builtin:uncd-measured\"\n\
                      [material]\nyoungs_modulus = \"210 GPa\"\npoisson_ratio = 0.3\nyield_strength = \"1 GPa\"\n\
@@ -231,4 +233,28 @@ fn a_hardness_is_read_from_a_table_beside_the_scene() {
     let scene = Scene::parse(&format!("{STEEL}{curve}"), &files, &Overrides::default()).unwrap();
     assert_eq!(scene.needs.curves[0].name, "persson-plastic-hardness-table");
     assert!(scene.plan().compute().is_ok());
+}
+
+#[test]
+fn heights_and_pictures_in_place_of_a_spectrum_are_named_as_what_they_are() {
+    let files = std::collections::BTreeMap::from([
+        ("trace.txt".to_owned(), b"X (mm),Z (um)\n0,0.5\n0.1,0.25\n0.2,0.75\n".to_vec()),
+        ("bare.txt".to_owned(), b"0 1\n1 2\n2 1\n".to_vec()),
+        ("psd.txt".to_owned(), b"1e-5 1e-20\n1e-6 1e-23\n".to_vec()),
+        ("picture.png".to_owned(), b"\x89PNG\r\n\x1a\n".to_vec()),
+    ]);
+    let refused = |name: &str| {
+        let text = format!("[surface]\npsd = \"{name}\"\n[[figure]]\nname = \"p\"\nshows = \"psd\"\n");
+        match Scene::parse(&text, &files, &Overrides::default()).unwrap_err().problem {
+            SceneProblem::Surface(error) => *error,
+            other => panic!("{name}: {other}"),
+        }
+    };
+    for name in ["trace.txt", "bare.txt"] {
+        let error = refused(name);
+        assert!(matches!(error, SurfaceError::Scan { format: ScanFormat::Text, .. }), "{error}");
+    }
+    assert!(matches!(refused("psd.txt"), SurfaceError::Spectrum { .. }));
+    let picture = refused("picture.png");
+    assert!(matches!(picture, SurfaceError::Foreign { kind: ForeignFile::Picture("PNG"), .. }), "{picture}");
 }

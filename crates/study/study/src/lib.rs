@@ -15,6 +15,7 @@ pub mod material;
 pub mod material_spreads;
 pub mod materials;
 pub mod measured;
+mod model_names;
 pub mod model_options;
 pub mod models;
 mod note;

@@ -104,6 +104,17 @@ pub enum MaterialError {
     /// A hardness and a strength that do not belong together.
     #[error(transparent)]
     HardnessOffStrength(#[from] HardnessOffStrength),
+    /// A modulus below the strength, as no solid has: its prefix is mistaken.
+    #[error(
+        "Young's modulus {} is below the yield strength {}; did you mean {}?",
+        pressure(*youngs_modulus_pa), pressure(*yield_strength_pa), pressure(1e3 * youngs_modulus_pa)
+    )]
+    ModulusBelowStrength {
+        /// Young's modulus of the body that yields \[Pa\].
+        youngs_modulus_pa: f64,
+        /// Its yield strength \[Pa\].
+        yield_strength_pa: f64,
+    },
     /// A strength given as a multiple of itself.
     #[error(
         "the yield strength cannot be given in H, which is three times the yield strength; give it in GPa or MPa"
@@ -124,6 +135,20 @@ impl Material {
             hardness_and_strength: given.hardness_and_strength,
             strength_cap: given.strength_cap,
             strain_gradient_length_m: given.strain_gradient_length_m,
+        }
+    }
+
+    /// Returns the material itself if its modulus is not below its strength.
+    ///
+    /// # Errors
+    /// [`MaterialError::ModulusBelowStrength`] otherwise.
+    pub fn checked(self) -> Result<Self, MaterialError> {
+        let youngs_modulus_pa = self.pair.yielding_body().youngs_modulus_pa();
+        match self.yield_strength_pa().filter(|yield_strength_pa| *yield_strength_pa > youngs_modulus_pa) {
+            None => Ok(self),
+            Some(yield_strength_pa) => {
+                Err(MaterialError::ModulusBelowStrength { youngs_modulus_pa, yield_strength_pa })
+            }
         }
     }
 

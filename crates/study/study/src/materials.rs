@@ -44,6 +44,50 @@ pub fn materials() -> Vec<TabledMaterial> {
     toml::from_str::<Table>(TABLE).map_or_else(|_| Vec::new(), |table| table.material)
 }
 
+/// Words for materials that come in several grades, in lower case, and the part of their names in the table.
+const GRADES: [(&str, &str); 14] = [
+    ("steel", "steel"),
+    ("stahl", "steel"),
+    ("acier", "steel"),
+    ("acciaio", "steel"),
+    ("acero", "steel"),
+    ("aluminium", "aluminium"),
+    ("aluminum", "aluminium"),
+    ("alu", "aluminium"),
+    ("al", "aluminium"),
+    ("copper", "copper"),
+    ("kupfer", "copper"),
+    ("cu", "copper"),
+    ("cuivre", "copper"),
+    ("gummi", "nbr"),
+];
+
+/// A name that no material of the table has.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("no material is called '{name}'; write {}", .known.join(" or "))]
+pub struct UnknownMaterial {
+    /// The name.
+    pub name: String,
+    /// The names that it may mean: the grades of a material, or else all.
+    pub known: Vec<String>,
+}
+
+/// Finds the material that answers to a name.
+///
+/// # Errors
+/// [`UnknownMaterial`] for other names, and for those of materials in several grades, whose strengths differ.
+pub fn named(name: &str) -> Result<TabledMaterial, UnknownMaterial> {
+    let table = materials();
+    if let Some(found) = table.iter().find(|material| material.answers_to(name)) {
+        return Ok(found.clone());
+    }
+    let word = name.trim().to_lowercase();
+    let grade = GRADES.into_iter().find(|(known, _)| *known == word).map_or("", |(_, part)| part);
+    let known = table.into_iter().map(|material| material.name);
+    let known = known.filter(|known| known.to_lowercase().contains(grade)).collect();
+    Err(UnknownMaterial { name: name.to_owned(), known })
+}
+
 impl TabledMaterial {
     /// Returns the value of a property as a scene types it, or nothing if the table lacks it.
     #[must_use]
@@ -101,6 +145,17 @@ mod tests {
                 assert!(names.insert(name.to_lowercase()), "{name} stands twice");
             }
         }
+    }
+
+    #[test]
+    fn names_of_materials_in_several_grades_offer_their_grades() {
+        let known = |name: &str| named(name).unwrap_err().known;
+        for name in ["steel", "Stahl", " STEEL "] {
+            assert_eq!(known(name), ["steel 100Cr6", "steel C45", "stainless steel 304"], "{name}");
+        }
+        assert_eq!(known("aluminum"), ["aluminium 6061-T6"]);
+        assert_eq!(known("unobtainium").len(), materials().len());
+        assert_eq!(named("Messing").unwrap().name, "hard brass CuZn30");
     }
 
     /// Checks the table by the Lorenz number, which ties both conductivities of pure metals: a slip of a digit

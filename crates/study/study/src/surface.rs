@@ -2,7 +2,7 @@
 
 use std::io;
 
-use scans::ScanFormat;
+use scans::{ForeignFile, ScanFormat};
 use sha2::{Digest, Sha256};
 use spectrum::{
     Convention, ConversionError, Hole, ProfilePsd, Psd, PsdFile, ReadError, ReadOptions, read_psd, superpose,
@@ -11,8 +11,9 @@ use topography::Recipe;
 
 use crate::given_roughness::GivenRoughness;
 use crate::note::Note;
-use measurements::Files;
-use measurements::{CompositeOfFiles, ScanProblem, ScanRequest, TopographyError};
+use measurements::{
+    CompositeOfFiles, Files, ScanProblem, ScanRequest, ScansInFolders, TopographyError, heights_in,
+};
 
 /// Spectra that come with the program, by name, as the text of their files; comments in the files state origin and
 /// licence.
@@ -58,6 +59,14 @@ pub enum SurfaceError {
         /// The format of the scan.
         format: ScanFormat,
     },
+    /// The file is of a kind that holds no numbers.
+    #[error("{name}: this is {kind}; {}", kind.advice())]
+    Foreign {
+        /// The file.
+        name: String,
+        /// Its kind.
+        kind: ForeignFile,
+    },
     /// The convention of the spectrum cannot be converted to that of a profile.
     #[error("{name}: {error}")]
     Conversion {
@@ -72,6 +81,26 @@ pub enum SurfaceError {
 }
 
 impl SurfaceError {
+    /// The error of a file that cannot be read as a spectrum, by what it holds instead.
+    fn unread(name: String, bytes: &[u8], error: ReadError) -> Self {
+        // Texts and workbooks hold anything. A number up to 0 is no wavelength and no spectrum.
+        let is_certain = |format: &ScanFormat| *format != ScanFormat::Workbook;
+        let may_be_heights = || match error {
+            ReadError::NoHeader { .. } => has_number_up_to_0(bytes),
+            _ => error.names_no_spectrum(),
+        };
+        let found = ScanFormat::recognise(bytes).filter(is_certain).or_else(|| {
+            let of_text = || Some(heights_in(&name, bytes)?.format);
+            may_be_heights().then(of_text).flatten()
+        });
+        match (found, ForeignFile::recognise(bytes)) {
+            (Some(format), _) => SurfaceError::Scan { name, format },
+            // Workbooks are ZIP files, whose errors are worded by their reader.
+            (None, None | Some(ForeignFile::Zip)) => SurfaceError::Spectrum { name, error: Box::new(error) },
+            (None, Some(kind)) => SurfaceError::Foreign { name, kind },
+        }
+    }
+
     /// Returns true if the cause is a missing file.
     #[must_use]
     pub fn is_missing_file(&self) -> bool {
@@ -82,6 +111,13 @@ impl SurfaceError {
         };
         error.kind() == io::ErrorKind::NotFound
     }
+}
+
+/// Returns true if a word of a text is a number of 0 or below.
+fn has_number_up_to_0(bytes: &[u8]) -> bool {
+    let is_separator = |c: char| c.is_whitespace() || ";,".contains(c);
+    let text = String::from_utf8_lossy(bytes);
+    text.split(is_separator).any(|word| word.parse::<f64>().is_ok_and(|number| number <= 0.0))
 }
 
 /// A file that a surface was read from.
@@ -133,11 +169,8 @@ impl Surface {
         } else {
             files.read(name).map_err(|error| SurfaceError::Reading { name: name.to_owned(), error })?
         };
-        let PsdFile { psd, comments, notes } =
-            read_psd(&bytes[..], options).map_err(|error| match ScanFormat::recognise(&bytes) {
-                Some(format) => SurfaceError::Scan { name: name.to_owned(), format },
-                None => SurfaceError::Spectrum { name: name.to_owned(), error: Box::new(error) },
-            })?;
+        let PsdFile { psd, comments, notes } = read_psd(&bytes[..], options)
+            .map_err(|error| SurfaceError::unread(name.to_owned(), &bytes, error))?;
         let mut surface = Self::of_psd(name.to_owned(), psd)?;
         surface.remarks = comments;
         let mut notes: Vec<Note> = notes.into_iter().map(Note::Reading).collect();
@@ -183,7 +216,14 @@ impl Surface {
         recipe: &Recipe,
     ) -> Result<Self, SurfaceError> {
         let names: Vec<&str> = requests.iter().map(|request| request.path.as_str()).collect();
-        Self::of_composite(CompositeOfFiles::read(requests, files, recipe)?, names.join(" + "))
+        let found = ScansInFolders::find(requests, files)?;
+        let composite = CompositeOfFiles::read(&found.requests, files, recipe).map_err(|error| {
+            let request = error.request.map(|request| found.origins[request]);
+            TopographyError { request, ..error }
+        })?;
+        let mut surface = Self::of_composite(composite, names.join(" + "))?;
+        surface.notes.extend(found.note().map(Note::Reading));
+        Ok(surface)
     }
 
     /// Makes a surface from a composite spectrum with a name.

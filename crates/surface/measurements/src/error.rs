@@ -33,6 +33,15 @@ pub enum ScanProblem {
     /// The file holds a spectrum, which needs no transform.
     #[error("this file holds a power spectrum, not heights; give it as a PSD")]
     HoldsASpectrum,
+    /// No file in the folder is a scan.
+    #[error("no file in this folder is a scan; name a scan")]
+    NoScanInFolder,
+    /// The file is a scene.
+    #[error("this is a scene, not heights")]
+    IsAScene,
+    /// A tip radius is given for a map of a microscope.
+    #[error("an optical map has no tip; give its shortest wavelength instead")]
+    NoTip,
     /// The file cannot be read as heights.
     #[error(transparent)]
     Format(Box<ScanReadError>),

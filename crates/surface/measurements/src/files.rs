@@ -16,6 +16,14 @@ pub trait Files: Sync {
     /// # Errors
     /// The system's error if the file exists but cannot be read.
     fn read_beside(&self, name: &str, sibling: &str) -> io::Result<Option<Vec<u8>>>;
+
+    /// Returns the names of the files in a folder, sorted; `None` if the name is none of a folder.
+    ///
+    /// # Errors
+    /// The system's error if the folder cannot be read.
+    fn list(&self, _folder: &str) -> io::Result<Option<Vec<String>>> {
+        Ok(None)
+    }
 }
 
 /// Files held in memory, under their paths with `/` between folders.
@@ -27,6 +35,14 @@ impl Files for BTreeMap<String, Vec<u8>> {
     fn read_beside(&self, name: &str, sibling: &str) -> io::Result<Option<Vec<u8>>> {
         let folder = name.rfind('/').map_or("", |end| &name[..=end]);
         Ok(self.get(&format!("{folder}{sibling}")).cloned())
+    }
+
+    fn list(&self, folder: &str) -> io::Result<Option<Vec<String>>> {
+        let inside = format!("{}/", folder.trim_end_matches('/'));
+        let names =
+            self.keys().filter_map(|path| path.strip_prefix(&inside)).filter(|name| !name.contains('/'));
+        let names: Vec<String> = names.map(str::to_owned).collect();
+        Ok((!names.is_empty()).then_some(names))
     }
 }
 

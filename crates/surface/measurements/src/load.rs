@@ -1,15 +1,16 @@
 //! Reading of heights from a file and the metadata beside it.
 
-use scans::{MeasurementMetadata, ScanFile, ScanOptions, ScanSize, read_scans};
+use scans::{
+    LengthUnit, MeasurementMetadata, Probe, ScanFile, ScanFormat, ScanOptions, ScanSize, read_scans,
+};
 use sha2::{Digest, Sha256};
 use spectrum::{ReadOptions, read_psd};
 
 use crate::error::{ScanProblem, TopographyError};
 use crate::files::{Files, file_name};
-use crate::request::ScanRequest;
+use crate::request::{ScanRequest, TipRadius};
 
 /// Names of metadata files that describe the scans in their folder.
-#[cfg(feature = "formats")]
 pub const METADATA_FILES: [&str; 2] = ["meta.yml", "index.json"];
 
 /// Scans in memory: those of one file, or heights from elsewhere.
@@ -42,7 +43,44 @@ impl Loaded {
 
 /// Reads the scans in a file.
 pub(crate) fn load(request: &ScanRequest, files: &dyn Files) -> Result<Loaded, TopographyError> {
-    load_heights(request, &bytes_of_scans(request, files)?, files)
+    let loaded = load_heights(request, &bytes_of_scans(request, files)?, files)?;
+    let is_optical = |scan: &ScanFile| scan.probe == Some(Probe::Microscope);
+    if request.tip_radius.and_then(TipRadius::known_m).is_some() && loaded.scans.iter().any(is_optical) {
+        return Err(TopographyError::for_file(&request.path, ScanProblem::NoTip));
+    }
+    Ok(loaded)
+}
+
+/// Reads the first scan of a file that nobody described: of a text the unit and the size are taken for micrometres and
+/// a metre. `None` if the file is a spectrum, a scene, or no scan.
+#[must_use]
+pub fn heights_in(name: &str, bytes: &[u8]) -> Option<ScanFile> {
+    if holds_a_spectrum(bytes, &ReadOptions::default()) || is_scene(bytes) {
+        return None;
+    }
+    let options = ScanOptions {
+        fallback_unit: Some(LengthUnit::MICROMETRE),
+        fallback_size: Some(ScanSize { x_m: 1.0, y_m: None }),
+        ..ScanOptions::default()
+    };
+    read_scans(bytes, file_name(name), &options).ok()?.into_iter().next()
+}
+
+/// Returns true if a file holds heights, by its content.
+#[must_use]
+pub fn holds_heights(name: &str, bytes: &[u8]) -> bool {
+    match ScanFormat::recognise(bytes) {
+        Some(ScanFormat::Workbook) | None => heights_in(name, bytes).is_some(),
+        Some(_) => true,
+    }
+}
+
+/// Returns true for the text of a scene.
+fn is_scene(bytes: &[u8]) -> bool {
+    const LOOKED_AT: usize = 1 << 16;
+    bytes[..bytes.len().min(LOOKED_AT)]
+        .split(|&byte| byte == b'\n')
+        .any(|line| line.trim_ascii() == b"[surface]")
 }
 
 /// Reads the bytes of a scan file; refuses a spectrum, which could be misread as a line of heights.
@@ -51,6 +89,9 @@ pub(crate) fn bytes_of_scans(request: &ScanRequest, files: &dyn Files) -> Result
     let bytes = files.read(&request.path).map_err(|error| blame(ScanProblem::Reading(error)))?;
     if holds_a_spectrum(&bytes, &ReadOptions::default()) {
         return Err(blame(ScanProblem::HoldsASpectrum));
+    }
+    if is_scene(&bytes) {
+        return Err(blame(ScanProblem::IsAScene));
     }
     Ok(bytes)
 }

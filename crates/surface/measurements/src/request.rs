@@ -101,6 +101,14 @@ pub enum RequestError {
         /// The unknown name.
         key: String,
     },
+    /// A unit without the name of its option.
+    #[error("a unit needs its name; write {file}:unit={unit}")]
+    BareUnit {
+        /// The file.
+        file: String,
+        /// The unit.
+        unit: String,
+    },
     /// An invalid value.
     #[error("{file}: option {key}: {problem}")]
     BadValue {
@@ -120,10 +128,11 @@ impl FromStr for ScanRequest {
     fn from_str(text: &str) -> Result<Self, RequestError> {
         // A colon may belong to the path: options follow the last one and all contain `=`.
         let (path, options) = match text.rsplit_once(':') {
-            Some((path, options))
-                if !path.is_empty() && options.split(',').all(|part| part.contains('=')) =>
-            {
-                (path, options)
+            Some((path, options)) if path.is_empty() || is_on_drive(path, options) => (text, ""),
+            Some((path, options)) if options.split(',').all(|part| part.contains('=')) => (path, options),
+            Some((path, unit)) if unit.parse::<LengthUnit>().is_ok() => {
+                let file = path.strip_suffix(":unit").unwrap_or(path).to_owned();
+                return Err(RequestError::BareUnit { file, unit: unit.to_owned() });
             }
             _ => (text, ""),
         };
@@ -133,6 +142,11 @@ impl FromStr for ScanRequest {
         }
         Ok(request)
     }
+}
+
+/// Returns true for the two parts of a path on a drive of Windows, `C:\scans`.
+fn is_on_drive(drive: &str, path: &str) -> bool {
+    drive.len() == 1 && drive.starts_with(|c: char| c.is_ascii_alphabetic()) && path.starts_with(['\\', '/'])
 }
 
 impl ScanRequest {
@@ -146,7 +160,7 @@ impl ScanRequest {
         Ok(changed)
     }
 
-    /// Sets an option by its name on the command line.
+    /// Sets an option by its name on the command line, or in a scene.
     pub(crate) fn set(&mut self, key: &str, value: &str) -> Result<(), RequestError> {
         let bad = |problem: String| RequestError::BadValue {
             file: self.path.clone(),
@@ -155,12 +169,12 @@ impl ScanRequest {
         };
         let length_m =
             || value.parse::<Length>().map(|length| length.m).map_err(|error| bad(error.to_string()));
-        match key {
+        match key.replace('_', "-").as_str() {
             "unit" => self.unit = Some(value.parse::<LengthUnit>().map_err(|error| bad(error.to_string()))?),
             "channel" => self.channel = Some(value.to_owned()),
             "size" => self.size_m = Some(length_m()?),
             "tip-radius" => self.tip_radius = Some(value.parse().map_err(bad)?),
-            "shortest" => self.shortest_m = Some(length_m()?),
+            "shortest" | "shortest-wavelength" => self.shortest_m = Some(length_m()?),
             "gaps" => {
                 self.gaps = Some(value.parse::<GapTreatment>().map_err(|error| bad(error.to_string()))?);
             }

@@ -2,7 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use measurements::{CompositeOfFiles, RequestError, ScanProblem, ScanRequest, TipRadius};
+use measurements::{
+    CompositeOfFiles, RequestError, ScanProblem, ScanRequest, ScansInFolders, TipRadius, heights_in,
+    holds_heights,
+};
 use topography::Recipe;
 use units::LengthUnit;
 
@@ -18,10 +21,82 @@ fn a_file_carries_its_own_options() {
 
 #[test]
 fn colons_of_a_path_stay_in_it() {
-    for path in ["C:\\scans\\a.txt", "a:b", "scan", "12:30.txt"] {
+    for path in ["C:\\scans\\a.txt", "C:\\q=1\\a.txt", "D:/a=b", "a:b", "scan", "12:30.txt"] {
         assert_eq!(path.parse::<ScanRequest>().unwrap().path, path);
     }
+    let on_drive: ScanRequest = "C:\\scans\\a.txt:unit=um".parse().unwrap();
+    assert_eq!((on_drive.path.as_str(), on_drive.unit), ("C:\\scans\\a.txt", Some(LengthUnit::MICROMETRE)));
     assert_eq!("a:b:unit=um".parse::<ScanRequest>().unwrap().path, "a:b");
+}
+
+#[test]
+fn a_unit_without_its_option_is_refused_and_keys_of_scenes_are_accepted() {
+    for text in ["a.txt:um", "a.txt:unit:um"] {
+        let error = text.parse::<ScanRequest>().unwrap_err();
+        assert!(
+            matches!(&error, RequestError::BareUnit { file, unit } if file == "a.txt" && unit == "um"),
+            "{error}"
+        );
+    }
+    let request: ScanRequest = "a.txt:tip_radius=2um,shortest_wavelength=5um".parse().unwrap();
+    assert_eq!((request.tip_radius, request.shortest_m), (Some(TipRadius::Known(2e-6)), Some(5e-6)));
+}
+
+#[test]
+fn a_file_is_known_by_what_it_holds() {
+    let trace = b"X (mm),Z (um)\n0,0.5\n0.1,0.25\n0.2,0.75\n";
+    assert!(holds_heights("a.txt", trace) && heights_in("a.txt", b"1 2\n2 1\n").is_some());
+    for other in
+        [&b"# Nothing\nto see\n"[..], b"wavelength_m,C1D_m3\n1e-5,1\n1e-6,2\n", b"\x89PNG\r\n\x1a\n", b""]
+    {
+        assert!(!holds_heights("a.txt", other), "{}", other.escape_ascii());
+    }
+    let read = |name: &str, text: &[u8]| {
+        let files = BTreeMap::from([(name.to_owned(), text.to_vec())]);
+        let request: ScanRequest = name.parse().unwrap();
+        CompositeOfFiles::read(&[request], &files, &Recipe::default()).unwrap_err().problem
+    };
+    assert!(matches!(read("a.toml", b"[surface]\npsd = \"a.csv\"\n"), ScanProblem::IsAScene));
+}
+
+#[test]
+fn a_folder_is_all_scans_in_it() {
+    let trace = |spacing: f64| {
+        (0..64).map(|at| format!("{} {}\n", spacing * f64::from(at), (at * 7) % 31)).collect::<String>()
+    };
+    let files = BTreeMap::from([
+        ("day/a.txt".to_owned(), trace(1.0).into_bytes()),
+        ("day/b.txt".to_owned(), trace(2.0).into_bytes()),
+        ("day/readme.md".to_owned(), b"# Nothing\n".to_vec()),
+        ("other/readme.md".to_owned(), b"# Nothing\n".to_vec()),
+    ]);
+    let find =
+        |typed: &str| ScansInFolders::find(&["c.txt".parse().unwrap(), typed.parse().unwrap()], &files);
+    let found = find("day:unit=nm").unwrap();
+    let paths: Vec<&str> = found.requests.iter().map(|request| request.path.as_str()).collect();
+    assert_eq!((paths, found.origins), (vec!["c.txt", "day/a.txt", "day/b.txt"], vec![0, 1, 1]));
+    assert_eq!(
+        (found.requests[2].unit, found.skipped),
+        (Some(LengthUnit::NANOMETRE), vec!["day/readme.md".to_owned()])
+    );
+    let error = find("other").unwrap_err();
+    assert!(matches!((error.problem, error.request), (ScanProblem::NoScanInFolder, Some(1))));
+}
+
+#[test]
+#[cfg(feature = "formats")]
+fn an_optical_map_has_no_tip() {
+    let metadata = "surfaces:\n- topographies:\n  - {name: m, datafile: {original: map.txt}, unit: nm, \
+                    instrument: {type: microscope-based}}\n";
+    let trace = (0..64).map(|at| format!("{at} {}\n", (at * 7) % 31)).collect::<String>();
+    let files = BTreeMap::from([
+        ("map.txt".to_owned(), trace.into_bytes()),
+        ("meta.yml".to_owned(), metadata.as_bytes().to_vec()),
+    ]);
+    let read = |typed: &str| CompositeOfFiles::read(&[typed.parse().unwrap()], &files, &Recipe::default());
+    assert!(read("map.txt").is_ok());
+    let error = read("map.txt:tip-radius=2um").unwrap_err();
+    assert!(matches!(error.problem, ScanProblem::NoTip), "{error}");
 }
 
 #[test]

@@ -4,6 +4,7 @@ use std::fmt;
 
 use thiserror::Error;
 
+use crate::foreign::ForeignFile;
 use crate::format::ScanFormat;
 use crate::heights::ScanError;
 use units::LengthUnit;
@@ -15,15 +16,19 @@ use units::LengthUnit;
 #[non_exhaustive]
 pub enum ScanReadError {
     /// Content that no reader knows.
-    #[error("recognising '{name}': no format that is read begins with {start}; {hint}")]
+    #[error(
+        "recognising '{name}': no format that is read begins with {start}; save the heights as text, or in a format of \
+         docs/guide/instruments.md"
+    )]
     UnknownFormat {
         /// Name of the file.
         name: String,
         /// Its first bytes, escaped.
         start: String,
-        /// Advice by the first bytes.
-        hint: &'static str,
     },
+    /// A file of another kind, such as a picture.
+    #[error("this is {kind}; {advice}", kind = .0, advice = .0.advice())]
+    Foreign(ForeignFile),
     /// A field that is missing.
     #[error("reading {format}, {place}: there is no {field}; {mend}")]
     MissingField {

@@ -3,7 +3,7 @@
 #[macro_use]
 mod support;
 
-use scans::{Measure, Mend, ScanOption, ScanOptions, read_scans, visit_channels};
+use scans::{ForeignFile, Measure, Mend, ScanOption, ScanOptions, ScanReadError, read_scans, visit_channels};
 use support::nanoscope::{Image, NanoscopeFile};
 use support::netcdf::{Attribute, Kind, NetCdf, Variable};
 use support::x3p::X3p;
@@ -25,11 +25,14 @@ fn replaced(bytes: &[u8], from: &str, to: &str) -> Vec<u8> {
 
 #[test]
 fn unknown_formats_are_named_by_their_first_bytes_with_advice() {
-    let unknown = refusal(b"\x89PNG\r\n\x1a\n", &none());
-    refused!(unknown, UnknownFormat { start: "'\\x89PNG\\r\\n\\x1a\\n'" });
-    refused!(refusal(b"", &none()), NoRows {});
-    refused!(refusal(b"\x89HDF\r\n\x1a\n....", &none()), Syntax { file: "HDF5" });
-    refused!(refusal(&zipped(&[("a.bin", b"\0\x01")]), &none()), UnknownFormat {});
+    let of = |bytes: &[u8]| refusal(bytes, &none());
+    assert!(matches!(of(b"\x89PNG\r\n\x1a\n"), ScanReadError::Foreign(ForeignFile::Picture("PNG"))));
+    assert!(matches!(of(b"%PDF-1.7\n1 2\n"), ScanReadError::Foreign(ForeignFile::Pdf)));
+    assert!(matches!(of(b"<!DOCTYPE html>\n"), ScanReadError::Foreign(ForeignFile::WebPage)));
+    refused!(of(b"\x01\x02\x03"), UnknownFormat { start: "'\\x01\\x02\\x03'" });
+    refused!(of(b""), NoRows {});
+    refused!(of(b"\x89HDF\r\n\x1a\n...."), Syntax { file: "HDF5" });
+    assert!(matches!(of(&zipped(&[("a.bin", b"\0\x01")])), ScanReadError::Foreign(ForeignFile::Zip)));
 }
 
 #[test]

@@ -64,7 +64,7 @@ fn formats_are_told_without_reading() {
         (NetCdf::map(2, Kind::F64, COLUMNS, &map).to_bytes(), Some(ScanFormat::NetCdf)),
         (X3p::surface('D', COLUMNS, &map).to_bytes(), Some(ScanFormat::X3p)),
         (zipped(&[("folder/meta.yml", b"surfaces: []")]), Some(ScanFormat::Container)),
-        (zipped(&[("xl/workbook.xml", b"")]), None),
+        (zipped(&[("xl/workbook.xml", b"")]), Some(ScanFormat::Workbook)),
         (b"0 1\n1 2\n".to_vec(), None),
         (b"\x89PNG\r\n\x1a\n".to_vec(), None),
         (Vec::new(), None),

@@ -1,6 +1,6 @@
 //! Options that a caller can set to mend an error, as data.
 
-use spectrum::{ReadMend, ReadOption, ReadOptions, Wanted, read_psd};
+use spectrum::{Abscissa, ReadError, ReadMend, ReadOption, ReadOptions, Wanted, read_psd};
 
 fn mend(text: &str, options: &ReadOptions) -> Option<ReadMend> {
     let error = read_psd(text.as_bytes(), options).unwrap_err();
@@ -66,4 +66,46 @@ fn what_no_option_mends_has_no_such_mend() {
     for text in ["", "lambda_m,C1D_m3\n1,2\n2\n", "depth,C1D_m3\n1,2\n2,3\n", "lambda_m,C1D_m3\n1,0\n2,3\n"] {
         assert_eq!(mend(text, &ReadOptions::default()), None, "{text}");
     }
+}
+
+#[test]
+fn a_wavenumber_and_a_bare_wavevector_may_count_cycles() {
+    let read = |text: &str, x: Option<Abscissa>| {
+        read_psd(text.as_bytes(), &ReadOptions { x, ..ReadOptions::default() })
+    };
+    let longest_m = |text: &str, x| read(text, x).unwrap().psd.wavelengths_m()[0];
+    let tau = std::f64::consts::TAU;
+    let open = "wavenumber (1/m),C1D (m^3)\n1,2\n2,1\n";
+    let error = read(open, None).unwrap_err();
+    assert!(matches!(error, ReadError::AmbiguousWavenumber { line: 1, .. }), "{error}");
+    assert_eq!(error.mend(), Some(ReadMend::Give(vec![wanted(ReadOption::X, &["wavevector", "frequency"])])));
+    assert_eq!(longest_m(open, Some(Abscissa::Wavevector)), tau);
+    assert_eq!(longest_m(open, Some(Abscissa::Frequency)), 1.0);
+    assert_eq!(longest_m("wavenumber (rad/m),C1D (m^3)\n1,2\n2,1\n", None), tau);
+    assert_eq!(longest_m("wavenumber (1/m),lambda_m,C1D_m3\n1,1,2\n2,0.5,1\n", None), 1.0);
+    let bare = "q (1/m),C1D (m^3)\n1,2\n2,1\n";
+    assert_eq!(read(bare, None).unwrap().notes.len(), 1);
+    assert_eq!(read("q (rad/m),C1D (m^3)\n1,2\n2,1\n", None).unwrap().notes.len(), 0);
+    assert_eq!(read(bare, Some(Abscissa::Wavevector)).unwrap().notes.len(), 0);
+    assert_eq!(longest_m(bare, Some(Abscissa::Frequency)), 1.0);
+    assert_eq!(longest_m("spatial frequency (1/um),C1D (m^3)\n1,2\n2,1\n", None), 1e-6);
+}
+
+#[test]
+fn a_two_dimensional_spectrum_does_not_tell_its_convention() {
+    let read = |text: &str| read_psd(text.as_bytes(), &ReadOptions::default()).unwrap_err();
+    let cubic = read("q_rad_per_m,C2D (m^3)\n1,2\n2,1\n");
+    assert!(matches!(cubic, ReadError::TwoDimensionalInCubicMetres { .. }), "{cubic}");
+    assert_eq!(cubic.mend(), Some(ReadMend::Give(vec![wanted(ReadOption::Convention, &["c1d", "w1"])])));
+    assert!(matches!(read("q_rad_per_m,C2D (m^4)\n1,2\n2,1\n"), ReadError::AmbiguousDensity { .. }));
+    let options = ReadOptions { convention: Some(spectrum::Convention::C1D), ..ReadOptions::default() };
+    assert!(read_psd(&b"q_rad_per_m,C2D (m^3)\n1,2\n2,1\n"[..], &options).is_ok());
+}
+
+#[test]
+fn a_file_that_names_no_spectrum_may_hold_heights() {
+    let names_none =
+        |text: &str| read_psd(text.as_bytes(), &ReadOptions::default()).unwrap_err().names_no_spectrum();
+    assert!(names_none("X (mm),Z (um)\n1,2\n2,1\n") && names_none("1 2 3\n2 3 4\n"));
+    assert!(!names_none("lambda_m,height_m\n1,2\n2,3\n") && !names_none("a,psd_m3\n1,2\n2,3\n"));
 }

@@ -50,7 +50,7 @@ fn tip_remarks(
     let mut remarks = Vec::new();
     if end == BandEnd::PixelsWithoutTip {
         remarks.push(ScanRemark::TipUnknown { shortest_m: band.shortest_m });
-        remarks.push(ScanRemark::TipIndicated(TipIndication::from_scan(&file.scan)));
+        remarks.push(ScanRemark::TipIndicated(TipIndication::from_scan(&file.scan, band.shortest_m)));
     }
     remarks.extend(words.map(|words| ScanRemark::TipWords { words, is_used: recipe.tip_radius_auto }));
     remarks

@@ -61,7 +61,7 @@ pub use line::{DerivativeOf, LineSpectrum, RmsDerivatives};
 pub use lines::{LineSums, MapLines, map_line_spectrum, uniform_line_spectrum};
 pub use map_spectrum::{MapSpectrum, map_of};
 pub use noise_floor::NoiseFloor;
-pub use overlap::{DIRECTIONS_DIFFER, DirectionRatio, Overlap, overlaps};
+pub use overlap::{DIRECTIONS_DIFFER, DirectionRatio, Overlap, mixed_units, overlaps};
 pub use piecewise::{nonuniform_line_spectrum, nonuniform_line_spectrum_to};
 pub use preparation::{Preparation, Window};
 pub use radial::{ArealSpectrum, RadialBin};
@@ -72,7 +72,7 @@ pub use remark::{
 pub use scan_bins::ScanBin;
 pub use scan_spectrum::{ScanSpectrum, line_spectrum};
 pub use tip::tip_cutoff_m;
-pub use tip_indication::{TipIndication, TrustedDownTo, sharpest_peak_radius_m};
+pub use tip_indication::{TipIndication, TrustedDownTo, sharpest_peak_radius_m, usual_tip_radii_m};
 pub use tip_words::{TipWords, proposed_tip, tip_words};
 
 /// Runs the example of the README as a test.

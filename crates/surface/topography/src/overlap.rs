@@ -51,6 +51,19 @@ pub fn overlaps(measurements: &[ProfilePsd], bins_per_decade: NonZeroU32) -> Vec
     overlaps
 }
 
+/// Units of heights that people mix up, with the factor between them.
+const MIXED_UNITS: [(&str, f64); 2] = [("nm and µm", 1e3), ("nm and mm", 1e6)];
+/// Ratio of heights to such a factor, either way, below which the factor explains it.
+const NEAR_A_FACTOR: f64 = 3.0;
+
+/// Returns the units that explain two spectra of this ratio, which is that of heights squared, if they were mixed up.
+#[must_use]
+pub fn mixed_units(ratio: f64) -> Option<&'static str> {
+    let heights = ratio.ln().abs() / 2.0;
+    let explains = |factor: f64| (heights - factor.ln()).abs() < NEAR_A_FACTOR.ln();
+    MIXED_UNITS.into_iter().find(|(_, factor)| explains(*factor)).map(|(units, _)| units)
+}
+
 /// Ratio of two spectra in a shared bin.
 #[derive(Clone, Copy)]
 pub(crate) struct SharedBin {
@@ -114,5 +127,24 @@ impl DirectionRatio {
             ratio: mean_ratio(bins),
         };
         decades.map(of_decade).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_ratio_of_spectra_is_that_of_heights_squared() {
+        for (ratio, units) in [
+            (1e6, Some("nm and µm")),
+            (4e-6, Some("nm and µm")),
+            (1e12, Some("nm and mm")),
+            (1e3, None),
+            (1.0, None),
+            (1e20, None),
+        ] {
+            assert_eq!(mixed_units(ratio), units, "{ratio}");
+        }
     }
 }

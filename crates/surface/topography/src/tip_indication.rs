@@ -7,7 +7,11 @@ use crate::rows::Lines;
 use crate::tip::{CURVATURE_FRACTION, peak_curvatures_per_m, trial_steps};
 
 /// Radii \[m\] of a sharp, a common and a blunt tip of an atomic force microscope.
-const USUAL_RADII_M: [f64; 3] = [5e-9, 20e-9, 100e-9];
+const RADII_OF_MICROSCOPES_M: [f64; 3] = [5e-9, 20e-9, 100e-9];
+/// Radii \[m\] of the tips of a stylus (ISO 3274).
+const RADII_OF_STYLI_M: [f64; 3] = [2e-6, 5e-6, 10e-6];
+/// Shortest wavelength \[m\] from which on a scan is rather that of a stylus, whose points lie further apart.
+const SHORTEST_OF_STYLI_M: f64 = 1e-7;
 /// Quantile of the curvature that counts as the sharpest peak; excludes outliers.
 const USUAL_PEAKS: f64 = 0.999;
 
@@ -16,7 +20,7 @@ const USUAL_PEAKS: f64 = 0.999;
 pub struct TipIndication {
     /// Radius of the sharpest peak \[m\], see [`sharpest_peak_radius_m`].
     pub sharpest_peak_radius_m: Option<f64>,
-    /// Reliable wavelengths for tips of 5, 20 and 100 nm.
+    /// Reliable wavelengths for [`usual_tip_radii_m`].
     pub trusted: Vec<TrustedDownTo>,
 }
 
@@ -27,6 +31,12 @@ pub struct TrustedDownTo {
     pub radius_m: f64,
     /// Wavelength \[m\] below which the tip would show, within 20 %; `None` if the whole scan is reliable.
     pub shortest_m: Option<f64>,
+}
+
+/// Radii \[m\] of the tips of instruments that resolve scans down to this wavelength \[m\], from sharp to blunt.
+#[must_use]
+pub fn usual_tip_radii_m(shortest_m: f64) -> [f64; 3] {
+    if shortest_m < SHORTEST_OF_STYLI_M { RADII_OF_MICROSCOPES_M } else { RADII_OF_STYLI_M }
 }
 
 /// Computes the radius \[m\] of the sharpest peak of a scan, from second differences of neighbouring points along its
@@ -50,9 +60,9 @@ pub fn sharpest_peak_radius_m(scan: &Scan) -> Option<f64> {
 }
 
 impl TipIndication {
-    pub(crate) fn from_scan(scan: &Scan) -> Self {
+    pub(crate) fn from_scan(scan: &Scan, shortest_m: f64) -> Self {
         let steps = trial_steps(&Lines::from_scan(scan));
-        let trusted = USUAL_RADII_M.map(|radius_m| {
+        let trusted = usual_tip_radii_m(shortest_m).map(|radius_m| {
             let fails = |(_, sharpest_per_m): &(f64, f64)| *sharpest_per_m < -CURVATURE_FRACTION / radius_m;
             let first_failing = steps.iter().position(fails);
             let shortest_m = first_failing.map(|at| match at {

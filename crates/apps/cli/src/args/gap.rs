@@ -1,7 +1,7 @@
 //! Options of `gap` and `law`.
 
 use clap::Args as ClapArgs;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::TypedValueParser;
 use contact_law::{ContactLaw, Dialect, Heading, UnitSystem};
 use persson::variance::Band;
 use questions::{GapModel, LawForm};
@@ -11,7 +11,7 @@ use study::plan::Tolerance;
 use units::Pressure;
 
 use super::bem::RandomArgs;
-use super::parsers::{one_of, parse_tolerance};
+use super::parsers::{ModelName, one_of, parse_tolerance};
 use super::persson::parse_gamma;
 use super::{HardnessFormulaArg, MaterialArgs, NormalisationArg, PressureArgs, ReadingArgs, SamplingArgs};
 
@@ -28,14 +28,14 @@ fn entry(name: &str) -> Result<&'static ModelEntry, &'static str> {
 
 fn gap_model() -> impl TypedValueParser<Value = GapModelArg> {
     let names = models::with_gaps().map(|entry| entry.name).chain([ELEMENTS]);
-    PossibleValuesParser::new(names).try_map(|name| match name.as_str() {
+    ModelName(names.collect()).try_map(|name| match name.as_str() {
         ELEMENTS => Ok(GapModelArg(None)),
         name => entry(name).map(|entry| GapModelArg(Some(entry))),
     })
 }
 
 fn law_model() -> impl TypedValueParser<Value = &'static ModelEntry> {
-    PossibleValuesParser::new(models::with_gaps().map(|entry| entry.name)).try_map(|name| entry(&name))
+    ModelName(models::with_gaps().map(|entry| entry.name).collect()).try_map(|name| entry(&name))
 }
 
 /// Options of the models that both commands have.

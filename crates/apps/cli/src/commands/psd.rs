@@ -1,6 +1,6 @@
 //! `psd`: from scans to their composite spectrum.
 
-use super::{Context, say_of_severity};
+use super::{Context, say_notes, say_of_severity};
 use crate::args::ScansArgs;
 use crate::failure::Failure;
 use crate::files::{Folder, open_table};
@@ -10,13 +10,13 @@ use crate::stderr::say;
 use crate::targets::Targets;
 use crate::timings::Timings;
 use measurements::{
-    CompositeOfFiles, STEPS_PER_FILE, ScanRequest, TipRadius, TopographyError, areal_spectrum,
-    requests_of_list,
+    CompositeOfFiles, STEPS_PER_FILE, ScanProblem, ScanRequest, ScansInFolders, TipRadius, TopographyError,
+    areal_spectrum, requests_of_list,
 };
 use report::provenance::program;
 use report::scan_words;
 use report::scans_table::scans_table;
-use scans::ScanOption;
+use scans::{Mend, ScanOption};
 use staging::StagedFiles;
 use study::figure::composite_figure;
 use topography::{Recipe, Remark};
@@ -38,6 +38,7 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
         .with("--out", args.out.as_ref().unwrap_or(&Place::Standard))?;
     let requests = requests(args, &targets)?;
     let folder = Folder::current(targets);
+    let requests = scans_in_folders(&requests, &folder)?;
     if args.areal {
         let [request] = &requests[..] else {
             return Err(Failure::Input(format!(
@@ -109,14 +110,32 @@ pub(super) fn refused(error: TopographyError) -> Failure {
 
 /// Words an error of scans, with the option that mends it where one does.
 pub(super) fn refusal(error: TopographyError) -> String {
-    let flag = |option| match option {
-        ScanOption::Unit => Some("--unit"),
-        ScanOption::Size => Some("--size"),
-        ScanOption::Channel => Some("--channel"),
-        _ => None,
+    let [flag, option] = [0, 1].map(|at| {
+        move |option| match option {
+            ScanOption::Unit => Some(["--unit", "unit=um"][at]),
+            ScanOption::Size => Some(["--size", "size=10um"][at]),
+            ScanOption::Channel => Some(["--channel", "channel=NAME"][at]),
+            _ => None,
+        }
+    });
+    let mend = match (&error.problem, &error.file, error.mend()) {
+        (ScanProblem::IsAScene, Some(file), _) => format!("; try `truearea run {file}`"),
+        (_, Some(file), Some(Mend::Give(wanted))) => {
+            option(wanted).map_or_else(String::new, |typed| format!("; write {file}:{typed}"))
+        }
+        (_, _, mend) => mend.map_or_else(String::new, |mend| scan_words::mend(mend, flag)),
     };
-    let mend = error.mend().map_or_else(String::new, |mend| scan_words::mend(mend, flag));
     format!("{error}{mend}")
+}
+
+/// Replaces folders by the scans in them, and names the files that are none.
+pub(super) fn scans_in_folders(
+    requests: &[ScanRequest],
+    folder: &Folder,
+) -> Result<Vec<ScanRequest>, Failure> {
+    let found = ScansInFolders::find(requests, folder).map_err(refused)?;
+    say_notes(found.note());
+    Ok(found.requests)
 }
 
 /// Says what there is to say of scans, a line each.

@@ -27,7 +27,7 @@ use report::run_stamp::RunStamp;
 use report::scene_note_words;
 use report::summary::summary;
 use report::uncertainty_words;
-use scene::{Overrides, Scene};
+use scene::{FileContent, Overrides, Scene, SceneError, SceneProblem};
 use topography::Severity;
 
 pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> {
@@ -46,7 +46,13 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
         let answer = Answer::from_results(&scene, &results);
         return print(&format!("{}\n{}", explain(&scene), reasons(&scene, &results, &answer)), context);
     }
-    let scene_run = SceneRun { scene: &scene, folder: &folder, layout: Layout::Flat, options: options(args) };
+    let scene_run = SceneRun {
+        scene: &scene,
+        folder: &folder,
+        owns_folder: args.out.is_none(),
+        layout: Layout::Flat,
+        options: options(args),
+    };
     scene_run.run(timings, context).map_err(|error| match error {
         Failure::Input(message) => Failure::Input(format!("{}: {message}", args.scene)),
         error => error,
@@ -63,6 +69,8 @@ fn say_scene(scene: &Scene) {
 pub(super) struct SceneRun<'a> {
     pub scene: &'a Scene,
     pub folder: &'a Path,
+    /// True for a folder named after the scene: tables of any scene in it are of an earlier run.
+    pub owns_folder: bool,
     pub layout: Layout,
     pub options: RunOptions,
 }
@@ -70,7 +78,7 @@ pub(super) struct SceneRun<'a> {
 impl SceneRun<'_> {
     /// Runs the scene, writes its files, and prints the summary.
     pub fn run(&self, timings: Timings, context: &Context<'_>) -> Result<(), Failure> {
-        let SceneRun { scene, folder, layout, options } = *self;
+        let SceneRun { scene, folder, owns_folder, layout, options } = *self;
         if context.shared.verbose {
             say_scene(scene);
         }
@@ -106,9 +114,14 @@ impl SceneRun<'_> {
                 written.join(", ")
             );
         }
-        let others = output::other_files(folder, &written)?;
-        if !others.is_empty() {
-            text += &format!("  not of this run, and left there: {}\n", others.join(", "));
+        let title = (!owns_folder).then_some(scene.title.as_str());
+        let removed = output::clear_earlier_runs(folder, layout, &written, title)?;
+        if !removed.is_empty() {
+            say_notes([format!(
+                "removed from {}, of an earlier run: {}",
+                folder.display(),
+                removed.join(", ")
+            )]);
         }
         print(&text, context)?;
         timings.report(context.shared.timings);
@@ -173,12 +186,18 @@ fn read(args: &RunArgs, folder: &Path, context: &Context<'_>) -> Result<Scene, F
         Place::File(path) => (path.display().to_string(), Folder::of(path, targets)),
     };
     let bytes = args.scene.read()?;
-    let text = utf8(&bytes, &name, "scene")?;
+    let text =
+        utf8(&bytes, &name, "scene").map_err(|failure| not_a_scene(&bytes, &name).unwrap_or(failure))?;
     let scene = Scene::parse(text, &files, &overrides(args)?)
         .map_err(|error| Failure::Input(report::scene_errors::drawn(&error, text, &name)))?;
     if writes_files && folder.is_dir() {
         let mut results = Targets::default();
-        for name in products::file_names(&scene, options(args), context.shared.format) {
+        let written = products::file_names(&scene, options(args), context.shared.format);
+        // A folder named after the scene is its own, whatever its title was.
+        if args.out.is_some() {
+            output::refuse_other_scenes(folder, &written, &scene.title)?;
+        }
+        for name in written {
             results = results.with_file("--out", &folder.join(name))?;
         }
         results.spare_place(&args.scene)?;
@@ -186,6 +205,12 @@ fn read(args: &RunArgs, folder: &Path, context: &Context<'_>) -> Result<Scene, F
     }
     refuse_idle_options(args, &scene)?;
     Ok(scene)
+}
+
+/// The failure of a binary file given in place of a scene, such as a scan.
+fn not_a_scene(bytes: &[u8], name: &str) -> Option<Failure> {
+    let problem = SceneProblem::NotAScene(FileContent::recognise(bytes)?);
+    Some(Failure::Input(report::scene_errors::drawn(&SceneError { problem, span: None }, "", name)))
 }
 
 fn overrides(args: &RunArgs) -> Result<Overrides, Failure> {

@@ -3,7 +3,7 @@
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
-use measurements::{Channels, ScanRequest, read_channels};
+use measurements::{Channels, read_channels};
 use report::heights_picture::{HeightsPicture, of_heights};
 use report::provenance::program;
 use scans::ScanFile;
@@ -19,8 +19,9 @@ use crate::stderr::say;
 use crate::timings::Timings;
 
 pub(super) fn run(args: &ScanArgs, context: &Context<'_>) -> Result<(), Failure> {
-    let requests: Vec<ScanRequest> = args.files.iter().map(|file| args.untold.told_of(file)).collect();
+    let requests: Vec<_> = args.files.iter().map(|file| args.untold.told_of(file)).collect();
     let folder = Folder::current(context.targets(args.figure.as_ref())?);
+    let requests = psd::scans_in_folders(&requests, &folder)?;
     let mut timings = Timings::start();
     let mut files = StagedFiles::default();
     let mut drawn = Vec::new();

@@ -36,7 +36,9 @@ pub(super) fn run(args: &ReportArgs, context: &Context<'_>) -> Result<(), Failur
     })?;
     timings.lap("reading");
     let options = RunOptions { report: true, judge: None, uncertainty: None };
-    SceneRun { scene: &scene, folder: &folder, layout: Layout::Folders, options }.run(timings, context)?;
+    let owns_folder = args.out.is_none();
+    SceneRun { scene: &scene, folder: &folder, owns_folder, layout: Layout::Folders, options }
+        .run(timings, context)?;
     if args.open {
         let page = folder.join(REPORT);
         opener::open(&page)
@@ -86,7 +88,8 @@ fn surface(args: &ReportArgs, context: &Context<'_>) -> Result<ReportSurface, Fa
 /// The scene of the question, its files relative to the folder. Asks for what a file does not state.
 fn scene(question: &mut ReportQuestion, folder: &Path, context: &Context<'_>) -> Result<Scene, Failure> {
     loop {
-        let text = relative_to(question, folder)?.scene_text();
+        let placed = relative_to(question, folder)?;
+        let text = placed.scene_text();
         let files = Folder::of(&folder.join("scene.toml"), context.targets(None)?);
         match Scene::parse(&text, &files, &Overrides::default()) {
             Ok(scene) => {
@@ -96,7 +99,8 @@ fn scene(question: &mut ReportQuestion, folder: &Path, context: &Context<'_>) ->
             Err(error) => {
                 let answered = missing(&error).is_some_and(|(at, option)| ask_for(question, at, option));
                 if !answered {
-                    return Err(Failure::Input(worded(error, &text)));
+                    let typed = |file: &str| as_typed(file, &question.surface, &placed.surface);
+                    return Err(Failure::Input(worded(error, &text, typed)));
                 }
             }
         }
@@ -170,17 +174,27 @@ fn ask(subject: &str, example: &str) -> Option<String> {
     (read > 0).then(|| if answer.is_empty() { example.to_owned() } else { answer.to_owned() })
 }
 
+/// The path of a file in the scene as it was typed.
+fn as_typed(file: &str, typed: &ReportSurface, placed: &ReportSurface) -> String {
+    let (ReportSurface::Scans(typed), ReportSurface::Scans(placed)) = (typed, placed) else {
+        return file.to_owned();
+    };
+    let mut pairs = typed.iter().zip(placed);
+    let found =
+        pairs.find_map(|(typed, placed)| Some(format!("{}{}", typed.path, file.strip_prefix(&placed.path)?)));
+    found.unwrap_or_else(|| file.to_owned())
+}
+
 /// The error of the scene in one line: of scans with the option that mends it, of a value with its key.
-fn worded(error: SceneError, text: &str) -> String {
+fn worded(error: SceneError, text: &str, as_typed: impl Fn(&str) -> String) -> String {
     let SceneProblem::Surface(surface) = error.problem else {
         return report::scene_errors::drawn(&error, text, "the options of `report`");
     };
-    match *surface {
-        SurfaceError::Scans(TopographyError { problem: ScanProblem::Reading(error), file, .. }) => {
-            format!("reading {}: {error}", file.unwrap_or_default())
-        }
-        SurfaceError::Scans(error) => refusal(error),
-        other => other.to_string(),
+    let SurfaceError::Scans(error) = *surface else { return surface.to_string() };
+    let file = error.file.as_deref().map(as_typed);
+    match error.problem {
+        ScanProblem::Reading(error) => format!("reading {}: {error}", file.unwrap_or_default()),
+        _ => refusal(TopographyError { file, ..error }),
     }
 }
 

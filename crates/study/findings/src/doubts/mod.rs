@@ -13,6 +13,11 @@ use study::validity::MODULUS_OVER_IDEAL_STRENGTH;
 
 pub use real_pressure::RealPressures;
 
+/// Moduli \[Pa\] of metals and ceramics typed with mega for giga.
+const MODULI_IN_MEGAPASCALS: std::ops::Range<f64> = 10e6..1e9;
+/// Poisson's ratio up to which a body is a metal or a ceramic rather than a polymer.
+const HARD_RATIO: f64 = 0.35;
+
 /// The slope and the aspect ratio above which the units of a spectrum are probably mistaken.
 const STEEP: f64 = 1.0;
 
@@ -39,6 +44,13 @@ pub enum Doubt {
         yield_strength_pa: f64,
         /// E/10 \[Pa\].
         bound_pa: f64,
+    },
+    /// Young's modulus is that of a polymer, Poisson's ratio that of a metal.
+    SofterThanItsRatio {
+        /// Young's modulus \[Pa\].
+        youngs_modulus_pa: f64,
+        /// Poisson's ratio.
+        poisson_ratio: f64,
     },
     /// A load presses harder on the nominal area than the hardness.
     NominalAboveHardness {
@@ -123,9 +135,18 @@ impl Doubt {
         surface.into_iter().chain(scale).collect()
     }
 
-    /// The doubt about a material that is stronger than solids are.
+    /// The doubt about a material that is stronger than solids are, or as soft as one whose prefix is mistaken.
     #[must_use]
     pub fn of_material(material: &Material) -> Option<Doubt> {
+        Self::of_strength(material).or_else(|| {
+            let body = material.pair.body();
+            let (youngs_modulus_pa, poisson_ratio) = (body.youngs_modulus_pa(), body.poisson_ratio());
+            let is_soft = MODULI_IN_MEGAPASCALS.contains(&youngs_modulus_pa) && poisson_ratio <= HARD_RATIO;
+            is_soft.then_some(Doubt::SofterThanItsRatio { youngs_modulus_pa, poisson_ratio })
+        })
+    }
+
+    fn of_strength(material: &Material) -> Option<Doubt> {
         let yield_strength_pa = material.yield_strength_pa()?;
         let bound_pa = material.pair.yielding_body().youngs_modulus_pa() / MODULUS_OVER_IDEAL_STRENGTH;
         (yield_strength_pa > bound_pa).then_some(Doubt::StrongerThanSolids { yield_strength_pa, bound_pa })

@@ -3,10 +3,17 @@
 use findings::doubts::Doubt;
 use units::display::{counted, length, pressure, three_digits};
 
+/// The rms slope from which a mistaken unit of heights is more likely than any surface.
+const FAR_TOO_STEEP: f64 = 30.0;
+
 /// A doubt in a line, without a full stop.
 #[must_use]
 pub fn line(doubt: &Doubt) -> String {
     match doubt {
+        Doubt::SteepSurface { rms_slope } if *rms_slope > FAR_TOO_STEEP => format!(
+            "the rms slope of the surface is {}, 1000 times too high: nm and µm mixed up?",
+            three_digits(*rms_slope)
+        ),
         Doubt::SteepSurface { rms_slope } => format!(
             "the rms slope of the surface is {}, above 1: check the units of the spectrum",
             three_digits(*rms_slope)
@@ -17,9 +24,15 @@ pub fn line(doubt: &Doubt) -> String {
             three_digits(*aspect_ratio)
         ),
         Doubt::StrongerThanSolids { yield_strength_pa, bound_pa } => format!(
-            "the yield strength {} exceeds E/10 = {}, about the most that a solid bears",
+            "the yield strength {} exceeds E/10 = {}, about the most that a solid bears: is the modulus in GPa?",
             pressure(*yield_strength_pa),
             pressure(*bound_pa)
+        ),
+        Doubt::SofterThanItsRatio { youngs_modulus_pa, poisson_ratio } => format!(
+            "E = {} with Poisson's ratio {} is that of no metal; did you mean {}?",
+            pressure(*youngs_modulus_pa),
+            three_digits(*poisson_ratio),
+            pressure(1e3 * youngs_modulus_pa)
         ),
         Doubt::NominalAboveHardness { load, pressure_pa, hardness_pa, others } => format!(
             "the load {load} is {} times the hardness H = {}: the body yields as a whole{}",

@@ -7,9 +7,9 @@ use study::given_roughness::{GivenRoughness, RollOffFrom};
 use study::surface::Surface;
 use topography::{
     BandEnd, DIRECTIONS_DIFFER, Derivative, Direction, DirectionRatio, FundamentalMode, Remark,
-    SLOPES_DIFFER, SPECTRA_DIFFER, ScanRemark, Severity, TipIndication, TipWords,
+    SLOPES_DIFFER, SPECTRA_DIFFER, ScanRemark, Severity, TipIndication, TipWords, mixed_units,
+    usual_tip_radii_m,
 };
-use units::LengthUnit;
 use units::display::{length, three_digits};
 
 /// The least relative error that double precision resolves.
@@ -83,6 +83,12 @@ pub fn remark(remark: &Remark) -> String {
             format!("{first} and {second} hold the same data; leave one of them out")
         }
         Remark::Overlap { names: [first, second], ratio, bins, longest_m, shortest_m } => {
+            if let Some(units) = mixed_units(*ratio) {
+                let factor = three_digits(ratio.max(1.0 / ratio).sqrt());
+                return format!(
+                    "{first} and {second}: heights differ {factor} times where they overlap; {units} mixed up?"
+                );
+            }
             let doubt = if remark.severity() == Severity::Warning {
                 format!("; they differ by more than {SPECTRA_DIFFER}x: check units, height scales and places")
             } else {
@@ -159,11 +165,10 @@ pub fn holes(holes: &[Hole]) -> String {
 #[must_use]
 pub fn mend(mend: Mend, name_of: impl Fn(ScanOption) -> Option<&'static str>) -> String {
     let (Mend::Give(option) | Mend::LeaveOut(option)) = mend;
-    let Some(name) = name_of(option) else { return String::new() };
-    match (mend, option) {
-        (Mend::Give(_), ScanOption::Unit) => format!("; set it with {name} ({})", LengthUnit::accepted()),
-        (Mend::Give(_), _) => format!("; set it with {name}"),
-        (Mend::LeaveOut(_), _) => format!("; leave out {name}"),
+    match (mend, name_of(option)) {
+        (_, None) => String::new(),
+        (Mend::Give(_), Some(name)) => format!("; set it with {name}"),
+        (Mend::LeaveOut(_), Some(name)) => format!("; leave out {name}"),
     }
 }
 
@@ -173,10 +178,7 @@ fn scan_remark(remark: &ScanRemark) -> String {
         ScanRemark::Band { longest_m, shortest_m, end } => {
             format!("used from {} down to {} ({})", length(*longest_m), length(*shortest_m), band_end(end))
         }
-        ScanRemark::TipUnknown { shortest_m } => format!(
-            "used down to {} (2 pixels; no tip radius given): give the tip radius, or the shortest wavelength to be trusted",
-            length(*shortest_m)
-        ),
+        ScanRemark::TipUnknown { shortest_m } => tip_unknown(*shortest_m),
         ScanRemark::TipIndicated(found) => tip_indicated(found),
         ScanRemark::TipWords { words: TipWords { radius_m, text }, is_used: true } => {
             format!("tip radius {} from its metadata ('{text}')", length(*radius_m))
@@ -240,6 +242,16 @@ fn scan_remark(remark: &ScanRemark) -> String {
         }
         ScanRemark::Fundamental(mode) => fundamental(mode),
     }
+}
+
+/// A tip radius to give, in the size of the instrument.
+fn tip_unknown(shortest_m: f64) -> String {
+    let usual = length(usual_tip_radii_m(shortest_m)[0]).replace('µ', "u");
+    format!(
+        "tip radius unknown, used down to {}; write FILE:tip-radius={} (scene: tip_radius = \"{usual}\")",
+        length(shortest_m),
+        usual.replace(' ', "")
+    )
 }
 
 /// The limits of a scan made with an unknown tip.

@@ -4,14 +4,22 @@
 use crate::{scan_words, spectrum_words};
 use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
 use scans::ScanOption;
-use scene::{SceneError, SceneProblem};
+use scene::{FileContent, SceneError, SceneProblem, Template};
 use spectrum::ReadOption;
 use study::surface::SurfaceError;
 
 /// The message with file, line, and the line itself. The caller adds the word `error`.
 #[must_use]
 pub fn drawn(error: &SceneError, scene: &str, name: &str) -> String {
-    let message = format!("{error}{}", mended(error));
+    let message = match &error.problem {
+        SceneProblem::Surface(error) if is_placeholder(error) => {
+            format!(
+                "\"{}\" is only an example; write the name of your own file in psd",
+                Template::PLACEHOLDER
+            )
+        }
+        _ => format!("{error}{}", mended(error, name)),
+    };
     let title = Level::ERROR.primary_title(&message);
     let group = match &error.span {
         Some(span) => title.element(
@@ -23,13 +31,24 @@ pub fn drawn(error: &SceneError, scene: &str, name: &str) -> String {
     drawn.strip_prefix("error: ").unwrap_or(&drawn).to_owned()
 }
 
+/// Returns true if the file that the template of a scene names is missing.
+fn is_placeholder(error: &SurfaceError) -> bool {
+    matches!(error, SurfaceError::Reading { name, .. } if name == Template::PLACEHOLDER)
+        && error.is_missing_file()
+}
+
 /// The remedy within the scene, in words that follow the error.
-fn mended(error: &SceneError) -> String {
-    let SceneProblem::Surface(error) = &error.problem else { return String::new() };
+fn mended(error: &SceneError, name: &str) -> String {
+    let error = match &error.problem {
+        SceneProblem::Surface(error) => error,
+        SceneProblem::NotAScene(FileContent::Foreign(kind)) => return format!("; {}", kind.advice()),
+        SceneProblem::NotAScene(_) => return format!("; try `truearea report {name}`"),
+        _ => return String::new(),
+    };
     let key = |option| match option {
-        ScanOption::Unit => Some("unit"),
-        ScanOption::Size => Some("size"),
-        ScanOption::Channel => Some("channel"),
+        ScanOption::Unit => Some("unit = \"um\""),
+        ScanOption::Size => Some("size = \"10 um\""),
+        ScanOption::Channel => Some("channel = \"...\""),
         _ => None,
     };
     match error.as_ref() {

@@ -262,7 +262,7 @@ pub fn with_gaps() -> impl Iterator<Item = &'static ModelEntry> {
 /// # Errors
 /// [`UnknownName`], which lists the names of that framework.
 pub fn named(framework: Framework, name: &str) -> Result<&'static ModelEntry, UnknownName> {
-    of_framework(framework).find(|entry| entry.name == name).ok_or_else(|| UnknownName {
+    of_framework(framework).find(|entry| entry.answers_to(name)).ok_or_else(|| UnknownName {
         what: framework.facts().noun,
         given: name.to_owned(),
         accepted: of_framework(framework).map(|entry| entry.name).collect::<Vec<_>>().join(", "),
@@ -324,7 +324,7 @@ impl std::fmt::Display for ModelEntry {
 impl<'de> Deserialize<'de> for &'static ModelEntry {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let name = String::deserialize(deserializer)?;
-        let found = MODELS.iter().find(|entry| entry.name == name);
+        let found = MODELS.iter().find(|entry| entry.answers_to(&name));
         found.ok_or_else(|| serde::de::Error::unknown_variant(&name, &NAMES))
     }
 }

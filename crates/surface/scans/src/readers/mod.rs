@@ -51,6 +51,7 @@ mod zeta;
 
 use crate::channel::Channel;
 use crate::error::ScanReadError;
+use crate::foreign::ForeignFile;
 use crate::format::ScanFormat;
 use crate::options::ScanOptions;
 
@@ -110,23 +111,14 @@ pub(crate) fn reader_of(bytes: &[u8]) -> Option<&'static Reader> {
     READERS.iter().find(|reader| (reader.recognises)(bytes))
 }
 
-/// Beginnings of files that are not read, each with advice.
-const FOREIGN: [(&[u8], &str); 4] = [
-    (b"\\*Force file list", "this is a Nanoscope force curve; export an image of heights"),
-    (b"\x89HDF\r\n\x1a\n", "this is HDF5 or NetCDF-4; save it as NetCDF-3 ('NETCDF3_64BIT_OFFSET')"),
-    (b"?*File list", "this is a Nanoscope file with its data as text; save it with binary data"),
-    (b"PK", "this is a ZIP file without a scan that is known; unpack it"),
-];
-
-/// Advice for any other file.
-const UNKNOWN: &str = "save the heights as text, or in a format of docs/guide/instruments.md";
-
 /// Returns the error of a file that no reader knows.
 pub(crate) fn unknown_format(bytes: &[u8], name: &str) -> ScanReadError {
+    if let Some(kind) = ForeignFile::recognise(bytes) {
+        return ScanReadError::Foreign(kind);
+    }
     let start = match bytes {
         [] => "nothing (it is empty)".to_owned(),
         _ => format!("'{}'", bytes[..bytes.len().min(16)].escape_ascii()),
     };
-    let hint = FOREIGN.iter().find(|(start, _)| bytes.starts_with(start)).map_or(UNKNOWN, |(_, hint)| hint);
-    ScanReadError::UnknownFormat { name: name.to_owned(), start, hint }
+    ScanReadError::UnknownFormat { name: name.to_owned(), start }
 }

@@ -1,8 +1,9 @@
-//! Workbooks that surface testers of Mitutoyo export, `.xlsx`: a sheet `DATA` with results in its first column and a
-//! profile in its fifth and sixth, and a sheet `Certificate` with the conditions of the measurement.
+//! Workbooks, `.xlsx`. Every sheet with numbers is read like a text of its cells: two columns, points, or a matrix.
 //!
-//! The unit of positions is that of the cut-off, the unit of heights that of the results, as SurfaceTopography takes
-//! them.
+//! Workbooks that surface testers of Mitutoyo export have a layout of their own: a sheet `DATA` with results in its
+//! first column and a profile in its fifth and sixth, and a sheet `Certificate` with the conditions of the measurement.
+//! There the unit of positions is that of the cut-off, the unit of heights that of the results, as SurfaceTopography
+//! takes them.
 
 use std::collections::BTreeMap;
 use std::io::Cursor;
@@ -19,11 +20,11 @@ use crate::options::ScanOptions;
 use crate::raster::Decoded;
 use crate::readers::Reader;
 use crate::readers::even_axis::even_spacing;
+use crate::readers::text::channel_of_text;
 use units::LengthUnit;
 
 const FORMAT: ScanFormat = ScanFormat::Workbook;
 const INDEX: &str = "xl/workbook.xml";
-const LARGEST_INDEX: u64 = 1 << 20;
 /// Most bytes that a workbook may unpack to. The library takes some ten times as many for texts of one letter; a
 /// profile of a hundred thousand points takes ten million.
 const LARGEST: u64 = 1 << 26;
@@ -40,23 +41,113 @@ const ROUNDING: f64 = 1e-6;
 
 pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels };
 
-/// By the names of its sheets: workbooks of spectra have others.
+/// Any workbook; one of spectra is a scan as little as a text of spectra is.
 fn recognises(bytes: &[u8]) -> bool {
-    if !is_zip(bytes) || !is_named_in(bytes, INDEX) {
-        return false;
-    }
-    let index =
-        Archive::open(bytes, LARGEST_INDEX).and_then(|mut archive| archive.read(INDEX)).unwrap_or_default();
-    let names = |sheet: &str| is_named_in(&index, &format!("name=\"{sheet}\""));
-    names(DATA) && names(CONDITIONS)
+    is_zip(bytes) && is_named_in(bytes, INDEX)
 }
 
 fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
     refuse_what_swells(bytes, options)?;
     let mut workbook = Xlsx::new(Cursor::new(bytes)).map_err(damaged)?;
+    let names = workbook.sheet_names();
+    match [DATA, CONDITIONS].iter().all(|sheet| names.iter().any(|name| name == sheet)) {
+        true => Ok(vec![channel_of_tester(&mut workbook, options)?]),
+        false => channels_of_sheets(&mut workbook, &names, options),
+    }
+}
+
+/// A channel for every sheet with numbers.
+fn channels_of_sheets<'b>(
+    workbook: &mut Xlsx<Cursor<&[u8]>>,
+    names: &[String],
+    options: &ScanOptions,
+) -> Result<Vec<Channel<'b>>, ScanReadError> {
+    let (mut channels, mut room) = (Vec::new(), LARGEST as usize);
+    let mut refused = ScanReadError::NoRows;
+    for sheet in names {
+        let read = text_of_sheet(workbook, sheet, &mut room)?;
+        match channel_of_text(&read, options) {
+            Ok(channel) => channels.push(Channel { name: channel.name.or(Some(sheet.clone())), ..channel }),
+            Err(ScanReadError::NoRows) => {}
+            Err(ScanReadError::NoUnit { what, .. }) => {
+                refused = ScanReadError::NoUnit { format: FORMAT, what }
+            }
+            Err(error) => refused = error,
+        }
+    }
+    if channels.is_empty() { Err(refused) } else { Ok(channels) }
+}
+
+/// The cells of a sheet as lines with tabs, rows of the sheet as lines. A chart has none.
+fn text_of_sheet(
+    workbook: &mut Xlsx<Cursor<&[u8]>>,
+    sheet: &str,
+    room: &mut usize,
+) -> Result<String, ScanReadError> {
+    let mut cells = match workbook.worksheet_cells_reader(sheet) {
+        Err(XlsxError::NotAWorksheet(_)) => return Ok(String::new()),
+        other => other.map_err(damaged)?,
+    };
+    let mut rows: BTreeMap<u32, BTreeMap<u32, String>> = BTreeMap::new();
+    while let Some(cell) = cells.next_cell().map_err(damaged)? {
+        let (row, column) = cell.get_position();
+        let field = field_of(cell.get_value());
+        if !field.is_empty() {
+            take_room(room, field.len())?;
+            rows.entry(row).or_default().insert(column, field);
+        }
+    }
+    let first = rows.values().filter_map(|cells| cells.keys().next()).min().copied().unwrap_or(0);
+    let (mut text, mut lines) = (String::new(), 0);
+    for (row, cells) in rows {
+        let mut column = first;
+        take_room(room, (row - lines) as usize)?;
+        text.extend((lines..row).map(|_| '\n'));
+        lines = row;
+        for (at, field) in cells {
+            take_room(room, (at - column) as usize)?;
+            text.extend((column..at).map(|_| '\t'));
+            text += &field;
+            column = at;
+        }
+    }
+    Ok(text)
+}
+
+/// Takes bytes off those that the texts of a workbook may have.
+fn take_room(room: &mut usize, bytes: usize) -> Result<(), ScanReadError> {
+    let too_large =
+        || ScanReadError::ArchiveTooLarge { what: "the workbook".to_owned(), bound: LARGEST, unit: "bytes" };
+    *room = room.checked_sub(bytes).ok_or_else(too_large)?;
+    Ok(())
+}
+
+/// A cell as a field of a line. Numbers have twelve digits: sums of spacings are off in the last ones of a double, and
+/// positions shall be even to the digits that they have.
+fn field_of(value: &DataRef) -> String {
+    match value {
+        DataRef::Float(number) => {
+            let rounded: f64 = format!("{number:.11e}").parse().unwrap_or(*number);
+            if rounded == 0.0 || (1e-4..1e15).contains(&rounded.abs()) {
+                rounded.to_string()
+            } else {
+                format!("{rounded:e}")
+            }
+        }
+        DataRef::Int(number) => number.to_string(),
+        DataRef::Error(_) => "nan".to_owned(),
+        _ => text_of(value).map_or_else(String::new, |text| text.trim().replace(['\t', '\n', '\r'], " ")),
+    }
+}
+
+/// The profile of a surface tester.
+fn channel_of_tester<'b>(
+    workbook: &mut Xlsx<Cursor<&[u8]>>,
+    options: &ScanOptions,
+) -> Result<Channel<'b>, ScanReadError> {
     let mut notes = Vec::new();
-    let conditions = Conditions::read(&mut workbook)?;
-    let profile = Profile::read(&mut workbook)?;
+    let conditions = Conditions::read(workbook)?;
+    let profile = Profile::read(workbook)?;
     let units = Units::choose(options, conditions.cut_off_unit, profile.result_unit, &mut notes);
     let (length_to_m, height_to_m) = (units.length_to_m(FORMAT)?, units.height_to_m(FORMAT)?);
     let (positions, heights): (Vec<f64>, Vec<Option<f64>>) =
@@ -73,7 +164,7 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
     let samples = Samples::Decoded { columns: decoded.values.len(), decoded };
     let channel = Channel::new(None, Quantity::Heights(Some(LengthUnit::METRE)), lateral, samples);
     let free_text = conditions.text;
-    Ok(vec![Channel { units: UnitsBy::Reader, probe: Some(Probe::Tip), free_text, notes, ..channel }])
+    Ok(Channel { units: UnitsBy::Reader, probe: Some(Probe::Tip), free_text, notes, ..channel })
 }
 
 /// Unpacks every file once and lets it go: the library holds files whole, and the sizes that an archive states need not

@@ -1,8 +1,8 @@
-//! Workbooks of surface testers; those of spectra are none.
+//! Workbooks of surface testers and of people.
 
 use crate::zip_file::zipped;
 use crate::{Sample, assert_holds, heights};
-use scans::{Probe, ScanFormat, ScanOptions, read_scans};
+use scans::{Probe, ScanFormat, ScanOptions, ScanReadError, ScanSize, read_scans};
 
 const TYPES: &str = r#"<Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types"></Types>"#;
 const ROOT: &str = r#"<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Id="rId1" Type="http://schemas.openxmlformats.org/officeDocument/2006/relationships/officeDocument" Target="xl/workbook.xml"/></Relationships>"#;
@@ -29,12 +29,8 @@ fn workbook(
     result: &str,
     points: &[(Option<f64>, Option<f64>)],
 ) -> Vec<u8> {
-    let index = format!(
-        r#"<workbook xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main" xmlns:r="http://schemas.openxmlformats.org/officeDocument/2006/relationships"><sheets><sheet name="{}" sheetId="1" r:id="rId1"/><sheet name="{}" sheetId="2" r:id="rId2"/></sheets></workbook>"#,
-        names[0], names[1]
-    );
     let number = |column: &str, row: usize, value: Option<f64>| {
-        value.map_or(String::new(), |value| format!(r#"<c r="{column}{row}"><v>{value}</v></c>"#))
+        value.map_or(String::new(), |value| number(&format!("{column}{row}"), value))
     };
     let data: Vec<Vec<String>> = points
         .iter()
@@ -45,13 +41,22 @@ fn workbook(
             vec![result, number("E", row, position), number("F", row, height)]
         })
         .collect();
+    packed(names, &sheet(conditions), &sheet(&data))
+}
+
+/// A workbook with two sheets.
+fn packed(names: [&str; 2], first: &str, second: &str) -> Vec<u8> {
+    let index = format!(
+        r#"<workbook xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main" xmlns:r="http://schemas.openxmlformats.org/officeDocument/2006/relationships"><sheets><sheet name="{}" sheetId="1" r:id="rId1"/><sheet name="{}" sheetId="2" r:id="rId2"/></sheets></workbook>"#,
+        names[0], names[1]
+    );
     zipped(&[
         ("[Content_Types].xml", TYPES.as_bytes()),
         ("_rels/.rels", ROOT.as_bytes()),
         ("xl/workbook.xml", index.as_bytes()),
         ("xl/_rels/workbook.xml.rels", LINKS.as_bytes()),
-        ("xl/worksheets/sheet1.xml", sheet(conditions).as_bytes()),
-        ("xl/worksheets/sheet2.xml", sheet(&data).as_bytes()),
+        ("xl/worksheets/sheet1.xml", first.as_bytes()),
+        ("xl/worksheets/sheet2.xml", second.as_bytes()),
     ])
 }
 
@@ -96,11 +101,57 @@ fn positions_may_be_uneven_and_units_asked_for() {
     refused!(refused, BadField { field: "a position", value: "0.5" });
 }
 
+/// A workbook with these sheets, each of rows of cells.
+fn of_sheets(sheets: [(&str, &[Vec<String>]); 2]) -> Vec<u8> {
+    let [(first, first_rows), (second, second_rows)] = sheets;
+    packed([first, second], &sheet(first_rows), &sheet(second_rows))
+}
+
+fn number(place: &str, value: f64) -> String {
+    format!(r#"<c r="{place}"><v>{value}</v></c>"#)
+}
+
 #[test]
-fn other_workbooks_are_none() {
-    let other = workbook(["INDEX", "Sheet1"], &conditions(), "Ra 1 µm", &POINTS);
-    assert_eq!(ScanFormat::recognise(&other), None);
+fn two_columns_of_any_sheet_are_a_profile() {
+    // Sums of spacings, as a column of formulas holds them.
+    let positions: Vec<f64> = (0..400).scan(0.0, |sum, _| Some(std::mem::replace(sum, *sum + 0.1))).collect();
+    let mut rows = vec![vec![text("B2", "X (mm)"), text("C2", "Z (um)")]];
+    rows.extend(positions.iter().enumerate().map(|(at, &position)| {
+        vec![
+            number(&format!("B{}", at + 3), position),
+            number(&format!("C{}", at + 3), 0.25 * (at % 7) as f64),
+        ]
+    }));
+    let rows: Vec<Vec<String>> = std::iter::once(Vec::new()).chain(rows).collect();
+    let bytes = of_sheets([("Notes", &[vec![text("A1", "a flange")]]), ("Trace", &rows)]);
+    let file = heights(&bytes).remove(0);
+    assert_eq!((file.format, file.channel.as_deref()), (ScanFormat::Workbook, Some("Trace")));
+    assert_eq!((file.scan.points(), file.scan.height_m(3)), ((400, None), Some(0.75e-6)));
+    assert!((file.scan.spacing_m().0 / 1e-4 - 1.0).abs() < 1e-9 && file.scan.positions_m().is_none());
+}
+
+#[test]
+fn more_columns_are_a_matrix_whose_unit_and_size_are_asked_for() {
+    let rows: Vec<Vec<String>> = (1..=3)
+        .map(|y| ["A", "B", "C", "D"].map(|x| number(&format!("{x}{y}"), f64::from(y))).to_vec())
+        .collect();
+    let bytes = of_sheets([("Map", &rows), ("Other", &[])]);
+    let refused = read_scans(&bytes, "scan", &ScanOptions::default()).unwrap_err();
+    assert!(matches!(refused, ScanReadError::NoUnit { format: ScanFormat::Workbook, .. }), "{refused}");
+    let size = Some(ScanSize { x_m: 4e-6, y_m: None });
+    let options =
+        ScanOptions { fallback_unit: "nm".parse().ok(), fallback_size: size, ..ScanOptions::default() };
+    let file = read_scans(&bytes, "scan", &options).unwrap().remove(0);
+    assert_eq!((file.scan.points(), file.scan.height_m(11)), ((4, Some(3)), Some(3e-9)));
+}
+
+#[test]
+fn a_workbook_without_numbers_and_one_that_swells_are_refused() {
+    let words = of_sheets([("Notes", &[vec![text("A1", "a flange")]]), ("Other", &[])]);
+    assert!(matches!(read_scans(&words, "scan", &ScanOptions::default()), Err(ScanReadError::NoRows)));
     let bounded = ScanOptions { max_unpacked_bytes: Some(100), ..ScanOptions::default() };
     let refused = read_scans(&samples()[0].bytes, "scan", &bounded).unwrap_err();
     refused!(refused, ArchiveTooLarge { what: "'_rels/.rels'", bound: 100 });
+    let far = of_sheets([("Map", &[vec![number("A1", 1.0), number("XFD1000000", 2.0)]]), ("Other", &[])]);
+    assert!(read_scans(&far, "scan", &ScanOptions::default()).is_err());
 }

@@ -92,9 +92,15 @@ impl Header<'_> {
             (None, DensityName::W1 | DensityName::Psdf) => Convention::W1,
             (None, DensityName::Ciso) => Convention::Ciso,
             (None, DensityName::C) => Convention::Persson,
-            (None, DensityName::Psd) if parsed.is_some_and(|unit| unit.metre_power == 4) => {
+            (None, DensityName::Psd | DensityName::C2d)
+                if parsed.is_some_and(|unit| unit.metre_power == 4) =>
+            {
                 return Err(ReadError::AmbiguousDensity { line, column: column.clone() });
             }
+            (None, DensityName::C2d) if parsed.is_some_and(|unit| unit.metre_power == 3) => {
+                return Err(ReadError::TwoDimensionalInCubicMetres { line, column: column.clone() });
+            }
+            (None, DensityName::C2d) => return Err(ReadError::NoConvention { line, column: column.clone() }),
             (None, DensityName::Psd) if abscissa == Abscissa::Frequency => Convention::Frequency,
             (None, DensityName::Psd) => Convention::C1D,
         };
@@ -169,7 +175,7 @@ impl Header<'_> {
             (DensityName::C, _) => {
                 Some(format!("column '{column}' is read as Persson's C, sigma^2 = 2 pi Int q C dq"))
             }
-            (DensityName::C1d | DensityName::W1 | DensityName::Ciso, _) => None,
+            (DensityName::C1d | DensityName::W1 | DensityName::Ciso | DensityName::C2d, _) => None,
         }
     }
 

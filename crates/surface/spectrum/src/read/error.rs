@@ -5,7 +5,7 @@ use units::LengthUnit;
 use units::display::{counted, length};
 
 use crate::convention::Convention;
-use crate::read::header::Abscissa;
+use crate::read::header::{Abscissa, Heading};
 use crate::read::json::JsonError;
 use crate::read::mend::{ReadMend, ReadOption};
 use crate::read::options::UnitError;
@@ -176,6 +176,22 @@ pub enum ReadError {
         /// Column.
         column: String,
     },
+    /// A wavenumber, which some count in radians and others in cycles per length.
+    #[error("line {line}: wavenumber in radians or cycles")]
+    AmbiguousWavenumber {
+        /// Line of the header.
+        line: usize,
+        /// Column.
+        column: String,
+    },
+    /// A column called two-dimensional with the unit of profiles.
+    #[error("line {line}: '{column}' is 2D by name, 1D by unit")]
+    TwoDimensionalInCubicMetres {
+        /// Line of the header.
+        line: usize,
+        /// Column.
+        column: String,
+    },
     /// A column whose name does not state a convention.
     #[error("line {line}: column '{column}' does not state its convention")]
     NoConvention {
@@ -316,6 +332,8 @@ impl ReadError {
             | Self::SeveralDensities { line, .. }
             | Self::BadUnit { line, .. }
             | Self::AmbiguousDensity { line, .. }
+            | Self::AmbiguousWavenumber { line, .. }
+            | Self::TwoDimensionalInCubicMetres { line, .. }
             | Self::NoConvention { line, .. }
             | Self::Ragged { line, .. }
             | Self::EmptyField { line, .. }
@@ -325,6 +343,19 @@ impl ReadError {
             | Self::Inconsistent { line, .. }
             | Self::RepeatedWavelength { line, .. }
             | Self::TooFewRows { line, .. } => Some(line),
+        }
+    }
+
+    /// Returns true if nothing in the file names a spectrum, so that it may hold heights.
+    #[must_use]
+    pub fn names_no_spectrum(&self) -> bool {
+        match self {
+            Self::MissingColumn { found, .. } => found.iter().all(|name| Heading::parse(name).is_none()),
+            Self::NoHeader { .. } | Self::HeaderlessColumns { .. } => true,
+            Self::Workbook(error) => {
+                matches!(error, WorkbookError::NoTable { .. } | WorkbookError::NotBuiltIn)
+            }
+            _ => false,
         }
     }
 
@@ -342,6 +373,12 @@ impl ReadError {
             Self::AmbiguousDensity { .. } => Some(ReadMend::Give(vec![
                 ReadOption::Convention.one_of([Convention::Ciso, Convention::Persson]),
             ])),
+            Self::TwoDimensionalInCubicMetres { .. } => {
+                Some(ReadMend::Give(vec![ReadOption::Convention.one_of([Convention::C1D, Convention::W1])]))
+            }
+            Self::AmbiguousWavenumber { .. } => {
+                Some(ReadMend::Give(vec![ReadOption::X.one_of([Abscissa::Wavevector, Abscissa::Frequency])]))
+            }
             Self::NoConvention { .. } => Some(ReadMend::Give(vec![convention()])),
             Self::Series(error) => error.mend(),
             Self::Unit(error) => Some(error.mend()),

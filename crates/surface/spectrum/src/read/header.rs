@@ -56,6 +56,8 @@ pub(crate) enum DensityName {
     Ciso,
     /// `C`, only in m^4: Persson's.
     C,
+    /// A two-dimensional spectrum, of either convention of areas.
+    C2d,
     /// A spectrum whose convention follows from its abscissa and unit.
     Psd,
     /// Gwyddion's name.
@@ -71,8 +73,11 @@ pub(crate) enum Quantity {
     StandardError(DensityName),
 }
 
+/// A name for both 2 pi/lambda and 1/lambda.
+const WAVENUMBER: &str = "wavenumber";
+
 /// Known names; a name that contains another as its beginning comes before it.
-const NAMES: [(&str, Quantity); 19] = [
+const NAMES: [(&str, Quantity); 23] = [
     ("standard error of psd", Quantity::StandardError(DensityName::Psd)),
     ("psd_se", Quantity::StandardError(DensityName::Psd)),
     ("c1d_se", Quantity::StandardError(DensityName::C1d)),
@@ -81,15 +86,19 @@ const NAMES: [(&str, Quantity); 19] = [
     ("lambda", Quantity::Abscissa(Abscissa::Wavelength)),
     ("λ", Quantity::Abscissa(Abscissa::Wavelength)),
     ("wavevector", Quantity::Abscissa(Abscissa::Wavevector)),
+    (WAVENUMBER, Quantity::Abscissa(Abscissa::Wavevector)),
     ("q", Quantity::Abscissa(Abscissa::Wavevector)),
     ("k", Quantity::Abscissa(Abscissa::Wavevector)),
     ("frequency", Quantity::Abscissa(Abscissa::Frequency)),
     ("f", Quantity::Abscissa(Abscissa::Frequency)),
+    ("spatial frequency", Quantity::Abscissa(Abscissa::Frequency)),
+    ("spatial_frequency", Quantity::Abscissa(Abscissa::Frequency)),
     ("psd", Quantity::Density(DensityName::Psd)),
     ("psdf", Quantity::Density(DensityName::Psdf)),
     ("c1d", Quantity::Density(DensityName::C1d)),
     ("w1", Quantity::Density(DensityName::W1)),
     ("ciso", Quantity::Density(DensityName::Ciso)),
+    ("c2d", Quantity::Density(DensityName::C2d)),
     ("c", Quantity::Density(DensityName::C)),
     ("Λ", Quantity::Abscissa(Abscissa::Wavelength)),
 ];
@@ -112,6 +121,14 @@ impl<'h> Heading<'h> {
             let unit = if start.eq_ignore_ascii_case(base) { unit_suffix(rest)? } else { return None };
             is_meant(quantity, base, unit).then_some(Self { quantity, unit })
         })
+    }
+}
+
+impl Heading<'_> {
+    /// Returns true for the name of a wavenumber, in radians or cycles per length, whose unit does not tell which.
+    pub(crate) fn may_count_cycles(name: &str) -> bool {
+        let is_wavenumber = name.to_lowercase().starts_with(WAVENUMBER);
+        is_wavenumber && !trailing_unit(name).is_some_and(|unit| unit.angular)
     }
 }
 
@@ -173,6 +190,8 @@ mod tests {
             ("Q[1/m]", Abscissa::Wavevector, "1/m"),
             ("f_per_m", Abscissa::Frequency, "per_m"),
             ("Frequency [1/mm]", Abscissa::Frequency, "1/mm"),
+            ("Spatial frequency (1/um)", Abscissa::Frequency, "1/um"),
+            ("wavenumber (rad/m)", Abscissa::Wavevector, "rad/m"),
         ] {
             let expected = Heading { quantity: Quantity::Abscissa(abscissa), unit: Some(unit) };
             assert_eq!(Heading::parse(name), Some(expected), "{name}");

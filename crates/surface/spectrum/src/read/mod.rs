@@ -33,6 +33,7 @@ use std::io::Read;
 
 use serde::Serialize;
 
+use crate::convention::Convention;
 use crate::psd::Psd;
 use layout::Layout;
 use lines::decode;
@@ -162,6 +163,14 @@ fn read_series(
 ) -> Result<(Psd, Vec<String>), ReadError> {
     let mut notes = series.notes.clone();
     let layout = layout(&series.columns, options, units, &mut notes)?;
+    // Programs that name their series write 1/m and mean rad/m; Persson's C is defined by it.
+    if series.columns.kind == ColumnKind::Named
+        && series.name == SeriesName::default()
+        && layout.density.convention != Convention::Persson
+    {
+        let Columns { line, names, .. } = &series.columns;
+        notes.extend(Header { line: *line, names, options, units }.bare_wavevector_note(layout.abscissa));
+    }
     let (samples, missing) = samples(series, &layout)?;
     if missing > 0 {
         let rows = if missing == 1 {

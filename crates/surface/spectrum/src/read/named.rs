@@ -4,7 +4,7 @@ use units::LengthUnit;
 
 use crate::read::density::Candidate;
 use crate::read::error::ReadError;
-use crate::read::header::{Abscissa, Quantity};
+use crate::read::header::{Abscissa, Heading, Quantity};
 use crate::read::layout::{AbscissaColumn, DensityColumn, Layout};
 use crate::read::names::Header;
 use crate::read::unit::Unit;
@@ -37,7 +37,8 @@ impl Header<'_> {
         let mut columns: Vec<AbscissaColumn> = Vec::new();
         let mut unfit = None;
         for (index, heading) in self.headings() {
-            let Quantity::Abscissa(quantity) = heading.quantity else { continue };
+            let Quantity::Abscissa(stated) = heading.quantity else { continue };
+            let quantity = self.abscissa_of(index, stated, heading.unit);
             match self.abscissa_unit(index, quantity, heading.unit) {
                 Err(error) => unfit = unfit.or(Some((index, error))),
                 Ok(unit) => match columns.iter().find(|column| column.quantity == quantity) {
@@ -59,7 +60,50 @@ impl Header<'_> {
             ));
         }
         columns.sort_by_key(|column| column.quantity as u8);
+        if self.options.x.is_none() {
+            self.settle_wavenumber(&mut columns)?;
+        }
         Ok(columns)
+    }
+
+    /// Returns the quantity of a column: the option for the abscissa decides where a unit without radians leaves it open.
+    fn abscissa_of(&self, index: usize, stated: Abscissa, unit: Option<&str>) -> Abscissa {
+        let is_angular = unit.and_then(Unit::parse).is_some_and(|unit| unit.angular);
+        let others = self.headings().filter(|(other, _)| *other != index);
+        let is_taken = others
+            .map(|(_, heading)| heading.quantity)
+            .any(|it| it == Quantity::Abscissa(Abscissa::Frequency));
+        match self.options.x {
+            Some(Abscissa::Frequency) if stated == Abscissa::Wavevector && !is_angular && !is_taken => {
+                Abscissa::Frequency
+            }
+            _ => stated,
+        }
+    }
+
+    /// Refuses a wavenumber that may count radians or cycles if nothing else tells the wavelengths; beside another column
+    /// it is left out.
+    fn settle_wavenumber(&self, columns: &mut Vec<AbscissaColumn>) -> Result<(), ReadError> {
+        let is_open = |column: &AbscissaColumn| Heading::may_count_cycles(&self.names[column.index]);
+        if let [only] = &columns[..]
+            && is_open(only)
+        {
+            let column = self.names[only.index].clone();
+            return Err(ReadError::AmbiguousWavenumber { line: self.line, column });
+        }
+        columns.retain(|column| !is_open(column));
+        Ok(())
+    }
+
+    /// Notes a wavevector in 1/m, which may count cycles.
+    pub(crate) fn bare_wavevector_note(&self, abscissa: AbscissaColumn) -> Option<String> {
+        let is_bare = self.stated_unit(abscissa.index).is_some_and(|unit| !unit.angular);
+        let is_open = abscissa.quantity == Abscissa::Wavevector && is_bare && self.options.x.is_none();
+        let column = &self.names[abscissa.index];
+        // Gwyddion's k is in rad/m.
+        (is_open && !column.starts_with('k')).then(|| {
+            format!("column '{column}' is read as rad/m; if it counts cycles, areas change by about 2 pi: set x to frequency")
+        })
     }
 
     fn abscissa_unit(&self, index: usize, quantity: Abscissa, unit: Option<&str>) -> Result<Unit, ReadError> {

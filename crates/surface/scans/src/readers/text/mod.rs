@@ -12,6 +12,7 @@ mod style;
 use crate::channel::{Channel, Lateral, Quantity, Samples, UnitsBy};
 use crate::choice_of_units::Units;
 use crate::error::ScanReadError;
+use crate::foreign::ForeignFile;
 use crate::metadata::Probe;
 use crate::options::ScanOptions;
 use crate::raster::Decoded;
@@ -34,9 +35,7 @@ fn recognises(bytes: &[u8]) -> bool {
         });
     }
     let is_binary = |byte: &u8| *byte < b' ' && !b"\t\n\r\x0c".contains(byte);
-    !bytes.starts_with(b"\\*Force file list")
-        && !bytes.starts_with(b"?*File list")
-        && !bytes.iter().take(512).any(is_binary)
+    !bytes.iter().take(512).any(is_binary) && ForeignFile::recognise(bytes).is_none()
 }
 
 /// Scan in m, before its size is known.
@@ -46,43 +45,46 @@ struct Found {
     heights_m: Decoded,
 }
 
-/// The one channel of a file, told by its number of columns: 1 heights, 2 a profile `x h`, 3 points `x y h` (or a
+fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
+    Ok(vec![channel_of_text(&style::decode(bytes)?, options)?])
+}
+
+/// Reads the one channel of a text. Its number of columns decides: 1 heights, 2 a profile `x h`, 3 points `x y h` (or a
 /// profile with a column that counts its points or says which of them count), more a matrix. A header with both sizes
 /// of a map makes any number of columns a matrix.
-fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
-    let text = style::decode(bytes)?;
-    let columns = Columns::read(&text)?;
-    let header = Header::read(&text, &columns)?;
+pub(super) fn channel_of_text<'b>(text: &str, options: &ScanOptions) -> Result<Channel<'b>, ScanReadError> {
+    let columns = Columns::read(text)?;
+    let header = Header::read(text, &columns)?;
     let mut notes = Vec::new();
     let found = match columns.count {
         1 => matrix(columns, false, &header, options, &mut notes)?,
         2 if !header.is_matrix() => {
             let roles = Roles { position: 0, height: 1, validity: None };
-            profile::read(&text, &columns, roles, &header, options, &mut notes)?
+            profile::read(text, &columns, roles, &header, options, &mut notes)?
         }
         3 if header.has_validity() => {
             let roles = Roles { position: 0, height: 1, validity: Some(2) };
-            profile::read(&text, &columns, roles, &header, options, &mut notes)?
+            profile::read(text, &columns, roles, &header, options, &mut notes)?
         }
         3 if !header.is_matrix() && counts_points(&columns, &header) => {
             notes.push("the first column counts the points: the others are a profile".to_owned());
             let roles = Roles { position: 1, height: 2, validity: None };
-            profile::read(&text, &columns, roles, &header, options, &mut notes)?
+            profile::read(text, &columns, roles, &header, options, &mut notes)?
         }
-        3 if !header.is_matrix() => grid::read(&text, &columns, &header, options, &mut notes)?,
+        3 if !header.is_matrix() => grid::read(text, &columns, &header, options, &mut notes)?,
         _ => matrix(columns, true, &header, options, &mut notes)?,
     };
     let samples = Samples::Decoded { columns: found.columns, decoded: found.heights_m };
     let quantity = Quantity::Heights(Some(LengthUnit::METRE));
     let channel = Channel::new(header.channel(), quantity, found.lateral, samples);
-    Ok(vec![Channel {
+    Ok(Channel {
         units: UnitsBy::Reader,
         probe: header.stylus_radius_m().map(|_| Probe::Tip),
         tip_radius_m: header.stylus_radius_m(),
         free_text: header.free_text().to_owned(),
         notes,
         ..channel
-    }])
+    })
 }
 
 /// Returns true if the first of three columns only counts the rows: it rises by one from row to row, and either it is
