@@ -2,15 +2,13 @@
 
 mod figures;
 pub mod page;
-mod pictures;
-pub mod plot;
 pub mod products;
 pub mod run_stamp;
 mod words;
 
+pub use drawings::{field_picture, heights_picture, plot};
 pub use figures::elements_figure;
 use figures::{interface_figure, intervals, judged};
-pub use pictures::{field_picture, heights_picture};
 #[cfg(feature = "scene-errors")]
 pub use words::scene_errors;
 pub use words::{

@@ -20,7 +20,7 @@ const STEP: f64 = 20.0;
 
 /// Draws shares of decades as an element of a page, like [`element`](super::element). `None` if there is nothing to
 /// draw.
-pub(crate) fn shares_of_decades(
+pub fn shares_of_decades(
     decades: &[DecadeOfVariance],
     y_label: &str,
     id: &str,

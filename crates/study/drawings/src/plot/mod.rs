@@ -18,7 +18,7 @@ use kuva::render::plots::Plot;
 use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
 
 pub use heights::line_of_heights;
-pub(crate) use shares::shares_of_decades;
+pub use shares::shares_of_decades;
 
 use decades::{Decades, powers_of_ten};
 use labels::{Box, Track};

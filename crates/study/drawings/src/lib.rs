@@ -1,0 +1,5 @@
+#![doc = include_str!("../README.md")]
+
+pub mod field_picture;
+pub mod heights_picture;
+pub mod plot;
