@@ -10,6 +10,7 @@ use tables::{TableError, TableSource};
 use tempfile::SpooledTempFile;
 
 use crate::failure::Failure;
+use crate::missing_file::{explained, files_in};
 use crate::output::Place;
 use crate::targets::Targets;
 
@@ -51,44 +52,6 @@ impl Folder {
         self.read.lock().unwrap_or_else(PoisonError::into_inner).push(path.to_owned());
         Ok(bytes)
     }
-}
-
-/// Least similarity of a file that may be meant, from 0 to 1.
-const ALIKE: f64 = 0.9;
-
-/// An error of reading a file, with what to do: to name a file in a folder, or one that is spelt alike.
-pub(crate) fn explained(error: io::Error, path: &Path) -> io::Error {
-    if path.is_dir() {
-        return io::Error::new(error.kind(), "this is a folder; name a file in it");
-    }
-    match similar_file(path).filter(|_| error.kind() == io::ErrorKind::NotFound) {
-        Some(name) => io::Error::new(error.kind(), format!("there is no such file; did you mean {name}?")),
-        None => error,
-    }
-}
-
-/// The file beside a missing one that has the most similar name.
-fn similar_file(path: &Path) -> Option<String> {
-    let wanted = path.file_name()?.to_str()?.to_lowercase();
-    let names = files_in(path.parent().unwrap_or(Path::new(""))).ok()?;
-    let likeness = |name: &String| strsim::jaro_winkler(&wanted, &name.to_lowercase());
-    let found = names.into_iter().max_by(|a, b| likeness(a).total_cmp(&likeness(b)))?;
-    (likeness(&found) >= ALIKE).then(|| path.with_file_name(found).display().to_string())
-}
-
-/// The names of the files in a folder, sorted; hidden ones are left out.
-fn files_in(folder: &Path) -> io::Result<Vec<String>> {
-    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-    let mut names = Vec::new();
-    for entry in std::fs::read_dir(folder)? {
-        let entry = entry?;
-        let name = entry.file_name().to_string_lossy().into_owned();
-        if entry.path().is_file() && !name.starts_with('.') {
-            names.push(name);
-        }
-    }
-    names.sort();
-    Ok(names)
 }
 
 impl Files for Folder {

@@ -9,6 +9,7 @@ pub mod failure;
 mod files;
 mod flags;
 mod interruption;
+mod missing_file;
 pub mod output;
 mod picture;
 mod progress;

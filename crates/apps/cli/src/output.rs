@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 use staging::StagedFiles;
 
 use crate::failure::Failure;
-use crate::files;
 use crate::interruption;
+use crate::missing_file::explained;
 use report::products::{ANSWER, SceneProducts};
 use study::plan::PlanError;
 use tables::{Format, TableError};
@@ -57,7 +57,7 @@ impl Place {
             }
             Place::File(path) => {
                 bytes = std::fs::read(path).map_err(|error| {
-                    Failure::reading(&path.display().to_string(), &files::explained(error, path))
+                    Failure::reading(&path.display().to_string(), &explained(error, path))
                 })?;
             }
         }

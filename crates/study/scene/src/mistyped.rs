@@ -56,7 +56,7 @@ fn ends_in_digit(text: &str) -> bool {
     text.ends_with(|c: char| c.is_ascii_digit())
 }
 
-/// What is wrong with a value without quotes; `None` for numbers, words of TOML, and text in quotes.
+/// Finds the problem of a value without quotes; `None` for numbers, words of TOML, and text in quotes.
 fn of_bare(value: &str) -> Option<SceneProblem> {
     let is_plain = value.replace('_', "").parse::<f64>().is_ok() || ["true", "false"].contains(&value);
     if value.is_empty() || is_plain || value.contains(['"', '\'']) {
