@@ -148,7 +148,7 @@ def test_files_that_do_not_do_are_told(tmp_path: Path) -> None:
         ta.composite([path, tmp_path / "none.npy"], unit="m", size="4 um")
     refusals: list[tuple[dict[str, Any], str]] = [
         ({"unit": "m"}, " size"),
-        ({"size": "4 um"}, " unit (m, cm"),
+        ({"size": "4 um"}, "unit of heights; set it with unit"),
         ({"unit": "furlong"}, "unit: 'furlong'"),
         ({"unit": "m", "size": -1.0}, "size -1;"),
         ({"unit": "m", "size": 1.0, "gaps": "none"}, "'none' refuse, harmonic, lines"),

@@ -201,7 +201,8 @@ def test_files_are_written_all_or_none(folder: Path) -> None:
 
 def test_paths_and_texts(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     by_path = ta.Scene.from_toml(folder / "scene.toml")
-    assert by_path.text == SCENE and by_path.title == "Steel on glass" and by_path.notes == ()
+    assert by_path.text == SCENE and by_path.title == "Steel on glass"
+    assert len(by_path.notes) == 1 and "rad/m" in by_path.notes[0]
     assert ta.Scene.from_toml(str(folder / "scene.toml")).scales() == by_path.scales()
     assert ta.Scene.from_toml(SCENE, folder=folder).scales() == by_path.scales()
     monkeypatch.chdir(folder)

@@ -103,13 +103,12 @@ impl MaterialInput {
         let poisson_ratio =
             self.poisson_ratio.ok_or(QuestionError::ElasticConstant(OptionName::PoissonRatio))?;
         let body = BodyInput { youngs_modulus_pa, poisson_ratio }.body(OptionName::PoissonRatio)?;
-        let material = Material::new(GivenMaterial {
+        Ok(Material::new(GivenMaterial {
             counterface: self.counterface()?,
             hardness_and_strength: self.hardness_and_strength()?,
             strength_cap: self.strength_cap,
             strain_gradient_length_m: self.strain_gradient_length_m,
             ..GivenMaterial::new(body)
-        });
-        Ok(material.checked()?)
+        }))
     }
 }
