@@ -227,6 +227,35 @@ impl Layout {
     }
 }
 
+/// The files in a folder that a run replaces or removes: those of its products, and tables and figures of earlier runs.
+/// None of them may be an input.
+///
+/// # Errors
+/// [`Failure::System`] if the folder cannot be read.
+pub fn replaced_files(products: &[String], folder: &Path, layout: Layout) -> Result<Vec<PathBuf>, Failure> {
+    let mut names: Vec<String> = products.iter().map(|name| layout.place(name)).collect();
+    if layout == Layout::Folders {
+        names.extend(TEXTS.map(str::to_owned));
+    }
+    for (table, _) in stale_tables(folder, layout, &names)? {
+        for name in with_figure(&table, layout) {
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+    }
+    Ok(names.iter().map(|name| folder.join(name)).filter(|path| path.exists()).collect())
+}
+
+/// The texts beside the report of a scene in folders.
+const TEXTS: [&str; 2] = ["summary.txt", "scene.toml"];
+
+/// The places of a table and of the figure of its name.
+fn with_figure(table: &str, layout: Layout) -> [String; 2] {
+    let figure = table.replace(".csv", ".svg");
+    [table, &figure].map(|name| layout.place(name))
+}
+
 /// Writes every file of a scene into a folder, all of them or none; yields their names.
 ///
 /// # Errors
@@ -249,8 +278,7 @@ pub fn write_products(
         products.each_file(format, |name, content| stage(&mut files, &place(name), |out| content(out)))?;
     let mut names: Vec<String> = names.iter().map(|name| layout.place(name)).collect();
     if layout == Layout::Folders {
-        let texts = [("summary.txt", summary), ("scene.toml", products.evidence.scene.text.as_str())];
-        for (name, text) in texts {
+        for (name, text) in TEXTS.into_iter().zip([summary, products.evidence.scene.text.as_str()]) {
             stage(&mut files, &folder.join(name), |out| out.write_all(text.as_bytes()))?;
             names.push(name.to_owned());
         }
@@ -264,7 +292,11 @@ pub fn write_products(
 fn stale_tables(folder: &Path, layout: Layout, written: &[String]) -> Result<Vec<(String, String)>, Failure> {
     let reading = |error: io::Error| Failure::System(format!("reading {}: {error}", folder.display()));
     let mut tables = Vec::new();
-    for entry in std::fs::read_dir(folder.join(layout.tables())).map_err(reading)? {
+    let of_tables = folder.join(layout.tables());
+    if !of_tables.is_dir() {
+        return Ok(tables);
+    }
+    for entry in std::fs::read_dir(of_tables).map_err(reading)? {
         let name = entry.map_err(reading)?.file_name().to_string_lossy().into_owned();
         let place = layout.place(&name);
         if name.ends_with(".csv") && !written.contains(&place) {
@@ -321,8 +353,7 @@ pub fn clear_earlier_runs(
         .into_iter()
         .filter(|(_, other)| title.is_none_or(|title| other == title))
     {
-        let figure = table.replace(".csv", ".svg");
-        for name in [table, figure].map(|name| layout.place(&name)) {
+        for name in with_figure(&table, layout) {
             if !written.contains(&name) && std::fs::remove_file(folder.join(&name)).is_ok() {
                 removed.push(name);
             }

@@ -34,6 +34,14 @@ impl Targets {
         }
     }
 
+    /// Adds files that one option names together.
+    ///
+    /// # Errors
+    /// Errors of [`with_file`](Self::with_file).
+    pub fn with_files(self, option: &'static str, paths: &[PathBuf]) -> Result<Self, Failure> {
+        paths.iter().try_fold(self, |targets, path| targets.with_file(option, path))
+    }
+
     /// Adds a file.
     ///
     /// # Errors

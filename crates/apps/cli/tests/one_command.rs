@@ -57,6 +57,47 @@ fn what_a_report_lacks_is_named_with_what_to_type() {
 }
 
 #[test]
+fn no_file_that_is_read_or_that_somebody_else_wrote_is_replaced_or_removed() {
+    let bench = Bench::new();
+    let scene = |psd: &str, figure: &str| {
+        format!(
+            "title = \"s\"\nsurface = {{ psd = \"{psd}\" }}\n[[figure]]\nname = \"{figure}\"\nshows = \"psd\"\n"
+        )
+    };
+    bench.write("s.toml", scene("builtin:uncd-measured", "spectrum")).run(&["run", "s.toml"]).ok();
+    let table = bench.read("s-results/spectrum.csv");
+    // A table of an earlier run is an input of the next, which would remove it.
+    bench.write("s.toml", scene("s-results/spectrum.csv", "other"));
+    bench.run(&["run", "s.toml"]).refused_naming(&["s-results/spectrum.csv", "--out"]);
+    assert_eq!(bench.read("s-results/spectrum.csv"), table);
+    let report = |file: &str, out: &str| {
+        bench.run(&[
+            "report",
+            file,
+            "--material",
+            "100Cr6",
+            "--pressure",
+            "1MPa",
+            "--title",
+            "s",
+            "--out",
+            out,
+        ])
+    };
+    std::fs::create_dir_all(bench.path("r/data")).unwrap();
+    for name in ["r/data/spectrum.csv", "r/data/elastic.csv"] {
+        bench.write(name, table.clone());
+        report(name, "r").refused_naming(&[name, "--out"]);
+        assert_eq!(bench.read(name), table);
+        std::fs::remove_file(bench.path(name)).unwrap();
+    }
+    std::fs::create_dir(bench.path("own")).unwrap();
+    bench.write("own/scene.toml", "mine");
+    report("builtin:uncd-measured", "own").refused_naming(&["own", "scene.toml"]);
+    assert_eq!(bench.read("own/scene.toml"), "mine");
+}
+
+#[test]
 fn a_scene_without_curves_runs_every_model_and_the_judge_may_add_the_others() {
     let bench = Bench::new();
     let scene = "[surface]\npsd = \"builtin:uncd-measured\"\n[material]\nname = \"100Cr6\"\n[loads]\npressures = [\"10 MPa\"]\n";

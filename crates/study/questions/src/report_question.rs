@@ -6,6 +6,9 @@ use measurements::{ScanRequest, TipRadius};
 use serde::{Deserialize, Serialize};
 use toml::Value;
 
+/// The line that begins the scene of a report.
+const FIRST_LINE: &str = "# Made by `truearea report`. `truearea run` on this file repeats it.";
+
 /// A question for everything that follows from surfaces, bodies and loads: all models that apply, their verdicts and
 /// intervals, and a report. Quantities are text with a unit, as a scene takes them.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -92,10 +95,16 @@ impl BodyText {
 }
 
 impl ReportQuestion {
+    /// Returns true for the text of a scene that [`scene_text`](Self::scene_text) gave.
+    #[must_use]
+    pub fn wrote(text: &str) -> bool {
+        text.starts_with(FIRST_LINE)
+    }
+
     /// Returns the scene that gives the report. Without curves it runs all models that apply.
     #[must_use]
     pub fn scene_text(&self) -> String {
-        let mut text = "# Made by `truearea report`. `truearea run` on this file repeats it.\n\n".to_owned();
+        let mut text = format!("{FIRST_LINE}\n\n");
         if let Some(title) = &self.title {
             let _ = writeln!(text, "title = {}\n", quoted(title));
         }

@@ -191,15 +191,13 @@ fn read(args: &RunArgs, folder: &Path, context: &Context<'_>) -> Result<Scene, F
     let scene = Scene::parse(text, &files, &overrides(args)?)
         .map_err(|error| Failure::Input(report::scene_errors::drawn(&error, text, &name)))?;
     if writes_files && folder.is_dir() {
-        let mut results = Targets::default();
         let written = products::file_names(&scene, options(args), context.shared.format);
         // A folder named after the scene is its own, whatever its title was.
         if args.out.is_some() {
             output::refuse_other_scenes(folder, &written, &scene.title)?;
         }
-        for name in written {
-            results = results.with_file("--out", &folder.join(name))?;
-        }
+        let replaced = output::replaced_files(&written, folder, Layout::Flat)?;
+        let results = Targets::default().with_files("--out", &replaced)?;
         results.spare_place(&args.scene)?;
         files.spare_from(&results)?;
     }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use measurements::{ScanProblem, ScanRequest, TopographyError};
 use questions::{ReportQuestion, ReportSurface, RunOptions};
-use report::products::REPORT;
+use report::products::{self, REPORT};
 use scans::{Mend, ScanOption};
 use scene::{Overrides, Scene, SceneError, SceneProblem};
 use spectrum::ReadOptions;
@@ -17,7 +17,7 @@ use super::run_scene::SceneRun;
 use crate::args::ReportArgs;
 use crate::failure::Failure;
 use crate::files::Folder;
-use crate::output::{Layout, make_folder};
+use crate::output::{self, Layout, make_folder};
 use crate::targets::Targets;
 use crate::timings::Timings;
 
@@ -25,6 +25,7 @@ pub(super) fn run(args: &ReportArgs, context: &Context<'_>) -> Result<(), Failur
     let mut timings = Timings::start();
     let folder = args.out.clone().unwrap_or_else(|| default_folder(&args.files));
     let mut question = question(args, context)?;
+    refuse_other_scene(&folder)?;
     // Paths in the scene are relative to the folder, so that the scene there repeats the report.
     let made = !folder.exists();
     make_folder("--out", &folder)?;
@@ -35,7 +36,7 @@ pub(super) fn run(args: &ReportArgs, context: &Context<'_>) -> Result<(), Failur
         }
     })?;
     timings.lap("reading");
-    let options = RunOptions { report: true, judge: None, uncertainty: None };
+    let options = OPTIONS;
     let owns_folder = args.out.is_none();
     SceneRun { scene: &scene, folder: &folder, owns_folder, layout: Layout::Folders, options }
         .run(timings, context)?;
@@ -45,6 +46,20 @@ pub(super) fn run(args: &ReportArgs, context: &Context<'_>) -> Result<(), Failur
             .map_err(|error| Failure::System(format!("opening {}: {error}", page.display())))?;
     }
     Ok(())
+}
+
+/// Everything that a report holds.
+const OPTIONS: RunOptions = RunOptions { report: true, judge: None, uncertainty: None };
+
+/// Refuses a folder whose scene somebody else wrote, which the report would replace.
+fn refuse_other_scene(folder: &Path) -> Result<(), Failure> {
+    match std::fs::read_to_string(folder.join("scene.toml")) {
+        Ok(text) if !ReportQuestion::wrote(&text) => Err(Failure::Input(format!(
+            "--out {}: scene.toml there is not of a report; name another folder",
+            folder.display()
+        ))),
+        _ => Ok(()),
+    }
 }
 
 /// Fills the question from the options, and asks for what is missing if somebody can answer.
@@ -93,7 +108,9 @@ fn scene(question: &mut ReportQuestion, folder: &Path, context: &Context<'_>) ->
         let files = Folder::of(&folder.join("scene.toml"), context.targets(None)?);
         match Scene::parse(&text, &files, &Overrides::default()) {
             Ok(scene) => {
-                files.spare_from(&Targets::default())?;
+                let products = products::file_names(&scene, OPTIONS, context.shared.format);
+                let replaced = output::replaced_files(&products, folder, Layout::Folders)?;
+                files.spare_from(&Targets::default().with_files("--out", &replaced)?)?;
                 return Ok(scene);
             }
             Err(error) => {
