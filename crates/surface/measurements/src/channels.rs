@@ -2,7 +2,8 @@
 
 use scans::{Axis, Measure, Probe, ScanFile, Statistics, visit_channels};
 use tables::Table;
-use units::display::length;
+use topography::{HeightParameters, ParameterValue, RoughnessParameter};
+use units::display::{counted, length, three_digits};
 
 use crate::error::{ScanProblem, TopographyError};
 use crate::files::{Files, file_name};
@@ -34,6 +35,7 @@ struct Row {
     rms_slope_x: Option<f64>,
     rms_slope_y: Option<f64>,
     note: String,
+    roughness: Vec<RoughnessParameter>,
 }
 
 impl Channels {
@@ -41,6 +43,12 @@ impl Channels {
     #[must_use]
     pub fn from_scan(request: &ScanRequest, file: &ScanFile) -> Self {
         Channels { rows: vec![Row::new(request, file)], unreadable: Vec::new() }
+    }
+
+    /// Describes the channels for people: kind, size, points, missing points, roughness parameters and notes.
+    #[must_use]
+    pub fn describe(&self) -> String {
+        self.rows.iter().map(|row| row.describe() + "\n").collect()
     }
 
     /// Makes a table with the columns `file, format, channel, points_x, points_y, size_x_m, size_y_m, rms_height_m,
@@ -68,6 +76,39 @@ impl Channels {
             .with_numbers("rms_slope_x", number(|row| row.rms_slope_x))
             .with_numbers("rms_slope_y", number(|row| row.rms_slope_y))
             .with_text("note", text(|row| &row.note))
+    }
+}
+
+impl Row {
+    /// Describes the channel in a few lines, in um and nm with three digits.
+    fn describe(&self) -> String {
+        let title = [&self.file, &self.format, &self.channel];
+        let title = title.map(String::as_str).into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>();
+        let mut lines = vec![title.join(" - ")];
+        if let (Some((x, y)), Some(size_x_m)) = (self.points, self.size_x_m) {
+            let missing = match self.gaps {
+                None | Some(0) => "none missing".to_owned(),
+                Some(missing) => format!("{} missing", counted(missing, "point")),
+            };
+            lines.push(match self.size_y_m {
+                Some(size_y_m) => {
+                    format!("map, {} x {}, {x} x {y} points, {missing}", length(size_x_m), length(size_y_m))
+                }
+                None => format!("profile, {}, {x} points, {missing}", length(size_x_m)),
+            });
+        }
+        let worded = |parameter: &RoughnessParameter| {
+            let value = match parameter.value {
+                ParameterValue::LengthM(value_m) => length(value_m),
+                ParameterValue::Number(value) => three_digits(value),
+            };
+            format!("{} {value}", parameter.symbol)
+        };
+        lines.push(self.roughness.iter().map(worded).collect::<Vec<_>>().join(", "));
+        lines.push(self.note.clone());
+        lines.retain(|line| !line.is_empty());
+        // Names and notes come from files; a terminal would obey their control characters.
+        lines.iter().map(|line| line.replace(char::is_control, "\u{fffd}")).collect::<Vec<_>>().join("\n  ")
     }
 }
 
@@ -149,6 +190,9 @@ impl Row {
             rms_slope_x: in_m.and_then(|found| found.rms_slope_x),
             rms_slope_y: in_m.and_then(|found| found.rms_slope_y),
             note: note(file, found),
+            roughness: in_m
+                .and_then(|_| HeightParameters::from_scan(scan))
+                .map_or_else(Vec::new, |found| found.parameters()),
         }
     }
 }

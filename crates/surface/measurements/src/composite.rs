@@ -12,6 +12,7 @@ use crate::files::Files;
 use crate::instrument::InstrumentOfScan;
 use crate::load::{Loaded, load};
 use crate::request::ScanRequest;
+use crate::sketch::ScanSketch;
 use topography::Recipe;
 
 /// The composite spectrum of the scans in files.
@@ -23,6 +24,8 @@ pub struct CompositeOfFiles {
     pub sources: Vec<Source>,
     /// Middles of its maps, for boundary elements.
     pub maps: Vec<MapPatch>,
+    /// The scans in short; a map has one, also if it has a spectrum along each axis.
+    pub sketches: Vec<ScanSketch>,
 }
 
 /// The middle of a map, for boundary elements.
@@ -112,7 +115,7 @@ impl CompositeOfFiles {
         progress: &dyn Progress,
     ) -> Result<Self, TopographyError> {
         let of_files = parallel::map_owned(inputs, |input| transform_input(input, files, recipe, progress));
-        let (mut scans, mut maps) = (Vec::new(), Vec::new());
+        let (mut scans, mut maps, mut sketches) = (Vec::new(), Vec::new(), Vec::new());
         let mut sources: Vec<Source> = Vec::new();
         let mut request_of = Vec::new();
         for (at, of_file) in of_files.into_iter().enumerate() {
@@ -121,6 +124,7 @@ impl CompositeOfFiles {
             scans.extend(of_file.scans);
             sources.extend(of_file.sources);
             maps.extend(of_file.maps);
+            sketches.extend(of_file.sketches);
         }
         let uses: Vec<InstrumentUse<'_>> = sources
             .iter()
@@ -132,9 +136,10 @@ impl CompositeOfFiles {
             })
             .collect();
         agreement::check(&uses)?;
+        shorten_instruments(&mut sources);
         let spectrum = CompositeSpectrum::new(scans, recipe)
             .map_err(|error| TopographyError::for_all(ScanProblem::Transform { scan: None, error }))?;
-        Ok(CompositeOfFiles { spectrum, sources, maps })
+        Ok(CompositeOfFiles { spectrum, sources, maps, sketches })
     }
 
     /// Provenance of the composite: the recipe, and the files with their SHA-256.
@@ -164,11 +169,24 @@ impl CompositeOfFiles {
     }
 }
 
+/// Names instruments that are known by the path of their file by its last part alone, where no other has that name.
+fn shorten_instruments(sources: &mut [Source]) {
+    let short = |name: &str| name.rsplit(['/', '\\']).next().unwrap_or_default().to_owned();
+    let names: Vec<String> = sources.iter().map(|source| source.instrument.name.clone()).collect();
+    for source in sources.iter_mut().filter(|source| source.instrument.name == source.file) {
+        let own = short(&source.file);
+        if names.iter().all(|name| *name == source.file || short(name) != own) {
+            source.instrument.name = own;
+        }
+    }
+}
+
 /// Spectra of one file, with one source per spectrum.
 struct FileSpectra {
     scans: Vec<ScanSpectrum>,
     sources: Vec<Source>,
     maps: Vec<MapPatch>,
+    sketches: Vec<ScanSketch>,
 }
 
 /// Reads the file, if the scans are not in memory, and transforms every scan in it.
@@ -188,12 +206,14 @@ fn transform_input(
     let request = &request;
     progress.advance(1);
     let recipe = request.recipe(recipe);
-    let mut found = FileSpectra { scans: Vec::new(), sources: Vec::new(), maps: Vec::new() };
+    let mut found =
+        FileSpectra { scans: Vec::new(), sources: Vec::new(), maps: Vec::new(), sketches: Vec::new() };
     for scan in scans {
         let name = (scan.name != request.path).then(|| scan.name.clone());
         let blame = |error: TransformError| {
             TopographyError::for_file(&request.path, ScanProblem::Transform { scan: name.clone(), error })
         };
+        found.sketches.push(ScanSketch::new(&scan));
         let scan = without_gaps(scan, recipe.gaps).map_err(blame)?;
         let instrument = InstrumentOfScan::new(request, &scan);
         found.maps.extend(MapPatch::from_file(&scan));

@@ -14,6 +14,7 @@ mod load;
 mod map;
 mod only_map;
 mod request;
+mod sketch;
 
 pub use areal::{AreaSpectrum, areal_spectrum};
 pub use calibration::{Instrument, SlopeUncertainty, ZCalibration};
@@ -27,3 +28,4 @@ pub use list::{ListError, requests_of_list};
 pub use load::{Loaded, METADATA_FILES, heights_in, holds_a_spectrum, holds_heights};
 pub use map::MapOfFile;
 pub use request::{RequestError, ScanRequest, TipRadius};
+pub use sketch::ScanSketch;

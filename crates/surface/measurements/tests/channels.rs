@@ -26,8 +26,12 @@ fn images(damaged: &[usize]) -> Vec<u8> {
 }
 
 fn found(bytes: Vec<u8>) -> Channels {
-    let files = BTreeMap::from([("scan.001".to_owned(), bytes)]);
-    let request = ScanRequest { path: "scan.001".to_owned(), ..ScanRequest::default() };
+    found_in("scan.001", bytes)
+}
+
+fn found_in(path: &str, bytes: Vec<u8>) -> Channels {
+    let files = BTreeMap::from([(path.to_owned(), bytes)]);
+    let request = ScanRequest { path: path.to_owned(), ..ScanRequest::default() };
     let Ok(found) = read_channels::<()>(&[request], &files, false, |_, _| Ok(())) else { panic!("no way") };
     found
 }
@@ -54,4 +58,16 @@ fn every_channel_that_cannot_be_read_has_its_row_in_the_order_of_the_file() {
 fn a_file_is_unreadable_where_none_of_its_channels_can_be_read() {
     let told = found(images(&[0, 1, 2]));
     assert_eq!((told.table().rows(), told.unreadable.len()), (0, 1));
+}
+
+#[test]
+fn descriptions_have_a_paragraph_per_channel_and_no_control_characters() {
+    let text = found_in("\u{1b}[2J.001", images(&[1])).describe();
+    assert!(!text.contains('\u{1b}') && text.matches("[2J.001").count() == 3, "{text}");
+    // The second channel cannot be read: a note, and no numbers.
+    for (words, count) in
+        [(" 4 x 2 points, none missing\n", 2), ("\n  Sa ", 2), (" Sq ", 2), ("Bytes/pixel", 1)]
+    {
+        assert_eq!(text.matches(words).count(), count, "{words} in {text}");
+    }
 }

@@ -60,9 +60,9 @@ pub enum ScanError {
         /// Number found.
         found: usize,
     },
-    /// A spacing that is no finite length above 0.
+    /// A spacing that is no length, or an absurd one.
     #[error(
-        "building a scan: the {what} is {}, it must be finite and above 0; check the size of the scan and its unit",
+        "building a scan: the {what} is {}, it must be above 0 and within 1e-60 to 1e60 m; check the size of the scan and its unit",
         length(*.value)
     )]
     BadSpacing {
@@ -365,8 +365,11 @@ fn refuse_few(what: &'static str, found: usize) -> Result<(), ScanError> {
     if found < 2 { Err(ScanError::TooFew { what, found }) } else { Ok(()) }
 }
 
+/// Spacings of scans \[m\]: ratios and squares of them stay within double precision.
+const SPACINGS_M: std::ops::RangeInclusive<f64> = 1e-60..=1e60;
+
 fn refuse_bad_spacing(what: &'static str, value: f64) -> Result<(), ScanError> {
-    if value.is_finite() && value > 0.0 { Ok(()) } else { Err(ScanError::BadSpacing { what, value }) }
+    if SPACINGS_M.contains(&value) { Ok(()) } else { Err(ScanError::BadSpacing { what, value }) }
 }
 
 fn refuse_undefined(heights_m: &[f64], place: impl Fn(usize) -> String) -> Result<(), ScanError> {

@@ -3,6 +3,8 @@
 use crate::measured::Measured;
 
 /// Sums over the points of a scan that have a height; nothing is subtracted but the mean.
+///
+/// Roughness parameters, which begin with the removal of form, are `topography::HeightParameters`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Statistics {

@@ -268,6 +268,8 @@ fn x3p_descriptions_that_lie() {
     refused!(with("<DataType>D<", "<DataType>X<"), BadField { field: "the text", value: "'X'" });
     refused!(with("bindata/data.bin", "../data.bin"), PathOutside { path: "../data.bin" });
     refused!(with("</Record3>", ""), Syntax { file: "main.xml" });
+    let attributes: String = (0..300_000).map(|at| format!(" a{at}=\"\"")).collect();
+    refused!(with("<Record3>", &format!("<Record3{attributes}>")), Syntax { file: "main.xml" });
     refused!(with("<DataLink>", "<DataList>"), Syntax { file: "main.xml" });
     let invalid = X3p { valid: Some(&[0xff, 0xbf, 0xff]), ..X3p::surface('I', 6, &map) };
     assert_eq!(missing_points(&invalid.to_bytes(), &none()), [14]);

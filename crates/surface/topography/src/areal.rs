@@ -175,8 +175,14 @@ impl<'a> ArealTransform<'a> {
         let steps = [longest_m / length_x_m, longest_m / length_y_m];
         let corner = (steps[0] * (columns / 2) as f64).hypot(steps[1] * (rows / 2) as f64);
         let width = (corner / MAX_RINGS).max(1.0);
-        Rings { steps, width, count: (corner / width + 0.5) as usize + 1 }
+        Rings { steps, width, count: nearest(corner / width) + 1 }
     }
+}
+
+/// Rounds a radius >= 0 to the nearest ring. A radius halfway between two rings, as maps of 3:2 have it, belongs to the
+/// outer one whatever the last bits of the sides are.
+fn nearest(radius: f64) -> usize {
+    (radius * (1.0 + 1e-12) + 0.5) as usize
 }
 
 impl ArealSums {
@@ -209,6 +215,6 @@ impl Rings {
     fn place(&self, column: usize, row: usize) -> (usize, f64) {
         let (x, y) = (self.steps[0] * column as f64, self.steps[1] * row as f64);
         let radius = (x * x + y * y).sqrt();
-        (((radius / self.width + 0.5) as usize).clamp(1, self.count - 1), radius)
+        (nearest(radius / self.width).clamp(1, self.count - 1), radius)
     }
 }

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::sums::{Spread, dot, sum_of, sums_of};
-use scans::HeightMap;
+use scans::{HeightMap, Measured};
 use units::named;
 
 /// Trend subtracted from the heights before they are transformed, fitted by least squares.
@@ -33,6 +33,86 @@ pub fn detrended_m(map: &HeightMap, detrend: Detrend) -> Vec<f64> {
         trend.subtract(row, heights_m, &factors, rest_m);
     });
     rest_m
+}
+
+/// Subtracts the least-squares plane of a map, or line of a profile, through the points that have a height \[m\].
+///
+/// Equals [`detrended_m`] where no point is missing; then the fit is not separable in x and y.
+#[must_use]
+pub fn without_form_m(scan: &Measured) -> Vec<Option<f64>> {
+    Form::fit(scan).removed_m(scan).collect()
+}
+
+/// The least-squares plane or line through the points of a scan that have a height.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Form {
+    /// The height \[m\] in the middle of the scan.
+    level_m: f64,
+    /// The rise \[m\] from point to point along x and along y.
+    slopes_m: [f64; 2],
+}
+
+impl Form {
+    pub fn fit(scan: &Measured) -> Self {
+        // From the first height, then twice: the second fit removes what rounding left of a steep plane.
+        let Some(pivot_m) = scan.heights_m().flatten().next() else { return Form::default() };
+        let pivot = Form { level_m: pivot_m, slopes_m: [0.0; 2] };
+        let first = pivot.plus(pivot.of_rest(scan));
+        first.plus(first.of_rest(scan))
+    }
+
+    /// Iterates over the heights \[m\] from the form, row by row.
+    pub fn removed_m(self, scan: &Measured) -> impl Iterator<Item = Option<f64>> + '_ {
+        places(scan).zip(scan.heights_m()).map(move |(at, height_m)| {
+            let form_m = self.level_m + self.slopes_m[0] * at[0] + self.slopes_m[1] * at[1];
+            height_m.map(|height_m| height_m - form_m)
+        })
+    }
+
+    fn plus(self, other: Form) -> Self {
+        let slopes_m = [0, 1].map(|axis| self.slopes_m[axis] + other.slopes_m[axis]);
+        Form { level_m: self.level_m + other.level_m, slopes_m }
+    }
+
+    /// Fits the heights from this form.
+    fn of_rest(self, scan: &Measured) -> Self {
+        let (mut count, mut at_sum, mut products) = (0.0, [0.0; 2], [0.0; 3]);
+        let (mut height_sum_m, mut rises_m) = (0.0, [0.0; 2]);
+        for ([x, y], height_m) in places(scan).zip(self.removed_m(scan)) {
+            let Some(height_m) = height_m else { continue };
+            count += 1.0;
+            at_sum = [at_sum[0] + x, at_sum[1] + y];
+            products = [products[0] + x * x, products[1] + x * y, products[2] + y * y];
+            height_sum_m += height_m;
+            rises_m = [rises_m[0] + x * height_m, rises_m[1] + y * height_m];
+        }
+        let [x, y] = at_sum.map(|sum| sum / count);
+        let mean_m = height_sum_m / count;
+        let [xx, xy, yy] =
+            [products[0] / count - x * x, products[1] / count - x * y, products[2] / count - y * y];
+        let [xz, yz] = [rises_m[0] / count - x * mean_m, rises_m[1] / count - y * mean_m];
+        let determinant = xx * yy - xy * xy;
+        let slopes_m = match determinant > 1e-9 * xx * yy {
+            true => [(xz * yy - yz * xy) / determinant, (yz * xx - xz * xy) / determinant],
+            // All points lie on one line: the slope along its longer extent is all there is.
+            false if xx >= yy => [if xx > 0.0 { xz / xx } else { 0.0 }, 0.0],
+            false => [0.0, yz / yy],
+        };
+        Form { level_m: mean_m - slopes_m[0] * x - slopes_m[1] * y, slopes_m }
+    }
+}
+
+/// Iterates over the places of all points in steps from the middle of the scan, row by row.
+fn places(scan: &Measured) -> impl Iterator<Item = [f64; 2]> + '_ {
+    let (columns, rows) = scan.points();
+    let rows = rows.unwrap_or(1);
+    let middle = |points: usize| 0.5 * (points as f64 - 1.0);
+    let step_m = scan.spacing_m().0;
+    let x = move |column: usize| match scan.positions_m() {
+        Some(positions_m) => (positions_m[column] - positions_m[0]) / step_m - middle(columns),
+        None => column as f64 - middle(columns),
+    };
+    (0..rows).flat_map(move |row| (0..columns).map(move |column| [x(column), row as f64 - middle(rows)]))
 }
 
 /// The trend of the rows of a map, or of a line.
@@ -195,6 +275,19 @@ mod tests {
         assert!(moment(&|_| 1.0).abs() < 1e-15);
         assert!(moment(&|i| (i % columns) as f64 - 15.0).abs() < 1e-14);
         assert!(moment(&|i| (i / columns) as f64 - 9.5).abs() < 1e-14);
+    }
+
+    #[test]
+    fn form_of_complete_maps_is_their_plane() {
+        let (columns, rows) = (31, 20);
+        let tilted = |(i, h): (usize, &f64)| h + 3.0 * (i % columns) as f64 - 0.7 * (i / columns) as f64;
+        let heights: Vec<f64> = dyadic(columns * rows).iter().enumerate().map(tilted).collect();
+        let map = HeightMap::new(columns, 1.0, 1.0, heights).unwrap();
+        let expected = detrended_m(&map, Detrend::Plane);
+        let found = without_form_m(&scans::Scan::Map(map).into());
+        for (expected, found) in expected.iter().zip(found) {
+            assert!((expected - found.unwrap()).abs() < 1e-13);
+        }
     }
 
     #[test]

@@ -16,7 +16,7 @@ use crate::rows::Lines;
 use crate::{BandLimits, Preparation, ReliableBand, TransformError};
 
 /// Ratio of rms to largest height below which a scan is flat to rounding.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
+pub(crate) const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// A scan and its spectrum.
 #[derive(Debug, Clone)]

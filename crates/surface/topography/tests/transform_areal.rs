@@ -54,6 +54,23 @@ fn a_wave_has_its_variance_in_the_ring_of_its_wavevector() {
 }
 
 #[test]
+fn the_unit_of_lengths_moves_no_mode_into_another_ring() {
+    let (columns, rows) = (18, 12);
+    let modes = |spacing_m: f64| -> Vec<u64> {
+        let map = HeightMap::new(columns, spacing_m, spacing_m, Random(3).numbers(columns * rows)).unwrap();
+        areal_spectrum(&map, Preparation::PERIODIC).bins().iter().map(|bin| bin.modes).collect()
+    };
+    for at in 1..100 {
+        assert_eq!(modes(f64::from(at) * 0.1e-6), modes(1.0), "{at}");
+    }
+}
+
+#[test]
+fn sides_of_absurd_ratio_make_no_map() {
+    assert!(HeightMap::new(2, 1e-320, 1.0, vec![0.0; 4]).is_err());
+}
+
+#[test]
 fn the_two_directions_are_treated_alike() {
     let (columns, rows) = (48, 30);
     let heights = Random(4).numbers(columns * rows);

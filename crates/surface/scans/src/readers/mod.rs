@@ -47,6 +47,8 @@ mod wsxm;
 mod wyko;
 #[cfg(feature = "x3p")]
 mod x3p;
+#[cfg(any(feature = "archives", feature = "x3p"))]
+mod xml;
 mod zeta;
 
 use crate::channel::Channel;

@@ -86,7 +86,18 @@ fn text(bytes: &[u8]) -> Result<Vec<Channel<'_>>, ScanReadError> {
     let text: String = bytes.iter().map(|&byte| char::from(byte)).collect();
     let mut parts = text.splitn(3, '*');
     let (head, data) = (parts.next().unwrap_or_default(), parts.next().unwrap_or_default());
-    let trailer = parts.next().unwrap_or_default().trim_end_matches(['*', '\r', '\n', ' ']);
+    let trailer = parts.next();
+    // Without the asterisk, a number in the last place may have lost digits.
+    if trailer.is_none() && !data.ends_with(char::is_whitespace) {
+        let last = data.split_whitespace().last().unwrap_or_default();
+        return Err(bad(
+            Place::Line(text.lines().count()),
+            "the last height",
+            last,
+            "followed by '*'".to_owned(),
+        ));
+    }
+    let trailer = trailer.unwrap_or_default().trim_end_matches(['*', '\r', '\n', ' ']);
     let mut fields = Fields::default();
     for (index, line) in head.lines().enumerate().take(MOST_LINES).filter(|(_, line)| !line.starts_with(';'))
     {

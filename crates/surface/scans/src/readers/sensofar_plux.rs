@@ -2,7 +2,7 @@
 //!
 //! The names of the elements are those that the readers of Gwyddion and SurfaceTopography know.
 
-use roxmltree::{Document, Node, ParsingOptions};
+use roxmltree::Node;
 
 use crate::archive::{Archive, is_named_in, is_zip};
 use crate::channel::{Channel, Lateral, MOST_TEXT, Quantity, refuse_many, shortened};
@@ -12,7 +12,7 @@ use crate::metadata::Probe;
 use crate::numbers;
 use crate::options::ScanOptions;
 use crate::raster::{NumberType, Raster};
-use crate::readers::Reader;
+use crate::readers::{Reader, xml};
 use units::LengthUnit;
 
 const FORMAT: ScanFormat = ScanFormat::SensofarPlux;
@@ -37,8 +37,7 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
     let syntax = |problem: String| ScanReadError::Syntax { file: INDEX.to_owned(), problem };
     let text = std::str::from_utf8(&index).map_err(|error| syntax(format!("no UTF-8: {error}")))?;
     let text = text.trim_start_matches('\u{feff}');
-    let parsing = ParsingOptions { nodes_limit: MOST_NODES, ..ParsingOptions::default() };
-    let document = Document::parse_with_options(text, parsing).map_err(|error| syntax(error.to_string()))?;
+    let document = xml::parse(text, MOST_NODES).map_err(syntax)?;
     let root = document.root_element();
     let general = child(root, GENERAL).ok_or_else(|| missing(INDEX, GENERAL))?;
     let size = [count(general, "IMAGE_SIZE_X")?, count(general, "IMAGE_SIZE_Y")?];

@@ -1,5 +1,7 @@
 //! Surface data files in text and binary, with every type of number.
 
+use scans::ScanReadError;
+
 use crate::bytes::Bytes;
 use crate::refusal;
 use crate::{Sample, assert_holds, heights};
@@ -54,6 +56,13 @@ fn text_is_read() {
         .replace("aISO-1.0", "aBCR-1.0")
         .replace("\r\n*\r\n< Comment > on glass < /Comment >\r\n*\r\n", "\n");
     assert_holds(&heights(older.as_bytes())[0].scan, (3e-6, Some(4e-6)), &HEIGHTS, 1e-22);
+}
+
+#[test]
+fn a_text_cut_off_within_its_last_number_is_refused() {
+    let cut = TEXT.find(" BAD 6").unwrap() + " BAD 6".len();
+    let error = refusal(&TEXT.as_bytes()[..cut]);
+    assert!(matches!(error, ScanReadError::BadField { field, .. } if field == "the last height"));
 }
 
 #[test]

@@ -1,12 +1,11 @@
 //! XML description of a file: number of points, their places, and the place of their data.
 
-use roxmltree::{Document, ParsingOptions};
-
 use super::axis::{Axis, Coordinate};
 use super::element::Element;
 use super::{FORMAT, INDEX};
 use crate::error::{Place, ScanReadError};
 use crate::metadata::Probe;
+use crate::readers::xml;
 
 /// Files that are not made to be read have more.
 const MOST_NODES: u32 = 1_000_000;
@@ -45,9 +44,7 @@ impl Description {
         let syntax = |problem: String| ScanReadError::Syntax { file: INDEX.to_owned(), problem };
         let text = std::str::from_utf8(index).map_err(|error| syntax(format!("no UTF-8: {error}")))?;
         let text = text.trim_start_matches('\u{feff}');
-        let options = ParsingOptions { nodes_limit: MOST_NODES, ..ParsingOptions::default() };
-        let document =
-            Document::parse_with_options(text, options).map_err(|error| syntax(error.to_string()))?;
+        let document = xml::parse(text, MOST_NODES).map_err(syntax)?;
         let root = Element { node: document.root_element(), path: String::new() };
         let axes = root.child("Record1")?.child("Axes")?;
         let feature = root.child("Record1")?.child("FeatureType")?;
