@@ -85,7 +85,12 @@ impl<'py> Arguments<'py> {
 
     /// An argument that is true or false; false if it is not given.
     pub fn flag(&self, name: &str) -> PyResult<bool> {
-        Ok(self.convert(name, |_, given| given.extract::<bool>())?.unwrap_or_default())
+        let flag = |name: &str, given: &Given<'py>| {
+            let told =
+                || of_argument(name, format!("True or False is needed, and this is {}", type_name(given)));
+            given.extract::<bool>().map_err(|_| told())
+        };
+        Ok(self.convert(name, flag)?.unwrap_or_default())
     }
 
     pub fn sampling(&self) -> PyResult<SamplingInput> {
@@ -155,7 +160,7 @@ impl<'py> Arguments<'py> {
         Ok(separations.unwrap_or_default().iter().map(|length| length.m).collect())
     }
 
-    /// One thing, or each of a list, an array of one axis, or anything else that has a length; text is one thing.
+    /// One thing, or each of a list, an array of one axis, or anything else with a length and an order; text is one thing.
     fn several<T>(
         &self,
         name: &str,
@@ -164,6 +169,13 @@ impl<'py> Arguments<'py> {
         self.convert(name, |_, given| {
             if given.is_instance_of::<PyString>() || given.len().is_err() {
                 return Ok(vec![one(name, given)?]);
+            }
+            if given.is_instance_of::<PyDict>() || !given.hasattr("__getitem__")? {
+                let what = type_name(given);
+                return Err(of_argument(
+                    name,
+                    format!("it has no order, being {what}; give a list or an array"),
+                ));
             }
             let each = given.try_iter()?.enumerate();
             each.map(|(at, given)| one(&format!("{name}[{at}]"), &given?)).collect()
@@ -188,7 +200,10 @@ fn growth_law(argument: &str, given: &Given<'_>) -> PyResult<GrowthLaw> {
         let law = GrowthLaw::named(&name).map_err(|error| of_argument(argument, error))?;
         return law.ok_or_else(|| of_argument(argument, format!("'{name}' is none of power:N, nix-gao")));
     }
-    let (sizes_m, hardnesses_pa): (PyReadonlyArray1<'_, f64>, PyReadonlyArray1<'_, f64>) = given.extract()?;
+    let told =
+        || of_argument(argument, format!("a name or a table is needed, and this is {}", type_name(given)));
+    let (sizes_m, hardnesses_pa): (PyReadonlyArray1<'_, f64>, PyReadonlyArray1<'_, f64>) =
+        given.extract().map_err(|_| told())?;
     let rows = sizes_m.as_array().to_vec().into_iter().zip(hardnesses_pa.as_array().to_vec());
     HardnessTable::new(rows).map(GrowthLaw::Table).map_err(|error| of_argument(argument, error))
 }
@@ -233,7 +248,8 @@ pub fn quantity<Q: Quantity>(argument: &str, given: &Given<'_>) -> PyResult<Q> {
     if let Ok(text) = given.cast::<PyString>() {
         return text.to_str()?.parse().map_err(|error| of_argument(argument, error));
     }
-    let number = number(argument, given).map_err(|_| {
+    let bare = without_unit(argument, Q::UNIT, given)?;
+    let number = bare_number(argument, &bare).map_err(|_| {
         let (unit, example, what) = (Q::UNIT, Q::EXAMPLE, type_name(given));
         of_argument(
             argument,
@@ -250,8 +266,29 @@ pub fn checked(argument: &str, bound: Bound, number: f64) -> PyResult<f64> {
         .map_err(|error| input(format!("{argument} is {number}; it must be {}", error.bound)))
 }
 
-/// A plain number.
+/// Numbers in a unit: those of a quantity of pint, astropy or unyt converted to it, anything else as it is.
+#[pyfunction]
+pub fn without_unit<'py>(argument: &str, unit: &str, given: &Given<'py>) -> PyResult<Given<'py>> {
+    // pint's and astropy's, and unyt's.
+    for method in ["m_as", "to_value"] {
+        if given.hasattr(method)? {
+            let converted = given.call_method1(method, (unit,));
+            return converted.map_err(|error| {
+                let unit = if unit.is_empty() { "a plain number" } else { unit };
+                of_argument(argument, format!("cannot be converted to {unit}: {}", error.value(given.py())))
+            });
+        }
+    }
+    Ok(given.clone())
+}
+
+/// A number without a unit.
 pub fn number(argument: &str, given: &Given<'_>) -> PyResult<f64> {
+    bare_number(argument, &without_unit(argument, "", given)?)
+}
+
+/// A plain number.
+fn bare_number(argument: &str, given: &Given<'_>) -> PyResult<f64> {
     let refused = || of_argument(argument, format!("a number is needed, and this is {}", type_name(given)));
     if given.is_instance_of::<PyBool>() || given.is_instance_of::<PyString>() {
         return Err(refused());
@@ -260,7 +297,7 @@ pub fn number(argument: &str, given: &Given<'_>) -> PyResult<f64> {
 }
 
 /// A whole number in a range.
-fn whole(argument: &str, given: &Given<'_>, range: &RangeInclusive<u64>) -> PyResult<u64> {
+pub fn whole(argument: &str, given: &Given<'_>, range: &RangeInclusive<u64>) -> PyResult<u64> {
     number(argument, given)?;
     let whole = given.extract::<i128>().ok().and_then(|number| u64::try_from(number).ok());
     whole.filter(|number| range.contains(number)).ok_or_else(|| {

@@ -37,6 +37,11 @@ pub fn contact_states<'py>(
         ),
         options: arguments.model_options()?,
         tolerance: arguments.number("tolerance", None)?,
+        skips_bad_rows: match arguments.required("errors", text)?.as_str() {
+            "raise" => false,
+            "nan" => true,
+            other => return Err(of_argument("errors", format!("'{other}' is none of raise, nan"))),
+        },
     };
     let states = question.states().map_err(refused)?;
     let rows = roughness[0].len();
@@ -67,7 +72,8 @@ pub fn contact_states<'py>(
     for (name, column) in STATE_COLUMNS.into_iter().zip(found) {
         columns.set_item(name, PyArray1::from_vec(py, column))?;
     }
-    Ok(PyAnswer::of_columns(columns, question.notes_on(&counts, rows)))
+    let materials = materials.iter().map(|material| &material.get().material);
+    Ok(PyAnswer::of_columns(columns, question.notes_on(materials, &counts, rows)))
 }
 
 /// A bad row, by its place in the arrays.

@@ -24,6 +24,7 @@ mod _native {
     #[pymodule_export]
     use super::{
         answer::PyAnswer,
+        arguments::without_unit,
         boundary_elements::{press_heights, press_spectrum},
         contact::contact_states,
         curves::{curve, gaps},

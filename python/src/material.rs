@@ -32,6 +32,7 @@ impl PyMaterial {
             strain_gradient_length_m: arguments.length_m("strain_gradient_length")?,
             strength_cap: arguments.quantity("strength_cap")?,
             counterface: counterface(&arguments)?,
+            ..MaterialInput::default()
         };
         Ok(PyMaterial { input, material: input.material().map_err(refused)? })
     }
@@ -58,6 +59,12 @@ impl PyMaterial {
     fn pressure_pa(&self, argument: &str, pressure: &Given<'_>) -> PyResult<f64> {
         let pressure = self.material.nominal_pressure(load(argument, pressure)?.pressure);
         pressure.map(|pressure| pressure.pa()).map_err(|error| input(of_material(&error)))
+    }
+
+    /// The material as it was given, in SI units: equal for equal materials.
+    #[getter]
+    fn identity(&self) -> String {
+        format!("{:?}", self.input)
     }
 
     /// The material in a line.

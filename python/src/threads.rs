@@ -7,7 +7,10 @@ use std::thread::available_parallelism;
 use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use crate::errors::input;
+use crate::arguments::{Given, whole};
+
+/// Most threads per core: more only take room.
+const THREADS_PER_CORE: usize = 8;
 
 /// The threads, made when they are first needed.
 struct Threads {
@@ -19,8 +22,11 @@ struct Threads {
 static THREADS: Mutex<Threads> = Mutex::new(Threads { count: None, pool: None });
 
 impl Threads {
+    /// The number that was set, or that `RAYON_NUM_THREADS` says, or that of the cores.
     fn count(&self) -> usize {
-        self.count.or(available_parallelism().ok()).map_or(1, NonZeroUsize::get)
+        let cores = available_parallelism().map_or(1, NonZeroUsize::get);
+        let of_environment = || std::env::var("RAYON_NUM_THREADS").ok()?.parse().ok();
+        self.count.or_else(of_environment).map_or(cores, NonZeroUsize::get).min(THREADS_PER_CORE * cores)
     }
 
     /// The pool of this process; none where one thread is to do all, or no more can be had.
@@ -52,13 +58,13 @@ pub fn with_threads<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     }
 }
 
-/// Lets work take so many threads from now on.
+/// Lets work take so many threads from now on, of more than eight times the cores that many.
 #[pyfunction]
-pub fn set_threads(count: i64) -> PyResult<()> {
-    let given = usize::try_from(count).ok().and_then(NonZeroUsize::new);
-    let count = given.ok_or_else(|| input(format!("count is {count}; it must be at least 1")))?;
+pub fn set_threads(count: Given<'_>) -> PyResult<()> {
+    let count = whole("count", &count, &(1..=u64::from(u32::MAX)))?;
+    let count = NonZeroUsize::new(count as usize);
     let mut threads = THREADS.lock().unwrap_or_else(PoisonError::into_inner);
-    if threads.count.replace(count) != Some(count) {
+    if std::mem::replace(&mut threads.count, count) != count {
         threads.pool = None;
     }
     Ok(())

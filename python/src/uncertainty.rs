@@ -16,7 +16,7 @@ use uncertainty::{AreaInterval, Settings, Uncertainty, UncertaintyPlan, scatteri
 use units::Bound as NumberBound;
 
 use crate::answer::{Keywords, columns, refused, words};
-use crate::arguments::{Arguments, Given, number};
+use crate::arguments::{Arguments, Given, number, without_unit};
 use crate::errors::{input, of_argument};
 use crate::material::PyMaterial;
 use crate::surface::PySurface;
@@ -178,6 +178,7 @@ fn spreads(given: &[GivenSpread<'_>]) -> PyResult<MaterialSpreads> {
                 "{argument} has a standard uncertainty and no value; give the material one"
             )));
         }
+        refuse_bare_share(argument, uncertainty, unit)?;
         let (value, uncertainty) = (typed(argument, value, unit)?, typed(argument, uncertainty, unit)?);
         let uncertainty = without_sign(&uncertainty);
         let spread = property.spread(&value, uncertainty).map_err(|error| of_argument(argument, error))?;
@@ -186,11 +187,29 @@ fn spreads(given: &[GivenSpread<'_>]) -> PyResult<MaterialSpreads> {
     Ok(spreads)
 }
 
+/// Refuses a bare number that reads as a share of a property with a unit, such as 0.05 of a modulus.
+fn refuse_bare_share(argument: &str, given: &Given<'_>, unit: &str) -> PyResult<()> {
+    const SHARES: std::ops::RangeInclusive<f64> = 1e-3..=1.0;
+    match given.extract::<f64>() {
+        Ok(share) if !unit.is_empty() && SHARES.contains(&share) && !given.hasattr("units")? => {
+            let percent = 100.0 * share;
+            Err(of_argument(
+                argument,
+                format!("{share} may be a share or {unit}; type \"{percent} %\" or \"{share} {unit}\""),
+            ))
+        }
+        _ => Ok(()),
+    }
+}
+
 /// A quantity as it is typed in a scene.
 fn typed(argument: &str, given: &Given<'_>, unit: &str) -> PyResult<String> {
     match given.cast::<PyString>() {
         Ok(text) => Ok(text.to_string()),
-        Err(_) => Ok(format!("{} {unit}", number(argument, given)?).trim_end().to_owned()),
+        Err(_) => {
+            let bare = without_unit(argument, unit, given)?;
+            Ok(format!("{} {unit}", number(argument, &bare)?).trim_end().to_owned())
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import hashlib
 import json
 import os
@@ -9,9 +10,11 @@ import runpy
 import signal
 import subprocess
 import sys
+import threading
 import time
 import warnings
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -204,6 +207,10 @@ def test_a_killed_sweep_goes_on_where_it_was(tmp_path: Path, arguments: str) -> 
     subprocess.run([sys.executable, str(script)], env=environment, check=True)
     computed_again = [int(line) for line in log.read_text().splitlines()][len(before) :]
     assert sorted(computed_again) == sorted(set(range(40)) - in_files)
+    for aside in folder.glob(".*.aside"):
+        assert aside.name in written
+        os.utime(aside, (0, 0))
+    subprocess.run([sys.executable, str(script)], env=environment, check=True)
     after = content(folder)
     assert {name: after[name] for name in written if name in after} == {n: c for n, c in written.items() if not n.startswith(".")}
     whole, again = tmp_path / "whole", f", rows_per_partition={rows_per_partition}"
@@ -254,6 +261,142 @@ def test_another_sweep_into_the_same_folder_is_refused(tmp_path: Path, arguments
     with refused_naming(*told.split()):
         ta.sweep(**{**given, **arguments}, to=tmp_path)
     assert content(tmp_path) == before
+
+
+GLOBAL_FACTOR = 1.0
+
+
+def by_a_global(a: float) -> float:
+    return GLOBAL_FACTOR * a
+
+
+def by_a_function_of_a_global(a: float) -> float:
+    return by_a_global(a)
+
+
+class Scaling:
+    def __init__(self, factor: float) -> None:
+        self.factor = factor
+        self.models = {"itself": self}
+
+    def __call__(self, a: float) -> float:
+        return self.factor * a
+
+    def method(self, a: float) -> float:
+        return self.factor * a
+
+
+@dataclass
+class ScalingOfData:
+    factor: float
+
+    def __call__(self, a: float) -> float:
+        return self.factor * a
+
+
+def over_object(scaling: Scaling) -> Callable[[float], float]:
+    return lambda a: scaling.factor * a
+
+
+@pytest.mark.parametrize(
+    "swept",
+    [
+        Scaling,
+        ScalingOfData,
+        lambda factor: Scaling(factor).method,
+        lambda factor: functools.partial(Scaling(factor)),
+        lambda factor: functools.partial(lambda a, by: by * a, by=factor),
+        lambda factor: functools.cache(over_object(Scaling(factor))),
+        lambda factor: over_object(Scaling(factor)),
+        lambda factor: [lambda a: 1.0 * a, lambda a: 100.0 * a][factor > 1],
+    ],
+)
+def test_state_of_functions_makes_another_sweep(swept: Callable[[float], Any], tmp_path: Path) -> None:
+    given: dict[str, Any] = {"over": {"a": [1.0, 2.0]}, "to": tmp_path}
+    first = rows_of(ta.sweep(swept(1.0), **given))
+    assert first["value"].tolist() == [1.0, 2.0]
+    # The same state again, in other objects.
+    assert rows_of(ta.sweep(swept(1.0), **given))["value"].tolist() == [1.0, 2.0]
+    with refused_naming("state", str(tmp_path)):
+        ta.sweep(swept(100.0), **given)
+
+
+@pytest.mark.parametrize("swept", [by_a_global, by_a_function_of_a_global])
+def test_globals_make_another_sweep(swept: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    ta.sweep(swept, over={"a": [1.0]}, to=tmp_path)
+    monkeypatch.setitem(globals(), "GLOBAL_FACTOR", 100.0)
+    with refused_naming("state"):
+        ta.sweep(swept, over={"a": [1.0]}, to=tmp_path)
+
+
+def test_state_that_cannot_be_told_is_refused_by_name(tmp_path: Path) -> None:
+    scaling = Scaling(1.0)
+    scaling.models["lock"] = threading.Lock()  # type: ignore[assignment]
+    with refused_naming("models.lock", "method"):
+        ta.sweep(scaling.method, over={"a": [1.0]}, to=tmp_path)
+    with refused_naming("over['a']", "lock"):
+        ta.sweep(lambda a: 1.0, over={"a": [threading.Lock()]}, to=tmp_path)
+
+
+PROCESSES = """
+import sys, time
+import truearea as ta
+
+def doubled(a):
+    time.sleep(0.0005 * (1 + a % 3))
+    return 2.0 * a
+
+if __name__ == "__main__":
+    frame = ta.sweep(doubled, over={"a": range(256)}, to=sys.argv[1], partition_seconds=0.02)
+    assert frame.compute()["value"].tolist() == [2.0 * a for a in range(256)]
+"""
+
+
+@pytest.mark.parametrize("attempt", range(3))
+def test_two_processes_fill_one_folder(attempt: int, tmp_path: Path) -> None:
+    script, folder = tmp_path / "script.py", tmp_path / "folder"
+    script.write_text(PROCESSES)
+    environment = {**os.environ, "PYTHONPATH": str(Path(ta.__file__).parents[1])}
+    both = [subprocess.Popen([sys.executable, str(script), str(folder)], env=environment) for _ in range(2)]
+    assert [process.wait(timeout=120) for process in both] == [0, 0]
+    told = json.loads((folder / "_sweep.json").read_text())
+    assert len(list(folder.glob("*.parquet"))) == -(-256 // told["rows_per_partition"])
+    assert not list(folder.glob(".*.aside"))
+
+
+def test_damaged_parts_are_computed_again(tmp_path: Path) -> None:
+    def swept() -> list[float]:
+        found: list[float] = rows_of(ta.sweep(doubled, over={"a": range(64)}, to=tmp_path, rows_per_partition=8))["b"].tolist()
+        return found
+
+    def doubled(a: int) -> dict[str, Any]:
+        return {"b": 2.0 * a, "text": f"row {a}"}
+
+    expected = [2.0 * a for a in range(64)]
+    assert swept() == expected
+    part, other = tmp_path / "part-000003.parquet", tmp_path / "part-000004.parquet"
+    whole = part.read_bytes()
+    changed = [bytearray(whole) for _ in range(60)]
+    drawn = np.random.default_rng(1)
+    for content_ in changed:
+        content_[drawn.integers(len(whole))] ^= 1 << int(drawn.integers(8))
+    for damaged in [b"", whole[:400], whole[:-9], bytes(500), other.read_bytes(), *map(bytes, changed)]:
+        part.write_bytes(damaged)
+        assert swept() == expected
+    part.write_bytes(whole[:400])
+    lazily = ta.sweep(doubled, over={"a": range(64)}, to=tmp_path)
+    part.write_bytes(other.read_bytes())
+    with refused_naming(str(part)):
+        lazily.compute()
+
+
+@pytest.mark.parametrize("damaged", ["", "{}", "\x00", "[1]", None])
+def test_a_damaged_manifest_is_refused(damaged: str | None, tmp_path: Path) -> None:
+    ta.sweep(drawn, over={"a": [1.0, 2.0]}, to=tmp_path)
+    manifest = tmp_path / "_sweep.json"
+    manifest.write_text(manifest.read_text().replace('"rows": 2', '"rows": 3') if damaged is None else damaged)
+    with refused_naming(str(manifest)):
+        ta.sweep(drawn, over={"a": [1.0, 2.0]}, to=tmp_path)
 
 
 def test_folders_of_others_are_refused(tmp_path: Path) -> None:

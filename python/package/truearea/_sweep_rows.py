@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import functools
 import hashlib
 import inspect
 import json
-import pickle
+import platform
 import time
 from collections.abc import Callable, Mapping
-from types import CodeType
 from typing import Any, Union
 
 import numpy as np
@@ -19,6 +17,7 @@ from truearea._native import InputError
 from truearea._results import AnyArray, Result
 from truearea._scene import Scene
 from truearea._sweep_axes import Axes
+from truearea._sweep_digest import digest_of, name_of
 from truearea._threads import one_thread
 
 Swept = Union[Scene, Callable[..., Any]]
@@ -69,11 +68,12 @@ class Rows:
     def told(self) -> dict[str, Any]:
         """Where the rows come from, for people."""
         if self._told is None:
-            of = {"scene": self.swept.text} if isinstance(self.swept, Scene) else {"function": _name_of(self.swept)}
+            of = {"scene": self.swept.text} if isinstance(self.swept, Scene) else {"function": name_of(self.swept)}
             self._told = {
                 "program": f"truearea {_native.VERSION}",
+                "python": platform.python_version().rpartition(".")[0],
                 **of,
-                "source": _digest_of(self.swept),
+                "source": digest_of(self.swept, "" if isinstance(self.swept, Scene) else name_of(self.swept)),
                 "over": self.axes.told(),
                 "repeats": self.repeats,
                 "seed": self.seed,
@@ -240,61 +240,3 @@ def _extra_parameters(function: Callable[..., Any], names: list[str]) -> tuple[s
     except TypeError as error:
         raise InputError(f"over: the function cannot be called with {', '.join(names)}: {error}") from None
     return extra
-
-
-def _name_of(function: Any) -> str:
-    if isinstance(function, functools.partial):
-        return f"partial of {_name_of(function.func)}"
-    return f"{getattr(function, '__module__', '')}.{getattr(function, '__qualname__', type(function).__qualname__)}"
-
-
-def _digest_of(swept: Any) -> str:
-    """What tells a scene with its files, or the source of a function with what it has captured, from any other."""
-    content = hashlib.sha256()
-    if isinstance(swept, Scene):
-        text, _, _, files, overrides = swept._recipe
-        content.update(json.dumps([text, {name: str(overrides[name]) for name in overrides}], sort_keys=True).encode())
-        for name in sorted(files):
-            content.update(name.encode() + b"\0" + hashlib.sha256(files[name]).digest())
-        return content.hexdigest()
-    if isinstance(swept, functools.partial):
-        content.update(_digest_of(swept.func).encode())
-        content.update(pickle.dumps((swept.args, sorted(swept.keywords.items())), protocol=4))
-        return content.hexdigest()
-    content.update(_name_of(swept).encode())
-    try:
-        content.update(inspect.getsource(swept if inspect.isroutine(swept) else type(swept)).encode())
-    except (OSError, TypeError):
-        code = getattr(swept, "__code__", None)
-        if code is None:
-            raise InputError(f"{_name_of(swept)} has no source, which a folder tells sweeps by; give a function") from None
-        content.update(_digest_of_code(code))
-    captured = [cell.cell_contents for cell in getattr(swept, "__closure__", None) or ()]
-    for value in (getattr(swept, "__defaults__", None), getattr(swept, "__kwdefaults__", None), captured):
-        content.update(_digest_of_value(value, swept))
-    return content.hexdigest()
-
-
-def _digest_of_code(code: CodeType) -> bytes:
-    content = hashlib.sha256(code.co_code + repr(code.co_names).encode())
-    for constant in code.co_consts:
-        # A set has no order, and a function within has its code.
-        told = sorted(map(repr, constant)) if isinstance(constant, frozenset) else constant
-        content.update(_digest_of_code(told) if isinstance(told, CodeType) else repr(told).encode())
-    return content.digest()
-
-
-def _digest_of_value(value: Any, of: Any) -> bytes:
-    """That of what a function has captured; other functions by their source. A function may have captured itself."""
-    if value is of:
-        return b"itself"
-    if isinstance(value, (list, tuple)):
-        return b"[" + b",".join(_digest_of_value(one, of) for one in value) + b"]"
-    if inspect.isfunction(value) or isinstance(value, (Scene, functools.partial)):
-        return _digest_of(value).encode()
-    try:
-        return hashlib.sha256(pickle.dumps(value, protocol=4)).digest()
-    except Exception as error:
-        raise InputError(
-            f"{_name_of(of)} has captured something of type {type(value).__name__}, which cannot be told from another: {error}"
-        ) from None

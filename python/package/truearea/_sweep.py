@@ -11,7 +11,7 @@ from typing import Any
 from truearea._native import InputError
 from truearea._progress import Line, Progress, observer_of
 from truearea._sweep_axes import Axes, Over
-from truearea._sweep_files import Folder, frame_of, needed
+from truearea._sweep_files import Folder, frame_of, needed, read_part
 from truearea._sweep_rows import Rows, Swept
 from truearea._threads import one_thread
 
@@ -87,8 +87,8 @@ def sweep(
 
     Notes
     -----
-    A folder tells functions by their source and by what they have captured, not by what they call in turn. To see how long rows
-    take, and what their columns are, the first ones are computed here; those of a vectorised function are computed again.
+    A folder tells functions by their code, the state of objects, what they have captured, and the globals and the functions of
+    your own that they use; installed packages count by their names. To see how long rows take, and what their columns are, the first ones are computed here; those of a vectorised function are computed again.
 
     Examples
     --------
@@ -147,10 +147,8 @@ def _frame(rows: Rows, start: int, stop: int) -> Any:
 def _into_folder(path: Path, rows: Rows, size: Any, asked_size: int | None, client: Any, progress: Progress) -> Any:
     needed("pyarrow.parquet", "to")
     key = rows.key()
-    folder = Folder.begun(path, rows, key)
-    if folder is None:
-        folder = Folder.begin(path, rows, key, size())
-    elif asked_size not in (None, folder.rows_per_partition):
+    folder = Folder.begun(path, rows, key) or Folder.begin(path, rows, key, size())
+    if asked_size not in (None, folder.rows_per_partition):
         raise InputError(
             f"rows_per_partition is {asked_size}, and {path} was begun with {folder.rows_per_partition}; leave it out"
         )
@@ -171,17 +169,17 @@ def _into_folder(path: Path, rows: Rows, size: Any, asked_size: int | None, clie
     finally:
         line.end()
     folder.tidy()
-    files = [os.fspath(file) for file in folder.files()]
+    files, keys = folder.parts()
     if importlib.util.find_spec("dask") is not None:
-        meta = _read(files[0]).head(0)
-        return needed("dask.dataframe", "sweep").from_map(_read, files, meta=meta, enforce_metadata=False)
-    return needed("pandas", "sweep").concat([_read(file) for file in files], ignore_index=True)
+        meta = _read(files[0], keys[0]).head(0)
+        return needed("dask.dataframe", "sweep").from_map(_read, files, keys, meta=meta, enforce_metadata=False)
+    return needed("pandas", "sweep").concat([_read(file, key) for file, key in zip(files, keys)], ignore_index=True)
 
 
-def _read(file: str, columns: list[str] | None = None) -> Any:
-    """The rows of a file; Dask asks for the columns that it needs."""
+def _read(file: Path, key: str, columns: list[str] | None = None) -> Any:
+    """The rows of a part; Dask asks for the columns that it needs."""
     needed("pandas", "sweep")
-    return needed("pyarrow.parquet", "to").read_table(file, columns=columns).to_pandas()
+    return read_part(file, key, columns).to_pandas()
 
 
 def _client_of_this_process() -> Any:

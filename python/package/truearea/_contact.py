@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Mapping, Sequence, Set
+from typing import Any, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -13,6 +13,9 @@ from truearea._arrays import doubles
 from truearea._material import Material
 from truearea._native import InputError
 from truearea._results import FloatArray, Result
+
+
+_UNITS = {"radius": "m", "density": "1/m**2", "sigma_s": "m", "m0": "m**2", "m2": "", "m4": "1/m**2"}
 
 
 class ContactStates(Result):
@@ -47,6 +50,7 @@ def contact(
     hardness: str | None = None,
     interference_law: str | None = None,
     tolerance: float = 1e-12,
+    errors: Literal["raise", "nan"] = "raise",
 ) -> ContactStates:
     """States of populations of asperities pressed by a flat, for arrays of anything.
 
@@ -76,6 +80,8 @@ def contact(
         What ties pressure to interference of elastic sinusoids.
     tolerance : float, default 1e-12
         Relative tolerance of pressure and area, above 0 and at most 0.01.
+    errors : {"raise", "nan"}
+        Of numbers that cannot be used, end with the first, or leave their rows NaN and count them in ``notes``.
 
     Returns
     -------
@@ -115,8 +121,8 @@ def contact(
         raise InputError("pressure or separation is needed; give one of them")
     materials = _materials(material)
     condition = "separation" if pressure is None else "pressure"
-    at = doubles("separation", separation) if pressure is None else _pressures(pressure, materials)
-    arrays = {name: doubles(name, given[name]) for name in names} | {condition: at}
+    at = doubles("separation", separation, "m") if pressure is None else _pressures(pressure, materials)
+    arrays = {name: doubles(name, given[name], _UNITS[name]) for name in names} | {condition: at}
     shapes = {name: array.shape for name, array in arrays.items()}
     if materials.ndim:
         shapes["material"] = materials.shape
@@ -157,12 +163,12 @@ def _materials(given: Any) -> npt.NDArray[np.object_]:
 
 
 def _pressures(given: Any, materials: npt.NDArray[np.object_]) -> FloatArray:
-    try:
-        texts = np.asarray(given)
-    except ValueError:
-        return doubles("pressure", given)
+    if isinstance(given, (Set, Mapping)):
+        raise InputError(f"pressure: it has no order, being of type {type(given).__name__}; give a list or an array")
+    is_text = isinstance(given, str) or (isinstance(given, (list, tuple)) and any(isinstance(one, str) for one in given))
+    texts = np.asarray(given) if is_text or isinstance(given, np.ndarray) else np.empty(0)
     if texts.dtype.kind not in "UT":
-        return doubles("pressure", given)
+        return doubles("pressure", given, "Pa")
     if texts.ndim == 0:
         # In units of the hardness it is another pressure for each material.
         of_each = [one._native.pressure_pa("pressure", str(texts)) for one in materials.reshape(-1)]

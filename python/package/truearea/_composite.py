@@ -221,7 +221,7 @@ def _heights(argument: str, of_size: str, name: str, given: Any, size: Any, peri
     elif size is None:
         raise InputError(f"{of_size} is needed: (lx, ly), or one length of a line or a square map")
     gaps = np.ma.getmaskarray(given) if np.ma.is_masked(given) else None
-    heights_m = doubles(argument, np.ma.getdata(given) if np.ma.isMaskedArray(given) else given)
+    heights_m = doubles(argument, np.ma.getdata(given) if np.ma.isMaskedArray(given) else given, "m")
     lengths = lengths_of(argument, of_size, size, heights_m.shape)
     return Heights(argument, name, heights_m, gaps, (of_size, lengths), bool(periodic))
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import math
-import pickle
 from collections.abc import Iterable, Mapping
 from typing import Any
 
@@ -12,6 +11,7 @@ import numpy as np
 
 from truearea._native import InputError
 from truearea._results import AnyArray
+from truearea._sweep_digest import digest_of
 
 Over = Mapping[Any, Any]
 """Values by name; a tuple of names has as many columns that go together."""
@@ -42,7 +42,7 @@ class Axes:
 
     def digest(self) -> list[list[Any]]:
         """What tells these values from any others."""
-        return [[[name, len(column), _digest(column)] for name, column in factor.items()] for factor in self._factors]
+        return [[[name, len(column), _digest(name, column)] for name, column in factor.items()] for factor in self._factors]
 
     def told(self) -> dict[str, Any]:
         """The values for people; of many, how many there are, the first and the last."""
@@ -62,6 +62,8 @@ def column_of(name: str, values: Any) -> AnyArray:
     """An array of numbers, of truths, or of anything else."""
     if isinstance(values, (str, bytes, Mapping)) or not isinstance(values, Iterable):
         raise InputError(f"over[{name!r}]: a list or an array of values is needed, and this is of type {type(values).__name__}")
+    if isinstance(values, np.ndarray) and hasattr(values, "to_value"):
+        raise InputError(f"over[{name!r}]: quantities with a unit are given; give numbers in SI units, or text with a unit")
     if not isinstance(values, np.ndarray):
         values = list(values)
         kinds = {isinstance(value, (str, bytes)) for value in values}
@@ -90,15 +92,10 @@ def _of_one_length(factor: dict[str, AnyArray]) -> dict[str, AnyArray]:
     return factor
 
 
-def _digest(column: AnyArray) -> str:
-    content = hashlib.sha256(column.dtype.str.encode())
+def _digest(name: str, column: AnyArray) -> str:
     if column.dtype.kind == "O":
-        for value in column:
-            content.update(repr(value).encode() if _is_plain(value) else pickle.dumps(value, protocol=4))
-            content.update(b"\0")
-    else:
-        content.update(np.ascontiguousarray(column).tobytes())
-    return content.hexdigest()
+        return digest_of(column.tolist(), f"over[{name!r}]")
+    return hashlib.sha256(column.dtype.str.encode() + np.ascontiguousarray(column).tobytes()).hexdigest()
 
 
 def _told(column: AnyArray) -> Any:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from html import escape
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import numpy as np
 import numpy.typing as npt
@@ -47,10 +47,11 @@ def unit_of(name: str) -> str:
     return next((_UNITS[end] for end in ends), "")
 
 
-class Result(Mapping[str, AnyArray]):
+class Result(dict[str, AnyArray]):
     """Named arrays, each along some of a few axes.
 
-    A result is a mapping from names to arrays, and each array is an attribute as well. Names end in the unit: ``pressure_pa``,
+    A result is a dictionary that cannot be changed, from names to arrays, and each array is an attribute as well. ``np.asarray``
+    makes a structured array of it, and ``pandas.DataFrame`` a frame where all arrays have one axis. Names end in the unit: ``pressure_pa``,
     ``density_per_m2``. Where there is no number, there is NaN, as in data frames.
 
     Attributes
@@ -62,7 +63,7 @@ class Result(Mapping[str, AnyArray]):
     _title = "result"
     _shown = 8
 
-    __slots__ = ("_arrays", "_axes", "notes")
+    __slots__ = ("_axes", "notes")
 
     def __init__(
         self,
@@ -70,30 +71,37 @@ class Result(Mapping[str, AnyArray]):
         axes: Mapping[str, tuple[str, ...]],
         notes: tuple[str, ...] = (),
     ) -> None:
-        self._arrays = dict(arrays)
+        super().__init__(arrays)
+        for array in self.values():
+            if isinstance(array, np.ndarray):
+                array.flags.writeable = False
         self._axes = dict(axes)
         self.notes: tuple[str, ...] = tuple(notes)
 
     def __getattr__(self, name: str) -> Any:
         try:
-            return object.__getattribute__(self, "_arrays")[name]
-        except (KeyError, AttributeError):
+            return self[name]
+        except KeyError:
             raise AttributeError(f"a {type(self).__name__} has no {name}") from None
 
-    def __getitem__(self, name: str) -> AnyArray:
-        return self._arrays[name]
+    def _refuse(self, *_: Any, **__: Any) -> NoReturn:
+        raise TypeError(f"a {type(self).__name__} cannot be changed; dict() makes a copy that can")
 
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._arrays)
-
-    def __len__(self) -> int:
-        return len(self._arrays)
+    __setitem__ = __delitem__ = __ior__ = clear = pop = popitem = setdefault = update = _refuse  # pyright: ignore[reportAssignmentType]
 
     def __dir__(self) -> list[str]:
-        return [*super().__dir__(), *self._arrays]
+        return [*super().__dir__(), *self]
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> AnyArray:
+        """A structured array along all axes, with a field for each array."""
+        columns = {name: _spread(array, self._axes[name], self.sizes) for name, array in self.items()}
+        table = np.empty(tuple(self.sizes.values()), dtype=[(name, column.dtype) for name, column in columns.items()])
+        for name, column in columns.items():
+            table[name] = column
+        return table if dtype is None else table.astype(dtype)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return (type(self), (self._arrays, self._axes, self.notes))
+        return (type(self), (dict(self), self._axes, self.notes))
 
     def __eq__(self, other: object) -> bool:
         if type(other) is not type(self):
@@ -104,7 +112,7 @@ class Result(Mapping[str, AnyArray]):
             and all(_same(self[name], other[name]) for name in self)
         )
 
-    __hash__ = None  # type: ignore[assignment]
+    __hash__ = None
 
     def __repr__(self) -> str:
         head = f"{type(self).__name__} ({', '.join(f'{axis}: {size}' for axis, size in self.sizes.items())})"
@@ -132,7 +140,7 @@ class Result(Mapping[str, AnyArray]):
         """The axes and how long they are."""
         return {
             axis: length
-            for name, array in self._arrays.items()
+            for name, array in self.items()
             for axis, length in zip(self._axes[name], np.shape(array))
         }
 
@@ -161,7 +169,9 @@ class Result(Mapping[str, AnyArray]):
         return frame
 
     def to_xarray(self) -> xr.Dataset:
-        """The arrays with their axes; those that number an axis become its coordinates, and units are attributes.
+        """The arrays with their axes; those that number an axis become its coordinates, by which ``sel`` selects.
+
+        Attributes give ``long_name`` and ``units``.
 
         Returns
         -------
@@ -173,13 +183,21 @@ class Result(Mapping[str, AnyArray]):
         except ModuleNotFoundError:
             raise ImportError("to_xarray needs xarray, which is not here: pip install truearea[xarray]") from None
 
-        variables = {name: (self._axes[name], array, {"units": unit_of(name)}) for name, array in self.items()}
+        variables = {name: (self._axes[name], array, _attributes(name)) for name, array in self.items()}
         coordinates = [name for name in self if len(self._axes[name]) == 1 and self._is_coordinate(name)]
-        data = xr.Dataset(variables, attrs={"notes": list(self.notes)})
-        return data.set_coords(coordinates)
+        data = xr.Dataset(variables, attrs={"notes": list(self.notes)}).set_coords(coordinates)
+        for name in coordinates:
+            data = data.set_xindex(name)
+        return data
 
     def _is_coordinate(self, name: str) -> bool:
         return len(self.sizes) > 1
+
+
+def _attributes(name: str) -> dict[str, str]:
+    """Unit and name for the axes of plots."""
+    end = next((end for end in _UNITS if name.endswith(end)), "")
+    return {"long_name": name.removesuffix(end).replace("_", " "), "units": unit_of(name)}
 
 
 def _same(one: AnyArray, other: AnyArray) -> bool:

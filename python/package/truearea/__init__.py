@@ -12,13 +12,14 @@ from truearea._gap import Gaps, gap
 from truearea._law import ContactLaw, law
 from truearea._material import Material
 from truearea._native import VERSION as __version__
-from truearea._native import InputError, set_threads, threads
+from truearea._native import InputError, set_threads
 from truearea._persson import PerssonCurve, persson
 from truearea._results import Result, Table
 from truearea._scan import Scan, ScanChannels, read_scan, scan_channels
 from truearea._scene import Scene, SceneResults, SceneTable
 from truearea._spectrum import Amplitudes, Fit, Moments, Scans, Spectrum, read_psd
 from truearea._sweep import sweep
+from truearea._threads import threads
 from truearea._uncertainty import Advice, Bands, Shares, Uncertainty, uncertainty
 
 __all__ = [

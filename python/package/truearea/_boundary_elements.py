@@ -212,7 +212,7 @@ def _heights(given: Any) -> FloatArray:
     masked = int(np.count_nonzero(np.ma.getmaskarray(given))) if isinstance(given, np.ma.MaskedArray) else 0
     if masked:
         raise InputError(f"h: {masked} of {np.size(given)} heights are masked; fill them before the map is pressed")
-    heights = doubles("h", given)
+    heights = doubles("h", given, "m")
     if heights.ndim != 2:
         raise InputError(f"h: a map of rows and columns is needed, and this has {heights.ndim} axes")
     unknown = heights.size - int(np.count_nonzero(np.isfinite(heights)))

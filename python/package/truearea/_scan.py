@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from html import escape
 from pathlib import Path
 from typing import Any, NamedTuple, Union
 
@@ -131,6 +132,12 @@ class Scan:
         """Points, size, rms height, peak to valley, gaps and rms slopes, in one row, as ``truearea scan`` prints it."""
         return ScanChannels._of(self._native.summary(), self.notes)
 
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> FloatArray:
+        """The heights [m], NaN where there are gaps."""
+        heights_m = self.heights_m
+        filled = heights_m.filled(np.nan) if isinstance(heights_m, np.ma.MaskedArray) else heights_m
+        return np.array(filled, dtype=dtype, copy=True) if copy else np.asarray(filled, dtype=dtype)
+
     def __reduce__(self) -> tuple[Any, ...]:
         return (Scan._of, self._recipe)
 
@@ -142,7 +149,7 @@ class Scan:
     def _repr_html_(self) -> str:
         picture = self._native.picture()
         if picture is None:
-            return f"<p>{self.name}: no point has a height</p>"
+            return f"<p>{escape(self.name)}: no point has a height</p>"
         svg, points = picture
         return svg if points is None else within_frame(svg, *points)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from html import escape
 from typing import Any, Union
 
 import numpy as np
@@ -125,17 +126,17 @@ class Material:
         return (_material, (self._given,))
 
     def __eq__(self, other: object) -> bool:
-        return self._given == other._given if isinstance(other, Material) else NotImplemented
+        return self._native.identity == other._native.identity if isinstance(other, Material) else NotImplemented
 
     def __hash__(self) -> int:
-        return hash(tuple(self._given.values()))
+        return hash(self._native.identity)
 
     def __repr__(self) -> str:
         return f"Material({self._native.describe()})"
 
     def _repr_html_(self) -> str:
         rows = "".join(
-            f"<tr><th style='text-align:left'>{name}</th><td>{value}</td></tr>"
+            f"<tr><th style='text-align:left'>{escape(name)}</th><td>{escape(value)}</td></tr>"
             for name, value in self._native.properties()
         )
         return f"<table>{rows}</table>"

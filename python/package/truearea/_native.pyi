@@ -36,6 +36,7 @@ __all__ = [
     "tables_of_runs",
     "threads",
     "uncertainty_of",
+    "without_unit",
     "write_files",
 ]
 
@@ -45,10 +46,16 @@ METADATA_FILES: Final[list[str]]
 class InputError(ValueError): ...
 
 def set_threads(count: int) -> None:
-    """Let work take so many threads from now on; 1 keeps it on the thread that calls."""
+    """Let work take so many threads from now on; 1 keeps it on the thread that calls.
+
+    More than eight times the cores are taken as that many. Before any call, ``RAYON_NUM_THREADS`` counts, or the cores.
+    """
 
 def threads() -> int:
     """How many threads work takes."""
+
+def without_unit(argument: str, unit: str, given: Any) -> Any:
+    """Numbers in a unit, of a quantity of pint, astropy or unyt; anything else as it is."""
 
 def in_metres(argument: str, unit: str, lengths: _Floats) -> _Floats:
     """Lengths in m, of lengths in a unit."""
@@ -111,6 +118,10 @@ class Material:
     @property
     def yield_strength_pa(self) -> float | None: ...
     def pressure_pa(self, argument: str, pressure: Any) -> float: ...
+    @property
+    def identity(self) -> str:
+        """Equal for equal materials."""
+
     def describe(self) -> str: ...
     def properties(self) -> list[tuple[str, str]]: ...
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from truearea._native import InputError
+from truearea._native import InputError, without_unit
 from truearea._results import FloatArray
 
 
@@ -29,14 +29,15 @@ def lengths_of(argument: str, of_size: str, size: Any, shape: tuple[int, ...]) -
     return lengths
 
 
-def doubles(argument: str, given: Any) -> FloatArray:
-    """An array of doubles, the same memory where it is one already.
+def doubles(argument: str, given: Any, unit: str = "") -> FloatArray:
+    """An array of doubles, the same memory where it is one already; quantities with a unit are converted to that given.
 
     Whole numbers, single precision and the other order of bytes are converted; text, dates, booleans, complex numbers and what
     else is no number are refused, and so are masked arrays with gaps.
     """
     if np.ma.is_masked(given):
         raise InputError(f"{argument}: {np.count_nonzero(np.ma.getmaskarray(given))} of {np.size(given)} numbers are masked; fill them")
+    given = _bare(argument, given, unit)
     try:
         array = np.asarray(given)
     except ValueError as error:
@@ -47,3 +48,10 @@ def doubles(argument: str, given: Any) -> FloatArray:
             return np.empty(array.shape)
         raise InputError(f"{argument}: numbers are needed, and these are {kind}")
     return array.astype(np.float64, copy=False)
+
+
+def _bare(argument: str, given: Any, unit: str) -> Any:
+    """Numbers of quantities, which may be elements of a list."""
+    if isinstance(given, (list, tuple)):
+        return [_bare(f"{argument}[{at}]", one, unit) for at, one in enumerate(given)]
+    return without_unit(argument, unit, given)

@@ -101,7 +101,7 @@ class Uncertainty(Result):
 
     def __reduce__(self) -> tuple[Any, ...]:
         tables = (self.draws, self.shares, self.advice, self.bands)
-        return (_uncertainty, (self._arrays, self._axes, self.notes, tables))
+        return (_uncertainty, (dict(self), self._axes, self.notes, tables))
 
 
 def _uncertainty(arrays: Any, axes: Any, notes: Any, tables: Any) -> Uncertainty:
@@ -160,8 +160,8 @@ def uncertainty(
     shares_draws : int, optional
         Draws of the full design that shares are taken from, 64 to 1,000,000; a small one where left out.
     youngs_modulus, poisson_ratio, yield_strength, indentation_hardness, strain_gradient_length : float or str, optional
-        Standard uncertainties of what the material was given: ``"5 %"``, ``"10 GPa"``, or in SI units. Of strength and hardness
-        one.
+        Standard uncertainties of what the material was given: ``"5 %"``, ``"10 GPa"``, or a number in SI units that cannot be
+        mistaken for a share. Of strength and hardness one.
     counterface_youngs_modulus, counterface_poisson_ratio : float or str, optional
         The same of the counterface.
     strain_gradient, hardness_formula, interference_law, normalisation, amplitude, tolerance, cutoff, scales_per_decade : optional
