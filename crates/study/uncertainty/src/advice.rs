@@ -18,7 +18,7 @@ use crate::results::{Advice, DecadeOfVariance, Resampled, Settling, Step, StepKi
 use crate::settings::Settings;
 use crate::shares::first_order;
 use crate::spectrum_ends::{End, PowerLaw, prolonged, prolonged_to_m};
-use crate::surface_scatter::{DrawOf, SurfaceScatter};
+use crate::surface_scatter::{DrawOf, SpectrumSource, SurfaceScatter};
 
 /// Draws of a prolonged spectrum.
 const PROLONGED_DRAWS: usize = 64;
@@ -146,7 +146,7 @@ impl Adviser<'_> {
         let shrunk = |before: f64, after: f64| {
             ((width * width - before * before + after * after).max(0.0)).sqrt() / width
         };
-        if let SurfaceScatter::Scans(scans) = &self.inputs.surface {
+        if let Some(SpectrumSource::Scans(scans)) = self.inputs.surface.single_source() {
             let of_all_gains: Vec<f64> = (0..LIGHT_DRAWS)
                 .map(|draw| contributions.gains.iter().map(|draws| draws[draw]).sum())
                 .collect();
@@ -168,7 +168,7 @@ impl Adviser<'_> {
                 });
             }
         }
-        for group in [Group::Material, Group::Strength] {
+        for group in [Group::Material, Group::Strength, Group::Holes] {
             let share = first_order(&self.inputs.groups, &self.indices[area], group);
             steps.extend(share.map(|share| Step {
                 kind: StepKind::KnownExactly { group },
@@ -271,10 +271,10 @@ struct Prolongation {
 
 /// The spectrum of a single uncertain surface.
 fn single(surface: &SurfaceScatter) -> Option<ProfilePsd> {
-    match surface {
-        SurfaceScatter::Scans(scans) => scans.psd(scans.centre()),
-        SurfaceScatter::Errors(errors) => Some(errors.centre().clone()),
-        SurfaceScatter::Certain(..) | SurfaceScatter::Sum(_) => None,
+    match surface.single_source()? {
+        SpectrumSource::Scans(scans) => scans.psd(scans.centre()),
+        SpectrumSource::Errors(errors) => Some(errors.centre().clone()),
+        SpectrumSource::Certain(..) => None,
     }
 }
 

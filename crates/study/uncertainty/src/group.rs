@@ -15,6 +15,8 @@ pub enum Group {
     Material,
     /// The yield strength or the hardness, and the strain-gradient length.
     Strength,
+    /// The slope of the spectrum in its holes.
+    Holes,
 }
 
 named!(Group, "group of inputs", {
@@ -22,6 +24,7 @@ named!(Group, "group of inputs", {
     Instruments => "instruments",
     Material => "material",
     Strength => "strength",
+    Holes => "holes",
 });
 
 /// A share of the variance of ln A, with its own error.

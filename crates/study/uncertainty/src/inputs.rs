@@ -33,7 +33,7 @@ impl Inputs {
         let material = MaterialDraws::from_scene(scene);
         let of_material = |scatters: fn(&MaterialDraws) -> bool| material.as_ref().is_some_and(scatters);
         let scatters = |group: &Group| match group {
-            Group::Scans | Group::Instruments => surface.has(*group),
+            Group::Scans | Group::Instruments | Group::Holes => surface.has(*group),
             Group::Material => of_material(MaterialDraws::elastic_scatters),
             Group::Strength => of_material(MaterialDraws::strength_scatters),
         };
@@ -49,7 +49,7 @@ impl Inputs {
 
     /// True if the surface is uncertain.
     pub fn surface_scatters(&self) -> bool {
-        self.groups.iter().any(|group| matches!(group, Group::Scans | Group::Instruments))
+        self.groups.iter().any(|group| matches!(group, Group::Scans | Group::Instruments | Group::Holes))
     }
 
     /// The spectrum of a draw. `Some(None)` keeps the spectrum of a certain surface; `None` is a draw out of the range

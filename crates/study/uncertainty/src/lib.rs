@@ -6,6 +6,7 @@ mod bands;
 mod draws;
 mod gains;
 mod group;
+mod hole_scatter;
 mod influence;
 mod inputs;
 mod instrument_bins;

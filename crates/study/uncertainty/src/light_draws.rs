@@ -7,7 +7,7 @@ use crate::influence::Influence;
 use crate::inputs::Inputs;
 use crate::random::Streams;
 use crate::scan_scatter::ScanScatter;
-use crate::surface_scatter::SurfaceScatter;
+use crate::surface_scatter::SpectrumSource;
 
 /// The number of such draws.
 pub(crate) const LIGHT_DRAWS: usize = 1000;
@@ -39,12 +39,12 @@ impl LightDraw {
     pub fn all(inputs: &Inputs, influence: &Influence) -> Vec<LightDraw> {
         let streams = inputs.streams();
         let draws = 0..LIGHT_DRAWS as u64;
-        match &inputs.surface {
-            SurfaceScatter::Scans(scans) => {
+        match inputs.surface.single_source() {
+            Some(SpectrumSource::Scans(scans)) => {
                 let without = scans.gains_without_each();
                 draws.map(|draw| LightDraw::from_scans(scans, &without, streams, draw, influence)).collect()
             }
-            SurfaceScatter::Errors(errors) => {
+            Some(SpectrumSource::Errors(errors)) => {
                 let deviations = |draw| errors.deviations(&mut streams.of(Group::Scans, draw));
                 let light = |draw| LightDraw {
                     places: vec![influence.in_parts(&deviations(draw))],
@@ -53,7 +53,7 @@ impl LightDraw {
                 };
                 draws.map(light).collect()
             }
-            SurfaceScatter::Certain(..) | SurfaceScatter::Sum(_) => Vec::new(),
+            Some(SpectrumSource::Certain(..)) | None => Vec::new(),
         }
     }
 

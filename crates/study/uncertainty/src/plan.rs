@@ -15,7 +15,7 @@ use crate::quantities::{Quantities, QuantityDraws};
 use crate::results::{AreaBand, AreaInterval, Guess, Uncertainty};
 use crate::settings::Settings;
 use crate::shares::Design;
-use crate::surface_scatter::{DrawOf, SurfaceScatter};
+use crate::surface_scatter::{DrawOf, SpectrumSource};
 
 /// The plan of an uncertainty analysis.
 #[derive(Debug)]
@@ -254,9 +254,9 @@ impl<'p> UncertaintyPlan<'p> {
     }
 
     fn describe_inputs(&self, found: &mut Uncertainty) {
-        for part in self.inputs.surface.parts() {
-            match part {
-                SurfaceScatter::Scans(scans) => {
+        for source in self.inputs.surface.sources() {
+            match source {
+                SpectrumSource::Scans(scans) => {
                     let first = found.instruments.len();
                     let few = (0..scans.descriptions.len()).filter_map(|at| {
                         let places = scans.places_in_a_bin(at);
@@ -270,11 +270,10 @@ impl<'p> UncertaintyPlan<'p> {
                         overlap
                     }));
                 }
-                SurfaceScatter::Errors(errors) => found.spectrum_errors.push(errors.description.clone()),
-                SurfaceScatter::Certain(_, name) => {
+                SpectrumSource::Errors(errors) => found.spectrum_errors.push(errors.description.clone()),
+                SpectrumSource::Certain(_, name) => {
                     found.guesses.push(Guess::SpectrumWithoutErrors { name: name.clone() });
                 }
-                SurfaceScatter::Sum(_) => {}
             }
         }
     }

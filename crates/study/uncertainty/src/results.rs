@@ -321,6 +321,7 @@ impl StepKind {
             StepKind::KnownExactly { group: Group::Instruments } => "known-instruments",
             StepKind::KnownExactly { group: Group::Material } => "known-material",
             StepKind::KnownExactly { group: Group::Strength } => "known-strength",
+            StepKind::KnownExactly { group: Group::Holes } => "closed-holes",
             StepKind::LongerWavelengths { .. } => "longer-wavelengths",
             StepKind::ShorterWavelengths { .. } => "shorter-wavelengths",
         }

@@ -13,11 +13,12 @@ use crate::results::{
 pub const LARGEST_ERROR_OF_A_SHARE: f64 = 0.1;
 
 /// The column of each group's share.
-const SHARES: [(&str, Group); 4] = [
+const SHARES: [(&str, Group); 5] = [
     ("share_scans", Group::Scans),
     ("share_instruments", Group::Instruments),
     ("share_material", Group::Material),
     ("share_strength", Group::Strength),
+    ("share_holes", Group::Holes),
 ];
 
 impl Uncertainty {

@@ -97,9 +97,9 @@ fn shares_that_are_not_known_are_empty_and_groups_that_do_not_scatter_carry_noth
     assert_eq!(
         text(&found().intervals_table(&scene().needs)),
         "curve,nominal_pressure_pa,area_fraction,median,low,high,level,monte_carlo_error,share_scans,share_instruments,\
-         share_material,share_strength,share_other\n\
-         elastic,1000000,0.002,0.0021,0.001,0.004,0.95,0.03,0.7,0,0.25,0,0.050000000000000044\n\
-         elastic,5000000,0.002,0.0021,0.001,0.004,0.95,0.03,0.7,0,,0,\n"
+         share_material,share_strength,share_holes,share_other\n\
+         elastic,1000000,0.002,0.0021,0.001,0.004,0.95,0.03,0.7,0,0.25,0,0,0.050000000000000044\n\
+         elastic,5000000,0.002,0.0021,0.001,0.004,0.95,0.03,0.7,0,,0,0,\n"
     );
 }
 
