@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::plot::escaped;
+use crate::plot::{Panel, escaped};
 use rough_bem::Field;
 use units::display::{length, pressure};
 
@@ -73,21 +73,29 @@ fn picture(
     let relief = field.relief;
     let colour_of = |value: f64| if value > nothing { colour(value / largest) } else { [255; 3] };
     let colours = values.iter().map(|value| colour_of(*value)).collect();
-    FieldPicture::new(title, [relief.length_x_m, relief.length_y_m], ["0", most], relief.columns, colours)
+    let size_m = [relief.length_x_m, relief.length_y_m];
+    FieldPicture::new(title, size_m, ["0", most], relief.columns, colours, None)
 }
 
 impl FieldPicture {
     /// Draws points in their colours on a rectangle of this size in m; `ends` labels the first and the last colour.
+    /// Another panel may stand beside.
     pub(crate) fn new(
         title: &str,
         [x_m, y_m]: [f64; 2],
         ends: [&str; 2],
         columns: usize,
         colours: Vec<[u8; 3]>,
+        beside: Option<&Panel>,
     ) -> Self {
         let scale = FRAME_PX / x_m.max(y_m);
         let place = [MARGIN_PX, MARGIN_PX + TITLE_PX, (x_m * scale).max(1.0), (y_m * scale).max(1.0)];
-        FieldPicture { svg: frame(title, place, &length(x_m), ends), place, columns, colours }
+        let frame = frame(title, place, &length(x_m), ends);
+        let panel = match beside {
+            Some(other) => frame.beside(other),
+            None => frame,
+        };
+        FieldPicture { svg: panel.document(), place, columns, colours }
     }
 }
 
@@ -103,16 +111,12 @@ pub(crate) fn colour(share: f64) -> [u8; 3] {
     })
 }
 
-fn frame(title: &str, [left, top, width, height]: [f64; 4], side: &str, [least, most]: [&str; 2]) -> String {
+fn frame(title: &str, [left, top, width, height]: [f64; 4], side: &str, [least, most]: [&str; 2]) -> Panel {
     let title = escaped(title);
-    let total = [left + width.max(0.6 * FRAME_PX) + MARGIN_PX, top + height + SCALE_PX + MARGIN_PX];
-    let mut svg = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" font-family=\"sans-serif\" font-size=\"13\">\n\
-         <rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n\
-         <text x=\"{left}\" y=\"{}\">{title}; {side} wide</text>\n\
+    let size = [left + width.max(0.6 * FRAME_PX) + MARGIN_PX, top + height + SCALE_PX + MARGIN_PX];
+    let mut elements = format!(
+        "<text x=\"{left}\" y=\"{}\">{title}; {side} wide</text>\n\
          <rect x=\"{left}\" y=\"{top}\" width=\"{width}\" height=\"{height}\" fill=\"none\" stroke=\"black\"/>\n",
-        total[0],
-        total[1],
         top - 0.4 * TITLE_PX
     );
     let bar = top + height + 14.0;
@@ -121,16 +125,16 @@ fn frame(title: &str, [left, top, width, height]: [f64; 4], side: &str, [least, 
         let [red, green, blue] = colour(at as f64 / (STEPS - 1) as f64);
         let x = left + at as f64 * step;
         let _ = writeln!(
-            svg,
+            elements,
             "<rect x=\"{x}\" y=\"{bar}\" width=\"{}\" height=\"12\" fill=\"rgb({red},{green},{blue})\"/>",
             step + 0.3
         );
     }
     let under = bar + 27.0;
-    let _ = write!(
-        svg,
-        "<text x=\"{left}\" y=\"{under}\">{least}</text>\n<text x=\"{}\" y=\"{under}\" text-anchor=\"end\">{most}</text>\n</svg>\n",
+    let _ = writeln!(
+        elements,
+        "<text x=\"{left}\" y=\"{under}\">{least}</text>\n<text x=\"{}\" y=\"{under}\" text-anchor=\"end\">{most}</text>",
         left + 0.5 * FRAME_PX
     );
-    svg
+    Panel { size, elements }
 }

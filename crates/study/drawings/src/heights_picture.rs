@@ -1,11 +1,15 @@
-//! Pictures of measured heights, or of other channels: maps in colours with missing points in grey, and lines.
+//! Pictures of measured heights, or of other channels: maps in colours with missing points in grey, a line, and the
+//! histogram of all values.
+
+use std::iter::once;
+use std::ops::Range;
 
 use scans::{Measure, Measured, ScanFile};
 use units::LengthUnit;
 use units::display::{length, three_digits};
 
 use crate::field_picture::{FieldPicture, colour};
-use crate::plot::line_of_heights;
+use crate::plot::Panel;
 
 /// The most points along the longer side of a picture; of larger maps, points between are not drawn.
 const MAX_POINTS: usize = 1024;
@@ -13,13 +17,18 @@ const MAX_POINTS: usize = 1024;
 /// the rest.
 const BEYOND: f64 = 0.002;
 const GAP: [u8; 3] = [150; 3];
+/// Classes of a histogram.
+const CLASSES: usize = 64;
+/// Sizes of panels in px: of a line, and of one of several panels beside a map.
+const WIDE: [f64; 2] = [860.0, 380.0];
+const SMALL: [f64; 2] = [480.0, 285.0];
 
 /// A picture of heights.
 #[derive(Debug, Clone, PartialEq)]
 pub enum HeightsPicture {
-    /// A map: colours over a frame.
+    /// A map: colours over a frame, beside it the line through the middle and the histogram.
     Map(FieldPicture),
-    /// A line: an SVG document.
+    /// A line above its histogram: an SVG document.
     Line(String),
 }
 
@@ -31,17 +40,25 @@ pub fn of_heights(file: &ScanFile) -> Option<HeightsPicture> {
         None => file.name.clone(),
     };
     match file.scan.points() {
-        (columns, Some(rows)) => map(&name, file, columns, rows).map(HeightsPicture::Map),
-        (_, None) => line(&name, file).map(HeightsPicture::Line),
+        (columns, Some(rows)) => {
+            let beside = row_and_histogram(file, columns, rows)?;
+            map(&name, file, columns, rows, Some(&beside)).map(HeightsPicture::Map)
+        }
+        (columns, None) => line(&name, file, 0..columns, WIDE)
+            .and_then(|line| Some(line.above(&histogram(file, [WIDE[0], SMALL[1]])?)))
+            .map(|panel| HeightsPicture::Line(panel.document())),
     }
 }
 
-fn map(
+/// Draws a map in colours, with another panel beside it.
+pub(crate) fn map(
     name: &str,
-    ScanFile { scan, measure, .. }: &ScanFile,
+    file: &ScanFile,
     columns: usize,
     rows: usize,
+    beside: Option<&Panel>,
 ) -> Option<FieldPicture> {
+    let ScanFile { scan, measure, .. } = file;
     let [lowest, highest] = coloured(scan)?;
     let step = columns.max(rows).div_ceil(MAX_POINTS);
     let across = (0..columns).step_by(step);
@@ -55,7 +72,21 @@ fn map(
         count => format!("{name}; grey: {count} without a {}", noun(measure)),
     };
     let ends = ["0", &difference(measure, highest - lowest)];
-    Some(FieldPicture::new(&title, [x_m, y_m.unwrap_or(x_m)], ends, across.len(), colours.collect()))
+    let size_m = [x_m, y_m.unwrap_or(x_m)];
+    Some(FieldPicture::new(&title, size_m, ends, across.len(), colours.collect(), beside))
+}
+
+/// Draws the middle row of a map above the histogram of all its values.
+fn row_and_histogram(file: &ScanFile, columns: usize, rows: usize) -> Option<Panel> {
+    let row = middle_row(&file.scan, columns, rows)?;
+    let line = line(&format!("row {} of {rows}", row + 1), file, row * columns..(row + 1) * columns, SMALL)?;
+    Some(line.above(&histogram(file, SMALL)?))
+}
+
+/// The row with a value that is nearest the middle.
+fn middle_row(scan: &Measured, columns: usize, rows: usize) -> Option<usize> {
+    let has_value = |row: &usize| (row * columns..(row + 1) * columns).any(|at| scan.height_m(at).is_some());
+    (0..rows).filter(has_value).min_by_key(|row| row.abs_diff(rows / 2))
 }
 
 /// The values of the first and the last colour.
@@ -69,20 +100,19 @@ fn coloured(scan: &Measured) -> Option<[f64; 2]> {
     Some([lowest, *highest])
 }
 
-fn line(name: &str, ScanFile { scan, measure, .. }: &ScanFile) -> Option<String> {
+/// Draws the points of a line, above the lowest point of the scan.
+fn line(title: &str, file: &ScanFile, points: Range<usize>, size: [f64; 2]) -> Option<Panel> {
+    let scan = &file.scan;
     let (spacing_m, _) = scan.spacing_m();
     let position_m = |index: usize| match scan.positions_m() {
         Some(positions_m) => positions_m[index] - positions_m[0],
         None => index as f64 * spacing_m,
     };
-    let values = || scan.heights_m().flatten();
-    let lowest = values().reduce(f64::min)?;
-    let highest = values().reduce(f64::max)?;
+    let (lowest, up) = above_lowest(file)?;
     let along = fitting_unit(scan.size_m().0);
-    let up = Scale::fitting(measure, highest - lowest);
     let mut runs = vec![Vec::new()];
-    for (index, value) in scan.heights_m().enumerate() {
-        match (value, runs.last_mut()) {
+    for (index, at) in points.enumerate() {
+        match (scan.height_m(at), runs.last_mut()) {
             (Some(value), Some(run)) => {
                 run.push((position_m(index) / along.to_m(1.0), (value - lowest) / up.one));
             }
@@ -90,10 +120,36 @@ fn line(name: &str, ScanFile { scan, measure, .. }: &ScanFile) -> Option<String>
             _ => {}
         }
     }
-    let bracket = if up.unit.is_empty() { String::new() } else { format!(" ({})", up.unit) };
-    let labels =
-        [format!("position ({along})"), format!("{} above the lowest point{bracket}", noun(measure))];
-    Some(line_of_heights(name, [&labels[0], &labels[1]], &runs))
+    Some(Panel::lines("line", title, [&format!("position ({along})"), &up.label], &runs, size))
+}
+
+/// Draws the share of the points in each class of values, without those that the colours of a map leave out.
+fn histogram(file: &ScanFile, size: [f64; 2]) -> Option<Panel> {
+    let (lowest, up) = above_lowest(file)?;
+    let [first, last] = coloured(&file.scan)?;
+    let width = (last - first) / CLASSES as f64;
+    let mut counts = [0_usize; CLASSES];
+    let mut points = 0_usize;
+    for value in file.scan.heights_m().flatten() {
+        points += 1;
+        if (first..=last).contains(&value) {
+            counts[(((value - first) / width) as usize).min(CLASSES - 1)] += 1;
+        }
+    }
+    let edge = |class: usize| (first + class as f64 * width - lowest) / up.one;
+    let outline = counts.iter().enumerate().flat_map(|(class, count)| {
+        let percent = 100.0 * *count as f64 / points as f64;
+        [(edge(class), percent), (edge(class + 1), percent)]
+    });
+    let closed = once((edge(0), 0.0)).chain(outline).chain(once((edge(CLASSES), 0.0))).collect();
+    Some(Panel::lines("histogram", "", [&up.label, "share of the points (%)"], &[closed], size))
+}
+
+/// The lowest value of a scan, and the axis for values above it.
+fn above_lowest(ScanFile { scan, measure, .. }: &ScanFile) -> Option<(f64, Scale)> {
+    let values = || scan.heights_m().flatten();
+    let lowest = values().reduce(f64::min)?;
+    Some((lowest, Scale::fitting(measure, values().reduce(f64::max)? - lowest)))
 }
 
 /// The noun for the value of a point.
@@ -112,9 +168,9 @@ fn difference(measure: &Measure, value: f64) -> String {
     }
 }
 
-/// The unit of an axis.
+/// The axis of values above the lowest point.
 struct Scale {
-    unit: String,
+    label: String,
     /// The value of one unit.
     one: f64,
 }
@@ -122,13 +178,15 @@ struct Scale {
 impl Scale {
     /// A length in the unit that fits the largest length, or another value in its own unit.
     fn fitting(measure: &Measure, largest: f64) -> Self {
-        match measure {
+        let (unit, one) = match measure {
             Measure::Height | Measure::Length => {
                 let unit = fitting_unit(largest);
-                Self { unit: unit.to_string(), one: unit.to_m(1.0) }
+                (unit.to_string(), unit.to_m(1.0))
             }
-            Measure::Other(unit) => Self { unit: unit.clone(), one: 1.0 },
-        }
+            Measure::Other(unit) => (unit.clone(), 1.0),
+        };
+        let bracket = if unit.is_empty() { String::new() } else { format!(" ({unit})") };
+        Self { label: format!("{} above the lowest point{bracket}", noun(measure)), one }
     }
 }
 
@@ -171,6 +229,20 @@ mod tests {
         assert_eq!((map.columns, map.colours.len(), map.colours[6]), (4, 16, GAP));
         assert_eq!((map.colours[0], map.colours[7]), (colour(0.0), colour(1.0)));
         assert!(map.svg.contains("a &lt;b>") && map.svg.contains(">7 nm</text>"), "{}", map.svg);
+    }
+
+    #[test]
+    fn beside_a_map_are_the_line_nearest_its_middle_and_the_histogram_of_the_values() {
+        for (text, row) in [
+            ("0 1 2 3\n4 5 6 7\n0 1 2 3\n0 9 8 7\n", "row 3 of 4"),
+            ("0 1 2 3\n4 5 6 7\nnan nan nan nan\n0 9 8 7\n", "row 2 of 4"),
+        ] {
+            let HeightsPicture::Map(map) = picture(text) else { panic!("a map") };
+            assert!(map.svg.contains(row) && map.svg.matches("</svg>").count() == 1, "{}", map.svg);
+            assert_eq!(map.svg.matches("share of the points (%)").count(), 1);
+        }
+        // A plane has one height.
+        assert!(matches!(picture("3 3 3 3\n3 3 3 3\n"), HeightsPicture::Map(_)));
     }
 
     #[test]

@@ -70,7 +70,10 @@ pub(super) fn resolve_material(
         required(&keys, BodyProperty::PoissonRatio)?,
     )?;
     let transport = transport(&keys)?;
-    let softer = softer(&of_rough.hardness_and_strength, own.body, &counterface);
+    let softer = counterface.elastic.as_ref().and_then(|elastic| {
+        let counterface = (&counterface.strength.hardness_and_strength, elastic.body);
+        Softer::between((&of_rough.hardness_and_strength, own.body), counterface)
+    });
     let flows = softer.map_or(Body::Rough, |softer| softer.flows);
     let flowing = match flows {
         Body::Counterface => {
@@ -114,32 +117,6 @@ pub(super) fn resolve_material(
         softer,
     };
     Ok((material, spreads, bodies))
-}
-
-/// Returns the body that yields, if the counterface has a strength: the one with the smaller C(nu) S_y, by the medians.
-/// If both are equal, the rough body yields.
-fn softer(
-    rough: &HardnessAndStrength,
-    rough_body: ElasticBody,
-    counterface: &UncertainCounterface,
-) -> Option<Softer> {
-    let counterface_pa = counterface.strength.hardness_and_strength.yield_strength_pa()?;
-    let counterface_body = counterface.elastic.as_ref()?.body;
-    let first_yield_pa = |body: ElasticBody, strength_pa| body.spherical_yield_coefficient() * strength_pa;
-    // A strength in units of the hardness is refused where a model asks for it.
-    let softer = match rough.yield_strength_pa() {
-        None if rough.strength_is_in_hardnesses() => return None,
-        None => Softer { flows: Body::Counterface, yield_strength_pa: counterface_pa, other_pa: None },
-        Some(rough_pa)
-            if first_yield_pa(counterface_body, counterface_pa) < first_yield_pa(rough_body, rough_pa) =>
-        {
-            Softer { flows: Body::Counterface, yield_strength_pa: counterface_pa, other_pa: Some(rough_pa) }
-        }
-        Some(rough_pa) => {
-            Softer { flows: Body::Rough, yield_strength_pa: rough_pa, other_pa: Some(counterface_pa) }
-        }
-    };
-    Some(softer)
 }
 
 /// Refuses a strain-gradient length of the harder body: only that of the body that yields has an effect.

@@ -150,6 +150,9 @@ impl fmt::Display for SceneProblem {
             SceneProblem::UnknownKey { key, known, meant } => {
                 write!(f, "unknown key `{key}`{} the keys here are {}", hint(meant), known.join(", "))
             }
+            SceneProblem::UnknownValue { value, known, meant: Some(meant) } if *known == [meant.as_str()] => {
+                write!(f, "unknown value `{value}`, did you mean `{meant}`?")
+            }
             SceneProblem::UnknownValue { value, known, meant } => {
                 write!(f, "unknown value `{value}`{} it may be {}", hint(meant), known.join(", "))
             }

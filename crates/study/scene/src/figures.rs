@@ -3,24 +3,36 @@
 use serde_spanned::Spanned;
 
 use super::error::SceneError;
+use super::figure_style::{
+    Defaults, curve_index, curves_of_models, font_size_pt, formats, loads_of, title, width_mm,
+};
 use super::loads::nominal_pressure;
-use super::raw::{RawFigure, RawLoadRange};
-use super::spelling::meant;
+use super::raw::{RawFigure, RawFigureLoads, RawLoadRange, RawScene};
 use super::values::check_file_name;
-use study::figure::{Figure, Shows};
+use study::figure::{Figure, FigureStyle, Shows};
 use study::material::Material;
-use study::plan::{Curve, Cutoffs, LoadRange, LoadSweep, NominalPressure};
+use study::plan::{Curve, Cutoffs, Load, LoadRange, LoadSweep, NominalPressure};
 
 /// The figures, and the sweeps over loads that they draw.
 pub(super) fn resolve_figures(
-    raw: &[Spanned<RawFigure>],
+    raw: &RawScene,
     curves: &[Curve],
+    loads: &[Load],
     material: Option<&Material>,
 ) -> Result<(Vec<Figure>, Vec<LoadSweep>), SceneError> {
+    let defaults = Defaults::new(raw, curves, loads, material)?;
+    let raw = raw.figure.list();
     if raw.is_empty() {
-        let over_cutoffs = followed(curves);
+        let mut over_cutoffs = followed(curves);
+        defaults.keep_models(&mut over_cutoffs);
         let any = !over_cutoffs.is_empty();
-        return Ok((any.then(|| Figure::area_of_all(over_cutoffs)).into_iter().collect(), Vec::new()));
+        let all = || Figure {
+            style: defaults.style,
+            loads: defaults.loads.clone(),
+            formats: defaults.formats.clone(),
+            ..Figure::area_of_all(over_cutoffs)
+        };
+        return Ok((any.then(all).into_iter().collect(), Vec::new()));
     }
     let mut figures: Vec<Figure> = Vec::new();
     let mut sweeps = Vec::new();
@@ -45,10 +57,20 @@ pub(super) fn resolve_figures(
                 .collect::<Result<Vec<_>, _>>()?,
         };
         keep_first_of_each(&mut drawn);
+        match &figure.models {
+            Some(models) => {
+                let models = curves_of_models(models, curves)?;
+                drawn.retain(|curve| models.contains(curve));
+            }
+            None => defaults.keep_models(&mut drawn),
+        }
         if drawn.is_empty() && matches!(figure.shows, Shows::Area | Shows::AreaAgainstLoad) {
             return Err(SceneError::at(
                 spanned.span(),
                 match figure.curves {
+                    _ if figure.models.is_some() || defaults.models.is_some() => {
+                        "a figure of the area draws at least one curve; models leaves none"
+                    }
                     Some(_) => "a figure of the area draws at least one curve; curves is empty",
                     None => {
                         "a figure of the area against cutoff needs a [[curve]] without cutoffs = \"shortest\""
@@ -63,8 +85,22 @@ pub(super) fn resolve_figures(
         figures.push(Figure {
             name: name.clone(),
             shows: figure.shows,
-            title: figure.title.clone(),
+            title: title(figure)?,
             curves: drawn,
+            loads: match figure.loads.as_ref().map(Spanned::get_ref) {
+                Some(RawFigureLoads::Some(some)) => Some(loads_of(some, loads, material)?),
+                _ => defaults.loads.clone(),
+            },
+            formats: figure.format.as_ref().map_or_else(|| defaults.formats.clone(), |own| formats(own)),
+            style: FigureStyle {
+                hides_title: match figure.title.as_ref().map(Spanned::get_ref) {
+                    Some(toml::Value::Boolean(shown)) => !shown,
+                    Some(_) => false,
+                    None => defaults.style.hides_title,
+                },
+                width_mm: width_mm(figure.width.as_ref())?.or(defaults.style.width_mm),
+                font_size_pt: font_size_pt(figure.font_size.as_ref())?.or(defaults.style.font_size_pt),
+            },
             sweeps: (first_sweep..sweeps.len()).collect(),
         });
     }
@@ -98,17 +134,6 @@ fn drawn_curve(name: &Spanned<String>, curves: &[Curve], shows: Shows) -> Result
     Ok(curve)
 }
 
-fn curve_index(name: &Spanned<String>, curves: &[Curve]) -> Result<usize, SceneError> {
-    curves.iter().position(|curve| &curve.name == name.get_ref()).ok_or_else(|| {
-        let known: Vec<&str> = curves.iter().map(|curve| curve.name.as_str()).collect();
-        let meant = meant(name.get_ref(), known.iter().copied());
-        let hint = meant.map_or_else(String::new, |meant| format!(", did you mean {meant:?}?"));
-        let message =
-            format!("there is no curve {:?}{hint}; the curves are {}", name.get_ref(), known.join(", "));
-        SceneError::at(name.span(), message)
-    })
-}
-
 /// Every curve of a figure of area against load, at every cutoff.
 fn load_sweeps(
     spanned: &Spanned<RawFigure>,
@@ -124,11 +149,11 @@ fn load_sweeps(
         );
         return Err(SceneError::at(spanned.span(), message));
     }
-    let Some(range) = &figure.loads else {
+    let Some(RawFigureLoads::Range(range)) = figure.loads.as_ref().map(Spanned::get_ref) else {
         let message = "area-against-load needs loads = { from = \"1e-6 H\", to = \"1 H\", points = 41 }";
         return Err(SceneError::at(spanned.span(), message));
     };
-    let pressures_pa = load_range(range.get_ref(), material)?;
+    let pressures_pa = load_range(range, material)?;
     let mut multiples = figure.cutoff_multiples.clone().unwrap_or_else(|| vec![1.0]);
     keep_first_of_each(&mut multiples);
     if let Some(wrong) = multiples.iter().find(|multiple| !(multiple.is_finite() && **multiple >= 1.0)) {

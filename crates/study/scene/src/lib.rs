@@ -4,6 +4,7 @@
 mod bodies;
 mod curves;
 mod error;
+mod figure_style;
 mod figures;
 mod file_content;
 pub mod file_names;
@@ -27,6 +28,7 @@ mod uncertainty;
 mod values;
 
 pub use error::{SceneError, SceneProblem};
+pub use figure_style::FigureChoice;
 pub use file_content::FileContent;
 pub use judge::JudgeChoices;
 pub use notes::{SceneNote, Unused};
@@ -162,8 +164,8 @@ impl Scene {
         self.material?.hardness_pa()
     }
 
-    /// Returns true if anything in the scene scatters: scans between places, a spectrum with standard errors, or the
-    /// material. A single scan counts only if the scene has an `uncertainty` section.
+    /// Returns true if anything in the scene scatters: scans between places, a spectrum with standard errors or holes, or
+    /// the material. A single scan counts only if the scene has an `uncertainty` section.
     pub fn scatters(&self) -> bool {
         let parts = self.surface.each();
         let places = parts.iter().filter_map(|part| Some(part.made_from.as_ref()?.spectrum.place_count()));
@@ -172,7 +174,10 @@ impl Scene {
             let errors_m3 = part.psd.standard_errors_m3().unwrap_or_default();
             part.made_from.is_none() && errors_m3.iter().flatten().any(|error_m3| *error_m3 > 0.0)
         };
-        places.sum::<usize>() >= least_places || parts.iter().any(has_errors) || !self.spreads.is_empty()
+        places.sum::<usize>() >= least_places
+            || parts.iter().any(has_errors)
+            || !self.surface.holes().is_empty()
+            || !self.spreads.is_empty()
     }
 
     /// Returns the plan that computes the scene.

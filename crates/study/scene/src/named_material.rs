@@ -6,10 +6,9 @@ use serde_spanned::Spanned;
 
 use super::error::{SceneError, SceneProblem};
 use super::raw::{RawBody, RawProperty};
-use super::spelling::meant;
 use study::bodies::FromTable;
 use study::body_properties::BodyProperty;
-use study::materials::{TabledMaterial, UnknownMaterial, materials, named};
+use study::materials::{TabledMaterial, UnknownMaterial, named};
 
 /// The properties that give each other: H = 3 S0.
 const STRENGTHS: [BodyProperty; 2] = [BodyProperty::YieldStrength, BodyProperty::IndentationHardness];
@@ -73,12 +72,8 @@ impl BodyKeys {
 /// The material of the table that answers to a name.
 fn tabled(name: &Spanned<String>) -> Result<TabledMaterial, SceneError> {
     named(name.get_ref()).map_err(|UnknownMaterial { name: value, known }| {
-        let table = materials();
-        let names =
-            table.iter().flat_map(|material| std::iter::once(&material.name).chain(&material.aliases));
-        // Grades of one material are as likely as each other.
-        let is_open = known.len() == table.len();
-        let meant = is_open.then(|| meant(&value, names.map(String::as_str))).flatten().map(str::to_owned);
+        // Several names are as likely as each other.
+        let meant = if let [one] = &known[..] { Some(one.clone()) } else { None };
         SceneError::at(name.span(), SceneProblem::UnknownValue { value, known, meant })
     })
 }

@@ -127,9 +127,10 @@ fn loads(scene: &Scene) -> UnusedKeys {
 fn shown(figure: &Figure) -> UnusedKeys {
     let unused: &[&str] = match figure.shows {
         Shows::AreaAgainstLoad => &[],
+        Shows::Area if figure.loads.is_some() => &["cutoff_multiples"],
         Shows::Area => &["loads", "cutoff_multiples"],
         Shows::Psd | Shows::Moments | Shows::Amplitude | Shows::AspectRatio => {
-            &["curves", "loads", "cutoff_multiples"]
+            &["curves", "models", "loads", "cutoff_multiples"]
         }
     };
     all(unused, Unused::FigureShowsSomethingElse)

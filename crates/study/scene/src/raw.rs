@@ -3,8 +3,8 @@
 use std::fmt;
 use std::sync::LazyLock;
 
-use serde::de::value::MapAccessDeserializer;
-use serde::de::{MapAccess, Visitor};
+use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
+use serde::de::{MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use serde_spanned::Spanned;
 use spectrum::{AmplitudeDefinition, Normalisation};
@@ -16,7 +16,7 @@ use super::from_toml::scene_error;
 use super::mistyped::explained;
 use super::section::{Section, read_section};
 use study::body_properties::BodyProperty;
-use study::figure::Shows;
+use study::figure::{PictureFormat, Shows};
 use study::models::{Choice, ModelEntry, ModelOptions};
 use study::plan::Cutoffs;
 
@@ -34,7 +34,8 @@ pub(super) struct RawScene {
     #[serde(default)]
     pub curve: Vec<Spanned<RawCurve>>,
     #[serde(default)]
-    pub figure: Vec<Spanned<RawFigure>>,
+    pub figure: RawFigures,
+    pub figures: Option<RawFigureDefaults>,
     #[serde(default)]
     pub cutoffs: RawCutoffs,
     #[serde(default)]
@@ -229,10 +230,58 @@ impl<'de> Deserialize<'de> for RawCurve {
 pub(super) struct RawFigure {
     pub name: Spanned<String>,
     pub shows: Shows,
-    pub title: Option<String>,
+    pub title: Option<Spanned<toml::Value>>,
     pub curves: Option<Vec<Spanned<String>>>,
-    pub loads: Option<Spanned<RawLoadRange>>,
+    pub models: Option<Vec<Spanned<String>>>,
+    pub loads: Option<Spanned<RawFigureLoads>>,
     pub cutoff_multiples: Option<Vec<f64>>,
+    pub width: Option<RawQuantity>,
+    pub format: Option<Vec<PictureFormat>>,
+    pub font_size: Option<Spanned<f64>>,
+}
+
+/// Settings of all figures that do not set their own.
+#[derive(Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawFigureDefaults {
+    pub title: Option<Spanned<bool>>,
+    pub models: Option<Vec<Spanned<String>>>,
+    pub loads: Option<Vec<RawQuantity>>,
+    pub width: Option<RawQuantity>,
+    pub format: Option<Vec<PictureFormat>>,
+    pub font_size: Option<Spanned<f64>>,
+}
+
+/// The key `figure`: a table of defaults, or a list of figures.
+#[derive(Debug)]
+pub(super) enum RawFigures {
+    Defaults(RawFigureDefaults),
+    List(Vec<Spanned<RawFigure>>),
+}
+
+impl Default for RawFigures {
+    fn default() -> Self {
+        RawFigures::List(Vec::new())
+    }
+}
+
+impl RawFigures {
+    /// The figures of a list.
+    pub fn list(&self) -> &[Spanned<RawFigure>] {
+        match self {
+            RawFigures::Defaults(_) => &[],
+            RawFigures::List(list) => list,
+        }
+    }
+}
+
+/// The loads of a figure.
+#[derive(Debug)]
+pub(super) enum RawFigureLoads {
+    /// Some loads of the scene, of a figure against the cutoff.
+    Some(Vec<RawQuantity>),
+    /// The abscissas of a figure against the load.
+    Range(RawLoadRange),
 }
 
 #[derive(Debug, Deserialize)]
@@ -304,6 +353,54 @@ pub(super) struct RawSeal {
     pub viscosity: Option<RawQuantity>,
     pub breadth: Option<RawQuantity>,
     pub length: Option<RawQuantity>,
+}
+
+impl<'de> Deserialize<'de> for RawFigures {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct ListOrDefaults;
+
+        impl<'de> Visitor<'de> for ListOrDefaults {
+            type Value = RawFigures;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("sections [[figure]], or one section [figure] for all figures")
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, figures: A) -> Result<RawFigures, A::Error> {
+                Deserialize::deserialize(SeqAccessDeserializer::new(figures)).map(RawFigures::List)
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, keys: A) -> Result<RawFigures, A::Error> {
+                Deserialize::deserialize(MapAccessDeserializer::new(keys)).map(RawFigures::Defaults)
+            }
+        }
+
+        deserializer.deserialize_any(ListOrDefaults)
+    }
+}
+
+impl<'de> Deserialize<'de> for RawFigureLoads {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct ListOrRange;
+
+        impl<'de> Visitor<'de> for ListOrRange {
+            type Value = RawFigureLoads;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("[\"10 MPa\"] or { from = \"1e-6 H\", to = \"1 H\", points = 41 }")
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, loads: A) -> Result<RawFigureLoads, A::Error> {
+                Deserialize::deserialize(SeqAccessDeserializer::new(loads)).map(RawFigureLoads::Some)
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, keys: A) -> Result<RawFigureLoads, A::Error> {
+                Deserialize::deserialize(MapAccessDeserializer::new(keys)).map(RawFigureLoads::Range)
+            }
+        }
+
+        deserializer.deserialize_any(ListOrRange)
+    }
 }
 
 impl<'de> Deserialize<'de> for RawScan {

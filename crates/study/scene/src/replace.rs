@@ -11,8 +11,8 @@ use toml_edit::{DocumentMut, Item, Key, Table, TomlError};
 
 use super::error::{SceneError, SceneProblem};
 use super::raw::{
-    RawCounterface, RawCurve, RawCutoffs, RawFigure, RawInterface, RawJudge, RawLoads, RawMaterial,
-    RawOptions, RawSeal, RawSurface, RawUncertainty,
+    RawCounterface, RawCurve, RawCutoffs, RawFigure, RawFigureDefaults, RawInterface, RawJudge, RawLoads,
+    RawMaterial, RawOptions, RawSeal, RawSurface, RawUncertainty,
 };
 use super::spelling::meant;
 use study::body_properties::BodyProperty;
@@ -282,7 +282,7 @@ fn key_first(key: &str, a: &Key, b: &Key) -> Ordering {
 type Keys = fn() -> &'static [&'static str];
 
 /// The sections that occur at most once, and their keys.
-const SECTIONS: [(&str, Keys); 10] = [
+const SECTIONS: [(&str, Keys); 11] = [
     ("surface", keys::<RawSurface>),
     ("material", keys::<RawMaterial>),
     ("counterface", keys::<RawCounterface>),
@@ -293,6 +293,7 @@ const SECTIONS: [(&str, Keys); 10] = [
     ("uncertainty", keys::<RawUncertainty>),
     ("interface", keys::<RawInterface>),
     ("seal", keys::<RawSeal>),
+    ("figures", keys::<RawFigureDefaults>),
 ];
 
 /// The sections that may occur several times, and their keys.

@@ -108,7 +108,8 @@ pub(super) fn resolve(
     };
     let (mut curves, ignored) = resolve_curves(&raw.curve, material.as_ref(), &law_options, files)?;
     let judges_all = raw.judge.as_ref().is_some_and(|judge| judge.all_models);
-    let runs_all = judges_all || (raw.curve.is_empty() && raw.figure.is_empty() && raw.loads.is_some());
+    let runs_all =
+        judges_all || (raw.curve.is_empty() && raw.figure.list().is_empty() && raw.loads.is_some());
     if let Some(material) = material.as_ref().filter(|_| runs_all) {
         let others = curves_that_apply(material, &law_options);
         let is_listed = |curve: &Curve| curves.iter().any(|listed| listed.name == curve.name);
@@ -124,7 +125,7 @@ pub(super) fn resolve(
             ));
         }
     };
-    let (figures, sweeps) = resolve_figures(&raw.figure, &curves, material.as_ref())?;
+    let (figures, sweeps) = resolve_figures(raw, &curves, &loads, material.as_ref())?;
     file_names::check(raw, &curves, &figures)?;
     let any_with_moments = curves.iter().any(|curve| curve.model.needs_moments());
     let any_with_amplitudes = curves.iter().any(|curve| curve.model.needs_amplitudes());

@@ -3,6 +3,7 @@
 use scans::{ForeignFile, ScanFormat};
 use scene::{Overrides, Scene, SceneError, SceneProblem, Unused};
 use study::NoFiles;
+use study::figure::{FigureStyle, PictureFormat};
 use study::plan::Sampling;
 use study::surface::SurfaceError;
 
@@ -51,6 +52,46 @@ fn keys_of_figures_that_have_no_effect_are_noted() {
     assert!(found.iter().all(|(.., reason)| *reason == Unused::FigureShowsSomethingElse));
     let drawn = figure.replace("\"psd\"", "\"area-against-load\"");
     assert_eq!(notes(&format!("{HERTZ}{drawn}")), []);
+}
+
+#[test]
+fn settings_of_all_figures_hold_where_a_figure_has_none_of_its_own() {
+    let steel = STEEL.replace("[\"1 MPa\"]", "[\"1 MPa\", \"2 MPa\"]");
+    let curves = format!("{HERTZ}[[curve]]\nmodel = \"persson\"\n");
+    let settings = "width = \"8.5 cm\"\nfont_size = 9\ntitle = false\nformat = [\"pdf\", \"svg\"]\nmodels = [\"hertz\"]\nloads = [\"2e6 Pa\"]\n";
+    let table = parsed(&format!("{steel}{curves}[figure]\n{settings}")).unwrap();
+    let style = FigureStyle { width_mm: Some(85.0), font_size_pt: Some(9.0), hides_title: true };
+    let [all] = &table.figures[..] else { panic!("{:?}", table.figures) };
+    assert_eq!((&all.style, &all.curves, &all.loads), (&style, &vec![0], &Some(vec![1])));
+    assert_eq!(all.formats, [PictureFormat::Svg, PictureFormat::Pdf]);
+
+    let own = "[[figure]]\nname = \"f\"\nshows = \"area\"\ntitle = \"t\"\nwidth = \"120 mm\"\n\
+               models = [\"persson\"]\nloads = [\"1 MPa\"]\n[[figure]]\nname = \"g\"\nshows = \"area\"\n";
+    let list = parsed(&format!("{steel}{curves}{own}[figures]\n{settings}")).unwrap();
+    let [own, common] = &list.figures[..] else { panic!("{:?}", list.figures) };
+    let wider = FigureStyle { width_mm: Some(120.0), hides_title: false, ..style };
+    assert_eq!((&own.style, &own.curves, &own.loads), (&wider, &vec![1], &Some(vec![0])));
+    assert_eq!((&common.style, &common.curves, &common.loads), (&style, &vec![0], &Some(vec![1])));
+    assert_eq!(list.notes, []);
+}
+
+#[test]
+fn wrong_settings_of_figures_are_refused_at_their_values() {
+    for (key, value) in [
+        ("width", "\"85\""),
+        ("width", "\"2 mm\""),
+        ("font_size", "100"),
+        ("title", "3"),
+        ("format", "[\"doc\"]"),
+        ("models", "[\"hertzian\"]"),
+        ("loads", "[\"3 MPa\"]"),
+    ] {
+        let figure = format!("[[figure]]\nname = \"f\"\nshows = \"area\"\n{key} = {value}\n");
+        let text = format!("{STEEL}{HERTZ}{figure}");
+        let error = parsed(&text).unwrap_err();
+        assert_eq!(&text[error.span.unwrap()], value.trim_matches(['[', ']']), "{key}");
+    }
+    assert!(parsed(&format!("{STEEL}{HERTZ}[figure]\ntitle = false\n[figures]\ntitle = true\n")).is_err());
 }
 
 #[test]

@@ -4,8 +4,9 @@ use std::collections::BTreeMap;
 
 use scene::{Overrides, Scene, SceneError, SceneProblem, Template, UncertaintyChoices, Unused};
 
-/// A spectrum whose standard errors scatter, and one without.
+/// A spectrum whose standard errors scatter, one with a hole, and one without either.
 const WITH_ERRORS: &str = "with-errors.csv";
+const WITH_HOLE: &str = "with-hole.csv";
 const WITHOUT: &str = "without.csv";
 
 fn parsed_with(psd: &str, section: &str, overrides: &Overrides) -> Result<Scene, SceneError> {
@@ -14,7 +15,8 @@ fn parsed_with(psd: &str, section: &str, overrides: &Overrides) -> Result<Scene,
             WITH_ERRORS.to_owned(),
             b"wavelength_m,C1D_m3,C1D_se_m3\n1e-6,4e-24,1e-24\n1e-7,4e-26,1e-26\n1e-8,4e-28,1e-28\n".to_vec(),
         ),
-        (WITHOUT.to_owned(), b"wavelength_m,C1D_m3\n1e-6,4e-24\n1e-7,4e-26\n1e-8,4e-28\n".to_vec()),
+        (WITHOUT.to_owned(), b"wavelength_m,C1D_m3\n1e-6,4e-24\n5e-7,1e-24\n".to_vec()),
+        (WITH_HOLE.to_owned(), b"wavelength_m,C1D_m3\n1e-6,4e-24\n1e-7,4e-26\n".to_vec()),
     ]);
     let text = format!(
         "[surface]\npsd = \"{psd}\"\n[material]\nyoungs_modulus = \"210 GPa\"\npoisson_ratio = 0.3\n\
@@ -103,6 +105,7 @@ fn a_section_on_what_does_not_scatter_is_noted() {
     };
     assert_eq!(notes(WITHOUT), [("uncertainty.level".to_owned(), Unused::NothingScatters)]);
     assert_eq!(notes(WITH_ERRORS), []);
+    assert_eq!(notes(WITH_HOLE), []);
 }
 
 #[test]

@@ -4,6 +4,7 @@
 use asperity::{ElasticBody, MaterialPair};
 use units::display::pressure;
 
+use crate::hardness_and_strength::HardnessAndStrength;
 use crate::material_spreads::MaterialSpreads;
 
 /// One of the two bodies in contact.
@@ -66,6 +67,35 @@ pub struct Softer {
     pub yield_strength_pa: f64,
     /// Yield strength of the other body \[Pa\]; absent if none was given, and the body is then taken not to yield.
     pub other_pa: Option<f64>,
+}
+
+impl Softer {
+    /// Decides which body yields, by the medians; `None` if the counterface has no strength. If both are equal, the
+    /// rough body yields.
+    #[must_use]
+    pub fn between(
+        (rough, rough_body): (&HardnessAndStrength, ElasticBody),
+        (counterface, counterface_body): (&HardnessAndStrength, ElasticBody),
+    ) -> Option<Self> {
+        let counterface_pa = counterface.yield_strength_pa()?;
+        let first_yield_pa =
+            |body: ElasticBody, strength_pa| body.spherical_yield_coefficient() * strength_pa;
+        let rough_yields = |rough_pa| {
+            first_yield_pa(counterface_body, counterface_pa) >= first_yield_pa(rough_body, rough_pa)
+        };
+        match rough.yield_strength_pa() {
+            // A strength in units of the hardness is refused where a model asks for it.
+            None if rough.strength_is_in_hardnesses() => None,
+            Some(rough_pa) if rough_yields(rough_pa) => Some(Softer {
+                flows: Body::Rough,
+                yield_strength_pa: rough_pa,
+                other_pa: Some(counterface_pa),
+            }),
+            other_pa => {
+                Some(Softer { flows: Body::Counterface, yield_strength_pa: counterface_pa, other_pa })
+            }
+        }
+    }
 }
 
 /// Properties of both bodies besides their elastic constants.

@@ -1,6 +1,9 @@
 //! A short table of materials, which comes with the program.
 
+use std::iter::once;
+
 use serde::Deserialize;
+use units::{IndentationHardness, Modulus, Pressure};
 
 use crate::body_properties::BodyProperty;
 
@@ -44,6 +47,9 @@ pub fn materials() -> Vec<TabledMaterial> {
     toml::from_str::<Table>(TABLE).map_or_else(|_| Vec::new(), |table| table.material)
 }
 
+/// Least similarity of names that are spelt alike, from 0 to 1.
+const ALIKE: f64 = 0.88;
+
 /// Words for materials that come in several grades, in lower case, and the part of their names in the table.
 const GRADES: [(&str, &str); 14] = [
     ("steel", "steel"),
@@ -64,11 +70,11 @@ const GRADES: [(&str, &str); 14] = [
 
 /// A name that no material of the table has.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("no material is called '{name}'; write {}", .known.join(" or "))]
+#[error("no material is called '{name}'; did you mean {}?", .known.join(", "))]
 pub struct UnknownMaterial {
     /// The name.
     pub name: String,
-    /// The names that it may mean: the grades of a material, or else all.
+    /// The names that it may mean: the grades of a material, the names most alike, or else all.
     pub known: Vec<String>,
 }
 
@@ -82,9 +88,19 @@ pub fn named(name: &str) -> Result<TabledMaterial, UnknownMaterial> {
         return Ok(found.clone());
     }
     let word = name.trim().to_lowercase();
-    let grade = GRADES.into_iter().find(|(known, _)| *known == word).map_or("", |(_, part)| part);
-    let known = table.into_iter().map(|material| material.name);
-    let known = known.filter(|known| known.to_lowercase().contains(grade)).collect();
+    let grade = GRADES.into_iter().find(|(known, _)| *known == word);
+    let likeness = |material: &TabledMaterial| {
+        let names = once(&material.name).chain(&material.aliases);
+        let words = names.flat_map(|name| once(name.as_str()).chain(name.split(' ')));
+        words.map(|known| strsim::jaro_winkler(&word, &known.to_lowercase())).fold(0.0, f64::max)
+    };
+    let closest = table.iter().map(likeness).fold(ALIKE, f64::max);
+    let (meant, others): (Vec<_>, Vec<_>) = table.into_iter().partition(|material| match grade {
+        Some((_, part)) => material.name.to_lowercase().contains(part),
+        None => likeness(material) >= closest,
+    });
+    let known = if meant.is_empty() { others } else { meant };
+    let known = known.into_iter().map(|material| material.name).collect();
     Err(UnknownMaterial { name: name.to_owned(), known })
 }
 
@@ -104,11 +120,29 @@ impl TabledMaterial {
         text.cloned().map(toml::Value::String)
     }
 
+    /// Young's modulus \[Pa\].
+    #[must_use]
+    pub fn youngs_modulus_pa(&self) -> Option<f64> {
+        self.youngs_modulus.parse().ok().map(|modulus: Modulus| modulus.pa)
+    }
+
+    /// Yield strength, where that is what the source has.
+    #[must_use]
+    pub fn own_yield_strength(&self) -> Option<Pressure> {
+        self.yield_strength.as_ref()?.parse().ok()
+    }
+
+    /// Indentation hardness \[Pa\], where that is what the source has.
+    #[must_use]
+    pub fn indentation_hardness_pa(&self) -> Option<f64> {
+        self.indentation_hardness.as_ref()?.parse().ok().map(|hardness: IndentationHardness| hardness.pa)
+    }
+
     /// Returns true if the material has this name or alias; case does not count.
     #[must_use]
     pub fn answers_to(&self, name: &str) -> bool {
         let wanted = name.trim().to_lowercase();
-        std::iter::once(&self.name).chain(&self.aliases).any(|known| known.to_lowercase() == wanted)
+        once(&self.name).chain(&self.aliases).any(|known| known.to_lowercase() == wanted)
     }
 }
 
@@ -117,7 +151,7 @@ mod tests {
     use std::collections::HashSet;
 
     use asperity::ElasticBody;
-    use units::{IndentationHardness, Modulus, Pressure, Resistivity, ThermalConductivity};
+    use units::{Resistivity, ThermalConductivity};
 
     use super::*;
 
@@ -141,7 +175,7 @@ mod tests {
                 resistivity.parse::<Resistivity>().unwrap();
             }
             assert!(row.sources.len() > 10, "{}", row.name);
-            for name in std::iter::once(&row.name).chain(&row.aliases) {
+            for name in once(&row.name).chain(&row.aliases) {
                 assert!(names.insert(name.to_lowercase()), "{name} stands twice");
             }
         }
@@ -154,6 +188,11 @@ mod tests {
             assert_eq!(known(name), ["steel 100Cr6", "steel C45", "stainless steel 304"], "{name}");
         }
         assert_eq!(known("aluminum"), ["aluminium 6061-T6"]);
+        assert_eq!(known("steeel"), known("steel"));
+        assert_eq!(
+            (known("diamnod"), known("steel C54")),
+            (vec!["diamond".to_owned()], vec!["steel C45".to_owned()])
+        );
         assert_eq!(known("unobtainium").len(), materials().len());
         assert_eq!(named("Messing").unwrap().name, "hard brass CuZn30");
     }

@@ -2,6 +2,7 @@
 
 use std::io;
 
+use scans::ScanReadError;
 use spectrum::{ReadOptions, read_psd};
 use topography::Recipe;
 use units::named;
@@ -70,7 +71,7 @@ impl Measured {
             (Ok(map), _) => Ok(Self::Map(Box::new(map))),
             // A text that is neither may have been meant as either.
             (Err(TopographyError { problem: ScanProblem::Format(error), file, request }), None)
-                if std::str::from_utf8(&bytes).is_ok() =>
+                if std::str::from_utf8(&bytes).is_ok() && !matches!(*error, ScanReadError::Foreign(_)) =>
             {
                 let as_spectrum =
                     read_psd(&bytes[..], &options.spectrum).err().map(|error| error.to_string());

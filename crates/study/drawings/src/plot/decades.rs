@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use kuva::TickFormat;
 
-use units::display::power_of_ten;
+use units::display::{length, power_of_ten, share};
 
-const MAX_TICKS: f64 = 9.0;
+pub(super) const MAX_TICKS: f64 = 9.0;
 
 /// The range of an axis in powers of ten, and the step between its labelled ticks.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,6 +22,11 @@ pub(super) struct Decades {
 impl Decades {
     /// The range of whole steps around every positive value.
     pub fn around(values: impl Iterator<Item = f64>) -> Self {
+        Decades::with_ticks(values, MAX_TICKS)
+    }
+
+    /// The range of whole steps around every positive value, of fewer steps than this.
+    pub fn with_ticks(values: impl Iterator<Item = f64>, most: f64) -> Self {
         let (low, high) = values
             .filter(|value| *value > 0.0)
             .map(f64::log10)
@@ -30,7 +35,7 @@ impl Decades {
             return Decades { first: 0.0, last: 1.0, step: 1.0 };
         }
         let span = (high.ceil() - low.floor()).max(1.0);
-        let step = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0].into_iter().find(|step| span / step < MAX_TICKS);
+        let step = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0].into_iter().find(|step| span / step < most);
         let step = step.unwrap_or(span);
         let first = (low / step).floor() * step;
         Decades { first, last: ((high / step).ceil() * step).max(first + step), step }
@@ -50,6 +55,16 @@ impl Decades {
 /// Ticks labelled 10⁻⁸ and so on.
 pub(super) fn powers_of_ten() -> TickFormat {
     TickFormat::Custom(Arc::new(|power| power_of_ten(power.round() as i32)))
+}
+
+/// Ticks labelled 100 nm, 1 µm and so on.
+pub(super) fn lengths() -> TickFormat {
+    TickFormat::Custom(Arc::new(|power| length(10f64.powi(power.round() as i32))))
+}
+
+/// Ticks labelled 10 ppm, 0.01 % and so on.
+pub(super) fn shares() -> TickFormat {
+    TickFormat::Custom(Arc::new(|power| share(10f64.powi(power.round() as i32))))
 }
 
 #[cfg(test)]

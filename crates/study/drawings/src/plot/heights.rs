@@ -1,34 +1,81 @@
-//! Heights along a line, on plain axes.
+//! Lines on plain axes, and panels that share a picture.
+
+use std::fmt::Write;
 
 use kuva::plot::LinePlot;
 use kuva::render::layout::Layout;
 use kuva::render::plots::Plot;
 use kuva::render::render::render_multiple;
 
+use super::split;
 use super::style::colour;
 use super::thinned::thinned;
-use super::{HEIGHT_PX, MAX_TITLE_LETTERS, WIDE_PX, split};
 
-/// Draws runs of positions and heights, both in the units of their labels, as an SVG document. Runs are not joined:
-/// missing points lie between them.
-#[must_use]
-pub fn line_of_heights(title: &str, labels: [&str; 2], runs: &[Vec<(f64, f64)>]) -> String {
-    let line = |run: &Vec<(f64, f64)>| {
-        Plot::Line(
-            LinePlot::new().with_data(thinned(run.clone())).with_color(colour(0)).with_stroke_width(1.2),
+/// SVG elements within a rectangle that begins at the origin.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Panel {
+    /// Width and height in px.
+    pub size: [f64; 2],
+    /// The elements.
+    pub elements: String,
+}
+
+impl Panel {
+    /// Draws runs of positions and values, both in the units of their labels. Runs are not joined: missing points lie
+    /// between them. The name is unique in the picture.
+    pub fn lines(
+        name: &str,
+        title: &str,
+        labels: [&str; 2],
+        runs: &[Vec<(f64, f64)>],
+        size: [f64; 2],
+    ) -> Self {
+        let line = |run: &Vec<(f64, f64)>| {
+            Plot::Line(
+                LinePlot::new().with_data(thinned(run.clone())).with_color(colour(0)).with_stroke_width(1.2),
+            )
+        };
+        let lines: Vec<Plot> = runs.iter().filter(|run| !run.is_empty()).map(line).collect();
+        let layout = Layout::auto_from_plots(&lines)
+            .with_width(size[0])
+            .with_height(size[1])
+            .with_title(title.to_owned())
+            .with_title_size(14)
+            .with_title_wrap((size[0] / 8.0) as usize)
+            .with_box_axes()
+            .with_label_size(13)
+            .with_x_label(labels[0].to_owned())
+            .with_y_label(labels[1].to_owned());
+        let scene = render_multiple(lines, layout);
+        let (_, inside) = split(&scene, name);
+        let elements = inside.trim_end().trim_end_matches("</svg>").to_owned();
+        Panel { size: [scene.width, scene.height], elements }
+    }
+
+    /// Puts another panel below this one.
+    pub fn above(self, other: &Panel) -> Self {
+        let [width, height] = self.size;
+        self.with([0.0, height], other, [width.max(other.size[0]), height + other.size[1]])
+    }
+
+    /// Puts another panel to the right of this one.
+    pub fn beside(self, other: &Panel) -> Self {
+        let [width, height] = self.size;
+        self.with([width, 0.0], other, [width + other.size[0], height.max(other.size[1])])
+    }
+
+    fn with(mut self, [x, y]: [f64; 2], other: &Panel, size: [f64; 2]) -> Self {
+        let _ = writeln!(self.elements, "<g transform=\"translate({x},{y})\">\n{}</g>", other.elements);
+        Panel { size, ..self }
+    }
+
+    /// The panel as an SVG document.
+    pub fn document(&self) -> String {
+        let [width, height] = self.size;
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" font-family=\"sans-serif\" font-size=\"13\">\n\
+             <rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n{}</svg>\n",
+            self.elements
         )
-    };
-    let lines: Vec<Plot> = runs.iter().filter(|run| !run.is_empty()).map(line).collect();
-    let layout = Layout::auto_from_plots(&lines)
-        .with_width(WIDE_PX)
-        .with_height(HEIGHT_PX)
-        .with_title(title.to_owned())
-        .with_title_size(14)
-        .with_title_wrap(2 * MAX_TITLE_LETTERS)
-        .with_box_axes()
-        .with_label_size(13)
-        .with_x_label(labels[0].to_owned())
-        .with_y_label(labels[1].to_owned());
-    let (opening, inside) = split(&render_multiple(lines, layout), "heights");
-    format!("{opening}>{inside}")
+    }
 }

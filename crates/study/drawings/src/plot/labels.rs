@@ -1,8 +1,8 @@
-//! Labels at the lines themselves: one per colour, left out if every place overlaps something.
+//! Labels at the lines themselves: one per group of lines, left out if every place overlaps something.
 
 use super::text_width_px;
 
-/// Height of a label's letters, and its distance from lines: from its own, and from those of other colours.
+/// Height of a label's letters, and its distance from lines: from its own group, and from others.
 pub(super) const SIZE_PX: f64 = 11.0;
 const GAP_PX: f64 = 4.0;
 const BERTH_PX: f64 = 7.0;
@@ -15,12 +15,12 @@ const PROBE_PX: f64 = 3.0;
 /// The places of a label along a line: its ends, the last point first, then points on the way.
 const PLACES: [f64; 7] = [1.0, 0.0, 0.75, 0.25, 0.5, 0.875, 0.125];
 
-/// A line in pixels. The first line of a colour with room for it gets the label.
+/// A line in pixels. The first line of a group with room for it gets the label.
 pub(super) struct Track {
     /// Its label.
     pub label: String,
     /// Lines that share it share a label.
-    pub colour: usize,
+    pub group: usize,
     /// Its points.
     pub points: Vec<(f64, f64)>,
 }
@@ -62,37 +62,37 @@ impl Box {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Placed {
     pub text: String,
-    pub colour: usize,
+    pub group: usize,
     pub place: Box,
 }
 
 /// The labels that find a place inside the frame.
 pub(super) fn place(tracks: &[Track], frame: Box) -> Vec<Placed> {
     let probes: Vec<(usize, Vec<(f64, f64)>)> =
-        tracks.iter().map(|track| (track.colour, probed(&track.points))).collect();
+        tracks.iter().map(|track| (track.group, probed(&track.points))).collect();
     let mut placed: Vec<Placed> = Vec::new();
     let mut seen: Vec<usize> = Vec::new();
     for track in tracks.iter().filter(|track| !track.label.is_empty()) {
-        if seen.contains(&track.colour) {
+        if seen.contains(&track.group) {
             continue;
         }
-        seen.push(track.colour);
+        seen.push(track.group);
         let free = |candidate: &Box| {
             candidate.within(&frame.grown(-MARGIN_PX))
                 && placed.iter().all(|other| !candidate.overlaps(&other.place.grown(GAP_PX / 2.0)))
-                && probes.iter().all(|(colour, points)| {
-                    let berth = if *colour == track.colour { 1.0 } else { BERTH_PX };
+                && probes.iter().all(|(group, points)| {
+                    let berth = if *group == track.group { 1.0 } else { BERTH_PX };
                     let kept_clear = candidate.grown(berth);
                     !points.iter().any(|point| kept_clear.holds(*point))
                 })
         };
-        let of_colour = || probes.iter().filter(|(colour, _)| *colour == track.colour);
+        let of_group = || probes.iter().filter(|(group, _)| *group == track.group);
         let found = PLACES.iter().find_map(|&along| {
-            of_colour()
+            of_group()
                 .flat_map(|(_, line)| around(line, along, &track.label))
                 .find(|candidate| free(candidate))
         });
-        placed.extend(found.map(|place| Placed { text: track.label.clone(), colour: track.colour, place }));
+        placed.extend(found.map(|place| Placed { text: track.label.clone(), group: track.group, place }));
     }
     placed
 }
@@ -140,9 +140,9 @@ mod tests {
 
     const FRAME: Box = Box { left: 0.0, top: 0.0, right: 400.0, bottom: 300.0 };
 
-    fn level(colour: usize, y: f64) -> Track {
-        let label = ["first", "second", "third"][colour].to_owned();
-        Track { label, colour, points: vec![(350.0, y), (60.0, y)] }
+    fn level(group: usize, y: f64) -> Track {
+        let label = ["first", "second", "third"][group].to_owned();
+        Track { label, group, points: vec![(350.0, y), (60.0, y)] }
     }
 
     #[test]
@@ -160,7 +160,7 @@ mod tests {
         let placed = place(&tracks, FRAME);
         for (i, label) in placed.iter().enumerate() {
             assert!(placed[..i].iter().all(|other| !label.place.overlaps(&other.place)));
-            let others = tracks.iter().filter(|track| track.colour != label.colour);
+            let others = tracks.iter().filter(|track| track.group != label.group);
             assert!(others.flat_map(|track| probed(&track.points)).all(|point| !label.place.holds(point)));
         }
         assert!(
@@ -170,13 +170,13 @@ mod tests {
     }
 
     #[test]
-    fn one_label_stands_for_every_line_of_a_colour() {
+    fn one_label_stands_for_every_line_of_a_group() {
         assert_eq!(place(&[level(0, 50.0), level(0, 100.0)], FRAME).len(), 1);
     }
 
     #[test]
     fn a_point_alone_is_labelled_inside_the_frame() {
-        let alone = Track { label: "first".to_owned(), colour: 0, points: vec![(1.0, 1.0)] };
+        let alone = Track { label: "first".to_owned(), group: 0, points: vec![(1.0, 1.0)] };
         let placed = place(&[alone], FRAME);
         assert!(placed[0].place.within(&FRAME), "{placed:?}");
     }

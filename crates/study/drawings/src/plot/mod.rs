@@ -10,6 +10,7 @@ mod shares;
 mod style;
 mod thinned;
 
+use kuva::TickFormat;
 use kuva::backend::svg::SvgBackend;
 use kuva::plot::{LinePlot, ScatterPlot};
 use kuva::render::color::Color;
@@ -17,13 +18,13 @@ use kuva::render::layout::{ComputedLayout, Layout};
 use kuva::render::plots::Plot;
 use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
 
-pub use heights::line_of_heights;
+pub(crate) use heights::Panel;
 pub use shares::shares_of_decades;
 
-use decades::{Decades, powers_of_ten};
+use decades::{Decades, MAX_TICKS, lengths, powers_of_ten, shares};
 use labels::{Box, Track};
-use study::figure::{FigureData, Series};
-use style::{colour, colour_index, dash, dash_index, tint};
+use study::figure::{AxisKind, FigureData, FigureStyle, Series, Shows};
+use style::{Ink, NEUTRAL, colour, colour_index};
 use thinned::thinned;
 use units::display::typeset;
 
@@ -36,19 +37,59 @@ const WIDE_PX: f64 = 860.0;
 const TITLE_PX: f64 = 36.0;
 const MAX_TITLE_LETTERS: usize = 54;
 const MINOR_TICK_PX: f64 = 3.0;
+/// The size of letters in print if only the width is given, and in a picture on average.
+const FONT_SIZE_PT: f64 = 8.0;
+const LETTERS_PX: f64 = 12.0;
+/// The least width of a narrow picture for each labelled tick.
+const TICK_ROOM_PX: f64 = 65.0;
+const POINTS_PER_MM: f64 = 72.0 / 25.4;
+/// The size of the labels of ticks, at most.
+const TICK_LETTERS_PX: f64 = 12.0;
 
 /// Draws a figure as an SVG document, with `subject` under its title and `provenance` as a comment.
 pub fn svg(figure: &FigureData, subject: &str, provenance: &[String]) -> String {
-    let layout = Layout::new((0.0, 1.0), (0.0, 1.0))
-        .with_height(HEIGHT_PX)
-        .with_title(figure.title.clone())
-        .with_title_size(14)
-        .with_title_wrap(MAX_TITLE_LETTERS)
-        .with_subtitle(subject.to_owned())
-        .with_subtitle_wrap(MAX_TITLE_LETTERS);
-    let scene = drawn(figure, layout.with_width(WIDTH_PX), &[figure]);
+    styled_svg(figure, &FigureStyle::default(), subject, provenance)
+}
+
+/// Draws a figure like [`svg`], in a style: letters keep their size in print, so that a narrow figure has less room.
+pub fn styled_svg(figure: &FigureData, style: &FigureStyle, subject: &str, provenance: &[String]) -> String {
+    let font_size_pt = style.font_size_pt.unwrap_or(FONT_SIZE_PT);
+    let px_of_mm = POINTS_PER_MM * LETTERS_PX / font_size_pt;
+    let width_px = style.width_mm.map_or(WIDTH_PX, |width_mm| width_mm * px_of_mm);
+    let axes_px = (HEIGHT_PX - TITLE_PX) * width_px / WIDTH_PX;
+    let layout = Layout::new((0.0, 1.0), (0.0, 1.0)).with_width(width_px);
+    let layout = if style.hides_title {
+        layout.with_height(axes_px)
+    } else {
+        let letters = (MAX_TITLE_LETTERS as f64 * width_px / WIDTH_PX) as usize;
+        layout
+            .with_height(axes_px + TITLE_PX)
+            .with_title(figure.title.clone())
+            .with_title_size(14)
+            .with_title_wrap(letters)
+            .with_subtitle(subject.to_owned())
+            .with_subtitle_wrap(letters)
+    };
+    let scene = drawn(figure, layout, &[figure]);
     let (opening, inside) = split(&scene, &figure.name);
+    let opening = match style.width_mm.or(style.font_size_pt) {
+        Some(_) => in_print(&opening, &scene, px_of_mm),
+        None => opening,
+    };
     format!("{opening}>\n<!--\n{}\n-->\n{inside}", comment(provenance))
+}
+
+/// The opening tag with its size in millimetres.
+fn in_print(opening: &str, scene: &Scene, px_of_mm: f64) -> String {
+    let sizes = [("width", scene.width), ("height", scene.height)];
+    sizes.iter().fold(opening.to_owned(), |opening, (name, px)| {
+        let attribute = format!(" {name}=\"");
+        match opening.split_once(&attribute).and_then(|(before, rest)| Some((before, rest.split_once('"')?)))
+        {
+            Some((before, (_, after))) => format!("{before}{attribute}{:.2}mm\"{after}", px / px_of_mm),
+            None => opening,
+        }
+    })
 }
 
 /// Draws a figure as an element of a page that scales with its surroundings. `id` is unique in the page; `words` is the
@@ -74,9 +115,10 @@ fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
         let marks = beside.iter().flat_map(|figure| &figure.marks).flat_map(marks::ends);
         lines.chain(marks).chain(beside.iter().flat_map(|figure| &figure.bands).flat_map(bands::ends))
     };
-    let x = Decades::around(points().map(|(x, _)| x));
+    let narrowed = layout.width.filter(|width_px| *width_px < WIDTH_PX);
+    let most = narrowed.map_or(MAX_TICKS, |width_px| width_px / TICK_ROOM_PX);
+    let x = Decades::with_ticks(points().map(|(x, _)| x), most);
     let y = Decades::around(points().map(|(_, y)| y));
-    let compared = figure.compares_curves();
     let drawn = |series: &Series| {
         let pieces = figure.pieces(series).into_iter().map(|piece| thinned(logarithms(&piece)));
         pieces.filter(|piece| !piece.is_empty()).collect()
@@ -84,31 +126,31 @@ fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
     let traces: Vec<Trace> = figure
         .series
         .iter()
-        .map(|series| Trace {
-            label: typeset(&series.condition),
-            colour: colour_index(figure, series.condition_index),
-            dash: dash_index(figure, series.curve_index),
-            runs: drawn(series),
+        .enumerate()
+        .map(|(at, series)| {
+            let (label, ink) = (typeset(&series.condition), Ink::new(figure, series));
+            Trace { label, group: label_group(figure, at), ink, runs: drawn(series) }
         })
         .collect();
     // Lines that coincide have to be seen: solid ones are broad and pale, and dashed ones lie dark on top of them.
-    let (solid, dashed): (Vec<_>, Vec<_>) = traces.iter().partition(|trace| trace.dash == 0);
+    let (solid, dashed): (Vec<_>, Vec<_>) = traces.iter().partition(|trace| trace.ink.is_solid());
     let traces: Vec<&Trace> = solid.into_iter().chain(dashed).collect();
-    let line = |trace: &&Trace| trace.runs.iter().map(|run| line(trace, run, compared)).collect::<Vec<_>>();
+    let line = |trace: &&Trace| trace.runs.iter().map(|run| line(&trace.ink, run)).collect::<Vec<_>>();
     let lines: Vec<Plot> = traces.iter().flat_map(line).collect();
     let layout = layout
         .with_x_axis_min(x.first)
         .with_x_axis_max(x.last)
         .with_x_tick_step(x.step)
-        .with_x_tick_format(powers_of_ten())
+        .with_x_tick_format(x_ticks(figure))
         .with_y_axis_min(y.first)
         .with_y_axis_max(y.last)
         .with_y_tick_step(y.step)
-        .with_y_tick_format(powers_of_ten())
+        .with_y_tick_format(y_ticks(figure))
         .with_box_axes()
         .with_label_size(13)
-        .with_x_label(figure.x_label.clone())
-        .with_y_label(figure.y_label);
+        .with_x_label(without_unit(figure.x.kind() == AxisKind::Length, &figure.x_label))
+        .with_y_label(without_unit(is_length(figure), figure.y_label));
+    let layout = with_room_at_the_end(layout, x);
     let computed = ComputedLayout::from_layout(&layout);
     let mut scene = render_multiple(lines, layout);
     let frame = frame(&computed);
@@ -119,7 +161,12 @@ fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
     }
     bands::draw(&mut scene, &computed, frame, figure);
     for mark in &figure.marks {
-        marks::draw(&mut scene, &computed, mark, &colour(colour_index(figure, mark.condition_index)));
+        marks::draw(
+            &mut scene,
+            &computed,
+            mark,
+            &mark_colour(figure, colour_index(figure, mark.condition_index)),
+        );
     }
     let in_pixels = |points: &[(f64, f64)]| {
         points.iter().map(|(x, y)| (computed.map_x(*x), computed.map_y(*y))).collect()
@@ -127,35 +174,81 @@ fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
     let tracks: Vec<Track> = traces
         .iter()
         .flat_map(|trace| trace.runs.iter().map(move |run| (trace, run)))
-        .map(|(trace, run)| Track {
-            label: trace.label.clone(),
-            colour: trace.colour,
-            points: in_pixels(run),
-        })
+        .map(|(trace, run)| Track { label: trace.label.clone(), group: trace.group, points: in_pixels(run) })
         .collect();
-    for label in labels::place(&tracks, frame) {
+    let placed = labels::place(&tracks, frame);
+    let colour_of =
+        |group: usize| traces.iter().find(|trace| trace.group == group).map(|trace| &trace.ink.dark);
+    for label in &placed {
         scene.add(Primitive::Text {
             x: label.place.left,
             y: label.place.bottom - 0.15 * labels::SIZE_PX,
-            content: label.text,
+            content: label.text.clone(),
             size: labels::SIZE_PX as u32,
             anchor: TextAnchor::Start,
             rotate: None,
             bold: false,
-            color: Some(Color::from(colour(label.colour).as_str())),
+            color: colour_of(label.group).map(|dark| Color::from(dark.as_str())),
         });
     }
     let width_px = scene.width;
-    legend::append(&mut scene, figure, frame.left, width_px);
+    let is_labelled = |at: usize| placed.iter().any(|label| label.group == label_group(figure, at));
+    legend::append(&mut scene, figure, is_labelled, [frame.left, width_px]);
     scene
 }
 
 /// A line and its drawn parts between holes, in powers of ten.
 struct Trace {
     label: String,
-    colour: usize,
-    dash: usize,
+    group: usize,
+    ink: Ink,
     runs: Vec<Vec<(f64, f64)>>,
+}
+
+/// The lines that share a label with the one at an index: those of its colour. Lines of models have one each.
+fn label_group(figure: &FigureData, at: usize) -> usize {
+    let series = &figure.series[at];
+    series.look.map_or_else(|| colour_index(figure, series.condition_index), |_| at)
+}
+
+/// Widens the right margin so that the last label of the abscissa ends inside the picture.
+fn with_room_at_the_end(layout: Layout, x: Decades) -> Layout {
+    let computed = ComputedLayout::from_layout(&layout);
+    let label = layout.x_tick_format.format(x.last);
+    let half_px = 0.5 * text_width_px(&label, TICK_LETTERS_PX) + 1.0;
+    layout.with_force_margins(computed.margin_left, computed.margin_right.max(half_px))
+}
+
+/// The colour of marks under a condition: its own, or black where colours belong to models.
+fn mark_colour(figure: &FigureData, condition: usize) -> String {
+    let has_models = figure.series.iter().any(|series| series.look.is_some());
+    colour(if has_models { NEUTRAL } else { condition })
+}
+
+/// Ticks of lengths where the abscissa is one, else powers of ten.
+fn x_ticks(figure: &FigureData) -> TickFormat {
+    if figure.x.kind() == AxisKind::Length { lengths() } else { powers_of_ten() }
+}
+
+/// Ticks of areas in percent, of amplitudes as lengths, else powers of ten. A picture of another quantity in place of an area
+/// has a unit.
+fn y_ticks(figure: &FigureData) -> TickFormat {
+    match figure.shows {
+        Shows::Area | Shows::AreaAgainstLoad if !figure.y_label.ends_with(')') => shares(),
+        _ if is_length(figure) => lengths(),
+        _ => powers_of_ten(),
+    }
+}
+
+/// True if the ordinate is a length.
+fn is_length(figure: &FigureData) -> bool {
+    figure.y_label.ends_with(" (m)")
+}
+
+/// The label of an axis; without its unit if the ticks have one.
+fn without_unit(ticks_have_units: bool, label: &str) -> String {
+    let kept = label.strip_suffix(" (m)").filter(|_| ticks_have_units);
+    kept.unwrap_or(label).to_owned()
 }
 
 /// A stretch of the abscissa that was not measured.
@@ -207,16 +300,14 @@ fn logarithms(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     points.iter().filter(|(_, y)| *y > 0.0).map(|(x, y)| (x.log10(), y.log10())).collect()
 }
 
-fn line(trace: &Trace, points: &[(f64, f64)], compared: bool) -> Plot {
+fn line(ink: &Ink, points: &[(f64, f64)]) -> Plot {
     let points = points.to_vec();
-    let dark = colour(trace.colour);
     if points.len() == 1 {
-        return Plot::Scatter(ScatterPlot::new().with_data(points).with_color(dark).with_size(3.0));
+        let point = ScatterPlot::new().with_data(points).with_color(ink.dark.clone());
+        return Plot::Scatter(point.with_size(3.0));
     }
-    let (colour, width_px) =
-        if compared && trace.dash == 0 { (tint(trace.colour), 3.5) } else { (dark, 1.6) };
-    let line = LinePlot::new().with_data(points).with_color(colour).with_stroke_width(width_px);
-    Plot::Line(line.with_line_style(dash(trace.dash)))
+    let line = LinePlot::new().with_data(points).with_color(ink.colour.clone());
+    Plot::Line(line.with_stroke_width(ink.width_px).with_line_style(ink.dash.clone()))
 }
 
 /// An upper estimate of the width of a text in the usual fonts.
@@ -262,7 +353,7 @@ pub(crate) fn escaped(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use study::figure::{Band, BandKind, Shows};
+    use study::figure::{Band, BandKind, CurveLook, Variant};
 
     fn figure(name: &str) -> FigureData {
         let series = Series {
@@ -331,6 +422,8 @@ mod tests {
         // Two bands, and the sample of the legend.
         assert_eq!(count(&banded, "opacity=\"0.18\"") - count(&whole, "opacity=\"0.18\""), 3, "{banded}");
         assert_eq!(count(&banded, ">linear laws</text>"), 1);
+        figure.gaps = vec![(1.0, 3.0)];
+        assert_eq!(count(&svg(&figure, "", &[]), "opacity=\"0.18\""), 5, "each band in two pieces");
     }
 
     #[test]
@@ -353,6 +446,84 @@ mod tests {
         );
         assert_eq!(banded.matches(">95 % coverage interval</text>").count(), 1);
         assert!(banded.contains(">10⁻³⁴</text>"), "{banded}");
+    }
+
+    #[test]
+    fn a_model_has_its_colour_and_dash_in_any_figure_and_its_ticks_have_units() {
+        let look = |model| Some(CurveLook { model, variant: Variant::Plain, repeat: 0 });
+        let line = |model: &'static str, curve_index| Series {
+            curve: model.to_owned(),
+            curve_index,
+            look: look(model),
+            ..Series::under("1 MPa", 0, vec![(1e-9, 1e-5), (1e-6, 1e-2)])
+        };
+        let with = |series: Vec<Series>| {
+            let x = study::figure::Axis { column: "wavelength_m", label: "wavelength (m)" };
+            let x_label = x.label.to_owned();
+            let drawn = FigureData { shows: Shows::Area, series, x, x_label, ..figure("a") };
+            svg(&drawn, "", &[])
+        };
+        let style = crate::model_style::ModelStyle::new(look("persson").unwrap());
+        for drawn in [with(vec![line("persson", 0)]), with(vec![line("hertz", 0), line("persson", 1)])] {
+            assert!(drawn.contains(style.colour) && drawn.contains(&style.dash), "{drawn}");
+            for label in
+                [">1 nm</text>", ">1 µm</text>", ">10 ppm</text>", ">1 %</text>", ">wavelength</text>"]
+            {
+                assert!(drawn.contains(label), "{label}: {drawn}");
+            }
+        }
+    }
+
+    #[test]
+    fn each_line_of_a_model_is_labelled_with_its_load_or_as_broad_as_its_load_in_the_legend() {
+        let look = Some(CurveLook { model: "persson", variant: Variant::Plain, repeat: 0 });
+        let line = |condition: &str, index, y: f64| Series {
+            curve: "persson".to_owned(),
+            look,
+            ..Series::under(condition, index, vec![(1e-9, y), (1e-6, 10.0 * y)])
+        };
+        let drawn = |second: f64| {
+            let series = vec![line("1 MPa", 0, 1e-6), line("2 MPa", 1, second)];
+            svg(&FigureData { series, ..figure("a") }, "", &[])
+        };
+        let count = |svg: &str, text: &str| svg.matches(text).count();
+        let (apart, together) = (drawn(1e-4), drawn(1.01e-6));
+        assert_eq!([">1 MPa</text>", ">2 MPa</text>"].map(|load| count(&apart, load)), [1, 1], "{apart}");
+        // Lines on top of each other leave no room for labels beside them: the legend has both widths.
+        for width in ["stroke-width=\"0.9\"", "stroke-width=\"2.9\""] {
+            assert_eq!(count(&together, width), count(&apart, width) + 1, "{together}");
+        }
+    }
+
+    #[test]
+    fn the_last_label_of_the_abscissa_ends_inside_the_picture() {
+        let x = study::figure::Axis { column: "wavelength_m", label: "wavelength (m)" };
+        let series = vec![Series::under("1 MPa", 0, vec![(1e-6, 1e-5), (1e-4, 1e-2)])];
+        let drawn = svg(&FigureData { series, x, ..figure("a") }, "", &[]);
+        let label = drawn.split("<text ").find(|text| text.contains(">100 µm</text>")).unwrap();
+        let place: f64 = label.split_once("x=\"").unwrap().1.split('"').next().unwrap().parse().unwrap();
+        assert!(place + 0.5 * text_width_px("100 µm", 12.0) <= WIDTH_PX, "{label}");
+    }
+
+    #[test]
+    fn a_width_in_print_keeps_the_size_of_letters() {
+        let drawn = |width_mm, font_size_pt, hides_title| {
+            let style = FigureStyle { width_mm, font_size_pt, hides_title };
+            styled_svg(&FigureData { title: "title".to_owned(), ..figure("a") }, &style, "", &[])
+        };
+        let units_wide = |svg: &str| -> f64 {
+            svg.split_once("viewBox=\"0 0 ").unwrap().1.split(' ').next().unwrap().parse().unwrap()
+        };
+        let [narrow, wide] = [85.0, 170.0].map(|width_mm| drawn(Some(width_mm), Some(8.0), true));
+        assert!(narrow.contains(" width=\"85.00mm\"") && !narrow.contains(">title</text>"), "{narrow}");
+        // 12 units of the drawing are 8 points, a point is 1/72 inch.
+        assert!((units_wide(&narrow) - 85.0 * 72.0 / 25.4 * 1.5).abs() < 1e-6, "{narrow}");
+        assert!((units_wide(&wide) - 2.0 * units_wide(&narrow)).abs() < 1e-6, "{wide}");
+        assert!((units_wide(&drawn(Some(85.0), Some(16.0), true)) - 0.5 * units_wide(&narrow)).abs() < 1e-6);
+        assert_eq!(
+            drawn(None, None, false),
+            svg(&FigureData { title: "title".to_owned(), ..figure("a") }, "", &[])
+        );
     }
 
     #[test]

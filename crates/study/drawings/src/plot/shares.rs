@@ -8,9 +8,9 @@ use kuva::render::plots::Plot;
 use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
 use uncertainty::DecadeOfVariance;
 
-use super::decades::{Decades, powers_of_ten};
+use super::decades::{Decades, lengths};
 use super::style::{NEUTRAL, colour, tint};
-use super::{WIDE_PX, frame, page_element, ticks_below};
+use super::{WIDE_PX, frame, page_element, ticks_below, with_room_at_the_end};
 
 /// The height of the picture, lower than that of a figure of curves.
 const LOW_PX: f64 = 230.0;
@@ -38,15 +38,16 @@ pub fn shares_of_decades(
         .with_x_axis_min(x.first)
         .with_x_axis_max(x.last)
         .with_x_tick_step(x.step)
-        .with_x_tick_format(powers_of_ten())
+        .with_x_tick_format(lengths())
         .with_y_axis_min(0.0)
         .with_y_axis_max(((highest + 0.5 * STEP) / STEP).ceil() * STEP)
         .with_y_tick_step(STEP)
         .with_y_tick_format(TickFormat::Fixed(0))
         .with_box_axes()
         .with_label_size(13)
-        .with_x_label("wavelength (m)".to_owned())
+        .with_x_label("wavelength".to_owned())
         .with_y_label(y_label.to_owned());
+    let layout = with_room_at_the_end(layout, x);
     let computed = ComputedLayout::from_layout(&layout);
     let ground = LinePlot::new().with_data(vec![(x.first, 0.0), (x.last, 0.0)]).with_color("black");
     let mut scene = render_multiple(vec![Plot::Line(ground.with_stroke_width(0.7))], layout);

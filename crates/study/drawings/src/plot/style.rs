@@ -1,7 +1,11 @@
 //! Colours and dash patterns. All are different, however many lines a figure has.
 
+use std::collections::BTreeSet;
+
 use kuva::plot::line::LineStyle;
-use study::figure::FigureData;
+use study::figure::{FigureData, Series};
+
+use crate::model_style::ModelStyle;
 
 /// Colours for any colour vision, dark enough for thin lines (Okabe & Ito).
 const COLOURS: [[u8; 3]; 6] = [
@@ -19,6 +23,53 @@ const GREY: f64 = 128.0;
 
 /// The colour of lines without a meaning of their colour.
 pub(super) const NEUTRAL: usize = COLOURS.len() - 1;
+
+/// The drawn look of a line.
+#[derive(Debug, Clone)]
+pub(super) struct Ink {
+    /// The colour, perhaps pale so that other lines show on top.
+    pub colour: String,
+    /// The colour of small things that go with the line.
+    pub dark: String,
+    pub width_px: f64,
+    pub dash: LineStyle,
+}
+
+impl Ink {
+    /// Returns the look of a line: that of its model, as broad as its condition, else by condition and curve.
+    pub fn new(figure: &FigureData, series: &Series) -> Self {
+        const WIDTH_PX: f64 = 1.6;
+        if let Some(look) = series.look {
+            let style = ModelStyle::new(look);
+            let dash = if style.dash.is_empty() { LineStyle::Solid } else { LineStyle::Custom(style.dash) };
+            let colour = style.colour.to_owned();
+            let width_px = condition_width_px(figure, series.condition_index).unwrap_or(WIDTH_PX);
+            return Ink { dark: colour.clone(), colour, width_px, dash };
+        }
+        let index = colour_index(figure, series.condition_index);
+        let pattern = dash_index(figure, series.curve_index);
+        let is_broad = figure.compares_curves() && pattern == 0;
+        let (colour, width_px) = if is_broad { (tint(index), 3.5) } else { (colour(index), WIDTH_PX) };
+        Ink { colour, dark: self::colour(index), width_px, dash: dash(pattern) }
+    }
+
+    /// Returns true for a line without gaps.
+    pub fn is_solid(&self) -> bool {
+        self.dash.dasharray().is_none()
+    }
+}
+
+/// The width of the lines of models under a condition, from the narrow first to the broad last; `None` if the figure has
+/// no more than one condition.
+pub(super) fn condition_width_px(figure: &FigureData, condition: Option<usize>) -> Option<f64> {
+    const NARROWEST_PX: f64 = 0.9;
+    const BROADEST_PX: f64 = 2.9;
+    let conditions: BTreeSet<usize> =
+        figure.series.iter().filter_map(|series| series.condition_index).collect();
+    let last = conditions.len().checked_sub(1).filter(|last| *last > 0)?;
+    let place = conditions.iter().position(|one| Some(*one) == condition)?;
+    Some(NARROWEST_PX + (BROADEST_PX - NARROWEST_PX) * place as f64 / last as f64)
+}
 
 /// The colour index of lines under a condition of a figure. A line without a condition among others that have some is
 /// black, and none of these is.

@@ -1,5 +1,6 @@
 //! Figures as data: the series of each, to be drawn, and written as tables.
 
+mod curve_look;
 mod of_results;
 mod of_scans;
 mod table;
@@ -7,6 +8,7 @@ mod table;
 use serde::{Deserialize, Serialize};
 use spectrum::Hole;
 
+pub use curve_look::{CurveLook, Variant};
 pub use of_scans::{composite_figure, over_scans};
 
 /// The subject of a figure.
@@ -40,6 +42,47 @@ pub struct Figure {
     pub curves: Vec<usize>,
     /// Indices of the sweeps over loads that it draws.
     pub sweeps: Vec<usize>,
+    /// Indices of the loads that it draws; `None` for all.
+    pub loads: Option<Vec<usize>>,
+    /// The look of its file.
+    pub style: FigureStyle,
+    /// The formats of its files; SVG is always one.
+    pub formats: Vec<PictureFormat>,
+}
+
+/// A format of the file of a figure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum PictureFormat {
+    /// A drawing for the web, and the source of the others.
+    Svg,
+    /// A picture in pixels.
+    Png,
+    /// A drawing for print.
+    Pdf,
+}
+
+impl PictureFormat {
+    /// Returns the ending of the names of files.
+    #[must_use]
+    pub fn extension(self) -> &'static str {
+        match self {
+            PictureFormat::Svg => "svg",
+            PictureFormat::Png => "png",
+            PictureFormat::Pdf => "pdf",
+        }
+    }
+}
+
+/// The look of the file of a figure.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct FigureStyle {
+    /// The width in print \[mm\].
+    pub width_mm: Option<f64>,
+    /// The size of letters in print, in points.
+    pub font_size_pt: Option<f64>,
+    /// True to draw neither title nor subject.
+    pub hides_title: bool,
 }
 
 /// One line of a figure.
@@ -51,6 +94,8 @@ pub struct Series {
     pub curve: String,
     /// The place of its curve among those of the figure, the one that others are held against first.
     pub curve_index: usize,
+    /// The facts that decide its colour and dash; `None` for a line that belongs to no curve of a model.
+    pub look: Option<CurveLook>,
     /// The load or cutoff it is drawn for, as typed; empty where it is alone.
     pub condition: String,
     /// The load or cutoff in the words of the legend: a load also in units of the hardness.
@@ -71,6 +116,7 @@ impl Series {
             column: condition.to_owned(),
             curve: String::new(),
             curve_index: 0,
+            look: None,
             condition: condition.to_owned(),
             condition_in_full: condition.to_owned(),
             load: None,
@@ -164,6 +210,29 @@ pub struct Axis {
     pub label: &'static str,
 }
 
+/// The quantity along an abscissa.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AxisKind {
+    /// A wavevector \[rad/m\].
+    Wavevector,
+    /// A wavelength \[m\].
+    Length,
+    /// Anything else, such as a pressure.
+    Other,
+}
+
+impl Axis {
+    /// Returns the quantity along the axis, by the column of its table.
+    #[must_use]
+    pub fn kind(&self) -> AxisKind {
+        match self.column {
+            "wavevector_rad_per_m" => AxisKind::Wavevector,
+            "wavelength_m" => AxisKind::Length,
+            _ => AxisKind::Other,
+        }
+    }
+}
+
 const WAVEVECTOR: Axis = Axis { column: "wavevector_rad_per_m", label: "wavevector q (rad/m)" };
 const PSD: &str = "power spectral density C1D (m³)";
 
@@ -173,7 +242,27 @@ pub const AREA_OF_ALL: &str = "area-fraction";
 impl Figure {
     /// Returns the default figure: the area of all these curves against cutoff.
     pub fn area_of_all(curves: Vec<usize>) -> Self {
-        Figure { name: AREA_OF_ALL.to_owned(), shows: Shows::Area, title: None, curves, sweeps: Vec::new() }
+        Figure {
+            name: AREA_OF_ALL.to_owned(),
+            shows: Shows::Area,
+            title: None,
+            curves,
+            sweeps: Vec::new(),
+            loads: None,
+            style: FigureStyle::default(),
+            formats: vec![PictureFormat::Svg],
+        }
+    }
+
+    /// Returns the names of the files of its formats.
+    pub fn file_names(&self) -> impl Iterator<Item = String> {
+        self.formats.iter().map(|format| format!("{}.{}", self.name, format.extension()))
+    }
+
+    /// Returns true if the figure draws the load at an index.
+    #[must_use]
+    pub fn draws_load(&self, load: usize) -> bool {
+        self.loads.as_ref().is_none_or(|loads| loads.contains(&load))
     }
 }
 
@@ -194,40 +283,49 @@ pub fn psd_figure(name: &str, series: Vec<Series>) -> FigureData {
 }
 
 impl FigureData {
-    /// A figure of spectra against wavevectors that leaves these holes open.
+    /// A figure against wavevectors or wavelengths that leaves these holes open; any other figure as it is.
     #[must_use]
     pub fn with_holes(self, holes: &[Hole]) -> Self {
-        let wavevector = |wavelength_m: f64| std::f64::consts::TAU / wavelength_m;
-        let gaps =
-            holes.iter().map(|hole| (wavevector(hole.longest_m), wavevector(hole.shortest_m))).collect();
+        let ends = |hole: &Hole| match self.x.kind() {
+            AxisKind::Wavevector => {
+                Some((std::f64::consts::TAU / hole.longest_m, std::f64::consts::TAU / hole.shortest_m))
+            }
+            AxisKind::Length => Some((hole.shortest_m, hole.longest_m)),
+            AxisKind::Other => None,
+        };
+        let gaps = holes.iter().filter_map(ends).collect();
         FigureData { gaps, ..self }
     }
 
     /// Splits the points of a line into pieces that cross no gap. Points inside a gap are interpolated and left out.
     #[must_use]
     pub fn pieces(&self, series: &Series) -> Vec<Vec<(f64, f64)>> {
-        // An abscissa at the end of a gap was measured, whatever the rounding.
-        let is_inside = |x: f64| self.gaps.iter().any(|(a, b)| x > a * (1.0 + 1e-9) && x < b * (1.0 - 1e-9));
-        let crosses = |x: f64, y: f64| {
-            let (from, to) = (x.min(y) * (1.0 - 1e-9), x.max(y) * (1.0 + 1e-9));
-            self.gaps.iter().any(|(a, b)| from <= *a && to >= *b)
-        };
-        let mut pieces: Vec<Vec<(f64, f64)>> = Vec::new();
-        for point in series.points.iter().filter(|(x, _)| !is_inside(*x)) {
-            match pieces.last_mut() {
-                Some(piece) if !piece.last().is_some_and(|last| crosses(last.0, point.0)) => {
-                    piece.push(*point)
-                }
-                _ => pieces.push(vec![*point]),
-            }
-        }
-        pieces
+        pieces(&series.points, &self.gaps)
     }
 
     /// Returns true if the lines belong to several curves.
     pub fn compares_curves(&self) -> bool {
         self.series.iter().any(|series| series.curve_index != self.series[0].curve_index)
     }
+}
+
+/// Splits points with monotonic abscissas into pieces that cross no gap. Points inside a gap are left out.
+#[must_use]
+pub fn pieces<T: Copy>(points: &[(f64, T)], gaps: &[(f64, f64)]) -> Vec<Vec<(f64, T)>> {
+    // An abscissa at the end of a gap was measured, whatever the rounding.
+    let is_inside = |x: f64| gaps.iter().any(|(a, b)| x > a * (1.0 + 1e-9) && x < b * (1.0 - 1e-9));
+    let crosses = |x: f64, y: f64| {
+        let (from, to) = (x.min(y) * (1.0 - 1e-9), x.max(y) * (1.0 + 1e-9));
+        gaps.iter().any(|(a, b)| from <= *a && to >= *b)
+    };
+    let mut pieces: Vec<Vec<(f64, T)>> = Vec::new();
+    for point in points.iter().filter(|(x, _)| !is_inside(*x)) {
+        match pieces.last_mut() {
+            Some(piece) if !piece.last().is_some_and(|last| crosses(last.0, point.0)) => piece.push(*point),
+            _ => pieces.push(vec![*point]),
+        }
+    }
+    pieces
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use stacked_contact::Scale;
 use units::display::{length, lengths_apart, load_in_full, pressure, typeset};
 
-use super::{Axis, Band, BandKind, Figure, FigureData, PSD, Series, Shows, WAVEVECTOR};
+use super::{Axis, Band, BandKind, CurveLook, Figure, FigureData, PSD, Series, Shows, WAVEVECTOR};
 use crate::linear_laws::{linear_areas, rms_gradients};
 use crate::plan::{Load, Needs, Results};
 
@@ -68,15 +68,16 @@ impl Figure {
                 points,
             }
         };
-        needs.loads.iter().enumerate().map(band).filter(|band| !band.points.is_empty()).collect()
+        let loads = needs.loads.iter().enumerate().filter(|(index, _)| self.draws_load(*index));
+        loads.map(band).filter(|band| !band.points.is_empty()).collect()
     }
 
     fn area_series(&self, results: &Results, needs: &Needs, hardness_pa: Option<f64>) -> Vec<Series> {
         let mut series = Vec::new();
         for (place, &curve) in self.curves.iter().enumerate() {
-            for (index, load) in needs.loads.iter().enumerate() {
+            for (index, load) in needs.loads.iter().enumerate().filter(|(index, _)| self.draws_load(*index)) {
                 let points = results.curves[curve].area_fractions(index);
-                let line = line(&needs.curves[curve].name, &load.label, place, index, points);
+                let line = line(needs, curve, &load.label, place, index, points);
                 series.push(Series {
                     condition_in_full: load_in_full(&load.label, load.nominal_pressure_pa(), hardness_pa),
                     load: Some(index),
@@ -90,7 +91,7 @@ impl Figure {
                     let sign = if *separation_m < 0.0 { "-" } else { "" };
                     let label = format!("separation {sign}{}", length(separation_m.abs()));
                     let points = results.curves[curve].area_fractions(block);
-                    series.push(line(&needs.curves[curve].name, &label, place, block, points));
+                    series.push(line(needs, curve, &label, place, block, points));
                 }
             }
         }
@@ -111,7 +112,7 @@ impl Figure {
             let place = self.curves.iter().position(|&curve| curve == asked.curve).unwrap_or(0);
             let areas = found.states.iter().map(|state| state.area_fraction);
             let points = asked.pressures_pa.iter().copied().zip(areas).collect();
-            let line = line(&needs.curves[asked.curve].name, &label, place, index, points);
+            let line = line(needs, asked.curve, &label, place, index, points);
             Series { condition_in_full: format!("cutoff {label}"), ..line }
         };
         self.sweeps.iter().zip(&cutoffs_m).zip(labels).map(of_sweep).collect()
@@ -120,16 +121,19 @@ impl Figure {
 
 /// The line of one curve under one condition.
 fn line(
-    curve: &str,
+    needs: &Needs,
+    curve: usize,
     condition: &str,
     curve_index: usize,
     condition_index: usize,
     points: Vec<(f64, f64)>,
 ) -> Series {
+    let name = &needs.curves[curve].name;
     Series {
-        column: format!("{curve} at {condition}"),
-        curve: curve.to_owned(),
+        column: format!("{name} at {condition}"),
+        curve: name.clone(),
         curve_index,
+        look: CurveLook::of_curves(&needs.curves).get(curve).copied(),
         condition: condition.to_owned(),
         condition_in_full: typeset(condition),
         load: None,
