@@ -133,7 +133,7 @@ impl LoadConclusion {
             otherwise: headline.and_then(|headline| OtherHardness::new(headline, &area)),
             area,
             best_model,
-            tally: Tally::count(&references),
+            tally: Tally::count(&references, leading_reference(headline)),
             references,
         })
     }
@@ -233,11 +233,11 @@ impl OtherHardness {
 }
 
 impl Tally {
-    fn count(references: &[ReferenceGroup]) -> Self {
+    fn count(references: &[ReferenceGroup], leading: Reference) -> Self {
         let mut tally = Tally::default();
-        let Some((own, others)) = references.split_first() else { return tally };
+        let (own, others): (Vec<_>, Vec<_>) = references.iter().partition(|group| group.reference == leading);
         tally.of_other_elements = others.iter().map(|group| group.models.len()).sum();
-        for cell in &own.models {
+        for cell in own.iter().flat_map(|group| &group.models) {
             match cell.verdict {
                 Verdict::Agrees => tally.agree += 1,
                 Verdict::TooLarge | Verdict::TooSmall => tally.off += 1,
@@ -249,12 +249,17 @@ impl Tally {
     }
 }
 
+/// The elements that models of a load are compared with first: those of the headline.
+fn leading_reference(headline: Option<&Headline>) -> Reference {
+    match headline.map(|headline| headline.basis) {
+        Some(Basis::Elements(reference)) => reference,
+        _ => Reference::Elastic,
+    }
+}
+
 /// The models of a load by the elements that they are compared with; the elements of the headline come first.
 fn groups(judgement: &Judgement, load: usize) -> Vec<ReferenceGroup> {
-    let leads = |group: &ReferenceGroup| match judgement.headline(load).map(|headline| headline.basis) {
-        Some(Basis::Elements(reference)) => group.reference != reference,
-        _ => group.reference == Reference::Elastic,
-    };
+    let leading = leading_reference(judgement.headline(load));
     let mut groups: Vec<ReferenceGroup> = Vec::new();
     for verdict in judgement.curves.iter().filter(|verdict| verdict.load == load) {
         let cell = cell(verdict);
@@ -277,7 +282,7 @@ fn groups(judgement: &Judgement, load: usize) -> Vec<ReferenceGroup> {
     for group in &mut groups {
         group.models.sort_by(|a, b| off(a).total_cmp(&off(b)));
     }
-    groups.sort_by_key(leads);
+    groups.sort_by_key(|group| group.reference != leading);
     groups
 }
 

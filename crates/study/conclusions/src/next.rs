@@ -70,9 +70,13 @@ pub(crate) fn next_steps(evidence: &Evidence<'_>, loads: &[LoadConclusion]) -> V
 fn from_draws(evidence: &Evidence<'_>, loads: &[LoadConclusion]) -> Vec<NextStep> {
     let Some(uncertainty) = evidence.uncertainty else { return Vec::new() };
     let Some(load) = loads.get(loads.len() / 2) else { return Vec::new() };
-    let Some(advice) = load.nearest_curve().and_then(|curve| uncertainty.advice_for(curve, load.load)) else {
-        return Vec::new();
+    // Without a verdict, the advice of any curve.
+    let any = || uncertainty.advice.iter().find(|advice| advice.load == load.load);
+    let advice = match load.nearest_curve() {
+        Some(curve) => uncertainty.advice_for(curve, load.load),
+        None => any(),
     };
+    let Some(advice) = advice else { return Vec::new() };
     let settles = matches!(advice.settling, Settling::WillSettle { .. });
     let name = |at: usize| {
         uncertainty

@@ -28,11 +28,10 @@ pub struct SealClosing {
 impl SealConclusion {
     /// Draws the conclusion; `None` if the scene has no seal.
     pub(crate) fn new(scene: &Scene, states: &InterfaceStates<'_>) -> Option<Self> {
-        let seal = states.request().seal.as_ref()?;
+        states.request().seal?;
         let tight = Slot { quantity: Quantity::TightPressure, load: None, curve: None };
         let elastic_pa = states.value(tight).ok().flatten();
-        // A body that flows touches the share p/H at least.
-        let flowing_pa = scene.hardness_pa().map(|hardness_pa| seal.threshold.area_fraction() * hardness_pa);
+        let flowing_pa = states.closed_by_yielding_from_pa();
         let closes = match (elastic_pa, flowing_pa) {
             (Some(elastic_pa), Some(flowing_pa)) if flowing_pa < elastic_pa => {
                 Some(SealClosing { nominal_pressure_pa: flowing_pa, by_yielding: true })

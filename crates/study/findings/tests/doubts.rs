@@ -72,8 +72,11 @@ fn a_modulus_of_a_polymer_with_the_ratio_of_a_metal_is_doubted() {
         let scene = Scene::parse(&text, &std::collections::BTreeMap::new(), &Overrides::default()).unwrap();
         scene.material.as_ref().and_then(Doubt::of_material)
     };
-    let expected = Doubt::SofterThanItsRatio { youngs_modulus_pa: 210e6, poisson_ratio: 0.3 };
-    assert_eq!(doubt("210 MPa", 0.3), Some(expected));
+    for (modulus, youngs_modulus_pa) in [("210 MPa", 210e6), ("210 Pa", 210.0)] {
+        let expected =
+            Doubt::SofterThanItsRatio { youngs_modulus_pa, probable_pa: 210e9, poisson_ratio: 0.3 };
+        assert_eq!(doubt(modulus, 0.3), Some(expected));
+    }
     for (modulus, ratio) in [("210 GPa", 0.3), ("500 MPa", 0.46), ("5.5 MPa", 0.3), ("1 GPa", 0.3)] {
         assert_eq!(doubt(modulus, ratio), None, "{modulus}");
     }

@@ -136,7 +136,8 @@ impl ElementsQuestion {
     /// [`QuestionError`]; choices of random surfaces mean nothing for a map.
     pub fn on_map(&self, relief: Relief) -> Result<PreparedElements, QuestionError> {
         let (material, pressing) = self.pressing()?;
-        let notes = Doubt::of_material(&material).map(Note::Doubt).into_iter().collect();
+        let doubts = Doubt::of_material(&material).into_iter().chain(Doubt::of_slope(relief.rms_slope()));
+        let notes = doubts.map(Note::Doubt).collect();
         Ok(PreparedElements { surfaces: Surfaces::Map(relief), notes, pressing })
     }
 

@@ -2,8 +2,10 @@
 
 use asperity::ElasticBody;
 use serde::{Deserialize, Serialize};
+use study::bodies::{Body, Softer};
 use study::hardness_and_strength::HardnessAndStrength;
 use study::material::{GivenMaterial, Material, MaterialError};
+use study::materials::TabledMaterial;
 use study::models::{Choice, ModelEntry, ModelOptions};
 use units::{IndentationHardness, Pressure};
 
@@ -30,6 +32,11 @@ pub struct MaterialInput {
     pub strength_cap: Option<Pressure>,
     /// The counterface; rigid if absent.
     pub counterface: Option<BodyInput>,
+    /// Yield strength of the counterface, which is taken not to yield if it has neither strength nor hardness.
+    #[serde(with = "optional_pressure")]
+    pub counterface_yield_strength: Option<Pressure>,
+    /// Indentation hardness of the counterface \[Pa\].
+    pub counterface_indentation_hardness_pa: Option<f64>,
 }
 
 /// Elastic constants of a body.
@@ -54,6 +61,31 @@ impl BodyInput {
 }
 
 impl MaterialInput {
+    /// Fills the properties that are not given from the table of materials. A strength that is given replaces the
+    /// hardness of the table, and the reverse.
+    #[must_use]
+    pub fn filled_from(self, rough: Option<&TabledMaterial>, counterface: Option<&TabledMaterial>) -> Self {
+        let mut filled = self;
+        if let Some(rough) = rough {
+            filled.youngs_modulus_pa = self.youngs_modulus_pa.or_else(|| rough.youngs_modulus_pa());
+            filled.poisson_ratio = self.poisson_ratio.or(Some(rough.poisson_ratio));
+            if self.yield_strength.is_none() && self.indentation_hardness_pa.is_none() {
+                filled.yield_strength = rough.own_yield_strength();
+                filled.indentation_hardness_pa = rough.indentation_hardness_pa();
+            }
+        }
+        if let Some(counterface) = counterface {
+            let elastic = counterface.youngs_modulus_pa().map(|youngs_modulus_pa| BodyInput {
+                youngs_modulus_pa,
+                poisson_ratio: counterface.poisson_ratio,
+            });
+            filled.counterface = self.counterface.or(elastic);
+            filled.counterface_yield_strength = counterface.own_yield_strength();
+            filled.counterface_indentation_hardness_pa = counterface.indentation_hardness_pa();
+        }
+        filled
+    }
+
     /// The material of a question whose material is a value of its own, so that it has properties that models ignore: without
     /// those of a growing strength if nothing grows.
     #[must_use]
@@ -84,13 +116,34 @@ impl MaterialInput {
         self.counterface.map(|body| body.body(OptionName::CounterfacePoissonRatio)).transpose()
     }
 
-    /// Hardness and strength, which must agree if both are given.
+    /// Hardness and strength of the rough body, which must agree if both are given.
     ///
     /// # Errors
     /// [`QuestionError::Material`] if H is not 3 S0 within 1 %.
     pub fn hardness_and_strength(&self) -> Result<HardnessAndStrength, QuestionError> {
-        let hardness = self.indentation_hardness_pa.map(|pa| IndentationHardness { pa });
-        Ok(HardnessAndStrength::new(hardness, self.yield_strength).map_err(MaterialError::from)?)
+        hardness_and_strength(self.indentation_hardness_pa, self.yield_strength)
+    }
+
+    /// Returns true if the counterface is the body that yields, as far as the properties say.
+    ///
+    /// # Errors
+    /// [`QuestionError`] if a property is out of bounds.
+    pub fn counterface_yields(&self) -> Result<bool, QuestionError> {
+        let body = self.body().map(|body| body.body(OptionName::PoissonRatio)).transpose()?;
+        let flows = body.map(|body| self.yielding(body)).transpose()?;
+        Ok(flows.is_some_and(|(flows, _)| flows == Body::Counterface))
+    }
+
+    /// The body that yields, with its hardness and strength.
+    fn yielding(&self, rough: ElasticBody) -> Result<(Body, HardnessAndStrength), QuestionError> {
+        let own = self.hardness_and_strength()?;
+        let Some(counterface) = self.counterface()? else { return Ok((Body::Rough, own)) };
+        let other =
+            hardness_and_strength(self.counterface_indentation_hardness_pa, self.counterface_yield_strength)?;
+        Ok(match Softer::between((&own, rough), (&other, counterface)) {
+            Some(Softer { flows: Body::Counterface, .. }) => (Body::Counterface, other),
+            _ => (Body::Rough, own),
+        })
     }
 
     /// The material as models take it.
@@ -103,12 +156,22 @@ impl MaterialInput {
         let poisson_ratio =
             self.poisson_ratio.ok_or(QuestionError::ElasticConstant(OptionName::PoissonRatio))?;
         let body = BodyInput { youngs_modulus_pa, poisson_ratio }.body(OptionName::PoissonRatio)?;
+        let (flows, hardness_and_strength) = self.yielding(body)?;
         Ok(Material::new(GivenMaterial {
             counterface: self.counterface()?,
-            hardness_and_strength: self.hardness_and_strength()?,
+            flows,
+            hardness_and_strength,
             strength_cap: self.strength_cap,
             strain_gradient_length_m: self.strain_gradient_length_m,
             ..GivenMaterial::new(body)
         }))
     }
+}
+
+fn hardness_and_strength(
+    hardness_pa: Option<f64>,
+    yield_strength: Option<Pressure>,
+) -> Result<HardnessAndStrength, QuestionError> {
+    let hardness = hardness_pa.map(|pa| IndentationHardness { pa });
+    Ok(HardnessAndStrength::new(hardness, yield_strength).map_err(MaterialError::from)?)
 }

@@ -1,7 +1,9 @@
 //! States of populations of asperities, row by row of arrays.
 
+use findings::doubts::Doubt;
 use serde::{Deserialize, Serialize};
 use state_tables::{ContactStates, RowsNote, StatesFound};
+use study::material::Material;
 use study::models::{ModelEntry, ModelOptions};
 use study::plan::{PlanError, Tolerance};
 
@@ -18,6 +20,8 @@ pub struct StatesQuestion {
     pub options: ModelOptions,
     /// Relative tolerance of pressure and area, in (0, 0.01\].
     pub tolerance: Option<f64>,
+    /// Leaves rows that cannot be computed without results, instead of ending with the first.
+    pub skips_bad_rows: bool,
 }
 
 impl StatesQuestion {
@@ -37,15 +41,23 @@ impl StatesQuestion {
         let entry = self.model.ok_or(QuestionError::Missing(&[OptionName::Model]))?;
         choices::check(&self.options, entry, false)?;
         let tolerance = self.tolerance.map(Tolerance::new).transpose().map_err(PlanError::from)?;
-        Ok(ContactStates { entry, options: self.options.clone(), tolerance: tolerance.unwrap_or_default() })
+        let (options, tolerance) = (self.options.clone(), tolerance.unwrap_or_default());
+        Ok(ContactStates { entry, options, tolerance, skips_bad_rows: self.skips_bad_rows })
     }
 
-    /// Notes on the states of so many rows.
+    /// Notes on the states of so many rows of some materials.
     #[must_use]
-    pub fn notes_on(&self, found: &StatesFound, all: usize) -> Vec<Note> {
-        let StatesFound { counts, narrow, assumed_strengths: rows } = *found;
+    pub fn notes_on<'m>(
+        &self,
+        mut materials: impl Iterator<Item = &'m Material>,
+        found: &StatesFound,
+        all: usize,
+    ) -> Vec<Note> {
+        let StatesFound { counts, narrow, assumed_strengths: rows, bad } = *found;
+        let doubt = materials.find_map(Doubt::of_material).map(Note::Doubt);
+        let bad = (bad > 0).then_some(Note::Rows(RowsNote::Bad { rows: bad, all }));
         let assumed = (rows > 0).then_some(Note::Rows(RowsNote::AssumedStrengths { rows, all }));
         let counts = Note::Counts(CurveCounts { states: counts, narrow, ..CurveCounts::default() });
-        assumed.into_iter().chain([counts]).collect()
+        doubt.into_iter().chain(bad).chain(assumed).chain([counts]).collect()
     }
 }

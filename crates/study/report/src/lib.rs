@@ -6,6 +6,7 @@ pub mod products;
 pub mod run_stamp;
 mod words;
 
+use drawings::thumbnail;
 pub use drawings::{field_picture, heights_picture, plot};
 pub use figures::elements_figure;
 use figures::{interface_figure, intervals, judged};

@@ -18,7 +18,7 @@ use questions::RunOptions;
 use scene::Scene;
 use scene::file_names::{INTERFACE_TABLE, JUDGE_TABLES, REPORT_TABLES, UNCERTAINTY_TABLES};
 use serde::Serialize;
-use study::figure::{Figure, FigureData, Shows, over_scans};
+use study::figure::{Figure, FigureData, FigureStyle, Shows, over_scans};
 use study::interface::Slot;
 use study::plan::{Cutoffs, Results};
 use study::result_tables;
@@ -39,7 +39,19 @@ pub fn figures(scene: &Scene, results: &Results) -> Vec<FigureData> {
 /// Draws one figure of a scene as an SVG document; `None` if it has no figure of that name.
 pub fn figure_svg(scene: &Scene, results: &Results, name: &str) -> Option<String> {
     let figure = scene.figures.iter().find(|figure| figure.name == name)?;
-    Some(drawn(scene, &data(scene, results, figure, None)))
+    Some(drawn(scene, &data(scene, results, figure, None), &figure.style))
+}
+
+/// Draws the figures of a scene as SVG documents, in their order.
+pub fn figure_svgs(
+    scene: &Scene,
+    results: &Results,
+    uncertainty: Option<&Uncertainty>,
+) -> impl Iterator<Item = String> {
+    scene
+        .figures
+        .iter()
+        .map(move |figure| drawn(scene, &data(scene, results, figure, uncertainty), &figure.style))
 }
 
 /// The data of a figure, with the intervals of its areas.
@@ -49,17 +61,14 @@ fn data(scene: &Scene, results: &Results, figure: &Figure, uncertainty: Option<&
         Some(uncertainty) => with_intervals(data, figure, scene, uncertainty),
         None => data,
     };
-    if figure.shows != Shows::Psd {
-        return data;
-    }
     let data = data.with_holes(scene.surface.holes());
     match &scene.surface.made_from {
-        Some(scans) => over_scans(scans, data),
-        None => data,
+        Some(scans) if figure.shows == Shows::Psd => over_scans(scans, data),
+        _ => data,
     }
 }
 
-/// The figures of a report: first the area of all curves against the cutoff, then the spectrum, both made where the scene
+/// The figures of a report: first the area of all curves against the cutoff, unless it has too many lines to be read, then the spectrum, both made where the scene
 /// does not ask for them, then the others.
 fn reported_figures(evidence: &Evidence<'_>) -> Vec<FigureData> {
     let Evidence { scene, results, .. } = *evidence;
@@ -77,26 +86,24 @@ fn reported_figures(evidence: &Evidence<'_>) -> Vec<FigureData> {
         .filter(|&at| scene.needs.curves[at].cutoffs == Cutoffs::Every)
         .collect();
     let shows_all = |figure: &Figure| {
-        figure.shows == Shows::Area && followed.iter().all(|curve| figure.curves.contains(curve))
+        figure.shows == Shows::Area
+            && figure.loads.is_none()
+            && followed.iter().all(|curve| figure.curves.contains(curve))
     };
     if !followed.is_empty() {
-        figures.push(finished(match own.iter().position(shows_all) {
-            Some(at) => data(&own.remove(at)),
-            None => {
-                let all = Figure { name: ANSWER_NAME.to_owned(), ..Figure::area_of_all(followed.clone()) };
-                at_two_loads(scene, data(&all))
-            }
-        }));
+        let all = match own.iter().position(shows_all) {
+            Some(at) => own.remove(at),
+            None => Figure { name: ANSWER_NAME.to_owned(), ..Figure::area_of_all(followed.clone()) },
+        };
+        // The first screen has the same lines, load by load.
+        figures.extend(Some(data(&all)).filter(|data| data.series.len() <= MAX_LINES).map(finished));
     }
     let spectrum = match own.iter().position(|figure| figure.shows == Shows::Psd) {
         Some(at) => own.remove(at),
-        None => Figure {
-            name: SPECTRUM_NAME.to_owned(),
-            shows: Shows::Psd,
-            title: None,
-            curves: Vec::new(),
-            sweeps: Vec::new(),
-        },
+        None => {
+            let name = SPECTRUM_NAME.to_owned();
+            Figure { name, shows: Shows::Psd, ..Figure::area_of_all(Vec::new()) }
+        }
     };
     figures.push(finished(data(&spectrum)));
     figures.extend(own.iter().map(|figure| finished(data(figure))));
@@ -110,24 +117,9 @@ const SPECTRUM_NAME: &str = "_spectrum";
 /// The largest number of lines that a reader can distinguish.
 const MAX_LINES: usize = 12;
 
-/// Reduces a figure with too many lines to the smallest and the largest load.
-fn at_two_loads(scene: &Scene, figure: FigureData) -> FigureData {
-    if figure.series.len() <= MAX_LINES {
-        return figure;
-    }
-    let loads = &scene.needs.loads;
-    let by_pressure =
-        |a: &usize, b: &usize| loads[*a].nominal_pressure_pa().total_cmp(&loads[*b].nominal_pressure_pa());
-    let kept = [(0..loads.len()).min_by(by_pressure), (0..loads.len()).max_by(by_pressure)];
-    let series = figure.series.into_iter().filter(|line| kept.contains(&line.load)).collect();
-    let bands = figure.bands.into_iter().filter(|band| kept.contains(&band.load)).collect();
-    let title = format!("{}, under the smallest and the largest load", figure.title);
-    FigureData { series, bands, title, ..figure }
-}
-
-fn drawn(scene: &Scene, figure: &FigureData) -> String {
+fn drawn(scene: &Scene, figure: &FigureData, style: &FigureStyle) -> String {
     let figure = with_full_names(figure.clone(), &scene.needs.curves);
-    plot::svg(&figure, &scene.title, &origin(scene, &format!("figure {}", figure.name)))
+    plot::styled_svg(&figure, style, &scene.title, &origin(scene, &format!("figure {}", figure.name)))
 }
 
 fn origin(scene: &Scene, what: &str) -> Vec<String> {
@@ -185,7 +177,8 @@ pub fn file_names(scene: &Scene, options: RunOptions, format: Format) -> Vec<Str
     }
     names.push(ANSWER.to_owned());
     for figure in &scene.figures {
-        names.extend([table(&figure.name), format!("{}.svg", figure.name)]);
+        names.push(table(&figure.name));
+        names.extend(figure.file_names());
     }
     names
 }
@@ -305,15 +298,15 @@ impl<'a> SceneProducts<'a> {
         for figure in &figures {
             take_table(&figure.name, "figure", &figure.table())?;
         }
-        for figure in &figures {
-            take(&figure.name, Product::Figure(&drawn(scene, figure)))?;
+        for (figure, Figure { style, .. }) in figures.iter().zip(&scene.figures) {
+            take(&figure.name, Product::Figure(&drawn(scene, figure, style)))?;
         }
         take(ANSWER, Product::Answer(&answer_json(self.conclusions, scene)))?;
         if let Some(part) = self.report(&scene.title) {
             let report = Report {
                 title: &scene.title,
                 scenes: vec![part],
-                extra: None,
+                opening: None,
                 repeat: "truearea run with the scene below; the tables beside this page hold its numbers.",
                 run_stamp,
             };

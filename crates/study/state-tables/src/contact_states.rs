@@ -23,6 +23,8 @@ pub struct ContactStates {
     pub options: ModelOptions,
     /// Relative tolerance of the states.
     pub tolerance: Tolerance,
+    /// Leaves rows whose request cannot be met without results, instead of ending with the first.
+    pub skips_bad_rows: bool,
 }
 
 /// The request of one row.
@@ -59,6 +61,8 @@ pub struct StatesFound {
     pub narrow: NarrowSpectra,
     /// The number of rows that use a third of the hardness as the strength.
     pub assumed_strengths: usize,
+    /// The number of rows left without results because their request cannot be met.
+    pub bad: usize,
 }
 
 /// The reason why states cannot be computed.
@@ -119,7 +123,15 @@ impl ContactStates {
         while row < rows {
             let blame = |row: usize| move |problem| StatesError::Row { row: first + row, problem };
             let of_run = asked(first + row);
-            let pressed = self.contact(&of_run).map_err(blame(row))?;
+            let pressed = match self.contact(&of_run) {
+                Err(_) if self.skips_bad_rows => {
+                    found.bad += 1;
+                    set(&mut columns, row, None);
+                    row += 1;
+                    continue;
+                }
+                pressed => pressed.map_err(blame(row))?,
+            };
             let assumes = usize::from(of_run.material.assumed_yield_strength_pa().is_some());
             let mut sweep = match &pressed {
                 Pressable::Contact(contact) => Some(contact.sweep(self.tolerance.value())),
@@ -129,11 +141,17 @@ impl ContactStates {
             loop {
                 found.assumed_strengths += assumes;
                 match (&mut sweep, &pressed) {
-                    (Some(sweep), _) => {
-                        let state = sweep.at(next.at).map_err(|error| blame(row)(error.into()))?;
-                        found.counts.add([&state]);
-                        set(&mut columns, row, Some(&state));
-                    }
+                    (Some(sweep), _) => match sweep.at(next.at) {
+                        Err(_) if self.skips_bad_rows => {
+                            found.bad += 1;
+                            set(&mut columns, row, None);
+                        }
+                        state => {
+                            let state = state.map_err(|error| blame(row)(error.into()))?;
+                            found.counts.add([&state]);
+                            set(&mut columns, row, Some(&state));
+                        }
+                    },
                     (None, Pressable::TooNarrow { alpha }) => {
                         found.narrow.add(*alpha);
                         set(&mut columns, row, None);
@@ -193,6 +211,7 @@ impl StatesFound {
         self.counts += other.counts;
         self.narrow += other.narrow;
         self.assumed_strengths += other.assumed_strengths;
+        self.bad += other.bad;
     }
 }
 
@@ -212,7 +231,12 @@ mod tests {
 
     fn states_of(model: &str) -> ContactStates {
         let entry = named(Framework::Statistical, model).unwrap();
-        ContactStates { entry, options: ModelOptions::default(), tolerance: Tolerance::default() }
+        ContactStates {
+            entry,
+            options: ModelOptions::default(),
+            tolerance: Tolerance::default(),
+            skips_bad_rows: false,
+        }
     }
 
     type Filled = Result<([Vec<f64>; 8], StatesFound), StatesError>;

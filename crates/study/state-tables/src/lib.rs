@@ -74,6 +74,13 @@ pub enum RowsNote {
         /// The pressure \[Pa\] below which every pressure has a separation.
         highest_pressure_pa: f64,
     },
+    /// Rows whose request cannot be met: their results are empty.
+    Bad {
+        /// The number of such rows.
+        rows: usize,
+        /// The number of all rows.
+        all: usize,
+    },
     /// Rows that hold no asperities: their results are empty.
     WithoutAsperities {
         /// The number of such rows.

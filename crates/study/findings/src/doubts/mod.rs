@@ -13,8 +13,8 @@ use study::validity::MODULUS_OVER_IDEAL_STRENGTH;
 
 pub use real_pressure::RealPressures;
 
-/// Moduli \[Pa\] of metals and ceramics typed with mega for giga.
-const MODULI_IN_MEGAPASCALS: std::ops::Range<f64> = 10e6..1e9;
+/// Moduli \[Pa\] of metals and ceramics typed without their prefix, or with mega for giga; with the factor left out.
+const MISTYPED_MODULI: [(std::ops::Range<f64>, f64); 2] = [(0.0..1e3, 1e9), (10e6..1e9, 1e3)];
 /// Poisson's ratio up to which a body is a metal or a ceramic rather than a polymer.
 const HARD_RATIO: f64 = 0.35;
 
@@ -45,10 +45,12 @@ pub enum Doubt {
         /// E/10 \[Pa\].
         bound_pa: f64,
     },
-    /// Young's modulus is that of a polymer, Poisson's ratio that of a metal.
+    /// Young's modulus is that of a polymer or of nothing solid, Poisson's ratio that of a metal.
     SofterThanItsRatio {
         /// Young's modulus \[Pa\].
         youngs_modulus_pa: f64,
+        /// The modulus \[Pa\] that was probably meant.
+        probable_pa: f64,
         /// Poisson's ratio.
         poisson_ratio: f64,
     },
@@ -122,17 +124,22 @@ impl Doubt {
     pub fn of_spectrum(psd: &ProfilePsd) -> Vec<Doubt> {
         let moments = cumulative_moments(psd, Normalisation::default());
         let rms_slope = moments.last().map(|moments| moments.rms_slope());
-        let too_steep = rms_slope.filter(|rms_slope| *rms_slope > STEEP);
         let scales = amplitudes(psd, AmplitudeDefinition::default());
         let aspect_ratios =
             scales.iter().map(|scale| (scale.wavelength_m, scale.amplitude_m / scale.wavelength_m));
         let steepest = aspect_ratios
             .filter(|(_, aspect_ratio)| *aspect_ratio > STEEP)
             .max_by(|a, b| a.1.total_cmp(&b.1));
-        let surface = too_steep.map(|rms_slope| Doubt::SteepSurface { rms_slope });
+        let surface = rms_slope.and_then(Self::of_slope);
         let scale =
             steepest.map(|(wavelength_m, aspect_ratio)| Doubt::SteepScale { wavelength_m, aspect_ratio });
         surface.into_iter().chain(scale).collect()
+    }
+
+    /// The doubt about the rms slope of a surface.
+    #[must_use]
+    pub fn of_slope(rms_slope: f64) -> Option<Doubt> {
+        (rms_slope > STEEP).then_some(Doubt::SteepSurface { rms_slope })
     }
 
     /// The doubt about a material that is stronger than solids are, or as soft as one whose prefix is mistaken.
@@ -141,8 +148,11 @@ impl Doubt {
         Self::of_strength(material).or_else(|| {
             let body = material.pair.body();
             let (youngs_modulus_pa, poisson_ratio) = (body.youngs_modulus_pa(), body.poisson_ratio());
-            let is_soft = MODULI_IN_MEGAPASCALS.contains(&youngs_modulus_pa) && poisson_ratio <= HARD_RATIO;
-            is_soft.then_some(Doubt::SofterThanItsRatio { youngs_modulus_pa, poisson_ratio })
+            let mistyped =
+                MISTYPED_MODULI.iter().find(|(moduli_pa, _)| moduli_pa.contains(&youngs_modulus_pa));
+            let (_, factor) = mistyped.filter(|_| poisson_ratio <= HARD_RATIO)?;
+            let probable_pa = factor * youngs_modulus_pa;
+            Some(Doubt::SofterThanItsRatio { youngs_modulus_pa, probable_pa, poisson_ratio })
         })
     }
 

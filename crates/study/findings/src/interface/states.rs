@@ -177,6 +177,13 @@ impl<'a> InterfaceStates<'a> {
         Some(areas.plastic / areas.contact())
     }
 
+    /// The nominal pressure \[Pa\] from which a seal is closed because its bodies flow: they touch the share p/H at least.
+    /// `None` without a seal or a hardness.
+    #[must_use]
+    pub fn closed_by_yielding_from_pa(&self) -> Option<f64> {
+        Some(self.request.seal?.threshold.area_fraction() * self.inputs.hardness_pa?)
+    }
+
     /// P/H under a load, with the range of the correlations for flowed peaks; `None` without a hardness.
     ///
     /// # Errors
@@ -320,7 +327,11 @@ impl<'a> InterfaceStates<'a> {
     }
 
     fn constriction(&self, load: usize) -> Option<MagnifiedContact> {
-        let find = || self.sealing.as_ref()?.critical_constriction(self.pressure_pa(load));
+        let pressure_pa = self.pressure_pa(load);
+        if self.closed_by_yielding_from_pa().is_some_and(|from_pa| pressure_pa >= from_pa) {
+            return None;
+        }
+        let find = || self.sealing.as_ref()?.critical_constriction(pressure_pa);
         *self.constrictions[load].get_or_init(find)
     }
 

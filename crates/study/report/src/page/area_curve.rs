@@ -2,23 +2,31 @@
 
 use std::fmt::Write;
 
+use drawings::model_style::ModelStyle;
 use judge::Reference;
 use maud::{Markup, PreEscaped, html};
+use study::figure::pieces;
 use units::display::length;
 
 use super::SceneReport;
-use super::model_style::ModelStyle;
-use crate::listing::share;
+use crate::listing::{decade_name, share};
 
 /// Size and margins in units of the drawing.
 const WIDTH: f64 = 520.0;
-const HEIGHT: f64 = 330.0;
+const HEIGHT: f64 = 360.0;
 const LEFT: f64 = 58.0;
 const RIGHT: f64 = 20.0;
 const TOP: f64 = 10.0;
-const BOTTOM: f64 = 44.0;
+const BOTTOM: f64 = 66.0;
 
-/// The most points of a line.
+/// Top and height of the strip of decisive scales, below the axis.
+const STRIP_TOP: f64 = HEIGHT - BOTTOM + 22.0;
+const STRIP_HEIGHT: f64 = 16.0;
+
+/// The least width of a decade whose share is written into the strip.
+const STRIP_TEXT: f64 = 26.0;
+
+/// The most points of a piece of a line.
 const MAX_POINTS: usize = 90;
 
 /// The largest number of decades with a tick each.
@@ -50,10 +58,12 @@ impl Axis {
 
 /// Draws the figure of a load; `None` if no curve was followed along the cutoff.
 pub(super) fn figure(report: &SceneReport<'_>, load: usize, styles: &[ModelStyle]) -> Option<Markup> {
+    let holes: Vec<(f64, f64)> =
+        report.scene.surface.holes().iter().map(|hole| (hole.shortest_m, hole.longest_m)).collect();
     let curves: Vec<(usize, Vec<(f64, f64)>)> = report
         .answers()
         .filter(|(_, answers)| answers.iter().any(|(at, answer)| *at == load && answer.followed))
-        .map(|(curve, _)| (curve, thinned(report.results.curves[curve].area_fractions(load))))
+        .map(|(curve, _)| (curve, report.results.curves[curve].area_fractions(load)))
         .collect();
     let psd = &report.results.psd;
     let marks = marks(report, load);
@@ -83,11 +93,12 @@ pub(super) fn figure(report: &SceneReport<'_>, load: usize, styles: &[ModelStyle
             @for (curve, points) in &curves {
                 @let style = &styles[*curve];
                 g class=(format!("m{curve}")) {
-                    path d=(path(points, x, y)) fill="none" stroke=(style.colour) stroke-width="2" stroke-dasharray=(style.dash) {}
+                    path d=(path(points, &holes, x, y)) fill="none" stroke=(style.colour) stroke-width="2" stroke-dasharray=(style.dash) {}
                     title { (report.curve(*curve)) }
                 }
             }
             (PreEscaped(elements(&marks, x, y)))
+            (PreEscaped(strip(report, load, x)))
             (PreEscaped(labels(report, &curves, styles, x, y)))
         }
     })
@@ -133,8 +144,40 @@ fn background(report: &SceneReport<'_>, x: Axis, y: Axis) -> String {
         text,
         "<text class=\"quiet\" x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\">shortest wavelength included (finer ←)</text>",
         WIDTH - RIGHT,
-        HEIGHT - BOTTOM + 30.0
+        HEIGHT - 8.0
     );
+    text
+}
+
+/// The share of each decade in the answer, on the axis of wavelengths: that of the model nearest to the elements.
+fn strip(report: &SceneReport<'_>, load: usize, x: Axis) -> String {
+    let nearest =
+        report.conclusions.loads.iter().find(|of| of.load == load).and_then(|of| of.nearest_curve());
+    let answer = nearest.and_then(|curve| report.answer.curves[curve][load].as_ref());
+    let Some(answer) = answer.filter(|answer| !answer.decades.is_empty()) else { return String::new() };
+    let middle = STRIP_TOP + 0.5 * STRIP_HEIGHT + 4.0;
+    let mut text =
+        format!("<text x=\"{:.1}\" y=\"{middle:.1}\" text-anchor=\"end\">decides</text>", LEFT - 5.0);
+    for decade in &answer.decades {
+        let (left, right) = (x.place(decade.shortest_m).max(x.start), x.place(decade.longest_m).min(x.end));
+        let percent = format!("{:.0} %", 100.0 * decade.share);
+        let _ = write!(
+            text,
+            "<g class=\"share\"><rect x=\"{left:.1}\" y=\"{STRIP_TOP}\" width=\"{:.1}\" height=\"{STRIP_HEIGHT}\" \
+             style=\"--share:{:.2}\"/><title>{} decides {percent}</title>",
+            (right - left).max(0.0),
+            decade.share.clamp(0.0, 1.0),
+            decade_name(decade, &report.results.psd)
+        );
+        if right - left >= STRIP_TEXT {
+            let _ = write!(
+                text,
+                "<text x=\"{:.1}\" y=\"{middle:.1}\" text-anchor=\"middle\">{percent}</text>",
+                0.5 * (left + right)
+            );
+        }
+        text += "</g>";
+    }
     text
 }
 
@@ -226,11 +269,14 @@ fn labels(
     text
 }
 
-fn path(points: &[(f64, f64)], x: Axis, y: Axis) -> String {
+/// A path along the points that breaks at holes.
+fn path(points: &[(f64, f64)], holes: &[(f64, f64)], x: Axis, y: Axis) -> String {
     let mut text = String::new();
-    for (at, (wavelength_m, area)) in points.iter().enumerate() {
-        let command = if at == 0 { 'M' } else { 'L' };
-        let _ = write!(text, "{command}{:.1} {:.1}", x.place(*wavelength_m), y.place(area.max(y.least)));
+    for piece in pieces(points, holes) {
+        for (at, (wavelength_m, area)) in thinned(piece).into_iter().enumerate() {
+            let command = if at == 0 { 'M' } else { 'L' };
+            let _ = write!(text, "{command}{:.1} {:.1}", x.place(wavelength_m), y.place(area.max(y.least)));
+        }
     }
     text
 }

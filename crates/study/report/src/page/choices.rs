@@ -2,15 +2,14 @@
 
 use maud::{Markup, html};
 
-use super::answer::sentence;
-use super::{SceneReport, Section, per_scene};
+use super::{SceneReport, Section, per_scene, sentence};
 use study::material::Material;
 use study::plan::Sampling;
 use units::display::length;
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
     let body = per_scene(scenes, of)?;
-    Some(Section { id: "choices", title: "Material and choices", body })
+    Some(Section { id: "choices", title: "Material and choices", gist: String::new(), body })
 }
 
 fn of(report: &SceneReport<'_>) -> Option<Markup> {

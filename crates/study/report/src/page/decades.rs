@@ -2,12 +2,13 @@
 
 use maud::{Markup, html};
 
-use super::{SceneReport, Section, per_scene, share_cell, table};
+use super::{SceneReport, Section, gists, per_scene, share_cell, table};
 use crate::listing::decade_name;
 use findings::features::DecadeShare;
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
     let strips = per_scene(scenes, of)?;
+    let gist = gists(scenes, gist);
     let body = html! {
         p {
             "How much of the way from the nominal area to the real one each decade of wavelengths accounts for, in percent \
@@ -15,7 +16,23 @@ pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
         }
         (strips)
     };
-    Some(Section { id: "decades", title: "Which decades decide", body })
+    Some(Section { id: "decades", title: "Which scales decide", gist, body })
+}
+
+/// The most decades in a gist.
+const DECADES_NAMED: usize = 2;
+
+/// `100 µm to 10 µm: 50 % · 10 µm to 1 µm: 24 %`, of the model nearest to the elements.
+fn gist(report: &SceneReport<'_>) -> Option<String> {
+    let load = report.middle()?;
+    let answer = report.answer.curves[load.nearest_curve()?][load.load].as_ref()?;
+    let mut decades: Vec<&DecadeShare> = answer.decades.iter().collect();
+    decades.sort_by(|a, b| b.share.total_cmp(&a.share));
+    let named = |decade: &&DecadeShare| {
+        format!("{}: {:.0}\u{a0}%", decade_name(decade, &report.results.psd), 100.0 * decade.share)
+    };
+    let named: Vec<String> = decades.iter().take(DECADES_NAMED).map(named).collect();
+    (!named.is_empty()).then(|| named.join(" · "))
 }
 
 /// A strip: the loads that share it, and for each decade its share in percent.
@@ -48,7 +65,7 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
                 @for (place, strip) in strips.iter().enumerate() {
                     tr {
                         @if place == 0 { th scope="rowgroup" rowspan=(strips.len()) { (report.curve(curve)) } }
-                        td { (loads(report, &strip.loads)) }
+                        td { (report.loads(&strip.loads)) }
                         @for percent in &strip.percents { (share_cell(*percent)) }
                     }
                 }
@@ -76,13 +93,4 @@ fn strips(report: &SceneReport<'_>, decades: &[DecadeShare]) -> Vec<(usize, Vec<
         (curve, strips)
     };
     report.answers().map(of_curve).filter(|(_, strips)| !strips.is_empty()).collect()
-}
-
-fn loads(report: &SceneReport<'_>, loads: &[usize]) -> String {
-    match loads {
-        [one] => report.load(*one),
-        _ if loads.len() == report.scene.needs.loads.len() => "every load".to_owned(),
-        [first, .., last] => format!("{} to {}", report.load(*first), report.load(*last)),
-        [] => String::new(),
-    }
 }

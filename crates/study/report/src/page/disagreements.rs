@@ -8,7 +8,7 @@ use units::display::{length, typeset_digits};
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
     let body = per_scene(scenes, of)?;
-    Some(Section { id: "disagreements", title: "Where the models disagree", body })
+    Some(Section { id: "disagreements", title: "Where the models disagree", gist: String::new(), body })
 }
 
 fn of(report: &SceneReport<'_>) -> Option<Markup> {

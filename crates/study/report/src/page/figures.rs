@@ -2,31 +2,21 @@
 
 use maud::{Markup, PreEscaped, html};
 
-use super::answer::sentence;
-use super::{SceneReport, Section};
+use super::{SceneReport, Section, sentence};
 use crate::plot;
 use study::figure::{BandKind, FigureData, Shows};
-
-/// The figure that shows the answer: the first figure of area against cutoff, in the first scene that has one.
-pub(super) fn of_the_answer(scenes: &[SceneReport<'_>]) -> Markup {
-    let name = leading(scenes);
-    html! { @if let Some(name) = name { div.figures { (figure(scenes, name)) } } }
-}
-
-fn leading<'r>(scenes: &'r [SceneReport<'_>]) -> Option<&'r str> {
-    let first = scenes.iter().find_map(|scene| scene.figures.first())?;
-    (first.shows == Shows::Area).then_some(&first.name)
-}
+use units::display::counted;
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
     let mut names: Vec<&str> = Vec::new();
     for figure in scenes.iter().flat_map(|scene| &scene.figures) {
-        if !names.contains(&figure.name.as_str()) && leading(scenes) != Some(&figure.name) {
+        if !names.contains(&figure.name.as_str()) {
             names.push(&figure.name);
         }
     }
     let body = html! { div.figures { @for name in &names { (figure(scenes, name)) } } };
-    (!names.is_empty()).then_some(Section { id: "figures", title: "Figures", body })
+    let gist = counted(names.len(), "figure");
+    (!names.is_empty()).then_some(Section { id: "figures", title: "Figures", gist, body })
 }
 
 /// The figure of this name, a panel for each scene that has it.

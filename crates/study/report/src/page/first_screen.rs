@@ -5,14 +5,15 @@
 use std::fmt::Write;
 
 use conclusions::{Caution, Conclusions, LoadConclusion, ModelCell, ReferenceGroup, Source};
+use drawings::model_style::ModelStyle;
 use findings::interface::InterfaceStates;
 use judge::{AGREEMENT, Reference, Verdict};
 use maud::{Markup, PreEscaped, html};
+use study::figure::CurveLook;
 use units::display::{three_digits, typeset};
 
 use super::SceneReport;
 use super::area_curve;
-use super::model_style::ModelStyle;
 use crate::conclusion_words::{
     caution_words, condition, next_words, quantity_rows, seal_words, source_words,
 };
@@ -24,7 +25,8 @@ const CAUTIONS_SHOWN: usize = 3;
 /// Makes the first screen of a scene; `at` is the number of the scene in the page.
 pub(super) fn first_screen(report: &SceneReport<'_>, at: usize, several: bool) -> Markup {
     let conclusions = report.conclusions;
-    let styles: Vec<ModelStyle> = (0..report.scene.needs.curves.len()).map(ModelStyle::new).collect();
+    let styles: Vec<ModelStyle> =
+        CurveLook::of_curves(&report.scene.needs.curves).into_iter().map(ModelStyle::new).collect();
     let middle = conclusions.loads.len() / 2;
     html! {
         section.screen id=(format!("s{at}")) aria-label="The answer" {
@@ -238,7 +240,7 @@ fn matrix(report: &SceneReport<'_>, at: usize, styles: &[ModelStyle]) -> Markup 
             }
             p.legend {
                 span.agrees { "✓ within 4/3" } " " span.large { "▲ too large" } " " span.small { "▼ too small" } " "
-                span.invalid { "⊘ outside its assumptions" } " tick a model to draw it"
+                span.invalid { "⊘ outside its assumptions" } " tick a model to draw it; point at a cell for its reason"
             }
         }
     }
@@ -298,9 +300,9 @@ fn cell(report: &SceneReport<'_>, load: &LoadConclusion, reference: Reference, c
     };
     let reason = reason(report, found, load.load);
     html! {
-        td class={ "cell " (class) } style={ "--fill:" (format!("{:.2}", fill(found))) } tabindex="0" title=(reason) {
+        td class={ "cell " (class) } style={ "--fill:" (format!("{:.2}", fill(found))) } tabindex="0" {
             (glyph) @if let Some(ratio) = found.ratio { " ×" (three_digits(ratio)) }
-            span.reason { (reason) }
+            @if !reason.is_empty() { span.reason role="tooltip" { strong { (report.short_curve(curve)) ", " (typeset(&load.label)) } " " (typeset(&reason)) } }
         }
     }
 }

@@ -1,31 +1,59 @@
 //! The uncertainty of the areas: intervals, their sources, and the inputs of the draws.
 
-use maud::{Markup, html};
+use maud::{Markup, PreEscaped, html};
 
-use super::{SceneReport, Section, per_scene, share_cell, table};
+use super::{SceneReport, Section, gists, per_numbered_scene, share_cell, table};
+use crate::advice_words::{foremost_advice, subject};
+use crate::plot;
 use crate::uncertainty_words::{self, level};
 use uncertainty::{
-    AreaInterval, Group, InstrumentInput, InstrumentName, OverlapMisfit, Resampled, Uncertainty,
+    Advice, AreaInterval, DecadeOfVariance, Group, InstrumentInput, InstrumentName, OverlapMisfit, Resampled,
+    Uncertainty,
 };
 use units::display::{counted, length, three_digits, typeset, typeset_digits};
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
-    let body = per_scene(scenes, of)?;
-    Some(Section { id: "how-sure", title: "How sure", body })
+    let body = per_numbered_scene(scenes, of)?;
+    let gist = gists(scenes, |scene| {
+        let load = scene.middle()?;
+        let interval =
+            uncertainty_words::interval(scene.evidence.uncertainty?, load.nearest_curve()?, load.load)?;
+        Some(format!("{interval}, at {}", load.label))
+    });
+    Some(Section { id: "how-sure", title: "How sure", gist, body })
 }
 
-fn of(report: &SceneReport<'_>) -> Option<Markup> {
+fn of(report: &SceneReport<'_>, at: usize) -> Option<Markup> {
     let uncertainty = report.evidence.uncertainty?;
+    let is_nearest = |area: &AreaInterval| {
+        let mut loads = report.conclusions.loads.iter();
+        loads.any(|load| load.load == area.load && load.nearest_curve() == Some(area.curve))
+    };
+    let advice = foremost_advice(&report.evidence, report.conclusions);
     Some(html! {
-        @for text in uncertainty_words::sentences(uncertainty) { p { (typeset(&text)) } }
-        (intervals(report, uncertainty))
-        @if !uncertainty.instruments.is_empty() { (instruments(uncertainty)) }
-        @if !uncertainty.overlaps.is_empty() { (overlaps(uncertainty)) }
+        (intervals(report, uncertainty, "The model nearest to the elements.", is_nearest))
+        details.folded {
+            summary { h3 { "Every model, and the inputs of the draws" } }
+            @for text in uncertainty_words::sentences(uncertainty) { p { (typeset(&text)) } }
+            (intervals(report, uncertainty, EVERY_AREA, |_| true))
+            @if let Some(advice) = advice { (decades(report, advice, &format!("scene-{at}-variance"))) }
+            @if !uncertainty.instruments.is_empty() { (instruments(uncertainty)) }
+            @if !uncertainty.overlaps.is_empty() { (overlaps(uncertainty)) }
+        }
     })
 }
 
-/// Every area with its interval and the shares of its variance.
-fn intervals(report: &SceneReport<'_>, uncertainty: &Uncertainty) -> Markup {
+const EVERY_AREA: &str = "Coverage intervals of every area, and how much of the variance of ln A each group of inputs carries by itself, in \
+    percent; “together” is what no group carries alone. Shares known no better than to 10 % are left empty. The Monte Carlo error is that of \
+    the interval, as a share of its width.";
+
+/// The areas that are shown, with their intervals and the shares of their variance.
+fn intervals(
+    report: &SceneReport<'_>,
+    uncertainty: &Uncertainty,
+    caption: &str,
+    is_shown: impl Fn(&AreaInterval) -> bool,
+) -> Markup {
     let groups = &uncertainty.groups;
     let head = html! {
         tr {
@@ -37,7 +65,7 @@ fn intervals(report: &SceneReport<'_>, uncertainty: &Uncertainty) -> Markup {
         }
     };
     let of_curve = |curve: usize| -> Vec<&AreaInterval> {
-        uncertainty.areas.iter().filter(|area| area.curve == curve).collect()
+        uncertainty.areas.iter().filter(|area| area.curve == curve && is_shown(area)).collect()
     };
     let curves = (0..report.scene.needs.curves.len()).map(|curve| (curve, of_curve(curve)));
     let body = html! {
@@ -59,13 +87,32 @@ fn intervals(report: &SceneReport<'_>, uncertainty: &Uncertainty) -> Markup {
             }
         }
     };
-    table(
-        "Coverage intervals of every area, and how much of the variance of ln A each group of inputs carries by itself, in percent; \
-         “together” is what no group carries alone. Shares known no better than to 10 % are left empty. The Monte Carlo error is \
-         that of the interval, as a share of its width.",
-        &head,
-        &body,
-    )
+    table(caption, &head, &body)
+}
+
+/// The share of each decade in the variance, as a figure.
+fn decades(report: &SceneReport<'_>, advice: &Advice, id: &str) -> Markup {
+    let subject = subject(advice, report.scene);
+    let words = format!(
+        "Share of each decade of wavelengths in the variance of ln A, {subject}: {}",
+        advice.decades.iter().map(in_words).collect::<Vec<_>>().join(", ")
+    );
+    let drawn = plot::shares_of_decades(&advice.decades, "share of variance (%)", id, &words);
+    html! {
+        @if let Some(drawn) = drawn {
+            figure {
+                div.panels { div { (PreEscaped(drawn)) } }
+                figcaption {
+                    strong { "Where the interval comes from." } " How much of the variance of ln A that the spectrum brings each decade \
+                    of wavelengths carries, " (typeset(&subject)) "."
+                }
+            }
+        }
+    }
+}
+
+fn in_words(decade: &DecadeOfVariance) -> String {
+    format!("{} to {} {:.0} %", length(decade.longest_m), length(decade.shortest_m), 100.0 * decade.share)
 }
 
 /// The inputs that every instrument adds to the draws.
@@ -166,6 +213,7 @@ fn group_name(group: Group) -> &'static str {
         Group::Instruments => "instruments",
         Group::Material => "elastic constants",
         Group::Strength => "strength",
+        Group::Holes => "holes in the spectrum",
     }
 }
 

@@ -10,7 +10,7 @@ use units::display::{length, typeset, typeset_digits};
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
     let body = per_scene(scenes, of)?;
-    Some(Section { id: "key-numbers", title: "Key numbers", body })
+    Some(Section { id: "key-numbers", title: "Key numbers", gist: String::new(), body })
 }
 
 fn of(report: &SceneReport<'_>) -> Option<Markup> {

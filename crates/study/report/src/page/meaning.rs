@@ -13,7 +13,7 @@ use units::display::typeset;
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
     let body = per_numbered_scene(scenes, of)?;
-    Some(Section { id: "meaning", title: "What it means", body })
+    Some(Section { id: "meaning", title: "The interface", gist: String::new(), body })
 }
 
 fn of(report: &SceneReport<'_>, at: usize) -> Option<Markup> {

@@ -3,9 +3,11 @@
 //! It describes one scene, or several that differ in their spectra, side by side. A section has a file, and each makes
 //! its part from a [`SceneReport`] alone.
 
-mod answer;
+mod all_numbers;
 mod area_curve;
 mod choices;
+#[cfg(test)]
+mod contrast;
 mod decades;
 mod disagreements;
 mod figures;
@@ -14,23 +16,24 @@ mod how_sure;
 mod key_numbers;
 mod meaning;
 mod measure_next;
-mod model_style;
 mod provenance;
 mod sensitivities;
+mod surfaces;
 mod validity;
 mod verdict;
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::curve_names::{in_full, short_name};
+use crate::listing::capital;
 use crate::run_stamp::RunStamp;
-use conclusions::{Conclusions, Evidence};
+use conclusions::{Conclusions, Evidence, LoadConclusion};
 use findings::answer::{Answer, LoadAnswer};
 use findings::sensitivity::Sensitivity;
 use scene::Scene;
 use study::figure::FigureData;
 use study::plan::Results;
-use units::display::{load_in_full, pressure, typeset_digits};
+use units::display::{load_in_full, pressure, typeset, typeset_digits};
 
 /// The part of a report on one scene.
 pub struct SceneReport<'a> {
@@ -58,23 +61,39 @@ pub struct Report<'a> {
     pub title: &'a str,
     /// The scenes, at least one.
     pub scenes: Vec<SceneReport<'a>>,
-    /// A section of the caller's own, after the figures.
-    pub extra: Option<Section>,
+    /// A part of the caller's own, before the scenes.
+    pub opening: Option<Markup>,
     /// The way to make the report again, e.g. a command.
     pub repeat: &'a str,
     /// Date and command of the run.
     pub run_stamp: &'a RunStamp,
 }
 
-/// A section of the page.
-#[derive(Debug, Clone)]
-pub struct Section {
+/// A section of the page, folded below its heading.
+struct Section {
     /// The id of its element, unique in the page.
-    pub id: &'static str,
+    id: &'static str,
     /// The title.
-    pub title: &'static str,
+    title: &'static str,
+    /// The section in a few words, beside the title.
+    gist: String,
     /// The content below the title.
-    pub body: Markup,
+    body: Markup,
+}
+
+impl Section {
+    /// The section under a heading of the page, or of another section.
+    fn folded(&self, is_inner: bool) -> Markup {
+        html! {
+            details.folded id=(self.id) {
+                summary {
+                    @if is_inner { h3 { (self.title) } } @else { h2 { (self.title) } }
+                    @if !self.gist.is_empty() { " " span { (typeset(&self.gist)) } }
+                }
+                (self.body)
+            }
+        }
+    }
 }
 
 impl Report<'_> {
@@ -82,19 +101,11 @@ impl Report<'_> {
     pub fn html(&self) -> String {
         let scenes = &self.scenes;
         let sections: Vec<Section> = [
-            Some(answer::section(scenes, &figures::of_the_answer(scenes))),
-            verdict::section(scenes),
             how_sure::section(scenes),
-            measure_next::section(scenes),
-            meaning::section(scenes),
-            key_numbers::section(scenes),
             decades::section(scenes),
-            disagreements::section(scenes),
-            figures::section(scenes),
-            sensitivities::section(scenes),
-            validity::section(scenes),
-            choices::section(scenes),
-            Some(provenance::section(self)),
+            surfaces::section(scenes),
+            measure_next::section(scenes),
+            Some(all_numbers::section(self)),
         ]
         .into_iter()
         .flatten()
@@ -114,19 +125,15 @@ impl Report<'_> {
                         h1 { (self.title) }
                     }
                     main {
+                        @if let Some(opening) = &self.opening { (opening) }
                         @for (at, scene) in scenes.iter().enumerate() { (first_screen::first_screen(scene, at, scenes.len() > 1)) }
-                        @if let Some(extra) = &self.extra { section id=(extra.id) { h2 { (extra.title) } (extra.body) } }
-                        @for section in &sections {
-                            details.folded id=(section.id) {
-                                summary { h2 { (section.title) } }
-                                (section.body)
-                            }
-                        }
+                        @for section in &sections { (section.folded(false)) }
                     }
                 }
             }
         };
-        page.into_string()
+        // Titles, file names and notes may hold control characters, which no page may.
+        page.into_string().replace(|c: char| c.is_control() && !matches!(c, '\n' | '\t'), "\u{fffd}")
     }
 }
 
@@ -150,11 +157,28 @@ fn per_numbered_scene(
     (!parts.is_empty()).then(|| {
         html! {
             @for (label, part) in &parts {
-                @if several { h3 { (label) } }
+                @if several { p.scene { strong { (label) } } }
                 (part)
             }
         }
     })
+}
+
+/// The gists of all scenes that have one, each after its label if there are several.
+fn gists(scenes: &[SceneReport<'_>], gist: impl Fn(&SceneReport<'_>) -> Option<String>) -> String {
+    let labelled = |scene: &SceneReport<'_>| {
+        let gist = gist(scene)?;
+        Some(if scenes.len() > 1 { format!("{}: {gist}", scene.label) } else { gist })
+    };
+    scenes.iter().filter_map(labelled).collect::<Vec<_>>().join(" · ")
+}
+
+/// A note as a sentence; a name at its beginning keeps its spelling.
+fn sentence(note: &str) -> String {
+    let end = if note.ends_with('.') { "" } else { "." };
+    let first_word = note.split(' ').next().unwrap_or_default();
+    let names_something = note.contains(": ") || !first_word.chars().all(char::is_alphabetic);
+    if names_something { format!("{note}{end}") } else { format!("{}{end}", capital(note)) }
 }
 
 /// A table that scrolls separately on a narrow page.
@@ -190,6 +214,22 @@ impl SceneReport<'_> {
         )
     }
 
+    /// Neighbouring loads.
+    fn loads(&self, loads: &[usize]) -> String {
+        match loads {
+            [one] => self.load(*one),
+            _ if loads.len() == self.scene.needs.loads.len() => "every load".to_owned(),
+            [first, .., last] => format!("{} to {}", self.load(*first), self.load(*last)),
+            [] => String::new(),
+        }
+    }
+
+    /// The conclusion for the load in the middle, which gists are about.
+    fn middle(&self) -> Option<&LoadConclusion> {
+        let loads = &self.conclusions.loads;
+        loads.get(loads.len() / 2)
+    }
+
     /// A curve's short name.
     fn short_curve(&self, curve: usize) -> String {
         short_name(&self.scene.needs.curves[curve])
@@ -214,5 +254,20 @@ impl SceneReport<'_> {
             let found = loads.iter().enumerate().filter_map(|(load, answer)| Some((load, answer.as_ref()?)));
             (curve, found.collect())
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::sentence;
+
+    #[test]
+    fn a_sentence_begins_with_a_capital_but_a_name_stays_as_it_is() {
+        assert_eq!(sentence("this spectrum is a reconstruction"), "This spectrum is a reconstruction.");
+        for named in
+            ["map.001 has no unit", "trace: 3 rows left out", "my scan: 3 rows left out", "a/b.txt is short"]
+        {
+            assert_eq!(sentence(named), format!("{named}."));
+        }
     }
 }

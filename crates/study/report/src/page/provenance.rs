@@ -2,8 +2,7 @@
 
 use maud::{Markup, html};
 
-use super::answer::sentence;
-use super::{Report, SceneReport, Section, per_scene};
+use super::{Report, SceneReport, Section, gists, per_scene, sentence};
 use crate::run_stamp::RunStamp;
 use crate::scan_words;
 use crate::summary::sampling;
@@ -19,7 +18,8 @@ pub(super) fn section(report: &Report<'_>) -> Section {
         }
         (per_scene(&report.scenes, |report| Some(of(report))).unwrap_or_default())
     };
-    Section { id: "provenance", title: "Data and provenance", body }
+    let gist = gists(&report.scenes, |scene| Some(scene.scene.surface.name.clone()));
+    Section { id: "provenance", title: "Data and provenance", gist, body }
 }
 
 fn of(report: &SceneReport<'_>) -> Markup {

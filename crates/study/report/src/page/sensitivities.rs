@@ -2,12 +2,22 @@
 
 use maud::{Markup, html};
 
-use super::{SceneReport, Section, per_scene, table};
+use super::{SceneReport, Section, gists, per_scene, table};
 use findings::sensitivity::Sensitivity;
 use units::display::typeset_digits;
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
     let tables = per_scene(scenes, of)?;
+    let gist = gists(scenes, |scene| {
+        let (decisive, _) = by_effect(scene);
+        Some(match decisive.len() {
+            0 => format!("none changes the area more than {NOTABLE} times"),
+            some => format!(
+                "{} the area more than {NOTABLE} times",
+                if some == 1 { "one setting changes".to_owned() } else { format!("{some} settings change") }
+            ),
+        })
+    });
     let body = html! {
         p {
             "The area with one choice made the other way, over the area with the scene’s own choice; from the smallest to the \
@@ -15,12 +25,31 @@ pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
         }
         (tables)
     };
-    Some(Section { id: "sensitivities", title: "Sensitivity to modelling choices", body })
+    Some(Section { id: "sensitivities", title: "Sensitivity to modelling choices", gist, body })
+}
+
+/// A setting that changes an area by a smaller factor is folded.
+const NOTABLE: f64 = 1.1;
+
+/// The settings that change an area by more than [`NOTABLE`], and the others.
+fn by_effect<'a>(report: &SceneReport<'a>) -> (Vec<&'a Sensitivity>, Vec<&'a Sensitivity>) {
+    let is_notable =
+        |varied: &&Sensitivity| varied.rows.iter().any(|row| row.ratio.ln().abs() > NOTABLE.ln());
+    report.sensitivities.iter().filter(|varied| !varied.rows.is_empty()).partition(is_notable)
 }
 
 fn of(report: &SceneReport<'_>) -> Option<Markup> {
-    let varied: Vec<&Sensitivity> =
-        report.sensitivities.iter().filter(|varied| !varied.rows.is_empty()).collect();
+    let (notable, others) = by_effect(report);
+    let folded = settings(report, &others).map(|table| {
+        html! { details.folded { summary { h4 { "Settings that change less" } } (table) } }
+    });
+    let shown = settings(report, &notable);
+    (shown.is_some() || folded.is_some())
+        .then(|| html! { (shown.unwrap_or_default()) (folded.unwrap_or_default()) })
+}
+
+/// A table of settings; `None` without any.
+fn settings(report: &SceneReport<'_>, varied: &[&Sensitivity]) -> Option<Markup> {
     let mut curves: Vec<usize> = varied.iter().flat_map(|varied| &varied.rows).map(|row| row.curve).collect();
     curves.sort_unstable();
     curves.dedup();

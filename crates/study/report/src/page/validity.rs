@@ -10,7 +10,7 @@ use units::display::percent;
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
     let body = per_scene(scenes, of)?;
-    Some(Section { id: "validity", title: "Validity", body })
+    Some(Section { id: "validity", title: "Validity", gist: String::new(), body })
 }
 
 fn of(report: &SceneReport<'_>) -> Option<Markup> {

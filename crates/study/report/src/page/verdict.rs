@@ -2,44 +2,67 @@
 
 use maud::{Markup, html};
 
-use super::{SceneReport, Section, per_scene, table};
+use super::{SceneReport, Section, gists, per_scene, table};
+use crate::listing::range;
 use crate::verdict_words;
+use judge::CurveVerdict;
 use units::display::{typeset, typeset_digits};
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
     let body = per_scene(scenes, of)?;
-    Some(Section { id: "verdict", title: "Which model to believe", body })
+    let gist = gists(scenes, |scene| {
+        let tally = scene.middle()?.tally;
+        Some(format!("{} agree, {} off, {} not valid", tally.agree, tally.off, tally.not_valid))
+    });
+    Some(Section { id: "verdict", title: "Verdicts on the models", gist, body })
 }
 
 fn of(report: &SceneReport<'_>) -> Option<Markup> {
     let judgement = report.evidence.judgement?;
     let head = html! {
         tr {
-            th scope="col" { "nominal pressure" } th scope="col" { "model" } th scope="col" { "area" }
+            th scope="col" { "model" } th scope="col" { "nominal pressure" } th scope="col" { "area" }
             th scope="col" { "over boundary elements" } th scope="col" { "verdict" } th scope="col" { "why" }
         }
     };
-    let digits = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), typeset_digits);
-    let rows = (0..report.scene.needs.loads.len())
-        .flat_map(|load| judgement.curves.iter().filter(move |curve| curve.load == load));
     let body = html! {
-        tbody {
-            @for row in rows {
-                tr {
-                    th scope="row" { (report.load(row.load)) }
-                    td { span.curve { (report.curve(row.curve)) } }
-                    td { (digits(row.area_fraction)) }
-                    td { (digits(row.ratio())) }
-                    td { (row.verdict.name()) }
-                    td { (typeset(&row.reason.to_string())) }
+        @for curve in 0..report.scene.needs.curves.len() {
+            @let verdicts: Vec<&CurveVerdict> = judgement.curves.iter().filter(|of| of.curve == curve).collect();
+            // Neighbouring loads with one verdict share a row, with the reason of the load that is furthest off.
+            @let rows: Vec<&[&CurveVerdict]> = verdicts.chunk_by(|a, b| a.verdict == b.verdict).collect();
+            @if !rows.is_empty() {
+                tbody {
+                    @for (place, row) in rows.iter().enumerate() {
+                        tr {
+                            @if place == 0 { th scope="rowgroup" rowspan=(rows.len()) { (report.curve(curve)) } }
+                            td { (report.loads(&row.iter().map(|of| of.load).collect::<Vec<_>>())) }
+                            td { (digits(row.iter().filter_map(|of| of.area_fraction))) }
+                            td { (digits(row.iter().filter_map(|of| of.ratio()))) }
+                            td { (row[0].verdict.name()) }
+                            td.reason { (typeset(&furthest(row).reason.to_string())) }
+                        }
+                    }
                 }
             }
         }
     };
-    let caption =
-        "Every curve under every load: its area over that of boundary elements, both with the whole band.";
+    let caption = "The area of every curve over that of boundary elements, both with the whole band.";
     Some(html! {
-        @for text in verdict_words::sentences(judgement, report.scene) { p { (typeset(&text)) } }
+        @for text in verdict_words::about_elements(judgement, report.scene) { p { (typeset(&text)) } }
         (table(caption, &head, &body))
     })
+}
+
+/// A number or a range with three digits, or a dash.
+fn digits(values: impl Iterator<Item = f64> + Clone) -> String {
+    match values.clone().next() {
+        Some(_) => range(values, typeset_digits),
+        None => "–".to_owned(),
+    }
+}
+
+/// The verdict under the load at which the area is furthest from that of the elements.
+fn furthest<'a>(row: &[&'a CurveVerdict]) -> &'a CurveVerdict {
+    let distance = |of: &&CurveVerdict| of.ratio().map_or(0.0, |ratio| ratio.ln().abs());
+    row.iter().copied().reduce(|a, b| if distance(&b) > distance(&a) { b } else { a }).unwrap_or(row[0])
 }

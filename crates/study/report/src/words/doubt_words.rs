@@ -28,11 +28,11 @@ pub fn line(doubt: &Doubt) -> String {
             pressure(*yield_strength_pa),
             pressure(*bound_pa)
         ),
-        Doubt::SofterThanItsRatio { youngs_modulus_pa, poisson_ratio } => format!(
-            "E = {} with Poisson's ratio {} is that of no metal; did you mean {}?",
+        Doubt::SofterThanItsRatio { youngs_modulus_pa, probable_pa, poisson_ratio } => format!(
+            "E = {} is unusually soft for Poisson's ratio {}; did you mean {}?",
             pressure(*youngs_modulus_pa),
             three_digits(*poisson_ratio),
-            pressure(1e3 * youngs_modulus_pa)
+            pressure(*probable_pa)
         ),
         Doubt::NominalAboveHardness { load, pressure_pa, hardness_pa, others } => format!(
             "the load {load} is {} times the hardness H = {}: the body yields as a whole{}",

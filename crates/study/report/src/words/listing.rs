@@ -33,10 +33,7 @@ pub(crate) fn range(values: impl Iterator<Item = f64>, display: impl Fn(f64) -> 
     if least == most { least } else { format!("{least} to {most}") }
 }
 
-/// A share as people read it: `0.18 %`, or `40 ppm` below 0.01 %.
-pub(crate) fn share(share: f64) -> String {
-    share_range(share, share)
-}
+pub(crate) use units::display::share;
 
 /// `0.12 to 0.18 %`, a range of shares; in ppm below 0.01 %.
 pub(crate) fn share_range(low: f64, high: f64) -> String {

@@ -18,6 +18,11 @@ pub fn lines(note: &RowsNote) -> Vec<String> {
         RowsNote::WithoutAsperities { rows, all } => {
             vec![format!("{rows} of {all} rows have no asperities: their results are empty")]
         }
+        RowsNote::Bad { rows, all } => {
+            vec![format!(
+                "{rows} of {all} rows have input that is missing or out of bounds: their results are NaN"
+            )]
+        }
         RowsNote::AssumedStrengths { rows, all } => {
             vec![format!("{rows} of {all} rows have a hardness and no yield strength: S0 = H/3 is used")]
         }

@@ -124,6 +124,7 @@ pub(crate) fn describe_group(group: Group, is_of_scans: bool) -> &'static str {
         Group::Instruments => "the height scales of instruments",
         Group::Material => "the elastic constants",
         Group::Strength => "the strength",
+        Group::Holes => "the holes in the spectrum",
     }
 }
 
@@ -254,7 +255,7 @@ fn source(uncertainty: &Uncertainty, area: &AreaInterval, group: Group) -> Strin
         Group::Scans => leading(uncertainty, area, 0).map(scatter_of),
         Group::Instruments => leading(uncertainty, area, 1)
             .map(|instrument| format!("the height scale of {}", instrument.name.text())),
-        Group::Material | Group::Strength => None,
+        Group::Material | Group::Strength | Group::Holes => None,
     };
     by_instrument.unwrap_or_else(|| input(uncertainty, group))
 }

@@ -37,7 +37,18 @@ pub(crate) fn sentences(judgement: &Judgement, scene: &Scene) -> Vec<String> {
     let mut sentences = Vec::new();
     sentences.extend(yields(judgement, scene));
     sentences.extend(standing(judgement, scene));
-    sentences.extend(phases(judgement, scene));
+    sentences.extend(extent(judgement, scene));
+    sentences
+}
+
+/// The judgement without its verdicts: yielding, and the elements.
+pub(crate) fn about_elements(judgement: &Judgement, scene: &Scene) -> Vec<String> {
+    yields(judgement, scene).into_iter().chain(extent(judgement, scene)).collect()
+}
+
+/// The notes below the verdicts: on maps, on steep slopes, and on the surfaces that were pressed.
+fn extent(judgement: &Judgement, scene: &Scene) -> Vec<String> {
+    let mut sentences = phases(judgement, scene);
     sentences.extend(steep(judgement));
     sentences.extend(judgement.extent.as_ref().map(pressed));
     sentences
