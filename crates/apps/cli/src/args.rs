@@ -1,6 +1,7 @@
 //! Arguments of the command line.
 
 mod bem;
+mod figure_files;
 mod gap;
 mod groups;
 mod misplaced;
@@ -10,10 +11,11 @@ mod report;
 mod scans;
 
 pub(crate) use bem::BemArgs;
+pub(crate) use figure_files::FigureFilesArgs;
 pub(crate) use gap::{GapArgs, LawArgs};
 pub(crate) use groups::{
-    AmplitudeArg, CounterfaceArgs, FigureArg, HardnessFormulaArg, MaterialArgs, NormalisationArg,
-    PressureArgs, PsdArgs, ReadingArgs, SamplingArgs, SharedArgs, StrengthCapArg,
+    AmplitudeArg, CounterfaceArgs, FigureArg, HardnessFormulaArg, MaterialArgs, NamedMaterialArgs,
+    NormalisationArg, PressureArgs, PsdArgs, ReadingArgs, SamplingArgs, SharedArgs, StrengthCapArg,
 };
 pub(crate) use misplaced::{behind_the_command, foreign_option};
 pub(crate) use persson::{GrowthArg, PerssonArgs};
@@ -270,6 +272,16 @@ Example:
   truearea scene uncd-measured > uncd.toml
   truearea run uncd.toml --out results")]
     Run(RunArgs),
+    /// Draw the figures of a scene for publication: SVG, PNG or PDF in the width of a column
+    #[command(after_help = "\
+Computes the scene again, without boundary elements, and writes a file per
+figure and format, named after the figure. No other file is touched.
+
+Examples:
+  truearea figure flange-report --width 85mm --picture pdf,png --no-title
+  truearea figure uncd.toml --only figure-6 --models persson,elastic \\
+      --loads '1e-3 H' --font-size 9 --out paper")]
+    Figure(FigureFilesArgs),
     /// Print a commented scene to start from
     #[command(after_help = "\
 Example:
@@ -365,6 +377,8 @@ pub(crate) struct TableArgs {
     pub indentation_hardness: Option<IndentationHardness>,
     #[command(flatten)]
     pub counterface: CounterfaceArgs,
+    #[command(flatten)]
+    pub named: NamedMaterialArgs,
 }
 
 #[derive(Debug, ClapArgs)]

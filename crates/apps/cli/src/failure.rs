@@ -66,6 +66,7 @@ impl Failure {
     pub fn writing(what: &str, error: &std::io::Error) -> Self {
         match error.kind() {
             std::io::ErrorKind::BrokenPipe => Failure::ClosedPipe,
+            std::io::ErrorKind::AlreadyExists => Failure::Input(format!("{what}: {error}")),
             _ => Failure::System(format!("writing {what}: {error}")),
         }
     }

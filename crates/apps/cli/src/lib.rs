@@ -14,6 +14,7 @@ pub mod output;
 mod picture;
 mod progress;
 mod stderr;
+mod suggestion;
 mod targets;
 mod timings;
 
@@ -27,6 +28,10 @@ use clap::Parser;
 pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
     interruption::listen();
     let args: Vec<OsString> = args.into_iter().collect();
+    if args.len() < 2 {
+        stderr::say(suggestion::FIRST_WORDS);
+        return ExitCode::from(2);
+    }
     let typed: Vec<String> = args.iter().skip(1).map(|arg| arg.to_string_lossy().into_owned()).collect();
     let line = args::behind_the_command(args);
     match args::Args::try_parse_from(&line) {
@@ -37,7 +42,9 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
             Err(failure) => failure.report(),
         },
         Err(error) => {
-            if let Some(message) = args::foreign_option(&error, &line) {
+            if let Some(message) =
+                args::foreign_option(&error, &line).or_else(|| suggestion::for_file(&error, &line))
+            {
                 return failure::Failure::Input(message).report();
             }
             // Help and the version are no errors; a closed pipe is nobody's concern here.

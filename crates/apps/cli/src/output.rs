@@ -9,7 +9,9 @@ use staging::StagedFiles;
 use crate::failure::Failure;
 use crate::interruption;
 use crate::missing_file::explained;
+use crate::picture::Picture;
 use report::products::{ANSWER, SceneProducts};
+use scene::Scene;
 use study::plan::PlanError;
 use tables::{Format, TableError};
 
@@ -216,7 +218,7 @@ impl Layout {
     /// The place of a file by its name.
     fn place(self, name: &str) -> String {
         let folder = match Path::new(name).extension().and_then(OsStr::to_str) {
-            Some("svg") => "figures/",
+            Some("svg" | "png" | "pdf") => "figures/",
             Some("csv" | "json") if name != ANSWER => "data/",
             _ => "",
         };
@@ -250,10 +252,10 @@ pub fn replaced_files(products: &[String], folder: &Path, layout: Layout) -> Res
 /// The texts beside the report of a scene in folders.
 const TEXTS: [&str; 2] = ["summary.txt", "scene.toml"];
 
-/// The places of a table and of the figure of its name.
-fn with_figure(table: &str, layout: Layout) -> [String; 2] {
-    let figure = table.replace(".csv", ".svg");
-    [table, &figure].map(|name| layout.place(name))
+/// The places of a table and of the figures of its name.
+fn with_figure(table: &str, layout: Layout) -> [String; 4] {
+    let names = ["csv", "svg", "png", "pdf"].map(|ending| Path::new(table).with_extension(ending));
+    names.map(|name| layout.place(&name.to_string_lossy()))
 }
 
 /// Writes every file of a scene into a folder, all of them or none; yields their names.
@@ -274,8 +276,27 @@ pub fn write_products(
         }
     }
     let place = |name: &str| folder.join(layout.place(name));
-    let names =
-        products.each_file(format, |name, content| stage(&mut files, &place(name), |out| content(out)))?;
+    let mut svgs: Vec<(String, Vec<u8>)> = Vec::new();
+    let mut names = products.each_file(format, |name, content| {
+        if let Some(figure) = name.strip_suffix(".svg") {
+            let mut svg = Vec::new();
+            content(&mut svg).map_err(|error| Failure::writing(name, &error))?;
+            svgs.push((figure.to_owned(), svg));
+            return Ok(());
+        }
+        stage(&mut files, &place(name), |out| content(out))
+    })?;
+    for (figure, svg) in &svgs {
+        for name in pictures_of(products.evidence.scene, figure) {
+            let picture = place(&name).to_string_lossy().parse::<Picture>().map_err(Failure::input)?;
+            let svg = String::from_utf8_lossy(svg).into_owned();
+            let bytes = picture.bytes(svg).map_err(Failure::input)?;
+            stage(&mut files, &picture.path, |out| out.write_all(&bytes))?;
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+    }
     let mut names: Vec<String> = names.iter().map(|name| layout.place(name)).collect();
     if layout == Layout::Folders {
         for (name, text) in TEXTS.into_iter().zip([summary, products.evidence.scene.text.as_str()]) {
@@ -285,6 +306,12 @@ pub fn write_products(
     }
     publish(files)?;
     Ok(names)
+}
+
+/// The files of a figure of a scene.
+fn pictures_of(scene: &Scene, name: &str) -> Vec<String> {
+    let figure = scene.figures.iter().find(|figure| figure.name == name);
+    figure.map_or_else(|| vec![format!("{name}.svg")], |figure| figure.file_names().collect())
 }
 
 /// Tables in a folder of results that a run does not replace, with the title of the scene that each is of. Figures go

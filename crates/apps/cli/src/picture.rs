@@ -1,4 +1,4 @@
-//! Pictures of figures: SVG as drawn, or PNG made from it.
+//! Pictures of figures: SVG as drawn, or PNG or PDF made from it.
 
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -18,6 +18,8 @@ enum PictureFormat {
     Svg,
     #[cfg(feature = "png")]
     Png,
+    #[cfg(feature = "png")]
+    Pdf,
 }
 
 /// Reason that there is no picture.
@@ -38,7 +40,14 @@ pub(crate) enum PictureError {
         /// The file.
         path: PathBuf,
     },
-    /// The SVG could not be turned into a PNG.
+    /// A picture of points as a PDF.
+    #[cfg(feature = "png")]
+    #[error("drawing {}: maps are drawn as .svg or .png", path.display())]
+    NoPdfOfPoints {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The SVG could not be turned into another format.
     #[cfg(feature = "png")]
     #[error("drawing {}: {why}", path.display())]
     Drawing {
@@ -50,7 +59,7 @@ pub(crate) enum PictureError {
 }
 
 #[cfg(feature = "png")]
-const ENDINGS: &str = ".svg or .png";
+const ENDINGS: &str = ".svg, .png or .pdf";
 #[cfg(not(feature = "png"))]
 const ENDINGS: &str = ".svg";
 
@@ -64,6 +73,8 @@ impl FromStr for Picture {
             Some("svg") => PictureFormat::Svg,
             #[cfg(feature = "png")]
             Some("png") => PictureFormat::Png,
+            #[cfg(feature = "png")]
+            Some("pdf") => PictureFormat::Pdf,
             _ => return Err(PictureError::Ending { name: name.to_owned(), endings: ENDINGS }),
         };
         Ok(Picture { path, format })
@@ -79,13 +90,14 @@ impl Picture {
     /// The bytes of the file, of points over their frame. In an SVG document they stand as an image.
     ///
     /// # Errors
-    /// [`PictureError::Drawing`].
+    /// [`PictureError::Drawing`], [`PictureError::NoPdfOfPoints`].
     #[cfg(feature = "png")]
     pub fn bytes_of_field(&self, field: &FieldPicture) -> Result<Vec<u8>, PictureError> {
         let drawing = |why| PictureError::Drawing { path: self.path.clone(), why };
         match self.format {
             PictureFormat::Png => png::of_field(field).map_err(drawing),
             PictureFormat::Svg => png::within_svg(field).map(String::into_bytes).map_err(drawing),
+            PictureFormat::Pdf => Err(PictureError::NoPdfOfPoints { path: self.path.clone() }),
         }
     }
 
@@ -103,12 +115,14 @@ impl Picture {
     /// # Errors
     /// [`PictureError::Drawing`].
     pub fn bytes(&self, svg: String) -> Result<Vec<u8>, PictureError> {
+        #[cfg(feature = "png")]
+        let drawing = |why| PictureError::Drawing { path: self.path.clone(), why };
         match self.format {
             PictureFormat::Svg => Ok(svg.into_bytes()),
             #[cfg(feature = "png")]
-            PictureFormat::Png => {
-                png::of(&svg).map_err(|why| PictureError::Drawing { path: self.path.clone(), why })
-            }
+            PictureFormat::Png => png::of(&svg).map_err(drawing),
+            #[cfg(feature = "png")]
+            PictureFormat::Pdf => png::pdf(&svg).map_err(drawing),
         }
     }
 }
@@ -141,15 +155,25 @@ mod png {
     use resvg::tiny_skia::{Color, FilterQuality, IntSize, Pixmap, PixmapPaint, Transform};
     use resvg::usvg::fontdb::Database;
     use resvg::usvg::{Options, Tree};
+    use svg2pdf::{ConversionOptions, PageOptions};
 
     /// Pixels of the picture for a pixel of the SVG: 300 dots per inch where a figure is 10 cm wide.
     const SCALE: f32 = 2.5;
+
+    /// Pixels of SVG in an inch.
+    const DOTS_PER_INCH: f32 = 96.0;
 
     const FONT: &str = "DejaVu Sans";
 
     /// The PNG of an SVG document, or what is wrong with that.
     pub(super) fn of(svg: &str) -> Result<Vec<u8>, String> {
         drawn(svg)?.encode_png().map_err(|error| error.to_string())
+    }
+
+    /// The PDF of an SVG document, in its size in print and with its letters as text.
+    pub(super) fn pdf(svg: &str) -> Result<Vec<u8>, String> {
+        let size = PageOptions { dpi: DOTS_PER_INCH };
+        svg2pdf::to_pdf(&tree(svg)?, ConversionOptions::default(), size).map_err(|error| error.to_string())
     }
 
     /// The PNG of a field: its points over its frame.
@@ -190,16 +214,26 @@ mod png {
         size.and_then(|size| Pixmap::from_vec(bytes, size)).ok_or_else(too_large)
     }
 
-    /// An SVG document in pixels. Its letters are those of a font that comes with the program, so that it is the same picture
+    /// An SVG document. Its letters are those of a font that comes with the program, so that it is the same picture
     /// everywhere.
-    fn drawn(svg: &str) -> Result<Pixmap, String> {
+    fn tree(svg: &str) -> Result<Tree, String> {
         let mut fonts = Database::new();
         for font in [dejavu::sans::regular(), dejavu::sans::bold()] {
             fonts.load_font_data(font.to_vec());
         }
         fonts.set_sans_serif_family(FONT);
-        let options = Options { font_family: FONT.to_owned(), fontdb: Arc::new(fonts), ..Options::default() };
-        let tree = Tree::from_str(svg, &options).map_err(|error| error.to_string())?;
+        let options = Options {
+            dpi: DOTS_PER_INCH,
+            font_family: FONT.to_owned(),
+            fontdb: Arc::new(fonts),
+            ..Options::default()
+        };
+        Tree::from_str(svg, &options).map_err(|error| error.to_string())
+    }
+
+    /// An SVG document in pixels.
+    fn drawn(svg: &str) -> Result<Pixmap, String> {
+        let tree = tree(svg)?;
         let pixels = |length: f32| (length * SCALE).ceil() as u32;
         let (width, height) = (pixels(tree.size().width()), pixels(tree.size().height()));
         let mut picture = Pixmap::new(width, height)

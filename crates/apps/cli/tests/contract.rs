@@ -105,7 +105,7 @@ fn every_key_of_a_scene_is_known() {
 
 #[test]
 fn every_name_of_the_python_package_is_there() {
-    let names = python_names(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../python/truearea"));
+    let names = python_names(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../python/package/truearea"));
     let lost: Vec<String> =
         listed("python-names.txt").lines().filter(|name| !names.contains(*name)).map(str::to_owned).collect();
     assert!(lost.is_empty(), "the Python package has no {}", lost.join(", "));

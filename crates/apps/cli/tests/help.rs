@@ -38,6 +38,31 @@ fn a_command_that_does_not_exist_is_bad_input() {
     Bench::new().run(&["stack"]).refused_naming(&["'stack'"]);
 }
 
+#[test]
+fn a_call_without_a_command_is_told_what_to_type() {
+    let bench = Bench::new();
+    bench.run(&[]).refused_naming(&["truearea report ", "truearea scan ", "truearea --help"]);
+    for name in ["map.txt", "my map.txt", "scene.TOML"] {
+        bench.write(name, "1 2\n");
+    }
+    std::fs::create_dir(bench.path("scans")).unwrap();
+    for (call, typed) in [
+        (&["map.txt"][..], "`truearea report map.txt --material \"steel 100Cr6\" --pressure 10MPa`"),
+        (
+            &["my map.txt", "--material=gold"],
+            "`truearea report \"my map.txt\" --material=gold --pressure 10MPa`",
+        ),
+        (
+            &["scans", "--pressure", "1MPa", "--title", "a b"],
+            "`truearea report scans --pressure 1MPa --title \"a b\" --material \"steel 100Cr6\"`",
+        ),
+        (&["scene.TOML"], "`truearea run scene.TOML`"),
+    ] {
+        bench.run(call).refused_naming(&[typed]);
+    }
+    assert!(!bench.run(&["absent.txt"]).refused().contains("report"));
+}
+
 #[cfg(unix)]
 #[test]
 fn a_closed_pipe_ends_quietly() {

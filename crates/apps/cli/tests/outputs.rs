@@ -127,8 +127,8 @@ fn a_picture_is_what_its_name_says() {
         // 480 pixels wide, at 2.5 for one.
         assert_eq!(u32::from_be_bytes(png[16..20].try_into().unwrap()), 1200);
     }
-    let call = [contact("stacked", "elastic"), vec!["--figure", "x.pdf", "--output", "x.csv"]].concat();
-    bench.run(&call).refused_naming(&["--figure", "'x.pdf'", ".svg", ".png"]);
+    let call = [contact("stacked", "elastic"), vec!["--figure", "x.gif", "--output", "x.csv"]].concat();
+    bench.run(&call).refused_naming(&["--figure", "'x.gif'", ".svg", ".png", ".pdf"]);
     assert!(!bench.path("x.csv").exists());
 }
 
@@ -196,5 +196,57 @@ mod signals {
         assert_eq!(child.wait().unwrap().code(), Some(130));
         drop(kept_open);
         assert!(bench.files().is_empty());
+    }
+}
+
+#[test]
+fn figures_of_a_scene_are_drawn_for_print_and_touch_no_other_file() {
+    let bench = Bench::new();
+    let steel = "youngs_modulus = \"210 GPa\"\npoisson_ratio = 0.3\n";
+    std::fs::create_dir(bench.path("report")).unwrap();
+    bench.write(
+        "report/scene.toml",
+        format!(
+            "title = \"t\"\n[surface]\npsd = \"builtin:uncd-measured\"\n[material]\n{steel}\
+             [loads]\npressures = [\"1 MPa\", \"10 MPa\"]\n[[curve]]\nmodel = \"elastic\"\n\
+             [[curve]]\nmodel = \"persson\"\n[[figure]]\nname = \"f\"\nshows = \"area\"\n\
+             [[figure]]\nname = \"g\"\nshows = \"psd\"\n[uncertainty]\noff = true\n"
+        ),
+    );
+    bench.write("report/f.csv", "kept");
+    let chosen = ["--only", "f", "--models", "persson", "--loads", "10MPa", "--no-title", "--width", "85mm"];
+    let files = ["--picture", "svg,png,pdf", "--out", "report"];
+    let printed = bench.run(&[&["figure", "report"], &chosen[..], &files[..]].concat()).ok();
+    assert_eq!(printed.lines().count(), 3, "{printed}");
+    let svg = bench.read("report/f.svg");
+    assert!(
+        svg.contains(" width=\"85.00mm\"") && svg.contains("Persson") && !svg.contains("Archard"),
+        "{svg}"
+    );
+    assert!(svg.contains("10 MPa") && !svg.contains(">1 MPa") && !svg.contains(">t</text>"), "{svg}");
+    let bytes = |name: &str| std::fs::read(bench.path(name)).unwrap();
+    assert!(bytes("report/f.png").starts_with(b"\x89PNG"));
+    let pdf = bytes("report/f.pdf");
+    let holds = |text: &[u8]| pdf.windows(text.len()).any(|window| window == text);
+    assert!(pdf.starts_with(b"%PDF-") && holds(b"DejaVuSans") && holds(b"/MediaBox [0 0 240.9"));
+    assert!(!bench.path("report/g.svg").exists() && bench.read("report/f.csv") == "kept");
+    let scene = bench.read("report/scene.toml") + "[figures]\nformat = [\"pdf\"]\n";
+    bench.write("own.toml", scene);
+    bench.run(&["run", "own.toml", "--no-judge", "--out", "run"]).ok();
+    for name in ["f.pdf", "f.svg", "g.pdf"] {
+        assert!(bench.path("run").join(name).exists(), "{name}");
+    }
+    bench.write("own.toml", bench.read("own.toml").replace("\"f\"", "\"e\""));
+    bench.run(&["run", "own.toml", "--no-judge", "--out", "run"]).ok();
+    assert!(bench.path("run/e.pdf").exists() && !bench.path("run/f.pdf").exists());
+    // A spectrum by the name of the picture.
+    let spectrum = "wavelength_m,C1D_m3\n1e-6,4e-24\n5e-7,1e-24\n";
+    bench.write("e.svg", spectrum);
+    bench.write("own.toml", bench.read("own.toml").replace("builtin:uncd-measured", "e.svg"));
+    bench.run(&["figure", "own.toml", "--only", "e"]).refused_naming(&["e.svg"]);
+    assert_eq!(bench.read("e.svg"), spectrum);
+    for wrong in [["--only", "h"], ["--models", "hertz"], ["--loads", "2MPa"]] {
+        let call = [&["figure", "report"], &wrong[..]].concat();
+        bench.run(&call).refused_naming(&[wrong[1]]);
     }
 }

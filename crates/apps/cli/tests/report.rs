@@ -79,12 +79,13 @@ fn a_scene_of_one_s_own_has_a_report_with_every_figure_and_section() {
     assert_eq!(
         sections,
         [
-            "answer",
-            "verdict",
-            "meaning",
-            "key-numbers",
             "decades",
+            "surfaces",
+            "all-numbers",
+            "verdict",
+            "key-numbers",
             "disagreements",
+            "meaning",
             "figures",
             "sensitivities",
             "validity",
@@ -116,6 +117,61 @@ fn a_report_asks_the_network_for_nothing_and_knows_only_its_scene() {
             assert_eq!((name, attribute.value()), ("a", "https://doi.org/10.1234/ring.5"));
         }
     }
+}
+
+#[test]
+fn words_of_a_user_never_become_elements_of_the_page() {
+    let hostile = r#"</title><script>alert(1)</script>" onload='x' & \u0001\u0007"#;
+    let bench = Bench::new();
+    let file = "<img src=x onerror='y'>&.csv";
+    let scene = STEEL
+        .split("[[figure]]\nname = \"figure-2\"")
+        .next()
+        .unwrap()
+        .replace("Bearing ring, <ground> & honed", &hostile.replace('"', "\\\""))
+        .replace("ring.csv", file);
+    bench.write(file, ring().replace("# Ground", "# <script>alert(2)</script>\u{1} Ground"));
+    let scene = scene + &format!("title = \"{}\"\n", hostile.replace('"', "\\\""));
+    bench.write("s.toml", scene).run(&["run", "s.toml"]).ok();
+    let page = bench.read("s-results/report.html");
+    let tree = parsed(&page);
+    for node in tree.descendants().filter(roxmltree::Node::is_element) {
+        let name = node.tag_name().name();
+        assert!(!["script", "img"].contains(&name), "{name}");
+        assert!(node.attributes().all(|attribute| !attribute.name().starts_with("on")));
+    }
+    let text: String = tree.descendants().filter_map(|node| node.text()).collect();
+    assert!(text.contains("<script>alert(1)</script>") && text.contains("<script>alert(2)</script>"));
+}
+
+/// The words outside closed details, for one load and without words for screen readers alone.
+fn visible_words(page: &str) -> usize {
+    let tree = parsed(page);
+    let is_hidden = |node: &roxmltree::Node<'_, '_>| {
+        let class = node.attribute("class").unwrap_or_default();
+        ["style", "head", "title"].contains(&node.tag_name().name())
+            || class == "reason"
+            || (node.parent().is_some_and(|parent| parent.has_tag_name("details"))
+                && !node.has_tag_name("summary"))
+    };
+    let is_seen =
+        |node: &roxmltree::Node<'_, '_>| node.is_text() && !node.ancestors().any(|of| is_hidden(&of));
+    tree.descendants()
+        .filter(is_seen)
+        .filter_map(|node| node.text())
+        .map(|text| text.split_whitespace().count())
+        .sum()
+}
+
+#[test]
+fn a_report_is_short_until_it_is_unfolded() {
+    let bench = Bench::new();
+    let options = "report builtin:uncd-measured --material diamond --yield-strength 1.8GPa --strain-gradient-length 5um \
+                   --pressure 5.4MPa --pressure 54MPa --out r";
+    bench.run(&options.split(' ').collect::<Vec<_>>()).ok();
+    let page = bench.read("r/report.html");
+    let words = visible_words(&page);
+    assert!(words < 900 && page.len() < 300_000, "{words} words, {} bytes", page.len());
 }
 
 #[test]
@@ -203,8 +259,8 @@ fn a_report_opens_with_a_figure_of_the_answer_and_shows_the_spectrum_always() {
     assert_eq!(captions.len(), 2, "{captions:?}");
     assert!(captions[0].starts_with("Contact area / nominal area"), "{captions:?}");
     assert!(captions[1].starts_with("Power spectral density"), "{captions:?}");
-    let answer = page.find("<figure>").unwrap();
-    assert!(answer < page.find("id=\"key-numbers\"").unwrap());
+    let curve = page.find("<svg class=\"area\"").expect("the first screen has the curve");
+    assert!(curve < page.find("<details").unwrap());
     let only_loads = STEEL.replace("shows = \"area\"\n", "shows = \"aspect-ratio\"\n");
     let page = report(&bench, &only_loads);
     assert_eq!(page.matches("<figcaption>").count(), 5, "the answer's figure besides the scene's own four");

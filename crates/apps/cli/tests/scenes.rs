@@ -40,6 +40,8 @@ fn every_template_reads_and_the_shipped_scenes_run_from_any_folder() {
     bench.run_with_input(&["run", "-"], &blank).refused_naming(&["my_psd.csv"]);
     let filled = blank.replace("my_psd.csv", "builtin:uncd-measured");
     assert!(bench.run_with_input(&["run", "-"], &filled).ok().contains("scene-results"));
+    let models = column(&bench.read("scene-results/report-models.csv"), "curve").join("\n");
+    assert_names(&models, &["elastic", "bgt", "persson-plastic"]);
 }
 
 #[test]

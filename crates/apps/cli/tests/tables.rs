@@ -175,6 +175,62 @@ fn constants_stand_for_columns_that_are_not_there() {
 }
 
 #[test]
+fn bodies_are_taken_by_name_in_every_command_and_the_softer_one_yields() {
+    let bench = Bench::new();
+    bench.write("in.csv", "radius_m,interference_m\n5.3113e-07,4.43628e-11\n");
+    let run = |call: &str, options: &[&str]| {
+        bench.run(&call.split(' ').chain(options.iter().copied()).collect::<Vec<_>>())
+    };
+    let spectrum = "builtin:uncd-measured";
+    let both_ways =
+        [["--material", "hard copper", "--on", "diamond"], ["--material", "diamond", "--on", "hard copper"]];
+    for call in [
+        format!("stacked {spectrum} --model elastic-plastic --pressure 10MPa"),
+        format!("statistical {spectrum} --model ep-sphere --pressure 10MPa --cutoff 1um"),
+        format!("persson {spectrum} --model elastic-plastic --pressure 10MPa"),
+        format!("gap {spectrum} --model persson --pressure 10MPa"),
+        format!("law {spectrum} --model persson --dialect csv --pressure-range 1MPa:10MPa"),
+        format!("bem {spectrum} --shortest 500nm --grid 32 --realisations 1 --pressure 10MPa"),
+        "asperity sphere --input in.csv".to_owned(),
+    ] {
+        // Comments repeat the call.
+        let rows = |options: &[&str]| {
+            let table = run(&call, options).ok();
+            table.lines().filter(|line| !line.starts_with('#')).map(str::to_owned).collect::<Vec<_>>()
+        };
+        let soft = rows(&both_ways[0]);
+        if call.starts_with("asperity") {
+            run(&call, &both_ways[1]).refused_naming(&["--material", "--on"]);
+        } else {
+            assert_eq!(soft, rows(&both_ways[1]), "{call}");
+        }
+        assert_ne!(soft, rows(&both_ways[0][..2]), "{call}: the counterface counts");
+        let elastic = ["--youngs-modulus", "24.7149GPa", "--poisson-ratio", "0.2799"];
+        let hard = ["--indentation-hardness", "3GPa"];
+        let replaced = rows(&[&both_ways[0][..2], &elastic, &hard].concat());
+        assert_eq!(replaced, rows(&[&elastic[..], &hard].concat()), "{call}: flags replace the table");
+        run(&call, &["--material", "steel"]).refused_naming(&["--material", "steel 100Cr6", "steel C45"]);
+        run(&call, &["--on", "unobtainium"]).refused_naming(&["--on", "unobtainium", "diamond"]);
+    }
+    bench.run(&["persson", "--input", "in.csv", "--material", "gold"]).refused_naming(&["--material"]);
+}
+
+#[test]
+fn texts_that_a_spreadsheet_would_run_are_quoted_in_csv_alone() {
+    let bench = Bench::new();
+    let rows = SPHERES
+        .replace("youngs_modulus_pa", "=cmd(),youngs_modulus_pa")
+        .replace("2.47149e+10", "@A1,2.47149e+10");
+    let rows = rows.replace("6.43672E10", "+1,6.43672E10");
+    let csv = bench.run_with_input(&["asperity", "sphere"], &rows).ok();
+    let first: Vec<&str> = csv.lines().map(|line| line.split(',').next().unwrap()).collect();
+    assert_eq!(first, ["'=cmd()", "'@A1", "+1"]);
+    assert_eq!(bench.run_with_input(&["asperity", "sphere"], &csv).ok(), csv);
+    let json = bench.run_with_input(&["asperity", "sphere", "--format", "json"], &rows).ok();
+    support::assert_names(&json, &["\"=cmd()\":\"@A1\""]);
+}
+
+#[test]
 fn a_third_of_the_hardness_stands_for_the_strength_and_that_is_said() {
     let bench = Bench::new();
     // A strength and the hardness of another row, in one table.

@@ -1,6 +1,5 @@
 //! Arguments of `bem`.
 
-use std::num::NonZeroU32;
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
@@ -13,8 +12,8 @@ use study::measured::Kind;
 use topography::Detrend;
 use units::{IndentationHardness, Length, Modulus, Pressure};
 
-use super::groups::{CounterfaceArgs, FigureArg, PressureArgs, ReadingArgs};
-use super::parsers::{one_of, parse_count, parse_poisson_ratio};
+use super::groups::{CounterfaceArgs, FigureArg, NamedMaterialArgs, PressureArgs, ReadingArgs};
+use super::parsers::{one_of, parse_poisson_ratio};
 use super::scans::{MapTreatmentArgs, UntoldArgs};
 
 /// A surface, how it is pressed, and what is written.
@@ -56,6 +55,8 @@ pub(crate) struct BemArgs {
 /// A material that is elastic, or flows at one hardness.
 #[derive(Debug, ClapArgs)]
 pub(crate) struct PressedMaterialArgs {
+    #[command(flatten)]
+    pub named: NamedMaterialArgs,
     /// Young's modulus of the rough body
     #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub youngs_modulus: Option<Modulus>,
@@ -75,14 +76,14 @@ pub(crate) struct PressedMaterialArgs {
 impl PressedMaterialArgs {
     /// The material as questions take it.
     pub fn input(&self) -> MaterialInput {
-        MaterialInput {
+        self.named.fill(MaterialInput {
             youngs_modulus_pa: self.youngs_modulus.map(|modulus| modulus.pa),
             poisson_ratio: self.poisson_ratio,
             yield_strength: self.yield_strength,
             indentation_hardness_pa: self.indentation_hardness.map(|hardness| hardness.pa),
             counterface: self.counterface.input(),
             ..MaterialInput::default()
-        }
+        })
     }
 }
 
@@ -118,9 +119,9 @@ impl MapArgs {
     }
 }
 
-/// Points along a side, as the parser of numbers takes them.
-fn points() -> RangeInclusive<i64> {
-    i64::from(*RandomChoices::POINTS.start())..=i64::from(*RandomChoices::POINTS.end())
+/// A range of counts as the parser of numbers takes it.
+fn within(range: &RangeInclusive<u32>) -> RangeInclusive<i64> {
+    i64::from(*range.start())..=i64::from(*range.end())
 }
 
 /// Options of random surfaces.
@@ -128,11 +129,11 @@ fn points() -> RangeInclusive<i64> {
 #[command(next_help_heading = "Options for spectra")]
 pub(crate) struct RandomArgs {
     /// Points along each side of a surface; 512 where not given
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(points()))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(within(&RandomChoices::POINTS)))]
     pub grid: Option<u32>,
     /// Number of surfaces made of the spectrum; 8 where not given
-    #[arg(long, value_name = "R", value_parser = parse_count)]
-    pub realisations: Option<NonZeroU32>,
+    #[arg(long, value_name = "R", value_parser = clap::value_parser!(u32).range(within(&RandomChoices::REALISATIONS)))]
+    pub realisations: Option<u32>,
     /// The seed of their phases; 1 where not given
     #[arg(long, value_name = "SEED")]
     pub seed: Option<u64>,
@@ -157,7 +158,7 @@ impl RandomArgs {
         let metres = |length: Option<Length>| length.map(|length| length.m);
         RandomInput {
             grid: self.grid.map(|points| points as usize),
-            realisations: self.realisations.map(|count| count.get() as usize),
+            realisations: self.realisations.map(|count| count as usize),
             seed: self.seed,
             longest_m: metres(self.longest),
             shortest_m: metres(self.shortest),

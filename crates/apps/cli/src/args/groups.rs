@@ -6,6 +6,7 @@ use asperity::Hardness;
 use clap::Args as ClapArgs;
 use questions::{BodyInput, MaterialInput, SamplingInput};
 use spectrum::{Abscissa, AmplitudeDefinition, Convention, Normalisation};
+use study::materials::{TabledMaterial, named};
 use tables::Format;
 use units::{IndentationHardness, Length, Modulus, Pressure, PressureRange};
 
@@ -19,9 +20,9 @@ use crate::picture::Picture;
 #[derive(Debug, Clone, ClapArgs)]
 #[command(next_help_heading = "Options for every command")]
 pub(crate) struct SharedArgs {
-    /// Format of tables written
-    #[arg(long, value_parser = one_of::<Format, _>(Format::ALL), default_value_t, global = true)]
-    pub format: Format,
+    /// Format of tables written, csv where not given; on a terminal `scan` then prints a readable table
+    #[arg(long, value_parser = one_of::<Format, _>(Format::ALL), global = true)]
+    pub format: Option<Format>,
     /// Destination of the table, or of the text of `run` and `scene`: a path, or - for standard output
     #[arg(long, value_name = "PATH", default_value = "-", value_parser = parse_place, global = true)]
     pub output: Place,
@@ -34,6 +35,13 @@ pub(crate) struct SharedArgs {
     /// Say on standard error how long reading, computing and writing took
     #[arg(long, global = true)]
     pub timings: bool,
+}
+
+impl SharedArgs {
+    /// The format of tables.
+    pub fn format(&self) -> Format {
+        self.format.unwrap_or_default()
+    }
 }
 
 /// A spectrum and how to read it.
@@ -148,9 +156,29 @@ pub(crate) struct CounterfaceArgs {
     pub counterface_poisson_ratio: Option<f64>,
 }
 
+/// Bodies by their names in the table of materials; properties given by flags replace those of the table.
+#[derive(Debug, Clone, ClapArgs)]
+pub(crate) struct NamedMaterialArgs {
+    /// Material of the rough body, by its name in the table of materials
+    #[arg(long, value_name = "NAME", value_parser = named)]
+    pub material: Option<TabledMaterial>,
+    /// Material of the counterface, rigid where not given; the softer of the two bodies yields
+    #[arg(long, value_name = "NAME", value_parser = named)]
+    pub on: Option<TabledMaterial>,
+}
+
+impl NamedMaterialArgs {
+    /// The material with its missing properties from the table.
+    pub fn fill(&self, given: MaterialInput) -> MaterialInput {
+        given.filled_from(self.material.as_ref(), self.on.as_ref())
+    }
+}
+
 /// A material: the rough body, and what presses on it.
 #[derive(Debug, Clone, ClapArgs)]
 pub(crate) struct MaterialArgs {
+    #[command(flatten)]
+    pub named: NamedMaterialArgs,
     /// Young's modulus of the rough body; every model needs it
     #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub youngs_modulus: Option<Modulus>,
@@ -185,7 +213,9 @@ impl CounterfaceArgs {
 
 impl MaterialArgs {
     /// Options that rows of Persson's theory do not take, which have a pressure and a hardness alone.
-    pub const OF_SPECTRA: [&str; 6] = [
+    pub const OF_SPECTRA: [&str; 8] = [
+        "material",
+        "on",
         "youngs_modulus",
         "poisson_ratio",
         "yield_strength",
@@ -196,7 +226,7 @@ impl MaterialArgs {
 
     /// The material as questions take it.
     pub fn input(&self) -> MaterialInput {
-        MaterialInput {
+        self.named.fill(MaterialInput {
             youngs_modulus_pa: self.youngs_modulus.map(|modulus| modulus.pa),
             poisson_ratio: self.poisson_ratio,
             yield_strength: self.yield_strength,
@@ -204,7 +234,8 @@ impl MaterialArgs {
             strain_gradient_length_m: self.strain_gradient_length.map(|length| length.m),
             strength_cap: self.strength_cap.strength_cap,
             counterface: self.counterface.input(),
-        }
+            ..MaterialInput::default()
+        })
     }
 }
 
@@ -212,6 +243,6 @@ impl MaterialArgs {
 #[derive(Debug, Clone, ClapArgs)]
 pub(crate) struct FigureArg {
     /// Draw the table as well
-    #[arg(long, value_name = "FILE.svg|FILE.png")]
+    #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf")]
     pub figure: Option<Picture>,
 }

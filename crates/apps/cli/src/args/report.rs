@@ -6,6 +6,7 @@ use clap::Args as ClapArgs;
 use measurements::ScanRequest;
 use questions::BodyText;
 
+use super::groups::NamedMaterialArgs;
 use super::scans::UntoldArgs;
 
 /// Scans or a spectrum, the bodies and the loads. Quantities are checked as a scene checks them, so that they may carry
@@ -15,12 +16,8 @@ pub(crate) struct ReportArgs {
     /// Scans of any format, or one power spectrum; a scan takes options of its own: FILE:unit=um,tip-radius=2um
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<ScanRequest>,
-    /// Material of the rough body, by its name in the table of materials
-    #[arg(long, value_name = "NAME")]
-    pub material: Option<String>,
-    /// Material of the counterface; rigid where not given
-    #[arg(long, value_name = "NAME")]
-    pub on: Option<String>,
+    #[command(flatten)]
+    pub named: NamedMaterialArgs,
     /// Nominal pressure, as 10MPa or 1e-3H; repeatable
     #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub pressure: Vec<String>,
@@ -68,7 +65,7 @@ impl ReportArgs {
     /// The rough body.
     pub fn material(&self) -> BodyText {
         BodyText {
-            name: self.material.clone(),
+            name: self.named.material.as_ref().map(|material| material.name.clone()),
             youngs_modulus: self.youngs_modulus.clone(),
             poisson_ratio: self.poisson_ratio.clone(),
             yield_strength: self.yield_strength.clone(),
@@ -80,7 +77,7 @@ impl ReportArgs {
     /// The counterface.
     pub fn counterface(&self) -> BodyText {
         BodyText {
-            name: self.on.clone(),
+            name: self.named.on.as_ref().map(|material| material.name.clone()),
             youngs_modulus: self.counterface_youngs_modulus.clone(),
             poisson_ratio: self.counterface_poisson_ratio.clone(),
             ..BodyText::default()

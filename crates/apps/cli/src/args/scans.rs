@@ -23,7 +23,7 @@ pub(crate) struct ScanArgs {
     pub all_channels: bool,
     #[command(flatten)]
     pub untold: UntoldArgs,
-    /// Draw the heights: maps in colours with their gaps grey, lines as lines; of several channels, FILE-2, FILE-3 and so on
+    /// Draw the heights: maps in colours with their gaps grey, the middle line, the histogram; of several channels, FILE-2, FILE-3 and so on
     #[arg(long, value_name = "FILE.svg|FILE.png")]
     pub figure: Option<Picture>,
 }
@@ -112,7 +112,7 @@ pub(crate) struct ScansArgs {
     #[arg(long)]
     pub per_scan: bool,
     /// Draw the spectra and their composite
-    #[arg(long, value_name = "FILE.svg|FILE.png")]
+    #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf")]
     pub figure: Option<Picture>,
     /// The two-dimensional spectrum of one map instead, averaged radially: wavelength_m, wavevector_rad_per_m, Ciso_m4, modes
     #[arg(long, conflicts_with_all = ["per_scan", "figure", "average"])]

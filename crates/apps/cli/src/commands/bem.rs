@@ -162,10 +162,14 @@ impl FieldFiles {
                 "--fields {name}: results go into a folder, and this is a file; name a folder"
             )));
         }
+        // A link and the file that it leads to may lie in two folders.
         let surface = Path::new(&args.surface.path);
-        let beside =
-            surface.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        if surface.is_file() && folder.canonicalize().ok() == beside.canonicalize().ok() {
+        let names = [Some(surface.to_owned()), surface.canonicalize().ok()];
+        let lies_in_folder = |file: &PathBuf| {
+            let parent = file.parent().filter(|parent| !parent.as_os_str().is_empty());
+            folder.canonicalize().ok() == parent.unwrap_or(Path::new(".")).canonicalize().ok()
+        };
+        if surface.is_file() && names.iter().flatten().any(lies_in_folder) {
             return Err(Failure::Input(format!(
                 "--fields {name}: the surface is a file of this folder, and results might replace it; name another folder"
             )));

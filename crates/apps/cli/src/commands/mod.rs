@@ -2,6 +2,7 @@
 
 mod bem;
 mod completions;
+mod figure;
 mod gap;
 mod law;
 mod man_pages;
@@ -48,7 +49,7 @@ type Figure<'a> = Option<&'a Picture>;
 /// Carries a command out; `typed` is the command line without the program's name.
 pub fn run(args: Args, typed: &str) -> Result<(), Failure> {
     let context = Context { shared: args.shared, typed };
-    if context.shared.provenance && context.shared.format == Format::Json {
+    if context.shared.provenance && context.shared.format() == Format::Json {
         return Err(Failure::input(
             "--provenance writes comment lines, which JSON does not have; leave it out, or take --format csv",
         ));
@@ -67,6 +68,7 @@ pub fn run(args: Args, typed: &str) -> Result<(), Failure> {
         Command::Statistical(args) => statistical::run(&args, &context),
         Command::Persson(args) => persson::run(&args, &context),
         Command::Report(args) => surface_report::run(&args, &context),
+        Command::Figure(args) => figure::run(&args, &context),
         Command::Run(args) => run_scene::run(&args, &context),
         Command::Completions { shell } => completions::run(shell, &context),
         Command::Man(args) => man_pages::run(&args, &context),
@@ -237,7 +239,7 @@ impl Context<'_> {
         write: impl FnOnce(&mut TableWriter<'_>) -> Result<(), Stopped>,
     ) -> Result<(), Failure> {
         output.stage(files, |out| {
-            let mut writer = TableWriter::begin(self.shared.format, comments, out)?;
+            let mut writer = TableWriter::begin(self.shared.format(), comments, out)?;
             write(&mut writer)?;
             let unrepresentable = writer.end()?;
             if unrepresentable > 0 {

@@ -50,6 +50,11 @@ impl Constants {
         let strength_pa = material.yield_strength.map(|strength| strength.pascals(None).ok_or(in_hardnesses));
         let strength_pa = strength_pa.transpose()?;
         material.hardness_and_strength()?;
+        if material.counterface_yields()? {
+            return Err(Failure::input(
+                "the counterface is the softer body, and rows take the strength of the rough one; exchange --material and --on",
+            ));
+        }
         self.add_number("--yield-strength", "yield_strength_pa", strength_pa);
         let hardness_pa = material.indentation_hardness_pa;
         self.add_number("--indentation-hardness", "indentation_hardness_pa", hardness_pa);

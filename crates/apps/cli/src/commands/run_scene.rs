@@ -82,9 +82,9 @@ impl SceneRun<'_> {
         if context.shared.verbose {
             say_scene(scene);
         }
-        let watching = Watching { timings: RefCell::new(timings) };
+        let watching = Watching::new(timings);
         let outcome = run_scene(scene, options, &watching).map_err(failed)?;
-        let mut timings = watching.timings.into_inner();
+        let mut timings = watching.into_timings();
         let run_stamp = RunStamp { date: Some(now()), command: Some(context.typed.to_owned()) };
         make_folder("--out", folder)?;
         let (evidence, conclusions) = (outcome.evidence(scene), &outcome.conclusions);
@@ -102,7 +102,7 @@ impl SceneRun<'_> {
             verbose_option: "-v",
         };
         let short = short_summary(conclusions, scene, states.as_ref(), &end);
-        let written = output::write_products(&products, &short, context.shared.format, folder, layout)?;
+        let written = output::write_products(&products, &short, context.shared.format(), folder, layout)?;
         timings.lap("writing");
         let mut text = short;
         if context.shared.verbose {
@@ -133,7 +133,7 @@ impl SceneRun<'_> {
 }
 
 /// Converts the error of a run: an interruption, or an error in the scene.
-fn failed(error: RunError) -> Failure {
+pub(super) fn failed(error: RunError) -> Failure {
     match error {
         RunError::Cancelled => Failure::Interrupted,
         error => Failure::Input(error.to_string()),
@@ -146,8 +146,20 @@ fn options(args: &RunArgs) -> RunOptions {
 }
 
 /// Progress bars, and the time that each phase takes. While draws are made, the first Ctrl-C ends no more than them.
-struct Watching {
+pub(super) struct Watching {
     timings: RefCell<Timings>,
+}
+
+impl Watching {
+    /// Watches the phases of a run from now on.
+    pub fn new(timings: Timings) -> Self {
+        Watching { timings: RefCell::new(timings) }
+    }
+
+    /// Returns the times so far.
+    pub fn into_timings(self) -> Timings {
+        self.timings.into_inner()
+    }
 }
 
 impl Watch for Watching {
@@ -191,11 +203,13 @@ fn read(args: &RunArgs, folder: &Path, context: &Context<'_>) -> Result<Scene, F
     let scene = Scene::parse(text, &files, &overrides(args)?)
         .map_err(|error| Failure::Input(report::scene_errors::drawn(&error, text, &name)))?;
     if writes_files && folder.is_dir() {
-        let written = products::file_names(&scene, options(args), context.shared.format);
+        let written = products::file_names(&scene, options(args), context.shared.format());
         // A folder named after the scene is its own, whatever its title was.
         if args.out.is_some() {
             output::refuse_other_scenes(folder, &written, &scene.title)?;
         }
+        let products: Vec<PathBuf> = written.iter().map(|name| folder.join(name)).collect();
+        context.targets(None)?.with_files("--out", &products)?;
         let replaced = output::replaced_files(&written, folder, Layout::Flat)?;
         let results = Targets::default().with_files("--out", &replaced)?;
         results.spare_place(&args.scene)?;

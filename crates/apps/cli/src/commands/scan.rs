@@ -1,6 +1,7 @@
 //! `scan`: what is in the files of instruments.
 
 use std::ffi::OsString;
+use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 
 use measurements::{Channels, read_channels};
@@ -13,9 +14,10 @@ use super::{Context, psd};
 use crate::args::ScanArgs;
 use crate::failure::Failure;
 use crate::files::Folder;
-use crate::output::{publish, stage};
+use crate::output::{Place, publish, stage};
 use crate::picture::Picture;
 use crate::stderr::say;
+use crate::targets::Targets;
 use crate::timings::Timings;
 
 pub(super) fn run(args: &ScanArgs, context: &Context<'_>) -> Result<(), Failure> {
@@ -30,19 +32,27 @@ pub(super) fn run(args: &ScanArgs, context: &Context<'_>) -> Result<(), Failure>
         let picture = picture.with_path(numbered(&picture.path, drawn.len() + 1));
         if stage_heights(&mut files, &picture, file)? {
             let channel = file.channel.as_ref().map_or_else(String::new, |channel| format!(", {channel}"));
-            drawn.push(format!("{}: {}{channel}", picture.path.display(), request.path));
+            drawn.push((picture.path, format!("{}{channel}", request.path)));
         }
         Ok::<(), Failure>(())
     })?;
+    let pictures: Vec<PathBuf> = drawn.iter().map(|(path, _)| path.clone()).collect();
+    folder.spare_from(&Targets::default().with_files("--figure", &pictures)?)?;
     timings.lap("reading");
     let comments = [program(context.typed)];
     let table = found.table();
-    context.stage_blocks(&mut files, &context.shared.output, context.wanted(&comments), |out| {
-        Ok(out.block(&table)?)
-    })?;
+    let shared = &context.shared;
+    let for_people = shared.output == Place::Standard && shared.format.is_none() && !shared.provenance;
+    if for_people && std::io::stdout().is_terminal() {
+        shared.output.stage(&mut files, |out| out.write_all(found.describe().as_bytes()))?;
+    } else {
+        context.stage_blocks(&mut files, &context.shared.output, context.wanted(&comments), |out| {
+            Ok(out.block(&table)?)
+        })?;
+    }
     publish(files)?;
     if drawn.len() > 1 {
-        drawn.iter().for_each(|picture| say(picture));
+        drawn.iter().for_each(|(path, channel)| say(&format!("{}: {channel}", path.display())));
     }
     timings.lap("writing");
     timings.report(context.shared.timings);

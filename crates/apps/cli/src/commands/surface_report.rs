@@ -1,5 +1,6 @@
 //! `report`: one command from scans to a verdict.
 
+use std::fmt::Display;
 use std::io::{self, BufRead, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
@@ -9,7 +10,9 @@ use report::products::{self, REPORT};
 use scans::{Mend, ScanOption};
 use scene::{Overrides, Scene, SceneError, SceneProblem};
 use spectrum::ReadOptions;
+use study::materials::named;
 use study::surface::{Surface, SurfaceError};
+use units::Pressure;
 
 use super::Context;
 use super::psd::refusal;
@@ -17,15 +20,17 @@ use super::run_scene::SceneRun;
 use crate::args::ReportArgs;
 use crate::failure::Failure;
 use crate::files::Folder;
+use crate::missing_file::explained;
 use crate::output::{self, Layout, make_folder};
+use crate::stderr::say;
 use crate::targets::Targets;
 use crate::timings::Timings;
 
 pub(super) fn run(args: &ReportArgs, context: &Context<'_>) -> Result<(), Failure> {
     let mut timings = Timings::start();
     let folder = args.out.clone().unwrap_or_else(|| default_folder(&args.files));
-    let mut question = question(args, context)?;
     refuse_other_scene(&folder)?;
+    let mut question = question(args, context)?;
     // Paths in the scene are relative to the folder, so that the scene there repeats the report.
     let made = !folder.exists();
     make_folder("--out", &folder)?;
@@ -64,20 +69,21 @@ fn refuse_other_scene(folder: &Path) -> Result<(), Failure> {
 
 /// Fills the question from the options, and asks for what is missing if somebody can answer.
 fn question(args: &ReportArgs, context: &Context<'_>) -> Result<ReportQuestion, Failure> {
+    let surface = surface(args, context)?;
     let mut material = args.material();
     if material.is_empty() {
-        material.name =
-            Some(needed("material of the rough body", "steel 100Cr6", "--material \"steel 100Cr6\"")?);
+        let option = "--material \"steel 100Cr6\"";
+        material.name = Some(needed("material of the rough body", "steel 100Cr6", option, named)?);
     }
     let mut pressures = args.pressure.clone();
     if pressures.is_empty() {
-        pressures.push(needed("nominal pressure", "10 MPa", "--pressure 10MPa")?);
+        pressures.push(needed("nominal pressure", "10 MPa", "--pressure 10MPa", str::parse::<Pressure>)?);
     }
     let counterface = Some(args.counterface()).filter(|body| !body.is_empty());
     let pressures = pressures.iter().map(|pressure| spaced(pressure)).collect();
     Ok(ReportQuestion {
         title: Some(args.title.clone().unwrap_or_else(|| default_title(&args.files))),
-        surface: surface(args, context)?,
+        surface,
         material,
         counterface,
         pressures,
@@ -89,6 +95,10 @@ fn question(args: &ReportArgs, context: &Context<'_>) -> Result<ReportQuestion, 
 /// The files as scans, or the one file as a spectrum.
 fn surface(args: &ReportArgs, context: &Context<'_>) -> Result<ReportSurface, Failure> {
     let requests: Vec<ScanRequest> = args.files.iter().map(|file| args.untold.told_of(file)).collect();
+    for ScanRequest { path, .. } in requests.iter().filter(|request| is_a_path(&request.path)) {
+        std::fs::metadata(path)
+            .map_err(|error| Failure::reading(path, &explained(error, Path::new(path))))?;
+    }
     if let [request] = &requests[..] {
         let files = Folder::current(context.targets(None)?);
         match Surface::load(&request.path, &files, &ReadOptions::default()) {
@@ -108,7 +118,7 @@ fn scene(question: &mut ReportQuestion, folder: &Path, context: &Context<'_>) ->
         let files = Folder::of(&folder.join("scene.toml"), context.targets(None)?);
         match Scene::parse(&text, &files, &Overrides::default()) {
             Ok(scene) => {
-                let products = products::file_names(&scene, OPTIONS, context.shared.format);
+                let products = products::file_names(&scene, OPTIONS, context.shared.format());
                 let replaced = output::replaced_files(&products, folder, Layout::Folders)?;
                 files.spare_from(&Targets::default().with_files("--out", &replaced)?)?;
                 return Ok(scene);
@@ -129,7 +139,7 @@ fn relative_to(question: &ReportQuestion, folder: &Path) -> Result<ReportQuestio
     let from = std::path::absolute(folder)
         .map_err(|error| Failure::writing(&folder.display().to_string(), &error))?;
     let relative = |path: &str| -> String {
-        if path.starts_with("builtin:") || path == "-" {
+        if !is_a_path(path) {
             return path.to_owned();
         }
         let to = std::path::absolute(path).ok();
@@ -143,6 +153,11 @@ fn relative_to(question: &ReportQuestion, folder: &Path) -> Result<ReportQuestio
         ),
     };
     Ok(ReportQuestion { surface, ..question.clone() })
+}
+
+/// Returns true unless the name is that of a built-in spectrum or of standard input.
+fn is_a_path(name: &str) -> bool {
+    !name.starts_with("builtin:") && name != "-"
 }
 
 /// The scan whose file lacks something, and the option that gives it.
@@ -168,14 +183,27 @@ fn ask_for(question: &mut ReportQuestion, at: usize, option: ScanOption) -> bool
     // An answer that is no value is asked for again.
     match scan.with_option(key, &value) {
         Ok(changed) => *scan = changed,
-        Err(error) => crate::stderr::say(&error.to_string()),
+        Err(error) => say(&error.to_string()),
     }
     true
 }
 
-/// Asks for a value that the options lack.
-fn needed(subject: &str, example: &str, option: &str) -> Result<String, Failure> {
-    ask(subject, example).ok_or_else(|| Failure::Input(format!("a report needs the {subject}; add {option}")))
+/// Asks for a value that the options lack, until it can be read.
+fn needed<T, E: Display>(
+    subject: &str,
+    example: &str,
+    option: &str,
+    read: impl Fn(&str) -> Result<T, E>,
+) -> Result<String, Failure> {
+    loop {
+        let Some(answer) = ask(subject, example) else {
+            return Err(Failure::Input(format!("a report needs the {subject}; add {option}")));
+        };
+        match read(&answer) {
+            Ok(_) => return Ok(answer),
+            Err(error) => say(&error.to_string()),
+        }
+    }
 }
 
 /// Asks on a terminal; `None` if nobody is there to answer.

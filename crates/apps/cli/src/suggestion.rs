@@ -1,0 +1,44 @@
+//! Suggestions for command lines that name no command.
+
+use std::ffi::OsString;
+use std::path::Path;
+
+use clap::error::ErrorKind;
+
+/// The answer if nothing is typed behind the program's name.
+pub(crate) const FIRST_WORDS: &str = "\
+truearea computes how much of two rough surfaces touches. Type
+  truearea report SCAN.txt --material \"steel 100Cr6\" --pressure 10MPa   scans or a spectrum to a report
+  truearea scan SCAN.txt                                                what is in a scan
+  truearea run SCENE.toml                                               a scene; `truearea scene new` writes one
+  truearea --help                                                       all commands";
+
+/// Returns the command for a file or folder typed in the place of a command.
+pub(crate) fn for_file(error: &clap::Error, line: &[OsString]) -> Option<String> {
+    let is_no_command = matches!(error.kind(), ErrorKind::InvalidSubcommand | ErrorKind::UnknownArgument);
+    let [_, path, rest @ ..] = line else { return None };
+    let file = Path::new(path);
+    if !is_no_command || !file.exists() {
+        return None;
+    }
+    if file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")) {
+        return Some(format!("a scene needs the command run; type `truearea run {}`", quoted(path)));
+    }
+    let has_option = |name: &str| {
+        rest.iter().any(|word| word.to_str().is_some_and(|word| word.split('=').next() == Some(name)))
+    };
+    let missing = [("--material", "\"steel 100Cr6\""), ("--pressure", "10MPa")]
+        .into_iter()
+        .filter(|(option, _)| !has_option(option))
+        .map(|(option, example)| format!(" {option} {example}"));
+    let kind = if file.is_dir() { "a folder of scans" } else { "a file" };
+    let given = std::iter::once(path).chain(rest).map(|word| format!(" {}", quoted(word)));
+    let line: String = given.chain(missing).collect();
+    Some(format!("{kind} needs a command; type `truearea report{line}`"))
+}
+
+/// The word as a shell takes it if it has spaces.
+fn quoted(word: &OsString) -> String {
+    let word = word.to_string_lossy();
+    if word.contains(' ') { format!("\"{word}\"") } else { word.into_owned() }
+}
