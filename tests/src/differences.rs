@@ -72,6 +72,7 @@ fn overlaid(curve: &GoldenCurve, accepted: Option<&str>) -> FigureData {
             condition_in_full: String::new(),
             load: None,
             curve_index: 1,
+            look: None,
             condition_index: Some(index),
             points: points.filter(|(_, value)| !value.is_nan()).collect(),
         }
@@ -79,6 +80,7 @@ fn overlaid(curve: &GoldenCurve, accepted: Option<&str>) -> FigureData {
     let new = |(index, series): (usize, &Series)| Series {
         curve: "computed now".to_owned(),
         curve_index: 0,
+        look: None,
         condition_index: Some(index),
         ..series.clone()
     };

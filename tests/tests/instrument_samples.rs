@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use measurements::{Files, ScanRequest, read_channels};
 use tables::{Cells, Table};
 use tests::shared_file;
+use topography::{HeightParameters, ParameterValue};
 
 /// The files of the folder of samples, by their names.
 struct Samples;
@@ -80,4 +81,32 @@ fn every_expected_row_is_read_as_the_peer_reads_it() {
     }
     assert_eq!(rows.len(), 29);
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+#[ignore = "needs the shared folder"]
+fn height_parameters_equal_those_of_an_independent_program() {
+    let reference = std::fs::read(shared_file("reference/roughness.csv")).unwrap();
+    let mut compared = 0;
+    for row in csv::Reader::from_reader(&reference[..]).deserialize() {
+        let row: BTreeMap<String, String> = row.unwrap();
+        if row["treatment"] != "plane" {
+            continue;
+        }
+        let bytes = Samples.read(&row["file"]).unwrap();
+        let mut files = scans::read_scans(&bytes, &row["file"], &scans::ScanOptions::default()).unwrap();
+        let found = HeightParameters::from_scan(&files.swap_remove(0).scan).unwrap();
+        let Some(parameter) = found.parameters().into_iter().find(|found| found.symbol == row["parameter"])
+        else {
+            continue;
+        };
+        let (ParameterValue::LengthM(value) | ParameterValue::Number(value)) = parameter.value;
+        let scale = if row["unit"] == "um" { 1e6 } else { 1.0 };
+        let [expected, tolerance] = ["own", "tolerance"].map(|column| row[column].parse::<f64>().unwrap());
+        // Ssk is the small rest of cubes of both signs, so its rounding is relative to a skewness of one.
+        let size = if row["parameter"] == "Ssk" { 1.0 } else { expected };
+        approx::assert_abs_diff_eq!(value * scale, expected, epsilon = tolerance * size);
+        compared += 1;
+    }
+    assert_eq!(compared, 14);
 }

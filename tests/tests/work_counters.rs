@@ -107,12 +107,12 @@ fn the_template_of_a_new_scene_does_this_much_and_no_more() {
     let scene = Scene::parse(&text, &NoFiles, &Overrides::default()).unwrap();
     assert_debug_snapshot!(scene.plan().compute().unwrap().work, @r"
     Work {
-        moment_cutoffs: 0,
-        asperity_cutoffs: 0,
+        moment_cutoffs: 45,
+        asperity_cutoffs: 45,
         amplitude_scales: 46,
         stacked_levels: 184,
-        statistical_states: 0,
-        law_evaluations: 0,
+        statistical_states: 438,
+        law_evaluations: 39384,
         fitted_samples: 0,
         shared_levels: 0,
         shared_states: 0,

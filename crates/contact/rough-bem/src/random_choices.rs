@@ -43,6 +43,9 @@ impl RandomChoices {
     /// Range of the points along a side.
     pub const POINTS: RangeInclusive<u32> = 16..=16384;
 
+    /// Range of the number of surfaces.
+    pub const REALISATIONS: RangeInclusive<u32> = 1..=10_000;
+
     /// Returns surfaces with the spectrum in the band that the grid holds, and that band.
     ///
     /// # Errors

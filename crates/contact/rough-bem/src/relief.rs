@@ -35,6 +35,22 @@ pub struct Relief {
 }
 
 impl Relief {
+    /// Rms slope along x or y from neighbouring points, whichever is larger; 0 of a single point.
+    #[must_use]
+    pub fn rms_slope(&self) -> f64 {
+        let rms = |rises_m: &mut dyn Iterator<Item = f64>, run_m: f64| {
+            let (sum, count) = rises_m
+                .fold((0.0, 0usize), |(sum, count), rise_m| (sum + (rise_m / run_m).powi(2), count + 1));
+            (sum / count.max(1) as f64).sqrt()
+        };
+        let rows = self.heights_m.chunks_exact(self.columns.max(1));
+        let mut along_x = rows.flat_map(|row| row.windows(2).map(|pair| pair[1] - pair[0]));
+        let mut along_y =
+            self.heights_m.iter().zip(self.heights_m.iter().skip(self.columns)).map(|(a, b)| b - a);
+        let spacings_m = [self.length_x_m / self.columns as f64, self.length_y_m / self.rows as f64];
+        rms(&mut along_x, spacings_m[0]).max(rms(&mut along_y, spacings_m[1]))
+    }
+
     /// Returns every second point of every second row; `None` if a side is odd.
     #[must_use]
     pub fn every_second_point(&self) -> Option<Self> {

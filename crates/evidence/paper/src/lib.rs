@@ -18,7 +18,7 @@
 //!   one honest sentence;
 //! * [`table`]: the same for `claims.csv`;
 //! * [`other_models`]: what models that the paper does not have say of its surface, outside the ledger's counts;
-//! * [`section`]: both as a section of a report.
+//! * [`opening`]: both as the opening of a report.
 //!
 //! Nothing is tuned to make a row pass: the criterion for reproduction is written beside a statement before any
 //! number.
@@ -34,4 +34,4 @@ pub use claims::ledger;
 pub use evidence::Evidence;
 pub use ledger::{Finding, Row, Statement, Verdict, table};
 pub use other_models::{OtherFinding, OtherModel, other_models};
-pub use section::section;
+pub use section::opening;

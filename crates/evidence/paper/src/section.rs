@@ -1,10 +1,10 @@
-//! The ledger as a section of a report.
+//! The ledger as the opening of a report.
 
 use maud::{Markup, html};
-use report::page::{Section, table};
+use report::page::table;
 use units::display::typeset;
 
-use crate::ledger::{Finding, Row, Verdict};
+use crate::ledger::{Row, Statement, Verdict};
 use crate::other_models::OtherModel;
 
 impl Verdict {
@@ -12,54 +12,91 @@ impl Verdict {
         match self {
             Verdict::Reproduced => "✓",
             Verdict::NotReproduced => "✗",
-            Verdict::ByConstruction => "≡",
+            Verdict::ByConstruction => "~",
         }
     }
 
     fn class(self) -> &'static str {
         match self {
-            Verdict::Reproduced => "verdict holds",
-            Verdict::NotReproduced => "verdict fails",
-            Verdict::ByConstruction => "verdict given",
+            Verdict::Reproduced => "agrees",
+            Verdict::NotReproduced => "large",
+            Verdict::ByConstruction => "invalid",
         }
     }
 }
 
-/// Returns the ledger as a section of a report: every statement with its finding for each spectrum, and other models below the
-/// counts. `label` returns the name of a spectrum in print.
+/// Returns the ledger as the opening of a report: a square for every statement and spectrum, and, folded, its check and its
+/// findings, with other models below. `label` returns the name of a spectrum in print.
 #[must_use]
-pub fn section(rows: &[Row], others: &[OtherModel], label: fn(&str) -> &str) -> Section {
+pub fn opening(rows: &[Row], others: &[OtherModel], label: fn(&str) -> &str) -> Markup {
     let mut spectra: Vec<&str> = Vec::new();
     for (spectrum, _) in rows.iter().flat_map(|row| &row.findings) {
         if !spectra.contains(spectrum) {
             spectra.push(spectrum);
         }
     }
-    let head = html! {
-        tr {
-            th scope="col" { "no." } th scope="col" { "statement, and how it is checked" }
-            @for spectrum in &spectra { th scope="col" { (label(spectrum)) } }
+    html! {
+        section.screen id="ledger" {
+            h2 { "Statements of the paper" }
+            @for spectrum in &spectra { (squares(rows, spectrum, label(spectrum))) }
+            details.folded {
+                summary { h3 { "Each statement, how it is checked, and what was found" } }
+                @for row in rows { (folded(row, &spectra, label)) }
+                @if !others.is_empty() { (other_models(others, &spectra, label)) }
+            }
         }
-    };
-    let body = html! {
-        tbody {
-            @for Row { statement, findings } in rows {
-                tr {
-                    th scope="row" { (statement.number) }
-                    td { (typeset(statement.statement)) span.how { (typeset(statement.how)) } }
-                    @for spectrum in &spectra {
-                        td { @for (_, finding) in findings.iter().filter(|(of, _)| of == spectrum) { (cell(finding)) } }
+    }
+}
+
+/// A square for each statement on a spectrum, linked to what was found.
+fn squares(rows: &[Row], spectrum: &str, label: &str) -> Markup {
+    html! {
+        div.squares {
+            p { strong { (label) } " " span { (counts(rows, spectrum)) } }
+            ol {
+                @for Row { statement, findings } in rows {
+                    @for (_, finding) in findings.iter().filter(|(of, _)| *of == spectrum) {
+                        li {
+                            a class={ "cell " (finding.verdict.class()) } href=(anchor(statement)) {
+                                (statement.number) " " (finding.verdict.symbol())
+                                span.reason { (finding.verdict.words()) ": " (typeset(statement.statement)) }
+                            }
+                        }
                     }
                 }
             }
         }
-    };
-    let body = html! {
-        @for spectrum in &spectra { p { strong { (label(spectrum)) } ": " (counts(rows, spectrum)) } }
-        div.ledger { (table("Statements and what was found of them.", &head, &body)) }
-        @if !others.is_empty() { (other_models(others, &spectra, label)) }
-    };
-    Section { id: "ledger", title: "Statements checked", body }
+    }
+}
+
+fn anchor(statement: &Statement) -> String {
+    format!("#statement-{}", statement.number)
+}
+
+/// A statement with its verdicts, folded over the check and the findings.
+fn folded(Row { statement, findings }: &Row, spectra: &[&str], label: fn(&str) -> &str) -> Markup {
+    html! {
+        details.folded id=(&anchor(statement)[1..]) {
+            summary {
+                h4 { (statement.number) ". " (typeset(statement.statement)) }
+                @for (_, finding) in findings {
+                    " " span class=(finding.verdict.class()) { (finding.verdict.symbol()) span.unseen { (finding.verdict.words()) } }
+                }
+            }
+            p { (typeset(statement.how)) }
+            dl {
+                @for spectrum in spectra {
+                    dt { (label(spectrum)) }
+                    @for (_, finding) in findings.iter().filter(|(of, _)| of == spectrum) {
+                        dd {
+                            strong { (finding.verdict.words()) } ": " (typeset(&finding.found))
+                            @if !finding.remark.is_empty() { ". " (typeset(&finding.remark)) }
+                        }
+                    }
+                }
+            }
+        }
+    }
 }
 
 /// The findings of other models, below the counts and outside them.
@@ -91,16 +128,6 @@ fn other_models(models: &[OtherModel], spectra: &[&str], label: fn(&str) -> &str
     html! {
         h3 { "Other models" }
         div.ledger { (table("What models that are not the paper’s say of the same surfaces; not counted above.", &head, &body)) }
-    }
-}
-
-fn cell(finding: &Finding) -> Markup {
-    html! {
-        span class=(finding.verdict.class()) {
-            span aria-hidden="true" { (finding.verdict.symbol()) } " " (finding.verdict.words())
-        }
-        span.found { (typeset(&finding.found)) }
-        @if !finding.remark.is_empty() { span.remark { (typeset(&finding.remark)) } }
     }
 }
 

@@ -53,12 +53,8 @@ impl Coordinate {
         const LOG_RATIO_LEFT: f64 = 2.3;
         // Higher powers gather the nodes at the far end.
         const HIGHEST_POWER: f64 = 8.0;
-        let power = elementary::ln(high / low) / LOG_RATIO_LEFT;
-        if low > 0.0 && power > 1.0 {
-            Coordinate::Power { power: power.ceil().min(HIGHEST_POWER) as i32 }
-        } else {
-            self
-        }
+        let power = if low > 0.0 { elementary::ln(high / low) / LOG_RATIO_LEFT } else { 0.0 };
+        if power > 1.0 { Coordinate::Power { power: power.ceil().min(HIGHEST_POWER) as i32 } } else { self }
     }
 
     /// True for the coordinate of a stretch over decades.

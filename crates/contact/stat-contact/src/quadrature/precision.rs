@@ -35,6 +35,10 @@ impl Precision {
         // Tolerance over the curvature of ln p.
         const SHARE: f64 = 0.1;
         let depth = u.min(0.0);
+        // Dividing by zero would leave a flag of the processor set.
+        if depth == 0.0 {
+            return self;
+        }
         let curvature = SHARE / (depth * depth);
         if self.tolerance <= curvature { self } else { Self::new(curvature) }
     }
