@@ -69,7 +69,7 @@ fn reproduce(folder: &Path) -> Result<(), Box<dyn Error>> {
         scenes: parts
             .filter_map(|(evidence, products)| products.report(label(evidence.template.name())))
             .collect(),
-        extra: Some(paper::section(&ledger, &paper::other_models(&evidence)?, label)),
+        opening: Some(paper::opening(&ledger, &paper::other_models(&evidence)?, label)),
         run_stamp: &run_stamp,
         repeat: "cargo xtask reproduce, which also writes every number of every figure as a table.",
     };

@@ -45,7 +45,8 @@ impl StagedFiles {
     /// Writes one file aside, in the folder of its target.
     ///
     /// # Errors
-    /// Any error of `write` or of the file system. Nothing is left behind.
+    /// Any error of `write` or of the file system; [`io::ErrorKind::AlreadyExists`] if a staged file has the same
+    /// target. Nothing is left behind.
     pub fn stage<E: From<io::Error>>(
         &mut self,
         path: &Path,
@@ -57,7 +58,11 @@ impl StagedFiles {
             write(&mut file)?;
             return Ok(file.flush()?);
         }
-        let target = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+        let target = resolve(path);
+        if self.0.iter().any(|staged| staged.target == target) {
+            let message = "two results go into this file; name two files";
+            return Err(io::Error::new(io::ErrorKind::AlreadyExists, message).into());
+        }
         let mut aside = Temporary::beside(&target)?;
         let mut buffered = BufWriter::new(aside.file());
         write(&mut buffered)?;
@@ -94,6 +99,13 @@ impl StagedFiles {
         }
         Ok(())
     }
+}
+
+/// Returns the path without links. The file need not exist, but then its folder has to.
+fn resolve(path: &Path) -> PathBuf {
+    let absolute = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    let in_folder = || Some(absolute.parent()?.canonicalize().ok()?.join(absolute.file_name()?));
+    path.canonicalize().ok().or_else(in_folder).unwrap_or_else(|| path.to_owned())
 }
 
 /// A target with its new file; dropping this value deletes the old one.
@@ -180,6 +192,41 @@ mod tests {
         staged(folder.path(), &["a", "b", "c"]).publish().unwrap();
         assert_eq!(names(folder.path()), ["a", "b", "c"]);
         assert_eq!(std::fs::read_to_string(folder.path().join("a")).unwrap(), "new");
+    }
+
+    #[test]
+    fn two_results_never_share_a_file() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::create_dir(folder.path().join("inner")).unwrap();
+        for name in ["a", "new"] {
+            std::fs::write(folder.path().join("a"), "old").unwrap();
+            let mut files = staged(folder.path(), &[name]);
+            let again = folder.path().join("inner/..").join(name);
+            let error = files.stage(&again, |out| out.write_all(b"other")).unwrap_err();
+            assert_eq!(error.kind(), io::ErrorKind::AlreadyExists);
+            files.publish().unwrap();
+            assert_eq!(std::fs::read_to_string(&again).unwrap(), "new");
+        }
+        assert_eq!(names(folder.path()), ["a", "inner", "new"]);
+    }
+
+    /// A full disk, or any other fault in the middle of a file: whatever the number of bytes written, targets keep their
+    /// contents and no file is left aside.
+    #[test]
+    fn a_writer_that_fails_after_any_number_of_bytes_changes_no_file() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("a"), "old").unwrap();
+        for bytes in [0, 1, 8191, 8192, 8193, 100_000] {
+            let mut files = staged(folder.path(), &["a", "b"]);
+            let failed = files.stage(&folder.path().join("c"), |out| {
+                out.write_all(&vec![b'x'; bytes])?;
+                Err(io::Error::from(io::ErrorKind::StorageFull))
+            });
+            assert_eq!(failed.unwrap_err().kind(), io::ErrorKind::StorageFull);
+            drop(files);
+            assert_eq!(names(folder.path()), ["a"]);
+            assert_eq!(std::fs::read_to_string(folder.path().join("a")).unwrap(), "old");
+        }
     }
 
     #[test]

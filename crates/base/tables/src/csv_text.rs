@@ -1,5 +1,6 @@
 //! Tables as comma-separated values.
 
+use std::borrow::Cow;
 use std::io::{self, Read, Write};
 
 use units::write_number;
@@ -107,16 +108,26 @@ pub(super) fn write(table: &Table, names: bool, out: &mut dyn Write) -> io::Resu
     writer.flush()
 }
 
+/// Puts an apostrophe before a text that a spreadsheet would run as a formula; numbers stay as they are.
+fn without_formula(text: &str) -> Cow<'_, str> {
+    match text.starts_with(['=', '+', '-', '@', '\t', '\r']) && text.trim().parse::<f64>().is_err() {
+        true => Cow::Owned(format!("'{text}")),
+        false => Cow::Borrowed(text),
+    }
+}
+
 fn write_rows(table: &Table, names: bool, writer: &mut csv::Writer<&mut dyn Write>) -> csv::Result<()> {
     if names {
-        writer.write_record(table.columns().map(|(name, _)| name))?;
+        writer.write_record(
+            table.columns().map(|(name, _)| without_formula(name)).map(|name| name.into_owned()),
+        )?;
     }
     let mut number = String::new();
     for row in 0..table.rows() {
         for (_, cells) in table.columns() {
             number.clear();
             match cells {
-                Cells::Typed(cells) => writer.write_field(cells[row].text().as_ref())?,
+                Cells::Typed(cells) => writer.write_field(without_formula(&cells[row].text()).as_ref())?,
                 Cells::Words(words) => writer.write_field(words[row])?,
                 Cells::Numbers(numbers) => {
                     if let Some(value) = numbers[row].filter(|value| value.is_finite()) {
@@ -129,4 +140,19 @@ fn write_rows(table: &Table, names: bool, writer: &mut csv::Writer<&mut dyn Writ
         writer.write_record(None::<&[u8]>)?;
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn texts_that_spreadsheets_run_are_marked_and_numbers_are_not() {
+        for formula in ["=1+1", "+cmd", "-2+3", "@SUM(A1)", "\t=1"] {
+            assert_eq!(without_formula(formula), format!("'{formula}"));
+        }
+        for harmless in ["-1.5e-9", "+3", "scan.txt", "", "a=b"] {
+            assert_eq!(without_formula(harmless), harmless);
+        }
+    }
 }

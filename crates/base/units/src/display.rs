@@ -74,6 +74,12 @@ pub fn percent(share: f64) -> String {
     format!("{} %", three_digits(100.0 * share))
 }
 
+/// A share as people read it: `0.18 %`, or `40 ppm` below 0.01 %.
+#[must_use]
+pub fn share(share: f64) -> String {
+    if share < 0.9995e-4 { format!("{} ppm", three_digits(1e6 * share)) } else { percent(share) }
+}
+
 /// Three significant digits, with an exponent outside 1e-3 to 1e4; 0 is 0.
 #[must_use]
 pub fn three_digits(value: f64) -> String {
