@@ -218,7 +218,7 @@ impl Layout {
     /// The place of a file by its name.
     fn place(self, name: &str) -> String {
         let folder = match Path::new(name).extension().and_then(OsStr::to_str) {
-            Some("svg" | "png" | "pdf") => "figures/",
+            Some("svg" | "png" | "pdf" | "py") => "figures/",
             Some("csv" | "json") if name != ANSWER => "data/",
             _ => "",
         };
@@ -308,10 +308,12 @@ pub fn write_products(
     Ok(names)
 }
 
-/// The files of a figure of a scene.
+/// The files of a figure of a scene that are made from its SVG document.
 fn pictures_of(scene: &Scene, name: &str) -> Vec<String> {
     let figure = scene.figures.iter().find(|figure| figure.name == name);
-    figure.map_or_else(|| vec![format!("{name}.svg")], |figure| figure.file_names().collect())
+    let is_drawn = |file: &String| !file.ends_with(".py");
+    figure
+        .map_or_else(|| vec![format!("{name}.svg")], |figure| figure.file_names().filter(is_drawn).collect())
 }
 
 /// Tables in a folder of results that a run does not replace, with the title of the scene that each is of. Figures go

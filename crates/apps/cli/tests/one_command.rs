@@ -56,6 +56,29 @@ fn what_a_report_lacks_is_named_with_what_to_type() {
     assert!(!bench.path("flange-report").exists(), "a call that fails leaves nothing");
 }
 
+#[cfg(unix)]
+#[test]
+fn a_terminal_is_asked_for_what_is_missing_and_again_for_what_cannot_be_read() {
+    let bench = Bench::new();
+    bench.write("flange.txt", trace());
+    // A material that is none, a steel, the suggested pressure, a unit that is none, and micrometres.
+    let ran = bench.run_on_terminal(&["report", "flange.txt"], "unobtainium\n100Cr6\n\nfurlong\num\n");
+    assert_eq!(ran.status, 0, "{ran:?}");
+    for (question, times) in [
+        ("material of the rough body? [steel 100Cr6]", 2),
+        ("nominal pressure? [10 MPa]", 1),
+        ("unit of heights in flange.txt? [um]", 2),
+    ] {
+        assert_eq!(ran.stderr.matches(question).count(), times, "{question}: {}", ran.stderr);
+    }
+    let scene = bench.read("flange-report/scene.toml");
+    assert!(
+        scene.contains("name = \"100Cr6\"")
+            && scene.contains("\"10 MPa\"")
+            && scene.contains("unit = \"um\"")
+    );
+}
+
 #[test]
 fn no_file_that_is_read_or_that_somebody_else_wrote_is_replaced_or_removed() {
     let bench = Bench::new();

@@ -83,10 +83,10 @@ mod tests {
     }
 
     #[test]
-    fn colours_are_seen_on_white_and_on_dark_pages() {
+    fn names_in_these_colours_are_read_on_white_and_on_dark_pages() {
         for [colour, dark_colour] in FAMILIES.iter().map(|(_, colours)| *colours).chain([OTHER]) {
             assert!(
-                contrast(colour, "#ffffff") >= 3.0 && contrast(dark_colour, "#1e1e1e") >= 3.0,
+                contrast(colour, "#ffffff") >= 4.5 && contrast(dark_colour, "#1e1e1e") >= 4.5,
                 "{colour}"
             );
         }

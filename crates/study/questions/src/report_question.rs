@@ -134,7 +134,7 @@ impl ReportQuestion {
         if self.seal {
             text += "\n[seal]\n";
         }
-        text
+        text + "\n[figures]\nformat = [\"svg\", \"py\"]\n"
     }
 }
 

@@ -1,8 +1,8 @@
-//! The files of a scene: a table per curve, a table and an SVG per figure, the report and its tables.
+//! The files of a scene: a table per curve, a table and pictures per figure, the report and its tables.
 
 use std::io::{self, Write};
 
-use crate::curve_names::with_full_names;
+use crate::curve_names::with_printed_names;
 use crate::intervals::with_intervals;
 use crate::judged;
 use crate::page::{Report, SceneReport};
@@ -18,7 +18,7 @@ use questions::RunOptions;
 use scene::Scene;
 use scene::file_names::{INTERFACE_TABLE, JUDGE_TABLES, REPORT_TABLES, UNCERTAINTY_TABLES};
 use serde::Serialize;
-use study::figure::{Figure, FigureData, FigureStyle, Shows, over_scans};
+use study::figure::{Figure, FigureData, PictureFormat, Shows, over_scans};
 use study::interface::Slot;
 use study::plan::{Cutoffs, Results};
 use study::result_tables;
@@ -39,19 +39,54 @@ pub fn figures(scene: &Scene, results: &Results) -> Vec<FigureData> {
 /// Draws one figure of a scene as an SVG document; `None` if it has no figure of that name.
 pub fn figure_svg(scene: &Scene, results: &Results, name: &str) -> Option<String> {
     let figure = scene.figures.iter().find(|figure| figure.name == name)?;
-    Some(drawn(scene, &data(scene, results, figure, None), &figure.style))
+    Some(FigureDocuments::new(scene, results, figure, None).svg())
 }
 
-/// Draws the figures of a scene as SVG documents, in their order.
-pub fn figure_svgs(
-    scene: &Scene,
-    results: &Results,
-    uncertainty: Option<&Uncertainty>,
-) -> impl Iterator<Item = String> {
-    scene
-        .figures
-        .iter()
-        .map(move |figure| drawn(scene, &data(scene, results, figure, uncertainty), &figure.style))
+/// Computes the data of the figures of a scene, in their order.
+pub fn figure_documents<'a>(
+    scene: &'a Scene,
+    results: &'a Results,
+    uncertainty: Option<&'a Uncertainty>,
+) -> impl Iterator<Item = FigureDocuments<'a>> {
+    scene.figures.iter().map(move |figure| FigureDocuments::new(scene, results, figure, uncertainty))
+}
+
+/// A figure of a scene with its data, to be written in its formats.
+pub struct FigureDocuments<'a> {
+    scene: &'a Scene,
+    figure: &'a Figure,
+    data: FigureData,
+}
+
+impl<'a> FigureDocuments<'a> {
+    fn new(
+        scene: &'a Scene,
+        results: &Results,
+        figure: &'a Figure,
+        uncertainty: Option<&Uncertainty>,
+    ) -> Self {
+        FigureDocuments { scene, figure, data: data(scene, results, figure, uncertainty) }
+    }
+
+    /// Draws the figure as an SVG document.
+    #[must_use]
+    pub fn svg(&self) -> String {
+        plot::styled_svg(&self.named(), &self.figure.style, &self.scene.title, &self.origin())
+    }
+
+    /// Writes the Python script that draws the figure.
+    #[must_use]
+    pub fn script(&self) -> String {
+        plot::script(&self.named(), &self.figure.style, &self.origin())
+    }
+
+    fn named(&self) -> FigureData {
+        with_printed_names(self.data.clone(), &self.scene.needs.curves)
+    }
+
+    fn origin(&self) -> Vec<String> {
+        origin(self.scene, &format!("figure {}", self.figure.name))
+    }
 }
 
 /// The data of a figure, with the intervals of its areas.
@@ -75,7 +110,7 @@ fn reported_figures(evidence: &Evidence<'_>) -> Vec<FigureData> {
     let mut own = scene.figures.clone();
     let data = |figure: &Figure| data(scene, results, figure, evidence.uncertainty);
     let finished = |data: FigureData| {
-        let named = with_full_names(data, &scene.needs.curves);
+        let named = with_printed_names(data, &scene.needs.curves);
         match evidence.judgement {
             Some(judgement) if named.shows == Shows::Area => judged::with_marks(named, judgement, scene),
             _ => named,
@@ -116,11 +151,6 @@ const SPECTRUM_NAME: &str = "_spectrum";
 
 /// The largest number of lines that a reader can distinguish.
 const MAX_LINES: usize = 12;
-
-fn drawn(scene: &Scene, figure: &FigureData, style: &FigureStyle) -> String {
-    let figure = with_full_names(figure.clone(), &scene.needs.curves);
-    plot::styled_svg(&figure, style, &scene.title, &origin(scene, &format!("figure {}", figure.name)))
-}
 
 fn origin(scene: &Scene, what: &str) -> Vec<String> {
     let mut lines = provenance(&format!("scene \"{}\", {what}", scene.title), &scene.surface, scene.sampling);
@@ -198,6 +228,8 @@ pub enum Product<'p> {
     },
     /// A figure as an SVG document.
     Figure(&'p str),
+    /// A figure as a Python script.
+    Script(&'p str),
     /// The report as an HTML page.
     Report(&'p str),
     /// The conclusions as JSON.
@@ -211,6 +243,7 @@ impl Product<'_> {
         match self {
             Product::Table { .. } => format!("{name}.{}", format.extension()),
             Product::Figure(_) => format!("{name}.svg"),
+            Product::Script(_) => format!("{name}.py"),
             Product::Report(_) => REPORT.to_owned(),
             Product::Answer(_) => ANSWER.to_owned(),
         }
@@ -223,7 +256,7 @@ impl Product<'_> {
     pub fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
         match self {
             Product::Table { table, origin } => table.write(format, origin, out),
-            Product::Figure(text) | Product::Report(text) | Product::Answer(text) => {
+            Product::Figure(text) | Product::Script(text) | Product::Report(text) | Product::Answer(text) => {
                 out.write_all(text.as_bytes())
             }
         }
@@ -293,13 +326,17 @@ impl<'a> SceneProducts<'a> {
         if let Some(states) = InterfaceStates::from_scene(scene, results) {
             take_table(INTERFACE_TABLE, "table", &interface_table(&states, scene, evidence.uncertainty))?;
         }
-        let figures: Vec<FigureData> =
-            scene.figures.iter().map(|figure| data(scene, results, figure, evidence.uncertainty)).collect();
-        for figure in &figures {
-            take_table(&figure.name, "figure", &figure.table())?;
+        let figures: Vec<FigureDocuments<'_>> =
+            figure_documents(scene, results, evidence.uncertainty).collect();
+        for documents in &figures {
+            take_table(&documents.figure.name, "figure", &documents.data.table())?;
         }
-        for (figure, Figure { style, .. }) in figures.iter().zip(&scene.figures) {
-            take(&figure.name, Product::Figure(&drawn(scene, figure, style)))?;
+        for documents in &figures {
+            let name = &documents.figure.name;
+            take(name, Product::Figure(&documents.svg()))?;
+            if documents.figure.formats.contains(&PictureFormat::Script) {
+                take(name, Product::Script(&documents.script()))?;
+            }
         }
         take(ANSWER, Product::Answer(&answer_json(self.conclusions, scene)))?;
         if let Some(part) = self.report(&scene.title) {

@@ -194,7 +194,7 @@ fn an_interval_stands_beside_its_area_with_what_carries_it() {
     let area = study.area(0, 0);
     let (factor, unit) = if area.high < 1e-4 { (1e6, "ppm") } else { (100.0, "%") };
     for said in [
-        "Archard stack, elastic (Jackson-Streator): ",
+        "Stack, elastic: ",
         "mostly from the scatter of three AFM scans",
         "type A: the scatter of scans between places; type B: the height scales of instruments and the elastic constants",
         "Treat the interval as a guess: two stylus scans cannot show how much the surface varies.",

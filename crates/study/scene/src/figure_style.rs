@@ -130,7 +130,7 @@ impl Defaults {
 
 /// The listed formats, each once, with SVG, from which the others are made.
 pub(super) fn formats(listed: &[PictureFormat]) -> Vec<PictureFormat> {
-    let all = [PictureFormat::Svg, PictureFormat::Png, PictureFormat::Pdf];
+    let all = [PictureFormat::Svg, PictureFormat::Png, PictureFormat::Pdf, PictureFormat::Script];
     all.into_iter().filter(|format| *format == PictureFormat::Svg || listed.contains(format)).collect()
 }
 

@@ -65,6 +65,8 @@ pub struct ModelOptions {
 pub struct Setting {
     /// Its part of the name of a curve, e.g. `power-0.5`.
     pub name: String,
+    /// The setting after the short name of a model, e.g. `hardening`.
+    pub short: String,
     /// The setting in words.
     pub words: String,
 }
@@ -137,29 +139,54 @@ impl ModelOptions {
             GrowthLaw::Table(_) => Some("hardness-table".to_owned()),
             GrowthLaw::NixGao => None,
         };
-        let growth = growth.and_then(|law| Some((growth_name(law)?, choices_in_words::hardness_law(law))));
+        let growth = growth.and_then(|law| {
+            let name = growth_name(law)?;
+            Some(Setting {
+                short: format!("hardness {}", name.trim_start_matches("hardness-").replace('-', " ")),
+                name,
+                words: choices_in_words::hardness_law(law),
+            })
+        });
         let interference = self.interference_law.filter(|law| *law != InterferenceLaw::default());
         let band = self.band.filter(|band| *band != Band::default());
         let gamma = self.gamma.filter(|gamma| *gamma != Self::ENERGY_FACTOR);
+        let gradient = has_gradient.then(|| Setting {
+            name: "strain-gradient".to_owned(),
+            short: "hardening".to_owned(),
+            words: "strain gradient".to_owned(),
+        });
+        let named =
+            |name: String, words: &str| Setting { short: name.clone(), name, words: words.to_owned() };
         let settings = [
-            (
-                Choice::StrainGradient,
-                has_gradient.then(|| ("strain-gradient".into(), "strain gradient".into())),
-            ),
+            (Choice::StrainGradient, gradient),
             (Choice::HardnessLaw, growth),
             (
                 Choice::Interference,
-                interference.map(|law| (law.to_string(), choices_in_words::interference(law).into())),
+                interference.map(|law| named(law.to_string(), choices_in_words::interference(law))),
             ),
             (
                 Choice::Correction,
-                self.correction.map(|form| (form.to_string(), choices_in_words::correction(form).into())),
+                self.correction.map(|form| named(form.to_string(), choices_in_words::correction(form))),
             ),
-            (Choice::Band, band.map(|band| (band.to_string(), choices_in_words::band(band).into()))),
-            (Choice::Gamma, gamma.map(|gamma| (format!("gamma-{gamma}"), format!("energy factor {gamma}")))),
+            (
+                Choice::Band,
+                band.map(|band| Setting {
+                    name: band.to_string(),
+                    short: format!("{band} band"),
+                    words: choices_in_words::band(band).to_owned(),
+                }),
+            ),
+            (
+                Choice::Gamma,
+                gamma.map(|gamma| Setting {
+                    name: format!("gamma-{gamma}"),
+                    short: format!("energy factor {gamma}"),
+                    words: format!("energy factor {gamma}"),
+                }),
+            ),
         ];
         let of_model = settings.into_iter().filter(|(choice, _)| has(*choice));
-        of_model.filter_map(|(_, setting)| setting.map(|(name, words)| Setting { name, words })).collect()
+        of_model.filter_map(|(_, setting)| setting).collect()
     }
 
     /// Reads the value of an option, which comes next; a strength is none.

@@ -15,9 +15,9 @@ pub(crate) struct FigureFilesArgs {
     /// Draw these figures only, by name
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     pub only: Vec<String>,
-    /// The formats of the files; else those of the scene
+    /// The formats of the files, py for a script that draws with matplotlib; else those of the scene
     #[arg(long, value_name = "FORMATS", value_delimiter = ',',
-        value_parser = PossibleValuesParser::new(["svg", "png", "pdf"]))]
+        value_parser = PossibleValuesParser::new(["svg", "png", "pdf", "py"]))]
     pub picture: Vec<String>,
     /// The width in print, such as 85mm
     #[arg(long, value_name = "L", allow_hyphen_values = true)]

@@ -6,7 +6,7 @@ use questions::{RunOptions, run_scene};
 use report::products;
 use scene::{Overrides, Scene};
 use staging::StagedFiles;
-use study::figure::{Figure, Shows};
+use study::figure::{Figure, PictureFormat, Shows};
 
 use super::Context;
 use super::run_scene::{Watching, failed};
@@ -26,10 +26,10 @@ pub(super) fn run(args: &FigureFilesArgs, context: &Context<'_>) -> Result<(), F
     scene
         .choose_figures(&args.choice())
         .map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
-    let files = pictures(&scene, args)?;
-    let targets = files.iter().flatten().try_fold(Targets::default(), |targets, picture| {
+    let files = files(&scene, args)?;
+    let targets = files.iter().flatten().try_fold(Targets::default(), |targets, file| {
         // A folder that is still to be made holds nothing to spare.
-        if args.out.is_dir() { targets.with_file("--out", &picture.path) } else { Ok(targets) }
+        if args.out.is_dir() { targets.with_file("--out", file.path()) } else { Ok(targets) }
     })?;
     targets.spare_place(&Place::File(path))?;
     folder.spare_from(&targets)?;
@@ -40,12 +40,16 @@ pub(super) fn run(args: &FigureFilesArgs, context: &Context<'_>) -> Result<(), F
     make_folder("--out", &args.out)?;
     let mut staged = StagedFiles::default();
     let mut names = Vec::new();
-    let drawn = products::figure_svgs(&scene, &outcome.results, outcome.uncertainty.as_ref());
-    for (pictures, svg) in files.iter().zip(drawn) {
-        for picture in pictures {
-            let bytes = picture.bytes(svg.clone()).map_err(Failure::input)?;
-            stage(&mut staged, &picture.path, |out| out.write_all(&bytes))?;
-            names.push(picture.path.display().to_string());
+    let drawn = products::figure_documents(&scene, &outcome.results, outcome.uncertainty.as_ref());
+    for (files, figure) in files.iter().zip(drawn) {
+        let svg = figure.svg();
+        for file in files {
+            let bytes = match file {
+                FigureFile::Script(_) => figure.script().into_bytes(),
+                FigureFile::Picture(picture) => picture.bytes(svg.clone()).map_err(Failure::input)?,
+            };
+            stage(&mut staged, file.path(), |out| out.write_all(&bytes))?;
+            names.push(file.path().display().to_string());
         }
     }
     publish(staged)?;
@@ -73,11 +77,30 @@ fn read(path: &Path, folder: &Folder) -> Result<Scene, Failure> {
         .map_err(|error| Failure::Input(report::scene_errors::drawn(&error, text, &name)))
 }
 
+/// A file of a figure.
+enum FigureFile {
+    Picture(Picture),
+    /// A Python script that draws it.
+    Script(PathBuf),
+}
+
+impl FigureFile {
+    fn path(&self) -> &Path {
+        match self {
+            FigureFile::Picture(picture) => &picture.path,
+            FigureFile::Script(path) => path,
+        }
+    }
+}
+
 /// The files of each figure.
-fn pictures(scene: &Scene, args: &FigureFilesArgs) -> Result<Vec<Vec<Picture>>, Failure> {
+fn files(scene: &Scene, args: &FigureFilesArgs) -> Result<Vec<Vec<FigureFile>>, Failure> {
     let file = |name: &str, ending: &str| {
         let path = args.out.join(format!("{name}.{ending}"));
-        path.to_string_lossy().parse::<Picture>().map_err(Failure::input)
+        if ending == PictureFormat::Script.extension() {
+            return Ok(FigureFile::Script(path));
+        }
+        path.to_string_lossy().parse().map(FigureFile::Picture).map_err(Failure::input)
     };
     let files_of = |figure: &Figure| match args.picture.is_empty() {
         true => figure.formats.iter().map(|format| file(&figure.name, format.extension())).collect(),

@@ -64,6 +64,40 @@ impl Bench {
         self.spawn(&mut Command::new(env!("CARGO_BIN_EXE_truearea")), args, input)
     }
 
+    /// Runs on a terminal at which somebody types these lines; returns what it shows there.
+    #[cfg(unix)]
+    pub fn run_on_terminal(&self, args: &[&str], typed: &str) -> Ran {
+        use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
+        use std::fs::File;
+        use std::io::Read;
+
+        let screen = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY).unwrap();
+        grantpt(&screen).unwrap();
+        unlockpt(&screen).unwrap();
+        let name = ptsname(&screen, Vec::new()).unwrap().into_string().unwrap();
+        let terminal = File::options().read(true).write(true).open(name).unwrap();
+        let mut screen = File::from(screen);
+        screen.write_all(typed.as_bytes()).unwrap();
+        let mut child = Command::new(env!("CARGO_BIN_EXE_truearea"))
+            .args(args)
+            .current_dir(self.folder.path())
+            .stdin(terminal.try_clone().unwrap())
+            .stderr(terminal)
+            .stdout(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let reader = std::thread::spawn(move || {
+            // A terminal that nobody holds any more ends with an error.
+            let mut shown = Vec::new();
+            let _ = screen.read_to_end(&mut shown);
+            String::from_utf8_lossy(&shown).into_owned()
+        });
+        let mut stdout = String::new();
+        child.stdout.take().unwrap().read_to_string(&mut stdout).unwrap();
+        let status = child.wait().unwrap().code().unwrap_or(-1);
+        Ran { status, stdout, stderr: reader.join().unwrap() }
+    }
+
     fn spawn(&self, command: &mut Command, args: &[&str], input: &str) -> Ran {
         let mut child = command
             .args(args)

@@ -62,7 +62,7 @@ fn draw_piece(scene: &mut Scene, figure: &FigureData, band: &Band, points: &[(f6
 }
 
 /// The look of a band: that of its line, or black for a yardstick among lines of models.
-fn ink(figure: &FigureData, band: &Band) -> Ink {
+pub(super) fn ink(figure: &FigureData, band: &Band) -> Ink {
     let mut lines = figure.series.iter().filter(|series| series.look.is_some());
     let line = match band.kind {
         BandKind::Interval => lines.find(|series| series.curve_index == band.curve_index),

@@ -13,20 +13,20 @@ use study::figure::{BandKind, FigureData, Series};
 use units::display::typeset;
 
 const SIZE_PX: f64 = 12.0;
-const ROW_PX: f64 = 18.0;
+pub(super) const ROW_PX: f64 = 18.0;
 /// The length of a sample, long enough to show its dash pattern.
 const SAMPLE_PX: f64 = 34.0;
 const GAP_PX: f64 = 6.0;
 const BAND_PX: f64 = 8.0;
 
-struct Entry<'a> {
-    label: &'a str,
-    colour: String,
-    sample: Sample,
+pub(super) struct Entry<'a> {
+    pub label: &'a str,
+    pub colour: String,
+    pub sample: Sample,
 }
 
 /// The sample before a label.
-enum Sample {
+pub(super) enum Sample {
     Line {
         dash: Option<String>,
         width_px: f64,
@@ -60,7 +60,7 @@ pub(super) fn append(
     [left, right]: [f64; 2],
 ) {
     let mut baseline = scene.height;
-    let groups = [conditions(figure, is_labelled), curves(figure), marked(figure), banded(figure)];
+    let groups = entries(figure, is_labelled);
     let lines = |entry: &Entry<'_>| wrapped(entry.label, right - 2.0 * GAP_PX - entry.sample.room_px());
     let width = |entry: &Entry<'_>| {
         let text = lines(entry).iter().map(|line| text_width_px(line, SIZE_PX)).fold(0.0, f64::max);
@@ -84,6 +84,11 @@ pub(super) fn append(
         }
     }
     scene.height = baseline + if baseline > scene.height { GAP_PX } else { 0.0 };
+}
+
+/// The entries of a legend, in groups that each begin a row.
+pub(super) fn entries(figure: &FigureData, is_labelled: impl Fn(usize) -> bool) -> [Vec<Entry<'_>>; 4] {
+    [conditions(figure, is_labelled), curves(figure), marked(figure), banded(figure)]
 }
 
 /// The lines of a label that is wider than its room.
@@ -243,7 +248,7 @@ mod tests {
 
     #[test]
     fn a_label_wider_than_its_room_is_wrapped_between_words() {
-        let label = "GW, elastic-plastic sinusoids (Krithivasan-Jackson)";
+        let label = "Sinusoids, elastic-plastic, growing hardness";
         assert_eq!(wrapped(label, 1000.0), [label]);
         let lines = wrapped(label, 200.0);
         assert!(

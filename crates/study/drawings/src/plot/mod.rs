@@ -6,6 +6,7 @@ mod heights;
 mod labels;
 mod legend;
 mod marks;
+mod script;
 mod shares;
 mod style;
 mod thinned;
@@ -19,6 +20,7 @@ use kuva::render::plots::Plot;
 use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
 
 pub(crate) use heights::Panel;
+pub use script::script;
 pub use shares::shares_of_decades;
 
 use decades::{Decades, MAX_TICKS, lengths, powers_of_ten, shares};
@@ -233,11 +235,16 @@ fn x_ticks(figure: &FigureData) -> TickFormat {
 /// Ticks of areas in percent, of amplitudes as lengths, else powers of ten. A picture of another quantity in place of an area
 /// has a unit.
 fn y_ticks(figure: &FigureData) -> TickFormat {
-    match figure.shows {
-        Shows::Area | Shows::AreaAgainstLoad if !figure.y_label.ends_with(')') => shares(),
+    match () {
+        _ if is_share(figure) => shares(),
         _ if is_length(figure) => lengths(),
         _ => powers_of_ten(),
     }
+}
+
+/// True if the ordinate is a share of an area.
+fn is_share(figure: &FigureData) -> bool {
+    matches!(figure.shows, Shows::Area | Shows::AreaAgainstLoad) && !figure.y_label.ends_with(')')
 }
 
 /// True if the ordinate is a length.

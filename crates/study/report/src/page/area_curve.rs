@@ -26,6 +26,9 @@ const STRIP_HEIGHT: f64 = 16.0;
 /// The least width of a decade whose share is written into the strip.
 const STRIP_TEXT: f64 = 26.0;
 
+/// The room for the words beside a disc.
+const KIND_WIDTH: f64 = 110.0;
+
 /// The most points of a piece of a line.
 const MAX_POINTS: usize = 90;
 
@@ -92,12 +95,13 @@ pub(super) fn figure(report: &SceneReport<'_>, load: usize, styles: &[ModelStyle
             (PreEscaped(background(report, x, y)))
             @for (curve, points) in &curves {
                 @let style = &styles[*curve];
-                g class=(format!("m{curve}")) {
-                    path d=(path(points, &holes, x, y)) fill="none" stroke=(style.colour) stroke-width="2" stroke-dasharray=(style.dash) {}
+                g class=(format!("m{curve} line")) style=(line_colours(style)) {
+                    path d=(path(points, &holes, x, y)) stroke-dasharray=(style.dash) {}
                     title { (report.curve(*curve)) }
                 }
             }
             (PreEscaped(elements(&marks, x, y)))
+            (PreEscaped(element_kinds(&marks)))
             (PreEscaped(strip(report, load, x)))
             (PreEscaped(labels(report, &curves, styles, x, y)))
         }
@@ -246,6 +250,32 @@ fn elements(marks: &[ElementMark], x: Axis, y: Axis) -> String {
     text
 }
 
+/// The kinds of elements that are drawn, each with its disc or ring.
+fn element_kinds(marks: &[ElementMark]) -> String {
+    let mut text = String::new();
+    let mut across = LEFT + 4.0;
+    let up = HEIGHT - 12.0;
+    for (yields, words) in [(false, "elastic elements"), (true, "yielding")] {
+        if marks.iter().any(|mark| matches!(mark.reference, Reference::Yielding { .. }) == yields) {
+            let class = if yields { "elements yielding" } else { "elements" };
+            let _ = write!(
+                text,
+                "<g class=\"{class}\"><circle cx=\"{across}\" cy=\"{up}\" r=\"3.5\"/></g>\
+                 <text class=\"quiet\" x=\"{}\" y=\"{}\">{words}</text>",
+                across + 8.0,
+                up + 4.0
+            );
+            across += 8.0 + KIND_WIDTH;
+        }
+    }
+    text
+}
+
+/// The colours of a model's lines on light and dark pages, as variables of the style sheet.
+pub(super) fn line_colours(style: &ModelStyle) -> String {
+    format!("--light:{};--dark:{}", style.colour, style.dark_colour)
+}
+
 /// The names of the models at the short ends of their lines, moved apart.
 fn labels(
     report: &SceneReport<'_>,
@@ -260,10 +290,10 @@ fn labels(
         let name = html! { (report.short_curve(*curve)) }.into_string();
         let _ = write!(
             text,
-            "<text class=\"m{curve} name\" x=\"{:.1}\" y=\"{:.1}\" style=\"fill:{}\">{name}</text>",
+            "<text class=\"m{curve} line name\" x=\"{:.1}\" y=\"{:.1}\" style=\"{}\">{name}</text>",
             x.place(*wavelength_m) + 6.0,
             (y.place(*area) + 14.0).min(HEIGHT - BOTTOM - 3.0),
-            styles[*curve].colour
+            line_colours(&styles[*curve])
         );
     }
     text

@@ -3,6 +3,7 @@
 use maud::{Markup, html};
 
 use super::{SceneReport, Section, per_scene, sentence};
+use crate::curve_names::{in_full, model_in_words};
 use study::material::Material;
 use study::plan::Sampling;
 use units::display::length;
@@ -17,7 +18,8 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
     let properties = scene.material.as_ref().map(Material::properties).unwrap_or_default();
     let choices = scene.model_choices();
     let sampling = scene.sampling;
-    if properties.is_empty() && choices.is_empty() && sampling == Sampling::default() {
+    let curves = &scene.needs.curves;
+    if properties.is_empty() && choices.is_empty() && curves.is_empty() && sampling == Sampling::default() {
         return None;
     }
     Some(html! {
@@ -26,6 +28,13 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
         }
         @for line in scene.bodies.describe(&scene.spreads) { p { (sentence(&line)) } }
         @if !choices.is_empty() { ul { @for choice in &choices { li { (choice) } } } }
+        @if !curves.is_empty() {
+            ul {
+                @for curve in curves {
+                    li { (in_full(curve)) " (" code { (curve.name) } "): " (model_in_words(&curve.model)) ". " (curve.model.entry().citation) }
+                }
+            }
+        }
         @if let Some(density) = sampling.scales_per_decade {
             p { "The spectrum is resampled to " (density) " scales per decade." }
         }

@@ -229,7 +229,7 @@ fn matrix(report: &SceneReport<'_>, at: usize, styles: &[ModelStyle]) -> Markup 
                                 tr {
                                     th scope="row" {
                                         (input("checkbox", &id, &id, drawn.contains(&curve)))
-                                        label for=(id) { span.key style={ "--line:" (styles[curve].colour) } {} (report.short_curve(curve)) }
+                                        label for=(id) { span.key.line style=(area_curve::line_colours(&styles[curve])) {} (report.short_curve(curve)) }
                                     }
                                     @for load in loads { (cell(report, load, reference, curve)) }
                                 }

@@ -22,7 +22,7 @@ pub(crate) fn foremost_advice<'a>(evidence: &Evidence<'a>, conclusions: &Conclus
     conclusions.loads.iter().find_map(of_load).or_else(|| uncertainty.advice.first())
 }
 
-/// The subject of the advice: `Greenwood-Williamson (Hertz) at 5 MPa`.
+/// The subject of the advice: `Spheres, elastic at 5 MPa`.
 pub(crate) fn subject(advice: &Advice, scene: &Scene) -> String {
     format!("{} at {}", in_full(&scene.needs.curves[advice.curve]), scene.needs.loads[advice.load].label)
 }

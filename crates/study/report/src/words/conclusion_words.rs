@@ -12,6 +12,7 @@ use scene::Scene;
 use study::interface::{Quantity, Slot};
 use units::display::{counted, length, percent, pressure, three_digits};
 
+use crate::curve_names::short_name;
 use crate::interface_words;
 use crate::listing::{listed, number_word, share, share_range};
 use crate::{doubt_words, uncertainty_words};
@@ -223,7 +224,7 @@ fn models_words(load: &LoadConclusion, scene: &Scene) -> Option<String> {
         .filter(|cell| cell.verdict == Verdict::Agrees)
         .take(MODELS_SHOWN)
         .filter_map(|cell| {
-            Some(format!("{} ({} x)", scene.needs.curves[cell.curve].name, three_digits(cell.ratio?)))
+            Some(format!("{} (×{})", short_name(&scene.needs.curves[cell.curve]), three_digits(cell.ratio?)))
         })
         .collect();
     let more = match load.tally.agree.saturating_sub(agreeing.len()) {
@@ -233,7 +234,7 @@ fn models_words(load: &LoadConclusion, scene: &Scene) -> Option<String> {
     let mut parts = Vec::new();
     parts.push(match agreeing.is_empty() {
         true => "none agrees".to_owned(),
-        false => format!("agree: {}{more}", agreeing.join(", ")),
+        false => format!("agree: {}{more}", agreeing.join("; ")),
     });
     for (count, words) in [
         (load.tally.off, "off"),
@@ -269,12 +270,25 @@ fn report_words(report: &str, end: &SummaryEnd<'_>) -> String {
     }
 }
 
+/// A name that fits into a line with others: a long one without its middle. The long text has names in full.
+fn elided(name: &str) -> String {
+    const LONGEST: usize = 24;
+    const ENDS: [usize; 2] = [12, 9];
+    let letters: Vec<char> = name.chars().collect();
+    if letters.len() <= LONGEST {
+        return name.to_owned();
+    }
+    let ends = [&letters[..ENDS[0]], &letters[letters.len() - ENDS[1]..]];
+    ends.map(|end| end.iter().collect::<String>()).join("…")
+}
+
 /// A caution in a few words, for one line with others.
 fn caution_in_short(caution: &Caution) -> String {
     match caution {
         Caution::TooFewScales { scales } => format!("the spectrum has only {}", counted(*scales, "scale")),
         Caution::InstrumentsDisagree(found) => {
-            format!("{} and {} do not show the same surface", found.names[0], found.names[1])
+            let [first, second] = found.names.each_ref().map(|name| elided(name));
+            format!("{first} and {second} do not show the same surface")
         }
         Caution::Doubt(doubt) => doubt_words::line(doubt),
         Caution::HardnessDecides { ratio } => {
@@ -310,9 +324,9 @@ pub fn caution_words(caution: &Caution) -> String {
         Caution::InstrumentsDisagree(found) => format!(
             "{} has {} times the spectrum of {} from {} to {}, where both measure: check units, height scales and places, or \
              leave one out.",
-            found.names[0],
+            elided(&found.names[0]),
             three_digits(found.ratio),
-            found.names[1],
+            elided(&found.names[1]),
             length(found.longest_m),
             length(found.shortest_m)
         ),

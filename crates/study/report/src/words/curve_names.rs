@@ -1,41 +1,40 @@
-//! The names of curves in print: their models in full, as the field calls them.
+//! The names of curves in print: one short name per model, after the user's own name where there is one.
 
 use study::figure::{FigureData, Shows};
 use study::models::CurveModel;
 use study::plan::Curve;
 
-/// The name of a curve in print: that of its model, after its own name if the user gave one.
+/// The name of a curve in print: the short name of its model, after its own name if the user gave one.
 #[must_use]
 pub fn in_full(curve: &Curve) -> String {
-    let (key, full) = (key(&curve.model), model_in_full(&curve.model));
-    if curve.name == key { full } else { format!("{}, {full}", curve.name) }
+    let (key, model) = (key(&curve.model), model_in_short(&curve.model));
+    if curve.name == key { model } else { format!("{} ({model})", curve.name) }
 }
 
-/// The short name of a curve in print; its own name if the user gave one.
+/// The shortest name of a curve in print: its own name if the user gave one, else that of its model.
 #[must_use]
 pub fn short_name(curve: &Curve) -> String {
     if curve.name == key(&curve.model) { model_in_short(&curve.model) } else { curve.name.clone() }
 }
 
-/// The short name of a model, with the choices that differ from the plain one.
-fn model_in_short(model: &CurveModel) -> String {
-    let mut name = model.entry().short_name.to_owned();
-    let options = model.options();
-    if options.strain_gradient {
-        name.push_str(", hardening");
-    }
-    if options.hardness_law.is_some() {
-        name.push_str(", growing hardness");
-    }
-    if let Some(correction) = options.correction {
-        name.push_str(&format!(", {}", correction.name()));
-    }
-    name
+/// The model of a curve with its authors and its choices in words.
+#[must_use]
+pub fn model_in_words(model: &CurveModel) -> String {
+    let settings = model.options().settings(|choice| model.entry().has(choice));
+    let words = settings.iter().map(|setting| setting.words.as_str());
+    std::iter::once(model.entry().full_name).chain(words).collect::<Vec<_>>().join(", ")
 }
 
-/// A figure of areas whose legend has the curves' names in full.
+/// The short name of a model, with the choices that differ from the plain one.
+fn model_in_short(model: &CurveModel) -> String {
+    let settings = model.options().settings(|choice| model.entry().has(choice));
+    let choices = settings.iter().map(|setting| setting.short.as_str());
+    std::iter::once(model.entry().short_name).chain(choices).collect::<Vec<_>>().join(", ")
+}
+
+/// A figure of areas whose legend has the curves' names in print.
 #[must_use]
-pub fn with_full_names(figure: FigureData, curves: &[Curve]) -> FigureData {
+pub fn with_printed_names(figure: FigureData, curves: &[Curve]) -> FigureData {
     if !matches!(figure.shows, Shows::Area | Shows::AreaAgainstLoad) {
         return figure;
     }
@@ -46,13 +45,6 @@ pub fn with_full_names(figure: FigureData, curves: &[Curve]) -> FigureData {
         }
     }
     figure
-}
-
-/// The full name of a model, with the choices that differ from the plain one.
-fn model_in_full(model: &CurveModel) -> String {
-    let settings = model.options().settings(|choice| model.entry().has(choice));
-    let words = settings.iter().map(|setting| setting.words.as_str());
-    std::iter::once(model.entry().full_name).chain(words).collect::<Vec<_>>().join(", ")
 }
 
 /// The default name of a curve with this model in a scene.
@@ -70,11 +62,12 @@ mod tests {
         let scene = Scene::builtin(Template::UncdMeasured).unwrap();
         let mut curves = scene.needs.curves.clone();
         let gradient = curves.iter().find(|curve| curve.name == "ep-sphere-strain-gradient").unwrap();
-        assert_eq!(in_full(gradient), "GW, elastic-plastic spheres (Jackson-Green), strain gradient");
+        assert_eq!(in_full(gradient), "Spheres, elastic-plastic, hardening");
         let hertz = curves.iter_mut().find(|curve| curve.name == "hertz").unwrap();
-        assert_eq!(in_full(hertz), "Greenwood-Williamson (Hertz)");
+        assert_eq!(in_full(hertz), "Spheres, elastic");
+        assert_eq!(model_in_words(&hertz.model), "Greenwood-Williamson (Hertz)");
         hertz.name = "ring".to_owned();
-        assert_eq!(in_full(hertz), "ring, Greenwood-Williamson (Hertz)");
+        assert_eq!(in_full(hertz), "ring (Spheres, elastic)");
     }
 
     #[test]

@@ -60,6 +60,9 @@ pub enum PictureFormat {
     Png,
     /// A drawing for print.
     Pdf,
+    /// A Python script that draws it with matplotlib.
+    #[serde(rename = "py")]
+    Script,
 }
 
 impl PictureFormat {
@@ -70,6 +73,7 @@ impl PictureFormat {
             PictureFormat::Svg => "svg",
             PictureFormat::Png => "png",
             PictureFormat::Pdf => "pdf",
+            PictureFormat::Script => "py",
         }
     }
 }
