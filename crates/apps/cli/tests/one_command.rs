@@ -72,11 +72,9 @@ fn a_terminal_is_asked_for_what_is_missing_and_again_for_what_cannot_be_read() {
         assert_eq!(ran.stderr.matches(question).count(), times, "{question}: {}", ran.stderr);
     }
     let scene = bench.read("flange-report/scene.toml");
-    assert!(
-        scene.contains("name = \"100Cr6\"")
-            && scene.contains("\"10 MPa\"")
-            && scene.contains("unit = \"um\"")
-    );
+    for answer in ["100Cr6\"", "\"10 MPa\"", "unit = \"µm\""] {
+        assert!(scene.contains(answer), "{answer}: {scene}");
+    }
 }
 
 #[test]
