@@ -25,7 +25,7 @@ const WIDEST_STEP: f64 = 0.1;
 pub struct Conversion {
     /// Negative share of the roughness, 0 to 1: the larger of the shares in Int q |Ciso| and Int q^3 |Ciso|.
     pub negative_share: f64,
-    /// True if C1D was replaced by the nearest spectrum in ln C1D that does not rise.
+    /// True if C1D was replaced by the nearest spectrum that does not rise and has the same m2.
     pub smoothed: bool,
     /// Share of the roughness that was still negative and set to zero.
     pub clipped_share: f64,
@@ -44,12 +44,35 @@ pub(crate) fn of_profile(profile: &ProfilePsd) -> Result<(Vec<PowerLaw>, Convers
         let conversion = Conversion { negative_share, smoothed: false, clipped_share: negative_share };
         return Ok((positive_pieces(&raw), conversion));
     }
-    let ln_c1d: Vec<f64> = profile.c1d_m3().iter().map(|c1d_m3| c1d_m3.ln()).collect();
-    let smooth: Vec<f64> = not_rising(&ln_c1d).into_iter().map(f64::exp).collect();
-    let smooth = ciso(&wavevectors, &smooth);
+    let smooth = ciso(&wavevectors, &smoothed(&wavevectors, profile.c1d_m3()));
     let conversion =
         Conversion { negative_share, smoothed: true, clipped_share: self::negative_share(&smooth) };
     Ok((positive_pieces(&smooth), conversion))
+}
+
+/// Replaces samples where C1D rises by levels with their share of m2 = (1/pi) Int q^2 C1D dq, which decides the area of
+/// contact: a narrow peak, as turning leaves it, keeps its slopes. Samples that fall stay as they are.
+fn smoothed(wavevectors: &[f64], c1d_m3: &[f64]) -> Vec<f64> {
+    let samples = wavevectors.len();
+    let (mut slopes, mut widths) = (vec![0.0; samples], vec![0.0; samples]);
+    for i in 0..samples - 1 {
+        let (start, end) = (wavevectors[i], wavevectors[i + 1]);
+        let middle = (start * end).sqrt();
+        let law = PowerLaw::through((start, c1d_m3[i]), (end, c1d_m3[i + 1]));
+        let level = PowerLaw { at_start: 1.0, exponent: 0.0, ..law };
+        for (sample, least, largest) in [(i, start, middle), (i + 1, middle, end)] {
+            let part = |of: PowerLaw| of.between(least, largest).map_or(0.0, |part| part.integral(2));
+            slopes[sample] += part(law);
+            widths[sample] += part(level);
+        }
+    }
+    let means: Vec<f64> = slopes.iter().zip(&widths).map(|(slopes, width)| slopes / width).collect();
+    let levels = not_rising(&means, &widths);
+    let kept = levels.iter().zip(means).zip(c1d_m3).map(|((level, mean), c1d_m3)| match *level == mean {
+        true => *c1d_m3,
+        false => *level,
+    });
+    kept.collect()
 }
 
 /// Computes Ciso at the samples and between them, as (wavevector, value).

@@ -140,6 +140,19 @@ fn noise_is_smoothed_where_profiles_are_those_of_no_surface() {
 }
 
 #[test]
+fn a_narrow_peak_of_turning_keeps_its_slopes() {
+    let clean = power_law(0.7, 3, 10);
+    let peaked = clean.c1d_m3().iter().enumerate().map(|(i, c1d)| if i == 12 { 1e6 * c1d } else { *c1d });
+    let peaked = ProfilePsd::new(clean.wavelengths_m().to_vec(), peaked.collect()).unwrap();
+    let m2 = cumulative_moments(&peaked, Normalisation::Parseval).last().unwrap().m2;
+    let surface = AreaSpectrum::from_profile(&peaked).unwrap();
+    assert!(surface.conversion().smoothed);
+    // The fall behind the peak is narrower than half a step. Means of logarithms would leave a millionth.
+    let kept = surface.mean_square_gradient() / (2.0 * m2);
+    assert!((0.7..1.1).contains(&kept), "{kept}");
+}
+
+#[test]
 fn spectra_of_areas_are_taken_as_they_are() {
     let (wavelengths_m, ciso_m4) = (vec![1e-3, 1e-4, 1e-5], vec![1e-20, 1e-22, 1e-26]);
     let direct =
