@@ -162,18 +162,25 @@ pub(super) fn font_size_pt(raw: Option<&Spanned<f64>>) -> Result<Option<f64>, Sc
     checked.map(Some).map_err(error)
 }
 
-/// The curves of some models, by index. A model is named by its key or by the name of a curve.
+/// The curves of some models, by index. A model is named by its key, by the name of a curve, or as people call it.
 pub(super) fn curves_of_models(
     models: &[Spanned<String>],
     curves: &[Curve],
 ) -> Result<Vec<usize>, SceneError> {
     let mut found = Vec::new();
     for model in models {
-        let is_of = |curve: &Curve| curve.model.entry().name == model.get_ref();
-        let before = found.len();
-        found.extend((0..curves.len()).filter(|&at| is_of(&curves[at])));
-        if found.len() == before {
-            found.push(curve_index(model, curves)?);
+        let name = model.get_ref();
+        let all = |is_meant: fn(&Curve, &str) -> bool| -> Vec<usize> {
+            (0..curves.len()).filter(|&at| is_meant(&curves[at], name)).collect()
+        };
+        let meant = [
+            all(|curve, name| curve.model.entry().name == name),
+            all(|curve, name| curve.name == name),
+            all(|curve, name| curve.model.entry().answers_to(name)),
+        ];
+        match meant.into_iter().find(|meant| !meant.is_empty()) {
+            Some(meant) => found.extend(meant),
+            None => found.push(curve_index(model, curves)?),
         }
     }
     Ok(found)
