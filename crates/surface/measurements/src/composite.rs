@@ -24,7 +24,7 @@ pub struct CompositeOfFiles {
     pub sources: Vec<Source>,
     /// Middles of its maps, for boundary elements.
     pub maps: Vec<MapPatch>,
-    /// The scans in short; a map has one, also if it has a spectrum along each axis.
+    /// The scans in short, where they were asked for; a map has one, also if it has a spectrum along each axis.
     pub sketches: Vec<ScanSketch>,
 }
 
@@ -87,21 +87,23 @@ impl CompositeOfFiles {
         files: &dyn Files,
         recipe: &Recipe,
     ) -> Result<Self, TopographyError> {
-        Self::read_observed(requests, files, recipe, &Unobserved)
+        let inputs = requests.iter().cloned().map(ScanInput::File).collect();
+        Self::from_scans(inputs, files, recipe, &Unobserved)
     }
 
-    /// Reads scans as [`read`](Self::read) does and reports progress, [`STEPS_PER_FILE`] steps per file.
+    /// Reads scans as [`read`](Self::read) does, but makes no sketches of them, which take as long as the
+    /// transform. Reports progress, [`STEPS_PER_FILE`] steps per file.
     ///
     /// # Errors
     /// As [`read`](Self::read).
-    pub fn read_observed(
+    pub fn read_spectrum(
         requests: &[ScanRequest],
         files: &dyn Files,
         recipe: &Recipe,
         progress: &dyn Progress,
     ) -> Result<Self, TopographyError> {
         let inputs = requests.iter().cloned().map(ScanInput::File).collect();
-        Self::from_scans(inputs, files, recipe, progress)
+        Self::averaged(inputs, files, recipe, Sketches::None, progress)
     }
 
     /// Transforms and averages scans from files and from memory; heights in memory are moved, not copied.
@@ -114,7 +116,18 @@ impl CompositeOfFiles {
         recipe: &Recipe,
         progress: &dyn Progress,
     ) -> Result<Self, TopographyError> {
-        let of_files = parallel::map_owned(inputs, |input| transform_input(input, files, recipe, progress));
+        Self::averaged(inputs, files, recipe, Sketches::PerScan, progress)
+    }
+
+    fn averaged(
+        inputs: Vec<ScanInput>,
+        files: &dyn Files,
+        recipe: &Recipe,
+        wanted: Sketches,
+        progress: &dyn Progress,
+    ) -> Result<Self, TopographyError> {
+        let transform = |input| transform_input(input, files, recipe, wanted, progress);
+        let of_files = parallel::map_owned(inputs, transform);
         let (mut scans, mut maps, mut sketches) = (Vec::new(), Vec::new(), Vec::new());
         let mut sources: Vec<Source> = Vec::new();
         let mut request_of = Vec::new();
@@ -189,11 +202,19 @@ struct FileSpectra {
     sketches: Vec<ScanSketch>,
 }
 
+/// Sketches to make of scans, for pages that show them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Sketches {
+    None,
+    PerScan,
+}
+
 /// Reads the file, if the scans are not in memory, and transforms every scan in it.
 fn transform_input(
     input: ScanInput,
     files: &dyn Files,
     recipe: &Recipe,
+    wanted: Sketches,
     progress: &dyn Progress,
 ) -> Result<FileSpectra, TopographyError> {
     let (request, Loaded { scans, sha256 }) = match input {
@@ -213,7 +234,9 @@ fn transform_input(
         let blame = |error: TransformError| {
             TopographyError::for_file(&request.path, ScanProblem::Transform { scan: name.clone(), error })
         };
-        found.sketches.push(ScanSketch::new(&scan));
+        if wanted == Sketches::PerScan {
+            found.sketches.push(ScanSketch::new(&scan));
+        }
         let scan = without_gaps(scan, recipe.gaps).map_err(blame)?;
         let instrument = InstrumentOfScan::new(request, &scan);
         found.maps.extend(MapPatch::from_file(&scan));

@@ -55,7 +55,7 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
     }
     let mut timings = Timings::start();
     let progress = Progress::towards(STEPS_PER_FILE * requests.len(), "steps of reading and transforming");
-    let found = CompositeOfFiles::read_observed(&requests, &folder, &recipe, &progress).map_err(refused)?;
+    let found = CompositeOfFiles::read_spectrum(&requests, &folder, &recipe, &progress).map_err(refused)?;
     drop(progress);
     timings.lap("reading and transforming");
     say_lines(&scans_table(&found.spectrum));
