@@ -143,7 +143,8 @@ class Scene:
         Parameters
         ----------
         name : str
-            ``"uncd-measured"``, ``"uncd-reconstructed"``, ``"gasket"``, ``"electrical-contact"``, ``"bolted-joint"``, or
+            ``"uncd-measured"``, ``"uncd-reconstructed"``, ``"gasket"``, ``"electrical-contact"``, ``"bolted-joint"``,
+            ``"contact-challenge"``, or
             ``"new"``, which is a text to fill in and names a spectrum of one's own, ``my_psd.csv``.
 
         Raises

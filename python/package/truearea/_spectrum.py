@@ -336,7 +336,8 @@ def read_psd(
     Parameters
     ----------
     path : str or path-like
-        The file, or one of the built-in spectra, ``"builtin:uncd-measured"`` and ``"builtin:uncd-reconstructed"``.
+        The file, or one of the built-in spectra, ``"builtin:uncd-measured"``,
+        ``"builtin:uncd-reconstructed"`` and ``"builtin:contact-challenge"``.
     column, convention, x, series, subject, x_unit, psd_unit : str, optional
         What the file does not say itself: the column of the values, their convention (``"c1d"``, ``"w1"``, ``"frequency"``, ``"ciso"``, ``"persson"``), what the first
         column is (``"wavelength"``, ``"wavevector"``, ``"frequency"``), which of several series, and units.

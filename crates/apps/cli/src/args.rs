@@ -49,8 +49,9 @@ use units::{IndentationHardness, Length, Modulus, Pressure, SignedLength};
     after_long_help = "\
 Quantities carry units: 463GPa, '1.8e9 Pa', 5um, 3 Å; pressures also in H,
 three times the yield strength. PSD is a file (CSV or two-column text), - for
-standard input, or a built-in spectrum: builtin:uncd-measured and
-builtin:uncd-reconstructed (a reconstruction, not the published data).
+standard input, or a built-in spectrum: builtin:uncd-measured,
+builtin:uncd-reconstructed (a reconstruction, not the published data) and
+builtin:contact-challenge.
 
 Examples:
   truearea stacked builtin:uncd-measured --model elastic-plastic \\
@@ -447,7 +448,8 @@ const OF_SPECTRA: [&str; 11] = [
 #[command(group = clap::ArgGroup::new("source").required(true).args(["psd", "input"]))]
 #[command(group = clap::ArgGroup::new("pressed").multiple(true).args(["pressures", "pressure_ranges", "separations"]))]
 pub(crate) struct StatisticalArgs {
-    /// The power spectrum: a file, - for standard input, or builtin:uncd-measured, builtin:uncd-reconstructed
+    /// The power spectrum: a file, - for standard input, or builtin:uncd-measured,
+    /// builtin:uncd-reconstructed or builtin:contact-challenge
     #[arg(requires = "model", requires = "pressed")]
     pub psd: Option<String>,
     #[command(flatten)]

@@ -144,7 +144,7 @@ fn a_scene_without_curves_runs_every_model_and_the_judge_may_add_the_others() {
 #[test]
 fn summary_page_and_answer_agree_on_every_shipped_scene() {
     let bench = Bench::new();
-    for name in ["uncd-measured", "gasket", "electrical-contact", "bolted-joint"] {
+    for name in ["uncd-measured", "gasket", "electrical-contact", "bolted-joint", "contact-challenge"] {
         let scene = bench.run(&["scene", name]).ok();
         let summary = bench.run_with_input(&["run", "-", "--out", name], &scene).ok();
         assert!(summary.lines().count() <= 12, "{summary}");

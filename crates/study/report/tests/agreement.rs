@@ -35,8 +35,14 @@ const SEAL: &str =
     "[seal]\npressure_drop = \"1 MPa\"\nviscosity = \"1 mPa s\"\nbreadth = \"100 mm\"\nlength = \"2 mm\"\n";
 
 /// The scenes that come with the program.
-const SHIPPED: [&str; 5] =
-    ["bolted-joint", "electrical-contact", "gasket", "uncd-measured", "uncd-reconstructed"];
+const SHIPPED: [&str; 6] = [
+    "bolted-joint",
+    "contact-challenge",
+    "electrical-contact",
+    "gasket",
+    "uncd-measured",
+    "uncd-reconstructed",
+];
 
 #[test]
 fn headline_matrix_table_seal_yield_and_advice_agree() {

@@ -15,6 +15,8 @@ pub enum Template {
     ElectricalContact,
     /// A bolted joint: its stiffness and the heat that crosses it.
     BoltedJoint,
+    /// The surface of the Contact-Mechanics Challenge, which others have solved, without adhesion.
+    ContactChallenge,
 }
 
 units::named!(Template, "scene", {
@@ -24,16 +26,18 @@ units::named!(Template, "scene", {
     Gasket => "gasket",
     ElectricalContact => "electrical-contact",
     BoltedJoint => "bolted-joint",
+    ContactChallenge => "contact-challenge",
 });
 
 impl Template {
     /// The scenes that can be run as they are.
-    pub const RUNNABLE: [Template; 5] = [
+    pub const RUNNABLE: [Template; 6] = [
         Template::UncdMeasured,
         Template::UncdReconstructed,
         Template::Gasket,
         Template::ElectricalContact,
         Template::BoltedJoint,
+        Template::ContactChallenge,
     ];
 
     /// The scenes of the paper, which draw all of its figures.
@@ -51,6 +55,7 @@ impl Template {
             Template::Gasket => include_str!("../../../../data/scenes/gasket.toml"),
             Template::ElectricalContact => include_str!("../../../../data/scenes/electrical-contact.toml"),
             Template::BoltedJoint => include_str!("../../../../data/scenes/bolted-joint.toml"),
+            Template::ContactChallenge => include_str!("../../../../data/scenes/contact-challenge.toml"),
         }
     }
 }

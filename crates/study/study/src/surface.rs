@@ -17,9 +17,10 @@ use measurements::{
 
 /// Spectra that come with the program, by name, as the text of their files; comments in the files state origin and
 /// licence.
-pub const BUILTIN: [(&str, &str); 2] = [
+pub const BUILTIN: [(&str, &str); 3] = [
     ("builtin:uncd-measured", include_str!("../../../../data/uncd_psd_measured.csv")),
     ("builtin:uncd-reconstructed", include_str!("../../../../data/uncd_psd_reconstructed.csv")),
+    ("builtin:contact-challenge", include_str!("../../../../data/contact_challenge.csv")),
 ];
 
 /// The built-in spectrum that is a reconstruction.

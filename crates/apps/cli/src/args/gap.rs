@@ -87,7 +87,8 @@ impl GapChoiceArgs {
 #[derive(Debug, ClapArgs)]
 #[command(group = clap::ArgGroup::new("pressed").required(true).multiple(true).args(["pressures", "pressure_ranges"]))]
 pub(crate) struct GapArgs {
-    /// The power spectrum: a file, - for standard input, or builtin:uncd-measured, builtin:uncd-reconstructed
+    /// The power spectrum: a file, - for standard input, or builtin:uncd-measured,
+    /// builtin:uncd-reconstructed or builtin:contact-challenge
     pub psd: String,
     #[command(flatten)]
     pub reading: ReadingArgs,
@@ -107,7 +108,8 @@ pub(crate) struct GapArgs {
 
 #[derive(Debug, ClapArgs)]
 pub(crate) struct LawArgs {
-    /// The power spectrum: a file, - for standard input, or builtin:uncd-measured, builtin:uncd-reconstructed
+    /// The power spectrum: a file, - for standard input, or builtin:uncd-measured,
+    /// builtin:uncd-reconstructed or builtin:contact-challenge
     pub psd: String,
     #[command(flatten)]
     pub reading: ReadingArgs,

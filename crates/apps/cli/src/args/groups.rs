@@ -47,7 +47,8 @@ impl SharedArgs {
 /// A spectrum and how to read it.
 #[derive(Debug, Clone, ClapArgs)]
 pub(crate) struct PsdArgs {
-    /// The power spectrum: a file, - for standard input, or builtin:uncd-measured, builtin:uncd-reconstructed
+    /// The power spectrum: a file, - for standard input, or builtin:uncd-measured,
+    /// builtin:uncd-reconstructed or builtin:contact-challenge
     pub psd: String,
     #[command(flatten)]
     pub reading: ReadingArgs,

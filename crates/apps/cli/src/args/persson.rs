@@ -47,7 +47,8 @@ const OF_SPECTRA: [&str; 16] = [
 #[command(group = clap::ArgGroup::new("source").required(true).args(["psd", "input"]))]
 #[command(group = clap::ArgGroup::new("pressed").multiple(true).args(["pressures", "pressure_ranges"]))]
 pub(crate) struct PerssonArgs {
-    /// The power spectrum: a file, - for standard input, or builtin:uncd-measured, builtin:uncd-reconstructed
+    /// The power spectrum: a file, - for standard input, or builtin:uncd-measured,
+    /// builtin:uncd-reconstructed or builtin:contact-challenge
     #[arg(requires = "model", requires = "pressed")]
     pub psd: Option<String>,
     #[command(flatten)]
