@@ -148,6 +148,9 @@ fn best_estimate(report: &SceneReport<'_>, load: &LoadConclusion) -> Markup {
     }
 }
 
+/// The share of the area from which on everything touches.
+const FULL: f64 = 0.999;
+
 /// The assumption that decides the answer, or else the scales that do.
 fn hangs_on(report: &SceneReport<'_>, load: &LoadConclusion) -> Markup {
     if let Some(other) = load.otherwise {
@@ -171,6 +174,9 @@ fn hangs_on(report: &SceneReport<'_>, load: &LoadConclusion) -> Markup {
                 Some((name, decided, _)) => {
                     p.number { (format!("{:.0} %", 100.0 * decided)) }
                     p { "of the answer is decided by roughness from " (name) "." }
+                }
+                None if load.area.area_fraction.is_some_and(|area| area >= FULL) => {
+                    p { "The pressure flattens all of the roughness: no scale is left to decide." }
                 }
                 None => p { "The scales that decide are not known: no curve was followed along the cutoff." }
             }
