@@ -15,7 +15,7 @@ use crate::listing::{decade_name, share};
 const WIDTH: f64 = 520.0;
 const HEIGHT: f64 = 360.0;
 const LEFT: f64 = 58.0;
-const RIGHT: f64 = 20.0;
+const RIGHT: f64 = 26.0;
 const TOP: f64 = 10.0;
 const BOTTOM: f64 = 66.0;
 
