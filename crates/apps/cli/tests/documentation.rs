@@ -91,7 +91,7 @@ fn lines_agree(shown: &str, printed: &str) -> bool {
 }
 
 /// The scenes that pages tell step by step, by the name of their page.
-fn scenes() -> [(&'static str, String); 3] {
+fn scenes() -> [(&'static str, String); 4] {
     ["gasket", "electrical-contact", "bolted-joint", "contact-challenge"]
         .map(|name| (name, std::fs::read_to_string(top().join(format!("data/scenes/{name}.toml"))).unwrap()))
 }

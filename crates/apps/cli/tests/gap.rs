@@ -63,7 +63,12 @@ fn the_gap_of_perssons_theory_agrees_with_references() {
         ),
     ] {
         let loads: Vec<&str> = states.iter().flat_map(|state| ["--pressure", state.0]).collect();
-        let table = gap(&bench, "psd.csv", &[&["--model", "persson", "--gamma", gamma], &loads, &UNIT]).ok();
+        let table = gap(
+            &bench,
+            "psd.csv",
+            &[&["--model", "persson", "--band", "1d", "--gamma", gamma], &loads, &UNIT],
+        )
+        .ok();
         assert_eq!(table.lines().next().unwrap(), COLUMNS);
         let [gaps, stiffnesses] = ["mean_gap_m", "stiffness_pa_per_m"].map(|name| numbers(&table, name));
         for (at, (_, gap_m, stiffness)) in states.iter().enumerate() {

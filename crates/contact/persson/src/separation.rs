@@ -141,7 +141,8 @@ impl SeparationLaw {
     /// Limit of light loads of the whole spectrum; `None` without roughness.
     #[must_use]
     pub fn light_loads(&self) -> Option<LightLoads> {
-        let first = self.stretches.first().copied().flatten()?;
+        // The waves of a surface begin later than those of its profiles: the first stretches may be empty.
+        let first = self.stretches.iter().flatten().next()?;
         let decade_rad_per_m = 10.0 * first.start_rad_per_m;
         let (mut sum, mut in_first_decade, mut logarithms) = (0.0, 0.0, 0.0);
         for stretch in &self.stretches {

@@ -44,8 +44,8 @@ pub(crate) struct GapChoiceArgs {
     /// Elastic energy factor of Persson's theory, in (0, 1]; 0.45 where not given
     #[arg(long, value_name = "G", value_parser = parse_gamma, allow_hyphen_values = true)]
     pub gamma: Option<f64>,
-    /// Spectrum cut off at a wavelength in Persson's theory: 1d, that of profiles, which is the default, or 2d, that of
-    /// the surface, which agrees with boundary elements where the spectrum rolls off
+    /// Spectrum cut off at a wavelength in Persson's theory: 2d, that of the surface, which is the default and nearer to
+    /// boundary elements, or 1d, that of profiles
     #[arg(long, value_parser = one_of::<Band, _>(Band::ALL))]
     pub band: Option<Band>,
     /// Relation between the pressure on an elastic sinusoid (elastic-sine) and its interference: a fit, which is the
