@@ -41,6 +41,13 @@ pub struct Separation {
     pub stiffness_pa_per_m: f64,
 }
 
+/// Area fraction below which the stiffness of the theory is too small, since a few summits of a finite surface carry the load.
+pub const LIGHT_CONTACT: f64 = 0.02;
+
+/// Stiffness of boundary elements over that of the theory, with the waves of the surface, at its largest under such loads
+/// (`docs/guide/gap.md`).
+pub const LIGHT_CONTACT_STIFFNESS: f64 = 1.4;
+
 /// Limit of light loads, u = u_0 ln(p_00/p) and K = p/u_0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LightLoads {

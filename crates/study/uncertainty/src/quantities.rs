@@ -81,7 +81,9 @@ impl<'p> Quantities<'p> {
                 None => interval(&ln_values, level),
             };
             let is_told = ln_values.len() as f64 >= MIN_SHARE_WITH_VALUE * draws as f64;
-            found.filter(|_| is_told).map(|found| QuantityInterval::new(*slot, value, &found))
+            let largest = slot.load.map_or(1.0, |load| plain.largest_stiffness_over_theory(load));
+            let found = found.filter(|_| is_told).map(|found| QuantityInterval::new(*slot, value, &found));
+            found.map(|found| found.with_stiffness_up_to(largest))
         };
         let open = |(at, slot): (usize, &Slot)| {
             let is_open = |draw: &&Vec<Option<f64>>| draw[at].is_some();
@@ -150,6 +152,17 @@ impl QuantityInterval {
             low: found.low.value.exp(),
             high: found.high.value.exp(),
             monte_carlo_error: found.relative_error(),
+        }
+    }
+
+    /// The interval with the error of the theory at light loads, whose stiffness may be up to `factor` times as large. Both
+    /// errors are independent: their logarithms add as squares.
+    fn with_stiffness_up_to(self, factor: f64) -> Self {
+        let widened = |end: f64| ((end / self.median).ln().hypot(factor.ln())).exp();
+        match self.slot.quantity.power_of_stiffness() {
+            1 => QuantityInterval { high: self.median * widened(self.high), ..self },
+            -1 => QuantityInterval { low: self.median / widened(self.low), ..self },
+            _ => self,
         }
     }
 

@@ -10,8 +10,11 @@ use interface::friction::SlidingContact;
 use interface::leak::Constriction;
 use persson::corrections::Correction;
 use persson::sealing::{MagnifiedContact, SealingLaw};
-use persson::separation::{LightLoads, Separation, SeparationKnot, SeparationLaw};
-use persson::{Roughness, constant_hardness};
+use persson::separation::{
+    LIGHT_CONTACT, LIGHT_CONTACT_STIFFNESS, LightLoads, Separation, SeparationKnot, SeparationLaw,
+};
+use persson::variance::Band;
+use persson::{Roughness, constant_hardness, elastic};
 use spectrum::{AsperityParameters, Moments, Normalisation};
 
 use scene::Scene;
@@ -165,6 +168,19 @@ impl<'a> InterfaceStates<'a> {
     /// [`InterfaceError`] for what leaves the range of magnitudes.
     pub fn mean_absolute_slope(&self) -> Result<f64, InterfaceError> {
         Ok(self.surface()?.mean_absolute_slope())
+    }
+
+    /// The largest factor by which the stiffness under a load exceeds that of the theory, which is too small where little
+    /// touches; 1 elsewhere, and with the waves of profiles, whose error a note states.
+    #[must_use]
+    pub fn largest_stiffness_over_theory(&self, load: usize) -> f64 {
+        let Some(last) = self.roughness.places().last() else { return 1.0 };
+        let deviation_pa = last.variance_pa2(self.modulus_pa()).sqrt();
+        let area_fraction = elastic::area_fraction(self.pressure_pa(load), deviation_pa);
+        match self.request.band {
+            Band::Surface if area_fraction < LIGHT_CONTACT => LIGHT_CONTACT_STIFFNESS,
+            Band::Surface | Band::Profile => 1.0,
+        }
     }
 
     /// The share of the contact that has flowed under a load by the theory with a constant hardness; `None` without one.

@@ -75,6 +75,16 @@ impl Quantity {
         }
     }
 
+    /// The power of the stiffness that it goes with, by Barber's analogy; 0 if the stiffness does not enter.
+    #[must_use]
+    pub fn power_of_stiffness(self) -> i32 {
+        match self {
+            Quantity::Stiffness | Quantity::ThermalConductance | Quantity::ElectricalConductance => 1,
+            Quantity::ThermalResistance | Quantity::ElectricalResistance => -1,
+            _ => 0,
+        }
+    }
+
     /// Its name in sentences.
     #[must_use]
     pub fn words(self) -> &'static str {
