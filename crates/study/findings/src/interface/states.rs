@@ -179,7 +179,7 @@ impl<'a> InterfaceStates<'a> {
         let area_fraction = elastic::area_fraction(self.pressure_pa(load), deviation_pa);
         match self.request.band {
             Band::Surface if area_fraction < LIGHT_CONTACT => LIGHT_CONTACT_STIFFNESS,
-            Band::Surface | Band::Profile => 1.0,
+            _ => 1.0,
         }
     }
 
