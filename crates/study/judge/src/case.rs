@@ -1,6 +1,7 @@
 //! A scene as the judge sees it: its bodies and their hardness, and the pressures that Persson's theory gives at each scale.
 
 use gaussian_surfaces::AreaSpectrum;
+use persson::corrections::Correction;
 use scene::Scene;
 use spectrum::{Moments, Normalisation, amplitudes, cumulative_moments};
 use study::plan::Results;
@@ -130,24 +131,45 @@ impl<'s> Case<'s> {
     /// The rms pressure \[Pa\] of full contact with all waves of the surface down to a wavelength \[m\]. These are fewer waves
     /// than profiles show: a long wave of a profile is a shorter wave of the surface, cut at an angle.
     pub fn rms_pressure_pa(&self, wavelength_m: f64) -> f64 {
-        let longest_m = self.results.psd.longest_wavelength_m();
-        let waves = self.surface.as_ref().and_then(|surface| surface.cut(longest_m, wavelength_m).ok());
-        let mean_square = waves.map_or(0.0, |waves| waves.mean_square_gradient());
+        let mean_square = self.waves_down_to(wavelength_m).map_or(0.0, |waves| waves.mean_square_gradient());
         0.5 * self.composite_modulus_pa * mean_square.sqrt()
     }
 
-    /// The mean real pressure \[Pa\] by Persson's theory, with all waves down to a wavelength \[m\], of bodies with this bound.
+    /// The waves of the surface down to a wavelength \[m\]; `None` if there are none.
+    fn waves_down_to(&self, wavelength_m: f64) -> Option<AreaSpectrum> {
+        let longest_m = self.results.psd.longest_wavelength_m();
+        self.surface.as_ref().and_then(|surface| surface.cut(longest_m, wavelength_m).ok())
+    }
+
+    /// The mean real pressure \[Pa\] with all waves down to a wavelength \[m\], of bodies with this bound.
     pub fn pressure_pa(&self, bound: usize, load: usize, wavelength_m: f64) -> f64 {
-        let rms_pa = self.rms_pressure_pa(wavelength_m);
-        mean_real_pressure_pa(self.nominal_pressure_pa(load), rms_pa, self.bounds_pa[bound])
+        let waves = self.waves_down_to(wavelength_m);
+        self.corrected_pressure_pa(load, waves.as_ref(), self.bounds_pa[bound])
     }
 
     /// The elastic mean real pressure \[Pa\] under each of these loads, with all waves down to a wavelength \[m\].
     pub fn elastic_pressures_at(&self, loads: &[usize], wavelength_m: f64) -> Vec<(usize, f64)> {
-        let rms_pa = self.rms_pressure_pa(wavelength_m);
-        let pressure =
-            |load: &usize| (*load, mean_real_pressure_pa(self.nominal_pressure_pa(*load), rms_pa, None));
-        loads.iter().map(pressure).collect()
+        let waves = self.waves_down_to(wavelength_m);
+        loads.iter().map(|&load| (load, self.corrected_pressure_pa(load, waves.as_ref(), None))).collect()
+    }
+
+    /// The mean real pressure \[Pa\] on a surface with these waves: Persson's, with the variance of the pressure that flattens
+    /// them corrected for the elastic energy they keep. That correction was fitted to elastic elements; it is the closest form
+    /// for those that flow too, as long as some of their contact is elastic.
+    fn corrected_pressure_pa(
+        &self,
+        load: usize,
+        waves: Option<&AreaSpectrum>,
+        hardness_pa: Option<f64>,
+    ) -> f64 {
+        let nominal_pa = self.nominal_pressure_pa(load);
+        let Some(waves) = waves else { return nominal_pa };
+        let Moments { m0_m2, m2, m4_per_m2, .. } = waves.moments();
+        let variance_pa2 = 0.5 * m2 * self.composite_modulus_pa.powi(2);
+        let alpha = m0_m2 * m4_per_m2 / (m2 * m2);
+        let effective_pa2 =
+            Correction::AlgebraicNayak.effective_variances_pa2(nominal_pa, &[variance_pa2], &[alpha]);
+        mean_real_pressure_pa(nominal_pa, effective_pa2[0].sqrt(), hardness_pa)
     }
 
     /// The mean real pressure \[Pa\] of Persson's elastic contact against cutoff \[m\].
