@@ -8,6 +8,8 @@ use scene::{Overrides, Scene};
 use serde::{Deserialize, Serialize};
 use spectrum::{Convention, Psd};
 use study::Files;
+use units::display::three_digits;
+use work_precision::page::{table, with_section};
 
 use crate::TrialError;
 use crate::elements::digits;
@@ -89,9 +91,7 @@ pub fn trials(set: Set) -> Vec<JudgeTrial> {
         Set::Report => 1 + OF_A_KIND * KINDS.len() as u32,
     };
     let members = KINDS.iter().flat_map(|&kind| (0..OF_A_KIND).map(move |_| kind));
-    let trial = |(at, kind): (usize, Kind)| {
-        JudgeTrial { set, kind, number: first + at as u32 }
-    };
+    let trial = |(at, kind): (usize, Kind)| JudgeTrial { set, kind, number: first + at as u32 };
     members.enumerate().map(trial).collect()
 }
 
@@ -146,7 +146,11 @@ impl JudgeTrial {
         // Beyond the band the spectrum falls as it does at its end.
         let slope = (self.ciso(1.01) / self.ciso(1.0)).ln() / 1.01f64.ln();
         let ciso = |&wavelength: &f64| {
-            if wavelength < 1.0 { self.ciso(1.0) * wavelength.powf(slope.max(3.0)) } else { self.ciso(wavelength) }
+            if wavelength < 1.0 {
+                self.ciso(1.0) * wavelength.powf(slope.max(3.0))
+            } else {
+                self.ciso(wavelength)
+            }
         };
         let values = wavelengths.iter().map(ciso).collect();
         let wavelengths_m = wavelengths.iter().map(|wavelength| wavelength * SHORTEST_M).collect();
@@ -258,15 +262,6 @@ impl JudgeTrial {
         };
         Ok(judgement.curves.iter().filter_map(row).collect())
     }
-
-    /// Judgement with every window, for a closer look.
-    ///
-    /// # Errors
-    /// The error of making or pressing a surface, and of running a model.
-    pub fn windows(&self) -> Result<(Scene, Judgement), TrialError> {
-        let settings = Settings { grid: Some(WINDOW_GRID), budget: f64::INFINITY, ..Settings::default() };
-        self.judgement(true, &settings)
-    }
 }
 
 /// The scatter of surfaces alone: the grid is the same in the judge and in the truth.
@@ -353,4 +348,88 @@ pub struct JudgedRow {
     pub agrees: bool,
     /// True if it agrees on most windows too.
     pub holds: bool,
+}
+
+/// Returns the page with new tables; its text is written by hand.
+///
+/// # Errors
+/// [`TrialError::Page`] if the page lacks a section.
+pub fn written(page: &str, rows: &[JudgedRow]) -> Result<String, TrialError> {
+    let sections = [("judge", errors(rows)), ("agrees", promises(rows))];
+    sections.into_iter().try_fold(page.to_owned(), |page, (name, contents)| {
+        with_section(&page, name, &contents).map_err(TrialError::Page)
+    })
+}
+
+/// Errors of the judge, for each set and each kind of the reported one.
+fn errors(rows: &[JudgedRow]) -> String {
+    let of_judge: Vec<&JudgedRow> = rows.iter().filter(|row| row.curve == "persson").collect();
+    let line = |name: &str, wanted: &dyn Fn(&JudgedRow) -> bool| {
+        let of_line: Vec<&JudgedRow> = of_judge.iter().copied().filter(|row| wanted(row)).collect();
+        let count = of_line.len();
+        let squares: f64 = of_line.iter().map(|row| row.judge.ln().powi(2)).sum();
+        let worst = of_line.iter().map(|row| (row.judge.ln().abs(), row.judge));
+        let worst = worst.max_by(|a, b| a.0.total_cmp(&b.0)).map_or(1.0, |(_, ratio)| ratio);
+        let within = of_line.iter().filter(|row| row.is_within_two_errors()).count();
+        let mut brackets: Vec<f64> = of_line.iter().map(|row| row.bracket).collect();
+        brackets.sort_by(f64::total_cmp);
+        vec![
+            name.to_owned(),
+            format!("{:.1} %", 100.0 * (squares / count.max(1) as f64).sqrt()),
+            three_digits(worst),
+            format!("{within} of {count}"),
+            three_digits(brackets.get(count / 2).copied().unwrap_or(f64::NAN)),
+        ]
+    };
+    let mut lines = vec![
+        line("calibration", &|row| row.set == Set::Calibration),
+        line("reported", &|row| row.set == Set::Report),
+        line("reported, truth known to 2 %", &|row| row.set == Set::Report && row.truth_error <= TRUTH_ERROR),
+    ];
+    lines.extend(KINDS.iter().map(|&kind| {
+        line(&format!("reported, {}", kind.name()), &|row| row.set == Set::Report && row.kind == kind)
+    }));
+    table(&["trials", "rms", "worst ratio", "within two standard errors", "median bracket"], &lines)
+}
+
+/// Share of the curves that get `agrees` and are within 4/3 of the truth.
+fn promises(rows: &[JudgedRow]) -> String {
+    let line = |name: &str, set: Set, has: fn(&JudgedRow) -> bool| {
+        let promised = || rows.iter().filter(|row| row.set == set && has(row));
+        let kept = promised().filter(|row| (0.75..=4.0 / 3.0).contains(&row.curve_over_truth)).count();
+        let count = promised().count();
+        vec![
+            name.to_owned(),
+            format!("{kept} of {count}"),
+            format!("{:.1} %", 100.0 * kept as f64 / count.max(1) as f64),
+        ]
+    };
+    let lines = [
+        line("calibration, whole band", Set::Calibration, |row| row.agrees),
+        line("calibration, whole band and most windows", Set::Calibration, |row| row.holds),
+        line("reported, whole band", Set::Report, |row| row.agrees),
+        line("reported, whole band and most windows", Set::Report, |row| row.holds),
+    ];
+    table(&["`agrees`", "within 4/3 of the truth", "share"], &lines)
+}
+
+impl Kind {
+    fn name(self) -> &'static str {
+        match self {
+            Kind::SelfAffine => "self-affine",
+            Kind::RollOff => "roll-off",
+            Kind::TwoHumps => "two humps",
+            Kind::Hump => "one hump",
+            Kind::Step => "step or hole",
+            Kind::Steep => "steep",
+        }
+    }
+}
+
+impl JudgedRow {
+    /// True if judge and truth differ by at most two of their standard errors. The errors of the judge and of the truth are
+    /// independent.
+    fn is_within_two_errors(&self) -> bool {
+        (self.judge - 1.0).abs() <= 2.0 * (self.stated_error * self.judge).hypot(self.truth_error)
+    }
 }

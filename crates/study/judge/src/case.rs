@@ -1,7 +1,6 @@
-//! A scene as the judge sees it: its bodies and their hardness, and the pressures that Persson's theory gives at each scale.
+//! A scene as the judge sees it: its bodies and their hardness, and the pressures that closed forms give at each scale.
 
 use gaussian_surfaces::AreaSpectrum;
-use persson::corrections::Correction;
 use scene::Scene;
 use spectrum::{Moments, Normalisation, amplitudes, cumulative_moments};
 use study::plan::Results;
@@ -9,8 +8,10 @@ use study::validity::SMALL_SLOPE_PRESSURE;
 
 use crate::assumptions::{BrokenAssumption, CurveAtLoad, first_broken, real_pressures};
 use crate::body::{Body, Reference};
+use crate::closed_form::ClosedForm;
 use crate::hardness_of_scales::{AboveHardness, HardnessOfScales};
-use crate::window::Band;
+use crate::seam::Seam;
+use crate::window::{Band, Window};
 use crate::yielding::Yielding;
 
 /// The curves and loads of a scene with what does not depend on how they are judged.
@@ -141,35 +142,46 @@ impl<'s> Case<'s> {
         self.surface.as_ref().and_then(|surface| surface.cut(longest_m, wavelength_m).ok())
     }
 
-    /// The mean real pressure \[Pa\] with all waves down to a wavelength \[m\], of bodies with this bound.
-    pub fn pressure_pa(&self, bound: usize, load: usize, wavelength_m: f64) -> f64 {
-        let waves = self.waves_down_to(wavelength_m);
-        self.corrected_pressure_pa(load, waves.as_ref(), self.bounds_pa[bound])
+    /// The closed form for all waves of the surface down to a wavelength \[m\]; `None` if there are none.
+    pub fn closed_form(&self, wavelength_m: f64) -> Option<ClosedForm> {
+        let waves = self.waves_down_to(wavelength_m)?;
+        Some(ClosedForm::new(&waves, self.composite_modulus_pa))
+    }
+
+    /// The mean real pressure \[Pa\] that longer waves leave on bodies with this bound.
+    pub fn pressure_pa(&self, bound: usize, load: usize, longer: Option<ClosedForm>) -> f64 {
+        let nominal_pa = self.nominal_pressure_pa(load);
+        let left = longer.map_or(1.0, |longer| longer.area_fraction(nominal_pa, self.bounds_pa[bound]));
+        nominal_pa / left
     }
 
     /// The elastic mean real pressure \[Pa\] under each of these loads, with all waves down to a wavelength \[m\].
     pub fn elastic_pressures_at(&self, loads: &[usize], wavelength_m: f64) -> Vec<(usize, f64)> {
-        let waves = self.waves_down_to(wavelength_m);
-        loads.iter().map(|&load| (load, self.corrected_pressure_pa(load, waves.as_ref(), None))).collect()
+        let waves = self.closed_form(wavelength_m);
+        let pressure_pa = |&load: &usize| {
+            let nominal_pa = self.nominal_pressure_pa(load);
+            (load, nominal_pa / waves.map_or(1.0, |waves| waves.area_fraction(nominal_pa, None)))
+        };
+        loads.iter().map(pressure_pa).collect()
     }
 
-    /// The mean real pressure \[Pa\] on a surface with these waves: Persson's, with the variance of the pressure that flattens
-    /// them corrected for the elastic energy they keep. That correction was fitted to elastic elements; it is the closest form
-    /// for those that flow too, as long as some of their contact is elastic.
-    fn corrected_pressure_pa(
-        &self,
-        load: usize,
-        waves: Option<&AreaSpectrum>,
-        hardness_pa: Option<f64>,
-    ) -> f64 {
-        let nominal_pa = self.nominal_pressure_pa(load);
-        let Some(waves) = waves else { return nominal_pa };
-        let Moments { m0_m2, m2, m4_per_m2, .. } = waves.moments();
-        let variance_pa2 = 0.5 * m2 * self.composite_modulus_pa.powi(2);
-        let alpha = m0_m2 * m4_per_m2 / (m2 * m2);
-        let effective_pa2 =
-            Correction::AlgebraicNayak.effective_variances_pa2(nominal_pa, &[variance_pa2], &[alpha]);
-        mean_real_pressure_pa(nominal_pa, effective_pa2[0].sqrt(), hardness_pa)
+    /// Carries the areas of elements on a window over to the surface, with all waves down to the end of the window: for every
+    /// bound and load.
+    pub fn seams(&self, window: &Window) -> Vec<Vec<Seam>> {
+        let Band { longest_m, shortest_m } = window.band;
+        let longer = self.closed_form(longest_m);
+        let all = longer.and_then(|_| self.closed_form(shortest_m));
+        let on_window = ClosedForm::new(&window.surface, self.composite_modulus_pa);
+        let seam = |bound: usize, load: usize| {
+            let Some(all) = all else { return Seam::NONE };
+            let (bound_pa, nominal_pa) = (self.bounds_pa[bound], self.nominal_pressure_pa(load));
+            let pressure_pa = self.pressure_pa(bound, load, longer);
+            let by_closed_form =
+                all.area_fraction(nominal_pa, bound_pa) / on_window.area_fraction(pressure_pa, bound_pa);
+            Seam::new(nominal_pa / pressure_pa, by_closed_form, bound_pa.is_some())
+        };
+        let of_bound = |bound| (0..self.loads()).map(|load| seam(bound, load)).collect();
+        (0..self.bounds_pa.len()).map(of_bound).collect()
     }
 
     /// The mean real pressure \[Pa\] of Persson's elastic contact against cutoff \[m\].
@@ -177,7 +189,7 @@ impl<'s> Case<'s> {
         let nominal_pa = self.nominal_pressure_pa(load);
         let elastic = |moments: &Moments| {
             let rms_pa = self.composite_modulus_pa * (0.5 * moments.m2).sqrt();
-            (moments.wavelength_m, mean_real_pressure_pa(nominal_pa, rms_pa, None))
+            (moments.wavelength_m, nominal_pa / persson::elastic::area_fraction(nominal_pa, rms_pa))
         };
         self.moments.iter().map(elastic).collect()
     }
@@ -214,17 +226,5 @@ impl<'s> Case<'s> {
     /// The hardness at each scale, for a material that yields.
     fn hardness(&self) -> Option<&HardnessOfScales> {
         self.growing_hardness.as_ref().or(self.constant_hardness.as_ref())
-    }
-}
-
-/// The mean real pressure \[Pa\] of Persson's contact from the nominal pressure and the rms pressure of full contact \[Pa\];
-/// elastic, or plastic at one hardness \[Pa\].
-fn mean_real_pressure_pa(nominal_pa: f64, rms_pressure_pa: f64, hardness_pa: Option<f64>) -> f64 {
-    match hardness_pa {
-        None => nominal_pa / persson::elastic::area_fraction(nominal_pa, rms_pressure_pa),
-        Some(hardness_pa) if nominal_pa >= hardness_pa => nominal_pa,
-        Some(hardness_pa) => {
-            nominal_pa / persson::constant_hardness::areas(nominal_pa, rms_pressure_pa, hardness_pa).contact()
-        }
     }
 }
