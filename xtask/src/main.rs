@@ -5,6 +5,7 @@ mod docs;
 mod golden;
 mod in_release;
 mod instructions;
+mod judge_trials;
 mod layers;
 mod model_trials;
 mod python;
@@ -40,6 +41,9 @@ cargo xtask work-precision     measures run time against error, beside scipy and
 cargo xtask model-trials [--anew]
                                compares every model with boundary elements and rewrites the tables and figures of
                                docs/guide/which-model.md; presses new surfaces only, --anew all of them (minutes)
+cargo xtask judge-trials [--anew]
+                               compares the judge of scenes with whole bands solved at once and rewrites the tables of
+                               docs/guide/judge.md; presses new surfaces only, --anew all of them (an hour)
 ";
 
 enum Task {
@@ -54,6 +58,7 @@ enum Task {
     Coverage { arguments: Vec<OsString> },
     WorkPrecision,
     ModelTrials { anew: bool },
+    JudgeTrials { anew: bool },
 }
 
 fn main() -> ExitCode {
@@ -69,6 +74,7 @@ fn main() -> ExitCode {
         Ok(Some(Task::Coverage { arguments })) => in_release::run("truearea-coverage", &arguments),
         Ok(Some(Task::WorkPrecision)) => work_precision::run(),
         Ok(Some(Task::ModelTrials { anew })) => model_trials::run(anew),
+        Ok(Some(Task::JudgeTrials { anew })) => judge_trials::run(anew),
         Ok(None) => {
             print!("{HELP}");
             ExitCode::SUCCESS
@@ -98,11 +104,15 @@ fn parse(mut parser: lexopt::Parser) -> Result<Option<Task>, lexopt::Error> {
                     // The second names are those of earlier versions.
                     Some("work-precision" | "bench") => Task::WorkPrecision,
                     Some("model-trials" | "judge") => Task::ModelTrials { anew: false },
+                    Some("judge-trials") => Task::JudgeTrials { anew: false },
                     _ => return Err(Value(name).unexpected()),
                 };
                 task = Some(named);
             }
-            (Long("anew"), Some(Task::ModelTrials { anew } | Task::Python { anew })) => *anew = true,
+            (
+                Long("anew"),
+                Some(Task::ModelTrials { anew } | Task::JudgeTrials { anew } | Task::Python { anew }),
+            ) => *anew = true,
             (Long("check"), Some(Task::Docs { check })) => *check = true,
             (Long("accept"), Some(Task::Golden { accept } | Task::Instructions { accept })) => *accept = true,
             (Long("help") | Short('h'), _) => return Ok(None),

@@ -23,6 +23,15 @@ pub enum TrialError {
     /// The models cannot be run.
     #[error("asking the models: {0}")]
     Plan(#[from] study::plan::PlanError),
+    /// A scene of the judge cannot be read.
+    #[error("reading a scene: {0}")]
+    Scene(String),
+    /// A spectrum cannot be sampled.
+    #[error("sampling a spectrum: {0}")]
+    Samples(#[from] spectrum::PsdError),
+    /// The judge cannot press its surfaces.
+    #[error(transparent)]
+    Judge(#[from] judge::JudgeError),
     /// The page has no section for a table.
     #[error("{0}")]
     Page(String),

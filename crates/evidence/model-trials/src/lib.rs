@@ -6,6 +6,7 @@ pub mod elements;
 mod error;
 pub mod gluing;
 pub mod hardness;
+pub mod judge_trials;
 pub mod models;
 pub mod pictures;
 pub mod pressing;

@@ -1,4 +1,4 @@
-//! A scene as the judge sees it: its bodies and their hardness, and the pressures that Persson's theory gives at each scale.
+//! A scene as the judge sees it: its bodies and their hardness, and the pressures that closed forms give at each scale.
 
 use gaussian_surfaces::AreaSpectrum;
 use scene::Scene;
@@ -8,8 +8,10 @@ use study::validity::SMALL_SLOPE_PRESSURE;
 
 use crate::assumptions::{BrokenAssumption, CurveAtLoad, first_broken, real_pressures};
 use crate::body::{Body, Reference};
+use crate::closed_form::ClosedForm;
 use crate::hardness_of_scales::{AboveHardness, HardnessOfScales};
-use crate::window::Band;
+use crate::seam::Seam;
+use crate::window::{Band, Window};
 use crate::yielding::Yielding;
 
 /// The curves and loads of a scene with what does not depend on how they are judged.
@@ -130,24 +132,56 @@ impl<'s> Case<'s> {
     /// The rms pressure \[Pa\] of full contact with all waves of the surface down to a wavelength \[m\]. These are fewer waves
     /// than profiles show: a long wave of a profile is a shorter wave of the surface, cut at an angle.
     pub fn rms_pressure_pa(&self, wavelength_m: f64) -> f64 {
-        let longest_m = self.results.psd.longest_wavelength_m();
-        let waves = self.surface.as_ref().and_then(|surface| surface.cut(longest_m, wavelength_m).ok());
-        let mean_square = waves.map_or(0.0, |waves| waves.mean_square_gradient());
+        let mean_square = self.waves_down_to(wavelength_m).map_or(0.0, |waves| waves.mean_square_gradient());
         0.5 * self.composite_modulus_pa * mean_square.sqrt()
     }
 
-    /// The mean real pressure \[Pa\] by Persson's theory, with all waves down to a wavelength \[m\], of bodies with this bound.
-    pub fn pressure_pa(&self, bound: usize, load: usize, wavelength_m: f64) -> f64 {
-        let rms_pa = self.rms_pressure_pa(wavelength_m);
-        mean_real_pressure_pa(self.nominal_pressure_pa(load), rms_pa, self.bounds_pa[bound])
+    /// The waves of the surface down to a wavelength \[m\]; `None` if there are none.
+    fn waves_down_to(&self, wavelength_m: f64) -> Option<AreaSpectrum> {
+        let longest_m = self.results.psd.longest_wavelength_m();
+        self.surface.as_ref().and_then(|surface| surface.cut(longest_m, wavelength_m).ok())
+    }
+
+    /// The closed form for all waves of the surface down to a wavelength \[m\]; `None` if there are none.
+    pub fn closed_form(&self, wavelength_m: f64) -> Option<ClosedForm> {
+        let waves = self.waves_down_to(wavelength_m)?;
+        Some(ClosedForm::new(&waves, self.composite_modulus_pa))
+    }
+
+    /// The mean real pressure \[Pa\] that longer waves leave on bodies with this bound.
+    pub fn pressure_pa(&self, bound: usize, load: usize, longer: Option<ClosedForm>) -> f64 {
+        let nominal_pa = self.nominal_pressure_pa(load);
+        let left = longer.map_or(1.0, |longer| longer.area_fraction(nominal_pa, self.bounds_pa[bound]));
+        nominal_pa / left
     }
 
     /// The elastic mean real pressure \[Pa\] under each of these loads, with all waves down to a wavelength \[m\].
     pub fn elastic_pressures_at(&self, loads: &[usize], wavelength_m: f64) -> Vec<(usize, f64)> {
-        let rms_pa = self.rms_pressure_pa(wavelength_m);
-        let pressure =
-            |load: &usize| (*load, mean_real_pressure_pa(self.nominal_pressure_pa(*load), rms_pa, None));
-        loads.iter().map(pressure).collect()
+        let waves = self.closed_form(wavelength_m);
+        let pressure_pa = |&load: &usize| {
+            let nominal_pa = self.nominal_pressure_pa(load);
+            (load, nominal_pa / waves.map_or(1.0, |waves| waves.area_fraction(nominal_pa, None)))
+        };
+        loads.iter().map(pressure_pa).collect()
+    }
+
+    /// Carries the areas of elements on a window over to the surface, with all waves down to the end of the window: for every
+    /// bound and load.
+    pub fn seams(&self, window: &Window) -> Vec<Vec<Seam>> {
+        let Band { longest_m, shortest_m } = window.band;
+        let longer = self.closed_form(longest_m);
+        let all = longer.and_then(|_| self.closed_form(shortest_m));
+        let on_window = ClosedForm::new(&window.surface, self.composite_modulus_pa);
+        let seam = |bound: usize, load: usize| {
+            let Some(all) = all else { return Seam::NONE };
+            let (bound_pa, nominal_pa) = (self.bounds_pa[bound], self.nominal_pressure_pa(load));
+            let pressure_pa = self.pressure_pa(bound, load, longer);
+            let by_closed_form =
+                all.area_fraction(nominal_pa, bound_pa) / on_window.area_fraction(pressure_pa, bound_pa);
+            Seam::new(nominal_pa / pressure_pa, by_closed_form, bound_pa.is_some())
+        };
+        let of_bound = |bound| (0..self.loads()).map(|load| seam(bound, load)).collect();
+        (0..self.bounds_pa.len()).map(of_bound).collect()
     }
 
     /// The mean real pressure \[Pa\] of Persson's elastic contact against cutoff \[m\].
@@ -155,7 +189,7 @@ impl<'s> Case<'s> {
         let nominal_pa = self.nominal_pressure_pa(load);
         let elastic = |moments: &Moments| {
             let rms_pa = self.composite_modulus_pa * (0.5 * moments.m2).sqrt();
-            (moments.wavelength_m, mean_real_pressure_pa(nominal_pa, rms_pa, None))
+            (moments.wavelength_m, nominal_pa / persson::elastic::area_fraction(nominal_pa, rms_pa))
         };
         self.moments.iter().map(elastic).collect()
     }
@@ -192,17 +226,5 @@ impl<'s> Case<'s> {
     /// The hardness at each scale, for a material that yields.
     fn hardness(&self) -> Option<&HardnessOfScales> {
         self.growing_hardness.as_ref().or(self.constant_hardness.as_ref())
-    }
-}
-
-/// The mean real pressure \[Pa\] of Persson's contact from the nominal pressure and the rms pressure of full contact \[Pa\];
-/// elastic, or plastic at one hardness \[Pa\].
-fn mean_real_pressure_pa(nominal_pa: f64, rms_pressure_pa: f64, hardness_pa: Option<f64>) -> f64 {
-    match hardness_pa {
-        None => nominal_pa / persson::elastic::area_fraction(nominal_pa, rms_pressure_pa),
-        Some(hardness_pa) if nominal_pa >= hardness_pa => nominal_pa,
-        Some(hardness_pa) => {
-            nominal_pa / persson::constant_hardness::areas(nominal_pa, rms_pressure_pa, hardness_pa).contact()
-        }
     }
 }

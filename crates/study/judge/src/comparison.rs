@@ -11,15 +11,12 @@ use crate::judgement::Judgement;
 use crate::layout::{Cell, Extent, Layout, PlannedPress};
 use crate::model_areas;
 use crate::reason::Reason;
+use crate::seam::Seam;
 use crate::solve::{Solutions, Solved};
 use crate::verdict::{ERRORS_GIVEN, Verdict, WorstWindow};
 use crate::verdicts::{CurveVerdict, ElementArea, ReferenceArea, WindowOutcome};
 use crate::window::{Band, Window};
 use crate::yielding::Yielding;
-
-/// One standard error, as a share of the area, of an area of the whole band: it joins Persson's theory for the longer waves
-/// to elements under a uniform pressure on the last window.
-const SEAM_ERROR: f64 = 0.1;
 
 /// A solved layout, to hold the curves of a case against.
 pub(crate) struct Comparisons<'c> {
@@ -36,12 +33,14 @@ impl Comparisons<'_> {
         for (index, window) in layout.windows.iter().enumerate() {
             let pressures = Pressures::on(case, window);
             let areas = areas(case, window, &pressures)?;
+            let seams = case.seams(window);
             for at in case.all() {
                 let bound = case.bound(at.curve);
                 let planned = layout.planned(Cell { bound, window: index, load: at.load });
                 let comparison = Comparison {
                     at,
                     band: window.band,
+                    seam: seams[bound][at.load],
                     pressure_pa: pressures.pa[bound][at.load],
                     gradient_pa: case.composite_modulus_pa * window.rms_gradient,
                     area_fraction: areas[at.curve][at.load],
@@ -62,6 +61,7 @@ impl Comparisons<'_> {
             let comparison = Comparison {
                 at,
                 band,
+                seam: Seam::NONE,
                 pressure_pa: case.nominal_pressure_pa(at.load),
                 gradient_pa,
                 area_fraction: case.final_area(at),
@@ -85,19 +85,15 @@ impl Comparisons<'_> {
         loads.flat_map(of_load).collect()
     }
 
-    /// The area of elements on the whole band: as pressed, or that of the last window times the share of the surface that
-    /// the longer waves leave in contact by Persson's theory.
+    /// The area of elements on the whole band: as pressed, or that of the last window carried over by the closed form.
     fn area_of_whole_band(&self, bound: usize, load: usize) -> Result<ElementArea, Reason> {
-        let Some(last) = self.layout.windows.len().checked_sub(1) else { return Err(Reason::NoSurface) };
-        let area = element_area(self.layout.planned(Cell { bound, window: last, load }), self.solutions)?;
-        if self.layout.is_whole_band() {
+        let Comparisons { case, layout, solutions } = self;
+        let Some(last) = layout.windows.len().checked_sub(1) else { return Err(Reason::NoSurface) };
+        let area = element_area(layout.planned(Cell { bound, window: last, load }), solutions)?;
+        if layout.is_whole_band() {
             return Ok(area);
         }
-        let longest_m = self.layout.windows[last].band.longest_m;
-        let left = self.case.nominal_pressure_pa(load) / self.case.pressure_pa(bound, load, longest_m);
-        let area_fraction = left * area.area_fraction;
-        let standard_error = (left * area.standard_error).hypot(SEAM_ERROR * area_fraction);
-        Ok(ElementArea { area_fraction, standard_error })
+        Ok(area.carried_over(case.seams(&layout.windows[last])[bound][load]))
     }
 
     /// Combines the outcomes of every curve under every load into its verdict.
@@ -113,9 +109,8 @@ struct Pressures {
 
 impl Pressures {
     fn on(case: &Case<'_>, window: &Window) -> Self {
-        let longest_m = window.band.longest_m;
-        let of_bound =
-            |bound| (0..case.loads()).map(|load| case.pressure_pa(bound, load, longest_m)).collect();
+        let longer = case.closed_form(window.band.longest_m);
+        let of_bound = |bound| (0..case.loads()).map(|load| case.pressure_pa(bound, load, longer)).collect();
         Pressures { pa: (0..case.bounds_pa.len()).map(of_bound).collect() }
     }
 }
@@ -168,6 +163,8 @@ fn element_area(planned: PlannedPress, solutions: &Solutions) -> Result<ElementA
 struct Comparison {
     at: CurveAtLoad,
     band: Band,
+    /// Step from an area on the band to that of the surface.
+    seam: Seam,
     /// Mean pressure on the band.
     pressure_pa: f64,
     /// E* times the rms gradient of the band.
@@ -197,6 +194,7 @@ impl Comparison {
             longest_m: band.longest_m,
             shortest_m: band.shortest_m,
             is_whole_band: false,
+            elements_of_whole: elements.map(|elements| elements.carried_over(self.seam)),
             pressure_pa,
             pressure_over_gradient: pressure_pa / self.gradient_pa,
             area_fraction,

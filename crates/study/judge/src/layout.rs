@@ -4,6 +4,7 @@ use gaussian_surfaces::AreaSpectrum;
 use serde::Serialize;
 
 use crate::case::Case;
+use crate::closed_form::ClosedForm;
 use crate::settings::{DEFAULT_REALISATIONS, GRIDS, Settings};
 use crate::window::{Window, bands, decades_held};
 
@@ -114,10 +115,12 @@ impl Layout {
             planned: Vec::new(),
             loads_of_scene: case.loads(),
         };
+        let longer: Vec<Option<ClosedForm>> =
+            layout.windows.iter().map(|window| case.closed_form(window.band.longest_m)).collect();
         for bound in 0..case.bounds_pa.len() {
-            for window in 0..layout.windows.len() {
+            for (window, longer) in longer.iter().enumerate() {
                 for load in 0..case.loads() {
-                    let planned = layout.plan(Cell { bound, window, load }, case);
+                    let planned = layout.plan(Cell { bound, window, load }, *longer, case);
                     layout.planned.push(planned);
                 }
             }
@@ -140,12 +143,17 @@ impl Layout {
         self.windows.len() == 1 && self.left_out == 0
     }
 
-    fn plan(&mut self, Cell { bound, window, load }: Cell, case: &Case<'_>) -> PlannedPress {
+    fn plan(
+        &mut self,
+        Cell { bound, window, load }: Cell,
+        longer: Option<ClosedForm>,
+        case: &Case<'_>,
+    ) -> PlannedPress {
         if !self.loads.contains(&load) {
             return PlannedPress::LoadNotChosen;
         }
-        let Window { band, rms_gradient, .. } = self.windows[window];
-        let pressure_pa = case.pressure_pa(bound, load, band.longest_m);
+        let rms_gradient = self.windows[window].rms_gradient;
+        let pressure_pa = case.pressure_pa(bound, load, longer);
         let saturation_pa = case.bounds_pa[bound];
         let share = saturation_pa.map(|bound_pa| pressure_pa / bound_pa);
         if let Some(share) = share.filter(|share| *share > FLOWING) {

@@ -3,6 +3,7 @@
 mod assumptions;
 mod body;
 mod case;
+mod closed_form;
 mod comparison;
 mod error;
 mod hardness_of_scales;
@@ -13,6 +14,7 @@ mod layout;
 mod maps;
 mod model_areas;
 mod reason;
+mod seam;
 mod settings;
 mod solve;
 mod tables;

@@ -33,7 +33,7 @@ pub struct MapVerdict {
     pub map: String,
     /// The load, by index: the first of those with the same pressure on the map.
     pub load: usize,
-    /// The mean pressure on the map, by Persson's theory for the longer waves, over E* times the rms gradient of the map.
+    /// The mean pressure on the map, by the closed form for the longer waves, over E* times the rms gradient of the map.
     pub pressure_over_gradient: f64,
     /// The area fraction of the map.
     pub area_fraction: f64,

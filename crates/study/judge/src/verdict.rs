@@ -2,18 +2,18 @@
 
 use serde::Serialize;
 
-/// The ratio to the elements' area, either way, within which a model agrees. The area of a light contact goes as the inverse
+/// The ratio to the elements' area, either way, within which a model agrees, less one standard error of the elements. The area of a light contact goes as the inverse
 /// of the rms gradient, so that a spectrum uncertain by a factor 1.8 makes it uncertain by as much.
 pub const AGREEMENT: f64 = 4.0 / 3.0;
 
-/// The number of standard errors that a ratio is given.
+/// The number of standard errors between an area and the end of its bracket.
 pub const ERRORS_GIVEN: f64 = 2.0;
 
 /// The verdict on a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Verdict {
-    /// The area agrees with that of boundary elements within [`AGREEMENT`] and the errors of the elements.
+    /// The area agrees with that of boundary elements within [`AGREEMENT`], less one standard error of the elements.
     Agrees,
     /// The area is larger.
     TooLarge,
@@ -44,10 +44,11 @@ impl Verdict {
         matches!(self, Verdict::Agrees | Verdict::TooLarge | Verdict::TooSmall)
     }
 
-    /// The verdict on a ratio to an area with this relative standard error.
+    /// The verdict on a ratio to an area with this relative standard error. The bounds are narrowed by that error, so that a
+    /// curve that agrees with the elements is within [`AGREEMENT`] of the truth.
     #[must_use]
     pub fn from_ratio(ratio: f64, relative_error: f64) -> Self {
-        let bound = AGREEMENT * (1.0 + ERRORS_GIVEN * relative_error);
+        let bound = (AGREEMENT / (1.0 + relative_error)).max(1.0);
         if ratio > bound {
             Verdict::TooLarge
         } else if ratio * bound < 1.0 {
@@ -76,12 +77,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_ratio_is_judged_the_same_either_way_and_given_two_errors() {
+    fn a_ratio_is_judged_the_same_either_way_and_the_bounds_are_narrowed_by_the_error() {
         assert_eq!(Verdict::from_ratio(1.3, 0.0), Verdict::Agrees);
         assert_eq!(Verdict::from_ratio(1.0 / 1.3, 0.0), Verdict::Agrees);
         assert_eq!(Verdict::from_ratio(1.4, 0.0), Verdict::TooLarge);
         assert_eq!(Verdict::from_ratio(1.0 / 1.4, 0.0), Verdict::TooSmall);
-        assert_eq!(Verdict::from_ratio(1.4, 0.05), Verdict::Agrees);
+        assert_eq!(Verdict::from_ratio(1.3, 0.05), Verdict::TooLarge);
+        assert_eq!(Verdict::from_ratio(1.25, 0.05), Verdict::Agrees);
         assert!(Verdict::Agrees.compares() && !Verdict::OutOfRange.compares());
     }
 }

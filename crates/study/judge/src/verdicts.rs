@@ -5,6 +5,7 @@ use serde::Serialize;
 use crate::assumptions::{BrokenAssumption, CurveAtLoad};
 use crate::body::Reference;
 use crate::reason::Reason;
+use crate::seam::Seam;
 use crate::verdict::{ERRORS_GIVEN, Verdict, WorstWindow};
 
 /// A curve under a load on a window, held against boundary elements.
@@ -18,8 +19,7 @@ pub struct WindowOutcome {
     pub longest_m: f64,
     /// The shortest wave of the window \[m\].
     pub shortest_m: f64,
-    /// True for the whole band, whose area is that of the last window times the share that the longer waves leave by
-    /// Persson's theory; false for a window.
+    /// True for the whole band, whose area is that of the last window carried over by the closed form; false for a window.
     pub is_whole_band: bool,
     /// The mean pressure on the window \[Pa\]: the real pressure with the longer waves alone.
     pub pressure_pa: f64,
@@ -29,6 +29,8 @@ pub struct WindowOutcome {
     pub area_fraction: Option<f64>,
     /// The area of boundary elements.
     pub elements: Option<ElementArea>,
+    /// Their area for the whole surface, down to the end of the window.
+    pub elements_of_whole: Option<ElementArea>,
     /// The verdict on the curve.
     pub verdict: Verdict,
     /// The reason for the verdict.
@@ -55,6 +57,13 @@ impl ElementArea {
     #[must_use]
     pub fn high(self) -> f64 {
         (self.area_fraction + ERRORS_GIVEN * self.standard_error).min(1.0)
+    }
+
+    /// The area of the surface, from that on a window.
+    pub(crate) fn carried_over(self, seam: Seam) -> Self {
+        let area_fraction = (seam.factor * self.area_fraction).min(1.0);
+        let relative_error = self.relative_error().hypot(seam.relative_error);
+        ElementArea { area_fraction, standard_error: relative_error * area_fraction }
     }
 
     /// The standard error over the area.
@@ -133,15 +142,4 @@ pub struct ReferenceArea {
     pub reference: Reference,
     /// The area, if it was found.
     pub elements: Option<ElementArea>,
-}
-
-impl WindowOutcome {
-    /// The area of boundary elements for the whole surface, down to the end of the window: the area on the window times the
-    /// share of the surface that the longer waves leave in contact by Persson's theory.
-    #[must_use]
-    pub fn elements_of_whole(&self, nominal_pressure_pa: f64) -> Option<ElementArea> {
-        let left = nominal_pressure_pa / self.pressure_pa;
-        let ElementArea { area_fraction, standard_error } = self.elements?;
-        Some(ElementArea { area_fraction: left * area_fraction, standard_error: left * standard_error })
-    }
 }

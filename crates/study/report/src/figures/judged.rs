@@ -7,15 +7,14 @@ use study::figure::{FigureData, Mark};
 const ELASTIC: &str = "boundary elements, elastic";
 const SATURATED: &str = "boundary elements, saturated at the hardness";
 
-/// Adds the areas of boundary elements under the loads that a figure shows: the area of each window times the share
-/// that the longer waves leave by Persson's theory, with two standard errors either way.
+/// Adds the areas of boundary elements under the loads that a figure shows: the area of each window, carried
+/// over to the surface, with two standard errors either way.
 pub(crate) fn with_marks(figure: FigureData, judgement: &Judgement, scene: &Scene) -> FigureData {
     let shown = |load: usize| figure.series.iter().any(|series| series.load == Some(load));
     let mut marks: Vec<Mark> = Vec::new();
     let of_windows = judgement.windows.iter().filter(|on| !on.is_whole_band);
     for on in of_windows.filter(|on| shown(on.load)) {
-        let nominal_pa = scene.needs.loads[on.load].nominal_pressure_pa();
-        let Some(judged) = on.elements_of_whole(nominal_pa) else { continue };
+        let Some(judged) = on.elements_of_whole else { continue };
         let given = ERRORS_GIVEN * judged.standard_error;
         let (label, is_ring) = match Body::from_model(&scene.needs.curves[on.curve].model) {
             Body::Hard { .. } => (SATURATED, true),

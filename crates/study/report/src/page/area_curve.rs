@@ -197,7 +197,6 @@ struct ElementMark {
 /// The areas of the elements on each window, with the whole surface, and at the end of the spectrum.
 fn marks(report: &SceneReport<'_>, load: usize) -> Vec<ElementMark> {
     let Some(judgement) = report.evidence.judgement else { return Vec::new() };
-    let nominal_pa = report.scene.needs.loads[load].nominal_pressure_pa();
     let shortest_m = report.results.psd.shortest_wavelength_m();
     let whole = judgement
         .references
@@ -207,7 +206,7 @@ fn marks(report: &SceneReport<'_>, load: usize) -> Vec<ElementMark> {
     let on_windows = judgement.windows.iter().filter(|on| on.load == load && !on.is_whole_band);
     let on_windows = on_windows.filter_map(|on| {
         let reference = judgement.curves.iter().find(|curve| curve.curve == on.curve)?.reference;
-        Some((reference, on.shortest_m, on.elements_of_whole(nominal_pa)?))
+        Some((reference, on.shortest_m, on.elements_of_whole?))
     });
     let mut marks: Vec<ElementMark> = Vec::new();
     for (reference, wavelength_m, elements) in whole.chain(on_windows) {

@@ -1,0 +1,43 @@
+//! The seam between the waves of a window, which elements press, and the longer waves, for which a closed form stands.
+
+/// The least relative standard error of a seam. Measured on spectra of every kind (docs/guide/judge.md).
+const LEAST_ERROR: f64 = 0.02;
+/// The least relative standard error of a seam for elements that flow at a hardness, an assumption: the closed form with a
+/// hardness is up to a tenth low on bands that were solved at once.
+const LEAST_ERROR_IF_YIELDING: f64 = 0.05;
+
+/// The step from the area of elements on a window to the area of the surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Seam {
+    /// The factor from the area on the window to that of the surface.
+    pub factor: f64,
+    /// The relative standard error of the factor.
+    pub relative_error: f64,
+}
+
+impl Seam {
+    /// No seam: the window is the whole surface.
+    pub const NONE: Seam = Seam { factor: 1.0, relative_error: 0.0 };
+
+    /// Joins two factors. One is the share of the surface that the longer waves leave in contact. It is right if the shorter
+    /// waves are weak, and up to a tenth off if both overlap. The other is the closed form on the surface over that on the
+    /// window. It is right where the closed form is, and wrong on spectra with humps. The middle is nearer to the truth than
+    /// either, and half of what they differ is its error.
+    pub fn new(by_share: f64, by_closed_form: f64, yields: bool) -> Self {
+        let least = if yields { LEAST_ERROR_IF_YIELDING } else { LEAST_ERROR };
+        let half_apart = 0.5 * (by_share / by_closed_form).ln().abs();
+        Seam { factor: (by_share * by_closed_form).sqrt(), relative_error: half_apart.max(least) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_middle_of_both_factors_is_taken_and_half_their_distance_is_its_error() {
+        let seam = Seam::new(0.4, 0.1, false);
+        assert!((seam.factor - 0.2).abs() < 1e-15 && (seam.relative_error - 2f64.ln()).abs() < 1e-15);
+        assert_eq!(Seam::new(0.3, 0.3, false).relative_error, LEAST_ERROR);
+    }
+}

@@ -1,0 +1,32 @@
+//! The judge on the Contact-Mechanics Challenge without adhesion, against one grid that holds the whole band.
+
+use judge::Verdict;
+use questions::{RunOptions, Unwatched, run_scene};
+use scene::{Scene, Template};
+
+/// Share of the area in contact under the loads of the scene: `truearea bem` on 4096^2 points, four on the shortest wave,
+/// the mean of seeds 1 to 3, whose range is 4 % under the first load and 1.7 % at most under the others.
+const GRID_AREAS: [f64; 5] = [0.002027, 0.01997, 0.07794, 0.18788, 0.41558];
+
+#[test]
+fn ranges_of_the_elements_hold_the_area_of_a_grid_of_the_whole_band() {
+    let scene = Scene::builtin(Template::ContactChallenge).unwrap();
+    let options = RunOptions { report: true, judge: None, uncertainty: None };
+    let outcome = run_scene(&scene, options, &Unwatched).unwrap();
+    let judgement = outcome.judgement.as_ref().unwrap();
+    let corrected =
+        scene.needs.curves.iter().position(|curve| curve.name == "persson-algebraic-nayak").unwrap();
+    for (load, area) in GRID_AREAS.into_iter().enumerate() {
+        let elements =
+            judgement.references.iter().find(|area| area.load == load).unwrap().elements.unwrap();
+        assert!((elements.low()..=elements.high()).contains(&area), "{area}: {elements:?}");
+        assert!((elements.area_fraction / area - 1.0).abs() < 0.06, "{area}: {elements:?}");
+        assert!(elements.high() / elements.low() < 1.2, "{elements:?}");
+        let verdict = judgement
+            .curves
+            .iter()
+            .find(|verdict| verdict.curve == corrected && verdict.load == load)
+            .map(|verdict| verdict.verdict);
+        assert_eq!(verdict, Some(Verdict::Agrees));
+    }
+}
