@@ -11,6 +11,7 @@ mod errors;
 mod law;
 mod lengths;
 mod material;
+mod names;
 mod scans;
 mod scene;
 mod surface;
@@ -32,6 +33,7 @@ mod _native {
         law::PyContactLaw,
         lengths::in_metres,
         material::PyMaterial,
+        names::{materials_table, model_style, models_table},
         scans::{PyAskedScan, PyScan, channels_of, composite, scans_of},
         scene::{PyScene, scene_template, scene_with_keys, tables_of_runs, write_files},
         surface::PySurface,

@@ -4,11 +4,12 @@ use asperity::ElasticBody;
 use pyo3::prelude::*;
 use questions::{BodyInput, MaterialInput};
 use study::material::Material;
+use study::materials;
 use units::{Bound, IndentationHardness, Modulus};
 
 use crate::answer::{of_material, refused};
 use crate::arguments::{Arguments, Given, checked, load, number, quantity};
-use crate::errors::input;
+use crate::errors::{input, of_argument};
 
 /// A material as the core has it.
 #[pyclass(frozen, name = "Material", module = "truearea._native")]
@@ -22,11 +23,12 @@ pub struct PyMaterial {
 impl PyMaterial {
     #[new]
     fn new(arguments: Arguments<'_>) -> PyResult<Self> {
-        let body = body(&arguments)?;
+        let named = arguments.text("name")?.map(|name| materials::named(&name)).transpose();
+        let named = named.map_err(|error| of_argument("name", error))?;
         let hardness: Option<IndentationHardness> = arguments.quantity("indentation_hardness")?;
         let input = MaterialInput {
-            youngs_modulus_pa: Some(body.youngs_modulus_pa),
-            poisson_ratio: Some(body.poisson_ratio),
+            youngs_modulus_pa: youngs_modulus_pa(&arguments, named.is_some())?,
+            poisson_ratio: poisson_ratio(&arguments, named.is_some())?,
             yield_strength: arguments.quantity("yield_strength")?,
             indentation_hardness_pa: hardness.map(|hardness| hardness.pa),
             strain_gradient_length_m: arguments.length_m("strain_gradient_length")?,
@@ -34,7 +36,27 @@ impl PyMaterial {
             counterface: counterface(&arguments)?,
             ..MaterialInput::default()
         };
+        let input = input.filled_from(named.as_ref(), None);
         Ok(PyMaterial { input, material: input.material().map_err(refused)? })
+    }
+
+    /// True for text that is a name rather than a modulus.
+    #[staticmethod]
+    fn is_name(text: &str) -> bool {
+        let is_number = text.trim_start().starts_with(|first: char| "0123456789.+-".contains(first));
+        !is_number || materials::named(text).is_ok()
+    }
+
+    /// E of the rough body \[Pa\].
+    #[getter]
+    fn youngs_modulus_pa(&self) -> Option<f64> {
+        self.input.youngs_modulus_pa
+    }
+
+    /// Poisson's ratio of the rough body.
+    #[getter]
+    fn poisson_ratio(&self) -> Option<f64> {
+        self.input.poisson_ratio
     }
 
     /// E* \[Pa\].
@@ -84,12 +106,20 @@ pub fn counterface(arguments: &Arguments<'_>) -> PyResult<Option<BodyInput>> {
     Ok(other.cast::<PyMaterial>()?.get().input.body())
 }
 
-/// The elastic constants of the rough body, within their bounds.
-fn body(arguments: &Arguments<'_>) -> PyResult<BodyInput> {
+/// Young's modulus of the rough body, which may be left out of a material of the table.
+fn youngs_modulus_pa(arguments: &Arguments<'_>, is_named: bool) -> PyResult<Option<f64>> {
+    if is_named && arguments.get("youngs_modulus")?.is_none() {
+        return Ok(None);
+    }
     let modulus: Modulus = arguments.required("youngs_modulus", quantity)?;
+    checked("youngs_modulus", Bound::Magnitude, modulus.pa).map(Some)
+}
+
+/// Poisson's ratio of the rough body, which may be left out of a material of the table.
+fn poisson_ratio(arguments: &Arguments<'_>, is_named: bool) -> PyResult<Option<f64>> {
+    if is_named && arguments.get("poisson_ratio")?.is_none() {
+        return Ok(None);
+    }
     let ratio = arguments.required("poisson_ratio", number)?;
-    Ok(BodyInput {
-        youngs_modulus_pa: checked("youngs_modulus", Bound::Magnitude, modulus.pa)?,
-        poisson_ratio: checked("poisson_ratio", ElasticBody::POISSON_RATIO, ratio)?,
-    })
+    checked("poisson_ratio", ElasticBody::POISSON_RATIO, ratio).map(Some)
 }

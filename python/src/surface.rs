@@ -98,6 +98,12 @@ impl PySurface {
         Some(PyArray1::from_iter(py, errors_m3.iter().map(|error_m3| error_m3.unwrap_or(f64::NAN))))
     }
 
+    /// Wavelengths \[m\] at the long and the short end of each hole of the spectrum.
+    #[getter]
+    fn holes_m(&self) -> Vec<(f64, f64)> {
+        self.surface.holes().iter().map(|hole| (hole.longest_m, hole.shortest_m)).collect()
+    }
+
     /// Assumptions made in reading, and doubts.
     #[getter]
     fn notes(&self) -> Vec<String> {

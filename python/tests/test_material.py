@@ -51,3 +51,44 @@ def test_materials_are_values() -> None:
     assert pickle.loads(pickle.dumps(steel)) == steel and hash(steel) == hash(steel.replace())
     assert steel.replace(yield_strength="2 GPa") != steel
     assert "E = 210000000000 Pa" in repr(steel) and "<table>" in steel._repr_html_()
+
+
+def test_materials_are_known_by_name() -> None:
+    table = ta.materials()
+    assert all(table.sources) and all(table.youngs_modulus)
+    for name, modulus, ratio in zip(table.name, table.youngs_modulus, table.poisson_ratio):
+        assert ta.Material(str(name)) == ta.Material(name=str(name))
+        assert ta.Material(str(name)).composite_modulus_pa == ta.Material(str(modulus), ratio).composite_modulus_pa
+    steel = ta.Material("100Cr6", counterface=ta.Material("C45"))
+    assert steel.name == "100Cr6" and steel.youngs_modulus == 210e9 and steel.poisson_ratio == 0.3
+    assert steel.indentation_hardness_pa is not None
+    assert pickle.loads(pickle.dumps(steel)) == steel
+    assert steel.replace(yield_strength="1 GPa").indentation_hardness_pa == 3e9
+    assert steel.replace(youngs_modulus="200 GPa").youngs_modulus == "200 GPa"
+    assert ta.Material("210 GPa", 0.3).name is None
+
+
+def test_shares_of_a_named_material_are_of_the_values_of_the_table() -> None:
+    spectrum = ta.read_psd("builtin:uncd-measured")
+    steel = ta.Material("100Cr6")
+    typed = ta.Material(210e9, 0.3, indentation_hardness=steel.indentation_hardness_pa)
+    found = [
+        ta.uncertainty(spectrum, material, pressure="1 MPa", model="persson", draws=200, youngs_modulus="5 %")
+        for material in (steel, typed)
+    ]
+    assert found[0].low == found[1].low
+
+
+@pytest.mark.parametrize("given", [{"name": "steel"}, {"youngs_modulus": "unobtainium"}, {"name": 5}])
+def test_unknown_names_of_materials_are_refused(given: dict[str, Any]) -> None:
+    with refused_naming("name:"):
+        ta.Material(**given)
+    with refused_naming("poisson_ratio"):
+        ta.Material("210 GPa")
+
+
+def test_models_are_listed_with_their_options() -> None:
+    table = ta.models()
+    assert set(table.framework) == {"stacked", "statistical", "persson"} and all(table.citation)
+    options = dict(zip(table.model, table.options))
+    assert "hardness_formula" in options["ep-sphere"] and "gamma" in options["persson"]

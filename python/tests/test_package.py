@@ -19,13 +19,19 @@ def test_importing_brings_no_more_than_numpy_and_itself() -> None:
     )
     done = subprocess.run([sys.executable, "-c", script], check=True, capture_output=True, text=True)
     # What is slow to import is imported where it is used.
-    assert not {"pandas", "xarray", "dask", "distributed", "pyarrow", "scipy"} & set(done.stdout.split())
+    assert not {"pandas", "xarray", "dask", "distributed", "pyarrow", "scipy", "matplotlib"} & set(done.stdout.split())
     assert "truearea" in done.stdout.split()
 
 
 def test_all_that_is_exported_is_there_and_documented() -> None:
     for name in ta.__all__:
         assert name == "__version__" or getattr(ta, name).__doc__, name
+
+
+def test_the_module_prints_versions() -> None:
+    done = subprocess.run([sys.executable, "-m", "truearea"], check=True, capture_output=True, text=True)
+    assert f"truearea    {ta.__version__}" in done.stdout and f"numpy       {np.__version__}" in done.stdout
+    assert "command" in done.stdout
 
 
 def test_input_errors_are_value_errors() -> None:

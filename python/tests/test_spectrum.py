@@ -123,3 +123,23 @@ def test_a_spectrum_shows_itself() -> None:
     table = spectrum.moments()
     assert table.to_pandas().shape == (41, 9) and "row: 41" in repr(table)
     assert table.to_xarray()["m0_m2"].attrs["units"] == "m²"
+
+
+def test_a_spectrum_is_a_table() -> None:
+    spectrum = ta.read_psd("builtin:uncd-measured")
+    frame = spectrum.to_pandas()
+    assert frame.attrs["name"] == spectrum.name and np.array_equal(frame["c1d_m3"], spectrum.c1d_m3)
+    data = spectrum.to_xarray()
+    assert data["c1d_m3"].attrs == {"long_name": "c1d", "units": "m³"}
+    band = data.sel(wavelength_m=slice(1e-6, 1e-7))
+    assert 0 < band.sizes["wavelength_m"] < len(spectrum)
+    assert float(band["wavelength_m"].max()) <= 1e-6
+
+
+def test_spectra_are_values_that_add() -> None:
+    one, other = ta.read_psd("builtin:uncd-measured"), ta.read_psd("builtin:uncd-reconstructed")
+    assert one == ta.read_psd("builtin:uncd-measured") and hash(one) == hash(ta.read_psd("builtin:uncd-measured"))
+    assert one != other and one != 5
+    assert one + other == one.against(other)
+    with pytest.raises(TypeError):
+        one + 5  # type: ignore[operator]

@@ -13,11 +13,12 @@ from truearea._law import ContactLaw, law
 from truearea._material import Material
 from truearea._native import VERSION as __version__
 from truearea._native import InputError, set_threads
+from truearea._names import Materials, Models, materials, models, show_versions
 from truearea._persson import PerssonCurve, persson
 from truearea._results import Result, Table
 from truearea._scan import Scan, ScanChannels, read_scan, scan_channels
 from truearea._scene import Scene, SceneResults, SceneTable
-from truearea._spectrum import Amplitudes, Fit, Moments, Scans, Spectrum, read_psd
+from truearea._spectrum import Amplitudes, Fit, Moments, Samples, Scans, Spectrum, read_psd
 from truearea._sweep import sweep
 from truearea._threads import threads
 from truearea._uncertainty import Advice, Bands, Shares, Uncertainty, uncertainty
@@ -32,10 +33,13 @@ __all__ = [
     "Gaps",
     "InputError",
     "Material",
+    "Materials",
+    "Models",
     "Moments",
     "PerssonCurve",
     "Pressed",
     "Result",
+    "Samples",
     "Scan",
     "ScanChannels",
     "Scans",
@@ -54,11 +58,14 @@ __all__ = [
     "contact",
     "gap",
     "law",
+    "materials",
+    "models",
     "persson",
     "read_psd",
     "read_scan",
     "scan_channels",
     "set_threads",
+    "show_versions",
     "stacked",
     "statistical",
     "sweep",

@@ -19,9 +19,12 @@ class Material:
     Parameters
     ----------
     youngs_modulus : float or str
-        E of the rough body, in Pa or as text such as ``"210 GPa"``.
+        E of the rough body, in Pa or as text such as ``"210 GPa"``; or the name of a material of the table, ``"100Cr6"``, as
+        ``name`` takes it.
     poisson_ratio : float
-        Its Poisson's ratio, above -1 and at most 0.5.
+        Its Poisson's ratio, above -1 and at most 0.5. May be left out of a named material.
+    name : str, optional
+        A material of the table, see :func:`materials`; arguments that are given replace its values.
     yield_strength : float or str, optional
         S0 in Pa, for models that yield; a third of the hardness where only that is given.
     indentation_hardness : float or str, optional
@@ -46,22 +49,28 @@ class Material:
     230.8
     >>> steel
     Material(E = 210000000000 Pa, nu = 0.3, E* = 230769230769.2308 Pa, S0 = 1000000000 Pa)
+    >>> ta.Material("100Cr6", counterface=ta.Material("C45")).youngs_modulus
+    210000000000.0
     """
 
     __slots__ = ("_given", "_native")
 
     def __init__(
         self,
-        youngs_modulus: Quantity,
-        poisson_ratio: float,
+        youngs_modulus: Quantity | None = None,
+        poisson_ratio: float | None = None,
         *,
+        name: str | None = None,
         yield_strength: Quantity | None = None,
         indentation_hardness: Quantity | None = None,
         strain_gradient_length: Quantity | None = None,
         strength_cap: Quantity | None = None,
         counterface: Material | None = None,
     ) -> None:
+        if name is None and isinstance(youngs_modulus, str) and _native.Material.is_name(youngs_modulus):
+            name, youngs_modulus = youngs_modulus, None
         self._given: dict[str, Any] = {
+            "name": name,
             "youngs_modulus": youngs_modulus,
             "poisson_ratio": poisson_ratio,
             "yield_strength": yield_strength,
@@ -79,15 +88,21 @@ class Material:
 
     @property
     def youngs_modulus(self) -> Quantity:
-        """E of the rough body, as given."""
-        modulus: Quantity = self._given["youngs_modulus"]
-        return modulus
+        """E of the rough body, as given; of a named material in Pa."""
+        modulus: Quantity | None = self._given["youngs_modulus"]
+        return _known(self._native.youngs_modulus_pa) if modulus is None else modulus
+
+    @property
+    def name(self) -> str | None:
+        """The name of the material in the table; None where it was made without one."""
+        name: str | None = self._given["name"]
+        return name
 
     @property
     def poisson_ratio(self) -> float:
         """Poisson's ratio of the rough body."""
-        ratio: float = self._given["poisson_ratio"]
-        return ratio
+        ratio: float | None = self._given["poisson_ratio"]
+        return _known(self._native.poisson_ratio) if ratio is None else ratio
 
     @property
     def counterface(self) -> Material | None:
@@ -122,6 +137,18 @@ class Material:
         """
         return Material(**{**self._given, **changes})
 
+    def _value(self, argument: str) -> Any:
+        """The value of an argument: as given, or else that of the table; None where neither has one."""
+        given = self._given[argument]
+        if given is not None or self.name is None:
+            return given
+        if argument in ("youngs_modulus", "poisson_ratio"):
+            return getattr(self, argument)
+        strengths = ("yield_strength", "indentation_hardness")
+        if argument in strengths and all(self._given[strength] is None for strength in strengths):
+            return getattr(self, f"{argument}_pa")
+        return None
+
     def __reduce__(self) -> tuple[Any, ...]:
         return (_material, (self._given,))
 
@@ -140,6 +167,12 @@ class Material:
             for name, value in self._native.properties()
         )
         return f"<table>{rows}</table>"
+
+
+def _known(number: float | None) -> float:
+    # Every row of the table has both elastic constants.
+    assert number is not None
+    return number
 
 
 def _material(given: dict[str, Any]) -> Material:

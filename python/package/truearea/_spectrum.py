@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
@@ -14,6 +14,11 @@ from truearea._arrays import doubles
 from truearea._material import Quantity
 from truearea._native import InputError
 from truearea._results import AnyArray, FloatArray, Table
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
+    from matplotlib.axes import Axes
 
 
 class Moments(Table):
@@ -72,6 +77,17 @@ class Scans(Table):
     slope_along: FloatArray
     slope_across: FloatArray
     verdict: AnyArray
+
+
+class Samples(Table):
+    """The samples of a spectrum. Standard errors are NaN where they are not known."""
+
+    _title = "power spectrum"
+    __slots__ = ()
+    wavelength_m: FloatArray
+    wavevector_rad_per_m: FloatArray
+    c1d_m3: FloatArray
+    c1d_se_m3: FloatArray
 
 
 class Spectrum:
@@ -297,6 +313,80 @@ class Spectrum:
     def against(self, other: Spectrum) -> Spectrum:
         """The sum of two surfaces that know nothing of each other."""
         return Spectrum._of(self._native.against(other._native), Spectrum.against, self, other)
+
+    @property
+    def holes_m(self) -> list[tuple[float, float]]:
+        """The bands without samples: their wavelengths [m] at the long and at the short end."""
+        return self._native.holes_m
+
+    def table(self) -> Samples:
+        """The samples as a table, a row for each wavelength, from long to short.
+
+        Examples
+        --------
+        >>> import truearea as ta
+        >>> list(ta.read_psd("builtin:uncd-measured").table())
+        ['wavelength_m', 'wavevector_rad_per_m', 'c1d_m3', 'c1d_se_m3']
+        """
+        errors_m3 = self.c1d_se_m3
+        columns = {
+            "wavelength_m": self.wavelengths_m,
+            "wavevector_rad_per_m": self.wavevectors_rad_per_m,
+            "c1d_m3": self.c1d_m3,
+            "c1d_se_m3": np.full(len(self), np.nan) if errors_m3 is None else errors_m3,
+        }
+        return Samples._of(columns, self.notes, axis="wavelength")
+
+    def to_pandas(self) -> pd.DataFrame:
+        """The samples as a data frame, with the notes in ``attrs["notes"]`` and the name in ``attrs["name"]``."""
+        frame = self.table().to_pandas()
+        frame.attrs["name"] = self.name
+        return frame
+
+    def to_xarray(self) -> xr.Dataset:
+        """The samples along ``wavelength_m``, with long names and units: ``sel(wavelength_m=slice(1e-5, 1e-7))`` cuts out a band."""
+        data = self.table().to_xarray().swap_dims(wavelength="wavelength_m").set_coords("wavevector_rad_per_m")
+        return data.assign_attrs(name=self.name)
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the spectrum against the wavelength, with its holes in grey.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            The axes to draw in; new ones where left out.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+
+        Raises
+        ------
+        ImportError
+            Without Matplotlib; ``pip install truearea[plot]`` adds it.
+        """
+        from truearea._plot import HOLE_COLOUR, axes_of
+
+        ax = axes_of(ax)
+        for longest_m, shortest_m in self.holes_m:
+            ax.axvspan(shortest_m, longest_m, color=HOLE_COLOUR, linewidth=0)
+        ax.loglog(self.wavelengths_m, self.c1d_m3, label=self.name)
+        ax.set_xlabel("wavelength (m)")
+        ax.set_ylabel("C1D (m³)")
+        if not ax.xaxis_inverted():
+            ax.invert_xaxis()
+        return ax
+
+    def __add__(self, other: Spectrum) -> Spectrum:
+        return self.against(other) if isinstance(other, Spectrum) else NotImplemented
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Spectrum):
+            return NotImplemented
+        return self.name == other.name and self.table() == other.table()
+
+    def __hash__(self) -> int:
+        return hash((self.name, self.c1d_m3.tobytes()))
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (_made_again, self._recipe)

@@ -245,4 +245,4 @@ def _value(material: Material, name: str) -> Any:
         body, name = material.counterface, name.removeprefix("counterface_")
         if body is None:
             raise InputError(f"counterface_{name} has a standard uncertainty, and the counterface of the material is rigid")
-    return None if body is None else body._given[name]
+    return None if body is None else body._value(name)

@@ -1,0 +1,87 @@
+"""The names that calls take, and the versions at work."""
+
+from __future__ import annotations
+
+import platform
+import sys
+from importlib import metadata
+
+from truearea import _native
+from truearea._results import AnyArray, FloatArray, Table
+
+
+class Materials(Table):
+    """The materials that are known by name. A property is empty where its source has none."""
+
+    _title = "materials"
+    __slots__ = ()
+    name: AnyArray
+    aliases: AnyArray
+    youngs_modulus: AnyArray
+    poisson_ratio: FloatArray
+    yield_strength: AnyArray
+    indentation_hardness: AnyArray
+    thermal_conductivity: AnyArray
+    resistivity: AnyArray
+    sources: AnyArray
+
+
+class Models(Table):
+    """The models, each with its names, its options and its publication."""
+
+    _title = "models"
+    __slots__ = ()
+    model: AnyArray
+    short_name: AnyArray
+    full_name: AnyArray
+    framework: AnyArray
+    options: AnyArray
+    citation: AnyArray
+
+
+def materials() -> Materials:
+    """List the materials that ``Material("NAME")`` knows, with the source of each.
+
+    Returns
+    -------
+    Materials
+        A row for each material: ``name``, ``aliases``, properties as text with their units, ``sources``.
+
+    Examples
+    --------
+    >>> import truearea as ta
+    >>> table = ta.materials()
+    >>> str(table.youngs_modulus[list(table.name).index("steel 100Cr6")])
+    '210 GPa'
+    """
+    return Materials._of(_native.materials_table())
+
+
+def models() -> Models:
+    """List the models, with their options and citations.
+
+    Returns
+    -------
+    Models
+        A row for each model: ``model`` as it is typed, ``short_name``, ``full_name``, ``framework``, ``options``, ``citation``.
+
+    Examples
+    --------
+    >>> import truearea as ta
+    >>> "hertz" in ta.models().model
+    True
+    """
+    return Models._of(_native.models_table())
+
+
+def show_versions() -> None:
+    """Print the versions of truearea, Python and the packages that it works with: for reports of errors."""
+    print(f"truearea    {_native.VERSION}")
+    print(f"python      {platform.python_version()} ({sys.platform}, {platform.machine()})")
+    for package in ("numpy", "pandas", "xarray", "matplotlib", "pint", "dask"):
+        try:
+            version = metadata.version(package)
+        except metadata.PackageNotFoundError:
+            version = "not installed"
+        print(f"{package:<11} {version}")
+    print(f"threads     {_native.threads()}")
