@@ -213,7 +213,7 @@ pub fn write_files(py: Python<'_>, folder: PathBuf, files: Read) -> PyResult<()>
             let written: io::Result<()> = staged.stage(&path, |out| out.write_all(bytes));
             written.map_err(|error| failed(&path, &error))?;
         }
-        staged.publish().map_err(|error| PyOSError::new_err(error.to_string()))
+        staged.publish().map(drop).map_err(|error| PyOSError::new_err(error.to_string()))
     })
 }
 

@@ -15,7 +15,8 @@ pub(crate) use figure_files::FigureFilesArgs;
 pub(crate) use gap::{GapArgs, LawArgs};
 pub(crate) use groups::{
     AmplitudeArg, CounterfaceArgs, FigureArg, HardnessFormulaArg, MaterialArgs, NamedMaterialArgs,
-    NormalisationArg, PressureArgs, PsdArgs, ReadingArgs, SamplingArgs, SharedArgs, StrengthCapArg,
+    NormalisationArg, PressureArgs, PsdArgs, QuotedPaths, ReadingArgs, SamplingArgs, SharedArgs,
+    StrengthCapArg,
 };
 pub(crate) use misplaced::{behind_the_command, foreign_option};
 pub(crate) use persson::{GrowthArg, PerssonArgs};

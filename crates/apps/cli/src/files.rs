@@ -10,8 +10,9 @@ use tables::{TableError, TableSource};
 use tempfile::SpooledTempFile;
 
 use crate::failure::Failure;
-use crate::missing_file::{explained, files_in};
+use crate::missing_file::{explained, files_in, spelt_as_on_disk};
 use crate::output::Place;
+use crate::reading::{FileAsOpened, bytes_of, bytes_of_stream, copy_stream, length_of};
 use crate::targets::Targets;
 
 /// Bytes of a stream read more than once that are held in memory; a longer stream goes to a temporary file.
@@ -47,8 +48,9 @@ impl Folder {
     }
 
     fn bytes(&self, path: &Path) -> io::Result<Vec<u8>> {
+        let path = &spelt_as_on_disk(path);
         self.targets.spare(path)?;
-        let bytes = std::fs::read(path).map_err(|error| explained(error, path))?;
+        let bytes = bytes_of(path).map_err(|error| explained(error, path))?;
         self.read.lock().unwrap_or_else(PoisonError::into_inner).push(path.to_owned());
         Ok(bytes)
     }
@@ -58,9 +60,7 @@ impl Files for Folder {
     fn read(&self, name: &str) -> io::Result<Vec<u8>> {
         if Place::from(name) == Place::Standard {
             self.targets.spare_standard_input()?;
-            let mut bytes = Vec::new();
-            io::stdin().lock().read_to_end(&mut bytes)?;
-            return Ok(bytes);
+            return bytes_of_stream(&mut io::stdin().lock());
         }
         self.bytes(&self.path.join(name))
     }
@@ -90,13 +90,13 @@ pub fn open_table(place: &Place) -> Result<TableSource, TableError> {
         Place::Standard => &mut io::stdin().lock(),
         Place::File(path) => {
             let file = File::open(path).map_err(reading)?;
-            if file.metadata().map_err(reading)?.is_file() {
-                return TableSource::new(&name, file);
+            if let Some(length) = length_of(&file).map_err(reading)? {
+                return TableSource::new(&name, FileAsOpened::new(file, length));
             }
             &mut { file }
         }
     };
     let mut copy = SpooledTempFile::new(MOST_BYTES_HELD);
-    io::copy(stream, &mut copy).map_err(reading)?;
+    copy_stream(stream, &mut copy).map_err(reading)?;
     TableSource::new(&name, copy)
 }

@@ -69,6 +69,7 @@ impl Drop for EarlyEnd {
 }
 
 fn end() -> ! {
-    let _removed = staging::remove_temporaries();
-    std::process::exit(i32::from(INTERRUPTED));
+    let removed = staging::remove_temporaries();
+    // A result that is in place is no interrupted one.
+    std::process::exit(if removed.has_published() { 0 } else { i32::from(INTERRUPTED) });
 }

@@ -13,9 +13,11 @@ mod missing_file;
 pub mod output;
 mod picture;
 mod progress;
+mod reading;
 mod stderr;
 mod suggestion;
 mod targets;
+mod terminal;
 mod timings;
 
 use std::ffi::OsString;
@@ -35,13 +37,18 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
     let typed: Vec<String> = args.iter().skip(1).map(|arg| arg.to_string_lossy().into_owned()).collect();
     let line = args::behind_the_command(args);
     match args::Args::try_parse_from(&line) {
-        Ok(parsed) => match commands::run(parsed, &typed.join(" ")) {
+        Ok(parsed) => match commands::run(parsed, &typed) {
             Ok(()) => ExitCode::SUCCESS,
             // A program that is ended often loses its input as well, which is no fault of the input.
             Err(_) if interruption::is_asked_for() => failure::Failure::Interrupted.report(),
             Err(failure) => failure.report(),
         },
         Err(error) => {
+            if let Some(word) = line.iter().find(|word| word.to_str().is_none()) {
+                let word = word.to_string_lossy();
+                let message = format!("'{word}' is not UTF-8, and names of files must be; rename the file");
+                return failure::Failure::Input(message).report();
+            }
             if let Some(message) =
                 args::foreign_option(&error, &line).or_else(|| suggestion::for_file(&error, &line))
             {

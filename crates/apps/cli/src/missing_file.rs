@@ -1,7 +1,8 @@
 //! Files that are not there: what may be meant instead.
 
+use std::ffi::OsStr;
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Least similarity of a file that may be meant, from 0 to 1.
 const ALIKE: f64 = 0.9;
@@ -24,6 +25,24 @@ fn similar_file(path: &Path) -> Option<String> {
     let likeness = |name: &String| strsim::jaro_winkler(&wanted, &name.to_lowercase());
     let found = names.into_iter().max_by(|a, b| likeness(a).total_cmp(&likeness(b)))?;
     (likeness(&found) >= ALIKE).then(|| path.with_file_name(found).display().to_string())
+}
+
+/// Returns the path of the one file whose name reads like this one where its bytes that are not UTF-8 are replaced, as
+/// [`files_in`] lists it; else the path itself.
+pub(crate) fn spelt_as_on_disk(path: &Path) -> PathBuf {
+    let (Some(name), Some(folder)) = (path.file_name().and_then(OsStr::to_str), path.parent()) else {
+        return path.to_owned();
+    };
+    if !name.contains(char::REPLACEMENT_CHARACTER) || path.exists() {
+        return path.to_owned();
+    }
+    let listed = std::fs::read_dir(if folder.as_os_str().is_empty() { Path::new(".") } else { folder });
+    let mut alike =
+        listed.into_iter().flatten().flatten().filter(|entry| entry.file_name().to_string_lossy() == name);
+    match (alike.next(), alike.next()) {
+        (Some(entry), None) => entry.path(),
+        _ => path.to_owned(),
+    }
 }
 
 /// The names of the files in a folder, sorted; hidden ones are left out.

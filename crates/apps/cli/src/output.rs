@@ -10,6 +10,9 @@ use crate::failure::Failure;
 use crate::interruption;
 use crate::missing_file::explained;
 use crate::picture::Picture;
+use crate::reading::{bytes_of, bytes_of_stream};
+use crate::stderr::say;
+use crate::terminal::standard_output;
 use report::products::{ANSWER, SceneProducts};
 use scene::Scene;
 use study::plan::PlanError;
@@ -45,25 +48,18 @@ impl Place {
     /// # Errors
     /// [`Failure::Input`] that names the place.
     pub fn read(&self) -> Result<Vec<u8>, Failure> {
-        let mut bytes = Vec::new();
         match self {
-            Place::Standard => {
-                io::Read::read_to_end(&mut io::stdin().lock(), &mut bytes)
-                    .map_err(|error| Failure::reading("standard input", &error))?;
-            }
+            Place::Standard => bytes_of_stream(&mut io::stdin().lock())
+                .map_err(|error| Failure::reading("standard input", &error)),
             Place::File(path) if path.is_dir() => {
                 let folder = path.display();
-                return Err(Failure::Input(format!(
+                Err(Failure::Input(format!(
                     "{folder}: this is a folder; name a scene in it, or try `truearea report {folder}`"
-                )));
+                )))
             }
-            Place::File(path) => {
-                bytes = std::fs::read(path).map_err(|error| {
-                    Failure::reading(&path.display().to_string(), &explained(error, path))
-                })?;
-            }
+            Place::File(path) => bytes_of(path)
+                .map_err(|error| Failure::reading(&path.display().to_string(), &explained(error, path))),
         }
-        Ok(bytes)
     }
 
     /// Writes there; a file is replaced only once `write` has succeeded.
@@ -91,7 +87,7 @@ impl Place {
     ) -> Result<(), Failure> {
         match self {
             Place::Standard => {
-                let mut stdout = BufWriter::new(io::stdout().lock());
+                let mut stdout = BufWriter::new(standard_output());
                 written(write, &mut stdout).map_err(|stopped| stopped.writing("standard output"))
             }
             Place::File(path) => stage(files, path, write),
@@ -107,7 +103,14 @@ pub fn publish(files: StagedFiles) -> Result<(), Failure> {
     if interruption::is_asked_for() {
         return Err(Failure::Interrupted);
     }
-    Ok(files.publish()?)
+    for folder in files.publish()?.unfinished {
+        say(&format!(
+            "note: {}: an earlier run was killed while it replaced files here; those that this run has not written may be of \
+             another run",
+            folder.display()
+        ));
+    }
+    Ok(())
 }
 
 /// Reason that something was not written.
@@ -195,6 +198,17 @@ pub fn make_folder(option: &str, folder: &Path) -> Result<(), Failure> {
         )));
     }
     std::fs::create_dir_all(folder).map_err(|error| Failure::writing(&folder.display().to_string(), &error))
+}
+
+/// Refuses a folder that could not be made or written to, before anything is computed for it.
+///
+/// # Errors
+/// [`Failure::System`] that names the folder.
+pub fn check_writable(folder: &Path) -> Result<(), Failure> {
+    let there = folder.ancestors().find(|ancestor| ancestor.exists() && !ancestor.as_os_str().is_empty());
+    tempfile::tempfile_in(there.unwrap_or(Path::new(".")))
+        .map(drop)
+        .map_err(|error| Failure::writing(&folder.display().to_string(), &error))
 }
 
 /// The folders that the files of a scene go to.

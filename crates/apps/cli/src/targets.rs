@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use same_file::Handle;
 
 use crate::failure::Failure;
-use crate::output::Place;
+use crate::output::{Place, check_writable};
 
 /// The files that a command is about to write.
 #[derive(Debug, Default)]
@@ -56,6 +56,11 @@ impl Targets {
         }
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         folder.metadata().map_err(|error| Failure::writing(&path.display().to_string(), &error))?;
+        // A device or a pipe is written to, and any other target is replaced by a new file in its folder.
+        let is_new_folder = self.0.last().is_none_or(|last| last.path.parent() != path.parent());
+        if is_new_folder && (path.is_file() || !path.exists()) {
+            check_writable(folder)?;
+        }
         let target = Target { option, path: path.to_owned(), existing: file(path) };
         if let Some(other) = self.0.iter().find(|other| other.is(&target)) {
             return Err(Failure::Input(format!(

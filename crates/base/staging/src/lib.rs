@@ -2,6 +2,7 @@
 
 mod new_folder;
 mod temporaries;
+mod unfinished;
 
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -11,6 +12,14 @@ use tempfile::NamedTempFile;
 pub use new_folder::NewFolder;
 use temporaries::Temporary;
 pub use temporaries::{Removed, remove_temporaries};
+use unfinished::Markers;
+
+/// What a publication found.
+#[derive(Debug, Default, Clone, PartialEq, Eq)]
+pub struct Published {
+    /// Folders in which an earlier publication was killed between two files, or another is under way.
+    pub unfinished: Vec<PathBuf>,
+}
 
 /// A staged file could not be put into place. Nothing has changed but the files in `not_restored`.
 #[derive(Debug, thiserror::Error)]
@@ -76,11 +85,16 @@ impl StagedFiles {
     ///
     /// # Errors
     /// [`PublishError`] for the first path that could not be replaced.
-    pub fn publish(self) -> Result<(), PublishError> {
+    pub fn publish(self) -> Result<Published, PublishError> {
+        if self.0.is_empty() {
+            return Ok(Published::default());
+        }
+        let targets: Vec<PathBuf> = self.0.iter().map(|staged| staged.target.clone()).collect();
         let mut left = self.0.into_iter();
         // `remove_temporaries` waits for this lock. `left` is declared before it: files left at the end need the lock
         // to be dropped.
         let mut locked = temporaries::lock();
+        let (markers, unfinished) = Markers::place(targets.iter().map(PathBuf::as_path));
         let mut replaced: Vec<Replaced> = Vec::new();
         while let Some(Staged { aside, target }) = left.next() {
             // Nothing can fail after the last file, so its old version need not be kept.
@@ -89,15 +103,17 @@ impl StagedFiles {
                 Ok(old) => replaced.push(Replaced { target, old }),
                 Err(error) => {
                     let restored = replaced.into_iter().rev().map(Replaced::restore);
-                    return Err(PublishError {
-                        path: target,
-                        error,
-                        not_restored: restored.filter_map(Result::err).collect(),
-                    });
+                    let not_restored: Vec<_> = restored.filter_map(Result::err).collect();
+                    if not_restored.is_empty() && unfinished.is_empty() {
+                        markers.remove();
+                    }
+                    return Err(PublishError { path: target, error, not_restored });
                 }
             }
         }
-        Ok(())
+        markers.remove();
+        temporaries::record_publication(&locked);
+        Ok(Published { unfinished })
     }
 }
 
@@ -162,7 +178,7 @@ fn put_back(old: NamedTempFile<()>, target: &Path) -> io::Result<()> {
 pub fn write_file(path: &Path, contents: impl AsRef<[u8]>) -> io::Result<()> {
     let mut files = StagedFiles::default();
     files.stage(path, |out| out.write_all(contents.as_ref()))?;
-    files.publish().map_err(|error| error.error)
+    files.publish().map(drop).map_err(|error| error.error)
 }
 
 #[cfg(test)]
@@ -227,6 +243,20 @@ mod tests {
             assert_eq!(names(folder.path()), ["a"]);
             assert_eq!(std::fs::read_to_string(folder.path().join("a")).unwrap(), "old");
         }
+    }
+
+    /// A program that is killed between two renames leaves the marker.
+    #[test]
+    fn the_next_publication_tells_of_one_that_was_killed() {
+        let folder = tempfile::tempdir().unwrap();
+        let targets = [folder.path().join("a"), folder.path().join("b")];
+        let (_killed, before) = Markers::place(targets.iter().map(PathBuf::as_path));
+        assert!(before.is_empty());
+        let published = staged(folder.path(), &["a", "b"]).publish().unwrap();
+        assert_eq!(published.unfinished, [folder.path().canonicalize().unwrap()]);
+        let published = staged(folder.path(), &["a", "b"]).publish().unwrap();
+        assert!(published.unfinished.is_empty());
+        assert_eq!(names(folder.path()), ["a", "b"]);
     }
 
     #[test]

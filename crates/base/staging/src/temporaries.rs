@@ -4,12 +4,16 @@ use std::collections::BTreeSet;
 use std::fs::{File, Permissions};
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use tempfile::NamedTempFile;
 
 /// Paths of all temporary files. A signal handler reaches no other value of the program, hence a static.
 static PATHS: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+/// True once files were published. Written under the lock, and a static for the same reason.
+static PUBLISHED: AtomicBool = AtomicBool::new(false);
 
 /// Lock under which temporary files are created, renamed and removed.
 pub(crate) type Locked = MutexGuard<'static, BTreeSet<PathBuf>>;
@@ -23,6 +27,19 @@ pub(crate) fn lock() -> Locked {
 #[must_use = "dropping it allows staging and publishing again"]
 pub struct Removed {
     _locked: Locked,
+}
+
+impl Removed {
+    /// Returns true if this program has published files.
+    #[must_use]
+    pub fn has_published(&self) -> bool {
+        PUBLISHED.load(Ordering::Relaxed)
+    }
+}
+
+/// Records that files were published.
+pub(crate) fn record_publication(_locked: &Locked) {
+    PUBLISHED.store(true, Ordering::Relaxed);
 }
 
 /// Removes every temporary file and empty new folder, after any publication under way has finished.
@@ -90,7 +107,7 @@ pub(crate) fn second_name(target: &Path) -> io::Result<NamedTempFile<()>> {
     })
 }
 
-fn folder_of(target: &Path) -> &Path {
+pub(crate) fn folder_of(target: &Path) -> &Path {
     target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 

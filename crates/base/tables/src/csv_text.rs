@@ -1,12 +1,17 @@
 //! Tables as comma-separated values.
 
 use std::borrow::Cow;
+use std::collections::HashSet;
 use std::io::{self, Read, Write};
 
+use units::printable::{printable, shortened};
 use units::write_number;
 
 use crate::error::TableError;
 use crate::table::{Cells, Table};
+
+/// Most letters of a column's name in a message.
+const MOST_LETTERS_OF_COLUMN: usize = 80;
 
 /// Reader of CSV rows.
 pub(super) struct Rows<'s, R: Read> {
@@ -28,8 +33,10 @@ impl<'s, R: Read> Rows<'s, R> {
         if names.iter().all(String::is_empty) {
             return Err(TableError::NoHeader { table: source.to_owned() });
         }
-        if let Some(twice) = names.iter().enumerate().find(|(i, name)| names[..*i].contains(name)) {
-            return Err(TableError::NamedTwice { table: source.to_owned(), column: twice.1.clone() });
+        let mut earlier = HashSet::with_capacity(names.len());
+        if let Some(twice) = names.iter().find(|name| !earlier.insert(name.as_str())) {
+            let column = shortened(twice, MOST_LETTERS_OF_COLUMN).into_owned();
+            return Err(TableError::NamedTwice { table: source.to_owned(), column });
         }
         Ok(Rows { names, reader, source })
     }
@@ -92,7 +99,8 @@ fn refusal(source: &str, line: u64, error: csv::Error) -> TableError {
 
 pub(super) fn write_comments(comments: &[String], out: &mut dyn Write) -> io::Result<()> {
     for line in comments.iter().flat_map(|comment| comment.lines()) {
-        writeln!(out, "# {line}")?;
+        // A carriage return would end the comment for some readers.
+        writeln!(out, "# {}", printable(line))?;
     }
     Ok(())
 }

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use units::Bound;
+use units::printable::listed;
 
 use crate::error::Refusal;
 use crate::table::{Cells, Table};
@@ -99,7 +100,7 @@ impl InputTable {
 
     fn missing_column(&self, name: &str) -> Refusal {
         let found: Vec<&str> = self.table.columns().map(|(name, _)| name).collect();
-        let columns = found.join(", ");
+        let columns = listed(found, "");
         let message = format!("{}: column {name} is missing; the columns are {columns}", self.source);
         Refusal::of_every_row(message)
     }

@@ -225,10 +225,8 @@ impl Block {
 
     fn taken(&mut self) -> InputTable {
         self.cells.resize_with(self.columns.len(), Vec::new);
-        let mut table = Table::default();
-        for (name, cells) in self.columns.iter().zip(self.cells.drain(..)) {
-            table.set(name, Cells::Typed(cells));
-        }
+        let cells = self.cells.drain(..).map(Cells::Typed);
+        let table = Table::of_distinct(self.columns.iter().cloned().zip(cells).collect());
         InputTable::new(
             table,
             self.source.clone(),

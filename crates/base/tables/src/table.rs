@@ -70,6 +70,11 @@ impl Table {
         }
     }
 
+    /// Makes a table of columns that all have different names.
+    pub(crate) fn of_distinct(columns: Vec<(String, Cells)>) -> Self {
+        Table { columns }
+    }
+
     /// Appends a column; a name that is taken gets a number, so that no column replaces another.
     fn append(&mut self, name: &str, cells: Cells) {
         debug_assert!(self.columns.is_empty() || cells.len() == self.rows());

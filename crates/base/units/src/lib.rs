@@ -8,6 +8,7 @@ mod named;
 mod number;
 mod number_text;
 mod pressure_range;
+pub mod printable;
 mod quantity;
 mod quantity_error;
 mod quantity_kind;

@@ -4,6 +4,7 @@ use serde_spanned::Spanned;
 use study::figure::{Figure, FigureStyle, PictureFormat, Shows};
 use study::material::Material;
 use study::plan::{Curve, Load};
+use units::printable::listed;
 use units::{Bound, Length, OutOfBounds};
 
 use super::Scene;
@@ -45,7 +46,7 @@ impl Scene {
             let hint = meant(unknown, names.iter().copied())
                 .map_or_else(String::new, |meant| format!(", did you mean {meant:?}?"));
             let message =
-                format!("there is no figure {unknown:?}{hint}; the figures are {}", names.join(", "));
+                format!("there is no figure {unknown:?}{hint}; the figures are {}", listed(&names, ""));
             return Err(SceneError::anywhere(message));
         }
         let width_mm = choice.width.map(|width| WIDTH_MM.check("the width in mm", 1e3 * width.m));
@@ -193,7 +194,7 @@ pub(super) fn curve_index(name: &Spanned<String>, curves: &[Curve]) -> Result<us
         let meant = meant(name.get_ref(), known.iter().copied());
         let hint = meant.map_or_else(String::new, |meant| format!(", did you mean {meant:?}?"));
         let message =
-            format!("there is no curve {:?}{hint}; the curves are {}", name.get_ref(), known.join(", "));
+            format!("there is no curve {:?}{hint}; the curves are {}", name.get_ref(), listed(&known, ""));
         SceneError::at(name.span(), message)
     })
 }
@@ -213,7 +214,7 @@ pub(super) fn loads_of(
         let is_meant = |load: &Load| (load.nominal_pressure_pa() / pressure_pa - 1.0).abs() < 1e-9;
         loads.iter().position(is_meant).ok_or_else(|| {
             let known: Vec<&str> = loads.iter().map(|load| load.label.as_str()).collect();
-            let problem = format!("{typed} is no load of the scene; these are {}", known.join(", "));
+            let problem = format!("{typed} is no load of the scene; these are {}", listed(&known, ""));
             value_error("figure.loads", &typed, raw.span(), problem)
         })
     };

@@ -90,11 +90,25 @@ pub(super) fn label(raw: &RawQuantity) -> String {
 /// The names of curves and figures become those of files.
 pub(super) fn check_file_name(name: &str, span: std::ops::Range<usize>) -> Result<(), SceneError> {
     let plain = |c: char| c.is_alphanumeric() || matches!(c, '-' | '_' | '.');
+    if is_device(name) || name.ends_with('.') {
+        let message = format!("{name:?} becomes the name of a file, and Windows reserves it; choose another");
+        return Err(SceneError::at(span, message));
+    }
     if name.chars().all(plain) && name.starts_with(char::is_alphanumeric) {
         return Ok(());
     }
     let message = format!("{name:?} becomes the name of a file; use letters, digits, '-', '_' and '.' only");
     Err(SceneError::at(span, message))
+}
+
+/// Returns true for names that Windows gives to devices, with any ending.
+fn is_device(name: &str) -> bool {
+    let stem = name.split('.').next().unwrap_or_default().to_lowercase();
+    let is_port = |kind| {
+        stem.strip_prefix(kind)
+            .is_some_and(|port| port.len() == 1 && port.starts_with(|c: char| c.is_ascii_digit()))
+    };
+    ["con", "prn", "aux", "nul"].contains(&stem.as_str()) || is_port("com") || is_port("lpt")
 }
 
 pub(super) fn tolerance(raw: &Spanned<f64>) -> Result<Tolerance, SceneError> {

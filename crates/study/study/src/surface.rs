@@ -8,6 +8,7 @@ use spectrum::{
     Convention, ConversionError, Hole, ProfilePsd, Psd, PsdFile, ReadError, ReadOptions, read_psd, superpose,
 };
 use topography::Recipe;
+use units::printable::shown_path;
 
 use crate::given_roughness::GivenRoughness;
 use crate::note::Note;
@@ -172,7 +173,7 @@ impl Surface {
         };
         let PsdFile { psd, comments, notes } = read_psd(&bytes[..], options)
             .map_err(|error| SurfaceError::unread(name.to_owned(), &bytes, error))?;
-        let mut surface = Self::of_psd(name.to_owned(), psd)?;
+        let mut surface = Self::of_psd(shown_path(name).to_owned(), psd)?;
         surface.remarks = comments;
         let mut notes: Vec<Note> = notes.into_iter().map(Note::Reading).collect();
         if name == RECONSTRUCTION {

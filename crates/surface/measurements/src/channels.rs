@@ -4,6 +4,7 @@ use scans::{Axis, Measure, Probe, ScanFile, Statistics, visit_channels};
 use tables::Table;
 use topography::{HeightParameters, ParameterValue, RoughnessParameter};
 use units::display::{counted, length, three_digits};
+use units::printable::printable_line;
 
 use crate::error::{ScanProblem, TopographyError};
 use crate::files::{Files, file_name};
@@ -108,7 +109,7 @@ impl Row {
         lines.push(self.note.clone());
         lines.retain(|line| !line.is_empty());
         // Names and notes come from files; a terminal would obey their control characters.
-        lines.iter().map(|line| line.replace(char::is_control, "\u{fffd}")).collect::<Vec<_>>().join("\n  ")
+        lines.iter().map(|line| printable_line(line)).collect::<Vec<_>>().join("\n  ")
     }
 }
 

@@ -5,6 +5,7 @@ use scans::{Axis, HeightMap, Scan, ScanFile};
 use tables::Table;
 use topography::{CompositeSpectrum, ScanSpectrum, TransformError, without_gaps};
 use units::number;
+use units::printable::shown_path;
 
 use crate::agreement::{self, InstrumentUse};
 use crate::error::{ScanProblem, TopographyError};
@@ -170,7 +171,7 @@ impl CompositeOfFiles {
             };
             lines.push(format!(
                 "scan: {} ({}{channel}{along}), SHA-256 {}, detrend {}, window {}, used down to {} m",
-                source.file,
+                shown_path(&source.file),
                 scan.format,
                 source.sha256,
                 scan.preparation.detrend,

@@ -1,5 +1,7 @@
 //! Folders given in place of scans.
 
+use units::printable::listed;
+
 use crate::error::{ScanProblem, TopographyError};
 use crate::files::Files;
 use crate::load::{METADATA_FILES, holds_heights};
@@ -58,6 +60,6 @@ impl ScansInFolders {
     /// Names the skipped files in a sentence; `None` if there are none.
     #[must_use]
     pub fn note(&self) -> Option<String> {
-        (!self.skipped.is_empty()).then(|| format!("skipped, as no scans: {}", self.skipped.join(", ")))
+        (!self.skipped.is_empty()).then(|| format!("skipped, as no scans: {}", listed(&self.skipped, "")))
     }
 }

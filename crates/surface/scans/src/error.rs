@@ -8,6 +8,7 @@ use crate::foreign::ForeignFile;
 use crate::format::ScanFormat;
 use crate::heights::ScanError;
 use units::LengthUnit;
+use units::printable::listed;
 
 /// Error of a file that holds no scan, or lacks unit or size.
 ///
@@ -396,7 +397,7 @@ fn list(names: &[String]) -> String {
     match names {
         [] => "are none".to_owned(),
         [name] => format!("is '{name}'"),
-        _ => format!("are {}", names.iter().map(|name| format!("'{name}'")).collect::<Vec<_>>().join(", ")),
+        _ => format!("are {}", listed(names, "'")),
     }
 }
 

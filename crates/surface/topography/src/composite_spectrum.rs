@@ -1,5 +1,7 @@
 //! The composite spectrum of several scans, and comparisons between them.
 
+use std::collections::{HashMap, HashSet};
+
 use scans::Axis;
 use spectrum::{Convention, Hole, Psd};
 
@@ -12,6 +14,12 @@ use crate::{Composite, Direction, DirectionRatio, Overlap, TransformError, overl
 
 /// Smallest number of shared bins that can show a disagreement; in fewer, single lines scatter as much.
 const LEAST_SHARED_BINS: usize = 3;
+
+/// Most pairs of scans that have a remark each.
+const MOST_PAIRS: usize = 45;
+
+/// Pairs named where there are more: those that differ most.
+const MOST_PAIRS_NAMED: usize = 10;
 
 /// Two instruments whose spectra disagree.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
@@ -73,15 +81,24 @@ impl CompositeSpectrum {
 
     /// Names of the scans, numbered where two are the same.
     #[must_use]
-    pub fn series_names(&self) -> Vec<String> {
-        let mut names: Vec<String> = Vec::new();
-        for scan in &self.scans {
-            let taken = |name: &String| name == "composite" || names.contains(name);
-            let numbered = (2..).map(|number| format!("{} ({number})", scan.name));
-            let name = std::iter::once(scan.name.clone()).chain(numbered).find(|name| !taken(name));
-            names.extend(name);
-        }
-        names
+    pub fn series_names<'s>(&'s self) -> Vec<String> {
+        let mut taken = HashSet::from(["composite".to_owned()]);
+        let mut numbers: HashMap<&str, usize> = HashMap::new();
+        let name_of = |scan: &'s ScanSpectrum| {
+            // A number that is taken stays taken, so the search goes on where it ended last.
+            let number = numbers.entry(&scan.name).or_insert(1);
+            loop {
+                let name = match *number {
+                    1 => scan.name.clone(),
+                    number => format!("{} ({number})", scan.name),
+                };
+                *number += 1;
+                if taken.insert(name.clone()) {
+                    return name;
+                }
+            }
+        };
+        self.scans.iter().map(name_of).collect()
     }
 
     /// Holes in the composite, from long to short wavelengths.
@@ -139,7 +156,8 @@ impl CompositeSpectrum {
 
     /// Returns true if the two spectra are those of one map along both axes, not of two instruments.
     fn is_one_map(&self, overlap: &Overlap) -> bool {
-        self.both_directions().any(|pair| pair == (overlap.first, overlap.second))
+        let (x, y) = (overlap.first, overlap.second);
+        y == x + 1 && self.scans[x].axis == Some(Axis::X) && self.scans[y].axis == Some(Axis::Y)
     }
 
     /// Collects remarks: assumptions of the reader, and checks of each spectrum, of overlaps and of the composite.
@@ -158,18 +176,34 @@ impl CompositeSpectrum {
             let fast = self.scans[x].fast_axis.map(Direction::from);
             (!ratios.is_empty()).then(|| Remark::Directions { names: both([x, y]), ratios, fast })
         });
+        let overlaps = self.overlap_remarks(&names);
+        let holes = Some(self.holes()).filter(|holes| !holes.is_empty()).map(Remark::Holes);
+        of_scans.chain(same).chain(directions).chain(overlaps).chain(self.bias()).chain(holes).collect()
+    }
+
+    /// Remarks on each pair of scans that overlap or, of many pairs, on those that differ most and on all others together.
+    fn overlap_remarks(&self, names: &[String]) -> Vec<Remark> {
+        let repeated: HashSet<(usize, usize)> = self.repeated.iter().copied().collect();
         let is_listed = |overlap: &&Overlap| {
-            !self.repeated.contains(&(overlap.first, overlap.second)) && !self.is_one_map(overlap)
+            !repeated.contains(&(overlap.first, overlap.second)) && !self.is_one_map(overlap)
         };
-        let overlaps = self.overlaps.iter().filter(is_listed).map(|overlap| Remark::Overlap {
-            names: both([overlap.first, overlap.second]),
+        let mut listed: Vec<&Overlap> = self.overlaps.iter().filter(is_listed).collect();
+        let mut others = None;
+        if listed.len() > MOST_PAIRS {
+            listed.sort_by(|a, b| b.ratio.ln().abs().total_cmp(&a.ratio.ln().abs()));
+            let rest = listed.split_off(MOST_PAIRS_NAMED);
+            let lowest = rest.iter().map(|overlap| overlap.ratio).fold(f64::INFINITY, f64::min);
+            let highest = rest.iter().map(|overlap| overlap.ratio).fold(0.0, f64::max);
+            others = Some(Remark::OtherOverlaps { pairs: rest.len(), ratios: [lowest, highest] });
+        }
+        let one = |overlap: &Overlap| Remark::Overlap {
+            names: [overlap.first, overlap.second].map(|scan| names[scan].clone()),
             ratio: overlap.ratio,
             bins: overlap.bins,
             longest_m: overlap.longest_m,
             shortest_m: overlap.shortest_m,
-        });
-        let holes = Some(self.holes()).filter(|holes| !holes.is_empty()).map(Remark::Holes);
-        of_scans.chain(same).chain(directions).chain(overlaps).chain(self.bias()).chain(holes).collect()
+        };
+        listed.into_iter().map(one).chain(others).collect()
     }
 
     /// Remarks on the largest bias removed from the mean of logarithms.

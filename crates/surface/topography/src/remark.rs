@@ -169,6 +169,13 @@ pub enum Remark {
         /// Shortest shared wavelength \[m\].
         shortest_m: f64,
     },
+    /// The pairs of scans that differ less than those in remarks of their own.
+    OtherOverlaps {
+        /// Number of pairs.
+        pairs: usize,
+        /// Lowest and highest mean ratio of the first to the second spectrum.
+        ratios: [f64; 2],
+    },
     /// Comparison of the spectra of a map along both axes.
     Directions {
         /// Names of the two spectra, along x first.
@@ -223,10 +230,16 @@ impl Remark {
             Remark::Scan { remark, .. } => remark.severity(),
             Remark::SameData { .. } | Remark::Holes(_) => Severity::Warning,
             Remark::Overlap { ratio, .. } if differ(*ratio) => Severity::Warning,
+            Remark::OtherOverlaps { ratios, .. } if ratios.iter().any(|ratio| differ(*ratio)) => {
+                Severity::Warning
+            }
             Remark::Directions { ratios, .. } if ratios.iter().any(DirectionRatio::is_anisotropic) => {
                 Severity::Warning
             }
-            Remark::Overlap { .. } | Remark::Directions { .. } | Remark::BiasRemoved { .. } => Severity::Note,
+            Remark::Overlap { .. }
+            | Remark::OtherOverlaps { .. }
+            | Remark::Directions { .. }
+            | Remark::BiasRemoved { .. } => Severity::Note,
         }
     }
 }

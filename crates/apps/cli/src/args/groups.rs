@@ -16,6 +16,17 @@ use super::parsers::{
 use crate::output::Place;
 use crate::picture::Picture;
 
+/// Form in which provenance quotes absolute paths of the command.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum QuotedPaths {
+    /// The file name alone.
+    Names,
+    /// The path as typed.
+    Full,
+}
+
+units::named!(QuotedPaths, "form of absolute paths", { Names => "names", Full => "full" });
+
 /// Options of every command.
 #[derive(Debug, Clone, ClapArgs)]
 #[command(next_help_heading = "Options for every command")]
@@ -26,9 +37,17 @@ pub(crate) struct SharedArgs {
     /// Destination of the table, or of the text of `run` and `scene`: a path, or - for standard output
     #[arg(long, value_name = "PATH", default_value = "-", value_parser = parse_place, global = true)]
     pub output: Place,
-    /// Begin CSV tables with comment lines that tell where they come from; those of `psd` and `run` always do
-    #[arg(long, global = true)]
-    pub provenance: bool,
+    /// Begin CSV tables with comment lines that tell where they come from; those of `psd` and `run` always do. They quote file names alone for absolute paths; --provenance=full quotes the paths
+    #[arg(
+        long,
+        value_name = "PATHS",
+        value_parser = one_of::<QuotedPaths, _>(QuotedPaths::ALL),
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = QuotedPaths::Names.name(),
+        global = true
+    )]
+    pub provenance: Option<QuotedPaths>,
     /// Print every note and number that the summary of `run` and `report` leaves out
     #[arg(short, long, global = true)]
     pub verbose: bool,

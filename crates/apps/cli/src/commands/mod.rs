@@ -29,9 +29,10 @@ use study::plan::{Plan, PlanError, Results, Sampling};
 use study::surface::{Surface, SurfaceError};
 use tables::{Format, Table, TableWriter};
 use topography::Severity;
+use units::printable::shown_path;
 use units::{Pressure, PressureRange};
 
-use crate::args::{Args, Command, PsdArgs, ReadingArgs, SharedArgs};
+use crate::args::{Args, Command, PsdArgs, QuotedPaths, ReadingArgs, SharedArgs};
 use crate::failure::Failure;
 use crate::files::Folder;
 use crate::flags::{Flags, failure};
@@ -47,9 +48,13 @@ use crate::timings::Timings;
 type Figure<'a> = Option<&'a Picture>;
 
 /// Carries a command out; `typed` is the command line without the program's name.
-pub fn run(args: Args, typed: &str) -> Result<(), Failure> {
-    let context = Context { shared: args.shared, typed };
-    if context.shared.provenance && context.shared.format() == Format::Json {
+pub fn run(args: Args, typed: &[String]) -> Result<(), Failure> {
+    let quoted: Vec<_> = match args.shared.provenance {
+        Some(QuotedPaths::Full) => typed.to_vec(),
+        _ => typed.iter().map(|word| without_folders(word)).collect(),
+    };
+    let context = Context { shared: args.shared, typed: &quoted.join(" ") };
+    if context.shared.provenance.is_some() && context.shared.format() == Format::Json {
         return Err(Failure::input(
             "--provenance writes comment lines, which JSON does not have; leave it out, or take --format csv",
         ));
@@ -227,7 +232,7 @@ impl Context<'_> {
 
     /// Lines that tell where a table comes from, if they are asked for.
     fn wanted<'c>(&self, provenance: &'c [String]) -> &'c [String] {
-        if self.shared.provenance { provenance } else { &[] }
+        if self.shared.provenance.is_some() { provenance } else { &[] }
     }
 
     /// Writes a table block by block, comment lines first.
@@ -250,6 +255,19 @@ impl Context<'_> {
             Ok::<(), Stopped>(())
         })
     }
+}
+
+/// Returns a word of the command with the file name in place of an absolute path, such as `a.txt:unit=um` for
+/// `/data/a.txt:unit=um` and `--out=results` for `--out=/data/results`.
+fn without_folders(word: &str) -> String {
+    let (option, value) = match word.split_once('=') {
+        Some((option, value)) if option.starts_with("--") => (format!("{option}="), value),
+        _ => (String::new(), word),
+    };
+    // The second character of a path may be the colon behind a drive.
+    let end = value.char_indices().skip(2).find(|(_, c)| *c == ':').map_or(value.len(), |(at, _)| at);
+    let (path, settings) = value.split_at(end);
+    format!("{option}{}{settings}", shown_path(path))
 }
 
 /// Returns the options for reading a spectrum.
@@ -313,5 +331,23 @@ fn say_of_severity(severity: Severity, text: &str) {
 fn say_notes(notes: impl IntoIterator<Item = String>) {
     for note in notes {
         say(&format!("note: {note}"));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn provenance_quotes_file_names_in_place_of_absolute_paths() {
+        for (word, quoted) in [
+            ("/data/a.txt:unit=um,channel=a/b", "a.txt:unit=um,channel=a/b"),
+            ("--out=/data/results", "--out=results"),
+            ("C:\\data\\a.txt:unit=um", "a.txt:unit=um"),
+            ("data/a.txt", "data/a.txt"),
+            ("--x-unit=1/m", "--x-unit=1/m"),
+        ] {
+            assert_eq!(without_folders(word), quoted);
+        }
     }
 }

@@ -192,6 +192,9 @@ fn read(args: &RunArgs, folder: &Path, context: &Context<'_>) -> Result<Scene, F
     if writes_files && folder.is_file() {
         make_folder("--out", folder)?;
     }
+    if writes_files {
+        output::check_writable(folder)?;
+    }
     targets.spare_place(&args.scene)?;
     let (name, files) = match &args.scene {
         Place::Standard => ("standard input".to_owned(), Folder::current(targets)),

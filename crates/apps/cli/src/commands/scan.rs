@@ -42,7 +42,8 @@ pub(super) fn run(args: &ScanArgs, context: &Context<'_>) -> Result<(), Failure>
     let comments = [program(context.typed)];
     let table = found.table();
     let shared = &context.shared;
-    let for_people = shared.output == Place::Standard && shared.format.is_none() && !shared.provenance;
+    let for_people =
+        shared.output == Place::Standard && shared.format.is_none() && shared.provenance.is_none();
     if for_people && std::io::stdout().is_terminal() {
         shared.output.stage(&mut files, |out| out.write_all(found.describe().as_bytes()))?;
     } else {

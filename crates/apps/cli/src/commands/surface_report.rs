@@ -34,6 +34,7 @@ pub(super) fn run(args: &ReportArgs, context: &Context<'_>) -> Result<(), Failur
     // Paths in the scene are relative to the folder, so that the scene there repeats the report.
     let made = !folder.exists();
     make_folder("--out", &folder)?;
+    output::check_writable(&folder)?;
     let scene = scene(&mut question, &folder, context).inspect_err(|_| {
         if made {
             // A folder that is not empty stays.

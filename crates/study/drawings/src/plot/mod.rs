@@ -29,6 +29,7 @@ use study::figure::{AxisKind, FigureData, FigureStyle, Series, Shows};
 use style::{Ink, NEUTRAL, colour, colour_index};
 use thinned::thinned;
 use units::display::typeset;
+use units::printable::printable;
 
 /// Size of a picture, without the legend under it.
 const WIDTH_PX: f64 = 480.0;
@@ -45,6 +46,9 @@ const LETTERS_PX: f64 = 12.0;
 /// The least width of a narrow picture for each labelled tick.
 const TICK_ROOM_PX: f64 = 65.0;
 const POINTS_PER_MM: f64 = 72.0 / 25.4;
+/// The most lines that get labels. Labels of more lines find no place between them, and searching takes the square of
+/// the number of lines.
+const MAX_LABELLED: usize = 100;
 /// The size of the labels of ticks, at most.
 const TICK_LETTERS_PX: f64 = 12.0;
 
@@ -125,12 +129,14 @@ fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
         let pieces = figure.pieces(series).into_iter().map(|piece| thinned(logarithms(&piece)));
         pieces.filter(|piece| !piece.is_empty()).collect()
     };
+    let series_count = figure.series.len();
     let traces: Vec<Trace> = figure
         .series
         .iter()
         .enumerate()
         .map(|(at, series)| {
-            let (label, ink) = (typeset(&series.condition), Ink::new(figure, series));
+            let label = if series_count > MAX_LABELLED { String::new() } else { typeset(&series.condition) };
+            let ink = Ink::new(figure, series);
             Trace { label, group: label_group(figure, at), ink, runs: drawn(series) }
         })
         .collect();
@@ -331,7 +337,7 @@ fn text_width_px(text: &str, size_px: f64) -> f64 {
 /// The opening tag without its end, and the rest. The library numbers its clip regions through the whole program; here
 /// they are named after the figure, so that the document does not depend on earlier drawings and pages can hold many.
 fn split(scene: &Scene, id: &str) -> (String, String) {
-    let svg = SvgBackend::default().render_scene(scene);
+    let svg = printable(&SvgBackend::default().render_scene(scene)).into_owned();
     let numbered = svg.split('"').find(|text| text.starts_with("kuva-clip-")).map(str::to_owned);
     let svg = numbered.map_or_else(|| svg.clone(), |numbered| svg.replace(&numbered, &format!("{id}-area")));
     // A picture without a view box is cut off where it should shrink.
@@ -345,7 +351,7 @@ fn split(scene: &Scene, id: &str) -> (String, String) {
 
 /// The lines as the text of a comment, without double hyphens.
 fn comment(lines: &[String]) -> String {
-    let mut comment = lines.join("\n");
+    let mut comment = printable(&lines.join("\n")).into_owned();
     while comment.contains("--") {
         comment = comment.replace("--", "- -");
     }
@@ -354,7 +360,7 @@ fn comment(lines: &[String]) -> String {
 
 /// A text within an element or an attribute.
 pub(crate) fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
+    printable(text).replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
 }
 
 #[cfg(test)]

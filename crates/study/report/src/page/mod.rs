@@ -34,6 +34,7 @@ use scene::Scene;
 use study::figure::FigureData;
 use study::plan::Results;
 use units::display::{load_in_full, pressure, typeset, typeset_digits};
+use units::printable::printable;
 
 /// The part of a report on one scene.
 pub struct SceneReport<'a> {
@@ -133,7 +134,7 @@ impl Report<'_> {
             }
         };
         // Titles, file names and notes may hold control characters, which no page may.
-        page.into_string().replace(|c: char| c.is_control() && !matches!(c, '\n' | '\t'), "\u{fffd}")
+        printable(&page.into_string()).into_owned()
     }
 }
 

@@ -104,6 +104,11 @@ pub fn remark(remark: &Remark) -> String {
             };
             format!("{first} over {second}: {} {shared}{doubt}", three_digits(*ratio))
         }
+        Remark::OtherOverlaps { pairs, ratios: [lowest, highest] } => format!(
+            "{pairs} more pairs of scans overlap; their spectra have ratios of {} to {}",
+            three_digits(*lowest),
+            three_digits(*highest)
+        ),
         Remark::Directions { names: [along_x, along_y], ratios, fast } => {
             directions([along_x, along_y], ratios, *fast, remark.severity() == Severity::Warning)
         }

@@ -3,6 +3,7 @@
 use thiserror::Error;
 use units::LengthUnit;
 use units::display::{counted, length};
+use units::printable::listed;
 
 use crate::convention::Convention;
 use crate::read::header::{Abscissa, Heading};
@@ -401,5 +402,5 @@ impl ReadError {
 }
 
 fn list(names: &[String]) -> String {
-    names.iter().map(|name| format!("'{name}'")).collect::<Vec<_>>().join(", ")
+    listed(names, "'")
 }

@@ -1,6 +1,9 @@
 //! Choice of one series of a file.
 
+use std::collections::HashSet;
+
 use thiserror::Error;
+use units::printable::listed;
 
 use crate::read::mend::{ReadMend, ReadOption};
 use crate::read::options::ReadOptions;
@@ -141,13 +144,9 @@ fn is_same(one: &str, other: &str) -> bool {
 /// Lists the subjects and the series, each once.
 fn offer(names: &[SeriesName]) -> String {
     let once = |of: fn(&SeriesName) -> Option<String>| {
-        let mut texts: Vec<String> = Vec::new();
-        for text in names.iter().filter_map(of).filter(|text| !text.is_empty()) {
-            if !texts.contains(&text) {
-                texts.push(text);
-            }
-        }
-        texts.join(", ")
+        let mut earlier = HashSet::new();
+        let texts = names.iter().filter_map(of).filter(|text| !text.is_empty());
+        listed(texts.filter(|text| earlier.insert(text.clone())), "")
     };
     let subjects = once(|name| {
         let subject = name.subject.as_ref()?;

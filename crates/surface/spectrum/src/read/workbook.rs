@@ -5,6 +5,7 @@
 //! such row and are skipped.
 
 use thiserror::Error;
+use units::printable::listed;
 
 /// Largest size of an unpacked workbook in bytes.
 #[cfg(feature = "xlsx")]
@@ -37,7 +38,8 @@ pub enum WorkbookError {
     /// No sheet has a table.
     #[error(
         "reading the workbook: no sheet has a row that names an abscissa (wavelength, wavevector or frequency) and a \
-         spectrum (c1d, psd or ciso); the sheets are {}", .sheets.join(", ")
+         spectrum (c1d, psd or ciso); the sheets are {}",
+        listed(sheets, "")
     )]
     NoTable {
         /// The names of the sheets, quoted.

@@ -5,6 +5,8 @@
 
 use std::borrow::Cow;
 
+use units::printable::listed;
+
 use super::cursor::{Cursor, FORMAT, bad};
 use super::kind::Kind;
 use crate::error::{ScanReadError, quoted};
@@ -91,7 +93,7 @@ impl<'b> Classic<'b> {
             let dimension = &self.dimensions[index];
             format!("{}: {}", dimension.name, dimension.length)
         });
-        named.collect::<Vec<_>>().join(", ")
+        listed(named, "")
     }
 
     /// All values of a variable, the last dimension fastest, scaled as its attributes say; fill values, those of the

@@ -56,6 +56,9 @@ pub(super) fn channel_of_text<'b>(text: &str, options: &ScanOptions) -> Result<C
     let columns = Columns::read(text)?;
     let header = Header::read(text, &columns)?;
     let mut notes = Vec::new();
+    if ends_within_a_number(text) {
+        notes.push("the last line has no line end; is the file cut off?".to_owned());
+    }
     let found = match columns.count {
         1 => matrix(columns, false, &header, options, &mut notes)?,
         2 if !header.is_matrix() => {
@@ -85,6 +88,11 @@ pub(super) fn channel_of_text<'b>(text: &str, options: &ScanOptions) -> Result<C
         notes,
         ..channel
     })
+}
+
+/// Returns true if the text ends in what may be the first digits of a longer number.
+fn ends_within_a_number(text: &str) -> bool {
+    text.ends_with(|c: char| c.is_ascii_digit() || matches!(c, '.' | ',' | '-' | '+' | 'e' | 'E'))
 }
 
 /// Returns true if the first of three columns only counts the rows: it rises by one from row to row, and either it is

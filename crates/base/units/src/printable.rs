@@ -1,0 +1,125 @@
+//! Text from files made safe to print: without characters that terminals obey or markup forbids, and of bounded length.
+
+use std::borrow::Cow;
+
+/// Stands for a character that is not printed.
+pub const REPLACEMENT: char = '\u{fffd}';
+
+/// Most letters of a list of names in one message.
+const MOST_LETTERS_OF_LIST: usize = 400;
+
+/// Most letters of one name in a list.
+const MOST_LETTERS_OF_NAME: usize = 80;
+
+/// Replaces control characters (C0, DEL and C1), characters that reorder text, and those that XML forbids; line ends and
+/// tabs stay.
+#[must_use]
+pub fn printable(text: &str) -> Cow<'_, str> {
+    replaced(text, |c| is_obeyed(c) && !matches!(c, '\n' | '\t'))
+}
+
+/// Replaces what [`printable`] replaces, line ends and tabs as well.
+#[must_use]
+pub fn printable_line(text: &str) -> Cow<'_, str> {
+    replaced(text, is_obeyed)
+}
+
+fn replaced(text: &str, is_refused: impl Fn(char) -> bool) -> Cow<'_, str> {
+    match text.contains(&is_refused) {
+        true => Cow::Owned(text.replace(&is_refused, "\u{fffd}")),
+        false => Cow::Borrowed(text),
+    }
+}
+
+/// Returns true for characters that terminals obey, that reorder the text around them, or that XML forbids.
+fn is_obeyed(c: char) -> bool {
+    let reorders = matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    c.is_control() || reorders || matches!(c, '\u{fffe}' | '\u{ffff}')
+}
+
+/// Returns the name that provenance quotes for a path: the file name of an absolute path, which would tell of folders on
+/// the machine, and any other path as it is.
+#[must_use]
+pub fn shown_path(path: &str) -> &str {
+    let drive = path.as_bytes().get(1) == Some(&b':') && path.as_bytes()[0].is_ascii_alphabetic();
+    let is_absolute = path.starts_with(['/', '\\']) || (drive && path[2..].starts_with(['/', '\\']));
+    match path.trim_end_matches(['/', '\\']).rsplit(['/', '\\']).next() {
+        Some(name) if is_absolute && !name.is_empty() => name,
+        _ => path,
+    }
+}
+
+/// Shortens a text to at most `most` letters; the end of a shortened text is `...`.
+#[must_use]
+pub fn shortened(text: &str, most: usize) -> Cow<'_, str> {
+    match text.char_indices().nth(most) {
+        None => Cow::Borrowed(text),
+        Some(_) => {
+            let end = text.char_indices().nth(most.saturating_sub(3)).map_or(text.len(), |(at, _)| at);
+            Cow::Owned(format!("{}...", &text[..end]))
+        }
+    }
+}
+
+/// Lists names for a message, such as `'a', 'b' and 3 more` with `quote` of `'`: as many as fit on a few lines of text,
+/// and at least one.
+#[must_use]
+pub fn listed(names: impl IntoIterator<Item = impl AsRef<str>>, quote: &str) -> String {
+    let (mut list, mut letters, mut more) = (String::new(), 0, 0usize);
+    for name in names {
+        let name = shortened(name.as_ref(), MOST_LETTERS_OF_NAME);
+        letters += name.chars().count() + 2 * quote.len() + 2;
+        if more > 0 || (!list.is_empty() && letters > MOST_LETTERS_OF_LIST) {
+            more += 1;
+            continue;
+        }
+        let comma = if list.is_empty() { "" } else { ", " };
+        list += &format!("{comma}{quote}{name}{quote}");
+    }
+    if more > 0 {
+        list += &format!(" and {more} more");
+    }
+    list
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn characters_that_terminals_obey_or_that_reorder_text_are_replaced() {
+        let hostile = "a\u{1b}]0;b\u{7}\u{7f}\u{9b}\u{202e}\u{2066}\u{2069}\u{ffff}\rz";
+        let harmless = printable(hostile);
+        assert_eq!(harmless.chars().filter(|c| *c == REPLACEMENT).count(), 9);
+        assert!(harmless.starts_with('a') && harmless.ends_with('z'));
+        let kept = "µm\t\"<script>\"\nÅ \u{200b}";
+        assert!(matches!(printable(kept), Cow::Borrowed(_)));
+        assert_eq!(printable_line("a\tb\nc"), "a\u{fffd}b\u{fffd}c");
+    }
+
+    #[test]
+    fn absolute_paths_are_shown_as_file_names() {
+        for (path, shown) in [
+            ("/home/someone/a.txt", "a.txt"),
+            ("C:\\lab\\a.txt", "a.txt"),
+            ("\\\\server\\a.txt", "a.txt"),
+            ("/data/", "data/"),
+            ("/", "/"),
+            ("scans/a.txt", "scans/a.txt"),
+            ("../a.txt", "../a.txt"),
+            ("builtin:uncd-measured", "builtin:uncd-measured"),
+        ] {
+            assert_eq!(shown_path(path).trim_end_matches('/'), shown.trim_end_matches('/'));
+        }
+    }
+
+    #[test]
+    fn lists_are_whole_if_short_and_bounded_if_long() {
+        assert_eq!(listed(["a", "b"], "'"), "'a', 'b'");
+        assert_eq!(listed(Vec::<String>::new(), "'"), "");
+        let long = listed((0..1_000_000).map(|at| format!("c{at}")), "");
+        assert!(long.len() < 2 * MOST_LETTERS_OF_LIST && long.ends_with(" more"), "{long}");
+        assert_eq!(listed(["é".repeat(1000)], ""), format!("{}...", "é".repeat(MOST_LETTERS_OF_NAME - 3)));
+        assert_eq!(shortened("abcd", 4), "abcd");
+    }
+}
