@@ -17,8 +17,7 @@ fn ranges_of_the_elements_hold_the_area_of_a_grid_of_the_whole_band() {
     let corrected =
         scene.needs.curves.iter().position(|curve| curve.name == "persson-algebraic-nayak").unwrap();
     for (load, area) in GRID_AREAS.into_iter().enumerate() {
-        let elements =
-            judgement.references.iter().find(|area| area.load == load).unwrap().elements.unwrap();
+        let elements = judgement.references.iter().find(|area| area.load == load).unwrap().elements.unwrap();
         assert!((elements.low()..=elements.high()).contains(&area), "{area}: {elements:?}");
         assert!((elements.area_fraction / area - 1.0).abs() < 0.06, "{area}: {elements:?}");
         assert!(elements.high() / elements.low() < 1.2, "{elements:?}");

@@ -6,6 +6,7 @@ use super::{Report, SceneReport, Section, gists, per_scene, sentence};
 use crate::run_stamp::RunStamp;
 use crate::scan_words;
 use crate::summary::sampling;
+use units::printable::shown_path;
 
 pub(super) fn section(report: &Report<'_>) -> Section {
     let RunStamp { date, command } = report.run_stamp;
@@ -25,9 +26,9 @@ pub(super) fn section(report: &Report<'_>) -> Section {
 fn of(report: &SceneReport<'_>) -> Markup {
     let surface = &report.scene.surface;
     html! {
-        p { "Spectrum: " code { (surface.name) } ", " (sampling(report.results)) "." }
+        p { "Spectrum: " code { (shown_path(&surface.name)) } ", " (sampling(report.results)) "." }
         @for source in &surface.sources {
-            p { "SHA-256 of " code { (source.name) } ": " code.hash { (source.sha256) } }
+            p { "SHA-256 of " code { (shown_path(&source.name)) } ": " code.hash { (source.sha256) } }
         }
         @if surface.roughness.is_some() { p { "It was made from roughness parameters." } }
         @else if surface.remarks.is_empty() { p { "Its file says nothing about where it comes from." } }
