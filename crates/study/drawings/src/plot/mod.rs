@@ -337,7 +337,8 @@ fn text_width_px(text: &str, size_px: f64) -> f64 {
 /// The opening tag without its end, and the rest. The library numbers its clip regions through the whole program; here
 /// they are named after the figure, so that the document does not depend on earlier drawings and pages can hold many.
 fn split(scene: &Scene, id: &str) -> (String, String) {
-    let svg = printable(&SvgBackend::default().render_scene(scene)).into_owned();
+    // The library leaves the end of a section of text as it is, which is none in a document of XML.
+    let svg = printable(&SvgBackend::default().render_scene(scene)).replace("]]>", "]]&gt;");
     let numbered = svg.split('"').find(|text| text.starts_with("kuva-clip-")).map(str::to_owned);
     let svg = numbered.map_or_else(|| svg.clone(), |numbered| svg.replace(&numbered, &format!("{id}-area")));
     // A picture without a view box is cut off where it should shrink.
@@ -360,7 +361,7 @@ fn comment(lines: &[String]) -> String {
 
 /// A text within an element or an attribute.
 pub(crate) fn escaped(text: &str) -> String {
-    printable(text).replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
+    printable(text).replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 #[cfg(test)]
