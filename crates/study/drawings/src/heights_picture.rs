@@ -228,7 +228,7 @@ mod tests {
         };
         assert_eq!((map.columns, map.colours.len(), map.colours[6]), (4, 16, GAP));
         assert_eq!((map.colours[0], map.colours[7]), (colour(0.0), colour(1.0)));
-        assert!(map.svg.contains("a &lt;b>") && map.svg.contains(">7 nm</text>"), "{}", map.svg);
+        assert!(map.svg.contains("a &lt;b&gt;") && map.svg.contains(">7 nm</text>"), "{}", map.svg);
     }
 
     #[test]

@@ -20,9 +20,8 @@ use super::scans::{MapTreatmentArgs, UntoldArgs};
 #[derive(Debug, ClapArgs)]
 #[command(group = clap::ArgGroup::new("pressed").required(true).multiple(true).args(["pressures", "pressure_ranges"]))]
 pub(crate) struct BemArgs {
-    /// A map of heights, perhaps with options of its own (FILE:unit=nm,channel=Height,size=1um), or a power spectrum: a file,
-    /// - for standard input, or builtin:uncd-measured,
-    /// builtin:uncd-reconstructed or builtin:contact-challenge
+    /// A map of heights, perhaps with options of its own (FILE:unit=nm,channel=Height,size=1um), or a power spectrum: a file, `-` for standard input, or
+    /// builtin:uncd-measured, builtin:uncd-reconstructed or builtin:contact-challenge
     pub surface: ScanRequest,
     /// Kind of the file, where its content does not tell
     #[arg(long = "as", value_name = "KIND", value_parser = one_of::<Kind, _>(Kind::ALL))]
