@@ -69,7 +69,7 @@ impl Drop for EarlyEnd {
 }
 
 fn end() -> ! {
-    let removed = staging::remove_temporaries();
-    // A result that is in place is no interrupted one.
-    std::process::exit(if removed.has_published() { 0 } else { i32::from(INTERRUPTED) });
+    // The guard lives to the end, so that nothing is published after the question.
+    let _removed = staging::remove_temporaries();
+    std::process::exit(if staging::has_published() { 0 } else { i32::from(INTERRUPTED) });
 }

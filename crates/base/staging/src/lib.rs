@@ -11,7 +11,7 @@ use tempfile::NamedTempFile;
 
 pub use new_folder::NewFolder;
 use temporaries::Temporary;
-pub use temporaries::{Removed, remove_temporaries};
+pub use temporaries::{Removed, has_published, remove_temporaries};
 use unfinished::Markers;
 
 /// What a publication found.

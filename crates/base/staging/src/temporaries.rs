@@ -29,12 +29,10 @@ pub struct Removed {
     _locked: Locked,
 }
 
-impl Removed {
-    /// Returns true if this program has published files.
-    #[must_use]
-    pub fn has_published(&self) -> bool {
-        PUBLISHED.load(Ordering::Relaxed)
-    }
+/// Returns true if this program has published files.
+#[must_use]
+pub fn has_published() -> bool {
+    PUBLISHED.load(Ordering::Relaxed)
 }
 
 /// Records that files were published.
