@@ -41,7 +41,7 @@ def test_gaps_of_perssons_theory_are_those_of_references(
     q = np.array([1e4, 1e6])
     spectrum = ta.Spectrum(q, np.pi**2 * 0.000_023_041_816_986_325_86 * q**-2.6)
     pressure_pa, gap_m, stiffness = np.transpose(states)
-    gaps = ta.gap(spectrum, ta.Material(1.0, 0.0), pressure=pressure_pa, gamma=gamma)
+    gaps = ta.gap(spectrum, ta.Material(1.0, 0.0), pressure=pressure_pa, gamma=gamma, band="1d")
     assert np.allclose(gaps.mean_gap_m, gap_m, rtol=1e-10, atol=0.0)
     assert np.allclose(gaps.stiffness_pa_per_m, stiffness, rtol=1e-10, atol=0.0)
     assert np.allclose(gaps.u0_m, light[0], rtol=1e-9, atol=0.0) and np.allclose(gaps.p00_pa, light[1], rtol=1e-9, atol=0.0)
@@ -78,10 +78,10 @@ def test_gaps_are_those_of_the_command_line_bit_for_bit(
 
 def test_notes_tell_where_gaps_mean_little_in_terms_of_arguments() -> None:
     uncd = ta.read_psd(UNCD)
-    told = "\n".join(ta.gap(uncd, DIAMOND, pressure="1 kPa").notes)
+    told = "\n".join(ta.gap(uncd, DIAMOND, pressure="1 kPa", band="1d").notes)
     assert 'use band="2d"' in told and "--" not in told
     assert "the logarithmic law" in told and "exceeds 3 rms heights" in told
-    assert "waves of profiles" not in "\n".join(ta.gap(uncd, DIAMOND, pressure="1 kPa", band="2d").notes)
+    assert "waves of profiles" not in "\n".join(ta.gap(uncd, DIAMOND, pressure="1 kPa").notes)
     surfaces = ta.gap(uncd, DIAMOND, pressure="1 GPa", model="bem", grid=32, realisations=1, shortest="1 um")
     assert any("1 surface of 32 x 32 points" in note for note in surfaces.notes)
 
