@@ -66,8 +66,8 @@ def gap(
     gamma : float, optional
         Elastic energy factor of Persson's theory, above 0 and at most 1; 0.45 where left out.
     band : {"1d", "2d"}, optional
-        What Persson's theory cuts off at a wavelength: the spectrum of profiles, as where left out, or that of the surface, which
-        agrees with boundary elements where the spectrum rolls off.
+        Waves that a cutoff ends in Persson's theory: those of the surface, ``"2d"``, as where left out and nearer to boundary
+        elements, or those of profiles.
     strain_gradient : bool, default False
         Let the strength grow at small depths, with the material's ``strain_gradient_length``.
     hardness_formula : {"2005", "cosine"}, optional

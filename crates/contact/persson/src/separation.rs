@@ -44,8 +44,8 @@ pub struct Separation {
 /// Area fraction below which the stiffness of the theory is too small, since a few summits of a finite surface carry the load.
 pub const LIGHT_CONTACT: f64 = 0.02;
 
-/// Stiffness of boundary elements over that of the theory, with the waves of the surface, at its largest under such loads
-/// (`docs/guide/gap.md`).
+/// Stiffness of boundary elements over that of the theory, with the waves of the surface, under such loads: 1.1 to 1.4 was
+/// measured (`docs/guide/gap.md`, `docs/guide/contact-challenge.md`), and the upper end counts.
 pub const LIGHT_CONTACT_STIFFNESS: f64 = 1.4;
 
 /// Limit of light loads, u = u_0 ln(p_00/p) and K = p/u_0.
