@@ -17,7 +17,10 @@ pub(crate) fn bytes_of(path: &Path) -> io::Result<Vec<u8>> {
     let mut file = File::open(path)?;
     match length_of(&file)? {
         Some(length) => {
-            let mut bytes = Vec::with_capacity(usize::try_from(length).unwrap_or(0));
+            let mut bytes = Vec::new();
+            // A sparse file may state more than memory holds.
+            let room = usize::try_from(length).map_err(|_| io::ErrorKind::OutOfMemory)?;
+            bytes.try_reserve_exact(room).map_err(|_| io::ErrorKind::OutOfMemory)?;
             file.take(length).read_to_end(&mut bytes)?;
             Ok(bytes)
         }

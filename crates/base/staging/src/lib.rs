@@ -14,7 +14,7 @@ use temporaries::Temporary;
 pub use temporaries::{Removed, has_published, remove_temporaries};
 use unfinished::Markers;
 
-/// What a publication found.
+/// Findings of a publication.
 #[derive(Debug, Default, Clone, PartialEq, Eq)]
 pub struct Published {
     /// Folders in which an earlier publication was killed between two files, or another is under way.
