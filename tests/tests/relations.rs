@@ -17,7 +17,6 @@
 //! | lengths times 2^k in all directions | 1e-9 | nothing but the strain gradient has a length of its own |
 //! | units of wavelengths and spectra; wavevectors | 1e-9 | one spectrum in other units |
 //! | order of rows and columns, line ends, comments, separators of a spectrum | 0 | they mean nothing |
-//! | one row of the spectrum cut off | 0 | a curve with a cutoff is the beginning of the whole curve |
 //! | more pressure, more area | - | no theory loses contact under load |
 //! | order of scans | 1e-12 | sums in another order |
 //! | a scan given twice | 1e-12 | it is the same surface |
@@ -28,7 +27,7 @@
 //! | heights times 2^k | 1e-12 | squares |
 //! | a level added, a tilt added | 1e-6 | both are subtracted; the tilt leaves rounding |
 //! | units of heights, separators, line ends of scans | 1e-12 | one scan written otherwise |
-//! | sizes times 2^k | 1e-12 | wavelengths and values grow with the size |
+//! | size times 10 | 1e-9 | wavelengths and values grow with the size; bins are tenths of a decade |
 
 use std::collections::BTreeMap;
 
@@ -379,8 +378,8 @@ fn maps_may_be_turned_mirrored_and_written_otherwise() {
 
     let higher = of(map_text(24, 24, |row, column| 4.0 * height_nm(row, column)), given);
     assert_scaled(&reference, &higher, [1.0, 16.0], 1e-12);
-    let larger = composite(&["a.txt:unit=nm,size=96um,shortest=4um"], &[("a.txt", plain())], &recipe);
-    assert_eq!(larger.len(), reference.len());
+    let larger = composite(&["a.txt:unit=nm,size=240um,shortest=10um"], &[("a.txt", plain())], &recipe);
+    assert_scaled(&reference, &larger, [10.0, 10.0], 1e-9);
 }
 
 #[test]

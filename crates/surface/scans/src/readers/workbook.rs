@@ -66,7 +66,8 @@ fn channels_of_sheets<'b>(
     let mut refused = ScanReadError::NoRows;
     for sheet in names {
         let read = text_of_sheet(workbook, sheet, &mut room)?;
-        match channel_of_text(&read, options) {
+        // A sheet is whole, unlike a text without a line end.
+        match channel_of_text(&(read + "\n"), options) {
             Ok(channel) => channels.push(Channel { name: channel.name.or(Some(sheet.clone())), ..channel }),
             Err(ScanReadError::NoRows) => {}
             Err(ScanReadError::NoUnit { what, .. }) => {
