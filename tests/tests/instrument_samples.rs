@@ -103,9 +103,9 @@ fn height_parameters_equal_those_of_an_independent_program() {
         let (ParameterValue::LengthM(value) | ParameterValue::Number(value)) = parameter.value;
         let scale = if row["unit"] == "um" { 1e6 } else { 1.0 };
         let [expected, tolerance] = ["own", "tolerance"].map(|column| row[column].parse::<f64>().unwrap());
-        // The reference fits its plane to heights of a micrometre on an offset of 76 mm, which costs it two digits. Ssk is
-        // the small rest of cubes of both signs, so that its rounding is relative to a skewness of one.
-        let tolerance = f64::max(tolerance, 5e-9);
+        // The reference fits its plane to heights of a micrometre on an offset of 76 mm in this file, which costs it two
+        // digits. Ssk is the small rest of cubes of both signs, so that its rounding is relative to a skewness of one.
+        let tolerance = if row["file"] == "al3d-1.al3d" { 5e-9 } else { tolerance };
         let size = if row["parameter"] == "Ssk" { 1.0 } else { expected };
         approx::assert_abs_diff_eq!(value * scale, expected, epsilon = tolerance * size);
         compared += 1;

@@ -130,11 +130,12 @@ fn check_models(load: &LoadConclusion, judgement: &Judgement, scene: &Scene) {
             let Some(ratio) = cell.ratio else { continue };
             let own = cell.area_fraction.unwrap() / group.area_fraction.unwrap();
             assert!((ratio / own - 1.0).abs() < 1e-9, "{ratio} and {own}");
+            // The bounds are narrowed by the error of the elements.
+            let narrowed = AGREEMENT / (1.0 + row.elements.unwrap().relative_error());
             match cell.verdict {
-                // The bounds are narrowed by the error of the elements.
-                Verdict::TooLarge => assert!(ratio > 1.0),
-                Verdict::TooSmall => assert!(ratio < 1.0),
-                Verdict::Agrees => assert!(ratio.ln().abs() <= AGREEMENT.ln()),
+                Verdict::TooLarge => assert!(ratio > narrowed && ratio > 1.0),
+                Verdict::TooSmall => assert!(1.0 / ratio > narrowed && ratio < 1.0),
+                Verdict::Agrees => assert!(ratio.max(1.0 / ratio) <= narrowed),
                 Verdict::OutOfRange | Verdict::NotJudged => {}
             }
         }
