@@ -15,6 +15,7 @@ use crate::stderr::say;
 use crate::terminal::standard_output;
 use report::products::{ANSWER, SceneProducts};
 use scene::Scene;
+use study::figure::PictureFormat;
 use study::plan::PlanError;
 use tables::{Format, TableError};
 
@@ -266,10 +267,12 @@ pub fn replaced_files(products: &[String], folder: &Path, layout: Layout) -> Res
 /// The texts beside the report of a scene in folders.
 const TEXTS: [&str; 2] = ["summary.txt", "scene.toml"];
 
-/// The places of a table and of the figures of its name.
-fn with_figure(table: &str, layout: Layout) -> [String; 4] {
-    let names = ["csv", "svg", "png", "pdf"].map(|ending| Path::new(table).with_extension(ending));
-    names.map(|name| layout.place(&name.to_string_lossy()))
+/// The places of a table and of the figures of its name. A script may be the user's own, except in a folder for figures.
+fn with_figure(table: &str, layout: Layout) -> Vec<String> {
+    let of_layout: &[&str] = if layout == Layout::Folders { &["py"] } else { &[] };
+    let endings = ["csv", "svg", "png", "pdf"].iter().chain(of_layout);
+    let names = endings.map(|ending| Path::new(table).with_extension(ending));
+    names.map(|name| layout.place(&name.to_string_lossy())).collect()
 }
 
 /// Writes every file of a scene into a folder, all of them or none; yields their names.
@@ -325,9 +328,9 @@ pub fn write_products(
 /// The files of a figure of a scene that are made from its SVG document.
 fn pictures_of(scene: &Scene, name: &str) -> Vec<String> {
     let figure = scene.figures.iter().find(|figure| figure.name == name);
-    let is_drawn = |file: &String| !file.ends_with(".py");
-    figure
-        .map_or_else(|| vec![format!("{name}.svg")], |figure| figure.file_names().filter(is_drawn).collect())
+    let formats = figure.map_or(&[PictureFormat::Svg][..], |figure| &figure.formats);
+    let drawn = formats.iter().filter(|format| **format != PictureFormat::Script);
+    drawn.map(|format| format!("{name}.{}", format.extension())).collect()
 }
 
 /// Tables in a folder of results that a run does not replace, with the title of the scene that each is of. Figures go
@@ -432,6 +435,7 @@ mod tests {
         let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
         write("old.csv", "# truearea 0.1.0: scene \"a, \"b\"\", curve old\nx\n1\n");
         write("old.svg", "<svg/>");
+        write("old.py", "mine");
         write("kept.csv", "# truearea 0.1.0: scene \"other\", table kept\n");
         write("mine.csv", "x\n1\n");
         let written = ["kept.csv".to_owned()];
@@ -440,14 +444,15 @@ mod tests {
         assert!(matches!(refuse_other_scenes(folder.path(), &[], "a, \"b\""), Err(Failure::Input(_))));
         let removed = clear_earlier_runs(folder.path(), Layout::Flat, &written, Some("a, \"b\"")).unwrap();
         assert_eq!(removed, ["old.csv", "old.svg"]);
-        assert!(["kept.csv", "mine.csv"].iter().all(|name| folder.path().join(name).is_file()));
+        assert!(["kept.csv", "mine.csv", "old.py"].iter().all(|name| folder.path().join(name).is_file()));
         for inner in ["data", "figures"] {
             std::fs::create_dir(folder.path().join(inner)).unwrap();
         }
         write("data/old.csv", "# truearea 0.1.0: scene \"a\", curve old\n");
         write("figures/old.svg", "<svg/>");
+        write("figures/old.py", "nan");
         let removed = clear_earlier_runs(folder.path(), Layout::Folders, &written, None).unwrap();
-        assert_eq!(removed, ["data/old.csv", "figures/old.svg"]);
+        assert_eq!(removed, ["data/old.csv", "figures/old.svg", "figures/old.py"]);
         assert!(folder.path().join("kept.csv").is_file());
     }
 

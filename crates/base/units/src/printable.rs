@@ -2,9 +2,6 @@
 
 use std::borrow::Cow;
 
-/// Stands for a character that is not printed.
-pub const REPLACEMENT: char = '\u{fffd}';
-
 /// Most letters of a list of names in one message.
 const MOST_LETTERS_OF_LIST: usize = 400;
 
@@ -26,7 +23,7 @@ pub fn printable_line(text: &str) -> Cow<'_, str> {
 
 fn replaced(text: &str, is_refused: impl Fn(char) -> bool) -> Cow<'_, str> {
     match text.contains(&is_refused) {
-        true => Cow::Owned(text.replace(&is_refused, "\u{fffd}")),
+        true => Cow::Owned(text.replace(&is_refused, char::REPLACEMENT_CHARACTER.encode_utf8(&mut [0; 4]))),
         false => Cow::Borrowed(text),
     }
 }
@@ -90,7 +87,7 @@ mod tests {
     fn characters_that_terminals_obey_or_that_reorder_text_are_replaced() {
         let hostile = "a\u{1b}]0;b\u{7}\u{7f}\u{9b}\u{202e}\u{2066}\u{2069}\u{ffff}\rz";
         let harmless = printable(hostile);
-        assert_eq!(harmless.chars().filter(|c| *c == REPLACEMENT).count(), 9);
+        assert_eq!(harmless.chars().filter(|c| *c == char::REPLACEMENT_CHARACTER).count(), 9);
         assert!(harmless.starts_with('a') && harmless.ends_with('z'));
         let kept = "µm\t\"<script>\"\nÅ \u{200b}";
         assert!(matches!(printable(kept), Cow::Borrowed(_)));

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-/// The ratio to the elements' area, either way, within which a model agrees, less one standard error of the elements. The area of a light contact goes as the inverse
-/// of the rms gradient, so that a spectrum uncertain by a factor 1.8 makes it uncertain by as much.
+/// The ratio to the elements' area, either way, within which a model agrees, less one standard error of the elements. The
+/// area of a light contact goes as the inverse of the rms gradient, so that a spectrum uncertain by a factor 1.8 makes it uncertain by as much.
 pub const AGREEMENT: f64 = 4.0 / 3.0;
 
 /// The number of standard errors between an area and the end of its bracket.
