@@ -23,7 +23,7 @@ fn main() {
         time(&format!("line by line {size}"), || map_line_spectrum(&map, hann()).parseval_share() - 1.0);
         time(&format!("areal        {size}"), || areal_spectrum(&map, hann()).parseval_share() - 1.0);
     }
-    for points in [100, 1000, 4000] {
+    for points in [100, 1000, 4000, 40_000] {
         let line = uneven(points);
         // The corners of the straight lines carry the rest: it falls with the cube of the number of bins.
         let rest = nonuniform_line_spectrum_to(&line, hann(), 8 * points).parseval_share() - 1.0;

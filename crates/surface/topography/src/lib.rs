@@ -42,6 +42,7 @@ mod remark;
 mod rows;
 mod scan_bins;
 mod scan_spectrum;
+mod scattered_sums;
 mod segment;
 mod sums;
 mod tip;

@@ -8,12 +8,18 @@ use crate::detrend::Detrend;
 use crate::line::LineSpectrum;
 use crate::preparation::Preparation;
 use crate::preparation::Window;
+use crate::scattered_sums::ScatteredSums;
 use crate::segment::{mean_over_unit, sinc_and_derivative};
 use crate::sums::sum_of;
+use numerics::GaussLegendre;
 use scans::NonuniformLineScan;
 
 /// Number of wavevectors for which a phase is multiplied on before it is recomputed; its error stays below 2e-15.
 const PHASE_STEPS: usize = 16;
+/// Segments times wavevectors up to which each pair is computed; some 30 ms of work.
+const DIRECT_PAIRS: usize = 1 << 22;
+/// Nodes of the rule that integrates a piece of a segment, over which q x changes by half pi at most; to rounding.
+const PIECE_NODES: usize = 7;
 
 /// Computes the spectrum C1D of heights at uneven positions, at q = 2 pi n/L up to pi over the mean spacing.
 ///
@@ -23,8 +29,10 @@ const PHASE_STEPS: usize = 16;
 /// [`uniform_line_spectrum`](crate::uniform_line_spectrum), an effect of the straight lines, plus a small difference in
 /// the window.
 ///
-/// Detrending minimises the integral of the square along the profile, not the sum over its points. The work grows as
-/// points times wavevectors.
+/// Detrending minimises the integral of the square along the profile, not the sum over its points. Up to some 2,900
+/// points the work grows as points times wavevectors, and each bin has its own fourteen digits. A longer scan takes a fast
+/// transform, good to 1e-14 of the mean height in each amplitude: a bin that lies eight decades below the largest in C1D
+/// keeps nine digits.
 pub fn nonuniform_line_spectrum(scan: &NonuniformLineScan, preparation: Preparation) -> LineSpectrum {
     nonuniform_line_spectrum_to(scan, preparation, (scan.heights_m().len() - 1) / 2)
 }
@@ -134,6 +142,32 @@ impl Profile {
 
     /// Computes Int h e^(-iqx) dx at q = 2 pi n/L for n from 0 to `count` - 1.
     fn transforms(&self, count: usize) -> Vec<Complex<f64>> {
+        if self.positions_m.len().saturating_mul(count) <= DIRECT_PAIRS {
+            self.transforms_of_pairs(count)
+        } else {
+            self.fast_transforms(count)
+        }
+    }
+
+    /// Integrates by a rule of points, and sums over these points by a fast transform.
+    fn fast_transforms(&self, count: usize) -> Vec<Complex<f64>> {
+        let rule = GaussLegendre::new(PIECE_NODES);
+        let mut sums = ScatteredSums::new(count);
+        for segment in self.segments() {
+            let pieces = (4.0 * count as f64 * (segment.length_m / self.length_m)).ceil().max(1.0);
+            for piece in 0..pieces as usize {
+                let (from, to) = (piece as f64 / pieces, (piece + 1) as f64 / pieces);
+                for (fraction, weight) in rule.over(from, to) {
+                    let turns = (segment.start_m + fraction * segment.length_m) / self.length_m;
+                    sums.add(turns, weight * segment.length_m * segment.height_m(fraction));
+                }
+            }
+        }
+        sums.finish()
+    }
+
+    /// Sums the exact transforms of all segments.
+    fn transforms_of_pairs(&self, count: usize) -> Vec<Complex<f64>> {
         let mut sums = vec![Complex::default(); count];
         for segment in self.segments() {
             let turns = (segment.start_m + 0.5 * segment.length_m) / self.length_m;
@@ -157,16 +191,15 @@ impl Profile {
     /// Computes the variance of the windowed profile about its mean, integrated exactly.
     fn variance_m2(&self, window: Window, mean_m: f64) -> f64 {
         let squares = self.integral(|segment| {
-            let height_m = |fraction: f64| segment.heights_m[0] + fraction * segment.rise_m();
             let mean_square_m2 = match window {
-                Window::None => mean_over_unit(1, |fraction| (height_m(fraction) - mean_m).powi(2)),
+                Window::None => mean_over_unit(1, |fraction| (segment.height_m(fraction) - mean_m).powi(2)),
                 Window::Hann => {
                     let angle = TAU * (segment.length_m / self.length_m);
                     mean_over_unit((2.0 * angle).ceil().max(1.0) as usize, |fraction| {
                         let x_m = segment.start_m + fraction * segment.length_m;
                         // 1 - cos(2 pi x/L) without cancellation at the ends
                         let factor = hann_amplitude() * 2.0 * (PI * (x_m / self.length_m)).sin().powi(2);
-                        (factor * height_m(fraction) - mean_m).powi(2)
+                        (factor * segment.height_m(fraction) - mean_m).powi(2)
                     })
                 }
             };
@@ -184,6 +217,11 @@ impl Segment {
     fn rise_m(&self) -> f64 {
         self.heights_m[1] - self.heights_m[0]
     }
+
+    /// Returns the height at a fraction of the length.
+    fn height_m(&self, fraction: f64) -> f64 {
+        self.heights_m[0] + fraction * self.rise_m()
+    }
 }
 
 /// Computes e^(-2 pi i n t); whole turns are removed from the exact product, so that a large n costs no digits.
@@ -192,4 +230,38 @@ fn phase(n: f64, turns: f64) -> Complex<f64> {
     let part = (product - product.round()) + n.mul_add(turns, -product);
     let (sin, cos) = (TAU * part).sin_cos();
     Complex::new(cos, -sin)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_fast_transform_is_that_of_the_pairs() {
+        for (points, gap_m) in [(2, 0.0), (40, 0.0), (40, 1e3), (900, 0.0), (900, 50.0)] {
+            let (mut position_m, mut height_m) = (0.0, 0.0);
+            let (positions_m, heights_m) = (0..points)
+                .map(|i| {
+                    let angle = f64::from(i * i);
+                    position_m += 1.01 + angle.sin() + if i == points / 2 { gap_m } else { 0.0 };
+                    height_m += (1.3 * angle).cos();
+                    (position_m, height_m)
+                })
+                .unzip();
+            let profile =
+                Profile::new(&NonuniformLineScan::new(positions_m, heights_m).unwrap(), Detrend::Line);
+            let larger_m = |segment: &Segment| segment.heights_m[0].abs().max(segment.heights_m[1].abs());
+            let size = profile.integral(|segment| segment.length_m * larger_m(segment));
+            for count in [3, 20, 450] {
+                let pairs = profile.transforms_of_pairs(count);
+                for (found, expected) in profile.fast_transforms(count).into_iter().zip(pairs) {
+                    let error = (found - expected).norm();
+                    assert!(
+                        error <= 3e-14 * size.max(1e-3 * profile.length_m),
+                        "{points}, {count}: {error} {size}"
+                    );
+                }
+            }
+        }
+    }
 }
