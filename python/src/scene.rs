@@ -22,6 +22,7 @@ use scene::file_names::{JUDGE_TABLES, REPORT_TABLES, UNCERTAINTY_TABLES};
 use scene::{Overrides, Scene, SceneError, SceneProblem, Template, with_keys};
 use staging::StagedFiles;
 use study::Files;
+use study::measurements::reading::bytes_of;
 use tables::{Format, Table};
 use toml::Value;
 
@@ -69,14 +70,14 @@ impl Remembering {
 
 impl Files for Remembering {
     fn read(&self, name: &str) -> io::Result<Vec<u8>> {
-        let bytes = self.kept(name, |path| std::fs::read(path).map(Some))?;
+        let bytes = self.kept(name, |path| bytes_of(path).map(Some))?;
         bytes.ok_or_else(|| io::Error::from(io::ErrorKind::NotFound))
     }
 
     fn read_beside(&self, name: &str, sibling: &str) -> io::Result<Option<Vec<u8>>> {
         let folder = name.rfind('/').map_or("", |end| &name[..=end]);
         self.kept(&format!("{folder}{sibling}"), |path| match path.is_file() {
-            true => std::fs::read(path).map(Some),
+            true => bytes_of(path).map(Some),
             false => Ok(None),
         })
     }

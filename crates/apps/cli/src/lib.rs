@@ -13,7 +13,6 @@ mod missing_file;
 pub mod output;
 mod picture;
 mod progress;
-mod reading;
 mod stderr;
 mod suggestion;
 mod targets;

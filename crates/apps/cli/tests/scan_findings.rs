@@ -120,7 +120,7 @@ fn the_same_scan_twice_has_no_standard_error() {
     let bench = Bench::new();
     bench.write("a.txt", line(256, 5.0));
     let run = bench.run(&["psd", "a.txt", "a.txt", "--unit", "nm"]);
-    let table = run.ok_remarking(&["warning: ", "a.txt and a.txt (2)"]);
+    let table = run.ok_remarking(&["warning: ", "a.txt and a.txt (2) hold"]);
     assert!(!numbers(&table, "wavelength_m").is_empty());
     let mut rows = table.lines().filter(|line| !line.starts_with('#')).skip(1);
     assert!(rows.all(|row| row.split(',').nth(3) == Some("")), "{table}");

@@ -51,6 +51,6 @@ pub fn areal_spectrum(
         "map: {} ({}), SHA-256 {sha256}, detrend {}, window {}",
         request.path, file.format, found.preparation.detrend, found.preparation.window
     );
-    let of_map = |remark| Remark::Scan { name: file.name.clone(), remark };
+    let of_map = |remark| Remark::Scan { names: vec![file.name.clone()], remark };
     Ok(AreaSpectrum { table, provenance, remarks: found.remarks.into_iter().map(of_map).collect() })
 }

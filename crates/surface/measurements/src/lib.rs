@@ -13,6 +13,7 @@ mod list;
 mod load;
 mod map;
 mod only_map;
+pub mod reading;
 mod request;
 mod sketch;
 

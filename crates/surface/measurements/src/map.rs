@@ -57,7 +57,8 @@ impl MapOfFile {
             "direction both makes two spectra of a map but one surface, which is pressed as scanned"
                 .to_owned()
         });
-        let of_map = |note| Remark::Scan { name: file.name.clone(), remark: ScanRemark::Reading(note) };
+        let of_map =
+            |note| Remark::Scan { names: vec![file.name.clone()], remark: ScanRemark::Reading(note) };
         let remarks = file.notes.iter().cloned().chain(pressed_once).map(of_map).collect();
         Ok(MapOfFile { map, is_periodic: file.is_periodic, provenance, remarks })
     }

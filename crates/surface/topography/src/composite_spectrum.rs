@@ -1,13 +1,14 @@
 //! The composite spectrum of several scans, and comparisons between them.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
+use std::iter;
 
 use scans::Axis;
 use spectrum::{Convention, Hole, Psd};
 
 use crate::composite::average_scan_bins;
 use crate::recipe::{Average, Recipe};
-use crate::remark::{Remark, differ};
+use crate::remark::{Remark, ScanRemark, differ};
 use crate::scan_bins::ScanBin;
 use crate::scan_spectrum::ScanSpectrum;
 use crate::{Composite, Direction, DirectionRatio, Overlap, TransformError, overlaps};
@@ -165,11 +166,8 @@ impl CompositeSpectrum {
     pub fn remarks(&self) -> Vec<Remark> {
         let names = self.series_names();
         let both = |scans: [usize; 2]| scans.map(|scan| names[scan].clone());
-        let of_scans = self.scans.iter().zip(&names).flat_map(|(scan, name)| {
-            scan.remarks().into_iter().map(|remark| Remark::Scan { name: name.clone(), remark })
-        });
-        let same =
-            self.repeated.iter().map(|&(scan, repeats)| Remark::SameData { names: both([scan, repeats]) });
+        let of_scans = self.scan_remarks(&names).into_iter();
+        let same = self.same_data(&names);
         let directions = self.both_directions().filter_map(|(x, y)| {
             let [of_x, of_y] = [x, y].map(|scan| &self.scans[scan].reliable);
             let ratios = DirectionRatio::per_decade(of_x, of_y, self.recipe.bins_per_decade);
@@ -181,12 +179,34 @@ impl CompositeSpectrum {
         of_scans.chain(same).chain(directions).chain(overlaps).chain(self.bias()).chain(holes).collect()
     }
 
+    /// Remarks on single scans; scans of which the same holds share a remark.
+    fn scan_remarks(&self, names: &[String]) -> Vec<Remark> {
+        let mut gathered: Vec<(ScanRemark, Vec<String>)> = Vec::new();
+        for (scan, name) in self.scans.iter().zip(names) {
+            for remark in scan.remarks() {
+                match gathered.iter_mut().find(|(other, _)| *other == remark) {
+                    Some((_, names)) => names.push(name.clone()),
+                    None => gathered.push((remark, vec![name.clone()])),
+                }
+            }
+        }
+        gathered.into_iter().map(|(remark, names)| Remark::Scan { names, remark }).collect()
+    }
+
+    /// Remarks on scans that hold the same data, one for each group of them.
+    fn same_data(&self, names: &[String]) -> Vec<Remark> {
+        let repeats_of = |first: usize| {
+            let repeats = self.repeated.iter().filter(move |(of, _)| *of == first).map(|(_, scan)| *scan);
+            iter::once(first).chain(repeats).map(|scan| names[scan].clone()).collect()
+        };
+        let firsts: BTreeSet<usize> = self.repeated.iter().map(|(first, _)| *first).collect();
+        firsts.into_iter().map(|first| Remark::SameData { names: repeats_of(first) }).collect()
+    }
+
     /// Remarks on each pair of scans that overlap or, of many pairs, on those that differ most and on all others together.
     fn overlap_remarks(&self, names: &[String]) -> Vec<Remark> {
-        let repeated: HashSet<(usize, usize)> = self.repeated.iter().copied().collect();
-        let is_listed = |overlap: &&Overlap| {
-            !repeated.contains(&(overlap.first, overlap.second)) && !self.is_one_map(overlap)
-        };
+        let places = self.places();
+        let is_listed = |overlap: &&Overlap| places[overlap.first] != places[overlap.second];
         let mut listed: Vec<&Overlap> = self.overlaps.iter().filter(is_listed).collect();
         let mut others = None;
         if listed.len() > MOST_PAIRS {

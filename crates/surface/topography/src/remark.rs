@@ -144,17 +144,17 @@ pub enum FundamentalMode {
 /// A remark on the composite of scans. Deliberately not `#[non_exhaustive]`, like [`ScanRemark`].
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub enum Remark {
-    /// A remark on one of its scans.
+    /// A remark on one of its scans, or on several of which the same holds.
     Scan {
-        /// Name of the scan.
-        name: String,
+        /// Names of the scans, at least one.
+        names: Vec<String>,
         /// The remark.
         remark: ScanRemark,
     },
-    /// Two scans hold the same data, which count once in standard errors.
+    /// Scans hold the same data, which count once in standard errors.
     SameData {
-        /// Their names.
-        names: [String; 2],
+        /// Their names, at least two.
+        names: Vec<String>,
     },
     /// Comparison of two scans where they overlap.
     Overlap {

@@ -16,6 +16,8 @@ use units::display::{length, three_digits};
 const MIN_RELATIVE_ERROR: f64 = 1e-15;
 /// The most holes that are named; the others are counted.
 const MAX_HOLES_NAMED: usize = 3;
+/// The most scans that are named in one sentence; the others are counted.
+const MAX_SCANS_NAMED: usize = 3;
 
 /// A note in a sentence, without a full stop.
 #[must_use]
@@ -78,10 +80,11 @@ pub(crate) fn foremost(surface: &Surface) -> Vec<String> {
 #[must_use]
 pub fn remark(remark: &Remark) -> String {
     match remark {
-        Remark::Scan { name, remark } => format!("{name}: {}", scan_remark(remark)),
-        Remark::SameData { names: [first, second] } => {
-            format!("{first} and {second} hold the same data; leave one of them out")
-        }
+        Remark::Scan { names, remark } => format!("{}: {}", some(names), scan_remark(remark)),
+        Remark::SameData { names } => match names.as_slice() {
+            [first, second] => format!("{first} and {second} hold the same data; leave one of them out"),
+            _ => format!("{} hold the same data; keep one of them", some(names)),
+        },
         Remark::Overlap { names: [first, second], ratio, bins, longest_m, shortest_m } => {
             if let Some(units) = mixed_units(*ratio) {
                 let factor = three_digits(ratio.max(1.0 / ratio).sqrt());
@@ -119,6 +122,18 @@ pub fn remark(remark: &Remark) -> String {
             length(*wavelength_m)
         ),
         Remark::Holes(found) => holes(found),
+    }
+}
+
+/// Names of scans, at most [`MAX_SCANS_NAMED`] of them: `a, b and c`, or `a, b, c and 2 more`.
+fn some(names: &[String]) -> String {
+    match names {
+        [one] => one.clone(),
+        [first @ .., last] if names.len() <= MAX_SCANS_NAMED => format!("{} and {last}", first.join(", ")),
+        _ => {
+            let (named, others) = names.split_at(MAX_SCANS_NAMED);
+            format!("{} and {} more", named.join(", "), others.len())
+        }
     }
 }
 
@@ -186,10 +201,10 @@ fn scan_remark(remark: &ScanRemark) -> String {
         ScanRemark::TipUnknown { shortest_m } => tip_unknown(*shortest_m),
         ScanRemark::TipIndicated(found) => tip_indicated(found),
         ScanRemark::TipWords { words: TipWords { radius_m, text }, is_used: true } => {
-            format!("tip radius {} from its metadata ('{text}')", length(*radius_m))
+            format!("tip radius {} from the metadata ('{text}')", length(*radius_m))
         }
         ScanRemark::TipWords { words: TipWords { radius_m, text }, is_used: false } => format!(
-            "its metadata mention a tip radius of {} ('{text}'); tip radius auto uses it",
+            "the metadata mention a tip radius of {} ('{text}'); tip radius auto uses it",
             length(*radius_m)
         ),
         ScanRemark::NoiseFloor(floor) => format!(
@@ -263,7 +278,7 @@ fn tip_unknown(shortest_m: f64) -> String {
 fn tip_indicated(found: &TipIndication) -> String {
     let sharpest = found.sharpest_peak_radius_m.map_or(String::new(), |radius_m| {
         format!(
-            "its sharpest peaks have a radius of {}, which the tip does not exceed unless they are noise; ",
+            "the sharpest peaks have a radius of {}, which the tip does not exceed unless they are noise; ",
             length(radius_m)
         )
     });
@@ -393,7 +408,7 @@ mod tests {
         let words = TipWords { radius_m: 26e-9, text: "Final tip radii - 26 nm".to_owned() };
         assert_eq!(
             scan_remark(&ScanRemark::TipWords { words, is_used: false }),
-            "its metadata mention a tip radius of 26 nm ('Final tip radii - 26 nm'); tip radius auto uses it"
+            "the metadata mention a tip radius of 26 nm ('Final tip radii - 26 nm'); tip radius auto uses it"
         );
         let trusted = |radius_m, shortest_m| TrustedDownTo { radius_m, shortest_m };
         let indicated = TipIndication {
@@ -402,7 +417,7 @@ mod tests {
         };
         assert_eq!(
             scan_remark(&ScanRemark::TipIndicated(indicated)),
-            "its sharpest peaks have a radius of 12 nm, which the tip does not exceed unless they are noise; to be trusted: all \
+            "the sharpest peaks have a radius of 12 nm, which the tip does not exceed unless they are noise; to be trusted: all \
              of it with a tip of 5 nm, down to about 4 nm with a tip of 20 nm"
         );
     }

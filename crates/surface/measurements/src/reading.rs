@@ -13,7 +13,7 @@ const MOST_BYTES_OF_STREAM: u64 = ScanOptions::MAX_UNPACKED_BYTES;
 ///
 /// # Errors
 /// Errors of the file system; [`io::ErrorKind::FileTooLarge`] for a stream beyond the bound.
-pub(crate) fn bytes_of(path: &Path) -> io::Result<Vec<u8>> {
+pub fn bytes_of(path: &Path) -> io::Result<Vec<u8>> {
     let mut file = File::open(path)?;
     match length_of(&file)? {
         Some(length) => {
@@ -32,7 +32,7 @@ pub(crate) fn bytes_of(path: &Path) -> io::Result<Vec<u8>> {
 ///
 /// # Errors
 /// Errors of the stream; [`io::ErrorKind::FileTooLarge`] beyond the bound.
-pub(crate) fn bytes_of_stream(stream: &mut dyn Read) -> io::Result<Vec<u8>> {
+pub fn bytes_of_stream(stream: &mut dyn Read) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     copy_stream(stream, &mut bytes)?;
     Ok(bytes)
@@ -42,7 +42,7 @@ pub(crate) fn bytes_of_stream(stream: &mut dyn Read) -> io::Result<Vec<u8>> {
 ///
 /// # Errors
 /// Errors of either end; [`io::ErrorKind::FileTooLarge`] beyond the bound.
-pub(crate) fn copy_stream(stream: &mut dyn Read, to: &mut dyn Write) -> io::Result<()> {
+pub fn copy_stream(stream: &mut dyn Read, to: &mut dyn Write) -> io::Result<()> {
     copy_up_to(stream, to, MOST_BYTES_OF_STREAM)
 }
 
@@ -57,13 +57,14 @@ fn copy_up_to(stream: &mut dyn Read, mut to: &mut dyn Write, most: u64) -> io::R
 }
 
 /// The length of a regular file at opening; `None` for streams, and for files that state no length, as those of /proc.
-pub(crate) fn length_of(file: &File) -> io::Result<Option<u64>> {
+pub fn length_of(file: &File) -> io::Result<Option<u64>> {
     let metadata = file.metadata()?;
     Ok(Some(metadata.len()).filter(|length| metadata.is_file() && *length > 0))
 }
 
 /// A file up to the length that it had at opening.
-pub(crate) struct FileAsOpened {
+#[derive(Debug)]
+pub struct FileAsOpened {
     file: File,
     length: u64,
     at: u64,
