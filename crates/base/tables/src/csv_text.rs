@@ -107,9 +107,27 @@ pub(super) fn write_comments(comments: &[String], out: &mut dyn Write) -> io::Re
 
 /// Writes rows; `names` writes the column names first.
 pub(super) fn write(table: &Table, names: bool, out: &mut dyn Write) -> io::Result<()> {
+    if names {
+        // A text that begins with a bracket is JSON; with a quotation mark before it, it is not.
+        let first = table.columns().next();
+        let is_json_like = first.is_some_and(|(name, _)| name.trim_start().starts_with('['));
+        let style = if is_json_like { csv::QuoteStyle::Always } else { csv::QuoteStyle::Necessary };
+        write_records(&mut *out, style, |writer| {
+            let names = table.columns().map(|(name, _)| without_formula(name));
+            writer.write_record(names.map(|name| name.into_owned()))
+        })?;
+    }
+    write_records(out, csv::QuoteStyle::Necessary, |writer| write_rows(table, writer))
+}
+
+fn write_records(
+    out: &mut dyn Write,
+    style: csv::QuoteStyle,
+    write: impl FnOnce(&mut csv::Writer<&mut dyn Write>) -> csv::Result<()>,
+) -> io::Result<()> {
     // The writer must know the comment character: it quotes a first cell that begins with it.
-    let mut writer = csv::WriterBuilder::new().comment(Some(b'#')).from_writer(out);
-    write_rows(table, names, &mut writer).map_err(|error| match error.into_kind() {
+    let mut writer = csv::WriterBuilder::new().comment(Some(b'#')).quote_style(style).from_writer(out);
+    write(&mut writer).map_err(|error| match error.into_kind() {
         csv::ErrorKind::Io(error) => error,
         other => io::Error::other(format!("{other:?}")),
     })?;
@@ -124,12 +142,7 @@ fn without_formula(text: &str) -> Cow<'_, str> {
     }
 }
 
-fn write_rows(table: &Table, names: bool, writer: &mut csv::Writer<&mut dyn Write>) -> csv::Result<()> {
-    if names {
-        writer.write_record(
-            table.columns().map(|(name, _)| without_formula(name)).map(|name| name.into_owned()),
-        )?;
-    }
+fn write_rows(table: &Table, writer: &mut csv::Writer<&mut dyn Write>) -> csv::Result<()> {
     let mut number = String::new();
     for row in 0..table.rows() {
         for (_, cells) in table.columns() {

@@ -287,6 +287,17 @@ mod tests {
     }
 
     #[test]
+    fn a_written_table_is_read_again_whatever_its_first_column_is_called() {
+        for name in ["[m]", " [", "# a", "\"", "=1", "a"] {
+            let mut written = Vec::new();
+            let table = Table::default().with_text(name, ["1".to_owned()]);
+            table.write(crate::Format::Csv, &[], &mut written).unwrap();
+            let again = opened(&written).and_then(TableSource::whole).unwrap().table;
+            assert_eq!((again.rows(), again.columns().count()), (1, 1), "{name}");
+        }
+    }
+
+    #[test]
     fn invalid_text_is_located_across_the_ends_of_buffers() {
         // Two bytes to a character, and an odd one first: characters lie across the ends of any buffer.
         let long = format!("a\n{}\n", "é".repeat(40_000));
