@@ -22,7 +22,7 @@ use scene::file_names::{JUDGE_TABLES, REPORT_TABLES, UNCERTAINTY_TABLES};
 use scene::{Overrides, Scene, SceneError, SceneProblem, Template, with_keys};
 use staging::StagedFiles;
 use study::Files;
-use study::measurements::reading::bytes_of;
+use staging::reading::bytes_of;
 use tables::{Format, Table};
 use toml::Value;
 

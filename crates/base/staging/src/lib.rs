@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod new_folder;
+pub mod reading;
 mod temporaries;
 mod unfinished;
 

@@ -13,7 +13,6 @@ mod list;
 mod load;
 mod map;
 mod only_map;
-pub mod reading;
 mod request;
 mod sketch;
 

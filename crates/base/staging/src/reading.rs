@@ -4,10 +4,8 @@ use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 
-use scans::ScanOptions;
-
 /// Most bytes that are read from a stream: pipes and devices need not end.
-const MOST_BYTES_OF_STREAM: u64 = ScanOptions::MAX_UNPACKED_BYTES;
+const MOST_BYTES_OF_STREAM: u64 = 1 << 30;
 
 /// Reads a file up to its length at opening, or a stream up to the bound.
 ///
