@@ -21,7 +21,7 @@ pub(crate) use groups::{
 pub(crate) use misplaced::{behind_the_command, foreign_option};
 pub(crate) use persson::{GrowthArg, PerssonArgs};
 pub(crate) use report::ReportArgs;
-pub(crate) use scans::{ScanArgs, ScansArgs};
+pub(crate) use scans::{RoughnessArgs, ScanArgs, ScansArgs};
 
 use std::path::PathBuf;
 
@@ -225,6 +225,20 @@ Examples:
   truearea scan map.gwy --all-channels
   truearea scan map.opd --figure heights.png")]
     Scan(ScanArgs),
+    /// Roughness parameters of profiles (ISO 21920-2) and maps (ISO 25178-2)
+    #[command(after_help = "\
+Ra to Rz, Rdq, Rmr and the Rk family of profiles; Sa to Sz, Sdq, Sdr, Sal, Str,
+Smr, the Sk family and volumes of maps. The least-squares line or plane is
+subtracted first, then --filter; points without a height are left out.
+
+Columns: file, channel, parameter, value, unit (um, 1, %, um3/um2), convention
+(how points are joined, where the standards leave it open). A value that the
+scan does not determine is empty. A terminal shows them with three digits.
+
+Examples:
+  truearea roughness trace.txt:unit=um --filter 0.8mm
+  truearea roughness map.sur --form second-order --convention all")]
+    Roughness(RoughnessArgs),
     /// The power spectrum of scans, each in the band that shows the surface, and their composite
     #[command(after_help = "\
 Reads the files of some thirty kinds of instruments, text, and containers of

@@ -1,9 +1,9 @@
 //! Channels of the files of instruments, one row each.
 
+use roughness::{HeightParameters, Parameter};
 use scans::{Axis, Measure, Probe, ScanFile, Statistics, visit_channels};
 use tables::Table;
-use topography::{HeightParameters, ParameterValue, RoughnessParameter};
-use units::display::{counted, length, three_digits};
+use units::display::{counted, length};
 use units::printable::printable_line;
 
 use crate::error::{ScanProblem, TopographyError};
@@ -36,7 +36,7 @@ struct Row {
     rms_slope_x: Option<f64>,
     rms_slope_y: Option<f64>,
     note: String,
-    roughness: Vec<RoughnessParameter>,
+    roughness: Vec<Parameter>,
 }
 
 impl Channels {
@@ -98,14 +98,7 @@ impl Row {
                 None => format!("profile, {}, {x} points, {missing}", length(size_x_m)),
             });
         }
-        let worded = |parameter: &RoughnessParameter| {
-            let value = match parameter.value {
-                ParameterValue::LengthM(value_m) => length(value_m),
-                ParameterValue::Number(value) => three_digits(value),
-            };
-            format!("{} {value}", parameter.symbol)
-        };
-        lines.push(self.roughness.iter().map(worded).collect::<Vec<_>>().join(", "));
+        lines.push(self.roughness.iter().map(ToString::to_string).collect::<Vec<_>>().join(", "));
         lines.push(self.note.clone());
         lines.retain(|line| !line.is_empty());
         // Names and notes come from files; a terminal would obey their control characters.
@@ -199,7 +192,7 @@ impl Row {
 }
 
 /// Names the channel, after its measurement if that differs from the file.
-fn channel(request: &ScanRequest, file: &ScanFile) -> String {
+pub(crate) fn channel(request: &ScanRequest, file: &ScanFile) -> String {
     let measurement = (file.name != file_name(&request.path)).then(|| file.name.clone());
     [measurement, file.channel.clone()].into_iter().flatten().collect::<Vec<_>>().join(": ")
 }

@@ -2,6 +2,7 @@
 
 use std::{fmt, io};
 
+use roughness::ReliefError;
 use scans::{Mend, ScanReadError};
 use topography::{Direction, TransformError};
 use units::number;
@@ -31,7 +32,7 @@ pub enum ScanProblem {
         line: usize,
     },
     /// The file holds a spectrum, which needs no transform.
-    #[error("this file holds a power spectrum, not heights; give it as a PSD")]
+    #[error("this file holds a power spectrum, not heights; give a scan, or a command that takes a PSD")]
     HoldsASpectrum,
     /// No file in the folder is a scan.
     #[error("no file in this folder is a scan; name a scan")]
@@ -53,6 +54,9 @@ pub enum ScanProblem {
         /// The error of the transform.
         error: TransformError,
     },
+    /// The heights cannot be evaluated.
+    #[error(transparent)]
+    Relief(ReliefError),
     /// The text is neither heights nor a spectrum.
     #[error("as a scan: {as_scan}{}", as_spectrum.as_ref().map_or(String::new(), |why| format!("; as a spectrum: {why}")))]
     NeitherKind {

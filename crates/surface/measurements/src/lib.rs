@@ -14,6 +14,7 @@ mod load;
 mod map;
 mod only_map;
 mod request;
+mod roughness_of_files;
 mod sketch;
 
 pub use areal::{AreaSpectrum, areal_spectrum};
@@ -28,4 +29,5 @@ pub use list::{ListError, requests_of_list};
 pub use load::{Loaded, METADATA_FILES, heights_in, holds_a_spectrum, holds_heights};
 pub use map::MapOfFile;
 pub use request::{RequestError, ScanRequest, TipRadius};
+pub use roughness_of_files::{Conventions, RoughnessOfFiles, RoughnessSettings};
 pub use sketch::ScanSketch;

@@ -1,7 +1,8 @@
 //! Scans in short: size, height parameters, and heights few enough for a picture.
 
+use roughness::HeightParameters;
 use scans::{MissingPoints, NonuniformLineScan, Scan, ScanFile, ScanReadError, ScanSize};
-use topography::{HeightParameters, without_form_m};
+use topography::without_form_m;
 
 /// Largest number of points along a side of a thinned map.
 const MAP_POINTS: usize = 160;

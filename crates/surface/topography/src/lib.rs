@@ -5,7 +5,6 @@
 //! * [`LineSpectrum`] and [`ArealSpectrum`]: the spectrum of a scan on the bins of its own length, with its
 //!   [`ReliableBand`];
 //! * [`ScanSpectrum`]: the spectrum of a file of heights by a [`Recipe`], with [`Checks`];
-//! * [`HeightParameters`]: Sa, Sq, Ra, Rz and the like of a scan;
 //! * [`Composite`] and [`CompositeSpectrum`]: one spectrum from many measurements, with every [`Remark`] on it.
 //!
 //! The crate opens no paths, prints nothing, and runs on one thread unless the feature `parallel` is on. No digit
@@ -26,7 +25,6 @@ mod direction;
 mod error;
 mod gap_treatment;
 mod harmonic;
-mod height_parameters;
 mod holes;
 mod line;
 mod lines;
@@ -60,7 +58,6 @@ pub use detrend::{Detrend, detrended_m, without_form_m};
 pub use direction::Direction;
 pub use error::TransformError;
 pub use gap_treatment::{GapTreatment, MOST_FILLED, without_gaps};
-pub use height_parameters::{Extent, HeightParameters, ParameterValue, RoughnessParameter};
 pub use line::{DerivativeOf, LineSpectrum, RmsDerivatives};
 pub use lines::{LineSums, MapLines, map_line_spectrum, uniform_line_spectrum};
 pub use map_spectrum::{MapSpectrum, map_of};

@@ -1,12 +1,13 @@
-//! Arguments of `scan` and `psd`.
+//! Arguments of `scan`, `psd` and `roughness`.
 
 use std::num::NonZeroU32;
 
 use clap::Args as ClapArgs;
-use measurements::{ScanRequest, TipRadius};
+use measurements::{Conventions, ScanRequest, TipRadius};
+use roughness::FormRemoval;
 use scans::LengthUnit;
 use topography::{Average, DEFAULT_BINS_PER_DECADE, Detrend, Direction, GapTreatment, Window};
-use units::Length;
+use units::{Length, SignedLength};
 
 use super::parsers::{one_of, parse_count, parse_place};
 use crate::output::Place;
@@ -26,6 +27,32 @@ pub(crate) struct ScanArgs {
     /// Draw the heights: maps in colours with their gaps grey, the middle line, the histogram; of several channels, FILE-2, FILE-3 and so on
     #[arg(long, value_name = "FILE.svg|FILE.png")]
     pub figure: Option<Picture>,
+}
+
+/// Files of instruments, and the evaluation of their heights.
+#[derive(Debug, ClapArgs)]
+pub(crate) struct RoughnessArgs {
+    /// The files, each perhaps with options of its own: FILE:unit=nm,channel=Height,size=1um
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<ScanRequest>,
+    #[command(flatten)]
+    pub untold: UntoldArgs,
+    /// Form that is subtracted first
+    #[arg(long, value_parser = one_of::<FormRemoval, _>(FormRemoval::ALL), default_value_t)]
+    pub form: FormRemoval,
+    /// Cut-off of the Gaussian filter of ISO 16610 that removes longer waves, such as 0.8mm; half of it is dropped at each
+    /// end of a profile
+    #[arg(long, value_name = "L", allow_hyphen_values = true)]
+    pub filter: Option<Length>,
+    /// Cut-off of the Gaussian filter that removes shorter waves, such as 2.5um
+    #[arg(long, value_name = "L", allow_hyphen_values = true)]
+    pub short_filter: Option<Length>,
+    /// Height from the mean at which the material ratio Smr, Rmr is taken
+    #[arg(long, value_name = "Z", allow_hyphen_values = true)]
+    pub ratio_height: Option<SignedLength>,
+    /// Conventions where several are in use: usual, the first of each, or all
+    #[arg(long, value_parser = one_of::<Conventions, _>(Conventions::ALL), default_value_t)]
+    pub convention: Conventions,
 }
 
 /// Options for everything that a file may leave open.

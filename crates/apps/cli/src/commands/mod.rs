@@ -9,6 +9,7 @@ mod man_pages;
 mod one_asperity;
 mod persson;
 mod psd;
+mod roughness;
 mod row_by_row;
 mod run_scene;
 mod scan;
@@ -67,6 +68,7 @@ pub fn run(args: Args, typed: &[String]) -> Result<(), Failure> {
         Command::Gap(args) => gap::run(&args, &context),
         Command::Law(args) => law::run(&args, &context),
         Command::Scan(args) => scan::run(&args, &context),
+        Command::Roughness(args) => roughness::run(&args, &context),
         Command::Psd(args) => psd::run(&args, &context),
         Command::Fit(args) => spectrum_tables::fit(&args, &context),
         Command::Stacked(args) => stacked::run(&args, &context),

@@ -3,7 +3,7 @@
 use maud::{Markup, PreEscaped, html};
 use measurements::{CompositeOfFiles, ScanSketch};
 use study::surface::Surface;
-use topography::{ParameterValue, ScanSpectrum};
+use topography::ScanSpectrum;
 use units::display::{counted, length, three_digits, typeset};
 
 use super::{SceneReport, Section, gists, per_scene, sentence, table};
@@ -79,10 +79,7 @@ fn in_short(sketch: &ScanSketch) -> String {
         None => length(x_m),
     }];
     let parameters = sketch.parameters.map(|found| found.parameters()).unwrap_or_default();
-    parts.extend(parameters.iter().take(PARAMETERS_SHOWN).map(|parameter| match parameter.value {
-        ParameterValue::LengthM(value_m) => format!("{} {}", parameter.symbol, length(value_m)),
-        ParameterValue::Number(value) => format!("{} {}", parameter.symbol, three_digits(value)),
-    }));
+    parts.extend(parameters.iter().take(PARAMETERS_SHOWN).map(ToString::to_string));
     parts.join(" · ")
 }
 

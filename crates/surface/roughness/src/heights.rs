@@ -1,14 +1,17 @@
-//! Roughness parameters of heights: areal by ISO 25178-2, of profiles by ISO 21920-2.
+//! Heights: areal parameters of ISO 25178-2, those of profiles of ISO 21920-2.
 
 use scans::Measured;
 
-use crate::detrend::Form;
-use crate::scan_spectrum::ROUNDING;
+use crate::parameter::{Parameter, ParameterValue};
+use crate::relief::{Evaluation, Relief};
 
 /// Number of sections of a profile over which Rz averages.
-const SECTIONS: usize = 5;
+pub(crate) const SECTIONS: usize = 5;
 
-/// Height parameters of a map or a profile after its least-squares plane or line has been subtracted.
+/// Rounding of heights, relative to the largest as measured.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// Height parameters of a map or a profile.
 ///
 /// With z from the mean of all N points that have a height, all weighted alike:
 /// Sa = mean |z|, Sq = sqrt(mean z^2), Ssk = mean z^3/Sq^3, Sku = mean z^4/Sq^4, Sp = max z, Sv = -min z, Sz = Sp + Sv
@@ -48,66 +51,49 @@ pub enum Extent {
     Profile,
 }
 
-/// A roughness parameter by its symbol in the standards.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RoughnessParameter {
-    /// Symbol such as `Sa`.
-    pub symbol: &'static str,
-    /// Value, with its dimension.
-    pub value: ParameterValue,
-}
-
-/// Value of a roughness parameter.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum ParameterValue {
-    /// A length in m.
-    LengthM(f64),
-    /// A number without dimension.
-    Number(f64),
-}
-
 impl HeightParameters {
-    /// Computes the parameters of a scan; none where no point has a height.
+    /// Computes the parameters of a scan after its least-squares plane or line has been subtracted; none where no point
+    /// has a height.
     #[must_use]
     pub fn from_scan(scan: &Measured) -> Option<Self> {
-        let form = Form::fit(scan);
-        let heights_m = || form.removed_m(scan);
-        let (mut points, mut sum_m, mut ends_m) = (0, 0.0, Ends::NONE);
-        for height_m in heights_m().flatten() {
+        Relief::new(scan, &Evaluation::default()).ok().map(|relief| Self::from_relief(&relief))
+    }
+
+    /// Computes the parameters of prepared heights.
+    #[must_use]
+    pub fn from_relief(relief: &Relief) -> Self {
+        let (mut points, mut ends_m) = (0, Ends::NONE);
+        for height_m in relief.heights_m().flatten() {
             points += 1;
-            sum_m += height_m;
             ends_m.add(height_m);
         }
-        let (columns, rows) = scan.points();
-        let total_m = ends_m.distance_m()?;
-        let mean_m = sum_m / points as f64;
+        let total_m = ends_m.distance_m().unwrap_or(0.0);
         // In units of the total height, so that heights in nm do not lose their fourth powers to underflow.
         let unit_m = if total_m > 0.0 { total_m } else { 1.0 };
         let mut sums = [0.0; 4];
-        for height_m in heights_m().flatten() {
-            let z = (height_m - mean_m) / unit_m;
+        for height_m in relief.heights_m().flatten() {
+            let z = height_m / unit_m;
             let square = z * z;
             sums = [sums[0] + z.abs(), sums[1] + square, sums[2] + square * z, sums[3] + square * square];
         }
         let [deviation, variance, third, fourth] = sums.map(|sum| sum / points as f64);
         let rms = variance.sqrt();
-        let largest_m = scan.heights_m().flatten().map(f64::abs).fold(0.0, f64::max);
-        let is_rough = rms * unit_m > ROUNDING * largest_m;
-        let extent = if rows.is_some() { Extent::Areal } else { Extent::Profile };
-        let sections = (extent == Extent::Profile)
-            .then(|| mean_section_height_m(heights_m(), |index| share(scan, index, columns)));
-        Some(Self {
+        let is_rough = rms * unit_m > ROUNDING * relief.largest_given_m();
+        let extent = if relief.points().1.is_some() { Extent::Areal } else { Extent::Profile };
+        Self {
             extent,
             mean_deviation_m: deviation * unit_m,
             rms_m: rms * unit_m,
             skewness: is_rough.then(|| third / (variance * rms)),
             kurtosis: is_rough.then(|| fourth / (variance * variance)),
-            peak_m: ends_m.highest_m - mean_m,
-            valley_m: mean_m - ends_m.lowest_m,
-            mean_section_height_m: sections.flatten(),
+            peak_m: ends_m.highest_m,
+            valley_m: -ends_m.lowest_m,
+            mean_section_height_m: (extent == Extent::Profile)
+                .then(|| mean_section_height_m(relief))
+                .flatten(),
             points,
-            missing: columns * rows.unwrap_or(1) - points,
-        })
+            missing: relief.missing(),
+        }
     }
 
     /// Sz or Rt: highest minus lowest z in m.
@@ -118,7 +104,7 @@ impl HeightParameters {
 
     /// Lists the parameters by their symbols, without those that have no value.
     #[must_use]
-    pub fn parameters(&self) -> Vec<RoughnessParameter> {
+    pub fn parameters(&self) -> Vec<Parameter> {
         use ParameterValue::{LengthM, Number};
         let [mean, rms, skewness, kurtosis, peak, valley, total] = match self.extent {
             Extent::Areal => ["Sa", "Sq", "Ssk", "Sku", "Sp", "Sv", "Sz"],
@@ -132,30 +118,47 @@ impl HeightParameters {
             (peak, Some(LengthM(self.peak_m))),
             (valley, Some(LengthM(self.valley_m))),
             (total, Some(LengthM(self.total_height_m()))),
-            ("Rz", self.mean_section_height_m.map(LengthM)),
         ];
-        let given = |(symbol, value): (_, Option<_>)| Some(RoughnessParameter { symbol, value: value? });
-        values.into_iter().filter_map(given).collect()
+        let given = |(symbol, value): (_, Option<_>)| Some(Parameter::new(symbol, value?));
+        let sections =
+            self.mean_section_height_m.map(|rz_m| Parameter::new("Rz", LengthM(rz_m)).by("five sections"));
+        values.into_iter().filter_map(given).chain(sections).collect()
     }
 }
 
-/// Computes the share of a profile's length that lies before a point.
-fn share(scan: &Measured, index: usize, points: usize) -> f64 {
-    match scan.positions_m() {
-        Some(positions_m) => (positions_m[index] - positions_m[0]) / scan.size_m().0,
+/// Computes Ra and Rq as ISO 4287 did, as means over the sections of a profile; none where a section has no heights.
+pub(crate) fn section_means_m(relief: &Relief) -> Option<[f64; 2]> {
+    let mut sums = [[0.0; 3]; SECTIONS];
+    for (section, height_m) in in_sections(relief) {
+        let [count, deviation_m, square_m2] = sums[section];
+        sums[section] = [count + 1.0, deviation_m + height_m.abs(), square_m2 + height_m * height_m];
+    }
+    let means: Option<Vec<[f64; 2]>> = sums
+        .iter()
+        .map(|[count, deviation_m, square_m2]| {
+            (*count > 0.0).then(|| [deviation_m / count, (square_m2 / count).sqrt()])
+        })
+        .collect();
+    means.map(|means| [0, 1].map(|of| means.iter().map(|mean| mean[of]).sum::<f64>() / SECTIONS as f64))
+}
+
+/// Iterates over the heights \[m\] of a profile with their sections of equal length.
+fn in_sections(relief: &Relief) -> impl Iterator<Item = (usize, f64)> + '_ {
+    let points = relief.points().0;
+    let share = move |index: usize| match relief.positions_m() {
+        Some(positions_m) => {
+            (positions_m[index] - positions_m[0]) / (positions_m[points - 1] - positions_m[0])
+        }
         None => index as f64 / points as f64,
-    }
+    };
+    relief.heights_m().enumerate().filter_map(move |(index, height_m)| {
+        Some((((share(index) * SECTIONS as f64) as usize).min(SECTIONS - 1), height_m?))
+    })
 }
 
-fn mean_section_height_m(
-    heights_m: impl Iterator<Item = Option<f64>>,
-    share: impl Fn(usize) -> f64,
-) -> Option<f64> {
+fn mean_section_height_m(relief: &Relief) -> Option<f64> {
     let mut sections = [Ends::NONE; SECTIONS];
-    for (index, height_m) in heights_m.enumerate() {
-        let section = (share(index) * SECTIONS as f64) as usize;
-        height_m.into_iter().for_each(|height_m| sections[section.min(SECTIONS - 1)].add(height_m));
-    }
+    in_sections(relief).for_each(|(section, height_m)| sections[section].add(height_m));
     let total_m: Option<f64> = sections.iter().map(Ends::distance_m).sum();
     total_m.map(|total_m| total_m / SECTIONS as f64)
 }

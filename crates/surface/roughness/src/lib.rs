@@ -1,0 +1,18 @@
+#![doc = include_str!("../README.md")]
+
+mod all_parameters;
+mod autocorrelation;
+mod gaussian_filter;
+mod heights;
+mod material_ratio;
+mod parameter;
+mod relief;
+mod slopes;
+
+pub use all_parameters::parameters;
+pub use autocorrelation::{Autocorrelation, Normalisation, Reach};
+pub use heights::{Extent, HeightParameters};
+pub use material_ratio::{Core, MaterialRatioCurve};
+pub use parameter::{Parameter, ParameterValue};
+pub use relief::{Evaluation, FormRemoval, Relief, ReliefError};
+pub use slopes::{Differences, Triangles, developed_area_excess, rms_gradient};

@@ -1,0 +1,309 @@
+//! Heights to evaluate: what is left of a scan without its form, and of a filter.
+
+use nalgebra::{DMatrix, DVector};
+use scans::Measured;
+use thiserror::Error;
+use topography::without_form_m;
+use units::named;
+
+use crate::gaussian_filter::GaussianFilter;
+
+/// Form that is subtracted from the heights before anything else, fitted by least squares.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum FormRemoval {
+    /// Nothing but the mean.
+    None,
+    /// A plane; of a profile a straight line.
+    #[default]
+    Plane,
+    /// A polynomial of the second order in x and y.
+    SecondOrder,
+}
+
+named!(FormRemoval, "form", { None => "none", Plane => "plane", SecondOrder => "second-order" });
+
+/// Treatment of the heights before they are evaluated.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Evaluation {
+    /// The form to subtract.
+    pub form: FormRemoval,
+    /// Cut-off \[m\] of the Gaussian filter that removes longer waves (L-filter).
+    pub longest_m: Option<f64>,
+    /// Cut-off \[m\] of the Gaussian filter that removes shorter waves (S-filter).
+    pub shortest_m: Option<f64>,
+}
+
+/// Errors of preparing heights.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum ReliefError {
+    /// No point has a height.
+    #[error("no point has a height")]
+    NoHeights,
+    /// A filter needs evenly spaced points.
+    #[error("its points are unevenly spaced, which the filter does not take; leave out the filter")]
+    UnevenlySpaced,
+    /// A cut-off is not longer than two points.
+    #[error(
+        "the cut-off of {} is not above two points, {}; give a longer one",
+        units::display::length(*cutoff_m),
+        units::display::length(2.0 * spacing_m)
+    )]
+    CutoffTooShort {
+        /// The cut-off \[m\].
+        cutoff_m: f64,
+        /// Distance \[m\] of neighbouring points.
+        spacing_m: f64,
+    },
+    /// A cut-off is too long for the scan: longer than a side of a map, or than half a profile, which loses half a cut-off
+    /// at each end.
+    #[error(
+        "the cut-off of {} needs a scan of at least {}, and this one has {}; give a shorter one",
+        units::display::length(*cutoff_m),
+        units::display::length(*needed_m),
+        units::display::length(*size_m)
+    )]
+    CutoffTooLong {
+        /// The cut-off \[m\].
+        cutoff_m: f64,
+        /// The size that it needs \[m\].
+        needed_m: f64,
+        /// The shortest side of the scan \[m\].
+        size_m: f64,
+    },
+}
+
+/// Heights from their mean, row by row, on a line or a grid.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Relief {
+    columns: usize,
+    rows: Option<usize>,
+    spacing_m: (f64, Option<f64>),
+    positions_m: Option<Vec<f64>>,
+    /// Heights \[m\]; 0 where none was measured.
+    heights_m: Vec<f64>,
+    /// Points that have a height; all of them if there is no list.
+    measured: Option<Vec<bool>>,
+    largest_given_m: f64,
+}
+
+impl Relief {
+    /// Subtracts the form, filters, and takes the mean as the origin of heights. From each end of a filtered profile
+    /// half a cut-off is dropped, where the filter looks beyond the end.
+    ///
+    /// # Errors
+    /// [`ReliefError`] for a scan without heights and for cut-offs that it cannot take.
+    pub fn new(scan: &Measured, evaluation: &Evaluation) -> Result<Self, ReliefError> {
+        let (columns, rows) = scan.points();
+        let mut largest_given_m = 0.0f64;
+        let mut first_m = None;
+        for height_m in scan.heights_m().flatten() {
+            largest_given_m = largest_given_m.max(height_m.abs());
+            first_m = first_m.or(Some(height_m));
+        }
+        let first_m = first_m.ok_or(ReliefError::NoHeights)?;
+        let heights_m: Vec<Option<f64>> = match evaluation.form {
+            FormRemoval::None => {
+                scan.heights_m().map(|height_m| height_m.map(|height_m| height_m - first_m)).collect()
+            }
+            FormRemoval::Plane | FormRemoval::SecondOrder => without_form_m(scan),
+        };
+        let is_complete = heights_m.iter().all(Option::is_some);
+        let mut relief = Relief {
+            columns,
+            rows,
+            spacing_m: scan.spacing_m(),
+            positions_m: scan.positions_m().map(<[f64]>::to_vec),
+            measured: (!is_complete).then(|| heights_m.iter().map(Option::is_some).collect()),
+            heights_m: heights_m.into_iter().map(Option::unwrap_or_default).collect(),
+            largest_given_m,
+        };
+        if evaluation.form == FormRemoval::SecondOrder {
+            relief.subtract_second_order();
+        }
+        relief.filter(evaluation)?;
+        relief.subtract_mean();
+        Ok(relief)
+    }
+
+    /// Number of points along x and, of a map, along y.
+    #[must_use]
+    pub fn points(&self) -> (usize, Option<usize>) {
+        (self.columns, self.rows)
+    }
+
+    /// Distances \[m\] of neighbouring points along x and, of a map, along y; of an uneven profile the mean.
+    #[must_use]
+    pub fn spacing_m(&self) -> (f64, Option<f64>) {
+        self.spacing_m
+    }
+
+    /// Number of points without a height.
+    #[must_use]
+    pub fn missing(&self) -> usize {
+        self.measured
+            .as_ref()
+            .map_or(0, |measured| measured.iter().filter(|has_height| !**has_height).count())
+    }
+
+    /// Heights \[m\] row by row, where there are any.
+    pub fn heights_m(&self) -> impl Iterator<Item = Option<f64>> + '_ {
+        (0..self.heights_m.len()).map(|index| self.height_m(index))
+    }
+
+    /// Positions \[m\] of unevenly spaced points.
+    pub(crate) fn positions_m(&self) -> Option<&[f64]> {
+        self.positions_m.as_deref()
+    }
+
+    /// Height \[m\] of a point, if it has one.
+    pub(crate) fn height_m(&self, index: usize) -> Option<f64> {
+        self.has_height(index).then(|| self.heights_m[index])
+    }
+
+    /// Heights \[m\] with 0 for missing points, and a list of the points that have one unless all do.
+    pub(crate) fn parts(&self) -> (&[f64], Option<&[bool]>) {
+        (&self.heights_m, self.measured.as_deref())
+    }
+
+    /// Largest absolute height \[m\] as measured, which bounds the rounding of all others.
+    pub(crate) fn largest_given_m(&self) -> f64 {
+        self.largest_given_m
+    }
+
+    fn has_height(&self, index: usize) -> bool {
+        self.measured.as_ref().is_none_or(|measured| measured[index])
+    }
+
+    fn subtract_mean(&mut self) {
+        // Twice: the second mean is what rounding left of the first.
+        for _ in 0..2 {
+            let (count, sum_m) = self
+                .heights_m()
+                .flatten()
+                .fold((0usize, 0.0), |(count, sum), height| (count + 1, sum + height));
+            let mean_m = sum_m / count.max(1) as f64;
+            self.change_heights(|_, height_m| height_m - mean_m);
+        }
+    }
+
+    fn change_heights(&mut self, changed: impl Fn(usize, f64) -> f64) {
+        let measured = self.measured.as_deref();
+        for (index, height_m) in self.heights_m.iter_mut().enumerate() {
+            if measured.is_none_or(|measured| measured[index]) {
+                *height_m = changed(index, *height_m);
+            }
+        }
+    }
+
+    /// Subtracts the least-squares polynomial of the second order; nothing where the points do not determine one.
+    fn subtract_second_order(&mut self) {
+        let rows = self.rows.unwrap_or(1);
+        let (columns, positions_m) = (self.columns, self.positions_m.clone());
+        let from_middle = |index: usize, points: usize| (2 * index + 1) as f64 / points as f64 - 1.0;
+        let x = |column: usize| match &positions_m {
+            Some(positions_m) => {
+                let (first_m, last_m) = (positions_m[0], positions_m[columns - 1]);
+                2.0 * (positions_m[column] - first_m) / (last_m - first_m) - 1.0
+            }
+            None => from_middle(column, columns),
+        };
+        let terms = |index: usize| -> Vec<f64> {
+            let (x, y) = (x(index % columns), from_middle(index / columns, rows));
+            match rows {
+                1 => vec![1.0, x, x * x],
+                _ => vec![1.0, x, y, x * x, x * y, y * y],
+            }
+        };
+        // Twice: the second fit removes what rounding left of a strong curvature.
+        for _ in 0..2 {
+            let size = terms(0).len();
+            let (mut products, mut sums) = (DMatrix::zeros(size, size), DVector::zeros(size));
+            for (index, height_m) in self.heights_m().enumerate() {
+                let Some(height_m) = height_m else { continue };
+                let terms = DVector::from_vec(terms(index));
+                products.syger(1.0, &terms, &terms, 1.0);
+                sums.axpy(height_m, &terms, 1.0);
+            }
+            let Some(factors) = products.cholesky() else { return };
+            let coefficients = factors.solve(&sums);
+            self.change_heights(|index, height_m| {
+                let form_m: f64 =
+                    terms(index).iter().zip(coefficients.iter()).map(|(term, c)| term * c).sum();
+                height_m - form_m
+            });
+        }
+    }
+
+    fn filter(&mut self, evaluation: &Evaluation) -> Result<(), ReliefError> {
+        if let Some(cutoff_m) = evaluation.shortest_m {
+            self.check_cutoff(cutoff_m, cutoff_m)?;
+            self.heights_m = self.smoothed_m(cutoff_m);
+        }
+        if let Some(cutoff_m) = evaluation.longest_m {
+            self.check_cutoff(cutoff_m, if self.rows.is_some() { cutoff_m } else { 2.0 * cutoff_m })?;
+            let smooth_m = self.smoothed_m(cutoff_m);
+            self.change_heights(|index, height_m| height_m - smooth_m[index]);
+            if self.rows.is_none() {
+                self.drop_ends(cutoff_m);
+            }
+        }
+        Ok(())
+    }
+
+    fn check_cutoff(&self, cutoff_m: f64, needed_m: f64) -> Result<(), ReliefError> {
+        if self.positions_m.is_some() {
+            return Err(ReliefError::UnevenlySpaced);
+        }
+        let (spacing_x_m, spacing_y_m) = self.spacing_m;
+        let spacing_m = spacing_y_m.map_or(spacing_x_m, |spacing_y_m| spacing_y_m.max(spacing_x_m));
+        if cutoff_m <= 2.0 * spacing_m {
+            return Err(ReliefError::CutoffTooShort { cutoff_m, spacing_m });
+        }
+        let along_x_m = spacing_x_m * self.columns as f64;
+        let along_y_m = spacing_y_m.zip(self.rows).map(|(spacing_m, rows)| spacing_m * rows as f64);
+        let size_m = along_y_m.map_or(along_x_m, |along_y_m| along_y_m.min(along_x_m));
+        if needed_m > size_m {
+            return Err(ReliefError::CutoffTooLong { cutoff_m, needed_m, size_m });
+        }
+        Ok(())
+    }
+
+    /// Computes the heights \[m\] that a filter lets pass, along x and, of a map, along y. Missing points have no weight.
+    fn smoothed_m(&self, cutoff_m: f64) -> Vec<f64> {
+        let mut smooth = self.heights_m.clone();
+        self.smooth(&mut smooth, cutoff_m);
+        if let Some(measured) = &self.measured {
+            let mut weights: Vec<f64> = measured.iter().map(|has_height| f64::from(*has_height)).collect();
+            self.smooth(&mut weights, cutoff_m);
+            for ((height_m, weight), has_height) in smooth.iter_mut().zip(weights).zip(measured) {
+                *height_m = if *has_height { *height_m / weight } else { 0.0 };
+            }
+        }
+        smooth
+    }
+
+    fn smooth(&self, values: &mut [f64], cutoff_m: f64) {
+        let along_x = GaussianFilter::new(self.columns, self.spacing_m.0, cutoff_m);
+        let mut buffers = along_x.buffers();
+        values.chunks_exact_mut(self.columns).for_each(|row| along_x.smooth(row, &mut buffers));
+        let (Some(rows), Some(spacing_y_m)) = (self.rows, self.spacing_m.1) else { return };
+        let along_y = GaussianFilter::new(rows, spacing_y_m, cutoff_m);
+        let (mut buffers, mut column) = (along_y.buffers(), vec![0.0; rows]);
+        for start in 0..self.columns {
+            let places = || (start..).step_by(self.columns).take(rows);
+            column.iter_mut().zip(places()).for_each(|(value, place)| *value = values[place]);
+            along_y.smooth(&mut column, &mut buffers);
+            column.iter().zip(places()).for_each(|(value, place)| values[place] = *value);
+        }
+    }
+
+    /// Drops half a cut-off at each end of a profile.
+    fn drop_ends(&mut self, cutoff_m: f64) {
+        let dropped = (0.5 * cutoff_m / self.spacing_m.0).round() as usize;
+        let kept = dropped..self.columns - dropped;
+        self.heights_m = self.heights_m[kept.clone()].to_vec();
+        self.measured = self.measured.take().map(|measured| measured[kept.clone()].to_vec());
+        self.columns = kept.len();
+    }
+}
