@@ -12,7 +12,7 @@ mod scans;
 
 pub(crate) use bem::BemArgs;
 pub(crate) use figure_files::FigureFilesArgs;
-pub(crate) use gap::{GapArgs, LawArgs};
+pub(crate) use gap::{GapArgs, LawArgs, TangentialArgs};
 pub(crate) use groups::{
     AmplitudeArg, CounterfaceArgs, FigureArg, HardnessFormulaArg, MaterialArgs, NamedMaterialArgs,
     NormalisationArg, PressureArgs, PsdArgs, QuotedPaths, ReadingArgs, SamplingArgs, SharedArgs,
@@ -172,6 +172,22 @@ Examples:
   truearea gap psd.csv --model bem --shortest 500nm --grid 128 --realisations 2 \\
       --pressure 10MPa --youngs-modulus 463GPa --poisson-ratio 0.2")]
     Gap(Box<GapArgs>),
+    /// Displacement, stiffness and energy lost of a surface sheared under a constant normal load
+    #[command(after_help = "\
+Columns: nominal_pressure_pa, tangential_stress_pa, share_of_sliding (over
+friction times pressure), displacement_m (on first loading),
+initial_stiffness_pa_per_m, tangent_stiffness_pa_per_m, dissipation_j_per_m2 (a
+cycle between both signs of the stress), damping_ratio (the same as equivalent
+viscous damping), area_fraction, stuck_area_fraction; a row per pressure and
+stress. The response follows from the normal law: what a smaller pressure
+presses sticks, the rest slips (Cattaneo, Mindlin, Ciavarella, Jaeger).
+
+Examples:
+  truearea tangential psd.csv --model persson --friction 0.3 \\
+      --pressure 10MPa --youngs-modulus 210GPa --poisson-ratio 0.3
+  truearea tangential psd.csv --model persson --friction 0.15 \\
+      --pressure 50MPa --tangential-stress 5MPa --material 100Cr6 --on 100Cr6")]
+    Tangential(Box<TangentialArgs>),
     /// Pressure against overclosure of a rough surface, as finite element codes read it
     #[command(after_help = "\
 Writes *SURFACE INTERACTION and *SURFACE BEHAVIOR for Abaqus or CalculiX, or a

@@ -213,3 +213,39 @@ fn a_law_has_forms_and_a_plain_table() {
     law(&bench, &[&["--model", "hertz", "--dialect", "calculix", "--form", "exponential"]])
         .refused_naming(&["--model hertz"]);
 }
+
+fn shear(bench: &Bench, options: &[&[&str]]) -> support::Ran {
+    let call = ["tangential", "psd.csv", "--pressure", "1e-3Pa", "--friction", "0.3"];
+    bench.run(&[&call[..], &UNIT, &options.concat()].concat())
+}
+
+#[test]
+fn a_sheared_surface_follows_its_normal_law() {
+    let bench = power_law();
+    let normal = gap(&bench, "psd.csv", &[&["--model", "persson", "--pressure", "1e-3Pa"], &UNIT]).ok();
+    let table = shear(&bench, &[&["--model", "persson"]]).ok();
+    let [shares, stiffness, lost] =
+        ["share_of_sliding", "initial_stiffness_pa_per_m", "dissipation_j_per_m2"]
+            .map(|name| numbers(&table, name));
+    assert_eq!(shares.len(), 11);
+    // eta = (2 - nu)/(2 (1 - nu)) = 1 for a body with nu = 0 against a rigid one.
+    let expected = numbers(&normal, "stiffness_pa_per_m")[0];
+    assert!(stiffness.iter().all(|found| (found / expected - 1.0).abs() < 1e-12), "{stiffness:?} {expected}");
+    // Under light loads K = p/u0, whose loss has a closed form.
+    let (f, p, u0) = (0.3, 1e-3, numbers(&normal, "u0_m")[0]);
+    for (share, lost) in shares.iter().zip(lost).filter(|(share, _)| **share >= 0.1) {
+        let closed = f * f * u0 * p * (-8.0 * share - (8.0 - 4.0 * share) * (-share).ln_1p());
+        assert!((lost / closed - 1.0).abs() < 0.02, "{share}: {lost} {closed}");
+    }
+}
+
+#[test]
+fn a_stress_beyond_friction_slides_and_models_that_yield_are_refused() {
+    let bench = power_law();
+    let stresses = ["--model", "hertz", "--tangential-stress", "1e-4Pa", "--tangential-stress", "3e-4Pa"];
+    let table = shear(&bench, &[&stresses]).ok_remarking(&["1 of 2 loads", "slides"]);
+    assert_eq!(column(&table, "displacement_m")[1], "");
+    let stuck: f64 = column(&table, "stuck_area_fraction")[0].parse().unwrap();
+    assert!(stuck < numbers(&table, "area_fraction")[0]);
+    shear(&bench, &[&["--model", "ep-sphere", "--yield-strength", "1e-3Pa"]]).refused_naming(&["ep-sphere"]);
+}

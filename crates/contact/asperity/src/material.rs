@@ -45,6 +45,12 @@ impl ElasticBody {
         1.295 * (0.736 * self.poisson_ratio).exp()
     }
 
+    /// Shear modulus G = E/(2 (1 + nu)) \[Pa\].
+    #[must_use]
+    pub fn shear_modulus_pa(&self) -> f64 {
+        0.5 * self.youngs_modulus_pa / (1.0 + self.poisson_ratio)
+    }
+
     /// Plane-strain modulus E/(1 - nu^2) \[Pa\].
     fn plane_strain_modulus_pa(&self) -> f64 {
         self.youngs_modulus_pa / ((1.0 - self.poisson_ratio) * (1.0 + self.poisson_ratio))
@@ -55,6 +61,8 @@ impl ElasticBody {
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct MaterialPair {
     body: ElasticBody,
+    #[serde(skip)]
+    counterface: Option<ElasticBody>,
     yielding_body: ElasticBody,
     composite_modulus_pa: f64,
     #[serde(skip)]
@@ -69,30 +77,37 @@ impl MaterialPair {
     /// Pairs the body with a rigid counterface, which adds no compliance: E* = E/(1 - nu^2).
     #[must_use]
     pub fn against_rigid(body: ElasticBody) -> Self {
-        Self::with_composite_modulus(body, body, body.plane_strain_modulus_pa())
+        Self::with_composite_modulus(body, None, body, body.plane_strain_modulus_pa())
     }
 
     /// Pairs the body with an elastic counterface: 1/E* = sum (1 - nu^2)/E over both. Only the body yields.
     #[must_use]
     pub fn against(body: ElasticBody, counterface: ElasticBody) -> Self {
-        Self::with_composite_modulus(body, body, composite_modulus_pa(body, counterface))
+        Self::with_composite_modulus(body, Some(counterface), body, composite_modulus_pa(body, counterface))
     }
 
     /// Pairs the body with an elastic counterface that yields in its place: E* is that of [`Self::against`], and the
     /// yield criteria take Poisson's ratio of the counterface.
     #[must_use]
     pub fn against_yielding(body: ElasticBody, counterface: ElasticBody) -> Self {
-        Self::with_composite_modulus(body, counterface, composite_modulus_pa(body, counterface))
+        Self::with_composite_modulus(
+            body,
+            Some(counterface),
+            counterface,
+            composite_modulus_pa(body, counterface),
+        )
     }
 
     fn with_composite_modulus(
         body: ElasticBody,
+        counterface: Option<ElasticBody>,
         yielding_body: ElasticBody,
         composite_modulus_pa: f64,
     ) -> Self {
         let nu = yielding_body.poisson_ratio;
         MaterialPair {
             body,
+            counterface,
             yielding_body,
             composite_modulus_pa,
             spherical_yield_coefficient: yielding_body.spherical_yield_coefficient(),
@@ -105,6 +120,12 @@ impl MaterialPair {
     #[must_use]
     pub fn body(&self) -> ElasticBody {
         self.body
+    }
+
+    /// The counterface; none if it is rigid.
+    #[must_use]
+    pub fn counterface(&self) -> Option<ElasticBody> {
+        self.counterface
     }
 
     /// The body that yields: the rough one, or the counterface of [`Self::against_yielding`].

@@ -5,6 +5,7 @@
 //!   spot, and the effects that none of them includes;
 //! * [`leak`]: the leak rate of a seal, to an order of magnitude;
 //! * [`friction`]: friction of a contact of known area;
+//! * [`tangential`]: displacement, slip and energy lost under a tangential load;
 //! * [`adhesion`]: Fuller & Tabor's parameter, and the left side of Pastewka & Robbins' criterion.
 #![deny(missing_docs)]
 
@@ -12,5 +13,6 @@ pub mod adhesion;
 pub mod conductance;
 pub mod friction;
 pub mod leak;
+pub mod tangential;
 
 pub use units::{Bound, OutOfBounds};

@@ -94,6 +94,23 @@ pub enum QuestionError {
     /// A saturation in units of a hardness that the material does not have.
     #[error("the saturation is given in H, and the material has no hardness")]
     SaturationWithoutHardness,
+    /// The model yields, and only elastic contacts are sheared.
+    #[error("{} yields, and only elastic contacts are sheared", .0.name)]
+    NotElastic(&'static ModelEntry),
+    /// The model has no stiffness under a pressure.
+    #[error("there is no stiffness under {pressure_pa} Pa")]
+    NoStiffness {
+        /// The pressure \[Pa\].
+        pressure_pa: f64,
+    },
+    /// A value out of bounds.
+    #[error("{option:?}: {error}")]
+    Value {
+        /// The option that gives it.
+        option: OptionName,
+        /// The bound.
+        error: units::OutOfBounds,
+    },
     /// Any other reason, in its own words.
     #[error("{0}")]
     Other(String),

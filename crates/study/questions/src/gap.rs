@@ -159,7 +159,7 @@ impl GapModel {
     }
 
     /// The law with the whole spectrum.
-    fn law(
+    pub(crate) fn law(
         &self,
         entry: &'static ModelEntry,
         material: &Material,
@@ -185,7 +185,7 @@ impl GapModel {
     }
 
     /// Notes known before anything is computed.
-    fn notes(&self, material: &Material, surface: &Surface) -> Vec<Note> {
+    pub(crate) fn notes(&self, material: &Material, surface: &Surface) -> Vec<Note> {
         let too_fine = self.checked_tolerance().ok().and_then(of_tolerance);
         let doubt = Doubt::of_material(material).map(Note::Doubt);
         let surface_notes = surface.notes.iter().cloned().map(Note::Surface);
@@ -254,6 +254,16 @@ impl GapQuestion {
         let material = self.by.material.material()?;
         let pressures_pa = pressures_pa(&self.pressures, &self.pressure_ranges, &material)?;
         Ok((material, pressures_pa))
+    }
+
+    /// Presses random surfaces under the loads of this question.
+    pub(crate) fn states_of_elements(
+        &self,
+        surface: &Surface,
+        progress: &dyn Progress,
+    ) -> Result<(Vec<GapState>, Vec<Note>), QuestionError> {
+        let (material, pressures_pa) = self.loads()?;
+        self.by_elements(&material, pressures_pa, surface, progress)
     }
 
     /// The mean of random surfaces under elastic boundary elements.

@@ -15,6 +15,7 @@ mod sampling;
 mod scene_run;
 mod spectrum;
 mod states;
+mod tangential;
 mod text;
 
 pub use counts::{CurveCounts, CutCounts, LevelCounts};
@@ -31,6 +32,7 @@ pub use sampling::SamplingInput;
 pub use scene_run::{Phase, RunError, RunOptions, SceneOutcome, Unwatched, Watch, run_scene};
 pub use spectrum::{SpectrumQuantity, SpectrumQuestion};
 pub use states::StatesQuestion;
+pub use tangential::TangentialQuestion;
 
 use study::figure::FigureData;
 use tables::Table;

@@ -89,6 +89,18 @@ pub enum Note {
     RandomSurfaces(Box<MadeSurfaces>),
     /// Surfaces pressed by boundary elements.
     Pressed(Vec<PressedLoad>),
+    /// Normal and tangential tractions act on each other, which superposition leaves out.
+    CoupledTractions {
+        /// Dundurs' beta.
+        mismatch: f64,
+    },
+    /// Tangential loads under which everything slides.
+    Sliding {
+        /// Their number.
+        sliding: usize,
+        /// Number of all loads.
+        all: usize,
+    },
     /// Rows of a table.
     Rows(RowsNote),
 }

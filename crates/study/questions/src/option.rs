@@ -25,6 +25,8 @@ pub enum OptionName {
     Figure,
     /// Form in which a law is written.
     Form,
+    /// Coefficient of friction.
+    Friction,
     /// Points along a side of a random surface.
     Grid,
     /// Indentation hardness.
@@ -71,6 +73,8 @@ pub enum OptionName {
     StrainGradientLength,
     /// Limit of that growth.
     StrengthCap,
+    /// Tangential stress.
+    TangentialStress,
     /// Relative tolerance of statistical states.
     Tolerance,
     /// Unit of a scan.

@@ -1,4 +1,4 @@
-//! Options of `gap` and `law`.
+//! Options of `gap`, `law` and `tangential`.
 
 use clap::Args as ClapArgs;
 use clap::builder::TypedValueParser;
@@ -11,7 +11,7 @@ use study::plan::Tolerance;
 use units::Pressure;
 
 use super::bem::RandomArgs;
-use super::parsers::{ModelName, one_of, parse_tolerance};
+use super::parsers::{ModelName, one_of, parse_labelled_pressure, parse_tolerance};
 use super::persson::parse_gamma;
 use super::{HardnessFormulaArg, MaterialArgs, NormalisationArg, PressureArgs, ReadingArgs, SamplingArgs};
 
@@ -102,6 +102,32 @@ pub(crate) struct GapArgs {
     /// Relative tolerance of statistical states, in (0, 0.01]; 1e-12 where not given, and a looser one costs less
     #[arg(long, value_name = "T", value_parser = parse_tolerance)]
     pub tolerance: Option<Tolerance>,
+    #[command(flatten)]
+    pub random: RandomArgs,
+}
+
+#[derive(Debug, ClapArgs)]
+#[command(group = clap::ArgGroup::new("pressed").required(true).multiple(true).args(["pressures", "pressure_ranges"]))]
+pub(crate) struct TangentialArgs {
+    /// The power spectrum: a file, - for standard input, or builtin:uncd-measured,
+    /// builtin:uncd-reconstructed or builtin:contact-challenge
+    pub psd: String,
+    #[command(flatten)]
+    pub reading: ReadingArgs,
+    /// Elastic model of the normal law: Persson's theory, a law of asperities, or boundary elements
+    #[arg(long, value_parser = gap_model())]
+    pub model: GapModelArg,
+    /// Coefficient of friction at every point
+    #[arg(long, value_name = "F", allow_hyphen_values = true)]
+    pub friction: f64,
+    /// Tangential stress on the nominal area; give it several times for several. Shares of friction times pressure from 1 to
+    /// 99 % where not given
+    #[arg(long = "tangential-stress", value_name = "Q", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
+    pub stresses: Vec<(Pressure, String)>,
+    #[command(flatten)]
+    pub loads: PressureArgs,
+    #[command(flatten)]
+    pub choices: GapChoiceArgs,
     #[command(flatten)]
     pub random: RandomArgs,
 }

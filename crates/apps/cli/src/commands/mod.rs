@@ -17,6 +17,7 @@ mod spectrum_tables;
 mod stacked;
 mod statistical;
 mod surface_report;
+mod tangential;
 
 use std::time::{Duration, Instant};
 
@@ -66,6 +67,7 @@ pub fn run(args: Args, typed: &[String]) -> Result<(), Failure> {
         Command::Amplitude(args) => spectrum_tables::amplitude(&args, &context),
         Command::Bem(args) => bem::run(&args, &context),
         Command::Gap(args) => gap::run(&args, &context),
+        Command::Tangential(args) => tangential::run(&args, &context),
         Command::Law(args) => law::run(&args, &context),
         Command::Scan(args) => scan::run(&args, &context),
         Command::Roughness(args) => roughness::run(&args, &context),

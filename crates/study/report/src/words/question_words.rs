@@ -94,6 +94,15 @@ fn texts(note: &Note, spelling: &dyn Spelling) -> Vec<String> {
             elements_words::of_surfaces(&made.spectrum, &made.random, &made.grid, made.contact_modulus_pa)
         }
         Note::Pressed(loads) => elements_words::of_results(loads),
+        Note::CoupledTractions { mismatch } => vec![format!(
+            "pressing these bodies shears them as well (Dundurs' beta {}), which is left out; displacement and \
+             loss hold for equal bodies",
+            three_digits(*mismatch)
+        )],
+        Note::Sliding { sliding, all } => vec![format!(
+            "{sliding} of {}: the tangential stress reaches friction times pressure, and everything slides",
+            counted(*all, "load")
+        )],
         Note::Rows(note) => row_notes::lines(note),
     }
 }
@@ -232,6 +241,19 @@ pub fn error(error: &QuestionError, spelling: &dyn Spelling) -> String {
             spelling.with_value(OptionName::Form, "exponential"),
             spelling.model(model.name)
         ),
+        QuestionError::NotElastic(model) => {
+            format!(
+                "{} yields, and only elastic contacts are sheared; take persson or bem",
+                spelling.model(model.name)
+            )
+        }
+        QuestionError::NoStiffness { pressure_pa } => {
+            format!(
+                "the model has no stiffness under {}; press harder, or take persson or bem",
+                pressure(*pressure_pa)
+            )
+        }
+        QuestionError::Value { option, error } => format!("{}: {error}", name(option)),
         QuestionError::SaturationWithoutHardness => format!(
             "{} is given in H, and the material has no hardness: add {} or {}",
             name(&OptionName::Saturation),

@@ -1,0 +1,267 @@
+//! A surface sheared under a constant normal load: displacement, stiffness, slip and energy lost.
+
+use interface::tangential::{ShearedBody, ShearedContact, ShearedPair};
+use parallel::Progress;
+use serde::{Deserialize, Serialize};
+use study::gap_law::{GapLaw, GapState};
+use study::material::Material;
+use study::models::Choice;
+use study::plan::PlanError;
+use study::surface::Surface;
+use tables::Table;
+
+use crate::elements::RandomInput;
+use crate::gap::{GapModel, GapQuestion};
+use crate::loads::{LoadInput, RangeInput, nominal_pressure, pressures_pa};
+use crate::{Answer, Note, OptionName, QuestionError};
+
+/// Shares of the load at which all slides, where no tangential stress is given.
+const SHARES: [f64; 11] = [0.01, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.99];
+/// Loads per decade between which the stiffness of boundary elements is interpolated.
+const ELEMENT_LOADS_PER_DECADE: f64 = 8.0;
+/// Dundurs' beta above which the coupling of normal and tangential tractions is told.
+const COUPLED: f64 = 0.1;
+
+/// Tangential loads on a surface under nominal pressures, with Coulomb friction at every point.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct TangentialQuestion {
+    /// Elastic model, material and spectrum.
+    pub by: GapModel,
+    /// Coefficient of friction, above 0.
+    pub friction: Option<f64>,
+    /// Nominal pressures.
+    pub pressures: Vec<LoadInput>,
+    /// Nominal pressures as ranges, behind the others.
+    pub pressure_ranges: Vec<RangeInput>,
+    /// Tangential stresses; shares of friction times pressure where there are none.
+    pub stresses: Vec<LoadInput>,
+    /// Random surfaces, for boundary elements.
+    pub random: RandomInput,
+}
+
+/// Row of the answer; without a response everything slides.
+struct Sheared {
+    pressure_pa: f64,
+    stress_pa: f64,
+    share: f64,
+    area_fraction: f64,
+    response: Option<(ShearedContact, f64)>,
+}
+
+impl TangentialQuestion {
+    /// Finds options that the model ignores, and input that contradicts itself or is missing.
+    ///
+    /// # Errors
+    /// [`QuestionError`] with the first of them.
+    pub fn check(&self) -> Result<(), QuestionError> {
+        if let Some(entry) = self.by.model.filter(|entry| entry.has(Choice::Strength)) {
+            return Err(QuestionError::NotElastic(entry));
+        }
+        self.gaps(Vec::new()).check()?;
+        let material = self.by.material.material()?;
+        self.stresses_pa(&material)?;
+        self.pair(&material).map(drop)
+    }
+
+    /// Number of steps that the progress will count: those of boundary elements, and none for models.
+    ///
+    /// # Errors
+    /// [`QuestionError`].
+    pub fn steps(&self, surface: &Surface) -> Result<usize, QuestionError> {
+        self.gaps(self.element_loads()?).steps(surface)
+    }
+
+    /// Computes the response to each tangential stress under each pressure.
+    ///
+    /// The table has the columns `nominal_pressure_pa, tangential_stress_pa, share_of_sliding, displacement_m,
+    /// initial_stiffness_pa_per_m, tangent_stiffness_pa_per_m, dissipation_j_per_m2, damping_ratio, area_fraction,
+    /// stuck_area_fraction`.
+    ///
+    /// # Errors
+    /// [`QuestionError`].
+    pub fn answer(&self, surface: &Surface, progress: &dyn Progress) -> Result<Answer, QuestionError> {
+        self.check()?;
+        let material = self.by.material.material()?;
+        let pair = self.pair(&material)?;
+        let (normal, mut notes) = self.normal_law(&material, surface, progress)?;
+        let rows = parallel::try_map(&self.loads(&material)?, |&(pressure_pa, stress_pa)| {
+            if progress.is_cancelled() {
+                return Err(QuestionError::Plan(PlanError::Cancelled));
+            }
+            sheared(&pair, &normal, pressure_pa, stress_pa)
+        })?;
+        if pair.mismatch().abs() > COUPLED {
+            notes.push(Note::CoupledTractions { mismatch: pair.mismatch() });
+        }
+        let sliding = rows.iter().filter(|row| row.response.is_none()).count();
+        if sliding > 0 {
+            notes.push(Note::Sliding { sliding, all: rows.len() });
+        }
+        Ok(Answer { table: table(&rows), notes, figure: None })
+    }
+
+    /// The question for the normal law of boundary elements under these loads.
+    fn gaps(&self, pressures: Vec<LoadInput>) -> GapQuestion {
+        let (pressures, pressure_ranges) = match pressures.is_empty() {
+            true => (self.pressures.clone(), self.pressure_ranges.clone()),
+            false => (pressures, Vec::new()),
+        };
+        GapQuestion { by: self.by.clone(), pressures, pressure_ranges, random: self.random }
+    }
+
+    fn normal_law(
+        &self,
+        material: &Material,
+        surface: &Surface,
+        progress: &dyn Progress,
+    ) -> Result<(NormalLaw, Vec<Note>), QuestionError> {
+        let mut notes = self.by.notes(material, surface);
+        Ok(match self.by.model {
+            Some(entry) => {
+                let law = self.by.law(entry, material, surface, progress)?;
+                let least_pa =
+                    self.loads(material)?.iter().fold(f64::INFINITY, |least, load| least.min(load.0));
+                notes.extend(Note::of_gap_law(&law, least_pa));
+                (NormalLaw::Model(law), notes)
+            }
+            None => {
+                let gaps = self.gaps(self.element_loads()?);
+                let (states, found) = gaps.states_of_elements(surface, progress)?;
+                notes.extend(found);
+                (NormalLaw::Elements(states), notes)
+            }
+        })
+    }
+
+    /// Loads of boundary elements: from the least pressure that sticks to the largest, evenly in the logarithm.
+    fn element_loads(&self) -> Result<Vec<LoadInput>, QuestionError> {
+        if self.by.model.is_some() {
+            return Ok(Vec::new());
+        }
+        let material = self.by.material.material()?;
+        let friction = self.pair(&material)?.friction();
+        let stuck_pa = |(pressure_pa, stress_pa): (f64, f64)| pressure_pa - stress_pa / friction;
+        let loads = self.loads(&material)?;
+        let most_pa = loads.iter().fold(0.0f64, |most, load| most.max(load.0));
+        let all_stuck = loads.into_iter().map(stuck_pa).filter(|stuck_pa| *stuck_pa > 0.0);
+        let least_pa = all_stuck.fold(most_pa, f64::min);
+        let decades = (most_pa / least_pa).log10();
+        let steps = (ELEMENT_LOADS_PER_DECADE * decades).ceil().max(2.0);
+        let load = |step: usize| {
+            let pa = most_pa * (least_pa / most_pa).powf(step as f64 / steps);
+            LoadInput { pressure: units::Pressure::Pascals(pa), label: String::new() }
+        };
+        Ok((0..=steps as usize).map(load).collect())
+    }
+
+    /// Pressures and tangential stresses \[Pa\], pressure after pressure.
+    fn loads(&self, material: &Material) -> Result<Vec<(f64, f64)>, QuestionError> {
+        let pressures_pa = pressures_pa(&self.pressures, &self.pressure_ranges, material)?;
+        let stresses_pa = self.stresses_pa(material)?;
+        let friction = self.pair(material)?.friction();
+        let under = |pressure_pa: f64| -> Vec<(f64, f64)> {
+            match stresses_pa.is_empty() {
+                true => SHARES.iter().map(|share| (pressure_pa, share * friction * pressure_pa)).collect(),
+                false => stresses_pa.iter().map(|stress_pa| (pressure_pa, *stress_pa)).collect(),
+            }
+        };
+        Ok(pressures_pa.into_iter().flat_map(under).collect())
+    }
+
+    fn stresses_pa(&self, material: &Material) -> Result<Vec<f64>, QuestionError> {
+        let stress = |stress: &LoadInput| {
+            nominal_pressure(OptionName::TangentialStress, Some(&stress.label), stress.pressure, material)
+        };
+        self.stresses.iter().map(|given| Ok(stress(given)?.pa())).collect()
+    }
+
+    fn pair(&self, material: &Material) -> Result<ShearedPair, QuestionError> {
+        let friction = self.friction.ok_or(QuestionError::Missing(&[OptionName::Friction]))?;
+        let sheared = |body: asperity::ElasticBody| ShearedBody {
+            shear_modulus_pa: body.shear_modulus_pa(),
+            poisson_ratio: body.poisson_ratio(),
+        };
+        let pair = &material.pair;
+        let (body, counterface) = (sheared(pair.body()), pair.counterface().map(sheared));
+        ShearedPair::new(friction, pair.composite_modulus_pa(), body, counterface)
+            .map_err(|error| QuestionError::Value { option: OptionName::Friction, error })
+    }
+}
+
+/// Stiffness and area under any pressure.
+enum NormalLaw {
+    Model(GapLaw),
+    /// States from the largest pressure to the least, between which logarithms are straight.
+    Elements(Vec<GapState>),
+}
+
+impl NormalLaw {
+    /// Stiffness \[Pa/m\] and share in contact.
+    fn at(&self, pressure_pa: f64) -> Result<(f64, f64), QuestionError> {
+        match self {
+            NormalLaw::Model(law) => {
+                let state = law.at(pressure_pa)?;
+                let stiffness = state.stiffness_pa_per_m.ok_or(QuestionError::NoStiffness { pressure_pa })?;
+                Ok((stiffness, state.area_fraction))
+            }
+            NormalLaw::Elements(states) => {
+                let after = states.partition_point(|state| state.nominal_pressure_pa > pressure_pa);
+                let after = after.clamp(1, states.len() - 1);
+                let (upper, lower) = (&states[after - 1], &states[after]);
+                let ln = |state: &GapState| state.nominal_pressure_pa.ln();
+                let share = (pressure_pa.ln() - ln(lower)) / (ln(upper) - ln(lower));
+                let between = |upper: f64, lower: f64| (lower.ln() + share * (upper.ln() - lower.ln())).exp();
+                let of = |state: &GapState| {
+                    state
+                        .stiffness_pa_per_m
+                        .ok_or(QuestionError::NoStiffness { pressure_pa: state.nominal_pressure_pa })
+                };
+                let stiffness = between(of(upper)?, of(lower)?);
+                Ok((stiffness, between(upper.area_fraction, lower.area_fraction)))
+            }
+        }
+    }
+}
+
+fn sheared(
+    pair: &ShearedPair,
+    normal: &NormalLaw,
+    pressure_pa: f64,
+    stress_pa: f64,
+) -> Result<Sheared, QuestionError> {
+    let share = stress_pa / (pair.friction() * pressure_pa);
+    let (_, area_fraction) = normal.at(pressure_pa)?;
+    let response = match share < 1.0 {
+        true => {
+            let found = pair.respond(pressure_pa, share, |pressure_pa| {
+                normal.at(pressure_pa).map(|(stiffness, _)| stiffness)
+            })?;
+            let (_, stuck) = normal.at(found.stuck_pressure_pa)?;
+            Some((found, stuck))
+        }
+        false => None,
+    };
+    Ok::<_, QuestionError>(Sheared { pressure_pa, stress_pa, share, area_fraction, response })
+}
+
+fn table(rows: &[Sheared]) -> Table {
+    let column = |of: fn(&Sheared) -> f64| rows.iter().map(move |row| Some(of(row)));
+    let of_response = |of: fn(&ShearedContact) -> f64| {
+        rows.iter().map(move |row| row.response.as_ref().map(|(found, _)| of(found)))
+    };
+    Table::default()
+        .with_numbers("nominal_pressure_pa", column(|row| row.pressure_pa))
+        .with_numbers("tangential_stress_pa", column(|row| row.stress_pa))
+        .with_numbers("share_of_sliding", column(|row| row.share))
+        .with_numbers("displacement_m", of_response(|found| found.displacement_m))
+        .with_numbers("initial_stiffness_pa_per_m", of_response(|found| found.initial_stiffness_pa_per_m))
+        .with_numbers("tangent_stiffness_pa_per_m", of_response(|found| found.tangent_stiffness_pa_per_m))
+        .with_numbers("dissipation_j_per_m2", of_response(|found| found.dissipation_j_per_m2))
+        .with_numbers("damping_ratio", of_response(|found| found.damping_ratio))
+        .with_numbers("area_fraction", column(|row| row.area_fraction))
+        .with_numbers(
+            "stuck_area_fraction",
+            rows.iter().map(|row| row.response.as_ref().map(|found| found.1)),
+        )
+}
