@@ -14,8 +14,11 @@ fn sheared_contacts_agree_with_the_references() {
         let row: BTreeMap<String, String> = row.unwrap();
         let number = |column: &str| row[column].parse::<f64>().unwrap();
         let (nu, load, scale) = (number("poisson"), number("normal"), number("law_scale"));
-        // The gross slip of a sphere has no rest that sticks.
-        let share = number("tangential_share").min(1.0 - 1e-15);
+        // A sphere that slides has no rest that sticks: its limit is approached.
+        let (share, tolerance) = match number("tangential_share") {
+            share if share < 1.0 => (share, 1e-10),
+            _ => (1.0 - 1e-15, 1e-9),
+        };
         let body = ShearedBody { shear_modulus_pa: 1.0, poisson_ratio: nu };
         let modulus = 1.0 / (1.0 - nu);
         let pair = ShearedPair::new(number("friction"), modulus, body, Some(body)).unwrap();
@@ -30,7 +33,7 @@ fn sheared_contacts_agree_with_the_references() {
             (found.initial_stiffness_pa_per_m, "initial_stiffness"),
             (found.dissipation_j_per_m2, "dissipation_per_cycle"),
         ] {
-            approx::assert_relative_eq!(found, number(column), max_relative = 1.1e-10);
+            approx::assert_relative_eq!(found, number(column), max_relative = tolerance);
         }
         compared += 1;
     }
