@@ -40,13 +40,13 @@ pub fn shrinkages(
 ) -> Result<Vec<Shrinkage>, StudyError> {
     let both = [scans; 2];
     let of_study = |number: usize| {
-        let before = laboratory.advised_trial(number as u64, both, settings)?;
+        let before = laboratory.advised_trial(number as u64, &both, settings)?;
         let mut ratios = Vec::new();
         for instrument in 0..INSTRUMENTS.len() {
             for &added in added {
                 let mut more = both;
                 more[instrument] += added;
-                let after = laboratory.trial(number as u64, more, settings)?;
+                let after = laboratory.trial(number as u64, &more, settings)?;
                 ratios.push(ratios_of(&before, &after, instrument, added as usize));
             }
         }

@@ -66,7 +66,7 @@ fn one_study(
     scans: [u32; 2],
     averages: &[Average],
 ) -> Result<(Vec<f64>, Vec<Vec<f64>>), StudyError> {
-    let measured = laboratory.study(number, scans)?.composite()?;
+    let measured = laboratory.study(number, &scans)?.composite()?;
     let known = known_composite(&laboratory.surface, &measured)?;
     let deviations = |&average: &Average| {
         let recipe = Recipe { average, ..measured.recipe };

@@ -46,7 +46,7 @@ impl Coverage {
 pub fn trials(
     laboratory: &Laboratory,
     studies: u32,
-    scans: [u32; 2],
+    scans: &[u32],
     settings: &Settings,
 ) -> Result<Vec<Trial>, StudyError> {
     let trial = |number: usize| laboratory.trial(number as u64, scans, settings);

@@ -13,6 +13,9 @@ pub enum StudyError {
     /// The surface does not exist.
     #[error(transparent)]
     Surface(#[from] SurfaceError),
+    /// The spectrum drawn is none.
+    #[error(transparent)]
+    Spectrum(#[from] spectrum::PsdError),
     /// The synthetic scans cannot be read.
     #[error(transparent)]
     Scans(#[from] TopographyError),

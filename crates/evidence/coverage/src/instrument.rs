@@ -9,6 +9,17 @@ pub enum Shape {
     Map,
 }
 
+impl Shape {
+    /// Returns the name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Shape::Line => "line",
+            Shape::Map => "map",
+        }
+    }
+}
+
 /// Instrument without noise, whose only uncertainty is its height scale. It shows no waves shorter than two of its
 /// points, so that nothing is aliased.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,6 +44,10 @@ pub const STYLUS: Instrument =
 /// decade.
 pub const AFM: Instrument =
     Instrument { name: "AFM", shape: Shape::Map, points: 128, length_m: 10e-6, shortest_m: 200e-9 };
+
+/// The same microscope, of which only single lines are kept, twice as long.
+pub const AFM_LINES: Instrument =
+    Instrument { name: "AFM", shape: Shape::Line, points: 256, length_m: 20e-6, shortest_m: 200e-9 };
 
 /// Both instruments.
 pub const INSTRUMENTS: [Instrument; 2] = [STYLUS, AFM];

@@ -12,6 +12,7 @@
 
 mod advised;
 mod bias;
+mod cells;
 mod coverage;
 mod error;
 mod instrument;
@@ -28,11 +29,12 @@ mod truth;
 
 pub use advised::{Shrinkage, shrinkages};
 pub use bias::{DecadeBias, biases};
+pub use cells::{CELLS, COVERAGE, Cell, TAIL, Tails, is_compatible, tails};
 pub use coverage::{Coverage, coverages, trials};
 pub use error::StudyError;
-pub use instrument::{AFM, GAIN_SD, INSTRUMENTS, Instrument, STYLUS, Shape};
-pub use page::{bias_table, coverage_table, shrinkage_table};
-pub use surface::{KnownSurface, LONGEST_M, RMS_GRADIENT, ROLLOFF_M};
+pub use instrument::{AFM, AFM_LINES, GAIN_SD, INSTRUMENTS, Instrument, STYLUS, Shape};
+pub use page::{TAILS_HEADER, bias_table, coverage_table, shrinkage_table, tails_rows};
+pub use surface::{Form, KnownSurface, LONGEST_M, RMS_GRADIENT, ROLLOFF_M};
 pub use synthetic::{Laboratory, SyntheticStudy};
 pub use trial::{IntervalOutcome, Trial};
 pub use truth::known_composite;

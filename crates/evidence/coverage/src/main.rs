@@ -1,21 +1,26 @@
 //! `cargo xtask coverage`: runs synthetic studies and prints the tables of `docs/guide/uncertainty.md`.
 
 use std::process::ExitCode;
+use std::time::Instant;
 
 use coverage::{
-    INSTRUMENTS, Laboratory, Shape, StudyError, bias_table, biases, coverage_table, coverages,
-    shrinkage_table, shrinkages, trials,
+    CELLS, INSTRUMENTS, Laboratory, Shape, StudyError, TAILS_HEADER, bias_table, biases, coverage_table,
+    coverages, shrinkage_table, shrinkages, tails, tails_rows, trials,
 };
 use lexopt::prelude::*;
 use topography::Average;
 use uncertainty::Settings;
 
 const HELP: &str = "\
-cargo xtask coverage [--studies N] [--scans N] [--draws N] [--hurst H] [--seed S] [--only bias|coverage|advice]
+cargo xtask coverage [--studies N] [--scans N] [--draws N] [--hurst H] [--seed S] [--only bias|coverage|advice|forms]
+                     [--cell N]... [--first N]
 
 N synthetic studies (400) of surfaces of each Hurst exponent (0.5, 0.8 and 0.95), with so many scans by each of two
 instruments (5) and so many draws (1000): the bias of averages of scans decade by decade, how often intervals hold the
 truth and how wide they are, and how they shrink when 1, 3 and 10 scans are added (a quarter of the studies).
+
+--only forms draws the spectra at random, in nine cells, states the time it takes first, and judges coverage and both
+tails. --cell N runs one cell (again for more), --first N begins with that study, so that parts can run apart.
 ";
 
 /// Factor on the number of lines where biases are measured: they cost little, and single lines scatter much.
@@ -30,9 +35,12 @@ enum Part {
     Bias,
     Coverage,
     Advice,
+    Forms,
 }
 
 struct Arguments {
+    first: u32,
+    cells: Vec<usize>,
     studies: u32,
     scans: u32,
     hurst_exponents: Vec<f64>,
@@ -62,12 +70,22 @@ fn main() -> ExitCode {
 }
 
 fn parse() -> Result<Option<Arguments>, lexopt::Error> {
-    let mut arguments =
-        Arguments { studies: 400, scans: 5, hurst_exponents: Vec::new(), seed: 1, draws: 1000, only: None };
+    let mut arguments = Arguments {
+        first: 0,
+        cells: Vec::new(),
+        studies: 400,
+        scans: 5,
+        hurst_exponents: Vec::new(),
+        seed: 1,
+        draws: 1000,
+        only: None,
+    };
     let mut parser = lexopt::Parser::from_env();
     while let Some(argument) = parser.next()? {
         match argument {
             Long("studies") => arguments.studies = parser.value()?.parse()?,
+            Long("first") => arguments.first = parser.value()?.parse()?,
+            Long("cell") => arguments.cells.push(parser.value()?.parse()?),
             Long("scans") => arguments.scans = parser.value()?.parse()?,
             Long("draws") => arguments.draws = parser.value()?.parse()?,
             Long("hurst") => arguments.hurst_exponents.push(parser.value()?.parse()?),
@@ -88,13 +106,17 @@ fn part(name: &str) -> Result<Part, &'static str> {
         "bias" => Ok(Part::Bias),
         "coverage" => Ok(Part::Coverage),
         "advice" => Ok(Part::Advice),
-        _ => Err("there are bias, coverage and advice"),
+        "forms" => Ok(Part::Forms),
+        _ => Err("there are bias, coverage, advice and forms"),
     }
 }
 
 fn run(arguments: &Arguments) -> Result<(), StudyError> {
     let Arguments { studies, scans, seed, draws, .. } = *arguments;
     let settings = Settings { draws, ..Settings::default() };
+    if arguments.only == Some(Part::Forms) {
+        return forms(arguments, &settings);
+    }
     let wanted = |part| arguments.only.is_none_or(|only| only == part);
     for &hurst_exponent in &arguments.hurst_exponents {
         let laboratory = Laboratory::new(hurst_exponent, seed)?;
@@ -107,13 +129,32 @@ fn run(arguments: &Arguments) -> Result<(), StudyError> {
             println!("{}", bias_table(hurst_exponent, &rows));
         }
         if wanted(Part::Coverage) {
-            let trials = trials(&laboratory, studies, [scans; 2], &settings)?;
+            let trials = trials(&laboratory, studies, &[scans; 2], &settings)?;
             println!("{}", coverage_table(hurst_exponent, scans, &coverages(&trials)));
         }
         if wanted(Part::Advice) {
             let rows = shrinkages(&laboratory, studies.div_ceil(4), scans, &ADDED, &settings)?;
             println!("{}", shrinkage_table(hurst_exponent, &rows));
         }
+    }
+    Ok(())
+}
+
+/// Runs the cells one after the other and prints each as soon as it is there.
+fn forms(arguments: &Arguments, settings: &Settings) -> Result<(), StudyError> {
+    let Arguments { studies, first, seed, .. } = *arguments;
+    let wanted = |number: &usize| arguments.cells.is_empty() || arguments.cells.contains(number);
+    let cells: Vec<usize> = (1..=CELLS.len()).filter(wanted).collect();
+    let start = Instant::now();
+    let trial_run =
+        cells.iter().try_for_each(|&number| CELLS[number - 1].trials(first, 2, seed, settings).map(|_| ()));
+    trial_run?;
+    let seconds = start.elapsed().as_secs_f64() / 2.0 * f64::from(studies);
+    eprintln!("{} cells of {studies} studies take about {seconds:.0} s", cells.len());
+    println!("{TAILS_HEADER}");
+    for number in cells {
+        let cell = &CELLS[number - 1];
+        print!("{}", tails_rows(number, cell, &tails(&cell.trials(first, studies, seed, settings)?)));
     }
     Ok(())
 }

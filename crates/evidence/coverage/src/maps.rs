@@ -8,7 +8,7 @@ use realfft::num_complex::Complex64;
 use crate::error::StudyError;
 use crate::instrument::Instrument;
 use crate::random::Normals;
-use crate::surface::{KnownSurface, LONGEST_M};
+use crate::surface::KnownSurface;
 
 /// Length of a side of the periodic map, in sides of a map cut from its corner.
 const PERIODS: usize = 2;
@@ -40,8 +40,8 @@ impl MapMaker {
         let fine = surface.area.cut(period_m, surface.area.shortest_m())?;
         let mut long = Vec::new();
         let mut shortest_m = period_m;
-        while shortest_m < LONGEST_M {
-            let longest_m = (BOX_RATIO * shortest_m).min(LONGEST_M);
+        while shortest_m < surface.longest_m {
+            let longest_m = (BOX_RATIO * shortest_m).min(surface.longest_m);
             long.extend(waves_of_box(&surface.area, longest_m, shortest_m));
             shortest_m = longest_m;
         }

@@ -2,6 +2,7 @@
 
 use crate::advised::Shrinkage;
 use crate::bias::DecadeBias;
+use crate::cells::{Cell, Tails};
 use crate::coverage::Coverage;
 
 /// Table of the bias of averages, decade by decade.
@@ -67,4 +68,32 @@ pub fn shrinkage_table(hurst_exponent: f64, rows: &[Shrinkage]) -> String {
 /// Formats a difference of logarithms as a share.
 fn signed_percent(difference: f64) -> String {
     format!("{:+.1} %", 100.0 * difference.exp_m1())
+}
+
+/// Head of the table of [`tails_rows`].
+pub const TAILS_HEADER: &str = "| cell | spectra | scans | curve | load | studies | hold the truth | truth above | truth below | median ln(high/low) | width over need | verdict |\n\
+     | ---: | --- | --- | --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | --- |";
+
+/// Rows of a cell: coverage, tails, and the verdict.
+#[must_use]
+pub fn tails_rows(number: usize, cell: &Cell, rows: &[Tails]) -> String {
+    let mut text = String::new();
+    for row in rows {
+        let percent = |hits: usize| 100.0 * hits as f64 / row.studies as f64;
+        text += &format!(
+            "| {number} | {} | {} | {} | {} | {} | {:.1} % | {:.1} % | {:.1} % | {:.3} | {:.2} | {} |\n",
+            cell.form.name(),
+            cell.scans_in_words(),
+            row.curve,
+            row.load,
+            row.studies,
+            percent(row.held()),
+            percent(row.above),
+            percent(row.below),
+            row.width,
+            row.width_over_need,
+            if row.passes() { "holds" } else { "fails" }
+        );
+    }
+    text
 }

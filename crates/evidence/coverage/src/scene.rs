@@ -29,6 +29,10 @@ model = "hertz"
 cutoffs = "shortest"
 
 [[curve]]
+model = "ep-sphere"
+cutoffs = "shortest"
+
+[[curve]]
 model = "bgt"
 cutoffs = "shortest"
 

@@ -6,7 +6,7 @@ use measurements::{CompositeOfFiles, ScanRequest};
 use topography::{CompositeSpectrum, Recipe};
 
 use crate::error::StudyError;
-use crate::instrument::{AFM, GAIN_SD, INSTRUMENTS, Instrument, STYLUS, Shape};
+use crate::instrument::{AFM, GAIN_SD, INSTRUMENTS, Instrument, Shape};
 use crate::lines::LineMaker;
 use crate::maps::MapMaker;
 use crate::npy;
@@ -21,9 +21,15 @@ const MOST_SCANS: u64 = 1 << 10;
 pub struct Laboratory {
     /// Surface that is measured.
     pub surface: KnownSurface,
-    lines: LineMaker,
-    maps: MapMaker,
+    instruments: Vec<(Instrument, Maker)>,
     seed: u64,
+}
+
+/// Generator of the scans of one instrument.
+#[derive(Debug, Clone)]
+enum Maker {
+    Lines(LineMaker),
+    Maps(MapMaker),
 }
 
 /// Files of a study.
@@ -42,8 +48,27 @@ impl Laboratory {
     /// [`StudyError::Surface`] for an exponent out of range.
     pub fn new(hurst_exponent: f64, seed: u64) -> Result<Self, StudyError> {
         let surface = KnownSurface::new(hurst_exponent, 2.0 * AFM.spacing_m())?;
-        let (lines, maps) = (LineMaker::new(&surface, &STYLUS)?, MapMaker::new(&surface, &AFM)?);
-        Ok(Laboratory { surface, lines, maps, seed })
+        Self::of_surface(surface, &INSTRUMENTS, seed)
+    }
+
+    /// Puts a surface under the given instruments.
+    ///
+    /// # Errors
+    /// [`StudyError::Surface`] if the band of an instrument does not fit the surface.
+    pub fn of_surface(
+        surface: KnownSurface,
+        instruments: &[Instrument],
+        seed: u64,
+    ) -> Result<Self, StudyError> {
+        let maker = |instrument: &Instrument| -> Result<(Instrument, Maker), StudyError> {
+            let maker = match instrument.shape {
+                Shape::Line => Maker::Lines(LineMaker::new(&surface, instrument)?),
+                Shape::Map => Maker::Maps(MapMaker::new(&surface, instrument)?),
+            };
+            Ok((*instrument, maker))
+        };
+        let instruments = instruments.iter().map(maker).collect::<Result<_, _>>()?;
+        Ok(Laboratory { surface, instruments, seed })
     }
 
     /// Returns the study of a number, with `scans` by each instrument, below a thousand. The first scans do not
@@ -51,27 +76,28 @@ impl Laboratory {
     ///
     /// # Errors
     /// [`StudyError::Surface`] if the band of an instrument does not fit the surface.
-    pub fn study(&self, number: u64, scans: [u32; 2]) -> Result<SyntheticStudy, StudyError> {
+    pub fn study(&self, number: u64, scans: &[u32]) -> Result<SyntheticStudy, StudyError> {
         let (mut files, mut requests) = (BTreeMap::new(), Vec::new());
-        for (place, (instrument, scans)) in INSTRUMENTS.into_iter().zip(scans).enumerate() {
-            let first = (number * INSTRUMENTS.len() as u64 + place as u64) * MOST_SCANS;
+        for (place, (instrument, scans)) in self.instruments.iter().zip(scans).enumerate() {
+            let (instrument, maker) = instrument;
+            let first = (number * self.instruments.len() as u64 + place as u64) * MOST_SCANS;
             let gain = 1.0 + GAIN_SD * Normals::new(self.seed, first).next();
-            for scan in 1..=u64::from(scans) {
-                let mut heights_m = self.heights_m(&instrument, first + scan)?;
+            for scan in 1..=u64::from(*scans) {
+                let mut heights_m = self.heights_m(maker, first + scan)?;
                 heights_m.iter_mut().for_each(|height_m| *height_m *= gain);
                 let path = format!("{}-{scan}.npy", instrument.name);
                 files.insert(path.clone(), npy::array(&heights_m, instrument.points));
-                requests.push((instrument, request(path, &instrument)));
+                requests.push((*instrument, request(path, instrument)));
             }
         }
         Ok(SyntheticStudy { files, scans: requests })
     }
 
-    fn heights_m(&self, instrument: &Instrument, number: u64) -> Result<Vec<f64>, StudyError> {
+    fn heights_m(&self, maker: &Maker, number: u64) -> Result<Vec<f64>, StudyError> {
         let mut normals = Normals::new(self.seed, number);
-        match instrument.shape {
-            Shape::Line => Ok(self.lines.line(&mut normals)),
-            Shape::Map => self.maps.map(self.seed, number, &mut normals),
+        match maker {
+            Maker::Lines(lines) => Ok(lines.line(&mut normals)),
+            Maker::Maps(maps) => maps.map(self.seed, number, &mut normals),
         }
     }
 }

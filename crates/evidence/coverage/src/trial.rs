@@ -66,7 +66,7 @@ impl Laboratory {
     ///
     /// # Errors
     /// [`StudyError`] if any part fails, and [`StudyError::Certain`] if the scene has no uncertain input.
-    pub fn trial(&self, number: u64, scans: [u32; 2], settings: &Settings) -> Result<Trial, StudyError> {
+    pub fn trial(&self, number: u64, scans: &[u32], settings: &Settings) -> Result<Trial, StudyError> {
         self.carried_out(number, scans, settings, |plan| Ok((plan.intervals(&Unobserved)?, Vec::new())))
     }
 
@@ -77,7 +77,7 @@ impl Laboratory {
     pub fn advised_trial(
         &self,
         number: u64,
-        scans: [u32; 2],
+        scans: &[u32],
         settings: &Settings,
     ) -> Result<Trial, StudyError> {
         self.carried_out(number, scans, settings, |plan| {
@@ -89,7 +89,7 @@ impl Laboratory {
     fn carried_out(
         &self,
         number: u64,
-        scans: [u32; 2],
+        scans: &[u32],
         settings: &Settings,
         carry_out: impl Fn(&UncertaintyPlan<'_>) -> Result<(Vec<AreaInterval>, Vec<Advice>), PlanError>,
     ) -> Result<Trial, StudyError> {

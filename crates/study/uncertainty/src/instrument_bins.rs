@@ -3,9 +3,13 @@
 //! The mean of n scans is drawn as JCGM 101:2008, 6.4.9, draws the mean of n repeated indications: with deviations of
 //! Student's t with n - 1 degrees of freedom. One normal number multiplies the whole deviation of a scan (a bootstrap
 //! with normal multipliers), so the draws keep the correlations of the scans along the wavevector.
+//!
+//! The scatter of single lines by their Fourier bins is not drawn in this way: its distribution is known (chi-squared),
+//! and it is independent from bin to bin. Only the scatter between places beyond it is.
 
 use rand_chacha::rand_core::Rng;
 use rand_distr::{ChiSquared, Distribution, StandardNormal};
+use statrs::function::gamma::digamma;
 
 use crate::student::StudentFactors;
 
@@ -46,6 +50,8 @@ pub(crate) enum Beside {
     Nothing,
     /// A single scan scatters by its own Fourier bins, with these degrees of freedom and the bias of its logarithm.
     OwnBins { degrees_of_freedom: f64, bias: f64 },
+    /// The mean over several places scatters by the Fourier bins of each, with these degrees of freedom.
+    OwnBinsOfPlaces { degrees_of_freedom: f64, places: usize },
     /// Parts of a map lie side by side and are alike at long wavelengths: this variance is missing.
     Variance(f64),
 }
@@ -56,6 +62,9 @@ impl Beside {
         match self {
             Beside::Nothing => 0.0,
             Beside::OwnBins { degrees_of_freedom, .. } => variance_of_logarithm(degrees_of_freedom),
+            Beside::OwnBinsOfPlaces { degrees_of_freedom, places } => {
+                variance_of_logarithm(degrees_of_freedom) / places as f64
+            }
             Beside::Variance(variance) => variance,
         }
     }
@@ -67,6 +76,17 @@ impl Beside {
                 Ok(chi_squared) => bias - (chi_squared.sample(numbers) / degrees_of_freedom).ln(),
                 Err(_) => 0.0, // no degrees of freedom below 2 come here
             },
+            Beside::OwnBinsOfPlaces { degrees_of_freedom, places } => {
+                match ChiSquared::new(degrees_of_freedom) {
+                    Ok(chi_squared) => {
+                        let half = 0.5 * degrees_of_freedom;
+                        let bias = digamma(half) - half.ln();
+                        let mut deviation = || bias - (chi_squared.sample(numbers) / degrees_of_freedom).ln();
+                        (0..places).map(|_| deviation()).sum::<f64>() / places as f64
+                    }
+                    Err(_) => 0.0, // degrees of freedom are at least 1
+                }
+            }
             Beside::Variance(variance) => variance.sqrt() * normal(numbers),
         }
     }

@@ -1,15 +1,19 @@
 //! The instruments of a composite: their scans, their data in every bin, and their description.
 
 use std::collections::BTreeSet;
+use std::f64::consts::LN_10;
 
 use measurements::CompositeOfFiles;
 use topography::{Average, CompositeBin, ScanBin, ScanSpectrum};
 
-use crate::instrument_bins::{Beside, InstrumentBin, InstrumentBins};
+use crate::instrument_bins::{Beside, InstrumentBin, InstrumentBins, variance_of_logarithm};
 use crate::results::{InstrumentInput, InstrumentName, Resampled};
 
 /// The assumed standard uncertainty of an unknown height scale.
 pub const ASSUMED_Z_CALIBRATION: f64 = 0.03;
+
+/// The distance over which the scatter between places is compared with that of Fourier bins \[decades\].
+const POOLED_DECADES: f64 = 0.5;
 
 /// The instruments of a composite in the order of their first scans, and their descriptions.
 pub(crate) fn instruments(scans: &CompositeOfFiles) -> (Vec<InstrumentBins>, Vec<InstrumentInput>) {
@@ -90,9 +94,41 @@ impl<'s> OwnScans<'s> {
         let reached: Vec<f64> = self.reached().map(|bin| -bin.wavelength_m.ln()).collect();
         let middle = 0.5 * (reached[0] + reached[reached.len() - 1]);
         let bins = self.in_bins.iter().zip(self.bins());
-        let bins = bins.map(|(scans, bin)| self.bin(scans, bin, middle)).collect();
+        let mut bins: Vec<Option<InstrumentBin>> =
+            bins.map(|(scans, bin)| self.bin(scans, bin, middle)).collect();
+        self.split_scatter(&mut bins);
         let units = self.only_map().map_or(self.places.len(), |map| map.spectrum.parts_m3().len());
         InstrumentBins { units, place_sd: 0.0, is_one_place: self.places.len() == 1, bins }
+    }
+
+    /// Splits the scatter between places into that of their Fourier bins, which is chi-squared and independent from bin
+    /// to bin, and the rest, which keeps the deviations, made smaller. The ratio of both variances is averaged over
+    /// [`POOLED_DECADES`] to either side, since two or three scans do not tell it in a single bin.
+    fn split_scatter(&self, bins: &mut [Option<InstrumentBin>]) {
+        if self.only_map().is_some() {
+            return;
+        }
+        let of_bin = |(bin, scans): (&Option<InstrumentBin>, &Vec<(usize, &ScanBin)>)| {
+            let bin = bin.as_ref().filter(|bin| bin.deviations.len() > 1)?;
+            let count = bin.deviations.len() as f64;
+            let freedom = scans.iter().map(|(_, scan)| scan.degrees_of_freedom.unwrap_or(2.0));
+            let freedom = (freedom.sum::<f64>() / count).max(1.0);
+            let squares: f64 = bin.deviations.iter().map(|(_, off)| off * off).sum();
+            let ratio = squares / (count - 1.0) / variance_of_logarithm(freedom);
+            Some((bin.ln_q, freedom, ratio))
+        };
+        let found: Vec<Option<(f64, f64, f64)>> = bins.iter().zip(&self.in_bins).map(of_bin).collect();
+        for (bin, here) in bins.iter_mut().zip(&found) {
+            let (Some(bin), Some((ln_q, degrees_of_freedom, _))) = (bin.as_mut(), here) else { continue };
+            let near =
+                found.iter().flatten().filter(|(other, ..)| (other - ln_q).abs() < POOLED_DECADES * LN_10);
+            let ratios: Vec<f64> = near.map(|(.., ratio)| *ratio).collect();
+            let ratio = ratios.iter().sum::<f64>() / ratios.len() as f64;
+            let rest = (1.0 - 1.0 / ratio).max(0.0).sqrt();
+            let places = bin.deviations.len();
+            bin.beside = Beside::OwnBinsOfPlaces { degrees_of_freedom: *degrees_of_freedom, places };
+            bin.deviations.iter_mut().for_each(|(_, off)| *off *= rest);
+        }
     }
 
     /// The bins that the instrument reaches, from long to short wavelengths; there is one at least.

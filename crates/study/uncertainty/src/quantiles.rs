@@ -67,7 +67,62 @@ pub fn interval(draws: &[f64], level: f64) -> Option<Interval> {
     })
 }
 
-/// Computes the interval about the result of the best estimates, corrected for bias: a result off the middle of its
+/// Scale on which an interval of logarithms is mirrored.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scale {
+    /// The logarithm itself.
+    Plain,
+    /// The logarithm of a share A, which ends at 1: ln(-ln(1 - A)), nearly ln A for small shares.
+    LnShare,
+}
+
+impl Scale {
+    /// Mirrors the logarithm `value` about `centre`.
+    fn mirrored(self, value: f64, centre: f64) -> f64 {
+        match self {
+            Scale::LnShare if value < 0.0 && centre < 0.0 => {
+                let unbounded = |ln_share: f64| (-(-ln_share.exp()).ln_1p()).ln();
+                let mirrored = 2.0 * unbounded(centre) - unbounded(value);
+                (-(-mirrored.exp()).exp_m1()).ln()
+            }
+            // A share of 1 or more, which theories without a limit give, has no such scale.
+            Scale::LnShare | Scale::Plain => 2.0 * centre - value,
+        }
+    }
+}
+
+/// Computes the interval about the result of the best estimates: each end is the mean of the ends of two intervals.
+///
+/// * The percentiles of the draws, corrected for bias (`percentiles_about`). From few scans, the truth lies above them
+///   more often than below.
+/// * The draws mirrored about the result ("basic" bootstrap, Davison & Hinkley 1997, Bootstrap Methods and their
+///   Application, 5.2.1), on the logarithmic scale. They are exact if the result is a scale parameter, as is the mean
+///   square height if a single wave dominates. From few scans, the truth lies below them more often than above.
+///
+/// The mean was chosen on synthetic studies, in which it misses to one side about as often as to the other
+/// (`docs/guide/uncertainty.md`). A result beyond all draws counts as the outermost.
+pub fn interval_about(best: f64, draws: &[f64], level: f64, scale: Scale) -> Option<Interval> {
+    let percentiles = percentiles_about(best, draws, level)?;
+    let plain = interval(draws, level)?;
+    if plain.low.value == plain.high.value {
+        return Some(plain);
+    }
+    let lowest = draws.iter().copied().fold(f64::INFINITY, f64::min);
+    let highest = draws.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let centre = best.clamp(lowest, highest);
+    let mean = |end: Quantile, other: Quantile| Quantile {
+        value: 0.5 * (end.value + scale.mirrored(other.value, centre)),
+        standard_error: 0.5 * (end.standard_error + other.standard_error),
+    };
+    Some(Interval {
+        low: mean(percentiles.low, plain.high),
+        median: mean(percentiles.median, plain.median),
+        high: mean(percentiles.high, plain.low),
+        length_standard_error: 0.5 * (percentiles.length_standard_error + plain.length_standard_error),
+    })
+}
+
+/// Computes the percentiles about the result of the best estimates, corrected for bias: a result off the middle of its
 /// draws lies as far off the middle of its interval. With z0 the normal quantile of the share of draws below the
 /// result, the quantiles are those of the normal probabilities 2 z0 - z, 2 z0 and 2 z0 + z (Efron 1981, Can. J. Stat.
 /// 9:139). Smooth results with little scatter lie in the middle of their draws, and their interval is that of
@@ -76,7 +131,7 @@ pub fn interval(draws: &[f64], level: f64) -> Option<Interval> {
 /// z0 is limited to half a standard deviation. If a result is the larger or the smaller of two that nearly agree, z0
 /// follows its own error, and twice z0 would lead away from the truth. Synthetic studies confirm the limit
 /// (`docs/guide/uncertainty.md`): with it, intervals hold the truth as often as they should, for spectra of all slopes.
-pub fn interval_about(best: f64, draws: &[f64], level: f64) -> Option<Interval> {
+fn percentiles_about(best: f64, draws: &[f64], level: f64) -> Option<Interval> {
     let plain = interval(draws, level)?;
     if plain.low.value == plain.high.value {
         return Some(plain);
@@ -132,7 +187,7 @@ mod tests {
     use rand_chacha::rand_core::SeedableRng;
     use rand_distr::{Distribution, StandardNormal};
 
-    use super::{interval, interval_about};
+    use super::{Scale, interval, interval_about, percentiles_about};
 
     /// Quantile of the normal distribution at 97.5 %.
     const HIGH: f64 = 1.959_963_984_540_054;
@@ -226,17 +281,33 @@ mod tests {
         let mut normal = || -> f64 { StandardNormal.sample(&mut numbers) };
         let (best, off) = (3.0, 0.3);
         let draws: Vec<f64> = (0..4001).map(|_| best + off + normal()).collect();
-        let found = interval_about(best, &draws, 0.95).unwrap();
+        let found = interval_about(best, &draws, 0.95, Scale::Plain).unwrap();
         let middle = best - off;
         for (end, expected) in
             [(found.low, middle - HIGH), (found.median, middle), (found.high, middle + HIGH)]
         {
             assert!((end.value - expected).abs() < 3.0 * end.standard_error, "{end:?} {expected}");
         }
-        let same = interval_about(2.0, &[2.0; 50], 0.95).unwrap();
+        let same = interval_about(2.0, &[2.0; 50], 0.95, Scale::Plain).unwrap();
         assert_eq!((same.low.value, same.high.value, same.relative_error()), (2.0, 2.0, 0.0));
         // Beyond all draws it counts as half a standard deviation.
-        let beyond = interval_about(1e3, &draws, 0.95).unwrap();
+        let beyond = percentiles_about(1e3, &draws, 0.95).unwrap();
         assert!((beyond.median.value - (best + off + 1.0)).abs() < 0.1, "{beyond:?}");
+    }
+
+    #[test]
+    fn mirrored_shares_stay_below_one() {
+        let draws: Vec<f64> = normal(2001, 3).iter().map(|draw| (0.6 + 0.1 * draw.tanh()).ln()).collect();
+        for best in [0.69f64.ln(), 0.6f64.ln()] {
+            let found = interval_about(best, &draws, 0.95, Scale::LnShare).unwrap();
+            assert!(
+                found.low.value < found.median.value && found.median.value < found.high.value,
+                "{found:?}"
+            );
+            assert!(found.high.value < 0.0, "{found:?}");
+        }
+        // Small shares are mirrored as their logarithms.
+        let [share, plain] = [Scale::LnShare, Scale::Plain].map(|scale| scale.mirrored(-12.0, -11.0));
+        assert!((share - plain).abs() < 1e-4, "{share} {plain}");
     }
 }
