@@ -1,7 +1,7 @@
 //! Intervals along the cutoff, from a part of the draws.
 
 use crate::areas::Points;
-use crate::quantiles::{Scale, interval_about};
+use crate::quantiles::area_interval_about;
 use crate::results::{AreaBand, BandPoint};
 
 /// The most draws for a band, which is only drawn, not read off.
@@ -22,7 +22,7 @@ pub(crate) fn band(
             Some(found.1.ln())
         };
         let ln_areas: Vec<f64> = draws.iter().map(at).collect::<Option<_>>()?;
-        let found = interval_about(best.ln(), &ln_areas, level, Scale::LnShare)?;
+        let found = area_interval_about(best.ln(), &ln_areas, level)?;
         let is_told = found.low.value.is_finite() && found.high.value.is_finite();
         is_told.then(|| BandPoint { wavelength_m, low: found.low.value.exp(), high: found.high.value.exp() })
     };

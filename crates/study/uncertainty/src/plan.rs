@@ -10,7 +10,7 @@ use crate::bands::{self, band};
 use crate::draws::{self, Along, Drawn};
 use crate::group::Indices;
 use crate::inputs::Inputs;
-use crate::quantiles::{Scale, interval, interval_about};
+use crate::quantiles::{area_interval_about, interval};
 use crate::quantities::{Quantities, QuantityDraws};
 use crate::results::{AreaBand, AreaInterval, Guess, Uncertainty};
 use crate::settings::Settings;
@@ -234,7 +234,7 @@ impl<'p> UncertaintyPlan<'p> {
         // A certain surface needs no correction for bias.
         let best = best.filter(|_| self.inputs.surface_scatters());
         let at_level = |level| match best {
-            Some(best) => interval_about(best, &ln_areas, level, Scale::LnShare),
+            Some(best) => area_interval_about(best, &ln_areas, level),
             None => interval(&ln_areas, level),
         };
         let found = at_level(self.settings.level)?;

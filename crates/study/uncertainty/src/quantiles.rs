@@ -67,31 +67,19 @@ pub fn interval(draws: &[f64], level: f64) -> Option<Interval> {
     })
 }
 
-/// Scale on which an interval of logarithms is mirrored.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Scale {
-    /// The logarithm itself.
-    Plain,
-    /// The logarithm of a share A, which ends at 1: ln(-ln(1 - A)), nearly ln A for small shares.
-    LnShare,
-}
-
-impl Scale {
-    /// Mirrors the logarithm `value` about `centre`.
-    fn mirrored(self, value: f64, centre: f64) -> f64 {
-        match self {
-            Scale::LnShare if value < 0.0 && centre < 0.0 => {
-                let unbounded = |ln_share: f64| (-(-ln_share.exp()).ln_1p()).ln();
-                let mirrored = 2.0 * unbounded(centre) - unbounded(value);
-                (-(-mirrored.exp()).exp_m1()).ln()
-            }
-            // A share of 1 or more, which theories without a limit give, has no such scale.
-            Scale::LnShare | Scale::Plain => 2.0 * centre - value,
-        }
+/// Mirrors the logarithm of a share A about another one, on the scale ln(-ln(1 - A)), nearly ln A for small shares, on which
+/// it stays below 1. A share of 1 or more, which theories without a limit give, has no such scale: its logarithm is mirrored.
+fn mirrored(ln_share: f64, ln_centre: f64) -> f64 {
+    if ln_share >= 0.0 || ln_centre >= 0.0 {
+        return 2.0 * ln_centre - ln_share;
     }
+    let unbounded = |ln_share: f64| (-(-ln_share.exp()).ln_1p()).ln();
+    let mirrored = 2.0 * unbounded(ln_centre) - unbounded(ln_share);
+    (-(-mirrored.exp()).exp_m1()).ln()
 }
 
-/// Computes the interval about the result of the best estimates: each end is the mean of the ends of two intervals.
+/// Computes the interval of the logarithm of an area about the result of the best estimates: each end is the mean of the ends
+/// of two intervals.
 ///
 /// * The percentiles of the draws, corrected for bias (`percentiles_about`). From few scans, the truth lies above them
 ///   more often than below.
@@ -101,7 +89,7 @@ impl Scale {
 ///
 /// The mean was chosen on synthetic studies, in which it misses to one side about as often as to the other
 /// (`docs/guide/uncertainty.md`). A result beyond all draws counts as the outermost.
-pub fn interval_about(best: f64, draws: &[f64], level: f64, scale: Scale) -> Option<Interval> {
+pub fn area_interval_about(best: f64, draws: &[f64], level: f64) -> Option<Interval> {
     let percentiles = percentiles_about(best, draws, level)?;
     let plain = interval(draws, level)?;
     if plain.low.value == plain.high.value {
@@ -111,7 +99,7 @@ pub fn interval_about(best: f64, draws: &[f64], level: f64, scale: Scale) -> Opt
     let highest = draws.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let centre = best.clamp(lowest, highest);
     let mean = |end: Quantile, other: Quantile| Quantile {
-        value: 0.5 * (end.value + scale.mirrored(other.value, centre)),
+        value: 0.5 * (end.value + mirrored(other.value, centre)),
         standard_error: 0.5 * (end.standard_error + other.standard_error),
     };
     Some(Interval {
@@ -131,7 +119,7 @@ pub fn interval_about(best: f64, draws: &[f64], level: f64, scale: Scale) -> Opt
 /// z0 is limited to half a standard deviation. If a result is the larger or the smaller of two that nearly agree, z0
 /// follows its own error, and twice z0 would lead away from the truth. Synthetic studies confirm the limit
 /// (`docs/guide/uncertainty.md`): with it, intervals hold the truth as often as they should, for spectra of all slopes.
-fn percentiles_about(best: f64, draws: &[f64], level: f64) -> Option<Interval> {
+pub(crate) fn percentiles_about(best: f64, draws: &[f64], level: f64) -> Option<Interval> {
     let plain = interval(draws, level)?;
     if plain.low.value == plain.high.value {
         return Some(plain);
@@ -187,7 +175,7 @@ mod tests {
     use rand_chacha::rand_core::SeedableRng;
     use rand_distr::{Distribution, StandardNormal};
 
-    use super::{Scale, interval, interval_about, percentiles_about};
+    use super::{area_interval_about, interval, mirrored, percentiles_about};
 
     /// Quantile of the normal distribution at 97.5 %.
     const HIGH: f64 = 1.959_963_984_540_054;
@@ -281,14 +269,14 @@ mod tests {
         let mut normal = || -> f64 { StandardNormal.sample(&mut numbers) };
         let (best, off) = (3.0, 0.3);
         let draws: Vec<f64> = (0..4001).map(|_| best + off + normal()).collect();
-        let found = interval_about(best, &draws, 0.95, Scale::Plain).unwrap();
+        let found = area_interval_about(best, &draws, 0.95).unwrap();
         let middle = best - off;
         for (end, expected) in
             [(found.low, middle - HIGH), (found.median, middle), (found.high, middle + HIGH)]
         {
             assert!((end.value - expected).abs() < 3.0 * end.standard_error, "{end:?} {expected}");
         }
-        let same = interval_about(2.0, &[2.0; 50], 0.95, Scale::Plain).unwrap();
+        let same = area_interval_about(2.0, &[2.0; 50], 0.95).unwrap();
         assert_eq!((same.low.value, same.high.value, same.relative_error()), (2.0, 2.0, 0.0));
         // Beyond all draws it counts as half a standard deviation.
         let beyond = percentiles_about(1e3, &draws, 0.95).unwrap();
@@ -299,7 +287,7 @@ mod tests {
     fn mirrored_shares_stay_below_one() {
         let draws: Vec<f64> = normal(2001, 3).iter().map(|draw| (0.6 + 0.1 * draw.tanh()).ln()).collect();
         for best in [0.69f64.ln(), 0.6f64.ln()] {
-            let found = interval_about(best, &draws, 0.95, Scale::LnShare).unwrap();
+            let found = area_interval_about(best, &draws, 0.95).unwrap();
             assert!(
                 found.low.value < found.median.value && found.median.value < found.high.value,
                 "{found:?}"
@@ -307,7 +295,6 @@ mod tests {
             assert!(found.high.value < 0.0, "{found:?}");
         }
         // Small shares are mirrored as their logarithms.
-        let [share, plain] = [Scale::LnShare, Scale::Plain].map(|scale| scale.mirrored(-12.0, -11.0));
-        assert!((share - plain).abs() < 1e-4, "{share} {plain}");
+        assert!((mirrored(-12.0, -11.0) + 10.0).abs() < 1e-4);
     }
 }

@@ -10,7 +10,7 @@ use spectrum::ProfilePsd;
 
 use crate::inputs::Inputs;
 use crate::material_draws::DrawnMaterial;
-use crate::quantiles::{Interval, Scale, interval, interval_about};
+use crate::quantiles::{Interval, interval, percentiles_about};
 use crate::results::{AreaInterval, OpenChannel, QuantityInterval};
 use crate::surface_scatter::DrawOf;
 
@@ -77,7 +77,8 @@ impl<'p> Quantities<'p> {
             }
             let ln_values: Vec<f64> = drawn.iter().filter_map(|draw| draw[at]).collect();
             let found = match best.as_ref().and_then(|best| best[at]) {
-                Some(best) => interval_about(best, &ln_values, level, Scale::Plain),
+                // Leaks scatter over decades to one side, and their mirror image is no interval.
+                Some(best) => percentiles_about(best, &ln_values, level),
                 None => interval(&ln_values, level),
             };
             let is_told = ln_values.len() as f64 >= MIN_SHARE_WITH_VALUE * draws as f64;

@@ -54,7 +54,7 @@ pub struct AreaInterval {
     /// The median of the draws, corrected for bias where the surface scatters.
     pub median: f64,
     /// The lower end of the interval, with as much probability below it as above the upper end; corrected for bias
-    /// ([`interval_about`](crate::quantiles::interval_about)) if the surface is uncertain.
+    /// ([`area_interval_about`](crate::quantiles::area_interval_about)) if the surface is uncertain.
     pub low: f64,
     /// The upper end.
     pub high: f64,
