@@ -35,7 +35,7 @@ async function open(options = {}, fragment = "") {
   page.on("console", (message) => { if (message.type() === "error" || message.type() === "warning") complaints.push(message.text()); });
   page.on("pageerror", (error) => complaints.push(String(error)));
   await page.goto(server.address + fragment);
-  await page.waitForSelector("html[data-ready]");
+  await page.waitForSelector("html[data-ready]", { state: "attached", timeout: 15_000 });
   return { context, page, requests, complaints };
 }
 
@@ -79,14 +79,15 @@ function run(args, files = {}) {
   return { folder, printed };
 }
 
-/** Three traces at different pitches, as a stylus and two microscopes might give them. */
+/** Three rough traces at different pitches, as a stylus and two microscopes might give them. */
 function traces() {
   const of = (pitch, seed) => {
     const lines = ["x (m),z (m)"];
+    let [random, height] = [seed, 0];
     for (let at = 0; at < 700; at += 1) {
-      let height = 0;
-      for (let wave = 1; wave < 60; wave += 1) height += 3e-8 / wave * Math.sin((2 * Math.PI * wave * at) / 700 + seed * wave * wave);
-      lines.push(`${at * pitch},${height * Math.sqrt(pitch / 1e-6)}`);
+      random = (1_103_515_245 * random + 12_345) % 2_147_483_648;
+      height = 0.98 * height + 2e-8 * (random / 2_147_483_648 - 0.5) * Math.sqrt(pitch / 1e-6);
+      lines.push(`${at * pitch},${height}`);
     }
     return lines.join("\n");
   };
@@ -352,7 +353,7 @@ test("after the first visit the page works offline", async () => {
   await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
   await context.setOffline(true);
   await page.reload();
-  await page.waitForSelector("html[data-ready]");
+  await page.waitForSelector("html[data-ready]", { state: "attached", timeout: 15_000 });
   await example(page, "gasket");
   await context.close();
 });

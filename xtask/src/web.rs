@@ -34,7 +34,7 @@ fn build() -> Result<(), Box<dyn Error>> {
         Command::new(env!("CARGO"))
             .current_dir(root)
             .args(["rustc", "--package", "truearea-web", "--lib", "--crate-type", "cdylib"])
-            .args(["--target", "wasm32-unknown-unknown", "--profile", "web"]),
+            .args(["--target", "wasm32-unknown-unknown", "--profile", "wasm"]),
     )?;
     let out = target.join("web");
     if out.exists() {
@@ -42,16 +42,18 @@ fn build() -> Result<(), Box<dyn Error>> {
     }
     fs::create_dir_all(&out)?;
     Bindgen::new()
-        .input_path(target.join("wasm32-unknown-unknown/web/web.wasm"))
+        .input_path(target.join("wasm32-unknown-unknown/wasm/web.wasm"))
         .out_name("truearea")
         .web(true)?
         .typescript(false)
+        .remove_name_section(true)
+        .remove_producers_section(true)
         .generate(&out)?;
     fs::copy(root.join("crates/study/report/src/page/style.css"), out.join("report.css"))?;
     let page = root.join("crates/apps/web/page");
     for entry in fs::read_dir(&page)? {
         let path = entry?.path();
-        if path.is_file() && path.extension().is_some_and(|ending| ending != "json") {
+        if path.is_file() && path.extension().is_some_and(|ending| ending != "json" && ending != "ts") {
             fs::copy(&path, out.join(path.file_name().unwrap_or_default()))?;
         }
     }

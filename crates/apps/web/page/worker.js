@@ -3,7 +3,7 @@
 import init, * as core from "./truearea.js";
 import { onProgress, setFiles } from "./bridge.js";
 
-const ready = init();
+const ready = init({ module_or_path: new URL("./truearea_bg.wasm", import.meta.url) });
 onProgress((phase, done, steps) => postMessage({ progress: { phase, done, steps } }));
 
 /** @param {MessageEvent} event */

@@ -12,4 +12,4 @@ pub use answer::{Desk, Opened, Reply};
 pub use example::EXAMPLES;
 pub use file_sight::FileSight;
 pub use products::{ProductFile, judged, products};
-pub use request::{FileRequest, Refusal, Request};
+pub use request::{FileKind, FileRequest, Refusal, Request};
