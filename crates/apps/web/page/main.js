@@ -72,6 +72,8 @@ let isAsking = false;
 let isStale = false;
 let pause = 0;
 let round = 0;
+/** The rows of the table of models. */
+let shownOrder = "";
 
 // ---- State and request ------------------------------------------------------------------------------------------------
 
@@ -98,6 +100,7 @@ const lacking = () => state.files.find((file) => file.sight?.refusal?.option);
 function say(/** @type {"idle" | "working" | "done" | "error"} */ what, /** @type {string} */ words) {
   const status = by("status");
   status.dataset.state = what;
+  status.dataset.bytes = String(desk.bytes + bench.bytes);
   if (status.textContent !== words) status.textContent = words;
 }
 
@@ -260,16 +263,25 @@ function showScreen(/** @type {any} */ found) {
   if (document.activeElement !== slider) slider.value = String(Math.log10(found.nominal_pressure_pa));
   slider.setAttribute("aria-valuetext", found.load);
   const answer = by("answer");
-  answer.innerHTML = found.best;
+  fill(answer, found.best);
   answer.dataset.value = found.area_fraction === null ? "" : String(found.area_fraction);
   answer.dataset.low = String(found.low);
   answer.dataset.high = String(found.high);
-  by("hangs-on").innerHTML = found.hangs_on;
-  by("cautions").innerHTML = found.cautions;
-  by("interface").innerHTML = found.interface;
-  by("figure-main").innerHTML = found.figure ?? "";
+  fill(by("hangs-on"), found.hangs_on);
+  fill(by("cautions"), found.cautions);
+  fill(by("interface"), found.interface);
+  fill(by("figure-main"), found.figure ?? "");
   showModels(found.models, first);
   drawLines();
+}
+
+/** Markup that each element holds, so that only what changes is laid out again. @type {WeakMap<Element, string>} */
+const filled = new WeakMap();
+
+function fill(/** @type {HTMLElement} */ element, /** @type {string} */ markup) {
+  if (filled.get(element) === markup) return;
+  filled.set(element, markup);
+  element.innerHTML = markup;
 }
 
 function isDrawn(/** @type {any} */ model) {
@@ -279,6 +291,12 @@ function isDrawn(/** @type {any} */ model) {
 /** Rows that stay in place while only their numbers change, so that focus and sliders are not disturbed. */
 function showModels(/** @type {any[]} */ models, /** @type {boolean} */ isFirst) {
   const table = by("models");
+  const order = models.map((model) => `${model.key} ${model.reference ?? ""}`).join("\n");
+  if (!isFirst && order === shownOrder && models.every((model) => !model.verdict)) {
+    for (const model of models) fillArea(/** @type {HTMLElement} */ (table.querySelector(`[data-testid="area-${model.key}"]`)), model);
+    return;
+  }
+  shownOrder = order;
   const kept = document.activeElement?.closest("#models") ? document.activeElement.getAttribute("data-testid") : null;
   const head = row("thead", ["model", "area", models.some((model) => model.verdict) ? "÷ elements" : ""]);
   /** @type {HTMLTableSectionElement | null} */
@@ -302,6 +320,11 @@ function showModels(/** @type {any[]} */ models, /** @type {boolean} */ isFirst)
   }
   table.replaceChildren(head, ...sections);
   if (kept && !isFirst) /** @type {HTMLElement | null} */ (table.querySelector(`[data-testid="${kept}"]`))?.focus();
+}
+
+function fillArea(/** @type {HTMLElement} */ cell, /** @type {any} */ model) {
+  cell.dataset.value = model.area_fraction === null ? "" : String(model.area_fraction);
+  cell.textContent = model.area ?? "none";
 }
 
 function row(/** @type {string} */ section, /** @type {string[]} */ words) {
@@ -338,8 +361,7 @@ function modelRow(/** @type {any} */ model) {
   name.append(label);
   const area = document.createElement("td");
   area.dataset.testid = `area-${model.key}`;
-  area.dataset.value = model.area_fraction === null ? "" : String(model.area_fraction);
-  area.textContent = model.area ?? "none";
+  fillArea(area, model);
   const verdict = document.createElement("td");
   verdict.dataset.testid = `verdict-${model.key}`;
   verdict.dataset.value = model.verdict ?? "";

@@ -14,9 +14,9 @@ onmessage = async (event) => {
     return;
   }
   try {
-    await ready;
+    const { memory } = /** @type {any} */ (await ready);
     const reply = /** @type {any} */ (core)[call](...args);
-    postMessage({ id, reply });
+    postMessage({ id, reply, bytes: memory.buffer.byteLength });
   } catch (error) {
     postMessage({ id, error: String(error) });
   }
