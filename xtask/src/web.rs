@@ -75,9 +75,8 @@ fn name_version(out: &Path) -> Result<(), Box<dyn Error>> {
     }
     let script = fs::read_to_string(out.join("offline.js"))?;
     let list = serde_json::to_string(&names)?;
-    let script = script
-        .replace("\"VERSION\"", &format!("\"{:08x}\"", version.sum()))
-        .replace("[\"FILES\"]", &list);
+    let script =
+        script.replace("\"VERSION\"", &format!("\"{:08x}\"", version.sum())).replace("[\"FILES\"]", &list);
     fs::write(out.join("offline.js"), script)?;
     Ok(())
 }
@@ -110,7 +109,11 @@ fn compress(out: &Path) -> Result<(), Box<dyn Error>> {
     }
     println!("{:<22} {:>9} bytes, gzip {:>9}, brotli {:>9}", "together", totals[0], totals[1], totals[2]);
     if totals[2] > MOST_BYTES {
-        return Err(format!("the page has {} bytes with brotli; at most {MOST_BYTES} are allowed", totals[2]).into());
+        return Err(format!(
+            "the page has {} bytes with brotli; at most {MOST_BYTES} are allowed",
+            totals[2]
+        )
+        .into());
     }
     Ok(())
 }

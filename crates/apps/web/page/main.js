@@ -188,9 +188,12 @@ async function judge() {
   say("working", "Closed forms are done. Boundary elements …");
   showWorking(true);
   try {
-    showScreen(await bench.ask("judge", request(), false));
-    say("working", "Verdicts are done. Uncertainty of scans and bodies …");
-    showScreen(await bench.ask("judge", request(), true));
+    const first = await bench.ask("judge", request(), false);
+    showScreen(first.screen);
+    if (first.may_widen) {
+      say("working", "Verdicts are done. Uncertainty of scans and bodies …");
+      showScreen((await bench.ask("judge", request(), true)).screen);
+    }
     say("done", `Done: ${plain(by("answer").querySelector(".number"))} at ${screen_.load}.`);
   } catch (error) {
     if (error instanceof Cancelled || own !== round) return;
@@ -513,6 +516,9 @@ async function lookAtFiles() {
   changed();
 }
 
+/** The names of files whose options are shown. @type {Set<string>} */
+const unfolded = new Set();
+
 function showFiles() {
   const kept = document.activeElement?.id ?? "";
   by("file-list").replaceChildren(...state.files.map(fileItem));
@@ -569,7 +575,8 @@ function fileItem(/** @type {PageFile} */ file, /** @type {number} */ at) {
     const more = document.createElement("details");
     const title = document.createElement("summary");
     title.textContent = "Unit, tip, direction …";
-    more.open = Object.keys(file.options).some((key) => key !== sight.refusal?.option);
+    more.open = unfolded.has(file.name);
+    more.addEventListener("toggle", () => (more.open ? unfolded.add(file.name) : unfolded.delete(file.name)));
     const grid = document.createElement("div");
     grid.className = "grid";
     const others = OPTIONS.filter(([key]) => key !== sight.refusal?.option);

@@ -5,7 +5,7 @@ use findings::answer::Answer;
 use measurements::Files;
 use questions::{BodyText, retune};
 use report::page::LiveScreen;
-use report::{products, scan_words, scene_note_words, scans_table};
+use report::{products, scan_words, scans_table, scene_note_words};
 use scene::{Overrides, Scene};
 use serde::Serialize;
 use topography::Severity;
@@ -62,23 +62,24 @@ pub struct PageNote {
     pub text: String,
 }
 
+/// Gives a scene the conditions of a request, or its own.
+pub(crate) fn with_conditions(scene: &mut Scene, request: &Request) -> Result<(), Refusal> {
+    let own = stated(&scene.text).2;
+    match request.pressure.as_ref().or(own.as_ref()) {
+        Some(pressure) => {
+            retune(scene, pressure, request.shortest_wavelength.as_deref()).map_err(Refusal::new)
+        }
+        None => Ok(()),
+    }
+}
+
 impl Desk {
     /// Answers a request in closed forms. Reads the surface only if surface or bodies differ from the last request.
     ///
     /// # Errors
     /// [`Refusal`] in words.
     pub fn answer(&mut self, request: &Request, files: &dyn Files) -> Result<Reply, Refusal> {
-        let fixed = Request { pressure: None, shortest_wavelength: None, ..request.clone() };
-        let opened = match &self.open {
-            Some((open, ..)) if *open == fixed => None,
-            _ => Some(self.read(request, fixed, files)?),
-        };
-        let Some((_, text, scene)) = &mut self.open else { return Err(Refusal::new("nothing is open")) };
-        scene.text.clone_from(text);
-        let own = stated(text).2;
-        if let Some(pressure) = request.pressure.as_ref().or(own.as_ref()) {
-            retune(scene, pressure, request.shortest_wavelength.as_deref()).map_err(Refusal::new)?;
-        }
+        let (scene, opened) = self.scene(request, files)?;
         let results = scene.plan().compute().map_err(Refusal::new)?;
         let answer = Answer::from_results(scene, &results);
         let evidence =
@@ -86,6 +87,23 @@ impl Desk {
         let conclusions = Conclusions::new(&evidence);
         let screen = LiveScreen::new(evidence, &conclusions);
         Ok(Reply { opened, screen, scene: scene.text.clone() })
+    }
+
+    /// Returns the scene of a request with its conditions, and what was read anew for it.
+    pub(crate) fn scene(
+        &mut self,
+        request: &Request,
+        files: &dyn Files,
+    ) -> Result<(&Scene, Option<Opened>), Refusal> {
+        let fixed = Request { pressure: None, shortest_wavelength: None, ..request.clone() };
+        let opened = match &self.open {
+            Some((open, ..)) if *open == fixed => None,
+            _ => Some(self.read(request, fixed, files)?),
+        };
+        let Some((_, text, scene)) = &mut self.open else { return Err(Refusal::new("nothing is open")) };
+        scene.text.clone_from(text);
+        with_conditions(scene, request)?;
+        Ok((scene, opened))
     }
 
     /// Reads surface and bodies.

@@ -126,16 +126,16 @@ pub fn look(file: &str) -> String {
 #[wasm_bindgen(js_name = answer)]
 #[must_use]
 pub fn answer(request: &str) -> String {
-    replied::<Request, _>(request, |request| {
-        DESK.with_borrow_mut(|desk| desk.answer(request, &PageFiles))
-    })
+    replied::<Request, _>(request, |request| DESK.with_borrow_mut(|desk| desk.answer(request, &PageFiles)))
 }
 
 /// Answers a request with the verdicts of boundary elements, and with `draws` with intervals.
 #[wasm_bindgen(js_name = judge)]
 #[must_use]
 pub fn judge(request: &str, draws: bool) -> String {
-    replied::<Request, _>(request, |request| judged(request, &PageFiles, draws, &PageWatch))
+    replied::<Request, _>(request, |request| {
+        DESK.with_borrow_mut(|desk| judged(desk, request, &PageFiles, draws, &PageWatch))
+    })
 }
 
 /// Makes the files of a report. The date is that of the page.

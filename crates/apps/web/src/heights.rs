@@ -36,14 +36,16 @@ impl MapHeights {
         let scan = &file.scan;
         let (columns, Some(rows)) = scan.points() else { return None };
         let step = columns.max(rows).div_ceil(MOST_POINTS);
-        let (lowest, highest) = scan.heights_m().flatten().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), height| {
-            (low.min(height), high.max(height))
-        });
+        let (lowest, highest) =
+            scan.heights_m().flatten().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), height| {
+                (low.min(height), high.max(height))
+            });
         let range_m = highest - lowest;
         if !range_m.is_finite() {
             return None;
         }
-        let level = |height_m: f64| (65534.0 * (height_m - lowest) / range_m.max(f64::MIN_POSITIVE)).round() as u16;
+        let level =
+            |height_m: f64| (65534.0 * (height_m - lowest) / range_m.max(f64::MIN_POSITIVE)).round() as u16;
         let heights = (0..rows)
             .step_by(step)
             .flat_map(|row| (0..columns).step_by(step).map(move |column| row * columns + column))

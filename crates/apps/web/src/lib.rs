@@ -11,5 +11,5 @@ mod request;
 pub use answer::{Desk, Opened, Reply};
 pub use example::EXAMPLES;
 pub use file_sight::FileSight;
-pub use products::{ProductFile, judged, products};
+pub use products::{Judged, ProductFile, judged, products};
 pub use request::{FileKind, FileRequest, Refusal, Request};

@@ -1,7 +1,7 @@
 //! The bench: boundary elements, intervals, and the files of a report.
 
 use measurements::Files;
-use questions::{RunOptions, Watch, retune, run_scene};
+use questions::{RunOptions, Watch, run_scene};
 use report::page::LiveScreen;
 use report::products::SceneProducts;
 use report::run_stamp::RunStamp;
@@ -9,6 +9,7 @@ use scene::{Overrides, Scene};
 use serde::Serialize;
 use tables::Format;
 
+use crate::answer::{Desk, with_conditions};
 use crate::request::{Refusal, Request};
 
 /// A file to download.
@@ -20,20 +21,33 @@ pub struct ProductFile {
     pub text: String,
 }
 
+/// An answer with verdicts.
+#[derive(Debug, Serialize)]
+pub struct Judged {
+    /// The answer; absent if the scene has no load with an area.
+    pub screen: Option<LiveScreen>,
+    /// True if uncertain inputs would widen its range, and were not drawn.
+    pub may_widen: bool,
+}
+
 /// Returns the answer with the verdicts of boundary elements, and with `draws` also with intervals of the inputs.
 ///
 /// # Errors
 /// [`Refusal`] in words.
 pub fn judged(
+    desk: &mut Desk,
     request: &Request,
     files: &dyn Files,
     draws: bool,
     watch: &dyn Watch,
-) -> Result<Option<LiveScreen>, Refusal> {
-    let scene = scene(request, files, false)?;
+) -> Result<Judged, Refusal> {
+    let (scene, _) = desk.scene(request, files)?;
     let options = RunOptions { report: false, judge: Some(true), uncertainty: Some(draws) };
-    let outcome = run_scene(&scene, options, watch).map_err(Refusal::new)?;
-    Ok(LiveScreen::new(outcome.evidence(&scene), &outcome.conclusions))
+    let outcome = run_scene(scene, options, watch).map_err(Refusal::new)?;
+    Ok(Judged {
+        screen: LiveScreen::new(outcome.evidence(scene), &outcome.conclusions),
+        may_widen: !draws && RunOptions { uncertainty: Some(true), ..options }.is_drawn(scene),
+    })
 }
 
 /// Returns the files of a report: page, tables, figures and scene.
@@ -46,7 +60,7 @@ pub fn products(
     run_stamp: &RunStamp,
     watch: &dyn Watch,
 ) -> Result<Vec<ProductFile>, Refusal> {
-    let scene = scene(request, files, true)?;
+    let scene = scene(request, files)?;
     let options = RunOptions { report: true, judge: None, uncertainty: None };
     let outcome = run_scene(&scene, options, watch).map_err(Refusal::new)?;
     let products = SceneProducts {
@@ -67,13 +81,10 @@ pub fn products(
 }
 
 /// Reads the scene of a request with its conditions.
-fn scene(request: &Request, files: &dyn Files, in_full: bool) -> Result<Scene, Refusal> {
-    let text = request.scene_text(files, in_full)?;
+fn scene(request: &Request, files: &dyn Files) -> Result<Scene, Refusal> {
+    let text = request.scene_text(files, true)?;
     let mut scene =
         Scene::parse(&text, files, &Overrides::default()).map_err(|error| Refusal::of_scene(error, &text))?;
-    let own = crate::request::stated(&text).2;
-    if let Some(pressure) = request.pressure.as_ref().or(own.as_ref()) {
-        retune(&mut scene, pressure, request.shortest_wavelength.as_deref()).map_err(Refusal::new)?;
-    }
+    with_conditions(&mut scene, request)?;
     Ok(scene)
 }

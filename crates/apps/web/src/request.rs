@@ -119,10 +119,9 @@ impl FileRequest {
     pub(crate) fn scan(&self) -> Result<ScanRequest, Refusal> {
         let mut request = ScanRequest { path: self.name.clone(), ..ScanRequest::default() };
         for (key, value) in self.options.iter().filter(|(_, value)| !value.trim().is_empty()) {
-            request = request.with_option(key, value.trim()).map_err(|error| Refusal {
-                file: Some(self.name.clone()),
-                ..Refusal::new(error)
-            })?;
+            request = request
+                .with_option(key, value.trim())
+                .map_err(|error| Refusal { file: Some(self.name.clone()), ..Refusal::new(error) })?;
         }
         Ok(request)
     }

@@ -58,7 +58,11 @@ fn scans_are_seen_and_answered() {
     let files = Files::from([("a.csv".to_owned(), trace("x (m),z (m)"))]);
     let sight = FileSight::new(&file("a.csv"), &files);
     assert_eq!(sight.kind, FileKind::Scan);
-    assert!(sight.line.is_some() && sight.refusal.is_none() && sight.words.contains("Ra "), "{}", sight.words);
+    assert!(
+        sight.line.is_some() && sight.refusal.is_none() && sight.words.contains("Ra "),
+        "{}",
+        sight.words
+    );
     let request = Request {
         files: vec![file("a.csv")],
         material: Some(BodyText { name: Some("steel C45".to_owned()), ..BodyText::default() }),
@@ -83,8 +87,12 @@ fn a_file_without_a_unit_is_asked_for_it() {
 
 #[test]
 fn files_that_cannot_be_used_are_refused_one_by_one() {
-    let bad: [(&str, &[u8]); 4] =
-        [("empty.txt", b""), ("words.txt", b"no heights\n"), ("paper.pdf", b"%PDF-1.4\n"), ("a.zip", b"PK\x03\x04 no")];
+    let bad: [(&str, &[u8]); 4] = [
+        ("empty.txt", b""),
+        ("words.txt", b"no heights\n"),
+        ("paper.pdf", b"%PDF-1.4\n"),
+        ("a.zip", b"PK\x03\x04 no"),
+    ];
     for (name, bytes) in bad {
         let files = Files::from([(name.to_owned(), bytes.to_vec())]);
         let sight = FileSight::new(&file(name), &files);
@@ -95,7 +103,8 @@ fn files_that_cannot_be_used_are_refused_one_by_one() {
 #[test]
 fn verdicts_follow_and_the_report_holds_the_same() {
     let request = example("gasket");
-    let screen = judged(&request, &Files::new(), false, &Unwatched).unwrap().unwrap();
+    let screen =
+        judged(&mut Desk::default(), &request, &Files::new(), false, &Unwatched).unwrap().screen.unwrap();
     assert!(screen.models.iter().all(|model| model.verdict.is_some()));
     let made = products(&request, &Files::new(), &RunStamp::default(), &Unwatched).unwrap();
     let names: Vec<&str> = made.iter().map(|file| file.name.as_str()).collect();

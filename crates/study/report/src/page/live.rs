@@ -122,8 +122,10 @@ impl LiveScreen {
         };
         let mut models: Vec<LiveModel> = Vec::new();
         for group in &load.references {
-            let of_elements = group.area_fraction.map_or_else(String::new, |area| format!(": {}", share(area)));
-            let reference = format!("against {}{of_elements}", first_screen::reference_words(group.reference));
+            let of_elements =
+                group.area_fraction.map_or_else(String::new, |area| format!(": {}", share(area)));
+            let reference =
+                format!("against {}{of_elements}", first_screen::reference_words(group.reference));
             models.extend(group.models.iter().map(|cell| {
                 let (class, glyph) = first_screen::class_and_glyph(cell.verdict);
                 let ratio = cell.ratio.map_or_else(String::new, |ratio| format!(" ×{}", three_digits(ratio)));
