@@ -6,8 +6,8 @@ import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { chromium } from "playwright-core";
 
-const root = resolve(import.meta.dirname, "../..");
-const program = join(process.env.CARGO_TARGET_DIR ?? join(root, "target"), "debug/truearea");
+export const root = resolve(import.meta.dirname, "../..");
+export const program = join(process.env.CARGO_TARGET_DIR ?? join(root, "target"), "debug/truearea");
 
 /** Starts the browser. Its own background traffic is off, so that every request comes from a page. */
 export function browser() {

@@ -1,4 +1,4 @@
-//! Project chores, by name: `cargo xtask reproduce`, `golden`, `docs`, `instructions`, `layers`, `shared`, `python`, and the
+//! Project chores, by name: `cargo xtask reproduce`, `golden`, `docs`, `instructions`, `layers`, `shared`, `python`, `web`, and the
 //! crates of evidence, `stress`, `coverage`, `work-precision` and `model-trials`.
 
 mod docs;
@@ -11,6 +11,7 @@ mod model_trials;
 mod python;
 mod reproduce;
 mod shared;
+mod web;
 mod work_precision;
 
 use std::ffi::OsString;
@@ -29,6 +30,8 @@ cargo xtask layers             checks which crate may use which, and what stays 
 cargo xtask shared             runs the tests that need the folder shared/ beside the checkout
 cargo xtask python [--anew]    builds the wheel and tries it in an environment below target/: tests, examples, notebooks, types
                                (minutes; needs python3 from 3.10 on and a package index); --anew makes the environment again
+cargo xtask web [--test]       builds the page for browsers as a static folder, target/web (minutes); --test runs its tests in
+                               Chromium (needs node)
 
 Crates of evidence:
 cargo xtask stress [--states N] [--seed S] [--threads T] [--only I]
@@ -54,6 +57,7 @@ enum Task {
     Layers,
     Shared,
     Python { anew: bool },
+    Web { tests: bool },
     Stress { arguments: Vec<OsString> },
     Coverage { arguments: Vec<OsString> },
     WorkPrecision,
@@ -70,6 +74,7 @@ fn main() -> ExitCode {
         Ok(Some(Task::Layers)) => layers::run(),
         Ok(Some(Task::Shared)) => shared::run(),
         Ok(Some(Task::Python { anew })) => python::run(anew),
+        Ok(Some(Task::Web { tests })) => web::run(tests),
         Ok(Some(Task::Stress { arguments })) => in_release::run("truearea-stress", &arguments),
         Ok(Some(Task::Coverage { arguments })) => in_release::run("truearea-coverage", &arguments),
         Ok(Some(Task::WorkPrecision)) => work_precision::run(),
@@ -99,6 +104,7 @@ fn parse(mut parser: lexopt::Parser) -> Result<Option<Task>, lexopt::Error> {
                     Some("layers") => Task::Layers,
                     Some("shared") => Task::Shared,
                     Some("python") => Task::Python { anew: false },
+                    Some("web") => Task::Web { tests: false },
                     Some("stress") => Task::Stress { arguments: parser.raw_args()?.collect() },
                     Some("coverage") => Task::Coverage { arguments: parser.raw_args()?.collect() },
                     // The second names are those of earlier versions.
@@ -113,6 +119,7 @@ fn parse(mut parser: lexopt::Parser) -> Result<Option<Task>, lexopt::Error> {
                 Long("anew"),
                 Some(Task::ModelTrials { anew } | Task::JudgeTrials { anew } | Task::Python { anew }),
             ) => *anew = true,
+            (Long("test"), Some(Task::Web { tests })) => *tests = true,
             (Long("check"), Some(Task::Docs { check })) => *check = true,
             (Long("accept"), Some(Task::Golden { accept } | Task::Instructions { accept })) => *accept = true,
             (Long("help") | Short('h'), _) => return Ok(None),

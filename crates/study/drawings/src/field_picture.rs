@@ -100,7 +100,8 @@ impl FieldPicture {
 }
 
 /// The colour of a share of the largest value.
-pub(crate) fn colour(share: f64) -> [u8; 3] {
+#[must_use]
+pub fn colour(share: f64) -> [u8; 3] {
     let last = COLOURS.len() - 1;
     let at = share.clamp(0.0, 1.0) * last as f64;
     let below = (at as usize).min(last - 1);

@@ -61,6 +61,17 @@ impl Axis {
 
 /// Draws the figure of a load; `None` if no curve was followed along the cutoff.
 pub(super) fn figure(report: &SceneReport<'_>, load: usize, styles: &[ModelStyle]) -> Option<Markup> {
+    let psd = &report.results.psd;
+    figure_over(report, load, styles, [psd.shortest_wavelength_m(), psd.longest_wavelength_m()])
+}
+
+/// Draws the figure of a load with an axis from one wavelength \[m\] to another, as [`figure`] does.
+pub(super) fn figure_over(
+    report: &SceneReport<'_>,
+    load: usize,
+    styles: &[ModelStyle],
+    [shortest_m, longest_m]: [f64; 2],
+) -> Option<Markup> {
     let holes: Vec<(f64, f64)> =
         report.scene.surface.holes().iter().map(|hole| (hole.shortest_m, hole.longest_m)).collect();
     let curves: Vec<(usize, Vec<(f64, f64)>)> = report
@@ -68,7 +79,6 @@ pub(super) fn figure(report: &SceneReport<'_>, load: usize, styles: &[ModelStyle
         .filter(|(_, answers)| answers.iter().any(|(at, answer)| *at == load && answer.followed))
         .map(|(curve, _)| (curve, report.results.curves[curve].area_fractions(load)))
         .collect();
-    let psd = &report.results.psd;
     let marks = marks(report, load);
     let areas = || {
         curves
@@ -80,12 +90,7 @@ pub(super) fn figure(report: &SceneReport<'_>, load: usize, styles: &[ModelStyle
     if curves.is_empty() || least >= 1.0 {
         return None;
     }
-    let x = Axis {
-        least: psd.shortest_wavelength_m(),
-        most: psd.longest_wavelength_m(),
-        start: LEFT,
-        end: WIDTH - RIGHT,
-    };
+    let x = Axis { least: shortest_m, most: longest_m, start: LEFT, end: WIDTH - RIGHT };
     let floor = 10f64.powf((0.6 * least).log10().mul_add(2.0, 0.0).floor() / 2.0);
     let y = Axis { least: floor, most: 1.0, start: HEIGHT - BOTTOM, end: TOP };
     let label =

@@ -88,7 +88,7 @@ fn rules(report: &SceneReport<'_>, at: usize) -> String {
 }
 
 /// `diamond on a rigid flat`.
-fn bodies(report: &SceneReport<'_>) -> Option<String> {
+pub(super) fn bodies(report: &SceneReport<'_>) -> Option<String> {
     let scene = report.scene;
     let material = scene.material.as_ref()?;
     let name = |body: &Option<study::bodies::FromTable>| body.as_ref().map(|body| body.name.clone());
@@ -121,7 +121,7 @@ fn input(kind: &str, id: &str, name: &str, is_checked: bool) -> Markup {
     PreEscaped(format!("<input type=\"{kind}\" id=\"{id}\" name=\"{name}\"{checked} />"))
 }
 
-fn best_estimate(report: &SceneReport<'_>, load: &LoadConclusion) -> Markup {
+pub(super) fn best_estimate(report: &SceneReport<'_>, load: &LoadConclusion) -> Markup {
     let area = &load.area;
     let number = area.area_fraction.map_or_else(|| share_range(area.low, area.high), share);
     let heading = match (area.source, load.otherwise) {
@@ -152,7 +152,7 @@ fn best_estimate(report: &SceneReport<'_>, load: &LoadConclusion) -> Markup {
 const FULL: f64 = 0.999;
 
 /// The assumption that decides the answer, or else the scales that do.
-fn hangs_on(report: &SceneReport<'_>, load: &LoadConclusion) -> Markup {
+pub(super) fn hangs_on(report: &SceneReport<'_>, load: &LoadConclusion) -> Markup {
     if let Some(other) = load.otherwise {
         return html! {
             section.card {
@@ -185,7 +185,7 @@ fn hangs_on(report: &SceneReport<'_>, load: &LoadConclusion) -> Markup {
 }
 
 /// The cautions; that on the hardness is left out if it has a card of its own.
-fn before_quoting(conclusions: &Conclusions, says_hardness: bool) -> Markup {
+pub(super) fn before_quoting(conclusions: &Conclusions, says_hardness: bool) -> Markup {
     let is_shown =
         |caution: &&Caution| !(says_hardness && matches!(caution, Caution::HardnessDecides { .. }));
     html! {
@@ -203,7 +203,7 @@ fn before_quoting(conclusions: &Conclusions, says_hardness: bool) -> Markup {
 }
 
 /// The seal, the gap, heat and current in one line, where the scene asks for them.
-fn interface_strip(report: &SceneReport<'_>) -> Markup {
+pub(super) fn interface_strip(report: &SceneReport<'_>) -> Markup {
     let conclusions = report.conclusions;
     let mut rows: Vec<(&str, String)> =
         conclusions.seal.iter().map(|seal| ("Seals?", seal_words(seal, report.scene))).collect();
@@ -273,19 +273,22 @@ fn curves_of(reference: Reference, loads: &[LoadConclusion]) -> Vec<usize> {
 }
 
 /// The models whose lines are drawn before anybody ticks one: the nearest of each group.
-fn drawn_at_first(loads: &[LoadConclusion]) -> Vec<usize> {
+pub(super) fn drawn_at_first(loads: &[LoadConclusion]) -> Vec<usize> {
     let Some(load) = loads.get(loads.len() / 2) else { return Vec::new() };
     let nearest = load.references.iter().filter_map(|group| group.models.first()).map(|cell| cell.curve);
     nearest.chain(load.best_model.map(|cell| cell.curve)).collect()
 }
 
-fn group_heading(reference: Reference, loads: &[LoadConclusion]) -> Markup {
-    let words = match reference {
+pub(super) fn reference_words(reference: Reference) -> &'static str {
+    match reference {
         Reference::Elastic => "elastic elements",
         Reference::Yielding { .. } => "elements that yield",
-    };
+    }
+}
+
+fn group_heading(reference: Reference, loads: &[LoadConclusion]) -> Markup {
     html! {
-        "against " (words)
+        "against " (reference_words(reference))
         @for load in loads {
             @if let Some(area) = group(load, reference).and_then(|group| group.area_fraction) {
                 span class=(load_class(load)) { ": " (share(area)) " at " (typeset(&load.label)) }
@@ -297,13 +300,7 @@ fn group_heading(reference: Reference, loads: &[LoadConclusion]) -> Markup {
 fn cell(report: &SceneReport<'_>, load: &LoadConclusion, reference: Reference, curve: usize) -> Markup {
     let found = group(load, reference).and_then(|group| group.models.iter().find(|cell| cell.curve == curve));
     let Some(found) = found else { return html! { td {} } };
-    let (class, glyph) = match found.verdict {
-        Verdict::Agrees => ("agrees", "✓"),
-        Verdict::TooLarge => ("large", "▲"),
-        Verdict::TooSmall => ("small", "▼"),
-        Verdict::OutOfRange => ("invalid", "⊘"),
-        Verdict::NotJudged => ("unknown", "–"),
-    };
+    let (class, glyph) = class_and_glyph(found.verdict);
     let reason = reason(report, found, load.load);
     html! {
         td class={ "cell " (class) } style={ "--fill:" (format!("{:.2}", fill(found))) } tabindex="0" {
@@ -313,14 +310,25 @@ fn cell(report: &SceneReport<'_>, load: &LoadConclusion, reference: Reference, c
     }
 }
 
+/// The class of a verdict in the style sheet, and its sign.
+pub(super) fn class_and_glyph(verdict: Verdict) -> (&'static str, &'static str) {
+    match verdict {
+        Verdict::Agrees => ("agrees", "✓"),
+        Verdict::TooLarge => ("large", "▲"),
+        Verdict::TooSmall => ("small", "▼"),
+        Verdict::OutOfRange => ("invalid", "⊘"),
+        Verdict::NotJudged => ("unknown", "–"),
+    }
+}
+
 /// The strength of a cell's fill: faint at the limit of agreement, full a factor of 1.5 away from it.
-fn fill(cell: &ModelCell) -> f64 {
+pub(super) fn fill(cell: &ModelCell) -> f64 {
     let Some(ratio) = cell.ratio else { return 0.3 };
     let distance = (ratio.ln().abs() - AGREEMENT.ln()).abs() / 1.5f64.ln();
     0.35 + 0.65 * distance.min(1.0)
 }
 
-fn reason(report: &SceneReport<'_>, cell: &ModelCell, load: usize) -> String {
+pub(super) fn reason(report: &SceneReport<'_>, cell: &ModelCell, load: usize) -> String {
     let verdicts = report.evidence.judgement.map_or(&[][..], |judgement| &judgement.curves);
     let verdict = verdicts.iter().find(|verdict| verdict.curve == cell.curve && verdict.load == load);
     let area = cell.area_fraction.map_or_else(String::new, |area| format!("{}: ", share(area)));

@@ -14,6 +14,7 @@ mod figures;
 mod first_screen;
 mod how_sure;
 mod key_numbers;
+mod live;
 mod meaning;
 mod measure_next;
 mod provenance;
@@ -21,6 +22,8 @@ mod sensitivities;
 mod surfaces;
 mod validity;
 mod verdict;
+
+pub use live::{LiveModel, LiveScreen};
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 

@@ -1,0 +1,108 @@
+// Calls to the core in a worker, as promises. A call is cancelled by ending its worker; a new one takes its place.
+
+/** The error of a call whose worker was ended. */
+export class Cancelled extends Error {}
+
+/** The refusal of a request by the core, in its words. */
+export class Refused extends Error {
+  /** @param {{ message: string, file: string | null, option: string | null }} refusal */
+  constructor(refusal) {
+    super(refusal.message);
+    this.file = refusal.file;
+    this.option = refusal.option;
+  }
+}
+
+/** @typedef {{ phase: string, done: number, steps: number }} Step */
+
+export class Client {
+  /** @type {Worker} */ #worker;
+  /** @type {Map<number, { resolve: (value: any) => void, reject: (error: Error) => void }>} */ #calls = new Map();
+  /** @type {{ name: string, file: File }[]} */ #files = [];
+  #last = 0;
+  /** Memory that the core has taken. */
+  bytes = 0;
+
+  /** @param {(step: Step) => void} onProgress */
+  constructor(onProgress = () => {}) {
+    this.onProgress = onProgress;
+    this.#worker = this.#start();
+  }
+
+  #start() {
+    const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
+    worker.onmessage = ({ data }) => {
+      if (data.progress) {
+        this.onProgress(data.progress);
+        return;
+      }
+      const call = this.#calls.get(data.id);
+      this.#calls.delete(data.id);
+      if (!call) return;
+      if (data.error === undefined) {
+        this.bytes = data.bytes;
+        call.resolve(data.reply);
+      } else {
+        // The core does not go on after a panic, as when memory runs out.
+        call.reject(new Error(`The computation ended early (${data.error}). Leave out large files and try again.`));
+        this.restart();
+      }
+    };
+    worker.onerror = (event) => {
+      for (const call of this.#calls.values()) call.reject(new Error(event.message || "The worker could not start."));
+      this.#calls.clear();
+    };
+    if (this.#files.length > 0) worker.postMessage({ files: this.#files });
+    return worker;
+  }
+
+  /**
+   * Gives the worker the files of the page.
+   * @param {{ name: string, file: File }[]} files
+   */
+  setFiles(files) {
+    this.#files = files;
+    this.#worker.postMessage({ files });
+  }
+
+  /** Returns true while a call runs. */
+  get isBusy() {
+    return this.#calls.size > 0;
+  }
+
+  /** Ends all calls with the worker, and starts another. */
+  restart() {
+    this.#worker.terminate();
+    for (const call of this.#calls.values()) call.reject(new Cancelled());
+    this.#calls.clear();
+    this.#worker = this.#start();
+  }
+
+  /**
+   * Calls a function of the core.
+   * @param {string} call
+   * @param {...unknown} args
+   * @returns {Promise<string>}
+   */
+  text(call, ...args) {
+    this.#last += 1;
+    const id = this.#last;
+    return new Promise((resolve, reject) => {
+      this.#calls.set(id, { resolve, reject });
+      this.#worker.postMessage({ id, call, args });
+    });
+  }
+
+  /**
+   * Calls a function that takes a request and returns its answer or a refusal.
+   * @param {string} call
+   * @param {unknown} request
+   * @param {...unknown} args
+   * @returns {Promise<any>}
+   */
+  async ask(call, request, ...args) {
+    const reply = JSON.parse(await this.text(call, JSON.stringify(request), ...args));
+    if ("refused" in reply) throw new Refused(reply.refused);
+    return reply.ok;
+  }
+}

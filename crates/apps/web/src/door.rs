@@ -1,0 +1,170 @@
+//! The door to JavaScript: requests and replies as JSON.
+
+use std::cell::RefCell;
+use std::io;
+
+use measurements::Files;
+use parallel::Progress;
+use questions::{Phase, Watch};
+use report::run_stamp::RunStamp;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use study::materials::materials;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+use crate::{Desk, EXAMPLES, FileRequest, FileSight, Refusal, Request, judged, products};
+
+#[wasm_bindgen(raw_module = "./bridge.js")]
+extern "C" {
+    /// Returns the bytes of a file that the page was given.
+    #[wasm_bindgen(js_name = readFile)]
+    fn read_file(name: &str) -> Option<Vec<u8>>;
+    /// Returns the names of all files that the page was given, a line each.
+    #[wasm_bindgen(js_name = fileNames)]
+    fn file_names() -> String;
+    /// Takes the progress of a phase.
+    fn progress(phase: &str, done: usize, steps: usize);
+}
+
+/// The files of the page, read when their turn comes, so that no bytes stay in memory.
+struct PageFiles;
+
+impl Files for PageFiles {
+    fn read(&self, name: &str) -> io::Result<Vec<u8>> {
+        read_file(name).ok_or_else(|| io::Error::from(io::ErrorKind::NotFound))
+    }
+
+    fn read_beside(&self, name: &str, sibling: &str) -> io::Result<Option<Vec<u8>>> {
+        let folder = name.rfind('/').map_or("", |end| &name[..=end]);
+        Ok(read_file(&format!("{folder}{sibling}")))
+    }
+
+    fn list(&self, folder: &str) -> io::Result<Option<Vec<String>>> {
+        let inside = format!("{}/", folder.trim_end_matches('/'));
+        let all = file_names();
+        let names = all.lines().filter_map(|path| path.strip_prefix(&inside));
+        let mut names: Vec<String> = names.filter(|name| !name.contains('/')).map(str::to_owned).collect();
+        names.sort();
+        Ok((!names.is_empty()).then_some(names))
+    }
+}
+
+/// Reports the progress of a run to the page. A run is cancelled by ending its worker.
+struct PageWatch;
+
+struct PageProgress {
+    phase: &'static str,
+    done: std::sync::atomic::AtomicUsize,
+    steps: usize,
+}
+
+impl Watch for PageWatch {
+    fn begin(&self, phase: Phase, steps: usize) -> Box<dyn Progress + '_> {
+        progress(phase.steps(), 0, steps);
+        Box::new(PageProgress { phase: phase.steps(), done: 0.into(), steps })
+    }
+}
+
+impl Progress for PageProgress {
+    fn advance(&self, steps: usize) {
+        let before = self.done.fetch_add(steps, std::sync::atomic::Ordering::Relaxed);
+        let [was, is] = [before, before + steps].map(|done| 100 * done / self.steps.max(1));
+        if was != is {
+            progress(self.phase, before + steps, self.steps);
+        }
+    }
+}
+
+thread_local! {
+    static DESK: RefCell<Desk> = RefCell::default();
+}
+
+/// Returns examples and materials with their sources.
+#[wasm_bindgen(js_name = choices)]
+#[must_use]
+pub fn choices() -> String {
+    #[derive(Serialize)]
+    struct Material {
+        name: String,
+        sources: String,
+        values: String,
+    }
+    #[derive(Serialize)]
+    struct Choices {
+        program: &'static str,
+        examples: [crate::example::Example; 4],
+        materials: Vec<Material>,
+    }
+    let materials = materials().into_iter().map(|material| {
+        let values = [
+            Some(format!("E {}", material.youngs_modulus)),
+            Some(format!("ν {}", material.poisson_ratio)),
+            material.yield_strength.map(|value| format!("yield strength {value}")),
+            material.indentation_hardness.map(|value| format!("hardness {value}")),
+        ];
+        Material {
+            name: material.name,
+            sources: material.sources,
+            values: values.into_iter().flatten().collect::<Vec<_>>().join(" · "),
+        }
+    });
+    json(&Choices {
+        program: concat!("truearea ", env!("CARGO_PKG_VERSION")),
+        examples: EXAMPLES,
+        materials: materials.collect(),
+    })
+}
+
+/// Looks at a file.
+#[wasm_bindgen(js_name = look)]
+#[must_use]
+pub fn look(file: &str) -> String {
+    replied::<FileRequest, _>(file, |file| Ok(FileSight::new(file, &PageFiles)))
+}
+
+/// Answers a request in closed forms.
+#[wasm_bindgen(js_name = answer)]
+#[must_use]
+pub fn answer(request: &str) -> String {
+    replied::<Request, _>(request, |request| DESK.with_borrow_mut(|desk| desk.answer(request, &PageFiles)))
+}
+
+/// Answers a request with the verdicts of boundary elements, and with `draws` with intervals.
+#[wasm_bindgen(js_name = judge)]
+#[must_use]
+pub fn judge(request: &str, draws: bool) -> String {
+    replied::<Request, _>(request, |request| {
+        DESK.with_borrow_mut(|desk| judged(desk, request, &PageFiles, draws, &PageWatch))
+    })
+}
+
+/// Makes the files of a report. The date is that of the page.
+#[wasm_bindgen(js_name = report)]
+#[must_use]
+pub fn report(request: &str, date: &str) -> String {
+    let stamp = RunStamp { date: Some(date.to_owned()), command: Some("in the browser".to_owned()) };
+    replied::<Request, _>(request, |request| products(request, &PageFiles, &stamp, &PageWatch))
+}
+
+/// Reads a request, answers it, and writes the reply: `{"ok": ...}` or `{"refused": ...}`.
+fn replied<Q: DeserializeOwned, A: Serialize>(
+    request: &str,
+    answer: impl FnOnce(&Q) -> Result<A, Refusal>,
+) -> String {
+    #[derive(Serialize)]
+    #[serde(rename_all = "lowercase")]
+    enum Outcome<A> {
+        Ok(A),
+        Refused(Refusal),
+    }
+    let found = serde_json::from_str(request).map_err(Refusal::new).and_then(|request| answer(&request));
+    json(&match found {
+        Ok(answer) => Outcome::Ok(answer),
+        Err(refusal) => Outcome::Refused(refusal),
+    })
+}
+
+/// Writes JSON; every reply has text keys only, so that it can be written.
+fn json(value: &impl Serialize) -> String {
+    serde_json::to_string(value).unwrap_or_default()
+}

@@ -1,0 +1,15 @@
+#![doc = include_str!("../README.md")]
+
+mod answer;
+mod door;
+mod example;
+mod file_sight;
+mod heights;
+mod products;
+mod request;
+
+pub use answer::{Desk, Opened, Reply};
+pub use example::EXAMPLES;
+pub use file_sight::FileSight;
+pub use products::{Judged, ProductFile, judged, products};
+pub use request::{FileKind, FileRequest, Refusal, Request};

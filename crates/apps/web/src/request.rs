@@ -1,0 +1,241 @@
+//! The request of the page: surfaces, bodies and conditions, and the scene that it stands for.
+
+use measurements::{Files, ScanProblem, ScanRequest};
+use questions::{BodyText, ReportQuestion, ReportSurface};
+use report::scan_words;
+use scans::{Mend, ScanOption};
+use scene::{SceneError, SceneProblem};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use study::surface::SurfaceError;
+use toml_edit::{DocumentMut, Item, Table, value};
+
+use crate::example;
+
+/// A request: everything that a link holds.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Request {
+    /// The key of an example; absent if there are files.
+    pub example: Option<String>,
+    /// The files: scans, one spectrum, or one scene.
+    pub files: Vec<FileRequest>,
+    /// The rough body; absent if the scene has it.
+    pub material: Option<BodyText>,
+    /// The counterface, rigid if empty; absent if the scene has it.
+    pub counterface: Option<BodyText>,
+    /// The nominal pressure with its unit; absent for that of the scene.
+    pub pressure: Option<String>,
+    /// The shortest wavelength with its unit; absent for all of the spectrum.
+    pub shortest_wavelength: Option<String>,
+    /// True to ask from which pressure on the contact seals.
+    pub seal: bool,
+}
+
+/// A file with the options that the page was given for it.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct FileRequest {
+    /// Its name, with the folders it was dropped in.
+    pub name: String,
+    /// Number of bytes, by which a changed file is told from an earlier one.
+    pub bytes: u64,
+    /// Options by their names on the command line.
+    pub options: BTreeMap<String, String>,
+    /// Its kind.
+    pub kind: FileKind,
+}
+
+/// The kind of a file, by its content.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum FileKind {
+    /// Heights.
+    #[default]
+    Scan,
+    /// A power spectrum.
+    Spectrum,
+    /// A scene.
+    Scene,
+    /// A file that describes others, or one that cannot be used.
+    Other,
+}
+
+/// The refusal of a request, in words.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Refusal {
+    /// The words.
+    pub message: String,
+    /// The file at fault, if one is.
+    pub file: Option<String>,
+    /// The option of the file that mends it: `unit` or `size`.
+    pub option: Option<&'static str>,
+}
+
+impl Refusal {
+    pub(crate) fn new(message: impl ToString) -> Self {
+        Refusal { message: message.to_string(), file: None, option: None }
+    }
+
+    /// Words an error of a scene: of scans with the option that mends it, else with the place in the text.
+    pub(crate) fn of_scene(error: SceneError, text: &str) -> Self {
+        let SceneProblem::Surface(surface) = &error.problem else {
+            return Refusal::new(report::scene_errors::drawn(&error, text, "the scene"));
+        };
+        match &**surface {
+            SurfaceError::Scans(error) => Refusal::of_scans(error),
+            other => Refusal::new(other),
+        }
+    }
+
+    /// Words an error of scans, with the option that mends it.
+    pub(crate) fn of_scans(error: &measurements::TopographyError) -> Self {
+        let mend = error.mend();
+        let words = mend.map_or_else(String::new, |mend| scan_words::mend(mend, option_name));
+        let message = match &error.problem {
+            ScanProblem::Reading(error) => error.to_string(),
+            problem => problem.to_string(),
+        };
+        let option = match mend {
+            Some(Mend::Give(option)) => option_name(option),
+            _ => None,
+        };
+        Refusal { message: format!("{message}{words}"), file: error.file.clone(), option }
+    }
+}
+
+/// The name of a scan's option in the page.
+fn option_name(option: ScanOption) -> Option<&'static str> {
+    match option {
+        ScanOption::Unit => Some("unit"),
+        ScanOption::Size => Some("size"),
+        ScanOption::Channel => Some("channel"),
+        _ => None,
+    }
+}
+
+impl FileRequest {
+    /// Returns the request for the scans of the file.
+    pub(crate) fn scan(&self) -> Result<ScanRequest, Refusal> {
+        let mut request = ScanRequest { path: self.name.clone(), ..ScanRequest::default() };
+        for (key, value) in self.options.iter().filter(|(_, value)| !value.trim().is_empty()) {
+            request = request
+                .with_option(key, value.trim())
+                .map_err(|error| Refusal { file: Some(self.name.clone()), ..Refusal::new(error) })?;
+        }
+        Ok(request)
+    }
+}
+
+impl Request {
+    /// Returns the text of the scene without the conditions that sliders change. With `in_full` a scene of the user's
+    /// own keeps its figures, which take long.
+    pub(crate) fn scene_text(&self, files: &dyn Files, in_full: bool) -> Result<String, Refusal> {
+        let scene_file = self.files.iter().find(|file| file.kind == FileKind::Scene);
+        let text = match (&self.example, scene_file) {
+            (Some(key), _) => example::scene_text(key)
+                .ok_or_else(|| Refusal::new(format!("there is no example called {key}")))?,
+            (None, Some(file)) => {
+                let bytes = files.read(&file.name).map_err(Refusal::new)?;
+                String::from_utf8(bytes).map_err(Refusal::new)?
+            }
+            (None, None) => return Ok(self.question()?.scene_text()),
+        };
+        let mut document: DocumentMut = text.parse().map_err(Refusal::new)?;
+        if self.example.is_some() {
+            // An example runs every model that applies.
+            document.remove("curve");
+        }
+        if self.example.is_some() || !in_full {
+            document.remove("figure");
+        }
+        if self.pressure.is_some()
+            && let Some(loads) = document.get_mut("loads").and_then(Item::as_table_mut)
+        {
+            loads.remove("force");
+            loads.remove("nominal_area");
+        }
+        for (section, body) in [("material", &self.material), ("counterface", &self.counterface)] {
+            if let Some(body) = body {
+                replace_body(&mut document, section, body);
+            }
+        }
+        if self.seal && !document.contains_key("seal") {
+            document.insert("seal", Item::Table(Table::new()));
+        }
+        Ok(document.to_string())
+    }
+
+    /// The question about scans or a spectrum.
+    fn question(&self) -> Result<ReportQuestion, Refusal> {
+        let usable: Vec<&FileRequest> =
+            self.files.iter().filter(|file| file.kind != FileKind::Other).collect();
+        let surface = match usable[..] {
+            [] => return Err(Refusal::new("no file holds heights or a spectrum; drop a scan")),
+            [one] if one.kind == FileKind::Spectrum => ReportSurface::Psd(one.name.clone()),
+            _ => ReportSurface::Scans(usable.iter().map(|file| file.scan()).collect::<Result<_, _>>()?),
+        };
+        let counterface = self.counterface.clone().filter(|body| !body.is_empty());
+        Ok(ReportQuestion {
+            title: usable.first().map(|file| file.name.clone()),
+            surface,
+            material: self.material.clone().unwrap_or_default(),
+            counterface,
+            pressures: vec![self.pressure.clone().unwrap_or_else(|| "10 MPa".to_owned())],
+            strength_cap: None,
+            seal: self.seal,
+        })
+    }
+}
+
+/// Replaces the properties of a body; its own surface stays. An empty body is none.
+fn replace_body(document: &mut DocumentMut, section: &str, body: &BodyText) {
+    let surface = document.get(section).and_then(|old| old.get("surface")).cloned();
+    if body.is_empty() && surface.is_none() {
+        document.remove(section);
+        return;
+    }
+    let mut table = Table::new();
+    let keys = [
+        ("name", &body.name),
+        ("youngs_modulus", &body.youngs_modulus),
+        ("yield_strength", &body.yield_strength),
+        ("indentation_hardness", &body.indentation_hardness),
+        ("strain_gradient_length", &body.strain_gradient_length),
+    ];
+    for (key, text) in keys {
+        if let Some(text) = text {
+            table.insert(key, value(text.as_str()));
+        }
+    }
+    if let Some(ratio) = &body.poisson_ratio {
+        let item = ratio.parse::<f64>().map_or_else(|_| value(ratio.as_str()), value);
+        table.insert("poisson_ratio", item);
+    }
+    if let Some(surface) = surface {
+        table.insert("surface", surface);
+    }
+    document.insert(section, Item::Table(table));
+}
+
+/// The bodies and the first pressure that a scene states.
+pub(crate) fn stated(text: &str) -> (BodyText, BodyText, Option<String>) {
+    let Ok(document) = text.parse::<DocumentMut>() else { return Default::default() };
+    let body = |section: &str| {
+        let of = |key: &str| {
+            let item = document.get(section)?.get(key)?;
+            item.as_str().map(str::to_owned).or_else(|| Some(item.as_value()?.to_string().trim().to_owned()))
+        };
+        BodyText {
+            name: of("name"),
+            youngs_modulus: of("youngs_modulus"),
+            poisson_ratio: of("poisson_ratio"),
+            yield_strength: of("yield_strength"),
+            indentation_hardness: of("indentation_hardness"),
+            strain_gradient_length: of("strain_gradient_length"),
+        }
+    };
+    let pressures = document.get("loads").and_then(|loads| loads.get("pressures")).and_then(Item::as_array);
+    let middle = pressures.and_then(|all| all.get(all.len() / 2)?.as_str().map(str::to_owned));
+    (body("material"), body("counterface"), middle)
+}

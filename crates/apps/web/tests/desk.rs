@@ -1,0 +1,123 @@
+//! Requests of the page, answered without a browser.
+
+use std::collections::BTreeMap;
+
+use questions::{BodyText, Unwatched};
+use report::run_stamp::RunStamp;
+use web::{Desk, EXAMPLES, FileKind, FileRequest, FileSight, Request, judged, products};
+
+type Files = BTreeMap<String, Vec<u8>>;
+
+fn example(key: &str) -> Request {
+    Request { example: Some(key.to_owned()), ..Request::default() }
+}
+
+fn trace(header: &str) -> Vec<u8> {
+    let height = |at: usize| 1e-7 * ((at as f64 / 9.0).sin() + 0.3 * (at as f64 * 1.7).sin());
+    let rows: String = (0..512).map(|at| format!("{},{}\n", at as f64 * 1e-6, height(at))).collect();
+    format!("{header}\n{rows}").into_bytes()
+}
+
+fn file(name: &str) -> FileRequest {
+    FileRequest { name: name.to_owned(), ..FileRequest::default() }
+}
+
+#[test]
+fn every_example_answers_with_all_models() {
+    for example_of_page in EXAMPLES {
+        let reply = Desk::default().answer(&example(example_of_page.key), &Files::new()).unwrap();
+        let screen = reply.screen.unwrap();
+        assert!(screen.models.len() >= 5, "{}", example_of_page.key);
+        assert!(screen.models.iter().any(|model| model.area_fraction.is_some_and(|area| area > 0.0)));
+        assert!(reply.opened.unwrap().spectrum.contains("<svg"));
+    }
+}
+
+#[test]
+fn a_slider_moves_the_answer_without_reading_the_surface_again() {
+    let mut desk = Desk::default();
+    let request = example("uncd-measured");
+    let first = desk.answer(&request, &Files::new()).unwrap();
+    let other = Request {
+        pressure: Some("54 MPa".to_owned()),
+        shortest_wavelength: Some("100 nm".to_owned()),
+        ..request.clone()
+    };
+    let second = desk.answer(&other, &Files::new()).unwrap();
+    assert!(second.opened.is_none());
+    let area = |screen: Option<report::page::LiveScreen>| screen.unwrap().models[0].area_fraction.unwrap();
+    assert!(area(second.screen) > area(first.screen));
+    assert!(second.scene.contains("100 nm") && !first.scene.contains("cutoffs"));
+    // Back at the first conditions the scene has no trace of the others.
+    let third = desk.answer(&request, &Files::new()).unwrap();
+    assert_eq!(third.scene, first.scene);
+}
+
+#[test]
+fn scans_are_seen_and_answered() {
+    let files = Files::from([("a.csv".to_owned(), trace("x (m),z (m)"))]);
+    let sight = FileSight::new(&file("a.csv"), &files);
+    assert_eq!(sight.kind, FileKind::Scan);
+    assert!(
+        sight.line.is_some() && sight.refusal.is_none() && sight.words.contains("Ra "),
+        "{}",
+        sight.words
+    );
+    let request = Request {
+        files: vec![file("a.csv")],
+        material: Some(BodyText { name: Some("steel C45".to_owned()), ..BodyText::default() }),
+        ..Request::default()
+    };
+    let reply = Desk::default().answer(&request, &files).unwrap();
+    assert!(!reply.opened.unwrap().scans.is_empty());
+}
+
+#[test]
+fn a_file_without_a_unit_is_asked_for_it() {
+    let text: String = (0..100).map(|at| format!("{}\n", at * at % 7)).collect();
+    let files = Files::from([("plain.txt".to_owned(), text.into_bytes())]);
+    let mut request = file("plain.txt");
+    for (option, value) in [("unit", "um"), ("size", "1 mm")] {
+        let refusal = FileSight::new(&request, &files).refusal.unwrap();
+        assert_eq!(refusal.option, Some(option), "{}", refusal.message);
+        request.options.insert(option.to_owned(), value.to_owned());
+    }
+    assert!(FileSight::new(&request, &files).refusal.is_none());
+}
+
+#[test]
+fn files_that_cannot_be_used_are_refused_one_by_one() {
+    let bad: [(&str, &[u8]); 4] = [
+        ("empty.txt", b""),
+        ("words.txt", b"no heights\n"),
+        ("paper.pdf", b"%PDF-1.4\n"),
+        ("a.zip", b"PK\x03\x04 no"),
+    ];
+    for (name, bytes) in bad {
+        let files = Files::from([(name.to_owned(), bytes.to_vec())]);
+        let sight = FileSight::new(&file(name), &files);
+        assert!(sight.refusal.is_some() && sight.kind == FileKind::Other, "{name}: {sight:?}");
+    }
+}
+
+#[test]
+fn verdicts_follow_and_the_report_holds_the_same() {
+    let request = example("gasket");
+    let screen =
+        judged(&mut Desk::default(), &request, &Files::new(), false, &Unwatched).unwrap().screen.unwrap();
+    assert!(screen.models.iter().all(|model| model.verdict.is_some()));
+    let made = products(&request, &Files::new(), &RunStamp::default(), &Unwatched).unwrap();
+    let names: Vec<&str> = made.iter().map(|file| file.name.as_str()).collect();
+    for name in ["scene.toml", "report.html", "answer.json", "persson.csv"] {
+        assert!(names.contains(&name), "{names:?}");
+    }
+}
+
+#[test]
+fn bodies_of_a_scene_are_replaced_as_a_whole() {
+    let steel = BodyText { name: Some("steel 100Cr6".to_owned()), ..BodyText::default() };
+    let request =
+        Request { material: Some(steel), counterface: Some(BodyText::default()), ..example("uncd-measured") };
+    let reply = Desk::default().answer(&request, &Files::new()).unwrap();
+    assert!(!reply.scene.contains("1.8 GPa") && reply.scene.contains("100Cr6"));
+}
