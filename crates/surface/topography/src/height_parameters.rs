@@ -4,6 +4,7 @@ use scans::Measured;
 
 use crate::detrend::Form;
 use crate::scan_spectrum::ROUNDING;
+use crate::sums::{sum_of, sums_of};
 
 /// Number of sections of a profile over which Rz averages.
 const SECTIONS: usize = 5;
@@ -71,31 +72,33 @@ impl HeightParameters {
     #[must_use]
     pub fn from_scan(scan: &Measured) -> Option<Self> {
         let form = Form::fit(scan);
-        let heights_m = || form.removed_m(scan);
         let (mut points, mut sum_m, mut ends_m) = (0, 0.0, Ends::NONE);
-        for height_m in heights_m().flatten() {
-            points += 1;
-            sum_m += height_m;
-            ends_m.add(height_m);
-        }
+        form.removed_in_blocks_m(scan, |heights_m| {
+            points += heights_m.len();
+            sum_m += sum_of(heights_m, |height_m| height_m);
+            heights_m.iter().for_each(|height_m| ends_m.add(*height_m));
+        });
         let (columns, rows) = scan.points();
         let total_m = ends_m.distance_m()?;
         let mean_m = sum_m / points as f64;
         // In units of the total height, so that heights in nm do not lose their fourth powers to underflow.
         let unit_m = if total_m > 0.0 { total_m } else { 1.0 };
         let mut sums = [0.0; 4];
-        for height_m in heights_m().flatten() {
-            let z = (height_m - mean_m) / unit_m;
-            let square = z * z;
-            sums = [sums[0] + z.abs(), sums[1] + square, sums[2] + square * z, sums[3] + square * square];
-        }
+        form.removed_in_blocks_m(scan, |heights_m| {
+            let of_block = sums_of(heights_m, heights_m, |height_m, _| {
+                let z = (height_m - mean_m) / unit_m;
+                let square = z * z;
+                [z.abs(), square, square * z, square * square]
+            });
+            sums = std::array::from_fn(|power| sums[power] + of_block[power]);
+        });
         let [deviation, variance, third, fourth] = sums.map(|sum| sum / points as f64);
         let rms = variance.sqrt();
         let largest_m = scan.heights_m().flatten().map(f64::abs).fold(0.0, f64::max);
         let is_rough = rms * unit_m > ROUNDING * largest_m;
         let extent = if rows.is_some() { Extent::Areal } else { Extent::Profile };
         let sections = (extent == Extent::Profile)
-            .then(|| mean_section_height_m(heights_m(), |index| share(scan, index, columns)));
+            .then(|| mean_section_height_m(form.removed_m(scan), |index| share(scan, index, columns)));
         Some(Self {
             extent,
             mean_deviation_m: deviation * unit_m,
