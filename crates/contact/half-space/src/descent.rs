@@ -118,7 +118,6 @@ impl Descent<'_> {
     fn look(&mut self, share: f64) -> f64 {
         self.take(share);
         let (overlap, opening) = self.close_gaps(share);
-        self.gather_free();
         let unbalanced = self.gather_gradient() / (self.problem.mean * self.problem.heights.len() as f64);
         unbalanced.max(overlap / OVERLAP_SHARE).max(opening / OVERLAP_SHARE)
     }
@@ -159,48 +158,62 @@ impl Descent<'_> {
         if open < f64::INFINITY { 0.5 * (open + sunk) } else { sunk }
     }
 
-    /// Updates the gaps by `share` of the change; returns the largest overlap without pressure, and the largest gap
-    /// at the cap.
+    /// Updates the gaps by `share` of the change, and gathers the points that may change: those between the bounds, and
+    /// those at a bound that keeps them from closing a gap. Returns the largest overlap without pressure, and the
+    /// largest gap at the cap.
     fn close_gaps(&mut self, share: f64) -> (f64, f64) {
-        const LANES: usize = 4;
-        let cap = self.problem.cap;
-        let State { pressures, gaps, response, .. } = &mut *self.state;
+        const LANES: usize = 8;
+        let (cap, offset) = (self.problem.cap, self.offset);
+        let State { pressures, gaps, response, free, .. } = &mut *self.state;
+        let points = pressures.len();
+        free.resize(points, 0);
+        let (mut gathered, mut capped) = (0, 0);
         let (mut least, mut largest) = ([f64::INFINITY; LANES], [f64::NEG_INFINITY; LANES]);
-        let lanes = pressures.chunks(LANES).zip(gaps.chunks_mut(LANES)).zip(response.chunks(LANES));
-        for ((pressures, gaps), response) in lanes {
-            for (lane, ((&pressure, gap), &response)) in pressures.iter().zip(gaps).zip(response).enumerate()
-            {
-                *gap += share * response;
-                let (open, sunk) = (
-                    if pressure <= 0.0 { *gap } else { f64::INFINITY },
-                    if pressure >= cap { *gap } else { f64::NEG_INFINITY },
-                );
-                least[lane] = if open < least[lane] { open } else { least[lane] };
-                largest[lane] = if sunk > largest[lane] { sunk } else { largest[lane] };
+        let mut gather = |first: usize, pressures: &[f64], gaps: &[f64]| {
+            for (point, (&pressure, &gap)) in (first..).zip(pressures.iter().zip(gaps)) {
+                let is_open = (pressure <= 0.0) & (gap >= offset);
+                let is_sunk = (pressure >= cap) & (gap <= offset);
+                // Written in any case, and kept if free: at the edges of spots a branch would be mispredicted.
+                free[gathered] = point as u32;
+                gathered += usize::from(!is_open & !is_sunk);
+                capped += usize::from(is_sunk);
+            }
+        };
+        let (all_pressures, rest) = pressures.as_chunks::<LANES>();
+        let (all_gaps, gaps_of_rest) = gaps.as_chunks_mut::<LANES>();
+        let (all_responses, responses_of_rest) = response.as_chunks::<LANES>();
+        let lanes = all_pressures.iter().zip(all_gaps).zip(all_responses);
+        for (at, ((pressures, gaps), responses)) in lanes.enumerate() {
+            let mut open = 0.0;
+            for lane in 0..LANES {
+                let pressure = pressures[lane];
+                let gap = gaps[lane] + share * responses[lane];
+                gaps[lane] = gap;
+                let without_pressure = if pressure <= 0.0 { gap } else { f64::INFINITY };
+                let at_the_cap = if pressure >= cap { gap } else { f64::NEG_INFINITY };
+                least[lane] = if without_pressure < least[lane] { without_pressure } else { least[lane] };
+                largest[lane] = if at_the_cap > largest[lane] { at_the_cap } else { largest[lane] };
+                let is_open = (pressure <= 0.0) & (gap >= offset);
+                open += if is_open { 1.0 } else { 0.0 };
+            }
+            // Most points are open.
+            if open < LANES as f64 {
+                gather(LANES * at, pressures, gaps);
             }
         }
-        let least = least.into_iter().fold(f64::INFINITY, f64::min);
-        let largest = largest.into_iter().fold(f64::NEG_INFINITY, f64::max);
-        ((self.offset - least).max(0.0), (largest - self.offset).max(0.0))
-    }
-
-    /// Gathers the points that may change: those between the bounds, and those at a bound that keeps them from
-    /// closing a gap.
-    fn gather_free(&mut self) {
-        let (cap, offset) = (self.problem.cap, self.offset);
-        let State { pressures, gaps, free, .. } = &mut *self.state;
-        free.resize(pressures.len(), 0);
-        let (mut gathered, mut capped) = (0, 0);
-        for (point, (&pressure, &gap)) in pressures.iter().zip(&*gaps).enumerate() {
-            let is_open = (pressure <= 0.0) & (gap >= offset);
-            let is_sunk = (pressure >= cap) & (gap <= offset);
-            // Written in any case, and kept if free: at the edges of spots a branch would be mispredicted.
-            free[gathered] = point as u32;
-            gathered += usize::from(!is_open & !is_sunk);
-            capped += usize::from(is_sunk);
+        for (((&pressure, gap), response), lane) in
+            rest.iter().zip(&mut *gaps_of_rest).zip(responses_of_rest).zip(0..)
+        {
+            *gap += share * response;
+            least[lane] = if pressure <= 0.0 { least[lane].min(*gap) } else { least[lane] };
+            largest[lane] = if pressure >= cap { largest[lane].max(*gap) } else { largest[lane] };
         }
+        gather(points - rest.len(), rest, gaps_of_rest);
         free.truncate(gathered);
         self.capped = capped;
+        let least = least.into_iter().fold(f64::INFINITY, f64::min);
+        let largest = largest.into_iter().fold(f64::NEG_INFINITY, f64::max);
+        ((offset - least).max(0.0), (largest - offset).max(0.0))
     }
 
     /// Gathers the gap on the free points, 0 on the others; returns the sum of p|g| over the points between the

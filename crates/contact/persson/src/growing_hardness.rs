@@ -14,7 +14,8 @@
 //! A(V) = erf(p/(sqrt2 s)) + Int_0^V A_pl(V') H' g(H') dV',
 //!
 //! with g(d) = exp(-d^2/(2 (V - V')))/(sqrt(2 pi) (V - V')^(3/2)), H' = H(V') and D = erfc((H - p)/(sqrt2 s)) -
-//! erfc((H + p)/(sqrt2 s)). With a constant hardness its iterations are the images.
+//! erfc((H + p)/(sqrt2 s)). With a constant hardness its iterations are the images. Panels of V at a distance act like
+//! a few points each.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -25,9 +26,15 @@ use crate::constant_hardness::image;
 use crate::elastic;
 use crate::hardness_path::{HardnessPath, Piece};
 use crate::linear_system::solve;
+use crate::sources::{NODES, Source, Sources, rule_at};
 
-/// Unknowns per panel: the coefficients of a polynomial.
+/// Largest number of unknowns of a panel: the coefficients of a polynomial.
 const SIZE: usize = 9;
+/// Smallest number of unknowns of a panel.
+const SIZE_MIN: usize = 5;
+/// Widths of panels, in the unit of `WIDEST`, up to which `SIZE_MIN` unknowns and each one more suffice. The error
+/// falls like the width to the power of their number.
+const WIDTHS: [f64; SIZE - SIZE_MIN] = [0.03, 0.065, 0.1, 0.14];
 /// Largest width of a panel, in sqrt(V - V_i) over sqrt(V), with V_i the start of its piece of the path.
 const WIDEST: f64 = 0.2;
 /// Distance E = (H - p)^2/(2V) above which the plastic share underflows a double.
@@ -95,6 +102,8 @@ struct March<'a> {
     reached_pa2: f64,
     /// True as long as the distance E has only decreased.
     approaching: bool,
+    /// A_pl of the panels as few points, for larger variances.
+    sources: Sources,
 }
 
 /// Interval of V on which A_pl and its contribution to the area are polynomials, or polynomials times exp(-E) where
@@ -106,6 +115,8 @@ struct Panel {
     steep: bool,
     /// E at the end.
     last_distance: f64,
+    /// Number of coefficients that are not 0.
+    size: usize,
     /// Polynomial of A_pl; `None` while it is being solved for.
     plastic: Option<Polynomial>,
     /// Polynomial of A less the elastic theory's A.
@@ -113,7 +124,7 @@ struct Panel {
 }
 
 /// Coefficients by rising power.
-type Polynomial = [f64; SIZE];
+pub(crate) type Polynomial = [f64; SIZE];
 
 /// Variance and the hardness there.
 #[derive(Clone, Copy)]
@@ -126,7 +137,15 @@ impl<'a> March<'a> {
     fn new(path: &'a HardnessPath, pressure_pa: f64) -> Self {
         let distance_pa = path.hardness_pa(0.0) - pressure_pa;
         let reached_pa2 = 0.5 * distance_pa * distance_pa / UNREACHED;
-        March { path, pressure_pa, rules: Rules::new(), panels: Vec::new(), reached_pa2, approaching: true }
+        March {
+            path,
+            pressure_pa,
+            rules: Rules::new(),
+            panels: Vec::new(),
+            reached_pa2,
+            approaching: true,
+            sources: Sources::default(),
+        }
     }
 
     /// Areas at a variance that has been reached.
@@ -185,7 +204,19 @@ impl<'a> March<'a> {
             return;
         }
         let last_distance = distance(to_pa2);
-        let panel = Panel { from_pa2, to_pa2, piece, steep, last_distance, plastic: None, held: [0.0; SIZE] };
+        let mut panel = Panel {
+            from_pa2,
+            to_pa2,
+            piece,
+            steep,
+            last_distance,
+            size: SIZE,
+            plastic: None,
+            held: [0.0; SIZE],
+        };
+        let [first_pa, last_pa] = panel.kink_distances_pa();
+        let width = (last_pa - first_pa) / from_pa2.sqrt();
+        panel.size = SIZE_MIN + WIDTHS.iter().filter(|widest| width > **widest).count();
         self.panels.push(panel);
         self.reached_pa2 = to_pa2;
         self.solve_last();
@@ -193,20 +224,25 @@ impl<'a> March<'a> {
 
     /// Solves for the polynomials of the last panel: collocates the integral equation at `SIZE` places.
     fn solve_last(&mut self) {
+        let mut sources = std::mem::take(&mut self.sources);
         let Some(panel) = self.panels.last() else { return };
         let (mut matrix, mut to_held) = ([[0.0; SIZE]; SIZE], [[0.0; SIZE]; SIZE]);
         let (mut right, mut held) = ([0.0; SIZE], [0.0; SIZE]);
-        for (row, &t) in self.rules.places.iter().enumerate() {
+        let collocation = &self.rules.collocations[panel.size - SIZE_MIN];
+        for (row, &t) in collocation.places.iter().take(panel.size).enumerate() {
             let variance_pa2 = panel.variance_pa2(t);
             let here = Place { variance_pa2, hardness_pa: panel.piece.hardness_pa(variance_pa2) };
             let relief = if panel.steep { here.distance(self.pressure_pa) } else { 0.0 };
-            let [plastic, contact] = self.history(here, relief);
+            let [plastic, contact] = self.history(here, relief, &mut sources);
             let direct = image(here.hardness_pa, self.pressure_pa, variance_pa2.sqrt()) * relief.exp();
             right[row] = direct + plastic.known;
             held[row] = contact.known;
             matrix[row] =
-                std::array::from_fn(|column| self.rules.powers[row][column] - plastic.powers[column]);
+                std::array::from_fn(|column| collocation.powers[row][column] - plastic.powers[column]);
             to_held[row] = contact.powers;
+        }
+        for row in panel.size..SIZE {
+            (matrix[row], to_held[row]) = (collocation.powers[row], [0.0; SIZE]);
         }
         // The equation is of the second kind: its matrix is that of a polynomial through points, less something
         // small.
@@ -214,7 +250,9 @@ impl<'a> March<'a> {
         for (held, powers) in held.iter_mut().zip(to_held) {
             *held += powers.iter().zip(plastic).map(|(power, coefficient)| power * coefficient).sum::<f64>();
         }
-        let held = solve(self.rules.powers, held).unwrap_or_default();
+        let held = solve(collocation.powers, held).unwrap_or_default();
+        panel.append_sources(&plastic, &self.rules.finest, self.pressure_pa, &mut sources);
+        self.sources = sources;
         if let Some(panel) = self.panels.last_mut() {
             panel.plastic = Some(plastic);
             panel.held = held;
@@ -222,13 +260,30 @@ impl<'a> March<'a> {
     }
 
     /// Integrates exp(relief) A_pl(V') kernel dV' over the panels, for the kernels of A_pl and of A.
-    fn history(&self, here: Place, relief: f64) -> [Integral; 2] {
+    fn history(&self, here: Place, relief: f64, far: &mut Sources) -> [Integral; 2] {
         let mut integrals = [Integral::default(); 2];
         let resolved_pa = self.resolved_pa(here);
-        for (back, panel) in self.panels.iter().rev().enumerate() {
+        // Panels that are seen by the same rule are summed together.
+        let (mut run, mut of_run, mut sums) = (0..0, None, [0.0; 2]);
+        let mut sum = |rule: Option<usize>, panels| {
+            if let Some(rule) = rule {
+                let [plastic, contact] = far.passages(rule, panels, here.variance_pa2, here.hardness_pa);
+                sums = [sums[0] + plastic, sums[1] + contact];
+            }
+        };
+        for (at, panel) in self.panels.iter().enumerate().rev() {
             let faded = panel.steep && panel.last_distance - relief > NEGLIGIBLE;
-            if back > 0 && (faded || panel.to_pa2 < 1e-17 * here.variance_pa2) {
+            if panel.plastic.is_some() && (faded || panel.to_pa2 < 1e-17 * here.variance_pa2) {
                 break;
+            }
+            let rule = panel.rule_seen_from(here.variance_pa2);
+            if rule != of_run {
+                sum(of_run, run);
+                (of_run, run) = (rule, at + 1..at + 1);
+            }
+            run.start = at;
+            if rule.is_some() {
+                continue;
             }
             let arc = Arc::new(panel, here.variance_pa2);
             self.rules.over(&arc, resolved_pa, |root_pa, from_kink_pa, weight| {
@@ -244,10 +299,15 @@ impl<'a> March<'a> {
                 for (integral, kernel) in integrals.iter_mut().zip(kernels) {
                     match &panel.plastic {
                         Some(polynomial) => integral.known += weight * kernel * value(polynomial, t),
-                        None => integral.add_powers(weight * kernel, t),
+                        None => integral.add_powers(weight * kernel, t, panel.size),
                     }
                 }
             });
+        }
+        sum(of_run, run);
+        let scale = relief.exp();
+        for (integral, far) in integrals.iter_mut().zip(sums) {
+            integral.known += scale * far;
         }
         integrals
     }
@@ -275,6 +335,35 @@ impl Panel {
         self.piece.from_variance_pa2 + (first_pa + 0.5 * (1.0 + t) * (last_pa - first_pa)).powi(2)
     }
 
+    /// Appends A_pl as few points, of a polynomial of it.
+    fn append_sources(
+        &self,
+        plastic: &Polynomial,
+        rule: &GaussLegendre,
+        pressure_pa: f64,
+        sources: &mut Sources,
+    ) {
+        let [first_pa, last_pa] = self.kink_distances_pa();
+        let nodes = rule.over(first_pa, last_pa).map(|(from_kink_pa, weight_pa)| {
+            let variance_pa2 = self.piece.from_variance_pa2 + from_kink_pa * from_kink_pa;
+            let hardness_pa = self.piece.hardness_pa(variance_pa2);
+            let place = Place { variance_pa2, hardness_pa };
+            // Distances are at most a little above `UNREACHED`: their exponentials are doubles.
+            let scale = if self.steep { (-place.distance(pressure_pa)).exp() } else { 1.0 };
+            let plastic = scale * value(plastic, self.variable(from_kink_pa));
+            Source { variance_pa2, weight_pa2: 2.0 * from_kink_pa * weight_pa * plastic }
+        });
+        sources
+            .append(nodes, [self.from_pa2, self.to_pa2], |variance_pa2| self.piece.hardness_pa(variance_pa2));
+    }
+
+    /// Returns the rule whose points stand for the panel at a variance above it; `None` if it is too near for any.
+    fn rule_seen_from(&self, variance_pa2: f64) -> Option<usize> {
+        self.plastic?;
+        let width_pa2 = self.to_pa2 - self.from_pa2;
+        rule_at((2.0 * variance_pa2 - self.from_pa2 - self.to_pa2) / width_pa2)
+    }
+
     /// Distances sqrt(V - V_i) at both ends \[Pa\].
     fn kink_distances_pa(&self) -> [f64; 2] {
         [self.from_pa2, self.to_pa2].map(|variance_pa2| (variance_pa2 - self.piece.from_variance_pa2).sqrt())
@@ -295,9 +384,9 @@ struct Integral {
 }
 
 impl Integral {
-    fn add_powers(&mut self, weight: f64, t: f64) {
+    fn add_powers(&mut self, weight: f64, t: f64, size: usize) {
         let mut power = weight;
-        for sum in &mut self.powers {
+        for sum in &mut self.powers[..size] {
             *sum += power;
             power *= t;
         }
@@ -324,27 +413,44 @@ fn passage(distance_pa: f64, root_pa: f64) -> f64 {
     (2.0 / PI).sqrt() * ratio / root_pa * (-0.5 * ratio * ratio).exp()
 }
 
-/// Gauss-Legendre rules of the integrals, and the places at which the equation is collocated.
+/// Gauss-Legendre rules of the integrals, and the places of collocation.
 struct Rules {
     coarse: GaussLegendre,
     medium: GaussLegendre,
     fine: GaussLegendre,
+    finest: GaussLegendre,
+    /// By the number of unknowns, from `SIZE_MIN` on.
+    collocations: [Collocation; SIZE - SIZE_MIN + 1],
+}
+
+/// Places of a panel at which the equation is collocated.
+struct Collocation {
     places: [f64; SIZE],
-    /// Powers of each place, one row per place.
+    /// Powers of each place, one row per place; rows of the identity beyond the number of unknowns.
     powers: [Polynomial; SIZE],
+}
+
+impl Collocation {
+    fn new(size: usize) -> Self {
+        let mut places = [1.0; SIZE];
+        places[..size - 1].copy_from_slice(GaussLegendre::new(size - 1).nodes());
+        let power = |row: usize, column: usize| match (row < size, column < size) {
+            (true, true) => places[row].powi(column as i32),
+            _ => f64::from(u8::from(row == column)),
+        };
+        let powers = std::array::from_fn(|row| std::array::from_fn(|column| power(row, column)));
+        Collocation { places, powers }
+    }
 }
 
 impl Rules {
     fn new() -> Self {
-        let mut places = [1.0; SIZE];
-        places[..SIZE - 1].copy_from_slice(GaussLegendre::new(SIZE - 1).nodes());
-        let powers = places.map(|place| std::array::from_fn(|power| place.powi(power as i32)));
         Rules {
-            powers,
             coarse: GaussLegendre::new(4),
             medium: GaussLegendre::new(6),
             fine: GaussLegendre::new(12),
-            places,
+            finest: GaussLegendre::new(NODES),
+            collocations: std::array::from_fn(|more| Collocation::new(SIZE_MIN + more)),
         }
     }
 

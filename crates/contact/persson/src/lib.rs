@@ -25,6 +25,7 @@ mod model;
 mod roughness;
 pub mod sealing;
 pub mod separation;
+mod sources;
 mod stretch;
 pub mod variance;
 

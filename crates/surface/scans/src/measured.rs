@@ -82,6 +82,12 @@ impl Measured {
         self.stored_m().iter().enumerate().map(height)
     }
 
+    /// All heights in m, row after row; none if a point is missing.
+    #[must_use]
+    pub fn complete_heights_m(&self) -> Option<&[f64]> {
+        self.missing.is_empty().then(|| self.stored_m())
+    }
+
     /// The height in m of a point, where it has one.
     #[inline]
     #[must_use]

@@ -63,10 +63,13 @@ impl Form {
 
     /// Iterates over the heights \[m\] from the form, row by row.
     pub fn removed_m(self, scan: &Measured) -> impl Iterator<Item = Option<f64>> + '_ {
-        places(scan).zip(scan.heights_m()).map(move |(at, height_m)| {
-            let form_m = self.level_m + self.slopes_m[0] * at[0] + self.slopes_m[1] * at[1];
-            height_m.map(|height_m| height_m - form_m)
-        })
+        places(scan)
+            .zip(scan.heights_m())
+            .map(move |(at, height_m)| height_m.map(|height_m| height_m - self.height_m(at[0], at[1])))
+    }
+
+    fn height_m(self, x: f64, y: f64) -> f64 {
+        self.level_m + self.slopes_m[0] * x + self.slopes_m[1] * y
     }
 
     fn plus(self, other: Form) -> Self {
@@ -74,8 +77,33 @@ impl Form {
         Form { level_m: self.level_m + other.level_m, slopes_m }
     }
 
+    /// Fits evenly spaced heights from this form: both slopes and the level are independent of one another.
+    fn of_even_rest(self, heights_m: &[f64], columns: usize) -> Self {
+        let (x, y) = (centred(columns), centred(heights_m.len() / columns));
+        let sums_m = heights_m.chunks_exact(columns).zip(&y).map(|(heights_m, &y)| {
+            sums_of(heights_m, &x, |height_m, x| {
+                let rest_m = height_m - self.height_m(x, y);
+                [rest_m, rest_m * x]
+            })
+        });
+        let (sums_m, rises_m): (Vec<f64>, Vec<f64>) = sums_m.map(|[sum_m, rise_m]| (sum_m, rise_m)).unzip();
+        let same = |value: f64| value;
+        let slope_m = |rise_m: f64, squares: f64| if squares > 0.0 { rise_m / squares } else { 0.0 };
+        let [x_squares, y_squares] = [&x, &y].map(|at| sum_of(at, |at| at * at));
+        Form {
+            level_m: sum_of(&sums_m, same) / heights_m.len() as f64,
+            slopes_m: [
+                slope_m(sum_of(&rises_m, same), y.len() as f64 * x_squares),
+                slope_m(dot(&y, &sums_m), x.len() as f64 * y_squares),
+            ],
+        }
+    }
+
     /// Fits the heights from this form.
     fn of_rest(self, scan: &Measured) -> Self {
+        if let Some(heights_m) = evenly_spaced_m(scan) {
+            return self.of_even_rest(heights_m, scan.points().0);
+        }
         let (mut count, mut at_sum, mut products) = (0.0, [0.0; 2], [0.0; 3]);
         let (mut height_sum_m, mut rises_m) = (0.0, [0.0; 2]);
         for ([x, y], height_m) in places(scan).zip(self.removed_m(scan)) {
@@ -100,6 +128,17 @@ impl Form {
         };
         Form { level_m: mean_m - slopes_m[0] * x - slopes_m[1] * y, slopes_m }
     }
+}
+
+
+/// All heights \[m\] of evenly spaced points; none if one is missing.
+fn evenly_spaced_m(scan: &Measured) -> Option<&[f64]> {
+    scan.complete_heights_m().filter(|heights_m| scan.positions_m().is_none() && !heights_m.is_empty())
+}
+
+/// Places in steps from the middle.
+fn centred(points: usize) -> Vec<f64> {
+    (0..points).map(|at| at as f64 - 0.5 * (points as f64 - 1.0)).collect()
 }
 
 /// Iterates over the places of all points in steps from the middle of the scan, row by row.
