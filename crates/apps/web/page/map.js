@@ -21,14 +21,15 @@ export function mapElement(map, name) {
   canvas.style.aspectRatio = String(1 / map.aspect);
   canvas.setAttribute("role", "img");
   canvas.setAttribute("aria-label", `heights of ${name}, ${map.range} from the lowest to the highest point`);
-  const sorted = Uint16Array.from(map.heights.filter((level) => level !== MISSING)).sort();
-  const at = (/** @type {number} */ share) => sorted[Math.round(share * (sorted.length - 1))] / 65534;
+  const counts = new Uint32Array(MISSING + 1);
+  for (const level of map.heights) counts[level] += 1;
+  const missing = counts[MISSING];
+  const at = (/** @type {number} */ share) => levelAt(counts, share * (map.heights.length - missing)) / (MISSING - 1);
   const ends = [slider("Lowest colour", at(BEYOND)), slider("Highest colour", at(1 - BEYOND))];
   const caption = document.createElement("p");
   const paint = () => {
     const [low, high] = ends.map((end) => Number(end.querySelector("input")?.value) / 1000);
     draw(canvas, map, Math.min(low, high), Math.max(low, high));
-    const missing = map.heights.length - sorted.length;
     caption.textContent = `${Math.round(100 * Math.min(low, high))} to ${Math.round(100 * Math.max(low, high))} % of ${map.range}${missing ? "; grey: missing" : ""}`;
   };
   ends.forEach((end) => end.addEventListener("input", paint));
@@ -52,6 +53,21 @@ function slider(words, share) {
 }
 
 /**
+ * Returns the level below which a number of points lie.
+ * @param {Uint32Array} counts
+ * @param {number} points
+ */
+function levelAt(counts, points) {
+  let below = 0;
+  let level = 0;
+  while (level < MISSING - 1 && below + counts[level] < points) {
+    below += counts[level];
+    level += 1;
+  }
+  return level;
+}
+
+/**
  * @param {HTMLCanvasElement} canvas
  * @param {MapHeights} map
  * @param {number} low
@@ -60,12 +76,17 @@ function slider(words, share) {
 function draw(canvas, map, low, high) {
   const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
   const picture = context.createImageData(map.columns, map.rows);
-  const last = map.colours.length - 1;
+  const pixels = new Uint32Array(picture.data.buffer);
+  // Canvases hold red in the lowest byte.
+  const packed = ([red, green, blue] = GREY) => ((255 << 24) | (blue << 16) | (green << 8) | red) >>> 0;
+  const colours = Uint32Array.from(map.colours, packed);
+  const grey = packed(GREY);
+  const last = colours.length - 1;
   const scale = last / Math.max(high - low, 1e-9);
-  map.heights.forEach((level, point) => {
-    const colour = level === MISSING ? GREY : map.colours[Math.min(last, Math.max(0, Math.round((level / 65534 - low) * scale)))];
-    picture.data.set(colour, 4 * point);
-    picture.data[4 * point + 3] = 255;
-  });
+  for (let point = 0; point < pixels.length; point += 1) {
+    const level = map.heights[point];
+    const place = Math.round((level / (MISSING - 1) - low) * scale);
+    pixels[point] = level === MISSING ? grey : colours[place < 0 ? 0 : place > last ? last : place];
+  }
   context.putImageData(picture, 0, 0);
 }

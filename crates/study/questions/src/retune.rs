@@ -65,8 +65,9 @@ mod tests {
         let mut scene = Scene::builtin(Template::Gasket).unwrap();
         let before = scene.text.clone();
         assert!(matches!(retune(&mut scene, "0.3", None), Err(ConditionError::Quantity(_))));
-        assert!(matches!(retune(&mut scene, "1e-3 H", None), Err(ConditionError::NoHardness(_))));
         assert!(matches!(retune(&mut scene, "1 MPa", Some("3 kg")), Err(ConditionError::Quantity(_))));
+        scene.material = None;
+        assert!(matches!(retune(&mut scene, "1e-3 H", None), Err(ConditionError::NoHardness(_))));
         assert_eq!(scene.text, before);
     }
 }
