@@ -130,7 +130,6 @@ impl Form {
     }
 }
 
-
 /// All heights \[m\] of evenly spaced points; none if one is missing.
 fn evenly_spaced_m(scan: &Measured) -> Option<&[f64]> {
     scan.complete_heights_m().filter(|heights_m| scan.positions_m().is_none() && !heights_m.is_empty())
