@@ -24,7 +24,7 @@ pub struct MapHeights {
     pub heights: Vec<u16>,
     /// The difference of the highest and the lowest in print.
     pub range: String,
-    /// The same \[m\].
+    /// Difference of the highest and the lowest \[m\].
     pub range_m: f64,
     /// Red, green and blue of the colours from the lowest to the highest.
     pub colours: Vec<[u8; 3]>,

@@ -45,7 +45,7 @@ pub const STYLUS: Instrument =
 pub const AFM: Instrument =
     Instrument { name: "AFM", shape: Shape::Map, points: 128, length_m: 10e-6, shortest_m: 200e-9 };
 
-/// The same microscope, of which only single lines are kept, twice as long.
+/// Atomic force microscope of which only single lines are kept, twice as long.
 pub const AFM_LINES: Instrument =
     Instrument { name: "AFM", shape: Shape::Line, points: 256, length_m: 20e-6, shortest_m: 200e-9 };
 

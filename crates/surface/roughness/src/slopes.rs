@@ -7,11 +7,11 @@ use crate::relief::Relief;
 /// Differences from which slopes are computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Differences {
-    /// Of neighbouring points, each axis over its own pairs.
+    /// Differences of neighbouring points, each axis over its own pairs.
     Neighbours,
-    /// Of the points on both sides of one.
+    /// Differences of the points on both sides of one.
     Central,
-    /// Of seven points, as in ISO 4287.
+    /// Differences of seven points, as in ISO 4287.
     SevenPoints,
 }
 
