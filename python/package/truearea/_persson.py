@@ -13,7 +13,7 @@ from truearea._cores import material_of, surface_of
 from truearea._curves import Curve, Pressures
 from truearea._material import Material, Quantity
 from truearea._native import InputError
-from truearea._results import FloatArray
+from truearea._results import AnyArray, FloatArray
 from truearea._spectrum import Spectrum
 
 if TYPE_CHECKING:
@@ -33,6 +33,7 @@ class PerssonCurve(Curve):
     stiffness_pa_per_m: FloatArray
     u0_m: FloatArray
     p00_pa: FloatArray
+    band: AnyArray
 
 
 def persson(
@@ -87,7 +88,7 @@ def persson(
     Returns
     -------
     PerssonCurve
-        ``nominal_pressure_pa`` (loads,); ``wavelength_m`` and ``rms_gradient`` (cutoffs,); ``area_fraction``,
+        ``nominal_pressure_pa`` (loads,); ``wavelength_m``, ``rms_gradient`` and ``band`` (cutoffs,); ``area_fraction``,
         ``elastic_area_fraction``, ``plastic_area_fraction``, ``real_pressure_pa``, ``mean_gap_m`` and ``stiffness_pa_per_m``
         (loads, cutoffs), the last two NaN where more than 3 % of the contact is plastic; ``u0_m`` and ``p00_pa`` without axes,
         NaN where the cutoff leaves no roughness.
@@ -112,7 +113,7 @@ def persson(
     if not (hardness_law is None or isinstance(hardness_law, str)):
         arguments["hardness_law"] = _table(hardness_law)
     answer, pressures_pa, light = _native.curve("persson", surface_of(spectrum), material_of(material), arguments)
-    blocks = PerssonCurve._along(answer, pressures_pa, ("wavelength_m", "rms_gradient"))
+    blocks = PerssonCurve._along(answer, pressures_pa, ("wavelength_m", "rms_gradient", "band"))
     u0_m, p00_pa = (np.nan, np.nan) if light is None else light
     arrays = dict(blocks) | {"u0_m": np.asarray(u0_m), "p00_pa": np.asarray(p00_pa)}
     axes = {name: blocks.axes(name) for name in blocks} | {"u0_m": (), "p00_pa": ()}

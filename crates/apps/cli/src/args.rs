@@ -134,9 +134,9 @@ Examples:
     #[command(after_help = "\
 With a spectrum: columns wavelength_m, area_fraction, elastic_area_fraction,
 plastic_area_fraction, real_pressure_pa, rms_gradient, mean_gap_m,
-stiffness_pa_per_m; a row per wavelength from long to short. With several
-pressures a first column nominal_pressure_pa, in blocks in the order given. Gap
-and stiffness are those of the elastic theory: their cells are empty where more
+stiffness_pa_per_m, band (that a cutoff lets through: 1d or 2d); a row per
+wavelength from long to short. With several pressures a first column
+nominal_pressure_pa, in blocks in the order given. Gap and stiffness are those of the elastic theory: their cells are empty where more
 than 3 % of the contact is plastic.
 
 With --input, a table with the columns pressure_pa, rms_pressure_pa (of the

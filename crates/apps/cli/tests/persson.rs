@@ -16,7 +16,7 @@ const PLASTIC: [&str; 8] = [
     "5.4GPa",
 ];
 const COLUMNS: &str = "wavelength_m,area_fraction,elastic_area_fraction,plastic_area_fraction,real_pressure_pa,\
-                       rms_gradient,mean_gap_m,stiffness_pa_per_m";
+                       rms_gradient,mean_gap_m,stiffness_pa_per_m,band";
 
 fn of_diamond(bench: &Bench, options: &[&[&str]]) -> support::Ran {
     bench.run(&[&["persson", "builtin:uncd-reconstructed"], &options.concat()[..]].concat())

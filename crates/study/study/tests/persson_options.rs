@@ -100,12 +100,12 @@ fn a_curve_of_a_plan_and_its_stream_equal_the_theory_bit_for_bit() {
         let along = |pa| theory.along(&roughness, &separation, pa).unwrap();
         let by_hand = vec![along(1e6), along(3e8)];
 
-        let CurveResult::Persson(blocks) = &results.curves[0] else { panic!("{name}") };
-        assert_eq!(*blocks, by_hand, "{name}, {options:?}, {sampling:?}");
+        let CurveResult::Persson(cuts) = &results.curves[0] else { panic!("{name}") };
+        assert_eq!(cuts.blocks, by_hand, "{name}, {options:?}, {sampling:?}");
         let mut streamed = Vec::new();
         let each = |part: study::plan::Part| {
-            let CurveResult::Persson(blocks) = part.rows else { panic!("{name}") };
-            streamed.extend(blocks);
+            let CurveResult::Persson(cuts) = part.rows else { panic!("{name}") };
+            streamed.extend(cuts.blocks);
             Ok::<(), PlanError>(())
         };
         plan.stream().unwrap().parts(&curve, &Unobserved, each).unwrap();

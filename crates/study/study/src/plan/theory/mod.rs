@@ -11,6 +11,7 @@ use stacked_contact::Level;
 use stat_contact::Condition;
 use tables::Table;
 
+pub use persson::PerssonCuts;
 pub use persson::PerssonSurface;
 pub use statistical::{CutoffState, STATE_DETAILS};
 
@@ -28,7 +29,7 @@ pub enum CurveResult {
     /// States of the population that each cutoff leaves; the separations follow the loads.
     Statistical(Vec<Vec<CutoffState>>),
     /// Cuts of Persson's theory.
-    Persson(Vec<Vec<::persson::Cut>>),
+    Persson(PerssonCuts),
 }
 
 /// Blocks of rows by one theory.
@@ -62,7 +63,7 @@ impl CurveResult {
         match self {
             CurveResult::Stacked(blocks) => blocks,
             CurveResult::Statistical(blocks) => blocks,
-            CurveResult::Persson(blocks) => blocks,
+            CurveResult::Persson(cuts) => cuts,
         }
     }
 
@@ -88,7 +89,7 @@ impl CurveResult {
     #[must_use]
     pub fn persson(&self) -> Option<&[Vec<::persson::Cut>]> {
         match self {
-            CurveResult::Persson(blocks) => Some(blocks),
+            CurveResult::Persson(cuts) => Some(&cuts.blocks),
             _ => None,
         }
     }
@@ -139,7 +140,9 @@ impl CurveResult {
         match self {
             CurveResult::Stacked(blocks) => CurveResult::Stacked(repeated(blocks, index_of, cutoffs)),
             CurveResult::Statistical(blocks) => CurveResult::Statistical(repeated(blocks, index_of, cutoffs)),
-            CurveResult::Persson(blocks) => CurveResult::Persson(repeated(blocks, index_of, cutoffs)),
+            CurveResult::Persson(PerssonCuts { blocks, band }) => {
+                CurveResult::Persson(PerssonCuts { blocks: repeated(blocks, index_of, cutoffs), band })
+            }
         }
     }
 }

@@ -4,7 +4,9 @@ use std::ops::Range;
 
 use ::persson::hardness_laws::HardnessError;
 use ::persson::separation::SeparationLaw;
+use ::persson::variance::Band;
 use ::persson::{Cut, PerssonModel, Roughness};
+use serde::Serialize;
 use stat_contact::Condition;
 use tables::Table;
 
@@ -34,7 +36,7 @@ impl CurveTheory for Persson {
             }
             Ok::<_, PlanError>(cuts)
         })?;
-        Ok((CurveResult::Persson(blocks), Work::default()))
+        Ok((CurveResult::Persson(PerssonCuts { blocks, band: self.law.band }), Work::default()))
     }
 
     fn surface(
@@ -103,23 +105,34 @@ impl LoadedSurface for PerssonSurface {
     }
 }
 
-impl Rows for Vec<Vec<Cut>> {
+/// Cuts of Persson's theory under loads.
+#[derive(Debug, Clone, Serialize)]
+#[serde(transparent)]
+pub struct PerssonCuts {
+    /// For every load its cuts, from long to short wavelengths.
+    pub blocks: Vec<Vec<Cut>>,
+    /// Band that a cutoff lets through.
+    #[serde(skip)]
+    pub band: Band,
+}
+
+impl Rows for PerssonCuts {
     fn count(&self) -> usize {
-        self.len()
+        self.blocks.len()
     }
 
     fn area_fractions(&self, block: usize) -> Vec<(f64, f64)> {
-        self[block].iter().map(|cut| (cut.wavelength_m, cut.areas.contact())).collect()
+        self.blocks[block].iter().map(|cut| (cut.wavelength_m, cut.areas.contact())).collect()
     }
 
     fn highest_real_pressure_pa(&self, block: usize) -> f64 {
-        self[block].iter().map(|cut| cut.real_pressure_pa).fold(0.0, f64::max)
+        self.blocks[block].iter().map(|cut| cut.real_pressure_pa).fold(0.0, f64::max)
     }
 
     fn table(&self, pressures_pa: &[f64], several: bool, _: bool) -> Table {
-        let column = |of: fn(&Cut) -> f64| self.iter().flatten().map(of);
-        let optional = |of: fn(&Cut) -> Option<f64>| self.iter().flatten().map(of);
-        with_loads(self, pressures_pa, several)
+        let column = |of: fn(&Cut) -> f64| self.blocks.iter().flatten().map(of);
+        let optional = |of: fn(&Cut) -> Option<f64>| self.blocks.iter().flatten().map(of);
+        with_loads(&self.blocks, pressures_pa, several)
             .with_numbers("wavelength_m", column(|cut| cut.wavelength_m))
             .with_numbers("area_fraction", column(|cut| cut.areas.contact()))
             .with_numbers("elastic_area_fraction", column(|cut| cut.areas.elastic))
@@ -128,5 +141,6 @@ impl Rows for Vec<Vec<Cut>> {
             .with_numbers("rms_gradient", column(|cut| cut.rms_gradient))
             .with_numbers("mean_gap_m", optional(|cut| cut.mean_gap_m))
             .with_numbers("stiffness_pa_per_m", optional(|cut| cut.stiffness_pa_per_m))
+            .with_words("band", self.blocks.iter().flatten().map(|_| self.band.name()))
     }
 }
