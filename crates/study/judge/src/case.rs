@@ -113,6 +113,12 @@ impl<'s> Case<'s> {
         bounds_pa
     }
 
+    /// The least area fraction of elements with a bound: a nominal pressure takes that share of a surface that flows. 0 of
+    /// elastic elements.
+    pub fn least_area(&self, bound: usize, load: usize) -> f64 {
+        self.bounds_pa[bound].map_or(0.0, |bound_pa| (self.nominal_pressure_pa(load) / bound_pa).min(1.0))
+    }
+
     /// The elements that a curve is compared with.
     pub fn reference(&self, curve: usize) -> Reference {
         Reference::from_saturation(self.bodies[curve].saturation_pa())

@@ -91,9 +91,10 @@ impl Comparisons<'_> {
         let Some(last) = layout.windows.len().checked_sub(1) else { return Err(Reason::NoSurface) };
         let area = element_area(layout.planned(Cell { bound, window: last, load }), solutions)?;
         if layout.is_whole_band() {
-            return Ok(area);
+            return Ok(area.at_least(case.least_area(bound, load)));
         }
-        Ok(area.carried_over(case.seams(&layout.windows[last])[bound][load]))
+        let seam = case.seams(&layout.windows[last])[bound][load];
+        Ok(area.carried_over(seam).at_least(case.least_area(bound, load)))
     }
 
     /// Combines the outcomes of every curve under every load into its verdict.
@@ -156,7 +157,7 @@ fn element_area(planned: PlannedPress, solutions: &Solutions) -> Result<ElementA
         PlannedPress::TooLight => return Err(Reason::TooLight),
         PlannedPress::LoadNotChosen => return Err(Reason::LoadNotChosen),
     };
-    Ok(ElementArea { area_fraction: solved.area_fraction, standard_error: solved.standard_error })
+    Ok(ElementArea::new(solved.area_fraction, solved.standard_error))
 }
 
 /// A curve under a load on a band, with the inputs of its verdict.
@@ -194,7 +195,9 @@ impl Comparison {
             longest_m: band.longest_m,
             shortest_m: band.shortest_m,
             is_whole_band: false,
-            elements_of_whole: elements.map(|elements| elements.carried_over(self.seam)),
+            elements_of_whole: elements.map(|elements| {
+                elements.carried_over(self.seam).at_least(case.least_area(case.bound(curve), load))
+            }),
             pressure_pa,
             pressure_over_gradient: pressure_pa / self.gradient_pa,
             area_fraction,

@@ -117,7 +117,7 @@ fn compare_map(
         let twins = (0..TWINS).map(|at| area(&waves.twin(pressing.seed, at)));
         let Some(twins) = twins.collect::<Result<Option<Vec<f64>>, JudgeError>>()? else { return Ok(found) };
         let Solved { area_fraction: of_twins, standard_error } = Solved::from_surfaces(&twins);
-        let twins = ElementArea { area_fraction: of_twins, standard_error };
+        let twins = ElementArea::new(of_twins, standard_error);
         found.push(MapVerdict {
             map: patch.name.clone(),
             load,

@@ -44,13 +44,29 @@ pub struct ElementArea {
     pub area_fraction: f64,
     /// Its standard error.
     pub standard_error: f64,
+    /// The area that cannot be less: the nominal pressure over that at which elements flow; 0 of elastic elements.
+    #[serde(skip)]
+    least: f64,
 }
 
 impl ElementArea {
-    /// The area less two standard errors; at least a tenth of the area, since an area is positive.
+    /// Takes an area fraction and its standard error.
+    pub(crate) fn new(area_fraction: f64, standard_error: f64) -> Self {
+        ElementArea { area_fraction, standard_error, least: 0.0 }
+    }
+
+    /// Bounds the area from below.
+    pub(crate) fn at_least(self, least: f64) -> Self {
+        ElementArea { area_fraction: self.area_fraction.max(least), least, ..self }
+    }
+
+    /// The area less two standard errors; at least a tenth of the area, since an area is positive, and at least what a contact
+    /// that flows has.
     #[must_use]
     pub fn low(self) -> f64 {
-        (self.area_fraction - ERRORS_GIVEN * self.standard_error).max(0.1 * self.area_fraction)
+        (self.area_fraction - ERRORS_GIVEN * self.standard_error)
+            .max(0.1 * self.area_fraction)
+            .max(self.least)
     }
 
     /// The area with two standard errors, at most 1.
@@ -63,7 +79,7 @@ impl ElementArea {
     pub(crate) fn carried_over(self, seam: Seam) -> Self {
         let area_fraction = (seam.factor * self.area_fraction).min(1.0);
         let relative_error = self.relative_error().hypot(seam.relative_error);
-        ElementArea { area_fraction, standard_error: relative_error * area_fraction }
+        ElementArea::new(area_fraction, relative_error * area_fraction)
     }
 
     /// The standard error over the area.

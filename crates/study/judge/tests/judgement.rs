@@ -180,7 +180,8 @@ fn what_yields_is_held_against_saturated_elements_and_elastic_curves_are_out_of_
     let plastic = &judgement.curves[1];
     assert_eq!(plastic.verdict, Verdict::Agrees, "{plastic:?}");
     // The load over the hardness is the least that can touch.
-    assert!(plastic.elements.unwrap().area_fraction >= 300.0 / 900.0);
+    let elements = plastic.elements.unwrap();
+    assert!(elements.area_fraction >= 300.0 / 900.0 && elements.low() >= 300.0 / 900.0, "{elements:?}");
     let headline = judgement.headline(0).unwrap();
     assert!(matches!(headline.basis, Basis::Elements(Reference::Yielding { .. })));
     assert!(matches!(headline.best_curve, Some(1 | 2)), "{headline:?}");
