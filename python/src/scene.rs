@@ -21,8 +21,8 @@ use report::summary::summary;
 use scene::file_names::{JUDGE_TABLES, REPORT_TABLES, UNCERTAINTY_TABLES};
 use scene::{Overrides, Scene, SceneError, SceneProblem, Template, with_keys};
 use staging::StagedFiles;
-use study::Files;
 use staging::reading::bytes_of;
+use study::Files;
 use tables::{Format, Table};
 use toml::Value;
 

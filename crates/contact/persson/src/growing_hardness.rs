@@ -19,13 +19,12 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use numerics::GaussLegendre;
+use numerics::{GaussLegendre, solve};
 
 use crate::areas::ContactAreas;
 use crate::constant_hardness::image;
 use crate::elastic;
 use crate::hardness_path::{HardnessPath, Piece};
-use crate::linear_system::solve;
 use crate::sources::{NODES, Source, Sources, rule_at};
 
 /// Largest number of unknowns of a panel: the coefficients of a polynomial.

@@ -20,7 +20,6 @@ pub mod growing_hardness;
 pub mod hardness_laws;
 mod hardness_path;
 mod knot;
-mod linear_system;
 mod model;
 mod roughness;
 pub mod sealing;

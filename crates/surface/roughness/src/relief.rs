@@ -1,6 +1,6 @@
 //! Heights to evaluate: what is left of a scan without its form, and of a filter.
 
-use nalgebra::{DMatrix, DVector};
+use numerics::solve;
 use scans::Measured;
 use thiserror::Error;
 use topography::without_form_m;
@@ -196,42 +196,54 @@ impl Relief {
         }
     }
 
-    /// Subtracts the least-squares polynomial of the second order; nothing where the points do not determine one.
     fn subtract_second_order(&mut self) {
         let rows = self.rows.unwrap_or(1);
         let (columns, positions_m) = (self.columns, self.positions_m.clone());
         let from_middle = |index: usize, points: usize| (2 * index + 1) as f64 / points as f64 - 1.0;
-        let x = |column: usize| match &positions_m {
+        let x = |index: usize| match &positions_m {
             Some(positions_m) => {
                 let (first_m, last_m) = (positions_m[0], positions_m[columns - 1]);
-                2.0 * (positions_m[column] - first_m) / (last_m - first_m) - 1.0
+                2.0 * (positions_m[index] - first_m) / (last_m - first_m) - 1.0
             }
-            None => from_middle(column, columns),
+            None => from_middle(index % columns, columns),
         };
-        let terms = |index: usize| -> Vec<f64> {
-            let (x, y) = (x(index % columns), from_middle(index / columns, rows));
-            match rows {
-                1 => vec![1.0, x, x * x],
-                _ => vec![1.0, x, y, x * x, x * y, y * y],
-            }
-        };
+        let y = |index: usize| from_middle(index / columns, rows);
+        match rows {
+            1 => self.subtract_fit(|index| [1.0, x(index), x(index).powi(2)]),
+            _ => self.subtract_fit(|index| {
+                let (x, y) = (x(index), y(index));
+                [1.0, x, y, x * x, x * y, y * y]
+            }),
+        }
+    }
+
+    /// Subtracts the least-squares combination of some terms; nothing where the points do not determine one.
+    fn subtract_fit<const N: usize>(&mut self, terms: impl Fn(usize) -> [f64; N]) {
         // Twice: the second fit removes what rounding left of a strong curvature.
         for _ in 0..2 {
-            let size = terms(0).len();
-            let (mut products, mut sums) = (DMatrix::zeros(size, size), DVector::zeros(size));
+            let (mut products, mut sums) = ([[0.0; N]; N], [0.0; N]);
             for (index, height_m) in self.heights_m().enumerate() {
                 let Some(height_m) = height_m else { continue };
-                let terms = DVector::from_vec(terms(index));
-                products.syger(1.0, &terms, &terms, 1.0);
-                sums.axpy(height_m, &terms, 1.0);
+                let terms = terms(index);
+                for (row, term) in terms.iter().enumerate() {
+                    sums[row] += term * height_m;
+                    products[row].iter_mut().zip(terms).for_each(|(product, other)| *product += term * other);
+                }
             }
-            let Some(factors) = products.cholesky() else { return };
-            let coefficients = factors.solve(&sums);
-            self.change_heights(|index, height_m| {
-                let form_m: f64 =
-                    terms(index).iter().zip(coefficients.iter()).map(|(term, c)| term * c).sum();
-                height_m - form_m
+            let Some(coefficients) = solve(products, sums) else { return };
+            let form_m = |index: usize| -> f64 {
+                terms(index).iter().zip(coefficients).map(|(term, c)| term * c).sum()
+            };
+            let square_m2 = |rest_m: f64| rest_m * rest_m;
+            let [before_m2, after_m2] = [0.0, 1.0].map(|share| -> f64 {
+                let rest = self.heights_m().enumerate();
+                rest.filter_map(|(index, height_m)| Some(square_m2(height_m? - share * form_m(index)))).sum()
             });
+            // A fit brings no more; points along a line do not determine one, and rounding would.
+            if !after_m2.is_finite() || after_m2 > before_m2 {
+                return;
+            }
+            self.change_heights(|index, height_m| height_m - form_m(index));
         }
     }
 
@@ -305,5 +317,41 @@ impl Relief {
         self.heights_m = self.heights_m[kept.clone()].to_vec();
         self.measured = self.measured.take().map(|measured| measured[kept.clone()].to_vec());
         self.columns = kept.len();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use scans::{HeightMap, Measured, MissingPoints, Scan, UniformLineScan};
+
+    use super::*;
+
+    const SECOND_ORDER: Evaluation =
+        Evaluation { form: FormRemoval::SecondOrder, longest_m: None, shortest_m: None };
+
+    #[test]
+    fn a_ball_and_a_bowl_are_forms_of_the_second_order() {
+        let bowl = |at: usize| {
+            let (x, y) = ((at % 30) as f64, (at / 30) as f64);
+            1e-6 * (1.0 + 0.3 * x - 0.2 * y + 0.01 * x * x + 0.02 * x * y - 0.03 * y * y)
+        };
+        let map = Scan::Map(HeightMap::new(30, 1e-6, 2e-6, (0..600).map(bowl).collect()).unwrap());
+        let missing: MissingPoints = (0..600).filter(|at| at % 7 == 3).collect();
+        let arc = (0..50).map(|x| 1e-8 * f64::from(x * x)).collect();
+        let line = Scan::UniformLine(UniformLineScan::new(1e-6, arc).unwrap());
+        for scan in [Measured::with_missing_points(map, missing), line.into()] {
+            let rest = Relief::new(&scan, &SECOND_ORDER).unwrap();
+            assert!(rest.heights_m().flatten().all(|height_m| height_m.abs() < 1e-19), "{rest:?}");
+        }
+    }
+
+    #[test]
+    fn points_that_determine_no_form_keep_their_heights() {
+        // One row of a map has heights.
+        let missing: MissingPoints = (10..200).collect();
+        let heights_m = (0..200).map(|at| if at % 2 == 0 { 1e-9 } else { -1e-9 }).collect();
+        let map = Scan::Map(HeightMap::new(10, 1e-6, 1e-6, heights_m).unwrap());
+        let rest = Relief::new(&Measured::with_missing_points(map, missing), &SECOND_ORDER).unwrap();
+        assert!(rest.heights_m().flatten().all(|height_m| height_m.abs() < 2e-9));
     }
 }

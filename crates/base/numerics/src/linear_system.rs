@@ -1,7 +1,8 @@
 //! Small dense systems of linear equations, on the stack.
 
 /// Solves a system by Gaussian elimination with partial pivoting; `None` if the matrix, given by rows, is singular.
-pub(crate) fn solve<const N: usize>(mut matrix: [[f64; N]; N], mut right: [f64; N]) -> Option<[f64; N]> {
+#[must_use]
+pub fn solve<const N: usize>(mut matrix: [[f64; N]; N], mut right: [f64; N]) -> Option<[f64; N]> {
     for column in 0..N {
         let larger = |best: usize, row: usize| match matrix[row][column].abs() > matrix[best][column].abs() {
             true => row,
