@@ -53,6 +53,12 @@ fn options(entry: &ModelEntry) -> String {
     taken.collect::<Vec<_>>().join(", ")
 }
 
+/// A pressure as figures and sentences have it: `5 MPa`.
+#[pyfunction]
+pub fn pressure_in_words(pressure_pa: f64) -> String {
+    units::display::pressure(pressure_pa)
+}
+
 /// Short name, colour and SVG dash of a model in figures.
 #[pyfunction]
 pub fn model_style(name: &str) -> PyResult<(&'static str, &'static str, String)> {

@@ -6,13 +6,14 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
+use drawings::model_style::ModelStyle;
 use findings::answer::Answer;
 use parallel::Progress;
 use pyo3::exceptions::{PyFileNotFoundError, PyOSError};
 use pyo3::prelude::*;
 use pyo3::types::{PyCFunction, PyDict, PyList, PyString, PyTuple};
-use questions::{OptionName, SamplingInput};
-use questions::{Phase, RunError, RunOptions, Watch, run_scene};
+use questions::{OptionName, Phase, ReportSurface, RunError, RunOptions, SamplingInput, Watch, run_scene};
+use report::curve_names::short_name;
 use report::explain::explain;
 use report::products::{Product, SceneProducts};
 use report::run_stamp::RunStamp;
@@ -20,9 +21,12 @@ use report::scene_note_words;
 use report::summary::summary;
 use scene::file_names::{JUDGE_TABLES, REPORT_TABLES, UNCERTAINTY_TABLES};
 use scene::{Overrides, Scene, SceneError, SceneProblem, Template, with_keys};
+use spectrum::ReadOptions;
 use staging::StagedFiles;
 use staging::reading::bytes_of;
 use study::Files;
+use study::figure::CurveLook;
+use study::surface::{Surface, SurfaceError};
 use tables::{Format, Table};
 use toml::Value;
 
@@ -30,7 +34,7 @@ use crate::answer::{columns, refused as questions_refused};
 use crate::arguments::{Arguments, Given, named, type_name};
 use crate::errors::{input, of_argument};
 use crate::material::counterface;
-use crate::surface::notes;
+use crate::surface::{PySurface, notes};
 use crate::work::{carry_out, light};
 
 /// A scene as the core has it, and the files that it read.
@@ -85,7 +89,8 @@ impl Files for Remembering {
 
 #[pymethods]
 impl PyScene {
-    /// The scene of a text. Files come from those given, or else from below the folder.
+    /// The scene of a text. Files come from those given, or else from below the folder; a surface in memory counts before the
+    /// files of the scene's own.
     #[new]
     fn new(
         py: Python<'_>,
@@ -94,8 +99,10 @@ impl PyScene {
         folder: Option<PathBuf>,
         files: Read,
         overrides: Arguments<'_>,
+        surface: Option<&PySurface>,
     ) -> PyResult<Self> {
-        let overrides = read_overrides(&overrides)?;
+        let surface = surface.map(|surface| surface.surface.clone());
+        let overrides = Overrides { surface, ..read_overrides(&overrides)? };
         let files = Remembering { folder, read: Mutex::new(files) };
         let scene = light(py, || Scene::parse(text, &files, &overrides));
         let scene = scene.map_err(|error| refused(&error, text, &name))?;
@@ -119,6 +126,23 @@ impl PyScene {
     #[getter]
     fn files(&self) -> Read {
         self.files.clone()
+    }
+
+    /// Number of loads.
+    #[getter]
+    fn loads(&self) -> usize {
+        self.scene.needs.loads.len()
+    }
+
+    /// Short name, colour and SVG dash of every curve in figures, by its name.
+    fn styles(&self) -> BTreeMap<String, (String, &'static str, String)> {
+        let curves = &self.scene.needs.curves;
+        let looks = CurveLook::of_curves(curves);
+        let styled = curves.iter().zip(looks).map(|(curve, look)| {
+            let ModelStyle { colour, dash, .. } = ModelStyle::new(look);
+            (curve.name.clone(), (short_name(curve), colour, dash))
+        });
+        styled.collect()
     }
 
     /// Explains which steps the scene needs, shares and skips.
@@ -192,6 +216,39 @@ pub fn scene_with_keys(text: &str, name: &str, changes: &Bound<'_, PyDict>) -> P
         scene::ReplaceError::Scene(error) => refused(&error, text, name),
         error => input(error),
     })
+}
+
+/// The text of a scene from its sections, in the order that they have. Files become its surface: one spectrum, or scans, each
+/// perhaps with what its file leaves open, as on the command line.
+#[pyfunction]
+pub fn scene_text(sections: &Bound<'_, PyDict>, files: Option<Vec<String>>) -> PyResult<String> {
+    let mut parts = Vec::new();
+    for (key, value) in sections {
+        let key: String = key.extract()?;
+        parts.push(match &files {
+            Some(files) if key == "surface" => report_surface(files)?.section(),
+            _ => {
+                let value = value_of(&key, &value)?;
+                // One section at a time, since a table of TOML sorts its keys.
+                toml::to_string(&toml::Table::from_iter([(key, value)])).map_err(input)?
+            }
+        });
+    }
+    Ok(parts.join("\n"))
+}
+
+/// One file as a spectrum if it holds one, else all as scans.
+fn report_surface(files: &[String]) -> PyResult<ReportSurface> {
+    if let [name] = files {
+        let here = Remembering { folder: Some(PathBuf::new()), read: Mutex::default() };
+        match Surface::load(name, &here, &ReadOptions::default()) {
+            Ok(_) => return Ok(ReportSurface::Psd(name.clone())),
+            Err(error @ SurfaceError::NoSuchBuiltin { .. }) => return Err(of_argument("surface", error)),
+            Err(_) => {}
+        }
+    }
+    let request = |text: &String| text.parse().map_err(|error| of_argument("surface", error));
+    files.iter().map(request).collect::<PyResult<_>>().map(ReportSurface::Scans)
 }
 
 /// The tables that a run makes of a scene where it makes a report, where it is judged, and where draws are made.

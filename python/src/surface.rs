@@ -2,6 +2,7 @@
 
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 use questions::{Note, SpectrumQuantity, SpectrumQuestion};
 use report::{plot, spectrum_words};
 use spectrum::{Convention, Psd, ReadOption, ReadOptions};
@@ -9,6 +10,7 @@ use study::figure::{Figure, Shows};
 use study::measurements::NoFiles;
 use study::plan::{Needs, Plan, Sampling};
 use study::surface::{Surface, SurfaceError};
+use tables::Format;
 
 use crate::answer::{Keywords, PyAnswer, refused, words};
 use crate::arguments::{Arguments, named};
@@ -134,6 +136,21 @@ impl PySurface {
         let found = carry_out(py, None, |progress| question.answer(&self.surface, progress))?;
         let found = found.map_err(refused)?;
         PyAnswer::new(py, &found.table, found.notes)
+    }
+
+    /// The part between two wavelengths.
+    fn between(&self, arguments: Arguments<'_>) -> PyResult<Self> {
+        let (longest_m, shortest_m) = (arguments.length_m("longest")?, arguments.length_m("shortest")?);
+        let surface = self.surface.between(longest_m, shortest_m).map_err(input)?;
+        Ok(PySurface { surface })
+    }
+
+    /// A file of the spectrum, from which it is read back.
+    fn csv<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
+        let mut bytes = Vec::new();
+        let written = self.surface.table().write(Format::Csv, &self.surface.remarks, &mut bytes);
+        written.expect("memory takes everything");
+        PyBytes::new(py, &bytes)
     }
 
     /// The spectrum drawn.

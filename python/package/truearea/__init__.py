@@ -15,6 +15,7 @@ from truearea._native import VERSION as __version__
 from truearea._native import InputError, set_threads
 from truearea._names import Materials, Models, materials, models, show_versions
 from truearea._persson import PerssonCurve, persson
+from truearea._report import report
 from truearea._results import Result, Table
 from truearea._scan import Scan, ScanChannels, read_scan, scan_channels
 from truearea._scene import Scene, SceneResults, SceneTable
@@ -63,6 +64,7 @@ __all__ = [
     "persson",
     "read_psd",
     "read_scan",
+    "report",
     "scan_channels",
     "set_threads",
     "show_versions",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
@@ -18,6 +18,9 @@ from truearea._results import AnyArray, FloatArray, Result
 from truearea._scan import Scan
 from truearea._spectrum import Spectrum
 from truearea._topography import heights_and_size, is_topography
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 
 class Pressed(Result):
@@ -43,6 +46,38 @@ class Pressed(Result):
     pressure_pa: FloatArray
     gap_m: FloatArray
     height_m: FloatArray
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the pressures of the last map, white where nothing touches; without fields the area against the load.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            The axes to draw in; new ones where left out.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+
+        Raises
+        ------
+        ImportError
+            Without Matplotlib; ``pip install truearea[plot]`` adds it.
+        """
+        from truearea._plot import axes_of, draw_map
+
+        ax = axes_of(ax)
+        if "pressure_pa" in self:
+            maps = np.asarray(self.pressure_pa)
+            last = maps.reshape(-1, *maps.shape[-2:])[-1]
+            return draw_map(ax, np.where(last > 0.0, last, np.nan), None, "pressure (Pa)", "white")
+        loads_pa = np.atleast_1d(self.nominal_pressure_pa)
+        areas = np.asarray(self.area_fraction_corrected).reshape(-1, loads_pa.size)
+        for of_one in areas:
+            ax.loglog(loads_pa, of_one, "o", color="black", markersize=4)
+        ax.set_xlabel("nominal pressure (Pa)")
+        ax.set_ylabel("fraction of the area in contact")
+        return ax
 
     def _is_coordinate(self, name: str) -> bool:
         return name == "nominal_pressure_pa" and super()._is_coordinate(name)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Union
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, TypeVar, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -14,23 +15,70 @@ from truearea._results import AnyArray, FloatArray, Result
 from truearea._spectrum import Spectrum
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from typing_extensions import Self
 
 Pressures = Union[Quantity, npt.ArrayLike]
 """One pressure or several, in Pa or as text."""
 
 
+AnyCurve = TypeVar("AnyCurve", bound="Curve")
+
+
 class Curve(Result):
-    """Contact along the cutoff, under each of some loads: arrays of shape (loads, cutoffs)."""
+    """Contact along the cutoff, under each of some loads: arrays of shape (loads, cutoffs).
+
+    Attributes
+    ----------
+    model : str
+        The model, by the name that scenes have for it.
+    """
 
     _title = "contact against cutoff"
-    __slots__ = ()
+    __slots__ = ("model",)
     nominal_pressure_pa: FloatArray
     wavelength_m: FloatArray
     area_fraction: FloatArray
 
+    model: str
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the area against the shortest wavelength that takes part, a line for each load, in the colours of reports.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            The axes to draw in; new ones where left out.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+
+        Raises
+        ------
+        ImportError
+            Without Matplotlib; ``pip install truearea[plot]`` adds it.
+        """
+        from truearea._plot import area_axes, load_label, style_of
+
+        ax = area_axes(ax)
+        style = style_of(self.model)
+        loads = len(self.nominal_pressure_pa)
+        for at, pressure_pa in enumerate(self.nominal_pressure_pa):
+            label = f"{style['label']}, {load_label(pressure_pa)}"
+            # The lower the load, the paler the line.
+            shade = 1.0 - 0.6 * (loads - 1 - at) / loads
+            ax.plot(self.wavelength_m, self.area_fraction[at], **{**style, "label": label, "alpha": shade})
+        ax.legend(loc="lower left")
+        return ax
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_curve, (type(self), dict(self), self._axes, self.notes, self.model))
+
     @classmethod
-    def _along(cls, answer: _native.Answer, pressures_pa: list[float | None], shared: tuple[str, ...]) -> Self:
+    def _along(
+        cls, answer: _native.Answer, pressures_pa: list[float | None], shared: tuple[str, ...], model: str
+    ) -> Self:
         """Columns that came block after block; what is the same under every load has the axis of cutoffs alone."""
         arrays: dict[str, AnyArray] = {"nominal_pressure_pa": np.array(pressures_pa, dtype=np.float64)}
         axes: dict[str, tuple[str, ...]] = {"nominal_pressure_pa": ("load",)}
@@ -39,7 +87,15 @@ class Curve(Result):
                 array = np.asarray(values).reshape(len(pressures_pa), -1)
                 arrays[name] = array[0] if name in shared else array
                 axes[name] = ("cutoff",) if name in shared else ("load", "cutoff")
-        return cls(arrays, axes, tuple(answer.notes))
+        return _curve(cls, arrays, axes, tuple(answer.notes), model)
+
+
+def _curve(
+    kind: type[AnyCurve], arrays: Mapping[str, AnyArray], axes: Mapping[str, tuple[str, ...]], notes: tuple[str, ...], model: str
+) -> AnyCurve:
+    curve = kind(arrays, axes, notes)
+    curve.model = model
+    return curve
 
 
 class StackedCurve(Curve):
@@ -125,7 +181,7 @@ def stacked(
     """
     arguments = locals()
     answer, pressures_pa, _ = _native.curve("stacked", surface_of(spectrum), material_of(material), arguments)
-    return StackedCurve._along(answer, pressures_pa, ("wavelength_m", "amplitude_m"))
+    return StackedCurve._along(answer, pressures_pa, ("wavelength_m", "amplitude_m"), model)
 
 
 def statistical(
@@ -195,4 +251,4 @@ def statistical(
     """
     arguments = locals()
     answer, pressures_pa, _ = _native.curve("statistical", surface_of(spectrum), material_of(material), arguments)
-    return StatisticalCurve._along(answer, pressures_pa, ("wavelength_m", "radius_m", "density_per_m2", "sigma_s_m"))
+    return StatisticalCurve._along(answer, pressures_pa, ("wavelength_m", "radius_m", "density_per_m2", "sigma_s_m"), model)

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from truearea import _native
 from truearea._cores import material_of, surface_of
 from truearea._curves import Pressures
 from truearea._material import Material, Quantity
 from truearea._results import FloatArray, Table
 from truearea._spectrum import Spectrum
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 
 class Gaps(Table):
@@ -21,6 +26,31 @@ class Gaps(Table):
     stiffness_pa_per_m: FloatArray
     u0_m: FloatArray
     p00_pa: FloatArray
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the mean gap against the nominal pressure.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            The axes to draw in; new ones where left out.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+
+        Raises
+        ------
+        ImportError
+            Without Matplotlib; ``pip install truearea[plot]`` adds it.
+        """
+        from truearea._plot import axes_of
+
+        ax = axes_of(ax)
+        ax.loglog(self.nominal_pressure_pa, self.mean_gap_m, marker="o", label="mean gap")
+        ax.set_xlabel("nominal pressure (Pa)")
+        ax.set_ylabel("mean gap (m)")
+        return ax
 
 
 def gap(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import errno
 import os
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from truearea import _native
 from truearea._cores import material_of, surface_of
@@ -14,6 +14,9 @@ from truearea._material import Material, Quantity
 from truearea._native import InputError
 from truearea._results import FloatArray, Table
 from truearea._spectrum import Spectrum
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 
 class ContactLaw(Table):
@@ -28,6 +31,31 @@ class ContactLaw(Table):
 
     _native: _native.ContactLaw
     _recipe: tuple[Spectrum, Material, dict[str, Any]]
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the pressure against the overclosure, as a finite element code reads it.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            The axes to draw in; new ones where left out.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+
+        Raises
+        ------
+        ImportError
+            Without Matplotlib; ``pip install truearea[plot]`` adds it.
+        """
+        from truearea._plot import axes_of
+
+        ax = axes_of(ax)
+        ax.semilogy(self.overclosure_m, self.pressure_pa, marker=".", label="contact law")
+        ax.set_xlabel("overclosure (m)")
+        ax.set_ylabel("pressure (Pa)")
+        return ax
 
     @property
     def cut_pressure_pa(self) -> float:

@@ -149,6 +149,22 @@ class Material:
             return getattr(self, f"{argument}_pa")
         return None
 
+    def _section(self) -> dict[str, Any]:
+        """The keys of the body in a scene, without the counterface and the cap of its strength, which have sections of their own."""
+        units = {
+            "youngs_modulus": "Pa",
+            "poisson_ratio": "",
+            "yield_strength": "Pa",
+            "indentation_hardness": "Pa",
+            "strain_gradient_length": "m",
+        }
+        section: dict[str, Any] = {} if self.name is None else {"name": self.name}
+        for key, unit in units.items():
+            given = _native.without_unit(key, unit, self._given[key]) if unit else self._given[key]
+            if given is not None:
+                section[key] = given if isinstance(given, str) or not unit else f"{float(given)!r} {unit}"
+        return section
+
     def __reduce__(self) -> tuple[Any, ...]:
         return (_material, (self._given,))
 

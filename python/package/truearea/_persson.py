@@ -10,7 +10,7 @@ import numpy as np
 from truearea import _native
 from truearea._arrays import doubles
 from truearea._cores import material_of, surface_of
-from truearea._curves import Curve, Pressures
+from truearea._curves import Curve, Pressures, _curve
 from truearea._material import Material, Quantity
 from truearea._native import InputError
 from truearea._results import AnyArray, FloatArray
@@ -113,11 +113,12 @@ def persson(
     if not (hardness_law is None or isinstance(hardness_law, str)):
         arguments["hardness_law"] = _table(hardness_law)
     answer, pressures_pa, light = _native.curve("persson", surface_of(spectrum), material_of(material), arguments)
-    blocks = PerssonCurve._along(answer, pressures_pa, ("wavelength_m", "rms_gradient", "band"))
+    name = "persson" if model == "elastic" else "persson-plastic"
+    blocks = PerssonCurve._along(answer, pressures_pa, ("wavelength_m", "rms_gradient", "band"), name)
     u0_m, p00_pa = (np.nan, np.nan) if light is None else light
     arrays = dict(blocks) | {"u0_m": np.asarray(u0_m), "p00_pa": np.asarray(p00_pa)}
     axes = {name: blocks.axes(name) for name in blocks} | {"u0_m": (), "p00_pa": ()}
-    return PerssonCurve(arrays, axes, blocks.notes)
+    return _curve(PerssonCurve, arrays, axes, blocks.notes, name)
 
 
 def _table(given: Mapping[str, Any] | pd.DataFrame) -> tuple[FloatArray, FloatArray]:

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from truearea import _native
+from truearea._results import FloatArray
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -22,8 +26,57 @@ def axes_of(ax: Axes | None) -> Axes:
     return plt.subplots(layout="constrained")[1] if ax is None else ax
 
 
+def area_axes(ax: Axes | None) -> Axes:
+    """Axes for areas against the shortest wavelength that takes part, long wavelengths on the left."""
+    ax = axes_of(ax)
+    ax.set_xscale("log")
+    ax.set_yscale("log")
+    ax.set_xlabel("shortest wavelength (m)")
+    ax.set_ylabel("fraction of the area in contact")
+    if not ax.xaxis_inverted():
+        ax.invert_xaxis()
+    return ax
+
+
+def draw_map(
+    ax: Axes, values: FloatArray, size_m: tuple[float, ...] | None, label: str, colour_of_none: str
+) -> Axes:
+    """Draw values point by point, x to the right and y upwards, with a scale beside them."""
+    import matplotlib as mpl
+
+    colours = mpl.colormaps["viridis"].with_extremes(bad=colour_of_none)
+    extent = None if size_m is None else (0.0, size_m[0], 0.0, size_m[-1])
+    picture = ax.imshow(values, cmap=colours, origin="lower", extent=extent, interpolation="nearest")
+    ax.set_xlabel("x (points)" if size_m is None else "x (m)")
+    ax.set_ylabel("y (points)" if size_m is None else "y (m)")
+    ax.get_figure(root=True).colorbar(picture, ax=ax, label=label)  # type: ignore[union-attr]
+    return ax
+
+
+def draw_answer(ax: Axes, shortest_m: float, area: Mapping[str, Any]) -> None:
+    """Draw an area with its range, that of boundary elements where they pressed the surface."""
+    middle = float(area["area_fraction"])
+    by_elements = "elements" in area["source"]
+    label = "boundary elements" if by_elements else "answer"
+    low, high = area.get("low"), area.get("high")
+    if low is None or high is None:
+        ax.plot([shortest_m], [middle], "o", color="black", label=label)
+    else:
+        ends = [[max(middle - low, 0.0)], [max(high - middle, 0.0)]]
+        ax.errorbar([shortest_m], [middle], yerr=ends, fmt="o", color="black", capsize=3, label=label)
+
+
+def load_label(pressure_pa: float) -> str:
+    """A nominal pressure in words."""
+    return "a separation" if np.isnan(pressure_pa) else _native.pressure_in_words(pressure_pa)
+
+
 def style_of(model: str) -> dict[str, Any]:
     """Label, colour and dashes of a model, as keywords of Matplotlib."""
-    short_name, colour, dash = _native.model_style(model)
+    return style_from(*_native.model_style(model))
+
+
+def style_from(short_name: str, colour: str, dash: str) -> dict[str, Any]:
+    """Keywords of Matplotlib for a name, a colour, and dashes as SVG has them."""
     dashes = tuple(float(length) for length in dash.split())
     return {"label": short_name, "color": colour, "linestyle": (0, dashes or None)}

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from html import escape
 from pathlib import Path
-from typing import Any, NamedTuple, Union
+from typing import TYPE_CHECKING, Any, NamedTuple, Union
 
 import numpy as np
 
@@ -13,6 +13,9 @@ from truearea import _native
 from truearea._material import Quantity
 from truearea._picture import within_frame
 from truearea._results import FloatArray, Table
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 Options = dict[str, "tuple[str, Any]"]
 """What is said of a scan besides its file: values by what they are, each with what its argument is called."""
@@ -127,6 +130,35 @@ class Scan:
     def notes(self) -> tuple[str, ...]:
         """What reading assumed."""
         return tuple(self._native.notes)
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the heights: a map in colours with its gaps in grey, or a profile.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            The axes to draw in; new ones where left out.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+
+        Raises
+        ------
+        ImportError
+            Without Matplotlib; ``pip install truearea[plot]`` adds it.
+        """
+        from truearea._plot import axes_of, draw_map
+
+        ax = axes_of(ax)
+        heights_m = np.asarray(self)
+        if heights_m.ndim == 2:
+            return draw_map(ax, heights_m, self.size_m, "height (m)", "0.6")
+        along_m = np.arange(heights_m.size) * self.spacing_m[0] if self.positions_m is None else self.positions_m
+        ax.plot(along_m, heights_m, linewidth=0.8, label=self.name)
+        ax.set_xlabel("x (m)")
+        ax.set_ylabel("height (m)")
+        return ax
 
     def summary(self) -> ScanChannels:
         """Points, size, rms height, peak to valley, gaps and rms slopes, in one row, as ``truearea scan`` prints it."""

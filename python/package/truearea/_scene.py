@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Mapping
 from datetime import datetime, timezone
 from html import escape
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -16,6 +17,19 @@ from truearea._material import Material, Quantity
 from truearea._native import InputError
 from truearea._progress import Line, Progress, observer_of
 from truearea._results import Table
+from truearea._scene_sections import (
+    SPECTRUM_FILE,
+    Body,
+    body_section,
+    curve_tables,
+    elastic_section,
+    pressure_list,
+    surface_of_scene,
+)
+from truearea._spectrum import Spectrum
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 
 class SceneTable(Table):
@@ -28,15 +42,53 @@ class SceneTable(Table):
 class Scene:
     """A surface, a material, loads, and what to compute and draw of them.
 
-    Scenes are made with :meth:`from_toml` or :meth:`template`. They are pickled with the bytes of the files that they read, so
-    that they come back the same on another machine.
+    Objects make a scene, and so do a text or a file (:meth:`from_toml`) and the scenes that come with the program
+    (:meth:`template`). Scenes are pickled with the bytes of the files that they read, so that they come back the same on
+    another machine.
+
+    Parameters
+    ----------
+    surface : Spectrum, Scan, array_like, path, or sequence of paths or scans
+        The roughness: a spectrum, an array of heights [m] with its ``size``, what :func:`composite` takes, or files of a spectrum
+        or of scans. A path may say of its scan what the file leaves open, as on the command line: ``"trace.txt:unit=um"``.
+        Intervals come from the scatter of several scans.
+    material : Material, str or mapping
+        The rough body: a material, a name of the table, or the keys of ``[material]`` in a scene, whose values may be uncertain:
+        ``{"youngs_modulus": "210 GPa +- 5 GPa", "poisson_ratio": 0.3}``.
+    pressures : float, str, or sequence of them
+        Nominal pressures, in Pa or as text such as ``"5 MPa"`` or ``"1e-3 H"``.
+    counterface : Material, str or mapping, optional
+        What presses on the rough body; left out, the counterface of ``material``, or a rigid one.
+    curves : "all", or sequence of str or mapping, default "all"
+        Models by name, see :func:`models`, or sections of a scene with their options; ``"all"`` are those that apply.
+    interface : bool or mapping, default False
+        Gap, stiffness, heat and current: True, or the keys of ``[interface]``.
+    seal : bool or mapping, default False
+        Leaks: True for the pressure from which on the contact seals, or the keys of ``[seal]``.
+    judge, uncertainty, options, figures : mapping, optional
+        The keys of these sections.
+    cutoff : float or str, optional
+        The shortest wavelength that takes part [m].
+    title : str, optional
+        What the scene is about; the name of the surface where left out.
+    size : float, str or pair of them, optional
+        Size of an array of heights, as in ``Spectrum.from_heights``.
+
+    Raises
+    ------
+    InputError
+        With argument, or section and key, value and bound.
 
     Examples
     --------
     >>> import truearea as ta
-    >>> scene = ta.Scene.template("gasket")
-    >>> scene
+    >>> spectrum = ta.read_psd("builtin:uncd-measured")
+    >>> scene = ta.Scene(spectrum, "100Cr6", pressures=["1 MPa", "10 MPa"], curves=["persson-plastic"])
+    >>> scene.run(report=False).tables["persson-plastic"].area_fraction[-1] > 0
+    np.True_
+    >>> ta.Scene.template("gasket")
     Scene('Rubber gasket on a turned steel flange')
+    >>> scene = ta.Scene.template("gasket")
     >>> results = scene.run(judge=False, uncertainty=False)
     >>> sorted(results.tables)
     ['area-fraction', 'persson', 'report-decades', 'report-interface', 'report-scales', 'report-sensitivity']
@@ -47,10 +99,52 @@ class Scene:
     __slots__ = ("_native", "_recipe")
 
     _native: _native.Scene
-    _recipe: tuple[str, str, str | None, dict[str, bytes], dict[str, Any]]
+    _recipe: tuple[str, str, str | None, dict[str, bytes], dict[str, Any], Spectrum | None]
 
-    def __init__(self) -> None:
-        raise TypeError("a Scene is made with Scene.from_toml(path_or_text) or Scene.template(name)")
+    def __init__(
+        self,
+        surface: Any,
+        material: Body,
+        *,
+        pressures: Any,
+        counterface: Body | None = None,
+        curves: Any = "all",
+        interface: bool | Mapping[str, Any] = False,
+        seal: bool | Mapping[str, Any] = False,
+        judge: Mapping[str, Any] | None = None,
+        uncertainty: Mapping[str, Any] | None = None,
+        options: Mapping[str, Any] | None = None,
+        figures: Mapping[str, Any] | None = None,
+        cutoff: Quantity | None = None,
+        title: str | None = None,
+        size: Any = None,
+    ) -> None:
+        rough = surface_of_scene(surface, size)
+        others: dict[str, Any] = dict(options or {})
+        if isinstance(material, Material):
+            if counterface is None and material.counterface is not None:
+                counterface = elastic_section(material.counterface)
+            cap = material._given["strength_cap"]
+            if cap is not None and "strength_cap" not in others:
+                others["strength_cap"] = cap
+        sections = {
+            "title": title,
+            "surface": {"psd": rough.psd},
+            "material": body_section("material", material),
+            "counterface": None if counterface is None else body_section("counterface", counterface),
+            "loads": {"pressures": pressure_list(pressures)},
+            "cutoffs": None if cutoff is None else {"shortest_wavelength": cutoff},
+            "options": others or None,
+            "curve": None if isinstance(curves, str) and curves == "all" else curve_tables(curves),
+            "interface": _section(interface),
+            "seal": _section(seal),
+            "judge": judge,
+            "uncertainty": uncertainty,
+            "figures": figures,
+        }
+        typed = {key: _plain(value) for key, value in sections.items() if value is not None}
+        # Files of absolute paths are found from any folder.
+        self._set(_native.scene_text(typed, rough.files), "scene", "", {}, {}, rough.spectrum)
 
     @classmethod
     def from_toml(
@@ -156,15 +250,33 @@ class Scene:
 
     @classmethod
     def _of(
-        cls, text: str, name: str, folder: str | None, files: dict[str, bytes], overrides: dict[str, Any]
+        cls,
+        text: str,
+        name: str,
+        folder: str | None,
+        files: dict[str, bytes],
+        overrides: dict[str, Any],
+        spectrum: Spectrum | None = None,
     ) -> Scene:
+        scene = cls.__new__(cls)
+        scene._set(text, name, folder, files, overrides, spectrum)
+        return scene
+
+    def _set(
+        self,
+        text: str,
+        name: str,
+        folder: str | None,
+        files: dict[str, bytes],
+        overrides: dict[str, Any],
+        spectrum: Spectrum | None,
+    ) -> None:
         given = dict(overrides)
         if (other := given.get("counterface")) is not None:
             given["counterface"] = other._native
-        scene = cls.__new__(cls)
-        scene._native = _native.Scene(text, name, folder, files, given)
-        scene._recipe = (text, name, folder, scene._native.files, overrides)
-        return scene
+        surface = None if spectrum is None else spectrum._native
+        self._native = _native.Scene(text, name, folder, files, given, surface)
+        self._recipe = (text, name, folder, self._native.files, overrides, spectrum)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (Scene._of, self._recipe)
@@ -211,9 +323,63 @@ class Scene:
         >>> 'youngs_modulus = "200 GPa"' in scene.text
         True
         """
-        text, name, folder, files, overrides = self._recipe
+        text, name, folder, files, overrides, spectrum = self._recipe
         typed = {key: _plain(value) for key, value in changes.items()}
-        return Scene._of(_native.scene_with_keys(text, name, typed), name, folder, files, overrides)
+        return Scene._of(_native.scene_with_keys(text, name, typed), name, folder, files, overrides, spectrum)
+
+    def to_toml(self, path: str | os.PathLike[str] | None = None) -> str:
+        """Return the text of the scene, and write it with the files that it names.
+
+        Parameters
+        ----------
+        path : str or path-like, optional
+            The file of the scene. Beside it comes the spectrum of a surface in memory, ``surface.csv``, with the standard errors of
+            a composite in place of its scans: areas are the same, and intervals are those of the errors.
+
+        Returns
+        -------
+        str
+            The text, which ``truearea run`` takes.
+
+        Examples
+        --------
+        >>> import truearea as ta
+        >>> print(ta.Scene("builtin:uncd-measured", "diamond", pressures="1 MPa").to_toml())
+        [surface]
+        psd = "builtin:uncd-measured"
+        <BLANKLINE>
+        [material]
+        name = "diamond"
+        <BLANKLINE>
+        [loads]
+        pressures = ["1 MPa"]
+        <BLANKLINE>
+        """
+        if path is not None:
+            file = Path(path)
+            spectrum = self._recipe[5]
+            beside = {} if spectrum is None else {SPECTRUM_FILE: spectrum._native.csv()}
+            _native.write_files(os.fspath(file.parent), {**beside, file.name: self.text.encode()})
+        return self.text
+
+    def report(self, folder: str | os.PathLike[str], *, progress: Progress = False) -> SceneResults:
+        """Run the scene and write everything into a folder: the page ``report.html``, tables, figures, ``answer.json``, the scene.
+
+        Parameters
+        ----------
+        folder : str or path-like
+            The folder, which is made where there is none.
+        progress : bool or callable, default False
+            As for :meth:`run`.
+
+        Returns
+        -------
+        SceneResults
+        """
+        results = self.run(progress=progress)
+        results.write(folder)
+        self.to_toml(Path(folder) / "scene.toml")
+        return results
 
     def run(
         self,
@@ -260,6 +426,8 @@ class Scene:
             {name: SceneTable._of(columns, tuple(origin)) for name, (columns, origin) in tables.items()},
             files,
             self.notes,
+            self._native.styles(),
+            self._native.loads,
         )
 
     def scales(self) -> SceneTable:
@@ -305,9 +473,13 @@ class SceneResults:
         Every file that the command line would write, by name.
     notes : tuple of str
         What reading took for granted, what is doubtful, and the keys that have no effect.
+    styles : dict of str to tuple
+        Short name, colour and dashes (as SVG has them) of every curve in figures.
+    loads : int
+        How many loads there are.
     """
 
-    __slots__ = ("answer", "files", "notes", "tables", "title")
+    __slots__ = ("answer", "files", "loads", "notes", "styles", "tables", "title")
 
     def __init__(
         self,
@@ -316,15 +488,20 @@ class SceneResults:
         tables: Mapping[str, SceneTable],
         files: Mapping[str, bytes],
         notes: tuple[str, ...],
+        styles: Mapping[str, tuple[str, str, str]] | None = None,
+        loads: int = 0,
     ) -> None:
         self.title = title
         self.answer = answer
         self.tables = dict(tables)
         self.files = dict(files)
         self.notes = notes
+        self.styles = dict(styles or {})
+        self.loads = loads
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return (SceneResults, (self.title, self.answer, self.tables, self.files, self.notes))
+        given = (self.title, self.answer, self.tables, self.files, self.notes, self.styles, self.loads)
+        return (SceneResults, given)
 
     @property
     def figures(self) -> dict[str, str]:
@@ -339,6 +516,57 @@ class SceneResults:
         """The report as an HTML page; None where none was asked for."""
         page = self.files.get("report.html")
         return None if page is None else page.decode()
+
+    @property
+    def conclusions(self) -> dict[str, Any]:
+        """The answer as data: for each load the area, its range and the verdict on every model, cautions, and what to measure next.
+
+        It is what ``answer.json`` holds; empty where no report was asked for.
+        """
+        content = self.files.get("answer.json")
+        found: dict[str, Any] = {} if content is None else json.loads(content)
+        return found
+
+    def plot(self, load: int = 0, *, ax: Axes | None = None) -> Axes:
+        """Draw the area of every curve against the shortest wavelength that takes part, and the answer with its range.
+
+        Parameters
+        ----------
+        load : int, default 0
+            The load, counted as in the scene.
+        ax : matplotlib.axes.Axes, optional
+            The axes to draw in; new ones where left out.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+
+        Raises
+        ------
+        InputError
+            For a load that the scene does not have.
+        ImportError
+            Without Matplotlib; ``pip install truearea[plot]`` adds it.
+        """
+        from truearea._plot import area_axes, draw_answer, style_from
+
+        if not 0 <= load < self.loads:
+            raise InputError(f"load: there is no load {load}; give a number from 0 to {self.loads - 1}")
+        ax = area_axes(ax)
+        ends_m = []
+        for name, columns in self.tables.items():
+            if name not in self.styles:
+                continue
+            # A table has its rows load after load.
+            wavelengths_m = columns.wavelength_m.reshape(self.loads, -1)[load]
+            areas = columns.area_fraction.reshape(self.loads, -1)[load]
+            ax.plot(wavelengths_m, areas, **style_from(*self.styles[name]))
+            ends_m.append(float(np.nanmin(wavelengths_m)))
+        for answer in self.conclusions.get("loads", []):
+            if answer["load"] == load and ends_m:
+                draw_answer(ax, min(ends_m), answer["area"])
+        ax.legend(loc="lower left", fontsize="small")
+        return ax
 
     def write(self, folder: str | os.PathLike[str]) -> list[str]:
         """Write every file into a folder, which is made where there is none: all of them, or none.
@@ -395,6 +623,13 @@ def _text(content: bytes, name: str) -> str:
     except UnicodeDecodeError as error:
         line = 1 + content.count(b"\n", 0, error.start)
         raise InputError(f"{name}, line {line}: not UTF-8 text; save the scene as UTF-8") from None
+
+
+def _section(given: bool | Mapping[str, Any]) -> Mapping[str, Any] | None:
+    """The keys of a section that may be asked for without any."""
+    if isinstance(given, bool):
+        return {} if given else None
+    return given
 
 
 def _plain(value: Any) -> Any:

@@ -348,6 +348,44 @@ class Spectrum:
         data = self.table().to_xarray().swap_dims(wavelength="wavelength_m").set_coords("wavevector_rad_per_m")
         return data.assign_attrs(name=self.name)
 
+    def write(self, path: str | os.PathLike[str]) -> None:
+        """Write the samples with their standard errors as CSV, which :func:`read_psd` and the command line read.
+
+        Parameters
+        ----------
+        path : str or path-like
+            The file; an existing one is replaced.
+
+        Raises
+        ------
+        OSError
+            With the path that cannot be written.
+        """
+        file = Path(path)
+        _native.write_files(os.fspath(file.parent), {file.name: self._native.csv()})
+
+    def between(self, longest: Quantity | None = None, shortest: Quantity | None = None) -> Spectrum:
+        """The part of the spectrum between two wavelengths, both included.
+
+        Parameters
+        ----------
+        longest, shortest : float or str, optional
+            The ends, in m or as text such as ``"10 um"``; those of the spectrum where left out.
+
+        Raises
+        ------
+        InputError
+            Where fewer than two samples are left.
+
+        Examples
+        --------
+        >>> import truearea as ta
+        >>> len(ta.read_psd("builtin:uncd-measured").between("10 um", "100 nm"))
+        20
+        """
+        native = self._native.between({"longest": longest, "shortest": shortest})
+        return Spectrum._of(native, Spectrum.between, self, longest, shortest)
+
     def plot(self, ax: Axes | None = None) -> Axes:
         """Draw the spectrum against the wavelength, with its holes in grey.
 

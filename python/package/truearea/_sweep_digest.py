@@ -94,8 +94,10 @@ class _Digests:
         if kind.__name__ in ("member_descriptor", "getset_descriptor"):
             return _sha(kind.__name__, value.__name__)
         if isinstance(value, Scene):
-            text, _, _, files, overrides = value._recipe
-            return _sha("scene", *self._each((text, dict(files), {key: str(overrides[key]) for key in sorted(overrides)}), place))
+            text, _, _, files, overrides, spectrum = value._recipe
+            of_surface = b"" if spectrum is None else spectrum._native.csv()
+            given = {key: str(overrides[key]) for key in sorted(overrides)}
+            return _sha("scene", *self._each((text, dict(files), given, of_surface), place))
         if isinstance(value, functools.partial):
             return _sha(
                 "partial", *self._each((value.func, value.args, value.__dict__), place), *self._items(value.keywords, place)

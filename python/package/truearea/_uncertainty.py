@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Union
+from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
 
@@ -16,6 +16,9 @@ from truearea._native import InputError
 from truearea._progress import Line, Progress, observer_of
 from truearea._results import AnyArray, FloatArray, Result, Table
 from truearea._spectrum import Spectrum
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 Models = Union[str, Sequence[str]]
 
@@ -94,6 +97,37 @@ class Uncertainty(Result):
     shares: Shares
     advice: Advice
     bands: Bands
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the intervals of the area along the shortest wavelength that takes part.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            The axes to draw in; new ones where left out.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+
+        Raises
+        ------
+        ImportError
+            Without Matplotlib; ``pip install truearea[plot]`` adds it.
+        """
+        from truearea._plot import area_axes, load_label, style_of
+
+        ax = area_axes(ax)
+        bands = self.bands
+        for curve, pressure_pa in dict.fromkeys(zip(bands.curve, bands.nominal_pressure_pa)):
+            at = (bands.curve == curve) & (bands.nominal_pressure_pa == pressure_pa)
+            style = style_of(str(curve))
+            label = f"{style['label']}, {load_label(pressure_pa)}"
+            ax.fill_between(
+                bands.wavelength_m[at], bands.low[at], bands.high[at], color=style["color"], alpha=0.3, label=label
+            )
+        ax.legend(loc="lower left")
+        return ax
 
     def _with(self, draws: int, shares: Shares, advice: Advice, bands: Bands) -> Uncertainty:
         self.draws, self.shares, self.advice, self.bands = draws, shares, advice, bands

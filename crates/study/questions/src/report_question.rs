@@ -44,6 +44,21 @@ impl Default for ReportSurface {
     }
 }
 
+impl ReportSurface {
+    /// Returns the section `[surface]` of a scene.
+    #[must_use]
+    pub fn section(&self) -> String {
+        match self {
+            ReportSurface::Psd(name) => format!("[surface]\npsd = {}\n", quoted(name)),
+            ReportSurface::Scans(scans) => {
+                let lines: Vec<String> =
+                    scans.iter().map(|scan| format!("    {},\n", scan_keys(scan))).collect();
+                format!("[surface]\nscans = [\n{}]\n", lines.concat())
+            }
+        }
+    }
+}
+
 /// Properties of a body, as text with units.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
@@ -108,17 +123,7 @@ impl ReportQuestion {
         if let Some(title) = &self.title {
             let _ = writeln!(text, "title = {}\n", quoted(title));
         }
-        text += "[surface]\n";
-        match &self.surface {
-            ReportSurface::Psd(name) => {
-                let _ = writeln!(text, "psd = {}", quoted(name));
-            }
-            ReportSurface::Scans(scans) => {
-                let lines: Vec<String> =
-                    scans.iter().map(|scan| format!("    {},\n", scan_keys(scan))).collect();
-                let _ = writeln!(text, "scans = [\n{}]", lines.concat());
-            }
-        }
+        text += &self.surface.section();
         self.material.write("material", &mut text);
         if let Some(counterface) = &self.counterface {
             counterface.write("counterface", &mut text);

@@ -24,11 +24,14 @@ use study::figure::Shows;
 use study::material_spreads::MaterialSpreads;
 use study::models::{Choice, CurveModel, IgnoredOption, ModelOptions};
 use study::plan::{Curve, Needs, Sampling};
+use study::surface::Surface;
 use units::{Length, Pressure};
 
 /// Options given outside the scene, which count more than the scene's own.
 #[derive(Debug, Clone, Default)]
 pub struct Overrides {
+    /// Surface in memory, whose files the scene names for its readers and which are not read.
+    pub surface: Option<Surface>,
     /// Normalisation of the moments.
     pub normalisation: Option<Normalisation>,
     /// Definition of the amplitude.
@@ -147,7 +150,10 @@ pub(super) fn resolve(
             false => "the scene asks for nothing; add a [[curve]] or a [[figure]], or [material] and [loads]",
         }));
     }
-    let own = resolve_surface("surface", &raw.surface, files)?;
+    let own = match &overrides.surface {
+        Some(surface) => surface.clone(),
+        None => resolve_surface("surface", &raw.surface, files)?,
+    };
     let surface = match raw.counterface.as_ref().and_then(|raw| raw.get_ref().surface.as_ref()) {
         Some(other) => own.against(resolve_surface("counterface.surface", other, files)?),
         None => own,

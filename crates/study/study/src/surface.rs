@@ -5,8 +5,10 @@ use std::io;
 use scans::{ForeignFile, ScanFormat};
 use sha2::{Digest, Sha256};
 use spectrum::{
-    Convention, ConversionError, Hole, ProfilePsd, Psd, PsdFile, ReadError, ReadOptions, read_psd, superpose,
+    Convention, ConversionError, Hole, ProfilePsd, Psd, PsdError, PsdFile, ReadError, ReadOptions, read_psd,
+    superpose,
 };
+use tables::Table;
 use topography::Recipe;
 use units::printable::shown_path;
 
@@ -302,6 +304,52 @@ impl Surface {
         let parts = Some(Box::new([self, other]));
         let (of_area, made_from, roughness) = (None, None, None);
         Surface { name, psd: sum.psd, of_area, remarks, notes, made_from, roughness, sources, parts, holes }
+    }
+
+    /// Returns the samples between two wavelengths \[m\], both included; the ends of the spectrum if absent. The part no longer
+    /// knows the scans or parameters that the whole was made of.
+    ///
+    /// # Errors
+    /// [`PsdError`] if no sample is left.
+    pub fn between(&self, longest_m: Option<f64>, shortest_m: Option<f64>) -> Result<Self, PsdError> {
+        let (longest_m, shortest_m) = (longest_m.unwrap_or(f64::INFINITY), shortest_m.unwrap_or(0.0));
+        let wavelengths_m = self.psd.wavelengths_m();
+        let is_kept = |at: &usize| (shortest_m..=longest_m).contains(&wavelengths_m[*at]);
+        let kept: Vec<usize> = (0..wavelengths_m.len()).filter(is_kept).collect();
+        let of = |values: &[f64]| kept.iter().map(|at| values[*at]).collect();
+        let mut psd = Psd::new(of(wavelengths_m), of(self.psd.c1d_m3()), Convention::C1D)?;
+        if let Some(errors_m3) = self.psd.standard_errors_m3() {
+            psd = psd.with_standard_errors(kept.iter().map(|at| errors_m3[*at]).collect())?;
+        }
+        let psd = psd.profile().expect("a spectrum of profiles needs no conversion");
+        let holes = psd.holes();
+        Ok(Surface {
+            psd,
+            of_area: None,
+            made_from: None,
+            roughness: None,
+            parts: None,
+            holes,
+            ..self.clone()
+        })
+    }
+
+    /// Makes a table that reads back as this spectrum: of a composite that of [`CompositeOfFiles::table`], of others the columns
+    /// `wavelength_m, wavevector_rad_per_m, C1D_m3, C1D_se_m3`.
+    #[must_use]
+    pub fn table(&self) -> Table {
+        if let Some(scans) = &self.made_from {
+            return scans.table();
+        }
+        let wavelengths_m = self.psd.wavelengths_m();
+        let table = Table::default()
+            .with_numbers("wavelength_m", wavelengths_m.iter().copied())
+            .with_numbers("wavevector_rad_per_m", wavelengths_m.iter().map(|m| std::f64::consts::TAU / m))
+            .with_numbers("C1D_m3", self.psd.c1d_m3().iter().copied());
+        match self.psd.standard_errors_m3() {
+            Some(errors_m3) => table.with_numbers("C1D_se_m3", errors_m3.iter().copied()),
+            None => table,
+        }
     }
 
     /// The surfaces that it is the sum of, or itself.

@@ -1,0 +1,109 @@
+"""Sections of a scene from objects: the words that a scene has for spectra, materials and loads."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple, Union
+
+import numpy as np
+
+from truearea import _native
+from truearea._composite import composite
+from truearea._material import Material
+from truearea._native import InputError
+from truearea._scan import Scan
+from truearea._spectrum import Spectrum
+from truearea._topography import is_topography
+
+Body = Union[Material, str, Mapping[str, Any]]
+"""A body: a material, a name of the table, or keys of a scene, where values may be uncertain (``"210 GPa +- 5 GPa"``)."""
+
+SPECTRUM_FILE = "surface.csv"
+"""The file that holds the spectrum of a surface in memory, where its scene is written."""
+
+
+class SurfaceOfScene(NamedTuple):
+    """The surface of a scene: its files, or else a spectrum and the name of the file that it would be written to."""
+
+    files: list[str] | None
+    psd: str
+    spectrum: Spectrum | None
+
+
+def surface_of_scene(surface: Any, size: Any) -> SurfaceOfScene:
+    """Takes a spectrum, scans, heights, or the paths of any of them."""
+    if isinstance(surface, np.ndarray) or (is_topography(surface) and not isinstance(surface, Scan)):
+        return SurfaceOfScene(None, SPECTRUM_FILE, Spectrum.from_heights(surface, size=size))
+    if size is not None:
+        raise InputError("size is that of an array of heights; leave it out")
+    if isinstance(surface, Spectrum):
+        return SurfaceOfScene(None, SPECTRUM_FILE, surface)
+    if isinstance(surface, Scan):
+        return SurfaceOfScene(None, SPECTRUM_FILE, composite([surface]))
+    if isinstance(surface, (str, os.PathLike)):
+        return SurfaceOfScene([_path(surface)], "", None)
+    if isinstance(surface, Sequence) and surface:
+        if all(isinstance(one, (str, os.PathLike)) for one in surface):
+            return SurfaceOfScene([_path(one) for one in surface], "", None)
+        return SurfaceOfScene(None, SPECTRUM_FILE, composite(surface))
+    raise InputError(
+        "surface: a Spectrum, scans, an array of heights or paths are needed, and this is of type "
+        f"{type(surface).__name__}"
+    )
+
+
+def _path(given: str | os.PathLike[str]) -> str:
+    """A path that means the same in any folder; what is said of a scan may stand behind it."""
+    path = os.fspath(given)
+    return path if path.startswith("builtin:") else os.path.abspath(path)
+
+
+def body_section(argument: str, body: Body) -> dict[str, Any]:
+    """The keys of a body."""
+    if isinstance(body, Material):
+        return body._section()
+    if isinstance(body, str):
+        return {"name": body}
+    if isinstance(body, Mapping):
+        return dict(body)
+    raise InputError(f"{argument}: a Material, a name or a dictionary is needed, and this is of type {type(body).__name__}")
+
+
+def elastic_section(body: Material) -> dict[str, Any]:
+    """The elastic constants of a body, all that counts of the counterface of a material."""
+    return {"youngs_modulus": in_unit(body._native.youngs_modulus_pa, "Pa"), "poisson_ratio": body._native.poisson_ratio}
+
+
+def pressure_list(pressures: Any) -> list[Any]:
+    """Nominal pressures as a scene lists them: text with units, or numbers in Pa."""
+    if isinstance(pressures, (set, frozenset, Mapping)):
+        raise InputError(f"pressures: it has no order, being of type {type(pressures).__name__}; give a list")
+    if isinstance(pressures, (list, tuple)):
+        listed = list(pressures)
+    else:
+        bare = _native.without_unit("pressures", "Pa", pressures)
+        listed = [bare] if isinstance(bare, str) or np.ndim(bare) == 0 else list(bare)
+    each = [_native.without_unit("pressures", "Pa", one) for one in listed]
+    return [one if isinstance(one, str) else _pressure(float(one)) for one in each]
+
+
+def _pressure(pressure_pa: float) -> str:
+    """A pressure with all its digits, in the largest unit that keeps them, since figures and tables repeat it as it is typed."""
+    for scale, unit in ((1e9, "GPa"), (1e6, "MPa"), (1e3, "kPa")):
+        number = pressure_pa / scale
+        if number >= 1.0 and number * scale == pressure_pa and len(repr(number)) < 8:
+            return f"{repr(number).removesuffix('.0')} {unit}"
+    return in_unit(pressure_pa, "Pa")
+
+
+def in_unit(value: float | None, unit: str) -> str:
+    """A number with its unit, with all its digits."""
+    return f"{value!r} {unit}"
+
+
+def curve_tables(curves: Any) -> list[dict[str, Any]]:
+    """Curves by the names of their models, or as sections of a scene."""
+    if isinstance(curves, (str, Mapping)):
+        curves = [curves]
+    return [dict(curve) if isinstance(curve, Mapping) else {"model": str(curve)} for curve in curves]
