@@ -13,6 +13,9 @@ const FLOORS: [&str; 6] = ["base", "surface", "contact", "study", "apps", "evide
 /// The floors whose crates are fit for a browser: bytes in, values out.
 const CORE_FLOORS: usize = 4;
 
+/// Crate of the folder `data`, which users edit and which therefore stands beside `crates/`.
+const SHIPPED_DATA: &str = "truearea-data";
+
 /// Crates of contact that know spectra or scans; all others take numbers.
 const JOINS_SURFACE_AND_CONTACT: [&str; 1] = ["truearea-rough-bem"];
 
@@ -178,9 +181,11 @@ fn member(package: &Value) -> (String, Member) {
     let name = |value: &Value| value["name"].as_str().unwrap_or_default().to_owned();
     let manifest = package["manifest_path"].as_str().unwrap_or_default();
     let folder = Path::new(manifest).parent().unwrap_or(Path::new("")).to_owned();
-    let floor = folder
+    let on_floor = folder
         .parent()
         .and_then(|floor| FLOORS.iter().position(|name| floor.ends_with(Path::new("crates").join(name))));
+    // The text of the files in `data` stands on the ground floor.
+    let floor = on_floor.or_else(|| (name(package) == SHIPPED_DATA).then_some(0));
     let dependencies = || package["dependencies"].as_array().into_iter().flatten();
     let by_library = dependencies().filter(|dependency| dependency["kind"].is_null());
     let member = Member { folder, floor, named: by_library.map(name).collect() };

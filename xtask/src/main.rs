@@ -1,4 +1,4 @@
-//! Project chores, by name: `cargo xtask reproduce`, `golden`, `docs`, `instructions`, `layers`, `shared`, `python`, `web`, and the
+//! Project chores, by name: `cargo xtask reproduce`, `golden`, `docs`, `instructions`, `layers`, `shared`, `python`, `package`, `web`, and the
 //! crates of evidence, `stress`, `coverage`, `work-precision` and `model-trials`.
 
 mod docs;
@@ -8,9 +8,11 @@ mod instructions;
 mod judge_trials;
 mod layers;
 mod model_trials;
+mod package;
 mod python;
 mod reproduce;
 mod shared;
+mod site;
 mod web;
 mod work_precision;
 
@@ -30,6 +32,10 @@ cargo xtask layers             checks which crate may use which, and what stays 
 cargo xtask shared             runs the tests that need the folder shared/ beside the checkout
 cargo xtask python [--anew]    builds the wheel and tries it in an environment below target/: tests, examples, notebooks, types
                                (minutes; needs python3 from 3.10 on and a package index); --anew makes the environment again
+cargo xtask package            packs the crates as they are published, compiles each archive, and runs the examples of their
+                               READMEs in a project elsewhere (minutes)
+cargo xtask site               builds the documentation with search and references as a site, target/site, and checks its links
+                               (needs mdbook and python3); takes the page for browsers from target/web
 cargo xtask web [--test]       builds the page for browsers as a static folder, target/web (minutes); --test runs its tests in
                                Chromium (needs node)
 
@@ -56,6 +62,8 @@ enum Task {
     Instructions { accept: bool },
     Layers,
     Shared,
+    Package,
+    Site,
     Python { anew: bool },
     Web { tests: bool },
     Stress { arguments: Vec<OsString> },
@@ -73,6 +81,8 @@ fn main() -> ExitCode {
         Ok(Some(Task::Instructions { accept })) => instructions::run(accept),
         Ok(Some(Task::Layers)) => layers::run(),
         Ok(Some(Task::Shared)) => shared::run(),
+        Ok(Some(Task::Package)) => package::run(),
+        Ok(Some(Task::Site)) => site::run(),
         Ok(Some(Task::Python { anew })) => python::run(anew),
         Ok(Some(Task::Web { tests })) => web::run(tests),
         Ok(Some(Task::Stress { arguments })) => in_release::run("truearea-stress", &arguments),
@@ -103,6 +113,8 @@ fn parse(mut parser: lexopt::Parser) -> Result<Option<Task>, lexopt::Error> {
                     Some("instructions") => Task::Instructions { accept: false },
                     Some("layers") => Task::Layers,
                     Some("shared") => Task::Shared,
+                    Some("package") => Task::Package,
+                    Some("site") => Task::Site,
                     Some("python") => Task::Python { anew: false },
                     Some("web") => Task::Web { tests: false },
                     Some("stress") => Task::Stress { arguments: parser.raw_args()?.collect() },

@@ -49,13 +49,13 @@ impl Template {
     /// The scene file.
     pub fn text(self) -> &'static str {
         match self {
-            Template::New => include_str!("../../../../data/scenes/new.toml"),
-            Template::UncdMeasured => include_str!("../../../../data/scenes/uncd-measured.toml"),
-            Template::UncdReconstructed => include_str!("../../../../data/scenes/uncd-reconstructed.toml"),
-            Template::Gasket => include_str!("../../../../data/scenes/gasket.toml"),
-            Template::ElectricalContact => include_str!("../../../../data/scenes/electrical-contact.toml"),
-            Template::BoltedJoint => include_str!("../../../../data/scenes/bolted-joint.toml"),
-            Template::ContactChallenge => include_str!("../../../../data/scenes/contact-challenge.toml"),
+            Template::New => data::scenes::NEW,
+            Template::UncdMeasured => data::scenes::UNCD_MEASURED,
+            Template::UncdReconstructed => data::scenes::UNCD_RECONSTRUCTED,
+            Template::Gasket => data::scenes::GASKET,
+            Template::ElectricalContact => data::scenes::ELECTRICAL_CONTACT,
+            Template::BoltedJoint => data::scenes::BOLTED_JOINT,
+            Template::ContactChallenge => data::scenes::CONTACT_CHALLENGE,
         }
     }
 }

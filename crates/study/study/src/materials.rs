@@ -7,9 +7,6 @@ use units::{IndentationHardness, Modulus, Pressure};
 
 use crate::body_properties::BodyProperty;
 
-/// The table, with the source of every row.
-const TABLE: &str = include_str!("../../../../data/materials.toml");
-
 /// A material of the table: properties as a scene types them, with their units.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -44,7 +41,7 @@ struct Table {
 /// The materials in the order of the table; none where the program was built with a broken one.
 #[must_use]
 pub fn materials() -> Vec<TabledMaterial> {
-    toml::from_str::<Table>(TABLE).map_or_else(|_| Vec::new(), |table| table.material)
+    toml::from_str::<Table>(data::MATERIALS).map_or_else(|_| Vec::new(), |table| table.material)
 }
 
 /// Least similarity of names that are spelt alike, from 0 to 1.
@@ -157,7 +154,7 @@ mod tests {
 
     #[test]
     fn every_row_has_values_within_bounds_a_source_and_names_of_its_own() {
-        let table: Table = toml::from_str(TABLE).unwrap();
+        let table: Table = toml::from_str(data::MATERIALS).unwrap();
         assert!(table.material.len() >= 12);
         let mut names = HashSet::new();
         for row in &table.material {

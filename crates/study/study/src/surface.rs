@@ -2,6 +2,7 @@
 
 use std::io;
 
+use data::SPECTRA;
 use scans::{ForeignFile, ScanFormat};
 use sha2::{Digest, Sha256};
 use spectrum::{
@@ -18,14 +19,6 @@ use measurements::{
     CompositeOfFiles, Files, ScanProblem, ScanRequest, ScansInFolders, TopographyError, heights_in,
 };
 
-/// Spectra that come with the program, by name, as the text of their files; comments in the files state origin and
-/// licence.
-pub const BUILTIN: [(&str, &str); 3] = [
-    ("builtin:uncd-measured", include_str!("../../../../data/uncd_psd_measured.csv")),
-    ("builtin:uncd-reconstructed", include_str!("../../../../data/uncd_psd_reconstructed.csv")),
-    ("builtin:contact-challenge", include_str!("../../../../data/contact_challenge.csv")),
-];
-
 /// The built-in spectrum that is a reconstruction.
 const RECONSTRUCTION: &str = "builtin:uncd-reconstructed";
 
@@ -34,7 +27,7 @@ const RECONSTRUCTION: &str = "builtin:uncd-reconstructed";
 #[non_exhaustive]
 pub enum SurfaceError {
     /// No spectrum of this name comes with the program.
-    #[error("{name}: there is no such spectrum; the built-in ones are {}", BUILTIN.map(|(name, _)| name).join(", "))]
+    #[error("{name}: there is no such spectrum; the built-in ones are {}", SPECTRA.map(|(name, _)| name).join(", "))]
     NoSuchBuiltin {
         /// The name.
         name: String,
@@ -165,7 +158,7 @@ impl Surface {
     /// [`SurfaceError`] with the file, and line, column, value and bound if they are at fault.
     pub fn load(name: &str, files: &dyn Files, options: &ReadOptions) -> Result<Self, SurfaceError> {
         let bytes = if name.starts_with("builtin:") {
-            let (_, text) = BUILTIN
+            let (_, text) = SPECTRA
                 .iter()
                 .find(|(builtin, _)| *builtin == name)
                 .ok_or_else(|| SurfaceError::NoSuchBuiltin { name: name.to_owned() })?;

@@ -1,0 +1,100 @@
+"""Prints the public names of a package as a page of Markdown: signatures and numpydoc docstrings, read without importing it."""
+
+import ast
+import re
+import sys
+from pathlib import Path
+
+package = Path(sys.argv[1])
+
+
+def public_names() -> list[str]:
+    for node in ast.parse((package / "__init__.py").read_text()).body:
+        if isinstance(node, ast.Assign) and node.targets[0].id == "__all__":
+            return ast.literal_eval(node.value)
+    raise SystemExit("the package has no __all__")
+
+
+def definitions() -> dict[str, ast.AST]:
+    """Returns classes and functions by name; a source with a docstring wins over the stub."""
+    found: dict[str, ast.AST] = {}
+    for path in sorted(package.glob("*.py*"), key=lambda path: path.suffix != ".pyi"):
+        for node in ast.parse(path.read_text()).body:
+            if isinstance(node, (ast.ClassDef, ast.FunctionDef)):
+                found[node.name] = node
+    return found
+
+
+def signature(node: ast.FunctionDef, name: str) -> str:
+    arguments = node.args
+    keyword = zip(arguments.kwonlyargs, arguments.kw_defaults)
+    with_defaults = len(arguments.args) - len(arguments.defaults)
+    listed = []
+    for at, argument in enumerate(arguments.args):
+        default = arguments.defaults[at - with_defaults] if at >= with_defaults else None
+        listed.append(typed(argument, default))
+    if arguments.vararg:
+        listed.append("*" + typed(arguments.vararg, None))
+    elif arguments.kwonlyargs:
+        listed.append("*")
+    listed += [typed(argument, default) for argument, default in keyword]
+    listed = [entry for entry in listed if entry not in ("self", "cls")]
+    result = f" -> {ast.unparse(node.returns)}" if node.returns else ""
+    line = f"{name}({', '.join(listed)}){result}"
+    return line if len(line) < 100 else f"{name}(\n    " + ",\n    ".join(listed) + f",\n){result}"
+
+
+def typed(argument: ast.arg, default: ast.expr | None) -> str:
+    text = argument.arg + (f": {ast.unparse(argument.annotation)}" if argument.annotation else "")
+    return text if default is None else f"{text} = {ast.unparse(default)}"
+
+
+def prose(line: str) -> str:
+    line = re.sub(r":(?:func|class|meth|attr|mod):`~?([^`]+)`", r"`\1`", line)
+    return line.replace("``", "`")
+
+
+def markdown(docstring: str) -> str:
+    """Turns numpydoc into Markdown: sections become bold lines, their entries lists, examples code."""
+    lines, out, section = docstring.splitlines(), [], ""
+    at = 0
+    while at < len(lines):
+        line = lines[at]
+        if at + 1 < len(lines) and line and set(lines[at + 1]) == {"-"}:
+            if section == "Examples":
+                out.append("```")
+            section = line
+            out += ["", f"**{section}**", ""]
+            if section == "Examples":
+                out.append("```python")
+            at += 2
+            continue
+        if section == "Examples" or not section:
+            out.append(line if section else prose(line))
+        elif line and not line.startswith(" "):
+            out.append(f"* **{line}**" if section in ("Parameters", "Attributes", "Raises", "Returns") else prose(line))
+        else:
+            out.append("  " + prose(line.strip()) if line else "")
+        at += 1
+    if section == "Examples":
+        out.append("```")
+    return "\n".join(out)
+
+
+known = definitions()
+print("# Python\n\nEvery public name of the package `truearea`, from its signatures and docstrings.")
+functions_first = sorted(public_names(), key=lambda name: isinstance(known.get(name), ast.ClassDef))
+for name in functions_first:
+    node = known.get(name)
+    if node is None:
+        continue
+    print(f"\n## {name}\n")
+    if isinstance(node, ast.FunctionDef):
+        print(f"```python\n{signature(node, name)}\n```\n")
+    if documented := ast.get_docstring(node):
+        print(markdown(documented))
+    if isinstance(node, ast.ClassDef):
+        for member in node.body:
+            if isinstance(member, ast.FunctionDef) and not member.name.startswith("_"):
+                print(f"\n### {name}.{member.name}\n\n```python\n{signature(member, member.name)}\n```\n")
+                print(markdown(ast.get_docstring(member) or ""))
