@@ -24,7 +24,7 @@ pub struct PyAnswer {
 impl PyAnswer {
     /// The notes in words.
     #[getter]
-    fn notes(&self) -> Vec<String> {
+    fn notes(&self) -> Vec<Told> {
         words(&self.notes, self.spelling)
     }
 
@@ -110,15 +110,38 @@ pub fn of_material(error: &MaterialError) -> String {
     question_words::of_material(error, &Keywords)
 }
 
+/// A note in words, its level, `note` or `caution`, and the code of its kind.
+pub type Told = (String, &'static str, String);
+
 /// Notes in words; checks that were passed are left out.
-pub fn words(notes: &[Note], spelling: &dyn Spelling) -> Vec<String> {
-    let lines = notes.iter().flat_map(|note| question_words::lines(note, spelling));
-    let lines = lines.filter_map(|line| match line.severity {
-        Severity::Passed => None,
-        Severity::Note => Some(line.text),
-        Severity::Warning => Some(format!("warning: {}", line.text)),
+pub fn words(notes: &[Note], spelling: &dyn Spelling) -> Vec<Told> {
+    let lines = notes.iter().flat_map(|note| {
+        let is_doubt = matches!(note, Note::Doubt(_));
+        let code = code(note);
+        question_words::lines(note, spelling).into_iter().filter_map(move |line| match line.severity {
+            Severity::Passed => None,
+            Severity::Note => Some((line.text, if is_doubt { "caution" } else { "note" }, code.clone())),
+            Severity::Warning => Some((format!("warning: {}", line.text), "caution", code.clone())),
+        })
     });
     lines.collect()
+}
+
+/// The kind of a note by the names of its types: `doubt.steep-surface` of `Doubt(SteepSurface { .. })`.
+pub fn code(note: &impl std::fmt::Debug) -> String {
+    let text = format!("{note:?}");
+    let names = text.split('(').map_while(|part| {
+        let name: String = part.chars().take_while(|letter| letter.is_ascii_alphanumeric()).collect();
+        name.starts_with(|first: char| first.is_ascii_uppercase()).then_some(name)
+    });
+    let kebab = names.map(|name| {
+        let letters = name.char_indices().flat_map(|(at, letter)| {
+            let dash = (at > 0 && letter.is_ascii_uppercase()).then_some('-');
+            dash.into_iter().chain([letter.to_ascii_lowercase()])
+        });
+        letters.collect::<String>()
+    });
+    kebab.collect::<Vec<_>>().join(".")
 }
 
 /// The columns of a table by their names: numbers as arrays of doubles, NaN where a cell is empty, as data frames have it;

@@ -44,7 +44,14 @@ impl PyMaterial {
     #[staticmethod]
     fn is_name(text: &str) -> bool {
         let is_number = text.trim_start().starts_with(|first: char| "0123456789.+-".contains(first));
-        !is_number || materials::named(text).is_ok()
+        match materials::named(text) {
+            Ok(_) => true,
+            // A mistyped name resembles one, as `100Cr7`, where a modulus with a mistyped unit does not.
+            Err(unknown) => {
+                let resembles = unknown.known.len() < materials::materials().len();
+                !is_number || (resembles && text.parse::<Modulus>().is_err())
+            }
+        }
     }
 
     /// E of the rough body \[Pa\].

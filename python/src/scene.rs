@@ -30,7 +30,7 @@ use study::surface::{Surface, SurfaceError};
 use tables::{Format, Table};
 use toml::Value;
 
-use crate::answer::{columns, refused as questions_refused};
+use crate::answer::{Told, code, columns, refused as questions_refused};
 use crate::arguments::{Arguments, Given, named, type_name};
 use crate::errors::{input, of_argument};
 use crate::material::counterface;
@@ -118,7 +118,7 @@ impl PyScene {
 
     /// Notes on the surface, and the keys that have no effect.
     #[getter]
-    fn notes(&self) -> Vec<String> {
+    fn notes(&self) -> Vec<Told> {
         said(&self.scene)
     }
 
@@ -366,9 +366,9 @@ fn told_of<'py>(
 }
 
 /// Returns the notes on a scene before anything of it is computed.
-fn said(scene: &Scene) -> Vec<String> {
+fn said(scene: &Scene) -> Vec<Told> {
     let mut said = notes(&scene.surface);
-    said.extend(scene.notes.iter().map(scene_note_words::line));
+    said.extend(scene.notes.iter().map(|note| (scene_note_words::line(note), "note", code(note))));
     said
 }
 

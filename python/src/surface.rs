@@ -12,7 +12,7 @@ use study::plan::{Needs, Plan, Sampling};
 use study::surface::{Surface, SurfaceError};
 use tables::Format;
 
-use crate::answer::{Keywords, PyAnswer, refused, words};
+use crate::answer::{Keywords, PyAnswer, Told, refused, words};
 use crate::arguments::{Arguments, named};
 use crate::errors::input;
 use crate::work::{carry_out, light};
@@ -108,7 +108,7 @@ impl PySurface {
 
     /// Assumptions made in reading, and doubts.
     #[getter]
-    fn notes(&self) -> Vec<String> {
+    fn notes(&self) -> Vec<Told> {
         notes(&self.surface)
     }
 
@@ -169,7 +169,7 @@ impl PySurface {
 }
 
 /// Returns the notes and warnings on a surface; checks that were passed are left out.
-pub fn notes(surface: &Surface) -> Vec<String> {
+pub fn notes(surface: &Surface) -> Vec<Told> {
     let notes: Vec<Note> = surface.notes.iter().cloned().map(Note::Surface).collect();
     words(&notes, &Keywords)
 }

@@ -15,7 +15,7 @@ use study::spread::Spread;
 use uncertainty::{AreaInterval, Settings, Uncertainty, UncertaintyPlan, scattering_groups};
 use units::Bound as NumberBound;
 
-use crate::answer::{Keywords, columns, refused, words};
+use crate::answer::{Keywords, Told, columns, refused, words};
 use crate::arguments::{Arguments, Given, number, without_unit};
 use crate::errors::{input, of_argument};
 use crate::material::PyMaterial;
@@ -252,13 +252,14 @@ fn told_of<'py>(
     told.set_item("advice", columns(py, &found.advice_table(needs).with_text("in_words", in_words))?)?;
     told.set_item("bands", columns(py, &found.bands_table(needs))?)?;
     told.set_item("draws", found.draws)?;
-    let mut said = uncertainty_words::sentences(found);
+    let of_draws = uncertainty_words::sentences(found).into_iter();
+    let mut said: Vec<Told> = of_draws.map(|text| (text, "note", "uncertainty".to_owned())).collect();
     let mut notes: Vec<Note> = scene.surface.notes.iter().cloned().map(Note::Surface).collect();
     for (at, rows) in results.curves.iter().enumerate() {
         notes.extend(PreparedCurve::of_scene(scene, at).notes_on(rows));
     }
     for note in words(&notes, &Keywords) {
-        if !said.contains(&note) {
+        if said.iter().all(|(text, ..)| *text != note.0) {
             said.push(note);
         }
     }

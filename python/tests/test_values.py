@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 import os
+import pickle
 import subprocess
 import sys
 import zipfile
@@ -233,3 +234,22 @@ def test_names_from_files_are_escaped_in_notebooks(tmp_path: Path) -> None:
         if not np.isnan(values).any():
             shown.append(ta.composite([scan])._repr_html_())
         assert scan.name == name and not any("<img" in html for html in shown)
+
+
+def test_notes_are_data_and_cautions_warn_where_the_package_is_called() -> None:
+    spectrum, soft = ta.read_psd("builtin:uncd-measured"), ta.Material(210.0, 0.3)
+    with pytest.warns(ta.Caution) as caught:
+        curve = ta.persson(spectrum, soft, pressure=1e6)
+    assert {warning.filename for warning in caught} == {__file__}
+    doubts = {note.code: note for note in curve.notes if note.level == "caution"}
+    assert set(doubts) == {"doubt.softer-than-its-ratio", "doubt.real-above-third-modulus"}
+    assert "210 Pa" in doubts["doubt.softer-than-its-ratio"]
+    again = pickle.loads(pickle.dumps(curve)).notes
+    assert again == curve.notes and [note.code for note in again] == [note.code for note in curve.notes]
+
+
+def test_a_mistyped_name_is_met_with_the_names_that_it_resembles() -> None:
+    with pytest.raises(ta.InputError, match="100Cr6"):
+        ta.Material("100Cr7")
+    with pytest.raises(ta.InputError, match="210 GPa"):
+        ta.Material("210 GPA", 0.3)

@@ -14,6 +14,7 @@ from truearea._material import Material
 from truearea._native import VERSION as __version__
 from truearea._native import InputError, set_threads
 from truearea._names import Materials, Models, materials, models, show_versions
+from truearea._notes import Caution, Note
 from truearea._persson import PerssonCurve, persson
 from truearea._report import report
 from truearea._results import Result, Table
@@ -28,6 +29,7 @@ __all__ = [
     "Advice",
     "Amplitudes",
     "Bands",
+    "Caution",
     "ContactLaw",
     "ContactStates",
     "Fit",
@@ -37,6 +39,7 @@ __all__ = [
     "Materials",
     "Models",
     "Moments",
+    "Note",
     "PerssonCurve",
     "Pressed",
     "Result",

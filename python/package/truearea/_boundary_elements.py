@@ -13,6 +13,7 @@ from truearea._cores import material_of
 from truearea._curves import Pressures
 from truearea._material import Material, Quantity
 from truearea._native import InputError
+from truearea._notes import noted
 from truearea._progress import Line, Progress, observer_of
 from truearea._results import AnyArray, FloatArray, Result
 from truearea._scan import Scan
@@ -210,7 +211,7 @@ def boundary_elements(
         for name, array in zip(("pressure_pa", "gap_m", "height_m"), fields_found):
             arrays[name] = array
             axes[name] = points if name == "height_m" else ("load", *points)
-    return Pressed(arrays, axes, tuple(answer.notes))
+    return Pressed(arrays, axes, noted(answer.notes))
 
 
 _OF_HEIGHTS: dict[str, Any] = dict.fromkeys(("size", "periodic", "detrend"))

@@ -12,6 +12,7 @@ from truearea import _native
 from truearea._arrays import doubles
 from truearea._material import Material
 from truearea._native import InputError
+from truearea._notes import noted
 from truearea._results import FloatArray, Result
 
 
@@ -144,7 +145,7 @@ def contact(
     axes = _axes(len(shape))
     # Of one state the arrays are plain doubles, as ufuncs have it.
     columns = {name: column.reshape(shape)[()] for name, column in answer.columns.items()}
-    return ContactStates(columns, {name: axes for name in columns}, tuple(answer.notes))
+    return ContactStates(columns, {name: axes for name in columns}, noted(answer.notes))
 
 
 def _axes(count: int) -> tuple[str, ...]:

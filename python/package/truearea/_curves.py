@@ -11,6 +11,7 @@ import numpy.typing as npt
 from truearea import _native
 from truearea._cores import material_of, surface_of
 from truearea._material import Material, Quantity
+from truearea._notes import noted
 from truearea._results import AnyArray, FloatArray, Result
 from truearea._spectrum import Spectrum
 
@@ -87,7 +88,7 @@ class Curve(Result):
                 array = np.asarray(values).reshape(len(pressures_pa), -1)
                 arrays[name] = array[0] if name in shared else array
                 axes[name] = ("cutoff",) if name in shared else ("load", "cutoff")
-        return _curve(cls, arrays, axes, tuple(answer.notes), model)
+        return _curve(cls, arrays, axes, noted(answer.notes), model)
 
 
 def _curve(

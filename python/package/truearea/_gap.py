@@ -8,6 +8,7 @@ from truearea import _native
 from truearea._cores import material_of, surface_of
 from truearea._curves import Pressures
 from truearea._material import Material, Quantity
+from truearea._notes import noted
 from truearea._results import FloatArray, Table
 from truearea._spectrum import Spectrum
 
@@ -140,4 +141,4 @@ def gap(
     """
     arguments = locals()
     answer = _native.gaps(surface_of(spectrum), material_of(material), arguments)
-    return Gaps._of(answer.columns, tuple(answer.notes), axis="load")
+    return Gaps._of(answer.columns, noted(answer.notes), axis="load")

@@ -12,6 +12,7 @@ from truearea._cores import material_of, surface_of
 from truearea._curves import Pressures
 from truearea._material import Material, Quantity
 from truearea._native import InputError
+from truearea._notes import noted
 from truearea._results import FloatArray, Table
 from truearea._spectrum import Spectrum
 
@@ -197,7 +198,7 @@ def _range(pressure: Any, from_pressure: Quantity | None, to_pressure: Quantity 
 def _made_again(spectrum: Spectrum, material: Material, arguments: dict[str, Any]) -> ContactLaw:
     native = _native.ContactLaw(surface_of(spectrum), material_of(material), arguments)
     answer = native.answer()
-    found = ContactLaw._of(answer.columns, tuple(answer.notes), axis="point")
+    found = ContactLaw._of(answer.columns, noted(answer.notes), axis="point")
     found._native = native
     # A law is pickled as what it was made from, since its text takes more than its numbers.
     found._recipe = (spectrum, material, arguments)

@@ -15,6 +15,7 @@ import numpy as np
 from truearea import _native
 from truearea._material import Material, Quantity
 from truearea._native import InputError
+from truearea._notes import notes_of
 from truearea._progress import Line, Progress, observer_of
 from truearea._results import Table
 from truearea._scene_sections import (
@@ -294,7 +295,7 @@ class Scene:
     @property
     def notes(self) -> tuple[str, ...]:
         """What reading took for granted, what is doubtful, and the keys that have no effect."""
-        return tuple(self._native.notes)
+        return notes_of(self._native.notes)
 
     def explain(self) -> str:
         """What the scene needs, what of it is shared, and what is skipped, told before anything is computed."""

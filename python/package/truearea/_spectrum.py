@@ -13,6 +13,7 @@ from truearea import _native
 from truearea._arrays import doubles
 from truearea._material import Quantity
 from truearea._native import InputError
+from truearea._notes import noted, notes_of
 from truearea._results import AnyArray, FloatArray, Table
 
 if TYPE_CHECKING:
@@ -244,7 +245,7 @@ class Spectrum:
     @property
     def notes(self) -> tuple[str, ...]:
         """What reading took for granted, and what is doubtful."""
-        return tuple(self._native.notes)
+        return notes_of(self._native.notes)
 
     @property
     def remarks(self) -> tuple[str, ...]:
@@ -290,7 +291,7 @@ class Spectrum:
         """
         arguments = locals()
         answer = self._native.quantity("moments", arguments)
-        return Moments._of(answer.columns, tuple(answer.notes))
+        return Moments._of(answer.columns, noted(answer.notes))
 
     def amplitudes(
         self,
@@ -302,13 +303,13 @@ class Spectrum:
         """Amplitude [m] and aspect ratio of every scale (Jackson & Jacobs, Eq. 5)."""
         arguments = locals()
         answer = self._native.quantity("amplitudes", arguments)
-        return Amplitudes._of(answer.columns, tuple(answer.notes))
+        return Amplitudes._of(answer.columns, noted(answer.notes))
 
     def fit(self, *, longest: Quantity | None = None, shortest: Quantity | None = None) -> Fit:
         """Hurst exponent and roll-off of the spectrum between two wavelengths, by least squares in logarithms."""
         arguments = locals()
         answer = self._native.quantity("fit", arguments)
-        return Fit._of(answer.columns, tuple(answer.notes))
+        return Fit._of(answer.columns, noted(answer.notes))
 
     def against(self, other: Spectrum) -> Spectrum:
         """The sum of two surfaces that know nothing of each other."""

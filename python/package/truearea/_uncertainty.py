@@ -13,6 +13,7 @@ from truearea._curves import Pressures
 from truearea._cores import material_of
 from truearea._material import Material, Quantity
 from truearea._native import InputError
+from truearea._notes import noted
 from truearea._progress import Line, Progress, observer_of
 from truearea._results import AnyArray, FloatArray, Result, Table
 from truearea._spectrum import Spectrum
@@ -264,7 +265,7 @@ def uncertainty(
         arrays[name] = array[:, 0].copy() if is_one else array
         axes[name] = ("load",) if is_one else ("load", "model")
     tables = (Shares._of(found["shares"]), Advice._of(found["advice"]), Bands._of(found["bands"]))
-    return Uncertainty(arrays, axes, tuple(found["notes"]))._with(found["draws"], *tables)
+    return Uncertainty(arrays, axes, noted(found["notes"]))._with(found["draws"], *tables)
 
 
 def _spreads(material: Material, uncertainties: dict[str, Any]) -> list[tuple[str, Any, Any]]:
