@@ -161,7 +161,7 @@ impl<'py> Arguments<'py> {
     }
 
     /// One thing, or each of a list, an array of one axis, or anything else with a length and an order; text is one thing.
-    fn several<T>(
+    pub fn several<T>(
         &self,
         name: &str,
         one: impl Fn(&str, &Given<'py>) -> PyResult<T>,

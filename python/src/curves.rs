@@ -1,12 +1,12 @@
 //! Contact against cutoff, and gaps under loads.
 
 use pyo3::prelude::*;
-use questions::{CurveQuestion, GapModel, GapQuestion, Spelling};
+use questions::{CurveQuestion, GapModel, GapQuestion, Spelling, TangentialQuestion};
 use study::models::{self, Framework, ModelEntry};
 use study::persson_law::Deformation;
 
 use crate::answer::{Keywords, PerssonKeywords, PyAnswer, refused, refused_by};
-use crate::arguments::{Arguments, named, text};
+use crate::arguments::{Arguments, load, named, text};
 use crate::errors::of_argument;
 use crate::material::PyMaterial;
 use crate::surface::PySurface;
@@ -77,6 +77,27 @@ pub fn gaps(
         pressures: arguments.pressures()?,
         random: arguments.random()?,
         ..GapQuestion::default()
+    };
+    let found = carry_out(py, None, |progress| question.answer(&surface.surface, progress))?;
+    let found = found.map_err(refused)?;
+    PyAnswer::new(py, &found.table, found.notes)
+}
+
+/// Displacement, stiffness, slip and loss of a surface that is sheared under each of the pressures.
+#[pyfunction]
+pub fn tangential(
+    py: Python<'_>,
+    surface: &PySurface,
+    material: &PyMaterial,
+    arguments: Arguments<'_>,
+) -> PyResult<PyAnswer> {
+    let question = TangentialQuestion {
+        by: gap_model(material, &arguments, &[ELEMENTS])?,
+        friction: arguments.number("friction", None)?,
+        pressures: arguments.pressures()?,
+        stresses: arguments.several("tangential_stress", load)?.unwrap_or_default(),
+        random: arguments.random()?,
+        ..TangentialQuestion::default()
     };
     let found = carry_out(py, None, |progress| question.answer(&surface.surface, progress))?;
     let found = found.map_err(refused)?;

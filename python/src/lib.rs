@@ -28,7 +28,7 @@ mod _native {
         arguments::without_unit,
         boundary_elements::{press_heights, press_spectrum},
         contact::contact_states,
-        curves::{curve, gaps},
+        curves::{curve, gaps, tangential},
         errors::InputError,
         law::PyContactLaw,
         lengths::in_metres,

@@ -5,8 +5,8 @@ use std::io;
 use std::sync::{Mutex, PoisonError};
 
 use measurements::{
-    Channels, CompositeOfFiles, Files, Instrument, Loaded, ScanInput, ScanProblem, ScanRequest,
-    SlopeUncertainty, TipRadius, TopographyError, ZCalibration, read_channels,
+    Channels, CompositeOfFiles, Files, Instrument, Loaded, RoughnessOfFiles, RoughnessSettings, ScanInput,
+    ScanProblem, ScanRequest, SlopeUncertainty, TipRadius, TopographyError, ZCalibration, read_channels,
 };
 use numpy::ndarray::ArrayD;
 use numpy::{PyArrayDyn, PyReadonlyArrayDyn, PyUntypedArrayMethods, ToPyArray};
@@ -16,12 +16,13 @@ use pyo3::types::{PyBytes, PyDict, PyString};
 use report::heights_picture::{HeightsPicture, of_heights};
 use report::scan_words;
 use report::scans_table::scans_columns;
+use roughness::Evaluation;
 use scans::{MissingPoints, ScanFile, ScanOption, ScanSize};
 use study::surface::{Surface, SurfaceError};
 use topography::Recipe;
-use units::{Length, LengthUnit};
+use units::{Length, LengthUnit, SignedLength};
 
-use crate::answer::columns;
+use crate::answer::{Told, columns};
 use crate::arguments::{Arguments, Given, named, number, quantity, text};
 use crate::errors::{input, of_argument};
 use crate::surface::PySurface;
@@ -75,6 +76,47 @@ impl PyScan {
                 Err(input(format!("{name}: it holds {count} scans ({names}); choose one with measurement")))
             }
         }
+    }
+
+    /// Heights of an array; `gaps` tells which of them do not count.
+    #[staticmethod]
+    fn of_heights(
+        py: Python<'_>,
+        argument: &str,
+        name: &str,
+        heights_m: PyReadonlyArrayDyn<'_, f64>,
+        gaps: Option<PyReadonlyArrayDyn<'_, bool>>,
+        size: (String, Vec<Given<'_>>),
+        is_periodic: bool,
+    ) -> PyResult<Self> {
+        let mut scan = scan_of_array(argument, name, &heights_m, gaps.as_ref(), size)?;
+        scan.is_periodic = is_periodic;
+        let request = ScanRequest { path: name.to_owned(), ..ScanRequest::default() };
+        let sha256 = light(py, || Loaded::from_heights(scan.clone())).sha256;
+        Ok(PyScan { request, scan, sha256 })
+    }
+
+    /// Roughness parameters by the standards: columns, and notes in words.
+    fn roughness<'py>(
+        &self,
+        py: Python<'py>,
+        arguments: Arguments<'py>,
+    ) -> PyResult<(Bound<'py, PyDict>, Vec<Told>)> {
+        let settings = RoughnessSettings {
+            evaluation: Evaluation {
+                form: arguments.named("form")?.unwrap_or_default(),
+                longest_m: arguments.length_m("filter")?,
+                shortest_m: arguments.length_m("short_filter")?,
+            },
+            ratio_height_m: arguments
+                .quantity::<SignedLength>("ratio_height")?
+                .map_or(0.0, |height| height.m),
+            conventions: arguments.named("convention")?.unwrap_or_default(),
+        };
+        let found = light(py, || RoughnessOfFiles::of_scan(&self.request, &self.scan, &settings));
+        let found = found.map_err(|error| refused(&error, ""))?;
+        let notes = found.notes().into_iter().map(|text| (text, "note", "missing-points".to_owned()));
+        Ok((columns(py, &found.table())?, notes.collect()))
     }
 
     #[getter]

@@ -90,7 +90,7 @@ fn sources() -> Sources {
     {
         collect(path.into(), &mut sources);
     }
-    let all = "members = [\"crates/*/*\", \"xtask\", \"tests\"]";
+    let all = "members = [\"crates/*/*\", \"data\", \"xtask\", \"tests\"]";
     assert!(workspace.contains(all));
     let (manifest, _profiles) = workspace.split_once("[profile.").unwrap();
     let members = Vec::from_iter(members);

@@ -18,10 +18,12 @@ from truearea._notes import Caution, Note
 from truearea._persson import PerssonCurve, persson
 from truearea._report import report
 from truearea._results import Result, Table
+from truearea._roughness import Roughness, roughness
 from truearea._scan import Scan, ScanChannels, read_scan, scan_channels
 from truearea._scene import Scene, SceneResults, SceneTable
 from truearea._spectrum import Amplitudes, Fit, Moments, Samples, Scans, Spectrum, read_psd
 from truearea._sweep import sweep
+from truearea._tangential import Sheared, tangential
 from truearea._threads import threads
 from truearea._uncertainty import Advice, Bands, Shares, Uncertainty, uncertainty
 
@@ -43,6 +45,7 @@ __all__ = [
     "PerssonCurve",
     "Pressed",
     "Result",
+    "Roughness",
     "Samples",
     "Scan",
     "ScanChannels",
@@ -51,6 +54,7 @@ __all__ = [
     "SceneResults",
     "SceneTable",
     "Shares",
+    "Sheared",
     "Spectrum",
     "StackedCurve",
     "StatisticalCurve",
@@ -68,12 +72,14 @@ __all__ = [
     "read_psd",
     "read_scan",
     "report",
+    "roughness",
     "scan_channels",
     "set_threads",
     "show_versions",
     "stacked",
     "statistical",
     "sweep",
+    "tangential",
     "threads",
     "uncertainty",
 ]

@@ -161,7 +161,7 @@ def spectrum_of_heights(
             raise InputError("h is a Scan, which has its size and whether it is periodic; leave out size and periodic")
         part = heights
     else:
-        part = _heights("h", "size", name, heights, size, periodic)
+        part = heights_of("h", "size", name, heights, size, periodic)
     said: Options = {key: (key, value) for key, value in options.items() if value is not None}
     return _of_parts([part], [said], of_all, name, "")
 
@@ -202,17 +202,17 @@ def _part(argument: str, given: Any) -> Part:
     if isinstance(given, Scan):
         return given
     if is_topography(given):
-        return _heights(argument, argument, argument, given, None, None)
+        return heights_of(argument, argument, argument, given, None, None)
     if isinstance(given, tuple) and len(given) == 2:
         heights, size = given
-        return _heights(argument, f"{argument}[1]", argument, heights, size, None)
+        return heights_of(argument, f"{argument}[1]", argument, heights, size, None)
     raise InputError(
         f"{argument}: a path, a Scan, a pair (heights, size) or a topography is needed, and this is of type "
         f"{type(given).__name__}"
     )
 
 
-def _heights(argument: str, of_size: str, name: str, given: Any, size: Any, periodic: bool | None) -> Heights:
+def heights_of(argument: str, of_size: str, name: str, given: Any, size: Any, periodic: bool | None) -> Heights:
     if is_topography(given):
         if size is not None:
             raise InputError(f"{of_size}: {argument} has a size of its own; leave it out")

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any, NoReturn
 import numpy as np
 import numpy.typing as npt
 
+from truearea._notes import Note
+
 if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
@@ -26,9 +28,9 @@ _UNITS = {
     "_pa_per_m": "Pa/m",
     "_w_per_m2_k": "W/(m² K)",
     "_rad_per_m": "rad/m",
+    "_j_per_m2": "J/m²",
     "_per_m2": "1/m²",
     "_m_per_pa": "m/Pa",
-    "_j_per_m2": "J/m²",
     "_ohm_m2": "Ω m²",
     "_pa": "Pa",
     "_m4": "m⁴",
@@ -56,7 +58,7 @@ class Result(dict[str, AnyArray]):
 
     Attributes
     ----------
-    notes : tuple of str
+    notes : tuple of Note
         What was assumed, left out, or is doubtful.
     """
 
@@ -64,6 +66,8 @@ class Result(dict[str, AnyArray]):
     _shown = 8
 
     __slots__ = ("_axes", "notes")
+
+    notes: tuple[Note, ...]
 
     def __init__(
         self,
@@ -76,7 +80,7 @@ class Result(dict[str, AnyArray]):
             if isinstance(array, np.ndarray):
                 array.flags.writeable = False
         self._axes = dict(axes)
-        self.notes: tuple[str, ...] = tuple(notes)
+        self.notes = tuple(note if isinstance(note, Note) else Note(note) for note in notes)
 
     def __getattr__(self, name: str) -> Any:
         try:

@@ -1,6 +1,7 @@
 //! Roughness parameters of the scans in files, one row each.
 
 use roughness::{Evaluation, Parameter, ParameterValue, Relief, parameters};
+use scans::ScanFile;
 use tables::Table;
 use units::display::counted;
 use units::printable::printable_line;
@@ -66,6 +67,19 @@ impl RoughnessOfFiles {
         found
     }
 
+    /// Evaluates a scan in memory.
+    ///
+    /// # Errors
+    /// [`TopographyError`] if no heights are left to evaluate.
+    pub fn of_scan(
+        request: &ScanRequest,
+        scan: &ScanFile,
+        settings: &RoughnessSettings,
+    ) -> Result<Self, TopographyError> {
+        let surface = rough_surface(request, scan, settings)?;
+        Ok(RoughnessOfFiles { surfaces: vec![surface], unreadable: Vec::new() })
+    }
+
     /// Makes a table with the columns `file, channel, parameter, value, unit, convention`; lengths are in um, as in the
     /// standards.
     #[must_use]
@@ -129,19 +143,24 @@ fn of_file(
     settings: &RoughnessSettings,
 ) -> Result<Vec<RoughSurface>, TopographyError> {
     let loaded = load(request, files)?;
-    let of_scan = |file: &scans::ScanFile| {
-        let relief = Relief::new(&file.scan, &settings.evaluation)
-            .map_err(|error| TopographyError::for_file(&request.path, ScanProblem::Relief(error)))?;
-        let mut parameters = parameters(&relief, settings.ratio_height_m);
-        parameters.retain(|parameter| settings.conventions == Conventions::All || parameter.is_first);
-        Ok(RoughSurface {
-            file: request.path.clone(),
-            channel: channel(request, file),
-            parameters,
-            missing: relief.missing(),
-        })
-    };
-    loaded.scans.iter().map(of_scan).collect()
+    loaded.scans.iter().map(|scan| rough_surface(request, scan, settings)).collect()
+}
+
+fn rough_surface(
+    request: &ScanRequest,
+    scan: &ScanFile,
+    settings: &RoughnessSettings,
+) -> Result<RoughSurface, TopographyError> {
+    let relief = Relief::new(&scan.scan, &settings.evaluation)
+        .map_err(|error| TopographyError::for_file(&request.path, ScanProblem::Relief(error)))?;
+    let mut parameters = parameters(&relief, settings.ratio_height_m);
+    parameters.retain(|parameter| settings.conventions == Conventions::All || parameter.is_first);
+    Ok(RoughSurface {
+        file: request.path.clone(),
+        channel: channel(request, scan),
+        parameters,
+        missing: relief.missing(),
+    })
 }
 
 /// Returns a value in the unit of tables.

@@ -1,0 +1,110 @@
+"""Roughness parameters by the standards."""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+from truearea import _native
+from truearea._composite import heights_of
+from truearea._material import Quantity
+from truearea._native import InputError
+from truearea._notes import noted
+from truearea._results import AnyArray, FloatArray, Table
+from truearea._scan import Scan, read_scan
+
+
+class Roughness(Table):
+    """Roughness parameters, a row for each."""
+
+    _title = "roughness parameters"
+    __slots__ = ()
+    file: AnyArray
+    channel: AnyArray
+    parameter: AnyArray
+    value: FloatArray
+    unit: AnyArray
+    convention: AnyArray
+
+    def __getitem__(self, name: str) -> Any:
+        """A column by its name, or the value of a parameter by its symbol, such as ``"Sq"``, in its unit."""
+        if name in self.keys():
+            return super().__getitem__(name)
+        rows = [at for at, symbol in enumerate(super().__getitem__("parameter")) if symbol == name]
+        if not rows:
+            raise KeyError(name)
+        return float(super().__getitem__("value")[rows[0]])
+
+
+def roughness(
+    h: Any,
+    size: Any = None,
+    *,
+    unit: str | None = None,
+    channel: str | None = None,
+    form: str | None = None,
+    filter: Quantity | None = None,
+    short_filter: Quantity | None = None,
+    ratio_height: Quantity | None = None,
+    convention: str = "usual",
+) -> Roughness:
+    """Roughness parameters of a map (ISO 25178-2) or a profile (ISO 21920-2), as ``truearea roughness`` has them.
+
+    Parameters
+    ----------
+    h : Scan, array_like of float, or path
+        Heights: a scan, an array in m with its ``size``, an object of SurfaceTopography, or a file.
+    size : float or str, or two of them, optional
+        Lengths (lx, ly) of an array; of a file, the length along its lines where it gives none.
+    unit, channel : str, optional
+        Of a file, as for :func:`read_scan`.
+    form : {"plane", "none", "second-order"}, optional
+        The form that is subtracted first; a plane or line where left out.
+    filter, short_filter : float or str, optional
+        Cut-off wavelengths of the Gaussian filters of ISO 16610 that remove longer and shorter waves, in m or as text.
+    ratio_height : float or str, optional
+        The height above the mean at which the material ratio is taken; 0 where left out.
+    convention : {"usual", "all"}, default "usual"
+        One row for each parameter, or also those of other conventions in use.
+
+    Returns
+    -------
+    Roughness
+        ``file``, ``channel``, ``parameter``, ``value``, ``unit``, ``convention``. Lengths are in um. A symbol gives the value of its
+        parameter: ``found["Sq"]``.
+
+    Raises
+    ------
+    FileNotFoundError
+        Where there is no such file.
+    InputError
+        Where no point has a height, or a filter is longer than the scan.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import truearea as ta
+    >>> x = np.arange(1000) * 10e-9
+    >>> found = ta.roughness(10e-9 * np.cos(2 * np.pi * (x + 5e-9) / 1e-6), "10 um")
+    >>> round(found["Rq"], 6)
+    0.007071
+    """
+    arguments = {
+        "form": form,
+        "filter": filter,
+        "short_filter": short_filter,
+        "ratio_height": ratio_height,
+        "convention": convention,
+    }
+    if isinstance(h, (str, os.PathLike)):
+        h, size = read_scan(h, unit=unit, channel=channel, size=size), None
+    elif unit is not None or channel is not None:
+        raise InputError("unit and channel are for files; leave them out")
+    if isinstance(h, Scan):
+        if size is not None:
+            raise InputError("h is a Scan, which has its size; leave size out")
+        native = h._native
+    else:
+        native = _native.Scan.of_heights(*heights_of("h", "size", "heights", h, size, None))
+    columns, notes = native.roughness({key: value for key, value in arguments.items() if value is not None})
+    return Roughness._of(columns, noted(notes))

@@ -1,0 +1,130 @@
+"""Surfaces sheared under a constant load."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from truearea import _native
+from truearea._cores import material_of, surface_of
+from truearea._curves import Pressures
+from truearea._material import Material, Quantity
+from truearea._notes import noted
+from truearea._results import FloatArray, Table
+from truearea._spectrum import Spectrum
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+
+class Sheared(Table):
+    """Displacement, stiffness, slip and loss of a surface under tangential stresses."""
+
+    _title = "tangential loads"
+    __slots__ = ()
+    nominal_pressure_pa: FloatArray
+    tangential_stress_pa: FloatArray
+    share_of_sliding: FloatArray
+    displacement_m: FloatArray
+    initial_stiffness_pa_per_m: FloatArray
+    tangent_stiffness_pa_per_m: FloatArray
+    dissipation_j_per_m2: FloatArray
+    damping_ratio: FloatArray
+    area_fraction: FloatArray
+    stuck_area_fraction: FloatArray
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the tangential stress against the displacement on first loading, a line for each pressure.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            The axes to draw in; new ones where left out.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+
+        Raises
+        ------
+        ImportError
+            Without Matplotlib; ``pip install truearea[plot]`` adds it.
+        """
+        from truearea._plot import axes_of, load_label
+
+        ax = axes_of(ax)
+        for pressure_pa in dict.fromkeys(self.nominal_pressure_pa):
+            at = self.nominal_pressure_pa == pressure_pa
+            ax.plot(self.displacement_m[at], self.tangential_stress_pa[at], marker=".", label=load_label(pressure_pa))
+        ax.set_xlabel("displacement (m)")
+        ax.set_ylabel("tangential stress (Pa)")
+        ax.legend()
+        return ax
+
+
+def tangential(
+    spectrum: Spectrum,
+    material: Material,
+    *,
+    friction: float,
+    pressure: Pressures,
+    tangential_stress: Pressures | None = None,
+    model: str = "persson",
+    gamma: float | None = None,
+    band: str | None = None,
+    interference_law: str | None = None,
+    normalisation: str | None = None,
+    cutoff: Quantity | None = None,
+    scales_per_decade: int | None = None,
+    grid: int | None = None,
+    realisations: int | None = None,
+    seed: int | None = None,
+    longest: Quantity | None = None,
+    shortest: Quantity | None = None,
+    side: Quantity | None = None,
+    phases: str | None = None,
+) -> Sheared:
+    """Shear a surface under a constant normal load, with Coulomb friction at every point (Ciavarella 1998; Jaeger 1998).
+
+    Parameters
+    ----------
+    spectrum : Spectrum
+        The roughness.
+    material : Material
+        The bodies in contact, elastic.
+    friction : float
+        Coefficient of friction, above 0.
+    pressure : float, str, or sequence of them
+        Nominal pressures, in Pa or as text such as ``"5 MPa"``.
+    tangential_stress : float, str, or sequence of them, optional
+        Tangential stresses on the nominal area; shares from 1 to 99 % of that at which everything slides where left out.
+    model : {"persson", "hertz", "elastic-sine", "bgt", "bem"}
+        What makes the normal law.
+    gamma, band, interference_law, normalisation, cutoff, scales_per_decade : optional
+        As for :func:`gap`.
+    grid, realisations, seed, longest, shortest, side, phases : optional
+        Random surfaces of ``model="bem"``, as :func:`boundary_elements` has them.
+
+    Returns
+    -------
+    Sheared
+        A row for each pressure and stress: ``nominal_pressure_pa``, ``tangential_stress_pa``, ``share_of_sliding``,
+        ``displacement_m``, ``initial_stiffness_pa_per_m``, ``tangent_stiffness_pa_per_m``, ``dissipation_j_per_m2`` (of a cycle
+        between q and -q), ``damping_ratio``, ``area_fraction``, ``stuck_area_fraction``; NaN where everything slides.
+
+    Raises
+    ------
+    InputError
+        With argument, value and bound, and for models that yield.
+
+    Examples
+    --------
+    >>> import truearea as ta
+    >>> uncd = ta.read_psd("builtin:uncd-measured")
+    >>> steel = ta.Material("210 GPa", 0.3)
+    >>> sheared = ta.tangential(uncd, steel, friction=0.3, pressure="50 MPa", tangential_stress=["5 MPa", "10 MPa"])
+    >>> bool(0.0 < sheared.displacement_m[0] < sheared.displacement_m[1])
+    True
+    """
+    arguments = locals()
+    answer = _native.tangential(surface_of(spectrum), material_of(material), arguments)
+    return Sheared._of(answer.columns, noted(answer.notes))
