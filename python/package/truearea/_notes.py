@@ -5,11 +5,12 @@ from __future__ import annotations
 import sys
 import warnings
 from collections.abc import Iterable
+from types import FrameType
 from typing import Any
 
 
 class Caution(UserWarning):
-    """A note that changes what to conclude from a result; each place that calls is warned once."""
+    """A note that changes what to conclude from a result; each place that calls is warned once of each kind."""
 
 
 class Note(str):
@@ -50,18 +51,27 @@ def notes_of(told: Iterable[tuple[str, str, str]]) -> tuple[Note, ...]:
     return tuple(Note(*one) for one in told)
 
 
+_WARNED: set[tuple[str, int, str]] = set()
+"""Places that were warned, each with the code of the note: the same kind is not told again for other values."""
+
+
 def noted(native: Iterable[tuple[str, str, str]]) -> tuple[Note, ...]:
     """Notes on the result of a call, whose cautions become warnings at the place that called the package."""
     notes = notes_of(native)
-    for note in notes:
-        if note.level == "caution":
-            warnings.warn(str(note), Caution, stacklevel=_outside())
+    cautions = [note for note in notes if note.level == "caution"]
+    if cautions:
+        frame, level = _outside()
+        for note in cautions:
+            place = (frame.f_code.co_filename, frame.f_lineno, note.code)
+            if place not in _WARNED:
+                _WARNED.add(place)
+                warnings.warn(str(note), Caution, stacklevel=level)
     return notes
 
 
-def _outside() -> int:
-    """How many frames above the caller of this function the package was called."""
+def _outside() -> tuple[FrameType, int]:
+    """The frame that called the package, and how far it is above the caller of this function."""
     frame, level = sys._getframe(1), 1
     while frame.f_back is not None and frame.f_globals.get("__name__", "").partition(".")[0] == "truearea":
         frame, level = frame.f_back, level + 1
-    return level
+    return frame, level

@@ -9,23 +9,62 @@
 //! derivative adds 2 C1D(q_max) (q_max^2 - q^2)^(-1/2) to Ciso; with it the variance of the band is the same in both
 //! spectra.
 //!
-//! At the last sample C1D is zero and Ciso infinite, so the results end one sample earlier.
+//! At the last sample Ciso is infinite, so it ends one sample earlier. C1D falls to zero there; its last sample is the end of a
+//! power law such that the rms gradient of the surface is kept.
 
 use std::sync::LazyLock;
 
-use numerics::GaussLegendre;
+use numerics::{GaussLegendre, zero_in_bracket};
 
 use std::f64::consts::{PI, TAU};
 
-use crate::interval::ln_ratio;
+use crate::interval::{Interval, Sample, ln_ratio};
 use crate::power_law::PowerLaw;
 
-/// Computes C1D \[m^3\] at all wavelengths but the last from Ciso \[m^4\]; wavelengths \[m\] from long to short.
+/// Computes C1D \[m^3\] from Ciso \[m^4\]; wavelengths \[m\] from long to short.
 ///
-/// Relative error below 1e-12 for the piecewise power law. The work grows as the square of the number of samples.
+/// Relative error below 1e-12 for the piecewise power law, except the last sample, which keeps the gradient. The work grows as the square of the number of samples.
 pub(crate) fn profile_of_area(wavelengths_m: &[f64], ciso_m4: &[f64]) -> Vec<f64> {
     let panels = panels(wavelengths_m, ciso_m4, |ciso, q, exponent| (q * ciso / PI, exponent + 1.0));
-    starts(wavelengths_m).map(|q| panels.iter().map(|panel| panel.integral(q)).sum()).collect()
+    let c1d_at = |q: f64| panels.iter().map(|panel| panel.integral(q)).sum::<f64>();
+    let mut c1d_m3: Vec<f64> = starts(wavelengths_m).map(c1d_at).collect();
+    c1d_m3.push(last_of_profile(wavelengths_m, &c1d_m3, c1d_at));
+    c1d_m3
+}
+
+/// Intervals at the end of a profile whose second moment is kept together: there C1D bends most between its samples.
+const BENT: usize = 4;
+
+/// The last sample of C1D, such that power laws between the samples have the Int q^2 C1D dq of the last intervals.
+fn last_of_profile(wavelengths_m: &[f64], c1d_m3: &[f64], c1d_at: impl Fn(f64) -> f64) -> f64 {
+    let last = wavelengths_m.len() - 1;
+    let q = |at: usize| TAU / wavelengths_m[at];
+    // C1D falls as the root of the distance from its end, which the substitution q = end - width s^2 removes.
+    let moment = |from: usize| -> f64 {
+        let (end, width) = (q(from + 1), q(from + 1) - q(from));
+        let at = |&(s, weight): &(f64, f64)| {
+            let q = end - width * s * s;
+            2.0 * width * s * weight * q * q * c1d_at(q)
+        };
+        gauss_nodes(0.0, 1.0).iter().map(at).sum()
+    };
+    let first = last.saturating_sub(BENT);
+    let of_last = moment(last - 1);
+    let missed = (first..last - 1).map(moment).sum::<f64>()
+        - second_moment(&wavelengths_m[first..last], &c1d_m3[first..last], 2);
+    let wanted = (of_last + missed).clamp(0.5 * of_last, 2.0 * of_last);
+    // With y = (exponent + 3) ln(end/start), the power law has C start^3 ln(end/start) (e^y - 1)/y.
+    let ln_q_ratio = ln_ratio(wavelengths_m[last - 1], wavelengths_m[last]);
+    let share = wanted / (c1d_m3[last - 1] * q(last - 1).powi(3) * ln_q_ratio);
+    let growth = |y: f64| if y == 0.0 { 1.0 } else { y.exp_m1() / y };
+    let y = zero_in_bracket(-600.0, 600.0, |y| growth(y) / share - 1.0);
+    c1d_m3[last - 1] * (y - 3.0 * ln_q_ratio).exp()
+}
+
+/// Int q^power C dq of a spectrum that is a power law between its samples.
+fn second_moment(wavelengths_m: &[f64], values: &[f64], power: i32) -> f64 {
+    let sample = |at: usize| Sample { wavelength_m: wavelengths_m[at], c1d_m3: values[at] };
+    (1..values.len()).map(|at| Interval::new(sample(at - 1), sample(at)).integral(power)).sum()
 }
 
 /// Computes Ciso \[m^4\] at all wavelengths but the last from C1D \[m^3\]; wavelengths \[m\] from long to short.
@@ -198,13 +237,45 @@ mod tests {
         let wavelengths_m = [TAU, TAU / 3.0, TAU / 10.0];
         let values = [5.0, 0.4, 0.001];
         let expect = |found: Vec<f64>, expected: [f64; 2]| {
-            assert_eq!(found.len(), 2);
             for (found, expected) in found.into_iter().zip(expected) {
                 assert_relative_eq!(found, expected, max_relative = 1e-12, epsilon = 0.0);
             }
         };
         expect(profile_of_area(&wavelengths_m, &values), [1.892_643_938_129_05, 0.254_668_360_435_247_6]);
         expect(area_of_profile(&wavelengths_m, &values), [17.134_014_238_038_123, 0.709_303_961_071_742_2]);
+    }
+
+    #[test]
+    fn the_profile_of_an_area_keeps_its_gradient() {
+        let kept = |ciso: &dyn Fn(f64) -> f64, per_decade: f64| {
+            let samples = (2.0 * per_decade) as i32;
+            let wavelengths_m: Vec<f64> =
+                (0..=samples).map(|at| 1e-4 * 10f64.powf(-f64::from(at) / per_decade)).collect();
+            let ciso_m4: Vec<f64> = wavelengths_m.iter().map(|m| ciso(TAU / m)).collect();
+            let c1d_m3 = profile_of_area(&wavelengths_m, &ciso_m4);
+            assert_eq!(c1d_m3.len(), wavelengths_m.len());
+            // Int q^2 C1D dq from the first sample on; a wave p of the surface has p^2/4 of it, less what lies below that sample.
+            let first = TAU / wavelengths_m[0];
+            let above = |p: f64| {
+                let share = (first / p).min(1.0);
+                (p * p / PI) * 0.5 * (0.5 * PI - share.asin() + share * (1.0 - share * share).sqrt())
+            };
+            let dense: Vec<f64> =
+                (0..=200_000).map(|at| first * 10f64.powf(2.0 * f64::from(at) / 2e5)).collect();
+            let moment = |pair: &[f64]| {
+                let p = (pair[0] * pair[1]).sqrt();
+                (pair[1] - pair[0]) * p * ciso(p) * above(p)
+            };
+            second_moment(&wavelengths_m, &c1d_m3, 2) / dense.windows(2).map(moment).sum::<f64>()
+        };
+        for (per_decade, bound) in [(5.0, 4e-3), (10.0, 1e-3), (30.0, 6e-4)] {
+            for hurst in [0.2, 0.5, 0.8, 0.95] {
+                let self_affine = kept(&|q| q.powf(-2.0 - 2.0 * hurst), per_decade);
+                assert!((self_affine - 1.0).abs() < bound, "{hurst} {per_decade}: {self_affine}");
+            }
+            let rising = kept(&|q| q * q, per_decade);
+            assert!((rising - 1.0).abs() < 0.05, "{per_decade}: {rising}");
+        }
     }
 
     #[test]

@@ -67,8 +67,8 @@ impl Psd {
     ///
     /// Among profile conventions, and among area conventions, values and standard errors are multiplied by a factor.
     /// Between the two, the Abel integral over the piecewise power law is used, zero outside the samples and for an
-    /// isotropic surface. It ends one sample earlier, and its last values depend on the end of the band as much as on
-    /// the surface. Standard errors are lost, because files do not state how those of neighbouring samples are
+    /// isotropic surface. An area spectrum of profiles ends one sample earlier; a profile of an area ends with a sample that keeps
+    /// the gradient. The last values depend on the end of the band as much as on the surface. Standard errors are lost, because files do not state how those of neighbouring samples are
     /// correlated.
     ///
     /// # Errors
@@ -96,13 +96,18 @@ impl Psd {
             return Err(ConversionError::TooFewSamples { from, to: other, samples });
         }
         let Self { mut wavelengths_m, values, .. } = self.to(reference)?;
-        let transform = if other == Convention::C1D { profile_of_area } else { area_of_profile };
-        let values = transform(&wavelengths_m, &values);
+        let values = match other {
+            Convention::C1D => profile_of_area(&wavelengths_m, &values),
+            _ => {
+                let ciso_m4 = area_of_profile(&wavelengths_m, &values);
+                wavelengths_m.pop();
+                ciso_m4
+            }
+        };
         if let Some(row) = values.iter().position(|&value| !is_positive(value)) {
             let (wavelength_m, value) = (wavelengths_m[row], values[row]);
             return Err(ConversionError::NotPositive { from, to: other, wavelength_m, value });
         }
-        wavelengths_m.pop();
         Ok(Self::from_samples(wavelengths_m, values, other))
     }
 
