@@ -2,12 +2,15 @@
 
 use std::f64::consts::PI;
 
+use gaussian_surfaces::SurfaceError;
 use half_space::{Contact, HalfSpaceError, Loading};
 use parallel::Progress;
+use tables::Table;
 use thiserror::Error;
 use units::{Bound, OutOfBounds};
 
 use crate::relief::{Boundary, Relief};
+use crate::surfaces::Surfaces;
 
 /// Largest distance of a contact from the axis, as a share of half the shorter side: beyond it the edges of the map
 /// carry load like those of a punch.
@@ -73,14 +76,74 @@ pub struct BallState {
     pub outermost_contact_m: f64,
     /// Roughness number sigma R/a^2 with Hertz's radius a (Greenwood & Tripp 1967); sigma is the rms height.
     pub roughness_number: f64,
-    /// Points of the grid along Hertz's radius; below 8 the state is coarse.
+    /// Points of the grid along Hertz's radius.
     pub points_per_radius: f64,
+    /// Shorter side of the map over Hertz's radius.
+    pub radii_across_map: f64,
+    /// Hertz's radius over the radius of the ball.
+    pub radius_share: f64,
     /// Residual of the solver.
     pub residual: f64,
 }
 
+/// Reason to doubt the state of a ball.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum BallCaution {
+    /// Hertz's radius has fewer than 8 points.
+    CoarseGrid {
+        /// Points along Hertz's radius.
+        points_per_radius: f64,
+    },
+    /// The map is less than four of Hertz's radii wide.
+    NarrowMap {
+        /// Shorter side over Hertz's radius.
+        radii_across_map: f64,
+    },
+    /// Hertz's radius is at least a tenth of the ball's, and a sphere is no longer a parabola.
+    LargeContact {
+        /// Hertz's radius over the radius of the ball.
+        radius_share: f64,
+    },
+}
+
+impl BallState {
+    /// Returns the reasons to doubt the state.
+    #[must_use]
+    pub fn cautions(&self) -> Vec<BallCaution> {
+        let Self { points_per_radius, radii_across_map, radius_share, .. } = *self;
+        let coarse = (points_per_radius < 8.0).then_some(BallCaution::CoarseGrid { points_per_radius });
+        let narrow = (radii_across_map < 4.0).then_some(BallCaution::NarrowMap { radii_across_map });
+        let large = (radius_share >= 0.1).then_some(BallCaution::LargeContact { radius_share });
+        [coarse, narrow, large].into_iter().flatten().collect()
+    }
+}
+
+/// Table with a row per state: `realisation, force_n, real_area_m2, effective_radius_m, hertz_radius_m,
+/// peak_mean_pressure_pa, hertz_pressure_pa, force_share, outermost_contact_m, real_area_corrected_m2,
+/// roughness_number, residual`.
+#[must_use]
+pub fn ball_table(states: &[BallState]) -> Table {
+    let columns: [(&str, fn(&BallState) -> f64); 11] = [
+        ("force_n", |state| state.force_n),
+        ("real_area_m2", |state| state.real_area_m2),
+        ("effective_radius_m", |state| state.effective_radius_m),
+        ("hertz_radius_m", |state| state.hertz_radius_m),
+        ("peak_mean_pressure_pa", |state| state.peak_mean_pressure_pa),
+        ("hertz_pressure_pa", |state| state.hertz_pressure_pa),
+        ("force_share", |state| state.force_share),
+        ("outermost_contact_m", |state| state.outermost_contact_m),
+        ("real_area_corrected_m2", |state| state.real_area_corrected_m2),
+        ("roughness_number", |state| state.roughness_number),
+        ("residual", |state| state.residual),
+    ];
+    let numbered =
+        Table::default().with_numbers("realisation", (1..=states.len()).map(|number| number as f64));
+    columns.into_iter().fold(numbered, |table, (name, of)| table.with_numbers(name, states.iter().map(of)))
+}
+
 /// Reason why a ball was not pressed onto a map.
-#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum BallError {
     /// A number is out of its bounds.
@@ -99,6 +162,9 @@ pub enum BallError {
         /// Shorter side of a map that would hold the contact \[m\].
         least_side_m: f64,
     },
+    /// The surface cannot be made.
+    #[error(transparent)]
+    Surface(#[from] SurfaceError),
     /// The surface cannot be pressed.
     #[error(transparent)]
     HalfSpace(#[from] HalfSpaceError),
@@ -150,6 +216,27 @@ impl Ball {
         Ok((state, contact))
     }
 
+    /// Presses the ball onto every surface: on as many threads as there are, and with the same digits on any number of
+    /// them. Places differ widely, so conclusions need several surfaces and their scatter.
+    ///
+    /// # Errors
+    /// The first of the errors of [`Ball::press`], and [`BallError::Surface`] for surfaces that cannot be made.
+    pub fn press_all(
+        &self,
+        surfaces: &Surfaces,
+        pressing: &BallPressing,
+        progress: &dyn Progress,
+    ) -> Result<Vec<BallState>, BallError> {
+        let states = parallel::map_indices(surfaces.count(), |surface| {
+            if progress.is_cancelled() {
+                return Err(HalfSpaceError::Cancelled.into());
+            }
+            let relief = surfaces.relief(surface)?;
+            self.press(&relief, pressing, progress).map(|(state, _)| state)
+        });
+        states.into_iter().collect()
+    }
+
     fn state(&self, flat: &Relief, contact_modulus_pa: f64, contact: &Contact) -> BallState {
         let hertz_radius_m = self.hertz_radius_m(contact_modulus_pa);
         let least_pa = TOUCHING * contact.largest_pressure_pa;
@@ -188,6 +275,8 @@ impl Ball {
             outermost_contact_m,
             roughness_number: flat.rms_height_m() * self.radius_m / hertz_radius_m.powi(2),
             points_per_radius: hertz_radius_m / spacing_x_m.max(spacing_y_m),
+            radii_across_map: flat.length_x_m.min(flat.length_y_m) / hertz_radius_m,
+            radius_share: hertz_radius_m / self.radius_m,
             residual: contact.residual,
         }
     }

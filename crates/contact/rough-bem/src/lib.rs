@@ -21,7 +21,7 @@ mod state;
 mod surfaces;
 mod table;
 
-pub use ball::{Ball, BallError, BallPressing, BallState, Cylinder, LARGEST_EXTENT};
+pub use ball::{Ball, BallCaution, BallError, BallPressing, BallState, Cylinder, LARGEST_EXTENT, ball_table};
 pub use error::ElementsError;
 pub use field::Field;
 pub use mean::{Mean, PressedLoad};

@@ -3,9 +3,13 @@
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
+use gaussian_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};
 use half_space::HalfSpaceError;
 use parallel::{Progress, Unobserved};
-use rough_bem::{Ball, BallError, BallPressing, BallState, Boundary, Cylinder, Relief};
+use rough_bem::{
+    Ball, BallCaution, BallError, BallPressing, BallState, Boundary, Cylinder, RandomSurfaces, Relief,
+    Surfaces, ball_table,
+};
 
 /// E* of 1 Pa.
 const PRESSING: BallPressing = BallPressing { contact_modulus_pa: 1.0, tolerance: 1e-10 };
@@ -168,4 +172,36 @@ fn contacts_that_reach_the_edges_are_refused_before_and_after() {
         let refused = wrong.press(&flat, &PRESSING, &Unobserved).unwrap_err();
         assert!(matches!(refused, BallError::OutOfBounds(_)), "{refused:?}");
     }
+}
+
+#[test]
+fn surfaces_of_a_spectrum_give_a_row_each_and_scatter() {
+    let band = AreaSpectrum::self_affine(&SelfAffine {
+        hurst_exponent: 0.8,
+        longest_m: 1.0 / 8.0,
+        rolloff_m: 1.0 / 8.0,
+        shortest_m: 1.0 / 16.0,
+        size: Size::RmsGradient(0.05),
+    })
+    .unwrap();
+    let synthesis = Synthesis::square(64, 1.0, 1, Phases::FixedModulus);
+    let surfaces = Surfaces::Random(RandomSurfaces { band, synthesis, realisations: 3 });
+    let states = ball(20.0, 0.25).press_all(&surfaces, &PRESSING, &Unobserved).unwrap();
+    assert_eq!(states.len(), 3);
+    assert!(states[0].effective_radius_m != states[1].effective_radius_m);
+    let table = ball_table(&states);
+    let names: Vec<&str> = table.columns().map(|(name, _)| name).collect();
+    assert_eq!(names[..3], ["realisation", "force_n", "real_area_m2"]);
+}
+
+#[test]
+fn coarse_grids_narrow_maps_and_large_contacts_are_doubted() {
+    let state = pressed(ball(4.0, 0.25), &smooth(64, 64, 1.0 / 64.0));
+    assert_eq!(state.cautions(), []);
+    let state = pressed(ball(2.0, 0.3), &smooth(16, 16, 1.0 / 16.0));
+    let [BallCaution::CoarseGrid { .. }, BallCaution::NarrowMap { .. }, BallCaution::LargeContact { .. }] =
+        state.cautions()[..]
+    else {
+        panic!("{:?}", state.cautions())
+    };
 }
