@@ -124,22 +124,20 @@ impl BallState {
 /// roughness_number, residual`.
 #[must_use]
 pub fn ball_table(states: &[BallState]) -> Table {
-    let columns: [(&str, fn(&BallState) -> f64); 11] = [
-        ("force_n", |state| state.force_n),
-        ("real_area_m2", |state| state.real_area_m2),
-        ("effective_radius_m", |state| state.effective_radius_m),
-        ("hertz_radius_m", |state| state.hertz_radius_m),
-        ("peak_mean_pressure_pa", |state| state.peak_mean_pressure_pa),
-        ("hertz_pressure_pa", |state| state.hertz_pressure_pa),
-        ("force_share", |state| state.force_share),
-        ("outermost_contact_m", |state| state.outermost_contact_m),
-        ("real_area_corrected_m2", |state| state.real_area_corrected_m2),
-        ("roughness_number", |state| state.roughness_number),
-        ("residual", |state| state.residual),
-    ];
-    let numbered =
-        Table::default().with_numbers("realisation", (1..=states.len()).map(|number| number as f64));
-    columns.into_iter().fold(numbered, |table, (name, of)| table.with_numbers(name, states.iter().map(of)))
+    let column = |of: fn(&BallState) -> f64| states.iter().map(of);
+    Table::default()
+        .with_numbers("realisation", (1..=states.len()).map(|number| number as f64))
+        .with_numbers("force_n", column(|state| state.force_n))
+        .with_numbers("real_area_m2", column(|state| state.real_area_m2))
+        .with_numbers("effective_radius_m", column(|state| state.effective_radius_m))
+        .with_numbers("hertz_radius_m", column(|state| state.hertz_radius_m))
+        .with_numbers("peak_mean_pressure_pa", column(|state| state.peak_mean_pressure_pa))
+        .with_numbers("hertz_pressure_pa", column(|state| state.hertz_pressure_pa))
+        .with_numbers("force_share", column(|state| state.force_share))
+        .with_numbers("outermost_contact_m", column(|state| state.outermost_contact_m))
+        .with_numbers("real_area_corrected_m2", column(|state| state.real_area_corrected_m2))
+        .with_numbers("roughness_number", column(|state| state.roughness_number))
+        .with_numbers("residual", column(|state| state.residual))
 }
 
 /// Reason why a ball was not pressed onto a map.
