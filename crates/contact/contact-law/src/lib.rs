@@ -6,6 +6,7 @@
 //! * [`Dialect`]: the format of a code, and [`Heading`], the comments in front of the numbers.
 #![deny(missing_docs)]
 
+mod conductance;
 mod dialect;
 mod error;
 mod exponential;
@@ -15,6 +16,7 @@ mod law;
 mod sampling;
 mod unit_system;
 
+pub use conductance::{ConductanceError, ConductanceTable};
 pub use dialect::{Column, Dialect};
 pub use error::{ContactLawError, SamplingError};
 pub use exponential::ExponentialLaw;

@@ -5,8 +5,10 @@
 //!   [`RandomChoices`];
 //! * [`Pressing`]: material, loads and tolerance;
 //! * [`PressedLoad`]: one load on every surface, each with its [`PressedState`], and their [`Mean`];
+//! * [`Ball`] and [`Cylinder`]: smooth bodies pressed onto one rough flat;
 //! * [`Field`]: pressures and gaps of one surface under one load, which can be written as NetCDF.
 
+mod ball;
 mod error;
 mod field;
 mod mean;
@@ -19,6 +21,7 @@ mod state;
 mod surfaces;
 mod table;
 
+pub use ball::{Ball, BallCaution, BallError, BallPressing, BallState, Cylinder, LARGEST_EXTENT, ball_table};
 pub use error::ElementsError;
 pub use field::Field;
 pub use mean::{Mean, PressedLoad};
