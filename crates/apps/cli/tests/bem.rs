@@ -236,3 +236,38 @@ fn a_signal_ends_the_work_and_leaves_nothing() {
     assert_eq!(child.wait().unwrap().code(), Some(130));
     assert_eq!(bench.files(), ["ciso.csv"]);
 }
+
+#[test]
+fn a_ball_on_a_nearly_smooth_map_is_hertz() {
+    let bench = Bench::new();
+    let heights = (0..128)
+        .map(|row| (0..128).map(|column| format!("{} ", (row + column) % 2)).collect::<String>() + "\n");
+    bench.write("flat.txt", heights.collect::<String>());
+    // a = 0.2 um from F = 4 E* a^3/(3 R).
+    let pressed = [
+        "flat.txt:unit=pm,size=1um",
+        "--ball-radius",
+        "10um",
+        "--force",
+        "1.0666667uN",
+        "--tolerance",
+        "1e-8",
+    ];
+    let table = bench.run(&call(&[&pressed])).ok();
+    let of = |name: &str| numbers(&table, name)[0];
+    assert!((of("hertz_radius_m") / 0.2e-6 - 1.0).abs() < 1e-7);
+    assert!((of("effective_radius_m") / of("hertz_radius_m") - 1.0).abs() < 2e-3, "{table}");
+    assert!((of("peak_mean_pressure_pa") / of("hertz_pressure_pa") - 1.0).abs() < 0.01, "{table}");
+    assert!((of("force_share") - (1.0 - 0.75f64.powf(1.5))).abs() < 0.01, "{table}");
+    assert!((of("real_area_corrected_m2") / (PI * 0.04e-12) - 1.0).abs() < 0.02, "{table}");
+}
+
+#[test]
+fn a_ball_on_surfaces_of_a_spectrum_has_a_row_for_each_place() {
+    let bench = with_spectrum();
+    let ball = ["--realisations", "3", "--ball-radius", "10m", "--force", "1.07MN"];
+    let table = bench.run(&call(&[&SURFACES, &ball])).ok();
+    assert_eq!(numbers(&table, "realisation"), [1.0, 2.0, 3.0]);
+    let areas_m2 = numbers(&table, "real_area_m2");
+    assert!(areas_m2.windows(2).all(|pair| pair[0] != pair[1] && pair[0] > 0.0), "{areas_m2:?}");
+}

@@ -7,6 +7,7 @@ use half_space::{Contact, HalfSpaceError, Loading};
 use parallel::Progress;
 use tables::Table;
 use thiserror::Error;
+use units::display::length;
 use units::{Bound, OutOfBounds};
 
 use crate::relief::{Boundary, Relief};
@@ -149,8 +150,9 @@ pub enum BallError {
     OutOfBounds(#[from] OutOfBounds),
     /// The contact reaches, or would reach, the edges of the map.
     #[error(
-        "pressing a ball: the contact reaches {reach_m:e} m from the axis, and the map ends at {half_side_m:e} m; \
-         take a map at least {least_side_m:e} m wide, a smaller ball or less force"
+        "pressing a ball: the contact reaches {} from the axis, and the map ends at {}; take a map at least {} wide, a \
+         smaller ball or less force",
+        length(*.reach_m), length(*.half_side_m), length(*.least_side_m)
     )]
     BeyondMap {
         /// Hertz's radius before the solve, or the outermost contact after it \[m\].

@@ -3,6 +3,7 @@
 use asperity::AsperityError;
 use contact_law::SamplingError;
 use persson::hardness_laws::HardnessError;
+use rough_bem::BallError;
 use rough_bem::ElementsError;
 use study::gap_law::GapError;
 use study::material::MaterialError;
@@ -83,6 +84,9 @@ pub enum QuestionError {
     /// Boundary elements failed or were cancelled.
     #[error(transparent)]
     Elements(#[from] ElementsError),
+    /// A ball cannot be pressed onto the surfaces.
+    #[error(transparent)]
+    Ball(#[from] BallError),
     /// Random surfaces cannot be made of the spectrum.
     #[error("{surface}: {error}")]
     RandomSurfaces {
@@ -126,6 +130,7 @@ impl QuestionError {
             QuestionError::Plan(PlanError::Cancelled)
                 | QuestionError::Sampling(SamplingError::Source(GapError::Cancelled))
                 | QuestionError::Elements(ElementsError::HalfSpace(HalfSpaceError::Cancelled))
+                | QuestionError::Ball(BallError::HalfSpace(HalfSpaceError::Cancelled))
         )
     }
 }

@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod ball;
 mod choices;
 mod counts;
 mod curve;
@@ -19,6 +20,7 @@ mod states;
 mod tangential;
 mod text;
 
+pub use ball::{BallQuestion, PreparedBall};
 pub use counts::{CurveCounts, CutCounts, LevelCounts};
 pub use curve::{CurveQuestion, CurveStream, PreparedCurve};
 pub use elements::{ElementsQuestion, PreparedElements, RandomInput};

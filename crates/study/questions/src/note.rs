@@ -5,7 +5,7 @@ use gaussian_surfaces::{AreaSpectrum, GridBand};
 use persson::Roughness;
 use persson::corrections::Correction;
 use persson::separation::LightLoads;
-use rough_bem::{PressedLoad, RandomSurfaces};
+use rough_bem::{BallCaution, PressedLoad, RandomSurfaces};
 use spectrum::ProfilePsd;
 use state_tables::RowsNote;
 use study::material::Material;
@@ -89,6 +89,15 @@ pub enum Note {
     RandomSurfaces(Box<MadeSurfaces>),
     /// Surfaces pressed by boundary elements.
     Pressed(Vec<PressedLoad>),
+    /// A ball on a flat that is coarse, narrow, or much larger than the ball can be as a parabola.
+    Ball(BallCaution),
+    /// A ball was pressed onto one place alone.
+    OnePlace,
+    /// A ball was pressed onto several places.
+    Places {
+        /// Standard deviation of the real area over its mean.
+        scatter: f64,
+    },
     /// Normal and tangential tractions act on each other, which superposition leaves out.
     CoupledTractions {
         /// Dundurs' beta.

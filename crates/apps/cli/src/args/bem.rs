@@ -10,7 +10,7 @@ use questions::{MaterialInput, OptionName, RandomInput};
 use rough_bem::{Boundary, RandomChoices};
 use study::measured::Kind;
 use topography::Detrend;
-use units::{IndentationHardness, Length, Modulus, Pressure};
+use units::{Force, IndentationHardness, Length, Modulus, Pressure};
 
 use super::groups::{CounterfaceArgs, FigureArg, NamedMaterialArgs, PressureArgs, ReadingArgs};
 use super::parsers::{one_of, parse_poisson_ratio};
@@ -18,7 +18,7 @@ use super::scans::{MapTreatmentArgs, UntoldArgs};
 
 /// A surface, how it is pressed, and what is written.
 #[derive(Debug, ClapArgs)]
-#[command(group = clap::ArgGroup::new("pressed").required(true).multiple(true).args(["pressures", "pressure_ranges"]))]
+#[command(group = clap::ArgGroup::new("pressed").required(true).multiple(true).args(["pressures", "pressure_ranges", "ball_radius"]))]
 pub(crate) struct BemArgs {
     /// A map of heights, perhaps with options of its own (FILE:unit=nm,channel=Height,size=1um), or a power spectrum: a file, `-` for standard input, or
     /// builtin:uncd-measured, builtin:uncd-reconstructed or builtin:contact-challenge
@@ -31,6 +31,12 @@ pub(crate) struct BemArgs {
     /// The pressure at which the surface flows, an indentation hardness as 3GPa or 1H; elastic throughout where not given
     #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub saturation: Option<Pressure>,
+    /// Radius of a smooth ball that is pressed onto the middle of the surface, whose edges are free; with --force, in place of pressures
+    #[arg(long, value_name = "L", requires = "force", allow_hyphen_values = true, conflicts_with_all = ["pressures", "pressure_ranges", "saturation", "per_realisation", "fields", "figure", "boundary"])]
+    pub ball_radius: Option<Length>,
+    /// Force on the ball, such as 1N
+    #[arg(long, value_name = "F", requires = "ball_radius", allow_hyphen_values = true, conflicts_with_all = ["pressures", "pressure_ranges"])]
+    pub force: Option<Force>,
     /// The largest residual, sum p|g| over sum p h_rms, above 0 and at most 0.1
     #[arg(long, value_name = "T", default_value_t = rough_bem::Pressing::TOLERANCE, allow_hyphen_values = true)]
     pub tolerance: f64,

@@ -5,7 +5,7 @@ use std::sync::{Mutex, PoisonError};
 
 use half_space::HalfSpaceError;
 use measurements::MapOfFile;
-use questions::{ElementsQuestion, OptionName, PreparedElements, Reason, UnusedOption};
+use questions::{BallQuestion, ElementsQuestion, Note, OptionName, Reason, UnusedOption};
 use report::provenance::program;
 use report::{elements_figure, elements_words, field_picture, question_words};
 use rough_bem::{Boundary, ElementsError, Field, Relief, Surfaces};
@@ -14,6 +14,7 @@ use staging::{NewFolder, StagedFiles};
 use study::measured::{Kind, Measured, MeasuredOptions};
 use study::surface::SurfaceError;
 use topography::Recipe;
+use units::{Force, Length};
 
 use super::{Context, load_inputs, psd, range_inputs, reading_options, say_all};
 use crate::args::BemArgs;
@@ -26,6 +27,9 @@ use crate::progress::Progress;
 use crate::timings::Timings;
 
 pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> {
+    if let Some((radius, force)) = args.ball_radius.zip(args.force) {
+        return press_ball(args, radius, force, context);
+    }
     let question = ElementsQuestion {
         material: args.material.input(),
         pressures: load_inputs(&args.loads.pressures),
@@ -36,7 +40,12 @@ pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> 
     };
     question.check()?;
     let mut timings = Timings::start();
-    let (prepared, comments) = load(args, &question, context)?;
+    let (measured, comments) = load(args, context)?;
+    let prepared = match measured {
+        Measured::Map(map) => question.on_map(relief(*map, args.map.boundary))?,
+        Measured::Spectrum(surface) => question.on(&surface)?,
+    };
+    let comments = told(comments, &prepared.notes, &prepared.surfaces);
     let fields = args.fields.as_deref().map(|folder| FieldFiles::new(folder, args)).transpose()?;
     timings.lap("reading");
     let progress = Progress::towards(prepared.steps(), "steps");
@@ -80,12 +89,41 @@ impl From<ElementsError> for Failure {
     }
 }
 
-/// The surfaces, and where they come from.
-fn load(
-    args: &BemArgs,
-    question: &ElementsQuestion,
-    context: &Context<'_>,
-) -> Result<(PreparedElements, Vec<String>), Failure> {
+/// Presses a ball in place of a flat.
+fn press_ball(args: &BemArgs, radius: Length, force: Force, context: &Context<'_>) -> Result<(), Failure> {
+    let question = BallQuestion {
+        material: args.material.input(),
+        radius_m: radius.m,
+        force_n: force.n,
+        tolerance: args.tolerance,
+        random: args.random.input(),
+    };
+    question.check()?;
+    let mut timings = Timings::start();
+    let (measured, comments) = load(args, context)?;
+    let prepared = match measured {
+        Measured::Map(map) => question.on_map(relief(*map, Some(Boundary::Free)))?,
+        Measured::Spectrum(surface) => question.on(&surface)?,
+    };
+    let comments = told(comments, &prepared.notes, &prepared.surfaces);
+    timings.lap("reading");
+    let progress = Progress::counting("steps");
+    let answer = prepared.answer(&progress)?;
+    drop(progress);
+    timings.lap("pressing");
+    say_all(&answer.notes, &Flags);
+    let mut files = StagedFiles::default();
+    context.stage_blocks(&mut files, &context.shared.output, context.wanted(&comments), |out| {
+        Ok(out.block(&answer.table)?)
+    })?;
+    publish(files)?;
+    timings.lap("writing");
+    timings.report(context.shared.timings);
+    Ok(())
+}
+
+/// Map or spectrum of the file, and comments on where it comes from.
+fn load(args: &BemArgs, context: &Context<'_>) -> Result<(Measured, Vec<String>), Failure> {
     let request = args.map.treatment.told_of(args.map.untold.told_of(&args.surface));
     let options = MeasuredOptions {
         kind: args.kind,
@@ -98,27 +136,28 @@ fn load(
         error => Failure::input(error),
     })?;
     let mut comments = vec![program(context.typed)];
-    match found {
+    match &found {
         Measured::Map(map) => {
             let is_read = (OptionName::Reading, reading_options(&args.reading) != ReadOptions::default());
-            refuse_foreign(Kind::Scan, question.random.given().into_iter().chain([is_read]))?;
+            refuse_foreign(Kind::Scan, args.random.input().given().into_iter().chain([is_read]))?;
             psd::say_remarks(&map.remarks);
             comments.push(map.provenance.clone());
-            let prepared = question.on_map(relief(*map, args.map.boundary))?;
-            say_all(&prepared.notes, &Flags);
-            Ok((prepared, comments))
         }
         Measured::Spectrum(surface) => {
             refuse_foreign(Kind::Spectrum, args.map.given())?;
-            let prepared = question.on(&surface)?;
-            say_all(&prepared.notes, &Flags);
-            comments.extend(report::provenance::of_surface(&surface));
-            if let Surfaces::Random(random) = &prepared.surfaces {
-                comments.push(elements_words::random_surfaces(random));
-            }
-            Ok((prepared, comments))
+            comments.extend(report::provenance::of_surface(surface));
         }
     }
+    Ok((found, comments))
+}
+
+/// Says the notes on surfaces, and adds to the comments how they were made.
+fn told(mut comments: Vec<String>, notes: &[Note], surfaces: &Surfaces) -> Vec<String> {
+    say_all(notes, &Flags);
+    if let Surfaces::Random(random) = surfaces {
+        comments.push(elements_words::random_surfaces(random));
+    }
+    comments
 }
 
 /// Refuses options that mean something for the other kind of file.

@@ -1,9 +1,29 @@
 //! Boundary elements in words: the surfaces, and the limits of the results.
 
 use gaussian_surfaces::{AreaSpectrum, GridBand};
-use rough_bem::{PressedLoad, RandomSurfaces};
+use rough_bem::{BallCaution, PressedLoad, RandomSurfaces};
 use study::validity::SMALL_SLOPE_PRESSURE;
 use units::display::{counted, length, percent, pressure, three_digits};
+
+/// Says why the contact of a ball is doubtful.
+#[must_use]
+pub fn of_ball(caution: &BallCaution) -> String {
+    match caution {
+        BallCaution::CoarseGrid { points_per_radius } => format!(
+            "Hertz's radius has {} points of the grid, and 8 are needed for an answer",
+            three_digits(*points_per_radius)
+        ),
+        BallCaution::NarrowMap { radii_across_map } => format!(
+            "the map is {} of Hertz's radii wide; below 4 its edges carry load",
+            three_digits(*radii_across_map)
+        ),
+        BallCaution::LargeContact { radius_share } => format!(
+            "Hertz's radius is {} of the ball's; from 0.1 on a ball is no parabola",
+            three_digits(*radius_share)
+        ),
+        _ => "the contact of the ball is doubtful".to_owned(),
+    }
+}
 
 /// The note on a spectrum that was given as the spectrum of an area.
 pub const TAKEN_AS_IT_IS: &str =

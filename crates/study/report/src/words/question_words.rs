@@ -94,6 +94,14 @@ fn texts(note: &Note, spelling: &dyn Spelling) -> Vec<String> {
             elements_words::of_surfaces(&made.spectrum, &made.random, &made.grid, made.contact_modulus_pa)
         }
         Note::Pressed(loads) => elements_words::of_results(loads),
+        Note::Ball(caution) => vec![elements_words::of_ball(caution)],
+        Note::OnePlace => vec![
+            "one place decides little: its summits may carry half as much again as others; press several surfaces"
+                .to_owned(),
+        ],
+        Note::Places { scatter } => {
+            vec![format!("the real area differs by {} % between the places (standard deviation)", three_digits(100.0 * scatter))]
+        }
         Note::CoupledTractions { mismatch } => vec![format!(
             "pressing these bodies shears them as well (Dundurs' beta {}), which is left out; displacement and \
              loss hold for equal bodies",

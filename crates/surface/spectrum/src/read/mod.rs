@@ -202,7 +202,7 @@ fn area_note(psd: &Psd) -> Option<String> {
     (convention.metre_power() == 4).then(|| {
         format!(
             "the spectrum is that of an area ({convention}); the Abel integral over its samples converts it to C1D for an \
-             isotropic surface without roughness beyond them: it ends one sample earlier, and its last values are low{}",
+             isotropic surface without roughness beyond them: its last values are low, and the last one keeps the rms gradient{}",
             if psd.standard_errors().is_some() { "; standard errors are lost" } else { "" }
         )
     })
