@@ -7,11 +7,13 @@ import csv
 import time
 import warnings
 from pathlib import Path
+from typing import cast
 
 import four_models_in_scipy as scipy_script
 import numpy as np
 
 import truearea as ta
+from truearea._choices import StatisticalModel
 
 REFERENCE = Path(__file__).resolve().parents[2] / "tests" / "reference" / "statistical_many.csv"
 LAWS = {
@@ -48,7 +50,7 @@ def by_truearea(model: str, rows: list[dict[str, float]]) -> tuple[np.ndarray, f
     begun = time.perf_counter()
     materials = [ta.Material(row["youngs_modulus_pa"], row["poisson_ratio"], yield_strength=row["yield_strength_pa"]) for row in rows]
     states = ta.contact(
-        model=model,
+        model=cast(StatisticalModel, model),
         material=materials,
         radius=column["radius_m"],
         density=column["density_per_m2"],

@@ -11,6 +11,7 @@ import pytest
 
 import truearea as ta
 from support import REFERENCE, Columns, numbers, refused_naming, words
+from truearea._choices import StackedModel, StatisticalModel
 
 UNCD = "builtin:uncd-measured"
 DIAMOND = ta.Material(
@@ -38,7 +39,7 @@ def same(curve: ta.Result, crates: Columns) -> None:
 
 @pytest.mark.parametrize("grows", [False, True])
 @pytest.mark.parametrize("model", ["elastic", "elastic-plastic"])
-def test_stacks_are_those_of_the_command_line_bit_for_bit(model: str, grows: bool, command_line: Callable[..., Columns]) -> None:
+def test_stacks_are_those_of_the_command_line_bit_for_bit(model: StackedModel, grows: bool, command_line: Callable[..., Columns]) -> None:
     if grows and model == "elastic":
         with refused_naming("strain_gradient", "elastic"):
             ta.stacked(ta.read_psd(UNCD), DIAMOND, pressure=LOADS, model=model, strain_gradient=True)
@@ -51,7 +52,7 @@ def test_stacks_are_those_of_the_command_line_bit_for_bit(model: str, grows: boo
 
 @pytest.mark.parametrize("model", ["hertz", "ep-sphere", "elastic-sine", "ep-sine", "bgt"])
 def test_statistical_curves_are_those_of_the_command_line_bit_for_bit(
-    model: str, command_line: Callable[..., Columns]
+    model: StatisticalModel, command_line: Callable[..., Columns]
 ) -> None:
     call = ["statistical", UNCD, "--model", model, *OPTIONS, "--pressure", "1e-3 H", "--pressure", "2 MPa"]
     crates = command_line(*call, "--separation", "10 nm", "--details")

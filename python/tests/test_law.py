@@ -12,6 +12,7 @@ import pytest
 
 import truearea as ta
 from support import Columns, columns_of, numbers, refused_naming
+from truearea._choices import LawModel
 
 UNCD = "builtin:uncd-reconstructed"
 DIAMOND = ta.Material("463 GPa", 0.2)
@@ -25,7 +26,7 @@ def law() -> ta.ContactLaw:
 
 
 @pytest.mark.parametrize("model", ["persson", "hertz"])
-def test_rows_are_those_of_the_command_line_bit_for_bit(model: str, command_line: Callable[..., Columns]) -> None:
+def test_rows_are_those_of_the_command_line_bit_for_bit(model: LawModel, command_line: Callable[..., Columns]) -> None:
     crates = command_line("law", UNCD, "--model", model, "--dialect", "csv", *OPTIONS)
     law = ta.law(ta.read_psd(UNCD), DIAMOND, pressure=RANGE, model=model)
     found = (law.pressure_pa, law.overclosure_m, law.mean_gap_m, law.area_fraction)

@@ -5,11 +5,13 @@ from __future__ import annotations
 import subprocess
 import sys
 import threading
+from typing import get_args
 
 import numpy as np
 
 import truearea as ta
 from support import refused_naming
+from truearea._choices import GapModel, LawModel, ShearedModel, StackedModel, StatisticalModel
 
 
 def test_importing_brings_no_more_than_numpy_and_itself() -> None:
@@ -67,3 +69,17 @@ def test_threads_of_python_work_side_by_side() -> None:
         worker.join()
     ta.set_threads(before)
     assert len(found) == 4 and all(one == found[0] for one in found)
+
+
+def test_types_of_names_are_those_that_the_crates_know() -> None:
+    known = ta.models()
+    of = {framework: set(known.model[known.framework == framework]) for framework in set(known.framework)}
+    typed = [set(get_args(choices)) for choices in (StackedModel, StatisticalModel)]
+    assert typed[0] in of.values() and typed[1] in of.values()
+    assert set(get_args(GapModel)) == {*get_args(LawModel), "bem"}
+    spectrum, steel = ta.read_psd("builtin:uncd-measured"), ta.Material("210 GPa", 0.3, yield_strength="1 GPa")
+    for model in get_args(LawModel):
+        assert ta.gap(spectrum, steel, pressure="1 MPa", model=model).mean_gap_m.shape == (1,)
+    for shear in get_args(ShearedModel):
+        if shear != "bem":
+            assert ta.tangential(spectrum, steel, friction=0.3, pressure="10 MPa", model=shear).sizes

@@ -83,4 +83,4 @@ def test_mistakes_are_named(tmp_path: Path) -> None:
     with refused_naming("friction"):
         ta.tangential(spectrum, steel, friction=-0.1, pressure="1 MPa")
     with refused_naming("ep-sphere"):
-        ta.tangential(spectrum, steel, friction=0.1, pressure="1 MPa", model="ep-sphere")
+        ta.tangential(spectrum, steel, friction=0.1, pressure="1 MPa", model="ep-sphere")  # pyright: ignore[reportArgumentType]

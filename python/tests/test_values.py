@@ -23,6 +23,7 @@ from astropy import units as astropy_units  # type: ignore[import-untyped]
 
 import truearea as ta
 from support import refused_naming
+from truearea._choices import StatisticalModel
 
 PINT: Any = pint.UnitRegistry()
 OF_UNIT: dict[str, Callable[[Any, str], Any]] = {
@@ -74,7 +75,7 @@ def test_quantities_of_another_dimension_are_refused_by_name(library: str) -> No
 
 
 @pytest.mark.parametrize("model", ["hertz", "ep-sphere", "elastic-sine", "ep-sine", "bgt"])
-def test_flags_of_the_processor_are_left_alone(model: str) -> None:
+def test_flags_of_the_processor_are_left_alone(model: StatisticalModel) -> None:
     roughness: dict[str, Any] = {"m0": 1e-16, "m2": 1e-2, "m4": 4e12} if model == "bgt" else POPULATION
 
     def area(pressure: float) -> float:

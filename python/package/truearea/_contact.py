@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from truearea import _native
 from truearea._arrays import doubles
+from truearea._choices import StatisticalModel
 from truearea._material import Material
 from truearea._native import InputError
 from truearea._notes import noted
@@ -36,7 +37,7 @@ class ContactStates(Result):
 
 def contact(
     *,
-    model: str,
+    model: StatisticalModel,
     material: Material | Sequence[Material] | npt.NDArray[np.object_],
     radius: npt.ArrayLike | None = None,
     density: npt.ArrayLike | None = None,

@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from truearea import _native
+from truearea._choices import StackedModel, StatisticalModel
 from truearea._cores import material_of, surface_of
 from truearea._material import Material, Quantity
 from truearea._notes import noted
@@ -133,7 +134,7 @@ def stacked(
     material: Material,
     *,
     pressure: Pressures,
-    model: str = "elastic-plastic",
+    model: StackedModel = "elastic-plastic",
     strain_gradient: bool = False,
     amplitude: str = "eq5",
     cutoff: Quantity | None = None,
@@ -189,7 +190,7 @@ def statistical(
     spectrum: Spectrum,
     material: Material,
     *,
-    model: str,
+    model: StatisticalModel,
     pressure: Pressures | None = None,
     separation: Pressures | None = None,
     strain_gradient: bool = False,

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from truearea import _native
+from truearea._choices import Band, GapModel
 from truearea._cores import material_of, surface_of
 from truearea._curves import Pressures
 from truearea._material import Material, Quantity
@@ -59,9 +60,9 @@ def gap(
     material: Material,
     *,
     pressure: Pressures,
-    model: str = "persson",
+    model: GapModel = "persson",
     gamma: float | None = None,
-    band: str | None = None,
+    band: Band | None = None,
     strain_gradient: bool = False,
     hardness_formula: str | None = None,
     hardness: str | None = None,

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from truearea import _native
+from truearea._choices import Band, LawModel
 from truearea._cores import material_of, surface_of
 from truearea._curves import Pressures
 from truearea._material import Material, Quantity
@@ -127,10 +128,10 @@ def law(
     pressure: Pressures | None = None,
     from_pressure: Quantity | None = None,
     to_pressure: Quantity | None = None,
-    model: str = "persson",
+    model: LawModel = "persson",
     tolerance: float = 0.01,
     gamma: float | None = None,
-    band: str | None = None,
+    band: Band | None = None,
     strain_gradient: bool = False,
     hardness_formula: str | None = None,
     hardness: str | None = None,

@@ -14,7 +14,7 @@ class Caution(UserWarning):
 
 
 class Note(str):
-    """What was assumed, left out, or is doubtful, as text with its kind.
+    """Note on a result: an assumption, an omission or a doubt, as text with its kind.
 
     Attributes
     ----------

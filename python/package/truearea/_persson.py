@@ -9,6 +9,7 @@ import numpy as np
 
 from truearea import _native
 from truearea._arrays import doubles
+from truearea._choices import Band, PerssonModel
 from truearea._cores import material_of, surface_of
 from truearea._curves import Curve, Pressures, _curve
 from truearea._material import Material, Quantity
@@ -41,10 +42,10 @@ def persson(
     material: Material,
     *,
     pressure: Pressures,
-    model: str = "elastic",
+    model: PerssonModel = "elastic",
     correction: str | None = None,
     gamma: float = 0.45,
-    band: str = "1d",
+    band: Band = "1d",
     hardness_law: str | Mapping[str, Any] | pd.DataFrame | None = None,
     strain_gradient: bool = False,
     amplitude: str = "eq5",

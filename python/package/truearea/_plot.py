@@ -41,12 +41,12 @@ def area_axes(ax: Axes | None) -> Axes:
 def draw_map(
     ax: Axes, values: FloatArray, size_m: tuple[float, ...] | None, label: str, colour_of_none: str
 ) -> Axes:
-    """Draw values point by point, x to the right and y upwards, with a scale beside them."""
+    """Draw values point by point, the first row at the top as instruments show it, with a scale beside them."""
     import matplotlib as mpl
 
     colours = mpl.colormaps["viridis"].with_extremes(bad=colour_of_none)
-    extent = None if size_m is None else (0.0, size_m[0], 0.0, size_m[-1])
-    picture = ax.imshow(values, cmap=colours, origin="lower", extent=extent, interpolation="nearest")
+    extent = None if size_m is None else (0.0, size_m[0], size_m[-1], 0.0)
+    picture = ax.imshow(values, cmap=colours, origin="upper", extent=extent, interpolation="nearest")
     ax.set_xlabel("x (points)" if size_m is None else "x (m)")
     ax.set_ylabel("y (points)" if size_m is None else "y (m)")
     ax.get_figure(root=True).colorbar(picture, ax=ax, label=label)  # type: ignore[union-attr]

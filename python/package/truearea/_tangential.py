@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from truearea import _native
+from truearea._choices import Band, ShearedModel
 from truearea._cores import material_of, surface_of
 from truearea._curves import Pressures
 from truearea._material import Material, Quantity
@@ -68,9 +69,9 @@ def tangential(
     friction: float,
     pressure: Pressures,
     tangential_stress: Pressures | None = None,
-    model: str = "persson",
+    model: ShearedModel = "persson",
     gamma: float | None = None,
-    band: str | None = None,
+    band: Band | None = None,
     interference_law: str | None = None,
     normalisation: str | None = None,
     cutoff: Quantity | None = None,
