@@ -335,3 +335,16 @@ def test_ctrl_c_ends_a_long_run() -> None:
     assert time.monotonic() - begin < 10.0
     # The next call is none the worse for it.
     assert ta.boundary_elements(wave(), 1e-6, pressure="1 MPa", material=GLASS).area_fraction[0] > 0.0
+
+
+def test_the_material_may_come_second_as_in_all_other_functions() -> None:
+    heights = 1e-9 * np.random.default_rng(5).standard_normal((16, 16))
+    steel = ta.Material("210 GPa", 0.3)
+    once = ta.boundary_elements(heights, "1 um", "10 MPa", steel)
+    now = ta.boundary_elements(heights, steel, pressure="10 MPa", size="1 um")
+    named = ta.boundary_elements(heights, material=steel, pressure="10 MPa", size="1 um")
+    assert once == now == named
+    spectrum = ta.read_psd("builtin:uncd-measured")
+    assert ta.boundary_elements(spectrum, steel, pressure="10 MPa", grid=16, realisations=2).sizes["load"] == 1
+    with refused_naming("material", "pressure="):
+        ta.boundary_elements(heights, steel, "10 MPa")  # type: ignore[call-overload]  # pyright: ignore[reportCallIssue, reportArgumentType]

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+import functools
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, TypedDict, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -22,6 +24,7 @@ from truearea._topography import heights_and_size, is_topography
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from typing_extensions import Unpack
 
 
 class Pressed(Result):
@@ -84,6 +87,67 @@ class Pressed(Result):
         return name == "nominal_pressure_pa" and super()._is_coordinate(name)
 
 
+if TYPE_CHECKING:
+
+    class _Options(TypedDict, total=False):
+        """What is said by name in either order."""
+
+        periodic: bool | None
+        detrend: str | None
+        tolerance: float
+        fields: bool
+        grid: int | None
+        realisations: int | None
+        seed: int | None
+        longest: Quantity | None
+        shortest: Quantity | None
+        side: Quantity | None
+        phases: str | None
+        per_realisation: bool
+        progress: Progress
+
+
+def _in_either_order(press: Callable[..., Pressed]) -> Callable[..., Pressed]:
+    """Lets the material stand behind the surface, as in all other functions, or behind size and pressure, as it once did."""
+
+    @functools.wraps(press)
+    def pressing(h: Any, *ordered: Any, **named: Any) -> Pressed:
+        material, *further = ordered or (None,)
+        if isinstance(material, Material):
+            if further:
+                raise InputError("behind the material, arguments are given by name: boundary_elements(h, material, pressure=...)")
+            return press(h, material=material, **named)
+        return press(h, *ordered, **named)
+
+    # The overloads tell the arguments; the wrapped function would tell one order alone.
+    del pressing.__wrapped__
+    return pressing
+
+
+@overload
+def boundary_elements(
+    h: Any,
+    material: Material,
+    *,
+    pressure: Pressures,
+    size: Quantity | tuple[Quantity, Quantity] | None = None,
+    saturation: Quantity | None = None,
+    **options: Unpack[_Options],
+) -> Pressed: ...
+
+
+@overload
+def boundary_elements(
+    h: Any,
+    size: Quantity | tuple[Quantity, Quantity] | None = None,
+    pressure: Pressures | None = None,
+    material: Material | None = None,
+    saturation: Quantity | None = None,
+    **options: Unpack[_Options],
+) -> Pressed: ...
+
+
+@_in_either_order
 def boundary_elements(
     h: Any,
     size: Quantity | tuple[Quantity, Quantity] | None = None,
@@ -106,6 +170,8 @@ def boundary_elements(
     progress: Progress = False,
 ) -> Pressed:
     """Press heights, or random surfaces of a spectrum, into a half-space that is elastic or flows at a hardness.
+
+    The material may come second, as in all other functions: ``boundary_elements(h, material, pressure="1 MPa", size="1 um")``.
 
     Every point of the grid carries a pressure, and equilibrium is found by conjugate directions with the displacements of the
     half-space by fast Fourier transforms. Areas are corrected for the staircase around each spot (Yastrebov, Anciaux & Molinari
