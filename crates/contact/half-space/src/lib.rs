@@ -5,8 +5,10 @@
 //! * [`Elements`]: a surface laid out on them, periodic or free, which can be pressed many times.
 //! * [`Loading`]: modulus, pressure, saturation and tolerance.
 //! * [`Contact`]: pressures and gaps in equilibrium, with areas, mean gap and energy.
+//! * [`AdhesiveElements`]: a periodic surface that attracts the half-space, with the gap as the unknown.
 //! * [`OpenPaths`]: channels through which a fluid crosses the contact.
 
+mod adhesion;
 mod area;
 mod contact;
 mod descent;
@@ -23,6 +25,10 @@ mod stiffness;
 mod sums;
 mod transform;
 
+pub use adhesion::{
+    Adhesion, AdhesionError, AdhesiveContact, AdhesiveElements, Control, GOOD_RESOLUTION, LEAST_RESOLUTION,
+    Start,
+};
 pub use area::extrapolated_area;
 pub use contact::{Contact, Ending};
 pub use elements::{Elements, PROGRESS_STEPS};

@@ -33,7 +33,7 @@ pub(crate) fn free(grid: &Grid) -> Operators {
 }
 
 /// Wave number |q| of a wave with given periods along y and x, in units of the longest wave.
-fn wave_number(grid: Grid) -> impl Fn(usize, usize) -> f64 + Copy {
+pub(crate) fn wave_number(grid: Grid) -> impl Fn(usize, usize) -> f64 + Copy {
     let unit_per_m = grid.unit_wave_number_per_m();
     let along_y = TAU / grid.length_y_m() / unit_per_m;
     let along_x = TAU / grid.length_x_m() / unit_per_m;

@@ -1,0 +1,180 @@
+//! Adhesive contacts compared with two independent programs, with Johnson's wave and with limits of the theory.
+
+use std::f64::consts::PI;
+
+use approx::assert_relative_eq;
+use half_space::{Adhesion, AdhesionError, AdhesiveContact, AdhesiveElements, Control, Grid, Start};
+use half_space::{Elements, Loading};
+use parallel::Unobserved;
+
+fn reference_file(name: &str) -> Vec<u8> {
+    std::fs::read(format!("{}/../../../tests/reference/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
+}
+
+/// Grid and heights of a reference map.
+fn reference_map(name: &str) -> (Grid, Vec<f64>) {
+    let file = format!("adhesion_{name}.nc");
+    let read = scans::read_scans(&reference_file(&file), &file, &scans::ScanOptions::default()).unwrap();
+    let scans::Scan::Map(map) = read[0].scan.clone().complete().unwrap() else { panic!("{name}: no map") };
+    let [length_x_m, length_y_m] =
+        [map.columns() as f64 * map.spacing_x_m(), map.rows() as f64 * map.spacing_y_m()];
+    (Grid::new(map.rows(), map.columns(), length_x_m, length_y_m).unwrap(), map.heights_m().to_vec())
+}
+
+/// Rows of a table of references as functions from names to values.
+fn each_row(name: &str, mut see: impl FnMut(&str, &dyn Fn(&str) -> f64)) {
+    let table = reference_file(name);
+    let mut reader = csv::Reader::from_reader(table.as_slice());
+    let headers = reader.headers().unwrap().clone();
+    for record in reader.records() {
+        let record = record.unwrap();
+        see(&record[0], &|name| {
+            let at = headers.iter().position(|header| header == name).unwrap();
+            record[at].parse().unwrap()
+        });
+    }
+}
+
+fn adhesion_of(field: &dyn Fn(&str) -> f64) -> Adhesion {
+    Adhesion {
+        work_j_per_m2: 1e-6 * field("work_of_adhesion_over_e_star_um"),
+        range_m: 1e-6 * field("range_um"),
+    }
+}
+
+fn solved(elements: &mut AdhesiveElements, control: Control, start: Start) -> AdhesiveContact {
+    elements.solve(control, start, 1e-9, &Unobserved).unwrap()
+}
+
+#[test]
+fn rows_are_those_of_two_independent_programs_from_both_starts() {
+    let mut rows = 0;
+    each_row("adhesion.csv", |map, field| {
+        if map == "c" {
+            return;
+        }
+        let (grid, heights_m) = reference_map(map);
+        let pixel = 1.01 / grid.points() as f64;
+        let mut elements = AdhesiveElements::new(grid, &heights_m, 1.0, adhesion_of(field)).unwrap();
+        for start in [Start::Apart, Start::Contact] {
+            let state = solved(&mut elements, Control::PressurePa(field("pressure_over_e_star")), start);
+            assert!((state.area_fraction - field("area_fraction")).abs() < pixel, "{map} {start:?}");
+            assert!((state.repulsive_area_fraction - field("repulsive_area_fraction")).abs() < pixel);
+            assert_relative_eq!(state.mean_gap_m, 1e-6 * field("mean_gap_um"), max_relative = 1e-6);
+            assert_relative_eq!(
+                state.mean_attraction_pa,
+                field("mean_attraction_over_e_star"),
+                max_relative = 1e-6
+            );
+            assert_relative_eq!(
+                state.largest_contact_pressure_pa,
+                field("largest_contact_pressure_over_e_star"),
+                max_relative = 1e-5
+            );
+        }
+        rows += 1;
+    });
+    assert_eq!(rows, 18);
+}
+
+#[test]
+fn held_mean_gaps_give_the_pressures_of_the_reference() {
+    let mut rows = 0;
+    each_row("adhesion_pull_off.csv", |map, field| {
+        let (grid, heights_m) = reference_map(map);
+        let mut elements = AdhesiveElements::new(grid, &heights_m, 1.0, adhesion_of(field)).unwrap();
+        let state = solved(&mut elements, Control::MeanGapM(1e-6 * field("mean_gap_um")), Start::Apart);
+        assert_relative_eq!(state.nominal_pressure_pa, field("pressure_over_e_star"), max_relative = 1e-6);
+        assert_relative_eq!(state.area_fraction, field("area_fraction"), epsilon = 1.01 / 9216.0);
+        assert!(state.is_metastable());
+        rows += 1;
+    });
+    assert_eq!(rows, 7);
+}
+
+/// Wave along a line with E* = 1, lambda = 1 and the work of adhesion of the contract.
+fn wave(points: usize, process_zone: f64) -> AdhesiveElements {
+    let heights: Vec<f64> =
+        (0..points).map(|at| 0.01 * (2.0 * PI * at as f64 / points as f64).cos()).collect();
+    let work_j_per_m2 = PI * PI / 4.0 * 1e-5;
+    let adhesion = Adhesion { work_j_per_m2, range_m: (process_zone * work_j_per_m2).sqrt() };
+    let grid = Grid::new(1, points, 1.0, 1.0).unwrap();
+    AdhesiveElements::new(grid, &heights, 1.0, adhesion).unwrap()
+}
+
+#[test]
+fn wave_is_that_of_johnson() {
+    let full_pa = 0.01 * PI;
+    let mut elements = wave(1024, 0.01);
+    for (share, johnson) in [(0.25, 0.4784), (0.1, 0.3519), (0.0, 0.2468)] {
+        let state = solved(&mut elements, Control::PressurePa(share * full_pa), Start::Apart);
+        let area = state.area_fraction + 1.4 * 0.01;
+        assert!((area - johnson).abs() < 0.002, "{share}: {area} and {johnson}");
+    }
+}
+
+#[test]
+fn full_contact_outlives_the_load_at_which_it_forms() {
+    let full_pa = 0.01 * PI;
+    let mut elements = wave(1024, 0.01);
+    let least_pa = elements.full_contact_pressure_pa();
+    assert!(least_pa < 0.1 * full_pa, "{least_pa}");
+    let apart = solved(&mut elements, Control::PressurePa(0.1 * full_pa), Start::Apart);
+    let contact = solved(&mut elements, Control::PressurePa(0.1 * full_pa), Start::Contact);
+    assert!((apart.area_fraction - 0.34).abs() < 0.005 && contact.area_fraction == 1.0);
+}
+
+fn plain_mean_gap_m(grid: Grid, heights_m: &[f64], pressure_pa: f64) -> (f64, Vec<f64>) {
+    let loading = Loading {
+        contact_modulus_pa: 1.0,
+        nominal_pressure_pa: pressure_pa,
+        saturation_pa: None,
+        tolerance: 1e-12,
+    };
+    let contact = Elements::periodic(grid, heights_m).unwrap().press(&loading, &Unobserved).unwrap();
+    (contact.mean_gap_m, contact.gaps_m)
+}
+
+#[test]
+fn weak_adhesion_is_plain_contact() {
+    let (grid, heights_m) = reference_map("a");
+    let (plain_m, gaps_m) = plain_mean_gap_m(grid, &heights_m, 0.005);
+    for (work, share) in [(1e-13, 3e-3), (1e-14, 3e-4)] {
+        let adhesion = Adhesion { work_j_per_m2: work, range_m: 1e-9 };
+        let mut elements = AdhesiveElements::new(grid, &heights_m, 1.0, adhesion).unwrap();
+        let state = solved(&mut elements, Control::PressurePa(0.005), Start::Apart);
+        assert_relative_eq!(state.mean_gap_m, plain_m, max_relative = share);
+        let attraction = |gap_m: &f64| work / 1e-9 * (-gap_m.max(0.0) / 1e-9).exp();
+        let mean_pa = gaps_m.iter().map(attraction).sum::<f64>() / gaps_m.len() as f64;
+        assert_relative_eq!(state.mean_attraction_pa, mean_pa, max_relative = share);
+    }
+}
+
+#[test]
+fn attraction_of_a_long_range_is_a_load() {
+    let (grid, heights_m) = reference_map("a");
+    let strength_pa = 0.003;
+    let (plain_m, _) = plain_mean_gap_m(grid, &heights_m, 0.005 + strength_pa);
+    for ratio in [100.0, 1000.0] {
+        let range_m = ratio * plain_m;
+        let adhesion = Adhesion { work_j_per_m2: strength_pa * range_m, range_m };
+        let mut elements = AdhesiveElements::new(grid, &heights_m, 1.0, adhesion).unwrap();
+        let state = solved(&mut elements, Control::PressurePa(0.005), Start::Apart);
+        let off = (state.mean_gap_m / plain_m - 1.0) * ratio;
+        assert!(off.abs() < 2.0, "{ratio}: {off}");
+    }
+}
+
+#[test]
+fn unresolved_process_zones_and_loads_beyond_pull_off_are_refused() {
+    let (grid, heights_m) = reference_map("a");
+    let tight = Adhesion { work_j_per_m2: 3.75e-11, range_m: 1.25e-10 };
+    let error = AdhesiveElements::new(grid, &heights_m, 1.0, tight).err().unwrap();
+    let AdhesionError::Unresolved { points, process_zone_m, .. } = error else { panic!("{error}") };
+    assert_eq!(points, (2.0 * grid.length_x_m() / process_zone_m).ceil() as usize);
+    let adhesion = Adhesion { work_j_per_m2: 3.75e-11, range_m: 1.25e-9 };
+    let mut elements = AdhesiveElements::new(grid, &heights_m, 1.0, adhesion).unwrap();
+    assert!(elements.solve(Control::PressurePa(-7e-4), Start::Contact, 1e-8, &Unobserved).is_ok());
+    let error = elements.solve(Control::PressurePa(-2e-3), Start::Contact, 1e-8, &Unobserved).unwrap_err();
+    assert_eq!(error, AdhesionError::PulledOff { nominal_pressure_pa: -2e-3 });
+}
