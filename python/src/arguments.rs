@@ -14,7 +14,8 @@ use rough_bem::RandomChoices;
 use study::growth_law::GrowthLaw;
 use study::models::ModelOptions;
 use units::{
-    Bound, IndentationHardness, Length, Modulus, Pressure, QuantityError, SignedLength, UnknownName, display,
+    Bound, Force, IndentationHardness, Length, Modulus, Pressure, QuantityError, SignedLength, UnknownName,
+    display,
 };
 
 use crate::errors::{input, of_argument};
@@ -239,6 +240,7 @@ quantities! {
     Length, "m", "5 um", Bound::Positive, |m| Length { m };
     SignedLength, "m", "-5 nm", Bound::Finite, |m| SignedLength { m };
     Modulus, "Pa", "210 GPa", Bound::Positive, |pa| Modulus { pa };
+    Force, "N", "10 mN", Bound::Positive, |n| Force { n };
     IndentationHardness, "Pa", "3 GPa", Bound::Positive, |pa| IndentationHardness { pa };
     Pressure, "Pa", "5 MPa", Bound::Positive, Pressure::Pascals;
 }

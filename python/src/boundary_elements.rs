@@ -5,11 +5,11 @@ use std::sync::{Mutex, PoisonError};
 use numpy::{PyArrayDyn, PyArrayMethods, PyReadonlyArray2, PyReadwriteArrayDyn};
 use pyo3::prelude::*;
 use pyo3::types::{PyCFunction, PyTuple};
-use questions::{ElementsQuestion, PreparedElements, QuestionError};
+use questions::{BallQuestion, ElementsQuestion, PreparedBall, PreparedElements, QuestionError};
 use rough_bem::{Boundary, Field, Relief, Surfaces};
 use scans::HeightMap;
 use topography::{Recipe, detrended_m};
-use units::Length;
+use units::{Force, Length};
 
 use crate::answer::{PyAnswer, refused};
 use crate::arguments::{Arguments, Given, number, quantity};
@@ -24,7 +24,7 @@ type Observer = Option<Py<PyAny>>;
 /// Pressures \[Pa\] and gaps \[m\] of surface after surface under load after load, and the heights \[m\] of the surfaces.
 type Fields<'py> = (Bound<'py, PyArrayDyn<f64>>, Bound<'py, PyArrayDyn<f64>>, Bound<'py, PyArrayDyn<f64>>);
 
-/// Presses a map of heights \[m\], row by row along x. `repeats` says whether the heights repeat themselves beyond the map, and
+/// Presses a map of heights \[m\], row by row along x, by a flat or by a ball. `repeats` says whether the heights repeat themselves beyond the map, and
 /// the argument `periodic` whether they are pressed so.
 #[pyfunction]
 pub fn press_heights<'py>(
@@ -36,7 +36,6 @@ pub fn press_heights<'py>(
     arguments: Arguments<'py>,
     observer: Observer,
 ) -> PyResult<(PyAnswer, Option<Fields<'py>>)> {
-    let question = question(material, &arguments)?;
     let [x, y] = &size;
     let [length_x, length_y]: [Length; 2] = [quantity("size[0]", x)?, quantity("size[1]", y)?];
     let recipe = Recipe { detrend: arguments.named("detrend")?, ..Recipe::default() };
@@ -53,10 +52,14 @@ pub fn press_heights<'py>(
         heights_m: detrended_m(&map, recipe.preparation(repeats).detrend),
         boundary: if arguments.flag("periodic")? { Boundary::Periodic } else { Boundary::Free },
     };
+    if let Some(ball) = ball_question(material, &arguments)? {
+        return press_ball(py, &ball.on_map(relief).map_err(refused)?, observer);
+    }
+    let question = question(material, &arguments)?;
     press(py, &question.on_map(relief).map_err(refused)?, &arguments, observer)
 }
 
-/// Presses random surfaces that have a spectrum.
+/// Presses random surfaces that have a spectrum, by a flat or by a ball.
 #[pyfunction]
 pub fn press_spectrum<'py>(
     py: Python<'py>,
@@ -65,7 +68,12 @@ pub fn press_spectrum<'py>(
     arguments: Arguments<'py>,
     observer: Observer,
 ) -> PyResult<(PyAnswer, Option<Fields<'py>>)> {
-    let question = ElementsQuestion { random: arguments.random()?, ..question(material, &arguments)? };
+    let random = arguments.random()?;
+    if let Some(ball) = ball_question(material, &arguments)? {
+        let ball = BallQuestion { random, ..ball };
+        return press_ball(py, &ball.on(&surface.surface).map_err(refused)?, observer);
+    }
+    let question = ElementsQuestion { random, ..question(material, &arguments)? };
     press(py, &question.on(&surface.surface).map_err(refused)?, &arguments, observer)
 }
 
@@ -78,6 +86,47 @@ fn question(material: &PyMaterial, arguments: &Arguments<'_>) -> PyResult<Elemen
         ..ElementsQuestion::default()
     };
     question.check().map(|()| question).map_err(refused)
+}
+
+/// The question about a ball, if `ball_radius` is given.
+fn ball_question(material: &PyMaterial, arguments: &Arguments<'_>) -> PyResult<Option<BallQuestion>> {
+    let Some(radius_m) = arguments.length_m("ball_radius")? else { return Ok(None) };
+    let question = BallQuestion {
+        material: material.input,
+        radius_m,
+        force_n: arguments.required("force", quantity::<Force>)?.n,
+        tolerance: arguments.required("tolerance", number)?,
+        ..BallQuestion::default()
+    };
+    question.check().map(|()| Some(question)).map_err(refused)
+}
+
+/// Presses a ball onto every surface; the number of steps is not known beforehand.
+fn press_ball<'py>(
+    py: Python<'py>,
+    prepared: &PreparedBall,
+    observer: Observer,
+) -> PyResult<(PyAnswer, Option<Fields<'py>>)> {
+    let observer = counting(py, observer, None)?;
+    let answer = carry_out(py, observer.as_ref().map(|observer| observer.as_any()), |progress| {
+        prepared.answer(progress)
+    })?;
+    let answer = answer.map_err(refused)?;
+    Ok((PyAnswer::new(py, &answer.table, [prepared.notes.clone(), answer.notes].concat())?, None))
+}
+
+/// Wraps an observer, which is told the name of the steps, how many are done, and of how many.
+fn counting<'py>(
+    py: Python<'py>,
+    observer: Observer,
+    steps: Option<usize>,
+) -> PyResult<Option<Bound<'py, PyCFunction>>> {
+    let told = |observer: Py<PyAny>| {
+        PyCFunction::new_closure(py, None, None, move |done: &Bound<'_, PyTuple>, _| -> PyResult<()> {
+            observer.call1(done.py(), ("steps", done.get_item(0)?, steps)).map(drop)
+        })
+    };
+    observer.map(told).transpose()
 }
 
 /// Presses every surface under every load; the observer is told of the steps.
@@ -104,13 +153,7 @@ fn press<'py>(
         }
         Ok(())
     };
-    let steps = prepared.steps();
-    let told = |observer: Py<PyAny>| {
-        PyCFunction::new_closure(py, None, None, move |done: &Bound<'_, PyTuple>, _| -> PyResult<()> {
-            observer.call1(done.py(), ("steps", done.get_item(0)?, steps)).map(drop)
-        })
-    };
-    let observer = observer.map(told).transpose()?;
+    let observer = counting(py, observer, Some(prepared.steps()))?;
     let observer = observer.as_ref().map(|observer| observer.as_any());
     let pressed = carry_out(py, observer, |progress| prepared.answer(see, progress))?;
     let (loads, notes) = pressed.map_err(refused)?;

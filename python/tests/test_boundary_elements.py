@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import _thread
+import inspect
 import pickle
 import threading
 import time
@@ -348,3 +349,72 @@ def test_the_material_may_come_second_as_in_all_other_functions() -> None:
     assert ta.boundary_elements(spectrum, steel, pressure="10 MPa", grid=16, realisations=2).sizes["load"] == 1
     with refused_naming("material", "pressure="):
         ta.boundary_elements(heights, steel, "10 MPa")  # type: ignore[call-overload]  # pyright: ignore[reportCallIssue, reportArgumentType]
+
+
+def test_the_signature_shows_the_order_of_all_other_functions() -> None:
+    shown = inspect.signature(ta.boundary_elements).parameters
+    assert list(shown)[:4] == ["h", "material", "pressure", "size"]
+    kinds = {parameter.kind for parameter in list(shown.values())[2:]}
+    assert kinds == {inspect.Parameter.KEYWORD_ONLY}
+    assert {"saturation", "tolerance", "grid", "ball_radius", "force", "progress"} <= set(shown)
+
+
+BUMPS = 1e-9 * np.random.default_rng(3).standard_normal((64, 64))
+
+
+def test_a_ball_on_a_smooth_flat_is_hertz() -> None:
+    # E* = 100 GPa, R = 1 mm, F = 1 mN: a = (3FR/4E*)^(1/3), p0 = 3F/(2 pi a^2).
+    radius_m = (0.75 * 1e-3 * 1e-3 / 100e9) ** (1 / 3)
+    flat = np.zeros((128, 128))
+    flat[0, 0] = -1e-15
+    pressed = ta.boundary_elements(flat, GLASS, ball_radius="1 mm", force="1 mN", size=8 * radius_m, detrend="mean")
+    assert pressed.hertz_radius_m[0] == pytest.approx(radius_m, rel=1e-9)
+    assert pressed.effective_radius_m[0] == pytest.approx(radius_m, rel=0.01)
+    assert pressed.hertz_pressure_pa[0] == pytest.approx(1.5e-3 / (np.pi * radius_m**2), rel=1e-9)
+    assert pressed.peak_mean_pressure_pa[0] == pytest.approx(pressed.hertz_pressure_pa[0], rel=0.05)
+
+
+@pytest.mark.parametrize("kind", ["map", "spectrum"])
+def test_balls_are_pressed_as_the_command_line_presses_them(kind: str, command_line: Callable[..., Columns]) -> None:
+    ball = ["--ball-radius", "100um", "--force", "1uN", "--tolerance", "1e-5"]
+    options: dict[str, Any] = {"ball_radius": "100 um", "force": 1e-6, "tolerance": 1e-5}
+    if kind == "map":
+        file = REFERENCE / "bem_b.nc"
+        crates = command_line("bem", str(file), "--youngs-modulus", "100GPa", "--poisson-ratio", "0", *ball)
+        pressed = ta.boundary_elements(ta.read_scan(file), GLASS, **options)
+    else:
+        crates = command_line("bem", UNCD, *TYPED, *ball)
+        pressed = ta.boundary_elements(ta.read_psd(UNCD), GLASS, **options, **RANDOM)
+    assert isinstance(pressed, ta.PressedBall)
+    assert set(crates) - set(pressed) == {"realisation"}
+    for name in pressed:
+        assert np.array_equal(pressed[name], numbers(crates, name), equal_nan=True), name
+    assert pressed.axes("real_area_m2") == ("surface",) and pickle.loads(pickle.dumps(pressed)) == pressed
+
+
+@pytest.mark.parametrize(
+    ("changes", "told"),
+    [
+        ({"pressure": "1 MPa"}, "pressure ball"),
+        ({"saturation": "1 GPa"}, "saturation ball"),
+        ({"periodic": True}, "periodic ball"),
+        ({"fields": True}, "fields ball"),
+        ({"force": None}, "force NoneType"),
+        ({"force": "1 MPa"}, "force:"),
+        ({"force": -1.0}, "force -1;"),
+        ({"ball_radius": None}, "force ball_radius"),
+        ({"ball_radius": "1 N"}, "ball_radius:"),
+        ({"force": "1 kN"}, "19.6 500"),
+    ],
+)
+def test_balls_that_cannot_be_pressed_are_refused(changes: dict[str, Any], told: str) -> None:
+    given: dict[str, Any] = {"ball_radius": "1 um", "force": "1 nN", "size": "1 um"} | changes
+    with refused_naming(*told.split()):
+        ta.boundary_elements(BUMPS, GLASS, **given)
+
+
+def test_a_watcher_of_a_ball_does_not_know_the_end() -> None:
+    told: list[tuple[int, int | None]] = []
+    watch: Any = lambda done, of: told.append((done, of))
+    ta.boundary_elements(BUMPS, GLASS, ball_radius="100 um", force="1 uN", size="10 um", progress=watch)
+    assert told and {of for _, of in told} == {None}

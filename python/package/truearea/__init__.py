@@ -4,7 +4,7 @@ Arrays in, tables out: see the functions and classes that are listed in ``truear
 quantity has a unit, text such as ``"5 MPa"`` or ``"1e-3 H"`` does as well.
 """
 
-from truearea._boundary_elements import Pressed, boundary_elements
+from truearea._boundary_elements import Pressed, PressedBall, boundary_elements
 from truearea._composite import composite
 from truearea._contact import ContactStates, contact
 from truearea._curves import StackedCurve, StatisticalCurve, stacked, statistical
@@ -44,6 +44,7 @@ __all__ = [
     "Note",
     "PerssonCurve",
     "Pressed",
+    "PressedBall",
     "Result",
     "Roughness",
     "Samples",

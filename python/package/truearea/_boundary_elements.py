@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import functools
+import inspect
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, TypedDict, overload
+from typing import TYPE_CHECKING, Any, TypedDict, Union, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -87,15 +88,31 @@ class Pressed(Result):
         return name == "nominal_pressure_pa" and super()._is_coordinate(name)
 
 
+class PressedBall(Result):
+    """A smooth ball pressed onto rough flats by boundary elements, along the flats."""
+
+    _title = "ball on a rough flat"
+    __slots__ = ()
+    force_n: FloatArray
+    real_area_m2: FloatArray
+    effective_radius_m: FloatArray
+    hertz_radius_m: FloatArray
+    peak_mean_pressure_pa: FloatArray
+    hertz_pressure_pa: FloatArray
+    force_share: FloatArray
+    outermost_contact_m: FloatArray
+    real_area_corrected_m2: FloatArray
+    roughness_number: FloatArray
+    residual: FloatArray
+
+
 if TYPE_CHECKING:
 
-    class _Options(TypedDict, total=False):
-        """What is said by name in either order."""
+    class _OfBalls(TypedDict, total=False):
+        """Arguments by name that a ball takes as a flat does."""
 
-        periodic: bool | None
         detrend: str | None
         tolerance: float
-        fields: bool
         grid: int | None
         realisations: int | None
         seed: int | None
@@ -103,15 +120,23 @@ if TYPE_CHECKING:
         shortest: Quantity | None
         side: Quantity | None
         phases: str | None
-        per_realisation: bool
         progress: Progress
 
+    class _Options(_OfBalls, total=False):
+        """Arguments by name in either order."""
 
-def _in_either_order(press: Callable[..., Pressed]) -> Callable[..., Pressed]:
+        periodic: bool | None
+        fields: bool
+        per_realisation: bool
+
+    _AnyPressed = Union[Pressed, PressedBall]
+
+
+def _in_either_order(press: Callable[..., _AnyPressed]) -> Callable[..., _AnyPressed]:
     """Lets the material stand behind the surface, as in all other functions, or behind size and pressure, as it once did."""
 
     @functools.wraps(press)
-    def pressing(h: Any, *ordered: Any, **named: Any) -> Pressed:
+    def pressing(h: Any, *ordered: Any, **named: Any) -> _AnyPressed:
         material, *further = ordered or (None,)
         if isinstance(material, Material):
             if further:
@@ -119,9 +144,20 @@ def _in_either_order(press: Callable[..., Pressed]) -> Callable[..., Pressed]:
             return press(h, material=material, **named)
         return press(h, *ordered, **named)
 
-    # The overloads tell the arguments; the wrapped function would tell one order alone.
+    # Help and editors show the order of all other functions; the former one is accepted in silence.
     del pressing.__wrapped__
+    setattr(pressing, "__signature__", _with_material_second(inspect.signature(press)))
     return pressing
+
+
+def _with_material_second(signature: inspect.Signature) -> inspect.Signature:
+    """The signature with the material behind the surface, and all further arguments by name."""
+    known = dict(signature.parameters)
+    first = [known.pop("h"), known.pop("material").replace(default=inspect.Parameter.empty, annotation="Material")]
+    by_name = [known.pop(name) for name in ("pressure", "size")] + list(known.values())
+    return signature.replace(
+        parameters=first + [parameter.replace(kind=inspect.Parameter.KEYWORD_ONLY) for parameter in by_name]
+    )
 
 
 @overload
@@ -134,6 +170,18 @@ def boundary_elements(
     saturation: Quantity | None = None,
     **options: Unpack[_Options],
 ) -> Pressed: ...
+
+
+@overload
+def boundary_elements(
+    h: Any,
+    material: Material,
+    *,
+    ball_radius: Quantity,
+    force: Quantity,
+    size: Quantity | tuple[Quantity, Quantity] | None = None,
+    **options: Unpack[_OfBalls],
+) -> PressedBall: ...
 
 
 @overload
@@ -168,7 +216,9 @@ def boundary_elements(
     phases: str | None = None,
     per_realisation: bool = False,
     progress: Progress = False,
-) -> Pressed:
+    ball_radius: Quantity | None = None,
+    force: Quantity | None = None,
+) -> Pressed | PressedBall:
     """Press heights, or random surfaces of a spectrum, into a half-space that is elastic or flows at a hardness.
 
     The material may come second, as in all other functions: ``boundary_elements(h, material, pressure="1 MPa", size="1 um")``.
@@ -182,13 +232,13 @@ def boundary_elements(
     h : array_like of float, shape (rows, columns), or Scan, or a topography, or Spectrum
         Heights in m; higher points touch first. Axis 0 is y, axis 1 is x. Or a scan or an object of SurfaceTopography, which
         know their size and unit. Or a spectrum, of which random surfaces are made.
-    size : float or str, or two of them
-        Lengths (lx, ly) of the map in m or as text, ``columns`` and ``rows`` spacings; one for a square of as many rows as
-        columns.
-    pressure : float, str, or sequence of them
-        Nominal pressures, in Pa or as text such as ``"5 MPa"`` or ``"1e-3 H"``.
     material : Material
         The bodies in contact, of which E* counts, and the hardness as a unit.
+    pressure : float, str, or sequence of them
+        Nominal pressures, in Pa or as text such as ``"5 MPa"`` or ``"1e-3 H"``; with a ball, ``force`` in their place.
+    size : float or str, or two of them, optional
+        Lengths (lx, ly) of the map in m or as text, ``columns`` and ``rows`` spacings; one for a square of as many rows as
+        columns. Scans, topographies and spectra know their own.
     saturation : float or str, optional
         The pressure at which the surface flows, an indentation hardness such as ``"3 GPa"`` or ``"1 H"``; elastic throughout
         where left out.
@@ -198,7 +248,8 @@ def boundary_elements(
     detrend : {"plane", "line", "mean"}, optional
         What is subtracted from heights: by default a plane, from those that repeat themselves the mean.
     tolerance : float, default 1e-6
-        The largest residual, sum p|g| over sum p h_rms, above 0 and at most 0.1.
+        The residual at which the iteration stops, above 0 and at most 0.1. The residual is the mean of ``|gap|`` over the points
+        in contact below the saturation, weighted with their pressures and divided by the rms height: an exact solution has 0.
     fields : bool, default False
         Give pressure and gap of every point as well.
     grid : int, default 512
@@ -218,6 +269,11 @@ def boundary_elements(
         Tell of each random surface instead of their mean.
     progress : bool or callable, default False
         True shows a line on stderr; a callable is told the steps done and how many there are.
+    ball_radius : float or str, optional
+        Radius in m of a smooth ball that is pressed onto the middle of the surface, whose edges are free, as
+        ``truearea bem --ball-radius`` does.
+    force : float or str, optional
+        Force on the ball, in N or as text such as ``"10 mN"``.
 
     Returns
     -------
@@ -228,6 +284,11 @@ def boundary_elements(
         ``largest_pressure_pa``, ``stiffness_pa_per_m``; ``open_along_x`` and ``open_along_y``, the share of the surfaces that an
         open way crosses; ``iterations``, ``residual``. With ``fields``, ``pressure_pa`` and ``gap_m`` of shape (loads, rows,
         columns), of random surfaces (loads, surfaces, rows, columns), and ``height_m``, the heights as they were pressed.
+    PressedBall
+        With ``ball_radius``, along the surfaces: ``real_area_m2`` and its value less the staircase,
+        ``real_area_corrected_m2``; ``effective_radius_m`` and ``peak_mean_pressure_pa`` of the pressure averaged around the axis,
+        beside ``hertz_radius_m`` and ``hertz_pressure_pa`` of a smooth ball; ``force_share``, the share of the force within
+        half of Hertz's radius; ``outermost_contact_m``, ``roughness_number``, ``residual``.
 
     Raises
     ------
@@ -254,6 +315,10 @@ def boundary_elements(
     True
     """
     arguments = locals()
+    if ball_radius is None:
+        _refuse(arguments, _OF_BALLS, "a flat, only on a ball; give ball_radius")
+    else:
+        _refuse(arguments, _OF_FLATS, "a ball")
     line = Line()
     observer = observer_of(progress, line)
     try:
@@ -265,12 +330,15 @@ def boundary_elements(
             _refuse(arguments, _OF_SPECTRA, "heights, only on a spectrum")
             heights, lengths, repeats = _map(h, size, bool(periodic))
             surfaces = ()
-            arguments["periodic"] = repeats if periodic is None else bool(periodic)
+            arguments["periodic"] = ball_radius is None and (repeats if periodic is None else bool(periodic))
             answer, fields_found = _native.press_heights(
                 heights, lengths, repeats, material_of(material), arguments, observer
             )
     finally:
         line.end()
+    if ball_radius is not None:
+        columns = {name: np.asarray(values) for name, values in answer.columns.items() if name != "realisation"}
+        return PressedBall(columns, dict.fromkeys(columns, ("surface",)), noted(answer.notes))
     arrays, axes = _of_table(answer.columns)
     if fields_found is not None:
         points = (*surfaces, "row", "column")
@@ -284,6 +352,10 @@ _OF_HEIGHTS: dict[str, Any] = dict.fromkeys(("size", "periodic", "detrend"))
 _OF_SPECTRA: dict[str, Any] = dict.fromkeys(("grid", "realisations", "seed", "longest", "shortest", "side", "phases")) | {
     "per_realisation": False
 }
+
+
+_OF_BALLS: dict[str, Any] = {"force": None}
+_OF_FLATS: dict[str, Any] = dict.fromkeys(("pressure", "saturation", "periodic")) | {"fields": False, "per_realisation": False}
 
 
 def _refuse(arguments: dict[str, Any], idle: dict[str, Any], what: str) -> None:

@@ -111,6 +111,8 @@ struct Panel {
     from_pa2: f64,
     to_pa2: f64,
     piece: Piece,
+    /// Distances sqrt(V - V_i) at both ends \[Pa\].
+    kink_distances_pa: [f64; 2],
     steep: bool,
     /// E at the end.
     last_distance: f64,
@@ -203,17 +205,19 @@ impl<'a> March<'a> {
             return;
         }
         let last_distance = distance(to_pa2);
+        let kink_distances_pa = [from_pa2, to_pa2].map(|variance_pa2| (variance_pa2 - kink_pa2).sqrt());
         let mut panel = Panel {
             from_pa2,
             to_pa2,
             piece,
+            kink_distances_pa,
             steep,
             last_distance,
             size: SIZE,
             plastic: None,
             held: [0.0; SIZE],
         };
-        let [first_pa, last_pa] = panel.kink_distances_pa();
+        let [first_pa, last_pa] = kink_distances_pa;
         let width = (last_pa - first_pa) / from_pa2.sqrt();
         panel.size = SIZE_MIN + WIDTHS.iter().filter(|widest| width > **widest).count();
         self.panels.push(panel);
@@ -261,7 +265,7 @@ impl<'a> March<'a> {
     /// Integrates exp(relief) A_pl(V') kernel dV' over the panels, for the kernels of A_pl and of A.
     fn history(&self, here: Place, relief: f64, far: &mut Sources) -> [Integral; 2] {
         let mut integrals = [Integral::default(); 2];
-        let resolved_pa = self.resolved_pa(here);
+        let (resolved_pa, scale) = (self.resolved_pa(here), relief.exp());
         // Panels that are seen by the same rule are summed together.
         let (mut run, mut of_run, mut sums) = (0..0, None, [0.0; 2]);
         let mut sum = |rule: Option<usize>, panels| {
@@ -290,7 +294,7 @@ impl<'a> March<'a> {
                 let there = Place { variance_pa2, hardness_pa: panel.piece.hardness_pa(variance_pa2) };
                 let weight = match panel.steep {
                     true => weight * (relief - there.distance(self.pressure_pa)).exp(),
-                    false => weight * relief.exp(),
+                    false => weight * scale,
                 };
                 let t = panel.variable(from_kink_pa);
                 let kernels =
@@ -304,7 +308,6 @@ impl<'a> March<'a> {
             });
         }
         sum(of_run, run);
-        let scale = relief.exp();
         for (integral, far) in integrals.iter_mut().zip(sums) {
             integral.known += scale * far;
         }
@@ -322,12 +325,12 @@ impl Panel {
     /// Maps a distance sqrt(V - V_i) from the start of the panel's piece of the path to \[-1, 1\]. A_pl responds to a
     /// kink of the hardness with the root of that distance.
     fn variable(&self, from_kink_pa: f64) -> f64 {
-        let [first_pa, last_pa] = self.kink_distances_pa();
+        let [first_pa, last_pa] = self.kink_distances_pa;
         2.0 * (from_kink_pa - first_pa) / (last_pa - first_pa) - 1.0
     }
 
     fn variance_pa2(&self, t: f64) -> f64 {
-        let [first_pa, last_pa] = self.kink_distances_pa();
+        let [first_pa, last_pa] = self.kink_distances_pa;
         if t == 1.0 {
             return self.to_pa2;
         }
@@ -342,7 +345,7 @@ impl Panel {
         pressure_pa: f64,
         sources: &mut Sources,
     ) {
-        let [first_pa, last_pa] = self.kink_distances_pa();
+        let [first_pa, last_pa] = self.kink_distances_pa;
         let nodes = rule.over(first_pa, last_pa).map(|(from_kink_pa, weight_pa)| {
             let variance_pa2 = self.piece.from_variance_pa2 + from_kink_pa * from_kink_pa;
             let hardness_pa = self.piece.hardness_pa(variance_pa2);
@@ -361,11 +364,6 @@ impl Panel {
         self.plastic?;
         let width_pa2 = self.to_pa2 - self.from_pa2;
         rule_at((2.0 * variance_pa2 - self.from_pa2 - self.to_pa2) / width_pa2)
-    }
-
-    /// Distances sqrt(V - V_i) at both ends \[Pa\].
-    fn kink_distances_pa(&self) -> [f64; 2] {
-        [self.from_pa2, self.to_pa2].map(|variance_pa2| (variance_pa2 - self.piece.from_variance_pa2).sqrt())
     }
 }
 

@@ -84,9 +84,12 @@ impl Sources {
         let range = size * panels.start..size * panels.end;
         let Points { variances_pa2, hardnesses_pa, weights_pa2 } = &self.points[rule];
         let points = variances_pa2[range.clone()].iter().zip(&hardnesses_pa[range.clone()]);
-        let [plastic, contact] = &mut self.terms;
-        plastic.resize(range.len(), 0.0);
-        contact.resize(range.len(), 0.0);
+        let [plastic, contact] = self.terms.each_mut().map(|terms| {
+            if terms.len() < range.len() {
+                terms.resize(range.len(), 0.0);
+            }
+            &mut terms[..range.len()]
+        });
         let terms = plastic.iter_mut().zip(contact.iter_mut());
         for ((plastic, contact), ((there_pa2, there_pa), weight_pa2)) in
             terms.zip(points.zip(&weights_pa2[range]))
