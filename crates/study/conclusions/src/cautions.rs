@@ -3,7 +3,7 @@
 use findings::doubts::Doubt;
 use findings::interface::InterfaceStates;
 use interface::conductance::MOST_PLASTIC_SHARE;
-use judge::{Basis, Reference};
+use judge::{AGREEMENT, Reference};
 use serde::Serialize;
 use spectrum::Hole;
 use topography::InstrumentsDisagree;
@@ -146,12 +146,14 @@ fn is_of_models(source: Source) -> bool {
 pub(crate) fn hardness_decides(evidence: &Evidence<'_>, loads: &[LoadConclusion]) -> Option<Caution> {
     let apart = |load: &LoadConclusion| match load.otherwise {
         Some(other) => Some(other.ratio),
-        None => match evidence.judgement?.headline(load.load)?.basis {
-            Basis::BetweenElements { elastic, yielding } => {
-                Some(yielding.area_fraction / elastic.area_fraction)
-            }
-            _ => None,
-        },
+        None if load.area.source == Source::Elements(Reference::Growing) => {
+            let areas = evidence.judgement?.references.iter().filter(|area| area.load == load.load);
+            let constant = areas.filter(|area| matches!(area.reference, Reference::Yielding { .. }));
+            let constant = constant.filter_map(|area| area.elements).next()?;
+            let ratio = constant.area_fraction / load.area.area_fraction?;
+            (ratio > AGREEMENT).then_some(ratio)
+        }
+        None => None,
     };
     let ratio = loads.iter().filter_map(apart).reduce(f64::max)?;
     Some(Caution::HardnessDecides { ratio })

@@ -47,8 +47,6 @@ pub struct AreaEstimate {
 pub enum Source {
     /// Boundary elements of bodies like these.
     Elements(Reference),
-    /// Elastic elements below and elements of constant hardness above.
-    BetweenElements,
     /// One model, which nothing was compared with.
     Model {
         /// The curve, by index.
@@ -154,7 +152,6 @@ impl AreaEstimate {
     fn from_headline(evidence: &Evidence<'_>, headline: &Headline) -> Self {
         let source = match headline.basis {
             Basis::Elements(reference) => Source::Elements(reference),
-            Basis::BetweenElements { .. } => Source::BetweenElements,
             Basis::RangeOfModels { least, most } if least == most => Source::Model { curve: least },
             Basis::RangeOfModels { .. } => Source::Models,
         };

@@ -29,12 +29,12 @@ impl Body {
         }
     }
 
-    /// The bound \[Pa\] on the pressure of elements; `None` for elastic ones. A body whose strength grows is held against
-    /// elastic elements, and only if it never yields.
-    pub(crate) fn saturation_pa(self) -> Option<f64> {
+    /// The elements that match the body where it yields.
+    pub(crate) fn reference(self) -> Reference {
         match self {
-            Body::Hard { hardness_pa } => Some(hardness_pa),
-            Body::Elastic | Body::Growing => None,
+            Body::Elastic => Reference::Elastic,
+            Body::Hard { hardness_pa } => Reference::Yielding { hardness_pa },
+            Body::Growing => Reference::Growing,
         }
     }
 }
@@ -50,6 +50,8 @@ pub enum Reference {
         /// The hardness \[Pa\].
         hardness_pa: f64,
     },
+    /// Bodies that flow at a hardness that grows at small scales: on each window at that of its middle wavelength.
+    Growing,
 }
 
 impl Reference {
@@ -59,14 +61,7 @@ impl Reference {
         match self {
             Reference::Elastic => "elastic",
             Reference::Yielding { .. } => "yielding",
-        }
-    }
-
-    /// The elements with this bound \[Pa\] on the pressure of every point.
-    pub(crate) fn from_saturation(saturation_pa: Option<f64>) -> Self {
-        match saturation_pa {
-            None => Reference::Elastic,
-            Some(hardness_pa) => Reference::Yielding { hardness_pa },
+            Reference::Growing => "growing",
         }
     }
 }

@@ -14,6 +14,18 @@ use crate::seam::Seam;
 use crate::window::{Band, Window};
 use crate::yielding::Yielding;
 
+/// The closed forms about a window; those of longer waves are `None` if there are none.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct WindowForms {
+    pub band: Band,
+    /// The waves longer than the window.
+    longer: Option<ClosedForm>,
+    /// All waves down to the end of the window.
+    all: Option<ClosedForm>,
+    /// The window's own waves.
+    own: ClosedForm,
+}
+
 /// The curves and loads of a scene with what does not depend on how they are judged.
 pub(crate) struct Case<'s> {
     pub scene: &'s Scene,
@@ -21,14 +33,17 @@ pub(crate) struct Case<'s> {
     pub composite_modulus_pa: f64,
     /// The surface of the spectrum; `None` if the spectrum has too few samples, or is noise alone.
     pub surface: Option<AreaSpectrum>,
-    /// The distinct bounds \[Pa\] on the pressure of elements that the bodies need; `None` for an elastic body.
-    pub bounds_pa: Vec<Option<f64>>,
+    /// The distinct bodies of elements that the curves and the material need.
+    pub references: Vec<Reference>,
     /// The loads by index, from light to heavy.
     pub loads_by_pressure: Vec<usize>,
     /// Moments of the spectrum at every cutoff but the longest.
     moments: Vec<Moments>,
     /// The body of every curve.
     bodies: Vec<Body>,
+    /// The place in `references` of the elements that every curve under every load is compared with, in the order of
+    /// [`all`](Self::all).
+    compared_with: Vec<usize>,
     /// The bulk hardness at each scale, for a material that yields.
     constant_hardness: Option<HardnessOfScales>,
     /// The hardness that grows with the strain-gradient length, for a material that has one.
@@ -54,7 +69,8 @@ impl<'s> Case<'s> {
             results,
             composite_modulus_pa: scene.material.map_or(1.0, |material| material.pair.composite_modulus_pa()),
             surface: (results.psd.len() > 1).then(|| AreaSpectrum::from_profile(&results.psd).ok()).flatten(),
-            bounds_pa: Vec::new(),
+            references: Vec::new(),
+            compared_with: Vec::new(),
             loads_by_pressure,
             moments: cumulative_moments(&results.psd, Normalisation::default()),
             bodies,
@@ -62,7 +78,7 @@ impl<'s> Case<'s> {
             growing_hardness: hardness(true),
             broken: Vec::new(),
         };
-        case.bounds_pa = case.bounds_needed_pa();
+        case.find_references();
         case.broken = case.all().map(|at| first_broken(scene, results, at, case.hardness())).collect();
         case
     }
@@ -96,38 +112,74 @@ impl<'s> Case<'s> {
         self.bodies[curve] == Body::Growing
     }
 
-    /// The distinct bounds \[Pa\] that the curves' bodies need, and those of the scene's material: without a bound if it may
-    /// stay elastic, at its hardness if an elastic contact would exceed that.
-    fn bounds_needed_pa(&self) -> Vec<Option<f64>> {
-        let yields = (0..self.loads()).any(|load| self.yielding(load).above_constant.is_some());
-        let may_stay_elastic = !yields || self.growing_hardness.is_some();
-        let hardness_pa = self.scene.material.and_then(|material| material.hardness_pa());
-        let of_material =
-            may_stay_elastic.then_some(None).into_iter().chain(hardness_pa.filter(|_| yields).map(Some));
-        let mut bounds_pa: Vec<Option<f64>> = Vec::new();
-        for bound_pa in self.bodies.iter().map(|body| body.saturation_pa()).chain(of_material) {
-            if !bounds_pa.contains(&bound_pa) {
-                bounds_pa.push(bound_pa);
+    /// Finds the elements that every curve is compared with, and those that the material needs besides.
+    fn find_references(&mut self) {
+        let of_curves: Vec<Reference> = self.all().map(|at| self.reference_of_curve(at)).collect();
+        let of_material = (0..self.loads()).flat_map(|load| self.references_of_material(load));
+        let mut references: Vec<Reference> = Vec::new();
+        for reference in of_curves.iter().copied().chain(of_material) {
+            if !references.contains(&reference) {
+                references.push(reference);
             }
         }
-        bounds_pa
+        let place = |reference: &Reference| references.iter().position(|other| other == reference);
+        self.compared_with = of_curves.iter().filter_map(place).collect();
+        self.references = references;
     }
 
-    /// The least area fraction of elements with a bound: a nominal pressure takes that share of a surface that flows. 0 of
+    /// The elements that match a curve. A body whose strength grows is elastic under loads at which it never yields.
+    fn reference_of_curve(&self, at: CurveAtLoad) -> Reference {
+        match self.bodies[at.curve].reference() {
+            Reference::Growing if self.yields_while_growing(at).is_none() => Reference::Elastic,
+            reference => reference,
+        }
+    }
+
+    /// The bodies that the material may be under a load: elastic unless an elastic contact would exceed its hardness. If that
+    /// grows at small scales, bodies with the constant hardness touch the most that is possible.
+    fn references_of_material(&self, load: usize) -> Vec<Reference> {
+        let yielding = self.yielding(load);
+        let constant = self.scene.material.and_then(|material| material.hardness_pa());
+        let Some(hardness_pa) = constant.filter(|_| yielding.above_constant.is_some()) else {
+            return vec![Reference::Elastic];
+        };
+        let constant = Reference::Yielding { hardness_pa };
+        match (yielding.hardness_grows, yielding.above_growing) {
+            (false, _) => vec![constant],
+            (true, None) => vec![Reference::Elastic, constant],
+            (true, Some(_)) => vec![Reference::Growing, constant],
+        }
+    }
+
+    /// The bound \[Pa\] on the pressure of a body's elements on the waves about a wavelength \[m\]; `None` for an elastic body.
+    pub fn saturation_pa(&self, reference: Reference, wavelength_m: f64) -> Option<f64> {
+        match reference {
+            Reference::Elastic => None,
+            Reference::Yielding { hardness_pa } => Some(hardness_pa),
+            Reference::Growing => self.growing_hardness.as_ref().map(|hardness| hardness.at_pa(wavelength_m)),
+        }
+    }
+
+    /// The least area fraction of elements on the surface: a nominal pressure takes that share of a surface that flows. 0 of
     /// elastic elements.
-    pub fn least_area(&self, bound: usize, load: usize) -> f64 {
-        self.bounds_pa[bound].map_or(0.0, |bound_pa| (self.nominal_pressure_pa(load) / bound_pa).min(1.0))
+    pub fn least_area(&self, reference: Reference, load: usize) -> f64 {
+        self.saturation_pa(reference, self.band().shortest_m)
+            .map_or(0.0, |bound_pa| (self.nominal_pressure_pa(load) / bound_pa).min(1.0))
     }
 
     /// The elements that a curve is compared with.
-    pub fn reference(&self, curve: usize) -> Reference {
-        Reference::from_saturation(self.bodies[curve].saturation_pa())
+    pub fn reference(&self, at: CurveAtLoad) -> Reference {
+        self.references[self.body(at)]
     }
 
-    /// The place in `bounds_pa` of the bound of a curve's body.
-    pub fn bound(&self, curve: usize) -> usize {
-        let bound_pa = self.bodies[curve].saturation_pa();
-        self.bounds_pa.iter().position(|other| *other == bound_pa).unwrap_or(0)
+    /// The place in `references` of the elements that a curve is compared with.
+    pub fn body(&self, at: CurveAtLoad) -> usize {
+        self.compared_with[self.place(at)]
+    }
+
+    /// The place of a curve under a load in the order of [`all`](Self::all).
+    fn place(&self, CurveAtLoad { curve, load }: CurveAtLoad) -> usize {
+        curve * self.loads() + load
     }
 
     /// The area fraction of a curve at the shortest wavelength.
@@ -154,11 +206,37 @@ impl<'s> Case<'s> {
         Some(ClosedForm::new(&waves, self.composite_modulus_pa))
     }
 
-    /// The mean real pressure \[Pa\] that longer waves leave on bodies with this bound.
-    pub fn pressure_pa(&self, bound: usize, load: usize, longer: Option<ClosedForm>) -> f64 {
+    /// The closed forms about a window.
+    pub fn forms(&self, window: &Window) -> WindowForms {
+        let Band { longest_m, shortest_m } = window.band;
+        let longer = self.closed_form(longest_m);
+        WindowForms {
+            band: window.band,
+            longer,
+            all: longer.and_then(|_| self.closed_form(shortest_m)),
+            own: ClosedForm::new(&window.surface, self.composite_modulus_pa),
+        }
+    }
+
+    /// The mean real pressure \[Pa\] that longer waves leave on a body.
+    pub fn pressure_pa(&self, forms: &WindowForms, reference: Reference, load: usize) -> f64 {
         let nominal_pa = self.nominal_pressure_pa(load);
-        let left = longer.map_or(1.0, |longer| longer.area_fraction(nominal_pa, self.bounds_pa[bound]));
-        nominal_pa / left
+        let bound_pa = self.saturation_pa(reference, forms.band.longest_m);
+        nominal_pa / forms.longer.map_or(1.0, |longer| longer.area_fraction(nominal_pa, bound_pa))
+    }
+
+    /// The relative standard error of elements on a window whose hardness grows, since they have only that of the window's
+    /// middle: half of what the closed form moves between the hardnesses a quarter of the window to either side.
+    pub fn error_of_hardness(&self, forms: &WindowForms, reference: Reference, load: usize) -> f64 {
+        if reference != Reference::Growing {
+            return 0.0;
+        }
+        let pressure_pa = self.pressure_pa(forms, reference, load);
+        let area = |place: f64| {
+            let bound_pa = self.saturation_pa(reference, forms.band.within_m(place));
+            forms.own.area_fraction(pressure_pa, bound_pa)
+        };
+        0.5 * (area(0.25) / area(0.75)).ln().abs()
     }
 
     /// The elastic mean real pressure \[Pa\] under each of these loads, with all waves down to a wavelength \[m\].
@@ -171,23 +249,15 @@ impl<'s> Case<'s> {
         loads.iter().map(pressure_pa).collect()
     }
 
-    /// Carries the areas of elements on a window over to the surface, with all waves down to the end of the window: for every
-    /// bound and load.
-    pub fn seams(&self, window: &Window) -> Vec<Vec<Seam>> {
-        let Band { longest_m, shortest_m } = window.band;
-        let longer = self.closed_form(longest_m);
-        let all = longer.and_then(|_| self.closed_form(shortest_m));
-        let on_window = ClosedForm::new(&window.surface, self.composite_modulus_pa);
-        let seam = |bound: usize, load: usize| {
-            let Some(all) = all else { return Seam::NONE };
-            let (bound_pa, nominal_pa) = (self.bounds_pa[bound], self.nominal_pressure_pa(load));
-            let pressure_pa = self.pressure_pa(bound, load, longer);
-            let by_closed_form =
-                all.area_fraction(nominal_pa, bound_pa) / on_window.area_fraction(pressure_pa, bound_pa);
-            Seam::new(nominal_pa / pressure_pa, by_closed_form, bound_pa.is_some())
-        };
-        let of_bound = |bound| (0..self.loads()).map(|load| seam(bound, load)).collect();
-        (0..self.bounds_pa.len()).map(of_bound).collect()
+    /// The step from the area of elements on a window to that of the surface, with all waves down to the end of the window.
+    pub fn seam(&self, forms: &WindowForms, reference: Reference, load: usize) -> Seam {
+        let Some(all) = forms.all else { return Seam::NONE };
+        let nominal_pa = self.nominal_pressure_pa(load);
+        let pressure_pa = self.pressure_pa(forms, reference, load);
+        let bound_pa = self.saturation_pa(reference, forms.band.middle_m());
+        let by_closed_form =
+            all.area_fraction(nominal_pa, bound_pa) / forms.own.area_fraction(pressure_pa, bound_pa);
+        Seam::new(nominal_pa / pressure_pa, by_closed_form, bound_pa.is_some())
     }
 
     /// The mean real pressure \[Pa\] of Persson's elastic contact against cutoff \[m\].
@@ -218,12 +288,12 @@ impl<'s> Case<'s> {
 
     /// The assumption of its own that a curve breaks first.
     pub fn broken_assumption(&self, at: CurveAtLoad) -> Option<BrokenAssumption> {
-        self.broken[at.curve * self.loads() + at.load]
+        self.broken[self.place(at)]
     }
 
     /// Finds the first scale at which the pressure on a curve whose strength grows exceeds its hardness. The pressure
     /// is the curve's own, or that of an elastic contact, an upper bound.
-    pub fn yields_while_growing(&self, at: CurveAtLoad) -> Option<AboveHardness> {
+    fn yields_while_growing(&self, at: CurveAtLoad) -> Option<AboveHardness> {
         let hardness = self.hardness()?;
         let own = hardness.first_above(real_pressures(self.scene, self.results, at));
         own.or_else(|| hardness.first_above(self.elastic_pressures(at.load).into_iter()))

@@ -5,7 +5,7 @@ use study::plan::PlanError;
 use crate::JudgeError;
 use crate::assumptions::CurveAtLoad;
 use crate::body::Reference;
-use crate::case::Case;
+use crate::case::{Case, WindowForms};
 use crate::headline::Headline;
 use crate::judgement::Judgement;
 use crate::layout::{Cell, Extent, Layout, PlannedPress};
@@ -31,20 +31,19 @@ impl Comparisons<'_> {
         let Comparisons { case, layout, .. } = self;
         let mut outcomes = Vec::new();
         for (index, window) in layout.windows.iter().enumerate() {
-            let pressures = Pressures::on(case, window);
-            let areas = areas(case, window, &pressures)?;
-            let seams = case.seams(window);
+            let forms = &layout.forms[index];
+            let pressures_pa = pressures_pa(case, forms);
+            let areas = areas(case, window, &pressures_pa)?;
             for at in case.all() {
-                let bound = case.bound(at.curve);
-                let planned = layout.planned(Cell { bound, window: index, load: at.load });
+                let body = case.body(at);
                 let comparison = Comparison {
                     at,
                     band: window.band,
-                    seam: seams[bound][at.load],
-                    pressure_pa: pressures.pa[bound][at.load],
+                    seam: case.seam(forms, case.references[body], at.load),
+                    pressure_pa: pressures_pa[body][at.load],
                     gradient_pa: case.composite_modulus_pa * window.rms_gradient,
                     area_fraction: areas[at.curve][at.load],
-                    elements: element_area(planned, self.solutions),
+                    elements: self.area_on_window(Cell { body, window: index, load: at.load }),
                 };
                 outcomes.push(comparison.outcome(case));
             }
@@ -65,7 +64,7 @@ impl Comparisons<'_> {
                 pressure_pa: case.nominal_pressure_pa(at.load),
                 gradient_pa,
                 area_fraction: case.final_area(at),
-                elements: self.area_of_whole_band(case.bound(at.curve), at.load),
+                elements: self.area_of_whole_band(case.body(at), at.load),
             };
             WindowOutcome { is_whole_band: true, ..comparison.outcome(case) }
         };
@@ -76,25 +75,56 @@ impl Comparisons<'_> {
     pub fn references(&self) -> Vec<ReferenceArea> {
         let loads = 0..self.case.loads();
         let of_load = |load: usize| {
-            self.case.bounds_pa.iter().enumerate().map(move |(bound, bound_pa)| ReferenceArea {
+            self.case.references.iter().enumerate().map(move |(body, reference)| ReferenceArea {
                 load,
-                reference: Reference::from_saturation(*bound_pa),
-                elements: self.area_of_whole_band(bound, load).ok(),
+                reference: *reference,
+                elements: self.area_of_whole_band(body, load).ok(),
             })
         };
         loads.flat_map(of_load).collect()
     }
 
-    /// The area of elements on the whole band: as pressed, or that of the last window carried over by the closed form.
-    fn area_of_whole_band(&self, bound: usize, load: usize) -> Result<ElementArea, Reason> {
-        let Comparisons { case, layout, solutions } = self;
-        let Some(last) = layout.windows.len().checked_sub(1) else { return Err(Reason::NoSurface) };
-        let area = element_area(layout.planned(Cell { bound, window: last, load }), solutions)?;
-        if layout.is_whole_band() {
-            return Ok(area.at_least(case.least_area(bound, load)));
+    /// The area of elements on the whole band. That of bodies whose hardness grows may be as large as with the constant
+    /// hardness.
+    fn area_of_whole_band(&self, body: usize, load: usize) -> Result<ElementArea, Reason> {
+        let area = self.area_at_one_hardness(body, load)?;
+        let is_constant = |other: &Reference| matches!(other, Reference::Yielding { .. });
+        let constant = self.case.references.iter().position(is_constant);
+        match (self.case.references[body], constant) {
+            (Reference::Growing, Some(constant)) => {
+                let softer = self.area_at_one_hardness(constant, load).ok();
+                Ok(softer.map_or(area, |softer| area.reaching(softer.high())))
+            }
+            _ => Ok(area),
         }
-        let seam = case.seams(&layout.windows[last])[bound][load];
-        Ok(area.carried_over(seam).at_least(case.least_area(bound, load)))
+    }
+
+    /// The area of elements on the whole band: as pressed, or that of the last window carried over by the closed form.
+    fn area_at_one_hardness(&self, body: usize, load: usize) -> Result<ElementArea, Reason> {
+        let Comparisons { case, layout, .. } = self;
+        let Some(window) = layout.windows.len().checked_sub(1) else { return Err(Reason::NoSurface) };
+        let area = self.area_on_window(Cell { body, window, load })?;
+        let reference = case.references[body];
+        let seam = if layout.is_whole_band() {
+            Seam::NONE
+        } else {
+            case.seam(&layout.forms[window], reference, load)
+        };
+        Ok(area.carried_over(seam).at_least(case.least_area(reference, load)))
+    }
+
+    /// The area that elements give for a cell of the layout, or the reason why there is none.
+    fn area_on_window(&self, cell: Cell) -> Result<ElementArea, Reason> {
+        let Comparisons { case, layout, solutions } = self;
+        let solved = match layout.planned(cell) {
+            PlannedPress::Solve(press) => solutions.of_presses[press]?,
+            PlannedPress::Flows { share } => Solved::between(share),
+            PlannedPress::TooLight => return Err(Reason::TooLight),
+            PlannedPress::LoadNotChosen => return Err(Reason::LoadNotChosen),
+        };
+        let reference = case.references[cell.body];
+        let of_hardness = case.error_of_hardness(&layout.forms[cell.window], reference, cell.load);
+        Ok(ElementArea::new(solved.area_fraction, solved.standard_error).with_error(of_hardness))
     }
 
     /// Combines the outcomes of every curve under every load into its verdict.
@@ -103,61 +133,46 @@ impl Comparisons<'_> {
     }
 }
 
-/// The mean pressures \[Pa\] on a window, for every bound and load.
-struct Pressures {
-    pa: Vec<Vec<f64>>,
-}
-
-impl Pressures {
-    fn on(case: &Case<'_>, window: &Window) -> Self {
-        let longer = case.closed_form(window.band.longest_m);
-        let of_bound = |bound| (0..case.loads()).map(|load| case.pressure_pa(bound, load, longer)).collect();
-        Pressures { pa: (0..case.bounds_pa.len()).map(of_bound).collect() }
-    }
+/// The mean pressures \[Pa\] on a window, for every body that is pressed and every load.
+fn pressures_pa(case: &Case<'_>, forms: &WindowForms) -> Vec<Vec<f64>> {
+    let of_body = |&reference: &Reference| {
+        (0..case.loads()).map(|load| case.pressure_pa(forms, reference, load)).collect()
+    };
+    case.references.iter().map(of_body).collect()
 }
 
 /// The area fractions of all curves on a window, curve by curve and load by load.
 fn areas(
     case: &Case<'_>,
     window: &Window,
-    pressures: &Pressures,
+    pressures_pa: &[Vec<f64>],
 ) -> Result<Vec<Vec<Option<f64>>>, JudgeError> {
     let model_areas = |curves: &[usize], pressures_pa: &[f64]| {
         model_areas::area_fractions(case.scene, &case.results.psd, window, curves, pressures_pa)
     };
     let mut areas = vec![vec![None; case.loads()]; case.curves()];
-    for (bound, pressures_pa) in pressures.pa.iter().enumerate() {
-        let (growing, steady): (Vec<usize>, Vec<usize>) = (0..case.curves())
-            .filter(|curve| case.bound(*curve) == bound)
-            .partition(|curve| case.strength_grows(*curve));
+    for (body, pressures_pa) in pressures_pa.iter().enumerate() {
+        let (growing, steady): (Vec<usize>, Vec<usize>) =
+            (0..case.curves()).partition(|curve| case.strength_grows(*curve));
+        let of_body = |curve: usize, load: usize| case.body(CurveAtLoad { curve, load }) == body;
+        let steady: Vec<usize> = steady.into_iter().filter(|curve| of_body(*curve, 0)).collect();
         for (curve, found) in steady.iter().zip(model_areas(&steady, pressures_pa)?) {
             areas[*curve] = found;
         }
         for curve in growing {
-            for (load, pressure_pa) in pressures_pa.iter().enumerate() {
-                if case.yields_while_growing(CurveAtLoad { curve, load }).is_none() {
-                    areas[curve][load] = match model_areas(&[curve], &[*pressure_pa]) {
-                        Ok(areas) => areas[0][0],
-                        // The window begins with more than the strength bears.
-                        Err(JudgeError::Plan(PlanError::Hardness(_))) => None,
-                        Err(error) => return Err(error),
-                    };
-                }
+            for (load, pressure_pa) in
+                pressures_pa.iter().enumerate().filter(|(load, _)| of_body(curve, *load))
+            {
+                areas[curve][load] = match model_areas(&[curve], &[*pressure_pa]) {
+                    Ok(areas) => areas[0][0],
+                    // The window begins with more than the strength bears.
+                    Err(JudgeError::Plan(PlanError::Hardness(_))) => None,
+                    Err(error) => return Err(error),
+                };
             }
         }
     }
     Ok(areas)
-}
-
-/// The area that elements give for a cell of the layout, or the reason why there is none.
-fn element_area(planned: PlannedPress, solutions: &Solutions) -> Result<ElementArea, Reason> {
-    let solved = match planned {
-        PlannedPress::Solve(press) => solutions.of_presses[press]?,
-        PlannedPress::Flows { share } => Solved::between(share),
-        PlannedPress::TooLight => return Err(Reason::TooLight),
-        PlannedPress::LoadNotChosen => return Err(Reason::LoadNotChosen),
-    };
-    Ok(ElementArea::new(solved.area_fraction, solved.standard_error))
 }
 
 /// A curve under a load on a band, with the inputs of its verdict.
@@ -179,25 +194,26 @@ struct Comparison {
 impl Comparison {
     fn outcome(&self, case: &Case<'_>) -> WindowOutcome {
         let Comparison { at: CurveAtLoad { curve, load }, band, pressure_pa, area_fraction, .. } = *self;
-        let (elements, reason) = self.elements_and_reason(case);
+        let reference = case.reference(self.at);
         // An assumption that breaks at some scale is broken at all shorter ones.
         let broken = case
             .broken_assumption(self.at)
             .filter(|broken| broken.wavelength_m() >= band.shortest_m * (1.0 - 1e-9));
-        let (verdict, reason) = match (broken, area_fraction.zip(elements)) {
-            (Some(broken), _) => (Verdict::OutOfRange, Reason::Broken(broken)),
-            (None, Some((area_fraction, elements))) => Self::compared(area_fraction, elements),
-            (None, None) => (Verdict::NotJudged, reason),
+        let (verdict, reason) = match (broken, area_fraction, self.elements) {
+            (Some(broken), _, _) => (Verdict::OutOfRange, Reason::Broken(broken)),
+            (None, _, Err(reason)) => (Verdict::NotJudged, reason),
+            (None, None, Ok(_)) => (Verdict::NotJudged, Reason::NoArea),
+            (None, Some(area_fraction), Ok(elements)) => Self::compared(area_fraction, elements),
         };
+        let elements = self.elements.ok();
         WindowOutcome {
             curve,
             load,
             longest_m: band.longest_m,
             shortest_m: band.shortest_m,
             is_whole_band: false,
-            elements_of_whole: elements.map(|elements| {
-                elements.carried_over(self.seam).at_least(case.least_area(case.bound(curve), load))
-            }),
+            elements_of_whole: elements
+                .map(|elements| elements.carried_over(self.seam).at_least(case.least_area(reference, load))),
             pressure_pa,
             pressure_over_gradient: pressure_pa / self.gradient_pa,
             area_fraction,
@@ -207,19 +223,14 @@ impl Comparison {
         }
     }
 
-    /// The area of the elements, and the reason for no verdict if it is missing or the curve has no area.
-    fn elements_and_reason(&self, case: &Case<'_>) -> (Option<ElementArea>, Reason) {
-        let grows = case.strength_grows(self.at.curve);
-        match (self.elements, grows.then(|| case.yields_while_growing(self.at)).flatten()) {
-            (_, Some(above)) => (None, Reason::StrengthGrows { wavelength_m: above.wavelength_m }),
-            (Ok(elements), None) => (Some(elements), Reason::NoArea),
-            (Err(reason), None) => (None, reason),
-        }
-    }
-
     fn compared(area_fraction: f64, elements: ElementArea) -> (Verdict, Reason) {
         let ratio = area_fraction / elements.area_fraction;
-        (Verdict::from_ratio(ratio, elements.relative_error()), Reason::Compared { ratio })
+        match Verdict::from_ratio(ratio, elements.relative_error()) {
+            Verdict::TooLarge if elements.may_reach(area_fraction) => {
+                (Verdict::NotJudged, Reason::BetweenHardnesses { ratio })
+            }
+            verdict => (verdict, Reason::Compared { ratio }),
+        }
     }
 }
 
@@ -244,7 +255,7 @@ fn curve_verdict(case: &Case<'_>, whole: &WindowOutcome, windows: &[WindowOutcom
         curve: at.curve,
         load: at.load,
         area_fraction: whole.area_fraction,
-        reference: case.reference(at.curve),
+        reference: case.reference(at),
         elements: whole.elements,
         verdict: whole.verdict,
         reason,
@@ -269,7 +280,7 @@ pub(crate) fn without_elements(case: &Case<'_>, reason: Reason) -> Judgement {
             curve: at.curve,
             load: at.load,
             area_fraction: case.final_area(at),
-            reference: case.reference(at.curve),
+            reference: case.reference(at),
             elements: None,
             verdict: if broken.is_some() { Verdict::OutOfRange } else { Verdict::NotJudged },
             reason: broken.map_or(reason, Reason::Broken),

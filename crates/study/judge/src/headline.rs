@@ -31,14 +31,6 @@ pub struct Headline {
 pub enum Basis {
     /// Boundary elements that match the material.
     Elements(Reference),
-    /// Boundary elements on both sides: the contact yields, at a hardness that grows at small scales, so that it touches more
-    /// than elastic elements and less than those with the constant hardness.
-    BetweenElements {
-        /// The area of elastic elements.
-        elastic: ElementArea,
-        /// The area of elements that flow at the constant hardness.
-        yielding: ElementArea,
-    },
     /// The range of the models, since no elements were pressed.
     RangeOfModels {
         /// The curve of the least area.
@@ -67,26 +59,20 @@ impl Headline {
                 .find(|area| area.load == load && is_wanted(area.reference) && area.elements.is_some())
         };
         let elastic = area(|reference| reference == Reference::Elastic);
-        let flowing = area(|reference| reference != Reference::Elastic);
-        let grows = yielding.hardness_grows && yielding.above_constant.is_some();
-        match (elastic, flowing) {
-            (Some(elastic), Some(flowing)) if grows && yielding.above_growing.is_some() => {
-                Self::between(load, elastic.elements?, flowing.elements?)
-            }
-            (Some(elastic), other) if grows && yielding.above_growing.is_none() => {
-                let headline = Self::from_elements(elastic, curves)?;
-                let otherwise = other.and_then(Otherwise::new);
-                let moves = |other: &Otherwise| {
-                    !(headline.low..=headline.high).contains(&other.elements.area_fraction)
-                };
-                Some(Headline { otherwise: otherwise.filter(moves), ..headline })
-            }
-            (_, Some(flowing)) if yielding.above_constant.is_some() && !yielding.hardness_grows => {
-                Self::from_elements(flowing, curves)
-            }
-            (Some(elastic), _) if yielding.above_constant.is_none() => Self::from_elements(elastic, curves),
-            _ => Self::from_range(load, curves),
-        }
+        let flowing = area(|reference| matches!(reference, Reference::Yielding { .. }));
+        let growing = area(|reference| reference == Reference::Growing);
+        let own = match (yielding.above_constant, yielding.hardness_grows, yielding.above_growing) {
+            (None, _, _) | (Some(_), true, None) => elastic,
+            (Some(_), false, _) => flowing,
+            (Some(_), true, Some(_)) => growing,
+        };
+        let Some(own) = own else { return Self::from_range(load, curves) };
+        let headline = Self::from_elements(own, curves)?;
+        let may_be_softer = own.reference == Reference::Elastic && yielding.above_constant.is_some();
+        let otherwise = flowing.filter(|_| may_be_softer).and_then(Otherwise::new);
+        let moves =
+            |other: &Otherwise| !(headline.low..=headline.high).contains(&other.elements.area_fraction);
+        Some(Headline { otherwise: otherwise.filter(moves), ..headline })
     }
 
     fn from_elements(area: &ReferenceArea, curves: &[CurveVerdict]) -> Option<Self> {
@@ -103,18 +89,6 @@ impl Headline {
             high: elements.high(),
             otherwise: None,
             best_curve: candidates.min_by(|a, b| off(a).total_cmp(&off(b))).map(|curve| curve.curve),
-        })
-    }
-
-    fn between(load: usize, elastic: ElementArea, yielding: ElementArea) -> Option<Self> {
-        Some(Headline {
-            load,
-            basis: Basis::BetweenElements { elastic, yielding },
-            area_fraction: None,
-            low: elastic.low(),
-            high: yielding.high(),
-            otherwise: None,
-            best_curve: None,
         })
     }
 
@@ -140,7 +114,7 @@ impl Headline {
 impl Otherwise {
     fn new(area: &ReferenceArea) -> Option<Self> {
         match area.reference {
-            Reference::Elastic => None,
+            Reference::Elastic | Reference::Growing => None,
             Reference::Yielding { hardness_pa } => Some(Otherwise { hardness_pa, elements: area.elements? }),
         }
     }

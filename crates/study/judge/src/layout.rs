@@ -3,8 +3,8 @@
 use gaussian_surfaces::AreaSpectrum;
 use serde::Serialize;
 
-use crate::case::Case;
-use crate::closed_form::ClosedForm;
+use crate::body::Reference;
+use crate::case::{Case, WindowForms};
 use crate::settings::{DEFAULT_REALISATIONS, GRIDS, Settings};
 use crate::window::{Window, bands, decades_held};
 
@@ -30,10 +30,10 @@ pub(crate) struct Press {
     pub saturation_pa: Option<f64>,
 }
 
-/// A window under one load of the scene, for bodies with one bound on pressure; all by index.
+/// A window under one load of the scene, for one of the bodies that are pressed; all by index.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Cell {
-    pub bound: usize,
+    pub body: usize,
     pub window: usize,
     pub load: usize,
 }
@@ -62,6 +62,8 @@ pub(crate) struct Layout {
     /// Surfaces in each window.
     pub realisations: usize,
     pub windows: Vec<Window>,
+    /// The closed forms about every window.
+    pub forms: Vec<WindowForms>,
     /// The number of further windows, which have no roughness.
     pub left_out: usize,
     pub presses: Vec<Press>,
@@ -108,6 +110,7 @@ impl Layout {
             left_out: bands.len() - windows.len(),
             grid,
             realisations,
+            forms: windows.iter().map(|window| case.forms(window)).collect(),
             windows,
             presses: Vec::new(),
             loads: loads.to_vec(),
@@ -115,12 +118,10 @@ impl Layout {
             planned: Vec::new(),
             loads_of_scene: case.loads(),
         };
-        let longer: Vec<Option<ClosedForm>> =
-            layout.windows.iter().map(|window| case.closed_form(window.band.longest_m)).collect();
-        for bound in 0..case.bounds_pa.len() {
-            for (window, longer) in longer.iter().enumerate() {
+        for &reference in &case.references {
+            for window in 0..layout.windows.len() {
                 for load in 0..case.loads() {
-                    let planned = layout.plan(Cell { bound, window, load }, *longer, case);
+                    let planned = layout.plan(reference, window, load, case);
                     layout.planned.push(planned);
                 }
             }
@@ -134,8 +135,8 @@ impl Layout {
         self.planned[self.index(cell)]
     }
 
-    fn index(&self, Cell { bound, window, load }: Cell) -> usize {
-        (bound * self.windows.len() + window) * self.loads_of_scene + load
+    fn index(&self, Cell { body, window, load }: Cell) -> usize {
+        (body * self.windows.len() + window) * self.loads_of_scene + load
     }
 
     /// True if the one window is the whole band of the spectrum.
@@ -143,18 +144,14 @@ impl Layout {
         self.windows.len() == 1 && self.left_out == 0
     }
 
-    fn plan(
-        &mut self,
-        Cell { bound, window, load }: Cell,
-        longer: Option<ClosedForm>,
-        case: &Case<'_>,
-    ) -> PlannedPress {
+    fn plan(&mut self, reference: Reference, window: usize, load: usize, case: &Case<'_>) -> PlannedPress {
         if !self.loads.contains(&load) {
             return PlannedPress::LoadNotChosen;
         }
         let rms_gradient = self.windows[window].rms_gradient;
-        let pressure_pa = case.pressure_pa(bound, load, longer);
-        let saturation_pa = case.bounds_pa[bound];
+        let forms = &self.forms[window];
+        let pressure_pa = case.pressure_pa(forms, reference, load);
+        let saturation_pa = case.saturation_pa(reference, forms.band.middle_m());
         let share = saturation_pa.map(|bound_pa| pressure_pa / bound_pa);
         if let Some(share) = share.filter(|share| *share > FLOWING) {
             return PlannedPress::Flows { share: share.min(1.0) };

@@ -31,10 +31,10 @@ pub enum Reason {
     },
     /// An assumption of the curve does not hold.
     Broken(BrokenAssumption),
-    /// The strength grows at small scales, and the contact yields: boundary elements have only one hardness.
-    StrengthGrows {
-        /// The wavelength \[m\] at which the curve's pressure first exceeds its hardness.
-        wavelength_m: f64,
+    /// The curve touches more than elements whose hardness grows, but no more than those with the constant hardness.
+    BetweenHardnesses {
+        /// The curve's area over that of the elements whose hardness grows.
+        ratio: f64,
     },
     /// Too few points of the grid would touch.
     TooLight,
@@ -82,10 +82,10 @@ impl fmt::Display for Reason {
                 length(wavelength_m),
                 percent(load_share)
             ),
-            Reason::StrengthGrows { wavelength_m } => write!(
+            Reason::BetweenHardnesses { ratio } => write!(
                 f,
-                "yields from {} on with a strength that grows at small scales; boundary elements know one hardness only",
-                length(wavelength_m)
+                "{} times the area of boundary elements whose hardness grows; no more than of those with the constant hardness",
+                three_digits(ratio)
             ),
             Reason::TooLight => f.write_str("too few grid points would touch"),
             Reason::LoadNotChosen => f.write_str("the budget leaves this load out; raise judge.budget"),

@@ -47,17 +47,36 @@ pub struct ElementArea {
     /// The area that cannot be less: the nominal pressure over that at which elements flow; 0 of elastic elements.
     #[serde(skip)]
     least: f64,
+    /// The largest area of bodies that are no harder, if the hardness is not known better.
+    #[serde(skip)]
+    reach: f64,
 }
 
 impl ElementArea {
     /// Takes an area fraction and its standard error.
     pub(crate) fn new(area_fraction: f64, standard_error: f64) -> Self {
-        ElementArea { area_fraction, standard_error, least: 0.0 }
+        ElementArea { area_fraction, standard_error, least: 0.0, reach: 0.0 }
     }
 
     /// Bounds the area from below.
     pub(crate) fn at_least(self, least: f64) -> Self {
         ElementArea { area_fraction: self.area_fraction.max(least), least, ..self }
+    }
+
+    /// Extends the range upwards to an area.
+    pub(crate) fn reaching(self, reach: f64) -> Self {
+        ElementArea { reach, ..self }
+    }
+
+    /// Adds an independent relative standard error.
+    pub(crate) fn with_error(self, relative_error: f64) -> Self {
+        let standard_error = self.standard_error.hypot(relative_error * self.area_fraction);
+        ElementArea { standard_error, ..self }
+    }
+
+    /// True for an area beyond the errors of these elements, but not beyond that of softer bodies to which the range reaches.
+    pub(crate) fn may_reach(self, area_fraction: f64) -> bool {
+        area_fraction <= self.reach
     }
 
     /// The area less two standard errors; at least a tenth of the area, since an area is positive, and at least what a contact
@@ -69,10 +88,10 @@ impl ElementArea {
             .max(self.least)
     }
 
-    /// The area with two standard errors, at most 1.
+    /// The area with two standard errors, at most 1; for a hardness that grows, at least that with the constant hardness.
     #[must_use]
     pub fn high(self) -> f64 {
-        (self.area_fraction + ERRORS_GIVEN * self.standard_error).min(1.0)
+        (self.area_fraction + ERRORS_GIVEN * self.standard_error).max(self.reach).min(1.0)
     }
 
     /// The area of the surface, from that on a window.

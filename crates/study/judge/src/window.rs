@@ -26,6 +26,18 @@ pub(crate) struct Band {
     pub shortest_m: f64,
 }
 
+impl Band {
+    /// The wavelength \[m\] at a share of the band's decades, from 0 at the longest wave to 1 at the shortest.
+    pub fn within_m(self, share: f64) -> f64 {
+        self.longest_m * (self.shortest_m / self.longest_m).powf(share)
+    }
+
+    /// The wavelength \[m\] in the middle of the band's decades.
+    pub fn middle_m(self) -> f64 {
+        self.within_m(0.5)
+    }
+}
+
 /// A part of the surface: all its waves within a band, and no others.
 #[derive(Debug, Clone)]
 pub(crate) struct Window {

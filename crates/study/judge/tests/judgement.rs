@@ -164,10 +164,13 @@ fn a_hardness_that_may_grow_leaves_two_areas_side_by_side() {
     let Some(otherwise) = grown.otherwise else { panic!("{grown:?}") };
     assert_eq!(grown.basis, Basis::Elements(Reference::Elastic));
     assert!(otherwise.elements.area_fraction > grown.high, "{grown:?}");
-    // Grown a little, it still yields: the area lies between those of both kinds of elements.
-    let between = headline("1 nm");
-    assert!(matches!(between.basis, Basis::BetweenElements { elastic, yielding }
-        if between.low < elastic.area_fraction && elastic.area_fraction < yielding.area_fraction && yielding.area_fraction < between.high));
+    // Grown a little, it still yields: the area is that of elements with the hardness of each scale, and its range reaches up
+    // to those with the constant hardness.
+    let little = headline("1 nm");
+    assert_eq!((little.basis, little.otherwise), (Basis::Elements(Reference::Growing), None));
+    let area_fraction = little.area_fraction.unwrap();
+    assert!(grown.area_fraction.unwrap() < area_fraction && little.low < area_fraction, "{little:?}");
+    assert!(otherwise.elements.area_fraction < little.high, "{little:?}");
 }
 
 #[test]
@@ -188,20 +191,53 @@ fn what_yields_is_held_against_saturated_elements_and_elastic_curves_are_out_of_
 }
 
 #[test]
-fn a_strength_that_grows_is_not_judged_unless_it_never_matters() {
-    let curves = ["model = \"persson-plastic\"\nstrain_gradient = true", "model = \"persson\""];
-    let verdict = |strength: &str| {
+fn a_strength_that_grows_is_held_against_elements_with_the_hardness_of_each_scale() {
+    let curves = ["model = \"persson-plastic\"\nstrain_gradient = true", "model = \"persson-plastic\""];
+    let judged_at = |strength: &str| {
         let material = format!("yield_strength = \"{strength}\"\nstrain_gradient_length = \"1 nm\"");
-        let scene = scene(0.9, &material, "\"300 MPa\"", &curves);
-        let (_, judgement) = judged(&scene, &coarse(48, 2));
-        (judgement.curves[0].verdict, judgement.curves[0].reason)
+        judged(&scene(0.9, &material, "\"300 MPa\"", &curves), &coarse(48, 4)).1.curves
     };
-    assert!(
-        matches!(verdict("100 MPa"), (Verdict::NotJudged, Reason::StrengthGrows { .. })),
-        "{:?}",
-        verdict("100 MPa")
+    let soft = judged_at("100 MPa");
+    assert!(soft[0].reference == Reference::Growing && soft[0].verdict.compares(), "{soft:?}");
+    // The elements have the hardness of the window's middle only, which is an error of theirs.
+    let errors = [0, 1].map(|curve: usize| soft[curve].elements.unwrap().relative_error());
+    assert!(errors[0] > 2.0 * errors[1], "{errors:?}");
+    let hard = judged_at("100 GPa");
+    assert!(hard[0].reference == Reference::Elastic && hard[0].verdict.compares(), "{hard:?}");
+}
+
+#[test]
+fn a_hardness_that_hardly_grows_gives_the_area_of_the_constant_one() {
+    let curves = ["model = \"persson-plastic\"\nstrain_gradient = true", "model = \"persson-plastic\""];
+    let scene = scene(
+        2.2,
+        "yield_strength = \"1 GPa\"\nstrain_gradient_length = \"1e-4 pm\"",
+        "\"300 MPa\"",
+        &curves,
     );
-    assert!(verdict("100 GPa").0.compares(), "{:?}", verdict("100 GPa"));
+    let (_, judgement) = judged(&scene, &coarse(48, 2));
+    let [growing, constant] = [0, 1].map(|curve| judgement.curves[curve].elements.unwrap());
+    assert_eq!(judgement.curves[0].reference, Reference::Growing);
+    assert!((growing.area_fraction / constant.area_fraction - 1.0).abs() < 1e-4, "{growing:?} {constant:?}");
+    assert!((growing.relative_error() / constant.relative_error() - 1.0).abs() < 1e-3);
+    assert!(growing.high() >= constant.high());
+}
+
+#[test]
+fn a_curve_between_the_growing_and_the_constant_hardness_is_not_judged() {
+    let curves = [
+        "model = \"persson-plastic\"\nstrain_gradient = true",
+        "model = \"elastic-plastic\"\nstrain_gradient = true",
+    ];
+    let scene =
+        scene(2.2, "yield_strength = \"300 MPa\"\nstrain_gradient_length = \"10 nm\"", "\"30 MPa\"", &curves);
+    let (_, judgement) = judged(&scene, &coarse(48, 2));
+    for curve in &judgement.curves {
+        let elements = curve.elements.unwrap();
+        let is_between =
+            curve.ratio().unwrap() > 4.0 / 3.0 && curve.area_fraction.unwrap() <= elements.high();
+        assert_eq!(matches!(curve.reason, Reason::BetweenHardnesses { .. }), is_between, "{curve:?}");
+    }
 }
 
 #[test]

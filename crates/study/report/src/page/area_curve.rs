@@ -238,7 +238,7 @@ fn elements(marks: &[ElementMark], x: Axis, y: Axis) -> String {
     for mark in marks {
         let class = match mark.reference {
             Reference::Elastic => "elements",
-            Reference::Yielding { .. } => "elements yielding",
+            Reference::Yielding { .. } | Reference::Growing => "elements yielding",
         };
         let (across, up) = (x.place(mark.wavelength_m), y.place(mark.area_fraction));
         let _ = write!(
@@ -260,7 +260,7 @@ fn element_kinds(marks: &[ElementMark]) -> String {
     let mut across = LEFT + 4.0;
     let up = HEIGHT - 12.0;
     for (yields, words) in [(false, "elastic elements"), (true, "yielding")] {
-        if marks.iter().any(|mark| matches!(mark.reference, Reference::Yielding { .. }) == yields) {
+        if marks.iter().any(|mark| (mark.reference != Reference::Elastic) == yields) {
             let class = if yields { "elements yielding" } else { "elements" };
             let _ = write!(
                 text,

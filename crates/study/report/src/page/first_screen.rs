@@ -127,7 +127,6 @@ pub(super) fn best_estimate(report: &SceneReport<'_>, load: &LoadConclusion) -> 
     let heading = match (area.source, load.otherwise) {
         (Source::Model { .. } | Source::Models, _) => "Not checked",
         (_, Some(_)) => "✓ Best estimate – if the hardness grows at small scales",
-        (Source::BetweenElements, _) => "Between two limits",
         _ => "✓ Best estimate",
     };
     let inputs = if area.includes_inputs { ", inputs included" } else { "" };
@@ -283,6 +282,7 @@ pub(super) fn reference_words(reference: Reference) -> &'static str {
     match reference {
         Reference::Elastic => "elastic elements",
         Reference::Yielding { .. } => "elements that yield",
+        Reference::Growing => "elements whose hardness grows",
     }
 }
 

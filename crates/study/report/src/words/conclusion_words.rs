@@ -133,9 +133,6 @@ fn estimate_line(area: &AreaEstimate) -> String {
 pub(crate) fn source_words(source: Source) -> String {
     match source {
         Source::Elements(reference) => format!("boundary elements, {}", reference_words(reference)),
-        Source::BetweenElements => {
-            "between elastic boundary elements and those that yield at a constant hardness".to_owned()
-        }
         Source::Model { .. } => "one model, not compared with boundary elements".to_owned(),
         Source::Models => "the range of the models, not compared with boundary elements".to_owned(),
     }
@@ -146,6 +143,7 @@ pub(crate) fn reference_words(reference: Reference) -> String {
     match reference {
         Reference::Elastic => "elastic".to_owned(),
         Reference::Yielding { hardness_pa } => format!("yielding at {}", pressure(hardness_pa)),
+        Reference::Growing => "yielding at a hardness that grows at small scales".to_owned(),
     }
 }
 
