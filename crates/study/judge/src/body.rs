@@ -14,8 +14,10 @@ pub enum Body {
         /// The hardness \[Pa\].
         hardness_pa: f64,
     },
-    /// The strength grows at small scales, so that no one bound on the pressure describes it.
+    /// The strength grows at small scales, as that of the material.
     Growing,
+    /// The hardness grows at small scales by a law of the model's own.
+    GrowingByOwnLaw,
 }
 
 impl Body {
@@ -24,15 +26,17 @@ impl Body {
     pub fn from_model(model: &CurveModel) -> Self {
         match model.hardness_pa() {
             None => Body::Elastic,
+            Some(_) if model.options().hardness_law.is_some() => Body::GrowingByOwnLaw,
             Some(_) if model.strength_grows() => Body::Growing,
             Some(hardness_pa) => Body::Hard { hardness_pa },
         }
     }
 
-    /// The elements that match the body where it yields.
+    /// The elements that match the body where it yields. A hardness law of a model's own has none, so that the body is held
+    /// against elastic elements, and only if it never yields.
     pub(crate) fn reference(self) -> Reference {
         match self {
-            Body::Elastic => Reference::Elastic,
+            Body::Elastic | Body::GrowingByOwnLaw => Reference::Elastic,
             Body::Hard { hardness_pa } => Reference::Yielding { hardness_pa },
             Body::Growing => Reference::Growing,
         }

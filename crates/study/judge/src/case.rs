@@ -109,7 +109,12 @@ impl<'s> Case<'s> {
 
     /// True if the strength of a curve's body grows at small scales.
     pub fn strength_grows(&self, curve: usize) -> bool {
-        self.bodies[curve] == Body::Growing
+        matches!(self.bodies[curve], Body::Growing | Body::GrowingByOwnLaw)
+    }
+
+    /// The scale from which on a curve yields by a hardness law of its own, which no elements have.
+    pub fn yields_by_own_law(&self, at: CurveAtLoad) -> Option<AboveHardness> {
+        (self.bodies[at.curve] == Body::GrowingByOwnLaw).then(|| self.yields_while_growing(at)).flatten()
     }
 
     /// Finds the elements that every curve is compared with, and those that the material needs besides.

@@ -43,7 +43,8 @@ impl Comparisons<'_> {
                     pressure_pa: pressures_pa[body][at.load],
                     gradient_pa: case.composite_modulus_pa * window.rms_gradient,
                     area_fraction: areas[at.curve][at.load],
-                    elements: self.area_on_window(Cell { body, window: index, load: at.load }),
+                    elements: comparable(case, at)
+                        .and_then(|()| self.area_on_window(Cell { body, window: index, load: at.load })),
                 };
                 outcomes.push(comparison.outcome(case));
             }
@@ -64,7 +65,7 @@ impl Comparisons<'_> {
                 pressure_pa: case.nominal_pressure_pa(at.load),
                 gradient_pa,
                 area_fraction: case.final_area(at),
-                elements: self.area_of_whole_band(case.body(at), at.load),
+                elements: comparable(case, at).and_then(|()| self.area_of_whole_band(case.body(at), at.load)),
             };
             WindowOutcome { is_whole_band: true, ..comparison.outcome(case) }
         };
@@ -133,6 +134,12 @@ impl Comparisons<'_> {
     }
 }
 
+/// Refuses a curve that yields by a hardness law that no elements have.
+fn comparable(case: &Case<'_>, at: CurveAtLoad) -> Result<(), Reason> {
+    let own_law = case.yields_by_own_law(at);
+    own_law.map_or(Ok(()), |above| Err(Reason::StrengthGrows { wavelength_m: above.wavelength_m }))
+}
+
 /// The mean pressures \[Pa\] on a window, for every body that is pressed and every load.
 fn pressures_pa(case: &Case<'_>, forms: &WindowForms) -> Vec<Vec<f64>> {
     let of_body = |&reference: &Reference| {
@@ -151,26 +158,24 @@ fn areas(
         model_areas::area_fractions(case.scene, &case.results.psd, window, curves, pressures_pa)
     };
     let mut areas = vec![vec![None; case.loads()]; case.curves()];
+    let (growing, steady): (Vec<usize>, Vec<usize>) =
+        (0..case.curves()).partition(|curve| case.strength_grows(*curve));
     for (body, pressures_pa) in pressures_pa.iter().enumerate() {
-        let (growing, steady): (Vec<usize>, Vec<usize>) =
-            (0..case.curves()).partition(|curve| case.strength_grows(*curve));
-        let of_body = |curve: usize, load: usize| case.body(CurveAtLoad { curve, load }) == body;
-        let steady: Vec<usize> = steady.into_iter().filter(|curve| of_body(*curve, 0)).collect();
-        for (curve, found) in steady.iter().zip(model_areas(&steady, pressures_pa)?) {
+        let of_body = |curve: &&usize| case.body(CurveAtLoad { curve: **curve, load: 0 }) == body;
+        let of_body: Vec<usize> = steady.iter().filter(of_body).copied().collect();
+        for (curve, found) in of_body.iter().zip(model_areas(&of_body, pressures_pa)?) {
             areas[*curve] = found;
         }
-        for curve in growing {
-            for (load, pressure_pa) in
-                pressures_pa.iter().enumerate().filter(|(load, _)| of_body(curve, *load))
-            {
-                areas[curve][load] = match model_areas(&[curve], &[*pressure_pa]) {
-                    Ok(areas) => areas[0][0],
-                    // The window begins with more than the strength bears.
-                    Err(JudgeError::Plan(PlanError::Hardness(_))) => None,
-                    Err(error) => return Err(error),
-                };
-            }
-        }
+    }
+    // The elements of a strength that grows depend on the load.
+    for at in case.all().filter(|at| growing.contains(&at.curve) && comparable(case, *at).is_ok()) {
+        let pressure_pa = pressures_pa[case.body(at)][at.load];
+        areas[at.curve][at.load] = match model_areas(&[at.curve], &[pressure_pa]) {
+            Ok(areas) => areas[0][0],
+            // The window begins with more than the strength bears.
+            Err(JudgeError::Plan(PlanError::Hardness(_))) => None,
+            Err(error) => return Err(error),
+        };
     }
     Ok(areas)
 }

@@ -31,6 +31,11 @@ pub enum Reason {
     },
     /// An assumption of the curve does not hold.
     Broken(BrokenAssumption),
+    /// The hardness grows at small scales by a law that elements do not have, and the contact yields.
+    StrengthGrows {
+        /// The wavelength \[m\] at which the curve's pressure first exceeds its hardness.
+        wavelength_m: f64,
+    },
     /// The curve touches more than elements whose hardness grows, but no more than those with the constant hardness.
     BetweenHardnesses {
         /// The curve's area over that of the elements whose hardness grows.
@@ -81,6 +86,11 @@ impl fmt::Display for Reason {
                 "from {} on, {} of the load rests on asperities outside the fitted range of the law",
                 length(wavelength_m),
                 percent(load_share)
+            ),
+            Reason::StrengthGrows { wavelength_m } => write!(
+                f,
+                "yields from {} on by a hardness law of its own, which boundary elements do not have",
+                length(wavelength_m)
             ),
             Reason::BetweenHardnesses { ratio } => write!(
                 f,

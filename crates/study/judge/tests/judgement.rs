@@ -207,6 +207,19 @@ fn a_strength_that_grows_is_held_against_elements_with_the_hardness_of_each_scal
 }
 
 #[test]
+fn a_hardness_law_of_its_own_is_not_judged_unless_it_never_matters() {
+    let curves = ["model = \"persson-plastic\"\nhardness_law = \"power:0.1\"", "model = \"persson\""];
+    let verdict = |strength: &str| {
+        let scene = scene(0.9, &format!("yield_strength = \"{strength}\""), "\"300 MPa\"", &curves);
+        let curve = judged(&scene, &coarse(48, 2)).1.curves.swap_remove(0);
+        (curve.verdict, curve.reason)
+    };
+    let yields = verdict("200 MPa");
+    assert!(matches!(yields, (Verdict::NotJudged, Reason::StrengthGrows { .. })), "{yields:?}");
+    assert!(verdict("100 GPa").0.compares(), "{:?}", verdict("100 GPa"));
+}
+
+#[test]
 fn a_hardness_that_hardly_grows_gives_the_area_of_the_constant_one() {
     let curves = ["model = \"persson-plastic\"\nstrain_gradient = true", "model = \"persson-plastic\""];
     let scene = scene(
