@@ -2,6 +2,7 @@
 //! crates of evidence, `stress`, `coverage`, `work-precision` and `model-trials`.
 
 mod docs;
+mod gap_trials;
 mod golden;
 mod in_release;
 mod instructions;
@@ -50,6 +51,9 @@ cargo xtask work-precision     measures run time against error, beside scipy and
 cargo xtask model-trials [--anew]
                                compares every model with boundary elements and rewrites the tables and figures of
                                docs/guide/which-model.md; presses new surfaces only, --anew all of them (minutes)
+cargo xtask gap-trials [--anew]
+                               compares mean gap and stiffness of Persson's theory with boundary elements and rewrites the table
+                               of docs/guide/gap.md; presses new spectra only, --anew all of them (minutes)
 cargo xtask judge-trials [--anew]
                                compares the judge of scenes with whole bands solved at once and rewrites the tables of
                                docs/guide/judge.md; presses new surfaces only, --anew all of them (an hour)
@@ -70,6 +74,7 @@ enum Task {
     Coverage { arguments: Vec<OsString> },
     WorkPrecision,
     ModelTrials { anew: bool },
+    GapTrials { anew: bool },
     JudgeTrials { anew: bool },
 }
 
@@ -89,6 +94,7 @@ fn main() -> ExitCode {
         Ok(Some(Task::Coverage { arguments })) => in_release::run("truearea-coverage", &arguments),
         Ok(Some(Task::WorkPrecision)) => work_precision::run(),
         Ok(Some(Task::ModelTrials { anew })) => model_trials::run(anew),
+        Ok(Some(Task::GapTrials { anew })) => gap_trials::run(anew),
         Ok(Some(Task::JudgeTrials { anew })) => judge_trials::run(anew),
         Ok(None) => {
             print!("{HELP}");
@@ -122,6 +128,7 @@ fn parse(mut parser: lexopt::Parser) -> Result<Option<Task>, lexopt::Error> {
                     // The second names are those of earlier versions.
                     Some("work-precision" | "bench") => Task::WorkPrecision,
                     Some("model-trials" | "judge") => Task::ModelTrials { anew: false },
+                    Some("gap-trials") => Task::GapTrials { anew: false },
                     Some("judge-trials") => Task::JudgeTrials { anew: false },
                     _ => return Err(Value(name).unexpected()),
                 };
@@ -129,7 +136,12 @@ fn parse(mut parser: lexopt::Parser) -> Result<Option<Task>, lexopt::Error> {
             }
             (
                 Long("anew"),
-                Some(Task::ModelTrials { anew } | Task::JudgeTrials { anew } | Task::Python { anew }),
+                Some(
+                    Task::ModelTrials { anew }
+                    | Task::GapTrials { anew }
+                    | Task::JudgeTrials { anew }
+                    | Task::Python { anew },
+                ),
             ) => *anew = true,
             (Long("test"), Some(Task::Web { tests })) => *tests = true,
             (Long("check"), Some(Task::Docs { check })) => *check = true,

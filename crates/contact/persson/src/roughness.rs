@@ -3,7 +3,9 @@
 use std::f64::consts::TAU;
 
 use crate::stretch::share_of_power_law;
-use crate::variance::{Band, SpectrumSample, mean_square_gradients, spectral_exponents};
+use crate::variance::{
+    Band, SpectrumSample, mean_square_gradients, mean_square_gradients_from_first, spectral_exponents,
+};
 
 /// Samples of a spectrum, from long to short wavelengths, with the derived quantities that the theory needs.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,6 +23,9 @@ pub struct Place {
     pub wavevector_rad_per_m: f64,
     /// Mean square gradient h'^2 of the surface up to q.
     pub mean_square_gradient: f64,
+    /// Mean square gradient of the waves between the first place and q, which gap and stiffness take: if the surface is cut, more
+    /// than `mean_square_gradient` by what its profiles show beyond the first place.
+    pub mean_square_gradient_from_first: f64,
     /// Moments m0 \[m^2\], m2 and m4 \[1/m^2\] of profiles up to q.
     pub moments: [f64; 3],
     /// Nayak's alpha = m0 m4/m2^2 of profiles up to q; infinite at the first place.
@@ -64,11 +69,13 @@ impl Roughness {
             mean_square_slope: last_slope,
         }));
         let gradients = mean_square_gradients(&of_spectrum, band);
+        let from_first = mean_square_gradients_from_first(&of_spectrum, band);
         let exponents = spectral_exponents(&of_spectrum);
         let place = |(at, sample): (usize, &RoughnessSample)| Place {
             wavelength_m: sample.wavelength_m,
             wavevector_rad_per_m: TAU / sample.wavelength_m,
             mean_square_gradient: gradients[at],
+            mean_square_gradient_from_first: from_first[at],
             moments: sample.moments,
             alpha: nayak(sample.moments),
             amplitude_m: sample.amplitude_m,
@@ -125,5 +132,11 @@ impl Place {
     #[must_use]
     pub fn variance_pa2(&self, contact_modulus_pa: f64) -> f64 {
         0.25 * contact_modulus_pa * contact_modulus_pa * self.mean_square_gradient
+    }
+
+    /// Variance \[Pa^2\] of the pressure that flattens the waves between the first place and this one, for gap and stiffness.
+    #[must_use]
+    pub fn variance_from_first_pa2(&self, contact_modulus_pa: f64) -> f64 {
+        0.25 * contact_modulus_pa * contact_modulus_pa * self.mean_square_gradient_from_first
     }
 }

@@ -29,6 +29,12 @@ pub enum TrialError {
     /// A spectrum cannot be sampled.
     #[error("sampling a spectrum: {0}")]
     Samples(#[from] spectrum::PsdError),
+    /// Random surfaces cannot be made or pressed.
+    #[error(transparent)]
+    Random(#[from] rough_bem::ElementsError),
+    /// A theory has no gap.
+    #[error("computing a gap: {0}")]
+    Gap(#[from] study::gap_law::GapError),
     /// The judge cannot press its surfaces.
     #[error(transparent)]
     Judge(#[from] judge::JudgeError),

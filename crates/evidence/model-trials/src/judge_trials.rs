@@ -15,13 +15,13 @@ use crate::TrialError;
 use crate::elements::digits;
 
 /// Contact modulus E* of all trials \[Pa\].
-const CONTACT_MODULUS_PA: f64 = 100e9;
+pub(crate) const CONTACT_MODULUS_PA: f64 = 100e9;
 /// Rms gradient h' of every surface.
-const RMS_GRADIENT: f64 = 0.05;
+pub(crate) const RMS_GRADIENT: f64 = 0.05;
 /// The shortest wavelength \[m\]. Areas do not depend on it.
-const SHORTEST_M: f64 = 1e-8;
+pub(crate) const SHORTEST_M: f64 = 1e-8;
 /// Longest over shortest wavelength.
-const WIDTH: f64 = 64.0;
+pub(crate) const WIDTH: f64 = 64.0;
 /// Loads p/(E* h') of every trial.
 pub const LOADS: [f64; 3] = [0.005, 0.03, 0.2];
 /// Points along a side on which the judge presses windows: about one decade each.
@@ -69,9 +69,6 @@ pub enum Kind {
     Steep,
 }
 
-const KINDS: [Kind; 6] =
-    [Kind::SelfAffine, Kind::RollOff, Kind::TwoHumps, Kind::Hump, Kind::Step, Kind::Steep];
-
 /// Spectrum of a trial.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JudgeTrial {
@@ -88,9 +85,9 @@ pub struct JudgeTrial {
 pub fn trials(set: Set) -> Vec<JudgeTrial> {
     let first = match set {
         Set::Calibration => 1,
-        Set::Report => 1 + OF_A_KIND * KINDS.len() as u32,
+        Set::Report => 1 + OF_A_KIND * Kind::ALL.len() as u32,
     };
-    let members = KINDS.iter().flat_map(|&kind| (0..OF_A_KIND).map(move |_| kind));
+    let members = Kind::ALL.iter().flat_map(|&kind| (0..OF_A_KIND).map(move |_| kind));
     let trial = |(at, kind): (usize, Kind)| JudgeTrial { set, kind, number: first + at as u32 };
     members.enumerate().map(trial).collect()
 }
@@ -166,7 +163,7 @@ impl JudgeTrial {
     }
 
     /// Scene of the trial, with all models that apply or Persson's theory alone.
-    fn scene(&self, all_models: bool) -> Result<Scene, TrialError> {
+    pub(crate) fn scene(&self, all_models: bool) -> Result<Scene, TrialError> {
         let (wavelengths_m, c1d_m3) = self.profile()?;
         let mut csv = "wavelength_m,C1D_m3\n".to_owned();
         for (wavelength_m, c1d_m3) in wavelengths_m.iter().zip(&c1d_m3) {
@@ -386,7 +383,7 @@ fn errors(rows: &[JudgedRow]) -> String {
         line("reported", &|row| row.set == Set::Report),
         line("reported, truth known to 2 %", &|row| row.set == Set::Report && row.truth_error <= TRUTH_ERROR),
     ];
-    lines.extend(KINDS.iter().map(|&kind| {
+    lines.extend(Kind::ALL.iter().map(|&kind| {
         line(&format!("reported, {}", kind.name()), &|row| row.set == Set::Report && row.kind == kind)
     }));
     table(&["trials", "rms", "worst ratio", "within two standard errors", "median bracket"], &lines)
@@ -414,7 +411,10 @@ fn promises(rows: &[JudgedRow]) -> String {
 }
 
 impl Kind {
-    fn name(self) -> &'static str {
+    pub(crate) const ALL: [Kind; 6] =
+        [Kind::SelfAffine, Kind::RollOff, Kind::TwoHumps, Kind::Hump, Kind::Step, Kind::Steep];
+
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Kind::SelfAffine => "self-affine",
             Kind::RollOff => "roll-off",

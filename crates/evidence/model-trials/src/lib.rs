@@ -4,6 +4,7 @@
 
 pub mod elements;
 mod error;
+pub mod gap_trials;
 pub mod gluing;
 pub mod hardness;
 pub mod judge_trials;

@@ -1,0 +1,200 @@
+//! Trials of mean gap and stiffness: Persson's theory, with the waves of the surface and with those of profiles, against boundary
+//! elements on spectra of every kind: the table of `docs/guide/gap.md`.
+
+use gaussian_surfaces::{AreaSpectrum, Phases};
+use parallel::Unobserved;
+use persson::variance::Band;
+use rough_bem::{ElementsError, Pressing, RandomChoices, Surfaces, press};
+use serde::{Deserialize, Serialize};
+use spectrum::Normalisation;
+use study::gap_law::{GapChoices, GapError, GapLaw, GapState};
+use study::plan::{Needs, Plan, Sampling};
+use units::display::three_digits;
+use work_precision::page::{table, with_section};
+
+use crate::TrialError;
+use crate::elements::digits;
+use crate::judge_trials::{
+    CONTACT_MODULUS_PA, JudgeTrial, Kind, RMS_GRADIENT, SHORTEST_M, Set, WIDTH, trials as judge_trials,
+};
+
+/// Loads p/(E* h') of every trial: areas from 0.01 to 0.5.
+pub const LOADS: [f64; 6] = [0.005, 0.01, 0.025, 0.06, 0.13, 0.25];
+/// Surfaces of every spectrum.
+const SURFACES: usize = 4;
+/// Seed of the surfaces.
+const SEED: u64 = 2000;
+/// Elastic energy factor g, as `gap` takes it (Almqvist et al. 2011).
+const ENERGY_FACTOR: f64 = 0.45;
+/// Area fractions between which the theory is used for laws; lighter loads stand in lines of their own.
+const MODERATE: std::ops::RangeInclusive<f64> = 0.02..=0.55;
+
+/// Gap and stiffness of a spectrum under a load.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct GapRow {
+    /// Form of the spectrum.
+    pub kind: Kind,
+    /// Number of the spectrum among those of the judge's trials.
+    pub number: u32,
+    /// Load p/(E* h').
+    pub pressure_over_gradient: f64,
+    /// Area fraction of the elements.
+    pub area_fraction: f64,
+    /// Mean gap of the elements over the rms height of the spectrum.
+    pub gap_over_rms_height: f64,
+    /// Its relative standard error, from the scatter of the surfaces.
+    pub gap_error: f64,
+    /// Stiffness of the elements times the rms height over E*.
+    pub relative_stiffness: f64,
+    /// Its relative standard error.
+    pub stiffness_error: f64,
+    /// Gap of the theory with the waves of the surface over that of the elements.
+    pub gap_2d: f64,
+    /// Stiffness of the theory with the waves of the surface over that of the elements.
+    pub stiffness_2d: f64,
+    /// Area of the theory with the waves of the surface over that of the elements.
+    pub area_2d: f64,
+    /// Gap with the waves of profiles.
+    pub gap_1d: f64,
+    /// Stiffness with the waves of profiles.
+    pub stiffness_1d: f64,
+    /// Area with the waves of profiles.
+    pub area_1d: f64,
+}
+
+/// Twenty of the spectra on which the judge was tried: the first three of every kind, and one more of the two commonest.
+#[must_use]
+pub fn trials() -> Vec<JudgeTrial> {
+    let all = judge_trials(Set::Report);
+    let place = |trial: &JudgeTrial| {
+        all.iter().filter(|other| other.kind == trial.kind && other.number < trial.number).count()
+    };
+    let wanted = |trial: &&JudgeTrial| match trial.kind {
+        Kind::SelfAffine | Kind::RollOff => place(trial) < 4,
+        _ => place(trial) < 3,
+    };
+    all.iter().filter(wanted).copied().collect()
+}
+
+/// Presses the surfaces of a spectrum under some loads p/(E* h'), and puts the theory beside them.
+///
+/// # Errors
+/// The error of making or pressing a surface, and of computing the theory.
+pub fn rows_of(trial: &JudgeTrial, loads: &[f64]) -> Result<Vec<GapRow>, TrialError> {
+    let scene = trial.scene(false)?;
+    let needs = Needs { moments: Some(Normalisation::Parseval), ..Needs::default() };
+    let psd = scene.plan().compute()?.psd;
+    let plan = Plan { psd: &psd, sampling: Sampling::default(), needs };
+    let results = plan.compute()?;
+    // The scene of a trial lists Persson's theory alone.
+    let [curve] = &scene.needs.curves[..] else { return Err(GapError::NoRoughness.into()) };
+    let law = |band: Band| {
+        let choices = GapChoices { energy_factor: ENERGY_FACTOR, band, tolerance: scene.needs.tolerance };
+        GapLaw::of(&curve.model, &plan, &results, &choices)
+    };
+    let laws = [law(Band::Surface)?, law(Band::Profile)?];
+
+    let area = AreaSpectrum::from_profile(&psd)?;
+    let longest_m = WIDTH * SHORTEST_M;
+    let choices = RandomChoices {
+        points: (8.0 * WIDTH) as usize,
+        realisations: SURFACES,
+        seed: SEED + u64::from(trial.number),
+        longest_m: Some(longest_m),
+        shortest_m: Some(SHORTEST_M),
+        side_m: Some(2.0 * longest_m),
+        phases: Phases::FixedModulus,
+    };
+    let (random, _) = choices.surfaces(&area)?;
+    let pressing = Pressing {
+        pressures_pa: loads.iter().map(|load| load * CONTACT_MODULUS_PA * RMS_GRADIENT).collect(),
+        stiffness: true,
+        ..Pressing::elastic(CONTACT_MODULUS_PA)
+    };
+    let pressed = press::<ElementsError>(&Surfaces::Random(random), &pressing, |_| Ok(()), &Unobserved)?;
+    let rms_height_m = laws[0].rms_height_m();
+    let mut rows = Vec::new();
+    for (pressure_over_gradient, load) in loads.iter().copied().zip(&pressed) {
+        let (gap_m, gap_error) = mean(load.states.iter().map(|state| state.mean_gap_m));
+        let area_fraction = load.mean().best_area_fraction();
+        let stiffnesses = load.states.iter().filter_map(|state| state.stiffness_pa_per_m);
+        let (stiffness_pa_per_m, stiffness_error) = mean(stiffnesses);
+        let over = |law: &GapLaw| -> Result<[f64; 3], TrialError> {
+            let GapState { mean_gap_m, stiffness_pa_per_m: of_law, area_fraction: of_theory, .. } =
+                law.at(load.nominal_pressure_pa)?;
+            let ratio = |value: Option<f64>, elements: f64| value.map_or(f64::NAN, |value| value / elements);
+            Ok([ratio(mean_gap_m, gap_m), ratio(of_law, stiffness_pa_per_m), of_theory / area_fraction]
+                .map(digits))
+        };
+        let ([gap_2d, stiffness_2d, area_2d], [gap_1d, stiffness_1d, area_1d]) =
+            (over(&laws[0])?, over(&laws[1])?);
+        rows.push(GapRow {
+            kind: trial.kind,
+            number: trial.number,
+            pressure_over_gradient,
+            area_fraction: digits(area_fraction),
+            gap_over_rms_height: digits(gap_m / rms_height_m),
+            gap_error: digits(gap_error),
+            relative_stiffness: digits(stiffness_pa_per_m * rms_height_m / CONTACT_MODULUS_PA),
+            stiffness_error: digits(stiffness_error),
+            gap_2d,
+            stiffness_2d,
+            area_2d,
+            gap_1d,
+            stiffness_1d,
+            area_1d,
+        });
+    }
+    Ok(rows)
+}
+
+/// Mean of some values, and its relative standard error.
+fn mean(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    let values: Vec<f64> = values.collect();
+    let count = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / count;
+    let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
+    (mean, (squares / (count * (count - 1.0))).sqrt() / mean)
+}
+
+/// Returns the page with a new table; its text is written by hand.
+///
+/// # Errors
+/// [`TrialError::Page`] if the page lacks the section.
+pub fn written(page: &str, rows: &[GapRow]) -> Result<String, TrialError> {
+    let mut lines = Vec::new();
+    let moderate = |row: &&GapRow| MODERATE.contains(&row.area_fraction);
+    let mut add = |name: String, wanted: &dyn Fn(&&GapRow) -> bool| {
+        let of_line: Vec<&GapRow> = rows.iter().filter(wanted).collect();
+        let of = |value: fn(&GapRow) -> f64| range(of_line.iter().map(|row| value(row)).collect());
+        lines.push(vec![
+            name,
+            of_line.len().to_string(),
+            of(|row| row.stiffness_2d),
+            of(|row| row.gap_2d),
+            of(|row| row.area_2d),
+            of(|row| row.stiffness_1d),
+            of(|row| row.gap_1d),
+            of(|row| row.area_1d),
+        ]);
+    };
+    add("all, A from 0.02 to 0.5".to_owned(), &moderate);
+    for kind in Kind::ALL {
+        add(kind.name().to_owned(), &|row| moderate(row) && row.kind == kind);
+    }
+    add("all, A from 0.01 to 0.02".to_owned(), &|row| row.area_fraction < *MODERATE.start());
+    let headings = ["spectra", "states", "K, 2d", "u, 2d", "A, 2d", "K, 1d", "u, 1d", "A, 1d"];
+    with_section(page, "gap", &table(&headings, &lines)).map_err(TrialError::Page)
+}
+
+/// Least, middle and largest of some ratios: `0.81 to 1.05 (0.93)`.
+fn range(mut ratios: Vec<f64>) -> String {
+    ratios.sort_by(f64::total_cmp);
+    match (ratios.first(), ratios.get(ratios.len() / 2), ratios.last()) {
+        (Some(least), Some(middle), Some(largest)) => {
+            format!("{} to {} ({})", three_digits(*least), three_digits(*largest), three_digits(*middle))
+        }
+        _ => String::new(),
+    }
+}
