@@ -360,7 +360,7 @@ impl Relief {
     }
 
     /// Rms height about the mean \[m\].
-    fn rms_height_m(&self) -> f64 {
+    pub(crate) fn rms_height_m(&self) -> f64 {
         let count = self.heights_m.len() as f64;
         let mean_m = self.heights_m.iter().sum::<f64>() / count;
         let squares = self.heights_m.iter().map(|height_m| (height_m - mean_m).powi(2));

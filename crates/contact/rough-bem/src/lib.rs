@@ -6,8 +6,10 @@
 //! * [`Pressing`]: material, loads and tolerance;
 //! * [`PressedLoad`]: one load on every surface, each with its [`PressedState`], and their [`Mean`];
 //! * [`Ball`] and [`Cylinder`]: smooth bodies pressed onto one rough flat;
+//! * [`AdhesivePressing`]: surfaces that attract each other, under loads and pulled apart;
 //! * [`Field`]: pressures and gaps of one surface under one load, which can be written as NetCDF.
 
+mod adhesive;
 mod ball;
 mod error;
 mod field;
@@ -21,6 +23,7 @@ mod state;
 mod surfaces;
 mod table;
 
+pub use adhesive::{AdhesiveError, AdhesivePressing, AdhesiveState, Branch, adhesive_means, adhesive_table};
 pub use ball::{Ball, BallCaution, BallError, BallPressing, BallState, Cylinder, LARGEST_EXTENT, ball_table};
 pub use error::ElementsError;
 pub use field::Field;

@@ -3,8 +3,7 @@
 use asperity::AsperityError;
 use contact_law::SamplingError;
 use persson::hardness_laws::HardnessError;
-use rough_bem::BallError;
-use rough_bem::ElementsError;
+use rough_bem::{AdhesiveError, BallError, ElementsError};
 use study::gap_law::GapError;
 use study::material::MaterialError;
 use study::models::ModelEntry;
@@ -87,6 +86,9 @@ pub enum QuestionError {
     /// A ball cannot be pressed onto the surfaces.
     #[error(transparent)]
     Ball(#[from] BallError),
+    /// Adhesive surfaces cannot be pressed.
+    #[error(transparent)]
+    Adhesion(#[from] AdhesiveError),
     /// Random surfaces cannot be made of the spectrum.
     #[error("{surface}: {error}")]
     RandomSurfaces {
@@ -124,13 +126,16 @@ impl QuestionError {
     /// Returns true if the user cancelled the work.
     #[must_use]
     pub fn is_cancelled(&self) -> bool {
-        use half_space::HalfSpaceError;
+        use half_space::{AdhesionError, HalfSpaceError};
         matches!(
             self,
             QuestionError::Plan(PlanError::Cancelled)
                 | QuestionError::Sampling(SamplingError::Source(GapError::Cancelled))
                 | QuestionError::Elements(ElementsError::HalfSpace(HalfSpaceError::Cancelled))
                 | QuestionError::Ball(BallError::HalfSpace(HalfSpaceError::Cancelled))
+                | QuestionError::Adhesion(AdhesiveError::Adhesion(AdhesionError::HalfSpace(
+                    HalfSpaceError::Cancelled
+                )))
         )
     }
 }

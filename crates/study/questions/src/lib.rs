@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod adhesion;
 mod ball;
 mod choices;
 mod counts;
@@ -20,6 +21,7 @@ mod states;
 mod tangential;
 mod text;
 
+pub use adhesion::{AdhesionNote, AdhesionQuestion, PreparedAdhesion};
 pub use ball::{BallQuestion, PreparedBall};
 pub use counts::{CurveCounts, CutCounts, LevelCounts};
 pub use curve::{CurveQuestion, CurveStream, PreparedCurve};

@@ -1,5 +1,6 @@
 //! Facts that a reader has to know about an answer, as data.
 
+use crate::AdhesionNote;
 use findings::doubts::Doubt;
 use gaussian_surfaces::{AreaSpectrum, GridBand};
 use persson::Roughness;
@@ -91,6 +92,8 @@ pub enum Note {
     Pressed(Vec<PressedLoad>),
     /// A ball on a flat that is coarse, narrow, or much larger than the ball can be as a parabola.
     Ball(BallCaution),
+    /// A finding on surfaces that attract each other.
+    Adhesion(AdhesionNote),
     /// A ball was pressed onto one place alone.
     OnePlace,
     /// A ball was pressed onto several places.

@@ -7,10 +7,10 @@ use clap::Args as ClapArgs;
 use gaussian_surfaces::Phases;
 use measurements::ScanRequest;
 use questions::{MaterialInput, OptionName, RandomInput};
-use rough_bem::{Boundary, RandomChoices};
+use rough_bem::{Boundary, Branch, RandomChoices};
 use study::measured::Kind;
 use topography::Detrend;
-use units::{Force, IndentationHardness, Length, Modulus, Pressure};
+use units::{Force, IndentationHardness, Length, Modulus, Pressure, WorkOfAdhesion};
 
 use super::groups::{CounterfaceArgs, FigureArg, NamedMaterialArgs, PressureArgs, ReadingArgs};
 use super::parsers::{one_of, parse_poisson_ratio};
@@ -18,7 +18,7 @@ use super::scans::{MapTreatmentArgs, UntoldArgs};
 
 /// A surface, how it is pressed, and what is written.
 #[derive(Debug, ClapArgs)]
-#[command(group = clap::ArgGroup::new("pressed").required(true).multiple(true).args(["pressures", "pressure_ranges", "ball_radius"]))]
+#[command(group = clap::ArgGroup::new("pressed").required(true).multiple(true).args(["pressures", "pressure_ranges", "ball_radius", "pull_off"]))]
 pub(crate) struct BemArgs {
     /// A map of heights, perhaps with options of its own (FILE:unit=nm,channel=Height,size=1um), or a power spectrum: a file, `-` for standard input, or
     /// builtin:uncd-measured, builtin:uncd-reconstructed or builtin:contact-challenge
@@ -37,6 +37,18 @@ pub(crate) struct BemArgs {
     /// Force on the ball, such as 1N
     #[arg(long, value_name = "F", requires = "ball_radius", allow_hyphen_values = true, conflicts_with_all = ["pressures", "pressure_ranges"])]
     pub force: Option<Force>,
+    /// Work of adhesion w of the two surfaces, such as 50mJ/m^2; pressures may then be negative
+    #[arg(long, value_name = "W", requires = "adhesion_range", allow_hyphen_values = true, conflicts_with_all = ["saturation", "ball_radius", "fields", "figure"])]
+    pub work_of_adhesion: Option<WorkOfAdhesion>,
+    /// Range rho of the attraction (w/rho) exp(-gap/rho), such as 2nm
+    #[arg(long, value_name = "L", requires = "work_of_adhesion", allow_hyphen_values = true)]
+    pub adhesion_range: Option<Length>,
+    /// History of the load with adhesion: apart, from first touch (where not given), contact, from full contact, or both
+    #[arg(long, value_name = "BRANCH", requires = "work_of_adhesion", value_parser = ["apart", "contact", "both"])]
+    pub branch: Option<String>,
+    /// Pull the surfaces apart in place of pressing them, and report the largest pull that they bear
+    #[arg(long, requires = "work_of_adhesion", conflicts_with_all = ["pressures", "pressure_ranges", "branch"])]
+    pub pull_off: bool,
     /// The largest residual, sum p|g| over sum p h_rms, above 0 and at most 0.1
     #[arg(long, value_name = "T", default_value_t = rough_bem::Pressing::TOLERANCE, allow_hyphen_values = true)]
     pub tolerance: f64,
@@ -56,6 +68,17 @@ pub(crate) struct BemArgs {
     pub random: RandomArgs,
     #[command(flatten)]
     pub reading: ReadingArgs,
+}
+
+impl BemArgs {
+    /// The branch that is followed; `None` for both.
+    pub fn followed(&self) -> Option<Branch> {
+        match self.branch.as_deref() {
+            Some("both") => None,
+            Some("contact") => Some(Branch::Contact),
+            _ => Some(Branch::Apart),
+        }
+    }
 }
 
 /// A material that is elastic, or flows at one hardness.

@@ -5,7 +5,9 @@ use std::sync::{Mutex, PoisonError};
 
 use half_space::HalfSpaceError;
 use measurements::MapOfFile;
-use questions::{BallQuestion, ElementsQuestion, Note, OptionName, Reason, UnusedOption};
+use questions::{
+    AdhesionQuestion, Answer, BallQuestion, ElementsQuestion, Note, OptionName, Reason, UnusedOption,
+};
 use report::provenance::program;
 use report::{elements_figure, elements_words, field_picture, question_words};
 use rough_bem::{Boundary, ElementsError, Field, Relief, Surfaces};
@@ -14,7 +16,7 @@ use staging::{NewFolder, StagedFiles};
 use study::measured::{Kind, Measured, MeasuredOptions};
 use study::surface::SurfaceError;
 use topography::Recipe;
-use units::{Force, Length};
+use units::{Force, Length, WorkOfAdhesion};
 
 use super::{Context, load_inputs, psd, range_inputs, reading_options, say_all};
 use crate::args::BemArgs;
@@ -29,6 +31,9 @@ use crate::timings::Timings;
 pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> {
     if let Some((radius, force)) = args.ball_radius.zip(args.force) {
         return press_ball(args, radius, force, context);
+    }
+    if let Some((work, range)) = args.work_of_adhesion.zip(args.adhesion_range) {
+        return press_adhesive(args, work, range, context);
     }
     let question = ElementsQuestion {
         material: args.material.input(),
@@ -110,10 +115,54 @@ fn press_ball(args: &BemArgs, radius: Length, force: Force, context: &Context<'_
     let progress = Progress::counting("steps");
     let answer = prepared.answer(&progress)?;
     drop(progress);
+    write(&answer, &comments, timings, context)
+}
+
+/// Presses surfaces that attract each other, or pulls them apart.
+fn press_adhesive(
+    args: &BemArgs,
+    work: WorkOfAdhesion,
+    range: Length,
+    context: &Context<'_>,
+) -> Result<(), Failure> {
+    let question = AdhesionQuestion {
+        material: args.material.input(),
+        pressures: load_inputs(&args.loads.pressures),
+        pressure_ranges: range_inputs(&args.loads.pressure_ranges),
+        work_of_adhesion_j_per_m2: work.j_per_m2,
+        range_m: range.m,
+        branch: args.followed(),
+        pull_off: args.pull_off,
+        tolerance: args.tolerance,
+        per_realisation: args.per_realisation,
+        random: args.random.input(),
+    };
+    question.check()?;
+    let mut timings = Timings::start();
+    let (measured, comments) = load(args, context)?;
+    let prepared = match measured {
+        Measured::Map(map) => question.on_map(relief(*map, args.map.boundary))?,
+        Measured::Spectrum(surface) => question.on(&surface)?,
+    };
+    let comments = told(comments, &prepared.notes, &prepared.surfaces);
+    timings.lap("reading");
+    let progress = Progress::counting("solutions");
+    let answer = prepared.answer(&progress)?;
+    drop(progress);
+    write(&answer, &comments, timings, context)
+}
+
+/// Says the notes of an answer, and writes its table.
+fn write(
+    answer: &Answer,
+    comments: &[String],
+    mut timings: Timings,
+    context: &Context<'_>,
+) -> Result<(), Failure> {
     timings.lap("pressing");
     say_all(&answer.notes, &Flags);
     let mut files = StagedFiles::default();
-    context.stage_blocks(&mut files, &context.shared.output, context.wanted(&comments), |out| {
+    context.stage_blocks(&mut files, &context.shared.output, context.wanted(comments), |out| {
         Ok(out.block(&answer.table)?)
     })?;
     publish(files)?;

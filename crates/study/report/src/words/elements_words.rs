@@ -1,6 +1,8 @@
 //! Boundary elements in words: the surfaces, and the limits of the results.
 
 use gaussian_surfaces::{AreaSpectrum, GridBand};
+use interface::adhesion::{FullerTabor, PastewkaRobbins};
+use questions::AdhesionNote;
 use rough_bem::{BallCaution, PressedLoad, RandomSurfaces};
 use study::validity::SMALL_SLOPE_PRESSURE;
 use units::display::{counted, length, percent, pressure, three_digits};
@@ -22,6 +24,48 @@ pub fn of_ball(caution: &BallCaution) -> String {
             three_digits(*radius_share)
         ),
         _ => "the contact of the ball is doubtful".to_owned(),
+    }
+}
+
+/// Says what was found on surfaces that attract each other.
+#[must_use]
+pub fn of_adhesion(found: &AdhesionNote) -> String {
+    match *found {
+        AdhesionNote::CoarseGrid { points } => format!(
+            "the process zone E* rho^2/w has {} points of the grid; from 2 on areas are good to 1 %, below they are up to 10 % \
+             too large: take a finer grid or a longer range",
+            three_digits(points)
+        ),
+        AdhesionNote::Metastable => {
+            "a negative pressure is borne by a state that a disturbance may end: --pull-off has its limit"
+                .to_owned()
+        }
+        AdhesionNote::Hysteresis { nominal_pressure_pa, apart, contact } => format!(
+            "the area depends on the history: at {} it is {} on approach and {} coming from full contact",
+            pressure(nominal_pressure_pa),
+            percent(apart),
+            percent(contact)
+        ),
+        AdhesionNote::PullOff { nominal_pressure_pa, mean_gap_m, area_fraction } => format!(
+            "pull-off at {}, with {} of the area in contact and a mean gap of {}",
+            pressure(nominal_pressure_pa),
+            percent(area_fraction),
+            length(mean_gap_m)
+        ),
+        AdhesionNote::Indicators { fuller_tabor, pastewka_robbins } => {
+            let fuller_tabor = fuller_tabor.map_or_else(String::new, |theta| {
+                format!(
+                    "Fuller & Tabor {} (above {} not sticky), ",
+                    three_digits(theta),
+                    FullerTabor::NOT_STICKY_ABOVE
+                )
+            });
+            format!(
+                "indicators of adhesion: {fuller_tabor}Pastewka & Robbins {} (sticky below {})",
+                three_digits(pastewka_robbins),
+                three_digits(PastewkaRobbins::LIMIT)
+            )
+        }
     }
 }
 

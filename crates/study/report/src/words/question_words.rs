@@ -95,6 +95,7 @@ fn texts(note: &Note, spelling: &dyn Spelling) -> Vec<String> {
         }
         Note::Pressed(loads) => elements_words::of_results(loads),
         Note::Ball(caution) => vec![elements_words::of_ball(caution)],
+        Note::Adhesion(found) => vec![elements_words::of_adhesion(found)],
         Note::OnePlace => vec![
             "one place decides little: its summits may carry half as much again as others; press several surfaces"
                 .to_owned(),

@@ -1,0 +1,261 @@
+//! Surfaces that attract each other, pressed and pulled apart by boundary elements.
+
+use asperity::MaterialPair;
+use findings::doubts::Doubt;
+use gaussian_surfaces::AreaSpectrum;
+use half_space::{Adhesion, GOOD_RESOLUTION};
+use interface::adhesion::{FullerTabor, PastewkaRobbins, StickyContact};
+use parallel::Progress;
+use rough_bem::{
+    AdhesivePressing, AdhesiveState, Branch, Pressing, Relief, Surfaces, adhesive_means, adhesive_table,
+};
+use serde::{Deserialize, Serialize};
+use spectrum::AsperityParameters;
+use study::surface::Surface;
+use units::Pressure;
+
+use crate::elements::{RandomInput, random_surfaces};
+use crate::loads::{LoadInput, RangeInput, nominal_pressure, pressures_pa};
+use crate::{Answer, MaterialInput, Note, OptionName, QuestionError};
+
+/// Difference of areas above which two branches count as two states.
+const SAME_AREA: f64 = 1e-3;
+
+/// A surface that attracts what presses on it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct AdhesionQuestion {
+    /// Bodies in contact; the roughness is that of both.
+    pub material: MaterialInput,
+    /// Nominal pressures; negative ones pull.
+    pub pressures: Vec<LoadInput>,
+    /// Nominal pressures as ranges, behind the others.
+    pub pressure_ranges: Vec<RangeInput>,
+    /// Work of adhesion w \[J/m^2\].
+    pub work_of_adhesion_j_per_m2: f64,
+    /// Range rho of the attraction (w/rho) exp(-g/rho) \[m\].
+    pub range_m: f64,
+    /// The branch that is followed; both if absent.
+    pub branch: Option<Branch>,
+    /// True to pull the surfaces apart in place of loads.
+    pub pull_off: bool,
+    /// Largest residual, above 0 and at most 0.1.
+    pub tolerance: f64,
+    /// A row for each surface instead of their mean.
+    pub per_realisation: bool,
+    /// Random surfaces, for a spectrum.
+    pub random: RandomInput,
+}
+
+impl Default for AdhesionQuestion {
+    fn default() -> Self {
+        AdhesionQuestion {
+            material: MaterialInput::default(),
+            pressures: Vec::new(),
+            pressure_ranges: Vec::new(),
+            work_of_adhesion_j_per_m2: 0.0,
+            range_m: 0.0,
+            branch: Some(Branch::Apart),
+            pull_off: false,
+            tolerance: Pressing::TOLERANCE,
+            per_realisation: false,
+            random: RandomInput::default(),
+        }
+    }
+}
+
+/// Adhesive surfaces ready to be pressed.
+pub struct PreparedAdhesion {
+    /// The surfaces.
+    pub surfaces: Surfaces,
+    /// Notes on the surfaces and on the material.
+    pub notes: Vec<Note>,
+    pressing: AdhesivePressing,
+    pull_off: bool,
+    per_realisation: bool,
+}
+
+/// Finding on adhesive surfaces.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum AdhesionNote {
+    /// The grid is coarse for the process zone E* rho^2/w.
+    CoarseGrid {
+        /// Points of the grid in the process zone; 2 are good to 1 %.
+        points: f64,
+    },
+    /// A negative load holds only until something disturbs it.
+    Metastable,
+    /// The area depends on the history of the load.
+    Hysteresis {
+        /// The load \[Pa\] at which it depends most.
+        nominal_pressure_pa: f64,
+        /// Area fraction on approach.
+        apart: f64,
+        /// Area fraction from full contact.
+        contact: f64,
+    },
+    /// The largest pull that the surfaces bear.
+    PullOff {
+        /// Nominal pressure \[Pa\], negative; the mean over the surfaces.
+        nominal_pressure_pa: f64,
+        /// Mean gap there \[m\].
+        mean_gap_m: f64,
+        /// Area fraction there.
+        area_fraction: f64,
+    },
+    /// The two indicators of stickiness beside their limits.
+    Indicators {
+        /// Parameter of Fuller & Tabor, if the spectrum has summits.
+        fuller_tabor: Option<f64>,
+        /// Left side of the criterion of Pastewka & Robbins.
+        pastewka_robbins: f64,
+    },
+}
+
+impl AdhesionQuestion {
+    /// Finds input that contradicts itself or is missing.
+    ///
+    /// # Errors
+    /// [`QuestionError`] with the first of it.
+    pub fn check(&self) -> Result<(), QuestionError> {
+        self.pressing().map(drop)
+    }
+
+    /// Prepares random surfaces of a spectrum.
+    ///
+    /// # Errors
+    /// [`QuestionError`].
+    pub fn on(&self, surface: &Surface) -> Result<PreparedAdhesion, QuestionError> {
+        let material = self.material.material()?;
+        let mut notes: Vec<Note> = Doubt::of_material(&material).map(Note::Doubt).into_iter().collect();
+        notes.extend(surface.notes.iter().cloned().map(Note::Surface));
+        notes.extend(Doubt::of_spectrum(&surface.psd).into_iter().map(Note::Doubt));
+        let elastic = Pressing::elastic(material.pair.composite_modulus_pa());
+        let (random, made) = random_surfaces(surface, &self.random, &elastic)?;
+        notes.extend(made);
+        notes.extend(self.indicators(&random.band, &material.pair).map(Note::Adhesion));
+        self.prepared(Surfaces::Random(random), notes)
+    }
+
+    /// Prepares a map as measured, which must be periodic.
+    ///
+    /// # Errors
+    /// [`QuestionError`].
+    pub fn on_map(&self, relief: Relief) -> Result<PreparedAdhesion, QuestionError> {
+        let material = self.material.material()?;
+        let doubts = Doubt::of_material(&material).into_iter().chain(Doubt::of_slope(relief.rms_slope()));
+        self.prepared(Surfaces::Map(relief), doubts.map(Note::Doubt).collect())
+    }
+
+    fn prepared(&self, surfaces: Surfaces, mut notes: Vec<Note>) -> Result<PreparedAdhesion, QuestionError> {
+        let pressing = self.pressing()?;
+        let first = surfaces.relief(0).map_err(rough_bem::AdhesiveError::from)?;
+        let points = pressing.resolution(&first)?;
+        drop(first);
+        if points < GOOD_RESOLUTION {
+            notes.push(Note::Adhesion(AdhesionNote::CoarseGrid { points }));
+        }
+        let AdhesionQuestion { pull_off, per_realisation, .. } = *self;
+        Ok(PreparedAdhesion { surfaces, notes, pressing, pull_off, per_realisation })
+    }
+
+    fn pressing(&self) -> Result<AdhesivePressing, QuestionError> {
+        let material = self.material.material()?;
+        let load_pa = |LoadInput { pressure, label }: &LoadInput| match pressure {
+            // Negative ones pull, which nominal pressures do not.
+            Pressure::Pascals(load_pa) => Ok(*load_pa),
+            _ => nominal_pressure(OptionName::Pressure, Some(label), *pressure, &material)
+                .map(|pressure| pressure.pa()),
+        };
+        let loads_pa = self.pressures.iter().map(load_pa).collect::<Result<Vec<f64>, QuestionError>>()?;
+        let loads_pa = [loads_pa, pressures_pa(&[], &self.pressure_ranges, &material)?].concat();
+        Ok(AdhesivePressing {
+            contact_modulus_pa: material.pair.composite_modulus_pa(),
+            adhesion: Adhesion { work_j_per_m2: self.work_of_adhesion_j_per_m2, range_m: self.range_m },
+            pressures_pa: loads_pa,
+            branches: self.branch.map_or_else(|| vec![Branch::Apart, Branch::Contact], |branch| vec![branch]),
+            tolerance: self.tolerance,
+        })
+    }
+
+    /// The indicators of the waves that are pressed.
+    fn indicators(&self, waves: &AreaSpectrum, pair: &MaterialPair) -> Option<AdhesionNote> {
+        let moments = waves.moments();
+        let contact_modulus_pa = pair.composite_modulus_pa();
+        let work_j_per_m2 = self.work_of_adhesion_j_per_m2;
+        let fuller_tabor = AsperityParameters::from_moments(&moments).and_then(|summits| {
+            let AsperityParameters { sigma_s_m, radius_m, .. } = summits;
+            FullerTabor::new(contact_modulus_pa, sigma_s_m, radius_m, work_j_per_m2).ok()
+        });
+        let sticky = PastewkaRobbins::new(&StickyContact {
+            rms_gradient: moments.rms_gradient(),
+            rms_laplacian_per_m: (8.0 / 3.0 * moments.m4_per_m2).sqrt(),
+            contact_modulus_pa,
+            work_of_adhesion_j_per_m2: work_j_per_m2,
+            range_m: self.range_m,
+            kappa: PastewkaRobbins::USUAL_KAPPA,
+        });
+        Some(AdhesionNote::Indicators {
+            fuller_tabor: fuller_tabor.map(FullerTabor::theta),
+            pastewka_robbins: sticky.ok()?.left_side(),
+        })
+    }
+}
+
+impl PreparedAdhesion {
+    /// Presses the surfaces, or pulls them apart. The table has the columns of [`adhesive_table`](rough_bem::adhesive_table).
+    ///
+    /// # Errors
+    /// [`QuestionError::Adhesion`] for a load that pulls the surfaces apart, and for numbers out of their bounds.
+    pub fn answer(&self, progress: &dyn Progress) -> Result<Answer, QuestionError> {
+        if self.pull_off {
+            let states = self.pressing.pull_apart(&self.surfaces, progress)?;
+            let notes = pull_off(&states).map(Note::Adhesion).into_iter().collect();
+            return Ok(Answer {
+                table: adhesive_table(&states, self.surfaces.count() > 1),
+                notes,
+                figure: None,
+            });
+        }
+        let states = self.pressing.press(&self.surfaces, progress)?;
+        let means = adhesive_means(&states);
+        let mut notes: Vec<Note> = hysteresis(&means).map(Note::Adhesion).into_iter().collect();
+        if states.iter().any(|state| state.nominal_pressure_pa < 0.0) {
+            notes.push(Note::Adhesion(AdhesionNote::Metastable));
+        }
+        let rows = if self.per_realisation { &states } else { &means };
+        Ok(Answer { table: adhesive_table(rows, self.per_realisation), notes, figure: None })
+    }
+}
+
+/// The load at which the branches differ most, if they do.
+fn hysteresis(means: &[AdhesiveState]) -> Option<AdhesionNote> {
+    let (apart, contact): (Vec<&AdhesiveState>, Vec<&AdhesiveState>) =
+        means.iter().partition(|state| state.branch == Branch::Apart);
+    let pairs = apart.iter().zip(&contact);
+    let difference = |pair: &(&&AdhesiveState, &&AdhesiveState)| pair.1.area_fraction - pair.0.area_fraction;
+    let widest = pairs.max_by(|a, b| difference(a).total_cmp(&difference(b)))?;
+    (difference(&widest) > SAME_AREA).then(|| AdhesionNote::Hysteresis {
+        nominal_pressure_pa: widest.0.nominal_pressure_pa,
+        apart: widest.0.area_fraction,
+        contact: widest.1.area_fraction,
+    })
+}
+
+/// The largest pull of every surface, averaged.
+fn pull_off(states: &[AdhesiveState]) -> Option<AdhesionNote> {
+    let surfaces = states.iter().map(|state| state.surface + 1).max()?;
+    let strongest = |surface: usize| {
+        let of_surface = states.iter().filter(|state| state.surface == surface);
+        of_surface.min_by(|a, b| a.nominal_pressure_pa.total_cmp(&b.nominal_pressure_pa))
+    };
+    let strongest: Vec<&AdhesiveState> = (0..surfaces).filter_map(strongest).collect();
+    let mean = |of: fn(&AdhesiveState) -> f64| {
+        strongest.iter().map(|state| of(state)).sum::<f64>() / strongest.len() as f64
+    };
+    Some(AdhesionNote::PullOff {
+        nominal_pressure_pa: mean(|state| state.nominal_pressure_pa),
+        mean_gap_m: mean(|state| state.mean_gap_m),
+        area_fraction: mean(|state| state.area_fraction),
+    })
+}
