@@ -271,3 +271,18 @@ fn a_ball_on_surfaces_of_a_spectrum_has_a_row_for_each_place() {
     let areas_m2 = numbers(&table, "real_area_m2");
     assert!(areas_m2.windows(2).all(|pair| pair[0] != pair[1] && pair[0] > 0.0), "{areas_m2:?}");
 }
+
+/// Pressures of a wave with adhesion lie between pull-off and full contact, and both branches meet where the state is unique.
+#[test]
+fn adhesive_waves_are_pressed_and_pulled() {
+    let bench = with_waves(64, 4);
+    let adhesive = ["--work-of-adhesion", "20J/m^2", "--adhesion-range", "100nm"];
+    let pressed = bench.run(&call(&[&WAVES, &adhesive, &["--branch", "both", "--pressure", "20MPa"]])).ok();
+    let areas = numbers(&pressed, "area_fraction");
+    let plain = numbers(&bench.run(&call(&[&WAVES, &["--pressure", "20MPa"]])).ok(), "area_fraction")[0];
+    assert!(areas.len() == 2 && areas.iter().all(|area| *area > plain && *area <= 1.0), "{areas:?} {plain}");
+    let pulled = bench.run(&call(&[&WAVES, &adhesive, &["--pull-off"]])).ok();
+    let loads = numbers(&pulled, "nominal_pressure_pa");
+    let strongest = loads.iter().copied().fold(0.0, f64::min);
+    assert!(strongest < 0.0 && *loads.last().unwrap() > 0.25 * strongest, "{loads:?}");
+}

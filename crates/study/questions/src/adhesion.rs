@@ -16,6 +16,7 @@ use units::Pressure;
 
 use crate::elements::{RandomInput, random_surfaces};
 use crate::loads::{LoadInput, RangeInput, nominal_pressure, pressures_pa};
+use crate::note::AdhesionNote;
 use crate::{Answer, MaterialInput, Note, OptionName, QuestionError};
 
 /// Difference of areas above which two branches count as two states.
@@ -73,43 +74,6 @@ pub struct PreparedAdhesion {
     pressing: AdhesivePressing,
     pull_off: bool,
     per_realisation: bool,
-}
-
-/// Finding on adhesive surfaces.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum AdhesionNote {
-    /// The grid is coarse for the process zone E* rho^2/w.
-    CoarseGrid {
-        /// Points of the grid in the process zone; 2 are good to 1 %.
-        points: f64,
-    },
-    /// A negative load holds only until something disturbs it.
-    Metastable,
-    /// The area depends on the history of the load.
-    Hysteresis {
-        /// The load \[Pa\] at which it depends most.
-        nominal_pressure_pa: f64,
-        /// Area fraction on approach.
-        apart: f64,
-        /// Area fraction from full contact.
-        contact: f64,
-    },
-    /// The largest pull that the surfaces bear.
-    PullOff {
-        /// Nominal pressure \[Pa\], negative; the mean over the surfaces.
-        nominal_pressure_pa: f64,
-        /// Mean gap there \[m\].
-        mean_gap_m: f64,
-        /// Area fraction there.
-        area_fraction: f64,
-    },
-    /// The two indicators of stickiness beside their limits.
-    Indicators {
-        /// Parameter of Fuller & Tabor, if the spectrum has summits.
-        fuller_tabor: Option<f64>,
-        /// Left side of the criterion of Pastewka & Robbins.
-        pastewka_robbins: f64,
-    },
 }
 
 impl AdhesionQuestion {

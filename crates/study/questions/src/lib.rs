@@ -21,7 +21,7 @@ mod states;
 mod tangential;
 mod text;
 
-pub use adhesion::{AdhesionNote, AdhesionQuestion, PreparedAdhesion};
+pub use adhesion::{AdhesionQuestion, PreparedAdhesion};
 pub use ball::{BallQuestion, PreparedBall};
 pub use counts::{CurveCounts, CutCounts, LevelCounts};
 pub use curve::{CurveQuestion, CurveStream, PreparedCurve};
@@ -30,7 +30,7 @@ pub use error::QuestionError;
 pub use gap::{FoundLaw, GapModel, GapQuestion, LawForm, LawQuestion};
 pub use loads::{LoadInput, RangeInput};
 pub use material::{BodyInput, MaterialInput};
-pub use note::{FEW_TOUCH, GapCounts, MadeSurfaces, Note, OutsideFit, SampledScales};
+pub use note::{AdhesionNote, FEW_TOUCH, GapCounts, MadeSurfaces, Note, OutsideFit, SampledScales};
 pub use option::{OptionName, Reason, Spelling, UnusedOption};
 pub use report_question::{BodyText, ReportQuestion, ReportSurface};
 pub use retune::{ConditionError, retune};
