@@ -199,7 +199,7 @@ fn hysteresis(means: &[AdhesiveState]) -> Option<AdhesionNote> {
     let pairs = apart.iter().zip(&contact);
     let difference = |pair: &(&&AdhesiveState, &&AdhesiveState)| pair.1.area_fraction - pair.0.area_fraction;
     let widest = pairs.max_by(|a, b| difference(a).total_cmp(&difference(b)))?;
-    (difference(&widest) > SAME_AREA).then(|| AdhesionNote::Hysteresis {
+    (difference(&widest) > SAME_AREA).then_some(AdhesionNote::Hysteresis {
         nominal_pressure_pa: widest.0.nominal_pressure_pa,
         apart: widest.0.area_fraction,
         contact: widest.1.area_fraction,
