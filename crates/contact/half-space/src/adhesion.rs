@@ -7,6 +7,7 @@
 
 use parallel::Progress;
 use thiserror::Error;
+use units::display::{length, pressure};
 use units::{Bound, OutOfBounds};
 
 use crate::area::count;
@@ -105,8 +106,9 @@ pub enum AdhesionError {
     HalfSpace(#[from] HalfSpaceError),
     /// The grid does not resolve the process zone.
     #[error(
-        "adhesion: the process zone of {process_zone_m:e} m is shorter than the spacing of {spacing_m:e} m; use {points} \
-         points along the longer side, a longer range or less work of adhesion"
+        "adhesion: the process zone E* rho^2/w of {} is shorter than the spacing of {}; use {points} points along the longer \
+         side, a longer range or less work of adhesion",
+        length(*.process_zone_m), length(*.spacing_m)
     )]
     Unresolved {
         /// Process zone E* rho^2/w \[m\].
@@ -118,7 +120,8 @@ pub enum AdhesionError {
     },
     /// No state in contact carries the load.
     #[error(
-        "adhesion: the contact does not hold a nominal pressure of {nominal_pressure_pa:e} Pa and is pulled off"
+        "adhesion: the contact does not hold a nominal pressure of {} and is pulled off",
+        pressure(*.nominal_pressure_pa)
     )]
     PulledOff {
         /// Nominal pressure \[Pa\].

@@ -62,7 +62,7 @@ pub struct AdhesiveState {
     pub nominal_pressure_pa: f64,
     /// Share of points without a gap.
     pub area_fraction: f64,
-    /// The same with the staircase of the perimeter corrected.
+    /// That share with the staircase of the perimeter corrected.
     pub area_fraction_corrected: f64,
     /// Share of points without a gap that press on each other, net of the attraction.
     pub repulsive_area_fraction: f64,
@@ -81,14 +81,16 @@ pub struct AdhesiveState {
 #[non_exhaustive]
 pub enum AdhesiveError {
     /// The edges of a map are free.
-    #[error("adhesion: the edges of the map are free; press it with --boundary periodic")]
+    #[error(
+        "adhesion: the edges of the map are free, and only a periodic surface is solved; make its boundary periodic"
+    )]
     FreeEdges,
     /// There is no load.
     #[error("adhesion: there is no load")]
     NoLoad,
     /// A load pulls the surfaces apart.
     #[error(
-        "adhesion: {} pulls the surfaces apart; the last load that held was {}: pull less, or take --pull-off",
+        "adhesion: {} pulls the surfaces apart; the last load that held was {}; pull less",
         pressure(*.nominal_pressure_pa), pressure(*.held_pa)
     )]
     PulledOff {
@@ -165,8 +167,7 @@ impl AdhesivePressing {
         let mut order: Vec<usize> = (0..self.pressures_pa.len()).collect();
         order.sort_by(|a, b| self.pressures_pa[*a].total_cmp(&self.pressures_pa[*b]));
         let mut follow = |loads: &mut dyn Iterator<Item = usize>, mut last_pa: f64, start: Start| {
-            let begun = self.solve(elements, last_pa, start, last_pa, progress)?;
-            let mut held = begun;
+            let mut held = self.solve(elements, last_pa, start, last_pa, progress)?;
             for load in loads {
                 let pressure_pa = self.pressures_pa[load];
                 let from_pa = last_pa;
@@ -192,8 +193,12 @@ impl AdhesivePressing {
             Branch::Apart => {
                 let (pulling, pressing): (Vec<usize>, Vec<usize>) =
                     order.iter().partition(|load| self.pressures_pa[**load] < 0.0);
-                follow(&mut pulling.into_iter().rev(), 0.0, Start::Apart)?;
-                follow(&mut pressing.into_iter(), 0.0, Start::Apart)?;
+                if !pulling.is_empty() {
+                    follow(&mut pulling.into_iter().rev(), 0.0, Start::Apart)?;
+                }
+                if !pressing.is_empty() {
+                    follow(&mut pressing.into_iter(), 0.0, Start::Apart)?;
+                }
             }
             Branch::Contact => {
                 let largest_pa = order.last().map_or(0.0, |load| self.pressures_pa[*load]);

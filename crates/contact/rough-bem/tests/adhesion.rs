@@ -6,6 +6,7 @@ use approx::assert_relative_eq;
 use half_space::{Adhesion, AdhesionError, AdhesiveContact, AdhesiveElements, Control, Grid, Start};
 use half_space::{Elements, Loading};
 use parallel::Unobserved;
+use rough_bem::{AdhesiveError, AdhesivePressing, Boundary, Branch, Relief, Surfaces, adhesive_means};
 
 fn reference_file(name: &str) -> Vec<u8> {
     std::fs::read(format!("{}/../../../tests/reference/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
@@ -90,6 +91,70 @@ fn held_mean_gaps_give_the_pressures_of_the_reference() {
         rows += 1;
     });
     assert_eq!(rows, 7);
+}
+
+/// Map a as a periodic surface, with the attraction of the reference curve of its pull-off and E* = 1 Pa.
+fn sticky(pressures_pa: &[f64]) -> (Surfaces, AdhesivePressing) {
+    let (grid, heights_m) = reference_map("a");
+    let relief = Relief {
+        rows: grid.rows(),
+        columns: grid.columns(),
+        length_x_m: grid.length_x_m(),
+        length_y_m: grid.length_y_m(),
+        heights_m,
+        boundary: Boundary::Periodic,
+    };
+    let pressing = AdhesivePressing {
+        contact_modulus_pa: 1.0,
+        adhesion: Adhesion { work_j_per_m2: 3.75e-11, range_m: 1.25e-9 },
+        pressures_pa: pressures_pa.to_vec(),
+        branches: vec![Branch::Apart, Branch::Contact],
+        tolerance: 1e-8,
+    };
+    (Surfaces::Map(relief), pressing)
+}
+
+#[test]
+fn surfaces_pulled_apart_have_the_pull_off_of_the_reference() {
+    let (surfaces, pressing) = sticky(&[]);
+    let states = pressing.pull_apart(&surfaces, &Unobserved).unwrap();
+    let strongest =
+        states.iter().min_by(|a, b| a.nominal_pressure_pa.total_cmp(&b.nominal_pressure_pa)).unwrap();
+    assert_relative_eq!(strongest.nominal_pressure_pa, -7.62846e-4, max_relative = 2e-3);
+    assert!(states.windows(2).all(|pair| pair[0].mean_gap_m < pair[1].mean_gap_m));
+    assert!(states[0].nominal_pressure_pa == 0.0 && states[0].area_fraction > strongest.area_fraction);
+    let last = states.last().unwrap();
+    assert!(last.nominal_pressure_pa > 0.2 * strongest.nominal_pressure_pa, "{last:?}");
+}
+
+#[test]
+fn branches_are_in_the_order_of_the_loads_and_meet_where_the_state_is_unique() {
+    let (surfaces, pressing) = sticky(&[0.005, -5e-4, 0.001]);
+    let states = pressing.press(&surfaces, &Unobserved).unwrap();
+    let loads: Vec<f64> = states.iter().map(|state| state.nominal_pressure_pa).collect();
+    assert_eq!(loads, [0.005, -5e-4, 0.001, 0.005, -5e-4, 0.001]);
+    let (apart, contact) = states.split_at(3);
+    assert!(apart.iter().all(|state| state.branch == Branch::Apart));
+    for (apart, contact) in apart.iter().zip(contact) {
+        assert_relative_eq!(apart.mean_gap_m, contact.mean_gap_m, max_relative = 1e-5);
+    }
+    assert!(
+        apart[1].area_fraction < apart[2].area_fraction && apart[2].area_fraction < apart[0].area_fraction
+    );
+    assert_eq!(adhesive_means(&states), states);
+}
+
+#[test]
+fn free_edges_no_load_and_a_pull_that_nothing_bears_are_refused() {
+    let (surfaces, pressing) = sticky(&[0.001, -2e-3]);
+    let error = pressing.press(&surfaces, &Unobserved).unwrap_err();
+    let AdhesiveError::PulledOff { nominal_pressure_pa, held_pa } = error else { panic!("{error}") };
+    assert!((-2e-3..-7.6e-4).contains(&nominal_pressure_pa) && nominal_pressure_pa < held_pa);
+    let (_, idle) = sticky(&[]);
+    assert_eq!(idle.press(&surfaces, &Unobserved).unwrap_err(), AdhesiveError::NoLoad);
+    let Surfaces::Map(relief) = surfaces else { panic!("a map") };
+    let free = Relief { boundary: Boundary::Free, ..relief };
+    assert_eq!(pressing.resolution(&free).unwrap_err(), AdhesiveError::FreeEdges);
 }
 
 /// Wave along a line with E* = 1, lambda = 1 and the work of adhesion of the contract.

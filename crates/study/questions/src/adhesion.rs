@@ -1,7 +1,6 @@
 //! Surfaces that attract each other, pressed and pulled apart by boundary elements.
 
 use asperity::MaterialPair;
-use findings::doubts::Doubt;
 use gaussian_surfaces::AreaSpectrum;
 use half_space::{Adhesion, GOOD_RESOLUTION};
 use interface::adhesion::{FullerTabor, PastewkaRobbins, StickyContact};
@@ -14,7 +13,7 @@ use spectrum::AsperityParameters;
 use study::surface::Surface;
 use units::Pressure;
 
-use crate::elements::{RandomInput, random_surfaces};
+use crate::elements::{RandomInput, notes_on_map, notes_on_spectrum, random_surfaces};
 use crate::loads::{LoadInput, RangeInput, nominal_pressure, pressures_pa};
 use crate::note::AdhesionNote;
 use crate::{Answer, MaterialInput, Note, OptionName, QuestionError};
@@ -91,9 +90,7 @@ impl AdhesionQuestion {
     /// [`QuestionError`].
     pub fn on(&self, surface: &Surface) -> Result<PreparedAdhesion, QuestionError> {
         let material = self.material.material()?;
-        let mut notes: Vec<Note> = Doubt::of_material(&material).map(Note::Doubt).into_iter().collect();
-        notes.extend(surface.notes.iter().cloned().map(Note::Surface));
-        notes.extend(Doubt::of_spectrum(&surface.psd).into_iter().map(Note::Doubt));
+        let mut notes = notes_on_spectrum(&material, surface);
         let elastic = Pressing::elastic(material.pair.composite_modulus_pa());
         let (random, made) = random_surfaces(surface, &self.random, &elastic)?;
         notes.extend(made);
@@ -107,8 +104,8 @@ impl AdhesionQuestion {
     /// [`QuestionError`].
     pub fn on_map(&self, relief: Relief) -> Result<PreparedAdhesion, QuestionError> {
         let material = self.material.material()?;
-        let doubts = Doubt::of_material(&material).into_iter().chain(Doubt::of_slope(relief.rms_slope()));
-        self.prepared(Surfaces::Map(relief), doubts.map(Note::Doubt).collect())
+        let notes = notes_on_map(&material, &relief);
+        self.prepared(Surfaces::Map(relief), notes)
     }
 
     fn prepared(&self, surfaces: Surfaces, mut notes: Vec<Note>) -> Result<PreparedAdhesion, QuestionError> {

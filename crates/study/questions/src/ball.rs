@@ -1,13 +1,12 @@
 //! A ball pressed onto a rough flat by boundary elements.
 
-use findings::doubts::Doubt;
 use parallel::Progress;
 use rough_bem::{Ball, BallPressing, BallState, ball_table};
 use rough_bem::{Pressing, Relief, Surfaces};
 use serde::{Deserialize, Serialize};
 use study::surface::Surface;
 
-use crate::elements::{RandomInput, random_surfaces};
+use crate::elements::{RandomInput, notes_on_map, notes_on_spectrum, random_surfaces};
 use crate::{Answer, MaterialInput, Note, QuestionError};
 
 /// A smooth ball under a force on a rough flat with free boundaries.
@@ -63,9 +62,7 @@ impl BallQuestion {
     /// [`QuestionError`].
     pub fn on(&self, surface: &Surface) -> Result<PreparedBall, QuestionError> {
         let material = self.material.material()?;
-        let mut notes: Vec<Note> = Doubt::of_material(&material).map(Note::Doubt).into_iter().collect();
-        notes.extend(surface.notes.iter().cloned().map(Note::Surface));
-        notes.extend(Doubt::of_spectrum(&surface.psd).into_iter().map(Note::Doubt));
+        let mut notes = notes_on_spectrum(&material, surface);
         let elastic = Pressing::elastic(material.pair.composite_modulus_pa());
         let (random, made) = random_surfaces(surface, &self.random, &elastic)?;
         notes.extend(made);
@@ -78,8 +75,7 @@ impl BallQuestion {
     /// [`QuestionError`]; choices of random surfaces mean nothing for a map.
     pub fn on_map(&self, relief: Relief) -> Result<PreparedBall, QuestionError> {
         let material = self.material.material()?;
-        let doubts = Doubt::of_material(&material).into_iter().chain(Doubt::of_slope(relief.rms_slope()));
-        let notes = doubts.map(Note::Doubt).collect();
+        let notes = notes_on_map(&material, &relief);
         self.prepared(Surfaces::Map(relief), notes)
     }
 

@@ -122,9 +122,7 @@ impl ElementsQuestion {
     /// [`QuestionError`].
     pub fn on(&self, surface: &Surface) -> Result<PreparedElements, QuestionError> {
         let (material, pressing) = self.pressing()?;
-        let mut notes: Vec<Note> = Doubt::of_material(&material).map(Note::Doubt).into_iter().collect();
-        notes.extend(surface.notes.iter().cloned().map(Note::Surface));
-        notes.extend(Doubt::of_spectrum(&surface.psd).into_iter().map(Note::Doubt));
+        let mut notes = notes_on_spectrum(&material, surface);
         let (random, made) = random_surfaces(surface, &self.random, &pressing)?;
         notes.extend(made);
         Ok(PreparedElements { surfaces: Surfaces::Random(random), notes, pressing })
@@ -136,8 +134,7 @@ impl ElementsQuestion {
     /// [`QuestionError`]; choices of random surfaces mean nothing for a map.
     pub fn on_map(&self, relief: Relief) -> Result<PreparedElements, QuestionError> {
         let (material, pressing) = self.pressing()?;
-        let doubts = Doubt::of_material(&material).into_iter().chain(Doubt::of_slope(relief.rms_slope()));
-        let notes = doubts.map(Note::Doubt).collect();
+        let notes = notes_on_map(&material, &relief);
         Ok(PreparedElements { surfaces: Surfaces::Map(relief), notes, pressing })
     }
 
@@ -184,6 +181,20 @@ impl PreparedElements {
         let notes = vec![Note::Pressed(pressed.clone())];
         Ok((pressed, notes))
     }
+}
+
+/// Notes on a material and on the spectrum of its surfaces.
+pub(crate) fn notes_on_spectrum(material: &Material, surface: &Surface) -> Vec<Note> {
+    let of_material = Doubt::of_material(material).map(Note::Doubt).into_iter();
+    let of_surface = surface.notes.iter().cloned().map(Note::Surface);
+    let of_spectrum = Doubt::of_spectrum(&surface.psd).into_iter().map(Note::Doubt);
+    of_material.chain(of_surface).chain(of_spectrum).collect()
+}
+
+/// Notes on a material and on a map of its surface.
+pub(crate) fn notes_on_map(material: &Material, relief: &Relief) -> Vec<Note> {
+    let doubts = Doubt::of_material(material).into_iter().chain(Doubt::of_slope(relief.rms_slope()));
+    doubts.map(Note::Doubt).collect()
 }
 
 /// Random surfaces with the spectrum in the band that the grid holds.

@@ -6,7 +6,8 @@ use std::sync::{Mutex, PoisonError};
 use half_space::HalfSpaceError;
 use measurements::MapOfFile;
 use questions::{
-    AdhesionQuestion, Answer, BallQuestion, ElementsQuestion, Note, OptionName, Reason, UnusedOption,
+    AdhesionQuestion, Answer, BallQuestion, ElementsQuestion, Note, OptionName, QuestionError, Reason,
+    UnusedOption,
 };
 use report::provenance::program;
 use report::{elements_figure, elements_words, field_picture, question_words};
@@ -112,10 +113,7 @@ fn press_ball(args: &BemArgs, radius: Length, force: Force, context: &Context<'_
     };
     let comments = told(comments, &prepared.notes, &prepared.surfaces);
     timings.lap("reading");
-    let progress = Progress::counting("steps");
-    let answer = prepared.answer(&progress)?;
-    drop(progress);
-    write(&answer, &comments, timings, context)
+    write(|progress| prepared.answer(progress), &comments, timings, context)
 }
 
 /// Presses surfaces that attract each other, or pulls them apart.
@@ -146,19 +144,19 @@ fn press_adhesive(
     };
     let comments = told(comments, &prepared.notes, &prepared.surfaces);
     timings.lap("reading");
-    let progress = Progress::counting("solutions");
-    let answer = prepared.answer(&progress)?;
-    drop(progress);
-    write(&answer, &comments, timings, context)
+    write(|progress| prepared.answer(progress), &comments, timings, context)
 }
 
-/// Says the notes of an answer, and writes its table.
+/// Finds an answer, says its notes, and writes its table.
 fn write(
-    answer: &Answer,
+    answer: impl FnOnce(&Progress) -> Result<Answer, QuestionError>,
     comments: &[String],
     mut timings: Timings,
     context: &Context<'_>,
 ) -> Result<(), Failure> {
+    let progress = Progress::counting("steps");
+    let answer = answer(&progress)?;
+    drop(progress);
     timings.lap("pressing");
     say_all(&answer.notes, &Flags);
     let mut files = StagedFiles::default();

@@ -37,7 +37,7 @@ pub fn of_adhesion(found: &AdhesionNote) -> String {
             three_digits(points)
         ),
         AdhesionNote::Metastable => {
-            "a negative pressure is borne by a state that a disturbance may end: --pull-off has its limit"
+            "a disturbance may end the contact under a negative pressure; pull the surfaces apart for the largest pull"
                 .to_owned()
         }
         AdhesionNote::Hysteresis { nominal_pressure_pa, apart, contact } => format!(
