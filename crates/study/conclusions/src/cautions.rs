@@ -35,7 +35,7 @@ pub enum Caution {
     NotJudged,
     /// No model agrees with the elements.
     NoModelAgrees {
-        /// The number of models.
+        /// The number of models that are compared with the elements of the estimate.
         models: usize,
     },
     /// The spectrum was not measured between two wavelengths.
@@ -117,7 +117,9 @@ pub(crate) fn cautions(
     let none_agrees =
         |load: &LoadConclusion| load.tally.agree == 0 && load.tally.off + load.tally.not_valid > 0;
     if !loads.is_empty() && loads.iter().all(none_agrees) {
-        cautions.push(Caution::NoModelAgrees { models: scene.needs.curves.len() });
+        // Models of other bodies than those of the estimate may agree with their own elements.
+        let others = loads.iter().map(|load| load.tally.of_other_elements).min().unwrap_or(0);
+        cautions.push(Caution::NoModelAgrees { models: scene.needs.curves.len() - others });
     }
     for guess in uncertainty.into_iter().flat_map(|found| &found.guesses) {
         let Guess::FewScans { instrument, scans } = guess else { continue };
@@ -142,7 +144,8 @@ fn is_of_models(source: Source) -> bool {
     matches!(source, Source::Model { .. } | Source::Models)
 }
 
-/// The caution on hardness at small scales, if it moves the area beyond its range.
+/// The caution on hardness at small scales: if it moves the area beyond its range, or if elements with the constant hardness have
+/// an area beyond what counts as agreement with those whose hardness grows.
 pub(crate) fn hardness_decides(evidence: &Evidence<'_>, loads: &[LoadConclusion]) -> Option<Caution> {
     let apart = |load: &LoadConclusion| match load.otherwise {
         Some(other) => Some(other.ratio),

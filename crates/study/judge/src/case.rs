@@ -156,6 +156,15 @@ impl<'s> Case<'s> {
         }
     }
 
+    /// The place in `references` of the bodies that are as soft as one can be whose hardness grows: those with the material's
+    /// constant hardness.
+    pub fn softer_body(&self, body: usize) -> Option<usize> {
+        let hardness_pa = self.scene.material.and_then(|material| material.hardness_pa())?;
+        let constant = Reference::Yielding { hardness_pa };
+        let grows = self.references[body] == Reference::Growing;
+        self.references.iter().position(|other| grows && *other == constant)
+    }
+
     /// The bound \[Pa\] on the pressure of a body's elements on the waves about a wavelength \[m\]; `None` for an elastic body.
     pub fn saturation_pa(&self, reference: Reference, wavelength_m: f64) -> Option<f64> {
         match reference {

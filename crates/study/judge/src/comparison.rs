@@ -89,15 +89,8 @@ impl Comparisons<'_> {
     /// hardness.
     fn area_of_whole_band(&self, body: usize, load: usize) -> Result<ElementArea, Reason> {
         let area = self.area_at_one_hardness(body, load)?;
-        let is_constant = |other: &Reference| matches!(other, Reference::Yielding { .. });
-        let constant = self.case.references.iter().position(is_constant);
-        match (self.case.references[body], constant) {
-            (Reference::Growing, Some(constant)) => {
-                let softer = self.area_at_one_hardness(constant, load).ok();
-                Ok(softer.map_or(area, |softer| area.reaching(softer.high())))
-            }
-            _ => Ok(area),
-        }
+        let softer = self.case.softer_body(body).and_then(|body| self.area_at_one_hardness(body, load).ok());
+        Ok(softer.map_or(area, |softer| area.reaching(softer.high())))
     }
 
     /// The area of elements on the whole band: as pressed, or that of the last window carried over by the closed form.

@@ -148,6 +148,8 @@ fn check_models(load: &LoadConclusion, judgement: &Judgement, scene: &Scene) {
     match load.best_model {
         Some(best) => {
             assert_eq!(best.verdict, Verdict::Agrees);
+            let is_best = |row: &&CurveVerdict| (row.curve, row.load) == (best.curve, load.load);
+            assert!(judgement.curves.iter().find(is_best).is_some_and(CurveVerdict::holds));
             let leading = load.references[0].models.iter().filter(|cell| cell.verdict == Verdict::Agrees);
             assert!(leading.clone().all(|cell| distance(best.ratio) <= distance(cell.ratio)));
         }

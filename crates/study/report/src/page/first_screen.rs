@@ -251,14 +251,11 @@ fn matrix(report: &SceneReport<'_>, at: usize, styles: &[ModelStyle]) -> Markup 
     }
 }
 
+/// The elements that models are compared with under the middle load, those of its estimate first. A model whose strength grows may
+/// have others under other loads.
 fn references(loads: &[LoadConclusion]) -> Vec<Reference> {
-    let mut found: Vec<Reference> = Vec::new();
-    for group in loads.iter().flat_map(|load| &load.references) {
-        if !found.contains(&group.reference) {
-            found.push(group.reference);
-        }
-    }
-    found
+    let middle = loads.get(loads.len() / 2);
+    middle.map_or_else(Vec::new, |load| load.references.iter().map(|group| group.reference).collect())
 }
 
 fn group(load: &LoadConclusion, reference: Reference) -> Option<&ReferenceGroup> {
@@ -298,12 +295,16 @@ fn group_heading(reference: Reference, loads: &[LoadConclusion]) -> Markup {
 }
 
 fn cell(report: &SceneReport<'_>, load: &LoadConclusion, reference: Reference, curve: usize) -> Markup {
-    let found = group(load, reference).and_then(|group| group.models.iter().find(|cell| cell.curve == curve));
-    let Some(found) = found else { return html! { td {} } };
+    let models = |group: &'_ ReferenceGroup| group.models.iter().find(|cell| cell.curve == curve).copied();
+    let found = load.references.iter().find_map(|group| Some((group.reference, models(group)?)));
+    let Some((own, found)) = found else { return html! { td {} } };
     let (class, glyph) = class_and_glyph(found.verdict);
-    let reason = reason(report, found, load.load);
+    let mut reason = reason(report, &found, load.load);
+    if own != reference && !reason.is_empty() {
+        reason = format!("against {}: {reason}", reference_words(own));
+    }
     html! {
-        td class={ "cell " (class) } style={ "--fill:" (format!("{:.2}", fill(found))) } tabindex="0" {
+        td class={ "cell " (class) } style={ "--fill:" (format!("{:.2}", fill(&found))) } tabindex="0" {
             (glyph) @if let Some(ratio) = found.ratio { " ×" (three_digits(ratio)) }
             @if !reason.is_empty() { span.reason role="tooltip" { strong { (report.short_curve(curve)) ", " (typeset(&load.label)) } " " (typeset(&reason)) } }
         }

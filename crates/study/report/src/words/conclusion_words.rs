@@ -336,10 +336,10 @@ pub fn caution_words(caution: &Caution) -> String {
         ),
         Caution::NotJudged => "No model was compared with boundary elements.".to_owned(),
         Caution::NoModelAgrees { models: 1 } => {
-            "The model does not agree with boundary elements: quote the elements.".to_owned()
+            "The model does not agree with these boundary elements: quote the elements.".to_owned()
         }
         Caution::NoModelAgrees { models } => format!(
-            "None of the {} models agrees with boundary elements: quote the elements.",
+            "None of the {} models that can be compared with these boundary elements agrees: quote the elements.",
             number_word(*models)
         ),
         Caution::NotMeasured(hole) => format!(
