@@ -2,24 +2,13 @@
 //! `docs/guide/gap.md`.
 
 use std::error::Error;
-use std::process::ExitCode;
 
 use model_trials::elements;
 use model_trials::gap_trials::{GapRow, LOADS, rows_of, trials, written};
 use staging::write_file;
 use tests::committed_file;
 
-pub(crate) fn run(anew: bool) -> ExitCode {
-    match compare(anew) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::FAILURE
-        }
-    }
-}
-
-fn compare(anew: bool) -> Result<(), Box<dyn Error>> {
+pub(crate) fn compare(anew: bool) -> Result<(), Box<dyn Error>> {
     let [csv, page] = ["gap/trials.csv", "gap.md"].map(|name| committed_file(&format!("docs/guide/{name}")));
     std::fs::create_dir_all(csv.with_file_name(""))?;
     let mut rows: Vec<GapRow> = Vec::new();

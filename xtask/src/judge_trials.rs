@@ -2,24 +2,13 @@
 //! tables of `docs/guide/judge.md`.
 
 use std::error::Error;
-use std::process::ExitCode;
 
 use model_trials::elements;
 use model_trials::judge_trials::{JudgedRow, Set, TruthRow, trials, written};
 use staging::write_file;
 use tests::committed_file;
 
-pub(crate) fn run(anew: bool) -> ExitCode {
-    match compare(anew) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::FAILURE
-        }
-    }
-}
-
-fn compare(anew: bool) -> Result<(), Box<dyn Error>> {
+pub(crate) fn compare(anew: bool) -> Result<(), Box<dyn Error>> {
     let [truth_csv, trials_csv, page] = ["judge/truth.csv", "judge/trials.csv", "judge.md"]
         .map(|name| committed_file(&format!("docs/guide/{name}")));
     std::fs::create_dir_all(truth_csv.with_file_name(""))?;

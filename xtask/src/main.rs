@@ -17,6 +17,7 @@ mod site;
 mod web;
 mod work_precision;
 
+use std::error::Error;
 use std::ffi::OsString;
 use std::process::ExitCode;
 
@@ -89,13 +90,13 @@ fn main() -> ExitCode {
         Ok(Some(Task::Package)) => package::run(),
         Ok(Some(Task::Site)) => site::run(),
         Ok(Some(Task::Python { anew })) => python::run(anew),
-        Ok(Some(Task::Web { tests })) => web::run(tests),
+        Ok(Some(Task::Web { tests })) => ended(web::run(tests)),
         Ok(Some(Task::Stress { arguments })) => in_release::run("truearea-stress", &arguments),
         Ok(Some(Task::Coverage { arguments })) => in_release::run("truearea-coverage", &arguments),
         Ok(Some(Task::WorkPrecision)) => work_precision::run(),
-        Ok(Some(Task::ModelTrials { anew })) => model_trials::run(anew),
-        Ok(Some(Task::GapTrials { anew })) => gap_trials::run(anew),
-        Ok(Some(Task::JudgeTrials { anew })) => judge_trials::run(anew),
+        Ok(Some(Task::ModelTrials { anew })) => ended(model_trials::compare(anew)),
+        Ok(Some(Task::GapTrials { anew })) => ended(gap_trials::compare(anew)),
+        Ok(Some(Task::JudgeTrials { anew })) => ended(judge_trials::compare(anew)),
         Ok(None) => {
             print!("{HELP}");
             ExitCode::SUCCESS
@@ -103,6 +104,17 @@ fn main() -> ExitCode {
         Err(error) => {
             eprint!("error: {error}\n\n{HELP}");
             ExitCode::from(2)
+        }
+    }
+}
+
+/// Says an error, and returns the status of a chore.
+fn ended(result: Result<(), Box<dyn Error>>) -> ExitCode {
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
         }
     }
 }

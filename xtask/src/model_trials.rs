@@ -3,7 +3,6 @@
 
 use std::error::Error;
 use std::path::PathBuf;
-use std::process::ExitCode;
 
 use model_trials::elements::{self, ElementsRow};
 use model_trials::gluing::{self, GluingRow};
@@ -17,17 +16,7 @@ use serde::Serialize;
 use staging::{StagedFiles, write_file};
 use tests::committed_file;
 
-pub(crate) fn run(anew: bool) -> ExitCode {
-    match judge(anew) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::FAILURE
-        }
-    }
-}
-
-fn judge(anew: bool) -> Result<(), Box<dyn Error>> {
+pub(crate) fn compare(anew: bool) -> Result<(), Box<dyn Error>> {
     std::fs::create_dir_all(beside("elements").with_file_name(""))?;
     let elements = pressed(anew)?;
     let gluing = glued(anew, &elements)?;

@@ -4,7 +4,7 @@ use std::error::Error;
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::{Command, ExitCode};
+use std::process::Command;
 
 use brotli::enc::BrotliEncoderParams;
 use flate2::{Compression, write::GzEncoder};
@@ -17,14 +17,9 @@ const MOST_BYTES: usize = 1_750_000;
 const COMPRESSED: [&str; 5] = ["html", "css", "js", "wasm", "svg"];
 
 /// Builds the page, and with `tests` runs its tests in Chromium.
-pub(crate) fn run(tests: bool) -> ExitCode {
-    match build().and_then(|()| if tests { test() } else { Ok(()) }) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::FAILURE
-        }
-    }
+pub(crate) fn run(tests: bool) -> Result<(), Box<dyn Error>> {
+    build()?;
+    if tests { test() } else { Ok(()) }
 }
 
 fn build() -> Result<(), Box<dyn Error>> {

@@ -3,9 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::stretch::share_of_power_law;
-use crate::variance::{
-    Band, SpectrumSample, mean_square_gradients, mean_square_gradients_from_first, spectral_exponents,
-};
+use crate::variance::{Band, MeanSquareGradients, SpectrumSample, spectral_exponents};
 
 /// Samples of a spectrum, from long to short wavelengths, with the derived quantities that the theory needs.
 #[derive(Debug, Clone, PartialEq)]
@@ -68,13 +66,12 @@ impl Roughness {
             c1d_m3,
             mean_square_slope: last_slope,
         }));
-        let gradients = mean_square_gradients(&of_spectrum, band);
-        let from_first = mean_square_gradients_from_first(&of_spectrum, band);
+        let MeanSquareGradients { up_to, from_first } = MeanSquareGradients::of(&of_spectrum, band);
         let exponents = spectral_exponents(&of_spectrum);
         let place = |(at, sample): (usize, &RoughnessSample)| Place {
             wavelength_m: sample.wavelength_m,
             wavevector_rad_per_m: TAU / sample.wavelength_m,
-            mean_square_gradient: gradients[at],
+            mean_square_gradient: up_to[at],
             mean_square_gradient_from_first: from_first[at],
             moments: sample.moments,
             alpha: nayak(sample.moments),

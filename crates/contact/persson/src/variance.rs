@@ -43,31 +43,42 @@ pub struct SpectrumSample {
     pub mean_square_slope: f64,
 }
 
-/// Returns h'^2 up to each of the samples; non-decreasing, and 0 at the first.
-#[must_use]
-pub fn mean_square_gradients(samples: &[SpectrumSample], band: Band) -> Vec<f64> {
-    match band {
-        Band::Profile => samples.iter().map(of_profiles).collect(),
-        // At the longest wavelengths the spectrum of profiles holds less than its continuation takes away, if no profile has
-        // anything below the first sample.
-        Band::Surface => rising(&cut_gradients(samples), 0.0),
+/// Mean square gradients h'^2 of a cut spectrum, one per sample; non-decreasing, and 0 at the first.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeanSquareGradients {
+    /// Up to each of the samples, if profiles have nothing below the first one.
+    pub up_to: Vec<f64>,
+    /// Of the waves between the first sample and each of the others.
+    ///
+    /// Profiles show these waves below the first sample too, seen at a slant, where no spectrum was measured. All values of
+    /// `up_to` lack what they show there, as much as the first one does, so that differences from that are whole.
+    pub from_first: Vec<f64>,
+}
+
+impl MeanSquareGradients {
+    /// Cuts a spectrum at each of its samples.
+    #[must_use]
+    pub fn of(samples: &[SpectrumSample], band: Band) -> Self {
+        match band {
+            Band::Profile => {
+                let up_to: Vec<f64> = samples.iter().map(of_profiles).collect();
+                MeanSquareGradients { from_first: up_to.clone(), up_to }
+            }
+            Band::Surface => {
+                let cut = cut_gradients(samples);
+                let first = cut.first().copied().unwrap_or(0.0);
+                let from_first = rising(&cut, first).iter().map(|gradient| gradient - first).collect();
+                // At the longest wavelengths the spectrum of profiles holds less than its continuation takes away.
+                MeanSquareGradients { up_to: rising(&cut, 0.0), from_first }
+            }
+        }
     }
 }
 
-/// Returns h'^2 of the waves between the first sample and each of the others; non-decreasing, and 0 at the first.
-///
-/// Profiles show these waves below the first sample too, seen at a slant, where no spectrum was measured. All values of
-/// [`mean_square_gradients`] lack what they show there, as much as the first one does, so that differences from that are whole.
+/// Returns h'^2 up to each of the samples; non-decreasing, and 0 at the first.
 #[must_use]
-pub fn mean_square_gradients_from_first(samples: &[SpectrumSample], band: Band) -> Vec<f64> {
-    match band {
-        Band::Profile => samples.iter().map(of_profiles).collect(),
-        Band::Surface => {
-            let cut = cut_gradients(samples);
-            let first = cut.first().copied().unwrap_or(0.0);
-            rising(&cut, first).iter().map(|gradient| gradient - first).collect()
-        }
-    }
+pub fn mean_square_gradients(samples: &[SpectrumSample], band: Band) -> Vec<f64> {
+    MeanSquareGradients::of(samples, band).up_to
 }
 
 fn of_profiles(sample: &SpectrumSample) -> f64 {
@@ -209,8 +220,7 @@ mod tests {
     #[test]
     fn waves_from_the_first_sample_on_are_all_counted() {
         let samples = constant_spectrum();
-        let [cut, from_first] = [mean_square_gradients, mean_square_gradients_from_first]
-            .map(|gradients| gradients(&samples, Band::Surface));
+        let MeanSquareGradients { up_to: cut, from_first } = MeanSquareGradients::of(&samples, Band::Surface);
         for at in [200, 500, 1000, 1500, 1900] {
             let q = samples[at].wavevector_rad_per_m;
             // (1/2pi) Int_1^q q^3 dq
@@ -225,8 +235,8 @@ mod tests {
         let mut samples = power_law(-2.6);
         samples[20].c1d_m3 *= 3.0;
         for band in Band::ALL {
-            for of in [mean_square_gradients, mean_square_gradients_from_first] {
-                let gradients = of(&samples, *band);
+            let MeanSquareGradients { up_to, from_first } = MeanSquareGradients::of(&samples, *band);
+            for gradients in [up_to, from_first] {
                 assert!(gradients.is_sorted() && gradients[0] == 0.0, "{band}: {gradients:?}");
             }
         }

@@ -1,13 +1,17 @@
 //! Trials of mean gap and stiffness: Persson's theory, with the waves of the surface and with those of profiles, against boundary
 //! elements on spectra of every kind: the table of `docs/guide/gap.md`.
 
+use std::ops::RangeInclusive;
+
 use gaussian_surfaces::{AreaSpectrum, Phases};
 use parallel::Unobserved;
+use persson::separation::LIGHT_CONTACT;
 use persson::variance::Band;
 use rough_bem::{ElementsError, Pressing, RandomChoices, Surfaces, press};
 use serde::{Deserialize, Serialize};
 use spectrum::Normalisation;
 use study::gap_law::{GapChoices, GapError, GapLaw, GapState};
+use study::models::ModelOptions;
 use study::plan::{Needs, Plan, Sampling};
 use units::display::three_digits;
 use work_precision::page::{table, with_section};
@@ -24,10 +28,8 @@ pub const LOADS: [f64; 6] = [0.005, 0.01, 0.025, 0.06, 0.13, 0.25];
 const SURFACES: usize = 4;
 /// Seed of the surfaces.
 const SEED: u64 = 2000;
-/// Elastic energy factor g, as `gap` takes it (Almqvist et al. 2011).
-const ENERGY_FACTOR: f64 = 0.45;
 /// Area fractions between which the theory is used for laws; lighter loads stand in lines of their own.
-const MODERATE: std::ops::RangeInclusive<f64> = 0.02..=0.55;
+const MODERATE: RangeInclusive<f64> = LIGHT_CONTACT..=0.5;
 
 /// Gap and stiffness of a spectrum under a load.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -90,7 +92,8 @@ pub fn rows_of(trial: &JudgeTrial, loads: &[f64]) -> Result<Vec<GapRow>, TrialEr
     // The scene of a trial lists Persson's theory alone.
     let [curve] = &scene.needs.curves[..] else { return Err(GapError::NoRoughness.into()) };
     let law = |band: Band| {
-        let choices = GapChoices { energy_factor: ENERGY_FACTOR, band, tolerance: scene.needs.tolerance };
+        let choices =
+            GapChoices { energy_factor: ModelOptions::ENERGY_FACTOR, band, tolerance: scene.needs.tolerance };
         GapLaw::of(&curve.model, &plan, &results, &choices)
     };
     let laws = [law(Band::Surface)?, law(Band::Profile)?];
@@ -123,9 +126,10 @@ pub fn rows_of(trial: &JudgeTrial, loads: &[f64]) -> Result<Vec<GapRow>, TrialEr
         let over = |law: &GapLaw| -> Result<[f64; 3], TrialError> {
             let GapState { mean_gap_m, stiffness_pa_per_m: of_law, area_fraction: of_theory, .. } =
                 law.at(load.nominal_pressure_pa)?;
-            let ratio = |value: Option<f64>, elements: f64| value.map_or(f64::NAN, |value| value / elements);
-            Ok([ratio(mean_gap_m, gap_m), ratio(of_law, stiffness_pa_per_m), of_theory / area_fraction]
-                .map(digits))
+            let (Some(of_gap_m), Some(of_law)) = (mean_gap_m, of_law) else {
+                return Err(GapError::NoRoughness.into());
+            };
+            Ok([of_gap_m / gap_m, of_law / stiffness_pa_per_m, of_theory / area_fraction].map(digits))
         };
         let ([gap_2d, stiffness_2d, area_2d], [gap_1d, stiffness_1d, area_1d]) =
             (over(&laws[0])?, over(&laws[1])?);
