@@ -239,6 +239,13 @@ impl<'s> Case<'s> {
         nominal_pa / forms.longer.map_or(1.0, |longer| longer.area_fraction(nominal_pa, bound_pa))
     }
 
+    /// The closed form's area fraction of a window, and the share of the surface that longer waves leave in contact.
+    pub fn area_and_share(&self, forms: &WindowForms, reference: Reference, load: usize) -> (f64, f64) {
+        let pressure_pa = self.pressure_pa(forms, reference, load);
+        let bound_pa = self.saturation_pa(reference, forms.band.middle_m());
+        (forms.own.area_fraction(pressure_pa, bound_pa), self.nominal_pressure_pa(load) / pressure_pa)
+    }
+
     /// The relative standard error of elements on a window whose hardness grows, since they have only that of the window's
     /// middle: half of what the closed form moves between the hardnesses a quarter of the window to either side.
     pub fn error_of_hardness(&self, forms: &WindowForms, reference: Reference, load: usize) -> f64 {
@@ -266,12 +273,10 @@ impl<'s> Case<'s> {
     /// The step from the area of elements on a window to that of the surface, with all waves down to the end of the window.
     pub fn seam(&self, forms: &WindowForms, reference: Reference, load: usize) -> Seam {
         let Some(all) = forms.all else { return Seam::NONE };
-        let nominal_pa = self.nominal_pressure_pa(load);
-        let pressure_pa = self.pressure_pa(forms, reference, load);
         let bound_pa = self.saturation_pa(reference, forms.band.middle_m());
-        let by_closed_form =
-            all.area_fraction(nominal_pa, bound_pa) / forms.own.area_fraction(pressure_pa, bound_pa);
-        Seam::new(nominal_pa / pressure_pa, by_closed_form, bound_pa.is_some())
+        let (on_window, by_share) = self.area_and_share(forms, reference, load);
+        let by_closed_form = all.area_fraction(self.nominal_pressure_pa(load), bound_pa) / on_window;
+        Seam::new(by_share, by_closed_form, bound_pa.is_some())
     }
 
     /// The mean real pressure \[Pa\] of Persson's elastic contact against cutoff \[m\].

@@ -18,6 +18,10 @@ const MIN_POINTS: f64 = 200.0;
 const MIN_REALISATIONS: usize = 2;
 /// The slope of area against p/(E* h') at light load, to estimate how many points will touch.
 const SLOPE_OF_AREA: f64 = 2.0;
+/// Area fraction from which on a window is nearly flat, so that its elements say little about the area of the surface.
+const NEARLY_FLAT: f64 = 0.9;
+/// The share of the budget that is left for a longer last window, if the last one is nearly flat.
+const SHARE_FOR_LAST: f64 = 0.5;
 
 /// A pressure on a window that elements solve.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -57,7 +61,7 @@ pub(crate) enum PlannedPress {
 /// Everything that will be pressed.
 #[derive(Debug)]
 pub(crate) struct Layout {
-    /// Points along each side.
+    /// Points along each side of all windows but the last, which may have more.
     pub grid: usize,
     /// Surfaces in each window.
     pub realisations: usize,
@@ -85,8 +89,11 @@ impl Layout {
         for loads in loads_given_up(&case.loads_by_pressure) {
             for &grid in &grids {
                 let layout = Layout::new(grid, realisations, &loads, case, surface);
-                if layout.cost <= settings.budget {
-                    return Some(layout);
+                let prolongs = settings.grid.is_none() && layout.ends_nearly_flat(case);
+                let share = if prolongs { 1.0 - SHARE_FOR_LAST } else { 1.0 };
+                if layout.cost <= share * settings.budget {
+                    let longer = prolongs.then(|| layout.with_longer_end(settings.budget, case, surface));
+                    return Some(longer.flatten().unwrap_or(layout));
                 }
             }
         }
@@ -105,12 +112,13 @@ impl Layout {
     ) -> Self {
         let bands = bands(case.band(), decades_held(grid));
         // Noise may leave a band of the surface without waves.
-        let windows: Vec<Window> = bands.iter().filter_map(|band| Window::new(surface, *band).ok()).collect();
+        let windows: Vec<Window> =
+            bands.iter().filter_map(|band| Window::new(surface, *band, grid).ok()).collect();
         let mut layout = Layout {
             left_out: bands.len() - windows.len(),
             grid,
             realisations,
-            forms: windows.iter().map(|window| case.forms(window)).collect(),
+            forms: Vec::new(),
             windows,
             presses: Vec::new(),
             loads: loads.to_vec(),
@@ -118,16 +126,66 @@ impl Layout {
             planned: Vec::new(),
             loads_of_scene: case.loads(),
         };
+        layout.plan_all(case);
+        layout
+    }
+
+    /// Plans every cell for the windows.
+    fn plan_all(&mut self, case: &Case<'_>) {
+        self.forms = self.windows.iter().map(|window| case.forms(window)).collect();
+        self.presses.clear();
+        self.planned.clear();
         for &reference in &case.references {
-            for window in 0..layout.windows.len() {
+            for window in 0..self.windows.len() {
                 for load in 0..case.loads() {
-                    let planned = layout.plan(reference, window, load, case);
-                    layout.planned.push(planned);
+                    let planned = self.plan(reference, window, load, case);
+                    self.planned.push(planned);
                 }
             }
         }
-        layout.cost = layout.estimated_cost();
-        layout
+        self.cost = self.estimated_cost();
+    }
+
+    /// True if the last window is nearly flat under a load whose area longer waves decide: the closed form for these would then
+    /// give the area of the surface alone.
+    fn ends_nearly_flat(&self, case: &Case<'_>) -> bool {
+        let Some(forms) = self.forms.last() else { return false };
+        let is_nearly_flat = |reference: Reference, load: usize| {
+            let (own, share) = case.area_and_share(forms, reference, load);
+            own > NEARLY_FLAT && share < NEARLY_FLAT
+        };
+        case.references
+            .iter()
+            .any(|&reference| self.loads.iter().any(|&load| is_nearly_flat(reference, load)))
+    }
+
+    /// The layout with its last window prolonged towards longer waves until it is not nearly flat any more, or as far as the
+    /// budget allows; `None` if it does not allow any.
+    fn with_longer_end(&self, budget: f64, case: &Case<'_>, surface: &AreaSpectrum) -> Option<Self> {
+        let last = self.windows.last()?;
+        let mut found = None;
+        for &points in GRIDS.iter().rev().filter(|points| **points > self.grid) {
+            let mut windows = self.windows.clone();
+            *windows.last_mut()? = last.prolonged(surface, case.band().longest_m, points).ok()?;
+            let mut longer = Layout {
+                windows,
+                forms: Vec::new(),
+                presses: Vec::new(),
+                planned: Vec::new(),
+                loads: self.loads.clone(),
+                ..*self
+            };
+            longer.plan_all(case);
+            if longer.cost > budget {
+                break;
+            }
+            let is_decisive = !longer.ends_nearly_flat(case);
+            found = Some(longer);
+            if is_decisive {
+                break;
+            }
+        }
+        found
     }
 
     /// The plan for a cell.
@@ -157,7 +215,7 @@ impl Layout {
             return PlannedPress::Flows { share: share.min(1.0) };
         }
         let over_gradient = pressure_pa / (case.composite_modulus_pa * rms_gradient);
-        if SLOPE_OF_AREA * over_gradient * (self.grid * self.grid) as f64 <= MIN_POINTS {
+        if SLOPE_OF_AREA * over_gradient * self.windows[window].grid_points() <= MIN_POINTS {
             return PlannedPress::TooLight;
         }
         let is_same = |press: &Press| {
@@ -173,14 +231,18 @@ impl Layout {
 
     /// Operator applications times grid points of all presses.
     fn estimated_cost(&self) -> f64 {
-        let solutions = self.realisations * self.presses.len();
-        solutions as f64 * (self.grid * self.grid) as f64 * operators(self.grid)
+        let of_press = |press: &Press| {
+            let window = &self.windows[press.window];
+            self.realisations as f64 * window.grid_points() * operators(window.points)
+        };
+        self.presses.iter().map(of_press).sum()
     }
 
     /// The extent of the layout, with the cost that was spent on it.
     pub fn extent(&self, settings: &Settings, spent: f64) -> Extent {
         Extent {
             grid: self.grid,
+            grid_of_last: self.windows.last().map_or(self.grid, |window| window.points),
             realisations: self.realisations,
             seed: settings.seed,
             windows: self.windows.len(),
@@ -218,6 +280,8 @@ fn loads_given_up(by_pressure: &[usize]) -> Vec<Vec<usize>> {
 pub struct Extent {
     /// Points along each side of a surface.
     pub grid: usize,
+    /// Points along each side of the surfaces of the last window, which is prolonged if it would be pressed flat.
+    pub grid_of_last: usize,
     /// Surfaces in each window.
     pub realisations: usize,
     /// The seed of the surfaces.

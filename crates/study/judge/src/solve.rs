@@ -56,10 +56,10 @@ pub(crate) fn solve(
     let outcomes = parallel::try_map(&tasks, |task| {
         let presses = presses_of(layout, task.window);
         let window = &layout.windows[task.window];
-        pressed(window, task, &presses, layout.grid, composite_modulus_pa, seed, progress)
+        pressed(window, task, &presses, composite_modulus_pa, seed, progress)
     })?;
-    let points = (layout.grid * layout.grid) as f64;
-    let spent = points * outcomes.iter().map(|outcome| outcome.operators as f64).sum::<f64>();
+    let cost = |outcome: &Outcome| outcome.operators as f64 * layout.windows[outcome.window].grid_points();
+    let spent = outcomes.iter().map(cost).sum();
     let solved = |(at, press): (usize, &Press)| {
         let place = layout.presses[..at].iter().filter(|other| other.window == press.window).count();
         let of_window = outcomes.iter().filter(|outcome| outcome.window == press.window);
@@ -77,7 +77,6 @@ fn pressed(
     window: &Window,
     task: &Task,
     presses: &[Press],
-    points: usize,
     composite_modulus_pa: f64,
     seed: u64,
     progress: &dyn Progress,
@@ -90,7 +89,7 @@ fn pressed(
     let box_m = window.box_m();
     // Every window has surfaces of its own.
     let seed = seed.wrapping_add((task.window as u64) << 32);
-    let synthesis = Synthesis::square(points, box_m, seed, Phases::FixedModulus);
+    let synthesis = Synthesis::square(window.points, box_m, seed, Phases::FixedModulus);
     // No wave of the box may lie in a band that noise has thinned.
     let Ok(surface) = window.surface.surface(&synthesis, task.realisation as u64) else {
         outcome.areas.fill(Err(Reason::NoSurface));
@@ -99,7 +98,7 @@ fn pressed(
     // The area depends on the slope first of all: every surface gets that of the window.
     let surface_gradient = surface.mean_square_gradient().sqrt();
     let surface = surface.scaled(window.rms_gradient / surface_gradient);
-    let grid = Grid::new(points, points, box_m, box_m)?;
+    let grid = Grid::new(window.points, window.points, box_m, box_m)?;
     let mut elements = Elements::periodic(grid, surface.heights_m())?;
     for (area, press) in outcome.areas.iter_mut().zip(presses) {
         if progress.is_cancelled() {

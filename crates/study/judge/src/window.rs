@@ -46,6 +46,8 @@ pub(crate) struct Window {
     pub surface: AreaSpectrum,
     /// Root mean square of the surface's gradient.
     pub rms_gradient: f64,
+    /// Points along each side of its grid.
+    pub points: usize,
 }
 
 /// The decades of wavelength that a grid with `grid` points along a side holds.
@@ -70,11 +72,24 @@ pub(crate) fn bands(whole: Band, decades: f64) -> Vec<Band> {
 }
 
 impl Window {
-    /// Cuts the surface to a band.
-    pub fn new(surface: &AreaSpectrum, band: Band) -> Result<Self, JudgeError> {
+    /// Cuts the surface to a band, to be pressed on a grid with `points` along each side.
+    pub fn new(surface: &AreaSpectrum, band: Band, points: usize) -> Result<Self, JudgeError> {
         let surface = surface.cut(band.longest_m, band.shortest_m)?;
         let rms_gradient = surface.mean_square_gradient().sqrt();
-        Ok(Window { band, surface, rms_gradient })
+        Ok(Window { band, surface, rms_gradient, points })
+    }
+
+    /// The window prolonged towards longer waves, as far as a grid with `points` along each side holds it and the whole band
+    /// of the surface has waves.
+    pub fn prolonged(&self, whole: &AreaSpectrum, longest_m: f64, points: usize) -> Result<Self, JudgeError> {
+        let Band { shortest_m, .. } = self.band;
+        let held_m = shortest_m * 10f64.powf(decades_held(points));
+        Window::new(whole, Band { longest_m: held_m.min(longest_m), shortest_m }, points)
+    }
+
+    /// The number of points of its grid.
+    pub fn grid_points(&self) -> f64 {
+        (self.points * self.points) as f64
     }
 
     /// The side \[m\] of the box in which the window is pressed.

@@ -7,9 +7,10 @@ use scene::{Overrides, Scene};
 use study::plan::Results;
 use study::{Files, Progress, Unobserved};
 
-/// A spectrum in memory: Hurst exponent 0.8 over some decades from 1 um down.
+/// A spectrum in memory: Hurst exponent 0.8 over some decades from 1 um down, and steep between 0.3 and 0.1 um if it has a step.
 struct SelfAffine {
     decades: f64,
+    has_step: bool,
 }
 
 impl Files for SelfAffine {
@@ -18,7 +19,8 @@ impl Files for SelfAffine {
         let mut text = "wavelength_m,C1D_m3\n".to_owned();
         for sample in 0..=samples {
             let wavelength_m = 1e-6 * 10f64.powf(-self.decades * sample as f64 / samples as f64);
-            let c1d_m3 = 1e-24 * (wavelength_m / 1e-6).powf(2.6);
+            let below_step = if self.has_step { wavelength_m.clamp(1e-7, 3e-7) / 3e-7 } else { 1.0 };
+            let c1d_m3 = 1e-24 * (wavelength_m / 1e-6).powf(2.6) * below_step.powi(5);
             text += &format!("{wavelength_m:e},{c1d_m3:e}\n");
         }
         Ok(text.into_bytes())
@@ -49,12 +51,16 @@ impl Progress for Cancelled {
 }
 
 fn scene(decades: f64, material: &str, loads: &str, curves: &[&str]) -> Scene {
+    scene_on(&SelfAffine { decades, has_step: false }, material, loads, curves)
+}
+
+fn scene_on(files: &SelfAffine, material: &str, loads: &str, curves: &[&str]) -> Scene {
     let curves: String = curves.iter().map(|curve| format!("[[curve]]\n{curve}\n")).collect();
     let text = format!(
         "title = \"s\"\n[surface]\npsd = \"s.csv\"\n[material]\nyoungs_modulus = \"200 GPa\"\npoisson_ratio = 0.3\n{material}\n\
          [loads]\npressures = [{loads}]\n{curves}"
     );
-    Scene::parse(&text, &SelfAffine { decades }, &Overrides::default()).unwrap()
+    Scene::parse(&text, files, &Overrides::default()).unwrap()
 }
 
 fn judged(scene: &Scene, settings: &Settings) -> (Results, Judgement) {
@@ -274,6 +280,30 @@ fn the_budget_fixes_the_work_and_what_is_cancelled_is_not_judged() {
     assert!(cancelled.curves.iter().all(|curve| curve.verdict == Verdict::NotJudged));
     assert!(cancelled.windows.iter().any(|on| on.reason == Reason::Cancelled));
     assert!(matches!(cancelled.headline(0).unwrap().basis, Basis::RangeOfModels { .. }));
+}
+
+#[test]
+fn a_last_window_that_would_be_pressed_flat_reaches_to_longer_waves() {
+    let spectrum = SelfAffine { decades: 2.0, has_step: true };
+    let scene = scene_on(&spectrum, "", "\"300 MPa\"", &ELASTIC);
+    let elements = |judgement: &Judgement| judgement.references[0].elements.unwrap();
+    let shortest = |judgement: &Judgement| {
+        let last = judgement.windows.iter().rfind(|on| !on.is_whole_band).unwrap();
+        (last.longest_m, last.elements.unwrap().area_fraction)
+    };
+    let (_, fixed) = judged(&scene, &Settings { grid: Some(96), ..Settings::default() });
+    let extent = fixed.extent.as_ref().unwrap();
+    assert_eq!((extent.grid, extent.grid_of_last), (96, 96));
+    let (longest_m, flat) = shortest(&fixed);
+    assert!(flat > 0.9, "{flat}");
+    let (_, longer) = judged(&scene, &Settings { budget: 6e6, ..Settings::default() });
+    let extent = longer.extent.as_ref().unwrap();
+    assert!(extent.grid_of_last > extent.grid && extent.estimated <= 6e6, "{extent:?}");
+    let (from_m, area) = shortest(&longer);
+    assert!(from_m > longest_m && area < flat, "{from_m} {area}");
+    let error = elements(&fixed).relative_error().hypot(elements(&longer).relative_error());
+    let ratio = elements(&longer).area_fraction / elements(&fixed).area_fraction;
+    assert!(ratio.ln().abs() < 3.0 * error, "{ratio} {error}");
 }
 
 #[test]

@@ -181,8 +181,12 @@ fn pressed(extent: &Extent) -> String {
         1 => "the whole band".to_owned(),
         some => format!("{} half a decade apart", counted(some, "window")),
     };
+    let last = match extent.grid_of_last {
+        points if points == extent.grid => String::new(),
+        points => format!(" ({points} x {points} on the last window)"),
+    };
     format!(
-        "Boundary elements pressed {windows}{left_out}: {}, {} each of {} x {} points, seed {}; cost {} of a budget of {}.",
+        "Boundary elements pressed {windows}{left_out}: {}, {} each of {} x {} points{last}, seed {}; cost {} of a budget of {}.",
         counted(extent.solved, "pressure"),
         counted(extent.realisations, "surface"),
         extent.grid,
