@@ -3,10 +3,7 @@
 use judge::Verdict;
 use questions::{RunOptions, Unwatched, run_scene};
 use scene::{Scene, Template};
-
-/// Share of the area in contact under the loads of the scene: `truearea bem` on 4096^2 points, four on the shortest wave,
-/// the mean of seeds 1 to 3, whose range is 4 % under the first load and 1.7 % at most under the others.
-const GRID_AREAS: [f64; 5] = [0.002027, 0.01997, 0.07794, 0.18788, 0.41558];
+use tests::pictures::contact_challenge::GRID;
 
 #[test]
 fn ranges_of_the_elements_hold_the_area_of_a_grid_of_the_whole_band() {
@@ -16,7 +13,8 @@ fn ranges_of_the_elements_hold_the_area_of_a_grid_of_the_whole_band() {
     let judgement = outcome.judgement.as_ref().unwrap();
     let corrected =
         scene.needs.curves.iter().position(|curve| curve.name == "persson-algebraic-nayak").unwrap();
-    for (load, area) in GRID_AREAS.into_iter().enumerate() {
+    for (load, [pressure_pa, area, _]) in GRID.into_iter().enumerate() {
+        assert_eq!(scene.needs.loads[load].nominal_pressure_pa(), pressure_pa);
         let elements = judgement.references.iter().find(|area| area.load == load).unwrap().elements.unwrap();
         assert!((elements.low()..=elements.high()).contains(&area), "{area}: {elements:?}");
         assert!((elements.area_fraction / area - 1.0).abs() < 0.06, "{area}: {elements:?}");

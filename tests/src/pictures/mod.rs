@@ -6,6 +6,7 @@
 //! assert!(tests::pictures::path(picture.name).ends_with("docs/pictures/strength.svg"));
 //! ```
 
+pub mod contact_challenge;
 mod same_picture;
 mod sinusoid;
 mod spectrum_and_stack;
@@ -26,6 +27,9 @@ use crate::committed_file;
 
 /// Largest size of a picture: pictures are reviewed as text and loaded with every page.
 pub const MOST_BYTES: usize = 30 * 1024;
+
+/// Note in every picture.
+const PROVENANCE: &str = "drawn by `cargo xtask docs` from the laws of the program; do not edit";
 
 /// Picture of the documentation.
 pub struct Picture {
@@ -50,6 +54,7 @@ pub fn pictures() -> Vec<Picture> {
         spectrum_and_stack::area(),
         spectrum_and_stack::sampling(),
         spectrum_and_stack::strain_gradient(),
+        contact_challenge::area_over_load(),
     ]
     .into()
 }
@@ -122,8 +127,7 @@ fn picture(
         gaps: Vec::new(),
         marks: Vec::new(),
     };
-    let provenance = ["drawn by `cargo xtask docs` from the laws of the program; do not edit".to_owned()];
-    Picture { name, svg: plot::svg(&figure, subject, &provenance) }
+    Picture { name, svg: plot::svg(&figure, subject, &[PROVENANCE.to_owned()]) }
 }
 
 /// Line under a condition.
