@@ -4,7 +4,9 @@
 use std::error::Error;
 
 use model_trials::elements;
-use model_trials::judge_trials::{JudgedRow, Set, TruthRow, trials, written};
+use model_trials::judge_spectra::{Set, trials};
+use model_trials::judge_trials::{JudgedRow, written};
+use model_trials::judge_truth::TruthRow;
 use staging::write_file;
 use tests::committed_file;
 

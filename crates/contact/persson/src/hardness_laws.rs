@@ -195,6 +195,15 @@ impl Hardness {
         Ok(all)
     }
 
+    /// Returns the hardness \[Pa\] at the longest wavelength of a roughness; infinite if there is none.
+    ///
+    /// # Errors
+    /// [`HardnessError::Falling`] as in [`along`](Self::along).
+    pub fn at_longest_pa(&self, roughness: &Roughness) -> Result<f64, HardnessError> {
+        let first_pa = self.along(roughness)?.first().copied().unwrap_or(f64::INFINITY);
+        Ok(self.cap_pa.map_or(first_pa, |cap_pa| first_pa.min(cap_pa)))
+    }
+
     /// Returns the hardness as a function of the variance of the flattening pressure, for a contact modulus E* > 0
     /// \[Pa\].
     ///

@@ -138,13 +138,13 @@ impl PerssonModel {
                         |variance: &f64| constant_hardness::areas(pressure_pa, variance.sqrt(), hardness_pa);
                     return Ok(variances_pa2.iter().map(areas).collect());
                 }
-                let path = hardness.path(roughness, self.contact_modulus_pa())?;
-                let hardness_pa = path.hardness_pa(0.0);
+                let hardness_pa = hardness.at_longest_pa(roughness)?;
                 if pressure_pa >= hardness_pa {
                     let wavelength_m =
                         roughness.places().first().map_or(f64::INFINITY, |place| place.wavelength_m);
                     return Err(HardnessError::Exceeded { pressure_pa, hardness_pa, wavelength_m });
                 }
+                let path = hardness.path(roughness, self.contact_modulus_pa())?;
                 Ok(areas_along(&path, pressure_pa, &variances_pa2))
             }
         }

@@ -3,7 +3,9 @@
 use std::path::Path;
 
 use model_trials::elements;
-use model_trials::judge_trials::{JudgedRow, Set, TruthRow, trials};
+use model_trials::judge_spectra::{Set, trials};
+use model_trials::judge_trials::JudgedRow;
+use model_trials::judge_truth::TruthRow;
 use serde::de::DeserializeOwned;
 
 fn committed<R: DeserializeOwned>(name: &str) -> Vec<R> {

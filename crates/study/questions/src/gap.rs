@@ -178,7 +178,7 @@ impl GapModel {
         let results = plan.compute_observed(progress)?;
         let choices = GapChoices {
             energy_factor: self.options.gamma.unwrap_or(PerssonLaw::ENERGY_FACTOR),
-            band: self.options.band.unwrap_or(Band::OF_GAPS),
+            band: self.options.band.unwrap_or_default(),
             tolerance: self.checked_tolerance()?,
         };
         Ok(GapLaw::of(&model, &plan, &results, &choices)?)

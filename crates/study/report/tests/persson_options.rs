@@ -56,7 +56,7 @@ fn a_corrected_curve_is_in_table_figure_verdict_first_line_and_interval() {
     assert!(last_area(CORRECTED) > 1.1 * last_area(PLAIN));
 
     // The digits of the gap law, which the command prints.
-    let choices = GapChoices { energy_factor: 0.45, band: Band::Profile, tolerance: Tolerance::default() };
+    let choices = GapChoices { energy_factor: 0.45, band: Band::default(), tolerance: Tolerance::default() };
     let law = GapLaw::of(&scene.needs.curves[CORRECTED].model, &plan, &results, &choices).unwrap();
     let state = law.at(300e6).unwrap();
     assert_eq!(state.area_fraction, last_area(CORRECTED));
@@ -76,7 +76,8 @@ fn a_corrected_curve_is_in_table_figure_verdict_first_line_and_interval() {
     let of_corrected = &judgement.curves[CORRECTED];
     assert_eq!(of_corrected.verdict, Verdict::Agrees, "{of_corrected:?}");
     let off = |curve: usize| (judgement.curves[curve].ratio().unwrap() - 1.0).abs();
-    assert!(off(CORRECTED) < 0.05 && off(PLAIN) > 0.15, "{} {}", off(CORRECTED), off(PLAIN));
+    // The first sample is rough already: its waves have profiles below it, which a spectrum of 0.9 decades misses.
+    assert!(off(CORRECTED) < 0.1 && off(PLAIN) > 0.15, "{} {}", off(CORRECTED), off(PLAIN));
     assert_eq!(judgement.headline(0).unwrap().best_curve, Some(CORRECTED));
 
     let drawn = UncertaintyPlan::new(&scene, &results, &uncertainty::Settings::default()).unwrap();
@@ -104,6 +105,6 @@ fn correction_and_band_are_choices_that_sensitivities_make_another_way() {
         [(PLAIN, curve(CORRECTED))]
     );
     assert_eq!(of(correction, "wang-muser").rows.len(), 2);
-    let surface = &of("spectrum that a cutoff ends", "2d").rows;
-    assert!(surface.len() == 2 && surface.iter().all(|row| row.ratio != 1.0));
+    let profile = &of("spectrum that a cutoff ends", "1d").rows;
+    assert!(profile.len() == 2 && profile.iter().all(|row| row.ratio != 1.0));
 }

@@ -3,7 +3,6 @@
 use ::interface::conductance::{Conductivities, Resistivities};
 use ::interface::leak::SealedJoint;
 use persson::sealing::PercolationThreshold;
-use persson::variance::Band;
 use serde_spanned::Spanned;
 use units::{Bound, Length, Viscosity, WorkOfAdhesion};
 
@@ -51,12 +50,7 @@ pub(super) fn resolve_interface(
         .transpose()?;
     Ok(Some(InterfaceRequest {
         energy_factor: gamma.transpose()?.unwrap_or(PerssonLaw::ENERGY_FACTOR),
-        band: own
-            .band
-            .as_ref()
-            .map(|band| parsed("interface.band", band))
-            .transpose()?
-            .unwrap_or(Band::OF_GAPS),
+        band: own.band.as_ref().map(|band| parsed("interface.band", band)).transpose()?.unwrap_or_default(),
         conductivities,
         resistivities,
         nominal_area_m2,

@@ -218,7 +218,7 @@ fn errors_of_values_carry_key_and_value() {
 
 #[test]
 fn options_of_perssons_theory_tell_curves_apart() {
-    let sections = "[[curve]]\nmodel = \"persson\"\ncorrection = \"algebraic-nayak\"\nband = \"2d\"\ngamma = 0.5\n\
+    let sections = "[[curve]]\nmodel = \"persson\"\ncorrection = \"algebraic-nayak\"\nband = \"1d\"\ngamma = 0.5\n\
                     [[curve]]\nmodel = \"persson\"\ngamma = 0.45\n\
                     [[curve]]\nmodel = \"persson-plastic\"\nhardness_law = \"power:0.25\"\n\
                     [[curve]]\nmodel = \"persson-plastic\"\nhardness_law = \"nix-gao\"\n\
@@ -228,7 +228,7 @@ fn options_of_perssons_theory_tell_curves_apart() {
     let curves = &scene.needs.curves;
     let names: Vec<&str> = curves.iter().map(|curve| curve.name.as_str()).collect();
     let expected = [
-        "persson-algebraic-nayak-2d-gamma-0.5",
+        "persson-algebraic-nayak-1d-gamma-0.5",
         "persson",
         "persson-plastic-power-0.25",
         "persson-plastic-strain-gradient",

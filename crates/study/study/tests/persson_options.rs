@@ -56,7 +56,7 @@ fn a_curve_of_a_plan_and_its_stream_equal_the_theory_bit_for_bit() {
     };
     let mut cases = vec![
         elastic(None, None, None),
-        elastic(None, Some(Band::Surface), Some(1.0)),
+        elastic(None, Some(Band::Profile), Some(1.0)),
         ("persson-plastic", ModelOptions::default(), &strong),
         grows(&GrowthLaw::NixGao, &strong),
         grows(&GrowthLaw::Power(0.3), &strong),
@@ -122,7 +122,7 @@ fn every_option_changes_the_model_its_name_and_nothing_else() {
         let mut ways = vec![
             ModelOptions { strain_gradient: true, ..ModelOptions::default() },
             ModelOptions { correction: Some(Correction::WangMuser), ..ModelOptions::default() },
-            ModelOptions { band: Some(Band::Surface), ..ModelOptions::default() },
+            ModelOptions { band: Some(Band::Profile), ..ModelOptions::default() },
             ModelOptions { gamma: Some(0.3), ..ModelOptions::default() },
             ModelOptions {
                 interference_law: Some(stat_contact::InterferenceLaw::Bem),

@@ -62,7 +62,8 @@ pub(crate) struct PerssonArgs {
     /// A corrected form of the elastic theory, fitted to simulations
     #[arg(long, value_parser = one_of::<Correction, _>(Correction::ALL))]
     pub correction: Option<Correction>,
-    /// Spectrum cut off at a wavelength: 1d, that of profiles, which is the default, or 2d, that of the surface
+    /// Spectrum cut off at a wavelength: 2d, that of the surface, which is the default and nearer to boundary elements, or
+    /// 1d, that of profiles
     #[arg(long, value_parser = one_of::<Band, _>(Band::ALL))]
     pub band: Option<Band>,
     /// Growth of the hardness towards short wavelengths: power:N, with the wavevector to that power; nix-gao, with the

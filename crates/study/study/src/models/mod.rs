@@ -388,7 +388,7 @@ mod tests {
             hardness: Some(Hardness::default()),
             interference_law: Some(InterferenceLaw::Bem),
             correction: Some(Correction::AlgebraicNayak),
-            band: Some(Band::Surface),
+            band: Some(Band::Profile),
             gamma: Some(0.5),
             hardness_law: Some(GrowthLaw::Power(0.5)),
         };
