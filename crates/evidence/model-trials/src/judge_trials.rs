@@ -8,8 +8,8 @@ use scene::{Overrides, Scene};
 use serde::{Deserialize, Serialize};
 use spectrum::{Convention, Psd};
 use study::Files;
+use tables::markdown::{table, with_section};
 use units::display::three_digits;
-use work_precision::page::{table, with_section};
 
 use crate::TrialError;
 use crate::elements::digits;
