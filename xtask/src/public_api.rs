@@ -1,7 +1,6 @@
 //! Public items of the published crates, compared with the committed lists.
 
 use std::error::Error;
-use std::path::Path;
 use std::process::Command;
 
 use crate::checkout;
@@ -60,7 +59,7 @@ fn describe(libraries: &[&Published]) -> Result<(), Box<dyn Error>> {
 /// Public items of a library, a line each, without what compilers and derives add.
 fn items(library: &str) -> Result<String, Box<dyn Error>> {
     let json = checkout("target/public-api/doc").join(format!("{}.json", library.replace('-', "_")));
-    let api = public_api::Builder::from_rustdoc_json(Path::new(&json))
+    let api = public_api::Builder::from_rustdoc_json(json)
         .omit_blanket_impls(true)
         .omit_auto_trait_impls(true)
         .omit_auto_derived_impls(true)

@@ -18,8 +18,8 @@ pub(super) fn write(notebooks: &Path, folder: &Path) -> Result<Vec<String>, Box<
         let notebook = serde_json::from_str(&std::fs::read_to_string(&path)?)?;
         let (text, pictures) = page(&notebook, &name)?;
         std::fs::write(folder.join(format!("{name}.md")), text)?;
-        for (at, svg_or_png) in pictures.iter().enumerate() {
-            std::fs::write(folder.join(picture_name(&name, at)), svg_or_png)?;
+        for (at, png) in pictures.iter().enumerate() {
+            std::fs::write(folder.join(picture_name(&name, at)), png)?;
         }
         names.push(name);
     }
