@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::io;
 use std::process::{Command, ExitCode, Output};
 
-use tests::committed_file;
+use crate::checkout;
 
 /// Growth of a count from which it fails, as a share of the accepted one.
 const MOST_GROWTH: f64 = 0.05;
@@ -40,7 +40,7 @@ fn compare(accept: bool) -> io::Result<bool> {
     }
     if accept {
         let rows = counts.iter().map(|(work, count)| format!("{work},{count}\n"));
-        std::fs::write(committed_file(ACCEPTED), format!("{HEADER}\n{}", rows.collect::<String>()))?;
+        std::fs::write(checkout(ACCEPTED), format!("{HEADER}\n{}", rows.collect::<String>()))?;
         println!("\naccepted in {ACCEPTED}");
         return Ok(true);
     }
@@ -83,7 +83,7 @@ impl Verdict {
 }
 
 fn accepted() -> io::Result<BTreeMap<String, u64>> {
-    let path = committed_file(ACCEPTED);
+    let path = checkout(ACCEPTED);
     let text = match std::fs::read_to_string(&path) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(BTreeMap::new()),
         text => text?,

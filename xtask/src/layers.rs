@@ -6,6 +6,8 @@ use std::process::{Command, ExitCode};
 
 use serde_json::Value;
 
+use crate::checkout;
+
 /// The floors from the ground up: folders of `crates/`. A crate may use any crate of a lower floor, and of its own
 /// floor what its manifest lists.
 const FLOORS: [&str; 6] = ["base", "surface", "contact", "study", "apps", "evidence"];
@@ -102,7 +104,7 @@ fn faults(house: &House) -> Result<Vec<String>, Box<dyn std::error::Error>> {
 
 /// Folders below `crates/<floor>/` that hold a manifest.
 fn crates_on_disk() -> Result<Vec<PathBuf>, Box<dyn std::error::Error>> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().ok_or("xtask lies in the workspace")?;
+    let root = &checkout("");
     let mut found = Vec::new();
     for floor in std::fs::read_dir(root.join("crates"))? {
         let floor = floor?.path();

@@ -1,17 +1,12 @@
-//! Project chores, by name: `cargo xtask reproduce`, `golden`, `docs`, `instructions`, `layers`, `shared`, `python`, `package`, `web`, and the
+//! Project chores, by name: `cargo xtask reproduce`, `golden`, `docs`, `instructions`, `layers`, `shared`, `python`, `package`, `api`, `site`, `web`, and the
 //! crates of evidence, `stress`, `coverage`, `work-precision` and `model-trials`.
 
-mod docs;
-mod gap_trials;
-mod golden;
-mod in_release;
 mod instructions;
-mod judge_trials;
 mod layers;
-mod model_trials;
 mod package;
+mod programs;
+mod public_api;
 mod python;
-mod reproduce;
 mod shared;
 mod site;
 mod web;
@@ -19,6 +14,7 @@ mod work_precision;
 
 use std::error::Error;
 use std::ffi::OsString;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use lexopt::prelude::*;
@@ -32,10 +28,14 @@ cargo xtask instructions [--accept]
                                valgrind); --accept takes the new counts
 cargo xtask layers             checks which crate may use which, and what stays out of the core
 cargo xtask shared             runs the tests that need the folder shared/ beside the checkout
-cargo xtask python [--anew]    builds the wheel and tries it in an environment below target/: tests, examples, notebooks, types
-                               (minutes; needs python3 from 3.10 on and a package index); --anew makes the environment again
+cargo xtask python [--anew] [--wheel FILE]
+                               builds the wheel and tries it in an environment below target/: tests, examples, notebooks, types
+                               (minutes; needs python3 from 3.10 on and a package index); --anew makes the environment again;
+                               --wheel tries a wheel or a source archive; the variable PYTHON names another interpreter
 cargo xtask package            packs the crates as they are published, compiles each archive, and runs the examples of their
                                READMEs in a project elsewhere (minutes)
+cargo xtask api [--accept]     compares the public items of the published crates with tests/contract/public-api; --accept takes
+                               them as they are (minutes)
 cargo xtask site               builds the documentation with search and references as a site, target/site, and checks its links
                                (needs mdbook and python3); takes the page for browsers from target/web
 cargo xtask web [--test]       builds the page for browsers as a static folder, target/web (minutes); --test runs its tests in
@@ -60,43 +60,67 @@ cargo xtask judge-trials [--anew]
                                docs/guide/judge.md; presses new surfaces only, --anew all of them (an hour)
 ";
 
+/// Program that compares with boundary elements, and rewrites tables of pages.
+const TRIALS: &str = "truearea-model-trials";
+
 enum Task {
-    Reproduce,
-    Golden { accept: bool },
-    Docs { check: bool },
-    Instructions { accept: bool },
+    /// Program of another crate, and what it is called with.
+    Program {
+        name: &'static str,
+        arguments: Vec<OsString>,
+    },
+    Reproduce {
+        arguments: Vec<OsString>,
+    },
+    ModelTrials {
+        arguments: Vec<OsString>,
+    },
+    /// Program of a crate of evidence, for long tasks.
+    InRelease {
+        package: &'static str,
+        arguments: Vec<OsString>,
+    },
+    Instructions {
+        accept: bool,
+    },
     Layers,
     Shared,
     Package,
+    Api {
+        accept: bool,
+    },
     Site,
-    Python { anew: bool },
-    Web { tests: bool },
-    Stress { arguments: Vec<OsString> },
-    Coverage { arguments: Vec<OsString> },
+    Python {
+        anew: bool,
+        wheel: Option<PathBuf>,
+    },
+    Web {
+        tests: bool,
+    },
     WorkPrecision,
-    ModelTrials { anew: bool },
-    GapTrials { anew: bool },
-    JudgeTrials { anew: bool },
 }
 
 fn main() -> ExitCode {
     match parse(lexopt::Parser::from_env()) {
-        Ok(Some(Task::Reproduce)) => reproduce::run(),
-        Ok(Some(Task::Golden { accept })) => golden::run(accept),
-        Ok(Some(Task::Docs { check })) => docs::run(check),
+        Ok(Some(Task::Program { name, arguments })) => programs::run(name, &arguments),
+        Ok(Some(Task::Reproduce { arguments })) => {
+            programs::run_light("truearea-paper", "reproduce", &arguments)
+        }
+        Ok(Some(Task::ModelTrials { arguments })) => {
+            // The page has a table of the paper's surface as well.
+            let compared = programs::run(TRIALS, &arguments);
+            if compared == ExitCode::SUCCESS { programs::run("other_models", &[]) } else { compared }
+        }
+        Ok(Some(Task::InRelease { package, arguments })) => programs::run_in_release(package, &arguments),
         Ok(Some(Task::Instructions { accept })) => instructions::run(accept),
         Ok(Some(Task::Layers)) => layers::run(),
         Ok(Some(Task::Shared)) => shared::run(),
         Ok(Some(Task::Package)) => package::run(),
+        Ok(Some(Task::Api { accept })) => ended(public_api::run(accept)),
         Ok(Some(Task::Site)) => site::run(),
-        Ok(Some(Task::Python { anew })) => python::run(anew),
+        Ok(Some(Task::Python { anew, wheel })) => python::run(anew, wheel.as_deref()),
         Ok(Some(Task::Web { tests })) => ended(web::run(tests)),
-        Ok(Some(Task::Stress { arguments })) => in_release::run("truearea-stress", &arguments),
-        Ok(Some(Task::Coverage { arguments })) => in_release::run("truearea-coverage", &arguments),
         Ok(Some(Task::WorkPrecision)) => work_precision::run(),
-        Ok(Some(Task::ModelTrials { anew })) => ended(model_trials::compare(anew)),
-        Ok(Some(Task::GapTrials { anew })) => ended(gap_trials::compare(anew)),
-        Ok(Some(Task::JudgeTrials { anew })) => ended(judge_trials::compare(anew)),
         Ok(None) => {
             print!("{HELP}");
             ExitCode::SUCCESS
@@ -125,44 +149,61 @@ fn parse(mut parser: lexopt::Parser) -> Result<Option<Task>, lexopt::Error> {
         match (arg, &mut task) {
             (Value(name), None) => {
                 let named = match name.to_str() {
-                    Some("reproduce") => Task::Reproduce,
-                    Some("golden") => Task::Golden { accept: false },
-                    Some("docs") => Task::Docs { check: false },
+                    Some("reproduce") => Task::Reproduce { arguments: following(&[], &mut parser)? },
+                    Some("golden") => program("golden", &[], &mut parser)?,
+                    Some("docs") => program("pictures", &[], &mut parser)?,
                     Some("instructions") => Task::Instructions { accept: false },
                     Some("layers") => Task::Layers,
                     Some("shared") => Task::Shared,
                     Some("package") => Task::Package,
+                    Some("api") => Task::Api { accept: false },
                     Some("site") => Task::Site,
-                    Some("python") => Task::Python { anew: false },
+                    Some("python") => Task::Python { anew: false, wheel: None },
                     Some("web") => Task::Web { tests: false },
-                    Some("stress") => Task::Stress { arguments: parser.raw_args()?.collect() },
-                    Some("coverage") => Task::Coverage { arguments: parser.raw_args()?.collect() },
+                    Some("stress") => in_release("truearea-stress", &mut parser)?,
+                    Some("coverage") => in_release("truearea-coverage", &mut parser)?,
                     // The second names are those of earlier versions.
                     Some("work-precision" | "bench") => Task::WorkPrecision,
-                    Some("model-trials" | "judge") => Task::ModelTrials { anew: false },
-                    Some("gap-trials") => Task::GapTrials { anew: false },
-                    Some("judge-trials") => Task::JudgeTrials { anew: false },
+                    Some("model-trials" | "judge") => {
+                        Task::ModelTrials { arguments: following(&["models"], &mut parser)? }
+                    }
+                    Some("gap-trials") => program(TRIALS, &["gap"], &mut parser)?,
+                    Some("judge-trials") => program(TRIALS, &["judge"], &mut parser)?,
                     _ => return Err(Value(name).unexpected()),
                 };
                 task = Some(named);
             }
-            (
-                Long("anew"),
-                Some(
-                    Task::ModelTrials { anew }
-                    | Task::GapTrials { anew }
-                    | Task::JudgeTrials { anew }
-                    | Task::Python { anew },
-                ),
-            ) => *anew = true,
+            (Long("anew"), Some(Task::Python { anew, .. })) => *anew = true,
+            (Long("wheel"), Some(Task::Python { wheel, .. })) => *wheel = Some(parser.value()?.into()),
             (Long("test"), Some(Task::Web { tests })) => *tests = true,
-            (Long("check"), Some(Task::Docs { check })) => *check = true,
-            (Long("accept"), Some(Task::Golden { accept } | Task::Instructions { accept })) => *accept = true,
+            (Long("accept"), Some(Task::Instructions { accept } | Task::Api { accept })) => *accept = true,
             (Long("help") | Short('h'), _) => return Ok(None),
             (arg, _) => return Err(arg.unexpected()),
         }
     }
     Ok(task)
+}
+
+/// Program that gets `first` and the rest of the line.
+fn program(name: &'static str, first: &[&str], rest: &mut lexopt::Parser) -> Result<Task, lexopt::Error> {
+    Ok(Task::Program { name, arguments: following(first, rest)? })
+}
+
+fn following(first: &[&str], rest: &mut lexopt::Parser) -> Result<Vec<OsString>, lexopt::Error> {
+    Ok(first.iter().map(OsString::from).chain(rest.raw_args()?).collect())
+}
+
+fn in_release(package: &'static str, rest: &mut lexopt::Parser) -> Result<Task, lexopt::Error> {
+    Ok(Task::InRelease { package, arguments: rest.raw_args()?.collect() })
+}
+
+/// Path in the checkout, from its top. The checkout is the one in which cargo was called, not necessarily the one that
+/// compiled this: two of them may share a target folder.
+fn checkout(path: &str) -> PathBuf {
+    let package = std::env::var_os("CARGO_MANIFEST_DIR")
+        .map_or_else(|| PathBuf::from(env!("CARGO_MANIFEST_DIR")), PathBuf::from);
+    let top = package.parent().expect("xtask lies in the checkout");
+    if path.is_empty() { top.to_owned() } else { top.join(path) }
 }
 
 #[cfg(test)]
@@ -177,7 +218,8 @@ mod tests {
     #[test]
     fn the_names_of_earlier_versions_call_the_same_tasks() {
         assert!(matches!(parsed("bench"), Some(Task::WorkPrecision)));
-        assert!(matches!(parsed("judge --anew"), Some(Task::ModelTrials { anew: true })));
+        let Some(Task::ModelTrials { arguments }) = parsed("judge --anew") else { panic!() };
+        assert_eq!(arguments, ["models", "--anew"]);
         assert!(parsed("bench --anew").is_none() && parsed("judges").is_none());
     }
 }

@@ -7,8 +7,10 @@ use std::process::{Command, ExitCode};
 use flate2::read::GzDecoder;
 use serde_json::Value;
 
-/// Packs every crate that is published, lets cargo compile each archive, and runs the example of each README in a project
-/// elsewhere that knows nothing but the archives.
+use crate::checkout;
+
+/// Packs every crate of the workspace, lets cargo compile each archive, and runs the example of each README in a project
+/// elsewhere that knows nothing but the archives of published crates.
 pub(crate) fn run() -> ExitCode {
     match carry_out() {
         Ok(examples) => {
@@ -23,26 +25,23 @@ pub(crate) fn run() -> ExitCode {
 }
 
 /// Crate that is published.
-struct Published {
+pub(crate) struct Published {
     /// Name of the package.
-    name: String,
+    pub(crate) name: String,
     /// Name and version, as its archive is called.
     archive: String,
     /// Name of its library, as its users type it.
-    library: String,
+    pub(crate) library: String,
     /// Its README, which has the example.
     readme: Option<PathBuf>,
 }
 
 fn carry_out() -> Result<usize, Box<dyn std::error::Error>> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().ok_or("xtask lies in the workspace")?;
-    let (published, others) = crates(root)?;
-    let excluded = others.iter().flat_map(|name| ["--exclude", name]);
-    // What is checked is what lies in the checkout, committed or not.
-    cargo(
-        root,
-        ["package", "--quiet", "--workspace", "--allow-dirty", "--locked"].into_iter().chain(excluded),
-    )?;
+    let root = &checkout("");
+    let published = published(root)?;
+    // What is checked is what lies in the checkout, committed or not. Crates that are not published are packed too, so that the
+    // plain command passes; cargo finds no crate that depends on one of them, so none may.
+    cargo(root, ["package", "--quiet", "--workspace", "--allow-dirty", "--locked"])?;
 
     let elsewhere = std::env::temp_dir().join(format!("truearea-packages-{}", std::process::id()));
     let outcome = try_elsewhere(root, &elsewhere, &published);
@@ -50,19 +49,18 @@ fn carry_out() -> Result<usize, Box<dyn std::error::Error>> {
     outcome
 }
 
-/// Crates that are published, and the names of all others.
-fn crates(root: &Path) -> Result<(Vec<Published>, Vec<String>), Box<dyn std::error::Error>> {
+/// Crates that are published.
+pub(crate) fn published(root: &Path) -> Result<Vec<Published>, Box<dyn std::error::Error>> {
     let output = Command::new(cargo_program())
         .args(["metadata", "--format-version", "1", "--no-deps"])
         .current_dir(root)
         .output()?;
     let metadata: Value = serde_json::from_slice(&output.stdout)?;
     let packages = metadata["packages"].as_array().ok_or("cargo metadata names no packages")?;
-    let (mut published, mut others) = (Vec::new(), Vec::new());
+    let mut published = Vec::new();
     for package in packages {
         let text = |key: &str| package[key].as_str().unwrap_or_default().to_owned();
         if package["publish"].as_array().is_some_and(Vec::is_empty) {
-            others.push(text("name"));
             continue;
         }
         let targets = package["targets"].as_array().ok_or("a package without targets")?;
@@ -76,7 +74,7 @@ fn crates(root: &Path) -> Result<(Vec<Published>, Vec<String>), Box<dyn std::err
             name: text("name"),
         });
     }
-    Ok((published, others))
+    Ok(published)
 }
 
 /// Makes a project of the archives in `elsewhere`, with an example per crate, and runs them all.
@@ -135,7 +133,7 @@ fn example(readme: &Path) -> Result<Option<String>, Box<dyn std::error::Error>> 
     Ok(Some(format!("fn main() {returns}{{\n{code}\n}}\n")))
 }
 
-fn cargo_program() -> std::ffi::OsString {
+pub(crate) fn cargo_program() -> std::ffi::OsString {
     std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
 }
 

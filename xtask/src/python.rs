@@ -4,13 +4,15 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
+use crate::checkout;
+
 /// Largest size of a wheel in bytes.
 const LARGEST_WHEEL: u64 = 8_000_000;
 
-/// Builds the wheel, installs it with the dependencies of its tests, and runs them: tests and examples, notebooks,
+/// Builds the wheel unless one is given, installs it with the dependencies of its tests, and runs them: tests and examples, notebooks,
 /// and types by three checkers.
-pub(crate) fn run(anew: bool) -> ExitCode {
-    match carry_out(anew) {
+pub(crate) fn run(anew: bool, wheel: Option<&Path>) -> ExitCode {
+    match carry_out(anew, wheel) {
         Ok(()) => ExitCode::SUCCESS,
         Err(problem) => {
             eprintln!("error: {problem}");
@@ -19,9 +21,13 @@ pub(crate) fn run(anew: bool) -> ExitCode {
     }
 }
 
-fn carry_out(anew: bool) -> Result<(), String> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the workspace");
+fn carry_out(anew: bool, given: Option<&Path>) -> Result<(), String> {
+    let root = &checkout("");
+    // The tests run in another folder.
+    let given = given.map(std::path::absolute).transpose().map_err(|error| error.to_string())?;
+    let python = std::env::var_os("PYTHON");
     let place = Place {
+        environment: python.as_deref().map_or_else(|| Ok("environment".to_owned()), environment_name)?,
         package: root.join("python"),
         built: root.join("target/python"),
         program: command_line(root)?,
@@ -34,10 +40,13 @@ fn carry_out(anew: bool) -> Result<(), String> {
             .map_err(|error| format!("removing the old environment: {error}"))?;
     }
     if !place.in_environment("python").exists() {
-        let python = std::env::var_os("PYTHON").unwrap_or_else(|| "python3".into());
+        let python = python.unwrap_or_else(|| "python3".into());
         place.call(&python, &["-m".as_ref(), "venv".as_ref(), place.environment().as_os_str()])?;
     }
-    let wheel = place.wheel()?;
+    let wheel = match given {
+        Some(wheel) => wheel.display().to_string(),
+        None => place.wheel()?,
+    };
     // An earlier wheel of the same version is replaced, and new dependencies are added.
     place.python(&["-m", "pip", "install", "--quiet", "--force-reinstall", "--no-deps", &wheel])?;
     place.python(&["-m", "pip", "install", "--quiet", &format!("{wheel}[tests,notebooks]")])?;
@@ -51,6 +60,14 @@ fn carry_out(anew: bool) -> Result<(), String> {
     place.run("stubtest", &["truearea", "--allowlist", &allowed])?;
     let python = place.in_environment("python").display().to_string();
     place.run("pyright", &["--pythonpath", &python, "--project", &config])
+}
+
+/// Folder of the environment of a named interpreter, by its version.
+fn environment_name(python: &OsStr) -> Result<String, String> {
+    let script = "import platform; print(platform.python_version(), end='')";
+    let output = Command::new(python).args(["-c", script]).output();
+    let output = output.map_err(|error| format!("running {}: {error}", python.display()))?;
+    Ok(format!("environment-{}", String::from_utf8_lossy(&output.stdout)))
 }
 
 /// Builds the command line of this checkout, whose digits the tests compare with.
@@ -77,6 +94,7 @@ fn cargo(root: &Path, arguments: &[&str], doing: &str) -> Result<(), String> {
 
 /// Folders of the package and of its environment, and the command line and the answered questions beside it.
 struct Place {
+    environment: String,
     package: PathBuf,
     built: PathBuf,
     program: PathBuf,
@@ -85,7 +103,7 @@ struct Place {
 
 impl Place {
     fn environment(&self) -> PathBuf {
-        self.built.join("environment")
+        self.built.join(&self.environment)
     }
 
     fn in_environment(&self, program: &str) -> PathBuf {

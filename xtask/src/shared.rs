@@ -2,10 +2,10 @@
 
 use std::process::{Command, ExitCode};
 
-use tests::shared_file;
+use crate::checkout;
 
 pub(crate) fn run() -> ExitCode {
-    if !shared_file("").is_dir() {
+    if !checkout("../shared").is_dir() {
         eprintln!("error: there is no folder shared/ beside the checkout");
         return ExitCode::FAILURE;
     }

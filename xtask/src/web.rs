@@ -10,6 +10,8 @@ use brotli::enc::BrotliEncoderParams;
 use flate2::{Compression, write::GzEncoder};
 use wasm_bindgen_cli_support::Bindgen;
 
+use crate::checkout;
+
 /// The largest size of everything that a first visit loads, with brotli: what there is and some room. The goal is 1.5 MB.
 const MOST_BYTES: usize = 1_750_000;
 
@@ -23,7 +25,7 @@ pub(crate) fn run(tests: bool) -> Result<(), Box<dyn Error>> {
 }
 
 fn build() -> Result<(), Box<dyn Error>> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().ok_or("xtask lies in the workspace")?;
+    let root = &checkout("");
     let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);
     call(
         Command::new(env!("CARGO"))
@@ -115,7 +117,7 @@ fn compress(out: &Path) -> Result<(), Box<dyn Error>> {
 
 /// Runs the tests of the page in Chromium.
 fn test() -> Result<(), Box<dyn Error>> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().ok_or("xtask lies in the workspace")?;
+    let root = &checkout("");
     let tests = root.join("tests/browser");
     call(Command::new(env!("CARGO")).current_dir(root).args(["build", "--bin", "truearea"]))?;
     call(Command::new("npm").args(["ci", "--prefix"]).arg(&tests))?;

@@ -2,7 +2,7 @@
 
 use std::process::{Command, ExitCode};
 
-use tests::committed_file;
+use crate::checkout;
 
 /// Builds the study in release mode and runs it: it measures for some minutes and rewrites the page's tables and
 /// plots.
@@ -13,7 +13,7 @@ pub(crate) fn run() -> ExitCode {
         ["build", "--release", "--package", "truearea-cli"].as_slice(),
         ["run", "--release", "--package", "truearea-work-precision"].as_slice(),
     ] {
-        match Command::new(&cargo).args(arguments).current_dir(committed_file("")).status() {
+        match Command::new(&cargo).args(arguments).current_dir(checkout("")).status() {
             Ok(status) if status.success() => {}
             Ok(_) => return ExitCode::FAILURE,
             Err(error) => {

@@ -7,7 +7,7 @@ use std::process::Command;
 
 use serde_json::Value;
 
-use super::{copy_folder, formulas, python_reference};
+use super::{copy_folder, formulas, gallery, notebooks, python_reference};
 
 /// Pages of the repository beside `docs`.
 const PAGES_OF_THE_ROOT: [&str; 4] = ["ARCHITECTURE.md", "CHANGELOG.md", "CONTRIBUTING.md", "data/README.md"];
@@ -34,12 +34,8 @@ const CHAPTERS: [(&str, &str, &[&str]); 4] = [
     ("Development", "develop", &["status.md", "performance.md", "stress.md", "decisions.md"]),
 ];
 
-/// Tutorials: walks with data of the repository.
-const TUTORIALS: [(&str, &str); 3] = [
-    ("From diamond scans to the figure of a paper", "guide/spectrum.md"),
-    ("Does this flange seal?", "guide/gasket.md"),
-    ("A study in Python", "python/README.md"),
-];
+/// Tutorials: walks with data of the repository, which the tests run.
+const TUTORIALS: [&str; 3] = ["tutorials/diamond.md", "tutorials/flange.md", "notebooks/2-my-three-scans.md"];
 
 /// Appearance of formulas and pictures.
 const STYLE: &str = "\
@@ -69,13 +65,16 @@ pub(super) fn write(root: &Path, folder: &Path) -> Result<(), Box<dyn std::error
     std::fs::write(reference.join("commands.md"), command_reference(root)?)?;
     std::fs::write(reference.join("python.md"), python_reference::page(root)?)?;
 
+    let names = notebooks::write(&root.join("python/notebooks"), &source.join("notebooks"))?;
     let repository = repository(root)?;
     for page in pages(&source)? {
         let text = std::fs::read_to_string(&page)?;
         let text = formulas::as_mathml(&text).map_err(|error| format!("{}: {error}", page.display()))?;
         std::fs::write(&page, with_links(&text, &page, &source, root, &repository))?;
     }
-    std::fs::write(source.join("SUMMARY.md"), summary(&source)?)?;
+    let (summary, listed) = summary(&source, &names)?;
+    std::fs::write(source.join("SUMMARY.md"), summary)?;
+    std::fs::write(source.join("gallery.md"), gallery::page(&source, &listed)?)?;
     std::fs::write(folder.join("site.css"), STYLE)?;
     let book = format!(
         "[book]\ntitle = \"truearea\"\ndescription = \"How much of two rough surfaces really touches\"\nlanguage = \"en\"\n\n\
@@ -145,9 +144,12 @@ fn with_links(text: &str, page: &Path, source: &Path, root: &Path, repository: &
             out.push_str(&link.replace("/README.md", "/index.html"));
             continue;
         }
-        // Pages of `docs` are one folder deeper in the repository than on the site.
+        // Pages of `docs` are one folder deeper in the repository than on the site, on which notebooks are pages.
         let below_docs = normal(&Path::new("docs").join(folder).join(file));
-        let on_site = normal(&below_docs);
+        let on_site = match below_docs.strip_prefix("python/notebooks") {
+            Ok(notebook) => Path::new("notebooks").join(notebook).with_extension("md"),
+            Err(_) => below_docs.clone(),
+        };
         let in_root = if root.join(&below_docs).exists() { below_docs } else { normal(&folder.join(file)) };
         let target = source.join(&on_site);
         if target.is_file() {
@@ -164,7 +166,7 @@ fn with_links(text: &str, page: &Path, source: &Path, root: &Path, repository: &
 }
 
 /// The path without `..`.
-fn normal(path: &Path) -> PathBuf {
+pub(super) fn normal(path: &Path) -> PathBuf {
     path.components().fold(PathBuf::new(), |mut plain, part| {
         match part {
             std::path::Component::ParentDir => {
@@ -176,14 +178,28 @@ fn normal(path: &Path) -> PathBuf {
     })
 }
 
-/// The table of contents.
-fn summary(source: &Path) -> Result<String, Box<dyn std::error::Error>> {
-    let mut text =
-        String::from("# Summary\n\n[truearea](README.md)\n[All pages](index-of-pages.md)\n\n# Tutorials\n\n");
-    let mut listed: BTreeSet<String> = BTreeSet::new();
-    for (title, page) in TUTORIALS {
-        writeln!(text, "- [{title}]({page})")?;
-        listed.insert(page.to_owned());
+/// The table of contents, and the pages that it lists with their titles.
+fn summary(
+    source: &Path,
+    notebooks: &[String],
+) -> Result<(String, Vec<(PathBuf, String)>), Box<dyn std::error::Error>> {
+    let mut text = String::from(
+        "# Summary\n\n[truearea](README.md)\n[All pages](index-of-pages.md)\n[Gallery](gallery.md)\n",
+    );
+    let mut listed: Vec<(PathBuf, String)> = Vec::new();
+    let mut list = |text: &mut String, page: &str| -> Result<(), Box<dyn std::error::Error>> {
+        let page = source.join(page);
+        // mdBook takes a page once.
+        if listed.iter().all(|(known, _)| *known != page) {
+            let title = title(&page)?;
+            writeln!(text, "- [{title}]({})", page.strip_prefix(source)?.display())?;
+            listed.push((page, title));
+        }
+        Ok(())
+    };
+    text.push_str("\n# Tutorials\n\n");
+    for page in TUTORIALS {
+        list(&mut text, page)?;
     }
     for (heading, folder, first) in CHAPTERS {
         writeln!(text, "\n# {heading}\n")?;
@@ -195,16 +211,16 @@ fn summary(source: &Path) -> Result<String, Box<dyn std::error::Error>> {
             (first.iter().position(|page| page == name).unwrap_or(usize::MAX), name.clone())
         });
         for name in names {
-            let page = format!("{folder}/{name}");
-            // mdBook takes a page once.
-            if listed.insert(page.clone()) {
-                writeln!(text, "- [{}]({page})", title(&source.join(&page))?)?;
-            }
+            list(&mut text, &format!("{folder}/{name}"))?;
         }
+    }
+    text.push_str("\n# Notebooks\n\n");
+    for name in notebooks {
+        list(&mut text, &format!("notebooks/{name}.md"))?;
     }
     text.push_str("\n# Reference\n\n- [Commands](reference/commands.md)\n- [Python](reference/python.md)\n");
     text.push_str("- [Data](data/README.md)\n- [Architecture](ARCHITECTURE.md)\n- [Contributing](CONTRIBUTING.md)\n- [Changes](CHANGELOG.md)\n");
-    Ok(text)
+    Ok((text, listed))
 }
 
 /// The first heading of a page.

@@ -2,11 +2,15 @@
 
 mod book;
 mod formulas;
+mod gallery;
 mod links;
+mod notebooks;
 mod python_reference;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
+
+use crate::checkout;
 
 /// Builds `target/site` with mdBook, and checks every link in it.
 pub(crate) fn run() -> ExitCode {
@@ -23,7 +27,7 @@ pub(crate) fn run() -> ExitCode {
 }
 
 fn carry_out() -> Result<PathBuf, Box<dyn std::error::Error>> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().ok_or("xtask lies in the workspace")?;
+    let root = &checkout("");
     let source = root.join("target/site-source");
     let site = root.join("target/site");
     for folder in [&source, &site] {

@@ -36,7 +36,8 @@ fn top() -> PathBuf {
 
 /// The README and the pages of the folders of `docs/`. Those on Python are run by the tests of the package.
 fn pages() -> Vec<PathBuf> {
-    let folders = ["docs", "docs/guide", "docs/theory", "docs/develop"].map(|name| top().join(name));
+    let folders =
+        ["docs", "docs/tutorials", "docs/guide", "docs/theory", "docs/develop"].map(|name| top().join(name));
     let files = folders.iter().flat_map(|folder| std::fs::read_dir(folder).unwrap());
     let pages = files.map(|entry| entry.unwrap().path());
     let pages = pages.filter(|path| path.extension().is_some_and(|extension| extension == "md"));

@@ -4,6 +4,7 @@ mod csv_text;
 mod error;
 mod input;
 mod json_text;
+pub mod markdown;
 mod source;
 mod table;
 mod writer;

@@ -13,8 +13,8 @@ use spectrum::Normalisation;
 use study::gap_law::{GapChoices, GapError, GapLaw, GapState};
 use study::models::ModelOptions;
 use study::plan::{Needs, Plan, Sampling};
+use tables::markdown::{table, with_section};
 use units::display::three_digits;
-use work_precision::page::{table, with_section};
 
 use crate::TrialError;
 use crate::elements::digits;

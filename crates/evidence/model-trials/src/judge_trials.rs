@@ -4,8 +4,8 @@
 use judge::{CurveVerdict, JudgePlan, Settings, Verdict};
 use parallel::Unobserved;
 use serde::{Deserialize, Serialize};
+use tables::markdown::{table, with_section};
 use units::display::three_digits;
-use work_precision::page::{table, with_section};
 
 use crate::TrialError;
 use crate::elements::digits;

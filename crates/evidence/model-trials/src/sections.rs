@@ -1,7 +1,7 @@
 //! Tables of `docs/guide/which-model.md`.
 
+use tables::markdown::{table, with_section};
 use units::display::three_digits;
-use work_precision::page::{table, with_section};
 
 use crate::TrialError;
 use crate::elements::ElementsRow;
@@ -27,8 +27,6 @@ pub struct Findings<'f> {
     pub windows: &'f [WindowsRow],
     /// Results of gluing two decades.
     pub gluing: &'f [GluingRow],
-    /// Models that the paper does not use, on its surface.
-    pub uncd: &'f [paper::OtherModel],
 }
 
 /// Returns the page with new tables; its text is written by hand.
@@ -43,7 +41,6 @@ pub fn written(page: &str, findings: &Findings<'_>) -> Result<String, TrialError
         ("windows", windows(findings.windows)),
         ("gluing", gluing(findings)),
         ("constants", constants(findings.elements)),
-        ("uncd", uncd(findings.uncd)),
         ("extent", extent(findings.elements)),
     ];
     sections.into_iter().try_fold(page.to_owned(), |page, (name, contents)| {
@@ -212,21 +209,6 @@ fn constants(elements: &[ElementsRow]) -> String {
         &["constants", "a", "b", "rms", "worst", "of so many areas", "rms, all, in standard errors", "worst"],
         &[line("the program's", &NayakForm::OF_THE_PROGRAM), line("fitted here", &fitted)],
     )
-}
-
-/// Statements of the other models on the paper's surface.
-fn uncd(models: &[paper::OtherModel]) -> String {
-    let mut lines = Vec::new();
-    for model in models {
-        for (spectrum, finding) in &model.findings {
-            lines.push(vec![
-                format!("`{}`", model.model),
-                (*spectrum).to_owned(),
-                finding.found.replace('*', "\\*"),
-            ]);
-        }
-    }
-    table(&["model", "spectrum", "found"], &lines).replace("---:", "---")
 }
 
 /// Extent of the study.

@@ -7,6 +7,7 @@ use persson::Cut;
 use study::models::{Framework, ModelOptions, named};
 use study::plan::{Curve, CurveResult, Cutoffs, Needs, Plan};
 use study::validity::SMALL_SLOPE_PRESSURE;
+use tables::markdown::table;
 use units::display::{length, three_digits};
 
 use crate::evidence::Evidence;
@@ -56,6 +57,19 @@ pub fn other_models(evidence: &[Evidence]) -> Result<Vec<OtherModel>, Box<dyn Er
         growing.findings.push((name, curves.with_growing_hardness()));
     }
     Ok(vec![constant, growing])
+}
+
+/// Findings as the table of `docs/guide/which-model.md`.
+#[must_use]
+pub fn other_models_table(models: &[OtherModel]) -> String {
+    let lines: Vec<Vec<String>> = models
+        .iter()
+        .flat_map(|model| model.findings.iter().map(move |(spectrum, finding)| (model, spectrum, finding)))
+        .map(|(model, spectrum, finding)| {
+            vec![format!("`{}`", model.model), (*spectrum).to_owned(), finding.found.replace('*', "\\*")]
+        })
+        .collect();
+    table(&["model", "spectrum", "found"], &lines).replace("---:", "---")
 }
 
 /// Cuts for every load: elastic, with a constant hardness, with a growing one.

@@ -3,13 +3,14 @@
 use std::path::Path;
 use std::process::ExitCode;
 
+use tables::markdown::with_section;
 use work_precision::competitors::{Environment, MissingPackage, Worker};
 use work_precision::machine;
 use work_precision::point::{GivenQuantity, Outcome, Point};
 use work_precision::reference::{self, repository};
 use work_precision::sections::Measured;
 use work_precision::verdicts::FOUR_LAWS;
-use work_precision::{files, kernels, page, pictures, scaling, sections, stack, study};
+use work_precision::{files, kernels, pictures, scaling, sections, stack, study};
 
 /// Population whose states are plotted; the tables hold all.
 const DRAWN: &str = "steel";
@@ -102,7 +103,7 @@ fn write_page(path: &Path, measured: &Measured) -> Result<(), String> {
     let mut page =
         std::fs::read_to_string(path).map_err(|error| format!("docs/develop/performance.md: {error}"))?;
     for (name, contents) in sections::all(measured) {
-        page = page::with_section(&page, name, &contents)?;
+        page = with_section(&page, name, &contents)?;
     }
     write(path, &page)?;
     println!("\n{}", sections::verdicts(&measured.points, &measured.stack));

@@ -1,28 +1,4 @@
-//! Pages such as `docs/develop/performance.md`, with text by hand and measured tables between markers.
-
-/// Returns the page with the contents of a section replaced: the lines between `<!-- measured: NAME -->` and `<!--
-/// end -->`.
-///
-/// # Errors
-/// A message if the page has no such section.
-pub fn with_section(page: &str, name: &str, contents: &str) -> Result<String, String> {
-    let opening = format!("<!-- measured: {name} -->\n");
-    let missing = || format!("the page has no section {name}");
-    let (before, rest) = page.split_once(&opening).ok_or_else(missing)?;
-    let (_, after) = rest.split_once("<!-- end -->").ok_or_else(missing)?;
-    Ok(format!("{before}{opening}\n{}\n\n<!-- end -->{after}", contents.trim_end()))
-}
-
-/// Formats a table; the first column is left-aligned, the others are numbers.
-pub fn table(columns: &[&str], rows: &[Vec<String>]) -> String {
-    let line = |cells: Vec<String>| format!("| {} |\n", cells.join(" | "));
-    let mut text = line(columns.iter().map(|&column| column.to_owned()).collect());
-    text += &line(
-        columns.iter().enumerate().map(|(i, _)| if i == 0 { "---" } else { "---:" }.to_owned()).collect(),
-    );
-    rows.iter().for_each(|row| text += &line(row.clone()));
-    text
-}
+//! Numbers as `docs/develop/performance.md` shows them.
 
 /// Formats a time in the unit that leaves one to three digits before the point.
 pub fn time(seconds: f64) -> String {
@@ -67,19 +43,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_section_is_replaced_and_everything_else_stays() {
-        let page =
-            "words\n<!-- measured: a -->\nold\n<!-- end -->\nmore\n<!-- measured: b -->\n<!-- end -->\n";
-        let new = with_section(page, "a", "| x |\n").unwrap();
-        assert_eq!(
-            new,
-            "words\n<!-- measured: a -->\n\n| x |\n\n<!-- end -->\nmore\n<!-- measured: b -->\n<!-- end -->\n"
-        );
-        assert_eq!(with_section(&new, "a", "| x |\n").unwrap(), new);
-        assert!(with_section(page, "c", "").is_err());
-    }
-
-    #[test]
     fn times_and_numbers_have_three_digits() {
         assert_eq!(
             [3.7e-2, 3.4e-4, 8.31e-6, 1.5e-8, 2.0].map(time),
@@ -89,11 +52,5 @@ mod tests {
             [3456.0, 34567.0, 1_234_567.0, 0.5, 99.99].map(three_digits),
             ["3460", "34,600", "1,230,000", "0.50", "100"]
         );
-    }
-
-    #[test]
-    fn a_table_has_a_rule_under_its_columns() {
-        let text = table(&["law", "time"], &[vec!["hertz".to_owned(), "1 µs".to_owned()]]);
-        assert_eq!(text, "| law | time |\n| --- | ---: |\n| hertz | 1 µs |\n");
     }
 }

@@ -1,9 +1,11 @@
 //! Tables of `docs/develop/performance.md`, from the measurements.
 
+use tables::markdown::table;
+
 use crate::competitors::MissingPackage;
 use crate::kernels::{Cost, KernelCost};
 use crate::machine::Fact;
-use crate::page::{error, table, three_digits, time};
+use crate::page::{error, three_digits, time};
 use crate::point::{Engine, GivenQuantity, Point};
 use crate::scaling::Scaling;
 use crate::stack::{BARRED_LAW, StackCost};
@@ -334,7 +336,7 @@ mod tests {
         let sections = all(&measured);
         assert_eq!(markers, sections.len());
         for (name, contents) in sections {
-            page = crate::page::with_section(&page, name, &contents).unwrap();
+            page = tables::markdown::with_section(&page, name, &contents).unwrap();
         }
         assert!(page.contains("Not measured: not asked for."));
     }

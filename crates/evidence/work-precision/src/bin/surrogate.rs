@@ -3,7 +3,8 @@
 
 use std::process::ExitCode;
 
-use work_precision::page::{error, table};
+use tables::markdown::table;
+use work_precision::page::error;
 use work_precision::surrogate::{Method, MethodErrors, method_errors};
 
 fn main() -> ExitCode {

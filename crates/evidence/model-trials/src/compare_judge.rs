@@ -8,11 +8,11 @@ use model_trials::judge_spectra::{Set, trials};
 use model_trials::judge_trials::{JudgedRow, written};
 use model_trials::judge_truth::TruthRow;
 use staging::write_file;
-use tests::committed_file;
+
+use crate::guide;
 
 pub(crate) fn compare(anew: bool) -> Result<(), Box<dyn Error>> {
-    let [truth_csv, trials_csv, page] = ["judge/truth.csv", "judge/trials.csv", "judge.md"]
-        .map(|name| committed_file(&format!("docs/guide/{name}")));
+    let [truth_csv, trials_csv, page] = ["judge/truth.csv", "judge/trials.csv", "judge.md"].map(guide);
     std::fs::create_dir_all(truth_csv.with_file_name(""))?;
     let mut truth: Vec<TruthRow> = Vec::new();
     if !anew && truth_csv.exists() {

@@ -10,29 +10,25 @@ use model_trials::pictures::pictures;
 use model_trials::programme::programme;
 use model_trials::sections::{self, Findings};
 use model_trials::{ratios, windows};
-use paper::Evidence;
-use scene::Template;
 use serde::Serialize;
 use staging::{StagedFiles, write_file};
-use tests::committed_file;
+
+use crate::guide;
 
 pub(crate) fn compare(anew: bool) -> Result<(), Box<dyn Error>> {
     std::fs::create_dir_all(beside("elements").with_file_name(""))?;
     let elements = pressed(anew)?;
     let gluing = glued(anew, &elements)?;
     let (ratios, windows) = (ratios::rows(&elements)?, windows::rows(&elements)?);
-    let evidence = [Template::UncdReconstructed, Template::UncdMeasured].map(Evidence::compute);
-    let uncd = paper::other_models(&evidence.into_iter().collect::<Result<Vec<_>, _>>()?)?;
-    let page = committed_file("docs/guide/which-model.md");
-    let findings =
-        Findings { elements: &elements, ratios: &ratios, windows: &windows, gluing: &gluing, uncd: &uncd };
+    let page = guide("which-model.md");
+    let findings = Findings { elements: &elements, ratios: &ratios, windows: &windows, gluing: &gluing };
     let text = sections::written(&std::fs::read_to_string(&page)?, &findings)?;
     let mut files = StagedFiles::default();
     let mut stage = |path: PathBuf, content: Vec<u8>| files.stage(&path, |out| out.write_all(&content));
     stage(beside("ratios"), table(&ratios)?)?;
     stage(beside("windows"), table(&windows)?)?;
     for (name, svg) in pictures(&ratios) {
-        stage(committed_file(&format!("docs/guide/which-model/{name}.svg")), svg.into_bytes())?;
+        stage(guide(&format!("which-model/{name}.svg")), svg.into_bytes())?;
     }
     stage(page, text.into_bytes())?;
     files.publish()?;
@@ -82,5 +78,5 @@ fn table<R: Serialize>(rows: &[R]) -> Result<Vec<u8>, Box<dyn Error>> {
 }
 
 fn beside(name: &str) -> PathBuf {
-    committed_file(&format!("docs/guide/which-model/{name}.csv"))
+    guide(&format!("which-model/{name}.csv"))
 }

@@ -1,7 +1,8 @@
-//! Reproduces the paper: its figures for every scene that comes with the program, and the verdicts on its statements.
+//! Reproduces the paper: its figures for every scene that comes with the program, and the verdicts on its statements, by
+//! `cargo xtask reproduce`.
 
 use std::error::Error;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
@@ -17,19 +18,31 @@ use scene::Template;
 use staging::{StagedFiles, write_file};
 use study::Unobserved;
 use tables::Format;
-use tests::committed_file;
 
 /// The spectrum that goes further comes first.
 const SCENES: [Template; 2] = [Template::UncdReconstructed, Template::UncdMeasured];
 
-pub(crate) fn run() -> ExitCode {
-    match reproduce(&committed_file("target/reproduce")) {
+fn main() -> ExitCode {
+    if let Some(argument) = std::env::args().nth(1) {
+        eprintln!("error: {argument}: this program takes no arguments");
+        return ExitCode::from(2);
+    }
+    match reproduce(&checkout().join("target/reproduce")) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("error: {error}");
             ExitCode::FAILURE
         }
     }
+}
+
+/// Top of the checkout.
+fn checkout() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .ancestors()
+        .nth(3)
+        .expect("this crate lies in the checkout")
+        .to_owned()
 }
 
 /// Writes figures, tables and claims, and prints their folder.

@@ -1,10 +1,19 @@
-//! Pictures of `docs/`, drawn from the program's own laws.
+//! Draws the pictures of `docs/` from the program's own laws: `cargo xtask docs`.
 
 use std::process::ExitCode;
 
 use tests::pictures::{pictures, rewrite, stale};
 
-pub(crate) fn run(check: bool) -> ExitCode {
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let check = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        [] => false,
+        ["--check"] => true,
+        _ => {
+            eprintln!("usage: cargo xtask docs [--check]");
+            return ExitCode::from(2);
+        }
+    };
     let stale = stale();
     for name in &stale {
         println!("docs/pictures/{name}.svg is not what the program draws");

@@ -1,4 +1,4 @@
-//! Deviations of the golden curves from the accepted ones.
+//! Shows how far the golden curves have moved from the accepted ones: `cargo xtask golden`.
 
 use std::process::{Command, ExitCode};
 
@@ -7,7 +7,16 @@ use tests::golden::{
 };
 use tests::write_differences;
 
-pub(crate) fn run(accept: bool) -> ExitCode {
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let accept = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        [] => false,
+        ["--accept"] => true,
+        _ => {
+            eprintln!("usage: cargo xtask golden [--accept]");
+            return ExitCode::from(2);
+        }
+    };
     let curves = curves();
     let mut unchanged = true;
     for curve in &curves {

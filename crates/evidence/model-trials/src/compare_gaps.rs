@@ -6,10 +6,11 @@ use std::error::Error;
 use model_trials::elements;
 use model_trials::gap_trials::{GapRow, LOADS, rows_of, trials, written};
 use staging::write_file;
-use tests::committed_file;
+
+use crate::guide;
 
 pub(crate) fn compare(anew: bool) -> Result<(), Box<dyn Error>> {
-    let [csv, page] = ["gap/trials.csv", "gap.md"].map(|name| committed_file(&format!("docs/guide/{name}")));
+    let [csv, page] = ["gap/trials.csv", "gap.md"].map(guide);
     std::fs::create_dir_all(csv.with_file_name(""))?;
     let mut rows: Vec<GapRow> = Vec::new();
     if !anew && csv.exists() {

@@ -1,0 +1,40 @@
+//! Comparisons with boundary elements, which rewrite tables and figures of the guide: `cargo xtask model-trials`, `gap-trials` and
+//! `judge-trials`.
+
+mod compare_gaps;
+mod compare_judge;
+mod compare_models;
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+const USAGE: &str = "usage: truearea-model-trials models|gap|judge [--anew]";
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let outcome = match arguments[..] {
+        ["models"] => compare_models::compare(false),
+        ["models", "--anew"] => compare_models::compare(true),
+        ["gap"] => compare_gaps::compare(false),
+        ["gap", "--anew"] => compare_gaps::compare(true),
+        ["judge"] => compare_judge::compare(false),
+        ["judge", "--anew"] => compare_judge::compare(true),
+        _ => {
+            eprintln!("{USAGE}");
+            return ExitCode::from(2);
+        }
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Path of a file of the guide.
+fn guide(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../docs/guide").join(name)
+}

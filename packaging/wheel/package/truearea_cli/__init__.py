@@ -1,0 +1,1 @@
+"""The command line ``truearea``; the package ``truearea`` is for use in Python."""
