@@ -12,7 +12,7 @@ use serde::de::DeserializeOwned;
 use study::materials::materials;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use crate::{Desk, EXAMPLES, FileRequest, FileSight, Refusal, Request, judged, products};
+use crate::{Desk, EXAMPLES, FileRequest, FileSight, PressRequest, Refusal, Request, judged, pressed, products};
 
 #[wasm_bindgen(raw_module = "./bridge.js")]
 extern "C" {
@@ -60,8 +60,14 @@ struct PageProgress {
 
 impl Watch for PageWatch {
     fn begin(&self, phase: Phase, steps: usize) -> Box<dyn Progress + '_> {
-        progress(phase.steps(), 0, steps);
-        Box::new(PageProgress { phase: phase.steps(), done: 0.into(), steps })
+        Box::new(PageProgress::begin(phase.steps(), steps))
+    }
+}
+
+impl PageProgress {
+    fn begin(phase: &'static str, steps: usize) -> Self {
+        progress(phase, 0, steps);
+        PageProgress { phase, done: 0.into(), steps }
     }
 }
 
@@ -135,6 +141,24 @@ pub fn answer(request: &str) -> String {
 pub fn judge(request: &str, draws: bool) -> String {
     replied::<Request, _>(request, |request| {
         DESK.with_borrow_mut(|desk| judged(desk, request, &PageFiles, draws, &PageWatch))
+    })
+}
+
+/// Returns a map of the scene of a request, by its index: its heights, and all that pressing it needs.
+#[wasm_bindgen(js_name = map)]
+#[must_use]
+pub fn map(request: &str, map: usize) -> String {
+    replied::<Request, _>(request, |request| {
+        DESK.with_borrow_mut(|desk| desk.map(request, &PageFiles, map))
+    })
+}
+
+/// Presses a map.
+#[wasm_bindgen(js_name = press)]
+#[must_use]
+pub fn press(request: &str) -> String {
+    replied::<PressRequest, _>(request, |request| {
+        pressed(request, |steps| PageProgress::begin("steps", steps))
     })
 }
 
