@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod answer;
+mod choices;
 mod door;
 mod example;
 mod file_sight;
@@ -10,6 +11,7 @@ mod products;
 mod request;
 
 pub use answer::{Desk, Opened, Reply};
+pub use choices::choices;
 pub use example::EXAMPLES;
 pub use file_sight::FileSight;
 pub use pressed::{MapToPress, PressRequest, pressed};
