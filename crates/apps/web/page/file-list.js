@@ -88,7 +88,7 @@ function fileItem(/** @type {PageFile} */ file, /** @type {number} */ at) {
   if (file.kind === "scan" && sight && !(sight.refusal && !sight.refusal.option)) {
     const more = document.createElement("details");
     const title = document.createElement("summary");
-    title.textContent = "Unit, tip, direction …";
+    title.textContent = "Unit, tip, trend, direction …";
     more.open = unfolded.has(file.name);
     more.addEventListener("toggle", () => (more.open ? unfolded.add(file.name) : unfolded.delete(file.name)));
     const grid = document.createElement("div");

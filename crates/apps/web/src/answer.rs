@@ -142,9 +142,8 @@ impl Desk {
             c1d_m3: psd.c1d_m3().to_vec(),
             wavelengths_m,
             spectrum: SpectrumCurve::new(&scene.surface),
-            maps: made_from.map_or_else(Vec::new, |scans| {
-                scans.maps.iter().map(|map| map.name.clone()).collect()
-            }),
+            maps: made_from
+                .map_or_else(Vec::new, |scans| scans.maps.iter().map(|map| map.name.clone()).collect()),
             scans: made_from.map_or_else(String::new, |scans| scans_table::scans_table(&scans.spectrum)),
             notes,
         };

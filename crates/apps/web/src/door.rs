@@ -126,9 +126,7 @@ pub fn judge(request: &str, draws: bool) -> String {
 #[wasm_bindgen(js_name = map)]
 #[must_use]
 pub fn map(request: &str, map: usize) -> String {
-    replied::<Request, _>(request, |request| {
-        DESK.with_borrow_mut(|desk| desk.map(request, &PageFiles, map))
-    })
+    replied::<Request, _>(request, |request| DESK.with_borrow_mut(|desk| desk.map(request, &PageFiles, map)))
 }
 
 /// Presses a map.

@@ -158,8 +158,7 @@ impl Elements {
         let pressures_pa: Vec<f64> = self.state.pressures.iter().map(|pressure| pressure * unit_pa).collect();
         let gaps_m: Vec<f64> =
             self.state.gaps.iter().map(|gap| (gap - outcome.offset) * self.unit_m).collect();
-        let touching =
-            count(&self.grid, self.periodic, |point| loading.touches_at(pressures_pa[point]));
+        let touching = count(&self.grid, self.periodic, |point| loading.touches_at(pressures_pa[point]));
         let flowing = loading.saturation_pa.map_or(Count::NONE, |_| {
             count(&self.grid, self.periodic, |point| loading.yields_at(pressures_pa[point]))
         });

@@ -322,8 +322,7 @@ fn shape(computed: &ComputedLayout, ink: &Ink, points: &[(f64, f64)]) -> Primiti
     match points {
         [point] => canvas::dot(computed, *point, &ink.dark),
         _ => {
-            let stroke =
-                Stroke { colour: &ink.colour, width_px: ink.width_px, dash: ink.dash.dasharray() };
+            let stroke = Stroke { colour: &ink.colour, width_px: ink.width_px, dash: ink.dash.dasharray() };
             canvas::line(computed, points, stroke)
         }
     }

@@ -56,11 +56,7 @@ pub(super) struct AreaCurve<'r, 's> {
 
 impl<'r, 's> AreaCurve<'r, 's> {
     /// Takes the curves of a load, with an axis from one wavelength \[m\] to another; `None` if no curve was followed.
-    pub fn new(
-        report: &'r SceneReport<'s>,
-        load: usize,
-        [shortest_m, longest_m]: [f64; 2],
-    ) -> Option<Self> {
+    pub fn new(report: &'r SceneReport<'s>, load: usize, [shortest_m, longest_m]: [f64; 2]) -> Option<Self> {
         let holes_m =
             report.scene.surface.holes().iter().map(|hole| (hole.shortest_m, hole.longest_m)).collect();
         let curves: Vec<(usize, Vec<(f64, f64)>)> = report
@@ -112,7 +108,9 @@ impl<'r, 's> AreaCurve<'r, 's> {
         // Wavelengths rise from left to right, and curves run from long to short ones.
         let points = |points: &[(f64, f64)]| {
             let inside = points.iter().rev().filter(|(_, area)| *area >= y.least);
-            inside.map(|(wavelength_m, area)| (x.place(*wavelength_m), y.place(*area), share(*area))).collect()
+            inside
+                .map(|(wavelength_m, area)| (x.place(*wavelength_m), y.place(*area), share(*area)))
+                .collect()
         };
         let lines = self.curves.iter().map(|(curve, along)| ReadingLine {
             class: class(*curve),

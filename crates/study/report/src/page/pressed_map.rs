@@ -91,7 +91,7 @@ fn quantities(load: &PressedLoad) -> Vec<(&'static str, String)> {
     let mean = load.mean();
     let yields = mean.plastic_area_fraction_corrected;
     let all = [
-        (yields > 0.0).then(|| ("of the nominal area yields", share(yields))),
+        (yields > 0.0).then(|| ("yielding area", share(yields))),
         Some(("mean gap", length(mean.mean_gap_m))),
         Some(("largest pressure", pressure(mean.largest_pressure_pa))),
         mean.stiffness_pa_per_m

@@ -18,15 +18,15 @@ use super::reading::{Reading, ReadingLine};
 use crate::scan_words::band_end;
 
 /// Width, height of the frame, and margins in units of the drawing.
-const WIDTH: f64 = 760.0;
-const FRAME: f64 = 330.0;
-const LEFT: f64 = 58.0;
+const WIDTH: f64 = 560.0;
+const FRAME: f64 = 270.0;
+const LEFT: f64 = 50.0;
 const RIGHT: f64 = 18.0;
 const TOP: f64 = 42.0;
 const BELOW: f64 = 44.0;
 
 /// The height of the row of a scan below the axis, and the most rows.
-const ROW: f64 = 17.0;
+const ROW: f64 = 18.0;
 const MOST_ROWS: usize = 12;
 
 /// Colours of scans on white and on a dark page; further scans begin again.
@@ -96,7 +96,8 @@ impl<'s> Drawing<'s> {
             .collect();
         let holes =
             surface.holes().iter().map(|hole| (TAU / hole.longest_m, TAU / hole.shortest_m)).collect();
-        let points = || scans.iter().flat_map(|scan| scan.whole.iter().chain(&scan.trusted)).chain(&composite);
+        let points =
+            || scans.iter().flat_map(|scan| scan.whole.iter().chain(&scan.trusted)).chain(&composite);
         let range = |of: fn(&(f64, f64)) -> f64| {
             points().map(of).fold((f64::INFINITY, 0.0), |(least, most): (f64, f64), value| {
                 (least.min(value), most.max(value))
@@ -195,7 +196,7 @@ impl<'s> Drawing<'s> {
         let reliable = &scan.spectrum.reliable;
         let (longest_m, shortest_m) = (reliable.longest_wavelength_m(), reliable.shortest_wavelength_m());
         let [from, to] = [longest_m, shortest_m].map(|wavelength_m| self.x.place(TAU / wavelength_m));
-        let middle = TOP + FRAME + BELOW + ROW * (at as f64 + 0.5) - 6.0;
+        let middle = TOP + FRAME + BELOW + ROW * (at as f64 + 0.5) - 3.0;
         let words = format!(
             "{}: {} to {}, ends at {}",
             scan.name,
@@ -209,7 +210,7 @@ impl<'s> Drawing<'s> {
         html! {
             g class=(format!("{} line band", class(at))) style=(colours(at)) {
                 path d=(format!("M{from:.1} {middle:.1}H{to:.1}")) {}
-                text.name x=(format!("{place:.1}")) y=(format!("{:.1}", middle - 3.5)) text-anchor=(anchor) { (words) }
+                text.name x=(format!("{place:.1}")) y=(format!("{:.1}", middle - 5.0)) text-anchor=(anchor) { (words) }
             }
         }
     }
@@ -261,13 +262,19 @@ fn colours(at: usize) -> String {
 }
 
 fn line(psd: &ProfilePsd) -> Line {
-    psd.wavelengths_m().iter().map(|wavelength_m| TAU / wavelength_m).zip(psd.c1d_m3().iter().copied()).collect()
+    psd.wavelengths_m()
+        .iter()
+        .map(|wavelength_m| TAU / wavelength_m)
+        .zip(psd.c1d_m3().iter().copied())
+        .collect()
 }
 
 /// The whole spectrum of a scan, trusted or not, in bins.
 fn whole(scan: &ScanSpectrum) -> Line {
     let samples = scan.spectrum.wavelengths_m().zip(scan.spectrum.c1d_m3().iter().copied());
     let (wavelengths_m, c1d_m3) = samples.filter(|(_, c1d_m3)| *c1d_m3 > 0.0).unzip();
-    ProfilePsd::new(wavelengths_m, c1d_m3)
-        .map_or_else(|_| Vec::new(), |psd| line(&log_binned(&psd, DEFAULT_BINS_PER_DECADE, BinMean::Arithmetic)))
+    ProfilePsd::new(wavelengths_m, c1d_m3).map_or_else(
+        |_| Vec::new(),
+        |psd| line(&log_binned(&psd, DEFAULT_BINS_PER_DECADE, BinMean::Arithmetic)),
+    )
 }
