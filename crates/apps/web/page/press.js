@@ -1,11 +1,12 @@
 // A measured map pressed as it was scanned: contact drawn over its heights, under the pressure of the page.
 
 import { Cancelled, Client } from "./client.js";
+import { packed } from "./map.js";
 import { by, input, pressureText, request, select } from "./page.js";
 
 /** Colours of points that touch, and of points that yield. */
-const TOUCHING = [213, 94, 0];
-const YIELDING = [130, 20, 90];
+const TOUCHING = packed([213, 94, 0]);
+const YIELDING = packed([130, 20, 90]);
 
 /** Made when a map is pressed first. @type {Client | null} */
 let presser = null;
@@ -149,10 +150,10 @@ function draw(canvas, map, states) {
   canvas.style.aspectRatio = String(1 / map.aspect);
   const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
   const picture = context.createImageData(map.columns, map.rows);
-  for (let point = 0; point < states.length; point += 1) {
+  const pixels = new Uint32Array(picture.data.buffer);
+  for (let point = 0; point < pixels.length; point += 1) {
     const grey = 40 + Math.round((map.heights[point] / 65534) * 215);
-    const [red, green, blue] = states[point] === 0 ? [grey, grey, grey] : states[point] === 1 ? TOUCHING : YIELDING;
-    picture.data.set([red, green, blue, 255], 4 * point);
+    pixels[point] = states[point] === 0 ? packed([grey, grey, grey]) : states[point] === 1 ? TOUCHING : YIELDING;
   }
   context.putImageData(picture, 0, 0);
 }
