@@ -8,7 +8,7 @@ import { root } from "./pages.mjs";
 export const folder = join(process.env.CARGO_TARGET_DIR ?? join(root, "target"), "web");
 
 const TYPES = {
-  ".html": "text/html; charset=utf-8", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm",
+  ".html": "text/html; charset=utf-8", ".js": "text/javascript", ".json": "application/json", ".css": "text/css", ".wasm": "application/wasm",
   ".svg": "image/svg+xml",
 };
 

@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
+import { gzipSync } from "node:zlib";
 import { cpus, loadavg, tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
@@ -177,6 +178,94 @@ test("three scans give the composite of the command line, an answer in a second,
   await context.close();
 });
 
+/** A map of 64 x 48 points in m, with the header that Gwyddion writes. */
+function map() {
+  const lines = ["# Channel: Height", "# Width: 64 um", "# Height: 48 um", "# Value units: m"];
+  for (let row = 0; row < 48; row += 1) {
+    const heights = [];
+    for (let column = 0; column < 64; column += 1) {
+      heights.push(1e-8 * (Math.sin(column / 2.1) * Math.cos(row / 1.7) + 0.5 * Math.sin(1.3 * column + 0.7 * row) + 0.2 * Math.sin(column * row)));
+    }
+    lines.push(heights.join("\t"));
+  }
+  return lines.join("\n");
+}
+
+/** Waits until the map is pressed under a load. */
+const pressed = (page, load) =>
+  page.waitForFunction((load) => document.getElementById("press-status").dataset.state === "done" && document.getElementById("pressed-area").textContent.endsWith(`at ${load}`), load, { timeout: 30_000 });
+
+test("a map is pressed as on the command line, and follows the pressure", async () => {
+  const { page, context, complaints } = await open();
+  const files = { "map.txt": map() };
+  await drop(page, files);
+  await page.waitForSelector("#screen:not([hidden])");
+  const material = await hook(page, "material-select").inputValue();
+  await press(page, "10 MPa");
+  await hook(page, "press-map").click();
+  const compare = async (load) => {
+    await pressed(page, load);
+    const { printed } = run(["bem", "map.txt", "--material", material, "--saturation", "1H", "--pressure", load], files);
+    const [row] = rows(printed);
+    const expected = Number(row.area_fraction_extrapolated || row.area_fraction_corrected);
+    near(Number(await hook(page, "pressed-area").getAttribute("data-value")), expected, `area at ${load}`);
+  };
+  await compare("10 MPa");
+  await hook(page, "press-pressure").focus();
+  await page.keyboard.press("PageUp");
+  const load = await hook(page, "pressure").inputValue();
+  assert.notEqual(load, "10 MPa");
+  await compare(load);
+  assert.equal(await hook(page, "pressed-map").evaluate((canvas) => canvas.width), 64);
+  assert.deepEqual(complaints, []);
+  await context.close();
+});
+
+test("values are read under the pointer and by arrow keys", async () => {
+  const { page, context } = await open();
+  await example(page, "uncd-measured");
+  await until(page, "done");
+  for (const figure of ["figure-main", "spectrum"]) {
+    await hook(page, figure).scrollIntoViewIfNeeded();
+    const box = await hook(page, figure).boundingBox();
+    await page.mouse.move(box.x + 0.5 * box.width, box.y + 0.4 * box.height);
+    await hook(page, `${figure}-reading`).waitFor();
+    assert.match(await hook(page, `${figure}-reading`).innerText(), /m.*\d/);
+    await page.mouse.move(1, 1);
+    assert.equal(await hook(page, `${figure}-reading`).count(), 0);
+    await hook(page, figure).focus();
+    await page.keyboard.press("End");
+    const last = await hook(page, `${figure}-reading`).innerText();
+    await page.keyboard.press("Home");
+    assert.notEqual(await hook(page, `${figure}-reading`).innerText(), last);
+    await page.keyboard.press("Escape");
+  }
+  // At the short end the values are the areas of the table.
+  await hook(page, "figure-main").focus();
+  await page.keyboard.press("Home");
+  const area = await hook(page, "area-persson").innerText();
+  if (!(await hook(page, "model-persson").isChecked())) await hook(page, "model-persson").check();
+  await hook(page, "figure-main").focus();
+  await page.keyboard.press("Home");
+  assert.ok((await hook(page, "figure-main-reading").innerText()).includes(area), area);
+  await hook(page, "model-persson").uncheck();
+  await hook(page, "figure-main").focus();
+  await page.keyboard.press("Home");
+  assert.doesNotMatch(await hook(page, "figure-main-reading").innerText(), /^Persson$/m);
+  await context.close();
+});
+
+test("a file of a rarer format loads the second core", async () => {
+  const { page, context } = await open();
+  await drop(page, { "a.csv": trace("x (m),z (m)") });
+  await page.waitForSelector("#screen:not([hidden])");
+  await hook(page, "file-input").setInputFiles([{ name: "b.csv.gz", mimeType: "application/gzip", buffer: gzipSync(trace("x (m),z (m)").replaceAll("e-7", "e-8")) }]);
+  await page.waitForFunction(() => document.querySelectorAll(".file .words").length === 2, undefined, { timeout: 20_000 });
+  await page.waitForSelector("#screen:not([hidden])");
+  assert.equal(await hook(page, "file-error").count(), 0);
+  await context.close();
+});
+
 test("a file without a unit is asked for it, and answered", async () => {
   const { page, context } = await open();
   const plain = trace("").trim().split("\n").map((line) => line.split(",")[1]).join("\n");
@@ -336,6 +425,16 @@ test("light and dark pages meet WCAG AA, empty and with an answer", async () => 
     assert.deepEqual(await faults(), [], `${colorScheme}, answered`);
     await context.close();
   }
+});
+
+test("print has the answer and the figures, and no controls", async () => {
+  const { page, context } = await open();
+  await example(page, "gasket");
+  await until(page, "done");
+  await page.emulateMedia({ media: "print" });
+  for (const shown of ["#answer", "#models", "#figure-main svg", "#spectrum svg"]) assert.ok(await page.locator(shown).isVisible(), shown);
+  for (const hidden of ["#controls", "#cancel", "#download-report", "#press"]) assert.ok(!(await page.locator(hidden).isVisible()), hidden);
+  await context.close();
 });
 
 test("no width needs sideways scrolling", async () => {

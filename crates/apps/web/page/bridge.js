@@ -1,5 +1,5 @@
 // The files of the page, and progress, as the core asks for them. Runs in a worker, where files are read when they are
-// wanted, so that no bytes stay in memory.
+// wanted, part by part, so that their bytes lie in memory once.
 
 /** @type {Map<string, File>} */
 const files = new Map();
@@ -25,15 +25,24 @@ export function onProgress(take) {
 }
 
 /**
- * Returns the bytes of a file; nothing if there is none of this name.
+ * Returns the number of bytes of a file; nothing if there is none of this name.
  * @param {string} name
  */
-export function readFile(name) {
-  const file = files.get(name);
-  if (!file) return undefined;
+export function fileSize(name) {
+  return files.get(name)?.size;
+}
+
+/**
+ * Reads the bytes of a file from an offset on into a part of the core's memory.
+ * @param {string} name
+ * @param {number} offset
+ * @param {Uint8Array} into
+ */
+export function readPart(name, offset, into) {
+  const file = /** @type {File} */ (files.get(name));
   // Only workers have this reader.
   const reader = new (/** @type {any} */ (globalThis).FileReaderSync)();
-  return new Uint8Array(reader.readAsArrayBuffer(file));
+  into.set(new Uint8Array(reader.readAsArrayBuffer(file.slice(offset, offset + into.length))));
 }
 
 /** Returns the names of all files, a line each. */

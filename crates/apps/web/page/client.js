@@ -15,6 +15,34 @@ export class Refused extends Error {
 
 /** @typedef {{ phase: string, done: number, steps: number }} Step */
 
+/** The core that workers run: that of the first visit, or the one that reads every format. */
+let core = "truearea";
+/** The compiled core, which all workers share. @type {Promise<WebAssembly.Module> | null} */
+let compiled = null;
+
+/** Loads and compiles the core, once. */
+function compiledCore() {
+  compiled ??= compile(new URL(`./${core}_bg.wasm`, import.meta.url));
+  return compiled;
+}
+
+/** Lets workers that start from now on read every format. Returns true if they did not before. */
+export function useAllFormats() {
+  const isNew = core !== "truearea_all";
+  if (isNew) compiled = null;
+  core = "truearea_all";
+  return isNew;
+}
+
+/** @param {URL} url */
+async function compile(url) {
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`The core could not be loaded (${response.status}).`);
+  // A server that sends another type than application/wasm keeps the browser from compiling while it loads.
+  const streams = response.headers.get("content-type") === "application/wasm";
+  return streams ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
+}
+
 export class Client {
   /** @type {Worker} */ #worker;
   /** @type {Map<number, { resolve: (value: any) => void, reject: (error: Error) => void }>} */ #calls = new Map();
@@ -48,12 +76,17 @@ export class Client {
         this.restart();
       }
     };
-    worker.onerror = (event) => {
-      for (const call of this.#calls.values()) call.reject(new Error(event.message || "The worker could not start."));
-      this.#calls.clear();
-    };
+    worker.onerror = (event) => this.#fail(event.message || "The worker could not start.");
+    const glue = `./${core}.js`;
+    compiledCore().then((compiled) => worker.postMessage({ compiled, glue }), (error) => this.#fail(error.message));
     if (this.#files.length > 0) worker.postMessage({ files: this.#files });
     return worker;
+  }
+
+  /** Ends all calls with an error. */
+  #fail(/** @type {string} */ words) {
+    for (const call of this.#calls.values()) call.reject(new Error(words));
+    this.#calls.clear();
   }
 
   /**

@@ -1,64 +1,23 @@
 // The page: its state, its controls, and what the core answers.
 
-import { Cancelled, Client, Refused } from "./client.js";
+import { fillBody, makeBodies, showSource } from "./bodies.js";
+import { Cancelled, Client, Refused, useAllFormats } from "./client.js";
 import { document_of, offer, png_of } from "./download.js";
+import { listenToFiles, showFiles } from "./file-list.js";
 import { chosen, dropped } from "./files.js";
-import { mapElement } from "./map.js";
 import { parsedLink, stateLink } from "./link.js";
-
-/** @typedef {Record<string, string | null>} Body */
-/** @typedef {{ name: string, bytes: number, options: Record<string, string>, kind: string, file: File | null, sight: any }} PageFile */
-
-/** The properties of a body: their keys, labels and examples. */
-const PROPERTIES = [
-  ["youngs_modulus", "Young's modulus", "210 GPa"],
-  ["poisson_ratio", "Poisson's ratio", "0.3"],
-  ["yield_strength", "Yield strength", "1.8 GPa"],
-  ["indentation_hardness", "Indentation hardness", "6 GPa"],
-  ["strain_gradient_length", "Strain-gradient length", "5 um"],
-];
-
-/** The options of a scan: their keys, labels and examples. */
-const OPTIONS = [
-  ["unit", "Unit", "um"],
-  ["size", "Size along the lines", "100 um"],
-  ["tip-radius", "Tip radius", "2 um, or auto"],
-  ["shortest", "Shortest wavelength trusted", "1 um"],
-  ["instrument", "Instrument", "stylus"],
-  ["channel", "Channel", "Height"],
-];
-
-/** Options of a scan with few values. */
-const CHOICES = [
-  ["direction", "Direction", ["", "x", "y", "both"]],
-  ["gaps", "Missing points", ["", "harmonic", "lines", "refuse"]],
-];
+import { drawLines, isLineDrawn, listenToModels, showModels } from "./models.js";
+import { by, input, pressureText, request, select, state } from "./page.js";
+import { followPressure, listenToPress, pressedBytes, showMaps } from "./press.js";
+import { Reader } from "./reading.js";
 
 /** How long nothing may change before boundary elements begin [ms]. */
 const PAUSE_MS = 400;
 
-const state = {
-  /** @type {string | null} */ example: null,
-  /** @type {PageFile[]} */ files: [],
-  /** @type {Body | null} */ material: null,
-  /** @type {Body | null} */ counterface: null,
-  /** @type {string | null} */ pressure: null,
-  /** @type {string | null} */ shortest: null,
-  seal: false,
-  /** @type {Record<string, boolean>} */ drawn: {},
-};
-
-/**
- * @template {HTMLElement} [T=HTMLElement]
- * @param {string} id
- * @returns {T}
- */
-const by = (id) => /** @type {T} */ (document.getElementById(id));
-const input = (/** @type {string} */ id) => /** @type {HTMLInputElement} */ (by(id));
-const select = (/** @type {string} */ id) => /** @type {HTMLSelectElement} */ (by(id));
-
 const desk = new Client();
 const bench = new Client(showProgress);
+const areaReader = new Reader(by("figure-main"), isLineDrawn);
+const spectrumReader = new Reader(by("spectrum"));
 
 /** @type {any} */
 let choices = { materials: [], examples: [] };
@@ -72,24 +31,8 @@ let isAsking = false;
 let isStale = false;
 let pause = 0;
 let round = 0;
-/** The rows of the table of models. */
-let shownOrder = "";
 
-// ---- State and request ------------------------------------------------------------------------------------------------
-
-/** The request of the state, as the core reads it. */
-function request() {
-  const files = state.example ? [] : state.files.map(({ name, bytes, options, kind }) => ({ name, bytes, options, kind }));
-  return {
-    example: state.example,
-    files,
-    material: state.material,
-    counterface: state.counterface,
-    pressure: state.pressure,
-    shortest_wavelength: state.shortest,
-    seal: state.seal,
-  };
-}
+// ---- State -----------------------------------------------------------------------------------------------------------
 
 const hasSurface = () => state.example !== null || state.files.some((file) => file.kind !== "other" && !file.sight?.refusal);
 
@@ -100,7 +43,7 @@ const lacking = () => state.files.find((file) => file.sight?.refusal?.option);
 function say(/** @type {"idle" | "working" | "done" | "error"} */ what, /** @type {string} */ words) {
   const status = by("status");
   status.dataset.state = what;
-  status.dataset.bytes = String(desk.bytes + bench.bytes);
+  status.dataset.bytes = String(desk.bytes + bench.bytes + pressedBytes());
   if (status.textContent !== words) status.textContent = words;
 }
 
@@ -239,7 +182,8 @@ function showOpened(/** @type {any} */ found) {
   slider.disabled = found.wavelengths_m.length < 2;
   placeShortest();
   by("title").textContent = found.title;
-  by("spectrum").innerHTML = found.spectrum;
+  by("spectrum").innerHTML = found.spectrum.figure;
+  spectrumReader.set(found.spectrum.reading);
   by("spectrum").dataset.wavelengths = JSON.stringify(found.wavelengths_m);
   by("spectrum").dataset.value = JSON.stringify(found.c1d_m3);
   by("scans").textContent = found.scans;
@@ -253,6 +197,7 @@ function showOpened(/** @type {any} */ found) {
   }));
   by("notes-more").hidden = found.notes.length === 0;
   if (warnings) /** @type {HTMLDetailsElement} */ (by("notes-more")).open = true;
+  showMaps(desk, found.maps);
 }
 
 function showScreen(/** @type {any} */ found) {
@@ -276,6 +221,8 @@ function showScreen(/** @type {any} */ found) {
   fill(by("figure-main"), found.figure ?? "");
   showModels(found.models, first);
   drawLines();
+  areaReader.set(found.reading);
+  followPressure(desk, found.nominal_pressure_pa, found.load);
 }
 
 /** Markup that each element holds, so that only what changes is laid out again. @type {WeakMap<Element, string>} */
@@ -285,177 +232,6 @@ function fill(/** @type {HTMLElement} */ element, /** @type {string} */ markup) 
   if (filled.get(element) === markup) return;
   filled.set(element, markup);
   element.innerHTML = markup;
-}
-
-function isDrawn(/** @type {any} */ model) {
-  return state.drawn[model.key] ?? model.is_drawn;
-}
-
-/** Rows that stay in place while only their numbers change, so that focus and sliders are not disturbed. */
-function showModels(/** @type {any[]} */ models, /** @type {boolean} */ isFirst) {
-  const table = by("models");
-  const order = models.map((model) => `${model.key} ${model.reference ?? ""}`).join("\n");
-  if (!isFirst && order === shownOrder && models.every((model) => !model.verdict)) {
-    for (const model of models) fillArea(/** @type {HTMLElement} */ (table.querySelector(`[data-testid="area-${model.key}"]`)), model);
-    return;
-  }
-  shownOrder = order;
-  const kept = document.activeElement?.closest("#models") ? document.activeElement.getAttribute("data-testid") : null;
-  const head = row("thead", ["model", "area", models.some((model) => model.verdict) ? "÷ elements" : ""]);
-  /** @type {HTMLTableSectionElement | null} */
-  let body = null;
-  const sections = [];
-  let reference = "";
-  for (const model of models) {
-    if (body === null || (model.reference ?? "") !== reference) {
-      reference = model.reference ?? "";
-      body = document.createElement("tbody");
-      sections.push(body);
-      if (reference) {
-        const group = document.createElement("tr");
-        group.className = "group";
-        group.innerHTML = "<th colspan=3 scope=rowgroup></th>";
-        /** @type {HTMLElement} */ (group.firstElementChild).textContent = reference;
-        body.append(group);
-      }
-    }
-    body.append(modelRow(model));
-  }
-  table.replaceChildren(head, ...sections);
-  if (kept && !isFirst) /** @type {HTMLElement | null} */ (table.querySelector(`[data-testid="${kept}"]`))?.focus();
-}
-
-function fillArea(/** @type {HTMLElement} */ cell, /** @type {any} */ model) {
-  cell.dataset.value = model.area_fraction === null ? "" : String(model.area_fraction);
-  cell.textContent = model.area ?? "none";
-}
-
-function row(/** @type {string} */ section, /** @type {string[]} */ words) {
-  const head = document.createElement(section);
-  const line = document.createElement("tr");
-  for (const word of words) {
-    const cell = document.createElement(word ? "th" : "td");
-    if (word) cell.setAttribute("scope", "col");
-    cell.textContent = word;
-    line.append(cell);
-  }
-  head.append(line);
-  return head;
-}
-
-function modelRow(/** @type {any} */ model) {
-  const line = document.createElement("tr");
-  const name = document.createElement("th");
-  name.setAttribute("scope", "row");
-  const label = document.createElement("label");
-  const box = Object.assign(document.createElement("input"), { type: "checkbox", checked: isDrawn(model) });
-  box.dataset.testid = `model-${model.key}`;
-  box.addEventListener("change", () => {
-    state.drawn[model.key] = box.checked;
-    drawLines();
-    keepLink();
-  });
-  const key = document.createElement("span");
-  key.className = "key line";
-  key.style.setProperty("--light", model.colour);
-  key.style.setProperty("--dark", model.dark_colour);
-  label.title = model.in_words;
-  label.append(box, key, model.name);
-  name.append(label);
-  const area = document.createElement("td");
-  area.dataset.testid = `area-${model.key}`;
-  fillArea(area, model);
-  const verdict = document.createElement("td");
-  verdict.dataset.testid = `verdict-${model.key}`;
-  verdict.dataset.value = model.verdict ?? "";
-  if (model.verdict) {
-    verdict.className = `cell ${model.verdict}`;
-    verdict.style.setProperty("--fill", model.fill.toFixed(2));
-    verdict.tabIndex = 0;
-    verdict.dataset.ratio = model.ratio === null ? "" : String(model.ratio);
-    verdict.textContent = model.verdict_in_short;
-    if (model.reason) {
-      const reason = document.createElement("span");
-      reason.className = "reason";
-      reason.setAttribute("role", "tooltip");
-      const who = document.createElement("strong");
-      who.textContent = `${model.name}: `;
-      reason.append(who, model.reason);
-      verdict.append(reason);
-    }
-  }
-  line.append(name, area, verdict);
-  return line;
-}
-
-function drawLines() {
-  for (const model of screen_?.models ?? []) {
-    for (const element of by("figure-main").querySelectorAll(`.m${model.curve}`)) {
-      /** @type {SVGElement} */ (element).style.display = isDrawn(model) ? "" : "none";
-    }
-  }
-  const named = (screen_?.models ?? []).filter(isDrawn).length;
-  by("figure-main").classList.toggle("crowded", named > 4);
-}
-
-// ---- Bodies -----------------------------------------------------------------------------------------------------------
-
-function makeBodies() {
-  for (const which of ["material", "counterface"]) {
-    const list = select(which);
-    for (const material of choices.materials) list.add(new Option(material.name, material.name));
-    if (which === "counterface") list.add(new Option("own values", "own"));
-    list.addEventListener("change", () => {
-      for (const [key] of PROPERTIES) input(`${which}-${key}`).value = "";
-      if (which === "material" ? list.value === "" : list.value === "own") {
-        /** @type {HTMLDetailsElement} */ (by(`${which}-more`)).open = true;
-        input(`${which}-${PROPERTIES[0][0]}`).focus();
-        showSource(which);
-        return;
-      }
-      takeBody(which);
-    });
-    for (const [key, words, example] of PROPERTIES) {
-      const label = document.createElement("label");
-      label.className = "field";
-      const field = Object.assign(document.createElement("input"), { type: "text", id: `${which}-${key}`, placeholder: `as ${example}`, autocomplete: "off", spellcheck: false });
-      field.dataset.testid = `${which}-${key.replaceAll("_", "-")}`;
-      field.addEventListener("change", () => takeBody(which));
-      label.append(words, field);
-      by(`${which}-values`).append(label);
-    }
-  }
-}
-
-function takeBody(/** @type {string} */ which) {
-  const name = select(which).value;
-  /** @type {Body} */
-  const body = { name: name === "" || name === "own" ? null : name };
-  for (const [key] of PROPERTIES) body[key] = input(`${which}-${key}`).value.trim() || null;
-  if (which === "material") state.material = body;
-  else state.counterface = body;
-  showSource(which);
-  edited = null;
-  keepLink();
-  changed();
-}
-
-function fillBody(/** @type {string} */ which, /** @type {Body} */ body) {
-  const list = select(which);
-  const isEmpty = Object.values(body).every((value) => value === null);
-  const known = choices.materials.some((/** @type {any} */ material) => material.name === body.name);
-  if (known) list.value = /** @type {string} */ (body.name);
-  else list.value = which === "counterface" && !isEmpty ? "own" : "";
-  for (const [key] of PROPERTIES) {
-    const field = input(`${which}-${key}`);
-    if (document.activeElement !== field) field.value = body[key] ?? "";
-  }
-  showSource(which);
-}
-
-function showSource(/** @type {string} */ which) {
-  const found = choices.materials.find((/** @type {any} */ material) => material.name === select(which).value);
-  by(`${which}-source`).textContent = found ? `${found.values} (${found.sources})` : "";
 }
 
 // ---- Files ------------------------------------------------------------------------------------------------------------
@@ -495,6 +271,14 @@ async function lookAtFiles() {
     try {
       file.sight = await desk.ask("look", { name: file.name, bytes: file.bytes, options: file.options, kind: file.kind });
       file.kind = file.sight.kind;
+      if (file.sight.wants_all_formats && useAllFormats()) {
+        say("working", "Loading the readers of all formats …");
+        for (const client of [desk, bench]) client.restart();
+        for (const other of state.files) if (other.kind === "other") other.sight = null;
+        file.sight = null;
+        await lookAtFiles();
+        return;
+      }
     } catch (error) {
       file.sight = { words: "", map: null, line: null, refusal: { message: /** @type {Error} */ (error).message, option: null } };
       file.kind = "other";
@@ -516,111 +300,7 @@ async function lookAtFiles() {
   changed();
 }
 
-/** The names of files whose options are shown. @type {Set<string>} */
-const unfolded = new Set();
-
-function showFiles() {
-  const kept = document.activeElement?.id ?? "";
-  by("file-list").replaceChildren(...state.files.map(fileItem));
-  if (kept) document.getElementById(kept)?.focus();
-}
-
-function fileItem(/** @type {PageFile} */ file, /** @type {number} */ at) {
-  const item = document.createElement("li");
-  item.className = "file";
-  const head = document.createElement("div");
-  head.className = "file-head";
-  const name = document.createElement("strong");
-  name.textContent = file.name;
-  const remove = Object.assign(document.createElement("button"), { type: "button", textContent: "Remove" });
-  remove.setAttribute("aria-label", `Remove ${file.name}`);
-  remove.addEventListener("click", () => {
-    state.files.splice(state.files.indexOf(file), 1);
-    showFiles();
-    lookAtFiles();
-    input("files").focus();
-  });
-  head.append(name, remove);
-  item.append(head);
-  const sight = file.sight;
-  if (!file.file) {
-    const words = document.createElement("p");
-    words.className = "error";
-    words.textContent = "A link holds no files: drop this one again.";
-    item.append(words);
-  }
-  if (sight?.refusal) {
-    const words = document.createElement("p");
-    words.className = "error";
-    words.dataset.testid = "file-error";
-    words.textContent = sight.refusal.message;
-    item.append(words);
-    if (sight.refusal.option) item.append(option(file, at, OPTIONS.find(([key]) => key === sight.refusal.option) ?? OPTIONS[0], "needed"));
-  }
-  if (sight?.map) item.append(mapElement(sight.map, file.name));
-  if (sight?.line) {
-    const figure = document.createElement("figure");
-    figure.className = "figures profile";
-    figure.dataset.testid = "map";
-    figure.innerHTML = sight.line;
-    item.append(figure);
-  }
-  if (sight?.words) {
-    const words = document.createElement("p");
-    words.className = "words";
-    words.textContent = sight.words.trim().split("\n").slice(sight.kind === "scan" ? 1 : 0).map((/** @type {string} */ line) => line.trim()).join("\n");
-    item.append(words);
-  }
-  if (file.kind === "scan" && sight && !(sight.refusal && !sight.refusal.option)) {
-    const more = document.createElement("details");
-    const title = document.createElement("summary");
-    title.textContent = "Unit, tip, direction …";
-    more.open = unfolded.has(file.name);
-    more.addEventListener("toggle", () => (more.open ? unfolded.add(file.name) : unfolded.delete(file.name)));
-    const grid = document.createElement("div");
-    grid.className = "grid";
-    const others = OPTIONS.filter(([key]) => key !== sight.refusal?.option);
-    grid.append(...others.map((entry) => option(file, at, entry, "")), ...CHOICES.map((entry) => option(file, at, entry, "")));
-    more.append(title, grid);
-    item.append(more);
-  }
-  return item;
-}
-
-function option(/** @type {PageFile} */ file, /** @type {number} */ at, /** @type {any[]} */ [key, words, example], /** @type {string} */ className) {
-  const label = document.createElement("label");
-  label.className = `field ${className}`;
-  /** @type {HTMLInputElement | HTMLSelectElement} */
-  let field;
-  if (Array.isArray(example)) {
-    field = document.createElement("select");
-    for (const value of example) field.add(new Option(value || "as usual", value));
-  } else {
-    field = Object.assign(document.createElement("input"), { type: "text", placeholder: `as ${example}`, autocomplete: "off", spellcheck: false });
-  }
-  field.id = `file-${at}-${key}`;
-  field.dataset.testid = `file-${key}`;
-  field.value = file.options[key] ?? "";
-  field.addEventListener("change", () => {
-    if (field.value.trim()) file.options[key] = field.value.trim();
-    else delete file.options[key];
-    file.sight = null;
-    opened = null;
-    lookAtFiles();
-  });
-  label.append(words, field);
-  return label;
-}
-
 // ---- Conditions -------------------------------------------------------------------------------------------------------
-
-/** A pressure with three digits, as a person types it. */
-function pressureText(/** @type {number} */ pressure_pa) {
-  for (const [unit, one] of /** @type {[string, number][]} */ ([["GPa", 1e9], ["MPa", 1e6], ["kPa", 1e3]])) {
-    if (pressure_pa >= 0.9995 * one) return `${Number((pressure_pa / one).toPrecision(3))} ${unit}`;
-  }
-  return `${Number(pressure_pa.toPrecision(3))} Pa`;
-}
 
 function placeShortest() {
   const slider = input("shortest-slider");
@@ -632,13 +312,25 @@ function placeShortest() {
   slider.setAttribute("aria-valuetext", state.shortest === null ? "all of the spectrum" : opened?.wavelengths[Math.max(at, 0)] ?? "");
 }
 
+/** Takes a pressure from a slider. */
+function takePressure(/** @type {string} */ pressure) {
+  state.pressure = pressure;
+  input("pressure").value = pressure;
+  edited = "pressure";
+  changed();
+}
+
 function listen() {
-  input("pressure-slider").addEventListener("input", () => {
-    state.pressure = pressureText(10 ** Number(input("pressure-slider").value));
-    input("pressure").value = state.pressure;
-    edited = "pressure";
-    changed();
+  listenToFiles(() => {
+    opened = null;
+    lookAtFiles();
   });
+  listenToModels(() => {
+    areaReader.show();
+    keepLink();
+  });
+  listenToPress(desk, takePressure);
+  input("pressure-slider").addEventListener("input", () => takePressure(pressureText(10 ** Number(input("pressure-slider").value))));
   input("pressure").addEventListener("change", () => {
     state.pressure = input("pressure").value.trim() || null;
     edited = "pressure";
@@ -661,7 +353,7 @@ function listen() {
     keepLink();
     changed();
   });
-  for (const id of ["pressure-slider", "shortest-slider"]) input(id).addEventListener("change", keepLink);
+  for (const id of ["pressure-slider", "shortest-slider", "press-pressure"]) input(id).addEventListener("change", keepLink);
   input("seal").addEventListener("change", () => {
     state.seal = input("seal").checked;
     keepLink();
@@ -782,9 +474,13 @@ function fromLink() {
 
 async function begin() {
   listen();
-  choices = JSON.parse(await desk.text("choices"));
+  choices = await (await fetch(new URL("./choices.json", import.meta.url))).json();
   for (const { key, title } of choices.examples) select("example").add(new Option(title, key));
-  makeBodies();
+  makeBodies(choices.materials, () => {
+    edited = null;
+    keepLink();
+    changed();
+  });
   select("material").value = choices.materials[0].name;
   showSource("material");
   by("program").textContent = choices.program;

@@ -77,8 +77,6 @@ function draw(canvas, map, low, high) {
   const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
   const picture = context.createImageData(map.columns, map.rows);
   const pixels = new Uint32Array(picture.data.buffer);
-  // Canvases hold red in the lowest byte.
-  const packed = ([red, green, blue] = GREY) => ((255 << 24) | (blue << 16) | (green << 8) | red) >>> 0;
   const colours = Uint32Array.from(map.colours, packed);
   const grey = packed(GREY);
   const last = colours.length - 1;
@@ -89,4 +87,9 @@ function draw(canvas, map, low, high) {
     pixels[point] = level === MISSING ? grey : colours[place < 0 ? 0 : place > last ? last : place];
   }
   context.putImageData(picture, 0, 0);
+}
+
+/** Returns a colour as canvases hold it, with red in the lowest byte. */
+export function packed([red, green, blue] = GREY) {
+  return ((255 << 24) | (blue << 16) | (green << 8) | red) >>> 0;
 }

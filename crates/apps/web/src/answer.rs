@@ -4,8 +4,8 @@ use conclusions::{Conclusions, Evidence};
 use findings::answer::Answer;
 use measurements::Files;
 use questions::{BodyText, retune};
-use report::page::LiveScreen;
-use report::{products, scan_words, scans_table, scene_note_words};
+use report::page::{LiveScreen, SpectrumCurve};
+use report::{scan_words, scans_table, scene_note_words};
 use scene::{Overrides, Scene};
 use serde::Serialize;
 use topography::Severity;
@@ -43,10 +43,12 @@ pub struct Opened {
     pub wavelengths_m: Vec<f64>,
     /// These wavelengths in print.
     pub wavelengths: Vec<String>,
-    /// The spectrum, as an element of the page.
-    pub spectrum: String,
+    /// The spectrum, as an element of the page, with its values.
+    pub spectrum: SpectrumCurve,
     /// The scans and their trusted bands, as a table in text; empty for a spectrum.
     pub scans: String,
+    /// The names of its maps, which can be pressed.
+    pub maps: Vec<String>,
     /// The composite spectrum \[m^3\] at these wavelengths, for scripts.
     pub c1d_m3: Vec<f64>,
     /// Notes on surface and scene, warnings first.
@@ -112,11 +114,6 @@ impl Desk {
         let text = request.scene_text(files, false)?;
         let scene = Scene::parse(&text, files, &Overrides::default())
             .map_err(|error| Refusal::of_scene(error, &text))?;
-        let spectrum_only = study::plan::Plan {
-            needs: study::plan::Needs { loads: scene.needs.loads.clone(), ..Default::default() },
-            ..scene.plan()
-        };
-        let results = spectrum_only.compute().map_err(Refusal::new)?;
         let psd = &scene.surface.psd;
         let (material, counterface, _) = stated(&text);
         let wavelengths_m = psd.wavelengths_m().to_vec();
@@ -144,7 +141,9 @@ impl Desk {
             wavelengths: wavelengths_m.iter().map(|wavelength_m| length(*wavelength_m)).collect(),
             c1d_m3: psd.c1d_m3().to_vec(),
             wavelengths_m,
-            spectrum: products::spectrum_element(&scene, &results),
+            spectrum: SpectrumCurve::new(&scene.surface),
+            maps: made_from
+                .map_or_else(Vec::new, |scans| scans.maps.iter().map(|map| map.name.clone()).collect()),
             scans: made_from.map_or_else(String::new, |scans| scans_table::scans_table(&scans.spectrum)),
             notes,
         };

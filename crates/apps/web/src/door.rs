@@ -9,21 +9,35 @@ use questions::{Phase, Watch};
 use report::run_stamp::RunStamp;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
-use study::materials::materials;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use crate::{Desk, EXAMPLES, FileRequest, FileSight, Refusal, Request, judged, products};
+use crate::{Desk, FileRequest, FileSight, PressRequest, Refusal, Request, judged, pressed, products};
 
 #[wasm_bindgen(raw_module = "./bridge.js")]
 extern "C" {
-    /// Returns the bytes of a file that the page was given.
-    #[wasm_bindgen(js_name = readFile)]
-    fn read_file(name: &str) -> Option<Vec<u8>>;
+    /// Returns the number of bytes of a file that the page was given.
+    #[wasm_bindgen(js_name = fileSize)]
+    fn file_size(name: &str) -> Option<f64>;
+    /// Reads the bytes of such a file from an offset on.
+    #[wasm_bindgen(js_name = readPart)]
+    fn read_part(name: &str, offset: f64, into: &mut [u8]);
     /// Returns the names of all files that the page was given, a line each.
     #[wasm_bindgen(js_name = fileNames)]
     fn file_names() -> String;
     /// Takes the progress of a phase.
     fn progress(phase: &str, done: usize, steps: usize);
+}
+
+/// Bytes that are read at once.
+const PART: usize = 1 << 23;
+
+/// Reads a file in parts, so that the browser holds no second copy of a large one.
+fn read_file(name: &str) -> Option<Vec<u8>> {
+    let mut bytes = vec![0; file_size(name)? as usize];
+    for (at, part) in bytes.chunks_mut(PART).enumerate() {
+        read_part(name, (at * PART) as f64, part);
+    }
+    Some(bytes)
 }
 
 /// The files of the page, read when their turn comes, so that no bytes stay in memory.
@@ -60,8 +74,14 @@ struct PageProgress {
 
 impl Watch for PageWatch {
     fn begin(&self, phase: Phase, steps: usize) -> Box<dyn Progress + '_> {
-        progress(phase.steps(), 0, steps);
-        Box::new(PageProgress { phase: phase.steps(), done: 0.into(), steps })
+        Box::new(PageProgress::begin(phase.steps(), steps))
+    }
+}
+
+impl PageProgress {
+    fn begin(phase: &'static str, steps: usize) -> Self {
+        progress(phase, 0, steps);
+        PageProgress { phase, done: 0.into(), steps }
     }
 }
 
@@ -77,42 +97,6 @@ impl Progress for PageProgress {
 
 thread_local! {
     static DESK: RefCell<Desk> = RefCell::default();
-}
-
-/// Returns examples and materials with their sources.
-#[wasm_bindgen(js_name = choices)]
-#[must_use]
-pub fn choices() -> String {
-    #[derive(Serialize)]
-    struct Material {
-        name: String,
-        sources: String,
-        values: String,
-    }
-    #[derive(Serialize)]
-    struct Choices {
-        program: &'static str,
-        examples: [crate::example::Example; 4],
-        materials: Vec<Material>,
-    }
-    let materials = materials().into_iter().map(|material| {
-        let values = [
-            Some(format!("E {}", material.youngs_modulus)),
-            Some(format!("ν {}", material.poisson_ratio)),
-            material.yield_strength.map(|value| format!("yield strength {value}")),
-            material.indentation_hardness.map(|value| format!("hardness {value}")),
-        ];
-        Material {
-            name: material.name,
-            sources: material.sources,
-            values: values.into_iter().flatten().collect::<Vec<_>>().join(" · "),
-        }
-    });
-    json(&Choices {
-        program: concat!("truearea ", env!("CARGO_PKG_VERSION")),
-        examples: EXAMPLES,
-        materials: materials.collect(),
-    })
 }
 
 /// Looks at a file.
@@ -135,6 +119,22 @@ pub fn answer(request: &str) -> String {
 pub fn judge(request: &str, draws: bool) -> String {
     replied::<Request, _>(request, |request| {
         DESK.with_borrow_mut(|desk| judged(desk, request, &PageFiles, draws, &PageWatch))
+    })
+}
+
+/// Returns a map of the scene of a request, by its index: its heights, and all that pressing it needs.
+#[wasm_bindgen(js_name = map)]
+#[must_use]
+pub fn map(request: &str, map: usize) -> String {
+    replied::<Request, _>(request, |request| DESK.with_borrow_mut(|desk| desk.map(request, &PageFiles, map)))
+}
+
+/// Presses a map.
+#[wasm_bindgen(js_name = press)]
+#[must_use]
+pub fn press(request: &str) -> String {
+    replied::<PressRequest, _>(request, |request| {
+        pressed(request, |steps| PageProgress::begin("steps", steps))
     })
 }
 

@@ -1,11 +1,14 @@
 //! First sight of a file: its kind, its size, its roughness, a picture, and what it lacks.
 
-use measurements::{Files, ScanProblem, TopographyError, read_channels};
+use measurements::{Files, METADATA_FILES, ScanProblem, TopographyError, read_channels};
 use report::heights_picture::{HeightsPicture, of_heights};
 use serde::Serialize;
 
 use crate::heights::MapHeights;
 use crate::request::{FileKind, FileRequest, Refusal};
+
+/// True if this build reads every format.
+const HAS_ALL_FORMATS: bool = cfg!(feature = "all-formats");
 
 /// A file as the page shows it.
 #[derive(Debug, Serialize)]
@@ -22,6 +25,8 @@ pub struct FileSight {
     pub line: Option<String>,
     /// The reason why it cannot be used, and what mends it.
     pub refusal: Option<Refusal>,
+    /// True if this build lacks formats and another may read the file, or what it says about others.
+    pub wants_all_formats: bool,
 }
 
 impl FileSight {
@@ -34,6 +39,7 @@ impl FileSight {
             map: None,
             line: None,
             refusal: None,
+            wants_all_formats: !HAS_ALL_FORMATS && is_metadata(&file.name),
         };
         let request = match file.scan() {
             Ok(request) => request,
@@ -70,9 +76,15 @@ impl FileSight {
                 sight.refusal = Some(Refusal::of_scans(error));
                 if sight.refusal.as_ref().is_some_and(|refusal| refusal.option.is_none()) {
                     sight.kind = FileKind::Other;
+                    sight.wants_all_formats = !HAS_ALL_FORMATS;
                 }
             }
         }
         sight
     }
+}
+
+/// True for a file that describes the scans of its folder.
+fn is_metadata(name: &str) -> bool {
+    METADATA_FILES.iter().any(|metadata| name.rsplit('/').next() == Some(metadata))
 }

@@ -1,6 +1,7 @@
 //! Heights of a map, few enough to be drawn by the page in colours of its reader's choice.
 
 use report::field_picture::colour;
+use rough_bem::Relief;
 use scans::ScanFile;
 use serde::Serialize;
 use units::display::length;
@@ -35,11 +36,29 @@ impl MapHeights {
     pub(crate) fn new(file: &ScanFile) -> Option<Self> {
         let scan = &file.scan;
         let (columns, Some(rows)) = scan.points() else { return None };
+        let (x_m, y_m) = scan.size_m();
+        let aspect = y_m.unwrap_or(x_m) / x_m;
+        Self::thinned([columns, rows], aspect, scan.heights_m().flatten(), |at| scan.height_m(at))
+    }
+
+    /// Takes every few points of heights that are pressed; `None` if they are no numbers.
+    pub(crate) fn of_relief(relief: &Relief) -> Option<Self> {
+        let heights_m = &relief.heights_m;
+        let aspect = relief.length_y_m / relief.length_x_m;
+        let of = |at: usize| heights_m.get(at).copied();
+        Self::thinned([relief.columns, relief.rows], aspect, heights_m.iter().copied(), of)
+    }
+
+    fn thinned(
+        [columns, rows]: [usize; 2],
+        aspect: f64,
+        all_m: impl Iterator<Item = f64>,
+        height_m: impl Fn(usize) -> Option<f64>,
+    ) -> Option<Self> {
         let step = columns.max(rows).div_ceil(MOST_POINTS);
-        let (lowest, highest) =
-            scan.heights_m().flatten().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), height| {
-                (low.min(height), high.max(height))
-            });
+        let (lowest, highest) = all_m.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), height| {
+            (low.min(height), high.max(height))
+        });
         let range_m = highest - lowest;
         if !range_m.is_finite() {
             return None;
@@ -49,13 +68,12 @@ impl MapHeights {
         let heights = (0..rows)
             .step_by(step)
             .flat_map(|row| (0..columns).step_by(step).map(move |column| row * columns + column))
-            .map(|at| scan.height_m(at).map_or(u16::MAX, level))
+            .map(|at| height_m(at).map_or(u16::MAX, level))
             .collect();
-        let (x_m, y_m) = scan.size_m();
         Some(MapHeights {
             columns: columns.div_ceil(step),
             rows: rows.div_ceil(step),
-            aspect: y_m.unwrap_or(x_m) / x_m,
+            aspect,
             heights,
             range: length(range_m),
             range_m,

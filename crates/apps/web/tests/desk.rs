@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use questions::{BodyText, Unwatched};
 use report::run_stamp::RunStamp;
-use web::{Desk, EXAMPLES, FileKind, FileRequest, FileSight, Request, judged, products};
+use web::{Desk, EXAMPLES, FileKind, FileRequest, FileSight, Request, judged, pressed, products};
 
 type Files = BTreeMap<String, Vec<u8>>;
 
@@ -29,7 +29,7 @@ fn every_example_answers_with_all_models() {
         let screen = reply.screen.unwrap();
         assert!(screen.models.len() >= 5, "{}", example_of_page.key);
         assert!(screen.models.iter().any(|model| model.area_fraction.is_some_and(|area| area > 0.0)));
-        assert!(reply.opened.unwrap().spectrum.contains("<svg"));
+        assert!(reply.opened.unwrap().spectrum.figure.contains("<svg"));
     }
 }
 
@@ -69,7 +69,56 @@ fn scans_are_seen_and_answered() {
         ..Request::default()
     };
     let reply = Desk::default().answer(&request, &files).unwrap();
-    assert!(!reply.opened.unwrap().scans.is_empty());
+    let opened = reply.opened.unwrap();
+    assert!(!opened.scans.is_empty() && opened.maps.is_empty());
+    let lines = opened.spectrum.reading.lines;
+    assert_eq!(lines.len(), 2, "the scan and the whole");
+    assert!(opened.spectrum.figure.contains("ends at 2 pixels"), "{}", opened.spectrum.figure);
+}
+
+/// A map of 48 x 32 points in um, as text with a header of Gwyddion.
+fn map_file() -> Vec<u8> {
+    let (columns, rows) = (48, 32);
+    let height = |at: usize| {
+        let (x, y) = ((at % columns) as f64, (at / columns) as f64);
+        1e-8 * ((x / 2.1).sin() * (y / 1.7).cos() + 0.4 * (1.3 * x + 0.7 * y).sin())
+    };
+    let mut text = "# Channel: Height\n# Width: 48 um\n# Height: 32 um\n# Value units: m\n".to_owned();
+    for row in 0..rows {
+        let line: Vec<String> =
+            (0..columns).map(|column| height(row * columns + column).to_string()).collect();
+        text += &(line.join("\t") + "\n");
+    }
+    text.into_bytes()
+}
+
+#[test]
+fn a_map_of_a_scene_is_pressed_apart_from_it() {
+    let files = Files::from([("map.txt".to_owned(), map_file())]);
+    let request = Request {
+        files: vec![file("map.txt")],
+        material: Some(BodyText { name: Some("steel C45".to_owned()), ..BodyText::default() }),
+        ..Request::default()
+    };
+    let mut desk = Desk::default();
+    let opened = desk.answer(&request, &files).unwrap().opened.unwrap();
+    assert_eq!(opened.maps, ["map.txt"]);
+    let map = desk.map(&request, &files, 0).unwrap();
+    assert!(map.question.is_whole() && map.heights.is_some(), "{}", map.words);
+    // The page passes the map on as JSON.
+    let question = serde_json::to_value(&map.question).unwrap();
+    let press = |nominal_pressure_pa: f64| {
+        let request = serde_json::json!({ "question": question, "nominal_pressure_pa": nominal_pressure_pa });
+        pressed(&serde_json::from_value(request).unwrap(), |_| parallel::Unobserved).unwrap()
+    };
+    let [light, heavy] = [1e6, 1e7].map(press);
+    assert!(light.area_fraction < heavy.area_fraction, "{} {}", light.area, heavy.area);
+    let touching = heavy.states.iter().filter(|state| **state > 0).count() as f64;
+    let counted = touching / heavy.states.len() as f64;
+    assert!(heavy.quantities.iter().any(|(name, value)| *name == "points in contact"
+        && (value.trim_end_matches(" %").parse::<f64>().unwrap() / (100.0 * counted) - 1.0).abs() < 0.01));
+    assert!(desk.map(&request, &files, 1).is_err());
+    assert!(desk.map(&example("uncd-measured"), &files, 0).is_err());
 }
 
 #[test]

@@ -4,7 +4,7 @@ use parallel::Progress;
 use units::Bound;
 
 use crate::area::{Count, count};
-use crate::contact::{Contact, TOUCHING};
+use crate::contact::Contact;
 use crate::descent::{Outcome, descend};
 use crate::loading::Loading;
 use crate::problem::{Operators, Problem, State};
@@ -13,9 +13,6 @@ use crate::{Grid, HalfSpaceError, operators, sums};
 
 /// Number of progress steps of a solve: the residual's way to the tolerance, in decades, is divided into as many.
 pub const PROGRESS_STEPS: usize = 100;
-
-/// Relative distance from the saturation within which a point yields.
-const FLOWING: f64 = 1e-9;
 
 /// Boundary elements under a rigid rough surface: plans and buffers, kept between loads.
 pub struct Elements {
@@ -157,15 +154,13 @@ impl Elements {
 
     /// Converts the solved state to SI.
     fn contact(&self, loading: &Loading, unit_pa: f64, outcome: &Outcome) -> Contact {
-        let Loading { nominal_pressure_pa, saturation_pa, .. } = *loading;
         let points = self.heights.len();
         let pressures_pa: Vec<f64> = self.state.pressures.iter().map(|pressure| pressure * unit_pa).collect();
         let gaps_m: Vec<f64> =
             self.state.gaps.iter().map(|gap| (gap - outcome.offset) * self.unit_m).collect();
-        let touching =
-            count(&self.grid, self.periodic, |point| pressures_pa[point] > TOUCHING * nominal_pressure_pa);
-        let flowing = saturation_pa.map_or(Count::NONE, |saturation_pa| {
-            count(&self.grid, self.periodic, |point| pressures_pa[point] >= saturation_pa * (1.0 - FLOWING))
+        let touching = count(&self.grid, self.periodic, |point| loading.touches_at(pressures_pa[point]));
+        let flowing = loading.saturation_pa.map_or(Count::NONE, |_| {
+            count(&self.grid, self.periodic, |point| loading.yields_at(pressures_pa[point]))
         });
         let [open_m, sunk_m, work] = sums::over(points, |point| {
             let displacement = self.state.gaps[point] + self.heights[point];

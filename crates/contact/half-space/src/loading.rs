@@ -3,6 +3,10 @@
 use units::Bound;
 
 use crate::HalfSpaceError;
+use crate::contact::TOUCHING;
+
+/// Relative distance from the saturation within which a point yields.
+const FLOWING: f64 = 1e-9;
 
 /// Load, material, and tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,5 +40,17 @@ impl Loading {
             }
         }
         Ok(())
+    }
+
+    /// Returns true if a point with this pressure \[Pa\] counts as in contact.
+    #[must_use]
+    pub fn touches_at(&self, pressure_pa: f64) -> bool {
+        pressure_pa > TOUCHING * self.nominal_pressure_pa
+    }
+
+    /// Returns true if a point with this pressure \[Pa\] counts as yielding.
+    #[must_use]
+    pub fn yields_at(&self, pressure_pa: f64) -> bool {
+        self.saturation_pa.is_some_and(|saturation_pa| pressure_pa >= saturation_pa * (1.0 - FLOWING))
     }
 }

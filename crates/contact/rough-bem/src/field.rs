@@ -3,7 +3,10 @@
 use std::borrow::Cow;
 use std::io::{self, Write};
 
+use half_space::Loading;
+
 use crate::netcdf_classic::{Attribute, NetcdfFile, Variable};
+use crate::pressing::Pressing;
 use crate::relief::{Boundary, Relief};
 
 /// Surface under one load, point by point.
@@ -20,13 +23,41 @@ pub struct Field<'s> {
     pub nominal_pressure_pa: f64,
     /// Contact modulus E* \[Pa\].
     pub contact_modulus_pa: f64,
+    /// The pressure at which the surface yields \[Pa\]; `None` if it is elastic throughout.
+    pub saturation_pa: Option<f64>,
     /// Pressure \[Pa\] at every point, row by row.
     pub pressures_pa: &'s [f64],
     /// Gap \[m\] at every point, row by row; negative where the surfaces overlap.
     pub gaps_m: &'s [f64],
 }
 
+/// State of a point of a surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PointState {
+    /// The surfaces are apart.
+    Open,
+    /// The surfaces touch elastically.
+    Touching,
+    /// The surfaces touch at the saturation.
+    Yielding,
+}
+
 impl Field<'_> {
+    /// Iterates over the states of the points, row by row, as the areas count them.
+    pub fn states(&self) -> impl ExactSizeIterator<Item = PointState> {
+        let loading = Loading {
+            contact_modulus_pa: self.contact_modulus_pa,
+            nominal_pressure_pa: self.nominal_pressure_pa,
+            saturation_pa: self.saturation_pa,
+            tolerance: Pressing::TOLERANCE,
+        };
+        self.pressures_pa.iter().map(move |&pressure_pa| match () {
+            () if loading.yields_at(pressure_pa) => PointState::Yielding,
+            () if loading.touches_at(pressure_pa) => PointState::Touching,
+            () => PointState::Open,
+        })
+    }
+
     /// Writes the field as NetCDF classic in the layout of contact.engineering: dimensions `y` and `x` with their
     /// coordinates, the variables `heights`, `pressure` and `gap` over both, and the attributes
     /// `nominal_pressure_pa`, `contact_modulus_pa` and `boundary`.

@@ -26,7 +26,7 @@ mod table;
 pub use adhesive::{AdhesiveError, AdhesivePressing, AdhesiveState, Branch, adhesive_means, adhesive_table};
 pub use ball::{Ball, BallCaution, BallError, BallPressing, BallState, Cylinder, LARGEST_EXTENT, ball_table};
 pub use error::ElementsError;
-pub use field::Field;
+pub use field::{Field, PointState};
 pub use mean::{Mean, PressedLoad};
 pub use press::{press, progress_steps};
 pub use pressing::Pressing;

@@ -75,6 +75,7 @@ fn press_once<E: From<ElementsError>>(
         relief: &relief,
         nominal_pressure_pa: loading.nominal_pressure_pa,
         contact_modulus_pa: loading.contact_modulus_pa,
+        saturation_pa: loading.saturation_pa,
         pressures_pa: &contact.pressures_pa,
         gaps_m: &contact.gaps_m,
     })?;

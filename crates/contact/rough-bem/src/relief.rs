@@ -18,7 +18,7 @@ pub enum Boundary {
 named!(Boundary, "boundary", { Periodic => "periodic", Free => "free" });
 
 /// Heights on a grid of rows along x, with a boundary condition.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Relief {
     /// Number of points along y.
     pub rows: usize,

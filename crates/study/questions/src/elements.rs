@@ -75,7 +75,7 @@ pub struct PreparedElements {
     pub surfaces: Surfaces,
     /// Notes on the surfaces and on the material.
     pub notes: Vec<Note>,
-    pressing: Pressing,
+    pub(crate) pressing: Pressing,
 }
 
 impl RandomInput {

@@ -162,6 +162,7 @@ fn scan_keys(scan: &ScanRequest) -> String {
     add("shortest_wavelength", scan.shortest_m.map(metres));
     add("gaps", scan.gaps.map(|gaps| gaps.to_string()));
     add("direction", scan.direction.map(|direction| direction.to_string()));
+    add("detrend", scan.detrend.map(|detrend| detrend.to_string()));
     add("instrument", scan.instrument.clone());
     add("z_calibration", scan.z_calibration.map(|share| format!("{} %", 100.0 * share)));
     let slope = scan.slope_uncertainty.map(|error| format!("slope_uncertainty = {error}"));
@@ -231,9 +232,11 @@ mod tests {
         let heights: String = (0..200).map(|at| format!("{} {}\n", at, (at * at) % 7)).collect();
         let files = BTreeMap::from([("line.txt".to_owned(), heights.into_bytes())]);
         let request: ScanRequest =
-            "line.txt:unit=um,shortest=4um,instrument=stylus,z-calibration=2%".parse().unwrap();
+            "line.txt:unit=um,shortest=4um,detrend=mean,instrument=stylus,z-calibration=2%".parse().unwrap();
         let question = ReportQuestion { surface: ReportSurface::Scans(vec![request]), ..question() };
         let scene = Scene::parse(&question.scene_text(), &files, &Overrides::default()).unwrap();
         assert!(scene.surface.psd.shortest_wavelength_m() >= 3.9e-6);
+        let scans = &scene.surface.made_from.unwrap().spectrum.scans;
+        assert_eq!(scans[0].preparation.detrend, topography::Detrend::Mean);
     }
 }

@@ -42,15 +42,6 @@ pub fn figure_svg(scene: &Scene, results: &Results, name: &str) -> Option<String
     Some(FigureDocuments::new(scene, results, figure, None).svg())
 }
 
-/// Draws the spectrum of a scene over those of its scans, as an element of a page.
-#[must_use]
-pub fn spectrum_element(scene: &Scene, results: &Results) -> String {
-    let figure = spectrum_figure();
-    let data = data(scene, results, &figure, None);
-    let words = format!("{}: {} against {}", data.title, data.y_label, data.x_label);
-    plot::element(&data, &[&data], SPECTRUM_NAME, &words)
-}
-
 /// The figure of the spectrum that a report makes where the scene asks for none.
 fn spectrum_figure() -> Figure {
     Figure { name: SPECTRUM_NAME.to_owned(), shows: Shows::Psd, ..Figure::area_of_all(Vec::new()) }

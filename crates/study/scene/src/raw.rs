@@ -85,6 +85,7 @@ pub(super) struct RawScanKeys {
     pub shortest_wavelength: Option<RawQuantity>,
     pub gaps: Option<GapTreatment>,
     pub direction: Option<Direction>,
+    pub detrend: Option<Detrend>,
     pub instrument: Option<Spanned<String>>,
     pub z_calibration: Option<RawQuantity>,
     pub slope_uncertainty: Option<RawQuantity>,

@@ -158,6 +158,7 @@ fn request(key: &str, RawScan(raw): &RawScan) -> Result<ScanRequest, SceneError>
         tip_radius: optional(&format!("{key}.scans.tip_radius"), raw.tip_radius.as_ref())?,
         gaps: raw.gaps,
         direction: raw.direction,
+        detrend: raw.detrend,
         instrument: instrument.map(|Instrument(name)| name),
         z_calibration: z_calibration.map(|calibration| calibration.share),
         slope_uncertainty: slope_uncertainty.map(|slope| slope.standard_uncertainty),

@@ -3,7 +3,7 @@
 use parallel::{Progress, Unobserved};
 use scans::{Axis, HeightMap, Scan, ScanFile};
 use tables::Table;
-use topography::{CompositeSpectrum, ScanSpectrum, TransformError, without_gaps};
+use topography::{CompositeSpectrum, Detrend, ScanSpectrum, TransformError, without_gaps};
 use units::number;
 use units::printable::shown_path;
 
@@ -38,6 +38,10 @@ pub struct MapPatch {
     pub map: HeightMap,
     /// True if opposite edges match; false for a part of a periodic map.
     pub is_periodic: bool,
+    /// Points of the whole map along x and along y.
+    pub points_of_whole: [usize; 2],
+    /// The trend to subtract from the heights, as for the spectrum.
+    pub detrend: Detrend,
 }
 
 /// Input of a composite: a file or scans in memory.
@@ -56,13 +60,15 @@ pub const STEPS_PER_FILE: usize = 2;
 const MOST_POINTS: usize = 256;
 
 impl MapPatch {
-    fn from_file(file: &ScanFile<Scan>) -> Option<Self> {
+    fn from_file(file: &ScanFile<Scan>, recipe: &Recipe) -> Option<Self> {
         let Scan::Map(map) = &file.scan else { return None };
         let whole = map.columns() <= MOST_POINTS && map.rows() <= MOST_POINTS;
         Some(MapPatch {
             name: file.name.clone(),
             map: map.middle(MOST_POINTS),
             is_periodic: file.is_periodic && whole,
+            points_of_whole: [map.columns(), map.rows()],
+            detrend: recipe.preparation(file.is_periodic).detrend,
         })
     }
 }
@@ -240,7 +246,7 @@ fn transform_input(
         }
         let scan = without_gaps(scan, recipe.gaps).map_err(blame)?;
         let instrument = InstrumentOfScan::new(request, &scan);
-        found.maps.extend(MapPatch::from_file(&scan));
+        found.maps.extend(MapPatch::from_file(&scan, &recipe));
         let spectra = ScanSpectrum::per_direction(scan, request.limits(), &recipe).map_err(blame)?;
         let source = Source { file: request.path.clone(), sha256: sha256.clone(), instrument };
         found.sources.extend(spectra.iter().map(|_| source.clone()));

@@ -5,7 +5,7 @@ use tables::{InputTable, Refusal, Row};
 use crate::request::{RequestError, ScanRequest};
 
 /// Columns of a list and the scan options in them; the column `file` holds the file.
-const COLUMNS: [(&str, &str); 10] = [
+const COLUMNS: [(&str, &str); 11] = [
     ("unit", "unit"),
     ("channel", "channel"),
     ("size", "size"),
@@ -13,6 +13,7 @@ const COLUMNS: [(&str, &str); 10] = [
     ("shortest", "shortest"),
     ("gaps", "gaps"),
     ("direction", "direction"),
+    ("detrend", "detrend"),
     ("instrument", "instrument"),
     ("z_calibration", "z-calibration"),
     ("slope_uncertainty", "slope-uncertainty"),
@@ -25,7 +26,7 @@ pub enum ListError {
     /// A column that is not an option of a scan.
     #[error(
         "{list}: column {column} is not an option of a scan; use file, unit, channel, size, tip_radius, shortest, gaps, \
-         direction, instrument, z_calibration or slope_uncertainty"
+         direction, detrend, instrument, z_calibration or slope_uncertainty"
     )]
     UnknownColumn {
         /// The list.
@@ -46,8 +47,8 @@ pub enum ListError {
 
 /// Parses a list of scans; `name` is its name in messages.
 ///
-/// The columns are `file, unit, channel, size, tip_radius, shortest, gaps, direction, instrument, z_calibration,
-/// slope_uncertainty`. All but the first are optional; an empty cell leaves the option open.
+/// The columns are `file, unit, channel, size, tip_radius, shortest, gaps, direction, detrend, instrument,
+/// z_calibration, slope_uncertainty`. All but the first are optional; an empty cell leaves the option open.
 ///
 /// # Errors
 /// [`ListError`] with line, column and value where they apply.

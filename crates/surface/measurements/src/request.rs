@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use topography::{BandLimits, Direction, GapTreatment, Recipe};
+use topography::{BandLimits, Detrend, Direction, GapTreatment, Recipe};
 use units::{Length, LengthUnit};
 
 use crate::calibration::{Instrument, SlopeUncertainty, ZCalibration};
@@ -28,6 +28,8 @@ pub struct ScanRequest {
     pub gaps: Option<GapTreatment>,
     /// Axis of a map along which its spectrum is taken; defaults to the recipe for all scans.
     pub direction: Option<Direction>,
+    /// Trend subtracted from the heights; defaults to the recipe for all scans.
+    pub detrend: Option<Detrend>,
     /// Name of the instrument; scans with equal names share its calibration errors.
     pub instrument: Option<String>,
     /// Relative standard uncertainty of the height scale of the instrument, above 0 and at most 1.
@@ -81,6 +83,7 @@ impl ScanRequest {
         Recipe {
             gaps: self.gaps.unwrap_or(for_all.gaps),
             direction: self.direction.unwrap_or(for_all.direction),
+            detrend: self.detrend.or(for_all.detrend),
             tip_radius_auto: for_all.tip_radius_auto || self.tip_radius == Some(TipRadius::Auto),
             ..*for_all
         }
@@ -92,7 +95,7 @@ impl ScanRequest {
 pub enum RequestError {
     /// An unknown option.
     #[error(
-        "{file}: unknown option '{key}' of a scan; use unit, channel, size, tip-radius, shortest, gaps, direction, \
+        "{file}: unknown option '{key}' of a scan; use unit, channel, size, tip-radius, shortest, gaps, direction, detrend, \
          instrument, z-calibration or slope-uncertainty"
     )]
     UnknownKey {
@@ -180,6 +183,9 @@ impl ScanRequest {
             }
             "direction" => {
                 self.direction = Some(value.parse::<Direction>().map_err(|error| bad(error.to_string()))?);
+            }
+            "detrend" => {
+                self.detrend = Some(value.parse::<Detrend>().map_err(|error| bad(error.to_string()))?);
             }
             "instrument" => {
                 let Instrument(name) = value.parse().map_err(bad)?;

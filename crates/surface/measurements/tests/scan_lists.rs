@@ -33,7 +33,7 @@ fn bad_lists_are_refused_with_their_place() {
     assert_eq!(
         read("file,width\na.txt,3nm\n").unwrap_err(),
         "scans.csv: column width is not an option of a scan; use file, unit, channel, size, tip_radius, shortest, \
-         gaps, direction, instrument, z_calibration or slope_uncertainty"
+         gaps, direction, detrend, instrument, z_calibration or slope_uncertainty"
     );
     let bad = read("file,size\na.txt,3\n").unwrap_err();
     assert!(bad.starts_with("scans.csv, line 2, column size: '3' has no unit"), "{bad}");

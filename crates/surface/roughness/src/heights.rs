@@ -1,6 +1,7 @@
 //! Heights: areal parameters of ISO 25178-2, those of profiles of ISO 21920-2.
 
 use scans::Measured;
+use topography::Form;
 
 use crate::parameter::{Parameter, ParameterValue};
 use crate::relief::{Evaluation, Relief};
@@ -53,17 +54,48 @@ pub enum Extent {
 
 impl HeightParameters {
     /// Computes the parameters of a scan after its least-squares plane or line has been subtracted; none where no point
-    /// has a height.
+    /// has a height. Heights of a map are not copied, which would double the memory of a large one.
     #[must_use]
     pub fn from_scan(scan: &Measured) -> Option<Self> {
-        Relief::new(scan, &Evaluation::default()).ok().map(|relief| Self::from_relief(&relief))
+        if scan.points().1.is_none() {
+            return Relief::new(scan, &Evaluation::default()).ok().map(|relief| Self::from_relief(&relief));
+        }
+        let form = Form::fit(scan);
+        let removed_m = || form.removed_m(scan).flatten();
+        let count = removed_m().count();
+        if count == 0 {
+            return None;
+        }
+        // As for a relief: the second mean is what rounding left of the first.
+        let mean_of = |sum_m: f64| sum_m / count as f64;
+        let first_m = mean_of(removed_m().fold(0.0, |sum_m, height_m| sum_m + height_m));
+        let second_m = mean_of(removed_m().fold(0.0, |sum_m, height_m| sum_m + (height_m - first_m)));
+        let largest_given_m =
+            scan.heights_m().flatten().fold(0.0, |largest: f64, height_m| largest.max(height_m.abs()));
+        Some(Self::from_heights(Extent::Areal, largest_given_m, scan.missing_points().count(), || {
+            removed_m().map(|height_m| (height_m - first_m) - second_m)
+        }))
     }
 
     /// Computes the parameters of prepared heights.
     #[must_use]
     pub fn from_relief(relief: &Relief) -> Self {
+        let extent = if relief.points().1.is_some() { Extent::Areal } else { Extent::Profile };
+        let heights_m = || relief.heights_m().flatten();
+        let found = Self::from_heights(extent, relief.largest_given_m(), relief.missing(), heights_m);
+        let mean_section_height_m =
+            (extent == Extent::Profile).then(|| mean_section_height_m(relief)).flatten();
+        Self { mean_section_height_m, ..found }
+    }
+
+    fn from_heights<H: Iterator<Item = f64>>(
+        extent: Extent,
+        largest_given_m: f64,
+        missing: usize,
+        heights_m: impl Fn() -> H,
+    ) -> Self {
         let (mut points, mut ends_m) = (0, Ends::NONE);
-        for height_m in relief.heights_m().flatten() {
+        for height_m in heights_m() {
             points += 1;
             ends_m.add(height_m);
         }
@@ -71,15 +103,14 @@ impl HeightParameters {
         // In units of the total height, so that heights in nm do not lose their fourth powers to underflow.
         let unit_m = if total_m > 0.0 { total_m } else { 1.0 };
         let mut sums = [0.0; 4];
-        for height_m in relief.heights_m().flatten() {
+        for height_m in heights_m() {
             let z = height_m / unit_m;
             let square = z * z;
             sums = [sums[0] + z.abs(), sums[1] + square, sums[2] + square * z, sums[3] + square * square];
         }
         let [deviation, variance, third, fourth] = sums.map(|sum| sum / points as f64);
         let rms = variance.sqrt();
-        let is_rough = rms * unit_m > ROUNDING * relief.largest_given_m();
-        let extent = if relief.points().1.is_some() { Extent::Areal } else { Extent::Profile };
+        let is_rough = rms * unit_m > ROUNDING * largest_given_m;
         Self {
             extent,
             mean_deviation_m: deviation * unit_m,
@@ -88,11 +119,9 @@ impl HeightParameters {
             kurtosis: is_rough.then(|| fourth / (variance * variance)),
             peak_m: ends_m.highest_m,
             valley_m: -ends_m.lowest_m,
-            mean_section_height_m: (extent == Extent::Profile)
-                .then(|| mean_section_height_m(relief))
-                .flatten(),
+            mean_section_height_m: None,
             points,
-            missing: relief.missing(),
+            missing,
         }
     }
 
@@ -252,8 +281,12 @@ mod tests {
         let missing: MissingPoints = (0..columns * rows).filter(|index| index % columns < 10).collect();
         let heights_m = (0..columns * rows).map(|index| rough_m(index) + tilt_m(index)).collect();
         let map = Scan::Map(HeightMap::new(columns, 1e-6, 1e-6, heights_m).unwrap());
-        let found = HeightParameters::from_scan(&Measured::with_missing_points(map, missing)).unwrap();
+        let scan = Measured::with_missing_points(map, missing);
+        let found = HeightParameters::from_scan(&scan).unwrap();
         assert_eq!((found.points, found.missing), (900, 300));
+        // A copy of the heights gives the same digits.
+        let relief = Relief::new(&scan, &Evaluation::default()).unwrap();
+        assert_eq!(found, HeightParameters::from_relief(&relief));
         assert_relative_eq!(found.rms_m, 1e-9, max_relative = 1e-5);
         let symbols: Vec<_> = found.parameters().iter().map(|parameter| parameter.symbol).collect();
         assert_eq!(symbols, ["Sa", "Sq", "Ssk", "Sku", "Sp", "Sv", "Sz"]);

@@ -45,7 +45,7 @@ pub fn without_form_m(scan: &Measured) -> Vec<Option<f64>> {
 
 /// The least-squares plane or line through the points of a scan that have a height.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Form {
+pub struct Form {
     /// The height \[m\] in the middle of the scan.
     level_m: f64,
     /// The rise \[m\] from point to point along x and along y.
@@ -53,6 +53,8 @@ pub(crate) struct Form {
 }
 
 impl Form {
+    /// Fits the form of a scan; zero where no point has a height.
+    #[must_use]
     pub fn fit(scan: &Measured) -> Self {
         // From the first height, then twice: the second fit removes what rounding left of a steep plane.
         let Some(pivot_m) = scan.heights_m().flatten().next() else { return Form::default() };

@@ -107,8 +107,8 @@ pub(crate) struct ScansArgs {
     /// FILE:unit=nm,channel=Height,size=1um,tip-radius=20nm,shortest=46nm,gaps=lines,direction=y
     #[arg(required_unless_present = "list", value_name = "FILE")]
     pub files: Vec<ScanRequest>,
-    /// A table of more scans: columns file, unit, channel, size, tip_radius, shortest, gaps, direction, all but file
-    /// optional; files are relative to it
+    /// A table of more scans: columns file, unit, channel, size, tip_radius, shortest, gaps, direction, detrend, all
+    /// but file optional; files are relative to it
     #[arg(long, value_name = "PATH", value_parser = parse_place)]
     pub list: Option<Place>,
     /// Trend subtracted from the heights: by default a plane (from lines, a line), from periodic data the mean

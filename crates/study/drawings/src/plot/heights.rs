@@ -2,11 +2,9 @@
 
 use std::fmt::Write;
 
-use kuva::plot::LinePlot;
 use kuva::render::layout::Layout;
-use kuva::render::plots::Plot;
-use kuva::render::render::render_multiple;
 
+use super::canvas::{self, Stroke};
 use super::split;
 use super::style::colour;
 use super::thinned::thinned;
@@ -30,13 +28,10 @@ impl Panel {
         runs: &[Vec<(f64, f64)>],
         size: [f64; 2],
     ) -> Self {
-        let line = |run: &Vec<(f64, f64)>| {
-            Plot::Line(
-                LinePlot::new().with_data(thinned(run.clone())).with_color(colour(0)).with_stroke_width(1.2),
-            )
-        };
-        let lines: Vec<Plot> = runs.iter().filter(|run| !run.is_empty()).map(line).collect();
-        let layout = Layout::auto_from_plots(&lines)
+        let runs: Vec<Vec<(f64, f64)>> =
+            runs.iter().filter(|run| !run.is_empty()).map(|run| thinned(run.clone())).collect();
+        let colour = colour(0);
+        let layout = around(&runs)
             .with_width(size[0])
             .with_height(size[1])
             .with_title(title.to_owned())
@@ -46,8 +41,11 @@ impl Panel {
             .with_label_size(13)
             .with_x_label(labels[0].to_owned())
             .with_y_label(labels[1].to_owned());
-        let scene = render_multiple(lines, layout);
-        let (_, inside) = split(&scene, name);
+        let scene = canvas::with_axes(layout, name, |computed| {
+            let stroke = || Stroke { colour: &colour, width_px: 1.2, dash: None };
+            runs.iter().map(|run| canvas::line(computed, run, stroke())).collect()
+        });
+        let (_, inside) = split(&scene);
         let elements = inside.trim_end().trim_end_matches("</svg>").to_owned();
         Panel { size: [scene.width, scene.height], elements }
     }
@@ -78,4 +76,22 @@ impl Panel {
             self.elements
         )
     }
+}
+
+/// Axes with a little room around all points.
+fn around(runs: &[Vec<(f64, f64)>]) -> Layout {
+    let range = |of: fn(&(f64, f64)) -> f64| {
+        let values = || runs.iter().flatten().map(of);
+        (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max))
+    };
+    let with_room = |(least, most): (f64, f64)| {
+        let room = 0.01 * (most - least);
+        (if least >= 0.0 { (least - room).max(0.0) } else { least - room }, most + room)
+    };
+    let [x, y] = [range(|point| point.0), range(|point| point.1)];
+    let mut layout = Layout::new(with_room(x), with_room(y));
+    layout.data_x_range = Some(x);
+    layout.data_y_range = Some(y);
+    layout.anchor_y_zero = false;
+    layout
 }

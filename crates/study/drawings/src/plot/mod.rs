@@ -1,6 +1,7 @@
 //! Figures as SVG, with logarithmic axes, fit to print. No other module uses the plotting library.
 
 mod bands;
+mod canvas;
 mod decades;
 mod heights;
 mod labels;
@@ -13,16 +14,15 @@ mod thinned;
 
 use kuva::TickFormat;
 use kuva::backend::svg::SvgBackend;
-use kuva::plot::{LinePlot, ScatterPlot};
 use kuva::render::color::Color;
 use kuva::render::layout::{ComputedLayout, Layout};
-use kuva::render::plots::Plot;
-use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
+use kuva::render::render::{Primitive, Scene, TextAnchor};
 
 pub(crate) use heights::Panel;
 pub use script::script;
 pub use shares::shares_of_decades;
 
+use canvas::Stroke;
 use decades::{Decades, MAX_TICKS, lengths, powers_of_ten, shares};
 use labels::{Box, Track};
 use study::figure::{AxisKind, FigureData, FigureStyle, Series, Shows};
@@ -76,8 +76,8 @@ pub fn styled_svg(figure: &FigureData, style: &FigureStyle, subject: &str, prove
             .with_subtitle(subject.to_owned())
             .with_subtitle_wrap(letters)
     };
-    let scene = drawn(figure, layout, &[figure]);
-    let (opening, inside) = split(&scene, &figure.name);
+    let scene = drawn(figure, layout, &[figure], &figure.name);
+    let (opening, inside) = split(&scene);
     let opening = match style.width_mm.or(style.font_size_pt) {
         Some(_) => in_print(&opening, &scene, px_of_mm),
         None => opening,
@@ -103,17 +103,18 @@ fn in_print(opening: &str, scene: &Scene, px_of_mm: f64) -> String {
 pub fn element(figure: &FigureData, beside: &[&FigureData], id: &str, words: &str) -> String {
     let width_px = if beside.len() > 1 { WIDTH_PX } else { WIDE_PX };
     let layout = Layout::new((0.0, 1.0), (0.0, 1.0)).with_height(HEIGHT_PX - TITLE_PX).with_width(width_px);
-    page_element(&drawn(figure, layout, beside), id, words)
+    page_element(&drawn(figure, layout, beside, id), words)
 }
 
 /// A picture as an element of a page.
-fn page_element(scene: &Scene, id: &str, words: &str) -> String {
-    let (opening, inside) = split(scene, id);
+fn page_element(scene: &Scene, words: &str) -> String {
+    let (opening, inside) = split(scene);
     let opening = opening.replace(" xmlns=\"http://www.w3.org/2000/svg\"", "");
     format!("{opening} role=\"img\" aria-label=\"{}\">{inside}", escaped(words))
 }
 
-fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
+/// `id` is unique in the document.
+fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData], id: &str) -> Scene {
     // The library's own logarithmic axes end at 1e-10, and spectra reach 1e-40: decades are drawn as plain numbers.
     let points = || {
         let lines =
@@ -143,8 +144,6 @@ fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
     // Lines that coincide have to be seen: solid ones are broad and pale, and dashed ones lie dark on top of them.
     let (solid, dashed): (Vec<_>, Vec<_>) = traces.iter().partition(|trace| trace.ink.is_solid());
     let traces: Vec<&Trace> = solid.into_iter().chain(dashed).collect();
-    let line = |trace: &&Trace| trace.runs.iter().map(|run| line(&trace.ink, run)).collect::<Vec<_>>();
-    let lines: Vec<Plot> = traces.iter().flat_map(line).collect();
     let layout = layout
         .with_x_axis_min(x.first)
         .with_x_axis_max(x.last)
@@ -160,7 +159,12 @@ fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData]) -> Scene {
         .with_y_label(without_unit(is_length(figure), figure.y_label));
     let layout = with_room_at_the_end(layout, x);
     let computed = ComputedLayout::from_layout(&layout);
-    let mut scene = render_multiple(lines, layout);
+    let mut scene = canvas::with_axes(layout, id, |computed| {
+        let of_trace = |trace: &&Trace| {
+            trace.runs.iter().map(|run| shape(computed, &trace.ink, run)).collect::<Vec<_>>()
+        };
+        traces.iter().flat_map(of_trace).collect()
+    });
     let frame = frame(&computed);
     ticks_below(&mut scene, &computed, frame, x);
     ticks_left(&mut scene, &computed, frame, y);
@@ -313,14 +317,15 @@ fn logarithms(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     points.iter().filter(|(_, y)| *y > 0.0).map(|(x, y)| (x.log10(), y.log10())).collect()
 }
 
-fn line(ink: &Ink, points: &[(f64, f64)]) -> Plot {
-    let points = points.to_vec();
-    if points.len() == 1 {
-        let point = ScatterPlot::new().with_data(points).with_color(ink.dark.clone());
-        return Plot::Scatter(point.with_size(3.0));
+/// A line through points, or a dot where there is one.
+fn shape(computed: &ComputedLayout, ink: &Ink, points: &[(f64, f64)]) -> Primitive {
+    match points {
+        [point] => canvas::dot(computed, *point, &ink.dark),
+        _ => {
+            let stroke = Stroke { colour: &ink.colour, width_px: ink.width_px, dash: ink.dash.dasharray() };
+            canvas::line(computed, points, stroke)
+        }
     }
-    let line = LinePlot::new().with_data(points).with_color(ink.colour.clone());
-    Plot::Line(line.with_stroke_width(ink.width_px).with_line_style(ink.dash.clone()))
 }
 
 /// An upper estimate of the width of a text in the usual fonts.
@@ -334,13 +339,10 @@ fn text_width_px(text: &str, size_px: f64) -> f64 {
     size_px * text.chars().map(width).sum::<f64>()
 }
 
-/// The opening tag without its end, and the rest. The library numbers its clip regions through the whole program; here
-/// they are named after the figure, so that the document does not depend on earlier drawings and pages can hold many.
-fn split(scene: &Scene, id: &str) -> (String, String) {
+/// The opening tag without its end, and the rest.
+fn split(scene: &Scene) -> (String, String) {
     // The library leaves the end of a section of text as it is, which is none in a document of XML.
     let svg = printable(&SvgBackend::default().render_scene(scene)).replace("]]>", "]]&gt;");
-    let numbered = svg.split('"').find(|text| text.starts_with("kuva-clip-")).map(str::to_owned);
-    let svg = numbered.map_or_else(|| svg.clone(), |numbered| svg.replace(&numbered, &format!("{id}-area")));
     // A picture without a view box is cut off where it should shrink.
     match svg.split_once('>') {
         Some((opening, inside)) => {

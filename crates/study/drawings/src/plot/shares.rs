@@ -1,13 +1,12 @@
 //! Bars of the share of each decade of wavelengths, over a logarithmic axis.
 
 use kuva::TickFormat;
-use kuva::plot::LinePlot;
 use kuva::render::color::Color;
 use kuva::render::layout::{ComputedLayout, Layout};
-use kuva::render::plots::Plot;
-use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
+use kuva::render::render::{Primitive, Scene, TextAnchor};
 use uncertainty::DecadeOfVariance;
 
+use super::canvas::{self, Stroke};
 use super::decades::{Decades, lengths};
 use super::style::{NEUTRAL, colour, tint};
 use super::{WIDE_PX, frame, page_element, ticks_below, with_room_at_the_end};
@@ -49,13 +48,15 @@ pub fn shares_of_decades(
         .with_y_label(y_label.to_owned());
     let layout = with_room_at_the_end(layout, x);
     let computed = ComputedLayout::from_layout(&layout);
-    let ground = LinePlot::new().with_data(vec![(x.first, 0.0), (x.last, 0.0)]).with_color("black");
-    let mut scene = render_multiple(vec![Plot::Line(ground.with_stroke_width(0.7))], layout);
+    let mut scene = canvas::with_axes(layout, id, |computed| {
+        let stroke = Stroke { colour: "black", width_px: 0.7, dash: None };
+        vec![canvas::line(computed, &[(x.first, 0.0), (x.last, 0.0)], stroke)]
+    });
     ticks_below(&mut scene, &computed, frame(&computed), x);
     for bar in bars {
         draw(&mut scene, &computed, bar);
     }
-    Some(page_element(&scene, id, words))
+    Some(page_element(&scene, words))
 }
 
 /// True for a decade with positive wavelengths and a finite share.

@@ -7,8 +7,11 @@ use judge::Reference;
 use maud::{Markup, PreEscaped, html};
 use study::figure::pieces;
 use units::display::length;
+use units::printable::printable;
 
 use super::SceneReport;
+use super::axis::Axis;
+use super::reading::{Reading, ReadingLine};
 use crate::listing::{decade_name, share};
 
 /// Size and margins in units of the drawing.
@@ -32,85 +35,101 @@ const KIND_WIDTH: f64 = 110.0;
 /// The most points of a piece of a line.
 const MAX_POINTS: usize = 90;
 
-/// The largest number of decades with a tick each.
-const MAX_TICKS: i32 = 9;
-
-/// A logarithmic axis from one value to another, in units of the drawing.
-#[derive(Clone, Copy)]
-struct Axis {
-    least: f64,
-    most: f64,
-    start: f64,
-    end: f64,
-}
-
-impl Axis {
-    fn place(&self, value: f64) -> f64 {
-        let share = (value / self.least).ln() / (self.most / self.least).ln();
-        self.start + share * (self.end - self.start)
-    }
-
-    /// The powers of ten on the axis, thinned to a few.
-    fn ticks(&self) -> impl Iterator<Item = f64> + use<> {
-        let (first, last) =
-            ((self.least.log10() - 1e-9).ceil() as i32, (self.most.log10() + 1e-9).floor() as i32);
-        let step = ((last - first) / MAX_TICKS + 1) as usize;
-        (first..=last).rev().step_by(step).map(|power| 10f64.powi(power))
-    }
-}
-
 /// Draws the figure of a load; `None` if no curve was followed along the cutoff.
 pub(super) fn figure(report: &SceneReport<'_>, load: usize, styles: &[ModelStyle]) -> Option<Markup> {
     let psd = &report.results.psd;
-    figure_over(report, load, styles, [psd.shortest_wavelength_m(), psd.longest_wavelength_m()])
+    let band_m = [psd.shortest_wavelength_m(), psd.longest_wavelength_m()];
+    Some(AreaCurve::new(report, load, band_m)?.figure(styles))
 }
 
-/// Draws the figure of a load with an axis from one wavelength \[m\] to another, as [`figure`] does.
-pub(super) fn figure_over(
-    report: &SceneReport<'_>,
+/// The curves of a load on their axes.
+pub(super) struct AreaCurve<'r, 's> {
+    report: &'r SceneReport<'s>,
     load: usize,
-    styles: &[ModelStyle],
-    [shortest_m, longest_m]: [f64; 2],
-) -> Option<Markup> {
-    let holes: Vec<(f64, f64)> =
-        report.scene.surface.holes().iter().map(|hole| (hole.shortest_m, hole.longest_m)).collect();
-    let curves: Vec<(usize, Vec<(f64, f64)>)> = report
-        .answers()
-        .filter(|(_, answers)| answers.iter().any(|(at, answer)| *at == load && answer.followed))
-        .map(|(curve, _)| (curve, report.results.curves[curve].area_fractions(load)))
-        .collect();
-    let marks = marks(report, load);
-    let areas = || {
-        curves
+    holes_m: Vec<(f64, f64)>,
+    /// Wavelength \[m\] and area fraction along each curve, by its index.
+    curves: Vec<(usize, Vec<(f64, f64)>)>,
+    marks: Vec<ElementMark>,
+    x: Axis,
+    y: Axis,
+}
+
+impl<'r, 's> AreaCurve<'r, 's> {
+    /// Takes the curves of a load, with an axis from one wavelength \[m\] to another; `None` if no curve was followed.
+    pub fn new(report: &'r SceneReport<'s>, load: usize, [shortest_m, longest_m]: [f64; 2]) -> Option<Self> {
+        let holes_m =
+            report.scene.surface.holes().iter().map(|hole| (hole.shortest_m, hole.longest_m)).collect();
+        let curves: Vec<(usize, Vec<(f64, f64)>)> = report
+            .answers()
+            .filter(|(_, answers)| answers.iter().any(|(at, answer)| *at == load && answer.followed))
+            .map(|(curve, _)| (curve, report.results.curves[curve].area_fractions(load)))
+            .collect();
+        let marks = marks(report, load);
+        let areas = curves
             .iter()
             .flat_map(|(_, points)| points.iter().map(|(_, area)| *area))
-            .chain(marks.iter().map(|mark| mark.low))
-    };
-    let least = areas().filter(|area| *area > 0.0).fold(1.0, f64::min);
-    if curves.is_empty() || least >= 1.0 {
-        return None;
-    }
-    let x = Axis { least: shortest_m, most: longest_m, start: LEFT, end: WIDTH - RIGHT };
-    let floor = 10f64.powf((0.6 * least).log10().mul_add(2.0, 0.0).floor() / 2.0);
-    let y = Axis { least: floor, most: 1.0, start: HEIGHT - BOTTOM, end: TOP };
-    let label =
-        format!("Contact area at {} as finer roughness is included", report.scene.needs.loads[load].label);
-    Some(html! {
-        svg.area viewBox=(format!("0 0 {WIDTH} {HEIGHT}")) role="img" aria-label=(label) xmlns="http://www.w3.org/2000/svg" {
-            (PreEscaped(background(report, x, y)))
-            @for (curve, points) in &curves {
-                @let style = &styles[*curve];
-                g class=(format!("m{curve} line")) style=(line_colours(style)) {
-                    path d=(path(points, &holes, x, y)) stroke-dasharray=(style.dash) {}
-                    title { (report.curve(*curve)) }
-                }
-            }
-            (PreEscaped(elements(&marks, x, y)))
-            (PreEscaped(element_kinds(&marks)))
-            (PreEscaped(strip(report, load, x)))
-            (PreEscaped(labels(report, &curves, styles, x, y)))
+            .chain(marks.iter().map(|mark| mark.low));
+        let least = areas.filter(|area| *area > 0.0).fold(1.0, f64::min);
+        if curves.is_empty() || least >= 1.0 {
+            return None;
         }
-    })
+        let x = Axis { least: shortest_m, most: longest_m, start: LEFT, end: WIDTH - RIGHT };
+        let floor = 10f64.powf((0.6 * least).log10().mul_add(2.0, 0.0).floor() / 2.0);
+        let y = Axis { least: floor, most: 1.0, start: HEIGHT - BOTTOM, end: TOP };
+        Some(AreaCurve { report, load, holes_m, curves, marks, x, y })
+    }
+
+    /// Draws the figure.
+    pub fn figure(&self, styles: &[ModelStyle]) -> Markup {
+        let AreaCurve { report, x, y, .. } = *self;
+        let load = &report.scene.needs.loads[self.load].label;
+        let label = format!("Contact area at {load} as finer roughness is included");
+        html! {
+            svg.area viewBox=(format!("0 0 {WIDTH} {HEIGHT}")) role="img" aria-label=(label) xmlns="http://www.w3.org/2000/svg" {
+                (PreEscaped(background(report, x, y)))
+                @for (curve, points) in &self.curves {
+                    @let style = &styles[*curve];
+                    g class=(format!("{} line", class(*curve))) style=(line_colours(style)) {
+                        path d=(path(points, &self.holes_m, x, y)) stroke-dasharray=(style.dash) {}
+                        title { (report.curve(*curve)) }
+                    }
+                }
+                (PreEscaped(elements(&self.marks, x, y)))
+                (PreEscaped(element_kinds(&self.marks)))
+                (PreEscaped(strip(report, self.load, x)))
+                (PreEscaped(labels(report, &self.curves, styles, x, y)))
+            }
+        }
+    }
+
+    /// The values along the curves, in print.
+    pub fn reading(&self) -> Reading {
+        let AreaCurve { report, x, y, .. } = *self;
+        // Wavelengths rise from left to right, and curves run from long to short ones.
+        let points = |points: &[(f64, f64)]| {
+            let inside = points.iter().rev().filter(|(_, area)| *area >= y.least);
+            inside
+                .map(|(wavelength_m, area)| (x.place(*wavelength_m), y.place(*area), share(*area)))
+                .collect()
+        };
+        let lines = self.curves.iter().map(|(curve, along)| ReadingLine {
+            class: class(*curve),
+            name: printable(&report.short_curve(*curve)).into_owned(),
+            points: points(along),
+        });
+        let finest = self.curves.iter().map(|(_, along)| along).max_by_key(|along| along.len());
+        let places = finest.into_iter().flatten().rev();
+        Reading {
+            frame: [LEFT, TOP, WIDTH - RIGHT, HEIGHT - BOTTOM],
+            places: places.map(|(wavelength_m, _)| (x.place(*wavelength_m), length(*wavelength_m))).collect(),
+            lines: lines.collect(),
+        }
+    }
+}
+
+/// The class of the elements of a curve.
+fn class(curve: usize) -> String {
+    format!("m{curve}")
 }
 
 /// Grey holes, grid lines and tick labels.

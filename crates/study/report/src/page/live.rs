@@ -2,13 +2,14 @@
 
 use conclusions::{Conclusions, Evidence};
 use drawings::model_style::ModelStyle;
-use maud::html;
 use serde::Serialize;
 use study::figure::CurveLook;
 use units::display::{share, three_digits, typeset};
 use units::printable::printable;
 
-use super::{SceneReport, area_curve, first_screen};
+use super::area_curve::AreaCurve;
+use super::reading::Reading;
+use super::{SceneReport, first_screen};
 use crate::curve_names::{model_in_words, short_name};
 
 /// The first screen of one load in parts: HTML and SVG, and the models as data.
@@ -36,6 +37,8 @@ pub struct LiveScreen {
     pub interface: String,
     /// The area against the cutoff, as SVG; absent if no curve was followed.
     pub figure: Option<String>,
+    /// The values along its lines.
+    pub reading: Option<Reading>,
     /// The models: if they were judged by the elements that they are compared with, the nearest first.
     pub models: Vec<LiveModel>,
 }
@@ -96,7 +99,7 @@ impl LiveScreen {
             CurveLook::of_curves(&scene.needs.curves).into_iter().map(ModelStyle::new).collect();
         let psd = &scene.surface.psd;
         let band_m = [psd.shortest_wavelength_m(), psd.longest_wavelength_m()];
-        let figure = area_curve::figure_over(&report, load.load, &styles, band_m);
+        let curve = AreaCurve::new(&report, load.load, band_m);
         let drawn = first_screen::drawn_at_first(&conclusions.loads);
         let plain = |curve: usize| {
             let style = &styles[curve];
@@ -156,7 +159,8 @@ impl LiveScreen {
             hangs_on: first_screen::hangs_on(&report, load).into_string(),
             cautions: first_screen::before_quoting(conclusions, says_hardness).into_string(),
             interface: first_screen::interface_strip(&report).into_string(),
-            figure: figure.map(|figure| html! { (figure) }.into_string()),
+            figure: curve.as_ref().map(|curve| curve.figure(&styles).into_string()),
+            reading: curve.as_ref().map(AreaCurve::reading),
             models,
         })
     }

@@ -5,6 +5,7 @@
 
 mod all_numbers;
 mod area_curve;
+mod axis;
 mod choices;
 #[cfg(test)]
 mod contrast;
@@ -17,13 +18,19 @@ mod key_numbers;
 mod live;
 mod meaning;
 mod measure_next;
+mod pressed_map;
 mod provenance;
+mod reading;
 mod sensitivities;
+mod spectrum_curve;
 mod surfaces;
 mod validity;
 mod verdict;
 
 pub use live::{LiveModel, LiveScreen};
+pub use pressed_map::PressedMap;
+pub use reading::{Reading, ReadingLine};
+pub use spectrum_curve::SpectrumCurve;
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 

@@ -1,0 +1,76 @@
+//! A measured map of a scene, pressed as it was scanned.
+
+use findings::doubts::Doubt;
+use measurements::MapPatch;
+use rough_bem::{Boundary, ElementsError, Pressing, Relief, Surfaces};
+use scene::Scene;
+use serde::{Deserialize, Serialize};
+use topography::detrended_m;
+
+use crate::{Note, PreparedElements};
+
+/// A map of a scene between the bodies of the scene: all that boundary elements need, so that it can be pressed elsewhere.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct MapQuestion {
+    /// The name of the measurement.
+    pub name: String,
+    /// Points of the whole map along x and along y; the relief is its middle.
+    pub points_of_whole: [usize; 2],
+    /// The heights without their trend.
+    pub relief: Relief,
+    /// The contact modulus E* \[Pa\].
+    pub contact_modulus_pa: f64,
+    /// The pressure at which the surface yields \[Pa\], the hardness of the material; elastic throughout if absent.
+    pub saturation_pa: Option<f64>,
+}
+
+impl MapQuestion {
+    /// Takes a map of a scene by its index; `None` if the scene has no such map, or no material.
+    #[must_use]
+    pub fn from_scene(scene: &Scene, map: usize) -> Option<Self> {
+        let patch = scene.surface.made_from.as_ref()?.maps.get(map)?;
+        let material = scene.material.as_ref()?;
+        Some(MapQuestion {
+            name: patch.name.clone(),
+            points_of_whole: patch.points_of_whole,
+            relief: relief(patch),
+            contact_modulus_pa: material.pair.composite_modulus_pa(),
+            saturation_pa: material.hardness_pa(),
+        })
+    }
+
+    /// True if the relief is the whole map.
+    #[must_use]
+    pub fn is_whole(&self) -> bool {
+        self.points_of_whole == [self.relief.columns, self.relief.rows]
+    }
+
+    /// Prepares the map under a nominal pressure \[Pa\].
+    ///
+    /// # Errors
+    /// [`ElementsError`] for a pressure that the surface cannot carry.
+    pub fn under(&self, nominal_pressure_pa: f64) -> Result<PreparedElements, ElementsError> {
+        let pressing = Pressing {
+            pressures_pa: vec![nominal_pressure_pa],
+            saturation_pa: self.saturation_pa,
+            stiffness: true,
+            ..Pressing::elastic(self.contact_modulus_pa)
+        };
+        pressing.check()?;
+        let notes = Doubt::of_slope(self.relief.rms_slope()).map(Note::Doubt).into_iter().collect();
+        Ok(PreparedElements { surfaces: Surfaces::Map(self.relief.clone()), notes, pressing })
+    }
+}
+
+/// The heights of a patch without their trend.
+fn relief(patch: &MapPatch) -> Relief {
+    let map = &patch.map;
+    Relief {
+        rows: map.rows(),
+        columns: map.columns(),
+        length_x_m: map.columns() as f64 * map.spacing_x_m(),
+        length_y_m: map.rows() as f64 * map.spacing_y_m(),
+        heights_m: detrended_m(map, patch.detrend),
+        boundary: if patch.is_periodic { Boundary::Periodic } else { Boundary::Free },
+    }
+}
