@@ -24,6 +24,8 @@ use crate::judge_spectra::{CONTACT_MODULUS_PA, JudgeTrial, Kind, RMS_GRADIENT, S
 pub const LOADS: [f64; 6] = [0.005, 0.01, 0.025, 0.06, 0.13, 0.25];
 /// Surfaces of every spectrum.
 const SURFACES: usize = 4;
+/// Side of the box over the longest wavelength.
+const LENGTHS_IN_BOX: f64 = 2.0;
 /// Seed of the surfaces.
 const SEED: u64 = 2000;
 /// Area fractions between which the theory is used for laws; lighter loads stand in lines of their own.
@@ -98,7 +100,7 @@ pub fn rows_of(trial: &JudgeTrial, loads: &[f64]) -> Result<Vec<GapRow>, TrialEr
     let laws = [law(Band::Surface)?, law(Band::Profile)?];
 
     let area = AreaSpectrum::from_profile(&psd)?;
-    let surfaces = trial.surfaces(&area, SURFACES, SEED + u64::from(trial.number))?;
+    let surfaces = trial.surfaces(&area, LENGTHS_IN_BOX, SURFACES, SEED + u64::from(trial.number))?;
     let pressing = Pressing {
         pressures_pa: loads.iter().map(|load| load * CONTACT_MODULUS_PA * RMS_GRADIENT).collect(),
         stiffness: true,

@@ -89,7 +89,7 @@ impl JudgeTrial {
         };
         let mut areas: Vec<f64> = Vec::new();
         for seed in TRUTH_SEED..TRUTH_SEED + MAX_BATCHES {
-            let surfaces = self.surfaces(spectrum, BATCH, seed)?;
+            let surfaces = self.surfaces(spectrum, LENGTHS_IN_BOX, BATCH, seed)?;
             let area = |number: usize| -> Result<f64, TrialError> {
                 Ok(surfaces.relief(number)?.press(&loading, &Unobserved)?.area_fraction_corrected)
             };
@@ -103,21 +103,22 @@ impl JudgeTrial {
         Ok((Mean::new(areas.iter().copied()), areas.len()))
     }
 
-    /// Surfaces with the whole band, in boxes that hold several of the longest waves.
+    /// Surfaces with the whole band, in boxes that hold `lengths_in_box` of the longest waves along a side.
     pub(crate) fn surfaces(
         &self,
         spectrum: &AreaSpectrum,
+        lengths_in_box: f64,
         realisations: usize,
         seed: u64,
     ) -> Result<Surfaces, TrialError> {
         let longest_m = self.width() * SHORTEST_M;
         let choices = RandomChoices {
-            points: (POINTS_PER_SHORTEST * LENGTHS_IN_BOX * self.width()) as usize,
+            points: (POINTS_PER_SHORTEST * lengths_in_box * self.width()) as usize,
             realisations,
             seed,
             longest_m: Some(longest_m),
             shortest_m: Some(SHORTEST_M),
-            side_m: Some(LENGTHS_IN_BOX * longest_m),
+            side_m: Some(lengths_in_box * longest_m),
             phases: Phases::FixedModulus,
         };
         Ok(Surfaces::Random(choices.surfaces(spectrum)?.0))
