@@ -33,6 +33,14 @@ model = "ep-sphere"
 cutoffs = "shortest"
 
 [[curve]]
+model = "elastic-sine"
+cutoffs = "shortest"
+
+[[curve]]
+model = "ep-sine"
+cutoffs = "shortest"
+
+[[curve]]
 model = "bgt"
 cutoffs = "shortest"
 

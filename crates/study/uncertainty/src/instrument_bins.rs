@@ -33,8 +33,10 @@ pub(crate) struct InstrumentBin {
     pub weight: f64,
     /// ln(q/q_i), q_i in the middle of the instrument's band.
     pub ln_q: f64,
-    /// Mean of ln C over its scans.
+    /// Mean of ln C over its scans at the wavelength of the composite's bin, without the excess.
     pub ln_mean: f64,
+    /// Part of ln C that window and trend have added.
+    pub excess: f64,
     /// The number of places with a scan that reaches the bin.
     pub places: usize,
     /// The deviations of the scan of each place, or of each part of the map, from that mean.

@@ -1,13 +1,14 @@
 //! The instruments of a composite: their scans, their data in every bin, and their description.
 
-use std::collections::BTreeSet;
-use std::f64::consts::LN_10;
+use std::collections::{BTreeMap, BTreeSet};
+use std::f64::consts::{LN_10, TAU};
 
 use measurements::CompositeOfFiles;
 use topography::{Average, CompositeBin, ScanBin, ScanSpectrum};
 
 use crate::instrument_bins::{Beside, InstrumentBin, InstrumentBins, variance_of_logarithm};
 use crate::results::{InstrumentInput, InstrumentName, Resampled};
+use crate::smooth_spectrum::SmoothSpectrum;
 
 /// The assumed standard uncertainty of an unknown height scale.
 pub const ASSUMED_Z_CALIBRATION: f64 = 0.03;
@@ -25,13 +26,46 @@ pub(crate) fn instruments(scans: &CompositeOfFiles) -> (Vec<InstrumentBins>, Vec
         }
     }
     let places = scans.spectrum.places();
+    let offsets = offsets_of_scans(scans);
     let own = |name: &str| (0..names.len()).filter(|&scan| names[scan] == name).collect::<Vec<_>>();
     let of_instruments: Vec<OwnScans<'_>> =
-        distinct.iter().map(|name| OwnScans::new(scans, &own(name), &places)).collect();
+        distinct.iter().map(|name| OwnScans::new(scans, &own(name), &places, &offsets)).collect();
     let mut bins: Vec<InstrumentBins> = of_instruments.iter().map(OwnScans::in_bins).collect();
     lend_place_scatter(&mut bins, &of_instruments);
     let descriptions = of_instruments.iter().zip(&bins).map(|(own, bins)| own.description(bins)).collect();
     (bins, descriptions)
+}
+
+/// Known offsets of ln C of a scan in a bin from that of the surface in the composite's bin.
+#[derive(Debug, Clone, Copy, Default)]
+struct Offsets {
+    /// The excess that window and trend add.
+    excess: f64,
+    /// Scans of other lengths have their Fourier bins elsewhere in the bin, where the spectrum is another.
+    of_wavelength: f64,
+}
+
+/// The offsets of every scan in its bins. The surface is taken to have a smooth spectrum through the composite.
+fn offsets_of_scans(scans: &CompositeOfFiles) -> Vec<BTreeMap<i64, Offsets>> {
+    let found = &scans.spectrum;
+    let surface = SmoothSpectrum::through(found.composite.bins());
+    let c1d_m3 = |q_rad_per_m: f64| surface.c1d_m3(TAU / q_rad_per_m);
+    let indices: BTreeSet<i64> = found.in_bins.iter().flatten().map(|bin| bin.index).collect();
+    let wavelengths_m: BTreeMap<i64, f64> = indices
+        .into_iter()
+        .zip(found.composite.bins())
+        .map(|(index, bin)| (index, bin.wavelength_m))
+        .collect();
+    let of_scan = |(scan, bins): (&ScanSpectrum, &Vec<ScanBin>)| {
+        let excess = scan.window_excess(bins, &found.recipe, c1d_m3);
+        let of_bin = |(bin, excess): (&ScanBin, f64)| {
+            let [own_m3, shared_m3] =
+                [bin.wavelength_m, wavelengths_m[&bin.index]].map(|m| surface.c1d_m3(m));
+            (bin.index, Offsets { excess, of_wavelength: (own_m3 / shared_m3).ln() })
+        };
+        bins.iter().zip(excess).map(of_bin).collect()
+    };
+    found.scans.iter().zip(&found.in_bins).map(of_scan).collect()
 }
 
 /// Lends the scatter between places, known of instruments with several, to the others.
@@ -54,10 +88,17 @@ struct OwnScans<'s> {
     place_of: Vec<usize>,
     /// The data in each bin of the composite, by scan.
     in_bins: Vec<Vec<(usize, &'s ScanBin)>>,
+    /// The mean offsets of these scans in each bin of the composite.
+    offsets: Vec<Offsets>,
 }
 
 impl<'s> OwnScans<'s> {
-    fn new(scans: &'s CompositeOfFiles, own: &[usize], places: &[usize]) -> Self {
+    fn new(
+        scans: &'s CompositeOfFiles,
+        own: &[usize],
+        places: &[usize],
+        offsets: &[BTreeMap<i64, Offsets>],
+    ) -> Self {
         let found = &scans.spectrum;
         let distinct: Vec<usize> =
             own.iter().map(|&scan| places[scan]).collect::<BTreeSet<_>>().into_iter().collect();
@@ -73,7 +114,15 @@ impl<'s> OwnScans<'s> {
             own.iter().enumerate().filter_map(of_scan).collect()
         };
         let in_bins = indices.iter().map(of_bin).collect();
-        OwnScans { scans, own: own.to_vec(), places: distinct, place_of, in_bins }
+        let mean_offsets = |index: &i64| {
+            let of_scans: Vec<Offsets> =
+                own.iter().filter_map(|&scan| offsets[scan].get(index).copied()).collect();
+            let mean =
+                |of: fn(&Offsets) -> f64| of_scans.iter().map(of).sum::<f64>() / of_scans.len().max(1) as f64;
+            Offsets { excess: mean(|of| of.excess), of_wavelength: mean(|of| of.of_wavelength) }
+        };
+        let offsets = indices.iter().map(mean_offsets).collect();
+        OwnScans { scans, own: own.to_vec(), places: distinct, place_of, in_bins, offsets }
     }
 
     fn average(&self) -> Average {
@@ -94,8 +143,10 @@ impl<'s> OwnScans<'s> {
         let reached: Vec<f64> = self.reached().map(|bin| -bin.wavelength_m.ln()).collect();
         let middle = 0.5 * (reached[0] + reached[reached.len() - 1]);
         let bins = self.in_bins.iter().zip(self.bins());
-        let mut bins: Vec<Option<InstrumentBin>> =
-            bins.map(|(scans, bin)| self.bin(scans, bin, middle)).collect();
+        let mut bins: Vec<Option<InstrumentBin>> = bins
+            .zip(&self.offsets)
+            .map(|((scans, bin), offsets)| self.bin(scans, bin, middle, *offsets))
+            .collect();
         self.split_scatter(&mut bins);
         let units = self.only_map().map_or(self.places.len(), |map| map.spectrum.parts_m3().len());
         InstrumentBins { units, place_sd: 0.0, is_one_place: self.places.len() == 1, bins }
@@ -136,7 +187,13 @@ impl<'s> OwnScans<'s> {
         self.in_bins.iter().zip(self.bins()).filter(|(scans, _)| !scans.is_empty()).map(|(_, bin)| bin)
     }
 
-    fn bin(&self, scans: &[(usize, &ScanBin)], bin: &CompositeBin, middle: f64) -> Option<InstrumentBin> {
+    fn bin(
+        &self,
+        scans: &[(usize, &ScanBin)],
+        bin: &CompositeBin,
+        middle: f64,
+        offsets: Offsets,
+    ) -> Option<InstrumentBin> {
         let (_, first) = scans.first()?;
         let average = self.average();
         let weight = match average {
@@ -157,7 +214,8 @@ impl<'s> OwnScans<'s> {
             places: ln_of_places.len(),
             weight,
             ln_q: -bin.wavelength_m.ln() - middle,
-            ln_mean,
+            ln_mean: ln_mean - offsets.excess - offsets.of_wavelength,
+            excess: offsets.excess,
             deviations,
             beside,
         })

@@ -22,6 +22,7 @@ mod results;
 mod scan_scatter;
 mod settings;
 mod shares;
+mod smooth_spectrum;
 pub mod sobol;
 mod spectrum_ends;
 mod spectrum_errors;

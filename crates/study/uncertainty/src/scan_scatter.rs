@@ -1,7 +1,7 @@
 //! Draws of the composite of scans: scans at other places, and instruments with other height scales.
 //!
-//! A scan j of an instrument i at the bin k is taken to be ln C_ijk = mu_k + a_i + b_i ln(q_k/q_i) + s_ijk + e_ijk: gain and slope
-//! of the instrument, the place, and the scatter of its own Fourier bins.
+//! A scan j of an instrument i at the bin k is taken to be ln C_ijk = mu_k + a_i + b_i ln(q_k/q_i) + s_ijk + e_ijk + w_ik: gain and
+//! slope of the instrument, the place, the scatter of its own Fourier bins, and the excess that window and trend add.
 
 use measurements::CompositeOfFiles;
 use rand_chacha::rand_core::Rng;
@@ -78,7 +78,7 @@ impl ScanScatter {
         self.of_gains(&self.gains.draw(numbers))
     }
 
-    /// ln C of the best estimates: scans without deviations, and the mean gains after all overlaps.
+    /// ln C of the best estimates: scans without deviations and excess, and the mean gains after all overlaps.
     pub fn best(&self) -> Vec<f64> {
         let no_places = vec![vec![0.0; self.ln_c1d.len()]; self.instruments.len()];
         self.composed(&no_places, &self.of_gains(self.gains.mean()))
@@ -112,7 +112,8 @@ impl ScanScatter {
         let of_bin = |(at, centre): (usize, &f64)| {
             let of_instruments = self.instruments.iter().enumerate().filter_map(|(i, instrument)| {
                 let bin = instrument.bins[at].as_ref()?;
-                Some((bin.weight, (places[i][at] + gains[i][at]).clamp(-MAX_DEVIATION, MAX_DEVIATION)))
+                let deviation = places[i][at] + gains[i][at] - bin.excess;
+                Some((bin.weight, deviation.clamp(-MAX_DEVIATION, MAX_DEVIATION)))
             });
             let moved: f64 = match self.average {
                 Average::Arithmetic => {

@@ -46,6 +46,7 @@ mod sums;
 mod tip;
 mod tip_indication;
 mod tip_words;
+mod window_excess;
 
 pub use areal::{ArealRows, ArealSums, ArealTransform, areal_spectrum};
 pub use band::{BandLimits, ReliableBand};

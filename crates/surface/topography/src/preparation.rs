@@ -39,8 +39,9 @@ impl Preparation {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Window {
-    /// The periodic Hann window (1 - cos(2 pi x/L))/2 divided by its rms, sqrt(3/8), which keeps the power of a
-    /// stationary surface: Jacobs, Junge & Pastewka (2017), Surf. Topogr.: Metrol. Prop. 5:013001.
+    /// The Hann window (1 - cos(2 pi x/L))/2 divided by its rms, sqrt(3/8), which keeps the power of a stationary
+    /// surface: Jacobs, Junge & Pastewka (2017), Surf. Topogr.: Metrol. Prop. 5:013001. Each of N points stands for a
+    /// step L/N and lies in its middle, x = (i + 1/2) L/N, so that a scan read backwards has the same spectrum.
     ///
     /// For a map, the product of windows along x and y: unlike a window of circular symmetry it uses the whole of an
     /// elongated map, and its rms is the product of the two.
@@ -63,12 +64,12 @@ impl Window {
 }
 
 fn hann(points: usize) -> Vec<f64> {
-    // The mean of sin^4 is 3/8 if the points resolve cos(4 pi i/N), from 3 on; for 2 points it is the mean of 0 and 1.
-    let rms = if points == 2 { 0.5f64.sqrt() } else { 0.375f64.sqrt() };
+    // The mean of sin^4 is 3/8 if the points resolve cos(4 pi i/N), from 3 on; both of two points have sin^2 = 1/2.
+    let rms = if points == 2 { 0.5 } else { 0.375f64.sqrt() };
     let factor = |point: usize| {
-        // Measured from the nearer end, where the sine keeps its digits.
-        let steps = point.min(points - point);
-        (PI * steps as f64 / points as f64).sin().powi(2) / rms
+        // Measured from the nearer end, so that mirrored points have the same digits.
+        let half_steps = (2 * point + 1).min(2 * (points - point) - 1);
+        (PI * half_steps as f64 / (2 * points) as f64).sin().powi(2) / rms
     };
     (0..points).map(factor).collect()
 }
@@ -80,11 +81,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_window_keeps_the_power() {
+    fn every_window_keeps_the_power_and_has_no_direction() {
         for points in (2..40).chain([97, 1000, 1024]) {
             for &window in Window::ALL {
                 let sum: f64 = window.factors(points).iter().map(|factor| factor * factor).sum();
                 assert_relative_eq!(sum / points as f64, 1.0, max_relative = 1e-14);
+                let mut backwards = window.factors(points);
+                backwards.reverse();
+                assert_eq!(backwards, window.factors(points));
             }
         }
         assert_eq!("hann".parse(), Ok(Window::Hann));

@@ -56,7 +56,7 @@ impl ScanSpectrum {
     }
 
     /// Lists for every bin the numbers n >= 1 of its reliable samples.
-    fn samples_of(&self, bins: &[ScanBin], bins_per_decade: NonZeroU32) -> Vec<Vec<usize>> {
+    pub(crate) fn samples_of(&self, bins: &[ScanBin], bins_per_decade: NonZeroU32) -> Vec<Vec<usize>> {
         let mut samples = vec![Vec::new(); bins.len()];
         let length_m = self.spectrum.length_m();
         for &wavelength_m in self.reliable.wavelengths_m() {

@@ -6,6 +6,7 @@ use super::lengths::{Length, bad_field, length, stylus_radius_m, trailing_unit, 
 use super::style::{FORMAT, is_comment};
 use crate::choice_of_units::Units;
 use crate::error::{Place, ScanReadError};
+use crate::numbers;
 use crate::scan_size::ScanSize;
 use units::LengthUnit;
 
@@ -21,6 +22,7 @@ pub(crate) struct Header {
     /// Factor that takes values to their unit.
     value_factor: Option<f64>,
     to_nanometres: Option<f64>,
+    counts: Vec<StatedCount>,
     /// Units in the names of the columns; empty where no line names them.
     column_units: Vec<Option<LengthUnit>>,
     /// True if a line names the last column as flags of valid points.
@@ -31,6 +33,14 @@ pub(crate) struct Header {
     stylus_radius_m: Option<f64>,
     /// The lines that hold no field known here.
     free_text: String,
+}
+
+/// A number of points that the header states.
+#[derive(Clone, Copy)]
+struct StatedCount {
+    key: Key,
+    stated: usize,
+    line: usize,
 }
 
 /// Names of a column that counts the points.
@@ -108,6 +118,11 @@ impl Header {
                 self.lateral_unit.get_or_insert(LengthUnit::NANOMETRE);
             }
             Key::Program => {}
+            Key::Count(_) | Key::Points => {
+                // A key of another meaning has another kind of value.
+                let stated = value.split_whitespace().next().and_then(numbers::count);
+                self.counts.extend(stated.map(|stated| StatedCount { key, stated, line }));
+            }
             Key::LateralUnit => self.lateral_unit = Some(unit(value, line)?),
             Key::ValueUnit => self.value_unit = Some(unit(value, line)?),
             Key::Unit => {
@@ -212,6 +227,55 @@ impl Header {
         self.column_units.get(column).copied().flatten().or(self.value_unit)
     }
 
+    /// Compares the numbers of points that the header states with those of the file, and returns what to note.
+    ///
+    /// # Errors
+    /// [`ScanReadError::BadField`] if the file holds fewer than stated: it is cut off.
+    pub(crate) fn check_counts(&self, columns: &Columns, is_map: bool) -> Result<Vec<String>, ScanReadError> {
+        let [across, rows] = [columns.count, columns.rows()];
+        let product: Option<usize> = [0, 1].into_iter().map(|axis| self.stated(Key::Count(axis))).product();
+        let found = |count: &StatedCount| match (count.key, is_map) {
+            (Key::Count(axis), true) => Some([across, rows][axis]),
+            (Key::Count(_), false) => None,
+            // Some programs count the points of a line, others those of the map.
+            (_, true) => {
+                [across, rows].contains(&count.stated).then_some(count.stated).or(Some(across * rows))
+            }
+            (_, false) => Some(rows),
+        };
+        let mut compared: Vec<(StatedCount, usize)> =
+            self.counts.iter().filter_map(|count| Some((*count, found(count)?))).collect();
+        if let (false, Some(stated), Some(last)) = (is_map, product, self.counts.last()) {
+            compared.push((StatedCount { key: Key::Points, stated, line: last.line }, rows));
+        }
+        let mut notes = Vec::new();
+        for (StatedCount { key, stated, line }, found) in compared {
+            let what = match key {
+                Key::Count(0) => "columns",
+                Key::Count(_) => "rows",
+                _ => "points",
+            };
+            if found < stated {
+                return Err(ScanReadError::BadField {
+                    format: FORMAT,
+                    place: Place::Line(line),
+                    field: format!("the number of {what} in the file"),
+                    value: found.to_string(),
+                    bound: format!("{stated}, as stated here"),
+                    mend: "the file is cut off: export it again, or correct the header",
+                });
+            }
+            if found > stated {
+                notes.push(format!("line {line} states {stated} {what}, the file holds {found}"));
+            }
+        }
+        Ok(notes)
+    }
+
+    fn stated(&self, key: Key) -> Option<usize> {
+        self.counts.iter().find(|count| count.key == key).map(|count| count.stated)
+    }
+
     /// The size of so many columns and rows, or of a line of so many columns.
     pub(crate) fn size(
         &self,
@@ -265,6 +329,35 @@ mod tests {
         assert_eq!(units("Scan of sample A\n1 2"), []);
         assert_eq!(units("X_(microns),y1\n0.5,2.5"), [Some(um), None]);
         assert_eq!(units("x[microns]\ty1\n0.5\t2.5"), [Some(um), None]);
+    }
+
+    #[test]
+    fn numbers_of_points_are_those_of_the_header() {
+        let checked = |text: &str, is_map| {
+            let columns = Columns::read(text).unwrap();
+            Header::read(text, &columns).unwrap().check_counts(&columns, is_map)
+        };
+        let map = |header: &str| checked(&format!("{header}\n1 2 3 4\n5 6 7 8"), true);
+        for header in [
+            "# Columns: 4\n# Rows: 2",
+            "# Points: 8",
+            "# points = 4",
+            "# Number of points: 2",
+            "# rows: many",
+        ] {
+            assert_eq!(map(header).unwrap(), [""; 0], "{header}");
+        }
+        for (header, stated_in) in [("# Rows: 3", 1), ("# a\n# nx=5", 2), ("# Points: 12", 1)] {
+            match map(header).unwrap_err() {
+                ScanReadError::BadField { place: Place::Line(line), .. } => assert_eq!(line, stated_in),
+                other => panic!("{other}"),
+            }
+        }
+        assert_eq!(map("# Rows: 1").unwrap().len(), 1);
+        assert!(
+            checked("Points: 3\n0 1\n1 2", false).is_err() && checked("Points: 2\n0 1\n1 2", false).is_ok()
+        );
+        assert!(checked("X Pixels: 2\nY Pixels: 2\n0 0 1\n1 0 2\n0 1 3", false).is_err());
     }
 
     #[test]

@@ -9,13 +9,17 @@ pub(super) enum Key {
     LateralUnit,
     ValueUnit,
     Unit,
+    /// The number of columns or rows of a map.
+    Count(usize),
+    /// The number of points of a profile, or of all.
+    Points,
     /// The factor from values to nm, which counts where they have no unit.
     ToNanometres,
     Program,
 }
 
 /// Keys in lower case with blanks for hyphens and underscores. Gwyddion translates those of its exports.
-const KEYS: [(Key, &[&str]); 10] = [
+const KEYS: [(Key, &[&str]); 13] = [
     (Key::Channel, &["channel", "kanál", "kanal", "canal", "canale", "チャネル", "채널", "канал"]),
     (
         Key::Size(0),
@@ -85,6 +89,35 @@ const KEYS: [(Key, &[&str]); 10] = [
         ],
     ),
     (Key::Unit, &["unit", "units"]),
+    (
+        Key::Count(0),
+        &[
+            "columns",
+            "number of columns",
+            "num columns",
+            "x pixels",
+            "xpixels",
+            "x points",
+            "points per line",
+            "nx",
+        ],
+    ),
+    (
+        Key::Count(1),
+        &["rows", "number of rows", "num rows", "y pixels", "ypixels", "y points", "number of lines", "ny"],
+    ),
+    (
+        Key::Points,
+        &[
+            "points",
+            "number of points",
+            "num points",
+            "numpoints",
+            "data points",
+            "number of samples",
+            "samples",
+        ],
+    ),
     (Key::ToNanometres, &["bit2nm"]),
     (Key::Program, &["file format"]),
 ];

@@ -59,6 +59,7 @@ pub(super) fn channel_of_text<'b>(text: &str, options: &ScanOptions) -> Result<C
     if ends_within_a_number(text) {
         notes.push("the last line has no line end; is the file cut off?".to_owned());
     }
+    notes.extend(header.check_counts(&columns, columns.count > 3 || header.is_matrix())?);
     let found = match columns.count {
         1 => matrix(columns, false, &header, options, &mut notes)?,
         2 if !header.is_matrix() => {
