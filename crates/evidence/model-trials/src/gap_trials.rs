@@ -7,7 +7,7 @@ use gaussian_surfaces::{AreaSpectrum, Phases};
 use parallel::Unobserved;
 use persson::separation::LIGHT_CONTACT;
 use persson::variance::Band;
-use rough_bem::{ElementsError, Pressing, RandomChoices, Surfaces, press};
+use rough_bem::{ElementsError, Load, Pressing, RandomChoices, Surfaces, press};
 use serde::{Deserialize, Serialize};
 use spectrum::Normalisation;
 use study::gap_law::{GapChoices, GapError, GapLaw, GapState};
@@ -111,7 +111,7 @@ pub fn rows_of(trial: &JudgeTrial, loads: &[f64]) -> Result<Vec<GapRow>, TrialEr
     };
     let (random, _) = choices.surfaces(&area)?;
     let pressing = Pressing {
-        pressures_pa: loads.iter().map(|load| load * CONTACT_MODULUS_PA * RMS_GRADIENT).collect(),
+        loads: loads.iter().map(|load| Load::PressurePa(load * CONTACT_MODULUS_PA * RMS_GRADIENT)).collect(),
         stiffness: true,
         ..Pressing::elastic(CONTACT_MODULUS_PA)
     };
