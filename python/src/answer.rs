@@ -17,7 +17,6 @@ pub struct PyAnswer {
     #[pyo3(get)]
     columns: Py<PyDict>,
     notes: Vec<Note>,
-    spelling: &'static (dyn Spelling + Sync),
 }
 
 #[pymethods]
@@ -25,7 +24,7 @@ impl PyAnswer {
     /// The notes in words.
     #[getter]
     fn notes(&self) -> Vec<Told> {
-        words(&self.notes, self.spelling)
+        words(&self.notes)
     }
 
     /// The notes as data.
@@ -41,19 +40,12 @@ impl PyAnswer {
     }
 
     pub fn of_columns(columns: Bound<'_, PyDict>, notes: Vec<Note>) -> Self {
-        PyAnswer { columns: columns.unbind(), notes, spelling: &Keywords }
-    }
-
-    pub fn spelled(self, spelling: &'static (dyn Spelling + Sync)) -> Self {
-        PyAnswer { spelling, ..self }
+        PyAnswer { columns: columns.unbind(), notes }
     }
 }
 
 /// Arguments of functions, as `interference_law`.
 pub struct Keywords;
-
-/// Arguments of `persson`, whose models are called `elastic` and `elastic-plastic`.
-pub struct PerssonKeywords;
 
 impl Spelling for Keywords {
     fn option(&self, option: OptionName) -> String {
@@ -77,32 +69,9 @@ impl Spelling for Keywords {
     }
 }
 
-impl Spelling for PerssonKeywords {
-    fn option(&self, option: OptionName) -> String {
-        Keywords.option(option)
-    }
-
-    fn with_value(&self, option: OptionName, value: &str) -> String {
-        Keywords.with_value(option, value)
-    }
-
-    fn model(&self, name: &str) -> String {
-        Keywords.model(if name == "persson" { "elastic" } else { "elastic-plastic" })
-    }
-
-    fn of_material(&self) -> &'static str {
-        Keywords.of_material()
-    }
-}
-
 /// Converts an error of a question, with the argument that mends it.
 pub fn refused(error: QuestionError) -> PyErr {
-    refused_by(&Keywords)(error)
-}
-
-/// Converts errors of questions whose options are spelled in some way.
-pub fn refused_by(spelling: &'static dyn Spelling) -> impl Fn(QuestionError) -> PyErr {
-    move |error| input(question_words::error(&error, spelling))
+    input(question_words::error(&error, &Keywords))
 }
 
 /// Words an error of a material, with the argument that mends it.
@@ -114,11 +83,11 @@ pub fn of_material(error: &MaterialError) -> String {
 pub type Told = (String, &'static str, String);
 
 /// Notes in words; checks that were passed are left out.
-pub fn words(notes: &[Note], spelling: &dyn Spelling) -> Vec<Told> {
+pub fn words(notes: &[Note]) -> Vec<Told> {
     let lines = notes.iter().flat_map(|note| {
         let is_doubt = matches!(note, Note::Doubt(_));
         let code = code(note);
-        question_words::lines(note, spelling).into_iter().filter_map(move |line| match line.severity {
+        question_words::lines(note, &Keywords).into_iter().filter_map(move |line| match line.severity {
             Severity::Passed => None,
             Severity::Note => Some((line.text, if is_doubt { "caution" } else { "note" }, code.clone())),
             Severity::Warning => Some((format!("warning: {}", line.text), "caution", code.clone())),

@@ -8,14 +8,14 @@ use asperity::Hardness;
 use numpy::PyReadonlyArray1;
 use persson::hardness_laws::HardnessTable;
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyDict, PyString};
+use pyo3::types::{PyBytes, PyDict, PyString};
 use questions::{LoadInput, RandomInput, SamplingInput};
 use rough_bem::RandomChoices;
 use study::growth_law::GrowthLaw;
 use study::models::ModelOptions;
 use units::{
-    Bound, Force, IndentationHardness, Length, Modulus, Pressure, QuantityError, SignedLength, UnknownName,
-    display,
+    Area, Bound, Force, IndentationHardness, Length, Modulus, Pressure, QuantityError, SignedLength,
+    UnknownName, display,
 };
 
 use crate::errors::{input, of_argument};
@@ -168,7 +168,8 @@ impl<'py> Arguments<'py> {
         one: impl Fn(&str, &Given<'py>) -> PyResult<T>,
     ) -> PyResult<Option<Vec<T>>> {
         self.convert(name, |_, given| {
-            if given.is_instance_of::<PyString>() || given.len().is_err() {
+            let is_text = given.is_instance_of::<PyString>() || given.is_instance_of::<PyBytes>();
+            if is_text || given.len().is_err() {
                 return Ok(vec![one(name, given)?]);
             }
             if given.is_instance_of::<PyDict>() || !given.hasattr("__getitem__")? {
@@ -284,6 +285,38 @@ pub fn without_unit<'py>(argument: &str, unit: &str, given: &Given<'py>) -> PyRe
     Ok(given.clone())
 }
 
+/// The number in SI units of text with a unit, or of anything else that is one number: in m, Pa, m², 1/m², or without a unit.
+#[pyfunction]
+pub fn si_number(argument: &str, unit: &str, given: &Given<'_>) -> PyResult<f64> {
+    let Ok(text) = given.cast::<PyString>() else {
+        return bare_number(argument, &without_unit(argument, unit, given)?);
+    };
+    let text = text.to_str()?;
+    let parsed = match unit {
+        "m" => text.parse::<SignedLength>().map(|length| length.m),
+        "Pa" => text.parse::<Modulus>().map(|modulus| modulus.pa),
+        "m**2" => text.parse::<Area>().map(|area| area.m2),
+        "1/m**2" => {
+            let none =
+                || of_argument(argument, format!("'{text}' is no number per area, such as '1e12 1/m2'"));
+            return per_area(text).ok_or_else(none);
+        }
+        _ => {
+            let number = text.trim().parse().ok().filter(|number: &f64| number.is_finite());
+            return number.ok_or_else(|| of_argument(argument, format!("'{text}' is no number")));
+        }
+    };
+    parsed.map_err(|error| of_argument(argument, error))
+}
+
+/// A density such as `1e12 1/m2` or `0.5 /um2`.
+fn per_area(text: &str) -> Option<f64> {
+    let (number, area) = text.rsplit_once('/')?;
+    let number = number.trim_end();
+    let number: f64 = number.strip_suffix(" 1").unwrap_or(number).trim().parse().ok()?;
+    format!("1 {area}").parse::<Area>().ok().map(|area| number / area.m2)
+}
+
 /// A number without a unit.
 pub fn number(argument: &str, given: &Given<'_>) -> PyResult<f64> {
     bare_number(argument, &without_unit(argument, "", given)?)
@@ -292,7 +325,9 @@ pub fn number(argument: &str, given: &Given<'_>) -> PyResult<f64> {
 /// A plain number.
 fn bare_number(argument: &str, given: &Given<'_>) -> PyResult<f64> {
     let refused = || of_argument(argument, format!("a number is needed, and this is {}", type_name(given)));
-    if given.is_instance_of::<PyBool>() || given.is_instance_of::<PyString>() {
+    // The truths of numpy are no PyBool, and would be 0 and 1.
+    let is_truth = given.get_type().name().is_ok_and(|name| name.to_string_lossy().starts_with("bool"));
+    if is_truth || given.is_instance_of::<PyString>() {
         return Err(refused());
     }
     given.extract().map_err(|_| refused())

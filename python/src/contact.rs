@@ -2,7 +2,7 @@
 
 use numpy::{PyArray1, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyFloat};
 use questions::StatesQuestion;
 use stat_contact::Condition;
 use state_tables::{Roughness, STATE_COLUMNS, StateRequest, StatesError};
@@ -18,14 +18,30 @@ use crate::work::{carry_out, light};
 /// Number of rows that are done before another thread has begun.
 const LIGHT_ROWS: usize = 64;
 
-/// States of a model for rows of roughness and condition, all of the same shape; the condition is a pressure \[Pa\] or a
+/// Numbers for the rows: one for all, as a float, or an array of their shape.
+pub enum Numbers<'py> {
+    One(f64),
+    Many(PyReadonlyArrayDyn<'py, f64>),
+}
+
+impl<'py> FromPyObject<'_, 'py> for Numbers<'py> {
+    type Error = PyErr;
+
+    fn extract(given: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        match given.cast::<PyFloat>() {
+            Ok(number) => Ok(Numbers::One(number.value())),
+            Err(_) => Ok(Numbers::Many(given.extract()?)),
+        }
+    }
+}
+
+/// States of a model for rows of roughness and, last, condition, all of the same shape; the condition is a pressure \[Pa\] or a
 /// separation \[m\]. The material of a row is that at its index among the `materials`, or the one that there is.
 #[pyfunction]
 pub fn contact_states<'py>(
     py: Python<'py>,
-    roughness: [PyReadonlyArrayDyn<'py, f64>; 3],
+    given: [Numbers<'py>; 4],
     condition: &str,
-    at: PyReadonlyArrayDyn<'py, f64>,
     materials: Vec<Py<PyMaterial>>,
     material_index: Option<PyReadonlyArrayDyn<'py, i64>>,
     arguments: Arguments<'py>,
@@ -44,9 +60,15 @@ pub fn contact_states<'py>(
         },
     };
     let states = question.states().map_err(refused)?;
-    let rows = roughness[0].len();
-    let of_roughness = roughness.each_ref().map(Column::of);
-    let (of_condition, is_pressure) = (Column::of(&at), condition == "pressure");
+    let shape = match &given[0] {
+        Numbers::One(_) => &[][..],
+        Numbers::Many(array) => array.shape(),
+    };
+    let (rows, is_pressure) = (shape.iter().product::<usize>(), condition == "pressure");
+    let [first, second, third, at] = given.each_ref().map(|numbers| match numbers {
+        Numbers::One(number) => Column::Constant(*number),
+        Numbers::Many(array) => Column::of(array),
+    });
     if rows > 0 && materials.is_empty() {
         return Err(of_argument("material", "it is empty; give at least one"));
     }
@@ -57,20 +79,24 @@ pub fn contact_states<'py>(
     };
     let asked = |row: usize| StateRequest {
         material: &materials[material_of(row)].get().material,
-        roughness: Roughness(of_roughness.each_ref().map(|column| column.at(row))),
+        roughness: Roughness([first.at(row), second.at(row), third.at(row)]),
         at: match is_pressure {
-            true => Condition::Pressure(of_condition.at(row)),
-            false => Condition::Separation(of_condition.at(row)),
+            true => Condition::Pressure(at.at(row)),
+            false => Condition::Separation(at.at(row)),
         },
     };
     let states = match rows <= LIGHT_ROWS {
         true => light(py, || states.compute(rows, asked, &parallel::Unobserved)),
         false => carry_out(py, None, |progress| states.compute(rows, asked, progress))?,
     };
-    let (found, counts) = states.map_err(|error| bad_row(&error, roughness[0].shape()))?;
+    let (found, counts) = states.map_err(|error| bad_row(&error, shape))?;
     let columns = PyDict::new(py);
     for (name, column) in STATE_COLUMNS.into_iter().zip(found) {
-        columns.set_item(name, PyArray1::from_vec(py, column))?;
+        match &column[..] {
+            // An array for each number would take longer than the state.
+            [number] if shape.is_empty() => columns.set_item(name, number)?,
+            _ => columns.set_item(name, PyArray1::from_vec(py, column))?,
+        }
     }
     let materials = materials.iter().map(|material| &material.get().material);
     Ok(PyAnswer::of_columns(columns, question.notes_on(materials, &counts, rows)))

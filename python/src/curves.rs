@@ -1,12 +1,11 @@
 //! Contact against cutoff, and gaps under loads.
 
 use pyo3::prelude::*;
-use questions::{CurveQuestion, GapModel, GapQuestion, Spelling, TangentialQuestion};
+use questions::{CurveQuestion, GapModel, GapQuestion, TangentialQuestion};
 use study::models::{self, Framework, ModelEntry};
-use study::persson_law::Deformation;
 
-use crate::answer::{Keywords, PerssonKeywords, PyAnswer, refused, refused_by};
-use crate::arguments::{Arguments, load, named, text};
+use crate::answer::{PyAnswer, refused};
+use crate::arguments::{Arguments, load, text};
 use crate::errors::of_argument;
 use crate::material::PyMaterial;
 use crate::surface::PySurface;
@@ -29,13 +28,13 @@ pub fn curve(
     material: &PyMaterial,
     arguments: Arguments<'_>,
 ) -> PyResult<Curve> {
-    let model = arguments.required("model", text)?;
-    let (framework, model, spelling): (_, _, &'static (dyn Spelling + Sync)) = match framework {
-        "stacked" => (Framework::Stacked, model.as_str(), &Keywords),
-        "statistical" => (Framework::Statistical, model.as_str(), &Keywords),
-        _ => (Framework::Persson, named::<Deformation>("model", &model)?.model_name(), &PerssonKeywords),
+    let framework = match framework {
+        "stacked" => Framework::Stacked,
+        "statistical" => Framework::Statistical,
+        _ => Framework::Persson,
     };
-    let model = models::named(framework, model).map_err(|error| of_argument("model", error))?;
+    let model = arguments.required("model", text)?;
+    let model = models::named(framework, &model).map_err(|error| of_argument("model", error))?;
     let options = arguments.model_options()?;
     let question = CurveQuestion {
         model: Some(model),
@@ -57,8 +56,8 @@ pub fn curve(
         let found = stream.whole(progress)?;
         Ok((found.table, [stream.notes(), found.notes].concat(), prepared.pressures_pa(), light))
     })?;
-    let (table, notes, pressures_pa, light) = answered.map_err(refused_by(spelling))?;
-    Ok((PyAnswer::new(py, &table, notes)?.spelled(spelling), pressures_pa, light))
+    let (table, notes, pressures_pa, light) = answered.map_err(refused)?;
+    Ok((PyAnswer::new(py, &table, notes)?, pressures_pa, light))
 }
 
 /// Mean gap, stiffness and area under each of the pressures.

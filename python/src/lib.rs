@@ -12,6 +12,7 @@ mod law;
 mod lengths;
 mod material;
 mod names;
+mod picture;
 mod scans;
 mod scene;
 mod surface;
@@ -25,7 +26,7 @@ mod _native {
     #[pymodule_export]
     use super::{
         answer::PyAnswer,
-        arguments::without_unit,
+        arguments::{si_number, without_unit},
         boundary_elements::{press_heights, press_spectrum},
         contact::contact_states,
         curves::{curve, gaps, tangential},
@@ -33,7 +34,8 @@ mod _native {
         law::PyContactLaw,
         lengths::in_metres,
         material::PyMaterial,
-        names::{materials_table, model_style, models_table, pressure_in_words},
+        names::{choices, materials_table, models_table, pressure_in_words},
+        picture::{axis_label, figure_svg, model_style, pressures_picture},
         scans::{PyAskedScan, PyScan, channels_of, composite, scans_of},
         scene::{PyScene, scene_template, scene_text, scene_with_keys, tables_of_runs, write_files},
         surface::PySurface,

@@ -1,13 +1,21 @@
 //! Names that calls take: the materials of the table and the models, with what is known of each.
 
-use drawings::model_style::ModelStyle;
+use asperity::Hardness;
+use contact_law::{Dialect, UnitSystem};
+use gaussian_surfaces::Phases;
+use measurements::Conventions;
+use persson::corrections::Correction;
+use persson::variance::Band;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use study::figure::{CurveLook, Variant};
+use questions::LawForm;
+use roughness::FormRemoval;
+use scene::Template;
+use spectrum::{Abscissa, AmplitudeDefinition, Convention, Normalisation};
+use stat_contact::InterferenceLaw;
 use study::materials;
-use study::models::{Choice, MODELS, ModelEntry};
-
-use crate::errors::of_argument;
+use study::models::{self, Choice, Framework, MODELS, ModelEntry};
+use topography::{Average, Detrend, Direction, GapTreatment, Window};
 
 /// Columns of text: the materials of the table, empty where the table has no value.
 #[pyfunction]
@@ -59,13 +67,30 @@ pub fn pressure_in_words(pressure_pa: f64) -> String {
     units::display::pressure(pressure_pa)
 }
 
-/// Short name, colour and SVG dash of a model in figures.
+/// The names that each kind of choice has.
 #[pyfunction]
-pub fn model_style(name: &str) -> PyResult<(&'static str, &'static str, String)> {
-    let Some(entry) = MODELS.iter().find(|entry| entry.name == name) else {
-        let names = MODELS.iter().map(|entry| entry.name).collect::<Vec<_>>().join(", ");
-        return Err(of_argument("model", format!("'{name}' is none of {names}")));
-    };
-    let style = ModelStyle::new(CurveLook { model: entry.name, variant: Variant::Plain, repeat: 0 });
-    Ok((entry.short_name, style.colour, style.dash))
+pub fn choices(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
+    let choices = PyDict::new(py);
+    let of_framework = |framework| MODELS.iter().filter(move |entry| entry.framework == framework);
+    let named =
+        |entries: &mut dyn Iterator<Item = &ModelEntry>| entries.map(|entry| entry.name).collect::<Vec<_>>();
+    choices.set_item("StackedModel", named(&mut of_framework(Framework::Stacked)))?;
+    choices.set_item("StatisticalModel", named(&mut of_framework(Framework::Statistical)))?;
+    choices.set_item("PerssonModel", named(&mut of_framework(Framework::Persson)))?;
+    choices.set_item("CurveModel", named(&mut MODELS.iter()))?;
+    choices.set_item("LawModel", named(&mut models::with_gaps()))?;
+    choices.set_item("HardnessFormula", Hardness::ALL.map(Hardness::name))?;
+    macro_rules! add {
+        ($($key:literal: $choice:ty),+ $(,)?) => {
+            $(choices.set_item($key, <$choice>::ALL.iter().map(|one| one.name()).collect::<Vec<_>>())?;)+
+        };
+    }
+    add!(
+        "Band": Band, "Correction": Correction, "InterferenceLaw": InterferenceLaw, "Normalisation": Normalisation,
+        "AmplitudeDefinition": AmplitudeDefinition, "Convention": Convention, "Abscissa": Abscissa,
+        "Detrend": Detrend, "Window": Window, "Average": Average, "Gaps": GapTreatment, "Direction": Direction,
+        "Phases": Phases, "Dialect": Dialect, "UnitSystem": UnitSystem, "LawForm": LawForm, "Form": FormRemoval,
+        "Conventions": Conventions, "Template": Template,
+    );
+    Ok(choices)
 }

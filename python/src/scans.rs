@@ -12,7 +12,7 @@ use numpy::ndarray::ArrayD;
 use numpy::{PyArrayDyn, PyReadonlyArrayDyn, PyUntypedArrayMethods, ToPyArray};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
-use pyo3::types::{PyBytes, PyDict, PyString};
+use pyo3::types::{PyDict, PyString};
 use report::heights_picture::{HeightsPicture, of_heights};
 use report::scan_words;
 use report::scans_table::scans_columns;
@@ -25,6 +25,7 @@ use units::{Length, LengthUnit, SignedLength};
 use crate::answer::{Told, columns};
 use crate::arguments::{Arguments, Given, named, number, quantity, text};
 use crate::errors::{input, of_argument};
+use crate::picture::{Map, map};
 use crate::surface::PySurface;
 use crate::work::{carry_out, light};
 
@@ -50,9 +51,6 @@ pub struct PyScan {
     scan: ScanFile,
     sha256: String,
 }
-
-/// A frame, where the points belong in it, how many there are in a row, and their colours.
-type Picture<'py> = (String, Option<((f64, f64, f64, f64), usize, Bound<'py, PyBytes>)>);
 
 #[pymethods]
 impl PyScan {
@@ -202,14 +200,11 @@ impl PyScan {
         columns(py, &table)
     }
 
-    /// The heights drawn; none where no point has one.
-    fn picture<'py>(&self, py: Python<'py>) -> Option<Picture<'py>> {
+    /// The heights drawn, a line or a map; none where no point has one.
+    fn picture<'py>(&self, py: Python<'py>) -> Option<(String, Option<Map<'py>>)> {
         match light(py, || of_heights(&self.scan))? {
             HeightsPicture::Line(svg) => Some((svg, None)),
-            HeightsPicture::Map(map) => {
-                let colours = PyBytes::new(py, &map.colours.concat());
-                Some((map.svg, Some((map.place.into(), map.columns, colours))))
-            }
+            HeightsPicture::Map(picture) => Some((String::new(), Some(map(py, picture)))),
         }
     }
 }

@@ -12,7 +12,7 @@ use study::plan::{Needs, Plan, Sampling};
 use study::surface::{Surface, SurfaceError};
 use tables::Format;
 
-use crate::answer::{Keywords, PyAnswer, Told, refused, words};
+use crate::answer::{PyAnswer, Told, refused, words};
 use crate::arguments::{Arguments, named};
 use crate::errors::input;
 use crate::work::{carry_out, light};
@@ -171,7 +171,7 @@ impl PySurface {
 /// Returns the notes and warnings on a surface; checks that were passed are left out.
 pub fn notes(surface: &Surface) -> Vec<Told> {
     let notes: Vec<Note> = surface.notes.iter().cloned().map(Note::Surface).collect();
-    words(&notes, &Keywords)
+    words(&notes)
 }
 
 fn to_vec(array: &PyReadonlyArray1<'_, f64>) -> Vec<f64> {

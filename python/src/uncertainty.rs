@@ -15,7 +15,7 @@ use study::spread::Spread;
 use uncertainty::{AreaInterval, Settings, Uncertainty, UncertaintyPlan, scattering_groups};
 use units::Bound as NumberBound;
 
-use crate::answer::{Keywords, Told, columns, refused, words};
+use crate::answer::{Told, columns, refused, words};
 use crate::arguments::{Arguments, Given, number, without_unit};
 use crate::errors::{input, of_argument};
 use crate::material::PyMaterial;
@@ -258,7 +258,7 @@ fn told_of<'py>(
     for (at, rows) in results.curves.iter().enumerate() {
         notes.extend(PreparedCurve::of_scene(scene, at).notes_on(rows));
     }
-    for note in words(&notes, &Keywords) {
+    for note in words(&notes) {
         if said.iter().all(|(text, ..)| *text != note.0) {
             said.push(note);
         }

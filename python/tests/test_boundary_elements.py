@@ -8,6 +8,7 @@ import pickle
 import threading
 import time
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -210,7 +211,8 @@ def test_results_are_pickled_and_framed() -> None:
     assert pickle.loads(pickle.dumps(pressed)) == pressed
     data = pressed.to_xarray()
     assert data.pressure_pa.dims == ("load", "row", "column") and data.gap_m.attrs["units"] == "m"
-    assert set(data.coords) == {"nominal_pressure_pa"}
+    assert set(data.coords) == {"nominal_pressure_pa", "x_m", "y_m"}
+    assert float(data.sel(x_m=0.5e-6, y_m=0.0, method="nearest").x_m) == 0.5e-6
     table = ta.boundary_elements(wave(), "1 um", pressure=[1e7, 1e8], material=GLASS).to_pandas()
     assert len(table) == 2 and table["standard_error"].isna().all()
 
@@ -218,26 +220,26 @@ def test_results_are_pickled_and_framed() -> None:
 @pytest.mark.parametrize(
     ("h", "size", "changes", "told"),
     [
-        (np.ma.masked_array(wave(), wave() > 0.9e-8), 1e-6, {}, "h: 42 1024 masked"),
-        (np.where(wave() > 0.9e-8, np.nan, wave()), 1e-6, {}, "h: 42 1024 NaN"),
-        (np.full((4, 4), np.inf), 1e-6, {}, "h: 16 NaN"),
-        (wave()[0], 1e-6, {}, "h: 1"),
-        (wave()[None], 1e-6, {}, "h: 3"),
-        (3.0, 1e-6, {}, "h: 0"),
-        ([["1", "2"], ["3", "4"]], 1e-6, {}, "h: type"),
-        ([[1.0, 2.0], [3.0]], 1e-6, {}, "h: array"),
-        (wave().astype(complex), 1e-6, {}, "h: complex128"),
-        (np.empty((0, 0)), 1e-6, {}, "h: columns"),
-        (wave()[:1], (1e-6, 1e-6), {}, "h: rows"),
+        (np.ma.masked_array(wave(), wave() > 0.9e-8), 1e-6, {}, "surface: 42 1024 masked"),
+        (np.where(wave() > 0.9e-8, np.nan, wave()), 1e-6, {}, "surface: 42 1024 NaN"),
+        (np.full((4, 4), np.inf), 1e-6, {}, "surface: 16 NaN"),
+        (wave()[0], 1e-6, {}, "surface: 1"),
+        (wave()[None, None], 1e-6, {}, "surface: 4"),
+        (3.0, 1e-6, {}, "surface: 0"),
+        ([["1", "2"], ["3", "4"]], 1e-6, {}, "surface[0][0]: unit"),
+        ([[1.0, 2.0], [3.0]], 1e-6, {}, "surface: array"),
+        (wave().astype(complex), 1e-6, {}, "surface: complex128"),
+        (np.empty((0, 0)), 1e-6, {}, "surface: no heights"),
+        (wave()[:1], (1e-6, 1e-6), {}, "surface: rows"),
         (1e40 * wave(), 1e-6, {}, "height"),
         (wave(), None, {}, "size (lx, ly)"),
         (wave(16, 32), 1e-6, {}, "size 16 32"),
         (wave(), (1e-6, 1e-6, 1e-6), {}, "size: 3"),
         (wave(), (1e-6, -1e-6), {}, "size[1] -0.000001;"),
-        (wave(), "1 kg", {}, "size[0]:"),
+        (wave(), "1 kg", {}, "material: '1"),
         (wave(), (None, 1e-6), {}, "size[0]: '5 um' NoneType"),
         (wave(), 1e-6, {"pressure": -1.0}, "pressure -1; 0"),
-        (wave(), 1e-6, {"pressure": []}, "pressure: empty"),
+        (wave(), 1e-6, {"pressure": []}, "pressure:"),
         (wave(), 1e-6, {"saturation": "1 kPa"}, "pressure 1 MPa saturation"),
         (wave(), 1e-6, {"saturation": 0.0}, "saturation 0;"),
         (wave(), 1e-6, {"tolerance": 0.5}, "tolerance 0.5;"),
@@ -282,7 +284,7 @@ def test_surfaces_that_cannot_be_made_are_refused(changes: dict[str, Any], told:
 def test_what_is_no_material_is_told() -> None:
     steel: Any = "steel"
     for h, size in ((wave(), 1e-6), (ta.read_psd(UNCD), None)):
-        with refused_naming("material:", "Material", "str"):
+        with refused_naming("material:", "steel"):
             ta.boundary_elements(h, size, pressure=1.0, material=steel)
 
 
@@ -353,7 +355,7 @@ def test_the_material_may_come_second_as_in_all_other_functions() -> None:
 
 def test_the_signature_shows_the_order_of_all_other_functions() -> None:
     shown = inspect.signature(ta.boundary_elements).parameters
-    assert list(shown)[:4] == ["h", "material", "pressure", "size"]
+    assert list(shown)[:4] == ["surface", "material", "pressure", "mean_gap"]
     kinds = {parameter.kind for parameter in list(shown.values())[2:]}
     assert kinds == {inspect.Parameter.KEYWORD_ONLY}
     assert {"saturation", "tolerance", "grid", "ball_radius", "force", "progress"} <= set(shown)
@@ -418,3 +420,79 @@ def test_a_watcher_of_a_ball_does_not_know_the_end() -> None:
     watch: Any = lambda done, of: told.append((done, of))
     ta.boundary_elements(BUMPS, GLASS, ball_radius="100 um", force="1 uN", size="10 um", progress=watch)
     assert told and {of for _, of in told} == {None}
+
+
+def test_several_maps_are_pressed_as_each_by_itself() -> None:
+    maps = np.stack([wave(), 2.0 * wave(), np.roll(wave(), 3, axis=1) + 0.5 * wave()[::-1]])
+    options: dict[str, Any] = {"size": "1 um", "periodic": True, "fields": True, "pressure": [1e7, "2e8 Pa"]}
+    together = ta.boundary_elements(maps, GLASS, **options)
+    assert together.axes("area_fraction") == ("load", "map") and together.axes("pressure_pa") == ("load", "map", "row", "column")
+    assert together.axes("nominal_pressure_pa") == ("load",) and together.axes("rms_gradient") == ("map",)
+    for at, heights_m in enumerate(maps):
+        alone = ta.boundary_elements(heights_m, GLASS, **options)
+        for name in ("area_fraction", "mean_gap_m", "pressure_pa", "gap_m", "stiffness_pa_per_m"):
+            assert np.array_equal(together[name][:, at], alone[name]), name
+        assert np.array_equal(together.height_m[at], alone.height_m) and together.rms_gradient[at] == alone.rms_gradient
+    before = ta.threads()
+    with ta.threads(1):
+        assert ta.boundary_elements(maps, GLASS, **options) == together
+    assert ta.threads() == before
+    with refused_naming("ball_radius", "map"):
+        ta.boundary_elements(maps, GLASS, size="1 um", ball_radius="1 mm", force="1 mN")
+
+
+def test_scans_of_one_size_are_a_stack_of_maps(tmp_path: Path) -> None:
+    scans = []
+    for number in (1, 2):
+        np.save(tmp_path / f"{number}.npy", number * wave() * 1e9)
+        scans.append(ta.read_scan(tmp_path / f"{number}.npy", unit="nm", size="1 um"))
+    pressed = ta.boundary_elements(scans, GLASS, pressure="10 MPa")
+    assert pressed.sizes["map"] == 2
+    np.testing.assert_array_equal(pressed.area_fraction[:, 1], ta.boundary_elements(scans[1], GLASS, pressure="10 MPa").area_fraction)
+    np.save(tmp_path / "3.npy", wave(16, 16) * 1e9)
+    with refused_naming("surface", "size"):
+        ta.boundary_elements([*scans, ta.read_scan(tmp_path / "3.npy", unit="nm", size="1 um")], GLASS, pressure="10 MPa")
+
+
+def test_a_held_distance_takes_the_load_that_leaves_it() -> None:
+    options: dict[str, Any] = {"size": "1 um", "tolerance": 1e-8}
+    pressures = np.array([1e7, 1e8, 5e8])
+    loaded = ta.boundary_elements(wave(), GLASS, pressure=pressures, periodic=True, **options)
+    held = ta.boundary_elements(wave(), GLASS, mean_gap=loaded.mean_gap_m, periodic=True, **options)
+    np.testing.assert_allclose(held.nominal_pressure_pa, pressures, rtol=1e-5)
+    np.testing.assert_allclose(held.area_fraction, loaded.area_fraction, atol=1.01 / 1024)
+    # On surfaces without edges the distance is that from the highest point.
+    deep = ta.boundary_elements(wave(), GLASS, indentation=wave().max() - loaded.mean_gap_m, periodic=True, **options)
+    np.testing.assert_allclose(deep.nominal_pressure_pa, pressures, rtol=1e-5)
+    flows: dict[str, Any] = {**options, "periodic": True, "saturation": "1 H"}
+    yielding = ta.boundary_elements(wave(), GLASS, pressure="200 MPa", **flows)
+    gap = ta.boundary_elements(wave(), GLASS, mean_gap=yielding.mean_gap_m - yielding.mean_plastic_depth_m, **flows)
+    np.testing.assert_allclose(gap.nominal_pressure_pa, 2e8, rtol=1e-5)
+    random = ta.boundary_elements(UNCD, GLASS, mean_gap="0.1 nm", grid=32, realisations=3, per_realisation=True)
+    assert random.axes("nominal_pressure_pa") == ("load", "surface") and np.ptp(random.nominal_pressure_pa) > 0.0
+    for changes, words in (
+        ({"mean_gap": "1 um", "periodic": True}, "mean gap"),
+        ({"mean_gap": "1 nm"}, "indentation"),
+        ({"indentation": "1 um", "periodic": True}, "indentation"),
+        ({"mean_gap": "1 nm", "pressure": 1e7, "periodic": True}, "pressure mean_gap"),
+        ({}, "pressure mean_gap indentation"),
+        ({"mean_gap": -1e-9, "periodic": True}, "mean_gap"),
+    ):
+        with refused_naming(*words.split()):
+            ta.boundary_elements(wave(), GLASS, size="1 um", **changes)  # type: ignore[arg-type]
+
+
+def test_loads_are_given_in_units_of_modulus_and_gradient() -> None:
+    maps = np.stack([wave(), 3.0 * wave()])
+    found = ta.boundary_elements(maps, UNIT, pressure=["0.002 E*", "0.05 E* h'", "500 MPa"], size="1 um", periodic=True)
+    np.testing.assert_allclose(found.nominal_pressure_pa[0], 0.002 * E_STAR, rtol=1e-12)
+    np.testing.assert_allclose(found.nominal_pressure_pa[1], 0.05 * E_STAR * found.rms_gradient, rtol=1e-12)
+    # Under one load in these units a steeper surface of the same shape has the same area.
+    assert found.area_fraction[1, 0] == found.area_fraction[1, 1] and found.area_fraction[2, 0] > found.area_fraction[2, 1]
+    slopes = [np.diff(wave(), axis=axis) * 32 / 1e-6 for axis in (0, 1)]
+    np.testing.assert_allclose(found.rms_gradient[0], np.hypot(*(np.sqrt(np.mean(slope**2)) for slope in slopes)), rtol=1e-12)
+    random = ta.boundary_elements(UNCD, UNIT, pressure="0.05 E* h'", grid=32, realisations=2)
+    np.testing.assert_allclose(random.nominal_pressure_pa, 0.05 * E_STAR * random.rms_gradient, rtol=1e-12)
+    for wrong in ("0 E*", "-1 E* h'", "x E*", "nan E* h'"):
+        with refused_naming(by=ta.InputError):
+            ta.boundary_elements(wave(), UNIT, pressure=wrong, size="1 um")

@@ -157,7 +157,7 @@ def test_a_pressure_in_hardnesses_is_another_one_for_each_material() -> None:
         ({"model": "ep-sphere", "hardness": "soft"}, "hardness: 'soft' 2005"),
         ({"model": "ep-sphere", "hardness": "2005", "hardness_formula": "2005"}, "hardness_formula hardness both"),
         ({"model": "ep-sphere", "material": ta.Material(1e9, 0.3)}, "yield strength material"),
-        ({"material": "steel"}, "material: Material str"),
+        ({"material": "steel"}, "material: 'steel' 100Cr6"),
         ({"tolerance": 0.0}, "tolerance 0;"),
     ],
 )

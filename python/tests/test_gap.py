@@ -134,8 +134,8 @@ def test_a_spectrum_without_gap_is_refused() -> None:
 
 
 def test_what_is_no_spectrum_or_material_is_told() -> None:
-    other: Any = "builtin:uncd-measured"
-    with refused_naming("spectrum:", "Spectrum", "str"):
+    other: Any = 1.0
+    with refused_naming("surface:", "Spectrum", "float"):
         ta.gap(other, DIAMOND, pressure=1e6)
-    with refused_naming("material:", "Material", "str"):
+    with refused_naming("material:", "Material", "float"):
         ta.gap(ta.read_psd(UNCD), other, pressure=1e6)

@@ -155,8 +155,8 @@ def test_rows_nearer_than_a_code_tells_apart_are_refused() -> None:
 
 
 def test_what_is_no_spectrum_or_material_is_told() -> None:
-    other: Any = "builtin:uncd-measured"
-    with refused_naming("spectrum:", "Spectrum", "str"):
+    other: Any = 1.0
+    with refused_naming("surface:", "Spectrum", "float"):
         ta.law(other, DIAMOND, pressure=RANGE)
-    with refused_naming("material:", "Material", "str"):
+    with refused_naming("material:", "Material", "float"):
         ta.law(ta.read_psd(UNCD), other, pressure=RANGE)

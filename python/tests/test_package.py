@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 import threading
+from pathlib import Path
 from typing import get_args
 
 import numpy as np
 
 import truearea as ta
 from support import refused_naming
-from truearea._choices import GapModel, LawModel, ShearedModel, StackedModel, StatisticalModel
+from truearea import _choices, _native
+from truearea._choices import GapModel, LawModel, ShearedModel
 
 
 def test_importing_brings_no_more_than_numpy_and_itself() -> None:
@@ -72,10 +75,11 @@ def test_threads_of_python_work_side_by_side() -> None:
 
 
 def test_types_of_names_are_those_that_the_crates_know() -> None:
-    known = ta.models()
-    of = {framework: set(known.model[known.framework == framework]) for framework in set(known.framework)}
-    typed = [set(get_args(choices)) for choices in (StackedModel, StatisticalModel)]
-    assert typed[0] in of.values() and typed[1] in of.values()
+    known = _native.choices()
+    for name, names in known.items():
+        assert set(get_args(getattr(_choices, name))) == set(names), name
+    others = {name for name in vars(_choices) if name[0].isupper() and name != "Literal"} - set(known)
+    assert others == {"GapModel", "ShearedModel"}
     assert set(get_args(GapModel)) == {*get_args(LawModel), "bem"}
     spectrum, steel = ta.read_psd("builtin:uncd-measured"), ta.Material("210 GPa", 0.3, yield_strength="1 GPa")
     for model in get_args(LawModel):
@@ -83,3 +87,70 @@ def test_types_of_names_are_those_that_the_crates_know() -> None:
     for shear in get_args(ShearedModel):
         if shear != "bem":
             assert ta.tangential(spectrum, steel, friction=0.3, pressure="10 MPa", model=shear).sizes
+
+
+def test_typos_are_errors_of_types(tmp_path: Path) -> None:
+    """A mistyped attribute, model or choice is found by a type checker before the program runs."""
+    good = [
+        "curve = ta.persson(u, 'C45', pressure=1.0)",
+        "curve.area_fraction",
+        "ta.gap(u, 'C45', pressure=1.0, model='bem').mean_gap_m",
+        "ta.Scene.template('gasket').scales().any_column_of_a_scene",
+        "ta.contact({'radius': 1.0}, ta.Material('C45'), model='hertz', pressure='1 MPa').area_fraction",
+    ]
+    bad = [
+        "ta.persson(u, 'C45', pressure=1.0).area_fractoin",
+        "ta.persson(u, 'C45', pressure=1.0, model='persson-plastik')",
+        "ta.persson(u, 'C45', pressure=1.0, correction='wang')",
+        "ta.stacked(u, 'C45', pressure=1.0, amplitude='eq6')",
+        "ta.statistical(u, 'C45', pressure=1.0, model='hertzian')",
+        "ta.statistical(u, 'C45', pressure=1.0, model='hertz', interference_law='bemm')",
+        "ta.gap(u, 'C45', pressure=1.0, model='hertzz')",
+        "ta.law(u, 'C45', pressure=(1.0, 2.0)).to_text('abacus')",
+        "ta.boundary_elements(u, 'C45', pressure=1.0, phases='random')",
+        "ta.boundary_elements(u, 'C45', pressure=1.0).area_fractions",
+        "ta.uncertainty(u, 'C45', pressure=1.0, model=['hertz', 'persso'])",
+        "ta.Spectrum.from_heights([0.0], 1.0, window='han')",
+        "ta.composite([], gaps='fill')",
+        "ta.read_psd('file', convention='c2d')",
+        "ta.Scene.template('gaskets')",
+        "ta.roughness('file', form='cubic')",
+        "ta.contact({'radius': 1.0}, ta.Material('C45'), model='hertz', pressure=1.0, errors='skip')",
+    ]
+    head = "import truearea as ta\nu = ta.read_psd('builtin:uncd-measured')\n"
+    path = tmp_path / "typed.py"
+    path.write_text(head + "\n".join([*good, *bad]) + "\n")
+    environment = {**os.environ, "MYPYPATH": str(Path(ta.__file__).parents[1])}
+    program = [sys.executable, "-m", "mypy", "--strict", "--no-error-summary", str(path)]
+    done = subprocess.run(program, capture_output=True, text=True, env=environment, cwd=tmp_path)
+    found = {int(line.split(":")[1]) for line in done.stdout.splitlines() if ": error:" in line}
+    first = 1 + head.count("\n") + len(good)
+    assert found == set(range(first, first + len(bad))), done.stdout + done.stderr
+
+
+def test_arrays_of_results_are_those_that_types_declare() -> None:
+    spectrum, steel = ta.read_psd("builtin:uncd-measured"), ta.Material("100Cr6")
+    wave = 1e-8 * np.cos(np.linspace(0.0, 6.0, 16)) * np.ones((16, 1))
+    found: list[ta.Result] = [
+        spectrum.moments(),
+        spectrum.amplitudes(),
+        spectrum.fit(),
+        spectrum.table(),
+        ta.persson(spectrum, steel, pressure="5 MPa"),
+        ta.stacked(spectrum, steel, pressure="5 MPa"),
+        ta.statistical(spectrum, steel, pressure="5 MPa", model="ep-sphere"),
+        ta.gap(spectrum, steel, pressure="5 MPa"),
+        ta.law(spectrum, steel, pressure=("1 MPa", "5 MPa")),
+        ta.tangential(spectrum, steel, friction=0.3, pressure="5 MPa", tangential_stress="1 MPa"),
+        ta.contact(radius=1e-6, density=1e12, sigma_s=1e-8, material=steel, model="hertz", pressure=1e6),
+        ta.boundary_elements(wave, steel, pressure="5 MPa", size="1 um", fields=True),
+        ta.boundary_elements(wave * np.ones((2, 1, 1)), steel, pressure="5 MPa", size="1 um"),
+        ta.uncertainty(spectrum, steel, pressure="5 MPa", model="persson", draws=40, youngs_modulus="5 %"),
+        ta.roughness(wave, "1 um"),
+        ta.materials(),
+        ta.models(),
+    ]
+    for result in found:
+        declared = {name for kind in type(result).__mro__ for name in vars(kind).get("__annotations__", {})}
+        assert set(result) <= declared, type(result)
+        assert result._repr_html_().startswith("<div>"), type(result)

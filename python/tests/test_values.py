@@ -68,7 +68,7 @@ def test_quantities_of_another_dimension_are_refused_by_name(library: str) -> No
         ta.Material("210 GPa", of(0.3, "m"))
     with refused_naming("pressure", "Pa"):
         ta.contact(model="hertz", material=STEEL, pressure=of([5, 6], "m"), **POPULATION)
-    with refused_naming("h:", "m"):
+    with refused_naming("surface:", "m"):
         ta.boundary_elements(of(WAVE, "Pa"), 1e-6, 1e7, STEEL)
     with refused_naming("sigma_s", "m"):
         ta.contact(model="hertz", material=STEEL, pressure=1e6, **{**POPULATION, "sigma_s": of(1, "Pa")})

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import numbers
 from typing import Any
 
 import numpy as np
 
-from truearea._native import InputError, without_unit
+from truearea._native import InputError, si_number, without_unit
 from truearea._results import FloatArray
 
 
@@ -30,18 +31,26 @@ def lengths_of(argument: str, of_size: str, size: Any, shape: tuple[int, ...]) -
 
 
 def doubles(argument: str, given: Any, unit: str = "") -> FloatArray:
-    """An array of doubles, the same memory where it is one already; quantities with a unit are converted to that given.
+    """An array of doubles, the same memory where it is one already; quantities, and text with a unit, are converted to that given.
 
-    Whole numbers, single precision and the other order of bytes are converted; text, dates, booleans, complex numbers and what
-    else is no number are refused, and so are masked arrays with gaps.
+    Whole numbers, single precision and the other order of bytes are converted; dates, booleans, complex numbers and what else
+    is no number are refused, and so are masked arrays with gaps.
     """
+    if type(given) is float:
+        return np.array(given)
     if np.ma.is_masked(given):
         raise InputError(f"{argument}: {np.count_nonzero(np.ma.getmaskarray(given))} of {np.size(given)} numbers are masked; fill them")
-    given = _bare(argument, given, unit)
+    if type(given) is not np.ndarray:
+        given = _bare(argument, given, unit)
+    elif given.dtype.kind in "UT":
+        texts = given.reshape(-1).tolist()
+        return np.array([si_number(argument, unit, text) for text in texts], dtype=np.float64).reshape(given.shape)
     try:
         array = np.asarray(given)
     except ValueError as error:
         raise InputError(f"{argument}: no array can be made of it: {error}") from None
+    if array.dtype.kind == "O" and array.size and all(map(_is_real, array.flat)):
+        array = array.astype(np.float64)
     if array.dtype.kind not in "fiu":
         kind = "empty" if array.size == 0 else f"of type {array.dtype}"
         if array.size == 0 and array.dtype.kind == "O":
@@ -50,8 +59,15 @@ def doubles(argument: str, given: Any, unit: str = "") -> FloatArray:
     return array.astype(np.float64, copy=False)
 
 
+def _is_real(given: Any) -> bool:
+    """Whether something is a real number, decimals and fractions among them."""
+    return isinstance(given, numbers.Number) and not isinstance(given, (bool, complex))
+
+
 def _bare(argument: str, given: Any, unit: str) -> Any:
-    """Numbers of quantities, which may be elements of a list."""
+    """Numbers of quantities and of text with units, which may be elements of a list."""
+    if isinstance(given, str):
+        return si_number(argument, unit, given)
     if isinstance(given, (list, tuple)):
         return [_bare(f"{argument}[{at}]", one, unit) for at, one in enumerate(given)]
     return without_unit(argument, unit, given)

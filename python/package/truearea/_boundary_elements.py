@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-import inspect
+import os
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, TypedDict, Union, overload
 
@@ -12,11 +12,14 @@ import numpy.typing as npt
 
 from truearea import _native
 from truearea._arrays import doubles, lengths_of
-from truearea._cores import material_of
+from truearea._choices import Detrend, Phases
 from truearea._curves import Pressures
+from truearea._grammar import AnyMaterial, formerly, material_of, spectrum_of
 from truearea._material import Material, Quantity
 from truearea._native import InputError
 from truearea._notes import noted
+from truearea._picture import Drawn, Picture, within_frame
+from truearea._picture import Line as DrawnLine
 from truearea._progress import Line, Progress, observer_of
 from truearea._results import AnyArray, FloatArray, Result
 from truearea._scan import Scan
@@ -28,7 +31,11 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
 
-class Pressed(Result):
+Size = Union[Quantity, "tuple[Quantity, Quantity]"]
+"""Lengths along x and y, in m or as text; one of a square map."""
+
+
+class Pressed(Drawn, Result):
     """Surfaces pressed by boundary elements: of random surfaces the mean, or each of them."""
 
     _title = "boundary elements"
@@ -48,9 +55,26 @@ class Pressed(Result):
     open_along_y: FloatArray
     iterations: FloatArray
     residual: FloatArray
+    rms_gradient: FloatArray
     pressure_pa: FloatArray
     gap_m: FloatArray
     height_m: FloatArray
+    x_m: FloatArray
+    y_m: FloatArray
+
+    def _picture(self) -> Picture:
+        pressures_pa = np.asarray(self.nominal_pressure_pa)
+        areas = np.asarray(self.area_fraction_corrected)
+        areas = areas.reshape(len(areas), -1)
+        loads_pa = np.broadcast_to(pressures_pa.reshape(len(areas), -1), areas.shape)
+        lines = tuple(DrawnLine(loads_pa[:, at], areas[:, at]) for at in range(areas.shape[1]))
+        return Picture(self._title, "nominal_pressure_pa", "area_fraction", lines, marker="o")
+
+    def _last_map(self) -> tuple[FloatArray, float, list[float]]:
+        """The pressures of the last surface under the last load, the load, and the size of the map."""
+        maps = self["pressure_pa"]
+        size_m = [float(self[name][1]) * len(self[name]) if len(self[name]) > 1 else 1.0 for name in ("x_m", "y_m")]
+        return maps.reshape(-1, *maps.shape[-2:])[-1], float(np.reshape(self.nominal_pressure_pa, -1)[-1]), size_m
 
     def plot(self, ax: Axes | None = None) -> Axes:
         """Draw the pressures of the last map, white where nothing touches; without fields the area against the load.
@@ -63,29 +87,23 @@ class Pressed(Result):
         Returns
         -------
         matplotlib.axes.Axes
-
-        Raises
-        ------
-        ImportError
-            Without Matplotlib; ``pip install truearea[plot]`` adds it.
         """
+        if "pressure_pa" not in self:
+            return super().plot(ax)
         from truearea._plot import axes_of, draw_map
 
-        ax = axes_of(ax)
-        if "pressure_pa" in self:
-            maps = np.asarray(self.pressure_pa)
-            last = maps.reshape(-1, *maps.shape[-2:])[-1]
-            return draw_map(ax, np.where(last > 0.0, last, np.nan), None, "pressure (Pa)", "white")
-        loads_pa = np.atleast_1d(self.nominal_pressure_pa)
-        areas = np.asarray(self.area_fraction_corrected).reshape(-1, loads_pa.size)
-        for of_one in areas:
-            ax.loglog(loads_pa, of_one, "o", color="black", markersize=4)
-        ax.set_xlabel("nominal pressure (Pa)")
-        ax.set_ylabel("fraction of the area in contact")
-        return ax
+        pressures_pa, _, size_m = self._last_map()
+        touching_pa = np.where(pressures_pa > 0.0, pressures_pa, np.nan)
+        return draw_map(axes_of(ax), touching_pa, tuple(size_m), "pressure (Pa)", "white")
+
+    def _drawing(self) -> str:
+        if "pressure_pa" not in self:
+            return super()._drawing()
+        pressures_pa, nominal_pressure_pa, size_m = self._last_map()
+        return within_frame(*_native.pressures_picture(nominal_pressure_pa, pressures_pa, size_m))
 
     def _is_coordinate(self, name: str) -> bool:
-        return name == "nominal_pressure_pa" and super()._is_coordinate(name)
+        return name in ("nominal_pressure_pa", "x_m", "y_m") and super()._is_coordinate(name)
 
 
 class PressedBall(Result):
@@ -111,7 +129,8 @@ if TYPE_CHECKING:
     class _OfBalls(TypedDict, total=False):
         """Arguments by name that a ball takes as a flat does."""
 
-        detrend: str | None
+        size: Size | None
+        detrend: Detrend | None
         tolerance: float
         grid: int | None
         realisations: int | None
@@ -119,12 +138,14 @@ if TYPE_CHECKING:
         longest: Quantity | None
         shortest: Quantity | None
         side: Quantity | None
-        phases: str | None
+        phases: Phases | None
         progress: Progress
 
     class _Options(_OfBalls, total=False):
-        """Arguments by name in either order."""
+        """Arguments by name of flats."""
 
+        mean_gap: Pressures | None
+        indentation: Pressures | None
         periodic: bool | None
         fields: bool
         per_realisation: bool
@@ -132,41 +153,40 @@ if TYPE_CHECKING:
     _AnyPressed = Union[Pressed, PressedBall]
 
 
-def _in_either_order(press: Callable[..., _AnyPressed]) -> Callable[..., _AnyPressed]:
-    """Lets the material stand behind the surface, as in all other functions, or behind size and pressure, as it once did."""
+def _in_former_order(press: Callable[..., _AnyPressed]) -> Callable[..., _AnyPressed]:
+    """Lets size, pressure, material and saturation follow the surface, as they once did."""
 
     @functools.wraps(press)
-    def pressing(h: Any, *ordered: Any, **named: Any) -> _AnyPressed:
-        material, *further = ordered or (None,)
-        if isinstance(material, Material):
-            if further:
-                raise InputError("behind the material, arguments are given by name: boundary_elements(h, material, pressure=...)")
-            return press(h, material=material, **named)
-        return press(h, *ordered, **named)
+    def pressing(surface: Any, *ordered: Any, **named: Any) -> _AnyPressed:
+        if not ordered or _is_material(ordered[0]):
+            if ordered[1:]:
+                raise InputError("behind the material, arguments are given by name: boundary_elements(surface, material, pressure=...)")
+            return press(surface, *ordered, **named)
+        former = dict(zip(("size", "pressure", "material", "saturation"), ordered))
+        if twice := former.keys() & named.keys():
+            raise InputError(f"{sorted(twice)[0]} is given twice; give arguments by name behind the material")
+        return press(surface, **{**named, **former})
 
-    # Help and editors show the order of all other functions; the former one is accepted in silence.
-    del pressing.__wrapped__
-    setattr(pressing, "__signature__", _with_material_second(inspect.signature(press)))
     return pressing
 
 
-def _with_material_second(signature: inspect.Signature) -> inspect.Signature:
-    """The signature with the material behind the surface, and all further arguments by name."""
-    known = dict(signature.parameters)
-    first = [known.pop("h"), known.pop("material").replace(default=inspect.Parameter.empty, annotation="Material")]
-    by_name = [known.pop(name) for name in ("pressure", "size")] + list(known.values())
-    return signature.replace(
-        parameters=first + [parameter.replace(kind=inspect.Parameter.KEYWORD_ONLY) for parameter in by_name]
-    )
+def _is_material(given: Any) -> bool:
+    """Whether something is a material or the name of one, rather than a length."""
+    if not isinstance(given, str):
+        return isinstance(given, Material)
+    try:
+        _native.si_number("size", "m", given)
+    except InputError:
+        return True
+    return False
 
 
 @overload
 def boundary_elements(
-    h: Any,
-    material: Material,
+    surface: Any,
+    material: AnyMaterial,
     *,
-    pressure: Pressures,
-    size: Quantity | tuple[Quantity, Quantity] | None = None,
+    pressure: Pressures | None = None,
     saturation: Quantity | None = None,
     **options: Unpack[_Options],
 ) -> Pressed: ...
@@ -174,37 +194,39 @@ def boundary_elements(
 
 @overload
 def boundary_elements(
-    h: Any,
-    material: Material,
+    surface: Any,
+    material: AnyMaterial,
     *,
     ball_radius: Quantity,
     force: Quantity,
-    size: Quantity | tuple[Quantity, Quantity] | None = None,
     **options: Unpack[_OfBalls],
 ) -> PressedBall: ...
 
 
 @overload
 def boundary_elements(
-    h: Any,
-    size: Quantity | tuple[Quantity, Quantity] | None = None,
+    surface: Any,
+    size: Size | None = None,
     pressure: Pressures | None = None,
-    material: Material | None = None,
+    material: AnyMaterial | None = None,
     saturation: Quantity | None = None,
     **options: Unpack[_Options],
 ) -> Pressed: ...
 
 
-@_in_either_order
+@formerly(h="surface")
+@_in_former_order
 def boundary_elements(
-    h: Any,
-    size: Quantity | tuple[Quantity, Quantity] | None = None,
-    pressure: Pressures | None = None,
-    material: Material | None = None,
-    saturation: Quantity | None = None,
+    surface: Any,
+    material: AnyMaterial,
     *,
+    pressure: Pressures | None = None,
+    mean_gap: Pressures | None = None,
+    indentation: Pressures | None = None,
+    size: Size | None = None,
+    saturation: Quantity | None = None,
     periodic: bool | None = None,
-    detrend: str | None = None,
+    detrend: Detrend | None = None,
     tolerance: float = 1e-6,
     fields: bool = False,
     grid: int | None = None,
@@ -213,7 +235,7 @@ def boundary_elements(
     longest: Quantity | None = None,
     shortest: Quantity | None = None,
     side: Quantity | None = None,
-    phases: str | None = None,
+    phases: Phases | None = None,
     per_realisation: bool = False,
     progress: Progress = False,
     ball_radius: Quantity | None = None,
@@ -221,21 +243,26 @@ def boundary_elements(
 ) -> Pressed | PressedBall:
     """Press heights, or random surfaces of a spectrum, into a half-space that is elastic or flows at a hardness.
 
-    The material may come second, as in all other functions: ``boundary_elements(h, material, pressure="1 MPa", size="1 um")``.
-
     Every point of the grid carries a pressure, and equilibrium is found by conjugate directions with the displacements of the
     half-space by fast Fourier transforms. Areas are corrected for the staircase around each spot (Yastrebov, Anciaux & Molinari
     2017, Tribol. Int. 114:161).
 
     Parameters
     ----------
-    h : array_like of float, shape (rows, columns), or Scan, or a topography, or Spectrum
-        Heights in m; higher points touch first. Axis 0 is y, axis 1 is x. Or a scan or an object of SurfaceTopography, which
-        know their size and unit. Or a spectrum, of which random surfaces are made.
-    material : Material
-        The bodies in contact, of which E* counts, and the hardness as a unit.
+    surface : array_like of float, shape (rows, columns) or (maps, rows, columns), or Scan, topography, list of them, Spectrum or path
+        Heights in m; higher points touch first. The last axis is x, the one before it y, a third one in front counts maps, which
+        are pressed side by side on all threads. Or a scan or an object of SurfaceTopography, which know their size and unit, or
+        a list of some of one size. Or a spectrum or its path, of which random surfaces are made.
+    material : Material or str
+        The bodies in contact, of which E* counts, and the hardness as a unit; or the name of a material of the table.
     pressure : float, str, or sequence of them
-        Nominal pressures, in Pa or as text such as ``"5 MPa"`` or ``"1e-3 H"``; with a ball, ``force`` in their place.
+        Nominal pressures, in Pa or as text such as ``"5 MPa"``, ``"1e-3 H"``, ``"0.01 E*"`` or ``"0.05 E* h'"`` with the rms
+        gradient h' of each surface (``rms_gradient`` of the result).
+    mean_gap : float or str, or sequence of them
+        Mean gaps in m that are held in place of pressures, on surfaces that repeat themselves: the distance of the mean planes,
+        which is ``mean_gap_m`` less ``mean_plastic_depth_m``.
+    indentation : float or str, or sequence of them
+        Distances in m by which the bodies approach from where the highest point touches, held in place of pressures.
     size : float or str, or two of them, optional
         Lengths (lx, ly) of the map in m or as text, ``columns`` and ``rows`` spacings; one for a square of as many rows as
         columns. Scans, topographies and spectra know their own.
@@ -278,12 +305,14 @@ def boundary_elements(
     Returns
     -------
     Pressed
-        Along the loads, and with ``per_realisation`` along the surfaces: ``area_fraction`` counts points,
+        Along the loads, along the maps where there are several, and with ``per_realisation`` along the surfaces:
+        ``nominal_pressure_pa``, ``area_fraction`` counts points,
         ``area_fraction_corrected`` is less the staircase, ``area_fraction_extrapolated`` is what a finer grid would show, with
         its ``standard_error`` over the surfaces; ``plastic_area_fraction``, ``mean_gap_m``, ``mean_plastic_depth_m``,
         ``largest_pressure_pa``, ``stiffness_pa_per_m``; ``open_along_x`` and ``open_along_y``, the share of the surfaces that an
-        open way crosses; ``iterations``, ``residual``. With ``fields``, ``pressure_pa`` and ``gap_m`` of shape (loads, rows,
-        columns), of random surfaces (loads, surfaces, rows, columns), and ``height_m``, the heights as they were pressed.
+        open way crosses; ``iterations``, ``residual``; ``rms_gradient`` of each map, by differences of neighbours, or of
+        the band of random surfaces. With ``fields``, ``pressure_pa`` and ``gap_m`` of shape (loads, rows, columns), of several
+        surfaces (loads, surfaces, rows, columns), ``height_m``, the heights as they were pressed, and ``x_m`` and ``y_m``.
     PressedBall
         With ``ball_radius``, along the surfaces: ``real_area_m2`` and its value less the staircase,
         ``real_area_corrected_m2``; ``effective_radius_m`` and ``peak_mean_pressure_pa`` of the pressure averaged around the axis,
@@ -305,7 +334,7 @@ def boundary_elements(
     >>> wave = 1e-8 * np.cos(x) * np.cos(x)[:, None]
     >>> glass = ta.Material("100 GPa", 0.0)
     >>> pressed = ta.boundary_elements(
-    ...     wave, "1 um", pressure=["10 MPa", "1 GPa"], material=glass, periodic=True, fields=True
+    ...     wave, glass, pressure=["10 MPa", "1 GPa"], size="1 um", periodic=True, fields=True
     ... )
     >>> pressed.pressure_pa.shape
     (2, 64, 64)
@@ -313,49 +342,55 @@ def boundary_elements(
     True
     >>> bool(abs(pressed.pressure_pa[1].mean() / 1e9 - 1) < 1e-9)
     True
+    >>> held = ta.boundary_elements(wave, glass, mean_gap=pressed.mean_gap_m, size="1 um", periodic=True)
+    >>> bool(np.allclose(held.nominal_pressure_pa, [1e7, 1e9], rtol=1e-4))
+    True
     """
     arguments = locals()
-    if ball_radius is None:
+    is_flat = ball_radius is None
+    if is_flat:
         _refuse(arguments, _OF_BALLS, "a flat, only on a ball; give ball_radius")
+        given = [name for name in _LOADS if arguments[name] is not None]
+        if len(given) != 1:
+            raise InputError(f"{' and '.join(given) or 'none'} of pressure, mean_gap and indentation is given; give one of them")
     else:
         _refuse(arguments, _OF_FLATS, "a ball")
+    core = material_of(material)
+    if isinstance(surface, (str, os.PathLike)):
+        surface = spectrum_of(surface)
     line = Line()
     observer = observer_of(progress, line)
+    several = ""
     try:
-        if isinstance(h, Spectrum):
+        if isinstance(surface, Spectrum):
             _refuse(arguments, _OF_HEIGHTS, "a spectrum, only on heights")
-            surfaces: tuple[str, ...] = ("surface",)
-            answer, fields_found = _native.press_spectrum(h._native, material_of(material), arguments, observer)
+            several = "surface"
+            answer, fields_found, about = _native.press_spectrum(surface._native, core, arguments, observer)
         else:
             _refuse(arguments, _OF_SPECTRA, "heights, only on a spectrum")
-            heights, lengths, repeats = _map(h, size, bool(periodic))
-            surfaces = ()
-            arguments["periodic"] = ball_radius is None and (repeats if periodic is None else bool(periodic))
-            answer, fields_found = _native.press_heights(
-                heights, lengths, repeats, material_of(material), arguments, observer
-            )
+            maps, lengths, repeats = _maps(surface, size, bool(periodic))
+            if maps.ndim == 3:
+                several, arguments["per_realisation"] = "map", True
+                if not is_flat:
+                    raise InputError("ball_radius is pressed onto one map; give each by itself")
+            arguments["periodic"] = is_flat and (repeats if periodic is None else bool(periodic))
+            maps = maps.reshape(-1, *maps.shape[-2:])
+            answer, fields_found, about = _native.press_heights(maps, lengths, repeats, core, arguments, observer)
     finally:
         line.end()
-    if ball_radius is not None:
+    if not is_flat:
         columns = {name: np.asarray(values) for name, values in answer.columns.items() if name != "realisation"}
         return PressedBall(columns, dict.fromkeys(columns, ("surface",)), noted(answer.notes))
-    arrays, axes = _of_table(answer.columns)
-    if fields_found is not None:
-        points = (*surfaces, "row", "column")
-        for name, array in zip(("pressure_pa", "gap_m", "height_m"), fields_found):
-            arrays[name] = array
-            axes[name] = points if name == "height_m" else ("load", *points)
-    return Pressed(arrays, axes, noted(answer.notes))
+    return _pressed(answer, fields_found, about, several)
 
 
+_LOADS = ("pressure", "mean_gap", "indentation")
 _OF_HEIGHTS: dict[str, Any] = dict.fromkeys(("size", "periodic", "detrend"))
 _OF_SPECTRA: dict[str, Any] = dict.fromkeys(("grid", "realisations", "seed", "longest", "shortest", "side", "phases")) | {
     "per_realisation": False
 }
-
-
 _OF_BALLS: dict[str, Any] = {"force": None}
-_OF_FLATS: dict[str, Any] = dict.fromkeys(("pressure", "saturation", "periodic")) | {"fields": False, "per_realisation": False}
+_OF_FLATS: dict[str, Any] = dict.fromkeys((*_LOADS, "saturation", "periodic")) | {"fields": False, "per_realisation": False}
 
 
 def _refuse(arguments: dict[str, Any], idle: dict[str, Any], what: str) -> None:
@@ -364,50 +399,78 @@ def _refuse(arguments: dict[str, Any], idle: dict[str, Any], what: str) -> None:
             raise InputError(f"{name} has no bearing on {what}; leave it out")
 
 
-def _map(h: Any, size: Any, periodic: bool) -> tuple[FloatArray, list[Any], bool]:
-    """Heights, the lengths of their map, and whether they repeat themselves: of an array nobody else says it."""
+def _maps(surface: Any, size: Any, periodic: bool) -> tuple[FloatArray, list[Any], bool]:
+    """Maps of heights, the lengths of each, and whether they repeat themselves: of an array nobody else says it."""
     own: tuple[float, ...] | None = None
-    if isinstance(h, Scan):
-        given, own, repeats = h.heights_m, h.size_m, h.is_periodic
-    elif is_topography(h):
-        given, own, repeats = heights_and_size(h, "h")
+    if isinstance(surface, (list, tuple)) and surface and all(isinstance(one, Scan) or is_topography(one) for one in surface):
+        each = [_maps(one, size, periodic) for one in surface]
+        if any((one.shape, lengths, repeats) != (each[0][0].shape, *each[0][1:]) for one, lengths, repeats in each):
+            raise InputError("surface: its maps have to be of one shape, size and kind of edges; press each by itself")
+        return np.stack([one for one, _, _ in each]), *each[0][1:]
+    if isinstance(surface, Scan):
+        given, own, repeats = surface.heights_m, surface.size_m, surface.is_periodic
+    elif is_topography(surface):
+        given, own, repeats = heights_and_size(surface, "surface")
     else:
-        given, repeats = h, periodic
+        given, repeats = surface, periodic
     if own is None and size is None:
         raise InputError("size is needed: the lengths (lx, ly) of the map, in m or as text")
     if own is not None and size is not None:
-        raise InputError(f"size has no bearing on a {type(h).__name__}, which knows its own; leave it out")
+        raise InputError(f"size has no bearing on a {type(surface).__name__}, which knows its own; leave it out")
     heights = _heights(given)
-    return heights, lengths_of("h", "size", size if own is None else own, heights.shape), repeats
+    return heights, lengths_of("surface", "size", size if own is None else own, heights.shape[-2:]), repeats
 
 
 def _heights(given: Any) -> FloatArray:
-    """A map of heights, whole."""
+    """Maps of heights, whole."""
     masked = int(np.count_nonzero(np.ma.getmaskarray(given))) if isinstance(given, np.ma.MaskedArray) else 0
     if masked:
-        raise InputError(f"h: {masked} of {np.size(given)} heights are masked; fill them before the map is pressed")
-    heights = doubles("h", given, "m")
-    if heights.ndim != 2:
-        raise InputError(f"h: a map of rows and columns is needed, and this has {heights.ndim} axes")
+        raise InputError(f"surface: {masked} of {np.size(given)} heights are masked; fill them before the map is pressed")
+    heights = doubles("surface", given, "m")
+    if heights.ndim not in (2, 3):
+        raise InputError(f"surface: a map of rows and columns is needed, or several, and this has {heights.ndim} axes")
+    if not heights.size:
+        raise InputError("surface: there are no heights")
     unknown = heights.size - int(np.count_nonzero(np.isfinite(heights)))
     if unknown:
         raise InputError(
-            f"h: {unknown} of {heights.size} heights are NaN or infinite; fill them before the map is pressed"
+            f"surface: {unknown} of {heights.size} heights are NaN or infinite; fill them before the map is pressed"
         )
     return heights
 
 
-def _of_table(columns: dict[str, Any]) -> tuple[dict[str, AnyArray], dict[str, tuple[str, ...]]]:
-    """The arrays of a table and their axes: along the loads, and of each surface along the surfaces as well."""
+def _pressed(
+    answer: _native.Answer,
+    fields: tuple[FloatArray, FloatArray, FloatArray] | None,
+    about: tuple[tuple[float, float], list[float]],
+    several: str,
+) -> Pressed:
+    """The arrays of a table and the fields, with their axes: along the loads, and of each surface along ``several``."""
+    columns = dict(answer.columns)
     numbers = columns.pop("realisation", None)
-    table: dict[str, npt.NDArray[np.float64]] = {name: np.asarray(values) for name, values in columns.items()}
-    if numbers is None:
-        return dict(table), {name: ("load",) for name in table}
-    surfaces = int(numbers[-1])
-    arrays: dict[str, AnyArray] = {name: array.reshape(-1, surfaces) for name, array in table.items()}
-    axes: dict[str, tuple[str, ...]] = {name: ("load", "surface") for name in arrays}
-    arrays["nominal_pressure_pa"] = arrays["nominal_pressure_pa"][:, 0]
-    axes["nominal_pressure_pa"] = ("load",)
-    # One surface alone has no scatter.
-    del arrays["standard_error"], axes["standard_error"]
-    return arrays, axes
+    of_each = () if numbers is None else (several,)
+    surfaces = 1 if numbers is None else int(np.max(numbers, initial=1.0))
+    arrays: dict[str, AnyArray] = {}
+    axes: dict[str, tuple[str, ...]] = {}
+    for name, values in columns.items():
+        array = np.asarray(values)
+        arrays[name] = array.reshape(-1, surfaces) if of_each else array
+        axes[name] = ("load", *of_each)
+    if of_each:
+        # One surface alone has no scatter, and most loads are those of all surfaces.
+        del arrays["standard_error"], axes["standard_error"]
+        pressures_pa = arrays["nominal_pressure_pa"]
+        if np.array_equal(pressures_pa, np.broadcast_to(pressures_pa[:, :1], pressures_pa.shape)):
+            arrays["nominal_pressure_pa"], axes["nominal_pressure_pa"] = pressures_pa[:, 0].copy(), ("load",)
+    size_m, gradients = about
+    arrays["rms_gradient"] = np.asarray(gradients if several == "map" else gradients[0])
+    axes["rms_gradient"] = ("map",) if several == "map" else ()
+    if fields is not None:
+        points = (several, "row", "column") if several else ("row", "column")
+        for name, array in zip(("pressure_pa", "gap_m", "height_m"), fields):
+            axes[name] = points if name == "height_m" else ("load", *points)
+            arrays[name] = array if several else array.squeeze(0 if name == "height_m" else 1)
+        for name, axis, length_m in zip(("x_m", "y_m"), ("column", "row"), size_m):
+            count = arrays["height_m"].shape[-1 if axis == "column" else -2]
+            arrays[name], axes[name] = np.arange(count) * (length_m / count), (axis,)
+    return Pressed(arrays, axes, noted(answer.notes))

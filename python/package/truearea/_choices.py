@@ -10,8 +10,8 @@ StackedModel = Literal["elastic-plastic", "elastic"]
 StatisticalModel = Literal["hertz", "ep-sphere", "elastic-sine", "ep-sine", "bgt"]
 """Models of a population of asperities."""
 
-PerssonModel = Literal["elastic", "elastic-plastic"]
-"""Persson's theory for bodies that do not yield, and that do."""
+PerssonModel = Literal["persson", "persson-plastic"]
+"""Persson's theory for bodies that do not yield, and that do; their former names are elastic and elastic-plastic."""
 
 LawModel = Literal["persson", "persson-plastic", "hertz", "ep-sphere", "elastic-sine", "ep-sine", "bgt"]
 """Models that know a distance between the surfaces."""
@@ -22,5 +22,75 @@ GapModel = Literal["persson", "persson-plastic", "hertz", "ep-sphere", "elastic-
 ShearedModel = Literal["persson", "hertz", "elastic-sine", "bgt", "bem"]
 """Models that know a distance between the surfaces and do not yield."""
 
+CurveModel = Literal[
+    "elastic-plastic", "elastic", "hertz", "ep-sphere", "elastic-sine", "ep-sine", "bgt", "persson", "persson-plastic"
+]
+"""Models with an area."""
+
 Band = Literal["1d", "2d"]
 """Waves that a cutoff ends: those of profiles, or those of the surface."""
+
+Correction = Literal["wang-muser", "yang-persson", "algebraic", "algebraic-nayak"]
+"""Corrected forms of Persson's theory."""
+
+HardnessFormula = Literal["2005", "cosine"]
+"""Forms of the hardness of spheres that yield."""
+
+InterferenceLaw = Literal["rostami-jackson", "bem"]
+"""What ties pressure to interference of elastic sinusoids."""
+
+Normalisation = Literal["parseval", "as-printed"]
+"""Factors of spectral moments."""
+
+AmplitudeDefinition = Literal["eq5", "parseval"]
+"""How the amplitude of a scale is made from the spectrum."""
+
+Convention = Literal["c1d", "w1", "frequency", "ciso", "persson"]
+"""What the values of a spectrum are."""
+
+Abscissa = Literal["wavelength", "wavevector", "frequency"]
+"""What the first column of a spectrum is."""
+
+Detrend = Literal["mean", "line", "plane"]
+"""What is subtracted from heights."""
+
+Window = Literal["hann", "none"]
+"""Windows of the transform."""
+
+Average = Literal["log-unbiased", "log", "arithmetic"]
+"""Means across scans that share a bin."""
+
+Gaps = Literal["refuse", "harmonic", "lines"]
+"""What becomes of points without a height."""
+
+Direction = Literal["x", "y", "both"]
+"""Axes of a map along which spectra are taken."""
+
+Phases = Literal["fixed-modulus", "gaussian"]
+"""What is random in random surfaces."""
+
+Dialect = Literal["abaqus", "calculix", "csv"]
+"""Codes that read contact laws."""
+
+UnitSystem = Literal["SI", "N-mm", "uN-um", "lbf-in"]
+"""Units of finite element models."""
+
+LawForm = Literal["table", "exponential"]
+"""Forms of a contact law."""
+
+Form = Literal["none", "plane", "second-order"]
+"""Forms that are removed before roughness parameters are taken."""
+
+Conventions = Literal["usual", "all"]
+"""Conventions of roughness parameters."""
+
+Template = Literal[
+    "new",
+    "uncd-measured",
+    "uncd-reconstructed",
+    "gasket",
+    "electrical-contact",
+    "bolted-joint",
+    "contact-challenge",
+]
+"""Scenes that come with the program."""

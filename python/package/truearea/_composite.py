@@ -11,6 +11,7 @@ import numpy.typing as npt
 
 from truearea import _native
 from truearea._arrays import doubles, lengths_of
+from truearea._choices import Average, Detrend, Direction, Gaps, Window
 from truearea._material import Quantity
 from truearea._native import InputError
 from truearea._results import FloatArray
@@ -46,15 +47,15 @@ def composite(
     shortest: Each = None,
     instrument: str | Sequence[str | None] | None = None,
     z_calibration: Each = None,
-    slope_uncertainty: float | Sequence[float | None] | None = None,
-    gaps: str | Sequence[str | None] | None = None,
-    direction: str | Sequence[str | None] | None = None,
+    slope_uncertainty: Each = None,
+    gaps: Gaps | Sequence[Gaps | None] | None = None,
+    direction: Direction | Sequence[Direction | None] | None = None,
     unit: str | Sequence[str | None] | None = None,
     channel: str | Sequence[str | None] | None = None,
     size: Each = None,
-    detrend: str | None = None,
-    window: str | None = None,
-    average: str | None = None,
+    detrend: Detrend | None = None,
+    window: Window | None = None,
+    average: Average | None = None,
     bins_per_decade: int | None = None,
     name: str | None = None,
 ) -> Spectrum:

@@ -3,21 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence, Set
-from typing import Any, Literal
+from typing import Any, Literal, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from truearea import _native
 from truearea._arrays import doubles
-from truearea._choices import StatisticalModel
+from truearea._choices import HardnessFormula, InterferenceLaw, StatisticalModel
+from truearea._grammar import named_material
 from truearea._material import Material
 from truearea._native import InputError
-from truearea._notes import noted
+from truearea._notes import Note, noted
 from truearea._results import FloatArray, Result
 
 
-_UNITS = {"radius": "m", "density": "1/m**2", "sigma_s": "m", "m0": "m**2", "m2": "", "m4": "1/m**2"}
+_COLUMNS = {"radius": "radius_m", "density": "density_per_m2", "sigma_s": "sigma_s_m", "m0": "m0_m2", "m2": "m2", "m4": "m4_per_m2"}
+"""What tables call them, :class:`truearea.Moments` among others."""
+
+_Numbers = Union[npt.ArrayLike, str, Sequence[str]]
 
 
 class ContactStates(Result):
@@ -34,23 +38,35 @@ class ContactStates(Result):
     error_estimate: FloatArray
     out_of_range_load_share: FloatArray
 
+    @classmethod
+    def _of_doubles(cls, arrays: dict[str, Any], notes: tuple[Note, ...]) -> ContactStates:
+        """One state, made without looking for arrays among its numbers."""
+        state = cls.__new__(cls)
+        dict.__init__(state, arrays)
+        state._axes, state.notes = _NO_AXES, notes
+        return state
+
+
+_NO_AXES: dict[str, tuple[str, ...]] = dict.fromkeys(ContactStates.__annotations__, ())
+
 
 def contact(
+    population: Mapping[str, Any] | None = None,
+    material: Material | str | Sequence[Material | str] | npt.NDArray[np.object_] | None = None,
     *,
     model: StatisticalModel,
-    material: Material | Sequence[Material] | npt.NDArray[np.object_],
-    radius: npt.ArrayLike | None = None,
-    density: npt.ArrayLike | None = None,
-    sigma_s: npt.ArrayLike | None = None,
-    m0: npt.ArrayLike | None = None,
+    radius: _Numbers | None = None,
+    density: _Numbers | None = None,
+    sigma_s: _Numbers | None = None,
+    m0: _Numbers | None = None,
     m2: npt.ArrayLike | None = None,
-    m4: npt.ArrayLike | None = None,
+    m4: _Numbers | None = None,
     pressure: Any = None,
-    separation: npt.ArrayLike | None = None,
+    separation: _Numbers | None = None,
     strain_gradient: bool = False,
-    hardness_formula: str | None = None,
-    hardness: str | None = None,
-    interference_law: str | None = None,
+    hardness_formula: HardnessFormula | None = None,
+    hardness: HardnessFormula | None = None,
+    interference_law: InterferenceLaw | None = None,
     tolerance: float = 1e-12,
     errors: Literal["raise", "nan"] = "raise",
 ) -> ContactStates:
@@ -61,18 +77,22 @@ def contact(
 
     Parameters
     ----------
+    population : mapping, optional
+        The asperities: ``spectrum.moments()``, or ``radius``, ``density`` and ``sigma_s`` or the moments, with or without their
+        units in the names. What is given by name counts before it.
+    material : Material or str, or sequence or array of them
+        The bodies in contact, or the name of a material of the table. An array of materials broadcasts with the others.
     model : str
         ``"hertz"`` (Greenwood & Williamson 1966), ``"ep-sphere"`` (Jackson & Green 2005), ``"elastic-sine"``, ``"ep-sine"``, or
         ``"bgt"`` (Bush, Gibson & Thomas 1975), which takes moments.
-    material : Material, or sequence or array of them
-        The bodies in contact. An array of materials broadcasts with the others.
-    radius, density, sigma_s : array_like of float
-        Radius [m], density [1/m²] and standard deviation of the heights [m] of the asperities.
-    m0, m2, m4 : array_like of float
+    radius, density, sigma_s : array_like of float, or str
+        Radius [m], density [1/m²] and standard deviation of the heights [m] of the asperities, or text such as ``"1 um"`` and
+        ``"1 1/um2"``.
+    m0, m2, m4 : array_like of float, or str
         Moments of profiles [m², 1, 1/m²], for ``model="bgt"`` in place of the three above.
     pressure : array_like of float, or str
         Nominal pressures [Pa]; text such as ``"5 MPa"`` or ``"1e-3 H"``, of the one material.
-    separation : array_like of float
+    separation : array_like of float, or str
         Separations [m] from the mean of the asperity heights, in place of pressures.
     strain_gradient : bool, default False
         Let the strength grow at small depths, with the material's ``strain_gradient_length``.
@@ -109,74 +129,115 @@ def contact(
     >>> bool(np.all(np.diff(states.area_fraction) > 0))
     True
     """
-    arguments = locals()
-    of_summits = model == "bgt"
-    names = ("m0", "m2", "m4") if of_summits else ("radius", "density", "sigma_s")
-    given = dict(radius=radius, density=density, sigma_s=sigma_s, m0=m0, m2=m2, m4=m4)
-    if missing := [name for name in names if given[name] is None]:
-        raise InputError(f"{missing[0]} is needed for model {model}")
-    if idle := [name for name in given if name not in names and given[name] is not None]:
-        raise InputError(f"{idle[0]} has no bearing on model {model}, which takes {', '.join(names)}; leave it out")
-    if pressure is not None and separation is not None:
-        raise InputError("pressure and separation are both given; give one of them")
-    if pressure is None and separation is None:
-        raise InputError("pressure or separation is needed; give one of them")
+    if model == "bgt":
+        names, given, idle = _OF_SUMMITS, (m0, m2, m4), (radius, density, sigma_s)
+    else:
+        names, given, idle = _OF_SPHERES, (radius, density, sigma_s), (m0, m2, m4)
+    if not (idle[0] is None and idle[1] is None and idle[2] is None):
+        _refuse_idle(model, names, idle)
+    if population is not None:
+        given = _of_population(population, names, given)
+    if given[0] is None or given[1] is None or given[2] is None:
+        raise InputError(f"{next(name for name, value in zip(names, given) if value is None)} is needed for model {model}")
+    if (pressure is None) == (separation is None):
+        both = "pressure or separation is needed" if pressure is None else "pressure and separation are both given"
+        raise InputError(f"{both}; give one of them")
+    condition, at = ("separation", separation) if pressure is None else ("pressure", pressure)
+    rows, natives, which, shape = (*given, at), [], None, ()
+    # Numbers alone are the row of one state, and no array is made for them.
+    if isinstance(material, Material) and {type(number) for number in rows} <= _FLOATS:
+        natives = [material._native]
+    else:
+        rows, natives, which, shape = _rows(names, given, condition, at, material)
+    options = {"model": model, "strain_gradient": strain_gradient, "tolerance": tolerance, "errors": errors}
+    if hardness_formula is not None or hardness is not None or interference_law is not None:
+        options |= {"hardness_formula": hardness_formula, "hardness": hardness, "interference_law": interference_law}
+    answer = _native.contact_states(rows, condition, natives, which, options)
+    if not shape:
+        # Of one state the arrays are plain doubles, as ufuncs have it.
+        doubles_of = {name: np.float64(number) for name, number in answer.columns.items()}
+        return ContactStates._of_doubles(doubles_of, noted(answer.notes))
+    axes = ("state",) if len(shape) == 1 else tuple(f"axis_{axis}" for axis in range(len(shape)))
+    columns = {name: column.reshape(shape) for name, column in answer.columns.items()}
+    return ContactStates(columns, dict.fromkeys(columns, axes), noted(answer.notes))
+
+
+_FLOATS = {float, np.float64}
+_OF_SPHERES, _OF_SUMMITS = ("radius", "density", "sigma_s"), ("m0", "m2", "m4")
+_UNITS = {_OF_SPHERES: ("m", "1/m**2", "m"), _OF_SUMMITS: ("m**2", "", "1/m**2")}
+
+
+def _rows(
+    names: tuple[str, ...], given: tuple[Any, ...], condition: str, at: Any, material: Any
+) -> tuple[tuple[FloatArray, ...], list[_native.Material], npt.NDArray[np.int64] | None, tuple[int, ...]]:
+    """Arrays of one shape, the materials, which of them each row has, and the shape."""
     materials = _materials(material)
-    condition = "separation" if pressure is None else "pressure"
-    at = doubles("separation", separation, "m") if pressure is None else _pressures(pressure, materials)
-    arrays = {name: doubles(name, given[name], _UNITS[name]) for name in names} | {condition: at}
-    shapes = {name: array.shape for name, array in arrays.items()}
+    natives = [one._native for one in materials.reshape(-1)]
+    arrays = [doubles(name, value, unit) for name, value, unit in zip(names, given, _UNITS[names])]
+    is_separation = condition == "separation"
+    arrays.append(doubles(condition, at, "m") if is_separation else _pressures(at, natives, materials.shape))
+    shapes = {name: array.shape for name, array in zip((*names, condition), arrays)} | {"material": materials.shape}
+    shape = _broadcast_shape(shapes)
+    which = None
     if materials.ndim:
-        shapes["material"] = materials.shape
+        which = np.broadcast_to(np.arange(materials.size).reshape(materials.shape), shape)
+    return tuple(np.broadcast_to(array, shape) for array in arrays), natives, which, shape
+
+
+def _refuse_idle(model: str, names: tuple[str, ...], idle: tuple[Any, ...]) -> None:
+    others = _OF_SPHERES if names == _OF_SUMMITS else _OF_SUMMITS
+    named = next(name for name, value in zip(others, idle) if value is not None)
+    raise InputError(f"{named} has no bearing on model {model}, which takes {', '.join(names)}; leave it out")
+
+
+def _of_population(population: Any, names: tuple[str, ...], given: tuple[Any, ...]) -> tuple[Any, ...]:
+    """The parameters of a population under their own names or those of tables; what is given besides counts before it."""
+    if not isinstance(population, Mapping):
+        raise InputError(
+            f"population: a mapping of {', '.join(names)} or the moments of a spectrum are needed, and this is of type "
+            f"{type(population).__name__}"
+        )
+    of_table = (population.get(name, population.get(_COLUMNS[name])) for name in names)
+    return tuple(there if value is None else value for value, there in zip(given, of_table))
+
+
+def _broadcast_shape(shapes: dict[str, tuple[int, ...]]) -> tuple[int, ...]:
+    """The shape to which arguments broadcast."""
     try:
-        shape = np.broadcast_shapes(*shapes.values())
+        return np.broadcast_shapes(*shapes.values())
     except ValueError:
         told = ", ".join(f"{name} {shape}" for name, shape in shapes.items() if shape)
         raise InputError(f"the shapes do not broadcast against each other: {told}") from None
-    rows = {name: np.broadcast_to(array, shape) for name, array in arrays.items()}
-    which = np.arange(materials.size).reshape(materials.shape)
-    answer = _native.contact_states(
-        [rows[name] for name in names],
-        condition,
-        rows[condition],
-        [one._native for one in materials.reshape(-1)],
-        np.broadcast_to(which, shape) if materials.ndim else None,
-        arguments,
-    )
-    axes = _axes(len(shape))
-    # Of one state the arrays are plain doubles, as ufuncs have it.
-    columns = {name: column.reshape(shape)[()] for name, column in answer.columns.items()}
-    return ContactStates(columns, {name: axes for name in columns}, noted(answer.notes))
-
-
-def _axes(count: int) -> tuple[str, ...]:
-    return ("state",) if count == 1 else tuple(f"axis_{axis}" for axis in range(count))
 
 
 def _materials(given: Any) -> npt.NDArray[np.object_]:
-    if isinstance(given, Material):
-        materials = np.empty((), dtype=object)
-        materials[()] = given
-        return materials
-    materials = np.asarray(given, dtype=object)
-    if wrong := [one for one in materials.reshape(-1) if not isinstance(one, Material)]:
-        raise InputError(f"material: a Material is needed, and this is of type {type(wrong[0]).__name__}")
+    if given is None:
+        raise InputError("material is needed")
+    materials = np.array(given, dtype=object)
+    for at, one in np.ndenumerate(materials):
+        if isinstance(one, str):
+            materials[at] = named_material(one)
+        elif not isinstance(one, Material):
+            raise InputError(f"material: a Material or a name is needed, and this is of type {type(one).__name__}")
     return materials
 
 
-def _pressures(given: Any, materials: npt.NDArray[np.object_]) -> FloatArray:
+def _pressures(given: Any, materials: list[_native.Material], shape: tuple[int, ...]) -> FloatArray:
+    if type(given) is float:
+        return np.array(given)
     if isinstance(given, (Set, Mapping)):
         raise InputError(f"pressure: it has no order, being of type {type(given).__name__}; give a list or an array")
     is_text = isinstance(given, str) or (isinstance(given, (list, tuple)) and any(isinstance(one, str) for one in given))
-    texts = np.asarray(given) if is_text or isinstance(given, np.ndarray) else np.empty(0)
-    if texts.dtype.kind not in "UT":
+    is_text = is_text or (isinstance(given, np.ndarray) and given.dtype.kind in "UT")
+    if not is_text:
         return doubles("pressure", given, "Pa")
+    texts = np.array(given, dtype=object)
     if texts.ndim == 0:
         # In units of the hardness it is another pressure for each material.
-        of_each = [one._native.pressure_pa("pressure", str(texts)) for one in materials.reshape(-1)]
-        return np.asarray(of_each).reshape(materials.shape)
-    if materials.size != 1 and any(str(text).rstrip().endswith("H") for text in texts.reshape(-1)):
+        return np.asarray([one.pressure_pa("pressure", str(texts)) for one in materials]).reshape(shape)
+    if len(materials) != 1 and any(str(text).rstrip().endswith("H") for text in texts.reshape(-1)):
         raise InputError("pressure: several pressures in H and several materials; give one of the two, or numbers in Pa")
-    one = materials.reshape(-1)[0]._native
-    read = [one.pressure_pa(f"pressure[{at}]", str(text)) for at, text in enumerate(texts.reshape(-1))]
+    if not materials:
+        raise InputError("material: it is empty; give at least one")
+    read = [materials[0].pressure_pa(f"pressure[{at}]", text) for at, text in enumerate(texts.reshape(-1))]
     return np.asarray(read).reshape(texts.shape)

@@ -9,15 +9,21 @@ import numpy as np
 import numpy.typing as npt
 
 from truearea import _native
-from truearea._choices import StackedModel, StatisticalModel
-from truearea._cores import material_of, surface_of
-from truearea._material import Material, Quantity
+from truearea._choices import (
+    AmplitudeDefinition,
+    HardnessFormula,
+    InterferenceLaw,
+    Normalisation,
+    StackedModel,
+    StatisticalModel,
+)
+from truearea._grammar import AnyMaterial, AnySurface, formerly, material_of, surface_of
+from truearea._material import Quantity
 from truearea._notes import noted
+from truearea._picture import Drawn, Picture, lines_by_load
 from truearea._results import AnyArray, FloatArray, Result
-from truearea._spectrum import Spectrum
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from typing_extensions import Self
 
 Pressures = Union[Quantity, npt.ArrayLike]
@@ -27,7 +33,7 @@ Pressures = Union[Quantity, npt.ArrayLike]
 AnyCurve = TypeVar("AnyCurve", bound="Curve")
 
 
-class Curve(Result):
+class Curve(Drawn, Result):
     """Contact along the cutoff, under each of some loads: arrays of shape (loads, cutoffs).
 
     Attributes
@@ -44,35 +50,9 @@ class Curve(Result):
 
     model: str
 
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the area against the shortest wavelength that takes part, a line for each load, in the colours of reports.
-
-        Parameters
-        ----------
-        ax : matplotlib.axes.Axes, optional
-            The axes to draw in; new ones where left out.
-
-        Returns
-        -------
-        matplotlib.axes.Axes
-
-        Raises
-        ------
-        ImportError
-            Without Matplotlib; ``pip install truearea[plot]`` adds it.
-        """
-        from truearea._plot import area_axes, load_label, style_of
-
-        ax = area_axes(ax)
-        style = style_of(self.model)
-        loads = len(self.nominal_pressure_pa)
-        for at, pressure_pa in enumerate(self.nominal_pressure_pa):
-            label = f"{style['label']}, {load_label(pressure_pa)}"
-            # The lower the load, the paler the line.
-            shade = 1.0 - 0.6 * (loads - 1 - at) / loads
-            ax.plot(self.wavelength_m, self.area_fraction[at], **{**style, "label": label, "alpha": shade})
-        ax.legend(loc="lower left")
-        return ax
+    def _picture(self) -> Picture:
+        lines = lines_by_load(self.wavelength_m, self.area_fraction, self.nominal_pressure_pa, self.model)
+        return Picture(self._title, "wavelength_m", "area_fraction", lines)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (_curve, (type(self), dict(self), self._axes, self.notes, self.model))
@@ -129,14 +109,15 @@ class StatisticalCurve(Curve):
     ln_area_fraction: FloatArray
 
 
+@formerly(spectrum="surface")
 def stacked(
-    spectrum: Spectrum,
-    material: Material,
+    surface: AnySurface,
+    material: AnyMaterial,
     *,
     pressure: Pressures,
     model: StackedModel = "elastic-plastic",
     strain_gradient: bool = False,
-    amplitude: str = "eq5",
+    amplitude: AmplitudeDefinition = "eq5",
     cutoff: Quantity | None = None,
     scales_per_decade: int | None = None,
 ) -> StackedCurve:
@@ -144,10 +125,10 @@ def stacked(
 
     Parameters
     ----------
-    spectrum : Spectrum
+    surface : Spectrum, Scan, sequence of scans, or path of a spectrum
         The roughness.
-    material : Material
-        The bodies in contact.
+    material : Material or str
+        The bodies in contact, or the name of a material of the table.
     pressure : float, str, or sequence of them
         Nominal pressures, in Pa or as text such as ``"5 MPa"`` or ``"1e-3 H"``.
     model : {"elastic-plastic", "elastic"}
@@ -182,22 +163,22 @@ def stacked(
     True
     """
     arguments = locals()
-    answer, pressures_pa, _ = _native.curve("stacked", surface_of(spectrum), material_of(material), arguments)
+    answer, pressures_pa, _ = _native.curve("stacked", surface_of(surface), material_of(material), arguments)
     return StackedCurve._along(answer, pressures_pa, ("wavelength_m", "amplitude_m"), model)
 
 
+@formerly(spectrum="surface", hardness="hardness_formula")
 def statistical(
-    spectrum: Spectrum,
-    material: Material,
+    surface: AnySurface,
+    material: AnyMaterial,
     *,
     model: StatisticalModel,
     pressure: Pressures | None = None,
     separation: Pressures | None = None,
     strain_gradient: bool = False,
-    hardness_formula: str | None = None,
-    hardness: str | None = None,
-    interference_law: str | None = None,
-    normalisation: str = "parseval",
+    hardness_formula: HardnessFormula | None = None,
+    interference_law: InterferenceLaw | None = None,
+    normalisation: Normalisation = "parseval",
     tolerance: float = 1e-12,
     cutoff: Quantity | None = None,
     scales_per_decade: int | None = None,
@@ -206,10 +187,10 @@ def statistical(
 
     Parameters
     ----------
-    spectrum : Spectrum
+    surface : Spectrum, Scan, sequence of scans, or path of a spectrum
         The roughness.
-    material : Material
-        The bodies in contact.
+    material : Material or str
+        The bodies in contact, or the name of a material of the table.
     model : {"hertz", "ep-sphere", "elastic-sine", "ep-sine", "bgt"}
         How an asperity answers.
     pressure : float, str, or sequence of them
@@ -219,7 +200,7 @@ def statistical(
     strain_gradient : bool, default False
         Let the strength grow at small depths, with the material's ``strain_gradient_length``.
     hardness_formula : {"2005", "cosine"}, optional
-        The form of the hardness of spheres that yield; ``hardness`` is its former name.
+        The form of the hardness of spheres that yield.
     interference_law : str, optional
         What ties pressure to interference of elastic sinusoids.
     normalisation : {"parseval", "as-printed"}
@@ -252,5 +233,5 @@ def statistical(
     np.float64(0.00049...)
     """
     arguments = locals()
-    answer, pressures_pa, _ = _native.curve("statistical", surface_of(spectrum), material_of(material), arguments)
+    answer, pressures_pa, _ = _native.curve("statistical", surface_of(surface), material_of(material), arguments)
     return StatisticalCurve._along(answer, pressures_pa, ("wavelength_m", "radius_m", "density_per_m2", "sigma_s_m"), model)

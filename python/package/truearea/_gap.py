@@ -2,22 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from truearea import _native
-from truearea._choices import Band, GapModel
-from truearea._cores import material_of, surface_of
+from truearea._choices import Band, GapModel, HardnessFormula, InterferenceLaw, Normalisation, Phases
 from truearea._curves import Pressures
-from truearea._material import Material, Quantity
+from truearea._grammar import AnyMaterial, AnySurface, formerly, material_of, surface_of
+from truearea._material import Quantity
 from truearea._notes import noted
+from truearea._picture import Drawn, Line, Picture
 from truearea._results import FloatArray, Table
-from truearea._spectrum import Spectrum
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-
-class Gaps(Table):
+class Gaps(Drawn, Table):
     """A surface under loads, with its whole spectrum."""
 
     _title = "mean gap and stiffness"
@@ -29,45 +23,24 @@ class Gaps(Table):
     u0_m: FloatArray
     p00_pa: FloatArray
 
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the mean gap against the nominal pressure.
-
-        Parameters
-        ----------
-        ax : matplotlib.axes.Axes, optional
-            The axes to draw in; new ones where left out.
-
-        Returns
-        -------
-        matplotlib.axes.Axes
-
-        Raises
-        ------
-        ImportError
-            Without Matplotlib; ``pip install truearea[plot]`` adds it.
-        """
-        from truearea._plot import axes_of
-
-        ax = axes_of(ax)
-        ax.loglog(self.nominal_pressure_pa, self.mean_gap_m, marker="o", label="mean gap")
-        ax.set_xlabel("nominal pressure (Pa)")
-        ax.set_ylabel("mean gap (m)")
-        return ax
+    def _picture(self) -> Picture:
+        line = Line(self.nominal_pressure_pa, self.mean_gap_m)
+        return Picture(self._title, "nominal_pressure_pa", "mean_gap_m", (line,), marker="o")
 
 
+@formerly(spectrum="surface", hardness="hardness_formula")
 def gap(
-    spectrum: Spectrum,
-    material: Material,
+    surface: AnySurface,
+    material: AnyMaterial,
     *,
     pressure: Pressures,
     model: GapModel = "persson",
     gamma: float | None = None,
     band: Band | None = None,
     strain_gradient: bool = False,
-    hardness_formula: str | None = None,
-    hardness: str | None = None,
-    interference_law: str | None = None,
-    normalisation: str | None = None,
+    hardness_formula: HardnessFormula | None = None,
+    interference_law: InterferenceLaw | None = None,
+    normalisation: Normalisation | None = None,
     tolerance: float | None = None,
     cutoff: Quantity | None = None,
     scales_per_decade: int | None = None,
@@ -77,7 +50,7 @@ def gap(
     longest: Quantity | None = None,
     shortest: Quantity | None = None,
     side: Quantity | None = None,
-    phases: str | None = None,
+    phases: Phases | None = None,
 ) -> Gaps:
     """How far apart two rough surfaces stand under loads, and how stiff they are against more of it.
 
@@ -87,10 +60,10 @@ def gap(
 
     Parameters
     ----------
-    spectrum : Spectrum
+    surface : Spectrum, Scan, sequence of scans, or path of a spectrum
         The roughness.
-    material : Material
-        The bodies in contact.
+    material : Material or str
+        The bodies in contact, or the name of a material of the table.
     pressure : float, str, or sequence of them
         Nominal pressures, in Pa or as text such as ``"5 MPa"`` or ``"1e-3 H"``.
     model : {"persson", "persson-plastic", "hertz", "ep-sphere", "elastic-sine", "ep-sine", "bgt", "bem"}
@@ -103,7 +76,7 @@ def gap(
     strain_gradient : bool, default False
         Let the strength grow at small depths, with the material's ``strain_gradient_length``.
     hardness_formula : {"2005", "cosine"}, optional
-        The form of the hardness of spheres that yield; ``hardness`` is its former name.
+        The form of the hardness of spheres that yield.
     interference_law : str, optional
         What ties pressure to interference of elastic sinusoids.
     normalisation : {"parseval", "as-printed"}, optional
@@ -141,5 +114,5 @@ def gap(
     True
     """
     arguments = locals()
-    answer = _native.gaps(surface_of(spectrum), material_of(material), arguments)
+    answer = _native.gaps(surface_of(surface), material_of(material), arguments)
     return Gaps._of(answer.columns, noted(answer.notes), axis="load")

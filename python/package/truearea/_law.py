@@ -5,23 +5,30 @@ from __future__ import annotations
 import errno
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from truearea import _native
-from truearea._choices import Band, LawModel
-from truearea._cores import material_of, surface_of
+from truearea._choices import (
+    Band,
+    Dialect,
+    HardnessFormula,
+    InterferenceLaw,
+    LawForm,
+    LawModel,
+    Normalisation,
+    UnitSystem,
+)
 from truearea._curves import Pressures
-from truearea._material import Material, Quantity
+from truearea._grammar import AnyMaterial, AnySurface, formerly, material_of, spectrum_of
+from truearea._material import Quantity
 from truearea._native import InputError
 from truearea._notes import noted
+from truearea._picture import Drawn, Line, Picture
 from truearea._results import FloatArray, Table
 from truearea._spectrum import Spectrum
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
 
-
-class ContactLaw(Table):
+class ContactLaw(Drawn, Table):
     """Pressure against overclosure, straight between its points; pressure 0 at overclosure 0."""
 
     _title = "contact law"
@@ -32,32 +39,11 @@ class ContactLaw(Table):
     area_fraction: FloatArray
 
     _native: _native.ContactLaw
-    _recipe: tuple[Spectrum, Material, dict[str, Any]]
+    _recipe: tuple[Spectrum, AnyMaterial, dict[str, Any]]
 
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the pressure against the overclosure, as a finite element code reads it.
-
-        Parameters
-        ----------
-        ax : matplotlib.axes.Axes, optional
-            The axes to draw in; new ones where left out.
-
-        Returns
-        -------
-        matplotlib.axes.Axes
-
-        Raises
-        ------
-        ImportError
-            Without Matplotlib; ``pip install truearea[plot]`` adds it.
-        """
-        from truearea._plot import axes_of
-
-        ax = axes_of(ax)
-        ax.semilogy(self.overclosure_m, self.pressure_pa, marker=".", label="contact law")
-        ax.set_xlabel("overclosure (m)")
-        ax.set_ylabel("pressure (Pa)")
-        return ax
+    def _picture(self) -> Picture:
+        line = Line(self.overclosure_m, self.pressure_pa)
+        return Picture(self._title, "overclosure_m", "pressure_pa", (line,), marker=".")
 
     @property
     def cut_pressure_pa(self) -> float:
@@ -70,7 +56,7 @@ class ContactLaw(Table):
         return self._native.interpolation_error
 
     def to_text(
-        self, dialect: str, *, units: str = "SI", name: str = "ROUGH", form: str = "table"
+        self, dialect: Dialect, *, units: UnitSystem = "SI", name: str = "ROUGH", form: LawForm = "table"
     ) -> str:
         """The law in the words of a code, with a comment in front that says where it comes from.
 
@@ -108,11 +94,11 @@ class ContactLaw(Table):
     def write(
         self,
         path: str | os.PathLike[str],
-        dialect: str,
+        dialect: Dialect,
         *,
-        units: str = "SI",
+        units: UnitSystem = "SI",
         name: str = "ROUGH",
-        form: str = "table",
+        form: LawForm = "table",
     ) -> None:
         """Write :meth:`to_text` into a file: aside, and then renamed, so that the file is never there in part."""
         _write(Path(path), self.to_text(dialect, units=units, name=name, form=form))
@@ -121,9 +107,10 @@ class ContactLaw(Table):
         return (_made_again, self._recipe)
 
 
+@formerly(spectrum="surface", hardness="hardness_formula")
 def law(
-    spectrum: Spectrum,
-    material: Material,
+    surface: AnySurface,
+    material: AnyMaterial,
     *,
     pressure: Pressures | None = None,
     from_pressure: Quantity | None = None,
@@ -133,10 +120,9 @@ def law(
     gamma: float | None = None,
     band: Band | None = None,
     strain_gradient: bool = False,
-    hardness_formula: str | None = None,
-    hardness: str | None = None,
-    interference_law: str | None = None,
-    normalisation: str | None = None,
+    hardness_formula: HardnessFormula | None = None,
+    interference_law: InterferenceLaw | None = None,
+    normalisation: Normalisation | None = None,
     cutoff: Quantity | None = None,
     scales_per_decade: int | None = None,
 ) -> ContactLaw:
@@ -147,10 +133,10 @@ def law(
 
     Parameters
     ----------
-    spectrum : Spectrum
+    surface : Spectrum, Scan, sequence of scans, or path of a spectrum
         The roughness.
-    material : Material
-        The bodies in contact.
+    material : Material or str
+        The bodies in contact, or the name of a material of the table.
     pressure : two of float or str
         The least and the largest nominal pressure of interest, in Pa or as text.
     from_pressure, to_pressure : float or str
@@ -182,8 +168,8 @@ def law(
     """
     arguments = locals()
     arguments["pressure"] = _range(pressure, from_pressure, to_pressure)
-    del arguments["spectrum"], arguments["material"]
-    return _made_again(spectrum, material, arguments)
+    del arguments["surface"], arguments["material"]
+    return _made_again(spectrum_of(surface), material, arguments)
 
 
 def _range(pressure: Any, from_pressure: Quantity | None, to_pressure: Quantity | None) -> Any:
@@ -196,8 +182,8 @@ def _range(pressure: Any, from_pressure: Quantity | None, to_pressure: Quantity 
     return ends if pressure is None else pressure
 
 
-def _made_again(spectrum: Spectrum, material: Material, arguments: dict[str, Any]) -> ContactLaw:
-    native = _native.ContactLaw(surface_of(spectrum), material_of(material), arguments)
+def _made_again(spectrum: Spectrum, material: AnyMaterial, arguments: dict[str, Any]) -> ContactLaw:
+    native = _native.ContactLaw(spectrum._native, material_of(material), arguments)
     answer = native.answer()
     found = ContactLaw._of(answer.columns, noted(answer.notes), axis="point")
     found._native = native

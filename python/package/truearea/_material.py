@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from html import escape
 from typing import Any, Union
 
 import numpy as np
 
 from truearea import _native
+from truearea._results import rows_html
 
 Quantity = Union[float, str, "np.floating[Any]", "np.integer[Any]"]
 """A number in SI units, or text with a unit, such as ``"210 GPa"``."""
@@ -178,11 +178,7 @@ class Material:
         return f"Material({self._native.describe()})"
 
     def _repr_html_(self) -> str:
-        rows = "".join(
-            f"<tr><th style='text-align:left'>{escape(name)}</th><td>{escape(value)}</td></tr>"
-            for name, value in self._native.properties()
-        )
-        return f"<table>{rows}</table>"
+        return rows_html(dict(self._native.properties()))
 
 
 def _known(number: float | None) -> float:

@@ -10,6 +10,8 @@ _Floats = npt.NDArray[np.float64]
 _Columns = dict[str, Any]
 _Arguments = Mapping[str, Any]
 _Note = tuple[str, str, str]
+_Map = tuple[str, tuple[float, float, float, float], int, bytes]
+_Pressed = tuple[Answer, tuple[_Floats, _Floats, _Floats] | None, tuple[tuple[float, float], list[float]]]
 
 __all__ = [
     "METADATA_FILES",
@@ -22,10 +24,13 @@ __all__ = [
     "Scan",
     "Scene",
     "Surface",
+    "axis_label",
     "channels_of",
+    "choices",
     "composite",
     "contact_states",
     "curve",
+    "figure_svg",
     "gaps",
     "in_metres",
     "materials_table",
@@ -34,11 +39,13 @@ __all__ = [
     "pressure_in_words",
     "press_heights",
     "press_spectrum",
+    "pressures_picture",
     "scans_of",
     "scene_template",
     "scene_text",
     "scene_with_keys",
     "set_threads",
+    "si_number",
     "tables_of_runs",
     "tangential",
     "threads",
@@ -64,6 +71,9 @@ def threads() -> int:
 def without_unit(argument: str, unit: str, given: Any) -> Any:
     """Numbers in a unit, of a quantity of pint, astropy or unyt; anything else as it is."""
 
+def si_number(argument: str, unit: str, given: Any) -> float:
+    """The number in m, Pa, m², 1/m² or without a unit of text with a unit, or of anything else that is one number."""
+
 def in_metres(argument: str, unit: str, lengths: _Floats) -> _Floats:
     """Lengths in m, of lengths in a unit."""
 
@@ -80,9 +90,8 @@ class Answer:
         """The notes as data."""
 
 def contact_states(
-    roughness: Sequence[_Floats],
+    given: Sequence[_Floats | float],
     condition: str,
-    at: _Floats,
     materials: Sequence[Material],
     material_index: npt.NDArray[np.int64] | None,
     arguments: _Arguments,
@@ -97,16 +106,29 @@ def press_heights(
     material: Material,
     arguments: _Arguments,
     observer: Callable[[str, int, int | None], None] | None,
-) -> tuple[Answer, tuple[_Floats, _Floats, _Floats] | None]: ...
+) -> _Pressed: ...
 def press_spectrum(
     surface: Surface,
     material: Material,
     arguments: _Arguments,
     observer: Callable[[str, int, int | None], None] | None,
-) -> tuple[Answer, tuple[_Floats, _Floats, _Floats] | None]: ...
+) -> _Pressed: ...
 def materials_table() -> _Columns: ...
 def models_table() -> _Columns: ...
 def model_style(name: str) -> tuple[str, str, str]: ...
+def choices() -> dict[str, list[str]]:
+    """The names that each kind of choice has."""
+
+def axis_label(column: str) -> str: ...
+def figure_svg(
+    title: str,
+    x: str,
+    y: str,
+    lines: Sequence[tuple[_Floats, _Floats, str, str, int | None]],
+    bands: Sequence[tuple[_Floats, _Floats, _Floats, str]],
+    holes: Sequence[tuple[float, float]],
+) -> str: ...
+def pressures_picture(nominal_pressure_pa: float, pressures_pa: _Floats, size_m: Sequence[float]) -> _Map: ...
 def pressure_in_words(pressure_pa: float) -> str: ...
 def gaps(surface: Surface, material: Material, arguments: _Arguments) -> Answer: ...
 def tangential(surface: Surface, material: Material, arguments: _Arguments) -> Answer: ...
@@ -251,7 +273,7 @@ class Scan:
     ) -> Scan: ...
     def roughness(self, arguments: _Arguments) -> tuple[_Columns, list[_Note]]: ...
     def summary(self) -> _Columns: ...
-    def picture(self) -> tuple[str, tuple[tuple[float, float, float, float], int, bytes] | None] | None: ...
+    def picture(self) -> tuple[str, _Map | None] | None: ...
 
 @final
 class AskedScan:

@@ -42,8 +42,21 @@ class Note(str):
         note.level, note.code = level, code
         return note
 
+    @property
+    def text(self) -> str:
+        """The words alone."""
+        return str(self)
+
     def __reduce__(self) -> tuple[Any, ...]:
         return (Note, (str(self), self.level, self.code))
+
+
+def counted(notes: tuple[Note, ...]) -> str:
+    """How many cautions and notes there are; nothing where there are none."""
+    cautions = sum(note.level == "caution" for note in notes)
+    counts = {"caution": cautions, "note": len(notes) - cautions}
+    words = [f"{count} {kind}{'s' if count > 1 else ''}" for kind, count in counts.items() if count]
+    return f", {', '.join(words)}" if words else ""
 
 
 def notes_of(told: Iterable[tuple[str, str, str]]) -> tuple[Note, ...]:
@@ -58,6 +71,8 @@ _WARNED: set[tuple[str, int, str]] = set()
 def noted(native: Iterable[tuple[str, str, str]]) -> tuple[Note, ...]:
     """Notes on the result of a call, whose cautions become warnings at the place that called the package."""
     notes = notes_of(native)
+    if not notes:
+        return notes
     cautions = [note for note in notes if note.level == "caution"]
     if cautions:
         frame, level = _outside()

@@ -9,13 +9,12 @@ import numpy as np
 
 from truearea import _native
 from truearea._arrays import doubles
-from truearea._choices import Band, PerssonModel
-from truearea._cores import material_of, surface_of
+from truearea._choices import AmplitudeDefinition, Band, Correction, PerssonModel
 from truearea._curves import Curve, Pressures, _curve
-from truearea._material import Material, Quantity
+from truearea._grammar import AnyMaterial, AnySurface, formerly, material_of, surface_of
+from truearea._material import Quantity
 from truearea._native import InputError
 from truearea._results import AnyArray, FloatArray
-from truearea._spectrum import Spectrum
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -37,18 +36,19 @@ class PerssonCurve(Curve):
     band: AnyArray
 
 
+@formerly(spectrum="surface")
 def persson(
-    spectrum: Spectrum,
-    material: Material,
+    surface: AnySurface,
+    material: AnyMaterial,
     *,
     pressure: Pressures,
-    model: PerssonModel = "elastic",
-    correction: str | None = None,
+    model: PerssonModel = "persson",
+    correction: Correction | None = None,
     gamma: float = 0.45,
-    band: Band = "1d",
+    band: Band = "2d",
     hardness_law: str | Mapping[str, Any] | pd.DataFrame | None = None,
     strain_gradient: bool = False,
-    amplitude: str = "eq5",
+    amplitude: AmplitudeDefinition = "eq5",
     cutoff: Quantity | None = None,
     scales_per_decade: int | None = None,
 ) -> PerssonCurve:
@@ -59,14 +59,14 @@ def persson(
 
     Parameters
     ----------
-    spectrum : Spectrum
+    surface : Spectrum, Scan, sequence of scans, or path of a spectrum
         The roughness.
-    material : Material
-        The bodies in contact.
+    material : Material or str
+        The bodies in contact, or the name of a material of the table.
     pressure : float, str, or sequence of them
         Nominal pressures, in Pa or as text such as ``"5 MPa"`` or ``"1e-3 H"``.
-    model : {"elastic", "elastic-plastic"}
-        Whether the contact flows, at the indentation hardness.
+    model : {"persson", "persson-plastic"}
+        Whether the contact flows, at the indentation hardness; ``"elastic"`` and ``"elastic-plastic"`` are former names.
     correction : {"wang-muser", "yang-persson", "algebraic", "algebraic-nayak"}, optional
         A corrected form of the elastic theory, fitted to simulations.
     gamma : float, default 0.45
@@ -113,13 +113,16 @@ def persson(
     arguments = locals()
     if not (hardness_law is None or isinstance(hardness_law, str)):
         arguments["hardness_law"] = _table(hardness_law)
-    answer, pressures_pa, light = _native.curve("persson", surface_of(spectrum), material_of(material), arguments)
-    name = "persson" if model == "elastic" else "persson-plastic"
+    name = arguments["model"] = _FORMER.get(model, model)
+    answer, pressures_pa, light = _native.curve("persson", surface_of(surface), material_of(material), arguments)
     blocks = PerssonCurve._along(answer, pressures_pa, ("wavelength_m", "rms_gradient", "band"), name)
     u0_m, p00_pa = (np.nan, np.nan) if light is None else light
     arrays = dict(blocks) | {"u0_m": np.asarray(u0_m), "p00_pa": np.asarray(p00_pa)}
     axes = {name: blocks.axes(name) for name in blocks} | {"u0_m": (), "p00_pa": ()}
     return _curve(PerssonCurve, arrays, axes, blocks.notes, name)
+
+
+_FORMER = {"elastic": "persson", "elastic-plastic": "persson-plastic"}
 
 
 def _table(given: Mapping[str, Any] | pd.DataFrame) -> tuple[FloatArray, FloatArray]:

@@ -1,11 +1,9 @@
-"""Pictures by Matplotlib, with the colours, dashes and names of the report."""
+"""Axes of Matplotlib, with the colours, dashes and names of the report."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
-
-import numpy as np
 
 from truearea import _native
 from truearea._results import FloatArray
@@ -26,16 +24,14 @@ def axes_of(ax: Axes | None) -> Axes:
     return plt.subplots(layout="constrained")[1] if ax is None else ax
 
 
-def area_axes(ax: Axes | None) -> Axes:
-    """Axes for areas against the shortest wavelength that takes part, long wavelengths on the left."""
-    ax = axes_of(ax)
+def log_axes(ax: Axes, x: str, y: str) -> None:
+    """Logarithmic axes for two columns, long wavelengths on the left."""
     ax.set_xscale("log")
     ax.set_yscale("log")
-    ax.set_xlabel("shortest wavelength (m)")
-    ax.set_ylabel("fraction of the area in contact")
-    if not ax.xaxis_inverted():
+    ax.set_xlabel(_native.axis_label(x))
+    ax.set_ylabel(_native.axis_label(y))
+    if x in ("wavelength_m", "scale_m") and not ax.xaxis_inverted():
         ax.invert_xaxis()
-    return ax
 
 
 def draw_map(
@@ -64,11 +60,6 @@ def draw_answer(ax: Axes, shortest_m: float, area: Mapping[str, Any]) -> None:
     else:
         ends = [[max(middle - low, 0.0)], [max(high - middle, 0.0)]]
         ax.errorbar([shortest_m], [middle], yerr=ends, fmt="o", color="black", capsize=3, label=label)
-
-
-def load_label(pressure_pa: float) -> str:
-    """A nominal pressure in words."""
-    return "a separation" if np.isnan(pressure_pa) else _native.pressure_in_words(pressure_pa)
 
 
 def style_of(model: str) -> dict[str, Any]:

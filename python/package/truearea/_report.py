@@ -5,17 +5,19 @@ from __future__ import annotations
 import os
 from typing import Any
 
+from truearea._grammar import formerly
 from truearea._material import Quantity
 from truearea._progress import Progress
 from truearea._scene import Scene, SceneResults
 from truearea._scene_sections import Body
 
 
+@formerly(pressures="pressure")
 def report(
     surface: Any,
     material: Body,
     *,
-    pressures: Any,
+    pressure: Any,
     counterface: Body | None = None,
     seal: bool = False,
     strength_cap: Quantity | None = None,
@@ -33,7 +35,7 @@ def report(
         ``"trace.txt:unit=um"``.
     material : Material, str or mapping
         The rough body: a material, a name of the table, or the keys of ``[material]`` in a scene.
-    pressures : float, str, or sequence of them
+    pressure : float, str, or sequence of them
         Nominal pressures, in Pa or as text such as ``"5 MPa"`` or ``"1e-3 H"``.
     counterface : Material, str or mapping, optional
         What presses on the rough body; rigid where left out.
@@ -65,14 +67,14 @@ def report(
     Examples
     --------
     >>> import truearea as ta
-    >>> found = ta.report("builtin:uncd-measured", "diamond", pressures="5.4 MPa")
+    >>> found = ta.report("builtin:uncd-measured", "diamond", pressure="5.4 MPa")
     >>> print(found.answer.splitlines()[0])
     17... ppm (...) of the area touches at 5.4 MPa: boundary elements, elastic.
     """
     scene = Scene(
         surface,
         material,
-        pressures=pressures,
+        pressure=pressure,
         counterface=counterface,
         interface=True,
         seal=seal,

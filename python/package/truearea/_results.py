@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from html import escape
 from typing import TYPE_CHECKING, Any, NoReturn
 
 import numpy as np
 import numpy.typing as npt
 
-from truearea._notes import Note
+from truearea._notes import Note, counted
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -82,11 +82,13 @@ class Result(dict[str, AnyArray]):
         self._axes = dict(axes)
         self.notes = tuple(note if isinstance(note, Note) else Note(note) for note in notes)
 
-    def __getattr__(self, name: str) -> Any:
-        try:
-            return self[name]
-        except KeyError:
-            raise AttributeError(f"a {type(self).__name__} has no {name}") from None
+    if not TYPE_CHECKING:
+        # Types know the arrays of every kind of result, so that a mistyped one is an error to a checker.
+        def __getattr__(self, name: str) -> Any:
+            try:
+                return self[name]
+            except KeyError:
+                raise AttributeError(f"a {type(self).__name__} has no {name}") from None
 
     def _refuse(self, *_: Any, **__: Any) -> NoReturn:
         raise TypeError(f"a {type(self).__name__} cannot be changed; dict() makes a copy that can")
@@ -119,10 +121,11 @@ class Result(dict[str, AnyArray]):
     __hash__ = None
 
     def __repr__(self) -> str:
-        head = f"{type(self).__name__} ({', '.join(f'{axis}: {size}' for axis, size in self.sizes.items())})"
+        sizes = ", ".join(f"{axis}: {size}" for axis, size in self.sizes.items())
+        head = f"{type(self).__name__} ({sizes}){counted(self.notes)}"
         width = max((len(name) for name in self), default=0)
         lines = [f"  {name:<{width}}  {_in_short(name, array)}" for name, array in self.items()]
-        notes = [f"  note: {note}" for note in self.notes]
+        notes = [f"  {note.level}: {note}" for note in self.notes]
         return "\n".join([head, *lines, *notes])
 
     def _repr_html_(self) -> str:
@@ -132,12 +135,15 @@ class Result(dict[str, AnyArray]):
             f"<td>{escape(unit_of(name))}</td><td style='text-align:left'>{escape(_values(array))}</td></tr>"
             for name, array in self.items()
         )
-        notes = "".join(f"<li>{escape(note)}</li>" for note in self.notes)
         return (
-            f"<div><b>{escape(self._title)}</b> ({escape(sizes)})"
+            f"<div>{self._drawing()}<b>{escape(self._title)}</b> ({escape(sizes)})"
             "<table><thead><tr><th>array</th><th>axes</th><th>unit</th><th>values</th></tr></thead>"
-            f"<tbody>{rows}</tbody></table>{f'<ul>{notes}</ul>' if notes else ''}</div>"
+            f"<tbody>{rows}</tbody></table>{notes_html(self.notes)}</div>"
         )
+
+    def _drawing(self) -> str:
+        """The picture above the table in notebooks; none of most results."""
+        return ""
 
     @property
     def sizes(self) -> dict[str, int]:
@@ -196,6 +202,21 @@ class Result(dict[str, AnyArray]):
 
     def _is_coordinate(self, name: str) -> bool:
         return len(self.sizes) > 1
+
+
+def rows_html(rows: Mapping[str, str]) -> str:
+    """A table of names and what they stand for."""
+    told = "".join(
+        f"<tr><th style='text-align:left'>{escape(name)}</th><td style='text-align:left'>{escape(value)}</td></tr>"
+        for name, value in rows.items()
+    )
+    return f"<table>{told}</table>"
+
+
+def notes_html(notes: Iterable[str]) -> str:
+    """A list of notes; nothing where there are none."""
+    told = "".join(f"<li>{escape(note)}</li>" for note in notes)
+    return f"<ul>{told}</ul>" if told else ""
 
 
 def _attributes(name: str) -> dict[str, str]:

@@ -6,7 +6,9 @@ import os
 from typing import Any
 
 from truearea import _native
+from truearea._choices import Conventions, Form
 from truearea._composite import heights_of
+from truearea._grammar import formerly
 from truearea._material import Quantity
 from truearea._native import InputError
 from truearea._notes import noted
@@ -36,23 +38,24 @@ class Roughness(Table):
         return float(super().__getitem__("value")[rows[0]])
 
 
+@formerly(h="surface")
 def roughness(
-    h: Any,
+    surface: Any,
     size: Any = None,
     *,
     unit: str | None = None,
     channel: str | None = None,
-    form: str | None = None,
+    form: Form | None = None,
     filter: Quantity | None = None,
     short_filter: Quantity | None = None,
     ratio_height: Quantity | None = None,
-    convention: str = "usual",
+    convention: Conventions = "usual",
 ) -> Roughness:
     """Roughness parameters of a map (ISO 25178-2) or a profile (ISO 21920-2), as ``truearea roughness`` has them.
 
     Parameters
     ----------
-    h : Scan, array_like of float, or path
+    surface : Scan, array_like of float, or path
         Heights: a scan, an array in m with its ``size``, an object of SurfaceTopography, or a file.
     size : float or str, or two of them, optional
         Lengths (lx, ly) of an array; of a file, the length along its lines where it gives none.
@@ -96,15 +99,15 @@ def roughness(
         "ratio_height": ratio_height,
         "convention": convention,
     }
-    if isinstance(h, (str, os.PathLike)):
-        h, size = read_scan(h, unit=unit, channel=channel, size=size), None
+    if isinstance(surface, (str, os.PathLike)):
+        surface, size = read_scan(surface, unit=unit, channel=channel, size=size), None
     elif unit is not None or channel is not None:
         raise InputError("unit and channel are for files; leave them out")
-    if isinstance(h, Scan):
+    if isinstance(surface, Scan):
         if size is not None:
-            raise InputError("h is a Scan, which has its size; leave size out")
-        native = h._native
+            raise InputError("surface is a Scan, which has its size; leave size out")
+        native = surface._native
     else:
-        native = _native.Scan.of_heights(*heights_of("h", "size", "heights", h, size, None))
+        native = _native.Scan.of_heights(*heights_of("surface", "size", "heights", surface, size, None))
     columns, notes = native.roughness({key: value for key, value in arguments.items() if value is not None})
     return Roughness._of(columns, noted(notes))

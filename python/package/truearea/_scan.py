@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Union
 import numpy as np
 
 from truearea import _native
+from truearea._choices import Direction, Gaps
 from truearea._material import Quantity
 from truearea._picture import within_frame
-from truearea._results import FloatArray, Table
+from truearea._results import FloatArray, Table, notes_html, rows_html
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -182,8 +183,15 @@ class Scan:
         picture = self._native.picture()
         if picture is None:
             return f"<p>{escape(self.name)}: no point has a height</p>"
-        svg, points = picture
-        return svg if points is None else within_frame(svg, *points)
+        line, points = picture
+        drawing = line if points is None else within_frame(*points)
+        rows = {
+            "format": self.format,
+            "points": " × ".join(str(count) for count in self.heights_m.shape),
+            "size": " × ".join(f"{length:.4g} m" for length in self.size_m),
+            "rms height": f"{self.summary().rms_height_m[0]:.4g} m",
+        }
+        return f"<div>{drawing}{rows_html(rows)}{notes_html(self.notes)}</div>"
 
 
 def read_scan(
@@ -195,8 +203,8 @@ def read_scan(
     size: Quantity | None = None,
     tip_radius: Quantity | None = None,
     shortest: Quantity | None = None,
-    gaps: str | None = None,
-    direction: str | None = None,
+    gaps: Gaps | None = None,
+    direction: Direction | None = None,
 ) -> Scan:
     """Read the heights in a file, of some thirty-five kinds of instruments and programs.
 

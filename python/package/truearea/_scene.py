@@ -13,11 +13,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from truearea import _native
+from truearea._choices import AmplitudeDefinition, HardnessFormula, Normalisation, Template
 from truearea._material import Material, Quantity
 from truearea._native import InputError
 from truearea._notes import notes_of
 from truearea._progress import Line, Progress, observer_of
-from truearea._results import Table
+from truearea._results import AnyArray, Table
 from truearea._scene_sections import (
     SPECTRUM_FILE,
     Body,
@@ -39,6 +40,10 @@ class SceneTable(Table):
     _title = "table of a scene"
     __slots__ = ()
 
+    if TYPE_CHECKING:
+        # Which columns there are, the scene decides.
+        def __getattr__(self, name: str) -> AnyArray: ...
+
 
 class Scene:
     """A surface, a material, loads, and what to compute and draw of them.
@@ -56,8 +61,8 @@ class Scene:
     material : Material, str or mapping
         The rough body: a material, a name of the table, or the keys of ``[material]`` in a scene, whose values may be uncertain:
         ``{"youngs_modulus": "210 GPa +- 5 GPa", "poisson_ratio": 0.3}``.
-    pressures : float, str, or sequence of them
-        Nominal pressures, in Pa or as text such as ``"5 MPa"`` or ``"1e-3 H"``.
+    pressure : float, str, or sequence of them
+        Nominal pressures, in Pa or as text such as ``"5 MPa"`` or ``"1e-3 H"``; ``pressures`` is the former name.
     counterface : Material, str or mapping, optional
         What presses on the rough body; left out, the counterface of ``material``, or a rigid one.
     curves : "all", or sequence of str or mapping, default "all"
@@ -84,7 +89,7 @@ class Scene:
     --------
     >>> import truearea as ta
     >>> spectrum = ta.read_psd("builtin:uncd-measured")
-    >>> scene = ta.Scene(spectrum, "100Cr6", pressures=["1 MPa", "10 MPa"], curves=["persson-plastic"])
+    >>> scene = ta.Scene(spectrum, "100Cr6", pressure=["1 MPa", "10 MPa"], curves=["persson-plastic"])
     >>> scene.run(report=False).tables["persson-plastic"].area_fraction[-1] > 0
     np.True_
     >>> ta.Scene.template("gasket")
@@ -107,7 +112,8 @@ class Scene:
         surface: Any,
         material: Body,
         *,
-        pressures: Any,
+        pressure: Any = None,
+        pressures: Any = None,
         counterface: Body | None = None,
         curves: Any = "all",
         interface: bool | Mapping[str, Any] = False,
@@ -120,6 +126,9 @@ class Scene:
         title: str | None = None,
         size: Any = None,
     ) -> None:
+        if (pressure is None) == (pressures is None):
+            both = "pressure is needed" if pressure is None else "pressure and pressures, its former name, are both given; give one"
+            raise InputError(both)
         rough = surface_of_scene(surface, size)
         others: dict[str, Any] = dict(options or {})
         if isinstance(material, Material):
@@ -133,7 +142,7 @@ class Scene:
             "surface": {"psd": rough.psd},
             "material": body_section("material", material),
             "counterface": None if counterface is None else body_section("counterface", counterface),
-            "loads": {"pressures": pressure_list(pressures)},
+            "loads": {"pressures": pressure_list(pressures if pressure is None else pressure)},
             "cutoffs": None if cutoff is None else {"shortest_wavelength": cutoff},
             "options": others or None,
             "curve": None if isinstance(curves, str) and curves == "all" else curve_tables(curves),
@@ -153,11 +162,11 @@ class Scene:
         path_or_text: str | os.PathLike[str],
         *,
         folder: str | os.PathLike[str] | None = None,
-        normalisation: str | None = None,
-        amplitude: str | None = None,
+        normalisation: Normalisation | None = None,
+        amplitude: AmplitudeDefinition | None = None,
         scales_per_decade: int | None = None,
-        hardness_formula: str | None = None,
-        hardness: str | None = None,
+        hardness_formula: HardnessFormula | None = None,
+        hardness: HardnessFormula | None = None,
         strength_cap: Quantity | None = None,
         cutoff: Quantity | None = None,
         counterface: Material | None = None,
@@ -232,7 +241,7 @@ class Scene:
         return cls._of(text, name, below, {}, {key: value for key, value in overrides.items() if value is not None})
 
     @classmethod
-    def template(cls, name: str) -> Scene:
+    def template(cls, name: Template) -> Scene:
         """A scene that comes with the program, as ``truearea scene NAME`` prints it.
 
         Parameters
@@ -345,7 +354,7 @@ class Scene:
         Examples
         --------
         >>> import truearea as ta
-        >>> print(ta.Scene("builtin:uncd-measured", "diamond", pressures="1 MPa").to_toml())
+        >>> print(ta.Scene("builtin:uncd-measured", "diamond", pressure="1 MPa").to_toml())
         [surface]
         psd = "builtin:uncd-measured"
         <BLANKLINE>
@@ -549,11 +558,12 @@ class SceneResults:
         ImportError
             Without Matplotlib; ``pip install truearea[plot]`` adds it.
         """
-        from truearea._plot import area_axes, draw_answer, style_from
+        from truearea._plot import axes_of, draw_answer, log_axes, style_from
 
         if not 0 <= load < self.loads:
             raise InputError(f"load: there is no load {load}; give a number from 0 to {self.loads - 1}")
-        ax = area_axes(ax)
+        ax = axes_of(ax)
+        log_axes(ax, "wavelength_m", "area_fraction")
         ends_m = []
         for name, columns in self.tables.items():
             if name not in self.styles:

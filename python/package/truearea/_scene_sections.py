@@ -75,17 +75,18 @@ def elastic_section(body: Material) -> dict[str, Any]:
     return {"youngs_modulus": in_unit(body._native.youngs_modulus_pa, "Pa"), "poisson_ratio": body._native.poisson_ratio}
 
 
-def pressure_list(pressures: Any) -> list[Any]:
-    """Nominal pressures as a scene lists them: text with units, or numbers in Pa."""
+def pressure_list(pressures: Any) -> list[str]:
+    """Nominal pressures as a scene lists them, with their units."""
     if isinstance(pressures, (set, frozenset, Mapping)):
-        raise InputError(f"pressures: it has no order, being of type {type(pressures).__name__}; give a list")
-    if isinstance(pressures, (list, tuple)):
-        listed = list(pressures)
-    else:
-        bare = _native.without_unit("pressures", "Pa", pressures)
-        listed = [bare] if isinstance(bare, str) or np.ndim(bare) == 0 else list(bare)
-    each = [_native.without_unit("pressures", "Pa", one) for one in listed]
-    return [one if isinstance(one, str) else _pressure(float(one)) for one in each]
+        raise InputError(f"pressure: it has no order, being of type {type(pressures).__name__}; give a list")
+    if np.ma.is_masked(pressures):
+        raise InputError("pressure: some of it is masked; fill it, or leave it out")
+    if not isinstance(pressures, (list, tuple)):
+        bare = _native.without_unit("pressure", "Pa", pressures)
+        is_one = isinstance(bare, (str, bytes)) or np.ndim(bare) == 0
+        pressures = [bare] if is_one else list(bare)
+    each = enumerate(pressures)
+    return [one if isinstance(one, str) else _pressure(_native.si_number(f"pressure[{at}]", "Pa", one)) for at, one in each]
 
 
 def _pressure(pressure_pa: float) -> str:

@@ -11,18 +11,28 @@ import numpy.typing as npt
 
 from truearea import _native
 from truearea._arrays import doubles
+from truearea._choices import (
+    Abscissa,
+    AmplitudeDefinition,
+    Convention,
+    Detrend,
+    Direction,
+    Gaps,
+    Normalisation,
+    Window,
+)
 from truearea._material import Quantity
 from truearea._native import InputError
 from truearea._notes import noted, notes_of
-from truearea._results import AnyArray, FloatArray, Table
+from truearea._picture import Drawn, Line, Picture
+from truearea._results import AnyArray, FloatArray, Table, notes_html, rows_html
 
 if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
-    from matplotlib.axes import Axes
 
 
-class Moments(Table):
+class Moments(Drawn, Table):
     """Spectral moments and McCool's asperities, from the longest wavelength down to each cutoff.
 
     The first row has no interval yet, and no numbers.
@@ -40,8 +50,15 @@ class Moments(Table):
     offset_m: FloatArray
     nayak_alpha: FloatArray
 
+    def _picture(self) -> Picture:
+        columns = {"m0": self.m0_m2, "m2": self.m2, "m4": self.m4_per_m2}
+        lines = tuple(
+            Line(self.wavelength_m, column / column[-1], name, condition=at) for at, (name, column) in enumerate(columns.items())
+        )
+        return Picture(self._title, "wavelength_m", "moments", lines)
 
-class Amplitudes(Table):
+
+class Amplitudes(Drawn, Table):
     """Amplitude and aspect ratio of every scale."""
 
     _title = "amplitudes"
@@ -49,6 +66,9 @@ class Amplitudes(Table):
     wavelength_m: FloatArray
     amplitude_m: FloatArray
     aspect_ratio: FloatArray
+
+    def _picture(self) -> Picture:
+        return Picture(self._title, "scale_m", "amplitude_m", (Line(self.wavelength_m, self.amplitude_m),))
 
 
 class Fit(Table):
@@ -91,7 +111,7 @@ class Samples(Table):
     c1d_se_m3: FloatArray
 
 
-class Spectrum:
+class Spectrum(Drawn):
     """The power spectrum of a rough surface along a line, a power law between its samples.
 
     Parameters
@@ -130,7 +150,7 @@ class Spectrum:
         c1d: npt.ArrayLike,
         c1d_se: npt.ArrayLike | None = None,
         *,
-        convention: str = "c1d",
+        convention: Convention = "c1d",
         name: str = "spectrum",
     ) -> None:
         q = _column("wavevectors", wavevectors)
@@ -163,10 +183,10 @@ class Spectrum:
         size: Any = None,
         *,
         periodic: bool | None = None,
-        detrend: str | None = None,
-        window: str | None = None,
-        gaps: str | None = None,
-        direction: str | None = None,
+        detrend: Detrend | None = None,
+        window: Window | None = None,
+        gaps: Gaps | None = None,
+        direction: Direction | None = None,
         bins_per_decade: int | None = None,
         tip_radius: Quantity | None = None,
         shortest: Quantity | None = None,
@@ -261,7 +281,7 @@ class Spectrum:
     def moments(
         self,
         *,
-        normalisation: str = "parseval",
+        normalisation: Normalisation = "parseval",
         cutoff: Quantity | None = None,
         scales_per_decade: int | None = None,
     ) -> Moments:
@@ -296,7 +316,7 @@ class Spectrum:
     def amplitudes(
         self,
         *,
-        definition: str = "eq5",
+        definition: AmplitudeDefinition = "eq5",
         cutoff: Quantity | None = None,
         scales_per_decade: int | None = None,
     ) -> Amplitudes:
@@ -387,34 +407,11 @@ class Spectrum:
         native = self._native.between({"longest": longest, "shortest": shortest})
         return Spectrum._of(native, Spectrum.between, self, longest, shortest)
 
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the spectrum against the wavelength, with its holes in grey.
-
-        Parameters
-        ----------
-        ax : matplotlib.axes.Axes, optional
-            The axes to draw in; new ones where left out.
-
-        Returns
-        -------
-        matplotlib.axes.Axes
-
-        Raises
-        ------
-        ImportError
-            Without Matplotlib; ``pip install truearea[plot]`` adds it.
-        """
-        from truearea._plot import HOLE_COLOUR, axes_of
-
-        ax = axes_of(ax)
-        for longest_m, shortest_m in self.holes_m:
-            ax.axvspan(shortest_m, longest_m, color=HOLE_COLOUR, linewidth=0)
-        ax.loglog(self.wavelengths_m, self.c1d_m3, label=self.name)
-        ax.set_xlabel("wavelength (m)")
-        ax.set_ylabel("C1D (m³)")
-        if not ax.xaxis_inverted():
-            ax.invert_xaxis()
-        return ax
+    def _picture(self) -> Picture:
+        # From long to short wavelengths, as the samples are.
+        line = Line(self.wavelengths_m, self.c1d_m3, self.name)
+        holes = tuple((shortest_m, longest_m) for longest_m, shortest_m in self.holes_m)
+        return Picture("power spectrum", "scale_m", "c1d_m3", (line,), holes=holes)
 
     def __add__(self, other: Spectrum) -> Spectrum:
         return self.against(other) if isinstance(other, Spectrum) else NotImplemented
@@ -441,7 +438,15 @@ class Spectrum:
         )
 
     def _repr_html_(self) -> str:
-        return self._native.svg()
+        moments = self._native.quantity("moments", {}).columns
+        rows = {
+            "samples": str(len(self)),
+            "wavelengths": f"{self.wavelengths_m[0]:.4g} m to {self.wavelengths_m[-1]:.4g} m",
+            "rms height": f"{moments['m0_m2'][-1] ** 0.5:.4g} m",
+            "rms slope": f"{moments['m2'][-1] ** 0.5:.4g}",
+            "holes": str(len(self.holes_m)),
+        }
+        return f"<div>{self._native.svg()}{rows_html(rows)}{notes_html(self.notes)}</div>"
 
 
 def _made_again(maker: Any, given: tuple[Any, ...], options: dict[str, Any]) -> Spectrum:
@@ -453,8 +458,8 @@ def read_psd(
     path: str | os.PathLike[str],
     *,
     column: str | None = None,
-    convention: str | None = None,
-    x: str | None = None,
+    convention: Convention | None = None,
+    x: Abscissa | None = None,
     series: str | None = None,
     subject: str | None = None,
     x_unit: str | None = None,

@@ -2,22 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from truearea import _native
-from truearea._choices import Band, ShearedModel
-from truearea._cores import material_of, surface_of
+from truearea._choices import Band, InterferenceLaw, Normalisation, Phases, ShearedModel
 from truearea._curves import Pressures
-from truearea._material import Material, Quantity
+from truearea._grammar import AnyMaterial, AnySurface, formerly, material_of, surface_of
+from truearea._material import Quantity
 from truearea._notes import noted
+from truearea._picture import Drawn, Line, Picture, load_label
 from truearea._results import FloatArray, Table
-from truearea._spectrum import Spectrum
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-
-class Sheared(Table):
+class Sheared(Drawn, Table):
     """Displacement, stiffness, slip and loss of a surface under tangential stresses."""
 
     _title = "tangential loads"
@@ -33,38 +27,19 @@ class Sheared(Table):
     area_fraction: FloatArray
     stuck_area_fraction: FloatArray
 
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the tangential stress against the displacement on first loading, a line for each pressure.
-
-        Parameters
-        ----------
-        ax : matplotlib.axes.Axes, optional
-            The axes to draw in; new ones where left out.
-
-        Returns
-        -------
-        matplotlib.axes.Axes
-
-        Raises
-        ------
-        ImportError
-            Without Matplotlib; ``pip install truearea[plot]`` adds it.
-        """
-        from truearea._plot import axes_of, load_label
-
-        ax = axes_of(ax)
-        for pressure_pa in dict.fromkeys(self.nominal_pressure_pa):
-            at = self.nominal_pressure_pa == pressure_pa
-            ax.plot(self.displacement_m[at], self.tangential_stress_pa[at], marker=".", label=load_label(pressure_pa))
-        ax.set_xlabel("displacement (m)")
-        ax.set_ylabel("tangential stress (Pa)")
-        ax.legend()
-        return ax
+    def _picture(self) -> Picture:
+        rows = {pressure_pa: self.nominal_pressure_pa == pressure_pa for pressure_pa in self.nominal_pressure_pa}
+        lines = tuple(
+            Line(self.displacement_m[at], self.tangential_stress_pa[at], load_label(pressure_pa), condition=place)
+            for place, (pressure_pa, at) in enumerate(rows.items())
+        )
+        return Picture(self._title, "displacement_m", "tangential_stress_pa", lines, marker=".")
 
 
+@formerly(spectrum="surface")
 def tangential(
-    spectrum: Spectrum,
-    material: Material,
+    surface: AnySurface,
+    material: AnyMaterial,
     *,
     friction: float,
     pressure: Pressures,
@@ -72,8 +47,8 @@ def tangential(
     model: ShearedModel = "persson",
     gamma: float | None = None,
     band: Band | None = None,
-    interference_law: str | None = None,
-    normalisation: str | None = None,
+    interference_law: InterferenceLaw | None = None,
+    normalisation: Normalisation | None = None,
     cutoff: Quantity | None = None,
     scales_per_decade: int | None = None,
     grid: int | None = None,
@@ -82,7 +57,7 @@ def tangential(
     longest: Quantity | None = None,
     shortest: Quantity | None = None,
     side: Quantity | None = None,
-    phases: str | None = None,
+    phases: Phases | None = None,
 ) -> Sheared:
     """Shear a surface under a constant normal load, with Coulomb friction at every point (Ciavarella 1998; Jaeger 1998).
 
@@ -127,5 +102,5 @@ def tangential(
     True
     """
     arguments = locals()
-    answer = _native.tangential(surface_of(spectrum), material_of(material), arguments)
+    answer = _native.tangential(surface_of(surface), material_of(material), arguments)
     return Sheared._of(answer.columns, noted(answer.notes))

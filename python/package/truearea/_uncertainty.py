@@ -3,25 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, Union
+from typing import Any, Union
 
 import numpy as np
 
 from truearea import _native
-from truearea._composite import composite
+from truearea._choices import AmplitudeDefinition, CurveModel, HardnessFormula, InterferenceLaw, Normalisation
 from truearea._curves import Pressures
-from truearea._cores import material_of
+from truearea._grammar import AnyMaterial, AnySurface, formerly, material_of, named_material, surface_of
 from truearea._material import Material, Quantity
 from truearea._native import InputError
 from truearea._notes import noted
+from truearea._picture import Band, Drawn, Picture, load_label
 from truearea._progress import Line, Progress, observer_of
 from truearea._results import AnyArray, FloatArray, Result, Table
-from truearea._spectrum import Spectrum
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-Models = Union[str, Sequence[str]]
+Models = Union[CurveModel, Sequence[CurveModel]]
 
 
 class Shares(Table):
@@ -67,7 +64,7 @@ class Bands(Table):
     high: FloatArray
 
 
-class Uncertainty(Result):
+class Uncertainty(Drawn, Result):
     """Areas with their coverage intervals: arrays of shape (loads,), of several models (loads, models).
 
     Attributes
@@ -99,36 +96,15 @@ class Uncertainty(Result):
     advice: Advice
     bands: Bands
 
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the intervals of the area along the shortest wavelength that takes part.
-
-        Parameters
-        ----------
-        ax : matplotlib.axes.Axes, optional
-            The axes to draw in; new ones where left out.
-
-        Returns
-        -------
-        matplotlib.axes.Axes
-
-        Raises
-        ------
-        ImportError
-            Without Matplotlib; ``pip install truearea[plot]`` adds it.
-        """
-        from truearea._plot import area_axes, load_label, style_of
-
-        ax = area_axes(ax)
-        bands = self.bands
-        for curve, pressure_pa in dict.fromkeys(zip(bands.curve, bands.nominal_pressure_pa)):
-            at = (bands.curve == curve) & (bands.nominal_pressure_pa == pressure_pa)
-            style = style_of(str(curve))
-            label = f"{style['label']}, {load_label(pressure_pa)}"
-            ax.fill_between(
-                bands.wavelength_m[at], bands.low[at], bands.high[at], color=style["color"], alpha=0.3, label=label
-            )
-        ax.legend(loc="lower left")
-        return ax
+    def _picture(self) -> Picture:
+        of_all = self.bands
+        drawn = dict.fromkeys(zip(of_all.curve, of_all.nominal_pressure_pa))
+        rows = {key: (of_all.curve == key[0]) & (of_all.nominal_pressure_pa == key[1]) for key in drawn}
+        bands = tuple(
+            Band(of_all.wavelength_m[at], of_all.low[at], of_all.high[at], load_label(pressure_pa), str(model))
+            for (model, pressure_pa), at in rows.items()
+        )
+        return Picture(self._title, "wavelength_m", "area_fraction", (), bands)
 
     def _with(self, draws: int, shares: Shares, advice: Advice, bands: Bands) -> Uncertainty:
         self.draws, self.shares, self.advice, self.bands = draws, shares, advice, bands
@@ -143,9 +119,10 @@ def _uncertainty(arrays: Any, axes: Any, notes: Any, tables: Any) -> Uncertainty
     return Uncertainty(arrays, axes, notes)._with(*tables)
 
 
+@formerly(spectrum="surface", hardness="hardness_formula")
 def uncertainty(
-    spectrum: Spectrum | Sequence[Any],
-    material: Material,
+    surface: AnySurface,
+    material: AnyMaterial,
     *,
     pressure: Pressures,
     model: Models,
@@ -161,11 +138,10 @@ def uncertainty(
     counterface_youngs_modulus: Quantity | None = None,
     counterface_poisson_ratio: Quantity | None = None,
     strain_gradient: bool = False,
-    hardness_formula: str | None = None,
-    hardness: str | None = None,
-    interference_law: str | None = None,
-    normalisation: str = "parseval",
-    amplitude: str = "eq5",
+    hardness_formula: HardnessFormula | None = None,
+    interference_law: InterferenceLaw | None = None,
+    normalisation: Normalisation = "parseval",
+    amplitude: AmplitudeDefinition = "eq5",
     tolerance: float = 1e-12,
     cutoff: Quantity | None = None,
     scales_per_decade: int | None = None,
@@ -178,11 +154,11 @@ def uncertainty(
 
     Parameters
     ----------
-    spectrum : Spectrum, or sequence of scans
+    surface : Spectrum, Scan, sequence of scans, or path of a spectrum
         Of ``composite``, whose scans are drawn from; of ``read_psd`` or numbers, with standard errors; or scans, as for
         ``composite``.
-    material : Material
-        The bodies in contact.
+    material : Material or str
+        The bodies in contact, or the name of a material of the table.
     pressure : float, str, or sequence of them
         Nominal pressures, in Pa or as text such as ``"5 MPa"`` or ``"1e-3 H"``.
     model : str, or sequence of str
@@ -228,15 +204,13 @@ def uncertainty(
     True
     """
     arguments = locals()
-    if not isinstance(spectrum, (Spectrum, list, tuple)):
-        kind = type(spectrum).__name__
-        raise InputError(f"spectrum: a Spectrum is needed, or a list of scans, and this is of type {kind}")
-    surface = spectrum if isinstance(spectrum, Spectrum) else composite(spectrum)
+    body = named_material(material) if isinstance(material, str) else material
     names = [model] if isinstance(model, str) else model
     if not isinstance(names, (list, tuple)) or any(not isinstance(name, str) for name in names):
         raise InputError("model: the name of one is needed, or a list of names")
+    core, surface_core = material_of(body), surface_of(surface)
     spreads = _spreads(
-        material,
+        body,
         {
             "youngs_modulus": youngs_modulus,
             "poisson_ratio": poisson_ratio,
@@ -251,9 +225,7 @@ def uncertainty(
     observer = observer_of(progress, line)
     watch = None if observer is None else lambda done: observer("steps", done, None)
     try:
-        found = _native.uncertainty_of(
-            surface._native, material_of(material), names, spreads, arguments, watch
-        )
+        found = _native.uncertainty_of(surface_core, core, names, spreads, arguments, watch)
     finally:
         line.end()
     is_one = isinstance(model, str)

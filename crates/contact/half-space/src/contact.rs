@@ -16,6 +16,8 @@ pub enum Ending {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Contact {
+    /// Load over the area of the grid \[Pa\].
+    pub nominal_pressure_pa: f64,
     /// Share of the points in contact, with a pressure above 1e-10 of the nominal one.
     pub area_fraction: f64,
     /// Area fraction without the staircase around each spot: less the perimeter's share (Yastrebov, Anciaux &

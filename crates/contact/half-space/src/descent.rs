@@ -1,7 +1,7 @@
 //! Pressures in equilibrium: the convex problem of contact, solved by projected and preconditioned conjugate gradients.
 //!
-//! Among all pressures 0 <= p <= cap with the given mean the solution minimises (1/2) p.Kp - h.p. Every step goes
-//! from p towards q = P(p + tau t), with a direction t among the free points and the projection P of `projection`.
+//! Among all pressures 0 <= p <= cap with the given mean the solution minimises (1/2) p.Kp - h.p; under a given offset d
+//! it minimises (1/2) p.Kp - (h + d).p among pressures of any mean. Every step goes from p towards q = P(p + tau t), with a direction t among the free points and the projection P of `projection`.
 //! The energy is minimised exactly between them, so it falls with every step on any surface. If q meets new bounds
 //! and is itself better than p, the step goes all the way, so that many points leave and join at once. Once the set
 //! of free points is found, these are the conjugate gradients of Stanley & Kato (1997) and Polonsky & Keer (1999),
@@ -12,7 +12,7 @@
 //! the pressures, and is computed anew from them only before a solve ends.
 
 use crate::contact::Ending;
-use crate::problem::{Operators, Problem, State};
+use crate::problem::{Held, Operators, Problem, State};
 use crate::projection::bring_to_sum;
 use crate::sums;
 
@@ -33,6 +33,8 @@ struct Descent<'a> {
     state: &'a mut State,
     /// Offset from which the gaps are counted.
     offset: f64,
+    /// Mean pressure.
+    mean: f64,
     /// Number of points that carry the cap and stay there.
     capped: usize,
     /// Length of the next step along a direction.
@@ -53,7 +55,12 @@ pub(crate) fn descend(
     state: &mut State,
     mut watch: impl FnMut(f64) -> bool,
 ) -> Option<Outcome> {
-    let mut descent = Descent { problem, operators, state, offset: 0.0, capped: 0, length: 1.0, applied: 0 };
+    let (offset, mean) = match problem.held {
+        Held::Mean(mean) => (0.0, mean),
+        // A wave that closes as much as the surfaces overlap would carry about as much, in these units.
+        Held::Offset(offset) => (offset, mean_overlap(problem.heights, offset).min(problem.cap)),
+    };
+    let mut descent = Descent { problem, operators, state, offset, mean, capped: 0, length: 1.0, applied: 0 };
     descent.start();
     let mut residual = descent.look(0.0);
     let (mut iterations, mut renewed_at, mut best, mut best_at) = (0, 0, residual, 0);
@@ -95,11 +102,17 @@ pub(crate) fn descend(
     Some(Outcome { offset: descent.offset, iterations, operators: descent.applied, residual, ending })
 }
 
+/// Mean overlap of the undeformed bodies.
+fn mean_overlap(heights: &[f64], offset: f64) -> f64 {
+    let [sum] = sums::over(heights.len(), |point| [(heights[point] + offset).max(0.0)]);
+    sum / heights.len() as f64
+}
+
 impl Descent<'_> {
     /// Sets the same pressure everywhere.
     fn start(&mut self) {
         let points = self.problem.heights.len();
-        self.state.pressures.fill(self.problem.mean);
+        self.state.pressures.fill(self.mean);
         self.state.change.fill(0.0);
         self.state.response.fill(0.0);
         self.state.free.clear();
@@ -118,14 +131,17 @@ impl Descent<'_> {
     fn look(&mut self, share: f64) -> f64 {
         self.take(share);
         let (overlap, opening) = self.close_gaps(share);
-        let unbalanced = self.gather_gradient() / (self.problem.mean * self.problem.heights.len() as f64);
+        let carried = self.mean * self.problem.heights.len() as f64;
+        // Nothing touches before the first points join.
+        let unbalanced = if carried > 0.0 { self.gather_gradient() / carried } else { 0.0 };
         unbalanced.max(overlap / OVERLAP_SHARE).max(opening / OVERLAP_SHARE)
     }
 
-    /// Updates the pressures by `share` of the change, and the offset: the mean gap of the points between the bounds.
+    /// Updates the pressures by `share` of the change, and the offset, the mean gap of the points between the bounds; or the
+    /// mean pressure where the offset is held.
     fn take(&mut self, share: f64) {
         let cap = self.problem.cap;
-        let tiny = self.problem.rounding_of_pressure();
+        let tiny = self.problem.rounding_of_pressure(self.mean);
         let full = cap - tiny;
         let State { pressures, gaps, change, response, free, .. } = &mut *self.state;
         let [sum, count] = sums::over(free.len(), |at| {
@@ -140,7 +156,16 @@ impl Descent<'_> {
             pressures[point] = pressure;
             terms
         });
-        self.offset = if count > 0.0 { sum / count } else { self.offset_without_free_points(share) };
+        match self.problem.held {
+            Held::Mean(_) => {
+                self.offset = if count > 0.0 { sum / count } else { self.offset_without_free_points(share) };
+            }
+            Held::Offset(_) => {
+                let pressures = &self.state.pressures;
+                let [sum] = sums::over(pressures.len(), |point| [pressures[point]]);
+                self.mean = sum / pressures.len() as f64;
+            }
+        }
     }
 
     /// Offset if no point lies between the bounds: midway between the offsets that the points at either bound need.
@@ -233,13 +258,29 @@ impl Descent<'_> {
 
     /// Finds a change that lowers the energy, and the share of it to take; `None` if rounding leaves none.
     fn step(&mut self) -> Option<f64> {
-        self.operators.preconditioner.apply_in_place(&mut self.state.gradient);
+        self.precondition();
         let memory = self.memory();
         let aim = self
             .aim_along_conjugate(&memory)
             .or_else(|| self.aim_along_conjugate(&Memory { kept: 0.0, ..memory }))
             .or_else(|| self.aim_along_gap())?;
         Some(self.search(&aim))
+    }
+
+    /// Turns the gaps of free points into pressures that would about close them.
+    fn precondition(&mut self) {
+        let gradient = &mut self.state.gradient;
+        let uniform = match self.problem.held {
+            Held::Mean(_) => 0.0,
+            // The wave number of a uniform gap is 0, and only this part changes the load of all points together.
+            Held::Offset(_) => {
+                gradient.iter().map(|gap| f64::from(*gap)).sum::<f64>() / gradient.len() as f64
+            }
+        };
+        self.operators.preconditioner.apply_in_place(gradient);
+        if uniform != 0.0 {
+            gradient.iter_mut().for_each(|pressure| *pressure += uniform as f32);
+        }
     }
 
     /// Weight of the last change in the next direction.
@@ -250,7 +291,11 @@ impl Descent<'_> {
             let (z, s, r) = (f64::from(gradient[point]), change[point], response[point]);
             [z, z * r, r, s, s * r]
         });
-        let count = free.len() as f64;
+        // A change of the offset that costs nothing is taken out where the load is held.
+        let count = match self.problem.held {
+            Held::Mean(_) => free.len() as f64,
+            Held::Offset(_) => f64::INFINITY,
+        };
         let curvature = sr - s / count * r;
         let kept = if curvature > 0.0 { (zr - z / count * r) / curvature } else { 0.0 };
         Memory { kept, mean_gradient: z / count, mean_change: s / count }
@@ -288,11 +333,16 @@ impl Descent<'_> {
 
     /// Brings the trial between the bounds and to the load; `None` if the energy does not fall that way.
     fn aim(&mut self) -> Option<Aim> {
-        let Problem { mean, cap, heights, .. } = *self.problem;
+        let Problem { held, cap, heights, .. } = *self.problem;
         let offset = self.offset;
         let State { pressures, gaps, free, trial, .. } = &mut *self.state;
-        let elsewhere = if self.capped == 0 { 0.0 } else { self.capped as f64 * cap };
-        bring_to_sum(trial, cap, mean * heights.len() as f64 - elsewhere);
+        match held {
+            Held::Mean(mean) => {
+                let elsewhere = if self.capped == 0 { 0.0 } else { self.capped as f64 * cap };
+                bring_to_sum(trial, cap, mean * heights.len() as f64 - elsewhere);
+            }
+            Held::Offset(_) => trial.iter_mut().for_each(|pressure| *pressure = pressure.clamp(0.0, cap)),
+        }
         let [slope, at_bounds] = sums::over(free.len(), |at| {
             let point = free[at] as usize;
             let aimed = trial[at];

@@ -6,8 +6,8 @@ use units::Bound;
 use crate::area::{Count, count};
 use crate::contact::Contact;
 use crate::descent::{Outcome, descend};
-use crate::loading::Loading;
-use crate::problem::{Operators, Problem, State};
+use crate::loading::{Approach, Closing, Loading};
+use crate::problem::{Held, Operators, Problem, State};
 use crate::stiffness::approach_per_pressure;
 use crate::{Grid, HalfSpaceError, operators, sums};
 
@@ -102,20 +102,74 @@ impl Elements {
     pub fn press(&mut self, loading: &Loading, progress: &dyn Progress) -> Result<Contact, HalfSpaceError> {
         loading.check()?;
         let unit_pa = self.unit_pa(loading.contact_modulus_pa);
-        let problem = Problem {
-            heights: &self.heights,
-            mean: loading.nominal_pressure_pa / unit_pa,
-            cap: loading.saturation_pa.map_or(f64::INFINITY, |saturation_pa| saturation_pa / unit_pa),
-            tolerance: loading.tolerance,
+        let outcome = self.descend(
+            Held::Mean(loading.nominal_pressure_pa / unit_pa),
+            loading.saturation_pa.map(|saturation_pa| saturation_pa / unit_pa),
+            loading.tolerance,
+            progress,
+        )?;
+        Ok(self.contact(loading, unit_pa, &outcome))
+    }
+
+    /// Presses the surface to a distance, whatever load that takes; `progress` receives [`PROGRESS_STEPS`] steps.
+    ///
+    /// # Errors
+    /// [`HalfSpaceError`] for a distance, modulus, saturation or tolerance out of bounds, for a distance at which nothing
+    /// touches or no gap is left, and if `progress` cancels.
+    pub fn press_to(
+        &mut self,
+        closing: &Closing,
+        progress: &dyn Progress,
+    ) -> Result<Contact, HalfSpaceError> {
+        closing.check()?;
+        let unit_pa = self.unit_pa(closing.contact_modulus_pa);
+        let offset = self.offset(closing.approach)?;
+        let cap = closing.saturation_pa.map(|saturation_pa| saturation_pa / unit_pa);
+        let outcome = self.descend(Held::Offset(offset), cap, closing.tolerance, progress)?;
+        let [sum] = sums::over(self.heights.len(), |point| [self.state.pressures[point]]);
+        let loading = Loading {
+            contact_modulus_pa: closing.contact_modulus_pa,
+            nominal_pressure_pa: sum / self.heights.len() as f64 * unit_pa,
+            saturation_pa: closing.saturation_pa,
+            tolerance: closing.tolerance,
         };
-        let mut told = ReportedProgress { tolerance: loading.tolerance, first: None, steps: 0 };
+        Ok(self.contact(&loading, unit_pa, &outcome))
+    }
+
+    /// Offset of the gaps at a distance, in units of the problem.
+    fn offset(&self, approach: Approach) -> Result<f64, HalfSpaceError> {
+        let highest = self.heights.iter().fold(f64::NEG_INFINITY, |highest, height| highest.max(*height));
+        let highest_m = highest * self.unit_m;
+        match approach {
+            Approach::MeanGapM(_) if !self.periodic => Err(HalfSpaceError::NoMeanGap),
+            Approach::MeanGapM(mean_gap_m) if mean_gap_m >= highest_m => {
+                Err(HalfSpaceError::Apart { mean_gap_m, highest_m })
+            }
+            Approach::MeanGapM(mean_gap_m) => Ok(-mean_gap_m / self.unit_m),
+            Approach::IndentationM(indentation_m) if self.periodic && indentation_m >= highest_m => {
+                Err(HalfSpaceError::Closed { indentation_m, highest_m })
+            }
+            Approach::IndentationM(indentation_m) => Ok(indentation_m / self.unit_m - highest),
+        }
+    }
+
+    /// Finds pressures in equilibrium, in units of the problem.
+    fn descend(
+        &mut self,
+        held: Held,
+        cap: Option<f64>,
+        tolerance: f64,
+        progress: &dyn Progress,
+    ) -> Result<Outcome, HalfSpaceError> {
+        let problem = Problem { heights: &self.heights, held, cap: cap.unwrap_or(f64::INFINITY), tolerance };
+        let mut told = ReportedProgress { tolerance, first: None, steps: 0 };
         let outcome = descend(&problem, &mut self.operators, &mut self.state, |residual| {
             progress.advance(told.steps_after(residual));
             !progress.is_cancelled()
         });
         let outcome = outcome.ok_or(HalfSpaceError::Cancelled)?;
         progress.advance(PROGRESS_STEPS - told.steps);
-        Ok(self.contact(loading, unit_pa, &outcome))
+        Ok(outcome)
     }
 
     /// Returns the mean pressure that closes the bodies by 1 m from a state in equilibrium, -dp/du \[Pa/m\], with u
@@ -169,6 +223,7 @@ impl Elements {
         });
         let count = points as f64;
         Contact {
+            nominal_pressure_pa: loading.nominal_pressure_pa,
             area_fraction: touching.share,
             area_fraction_corrected: (touching.share - touching.perimeter).clamp(0.0, 1.0),
             plastic_area_fraction: (flowing.share + flowing.perimeter).clamp(0.0, touching.share),

@@ -41,6 +41,34 @@ pub enum HalfSpaceError {
         /// Pressure at which the surface yields \[Pa\].
         saturation_pa: f64,
     },
+    /// A surface of finite size has no mean gap that could be held.
+    #[error(
+        "pressing boundary elements: a mean gap is held between a surface that repeats itself and the half-space; give an \
+         indentation"
+    )]
+    NoMeanGap,
+    /// No point touches at this mean gap.
+    #[error(
+        "pressing boundary elements: nothing touches at a mean gap of {mean_gap_m:e} m, since the highest point is \
+         {highest_m:e} m above the mean; it must be less"
+    )]
+    Apart {
+        /// Mean gap \[m\].
+        mean_gap_m: f64,
+        /// Height \[m\] of the highest point over the mean.
+        highest_m: f64,
+    },
+    /// The whole surface touches before the bodies have come so near.
+    #[error(
+        "pressing boundary elements: no gap is left at an indentation of {indentation_m:e} m, since the highest point is \
+         {highest_m:e} m above the mean; it must be less"
+    )]
+    Closed {
+        /// Indentation \[m\].
+        indentation_m: f64,
+        /// Height \[m\] of the highest point over the mean.
+        highest_m: f64,
+    },
     /// The work was cancelled.
     #[error("pressing boundary elements: ended before the surface was in equilibrium")]
     Cancelled,

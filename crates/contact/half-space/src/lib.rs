@@ -3,7 +3,7 @@
 //! Main types:
 //! * [`Grid`]: the points and their spacing.
 //! * [`Elements`]: a surface laid out on them, periodic or free, which can be pressed many times.
-//! * [`Loading`]: modulus, pressure, saturation and tolerance.
+//! * [`Loading`]: modulus, pressure, saturation and tolerance; [`Closing`] holds a distance in place of the pressure.
 //! * [`Contact`]: pressures and gaps in equilibrium, with areas, mean gap and energy.
 //! * [`AdhesiveElements`]: a periodic surface that attracts the half-space, with the gap as the unknown.
 //! * [`OpenPaths`]: channels through which a fluid crosses the contact.
@@ -34,5 +34,5 @@ pub use contact::{Contact, Ending};
 pub use elements::{Elements, PROGRESS_STEPS};
 pub use error::HalfSpaceError;
 pub use grid::Grid;
-pub use loading::Loading;
+pub use loading::{Approach, Closing, Loading};
 pub use percolation::{OpenPaths, Sides, open_paths};

@@ -5,21 +5,30 @@ use crate::transform::Convolution;
 /// Problem in units in which the heights have a mean square of 1.
 pub(crate) struct Problem<'a> {
     pub(crate) heights: &'a [f64],
-    /// Mean pressure.
-    pub(crate) mean: f64,
+    /// Quantity that is held.
+    pub(crate) held: Held,
     /// Largest pressure of a point; infinite if it is elastic throughout.
     pub(crate) cap: f64,
     pub(crate) tolerance: f64,
 }
 
+/// Quantity that is held while the pressures adjust.
+#[derive(Clone, Copy)]
+pub(crate) enum Held {
+    /// Mean pressure.
+    Mean(f64),
+    /// Offset from which the gaps are counted: gap = displacement - height - offset.
+    Offset(f64),
+}
+
 impl Problem<'_> {
-    /// Distance from a bound within which a pressure is at the bound.
+    /// Distance from a bound within which a pressure is at the bound, under a mean pressure.
     ///
     /// If all points are at a bound, a single one between them that holds the rounding of the whole load would
     /// otherwise set the offset.
-    pub(crate) fn rounding_of_pressure(&self) -> f64 {
+    pub(crate) fn rounding_of_pressure(&self, mean: f64) -> f64 {
         let shares = if self.cap < f64::INFINITY { self.heights.len() as f64 } else { 1.0 };
-        self.mean * 1e-14f64.max(1e-15 * shares)
+        mean * 1e-14f64.max(1e-15 * shares)
     }
 }
 

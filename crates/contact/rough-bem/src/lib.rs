@@ -1,9 +1,9 @@
 #![doc = include_str!("../README.md")]
 //!
 //! Main types:
-//! * [`Surfaces`]: surfaces to press, a [`Relief`] as measured or [`RandomSurfaces`] of a band of a spectrum, by
+//! * [`Surfaces`]: surfaces to press, [`Relief`]s as measured or [`RandomSurfaces`] of a band of a spectrum, by
 //!   [`RandomChoices`];
-//! * [`Pressing`]: material, loads and tolerance;
+//! * [`Pressing`]: material, [`Load`]s and tolerance;
 //! * [`PressedLoad`]: one load on every surface, each with its [`PressedState`], and their [`Mean`];
 //! * [`Ball`] and [`Cylinder`]: smooth bodies pressed onto one rough flat;
 //! * [`AdhesivePressing`]: surfaces that attract each other, under loads and pulled apart;
@@ -27,9 +27,10 @@ pub use adhesive::{AdhesiveError, AdhesivePressing, AdhesiveState, Branch, adhes
 pub use ball::{Ball, BallCaution, BallError, BallPressing, BallState, Cylinder, LARGEST_EXTENT, ball_table};
 pub use error::ElementsError;
 pub use field::{Field, PointState};
+pub use half_space::Approach;
 pub use mean::{Mean, PressedLoad};
 pub use press::{press, progress_steps};
-pub use pressing::Pressing;
+pub use pressing::{Load, Pressing};
 pub use random_choices::RandomChoices;
 pub use relief::{Boundary, Relief};
 pub use state::PressedState;

@@ -8,7 +8,7 @@ use crate::state::PressedState;
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct PressedLoad {
-    /// Nominal pressure \[Pa\].
+    /// Nominal pressure \[Pa\]; the mean over the surfaces where each has its own.
     pub nominal_pressure_pa: f64,
     /// State of each surface, in the order of their numbers; at least one.
     pub states: Vec<PressedState>,

@@ -1,12 +1,12 @@
 //! Presses every surface under every load.
 
 use half_space::{HalfSpaceError, PROGRESS_STEPS};
-use parallel::Progress;
+use parallel::{NestedProgress, Progress};
 
 use crate::error::ElementsError;
 use crate::field::Field;
 use crate::mean::PressedLoad;
-use crate::pressing::Pressing;
+use crate::pressing::{Load, Pressing};
 use crate::relief::Relief;
 use crate::state::PressedState;
 use crate::surfaces::Surfaces;
@@ -14,7 +14,7 @@ use crate::surfaces::Surfaces;
 /// Number of progress steps of [`press`].
 #[must_use]
 pub fn progress_steps(surfaces: &Surfaces, pressing: &Pressing) -> usize {
-    surfaces.count() * pressing.pressures_pa.len() * PROGRESS_STEPS
+    surfaces.count() * pressing.loads.len() * PROGRESS_STEPS
 }
 
 /// Presses every surface under every load, each pair by itself: on as many threads as there are, and with the same
@@ -29,7 +29,7 @@ pub fn press<E: From<ElementsError> + Send>(
     see: impl Fn(&Field<'_>) -> Result<(), E> + Sync,
     progress: &dyn Progress,
 ) -> Result<Vec<PressedLoad>, E> {
-    let (count, loads) = (surfaces.count(), pressing.pressures_pa.len());
+    let (count, loads) = (surfaces.count(), pressing.loads.len());
     if count * loads == 0 {
         return Err(ElementsError::Nothing { surfaces: count, loads }.into());
     }
@@ -39,11 +39,15 @@ pub fn press<E: From<ElementsError> + Send>(
         press_once(surfaces, surface, pressing, load, &see, progress)
     });
     let mut states = states.into_iter();
-    let of_load = |nominal_pressure_pa: &f64| {
-        let states = states.by_ref().take(count).collect::<Result<_, E>>()?;
-        Ok(PressedLoad { nominal_pressure_pa: *nominal_pressure_pa, states })
+    let of_load = |load: &Load| {
+        let states = states.by_ref().take(count).collect::<Result<Vec<PressedState>, E>>()?;
+        let nominal_pressure_pa = match *load {
+            Load::PressurePa(pressure_pa) => pressure_pa,
+            _ => states.iter().map(|state| state.nominal_pressure_pa).sum::<f64>() / count as f64,
+        };
+        Ok(PressedLoad { nominal_pressure_pa, states })
     };
-    pressing.pressures_pa.iter().map(of_load).collect()
+    pressing.loads.iter().map(of_load).collect()
 }
 
 /// Presses one surface under one load, and on every second point of its grid.
@@ -59,37 +63,31 @@ fn press_once<E: From<ElementsError>>(
     if progress.is_cancelled() {
         return Err(ElementsError::from(HalfSpaceError::Cancelled).into());
     }
-    let loading = pressing.loading(load);
     let relief = surfaces.relief(surface).map_err(ElementsError::from)?;
-    let coarser = surfaces.coarser(&relief);
-    let pressed = |relief: Relief| relief.press(&loading, &SilentProgress(progress));
-    let coarser = coarser.map(pressed).transpose().map_err(ElementsError::from)?;
-    let (contact, stiffness_pa_per_m) = if pressing.stiffness {
-        relief.press_with_stiffness(&loading, progress).map_err(ElementsError::from)?
+    let mut elements = relief.elements().map_err(ElementsError::from)?;
+    let rms_gradient = surfaces.rms_gradient(&relief);
+    let contact = pressing.press(load, rms_gradient, &mut elements, progress).map_err(ElementsError::from)?;
+    let stiffness_pa_per_m = if pressing.stiffness {
+        let modulus_pa = pressing.contact_modulus_pa;
+        elements.stiffness_pa_per_m(&contact, modulus_pa, progress).map_err(ElementsError::from)?
     } else {
-        (relief.press(&loading, progress).map_err(ElementsError::from)?, None)
+        None
     };
+    drop(elements);
+    // Areas are extrapolated at the same load.
+    let loading = pressing.loading(contact.nominal_pressure_pa);
+    let pressed = |relief: Relief| relief.press(&loading, &NestedProgress(progress));
+    let coarser = surfaces.coarser(&relief).map(pressed).transpose().map_err(ElementsError::from)?;
     see(&Field {
         load,
         surface,
         relief: &relief,
-        nominal_pressure_pa: loading.nominal_pressure_pa,
-        contact_modulus_pa: loading.contact_modulus_pa,
-        saturation_pa: loading.saturation_pa,
+        nominal_pressure_pa: contact.nominal_pressure_pa,
+        contact_modulus_pa: pressing.contact_modulus_pa,
+        saturation_pa: pressing.saturation_pa,
         pressures_pa: &contact.pressures_pa,
         gaps_m: &contact.gaps_m,
     })?;
     let open = relief.open_paths(&contact).map_err(ElementsError::from)?;
     Ok(PressedState::new(&contact, stiffness_pa_per_m, open, coarser.as_ref()))
-}
-
-/// Progress that can cancel the work but reports no steps, because there are few of them.
-struct SilentProgress<'p>(&'p dyn Progress);
-
-impl Progress for SilentProgress<'_> {
-    fn advance(&self, _: usize) {}
-
-    fn is_cancelled(&self) -> bool {
-        self.0.is_cancelled()
-    }
 }

@@ -38,6 +38,18 @@ impl Relief {
     /// Rms slope along x or y from neighbouring points, whichever is larger; 0 of a single point.
     #[must_use]
     pub fn rms_slope(&self) -> f64 {
+        let [along_x, along_y] = self.rms_slopes();
+        along_x.max(along_y)
+    }
+
+    /// Rms gradient from neighbouring points along x and y.
+    #[must_use]
+    pub fn rms_gradient(&self) -> f64 {
+        let [along_x, along_y] = self.rms_slopes();
+        along_x.hypot(along_y)
+    }
+
+    fn rms_slopes(&self) -> [f64; 2] {
         let rms = |rises_m: &mut dyn Iterator<Item = f64>, run_m: f64| {
             let (sum, count) = rises_m
                 .fold((0.0, 0usize), |(sum, count), rise_m| (sum + (rise_m / run_m).powi(2), count + 1));
@@ -48,7 +60,7 @@ impl Relief {
         let mut along_y =
             self.heights_m.iter().zip(self.heights_m.iter().skip(self.columns)).map(|(a, b)| b - a);
         let spacings_m = [self.length_x_m / self.columns as f64, self.length_y_m / self.rows as f64];
-        rms(&mut along_x, spacings_m[0]).max(rms(&mut along_y, spacings_m[1]))
+        [rms(&mut along_x, spacings_m[0]), rms(&mut along_y, spacings_m[1])]
     }
 
     /// Returns every second point of every second row; `None` if a side is odd.
@@ -70,24 +82,7 @@ impl Relief {
         self.elements()?.press(loading, progress)
     }
 
-    /// Presses the relief once, and computes the pressure that would close the bodies by 1 m \[Pa/m\]: `None` if no
-    /// gap is left to close.
-    ///
-    /// # Errors
-    /// The errors of [`Relief::press`].
-    pub fn press_with_stiffness(
-        &self,
-        loading: &Loading,
-        progress: &dyn Progress,
-    ) -> Result<(Contact, Option<f64>), HalfSpaceError> {
-        let mut elements = self.elements()?;
-        let contact = elements.press(loading, progress)?;
-        let stiffness_pa_per_m =
-            elements.stiffness_pa_per_m(&contact, loading.contact_modulus_pa, progress)?;
-        Ok((contact, stiffness_pa_per_m))
-    }
-
-    fn elements(&self) -> Result<Elements, HalfSpaceError> {
+    pub(crate) fn elements(&self) -> Result<Elements, HalfSpaceError> {
         match self.boundary {
             Boundary::Periodic => Elements::periodic(self.grid()?, &self.heights_m),
             Boundary::Free => Elements::free(self.grid()?, &self.heights_m),

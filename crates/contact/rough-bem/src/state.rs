@@ -6,6 +6,8 @@ use half_space::{Contact, Ending, OpenPaths};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct PressedState {
+    /// Nominal pressure \[Pa\].
+    pub nominal_pressure_pa: f64,
     /// Share of the points in contact, with a pressure above 1e-10 of the nominal one.
     pub area_fraction: f64,
     /// Area fraction less the staircase around each spot (Yastrebov, Anciaux & Molinari 2017, Tribol. Int. 114:161).
@@ -46,6 +48,7 @@ impl PressedState {
         coarser: Option<&Contact>,
     ) -> Self {
         PressedState {
+            nominal_pressure_pa: contact.nominal_pressure_pa,
             area_fraction: contact.area_fraction,
             area_fraction_corrected: contact.area_fraction_corrected,
             area_fraction_coarser: coarser.map(|coarser| coarser.area_fraction_corrected),

@@ -1,4 +1,4 @@
-//! Surfaces to press: one map, or random surfaces.
+//! Surfaces to press: maps, or random surfaces.
 
 use std::borrow::Cow;
 
@@ -13,8 +13,8 @@ const FEWEST_POINTS: f64 = 2.0;
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum Surfaces {
-    /// One surface as measured.
-    Map(Relief),
+    /// Surfaces as measured.
+    Maps(Vec<Relief>),
     /// Surfaces with the same spectrum.
     Random(RandomSurfaces),
 }
@@ -38,7 +38,7 @@ impl Surfaces {
     #[must_use]
     pub fn count(&self) -> usize {
         match self {
-            Surfaces::Map(_) => 1,
+            Surfaces::Maps(maps) => maps.len(),
             Surfaces::Random(random) => random.realisations,
         }
     }
@@ -49,8 +49,18 @@ impl Surfaces {
     /// [`SurfaceError`] for a band that the grid does not hold.
     pub fn relief(&self, number: usize) -> Result<Cow<'_, Relief>, SurfaceError> {
         match self {
-            Surfaces::Map(relief) => Ok(Cow::Borrowed(relief)),
+            Surfaces::Maps(maps) => Ok(Cow::Borrowed(&maps[number])),
             Surfaces::Random(random) => random.relief(number).map(Cow::Owned),
+        }
+    }
+
+    /// Rms gradient of one of the surfaces: that of the band, which all random surfaces have, or that of a map from
+    /// neighbouring points.
+    #[must_use]
+    pub fn rms_gradient(&self, relief: &Relief) -> f64 {
+        match self {
+            Surfaces::Maps(_) => relief.rms_gradient(),
+            Surfaces::Random(random) => random.band.mean_square_gradient().sqrt(),
         }
     }
 
@@ -58,7 +68,7 @@ impl Surfaces {
     /// is unknown.
     pub(crate) fn coarser(&self, relief: &Relief) -> Option<Relief> {
         match self {
-            Surfaces::Map(_) => {
+            Surfaces::Maps(_) => {
                 relief.every_second_point().filter(|coarse| coarse.rows > 1 && coarse.columns > 1)
             }
             Surfaces::Random(random) => {

@@ -111,7 +111,7 @@ fn sticky(pressures_pa: &[f64]) -> (Surfaces, AdhesivePressing) {
         branches: vec![Branch::Apart, Branch::Contact],
         tolerance: 1e-8,
     };
-    (Surfaces::Map(relief), pressing)
+    (Surfaces::Maps(vec![relief]), pressing)
 }
 
 #[test]
@@ -152,8 +152,8 @@ fn free_edges_no_load_and_a_pull_that_nothing_bears_are_refused() {
     assert!((-2e-3..-7.6e-4).contains(&nominal_pressure_pa) && nominal_pressure_pa < held_pa);
     let (_, idle) = sticky(&[]);
     assert_eq!(idle.press(&surfaces, &Unobserved).unwrap_err(), AdhesiveError::NoLoad);
-    let Surfaces::Map(relief) = surfaces else { panic!("a map") };
-    let free = Relief { boundary: Boundary::Free, ..relief };
+    let Surfaces::Maps(maps) = surfaces else { panic!("a map") };
+    let free = Relief { boundary: Boundary::Free, ..maps[0].clone() };
     assert_eq!(pressing.resolution(&free).unwrap_err(), AdhesiveError::FreeEdges);
 }
 

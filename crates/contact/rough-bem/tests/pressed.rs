@@ -5,7 +5,8 @@ use gaussian_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};
 use half_space::HalfSpaceError;
 use parallel::{Progress, Unobserved};
 use rough_bem::{
-    Boundary, ElementsError, Field, Pressing, RandomSurfaces, Relief, Surfaces, press, progress_steps,
+    Approach, Boundary, ElementsError, Field, Load, Pressing, RandomSurfaces, Relief, Surfaces, press,
+    progress_steps,
 };
 use std::f64::consts::TAU;
 use std::sync::Mutex;
@@ -31,7 +32,11 @@ fn random(
 }
 
 fn elastic(pressures_pa: &[f64]) -> Pressing {
-    Pressing { pressures_pa: pressures_pa.to_vec(), ..Pressing::elastic(1.0) }
+    under(pressures_pa.iter().map(|pressure_pa| Load::PressurePa(*pressure_pa)).collect())
+}
+
+fn under(loads: Vec<Load>) -> Pressing {
+    Pressing { loads, ..Pressing::elastic(1.0) }
 }
 
 fn unseen(_: &Field<'_>) -> Result<(), ElementsError> {
@@ -117,7 +122,7 @@ fn a_ball_under_a_free_boundary_is_that_of_hertz() {
         boundary: Boundary::Free,
     };
     let pressing = Pressing { stiffness: true, ..elastic(&[4.0 / 3.0 * 0.25f64.powi(3)]) };
-    let pressed = press(&Surfaces::Map(relief), &pressing, unseen, &Unobserved).unwrap();
+    let pressed = press(&Surfaces::Maps(vec![relief]), &pressing, unseen, &Unobserved).unwrap();
     let state = pressed[0].states[0];
     let radius_m = (state.area_fraction_corrected / std::f64::consts::PI).sqrt();
     assert_relative_eq!(radius_m, 0.25, max_relative = 0.01);
@@ -140,7 +145,8 @@ fn waves_along_one_direction_shut_the_other_one() {
     };
     for boundary in [Boundary::Periodic, Boundary::Free] {
         let pressed =
-            press(&Surfaces::Map(ridges(boundary)), &elastic(&[0.01, 10.0]), unseen, &Unobserved).unwrap();
+            press(&Surfaces::Maps(vec![ridges(boundary)]), &elastic(&[0.01, 10.0]), unseen, &Unobserved)
+                .unwrap();
         let [light, complete] = [&pressed[0], &pressed[1]].map(|load| load.mean());
         assert_eq!([light.open_along_x, light.open_along_y], [0.0, 1.0], "{boundary}");
         assert_eq!([complete.open_along_x, complete.open_along_y], [0.0, 0.0], "{boundary}");
@@ -213,4 +219,50 @@ fn what_cannot_be_pressed_is_refused_before_it_is() {
     let wide = random([2.0, 2.0, 20.0], 0.8, 32, 1);
     let error = press(&wide, &elastic(&[0.1]), unseen, &Unobserved).unwrap_err();
     assert!(error.to_string().contains("wider than the grid holds"), "{error}");
+}
+
+#[test]
+fn maps_are_pressed_as_each_by_itself() {
+    let surfaces = random([1.0, 2.0, 8.0], 0.8, 64, 3);
+    let maps: Vec<Relief> = (0..3).map(|number| surfaces.relief(number).unwrap().into_owned()).collect();
+    let pressing = elastic(&[0.02, 0.1]);
+    let together = press(&Surfaces::Maps(maps.clone()), &pressing, unseen, &Unobserved).unwrap();
+    for (number, map) in maps.into_iter().enumerate() {
+        let alone = press(&Surfaces::Maps(vec![map]), &pressing, unseen, &Unobserved).unwrap();
+        for (of_all, of_one) in together.iter().zip(&alone) {
+            assert_eq!(of_all.states[number], of_one.states[0]);
+        }
+    }
+}
+
+#[test]
+fn every_surface_takes_its_own_load_to_a_distance_and_in_units_of_its_gradient() {
+    let surfaces = random([1.0, 2.0, 8.0], 0.8, 64, 3);
+    let steeper: Vec<Relief> = (0..3)
+        .map(|number| {
+            let relief = surfaces.relief(number).unwrap().into_owned();
+            let factor = (number + 1) as f64;
+            Relief {
+                heights_m: relief.heights_m.iter().map(|height_m| factor * height_m).collect(),
+                ..relief
+            }
+        })
+        .collect();
+    let gradients: Vec<f64> = steeper.iter().map(Relief::rms_gradient).collect();
+    let surfaces = Surfaces::Maps(steeper);
+    let reduced = press(&surfaces, &under(vec![Load::ReducedPressure(0.05)]), unseen, &Unobserved).unwrap();
+    for (state, gradient) in reduced[0].states.iter().zip(gradients) {
+        assert_relative_eq!(state.nominal_pressure_pa, 0.05 * gradient, max_relative = 1e-12);
+    }
+    for state in &reduced[0].states {
+        let held = under(vec![Load::Approach(Approach::MeanGapM(state.mean_gap_m))]);
+        let found = press(&surfaces, &held, unseen, &Unobserved).unwrap();
+        let same = found[0].states.iter().any(|other| {
+            (other.nominal_pressure_pa / state.nominal_pressure_pa - 1.0).abs() < 1e-4
+                && (other.area_fraction_corrected / state.area_fraction_corrected - 1.0).abs() < 1e-3
+        });
+        assert!(same, "{state:?}");
+        let mean_pa = found[0].states.iter().map(|state| state.nominal_pressure_pa).sum::<f64>() / 3.0;
+        assert_relative_eq!(found[0].nominal_pressure_pa, mean_pa, max_relative = 1e-12);
+    }
 }

@@ -3,7 +3,7 @@
 use gaussian_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};
 use parallel::Unobserved;
 use persson::separation::{SeparationKnot, SeparationLaw};
-use rough_bem::{ElementsError, Field, Pressing, RandomSurfaces, Surfaces, press};
+use rough_bem::{ElementsError, Field, Load, Pressing, RandomSurfaces, Surfaces, press};
 
 /// Elastic energy factor (Almqvist et al. 2011).
 const ENERGY_FACTOR: f64 = 0.45;
@@ -53,8 +53,8 @@ fn gap_and_stiffness_of_perssons_theory_are_those_of_surfaces_within_fifteen_per
     let law = theory(&band);
     let synthesis = Synthesis::square(POINTS, 1.0, 1, Phases::FixedModulus);
     let surfaces = Surfaces::Random(RandomSurfaces { band, synthesis, realisations: REALISATIONS });
-    let pressing =
-        Pressing { pressures_pa: vec![0.02, 0.05, 0.12], stiffness: true, ..Pressing::elastic(1.0) };
+    let loads = [0.02, 0.05, 0.12].map(Load::PressurePa).to_vec();
+    let pressing = Pressing { loads, stiffness: true, ..Pressing::elastic(1.0) };
     let unseen = |_: &Field<'_>| -> Result<(), ElementsError> { Ok(()) };
     let pressed = press(&surfaces, &pressing, unseen, &Unobserved).unwrap();
     for load in &pressed {

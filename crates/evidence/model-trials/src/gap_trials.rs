@@ -7,7 +7,7 @@ use gaussian_surfaces::AreaSpectrum;
 use parallel::Unobserved;
 use persson::separation::LIGHT_CONTACT;
 use persson::variance::Band;
-use rough_bem::{ElementsError, Pressing, press};
+use rough_bem::{ElementsError, Load, Pressing, press};
 use serde::{Deserialize, Serialize};
 use spectrum::Normalisation;
 use study::gap_law::{GapChoices, GapError, GapLaw, GapState};
@@ -102,7 +102,7 @@ pub fn rows_of(trial: &JudgeTrial, loads: &[f64]) -> Result<Vec<GapRow>, TrialEr
     let area = AreaSpectrum::from_profile(&psd)?;
     let surfaces = trial.surfaces(&area, LENGTHS_IN_BOX, SURFACES, SEED + u64::from(trial.number))?;
     let pressing = Pressing {
-        pressures_pa: loads.iter().map(|load| load * CONTACT_MODULUS_PA * RMS_GRADIENT).collect(),
+        loads: loads.iter().map(|load| Load::PressurePa(load * CONTACT_MODULUS_PA * RMS_GRADIENT)).collect(),
         stiffness: true,
         ..Pressing::elastic(CONTACT_MODULUS_PA)
     };

@@ -42,10 +42,23 @@ pub struct FieldPicture {
 /// The pressures, white where there is no contact.
 #[must_use]
 pub fn of_pressure(field: &Field<'_>) -> FieldPicture {
-    let touches = 1e-10 * field.nominal_pressure_pa;
-    let largest_pa = field.pressures_pa.iter().fold(0.0, |largest: f64, &value| largest.max(value));
-    let title = format!("pressure at {}", pressure(field.nominal_pressure_pa));
-    picture(field, &title, field.pressures_pa, touches, largest_pa, &pressure(largest_pa))
+    let relief = field.relief;
+    let size_m = [relief.length_x_m, relief.length_y_m];
+    of_pressures(field.nominal_pressure_pa, field.pressures_pa, relief.columns, size_m)
+}
+
+/// Pressures \[Pa\] row by row on a rectangle of a size in m, white where there is no contact.
+#[must_use]
+pub fn of_pressures(
+    nominal_pressure_pa: f64,
+    pressures_pa: &[f64],
+    columns: usize,
+    size_m: [f64; 2],
+) -> FieldPicture {
+    let touches = 1e-10 * nominal_pressure_pa;
+    let largest_pa = pressures_pa.iter().fold(0.0, |largest: f64, &value| largest.max(value));
+    let title = format!("pressure at {}", pressure(nominal_pressure_pa));
+    picture(&title, pressures_pa, touches, [largest_pa, size_m[0], size_m[1]], columns, &pressure(largest_pa))
 }
 
 /// The gaps, white in contact.
@@ -58,23 +71,23 @@ pub fn of_gap(field: &Field<'_>) -> FieldPicture {
     let open_m: Vec<f64> =
         open.map(|(gap_m, pressure_pa)| if *pressure_pa > touches { 0.0 } else { *gap_m }).collect();
     let title = format!("gap at {}", pressure(field.nominal_pressure_pa));
-    picture(field, &title, &open_m, 0.0, largest_m, &length(largest_m))
+    let relief = field.relief;
+    let scales = [largest_m, relief.length_x_m, relief.length_y_m];
+    picture(&title, &open_m, 0.0, scales, relief.columns, &length(largest_m))
 }
 
-/// Colours values above `nothing` up to the largest one, which `most` names.
+/// Colours values above `nothing` up to the largest one, which `most` names, on a rectangle of a size in m.
 fn picture(
-    field: &Field<'_>,
     title: &str,
     values: &[f64],
     nothing: f64,
-    largest: f64,
+    [largest, x_m, y_m]: [f64; 3],
+    columns: usize,
     most: &str,
 ) -> FieldPicture {
-    let relief = field.relief;
     let colour_of = |value: f64| if value > nothing { colour(value / largest) } else { [255; 3] };
     let colours = values.iter().map(|value| colour_of(*value)).collect();
-    let size_m = [relief.length_x_m, relief.length_y_m];
-    FieldPicture::new(title, size_m, ["0", most], relief.columns, colours, None)
+    FieldPicture::new(title, [x_m, y_m], ["0", most], columns, colours, None)
 }
 
 impl FieldPicture {

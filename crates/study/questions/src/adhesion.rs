@@ -105,7 +105,7 @@ impl AdhesionQuestion {
     pub fn on_map(&self, relief: Relief) -> Result<PreparedAdhesion, QuestionError> {
         let material = self.material.material()?;
         let notes = notes_on_map(&material, &relief);
-        self.prepared(Surfaces::Map(relief), notes)
+        self.prepared(Surfaces::Maps(vec![relief]), notes)
     }
 
     fn prepared(&self, surfaces: Surfaces, mut notes: Vec<Note>) -> Result<PreparedAdhesion, QuestionError> {

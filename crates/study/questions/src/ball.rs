@@ -76,7 +76,7 @@ impl BallQuestion {
     pub fn on_map(&self, relief: Relief) -> Result<PreparedBall, QuestionError> {
         let material = self.material.material()?;
         let notes = notes_on_map(&material, &relief);
-        self.prepared(Surfaces::Map(relief), notes)
+        self.prepared(Surfaces::Maps(vec![relief]), notes)
     }
 
     fn prepared(&self, surfaces: Surfaces, notes: Vec<Note>) -> Result<PreparedBall, QuestionError> {

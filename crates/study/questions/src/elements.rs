@@ -1,18 +1,21 @@
 //! Maps and random surfaces pressed by boundary elements.
 
+use std::str::FromStr;
+
 use findings::doubts::Doubt;
 use gaussian_surfaces::{AreaSpectrum, Phases};
 
 use parallel::Progress;
 use rough_bem::{
-    ElementsError, Field, PressedLoad, Pressing, RandomChoices, RandomSurfaces, Relief, Surfaces,
+    Approach, ElementsError, Field, Load, PressedLoad, Pressing, RandomChoices, RandomSurfaces, Relief,
+    Surfaces,
 };
 use serde::{Deserialize, Serialize};
 use study::material::Material;
 use study::surface::Surface;
-use units::Pressure;
+use units::{Pressure, QuantityError};
 
-use crate::loads::{LoadInput, RangeInput, pressures_pa};
+use crate::loads::{LoadInput, RangeInput, nominal_pressure, pressures_pa};
 use crate::note::MadeSurfaces;
 use crate::text::optional_pressure;
 use crate::{MaterialInput, Note, OptionName, QuestionError};
@@ -43,8 +46,8 @@ pub struct RandomInput {
 pub struct ElementsQuestion {
     /// The bodies in contact.
     pub material: MaterialInput,
-    /// Nominal pressures.
-    pub pressures: Vec<LoadInput>,
+    /// Loads, or distances in their place.
+    pub loads: Vec<ElementsLoad>,
     /// Nominal pressures as ranges, behind the others.
     pub pressure_ranges: Vec<RangeInput>,
     /// The pressure at which the surface yields; elastic throughout if absent.
@@ -60,12 +63,83 @@ impl Default for ElementsQuestion {
     fn default() -> Self {
         ElementsQuestion {
             material: MaterialInput::default(),
-            pressures: Vec::new(),
+            loads: Vec::new(),
             pressure_ranges: Vec::new(),
             saturation: None,
             tolerance: Pressing::TOLERANCE,
             random: RandomInput::default(),
         }
+    }
+}
+
+/// Load that elements are pressed by, or a distance that they are pressed to.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum ElementsLoad {
+    /// A nominal pressure.
+    Pressure(LoadInput),
+    /// A nominal pressure as a multiple of E*.
+    Moduli {
+        /// The multiple.
+        moduli: f64,
+    },
+    /// A nominal pressure as a multiple of E* h', with the rms gradient h' of each surface.
+    ReducedModuli {
+        /// The multiple.
+        reduced_moduli: f64,
+    },
+    /// A mean gap, less the mean depth that has yielded.
+    MeanGap {
+        /// The gap \[m\].
+        mean_gap_m: f64,
+    },
+    /// An indentation from where the highest point touches.
+    Indentation {
+        /// The indentation \[m\].
+        indentation_m: f64,
+    },
+}
+
+impl From<LoadInput> for ElementsLoad {
+    fn from(load: LoadInput) -> Self {
+        ElementsLoad::Pressure(load)
+    }
+}
+
+impl FromStr for ElementsLoad {
+    type Err = QuantityError;
+
+    /// Reads a pressure with its unit, which may be `E*` or `E* h'`.
+    fn from_str(text: &str) -> Result<Self, QuantityError> {
+        let multiple_of = |unit: &str| text.trim_end().strip_suffix(unit)?.trim().parse::<f64>().ok();
+        let reduced = ["E* h'", "E*h'", "E* h′", "E*h′"].into_iter().find_map(multiple_of);
+        let load = match (reduced, multiple_of("E*")) {
+            (Some(reduced_moduli), _) => ElementsLoad::ReducedModuli { reduced_moduli },
+            (None, Some(moduli)) => ElementsLoad::Moduli { moduli },
+            (None, None) => {
+                let pressure = text.parse::<Pressure>()?;
+                ElementsLoad::Pressure(LoadInput { pressure, label: text.to_owned() })
+            }
+        };
+        Ok(load)
+    }
+}
+
+impl ElementsLoad {
+    fn load(&self, material: &Material) -> Result<Load, QuestionError> {
+        let modulus_pa = material.pair.composite_modulus_pa();
+        Ok(match self {
+            ElementsLoad::Pressure(LoadInput { pressure, label }) => {
+                let pressure = nominal_pressure(OptionName::Pressure, Some(label), *pressure, material)?;
+                Load::PressurePa(pressure.pa())
+            }
+            ElementsLoad::Moduli { moduli } => Load::PressurePa(moduli * modulus_pa),
+            ElementsLoad::ReducedModuli { reduced_moduli } => Load::ReducedPressure(*reduced_moduli),
+            ElementsLoad::MeanGap { mean_gap_m } => Load::Approach(Approach::MeanGapM(*mean_gap_m)),
+            ElementsLoad::Indentation { indentation_m } => {
+                Load::Approach(Approach::IndentationM(*indentation_m))
+            }
+        })
     }
 }
 
@@ -128,14 +202,16 @@ impl ElementsQuestion {
         Ok(PreparedElements { surfaces: Surfaces::Random(random), notes, pressing })
     }
 
-    /// Prepares a map as measured.
+    /// Prepares maps as measured.
     ///
     /// # Errors
-    /// [`QuestionError`]; choices of random surfaces mean nothing for a map.
-    pub fn on_map(&self, relief: Relief) -> Result<PreparedElements, QuestionError> {
+    /// [`QuestionError`]; choices of random surfaces mean nothing for maps.
+    pub fn on_maps(&self, maps: Vec<Relief>) -> Result<PreparedElements, QuestionError> {
         let (material, pressing) = self.pressing()?;
-        let notes = notes_on_map(&material, &relief);
-        Ok(PreparedElements { surfaces: Surfaces::Map(relief), notes, pressing })
+        // The steepest speaks for all.
+        let steepest = maps.iter().max_by(|one, other| one.rms_slope().total_cmp(&other.rms_slope()));
+        let notes = steepest.map_or_else(Vec::new, |relief| notes_on_map(&material, relief));
+        Ok(PreparedElements { surfaces: Surfaces::Maps(maps), notes, pressing })
     }
 
     fn pressing(&self) -> Result<(Material, Pressing), QuestionError> {
@@ -143,8 +219,10 @@ impl ElementsQuestion {
         let saturation_pa = self.saturation.map(|saturation| {
             saturation.pascals(material.hardness_pa()).ok_or(QuestionError::SaturationWithoutHardness)
         });
+        let loads = self.loads.iter().map(|load| load.load(&material)).collect::<Result<Vec<_>, _>>()?;
+        let ranges = pressures_pa(&[], &self.pressure_ranges, &material)?;
         let pressing = Pressing {
-            pressures_pa: pressures_pa(&self.pressures, &self.pressure_ranges, &material)?,
+            loads: loads.into_iter().chain(ranges.into_iter().map(Load::PressurePa)).collect(),
             saturation_pa: saturation_pa.transpose()?,
             tolerance: self.tolerance,
             stiffness: true,
@@ -165,7 +243,7 @@ impl PreparedElements {
     /// Number of loads.
     #[must_use]
     pub fn loads(&self) -> usize {
-        self.pressing.pressures_pa.len()
+        self.pressing.loads.len()
     }
 
     /// Presses the surfaces; `see` is shown each one under each load as it is solved.

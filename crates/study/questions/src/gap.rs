@@ -289,7 +289,8 @@ impl GapQuestion {
 /// Loads on an elastic material.
 fn elastic(material: &Material, pressures_pa: Vec<f64>) -> Pressing {
     let modulus_pa = material.pair.composite_modulus_pa();
-    Pressing { pressures_pa, stiffness: true, ..Pressing::elastic(modulus_pa) }
+    let loads = pressures_pa.into_iter().map(rough_bem::Load::PressurePa).collect();
+    Pressing { loads, stiffness: true, ..Pressing::elastic(modulus_pa) }
 }
 
 impl LawQuestion {

@@ -26,7 +26,7 @@ pub use adhesion::{AdhesionQuestion, PreparedAdhesion};
 pub use ball::{BallQuestion, PreparedBall};
 pub use counts::{CurveCounts, CutCounts, LevelCounts};
 pub use curve::{CurveQuestion, CurveStream, PreparedCurve};
-pub use elements::{ElementsQuestion, PreparedElements, RandomInput};
+pub use elements::{ElementsLoad, ElementsQuestion, PreparedElements, RandomInput};
 pub use error::QuestionError;
 pub use gap::{FoundLaw, GapModel, GapQuestion, LawForm, LawQuestion};
 pub use loads::{LoadInput, RangeInput};

@@ -6,8 +6,8 @@ use std::sync::{Mutex, PoisonError};
 use half_space::HalfSpaceError;
 use measurements::MapOfFile;
 use questions::{
-    AdhesionQuestion, Answer, BallQuestion, ElementsQuestion, Note, OptionName, QuestionError, Reason,
-    UnusedOption,
+    AdhesionQuestion, Answer, BallQuestion, ElementsLoad, ElementsQuestion, Note, OptionName, QuestionError,
+    Reason, UnusedOption,
 };
 use report::provenance::program;
 use report::{elements_figure, elements_words, field_picture, question_words};
@@ -38,7 +38,7 @@ pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> 
     }
     let question = ElementsQuestion {
         material: args.material.input(),
-        pressures: load_inputs(&args.loads.pressures),
+        loads: load_inputs(&args.loads.pressures).into_iter().map(ElementsLoad::Pressure).collect(),
         pressure_ranges: range_inputs(&args.loads.pressure_ranges),
         saturation: args.saturation,
         tolerance: args.tolerance,
@@ -48,7 +48,7 @@ pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> 
     let mut timings = Timings::start();
     let (measured, comments) = load(args, context)?;
     let prepared = match measured {
-        Measured::Map(map) => question.on_map(relief(*map, args.map.boundary))?,
+        Measured::Map(map) => question.on_maps(vec![relief(*map, args.map.boundary)])?,
         Measured::Spectrum(surface) => question.on(&surface)?,
     };
     let comments = told(comments, &prepared.notes, &prepared.surfaces);

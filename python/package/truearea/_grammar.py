@@ -1,0 +1,79 @@
+"""One grammar for all nouns: (surface, material, ...), former names of arguments, and what may stand for either."""
+
+from __future__ import annotations
+
+import functools
+import os
+from collections.abc import Callable, Sequence
+from typing import Any, TypeVar, Union
+
+from truearea import _native
+from truearea._material import Material
+from truearea._native import InputError
+from truearea._scan import Scan
+from truearea._spectrum import Spectrum, read_psd
+from truearea._topography import is_topography
+
+AnySurface = Union[Spectrum, Scan, str, "os.PathLike[str]", Sequence[Any]]
+"""A spectrum, or what one is made of: a scan, a list of scans, or the path of a spectrum."""
+
+AnyMaterial = Union[Material, str]
+"""A material, or the name of one, see :func:`truearea.materials`."""
+
+AnyCall = TypeVar("AnyCall", bound=Callable[..., Any])
+
+
+def formerly(**former: str) -> Callable[[AnyCall], AnyCall]:
+    """Accept former names of arguments: ``formerly(spectrum="surface")``."""
+
+    def accept(call: AnyCall) -> AnyCall:
+        @functools.wraps(call)
+        def accepting(*args: Any, **named: Any) -> Any:
+            for name in former.keys() & named.keys():
+                now, value = former[name], named.pop(name)
+                if now in named:
+                    raise InputError(f"{now} and {name}, its former name, are both given; give one")
+                named[now] = value
+            return call(*args, **named)
+
+        return accepting  # type: ignore[return-value]
+
+    return accept
+
+
+def spectrum_of(surface: Any) -> Spectrum:
+    """The spectrum of a surface."""
+    if isinstance(surface, Spectrum):
+        return surface
+    if isinstance(surface, (str, os.PathLike)):
+        return read_psd(surface)
+    if isinstance(surface, (Scan, list, tuple)) or is_topography(surface):
+        from truearea._composite import composite
+
+        return composite(surface)
+    raise InputError(
+        "surface: a Spectrum, the path of one, a Scan or a list of scans is needed, and this is of type "
+        f"{type(surface).__name__}; heights of an array need their size: Spectrum.from_heights(h, size)"
+    )
+
+
+def surface_of(surface: Any) -> _native.Surface:
+    """The core's spectrum of a surface."""
+    return spectrum_of(surface)._native
+
+
+def named_material(name: str) -> Material:
+    """The material of the table that a name stands for."""
+    try:
+        return Material(name=name)
+    except InputError as error:
+        raise InputError(f"material: {str(error).removeprefix('name: ')}") from None
+
+
+def material_of(material: Any) -> _native.Material:
+    """The core's material."""
+    if isinstance(material, str):
+        return named_material(material)._native
+    if not isinstance(material, Material):
+        raise InputError(f"material: a Material or a name is needed, and this is of type {type(material).__name__}")
+    return material._native

@@ -1,0 +1,134 @@
+//! Pictures of results for notebooks, as the core draws them.
+
+use drawings::model_style::ModelStyle;
+use numpy::{PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+use report::field_picture::{FieldPicture, of_pressures};
+use report::plot;
+use study::figure::{Axis, Band, BandKind, CurveLook, FigureData, Series, Shows, Variant};
+use study::models::{MODELS, ModelEntry};
+
+use crate::errors::of_argument;
+
+/// Columns that are drawn, and the labels of their axes.
+const AXES: [(&str, &str); 13] = [
+    ("wavelength_m", "shortest wavelength (m)"),
+    ("scale_m", "wavelength (m)"),
+    ("nominal_pressure_pa", "nominal pressure (Pa)"),
+    ("pressure_pa", "pressure (Pa)"),
+    ("overclosure_m", "overclosure (m)"),
+    ("displacement_m", "displacement (m)"),
+    ("tangential_stress_pa", "tangential stress (Pa)"),
+    ("area_fraction", "contact area / nominal area"),
+    ("mean_gap_m", "mean gap (m)"),
+    ("amplitude_m", "amplitude (m)"),
+    ("moments", "moments over their final values"),
+    ("c1d_m3", "power spectral density C1D (m³)"),
+    ("share", "share of the variance of ln A"),
+];
+
+/// The label of an axis.
+#[pyfunction]
+pub fn axis_label(column: &str) -> PyResult<&'static str> {
+    axis(column).map(|axis| axis.label)
+}
+
+fn axis(column: &str) -> PyResult<Axis> {
+    let found = AXES.into_iter().find(|(name, _)| *name == column);
+    let (name, label) = found.ok_or_else(|| of_argument("column", format!("'{column}' has no axis")))?;
+    // Lengths have a column of their own among figures.
+    let is_wavelength = matches!(name, "wavelength_m" | "scale_m");
+    Ok(Axis { column: if is_wavelength { "wavelength_m" } else { name }, label })
+}
+
+/// A line: abscissas, ordinates, its label, the model that it belongs to, and the place of its condition.
+type Line<'py> = (PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>, String, String, Option<usize>);
+
+/// A band: abscissas, lower and upper ordinates, and its label.
+type Interval<'py> =
+    (PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>, String);
+
+/// A figure with logarithmic axes, as SVG; every number is finite and above 0.
+#[pyfunction]
+pub fn figure_svg(
+    title: String,
+    x: &str,
+    y: &str,
+    lines: Vec<Line<'_>>,
+    bands: Vec<Interval<'_>>,
+    holes: Vec<(f64, f64)>,
+) -> PyResult<String> {
+    let (x, y) = (axis(x)?, axis(y)?);
+    let series = lines.iter().enumerate().map(|(at, (xs, ys, label, model, condition))| {
+        let look = MODELS.iter().find(|entry| entry.name == model).map(look);
+        Series {
+            curve: look.map_or_else(String::new, |look| look.model.to_owned()),
+            look,
+            condition_index: *condition,
+            ..Series::under(label, at, drawn(xs, ys).collect())
+        }
+    });
+    let bands = bands.iter().map(|(xs, lows, highs, label)| Band {
+        label: label.clone(),
+        kind: BandKind::Interval,
+        load: None,
+        curve_index: 0,
+        points: drawn(xs, lows).zip(drawn(xs, highs)).map(|((x, low), (_, high))| (x, [low, high])).collect(),
+    });
+    let figure = FigureData {
+        name: "picture".to_owned(),
+        shows: if y.column == "area_fraction" { Shows::Area } else { Shows::Psd },
+        title: title.clone(),
+        x,
+        x_label: x.label.to_owned(),
+        y_label: y.label,
+        series: series.collect(),
+        bands: bands.collect(),
+        gaps: holes,
+        marks: Vec::new(),
+    };
+    Ok(plot::svg(&figure, "", &[]))
+}
+
+fn drawn(xs: &PyReadonlyArray1<'_, f64>, ys: &PyReadonlyArray1<'_, f64>) -> impl Iterator<Item = (f64, f64)> {
+    let (xs, ys) = (xs.as_array().to_vec(), ys.as_array().to_vec());
+    xs.into_iter().zip(ys)
+}
+
+fn look(entry: &ModelEntry) -> CurveLook {
+    CurveLook { model: entry.name, variant: Variant::Plain, repeat: 0 }
+}
+
+/// Short name, colour and SVG dash of a model in figures.
+#[pyfunction]
+pub fn model_style(name: &str) -> PyResult<(&'static str, &'static str, String)> {
+    let Some(entry) = MODELS.iter().find(|entry| entry.name == name) else {
+        let names = MODELS.iter().map(|entry| entry.name).collect::<Vec<_>>().join(", ");
+        return Err(of_argument("model", format!("'{name}' is none of {names}")));
+    };
+    let style = ModelStyle::new(look(entry));
+    Ok((entry.short_name, style.colour, style.dash))
+}
+
+/// A frame, where the points belong in it, how many there are in a row, and their colours.
+pub type Map<'py> = (String, (f64, f64, f64, f64), usize, Bound<'py, PyBytes>);
+
+/// A map of pressures \[Pa\] on a rectangle of a size in m.
+#[pyfunction]
+pub fn pressures_picture<'py>(
+    py: Python<'py>,
+    nominal_pressure_pa: f64,
+    pressures_pa: PyReadonlyArray2<'py, f64>,
+    size_m: [f64; 2],
+) -> Map<'py> {
+    let columns = pressures_pa.shape()[1];
+    let values: Vec<f64> = pressures_pa.as_array().iter().copied().collect();
+    map(py, of_pressures(nominal_pressure_pa, &values, columns, size_m))
+}
+
+/// Takes a picture apart for Python, which has a compressor for its points.
+pub fn map(py: Python<'_>, picture: FieldPicture) -> Map<'_> {
+    let colours = PyBytes::new(py, &picture.colours.concat());
+    (picture.svg, picture.place.into(), picture.columns, colours)
+}
