@@ -1,4 +1,5 @@
-//! Relations between results of two questions (metamorphic tests), on scenes made from drawn parts.
+//! Relations between results of two questions (metamorphic tests), on scenes made from drawn parts. Tables as CSV and JSON,
+//! and commands against scenes, are compared in `crates/apps/cli/tests/relations.rs`.
 //!
 //! | relation | tolerance | reason |
 //! |---|---|---|
@@ -16,13 +17,14 @@
 //! | heights times 2^k and pressures times 2^k, elastic models | 1e-9 | areas depend on p/(E* h') |
 //! | lengths times 2^k in all directions | 1e-9 | nothing but the strain gradient has a length of its own |
 //! | units of wavelengths and spectra; wavevectors | 1e-9 | one spectrum in other units |
+//! | JSON against CSV | 0 | the same numbers in other marks |
 //! | order of rows and columns, line ends, comments, separators of a spectrum | 0 | they mean nothing |
 //! | more pressure, more area | - | no theory loses contact under load |
 //! | order of scans | 1e-12 | sums in another order |
 //! | a scan given twice | 1e-12 | it is the same surface |
 //! | transposed maps, along the other axis | 1e-12 | an axis has no name |
 //! | maps mirrored across their lines | 1e-12 | the mean over lines has no order |
-//! | lines read backwards, without a window | 1e-9 | the spectrum is even; the periodic window is not |
+//! | maps mirrored along their lines, lines read backwards | 1e-9 | spectrum and window are even |
 //! | heights upside down | 0 | squares |
 //! | heights times 2^k | 1e-12 | squares |
 //! | a level added, a tilt added | 1e-6 | both are subtracted; the tilt leaves rounding |
@@ -306,6 +308,11 @@ fn one_spectrum_may_be_written_in_many_ways() {
     assert_agree(&reference, &areas(text.replace('\n', "\r\n")), 0.0);
     assert_agree(&reference, &areas(text.replace(',', "\t")), 0.0);
     assert_agree(&reference, &areas(format!("\u{feff}# a remark\n{text}")), 0.0);
+    let json: Vec<String> = rows(1.0, 1.0)
+        .iter()
+        .map(|[x, y]| format!("{{\"wavelength_m\": {x:e}, \"C1D_m3\": {y:e}}}"))
+        .collect();
+    assert_agree(&reference, &areas(format!("[{}]", json.join(",\n"))), 0.0);
 }
 
 #[test]
@@ -368,6 +375,7 @@ fn maps_may_be_turned_mirrored_and_written_otherwise() {
     let turned = map_text(24, 24, |row, column| height_nm(column, row));
     same(&of(turned, &format!("{given},direction=y")), 1e-12);
     same(&of(map_text(24, 24, |row, column| height_nm(23 - row, column)), given), 1e-12);
+    same(&of(map_text(24, 24, |row, column| height_nm(row, 23 - column)), given), 1e-9);
     same(&of(map_text(24, 24, |row, column| -height_nm(row, column)), given), 0.0);
     same(&of(map_text(24, 24, |row, column| 1000.0 + height_nm(row, column)), given), 1e-6);
     let tilted = |row: usize, column: usize| height_nm(row, column) + 3.0 * column as f64 - 2.0 * row as f64;
@@ -396,14 +404,16 @@ fn scans_have_no_order_and_count_once() {
     assert_scaled(&once, &composite(&[a, a], &texts, &recipe), [1.0, 1.0], 1e-12);
 }
 
-/// The periodic Hann window is not symmetric about the middle of the points, so this holds without a window alone.
 #[test]
-fn lines_may_be_read_backwards_without_a_window() {
-    let recipe = Recipe { window: Some(Window::None), ..Recipe::default() };
-    let line = |height: &dyn Fn(usize) -> f64| {
-        let text = (0..64).fold(String::new(), |text, at| text + &format!("{} {}\n", at, height(at)));
-        composite(&["a.txt:unit=um,shortest=2um"], &[("a.txt", text)], &recipe)
-    };
-    let forwards = line(&|at| height_nm(0, at));
-    assert_scaled(&forwards, &line(&|at| height_nm(0, 63 - at)), [1.0, 1.0], 1e-9);
+fn lines_may_be_read_backwards() {
+    for (window, points) in Window::ALL.iter().flat_map(|window| [16, 63, 64].map(|points| (window, points)))
+    {
+        let recipe = Recipe { window: Some(*window), ..Recipe::default() };
+        let line = |height: &dyn Fn(usize) -> f64| {
+            let text = (0..points).fold(String::new(), |text, at| text + &format!("{} {}\n", at, height(at)));
+            composite(&["a.txt:unit=um,shortest=2um"], &[("a.txt", text)], &recipe)
+        };
+        let forwards = line(&|at| height_nm(0, at));
+        assert_scaled(&forwards, &line(&|at| height_nm(0, points - 1 - at)), [1.0, 1.0], 1e-9);
+    }
 }

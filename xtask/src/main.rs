@@ -44,7 +44,7 @@ cargo xtask web [--test]       builds the page for browsers as a static folder, 
 Crates of evidence:
 cargo xtask stress [--states N] [--seed S] [--threads T] [--only I]
                                holds random extreme states against the promises of every result: docs/develop/stress.md
-cargo xtask coverage [--studies N] [--scans N] [--draws N] [--hurst H] [--seed S] [--only bias|coverage|advice]
+cargo xtask coverage [--studies N] [--scans N] [--draws N] [--hurst H] [--seed S] [--only bias|coverage|advice|forms|seeds]
                                counts how often intervals of the area hold the truth, in studies of known surfaces, and
                                prints the tables of docs/guide/uncertainty.md (minutes)
 cargo xtask work-precision     measures run time against error, beside scipy and others; rewrites the tables of

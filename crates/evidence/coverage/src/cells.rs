@@ -8,7 +8,7 @@ use crate::error::StudyError;
 use crate::instrument::{AFM, AFM_LINES, Instrument, STYLUS};
 use crate::random::Normals;
 use crate::surface::{Form, KnownSurface};
-use crate::synthetic::Laboratory;
+use crate::synthetic::{Laboratory, SyntheticStudy};
 use crate::trial::{IntervalOutcome, Trial};
 
 /// Scans of a cell and the form of its spectra.
@@ -50,10 +50,25 @@ impl Cell {
     /// # Errors
     /// The error of the study.
     pub fn trial(&self, number: u64, seed: u64, settings: &Settings) -> Result<Trial, StudyError> {
+        self.laboratory(number, seed)?.trial(number, &self.scans_of_each(), settings)
+    }
+
+    /// Returns the files of one study.
+    ///
+    /// # Errors
+    /// The error of the study.
+    pub fn study(&self, number: u64, seed: u64) -> Result<SyntheticStudy, StudyError> {
+        self.laboratory(number, seed)?.study(number, &self.scans_of_each())
+    }
+
+    fn laboratory(&self, number: u64, seed: u64) -> Result<Laboratory, StudyError> {
         let mut normals = Normals::new(seed ^ 0x5eed, number);
         let surface = KnownSurface::at_random(self.form, &mut normals, 2.0 * AFM.spacing_m())?;
-        let laboratory = Laboratory::of_surface(surface, self.instruments, seed)?;
-        laboratory.trial(number, &[self.scans; 2][..self.instruments.len()], settings)
+        Laboratory::of_surface(surface, self.instruments, seed)
+    }
+
+    fn scans_of_each(&self) -> Vec<u32> {
+        vec![self.scans; self.instruments.len()]
     }
 
     /// Runs the studies from `first` on.

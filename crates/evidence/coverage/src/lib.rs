@@ -7,6 +7,7 @@
 //!   whose height scales are off within the stated uncertainty; a [`SyntheticStudy`] is their files;
 //! * [`known_composite`]: the expectation of their composite;
 //! * [`biases`]: the deviation of averages of scans from it;
+//! * [`Moves`]: the ends of intervals with other seeds of the draws;
 //! * [`Trial`]: the study as a scene, with the program's results beside the areas of the known spectrum;
 //!   [`coverages`] gathers many, and [`shrinkages`] compares the advice on further scans with their effect.
 
@@ -22,6 +23,7 @@ mod npy;
 mod page;
 mod random;
 mod scene;
+mod seeds;
 mod surface;
 mod synthetic;
 mod trial;
@@ -34,6 +36,7 @@ pub use coverage::{Coverage, coverages, trials};
 pub use error::StudyError;
 pub use instrument::{AFM, AFM_LINES, GAIN_SD, INSTRUMENTS, Instrument, STYLUS, Shape};
 pub use page::{TAILS_HEADER, bias_table, coverage_table, shrinkage_table, tails_rows};
+pub use seeds::{LARGEST_MOVE, Moves};
 pub use surface::{Form, KnownSurface, LONGEST_M, RMS_GRADIENT, ROLLOFF_M};
 pub use synthetic::{Laboratory, SyntheticStudy};
 pub use trial::{IntervalOutcome, Trial};

@@ -4,15 +4,15 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use coverage::{
-    CELLS, INSTRUMENTS, Laboratory, Shape, StudyError, TAILS_HEADER, bias_table, biases, coverage_table,
-    coverages, shrinkage_table, shrinkages, tails, tails_rows, trials,
+    CELLS, INSTRUMENTS, Laboratory, Moves, Shape, StudyError, TAILS_HEADER, bias_table, biases,
+    coverage_table, coverages, shrinkage_table, shrinkages, tails, tails_rows, trials,
 };
 use lexopt::prelude::*;
 use topography::Average;
 use uncertainty::Settings;
 
 const HELP: &str = "\
-cargo xtask coverage [--studies N] [--scans N] [--draws N] [--hurst H] [--seed S] [--only bias|coverage|advice|forms]
+cargo xtask coverage [--studies N] [--scans N] [--draws N] [--hurst H] [--seed S] [--only bias|coverage|advice|forms|seeds]
                      [--cell N]... [--first N]
 
 N synthetic studies (400) of surfaces of each Hurst exponent (0.5, 0.8 and 0.95), with so many scans by each of two
@@ -20,11 +20,14 @@ instruments (5) and so many draws (1000): the bias of averages of scans decade b
 truth and how wide they are, and how they shrink when 1, 3 and 10 scans are added (a quarter of the studies).
 
 --only forms draws the spectra at random, in nine cells, states the time it takes first, and judges coverage and both
-tails. --cell N runs one cell (again for more), --first N begins with that study, so that parts can run apart.
+tails. --only seeds runs the same studies with five seeds of the draws. --cell N runs one cell (again for more), --first N begins with that study, so that parts can run apart.
 ";
 
 /// Factor on the number of lines where biases are measured: they cost little, and single lines scatter much.
 const LINES: u32 = 20;
+
+/// Seeds of the draws that are compared.
+const SEEDS: u64 = 5;
 
 const ADDED: [u32; 3] = [1, 3, 10];
 
@@ -36,6 +39,7 @@ enum Part {
     Coverage,
     Advice,
     Forms,
+    Seeds,
 }
 
 struct Arguments {
@@ -107,7 +111,8 @@ fn part(name: &str) -> Result<Part, &'static str> {
         "coverage" => Ok(Part::Coverage),
         "advice" => Ok(Part::Advice),
         "forms" => Ok(Part::Forms),
-        _ => Err("there are bias, coverage, advice and forms"),
+        "seeds" => Ok(Part::Seeds),
+        _ => Err("there are bias, coverage, advice, forms and seeds"),
     }
 }
 
@@ -116,6 +121,9 @@ fn run(arguments: &Arguments) -> Result<(), StudyError> {
     let settings = Settings { draws, ..Settings::default() };
     if arguments.only == Some(Part::Forms) {
         return forms(arguments, &settings);
+    }
+    if arguments.only == Some(Part::Seeds) {
+        return seeds(arguments, &settings);
     }
     let wanted = |part| arguments.only.is_none_or(|only| only == part);
     for &hurst_exponent in &arguments.hurst_exponents {
@@ -140,11 +148,41 @@ fn run(arguments: &Arguments) -> Result<(), StudyError> {
     Ok(())
 }
 
+/// Numbers of the cells that are asked for, from 1.
+fn cells(arguments: &Arguments) -> Vec<usize> {
+    let wanted = |number: &usize| arguments.cells.is_empty() || arguments.cells.contains(number);
+    (1..=CELLS.len()).filter(wanted).collect()
+}
+
+/// Compares intervals of the same studies with other seeds of the draws.
+fn seeds(arguments: &Arguments, settings: &Settings) -> Result<(), StudyError> {
+    println!(
+        "| cell | spectra | scans | ends | beyond a twentieth | 95 % within | largest |\n| ---: | --- | --- | ---: | ---: | ---: | ---: |"
+    );
+    let row = |number: &str, form: &str, scans: &str, moves: &Moves| {
+        println!(
+            "| {number} | {form} | {scans} | {} | {:.1} % | {:.3} | {:.3} |",
+            moves.count(),
+            100.0 * moves.share_beyond(),
+            moves.quantile(0.95),
+            moves.quantile(1.0)
+        );
+    };
+    let mut all = Vec::new();
+    for number in cells(arguments) {
+        let cell = &CELLS[number - 1];
+        let moves = Moves::of_cell(cell, arguments.studies, SEEDS, arguments.seed, settings)?;
+        row(&number.to_string(), cell.form.name(), &cell.scans_in_words(), &moves);
+        all.push(moves);
+    }
+    row("all", "", "", &Moves::joined(&all));
+    Ok(())
+}
+
 /// Runs the cells one after the other and prints each as soon as it is there.
 fn forms(arguments: &Arguments, settings: &Settings) -> Result<(), StudyError> {
     let Arguments { studies, first, seed, .. } = *arguments;
-    let wanted = |number: &usize| arguments.cells.is_empty() || arguments.cells.contains(number);
-    let cells: Vec<usize> = (1..=CELLS.len()).filter(wanted).collect();
+    let cells = cells(arguments);
     let start = Instant::now();
     let trial_run =
         cells.iter().try_for_each(|&number| CELLS[number - 1].trials(first, 2, seed, settings).map(|_| ()));

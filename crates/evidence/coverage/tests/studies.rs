@@ -11,7 +11,7 @@ fn intervals_hold_the_truth() {
     let laboratory = Laboratory::new(0.8, 7).unwrap();
     let trials = trials(&laboratory, 24, &[5, 5], &FEW).unwrap();
     let found = coverages(&trials);
-    assert_eq!(found.len(), 12);
+    assert_eq!(found.len(), 16);
     for area in &found {
         // Of 24 intervals of 95 %, fewer than 19 hold the truth once in a thousand times.
         assert!(area.held >= 19, "{area:?}");

@@ -89,6 +89,12 @@ pub(super) fn label(raw: &RawQuantity) -> String {
 
 /// The names of curves and figures become those of files.
 pub(super) fn check_file_name(name: &str, span: std::ops::Range<usize>) -> Result<(), SceneError> {
+    if name.chars().any(is_part_of_a_letter) {
+        let message = format!(
+            "{name:?} becomes the name of a file, and has letters in parts, which some disks join; type each as one letter"
+        );
+        return Err(SceneError::at(span, message));
+    }
     let plain = |c: char| c.is_alphanumeric() || matches!(c, '-' | '_' | '.');
     if is_device(name) || name.ends_with('.') {
         let message = format!("{name:?} becomes the name of a file, and Windows reserves it; choose another");
@@ -99,6 +105,12 @@ pub(super) fn check_file_name(name: &str, span: std::ops::Range<usize>) -> Resul
     }
     let message = format!("{name:?} becomes the name of a file; use letters, digits, '-', '_' and '.' only");
     Err(SceneError::at(span, message))
+}
+
+/// Returns true for accents behind their letter and for the parts of Hangul: composed, they are another name of the same file
+/// on some disks, and of another one elsewhere.
+fn is_part_of_a_letter(c: char) -> bool {
+    matches!(c, '\u{300}'..='\u{36f}' | '\u{1100}'..='\u{11ff}')
 }
 
 /// Returns true for names that Windows gives to devices, with any ending.
