@@ -54,7 +54,7 @@ def test_scans_in_memory_and_in_files_give_one_answer_with_an_interval(tmp_path:
 
 
 def test_a_report_is_that_of_the_command(tmp_path: Path) -> None:
-    found = ta.report(files(tmp_path), "100Cr6", counterface="100Cr6", pressures="10 MPa", out=tmp_path / "found")
+    found = ta.report(files(tmp_path), "100Cr6", counterface="100Cr6", pressure="10 MPa", out=tmp_path / "found")
     written = {path.name for path in (tmp_path / "found").iterdir()}
     assert {"report.html", "answer.json", "scene.toml", "report-uncertainty.csv", "area-fraction.py"} <= written
     assert found.conclusions["loads"][0]["area"]["low"] > 0.0
