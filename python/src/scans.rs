@@ -5,8 +5,8 @@ use std::io;
 use std::sync::{Mutex, PoisonError};
 
 use measurements::{
-    Channels, CompositeOfFiles, Files, Instrument, Loaded, RoughnessOfFiles, RoughnessSettings, ScanInput,
-    ScanProblem, ScanRequest, SlopeUncertainty, TipRadius, TopographyError, ZCalibration, read_channels,
+    Channels, CompositeOfFiles, Files, Loaded, RequestError, RoughnessOfFiles, RoughnessSettings, ScanInput,
+    ScanProblem, ScanRequest, TipRadius, TopographyError, read_channels,
 };
 use numpy::ndarray::ArrayD;
 use numpy::{PyArrayDyn, PyReadonlyArrayDyn, PyUntypedArrayMethods, ToPyArray};
@@ -20,10 +20,10 @@ use roughness::Evaluation;
 use scans::{MissingPoints, ScanFile, ScanOption, ScanSize};
 use study::surface::{Surface, SurfaceError};
 use topography::Recipe;
-use units::{Length, LengthUnit, SignedLength};
+use units::{Length, SignedLength};
 
 use crate::answer::{Told, columns};
-use crate::arguments::{Arguments, Given, named, number, quantity, text};
+use crate::arguments::{Arguments, Given, number, quantity, text};
 use crate::errors::{input, of_argument};
 use crate::picture::{Map, map};
 use crate::surface::PySurface;
@@ -359,34 +359,23 @@ fn request(name: &str, options: &Bound<'_, PyDict>) -> PyResult<ScanRequest> {
 fn with_options(mut request: ScanRequest, options: &Bound<'_, PyDict>) -> PyResult<ScanRequest> {
     for (key, given) in options {
         let (argument, value): (String, Given<'_>) = given.extract()?;
-        let length_m = || quantity::<Length>(&argument, &value).map(|length| length.m);
-        match key.extract::<String>()?.as_str() {
-            "unit" => {
-                let unit = text(&argument, &value)?.parse::<LengthUnit>();
-                request.unit = Some(unit.map_err(|error| of_argument(&argument, error))?);
-            }
-            "channel" => request.channel = Some(text(&argument, &value)?),
-            "measurement" => request.measurement = Some(text(&argument, &value)?),
-            "size" => request.size_m = Some(length_m()?),
-            "shortest" => request.shortest_m = Some(length_m()?),
-            "tip_radius" => request.tip_radius = Some(tip_radius(&argument, &value)?),
-            "gaps" => request.gaps = Some(named(&argument, &text(&argument, &value)?)?),
-            "direction" => request.direction = Some(named(&argument, &text(&argument, &value)?)?),
-            "instrument" => {
-                let Instrument(name) = typed(&argument, &text(&argument, &value)?)?;
-                request.instrument = Some(name);
-            }
-            "z_calibration" => {
-                let ZCalibration { share } = typed(&argument, &number_or_text(&argument, &value)?)?;
-                request.z_calibration = Some(share);
-            }
-            "slope_uncertainty" => {
-                let SlopeUncertainty { standard_uncertainty } =
-                    typed(&argument, &number_or_text(&argument, &value)?)?;
-                request.slope_uncertainty = Some(standard_uncertainty);
-            }
-            other => return Err(input(format!("there is no option {other} of a scan"))),
+        let key: String = key.extract()?;
+        if key == "measurement" {
+            request.measurement = Some(text(&argument, &value)?);
+            continue;
         }
+        let typed = match (value.cast::<PyString>(), key.as_str()) {
+            (Ok(text), _) => text.to_string(),
+            (Err(_), "size" | "shortest" | "tip_radius") => {
+                format!("{} m", quantity::<Length>(&argument, &value)?.m)
+            }
+            (Err(_), "z_calibration" | "slope_uncertainty") => number(&argument, &value)?.to_string(),
+            (Err(_), _) => text(&argument, &value)?,
+        };
+        request = request.with_option(&key, &typed).map_err(|error| match error {
+            RequestError::BadValue { problem, .. } => of_argument(&argument, problem),
+            error => input(error),
+        })?;
     }
     Ok(request)
 }
@@ -407,20 +396,8 @@ fn recipe_of(arguments: &Arguments<'_>) -> PyResult<Recipe> {
 
 fn tip_radius(argument: &str, value: &Given<'_>) -> PyResult<TipRadius> {
     match value.cast::<PyString>() {
-        Ok(text) => typed(argument, text.to_str()?),
+        Ok(text) => text.to_str()?.parse().map_err(|error| of_argument(argument, error)),
         Err(_) => quantity::<Length>(argument, value).map(|length| TipRadius::Known(length.m)),
-    }
-}
-
-/// Parses an argument by the rules of the command line.
-fn typed<T: std::str::FromStr<Err = String>>(argument: &str, text: &str) -> PyResult<T> {
-    text.parse().map_err(|error| of_argument(argument, error))
-}
-
-fn number_or_text(argument: &str, value: &Given<'_>) -> PyResult<String> {
-    match value.cast::<PyString>() {
-        Ok(text) => Ok(text.to_string()),
-        Err(_) => number(argument, value).map(|number| number.to_string()),
     }
 }
 

@@ -1,16 +1,9 @@
 //! Work done without the interpreter's lock, on the threads that were asked for; Ctrl-C ends it.
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::{Condvar, Mutex, PoisonError};
-use std::time::Duration;
 
 use parallel::Progress;
 use pyo3::prelude::*;
-
-use crate::threads;
-
-/// Longest wait of Ctrl-C and progress for the interpreter.
-const PATIENCE: Duration = Duration::from_millis(50);
 
 /// Steps done of some work, and the request to end it.
 #[derive(Debug, Default)]
@@ -29,33 +22,14 @@ impl Progress for Watch {
     }
 }
 
-/// Signal that some work has come to its end.
-#[derive(Debug, Default)]
-struct Finish {
-    is_reached: Mutex<bool>,
-    changed: Condvar,
-}
-
-impl Finish {
-    fn reach(&self) {
-        *self.is_reached.lock().unwrap_or_else(PoisonError::into_inner) = true;
-        self.changed.notify_all();
-    }
-
-    /// Waits for the end, and tells whether it has come.
-    fn wait(&self) -> bool {
-        let is_reached = self.is_reached.lock().unwrap_or_else(PoisonError::into_inner);
-        let waited = self.changed.wait_timeout_while(is_reached, PATIENCE, |is_reached| !*is_reached);
-        *waited.unwrap_or_else(PoisonError::into_inner).0
-    }
-}
-
-/// Reaches the end however the work goes.
-struct Reach<'f>(&'f Finish);
-
-impl Drop for Reach<'_> {
-    fn drop(&mut self) {
-        self.0.reach();
+impl Watch {
+    /// Looks for Ctrl-C, and calls the observer with the steps done.
+    fn look(&self, py: Python<'_>, observer: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
+        py.check_signals()?;
+        match observer {
+            Some(observer) => observer.call1((self.done.load(Ordering::Relaxed),)).map(drop),
+            None => Ok(()),
+        }
     }
 }
 
@@ -64,35 +38,53 @@ impl Drop for Reach<'_> {
 ///
 /// # Errors
 /// KeyboardInterrupt, or what the observer raises; the work has ended by then.
+#[cfg(feature = "threads")]
 pub fn carry_out<T: Send>(
     py: Python<'_>,
     observer: Option<&Bound<'_, PyAny>>,
     work: impl FnOnce(&dyn Progress) -> T + Send,
 ) -> PyResult<T> {
-    let (watch, finish) = (Watch::default(), Finish::default());
-    let (watch, finish) = (&watch, &finish);
-    let look = || -> PyResult<()> {
-        py.check_signals()?;
-        if let Some(observer) = observer {
-            observer.call1((watch.done.load(Ordering::Relaxed),))?;
-        }
-        Ok(())
-    };
+    use std::sync::mpsc::{RecvTimeoutError, channel};
+    use std::sync::{Mutex, PoisonError};
+
+    /// Longest wait of Ctrl-C and progress for the interpreter.
+    const PATIENCE: std::time::Duration = std::time::Duration::from_millis(50);
+
+    let watch = &Watch::default();
+    let (begun, finish) = channel::<()>();
+    let finish = Mutex::new(finish);
+    let wait = || finish.lock().unwrap_or_else(PoisonError::into_inner).recv_timeout(PATIENCE);
     std::thread::scope(|scope| {
         let worker = scope.spawn(move || {
-            let _reach = Reach(finish);
-            threads::with_threads(|| work(watch))
+            // Dropped however the work goes, which ends the wait.
+            let _begun = begun;
+            crate::threads::with_threads(|| work(watch))
         });
         let mut ended = Ok(());
-        while !py.detach(|| finish.wait()) {
+        while py.detach(wait) == Err(RecvTimeoutError::Timeout) {
             if ended.is_ok() {
-                ended = look();
+                ended = watch.look(py, observer);
                 watch.is_ended.store(ended.is_err(), Ordering::Relaxed);
             }
         }
         let made = worker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-        ended.and_then(|()| look()).map(|()| made)
+        ended.and_then(|()| watch.look(py, observer)).map(|()| made)
     })
+}
+
+/// Runs `work` on this thread, the only one that there is.
+///
+/// # Errors
+/// KeyboardInterrupt, or what the observer raises, once the work is done.
+#[cfg(not(feature = "threads"))]
+pub fn carry_out<T: Send>(
+    py: Python<'_>,
+    observer: Option<&Bound<'_, PyAny>>,
+    work: impl FnOnce(&dyn Progress) -> T + Send,
+) -> PyResult<T> {
+    let watch = Watch::default();
+    let made = light(py, || work(&watch));
+    watch.look(py, observer).map(|()| made)
 }
 
 /// Runs `work` on this thread: for work that is done before another thread has begun.

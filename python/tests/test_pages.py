@@ -43,5 +43,8 @@ def test_a_notebook_runs(path: Path, tmp_path: Path) -> None:
     client.execute()
 
 
-def test_there_are_four_notebooks() -> None:
-    assert len(NOTEBOOKS) == 4
+def test_there_are_five_notebooks_with_a_picture_on_top() -> None:
+    assert len(NOTEBOOKS) == 5
+    for path in NOTEBOOKS:
+        cells = [cell for cell in nbformat.read(path, as_version=4).cells if cell.cell_type == "code"]
+        assert any("image/png" in output.get("data", {}) for output in cells[0].outputs), path.name

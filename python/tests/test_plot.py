@@ -50,7 +50,7 @@ def test_curves_of_loads_are_drawn_in_the_colour_of_their_model() -> None:
     ax = curve.plot()
     assert [line.get_color() for line in ax.lines] == [style_of("elastic-plastic")["color"]] * 2
     assert np.array_equal(np.asarray(ax.lines[1].get_ydata()), curve.area_fraction[1])
-    persson = ta.persson(spectrum, steel, pressure="5 MPa", model="elastic-plastic")
+    persson = ta.persson(spectrum, steel, pressure="5 MPa", model="persson-plastic")
     assert persson.model == "persson-plastic" and pickle.loads(pickle.dumps(persson)).model == persson.model
     assert persson.plot(ax) is ax and len(ax.lines) == 3
     plt.close("all")

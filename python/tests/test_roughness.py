@@ -76,7 +76,7 @@ def test_mistakes_are_named(tmp_path: Path) -> None:
     with refused_naming("5 mm"):
         ta.roughness(heights_m(), ("1 um", "0.75 um"), filter="5 mm")
     with refused_naming("form", "cubic"):
-        ta.roughness(heights_m(), ("1 um", "0.75 um"), form="cubic")
+        ta.roughness(heights_m(), ("1 um", "0.75 um"), form="cubic")  # type: ignore[arg-type]  # pyright: ignore[reportArgumentType]
     with pytest.raises(FileNotFoundError):
         ta.roughness(tmp_path / "none.npy")
     spectrum, steel = ta.read_psd("builtin:uncd-measured"), ta.Material("210 GPa", 0.3, yield_strength="1 GPa")

@@ -82,14 +82,14 @@ def test_gaps_are_masked_and_lines_have_one_axis(tmp_path: Path) -> None:
 def test_pictures_and_pickles_of_scans(tmp_path: Path) -> None:
     scan = ta.read_scan(saved(tmp_path, heights()), unit="nm", size="4 um")
     picture = scan._repr_html_()
-    assert picture.startswith("<svg") and "data:image/png;base64," in picture and picture.count("</svg>") == 1
+    assert picture.startswith("<div><svg") and "data:image/png;base64," in picture and picture.count("</svg>") == 1
     again = pickle.loads(pickle.dumps(scan))
     assert np.array_equal(again.heights_m, scan.heights_m) and repr(again) == repr(scan)
     (tmp_path / "scan.npy").unlink()
     assert same_spectrum(ta.composite([pickle.loads(pickle.dumps(scan))]), ta.composite([scan]))
     line = tmp_path / "line.txt"
     line.write_text("# x (nm) h (nm)\n0 1\n1 3\n2 2\n3 2\n")
-    assert ta.read_scan(line)._repr_html_().startswith("<svg")
+    assert ta.read_scan(line)._repr_html_().startswith("<div><svg")
 
 
 def test_channels_are_those_of_the_command_line(tmp_path: Path, command_line: Callable[..., Columns]) -> None:

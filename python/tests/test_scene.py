@@ -15,6 +15,7 @@ import pytest
 
 import truearea as ta
 from support import ROOT, columns_of, numbers, refused_naming, words
+from truearea._choices import Template
 
 SCENE = """# Two lines of its own.
 title = "Steel on glass"
@@ -79,7 +80,7 @@ def test_files_are_those_of_the_command_line(folder: Path) -> None:
 
 
 @pytest.mark.parametrize("name", ["uncd-measured", "uncd-reconstructed"])
-def test_figures_are_the_committed_ones(name: str) -> None:
+def test_figures_are_the_committed_ones(name: Template) -> None:
     results = ta.Scene.template(name).run(report=False, judge=False, uncertainty=False)
     compared = 0
     for path in (ROOT / "tests" / "golden").glob(f"{name}__*.snap"):
@@ -243,7 +244,7 @@ def test_missing_files_and_wrong_bytes(folder: Path) -> None:
     with refused_naming("latin.toml,", "line", "2:", "UTF-8"):
         ta.Scene.from_toml(folder / "latin.toml")
     with refused_naming("'nothing'", "new,", "uncd-measured"):
-        ta.Scene.template("nothing")
+        ta.Scene.template("nothing")  # type: ignore[arg-type]  # pyright: ignore[reportArgumentType]
     with refused_naming("my_psd.csv", by=FileNotFoundError):
         ta.Scene.template("new")
     with refused_naming("surface", by=TypeError):

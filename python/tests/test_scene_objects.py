@@ -54,7 +54,7 @@ def test_scans_in_memory_and_in_files_give_one_answer_with_an_interval(tmp_path:
 
 
 def test_a_report_is_that_of_the_command(tmp_path: Path) -> None:
-    found = ta.report(files(tmp_path), "100Cr6", counterface="100Cr6", pressures="10 MPa", out=tmp_path / "found")
+    found = ta.report(files(tmp_path), "100Cr6", counterface="100Cr6", pressure="10 MPa", out=tmp_path / "found")
     written = {path.name for path in (tmp_path / "found").iterdir()}
     assert {"report.html", "answer.json", "scene.toml", "report-uncertainty.csv", "area-fraction.py"} <= written
     assert found.conclusions["loads"][0]["area"]["low"] > 0.0
@@ -86,7 +86,7 @@ def test_units_reach_the_scene() -> None:
         ({"material": "1000Cr6"}, "1000Cr6"),
         ({"material": 5}, "material"),
         ({"material": {"youngs_modlus": "1 GPa"}}, "youngs_modulus"),
-        ({"pressures": {1e6}}, "pressures"),
+        ({"pressures": {1e6}}, "pressure"),
         ({"curves": ["perssn"]}, "persson"),
         ({"seal": {"viscosty": 1.0}}, "viscosity"),
     ],
@@ -101,3 +101,24 @@ def test_mistakes_are_named(arguments: dict[str, object], naming: str) -> None:
 def test_a_missing_file_is_named(tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError, match="none.csv"):
         ta.Scene(tmp_path / "none.csv", "diamond", pressures=1e6)
+
+
+def test_a_composite_in_memory_keeps_the_scatter_of_its_scans_in_the_file_of_its_scene(tmp_path: Path) -> None:
+    random = np.random.default_rng(3)
+    heights_m = [1e-9 * random.standard_normal((48, 48)).cumsum(1) for _ in range(3)]
+    gappy = np.ma.masked_array(heights_m[2], mask=np.zeros((48, 48), dtype=bool))
+    gappy[3:5, 7:9] = np.ma.masked
+    np.save(tmp_path / "file.npy", 1e9 * heights_m[1])
+    scan = ta.read_scan(tmp_path / "file.npy", unit="nm", size="1 um")
+    surface = ta.composite([(heights_m[0], "1 um"), scan, (gappy, ("1 um", 1e-6))], tip_radius="8 nm", z_calibration="2 %", instrument="AFM")
+    scene = ta.Scene(surface, "100Cr6", pressure="10 MPa", curves=["persson"], uncertainty={"draws": 200})
+    assert "scan-1.npy" in scene.text and "surface.csv" not in scene.text and not any("to_toml" in note for note in scene.notes)
+    scene.to_toml(tmp_path / "out" / "scene.toml")
+    again = ta.Scene.from_toml(tmp_path / "out" / "scene.toml")
+    here, there = (one.run(report=False, uncertainty=True).tables["report-uncertainty"] for one in (scene, again))
+    for name in ("area_fraction", "low", "high", "median"):
+        np.testing.assert_allclose(here[name], there[name], rtol=1e-9)
+    # What no file can say leaves the spectrum, and a note tells what is lost.
+    periodic = ta.Spectrum.from_heights(heights_m[0], "1 um", periodic=True)
+    lossy = ta.Scene(periodic, "100Cr6", pressure="10 MPa")
+    assert "surface.csv" in lossy.text and "scene.scans-in-memory" in [getattr(note, "code", "") for note in lossy.notes]

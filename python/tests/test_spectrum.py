@@ -119,7 +119,7 @@ def test_spectra_come_back_from_pickles_bit_for_bit() -> None:
 def test_a_spectrum_shows_itself() -> None:
     spectrum = power_law()
     assert repr(spectrum) == "Spectrum('spectrum', 41 samples from 6.283e-05 m to 6.283e-09 m)"
-    assert spectrum._repr_html_().startswith("<svg")
+    assert spectrum._repr_html_().startswith("<div><svg")
     table = spectrum.moments()
     assert table.to_pandas().shape == (41, 9) and "row: 41" in repr(table)
     assert table.to_xarray()["m0_m2"].attrs["units"] == "m²"

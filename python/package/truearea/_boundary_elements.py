@@ -18,8 +18,7 @@ from truearea._grammar import AnyMaterial, formerly, material_of, spectrum_of
 from truearea._material import Material, Quantity
 from truearea._native import InputError
 from truearea._notes import noted
-from truearea._picture import Drawn, Picture, within_frame
-from truearea._picture import Line as DrawnLine
+from truearea._picture import Drawn, Picture, Trace, within_frame
 from truearea._progress import Line, Progress, observer_of
 from truearea._results import AnyArray, FloatArray, Result
 from truearea._scan import Scan
@@ -67,7 +66,7 @@ class Pressed(Drawn, Result):
         areas = np.asarray(self.area_fraction_corrected)
         areas = areas.reshape(len(areas), -1)
         loads_pa = np.broadcast_to(pressures_pa.reshape(len(areas), -1), areas.shape)
-        lines = tuple(DrawnLine(loads_pa[:, at], areas[:, at]) for at in range(areas.shape[1]))
+        lines = tuple(Trace(loads_pa[:, at], areas[:, at]) for at in range(areas.shape[1]))
         return Picture(self._title, "nominal_pressure_pa", "area_fraction", lines, marker="o")
 
     def _last_map(self) -> tuple[FloatArray, float, list[float]]:
@@ -129,7 +128,6 @@ if TYPE_CHECKING:
     class _OfBalls(TypedDict, total=False):
         """Arguments by name that a ball takes as a flat does."""
 
-        size: Size | None
         detrend: Detrend | None
         tolerance: float
         grid: int | None
@@ -187,6 +185,7 @@ def boundary_elements(
     material: AnyMaterial,
     *,
     pressure: Pressures | None = None,
+    size: Size | None = None,
     saturation: Quantity | None = None,
     **options: Unpack[_Options],
 ) -> Pressed: ...
@@ -199,6 +198,7 @@ def boundary_elements(
     *,
     ball_radius: Quantity,
     force: Quantity,
+    size: Size | None = None,
     **options: Unpack[_OfBalls],
 ) -> PressedBall: ...
 

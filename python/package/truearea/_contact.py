@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence, Set
-from typing import Any, Literal, Union
+from typing import Any, Literal, Union, cast
 
 import numpy as np
 import numpy.typing as npt
@@ -129,6 +129,8 @@ def contact(
     >>> bool(np.all(np.diff(states.area_fraction) > 0))
     True
     """
+    names: tuple[str, ...]
+    given: tuple[Any, ...]
     if model == "bgt":
         names, given, idle = _OF_SUMMITS, (m0, m2, m4), (radius, density, sigma_s)
     else:
@@ -143,13 +145,15 @@ def contact(
         both = "pressure or separation is needed" if pressure is None else "pressure and separation are both given"
         raise InputError(f"{both}; give one of them")
     condition, at = ("separation", separation) if pressure is None else ("pressure", pressure)
-    rows, natives, which, shape = (*given, at), [], None, ()
+    rows: Any = (*given, at)
+    natives: list[_native.Material]
+    which, shape = None, cast("tuple[int, ...]", ())
     # Numbers alone are the row of one state, and no array is made for them.
     if isinstance(material, Material) and {type(number) for number in rows} <= _FLOATS:
         natives = [material._native]
     else:
         rows, natives, which, shape = _rows(names, given, condition, at, material)
-    options = {"model": model, "strain_gradient": strain_gradient, "tolerance": tolerance, "errors": errors}
+    options: dict[str, Any] = {"model": model, "strain_gradient": strain_gradient, "tolerance": tolerance, "errors": errors}
     if hardness_formula is not None or hardness is not None or interference_law is not None:
         options |= {"hardness_formula": hardness_formula, "hardness": hardness, "interference_law": interference_law}
     answer = _native.contact_states(rows, condition, natives, which, options)
@@ -164,7 +168,10 @@ def contact(
 
 _FLOATS = {float, np.float64}
 _OF_SPHERES, _OF_SUMMITS = ("radius", "density", "sigma_s"), ("m0", "m2", "m4")
-_UNITS = {_OF_SPHERES: ("m", "1/m**2", "m"), _OF_SUMMITS: ("m**2", "", "1/m**2")}
+_UNITS: dict[tuple[str, ...], tuple[str, ...]] = {
+    _OF_SPHERES: ("m", "1/m**2", "m"),
+    _OF_SUMMITS: ("m**2", "", "1/m**2"),
+}
 
 
 def _rows(

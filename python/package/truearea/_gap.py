@@ -8,7 +8,7 @@ from truearea._curves import Pressures
 from truearea._grammar import AnyMaterial, AnySurface, formerly, material_of, surface_of
 from truearea._material import Quantity
 from truearea._notes import noted
-from truearea._picture import Drawn, Line, Picture
+from truearea._picture import Drawn, Trace, Picture
 from truearea._results import FloatArray, Table
 
 class Gaps(Drawn, Table):
@@ -24,7 +24,7 @@ class Gaps(Drawn, Table):
     p00_pa: FloatArray
 
     def _picture(self) -> Picture:
-        line = Line(self.nominal_pressure_pa, self.mean_gap_m)
+        line = Trace(self.nominal_pressure_pa, self.mean_gap_m)
         return Picture(self._title, "nominal_pressure_pa", "mean_gap_m", (line,), marker="o")
 
 

@@ -23,7 +23,7 @@ from truearea._grammar import AnyMaterial, AnySurface, formerly, material_of, sp
 from truearea._material import Quantity
 from truearea._native import InputError
 from truearea._notes import noted
-from truearea._picture import Drawn, Line, Picture
+from truearea._picture import Drawn, Trace, Picture
 from truearea._results import FloatArray, Table
 from truearea._spectrum import Spectrum
 
@@ -42,7 +42,7 @@ class ContactLaw(Drawn, Table):
     _recipe: tuple[Spectrum, AnyMaterial, dict[str, Any]]
 
     def _picture(self) -> Picture:
-        line = Line(self.overclosure_m, self.pressure_pa)
+        line = Trace(self.overclosure_m, self.pressure_pa)
         return Picture(self._title, "overclosure_m", "pressure_pa", (line,), marker=".")
 
     @property

@@ -17,12 +17,12 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
-class Line(NamedTuple):
-    """Points in order, the model that their colour is of, and the place of their load among others."""
+class Trace(NamedTuple):
+    """Points in order, the model that their colour is of, and the place of their load among others; None is no label."""
 
     x: FloatArray
     y: FloatArray
-    label: str = ""
+    label: str | None = ""
     model: str = ""
     condition: int | None = None
 
@@ -43,18 +43,22 @@ class Picture(NamedTuple):
     title: str
     x: str
     y: str
-    lines: tuple[Line, ...]
+    lines: tuple[Trace, ...]
     bands: tuple[Band, ...] = ()
     holes: tuple[tuple[float, float], ...] = ()
     marker: str = ""
 
     def svg(self) -> str:
         """The picture as the core draws it."""
-        lines = [
-            (*_positive(line.x, line.y), line.label, line.model, line.condition) for line in self.lines
-        ]
-        bands = [(*_positive(band.x, band.low, band.high), band.label) for band in self.bands]
-        if not any(len(drawn[0]) for drawn in (*lines, *bands)):
+        lines = []
+        for line in self.lines:
+            x, y = _positive(line.x, line.y)
+            lines.append((x, y, line.label or "", line.model, line.condition))
+        bands = []
+        for band in self.bands:
+            x, low, high = _positive(band.x, band.low, band.high)
+            bands.append((x, low, high, band.label))
+        if not any(len(x) for x in [line[0] for line in lines] + [band[0] for band in bands]):
             return f"<p>{escape(self.title)}: nothing of it is above 0</p>"
         return _native.figure_svg(self.title, self.x, self.y, lines, bands, list(self.holes))
 
@@ -68,7 +72,8 @@ class Picture(NamedTuple):
         loads = 1 + max((line.condition or 0 for line in self.lines), default=0)
         for line in self.lines:
             style = style_of(line.model) if line.model else {}
-            label = ", ".join(part for part in (style.get("label", ""), line.label) if part)
+            parts = (style.get("label", ""), line.label)
+            label = "_" if line.label is None else ", ".join(part for part in parts if part)
             # The lower the load, the paler the line.
             shade = 1.0 - 0.6 * (loads - 1 - (line.condition or 0)) / loads
             ax.plot(line.x, line.y, **{**style, "label": label, "alpha": shade, "marker": self.marker or None})
@@ -126,10 +131,10 @@ def load_label(pressure_pa: float) -> str:
     return "a separation" if np.isnan(pressure_pa) else _native.pressure_in_words(pressure_pa)
 
 
-def lines_by_load(x: AnyArray, ys: AnyArray, pressures_pa: AnyArray, model: str = "") -> tuple[Line, ...]:
+def lines_by_load(x: AnyArray, ys: AnyArray, pressures_pa: AnyArray, model: str = "") -> tuple[Trace, ...]:
     """A line for each load, along an abscissa that they share."""
     return tuple(
-        Line(x, ys[at], load_label(float(pressure_pa)), model, at) for at, pressure_pa in enumerate(pressures_pa)
+        Trace(x, ys[at], load_label(float(pressure_pa)), model, at) for at, pressure_pa in enumerate(pressures_pa)
     )
 
 

@@ -13,7 +13,7 @@ from truearea import _native
 from truearea._choices import Direction, Gaps
 from truearea._material import Quantity
 from truearea._picture import within_frame
-from truearea._results import FloatArray, Table, notes_html, rows_html
+from truearea._results import AnyArray, FloatArray, Table, notes_html, rows_html
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -29,6 +29,9 @@ class ScanChannels(Table):
 
     _title = "channels"
     __slots__ = ()
+    file: AnyArray
+    format: AnyArray
+    channel: AnyArray
     points_x: FloatArray
     points_y: FloatArray
     size_x_m: FloatArray
@@ -38,6 +41,7 @@ class ScanChannels(Table):
     gaps: FloatArray
     rms_slope_x: FloatArray
     rms_slope_y: FloatArray
+    note: AnyArray
 
 
 class File(NamedTuple):

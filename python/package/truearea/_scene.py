@@ -16,11 +16,11 @@ from truearea import _native
 from truearea._choices import AmplitudeDefinition, HardnessFormula, Normalisation, Template
 from truearea._material import Material, Quantity
 from truearea._native import InputError
-from truearea._notes import notes_of
+from truearea._notes import Note, notes_of
 from truearea._progress import Line, Progress, observer_of
 from truearea._results import AnyArray, Table
+from truearea._scene_files import files_of
 from truearea._scene_sections import (
-    SPECTRUM_FILE,
     Body,
     body_section,
     curve_tables,
@@ -139,7 +139,7 @@ class Scene:
                 others["strength_cap"] = cap
         sections = {
             "title": title,
-            "surface": {"psd": rough.psd},
+            "surface": rough.section(),
             "material": body_section("material", material),
             "counterface": None if counterface is None else body_section("counterface", counterface),
             "loads": {"pressures": pressure_list(pressures if pressure is None else pressure)},
@@ -304,7 +304,12 @@ class Scene:
     @property
     def notes(self) -> tuple[str, ...]:
         """What reading took for granted, what is doubtful, and the keys that have no effect."""
-        return notes_of(self._native.notes)
+        notes = notes_of(self._native.notes)
+        spectrum = self._recipe[5]
+        if spectrum is not None and spectrum.scans is not None and files_of(spectrum).heights_m is None:
+            loss = "to_toml writes the spectrum with standard errors in place of its scans; intervals are then those of the errors"
+            notes += (Note(loss, "note", "scene.scans-in-memory"),)
+        return notes
 
     def explain(self) -> str:
         """What the scene needs, what of it is shared, and what is skipped, told before anything is computed."""
@@ -343,8 +348,10 @@ class Scene:
         Parameters
         ----------
         path : str or path-like, optional
-            The file of the scene. Beside it comes the spectrum of a surface in memory, ``surface.csv``, with the standard errors of
-            a composite in place of its scans: areas are the same, and intervals are those of the errors.
+            The file of the scene. Beside it come the heights of a composite in memory, ``scan-1.npy`` and so on, so that intervals
+            have the scatter of the scans; scans that were read from files are named by their paths. What no such file can say
+            (heights that repeat themselves, points that are not squares, a measurement of a container) leaves the spectrum,
+            ``surface.csv``, with standard errors: areas are the same, intervals are those of the errors, and a note says so.
 
         Returns
         -------
@@ -368,7 +375,7 @@ class Scene:
         if path is not None:
             file = Path(path)
             spectrum = self._recipe[5]
-            beside = {} if spectrum is None else {SPECTRUM_FILE: spectrum._native.csv()}
+            beside = {} if spectrum is None else files_of(spectrum).written(spectrum)
             _native.write_files(os.fspath(file.parent), {**beside, file.name: self.text.encode()})
         return self.text
 

@@ -13,40 +13,40 @@ from truearea._composite import composite
 from truearea._material import Material
 from truearea._native import InputError
 from truearea._scan import Scan
+from truearea._scene_files import files_of
 from truearea._spectrum import Spectrum
 from truearea._topography import is_topography
 
 Body = Union[Material, str, Mapping[str, Any]]
 """A body: a material, a name of the table, or keys of a scene, where values may be uncertain (``"210 GPa +- 5 GPa"``)."""
 
-SPECTRUM_FILE = "surface.csv"
-"""The file that holds the spectrum of a surface in memory, where its scene is written."""
-
-
 class SurfaceOfScene(NamedTuple):
-    """The surface of a scene: its files, or else a spectrum and the name of the file that it would be written to."""
+    """The surface of a scene: its files, or else a spectrum and the files that it would be written to."""
 
     files: list[str] | None
-    psd: str
     spectrum: Spectrum | None
+
+    def section(self) -> dict[str, Any]:
+        """The keys of ``[surface]``; the core finds those of files."""
+        return {} if self.spectrum is None else files_of(self.spectrum).section
 
 
 def surface_of_scene(surface: Any, size: Any) -> SurfaceOfScene:
     """Takes a spectrum, scans, heights, or the paths of any of them."""
     if isinstance(surface, np.ndarray) or (is_topography(surface) and not isinstance(surface, Scan)):
-        return SurfaceOfScene(None, SPECTRUM_FILE, Spectrum.from_heights(surface, size=size))
+        return SurfaceOfScene(None, Spectrum.from_heights(surface, size=size))
     if size is not None:
         raise InputError("size is that of an array of heights; leave it out")
     if isinstance(surface, Spectrum):
-        return SurfaceOfScene(None, SPECTRUM_FILE, surface)
+        return SurfaceOfScene(None, surface)
     if isinstance(surface, Scan):
-        return SurfaceOfScene(None, SPECTRUM_FILE, composite([surface]))
+        return SurfaceOfScene(None, composite([surface]))
     if isinstance(surface, (str, os.PathLike)):
-        return SurfaceOfScene([_path(surface)], "", None)
+        return SurfaceOfScene([_path(surface)], None)
     if isinstance(surface, Sequence) and surface:
         if all(isinstance(one, (str, os.PathLike)) for one in surface):
-            return SurfaceOfScene([_path(one) for one in surface], "", None)
-        return SurfaceOfScene(None, SPECTRUM_FILE, composite(surface))
+            return SurfaceOfScene([_path(one) for one in surface], None)
+        return SurfaceOfScene(None, composite(surface))
     raise InputError(
         "surface: a Spectrum, scans, an array of heights or paths are needed, and this is of type "
         f"{type(surface).__name__}"

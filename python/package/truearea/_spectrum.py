@@ -24,7 +24,7 @@ from truearea._choices import (
 from truearea._material import Quantity
 from truearea._native import InputError
 from truearea._notes import noted, notes_of
-from truearea._picture import Drawn, Line, Picture
+from truearea._picture import Drawn, Trace, Picture
 from truearea._results import AnyArray, FloatArray, Table, notes_html, rows_html
 
 if TYPE_CHECKING:
@@ -53,7 +53,7 @@ class Moments(Drawn, Table):
     def _picture(self) -> Picture:
         columns = {"m0": self.m0_m2, "m2": self.m2, "m4": self.m4_per_m2}
         lines = tuple(
-            Line(self.wavelength_m, column / column[-1], name, condition=at) for at, (name, column) in enumerate(columns.items())
+            Trace(self.wavelength_m, column / column[-1], name, condition=at) for at, (name, column) in enumerate(columns.items())
         )
         return Picture(self._title, "wavelength_m", "moments", lines)
 
@@ -68,7 +68,7 @@ class Amplitudes(Drawn, Table):
     aspect_ratio: FloatArray
 
     def _picture(self) -> Picture:
-        return Picture(self._title, "scale_m", "amplitude_m", (Line(self.wavelength_m, self.amplitude_m),))
+        return Picture(self._title, "scale_m", "amplitude_m", (Trace(self.wavelength_m, self.amplitude_m),))
 
 
 class Fit(Table):
@@ -409,7 +409,7 @@ class Spectrum(Drawn):
 
     def _picture(self) -> Picture:
         # From long to short wavelengths, as the samples are.
-        line = Line(self.wavelengths_m, self.c1d_m3, self.name)
+        line = Trace(self.wavelengths_m, self.c1d_m3, self.name)
         holes = tuple((shortest_m, longest_m) for longest_m, shortest_m in self.holes_m)
         return Picture("power spectrum", "scale_m", "c1d_m3", (line,), holes=holes)
 

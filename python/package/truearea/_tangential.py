@@ -8,7 +8,7 @@ from truearea._curves import Pressures
 from truearea._grammar import AnyMaterial, AnySurface, formerly, material_of, surface_of
 from truearea._material import Quantity
 from truearea._notes import noted
-from truearea._picture import Drawn, Line, Picture, load_label
+from truearea._picture import Drawn, Trace, Picture, load_label
 from truearea._results import FloatArray, Table
 
 class Sheared(Drawn, Table):
@@ -30,7 +30,7 @@ class Sheared(Drawn, Table):
     def _picture(self) -> Picture:
         rows = {pressure_pa: self.nominal_pressure_pa == pressure_pa for pressure_pa in self.nominal_pressure_pa}
         lines = tuple(
-            Line(self.displacement_m[at], self.tangential_stress_pa[at], load_label(pressure_pa), condition=place)
+            Trace(self.displacement_m[at], self.tangential_stress_pa[at], load_label(pressure_pa), condition=place)
             for place, (pressure_pa, at) in enumerate(rows.items())
         )
         return Picture(self._title, "displacement_m", "tangential_stress_pa", lines, marker=".")

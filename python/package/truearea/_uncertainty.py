@@ -14,7 +14,7 @@ from truearea._grammar import AnyMaterial, AnySurface, formerly, material_of, na
 from truearea._material import Material, Quantity
 from truearea._native import InputError
 from truearea._notes import noted
-from truearea._picture import Band, Drawn, Picture, load_label
+from truearea._picture import Band, Drawn, Trace, Picture, load_label
 from truearea._progress import Line, Progress, observer_of
 from truearea._results import AnyArray, FloatArray, Result, Table
 
@@ -104,7 +104,8 @@ class Uncertainty(Drawn, Result):
             Band(of_all.wavelength_m[at], of_all.low[at], of_all.high[at], load_label(pressure_pa), str(model))
             for (model, pressure_pa), at in rows.items()
         )
-        return Picture(self._title, "wavelength_m", "area_fraction", (), bands)
+        edges = tuple(Trace(band.x, edge, None, band.model) for band in bands for edge in (band.low, band.high))
+        return Picture(self._title, "wavelength_m", "area_fraction", edges, bands)
 
     def _with(self, draws: int, shares: Shares, advice: Advice, bands: Bands) -> Uncertainty:
         self.draws, self.shares, self.advice, self.bands = draws, shares, advice, bands

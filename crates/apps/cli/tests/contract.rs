@@ -157,11 +157,15 @@ fn add_members(
 /// Reads the classes and functions of a module, by indentation.
 fn read_definitions(text: &str, definitions: &mut BTreeMap<String, Definition>) {
     let mut of = String::new();
+    // Former names of the parameters of the next function, which it still accepts.
+    let mut former = Vec::new();
     let mut lines = text.lines();
     while let Some(line) = lines.next() {
         let code = line.trim_start();
         let is_member = line.len() - code.len() == 4 && !of.is_empty();
-        if let Some(class) = line.strip_prefix("class ") {
+        if let Some(names) = line.strip_prefix("@formerly(") {
+            former = parameters(names);
+        } else if let Some(class) = line.strip_prefix("class ") {
             let (name, bases) = class.split_once(['(', ':']).unwrap();
             of = name.to_owned();
             let bases = bases.split([',', ')', '[', ']']).map(|base| base.trim().to_owned()).collect();
@@ -180,7 +184,8 @@ fn read_definitions(text: &str, definitions: &mut BTreeMap<String, Definition>) 
             }
             let (class, member) = if is_member { (of.as_str(), name) } else { (name, "") };
             let definition = definitions.entry(class.to_owned()).or_default();
-            definition.members.entry(member.to_owned()).or_default().extend(parameters(rest));
+            let known = definition.members.entry(member.to_owned()).or_default();
+            known.extend(parameters(rest).into_iter().chain(former.drain(..)));
         } else if is_member {
             let name = code.split([':', ' ']).next().unwrap();
             let is_field = code[name.len()..].starts_with(": ") || code[name.len()..].starts_with(" = ");

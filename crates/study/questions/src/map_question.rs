@@ -2,7 +2,7 @@
 
 use findings::doubts::Doubt;
 use measurements::MapPatch;
-use rough_bem::{Boundary, ElementsError, Pressing, Relief, Surfaces};
+use rough_bem::{Boundary, ElementsError, Load, Pressing, Relief, Surfaces};
 use scene::Scene;
 use serde::{Deserialize, Serialize};
 use topography::detrended_m;
@@ -51,14 +51,14 @@ impl MapQuestion {
     /// [`ElementsError`] for a pressure that the surface cannot carry.
     pub fn under(&self, nominal_pressure_pa: f64) -> Result<PreparedElements, ElementsError> {
         let pressing = Pressing {
-            pressures_pa: vec![nominal_pressure_pa],
+            loads: vec![Load::PressurePa(nominal_pressure_pa)],
             saturation_pa: self.saturation_pa,
             stiffness: true,
             ..Pressing::elastic(self.contact_modulus_pa)
         };
         pressing.check()?;
         let notes = Doubt::of_slope(self.relief.rms_slope()).map(Note::Doubt).into_iter().collect();
-        Ok(PreparedElements { surfaces: Surfaces::Map(self.relief.clone()), notes, pressing })
+        Ok(PreparedElements { surfaces: Surfaces::Maps(vec![self.relief.clone()]), notes, pressing })
     }
 }
 
