@@ -1,4 +1,4 @@
-// Calls to the core in a worker, as promises. A call is cancelled by ending its worker; a new one takes its place.
+// Calls to the core in a worker, as promises. A call is cancelled by ending its worker; the next one starts another.
 
 /** The error of a call whose worker was ended. */
 export class Cancelled extends Error {}
@@ -44,7 +44,7 @@ async function compile(url) {
 }
 
 export class Client {
-  /** @type {Worker} */ #worker;
+  /** Started by the first call. @type {Worker | null} */ #worker = null;
   /** @type {Map<number, { resolve: (value: any) => void, reject: (error: Error) => void }>} */ #calls = new Map();
   /** @type {{ name: string, file: File }[]} */ #files = [];
   #last = 0;
@@ -54,11 +54,13 @@ export class Client {
   /** @param {(step: Step) => void} onProgress */
   constructor(onProgress = () => {}) {
     this.onProgress = onProgress;
-    this.#worker = this.#start();
   }
 
-  #start() {
+  /** Starts the worker, unless it runs. */
+  start() {
+    if (this.#worker) return this.#worker;
     const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
+    this.#worker = worker;
     worker.onmessage = ({ data }) => {
       if (data.progress) {
         this.onProgress(data.progress);
@@ -73,7 +75,7 @@ export class Client {
       } else {
         // The core does not go on after a panic, as when memory runs out.
         call.reject(new Error(`The computation ended early (${data.error}). Leave out large files and try again.`));
-        this.restart();
+        this.end();
       }
     };
     worker.onerror = (event) => this.#fail(event.message || "The worker could not start.");
@@ -95,7 +97,7 @@ export class Client {
    */
   setFiles(files) {
     this.#files = files;
-    this.#worker.postMessage({ files });
+    this.#worker?.postMessage({ files });
   }
 
   /** Returns true while a call runs. */
@@ -103,38 +105,30 @@ export class Client {
     return this.#calls.size > 0;
   }
 
-  /** Ends all calls with the worker, and starts another. */
-  restart() {
-    this.#worker.terminate();
+  /** Ends all calls with the worker, which gives its memory back; the next call starts another. */
+  end() {
+    this.#worker?.terminate();
+    this.#worker = null;
+    this.bytes = 0;
     for (const call of this.#calls.values()) call.reject(new Cancelled());
     this.#calls.clear();
-    this.#worker = this.#start();
   }
 
   /**
-   * Calls a function of the core.
-   * @param {string} call
-   * @param {...unknown} args
-   * @returns {Promise<string>}
-   */
-  text(call, ...args) {
-    this.#last += 1;
-    const id = this.#last;
-    return new Promise((resolve, reject) => {
-      this.#calls.set(id, { resolve, reject });
-      this.#worker.postMessage({ id, call, args });
-    });
-  }
-
-  /**
-   * Calls a function that takes a request and returns its answer or a refusal.
+   * Calls a function of the core that takes a request, or its text, and returns its answer or a refusal.
    * @param {string} call
    * @param {unknown} request
    * @param {...unknown} args
    * @returns {Promise<any>}
    */
   async ask(call, request, ...args) {
-    const reply = JSON.parse(await this.text(call, JSON.stringify(request), ...args));
+    this.#last += 1;
+    const id = this.#last;
+    const text = typeof request === "string" ? request : JSON.stringify(request);
+    const reply = await new Promise((resolve, reject) => {
+      this.#calls.set(id, { resolve, reject });
+      this.start().postMessage({ id, call, args: [text, ...args] });
+    });
     if ("refused" in reply) throw new Refused(reply.refused);
     return reply.ok;
   }

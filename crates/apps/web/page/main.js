@@ -16,6 +16,8 @@ const PAUSE_MS = 400;
 
 const desk = new Client();
 const bench = new Client(showProgress);
+/** Looks at files, and is ended after that: a core keeps the memory that a large file took. */
+const viewer = new Client();
 const areaReader = new Reader(by("figure-main"), isLineDrawn);
 const spectrumReader = new Reader(by("spectrum"));
 
@@ -121,7 +123,7 @@ function judgeSoon() {
 function stopBench() {
   clearTimeout(pause);
   round += 1;
-  if (bench.isBusy) bench.restart();
+  if (bench.isBusy) bench.end();
   showWorking(false);
 }
 
@@ -257,8 +259,7 @@ async function take(/** @type {import("./files.js").Named[]} */ found) {
 
 function giveFiles() {
   const given = state.files.filter((file) => file.file).map(({ name, file }) => ({ name, file: /** @type {File} */ (file) }));
-  desk.setFiles(given);
-  bench.setFiles(given);
+  for (const client of [desk, bench, viewer]) client.setFiles(given);
 }
 
 async function lookAtFiles() {
@@ -269,22 +270,25 @@ async function lookAtFiles() {
     if (file.sight !== null || !file.file) continue;
     say("working", `Reading ${file.name} …`);
     try {
-      file.sight = await desk.ask("look", { name: file.name, bytes: file.bytes, options: file.options, kind: file.kind });
+      file.sight = await viewer.ask("look", { name: file.name, bytes: file.bytes, options: file.options, kind: file.kind });
       file.kind = file.sight.kind;
       if (file.sight.wants_all_formats && useAllFormats()) {
         say("working", "Loading the readers of all formats …");
-        for (const client of [desk, bench]) client.restart();
+        for (const client of [desk, bench, viewer]) client.end();
         for (const other of state.files) if (other.kind === "other") other.sight = null;
         file.sight = null;
         await lookAtFiles();
         return;
       }
     } catch (error) {
+      // Ended by files that need the other core; these are looked at again there.
+      if (error instanceof Cancelled) return;
       file.sight = { words: "", map: null, line: null, refusal: { message: /** @type {Error} */ (error).message, option: null } };
       file.kind = "other";
     }
     showFiles();
   }
+  if (!viewer.isBusy) viewer.end();
   if (state.files.some((file) => file.kind === "scene") && state.files.every((file) => Object.keys(file.options).length === 0)) {
     // A scene brings its own bodies and loads.
     state.material = null;
@@ -474,6 +478,7 @@ function fromLink() {
 
 async function begin() {
   listen();
+  desk.start();
   choices = await (await fetch(new URL("./choices.json", import.meta.url))).json();
   for (const { key, title } of choices.examples) select("example").add(new Option(title, key));
   makeBodies(choices.materials, () => {

@@ -1,6 +1,6 @@
 // A map of heights in false colour, with a range of heights that takes all colours.
 
-/** @typedef {{ columns: number, rows: number, aspect: number, heights: number[], range: string, range_m: number, colours: number[][] }} MapHeights */
+/** @typedef {{ columns: number, rows: number, aspect: number, heights: Uint16Array, range: string, range_m: number, colours: number[][] }} MapHeights */
 
 /** The level of a missing point. */
 const MISSING = 65535;

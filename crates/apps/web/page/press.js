@@ -63,7 +63,7 @@ export function showMaps(desk, names) {
 /** Ends what is being pressed, and forgets the map. */
 function forget() {
   chosen = null;
-  if (isPressing) presser?.restart();
+  if (isPressing) presser?.end();
 }
 
 /**
@@ -100,8 +100,7 @@ async function press(/** @type {Client} */ desk) {
       isStale = false;
       say("working", "Pressing …");
       chosen ??= await desk.ask("map", request(), Number(select("press-which").value || 0));
-      const { question } = chosen;
-      show(await presser.ask("press", { question, nominal_pressure_pa }));
+      show(await presser.ask("press", `{"question":${chosen.question},"nominal_pressure_pa":${nominal_pressure_pa}}`));
     } while (isStale);
   } catch (error) {
     isCancelled = error instanceof Cancelled;
@@ -120,7 +119,7 @@ function show(/** @type {any} */ found) {
   by("pressed").hidden = false;
   by("press-words").textContent = chosen.words;
   draw(/** @type {HTMLCanvasElement} */ (by("pressed-map")), chosen.heights, found.states);
-  by("pressed-map").setAttribute("aria-label", `Contact at ${found.load} over the heights of ${chosen.question.name}: ${found.area} of the area touches`);
+  by("pressed-map").setAttribute("aria-label", `Contact at ${found.load} over the heights of ${chosen.name}: ${found.area} of the area touches`);
   by("pressed-area").dataset.value = String(found.area_fraction);
   by("pressed-area").textContent = `${found.area} touches at ${found.load}`;
   by("pressed-values").replaceChildren(...found.quantities.flatMap((/** @type {[string, string]} */ [name, value]) => {
@@ -142,7 +141,7 @@ function show(/** @type {any} */ found) {
  * Draws heights in grey, the highest white, and contact in colour.
  * @param {HTMLCanvasElement} canvas
  * @param {import("./map.js").MapHeights} map
- * @param {number[]} states
+ * @param {Uint8Array} states
  */
 function draw(canvas, map, states) {
   canvas.width = map.columns;

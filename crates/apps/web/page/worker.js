@@ -19,6 +19,31 @@ async function start(compiled, glue) {
   return { core, memory };
 }
 
+/**
+ * Reads a reply of the core here, where that stops nobody: long lists of numbers become arrays that move without a copy,
+ * and a map to press stays text, as the core reads it again.
+ * @param {string} reply
+ */
+function read(reply) {
+  const found = JSON.parse(reply);
+  const moved = [];
+  const { ok } = found;
+  for (const map of [ok?.map, ok?.heights]) {
+    if (!map) continue;
+    map.heights = Uint16Array.from(map.heights);
+    moved.push(map.heights.buffer);
+  }
+  if (ok?.states) {
+    ok.states = Uint8Array.from(ok.states);
+    moved.push(ok.states.buffer);
+  }
+  if (ok?.question) {
+    ok.name = ok.question.name;
+    ok.question = JSON.stringify(ok.question);
+  }
+  return { found, moved };
+}
+
 /** @param {MessageEvent} event */
 onmessage = async (event) => {
   const { id, call, args, files, compiled, glue } = event.data;
@@ -32,8 +57,8 @@ onmessage = async (event) => {
   }
   try {
     const { core, memory } = await ready;
-    const reply = core[call](...args);
-    postMessage({ id, reply, bytes: memory.buffer.byteLength });
+    const { found, moved } = read(core[call](...args));
+    postMessage({ id, reply: found, bytes: memory.buffer.byteLength }, { transfer: moved });
   } catch (error) {
     postMessage({ id, error: String(error) });
   }
