@@ -1,8 +1,12 @@
 //! Few studies, in seconds; `cargo xtask coverage` carries out many.
 
-use coverage::{INSTRUMENTS, Laboratory, STYLUS, biases, coverages, known_composite, shrinkages, trials};
+use coverage::{
+    AFM, INSTRUMENTS, KnownSurface, Laboratory, STYLUS, biases, coverages, known_composite, shrinkages,
+    trials,
+};
+use study::Unobserved;
 use topography::Average;
-use uncertainty::Settings;
+use uncertainty::{Guess, Settings, UncertaintyPlan};
 
 const FEW: Settings = Settings { draws: 100, level: 0.95, seed: 1, shares_draws: None };
 
@@ -75,5 +79,21 @@ fn more_scans_are_predicted_to_shrink_intervals_and_do() {
     assert!(!of_lines.is_empty());
     for row in of_lines {
         assert!(row.predicted < 1.0 && row.real < 1.05, "{row:?}");
+    }
+}
+
+#[test]
+fn two_scans_of_an_instrument_are_a_guess_and_three_are_not() {
+    for (instrument, hurst_exponent) in [(STYLUS, 0.3), (STYLUS, 0.8), (AFM, 0.8)] {
+        let surface = KnownSurface::new(hurst_exponent, 2.0 * AFM.spacing_m()).unwrap();
+        let laboratory = Laboratory::of_surface(surface, &[instrument], 3).unwrap();
+        for scans in [2, 3] {
+            let scene = laboratory.study(0, &[scans]).unwrap().scene().unwrap();
+            let results = scene.plan().compute().unwrap();
+            let settings = Settings { draws: 20, ..Settings::default() };
+            let found = UncertaintyPlan::new(&scene, &results, &settings).unwrap().run(&Unobserved).unwrap();
+            let is_guess = found.guesses.iter().any(|guess| matches!(guess, Guess::FewScans { .. }));
+            assert_eq!(is_guess, scans == 2, "{} {scans}", instrument.name);
+        }
     }
 }

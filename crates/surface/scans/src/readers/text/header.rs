@@ -233,7 +233,8 @@ impl Header {
     /// [`ScanReadError::BadField`] if the file holds fewer than stated: it is cut off.
     pub(crate) fn check_counts(&self, columns: &Columns, is_map: bool) -> Result<Vec<String>, ScanReadError> {
         let [across, rows] = [columns.count, columns.rows()];
-        let product: Option<usize> = [0, 1].into_iter().map(|axis| self.stated(Key::Count(axis))).product();
+        let [stated_across, stated_rows] = [0, 1].map(|axis| self.stated(Key::Count(axis)));
+        let product = stated_across.zip(stated_rows).map(|(across, rows)| across.saturating_mul(rows));
         let found = |count: &StatedCount| match (count.key, is_map) {
             (Key::Count(axis), true) => Some([across, rows][axis]),
             (Key::Count(_), false) => None,
@@ -358,6 +359,7 @@ mod tests {
             checked("Points: 3\n0 1\n1 2", false).is_err() && checked("Points: 2\n0 1\n1 2", false).is_ok()
         );
         assert!(checked("X Pixels: 2\nY Pixels: 2\n0 0 1\n1 0 2\n0 1 3", false).is_err());
+        assert!(checked(&format!("nx={0}\nny={0}\n0 0 1\n1 0 2", usize::MAX), false).is_err());
     }
 
     #[test]
