@@ -12,6 +12,7 @@ import pytest
 
 import truearea as ta
 from support import Columns, columns_of, numbers, refused_naming
+from truearea._choices import Dialect
 from truearea._choices import LawModel
 
 UNCD = "builtin:uncd-reconstructed"
@@ -56,7 +57,7 @@ def data_lines(text: str) -> list[list[float]]:
 
 
 @pytest.mark.parametrize("dialect", ["abaqus", "calculix"])
-def test_texts_of_codes_hold_the_rows(law: ta.ContactLaw, dialect: str) -> None:
+def test_texts_of_codes_hold_the_rows(law: ta.ContactLaw, dialect: Dialect) -> None:
     text = law.to_text(dialect, units="N-mm", name="GASKET-1")
     assert "*SURFACE INTERACTION, NAME=GASKET-1\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR\n" in text
     rows = np.array(data_lines(text))
@@ -98,7 +99,7 @@ def test_a_file_is_written_whole_or_not_at_all(law: ta.ContactLaw, tmp_path: Pat
     target = tmp_path / "rough.inp"
     target.write_text("what was there")
     with refused_naming("dialect"):
-        law.write(target, "ansys")
+        law.write(target, "ansys")  # type: ignore[arg-type]  # pyright: ignore[reportArgumentType]
     assert target.read_text() == "what was there"
     law.write(target, "abaqus", units="N-mm")
     assert target.read_text(encoding="utf-8") == law.to_text("abaqus", units="N-mm")
@@ -143,7 +144,7 @@ def test_wrong_input_is_told_by_its_argument(changes: dict[str, Any], told: str)
     ],
 )
 def test_wrong_words_are_refused(law: ta.ContactLaw, changes: dict[str, str], told: str) -> None:
-    given = {"dialect": "abaqus"} | changes
+    given: dict[str, Any] = {"dialect": "abaqus"} | changes
     with refused_naming(*told.split()):
         law.to_text(given.pop("dialect"), **given)
 

@@ -11,7 +11,6 @@ import truearea as ta
 from truearea import _native
 
 FUNCTIONS = {"elastic": ta.stacked, "elastic-plastic": ta.stacked, "persson": ta.persson, "persson-plastic": ta.persson}
-MODELS = {"persson": "elastic", "persson-plastic": "elastic-plastic"}
 UNITS_MISTAKEN = ta.Spectrum(np.geomspace(1e6, 1e9, 30), 1e-15 * np.geomspace(1.0, 1e3, 30) ** -2.2)
 
 
@@ -50,7 +49,7 @@ def asked(spectrum: ta.Spectrum, question: dict[str, Any]) -> ta.Result:
     found: ta.Result = call(
         spectrum,
         material_of(question["material"]),
-        model=MODELS.get(model, model),
+        model=model,
         pressure=[load["label"] for load in question["pressures"]],
         cutoff=question["sampling"]["cutoff_m"],
         scales_per_decade=question["sampling"]["scales_per_decade"],

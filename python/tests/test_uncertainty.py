@@ -208,7 +208,7 @@ def test_what_cannot_be_drawn_is_told() -> None:
     with refused_naming("tolerance:", "number", "str"):
         quick(tolerance="x")
     given: Any = None
-    with refused_naming("spectrum: ", "Spectrum", "scans"):
+    with refused_naming("surface: ", "Spectrum", "scans"):
         ta.uncertainty(given, DIAMOND, pressure=1e6, model="elastic")
 
 

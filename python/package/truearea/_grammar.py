@@ -50,7 +50,7 @@ def spectrum_of(surface: Any) -> Spectrum:
     if isinstance(surface, (Scan, list, tuple)) or is_topography(surface):
         from truearea._composite import composite
 
-        return composite(surface)
+        return composite(list(surface) if isinstance(surface, (list, tuple)) else [surface])
     raise InputError(
         "surface: a Spectrum, the path of one, a Scan or a list of scans is needed, and this is of type "
         f"{type(surface).__name__}; heights of an array need their size: Spectrum.from_heights(h, size)"

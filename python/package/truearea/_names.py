@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import platform
 import sys
-from importlib import metadata
 
 from truearea import _native
 from truearea._results import AnyArray, FloatArray, Table
@@ -76,6 +74,10 @@ def models() -> Models:
 
 def show_versions() -> None:
     """Print the versions of truearea, Python and the packages that it works with: for reports of errors."""
+    # They take longer to import than all else of the package.
+    import platform
+    from importlib import metadata
+
     print(f"truearea    {_native.VERSION}")
     print(f"python      {platform.python_version()} ({sys.platform}, {platform.machine()})")
     for package in ("numpy", "pandas", "xarray", "matplotlib", "pint", "dask"):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import math
 from collections.abc import Iterable, Mapping
 from typing import Any
@@ -11,7 +10,7 @@ import numpy as np
 
 from truearea._native import InputError
 from truearea._results import AnyArray
-from truearea._sweep_digest import digest_of
+from truearea._sweep_digest import digest_of, sha256
 
 Over = Mapping[Any, Any]
 """Values by name; a tuple of names has as many columns that go together."""
@@ -95,7 +94,7 @@ def _of_one_length(factor: dict[str, AnyArray]) -> dict[str, AnyArray]:
 def _digest(name: str, column: AnyArray) -> str:
     if column.dtype.kind == "O":
         return digest_of(column.tolist(), f"over[{name!r}]")
-    return hashlib.sha256(column.dtype.str.encode() + np.ascontiguousarray(column).tobytes()).hexdigest()
+    return sha256(column.dtype.str.encode() + np.ascontiguousarray(column).tobytes()).hexdigest()
 
 
 def _told(column: AnyArray) -> Any:

@@ -5,21 +5,30 @@ from __future__ import annotations
 import copyreg
 import dis
 import functools
-import hashlib
 import sys
 import sysconfig
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from types import CodeType, FunctionType, MethodType, ModuleType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from truearea._native import InputError
 from truearea._scene import Scene
+
+if TYPE_CHECKING:
+    import hashlib
 
 _PLAIN = (type(None), bool, int, float, complex, str, bytes, type(Ellipsis), type(NotImplemented))
 # Attributes of a class that differ between processes, or say nothing of what its objects do.
 _IDLE = ("_abc_impl", "__dict__", "__weakref__", "__doc__", "__module__", "__annotations__", "__dataclass_fields__",
          "__dataclass_params__", "__firstlineno__", "__static_attributes__", "__annotate_func__", "__annotations_cache__")  # fmt: skip
+
+
+def sha256(content: bytes = b"") -> hashlib._Hash:
+    """A checksum to begin with, from a library that takes longer to import than all else of the package."""
+    import hashlib
+
+    return hashlib.sha256(content)
 
 
 def digest_of(value: Any, name: str) -> str:
@@ -179,7 +188,7 @@ def _is_installed(module: str) -> bool:
 
 
 def _sha(*parts: str | bytes) -> bytes:
-    content = hashlib.sha256()
+    content = sha256()
     for part in parts:
         encoded = part.encode("utf-8", "surrogatepass") if isinstance(part, str) else part
         content.update(len(encoded).to_bytes(8, "little") + encoded)

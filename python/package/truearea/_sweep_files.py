@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import importlib
 import json
 import os
@@ -14,6 +13,7 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from truearea._native import InputError
+from truearea._sweep_digest import sha256
 from truearea._sweep_rows import Columns, Rows
 
 _MANIFEST = "_sweep.json"
@@ -145,7 +145,7 @@ class Folder:
 
     def _key(self, partition: int) -> str:
         start, stop = self._range(partition)
-        return hashlib.sha256(f"{self.key} {start} {stop}".encode()).hexdigest()
+        return sha256(f"{self.key} {start} {stop}".encode()).hexdigest()
 
     def _is_written(self, partition: int) -> bool:
         """Whether a part is there, this sweep's and readable throughout."""
@@ -187,7 +187,7 @@ def _write_whole(path: Path, write: Callable[[BinaryIO], Any]) -> None:
 
 
 def _checksum(told: dict[str, Any]) -> str:
-    return hashlib.sha256(json.dumps(told, sort_keys=True).encode()).hexdigest()
+    return sha256(json.dumps(told, sort_keys=True).encode()).hexdigest()
 
 
 def _difference(there: dict[str, Any], here: dict[str, Any]) -> str:

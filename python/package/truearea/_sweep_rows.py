@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import hashlib
-import inspect
 import json
-import platform
 import time
 from collections.abc import Callable, Mapping
 from typing import Any, Union
@@ -17,7 +14,7 @@ from truearea._native import InputError
 from truearea._results import AnyArray, Result
 from truearea._scene import Scene
 from truearea._sweep_axes import Axes
-from truearea._sweep_digest import digest_of, name_of
+from truearea._sweep_digest import digest_of, name_of, sha256
 from truearea._threads import one_thread
 
 Swept = Union[Scene, Callable[..., Any]]
@@ -63,12 +60,14 @@ class Rows:
             "over": self.axes.digest(),
             "vectorised": self.vectorised,
         }
-        return hashlib.sha256(json.dumps(what, sort_keys=True).encode()).hexdigest()
+        return sha256(json.dumps(what, sort_keys=True).encode()).hexdigest()
 
     def told(self) -> dict[str, Any]:
         """Where the rows come from, for people."""
         if self._told is None:
             of = {"scene": self.swept.text} if isinstance(self.swept, Scene) else {"function": name_of(self.swept)}
+            import platform
+
             self._told = {
                 "program": f"truearea {_native.VERSION}",
                 "python": platform.python_version().rpartition(".")[0],
@@ -230,6 +229,8 @@ def _extra_parameters(function: Callable[..., Any], names: list[str]) -> tuple[s
     """Which of the parameters that are no columns the function takes; what does not fit is refused before all else."""
     if not callable(function):
         raise InputError(f"a Scene or a function is needed, and this is of type {type(function).__name__}")
+    import inspect
+
     try:
         parameters = inspect.signature(function).parameters
     except (TypeError, ValueError):
