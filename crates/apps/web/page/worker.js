@@ -29,7 +29,7 @@ function read(reply) {
   const moved = [];
   const { ok } = found;
   for (const map of [ok?.map, ok?.heights]) {
-    if (!map) continue;
+    if (!map?.heights) continue;
     map.heights = Uint16Array.from(map.heights);
     moved.push(map.heights.buffer);
   }

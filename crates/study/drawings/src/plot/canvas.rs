@@ -62,6 +62,7 @@ pub(super) fn dot(computed: &ComputedLayout, (x, y): (f64, f64), colour: &str) -
     }
 }
 
+/// Rounds as the library does.
 fn in_hundredths(px: f64) -> f64 {
-    (100.0 * px).round() / 100.0
+    (100.0 * px).round() * 0.01
 }

@@ -210,7 +210,7 @@ impl<'s> Drawing<'s> {
         html! {
             g class=(format!("{} line band", class(at))) style=(colours(at)) {
                 path d=(format!("M{from:.1} {middle:.1}H{to:.1}")) {}
-                text.name x=(format!("{place:.1}")) y=(format!("{:.1}", middle - 5.0)) text-anchor=(anchor) { (words) }
+                text.name x=(format!("{place:.1}")) y=(format!("{:.1}", middle - 6.0)) text-anchor=(anchor) { (words) }
             }
         }
     }
