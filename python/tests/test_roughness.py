@@ -21,7 +21,9 @@ def command_line(*arguments: str) -> pd.DataFrame:
     manifest = str(ROOT / "Cargo.toml")
     call = [program] if program else ["cargo", "run", "--quiet", "--manifest-path", manifest, "--bin", "truearea", "--"]
     done = subprocess.run([*call, *arguments], check=True, capture_output=True, text=True)
-    return pd.read_csv(io.StringIO(done.stdout), comment="#", keep_default_na=False, na_values={"value": [""]})
+    text = io.StringIO(done.stdout)
+    # pandas 2 rounds the last digit otherwise.
+    return pd.read_csv(text, comment="#", keep_default_na=False, na_values={"value": [""]}, float_precision="round_trip")
 
 
 def heights_m() -> np.ndarray:

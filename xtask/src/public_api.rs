@@ -4,7 +4,7 @@ use std::error::Error;
 use std::process::Command;
 
 use crate::checkout;
-use crate::package::{self, Published};
+use crate::package;
 
 /// Folder of the lists, one for each crate.
 const LISTS: &str = "tests/contract/public-api";
@@ -12,10 +12,9 @@ const LISTS: &str = "tests/contract/public-api";
 /// Compares the public items of every published crate with its list; with `accept` writes the lists anew.
 pub(crate) fn run(accept: bool) -> Result<(), Box<dyn Error>> {
     let published = package::published(&checkout(""))?;
-    let libraries: Vec<&Published> = published.iter().filter(|package| !package.library.is_empty()).collect();
-    describe(&libraries)?;
+    describe()?;
     let mut moved = 0;
-    for package in libraries {
+    for package in published.iter().filter(|package| !package.library.is_empty()) {
         let items = items(&package.library)?;
         let list = checkout(LISTS).join(format!("{}.txt", package.name));
         let committed = std::fs::read_to_string(&list).unwrap_or_default();
@@ -41,13 +40,12 @@ pub(crate) fn run(accept: bool) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Lets rustdoc describe the libraries as JSON. The pinned compiler does so behind a flag that is not stable; the version of
+/// Lets rustdoc describe all libraries as JSON, with the features of the whole workspace. The pinned compiler does so behind a flag that is not stable; the version of
 /// `public-api` is the one that reads its format.
-fn describe(libraries: &[&Published]) -> Result<(), Box<dyn Error>> {
+fn describe() -> Result<(), Box<dyn Error>> {
     let mut cargo = Command::new(package::cargo_program());
     cargo
-        .args(["doc", "--quiet", "--locked", "--no-deps", "--lib"])
-        .args(libraries.iter().map(|package| format!("--package={}", package.name)))
+        .args(["doc", "--quiet", "--locked", "--no-deps", "--workspace", "--lib"])
         // Apart, as the flag would compile everything anew.
         .args(["--target-dir".as_ref(), checkout("target/public-api").as_os_str()])
         .env("RUSTC_BOOTSTRAP", "1")

@@ -178,22 +178,30 @@ pub(super) fn normal(path: &Path) -> PathBuf {
     })
 }
 
+/// Page of the table of contents.
+pub(super) struct ListedPage {
+    /// Its file.
+    pub(super) path: PathBuf,
+    /// Its first heading.
+    pub(super) title: String,
+}
+
 /// The table of contents, and the pages that it lists with their titles.
 fn summary(
     source: &Path,
     notebooks: &[String],
-) -> Result<(String, Vec<(PathBuf, String)>), Box<dyn std::error::Error>> {
+) -> Result<(String, Vec<ListedPage>), Box<dyn std::error::Error>> {
     let mut text = String::from(
         "# Summary\n\n[truearea](README.md)\n[All pages](index-of-pages.md)\n[Gallery](gallery.md)\n",
     );
-    let mut listed: Vec<(PathBuf, String)> = Vec::new();
+    let mut listed: Vec<ListedPage> = Vec::new();
     let mut list = |text: &mut String, page: &str| -> Result<(), Box<dyn std::error::Error>> {
         let page = source.join(page);
         // mdBook takes a page once.
-        if listed.iter().all(|(known, _)| *known != page) {
+        if listed.iter().all(|known| known.path != page) {
             let title = title(&page)?;
             writeln!(text, "- [{title}]({})", page.strip_prefix(source)?.display())?;
-            listed.push((page, title));
+            listed.push(ListedPage { path: page, title });
         }
         Ok(())
     };

@@ -2,27 +2,29 @@
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-/// Returns the page; `pages` are files below `source`, each with its title.
-pub(super) fn page(source: &Path, pages: &[(PathBuf, String)]) -> Result<String, Box<dyn std::error::Error>> {
+use super::book::{ListedPage, normal};
+
+/// Returns the page; `pages` are files below `source`.
+pub(super) fn page(source: &Path, pages: &[ListedPage]) -> Result<String, Box<dyn std::error::Error>> {
     let mut text = String::from(
         "# Gallery\n\nEvery figure of these pages. The heading leads to the page that explains it.\n",
     );
     let mut shown = BTreeSet::new();
-    for (page, title) in pages {
-        let folder = page.parent().unwrap_or(source);
-        let markdown = std::fs::read_to_string(page)?;
+    for ListedPage { path, title } in pages {
+        let folder = path.parent().unwrap_or(source);
+        let markdown = std::fs::read_to_string(path)?;
         let figures: Vec<(&str, String)> = figures(&markdown)
             .filter_map(|(caption, file)| {
-                let file = super::book::normal(&folder.strip_prefix(source).ok()?.join(file));
+                let file = normal(&folder.strip_prefix(source).ok()?.join(file));
                 shown.insert(file.clone()).then(|| (caption, file.display().to_string()))
             })
             .collect();
         if figures.is_empty() {
             continue;
         }
-        write!(text, "\n## [{title}]({})\n", page.strip_prefix(source)?.display())?;
+        write!(text, "\n## [{title}]({})\n", path.strip_prefix(source)?.display())?;
         for (caption, file) in figures {
             write!(text, "\n![{caption}]({file})\n\n*{caption}*\n")?;
         }

@@ -16,9 +16,9 @@ pub(super) fn write(notebooks: &Path, folder: &Path) -> Result<Vec<String>, Box<
         }
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let notebook = serde_json::from_str(&std::fs::read_to_string(&path)?)?;
-        let (text, pictures) = page(&notebook, &name)?;
-        std::fs::write(folder.join(format!("{name}.md")), text)?;
-        for (at, png) in pictures.iter().enumerate() {
+        let page = page(&notebook, &name)?;
+        std::fs::write(folder.join(format!("{name}.md")), page.markdown)?;
+        for (at, png) in page.pictures.iter().enumerate() {
             std::fs::write(folder.join(picture_name(&name, at)), png)?;
         }
         names.push(name);
@@ -31,8 +31,14 @@ fn picture_name(notebook: &str, at: usize) -> String {
     format!("{notebook}-{}.png", at + 1)
 }
 
-/// Markdown of a notebook, and its pictures.
-fn page(notebook: &Value, name: &str) -> Result<(String, Vec<Vec<u8>>), Box<dyn std::error::Error>> {
+/// Notebook as a page.
+struct Page {
+    markdown: String,
+    /// PNG files, in their order.
+    pictures: Vec<Vec<u8>>,
+}
+
+fn page(notebook: &Value, name: &str) -> Result<Page, Box<dyn std::error::Error>> {
     let mut text = String::new();
     let mut pictures = Vec::new();
     for cell in notebook["cells"].as_array().ok_or("a notebook without cells")? {
@@ -55,7 +61,7 @@ fn page(notebook: &Value, name: &str) -> Result<(String, Vec<Vec<u8>>), Box<dyn 
             }
         }
     }
-    Ok((text, pictures))
+    Ok(Page { markdown: text, pictures })
 }
 
 /// Text that a notebook holds as a string or as lines.
@@ -83,9 +89,9 @@ mod tests {
             { "cell_type": "code", "source": "print(1)", "outputs": [{ "text": ["1\n"] }] },
             { "cell_type": "code", "source": "plot()", "outputs": [{ "data": { "image/png": "aGk=\n", "text/plain": "<Figure>" } }] },
         ] });
-        let (text, pictures) = page(&notebook, "a").unwrap();
+        let Page { markdown, pictures } = page(&notebook, "a").unwrap();
         assert_eq!(
-            text,
+            markdown,
             "# A title\nSee [b](b.md).\n\n```python\nprint(1)\n```\n\n```text\n1\n```\n\n\
              ```python\nplot()\n```\n\n![Output of the cell above](a-1.png)\n\n"
         );
