@@ -266,6 +266,18 @@ test("a file of a rarer format loads the second core", async () => {
   await context.close();
 });
 
+test("a description beside a scan says its unit, whichever of them comes first", async () => {
+  const { page, context } = await open();
+  const heights = trace("").trim().split("\n").map((line) => line.split(",")[1]).join("\n");
+  await drop(page, {
+    "heights.txt": heights,
+    "meta.yml": "version: '1'\nsurfaces:\n  - name: one\n    topographies:\n      - name: one\n        datafile: {original: heights.txt}\n        unit: m\n        size: [511.0e-6]\n        height_scale: 1.0\n",
+  });
+  await page.waitForSelector("#screen:not([hidden])");
+  assert.equal(await page.locator(".needed").count(), 0);
+  await context.close();
+});
+
 test("a file without a unit is asked for it, and answered", async () => {
   const { page, context } = await open();
   const plain = trace("").trim().split("\n").map((line) => line.split(",")[1]).join("\n");

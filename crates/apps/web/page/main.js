@@ -275,8 +275,8 @@ async function lookAtFiles() {
       if (file.sight.wants_all_formats && useAllFormats()) {
         say("working", "Loading the readers of all formats …");
         for (const client of [desk, bench, viewer]) client.end();
-        for (const other of state.files) if (other.kind === "other") other.sight = null;
-        file.sight = null;
+        // Also those that could be read: a file beside them may say more about them.
+        for (const each of state.files) each.sight = null;
         await lookAtFiles();
         return;
       }
