@@ -291,7 +291,7 @@ NAN[1, 2] = np.nan
         (np.zeros((1, 5)), (1.0, 1.0), "h: rows 1, 2"),
         (np.zeros(0), 1.0, "h: points 0, 2"),
         (np.zeros((8, 8)), 1.0, "heights: "),
-        (np.array(["a", "b"]), 1.0, "h: <U1"),
+        (np.array(["a", "b"]), 1.0, "h[0]: 'a'"),
         (np.array([1j, 2j]), 1.0, "h: complex128"),
         (np.array([True, False]), 1.0, "h: bool"),
         (np.ma.masked_array(np.zeros((8, 8)), mask=True), 1.0, "heights: "),

@@ -74,7 +74,7 @@ def test_resampling_and_cutoff_are_taken() -> None:
         ({"wavevectors": [1.0, np.nan, 3.0]}, "wavevectors: nan"),
         ({"c1d": [1.0, 0.0, 3.0]}, "row 2"),
         ({"c1d": [[1.0, 2.0, 3.0]]}, "c1d: 2"),
-        ({"c1d": ["1", "2", "3"]}, "c1d: numbers"),
+        ({"c1d": ["1", "2", "3"]}, "c1d[0]: numbers"),
         ({"c1d": []}, "3 0"),
         ({"wavevectors": [1.0, 1.0, 3.0]}, "wavelength"),
         ({"c1d_se": [0.1, -0.1, 0.1]}, "error"),

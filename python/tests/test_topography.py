@@ -60,7 +60,7 @@ def test_gaps_stay_gaps() -> None:
         (Topography(np.zeros(3), None), "h: its physical_sizes is None; give it one where it is made"),
         (Topography(np.zeros(3), (1.0, 2.0)), "h: its heights have 1 axes and its physical_sizes 2"),
         (Topography(np.zeros((2, 2, 2)), (1.0, 2.0)), "h: heights of one or two axes are needed, and these have 3"),
-        (Topography(np.array(["a"]), (1.0,)), "h: numbers are needed, and these are of type <U1"),
+        (Topography(np.array(["a"]), (1.0,)), "h[0]: numbers are needed, and this is text"),
     ],
 )
 def test_what_cannot_be_used_is_told(given: Any, message: str) -> None:

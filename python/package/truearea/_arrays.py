@@ -43,8 +43,8 @@ def doubles(argument: str, given: Any, unit: str = "") -> FloatArray:
     if type(given) is not np.ndarray:
         given = _bare(argument, given, unit)
     elif given.dtype.kind in "UT":
-        texts = given.reshape(-1).tolist()
-        return np.array([si_number(argument, unit, text) for text in texts], dtype=np.float64).reshape(given.shape)
+        texts = _bare(argument, given.reshape(-1).tolist(), unit)
+        return np.array(texts, dtype=np.float64).reshape(given.shape)
     try:
         array = np.asarray(given)
     except ValueError as error:
@@ -67,6 +67,8 @@ def _is_real(given: Any) -> bool:
 def _bare(argument: str, given: Any, unit: str) -> Any:
     """Numbers of quantities and of text with units, which may be elements of a list."""
     if isinstance(given, str):
+        if not unit:
+            raise InputError(f"{argument}: numbers are needed, and this is text")
         return si_number(argument, unit, given)
     if isinstance(given, (list, tuple)):
         return [_bare(f"{argument}[{at}]", one, unit) for at, one in enumerate(given)]

@@ -156,7 +156,7 @@ def _in_former_order(press: Callable[..., _AnyPressed]) -> Callable[..., _AnyPre
 
     @functools.wraps(press)
     def pressing(surface: Any, *ordered: Any, **named: Any) -> _AnyPressed:
-        if not ordered or _is_material(ordered[0]):
+        if not ordered or ("material" not in named and _is_material(ordered[0])):
             if ordered[1:]:
                 raise InputError("behind the material, arguments are given by name: boundary_elements(surface, material, pressure=...)")
             return press(surface, *ordered, **named)
