@@ -7,7 +7,8 @@ use std::process::Command;
 
 use serde_json::Value;
 
-use super::{copy_folder, formulas, gallery, notebooks, python_reference};
+use super::gallery::ListedPage;
+use super::{copy_folder, formulas, gallery, normal, notebooks, python_reference};
 
 /// Pages of the repository beside `docs`.
 const PAGES_OF_THE_ROOT: [&str; 4] = ["ARCHITECTURE.md", "CHANGELOG.md", "CONTRIBUTING.md", "data/README.md"];
@@ -35,7 +36,7 @@ const CHAPTERS: [(&str, &str, &[&str]); 4] = [
 ];
 
 /// Tutorials: walks with data of the repository, which the tests run.
-const TUTORIALS: [&str; 3] = ["tutorials/diamond.md", "tutorials/flange.md", "notebooks/2-my-three-scans.md"];
+const TUTORIALS: [&str; 3] = ["tutorials/diamond.md", "tutorials/flange.md", "notebooks/1-my-scans.md"];
 
 /// Appearance of formulas and pictures.
 const STYLE: &str = "\
@@ -163,27 +164,6 @@ fn with_links(text: &str, page: &Path, source: &Path, root: &Path, repository: &
     }
     out.push_str(rest);
     out
-}
-
-/// The path without `..`.
-pub(super) fn normal(path: &Path) -> PathBuf {
-    path.components().fold(PathBuf::new(), |mut plain, part| {
-        match part {
-            std::path::Component::ParentDir => {
-                plain.pop();
-            }
-            part => plain.push(part),
-        }
-        plain
-    })
-}
-
-/// Page of the table of contents.
-pub(super) struct ListedPage {
-    /// Its file.
-    pub(super) path: PathBuf,
-    /// Its first heading.
-    pub(super) title: String,
 }
 
 /// The table of contents, and the pages that it lists with their titles.

@@ -2,9 +2,17 @@
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use super::book::{ListedPage, normal};
+use super::normal;
+
+/// Page of the table of contents.
+pub(super) struct ListedPage {
+    /// Its file.
+    pub(super) path: PathBuf,
+    /// Its first heading.
+    pub(super) title: String,
+}
 
 /// Returns the page; `pages` are files below `source`.
 pub(super) fn page(source: &Path, pages: &[ListedPage]) -> Result<String, Box<dyn std::error::Error>> {
