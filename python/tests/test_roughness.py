@@ -21,9 +21,11 @@ def command_line(*arguments: str) -> pd.DataFrame:
     manifest = str(ROOT / "Cargo.toml")
     call = [program] if program else ["cargo", "run", "--quiet", "--manifest-path", manifest, "--bin", "truearea", "--"]
     done = subprocess.run([*call, *arguments], check=True, capture_output=True, text=True)
-    text = io.StringIO(done.stdout)
-    # pandas 2 rounds the last digit otherwise.
-    return pd.read_csv(text, comment="#", keep_default_na=False, na_values={"value": [""]}, float_precision="round_trip")
+    # pandas 2 rounds the last digit of the numbers that it reads.
+    printed = pd.read_csv(io.StringIO(done.stdout), comment="#", keep_default_na=False, dtype=str)
+    for name in set(printed) - {"file", "channel", "parameter", "unit", "convention"}:
+        printed[name] = printed[name].map(lambda cell: float(cell or "nan"))
+    return printed
 
 
 def heights_m() -> np.ndarray:

@@ -383,6 +383,11 @@ def test_damaged_parts_are_computed_again(tmp_path: Path) -> None:
     for damaged in [b"", whole[:400], whole[:-9], bytes(500), other.read_bytes(), *map(bytes, changed)]:
         part.write_bytes(damaged)
         assert swept() == expected
+    part.unlink()
+    part.mkdir()
+    with refused_naming(str(part)):
+        swept()
+    part.rmdir()
     part.write_bytes(whole[:400])
     lazily = ta.sweep(doubled, over={"a": range(64)}, to=tmp_path)
     part.write_bytes(other.read_bytes())

@@ -120,6 +120,8 @@ class Folder:
         text = json.dumps(told, sort_keys=True, ensure_ascii=False)
         table = arrow.table(columns).replace_schema_metadata({"truearea": text})
         file = self._file(partition)
+        if file.is_dir():
+            raise InputError(f"to: {file} is a folder where a file of the sweep belongs; remove it")
         # Whoever was ended while writing has left its file aside; whoever writes the same right now has another.
         aside = self.path / f".{file.name}.{os.getpid()}-{threading.get_ident()}.aside"
         try:

@@ -46,7 +46,7 @@ pub struct SpectrumSample {
 pub struct MeanSquareGradients {
     /// Up to each of the samples, if profiles have nothing below the first one.
     pub up_to: Vec<f64>,
-    /// Of the waves between the first sample and each of the others.
+    /// Part of the waves between the first sample and each of the others.
     ///
     /// Profiles show these waves below the first sample too, seen at a slant, where no spectrum was measured. All values of
     /// `up_to` lack what they show there, as much as the first one does, so that differences from that are whole.

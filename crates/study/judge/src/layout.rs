@@ -146,17 +146,19 @@ impl Layout {
         self.cost = self.estimated_cost();
     }
 
-    /// True if the last window is nearly flat under a load whose area longer waves decide: the closed form for these would then
-    /// give the area of the surface alone.
+    /// True if elements would be pressed nearly flat on the last window under a load whose area longer waves decide: the closed
+    /// form for these would then give the area of the surface alone. A window that touches because it flows is another matter.
     fn ends_nearly_flat(&self, case: &Case<'_>) -> bool {
-        let Some(forms) = self.forms.last() else { return false };
-        let is_nearly_flat = |reference: Reference, load: usize| {
-            let (own, share) = case.area_and_share(forms, reference, load);
-            own > NEARLY_FLAT && share < NEARLY_FLAT
+        let Some(window) = self.windows.len().checked_sub(1) else { return false };
+        let forms = &self.forms[window];
+        let is_nearly_flat = |body: usize, load: usize| {
+            let PlannedPress::Solve(press) = self.planned(Cell { body, window, load }) else { return false };
+            let Press { pressure_pa, saturation_pa, .. } = self.presses[press];
+            let flowing = saturation_pa.map_or(0.0, |bound_pa| pressure_pa / bound_pa);
+            let (own, share) = case.area_and_share(forms, case.references[body], load);
+            own > NEARLY_FLAT && share.max(flowing) < NEARLY_FLAT
         };
-        case.references
-            .iter()
-            .any(|&reference| self.loads.iter().any(|&load| is_nearly_flat(reference, load)))
+        (0..case.references.len()).any(|body| self.loads.iter().any(|&load| is_nearly_flat(body, load)))
     }
 
     /// The layout with its last window prolonged towards longer waves until it is not nearly flat any more, or as far as the
