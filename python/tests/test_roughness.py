@@ -24,7 +24,7 @@ def command_line(*arguments: str) -> pd.DataFrame:
     # pandas 2 rounds the last digit of the numbers that it reads.
     printed = pd.read_csv(io.StringIO(done.stdout), comment="#", keep_default_na=False, dtype=str)
     for name in set(printed) - {"file", "channel", "parameter", "unit", "convention"}:
-        printed[name] = printed[name].map(lambda cell: float(cell or "nan"))
+        printed[name] = printed[name].replace("", "nan").astype(float)
     return printed
 
 
