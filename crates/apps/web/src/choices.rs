@@ -1,4 +1,4 @@
-//! What the page offers before the core has loaded.
+//! Examples and materials that the page offers before the core has loaded.
 
 use serde::Serialize;
 use study::materials::materials;
