@@ -14,8 +14,13 @@ import { Reader } from "./reading.js";
 /** How long nothing may change before boundary elements begin [ms]. */
 const PAUSE_MS = 400;
 
-const desk = new Client();
-const bench = new Client(showProgress);
+/** Bytes of a file from which on two cores that hold its heights would take too much memory. */
+const LARGE_BYTES = 2 ** 26;
+
+/** Answers in closed forms. */
+const desk = new Client(showProgress);
+/** Computes elements, intervals and reports beside the desk. */
+const helper = new Client(showProgress);
 /** Looks at files, and is ended after that: a core keeps the memory that a large file took. */
 const viewer = new Client();
 const areaReader = new Reader(by("figure-main"), isLineDrawn);
@@ -34,6 +39,9 @@ let isStale = false;
 let pause = 0;
 let round = 0;
 
+/** Returns the core that computes what takes long: the helper, or with a large file the desk, which holds it already. */
+const bench = () => (state.files.some((file) => file.bytes >= LARGE_BYTES) ? desk : helper);
+
 // ---- State -----------------------------------------------------------------------------------------------------------
 
 const hasSurface = () => state.example !== null || state.files.some((file) => file.kind !== "other" && !file.sight?.refusal);
@@ -45,7 +53,7 @@ const lacking = () => state.files.find((file) => file.sight?.refusal?.option);
 function say(/** @type {"idle" | "working" | "done" | "error"} */ what, /** @type {string} */ words) {
   const status = by("status");
   status.dataset.state = what;
-  status.dataset.bytes = String(desk.bytes + bench.bytes + pressedBytes());
+  status.dataset.bytes = String(desk.bytes + helper.bytes + pressedBytes());
   if (status.textContent !== words) status.textContent = words;
 }
 
@@ -120,10 +128,11 @@ function judgeSoon() {
   pause = setTimeout(judge, PAUSE_MS);
 }
 
+/** Ends what the helper computes; the desk goes on, as it would have to read a large file again, but its answer is not shown. */
 function stopBench() {
   clearTimeout(pause);
   round += 1;
-  if (bench.isBusy) bench.end();
+  if (helper.isBusy) helper.end();
   showWorking(false);
 }
 
@@ -133,11 +142,14 @@ async function judge() {
   say("working", "Closed forms are done. Boundary elements …");
   showWorking(true);
   try {
-    const first = await bench.ask("judge", request(), false);
+    const first = await bench().ask("judge", request(), false);
+    if (own !== round) return;
     showScreen(first.screen);
     if (first.may_widen) {
       say("working", "Verdicts are done. Uncertainty of scans and bodies …");
-      showScreen((await bench.ask("judge", request(), true)).screen);
+      const second = await bench().ask("judge", request(), true);
+      if (own !== round) return;
+      showScreen(second.screen);
     }
     say("done", `Done: ${plain(by("answer").querySelector(".number"))} at ${screen_.load}.`);
   } catch (error) {
@@ -259,7 +271,8 @@ async function take(/** @type {import("./files.js").Named[]} */ found) {
 
 function giveFiles() {
   const given = state.files.filter((file) => file.file).map(({ name, file }) => ({ name, file: /** @type {File} */ (file) }));
-  for (const client of [desk, bench, viewer]) client.setFiles(given);
+  for (const client of [desk, helper, viewer]) client.setFiles(given);
+  if (bench() === desk) helper.end();
 }
 
 async function lookAtFiles() {
@@ -274,7 +287,7 @@ async function lookAtFiles() {
       file.kind = file.sight.kind;
       if (file.sight.wants_all_formats && useAllFormats()) {
         say("working", "Loading the readers of all formats …");
-        for (const client of [desk, bench, viewer]) client.end();
+        for (const client of [desk, helper, viewer]) client.end();
         // Also those that could be read: a file beside them may say more about them.
         for (const each of state.files) each.sight = null;
         await lookAtFiles();
@@ -400,6 +413,7 @@ function listen() {
   });
   by("cancel").addEventListener("click", () => {
     stopBench();
+    if (bench() === desk) desk.end();
     say("done", "Cancelled: closed forms stay, without verdicts of boundary elements.");
     input("pressure").focus();
   });
@@ -428,7 +442,8 @@ async function makeReport() {
   showWorking(true);
   try {
     const date = `${new Date().toISOString().slice(0, 16).replace("T", " ")} UTC`;
-    const made = await bench.ask("report", request(), date);
+    const made = await bench().ask("report", request(), date);
+    if (own !== round) return;
     offer("report.html", made.find((/** @type {any} */ file) => file.name === "report.html").text, "text/html");
     by("product-list").replaceChildren(...made.map((/** @type {any} */ file) => {
       const item = document.createElement("li");

@@ -25,7 +25,7 @@ pub const LOADS: [f64; 6] = [0.005, 0.01, 0.025, 0.06, 0.13, 0.25];
 /// Surfaces of every spectrum.
 const SURFACES: usize = 4;
 /// Side of the box over the longest wavelength.
-const LENGTHS_IN_BOX: f64 = 2.0;
+const LENGTHS_IN_BOX: f64 = 4.0;
 /// Seed of the surfaces.
 const SEED: u64 = 2000;
 /// Area fractions between which the theory is used for laws; lighter loads stand in lines of their own.

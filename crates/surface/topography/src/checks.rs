@@ -6,7 +6,7 @@ use scans::Scan;
 
 use crate::piecewise::nonuniform_line_spectrum_to;
 use crate::remark::{Derivative, FundamentalMode, ScanRemark};
-use crate::rows::{Lines, Rows};
+use crate::rows::{HeightRows, Lines, Rows};
 use crate::sums::dot;
 use crate::{
     Boundary, DerivativeOf, Detrend, LineSpectrum, Preparation, Window, real_space_derivatives,

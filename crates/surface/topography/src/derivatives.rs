@@ -1,9 +1,9 @@
 //! Slopes and curvatures from heights, for comparison with those from the spectrum.
 
-use crate::detrend::Detrend;
+use crate::detrend::{Detrend, Trend};
 use crate::line::RmsDerivatives;
 use crate::piecewise::fitted_slope;
-use crate::rows::{Lines, Rows};
+use crate::rows::{Columns, HeightRows, Lines, Rows};
 use crate::sums::{dot, sum_of};
 use scans::{NonuniformLineScan, Scan};
 
@@ -30,7 +30,7 @@ pub enum Boundary {
 /// is not periodic swamps the spectral values.
 pub fn real_space_derivatives(scan: &Scan, detrend: Detrend, boundary: Boundary) -> RmsDerivatives {
     match Lines::from_scan(scan) {
-        Lines::Even(rows) => even_derivatives(&rows, detrend, boundary),
+        Lines::Even(rows) => even_derivatives(&rows, &rows.trend(detrend), rows.spacing_m, boundary),
         Lines::Uneven(line) => uneven_derivatives(line, detrend),
     }
 }
@@ -45,21 +45,32 @@ pub fn real_space_derivatives_across(
     detrend: Detrend,
     boundary: Boundary,
 ) -> Option<RmsDerivatives> {
-    let across = match scan {
-        Scan::Map(map) => Scan::Map(map.turned()),
-        Scan::Lines(lines) => Scan::Lines(lines.across()?.clone()),
-        Scan::UniformLine(_) | Scan::NonuniformLine(_) => return None,
-    };
-    Some(real_space_derivatives(&across, detrend, boundary))
+    match scan {
+        Scan::Map(map) => {
+            let columns = Columns(map);
+            let trend = Trend::from_rows(&columns, detrend);
+            Some(even_derivatives(&columns, &trend, map.spacing_y_m(), boundary))
+        }
+        Scan::Lines(lines) => {
+            let rows = Rows::from_lines(lines.across()?);
+            Some(even_derivatives(&rows, &rows.trend(detrend), rows.spacing_m, boundary))
+        }
+        Scan::UniformLine(_) | Scan::NonuniformLine(_) => None,
+    }
 }
 
-fn even_derivatives(lines: &Rows, detrend: Detrend, boundary: Boundary) -> RmsDerivatives {
-    let (trend, Rows { points, spacing_m, .. }) = (lines.trend(detrend), *lines);
+fn even_derivatives(
+    lines: &impl HeightRows,
+    trend: &Trend,
+    spacing_m: f64,
+    boundary: Boundary,
+) -> RmsDerivatives {
+    let points = lines.points();
     let closing = usize::from(boundary == Boundary::Periodic);
     let (ones, mut rest_m) = (vec![1.0; points], vec![0.0; points]);
     let (mut slopes, mut bends) = (Vec::with_capacity(points), Vec::with_capacity(points));
     let (mut slope_squares, mut curvature_squares) = (0.0, 0.0);
-    for (row, heights_m) in lines.iter().enumerate() {
+    lines.for_each_row(|row, heights_m| {
         trend.subtract(row, heights_m, &ones, &mut rest_m);
         slopes.clear();
         slopes.extend(rest_m.iter().zip(&rest_m[1..]).map(|(here_m, next_m)| (next_m - here_m) / spacing_m));
@@ -70,7 +81,7 @@ fn even_derivatives(lines: &Rows, detrend: Detrend, boundary: Boundary) -> RmsDe
         bends.extend(slopes.iter().zip(&slopes[1..]).map(|(here, next)| next - here));
         bends.extend((closing == 1).then(|| slopes[0] - last));
         curvature_squares += sum_of(&bends, |bend| (bend / spacing_m).powi(2));
-    }
+    });
     let rows = lines.count();
     let (slopes, bends) = (rows * (points - 1 + closing), rows * (points - 2 + 2 * closing));
     RmsDerivatives {

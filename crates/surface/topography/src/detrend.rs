@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::rows::{HeightRows, Rows};
 use crate::sums::{Spread, dot, sum_of, sums_of};
 use scans::{HeightMap, Measured};
 use units::named;
@@ -25,7 +26,7 @@ named!(Detrend, "detrending", { Mean => "mean", Line => "line", Plane => "plane"
 /// Subtracts the trend of a map and returns the heights \[m\] row by row.
 #[must_use]
 pub fn detrended_m(map: &HeightMap, detrend: Detrend) -> Vec<f64> {
-    let trend = Trend::from_map(map, detrend);
+    let trend = Trend::from_rows(&Rows::from_map(map), detrend);
     let (columns, factors) = (map.columns(), vec![1.0; map.columns()]);
     let mut rest_m = vec![0.0; map.heights_m().len()];
     let rows = map.heights_m().chunks_exact(columns).zip(rest_m.chunks_exact_mut(columns));
@@ -177,27 +178,23 @@ struct Plane {
 }
 
 impl Trend {
-    pub(crate) fn from_map(map: &HeightMap, detrend: Detrend) -> Self {
-        Self::from_rows(map.heights_m(), map.columns(), detrend)
-    }
-
-    /// Fits the trend of rows of `columns` points.
-    pub(crate) fn from_rows(heights_m: &[f64], columns: usize, detrend: Detrend) -> Self {
+    /// Fits the trend of the rows of a map.
+    pub(crate) fn from_rows(rows: &impl HeightRows, detrend: Detrend) -> Self {
         let sloped = match detrend {
             Detrend::Mean => Some([false, false]),
             Detrend::Line => None,
             Detrend::Plane => Some([true, true]),
         };
-        Self::new(heights_m, columns, sloped)
+        Self::new(rows, sloped)
     }
 
     pub(crate) fn from_line(heights_m: &[f64], detrend: Detrend) -> Self {
-        Self::new(heights_m, heights_m.len(), Some([detrend != Detrend::Mean, false]))
+        Self::new(&heights_m, Some([detrend != Detrend::Mean, false]))
     }
 
-    fn new(heights_m: &[f64], columns: usize, sloped: Option<[bool; 2]>) -> Self {
-        let index: Vec<f64> = (0..columns).map(|column| column as f64).collect();
-        let common = sloped.map(|sloped| Plane::fit(heights_m, &index, sloped));
+    fn new(rows: &impl HeightRows, sloped: Option<[bool; 2]>) -> Self {
+        let index: Vec<f64> = (0..rows.points()).map(|column| column as f64).collect();
+        let common = sloped.map(|sloped| Plane::fit(rows, &index, sloped));
         Self { index, common }
     }
 
@@ -212,7 +209,7 @@ impl Trend {
     ) -> Spread {
         let (plane, row) = match self.common {
             Some(plane) => (plane, row),
-            None => (Plane::fit(heights_m, &self.index, [true, false]), 0),
+            None => (Plane::fit(&heights_m, &self.index, [true, false]), 0),
         };
         let row_m = row as f64 * plane.coarse[1];
         let level_m = plane.level_m + plane.fine[1] * (row as f64 - plane.centre[1]);
@@ -225,17 +222,15 @@ impl Trend {
 
 impl Plane {
     /// Fits the least-squares plane to rows as long as `index`; `sloped` allows slopes along x and y.
-    fn fit(heights_m: &[f64], index: &[f64], sloped: [bool; 2]) -> Self {
-        let columns = index.len();
-        let rows = heights_m.len() / columns;
-        let pivot_m = heights_m[0];
-        let corner_slope = |sloped: bool, corner: usize, steps: usize| {
-            if sloped && steps > 0 { (heights_m[corner] - pivot_m) / steps as f64 } else { 0.0 }
+    fn fit(heights: &impl HeightRows, index: &[f64], sloped: [bool; 2]) -> Self {
+        let (columns, rows) = (heights.points(), heights.count());
+        let pivot_m = heights.height_m(0, 0);
+        let corner_slope = |sloped: bool, row: usize, column: usize| {
+            let steps = row + column;
+            let rise_m = heights.height_m(row, column) - pivot_m;
+            if sloped && steps > 0 { rise_m / steps as f64 } else { 0.0 }
         };
-        let slopes = [
-            corner_slope(sloped[0], columns - 1, columns - 1),
-            corner_slope(sloped[1], (rows - 1) * columns, rows - 1),
-        ];
+        let slopes = [corner_slope(sloped[0], 0, columns - 1), corner_slope(sloped[1], rows - 1, 0)];
         let coarse = Self {
             pivot_m,
             coarse: with_exact_products(slopes, [columns, rows]),
@@ -243,23 +238,23 @@ impl Plane {
             fine: [0.0; 2],
             centre: [columns, rows].map(|points| (points - 1) as f64 / 2.0),
         };
-        coarse.refined(heights_m, index, sloped)
+        coarse.refined(heights, index, sloped)
     }
 
-    fn refined(mut self, heights_m: &[f64], index: &[f64], sloped: [bool; 2]) -> Self {
-        let (columns, rows) = (index.len(), heights_m.len() / index.len());
+    fn refined(mut self, heights: &impl HeightRows, index: &[f64], sloped: [bool; 2]) -> Self {
+        let (columns, rows) = (heights.points(), heights.count());
         let x: Vec<f64> = index.iter().map(|column| column - self.centre[0]).collect();
         let (mut row_sums_m, mut row_tilts_m) = (vec![0.0; rows], vec![0.0; rows]);
-        for (row, heights_m) in heights_m.chunks_exact(columns).enumerate() {
+        heights.for_each_row(|row, heights_m| {
             let row_m = row as f64 * self.coarse[1];
             let rest_m = |height_m, column| ((height_m - self.pivot_m) - row_m) - column * self.coarse[0];
             [row_sums_m[row], row_tilts_m[row]] = sums_of(heights_m, index, |height_m, column| {
                 let rest_m = rest_m(height_m, column);
                 [rest_m, rest_m * (column - self.centre[0])]
             });
-        }
+        });
         let same = |value: f64| value;
-        self.level_m = sum_of(&row_sums_m, same) / heights_m.len() as f64;
+        self.level_m = sum_of(&row_sums_m, same) / (rows * columns) as f64;
         if sloped[0] {
             self.fine[0] = sum_of(&row_tilts_m, same) / (rows as f64 * sum_of(&x, |x| x * x));
         }

@@ -9,7 +9,7 @@ use rustfft::FftPlanner;
 use crate::detrend::Trend;
 use crate::line::LineSpectrum;
 use crate::preparation::Preparation;
-use crate::rows::{BLOCK_ROWS, Rows};
+use crate::rows::{BLOCK_ROWS, HeightRows, Rows};
 use crate::sums::Spread;
 use scans::{HeightMap, UniformLineScan};
 
