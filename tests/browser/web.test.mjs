@@ -359,6 +359,37 @@ test("bad files get a message each, and the page keeps working", async () => {
   await context.close();
 });
 
+test("with files of no use alone the page says so, and the next file gets an answer and its notes", async () => {
+  const { page, context, complaints } = await open();
+  await drop(page, { "<img src=x onerror=alert(1)>.txt": "no heights here\nat all\n" });
+  await until(page, "error");
+  assert.equal(await page.locator(".file img").count(), 0);
+  await drop(page, { "trace.csv": trace("x (m),z (m)") });
+  await until(page, "done");
+  const notes = await hook(page, "warning-list").locator("li").allInnerTexts();
+  assert.ok(notes.length > 3 && notes.every((note) => !note.includes("FILE:")), notes.join("\n"));
+  assert.deepEqual(complaints, []);
+  await context.close();
+});
+
+test("files dropped while others are read join them, and a page closed at work leaves the next one whole", async () => {
+  const { page, context } = await open();
+  const files = Object.entries(traces());
+  for (const file of files) await drop(page, Object.fromEntries([file]));
+  await page.waitForFunction((count) => document.querySelectorAll(".file .words").length === count, files.length);
+  await until(page, "done");
+  const answer = await hook(page, "answer").getAttribute("data-value");
+  await press(page, "20 MPa");
+  const other = await context.newPage();
+  await page.close();
+  await other.goto(server.address);
+  await other.waitForSelector("html[data-ready]", { state: "attached" });
+  await drop(other, Object.fromEntries(files));
+  await until(other, "done");
+  assert.equal(await hook(other, "answer").getAttribute("data-value"), answer);
+  await context.close();
+});
+
 test("a quantity that is none gets a message in place, and the next one an answer", async () => {
   const { page, context } = await open();
   await example(page, "gasket");

@@ -124,7 +124,7 @@ impl Desk {
             .iter()
             .map(|note| PageNote {
                 is_warning: note.severity() == Severity::Warning,
-                text: scan_words::note(note),
+                text: scan_words::note_beside_files(note),
             })
             .chain(
                 scene

@@ -45,7 +45,8 @@ struct PageFiles;
 
 impl Files for PageFiles {
     fn read(&self, name: &str) -> io::Result<Vec<u8>> {
-        read_file(name).ok_or_else(|| io::Error::from(io::ErrorKind::NotFound))
+        const NOT_GIVEN: &str = "the page was not given this file; drop it together with the others";
+        read_file(name).ok_or_else(|| io::Error::new(io::ErrorKind::NotFound, NOT_GIVEN))
     }
 
     fn read_beside(&self, name: &str, sibling: &str) -> io::Result<Option<Vec<u8>>> {

@@ -7,7 +7,7 @@ use gaussian_surfaces::AreaSpectrum;
 use parallel::Unobserved;
 use persson::separation::LIGHT_CONTACT;
 use persson::variance::Band;
-use rough_bem::{ElementsError, Load, Pressing, press};
+use rough_bem::{ElementsError, Load, PressedLoad, Pressing, press};
 use serde::{Deserialize, Serialize};
 use spectrum::Normalisation;
 use study::gap_law::{GapChoices, GapError, GapLaw, GapState};
@@ -22,8 +22,12 @@ use crate::judge_spectra::{CONTACT_MODULUS_PA, JudgeTrial, Kind, RMS_GRADIENT, S
 
 /// Loads p/(E* h') of every trial: areas from 0.01 to 0.5.
 pub const LOADS: [f64; 6] = [0.005, 0.01, 0.025, 0.06, 0.13, 0.25];
-/// Surfaces of every spectrum.
+/// Surfaces that are pressed together. More follow until gap and stiffness under moderate loads are known to [`TRUTH_ERROR`].
 const SURFACES: usize = 4;
+/// Most batches of surfaces of a spectrum.
+const MAX_BATCHES: u64 = 7;
+/// Relative standard error to which gap and stiffness of the elements are wanted.
+const TRUTH_ERROR: f64 = 0.03;
 /// Side of the box over the longest wavelength.
 const LENGTHS_IN_BOX: f64 = 4.0;
 /// Seed of the surfaces.
@@ -100,20 +104,31 @@ pub fn rows_of(trial: &JudgeTrial, loads: &[f64]) -> Result<Vec<GapRow>, TrialEr
     let laws = [law(Band::Surface)?, law(Band::Profile)?];
 
     let area = AreaSpectrum::from_profile(&psd)?;
-    let surfaces = trial.surfaces(&area, LENGTHS_IN_BOX, SURFACES, SEED + u64::from(trial.number))?;
     let pressing = Pressing {
         loads: loads.iter().map(|load| Load::PressurePa(load * CONTACT_MODULUS_PA * RMS_GRADIENT)).collect(),
         stiffness: true,
         ..Pressing::elastic(CONTACT_MODULUS_PA)
     };
-    let pressed = press::<ElementsError>(&surfaces, &pressing, |_| Ok(()), &Unobserved)?;
+    let mut pressed: Vec<PressedLoad> = Vec::new();
+    for batch in 0..MAX_BATCHES {
+        let seed = SEED + 1000 * batch + u64::from(trial.number);
+        let surfaces = trial.surfaces(&area, LENGTHS_IN_BOX, SURFACES, seed)?;
+        let more = press::<ElementsError>(&surfaces, &pressing, |_| Ok(()), &Unobserved)?;
+        match pressed.is_empty() {
+            true => pressed = more,
+            false => pressed.iter_mut().zip(more).for_each(|(load, more)| load.states.extend(more.states)),
+        }
+        if pressed.iter().all(is_known) {
+            break;
+        }
+    }
     let rms_height_m = laws[0].rms_height_m();
     let mut rows = Vec::new();
     for (pressure_over_gradient, load) in loads.iter().copied().zip(&pressed) {
         let (gap_m, gap_error) = mean(load.states.iter().map(|state| state.mean_gap_m));
         let area_fraction = load.mean().best_area_fraction();
-        let stiffnesses = load.states.iter().filter_map(|state| state.stiffness_pa_per_m);
-        let (stiffness_pa_per_m, stiffness_error) = mean(stiffnesses);
+        let (stiffness_pa_per_m, stiffness_error) =
+            mean(load.states.iter().filter_map(|state| state.stiffness_pa_per_m));
         let over = |law: &GapLaw| -> Result<[f64; 3], TrialError> {
             let GapState { mean_gap_m, stiffness_pa_per_m: of_law, area_fraction: of_theory, .. } =
                 law.at(load.nominal_pressure_pa)?;
@@ -142,6 +157,15 @@ pub fn rows_of(trial: &JudgeTrial, loads: &[f64]) -> Result<Vec<GapRow>, TrialEr
         });
     }
     Ok(rows)
+}
+
+/// Returns true if gap and stiffness under a load are known well enough, or if the load is too light to matter.
+fn is_known(load: &PressedLoad) -> bool {
+    let errors = [
+        mean(load.states.iter().map(|state| state.mean_gap_m)).1,
+        mean(load.states.iter().filter_map(|state| state.stiffness_pa_per_m)).1,
+    ];
+    !MODERATE.contains(&load.mean().best_area_fraction()) || errors.iter().all(|error| *error <= TRUTH_ERROR)
 }
 
 /// Mean of some values, and its relative standard error.

@@ -40,6 +40,21 @@ pub fn note(note: &Note) -> String {
     }
 }
 
+/// A note in a sentence for people who fill in options beside a file and type no command.
+#[must_use]
+pub fn note_beside_files(note: &Note) -> String {
+    match note {
+        Note::Scans(Remark::Scan { names, remark: ScanRemark::TipUnknown { shortest_m } }) => format!(
+            "{}: tip radius unknown, used down to {}; fill it in beside the file, such as {}",
+            some(names),
+            length(*shortest_m),
+            sharp_tip(*shortest_m)
+        ),
+        Note::OfSurface { name, note } => format!("{name}: {}", note_beside_files(note)),
+        _ => self::note(note),
+    }
+}
+
 /// The note on a spectrum made from roughness parameters: what was given and what was assumed.
 fn of_parameters(given: &GivenRoughness) -> String {
     let RoughnessParameters { rms_height_m, rms_slope, rolloff_m, hurst_exponent } =
@@ -266,12 +281,17 @@ fn scan_remark(remark: &ScanRemark) -> String {
 
 /// A tip radius to give, in the size of the instrument.
 fn tip_unknown(shortest_m: f64) -> String {
-    let usual = length(usual_tip_radii_m(shortest_m)[0]).replace('µ', "u");
+    let usual = sharp_tip(shortest_m);
     format!(
         "tip radius unknown, used down to {}; write FILE:tip-radius={} (scene: tip_radius = \"{usual}\")",
         length(shortest_m),
         usual.replace(' ', "")
     )
+}
+
+/// The radius of a sharp tip of the instrument that resolves a wavelength, as it is typed.
+fn sharp_tip(shortest_m: f64) -> String {
+    length(usual_tip_radii_m(shortest_m)[0]).replace('µ', "u")
 }
 
 /// The limits of a scan made with an unknown tip.
