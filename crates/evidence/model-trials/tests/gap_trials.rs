@@ -40,7 +40,10 @@ fn stiffness_and_gap_by_the_waves_of_the_surface_are_near_to_the_elements() {
         let squares: f64 = moderate.iter().map(|row| ratio(row).ln().powi(2)).sum();
         (squares / moderate.len() as f64).sqrt()
     };
-    assert!(rms(|row| row.stiffness_2d) < 0.11 && rms(|row| row.gap_2d) < 0.09);
+    assert!(rms(|row| row.stiffness_2d) < 0.095 && rms(|row| row.gap_2d) < 0.06);
     assert!(rms(|row| row.stiffness_1d) > 0.25 && rms(|row| row.gap_1d) > 0.25);
-    assert!(moderate.iter().all(|row| (0.78..1.26).contains(&row.stiffness_2d)));
+    assert!(moderate.iter().all(|row| (0.78..1.16).contains(&row.stiffness_2d)));
+    // Two of the hundred lie below 0.87, near half of the area.
+    assert!(moderate.iter().all(|row| (0.85..1.15).contains(&row.gap_2d)));
+    assert!(moderate.iter().all(|row| row.gap_error <= 0.03 && row.stiffness_error <= 0.03));
 }
