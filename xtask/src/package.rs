@@ -24,6 +24,9 @@ pub(crate) fn run() -> ExitCode {
     }
 }
 
+/// Folder in which archives are packed and compiled.
+const FOLDER: &str = "target/published";
+
 /// Crate that is published.
 pub(crate) struct Published {
     /// Name of the package.
@@ -39,9 +42,10 @@ pub(crate) struct Published {
 fn carry_out() -> Result<usize, Box<dyn std::error::Error>> {
     let root = &checkout("");
     let published = published(root)?;
+    forget(root, &published)?;
     // What is checked is what lies in the checkout, committed or not. Crates that are not published are packed too, so that the
     // plain command passes; cargo finds no crate that depends on one of them, so none may.
-    cargo(root, ["package", "--quiet", "--workspace", "--allow-dirty", "--locked"])?;
+    cargo(root, ["package", "--quiet", "--workspace", "--allow-dirty", "--locked", "--target-dir", FOLDER])?;
 
     let elsewhere = std::env::temp_dir().join(format!("truearea-packages-{}", std::process::id()));
     let outcome = try_elsewhere(root, &elsewhere, &published);
@@ -77,6 +81,40 @@ pub(crate) fn published(root: &Path) -> Result<Vec<Published>, Box<dyn std::erro
     Ok(published)
 }
 
+/// Removes archives of an earlier run from cargo's folders, and what was compiled from them: of two with one version, cargo takes
+/// the one that it knows.
+fn forget(root: &Path, published: &[Published]) -> std::io::Result<()> {
+    if let Ok(compiled) = std::fs::read_dir(root.join(FOLDER).join("debug/.fingerprint")) {
+        for entry in compiled {
+            let entry = entry?;
+            let name = entry.file_name().display().to_string();
+            if published.iter().any(|package| name.starts_with(&format!("{}-", package.name))) {
+                std::fs::remove_dir_all(entry.path())?;
+            }
+        }
+    }
+    let at_home = || std::env::home_dir().map(|home| home.join(".cargo"));
+    let Some(cargo_home) = std::env::var_os("CARGO_HOME").map(PathBuf::from).or_else(at_home) else {
+        return Ok(());
+    };
+    for folder in ["cache", "src"] {
+        let Ok(registries) = std::fs::read_dir(cargo_home.join("registry").join(folder)) else { continue };
+        for registry in registries {
+            let registry = registry?.path();
+            for Published { archive, .. } in published {
+                let (unpacked, packed) = (registry.join(archive), registry.join(format!("{archive}.crate")));
+                if unpacked.exists() {
+                    std::fs::remove_dir_all(unpacked)?;
+                }
+                if packed.exists() {
+                    std::fs::remove_file(packed)?;
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
 /// Makes a project of the archives in `elsewhere`, with an example per crate, and runs them all.
 fn try_elsewhere(
     root: &Path,
@@ -91,7 +129,7 @@ fn try_elsewhere(
     let mut examples = Vec::new();
     for package in published {
         let Published { name, archive, library, readme } = package;
-        let file = std::fs::File::open(root.join(format!("target/package/{archive}.crate")))?;
+        let file = std::fs::File::open(root.join(format!("{FOLDER}/package/{archive}.crate")))?;
         tar::Archive::new(GzDecoder::new(file)).unpack(elsewhere)?;
         writeln!(patches, "{name} = {{ path = \"{archive}\" }}")?;
         let Some(example) = readme.as_deref().map(example).transpose()?.flatten() else { continue };
