@@ -4,9 +4,10 @@ use std::f64::consts::TAU;
 
 use scans::Scan;
 
+use crate::height_rows::HeightRows;
 use crate::piecewise::nonuniform_line_spectrum_to;
 use crate::remark::{Derivative, FundamentalMode, ScanRemark};
-use crate::rows::{HeightRows, Lines, Rows};
+use crate::rows::{Lines, Rows};
 use crate::sums::dot;
 use crate::{
     Boundary, DerivativeOf, Detrend, LineSpectrum, Preparation, Window, real_space_derivatives,

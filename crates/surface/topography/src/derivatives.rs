@@ -1,9 +1,10 @@
 //! Slopes and curvatures from heights, for comparison with those from the spectrum.
 
 use crate::detrend::{Detrend, Trend};
+use crate::height_rows::{Columns, HeightRows};
 use crate::line::RmsDerivatives;
 use crate::piecewise::fitted_slope;
-use crate::rows::{Columns, HeightRows, Lines, Rows};
+use crate::rows::{Lines, Rows};
 use crate::sums::{dot, sum_of};
 use scans::{NonuniformLineScan, Scan};
 

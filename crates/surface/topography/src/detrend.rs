@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::rows::{HeightRows, Rows};
+use crate::height_rows::HeightRows;
 use crate::sums::{Spread, dot, sum_of, sums_of};
 use scans::{HeightMap, Measured};
 use units::named;
@@ -26,7 +26,7 @@ named!(Detrend, "detrending", { Mean => "mean", Line => "line", Plane => "plane"
 /// Subtracts the trend of a map and returns the heights \[m\] row by row.
 #[must_use]
 pub fn detrended_m(map: &HeightMap, detrend: Detrend) -> Vec<f64> {
-    let trend = Trend::from_rows(&Rows::from_map(map), detrend);
+    let trend = Trend::from_rows(map, detrend);
     let (columns, factors) = (map.columns(), vec![1.0; map.columns()]);
     let mut rest_m = vec![0.0; map.heights_m().len()];
     let rows = map.heights_m().chunks_exact(columns).zip(rest_m.chunks_exact_mut(columns));

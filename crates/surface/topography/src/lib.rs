@@ -25,6 +25,7 @@ mod direction;
 mod error;
 mod gap_treatment;
 mod harmonic;
+mod height_rows;
 mod holes;
 mod line;
 mod lines;

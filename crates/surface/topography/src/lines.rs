@@ -7,9 +7,10 @@ use realfft::{RealFftPlanner, RealToComplex};
 use rustfft::FftPlanner;
 
 use crate::detrend::Trend;
+use crate::height_rows::HeightRows;
 use crate::line::LineSpectrum;
 use crate::preparation::Preparation;
-use crate::rows::{BLOCK_ROWS, HeightRows, Rows};
+use crate::rows::{BLOCK_ROWS, Rows};
 use crate::sums::Spread;
 use scans::{HeightMap, UniformLineScan};
 

@@ -1,6 +1,7 @@
 //! The wavelength below which the finite radius of a tip affects a scan.
 
-use crate::rows::{HeightRows, Lines};
+use crate::height_rows::HeightRows;
+use crate::rows::Lines;
 use scans::{NonuniformLineScan, Probe, Scan, ScanFile};
 
 /// Fraction of the curvature 1/R, the sharpest peak that a tip of radius R can trace, at which artefacts set in; found
