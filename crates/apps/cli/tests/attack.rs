@@ -439,7 +439,7 @@ fn runs_together_into_one_folder_leave_the_files_of_one() {
 }
 
 #[test]
-#[ignore = "takes minutes"]
+#[ignore = "takes minutes: .ci/slow runs it"]
 fn runs_killed_at_very_many_moments_leave_whole_files() {
     kill_at_many_moments(300);
     run_together(60, 4);

@@ -128,7 +128,7 @@ function judgeSoon() {
   pause = setTimeout(judge, PAUSE_MS);
 }
 
-/** Ends what the helper computes; the desk goes on, as it would have to read a large file again, but its answer is not shown. */
+/** Ends what the helper computes. The desk goes on, since it would have to read a large file again, and nobody sees its verdicts. */
 function stopBench() {
   clearTimeout(pause);
   round += 1;

@@ -78,7 +78,7 @@ impl<'a> ArealTransform<'a> {
         Self {
             map,
             preparation,
-            trend: Trend::from_rows(map, preparation.detrend),
+            trend: Trend::from_map(map, preparation.detrend),
             row_factors: preparation.window.factors(map.rows()),
             row_transform: RowTransform::new(map.columns(), preparation),
             column_plan: FftPlanner::new().plan_fft_forward(map.rows()),

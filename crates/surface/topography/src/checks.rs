@@ -4,7 +4,6 @@ use std::f64::consts::TAU;
 
 use scans::Scan;
 
-use crate::height_rows::HeightRows;
 use crate::piecewise::nonuniform_line_spectrum_to;
 use crate::remark::{Derivative, FundamentalMode, ScanRemark};
 use crate::rows::{Lines, Rows};

@@ -31,7 +31,7 @@ pub enum Boundary {
 /// is not periodic swamps the spectral values.
 pub fn real_space_derivatives(scan: &Scan, detrend: Detrend, boundary: Boundary) -> RmsDerivatives {
     match Lines::from_scan(scan) {
-        Lines::Even(rows) => even_derivatives(&rows, &rows.trend(detrend), rows.spacing_m, boundary),
+        Lines::Even(rows) => even_derivatives(&rows.slices(), &rows.trend(detrend), rows.spacing_m, boundary),
         Lines::Uneven(line) => uneven_derivatives(line, detrend),
     }
 }
@@ -54,7 +54,7 @@ pub fn real_space_derivatives_across(
         }
         Scan::Lines(lines) => {
             let rows = Rows::from_lines(lines.across()?);
-            Some(even_derivatives(&rows, &rows.trend(detrend), rows.spacing_m, boundary))
+            Some(even_derivatives(&rows.slices(), &rows.trend(detrend), rows.spacing_m, boundary))
         }
         Scan::UniformLine(_) | Scan::NonuniformLine(_) => None,
     }

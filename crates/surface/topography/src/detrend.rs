@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::height_rows::HeightRows;
+use crate::height_rows::{HeightRows, Slices};
 use crate::sums::{Spread, dot, sum_of, sums_of};
 use scans::{HeightMap, Measured};
 use units::named;
@@ -26,7 +26,7 @@ named!(Detrend, "detrending", { Mean => "mean", Line => "line", Plane => "plane"
 /// Subtracts the trend of a map and returns the heights \[m\] row by row.
 #[must_use]
 pub fn detrended_m(map: &HeightMap, detrend: Detrend) -> Vec<f64> {
-    let trend = Trend::from_rows(map, detrend);
+    let trend = Trend::from_map(map, detrend);
     let (columns, factors) = (map.columns(), vec![1.0; map.columns()]);
     let mut rest_m = vec![0.0; map.heights_m().len()];
     let rows = map.heights_m().chunks_exact(columns).zip(rest_m.chunks_exact_mut(columns));
@@ -178,7 +178,11 @@ struct Plane {
 }
 
 impl Trend {
-    /// Fits the trend of the rows of a map.
+    pub(crate) fn from_map(map: &HeightMap, detrend: Detrend) -> Self {
+        Self::from_rows(&Slices { heights_m: map.heights_m(), points: map.columns() }, detrend)
+    }
+
+    /// Fits the trend of lines that form a surface.
     pub(crate) fn from_rows(rows: &impl HeightRows, detrend: Detrend) -> Self {
         let sloped = match detrend {
             Detrend::Mean => Some([false, false]),
@@ -189,7 +193,7 @@ impl Trend {
     }
 
     pub(crate) fn from_line(heights_m: &[f64], detrend: Detrend) -> Self {
-        Self::new(&heights_m, Some([detrend != Detrend::Mean, false]))
+        Self::new(&Slices::one(heights_m), Some([detrend != Detrend::Mean, false]))
     }
 
     fn new(rows: &impl HeightRows, sloped: Option<[bool; 2]>) -> Self {
@@ -209,7 +213,7 @@ impl Trend {
     ) -> Spread {
         let (plane, row) = match self.common {
             Some(plane) => (plane, row),
-            None => (Plane::fit(&heights_m, &self.index, [true, false]), 0),
+            None => (Plane::fit(&Slices::one(heights_m), &self.index, [true, false]), 0),
         };
         let row_m = row as f64 * plane.coarse[1];
         let level_m = plane.level_m + plane.fine[1] * (row as f64 - plane.centre[1]);

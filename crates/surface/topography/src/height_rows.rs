@@ -1,4 +1,4 @@
-//! Lines of equal length: one line, the rows of a map, or its columns.
+//! Lines of equal length: those that follow each other in memory, or the columns of a map.
 
 use scans::HeightMap;
 
@@ -14,44 +14,36 @@ pub(crate) trait HeightRows {
     fn for_each_row(&self, each: impl FnMut(usize, &[f64]));
 }
 
-/// A line of its own.
-impl HeightRows for &[f64] {
-    fn points(&self) -> usize {
-        self.len()
-    }
+/// Lines one after the other in memory.
+#[derive(Clone, Copy)]
+pub(crate) struct Slices<'a> {
+    pub(crate) heights_m: &'a [f64],
+    pub(crate) points: usize,
+}
 
-    fn count(&self) -> usize {
-        1
-    }
-
-    fn height_m(&self, _row: usize, point: usize) -> f64 {
-        self[point]
-    }
-
-    fn for_each_row(&self, mut each: impl FnMut(usize, &[f64])) {
-        each(0, self);
+impl<'a> Slices<'a> {
+    /// Takes heights as one line.
+    pub(crate) fn one(heights_m: &'a [f64]) -> Self {
+        Slices { heights_m, points: heights_m.len() }
     }
 }
 
-/// The rows of a map.
-impl HeightRows for HeightMap {
+impl HeightRows for Slices<'_> {
     fn points(&self) -> usize {
-        self.columns()
+        self.points
     }
 
     fn count(&self) -> usize {
-        self.rows()
+        self.heights_m.len() / self.points
     }
 
     fn height_m(&self, row: usize, point: usize) -> f64 {
-        self.heights_m()[row * self.columns() + point]
+        self.heights_m[row * self.points + point]
     }
 
     fn for_each_row(&self, mut each: impl FnMut(usize, &[f64])) {
-        self.heights_m()
-            .chunks_exact(self.columns())
-            .enumerate()
-            .for_each(|(row, heights_m)| each(row, heights_m));
+        let rows = self.heights_m.chunks_exact(self.points);
+        rows.enumerate().for_each(|(row, heights_m)| each(row, heights_m));
     }
 }
 

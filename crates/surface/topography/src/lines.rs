@@ -7,7 +7,6 @@ use realfft::{RealFftPlanner, RealToComplex};
 use rustfft::FftPlanner;
 
 use crate::detrend::Trend;
-use crate::height_rows::HeightRows;
 use crate::line::LineSpectrum;
 use crate::preparation::Preparation;
 use crate::rows::{BLOCK_ROWS, Rows};

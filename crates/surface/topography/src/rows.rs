@@ -1,7 +1,7 @@
 //! The lines of a scan, independent of how they were measured.
 
 use crate::detrend::{Detrend, Trend};
-use crate::height_rows::HeightRows;
+use crate::height_rows::Slices;
 use scans::{HeightMap, NonuniformLineScan, ParallelLines, Scan, UniformLineScan};
 
 /// Rows per block: few enough to spread over threads, enough to outweigh handing a block over.
@@ -63,9 +63,17 @@ impl<'a> Rows<'a> {
     pub(crate) fn trend(&self, detrend: Detrend) -> Trend {
         match (self.trend_of, detrend) {
             (TrendOf::Line, _) => Trend::from_line(self.heights_m, detrend),
-            (TrendOf::LinesApart, Detrend::Plane) => Trend::from_rows(self, Detrend::Line),
-            (TrendOf::Map | TrendOf::LinesApart, _) => Trend::from_rows(self, detrend),
+            (TrendOf::LinesApart, Detrend::Plane) => Trend::from_rows(&self.slices(), Detrend::Line),
+            (TrendOf::Map | TrendOf::LinesApart, _) => Trend::from_rows(&self.slices(), detrend),
         }
+    }
+
+    pub(crate) fn slices(&self) -> Slices<'a> {
+        Slices { heights_m: self.heights_m, points: self.points }
+    }
+
+    pub(crate) fn count(&self) -> usize {
+        self.heights_m.len() / self.points
     }
 
     pub(crate) fn length_m(&self) -> f64 {
@@ -79,23 +87,5 @@ impl<'a> Rows<'a> {
     /// Yields the lines of a block with their numbers.
     pub(crate) fn block(&self, block: usize) -> impl Iterator<Item = (usize, &'a [f64])> + use<'a> {
         self.iter().enumerate().skip(block * BLOCK_ROWS).take(BLOCK_ROWS)
-    }
-}
-
-impl HeightRows for Rows<'_> {
-    fn points(&self) -> usize {
-        self.points
-    }
-
-    fn count(&self) -> usize {
-        self.heights_m.len() / self.points
-    }
-
-    fn height_m(&self, row: usize, point: usize) -> f64 {
-        self.heights_m[row * self.points + point]
-    }
-
-    fn for_each_row(&self, mut each: impl FnMut(usize, &[f64])) {
-        self.iter().enumerate().for_each(|(row, heights_m)| each(row, heights_m));
     }
 }

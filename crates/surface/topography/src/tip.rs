@@ -1,6 +1,5 @@
 //! The wavelength below which the finite radius of a tip affects a scan.
 
-use crate::height_rows::HeightRows;
 use crate::rows::Lines;
 use scans::{NonuniformLineScan, Probe, Scan, ScanFile};
 

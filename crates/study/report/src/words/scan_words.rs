@@ -44,12 +44,10 @@ pub fn note(note: &Note) -> String {
 #[must_use]
 pub fn note_beside_files(note: &Note) -> String {
     match note {
-        Note::Scans(Remark::Scan { names, remark: ScanRemark::TipUnknown { shortest_m } }) => format!(
-            "{}: tip radius unknown, used down to {}; fill it in beside the file, such as {}",
-            some(names),
-            length(*shortest_m),
-            sharp_tip(*shortest_m)
-        ),
+        Note::Scans(Remark::Scan { names, remark: ScanRemark::TipUnknown { shortest_m } }) => {
+            let remedy = format!("fill it in beside the file, such as {}", sharp_tip(*shortest_m));
+            format!("{}: {}", some(names), tip_unknown(*shortest_m, &remedy))
+        }
         Note::OfSurface { name, note } => format!("{name}: {}", note_beside_files(note)),
         _ => self::note(note),
     }
@@ -213,7 +211,12 @@ fn scan_remark(remark: &ScanRemark) -> String {
         ScanRemark::Band { longest_m, shortest_m, end } => {
             format!("used from {} down to {} ({})", length(*longest_m), length(*shortest_m), band_end(end))
         }
-        ScanRemark::TipUnknown { shortest_m } => tip_unknown(*shortest_m),
+        ScanRemark::TipUnknown { shortest_m } => {
+            let usual = sharp_tip(*shortest_m);
+            let typed = usual.replace(' ', "");
+            let remedy = format!("write FILE:tip-radius={typed} (scene: tip_radius = \"{usual}\")");
+            tip_unknown(*shortest_m, &remedy)
+        }
         ScanRemark::TipIndicated(found) => tip_indicated(found),
         ScanRemark::TipWords { words: TipWords { radius_m, text }, is_used: true } => {
             format!("tip radius {} from the metadata ('{text}')", length(*radius_m))
@@ -279,14 +282,9 @@ fn scan_remark(remark: &ScanRemark) -> String {
     }
 }
 
-/// A tip radius to give, in the size of the instrument.
-fn tip_unknown(shortest_m: f64) -> String {
-    let usual = sharp_tip(shortest_m);
-    format!(
-        "tip radius unknown, used down to {}; write FILE:tip-radius={} (scene: tip_radius = \"{usual}\")",
-        length(shortest_m),
-        usual.replace(' ', "")
-    )
+/// The limit of a scan whose tip is unknown, and the remedy.
+fn tip_unknown(shortest_m: f64, remedy: &str) -> String {
+    format!("tip radius unknown, used down to {}; {remedy}", length(shortest_m))
 }
 
 /// The radius of a sharp tip of the instrument that resolves a wavelength, as it is typed.
