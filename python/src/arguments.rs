@@ -6,6 +6,7 @@ use std::str::FromStr;
 
 use asperity::Hardness;
 use numpy::PyReadonlyArray1;
+use persson::{EnergyFactor, EnergyFactorError};
 use persson::hardness_laws::HardnessTable;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyString};
@@ -124,7 +125,7 @@ impl<'py> Arguments<'py> {
             interference_law: self.named("interference_law")?,
             correction: self.named("correction")?,
             band: self.named("band")?,
-            gamma: self.number("gamma", Some(Bound::LeftOpen { above: 0.0, at_most: 1.0 }))?,
+            gamma: self.convert("gamma", energy_factor)?,
             hardness_law: self.convert("hardness_law", growth_law)?,
         })
     }
@@ -208,6 +209,15 @@ fn growth_law(argument: &str, given: &Given<'_>) -> PyResult<GrowthLaw> {
         given.extract().map_err(|_| told())?;
     let rows = sizes_m.as_array().to_vec().into_iter().zip(hardnesses_pa.as_array().to_vec());
     HardnessTable::new(rows).map(GrowthLaw::Table).map_err(|error| of_argument(argument, error))
+}
+
+/// The elastic energy factor of mean gaps: a number, or the name of a form.
+fn energy_factor(argument: &str, given: &Given<'_>) -> PyResult<EnergyFactor> {
+    let found = match given.is_instance_of::<PyString>() {
+        true => text(argument, given)?.parse(),
+        false => EnergyFactor::new(number(argument, given)?).map_err(EnergyFactorError::from),
+    };
+    found.map_err(|error| of_argument(argument, error))
 }
 
 /// A quantity that is typed with its unit, or is a number in SI units.

@@ -110,6 +110,7 @@ def test_gaps_are_pickled_and_framed() -> None:
         ({"grid": 64}, "grid bem"),
         ({"model": "bem", "cutoff": 1e-6}, "cutoff bem"),
         ({"model": "bem", "gamma": 0.45}, "gamma bem"),
+        ({"gamma": "fit"}, "gamma fitted"),
         ({"model": "bem", "grid": 8}, "grid 8; 16 16384"),
         ({"gamma": 1.5}, "gamma 1.5;"),
         ({"tolerance": 1e-6}, "tolerance persson"),

@@ -2,7 +2,7 @@
 
 use persson::growing_hardness::areas_of_squared_growth;
 use persson::separation::{SeparationKnot, SeparationLaw};
-use persson::{constant_hardness, elastic};
+use persson::{EnergyFactor, constant_hardness, elastic};
 use tests::{Deviations, ReferenceTable};
 
 /// The rows of a kind, each by the numbers of its columns.
@@ -101,7 +101,10 @@ fn separations_agree_with_the_given_table() {
     for number in rows_of(&table, "separation") {
         // By one interval of the spectrum and by many.
         for knots in [&knots[..], &many] {
-            let last = *SeparationLaw::new(knots, 1.0, number("gamma")).along(number("p_pa")).last().unwrap();
+            let last = *SeparationLaw::new(knots, 1.0, EnergyFactor::new(number("gamma")).unwrap())
+                .along(number("p_pa"))
+                .last()
+                .unwrap();
             deviations.note(last.mean_gap_m, number("u_m"));
             deviations.note(last.stiffness_pa_per_m, number("k_pa_per_m"));
         }
@@ -112,7 +115,7 @@ fn separations_agree_with_the_given_table() {
     for (factor, length_m, pressure_pa) in
         [(1.0, 6.321451744e-6, 0.01884593055), (0.45, 2.844653285e-6, 0.08385494254)]
     {
-        let law = SeparationLaw::new(&knots, 1.0, factor).light_loads().unwrap();
+        let law = SeparationLaw::new(&knots, 1.0, EnergyFactor::new(factor).unwrap()).light_loads().unwrap();
         light.note(law.decay_length_m, length_m);
         light.note(law.reference_pressure_pa, pressure_pa);
     }

@@ -30,6 +30,9 @@ CurveModel = Literal[
 Band = Literal["1d", "2d"]
 """Waves that a cutoff ends: those of profiles, or those of the surface."""
 
+EnergyFactor = float | Literal["fitted"]
+"""Elastic energy factor of mean gaps: a number, or the form fitted to boundary elements."""
+
 Correction = Literal["wang-muser", "yang-persson", "algebraic", "algebraic-nayak"]
 """Corrected forms of Persson's theory."""
 

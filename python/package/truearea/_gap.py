@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from truearea import _native
-from truearea._choices import Band, GapModel, HardnessFormula, InterferenceLaw, Normalisation, Phases
+from truearea._choices import Band, EnergyFactor, GapModel, HardnessFormula, InterferenceLaw, Normalisation, Phases
 from truearea._curves import Pressures
 from truearea._grammar import AnyMaterial, AnySurface, formerly, material_of, surface_of
 from truearea._material import Quantity
@@ -35,7 +35,7 @@ def gap(
     *,
     pressure: Pressures,
     model: GapModel = "persson",
-    gamma: float | None = None,
+    gamma: EnergyFactor | None = None,
     band: Band | None = None,
     strain_gradient: bool = False,
     hardness_formula: HardnessFormula | None = None,
@@ -68,8 +68,9 @@ def gap(
         Nominal pressures, in Pa or as text such as ``"5 MPa"`` or ``"1e-3 H"``.
     model : {"persson", "persson-plastic", "hertz", "ep-sphere", "elastic-sine", "ep-sine", "bgt", "bem"}
         What makes the gap; ``"bem"`` is boundary elements on random surfaces.
-    gamma : float, optional
-        Elastic energy factor of Persson's theory, above 0 and at most 1; 0.45 where left out.
+    gamma : float or "fitted", optional
+        Elastic energy factor of Persson's theory, above 0 and at most 1, 0.45 where left out; or the form fitted to boundary
+        elements.
     band : {"1d", "2d"}, optional
         Waves that a cutoff ends in Persson's theory: those of the surface, ``"2d"``, as where left out and nearer to boundary
         elements, or those of profiles.

@@ -11,6 +11,7 @@ from truearea import _native
 from truearea._choices import (
     Band,
     Dialect,
+    EnergyFactor,
     HardnessFormula,
     InterferenceLaw,
     LawForm,
@@ -117,7 +118,7 @@ def law(
     to_pressure: Quantity | None = None,
     model: LawModel = "persson",
     tolerance: float = 0.01,
-    gamma: float | None = None,
+    gamma: EnergyFactor | None = None,
     band: Band | None = None,
     strain_gradient: bool = False,
     hardness_formula: HardnessFormula | None = None,

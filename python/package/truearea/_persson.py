@@ -9,7 +9,7 @@ import numpy as np
 
 from truearea import _native
 from truearea._arrays import doubles
-from truearea._choices import AmplitudeDefinition, Band, Correction, PerssonModel
+from truearea._choices import AmplitudeDefinition, Band, Correction, EnergyFactor, PerssonModel
 from truearea._curves import Curve, Pressures, _curve
 from truearea._grammar import AnyMaterial, AnySurface, formerly, material_of, surface_of
 from truearea._material import Quantity
@@ -44,7 +44,7 @@ def persson(
     pressure: Pressures,
     model: PerssonModel = "persson",
     correction: Correction | None = None,
-    gamma: float = 0.45,
+    gamma: EnergyFactor = 0.45,
     band: Band = "2d",
     hardness_law: str | Mapping[str, Any] | pd.DataFrame | None = None,
     strain_gradient: bool = False,
@@ -69,8 +69,9 @@ def persson(
         Whether the contact flows, at the indentation hardness; ``"elastic"`` and ``"elastic-plastic"`` are former names.
     correction : {"wang-muser", "yang-persson", "algebraic", "algebraic-nayak"}, optional
         A corrected form of the elastic theory, fitted to simulations.
-    gamma : float, default 0.45
-        Elastic energy factor of the mean gap, above 0 and at most 1 (Almqvist et al. 2011).
+    gamma : float or "fitted", default 0.45
+        Elastic energy factor of the mean gap, above 0 and at most 1 (Almqvist et al. 2011), or the form fitted to boundary
+        elements.
     band : {"1d", "2d"}
         What is cut off at a wavelength: the spectrum of profiles, or that of the surface.
     hardness_law : str, or mapping of arrays, optional

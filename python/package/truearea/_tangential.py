@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from truearea import _native
-from truearea._choices import Band, InterferenceLaw, Normalisation, Phases, ShearedModel
+from truearea._choices import Band, EnergyFactor, InterferenceLaw, Normalisation, Phases, ShearedModel
 from truearea._curves import Pressures
 from truearea._grammar import AnyMaterial, AnySurface, formerly, material_of, surface_of
 from truearea._material import Quantity
@@ -45,7 +45,7 @@ def tangential(
     pressure: Pressures,
     tangential_stress: Pressures | None = None,
     model: ShearedModel = "persson",
-    gamma: float | None = None,
+    gamma: EnergyFactor | None = None,
     band: Band | None = None,
     interference_law: InterferenceLaw | None = None,
     normalisation: Normalisation | None = None,

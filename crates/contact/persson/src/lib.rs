@@ -7,7 +7,7 @@
 //! * [`growing_hardness`]: a hardness that grows towards short wavelengths, along a [`HardnessPath`];
 //!   [`hardness_laws`]: the laws that there are.
 //! * [`corrections`]: forms fitted to simulations.
-//! * [`separation`]: mean gap and stiffness.
+//! * [`separation`]: mean gap and stiffness, by an [`EnergyFactor`].
 //! * [`sealing`]: open channels through the contact, and their narrowest places.
 //! * [`PerssonModel`]: all of this along a spectrum, one pass per load.
 #![deny(missing_docs)]
@@ -16,6 +16,7 @@ mod areas;
 pub mod constant_hardness;
 pub mod corrections;
 pub mod elastic;
+mod energy;
 pub mod growing_hardness;
 pub mod hardness_laws;
 mod hardness_path;
@@ -29,6 +30,7 @@ mod stretch;
 pub mod variance;
 
 pub use areas::ContactAreas;
+pub use energy::{EnergyFactor, EnergyFactorError};
 pub use hardness_path::{HardnessKnot, HardnessPath};
 pub use model::{Cut, PerssonModel};
 pub use roughness::{Place, Roughness, RoughnessSample};

@@ -2,6 +2,7 @@
 
 use crate::areas::ContactAreas;
 use crate::corrections::Correction;
+use crate::energy::EnergyFactor;
 use crate::growing_hardness::areas_along;
 use crate::hardness_laws::{Hardness, HardnessError, HardnessGrowth};
 use crate::roughness::{Place, Roughness};
@@ -150,10 +151,9 @@ impl PerssonModel {
         }
     }
 
-    /// Mean separation and stiffness of the elastic theory along a roughness, with an elastic energy factor 0 < g <=
-    /// 1. They lose their meaning where more than a few per cent of the contact is plastic.
+    /// Mean separation and stiffness of the elastic theory along a roughness. They lose their meaning where more than a few per cent of the contact is plastic.
     #[must_use]
-    pub fn separation(&self, roughness: &Roughness, energy_factor: f64) -> SeparationLaw {
+    pub fn separation(&self, roughness: &Roughness, energy_factor: EnergyFactor) -> SeparationLaw {
         let knots = SeparationKnot::along(roughness, self.contact_modulus_pa());
         SeparationLaw::new(&knots, self.contact_modulus_pa(), energy_factor)
     }
@@ -200,7 +200,7 @@ mod tests {
     #[test]
     fn plastic_contact_has_no_elastic_separation() {
         let along = |model: &PerssonModel| {
-            let separation = model.separation(&roughness(), 0.45);
+            let separation = model.separation(&roughness(), EnergyFactor::ALMQVIST);
             model.along(&roughness(), &separation, 0.01).unwrap()
         };
         let elastic = along(&PerssonModel::Elastic { contact_modulus_pa: 1.0, correction: None });
@@ -217,7 +217,7 @@ mod tests {
         }
         assert!(yielding.last().unwrap().mean_gap_m.is_none() && yielding[1].mean_gap_m.is_some());
         let model = PerssonModel::Elastic { contact_modulus_pa: 1.0, correction: None };
-        let separation = model.separation(&roughness(), 0.45);
+        let separation = model.separation(&roughness(), EnergyFactor::ALMQVIST);
         let last = model.at_last(&roughness(), &separation, 0.01).unwrap();
         assert_eq!(last.as_ref(), elastic.last());
     }

@@ -18,6 +18,7 @@ use units::{Bound, OutOfBounds};
 
 use crate::corrections::{Correction, flattened};
 use crate::elastic::argument_of_area;
+use crate::energy::EnergyFactor;
 use crate::roughness::Roughness;
 use crate::separation::{SeparationKnot, SeparationLaw};
 
@@ -98,13 +99,12 @@ pub struct SealingLaw {
 }
 
 impl SealingLaw {
-    /// Creates the seal of a roughness under a contact modulus E* > 0 \[Pa\] with an elastic energy factor 0 < g <= 1
-    /// (see [`SeparationLaw::new`]). Give a correction: without one the theory has 20 % too little area.
+    /// Creates the seal of a roughness under a contact modulus E* > 0 \[Pa\]. Give a correction: without one the theory has 20 % too little area.
     #[must_use]
     pub fn new(
         roughness: &Roughness,
         contact_modulus_pa: f64,
-        energy_factor: f64,
+        energy_factor: EnergyFactor,
         correction: Option<Correction>,
         threshold: PercolationThreshold,
     ) -> Self {

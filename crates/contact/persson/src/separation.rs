@@ -4,9 +4,10 @@
 //! From p = -dU/du with the elastic energy U of the flattened waves in contact, over v = sqrt(2 V) in place of the
 //! wavevector, one integral with a bounded integrand:
 //!
-//! u(p) = (2/(sqrt(pi) E*)) Int_0^v1 G(p/v) dv/q(v),  G(x) = Int_x^inf \[g + 3 (1 - g) erf(t)^2\] exp(-t^2) dt/t,
-//! 1/K = -du/dp = (1/p) (2/(sqrt(pi) E*)) Int_0^v1 \[g + 3 (1 - g) erf(p/v)^2\] exp(-(p/v)^2) dv/q(v).
+//! u(p) = (2/(sqrt(pi) E*)) Int_0^v1 G(p/v) dv/q(v),  G(x) = Int_x^inf \[g + (n + 1) (1 - g) erf(t)^n\] exp(-t^2) dt/t,
+//! 1/K = -du/dp = (1/p) (2/(sqrt(pi) E*)) Int_0^v1 \[g + (n + 1) (1 - g) erf(p/v)^n\] exp(-(p/v)^2) dv/q(v).
 //!
+//! The energy in contact is W = g + (1 - g) P^n of that of full contact at an area fraction P ([`EnergyFactor`]); n = 2 there.
 //! u is measured from the mean plane of the deformed rough surface to the flat. Both integrals take the whole
 //! spectrum and are dominated by its longest wavelengths.
 
@@ -14,6 +15,7 @@ use std::f64::consts::PI;
 
 use numerics::{GaussLegendre, zero_in_bracket};
 
+use crate::energy::EnergyFactor;
 use crate::roughness::{Place, Roughness};
 use crate::stretch::Stretch;
 
@@ -70,10 +72,9 @@ pub struct SeparationLaw {
 }
 
 impl SeparationLaw {
-    /// Creates the law under a contact modulus E* > 0 \[Pa\] with an elastic energy factor 0 < g <= 1: usually 0.45
-    /// (Almqvist et al. 2011), 1 in Persson (2007).
+    /// Creates the law under a contact modulus E* > 0 \[Pa\].
     #[must_use]
-    pub fn new(knots: &[SeparationKnot], contact_modulus_pa: f64, energy_factor: f64) -> Self {
+    pub fn new(knots: &[SeparationKnot], contact_modulus_pa: f64, energy_factor: EnergyFactor) -> Self {
         let stretches = knots.windows(2).map(|pair| Stretch::between(&pair[0], &pair[1])).collect();
         let rule = GaussLegendre::new(16);
         SeparationLaw { energy: Energy::new(energy_factor), contact_modulus_pa, stretches, rule }
@@ -160,7 +161,7 @@ impl SeparationLaw {
             let inside = stretch.and_then(|stretch| stretch.up_to(decade_rad_per_m));
             self.over(&inside, 0.0, |_, per_rad_m| in_first_decade += per_rad_m);
         }
-        let g = self.energy.factor;
+        let g = self.energy.factor.light;
         Some(LightLoads {
             decay_length_m: g * self.factor() * sum,
             reference_pressure_pa: (logarithms / sum + self.energy.constant / g).exp(),
@@ -257,8 +258,7 @@ impl SeparationLaw {
 /// Energy of the waves in contact: its density over ln(p), and its integral above a pressure.
 #[derive(Debug, Clone)]
 struct Energy {
-    /// Elastic energy factor g.
-    factor: f64,
+    factor: EnergyFactor,
     /// G at the multiples of [`STEP`], from the first on.
     beyond: Vec<f64>,
     /// Limit of G(x) + g ln(x) as x vanishes.
@@ -272,7 +272,7 @@ const STEP: f64 = 0.25;
 const STEPS: usize = 110;
 
 impl Energy {
-    fn new(factor: f64) -> Self {
+    fn new(factor: EnergyFactor) -> Self {
         let mut energy =
             Energy { factor, beyond: vec![0.0; STEPS + 1], constant: 0.0, rule: GaussLegendre::new(10) };
         for step in (0..STEPS).rev() {
@@ -280,20 +280,27 @@ impl Energy {
             let next = energy.beyond.get(step + 1).copied().unwrap_or(0.0);
             energy.beyond[step] = next + energy.integral(at, at + STEP);
         }
-        energy.constant = energy.beyond[0] + factor * STEP.ln() + energy.regular(0.0, STEP);
+        energy.constant = energy.beyond[0] + factor.light * STEP.ln() + energy.regular(0.0, STEP);
         energy
     }
 
-    /// Computes [g + 3 (1 - g) erf(x)^2] exp(-x^2).
+    /// Computes [g + (n + 1) (1 - g) erf(x)^n] exp(-x^2).
     fn density(&self, x: f64) -> f64 {
+        (self.factor.light + self.of_contact(x)) * (-x * x).exp()
+    }
+
+    /// Computes (n + 1) (1 - g) erf(x)^n.
+    fn of_contact(&self, x: f64) -> f64 {
+        let EnergyFactor { light, power } = self.factor;
         let contact = libm::erf(x);
-        (self.factor + 3.0 * (1.0 - self.factor) * contact * contact) * (-x * x).exp()
+        let raised = if power == 2.0 { contact * contact } else { contact.powf(power) };
+        (power + 1.0) * (1.0 - light) * raised
     }
 
     /// Computes G(x).
     fn beyond(&self, x: f64) -> f64 {
         if x < STEP {
-            return self.beyond[0] + self.factor * (STEP / x).ln() + self.regular(x, STEP);
+            return self.beyond[0] + self.factor.light * (STEP / x).ln() + self.regular(x, STEP);
         }
         let step = (x / STEP) as usize;
         let Some(&beyond) = self.beyond.get(step) else { return 0.0 };
@@ -306,11 +313,8 @@ impl Energy {
 
     /// Integral without g/t, which diverges at 0.
     fn regular(&self, from: f64, to: f64) -> f64 {
-        let regular = |t: f64| {
-            let contact = libm::erf(t);
-            let slipped = 3.0 * (1.0 - self.factor) * contact * contact * (-t * t).exp();
-            (self.factor * libm::expm1(-t * t) + slipped) / t
-        };
+        let regular =
+            |t: f64| (self.factor.light * libm::expm1(-t * t) + self.of_contact(t) * (-t * t).exp()) / t;
         self.rule.over(from, to).map(|(t, weight)| weight * regular(t)).sum()
     }
 }
@@ -328,7 +332,7 @@ mod tests {
                 SeparationKnot { wavevector_rad_per_m: q, variance_pa2, variance_exponent: 0.4 }
             })
             .collect();
-        SeparationLaw::new(&knots, 1e11, 0.45)
+        SeparationLaw::new(&knots, 1e11, EnergyFactor::ALMQVIST)
     }
 
     #[test]
@@ -337,6 +341,23 @@ mod tests {
         for pressure_pa in [1e3, 1e7, 3e8] {
             assert_eq!(law.along(pressure_pa).last(), Some(&law.whole(pressure_pa)));
         }
+    }
+
+    #[test]
+    fn the_fitted_energy_keeps_gaps_open_under_heavy_loads_and_its_stiffness_is_their_slope() {
+        let almqvist = power_law();
+        let fitted = SeparationLaw { energy: Energy::new(EnergyFactor::FITTED), ..almqvist.clone() };
+        for pressure_pa in [1e3, 1e6, 3e7, 3e8] {
+            let [below, above] =
+                [1.0 - 1e-4, 1.0 + 1e-4].map(|factor| fitted.whole(factor * pressure_pa).mean_gap_m);
+            let slope = 2e-4 * pressure_pa / (below - above);
+            let found = fitted.whole(pressure_pa);
+            assert!((found.stiffness_pa_per_m / slope - 1.0).abs() < 1e-6, "{found:?} {slope}");
+        }
+        let [light, usual] = [&fitted, &almqvist].map(|law| law.light_loads().unwrap());
+        assert_eq!(light.decay_length_m, usual.decay_length_m);
+        let gaps = [&fitted, &almqvist].map(|law| law.whole(3e8).mean_gap_m);
+        assert!(gaps[0] > gaps[1], "{gaps:?}");
     }
 
     #[test]
@@ -352,7 +373,7 @@ mod tests {
             assert!((off(most_pa).abs() / share - 1.0).abs() < 1e-3, "{share}: {}", off(most_pa));
             assert!((0..40).all(|step| off(most_pa * 0.8f64.powi(step)).abs() <= share * (1.0 + 1e-3)));
         }
-        let flat = SeparationLaw::new(&[], 1e11, 0.45);
+        let flat = SeparationLaw::new(&[], 1e11, EnergyFactor::ALMQVIST);
         assert_eq!(flat.light_load_limit_pa(0.01), None);
     }
 
@@ -366,7 +387,7 @@ mod tests {
                 variance_exponent: exponent,
             };
             let knots = [knot(1e6, 0.0), knot(1.26e6, 1e18), knot(1.6e6, 1e18 + 1e5), knot(2e6, 2e18)];
-            let law = SeparationLaw::new(&knots, 1e11, 0.45);
+            let law = SeparationLaw::new(&knots, 1e11, EnergyFactor::ALMQVIST);
             let found = law.along(1e7);
             assert!(found.iter().all(|cut| cut.mean_gap_m.is_finite()), "{found:?}");
             assert!(found.windows(2).all(|pair| pair[1].mean_gap_m >= pair[0].mean_gap_m));

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use persson::corrections::Correction;
 use persson::sealing::{PercolationThreshold, SealingLaw};
 use persson::variance::Band;
-use persson::{PerssonModel, Roughness, RoughnessSample};
+use persson::{EnergyFactor, PerssonModel, Roughness, RoughnessSample};
 use proptest::prelude::*;
 
 /// Persson's C(q) = C0 q^-3.6 from 1e4 to 1e6 rad/m, h_rms = 6 um: the spectrum of the separations.
@@ -32,7 +32,7 @@ fn law(intervals: u32, gamma: f64, correction: Option<Correction>, threshold: f6
     SealingLaw::new(
         &roughness(intervals),
         1.0,
-        gamma,
+        EnergyFactor::new(gamma).unwrap(),
         correction,
         PercolationThreshold::new(threshold).unwrap(),
     )
@@ -56,7 +56,10 @@ fn light_loads_part_as_quadratures_find_it() {
     for (gamma, length_m, over_rms_height, pressure_pa) in rows {
         let model = PerssonModel::Elastic { contact_modulus_pa: 1.0, correction: None };
         for intervals in [1, 37] {
-            let light = model.separation(&roughness(intervals), gamma).light_loads().unwrap();
+            let light = model
+                .separation(&roughness(intervals), EnergyFactor::new(gamma).unwrap())
+                .light_loads()
+                .unwrap();
             assert!(off(light.decay_length_m, length_m) < 5e-10, "{light:?}");
             assert!(off(light.decay_length_m / 6e-6, over_rms_height) < 1e-9, "{light:?}");
             assert!(off(light.reference_pressure_pa, pressure_pa) < 5e-10, "{light:?}");
@@ -102,7 +105,7 @@ fn the_pressure_that_closes_it_is_the_theory_s_or_less_where_corrected() {
     samples[1].wavelength_m = 0.01;
     let pressure = |correction| {
         let roughness = Roughness::new(&samples, &[], Band::Profile);
-        SealingLaw::new(&roughness, 1.0, 0.45, correction, PercolationThreshold::SIMULATED)
+        SealingLaw::new(&roughness, 1.0, EnergyFactor::ALMQVIST, correction, PercolationThreshold::SIMULATED)
             .tight_pressure_pa()
     };
     let ratio = pressure(Some(Correction::AlgebraicNayak)) / pressure(None);
@@ -127,7 +130,7 @@ fn it_is_tight_from_its_pressure_on() {
 #[test]
 fn nothing_rough_is_tight_under_any_load() {
     let smooth = Roughness::new(&[], &[], Band::Profile);
-    let law = SealingLaw::new(&smooth, 1.0, 0.45, None, PercolationThreshold::default());
+    let law = SealingLaw::new(&smooth, 1.0, EnergyFactor::ALMQVIST, None, PercolationThreshold::default());
     assert_eq!((law.tight_pressure_pa(), law.critical_constriction(1e-9)), (0.0, None));
     assert_eq!(law.contact_at(1.0, 1e-9).area_fraction, 1.0);
 }
@@ -146,7 +149,8 @@ fn what_is_no_share_is_no_threshold() {
 fn what_is_seen_with_the_longest_wave_is_the_whole_gap() {
     for correction in forms() {
         let model = PerssonModel::Elastic { contact_modulus_pa: 1.0, correction };
-        let whole = model.separation(&roughness(20), 0.45).along(0.01).last().copied().unwrap();
+        let whole =
+            model.separation(&roughness(20), EnergyFactor::ALMQVIST).along(0.01).last().copied().unwrap();
         let first = law(20, 0.45, correction, 0.42).contact_at(FLATTEST, 0.01);
         assert_eq!((first.area_fraction, first.opening_gap_m), (1.0, None));
         assert!(off(first.mean_gap_m, whole.mean_gap_m) < 1e-14);
@@ -208,7 +212,7 @@ proptest! {
         let rugged = rugged(&ln_c1d, if surface { Band::Surface } else { Band::Profile });
         let pressure_pa = ln_p.exp();
         for correction in forms() {
-            let law = SealingLaw::new(&rugged, 1.0, 0.45, correction, PercolationThreshold::default());
+            let law = SealingLaw::new(&rugged, 1.0, EnergyFactor::ALMQVIST, correction, PercolationThreshold::default());
             let tight_pa = law.tight_pressure_pa();
             prop_assert!(tight_pa.is_finite() && tight_pa >= 0.0);
             match law.critical_constriction(pressure_pa) {

@@ -2,11 +2,10 @@
 
 use gaussian_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};
 use parallel::Unobserved;
+use persson::EnergyFactor;
 use persson::separation::{SeparationKnot, SeparationLaw};
 use rough_bem::{ElementsError, Field, Load, Pressing, RandomSurfaces, Surfaces, press};
 
-/// Elastic energy factor (Almqvist et al. 2011).
-const ENERGY_FACTOR: f64 = 0.45;
 const HURST_EXPONENT: f64 = 0.8;
 /// Four lengths of the longest wave in a box of 1 m, and eight points for the shortest one on 128 of them.
 const LONGEST_M: f64 = 1.0 / 4.0;
@@ -44,7 +43,7 @@ fn theory(band: &AreaSpectrum) -> SeparationLaw {
             }
         })
         .collect();
-    SeparationLaw::new(&knots, 1.0, ENERGY_FACTOR)
+    SeparationLaw::new(&knots, 1.0, EnergyFactor::default())
 }
 
 #[test]

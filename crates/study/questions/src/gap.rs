@@ -10,7 +10,6 @@ use spectrum::Normalisation;
 use study::gap_law::{GapChoices, GapLaw, GapState};
 use study::material::Material;
 use study::models::{Choice, ModelEntry, ModelOptions, MomentUse};
-use study::persson_law::PerssonLaw;
 use study::plan::{Needs, Plan, PlanError, Tolerance};
 use study::result_tables;
 use study::surface::Surface;
@@ -177,7 +176,7 @@ impl GapModel {
         let plan = Plan { psd: &surface.psd, sampling: self.sampling.sampling(), needs };
         let results = plan.compute_observed(progress)?;
         let choices = GapChoices {
-            energy_factor: self.options.gamma.unwrap_or(PerssonLaw::ENERGY_FACTOR),
+            energy_factor: self.options.gamma.unwrap_or_default(),
             band: self.options.band.unwrap_or_default(),
             tolerance: self.checked_tolerance()?,
         };

@@ -2,6 +2,7 @@
 //! package, which asks the questions once more.
 
 use parallel::Unobserved;
+use persson::EnergyFactor;
 use persson::corrections::Correction;
 use persson::variance::Band;
 use questions::{
@@ -91,9 +92,9 @@ fn random(dice: &mut Dice) -> (CurveQuestion, String) {
     }
     if framework == Framework::Persson {
         options.band = dice.perhaps(Band::ALL);
-        options.gamma = dice.perhaps(&[0.4, 1.0]);
+        options.gamma = dice.perhaps(&["0.4", "1", "fitted"]).map(|factor| factor.parse().unwrap());
         of_curve += &options.band.map_or(String::new(), |band| format!("band = \"{band}\"\n"));
-        of_curve += &options.gamma.map_or(String::new(), |gamma| format!("gamma = {gamma:?}\n"));
+        of_curve += &options.gamma.map_or(String::new(), |gamma| format!("gamma = {}\n", json!(gamma)));
     }
     if entry.has(Choice::HardnessLaw) && !options.strain_gradient && dice.below(2) == 0 {
         options.hardness_law = Some(GrowthLaw::Power(0.2));
@@ -242,7 +243,7 @@ fn every_option_that_a_model_ignores_is_found_and_none_that_it_heeds() {
         },
         ModelOptions { correction: Correction::ALL.first().copied(), ..ModelOptions::default() },
         ModelOptions { band: Some(Band::Profile), ..ModelOptions::default() },
-        ModelOptions { gamma: Some(0.4), ..ModelOptions::default() },
+        ModelOptions { gamma: EnergyFactor::new(0.4).ok(), ..ModelOptions::default() },
         ModelOptions { hardness_law: Some(GrowthLaw::Power(0.2)), ..ModelOptions::default() },
     ];
     let material = MaterialInput {

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use findings::sensitivity::sensitivities;
 use judge::{JudgePlan, Verdict};
+use persson::EnergyFactor;
 use persson::corrections::Correction;
 use persson::variance::Band;
 use report::curve_names::in_full;
@@ -56,7 +57,11 @@ fn a_corrected_curve_is_in_table_figure_verdict_first_line_and_interval() {
     assert!(last_area(CORRECTED) > 1.1 * last_area(PLAIN));
 
     // The digits of the gap law, which the command prints.
-    let choices = GapChoices { energy_factor: 0.45, band: Band::default(), tolerance: Tolerance::default() };
+    let choices = GapChoices {
+        energy_factor: EnergyFactor::default(),
+        band: Band::default(),
+        tolerance: Tolerance::default(),
+    };
     let law = GapLaw::of(&scene.needs.curves[CORRECTED].model, &plan, &results, &choices).unwrap();
     let state = law.at(300e6).unwrap();
     assert_eq!(state.area_fraction, last_area(CORRECTED));

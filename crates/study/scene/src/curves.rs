@@ -10,7 +10,7 @@ use tables::TableSource;
 use units::Bound;
 
 use super::error::SceneError;
-use super::interface::{GAMMA, checked};
+use super::interface::energy_factor;
 use super::raw::RawCurve;
 use super::values::{check_file_name, value_error};
 use study::growth_law::GrowthLaw;
@@ -81,8 +81,7 @@ pub(super) fn curves_that_apply(material: &Material, options: &ModelOptions) -> 
 
 /// Returns the options that a curve gives itself.
 fn own_options(curve: &RawCurve, files: &dyn Files) -> Result<ModelOptions, SceneError> {
-    let gamma = curve.gamma.as_ref();
-    let gamma = gamma.map(|gamma| checked("curve.gamma", "the elastic energy factor", gamma, GAMMA));
+    let gamma = curve.gamma.as_ref().map(|gamma| energy_factor("curve.gamma", gamma));
     Ok(ModelOptions {
         gamma: gamma.transpose()?,
         hardness_law: curve.hardness_law.as_ref().map(|text| growth_law(text, files)).transpose()?,

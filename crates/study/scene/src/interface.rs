@@ -3,21 +3,18 @@
 use ::interface::conductance::{Conductivities, Resistivities};
 use ::interface::leak::SealedJoint;
 use persson::sealing::PercolationThreshold;
+use persson::{EnergyFactor, EnergyFactorError};
 use serde_spanned::Spanned;
-use units::{Bound, Length, Viscosity, WorkOfAdhesion};
+use units::{Length, Viscosity, WorkOfAdhesion};
 
 use super::error::SceneError;
 use super::loads::nominal_pressure;
-use super::raw::{RawInterface, RawScene, RawSeal};
+use super::raw::{RawEnergyFactor, RawInterface, RawScene, RawSeal};
 use super::values::{optional, parsed, value_error};
 use study::bodies::{Bodies, Transport};
 use study::interface::{Adhesion, InterfaceRequest, Seal};
 use study::material::Material;
-use study::persson_law::PerssonLaw;
 use study::plan::NominalPressure;
-
-/// The elastic energy factor of Persson's theory.
-pub(super) const GAMMA: Bound = Bound::LeftOpen { above: 0.0, at_most: 1.0 };
 
 /// Resolves the results requested of the interface, with the conductivities and resistivities of both bodies. Returns
 /// `None` if the scene has no section on the interface or seal and no pair of conductivities or resistivities.
@@ -41,15 +38,14 @@ pub(super) fn resolve_interface(
     }
     let nothing = RawInterface::default();
     let own = raw.interface.as_ref().unwrap_or(&nothing);
-    let gamma =
-        own.gamma.as_ref().map(|gamma| checked("interface.gamma", "the elastic energy factor", gamma, GAMMA));
+    let gamma = own.gamma.as_ref().map(|gamma| energy_factor("interface.gamma", gamma));
     let shear_strength = own
         .shear_strength
         .as_ref()
         .map(|typed| nominal_pressure("interface.shear_strength", typed, material))
         .transpose()?;
     Ok(Some(InterfaceRequest {
-        energy_factor: gamma.transpose()?.unwrap_or(PerssonLaw::ENERGY_FACTOR),
+        energy_factor: gamma.transpose()?.unwrap_or_default(),
         band: own.band.as_ref().map(|band| parsed("interface.band", band)).transpose()?.unwrap_or_default(),
         conductivities,
         resistivities,
@@ -110,13 +106,11 @@ fn resolve_seal(raw: &Spanned<RawSeal>, material: Option<&Material>) -> Result<S
     Ok(Seal { threshold: threshold.transpose()?.unwrap_or_default(), joint })
 }
 
-pub(super) fn checked(
-    key: &str,
-    quantity: &'static str,
-    raw: &Spanned<f64>,
-    bound: Bound,
-) -> Result<f64, SceneError> {
-    let value = *raw.get_ref();
-    let checked = bound.check(quantity, value);
-    checked.map_err(|error| value_error(key, &value.to_string(), raw.span(), error))
+/// Reads an elastic energy factor.
+pub(super) fn energy_factor(key: &str, raw: &RawEnergyFactor) -> Result<EnergyFactor, SceneError> {
+    let typed = match raw.get_ref() {
+        toml::Value::String(name) => name.clone(),
+        other => other.to_string(),
+    };
+    typed.parse().map_err(|error: EnergyFactorError| value_error(key, &typed, raw.span(), error))
 }

@@ -23,6 +23,9 @@ use study::plan::Cutoffs;
 /// A quantity: text with a unit. Any other value is let in here, to be refused with the mend.
 pub(super) type RawQuantity = Spanned<toml::Value>;
 
+/// An elastic energy factor: a number, or the name of a form.
+pub(super) type RawEnergyFactor = Spanned<toml::Value>;
+
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct RawScene {
@@ -182,7 +185,7 @@ pub(super) struct RawLoads {
 pub(super) struct RawCurve {
     pub model: Option<&'static ModelEntry>,
     pub options: ModelOptions,
-    pub gamma: Option<Spanned<f64>>,
+    pub gamma: Option<RawEnergyFactor>,
     pub hardness_law: Option<Spanned<String>>,
     pub cutoffs: Option<Cutoffs>,
     pub name: Option<Spanned<String>>,
@@ -339,7 +342,7 @@ pub(super) struct RawUncertainty {
 #[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct RawInterface {
-    pub gamma: Option<Spanned<f64>>,
+    pub gamma: Option<RawEnergyFactor>,
     pub band: Option<Spanned<String>>,
     pub shear_strength: Option<RawQuantity>,
     pub work_of_adhesion: Option<RawQuantity>,

@@ -132,6 +132,7 @@ pub fn roughness(plan: &Plan<'_>, results: &Results, band: Band) -> Roughness {
 #[cfg(test)]
 mod tests {
     use asperity::ElasticBody;
+    use persson::EnergyFactor;
     use spectrum::{AsperityParameters, ProfilePsd};
 
     use super::*;
@@ -141,7 +142,11 @@ mod tests {
     use crate::plan::{Needs, Sampling, Tolerance};
 
     fn choices() -> GapChoices {
-        GapChoices { energy_factor: 0.45, band: Band::Profile, tolerance: Tolerance::default() }
+        GapChoices {
+            energy_factor: EnergyFactor::default(),
+            band: Band::Profile,
+            tolerance: Tolerance::default(),
+        }
     }
 
     fn material() -> Material {

@@ -1,6 +1,7 @@
 //! The options of models as one plain struct, in which an option that was not given is absent.
 
 use asperity::Hardness;
+use persson::EnergyFactor;
 use persson::corrections::Correction;
 use persson::variance::Band;
 use serde::de::MapAccess;
@@ -52,9 +53,9 @@ pub struct ModelOptions {
     /// The spectrum that a cutoff ends, in Persson's theory.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub band: Option<Band>,
-    /// The elastic energy factor of Persson's theory, in (0, 1].
+    /// The elastic energy factor of Persson's theory.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub gamma: Option<f64>,
+    pub gamma: Option<EnergyFactor>,
     /// The growth of the hardness towards short wavelengths, in Persson's theory.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hardness_law: Option<GrowthLaw>,
@@ -125,9 +126,6 @@ impl Choice {
 }
 
 impl ModelOptions {
-    /// The elastic energy factor of separations (Almqvist et al. 2011) where none is given.
-    pub const ENERGY_FACTOR: f64 = 0.45;
-
     /// Returns the settings that differ from the defaults of a model which has some of the choices. The form of the hardness
     /// of spheres is one of a whole scene and is left out.
     #[must_use]
@@ -149,7 +147,7 @@ impl ModelOptions {
         });
         let interference = self.interference_law.filter(|law| *law != InterferenceLaw::default());
         let band = self.band.filter(|band| *band != Band::default());
-        let gamma = self.gamma.filter(|gamma| *gamma != Self::ENERGY_FACTOR);
+        let gamma = self.gamma.filter(|gamma| *gamma != EnergyFactor::default());
         let gradient = has_gradient.then(|| Setting {
             name: "strain-gradient".to_owned(),
             short: "hardening".to_owned(),

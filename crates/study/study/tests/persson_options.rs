@@ -3,16 +3,16 @@
 use std::num::NonZeroU32;
 
 use asperity::ElasticBody;
-use persson::PerssonModel;
 use persson::corrections::Correction;
 use persson::hardness_laws::HardnessTable;
 use persson::variance::Band;
+use persson::{EnergyFactor, PerssonModel};
 use spectrum::{Normalisation, ProfilePsd};
 use study::growth_law::GrowthLaw;
 use study::hardness_and_strength::HardnessAndStrength;
 use study::material::{GivenMaterial, Material};
 use study::models::{Choice, MODELS, ModelEntry, ModelOptions};
-use study::persson_law::{PerssonLaw, PlasticLaw};
+use study::persson_law::PlasticLaw;
 use study::plan::{Curve, CurveResult, Cutoffs, Load, Needs, NominalPressure, PlanError, Sampling};
 use study::{Unobserved, gap_law, plan::Plan};
 
@@ -56,7 +56,7 @@ fn a_curve_of_a_plan_and_its_stream_equal_the_theory_bit_for_bit() {
     };
     let mut cases = vec![
         elastic(None, None, None),
-        elastic(None, Some(Band::Profile), Some(1.0)),
+        elastic(None, Some(Band::Profile), EnergyFactor::new(1.0).ok()),
         ("persson-plastic", ModelOptions::default(), &strong),
         grows(&GrowthLaw::NixGao, &strong),
         grows(&GrowthLaw::Power(0.3), &strong),
@@ -95,7 +95,7 @@ fn a_curve_of_a_plan_and_its_stream_equal_the_theory_bit_for_bit() {
                 PerssonModel::ElasticPlastic { contact_modulus_pa, hardness }
             }
         };
-        let gamma = options.gamma.unwrap_or(PerssonLaw::ENERGY_FACTOR);
+        let gamma = options.gamma.unwrap_or_default();
         let separation = theory.separation(&roughness, gamma);
         let along = |pa| theory.along(&roughness, &separation, pa).unwrap();
         let by_hand = vec![along(1e6), along(3e8)];
@@ -123,7 +123,7 @@ fn every_option_changes_the_model_its_name_and_nothing_else() {
             ModelOptions { strain_gradient: true, ..ModelOptions::default() },
             ModelOptions { correction: Some(Correction::WangMuser), ..ModelOptions::default() },
             ModelOptions { band: Some(Band::Profile), ..ModelOptions::default() },
-            ModelOptions { gamma: Some(0.3), ..ModelOptions::default() },
+            ModelOptions { gamma: EnergyFactor::new(0.3).ok(), ..ModelOptions::default() },
             ModelOptions {
                 interference_law: Some(stat_contact::InterferenceLaw::Bem),
                 ..ModelOptions::default()

@@ -3,6 +3,7 @@
 use clap::Args as ClapArgs;
 use clap::builder::TypedValueParser;
 use contact_law::{ContactLaw, Dialect, Heading, UnitSystem};
+use persson::EnergyFactor;
 use persson::variance::Band;
 use questions::{GapModel, LawForm};
 use stat_contact::InterferenceLaw;
@@ -12,7 +13,6 @@ use units::Pressure;
 
 use super::bem::RandomArgs;
 use super::parsers::{ModelName, one_of, parse_labelled_pressure, parse_tolerance};
-use super::persson::parse_gamma;
 use super::{HardnessFormulaArg, MaterialArgs, NormalisationArg, PressureArgs, ReadingArgs, SamplingArgs};
 
 /// Model of the gap: a law of asperities, Persson's theory, or boundary elements if there is none.
@@ -41,9 +41,9 @@ fn law_model() -> impl TypedValueParser<Value = &'static ModelEntry> {
 /// Options of the models that both commands have.
 #[derive(Debug, ClapArgs)]
 pub(crate) struct GapChoiceArgs {
-    /// Elastic energy factor of Persson's theory, in (0, 1]; 0.45 where not given
-    #[arg(long, value_name = "G", value_parser = parse_gamma, allow_hyphen_values = true)]
-    pub gamma: Option<f64>,
+    /// Elastic energy factor of Persson's theory, in (0, 1], 0.45 where not given, or the form fitted to boundary elements
+    #[arg(long, value_name = "G|fitted", allow_hyphen_values = true)]
+    pub gamma: Option<EnergyFactor>,
     /// Spectrum cut off at a wavelength in Persson's theory: 2d, that of the surface, which is the default and nearer to
     /// boundary elements, or 1d, that of profiles
     #[arg(long, value_parser = one_of::<Band, _>(Band::ALL))]

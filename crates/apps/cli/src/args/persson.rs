@@ -3,12 +3,12 @@
 use std::path::PathBuf;
 
 use clap::Args as ClapArgs;
+use persson::EnergyFactor;
 use persson::corrections::Correction;
 use persson::variance::Band;
 use study::growth_law::GrowthLaw;
 use study::models::ModelOptions;
-use study::persson_law::{Deformation, PerssonLaw};
-use units::Bound;
+use study::persson_law::Deformation;
 
 use super::parsers::{one_of, parse_place};
 use super::{AmplitudeArg, FigureArg, MaterialArgs, PressureArgs, ReadingArgs, SamplingArgs};
@@ -70,9 +70,9 @@ pub(crate) struct PerssonArgs {
     /// amplitudes of scales and --strain-gradient-length; table:FILE, with the columns contact_size_m and hardness_pa
     #[arg(long, value_name = "power:N|nix-gao|table:FILE", value_parser = parse_growth)]
     pub hardness_law: Option<GrowthArg>,
-    /// Elastic energy factor of the mean separation, in (0, 1]
-    #[arg(long, value_name = "G", default_value_t = PerssonLaw::ENERGY_FACTOR, value_parser = parse_gamma, allow_hyphen_values = true)]
-    pub gamma: f64,
+    /// Elastic energy factor of the mean separation, in (0, 1], or the form fitted to boundary elements
+    #[arg(long, value_name = "G|fitted", default_value_t, allow_hyphen_values = true)]
+    pub gamma: EnergyFactor,
     #[command(flatten)]
     pub loads: PressureArgs,
     #[command(flatten)]
@@ -105,10 +105,4 @@ fn parse_growth(text: &str) -> Result<GrowthArg, String> {
             None => Err(format!("'{text}' is none of power:N, nix-gao, table:FILE")),
         },
     }
-}
-
-pub(super) fn parse_gamma(text: &str) -> Result<f64, String> {
-    let gamma = text.parse().map_err(|_| format!("'{text}' is not a number"))?;
-    let bound = Bound::LeftOpen { above: 0.0, at_most: 1.0 };
-    bound.check("the elastic energy factor", gamma).map_err(|error| error.to_string())
 }

@@ -3,6 +3,7 @@
 use std::convert::Infallible;
 
 use contact_law::{ContactLaw, LawPoint};
+use persson::EnergyFactor;
 use persson::separation::{SeparationKnot, SeparationLaw};
 
 /// C1D ~ q^-2.6 from 1e4 to 1e6 rad/m, rms height 6 um, under steel against steel: E* = 115 GPa.
@@ -17,7 +18,7 @@ pub fn separation() -> SeparationLaw {
             SeparationKnot { wavevector_rad_per_m: q, variance_pa2, variance_exponent: 0.4 }
         })
         .collect();
-    SeparationLaw::new(&knots, modulus_pa, 0.45)
+    SeparationLaw::new(&knots, modulus_pa, EnergyFactor::ALMQVIST)
 }
 
 /// Samples the law of [`separation`] over a range of pressures \[Pa\].

@@ -2,6 +2,7 @@
 
 use interface::conductance::{Conductivities, Resistivities};
 use interface::leak::SealedJoint;
+use persson::EnergyFactor;
 use persson::sealing::PercolationThreshold;
 use persson::variance::Band;
 
@@ -11,8 +12,8 @@ use super::quantity::{Quantity, Slot};
 /// given.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InterfaceRequest {
-    /// The elastic energy factor gamma of Persson's theory, above 0 and at most 1.
-    pub energy_factor: f64,
+    /// The elastic energy factor gamma of Persson's theory.
+    pub energy_factor: EnergyFactor,
     /// The spectrum that a cutoff applies to in Persson's theory: that of profiles, or that of the surface.
     pub band: Band,
     /// Thermal conductivities of both bodies.

@@ -331,6 +331,7 @@ impl<'de> Deserialize<'de> for &'static ModelEntry {
 
 #[cfg(test)]
 mod tests {
+    use ::persson::EnergyFactor;
     use ::persson::corrections::Correction;
     use ::persson::variance::Band;
     use asperity::{ElasticBody, Hardness};
@@ -389,7 +390,7 @@ mod tests {
             interference_law: Some(InterferenceLaw::Bem),
             correction: Some(Correction::AlgebraicNayak),
             band: Some(Band::Profile),
-            gamma: Some(0.5),
+            gamma: EnergyFactor::new(0.5).ok(),
             hardness_law: Some(GrowthLaw::Power(0.5)),
         };
         assert_eq!(ModelOptions::default().given().count(), 0);

@@ -4,7 +4,7 @@ use asperity::{MaterialPair, NixGao};
 use persson::corrections::Correction;
 use persson::hardness_laws::{Hardness, HardnessError, HardnessGrowth};
 use persson::variance::Band;
-use persson::{PerssonModel, Roughness, RoughnessSample};
+use persson::{EnergyFactor, PerssonModel, Roughness, RoughnessSample};
 use spectrum::{Moments, Normalisation, ProfilePsd};
 use stacked_contact::Scale;
 
@@ -112,7 +112,7 @@ impl TheoryLaw for Persson {
         ModelOptions {
             correction: self.law.correction().flatten(),
             band: (band != Band::default()).then_some(band),
-            gamma: (energy_factor != PerssonLaw::ENERGY_FACTOR).then_some(energy_factor),
+            gamma: (energy_factor != EnergyFactor::default()).then_some(energy_factor),
             hardness_law: self.law.plastic().and_then(PlasticLaw::growth).cloned(),
             ..ModelOptions::default()
         }
@@ -148,8 +148,8 @@ pub struct PerssonLaw {
     pub deformation: PerssonDeformation,
     /// The spectrum that a cutoff ends.
     pub band: Band,
-    /// The elastic energy factor of separations, in (0, 1].
-    pub energy_factor: f64,
+    /// The elastic energy factor of separations.
+    pub energy_factor: EnergyFactor,
 }
 
 /// The deformation of the surface in Persson's theory.
@@ -178,14 +178,11 @@ pub struct PlasticLaw {
 }
 
 impl PerssonLaw {
-    /// The elastic energy factor of separations (Almqvist et al. 2011).
-    pub const ENERGY_FACTOR: f64 = ModelOptions::ENERGY_FACTOR;
-
     /// Returns the law of a deformation, with the other choices as given or by default.
     #[must_use]
     pub fn new(deformation: PerssonDeformation, options: &ModelOptions) -> Self {
-        let energy_factor = options.gamma.unwrap_or(Self::ENERGY_FACTOR);
-        PerssonLaw { deformation, band: options.band.unwrap_or_default(), energy_factor }
+        let (band, energy_factor) = (options.band.unwrap_or_default(), options.gamma.unwrap_or_default());
+        PerssonLaw { deformation, band, energy_factor }
     }
 
     /// Returns the law of the hardness, or nothing for an elastic surface.

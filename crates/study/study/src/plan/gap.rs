@@ -1,10 +1,10 @@
 //! Surfaces under any load, with their mean gaps.
 
 use asperity::AsperityError;
-use persson::Roughness;
 use persson::hardness_laws::HardnessError;
 use persson::separation::SeparationLaw;
 use persson::variance::Band;
+use persson::{EnergyFactor, Roughness};
 
 use super::Tolerance;
 
@@ -25,8 +25,8 @@ pub struct GapState {
 /// Choices beside the model.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GapChoices {
-    /// Elastic energy factor of Persson's theory, in (0, 1].
-    pub energy_factor: f64,
+    /// Elastic energy factor of Persson's theory.
+    pub energy_factor: EnergyFactor,
     /// The band that a cutoff lets through in Persson's theory.
     pub band: Band,
     /// Relative tolerance of statistical states.

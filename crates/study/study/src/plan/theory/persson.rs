@@ -5,7 +5,7 @@ use std::ops::Range;
 use ::persson::hardness_laws::HardnessError;
 use ::persson::separation::SeparationLaw;
 use ::persson::variance::Band;
-use ::persson::{Cut, PerssonModel, Roughness};
+use ::persson::{Cut, EnergyFactor, PerssonModel, Roughness};
 use serde::Serialize;
 use stat_contact::Condition;
 use tables::Table;
@@ -80,7 +80,7 @@ impl PerssonSurface {
     fn of_roughness(
         theory: &Persson,
         roughness: Roughness,
-        energy_factor: f64,
+        energy_factor: EnergyFactor,
     ) -> Result<Self, HardnessError> {
         let model = theory.law.model(&theory.pair)?;
         let separation = model.separation(&roughness, energy_factor);
