@@ -223,7 +223,7 @@ impl Adviser<'_> {
     /// the scene does not use wavelengths beyond that end.
     fn prolongation(&self, end: End, psd: &ProfilePsd, progress: &dyn Progress) -> Option<Prolongation> {
         let law = PowerLaw::at(end, psd)?;
-        if end == End::Short && self.areas.has_cutoff() {
+        if end == End::Short && self.areas.cutoff_m().is_some() {
             return None;
         }
         let count = PROLONGED_DRAWS.min(self.drawn.ln_areas.len());

@@ -61,9 +61,9 @@ impl Areas {
         self.needs.loads.len()
     }
 
-    /// True if the scene sets a cutoff.
-    pub fn has_cutoff(&self) -> bool {
-        self.sampling.cutoff_m.is_some()
+    /// The cutoff that the scene sets \[m\].
+    pub fn cutoff_m(&self) -> Option<f64> {
+        self.sampling.cutoff_m
     }
 
     /// The number of areas of a draw.

@@ -3,6 +3,7 @@
 mod advice;
 mod areas;
 mod bands;
+mod dense_draws;
 mod draws;
 mod gains;
 mod group;

@@ -7,6 +7,7 @@ use study::plan::{Cutoffs, PlanError, Results, Work};
 use crate::advice::{Adviser, MIN_SCANS};
 use crate::areas::{Areas, Points};
 use crate::bands::{self, band};
+use crate::dense_draws::DenseDraws;
 use crate::draws::{self, Along, Drawn};
 use crate::group::Indices;
 use crate::inputs::Inputs;
@@ -109,7 +110,8 @@ impl<'p> UncertaintyPlan<'p> {
         let ended_early = is_incomplete || progress.is_cancelled();
         work += of_advice;
         plans += plans_of_advice;
-        let (areas, of_best) = self.intervals_of(&drawn, &indices);
+        let dense = self.dense(&drawn);
+        let (areas, of_best) = self.intervals_of(&drawn, &dense, &indices);
         work += of_best;
         plans += 1;
         let mut found = Uncertainty {
@@ -129,7 +131,7 @@ impl<'p> UncertaintyPlan<'p> {
             work,
             plans,
         };
-        let QuantityDraws { intervals, open_channels } = self.quantities_of(draws, &found.areas, progress);
+        let QuantityDraws { intervals, open_channels } = self.quantities_of(&dense, &found.areas, progress);
         (found.quantities, found.open_channels) = (intervals, open_channels);
         self.describe_inputs(&mut found);
         let beyond_an_end = 0.5 * (1.0 - self.settings.level) * draws as f64;
@@ -151,7 +153,8 @@ impl<'p> UncertaintyPlan<'p> {
     /// # Errors
     /// [`PlanError::Cancelled`] where fewer than 20 draws were made by then.
     pub fn intervals(&self, progress: &dyn Progress) -> Result<Vec<AreaInterval>, PlanError> {
-        Ok(self.intervals_of(&self.drawn(progress)?, &[]).0)
+        let drawn = self.drawn(progress)?;
+        Ok(self.intervals_of(&drawn, &self.dense(&drawn), &[]).0)
     }
 
     /// Makes the draws, fewer if they are cancelled.
@@ -164,20 +167,36 @@ impl<'p> UncertaintyPlan<'p> {
         Ok(drawn)
     }
 
+    /// Draws between those that were made.
+    fn dense(&self, drawn: &Drawn) -> DenseDraws {
+        DenseDraws::new(&self.inputs, self.areas.cutoff_m(), drawn.ln_areas.len())
+    }
+
     /// The interval of every area that has one, centred on the best estimates.
-    fn intervals_of(&self, drawn: &Drawn, indices: &[Vec<Indices>]) -> (Vec<AreaInterval>, Work) {
+    fn intervals_of(
+        &self,
+        drawn: &Drawn,
+        dense: &DenseDraws,
+        indices: &[Vec<Indices>],
+    ) -> (Vec<AreaInterval>, Work) {
         let best = match self.inputs.best_psd() {
             Some(psd) => self.areas.at_the_end(psd.as_ref(), self.areas.curves().to_vec()),
             None => self.areas.nothing(),
         };
-        let interval = |area: usize| self.interval(area, drawn, best.ln_areas[area], indices);
-        ((0..self.areas.count()).filter_map(interval).collect(), best.work)
+        let areas: Vec<usize> = (0..self.areas.count()).collect();
+        let interval = |&area: &usize| self.interval(area, drawn, dense, best.ln_areas[area], indices);
+        (parallel::map(&areas, interval).into_iter().flatten().collect(), best.work)
     }
 
-    fn quantities_of(&self, draws: usize, areas: &[AreaInterval], progress: &dyn Progress) -> QuantityDraws {
+    fn quantities_of(
+        &self,
+        dense: &DenseDraws,
+        areas: &[AreaInterval],
+        progress: &dyn Progress,
+    ) -> QuantityDraws {
         let level = self.settings.level;
         let intervals =
-            |quantities: &Quantities<'_>| quantities.intervals(&self.inputs, draws, level, areas, progress);
+            |quantities: &Quantities<'_>| quantities.intervals(&self.inputs, dense, level, areas, progress);
         self.quantities.as_ref().map(intervals).unwrap_or_default()
     }
 
@@ -224,6 +243,7 @@ impl<'p> UncertaintyPlan<'p> {
         &self,
         area: usize,
         drawn: &Drawn,
+        dense: &DenseDraws,
         best: Option<f64>,
         indices: &[Vec<Indices>],
     ) -> Option<AreaInterval> {
@@ -233,9 +253,13 @@ impl<'p> UncertaintyPlan<'p> {
         }
         // A certain surface needs no correction for bias.
         let best = best.filter(|_| self.inputs.surface_scatters());
-        let at_level = |level| match best {
-            Some(best) => area_interval_about(best, &ln_areas, level),
-            None => interval(&ln_areas, level),
+        let filled = dense.fill(&drawn.in_every(area));
+        let at_level = |level| {
+            let found = match best {
+                Some(best) => area_interval_about(best, &filled.values, level),
+                None => interval(&filled.values, level),
+            };
+            Some(found?.with_errors_times(filled.error_factor))
         };
         let found = at_level(self.settings.level)?;
         let within = at_level(ONE_STANDARD_UNCERTAINTY)?;

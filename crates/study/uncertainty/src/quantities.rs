@@ -8,6 +8,7 @@ use study::plan::{Needs, Plan, Results};
 
 use spectrum::ProfilePsd;
 
+use crate::dense_draws::DenseDraws;
 use crate::inputs::Inputs;
 use crate::material_draws::DrawnMaterial;
 use crate::quantiles::{Interval, interval, percentiles_about};
@@ -39,16 +40,17 @@ impl<'p> Quantities<'p> {
         Some(Quantities { scene, results, slots })
     }
 
-    /// Computes the intervals of all quantities with a value from `draws` draws, at a level; empty if cancelled. A
+    /// Computes the intervals of all quantities with a value from the computed draws, at a level; empty if cancelled. A
     /// quantity from the area of a curve takes the interval of that area. `progress` advances once per draw.
     pub fn intervals(
         &self,
         inputs: &Inputs,
-        draws: usize,
+        dense: &DenseDraws,
         level: f64,
         areas: &[AreaInterval],
         progress: &dyn Progress,
     ) -> QuantityDraws {
+        let draws = dense.computed();
         let numbers: Vec<u64> = (0..draws as u64).collect();
         let of_draw = |&number: &u64| {
             if progress.is_cancelled() {
@@ -58,8 +60,8 @@ impl<'p> Quantities<'p> {
             progress.advance(1);
             found
         };
-        let drawn: Vec<Vec<Option<f64>>> = parallel::map(&numbers, of_draw).into_iter().flatten().collect();
-        if progress.is_cancelled() || drawn.is_empty() {
+        let drawn: Vec<Option<Vec<Option<f64>>>> = parallel::map(&numbers, of_draw);
+        if progress.is_cancelled() || drawn.iter().all(Option::is_none) {
             return QuantityDraws::default();
         }
         let best = inputs.surface_scatters().then(|| self.best(inputs)).flatten();
@@ -75,22 +77,26 @@ impl<'p> Quantities<'p> {
                     .find(is_its)
                     .map(|area| QuantityInterval::in_proportion(*slot, value, area));
             }
-            let ln_values: Vec<f64> = drawn.iter().filter_map(|draw| draw[at]).collect();
+            let ln_values: Vec<Option<f64>> = drawn.iter().map(|draw| draw.as_ref()?[at]).collect();
+            let filled = dense.fill(&ln_values);
             let found = match best.as_ref().and_then(|best| best[at]) {
                 // Leaks scatter over decades to one side, and their mirror image is no interval.
-                Some(best) => percentiles_about(best, &ln_values, level),
-                None => interval(&ln_values, level),
+                Some(best) => percentiles_about(best, &filled.values, level),
+                None => interval(&filled.values, level),
             };
-            let is_told = ln_values.len() as f64 >= MIN_SHARE_WITH_VALUE * draws as f64;
+            let found = found.map(|found| found.with_errors_times(filled.error_factor));
+            let told = ln_values.iter().flatten().count() as f64;
+            let is_told = told >= MIN_SHARE_WITH_VALUE * draws as f64;
             let largest = slot.load.map_or(1.0, |load| plain.largest_stiffness_over_theory(load));
             let found = found.filter(|_| is_told).map(|found| QuantityInterval::new(*slot, value, &found));
             found.map(|found| found.with_stiffness_up_to(largest))
         };
         let open = |(at, slot): (usize, &Slot)| {
             let is_open = |draw: &&Vec<Option<f64>>| draw[at].is_some();
+            let drawn = || drawn.iter().flatten();
             let is_channel = slot.quantity == Quantity::ChannelWavelength;
             let load = slot.load.filter(|_| is_channel)?;
-            let share = drawn.iter().filter(is_open).count() as f64 / drawn.len() as f64;
+            let share = drawn().filter(is_open).count() as f64 / drawn().count() as f64;
             Some(OpenChannel { load, share })
         };
         QuantityDraws {
