@@ -4,11 +4,14 @@
 //! Cutting off the spectrum of profiles is not cutting off the surface: C1D at q holds every wave of the surface with
 //! |q'| > q.
 
-use std::f64::consts::PI;
+use std::f64::consts::{LN_10, PI};
 
 use numerics::GaussLegendre;
 use serde::{Deserialize, Serialize};
 use units::named;
+
+/// Standard error to which the exponent at the end of a spectrum is wanted.
+const SLOPE_ERROR: f64 = 0.1;
 
 /// Spectrum that a cutoff applies to.
 ///
@@ -110,6 +113,60 @@ pub fn spectral_exponents(samples: &[SpectrumSample]) -> Vec<f64> {
     exponents
 }
 
+/// Exponent with which a spectrum goes on beyond its last sample: the slope of its last samples, of as few as give it to
+/// [`SLOPE_ERROR`] in view of their scatter, but of no more than half a decade. Of a table without scatter that is the slope of
+/// the last two.
+///
+/// A spectrum of a few scans scatters from bin to bin; the slope of two bins would turn that into areas which are too large in
+/// the mean.
+fn exponent_at_the_end(samples: &[SpectrumSample], of_last_two: f64) -> f64 {
+    let point = |sample: &SpectrumSample| [sample.wavevector_rad_per_m.ln(), sample.c1d_m3.ln()];
+    let points: Vec<[f64; 2]> = samples.iter().map(point).collect();
+    let last = |count: usize| &points[points.len() - count..];
+    let within = |decades: f64| {
+        let end = points.last().map_or(0.0, |point| point[0]);
+        last(points.iter().rev().take_while(|point| point[0] >= end - decades * LN_10).count())
+    };
+    let (scatter, longest) = (scatter(within(1.0)), within(0.5).len());
+    let mut exponent = of_last_two;
+    for count in 2..=longest {
+        let (slope, spread) = line(last(count));
+        if count > 2 {
+            exponent = slope;
+        }
+        if scatter <= SLOPE_ERROR * spread {
+            break;
+        }
+    }
+    exponent
+}
+
+/// Least-squares slope of some points, and the root of the sum of squares of their places about the mean.
+fn line(points: &[[f64; 2]]) -> (f64, f64) {
+    let count = points.len() as f64;
+    let [place, value] = [0, 1].map(|at| points.iter().map(|point| point[at]).sum::<f64>() / count);
+    let squares: f64 = points.iter().map(|point| (point[0] - place).powi(2)).sum();
+    let products: f64 = points.iter().map(|point| (point[0] - place) * (point[1] - value)).sum();
+    (products / squares, squares.sqrt())
+}
+
+/// Standard deviation of points about a smooth curve: from the distance of each from the line between its neighbours, which
+/// changes little from point to point on a curve, and the median of these changes. 0 for fewer than four points.
+fn scatter(points: &[[f64; 2]]) -> f64 {
+    /// Standard deviation of a normal distribution over the median of its absolute values.
+    const OF_MEDIAN: f64 = 1.4826;
+    /// Standard deviation of the changes over that of evenly spaced points.
+    const OF_CHANGES: f64 = 2.236;
+    let off = |three: &[[f64; 2]]| {
+        let share = (three[1][0] - three[0][0]) / (three[2][0] - three[0][0]);
+        three[1][1] - (three[0][1] + share * (three[2][1] - three[0][1]))
+    };
+    let off: Vec<f64> = points.windows(3).map(off).collect();
+    let mut changes: Vec<f64> = off.windows(2).map(|pair| (pair[1] - pair[0]).abs()).collect();
+    changes.sort_by(f64::total_cmp);
+    changes.get(changes.len() / 2).map_or(0.0, |median| OF_MEDIAN / OF_CHANGES * median)
+}
+
 /// Contribution of the waves shorter than a cutoff to the profile's m2 below it.
 struct Tails<'a> {
     samples: &'a [SpectrumSample],
@@ -123,7 +180,7 @@ impl<'a> Tails<'a> {
         let mut exponents = spectral_exponents(samples);
         // No surface has a spectrum of profiles that rises for ever.
         if let Some(last) = exponents.last_mut() {
-            *last = last.min(0.0);
+            *last = exponent_at_the_end(samples, *last).min(0.0);
         }
         Tails { samples, exponents, narrow: GaussLegendre::new(6), wide: GaussLegendre::new(12) }
     }
@@ -226,6 +283,28 @@ mod tests {
             assert!((from_first[at] / known - 1.0).abs() < 2e-3, "{q}: {} {known}", from_first[at]);
             assert!(cut[at] < from_first[at], "{q}");
         }
+    }
+
+    #[test]
+    fn a_spectrum_that_scatters_ends_with_the_slope_of_its_last_half_decade() {
+        let scattering: Vec<SpectrumSample> = power_law(-2.6)
+            .iter()
+            .enumerate()
+            .map(|(at, sample)| SpectrumSample {
+                c1d_m3: sample.c1d_m3 * if at % 2 == 0 { 0.9 } else { 1.1 },
+                ..*sample
+            })
+            .collect();
+        let last_two = spectral_exponents(&scattering).pop().unwrap();
+        let found = exponent_at_the_end(&scattering, last_two);
+        assert!((last_two + 2.6).abs() > 0.4, "{last_two}");
+        assert!((found + 2.6).abs() < 0.2, "{found}");
+        // Without scatter the last two decide, whatever came before.
+        let mut bent = power_law(-2.6);
+        let last = bent.len() - 1;
+        bent[last].c1d_m3 *= 0.5;
+        let last_two = spectral_exponents(&bent).pop().unwrap();
+        assert_eq!(exponent_at_the_end(&bent, last_two), last_two);
     }
 
     #[test]
