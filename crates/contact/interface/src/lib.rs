@@ -3,6 +3,7 @@
 //! Modules by subject:
 //! * [`conductance`]: heat and current by Barber's analogy and by correlations for plastic contact, one circular
 //!   spot, and the effects that none of them includes;
+//! * [`gas`]: heat through the gas in the gaps, and its gas parameter;
 //! * [`leak`]: the leak rate of a seal, to an order of magnitude;
 //! * [`friction`]: friction of a contact of known area;
 //! * [`tangential`]: displacement, slip and energy lost under a tangential load;
@@ -12,6 +13,7 @@
 pub mod adhesion;
 pub mod conductance;
 pub mod friction;
+pub mod gas;
 pub mod leak;
 pub mod tangential;
 
