@@ -2,11 +2,13 @@
 //!
 //! * [`ContactLaw`]: pressures and gaps as close together as linear interpolation needs, [`LawPoint`] by point.
 //! * [`ExponentialLaw`]: the limit of light loads, which CalculiX takes as two numbers.
+//! * [`ConductanceTable`]: thermal or electrical conductance against pressure.
 //! * [`UnitSystem`]: the units of a finite element model.
 //! * [`Dialect`]: the format of a code, and [`Heading`], the comments in front of the numbers.
 #![deny(missing_docs)]
 
 mod conductance;
+mod conductance_sampling;
 mod dialect;
 mod error;
 mod exponential;
@@ -16,7 +18,7 @@ mod law;
 mod sampling;
 mod unit_system;
 
-pub use conductance::{ConductanceError, ConductanceTable};
+pub use conductance::{ConductanceError, ConductancePoint, ConductanceTable, Flow};
 pub use dialect::{Column, Dialect};
 pub use error::{ContactLawError, SamplingError};
 pub use exponential::ExponentialLaw;
