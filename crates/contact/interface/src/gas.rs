@@ -49,6 +49,10 @@ pub struct RarefiedGas {
 impl RarefiedGas {
     /// Temperature at which tables give mean free paths, 15 C \[K\].
     pub const REFERENCE_TEMPERATURE_K: f64 = 288.15;
+    /// Range of an accommodation coefficient.
+    pub const ACCOMMODATIONS: Bound = Bound::LeftOpen { above: 0.0, at_most: 1.0 };
+    /// Range of the ratio of specific heats.
+    pub const HEAT_CAPACITY_RATIOS: Bound = Bound::LeftOpen { above: 1.0, at_most: 2.0 };
     /// Pressure at which tables give mean free paths, 1 atm \[Pa\].
     pub const REFERENCE_PRESSURE_PA: f64 = 101_325.0;
 
@@ -77,12 +81,10 @@ impl RarefiedGas {
     pub fn parameter_m(&self) -> Result<f64, OutOfBounds> {
         let mut alpha = 0.0;
         for accommodation in self.accommodation {
-            let bound = Bound::LeftOpen { above: 0.0, at_most: 1.0 };
-            let accommodation = bound.check("accommodation coefficient", accommodation)?;
+            let accommodation = Self::ACCOMMODATIONS.check("accommodation coefficient", accommodation)?;
             alpha += (2.0 - accommodation) / accommodation;
         }
-        let bound = Bound::LeftOpen { above: 1.0, at_most: 2.0 };
-        let ratio = bound.check("ratio of specific heats", self.heat_capacity_ratio)?;
+        let ratio = Self::HEAT_CAPACITY_RATIOS.check("ratio of specific heats", self.heat_capacity_ratio)?;
         let prandtl_number = Bound::Magnitude.check("Prandtl number", self.prandtl_number)?;
         let path_m = Bound::Magnitude.check("mean free path in m", self.mean_free_path_m)?;
         Ok(alpha * (2.0 * ratio / (prandtl_number * (1.0 + ratio))) * path_m)

@@ -317,7 +317,7 @@ impl LawQuestion {
         Ok(FoundLaw { model: entry, law, range_pa, notes })
     }
 
-    fn range_pa(&self, material: &Material) -> Result<[f64; 2], QuestionError> {
+    pub(crate) fn range_pa(&self, material: &Material) -> Result<[f64; 2], QuestionError> {
         let [from, to] =
             [self.from, self.to].map(|end| nominal_pressure(OptionName::PressureRange, None, end, material));
         Ok([from?.pa(), to?.pa()])

@@ -3,6 +3,7 @@
 mod adhesion;
 mod ball;
 mod choices;
+mod conductance;
 mod counts;
 mod curve;
 mod elements;
@@ -24,6 +25,7 @@ mod text;
 
 pub use adhesion::{AdhesionQuestion, PreparedAdhesion};
 pub use ball::{BallQuestion, PreparedBall};
+pub use conductance::{FoundConductance, GasInput, LawAnswer, LawQuantity, LawTableQuestion, TransportInput};
 pub use counts::{CurveCounts, CutCounts, LevelCounts};
 pub use curve::{CurveQuestion, CurveStream, PreparedCurve};
 pub use elements::{ElementsLoad, ElementsQuestion, PreparedElements, RandomInput};
@@ -41,6 +43,8 @@ pub use scene_run::{Phase, RunError, RunOptions, SceneOutcome, Unwatched, Watch,
 pub use spectrum::{SpectrumQuantity, SpectrumQuestion};
 pub use states::StatesQuestion;
 pub use tangential::TangentialQuestion;
+
+pub use interface::conductance::PlasticCorrelation;
 
 use study::figure::FigureData;
 use tables::Table;

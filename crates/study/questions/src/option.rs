@@ -7,14 +7,22 @@ use study::models::Choice;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum OptionName {
+    /// Accommodation coefficient of a gas on the rough body.
+    Accommodation,
     /// Amplitude of a scale.
     Amplitude,
     /// Edges of a map.
     Boundary,
     /// Channel of a file of heights.
     Channel,
+    /// Accommodation coefficient of a gas on the counterface.
+    CounterfaceAccommodation,
     /// Poisson's ratio of the counterface.
     CounterfacePoissonRatio,
+    /// Electrical resistivity of the counterface.
+    CounterfaceResistivity,
+    /// Thermal conductivity of the counterface.
+    CounterfaceThermalConductivity,
     /// Shortest wavelength that takes part.
     Cutoff,
     /// Trend that is subtracted from a map.
@@ -27,34 +35,54 @@ pub enum OptionName {
     Form,
     /// Coefficient of friction.
     Friction,
+    /// Thermal conductivity of the gas in the gaps.
+    GasConductivity,
+    /// Gas parameter, a length.
+    GasParameter,
+    /// Pressure of the gas.
+    GasPressure,
+    /// Temperature of the gas.
+    GasTemperature,
     /// Points along a side of a random surface.
     Grid,
+    /// Ratio of specific heats of the gas.
+    HeatCapacityRatio,
     /// Indentation hardness.
     IndentationHardness,
     /// Longest wavelength of random surfaces.
     Longest,
+    /// Mean free path of the gas.
+    MeanFreePath,
     /// Treatment of points without a height.
     MissingPoints,
     /// Model.
     Model,
     /// Option of a model.
     ModelOption(Choice),
+    /// Name of a surface interaction.
+    Name,
     /// Normalisation of moments.
     Normalisation,
     /// Phases of random surfaces.
     Phases,
     /// Poisson's ratio of the rough body.
     PoissonRatio,
+    /// Prandtl number of the gas.
+    PrandtlNumber,
     /// Nominal pressure.
     Pressure,
     /// Range of nominal pressures of a law.
     PressureRange,
     /// Ranges of nominal pressures.
     Pressures,
+    /// Quantity of a law.
+    Quantity,
     /// Options for reading spectra.
     Reading,
     /// Number of random surfaces.
     Realisations,
+    /// Electrical resistivity of the rough body.
+    Resistivity,
     /// Pressure at which boundary elements yield.
     Saturation,
     /// Density of scales.
@@ -75,6 +103,8 @@ pub enum OptionName {
     StrengthCap,
     /// Tangential stress.
     TangentialStress,
+    /// Thermal conductivity of the rough body.
+    ThermalConductivity,
     /// Relative tolerance of statistical states.
     Tolerance,
     /// Unit of a scan.
@@ -147,6 +177,10 @@ pub enum Reason {
     BoundaryElements,
     /// The file is of the other kind.
     KindOfFile(Kind),
+    /// The quantity of a law does not depend on it.
+    Quantity(&'static str),
+    /// Another option that is given replaces it.
+    Beside(OptionName),
 }
 
 /// A front end's way to write options.

@@ -5,11 +5,14 @@ use clap::builder::TypedValueParser;
 use contact_law::{ContactLaw, Dialect, Heading, UnitSystem};
 use persson::EnergyFactor;
 use persson::variance::Band;
-use questions::{GapModel, LawForm};
+use questions::{
+    GapModel, GasInput, LawForm, LawQuantity, LawQuestion, LawTableQuestion, PlasticCorrelation,
+    TransportInput,
+};
 use stat_contact::InterferenceLaw;
 use study::models::{self, ModelEntry, ModelOptions};
 use study::plan::Tolerance;
-use units::Pressure;
+use units::{Length, Pressure, Resistivity, ThermalConductivity};
 
 use super::bem::RandomArgs;
 use super::parsers::{ModelName, one_of, parse_labelled_pressure, parse_tolerance};
@@ -34,8 +37,20 @@ fn gap_model() -> impl TypedValueParser<Value = GapModelArg> {
     })
 }
 
-fn law_model() -> impl TypedValueParser<Value = &'static ModelEntry> {
-    ModelName(models::with_gaps().map(|entry| entry.name).collect()).try_map(|name| entry(&name))
+/// Model behind a law: that of a gap, or a correlation of conductances.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum LawModelArg {
+    Gap(&'static ModelEntry),
+    Correlation(PlasticCorrelation),
+}
+
+fn law_model() -> impl TypedValueParser<Value = LawModelArg> {
+    let correlations = PlasticCorrelation::ALL.iter().map(|correlation| correlation.name());
+    let names = models::with_gaps().map(|entry| entry.name).chain(correlations);
+    ModelName(names.collect()).try_map(|name| match name.parse() {
+        Ok(correlation) => Ok(LawModelArg::Correlation(correlation)),
+        Err(_) => entry(&name).map(LawModelArg::Gap),
+    })
 }
 
 /// Options of the models that both commands have.
@@ -139,9 +154,12 @@ pub(crate) struct LawArgs {
     pub psd: String,
     #[command(flatten)]
     pub reading: ReadingArgs,
-    /// Model behind the law: Persson's theory, or a law of asperities
+    /// Model behind the law: Persson's theory, or a law of asperities; for conductances also a correlation for flowed peaks
     #[arg(long, value_parser = law_model())]
-    pub model: &'static ModelEntry,
+    pub model: LawModelArg,
+    /// Quantity of the law: pressure over overclosure, or the conductance of heat or current over pressure
+    #[arg(long, value_parser = one_of::<LawQuantity, _>(LawQuantity::ALL), default_value = LawQuantity::Pressure.name())]
+    pub quantity: LawQuantity,
     /// Finite element program that reads the law
     #[arg(long, value_parser = one_of::<Dialect, _>(Dialect::ALL))]
     pub dialect: Dialect,
@@ -151,17 +169,123 @@ pub(crate) struct LawArgs {
     /// The least and the largest nominal pressure of interest
     #[arg(long, value_name = "FROM:TO", value_parser = parse_range, allow_hyphen_values = true)]
     pub pressure_range: [Pressure; 2],
-    /// The largest relative error of the pressure on the straight lines between the rows
+    /// The largest relative error of the pressure, or of the conductance, on the straight lines between the rows
     #[arg(long, value_name = "E", default_value_t = ContactLaw::TOLERANCE)]
     pub error: f64,
-    /// Form of the law for calculix: a table, or the exponential law of light loads that Persson's theory has
-    #[arg(long, value_parser = one_of::<LawForm, _>(LawForm::ALL), default_value = "table")]
-    pub form: LawForm,
-    /// The name of the surface interaction
-    #[arg(long, value_name = "NAME", default_value = Heading::NAME, value_parser = parse_name)]
-    pub name: String,
+    /// Form of the law for calculix: a table, which is the default, or the exponential law of light loads that Persson's
+    /// theory has
+    #[arg(long, value_parser = one_of::<LawForm, _>(LawForm::ALL))]
+    pub form: Option<LawForm>,
+    /// The name of the surface interaction, ROUGH where not given
+    #[arg(long, value_name = "NAME", value_parser = parse_name)]
+    pub name: Option<String>,
+    #[command(flatten)]
+    pub transport: TransportArgs,
+    #[command(flatten)]
+    pub gas: GasArgs,
     #[command(flatten)]
     pub choices: GapChoiceArgs,
+}
+
+/// Conductivities and resistivities of the bodies.
+#[derive(Debug, ClapArgs)]
+pub(crate) struct TransportArgs {
+    /// Thermal conductivity of the rough body, for --quantity heat; that of the table of materials where not given
+    #[arg(long, value_name = "K", allow_hyphen_values = true)]
+    pub thermal_conductivity: Option<ThermalConductivity>,
+    /// Thermal conductivity of the counterface
+    #[arg(long, value_name = "K", allow_hyphen_values = true)]
+    pub counterface_thermal_conductivity: Option<ThermalConductivity>,
+    /// Electrical resistivity of the rough body, for --quantity current; that of the table of materials where not given
+    #[arg(long, value_name = "RHO", allow_hyphen_values = true)]
+    pub resistivity: Option<Resistivity>,
+    /// Electrical resistivity of the counterface
+    #[arg(long, value_name = "RHO", allow_hyphen_values = true)]
+    pub counterface_resistivity: Option<Resistivity>,
+}
+
+/// Gas in the gaps.
+#[derive(Debug, ClapArgs)]
+pub(crate) struct GasArgs {
+    /// Thermal conductivity of the gas in the gaps, for --quantity heat; vacuum where not given
+    #[arg(long, value_name = "K", allow_hyphen_values = true)]
+    pub gas_conductivity: Option<ThermalConductivity>,
+    /// Gas parameter M, which lengthens every gap by the temperature jumps at its walls
+    #[arg(long, value_name = "L", allow_hyphen_values = true)]
+    pub gas_parameter: Option<Length>,
+    /// Thermal accommodation coefficient of the gas on the rough body, in (0, 1]; in place of --gas-parameter, with the
+    /// four options that follow
+    #[arg(long, value_name = "A", allow_hyphen_values = true)]
+    pub accommodation: Option<f64>,
+    /// Thermal accommodation coefficient of the gas on the counterface, in (0, 1]
+    #[arg(long, value_name = "A", allow_hyphen_values = true)]
+    pub counterface_accommodation: Option<f64>,
+    /// Ratio of specific heats of the gas, in (1, 2]
+    #[arg(long, value_name = "GAMMA", allow_hyphen_values = true)]
+    pub heat_capacity_ratio: Option<f64>,
+    /// Prandtl number of the gas
+    #[arg(long, value_name = "PR", allow_hyphen_values = true)]
+    pub prandtl_number: Option<f64>,
+    /// Mean free path of the gas at 15 C and 1 atm
+    #[arg(long, value_name = "L", allow_hyphen_values = true)]
+    pub mean_free_path: Option<Length>,
+    /// Temperature of the gas in kelvins, as in 400K; 288.15K where not given
+    #[arg(long, value_name = "T", value_parser = parse_kelvins, allow_hyphen_values = true)]
+    pub gas_temperature: Option<f64>,
+    /// Pressure of the gas, 1 atm where not given
+    #[arg(long, value_name = "P", allow_hyphen_values = true)]
+    pub gas_pressure: Option<Pressure>,
+}
+
+impl TransportArgs {
+    fn input(&self) -> TransportInput {
+        let w_per_m_k = |given: Option<ThermalConductivity>| given.map(|conductivity| conductivity.w_per_m_k);
+        let ohm_m = |given: Option<Resistivity>| given.map(|resistivity| resistivity.ohm_m);
+        TransportInput {
+            thermal_conductivity_w_per_m_k: w_per_m_k(self.thermal_conductivity),
+            counterface_thermal_conductivity_w_per_m_k: w_per_m_k(self.counterface_thermal_conductivity),
+            resistivity_ohm_m: ohm_m(self.resistivity),
+            counterface_resistivity_ohm_m: ohm_m(self.counterface_resistivity),
+        }
+    }
+}
+
+impl GasArgs {
+    fn input(&self) -> GasInput {
+        GasInput {
+            conductivity_w_per_m_k: self.gas_conductivity.map(|conductivity| conductivity.w_per_m_k),
+            parameter_m: self.gas_parameter.map(|length| length.m),
+            accommodation: self.accommodation,
+            counterface_accommodation: self.counterface_accommodation,
+            heat_capacity_ratio: self.heat_capacity_ratio,
+            prandtl_number: self.prandtl_number,
+            mean_free_path_m: self.mean_free_path.map(|length| length.m),
+            temperature_k: self.gas_temperature,
+            pressure: self.gas_pressure,
+        }
+    }
+}
+
+impl LawArgs {
+    /// The question that these options ask.
+    pub fn question(&self) -> LawTableQuestion {
+        let (model, correlation) = match self.model {
+            LawModelArg::Gap(entry) => (Some(entry), None),
+            LawModelArg::Correlation(correlation) => (None, Some(correlation)),
+        };
+        let [from, to] = self.pressure_range;
+        let named = &self.choices.material.named;
+        let question = LawTableQuestion {
+            law: LawQuestion { by: self.choices.input(model), from, to },
+            quantity: self.quantity,
+            correlation,
+            transport: self.transport.input(),
+            gas: self.gas.input(),
+            form: self.form,
+            name: self.name.clone(),
+        };
+        question.filled_from(named.material.as_ref(), named.on.as_ref())
+    }
 }
 
 fn parse_range(text: &str) -> Result<[Pressure; 2], String> {
@@ -170,6 +294,16 @@ fn parse_range(text: &str) -> Result<[Pressure; 2], String> {
         .ok_or_else(|| format!("'{text}' is not a range of pressures; write FROM:TO, as in '1kPa:1GPa'"))?;
     let end = |text: &str| text.trim().parse::<Pressure>().map_err(|error| error.to_string());
     Ok([end(from)?, end(to)?])
+}
+
+fn parse_kelvins(text: &str) -> Result<f64, String> {
+    let number = text.trim().strip_suffix('K').map(|number| number.trim().parse::<f64>());
+    match number {
+        Some(Ok(kelvins)) if kelvins > 0.0 && kelvins.is_finite() => Ok(kelvins),
+        _ => Err(format!(
+            "'{text}' is not a temperature above 0 in kelvins; write a number with K, as in '400K'"
+        )),
+    }
 }
 
 fn parse_name(text: &str) -> Result<String, String> {

@@ -1,7 +1,7 @@
-//! `law`: pressure against overclosure for finite elements.
+//! `law`: pressure against overclosure, and conductance against pressure, for finite elements.
 
-use contact_law::{ContactLawError, Heading};
-use questions::{LawForm, LawQuestion};
+use contact_law::{ConductanceError, ContactLawError, Heading};
+use questions::{LawAnswer, LawForm};
 use report::provenance::provenance;
 use tables::Format;
 
@@ -18,24 +18,34 @@ pub(super) fn run(args: &LawArgs, context: &Context<'_>) -> Result<(), Failure> 
             "--format json has no bearing on `law`, which writes what --dialect says; leave it out",
         ));
     }
-    let [from, to] = args.pressure_range;
-    let question = LawQuestion { by: args.choices.input(Some(args.model)), from, to };
+    let question = args.question();
     question.check()?;
     let mut timings = Timings::start();
     let surface = context.load(&args.psd, &args.reading, None)?;
     timings.lap("reading");
     let progress = Progress::counting("states");
-    let found = question.answer(&surface, &progress)?;
-    progress.aside(|| say_all(&found.notes, &Flags));
-    let mut origin = provenance(context.typed, &surface, question.by.sampling.sampling());
-    origin.push(format!("{}: {}", args.model.full_name, args.model.citation));
-    let heading = Heading { provenance: origin, name: args.name.clone() };
-    let text = match args.form {
-        LawForm::Table => {
-            let sampled = found.sampled(args.error, &progress)?;
-            args.dialect.table(&sampled, args.units, &heading, &[])?
+    let mut origin = provenance(context.typed, &surface, question.law.by.sampling.sampling());
+    let text = match question.answer(&surface, &progress)? {
+        LawAnswer::Pressure(found) => {
+            progress.aside(|| say_all(&found.notes, &Flags));
+            origin.push(format!("{}: {}", found.model.full_name, found.model.citation));
+            let name = args.name.as_deref().unwrap_or(Heading::NAME).to_owned();
+            let heading = Heading { provenance: origin, name };
+            match args.form.unwrap_or(LawForm::Table) {
+                LawForm::Table => {
+                    let sampled = found.sampled(args.error, &progress)?;
+                    args.dialect.table(&sampled, args.units, &heading, &[])?
+                }
+                LawForm::Exponential => {
+                    args.dialect.exponential(&found.exponential()?, args.units, &heading)?
+                }
+            }
         }
-        LawForm::Exponential => args.dialect.exponential(&found.exponential()?, args.units, &heading)?,
+        LawAnswer::Conductance(found) => {
+            progress.aside(|| say_all(&found.notes, &Flags));
+            origin.extend(found.description());
+            found.sampled(args.error, &progress)?.to_text(args.dialect, args.units, &origin)?
+        }
     };
     drop(progress);
     timings.lap("computing");
@@ -48,6 +58,12 @@ pub(super) fn run(args: &LawArgs, context: &Context<'_>) -> Result<(), Failure> 
 
 impl From<ContactLawError> for Failure {
     fn from(error: ContactLawError) -> Self {
+        Failure::input(error)
+    }
+}
+
+impl From<ConductanceError> for Failure {
+    fn from(error: ConductanceError) -> Self {
         Failure::input(error)
     }
 }

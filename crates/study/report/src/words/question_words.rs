@@ -211,6 +211,13 @@ pub fn unused(UnusedOption { option, why }: &UnusedOption, spelling: &dyn Spelli
             ),
         ),
         Reason::KindOfFile(kind) => format!("{option} has no bearing on a {kind}"),
+        Reason::Quantity(quantity) => {
+            let quantity = spelling.with_value(OptionName::Quantity, quantity);
+            format!("{option} has no bearing on {quantity}; leave it out")
+        }
+        Reason::Beside(other) => {
+            format!("{option} has no bearing beside {}; leave one of them out", name(*other))
+        }
     }
 }
 

@@ -1,0 +1,517 @@
+//! Tables of conductance against pressure for finite elements: heat by spots and gas, and current.
+
+use contact_law::{ConductancePoint, ConductanceTable, Flow, SamplingError};
+use interface::conductance::{
+    Conductivities, CutSurface, ELECTRON_MEAN_FREE_PATH_M, PlasticCorrelation, PressureRatio,
+    RelativeStiffness,
+};
+use interface::gas::{GapGas, RarefiedGas, plastic_separation_m};
+use parallel::Progress;
+use spectrum::Normalisation;
+use study::gap_law::{GapError, GapLaw};
+use study::material::Material;
+use study::materials::TabledMaterial;
+use study::models::{Choice, ModelEntry};
+use study::plan::{Needs, Plan, PlanError};
+use study::surface::Surface;
+use units::display::{length, pressure, three_digits};
+use units::{Bound, OutOfBounds, Pressure, Resistivity, ThermalConductivity, named};
+
+use crate::loads::nominal_pressure;
+use crate::option::{Reason, first_given};
+use crate::{FoundLaw, LawForm, LawQuestion, Note, OptionName, QuestionError};
+
+/// Quantity that a law has over the nominal pressure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum LawQuantity {
+    /// Overclosure: the mechanical law.
+    #[default]
+    Pressure,
+    /// Thermal conductance.
+    Heat,
+    /// Electrical conductance.
+    Current,
+}
+
+named!(LawQuantity, "quantity", { Pressure => "pressure", Heat => "heat", Current => "current" });
+
+/// Thermal conductivities and electrical resistivities of both bodies.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct TransportInput {
+    /// Thermal conductivity of the rough body \[W/(m K)\].
+    pub thermal_conductivity_w_per_m_k: Option<f64>,
+    /// Thermal conductivity of the counterface \[W/(m K)\].
+    pub counterface_thermal_conductivity_w_per_m_k: Option<f64>,
+    /// Resistivity of the rough body \[ohm m\].
+    pub resistivity_ohm_m: Option<f64>,
+    /// Resistivity of the counterface \[ohm m\].
+    pub counterface_resistivity_ohm_m: Option<f64>,
+}
+
+/// Gas in the gaps: its conductivity, and the gas parameter or the properties that it follows from.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct GasInput {
+    /// Thermal conductivity k_g \[W/(m K)\]; vacuum if absent.
+    pub conductivity_w_per_m_k: Option<f64>,
+    /// Gas parameter M \[m\].
+    pub parameter_m: Option<f64>,
+    /// Accommodation coefficient on the rough body, in (0, 1\].
+    pub accommodation: Option<f64>,
+    /// Accommodation coefficient on the counterface, in (0, 1\].
+    pub counterface_accommodation: Option<f64>,
+    /// Ratio of specific heats, in (1, 2\].
+    pub heat_capacity_ratio: Option<f64>,
+    /// Prandtl number.
+    pub prandtl_number: Option<f64>,
+    /// Mean free path at 15 C and 1 atm \[m\].
+    pub mean_free_path_m: Option<f64>,
+    /// Temperature \[K\]; 288.15 if absent.
+    pub temperature_k: Option<f64>,
+    /// Pressure of the gas; 1 atm if absent.
+    pub pressure: Option<Pressure>,
+}
+
+/// A law between two nominal pressures: pressure against overclosure, or conductance against pressure.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct LawTableQuestion {
+    /// Model, material, spectrum and range of pressures; no model with a correlation.
+    pub law: LawQuestion,
+    /// Quantity of the law.
+    pub quantity: LawQuantity,
+    /// Correlation for flowed peaks in place of the model, for conductances.
+    pub correlation: Option<PlasticCorrelation>,
+    /// Conductivities and resistivities, for conductances.
+    pub transport: TransportInput,
+    /// Gas in the gaps, for heat.
+    pub gas: GasInput,
+    /// Form of the mechanical law.
+    pub form: Option<LawForm>,
+    /// Name of the surface interaction of the mechanical law.
+    pub name: Option<String>,
+}
+
+/// Answer to a [`LawTableQuestion`].
+#[derive(Debug)]
+pub enum LawAnswer {
+    /// The mechanical law.
+    Pressure(FoundLaw),
+    /// Conductance against pressure.
+    Conductance(FoundConductance),
+}
+
+/// Conductance of a surface under any load.
+#[derive(Debug)]
+pub struct FoundConductance {
+    /// Flow.
+    pub flow: Flow,
+    /// Notes for the reader of the table.
+    pub notes: Vec<Note>,
+    range_pa: [f64; 2],
+    spots: Spots,
+    conductivities: Conductivities,
+    gas: Option<GapGas>,
+}
+
+/// Conductance of the spots that touch.
+#[derive(Debug)]
+enum Spots {
+    /// Barber's analogy with the stiffness of a model.
+    Analogy { model: &'static ModelEntry, law: Box<GapLaw>, modulus_pa: f64 },
+    /// A correlation for flowed peaks.
+    Correlation { correlation: PlasticCorrelation, surface: CutSurface, hardness_pa: f64, cutoff_m: f64 },
+}
+
+impl LawTableQuestion {
+    /// Takes the properties that the quantity needs, and that are not given, from the table of materials.
+    #[must_use]
+    pub fn filled_from(self, rough: Option<&TabledMaterial>, counterface: Option<&TabledMaterial>) -> Self {
+        let mut filled = self;
+        let transport = &mut filled.transport;
+        let conductivity = |body: Option<&TabledMaterial>| {
+            let parsed: ThermalConductivity = body?.thermal_conductivity.as_ref()?.parse().ok()?;
+            Some(parsed.w_per_m_k)
+        };
+        let resistivity = |body: Option<&TabledMaterial>| {
+            let parsed: Resistivity = body?.resistivity.as_ref()?.parse().ok()?;
+            Some(parsed.ohm_m)
+        };
+        match filled.quantity {
+            LawQuantity::Pressure => {}
+            LawQuantity::Heat => {
+                let TransportInput {
+                    thermal_conductivity_w_per_m_k: own,
+                    counterface_thermal_conductivity_w_per_m_k: other,
+                    ..
+                } = transport;
+                (*own, *other) = (own.or(conductivity(rough)), other.or(conductivity(counterface)));
+            }
+            LawQuantity::Current => {
+                let TransportInput { resistivity_ohm_m: own, counterface_resistivity_ohm_m: other, .. } =
+                    transport;
+                (*own, *other) = (own.or(resistivity(rough)), other.or(resistivity(counterface)));
+            }
+        }
+        filled
+    }
+
+    /// Finds options without effect, and input that contradicts itself or is missing.
+    ///
+    /// # Errors
+    /// [`QuestionError`] with the first of them.
+    pub fn check(&self) -> Result<(), QuestionError> {
+        let Some(flow) = self.flow() else {
+            if let Some(correlation) = self.correlation {
+                return Err(QuestionError::Other(format!(
+                    "{correlation} is a correlation of conductances and has no overclosure; take the quantity heat or \
+                     current, or another model"
+                )));
+            }
+            let given = self.transport.given(None).chain(self.gas.given());
+            first_given(given, || Reason::Quantity(self.quantity.name()))?;
+            return self.law.check();
+        };
+        let of_law = [(OptionName::Form, self.form.is_some()), (OptionName::Name, self.name.is_some())];
+        let of_gas = self.gas.given().filter(|_| flow == Flow::Current);
+        let given = of_law.into_iter().chain(self.transport.given(Some(flow))).chain(of_gas);
+        first_given(given, || Reason::Quantity(self.quantity.name()))?;
+        let material = self.law.by.material.material()?;
+        match self.correlation {
+            Some(correlation) => {
+                self.check_correlation(correlation)?;
+                self.law.range_pa(&material)?;
+                hardness_pa(&material)?;
+            }
+            None => self.law.check()?,
+        }
+        self.transport.conductivities(flow)?;
+        self.gas.gas(&material).map(drop)
+    }
+
+    /// Finds the law.
+    ///
+    /// # Errors
+    /// [`QuestionError`].
+    pub fn answer(&self, surface: &Surface, progress: &dyn Progress) -> Result<LawAnswer, QuestionError> {
+        self.check()?;
+        let Some(flow) = self.flow() else {
+            return self.law.answer(surface, progress).map(LawAnswer::Pressure);
+        };
+        let material = self.law.by.material.material()?;
+        let range_pa = self.law.range_pa(&material)?;
+        let (spots, notes) = match self.correlation {
+            Some(correlation) => {
+                let by = &self.law.by;
+                by.sampling.check(surface)?;
+                let needs = Needs { moments: Some(Normalisation::Parseval), ..Needs::default() };
+                let plan = Plan { psd: &surface.psd, sampling: by.sampling.sampling(), needs };
+                let results = plan.compute_observed(progress)?;
+                let (moments, _) = results.moments.last().ok_or(GapError::NoRoughness)?;
+                let spots = Spots::Correlation {
+                    correlation,
+                    surface: CutSurface::from_rms_slope(moments.rms_height_m(), moments.rms_slope())
+                        .map_err(|_| GapError::NoRoughness)?,
+                    hardness_pa: hardness_pa(&material)?,
+                    cutoff_m: results.psd.shortest_wavelength_m(),
+                };
+                (spots, by.notes(&material, surface))
+            }
+            None => {
+                let FoundLaw { model, law, notes, .. } = self.law.answer(surface, progress)?;
+                let modulus_pa = material.pair.composite_modulus_pa();
+                (Spots::Analogy { model, law: Box::new(law), modulus_pa }, notes)
+            }
+        };
+        Ok(LawAnswer::Conductance(FoundConductance {
+            flow,
+            notes,
+            range_pa,
+            spots,
+            conductivities: self.transport.conductivities(flow)?,
+            gas: self.gas.gas(&material)?,
+        }))
+    }
+
+    fn flow(&self) -> Option<Flow> {
+        match self.quantity {
+            LawQuantity::Pressure => None,
+            LawQuantity::Heat => Some(Flow::Heat),
+            LawQuantity::Current => Some(Flow::Current),
+        }
+    }
+
+    /// Refuses options of models, which no correlation has.
+    fn check_correlation(&self, correlation: PlasticCorrelation) -> Result<(), QuestionError> {
+        let by = &self.law.by;
+        let of_models = by.options.given().map(|choice| (OptionName::of_choice(choice), true));
+        let given = [
+            (OptionName::Normalisation, by.normalisation.is_some()),
+            (OptionName::Tolerance, by.tolerance.is_some()),
+            (OptionName::StrainGradientLength, by.material.strain_gradient_length_m.is_some()),
+            (OptionName::StrengthCap, by.material.strength_cap.is_some()),
+        ];
+        Ok(first_given(of_models.chain(given), || Reason::Model(correlation.name()))?)
+    }
+}
+
+impl TransportInput {
+    /// Properties that a flow does not need, or all without one.
+    fn given(&self, flow: Option<Flow>) -> impl Iterator<Item = (OptionName, bool)> {
+        let of_heat = [
+            (OptionName::ThermalConductivity, self.thermal_conductivity_w_per_m_k.is_some()),
+            (
+                OptionName::CounterfaceThermalConductivity,
+                self.counterface_thermal_conductivity_w_per_m_k.is_some(),
+            ),
+        ];
+        let of_current = [
+            (OptionName::Resistivity, self.resistivity_ohm_m.is_some()),
+            (OptionName::CounterfaceResistivity, self.counterface_resistivity_ohm_m.is_some()),
+        ];
+        let of_heat = of_heat.into_iter().filter(move |_| flow != Some(Flow::Heat));
+        of_heat.chain(of_current.into_iter().filter(move |_| flow != Some(Flow::Current)))
+    }
+
+    /// Thermal conductivities, or the electrical ones 1/rho: sigma_g = 2 K/(E* (rho1 + rho2)) is h = k_s K/E* with these.
+    fn conductivities(&self, flow: Flow) -> Result<Conductivities, QuestionError> {
+        let ([own, other], options): ([Option<f64>; 2], [&'static [OptionName]; 2]) = match flow {
+            Flow::Heat => (
+                [self.thermal_conductivity_w_per_m_k, self.counterface_thermal_conductivity_w_per_m_k],
+                [&[OptionName::ThermalConductivity], &[OptionName::CounterfaceThermalConductivity]],
+            ),
+            Flow::Current => (
+                [self.resistivity_ohm_m, self.counterface_resistivity_ohm_m],
+                [&[OptionName::Resistivity], &[OptionName::CounterfaceResistivity]],
+            ),
+        };
+        let own = own.ok_or(QuestionError::Missing(options[0]))?;
+        let other = other.ok_or(QuestionError::Missing(options[1]))?;
+        let made = match flow {
+            Flow::Heat => Conductivities::new(own, other),
+            Flow::Current => Conductivities::new(1.0 / own, 1.0 / other),
+        };
+        made.map_err(|error| QuestionError::Value { option: options[0][0], error })
+    }
+}
+
+impl GasInput {
+    fn given(&self) -> impl Iterator<Item = (OptionName, bool)> {
+        let conductivity = (OptionName::GasConductivity, self.conductivity_w_per_m_k.is_some());
+        let parameter = (OptionName::GasParameter, self.parameter_m.is_some());
+        [conductivity, parameter].into_iter().chain(self.kinetic())
+    }
+
+    /// Properties that the gas parameter follows from.
+    fn kinetic(&self) -> [(OptionName, bool); 7] {
+        [
+            (OptionName::Accommodation, self.accommodation.is_some()),
+            (OptionName::CounterfaceAccommodation, self.counterface_accommodation.is_some()),
+            (OptionName::HeatCapacityRatio, self.heat_capacity_ratio.is_some()),
+            (OptionName::PrandtlNumber, self.prandtl_number.is_some()),
+            (OptionName::MeanFreePath, self.mean_free_path_m.is_some()),
+            (OptionName::GasTemperature, self.temperature_k.is_some()),
+            (OptionName::GasPressure, self.pressure.is_some()),
+        ]
+    }
+
+    /// The gas, if there is one.
+    fn gas(&self, material: &Material) -> Result<Option<GapGas>, QuestionError> {
+        let Some(conductivity_w_per_m_k) = self.conductivity_w_per_m_k else {
+            return match self.given().any(|(_, is_given)| is_given) {
+                true => Err(QuestionError::Missing(&[OptionName::GasConductivity])),
+                false => Ok(None),
+            };
+        };
+        let parameter_m = match self.parameter_m {
+            Some(parameter_m) => {
+                first_given(self.kinetic(), || Reason::Beside(OptionName::GasParameter))?;
+                parameter_m
+            }
+            None => self.parameter_of_gas_m(material)?,
+        };
+        let gas = GapGas::new(conductivity_w_per_m_k, parameter_m);
+        gas.map(Some).map_err(|error| QuestionError::Value { option: OptionName::GasConductivity, error })
+    }
+
+    fn parameter_of_gas_m(&self, material: &Material) -> Result<f64, QuestionError> {
+        if !self.kinetic().iter().any(|(_, is_given)| *is_given) {
+            return Err(QuestionError::Missing(&[OptionName::GasParameter, OptionName::MeanFreePath]));
+        }
+        let needed = |options: &'static [OptionName], name, bound: Bound, value: Option<f64>| {
+            let value = value.ok_or(QuestionError::Missing(options))?;
+            bound.check(name, value).map_err(|error| QuestionError::Value { option: options[0], error })
+        };
+        let path = &[OptionName::MeanFreePath];
+        let reference_m = needed(path, "mean free path in m", Bound::Magnitude, self.mean_free_path_m)?;
+        let (name, bound) = ("accommodation coefficient", RarefiedGas::ACCOMMODATIONS);
+        let accommodation = [
+            needed(&[OptionName::Accommodation], name, bound, self.accommodation)?,
+            needed(&[OptionName::CounterfaceAccommodation], name, bound, self.counterface_accommodation)?,
+        ];
+        let ratio = &[OptionName::HeatCapacityRatio];
+        let (name, bound) = ("ratio of specific heats", RarefiedGas::HEAT_CAPACITY_RATIOS);
+        let heat_capacity_ratio = needed(ratio, name, bound, self.heat_capacity_ratio)?;
+        let prandtl = &[OptionName::PrandtlNumber];
+        let prandtl_number = needed(prandtl, "Prandtl number", Bound::Magnitude, self.prandtl_number)?;
+        let pressure_pa = match self.pressure {
+            Some(given) => nominal_pressure(OptionName::GasPressure, None, given, material)?.pa(),
+            None => RarefiedGas::REFERENCE_PRESSURE_PA,
+        };
+        let temperature_k = self.temperature_k.unwrap_or(RarefiedGas::REFERENCE_TEMPERATURE_K);
+        let refused = |error| QuestionError::Value { option: OptionName::MeanFreePath, error };
+        let mean_free_path_m =
+            RarefiedGas::mean_free_path_m(reference_m, temperature_k, pressure_pa).map_err(refused)?;
+        RarefiedGas { accommodation, heat_capacity_ratio, prandtl_number, mean_free_path_m }
+            .parameter_m()
+            .map_err(refused)
+    }
+}
+
+impl FoundConductance {
+    /// Samples the conductance between its pressures, straight within a relative `tolerance`. `progress` advances once per
+    /// state that is computed; how many are needed shows only in the end.
+    ///
+    /// # Errors
+    /// [`QuestionError`] for a model without stiffness or gap under a pressure, and if `progress` is cancelled.
+    pub fn sampled(
+        &self,
+        tolerance: f64,
+        progress: &dyn Progress,
+    ) -> Result<ConductanceTable, QuestionError> {
+        let sampled = ConductanceTable::sample(self.flow, self.range_pa, tolerance, |pressure_pa| {
+            if progress.is_cancelled() {
+                return Err(QuestionError::Plan(PlanError::Cancelled));
+            }
+            progress.advance(1);
+            self.at(pressure_pa)
+        });
+        sampled.map_err(|error| match error {
+            SamplingError::Source(error) => error,
+            SamplingError::Value(error) => QuestionError::Sampling(SamplingError::Value(error)),
+            SamplingError::EmptyRange { from_pa, to_pa } => {
+                QuestionError::Sampling(SamplingError::EmptyRange { from_pa, to_pa })
+            }
+            other => QuestionError::Other(other.to_string()),
+        })
+    }
+
+    /// Conductances under a nominal pressure > 0 \[Pa\].
+    fn at(&self, pressure_pa: f64) -> Result<ConductancePoint, QuestionError> {
+        let out_of_range =
+            |error: OutOfBounds| QuestionError::Value { option: OptionName::PressureRange, error };
+        let (contact_si, gas_si) = match &self.spots {
+            Spots::Analogy { law, modulus_pa, .. } => {
+                let state = law.at(pressure_pa)?;
+                let no_stiffness = QuestionError::NoStiffness { pressure_pa };
+                let stiffness = state.stiffness_pa_per_m.filter(|stiffness| stiffness.is_finite());
+                let (Some(stiffness), Some(mean_gap_m)) = (stiffness, state.mean_gap_m) else {
+                    return Err(no_stiffness);
+                };
+                let relative = RelativeStiffness::new(stiffness, *modulus_pa).map_err(out_of_range)?;
+                let contact_si = relative.thermal_conductance_w_per_m2_k(&self.conductivities);
+                let gas = self.gas.map(|gas| gas.conductance_w_per_m2_k(mean_gap_m, law.rms_height_m()));
+                (contact_si, gas.unwrap_or(0.0))
+            }
+            Spots::Correlation { correlation, surface, hardness_pa, .. } => {
+                let ratio = PressureRatio::new(pressure_pa, *hardness_pa).map_err(out_of_range)?;
+                let rms_height_m = surface.rms_height_m();
+                // Where everything touches no gap is left.
+                let gas = self.gas.zip(plastic_separation_m(rms_height_m, ratio));
+                let gas = gas.map(|(gas, apart_m)| gas.conductance_w_per_m2_k(apart_m, rms_height_m));
+                (correlation.conductance_w_per_m2_k(&self.conductivities, surface, ratio), gas.unwrap_or(0.0))
+            }
+        };
+        Ok(ConductancePoint { pressure_pa, contact_si, gas_si })
+    }
+
+    /// Describes formulas and inputs in lines, for the comments of a file.
+    #[must_use]
+    pub fn description(&self) -> Vec<String> {
+        let mean = self.conductivities.harmonic_mean_w_per_m_k();
+        let (symbol, mean) = match self.flow {
+            Flow::Heat => ("h", format!("k_s = {} W/(m K)", three_digits(mean))),
+            Flow::Current => ("G", format!("k_s = 2/(rho1 + rho2) = {} S/m", three_digits(mean))),
+        };
+        let mut lines = match &self.spots {
+            Spots::Analogy { model, modulus_pa, .. } => vec![
+                format!("{}: {}", model.full_name, model.citation),
+                format!(
+                    "Conductance of the spots by Barber's analogy, {symbol} = k_s K/E* (Barber 2003, Proc. R. Soc. A 459:53): \
+                     {mean}, E* = {}, and K is the stiffness of this model.",
+                    pressure(*modulus_pa)
+                ),
+            ],
+            Spots::Correlation { correlation, surface, hardness_pa, cutoff_m } => vec![format!(
+                "{}, with {mean}, sigma = {}, mean absolute slope m = {} of all waves down to {}, H = {}.",
+                formula(*correlation, symbol),
+                length(surface.rms_height_m()),
+                three_digits(surface.mean_absolute_slope()),
+                length(*cutoff_m),
+                pressure(*hardness_pa)
+            )],
+        };
+        lines.extend(self.caution());
+        if let Some(gas) = &self.gas {
+            lines.push(format!(
+                "Conductance of the gas k_g <1/(g + M)> over Gaussian gaps: k_g = {} W/(m K), M = {}. At no pressure it is that of \
+                 the first pressure.",
+                three_digits(gas.conductivity_w_per_m_k()),
+                length(gas.parameter_m())
+            ));
+        }
+        lines
+    }
+
+    /// Describes what the conductance of the spots leaves out.
+    fn caution(&self) -> Vec<String> {
+        let mut lines = match &self.spots {
+            Spots::Analogy { model, .. } if model.has(Choice::Strength) => vec![
+                "The model yields: K is the slope of its loading curve, and the elastic stiffness that the analogy takes is larger, \
+                 so that this conductance is low."
+                    .to_owned(),
+            ],
+            Spots::Analogy { .. } => Vec::new(),
+            Spots::Correlation { hardness_pa, .. } => {
+                let [least, most] = PressureRatio::FITTED;
+                let [from, to] = self.range_pa.map(|pressure_pa| pressure_pa / hardness_pa);
+                let outside = if from < least || to > most { ": the table goes beyond" } else { "" };
+                vec![format!(
+                    "The slope, and this conductance with it, grow with every shorter wave (--cutoff); heat and current do not. The \
+                     correlation was fitted for p/H from {} to {}, and p/H is {} to {} here{outside}.",
+                    three_digits(least),
+                    three_digits(most),
+                    three_digits(from),
+                    three_digits(to)
+                )]
+            }
+        };
+        lines.push(match self.flow {
+            Flow::Heat => "Both bodies are clean: films are left out.".to_owned(),
+            Flow::Current => format!(
+                "Both bodies are clean, and spots wider than the mean free path of electrons, {} in good metals: films and \
+                 ballistic transport are left out.",
+                length(ELECTRON_MEAN_FREE_PATH_M)
+            ),
+        });
+        lines
+    }
+}
+
+fn formula(correlation: PlasticCorrelation, symbol: &str) -> String {
+    match correlation {
+        PlasticCorrelation::CooperMikicYovanovich => format!(
+            "Conductance of the spots {symbol} = 1.45 k_s (m/sigma) (p/H)^0.985 (Cooper, Mikic & Yovanovich 1969, Int. J. Heat \
+             Mass Transfer 12:279)"
+        ),
+        PlasticCorrelation::Yovanovich => format!(
+            "Conductance of the spots {symbol} = 1.25 k_s (m/sigma) (p/H)^0.95 (Yovanovich 1982, Prog. Astronaut. Aeronaut. \
+             83:83)"
+        ),
+        other => format!("Conductance of the spots {symbol} by the correlation {other}"),
+    }
+}
+
+/// Hardness of the softer body \[Pa\].
+fn hardness_pa(material: &Material) -> Result<f64, QuestionError> {
+    const HARDNESS: &[OptionName] = &[OptionName::IndentationHardness, OptionName::YieldStrength];
+    material.hardness_pa().ok_or(QuestionError::Missing(HARDNESS))
+}
