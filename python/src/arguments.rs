@@ -15,8 +15,8 @@ use rough_bem::RandomChoices;
 use study::growth_law::GrowthLaw;
 use study::models::ModelOptions;
 use units::{
-    Area, Bound, Force, IndentationHardness, Length, Modulus, Pressure, QuantityError, SignedLength,
-    UnknownName, display,
+    Area, Bound, Force, IndentationHardness, Length, Modulus, Pressure, QuantityError, Resistivity,
+    SignedLength, ThermalConductivity, UnknownName, display,
 };
 
 use crate::errors::{input, of_argument};
@@ -254,6 +254,8 @@ quantities! {
     Force, "N", "10 mN", Bound::Positive, |n| Force { n };
     IndentationHardness, "Pa", "3 GPa", Bound::Positive, |pa| IndentationHardness { pa };
     Pressure, "Pa", "5 MPa", Bound::Positive, Pressure::Pascals;
+    ThermalConductivity, "W/(m*K)", "46 W/(m K)", Bound::Positive, |w_per_m_k| ThermalConductivity { w_per_m_k };
+    Resistivity, "ohm*m", "1.7e-8 ohm m", Bound::Positive, |ohm_m| Resistivity { ohm_m };
 }
 
 /// The quantity that an argument gives.

@@ -4,7 +4,7 @@ use asperity::ElasticBody;
 use pyo3::prelude::*;
 use questions::{BodyInput, MaterialInput};
 use study::material::Material;
-use study::materials;
+use study::materials::{self, TabledMaterial};
 use units::{Bound, IndentationHardness, Modulus};
 
 use crate::answer::{of_material, refused};
@@ -17,6 +17,8 @@ pub struct PyMaterial {
     /// The material as given.
     pub input: MaterialInput,
     pub material: Material,
+    /// Rows of the table of materials that the rough body and its counterface were named by.
+    pub named: [Option<TabledMaterial>; 2],
 }
 
 #[pymethods]
@@ -37,7 +39,11 @@ impl PyMaterial {
             ..MaterialInput::default()
         };
         let input = input.filled_from(named.as_ref(), None);
-        Ok(PyMaterial { input, material: input.material().map_err(refused)? })
+        let other = match arguments.get("counterface")? {
+            Some(other) => other.cast::<PyMaterial>()?.get().named[0].clone(),
+            None => None,
+        };
+        Ok(PyMaterial { input, material: input.material().map_err(refused)?, named: [named, other] })
     }
 
     /// True for text that is a name rather than a modulus.

@@ -8,7 +8,7 @@ use persson::corrections::Correction;
 use persson::variance::Band;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use questions::LawForm;
+use questions::{LawForm, LawQuantity, PlasticCorrelation};
 use roughness::FormRemoval;
 use scene::Template;
 use spectrum::{Abscissa, AmplitudeDefinition, Convention, Normalisation};
@@ -89,7 +89,8 @@ pub fn choices(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
         "Band": Band, "Correction": Correction, "InterferenceLaw": InterferenceLaw, "Normalisation": Normalisation,
         "AmplitudeDefinition": AmplitudeDefinition, "Convention": Convention, "Abscissa": Abscissa,
         "Detrend": Detrend, "Window": Window, "Average": Average, "Gaps": GapTreatment, "Direction": Direction,
-        "Phases": Phases, "Dialect": Dialect, "UnitSystem": UnitSystem, "LawForm": LawForm, "Form": FormRemoval,
+        "Phases": Phases, "Dialect": Dialect, "UnitSystem": UnitSystem, "LawForm": LawForm, "LawQuantity": LawQuantity,
+        "ConductanceCorrelation": PlasticCorrelation, "Form": FormRemoval,
         "Conventions": Conventions, "Template": Template,
     );
     Ok(choices)

@@ -161,3 +161,80 @@ def test_what_is_no_spectrum_or_material_is_told() -> None:
         ta.law(other, DIAMOND, pressure=RANGE)
     with refused_naming("material:", "Material", "float"):
         ta.law(ta.read_psd(UNCD), other, pressure=RANGE)
+
+
+CONDUCTORS: dict[str, Any] = {"thermal_conductivity": "20 W/(m K)", "counterface_thermal_conductivity": 60.0}
+RESISTORS: dict[str, Any] = {"resistivity": 2e-8, "counterface_resistivity": "6e-8 ohm m"}
+AIR: dict[str, Any] = {"gas_conductivity": 0.026, "gas_parameter": "0.4 um"}
+FLAGS = {
+    "heat": ["--thermal-conductivity", "20 W/(m K)", "--counterface-thermal-conductivity", "60 W/(m K)"],
+    "current": ["--resistivity", "2e-8 ohm m", "--counterface-resistivity", "6e-8 ohm m"],
+    "gas": ["--gas-conductivity", "0.026 W/(m K)", "--gas-parameter", "0.4um"],
+}
+
+
+def test_conductances_are_those_of_the_command_line_bit_for_bit(command_line: Callable[..., Columns]) -> None:
+    uncd = ta.read_psd(UNCD)
+    call = ["law", UNCD, "--model", "persson", "--dialect", "csv", *OPTIONS]
+    crates = command_line(*call, "--quantity", "heat", *FLAGS["heat"], *FLAGS["gas"])
+    heat = ta.law(uncd, DIAMOND, pressure=RANGE, quantity="heat", **CONDUCTORS, **AIR)
+    for array, name in [
+        (heat.pressure_pa, "pressure_Pa"),
+        (heat.conductance_w_per_m2_k, "conductance_W_per_m2_K"),
+        (heat.contact_w_per_m2_k, "contact_W_per_m2_K"),
+        (heat.gas_w_per_m2_k, "gas_W_per_m2_K"),
+    ]:
+        assert np.array_equal(array, numbers(crates, name)), name
+    assert heat.contact_w_per_m2_k[0] == 0.0 and heat.gas_w_per_m2_k[0] > 0.0 and heat.interpolation_error <= 0.01
+    crates = command_line(*call, "--quantity", "current", *FLAGS["current"])
+    current = ta.law(uncd, DIAMOND, pressure=RANGE, quantity="current", **RESISTORS)
+    assert np.array_equal(current.conductance_s_per_m2, numbers(crates, "conductance_S_per_m2"))
+
+
+def test_cards_of_conductances_are_written_and_pickled(tmp_path: Path) -> None:
+    heat = ta.law(UNCD, DIAMOND, pressure=RANGE, quantity="heat", **CONDUCTORS)
+    text = heat.to_text("calculix", units="N-mm")
+    rows = np.array(data_lines(text))
+    assert "*GAP CONDUCTANCE\n0., 0.\n" in text and np.allclose(rows[:, 1], heat.pressure_pa / 1e6, rtol=1e-12)
+    assert np.allclose(rows[:, 0], heat.conductance_w_per_m2_k / 1e3, rtol=1e-12)
+    again = pickle.loads(pickle.dumps(heat))
+    assert again == heat and again.to_text("abaqus") == heat.to_text("abaqus")
+    heat.write(tmp_path / "heat.inp", "abaqus")
+    assert (tmp_path / "heat.inp").read_text(encoding="utf-8") == heat.to_text("abaqus")
+    current = ta.law(UNCD, DIAMOND, pressure=RANGE, quantity="current", **RESISTORS)
+    assert "*GAP ELECTRICAL CONDUCTANCE, PRESSURE" in current.to_text("abaqus")
+
+
+def test_named_bodies_have_their_conductivities_from_the_table() -> None:
+    copper = ta.Material("hard copper", counterface=ta.Material("annealed copper"))
+    heat = ta.law(UNCD, copper, pressure=RANGE, quantity="heat")
+    same = ta.law(
+        UNCD,
+        copper,
+        pressure=RANGE,
+        quantity="heat",
+        thermal_conductivity=401.0,
+        counterface_thermal_conductivity="401 W/(m K)",
+    )
+    assert np.array_equal(heat.conductance_w_per_m2_k, same.conductance_w_per_m2_k)
+    flowed = ta.law(UNCD, copper, pressure=RANGE, quantity="heat", model="yovanovich")
+    assert np.all(flowed.conductance_w_per_m2_k[1:] > heat.conductance_w_per_m2_k[1])
+
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        ({"quantity": "heat"}, ["thermal_conductivity", "needed"]),
+        ({"quantity": "charge"}, ["quantity", "charge"]),
+        ({"thermal_conductivity": 20.0}, ["thermal_conductivity", "quantity"]),
+        ({"quantity": "current", **RESISTORS, **AIR}, ["gas_conductivity", "current"]),
+        ({"quantity": "heat", **CONDUCTORS, "gas_parameter": 1e-6}, ["gas_conductivity", "needed"]),
+        ({"quantity": "heat", **CONDUCTORS, **AIR, "accommodation": 0.9}, ["accommodation", "gas_parameter"]),
+        ({"quantity": "heat", **CONDUCTORS, "model": "yovanovich"}, ["hardness", "needed"]),
+        ({"quantity": "heat", "thermal_conductivity": -1.0}, ["thermal_conductivity", "-1"]),
+        ({"model": "yovanovich"}, ["yovanovich", "heat"]),
+    ],
+)
+def test_conductances_refuse_what_is_missing_or_without_bearing(given: dict[str, Any], told: list[str]) -> None:
+    with refused_naming(*told):
+        ta.law(UNCD, DIAMOND, pressure=RANGE, **given)

@@ -9,7 +9,7 @@ from truearea._composite import composite
 from truearea._contact import ContactStates, contact
 from truearea._curves import StackedCurve, StatisticalCurve, stacked, statistical
 from truearea._gap import Gaps, gap
-from truearea._law import ContactLaw, law
+from truearea._law import ContactLaw, CurrentConductance, HeatConductance, law
 from truearea._material import Material
 from truearea._native import VERSION as __version__
 from truearea._native import InputError, set_threads
@@ -34,8 +34,10 @@ __all__ = [
     "Caution",
     "ContactLaw",
     "ContactStates",
+    "CurrentConductance",
     "Fit",
     "Gaps",
+    "HeatConductance",
     "InputError",
     "Material",
     "Materials",

@@ -81,6 +81,25 @@ UnitSystem = Literal["SI", "N-mm", "uN-um", "lbf-in"]
 LawForm = Literal["table", "exponential"]
 """Forms of a contact law."""
 
+LawQuantity = Literal["pressure", "heat", "current"]
+"""Quantities that a law has."""
+
+ConductanceCorrelation = Literal["cooper-mikic-yovanovich", "yovanovich"]
+"""Correlations of conductances for flowed peaks."""
+
+ConductanceModel = Literal[
+    "persson",
+    "persson-plastic",
+    "hertz",
+    "ep-sphere",
+    "elastic-sine",
+    "ep-sine",
+    "bgt",
+    "cooper-mikic-yovanovich",
+    "yovanovich",
+]
+"""Models of conductances."""
+
 Form = Literal["none", "plane", "second-order"]
 """Forms that are removed before roughness parameters are taken."""
 

@@ -1,21 +1,23 @@
-"""Pressure against overclosure, as finite element codes read it."""
+"""Pressure against overclosure, and conductance against pressure, as finite element codes read them."""
 
 from __future__ import annotations
 
 import errno
 import os
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal, TypeVar, overload
 
 from truearea import _native
 from truearea._choices import (
     Band,
+    ConductanceModel,
     Dialect,
     EnergyFactor,
     HardnessFormula,
     InterferenceLaw,
     LawForm,
     LawModel,
+    LawQuantity,
     Normalisation,
     UnitSystem,
 )
@@ -108,7 +110,76 @@ class ContactLaw(Drawn, Table):
         return (_made_again, self._recipe)
 
 
-@formerly(spectrum="surface", hardness="hardness_formula")
+class _Conductance(Drawn, Table):
+    """Conductance per nominal area against nominal pressure, straight between its points."""
+
+    __slots__ = ("_native", "_recipe")
+    pressure_pa: FloatArray
+
+    _native: _native.ConductanceTable
+    _recipe: tuple[Spectrum, AnyMaterial, dict[str, Any]]
+
+    @property
+    def interpolation_error(self) -> float:
+        """The largest relative error of the conductance that was met halfway between two points."""
+        return self._native.interpolation_error
+
+    def to_text(self, dialect: Dialect, *, units: UnitSystem = "SI") -> str:
+        """The table in the words of a code: a card that follows the mechanical law of the same surface interaction.
+
+        Parameters
+        ----------
+        dialect : {"abaqus", "calculix", "csv"}
+            Who is to read it.
+        units : {"SI", "N-mm", "uN-um", "lbf-in"}
+            The units of the finite element model.
+
+        Returns
+        -------
+        str
+
+        Raises
+        ------
+        InputError
+            For more rows than the code has room for.
+        """
+        return self._native.to_text(dialect, units)
+
+    def write(self, path: str | os.PathLike[str], dialect: Dialect, *, units: UnitSystem = "SI") -> None:
+        """Write :meth:`to_text` into a file: aside, and then renamed, so that the file is never there in part."""
+        _write(Path(path), self.to_text(dialect, units=units))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_made_again, self._recipe)
+
+
+class HeatConductance(_Conductance):
+    """Thermal conductance of spots and gas against nominal pressure; at no pressure that of the gas alone."""
+
+    _title = "thermal conductance"
+    __slots__ = ()
+    conductance_w_per_m2_k: FloatArray
+    contact_w_per_m2_k: FloatArray
+    gas_w_per_m2_k: FloatArray
+
+    def _picture(self) -> Picture:
+        line = Trace(self.pressure_pa, self.conductance_w_per_m2_k)
+        return Picture(self._title, "pressure_pa", "conductance_w_per_m2_k", (line,), marker=".")
+
+
+class CurrentConductance(_Conductance):
+    """Electrical conductance against nominal pressure; 0 at no pressure."""
+
+    _title = "electrical conductance"
+    __slots__ = ()
+    conductance_s_per_m2: FloatArray
+
+    def _picture(self) -> Picture:
+        line = Trace(self.pressure_pa, self.conductance_s_per_m2)
+        return Picture(self._title, "pressure_pa", "conductance_s_per_m2", (line,), marker=".")
+
+
+@overload
 def law(
     surface: AnySurface,
     material: AnyMaterial,
@@ -116,6 +187,7 @@ def law(
     pressure: Pressures | None = None,
     from_pressure: Quantity | None = None,
     to_pressure: Quantity | None = None,
+    quantity: Literal["pressure"] = "pressure",
     model: LawModel = "persson",
     tolerance: float = 0.01,
     gamma: EnergyFactor | None = None,
@@ -126,11 +198,100 @@ def law(
     normalisation: Normalisation | None = None,
     cutoff: Quantity | None = None,
     scales_per_decade: int | None = None,
-) -> ContactLaw:
-    """Nominal pressure against overclosure between two pressures, for finite elements.
+) -> ContactLaw: ...
+@overload
+def law(
+    surface: AnySurface,
+    material: AnyMaterial,
+    *,
+    pressure: Pressures | None = None,
+    from_pressure: Quantity | None = None,
+    to_pressure: Quantity | None = None,
+    quantity: Literal["heat"],
+    model: ConductanceModel = "persson",
+    tolerance: float = 0.01,
+    gamma: float | None = None,
+    band: Band | None = None,
+    strain_gradient: bool = False,
+    hardness_formula: HardnessFormula | None = None,
+    interference_law: InterferenceLaw | None = None,
+    normalisation: Normalisation | None = None,
+    cutoff: Quantity | None = None,
+    scales_per_decade: int | None = None,
+    thermal_conductivity: Quantity | None = None,
+    counterface_thermal_conductivity: Quantity | None = None,
+    gas_conductivity: Quantity | None = None,
+    gas_parameter: Quantity | None = None,
+    accommodation: float | None = None,
+    counterface_accommodation: float | None = None,
+    heat_capacity_ratio: float | None = None,
+    prandtl_number: float | None = None,
+    mean_free_path: Quantity | None = None,
+    gas_temperature: float | None = None,
+    gas_pressure: Quantity | None = None,
+) -> HeatConductance: ...
+@overload
+def law(
+    surface: AnySurface,
+    material: AnyMaterial,
+    *,
+    pressure: Pressures | None = None,
+    from_pressure: Quantity | None = None,
+    to_pressure: Quantity | None = None,
+    quantity: Literal["current"],
+    model: ConductanceModel = "persson",
+    tolerance: float = 0.01,
+    gamma: float | None = None,
+    band: Band | None = None,
+    strain_gradient: bool = False,
+    hardness_formula: HardnessFormula | None = None,
+    interference_law: InterferenceLaw | None = None,
+    normalisation: Normalisation | None = None,
+    cutoff: Quantity | None = None,
+    scales_per_decade: int | None = None,
+    resistivity: Quantity | None = None,
+    counterface_resistivity: Quantity | None = None,
+) -> CurrentConductance: ...
+@formerly(spectrum="surface", hardness="hardness_formula")
+def law(
+    surface: AnySurface,
+    material: AnyMaterial,
+    *,
+    pressure: Pressures | None = None,
+    from_pressure: Quantity | None = None,
+    to_pressure: Quantity | None = None,
+    quantity: LawQuantity = "pressure",
+    model: ConductanceModel = "persson",
+    tolerance: float = 0.01,
+    gamma: float | None = None,
+    band: Band | None = None,
+    strain_gradient: bool = False,
+    hardness_formula: HardnessFormula | None = None,
+    interference_law: InterferenceLaw | None = None,
+    normalisation: Normalisation | None = None,
+    cutoff: Quantity | None = None,
+    scales_per_decade: int | None = None,
+    thermal_conductivity: Quantity | None = None,
+    counterface_thermal_conductivity: Quantity | None = None,
+    resistivity: Quantity | None = None,
+    counterface_resistivity: Quantity | None = None,
+    gas_conductivity: Quantity | None = None,
+    gas_parameter: Quantity | None = None,
+    accommodation: float | None = None,
+    counterface_accommodation: float | None = None,
+    heat_capacity_ratio: float | None = None,
+    prandtl_number: float | None = None,
+    mean_free_path: Quantity | None = None,
+    gas_temperature: float | None = None,
+    gas_pressure: Quantity | None = None,
+) -> ContactLaw | HeatConductance | CurrentConductance:
+    """Nominal pressure against overclosure between two pressures, or conductance against pressure, for finite elements.
 
     The overclosure is u_ref - u with the mean gap u of :func:`gap`; u_ref is the gap at 1/e of the smaller pressure, where the
     pressure is set to 0. It is the compliance of the roughness in excess of smooth bodies: those of the model deform beside it.
+
+    Conductances of heat and current follow from the stiffness of :func:`gap` by Barber's analogy, h = k_s K/E*, or from a
+    correlation for flowed peaks at the cutoff. Gas in the gaps adds its own, k_g <1/(g + M)> over Gaussian gaps.
 
     Parameters
     ----------
@@ -142,17 +303,36 @@ def law(
         The least and the largest nominal pressure of interest, in Pa or as text.
     from_pressure, to_pressure : float or str
         The same, one by one.
+    quantity : {"pressure", "heat", "current"}
+        Pressure over overclosure, or the conductance of heat or current over pressure.
     model : {"persson", "persson-plastic", "hertz", "ep-sphere", "elastic-sine", "ep-sine", "bgt"}
-        What makes the gap.
+        What makes the gap; for conductances also "yovanovich" and "cooper-mikic-yovanovich", which need a hardness.
     tolerance : float, default 0.01
-        The largest relative error of the pressure on the straight lines between the points, from 1e-5 to 0.5.
+        The largest relative error of the pressure, or of the conductance, on the straight lines between the points, from
+        1e-5 to 0.5.
     gamma, band, strain_gradient, hardness_formula, interference_law, normalisation, cutoff, scales_per_decade : optional
         As :func:`gap` has them.
+    thermal_conductivity, counterface_thermal_conductivity : float or str, optional
+        Those of the bodies, for heat, in W/(m K) or as text; of named materials those of the table where left out.
+    resistivity, counterface_resistivity : float or str, optional
+        Those of the bodies, for current, in ohm m or as text; of named materials those of the table where left out.
+    gas_conductivity : float or str, optional
+        Thermal conductivity of the gas in the gaps, for heat; vacuum where left out.
+    gas_parameter : float or str, optional
+        M in m, by which temperature jumps lengthen every gap.
+    accommodation, counterface_accommodation, heat_capacity_ratio, prandtl_number, mean_free_path : optional
+        In place of the gas parameter: accommodation coefficients on both bodies, ratio of specific heats, Prandtl number, and
+        mean free path at 15 C and 1 atm, in m or as text.
+    gas_temperature : float, optional
+        In K; 288.15 where left out.
+    gas_pressure : float or str, optional
+        In Pa or as text; 1 atm where left out.
 
     Returns
     -------
-    ContactLaw
-        A row a point: ``pressure_pa``, ``overclosure_m``, ``mean_gap_m``, ``area_fraction``.
+    ContactLaw, HeatConductance or CurrentConductance
+        A row a point: ``pressure_pa``, and ``overclosure_m``, ``mean_gap_m``, ``area_fraction``, or
+        ``conductance_w_per_m2_k``, ``contact_w_per_m2_k``, ``gas_w_per_m2_k``, or ``conductance_s_per_m2``.
 
     Raises
     ------
@@ -166,6 +346,10 @@ def law(
     >>> law = ta.law(uncd, ta.Material("463 GPa", 0.2), pressure=("10 kPa", "10 MPa"))
     >>> float(law.pressure_pa[0]), float(law.overclosure_m[0]), float(law.pressure_pa[-1])
     (0.0, 0.0, 10000000.0)
+    >>> copper = ta.Material("hard copper", counterface=ta.Material("annealed copper"))
+    >>> heat = ta.law(uncd, copper, pressure=("10 kPa", "10 MPa"), quantity="heat")
+    >>> heat.to_text("abaqus").count("*GAP CONDUCTANCE, PRESSURE")
+    1
     """
     arguments = locals()
     arguments["pressure"] = _range(pressure, from_pressure, to_pressure)
@@ -183,13 +367,36 @@ def _range(pressure: Any, from_pressure: Quantity | None, to_pressure: Quantity 
     return ends if pressure is None else pressure
 
 
-def _made_again(spectrum: Spectrum, material: AnyMaterial, arguments: dict[str, Any]) -> ContactLaw:
+def _made_again(
+    spectrum: Spectrum, material: AnyMaterial, arguments: dict[str, Any]
+) -> ContactLaw | HeatConductance | CurrentConductance:
+    recipe = (spectrum, material, arguments)
+    quantity = arguments["quantity"]
+    if quantity == "heat":
+        return _conductance(HeatConductance, recipe)
+    if quantity == "current":
+        return _conductance(CurrentConductance, recipe)
     native = _native.ContactLaw(spectrum._native, material_of(material), arguments)
     answer = native.answer()
     found = ContactLaw._of(answer.columns, noted(answer.notes), axis="point")
     found._native = native
     # A law is pickled as what it was made from, since its text takes more than its numbers.
-    found._recipe = (spectrum, material, arguments)
+    found._recipe = recipe
+    return found
+
+
+_OneConductance = TypeVar("_OneConductance", HeatConductance, CurrentConductance)
+
+
+def _conductance(
+    table: type[_OneConductance], recipe: tuple[Spectrum, AnyMaterial, dict[str, Any]]
+) -> _OneConductance:
+    spectrum, material, arguments = recipe
+    native = _native.ConductanceTable(spectrum._native, material_of(material), arguments)
+    answer = native.answer()
+    found = table._of(answer.columns, noted(answer.notes), axis="point")
+    found._native = native
+    found._recipe = recipe
     return found
 
 

@@ -356,7 +356,10 @@ impl GasInput {
             Some(given) => nominal_pressure(OptionName::GasPressure, None, given, material)?.pa(),
             None => RarefiedGas::REFERENCE_PRESSURE_PA,
         };
-        let temperature_k = self.temperature_k.unwrap_or(RarefiedGas::REFERENCE_TEMPERATURE_K);
+        let temperature_k = Some(self.temperature_k.unwrap_or(RarefiedGas::REFERENCE_TEMPERATURE_K));
+        let temperature = &[OptionName::GasTemperature];
+        let temperature_k =
+            needed(temperature, "temperature of the gas in K", Bound::Magnitude, temperature_k)?;
         let refused = |error| QuestionError::Value { option: OptionName::MeanFreePath, error };
         let mean_free_path_m =
             RarefiedGas::mean_free_path_m(reference_m, temperature_k, pressure_pa).map_err(refused)?;
