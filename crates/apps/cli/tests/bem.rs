@@ -162,6 +162,49 @@ fn fields_are_written_as_maps_and_pictures() {
 }
 
 #[test]
+fn patches_are_the_regions_that_touch() {
+    let bench = with_waves(32, 16);
+    let run = |options: &[&str]| bench.run(&call(&[&WAVES, options])).ok();
+    let table = run(&["--pressure", "60MPa", "--pressure", "6MPa", "--patches", "patches.csv"]);
+    let patches = bench.read("patches.csv");
+    assert!(patches.starts_with("nominal_pressure_pa,realisation,patch,points,area_m2,perimeter_m\n"));
+    // Each load has one stripe across the periodic map, 1 um long and half as wide, with two straight sides.
+    for name in ["realisation", "patch"] {
+        assert_eq!(column(&patches, name), ["1", "1"]);
+    }
+    assert_eq!(column(&patches, "nominal_pressure_pa"), column(&table, "nominal_pressure_pa"));
+    let [points, areas, perimeters] =
+        ["points", "area_m2", "perimeter_m"].map(|name| numbers(&patches, name));
+    for (at, share) in numbers(&table, "area_fraction").into_iter().enumerate() {
+        assert_eq!(points[at], share * 512.0);
+        assert!((areas[at] / (share * 0.5e-12) - 1.0).abs() < 1e-12);
+        assert!((perimeters[at] / 1e-6 - 1.0).abs() < 1e-12);
+    }
+    let onto_input = ["--pressure", "60MPa", "--patches", "waves.txt"];
+    bench.run(&call(&[&WAVES, &onto_input])).refused_naming(&["--patches", "waves.txt"]);
+}
+
+#[test]
+fn patches_of_every_surface_make_up_its_area() {
+    let bench = with_spectrum();
+    let random =
+        ["--realisations=3", "--pressures=10kPa:100kPa:2", "--per-realisation", "--patches=patches.csv"];
+    let table = bench.run(&call(&[&SURFACES, &random])).ok();
+    let patches = bench.read("patches.csv");
+    let [pressures, realisations, order, points] =
+        ["nominal_pressure_pa", "realisation", "patch", "points"].map(|name| numbers(&patches, name));
+    let rows: Vec<[f64; 3]> =
+        (0..points.len()).map(|at| [pressures[at], realisations[at], order[at]]).collect();
+    assert!(rows.is_sorted() && rows.len() > 12, "{patches}");
+    let states = ["nominal_pressure_pa", "realisation", "area_fraction"].map(|name| numbers(&table, name));
+    for at in 0..6 {
+        let of_state = |row: &usize| rows[*row][..2] == [states[0][at], states[1][at]];
+        let counted: f64 = (0..points.len()).filter(of_state).map(|row| points[row]).sum();
+        assert_eq!(counted, states[2][at] * 256.0 * 256.0);
+    }
+}
+
+#[test]
 fn odd_sides_and_single_rows_are_pressed_without_a_coarser_grid() {
     for (columns, rows) in [(33, 17), (32, 15)] {
         let bench = with_waves(columns, rows);

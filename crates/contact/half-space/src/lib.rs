@@ -6,6 +6,7 @@
 //! * [`Loading`]: modulus, pressure, saturation and tolerance; [`Closing`] holds a distance in place of the pressure.
 //! * [`Contact`]: pressures and gaps in equilibrium, with areas, mean gap and energy.
 //! * [`AdhesiveElements`]: a periodic surface that attracts the half-space, with the gap as the unknown.
+//! * [`Patch`]: a connected region of points in contact.
 //! * [`OpenPaths`]: channels through which a fluid crosses the contact.
 
 mod adhesion;
@@ -18,6 +19,7 @@ mod grid;
 mod loading;
 mod love;
 mod operators;
+mod patches;
 mod percolation;
 mod problem;
 mod projection;
@@ -35,4 +37,5 @@ pub use elements::{Elements, PROGRESS_STEPS};
 pub use error::HalfSpaceError;
 pub use grid::Grid;
 pub use loading::{Approach, Closing, Loading};
+pub use patches::{Patch, patches};
 pub use percolation::{OpenPaths, Sides, open_paths};

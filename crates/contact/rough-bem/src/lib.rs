@@ -7,6 +7,7 @@
 //! * [`PressedLoad`]: one load on every surface, each with its [`PressedState`], and their [`Mean`];
 //! * [`Ball`] and [`Cylinder`]: smooth bodies pressed onto one rough flat;
 //! * [`AdhesivePressing`]: surfaces that attract each other, under loads and pulled apart;
+//! * [`PressedPatches`]: connected regions of the contact;
 //! * [`Field`]: pressures and gaps of one surface under one load, which can be written as NetCDF.
 
 mod adhesive;
@@ -15,6 +16,7 @@ mod error;
 mod field;
 mod mean;
 mod netcdf_classic;
+mod patches;
 mod press;
 mod pressing;
 mod random_choices;
@@ -29,6 +31,7 @@ pub use error::ElementsError;
 pub use field::{Field, PointState};
 pub use half_space::Approach;
 pub use mean::{Mean, PressedLoad};
+pub use patches::{PressedPatches, patches_table};
 pub use press::{press, progress_steps};
 pub use pressing::{Load, Pressing};
 pub use random_choices::RandomChoices;

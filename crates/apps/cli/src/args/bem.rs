@@ -32,13 +32,13 @@ pub(crate) struct BemArgs {
     #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub saturation: Option<Pressure>,
     /// Radius of a smooth ball that is pressed onto the middle of the surface, whose edges are free; with --force, in place of pressures
-    #[arg(long, value_name = "L", requires = "force", allow_hyphen_values = true, conflicts_with_all = ["pressures", "pressure_ranges", "saturation", "per_realisation", "fields", "figure", "boundary"])]
+    #[arg(long, value_name = "L", requires = "force", allow_hyphen_values = true, conflicts_with_all = ["pressures", "pressure_ranges", "saturation", "per_realisation", "fields", "patches", "figure", "boundary"])]
     pub ball_radius: Option<Length>,
     /// Force on the ball, such as 1N
     #[arg(long, value_name = "F", requires = "ball_radius", allow_hyphen_values = true, conflicts_with_all = ["pressures", "pressure_ranges"])]
     pub force: Option<Force>,
     /// Work of adhesion w of the two surfaces, such as 50mJ/m^2; pressures may then be negative
-    #[arg(long, value_name = "W", requires = "adhesion_range", allow_hyphen_values = true, conflicts_with_all = ["saturation", "ball_radius", "fields", "figure"])]
+    #[arg(long, value_name = "W", requires = "adhesion_range", allow_hyphen_values = true, conflicts_with_all = ["saturation", "ball_radius", "fields", "patches", "figure"])]
     pub work_of_adhesion: Option<WorkOfAdhesion>,
     /// Range rho of the attraction (w/rho) exp(-gap/rho), such as 2nm
     #[arg(long, value_name = "L", requires = "work_of_adhesion", allow_hyphen_values = true)]
@@ -58,6 +58,9 @@ pub(crate) struct BemArgs {
     /// A folder for pressures and gaps of every surface under every load, as NetCDF and as pictures; made where absent
     #[arg(long, value_name = "DIR")]
     pub fields: Option<PathBuf>,
+    /// A file for a table of contact patches, the regions that touch without a break, with area and perimeter of each
+    #[arg(long, value_name = "FILE")]
+    pub patches: Option<PathBuf>,
     #[command(flatten)]
     pub figure: FigureArg,
     #[command(flatten)]

@@ -24,7 +24,7 @@ use crate::args::BemArgs;
 use crate::failure::Failure;
 use crate::files::Folder;
 use crate::flags::Flags;
-use crate::output::{publish, stage};
+use crate::output::{Place, publish, stage};
 use crate::picture::png_of_field;
 use crate::progress::Progress;
 use crate::timings::Timings;
@@ -56,9 +56,16 @@ pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> 
     timings.lap("reading");
     let progress = Progress::towards(prepared.steps(), "steps");
     let files = Mutex::new(StagedFiles::default());
-    let see = |field: &Field<'_>| match &fields {
-        Some(fields) => fields.stage(field, &files),
-        None => Ok(()),
+    let patches = Mutex::new(Vec::new());
+    let see = |field: &Field<'_>| {
+        if args.patches.is_some() {
+            let found = field.patches().map_err(ElementsError::from)?;
+            patches.lock().unwrap_or_else(PoisonError::into_inner).push(found);
+        }
+        match &fields {
+            Some(fields) => fields.stage(field, &files),
+            None => Ok(()),
+        }
     };
     let (pressed, notes) = prepared.answer::<Failure>(see, &progress)?;
     drop(progress);
@@ -77,6 +84,11 @@ pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> 
     context.stage_blocks(&mut files, &context.shared.output, context.wanted(&comments), |out| {
         Ok(out.block(&table)?)
     })?;
+    if let Some(path) = &args.patches {
+        let table = rough_bem::patches_table(patches.into_inner().unwrap_or_else(PoisonError::into_inner));
+        let place = Place::File(path.clone());
+        context.stage_blocks(&mut files, &place, context.wanted(&comments), |out| Ok(out.block(&table)?))?;
+    }
     publish(files)?;
     if let Some(fields) = fields {
         fields.keep();
@@ -177,7 +189,9 @@ fn load(args: &BemArgs, context: &Context<'_>) -> Result<(Measured, Vec<String>)
         spectrum: reading_options(&args.reading),
         recipe: Recipe { detrend: args.map.detrend, ..Recipe::default() },
     };
-    let folder = Folder::current(context.targets(args.figure.figure.as_ref())?);
+    let targets = context.targets(args.figure.figure.as_ref())?;
+    let targets = targets.with_files("--patches", args.patches.as_slice())?;
+    let folder = Folder::current(targets);
     let found = Measured::load(&request, &folder, &options).map_err(|error| match error {
         SurfaceError::Scans(error) => psd::refused(error),
         error => Failure::input(error),
