@@ -196,11 +196,12 @@ fn patches_of_every_surface_make_up_its_area() {
     let rows: Vec<[f64; 3]> =
         (0..points.len()).map(|at| [pressures[at], realisations[at], order[at]]).collect();
     assert!(rows.is_sorted() && rows.len() > 12, "{patches}");
-    let states = ["nominal_pressure_pa", "realisation", "area_fraction"].map(|name| numbers(&table, name));
-    for at in 0..6 {
-        let of_state = |row: &usize| rows[*row][..2] == [states[0][at], states[1][at]];
+    let [loads, surfaces, shares] =
+        ["nominal_pressure_pa", "realisation", "area_fraction"].map(|name| numbers(&table, name));
+    for ((load, surface), share) in loads.into_iter().zip(surfaces).zip(shares) {
+        let of_state = |row: &usize| rows[*row][..2] == [load, surface];
         let counted: f64 = (0..points.len()).filter(of_state).map(|row| points[row]).sum();
-        assert_eq!(counted, states[2][at] * 256.0 * 256.0);
+        assert_eq!(counted, share * 256.0 * 256.0);
     }
 }
 
