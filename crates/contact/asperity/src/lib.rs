@@ -2,6 +2,7 @@
 //!
 //! Main types:
 //! * [`MaterialPair`]: the body that yields, its counterface, and their composite modulus.
+//! * [`Layer`]: a rough body that is a layer on a base, with its displacement under waves of pressure.
 //! * the laws: [`Hertz`] and [`JacksonGreen`] for a sphere at an interference, [`HertzEllipse`] for a summit of two
 //!   curvatures, [`ElasticSinusoid`] and [`ElasticPlasticSinusoid`] for a sinusoid at a mean pressure or at an
 //!   interference, with its mean gap, and [`BemSinusoid`], the elastic one by boundary elements.
@@ -21,6 +22,7 @@ pub mod elementary;
 mod hertz;
 mod hertz_ellipse;
 mod jackson_green;
+mod layer;
 mod material;
 mod mean_gap;
 mod monotone_cubic;
@@ -40,6 +42,7 @@ pub use jackson_green::{
     FITTED_CONTACT_RADIUS_OVER_RADIUS, FITTED_STRENGTH_OVER_MODULUS, Hardness, JacksonGreen,
     YIELD_INTERFERENCE_RATIO,
 };
+pub use layer::{Layer, LayerCompliance};
 pub use material::{ElasticBody, MaterialPair};
 pub use nix_gao::NixGao;
 pub use plastic_flow::{FlowPoint, PlasticFlow};

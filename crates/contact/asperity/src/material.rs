@@ -2,6 +2,7 @@
 
 use std::f64::consts::{PI, SQRT_2};
 
+use crate::layer::{Layer, LayerCompliance};
 use crate::{AsperityError, Bound};
 
 /// Isotropic elastic body with checked constants.
@@ -52,7 +53,7 @@ impl ElasticBody {
     }
 
     /// Plane-strain modulus E/(1 - nu^2) \[Pa\].
-    fn plane_strain_modulus_pa(&self) -> f64 {
+    pub(crate) fn plane_strain_modulus_pa(&self) -> f64 {
         self.youngs_modulus_pa / ((1.0 - self.poisson_ratio) * (1.0 + self.poisson_ratio))
     }
 }
@@ -63,6 +64,8 @@ pub struct MaterialPair {
     body: ElasticBody,
     #[serde(skip)]
     counterface: Option<ElasticBody>,
+    #[serde(skip)]
+    layer: Option<Layer>,
     yielding_body: ElasticBody,
     composite_modulus_pa: f64,
     #[serde(skip)]
@@ -108,12 +111,32 @@ impl MaterialPair {
         MaterialPair {
             body,
             counterface,
+            layer: None,
             yielding_body,
             composite_modulus_pa,
             spherical_yield_coefficient: yielding_body.spherical_yield_coefficient(),
             log_spherical_yield_coefficient: 1.295f64.ln() + 0.736 * nu,
             sinusoidal_yield_coefficient: SQRT_2 / (3.0 * PI) * (2.0 * (nu + 1.0) / 3.0).exp(),
         }
+    }
+
+    /// Returns the pair with its rough body as a layer, if there is one: of its own material, with the thickness and on the base
+    /// of `layer`. E* stays that of the rough body's material and the counterface, which short waves feel.
+    #[must_use]
+    pub fn bonded(self, layer: Option<Layer>) -> Self {
+        MaterialPair { layer: layer.map(|layer| layer.with_body(self.body)), ..self }
+    }
+
+    /// The layer that the rough body is; none if it is a half-space.
+    #[must_use]
+    pub fn layer(&self) -> Option<Layer> {
+        self.layer
+    }
+
+    /// Displacement of both bodies under waves of pressure, if the rough one is a layer.
+    #[must_use]
+    pub fn layer_compliance(&self) -> Option<LayerCompliance> {
+        self.layer.map(|layer| LayerCompliance::new(&layer, self.composite_modulus_pa))
     }
 
     /// The rough body.

@@ -22,6 +22,8 @@ pub struct Elements {
     heights: Vec<f64>,
     mean_height_m: f64,
     unit_m: f64,
+    /// Displacement under the longest wave of the grid, over that of the half-space; 1 without a layer.
+    longest_wave: f64,
     operators: Operators,
     state: State,
 }
@@ -36,7 +38,26 @@ impl Elements {
     /// # Errors
     /// [`HalfSpaceError`] for heights that do not match the points, are not finite, or exceed 1e30 m.
     pub fn periodic(grid: Grid, heights_m: &[f64]) -> Result<Self, HalfSpaceError> {
-        Self::new(grid, true, heights_m, || operators::periodic(&grid))
+        Self::new(grid, true, heights_m, 1.0, || operators::periodic(&grid))
+    }
+
+    /// Lays out the elements of [`periodic`](Self::periodic) on a body that is no half-space, such as a layer on a base: a wave
+    /// of pressure of the wave vector q displaces it by `relative_displacement(|q|)` times as much as the half-space, above 0,
+    /// with |q| in rad/m. Displacements have a mean of 0 here too, so gaps leave out what uniform pressure displaces.
+    ///
+    /// # Errors
+    /// [`HalfSpaceError`] for heights that do not match the points, are not finite, or exceed 1e30 m.
+    pub fn periodic_on(
+        grid: Grid,
+        heights_m: &[f64],
+        relative_displacement: impl Fn(f64) -> f64,
+    ) -> Result<Self, HalfSpaceError> {
+        let longest_wave = relative_displacement(grid.unit_wave_number_per_m());
+        Self::new(grid, true, heights_m, longest_wave, || {
+            operators::periodic_on(&grid, |wave_number| {
+                relative_displacement(wave_number * grid.unit_wave_number_per_m()) / longest_wave
+            })
+        })
     }
 
     /// Lays out the elements under `heights_m`, row by row, of a surface of finite size, alone on the half-space; high
@@ -50,13 +71,14 @@ impl Elements {
     /// # Errors
     /// [`HalfSpaceError`] for heights that do not match the points, are not finite, or exceed 1e30 m.
     pub fn free(grid: Grid, heights_m: &[f64]) -> Result<Self, HalfSpaceError> {
-        Self::new(grid, false, heights_m, || operators::free(&grid))
+        Self::new(grid, false, heights_m, 1.0, || operators::free(&grid))
     }
 
     fn new(
         grid: Grid,
         periodic: bool,
         heights_m: &[f64],
+        longest_wave: f64,
         operators: impl FnOnce() -> Operators,
     ) -> Result<Self, HalfSpaceError> {
         if heights_m.len() != grid.points() {
@@ -80,7 +102,8 @@ impl Elements {
         let heights: Vec<f64> =
             heights_m.iter().map(|height_m| (height_m - mean_height_m) / unit_m).collect();
         let state = State::new(heights.len());
-        Ok(Self { grid, periodic, heights, mean_height_m, unit_m, operators: operators(), state })
+        let operators = operators();
+        Ok(Self { grid, periodic, heights, mean_height_m, unit_m, longest_wave, operators, state })
     }
 
     /// Grid of points.
@@ -91,7 +114,7 @@ impl Elements {
 
     /// Unit of pressure: the pressure that makes one wave of the unit's height along the longer side.
     fn unit_pa(&self, contact_modulus_pa: f64) -> f64 {
-        0.5 * contact_modulus_pa * (self.grid.unit_wave_number_per_m() * self.unit_m)
+        0.5 * contact_modulus_pa * (self.grid.unit_wave_number_per_m() * self.unit_m) / self.longest_wave
     }
 
     /// Presses the surface with a force over the area of the grid; `progress` receives [`PROGRESS_STEPS`] steps.

@@ -69,6 +69,12 @@ pub enum HalfSpaceError {
         /// Height \[m\] of the highest point over the mean.
         highest_m: f64,
     },
+    /// The kernel of a layer is one of waves, which a surface of finite size does not have.
+    #[error(
+        "pressing boundary elements: a layer needs a surface that repeats itself; make the boundary of the map periodic, or leave \
+         out the layer"
+    )]
+    FreeLayer,
     /// The work was cancelled.
     #[error("pressing boundary elements: ended before the surface was in equilibrium")]
     Cancelled,

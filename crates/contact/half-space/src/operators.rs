@@ -20,6 +20,27 @@ pub(crate) fn periodic(grid: &Grid) -> Operators {
     }
 }
 
+/// Operators of a periodic surface on a body that a wave of a wave number, in units of the longest wave, displaces by
+/// `relative_displacement` times as much as the half-space.
+pub(crate) fn periodic_on(grid: &Grid, relative_displacement: impl Fn(f64) -> f64) -> Operators {
+    let map = [grid.rows(), grid.columns()];
+    let wave_number = wave_number(*grid);
+    let compliance = |row, column| {
+        let wave_number = wave_number(row, column);
+        relative_displacement(wave_number) / wave_number
+    };
+    Operators {
+        compliance: Convolution::new(map, map, |row, column| match (row, column) {
+            (0, 0) => 0.0,
+            _ => compliance(row, column),
+        }),
+        preconditioner: Convolution::new(map, map, |row, column| match (row, column) {
+            (0, 0) => 0.0,
+            _ => 1.0 / compliance(row, column),
+        }),
+    }
+}
+
 /// Operators of a surface alone on the half-space: displacements by Love's coefficients; directions are preconditioned
 /// by the waves of the grid, without padding.
 pub(crate) fn free(grid: &Grid) -> Operators {

@@ -21,6 +21,7 @@ pub mod growing_hardness;
 pub mod hardness_laws;
 mod hardness_path;
 mod knot;
+mod layered;
 mod model;
 mod roughness;
 pub mod sealing;

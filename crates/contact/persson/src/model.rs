@@ -6,7 +6,7 @@ use crate::energy::EnergyFactor;
 use crate::growing_hardness::areas_along;
 use crate::hardness_laws::{Hardness, HardnessError, HardnessGrowth};
 use crate::roughness::{Place, Roughness};
-use crate::separation::{Separation, SeparationKnot, SeparationLaw};
+use crate::separation::{Separation, SeparationLaw};
 use crate::{constant_hardness, elastic};
 
 /// Deformation of the surface.
@@ -151,11 +151,11 @@ impl PerssonModel {
         }
     }
 
-    /// Mean separation and stiffness of the elastic theory along a roughness. They lose their meaning where more than a few per cent of the contact is plastic.
+    /// Mean separation and stiffness of the elastic theory along a roughness. They lose their meaning where more than a few per
+    /// cent of the contact is plastic.
     #[must_use]
     pub fn separation(&self, roughness: &Roughness, energy_factor: EnergyFactor) -> SeparationLaw {
-        let knots = SeparationKnot::along(roughness, self.contact_modulus_pa());
-        SeparationLaw::new(&knots, self.contact_modulus_pa(), energy_factor)
+        SeparationLaw::from_roughness(roughness, self.contact_modulus_pa(), energy_factor)
     }
 }
 

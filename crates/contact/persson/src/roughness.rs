@@ -2,6 +2,9 @@
 
 use std::f64::consts::TAU;
 
+use asperity::LayerCompliance;
+
+use crate::layered::mean_square_stiffening;
 use crate::stretch::share_of_power_law;
 use crate::variance::{Band, MeanSquareGradients, SpectrumSample, spectral_exponents};
 
@@ -9,6 +12,7 @@ use crate::variance::{Band, MeanSquareGradients, SpectrumSample, spectral_expone
 #[derive(Debug, Clone, PartialEq)]
 pub struct Roughness {
     places: Vec<Place>,
+    layer: Option<LayerCompliance>,
 }
 
 /// Roughness up to one cutoff.
@@ -32,6 +36,11 @@ pub struct Place {
     pub amplitude_m: f64,
     /// Exponent e of dV/dq ~ q^(e-1) between here and the next place.
     pub variance_exponent: f64,
+    /// The same exponent for the mean square gradient. On a layer V grows by another one.
+    gradient_exponent: f64,
+    /// Mean square gradients up to q and from the first place on, each wave times (E*(q)/E*)^2: what V is made of. On a
+    /// half-space they are the plain ones.
+    stiffened_gradients: [f64; 2],
 }
 
 /// Sample of a spectrum with the moments of the roughness above its wavelength.
@@ -68,6 +77,7 @@ impl Roughness {
         }));
         let MeanSquareGradients { up_to, from_first } = MeanSquareGradients::of(&of_spectrum, band);
         let exponents = spectral_exponents(&of_spectrum);
+        let gradient_exponent = |at: usize| exponents.get(at).map_or(3.0, |exponent| 3.0 + exponent);
         let place = |(at, sample): (usize, &RoughnessSample)| Place {
             wavelength_m: sample.wavelength_m,
             wavevector_rad_per_m: TAU / sample.wavelength_m,
@@ -76,9 +86,37 @@ impl Roughness {
             moments: sample.moments,
             alpha: nayak(sample.moments),
             amplitude_m: sample.amplitude_m,
-            variance_exponent: exponents.get(at).map_or(3.0, |exponent| 3.0 + exponent),
+            variance_exponent: gradient_exponent(at),
+            gradient_exponent: gradient_exponent(at),
+            stiffened_gradients: [up_to[at], from_first[at]],
         };
-        Roughness { places: samples.iter().enumerate().map(place).collect() }
+        Roughness { places: samples.iter().enumerate().map(place).collect(), layer: None }
+    }
+
+    /// Returns the roughness between bodies one of which is a layer: flattening a wave takes E*(q) in place of E*, so that
+    /// dV = E*(q)^2 dh'^2/4 and mean gap and stiffness take dv/(q E*(q)). Gradients and moments stay those of the surface.
+    #[must_use]
+    pub fn on_layer(mut self, layer: LayerCompliance) -> Self {
+        let mut stiffened = [0.0; 2];
+        for at in 1..self.places.len() {
+            let (start, end) = (self.places[at - 1], self.places[at]);
+            let wavevectors = [start, end].map(|place| place.wavevector_rad_per_m);
+            let (mean_square, grown) = mean_square_stiffening(&layer, wavevectors, start.gradient_exponent);
+            self.places[at - 1].variance_exponent = start.gradient_exponent + grown;
+            let rises = [
+                end.mean_square_gradient - start.mean_square_gradient,
+                end.mean_square_gradient_from_first - start.mean_square_gradient_from_first,
+            ];
+            stiffened = [0, 1].map(|which| stiffened[which] + mean_square * rises[which]);
+            self.places[at].stiffened_gradients = stiffened;
+        }
+        self.layer = Some(layer);
+        self
+    }
+
+    /// Displacement of a layer under waves, if one of the bodies is a layer.
+    pub(crate) fn layer(&self) -> Option<LayerCompliance> {
+        self.layer
     }
 
     /// Cutoffs, from long to short wavelengths.
@@ -100,9 +138,9 @@ impl Roughness {
         };
         let ln_q = |to_rad_per_m: f64| (to_rad_per_m / start.wavevector_rad_per_m).ln();
         let (part_ln, whole_ln) = (ln_q(wavevector_rad_per_m), ln_q(end.wavevector_rad_per_m));
-        // The moments grow by q^(k + exponent of C1D), V like m2.
+        // The moments grow by q^(k + exponent of C1D), the mean square gradient like m2.
         let grown = |at: usize, power: f64| {
-            let [share, slope] = share_of_power_law(start.variance_exponent + power, part_ln, whole_ln);
+            let [share, slope] = share_of_power_law(start.gradient_exponent + power, part_ln, whole_ln);
             let rise = end.moments[at] - start.moments[at];
             let moment = start.moments[at] + share * rise;
             (moment, if moment > 0.0 { slope * rise / moment } else { 0.0 })
@@ -125,15 +163,15 @@ impl Place {
     }
 
     /// Variance V = E*^2 h'^2/4 \[Pa^2\] of the pressure that flattens this roughness, under a contact modulus E*
-    /// \[Pa\].
+    /// \[Pa\]; on a layer each wave counts with E*(q).
     #[must_use]
     pub fn variance_pa2(&self, contact_modulus_pa: f64) -> f64 {
-        0.25 * contact_modulus_pa * contact_modulus_pa * self.mean_square_gradient
+        0.25 * contact_modulus_pa * contact_modulus_pa * self.stiffened_gradients[0]
     }
 
     /// Variance \[Pa^2\] of the pressure that flattens the waves between the first place and this one, for gap and stiffness.
     #[must_use]
     pub fn variance_from_first_pa2(&self, contact_modulus_pa: f64) -> f64 {
-        0.25 * contact_modulus_pa * contact_modulus_pa * self.mean_square_gradient_from_first
+        0.25 * contact_modulus_pa * contact_modulus_pa * self.stiffened_gradients[1]
     }
 }

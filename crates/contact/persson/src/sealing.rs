@@ -20,7 +20,7 @@ use crate::corrections::{Correction, flattened};
 use crate::elastic::argument_of_area;
 use crate::energy::EnergyFactor;
 use crate::roughness::Roughness;
-use crate::separation::{SeparationKnot, SeparationLaw};
+use crate::separation::SeparationLaw;
 
 /// Share of the nominal area in contact at which the last open channel closes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -108,8 +108,7 @@ impl SealingLaw {
         correction: Option<Correction>,
         threshold: PercolationThreshold,
     ) -> Self {
-        let knots = SeparationKnot::along(roughness, contact_modulus_pa);
-        let separation = SeparationLaw::new(&knots, contact_modulus_pa, energy_factor);
+        let separation = SeparationLaw::from_roughness(roughness, contact_modulus_pa, energy_factor);
         SealingLaw { roughness: roughness.clone(), contact_modulus_pa, correction, threshold, separation }
     }
 

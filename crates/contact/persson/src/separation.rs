@@ -8,11 +8,12 @@
 //! 1/K = -du/dp = (1/p) (2/(sqrt(pi) E*)) Int_0^v1 \[g + (n + 1) (1 - g) erf(p/v)^n\] exp(-(p/v)^2) dv/q(v).
 //!
 //! The energy in contact is W = g + (1 - g) P^n of that of full contact at an area fraction P ([`EnergyFactor`]); n = 2 there.
-//! u is measured from the mean plane of the deformed rough surface to the flat. Both integrals take the whole
-//! spectrum and are dominated by its longest wavelengths.
+//! On a layer E*(q) is in place of E*, inside the integrals. u is measured from the mean plane of the deformed rough
+//! surface to the flat. Both integrals take the whole spectrum and are dominated by its longest wavelengths.
 
 use std::f64::consts::PI;
 
+use asperity::LayerCompliance;
 use numerics::{GaussLegendre, zero_in_bracket};
 
 use crate::energy::EnergyFactor;
@@ -68,16 +69,29 @@ pub struct SeparationLaw {
     energy: Energy,
     contact_modulus_pa: f64,
     stretches: Vec<Option<Stretch>>,
+    layer: Option<LayerCompliance>,
     rule: GaussLegendre,
 }
 
 impl SeparationLaw {
-    /// Creates the law under a contact modulus E* > 0 \[Pa\].
+    /// Creates the law of a roughness, on a layer or on half-spaces, under a contact modulus E* > 0 \[Pa\].
+    #[must_use]
+    pub fn from_roughness(
+        roughness: &Roughness,
+        contact_modulus_pa: f64,
+        energy_factor: EnergyFactor,
+    ) -> Self {
+        let knots = SeparationKnot::along(roughness, contact_modulus_pa);
+        let law = Self::new(&knots, contact_modulus_pa, energy_factor);
+        SeparationLaw { layer: roughness.layer(), ..law }
+    }
+
+    /// Creates the law of half-spaces under a contact modulus E* > 0 \[Pa\].
     #[must_use]
     pub fn new(knots: &[SeparationKnot], contact_modulus_pa: f64, energy_factor: EnergyFactor) -> Self {
         let stretches = knots.windows(2).map(|pair| Stretch::between(&pair[0], &pair[1])).collect();
         let rule = GaussLegendre::new(16);
-        SeparationLaw { energy: Energy::new(energy_factor), contact_modulus_pa, stretches, rule }
+        SeparationLaw { energy: Energy::new(energy_factor), contact_modulus_pa, stretches, layer: None, rule }
     }
 
     /// Separation and stiffness under a nominal pressure p > 0 \[Pa\] with the spectrum cut off at each knot; 0 and
@@ -226,9 +240,29 @@ impl SeparationLaw {
         2.0 / (PI.sqrt() * self.contact_modulus_pa)
     }
 
-    /// Calls `term` with v and the weight of dv/q over a stretch, from v = `from_pa` up, in pieces on which v and the
-    /// wavevector grow by at most `MOST_GROWTH`.
-    fn over(&self, stretch: &Option<Stretch>, from_pa: f64, mut term: impl FnMut(f64, f64)) {
+    /// Calls `term` with v and the weight of dv/q over a stretch, from v = `from_pa` up; on a layer with that of
+    /// dv E*/(q E*(q)).
+    fn over(&self, stretch: &Option<Stretch>, from_pa: f64, term: impl FnMut(f64, f64)) {
+        match self.layer {
+            None => self.over_waves(stretch, from_pa, |wavevector_rad_per_m| wavevector_rad_per_m, term),
+            Some(layer) => self.over_waves(
+                stretch,
+                from_pa,
+                |wavevector_rad_per_m| wavevector_rad_per_m / layer.relative_at(wavevector_rad_per_m),
+                term,
+            ),
+        }
+    }
+
+    /// Calls `term` with v and the weight of dv/`stiffness(q)` over a stretch, from v = `from_pa` up, in pieces on which v and
+    /// the wavevector grow by at most `MOST_GROWTH`.
+    fn over_waves(
+        &self,
+        stretch: &Option<Stretch>,
+        from_pa: f64,
+        stiffness: impl Fn(f64) -> f64,
+        mut term: impl FnMut(f64, f64),
+    ) {
         const MOST_GROWTH: f64 = 1.6;
         let Some(stretch) = stretch else { return };
         let last_pa = (2.0 * stretch.end_pa2).sqrt();
@@ -248,7 +282,7 @@ impl SeparationLaw {
                 break;
             }
             for (v_pa, weight) in self.rule.over(start_pa, end_pa) {
-                term(v_pa, weight / stretch.wavevector_rad_per_m(v_pa));
+                term(v_pa, weight / stiffness(stretch.wavevector_rad_per_m(v_pa)));
             }
             end_pa = start_pa;
         }

@@ -64,7 +64,7 @@ fn press_once<E: From<ElementsError>>(
         return Err(ElementsError::from(HalfSpaceError::Cancelled).into());
     }
     let relief = surfaces.relief(surface).map_err(ElementsError::from)?;
-    let mut elements = relief.elements().map_err(ElementsError::from)?;
+    let mut elements = relief.elements(pressing.layer.as_ref()).map_err(ElementsError::from)?;
     let rms_gradient = surfaces.rms_gradient(&relief);
     let contact = pressing.press(load, rms_gradient, &mut elements, progress).map_err(ElementsError::from)?;
     let stiffness_pa_per_m = if pressing.stiffness {
@@ -76,7 +76,8 @@ fn press_once<E: From<ElementsError>>(
     drop(elements);
     // Areas are extrapolated at the same load.
     let loading = pressing.loading(contact.nominal_pressure_pa);
-    let pressed = |relief: Relief| relief.press(&loading, &NestedProgress(progress));
+    let pressed =
+        |relief: Relief| relief.elements(pressing.layer.as_ref())?.press(&loading, &NestedProgress(progress));
     let coarser = surfaces.coarser(&relief).map(pressed).transpose().map_err(ElementsError::from)?;
     see(&Field {
         load,

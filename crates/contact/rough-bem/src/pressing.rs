@@ -1,5 +1,6 @@
 //! Material and loads under which surfaces are pressed.
 
+use asperity::{LayerCompliance, MaterialPair};
 use half_space::{Approach, Closing, Contact, Elements, HalfSpaceError, Loading};
 use parallel::Progress;
 
@@ -17,8 +18,10 @@ pub enum Load {
 /// Material, loads and tolerance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pressing {
-    /// Contact modulus E* \[Pa\]; 1/E* is the sum of (1 - nu^2)/E over both bodies.
+    /// Contact modulus E* \[Pa\]; 1/E* is the sum of (1 - nu^2)/E over both bodies, of the layer where one has a layer.
     pub contact_modulus_pa: f64,
+    /// Displacement of a layer under waves, over that of half-spaces with this modulus; `None` for half-spaces.
+    pub layer: Option<LayerCompliance>,
     /// Loads, in the order of the results.
     pub loads: Vec<Load>,
     /// Pressure at which the surface yields, an indentation hardness \[Pa\]; `None` if it is elastic throughout.
@@ -38,11 +41,18 @@ impl Pressing {
     pub fn elastic(contact_modulus_pa: f64) -> Self {
         Self {
             contact_modulus_pa,
+            layer: None,
             loads: Vec::new(),
             saturation_pa: None,
             tolerance: Self::TOLERANCE,
             stiffness: false,
         }
+    }
+
+    /// Creates the elastic material of a pair of bodies, with the layer if there is one, without loads and stiffness.
+    #[must_use]
+    pub fn between(pair: &MaterialPair) -> Self {
+        Self { layer: pair.layer_compliance(), ..Self::elastic(pair.composite_modulus_pa()) }
     }
 
     /// Checks the numbers before any surface is made.

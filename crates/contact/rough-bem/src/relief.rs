@@ -1,5 +1,6 @@
 //! Heights of one surface to be pressed.
 
+use asperity::LayerCompliance;
 use half_space::{Contact, Elements, Grid, HalfSpaceError, Loading, OpenPaths, Sides, open_paths};
 use parallel::Progress;
 use serde::{Deserialize, Serialize};
@@ -79,13 +80,20 @@ impl Relief {
     /// # Errors
     /// [`HalfSpaceError`] for heights or loads that cannot be pressed, and if `progress` cancels.
     pub fn press(&self, loading: &Loading, progress: &dyn Progress) -> Result<Contact, HalfSpaceError> {
-        self.elements()?.press(loading, progress)
+        self.elements(None)?.press(loading, progress)
     }
 
-    pub(crate) fn elements(&self) -> Result<Elements, HalfSpaceError> {
-        match self.boundary {
-            Boundary::Periodic => Elements::periodic(self.grid()?, &self.heights_m),
-            Boundary::Free => Elements::free(self.grid()?, &self.heights_m),
+    /// Elements under the relief, on half-spaces or on a layer.
+    pub(crate) fn elements(&self, layer: Option<&LayerCompliance>) -> Result<Elements, HalfSpaceError> {
+        match (self.boundary, layer) {
+            (Boundary::Periodic, None) => Elements::periodic(self.grid()?, &self.heights_m),
+            (Boundary::Free, None) => Elements::free(self.grid()?, &self.heights_m),
+            (Boundary::Periodic, Some(layer)) => {
+                Elements::periodic_on(self.grid()?, &self.heights_m, |wavevector_rad_per_m| {
+                    layer.relative_at(wavevector_rad_per_m)
+                })
+            }
+            (Boundary::Free, Some(_)) => Err(HalfSpaceError::FreeLayer),
         }
     }
 
