@@ -4,6 +4,7 @@ mod bem;
 mod figure_files;
 mod gap;
 mod groups;
+mod layer;
 mod misplaced;
 mod parsers;
 mod persson;

@@ -14,7 +14,7 @@
 //!
 //! Both are written here in forms that neither overflow nor cancel: see `docs/theory/layers.md`.
 
-use crate::material::ElasticBody;
+use crate::elastic_body::ElasticBody;
 use crate::{AsperityError, Bound};
 
 /// Elastic layer bonded to a base.

@@ -15,6 +15,7 @@
 
 mod bem_sinusoid;
 mod breaks;
+mod elastic_body;
 mod elastic_plastic_interference;
 mod elastic_plastic_sinusoid;
 mod elastic_sinusoid;
@@ -34,6 +35,7 @@ mod yielding_area;
 
 pub use bem_sinusoid::BemSinusoid;
 pub use breaks::Break;
+pub use elastic_body::ElasticBody;
 pub use elastic_plastic_sinusoid::{ElasticPlasticSinusoid, FLAGGED_ASPECT_RATIO_OVER_CRITICAL};
 pub use elastic_sinusoid::ElasticSinusoid;
 pub use hertz::Hertz;
@@ -43,7 +45,7 @@ pub use jackson_green::{
     YIELD_INTERFERENCE_RATIO,
 };
 pub use layer::{Layer, LayerCompliance};
-pub use material::{ElasticBody, MaterialPair};
+pub use material::MaterialPair;
 pub use nix_gao::NixGao;
 pub use plastic_flow::{FlowPoint, PlasticFlow};
 pub use units::{Bound, OutOfBounds as AsperityError};

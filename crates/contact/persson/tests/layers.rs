@@ -119,7 +119,7 @@ fn variance_gap_and_stiffness_agree_with_a_sum_over_waves() {
 fn thick_and_thin_layers_are_half_spaces() {
     let base = ElasticBody::new(5e9, 0.25).unwrap();
     let body = ElasticBody::new(1e9, 0.4).unwrap();
-    for (thickness_m, half_space) in [(1.0, body), (1e-14, base)] {
+    for (thickness_m, half_space) in [(1.0, body), (1e-18, base)] {
         let (variance_pa2, on_layer) = law(&pair(thickness_m, Some(base)));
         let (expected_pa2, plain) = law(&MaterialPair::against_rigid(half_space));
         assert!((variance_pa2 / expected_pa2 - 1.0).abs() < 1e-8, "{thickness_m}");

@@ -89,7 +89,7 @@ impl AdhesionQuestion {
     /// # Errors
     /// [`QuestionError`].
     pub fn on(&self, surface: &Surface) -> Result<PreparedAdhesion, QuestionError> {
-        let material = self.material.material()?;
+        let material = self.material.of_half_spaces("adhesion")?;
         let mut notes = notes_on_spectrum(&material, surface);
         let elastic = Pressing::elastic(material.pair.composite_modulus_pa());
         let (random, made) = random_surfaces(surface, &self.random, &elastic)?;
@@ -103,7 +103,7 @@ impl AdhesionQuestion {
     /// # Errors
     /// [`QuestionError`].
     pub fn on_map(&self, relief: Relief) -> Result<PreparedAdhesion, QuestionError> {
-        let material = self.material.material()?;
+        let material = self.material.of_half_spaces("adhesion")?;
         let notes = notes_on_map(&material, &relief);
         self.prepared(Surfaces::Maps(vec![relief]), notes)
     }
@@ -121,7 +121,7 @@ impl AdhesionQuestion {
     }
 
     fn pressing(&self) -> Result<AdhesivePressing, QuestionError> {
-        let material = self.material.material()?;
+        let material = self.material.of_half_spaces("adhesion")?;
         let load_pa = |LoadInput { pressure, label }: &LoadInput| match pressure {
             // Negative ones pull, which nominal pressures do not.
             Pressure::Pascals(load_pa) => Ok(*load_pa),

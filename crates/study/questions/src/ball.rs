@@ -53,7 +53,7 @@ impl BallQuestion {
     /// # Errors
     /// [`QuestionError`] with the first of them.
     pub fn check(&self) -> Result<(), QuestionError> {
-        self.material.material().map(drop)
+        self.material.of_half_spaces("balls").map(drop)
     }
 
     /// Prepares random surfaces of a spectrum, each of which is a place of its own.
@@ -61,7 +61,7 @@ impl BallQuestion {
     /// # Errors
     /// [`QuestionError`].
     pub fn on(&self, surface: &Surface) -> Result<PreparedBall, QuestionError> {
-        let material = self.material.material()?;
+        let material = self.material.of_half_spaces("balls")?;
         let mut notes = notes_on_spectrum(&material, surface);
         let elastic = Pressing::elastic(material.pair.composite_modulus_pa());
         let (random, made) = random_surfaces(surface, &self.random, &elastic)?;
@@ -74,13 +74,13 @@ impl BallQuestion {
     /// # Errors
     /// [`QuestionError`]; choices of random surfaces mean nothing for a map.
     pub fn on_map(&self, relief: Relief) -> Result<PreparedBall, QuestionError> {
-        let material = self.material.material()?;
+        let material = self.material.of_half_spaces("balls")?;
         let notes = notes_on_map(&material, &relief);
         self.prepared(Surfaces::Maps(vec![relief]), notes)
     }
 
     fn prepared(&self, surfaces: Surfaces, notes: Vec<Note>) -> Result<PreparedBall, QuestionError> {
-        let contact_modulus_pa = self.material.material()?.pair.composite_modulus_pa();
+        let contact_modulus_pa = self.material.of_half_spaces("balls")?.pair.composite_modulus_pa();
         Ok(PreparedBall {
             surfaces,
             notes,

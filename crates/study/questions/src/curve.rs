@@ -88,7 +88,7 @@ impl CurveQuestion {
         self.sampling.check(surface)?;
         let mut notes = Vec::new();
         notes.extend(of_tolerance(tolerance));
-        notes.extend(Note::of_strength(&material, entry));
+        notes.extend(Note::of_model(&material, entry));
         notes.extend(Doubt::of_material(&material).map(Note::Doubt));
         notes.extend(surface.notes.iter().cloned().map(Note::Surface));
         Ok(PreparedCurve {
@@ -207,7 +207,7 @@ impl<'s> PreparedCurve<'s> {
         let tolerance = scene.needs.tolerance;
         let has_states = curve.model.takes_separations();
         let mut notes: Vec<Note> = of_tolerance(tolerance).filter(|_| has_states).into_iter().collect();
-        notes.extend(material.and_then(|material| Note::of_strength(material, curve.model.entry())));
+        notes.extend(material.and_then(|material| Note::of_model(material, curve.model.entry())));
         notes.extend(material.and_then(Doubt::of_material).map(Note::Doubt));
         notes.extend(scene.surface.notes.iter().cloned().map(Note::Surface));
         let needs =

@@ -226,7 +226,7 @@ impl ElementsQuestion {
             saturation_pa: saturation_pa.transpose()?,
             tolerance: self.tolerance,
             stiffness: true,
-            ..Pressing::elastic(material.pair.composite_modulus_pa())
+            ..Pressing::between(&material.pair)
         };
         pressing.check().map_err(ElementsError::from)?;
         Ok((material, pressing))

@@ -188,9 +188,9 @@ impl GapModel {
         let too_fine = self.checked_tolerance().ok().and_then(of_tolerance);
         let doubt = Doubt::of_material(material).map(Note::Doubt);
         let surface_notes = surface.notes.iter().cloned().map(Note::Surface);
-        let strength = self.model.and_then(|entry| Note::of_strength(material, entry));
+        let of_model = self.model.and_then(|entry| Note::of_model(material, entry));
         let of_spectrum = Doubt::of_spectrum(&surface.psd).into_iter().map(Note::Doubt);
-        too_fine.into_iter().chain(doubt).chain(surface_notes).chain(strength).chain(of_spectrum).collect()
+        too_fine.into_iter().chain(doubt).chain(surface_notes).chain(of_model).chain(of_spectrum).collect()
     }
 }
 
@@ -287,9 +287,8 @@ impl GapQuestion {
 
 /// Loads on an elastic material.
 fn elastic(material: &Material, pressures_pa: Vec<f64>) -> Pressing {
-    let modulus_pa = material.pair.composite_modulus_pa();
     let loads = pressures_pa.into_iter().map(rough_bem::Load::PressurePa).collect();
-    Pressing { loads, stiffness: true, ..Pressing::elastic(modulus_pa) }
+    Pressing { loads, stiffness: true, ..Pressing::between(&material.pair) }
 }
 
 impl LawQuestion {

@@ -25,11 +25,12 @@ pub struct MapQuestion {
 }
 
 impl MapQuestion {
-    /// Takes a map of a scene by its index; `None` if the scene has no such map, or no material.
+    /// Takes a map of a scene by its index; `None` if the scene has no such map, or no material, or a layer: measured maps seldom
+    /// repeat themselves, which a layer needs.
     #[must_use]
     pub fn from_scene(scene: &Scene, map: usize) -> Option<Self> {
         let patch = scene.surface.made_from.as_ref()?.maps.get(map)?;
-        let material = scene.material.as_ref()?;
+        let material = scene.material.as_ref().filter(|material| material.pair.layer().is_none())?;
         Some(MapQuestion {
             name: patch.name.clone(),
             points_of_whole: patch.points_of_whole,

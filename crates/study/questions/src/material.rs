@@ -9,8 +9,9 @@ use study::materials::TabledMaterial;
 use study::models::{Choice, ModelEntry, ModelOptions};
 use units::{IndentationHardness, Pressure};
 
+use crate::option::{Reason, UnusedOption};
 use crate::text::optional_pressure;
-use crate::{OptionName, QuestionError};
+use crate::{LayerInput, OptionName, QuestionError};
 
 /// All properties of the rough body and its counterface. A model uses some of them.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
@@ -37,6 +38,8 @@ pub struct MaterialInput {
     pub counterface_yield_strength: Option<Pressure>,
     /// Indentation hardness of the counterface \[Pa\].
     pub counterface_indentation_hardness_pa: Option<f64>,
+    /// A layer on the rough body; none if absent.
+    pub layer: Option<LayerInput>,
 }
 
 /// Elastic constants of a body.
@@ -62,14 +65,15 @@ impl BodyInput {
 
 impl MaterialInput {
     /// Fills the properties that are not given from the table of materials. A strength that is given replaces the
-    /// hardness of the table, and the reverse.
+    /// hardness of the table, and the reverse. Under a layer the rough body keeps neither: those would be the layer's.
     #[must_use]
     pub fn filled_from(self, rough: Option<&TabledMaterial>, counterface: Option<&TabledMaterial>) -> Self {
         let mut filled = self;
         if let Some(rough) = rough {
             filled.youngs_modulus_pa = self.youngs_modulus_pa.or_else(|| rough.youngs_modulus_pa());
             filled.poisson_ratio = self.poisson_ratio.or(Some(rough.poisson_ratio));
-            if self.yield_strength.is_none() && self.indentation_hardness_pa.is_none() {
+            let has_strength = self.yield_strength.is_some() || self.indentation_hardness_pa.is_some();
+            if !has_strength && self.layer.is_none() {
                 filled.yield_strength = rough.own_yield_strength();
                 filled.indentation_hardness_pa = rough.indentation_hardness_pa();
             }
@@ -129,7 +133,10 @@ impl MaterialInput {
     /// # Errors
     /// [`QuestionError`] if a property is out of bounds.
     pub fn counterface_yields(&self) -> Result<bool, QuestionError> {
-        let body = self.body().map(|body| body.body(OptionName::PoissonRatio)).transpose()?;
+        let body = match &self.layer {
+            Some(layer) => Some(layer.body()?),
+            None => self.body().map(|body| body.body(OptionName::PoissonRatio)).transpose()?,
+        };
         let flows = body.map(|body| self.yielding(body)).transpose()?;
         Ok(flows.is_some_and(|(flows, _)| flows == Body::Counterface))
     }
@@ -146,18 +153,31 @@ impl MaterialInput {
         })
     }
 
+    /// The material of a contact that is computed for half-spaces alone.
+    ///
+    /// # Errors
+    /// The errors of [`material`](Self::material), and [`QuestionError::Unused`] for a layer.
+    pub(crate) fn of_half_spaces(&self, contact: &'static str) -> Result<Material, QuestionError> {
+        match self.layer {
+            None => self.material(),
+            Some(_) => {
+                let why = Reason::HalfSpaces(contact);
+                Err(UnusedOption { option: OptionName::LayerThickness, why }.into())
+            }
+        }
+    }
+
     /// The material as models take it.
     ///
     /// # Errors
     /// [`QuestionError`] if an elastic constant is missing or a property is out of bounds.
     pub fn material(&self) -> Result<Material, QuestionError> {
-        let youngs_modulus_pa =
-            self.youngs_modulus_pa.ok_or(QuestionError::ElasticConstant(OptionName::YoungsModulus))?;
-        let poisson_ratio =
-            self.poisson_ratio.ok_or(QuestionError::ElasticConstant(OptionName::PoissonRatio))?;
-        let body = BodyInput { youngs_modulus_pa, poisson_ratio }.body(OptionName::PoissonRatio)?;
+        let layer =
+            self.layer.map(|layer| layer.on(self.youngs_modulus_pa, self.poisson_ratio)).transpose()?;
+        let body = layer.map_or_else(|| self.half_space(), |layer| Ok(layer.body()))?;
         let (flows, hardness_and_strength) = self.yielding(body)?;
         Ok(Material::new(GivenMaterial {
+            layer,
             counterface: self.counterface()?,
             flows,
             hardness_and_strength,
@@ -165,6 +185,15 @@ impl MaterialInput {
             strain_gradient_length_m: self.strain_gradient_length_m,
             ..GivenMaterial::new(body)
         }))
+    }
+
+    /// The rough body as a half-space.
+    fn half_space(&self) -> Result<ElasticBody, QuestionError> {
+        let youngs_modulus_pa =
+            self.youngs_modulus_pa.ok_or(QuestionError::ElasticConstant(OptionName::YoungsModulus))?;
+        let poisson_ratio =
+            self.poisson_ratio.ok_or(QuestionError::ElasticConstant(OptionName::PoissonRatio))?;
+        BodyInput { youngs_modulus_pa, poisson_ratio }.body(OptionName::PoissonRatio)
     }
 }
 

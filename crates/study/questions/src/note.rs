@@ -26,6 +26,8 @@ pub enum Note {
         /// H/3 \[Pa\].
         yield_strength_pa: f64,
     },
+    /// A model of half-spaces takes a layer by its modulus at each wavelength, which is an approximation.
+    ModulusOfLayer,
     /// A tolerance beyond double precision.
     ToleranceTooFine {
         /// The requested tolerance.
@@ -197,9 +199,13 @@ impl Note {
         matches!(self, Note::Doubt(_))
     }
 
-    /// Returns a note if asperities yield at H/3 because no strength is given. Persson's theory takes H itself.
+    /// Returns a note if asperities yield at H/3 because no strength is given (Persson's theory takes H itself), or if the
+    /// theory takes a layer, which no other model does.
     #[must_use]
-    pub fn of_strength(material: &Material, model: &ModelEntry) -> Option<Note> {
+    pub fn of_model(material: &Material, model: &ModelEntry) -> Option<Note> {
+        if material.pair.layer().is_some() {
+            return Some(Note::ModulusOfLayer);
+        }
         let takes_strength = model.has(Choice::Strength) && !model.framework.facts().takes_hardness;
         let strength_pa = material.assumed_yield_strength_pa().filter(|_| takes_strength)?;
         Some(Note::AssumedStrength { yield_strength_pa: strength_pa })

@@ -49,6 +49,14 @@ pub enum OptionName {
     HeatCapacityRatio,
     /// Indentation hardness.
     IndentationHardness,
+    /// Base of the layer.
+    LayerBase,
+    /// Poisson's ratio of the layer.
+    LayerPoissonRatio,
+    /// Thickness of the layer.
+    LayerThickness,
+    /// Young's modulus of the layer.
+    LayerYoungsModulus,
     /// Longest wavelength of random surfaces.
     Longest,
     /// Mean free path of the gas.
@@ -175,6 +183,10 @@ pub enum Reason {
     StrengthDoesNotGrow,
     /// Boundary elements are elastic, and take their waves by other options.
     BoundaryElements,
+    /// Only contacts of half-spaces are computed; the text names the contact.
+    HalfSpaces(&'static str),
+    /// The base of the layer is rigid.
+    RigidBase,
     /// The file is of the other kind.
     KindOfFile(Kind),
     /// The quantity of a law does not depend on it.

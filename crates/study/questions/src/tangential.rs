@@ -59,7 +59,7 @@ impl TangentialQuestion {
             return Err(QuestionError::NotElastic(entry));
         }
         self.gaps(Vec::new()).check()?;
-        let material = self.by.material.material()?;
+        let material = self.by.material.of_half_spaces("tangential loads")?;
         self.stresses_pa(&material)?;
         self.pair(&material).map(drop)
     }
@@ -82,7 +82,7 @@ impl TangentialQuestion {
     /// [`QuestionError`].
     pub fn answer(&self, surface: &Surface, progress: &dyn Progress) -> Result<Answer, QuestionError> {
         self.check()?;
-        let material = self.by.material.material()?;
+        let material = self.by.material.of_half_spaces("tangential loads")?;
         let pair = self.pair(&material)?;
         let (normal, mut notes) = self.normal_law(&material, surface, progress)?;
         let rows = parallel::try_map(&self.loads(&material)?, |&(pressure_pa, stress_pa)| {
@@ -139,7 +139,7 @@ impl TangentialQuestion {
         if self.by.model.is_some() {
             return Ok(Vec::new());
         }
-        let material = self.by.material.material()?;
+        let material = self.by.material.of_half_spaces("tangential loads")?;
         let friction = self.pair(&material)?.friction();
         let stuck_pa = |(pressure_pa, stress_pa): (f64, f64)| pressure_pa - stress_pa / friction;
         let loads = self.loads(&material)?;

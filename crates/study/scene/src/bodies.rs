@@ -8,6 +8,7 @@ use asperity::ElasticBody;
 use serde_spanned::Spanned;
 
 use super::error::{SceneError, SceneProblem};
+use super::layer::resolve_layer;
 use super::named_material::BodyKeys;
 use super::raw::{RawCounterface, RawMaterial, RawProperty};
 use super::uncertain::{Property, Uncertain, poisson_ratio, property};
@@ -64,11 +65,21 @@ pub(super) fn resolve_material(
 ) -> Result<(Material, MaterialSpreads, Bodies), SceneError> {
     let keys = BodyKeys::new(raw)?;
     let of_rough = strength(&keys)?;
-    let own = elastic_body(
-        &keys,
-        required(&keys, BodyProperty::YoungsModulus)?,
-        required(&keys, BodyProperty::PoissonRatio)?,
-    )?;
+    let rough = || {
+        let modulus = required(&keys, BodyProperty::YoungsModulus)?;
+        elastic_body(&keys, modulus, required(&keys, BodyProperty::PoissonRatio)?)
+    };
+    let layer = raw.get_ref().layer.as_ref();
+    let layer = layer.map(|layer| resolve_layer(layer, || exact_body(&keys, rough()?))).transpose()?;
+    let own = match layer {
+        None => rough()?,
+        Some(layer) => {
+            if layer.base().is_none() {
+                refuse_constants_of_rigid_base(&keys)?;
+            }
+            KnownBody { body: layer.body(), youngs_modulus: None, poisson_ratio: None }
+        }
+    };
     let transport = transport(&keys)?;
     let softer = counterface.elastic.as_ref().and_then(|elastic| {
         let counterface = (&counterface.strength.hardness_and_strength, elastic.body);
@@ -93,6 +104,7 @@ pub(super) fn resolve_material(
     };
     let material = Material::new(GivenMaterial {
         body: own.body,
+        layer,
         counterface: counterface_body,
         flows,
         hardness_and_strength: flowing.hardness_and_strength,
@@ -117,6 +129,37 @@ pub(super) fn resolve_material(
         softer,
     };
     Ok((material, spreads, bodies))
+}
+
+/// The base of a layer, whose constants must be exact.
+fn exact_body(keys: &BodyKeys, known: KnownBody) -> Result<ElasticBody, SceneError> {
+    let uncertain = [
+        (BodyProperty::YoungsModulus, known.youngs_modulus.is_some()),
+        (BodyProperty::PoissonRatio, known.poisson_ratio.is_some()),
+    ];
+    match uncertain.into_iter().find(|(_, is_uncertain)| *is_uncertain) {
+        None => Ok(known.body),
+        Some((property, _)) => {
+            let span = keys.get(property).map_or(keys.span.clone(), Spanned::span);
+            let key = keys.key(property);
+            Err(SceneError::at(
+                span,
+                format!("key {key}: the base of a layer takes a single value; leave out its uncertainty"),
+            ))
+        }
+    }
+}
+
+/// Refuses elastic constants of a body that a rigid base stands for.
+fn refuse_constants_of_rigid_base(keys: &BodyKeys) -> Result<(), SceneError> {
+    let given = [BodyProperty::YoungsModulus, BodyProperty::PoissonRatio]
+        .into_iter()
+        .find_map(|property| Some((keys.key(property), keys.get(property)?)));
+    given.map_or(Ok(()), |(key, given)| {
+        let message =
+            format!("key {key}: the base of the layer is rigid; leave this out, or material.layer.base");
+        Err(SceneError::at(given.span(), message))
+    })
 }
 
 /// Refuses a strain-gradient length of the harder body: only that of the body that yields has an effect.

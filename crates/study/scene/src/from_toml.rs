@@ -6,7 +6,7 @@ use super::error::{SceneError, SceneProblem};
 use super::spelling::meant;
 
 /// Type names of the TOML reader, and the words that a person would write for them.
-const WANTED: [(&str, &str); 16] = [
+const WANTED: [(&str, &str); 17] = [
     ("f64", "a number"),
     ("i64", "a whole number"),
     ("u32", "a whole number from 0 on"),
@@ -15,6 +15,7 @@ const WANTED: [(&str, &str); 16] = [
     ("a sequence", "a list in brackets"),
     ("struct RawSurface", "a section [surface]"),
     ("struct RawMaterial", "a section [material]"),
+    ("struct RawLayer", "a section [material.layer]"),
     ("struct RawCounterface", "a section [counterface]"),
     ("struct RawLoads", "a section [loads]"),
     ("struct RawCurve", "a section [[curve]]"),

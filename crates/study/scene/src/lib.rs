@@ -11,6 +11,7 @@ pub mod file_names;
 mod from_toml;
 mod interface;
 mod judge;
+mod layer;
 mod loads;
 mod mistyped;
 mod named_material;

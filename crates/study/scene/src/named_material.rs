@@ -29,10 +29,10 @@ impl BodyKeys {
     pub fn new<const IS_COUNTERFACE: bool>(
         raw: &Spanned<RawBody<IS_COUNTERFACE>>,
     ) -> Result<Self, SceneError> {
-        let RawBody { name, properties, .. } = raw.get_ref();
+        let RawBody { name, properties, layer, .. } = raw.get_ref();
         let section = if IS_COUNTERFACE { "counterface" } else { "material" };
         let keys = BodyKeys { section, span: raw.span(), properties: properties.clone(), from_table: None };
-        keys.filled(name.as_ref())
+        keys.filled(name.as_ref(), layer.is_some())
     }
 
     /// Returns a property as given or from the table.
@@ -50,12 +50,12 @@ impl BodyKeys {
         format!("{}.{}", self.section, property.key())
     }
 
-    /// Fills missing keys from the table, if a material is named.
-    fn filled(mut self, name: Option<&Spanned<String>>) -> Result<Self, SceneError> {
+    /// Fills missing keys from the table, if a material is named; under a layer without its strength, since the layer touches.
+    fn filled(mut self, name: Option<&Spanned<String>>, is_base: bool) -> Result<Self, SceneError> {
         let Some(name) = name else { return Ok(self) };
         let tabled = tabled(name)?;
         // Hardness and strength give each other: one of them given leaves none of them out.
-        let has_strength = self.has_strength();
+        let has_strength = self.has_strength() || is_base;
         let mut keys = Vec::new();
         for property in BodyProperty::ALL {
             let is_given = self.get(property).is_some() || has_strength && STRENGTHS.contains(&property);

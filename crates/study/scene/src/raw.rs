@@ -17,6 +17,7 @@ use super::mistyped::explained;
 use super::section::{Section, read_section};
 use study::body_properties::BodyProperty;
 use study::figure::{PictureFormat, Shows};
+use study::layer_base::LayerBase;
 use study::models::{Choice, ModelEntry, ModelOptions};
 use study::plan::Cutoffs;
 
@@ -104,19 +105,35 @@ pub(super) type RawCounterface = RawBody<true>;
 pub(super) struct RawBody<const IS_COUNTERFACE: bool> {
     pub name: Option<Spanned<String>>,
     pub properties: Vec<(BodyProperty, Spanned<RawProperty>)>,
+    /// Layer on the rough body; a counterface has none.
+    pub layer: Option<Spanned<RawLayer>>,
+    /// Surface of the counterface.
     pub surface: Option<Spanned<RawSurface>>,
 }
 
-static BODY_KEYS: LazyLock<Vec<&str>> = LazyLock::new(|| {
+/// A layer bonded to the rough body.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawLayer {
+    pub thickness: Option<RawQuantity>,
+    pub youngs_modulus: Option<RawQuantity>,
+    pub poisson_ratio: Option<Spanned<f64>>,
+    pub base: Option<LayerBase>,
+}
+
+static MATERIAL_KEYS: LazyLock<Vec<&str>> = LazyLock::new(|| body_keys("layer"));
+static COUNTERFACE_KEYS: LazyLock<Vec<&str>> = LazyLock::new(|| body_keys("surface"));
+
+fn body_keys(last: &'static str) -> Vec<&'static str> {
     let properties = BodyProperty::ALL.map(BodyProperty::key);
-    ["name"].into_iter().chain(properties).chain(["surface"]).collect()
-});
+    ["name"].into_iter().chain(properties).chain([last]).collect()
+}
 
 impl<const IS_COUNTERFACE: bool> Section for RawBody<IS_COUNTERFACE> {
     const NAME: &'static str = if IS_COUNTERFACE { "RawCounterface" } else { "RawMaterial" };
 
     fn keys() -> &'static [&'static str] {
-        &BODY_KEYS[..BODY_KEYS.len() - usize::from(!IS_COUNTERFACE)]
+        if IS_COUNTERFACE { &COUNTERFACE_KEYS } else { &MATERIAL_KEYS }
     }
 
     fn read<'de, A: MapAccess<'de>>(&mut self, key: &str, values: &mut A) -> Result<(), A::Error> {
@@ -130,6 +147,7 @@ impl<const IS_COUNTERFACE: bool> Section for RawBody<IS_COUNTERFACE> {
                 self.properties.push((property, given));
             }
             None if key == "name" => self.name = Some(values.next_value()?),
+            None if key == "layer" => self.layer = Some(values.next_value()?),
             None => self.surface = Some(values.next_value()?),
         }
         Ok(())

@@ -144,6 +144,9 @@ pub(super) fn resolve(
             "[interface] and [seal] need a [material] and [loads]: gap and stiffness are those under a load",
         ));
     }
+    if material.is_some_and(|material| material.pair.layer().is_some()) {
+        refuse_sections_of_half_spaces(raw, interface.is_some())?;
+    }
     if curves.is_empty() && figures.is_empty() && interface.is_none() {
         return Err(SceneError::anywhere(match raw.loads.is_some() && material.is_none() {
             true => "the scene has loads and no material; add [material] with name = \"...\"",
@@ -193,4 +196,16 @@ pub(super) fn resolve(
         notes: Vec::new(),
     };
     Ok((scene, ignored))
+}
+
+/// Refuses the sections that know half-spaces alone, in a scene with a layer.
+fn refuse_sections_of_half_spaces(raw: &RawScene, has_interface: bool) -> Result<(), SceneError> {
+    let section = match (raw.judge.is_some(), has_interface) {
+        (true, _) => "[judge]",
+        (false, true) => "[interface] and [seal]",
+        (false, false) => return Ok(()),
+    };
+    Err(SceneError::anywhere(format!(
+        "{section} computes half-spaces alone, and the material has a layer; leave out the section or material.layer"
+    )))
 }

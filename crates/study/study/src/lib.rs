@@ -9,6 +9,7 @@ pub mod given_roughness;
 pub mod growth_law;
 pub mod hardness_and_strength;
 pub mod interface;
+pub mod layer_base;
 pub mod linear_laws;
 mod load;
 pub mod material;

@@ -14,10 +14,11 @@ pub fn rms_gradients(psd: &ProfilePsd) -> Vec<(f64, f64)> {
 }
 
 /// Computes the area fractions of the linear laws, the smaller first, under a nominal pressure \[Pa\] and for an rms
-/// gradient. `None` for a model that yields, for a zero gradient, and if the larger area exceeds the nominal one.
+/// gradient. `None` for a model that yields, on a layer, for a zero gradient, and if the larger area exceeds the nominal one.
 #[must_use]
 pub fn linear_areas(model: &CurveModel, nominal_pressure_pa: f64, rms_gradient: f64) -> Option<[f64; 2]> {
     let modulus_pa = model.pair().composite_modulus_pa();
     let areas = LinearLaw::ALL.map(|law| law.area_fraction(nominal_pressure_pa, modulus_pa, rms_gradient));
-    (model.strength().is_none() && areas[1] <= 1.0).then_some(areas)
+    let is_elastic_half_space = model.strength().is_none() && model.pair().layer().is_none();
+    (is_elastic_half_space && areas[1] <= 1.0).then_some(areas)
 }

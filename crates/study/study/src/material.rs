@@ -1,6 +1,6 @@
 //! The material as given: what a model needs of it is drawn, and missed, only when the model asks.
 
-use asperity::{AsperityError, ElasticBody, MaterialPair, NixGao};
+use asperity::{AsperityError, ElasticBody, Layer, MaterialPair, NixGao};
 
 use crate::bodies::Body;
 use crate::body_properties::BodyProperty;
@@ -30,8 +30,10 @@ pub struct Material {
 /// The properties that a material is made from, as given.
 #[derive(Debug, Clone, Copy)]
 pub struct GivenMaterial {
-    /// The rough body.
+    /// The rough body; its layer where it has one.
     pub body: ElasticBody,
+    /// The layer that the rough body is, with its base; a half-space if absent.
+    pub layer: Option<Layer>,
     /// The body that presses on the rough one; rigid if absent.
     pub counterface: Option<ElasticBody>,
     /// The body that flows; the properties below are its own. A rigid counterface never does.
@@ -50,6 +52,7 @@ impl GivenMaterial {
     pub fn new(body: ElasticBody) -> Self {
         GivenMaterial {
             body,
+            layer: None,
             counterface: None,
             flows: Body::Rough,
             hardness_and_strength: HardnessAndStrength::default(),
@@ -120,6 +123,14 @@ pub enum MaterialError {
         "the yield strength cannot be given in H, which is three times the yield strength; give it in GPa or MPa"
     )]
     StrengthInHardnesses,
+    /// A model of half-spaces is asked for, and the rough body is a layer.
+    #[error(
+        "{model} knows half-spaces alone, and the material has a layer: take persson or boundary elements, or leave out the layer"
+    )]
+    LayerUnknown {
+        /// Name of the model.
+        model: &'static str,
+    },
     /// Something is asked for that takes a property which the material was not given.
     #[error("{0}")]
     Missing(NeededFor),
@@ -129,7 +140,7 @@ impl Material {
     /// The material that was given.
     pub fn new(given: GivenMaterial) -> Self {
         Material {
-            pair: given.flows.pair(given.body, given.counterface),
+            pair: given.flows.pair(given.body, given.counterface).bonded(given.layer),
             counterface: given.counterface,
             flows: given.flows,
             hardness_and_strength: given.hardness_and_strength,
@@ -204,6 +215,9 @@ impl Material {
             number(body.poisson_ratio()),
             number(self.pair.composite_modulus_pa())
         );
+        if let Some(layer) = self.pair.layer() {
+            text.push_str(&format!(", a layer of {} m on a {}", number(layer.thickness_m()), base(&layer)));
+        }
         let mut add = |name: &str, value: Option<f64>, unit: &str| {
             if let Some(value) = value {
                 text.push_str(&format!(", {name} = {} {unit}", number(value)));
@@ -226,6 +240,9 @@ impl Material {
             ("Young’s modulus E", pressure(body.youngs_modulus_pa())),
             ("Poisson’s ratio ν", number(body.poisson_ratio())),
         ];
+        properties.extend(self.pair.layer().map(|layer| {
+            ("layer of this material", format!("{} on a {}", length(layer.thickness_m()), base(&layer)))
+        }));
         match self.counterface {
             Some(counterface) => properties.extend([
                 ("Young’s modulus of the counterface", pressure(counterface.youngs_modulus_pa())),
@@ -281,6 +298,18 @@ impl Material {
         };
         let cap_pa = self.strength_cap_pa();
         Ok(strength(strength_pa, length_m, cap_pa)?)
+    }
+}
+
+/// The base of a layer in words.
+fn base(layer: &Layer) -> String {
+    match layer.base() {
+        None => "rigid base".to_owned(),
+        Some(base) => format!(
+            "base of E = {} and nu = {}",
+            pressure(base.youngs_modulus_pa()),
+            number(base.poisson_ratio())
+        ),
     }
 }
 

@@ -68,7 +68,7 @@ impl MaterialDraws {
             )
         });
         DrawnMaterial {
-            pair: self.flows.pair(body, counterface),
+            pair: self.flows.pair(body, counterface).bonded(self.pair.layer()),
             strength_over_centre: drawn(&spreads.strength, strength).unwrap_or(1.0),
             strain_gradient_length_m: drawn(&spreads.strain_gradient_length, strength),
         }

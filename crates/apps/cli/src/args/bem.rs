@@ -13,6 +13,7 @@ use topography::Detrend;
 use units::{Force, IndentationHardness, Length, Modulus, Pressure, WorkOfAdhesion};
 
 use super::groups::{CounterfaceArgs, FigureArg, NamedMaterialArgs, PressureArgs, ReadingArgs};
+use super::layer::LayerArgs;
 use super::parsers::{one_of, parse_poisson_ratio};
 use super::scans::{MapTreatmentArgs, UntoldArgs};
 
@@ -103,6 +104,8 @@ pub(crate) struct PressedMaterialArgs {
     pub indentation_hardness: Option<IndentationHardness>,
     #[command(flatten)]
     pub counterface: CounterfaceArgs,
+    #[command(flatten)]
+    pub layer: LayerArgs,
 }
 
 impl PressedMaterialArgs {
@@ -114,6 +117,7 @@ impl PressedMaterialArgs {
             yield_strength: self.yield_strength,
             indentation_hardness_pa: self.indentation_hardness.map(|hardness| hardness.pa),
             counterface: self.counterface.input(),
+            layer: self.layer.input(),
             ..MaterialInput::default()
         })
     }

@@ -10,6 +10,7 @@ use study::materials::{TabledMaterial, named};
 use tables::Format;
 use units::{IndentationHardness, Length, Modulus, Pressure, PressureRange};
 
+use super::layer::LayerArgs;
 use super::parsers::{
     hardness, one_of, parse_count, parse_labelled_pressure, parse_place, parse_poisson_ratio,
 };
@@ -219,6 +220,8 @@ pub(crate) struct MaterialArgs {
     pub strength_cap: StrengthCapArg,
     #[command(flatten)]
     pub counterface: CounterfaceArgs,
+    #[command(flatten)]
+    pub layer: LayerArgs,
 }
 
 impl CounterfaceArgs {
@@ -233,7 +236,7 @@ impl CounterfaceArgs {
 
 impl MaterialArgs {
     /// Options that rows of Persson's theory do not take, which have a pressure and a hardness alone.
-    pub const OF_SPECTRA: [&str; 8] = [
+    pub const OF_SPECTRA: [&str; 12] = [
         "material",
         "on",
         "youngs_modulus",
@@ -242,6 +245,10 @@ impl MaterialArgs {
         "strain_gradient_length",
         "strength_cap",
         "counterface_youngs_modulus",
+        "layer_thickness",
+        "layer_youngs_modulus",
+        "layer_poisson_ratio",
+        "layer_base",
     ];
 
     /// The material as questions take it.
@@ -254,6 +261,7 @@ impl MaterialArgs {
             strain_gradient_length_m: self.strain_gradient_length.map(|length| length.m),
             strength_cap: self.strength_cap.strength_cap,
             counterface: self.counterface.input(),
+            layer: self.layer.input(),
             ..MaterialInput::default()
         })
     }

@@ -43,6 +43,7 @@ fn texts(note: &Note, spelling: &dyn Spelling) -> Vec<String> {
         Note::AssumedStrength { yield_strength_pa } => {
             vec![format!("no yield strength given: S0 = H/3 = {} is used", pressure(*yield_strength_pa))]
         }
+        Note::ModulusOfLayer => vec![doubt_words::MODULUS_OF_LAYER.to_owned()],
         Note::ToleranceTooFine { asked, used } => vec![format!(
             "{} is finer than double precision reaches: {} is used",
             spelling.with_value(OptionName::Tolerance, &number(*asked)),
@@ -209,6 +210,15 @@ pub fn unused(UnusedOption { option, why }: &UnusedOption, spelling: &dyn Spelli
                 name(OptionName::Longest),
                 name(OptionName::Shortest)
             ),
+        ),
+        Reason::HalfSpaces(contact) => {
+            format!(
+                "{option} has no bearing on {contact}, which are computed for half-spaces alone; leave it out"
+            )
+        }
+        Reason::RigidBase => format!(
+            "{option} has no bearing on a rigid base: leave it out, or leave out {}",
+            spelling.with_value(OptionName::LayerBase, "rigid")
         ),
         Reason::KindOfFile(kind) => format!("{option} has no bearing on a {kind}"),
         Reason::Quantity(quantity) => {

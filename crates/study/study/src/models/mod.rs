@@ -273,12 +273,16 @@ impl ModelEntry {
     /// The model of a material, with the choices made.
     ///
     /// # Errors
-    /// [`MaterialError`] where the model needs what the material lacks, or what it has is out of bounds.
+    /// [`MaterialError`] where the model needs what the material lacks, or what it has is out of bounds, and where the rough body
+    /// is a layer that the model does not know.
     pub fn build(
         &'static self,
         material: &Material,
         options: &ModelOptions,
     ) -> Result<CurveModel, MaterialError> {
+        if material.pair.layer().is_some() && self.framework != Framework::Persson {
+            return Err(MaterialError::LayerUnknown { model: self.name });
+        }
         Ok(CurveModel::new(self, (self.build)(material, options)?))
     }
 

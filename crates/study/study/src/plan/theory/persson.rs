@@ -83,6 +83,10 @@ impl PerssonSurface {
         energy_factor: EnergyFactor,
     ) -> Result<Self, HardnessError> {
         let model = theory.law.model(&theory.pair)?;
+        let roughness = match theory.pair.layer_compliance() {
+            Some(layer) => roughness.on_layer(layer),
+            None => roughness,
+        };
         let separation = model.separation(&roughness, energy_factor);
         Ok(PerssonSurface { model, roughness, separation })
     }
