@@ -2,7 +2,8 @@
 
 use asperity::ElasticBody;
 use pyo3::prelude::*;
-use questions::{BodyInput, MaterialInput};
+use questions::{BodyInput, LayerInput, MaterialInput};
+use study::layer_base::LayerBase;
 use study::material::Material;
 use study::materials::{self, TabledMaterial};
 use units::{Bound, IndentationHardness, Modulus};
@@ -28,9 +29,12 @@ impl PyMaterial {
         let named = arguments.text("name")?.map(|name| materials::named(&name)).transpose();
         let named = named.map_err(|error| of_argument("name", error))?;
         let hardness: Option<IndentationHardness> = arguments.quantity("indentation_hardness")?;
+        let layer = layer(&arguments)?;
+        let may_lack = named.is_some() || layer.is_some_and(|layer| layer.base == LayerBase::Rigid);
         let input = MaterialInput {
-            youngs_modulus_pa: youngs_modulus_pa(&arguments, named.is_some())?,
-            poisson_ratio: poisson_ratio(&arguments, named.is_some())?,
+            youngs_modulus_pa: youngs_modulus_pa(&arguments, may_lack)?,
+            poisson_ratio: poisson_ratio(&arguments, may_lack)?,
+            layer,
             yield_strength: arguments.quantity("yield_strength")?,
             indentation_hardness_pa: hardness.map(|hardness| hardness.pa),
             strain_gradient_length_m: arguments.length_m("strain_gradient_length")?,
@@ -116,21 +120,37 @@ impl PyMaterial {
 /// The elastic constants of the counterface, if there is one.
 pub fn counterface(arguments: &Arguments<'_>) -> PyResult<Option<BodyInput>> {
     let Some(other) = arguments.get("counterface")? else { return Ok(None) };
-    Ok(other.cast::<PyMaterial>()?.get().input.body())
+    let other = other.cast::<PyMaterial>()?.get();
+    if other.input.layer.is_some() {
+        return Err(of_argument("counterface", "it has a layer, which only the rough body may have"));
+    }
+    Ok(other.input.body())
 }
 
-/// Young's modulus of the rough body, which may be left out of a material of the table.
-fn youngs_modulus_pa(arguments: &Arguments<'_>, is_named: bool) -> PyResult<Option<f64>> {
-    if is_named && arguments.get("youngs_modulus")?.is_none() {
+/// The layer on the rough body, if any part of it is given.
+fn layer(arguments: &Arguments<'_>) -> PyResult<Option<LayerInput>> {
+    let modulus: Option<Modulus> = arguments.quantity("layer_youngs_modulus")?;
+    let layer = LayerInput {
+        thickness_m: arguments.length_m("layer_thickness")?,
+        youngs_modulus_pa: modulus.map(|modulus| modulus.pa),
+        poisson_ratio: arguments.number("layer_poisson_ratio", None)?,
+        base: arguments.named("layer_base")?.unwrap_or_default(),
+    };
+    Ok(layer.given())
+}
+
+/// Young's modulus of the rough body, which may be left out of a material of the table and of a rigid base.
+fn youngs_modulus_pa(arguments: &Arguments<'_>, may_lack: bool) -> PyResult<Option<f64>> {
+    if may_lack && arguments.get("youngs_modulus")?.is_none() {
         return Ok(None);
     }
     let modulus: Modulus = arguments.required("youngs_modulus", quantity)?;
     checked("youngs_modulus", Bound::Magnitude, modulus.pa).map(Some)
 }
 
-/// Poisson's ratio of the rough body, which may be left out of a material of the table.
-fn poisson_ratio(arguments: &Arguments<'_>, is_named: bool) -> PyResult<Option<f64>> {
-    if is_named && arguments.get("poisson_ratio")?.is_none() {
+/// Poisson's ratio of the rough body, which may be left out of a material of the table and of a rigid base.
+fn poisson_ratio(arguments: &Arguments<'_>, may_lack: bool) -> PyResult<Option<f64>> {
+    if may_lack && arguments.get("poisson_ratio")?.is_none() {
         return Ok(None);
     }
     let ratio = arguments.required("poisson_ratio", number)?;

@@ -92,3 +92,24 @@ def test_models_are_listed_with_their_options() -> None:
     assert set(table.framework) == {"stacked", "statistical", "persson"} and all(table.citation)
     options = dict(zip(table.model, table.options))
     assert "hardness_formula" in options["ep-sphere"] and "gamma" in options["persson"]
+
+
+def test_a_layer_is_part_of_the_material():
+    layer = {"layer_thickness": "50 nm", "layer_youngs_modulus": "1 GPa", "layer_poisson_ratio": 0.3}
+    half_space = ta.Material("1 GPa", 0.3)
+    same = ta.Material("1 GPa", 0.3, **layer)
+    rigid = ta.Material(**layer, layer_base="rigid")
+    assert rigid.youngs_modulus is None and rigid != same and "layer" in repr(rigid)
+    areas = [
+        ta.persson("builtin:uncd-measured", material, pressure="1 MPa").area_fraction[-1] for material in (half_space, same, rigid)
+    ]
+    assert areas[1] == pytest.approx(areas[0], rel=1e-12) and areas[2] < 0.7 * areas[0]
+    scene = ta.Scene("builtin:uncd-measured", rigid, pressure="1 MPa").to_toml()
+    assert "rigid" in scene and "thickness" in scene
+    for wrong in ({"layer_thickness": None}, {"layer_poisson_ratio": 0.7}, {"layer_thickness": 0.0}):
+        with pytest.raises(ta.InputError, match=next(iter(wrong))):
+            ta.Material("1 GPa", 0.3, **{**layer, **wrong})
+    with pytest.raises(ta.InputError, match="counterface"):
+        ta.Material("1 GPa", 0.3, counterface=same)
+    with pytest.raises(ta.InputError, match="layer"):
+        ta.stacked("builtin:uncd-measured", same, model="elastic", pressure="1 MPa")

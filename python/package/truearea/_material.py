@@ -35,6 +35,15 @@ class Material:
         The most that the strength grows to, in Pa or as a multiple of the hardness, such as ``"1 H"``.
     counterface : Material, optional
         What presses on the rough body; rigid where left out. Its elastic constants alone count.
+    layer_thickness : float or str, optional
+        Thickness in m of an elastic layer bonded to the rough body, which then carries the roughness; strength and hardness are
+        those of the layer. Boundary elements and Persson's theory take layers.
+    layer_youngs_modulus : float or str, optional
+        E of the layer, in Pa.
+    layer_poisson_ratio : float, optional
+        Poisson's ratio of the layer, from 0 to 0.5.
+    layer_base : {"material", "rigid"}, optional
+        The base of the layer: the material of the other arguments, or a rigid body, which takes no elastic constants.
 
     Raises
     ------
@@ -66,6 +75,10 @@ class Material:
         strain_gradient_length: Quantity | None = None,
         strength_cap: Quantity | None = None,
         counterface: Material | None = None,
+        layer_thickness: Quantity | None = None,
+        layer_youngs_modulus: Quantity | None = None,
+        layer_poisson_ratio: float | None = None,
+        layer_base: str | None = None,
     ) -> None:
         if name is None and isinstance(youngs_modulus, str) and _native.Material.is_name(youngs_modulus):
             name, youngs_modulus = youngs_modulus, None
@@ -78,6 +91,10 @@ class Material:
             "strain_gradient_length": strain_gradient_length,
             "strength_cap": strength_cap,
             "counterface": counterface,
+            "layer_thickness": layer_thickness,
+            "layer_youngs_modulus": layer_youngs_modulus,
+            "layer_poisson_ratio": layer_poisson_ratio,
+            "layer_base": layer_base,
         }
         if counterface is not None and not isinstance(counterface, Material):
             raise _native.InputError(
@@ -87,10 +104,10 @@ class Material:
         self._native: _native.Material = _native.Material({**self._given, "counterface": other})
 
     @property
-    def youngs_modulus(self) -> Quantity:
-        """E of the rough body, as given; of a named material in Pa."""
+    def youngs_modulus(self) -> Quantity | None:
+        """E of the rough body, as given; of a named material in Pa. None where the base of a layer is rigid."""
         modulus: Quantity | None = self._given["youngs_modulus"]
-        return _known(self._native.youngs_modulus_pa) if modulus is None else modulus
+        return self._native.youngs_modulus_pa if modulus is None else modulus
 
     @property
     def name(self) -> str | None:
@@ -99,10 +116,10 @@ class Material:
         return name
 
     @property
-    def poisson_ratio(self) -> float:
-        """Poisson's ratio of the rough body."""
+    def poisson_ratio(self) -> float | None:
+        """Poisson's ratio of the rough body. None where the base of a layer is rigid."""
         ratio: float | None = self._given["poisson_ratio"]
-        return _known(self._native.poisson_ratio) if ratio is None else ratio
+        return self._native.poisson_ratio if ratio is None else ratio
 
     @property
     def counterface(self) -> Material | None:
@@ -159,11 +176,20 @@ class Material:
             "strain_gradient_length": "m",
         }
         section: dict[str, Any] = {} if self.name is None else {"name": self.name}
+        section.update(self._keys(units))
+        layer = self._keys({"layer_thickness": "m", "layer_youngs_modulus": "Pa", "layer_poisson_ratio": "", "layer_base": ""})
+        if layer:
+            section["layer"] = {key.removeprefix("layer_"): value for key, value in layer.items()}
+        return section
+
+    def _keys(self, units: dict[str, str]) -> dict[str, Any]:
+        """The arguments that are given, as a scene has them, by their names with their units."""
+        keys = {}
         for key, unit in units.items():
             given = _native.without_unit(key, unit, self._given[key]) if unit else self._given[key]
             if given is not None:
-                section[key] = given if isinstance(given, str) or not unit else f"{float(given)!r} {unit}"
-        return section
+                keys[key] = given if isinstance(given, str) or not unit else f"{float(given)!r} {unit}"
+        return keys
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (_material, (self._given,))
@@ -179,12 +205,6 @@ class Material:
 
     def _repr_html_(self) -> str:
         return rows_html(dict(self._native.properties()))
-
-
-def _known(number: float | None) -> float:
-    # Every row of the table has both elastic constants.
-    assert number is not None
-    return number
 
 
 def _material(given: dict[str, Any]) -> Material:
