@@ -6,7 +6,7 @@ use asperity::{ElasticBody, Layer, MaterialPair};
 use numerics::GaussLegendre;
 use persson::separation::SeparationLaw;
 use persson::variance::Band;
-use persson::{PerssonModel, Roughness, RoughnessSample};
+use persson::{EnergyFactor, PerssonModel, Roughness, RoughnessSample};
 
 const FIRST_RAD_PER_M: f64 = 1e5;
 const DECADES: i32 = 3;
@@ -51,7 +51,7 @@ fn law(pair: &MaterialPair) -> (f64, SeparationLaw) {
     let modulus_pa = pair.composite_modulus_pa();
     let model = PerssonModel::Elastic { contact_modulus_pa: modulus_pa, correction: None };
     let variance_pa2 = roughness.places().last().unwrap().variance_pa2(modulus_pa);
-    (variance_pa2, model.separation(&roughness, ENERGY_FACTOR))
+    (variance_pa2, model.separation(&roughness, EnergyFactor::ALMQVIST))
 }
 
 /// Density [g + 3 (1 - g) erf(x)^2] exp(-x^2).
