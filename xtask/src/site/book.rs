@@ -25,6 +25,7 @@ const CHAPTERS: [(&str, &str, &[&str]); 4] = [
             "gasket.md",
             "electrical-contact.md",
             "bolted-joint.md",
+            "bearing-race.md",
             "contact-challenge.md",
             "instruments.md",
             "spectrum.md",

@@ -167,14 +167,62 @@ fn wave(points: usize, process_zone: f64) -> AdhesiveElements {
     AdhesiveElements::new(grid, &heights, 1.0, adhesion).unwrap()
 }
 
+/// Areas while the load falls, with the process zone at the edges counted as Johnson does: 0.7 of it on either side.
 #[test]
 fn wave_is_that_of_johnson() {
     let full_pa = 0.01 * PI;
-    let mut elements = wave(1024, 0.01);
-    for (share, johnson) in [(0.25, 0.4784), (0.1, 0.3519), (0.0, 0.2468)] {
-        let state = solved(&mut elements, Control::PressurePa(share * full_pa), Start::Apart);
-        let area = state.area_fraction + 1.4 * 0.01;
-        assert!((area - johnson).abs() < 0.002, "{share}: {area} and {johnson}");
+    for process_zone in [0.001, 0.003, 0.01] {
+        let mut elements = wave(4096, process_zone);
+        solved(&mut elements, Control::PressurePa(0.4 * full_pa), Start::Apart);
+        for (share, johnson) in [(0.25, 0.4784), (0.1, 0.3519), (0.0, 0.2468)] {
+            let state = solved(&mut elements, Control::PressurePa(share * full_pa), Start::Last);
+            let area = state.area_fraction + 1.4 * process_zone;
+            assert!((area - johnson).abs() < 0.001, "{process_zone} {share}: {area} and {johnson}");
+        }
+    }
+}
+
+/// Largest pull on a parabola of the radius 1 m in a box, over pi w R: the mean gap is held and grows from that of first touch by
+/// some parts of the range.
+fn parabola_pull_off(points: usize, side_m: f64, adhesion: Adhesion, parts: &[f64]) -> f64 {
+    let place = |at: usize| (at as f64 - 0.5 * points as f64) * side_m / points as f64;
+    let heights: Vec<f64> = (0..points * points)
+        .map(|at| -0.5 * (place(at / points).powi(2) + place(at % points).powi(2)))
+        .collect();
+    let touching_m = -heights.iter().sum::<f64>() / heights.len() as f64;
+    let grid = Grid::new(points, points, side_m, side_m).unwrap();
+    let mut elements = AdhesiveElements::new(grid, &heights, 1.0, adhesion).unwrap();
+    let mut largest: f64 = 0.0;
+    let mut start = Start::Apart;
+    for part in parts {
+        let gap_m = touching_m + part * adhesion.range_m;
+        let state = solved(&mut elements, Control::MeanGapM(gap_m), start);
+        largest = largest.max(-state.nominal_pressure_pa * side_m * side_m);
+        start = Start::Last;
+    }
+    largest / (PI * adhesion.work_j_per_m2)
+}
+
+/// Adhesion of a Tabor number (R w^2/(E*^2 rho^3))^(1/3) for R = 1 m and E* = 1 Pa.
+fn of_tabor(number: f64, range_m: f64) -> Adhesion {
+    Adhesion { work_j_per_m2: (number * range_m).powf(1.5), range_m }
+}
+
+#[test]
+fn stiff_parabola_pulls_off_as_a_rigid_one() {
+    let parts: Vec<f64> = (-12..=12).map(|step| 0.005 * f64::from(step)).collect();
+    for (tabor, expected) in [(0.05, 1.984), (0.02, 1.992)] {
+        let found = parabola_pull_off(96, 0.1, of_tabor(tabor, 1e-4), &parts);
+        assert!((found / expected - 1.0).abs() < 0.005, "{tabor}: {found}");
+    }
+}
+
+#[test]
+fn soft_parabola_pulls_off_as_johnson_kendall_and_roberts_have_it() {
+    let parts: Vec<f64> = (-4..=8).map(|step| 0.5 * f64::from(step)).collect();
+    for (tabor, expected) in [(1.78, 1.598), (2.52, 1.559)] {
+        let found = parabola_pull_off(160, 0.02, of_tabor(tabor, 1e-6), &parts);
+        assert!((found / expected - 1.0).abs() < 0.02, "{tabor}: {found}");
     }
 }
 
