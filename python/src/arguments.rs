@@ -6,8 +6,8 @@ use std::str::FromStr;
 
 use asperity::Hardness;
 use numpy::PyReadonlyArray1;
-use persson::{EnergyFactor, EnergyFactorError};
 use persson::hardness_laws::HardnessTable;
+use persson::{EnergyFactor, EnergyFactorError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyString};
 use questions::{LoadInput, RandomInput, SamplingInput};

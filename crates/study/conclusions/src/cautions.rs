@@ -2,10 +2,12 @@
 
 use findings::doubts::Doubt;
 use findings::interface::InterfaceStates;
+use interface::adhesion::{FullerTabor, PastewkaRobbins};
 use interface::conductance::MOST_PLASTIC_SHARE;
 use judge::{AGREEMENT, Reference};
 use serde::Serialize;
 use spectrum::Hole;
+use study::interface::{Quantity, Slot};
 use topography::InstrumentsDisagree;
 use uncertainty::Guess;
 
@@ -62,12 +64,32 @@ pub enum Caution {
         /// The largest share of the contact that yields.
         share: f64,
     },
+    /// The surfaces attract each other so much that an indicator finds them sticky; areas leave that out.
+    Sticky(Stickiness),
     /// A measured map touches otherwise than Gaussian surfaces of its spectrum.
     NotGaussian {
         /// The map.
         map: String,
         /// Its area over that of the Gaussian surfaces.
         ratio: f64,
+    },
+}
+
+/// An indicator of adhesion that finds a surface sticky.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case", tag = "indicator")]
+#[non_exhaustive]
+pub enum Stickiness {
+    /// The left side of Pastewka & Robbins' criterion, below its limit.
+    PastewkaRobbins {
+        /// The left side.
+        left_side: f64,
+    },
+    /// Fuller & Tabor's parameter, not above the value from which surfaces did not stick; where no range of the attraction was
+    /// given.
+    FullerTabor {
+        /// The parameter.
+        theta: f64,
     },
 }
 
@@ -88,6 +110,7 @@ impl Caution {
             | Caution::TooSteep { .. }
             | Caution::FewScans { .. }
             | Caution::GapOfYieldingContact { .. }
+            | Caution::Sticky(_)
             | Caution::NotGaussian { .. } => Trust::Fair,
         }
     }
@@ -132,12 +155,24 @@ pub(crate) fn cautions(
     let shares = may_yield.filter_map(|load| states?.plastic_share(load.load));
     let yielded = shares.filter(|share| *share > MOST_PLASTIC_SHARE);
     cautions.extend(yielded.reduce(f64::max).map(|share| Caution::GapOfYieldingContact { share }));
+    cautions.extend(states.and_then(stickiness).map(Caution::Sticky));
     let maps = judgement.into_iter().flat_map(|judgement| &judgement.maps);
     let not_gaussian =
         maps.filter(|map| map.differs()).max_by(|a, b| a.ratio().ln().abs().total_cmp(&b.ratio().ln().abs()));
     cautions
         .extend(not_gaussian.map(|map| Caution::NotGaussian { map: map.map.clone(), ratio: map.ratio() }));
     cautions
+}
+
+/// The indicator that finds the surface sticky: Pastewka & Robbins' criterion, or without a range of the attraction Fuller &
+/// Tabor's parameter.
+fn stickiness(states: &InterfaceStates<'_>) -> Option<Stickiness> {
+    let value = |quantity| states.value(Slot { quantity, load: None, curve: None }).ok().flatten();
+    if let Some(left_side) = value(Quantity::PastewkaRobbins) {
+        return (left_side < PastewkaRobbins::LIMIT).then_some(Stickiness::PastewkaRobbins { left_side });
+    }
+    let theta = value(Quantity::FullerTabor)?;
+    (theta <= FullerTabor::NOT_STICKY_ABOVE).then_some(Stickiness::FullerTabor { theta })
 }
 
 fn is_of_models(source: Source) -> bool {

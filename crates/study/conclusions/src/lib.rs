@@ -5,7 +5,7 @@ mod load;
 mod next;
 mod seal;
 
-pub use cautions::Caution;
+pub use cautions::{Caution, Stickiness};
 pub use load::{AreaEstimate, LoadConclusion, ModelCell, OtherHardness, ReferenceGroup, Source, Tally};
 pub use next::NextStep;
 pub use seal::{SealClosing, SealConclusion};

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use conclusions::{Caution, Conclusions, Evidence, LoadConclusion, NextStep, Source};
+use conclusions::{Caution, Conclusions, Evidence, LoadConclusion, NextStep, Source, Stickiness};
 use findings::interface::InterfaceStates;
 use interface::conductance::MOST_PLASTIC_SHARE;
 use judge::{AGREEMENT, CurveVerdict, Judgement, Verdict};
@@ -64,6 +64,41 @@ fn headline_matrix_table_seal_yield_and_advice_agree() {
         check(&scene, &outcome, &mut seen);
     }
     assert!(seen.holes > 0 && seen.yielded > 0 && seen.closed > 0 && seen.conditions > 0, "{seen:?}");
+}
+
+/// The caution on adhesion follows the indicator: Pastewka & Robbins' where a range is given, or else Fuller & Tabor's.
+#[test]
+fn areas_of_sticky_surfaces_carry_a_caution() {
+    let files = spectra();
+    let sticky = |interface: &str| {
+        let text = format!(
+            "{}\n{}\n[loads]\npressures = [\"1 kPa\"]\n[[curve]]\nmodel = \"persson\"\n[judge]\noff = true\n[interface]\n{interface}",
+            SURFACES[0], BODIES[3]
+        );
+        let scene = Scene::parse(&text, &files, &Overrides::default()).unwrap();
+        let options = RunOptions { report: true, judge: None, uncertainty: None };
+        let outcome = run_scene(&scene, options, &Unwatched).unwrap();
+        let states = InterfaceStates::from_scene(&scene, &outcome.results).unwrap();
+        let value = |quantity| states.value(Slot { quantity, load: None, curve: None }).unwrap();
+        let indicators = [value(Quantity::PastewkaRobbins), value(Quantity::FullerTabor)];
+        let found = outcome.conclusions.cautions.iter().find_map(|caution| match caution {
+            Caution::Sticky(indicator) => Some(*indicator),
+            _ => None,
+        });
+        (found, indicators)
+    };
+    let (found, [left_side, _]) =
+        sticky("work_of_adhesion = \"100 J/m^2\"\nrange_of_attraction = \"10 nm\"\n");
+    assert_eq!(found, left_side.map(|left_side| Stickiness::PastewkaRobbins { left_side }));
+    let (found, [_, theta]) = sticky("work_of_adhesion = \"100 J/m^2\"\n");
+    assert_eq!(found, theta.map(|theta| Stickiness::FullerTabor { theta }));
+    for weak in [
+        "work_of_adhesion = \"0.001 mJ/m^2\"\nrange_of_attraction = \"10 nm\"\n",
+        "work_of_adhesion = \"0.001 mJ/m^2\"\n",
+        "",
+    ] {
+        assert_eq!(sticky(weak).0, None, "{weak}");
+    }
 }
 
 /// Counts of what the scenes showed, so that no check is empty.

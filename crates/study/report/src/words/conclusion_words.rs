@@ -4,9 +4,10 @@ use std::fmt::Write;
 
 use conclusions::{
     AreaEstimate, Caution, Conclusions, LoadConclusion, ModelCell, NextStep, OtherHardness, SealConclusion,
-    Source,
+    Source, Stickiness,
 };
 use findings::interface::InterfaceStates;
+use interface::adhesion::{FullerTabor, PastewkaRobbins};
 use judge::{Reference, Verdict};
 use scene::Scene;
 use study::interface::{Quantity, Slot};
@@ -306,6 +307,7 @@ fn caution_in_short(caution: &Caution) -> String {
             _ => format!("{} {instrument} scans only", number_word(*scans)),
         },
         Caution::GapOfYieldingContact { share } => format!("{} of the contact yields", percent(*share)),
+        Caution::Sticky(_) => "adhesion, which areas leave out".to_owned(),
         Caution::NotGaussian { map, .. } => format!("heights of {map} are not Gaussian"),
         other => format!("{other:?}"),
     }
@@ -366,6 +368,25 @@ pub fn caution_words(caution: &Caution) -> String {
             "{} of the contact yields, but gap and stiffness assume it does not: order of magnitude only.",
             percent(*share)
         ),
+        Caution::Sticky(indicator) => {
+            let indicator = match indicator {
+                Stickiness::PastewkaRobbins { left_side } => format!(
+                    "Pastewka & Robbins' criterion is {}, and surfaces stick below {}",
+                    three_digits(*left_side),
+                    three_digits(PastewkaRobbins::LIMIT)
+                ),
+                Stickiness::FullerTabor { theta } => format!(
+                    "Fuller & Tabor's parameter is {}, and surfaces did not stick above {}",
+                    three_digits(*theta),
+                    three_digits(FullerTabor::NOT_STICKY_ABOVE)
+                ),
+                other => format!("{other:?}"),
+            };
+            format!(
+                "Adhesion may change the area, and no area here counts it: {indicator}. Press the surface with truearea bem \
+                 --work-of-adhesion."
+            )
+        }
         Caution::NotGaussian { map, ratio } => format!(
             "{map} touches {} times as much as Gaussian surfaces with its spectrum: its heights are not Gaussian.",
             three_digits(*ratio)
