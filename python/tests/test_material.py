@@ -94,15 +94,14 @@ def test_models_are_listed_with_their_options() -> None:
     assert "hardness_formula" in options["ep-sphere"] and "gamma" in options["persson"]
 
 
-def test_a_layer_is_part_of_the_material():
-    layer = {"layer_thickness": "50 nm", "layer_youngs_modulus": "1 GPa", "layer_poisson_ratio": 0.3}
+def test_a_layer_is_part_of_the_material() -> None:
+    layer: dict[str, Any] = {"layer_thickness": "50 nm", "layer_youngs_modulus": "1 GPa", "layer_poisson_ratio": 0.3}
     half_space = ta.Material("1 GPa", 0.3)
     same = ta.Material("1 GPa", 0.3, **layer)
     rigid = ta.Material(**layer, layer_base="rigid")
     assert rigid.youngs_modulus is None and rigid != same and "layer" in repr(rigid)
-    areas = [
-        ta.persson("builtin:uncd-measured", material, pressure="1 MPa").area_fraction[-1] for material in (half_space, same, rigid)
-    ]
+    curves = [ta.persson("builtin:uncd-measured", material, pressure="1 MPa") for material in (half_space, same, rigid)]
+    areas = [float(curve.area_fraction.flat[-1]) for curve in curves]
     assert areas[1] == pytest.approx(areas[0], rel=1e-12) and areas[2] < 0.7 * areas[0]
     scene = ta.Scene("builtin:uncd-measured", rigid, pressure="1 MPa").to_toml()
     assert "rigid" in scene and "thickness" in scene
