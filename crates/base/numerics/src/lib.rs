@@ -1,11 +1,13 @@
 #![doc = include_str!("../README.md")]
 
 mod legendre;
+mod line;
 mod linear_system;
 mod minimum;
 mod roots;
 
 pub use legendre::{GaussLegendre, legendre_integral_above, legendre_polynomials};
+pub use line::{Line, line_through};
 pub use linear_system::solve;
 pub use minimum::minimum_in_bracket;
 pub use roots::{bisect, newton_in_bracket, zero_in_bracket};

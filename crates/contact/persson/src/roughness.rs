@@ -36,7 +36,7 @@ pub struct Place {
     pub amplitude_m: f64,
     /// Exponent e of dV/dq ~ q^(e-1) between here and the next place.
     pub variance_exponent: f64,
-    /// The same exponent for the mean square gradient. On a layer V grows by another one.
+    /// Exponent e of dh'^2/dq ~ q^(e-1) between here and the next place; on a layer V has another one.
     gradient_exponent: f64,
     /// Mean square gradients up to q and from the first place on, each wave times (E*(q)/E*)^2: what V is made of. On a
     /// half-space they are the plain ones.

@@ -6,7 +6,7 @@
 
 use std::f64::consts::{LN_10, PI};
 
-use numerics::GaussLegendre;
+use numerics::{GaussLegendre, line_through};
 use serde::{Deserialize, Serialize};
 use units::named;
 
@@ -130,24 +130,15 @@ fn exponent_at_the_end(samples: &[SpectrumSample], of_last_two: f64) -> f64 {
     let (scatter, longest) = (scatter(within(1.0)), within(0.5).len());
     let mut exponent = of_last_two;
     for count in 2..=longest {
-        let (slope, spread) = line(last(count));
+        let Some(line) = line_through(last(count).iter().map(|[ln_q, ln_c]| (*ln_q, *ln_c))) else { break };
         if count > 2 {
-            exponent = slope;
+            exponent = line.slope;
         }
-        if scatter <= SLOPE_ERROR * spread {
+        if scatter <= SLOPE_ERROR * line.spread {
             break;
         }
     }
     exponent
-}
-
-/// Least-squares slope of some points, and the root of the sum of squares of their places about the mean.
-fn line(points: &[[f64; 2]]) -> (f64, f64) {
-    let count = points.len() as f64;
-    let [place, value] = [0, 1].map(|at| points.iter().map(|point| point[at]).sum::<f64>() / count);
-    let squares: f64 = points.iter().map(|point| (point[0] - place).powi(2)).sum();
-    let products: f64 = points.iter().map(|point| (point[0] - place) * (point[1] - value)).sum();
-    (products / squares, squares.sqrt())
 }
 
 /// Standard deviation of points about a smooth curve: from the distance of each from the line between its neighbours, which

@@ -5,6 +5,7 @@
 //! are computed, and the seed moves the ends of an interval less: what the polynomial explains scatters as if every draw had
 //! been computed. A polynomial that explains nothing leaves the computed draws, each counted about as often.
 
+use numerics::line_through;
 use parallel::map;
 use spectrum::{Normalisation, cumulative_moments_to};
 
@@ -197,13 +198,8 @@ impl Known {
         let (fitted, computed): (Vec<f64>, Vec<Option<f64>>) = pairs.iter().copied().unzip();
         let slope = |at: usize| {
             let around = &pairs[at.saturating_sub(AROUND)..pairs.len().min(at + AROUND + 1)];
-            let around: Vec<(f64, f64)> = around.iter().filter_map(|pair| Some((pair.0, pair.1?))).collect();
-            let count = around.len() as f64;
-            let mean = |of: fn(&(f64, f64)) -> f64| around.iter().map(of).sum::<f64>() / count;
-            let (middle, value) = (mean(|pair| pair.0), mean(|pair| pair.1));
-            let spread: f64 = around.iter().map(|pair| (pair.0 - middle).powi(2)).sum();
-            let together: f64 = around.iter().map(|pair| (pair.0 - middle) * (pair.1 - value)).sum();
-            if spread > 0.0 { (together / spread).clamp(0.0, 1.0) } else { 0.0 }
+            let line = line_through(around.iter().filter_map(|pair| Some((pair.0, pair.1?))));
+            line.map_or(0.0, |line| line.slope.clamp(0.0, 1.0))
         };
         let slopes = (0..pairs.len()).map(slope).collect();
         Known { fitted, computed, slopes }

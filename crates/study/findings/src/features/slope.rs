@@ -1,5 +1,7 @@
 //! The slope of a curve in its logarithms.
 
+use numerics::line_through;
+
 use super::Point;
 
 /// The points of a curve between two wavelengths \[m\], both included.
@@ -11,14 +13,7 @@ pub fn between(curve: &[Point], longest_m: f64, shortest_m: f64) -> &[Point] {
 
 /// d ln y/d ln x of points with positive coordinates, by least squares; `None` of fewer than two abscissas.
 pub fn log_slope(points: &[Point]) -> Option<f64> {
-    let logs = || points.iter().map(|(x, y)| (x.ln(), y.ln()));
-    let count = points.len() as f64;
-    let (sum_x, sum_y) = logs().fold((0.0, 0.0), |(sum_x, sum_y), (x, y)| (sum_x + x, sum_y + y));
-    let (mean_x, mean_y) = (sum_x / count, sum_y / count);
-    let (square, product) = logs().fold((0.0, 0.0), |(square, product), (x, y)| {
-        (square + (x - mean_x).powi(2), product + (x - mean_x) * (y - mean_y))
-    });
-    (points.len() >= 2 && square > 0.0).then(|| product / square)
+    Some(line_through(points.iter().map(|(x, y)| (x.ln(), y.ln())))?.slope)
 }
 
 /// d ln y/d ln x between neighbouring points, each at the geometric mean of their wavelengths.
