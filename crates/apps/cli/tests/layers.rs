@@ -124,9 +124,11 @@ fn scenes_with_a_layer_run_persson_alone_and_refuse_what_knows_half_spaces() {
     };
     let steel = "youngs_modulus = \"210 GPa\"\npoisson_ratio = 0.3";
     let summary = bench.write("s.toml", scene(steel, "")).run(&["run", "s.toml", "-v"]).ok();
-    support::assert_names(&summary, &["persson", "layer of this material"]);
+    support::assert_names(&summary, &["persson", "layer of this material", "areas of a layer"]);
     assert!(!summary.contains("\nbgt"), "{summary}");
     bench.write("s.toml", scene("", "base = \"rigid\"")).run(&["run", "s.toml"]).ok();
+    let named = bench.write("s.toml", scene("name = \"100Cr6\"", "")).run(&["run", "s.toml"]).ok();
+    support::assert_names(&named, &["coated", "100Cr6", "areas of a layer"]);
     let refused = |text: String, names: &[&str]| {
         bench.write("s.toml", text).run(&["run", "s.toml"]).refused_naming(names)
     };

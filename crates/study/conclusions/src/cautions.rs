@@ -64,6 +64,8 @@ pub enum Caution {
         /// The largest share of the contact that yields.
         share: f64,
     },
+    /// The curves take a layer by its modulus at each wavelength, which is an approximation.
+    ModulusOfLayer,
     /// The surfaces attract each other so much that an indicator finds them sticky; areas leave that out.
     Sticky(Stickiness),
     /// A measured map touches otherwise than Gaussian surfaces of its spectrum.
@@ -110,6 +112,7 @@ impl Caution {
             | Caution::TooSteep { .. }
             | Caution::FewScans { .. }
             | Caution::GapOfYieldingContact { .. }
+            | Caution::ModulusOfLayer
             | Caution::Sticky(_)
             | Caution::NotGaussian { .. } => Trust::Fair,
         }
@@ -132,6 +135,8 @@ pub(crate) fn cautions(
     if !loads.is_empty() && loads.iter().all(|load| is_of_models(load.area.source)) {
         cautions.push(Caution::NotJudged);
     }
+    let has_layer = scene.material.as_ref().is_some_and(|material| material.pair.layer().is_some());
+    cautions.extend(has_layer.then_some(Caution::ModulusOfLayer));
     cautions.extend(scene.surface.holes().iter().copied().map(Caution::NotMeasured));
     cautions.extend(upper_bound(evidence, loads));
     cautions.extend(

@@ -54,8 +54,6 @@ pub enum Doubt {
         /// Poisson's ratio.
         poisson_ratio: f64,
     },
-    /// The curves take a layer by its modulus at each wavelength, which is an approximation.
-    ModulusOfLayer,
     /// A load presses harder on the nominal area than the hardness.
     NominalAboveHardness {
         /// The load as typed.
@@ -102,10 +100,6 @@ impl Doubt {
     pub fn of_scene(scene: &Scene, answer: &Answer) -> Vec<Doubt> {
         let mut doubts = Self::of_spectrum(&scene.surface.psd);
         doubts.extend(scene.material.iter().filter_map(Self::of_material));
-        let has_layer = |material: &Material| material.pair.layer().is_some();
-        doubts.extend(
-            scene.material.as_ref().filter(|material| has_layer(material)).map(|_| Doubt::ModulusOfLayer),
-        );
         doubts.extend(Self::of_loads(&scene.needs.loads, scene.hardness_pa()));
         let mut pressures = RealPressures::new(scene.hardness_pa());
         for (curve, answers) in scene.needs.curves.iter().zip(&answer.curves) {
@@ -122,10 +116,7 @@ impl Doubt {
     /// Returns true for a doubt about what was typed, false for one about the area of a model.
     #[must_use]
     pub fn is_about_inputs(&self) -> bool {
-        !matches!(
-            self,
-            Doubt::ModulusOfLayer | Doubt::RealAboveHardness { .. } | Doubt::RealAboveThirdModulus { .. }
-        )
+        !matches!(self, Doubt::RealAboveHardness { .. } | Doubt::RealAboveThirdModulus { .. })
     }
 
     /// Doubts about the slopes of a spectrum. A mistaken unit shows here.

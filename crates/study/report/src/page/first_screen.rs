@@ -15,7 +15,7 @@ use units::display::{three_digits, typeset};
 use super::SceneReport;
 use super::area_curve;
 use crate::conclusion_words::{
-    caution_words, condition, next_words, quantity_rows, seal_words, source_words,
+    caution_words, condition, next_words, quantity_rows, rough_body, seal_words, source_words,
 };
 use crate::listing::{capital, decade_name, share, share_range};
 
@@ -91,12 +91,11 @@ fn rules(report: &SceneReport<'_>, at: usize) -> String {
 pub(super) fn bodies(report: &SceneReport<'_>) -> Option<String> {
     let scene = report.scene;
     let material = scene.material.as_ref()?;
-    let name = |body: &Option<study::bodies::FromTable>| body.as_ref().map(|body| body.name.clone());
     let other = match material.counterface() {
-        None => "a rigid flat".to_owned(),
-        Some(_) => name(&scene.bodies.counterface_from_table)?,
+        None => "a rigid flat",
+        Some(_) => &scene.bodies.counterface_from_table.as_ref()?.name,
     };
-    Some(match name(&scene.bodies.from_table) {
+    Some(match rough_body(scene) {
         Some(rough) => format!("{rough} on {other}"),
         None => format!("on {other}"),
     })

@@ -81,13 +81,19 @@ pub fn short_summary(
     text
 }
 
+/// The name of the rough body, if it has one: `steel 100Cr6`, or `coated steel 100Cr6` under a layer.
+pub(crate) fn rough_body(scene: &Scene) -> Option<String> {
+    let name = &scene.bodies.from_table.as_ref()?.name;
+    let is_coated = scene.material.as_ref().is_some_and(|material| material.pair.layer().is_some());
+    Some(if is_coated { format!("coated {name}") } else { name.clone() })
+}
+
 /// The title, the bodies and the load, if there is one only.
 fn heading(conclusions: &Conclusions, scene: &Scene) -> String {
     let mut parts = vec![scene.title.clone()];
-    let [rough, counterface] = [&scene.bodies.from_table, &scene.bodies.counterface_from_table]
-        .map(|body| body.as_ref().map(|body| body.name.as_str()));
+    let counterface = scene.bodies.counterface_from_table.as_ref().map(|body| body.name.as_str());
     let is_rigid = scene.material.as_ref().is_some_and(|material| material.counterface().is_none());
-    parts.extend(match (rough, counterface) {
+    parts.extend(match (rough_body(scene), counterface) {
         (Some(rough), Some(counterface)) => Some(format!("{rough} on {counterface}")),
         (Some(rough), None) if is_rigid => Some(format!("{rough} on a rigid flat")),
         _ => None,
@@ -307,6 +313,9 @@ fn caution_in_short(caution: &Caution) -> String {
             _ => format!("{} {instrument} scans only", number_word(*scans)),
         },
         Caution::GapOfYieldingContact { share } => format!("{} of the contact yields", percent(*share)),
+        Caution::ModulusOfLayer => {
+            "areas of a layer hold to 25 %, of a thin rubber-like one to a factor 2.3".to_owned()
+        }
         Caution::Sticky(_) => "adhesion, which areas leave out".to_owned(),
         Caution::NotGaussian { map, .. } => format!("heights of {map} are not Gaussian"),
         other => format!("{other:?}"),
@@ -368,6 +377,7 @@ pub fn caution_words(caution: &Caution) -> String {
             "{} of the contact yields, but gap and stiffness assume it does not: order of magnitude only.",
             percent(*share)
         ),
+        Caution::ModulusOfLayer => format!("{}.", crate::listing::capital(doubt_words::MODULUS_OF_LAYER)),
         Caution::Sticky(indicator) => {
             let indicator = match indicator {
                 Stickiness::PastewkaRobbins { left_side } => format!(
@@ -382,10 +392,7 @@ pub fn caution_words(caution: &Caution) -> String {
                 ),
                 other => format!("{other:?}"),
             };
-            format!(
-                "Adhesion may change the area, and no area here counts it: {indicator}. Press the surface with truearea bem \
-                 --work-of-adhesion."
-            )
+            format!("Adhesion may change the area, and no area here counts it: {indicator}.")
         }
         Caution::NotGaussian { map, ratio } => format!(
             "{map} touches {} times as much as Gaussian surfaces with its spectrum: its heights are not Gaussian.",

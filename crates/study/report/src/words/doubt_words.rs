@@ -38,7 +38,6 @@ pub fn line(doubt: &Doubt) -> String {
             three_digits(*poisson_ratio),
             pressure(*probable_pa)
         ),
-        Doubt::ModulusOfLayer => MODULUS_OF_LAYER.to_owned(),
         Doubt::NominalAboveHardness { load, pressure_pa, hardness_pa, others } => format!(
             "the load {load} is {} times the hardness H = {}: the body yields as a whole{}",
             three_digits(pressure_pa / hardness_pa),
