@@ -1,5 +1,6 @@
 //! The elastic-plastic sphere of Jackson & Green: 2005, J. Tribol. 127:343; 2006, Tribol. Int. 39:906.
 
+use multiversion::multiversion;
 use std::f64::consts::PI;
 
 use crate::{Break, Hertz, MaterialPair, elementary};
@@ -144,14 +145,10 @@ impl JacksonGreen {
     ) {
         // One loop per hardness form, so that the cosine of one does not keep the compiler from vectorising the
         // other.
-        let nodes = interferences_m.iter().zip(forces_n).zip(areas_m2);
+        let nodes = (interferences_m, forces_n, areas_m2);
         match hardness {
-            Hardness::JacksonGreen2005 => nodes.for_each(|((&w, force_n), area_m2)| {
-                (*force_n, *area_m2) = at_depth(w).plastic_force_and_area(w, Hardness::jackson_green_2005);
-            }),
-            Hardness::Cosine => nodes.for_each(|((&w, force_n), area_m2)| {
-                (*force_n, *area_m2) = at_depth(w).plastic_force_and_area(w, Hardness::cosine);
-            }),
+            Hardness::JacksonGreen2005 => plastic_at_each(at_depth, Hardness::jackson_green_2005, nodes),
+            Hardness::Cosine => plastic_at_each(at_depth, Hardness::cosine, nodes),
         }
     }
 
@@ -294,6 +291,18 @@ impl JacksonGreen {
         critical_force_n
             * (elastic_share
                 + 4.0 * hardness * self.yield_strength_pa / self.yield_pressure_pa * plastic_share)
+    }
+}
+
+/// Forces and areas at interferences, without a branch.
+#[multiversion(targets("x86_64+avx2"))]
+fn plastic_at_each<L: Fn(f64) -> JacksonGreen, H: Fn(f64) -> f64>(
+    at_depth: L,
+    over_strength: H,
+    (interferences_m, forces_n, areas_m2): (&[f64], &mut [f64], &mut [f64]),
+) {
+    for ((&w, force_n), area_m2) in interferences_m.iter().zip(forces_n).zip(areas_m2) {
+        (*force_n, *area_m2) = at_depth(w).plastic_force_and_area(w, &over_strength);
     }
 }
 

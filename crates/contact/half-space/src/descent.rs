@@ -9,7 +9,9 @@
 //! Martinez & Raydan (2000) take over.
 //!
 //! One compliance and one preconditioner are applied per step: the gap is updated with K s for the actual change s of
-//! the pressures, and is computed anew from them only before a solve ends.
+//! the pressures, and is computed anew from them only where accumulated rounding could matter.
+
+use multiversion::multiversion;
 
 use crate::contact::Ending;
 use crate::problem::{Held, Operators, Problem, State};
@@ -45,6 +47,12 @@ struct Descent<'a> {
 /// Steps after which the gaps are computed anew, because they accumulate rounding.
 const STEPS_UNTIL_RENEWED: usize = 100;
 
+/// Rounding of the gaps in a step, over the rms height: some units in the last place of displacements.
+const ROUNDING_OF_STEP: f64 = 1e-14;
+
+/// Share of the tolerance up to which accumulated rounding needs no attention.
+const NEGLIGIBLE_SHARE: f64 = 0.01;
+
 /// Steps within which the residual must halve; otherwise rounding prevents it.
 const STEPS_TO_HALVE: usize = 300;
 
@@ -71,10 +79,11 @@ pub(crate) fn descend(
         if residual < 0.5 * best {
             (best, best_at) = (residual, iterations);
         }
+        let accumulated = (iterations - renewed_at) as f64 * ROUNDING_OF_STEP;
+        if residual < problem.tolerance && accumulated <= NEGLIGIBLE_SHARE * problem.tolerance {
+            break Ending::Converged;
+        }
         if residual < problem.tolerance || iterations - renewed_at >= STEPS_UNTIL_RENEWED {
-            if residual < problem.tolerance && renewed_at == iterations {
-                break Ending::Converged;
-            }
             descent.renew();
             renewed_at = iterations;
             residual = descent.look(0.0);
@@ -95,7 +104,7 @@ pub(crate) fn descend(
         residual = descent.look(share);
         iterations += 1;
     };
-    if renewed_at != iterations {
+    if ending == Ending::Rounding && renewed_at != iterations {
         descent.renew();
         residual = descent.look(0.0);
     }
@@ -117,7 +126,11 @@ impl Descent<'_> {
         self.state.response.fill(0.0);
         self.state.free.clear();
         self.state.free.extend(0..points as u32);
-        self.renew();
+        if self.operators.uniform_displaces {
+            self.renew();
+        } else {
+            self.state.gaps.iter_mut().zip(self.problem.heights).for_each(|(gap, height)| *gap = -height);
+        }
     }
 
     /// Computes the gaps of the pressures anew, without accumulated rounding.
@@ -187,58 +200,11 @@ impl Descent<'_> {
     /// those at a bound that keeps them from closing a gap. Returns the largest overlap without pressure, and the
     /// largest gap at the cap.
     fn close_gaps(&mut self, share: f64) -> (f64, f64) {
-        const LANES: usize = 8;
-        let (cap, offset) = (self.problem.cap, self.offset);
         let State { pressures, gaps, response, free, .. } = &mut *self.state;
-        let points = pressures.len();
-        free.resize(points, 0);
-        let (mut gathered, mut capped) = (0, 0);
-        let (mut least, mut largest) = ([f64::INFINITY; LANES], [f64::NEG_INFINITY; LANES]);
-        let mut gather = |first: usize, pressures: &[f64], gaps: &[f64]| {
-            for (point, (&pressure, &gap)) in (first..).zip(pressures.iter().zip(gaps)) {
-                let is_open = (pressure <= 0.0) & (gap >= offset);
-                let is_sunk = (pressure >= cap) & (gap <= offset);
-                // Written in any case, and kept if free: at the edges of spots a branch would be mispredicted.
-                free[gathered] = point as u32;
-                gathered += usize::from(!is_open & !is_sunk);
-                capped += usize::from(is_sunk);
-            }
-        };
-        let (all_pressures, rest) = pressures.as_chunks::<LANES>();
-        let (all_gaps, gaps_of_rest) = gaps.as_chunks_mut::<LANES>();
-        let (all_responses, responses_of_rest) = response.as_chunks::<LANES>();
-        let lanes = all_pressures.iter().zip(all_gaps).zip(all_responses);
-        for (at, ((pressures, gaps), responses)) in lanes.enumerate() {
-            let mut open = 0.0;
-            for lane in 0..LANES {
-                let pressure = pressures[lane];
-                let gap = gaps[lane] + share * responses[lane];
-                gaps[lane] = gap;
-                let without_pressure = if pressure <= 0.0 { gap } else { f64::INFINITY };
-                let at_the_cap = if pressure >= cap { gap } else { f64::NEG_INFINITY };
-                least[lane] = if without_pressure < least[lane] { without_pressure } else { least[lane] };
-                largest[lane] = if at_the_cap > largest[lane] { at_the_cap } else { largest[lane] };
-                let is_open = (pressure <= 0.0) & (gap >= offset);
-                open += if is_open { 1.0 } else { 0.0 };
-            }
-            // Most points are open.
-            if open < LANES as f64 {
-                gather(LANES * at, pressures, gaps);
-            }
-        }
-        for (((&pressure, gap), response), lane) in
-            rest.iter().zip(&mut *gaps_of_rest).zip(responses_of_rest).zip(0..)
-        {
-            *gap += share * response;
-            least[lane] = if pressure <= 0.0 { least[lane].min(*gap) } else { least[lane] };
-            largest[lane] = if pressure >= cap { largest[lane].max(*gap) } else { largest[lane] };
-        }
-        gather(points - rest.len(), rest, gaps_of_rest);
-        free.truncate(gathered);
-        self.capped = capped;
-        let least = least.into_iter().fold(f64::INFINITY, f64::min);
-        let largest = largest.into_iter().fold(f64::NEG_INFINITY, f64::max);
-        ((offset - least).max(0.0), (largest - offset).max(0.0))
+        let bounds = Bounds { cap: self.problem.cap, offset: self.offset };
+        let closed = close_gaps(&bounds, share, pressures, response, gaps, free);
+        self.capped = closed.capped;
+        ((bounds.offset - closed.least).max(0.0), (closed.largest - bounds.offset).max(0.0))
     }
 
     /// Gathers the gap on the free points, 0 on the others; returns the sum of p|g| over the points between the
@@ -385,6 +351,85 @@ impl Descent<'_> {
     }
 }
 
+/// Bounds of the pressures, and the gap of points between them.
+struct Bounds {
+    cap: f64,
+    offset: f64,
+}
+
+/// Gaps after a change of the pressures.
+struct Closed {
+    /// Number of points that carry the cap and stay there.
+    capped: usize,
+    /// Least gap without pressure.
+    least: f64,
+    /// Largest gap at the cap.
+    largest: f64,
+}
+
+/// Adds `share` of the response to the gaps, and gathers the points that may change into `free`, in one pass over
+/// the maps.
+#[multiversion(targets("x86_64+avx2"))]
+fn close_gaps(
+    bounds: &Bounds,
+    share: f64,
+    pressures: &[f64],
+    response: &[f64],
+    gaps: &mut [f64],
+    free: &mut Vec<u32>,
+) -> Closed {
+    const LANES: usize = 8;
+    let Bounds { cap, offset } = *bounds;
+    let points = pressures.len();
+    free.resize(points, 0);
+    let (mut gathered, mut capped) = (0, 0);
+    let (mut least, mut largest) = ([f64::INFINITY; LANES], [f64::NEG_INFINITY; LANES]);
+    let mut gather = |first: usize, pressures: &[f64], gaps: &[f64]| {
+        for (point, (&pressure, &gap)) in (first..).zip(pressures.iter().zip(gaps)) {
+            let is_open = (pressure <= 0.0) & (gap >= offset);
+            let is_sunk = (pressure >= cap) & (gap <= offset);
+            // Written in any case, and kept if free: at the edges of spots a branch would be mispredicted.
+            free[gathered] = point as u32;
+            gathered += usize::from(!is_open & !is_sunk);
+            capped += usize::from(is_sunk);
+        }
+    };
+    let (all_pressures, rest) = pressures.as_chunks::<LANES>();
+    let (all_gaps, gaps_of_rest) = gaps.as_chunks_mut::<LANES>();
+    let (all_responses, responses_of_rest) = response.as_chunks::<LANES>();
+    let lanes = all_pressures.iter().zip(all_gaps).zip(all_responses);
+    for (at, ((pressures, gaps), responses)) in lanes.enumerate() {
+        let mut open = 0.0;
+        for lane in 0..LANES {
+            let pressure = pressures[lane];
+            let gap = gaps[lane] + share * responses[lane];
+            gaps[lane] = gap;
+            let without_pressure = if pressure <= 0.0 { gap } else { f64::INFINITY };
+            let at_the_cap = if pressure >= cap { gap } else { f64::NEG_INFINITY };
+            least[lane] = if without_pressure < least[lane] { without_pressure } else { least[lane] };
+            largest[lane] = if at_the_cap > largest[lane] { at_the_cap } else { largest[lane] };
+            let is_open = (pressure <= 0.0) & (gap >= offset);
+            open += if is_open { 1.0 } else { 0.0 };
+        }
+        // Most points are open.
+        if open < LANES as f64 {
+            gather(LANES * at, pressures, gaps);
+        }
+    }
+    for (((&pressure, gap), response), lane) in
+        rest.iter().zip(&mut *gaps_of_rest).zip(responses_of_rest).zip(0..)
+    {
+        *gap += share * response;
+        least[lane] = if pressure <= 0.0 { least[lane].min(*gap) } else { least[lane] };
+        largest[lane] = if pressure >= cap { largest[lane].max(*gap) } else { largest[lane] };
+    }
+    gather(points - rest.len(), rest, gaps_of_rest);
+    free.truncate(gathered);
+    let least = least.into_iter().fold(f64::INFINITY, f64::min);
+    let largest = largest.into_iter().fold(f64::NEG_INFINITY, f64::max);
+    Closed { capped, least, largest }
+}
+
 /// Part of the last change s in the next direction t, chosen so that t does not undo s: t.Ks = 0.
 struct Memory {
     kept: f64,
@@ -414,3 +459,34 @@ const LARGEST_FACTOR: f64 = 2.0;
 /// Relative wavelength down to which the preconditioner inverts the compliance.
 const SHORTEST: f64 = 0.05;
 const LONGEST: f64 = 20.0;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gaps_are_closed_and_points_gathered_as_one_by_one() {
+        // As many points as leave a part of a vector over; pressures at both bounds and between them.
+        let points = 8 * 7 + 5;
+        let bounds = Bounds { cap: 2.0, offset: 0.1 };
+        let noise = |k: usize, step: usize| ((k * step) % 101) as f64 / 101.0;
+        let pressures: Vec<f64> = (0..points).map(|k| (4.0 * noise(k, 37) - 1.0).clamp(0.0, 2.0)).collect();
+        let response: Vec<f64> = (0..points).map(|k| noise(k, 29) - 0.5).collect();
+        let before: Vec<f64> = (0..points).map(|k| noise(k, 71) - 0.4).collect();
+        let (mut gaps, mut free) = (before.clone(), Vec::new());
+        let closed = close_gaps(&bounds, 0.7, &pressures, &response, &mut gaps, &mut free);
+
+        let gap = |k: usize| before[k] + 0.7 * response[k];
+        let is_open = |k: usize| pressures[k] <= 0.0 && gap(k) >= bounds.offset;
+        let is_sunk = |k: usize| pressures[k] >= bounds.cap && gap(k) <= bounds.offset;
+        assert!((0..points).all(|k| gaps[k] == gap(k)));
+        let expected: Vec<u32> =
+            (0..points).filter(|&k| !is_open(k) && !is_sunk(k)).map(|k| k as u32).collect();
+        assert!(free == expected && free.len() < points);
+        assert_eq!(closed.capped, (0..points).filter(|&k| is_sunk(k)).count());
+        let without_pressure = (0..points).filter(|&k| pressures[k] <= 0.0).map(gap);
+        let at_the_cap = (0..points).filter(|&k| pressures[k] >= bounds.cap).map(gap);
+        assert_eq!(closed.least, without_pressure.fold(f64::INFINITY, f64::min));
+        assert_eq!(closed.largest, at_the_cap.fold(f64::NEG_INFINITY, f64::max));
+    }
+}

@@ -17,6 +17,7 @@ pub(crate) fn periodic(grid: &Grid) -> Operators {
             _ => 1.0 / wave_number(row, column),
         }),
         preconditioner: Convolution::new(map, map, wave_number),
+        uniform_displaces: false,
     }
 }
 
@@ -38,6 +39,7 @@ pub(crate) fn periodic_on(grid: &Grid, relative_displacement: impl Fn(f64) -> f6
             (0, 0) => 0.0,
             _ => 1.0 / compliance(row, column),
         }),
+        uniform_displaces: false,
     }
 }
 
@@ -50,6 +52,7 @@ pub(crate) fn free(grid: &Grid) -> Operators {
     Operators {
         compliance: Convolution::new(map, LoveFactors::period(grid), |row, column| love.factor(row, column)),
         preconditioner: Convolution::new(map, map, wave_number(*grid)),
+        uniform_displaces: true,
     }
 }
 

@@ -37,6 +37,8 @@ pub(crate) struct Operators {
     pub(crate) compliance: Convolution<f64>,
     /// In single precision, because it only preconditions directions.
     pub(crate) preconditioner: Convolution<f32>,
+    /// True if a uniform pressure displaces the surface; false where displacements are counted from their mean.
+    pub(crate) uniform_displaces: bool,
 }
 
 /// Maps in units of the problem, kept between solves.

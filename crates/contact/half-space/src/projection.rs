@@ -1,41 +1,51 @@
 //! Projection of pressures onto a load and bounds.
 
+use multiversion::multiversion;
+
 use crate::sums;
 
 /// Projects `values` onto the values between 0 and `cap` that add up to `sum`, which is between 0 and `cap` times
 /// their number. The nearest such values are shifted alike and then limited.
+#[multiversion(targets("x86_64+avx2"))]
 pub(crate) fn bring_to_sum(values: &mut [f64], cap: f64, sum: f64) {
     let shift = shift_to_sum(values, cap, sum);
-    let [carried, between] = sums::over(values.len(), |index| {
-        values[index] = (values[index] + shift).clamp(0.0, cap);
-        [values[index], if 0.0 < values[index] && values[index] < cap { 1.0 } else { 0.0 }]
-    });
+    values.iter_mut().for_each(|value| *value = limited(*value + shift, cap));
+    let is_between = |value: f64| (0.0 < value) & (value < cap);
+    let [carried, between] =
+        sums::over_values(values, |value| [value, if is_between(value) { 1.0 } else { 0.0 }]);
     // The shift has the rounding of values that may be far larger than their remainders.
     let rest = (sum - carried) / between;
     if between > 0.0 && rest != 0.0 {
-        let inside = values.iter_mut().filter(|value| 0.0 < **value && **value < cap);
-        inside.for_each(|value| *value = (*value + rest).clamp(0.0, cap));
+        values
+            .iter_mut()
+            .for_each(|value| *value = if is_between(*value) { limited(*value + rest, cap) } else { *value });
     }
+}
+
+/// Limits a value to \[0, cap\].
+#[inline(always)]
+fn limited(value: f64, cap: f64) -> f64 {
+    let value = if value < 0.0 { 0.0 } else { value };
+    if value > cap { cap } else { value }
 }
 
 /// Shift after which `values`, limited to \[0, cap\], add up to `sum`.
 ///
 /// Newton's method, which is exact once it knows which values stay between their bounds; within a bracket, because
 /// with two bounds the sum is neither convex nor concave in the shift.
+#[inline(always)]
 fn shift_to_sum(values: &[f64], cap: f64, sum: f64) -> f64 {
     if values.is_empty() {
         return 0.0;
     }
-    let (least, largest) = values
-        .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, largest), &v| (v.min(least), v.max(largest)));
+    let [least, largest] = ends(values);
     // Below the first nothing is carried, above the second every value carries more than its share.
     let (mut low, mut high) = (-largest, sum / values.len() as f64 - least);
     let mut shift = 0.0f64.clamp(low, high.max(low));
     for _ in 0..LARGEST_PASSES {
-        let [carried, between] = sums::over(values.len(), |index| {
-            let value = values[index] + shift;
-            let bounded = value.clamp(0.0, cap);
+        let [carried, between] = sums::over_values(values, |value| {
+            let value = value + shift;
+            let bounded = limited(value, cap);
             [bounded, if value == bounded { 1.0 } else { 0.0 }]
         });
         let missing = sum - carried;
@@ -55,6 +65,23 @@ fn shift_to_sum(values: &[f64], cap: f64, sum: f64) -> f64 {
         shift = next;
     }
     shift
+}
+
+/// The least and the largest value.
+#[inline(always)]
+fn ends(values: &[f64]) -> [f64; 2] {
+    const LANES: usize = 4;
+    let (mut least, mut largest) = ([f64::INFINITY; LANES], [f64::NEG_INFINITY; LANES]);
+    let (fours, rest) = values.as_chunks::<LANES>();
+    let mut take = |lane: usize, value: f64| {
+        least[lane] = if value < least[lane] { value } else { least[lane] };
+        largest[lane] = if value > largest[lane] { value } else { largest[lane] };
+    };
+    for four in fours {
+        (0..LANES).for_each(|lane| take(lane, four[lane]));
+    }
+    rest.iter().enumerate().for_each(|(lane, value)| take(lane, *value));
+    [least.into_iter().fold(f64::INFINITY, f64::min), largest.into_iter().fold(f64::NEG_INFINITY, f64::max)]
 }
 
 /// Relative rounding error of the sum.

@@ -4,6 +4,7 @@
 //! coordinates of the contact, and nothing is solved for.
 
 use asperity::{ElasticPlasticSinusoid, MaterialPair, PlasticFlow, elementary};
+use multiversion::multiversion;
 
 use super::answers::{Asperities, Response};
 use super::pieces::{Chart, LawChart, Piece, Points, pieces_between};
@@ -152,10 +153,7 @@ impl LawChart for BeforeFlow {
         if !yields {
             return self.elastic.at_coordinates(coordinates, points);
         }
-        let complete_pa = self.law.complete_contact_pressure_pa();
-        self.elastic.with_areas(coordinates, points, |v, _| {
-            self.flow.yielding_area_fraction(self.elastic.pressure_pa(v) / complete_pa)
-        });
+        points_before_flow(self, coordinates, points);
     }
 
     fn resolution(&self, from_first_touch: bool) -> f64 {
@@ -174,28 +172,7 @@ impl LawChart for InFlow {
     }
 
     fn at_coordinates(&self, coordinates: &[f64], points: Points<'_>) {
-        let complete_pa = self.law.complete_contact_pressure_pa();
-        // No break of the law divides the coordinates: if the first one yields, all do.
-        let yields =
-            coordinates.first().is_some_and(|&v| self.law.yields_at(complete_pa * self.pressure_ratio(v)));
-        let nodes = coordinates
-            .iter()
-            .zip(points.interferences_m)
-            .zip(points.slopes_m)
-            .zip(points.pressures_pa)
-            .zip(points.area_fractions);
-        for ((((&v, interference_m), slope_m), pressure_pa), area_fraction) in nodes {
-            let x = self.pressure_ratio(v);
-            let (log_x, slope) = match self.side {
-                Side::Light => (4.0 * elementary::ln(v), 4.0 / v),
-                Side::Heavy => (elementary::ln_1p(-v * v), -2.0 * v / x),
-            };
-            let point =
-                if yields { self.flow.yielding_at(x, log_x) } else { self.flow.at_log_pressure(log_x) };
-            *interference_m = self.amplitude_m * point.interference_over_amplitude;
-            *slope_m = self.amplitude_m * point.slope_by_log_pressure * slope;
-            (*pressure_pa, *area_fraction) = (point.pressure_pa, point.area_fraction);
-        }
+        points_in_flow(self, coordinates, points);
     }
 
     fn resolution(&self, _from_first_touch: bool) -> f64 {
@@ -214,5 +191,39 @@ impl InFlow {
             Side::Light => v * v * (v * v),
             Side::Heavy => 1.0 - v * v,
         }
+    }
+}
+
+/// Points where the area yields under an elastic pressure.
+#[multiversion(targets("x86_64+avx2"))]
+fn points_before_flow<'a>(chart: &BeforeFlow, coordinates: &[f64], points: Points<'a>) {
+    let complete_pa = chart.law.complete_contact_pressure_pa();
+    chart.elastic.with_areas(coordinates, points, |v, _| {
+        chart.flow.yielding_area_fraction(chart.elastic.pressure_pa(v) / complete_pa)
+    });
+}
+
+/// Points in plastic flow. No break of the law divides the coordinates: if the first one yields, all do.
+#[multiversion(targets("x86_64+avx2"))]
+fn points_in_flow<'a>(chart: &InFlow, coordinates: &[f64], points: Points<'a>) {
+    let complete_pa = chart.law.complete_contact_pressure_pa();
+    let yields =
+        coordinates.first().is_some_and(|&v| chart.law.yields_at(complete_pa * chart.pressure_ratio(v)));
+    let nodes = coordinates
+        .iter()
+        .zip(points.interferences_m)
+        .zip(points.slopes_m)
+        .zip(points.pressures_pa)
+        .zip(points.area_fractions);
+    for ((((&v, interference_m), slope_m), pressure_pa), area_fraction) in nodes {
+        let x = chart.pressure_ratio(v);
+        let (log_x, slope) = match chart.side {
+            Side::Light => (4.0 * elementary::ln(v), 4.0 / v),
+            Side::Heavy => (elementary::ln_1p(-v * v), -2.0 * v / x),
+        };
+        let point = if yields { chart.flow.yielding_at(x, log_x) } else { chart.flow.at_log_pressure(log_x) };
+        *interference_m = chart.amplitude_m * point.interference_over_amplitude;
+        *slope_m = chart.amplitude_m * point.slope_by_log_pressure * slope;
+        (*pressure_pa, *area_fraction) = (point.pressure_pa, point.area_fraction);
     }
 }

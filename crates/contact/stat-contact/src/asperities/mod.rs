@@ -133,6 +133,7 @@ named!(InterferenceLaw, "interference law", {
 
 #[cfg(test)]
 mod tests {
+    use super::pieces::{Chart, Points};
     use super::*;
 
     #[test]
@@ -150,5 +151,50 @@ mod tests {
         assert_eq!(harder, AsperityLaw::EpSphere { strength: hard, hardness: Hardness::Cosine });
         assert_eq!((law.strength(), harder.strength()), (Some(soft), Some(hard)));
         assert_eq!((AsperityLaw::Hertz.strength(), AsperityLaw::Hertz.with_strength(hard)), (None, None));
+    }
+
+    /// Evaluates a smooth piece of a law at seven places: a row for each quantity.
+    fn rows(asperities: &dyn Asperities, chart: Chart<'_>, places: &[f64]) -> [Vec<f64>; 4] {
+        let mut rows = std::array::from_fn(|_| vec![0.0; places.len()]);
+        let [interferences_m, slopes_m, pressures_pa, area_fractions] = &mut rows;
+        match chart {
+            Chart::Interference => asperities.at_interferences(places, pressures_pa, area_fractions),
+            Chart::Law(chart) => chart
+                .at_coordinates(places, Points { interferences_m, slopes_m, pressures_pa, area_fractions }),
+        }
+        rows
+    }
+
+    #[test]
+    fn several_places_at_once_have_the_digits_of_each_alone() {
+        let pair = MaterialPair::against_rigid(asperity::ElasticBody::new(2e11, 0.3).unwrap());
+        let population = Population::new(1e-6, 1e12, 1e-8).unwrap();
+        let constant = NixGao::constant(2e9).unwrap();
+        let growing = constant.with_strain_gradient(1e-7).unwrap();
+        let elastic =
+            InterferenceLaw::ALL.iter().map(|&interference| AsperityLaw::ElasticSine { interference });
+        let plastic = [constant, growing].into_iter().flat_map(|strength| {
+            let spheres = [Hardness::JacksonGreen2005, Hardness::Cosine];
+            let spheres = spheres.map(|hardness| AsperityLaw::EpSphere { strength, hardness });
+            spheres.into_iter().chain([AsperityLaw::EpSine { strength }])
+        });
+        for law in elastic.chain(plastic).chain([AsperityLaw::Hertz]) {
+            let asperities = law.asperities(&pair, &population);
+            for piece in asperities.pieces(1e-12, 1e-7) {
+                let place = |w: f64| match piece.chart {
+                    Chart::Interference => w,
+                    Chart::Law(chart) => chart.coordinate(w),
+                };
+                let (from, to) = (place(piece.from_m.max(1e-12)), place(piece.to_m.min(1e-7)));
+                // As many as leave a part of a vector over.
+                let places: Vec<f64> = (1..8).map(|k| from + (to - from) * f64::from(k) / 8.0).collect();
+                let together = rows(&*asperities, piece.chart, &places);
+                for (at, place) in places.iter().enumerate() {
+                    let alone = rows(&*asperities, piece.chart, &[*place]);
+                    let pairs = together.iter().zip(&alone);
+                    assert!(pairs.clone().all(|(row, alone)| row[at] == alone[0]), "{law:?} {place:e}");
+                }
+            }
+        }
     }
 }

@@ -5,6 +5,7 @@
 //! ones; towards complete contact it is -(1-t)^(1/2), in which the interference is a polynomial.
 
 use asperity::{ElasticSinusoid, elementary};
+use multiversion::multiversion;
 
 use super::pieces::{Chart, LawChart, Piece, Points, pieces_between};
 
@@ -104,6 +105,7 @@ impl SineChart {
     }
 
     /// The interferences \[m\] at coordinates, and their derivatives.
+    #[inline(always)]
     pub fn interferences(&self, coordinates: &[f64], interferences_m: &mut [f64], slopes_m: &mut [f64]) {
         let amplitude_m = self.shape.amplitude_m;
         for ((&v, interference_m), slope_m) in coordinates.iter().zip(interferences_m).zip(slopes_m) {
@@ -151,23 +153,7 @@ impl LawChart for SineChart {
     }
 
     fn at_coordinates(&self, coordinates: &[f64], points: Points<'_>) {
-        // No break of the law divides the coordinates: all are on the branch of the first.
-        let is_joined = coordinates.first().is_some_and(|&v| {
-            let t = self.t(v);
-            t * t < ElasticSinusoid::JOINED_UP_TO
-        });
-        match self.side {
-            _ if !is_joined => {
-                self.with_areas(coordinates, points, |_, t| ElasticSinusoid::heavy_area_fraction(t * t));
-            }
-            Side::Light => self.with_areas(coordinates, points, |v, t| {
-                ElasticSinusoid::light_area_fraction(t, v * v * (v * v))
-            }),
-            Side::Heavy => self.with_areas(coordinates, points, |_, t| {
-                let power = elementary::exp(4.0 / 3.0 * elementary::ln(t));
-                ElasticSinusoid::light_area_fraction(t, power)
-            }),
-        }
+        elastic_points(self, coordinates, points);
     }
 
     fn resolution(&self, from_first_touch: bool) -> f64 {
@@ -176,5 +162,25 @@ impl LawChart for SineChart {
             Side::Light => 0.75,
             Side::Heavy => 0.78,
         }
+    }
+}
+
+/// Points of the elastic law. No break of it divides the coordinates: all are on the branch of the first.
+#[multiversion(targets("x86_64+avx2"))]
+fn elastic_points<'a>(chart: &SineChart, coordinates: &[f64], points: Points<'a>) {
+    let is_joined = coordinates.first().is_some_and(|&v| {
+        let t = chart.t(v);
+        t * t < ElasticSinusoid::JOINED_UP_TO
+    });
+    match chart.side {
+        _ if !is_joined => {
+            chart.with_areas(coordinates, points, |_, t| ElasticSinusoid::heavy_area_fraction(t * t));
+        }
+        Side::Light => chart
+            .with_areas(coordinates, points, |v, t| ElasticSinusoid::light_area_fraction(t, v * v * (v * v))),
+        Side::Heavy => chart.with_areas(coordinates, points, |_, t| {
+            let power = elementary::exp(4.0 / 3.0 * elementary::ln(t));
+            ElasticSinusoid::light_area_fraction(t, power)
+        }),
     }
 }

@@ -1,6 +1,7 @@
 //! Density of the heights at the nodes of a quadrature.
 
 use asperity::elementary;
+use multiversion::multiversion;
 
 use super::coordinate::Coordinate;
 use crate::gaussian::density::log_reference_density;
@@ -40,18 +41,22 @@ impl Density {
     }
 
     /// Densities of nodes at their places.
-    #[inline]
     pub fn at(&self, places: &[f64], densities: &mut [f64]) {
-        let Density { shift, left, .. } = *self;
-        if self.around_peak {
-            for (place, density) in places.iter().zip(densities) {
-                let height = place + shift;
-                *density = elementary::exp(-0.5 * height * height - left);
-            }
-        } else {
-            for (place, density) in places.iter().zip(densities) {
-                *density = elementary::exp(-place * (shift + 0.5 * place) - left);
-            }
+        densities_at(self, places, densities);
+    }
+}
+
+#[multiversion(targets("x86_64+avx2"))]
+fn densities_at(of: &Density, places: &[f64], densities: &mut [f64]) {
+    let Density { shift, left, around_peak, .. } = *of;
+    if around_peak {
+        for (place, density) in places.iter().zip(densities) {
+            let height = place + shift;
+            *density = elementary::exp(-0.5 * height * height - left);
+        }
+    } else {
+        for (place, density) in places.iter().zip(densities) {
+            *density = elementary::exp(-place * (shift + 0.5 * place) - left);
         }
     }
 }
