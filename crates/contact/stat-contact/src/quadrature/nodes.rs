@@ -1,9 +1,10 @@
 //! Nodes of a quadrature: a row for each quantity, so that several nodes are processed at once.
 
-use wide::f64x2;
-
 /// Number of nodes that are added up side by side.
-pub(crate) const LANES: usize = 2;
+pub(crate) const LANES: usize = 4;
+
+/// Values of nodes side by side.
+pub(crate) type Lanes = [f64; LANES];
 
 /// Rows of all panels, one panel after the other.
 pub(crate) struct Nodes {
@@ -30,10 +31,10 @@ pub(crate) struct Rows<'a> {
 
 /// Summands over the nodes of a panel, in lanes.
 pub(crate) struct Summands<'a> {
-    pub places: &'a [[f64; LANES]],
-    pub pressures_pa: &'a [[f64; LANES]],
-    pub area_fractions: &'a [[f64; LANES]],
-    pub densities: &'a [[f64; LANES]],
+    pub places: &'a [Lanes],
+    pub pressures_pa: &'a [Lanes],
+    pub area_fractions: &'a [Lanes],
+    pub densities: &'a [Lanes],
 }
 
 impl Nodes {
@@ -96,8 +97,8 @@ pub(crate) fn split<const ROWS: usize>(rows: &mut [f64], length: usize) -> [&mut
 }
 
 /// The sum of the lanes.
-pub(crate) fn total(lanes: f64x2) -> f64 {
-    lanes.to_array().iter().sum()
+pub(crate) fn total([a, b, c, d]: Lanes) -> f64 {
+    (a + b) + (c + d)
 }
 
 #[cfg(test)]
@@ -105,9 +106,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn panels_keep_their_nodes_and_an_odd_lane_is_empty() {
+    fn panels_keep_their_nodes_and_the_lanes_left_over_are_empty() {
         let mut nodes = Nodes::with_room_for(2);
-        let blocks = [3, 4].map(|count| nodes.add(count));
+        let blocks = [7, 8].map(|count| nodes.add(count));
         for (block, value) in blocks.into_iter().zip([1.0, 2.0]) {
             let rows = nodes.rows(block);
             assert_eq!(rows.area_fractions.len(), block.count);
@@ -115,10 +116,10 @@ mod tests {
             rows.densities.fill(-value);
         }
         let first = nodes.summed(blocks[0]);
-        assert_eq!(first.places, [[1.0, 1.0], [1.0, 0.0]]);
-        assert_eq!(first.densities, [[-1.0, -1.0], [-1.0, 0.0]]);
-        assert_eq!(first.pressures_pa, [[0.0; 2]; 2]);
-        assert_eq!(nodes.summed(blocks[1]).places, [[2.0; 2]; 2]);
-        assert_eq!(total(f64x2::new([1.0, 2.0])), 3.0);
+        assert_eq!(first.places, [[1.0; 4], [1.0, 1.0, 1.0, 0.0]]);
+        assert_eq!(first.densities, [[-1.0; 4], [-1.0, -1.0, -1.0, 0.0]]);
+        assert_eq!(first.pressures_pa, [[0.0; 4]; 2]);
+        assert_eq!(nodes.summed(blocks[1]).places, [[2.0; 4]; 2]);
+        assert_eq!(total([1.0, 2.0, 3.0, 4.0]), 10.0);
     }
 }

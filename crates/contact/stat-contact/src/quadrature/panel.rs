@@ -1,9 +1,9 @@
 //! Stretch of a law under one rule.
 
-use wide::f64x2;
+use multiversion::multiversion;
 
 use super::coordinate::Coordinate;
-use super::nodes::{Block, Summands, total};
+use super::nodes::{Block, LANES, Lanes, Summands, total};
 use super::rules::{Rule, error_of_rule};
 use crate::asperities::pieces::LawChart;
 use crate::gaussian::density::DENSITY_SCALE;
@@ -51,20 +51,7 @@ impl Panel<'_> {
         const COUNTED_ON_OVER_DECADES: f64 = 0.3;
         let Some(rule) = self.rule else { return [0.0; 2] };
         let onward = if self.variable.spans_decades() { COUNTED_ON_OVER_DECADES } else { 1.0 };
-        let mut wholes = [f64x2::ZERO; 2];
-        let mut coefficients = [[f64x2::ZERO; 4]; 2];
-        for (((pressure_pa, area_fraction), density), probes) in
-            values.pressures_pa.iter().zip(values.area_fractions).zip(values.densities).zip(&rule.probes)
-        {
-            let density = f64x2::new(*density);
-            let values = [pressure_pa, area_fraction].map(|lanes| density * f64x2::new(*lanes));
-            for i in 0..2 {
-                wholes[i] += values[i];
-                for k in 0..4 {
-                    coefficients[i][k] += values[i] * probes[k];
-                }
-            }
-        }
+        let Coefficients { wholes, coefficients } = coefficients(values, &rule.probes);
         [0, 1].map(|i| DENSITY_SCALE * error_of_rule(total(wholes[i]), coefficients[i].map(total), onward))
     }
 
@@ -77,4 +64,31 @@ impl Panel<'_> {
             _ => 0.0,
         }
     }
+}
+
+/// Sums of the pressures and of the areas over the nodes of a panel, with the Legendre coefficients of both that the
+/// probes of its rule give.
+#[derive(Default)]
+struct Coefficients {
+    wholes: [Lanes; 2],
+    coefficients: [[Lanes; 4]; 2],
+}
+
+#[multiversion(targets("x86_64+avx2"))]
+fn coefficients<'a>(values: &Summands<'a>, probes: &[[Lanes; 4]]) -> Coefficients {
+    let mut sums = Coefficients::default();
+    for (((pressure_pa, area_fraction), density), probes) in
+        values.pressures_pa.iter().zip(values.area_fractions).zip(values.densities).zip(probes)
+    {
+        for (quantity, value) in [pressure_pa, area_fraction].into_iter().enumerate() {
+            for lane in 0..LANES {
+                let value = density[lane] * value[lane];
+                sums.wholes[quantity][lane] += value;
+                for (sum, probe) in sums.coefficients[quantity].iter_mut().zip(probes) {
+                    sum[lane] += value * probe[lane];
+                }
+            }
+        }
+    }
+    sums
 }

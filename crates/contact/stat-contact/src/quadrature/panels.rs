@@ -1,9 +1,9 @@
 //! Law at the nodes of a quadrature, and its sums against the density of the heights.
 
-use wide::f64x2;
+use multiversion::multiversion;
 
 use super::heights::Density;
-use super::nodes::{Nodes, Rows, Summands, total};
+use super::nodes::{LANES, Lanes, Nodes, Rows, Summands, total};
 use super::panel::Panel;
 use super::sums::Sums;
 use crate::asperities::answers::{Asperities, Response};
@@ -53,26 +53,11 @@ impl<'a> Panels<'a> {
     /// Integrals at the current separation.
     pub fn sums(&self) -> Sums {
         let (u, shift) = (self.u, Density::new(self.centre, self.u).shift);
-        let mut sums = [f64x2::ZERO; 5];
+        let mut sums = [[0.0; LANES]; 5];
         for panel in &self.list {
-            let Summands { places, pressures_pa, area_fractions, densities } = self.nodes.summed(panel.nodes);
-            for (((place, pressure_pa), area_fraction), density) in
-                places.iter().zip(pressures_pa).zip(area_fractions).zip(densities)
-            {
-                let [place, pressure_pa, area_fraction, density] =
-                    [place, pressure_pa, area_fraction, density].map(|lanes| f64x2::new(*lanes));
-                let height = place + shift;
-                let load = density * pressure_pa;
-                let moment = height * load;
-                let second = height * moment;
-                sums[0] += load;
-                sums[1] += moment;
-                sums[2] += second;
-                sums[3] += height * second;
-                sums[4] += density * area_fraction;
-            }
+            add(&mut sums, shift, &self.nodes.summed(panel.nodes));
         }
-        let mut total = sums.map(|lanes| DENSITY_SCALE * total(lanes));
+        let mut total = sums.map(|lanes: Lanes| DENSITY_SCALE * total(lanes));
         if let Some((from, response)) = self.saturation {
             let share = tail(u, from);
             let at_edge = density(u, from);
@@ -118,5 +103,27 @@ impl<'a> Panels<'a> {
         let saturated =
             self.saturation.map_or(0.0, |(from, response)| tail(self.u, from.max(s)) * response.pressure_pa);
         panels * DENSITY_SCALE + saturated
+    }
+}
+
+/// Adds the nodes of a panel to the sums of the load, of its first three moments over the height, and of the area.
+#[multiversion(targets("x86_64+avx2"))]
+fn add<'a>(sums: &mut [Lanes; 5], shift: f64, summands: &Summands<'a>) {
+    let Summands { places, pressures_pa, area_fractions, densities } = *summands;
+    let [loads, firsts, seconds, thirds, areas] = sums;
+    for (((place, pressure_pa), area_fraction), density) in
+        places.iter().zip(pressures_pa).zip(area_fractions).zip(densities)
+    {
+        for lane in 0..LANES {
+            let height = place[lane] + shift;
+            let load = density[lane] * pressure_pa[lane];
+            let moment = height * load;
+            let second = height * moment;
+            loads[lane] += load;
+            firsts[lane] += moment;
+            seconds[lane] += second;
+            thirds[lane] += height * second;
+            areas[lane] += density[lane] * area_fraction[lane];
+        }
     }
 }

@@ -4,9 +4,8 @@ use std::sync::OnceLock;
 
 use asperity::elementary;
 use numerics::{GaussLegendre, legendre_integral_above, legendre_polynomials};
-use wide::f64x2;
 
-use super::nodes::LANES;
+use super::nodes::{LANES, Lanes};
 
 /// Numbers of nodes of the rules, spaced so that rounding up costs little.
 const SIZES: [usize; 17] = [2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 18, 20, 24, 28, 34, MOST];
@@ -18,7 +17,7 @@ pub(crate) struct Rule {
     pub gauss: GaussLegendre,
     /// (2k+1)/2 P_k(x) for two degrees k of about half the highest, and for the two highest: summed over the weighted
     /// values of a function they give its Legendre coefficients. In lanes, padded with zeros.
-    pub probes: Vec<[f64x2; 4]>,
+    pub probes: Vec<[Lanes; 4]>,
     /// (2k+1)/2 P_k(x) of every degree k below the number of nodes, node by node.
     polynomials: Vec<f64>,
 }
@@ -42,7 +41,7 @@ impl Rule {
             [half, half - 1, size - 1, size - 2].map(|k| {
                 let mut lanes = [0.0; LANES];
                 lanes.iter_mut().zip(x).for_each(|(lane, &x)| *lane = scaled(x)[k]);
-                f64x2::new(lanes)
+                lanes
             })
         };
         Rule {
