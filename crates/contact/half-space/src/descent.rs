@@ -9,7 +9,8 @@
 //! Martinez & Raydan (2000) take over.
 //!
 //! One compliance and one preconditioner are applied per step: the gap is updated with K s for the actual change s of
-//! the pressures, and is computed anew from them only where accumulated rounding could matter.
+//! the pressures, and is computed anew from them only where accumulated rounding could matter. K s is computed in
+//! single precision, at half the cost: near equilibrium changes are small, and their rounding with them.
 
 use multiversion::multiversion;
 
@@ -41,16 +42,26 @@ struct Descent<'a> {
     capped: usize,
     /// Length of the next step along a direction.
     length: f64,
+    /// True if changes are displaced in single precision.
+    is_rough: bool,
+    /// Rounding of the gaps since they were computed anew, over the rms height.
+    accumulated: f64,
     applied: usize,
 }
 
 /// Steps after which the gaps are computed anew, because they accumulate rounding.
 const STEPS_UNTIL_RENEWED: usize = 100;
 
-/// Rounding of the gaps in a step, over the rms height: some units in the last place of displacements.
-const ROUNDING_OF_STEP: f64 = 1e-14;
+/// Rounding of the displacements of a change, over the largest of them.
+const ROUNDING: f64 = 1e-15;
 
-/// Share of the tolerance up to which accumulated rounding needs no attention.
+/// That in single precision.
+const ROUGH_ROUNDING: f64 = 2e-7;
+
+/// Mean pressures, in units of the problem, whose changes and displacements lie well within single precision.
+const ROUGH_MEANS: std::ops::Range<f64> = 1e-15..1e15;
+
+/// Share of the residual up to which accumulated rounding needs no attention.
 const NEGLIGIBLE_SHARE: f64 = 0.01;
 
 /// Steps within which the residual must halve; otherwise rounding prevents it.
@@ -68,7 +79,18 @@ pub(crate) fn descend(
         // A wave that closes as much as the surfaces overlap would carry about as much, in these units.
         Held::Offset(offset) => (offset, mean_overlap(problem.heights, offset).min(problem.cap)),
     };
-    let mut descent = Descent { problem, operators, state, offset, mean, capped: 0, length: 1.0, applied: 0 };
+    let mut descent = Descent {
+        problem,
+        operators,
+        state,
+        offset,
+        mean,
+        capped: 0,
+        length: 1.0,
+        is_rough: ROUGH_MEANS.contains(&mean),
+        accumulated: 0.0,
+        applied: 0,
+    };
     descent.start();
     let mut residual = descent.look(0.0);
     let (mut iterations, mut renewed_at, mut best, mut best_at) = (0, 0, residual, 0);
@@ -79,11 +101,12 @@ pub(crate) fn descend(
         if residual < 0.5 * best {
             (best, best_at) = (residual, iterations);
         }
-        let accumulated = (iterations - renewed_at) as f64 * ROUNDING_OF_STEP;
-        if residual < problem.tolerance && accumulated <= NEGLIGIBLE_SHARE * problem.tolerance {
+        let is_settled = descent.accumulated <= NEGLIGIBLE_SHARE * problem.tolerance;
+        if residual < problem.tolerance && is_settled {
             break Ending::Converged;
         }
-        if residual < problem.tolerance || iterations - renewed_at >= STEPS_UNTIL_RENEWED {
+        let is_due = descent.accumulated > NEGLIGIBLE_SHARE * residual;
+        if residual < problem.tolerance || is_due || iterations - renewed_at >= STEPS_UNTIL_RENEWED {
             descent.renew();
             renewed_at = iterations;
             residual = descent.look(0.0);
@@ -137,6 +160,7 @@ impl Descent<'_> {
     fn renew(&mut self) {
         self.operators.compliance.apply(&self.state.pressures, &mut self.state.gaps);
         self.applied += 1;
+        self.accumulated = 0.0;
         self.state.gaps.iter_mut().zip(self.problem.heights).for_each(|(gap, height)| *gap -= height);
     }
 
@@ -322,21 +346,30 @@ impl Descent<'_> {
 
     /// Turns the trial into a change and its response, and returns the best share of it.
     fn search(&mut self, aim: &Aim) -> f64 {
-        let State { change, response, free, trial, .. } = &mut *self.state;
+        let State { change, response, gradient, free, trial, .. } = &mut *self.state;
         change.fill(0.0);
         free.iter().zip(&*trial).for_each(|(&point, &step)| change[point as usize] = step);
-        self.operators.compliance.apply(change, response);
+        if self.is_rough {
+            gradient.iter_mut().zip(&*change).for_each(|(rough, change)| *rough = *change as f32);
+            self.operators.rough_compliance.apply_in_place(gradient);
+            response.iter_mut().zip(&*gradient).for_each(|(response, rough)| *response = f64::from(*rough));
+        } else {
+            self.operators.compliance.apply(change, response);
+        }
+        let rounding = if self.is_rough { ROUGH_ROUNDING } else { ROUNDING } * largest(response);
         self.applied += 1;
         let [curvature] = sums::over(free.len(), |at| [trial[at] * response[free[at] as usize]]);
         let best = if curvature > 0.0 { -aim.slope / curvature } else { 1.0 };
         self.length =
             (self.length * best.clamp(1.0 / LARGEST_FACTOR, LARGEST_FACTOR)).clamp(SHORTEST, LONGEST);
-        match best {
+        let share = match best {
             far if far > FULL_STEP_MIN && aim.meets_bounds => 1.0,
             // Limited at once: rounding in the sum of the change grows with the factor.
             far if far > 1.0 => far.min(self.reach()).min(LARGEST_FACTOR),
             near => near,
-        }
+        };
+        self.accumulated += share * rounding;
+        share
     }
 
     /// Largest multiple of the change before a point meets a bound.
@@ -428,6 +461,23 @@ fn close_gaps(
     let least = least.into_iter().fold(f64::INFINITY, f64::min);
     let largest = largest.into_iter().fold(f64::NEG_INFINITY, f64::max);
     Closed { capped, least, largest }
+}
+
+/// Largest magnitude of the values.
+#[multiversion(targets("x86_64+avx2"))]
+fn largest(values: &[f64]) -> f64 {
+    const LANES: usize = 4;
+    let mut largest = [0.0f64; LANES];
+    let (fours, rest) = values.as_chunks::<LANES>();
+    let mut take = |lane: usize, value: f64| {
+        let size = value.abs();
+        largest[lane] = if size > largest[lane] { size } else { largest[lane] };
+    };
+    for four in fours {
+        (0..LANES).for_each(|lane| take(lane, four[lane]));
+    }
+    rest.iter().enumerate().for_each(|(lane, value)| take(lane, *value));
+    largest.into_iter().fold(0.0, f64::max)
 }
 
 /// Part of the last change s in the next direction t, chosen so that t does not undo s: t.Ks = 0.

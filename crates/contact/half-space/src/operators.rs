@@ -9,16 +9,7 @@ use crate::transform::Convolution;
 
 /// Operators of a periodic surface: displacements of pressures and pressures of displacements.
 pub(crate) fn periodic(grid: &Grid) -> Operators {
-    let map = [grid.rows(), grid.columns()];
-    let wave_number = wave_number(*grid);
-    Operators {
-        compliance: Convolution::new(map, map, |row, column| match (row, column) {
-            (0, 0) => 0.0,
-            _ => 1.0 / wave_number(row, column),
-        }),
-        preconditioner: Convolution::new(map, map, wave_number),
-        uniform_displaces: false,
-    }
+    periodic_on(grid, |_| 1.0)
 }
 
 /// Operators of a periodic surface on a body that a wave of a wave number, in units of the longest wave, displaces by
@@ -26,19 +17,18 @@ pub(crate) fn periodic(grid: &Grid) -> Operators {
 pub(crate) fn periodic_on(grid: &Grid, relative_displacement: impl Fn(f64) -> f64) -> Operators {
     let map = [grid.rows(), grid.columns()];
     let wave_number = wave_number(*grid);
-    let compliance = |row, column| {
+    let displacement = |row, column| {
         let wave_number = wave_number(row, column);
-        relative_displacement(wave_number) / wave_number
+        if wave_number > 0.0 { relative_displacement(wave_number) / wave_number } else { 0.0 }
+    };
+    let pressure = |row, column| match displacement(row, column) {
+        displacement if displacement > 0.0 => 1.0 / displacement,
+        _ => 0.0,
     };
     Operators {
-        compliance: Convolution::new(map, map, |row, column| match (row, column) {
-            (0, 0) => 0.0,
-            _ => compliance(row, column),
-        }),
-        preconditioner: Convolution::new(map, map, |row, column| match (row, column) {
-            (0, 0) => 0.0,
-            _ => 1.0 / compliance(row, column),
-        }),
+        compliance: Convolution::new(map, map, displacement),
+        rough_compliance: Convolution::new(map, map, displacement),
+        preconditioner: Convolution::new(map, map, pressure),
         uniform_displaces: false,
     }
 }
@@ -47,10 +37,12 @@ pub(crate) fn periodic_on(grid: &Grid, relative_displacement: impl Fn(f64) -> f6
 /// by the waves of the grid, without padding.
 pub(crate) fn free(grid: &Grid) -> Operators {
     let map = [grid.rows(), grid.columns()];
+    let period = LoveFactors::period(grid);
     // The unit of pressure makes one wave of the unit's height along the longer side: E* q/2, in which E* cancels.
     let love = LoveFactors::new(grid, 2.0 * PI / grid.unit_wave_number_per_m());
     Operators {
-        compliance: Convolution::new(map, LoveFactors::period(grid), |row, column| love.factor(row, column)),
+        compliance: Convolution::new(map, period, |row, column| love.factor(row, column)),
+        rough_compliance: Convolution::new(map, period, |row, column| love.factor(row, column)),
         preconditioner: Convolution::new(map, map, wave_number(*grid)),
         uniform_displaces: true,
     }

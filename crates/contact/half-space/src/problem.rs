@@ -35,6 +35,8 @@ impl Problem<'_> {
 /// The two operators: the compliance, and roughly its inverse.
 pub(crate) struct Operators {
     pub(crate) compliance: Convolution<f64>,
+    /// In single precision, for changes of pressure far from equilibrium.
+    pub(crate) rough_compliance: Convolution<f32>,
     /// In single precision, because it only preconditions directions.
     pub(crate) preconditioner: Convolution<f32>,
     /// True if a uniform pressure displaces the surface; false where displacements are counted from their mean.
@@ -49,7 +51,7 @@ pub(crate) struct State {
     /// Last change of the pressures, and its displacements.
     pub(crate) change: Vec<f64>,
     pub(crate) response: Vec<f64>,
-    /// Gap on free points, and the preconditioned gap.
+    /// Gap on free points, and the preconditioned gap; then the change and its response in single precision.
     pub(crate) gradient: Vec<f32>,
     /// Points that may change.
     pub(crate) free: Vec<u32>,
