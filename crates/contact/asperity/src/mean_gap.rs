@@ -77,9 +77,14 @@ impl GapExponent {
             return upper;
         }
         // A1 <= 0 makes the exponent largest at x = 0 and the left side rise with ln x. So `upper` is an upper bound,
-        // and the exponent there yields a lower one.
-        let lower = log_t / (self.a1 * elementary::exp(upper) + self.a2);
-        newton_in_bracket(lower, upper, upper, |log_x| {
+        // and the exponent there yields a lower one. Halley's step from there needs no further exponential, and leaves
+        // Newton's method one to three.
+        let grown = self.a1 * elementary::exp(upper);
+        let lower = log_t / (grown + self.a2);
+        let excess = grown * upper;
+        let (slope, curvature) = (excess + grown + self.a2, excess + 2.0 * grown);
+        let start = upper - 2.0 * excess * slope / (2.0 * slope * slope - excess * curvature);
+        newton_in_bracket(lower, upper, start, |log_x| {
             let x = elementary::exp(log_x);
             let exponent = self.a1 * x + self.a2;
             (exponent * log_x - log_t, self.a1 * x * log_x + exponent)
