@@ -351,7 +351,8 @@ impl Descent<'_> {
         free.iter().zip(&*trial).for_each(|(&point, &step)| change[point as usize] = step);
         if self.is_rough {
             gradient.iter_mut().zip(&*change).for_each(|(rough, change)| *rough = *change as f32);
-            self.operators.rough_compliance.apply_in_place(gradient);
+            let Operators { rough_compliance, preconditioner, .. } = &mut *self.operators;
+            rough_compliance.apply_in_place_within(preconditioner, gradient);
             response.iter_mut().zip(&*gradient).for_each(|(response, rough)| *response = f64::from(*rough));
         } else {
             self.operators.compliance.apply(change, response);

@@ -22,6 +22,11 @@ pub(crate) struct Convolution<T: FftNum> {
     factors: Vec<T>,
     along_rows: [Arc<dyn Fft<T>>; 2],
     along_columns: [Arc<dyn Fft<T>>; 2],
+    buffers: Buffers<T>,
+}
+
+/// Work space of a convolution, made at its first use.
+struct Buffers<T> {
     /// Complex rows, each of two rows of the map.
     pairs: Vec<Complex<T>>,
     /// Block of columns, one behind the other.
@@ -37,8 +42,6 @@ impl<T: FftNum> Convolution<T> {
         let mut planner = FftPlanner::new();
         let along_rows = [planner.plan_fft_forward(columns), planner.plan_fft_inverse(columns)];
         let along_columns = [planner.plan_fft_forward(rows), planner.plan_fft_inverse(rows)];
-        let scratch = along_rows.iter().chain(&along_columns).map(|plan| plan.get_inplace_scratch_len());
-        let zero = Complex::new(T::zero(), T::zero());
         // A factor of 1/2 for separating two rows; the rest normalises the transforms.
         let share = 0.5 / (rows as f64 * columns as f64);
         let factors = (0..=columns / 2).flat_map(|column| (0..=rows / 2).map(move |row| (row, column)));
@@ -50,36 +53,66 @@ impl<T: FftNum> Convolution<T> {
                     T::from_f64(share * factor(row, column)).expect("a factor within the range")
                 })
                 .collect(),
-            pairs: vec![zero; map[0].div_ceil(2) * columns],
-            block: vec![zero; BLOCK * rows],
-            scratch: vec![zero; scratch.max().unwrap_or(0)],
             along_rows,
             along_columns,
+            buffers: Buffers { pairs: Vec::new(), block: Vec::new(), scratch: Vec::new() },
         }
     }
 
     /// Convolves `values` into `into`.
     pub(crate) fn apply(&mut self, values: &[T], into: &mut [T]) {
-        self.rows_forward(values);
-        for first in (0..=self.period[1] / 2).step_by(BLOCK) {
-            self.multiply_columns(first);
-        }
+        self.multiply(values);
         self.rows_back(into);
     }
 
     /// Convolves `values` in place.
     pub(crate) fn apply_in_place(&mut self, values: &mut [T]) {
+        self.multiply(values);
+        self.rows_back(values);
+    }
+
+    /// Convolves `values` in place, in the work space of another convolution.
+    pub(crate) fn apply_in_place_within(&mut self, other: &mut Self, values: &mut [T]) {
+        std::mem::swap(&mut self.buffers, &mut other.buffers);
+        self.apply_in_place(values);
+        std::mem::swap(&mut self.buffers, &mut other.buffers);
+    }
+
+    /// Computes the product with the factors, transformed back along the columns alone.
+    fn multiply(&mut self, values: &[T]) {
+        self.make_room();
         self.rows_forward(values);
         for first in (0..=self.period[1] / 2).step_by(BLOCK) {
             self.multiply_columns(first);
         }
-        self.rows_back(values);
+    }
+
+    /// Extends the work space to what this convolution needs.
+    fn make_room(&mut self) {
+        let ([rows, columns], zero) = (self.period, Complex::new(T::zero(), T::zero()));
+        let plans = self.along_rows.iter().chain(&self.along_columns);
+        let scratch = plans.map(|plan| plan.get_inplace_scratch_len()).max().unwrap_or(0);
+        let extend = |buffer: &mut Vec<Complex<T>>, count: usize| {
+            if buffer.len() < count {
+                buffer.resize(count, zero);
+            }
+        };
+        let pairs = self.pairs() * columns;
+        extend(&mut self.buffers.pairs, pairs);
+        extend(&mut self.buffers.block, BLOCK * rows);
+        extend(&mut self.buffers.scratch, scratch);
+    }
+
+    /// Number of complex rows.
+    fn pairs(&self) -> usize {
+        self.map[0].div_ceil(2)
     }
 
     fn rows_forward(&mut self, values: &[T]) {
         let ([_, columns], width) = (self.map, self.period[1]);
         let zero = Complex::new(T::zero(), T::zero());
-        for (pair, values) in self.pairs.chunks_exact_mut(width).zip(values.chunks(2 * columns)) {
+        let Buffers { pairs, scratch, .. } = &mut self.buffers;
+        for (pair, values) in pairs.chunks_exact_mut(width).zip(values.chunks(2 * columns)) {
             let (first, second) = values.split_at(columns);
             if second.is_empty() {
                 pair.iter_mut().zip(first).for_each(|(to, &re)| *to = Complex::new(re, T::zero()));
@@ -88,7 +121,7 @@ impl<T: FftNum> Convolution<T> {
                 pair.iter_mut().zip(both).for_each(|(to, (&re, &im))| *to = Complex::new(re, im));
             }
             pair[columns..].fill(zero);
-            self.along_rows[0].process_with_scratch(pair, &mut self.scratch);
+            self.along_rows[0].process_with_scratch(pair, scratch);
         }
     }
 
@@ -97,11 +130,12 @@ impl<T: FftNum> Convolution<T> {
         let [rows, width] = self.period;
         let zero = Complex::new(T::zero(), T::zero());
         let last = (first + BLOCK).min(width / 2 + 1);
-        let used = self.map[0];
-        for (pair, line) in self.pairs.chunks_exact(width).enumerate() {
+        let (used, count) = (self.map[0], self.pairs());
+        let Buffers { pairs, block, scratch } = &mut self.buffers;
+        for (pair, line) in pairs.chunks_exact(width).take(count).enumerate() {
             for column in first..last {
                 let [even, odd] = taken_apart(line[column], line[mirrored(column, width)]);
-                let to = &mut self.block[(column - first) * rows..][..rows];
+                let to = &mut block[(column - first) * rows..][..rows];
                 to[2 * pair] = even;
                 if 2 * pair + 1 < used {
                     to[2 * pair + 1] = odd;
@@ -109,19 +143,19 @@ impl<T: FftNum> Convolution<T> {
             }
         }
         for column in first..last {
-            let values = &mut self.block[(column - first) * rows..][..rows];
+            let values = &mut block[(column - first) * rows..][..rows];
             values[used..].fill(zero);
-            self.along_columns[0].process_with_scratch(values, &mut self.scratch);
+            self.along_columns[0].process_with_scratch(values, scratch);
             let factors = &self.factors[column * (rows / 2 + 1)..][..rows / 2 + 1];
             let (upwards, downwards) = values.split_at_mut(factors.len());
             upwards.iter_mut().zip(factors).for_each(|(value, &factor)| *value = *value * factor);
             let mirror = factors[1..rows.div_ceil(2)].iter().rev();
             downwards.iter_mut().zip(mirror).for_each(|(value, &factor)| *value = *value * factor);
-            self.along_columns[1].process_with_scratch(values, &mut self.scratch);
+            self.along_columns[1].process_with_scratch(values, scratch);
         }
-        for (pair, line) in self.pairs.chunks_exact_mut(width).enumerate() {
+        for (pair, line) in pairs.chunks_exact_mut(width).take(count).enumerate() {
             for column in first..last {
-                let from = &self.block[(column - first) * rows..][..rows];
+                let from = &block[(column - first) * rows..][..rows];
                 let odd = if 2 * pair + 1 < used { from[2 * pair + 1] } else { zero };
                 let [value, mirror] = put_together(from[2 * pair], odd);
                 line[mirrored(column, width)] = mirror;
@@ -132,8 +166,9 @@ impl<T: FftNum> Convolution<T> {
 
     fn rows_back(&mut self, into: &mut [T]) {
         let ([_, columns], width) = (self.map, self.period[1]);
-        for (pair, into) in self.pairs.chunks_exact_mut(width).zip(into.chunks_mut(2 * columns)) {
-            self.along_rows[1].process_with_scratch(pair, &mut self.scratch);
+        let Buffers { pairs, scratch, .. } = &mut self.buffers;
+        for (pair, into) in pairs.chunks_exact_mut(width).zip(into.chunks_mut(2 * columns)) {
+            self.along_rows[1].process_with_scratch(pair, scratch);
             let (first, second) = into.split_at_mut(columns);
             first.iter_mut().zip(&*pair).for_each(|(to, value)| *to = value.re);
             second.iter_mut().zip(&*pair).for_each(|(to, value)| *to = value.im);
