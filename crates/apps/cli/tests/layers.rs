@@ -129,12 +129,14 @@ fn scenes_with_a_layer_run_persson_alone_and_refuse_what_knows_half_spaces() {
     bench.write("s.toml", scene("", "base = \"rigid\"")).run(&["run", "s.toml"]).ok();
     let named = bench.write("s.toml", scene("name = \"100Cr6\"", "")).run(&["run", "s.toml"]).ok();
     support::assert_names(&named, &["coated", "100Cr6", "areas of a layer"]);
+    let judged = bench.write("s.toml", scene(steel, "[judge]\ngrid = 48")).run(&["run", "s.toml"]).ok();
+    support::assert_names(&judged, &["boundary elements"]);
+    assert!(!judged.contains("areas of a layer"), "{judged}");
     let refused = |text: String, names: &[&str]| {
         bench.write("s.toml", text).run(&["run", "s.toml"]).refused_naming(names)
     };
     refused(scene(steel, "base = \"rigid\""), &["material.youngs_modulus", "rigid"]);
     refused(scene("", ""), &["youngs_modulus"]);
-    refused(scene(steel, "[judge]"), &["[judge]", "layer"]);
     refused(scene(steel, "[interface]\nshear_strength = \"1 MPa\""), &["[interface]", "layer"]);
     refused(scene(steel, "[[curve]]\nmodel = \"hertz\""), &["hertz", "layer"]);
     refused(scene(steel, "").replace("thickness = \"50 nm\"\n", ""), &["material.layer.thickness"]);
