@@ -58,6 +58,9 @@ cargo xtask gap-trials [--anew]
 cargo xtask judge-trials [--anew]
                                compares the judge of scenes with whole bands solved at once and rewrites the tables of
                                docs/guide/judge.md; presses new surfaces only, --anew all of them (an hour)
+cargo xtask layer-trials [--anew]
+                               compares the judge on layers with whole bands solved at once and rewrites a table of
+                               docs/guide/judge.md; presses new surfaces only, --anew all of them (an hour)
 ";
 
 /// Program that compares with boundary elements, and rewrites tables of pages.
@@ -169,6 +172,7 @@ fn parse(mut parser: lexopt::Parser) -> Result<Option<Task>, lexopt::Error> {
                     }
                     Some("gap-trials") => program(TRIALS, &["gap"], &mut parser)?,
                     Some("judge-trials") => program(TRIALS, &["judge"], &mut parser)?,
+                    Some("layer-trials") => program(TRIALS, &["layers"], &mut parser)?,
                     _ => return Err(Value(name).unexpected()),
                 };
                 task = Some(named);

@@ -316,6 +316,41 @@ fn a_ball_on_surfaces_of_a_spectrum_has_a_row_for_each_place() {
     assert!(areas_m2.windows(2).all(|pair| pair[0] != pair[1] && pair[0] > 0.0), "{areas_m2:?}");
 }
 
+#[test]
+fn a_cylinder_on_a_nearly_smooth_map_is_hertz() {
+    let bench = Bench::new();
+    let heights = (0..32)
+        .map(|row| (0..256).map(|column| format!("{} ", (row + column) % 2)).collect::<String>() + "\n");
+    bench.write("flat.txt", heights.collect::<String>());
+    // a = 0.05 um from F' = pi a^2 E*/(4 R).
+    let pressed =
+        ["flat.txt:unit=pm,size=1um", "--cylinder-radius", "10um", "--force-per-length", "0.19634954N/m"];
+    let table = bench.run(&call(&[&pressed])).ok();
+    let of = |name: &str| numbers(&table, name)[0];
+    assert!((of("hertz_half_width_m") / 0.05e-6 - 1.0).abs() < 1e-7, "{table}");
+    assert!((of("effective_half_width_m") / of("hertz_half_width_m") - 1.0).abs() < 5e-3, "{table}");
+    assert!((of("peak_mean_pressure_pa") / of("hertz_pressure_pa") - 1.0).abs() < 0.01, "{table}");
+    // Half of the half-width is 6.4 points.
+    assert!((of("force_share") - 0.609).abs() < 0.04, "{table}");
+    assert!((of("real_width_corrected_m") / 0.1e-6 - 1.0).abs() < 0.05, "{table}");
+}
+
+#[test]
+fn cylinders_are_refused_with_what_they_cannot_have() {
+    let bench = with_spectrum();
+    let cylinder = ["--cylinder-radius", "1m", "--force-per-length", "1N/m"];
+    let refused = |more: &[&str], names: &[&str]| {
+        bench.run(&call(&[&SURFACES, &cylinder, more])).refused_naming(names);
+    };
+    refused(&["--ball-radius", "1m", "--force", "1N"], &["--cylinder-radius", "--ball-radius"]);
+    refused(&["--pressure", "1MPa"], &["--cylinder-radius", "--pressure"]);
+    let sticky = ["--work-of-adhesion", "10mJ/m^2", "--adhesion-range", "10nm"];
+    refused(&sticky, &["--cylinder-radius", "--work-of-adhesion"]);
+    let layer =
+        ["--layer-thickness", "5um", "--layer-youngs-modulus", "1GPa", "--layer-poisson-ratio", "0.3"];
+    refused(&layer, &["--layer-thickness", "cylinders"]);
+}
+
 /// Pressures of a wave with adhesion lie between pull-off and full contact, and both branches meet where the state is unique.
 #[test]
 fn adhesive_waves_are_pressed_and_pulled() {

@@ -114,7 +114,7 @@ fn wrong_layers_are_refused_with_the_option_that_mends_them() {
 }
 
 #[test]
-fn scenes_with_a_layer_run_persson_alone_and_refuse_what_knows_half_spaces() {
+fn scenes_with_a_layer_run_persson_are_judged_and_refuse_what_knows_half_spaces() {
     let bench = Bench::new();
     let scene = |base: &str, more: &str| {
         format!(
@@ -123,18 +123,20 @@ fn scenes_with_a_layer_run_persson_alone_and_refuse_what_knows_half_spaces() {
         )
     };
     let steel = "youngs_modulus = \"210 GPa\"\npoisson_ratio = 0.3";
-    let summary = bench.write("s.toml", scene(steel, "")).run(&["run", "s.toml", "-v"]).ok();
+    let summary = bench.write("s.toml", scene(steel, "")).run(&["run", "s.toml", "-v", "--no-judge"]).ok();
     support::assert_names(&summary, &["persson", "layer of this material", "areas of a layer"]);
     assert!(!summary.contains("\nbgt"), "{summary}");
     bench.write("s.toml", scene("", "base = \"rigid\"")).run(&["run", "s.toml"]).ok();
     let named = bench.write("s.toml", scene("name = \"100Cr6\"", "")).run(&["run", "s.toml"]).ok();
-    support::assert_names(&named, &["coated", "100Cr6", "areas of a layer"]);
+    support::assert_names(&named, &["coated", "100Cr6", "boundary elements"]);
+    let judged = bench.write("s.toml", scene(steel, "[judge]\ngrid = 48")).run(&["run", "s.toml"]).ok();
+    support::assert_names(&judged, &["boundary elements"]);
+    assert!(!judged.contains("areas of a layer"), "{judged}");
     let refused = |text: String, names: &[&str]| {
         bench.write("s.toml", text).run(&["run", "s.toml"]).refused_naming(names)
     };
     refused(scene(steel, "base = \"rigid\""), &["material.youngs_modulus", "rigid"]);
     refused(scene("", ""), &["youngs_modulus"]);
-    refused(scene(steel, "[judge]"), &["[judge]", "layer"]);
     refused(scene(steel, "[interface]\nshear_strength = \"1 MPa\""), &["[interface]", "layer"]);
     refused(scene(steel, "[[curve]]\nmodel = \"hertz\""), &["hertz", "layer"]);
     refused(scene(steel, "").replace("thickness = \"50 nm\"\n", ""), &["material.layer.thickness"]);

@@ -82,3 +82,29 @@ fn missing_points_are_left_out_and_files_that_cannot_be_evaluated_do_not_hide_ot
     assert_eq!(run.status, 2);
     assert_names(&run.stderr, &["uneven.txt", "unevenly spaced"]);
 }
+
+#[test]
+fn scales_have_a_row_for_each_wavelength_from_the_spectrum_and_from_heights() {
+    let bench = Bench::new();
+    bench.write("wave.txt", profile());
+    let scales = ["roughness", "wave.txt:unit=um", "--filter", "0.8mm", "--scales"];
+    let table = bench.run(&scales).ok();
+    let wavelengths_m = numbers(&table, "wavelength_m");
+    assert!(wavelengths_m.windows(2).all(|pair| pair[1] < pair[0]));
+    // The wave of 100 um has this slope. Above its length there is none; differences far below it see all of it.
+    let slope = TAU / 100.0 / 2f64.sqrt();
+    for column in ["rms_gradient_spectrum", "rms_gradient_heights"] {
+        let gradients = numbers(&table, column);
+        for (wavelength_m, gradient) in wavelengths_m.iter().zip(gradients) {
+            if *wavelength_m < 20e-6 {
+                assert_relative_eq!(gradient, slope, max_relative = 0.05);
+            } else if *wavelength_m > 400e-6 {
+                assert!(gradient < 0.35 * slope, "{column} {wavelength_m} {gradient}");
+            }
+        }
+    }
+    let curvature_per_m = numbers(&table, "rms_curvature_heights_per_m").pop().unwrap();
+    assert_relative_eq!(curvature_per_m, slope * TAU / 100e-6, max_relative = 0.05);
+    let ratio = bench.run(&[&scales[..], &["--ratio-height", "1um"]].concat());
+    ratio.refused_naming(&["--scales", "--ratio-height"]);
+}

@@ -25,8 +25,8 @@ pub use number::{number, write_number};
 pub use number_text::without_comma;
 pub use pressure_range::{PressureRange, PressureRangeError, log_spaced};
 pub use quantity::{
-    Area, Force, IndentationHardness, Length, Modulus, Pressure, Resistivity, SignedLength,
-    ThermalConductivity, Viscosity, WorkOfAdhesion,
+    Area, Force, ForcePerLength, IndentationHardness, Length, Modulus, Pressure, Resistivity, SignedLength,
+    Temperature, ThermalConductivity, Viscosity, WorkOfAdhesion,
 };
 pub use quantity_error::QuantityError;
 pub use roughness::Scale;

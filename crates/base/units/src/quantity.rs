@@ -5,8 +5,8 @@ use std::str::FromStr;
 use crate::hardness_scale::{HardnessScale, pascals_per_rockwell_c};
 use crate::quantity_error::QuantityError;
 use crate::quantity_kind::{
-    AREA, FORCE, HARDNESS, HARDNESS_UNIT, LENGTH, MODULUS, PRESSURE, RESISTIVITY, THERMAL_CONDUCTIVITY,
-    VISCOSITY, WORK_OF_ADHESION, scaled,
+    AREA, FORCE, FORCE_PER_LENGTH, HARDNESS, HARDNESS_UNIT, LENGTH, MODULUS, PRESSURE, RESISTIVITY,
+    TEMPERATURE, THERMAL_CONDUCTIVITY, VISCOSITY, WORK_OF_ADHESION, scaled,
 };
 use crate::unit_scale::UnitScale;
 
@@ -72,6 +72,20 @@ pub struct Resistivity {
 pub struct Viscosity {
     /// In pascal seconds.
     pub pa_s: f64,
+}
+
+/// A force per length > 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ForcePerLength {
+    /// In newtons per metre.
+    pub n_per_m: f64,
+}
+
+/// An absolute temperature > 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Temperature {
+    /// In kelvins.
+    pub k: f64,
 }
 
 /// A work of adhesion > 0.
@@ -143,8 +157,10 @@ macro_rules! positive {
 positive!(
     Length { m } of LENGTH,
     Force { n } of FORCE,
+    ForcePerLength { n_per_m } of FORCE_PER_LENGTH,
     Area { m2 } of AREA,
     Modulus { pa } of MODULUS,
+    Temperature { k } of TEMPERATURE,
     ThermalConductivity { w_per_m_k } of THERMAL_CONDUCTIVITY,
     Resistivity { ohm_m } of RESISTIVITY,
     Viscosity { pa_s } of VISCOSITY,
@@ -223,6 +239,8 @@ mod tests {
         assert_eq!("50 ksi".parse::<Modulus>().unwrap().pa, 344_737_864.65841805);
         assert_eq!("2.5 cm^2".parse::<Area>().unwrap().m2, 2.5e-4);
         assert_eq!("10 mN".parse::<Force>().unwrap().n, 10e-3);
+        assert_eq!("10 N/mm".parse::<ForcePerLength>().unwrap().n_per_m, 1e4);
+        assert!("10 N".parse::<ForcePerLength>().is_err() && "0 N/m".parse::<ForcePerLength>().is_err());
     }
 
     #[test]

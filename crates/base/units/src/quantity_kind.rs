@@ -124,6 +124,22 @@ pub(crate) const WORK_OF_ADHESION: Kind = Kind {
     example: "50 mJ/m^2",
 };
 
+pub(crate) const FORCE_PER_LENGTH: Kind = Kind {
+    what: "force per length",
+    units: Units::Listed(&[
+        (&["N/m"], ten(0)),
+        (&["mN/m"], ten(-3)),
+        (&["kN/m"], ten(3)),
+        (&["N/mm"], ten(3)),
+        (&["kN/mm", "MN/m"], ten(6)),
+    ]),
+    own_units: &[],
+    example: "10 N/mm",
+};
+
+pub(crate) const TEMPERATURE: Kind =
+    Kind { what: "temperature", units: Units::Listed(&[(&["K"], ten(0))]), own_units: &[], example: "400 K" };
+
 pub(crate) const AREA: Kind = Kind {
     what: "area",
     units: Units::Listed(&[

@@ -54,6 +54,12 @@ impl Correction {
         }
     }
 
+    /// Returns the factor g of [`AlgebraicNayak`](Self::AlgebraicNayak) for Nayak's alpha = m0 m4/m2^2, at most 1.
+    #[must_use]
+    pub fn factor_of_nayak(alpha: f64) -> f64 {
+        nayak(alpha)[0]
+    }
+
     fn form(self) -> Form {
         match self {
             Correction::WangMuser => Form::Differential(|area| {

@@ -1,4 +1,4 @@
-//! A smooth ball or a long cylinder pressed onto a rough flat.
+//! A smooth ball pressed onto a rough flat.
 
 use std::f64::consts::PI;
 
@@ -18,13 +18,13 @@ use crate::surfaces::Surfaces;
 pub const LARGEST_EXTENT: f64 = 0.9;
 
 /// Least pressure of a point in contact, as a share of the largest pressure.
-const TOUCHING: f64 = 1e-10;
+pub(crate) const TOUCHING: f64 = 1e-10;
 
 /// Rings in Hertz's contact radius, over which pressures are averaged.
-const RINGS_PER_RADIUS: f64 = 8.0;
+pub(crate) const RINGS_PER_RADIUS: f64 = 8.0;
 
 /// Rings among which the peak of the averaged pressure is searched.
-const SEARCHED_RINGS: usize = 16;
+pub(crate) const SEARCHED_RINGS: usize = 16;
 
 /// Smooth ball, a parabola of revolution, under a force.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,15 +33,6 @@ pub struct Ball {
     pub radius_m: f64,
     /// Force F \[N\].
     pub force_n: f64,
-}
-
-/// Smooth cylinder along y, a parabola along x, under a force per length; the box repeats itself on both sides.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cylinder {
-    /// Radius R \[m\].
-    pub radius_m: f64,
-    /// Force per length F' \[N/m\].
-    pub force_n_per_m: f64,
 }
 
 /// Material and tolerance of a solve.
@@ -282,88 +273,10 @@ impl Ball {
     }
 }
 
-impl Cylinder {
-    /// Half-width of the contact with a smooth flat by Hertz \[m\].
-    #[must_use]
-    pub fn hertz_half_width_m(&self, contact_modulus_pa: f64) -> f64 {
-        (4.0 * self.force_n_per_m * self.radius_m / (PI * contact_modulus_pa)).sqrt()
-    }
-
-    /// Largest pressure on a smooth flat by Hertz \[Pa\].
-    #[must_use]
-    pub fn hertz_pressure_pa(&self, contact_modulus_pa: f64) -> f64 {
-        (self.force_n_per_m * contact_modulus_pa / (PI * self.radius_m)).sqrt()
-    }
-
-    /// Presses the cylinder, its axis along y in the middle of the map, onto a rough flat that repeats itself along
-    /// and across, whatever the boundary of the relief.
-    ///
-    /// On a smooth flat the pressure is Hertz's times 1 + (pi a/L)^2/12, for a half-width a and a length L across.
-    ///
-    /// # Errors
-    /// [`BallError`] for numbers out of their bounds, for a half-width that reaches the edges of the map, and if
-    /// `progress` cancels.
-    pub fn press(
-        &self,
-        flat: &Relief,
-        pressing: &BallPressing,
-        progress: &dyn Progress,
-    ) -> Result<Contact, BallError> {
-        Bound::Magnitude.check("radius of the cylinder in m", self.radius_m)?;
-        Bound::Magnitude.check("force per length in N/m", self.force_n_per_m)?;
-        Bound::Magnitude.check("contact modulus in Pa", pressing.contact_modulus_pa)?;
-        let half_width_m = self.hertz_half_width_m(pressing.contact_modulus_pa);
-        check_reach(0.5 * flat.length_x_m, half_width_m)?;
-        let loaded = flat.less(Boundary::Periodic, |x_m, _| x_m * x_m / (2.0 * self.radius_m));
-        let loading = Loading {
-            contact_modulus_pa: pressing.contact_modulus_pa,
-            nominal_pressure_pa: self.force_n_per_m / flat.length_x_m,
-            saturation_pa: None,
-            tolerance: pressing.tolerance,
-        };
-        Ok(loaded.press(&loading, progress)?)
-    }
-}
-
 fn check_extent(flat: &Relief, reach_m: f64) -> Result<(), BallError> {
-    check_reach(0.5 * flat.length_x_m.min(flat.length_y_m), reach_m)
-}
-
-fn check_reach(half_side_m: f64, reach_m: f64) -> Result<(), BallError> {
+    let half_side_m = 0.5 * flat.length_x_m.min(flat.length_y_m);
     if reach_m < LARGEST_EXTENT * half_side_m {
         return Ok(());
     }
     Err(BallError::BeyondMap { reach_m, half_side_m, least_side_m: 2.0 * reach_m / LARGEST_EXTENT })
-}
-
-impl Relief {
-    /// Spacings along x and y \[m\].
-    fn spacings_m(&self) -> [f64; 2] {
-        [self.length_x_m / self.columns as f64, self.length_y_m / self.rows as f64]
-    }
-
-    /// Places of the points from the middle of the map, row by row \[m\].
-    fn places_m(&self) -> impl Iterator<Item = (f64, f64)> + use<> {
-        let (rows, columns) = (self.rows, self.columns);
-        let [spacing_x_m, spacing_y_m] = self.spacings_m();
-        let place_m = |at: usize, count: usize, spacing_m| (at as f64 + 0.5 - 0.5 * count as f64) * spacing_m;
-        (0..rows * columns).map(move |point| {
-            (place_m(point % columns, columns, spacing_x_m), place_m(point / columns, rows, spacing_y_m))
-        })
-    }
-
-    /// Returns the relief less a shape over the places from its middle.
-    fn less(&self, boundary: Boundary, shape_m: impl Fn(f64, f64) -> f64) -> Self {
-        let heights_m = self.heights_m.iter().zip(self.places_m());
-        let heights_m = heights_m.map(|(height_m, (x_m, y_m))| height_m - shape_m(x_m, y_m)).collect();
-        Self { heights_m, boundary, ..*self }
-    }
-
-    /// Rms height about the mean \[m\].
-    pub(crate) fn rms_height_m(&self) -> f64 {
-        let count = self.heights_m.len() as f64;
-        let mean_m = self.heights_m.iter().sum::<f64>() / count;
-        let squares = self.heights_m.iter().map(|height_m| (height_m - mean_m).powi(2));
-        (squares.sum::<f64>() / count).sqrt()
-    }
 }

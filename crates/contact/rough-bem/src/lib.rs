@@ -12,11 +12,13 @@
 
 mod adhesive;
 mod ball;
+mod cylinder;
 mod error;
 mod field;
 mod mean;
 mod netcdf_classic;
 mod patches;
+mod placed;
 mod press;
 mod pressing;
 mod random_choices;
@@ -26,7 +28,8 @@ mod surfaces;
 mod table;
 
 pub use adhesive::{AdhesiveError, AdhesivePressing, AdhesiveState, Branch, adhesive_means, adhesive_table};
-pub use ball::{Ball, BallCaution, BallError, BallPressing, BallState, Cylinder, LARGEST_EXTENT, ball_table};
+pub use ball::{Ball, BallCaution, BallError, BallPressing, BallState, LARGEST_EXTENT, ball_table};
+pub use cylinder::{Cylinder, CylinderCaution, CylinderError, CylinderState, cylinder_table};
 pub use error::ElementsError;
 pub use field::{Field, PointState};
 pub use half_space::Approach;

@@ -7,8 +7,8 @@ use gaussian_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};
 use half_space::HalfSpaceError;
 use parallel::{Progress, Unobserved};
 use rough_bem::{
-    Ball, BallCaution, BallError, BallPressing, BallState, Boundary, Cylinder, RandomSurfaces, Relief,
-    Surfaces, ball_table,
+    Ball, BallCaution, BallError, BallPressing, BallState, Boundary, Cylinder, CylinderCaution,
+    CylinderError, RandomSurfaces, Relief, Surfaces, ball_table, cylinder_table,
 };
 
 /// E* of 1 Pa.
@@ -138,13 +138,74 @@ fn cylinder_in_a_periodic_box_is_hertz_with_the_share_of_its_neighbours() {
         let radius_m = 10.0;
         let cylinder = Cylinder { radius_m, force_n_per_m: PI * share * share / (4.0 * radius_m) };
         assert_relative_eq!(cylinder.hertz_half_width_m(1.0), share, max_relative = 1e-12);
-        let contact = cylinder.press(&flat, &PRESSING, &Unobserved).unwrap();
+        let (state, contact) = cylinder.press(&flat, &PRESSING, &Unobserved).unwrap();
         let ratio = contact.largest_pressure_pa / cylinder.hertz_pressure_pa(1.0);
         assert!((ratio - 1.0 - (PI * share).powi(2) / 12.0).abs() < 1e-3, "{share}: {ratio}");
         let half_width_m = 0.5 * contact.area_fraction;
         let narrower = share * (1.0 - (PI * share).powi(2) / 12.0);
         assert!((half_width_m - narrower).abs() < 2.5 / 1024.0, "{share}: {half_width_m}");
+        assert!((state.effective_half_width_m / narrower - 1.0).abs() < 2e-3, "{share}: {state:?}");
+        assert_relative_eq!(state.real_width_m, contact.area_fraction, max_relative = 1e-12);
+        // The first strip has a width.
+        assert!((0.99..1.04).contains(&(state.peak_mean_pressure_pa / state.hertz_pressure_pa)), "{state:?}");
+        let expected = 1.0 / 3.0 + 3f64.sqrt() / (2.0 * PI);
+        assert!((state.force_share - expected).abs() < 0.02, "{share}: {}", state.force_share);
+        let narrow =
+            state.cautions().iter().any(|caution| matches!(caution, CylinderCaution::NarrowBox { .. }));
+        assert_eq!(narrow, share > 0.1 + 1e-9, "{state:?}");
     }
+}
+
+#[test]
+fn a_rough_flat_widens_the_contact_of_a_cylinder_and_leaves_less_of_it() {
+    let spectrum = AreaSpectrum::self_affine(&SelfAffine {
+        hurst_exponent: 0.8,
+        longest_m: 0.1,
+        rolloff_m: 0.1,
+        shortest_m: 0.02,
+        size: Size::RmsHeightM(5e-5),
+    })
+    .unwrap();
+    let surfaces = Surfaces::Random(RandomSurfaces {
+        band: spectrum,
+        synthesis: Synthesis::square(256, 1.0, 7, Phases::FixedModulus),
+        realisations: 2,
+    });
+    let (radius_m, half_width_m): (f64, f64) = (40.0, 0.08);
+    let cylinder = Cylinder { radius_m, force_n_per_m: PI * half_width_m.powi(2) / (4.0 * radius_m) };
+    let pressing = BallPressing { tolerance: 1e-6, ..PRESSING };
+    let states = cylinder.press_all(&surfaces, &pressing, &Unobserved).unwrap();
+    for state in &states {
+        assert!(state.effective_half_width_m > 1.02 * half_width_m, "{state:?}");
+        assert!(state.real_width_m < 1.9 * half_width_m, "{state:?}");
+        assert_relative_eq!(
+            state.roughness_number,
+            5e-5 * radius_m / half_width_m.powi(2),
+            max_relative = 0.05
+        );
+    }
+    assert_eq!(cylinder_table(&states).rows(), 2);
+}
+
+#[test]
+fn a_cylinder_that_meets_its_image_is_refused_before_and_after() {
+    let flat = smooth(8, 64, 1.0);
+    let cylinder = |half_width_m: f64| Cylinder {
+        radius_m: 1000.0,
+        force_n_per_m: PI * half_width_m * half_width_m / 4000.0,
+    };
+    let before = cylinder(29.0).press(&flat, &PRESSING, &Unobserved).unwrap_err();
+    assert!(
+        matches!(before, CylinderError::BeyondBox { half_side_m, .. } if half_side_m == 32.0),
+        "{before:?}"
+    );
+    let mut bumpy = flat.clone();
+    bumpy.heights_m[64 + 62] = 5.0;
+    let after = cylinder(6.0).press(&bumpy, &PRESSING, &Unobserved).unwrap_err();
+    assert!(matches!(after, CylinderError::BeyondBox { reach_m, .. } if reach_m > 28.8), "{after:?}");
+    let wrong =
+        Cylinder { radius_m: -1.0, force_n_per_m: 1.0 }.press(&flat, &PRESSING, &Unobserved).unwrap_err();
+    assert!(matches!(wrong, CylinderError::OutOfBounds(_)), "{wrong:?}");
 }
 
 #[test]

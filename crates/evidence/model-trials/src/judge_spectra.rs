@@ -171,17 +171,30 @@ impl JudgeTrial {
 
     /// Scene of the trial, with all models that apply or Persson's theory alone.
     pub(crate) fn scene(&self, all_models: bool) -> Result<Scene, TrialError> {
+        let pressures_pa = LOADS.map(|load| load * CONTACT_MODULUS_PA * RMS_GRADIENT);
+        let material =
+            format!("[material]\nyoungs_modulus = \"{CONTACT_MODULUS_PA} Pa\"\npoisson_ratio = 0\n");
+        self.scene_with(&material, &pressures_pa, all_models)
+    }
+
+    /// Scene of the spectrum with the sections of a material, under some nominal pressures.
+    pub(crate) fn scene_with(
+        &self,
+        material: &str,
+        pressures_pa: &[f64],
+        all_models: bool,
+    ) -> Result<Scene, TrialError> {
         let (wavelengths_m, c1d_m3) = self.profile()?;
         let mut csv = "wavelength_m,C1D_m3\n".to_owned();
         for (wavelength_m, c1d_m3) in wavelengths_m.iter().zip(&c1d_m3) {
             csv += &format!("{wavelength_m:e},{c1d_m3:e}\n");
         }
-        let loads =
-            LOADS.map(|load| format!("\"{} Pa\"", load * CONTACT_MODULUS_PA * RMS_GRADIENT)).join(", ");
+        let loads: Vec<String> =
+            pressures_pa.iter().map(|pressure_pa| format!("\"{pressure_pa} Pa\"")).collect();
+        let loads = loads.join(", ");
         let text = format!(
-            "title = \"trial\"\n[surface]\npsd = \"s.csv\"\n[material]\nyoungs_modulus = \"{CONTACT_MODULUS_PA} Pa\"\n\
-             poisson_ratio = 0\n[judge]\nall_models = {all_models}\n[loads]\npressures = [{loads}]\n\
-             [[curve]]\nmodel = \"persson\"\n"
+            "title = \"trial\"\n[surface]\npsd = \"s.csv\"\n{material}[judge]\nall_models = {all_models}\n\
+             [loads]\npressures = [{loads}]\n[[curve]]\nmodel = \"persson\"\n"
         );
         Scene::parse(&text, &InMemory(csv), &Overrides::default())
             .map_err(|error| TrialError::Scene(error.to_string()))

@@ -13,7 +13,7 @@ use crate::judge_spectra::{JudgeTrial, Kind, Set};
 use crate::judge_truth::{TRUTH_ERROR, TruthRow};
 
 /// Budget of the judge: three windows under three loads on grids of 96 points a side, about one decade each.
-const BUDGET: f64 = 1.2e7;
+pub(crate) const BUDGET: f64 = 1.2e7;
 
 impl JudgeTrial {
     /// Judges the spectrum in windows, and compares the judge and every curve with the truth.

@@ -3,7 +3,7 @@
 use gaussian_surfaces::{AreaSpectrum, Phases};
 use half_space::Loading;
 use parallel::{Unobserved, map_indices};
-use rough_bem::{RandomChoices, Surfaces};
+use rough_bem::{RandomChoices, Relief, Surfaces};
 use serde::{Deserialize, Serialize};
 
 use crate::TrialError;
@@ -25,7 +25,7 @@ const MAX_BATCHES: u64 = 75;
 /// The seed of the first batch. The judge's own seed is another.
 const TRUTH_SEED: u64 = 3000;
 /// Residual to which surfaces are pressed.
-const TOLERANCE: f64 = 1e-4;
+pub(crate) const TOLERANCE: f64 = 1e-4;
 
 /// Area of a whole band solved at once.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -60,7 +60,15 @@ impl JudgeTrial {
         let moments = spectrum.moments();
         let alpha = moments.m0_m2 * moments.m4_per_m2 / (moments.m2 * moments.m2);
         let row = |&pressure_over_gradient: &f64| {
-            let (area, surfaces) = self.known_area(&spectrum, pressure_over_gradient)?;
+            let loading = Loading {
+                contact_modulus_pa: CONTACT_MODULUS_PA,
+                nominal_pressure_pa: pressure_over_gradient * CONTACT_MODULUS_PA * RMS_GRADIENT,
+                saturation_pa: None,
+                tolerance: TOLERANCE,
+            };
+            let (area, surfaces) = self.known_area(&spectrum, LENGTHS_IN_BOX, MAX_BATCHES, |relief| {
+                Ok(relief.press(&loading, &Unobserved)?.area_fraction_corrected)
+            })?;
             Ok(TruthRow {
                 set: self.set,
                 kind: self.kind,
@@ -75,24 +83,19 @@ impl JudgeTrial {
         LOADS.iter().map(row).collect()
     }
 
-    /// Mean area under a load p/(E* h'), and the number of surfaces that it took.
-    fn known_area(
+    /// Mean of the areas of surfaces in boxes of some longest waves a side, as `area` presses each, and the number of surfaces
+    /// that it took.
+    pub(crate) fn known_area(
         &self,
         spectrum: &AreaSpectrum,
-        pressure_over_gradient: f64,
+        lengths_in_box: f64,
+        most_batches: u64,
+        area: impl Fn(&Relief) -> Result<f64, TrialError> + Sync,
     ) -> Result<(Mean, usize), TrialError> {
-        let loading = Loading {
-            contact_modulus_pa: CONTACT_MODULUS_PA,
-            nominal_pressure_pa: pressure_over_gradient * CONTACT_MODULUS_PA * RMS_GRADIENT,
-            saturation_pa: None,
-            tolerance: TOLERANCE,
-        };
         let mut areas: Vec<f64> = Vec::new();
-        for seed in TRUTH_SEED..TRUTH_SEED + MAX_BATCHES {
-            let surfaces = self.surfaces(spectrum, LENGTHS_IN_BOX, BATCH, seed)?;
-            let area = |number: usize| -> Result<f64, TrialError> {
-                Ok(surfaces.relief(number)?.press(&loading, &Unobserved)?.area_fraction_corrected)
-            };
+        for seed in TRUTH_SEED..TRUTH_SEED + most_batches {
+            let surfaces = self.surfaces(spectrum, lengths_in_box, BATCH, seed)?;
+            let area = |number: usize| area(&*surfaces.relief(number)?);
             let batch: Result<Vec<f64>, TrialError> = map_indices(BATCH, area).into_iter().collect();
             areas.extend(batch?);
             let mean = Mean::new(areas.iter().copied());

@@ -10,6 +10,7 @@ pub mod hardness;
 pub mod judge_spectra;
 pub mod judge_trials;
 pub mod judge_truth;
+pub mod layer_trials;
 pub mod models;
 pub mod pictures;
 pub mod pressing;

@@ -1,14 +1,15 @@
-//! Comparisons with boundary elements, which rewrite tables and figures of the guide: `cargo xtask model-trials`, `gap-trials` and
-//! `judge-trials`.
+//! Comparisons with boundary elements, which rewrite tables and figures of the guide: `cargo xtask model-trials`, `gap-trials`,
+//! `judge-trials` and `layer-trials`.
 
 mod compare_gaps;
 mod compare_judge;
+mod compare_layers;
 mod compare_models;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-const USAGE: &str = "usage: truearea-model-trials models|gap|judge [--anew]";
+const USAGE: &str = "usage: truearea-model-trials models|gap|judge|layers [--anew]";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -20,6 +21,8 @@ fn main() -> ExitCode {
         ["gap", "--anew"] => compare_gaps::compare(true),
         ["judge"] => compare_judge::compare(false),
         ["judge", "--anew"] => compare_judge::compare(true),
+        ["layers"] => compare_layers::compare(false),
+        ["layers", "--anew"] => compare_layers::compare(true),
         _ => {
             eprintln!("{USAGE}");
             return ExitCode::from(2);

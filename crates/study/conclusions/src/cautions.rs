@@ -64,7 +64,7 @@ pub enum Caution {
         /// The largest share of the contact that yields.
         share: f64,
     },
-    /// The curves take a layer by its modulus at each wavelength, which is an approximation.
+    /// Areas are those of curves that take a layer by its modulus at each wavelength, which is an approximation.
     ModulusOfLayer,
     /// The surfaces attract each other so much that an indicator finds them sticky; areas leave that out.
     Sticky(Stickiness),
@@ -136,7 +136,8 @@ pub(crate) fn cautions(
         cautions.push(Caution::NotJudged);
     }
     let has_layer = scene.material.as_ref().is_some_and(|material| material.pair.layer().is_some());
-    cautions.extend(has_layer.then_some(Caution::ModulusOfLayer));
+    let from_curves = loads.is_empty() || loads.iter().any(|load| is_of_models(load.area.source));
+    cautions.extend((has_layer && from_curves).then_some(Caution::ModulusOfLayer));
     cautions.extend(scene.surface.holes().iter().copied().map(Caution::NotMeasured));
     cautions.extend(upper_bound(evidence, loads));
     cautions.extend(

@@ -49,6 +49,31 @@ fn under_the_load(states: &InterfaceStates<'_>, quantity: Quantity) -> Option<f6
 }
 
 #[test]
+fn gas_in_the_gaps_conducts_beside_the_spots() {
+    let air = "gas_conductivity = \"0.026 W/(m K)\"";
+    let section = |keys: &str| format!("{TEXT}[interface]\n{keys}\n");
+    let (scene, results) = carried_out(&section(&format!("{air}\ngas_parameter = \"0.4 um\"")));
+    let states = InterfaceStates::from_scene(&scene, &results).unwrap();
+    let value = |quantity| under_the_load(&states, quantity).unwrap();
+    let of_gas = value(Quantity::GasConductance);
+    let simple = 0.026 / (value(Quantity::MeanGap) + 0.4e-6);
+    assert!((1.0..1.3).contains(&(of_gas / simple)), "{of_gas} {simple}");
+    let both = value(Quantity::ThermalConductance) + of_gas;
+    assert_eq!(value(Quantity::ThermalConductanceWithGas), both);
+    // M = alpha beta Lambda with alpha = 2 (2 - 0.9)/0.9 and beta = 2 1.4/(0.7 2.4): the same gas at twice 1 atm.
+    let parameter_m = 2.0 * 1.1 / 0.9 * (2.8 / (0.7 * 2.4)) * 64e-9 / 2.0;
+    let kinetic = "accommodation = 0.9\ncounterface_accommodation = 0.9\nheat_capacity_ratio = 1.4\nprandtl_number = 0.7\n\
+                   mean_free_path = \"64 nm\"\ngas_pressure = \"202650 Pa\"";
+    let (scene, _) = carried_out(&section(&format!("{air}\n{kinetic}")));
+    let found = scene.interface.unwrap().gas.unwrap();
+    assert!((found.parameter_m() / parameter_m - 1.0).abs() < 1e-12, "{found:?}");
+    for wrong in ["gas_parameter = \"1 um\"", air, "prandtl_number = 0.7"] {
+        assert!(parsed(&section(wrong)).is_err(), "{wrong}");
+    }
+    assert!(parsed(&section(&format!("{air}\ngas_parameter = \"1 um\"\nprandtl_number = 0.7"))).is_err());
+}
+
+#[test]
 fn heat_and_current_follow_the_stiffness() {
     let (scene, results) = carried_out(TEXT);
     let states = InterfaceStates::from_scene(&scene, &results).unwrap();

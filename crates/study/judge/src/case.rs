@@ -1,6 +1,8 @@
 //! A scene as the judge sees it: its bodies and their hardness, and the pressures that closed forms give at each scale.
 
+use asperity::LayerCompliance;
 use gaussian_surfaces::AreaSpectrum;
+use half_space::{Elements, Grid, HalfSpaceError};
 use scene::Scene;
 use spectrum::{Moments, Normalisation, amplitudes, cumulative_moments};
 use study::plan::Results;
@@ -10,7 +12,8 @@ use crate::assumptions::{BrokenAssumption, CurveAtLoad, first_broken, real_press
 use crate::body::{Body, Reference};
 use crate::closed_form::ClosedForm;
 use crate::hardness_of_scales::{AboveHardness, HardnessOfScales};
-use crate::seam::Seam;
+use crate::seam::{self, Seam};
+use crate::waves::Waves;
 use crate::window::{Band, Window};
 use crate::yielding::Yielding;
 
@@ -31,8 +34,10 @@ pub(crate) struct Case<'s> {
     pub scene: &'s Scene,
     pub results: &'s Results,
     pub composite_modulus_pa: f64,
-    /// The surface of the spectrum; `None` if the spectrum has too few samples, or is noise alone.
-    pub surface: Option<AreaSpectrum>,
+    /// Displacement of the layer under waves, if the rough body is one.
+    layer: Option<LayerCompliance>,
+    /// The waves of the spectrum's surface; `None` if the spectrum has too few samples, or is noise alone.
+    pub waves: Option<Waves>,
     /// The distinct bodies of elements that the curves and the material need.
     pub references: Vec<Reference>,
     /// The loads by index, from light to heavy.
@@ -64,11 +69,15 @@ impl<'s> Case<'s> {
             let strength = scene.material.as_ref()?.strength(strain_gradient).ok()?;
             Some(HardnessOfScales::new(&strength, &scales))
         };
+        let layer = scene.material.and_then(|material| material.pair.layer_compliance());
+        let surface =
+            (results.psd.len() > 1).then(|| AreaSpectrum::from_profile(&results.psd).ok()).flatten();
         let mut case = Case {
             scene,
             results,
             composite_modulus_pa: scene.material.map_or(1.0, |material| material.pair.composite_modulus_pa()),
-            surface: (results.psd.len() > 1).then(|| AreaSpectrum::from_profile(&results.psd).ok()).flatten(),
+            layer,
+            waves: surface.map(|surface| Waves::new(surface, layer.as_ref())),
             references: Vec::new(),
             compared_with: Vec::new(),
             loads_by_pressure,
@@ -204,14 +213,14 @@ impl<'s> Case<'s> {
     /// The rms pressure \[Pa\] of full contact with all waves of the surface down to a wavelength \[m\]. These are fewer waves
     /// than profiles show: a long wave of a profile is a shorter wave of the surface, cut at an angle.
     pub fn rms_pressure_pa(&self, wavelength_m: f64) -> f64 {
-        let mean_square = self.waves_down_to(wavelength_m).map_or(0.0, |waves| waves.mean_square_gradient());
-        0.5 * self.composite_modulus_pa * mean_square.sqrt()
+        let gradient = self.waves_down_to(wavelength_m).map_or(0.0, |waves| waves.flattening_gradient());
+        0.5 * self.composite_modulus_pa * gradient
     }
 
     /// The waves of the surface down to a wavelength \[m\]; `None` if there are none.
-    fn waves_down_to(&self, wavelength_m: f64) -> Option<AreaSpectrum> {
+    fn waves_down_to(&self, wavelength_m: f64) -> Option<Waves> {
         let longest_m = self.results.psd.longest_wavelength_m();
-        self.surface.as_ref().and_then(|surface| surface.cut(longest_m, wavelength_m).ok())
+        self.waves.as_ref().and_then(|waves| waves.cut(longest_m, wavelength_m).ok())
     }
 
     /// The closed form for all waves of the surface down to a wavelength \[m\]; `None` if there are none.
@@ -228,7 +237,7 @@ impl<'s> Case<'s> {
             band: window.band,
             longer,
             all: longer.and_then(|_| self.closed_form(shortest_m)),
-            own: ClosedForm::new(&window.surface, self.composite_modulus_pa),
+            own: ClosedForm::new(&window.waves, self.composite_modulus_pa),
         }
     }
 
@@ -276,17 +285,37 @@ impl<'s> Case<'s> {
         let bound_pa = self.saturation_pa(reference, forms.band.middle_m());
         let (on_window, by_share) = self.area_and_share(forms, reference, load);
         let by_closed_form = all.area_fraction(self.nominal_pressure_pa(load), bound_pa) / on_window;
-        Seam::new(by_share, by_closed_form, bound_pa.is_some())
+        let on_layer = seam::error_on_layer(all.exponent_of_stiffness());
+        Seam::new(by_share, by_closed_form, bound_pa.is_some()).with_error(on_layer)
     }
 
     /// The mean real pressure \[Pa\] of Persson's elastic contact against cutoff \[m\].
     fn elastic_pressures(&self, load: usize) -> Vec<(f64, f64)> {
         let nominal_pa = self.nominal_pressure_pa(load);
         let elastic = |moments: &Moments| {
-            let rms_pa = self.composite_modulus_pa * (0.5 * moments.m2).sqrt();
+            let rms_pa =
+                self.composite_modulus_pa * (0.5 * moments.m2).sqrt() * self.stiffening(moments.wavelength_m);
             (moments.wavelength_m, nominal_pa / persson::elastic::area_fraction(nominal_pa, rms_pa))
         };
         self.moments.iter().map(elastic).collect()
+    }
+
+    /// The rms pressure of full contact with all waves down to a wavelength \[m\] over that on half-spaces of E*.
+    fn stiffening(&self, wavelength_m: f64) -> f64 {
+        match self.layer {
+            Some(_) => self.waves_down_to(wavelength_m).map_or(1.0, |waves| waves.stiffening()),
+            None => 1.0,
+        }
+    }
+
+    /// The elements under heights \[m\] that repeat themselves, on the bodies of the scene.
+    pub fn elements(&self, grid: Grid, heights_m: &[f64]) -> Result<Elements, HalfSpaceError> {
+        match self.layer {
+            Some(layer) => Elements::periodic_on(grid, heights_m, |wavevector_rad_per_m| {
+                layer.relative_at(wavevector_rad_per_m)
+            }),
+            None => Elements::periodic(grid, heights_m),
+        }
     }
 
     pub fn yielding(&self, load: usize) -> Yielding {

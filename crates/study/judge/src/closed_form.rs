@@ -1,34 +1,55 @@
 //! The closed form for the area of waves that elements do not press.
 
-use gaussian_surfaces::AreaSpectrum;
-use persson::corrections::Correction;
+use persson::corrections::{Correction, algebraic_variance_pa2};
 use persson::{constant_hardness, elastic};
 use spectrum::Moments;
+
+use crate::waves::Waves;
+
+/// Least factor g of the correction.
+const LEAST_FACTOR: f64 = 0.01;
+/// Share of g by which it changes per exponent of the stiffness, fitted to whole bands (docs/guide/judge.md).
+const PER_EXPONENT: f64 = 0.85;
 
 /// Persson's theory on some waves, with the variance of the pressure that would flatten them corrected for the elastic energy
 /// that they keep (`algebraic-nayak`). The correction was fitted to elastic elements; with it, elements that flow at a hardness
 /// agree better too.
+///
+/// On a layer whose modulus goes as q^n the factor g of the correction is (1 + 0.85 n) times that of half-spaces. On a bed of
+/// springs, n = -1, points touch where the heights exceed a level, and a g near 0 gives that area within a tenth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ClosedForm {
     variance_pa2: f64,
     /// Nayak's m0 m4/m2^2.
     alpha: f64,
+    /// The exponent n.
+    exponent_of_stiffness: f64,
 }
 
 impl ClosedForm {
     /// The closed form of these waves.
-    pub fn new(waves: &AreaSpectrum, composite_modulus_pa: f64) -> Self {
-        let Moments { m0_m2, m2, m4_per_m2, .. } = waves.moments();
+    pub fn new(waves: &Waves, composite_modulus_pa: f64) -> Self {
+        let Moments { m0_m2, m2, m4_per_m2, .. } = waves.flattened_alike().moments();
         let variance_pa2 = 0.5 * m2 * composite_modulus_pa.powi(2);
-        ClosedForm { variance_pa2, alpha: m0_m2 * m4_per_m2 / (m2 * m2) }
+        ClosedForm {
+            variance_pa2,
+            alpha: m0_m2 * m4_per_m2 / (m2 * m2),
+            exponent_of_stiffness: waves.exponent_of_stiffness(),
+        }
+    }
+
+    /// The exponent n of E*(q) ~ q^n: 0 on half-spaces.
+    pub fn exponent_of_stiffness(self) -> f64 {
+        self.exponent_of_stiffness
     }
 
     /// The area fraction under a mean pressure \[Pa\]; elastic, or plastic at one hardness \[Pa\].
     pub fn area_fraction(self, pressure_pa: f64, hardness_pa: Option<f64>) -> f64 {
-        let ClosedForm { variance_pa2, alpha } = self;
+        let ClosedForm { variance_pa2, alpha, exponent_of_stiffness } = self;
+        let factor = Correction::factor_of_nayak(alpha) * (1.0 + PER_EXPONENT * exponent_of_stiffness);
         let effective_pa2 =
-            Correction::AlgebraicNayak.effective_variances_pa2(pressure_pa, &[variance_pa2], &[alpha]);
-        let rms_pa = effective_pa2[0].sqrt();
+            algebraic_variance_pa2(factor.clamp(LEAST_FACTOR, 1.0), pressure_pa, variance_pa2);
+        let rms_pa = effective_pa2.sqrt();
         match hardness_pa {
             None => elastic::area_fraction(pressure_pa, rms_pa),
             Some(hardness_pa) => constant_hardness::areas(pressure_pa, rms_pa, hardness_pa).contact(),

@@ -41,7 +41,7 @@ impl Comparisons<'_> {
                     band: window.band,
                     seam: case.seam(forms, case.references[body], at.load),
                     pressure_pa: pressures_pa[body][at.load],
-                    gradient_pa: case.composite_modulus_pa * window.rms_gradient,
+                    gradient_pa: case.composite_modulus_pa * window.flattening_gradient,
                     area_fraction: areas[at.curve][at.load],
                     elements: comparable(case, at)
                         .and_then(|()| self.area_on_window(Cell { body, window: index, load: at.load })),
@@ -181,7 +181,7 @@ struct Comparison {
     seam: Seam,
     /// Mean pressure on the band.
     pressure_pa: f64,
-    /// E* times the rms gradient of the band.
+    /// Twice the rms pressure of full contact on the band: on half-spaces E* times its rms gradient.
     gradient_pa: f64,
     /// Area fraction of the curve.
     area_fraction: Option<f64>,

@@ -46,7 +46,7 @@ impl<'s> JudgePlan<'s> {
             Err(reason) => return Ok(without_elements(&self.case, *reason)),
             Ok(layout) => layout,
         };
-        let solutions = solve(layout, self.case.composite_modulus_pa, self.settings.seed, progress)?;
+        let solutions = solve(layout, &self.case, self.settings.seed, progress)?;
         let maps = self.maps(layout, progress)?;
         let comparisons = Comparisons { case: &self.case, layout, solutions: &solutions };
         let mut windows = comparisons.on_windows()?;
@@ -80,6 +80,6 @@ fn layout(case: &Case<'_>, settings: &Settings) -> Result<Layout, Reason> {
     if case.curves() == 0 || case.loads() == 0 {
         return Err(Reason::NoSurface);
     }
-    let surface = case.surface.as_ref().ok_or(Reason::NoSurface)?;
-    Layout::within(settings, case, surface).ok_or(Reason::BeyondBudget)
+    let waves = case.waves.as_ref().ok_or(Reason::NoSurface)?;
+    Layout::within(settings, case, waves).ok_or(Reason::BeyondBudget)
 }

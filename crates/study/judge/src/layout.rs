@@ -1,11 +1,11 @@
 //! The layout of a judgement, fixed before anything is solved: grid, windows, surfaces, and the pressures on each window.
 
-use gaussian_surfaces::AreaSpectrum;
 use serde::Serialize;
 
 use crate::body::Reference;
 use crate::case::{Case, WindowForms};
 use crate::settings::{DEFAULT_REALISATIONS, GRIDS, Settings};
+use crate::waves::Waves;
 use crate::window::{Window, bands, decades_held};
 
 /// Pressures that differ by less than this share a solution.
@@ -82,38 +82,32 @@ pub(crate) struct Layout {
 
 impl Layout {
     /// The finest layout that the budget allows; `None` if even the coarsest is beyond it.
-    pub fn within(settings: &Settings, case: &Case<'_>, surface: &AreaSpectrum) -> Option<Self> {
+    pub fn within(settings: &Settings, case: &Case<'_>, waves: &Waves) -> Option<Self> {
         let grids: Vec<usize> = settings.grid.map_or_else(|| GRIDS.to_vec(), |grid| vec![grid]);
         let realisations = settings.realisations.unwrap_or(DEFAULT_REALISATIONS);
         // Fineness is given up first, then loads, then surfaces.
         for loads in loads_given_up(&case.loads_by_pressure) {
             for &grid in &grids {
-                let layout = Layout::new(grid, realisations, &loads, case, surface);
+                let layout = Layout::new(grid, realisations, &loads, case, waves);
                 let prolongs = settings.grid.is_none() && layout.ends_nearly_flat(case);
                 let share = if prolongs { 1.0 - SHARE_FOR_LAST } else { 1.0 };
                 if layout.cost <= share * settings.budget {
-                    let longer = prolongs.then(|| layout.with_longer_end(settings.budget, case, surface));
+                    let longer = prolongs.then(|| layout.with_longer_end(settings.budget, case, waves));
                     return Some(longer.flatten().unwrap_or(layout));
                 }
             }
         }
         let (Some(&grid), None) = (grids.last(), settings.realisations) else { return None };
         let fewest = loads_given_up(&case.loads_by_pressure).pop().unwrap_or_default();
-        let layout = Layout::new(grid, MIN_REALISATIONS, &fewest, case, surface);
+        let layout = Layout::new(grid, MIN_REALISATIONS, &fewest, case, waves);
         (layout.cost <= settings.budget).then_some(layout)
     }
 
-    fn new(
-        grid: usize,
-        realisations: usize,
-        loads: &[usize],
-        case: &Case<'_>,
-        surface: &AreaSpectrum,
-    ) -> Self {
+    fn new(grid: usize, realisations: usize, loads: &[usize], case: &Case<'_>, waves: &Waves) -> Self {
         let bands = bands(case.band(), decades_held(grid));
         // Noise may leave a band of the surface without waves.
         let windows: Vec<Window> =
-            bands.iter().filter_map(|band| Window::new(surface, *band, grid).ok()).collect();
+            bands.iter().filter_map(|band| Window::new(waves, *band, grid).ok()).collect();
         let mut layout = Layout {
             left_out: bands.len() - windows.len(),
             grid,
@@ -163,12 +157,12 @@ impl Layout {
 
     /// The layout with its last window prolonged towards longer waves until it is not nearly flat any more, or as far as the
     /// budget allows; `None` if it does not allow any.
-    fn with_longer_end(&self, budget: f64, case: &Case<'_>, surface: &AreaSpectrum) -> Option<Self> {
+    fn with_longer_end(&self, budget: f64, case: &Case<'_>, waves: &Waves) -> Option<Self> {
         let last = self.windows.last()?;
         let mut found = None;
         for &points in GRIDS.iter().rev().filter(|points| **points > self.grid) {
             let mut windows = self.windows.clone();
-            *windows.last_mut()? = last.prolonged(surface, case.band().longest_m, points).ok()?;
+            *windows.last_mut()? = last.prolonged(waves, case.band().longest_m, points).ok()?;
             let mut longer = Layout {
                 windows,
                 forms: Vec::new(),
@@ -208,7 +202,7 @@ impl Layout {
         if !self.loads.contains(&load) {
             return PlannedPress::LoadNotChosen;
         }
-        let rms_gradient = self.windows[window].rms_gradient;
+        let flattening_gradient = self.windows[window].flattening_gradient;
         let forms = &self.forms[window];
         let pressure_pa = case.pressure_pa(forms, reference, load);
         let saturation_pa = case.saturation_pa(reference, forms.band.middle_m());
@@ -216,7 +210,7 @@ impl Layout {
         if let Some(share) = share.filter(|share| *share > FLOWING) {
             return PlannedPress::Flows { share: share.min(1.0) };
         }
-        let over_gradient = pressure_pa / (case.composite_modulus_pa * rms_gradient);
+        let over_gradient = pressure_pa / (case.composite_modulus_pa * flattening_gradient);
         if SLOPE_OF_AREA * over_gradient * self.windows[window].grid_points() <= MIN_POINTS {
             return PlannedPress::TooLight;
         }

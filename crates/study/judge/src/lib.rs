@@ -20,6 +20,7 @@ mod solve;
 mod tables;
 mod verdict;
 mod verdicts;
+mod waves;
 mod window;
 mod yielding;
 

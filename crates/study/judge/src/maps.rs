@@ -2,7 +2,7 @@
 //! is the effect of everything that a spectrum omits.
 
 use gaussian_surfaces::{MapWaves, Surface};
-use half_space::{Elements, Grid, Loading};
+use half_space::{Grid, Loading};
 use measurements::MapPatch;
 use parallel::Progress;
 use serde::Serialize;
@@ -146,6 +146,6 @@ fn area_fraction(
         saturation_pa: None,
         tolerance: TOLERANCE,
     };
-    let contact = Elements::periodic(grid, surface.heights_m())?.press(&loading, progress)?;
+    let contact = pressing.case.elements(grid, surface.heights_m())?.press(&loading, progress)?;
     Ok(Some(contact.area_fraction_corrected))
 }

@@ -6,6 +6,16 @@ const LEAST_ERROR: f64 = 0.02;
 /// hardness is up to a tenth low on bands that were solved at once.
 const LEAST_ERROR_IF_YIELDING: f64 = 0.05;
 
+/// The relative standard error of a seam per exponent of the stiffness of a layer, up to 1: measured on whole bands on layers
+/// (docs/guide/judge.md).
+const ERROR_PER_EXPONENT: f64 = 0.15;
+
+/// The relative standard error of a seam between waves whose stiffness on a layer goes as q^n with the wavenumber q; 0 on
+/// half-spaces.
+pub(crate) fn error_on_layer(exponent: f64) -> f64 {
+    ERROR_PER_EXPONENT * exponent.abs().min(1.0)
+}
+
 /// The step from the area of elements on a window to the area of the surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Seam {
@@ -28,6 +38,11 @@ impl Seam {
         let half_apart = 0.5 * (by_share / by_closed_form).ln().abs();
         Seam { factor: (by_share * by_closed_form).sqrt(), relative_error: half_apart.max(least) }
     }
+
+    /// Adds an independent relative standard error.
+    pub fn with_error(self, relative_error: f64) -> Self {
+        Seam { relative_error: self.relative_error.hypot(relative_error), ..self }
+    }
 }
 
 #[cfg(test)]
@@ -38,6 +53,9 @@ mod tests {
     fn the_middle_of_both_factors_is_taken_and_half_their_distance_is_its_error() {
         let seam = Seam::new(0.4, 0.1, false);
         assert!((seam.factor - 0.2).abs() < 1e-15 && (seam.relative_error - 2f64.ln()).abs() < 1e-15);
-        assert_eq!(Seam::new(0.3, 0.3, false).relative_error, LEAST_ERROR);
+        let seam = Seam::new(0.3, 0.3, false);
+        assert_eq!(seam.relative_error, LEAST_ERROR);
+        assert_eq!(seam.with_error(error_on_layer(0.0)), seam);
+        assert_eq!(error_on_layer(-3.0), ERROR_PER_EXPONENT);
     }
 }

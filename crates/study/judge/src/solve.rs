@@ -1,10 +1,11 @@
 //! Surfaces pressed by boundary elements, window by window.
 
 use gaussian_surfaces::{Phases, Synthesis};
-use half_space::{Elements, Grid, Loading};
+use half_space::{Grid, Loading};
 use parallel::{NestedProgress, Progress};
 
 use crate::JudgeError;
+use crate::case::Case;
 use crate::layout::{Layout, Press};
 use crate::reason::Reason;
 use crate::window::Window;
@@ -46,7 +47,7 @@ struct Outcome {
 /// Presses every surface of every window. The digits do not depend on the number of threads.
 pub(crate) fn solve(
     layout: &Layout,
-    composite_modulus_pa: f64,
+    case: &Case<'_>,
     seed: u64,
     progress: &dyn Progress,
 ) -> Result<Solutions, JudgeError> {
@@ -56,7 +57,7 @@ pub(crate) fn solve(
     let outcomes = parallel::try_map(&tasks, |task| {
         let presses = presses_of(layout, task.window);
         let window = &layout.windows[task.window];
-        pressed(window, task, &presses, composite_modulus_pa, seed, progress)
+        pressed(window, task, &presses, case, seed, progress)
     })?;
     let cost = |outcome: &Outcome| outcome.operators as f64 * layout.windows[outcome.window].grid_points();
     let spent = outcomes.iter().map(cost).sum();
@@ -77,7 +78,7 @@ fn pressed(
     window: &Window,
     task: &Task,
     presses: &[Press],
-    composite_modulus_pa: f64,
+    case: &Case<'_>,
     seed: u64,
     progress: &dyn Progress,
 ) -> Result<Outcome, JudgeError> {
@@ -91,22 +92,19 @@ fn pressed(
     let seed = seed.wrapping_add((task.window as u64) << 32);
     let synthesis = Synthesis::square(window.points, box_m, seed, Phases::FixedModulus);
     // No wave of the box may lie in a band that noise has thinned.
-    let Ok(surface) = window.surface.surface(&synthesis, task.realisation as u64) else {
+    let Ok(surface) = window.waves.realised(&synthesis, task.realisation as u64) else {
         outcome.areas.fill(Err(Reason::NoSurface));
         return Ok(outcome);
     };
-    // The area depends on the slope first of all: every surface gets that of the window.
-    let surface_gradient = surface.mean_square_gradient().sqrt();
-    let surface = surface.scaled(window.rms_gradient / surface_gradient);
     let grid = Grid::new(window.points, window.points, box_m, box_m)?;
-    let mut elements = Elements::periodic(grid, surface.heights_m())?;
+    let mut elements = case.elements(grid, surface.heights_m())?;
     for (area, press) in outcome.areas.iter_mut().zip(presses) {
         if progress.is_cancelled() {
             break;
         }
         let contact = elements.press(
             &Loading {
-                contact_modulus_pa: composite_modulus_pa,
+                contact_modulus_pa: case.composite_modulus_pa,
                 nominal_pressure_pa: press.pressure_pa,
                 saturation_pa: press.saturation_pa,
                 tolerance: TOLERANCE,

@@ -9,7 +9,7 @@ use crate::verdicts::{CurveVerdict, WindowOutcome};
 impl Judgement {
     /// A row per curve, load and window: `curve, nominal_pressure_pa, longest_m, shortest_m, pressure_over_gradient,
     /// area_fraction, judged, standard_error, ratio, verdict`. `pressure_over_gradient` is taken with
-    /// the rms gradient of the window; areas are fractions of the window. Cells without a solution are empty.
+    /// the rms gradient of the window, on a layer with twice the rms pressure of full contact over E*; areas are fractions of the window. Cells without a solution are empty.
     #[must_use]
     pub fn windows_table(&self, needs: &Needs) -> Table {
         let rows = || self.windows.iter();

@@ -23,7 +23,7 @@ pub struct WindowOutcome {
     pub is_whole_band: bool,
     /// The mean pressure on the window \[Pa\]: the real pressure with the longer waves alone.
     pub pressure_pa: f64,
-    /// The mean pressure on the window over E* times its rms gradient.
+    /// The mean pressure on the window over twice the rms pressure of full contact: on half-spaces over E* times its rms gradient.
     pub pressure_over_gradient: f64,
     /// The curve's area, as a fraction of the window.
     pub area_fraction: Option<f64>,

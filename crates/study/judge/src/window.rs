@@ -1,9 +1,9 @@
 //! Windows of a spectrum: bands that a grid can hold, half a decade apart.
 
-use gaussian_surfaces::AreaSpectrum;
 use spectrum::ProfilePsd;
 
 use crate::JudgeError;
+use crate::waves::Waves;
 
 /// The distance between the beginnings of neighbouring windows, in decades.
 const STEP_DECADES: f64 = 0.5;
@@ -42,10 +42,10 @@ impl Band {
 #[derive(Debug, Clone)]
 pub(crate) struct Window {
     pub band: Band,
-    /// The surface's own spectrum, cut.
-    pub surface: AreaSpectrum,
-    /// Root mean square of the surface's gradient.
-    pub rms_gradient: f64,
+    /// The surface's own waves, cut.
+    pub waves: Waves,
+    /// Twice the rms pressure of their full contact over E*: on half-spaces the rms gradient of the surface.
+    pub flattening_gradient: f64,
     /// Points along each side of its grid.
     pub points: usize,
 }
@@ -73,15 +73,15 @@ pub(crate) fn bands(whole: Band, decades: f64) -> Vec<Band> {
 
 impl Window {
     /// Cuts the surface to a band, to be pressed on a grid with `points` along each side.
-    pub fn new(surface: &AreaSpectrum, band: Band, points: usize) -> Result<Self, JudgeError> {
-        let surface = surface.cut(band.longest_m, band.shortest_m)?;
-        let rms_gradient = surface.mean_square_gradient().sqrt();
-        Ok(Window { band, surface, rms_gradient, points })
+    pub fn new(whole: &Waves, band: Band, points: usize) -> Result<Self, JudgeError> {
+        let waves = whole.cut(band.longest_m, band.shortest_m)?;
+        let flattening_gradient = waves.flattening_gradient();
+        Ok(Window { band, waves, flattening_gradient, points })
     }
 
     /// The window prolonged towards longer waves, as far as a grid with `points` along each side holds it and the whole band
     /// of the surface has waves.
-    pub fn prolonged(&self, whole: &AreaSpectrum, longest_m: f64, points: usize) -> Result<Self, JudgeError> {
+    pub fn prolonged(&self, whole: &Waves, longest_m: f64, points: usize) -> Result<Self, JudgeError> {
         let Band { shortest_m, .. } = self.band;
         let held_m = shortest_m * 10f64.powf(decades_held(points));
         Window::new(whole, Band { longest_m: held_m.min(longest_m), shortest_m }, points)
@@ -121,7 +121,7 @@ impl Window {
         }
         // Noise may leave a surface no waves at its short end; there its profiles have no spectrum.
         loop {
-            match self.surface.profile(&wavelengths_m) {
+            match self.waves.surface().profile(&wavelengths_m) {
                 Err(_) if wavelengths_m.len() > MIN_SCALES => wavelengths_m.truncate(wavelengths_m.len() - 1),
                 found => return Ok(found?),
             }

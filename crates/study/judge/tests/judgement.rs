@@ -333,3 +333,46 @@ fn a_hundred_pairs_of_seeds_differ_by_their_standard_errors() {
     let within = within.count();
     assert!((90..=99).contains(&within), "{within}");
 }
+
+/// Scene of the spectrum of [`SelfAffine`] on a layer of 200 GPa, whose base is rigid or has these constants.
+fn layered(decades: f64, thickness: &str, constants: &str) -> Scene {
+    let base = if constants.is_empty() { "rigid" } else { "material" };
+    let text = format!(
+        "title = \"s\"\n[surface]\npsd = \"s.csv\"\n[material]\n{constants}\n[material.layer]\nthickness = \"{thickness}\"\n\
+         youngs_modulus = \"200 GPa\"\npoisson_ratio = 0.3\nbase = \"{base}\"\n[judge]\n\
+         [loads]\npressures = [\"300 MPa\"]\n[[curve]]\nmodel = \"persson\"\n"
+    );
+    Scene::parse(&text, &SelfAffine { decades, has_step: false }, &Overrides::default()).unwrap()
+}
+
+#[test]
+fn a_layer_of_the_material_of_its_base_is_judged_as_a_half_space() {
+    let steel = "youngs_modulus = \"200 GPa\"\npoisson_ratio = 0.3";
+    let plain = scene(1.6, "", "\"300 MPa\"", &["model = \"persson\""]);
+    let [plain, same] = [plain, layered(1.6, "30 nm", steel)].map(|scene| judged(&scene, &coarse(48, 2)).1);
+    for (plain, same) in plain.windows.iter().zip(&same.windows) {
+        let [plain, same] = [plain, same].map(|row| (row.elements.unwrap(), row.area_fraction.unwrap()));
+        assert!((same.0.area_fraction / plain.0.area_fraction - 1.0).abs() < 1e-3, "{plain:?} {same:?}");
+        assert!((same.1 / plain.1 - 1.0).abs() < 1e-3, "{plain:?} {same:?}");
+    }
+    let [plain, same] = [&plain, &same].map(|judgement| judgement.headline(0).unwrap());
+    assert!((same.area_fraction.unwrap() / plain.area_fraction.unwrap() - 1.0).abs() < 1e-3);
+}
+
+#[test]
+fn windows_of_a_layer_carry_over_to_the_whole_band() {
+    // The base is felt by the long waves alone: the last windows are those of a half-space.
+    for (constants, stiffer) in [("", true), ("youngs_modulus = \"20 GPa\"\npoisson_ratio = 0.3", false)] {
+        let coated = layered(1.5, "50 nm", constants);
+        let [whole, windows] = [256, 64].map(|grid| judged(&coated, &coarse(grid, 4)).1);
+        assert_eq!(whole.extent.as_ref().unwrap().windows, 1);
+        assert!(windows.extent.as_ref().unwrap().windows > 2);
+        let [whole, windows] = [&whole, &windows].map(|judgement| judgement.references[0].elements.unwrap());
+        let ratio = windows.area_fraction / whole.area_fraction;
+        let errors = whole.relative_error().hypot(windows.relative_error());
+        assert!((ratio - 1.0).abs() < 2.0 * errors, "{constants:?}: {ratio}, {errors}");
+        let half_space = scene(1.5, "", "\"300 MPa\"", &["model = \"persson\""]);
+        let half_space = judged(&half_space, &coarse(64, 4)).1.references[0].elements.unwrap();
+        assert_eq!(windows.area_fraction < half_space.area_fraction, stiffer, "{windows:?} {half_space:?}");
+    }
+}

@@ -100,19 +100,8 @@ impl PreparedBall {
         let states = self.ball.press_all(&self.surfaces, &self.pressing, progress)?;
         let cautions = states.first().map(BallState::cautions).unwrap_or_default();
         let mut notes: Vec<Note> = cautions.into_iter().map(Note::Ball).collect();
-        if let [_, _, ..] = &states[..] {
-            notes.push(Note::Places { scatter: scatter(&states) });
-        } else {
-            notes.push(Note::OnePlace);
-        }
+        let areas_m2: Vec<f64> = states.iter().map(|state| state.real_area_m2).collect();
+        notes.push(Note::of_places(&areas_m2));
         Ok(Answer { table: ball_table(&states), notes, figure: None })
     }
-}
-
-/// Standard deviation of the real area over its mean.
-fn scatter(states: &[BallState]) -> f64 {
-    let count = states.len() as f64;
-    let mean_m2 = states.iter().map(|state| state.real_area_m2).sum::<f64>() / count;
-    let squares = states.iter().map(|state| (state.real_area_m2 - mean_m2).powi(2)).sum::<f64>();
-    (squares / (count - 1.0)).sqrt() / mean_m2
 }

@@ -3,7 +3,7 @@
 use asperity::AsperityError;
 use contact_law::SamplingError;
 use persson::hardness_laws::HardnessError;
-use rough_bem::{AdhesiveError, BallError, ElementsError};
+use rough_bem::{AdhesiveError, BallError, CylinderError, ElementsError};
 use study::gap_law::GapError;
 use study::material::MaterialError;
 use study::models::ModelEntry;
@@ -86,6 +86,9 @@ pub enum QuestionError {
     /// A ball cannot be pressed onto the surfaces.
     #[error(transparent)]
     Ball(#[from] BallError),
+    /// A cylinder cannot be pressed onto the surfaces.
+    #[error(transparent)]
+    Cylinder(#[from] CylinderError),
     /// Adhesive surfaces cannot be pressed.
     #[error(transparent)]
     Adhesion(#[from] AdhesiveError),
@@ -133,6 +136,7 @@ impl QuestionError {
                 | QuestionError::Sampling(SamplingError::Source(GapError::Cancelled))
                 | QuestionError::Elements(ElementsError::HalfSpace(HalfSpaceError::Cancelled))
                 | QuestionError::Ball(BallError::HalfSpace(HalfSpaceError::Cancelled))
+                | QuestionError::Cylinder(CylinderError::HalfSpace(HalfSpaceError::Cancelled))
                 | QuestionError::Adhesion(AdhesiveError::Adhesion(AdhesionError::HalfSpace(
                     HalfSpaceError::Cancelled
                 )))

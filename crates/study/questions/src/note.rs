@@ -5,7 +5,7 @@ use gaussian_surfaces::{AreaSpectrum, GridBand};
 use persson::Roughness;
 use persson::corrections::Correction;
 use persson::separation::LightLoads;
-use rough_bem::{BallCaution, PressedLoad, RandomSurfaces};
+use rough_bem::{BallCaution, CylinderCaution, PressedLoad, RandomSurfaces};
 use spectrum::ProfilePsd;
 use state_tables::RowsNote;
 use study::material::Material;
@@ -93,11 +93,15 @@ pub enum Note {
     Pressed(Vec<PressedLoad>),
     /// A ball on a flat that is coarse, narrow, or much larger than the ball can be as a parabola.
     Ball(BallCaution),
+    /// A cylinder on a flat that is coarse, narrow, or much larger than the cylinder can be as a parabola.
+    Cylinder(CylinderCaution),
+    /// A map that does not repeat itself is repeated under a cylinder.
+    RepeatedMap,
     /// A finding on surfaces that attract each other.
     Adhesion(AdhesionNote),
-    /// A ball was pressed onto one place alone.
+    /// A ball or a cylinder was pressed onto one place alone.
     OnePlace,
-    /// A ball was pressed onto several places.
+    /// A ball or a cylinder was pressed onto several places.
     Places {
         /// Standard deviation of the real area over its mean.
         scatter: f64,
@@ -197,6 +201,15 @@ impl Note {
     #[must_use]
     pub fn is_doubt(&self) -> bool {
         matches!(self, Note::Doubt(_))
+    }
+
+    /// Returns the note on how far places differ, by the real areas of each.
+    pub(crate) fn of_places(areas: &[f64]) -> Note {
+        let [_, _, ..] = areas else { return Note::OnePlace };
+        let count = areas.len() as f64;
+        let mean = areas.iter().sum::<f64>() / count;
+        let squares = areas.iter().map(|area| (area - mean).powi(2)).sum::<f64>();
+        Note::Places { scatter: (squares / (count - 1.0)).sqrt() / mean }
     }
 
     /// Returns a note if asperities yield at H/3 because no strength is given (Persson's theory takes H itself), or if the

@@ -22,12 +22,11 @@ pub struct RunOptions {
 
 impl RunOptions {
     /// Returns true if boundary elements judge the curves. By default they do for a report and for a scene with a
-    /// `judge` section, unless that section turns them off. They never judge a layer, whose kernel the judge does not know.
+    /// `judge` section, unless that section turns them off.
     #[must_use]
     pub fn is_judged(&self, scene: &Scene) -> bool {
         let off = scene.judge.as_ref().is_some_and(|choices| choices.off);
-        let has_layer = scene.material.as_ref().is_some_and(|material| material.pair.layer().is_some());
-        !has_layer && self.judge.unwrap_or(!off && (self.report || scene.judge.is_some()))
+        self.judge.unwrap_or(!off && (self.report || scene.judge.is_some()))
     }
 
     /// Returns true if the uncertainty analysis runs. By default it does for a report and for a scene with an

@@ -8,6 +8,7 @@ use serde_spanned::Spanned;
 use units::{Length, Viscosity, WorkOfAdhesion};
 
 use super::error::SceneError;
+use super::gas::resolve_gas;
 use super::loads::nominal_pressure;
 use super::raw::{RawEnergyFactor, RawInterface, RawScene, RawSeal};
 use super::values::{optional, parsed, value_error};
@@ -49,6 +50,7 @@ pub(super) fn resolve_interface(
         band: own.band.as_ref().map(|band| parsed("interface.band", band)).transpose()?.unwrap_or_default(),
         conductivities,
         resistivities,
+        gas: resolve_gas(own, material)?,
         nominal_area_m2,
         seal: raw.seal.as_ref().map(|seal| resolve_seal(seal, material)).transpose()?,
         shear_strength_pa: shear_strength.map(NominalPressure::pa),

@@ -9,6 +9,7 @@ mod figures;
 mod file_content;
 pub mod file_names;
 mod from_toml;
+mod gas;
 mod interface;
 mod judge;
 mod layer;

@@ -365,6 +365,15 @@ pub(super) struct RawInterface {
     pub shear_strength: Option<RawQuantity>,
     pub work_of_adhesion: Option<RawQuantity>,
     pub range_of_attraction: Option<RawQuantity>,
+    pub gas_conductivity: Option<RawQuantity>,
+    pub gas_parameter: Option<RawQuantity>,
+    pub accommodation: Option<Spanned<f64>>,
+    pub counterface_accommodation: Option<Spanned<f64>>,
+    pub heat_capacity_ratio: Option<Spanned<f64>>,
+    pub prandtl_number: Option<Spanned<f64>>,
+    pub mean_free_path: Option<RawQuantity>,
+    pub gas_temperature: Option<RawQuantity>,
+    pub gas_pressure: Option<RawQuantity>,
 }
 
 #[derive(Debug, Default, Deserialize)]

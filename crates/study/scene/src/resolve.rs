@@ -144,8 +144,10 @@ pub(super) fn resolve(
             "[interface] and [seal] need a [material] and [loads]: gap and stiffness are those under a load",
         ));
     }
-    if material.is_some_and(|material| material.pair.layer().is_some()) {
-        refuse_sections_of_half_spaces(raw, interface.is_some())?;
+    if interface.is_some() && material.is_some_and(|material| material.pair.layer().is_some()) {
+        return Err(SceneError::anywhere(
+            "[interface] and [seal] compute half-spaces alone, and the material has a layer; leave out the section or material.layer",
+        ));
     }
     if curves.is_empty() && figures.is_empty() && interface.is_none() {
         return Err(SceneError::anywhere(match raw.loads.is_some() && material.is_none() {
@@ -196,16 +198,4 @@ pub(super) fn resolve(
         notes: Vec::new(),
     };
     Ok((scene, ignored))
-}
-
-/// Refuses the sections that know half-spaces alone, in a scene with a layer.
-fn refuse_sections_of_half_spaces(raw: &RawScene, has_interface: bool) -> Result<(), SceneError> {
-    let section = match (raw.judge.is_some(), has_interface) {
-        (true, _) => "[judge]",
-        (false, true) => "[interface] and [seal]",
-        (false, false) => return Ok(()),
-    };
-    Err(SceneError::anywhere(format!(
-        "{section} computes half-spaces alone, and the material has a layer; leave out the section or material.layer"
-    )))
 }

@@ -205,3 +205,17 @@ fn what_is_no_surface_is_refused() {
     let narrow = refused(SelfAffine { longest_m: 0.1, rolloff_m: 0.1, ..good });
     assert!(matches!(narrow, SurfaceError::EmptyBand { .. }), "{narrow}");
 }
+
+#[test]
+fn a_weight_multiplies_the_spectrum_and_its_moments() {
+    let area = self_affine(2.0, 8.0, 64.0, 0.6);
+    let weighted = area.weighted(|q_rad_per_m| 1.0 / q_rad_per_m.powi(2));
+    assert_relative_eq!(weighted.mean_square_gradient(), area.mean_square_height_m2(), max_relative = 1e-12);
+    let smooth = |q_rad_per_m: f64| (q_rad_per_m / 60.0).tanh().powi(2);
+    let bent = area.weighted(smooth);
+    for q_rad_per_m in [13.0, 60.0, 399.0] {
+        let expected = smooth(q_rad_per_m) * area.ciso_m4(q_rad_per_m);
+        assert_relative_eq!(bent.ciso_m4(q_rad_per_m), expected, max_relative = 2e-4);
+    }
+    assert_eq!((bent.longest_m(), bent.shortest_m()), (area.longest_m(), area.shortest_m()));
+}

@@ -15,6 +15,7 @@ mod map;
 mod only_map;
 mod request;
 mod roughness_of_files;
+mod scales_of_files;
 mod sketch;
 
 pub use areal::{AreaSpectrum, areal_spectrum};
@@ -30,4 +31,5 @@ pub use load::{Loaded, METADATA_FILES, heights_in, holds_a_spectrum, holds_heigh
 pub use map::MapOfFile;
 pub use request::{RequestError, ScanRequest, TipRadius};
 pub use roughness_of_files::{Conventions, RoughnessOfFiles, RoughnessSettings};
+pub use scales_of_files::{ScalesOfFiles, ScalesOfScan};
 pub use sketch::ScanSketch;

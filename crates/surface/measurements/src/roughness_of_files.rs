@@ -116,25 +116,27 @@ impl RoughnessOfFiles {
     #[must_use]
     pub fn notes(&self) -> Vec<String> {
         let incomplete = self.surfaces.iter().filter(|surface| surface.missing > 0);
-        incomplete
-            .map(|surface| {
-                format!(
-                    "{}: {} without a height left out",
-                    surface.title(),
-                    counted(surface.missing, "point")
-                )
-            })
-            .collect()
+        incomplete.map(|surface| left_out(&surface.file, &surface.channel, surface.missing)).collect()
     }
 }
 
 impl RoughSurface {
     fn title(&self) -> String {
-        match self.channel.as_str() {
-            "" => self.file.clone(),
-            channel => format!("{}, {channel}", self.file),
-        }
+        title(&self.file, &self.channel)
     }
+}
+
+/// The name of a scan: its file, and its channel if the file names one.
+fn title(file: &str, channel: &str) -> String {
+    match channel {
+        "" => file.to_owned(),
+        channel => format!("{file}, {channel}"),
+    }
+}
+
+/// The note that points of a scan have no height.
+pub(crate) fn left_out(file: &str, channel: &str, missing: usize) -> String {
+    format!("{}: {} without a height left out", title(file, channel), counted(missing, "point"))
 }
 
 fn of_file(

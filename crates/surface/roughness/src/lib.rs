@@ -7,6 +7,7 @@ mod heights;
 mod material_ratio;
 mod parameter;
 mod relief;
+mod scales;
 mod slopes;
 
 pub use all_parameters::parameters;
@@ -15,4 +16,5 @@ pub use heights::{Extent, HeightParameters};
 pub use material_ratio::{Core, MaterialRatioCurve};
 pub use parameter::{Parameter, ParameterValue};
 pub use relief::{Evaluation, FormRemoval, Relief, ReliefError};
+pub use scales::{GradientAndCurvature, ScaleParameters, scale_parameters};
 pub use slopes::{Differences, Triangles, developed_area_excess, rms_gradient};

@@ -32,13 +32,23 @@ named!(Triangles, "triangles", {
     BothDiagonals => "mean of two triangulations", MiddlePoint => "four triangles with a middle point"
 });
 
+/// Offsets in points, and the factors of the heights there.
+type Stencil = [(isize, f64)];
+
 impl Differences {
-    /// Offsets in points and their factors, for the half towards larger x; the other half has the opposite sign.
-    fn stencil(self) -> &'static [(usize, f64)] {
+    /// The stencil of a slope, in m per point.
+    fn stencil(self) -> &'static Stencil {
         match self {
-            Differences::Neighbours => &[],
-            Differences::Central => &[(1, 0.5)],
-            Differences::SevenPoints => &[(1, 45.0 / 60.0), (2, -9.0 / 60.0), (3, 1.0 / 60.0)],
+            Differences::Neighbours => &[(0, -1.0), (1, 1.0)],
+            Differences::Central => &[(-1, -0.5), (1, 0.5)],
+            Differences::SevenPoints => &[
+                (-3, -1.0 / 60.0),
+                (-2, 9.0 / 60.0),
+                (-1, -45.0 / 60.0),
+                (1, 45.0 / 60.0),
+                (2, -9.0 / 60.0),
+                (3, 1.0 / 60.0),
+            ],
         }
     }
 }
@@ -47,46 +57,101 @@ impl Differences {
 /// out. None where no difference is left, and for uneven profiles but between neighbours.
 #[must_use]
 pub fn rms_gradient(relief: &Relief, differences: Differences) -> Option<f64> {
-    let (columns, rows) = relief.points();
-    let (spacing_x_m, spacing_y_m) = relief.spacing_m();
     if let Some(positions_m) = relief.positions_m() {
         return (differences == Differences::Neighbours).then(|| rms_of_uneven(relief, positions_m))?;
     }
-    let rows_of_all = rows.unwrap_or(1);
-    let mut mean_square =
-        mean_square_slope(relief, differences, [columns, 1, rows_of_all, columns])? / spacing_x_m.powi(2);
-    if let (Some(rows), Some(spacing_y_m)) = (rows, spacing_y_m) {
-        mean_square +=
-            mean_square_slope(relief, differences, [rows, columns, columns, 1])? / spacing_y_m.powi(2);
+    let stencil = differences.stencil();
+    let (spacing_x_m, spacing_y_m) = relief.spacing_m();
+    let mut square = mean_square(&Lines::along_x(relief), stencil)? / spacing_x_m.powi(2);
+    if let (Some(columns), Some(spacing_y_m)) = (Lines::along_y(relief), spacing_y_m) {
+        square += mean_square(&columns, stencil)? / spacing_y_m.powi(2);
     }
-    Some(mean_square.sqrt())
+    Some(square.sqrt())
 }
 
-/// Computes the mean square of the slope along rows of `points` points `step` apart, in m per point; there are `count` rows,
-/// `apart` apart.
-fn mean_square_slope(
+/// Computes the rms gradient from heights a distance apart, given in points along x and, of a map, along y: between neighbours it
+/// is Sdq or Rdq. None where no difference is left, and for uneven profiles.
+pub(crate) fn rms_gradient_at(relief: &Relief, points: [usize; 2]) -> Option<f64> {
+    along_axes(relief, points, |lines, points| mean_square(lines, &[(0, -1.0), (points, 1.0)]), 1)
+        .map(|[x, y]| (x + y).sqrt())
+}
+
+/// Computes the rms curvature \[1/m\] from three heights a distance apart, given in points along x and, of a map, along y: that of a
+/// profile, or of the profiles of a map along both axes. None where no difference is left, and for uneven profiles.
+pub(crate) fn rms_curvature_at(relief: &Relief, points: [usize; 2]) -> Option<f64> {
+    let stencil = |points: isize| [(-points, 1.0), (0, -2.0), (points, 1.0)];
+    let [x, y] = along_axes(relief, points, |lines, points| mean_square(lines, &stencil(points)), 2)?;
+    Some(if relief.points().1.is_some() { (0.5 * (x + y)).sqrt() } else { x.sqrt() })
+}
+
+/// Mean squares along x and along y over the distances to a power; 0 along y of a profile.
+fn along_axes(
     relief: &Relief,
-    differences: Differences,
-    [points, step, count, apart]: [usize; 4],
-) -> Option<f64> {
-    let stencil = differences.stencil();
-    let reach = stencil.last().map_or(0, |(offset, _)| *offset);
-    let (mut sum_m2, mut pairs) = (0.0, 0usize);
-    for row in 0..count {
-        let height_m = |point: usize| relief.height_m(row * apart + point * step);
-        let slope_m = |point: usize| match stencil {
-            [] => Some(height_m(point + 1)? - height_m(point)?),
-            _ => stencil.iter().try_fold(0.0, |sum_m, (offset, factor)| {
-                Some(sum_m + factor * (height_m(point + offset)? - height_m(point - offset)?))
-            }),
-        };
-        let last = if stencil.is_empty() { points.saturating_sub(1) } else { points.saturating_sub(reach) };
-        for slope_m in (reach..last).filter_map(slope_m) {
-            sum_m2 += slope_m * slope_m;
-            pairs += 1;
+    [along_x, along_y]: [usize; 2],
+    mean_square: impl Fn(&Lines<'_>, isize) -> Option<f64>,
+    power: i32,
+) -> Option<[f64; 2]> {
+    if relief.positions_m().is_some() {
+        return None;
+    }
+    let of_axis = |lines: &Lines<'_>, points: usize, spacing_m: f64| {
+        let distance_m = points as f64 * spacing_m;
+        Some(mean_square(lines, isize::try_from(points).ok()?)? / distance_m.powi(2 * power))
+    };
+    let (spacing_x_m, spacing_y_m) = relief.spacing_m();
+    let x = of_axis(&Lines::along_x(relief), along_x, spacing_x_m)?;
+    let y = match (Lines::along_y(relief), spacing_y_m) {
+        (Some(columns), Some(spacing_y_m)) => of_axis(&columns, along_y, spacing_y_m)?,
+        _ => 0.0,
+    };
+    Some([x, y])
+}
+
+/// The lines of a relief along an axis: `count` of them, `apart` points apart in memory, each of `points` points that are `step`
+/// apart.
+struct Lines<'r> {
+    relief: &'r Relief,
+    points: usize,
+    step: usize,
+    count: usize,
+    apart: usize,
+}
+
+impl<'r> Lines<'r> {
+    fn along_x(relief: &'r Relief) -> Self {
+        let (columns, rows) = relief.points();
+        Lines { relief, points: columns, step: 1, count: rows.unwrap_or(1), apart: columns }
+    }
+
+    fn along_y(relief: &'r Relief) -> Option<Self> {
+        let (columns, rows) = relief.points();
+        Some(Lines { relief, points: rows?, step: columns, count: columns, apart: 1 })
+    }
+
+    /// Height \[m\] of a point of a line, if there is one.
+    fn height_m(&self, line: usize, point: usize) -> Option<f64> {
+        self.relief.height_m(line * self.apart + point * self.step)
+    }
+}
+
+/// Computes the mean square \[m^2\] of a combination of heights along lines; combinations that a missing point takes part in are
+/// left out.
+fn mean_square(lines: &Lines<'_>, stencil: &Stencil) -> Option<f64> {
+    let before = stencil.iter().map(|(offset, _)| -offset).max().unwrap_or(0).max(0).unsigned_abs();
+    let behind = stencil.iter().map(|(offset, _)| *offset).max().unwrap_or(0).max(0).unsigned_abs();
+    let (mut sum_m2, mut count) = (0.0, 0usize);
+    for line in 0..lines.count {
+        for point in before..lines.points.saturating_sub(behind) {
+            let combined_m = stencil.iter().try_fold(0.0, |sum_m, (offset, factor)| {
+                Some(sum_m + factor * lines.height_m(line, point.checked_add_signed(*offset)?)?)
+            });
+            if let Some(combined_m) = combined_m {
+                sum_m2 += combined_m * combined_m;
+                count += 1;
+            }
         }
     }
-    (pairs > 0).then(|| sum_m2 / pairs as f64)
+    (count > 0).then(|| sum_m2 / count as f64)
 }
 
 /// Computes the rms slope of straight lines between uneven points, each weighted by its length.

@@ -146,6 +146,16 @@ impl LineSpectrum {
         })
     }
 
+    /// Mean square height of the wave of each value, C1D dq/pi \[m^2\]; the sum is
+    /// [`spectral_variance_m2`](Self::spectral_variance_m2).
+    pub fn mean_squares_m2(&self) -> impl ExactSizeIterator<Item = f64> + '_ {
+        let last = self.c1d_m3.len().saturating_sub(1);
+        self.c1d_m3.iter().enumerate().map(move |(bin, c1d_m3)| {
+            let share = if self.ends_at_nyquist && bin == last { 0.5 } else { 1.0 };
+            share * 2.0 / self.length_m * c1d_m3
+        })
+    }
+
     /// Computes (1/pi) Sum factor(q) C1D dq.
     fn moment(&self, factor: impl Fn(f64) -> f64) -> f64 {
         let mut factors: Vec<f64> = self.wavevectors_rad_per_m().map(factor).collect();

@@ -10,7 +10,7 @@ use questions::{MaterialInput, OptionName, RandomInput};
 use rough_bem::{Boundary, Branch, RandomChoices};
 use study::measured::Kind;
 use topography::Detrend;
-use units::{Force, IndentationHardness, Length, Modulus, Pressure, WorkOfAdhesion};
+use units::{Force, ForcePerLength, IndentationHardness, Length, Modulus, Pressure, WorkOfAdhesion};
 
 use super::groups::{CounterfaceArgs, FigureArg, NamedMaterialArgs, PressureArgs, ReadingArgs};
 use super::layer::LayerArgs;
@@ -19,7 +19,7 @@ use super::scans::{MapTreatmentArgs, UntoldArgs};
 
 /// A surface, how it is pressed, and what is written.
 #[derive(Debug, ClapArgs)]
-#[command(group = clap::ArgGroup::new("pressed").required(true).multiple(true).args(["pressures", "pressure_ranges", "ball_radius", "pull_off"]))]
+#[command(group = clap::ArgGroup::new("pressed").required(true).multiple(true).args(["pressures", "pressure_ranges", "ball_radius", "cylinder_radius", "pull_off"]))]
 pub(crate) struct BemArgs {
     /// A map of heights, perhaps with options of its own (FILE:unit=nm,channel=Height,size=1um), or a power spectrum: a file, `-` for standard input, or
     /// builtin:uncd-measured, builtin:uncd-reconstructed or builtin:contact-challenge
@@ -38,8 +38,15 @@ pub(crate) struct BemArgs {
     /// Force on the ball, such as 1N
     #[arg(long, value_name = "F", requires = "ball_radius", allow_hyphen_values = true, conflicts_with_all = ["pressures", "pressure_ranges"])]
     pub force: Option<Force>,
+    /// Radius of a smooth cylinder along y that is pressed onto the middle of the surface, which repeats itself; with
+    /// --force-per-length, in place of pressures
+    #[arg(long, value_name = "L", requires = "force_per_length", allow_hyphen_values = true, conflicts_with_all = ["pressures", "pressure_ranges", "ball_radius", "saturation", "per_realisation", "fields", "patches", "figure", "boundary"])]
+    pub cylinder_radius: Option<Length>,
+    /// Force per length of the cylinder, such as 10N/mm
+    #[arg(long, value_name = "F", requires = "cylinder_radius", allow_hyphen_values = true, conflicts_with_all = ["pressures", "pressure_ranges"])]
+    pub force_per_length: Option<ForcePerLength>,
     /// Work of adhesion w of the two surfaces, such as 50mJ/m^2; pressures may then be negative
-    #[arg(long, value_name = "W", requires = "adhesion_range", allow_hyphen_values = true, conflicts_with_all = ["saturation", "ball_radius", "fields", "patches", "figure"])]
+    #[arg(long, value_name = "W", requires = "adhesion_range", allow_hyphen_values = true, conflicts_with_all = ["saturation", "ball_radius", "cylinder_radius", "fields", "patches", "figure"])]
     pub work_of_adhesion: Option<WorkOfAdhesion>,
     /// Range rho of the attraction (w/rho) exp(-gap/rho), such as 2nm
     #[arg(long, value_name = "L", requires = "work_of_adhesion", allow_hyphen_values = true)]

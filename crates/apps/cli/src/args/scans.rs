@@ -53,6 +53,10 @@ pub(crate) struct RoughnessArgs {
     /// Conventions where several are in use: usual, the first of each, or all
     #[arg(long, value_parser = one_of::<Conventions, _>(Conventions::ALL), default_value_t)]
     pub convention: Conventions,
+    /// Rms gradient and curvature of all roughness down to each wavelength, from the spectrum and from differences of heights half
+    /// the wavelength apart, in place of the parameters
+    #[arg(long, conflicts_with_all = ["ratio_height", "convention"])]
+    pub scales: bool,
 }
 
 /// Options for everything that a file may leave open.

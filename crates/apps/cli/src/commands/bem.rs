@@ -6,8 +6,8 @@ use std::sync::{Mutex, PoisonError};
 use half_space::HalfSpaceError;
 use measurements::MapOfFile;
 use questions::{
-    AdhesionQuestion, Answer, BallQuestion, ElementsLoad, ElementsQuestion, Note, OptionName, QuestionError,
-    Reason, UnusedOption,
+    AdhesionQuestion, Answer, BallQuestion, CylinderQuestion, ElementsLoad, ElementsQuestion, Note,
+    OptionName, QuestionError, Reason, UnusedOption,
 };
 use report::provenance::program;
 use report::{elements_figure, elements_words, field_picture, question_words};
@@ -17,7 +17,7 @@ use staging::{NewFolder, StagedFiles};
 use study::measured::{Kind, Measured, MeasuredOptions};
 use study::surface::SurfaceError;
 use topography::Recipe;
-use units::{Force, Length, WorkOfAdhesion};
+use units::{Force, ForcePerLength, Length, WorkOfAdhesion};
 
 use super::{Context, load_inputs, psd, range_inputs, reading_options, say_all};
 use crate::args::BemArgs;
@@ -32,6 +32,9 @@ use crate::timings::Timings;
 pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> {
     if let Some((radius, force)) = args.ball_radius.zip(args.force) {
         return press_ball(args, radius, force, context);
+    }
+    if let Some((radius, force)) = args.cylinder_radius.zip(args.force_per_length) {
+        return press_cylinder(args, radius, force, context);
     }
     if let Some((work, range)) = args.work_of_adhesion.zip(args.adhesion_range) {
         return press_adhesive(args, work, range, context);
@@ -121,6 +124,32 @@ fn press_ball(args: &BemArgs, radius: Length, force: Force, context: &Context<'_
     let (measured, comments) = load(args, context)?;
     let prepared = match measured {
         Measured::Map(map) => question.on_map(relief(*map, Some(Boundary::Free)))?,
+        Measured::Spectrum(surface) => question.on(&surface)?,
+    };
+    let comments = told(comments, &prepared.notes, &prepared.surfaces);
+    timings.lap("reading");
+    write(|progress| prepared.answer(progress), &comments, timings, context)
+}
+
+/// Presses a cylinder in place of a flat.
+fn press_cylinder(
+    args: &BemArgs,
+    radius: Length,
+    force: ForcePerLength,
+    context: &Context<'_>,
+) -> Result<(), Failure> {
+    let question = CylinderQuestion {
+        material: args.material.input(),
+        radius_m: radius.m,
+        force_n_per_m: force.n_per_m,
+        tolerance: args.tolerance,
+        random: args.random.input(),
+    };
+    question.check()?;
+    let mut timings = Timings::start();
+    let (measured, comments) = load(args, context)?;
+    let prepared = match measured {
+        Measured::Map(map) => question.on_map(relief(*map, None))?,
         Measured::Spectrum(surface) => question.on(&surface)?,
     };
     let comments = told(comments, &prepared.notes, &prepared.surfaces);

@@ -1,11 +1,13 @@
-//! `roughness`: parameters of profiles and maps after ISO 21920-2 and ISO 25178-2.
+//! `roughness`: parameters of profiles and maps after ISO 21920-2 and ISO 25178-2, or slopes and curvatures down to each
+//! wavelength.
 
 use std::io::IsTerminal;
 
-use measurements::{RoughnessOfFiles, RoughnessSettings};
+use measurements::{RoughnessOfFiles, RoughnessSettings, ScalesOfFiles, TopographyError};
 use report::provenance::program;
 use roughness::Evaluation;
 use staging::StagedFiles;
+use tables::Table;
 
 use super::{Context, psd, say_notes};
 use crate::args::RoughnessArgs;
@@ -18,35 +20,59 @@ pub(super) fn run(args: &RoughnessArgs, context: &Context<'_>) -> Result<(), Fai
     let requests: Vec<_> = args.files.iter().map(|file| args.untold.told_of(file)).collect();
     let folder = Folder::current(context.targets(None)?);
     let requests = psd::scans_in_folders(&requests, &folder)?;
-    let mut timings = Timings::start();
+    let timings = Timings::start();
+    let evaluation = Evaluation {
+        form: args.form,
+        longest_m: args.filter.map(|cutoff| cutoff.m),
+        shortest_m: args.short_filter.map(|cutoff| cutoff.m),
+    };
+    if args.scales {
+        let found = ScalesOfFiles::read(&requests, &folder, &evaluation);
+        let told = Told { table: found.table(), for_people: None, notes: found.notes() };
+        return write(told, found.unreadable, timings, context);
+    }
     let settings = RoughnessSettings {
-        evaluation: Evaluation {
-            form: args.form,
-            longest_m: args.filter.map(|cutoff| cutoff.m),
-            shortest_m: args.short_filter.map(|cutoff| cutoff.m),
-        },
+        evaluation,
         ratio_height_m: args.ratio_height.map_or(0.0, |height| height.m),
         conventions: args.convention,
     };
     let found = RoughnessOfFiles::read(&requests, &folder, &settings);
+    let told = Told { table: found.table(), for_people: Some(found.describe()), notes: found.notes() };
+    write(told, found.unreadable, timings, context)
+}
+
+/// Results of the readable files.
+struct Told {
+    table: Table,
+    /// The results on a terminal; the table if absent.
+    for_people: Option<String>,
+    notes: Vec<String>,
+}
+
+fn write(
+    told: Told,
+    unreadable: Vec<TopographyError>,
+    mut timings: Timings,
+    context: &Context<'_>,
+) -> Result<(), Failure> {
     timings.lap("evaluating");
     let shared = &context.shared;
-    let for_people =
-        shared.output == Place::Standard && shared.format.is_none() && shared.provenance.is_none();
+    let is_plain = shared.output == Place::Standard && shared.format.is_none() && shared.provenance.is_none();
     let mut files = StagedFiles::default();
-    if for_people && std::io::stdout().is_terminal() {
-        shared.output.stage(&mut files, |out| out.write_all(found.describe().as_bytes()))?;
-    } else {
-        let comments = [program(context.typed)];
-        context.stage_blocks(&mut files, &shared.output, context.wanted(&comments), |out| {
-            Ok(out.block(&found.table())?)
-        })?;
+    match told.for_people.filter(|_| is_plain && std::io::stdout().is_terminal()) {
+        Some(text) => shared.output.stage(&mut files, |out| out.write_all(text.as_bytes()))?,
+        None => {
+            let comments = [program(context.typed)];
+            context.stage_blocks(&mut files, &shared.output, context.wanted(&comments), |out| {
+                Ok(out.block(&told.table)?)
+            })?;
+        }
     }
     publish(files)?;
-    say_notes(found.notes());
+    say_notes(told.notes);
     timings.lap("writing");
     timings.report(shared.timings);
     // Rows of readable files are written before the first unreadable file ends the command.
-    let refusals: Vec<String> = found.unreadable.into_iter().map(psd::refusal).collect();
+    let refusals: Vec<String> = unreadable.into_iter().map(psd::refusal).collect();
     if refusals.is_empty() { Ok(()) } else { Err(Failure::Input(refusals.join("\n"))) }
 }

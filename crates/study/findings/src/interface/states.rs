@@ -259,6 +259,11 @@ impl<'a> InterfaceStates<'a> {
             Quantity::CooperMikicYovanovichConductance => {
                 self.flowed(load, PlasticCorrelation::CooperMikicYovanovich)
             }
+            Quantity::GasConductance => self.gas(load),
+            Quantity::ThermalConductanceWithGas => {
+                let of_spots = self.heat(load, Quantity::ThermalConductance)?;
+                Ok(of_spots.zip(self.gas(load)?).map(|(of_spots, of_gas)| of_spots + of_gas))
+            }
             Quantity::ElectricalConductance | Quantity::ElectricalResistance => {
                 self.current(load, slot.quantity)
             }
@@ -295,6 +300,14 @@ impl<'a> InterfaceStates<'a> {
         }
         let spot = self.spot(&stiffness)?;
         Ok(spot.map(|spot| spot.thermal_resistance_k_per_w(conductivities)))
+    }
+
+    /// Conductance of the gas over the gaps of the elastic theory, taken as Gaussian about their mean.
+    fn gas(&self, load: usize) -> Result<Option<f64>, InterfaceError> {
+        let rms_height_m = self.moments.rms_height_m();
+        let gap_m = self.separation(load).mean_gap_m;
+        let of_gas = self.request.gas.filter(|_| rms_height_m > 0.0 && gap_m.is_finite());
+        Ok(of_gas.map(|gas| gas.conductance_w_per_m2_k(gap_m, rms_height_m)))
     }
 
     fn current(&self, load: usize, quantity: Quantity) -> Result<Option<f64>, InterfaceError> {

@@ -3,7 +3,7 @@
 use gaussian_surfaces::{AreaSpectrum, GridBand};
 use interface::adhesion::{FullerTabor, PastewkaRobbins};
 use questions::AdhesionNote;
-use rough_bem::{BallCaution, PressedLoad, RandomSurfaces};
+use rough_bem::{BallCaution, CylinderCaution, PressedLoad, RandomSurfaces};
 use study::validity::SMALL_SLOPE_PRESSURE;
 use units::display::{counted, length, percent, pressure, three_digits};
 
@@ -24,6 +24,27 @@ pub fn of_ball(caution: &BallCaution) -> String {
             three_digits(*radius_share)
         ),
         _ => "the contact of the ball is doubtful".to_owned(),
+    }
+}
+
+/// Says why the contact of a cylinder is doubtful.
+#[must_use]
+pub fn of_cylinder(caution: &CylinderCaution) -> String {
+    match caution {
+        CylinderCaution::CoarseGrid { points_per_half_width } => format!(
+            "Hertz's half-width has {} points of the grid, and 8 are needed for an answer",
+            three_digits(*points_per_half_width)
+        ),
+        CylinderCaution::NarrowBox { half_widths_across_box, pressure_excess } => format!(
+            "the surface is {} of Hertz's half-widths wide; its images raise the pressure of a smooth cylinder by {}",
+            three_digits(*half_widths_across_box),
+            percent(*pressure_excess)
+        ),
+        CylinderCaution::LargeContact { half_width_share } => format!(
+            "Hertz's half-width is {} of the radius; from 0.1 on a cylinder is no parabola",
+            three_digits(*half_width_share)
+        ),
+        _ => "the contact of the cylinder is doubtful".to_owned(),
     }
 }
 

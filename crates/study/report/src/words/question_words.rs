@@ -96,6 +96,10 @@ fn texts(note: &Note, spelling: &dyn Spelling) -> Vec<String> {
         }
         Note::Pressed(loads) => elements_words::of_results(loads),
         Note::Ball(caution) => vec![elements_words::of_ball(caution)],
+        Note::Cylinder(caution) => vec![elements_words::of_cylinder(caution)],
+        Note::RepeatedMap => vec![
+            "the map is taken to repeat itself along and across the cylinder; steps where its ends meet carry load".to_owned(),
+        ],
         Note::Adhesion(found) => vec![elements_words::of_adhesion(found)],
         Note::OnePlace => vec![
             "one place decides little: its summits may carry half as much again as others; press several surfaces"

@@ -16,6 +16,10 @@ pub enum Quantity {
     YovanovichConductance,
     /// Thermal conductance per nominal area by the correlation of Cooper, Mikic & Yovanovich \[W/(m^2 K)\].
     CooperMikicYovanovichConductance,
+    /// Thermal conductance of the gas in the gaps per nominal area \[W/(m^2 K)\].
+    GasConductance,
+    /// Thermal conductance of spots, by Barber's analogy, and gas per nominal area \[W/(m^2 K)\].
+    ThermalConductanceWithGas,
     /// Thermal resistance of the nominal area \[K/W\].
     ThermalResistance,
     /// Electrical conductance per nominal area by Barber's analogy \[S/m^2\].
@@ -61,6 +65,8 @@ impl Quantity {
             Quantity::ThermalConductance => "thermal_conductance_w_per_m2_k",
             Quantity::YovanovichConductance => "yovanovich_conductance_w_per_m2_k",
             Quantity::CooperMikicYovanovichConductance => "cooper_mikic_yovanovich_conductance_w_per_m2_k",
+            Quantity::GasConductance => "gas_conductance_w_per_m2_k",
+            Quantity::ThermalConductanceWithGas => "thermal_conductance_with_gas_w_per_m2_k",
             Quantity::ThermalResistance => "thermal_resistance_k_per_w",
             Quantity::ElectricalConductance => "electrical_conductance_s_per_m2",
             Quantity::ElectricalResistance => "electrical_resistance_ohm",
@@ -96,6 +102,8 @@ impl Quantity {
             Quantity::CooperMikicYovanovichConductance => {
                 "thermal conductance of flowed peaks (Cooper, Mikic & Yovanovich)"
             }
+            Quantity::GasConductance => "thermal conductance of the gas in the gaps",
+            Quantity::ThermalConductanceWithGas => "thermal conductance of spots and gas",
             Quantity::ThermalResistance => "thermal resistance",
             Quantity::ElectricalConductance => "electrical conductance",
             Quantity::ElectricalResistance => "electrical resistance",
@@ -118,7 +126,9 @@ impl Quantity {
             Quantity::Stiffness => "Pa/m",
             Quantity::ThermalConductance
             | Quantity::YovanovichConductance
-            | Quantity::CooperMikicYovanovichConductance => "W/(m² K)",
+            | Quantity::CooperMikicYovanovichConductance
+            | Quantity::GasConductance
+            | Quantity::ThermalConductanceWithGas => "W/(m² K)",
             Quantity::ThermalResistance => "K/W",
             Quantity::ElectricalConductance => "S/m²",
             Quantity::ElectricalResistance => "Ω",

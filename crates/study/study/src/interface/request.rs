@@ -1,6 +1,7 @@
 //! Requests of a scene for the quantities of its interface.
 
 use interface::conductance::{Conductivities, Resistivities};
+use interface::gas::GapGas;
 use interface::leak::SealedJoint;
 use persson::EnergyFactor;
 use persson::sealing::PercolationThreshold;
@@ -20,6 +21,8 @@ pub struct InterfaceRequest {
     pub conductivities: Option<Conductivities>,
     /// Resistivities of both.
     pub resistivities: Option<Resistivities>,
+    /// The gas in the gaps; vacuum if absent.
+    pub gas: Option<GapGas>,
     /// The nominal area \[m^2\], if a force was given.
     pub nominal_area_m2: Option<f64>,
     /// The seal that the contact makes.
@@ -91,6 +94,10 @@ impl InterfaceRequest {
                 quantities
                     .extend([Quantity::YovanovichConductance, Quantity::CooperMikicYovanovichConductance]);
             }
+        }
+        if self.gas.is_some() {
+            quantities.push(Quantity::GasConductance);
+            quantities.extend(self.conductivities.map(|_| Quantity::ThermalConductanceWithGas));
         }
         if self.resistivities.is_some() {
             quantities.push(Quantity::ElectricalConductance);
