@@ -77,7 +77,7 @@ impl RarefiedGas {
     /// gamma)).
     ///
     /// # Errors
-    /// [`OutOfBounds`] for a property outside of its range.
+    /// [`OutOfBounds`] for a property outside of its range, and if the parameter is not within thirty decades of 1 m.
     pub fn parameter_m(&self) -> Result<f64, OutOfBounds> {
         let mut alpha = 0.0;
         for accommodation in self.accommodation {
@@ -87,7 +87,8 @@ impl RarefiedGas {
         let ratio = Self::HEAT_CAPACITY_RATIOS.check("ratio of specific heats", self.heat_capacity_ratio)?;
         let prandtl_number = Bound::Magnitude.check("Prandtl number", self.prandtl_number)?;
         let path_m = Bound::Magnitude.check("mean free path in m", self.mean_free_path_m)?;
-        Ok(alpha * (2.0 * ratio / (prandtl_number * (1.0 + ratio))) * path_m)
+        let parameter_m = alpha * (2.0 * ratio / (prandtl_number * (1.0 + ratio))) * path_m;
+        Bound::Magnitude.check("gas parameter in m", parameter_m)
     }
 }
 
