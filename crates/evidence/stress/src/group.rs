@@ -87,9 +87,9 @@ impl Group {
     #[must_use]
     pub fn every(self) -> u64 {
         match self {
-            Group::Persson | Group::Spectra | Group::Interfaces => 10,
+            Group::Interfaces => 10,
             Group::Asperities | Group::Summits | Group::Intervals => 20,
-            Group::Stacks => 40,
+            Group::Stacks | Group::Persson | Group::Spectra => 40,
             Group::Scans | Group::LawTables | Group::Roughness => 50,
             Group::Elements => 100,
             Group::Adhesion | Group::Balls => 400,

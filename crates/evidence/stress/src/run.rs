@@ -119,7 +119,12 @@ fn try_group(group: Group, seed: u64, index: u64, tally: &mut Tally, catch: bool
 
 fn try_case<C: Case>(group: Group, seed: u64, index: u64, tally: &mut Tally, catch: bool) {
     let mut draw = Draw::new(seed ^ group.seed(), index);
-    let (case, reach) = C::draw(&mut draw);
+    // A case that needs laws to be drawn may panic as well.
+    let drawn = catch_unwind(AssertUnwindSafe(|| C::draw(&mut draw)));
+    let Ok((case, reach)) = drawn else {
+        Trial::new(tally, group.name(), index, (&"drawing", Reach::Edge)).hold("no panic", false);
+        return;
+    };
     one(group.name(), index, (&case, reach), tally, catch, |trial| case.test(reach, &mut draw, trial));
 }
 
