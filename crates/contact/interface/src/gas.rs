@@ -182,6 +182,21 @@ mod tests {
     }
 
     #[test]
+    fn a_gas_parameter_beyond_all_lengths_is_refused() {
+        let gas = RarefiedGas {
+            accommodation: [f64::MIN_POSITIVE, 1e-9],
+            heat_capacity_ratio: 1.4,
+            prandtl_number: 0.7,
+            mean_free_path_m: 1e-7,
+        };
+        let error = gas.parameter_m().unwrap_err();
+        assert!(
+            error.bound == Bound::Finite || error.bound == Bound::Magnitude || error.bound == Bound::Positive,
+            "{error}"
+        );
+    }
+
+    #[test]
     fn the_mean_over_the_gaps_exceeds_the_simple_form() {
         // Y and M in rms heights, and both conductances in k_g/sigma, by independent quadrature.
         for (separation, parameter, mean, simple) in

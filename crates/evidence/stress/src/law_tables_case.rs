@@ -115,6 +115,7 @@ impl Case for LawTablesCase {
                         matches!(self.shape, Shape::Missing(_)) || reach == Reach::Edge
                     }
                     SamplingError::EmptyRange { from_pa, to_pa } => from_pa >= to_pa,
+                    SamplingError::Value(_) => reach == Reach::Edge || self.length_m > 1e25,
                     _ => reach == Reach::Edge,
                 };
                 trial.hold("a law is refused for what it is", is_its_own);

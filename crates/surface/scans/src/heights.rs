@@ -427,6 +427,14 @@ mod tests {
     }
 
     #[test]
+    fn heights_beyond_all_surfaces_are_refused() {
+        let error = HeightMap::new(2, 1.0, 1.0, vec![0.0, 0.0, 1e31, 0.0]).unwrap_err();
+        let place = "row 2, column 1".to_owned();
+        assert_eq!(error, ScanError::AbsurdHeight { place, height_m: 1e31 });
+        assert!(UniformLineScan::new(1.0, vec![-1e30, 1e30]).is_ok());
+    }
+
+    #[test]
     fn sizes_follow_from_points_and_spacings() {
         assert_eq!(UniformLineScan::new(0.5, vec![0.0; 4]).unwrap().length_m(), 2.0);
         let line = NonuniformLineScan::new(vec![1.0, 2.0, 4.0], vec![0.0; 3]).unwrap();

@@ -132,3 +132,22 @@ pub(crate) fn falls(wavelength_m: f64, next_m: f64) -> bool {
 fn needed(value: f64, range: &'static str) -> &'static str {
     if value.is_finite() && value > 0.0 { range } else { "finite and above 0" }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_beyond_all_surfaces_are_refused_with_their_row() {
+        let refused =
+            |wavelengths_m: &[f64], values: &[f64]| check_samples(wavelengths_m, values, 1).unwrap_err();
+        assert_eq!(refused(&[1.0, 1e-31], &[1.0, 1.0]), PsdError::BadWavelength { row: 2, value: 1e-31 });
+        assert_eq!(refused(&[1.0, 0.5], &[1e91, 1.0]), PsdError::BadDensity { row: 1, value: 1e91 });
+        assert_eq!(check_samples(&[1e30, 1e-30], &[1e90, 1e-90], 1), Ok(()));
+    }
+
+    #[test]
+    fn wavelengths_that_agree_to_rounding_do_not_fall() {
+        assert!(!falls(1.0, 1f64.next_down()) && falls(1.0, 1.0 - 1e-14) && !falls(1.0, 2.0));
+    }
+}
