@@ -39,8 +39,9 @@ impl ContactLaw {
         if from_pa >= to_pa {
             return Err(SamplingError::EmptyRange { from_pa, to_pa });
         }
-        let mut source = Source { at, tolerance, interpolation_error: 0.0 };
+        let mut source = Source { at, tolerance, interpolation_error: 0.0, cut_m: 0.0 };
         let cut = source.point(from_pa / E)?;
+        source.cut_m = cut.mean_gap_m;
         let mut points = vec![cut];
         let looks = ((to_pa / from_pa).ln() / FIRST_STEP).ceil().max(1.0);
         let first = source.point(from_pa)?;
@@ -60,6 +61,8 @@ struct Source<F> {
     at: F,
     tolerance: f64,
     interpolation_error: f64,
+    /// Gap \[m\] of first touch, from which overclosures are counted.
+    cut_m: f64,
 }
 
 impl<E, F: FnMut(f64) -> Result<Option<LawPoint>, E>> Source<F> {
@@ -67,6 +70,7 @@ impl<E, F: FnMut(f64) -> Result<Option<LawPoint>, E>> Source<F> {
         let point = (self.at)(pressure_pa).map_err(SamplingError::Source)?;
         let point = point.filter(|point| point.mean_gap_m.is_finite());
         let point = point.ok_or(SamplingError::NoGap { pressure_pa })?;
+        Bound::Signed.check("mean gap in m", point.mean_gap_m)?;
         Ok(LawPoint { pressure_pa, ..point })
     }
 
@@ -110,8 +114,13 @@ impl<E, F: FnMut(f64) -> Result<Option<LawPoint>, E>> Source<F> {
         Ok(())
     }
 
+    /// Refuses a stretch over which the gap does not fall, or by so little that rounding of the overclosures would move the
+    /// pressure by more than a part of the tolerance.
     fn closing(&self, from: &LawPoint, to: &LawPoint) -> Result<(), SamplingError<E>> {
-        if to.mean_gap_m < from.mean_gap_m {
+        const PART: f64 = 0.1;
+        let largest_m = self.cut_m.abs().max(to.mean_gap_m.abs()).max(f64::MIN_POSITIVE);
+        let rounding_m = f64::EPSILON * largest_m;
+        if from.mean_gap_m - to.mean_gap_m > rounding_m / (PART * self.tolerance) {
             return Ok(());
         }
         Err(SamplingError::NotClosing { from_pa: from.pressure_pa, to_pa: to.pressure_pa })

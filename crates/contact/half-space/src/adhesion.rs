@@ -11,6 +11,7 @@ use units::display::{length, pressure};
 use units::{Bound, OutOfBounds};
 
 use crate::area::count;
+use crate::elements::is_flat;
 use crate::operators::wave_number;
 use crate::transform::Convolution;
 use crate::{Grid, HalfSpaceError, sums};
@@ -225,7 +226,7 @@ impl AdhesiveElements {
         let mean_m = sums::over(count, |at| [heights_m[at]])[0] / count as f64;
         let [squares] = sums::over(count, |at| [(heights_m[at] - mean_m).powi(2)]);
         // A flat surface has no unit of its own; the range will do.
-        let unit_m = if squares > 0.0 { (squares / count as f64).sqrt() } else { adhesion.range_m };
+        let unit_m = if is_flat(heights_m) { adhesion.range_m } else { (squares / count as f64).sqrt() };
         let unit_pa = 0.5 * contact_modulus_pa * grid.unit_wave_number_per_m() * unit_m;
         let heights: Vec<f64> = heights_m.iter().map(|height_m| (height_m - mean_m) / unit_m).collect();
         let map = [grid.rows(), grid.columns()];

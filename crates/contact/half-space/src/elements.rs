@@ -14,6 +14,10 @@ use crate::{Grid, HalfSpaceError, operators, sums};
 /// Number of progress steps of a solve: the residual's way to the tolerance, in decades, is divided into as many.
 pub const PROGRESS_STEPS: usize = 100;
 
+/// Smallest mean pressure in units of the problem: under less, fewer points touch than one in a map of any size, and what
+/// they move is near the rounding of the heights.
+const LEAST_LOAD: f64 = 1e-9;
+
 /// Boundary elements under a rigid rough surface: plans and buffers, kept between loads.
 pub struct Elements {
     grid: Grid,
@@ -90,15 +94,19 @@ impl Elements {
         let points = heights_m.len() as f64;
         let [sum] = sums::over(heights_m.len(), |point| [heights_m[point]]);
         let mean_height_m = sum / points;
-        let largest_m =
-            heights_m.iter().fold(0.0f64, |largest, height_m| largest.max((height_m - mean_height_m).abs()));
-        // A flat surface has no unit of its own; any will do.
-        let largest_m = if largest_m > 0.0 { largest_m } else { grid.length_x_m() };
-        let [squares] = sums::over(heights_m.len(), |point| {
-            let height = (heights_m[point] - mean_height_m) / largest_m;
-            [height * height]
-        });
-        let unit_m = if squares > 0.0 { largest_m * (squares / points).sqrt() } else { largest_m };
+        let unit_m = if is_flat(heights_m) {
+            // A flat surface has no unit of its own; any will do.
+            grid.length_x_m()
+        } else {
+            let largest_m = heights_m
+                .iter()
+                .fold(0.0f64, |largest, height_m| largest.max((height_m - mean_height_m).abs()));
+            let [squares] = sums::over(heights_m.len(), |point| {
+                let height = (heights_m[point] - mean_height_m) / largest_m;
+                [height * height]
+            });
+            largest_m * (squares / points).sqrt()
+        };
         let heights: Vec<f64> =
             heights_m.iter().map(|height_m| (height_m - mean_height_m) / unit_m).collect();
         let state = State::new(heights.len());
@@ -121,10 +129,15 @@ impl Elements {
     ///
     /// # Errors
     /// [`HalfSpaceError`] for a load, modulus, saturation or tolerance out of bounds, for a load that cannot be
-    /// carried below the saturation, and if `progress` cancels.
+    /// carried below the saturation or is lost in the rounding of the heights, and if `progress` cancels.
     pub fn press(&mut self, loading: &Loading, progress: &dyn Progress) -> Result<Contact, HalfSpaceError> {
         loading.check()?;
         let unit_pa = self.unit_pa(loading.contact_modulus_pa);
+        let least_pa = LEAST_LOAD * unit_pa;
+        if loading.nominal_pressure_pa < least_pa {
+            let nominal_pressure_pa = loading.nominal_pressure_pa;
+            return Err(HalfSpaceError::TooLight { nominal_pressure_pa, least_pa });
+        }
         let outcome = self.descend(
             Held::Mean(loading.nominal_pressure_pa / unit_pa),
             loading.saturation_pa.map(|saturation_pa| saturation_pa / unit_pa),
@@ -266,6 +279,14 @@ impl Elements {
             gaps_m,
         }
     }
+}
+
+/// Returns true if the heights have no size of their own: if they span less than any length in bounds. The mean of equal heights
+/// is off by rounding, so distances from it do not tell.
+pub(crate) fn is_flat(heights_m: &[f64]) -> bool {
+    let ends = |(low, high): (f64, f64), height_m: &f64| (low.min(*height_m), high.max(*height_m));
+    let (lowest_m, highest_m) = heights_m.iter().fold((f64::INFINITY, f64::NEG_INFINITY), ends);
+    !Bound::Magnitude.admits(highest_m - lowest_m)
 }
 
 /// Progress reported so far.

@@ -41,6 +41,17 @@ pub enum HalfSpaceError {
         /// Pressure at which the surface yields \[Pa\].
         saturation_pa: f64,
     },
+    /// The load is lost in the rounding of the heights.
+    #[error(
+        "pressing boundary elements: a nominal pressure of {nominal_pressure_pa:e} Pa moves the surface by less than its heights \
+         are rounded to; it must be at least {least_pa:e} Pa"
+    )]
+    TooLight {
+        /// Nominal pressure \[Pa\].
+        nominal_pressure_pa: f64,
+        /// Smallest nominal pressure \[Pa\] that this surface can be pressed with.
+        least_pa: f64,
+    },
     /// A surface of finite size has no mean gap that could be held.
     #[error(
         "pressing boundary elements: a mean gap is held between a surface that repeats itself and the half-space; give an \

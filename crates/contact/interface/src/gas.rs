@@ -77,7 +77,7 @@ impl RarefiedGas {
     /// gamma)).
     ///
     /// # Errors
-    /// [`OutOfBounds`] for a property outside of its range.
+    /// [`OutOfBounds`] for a property outside of its range, and if the parameter is not within thirty decades of 1 m.
     pub fn parameter_m(&self) -> Result<f64, OutOfBounds> {
         let mut alpha = 0.0;
         for accommodation in self.accommodation {
@@ -87,7 +87,8 @@ impl RarefiedGas {
         let ratio = Self::HEAT_CAPACITY_RATIOS.check("ratio of specific heats", self.heat_capacity_ratio)?;
         let prandtl_number = Bound::Magnitude.check("Prandtl number", self.prandtl_number)?;
         let path_m = Bound::Magnitude.check("mean free path in m", self.mean_free_path_m)?;
-        Ok(alpha * (2.0 * ratio / (prandtl_number * (1.0 + ratio))) * path_m)
+        let parameter_m = alpha * (2.0 * ratio / (prandtl_number * (1.0 + ratio))) * path_m;
+        Bound::Magnitude.check("gas parameter in m", parameter_m)
     }
 }
 
@@ -178,6 +179,21 @@ mod tests {
 
     fn gas(parameter_m: f64) -> GapGas {
         GapGas::new(1.0, parameter_m).unwrap()
+    }
+
+    #[test]
+    fn a_gas_parameter_beyond_all_lengths_is_refused() {
+        let gas = RarefiedGas {
+            accommodation: [f64::MIN_POSITIVE, 1e-9],
+            heat_capacity_ratio: 1.4,
+            prandtl_number: 0.7,
+            mean_free_path_m: 1e-7,
+        };
+        let error = gas.parameter_m().unwrap_err();
+        assert!(
+            error.bound == Bound::Finite || error.bound == Bound::Magnitude || error.bound == Bound::Positive,
+            "{error}"
+        );
     }
 
     #[test]

@@ -36,8 +36,8 @@ pub fn areas(pressure_pa: f64, spread_pa: f64, hardness_pa: f64) -> ContactAreas
     if spread_pa < LATE * hardness_pa {
         ContactAreas {
             elastic: elastic_by_images(nearer_pa, spread_pa, hardness_pa),
-            plastic: absorbed_by_images(pressure_pa, spread_pa, hardness_pa),
-            gap: absorbed_by_images(from_above_pa, spread_pa, hardness_pa),
+            plastic: absorbed_by_images([pressure_pa, from_above_pa], spread_pa, hardness_pa),
+            gap: absorbed_by_images([from_above_pa, pressure_pa], spread_pa, hardness_pa),
         }
     } else {
         let absorbed = |pressure_pa: f64| absorbed_by_modes(pressure_pa, spread_pa, hardness_pa);
@@ -65,9 +65,11 @@ pub fn stress_density_per_pa(stress_pa: f64, pressure_pa: f64, spread_pa: f64, h
     }
 }
 
-/// Share absorbed at H at early times: the sum of D_j over odd j.
-fn absorbed_by_images(pressure_pa: f64, spread_pa: f64, hardness_pa: f64) -> f64 {
-    images(1).map(|j| image(j * hardness_pa, pressure_pa, spread_pa)).sum()
+/// Share absorbed at H at early times: the sum of D_j over odd j. The distances of the pressure from both walls are given, because
+/// the smaller one is lost in the difference of H and the larger.
+fn absorbed_by_images([pressure_pa, from_above_pa]: [f64; 2], spread_pa: f64, hardness_pa: f64) -> f64 {
+    let nearest_pa = |j: f64| (j - 1.0) * hardness_pa + from_above_pa;
+    images(1).map(|j| image_from([nearest_pa(j), j * hardness_pa], pressure_pa, spread_pa)).sum()
 }
 
 /// Elastic share erf(b) + (sum of D_j over even j) - (sum over odd j), for p <= H/2, where the first two terms do not
@@ -87,8 +89,12 @@ fn images(first: u8) -> impl Iterator<Item = f64> {
 /// Contribution D = erfc((d - p)/(sqrt(2) s)) - erfc((d + p)/(sqrt(2) s)) of an image at the distance d > p, to
 /// rounding.
 pub(crate) fn image(distance_pa: f64, pressure_pa: f64, spread_pa: f64) -> f64 {
-    let [near, far] =
-        [distance_pa - pressure_pa, distance_pa + pressure_pa].map(|d| FRAC_1_SQRT_2 * (d / spread_pa));
+    image_from([distance_pa - pressure_pa, distance_pa], pressure_pa, spread_pa)
+}
+
+/// Contribution of an image from d - p and d.
+fn image_from([nearest_pa, distance_pa]: [f64; 2], pressure_pa: f64, spread_pa: f64) -> f64 {
+    let [near, far] = [nearest_pa, distance_pa + pressure_pa].map(|d| FRAC_1_SQRT_2 * (d / spread_pa));
     let (a, b) = (FRAC_1_SQRT_2 * (distance_pa / spread_pa), FRAC_1_SQRT_2 * (pressure_pa / spread_pa));
     if 4.0 * a * b > 1.0 {
         return libm::erfc(near) - libm::erfc(far);

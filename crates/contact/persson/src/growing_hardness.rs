@@ -36,13 +36,27 @@ const SIZE_MIN: usize = 5;
 const WIDTHS: [f64; SIZE - SIZE_MIN] = [0.03, 0.065, 0.1, 0.14];
 /// Largest width of a panel, in sqrt(V - V_i) over sqrt(V), with V_i the start of its piece of the path.
 const WIDEST: f64 = 0.2;
+/// Growth of sqrt(V - V_i) over a panel beyond a step, the share of the step below which nothing arrives, and the multiple of
+/// it from which the step is forgotten.
+const STEP_GROWTH: f64 = 1.25;
+const STEP_UNREACHED: f64 = 0.028;
+const STEP_OVER: f64 = 4.0;
+/// Ratio H^2/V below which the areas are those of a hardness that has always grown as it does: the stress between the walls
+/// spreads over all of them within V of the order of H^2, while the growth changes over V of the order of V. Panels of the
+/// width of V would resolve it less and less.
+const FORGOTTEN: f64 = 1e-6;
+/// Smallest width of a panel, relative to V.
+const NARROWEST: f64 = 16.0 * f64::EPSILON;
+/// Growth of the hardness beyond the place up to which it is smooth that a panel may contain.
+const MOST_GROWTH: f64 = 1.01;
 /// Distance E = (H - p)^2/(2V) above which the plastic share underflows a double.
 const UNREACHED: f64 = 600.0;
 /// Exponent beyond which exp(-x) is negligible beside 1.
 const NEGLIGIBLE: f64 = 45.0;
 
 /// Returns the shares of the nominal area at each of some non-decreasing variances of the flattening pressure, under
-/// a nominal pressure 0 < p < H(0) \[Pa\]. Areas are accurate to 1e-9 or better.
+/// a nominal pressure 0 < p < H(0) \[Pa\]. Areas are accurate to 1e-9 or better up to a spread sqrt(V) of a hundred times
+/// the hardness, and to 1e-5 beyond.
 #[must_use]
 pub fn areas_along(path: &HardnessPath, pressure_pa: f64, variances_pa2: &[f64]) -> Vec<ContactAreas> {
     if path.is_constant() {
@@ -54,9 +68,35 @@ pub fn areas_along(path: &HardnessPath, pressure_pa: f64, variances_pa2: &[f64])
             })
             .collect();
     }
+    let has_forgotten = |variance_pa2: f64| has_forgotten(path, variance_pa2);
     let mut march = March::new(path, pressure_pa);
-    march.extend_to(variances_pa2.last().copied().unwrap_or(0.0));
-    variances_pa2.iter().map(|&variance_pa2| march.areas_at(variance_pa2)).collect()
+    march.extend_to(
+        variances_pa2.iter().rfind(|variance_pa2| !has_forgotten(**variance_pa2)).copied().unwrap_or(0.0),
+    );
+    let areas = |&variance_pa2: &f64| match has_forgotten(variance_pa2) {
+        true => {
+            let hardness_pa = path.hardness_pa(variance_pa2);
+            steady(pressure_pa / hardness_pa, path.growth_of_square(variance_pa2).min(FORGOTTEN))
+        }
+        false => march.areas_at(variance_pa2),
+    };
+    variances_pa2.iter().map(areas).collect()
+}
+
+/// Returns true if the stress spreads so far above the hardness that it has forgotten where it came from.
+fn has_forgotten(path: &HardnessPath, variance_pa2: f64) -> bool {
+    path.hardness_pa(variance_pa2).powi(2) < FORGOTTEN * variance_pa2
+}
+
+/// Returns a hardness and a spread \[Pa\] at which the stress has forgotten its past although the hardness grows to its size
+/// later, which [`areas_along`] cannot follow.
+pub(crate) fn overrun(path: &HardnessPath, variances_pa2: &[f64]) -> Option<(f64, f64)> {
+    let last = variances_pa2.iter().rfind(|variance_pa2| !has_forgotten(path, **variance_pa2))?;
+    let starts = path.pieces().iter().map(|piece| piece.from_variance_pa2);
+    let ends = starts.chain([*last]).filter(|end| end <= last);
+    let before =
+        ends.flat_map(|end| [0.5 * end, end.next_down()]).find(|at| *at > 0.0 && has_forgotten(path, *at))?;
+    Some((path.hardness_pa(before), before.sqrt()))
 }
 
 /// Returns the shares under a nominal pressure 0 < p < H_0, a spread s >= 0 and a hardness H^2 = H_0^2 + c s^2, c >=
@@ -86,7 +126,8 @@ const STEADY: f64 = 8.0;
 /// A_pl = A exp(-c/2).
 fn steady(pressure: f64, growth: f64) -> ContactAreas {
     let root = (0.5 * growth).sqrt();
-    let contact = pressure * 2.0 / PI.sqrt() * root / libm::erf(root);
+    let slowing = if root > 0.0 { 2.0 / PI.sqrt() * root / libm::erf(root) } else { 1.0 };
+    let contact = (pressure * slowing).min(1.0);
     let (elastic, plastic) = (-contact * libm::expm1(-0.5 * growth), contact * (-0.5 * growth).exp());
     ContactAreas { elastic, plastic, gap: 1.0 - contact }
 }
@@ -154,19 +195,23 @@ impl<'a> March<'a> {
         let spread_pa = variance_pa2.sqrt();
         let elastic = elastic::area_fraction(self.pressure_pa, spread_pa);
         let gap = elastic::gap_fraction(self.pressure_pa, spread_pa);
-        let at = self.panels.partition_point(|panel| panel.to_pa2 < variance_pa2);
-        let panel = self.panels.get(at).filter(|panel| panel.from_pa2 < variance_pa2);
+        let at = self.panels.partition_point(|panel| panel.from_pa2 < variance_pa2);
+        let panel = at.checked_sub(1).map(|at| &self.panels[at]);
+        // Between two panels there is at most rounding.
+        let ends_before = |panel: &Panel| panel.to_pa2 < variance_pa2 * (1.0 - 2.0 * NARROWEST);
+        let panel = panel.filter(|panel| !ends_before(panel));
         let Some((panel, coefficients)) = panel.and_then(|panel| Some((panel, panel.plastic.as_ref()?)))
         else {
             return ContactAreas { elastic, plastic: 0.0, gap };
         };
-        let place = Place { variance_pa2, hardness_pa: panel.piece.hardness_pa(variance_pa2) };
-        let t = panel.variable((variance_pa2 - panel.piece.from_variance_pa2).sqrt());
+        let inside_pa2 = variance_pa2.min(panel.to_pa2);
+        let place = Place { variance_pa2: inside_pa2, hardness_pa: panel.piece.hardness_pa(inside_pa2) };
+        let t = panel.variable((inside_pa2 - panel.piece.from_variance_pa2).sqrt());
         let scale = if panel.steep { (-place.distance(self.pressure_pa)).exp() } else { 1.0 };
         let [plastic, held] = [coefficients, &panel.held].map(|polynomial| scale * value(polynomial, t));
-        let plastic = plastic.clamp(0.0, 1.0);
-        let contact = (elastic + held).min(1.0);
-        ContactAreas { elastic: (contact - plastic).max(0.0), plastic, gap: (gap - held).max(0.0) }
+        let contact = (elastic + held).clamp(0.0, 1.0);
+        let plastic = plastic.clamp(0.0, contact);
+        ContactAreas { elastic: contact - plastic, plastic, gap: (gap - held).clamp(0.0, 1.0) }
     }
 
     /// Appends the panels up to a variance, split where a piece of the path begins.
@@ -174,15 +219,16 @@ impl<'a> March<'a> {
         while self.reached_pa2 < variance_pa2 {
             let pieces = self.path.pieces();
             let next = pieces.partition_point(|piece| piece.from_variance_pa2 <= self.reached_pa2);
-            let piece = pieces[next.saturating_sub(1)];
+            let at = next.saturating_sub(1);
+            let (piece, step_pa) = (pieces[at], self.path.step_pa(at));
             let until_pa2 =
                 pieces.get(next).map_or(variance_pa2, |next| next.from_variance_pa2.min(variance_pa2));
-            self.append(piece, until_pa2);
+            self.append(piece, step_pa, until_pa2);
         }
     }
 
-    /// Appends the next panel, which ends at `until_pa2` at the latest.
-    fn append(&mut self, piece: Piece, until_pa2: f64) {
+    /// Appends the next panel, which ends at `until_pa2` at the latest, of a piece that begins with a step of the hardness.
+    fn append(&mut self, piece: Piece, step_pa: f64, until_pa2: f64) {
         let from_pa2 = self.reached_pa2;
         let place = |variance_pa2| Place { variance_pa2, hardness_pa: piece.hardness_pa(variance_pa2) };
         let distance = |variance_pa2| place(variance_pa2).distance(self.pressure_pa);
@@ -190,6 +236,13 @@ impl<'a> March<'a> {
         let kink_pa2 = piece.from_variance_pa2;
         let widest_pa = (from_pa2 - kink_pa2).sqrt() + WIDEST * from_pa2.sqrt();
         let mut to_pa2 = until_pa2.min(kink_pa2 + widest_pa * widest_pa);
+        let smooth_pa2 = piece.smooth_up_to_pa2(from_pa2);
+        if from_pa2 < smooth_pa2
+            && smooth_pa2 < to_pa2
+            && piece.hardness_pa(to_pa2) > MOST_GROWTH * piece.hardness_pa(smooth_pa2)
+        {
+            to_pa2 = smooth_pa2;
+        }
         let mut steep = self.approaching && distance(to_pa2) <= first_distance;
         // A hardness that runs away from the stress takes the plastic area with it, as steeply as exp(-E).
         while !steep
@@ -198,6 +251,18 @@ impl<'a> March<'a> {
         {
             to_pa2 = from_pa2 + 0.5 * (to_pa2 - from_pa2);
             steep = self.approaching && distance(to_pa2) <= first_distance;
+        }
+        // Beyond a step, what was at the hardness reaches the new one as exp(-step^2/(2 (V - V_i))) does.
+        if step_pa > 0.0 {
+            let reached_pa = STEP_GROWTH * (from_pa2 - kink_pa2).sqrt().max(STEP_UNREACHED * step_pa);
+            if reached_pa < STEP_OVER * step_pa {
+                to_pa2 = to_pa2.min(kink_pa2 + reached_pa * reached_pa);
+            }
+        }
+        // A hardness that grows over less than the rounding of V grows at once, over no panel.
+        if to_pa2 - from_pa2 <= NARROWEST * from_pa2 {
+            self.reached_pa2 = (from_pa2 * (1.0 + NARROWEST)).max(from_pa2.next_up()).min(until_pa2);
+            return;
         }
         self.approaching = steep;
         if self.panels.is_empty() && first_distance > UNREACHED {

@@ -18,6 +18,9 @@ pub(crate) struct Piece {
     growth_per_pa2: f64,
     /// n.
     exponent: f64,
+    /// Least ln\[1 + k (V - V_i)\]: that at the end of the piece where the variance comes to an end, which rounding of V would
+    /// miss by any amount.
+    least_log: f64,
 }
 
 /// Hardness at one wavevector of a spectrum.
@@ -39,7 +42,13 @@ impl HardnessPath {
     pub fn with_squared_growth(hardness_pa: f64, growth: f64) -> Self {
         let growth_per_pa2 = growth / (hardness_pa * hardness_pa);
         HardnessPath {
-            pieces: vec![Piece { from_variance_pa2: 0.0, hardness_pa, growth_per_pa2, exponent: 0.5 }],
+            pieces: vec![Piece {
+                from_variance_pa2: 0.0,
+                hardness_pa,
+                growth_per_pa2,
+                exponent: 0.5,
+                least_log: f64::NEG_INFINITY,
+            }],
         }
     }
 
@@ -59,9 +68,7 @@ impl HardnessPath {
         if pieces.is_empty() {
             let (variance_pa2, hardness_pa) =
                 knots.last().map_or((0.0, f64::INFINITY), |knot| (knot.variance_pa2, knot.hardness_pa));
-            let constant =
-                Piece { from_variance_pa2: variance_pa2, hardness_pa, growth_per_pa2: 0.0, exponent: 0.0 };
-            pieces.push(constant);
+            pieces.push(Piece::constant(variance_pa2, hardness_pa));
         }
         HardnessPath { pieces }
     }
@@ -73,11 +80,30 @@ impl HardnessPath {
         self.pieces[after.saturating_sub(1)].hardness_pa(variance_pa2)
     }
 
+    /// Growth d(H^2)/dV >= 0 at a variance \[Pa^2\].
+    pub(crate) fn growth_of_square(&self, variance_pa2: f64) -> f64 {
+        let after = self.pieces.partition_point(|piece| piece.from_variance_pa2 <= variance_pa2);
+        let piece = self.pieces[after.saturating_sub(1)];
+        let grown = piece.growth_per_pa2 * (variance_pa2 - piece.from_variance_pa2);
+        let growth = 2.0 * piece.exponent * piece.growth_per_pa2 / piece.log(grown).exp();
+        (piece.hardness_pa(variance_pa2).powi(2) * growth).max(0.0)
+    }
+
     /// True if the hardness is the same everywhere.
     #[must_use]
     pub fn is_constant(&self) -> bool {
         let first_pa = self.pieces[0].hardness_pa;
         self.pieces.iter().all(|piece| piece.is_constant() && piece.hardness_pa == first_pa)
+    }
+
+    /// Height \[Pa\] of the step with which the piece at a place begins; 0 where the hardness is continuous.
+    pub(crate) fn step_pa(&self, at: usize) -> f64 {
+        let Some(before) = at.checked_sub(1).map(|before| self.pieces[before]) else { return 0.0 };
+        let here = self.pieces[at];
+        // What grows over the last place of the variance grows at once.
+        let before_pa = before.hardness_pa(here.from_variance_pa2.next_down());
+        let step_pa = here.hardness_pa - before_pa;
+        if step_pa > STEP_MIN * here.hardness_pa { step_pa } else { 0.0 }
     }
 
     /// Returns the path limited to `cap_pa` > 0 \[Pa\].
@@ -98,9 +124,7 @@ impl HardnessPath {
             match from_variance_pa2 {
                 None => pieces.push(*piece),
                 Some(from_variance_pa2) => {
-                    let constant =
-                        Piece { growth_per_pa2: 0.0, exponent: 0.0, hardness_pa: cap_pa, from_variance_pa2 };
-                    pieces.push(constant);
+                    pieces.push(Piece::constant(from_variance_pa2, cap_pa));
                     break;
                 }
             }
@@ -113,6 +137,8 @@ impl HardnessPath {
     }
 }
 
+/// Step of the hardness that counts, relative to it: pieces meet to the tolerance within which knots are merged.
+const STEP_MIN: f64 = 1e-6;
 /// Upper limit of the pieces of a path.
 const MOST_PIECES: usize = 500;
 /// Relative tolerance of the first attempt to merge knots.
@@ -141,6 +167,17 @@ fn joined(knots: &[HardnessKnot], tolerance: f64) -> Vec<Piece> {
 }
 
 impl Piece {
+    /// Constant hardness \[Pa\] from a variance \[Pa^2\] on.
+    fn constant(from_variance_pa2: f64, hardness_pa: f64) -> Self {
+        Piece {
+            from_variance_pa2,
+            hardness_pa,
+            growth_per_pa2: 0.0,
+            exponent: 0.0,
+            least_log: f64::NEG_INFINITY,
+        }
+    }
+
     /// Returns true if a knot lies on the piece within a relative tolerance.
     fn meets(&self, knot: &HardnessKnot, tolerance: f64) -> bool {
         (self.hardness_pa(knot.variance_pa2) / knot.hardness_pa - 1.0).abs() <= tolerance
@@ -159,7 +196,14 @@ impl Piece {
         let growth_per_pa2 = libm::expm1(e * ln_q) / rise_pa2;
         let exponent = (end.hardness_pa / start.hardness_pa).ln() / (ln_q * e);
         let hardness_pa = start.hardness_pa;
-        Some(Piece { from_variance_pa2: start.variance_pa2, hardness_pa, growth_per_pa2, exponent })
+        let least_log = if e < 0.0 { e * ln_q } else { f64::NEG_INFINITY };
+        Some(Piece {
+            from_variance_pa2: start.variance_pa2,
+            hardness_pa,
+            growth_per_pa2,
+            exponent,
+            least_log,
+        })
     }
 
     pub(crate) fn hardness_pa(&self, variance_pa2: f64) -> f64 {
@@ -167,12 +211,31 @@ impl Piece {
         if self.exponent == 0.5 {
             return self.hardness_pa * (1.0 + growth).sqrt();
         }
-        self.hardness_pa * (self.exponent * libm::log1p(growth)).exp()
+        self.hardness_pa * (self.exponent * self.log(growth)).exp()
+    }
+
+    /// Computes ln(1 + growth), within the piece.
+    fn log(&self, growth: f64) -> f64 {
+        libm::log1p(growth.max(-1.0)).max(self.least_log)
+    }
+
+    /// Largest variance \[Pa^2\] up to which the hardness is smooth from a variance of the piece on: where the variance comes
+    /// to an end, the hardness goes on, over less and less of it.
+    pub(crate) fn smooth_up_to_pa2(&self, variance_pa2: f64) -> f64 {
+        if self.growth_per_pa2 >= 0.0 || self.exponent == 0.0 {
+            return f64::INFINITY;
+        }
+        let left_pa2 = self.from_variance_pa2 - self.growth_per_pa2.recip() - variance_pa2;
+        variance_pa2 + 0.5 * left_pa2
     }
 
     /// Variance at which the piece reaches a hardness above that of its beginning, if it does.
     fn variance_pa2_of(&self, hardness_pa: f64) -> Option<f64> {
-        let growth = libm::expm1((hardness_pa / self.hardness_pa).ln() / self.exponent);
+        let log = (hardness_pa / self.hardness_pa).ln() / self.exponent;
+        if self.exponent == 0.0 || log < self.least_log {
+            return None;
+        }
+        let growth = libm::expm1(log);
         let variance_pa2 = self.from_variance_pa2 + growth / self.growth_per_pa2;
         variance_pa2.is_finite().then_some(variance_pa2)
     }

@@ -88,6 +88,10 @@ fn of_profiles(sample: &SpectrumSample) -> f64 {
 
 /// h'^2 of the surface up to each sample, if profiles have nothing below the first one.
 fn cut_gradients(samples: &[SpectrumSample]) -> Vec<f64> {
+    // A single sample has no waves.
+    if samples.len() < 2 {
+        return vec![0.0; samples.len()];
+    }
     let tail = Tails::new(samples);
     samples.iter().enumerate().map(|(at, sample)| of_profiles(sample) - tail.beyond(at)).collect()
 }

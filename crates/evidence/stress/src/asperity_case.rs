@@ -7,6 +7,7 @@ use asperity::{
     MaterialPair,
 };
 
+use crate::group::Case;
 use crate::tally::Trial;
 use crate::{Draw, Material, Reach};
 
@@ -28,9 +29,8 @@ pub struct AsperityCase {
     pub load: f64,
 }
 
-impl AsperityCase {
-    /// Draws a random case.
-    pub fn draw(draw: &mut Draw) -> (Self, Reach) {
+impl Case for AsperityCase {
+    fn draw(draw: &mut Draw) -> (Self, Reach) {
         let reach = Reach::draw(draw);
         let [radius, ratio] = match reach {
             Reach::Usual => [(-9.0, -3.0), (-5.0, 0.0)],
@@ -51,26 +51,26 @@ impl AsperityCase {
         let hardness = draw.one_of(&Hardness::ALL);
         (AsperityCase { material, hardness, radius_m, aspect_ratio, load }, reach)
     }
-}
 
-/// Tests one asperity: every law at its load, and at every break that it announces, on it and beside it.
-pub fn try_asperity(case: &AsperityCase, reach: Reach, trial: &mut Trial<AsperityCase>) {
-    let (Ok(pair), Ok(strength)) = (case.material.pair(), case.material.strength()) else {
-        trial.refused();
-        return;
-    };
-    // Plain numbers that the laws take unchecked are checked where populations are made.
-    if ![case.radius_m, case.aspect_ratio].into_iter().all(|number| Bound::Magnitude.admits(number)) {
-        trial.refused();
-        return;
+    /// Tests every law at its load, and at every break that it announces, on it and beside it.
+    fn test(&self, reach: Reach, _: &mut Draw, trial: &mut Trial<Self>) {
+        let (Ok(pair), Ok(strength)) = (self.material.pair(), self.material.strength()) else {
+            trial.refused();
+            return;
+        };
+        // Plain numbers that the laws take unchecked are checked where populations are made.
+        if ![self.radius_m, self.aspect_ratio].into_iter().all(|number| Bound::Magnitude.admits(number)) {
+            trial.refused();
+            return;
+        }
+        let strength_pa = strength.at_depth_pa(self.load * self.radius_m);
+        let soft_pa = strength.macroscopic_strength_pa();
+        trial.hold("Nix-Gao: no NaN, at least S0", strength_pa >= soft_pa * (1.0 - f64::EPSILON));
+        spheres(self, reach, &pair, soft_pa, trial);
+        elastic(self, reach, &pair, trial);
+        boundary_elements(self, reach, &pair, trial);
+        elastic_plastic(self, reach, &pair, soft_pa, trial);
     }
-    let strength_pa = strength.at_depth_pa(case.load * case.radius_m);
-    let soft_pa = strength.macroscopic_strength_pa();
-    trial.hold("Nix-Gao: no NaN, at least S0", strength_pa >= soft_pa * (1.0 - f64::EPSILON));
-    spheres(case, reach, &pair, soft_pa, trial);
-    elastic(case, reach, &pair, trial);
-    boundary_elements(case, reach, &pair, trial);
-    elastic_plastic(case, reach, &pair, soft_pa, trial);
 }
 
 fn spheres(

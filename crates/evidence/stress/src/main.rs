@@ -7,15 +7,14 @@ use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use lexopt::prelude::*;
-use stress::{Kind, Scope};
+use stress::{Group, Kind, Scope};
 
 const HELP: &str = "\
-cargo xtask stress [--states N] [--seed S] [--threads T] [--only I] [--law NAME]
+cargo xtask stress [--states N] [--seed S] [--threads T] [--only I] [--law NAME | --group NAME]
 
-N states of the statistical model (10 million), and single asperities and stacks in proportion, drawn from the seed S
-(1), on T threads (all); the result does not depend on T. --only repeats the state number I alone, --law those of
-one law, by its name in the report. Written to target/stress/report.txt
-and report.csv.
+N states of the statistical model (10 million), and of all other groups in proportion, drawn from the seed S (1), on T
+threads (all); the result does not depend on T. --only repeats the state number I alone, --law those of one law, --group
+N states of one group, both by their names in the report. Written to target/stress/report.txt and report.csv.
 ";
 
 struct Arguments {
@@ -52,6 +51,7 @@ fn parse() -> Result<Option<Arguments>, lexopt::Error> {
             Long("seed") => arguments.seed = parser.value()?.parse()?,
             Long("threads") => arguments.threads = parser.value()?.parse()?,
             Long("law") => arguments.scope = Scope::Law(parser.value()?.parse_with(law_named)?),
+            Long("group") => arguments.scope = Scope::Group(parser.value()?.parse_with(group_named)?),
             Long("help") | Short('h') => return Ok(None),
             other => return Err(other.unexpected()),
         }
@@ -63,6 +63,12 @@ fn law_named(name: &str) -> Result<Kind, String> {
     let all = Kind::ALL.map(Kind::name);
     let place = all.iter().position(|&other| other == name);
     place.map(|place| Kind::ALL[place]).ok_or_else(|| format!("there are: {}", all.join("; ")))
+}
+
+fn group_named(name: &str) -> Result<Group, String> {
+    let all = Group::ALL.map(Group::name);
+    let place = all.iter().position(|&other| other == name);
+    place.map(|place| Group::ALL[place]).ok_or_else(|| format!("there are: {}", all.join("; ")))
 }
 
 fn stress(arguments: &Arguments) -> ExitCode {

@@ -6,32 +6,40 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use rayon::prelude::*;
 
-use crate::asperity_case::{AsperityCase, try_asperity};
-use crate::stack_case::{StackCase, try_stack};
+use crate::adhesion_case::AdhesionCase;
+use crate::asperity_case::AsperityCase;
+use crate::ball_case::BallCase;
+use crate::elements_case::ElementsCase;
+use crate::group::{Case, Group};
+use crate::interfaces_case::InterfacesCase;
+use crate::intervals_case::IntervalsCase;
+use crate::law_tables_case::LawTablesCase;
+use crate::persson_case::PerssonCase;
+use crate::roughness_case::RoughnessCase;
+use crate::scans_case::ScansCase;
+use crate::spectra_case::SpectraCase;
+use crate::stack_case::StackCase;
 use crate::statistical::{Kind, StatisticalCase};
 use crate::statistical_trial::{Sample, try_state};
+use crate::summits_case::SummitsCase;
 use crate::tally::{Tally, Trial};
 use crate::{Draw, Reach};
 
 /// Number of states in a chunk.
 const CHUNK: u64 = 2000;
-/// Seed of single asperities, so that families draw independently.
-const ASPERITY_SEED: u64 = 0x0061_7370_6572_6974;
-const STACK_SEED: u64 = 0x0073_7461_636b;
-/// Number of states of the statistical model for each single asperity and each stack.
-const ASPERITY_EVERY: u64 = 20;
-const STACK_EVERY: u64 = 40;
 
 /// Scope of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scope {
-    /// States of every law of the statistical model, and single asperities and stacks in proportion.
+    /// States of every law of the statistical model, and of all groups in proportion.
     Everything,
     /// States of one law, out of the same states.
     Law(Kind),
+    /// States of one group, one for each number.
+    Group(Group),
 }
 
-/// Draws the states of the statistical model with these numbers, as far as they are in the scope, and tests each, on
+/// Draws the states with these numbers, as far as they are in the scope, and tests each, on
 /// the threads of the current pool. `done` receives the number of states of each finished chunk.
 pub fn run(scope: Scope, states: Range<u64>, seed: u64, done: impl Fn(u64) + Sync) -> Tally {
     (states.start / CHUNK..states.end.div_ceil(CHUNK))
@@ -61,31 +69,63 @@ fn try_range(scope: Scope, seed: u64, range: Range<u64>) -> Tally {
 }
 
 fn try_one(scope: Scope, seed: u64, index: u64, tally: &mut Tally, catch: bool) {
-    let mut draw = Draw::new(seed, index);
-    let kind = Kind::ALL[(index % Kind::ALL.len() as u64) as usize];
-    if ![Scope::Everything, Scope::Law(kind)].contains(&scope) {
-        return;
+    match scope {
+        Scope::Group(group) => try_group(group, seed, index, tally, catch),
+        Scope::Law(kind) if kind != kind_of(index) => (),
+        Scope::Law(_) => try_statistical(seed, index, tally, catch),
+        Scope::Everything => {
+            try_statistical(seed, index, tally, catch);
+            let drawn = |group: &Group| index.is_multiple_of(group.every());
+            Group::ALL.into_iter().filter(drawn).for_each(|group| {
+                try_group(group, seed, index, tally, catch);
+            });
+        }
     }
+}
+
+fn kind_of(index: u64) -> Kind {
+    Kind::ALL[(index % Kind::ALL.len() as u64) as usize]
+}
+
+fn try_statistical(seed: u64, index: u64, tally: &mut Tally, catch: bool) {
+    let mut draw = Draw::new(seed, index);
+    let kind = kind_of(index);
     // Samples are taken evenly from all kinds.
     let sample = Sample::for_state(index / Kind::ALL.len() as u64);
     let (case, reach) = StatisticalCase::draw(&mut draw, kind);
     one(kind.name(), index, (&case, reach), tally, catch, |trial| {
         try_state(&case, reach, sample, &mut draw, trial)
     });
-    if scope != Scope::Everything {
+}
+
+fn try_group(group: Group, seed: u64, index: u64, tally: &mut Tally, catch: bool) {
+    let try_case = match group {
+        Group::Asperities => try_case::<AsperityCase>,
+        Group::Stacks => try_case::<StackCase>,
+        Group::Persson => try_case::<PerssonCase>,
+        Group::Summits => try_case::<SummitsCase>,
+        Group::Elements => try_case::<ElementsCase>,
+        Group::Adhesion => try_case::<AdhesionCase>,
+        Group::Balls => try_case::<BallCase>,
+        Group::Spectra => try_case::<SpectraCase>,
+        Group::Scans => try_case::<ScansCase>,
+        Group::Intervals => try_case::<IntervalsCase>,
+        Group::Interfaces => try_case::<InterfacesCase>,
+        Group::LawTables => try_case::<LawTablesCase>,
+        Group::Roughness => try_case::<RoughnessCase>,
+    };
+    try_case(group, seed, index, tally, catch);
+}
+
+fn try_case<C: Case>(group: Group, seed: u64, index: u64, tally: &mut Tally, catch: bool) {
+    let mut draw = Draw::new(seed ^ group.seed(), index);
+    // A case that needs laws to be drawn may panic as well.
+    let drawn = catch_unwind(AssertUnwindSafe(|| C::draw(&mut draw)));
+    let Ok((case, reach)) = drawn else {
+        Trial::new(tally, group.name(), index, (&"drawing", Reach::Edge)).hold("no panic", false);
         return;
-    }
-    if index.is_multiple_of(ASPERITY_EVERY) {
-        let (case, reach): (AsperityCase, Reach) =
-            AsperityCase::draw(&mut Draw::new(seed ^ ASPERITY_SEED, index));
-        one("single asperity", index, (&case, reach), tally, catch, |trial| {
-            try_asperity(&case, reach, trial)
-        });
-    }
-    if index.is_multiple_of(STACK_EVERY) {
-        let (case, reach): (StackCase, Reach) = StackCase::draw(&mut Draw::new(seed ^ STACK_SEED, index));
-        one("stack", index, (&case, reach), tally, catch, |trial| try_stack(&case, reach, trial));
-    }
+    };
+    one(group.name(), index, (&case, reach), tally, catch, |trial| case.test(reach, &mut draw, trial));
 }
 
 /// Tests one state of a family; with `catch` a panic becomes a broken promise with its inputs.

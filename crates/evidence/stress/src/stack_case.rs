@@ -3,6 +3,7 @@
 use asperity::{AsperityError, Bound};
 use stacked_contact::{Level, Scale, StackedModel, largest_full_contact_pressure_pa, levels};
 
+use crate::group::Case;
 use crate::tally::Trial;
 use crate::{Draw, Material, Reach};
 
@@ -20,8 +21,22 @@ pub struct StackCase {
 }
 
 impl StackCase {
-    /// Draws a random case.
-    pub fn draw(draw: &mut Draw) -> (Self, Reach) {
+    /// Deformation law of its scales.
+    ///
+    /// # Errors
+    /// [`AsperityError`] if a number is refused.
+    pub fn model(&self) -> Result<StackedModel, AsperityError> {
+        let pair = self.material.pair()?;
+        Ok(if self.plastic {
+            StackedModel::ElasticPlastic { pair, strength: self.material.strength()? }
+        } else {
+            StackedModel::Elastic { pair }
+        })
+    }
+}
+
+impl Case for StackCase {
+    fn draw(draw: &mut Draw) -> (Self, Reach) {
         let reach = Reach::draw(draw);
         let [pressure, longest, ratio] = match reach {
             Reach::Usual => [(2.0, 11.0), (-7.0, -2.0), (-4.0, 0.0)],
@@ -43,54 +58,40 @@ impl StackCase {
         )
     }
 
-    /// Deformation law of its scales.
-    ///
-    /// # Errors
-    /// [`AsperityError`] if a number is refused.
-    pub fn model(&self) -> Result<StackedModel, AsperityError> {
-        let pair = self.material.pair()?;
-        Ok(if self.plastic {
-            StackedModel::ElasticPlastic { pair, strength: self.material.strength()? }
-        } else {
-            StackedModel::Elastic { pair }
-        })
-    }
-}
-
-/// Tests one stack.
-pub fn try_stack(case: &StackCase, reach: Reach, trial: &mut Trial<StackCase>) {
-    // Numbers beyond thirty decades are outside of the laws' range.
-    let admitted = case.scales.iter().all(|scale| Bound::Magnitude.admits(scale.aspect_ratio()));
-    let Ok(model) = case.model() else {
-        trial.refused();
-        return;
-    };
-    if !admitted {
-        trial.refused();
-        return;
-    }
-    let curve: Vec<Level> = levels(&model, case.pressure_pa, case.scales.iter().copied()).collect();
-    for level in &curve {
-        trial.hold("stack: area fraction in [0, 1]", (0.0..=1.0).contains(&level.area_fraction));
-        trial.hold("stack: pressure no NaN, never falls", level.real_pressure_pa >= level.pressure_in_pa);
-        trial.hold(
-            "stack: strength no NaN",
-            level.yield_strength_pa.is_none_or(|strength_pa| strength_pa > 0.0),
-        );
-        if reach != Reach::Edge {
-            trial.hold("stack: finite", level.real_pressure_pa.is_finite());
-            let load_pa = level.area_fraction * level.real_pressure_pa;
-            trial.bound("stack: load", (load_pa / case.pressure_pa - 1.0).abs(), 4.0 * f64::EPSILON);
+    fn test(&self, reach: Reach, _: &mut Draw, trial: &mut Trial<Self>) {
+        // Numbers beyond thirty decades are outside of the laws' range.
+        let admitted = self.scales.iter().all(|scale| Bound::Magnitude.admits(scale.aspect_ratio()));
+        let Ok(model) = self.model() else {
+            trial.refused();
+            return;
+        };
+        if !admitted {
+            trial.refused();
+            return;
         }
-    }
-    trial.hold(
-        "stack: area falls",
-        curve.is_sorted_by(|long, short| long.area_fraction >= short.area_fraction),
-    );
-    if let (Some(last), true) = (curve.last(), reach != Reach::Edge)
-        && let Some(largest_pa) = largest_full_contact_pressure_pa(&model, case.scales.iter().copied())
-    {
-        let bound_pa = largest_pa.max(case.pressure_pa) * (1.0 + 1e-12);
-        trial.bound("stack: pressure within complete contact", last.real_pressure_pa, bound_pa);
+        let curve: Vec<Level> = levels(&model, self.pressure_pa, self.scales.iter().copied()).collect();
+        for level in &curve {
+            trial.hold("stack: area fraction in [0, 1]", (0.0..=1.0).contains(&level.area_fraction));
+            trial.hold("stack: pressure no NaN, never falls", level.real_pressure_pa >= level.pressure_in_pa);
+            trial.hold(
+                "stack: strength no NaN",
+                level.yield_strength_pa.is_none_or(|strength_pa| strength_pa > 0.0),
+            );
+            if reach != Reach::Edge {
+                trial.hold("stack: finite", level.real_pressure_pa.is_finite());
+                let load_pa = level.area_fraction * level.real_pressure_pa;
+                trial.bound("stack: load", (load_pa / self.pressure_pa - 1.0).abs(), 4.0 * f64::EPSILON);
+            }
+        }
+        trial.hold(
+            "stack: area falls",
+            curve.is_sorted_by(|long, short| long.area_fraction >= short.area_fraction),
+        );
+        if let (Some(last), true) = (curve.last(), reach != Reach::Edge)
+            && let Some(largest_pa) = largest_full_contact_pressure_pa(&model, self.scales.iter().copied())
+        {
+            let bound_pa = largest_pa.max(self.pressure_pa) * (1.0 + 1e-12);
+            trial.bound("stack: pressure within complete contact", last.real_pressure_pa, bound_pa);
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! A run short enough for every change; `cargo xtask stress` is the long one.
 
 use rayon::ThreadPoolBuilder;
-use stress::{Kind, Scope, Tally};
+use stress::{Group, Kind, Scope, Tally};
 
 fn run(states: u64, seed: u64, threads: usize) -> Tally {
     let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
@@ -20,7 +20,7 @@ fn seven_thousand_states_break_nothing() {
         })
         .collect();
     assert!(broken.is_empty(), "{}", broken.join("\n"));
-    assert_eq!(tally.states.len(), 9);
+    assert_eq!(tally.states.len(), Kind::ALL.len() + Group::ALL.len());
     for ((family, quantity), spread) in &tally.spreads {
         if *quantity == "error over its estimate" {
             assert!(spread.len() > 15 && spread.quantile(0.95) < 1.0, "{family}: {spread:?}");
@@ -44,4 +44,16 @@ fn a_run_of_one_law_tries_its_states_alone_and_finds_the_same() {
         tally.records.clone().into_iter().filter(|((of, _), _)| *of == family).collect()
     };
     assert_eq!(of_the_law(&alone), of_the_law(&whole));
+}
+
+#[test]
+fn a_run_of_one_group_finds_what_a_run_of_everything_finds() {
+    let group = Group::Interfaces;
+    let alone = stress::run(Scope::Group(group), 0..1, 7, |_| ());
+    let whole = stress::run(Scope::Everything, 0..1, 7, |_| ());
+    assert_eq!(alone.states.keys().collect::<Vec<_>>(), [&group.name()]);
+    let of_the_group = |tally: &Tally| -> Vec<_> {
+        tally.records.clone().into_iter().filter(|((of, _), _)| *of == group.name()).collect()
+    };
+    assert_eq!(of_the_group(&alone), of_the_group(&whole));
 }

@@ -1,5 +1,7 @@
 //! Intervals from draws, and their Monte Carlo errors.
 
+use std::f64::consts::LN_2;
+
 use statrs::distribution::{Continuous, ContinuousCDF, Normal};
 
 /// The largest distance of a result from the middle of its draws that counts, in standard deviations.
@@ -69,14 +71,19 @@ pub fn interval(draws: &[f64], level: f64) -> Option<Interval> {
     let low = quantile(&sorted, below);
     let high = quantile(&sorted, 1.0 - below);
     // Both ends rest on the same draws: the numbers below them are correlated by below/(1 - below).
-    let together = 2.0 * below / (1.0 - below) * low.standard_error * high.standard_error;
-    let variance = low.standard_error.powi(2) + high.standard_error.powi(2) - together;
+    let correlation = below / (1.0 - below);
     Some(Interval {
         low,
         median: quantile(&sorted, 0.5),
         high,
-        length_standard_error: variance.max(0.0).sqrt(),
+        length_standard_error: error_of_difference(low.standard_error, high.standard_error, correlation),
     })
+}
+
+/// Computes the standard error of the difference of two values with a correlation from 0 to 1.
+fn error_of_difference(first: f64, second: f64, correlation: f64) -> f64 {
+    // (a - b)^2 + 2 (1 - r) a b neither overflows nor cancels.
+    (first - second).hypot((2.0 * (1.0 - correlation)).sqrt() * first.sqrt() * second.sqrt())
 }
 
 /// Mirrors the logarithm of a share A about another one, on the scale ln(-ln(1 - A)), nearly ln A for small shares, on which
@@ -85,9 +92,28 @@ fn mirrored(ln_share: f64, ln_centre: f64) -> f64 {
     if ln_share >= 0.0 || ln_centre >= 0.0 {
         return 2.0 * ln_centre - ln_share;
     }
-    let unbounded = |ln_share: f64| (-(-ln_share.exp()).ln_1p()).ln();
-    let mirrored = 2.0 * unbounded(ln_centre) - unbounded(ln_share);
-    (-(-mirrored.exp()).exp_m1()).ln()
+    bounded(2.0 * unbounded(ln_centre) - unbounded(ln_share))
+}
+
+/// Logarithm of a share below which it agrees with -ln(1 - A) to rounding.
+const SMALL: f64 = -40.0;
+
+/// Computes ln(-ln(1 - A)) from ln A < 0, to full precision at both ends.
+fn unbounded(ln_share: f64) -> f64 {
+    if ln_share < SMALL {
+        return ln_share;
+    }
+    let ln_rest = if ln_share > -LN_2 { (-ln_share.exp_m1()).ln() } else { (-ln_share.exp()).ln_1p() };
+    (-ln_rest).ln()
+}
+
+/// Inverts [`unbounded`].
+fn bounded(unbounded: f64) -> f64 {
+    if unbounded < SMALL {
+        return unbounded;
+    }
+    let ln_rest = -unbounded.exp();
+    if ln_rest < -LN_2 { (-ln_rest.exp()).ln_1p() } else { (-ln_rest.exp_m1()).ln() }
 }
 
 /// Computes the interval of the logarithm of an area about the result of the best estimates: each end is the mean of the ends

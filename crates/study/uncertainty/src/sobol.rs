@@ -84,10 +84,18 @@ fn does_not_vary(outputs: &[f64]) -> bool {
 /// Scales outputs to mean 0 and variance 1; `None` if they do not vary or are not finite.
 fn standardised(outputs: &[f64]) -> Option<Vec<f64>> {
     let n = outputs.len() as f64;
+    let unit = unit(outputs);
+    let outputs: Vec<f64> = outputs.iter().map(|output| output * unit).collect();
     let mean = outputs.iter().sum::<f64>() / n;
     let deviation = (outputs.iter().map(|output| (output - mean).powi(2)).sum::<f64>() / n).sqrt();
     (deviation.is_finite() && deviation > 0.0)
         .then(|| outputs.iter().map(|output| (output - mean) / deviation).collect())
+}
+
+/// Power of two that brings the largest of some outputs near 1, so that squares neither overflow nor lose their digits.
+fn unit(outputs: &[f64]) -> f64 {
+    let largest = outputs.iter().fold(0.0f64, |largest, output| largest.max(output.abs()));
+    2f64.powi(-(largest.log2().clamp(-1000.0, 1000.0) as i32))
 }
 
 /// A correlation coefficient, and the influence of each draw on it.

@@ -110,7 +110,8 @@ impl HeightParameters {
         }
         let [deviation, variance, third, fourth] = sums.map(|sum| sum / points as f64);
         let rms = variance.sqrt();
-        let is_rough = rms * unit_m > ROUNDING * largest_given_m;
+        // Below the normal doubles rounding does not shrink with the numbers.
+        let is_rough = rms * unit_m > ROUNDING * largest_given_m.max(f64::MIN_POSITIVE);
         Self {
             extent,
             mean_deviation_m: deviation * unit_m,

@@ -72,7 +72,7 @@ impl MaterialRatioCurve {
         let middle = 0.5 * (from + to);
         let (upper_m, lower_m) = (level_m - slope_m * middle, level_m + slope_m * (1.0 - middle));
         let peak_share = self.ratio_at(upper_m);
-        let valley_share = self.ratio_at(lower_m);
+        let valley_share = self.last_ratio_at(lower_m);
         let mean_depth_m = |area_m: f64, share: f64| if share > 0.0 { 2.0 * area_m / share } else { 0.0 };
         let peaks_m = self.integral_m(0.0, peak_share) - peak_share * upper_m;
         let valleys_m = (1.0 - valley_share) * lower_m - self.integral_m(valley_share, 1.0);
@@ -104,8 +104,11 @@ impl MaterialRatioCurve {
     /// Fits the least-squares line to the curve between two ratios; its height \[m\] in the middle, and its slope \[m\].
     fn line(&self, from: f64, to: f64) -> (f64, f64) {
         let middle = 0.5 * (from + to);
+        // From the height at one end: heights that are equal have no slope, not even of rounding.
+        let origin_m = self.height_m(from);
         let (mut area_m, mut moment_m) = (0.0, 0.0);
         self.each_piece(from, to, |[left, right], [z_left_m, z_right_m]| {
+            let (z_left_m, z_right_m) = (z_left_m - origin_m, z_right_m - origin_m);
             let width = right - left;
             let mean_m = 0.5 * (z_left_m + z_right_m);
             area_m += width * mean_m;
@@ -113,7 +116,7 @@ impl MaterialRatioCurve {
                 width * (mean_m * (0.5 * (left + right) - middle) + (z_right_m - z_left_m) * width / 12.0);
         });
         let width = to - from;
-        (area_m / width, 12.0 * moment_m / width.powi(3))
+        (origin_m + area_m / width, 12.0 * moment_m / width.powi(3))
     }
 
     /// Integrates the height \[m\] over the ratio.
@@ -150,6 +153,16 @@ impl MaterialRatioCurve {
         let Some(below_m) = self.heights_m.get(point) else { return 1.0 };
         let above_m = self.heights_m[point - 1];
         (point as f64 - 1.0 + (above_m - height_m) / (above_m - below_m)) / self.last()
+    }
+
+    /// Computes the last ratio at which the curve is at or above a height \[m\]; 0 where it stays below.
+    fn last_ratio_at(&self, height_m: f64) -> f64 {
+        let point = self.heights_m.partition_point(|other_m| *other_m >= height_m);
+        let (Some(before), Some(below_m)) = (point.checked_sub(1), self.heights_m.get(point)) else {
+            return if point == 0 { 0.0 } else { 1.0 };
+        };
+        let above_m = self.heights_m[before];
+        (before as f64 + (above_m - height_m) / (above_m - below_m)) / self.last()
     }
 
     /// Place of the lowest height.

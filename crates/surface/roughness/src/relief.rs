@@ -37,7 +37,7 @@ pub struct Evaluation {
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum ReliefError {
-    /// No point has a height.
+    /// No point has a height, or none of those that a filter leaves.
     #[error("no point has a height")]
     NoHeights,
     /// A filter needs evenly spaced points.
@@ -122,6 +122,10 @@ impl Relief {
             relief.subtract_second_order();
         }
         relief.filter(evaluation)?;
+        // The ends of a filtered profile may have been all that was measured.
+        if relief.heights_m().all(|height_m| height_m.is_none()) {
+            return Err(ReliefError::NoHeights);
+        }
         relief.subtract_mean();
         Ok(relief)
     }
@@ -219,6 +223,9 @@ impl Relief {
 
     /// Subtracts the least-squares combination of some terms; nothing where the points do not determine one.
     fn subtract_fit<const N: usize>(&mut self, terms: impl Fn(usize) -> [f64; N]) {
+        if self.heights_m.len() - self.missing() < N {
+            return;
+        }
         // Twice: the second fit removes what rounding left of a strong curvature.
         for _ in 0..2 {
             let (mut products, mut sums) = ([[0.0; N]; N], [0.0; N]);

@@ -3,21 +3,21 @@
 use thiserror::Error;
 use units::display::length;
 
-/// Heights at even spacing along a line: at least two, all finite.
+/// Heights at even spacing along a line: at least two, all within 1e30 m.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UniformLineScan {
     spacing_m: f64,
     heights_m: Vec<f64>,
 }
 
-/// Heights at uneven positions along a line: at least two, all finite, the positions strictly rising.
+/// Heights at uneven positions along a line: at least two, all within 1e30 m, the positions strictly rising.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NonuniformLineScan {
     positions_m: Vec<f64>,
     heights_m: Vec<f64>,
 }
 
-/// Heights on a grid: at least two columns and two rows, all finite.
+/// Heights on a grid: at least two columns and two rows, all within 1e30 m.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HeightMap {
     columns: usize,
@@ -88,6 +88,17 @@ pub enum ScanError {
     UndefinedHeight {
         /// Place of the point or field.
         place: String,
+    },
+    /// A height that no surface has.
+    #[error(
+        "building a scan: the height of {place} is {}, it must be within 1e30 m; check the unit of the heights",
+        length(*.height_m)
+    )]
+    AbsurdHeight {
+        /// Place of the point or field.
+        place: String,
+        /// The height in m.
+        height_m: f64,
     },
     /// Positions and heights, or rows, of different lengths.
     #[error("building a scan: {heights} heights do not fill {what}")]
@@ -368,12 +379,18 @@ fn refuse_few(what: &'static str, found: usize) -> Result<(), ScanError> {
 /// Spacings of scans \[m\]: ratios and squares of them stay within double precision.
 const SPACINGS_M: std::ops::RangeInclusive<f64> = 1e-60..=1e60;
 
+/// Heights of scans \[m\]: their fourth powers, and squares of their slopes, stay within double precision.
+const HEIGHTS_M: std::ops::RangeInclusive<f64> = -1e30..=1e30;
+
 fn refuse_bad_spacing(what: &'static str, value: f64) -> Result<(), ScanError> {
     if SPACINGS_M.contains(&value) { Ok(()) } else { Err(ScanError::BadSpacing { what, value }) }
 }
 
 fn refuse_undefined(heights_m: &[f64], place: impl Fn(usize) -> String) -> Result<(), ScanError> {
-    match heights_m.iter().position(|height_m| !height_m.is_finite()) {
+    match heights_m.iter().position(|height_m| !HEIGHTS_M.contains(height_m)) {
+        Some(index) if heights_m[index].is_finite() => {
+            Err(ScanError::AbsurdHeight { place: place(index), height_m: heights_m[index] })
+        }
         Some(index) => Err(ScanError::UndefinedHeight { place: place(index) }),
         None => Ok(()),
     }
@@ -407,6 +424,14 @@ mod tests {
             ParallelLines::new(3, 1.0, Vec::new()).is_err() && ParallelLines::new(1, 1.0, vec![0.0]).is_err()
         );
         assert!(UniformLineScan::new(0.0, vec![0.0; 2]).is_err());
+    }
+
+    #[test]
+    fn heights_beyond_all_surfaces_are_refused() {
+        let error = HeightMap::new(2, 1.0, 1.0, vec![0.0, 0.0, 1e31, 0.0]).unwrap_err();
+        let place = "row 2, column 1".to_owned();
+        assert_eq!(error, ScanError::AbsurdHeight { place, height_m: 1e31 });
+        assert!(UniformLineScan::new(1.0, vec![-1e30, 1e30]).is_ok());
     }
 
     #[test]

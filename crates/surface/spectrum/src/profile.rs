@@ -5,12 +5,13 @@ use std::num::NonZeroU32;
 use serde::Serialize;
 
 use crate::interval::{Interval, Sample, ln_ratio};
-use crate::samples::{PsdError, check_samples};
+use crate::samples::{PsdError, check_samples, falls};
 
 /// A sampled one-dimensional power spectrum C1D in m^3, sigma^2 = (1/pi) Int_0^inf C1D dq, which is a power
 /// law of the wavevector between neighbouring samples (a straight line in log-log axes).
 ///
-/// Holds at least one sample, wavelengths strictly from long to short, and numbers that are finite and above 0.
+/// Holds at least one sample, wavelengths \[m\] strictly from long to short and within thirty decades of 1, and densities
+/// \[m^3\] above 0.
 /// Standard errors of the values are kept if the source has them.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ProfilePsd {
@@ -24,11 +25,11 @@ impl ProfilePsd {
     /// Makes a spectrum from wavelengths \[m\], strictly from long to short, and values of C1D \[m^3\].
     ///
     /// # Errors
-    /// [`PsdError`] for columns of different lengths or without rows, a wavelength or value that is not finite and
-    /// above 0, or wavelengths out of order.
+    /// [`PsdError`] for columns of different lengths or without rows, a wavelength or value out of its range, or wavelengths
+    /// out of order.
     pub fn new(wavelengths_m: Vec<f64>, c1d_m3: Vec<f64>) -> Result<Self, PsdError> {
         check_samples(&wavelengths_m, &c1d_m3, 1)?;
-        match wavelengths_m.windows(2).position(|pair| pair[0] <= pair[1]) {
+        match wavelengths_m.windows(2).position(|pair| !falls(pair[0], pair[1])) {
             Some(row) => Err(PsdError::OutOfOrder { row: row + 2, wavelength_m: wavelengths_m[row + 1] }),
             None => Ok(Self::from_samples(wavelengths_m, c1d_m3)),
         }

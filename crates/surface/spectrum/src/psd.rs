@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::abel::{area_of_profile, profile_of_area};
 use crate::convention::{Convention, ConversionError};
 use crate::profile::ProfilePsd;
-use crate::samples::{PsdError, check_samples, is_positive};
+use crate::samples::{PsdError, check_samples, falls, is_density};
 
 /// A sampled power spectrum in a stated convention: at least two wavelengths from long to short without repeats, and as
 /// many values, all finite and above 0. Standard errors of the values are optional.
@@ -24,13 +24,13 @@ impl Psd {
     /// or m^4).
     ///
     /// # Errors
-    /// [`PsdError`] for columns of different lengths, fewer than two rows, a wavelength or value that is not
-    /// finite and above 0, or a repeated wavelength.
+    /// [`PsdError`] for columns of different lengths, fewer than two rows, a wavelength or value out of its range, or a
+    /// repeated wavelength.
     pub fn new(wavelengths_m: Vec<f64>, values: Vec<f64>, convention: Convention) -> Result<Self, PsdError> {
         check_samples(&wavelengths_m, &values, 2)?;
         let mut rows: Vec<(f64, f64)> = wavelengths_m.into_iter().zip(values).collect();
         rows.sort_by(|a, b| b.0.total_cmp(&a.0));
-        if let Some(pair) = rows.windows(2).find(|pair| pair[0].0 == pair[1].0) {
+        if let Some(pair) = rows.windows(2).find(|pair| !falls(pair[0].0, pair[1].0)) {
             return Err(PsdError::RepeatedWavelength { wavelength_m: pair[0].0 });
         }
         let (wavelengths_m, values) = rows.into_iter().unzip();
@@ -104,7 +104,7 @@ impl Psd {
                 ciso_m4
             }
         };
-        if let Some(row) = values.iter().position(|&value| !is_positive(value)) {
+        if let Some(row) = values.iter().position(|&value| !is_density(value)) {
             let (wavelength_m, value) = (wavelengths_m[row], values[row]);
             return Err(ConversionError::NotPositive { from, to: other, wavelength_m, value });
         }

@@ -249,6 +249,19 @@ pub enum ReadError {
         /// The field.
         text: String,
     },
+    /// A positive number that no surface has: a wavelength beyond thirty decades from 1 m, a density beyond ninety from 1 m^3
+    /// or m^4.
+    #[error(
+        "line {line}: column '{column}' is '{text}', which no surface has; check its unit, correct it or remove the row"
+    )]
+    Absurd {
+        /// Line.
+        line: usize,
+        /// Column.
+        column: String,
+        /// The field.
+        text: String,
+    },
     /// A standard error that is infinite or negative.
     #[error(
         "line {line}: column '{column}' is '{text}'; it must be finite and at least 0: correct it, or leave it empty"
@@ -340,6 +353,7 @@ impl ReadError {
             | Self::EmptyField { line, .. }
             | Self::NotANumber { line, .. }
             | Self::OutOfRange { line, .. }
+            | Self::Absurd { line, .. }
             | Self::BadStandardError { line, .. }
             | Self::Inconsistent { line, .. }
             | Self::RepeatedWavelength { line, .. }

@@ -6,6 +6,7 @@ use crate::read::error::{Field, ReadError};
 use crate::read::header::Abscissa;
 use crate::read::layout::{AbscissaColumn, Layout};
 use crate::read::series::{ColumnKind, Row, Series};
+use crate::samples::{falls, is_density, is_wavelength};
 use units::UnitScale;
 
 /// Largest relative difference of the wavelengths of two columns.
@@ -43,7 +44,7 @@ pub(crate) fn samples(series: &Series, layout: &Layout) -> Result<(Vec<Sample>, 
 fn refuse_repeated_wavelengths(rows: &mut [Sample]) -> Result<(), ReadError> {
     // A stable sort: repetitions keep the order of their lines.
     rows.sort_by(|a, b| b.wavelength_m.total_cmp(&a.wavelength_m));
-    let repeated = rows.windows(2).filter(|pair| pair[0].wavelength_m == pair[1].wavelength_m);
+    let repeated = rows.windows(2).filter(|pair| !falls(pair[0].wavelength_m, pair[1].wavelength_m));
     match repeated.min_by_key(|pair| pair[1].line) {
         None => Ok(()),
         Some(pair) => Err(ReadError::RepeatedWavelength {
@@ -91,6 +92,7 @@ impl Fields<'_> {
         }
         let density = &self.layout.density;
         let value = self.positive(density.index, density.scale)?;
+        self.of_a_surface(density.index, is_density(value))?;
         let standard_error = self.standard_error()?;
         Ok(Sample { line: self.row.line, wavelength_m, value, standard_error })
     }
@@ -113,7 +115,9 @@ impl Fields<'_> {
 
     fn wavelength_m(&self, column: &AbscissaColumn) -> Result<f64, ReadError> {
         let value = self.positive(column.index, column.scale)?;
-        self.in_range(column.index, column.quantity.wavelength_m(value))
+        let wavelength_m = self.in_range(column.index, column.quantity.wavelength_m(value))?;
+        self.of_a_surface(column.index, is_wavelength(wavelength_m))?;
+        Ok(wavelength_m)
     }
 
     fn positive(&self, index: usize, scale: UnitScale) -> Result<f64, ReadError> {
@@ -141,6 +145,18 @@ impl Fields<'_> {
             return Ok(value);
         }
         Err(ReadError::OutOfRange {
+            line: self.row.line,
+            column: self.name(index),
+            text: self.text(index).to_owned(),
+        })
+    }
+
+    /// Refuses a positive number that is too small or too large for any spectrum.
+    fn of_a_surface(&self, index: usize, is_admitted: bool) -> Result<(), ReadError> {
+        if is_admitted {
+            return Ok(());
+        }
+        Err(ReadError::Absurd {
             line: self.row.line,
             column: self.name(index),
             text: self.text(index).to_owned(),

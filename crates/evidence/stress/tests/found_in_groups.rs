@@ -1,0 +1,301 @@
+//! States of the groups that once broke a promise, as `cargo xtask stress` printed them.
+
+use half_space::Control;
+use persson::variance::Band;
+use stress::{
+    AdhesionCase, BallCase, Case, Coating, Deformation, Draw, DrawnScan, ElementsCase, Growth, IntervalsCase,
+    LawTablesCase, PerssonCase, Reach, RoughnessCase, Shape, SmallMap, SpectraCase, Tally, Trial,
+};
+
+/// Puts a state to every test there is, with several choices of what is drawn; returns whether its numbers are taken.
+fn assert_sound<C: Case>(case: &C) -> bool {
+    const DRAWS: u64 = 8;
+    let mut tally = Tally::default();
+    for draw in 0..DRAWS {
+        let mut trial = Trial::new(&mut tally, "found", draw, (case, Reach::Wide));
+        case.test(Reach::Wide, &mut Draw::new(0, draw), &mut trial);
+    }
+    for ((_, promise), record) in &tally.records {
+        assert_eq!(record.broken, 0, "{promise}: {:?}", record.worst);
+    }
+    tally.refused.is_empty()
+}
+
+fn spiked(rows: usize, columns: usize, [length_x_m, length_y_m]: [f64; 2], height_m: f64) -> SmallMap {
+    let mut heights_m = vec![0.0; rows * columns];
+    heights_m[columns / 2] = height_m;
+    SmallMap { rows, columns, length_x_m, length_y_m, heights_m }
+}
+
+fn pressed(map: SmallMap, contact_modulus_pa: f64, pressure_pa: f64, tolerance: f64) -> ElementsCase {
+    let (periodic, layer, saturation_pa) = (true, None, None);
+    ElementsCase { map, periodic, layer, contact_modulus_pa, pressure_pa, saturation_pa, tolerance }
+}
+
+/// Heights of 1e-316 m gave NaN: the pressure over that of such waves overflowed.
+#[test]
+fn maps_of_denormal_heights_are_flat() {
+    let heights_m = vec![4.3054366e-316, 4.3054366e-316, 4.3054366e-316, 6.45815493e-316];
+    let side_m = 0.03286273974391398;
+    let map = SmallMap { rows: 2, columns: 2, length_x_m: side_m, length_y_m: side_m, heights_m };
+    assert!(assert_sound(&pressed(map, 19041.46630412386, 1.0298037423612427, 6.471092174392113e-6)));
+}
+
+/// The mean of equal heights differs from them in its last place, which was taken for roughness.
+#[test]
+fn equal_heights_are_flat() {
+    let heights_m = vec![1.8858089165099902e-7; 5];
+    let map = SmallMap {
+        rows: 1,
+        columns: 5,
+        length_x_m: 5.719839121940979e-7,
+        length_y_m: 1.6243723150294623e-7,
+        heights_m,
+    };
+    let case = pressed(map, 1148358367.5377595, 13964673540.225004, 6.522931371545821e-9);
+    assert!(assert_sound(&ElementsCase { saturation_pa: Some(353377537428.68634), ..case }));
+}
+
+/// Loads that move less than the heights are rounded to gave NaN; they are refused.
+#[test]
+fn a_load_below_the_rounding_of_the_heights_is_refused() {
+    let map = spiked(2, 2, [6.967776180898532e-6; 2], 66452.93146470902);
+    let case = pressed(map, 1472519451.6674385, 140.40283644507272, 4.724825090878694e-10);
+    assert!(!assert_sound(&case));
+    assert!(!assert_sound(&ElementsCase { periodic: false, ..case }));
+    let ball = BallCase {
+        map: spiked(4, 4, [1.2036642746897419e-11, 2.802228278385977e-12], 0.49792903424770235),
+        contact_modulus_pa: 2885511.4019242525,
+        radius_m: 4.882214895294587e-10,
+        force_n: 9.545004806702004e-24,
+        tolerance: 1.64254788838392e-10,
+    };
+    assert!(!assert_sound(&ball));
+}
+
+/// A spike under no load, which the attraction of the rest does not hold.
+#[test]
+fn a_spike_without_load() {
+    let case = AdhesionCase {
+        map: spiked(8, 12, [100.06432714872398, 424.74909658232394], 408873.31991566997),
+        contact_modulus_pa: 19322258472.63324,
+        work_j_per_m2: 1845086356609.396,
+        range_m: 603.205956108081,
+        control: Control::PressurePa(0.0),
+        from_contact: true,
+        tolerance: 6.17559183008778e-6,
+    };
+    assert_sound(&case);
+}
+
+fn persson(
+    (youngs_modulus_pa, poisson_ratio): (f64, f64),
+    spectrum: &[(f64, f64)],
+    band: Band,
+    deformation: Deformation,
+    pressure_pa: f64,
+) -> PerssonCase {
+    PerssonCase {
+        youngs_modulus_pa,
+        poisson_ratio,
+        coating: None,
+        spectrum: spectrum.to_vec(),
+        band,
+        deformation,
+        energy_factor: Some(0.45),
+        threshold: 0.42,
+        pressure_pa,
+    }
+}
+
+/// A spectrum of one sample panicked where the waves of the surface count.
+#[test]
+fn a_single_sample_has_no_waves() {
+    let case = |deformation| persson((1e11, 0.3), &[(1e-6, 1e-24)], Band::Surface, deformation, 1e6);
+    assert!(assert_sound(&case(Deformation::Elastic(None))));
+    assert!(assert_sound(&case(Deformation::Plastic(1e9, Growth::Power(0.5), None))));
+}
+
+/// Holes over which a spectrum falls so steeply that the variance ends before the wavevector does: the hardness was NaN.
+#[test]
+fn a_hardness_that_grows_after_the_variance_has_ended() {
+    let spectrum = [
+        (9.38122191305438, 0.004823554465775504),
+        (4.923730517052301, 3.7940787440398225e-5),
+        (2.6315137799394432, 3.4201608283029046e-7),
+        (1.8063942830160025, 2.0228280337071144e-8),
+        (0.9895603376130503, 2.1951285798896064e-10),
+        (0.00022590842176730815, 9.360819539174714e-38),
+        (0.0001879759716075616, 2.3512495998311387e-38),
+        (9.045688546239612e-5, 9.631904735281744e-41),
+    ];
+    let plastic = Deformation::Plastic(562.6556279850519, Growth::Power(1.507488140657112), None);
+    let bodies = (1610617.6539537723, 0.3565411696392795);
+    assert_sound(&persson(bodies, &spectrum, Band::Surface, plastic, 547.0861937248573));
+}
+
+/// Two samples a step of decades apart on a stiff base: a panel narrower than the rounding of the variance gave NaN.
+#[test]
+fn a_hardness_that_grows_at_once() {
+    let spectrum =
+        [(1.8752698403315915, 9.172047646888634e-22), (0.0002248464330326439, 6.247769670687624e-50)];
+    let plastic = Deformation::Plastic(4.076056931289541, Growth::Power(1.2434875089577078), None);
+    let bodies = (613061654143.88, 0.4948988134835846);
+    let case = persson(bodies, &spectrum, Band::Surface, plastic, 0.029621737971350363);
+    let coating = Some(Coating {
+        thickness_m: 211.11320460643583,
+        base: Some((2.089826452625311e16, 0.360196368855838)),
+    });
+    assert_sound(&PerssonCase { coating, ..case });
+}
+
+/// A stress eleven decades above the hardness: shares that did not add up to 1, and a march without end.
+#[test]
+fn a_hardness_far_below_the_stress() {
+    let spectrum = [
+        (17.778708474236858, 3.635606818504604e-15),
+        (15.769601947365327, 1.364645822428628e-15),
+        (13.006934071179264, 2.8282982840559214e-16),
+        (7.47356939048428, 3.0558202880156385e-18),
+        (3.772632489852481, 1.14604988244959e-20),
+        (1.2973701823383357, 1.867016405004085e-24),
+        (0.2765625849724086, 6.109372203143283e-30),
+    ];
+    let rows = vec![
+        (50.190850363882284, 0.02317511512096266),
+        (6.250718474303244, 0.029394654145683652),
+        (0.06606460105028279, 0.26732662013831165),
+    ];
+    let plastic = Deformation::Plastic(0.02317511512096266, Growth::Table(rows), Some(16.659353329398023));
+    let bodies = (5823513831270.281, 0.34805682059532655);
+    assert_sound(&persson(bodies, &spectrum, Band::Profile, plastic, 0.0225));
+}
+
+/// A hardness that does not grow reached its upper limit where the variance ends.
+#[test]
+fn a_constant_hardness_never_reaches_its_limit() {
+    let spectrum = [
+        (616.352273354575, 0.010105258911700507),
+        (201.20441970915059, 0.009477421342006678),
+        (21.032929031752833, 7.565206643899038e-6),
+        (1.2592005423685728, 4.777349368633652e-10),
+        (0.6921350389836162, 1.2017104010248177e-10),
+        (0.002608235421731376, 4.787668693820879e-31),
+        (0.00038178277986550464, 7.719296498547957e-31),
+    ];
+    let plastic = Deformation::Plastic(0.19777609662700377, Growth::Power(0.0), Some(1.6735829151765924));
+    let bodies = (16901196667.72611, 0.11818917515232363);
+    assert!(assert_sound(&persson(bodies, &spectrum, Band::Surface, plastic, 0.06934617624227242)));
+}
+
+/// A pressure thirteen decades below the hardness was lost in the difference of both: a gap share off by 3e-7.
+#[test]
+fn a_pressure_far_below_the_hardness() {
+    let spectrum = [(1e-6, 1e-26), (1e-7, 1e-29)];
+    let plastic = Deformation::Plastic(1e18, Growth::Constant, None);
+    assert!(assert_sound(&persson((1e9, 0.3), &spectrum, Band::Profile, plastic, 1e5)));
+}
+
+/// Two wavelengths that agree to rounding have one wavevector, and no slope between them: moments of the area were NaN.
+#[test]
+fn wavelengths_that_agree_to_rounding_are_refused() {
+    let wavelength_m = 3.3751749523053838e-9f64;
+    let rows = vec![
+        (9.06925765397715e-6, 5e-23),
+        (wavelength_m, 4.6e-29),
+        (wavelength_m.next_down(), 4.6e-29),
+        (1e-9, 1e-30),
+    ];
+    assert!(!assert_sound(&SpectraCase { rows, per_decade: 57 }));
+}
+
+/// Densities of 1e308 m^3 made moments infinite, and a capacity overflow.
+#[test]
+fn densities_that_no_surface_has_are_refused() {
+    let rows = vec![(1.4e-5, 8e-13), (2.6e-6, f64::MAX), (8e-7, 1.9e307), (1e-8, 1e-155)];
+    assert!(!assert_sound(&SpectraCase { rows, per_decade: 6 }));
+    assert!(!assert_sound(&SpectraCase { rows: vec![(1e-5, 1e-20), (1e-6, 5e-324)], per_decade: 6 }));
+}
+
+/// Shares near 1 and shares below the smallest double were mirrored to NaN.
+#[test]
+fn intervals_of_areas_at_both_ends() {
+    for draws in
+        [vec![2.0687e-320, 2.0586e-319], vec![-745.0, -1e-300, -3.0, 1e-12], vec![740.0, 700.0, 600.0]]
+    {
+        for best in [-1.43e-322, -40.0, -745.0] {
+            assert!(assert_sound(&IntervalsCase { draws: draws.clone(), best, level: 0.68 }));
+        }
+    }
+}
+
+/// Draws of 1e-161 lost the digits of their variance, and draws of 1e200 overflowed it.
+#[test]
+fn draws_of_every_size() {
+    let shape = [
+        -2.89, 2.40, -0.38, -1.14, 1.46, 1.97, 1.11, 1.88, 0.50, -0.45, -2.91, -1.75, 1.0, -1.27, 0.86, -1.2,
+        -2.6,
+    ];
+    for size in [1e-161, 1.0, 1e200] {
+        let draws: Vec<f64> = shape.iter().map(|value| size * value).collect();
+        assert!(assert_sound(&IntervalsCase { best: draws[0], draws, level: 0.95 }));
+    }
+}
+
+/// Overclosures that agree to the last digit of the first gap came back with another pressure; such a range is refused.
+#[test]
+fn a_law_whose_overclosures_are_lost_is_refused() {
+    let case = LawTablesCase {
+        shape: Shape::Power(2.5928659738173483),
+        length_m: 4.440566203637786e-8,
+        range_pa: [1894.6719479376054, 12086779709512.742],
+        tolerance: 0.22524262558893815,
+        units: contact_law::UnitSystem::Inches,
+    };
+    assert!(!assert_sound(&case));
+    let huge = LawTablesCase {
+        shape: Shape::Plateau(49.8),
+        length_m: f64::MAX,
+        range_pa: [3.4, 7.0],
+        tolerance: 1e-5,
+        ..case
+    };
+    assert!(!assert_sound(&huge));
+}
+
+fn profile(heights_m: Vec<f64>, missing: Vec<usize>) -> DrawnScan {
+    let length_m = 4.9e-6;
+    let columns = heights_m.len();
+    let (rows, positions_m) = (None, None);
+    DrawnScan { columns, rows, length_x_m: length_m, length_y_m: length_m, heights_m, missing, positions_m }
+}
+
+/// Heights that are equal but for a pit gave peaks beyond the valleys, by a slope of rounding.
+#[test]
+fn a_plateau_with_a_pit() {
+    let mut heights_m = vec![1.7004798150183264e-7; 9];
+    heights_m[1] = 1.700475058418851e-7;
+    let scan = profile(heights_m, vec![3]);
+    let form = roughness::FormRemoval::None;
+    assert!(assert_sound(&RoughnessCase { scan, form, cutoffs_m: [None, None] }));
+}
+
+/// A filter drops the only point of a profile that has a height: a panic.
+#[test]
+fn a_profile_without_heights_behind_its_filter() {
+    let heights_m: Vec<f64> = (0..26).map(|at| 1e-7 * f64::from(at % 7)).collect();
+    let scan = profile(heights_m, (0..25).collect());
+    let form = roughness::FormRemoval::Plane;
+    assert!(!assert_sound(&RoughnessCase { scan, form, cutoffs_m: [Some(9.02959175298666e-7), None] }));
+}
+
+/// Five points do not determine a form of six numbers: the transposed map had another one.
+#[test]
+fn fewer_points_than_the_form_has_numbers() {
+    let mut heights_m = vec![-0.0016362023817578703; 16];
+    heights_m[12] = -0.0018974200568570103;
+    let missing = vec![0, 2, 3, 4, 7, 8, 9, 10, 11, 14, 15];
+    let scan = DrawnScan { rows: Some(4), columns: 4, ..profile(heights_m, missing) };
+    let form = roughness::FormRemoval::SecondOrder;
+    assert!(assert_sound(&RoughnessCase { scan, form, cutoffs_m: [None, None] }));
+}
