@@ -49,16 +49,10 @@ pub(crate) fn gap_against_load(
         let label = "loads of the scene".to_owned();
         Some(Mark { label, is_ring: false, condition_index: None, x, y, low: low.min(y), high: high.max(y) })
     };
+    let series = [whole, law].into_iter().filter(|line| !line.points.is_empty()).collect();
     Some(FigureData {
-        name: "gap".to_owned(),
-        shows: Shows::AreaAgainstLoad,
         title: "Mean gap against load".to_owned(),
-        x: PRESSURE,
-        x_label: PRESSURE.label.to_owned(),
-        y_label: "mean gap (m)",
-        series: [whole, law].into_iter().filter(|line| !line.points.is_empty()).collect(),
-        bands: Vec::new(),
-        gaps: Vec::new(),
         marks: (0..scene.needs.loads.len()).filter_map(mark).collect(),
+        ..FigureData::new("gap", Shows::Response, PRESSURE, "mean gap (m)", series)
     })
 }
