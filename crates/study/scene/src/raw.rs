@@ -365,6 +365,9 @@ pub(super) struct RawInterface {
     pub shear_strength: Option<RawQuantity>,
     pub work_of_adhesion: Option<RawQuantity>,
     pub range_of_attraction: Option<RawQuantity>,
+    pub friction: Option<Spanned<f64>>,
+    pub tangential_stress: Option<RawQuantity>,
+    pub share_of_sliding: Option<Spanned<f64>>,
 }
 
 #[derive(Debug, Default, Deserialize)]

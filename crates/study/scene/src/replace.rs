@@ -23,7 +23,7 @@ const OTHER_NAMES: [(&str, [&str; 2]); 2] =
 
 /// The SI units of the keys that are typed with a unit, so that a plain number can be given for them; those of bodies are in
 /// their own table.
-const SI_UNITS: [(&str, &str); 15] = [
+const SI_UNITS: [(&str, &str); 16] = [
     ("surface.rms_height", "m"),
     ("surface.mean_width", "m"),
     ("surface.rolloff_wavelength", "m"),
@@ -35,6 +35,7 @@ const SI_UNITS: [(&str, &str); 15] = [
     ("interface.shear_strength", "Pa"),
     ("interface.work_of_adhesion", "J/m^2"),
     ("interface.range_of_attraction", "m"),
+    ("interface.tangential_stress", "Pa"),
     ("seal.pressure_drop", "Pa"),
     ("seal.viscosity", "Pa s"),
     ("seal.breadth", "m"),

@@ -3,6 +3,7 @@
 mod curve_look;
 mod of_results;
 mod of_scans;
+mod shear_loops;
 mod table;
 
 use serde::{Deserialize, Serialize};
@@ -10,6 +11,7 @@ use spectrum::Hole;
 
 pub use curve_look::{CurveLook, Variant};
 pub use of_scans::{composite_figure, over_scans};
+pub use shear_loops::{ShearLoop, shear_loops};
 
 /// The subject of a figure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
