@@ -6,6 +6,7 @@ use rough_bem::{Pressing, Relief, Surfaces};
 use serde::{Deserialize, Serialize};
 use study::surface::Surface;
 
+use crate::ball_figure::averaged_pressure;
 use crate::elements::{RandomInput, notes_on_map, notes_on_spectrum, random_surfaces};
 use crate::{Answer, MaterialInput, Note, QuestionError};
 
@@ -105,7 +106,7 @@ impl PreparedBall {
         } else {
             notes.push(Note::OnePlace);
         }
-        Ok(Answer { table: ball_table(&states), notes, figure: None })
+        Ok(Answer { table: ball_table(&states), notes, figure: averaged_pressure(&states) })
     }
 }
 

@@ -125,7 +125,7 @@ fn press_ball(args: &BemArgs, radius: Length, force: Force, context: &Context<'_
     };
     let comments = told(comments, &prepared.notes, &prepared.surfaces);
     timings.lap("reading");
-    write(|progress| prepared.answer(progress), &comments, timings, context)
+    write(|progress| prepared.answer(progress), args, &comments, timings, context)
 }
 
 /// Presses surfaces that attract each other, or pulls them apart.
@@ -156,12 +156,13 @@ fn press_adhesive(
     };
     let comments = told(comments, &prepared.notes, &prepared.surfaces);
     timings.lap("reading");
-    write(|progress| prepared.answer(progress), &comments, timings, context)
+    write(|progress| prepared.answer(progress), args, &comments, timings, context)
 }
 
-/// Finds an answer, says its notes, and writes its table.
+/// Finds an answer, says its notes, and writes its table and its figure.
 fn write(
     answer: impl FnOnce(&Progress) -> Result<Answer, QuestionError>,
+    args: &BemArgs,
     comments: &[String],
     mut timings: Timings,
     context: &Context<'_>,
@@ -172,6 +173,8 @@ fn write(
     timings.lap("pressing");
     say_all(&answer.notes, &Flags);
     let mut files = StagedFiles::default();
+    let (picture, figure) = (args.figure.figure.as_ref(), answer.figure.as_ref());
+    context.stage_figure(&mut files, picture, figure, &args.surface.path, comments)?;
     context.stage_blocks(&mut files, &context.shared.output, context.wanted(comments), |out| {
         Ok(out.block(&answer.table)?)
     })?;

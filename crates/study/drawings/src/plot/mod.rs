@@ -48,6 +48,8 @@ const POINTS_PER_MM: f64 = 72.0 / 25.4;
 /// The most lines that get labels. Labels of more lines find no place between them, and searching takes the square of
 /// the number of lines.
 const MAX_LABELLED: usize = 100;
+/// The width of the label of the ordinate, with the tick and the distances beside them.
+const AXIS_LABEL_PX: f64 = 36.0;
 /// The size of the labels of ticks, at most.
 const TICK_LETTERS_PX: f64 = 12.0;
 
@@ -148,7 +150,7 @@ fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData], id: &str) 
         .with_label_size(13)
         .with_x_label(rulers.x_label(figure))
         .with_y_label(rulers.y_label(figure));
-    let layout = with_room_at_the_end(layout, x);
+    let layout = with_room_at_the_end(with_room_for_numbers(layout, y), x);
     let computed = ComputedLayout::from_layout(&layout);
     let mut scene = canvas::with_axes(layout, id, |computed| {
         let of_trace = |trace: &&Trace| {
@@ -219,6 +221,16 @@ struct Trace {
 fn label_group(figure: &FigureData, at: usize) -> usize {
     let series = &figure.series[at];
     series.look.map_or_else(|| colour_index(figure, series.condition_index), |_| at)
+}
+
+/// Widens the left margin for the labels of a linear ordinate, whose minus signs the library takes for narrow.
+fn with_room_for_numbers(layout: Layout, y: &Ruler) -> Layout {
+    let Ruler::Steps(steps) = y else { return layout };
+    let computed = ComputedLayout::from_layout(&layout);
+    let widest = [steps.first, steps.last]
+        .map(|place| text_width_px(&layout.y_tick_format.format(place), TICK_LETTERS_PX));
+    let left = widest[0].max(widest[1]) + AXIS_LABEL_PX;
+    layout.with_force_margins(computed.margin_left.max(left), computed.margin_right)
 }
 
 /// Widens the right margin so that the last label of the abscissa ends inside the picture.
@@ -303,6 +315,7 @@ fn shape(computed: &ComputedLayout, ink: &Ink, points: &[(f64, f64)]) -> Primiti
 fn text_width_px(text: &str, size_px: f64) -> f64 {
     let width = |c: char| match c {
         'm' | 'M' | 'W' => 0.98,
+        '\u{2212}' => 0.84,
         ' ' => 0.35,
         c if c.is_ascii() || c == '×' => 0.62,
         _ => 0.48,
