@@ -76,17 +76,12 @@ pub fn figure_svg(
         curve_index: 0,
         points: drawn(xs, lows).zip(drawn(xs, highs)).map(|((x, low), (_, high))| (x, [low, high])).collect(),
     });
+    let shows = if y.column == "area_fraction" { Shows::Area } else { Shows::Psd };
     let figure = FigureData {
-        name: "picture".to_owned(),
-        shows: if y.column == "area_fraction" { Shows::Area } else { Shows::Psd },
         title: title.clone(),
-        x,
-        x_label: x.label.to_owned(),
-        y_label: y.label,
-        series: series.collect(),
         bands: bands.collect(),
         gaps: holes,
-        marks: Vec::new(),
+        ..FigureData::new("picture", shows, x, y.label, series.collect())
     };
     Ok(plot::svg(&figure, "", &[]))
 }

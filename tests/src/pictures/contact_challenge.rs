@@ -76,17 +76,12 @@ pub(super) fn area_over_load() -> Picture {
         let points = pressures_pa.iter().enumerate().map(point).collect();
         dashed("", 0, line(label, colour, points))
     };
+    let x = Axis { column: "x", label: "nominal pressure p/(E* h')" };
+    let series = CURVES.iter().enumerate().map(drawn).collect();
     let figure = FigureData {
-        name: "contact-challenge".to_owned(),
-        shows: Shows::Area,
         title: "Contact-Mechanics Challenge without adhesion".to_owned(),
-        x: Axis { column: "x", label: "nominal pressure p/(E* h')" },
-        x_label: "nominal pressure p/(E* h')".to_owned(),
-        y_label: "area over load, A/(p/E* h')",
-        series: CURVES.iter().enumerate().map(drawn).collect(),
-        bands: Vec::new(),
-        gaps: Vec::new(),
         marks,
+        ..FigureData::new("contact-challenge", Shows::Response, x, "area over load, A/(p/E* h')", series)
     };
     let subject = "area over load: one large grid, the judge, closed forms";
     Picture { name: "contact-challenge", svg: plot::svg(&figure, subject, &[PROVENANCE.to_owned()]) }

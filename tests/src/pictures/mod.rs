@@ -7,6 +7,7 @@
 //! ```
 
 pub mod contact_challenge;
+mod responses;
 mod same_picture;
 mod sinusoid;
 mod spectrum_and_stack;
@@ -55,6 +56,8 @@ pub fn pictures() -> Vec<Picture> {
         spectrum_and_stack::sampling(),
         spectrum_and_stack::strain_gradient(),
         contact_challenge::area_over_load(),
+        responses::pull_off(),
+        responses::shear_loop(),
     ]
     .into()
 }
@@ -115,18 +118,10 @@ fn picture(
     [x_label, y_label]: [&'static str; 2],
     series: Vec<Series>,
 ) -> Picture {
-    let figure = FigureData {
-        name: name.to_owned(),
-        shows: Shows::Area,
-        title: title.to_owned(),
-        x: Axis { column: "x", label: x_label },
-        x_label: x_label.to_owned(),
-        y_label,
-        series,
-        bands: Vec::new(),
-        gaps: Vec::new(),
-        marks: Vec::new(),
-    };
+    // Ordinates without a unit are shares, in percent.
+    let shows = if y_label.ends_with(" (Pa)") { Shows::Response } else { Shows::Area };
+    let x = Axis { column: "x", label: x_label };
+    let figure = FigureData { title: title.to_owned(), ..FigureData::new(name, shows, x, y_label, series) };
     Picture { name, svg: plot::svg(&figure, subject, &[PROVENANCE.to_owned()]) }
 }
 

@@ -310,8 +310,14 @@ fn a_ball_on_a_nearly_smooth_map_is_hertz() {
 fn a_ball_on_surfaces_of_a_spectrum_has_a_row_for_each_place() {
     let bench = with_spectrum();
     let ball = ["--realisations", "3", "--ball-radius", "10m", "--force", "1.07MN"];
-    let table = bench.run(&call(&[&SURFACES, &ball])).ok();
+    let table = bench.run(&call(&[&SURFACES, &ball, &["--figure", "ball.svg"]])).ok();
     assert_eq!(numbers(&table, "realisation"), [1.0, 2.0, 3.0]);
+    let drawn = bench.read("ball.svg");
+    for label in
+        [">Hertz<", ">rough flat<", ">distance from the axis (mm)<", ">standard deviation between places<"]
+    {
+        assert!(drawn.contains(label), "{label}: {drawn}");
+    }
     let areas_m2 = numbers(&table, "real_area_m2");
     assert!(areas_m2.windows(2).all(|pair| pair[0] != pair[1] && pair[0] > 0.0), "{areas_m2:?}");
 }
@@ -360,7 +366,17 @@ fn adhesive_waves_are_pressed_and_pulled() {
     let areas = numbers(&pressed, "area_fraction");
     let plain = numbers(&bench.run(&call(&[&WAVES, &["--pressure", "20MPa"]])).ok(), "area_fraction")[0];
     assert!(areas.len() == 2 && areas.iter().all(|area| *area > plain && *area <= 1.0), "{areas:?} {plain}");
-    let pulled = bench.run(&call(&[&WAVES, &adhesive, &["--pull-off"]])).ok();
+    let pulled = bench.run(&call(&[&WAVES, &adhesive, &["--pull-off", "--figure", "pulled.svg"]])).ok();
+    let drawn = bench.read("pulled.svg");
+    for label in [">mean gap (nm)<", ">mean pressure (MPa)<", ">pull-off<", "\u{2212}"] {
+        assert!(drawn.contains(label), "{label}: {drawn}");
+    }
+    let loads = ["--branch", "both", "--pressure=-1MPa", "--pressure", "20MPa", "--pressure", "60MPa"];
+    bench.run(&call(&[&WAVES, &adhesive, &loads, &["--figure", "branches.svg"]])).ok();
+    let drawn = bench.read("branches.svg");
+    for label in [">from first touch<", ">from full contact<", ">nominal pressure (MPa)<", " %<"] {
+        assert!(drawn.contains(label), "{label}: {drawn}");
+    }
     let loads = numbers(&pulled, "nominal_pressure_pa");
     let strongest = loads.iter().copied().fold(0.0, f64::min);
     assert!(strongest < 0.0 && *loads.last().unwrap() > 0.25 * strongest, "{loads:?}");

@@ -193,7 +193,7 @@ fn options_without_bearing_and_missing_ones_are_refused() {
     for (quantity, given, names) in [
         ("pressure", &CONDUCTORS[..], ["--thermal-conductivity", "--quantity pressure"]),
         ("pressure", &AIR, ["--gas-conductivity", "--quantity pressure"]),
-        ("pressure", &["--model", "yovanovich"], ["yovanovich", "heat"]),
+        ("pressure", &["--model", "yovanovich"], ["--model yovanovich", "--quantity heat"]),
         ("heat", &RESISTORS, ["--resistivity", "--quantity heat"]),
         ("heat", &["--form", "exponential"], ["--form", "--quantity heat"]),
         ("current", &["--name", "GASKET"], ["--name", "--quantity current"]),

@@ -240,6 +240,25 @@ fn a_sheared_surface_follows_its_normal_law() {
 }
 
 #[test]
+fn a_loop_is_drawn_for_each_tangential_load_that_sticks() {
+    let bench = power_law();
+    let drawn = |options: &[&str]| {
+        shear(&bench, &[&["--model", "persson", "--figure", "loop.svg"], options]).ok();
+        bench.read("loop.svg")
+    };
+    let one = drawn(&["--tangential-stress", "1e-4Pa"]);
+    for label in [">first loading<", ">unloading<", ">reloading<", "J/m² lost"] {
+        assert!(one.contains(label), "{label}: {one}");
+    }
+    let shares = drawn(&[]);
+    assert_eq!(shares.matches("lost per cycle").count(), 3, "{shares}");
+    let sliding = ["--model", "persson", "--figure", "loop.svg", "--tangential-stress", "1Pa"];
+    shear(&bench, &[&sliding]).refused_naming(&["--figure", "--tangential-stress"]);
+    let many = ["--model", "persson", "--figure", "loop.svg", "--pressures", "1e-5Pa:1e-3Pa:20"];
+    shear(&bench, &[&many]).refused_naming(&["--figure", "21"]);
+}
+
+#[test]
 fn a_stress_beyond_friction_slides_and_models_that_yield_are_refused() {
     let bench = power_law();
     let stresses = ["--model", "hertz", "--tangential-stress", "1e-4Pa", "--tangential-stress", "3e-4Pa"];

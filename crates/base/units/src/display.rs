@@ -50,6 +50,13 @@ pub fn pressure(pressure_pa: f64) -> String {
     with_prefix(LEAST_DIGITS, pressure_pa, &[("TPa", 12), ("GPa", 9), ("MPa", 6), ("kPa", 3), ("Pa", 0)])
 }
 
+/// Formats an energy per area \[J/m^2\] with three significant digits, e.g. `1.2 mJ/m²`.
+#[must_use]
+pub fn energy_per_area(energy_j_per_m2: f64) -> String {
+    let units = [("J/m²", 0), ("mJ/m²", -3), ("µJ/m²", -6), ("nJ/m²", -9), ("pJ/m²", -12)];
+    with_prefix(LEAST_DIGITS, energy_j_per_m2, &units)
+}
+
 /// Formats a value with the largest fitting prefix; zero and values that are not finite take the plain unit.
 fn with_prefix(digits: usize, value: f64, units: &[(&str, i32)]) -> String {
     let has_size = value.is_finite() && value != 0.0;

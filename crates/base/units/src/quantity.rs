@@ -193,6 +193,26 @@ impl FromStr for IndentationHardness {
     }
 }
 
+impl Pressure {
+    /// Parses a pressure that a minus sign in front makes a pull.
+    ///
+    /// # Errors
+    /// Those of parsing a pressure; zero is refused.
+    pub fn parse_signed(text: &str) -> Result<Self, QuantityError> {
+        match text
+            .trim_start()
+            .strip_prefix('-')
+            .filter(|size| size.starts_with(|c: char| c.is_ascii_digit() || c == '.'))
+        {
+            Some(size) => size.parse().map(|pressure| match pressure {
+                Pressure::Pascals(pa) => Pressure::Pascals(-pa),
+                Pressure::Hardnesses(hardnesses) => Pressure::Hardnesses(-hardnesses),
+            }),
+            None => text.parse(),
+        }
+    }
+}
+
 impl FromStr for Pressure {
     type Err = QuantityError;
 
@@ -211,6 +231,16 @@ mod tests {
 
     fn metres(text: &str) -> f64 {
         text.parse::<Length>().unwrap().m
+    }
+
+    #[test]
+    fn a_minus_sign_makes_a_pull_where_it_is_asked_for() {
+        assert_eq!(Pressure::parse_signed("-5kPa"), Ok(Pressure::Pascals(-5e3)));
+        assert_eq!(Pressure::parse_signed("5kPa"), Ok(Pressure::Pascals(5e3)));
+        for refused in ["--5kPa", "0Pa", "-0Pa", "- 5kPa", "-"] {
+            assert!(Pressure::parse_signed(refused).is_err(), "{refused}");
+        }
+        assert!("-5kPa".parse::<Pressure>().is_err());
     }
 
     #[test]

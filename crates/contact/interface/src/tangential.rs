@@ -12,6 +12,9 @@ use std::sync::LazyLock;
 use numerics::GaussLegendre;
 use units::{Bound, OutOfBounds};
 
+/// Dundurs' beta above which the coupling of normal and tangential tractions is worth a warning.
+pub const NOTICEABLE_MISMATCH: f64 = 0.1;
+
 /// Widest part of ln p that one rule of nodes covers.
 const WIDEST_PART: f64 = 0.7;
 
@@ -49,6 +52,18 @@ pub struct ShearedContact {
     pub dissipation_j_per_m2: f64,
     /// Equivalent viscous damping ratio of that cycle: the energy lost over 2 pi q d.
     pub damping_ratio: f64,
+}
+
+/// A cycle of the tangential stress between q and -q under a constant pressure, after first loading. Points are tangential
+/// displacements d \[m\] and stresses \[Pa\], with rising displacements.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+pub struct ShearCycle {
+    /// From no stress to q.
+    pub first_loading: Vec<(f64, f64)>,
+    /// From q to -q, which is run through backwards.
+    pub unloading: Vec<(f64, f64)>,
+    /// From -q to q.
+    pub reloading: Vec<(f64, f64)>,
 }
 
 impl ShearedPair {
@@ -115,20 +130,13 @@ impl ShearedPair {
         share: f64,
         mut stiffness_pa_per_m: impl FnMut(f64) -> Result<f64, E>,
     ) -> Result<ShearedContact, E> {
-        let extent = -(-share).ln_1p();
-        let parts = (extent / WIDEST_PART).ceil().max(1.0);
-        let width = extent / parts;
         let (mut approach_m, mut loss) = (0.0, 0.0);
-        for part in 0..parts as usize {
+        each_part(pressure_pa, [0.0, extent(share)], &mut stiffness_pa_per_m, |below, part_m| {
             // s = p e^-below; p + p* - 2 s = p (2 [1 - e^-below] - share), without cancellation.
-            for (below, weight) in RULE.over(part as f64 * width, (part + 1) as f64 * width) {
-                let slipped = -(-below).exp_m1();
-                let at_pa = pressure_pa * (-below).exp();
-                let compliance = weight * at_pa / stiffness_pa_per_m(at_pa)?;
-                approach_m += compliance;
-                loss += compliance * pressure_pa * (2.0 * slipped - share);
-            }
-        }
+            let slipped = -(-below).exp_m1();
+            approach_m += part_m;
+            loss += part_m * pressure_pa * (2.0 * slipped - share);
+        })?;
         let stuck_pressure_pa = pressure_pa * (1.0 - share);
         let displacement_m = self.friction * self.compliance_ratio * approach_m;
         let dissipation_j_per_m2 = 4.0 * self.friction * self.friction * self.compliance_ratio * loss;
@@ -142,6 +150,64 @@ impl ShearedPair {
             damping_ratio: dissipation_j_per_m2 / (2.0 * PI * stress_pa * displacement_m),
         })
     }
+
+    /// Follows the stress to a share, above 0 and below 1, of friction times pressure, back to its opposite, and up again. Each
+    /// part of the cycle has `steps` steps, at least 1. `stiffness_pa_per_m` is the normal stiffness under a pressure \[Pa\].
+    ///
+    /// On the way back d = d_max - 2 D((q_max - q)/2), where D is the displacement of first loading (Masing 1926).
+    ///
+    /// # Errors
+    /// Errors of `stiffness_pa_per_m`.
+    pub fn cycle<E>(
+        &self,
+        pressure_pa: f64,
+        share: f64,
+        steps: usize,
+        mut stiffness_pa_per_m: impl FnMut(f64) -> Result<f64, E>,
+    ) -> Result<ShearCycle, E> {
+        let steps = steps.max(1);
+        let mut first_loading = vec![(0.0, 0.0)];
+        let (mut approach_m, mut from) = (0.0, 0.0);
+        for step in 1..=steps {
+            // Closer towards the end, where the curve bends.
+            let left = (steps - step) as f64 / steps as f64;
+            let reached = share * (1.0 - left * left);
+            let to = extent(reached);
+            each_part(pressure_pa, [from, to], &mut stiffness_pa_per_m, |_, part_m| approach_m += part_m)?;
+            from = to;
+            let displacement_m = self.friction * self.compliance_ratio * approach_m;
+            first_loading.push((displacement_m, reached * self.friction * pressure_pa));
+        }
+        let (most_m, most_pa) = first_loading[steps];
+        let back = |(way_m, way_pa): &(f64, f64)| (most_m - 2.0 * way_m, most_pa - 2.0 * way_pa);
+        let unloading: Vec<(f64, f64)> = first_loading.iter().rev().map(back).collect();
+        let reloading = unloading.iter().rev().map(|(at_m, at_pa)| (-at_m, -at_pa)).collect();
+        Ok(ShearCycle { first_loading, unloading, reloading })
+    }
+}
+
+/// The distance of ln p* below ln p at a share of friction times pressure.
+fn extent(share: f64) -> f64 {
+    -(-share).ln_1p()
+}
+
+/// Passes ln p - ln s and ds/K(s) \[m\] at the nodes of an integral over the pressures s between two distances of ln s below
+/// ln p.
+fn each_part<E>(
+    pressure_pa: f64,
+    [from, to]: [f64; 2],
+    stiffness_pa_per_m: &mut impl FnMut(f64) -> Result<f64, E>,
+    mut take: impl FnMut(f64, f64),
+) -> Result<(), E> {
+    let parts = ((to - from) / WIDEST_PART).ceil().max(1.0);
+    let width = (to - from) / parts;
+    for part in 0..parts as usize {
+        for (below, weight) in RULE.over(from + part as f64 * width, from + (part + 1) as f64 * width) {
+            let at_pa = pressure_pa * (-below).exp();
+            take(below, weight * at_pa / stiffness_pa_per_m(at_pa)?);
+        }
+    }
+    Ok(())
 }
 
 #[cfg(test)]
@@ -216,6 +282,38 @@ mod tests {
                     friction * friction * eta * decay_m * pressure_pa * braces,
                 );
             }
+        }
+    }
+
+    #[test]
+    fn a_cycle_encloses_the_energy_lost_and_follows_the_curve_of_first_loading() {
+        let (pressure_pa, decay_m) = (1e6, 1e-7);
+        let stiffness = |pressure_pa: f64| Ok::<f64, ()>(pressure_pa / decay_m);
+        let pair = equal(0.3, 0.3);
+        for share in [0.1, 0.6, 0.95] {
+            let steps = 400;
+            let ShearCycle { first_loading, unloading, reloading } =
+                pair.cycle(pressure_pa, share, steps, stiffness).unwrap();
+            let found = pair.respond(pressure_pa, share, stiffness).unwrap();
+            let (most_m, most_pa) = first_loading[steps];
+            assert_near(most_m, found.displacement_m);
+            assert_near(most_pa, share * 0.3 * pressure_pa);
+            for (displacement_m, stress_pa) in &first_loading[1..] {
+                let closed =
+                    -0.3 * pair.compliance_ratio() * decay_m * (-stress_pa / (0.3 * pressure_pa)).ln_1p();
+                assert_near(*displacement_m, closed);
+            }
+            for way in [&unloading, &reloading] {
+                assert!(way.windows(2).all(|pair| pair[0].0 < pair[1].0 && pair[0].1 < pair[1].1));
+                assert!((way[0].0 + most_m).abs() < 1e-12 * most_m && way[steps] == (most_m, most_pa));
+            }
+            let under = |way: &[(f64, f64)]| {
+                way.windows(2)
+                    .map(|pair| 0.5 * (pair[0].1 + pair[1].1) * (pair[1].0 - pair[0].0))
+                    .sum::<f64>()
+            };
+            let enclosed = under(&reloading) - under(&unloading);
+            assert!((enclosed / found.dissipation_j_per_m2 - 1.0).abs() < 2e-3, "{share}: {enclosed}");
         }
     }
 

@@ -26,6 +26,9 @@ pub(crate) const RINGS_PER_RADIUS: f64 = 8.0;
 /// Rings among which the peak of the averaged pressure is searched.
 pub(crate) const SEARCHED_RINGS: usize = 16;
 
+/// Rings of the averaged pressure, out to four of Hertz's radii.
+const RINGS: usize = 32;
+
 /// Smooth ball, a parabola of revolution, under a force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ball {
@@ -76,6 +79,8 @@ pub struct BallState {
     pub radius_share: f64,
     /// Residual of the solver.
     pub residual: f64,
+    /// Mean pressure \[Pa\] over rings around the axis, each an eighth of Hertz's radius wide; none for a ring without points.
+    pub ring_pressures_pa: [Option<f64>; RINGS],
 }
 
 /// Reason to doubt the state of a ball.
@@ -108,6 +113,12 @@ impl BallState {
         let narrow = (radii_across_map < 4.0).then_some(BallCaution::NarrowMap { radii_across_map });
         let large = (radius_share >= 0.1).then_some(BallCaution::LargeContact { radius_share });
         [coarse, narrow, large].into_iter().flatten().collect()
+    }
+
+    /// Returns the distance from the axis \[m\] of the middle of a ring.
+    #[must_use]
+    pub fn ring_radius_m(&self, ring: usize) -> f64 {
+        (ring as f64 + 0.5) / RINGS_PER_RADIUS * self.hertz_radius_m
     }
 }
 
@@ -231,7 +242,7 @@ impl Ball {
     fn state(&self, flat: &Relief, contact_modulus_pa: f64, contact: &Contact) -> BallState {
         let hertz_radius_m = self.hertz_radius_m(contact_modulus_pa);
         let least_pa = TOUCHING * contact.largest_pressure_pa;
-        let mut rings = [(0.0, 0usize); SEARCHED_RINGS];
+        let mut rings = [(0.0, 0usize); RINGS];
         let (mut sum_pa, mut moment, mut inner_pa) = (0.0, 0.0, 0.0);
         let (mut touching, mut outermost_contact_m) = (0usize, 0.0f64);
         for ((x_m, y_m), &pressure_pa) in flat.places_m().zip(&contact.pressures_pa) {
@@ -252,15 +263,15 @@ impl Ball {
             }
         }
         let [spacing_x_m, spacing_y_m] = flat.spacings_m();
-        let means_pa =
-            rings.iter().filter(|(_, count)| *count > 0).map(|(sum_pa, count)| sum_pa / *count as f64);
+        let ring_pressures_pa = rings.map(|(sum_pa, count)| (count > 0).then(|| sum_pa / count as f64));
+        let searched_pa = ring_pressures_pa[..SEARCHED_RINGS].iter().copied().flatten();
         BallState {
             force_n: self.force_n,
             real_area_m2: touching as f64 * spacing_x_m * spacing_y_m,
             real_area_corrected_m2: contact.area_fraction_corrected * flat.length_x_m * flat.length_y_m,
             effective_radius_m: 16.0 / (3.0 * PI) * moment / sum_pa,
             hertz_radius_m,
-            peak_mean_pressure_pa: means_pa.fold(0.0, f64::max),
+            peak_mean_pressure_pa: searched_pa.fold(0.0, f64::max),
             hertz_pressure_pa: self.hertz_pressure_pa(contact_modulus_pa),
             force_share: inner_pa / sum_pa,
             outermost_contact_m,
@@ -269,6 +280,7 @@ impl Ball {
             radii_across_map: flat.length_x_m.min(flat.length_y_m) / hertz_radius_m,
             radius_share: hertz_radius_m / self.radius_m,
             residual: contact.residual,
+            ring_pressures_pa,
         }
     }
 }

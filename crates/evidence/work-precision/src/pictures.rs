@@ -36,17 +36,11 @@ pub fn work_precision(
             Series::under(engine.name(), index, without_repetitions(right.collect()))
         }));
     }
+    let lines = series.into_iter().filter(|line| !line.points.is_empty()).collect();
+    let error = Axis { column: "error", label: X_LABEL };
     let figure = FigureData {
-        name: stem(law, given),
-        shows: Shows::Area,
         title: format!("{law}, {}", given.question()),
-        x: Axis { column: "error", label: X_LABEL },
-        x_label: X_LABEL.to_owned(),
-        y_label: "time per state (s)",
-        series: series.into_iter().filter(|line| !line.points.is_empty()).collect(),
-        bands: Vec::new(),
-        gaps: Vec::new(),
-        marks: Vec::new(),
+        ..FigureData::new(&stem(law, given), Shows::Response, error, "time per state (s)", lines)
     };
     plot::svg(&figure, &format!("{population}, a line for each of d/σ = −3, 0, 3, 6, 20"), &provenance(facts))
 }
@@ -68,18 +62,10 @@ pub fn scaling(scaling: &Scaling, facts: &[Fact]) -> String {
     let series = scaling.growths.iter().enumerate().map(|(index, growth)| {
         Series::under(growth.what, index, growth.runs.iter().map(|run| (run.size, run.processor_s)).collect())
     });
-    let x_label = "number of scales, cutoffs, loads or rows";
+    let size = Axis { column: "size", label: "number of scales, cutoffs, loads or rows" };
     let figure = FigureData {
-        name: "scaling".to_owned(),
-        shows: Shows::Area,
         title: "Cost of a run of the program".to_owned(),
-        x: Axis { column: "size", label: x_label },
-        x_label: x_label.to_owned(),
-        y_label: "processor time (s)",
-        series: series.collect(),
-        bands: Vec::new(),
-        gaps: Vec::new(),
-        marks: Vec::new(),
+        ..FigureData::new("scaling", Shows::Response, size, "processor time (s)", series.collect())
     };
     plot::svg(&figure, "one thread, start-up and writing included", &provenance(facts))
 }

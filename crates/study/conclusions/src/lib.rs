@@ -4,11 +4,13 @@ mod cautions;
 mod load;
 mod next;
 mod seal;
+mod shear;
 
 pub use cautions::{Caution, Stickiness};
 pub use load::{AreaEstimate, LoadConclusion, ModelCell, OtherHardness, ReferenceGroup, Source, Tally};
 pub use next::NextStep;
 pub use seal::{SealClosing, SealConclusion};
+pub use shear::ShearConclusion;
 
 use findings::answer::Answer;
 use findings::interface::InterfaceStates;
@@ -46,6 +48,9 @@ pub struct Conclusions {
     pub trust: Trust,
     /// The seal, if the scene has one.
     pub seal: Option<SealConclusion>,
+    /// The response to the tangential load under every load; empty without one.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub shear: Vec<ShearConclusion>,
     /// Measurements that would narrow the answer, the most useful first.
     pub next: Vec<NextStep>,
 }
@@ -90,6 +95,7 @@ impl Conclusions {
             title: scene.title.clone(),
             trust: cautions.iter().map(Caution::trust_left).min().unwrap_or(Trust::Good),
             seal: states.as_ref().and_then(|states| SealConclusion::new(scene, states)),
+            shear: states.as_ref().map(ShearConclusion::of_loads).unwrap_or_default(),
             next: next::next_steps(evidence, &loads),
             loads,
             cautions,

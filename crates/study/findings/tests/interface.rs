@@ -133,6 +133,43 @@ fn friction_is_strength_times_area_and_adhesion_needs_its_keys() {
     assert!(quantities.contains(&Quantity::FullerTabor) && !quantities.contains(&Quantity::PastewkaRobbins));
 }
 
+const SHEARED: &str = "[interface]\nfriction = 0.3\nshare_of_sliding = 0.6\n";
+
+#[test]
+fn a_tangential_load_follows_the_normal_law_until_everything_slides() {
+    let (scene, results) = carried_out(&format!("{TEXT}{SHEARED}"));
+    let states = InterfaceStates::from_scene(&scene, &results).unwrap();
+    let value = |quantity| under_the_load(&states, quantity).unwrap();
+    // Against a rigid counterface eta = (2 - nu)/(2 (1 - nu)).
+    let eta = 1.7 / 1.4;
+    let stiffness = states.separation_under(1e6).stiffness_pa_per_m;
+    assert!((value(Quantity::TangentialStiffness) * eta / stiffness - 1.0).abs() < 1e-12);
+    // d = f eta (u(p*) - u(p)) with the separations u under the load and the smaller load that sticks.
+    let slack_m = states.separation_under(0.4e6).mean_gap_m - states.separation_under(1e6).mean_gap_m;
+    assert!((value(Quantity::TangentialDisplacement) / (0.3 * eta * slack_m) - 1.0).abs() < 1e-3);
+    let damping = value(Quantity::TangentialDissipation)
+        / (2.0 * std::f64::consts::PI * 0.18e6 * value(Quantity::TangentialDisplacement));
+    assert!((value(Quantity::DampingRatio) / damping - 1.0).abs() < 1e-12);
+    let stuck = value(Quantity::StuckAreaFraction);
+    assert!(stuck > 0.0 && stuck < results.curves[0].area_fractions(0).last().unwrap().1);
+    let of_loop = states.shear_loop(0, "1 MPa", 20).unwrap();
+    assert_eq!(of_loop.dissipation_j_per_m2, value(Quantity::TangentialDissipation));
+    assert!((of_loop.cycle.first_loading[20].0 / value(Quantity::TangentialDisplacement) - 1.0).abs() < 1e-9);
+    // The same load as a stress.
+    let as_stress = SHEARED.replace("share_of_sliding = 0.6", "tangential_stress = \"0.18 MPa\"");
+    let (scene, results) = carried_out(&format!("{TEXT}{as_stress}"));
+    let same = InterfaceStates::from_scene(&scene, &results).unwrap();
+    let displacement_m = under_the_load(&same, Quantity::TangentialDisplacement).unwrap();
+    assert!((displacement_m / value(Quantity::TangentialDisplacement) - 1.0).abs() < 1e-9);
+    let beyond = SHEARED.replace("share_of_sliding = 0.6", "tangential_stress = \"0.4 MPa\"");
+    let (scene, results) = carried_out(&format!("{TEXT}{beyond}"));
+    let sliding = InterfaceStates::from_scene(&scene, &results).unwrap();
+    assert_eq!(sliding.sliding_loads(), [0]);
+    assert!(under_the_load(&sliding, Quantity::TangentialStiffness).is_some());
+    assert_eq!(under_the_load(&sliding, Quantity::TangentialDissipation), None);
+    assert!(sliding.shear_loop(0, "1 MPa", 20).is_none());
+}
+
 #[test]
 fn what_was_not_asked_for_is_not_there() {
     let plain = TEXT.replace(
@@ -151,6 +188,11 @@ fn what_was_not_asked_for_is_not_there() {
 fn wrong_keys_are_refused_with_the_mend() {
     for (more, expected) in [
         ("[interface]\ngamma = 2.0\n", "interface.gamma"),
+        ("[interface]\nfriction = 0.3\n", "interface.friction"),
+        ("[interface]\nfriction = -0.3\nshare_of_sliding = 0.5\n", "interface.friction"),
+        ("[interface]\nfriction = 0.3\nshare_of_sliding = 1.5\n", "interface.share_of_sliding"),
+        ("[interface]\ntangential_stress = \"1 MPa\"\n", "friction"),
+        ("[interface]\nfriction = 0.3\nshare_of_sliding = 0.5\ntangential_stress = \"1 MPa\"\n", "leave one"),
         ("[interface]\nrange_of_attraction = \"1 nm\"\n", "work_of_adhesion"),
         ("[interface]\nshear_strength = \"-1 GPa\"\n", "interface.shear_strength"),
         ("[seal]\npressure_drop = \"1 bar\"\nviscosity = \"1 mPa s\"\nlength = \"1 mm\"\n", "all four"),

@@ -13,6 +13,7 @@ use spectrum::AsperityParameters;
 use study::surface::Surface;
 use units::Pressure;
 
+use crate::adhesion_figure;
 use crate::elements::{RandomInput, notes_on_map, notes_on_spectrum, random_surfaces};
 use crate::loads::{LoadInput, RangeInput, nominal_pressure, pressures_pa};
 use crate::note::AdhesionNote;
@@ -171,11 +172,12 @@ impl PreparedAdhesion {
     pub fn answer(&self, progress: &dyn Progress) -> Result<Answer, QuestionError> {
         if self.pull_off {
             let states = self.pressing.pull_apart(&self.surfaces, progress)?;
-            let notes = pull_off(&states).map(Note::Adhesion).into_iter().collect();
+            let strongest = strongest_pulls(&states);
+            let notes = pull_off(&strongest).map(Note::Adhesion).into_iter().collect();
             return Ok(Answer {
                 table: adhesive_table(&states, self.surfaces.count() > 1),
                 notes,
-                figure: None,
+                figure: Some(adhesion_figure::pull_off_curve(&states, &strongest)),
             });
         }
         let states = self.pressing.press(&self.surfaces, progress)?;
@@ -185,7 +187,11 @@ impl PreparedAdhesion {
             notes.push(Note::Adhesion(AdhesionNote::Metastable));
         }
         let rows = if self.per_realisation { &states } else { &means };
-        Ok(Answer { table: adhesive_table(rows, self.per_realisation), notes, figure: None })
+        Ok(Answer {
+            table: adhesive_table(rows, self.per_realisation),
+            notes,
+            figure: Some(adhesion_figure::area_on_branches(&means)),
+        })
     }
 }
 
@@ -203,17 +209,21 @@ fn hysteresis(means: &[AdhesiveState]) -> Option<AdhesionNote> {
     })
 }
 
+/// The state of every surface under its largest pull.
+fn strongest_pulls(states: &[AdhesiveState]) -> Vec<AdhesiveState> {
+    let surfaces = states.chunk_by(|one, other| one.surface == other.surface);
+    let strongest = |of_surface: &[AdhesiveState]| {
+        of_surface.iter().copied().min_by(|a, b| a.nominal_pressure_pa.total_cmp(&b.nominal_pressure_pa))
+    };
+    surfaces.filter_map(strongest).collect()
+}
+
 /// The largest pull of every surface, averaged.
-fn pull_off(states: &[AdhesiveState]) -> Option<AdhesionNote> {
-    let surfaces = states.iter().map(|state| state.surface + 1).max()?;
-    let strongest = |surface: usize| {
-        let of_surface = states.iter().filter(|state| state.surface == surface);
-        of_surface.min_by(|a, b| a.nominal_pressure_pa.total_cmp(&b.nominal_pressure_pa))
-    };
-    let strongest: Vec<&AdhesiveState> = (0..surfaces).filter_map(strongest).collect();
-    let mean = |of: fn(&AdhesiveState) -> f64| {
-        strongest.iter().map(|state| of(state)).sum::<f64>() / strongest.len() as f64
-    };
+fn pull_off(strongest: &[AdhesiveState]) -> Option<AdhesionNote> {
+    if strongest.is_empty() {
+        return None;
+    }
+    let mean = |of: fn(&AdhesiveState) -> f64| strongest.iter().map(of).sum::<f64>() / strongest.len() as f64;
     Some(AdhesionNote::PullOff {
         nominal_pressure_pa: mean(|state| state.nominal_pressure_pa),
         mean_gap_m: mean(|state| state.mean_gap_m),

@@ -6,6 +6,7 @@ use rough_bem::{Pressing, Relief, Surfaces};
 use serde::{Deserialize, Serialize};
 use study::surface::Surface;
 
+use crate::ball_figure::averaged_pressure;
 use crate::elements::{RandomInput, notes_on_map, notes_on_spectrum, random_surfaces};
 use crate::{Answer, MaterialInput, Note, QuestionError};
 
@@ -102,6 +103,6 @@ impl PreparedBall {
         let mut notes: Vec<Note> = cautions.into_iter().map(Note::Ball).collect();
         let areas_m2: Vec<f64> = states.iter().map(|state| state.real_area_m2).collect();
         notes.push(Note::of_places(&areas_m2));
-        Ok(Answer { table: ball_table(&states), notes, figure: None })
+        Ok(Answer { table: ball_table(&states), notes, figure: averaged_pressure(&states) })
     }
 }

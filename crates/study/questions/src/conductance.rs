@@ -161,10 +161,7 @@ impl LawTableQuestion {
     pub fn check(&self) -> Result<(), QuestionError> {
         let Some(flow) = self.flow() else {
             if let Some(correlation) = self.correlation {
-                return Err(QuestionError::Other(format!(
-                    "{correlation} is a correlation of conductances and has no overclosure; take the quantity heat or \
-                     current, or another model"
-                )));
+                return Err(QuestionError::ConductanceOnly(correlation));
             }
             let given = self.transport.given(None).chain(self.gas.given());
             first_given(given, || Reason::Quantity(self.quantity.name()))?;

@@ -2,6 +2,7 @@
 
 use asperity::AsperityError;
 use contact_law::SamplingError;
+use interface::conductance::PlasticCorrelation;
 use persson::hardness_laws::HardnessError;
 use rough_bem::{AdhesiveError, BallError, CylinderError, ElementsError};
 use study::gap_law::GapError;
@@ -65,6 +66,20 @@ pub enum QuestionError {
         /// The most that are drawn.
         most: usize,
     },
+    /// A figure with more loops than a reader can distinguish.
+    #[error("a figure with {loops} loops is unreadable; at most {most} are drawn")]
+    TooManyLoops {
+        /// One loop per pressure and tangential stress.
+        loops: usize,
+        /// The most that are drawn.
+        most: usize,
+    },
+    /// A figure of loops under loads that all slide.
+    #[error("every tangential stress reaches friction times pressure, and no loop can be drawn")]
+    NoLoop,
+    /// A correlation of conductances, which has no overclosure.
+    #[error("{0} is a correlation of conductances and has no overclosure")]
+    ConductanceOnly(PlasticCorrelation),
     /// A hardness that Persson's theory does not take.
     #[error(transparent)]
     Hardness(#[from] HardnessError),

@@ -1,7 +1,9 @@
 #![doc = include_str!("../README.md")]
 
 mod adhesion;
+mod adhesion_figure;
 mod ball;
+mod ball_figure;
 mod choices;
 mod conductance;
 mod counts;

@@ -1,14 +1,17 @@
 //! A surface sheared under a constant normal load: displacement, stiffness, slip and energy lost.
 
-use interface::tangential::{ShearedBody, ShearedContact, ShearedPair};
+use interface::tangential::{NOTICEABLE_MISMATCH, ShearedContact, ShearedPair};
 use parallel::Progress;
 use serde::{Deserialize, Serialize};
+use study::figure::{FigureData, ShearLoop, shear_loops};
 use study::gap_law::{GapLaw, GapState};
+use study::interface::sheared_pair;
 use study::material::Material;
 use study::models::Choice;
 use study::plan::PlanError;
 use study::surface::Surface;
 use tables::Table;
+use units::display::{percent, pressure};
 
 use crate::elements::RandomInput;
 use crate::gap::{GapModel, GapQuestion};
@@ -19,8 +22,10 @@ use crate::{Answer, Note, OptionName, QuestionError};
 const SHARES: [f64; 11] = [0.01, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.99];
 /// Loads per decade between which the stiffness of boundary elements is interpolated.
 const ELEMENT_LOADS_PER_DECADE: f64 = 8.0;
-/// Dundurs' beta above which the coupling of normal and tangential tractions is told.
-const COUPLED: f64 = 0.1;
+/// Shares that a figure draws where no tangential stress is given: several under one pressure, one under several.
+const DRAWN_SHARES: [f64; 3] = [0.3, 0.6, 0.9];
+/// Steps of each part of a drawn cycle.
+const CYCLE_STEPS: usize = 40;
 
 /// Tangential loads on a surface under nominal pressures, with Coulomb friction at every point.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -38,6 +43,8 @@ pub struct TangentialQuestion {
     pub stresses: Vec<LoadInput>,
     /// Random surfaces, for boundary elements.
     pub random: RandomInput,
+    /// True for a figure with the loop of each load.
+    pub figure: bool,
 }
 
 /// Row of the answer; without a response everything slides.
@@ -50,6 +57,9 @@ struct Sheared {
 }
 
 impl TangentialQuestion {
+    /// The most loops of a figure.
+    pub const MOST_LOOPS: usize = 8;
+
     /// Finds options that the model ignores, and input that contradicts itself or is missing.
     ///
     /// # Errors
@@ -60,8 +70,12 @@ impl TangentialQuestion {
         }
         self.gaps(Vec::new()).check()?;
         let material = self.by.material.of_half_spaces("tangential loads")?;
-        self.stresses_pa(&material)?;
-        self.pair(&material).map(drop)
+        self.pair(&material)?;
+        let loops = self.drawn_loads(&material)?.len();
+        if self.figure && loops > Self::MOST_LOOPS {
+            return Err(QuestionError::TooManyLoops { loops, most: Self::MOST_LOOPS });
+        }
+        Ok(())
     }
 
     /// Number of steps that the progress will count: those of boundary elements, and none for models.
@@ -91,14 +105,75 @@ impl TangentialQuestion {
             }
             sheared(&pair, &normal, pressure_pa, stress_pa)
         })?;
-        if pair.mismatch().abs() > COUPLED {
+        if pair.mismatch().abs() > NOTICEABLE_MISMATCH {
             notes.push(Note::CoupledTractions { mismatch: pair.mismatch() });
         }
         let sliding = rows.iter().filter(|row| row.response.is_none()).count();
         if sliding > 0 {
             notes.push(Note::Sliding { sliding, all: rows.len() });
         }
-        Ok(Answer { table: table(&rows), notes, figure: None })
+        let figure =
+            if self.figure { Some(self.loops_figure(&pair, &normal, &material, progress)?) } else { None };
+        Ok(Answer { table: table(&rows), notes, figure })
+    }
+
+    /// Draws the loop of every load that sticks.
+    fn loops_figure(
+        &self,
+        pair: &ShearedPair,
+        normal: &NormalLaw,
+        material: &Material,
+        progress: &dyn Progress,
+    ) -> Result<FigureData, QuestionError> {
+        let loads = self.drawn_loads(material)?;
+        let sticking: Vec<&DrawnLoad> = loads.iter().filter(|load| load.share(pair) < 1.0).collect();
+        let loops = parallel::try_map(&sticking, |load| {
+            if progress.is_cancelled() {
+                return Err(QuestionError::Plan(PlanError::Cancelled));
+            }
+            let stiffness = |pressure_pa| normal.at(pressure_pa).map(|(stiffness, _)| stiffness);
+            let share = load.share(pair);
+            let found = pair.respond(load.pressure_pa, share, stiffness)?;
+            Ok(ShearLoop {
+                label: load.label.clone(),
+                cycle: pair.cycle(load.pressure_pa, share, CYCLE_STEPS, stiffness)?,
+                dissipation_j_per_m2: found.dissipation_j_per_m2,
+            })
+        })?;
+        shear_loops(&loops).ok_or(QuestionError::NoLoop)
+    }
+
+    /// The loads whose loops are drawn, under labels that tell them apart.
+    fn drawn_loads(&self, material: &Material) -> Result<Vec<DrawnLoad>, QuestionError> {
+        let pressures_pa = pressures_pa(&self.pressures, &self.pressure_ranges, material)?;
+        let stresses_pa = self.stresses_pa(material)?;
+        let friction = self.pair(material)?.friction();
+        let shares = if pressures_pa.len() > 1 { &DRAWN_SHARES[2..] } else { &DRAWN_SHARES[..] };
+        let under = |&pressure_pa: &f64| -> Vec<DrawnLoad> {
+            let at = pressure(pressure_pa);
+            let of_share = |share: &f64| DrawnLoad {
+                label: match shares.len() {
+                    1 => at.clone(),
+                    _ => format!("{} of sliding", percent(*share)),
+                },
+                pressure_pa,
+                stress_pa: share * friction * pressure_pa,
+            };
+            let of_stress = |&stress_pa: &f64| DrawnLoad {
+                label: match (pressures_pa.len(), stresses_pa.len()) {
+                    (1, many) if many > 1 => pressure(stress_pa),
+                    (_, 1) => at.clone(),
+                    _ => format!("{at}, {}", pressure(stress_pa)),
+                },
+                pressure_pa,
+                stress_pa,
+            };
+            match stresses_pa.is_empty() {
+                true => shares.iter().map(of_share).collect(),
+                false => stresses_pa.iter().map(of_stress).collect(),
+            }
+        };
+        Ok(pressures_pa.iter().flat_map(under).collect())
     }
 
     /// The question for the normal law of boundary elements under these loads.
@@ -178,14 +253,21 @@ impl TangentialQuestion {
 
     fn pair(&self, material: &Material) -> Result<ShearedPair, QuestionError> {
         let friction = self.friction.ok_or(QuestionError::Missing(&[OptionName::Friction]))?;
-        let sheared = |body: asperity::ElasticBody| ShearedBody {
-            shear_modulus_pa: body.shear_modulus_pa(),
-            poisson_ratio: body.poisson_ratio(),
-        };
-        let pair = &material.pair;
-        let (body, counterface) = (sheared(pair.body()), pair.counterface().map(sheared));
-        ShearedPair::new(friction, pair.composite_modulus_pa(), body, counterface)
+        sheared_pair(friction, &material.pair)
             .map_err(|error| QuestionError::Value { option: OptionName::Friction, error })
+    }
+}
+
+/// A load whose loop is drawn.
+struct DrawnLoad {
+    label: String,
+    pressure_pa: f64,
+    stress_pa: f64,
+}
+
+impl DrawnLoad {
+    fn share(&self, pair: &ShearedPair) -> f64 {
+        self.stress_pa / (pair.friction() * self.pressure_pa)
     }
 }
 

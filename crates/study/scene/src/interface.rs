@@ -5,7 +5,7 @@ use ::interface::leak::SealedJoint;
 use persson::sealing::PercolationThreshold;
 use persson::{EnergyFactor, EnergyFactorError};
 use serde_spanned::Spanned;
-use units::{Length, Viscosity, WorkOfAdhesion};
+use units::{Bound, Length, Viscosity, WorkOfAdhesion};
 
 use super::error::SceneError;
 use super::gas::resolve_gas;
@@ -13,7 +13,7 @@ use super::loads::nominal_pressure;
 use super::raw::{RawEnergyFactor, RawInterface, RawScene, RawSeal};
 use super::values::{optional, parsed, value_error};
 use study::bodies::{Bodies, Transport};
-use study::interface::{Adhesion, InterfaceRequest, Seal};
+use study::interface::{Adhesion, InterfaceRequest, Seal, Shear, ShearLoad};
 use study::material::Material;
 use study::plan::NominalPressure;
 
@@ -55,7 +55,52 @@ pub(super) fn resolve_interface(
         seal: raw.seal.as_ref().map(|seal| resolve_seal(seal, material)).transpose()?,
         shear_strength_pa: shear_strength.map(NominalPressure::pa),
         adhesion: resolve_adhesion(own)?,
+        shear: resolve_shear(own, material)?,
     }))
+}
+
+/// Resolves a tangential load: a coefficient of friction, with either a stress or its share of friction times pressure.
+fn resolve_shear(raw: &RawInterface, material: Option<&Material>) -> Result<Option<Shear>, SceneError> {
+    let within = |key: &str, bound: Bound, quantity, typed: &Spanned<f64>| {
+        let value = *typed.get_ref();
+        bound
+            .check(quantity, value)
+            .map_err(|error| value_error(key, &value.to_string(), typed.span(), error))
+    };
+    let load = match (&raw.tangential_stress, &raw.share_of_sliding) {
+        (Some(_), Some(share)) => {
+            let message = "key interface.share_of_sliding: it stands beside tangential_stress, and both give the tangential load; \
+                           leave one out";
+            return Err(SceneError::at(share.span(), message));
+        }
+        (Some(typed), None) => {
+            let stress = nominal_pressure("interface.tangential_stress", typed, material)?;
+            Some((typed.span(), "tangential_stress", ShearLoad::StressPa(stress.pa())))
+        }
+        (None, Some(typed)) => {
+            let key = "interface.share_of_sliding";
+            let share = within(key, Bound::Between { above: 0.0, below: 1.0 }, "share of sliding", typed)?;
+            Some((typed.span(), "share_of_sliding", ShearLoad::ShareOfSliding(share)))
+        }
+        (None, None) => None,
+    };
+    match (&raw.friction, load) {
+        (Some(typed), Some((_, _, load))) => {
+            let friction = within("interface.friction", Bound::Magnitude, "coefficient of friction", typed)?;
+            Ok(Some(Shear { friction, load }))
+        }
+        (Some(typed), None) => Err(SceneError::at(
+            typed.span(),
+            "key interface.friction: it says nothing without a tangential load; give tangential_stress or share_of_sliding",
+        )),
+        (None, Some((span, key, _))) => Err(SceneError::at(
+            span,
+            format!(
+                "key interface.{key}: a tangential load needs a coefficient of friction; give friction = 0.3, say"
+            ),
+        )),
+        (None, None) => Ok(None),
+    }
 }
 
 /// Returns a transport property of both bodies, if both have it.

@@ -126,7 +126,7 @@ fn loads(scene: &Scene) -> UnusedKeys {
 
 fn shown(figure: &Figure) -> UnusedKeys {
     let unused: &[&str] = match figure.shows {
-        Shows::AreaAgainstLoad => &[],
+        Shows::AreaAgainstLoad | Shows::Response => &[],
         Shows::Area if figure.loads.is_some() => &["cutoff_multiples"],
         Shows::Area => &["loads", "cutoff_multiples"],
         Shows::Psd | Shows::Moments | Shows::Amplitude | Shows::AspectRatio => {

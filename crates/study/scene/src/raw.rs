@@ -374,6 +374,9 @@ pub(super) struct RawInterface {
     pub mean_free_path: Option<RawQuantity>,
     pub gas_temperature: Option<RawQuantity>,
     pub gas_pressure: Option<RawQuantity>,
+    pub friction: Option<Spanned<f64>>,
+    pub tangential_stress: Option<RawQuantity>,
+    pub share_of_sliding: Option<Spanned<f64>>,
 }
 
 #[derive(Debug, Default, Deserialize)]

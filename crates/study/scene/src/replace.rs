@@ -23,7 +23,7 @@ const OTHER_NAMES: [(&str, [&str; 2]); 2] =
 
 /// The SI units of the keys that are typed with a unit, so that a plain number can be given for them; those of bodies are in
 /// their own table.
-const SI_UNITS: [(&str, &str); 20] = [
+const SI_UNITS: [(&str, &str); 21] = [
     ("surface.rms_height", "m"),
     ("surface.mean_width", "m"),
     ("surface.rolloff_wavelength", "m"),
@@ -40,6 +40,7 @@ const SI_UNITS: [(&str, &str); 20] = [
     ("interface.mean_free_path", "m"),
     ("interface.gas_temperature", "K"),
     ("interface.gas_pressure", "Pa"),
+    ("interface.tangential_stress", "Pa"),
     ("seal.pressure_drop", "Pa"),
     ("seal.viscosity", "Pa s"),
     ("seal.breadth", "m"),

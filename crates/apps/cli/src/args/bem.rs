@@ -10,11 +10,13 @@ use questions::{MaterialInput, OptionName, RandomInput};
 use rough_bem::{Boundary, Branch, RandomChoices};
 use study::measured::Kind;
 use topography::Detrend;
-use units::{Force, ForcePerLength, IndentationHardness, Length, Modulus, Pressure, WorkOfAdhesion};
+use units::{
+    Force, ForcePerLength, IndentationHardness, Length, Modulus, Pressure, PressureRange, WorkOfAdhesion,
+};
 
-use super::groups::{CounterfaceArgs, FigureArg, NamedMaterialArgs, PressureArgs, ReadingArgs};
+use super::groups::{CounterfaceArgs, FigureArg, NamedMaterialArgs, ReadingArgs};
 use super::layer::LayerArgs;
-use super::parsers::{one_of, parse_poisson_ratio};
+use super::parsers::{one_of, parse_labelled_load, parse_poisson_ratio};
 use super::scans::{MapTreatmentArgs, UntoldArgs};
 
 /// A surface, how it is pressed, and what is written.
@@ -28,12 +30,12 @@ pub(crate) struct BemArgs {
     #[arg(long = "as", value_name = "KIND", value_parser = one_of::<Kind, _>(Kind::ALL))]
     pub kind: Option<Kind>,
     #[command(flatten)]
-    pub loads: PressureArgs,
+    pub loads: SignedPressureArgs,
     /// The pressure at which the surface flows, an indentation hardness as 3GPa or 1H; elastic throughout where not given
     #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub saturation: Option<Pressure>,
     /// Radius of a smooth ball that is pressed onto the middle of the surface, whose edges are free; with --force, in place of pressures
-    #[arg(long, value_name = "L", requires = "force", allow_hyphen_values = true, conflicts_with_all = ["pressures", "pressure_ranges", "saturation", "per_realisation", "fields", "patches", "figure", "boundary"])]
+    #[arg(long, value_name = "L", requires = "force", allow_hyphen_values = true, conflicts_with_all = ["pressures", "pressure_ranges", "saturation", "per_realisation", "fields", "patches", "boundary"])]
     pub ball_radius: Option<Length>,
     /// Force on the ball, such as 1N
     #[arg(long, value_name = "F", requires = "ball_radius", allow_hyphen_values = true, conflicts_with_all = ["pressures", "pressure_ranges"])]
@@ -46,7 +48,7 @@ pub(crate) struct BemArgs {
     #[arg(long, value_name = "F", requires = "cylinder_radius", allow_hyphen_values = true, conflicts_with_all = ["pressures", "pressure_ranges"])]
     pub force_per_length: Option<ForcePerLength>,
     /// Work of adhesion w of the two surfaces, such as 50mJ/m^2; pressures may then be negative
-    #[arg(long, value_name = "W", requires = "adhesion_range", allow_hyphen_values = true, conflicts_with_all = ["saturation", "ball_radius", "cylinder_radius", "fields", "patches", "figure"])]
+    #[arg(long, value_name = "W", requires = "adhesion_range", allow_hyphen_values = true, conflicts_with_all = ["saturation", "ball_radius", "cylinder_radius", "fields", "patches"])]
     pub work_of_adhesion: Option<WorkOfAdhesion>,
     /// Range rho of the attraction (w/rho) exp(-gap/rho), such as 2nm
     #[arg(long, value_name = "L", requires = "work_of_adhesion", allow_hyphen_values = true)]
@@ -90,6 +92,17 @@ impl BemArgs {
             _ => Some(Branch::Apart),
         }
     }
+}
+
+/// The loads on elements, which may pull if the surfaces attract each other.
+#[derive(Debug, ClapArgs)]
+pub(crate) struct SignedPressureArgs {
+    /// Nominal pressure; give it several times for several loads. A negative one pulls, with --work-of-adhesion
+    #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_load, allow_hyphen_values = true)]
+    pub pressures: Vec<(Pressure, String)>,
+    /// COUNT log-spaced pressures from FROM to TO, in addition to any --pressure
+    #[arg(long = "pressures", value_name = "FROM:TO:COUNT", allow_hyphen_values = true)]
+    pub pressure_ranges: Vec<PressureRange>,
 }
 
 /// A material that is elastic, or flows at one hardness.

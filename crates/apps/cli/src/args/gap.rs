@@ -17,6 +17,7 @@ use units::{Length, Pressure, Resistivity, ThermalConductivity};
 use super::bem::RandomArgs;
 use super::parsers::{ModelName, one_of, parse_labelled_pressure, parse_tolerance};
 use super::{HardnessFormulaArg, MaterialArgs, NormalisationArg, PressureArgs, ReadingArgs, SamplingArgs};
+use crate::picture::Picture;
 
 /// Model of the gap: a law of asperities, Persson's theory, or boundary elements if there is none.
 #[derive(Debug, Clone, Copy)]
@@ -144,7 +145,17 @@ pub(crate) struct TangentialArgs {
     #[command(flatten)]
     pub choices: GapChoiceArgs,
     #[command(flatten)]
+    pub figure: ShearFigureArg,
+    #[command(flatten)]
     pub random: RandomArgs,
+}
+
+/// A picture of the loops of tangential loads.
+#[derive(Debug, Clone, ClapArgs)]
+pub(crate) struct ShearFigureArg {
+    /// Draw the loop of each load: stress over displacement on first loading, on unloading and on reloading
+    #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf")]
+    pub figure: Option<Picture>,
 }
 
 #[derive(Debug, ClapArgs)]

@@ -20,6 +20,11 @@ pub(super) fn parse_labelled_pressure(text: &str) -> Result<(Pressure, String), 
     Ok((text.parse()?, text.trim().to_owned()))
 }
 
+/// A pressure with the words it was typed in; a negative one pulls.
+pub(super) fn parse_labelled_load(text: &str) -> Result<(Pressure, String), units::QuantityError> {
+    Ok((Pressure::parse_signed(text)?, text.trim().to_owned()))
+}
+
 pub(super) fn parse_count(text: &str) -> Result<NonZeroU32, String> {
     text.parse().map_err(|_| format!("'{text}' must be a whole number from 1 to {}", u32::MAX))
 }

@@ -128,7 +128,7 @@ fn press_ball(args: &BemArgs, radius: Length, force: Force, context: &Context<'_
     };
     let comments = told(comments, &prepared.notes, &prepared.surfaces);
     timings.lap("reading");
-    write(|progress| prepared.answer(progress), &comments, timings, context)
+    write(|progress| prepared.answer(progress), args, &comments, timings, context)
 }
 
 /// Presses a cylinder in place of a flat.
@@ -185,12 +185,13 @@ fn press_adhesive(
     };
     let comments = told(comments, &prepared.notes, &prepared.surfaces);
     timings.lap("reading");
-    write(|progress| prepared.answer(progress), &comments, timings, context)
+    write(|progress| prepared.answer(progress), args, &comments, timings, context)
 }
 
-/// Finds an answer, says its notes, and writes its table.
+/// Finds an answer, says its notes, and writes its table and its figure.
 fn write(
     answer: impl FnOnce(&Progress) -> Result<Answer, QuestionError>,
+    args: &BemArgs,
     comments: &[String],
     mut timings: Timings,
     context: &Context<'_>,
@@ -201,6 +202,8 @@ fn write(
     timings.lap("pressing");
     say_all(&answer.notes, &Flags);
     let mut files = StagedFiles::default();
+    let (picture, figure) = (args.figure.figure.as_ref(), answer.figure.as_ref());
+    context.stage_figure(&mut files, picture, figure, &args.surface.path, comments)?;
     context.stage_blocks(&mut files, &context.shared.output, context.wanted(comments), |out| {
         Ok(out.block(&answer.table)?)
     })?;

@@ -16,14 +16,16 @@ pub(super) fn run(args: &TangentialArgs, context: &Context<'_>) -> Result<(), Fa
         pressure_ranges: range_inputs(&args.loads.pressure_ranges),
         stresses: load_inputs(&args.stresses),
         random: args.random.input(),
+        figure: args.figure.figure.is_some(),
     };
+    let figure = args.figure.figure.as_ref();
     question.check()?;
     let mut timings = Timings::start();
-    let surface = context.load(&args.psd, &args.reading, None)?;
+    let surface = context.load(&args.psd, &args.reading, figure)?;
     timings.lap("reading");
     let progress = Progress::towards(question.steps(&surface)?, "steps");
     let answer = question.answer(&surface, &progress)?;
     drop(progress);
     timings.lap("computing");
-    context.publish_answer(&answer, &surface, question.by.sampling.sampling(), None, timings)
+    context.publish_answer(&answer, &surface, question.by.sampling.sampling(), figure, timings)
 }

@@ -6,6 +6,7 @@ use kuva::render::layout::ComputedLayout;
 use kuva::render::render::{PathData, Primitive, Scene};
 
 use super::labels::Box;
+use super::ruler::Rulers;
 use super::style::{Ink, NEUTRAL, colour, colour_index, dash, dash_index};
 use study::figure::{Band, BandKind, FigureData, pieces};
 
@@ -18,14 +19,20 @@ pub(super) const EDGE_PX: f64 = 0.75;
 
 /// Draws the bands as far as they lie inside the frame. A yardstick breaks at holes of the spectrum; an interval does not,
 /// since it tells what they leave open.
-pub(super) fn draw(scene: &mut Scene, computed: &ComputedLayout, frame: Box, figure: &FigureData) {
+pub(super) fn draw(
+    scene: &mut Scene,
+    computed: &ComputedLayout,
+    rulers: &Rulers,
+    frame: Box,
+    figure: &FigureData,
+) {
     for band in &figure.bands {
         let drawn = match band.kind {
             BandKind::Yardstick => pieces(&band.points, &figure.gaps),
             BandKind::Interval => vec![band.points.clone()],
         };
         for points in drawn {
-            draw_piece(scene, figure, band, &visible(computed, frame, &points));
+            draw_piece(scene, figure, band, &visible(computed, rulers, frame, &points));
         }
     }
 }
@@ -84,15 +91,22 @@ pub(super) fn ends(band: &Band) -> impl Iterator<Item = (f64, f64)> + '_ {
 }
 
 /// The points in pixels, lower ordinate first, both held inside the frame; those with neither inside are left out.
-fn visible(computed: &ComputedLayout, frame: Box, points: &[(f64, [f64; 2])]) -> Vec<(f64, [f64; 2])> {
+fn visible(
+    computed: &ComputedLayout,
+    rulers: &Rulers,
+    frame: Box,
+    points: &[(f64, [f64; 2])],
+) -> Vec<(f64, [f64; 2])> {
+    // An ordinate without a place, 0 on a logarithmic axis, lies below all others.
     let in_pixels = |(x, ordinates): &(f64, [f64; 2])| {
-        (computed.map_x(x.log10()), ordinates.map(|y| computed.map_y(y.log10())))
+        let y_px = |y| rulers.y_px(computed, y).unwrap_or(f64::INFINITY);
+        Some((rulers.x_px(computed, *x)?, ordinates.map(y_px)))
     };
     let is_inside = |(x, [lower, upper]): &(f64, [f64; 2])| {
         (frame.left..=frame.right).contains(x) && *upper <= frame.bottom && *lower >= frame.top
     };
     let held = |(x, ordinates): (f64, [f64; 2])| (x, ordinates.map(|y| y.clamp(frame.top, frame.bottom)));
-    points.iter().map(in_pixels).filter(is_inside).map(held).collect()
+    points.iter().filter_map(in_pixels).filter(is_inside).map(held).collect()
 }
 
 /// A path along the lower ordinates and back along the upper ones.

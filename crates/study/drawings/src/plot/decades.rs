@@ -1,4 +1,4 @@
-//! Logarithmic axes: their range in powers of ten, their ticks and how those are labelled.
+//! Logarithmic axes: their range in powers of ten, their ticks and the labels of these.
 
 use std::sync::Arc;
 

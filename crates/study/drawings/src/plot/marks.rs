@@ -5,6 +5,8 @@ use kuva::render::layout::ComputedLayout;
 use kuva::render::render::{Primitive, Scene};
 use study::figure::Mark;
 
+use super::ruler::Rulers;
+
 const RADIUS_PX: f64 = 3.0;
 const CAP_PX: f64 = 3.0;
 const WIDTH_PX: f64 = 1.2;
@@ -15,9 +17,13 @@ pub(super) fn ends(mark: &Mark) -> [(f64, f64); 2] {
 }
 
 /// Draws a mark among the lines in their colour: a disc, and a bar with caps from the least to the largest value.
-pub(super) fn draw(scene: &mut Scene, computed: &ComputedLayout, mark: &Mark, dark: &str) {
-    let x = computed.map_x(mark.x.log10());
-    let [y, low, high] = [mark.y, mark.low, mark.high].map(|value| computed.map_y(value.log10()));
+pub(super) fn draw(scene: &mut Scene, computed: &ComputedLayout, rulers: &Rulers, mark: &Mark, dark: &str) {
+    let y_px = |value| rulers.y_px(computed, value);
+    let (Some(x), Some(y), Some(low), Some(high)) =
+        (rulers.x_px(computed, mark.x), y_px(mark.y), y_px(mark.low), y_px(mark.high))
+    else {
+        return;
+    };
     let mut line = |x1: f64, y1: f64, x2: f64, y2: f64| {
         let stroke = Color::from(dark);
         scene.add(Primitive::Line { x1, y1, x2, y2, stroke, stroke_width: WIDTH_PX, stroke_dasharray: None });

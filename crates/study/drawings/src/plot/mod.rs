@@ -1,4 +1,4 @@
-//! Figures as SVG, with logarithmic axes, fit to print. No other module uses the plotting library.
+//! Figures as SVG, with logarithmic or linear axes, fit to print. No other module uses the plotting library.
 
 mod bands;
 mod canvas;
@@ -7,12 +7,13 @@ mod heights;
 mod labels;
 mod legend;
 mod marks;
+mod ruler;
 mod script;
 mod shares;
+mod steps;
 mod style;
 mod thinned;
 
-use kuva::TickFormat;
 use kuva::backend::svg::SvgBackend;
 use kuva::render::color::Color;
 use kuva::render::layout::{ComputedLayout, Layout};
@@ -23,9 +24,9 @@ pub use script::script;
 pub use shares::shares_of_decades;
 
 use canvas::Stroke;
-use decades::{Decades, MAX_TICKS, lengths, powers_of_ten, shares};
 use labels::{Box, Track};
-use study::figure::{AxisKind, FigureData, FigureStyle, Series, Shows};
+use ruler::{Ruler, Rulers};
+use study::figure::{FigureData, FigureStyle, Series};
 use style::{Ink, NEUTRAL, colour, colour_index};
 use thinned::thinned;
 use units::display::typeset;
@@ -43,12 +44,12 @@ const MINOR_TICK_PX: f64 = 3.0;
 /// The size of letters in print if only the width is given, and in a picture on average.
 const FONT_SIZE_PT: f64 = 8.0;
 const LETTERS_PX: f64 = 12.0;
-/// The least width of a narrow picture for each labelled tick.
-const TICK_ROOM_PX: f64 = 65.0;
 const POINTS_PER_MM: f64 = 72.0 / 25.4;
 /// The most lines that get labels. Labels of more lines find no place between them, and searching takes the square of
 /// the number of lines.
 const MAX_LABELLED: usize = 100;
+/// The width of the label of the ordinate, with the tick and the distances beside them.
+const AXIS_LABEL_PX: f64 = 36.0;
 /// The size of the labels of ticks, at most.
 const TICK_LETTERS_PX: f64 = 12.0;
 
@@ -115,19 +116,10 @@ fn page_element(scene: &Scene, words: &str) -> String {
 
 /// `id` is unique in the document.
 fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData], id: &str) -> Scene {
-    // The library's own logarithmic axes end at 1e-10, and spectra reach 1e-40: decades are drawn as plain numbers.
-    let points = || {
-        let lines =
-            beside.iter().flat_map(|figure| &figure.series).flat_map(|series| series.points.iter().copied());
-        let marks = beside.iter().flat_map(|figure| &figure.marks).flat_map(marks::ends);
-        lines.chain(marks).chain(beside.iter().flat_map(|figure| &figure.bands).flat_map(bands::ends))
-    };
-    let narrowed = layout.width.filter(|width_px| *width_px < WIDTH_PX);
-    let most = narrowed.map_or(MAX_TICKS, |width_px| width_px / TICK_ROOM_PX);
-    let x = Decades::with_ticks(points().map(|(x, _)| x), most);
-    let y = Decades::around(points().map(|(_, y)| y));
+    // The library's own logarithmic axes end at 1e-10, and spectra reach 1e-40: it draws places, which are plain numbers.
+    let rulers = Rulers::around(figure, &drawn_points(beside), layout.width);
     let drawn = |series: &Series| {
-        let pieces = figure.pieces(series).into_iter().map(|piece| thinned(logarithms(&piece)));
+        let pieces = figure.pieces(series).into_iter().map(|piece| thinned(rulers.places(&piece)));
         pieces.filter(|piece| !piece.is_empty()).collect()
     };
     let series_count = figure.series.len();
@@ -144,41 +136,40 @@ fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData], id: &str) 
     // Lines that coincide have to be seen: solid ones are broad and pale, and dashed ones lie dark on top of them.
     let (solid, dashed): (Vec<_>, Vec<_>) = traces.iter().partition(|trace| trace.ink.is_solid());
     let traces: Vec<&Trace> = solid.into_iter().chain(dashed).collect();
+    let Rulers { x, y } = &rulers;
     let layout = layout
-        .with_x_axis_min(x.first)
-        .with_x_axis_max(x.last)
-        .with_x_tick_step(x.step)
-        .with_x_tick_format(x_ticks(figure))
-        .with_y_axis_min(y.first)
-        .with_y_axis_max(y.last)
-        .with_y_tick_step(y.step)
-        .with_y_tick_format(y_ticks(figure))
+        .with_x_axis_min(x.first())
+        .with_x_axis_max(x.last())
+        .with_x_tick_step(x.step())
+        .with_x_tick_format(rulers.x_ticks(figure))
+        .with_y_axis_min(y.first())
+        .with_y_axis_max(y.last())
+        .with_y_tick_step(y.step())
+        .with_y_tick_format(rulers.y_ticks(figure))
         .with_box_axes()
         .with_label_size(13)
-        .with_x_label(without_unit(figure.x.kind() == AxisKind::Length, &figure.x_label))
-        .with_y_label(without_unit(is_length(figure), figure.y_label));
-    let layout = with_room_at_the_end(layout, x);
+        .with_x_label(rulers.x_label(figure))
+        .with_y_label(rulers.y_label(figure));
+    let layout = with_room_at_the_end(with_room_for_numbers(layout, y), x);
     let computed = ComputedLayout::from_layout(&layout);
     let mut scene = canvas::with_axes(layout, id, |computed| {
         let of_trace = |trace: &&Trace| {
             trace.runs.iter().map(|run| shape(computed, &trace.ink, run)).collect::<Vec<_>>()
         };
-        traces.iter().flat_map(of_trace).collect()
+        zero_lines(computed, &rulers).into_iter().chain(traces.iter().flat_map(of_trace)).collect()
     });
     let frame = frame(&computed);
     ticks_below(&mut scene, &computed, frame, x);
     ticks_left(&mut scene, &computed, frame, y);
     for (from, to) in &figure.gaps {
-        shade(&mut scene, &computed, frame, [from.log10(), to.log10()]);
+        if let (Some(from), Some(to)) = (x.place(*from), x.place(*to)) {
+            shade(&mut scene, &computed, frame, [from, to]);
+        }
     }
-    bands::draw(&mut scene, &computed, frame, figure);
+    bands::draw(&mut scene, &computed, &rulers, frame, figure);
     for mark in &figure.marks {
-        marks::draw(
-            &mut scene,
-            &computed,
-            mark,
-            &mark_colour(figure, colour_index(figure, mark.condition_index)),
-        );
+        let dark = mark_colour(figure, colour_index(figure, mark.condition_index));
+        marks::draw(&mut scene, &computed, &rulers, mark, &dark);
     }
     let in_pixels = |points: &[(f64, f64)]| {
         points.iter().map(|(x, y)| (computed.map_x(*x), computed.map_y(*y))).collect()
@@ -209,7 +200,16 @@ fn drawn(figure: &FigureData, layout: Layout, beside: &[&FigureData], id: &str) 
     scene
 }
 
-/// A line and its drawn parts between holes, in powers of ten.
+/// Returns all points of figures that share axes, which have to lie on them.
+fn drawn_points(figures: &[&FigureData]) -> Vec<(f64, f64)> {
+    let lines =
+        figures.iter().flat_map(|figure| &figure.series).flat_map(|series| series.points.iter().copied());
+    let marks = figures.iter().flat_map(|figure| &figure.marks).flat_map(marks::ends);
+    let bands = figures.iter().flat_map(|figure| &figure.bands).flat_map(bands::ends);
+    lines.chain(marks).chain(bands).collect()
+}
+
+/// A line and its drawn parts between holes, as places.
 struct Trace {
     label: String,
     group: usize,
@@ -223,10 +223,20 @@ fn label_group(figure: &FigureData, at: usize) -> usize {
     series.look.map_or_else(|| colour_index(figure, series.condition_index), |_| at)
 }
 
-/// Widens the right margin so that the last label of the abscissa ends inside the picture.
-fn with_room_at_the_end(layout: Layout, x: Decades) -> Layout {
+/// Widens the left margin for the labels of a linear ordinate, whose minus signs the library takes for narrow.
+fn with_room_for_numbers(layout: Layout, y: &Ruler) -> Layout {
+    let Ruler::Steps(steps) = y else { return layout };
     let computed = ComputedLayout::from_layout(&layout);
-    let label = layout.x_tick_format.format(x.last);
+    let widest = [steps.first, steps.last]
+        .map(|place| text_width_px(&layout.y_tick_format.format(place), TICK_LETTERS_PX));
+    let left = widest[0].max(widest[1]) + AXIS_LABEL_PX;
+    layout.with_force_margins(computed.margin_left.max(left), computed.margin_right)
+}
+
+/// Widens the right margin so that the last label of the abscissa ends inside the picture.
+fn with_room_at_the_end(layout: Layout, x: &Ruler) -> Layout {
+    let computed = ComputedLayout::from_layout(&layout);
+    let label = layout.x_tick_format.format(x.last());
     let half_px = 0.5 * text_width_px(&label, TICK_LETTERS_PX) + 1.0;
     layout.with_force_margins(computed.margin_left, computed.margin_right.max(half_px))
 }
@@ -237,40 +247,9 @@ fn mark_colour(figure: &FigureData, condition: usize) -> String {
     colour(if has_models { NEUTRAL } else { condition })
 }
 
-/// Ticks of lengths where the abscissa is one, else powers of ten.
-fn x_ticks(figure: &FigureData) -> TickFormat {
-    if figure.x.kind() == AxisKind::Length { lengths() } else { powers_of_ten() }
-}
-
-/// Ticks of areas in percent, of amplitudes as lengths, else powers of ten. A picture of another quantity in place of an area
-/// has a unit.
-fn y_ticks(figure: &FigureData) -> TickFormat {
-    match () {
-        _ if is_share(figure) => shares(),
-        _ if is_length(figure) => lengths(),
-        _ => powers_of_ten(),
-    }
-}
-
-/// True if the ordinate is a share of an area.
-fn is_share(figure: &FigureData) -> bool {
-    matches!(figure.shows, Shows::Area | Shows::AreaAgainstLoad) && !figure.y_label.ends_with(')')
-}
-
-/// True if the ordinate is a length.
-fn is_length(figure: &FigureData) -> bool {
-    figure.y_label.ends_with(" (m)")
-}
-
-/// The label of an axis; without its unit if the ticks have one.
-fn without_unit(ticks_have_units: bool, label: &str) -> String {
-    let kept = label.strip_suffix(" (m)").filter(|_| ticks_have_units);
-    kept.unwrap_or(label).to_owned()
-}
-
 /// A stretch of the abscissa that was not measured.
 fn shade(scene: &mut Scene, computed: &ComputedLayout, frame: Box, gap: [f64; 2]) {
-    let [one, other] = gap.map(|power| computed.map_x(power).clamp(frame.left, frame.right));
+    let [one, other] = gap.map(|place| computed.map_x(place).clamp(frame.left, frame.right));
     scene.add(Primitive::Rect {
         x: one.min(other),
         y: frame.top,
@@ -293,17 +272,17 @@ fn frame(computed: &ComputedLayout) -> Box {
 }
 
 /// Draws minor ticks below the axis. Those of the library are evenly spaced, which is wrong for a logarithmic axis.
-fn ticks_below(scene: &mut Scene, computed: &ComputedLayout, frame: Box, x: Decades) {
-    for power in x.minor_ticks() {
-        let at = computed.map_x(power);
+fn ticks_below(scene: &mut Scene, computed: &ComputedLayout, frame: Box, x: &Ruler) {
+    for place in x.minor_ticks() {
+        let at = computed.map_x(place);
         tick(scene, [at, frame.bottom], [at, frame.bottom + MINOR_TICK_PX]);
     }
 }
 
 /// Draws minor ticks on the left.
-fn ticks_left(scene: &mut Scene, computed: &ComputedLayout, frame: Box, y: Decades) {
-    for power in y.minor_ticks() {
-        let at = computed.map_y(power);
+fn ticks_left(scene: &mut Scene, computed: &ComputedLayout, frame: Box, y: &Ruler) {
+    for place in y.minor_ticks() {
+        let at = computed.map_y(place);
         tick(scene, [frame.left - MINOR_TICK_PX, at], [frame.left, at]);
     }
 }
@@ -313,8 +292,12 @@ fn tick(scene: &mut Scene, [x1, y1]: [f64; 2], [x2, y2]: [f64; 2]) {
     scene.add(Primitive::Line { x1, y1, x2, y2, stroke, stroke_width: 0.7, stroke_dasharray: None });
 }
 
-fn logarithms(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
-    points.iter().filter(|(_, y)| *y > 0.0).map(|(x, y)| (x.log10(), y.log10())).collect()
+/// The lines at zero of linear axes that cross it.
+fn zero_lines(computed: &ComputedLayout, Rulers { x, y }: &Rulers) -> Vec<Primitive> {
+    let stroke = || Stroke { colour: "#999999", width_px: 0.7, dash: None };
+    let across = y.crosses_zero().then(|| [(x.first(), 0.0), (x.last(), 0.0)]);
+    let upwards = x.crosses_zero().then(|| [(0.0, y.first()), (0.0, y.last())]);
+    across.iter().chain(&upwards).map(|ends| canvas::line(computed, ends, stroke())).collect()
 }
 
 /// A line through points, or a dot where there is one.
@@ -332,6 +315,7 @@ fn shape(computed: &ComputedLayout, ink: &Ink, points: &[(f64, f64)]) -> Primiti
 fn text_width_px(text: &str, size_px: f64) -> f64 {
     let width = |c: char| match c {
         'm' | 'M' | 'W' => 0.98,
+        '\u{2212}' => 0.84,
         ' ' => 0.35,
         c if c.is_ascii() || c == '×' => 0.62,
         _ => 0.48,
@@ -369,25 +353,15 @@ pub(crate) fn escaped(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use study::figure::{Band, BandKind, CurveLook, Variant};
+    use study::figure::{Axis, Band, BandKind, CurveLook, Shows, Variant};
 
     fn figure(name: &str) -> FigureData {
         let series = Series {
             condition_in_full: "10 MPa = 10⁻³ H".to_owned(),
             ..Series::under("1e-3 H", 0, vec![(1.0, 1e-30), (10.0, 1e-20)])
         };
-        FigureData {
-            name: name.to_owned(),
-            shows: Shows::Psd,
-            title: String::new(),
-            x: study::figure::Axis { column: "x", label: "x" },
-            x_label: "x".to_owned(),
-            y_label: "y",
-            series: vec![series],
-            bands: Vec::new(),
-            gaps: Vec::new(),
-            marks: Vec::new(),
-        }
+        let x = Axis { column: "x", label: "x" };
+        FigureData { title: String::new(), ..FigureData::new(name, Shows::Psd, x, "y", vec![series]) }
     }
 
     #[test]
@@ -474,7 +448,7 @@ mod tests {
             ..Series::under("1 MPa", 0, vec![(1e-9, 1e-5), (1e-6, 1e-2)])
         };
         let with = |series: Vec<Series>| {
-            let x = study::figure::Axis { column: "wavelength_m", label: "wavelength (m)" };
+            let x = Axis { column: "wavelength_m", label: "wavelength (m)" };
             let x_label = x.label.to_owned();
             let drawn = FigureData { shows: Shows::Area, series, x, x_label, ..figure("a") };
             svg(&drawn, "", &[])
@@ -513,7 +487,7 @@ mod tests {
 
     #[test]
     fn the_last_label_of_the_abscissa_ends_inside_the_picture() {
-        let x = study::figure::Axis { column: "wavelength_m", label: "wavelength (m)" };
+        let x = Axis { column: "wavelength_m", label: "wavelength (m)" };
         let series = vec![Series::under("1 MPa", 0, vec![(1e-6, 1e-5), (1e-4, 1e-2)])];
         let drawn = svg(&FigureData { series, x, ..figure("a") }, "", &[]);
         let label = drawn.split("<text ").find(|text| text.contains(">100 µm</text>")).unwrap();
@@ -540,6 +514,28 @@ mod tests {
             drawn(None, None, false),
             svg(&FigureData { title: "title".to_owned(), ..figure("a") }, "", &[])
         );
+    }
+
+    #[test]
+    fn linear_axes_have_negative_values_prefixes_and_lines_at_zero() {
+        let x = Axis { column: "shear_m", label: "shear (m)" };
+        let line = |name, index, sign: f64| {
+            Series::under(name, index, vec![(-3e-9, -sign * 2e6), (0.0, sign * 1e6), (3e-9, 2e6)])
+        };
+        let lines = vec![line("back", 0, -1.0), line("forth", 1, 1.0)];
+        let figure = FigureData::new("a", Shows::Response, x, "stress (Pa)", lines).with_linear_axes();
+        let drawn = svg(&figure, "", &[]);
+        for label in [">shear (nm)</text>", ">stress (MPa)</text>", ">\u{2212}2</text>", ">0</text>"] {
+            assert!(drawn.contains(label), "{label}: {drawn}");
+        }
+        // A line at zero of each axis.
+        assert_eq!(drawn.matches("#999999").count(), 2, "{drawn}");
+        assert_eq!(svg(&figure_of_decades(figure), "", &[]).matches("#999999").count(), 0);
+    }
+
+    fn figure_of_decades(figure: FigureData) -> FigureData {
+        use study::figure::AxisScale::Logarithmic;
+        FigureData { x_scale: Logarithmic, y_scale: Logarithmic, ..figure }
     }
 
     #[test]

@@ -1,14 +1,14 @@
 //! A figure as a Python script that draws it with matplotlib, for those who finish figures by hand.
 
-use study::figure::{AxisKind, BandKind, FigureData, FigureStyle, Series, pieces};
+use study::figure::{AxisKind, AxisScale, BandKind, FigureData, FigureStyle, Series, pieces};
 
 use super::bands::{self, EDGE_PX, INTERVAL_OPACITY, OPACITY};
 use super::legend::{self, Entry, Sample};
+use super::ruler::{Ruler, Rulers, is_length, is_share};
 use super::style::{Ink, colour_index};
 use super::thinned::thinned;
 use super::{
-    FONT_SIZE_PT, HEIGHT_PX, LETTERS_PX, POINTS_PER_MM, TITLE_PX, WIDTH_PX, is_length, is_share, logarithms,
-    mark_colour, without_unit,
+    FONT_SIZE_PT, HEIGHT_PX, LETTERS_PX, POINTS_PER_MM, TITLE_PX, WIDTH_PX, drawn_points, mark_colour,
 };
 
 const POINTS_PER_INCH: f64 = 72.0;
@@ -40,7 +40,9 @@ pub fn script(figure: &FigureData, style: &FigureStyle, provenance: &[String]) -
     script += "import sys\nimport textwrap\n\nimport matplotlib.pyplot as plt\nfrom matplotlib.lines import Line2D\nfrom matplotlib.patches import Patch\nfrom matplotlib.ticker import FuncFormatter\n";
     script += "\n\ndef line(**style):\n    return Line2D([], [], **style)\n\n\nnan = float(\"nan\")\n";
     script += "# Lines, broken at holes of the spectrum.\n";
-    script += &list("lines", figure.series.iter().map(|series| line(figure, series, points_of_px)).collect());
+    let rulers = Rulers::around(figure, &drawn_points(&[figure]), None);
+    let lines = figure.series.iter().map(|series| line(figure, &rulers, series, points_of_px));
+    script += &list("lines", lines.collect());
     script += "# Bands: x, lower limit, upper limit.\n";
     script +=
         &list("bands", figure.bands.iter().map(|band| self::band(figure, band, points_of_px)).collect());
@@ -57,19 +59,21 @@ pub fn script(figure: &FigureData, style: &FigureStyle, provenance: &[String]) -
     );
     script += DRAWING;
     let is_x_length = figure.x.kind() == AxisKind::Length;
-    let formatters = [
-        ("xaxis", if is_x_length { Some("length") } else { None }),
-        ("yaxis", if is_length(figure) { Some("length") } else { is_share(figure).then_some("share") }),
+    let axes = [
+        ("x", figure.x_scale, formatter(&rulers.x, is_x_length, false)),
+        ("y", figure.y_scale, formatter(&rulers.y, is_length(figure), is_share(figure))),
     ];
-    for (axis, formatter) in formatters {
+    for (axis, scale, formatter) in axes {
+        let scale = if scale == AxisScale::Linear { "linear" } else { "log" };
+        script += &format!("axes.set_{axis}scale(\"{scale}\")\n");
         if let Some(formatter) = formatter {
-            script += &format!("axes.{axis}.set_major_formatter(FuncFormatter({formatter}))\n");
+            script += &format!("axes.{axis}axis.set_major_formatter(FuncFormatter({formatter}))\n");
         }
     }
     script += &format!(
         "axes.set_xlabel({})\naxes.set_ylabel({})\naxes.set_title({})\n",
-        text(&without_unit(is_x_length, &figure.x_label)),
-        text(&without_unit(is_length(figure), figure.y_label)),
+        text(&rulers.x_label(figure)),
+        text(&rulers.y_label(figure)),
         if title.is_empty() { "\"\"" } else { title.as_str() },
     );
     script + ENDING
@@ -99,9 +103,17 @@ for x, y, style in lines:
     axes.plot(x, y, **style)
 for x, y, low, high, style in marks:
     axes.errorbar([x], [y], yerr=[[y - low], [high - y]], capsize=2, markersize=4, zorder=3, **style)
-axes.set_xscale(\"log\")
-axes.set_yscale(\"log\")
 ";
+
+/// The function that labels the ticks of an axis, unless matplotlib does it well.
+fn formatter(ruler: &Ruler, is_length: bool, is_share: bool) -> Option<String> {
+    match ruler {
+        Ruler::Decades(_) if is_length => Some("length".to_owned()),
+        Ruler::Decades(_) => is_share.then(|| "share".to_owned()),
+        Ruler::Steps(_) if is_share => Some("lambda value, _: f\"{100 * value:g} %\"".to_owned()),
+        Ruler::Steps(steps) => Some(format!("lambda value, _: f\"{{value / {:e}:g}}\"", steps.scale())),
+    }
+}
 
 const ENDING: &str = "\
 if keys:
@@ -115,10 +127,10 @@ else:
     plt.show()
 ";
 
-fn line(figure: &FigureData, series: &Series, points_of_px: f64) -> String {
+fn line(figure: &FigureData, rulers: &Rulers, series: &Series, points_of_px: f64) -> String {
     let ink = Ink::new(figure, series);
-    let powers = figure.pieces(series).into_iter().map(|piece| thinned(logarithms(&piece)));
-    let mut runs: Vec<Vec<(f64, f64)>> = powers.filter(|run| !run.is_empty()).collect();
+    let places = figure.pieces(series).into_iter().map(|piece| thinned(rulers.places(&piece)));
+    let mut runs: Vec<Vec<(f64, f64)>> = places.filter(|run| !run.is_empty()).collect();
     let last = runs.len().saturating_sub(1);
     // A point that is not a number breaks the line.
     runs.iter_mut().take(last).for_each(|run| run.push((f64::NAN, f64::NAN)));
@@ -127,8 +139,8 @@ fn line(figure: &FigureData, series: &Series, points_of_px: f64) -> String {
         if runs.iter().any(|run| run.len() == 1) { ", \"marker\": \"o\", \"markersize\": 3" } else { "" };
     format!(
         "([{}], [{}], {{\"color\": \"{}\", \"linewidth\": {:.3}, \"linestyle\": {}{marker}}})",
-        numbers(points().map(|(x, _)| 10f64.powf(*x))),
-        numbers(points().map(|(_, y)| 10f64.powf(*y))),
+        numbers(points().map(|(x, _)| rulers.x.value(*x))),
+        numbers(points().map(|(_, y)| rulers.y.value(*y))),
         ink.colour,
         ink.width_px * points_of_px,
         dashes(ink.dash.dasharray().as_deref(), points_of_px),
@@ -224,21 +236,33 @@ mod tests {
     use super::*;
 
     fn figure() -> FigureData {
+        let x = Axis { column: "wavelength_m", label: "wavelength (m)" };
+        let points = vec![(8e-6, 0.1), (4e-6, 0.2), (2e-6, 0.3), (1e-6, 0.4)];
         FigureData {
-            name: "f".to_owned(),
-            shows: Shows::Area,
             title: "say \"$x$\"\n\\".to_owned(),
-            x: Axis { column: "wavelength_m", label: "wavelength (m)" },
-            x_label: "wavelength (m)".to_owned(),
-            y_label: "contact area / nominal area",
-            series: vec![Series::under(
-                "10 MPa",
-                0,
-                vec![(8e-6, 0.1), (4e-6, 0.2), (2e-6, 0.3), (1e-6, 0.4)],
-            )],
-            bands: Vec::new(),
             gaps: vec![(2e-6, 4e-6)],
-            marks: Vec::new(),
+            ..FigureData::new(
+                "f",
+                Shows::Area,
+                x,
+                "contact area / nominal area",
+                vec![Series::under("10 MPa", 0, points)],
+            )
+        }
+    }
+
+    #[test]
+    fn linear_axes_keep_their_values_and_name_the_prefix() {
+        let x = Axis { column: "shear_m", label: "shear (m)" };
+        let lines = vec![Series::under("back", 0, vec![(-3e-9, -2e6), (3e-9, 2e6)])];
+        let figure = FigureData::new("f", Shows::Response, x, "stress (Pa)", lines).with_linear_axes();
+        let script = script(&figure, &FigureStyle::default(), &[]);
+        for line in [
+            "([-3.000000e-9, 3.000000e-9], [-2.000000e6, 2.000000e6]",
+            "axes.set_xscale(\"linear\")\naxes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f\"{value / 1e-9:g}\"))",
+            "axes.set_ylabel(\"stress (MPa)\")",
+        ] {
+            assert!(script.contains(line), "{line}: {script}");
         }
     }
 

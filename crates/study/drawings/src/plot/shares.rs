@@ -8,6 +8,7 @@ use uncertainty::DecadeOfVariance;
 
 use super::canvas::{self, Stroke};
 use super::decades::{Decades, lengths};
+use super::ruler::Ruler;
 use super::style::{NEUTRAL, colour, tint};
 use super::{WIDE_PX, frame, page_element, ticks_below, with_room_at_the_end};
 
@@ -46,13 +47,13 @@ pub fn shares_of_decades(
         .with_label_size(13)
         .with_x_label("wavelength".to_owned())
         .with_y_label(y_label.to_owned());
-    let layout = with_room_at_the_end(layout, x);
+    let layout = with_room_at_the_end(layout, &Ruler::Decades(x));
     let computed = ComputedLayout::from_layout(&layout);
     let mut scene = canvas::with_axes(layout, id, |computed| {
         let stroke = Stroke { colour: "black", width_px: 0.7, dash: None };
         vec![canvas::line(computed, &[(x.first, 0.0), (x.last, 0.0)], stroke)]
     });
-    ticks_below(&mut scene, &computed, frame(&computed), x);
+    ticks_below(&mut scene, &computed, frame(&computed), &Ruler::Decades(x));
     for bar in bars {
         draw(&mut scene, &computed, bar);
     }

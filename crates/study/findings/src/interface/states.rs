@@ -8,6 +8,7 @@ use interface::adhesion::{FullerTabor, PastewkaRobbins, StickyContact};
 use interface::conductance::{CutSurface, PlasticCorrelation, PressureRatio, RelativeStiffness, Spot};
 use interface::friction::SlidingContact;
 use interface::leak::Constriction;
+use interface::tangential::{ShearedContact, ShearedPair};
 use persson::corrections::Correction;
 use persson::sealing::{MagnifiedContact, SealingLaw};
 use persson::separation::{
@@ -18,8 +19,9 @@ use persson::{Roughness, constant_hardness, elastic};
 use spectrum::{AsperityParameters, Moments, Normalisation};
 
 use scene::Scene;
+use study::figure::ShearLoop;
 use study::gap_law;
-use study::interface::{Adhesion, InterfaceRequest, Quantity, Slot};
+use study::interface::{Adhesion, InterfaceRequest, Quantity, Slot, sheared_pair};
 use study::plan::{NominalPressure, Plan, Results};
 
 /// A value out of bounds for a quantity.
@@ -52,6 +54,8 @@ pub struct InterfaceStates<'a> {
     /// The separation under every load, once it is read.
     separations: Vec<OnceCell<Separation>>,
     sealing: Option<SealingLaw>,
+    /// The response to the tangential load under every load, once it is read; `None` where everything slides.
+    sheared: Vec<OnceCell<Option<ShearedContact>>>,
     constrictions: Vec<OnceCell<Option<MagnifiedContact>>>,
 }
 
@@ -82,6 +86,7 @@ impl<'a> InterfaceStates<'a> {
             separation,
             separations: (0..loads).map(|_| OnceCell::new()).collect(),
             sealing,
+            sheared: (0..loads).map(|_| OnceCell::new()).collect(),
             constrictions: (0..loads).map(|_| OnceCell::new()).collect(),
         })
     }
@@ -174,9 +179,7 @@ impl<'a> InterfaceStates<'a> {
     /// touches; 1 elsewhere, and with the waves of profiles, whose error a note states.
     #[must_use]
     pub fn largest_stiffness_over_theory(&self, load: usize) -> f64 {
-        let Some(last) = self.roughness.places().last() else { return 1.0 };
-        let deviation_pa = last.variance_pa2(self.modulus_pa()).sqrt();
-        let area_fraction = elastic::area_fraction(self.pressure_pa(load), deviation_pa);
+        let Some(area_fraction) = self.elastic_area_fraction(self.pressure_pa(load)) else { return 1.0 };
         match self.request.band {
             Band::Surface if area_fraction < LIGHT_CONTACT => LIGHT_CONTACT_STIFFNESS,
             _ => 1.0,
@@ -207,6 +210,32 @@ impl<'a> InterfaceStates<'a> {
     pub fn pressure_ratio(&self, load: usize) -> Result<Option<PressureRatio>, InterfaceError> {
         let of = |hardness_pa| PressureRatio::new(self.pressure_pa(load), hardness_pa);
         self.inputs.hardness_pa.map(of).transpose()
+    }
+
+    /// Returns the loads \[index\] under which the tangential load reaches friction times pressure, so that everything slides.
+    #[must_use]
+    pub fn sliding_loads(&self) -> Vec<usize> {
+        let is_asked = self.request.shear.is_some();
+        (0..self.inputs.pressures.len())
+            .filter(|load| is_asked && self.sticking_share(*load).is_none())
+            .collect()
+    }
+
+    /// Returns Dundurs' beta of the bodies, which the response to a tangential load neglects; `None` without such a load.
+    #[must_use]
+    pub fn coupling(&self) -> Option<f64> {
+        self.sheared_pair().ok().flatten().map(|pair| pair.mismatch())
+    }
+
+    /// Follows the tangential load through a cycle under a load, in some steps; `None` without a tangential load, and where
+    /// everything slides.
+    #[must_use]
+    pub fn shear_loop(&self, load: usize, label: &str, steps: usize) -> Option<ShearLoop> {
+        let (pair, share) = (self.sheared_pair().ok().flatten()?, self.sticking_share(load)?);
+        let dissipation_j_per_m2 = self.sheared(load).ok().flatten()?.dissipation_j_per_m2;
+        let stiffness = |pressure_pa| self.finite_stiffness_pa_per_m(pressure_pa).ok_or(());
+        let cycle = pair.cycle(self.pressure_pa(load), share, steps, stiffness).ok()?;
+        Some(ShearLoop { label: label.to_owned(), cycle, dissipation_j_per_m2 })
     }
 
     /// The requested quantities.
@@ -277,10 +306,52 @@ impl<'a> InterfaceStates<'a> {
                 });
                 area.map_or(Ok(None), |area_fraction| self.friction(slot.quantity, load, area_fraction))
             }
+            Quantity::TangentialStiffness
+            | Quantity::TangentialDisplacement
+            | Quantity::StuckAreaFraction
+            | Quantity::TangentialDissipation
+            | Quantity::DampingRatio => self.tangential(load, slot.quantity),
             Quantity::TightPressure | Quantity::FullerTabor | Quantity::PastewkaRobbins => {
                 self.of_all_loads(slot.quantity)
             }
         }
+    }
+
+    /// The bodies with the friction of the request.
+    fn sheared_pair(&self) -> Result<Option<ShearedPair>, InterfaceError> {
+        self.request.shear.map(|shear| sheared_pair(shear.friction, &self.inputs.pair)).transpose()
+    }
+
+    /// The share of friction times pressure that a tangential load has under a load, if it is below 1.
+    fn sticking_share(&self, load: usize) -> Option<f64> {
+        let share = self.request.shear?.share_of_sliding(self.pressure_pa(load));
+        (share < 1.0).then_some(share)
+    }
+
+    fn sheared(&self, load: usize) -> Result<Option<ShearedContact>, InterfaceError> {
+        let (Some(pair), Some(share)) = (self.sheared_pair()?, self.sticking_share(load)) else {
+            return Ok(None);
+        };
+        let respond = || {
+            let stiffness = |pressure_pa| self.finite_stiffness_pa_per_m(pressure_pa).ok_or(());
+            pair.respond(self.pressure_pa(load), share, stiffness).ok()
+        };
+        Ok(*self.sheared[load].get_or_init(respond))
+    }
+
+    fn tangential(&self, load: usize, quantity: Quantity) -> Result<Option<f64>, InterfaceError> {
+        if quantity == Quantity::TangentialStiffness {
+            let (pair, stiffness) = (self.sheared_pair()?, self.stiffness_pa_per_m(load));
+            return Ok(pair.zip(stiffness).map(|(pair, stiffness)| stiffness / pair.compliance_ratio()));
+        }
+        let Some(found) = self.sheared(load)? else { return Ok(None) };
+        Ok(match quantity {
+            Quantity::TangentialDisplacement => Some(found.displacement_m),
+            Quantity::StuckAreaFraction => self.elastic_area_fraction(found.stuck_pressure_pa),
+            Quantity::TangentialDissipation => Some(found.dissipation_j_per_m2),
+            Quantity::DampingRatio => Some(found.damping_ratio),
+            _ => None,
+        })
     }
 
     /// The spot that conducts like the whole interface, if its nominal area is known.
@@ -349,6 +420,16 @@ impl<'a> InterfaceStates<'a> {
 
     fn stiffness_pa_per_m(&self, load: usize) -> Option<f64> {
         Some(self.separation(load).stiffness_pa_per_m).filter(|stiffness| stiffness.is_finite())
+    }
+
+    fn finite_stiffness_pa_per_m(&self, pressure_pa: f64) -> Option<f64> {
+        Some(self.separation.whole(pressure_pa).stiffness_pa_per_m).filter(|stiffness| stiffness.is_finite())
+    }
+
+    /// The share in contact under any pressure \[Pa\] by the elastic theory.
+    fn elastic_area_fraction(&self, pressure_pa: f64) -> Option<f64> {
+        let last = self.roughness.places().last()?;
+        Some(elastic::area_fraction(pressure_pa, last.variance_pa2(self.modulus_pa()).sqrt()))
     }
 
     fn separation(&self, load: usize) -> Separation {

@@ -23,16 +23,6 @@ pub fn area_against_load(loads: &[PressedLoad]) -> FigureData {
         line(3, "plastic", |mean| Some(mean.plastic_area_fraction_corrected)),
     ];
     let is_seen = |series: &Series| series.points.iter().any(|(_, area)| *area > 0.0);
-    FigureData {
-        name: "area-against-load".to_owned(),
-        shows: Shows::AreaAgainstLoad,
-        title: AREA.to_owned(),
-        x: PRESSURE,
-        x_label: PRESSURE.label.to_owned(),
-        y_label: AREA,
-        series: lines.into_iter().filter(is_seen).collect(),
-        gaps: Vec::new(),
-        bands: Vec::new(),
-        marks: Vec::new(),
-    }
+    let series = lines.into_iter().filter(is_seen).collect();
+    FigureData::new("area-against-load", Shows::AreaAgainstLoad, PRESSURE, AREA, series)
 }

@@ -1,16 +1,23 @@
-//! The mean gap against load, as a figure.
+//! The mean gap against load, and the loops of a tangential load, as figures.
 
 use findings::interface::InterfaceStates;
 use scene::Scene;
-use study::figure::{Axis, FigureData, Mark, Series, Shows};
+use study::figure::{Axis, FigureData, Mark, Series, ShearLoop, Shows, shear_loops};
 use study::interface::{Quantity, Slot};
+use study::plan::Load;
 use uncertainty::Uncertainty;
+use units::display::typeset;
 use units::log_spaced;
 
 const POINTS: u32 = 61;
 
 /// The factor by which the figure extends below the lightest and above the heaviest load.
 const BESIDE: f64 = 10.0;
+
+/// The most loops of a figure.
+const MOST_LOOPS: usize = 4;
+/// Steps of each part of a loop.
+const LOOP_STEPS: usize = 40;
 
 const PRESSURE: Axis = Axis { column: "nominal_pressure_pa", label: "nominal pressure (Pa)" };
 
@@ -49,16 +56,19 @@ pub(crate) fn gap_against_load(
         let label = "loads of the scene".to_owned();
         Some(Mark { label, is_ring: false, condition_index: None, x, y, low: low.min(y), high: high.max(y) })
     };
+    let series = [whole, law].into_iter().filter(|line| !line.points.is_empty()).collect();
     Some(FigureData {
-        name: "gap".to_owned(),
-        shows: Shows::AreaAgainstLoad,
         title: "Mean gap against load".to_owned(),
-        x: PRESSURE,
-        x_label: PRESSURE.label.to_owned(),
-        y_label: "mean gap (m)",
-        series: [whole, law].into_iter().filter(|line| !line.points.is_empty()).collect(),
-        bands: Vec::new(),
-        gaps: Vec::new(),
         marks: (0..scene.needs.loads.len()).filter_map(mark).collect(),
+        ..FigureData::new("gap", Shows::Response, PRESSURE, "mean gap (m)", series)
     })
+}
+
+/// The loops of the tangential load under the first loads that it does not slide under; `None` if there is none.
+pub(crate) fn loops_of_loads(states: &InterfaceStates<'_>, scene: &Scene) -> Option<FigureData> {
+    let of_load =
+        |(load, pressed): (usize, &Load)| states.shear_loop(load, &typeset(&pressed.label), LOOP_STEPS);
+    let loops: Vec<ShearLoop> =
+        scene.needs.loads.iter().enumerate().filter_map(of_load).take(MOST_LOOPS).collect();
+    shear_loops(&loops)
 }

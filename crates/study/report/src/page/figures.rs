@@ -88,5 +88,6 @@ fn caption(shows: Shows) -> &'static str {
         Shows::AreaAgainstLoad => {
             "The contact area under growing load, the spectrum cut off at some wavelengths."
         }
+        Shows::Response => "",
     }
 }

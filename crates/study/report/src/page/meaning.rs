@@ -2,8 +2,8 @@
 
 use maud::{Markup, PreEscaped, html};
 
-use super::{SceneReport, Section, per_numbered_scene, table};
-use crate::interface_figure::gap_against_load;
+use super::{SceneReport, Section, per_numbered_scene, sentence, table};
+use crate::interface_figure::{gap_against_load, loops_of_loads};
 use crate::listing::capital;
 use crate::uncertainty_words::level;
 use crate::{interface_words, plot};
@@ -27,6 +27,7 @@ fn of(report: &SceneReport<'_>, at: usize) -> Option<Markup> {
             @for note in interface_words::notes(states, report.scene, report.evidence.uncertainty) { p { (typeset(&capital(&note))) "." } }
             (quantities(report, states))
             (gap(report, states, &format!("scene-{at}-gap")))
+            (shear(report, states, &format!("scene-{at}-shear")))
         }
         @if let Some(further) = further { p { (typeset(&further)) } }
     })
@@ -70,7 +71,7 @@ fn quantities(report: &SceneReport<'_>, states: &InterfaceStates<'_>) -> Markup 
     };
     table(
         "Quantities of the interface. Gap and stiffness are those of Persson’s elastic theory; conductances follow from the stiffness by \
-         Barber’s analogy, friction from the areas of the curves.",
+         Barber’s analogy, friction from the areas of the curves, and the response to a tangential load from the stiffness.",
         &head,
         &body,
     )
@@ -87,6 +88,20 @@ fn gap(report: &SceneReport<'_>, states: &InterfaceStates<'_>, id: &str) -> Mark
             figcaption {
                 strong { "Mean gap against load." } " The whole theory, and the law u" sub { "0" } " ln(p" sub { "00" }
                 "/p) that light loads follow; the loads of the scene with their intervals."
+            }
+        }
+    }
+}
+
+fn shear(report: &SceneReport<'_>, states: &InterfaceStates<'_>, id: &str) -> Markup {
+    let Some(figure) = loops_of_loads(states, report.scene) else { return html! {} };
+    let words = format!("{}: {} against {}", figure.title, figure.y_label, figure.x_label);
+    html! {
+        figure {
+            div.panels { div { (PreEscaped(plot::element(&figure, &[&figure], id, &words))) } }
+            figcaption {
+                strong { (sentence(&figure.title)) } " First loading, and the cycle between both signs of the load; the area that it \
+                encloses is the energy lost per cycle."
             }
         }
     }

@@ -4,14 +4,14 @@ use std::fmt::Write;
 
 use conclusions::{
     AreaEstimate, Caution, Conclusions, LoadConclusion, ModelCell, NextStep, OtherHardness, SealConclusion,
-    Source, Stickiness,
+    ShearConclusion, Source, Stickiness,
 };
 use findings::interface::InterfaceStates;
 use interface::adhesion::{FullerTabor, PastewkaRobbins};
 use judge::{Reference, Verdict};
 use scene::Scene;
 use study::interface::{Quantity, Slot};
-use units::display::{counted, length, percent, pressure, three_digits};
+use units::display::{counted, energy_per_area, length, percent, pressure, three_digits};
 
 use crate::curve_names::short_name;
 use crate::interface_words;
@@ -213,7 +213,21 @@ pub(crate) fn quantity_rows(
         let value = states.slots().contains(&slot).then(|| states.value(slot).ok().flatten()).flatten()?;
         Some((heading, format!("{}{at}{remark}", interface_words::value(quantity, value))))
     };
-    QUANTITIES.into_iter().filter_map(row).collect()
+    let shear = conclusions.shear.iter().find(|shear| shear.load == load.load);
+    let shear = shear.map(|shear| ("Shear", format!("{}{at}{remark}", shear_words(shear))));
+    QUANTITIES.into_iter().filter_map(row).chain(shear).collect()
+}
+
+/// The response to a tangential load: `2.1 nm, 310 µJ/m² lost per cycle (50 % of sliding)`.
+fn shear_words(shear: &ShearConclusion) -> String {
+    let share = percent(shear.share_of_sliding);
+    match shear.displacement_m.zip(shear.dissipation_j_per_m2) {
+        Some((displacement_m, lost)) => {
+            let (displacement, lost) = (length(displacement_m), energy_per_area(lost));
+            format!("{displacement}, {lost} lost per cycle ({share} of sliding)")
+        }
+        None => format!("slides: {share} of friction times pressure"),
+    }
 }
 
 /// The load in the middle, for which a summary compares models.

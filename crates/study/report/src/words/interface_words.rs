@@ -2,15 +2,17 @@
 
 use findings::interface::InterfaceStates;
 use interface::conductance::{ELECTRON_MEAN_FREE_PATH_M, MOST_PLASTIC_SHARE, PressureRatio};
+use interface::tangential::NOTICEABLE_MISMATCH;
 use persson::variance::Band;
 use questions::Note;
 use scene::Scene;
 use study::interface::{Quantity, Seal, Slot};
 use uncertainty::Uncertainty;
-use units::display::{counted, length, percent, pressure, three_digits};
+use units::display::{counted, energy_per_area, length, percent, pressure, share, three_digits};
 
 use crate::listing::listed;
 use crate::persson_words;
+use crate::question_words::coupled_tractions;
 use crate::uncertainty_words::level;
 
 /// The size of an atom \[m\]: surfaces nearer than this touch.
@@ -24,6 +26,8 @@ pub(crate) fn value(quantity: Quantity, value: f64) -> String {
     match quantity.unit() {
         "m" => length(value),
         "Pa" => pressure(value),
+        "J/m²" => energy_per_area(value),
+        "" if quantity == Quantity::StuckAreaFraction => share(value),
         "" => three_digits(value),
         unit => format!("{} {unit}", three_digits(value)),
     }
@@ -40,7 +44,7 @@ pub(crate) fn ends(slot: Slot, uncertainty: &Uncertainty) -> Option<String> {
     let found = uncertainty.quantity(slot).filter(|interval| interval.low < interval.high)?;
     let unit = slot.quantity.unit();
     Some(match unit {
-        "m" | "Pa" => {
+        "m" | "Pa" | "J/m²" | "" => {
             format!("{} to {}", value(slot.quantity, found.low), value(slot.quantity, found.high))
         }
         _ => format!("{} to {} {unit}", three_digits(found.low), three_digits(found.high))
@@ -131,6 +135,9 @@ pub(crate) fn notes(
             pressure(yield_pa / 3f64.sqrt())
         ));
     }
+    if asked.shear.is_some() {
+        notes.extend(of_shear(states, scene));
+    }
     if asked.adhesion.is_some() {
         notes.push(
             "the adhesion parameters are indicators at the shortest wavelength and need not agree; no area follows from them"
@@ -210,6 +217,19 @@ fn of_flowed_peaks(states: &InterfaceStates<'_>, scene: &Scene) -> Vec<String> {
     slope.into_iter().chain(outside).collect()
 }
 
+/// Assumptions of a tangential load, and the loads under which everything slides.
+fn of_shear(states: &InterfaceStates<'_>, scene: &Scene) -> Vec<String> {
+    let assumed = "the tangential load acts in one direction on a constant normal load, without adhesion; displacement and stiffness are \
+                   those of the roughness, in excess of smooth bodies";
+    let sliding = states.sliding_loads();
+    let slides = loads_where(scene, |load| alone(sliding.contains(&load)));
+    let slides = slides.map(|loads| {
+        format!("at {loads} the tangential load reaches friction times pressure, and everything slides")
+    });
+    let coupled = states.coupling().filter(|mismatch| mismatch.abs() > NOTICEABLE_MISMATCH);
+    std::iter::once(assumed.to_owned()).chain(slides).chain(coupled.map(coupled_tractions)).collect()
+}
+
 /// Assumptions of a seal.
 fn of_the_seal(
     states: &InterfaceStates<'_>,
@@ -281,6 +301,10 @@ pub(crate) fn further_keys(scene: &Scene) -> Option<String> {
         (
             is_missing(asked.map(|asked| asked.shear_strength_pa.is_some())),
             "interface.shear_strength (friction)",
+        ),
+        (
+            is_missing(asked.map(|asked| asked.shear.is_some())),
+            "interface.friction and share_of_sliding (tangential load)",
         ),
         (is_missing(asked.map(|asked| asked.adhesion.is_some())), "interface.work_of_adhesion (adhesion)"),
     ];

@@ -3,8 +3,8 @@
 use asperity::FLAGGED_ASPECT_RATIO_OVER_CRITICAL;
 use half_space::HalfSpaceError;
 use questions::{
-    CurveCounts, CutCounts, FEW_TOUCH, GapCounts, LevelCounts, Note, OptionName, QuestionError, Reason,
-    SampledScales, Spelling, UnusedOption,
+    CurveCounts, CutCounts, FEW_TOUCH, GapCounts, LawQuantity, LevelCounts, Note, OptionName, QuestionError,
+    Reason, SampledScales, Spelling, UnusedOption,
 };
 use rough_bem::ElementsError;
 use study::body_properties::BodyProperty;
@@ -108,17 +108,22 @@ fn texts(note: &Note, spelling: &dyn Spelling) -> Vec<String> {
         Note::Places { scatter } => {
             vec![format!("the real area differs by {} % between the places (standard deviation)", three_digits(100.0 * scatter))]
         }
-        Note::CoupledTractions { mismatch } => vec![format!(
-            "pressing these bodies shears them as well (Dundurs' beta {}), which is left out; displacement and \
-             loss hold for equal bodies",
-            three_digits(*mismatch)
-        )],
+        Note::CoupledTractions { mismatch } => vec![coupled_tractions(*mismatch)],
         Note::Sliding { sliding, all } => vec![format!(
             "{sliding} of {}: the tangential stress reaches friction times pressure, and everything slides",
             counted(*all, "load")
         )],
         Note::Rows(note) => row_notes::lines(note),
     }
+}
+
+/// Dundurs' beta, which superposition leaves out.
+pub(crate) fn coupled_tractions(mismatch: f64) -> String {
+    format!(
+        "pressing these bodies shears them as well (Dundurs' beta {}), which is left out; displacement and \
+         loss hold for equal bodies",
+        three_digits(mismatch)
+    )
 }
 
 /// Number and range of scales.
@@ -265,6 +270,21 @@ pub fn error(error: &QuestionError, spelling: &dyn Spelling) -> String {
         QuestionError::TooManyLines { lines, most } => format!(
             "{} draws a line for each pressure and separation, and {lines} are given; give at most {most}",
             name(&OptionName::Figure)
+        ),
+        QuestionError::TooManyLoops { loops, most } => format!(
+            "{} draws a loop for each pressure and tangential stress, and {loops} are given; give at most {most}",
+            name(&OptionName::Figure)
+        ),
+        QuestionError::NoLoop => format!(
+            "{}: every tangential stress reaches friction times pressure, and what slides has no loop; lower {}",
+            name(&OptionName::Figure),
+            name(&OptionName::TangentialStress)
+        ),
+        QuestionError::ConductanceOnly(correlation) => format!(
+            "{} has no overclosure, only conductances; add {} or {}",
+            spelling.model(correlation.name()),
+            spelling.with_value(OptionName::Quantity, LawQuantity::Heat.name()),
+            spelling.with_value(OptionName::Quantity, LawQuantity::Current.name())
         ),
         QuestionError::NoExponentialLaw(model) => format!(
             "{} is the law of light loads of Persson's theory, and {} has none; take the table",

@@ -3,6 +3,7 @@
 mod curve_look;
 mod of_results;
 mod of_scans;
+mod shear_loops;
 mod table;
 
 use serde::{Deserialize, Serialize};
@@ -10,6 +11,7 @@ use spectrum::Hole;
 
 pub use curve_look::{CurveLook, Variant};
 pub use of_scans::{composite_figure, over_scans};
+pub use shear_loops::{ShearLoop, shear_loops};
 
 /// The subject of a figure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -27,6 +29,9 @@ pub enum Shows {
     Area,
     /// Contact area of statistical curves against nominal pressure, at some cutoffs.
     AreaAgainstLoad,
+    /// A quantity of a contact against another. The answer to a question has such a figure, and no scene asks for it.
+    #[serde(skip_deserializing)]
+    Response,
 }
 
 /// A requested figure.
@@ -161,7 +166,7 @@ pub enum BandKind {
     Interval,
 }
 
-/// A figure with its data; all axes are logarithmic.
+/// A figure with its data.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FigureData {
     /// The name of its files.
@@ -176,6 +181,10 @@ pub struct FigureData {
     pub x_label: String,
     /// The ordinate's label.
     pub y_label: &'static str,
+    /// The scale of the abscissa.
+    pub x_scale: AxisScale,
+    /// The scale of the ordinate.
+    pub y_scale: AxisScale,
     /// The lines.
     pub series: Vec<Series>,
     /// The bands that the lines are compared with.
@@ -199,10 +208,21 @@ pub struct Mark {
     pub x: f64,
     /// The ordinate.
     pub y: f64,
-    /// The lower limit of the ordinate, > 0.
+    /// The lower limit of the ordinate, > 0 on a logarithmic axis.
     pub low: f64,
-    /// The largest.
+    /// The upper limit of the ordinate.
     pub high: f64,
+}
+
+/// The scale of an axis.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum AxisScale {
+    /// Equal factors take equal lengths; only positive values have a place.
+    #[default]
+    Logarithmic,
+    /// Equal differences take equal lengths.
+    Linear,
 }
 
 /// An abscissa: its column in a table and its label in a picture.
@@ -272,21 +292,35 @@ impl Figure {
 
 /// A figure of spectra.
 pub fn psd_figure(name: &str, series: Vec<Series>) -> FigureData {
-    FigureData {
-        name: name.to_owned(),
-        shows: Shows::Psd,
-        title: PSD.to_owned(),
-        x: WAVEVECTOR,
-        x_label: WAVEVECTOR.label.to_owned(),
-        y_label: PSD,
-        series,
-        bands: Vec::new(),
-        gaps: Vec::new(),
-        marks: Vec::new(),
-    }
+    FigureData::new(name, Shows::Psd, WAVEVECTOR, PSD, series)
 }
 
 impl FigureData {
+    /// Makes a figure of lines on logarithmic axes, with the ordinate's label as its title and nothing beside the lines.
+    #[must_use]
+    pub fn new(name: &str, shows: Shows, x: Axis, y_label: &'static str, series: Vec<Series>) -> Self {
+        FigureData {
+            name: name.to_owned(),
+            shows,
+            title: y_label.to_owned(),
+            x,
+            x_label: x.label.to_owned(),
+            y_label,
+            x_scale: AxisScale::Logarithmic,
+            y_scale: AxisScale::Logarithmic,
+            series,
+            bands: Vec::new(),
+            gaps: Vec::new(),
+            marks: Vec::new(),
+        }
+    }
+
+    /// Returns the figure with both axes linear.
+    #[must_use]
+    pub fn with_linear_axes(self) -> Self {
+        FigureData { x_scale: AxisScale::Linear, y_scale: AxisScale::Linear, ..self }
+    }
+
     /// A figure against wavevectors or wavelengths that leaves these holes open; any other figure as it is.
     #[must_use]
     pub fn with_holes(self, holes: &[Hole]) -> Self {

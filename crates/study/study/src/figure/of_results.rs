@@ -30,7 +30,8 @@ impl Figure {
                 scale_series(results, "aspect_ratio", Scale::aspect_ratio),
             ),
             Shows::Area => (CUTOFF, AREA, self.area_series(results, needs, hardness_pa)),
-            Shows::AreaAgainstLoad => (PRESSURE, AREA, self.load_series(results, needs)),
+            // No scene asks for a response.
+            Shows::AreaAgainstLoad | Shows::Response => (PRESSURE, AREA, self.load_series(results, needs)),
         };
         let title = self.title.clone().unwrap_or_else(|| y_label.to_owned());
         let x_label = match hardness_pa.filter(|_| x == PRESSURE) {
@@ -38,16 +39,10 @@ impl Figure {
             None => x.label.to_owned(),
         };
         FigureData {
-            name: self.name.clone(),
-            shows: self.shows,
             title,
-            x,
             x_label,
-            y_label,
-            series,
             bands: if self.shows == Shows::Area { self.linear_bands(results, needs) } else { Vec::new() },
-            gaps: Vec::new(),
-            marks: Vec::new(),
+            ..FigureData::new(&self.name, self.shows, x, y_label, series)
         }
     }
 

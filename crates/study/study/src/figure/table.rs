@@ -41,21 +41,11 @@ mod tests {
 
     #[test]
     fn lines_of_different_abscissas_share_a_table() {
-        let figure = FigureData {
-            name: "f".to_owned(),
-            shows: Shows::Area,
-            title: String::new(),
-            x: WAVELENGTH,
-            x_label: String::new(),
-            y_label: "",
-            series: vec![
-                Series::under("a", 0, vec![(3.0, 0.3), (2.0, 0.2), (1.0, 0.1)]),
-                Series::under("b", 0, vec![(2.0, 0.5), (0.5, 0.4)]),
-            ],
-            bands: Vec::new(),
-            gaps: Vec::new(),
-            marks: Vec::new(),
-        };
+        let series = vec![
+            Series::under("a", 0, vec![(3.0, 0.3), (2.0, 0.2), (1.0, 0.1)]),
+            Series::under("b", 0, vec![(2.0, 0.5), (0.5, 0.4)]),
+        ];
+        let figure = FigureData::new("f", Shows::Area, WAVELENGTH, "", series);
         let table = figure.table();
         let column = |name: &str| match table.column(name) {
             Some(Cells::Numbers(cells)) => cells.clone(),

@@ -2,6 +2,8 @@
 
 mod quantity;
 mod request;
+mod shear;
 
 pub use quantity::{Quantity, Slot};
 pub use request::{Adhesion, InterfaceRequest, Seal};
+pub use shear::{Shear, ShearLoad, sheared_pair};

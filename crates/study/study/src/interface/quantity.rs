@@ -38,6 +38,16 @@ pub enum Quantity {
     FrictionStress,
     /// Friction over load.
     FrictionCoefficient,
+    /// Tangential stiffness dq/dd at no tangential load, per nominal area \[Pa/m\].
+    TangentialStiffness,
+    /// Tangential displacement d on first loading \[m\].
+    TangentialDisplacement,
+    /// Share of the nominal area that sticks under the tangential load.
+    StuckAreaFraction,
+    /// Energy lost in a cycle of the tangential load between both signs, per nominal area \[J/m^2\].
+    TangentialDissipation,
+    /// Equivalent viscous damping ratio of that cycle, W/(2 pi q d).
+    DampingRatio,
     /// The adhesion parameter of Fuller & Tabor.
     FullerTabor,
     /// The left side of the criterion of Pastewka & Robbins.
@@ -56,6 +66,15 @@ pub struct Slot {
 }
 
 impl Quantity {
+    /// The quantities of a tangential load.
+    pub const OF_SHEAR: [Quantity; 5] = [
+        Quantity::TangentialStiffness,
+        Quantity::TangentialDisplacement,
+        Quantity::StuckAreaFraction,
+        Quantity::TangentialDissipation,
+        Quantity::DampingRatio,
+    ];
+
     /// Its name in tables, with its unit.
     #[must_use]
     pub fn key(self) -> &'static str {
@@ -76,6 +95,11 @@ impl Quantity {
             Quantity::TightPressure => "tight_pressure_pa",
             Quantity::FrictionStress => "friction_stress_pa",
             Quantity::FrictionCoefficient => "friction_coefficient",
+            Quantity::TangentialStiffness => "tangential_stiffness_pa_per_m",
+            Quantity::TangentialDisplacement => "tangential_displacement_m",
+            Quantity::StuckAreaFraction => "stuck_area_fraction",
+            Quantity::TangentialDissipation => "tangential_dissipation_j_per_m2",
+            Quantity::DampingRatio => "damping_ratio",
             Quantity::FullerTabor => "fuller_tabor",
             Quantity::PastewkaRobbins => "pastewka_robbins",
         }
@@ -85,8 +109,14 @@ impl Quantity {
     #[must_use]
     pub fn power_of_stiffness(self) -> i32 {
         match self {
-            Quantity::Stiffness | Quantity::ThermalConductance | Quantity::ElectricalConductance => 1,
-            Quantity::ThermalResistance | Quantity::ElectricalResistance => -1,
+            Quantity::Stiffness
+            | Quantity::ThermalConductance
+            | Quantity::ElectricalConductance
+            | Quantity::TangentialStiffness => 1,
+            Quantity::ThermalResistance
+            | Quantity::ElectricalResistance
+            | Quantity::TangentialDisplacement
+            | Quantity::TangentialDissipation => -1,
             _ => 0,
         }
     }
@@ -113,6 +143,11 @@ impl Quantity {
             Quantity::TightPressure => "pressure that makes it tight",
             Quantity::FrictionStress => "friction per nominal area",
             Quantity::FrictionCoefficient => "coefficient of friction",
+            Quantity::TangentialStiffness => "tangential stiffness before any slip",
+            Quantity::TangentialDisplacement => "tangential displacement",
+            Quantity::StuckAreaFraction => "share of the nominal area that sticks",
+            Quantity::TangentialDissipation => "energy lost per tangential cycle",
+            Quantity::DampingRatio => "equivalent damping ratio",
             Quantity::FullerTabor => "adhesion parameter of Fuller & Tabor",
             Quantity::PastewkaRobbins => "left side of Pastewka & Robbins’ criterion, sticky below 1.03",
         }
@@ -122,8 +157,12 @@ impl Quantity {
     #[must_use]
     pub fn unit(self) -> &'static str {
         match self {
-            Quantity::MeanGap | Quantity::ChannelWavelength | Quantity::ChannelHeight => "m",
-            Quantity::Stiffness => "Pa/m",
+            Quantity::MeanGap
+            | Quantity::ChannelWavelength
+            | Quantity::ChannelHeight
+            | Quantity::TangentialDisplacement => "m",
+            Quantity::Stiffness | Quantity::TangentialStiffness => "Pa/m",
+            Quantity::TangentialDissipation => "J/m²",
             Quantity::ThermalConductance
             | Quantity::YovanovichConductance
             | Quantity::CooperMikicYovanovichConductance
@@ -134,7 +173,11 @@ impl Quantity {
             Quantity::ElectricalResistance => "Ω",
             Quantity::LeakRate => "m³/s",
             Quantity::TightPressure | Quantity::FrictionStress => "Pa",
-            Quantity::FrictionCoefficient | Quantity::FullerTabor | Quantity::PastewkaRobbins => "",
+            Quantity::FrictionCoefficient
+            | Quantity::StuckAreaFraction
+            | Quantity::DampingRatio
+            | Quantity::FullerTabor
+            | Quantity::PastewkaRobbins => "",
         }
     }
 }

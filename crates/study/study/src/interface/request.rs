@@ -8,6 +8,7 @@ use persson::sealing::PercolationThreshold;
 use persson::variance::Band;
 
 use super::quantity::{Quantity, Slot};
+use super::shear::Shear;
 
 /// A request for quantities of an interface besides its area: gap and stiffness always, others if their inputs are
 /// given.
@@ -31,6 +32,8 @@ pub struct InterfaceRequest {
     pub shear_strength_pa: Option<f64>,
     /// The adhesion across the gap.
     pub adhesion: Option<Adhesion>,
+    /// The tangential load, and the friction that it meets.
+    pub shear: Option<Shear>,
 }
 
 /// A contact as a seal.
@@ -106,6 +109,9 @@ impl InterfaceRequest {
         if let Some(seal) = &self.seal {
             quantities.extend([Quantity::ChannelWavelength, Quantity::ChannelHeight]);
             quantities.extend(seal.joint.map(|_| Quantity::LeakRate));
+        }
+        if self.shear.is_some() {
+            quantities.extend(Quantity::OF_SHEAR);
         }
         quantities
     }
