@@ -325,6 +325,9 @@ fn adhesive_waves_are_pressed_and_pulled() {
     let areas = numbers(&pressed, "area_fraction");
     let plain = numbers(&bench.run(&call(&[&WAVES, &["--pressure", "20MPa"]])).ok(), "area_fraction")[0];
     assert!(areas.len() == 2 && areas.iter().all(|area| *area > plain && *area <= 1.0), "{areas:?} {plain}");
+    let held = bench.run(&call(&[&WAVES, &adhesive, &["--pressure=-5kPa"]])).ok();
+    let [held_pa] = numbers(&held, "nominal_pressure_pa")[..] else { panic!("{held}") };
+    assert!((held_pa / -5e3 - 1.0).abs() < 1e-12, "{held}");
     let pulled = bench.run(&call(&[&WAVES, &adhesive, &["--pull-off"]])).ok();
     let loads = numbers(&pulled, "nominal_pressure_pa");
     let strongest = loads.iter().copied().fold(0.0, f64::min);

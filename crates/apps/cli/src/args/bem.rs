@@ -6,13 +6,15 @@ use std::path::PathBuf;
 use clap::Args as ClapArgs;
 use gaussian_surfaces::Phases;
 use measurements::ScanRequest;
-use questions::{MaterialInput, OptionName, RandomInput};
-use rough_bem::{Boundary, Branch, RandomChoices};
+use questions::{BranchChoice, LoadInput, MaterialInput, OptionName, RandomInput};
+use rough_bem::{Boundary, RandomChoices};
 use study::measured::Kind;
 use topography::Detrend;
-use units::{Force, IndentationHardness, Length, Modulus, Pressure, WorkOfAdhesion};
+use units::{
+    Force, IndentationHardness, Length, Modulus, Pressure, PressureRange, QuantityError, WorkOfAdhesion,
+};
 
-use super::groups::{CounterfaceArgs, FigureArg, NamedMaterialArgs, PressureArgs, ReadingArgs};
+use super::groups::{CounterfaceArgs, FigureArg, NamedMaterialArgs, ReadingArgs};
 use super::layer::LayerArgs;
 use super::parsers::{one_of, parse_poisson_ratio};
 use super::scans::{MapTreatmentArgs, UntoldArgs};
@@ -28,7 +30,7 @@ pub(crate) struct BemArgs {
     #[arg(long = "as", value_name = "KIND", value_parser = one_of::<Kind, _>(Kind::ALL))]
     pub kind: Option<Kind>,
     #[command(flatten)]
-    pub loads: PressureArgs,
+    pub loads: SignedPressureArgs,
     /// The pressure at which the surface flows, an indentation hardness as 3GPa or 1H; elastic throughout where not given
     #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub saturation: Option<Pressure>,
@@ -45,8 +47,8 @@ pub(crate) struct BemArgs {
     #[arg(long, value_name = "L", requires = "work_of_adhesion", allow_hyphen_values = true)]
     pub adhesion_range: Option<Length>,
     /// History of the load with adhesion: apart, from first touch (where not given), contact, from full contact, or both
-    #[arg(long, value_name = "BRANCH", requires = "work_of_adhesion", value_parser = ["apart", "contact", "both"])]
-    pub branch: Option<String>,
+    #[arg(long, value_name = "BRANCH", requires = "work_of_adhesion", value_parser = one_of::<BranchChoice, _>(BranchChoice::ALL))]
+    pub branch: Option<BranchChoice>,
     /// Pull the surfaces apart in place of pressing them, and report the largest pull that they bear
     #[arg(long, requires = "work_of_adhesion", conflicts_with_all = ["pressures", "pressure_ranges", "branch"])]
     pub pull_off: bool,
@@ -74,15 +76,19 @@ pub(crate) struct BemArgs {
     pub reading: ReadingArgs,
 }
 
-impl BemArgs {
-    /// The branch that is followed; `None` for both.
-    pub fn followed(&self) -> Option<Branch> {
-        match self.branch.as_deref() {
-            Some("both") => None,
-            Some("contact") => Some(Branch::Contact),
-            _ => Some(Branch::Apart),
-        }
-    }
+/// Nominal pressures, one by one and as ranges; surfaces that attract each other may be pulled.
+#[derive(Debug, ClapArgs)]
+pub(crate) struct SignedPressureArgs {
+    /// Nominal pressure; give it several times for several loads
+    #[arg(long = "pressure", value_name = "P", value_parser = parse_signed_pressure, allow_hyphen_values = true)]
+    pub pressures: Vec<(Pressure, String)>,
+    /// COUNT log-spaced pressures from FROM to TO, in addition to any --pressure
+    #[arg(long = "pressures", value_name = "FROM:TO:COUNT", allow_hyphen_values = true)]
+    pub pressure_ranges: Vec<PressureRange>,
+}
+
+fn parse_signed_pressure(text: &str) -> Result<(Pressure, String), QuantityError> {
+    LoadInput::parse_signed(text).map(|load| (load.pressure, load.label))
 }
 
 /// A material that is elastic, or flows at one hardness.
