@@ -3,7 +3,7 @@
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use questions::{Note, OptionName, QuestionError, Spelling};
+use questions::{Note, NoteLevel, NotePlace, OptionName, QuestionError, Spelling, note_code};
 use report::question_words;
 use study::material::MaterialError;
 use tables::{Cell, Cells, Table};
@@ -79,38 +79,33 @@ pub fn of_material(error: &MaterialError) -> String {
     question_words::of_material(error, &Keywords)
 }
 
-/// A note in words, its level, `note` or `caution`, and the code of its kind.
-pub type Told = (String, &'static str, String);
+/// A note in words, its level, the code of its kind, and its place.
+pub type Told = (String, &'static str, String, Place);
+
+/// Files, row, line and key that a note is about.
+type Place = (Vec<String>, Option<usize>, Option<usize>, Option<String>);
 
 /// Notes in words; checks that were passed are left out.
 pub fn words(notes: &[Note]) -> Vec<Told> {
-    let lines = notes.iter().flat_map(|note| {
-        let is_doubt = matches!(note, Note::Doubt(_));
-        let code = code(note);
-        question_words::lines(note, &Keywords).into_iter().filter_map(move |line| match line.severity {
-            Severity::Passed => None,
-            Severity::Note => Some((line.text, if is_doubt { "caution" } else { "note" }, code.clone())),
-            Severity::Warning => Some((format!("warning: {}", line.text), "caution", code.clone())),
+    let with_level = notes.iter().filter_map(|note| Some((note, note.level()?)));
+    let lines = with_level.flat_map(|(note, level)| {
+        question_words::lines(note, &Keywords).into_iter().map(move |line| {
+            let is_warning = line.severity == Severity::Warning;
+            let text = if is_warning { format!("warning: {}", line.text) } else { line.text };
+            (text, level.name(), note_code(note), in_keywords(note.place()))
         })
     });
     lines.collect()
 }
 
-/// The kind of a note by the names of its types: `doubt.steep-surface` of `Doubt(SteepSurface { .. })`.
-pub fn code(note: &impl std::fmt::Debug) -> String {
-    let text = format!("{note:?}");
-    let names = text.split('(').map_while(|part| {
-        let name: String = part.chars().take_while(|letter| letter.is_ascii_alphanumeric()).collect();
-        name.starts_with(|first: char| first.is_ascii_uppercase()).then_some(name)
-    });
-    let kebab = names.map(|name| {
-        let letters = name.char_indices().flat_map(|(at, letter)| {
-            let dash = (at > 0 && letter.is_ascii_uppercase()).then_some('-');
-            dash.into_iter().chain([letter.to_ascii_lowercase()])
-        });
-        letters.collect::<String>()
-    });
-    kebab.collect::<Vec<_>>().join(".")
+/// A note that is text already, with the code of its kind.
+pub fn in_text(text: String, code: &str, place: NotePlace) -> Told {
+    (text, NoteLevel::Note.name(), code.to_owned(), in_keywords(place))
+}
+
+fn in_keywords(place: NotePlace) -> Place {
+    let NotePlace { files, row, line, option, key } = place;
+    (files, row, line, key.or_else(|| option.map(|option| Keywords.option(option))))
 }
 
 /// The columns of a table by their names: numbers as arrays of doubles, NaN where a cell is empty, as data frames have it;

@@ -16,7 +16,7 @@ use study::growth_law::GrowthLaw;
 use study::models::ModelOptions;
 use units::{
     Area, Bound, Force, IndentationHardness, Length, Modulus, Pressure, QuantityError, Resistivity,
-    SignedLength, ThermalConductivity, UnknownName, display,
+    SignedLength, ThermalConductivity, UnknownName, WorkOfAdhesion, display,
 };
 
 use crate::errors::{input, of_argument};
@@ -119,6 +119,10 @@ impl<'py> Arguments<'py> {
     }
 
     pub fn model_options(&self) -> PyResult<ModelOptions> {
+        // A look through the few names that are given costs less than a question for each.
+        if !self.0.keys().iter().any(|key| key.cast::<PyString>().is_ok_and(|name| of_model(name))) {
+            return Ok(ModelOptions::default());
+        }
         Ok(ModelOptions {
             strain_gradient: self.flag("strain_gradient")?,
             hardness: self.hardness_form()?,
@@ -186,9 +190,29 @@ impl<'py> Arguments<'py> {
     }
 }
 
+/// Returns true for the name of an argument that is an option of models.
+fn of_model(name: &pyo3::Bound<'_, PyString>) -> bool {
+    const NAMES: [&str; 8] = [
+        "strain_gradient",
+        "hardness_formula",
+        "hardness",
+        "interference_law",
+        "correction",
+        "band",
+        "gamma",
+        "hardness_law",
+    ];
+    name.to_str().is_ok_and(|name| NAMES.contains(&name))
+}
+
 /// A nominal pressure and how it was given.
 pub fn load(argument: &str, given: &Given<'_>) -> PyResult<LoadInput> {
-    let pressure: Pressure = quantity(argument, given)?;
+    load_within(argument, given, Pressure::BOUND)
+}
+
+/// A nominal pressure, whose number in Pa lies within a bound, and how it was given.
+pub fn load_within(argument: &str, given: &Given<'_>, bound: Bound) -> PyResult<LoadInput> {
+    let pressure: Pressure = quantity_within(argument, given, bound)?;
     let label = match (given.cast::<PyString>(), pressure) {
         (Err(_), Pressure::Pascals(pa)) => display::pressure(pa),
         _ => given.str()?.to_string(),
@@ -255,11 +279,16 @@ quantities! {
     IndentationHardness, "Pa", "3 GPa", Bound::Positive, |pa| IndentationHardness { pa };
     Pressure, "Pa", "5 MPa", Bound::Positive, Pressure::Pascals;
     ThermalConductivity, "W/(m*K)", "46 W/(m K)", Bound::Positive, |w_per_m_k| ThermalConductivity { w_per_m_k };
+    WorkOfAdhesion, "J/m**2", "50 mJ/m^2", Bound::Positive, |j_per_m2| WorkOfAdhesion { j_per_m2 };
     Resistivity, "ohm*m", "1.7e-8 ohm m", Bound::Positive, |ohm_m| Resistivity { ohm_m };
 }
 
 /// The quantity that an argument gives.
 pub fn quantity<Q: Quantity>(argument: &str, given: &Given<'_>) -> PyResult<Q> {
+    quantity_within(argument, given, Q::BOUND)
+}
+
+fn quantity_within<Q: Quantity>(argument: &str, given: &Given<'_>, bound: Bound) -> PyResult<Q> {
     if let Ok(text) = given.cast::<PyString>() {
         return text.to_str()?.parse().map_err(|error| of_argument(argument, error));
     }
@@ -271,7 +300,7 @@ pub fn quantity<Q: Quantity>(argument: &str, given: &Given<'_>) -> PyResult<Q> {
             format!("a number in {unit} is needed, or text such as '{example}', and this is {what}"),
         )
     })?;
-    checked(argument, Q::BOUND, number).map(Q::of_si)
+    checked(argument, bound, number).map(Q::of_si)
 }
 
 /// A number within its bound.

@@ -35,7 +35,8 @@ impl<'py> FromPyObject<'_, 'py> for Numbers<'py> {
     }
 }
 
-/// States of a model for rows of roughness and, last, condition, all of the same shape; the condition is a pressure \[Pa\] or a
+/// States of a model for rows of roughness and, last, condition, all of the same shape, or the numbers of a single one as the
+/// column `state`; the condition is a pressure \[Pa\] or a
 /// separation \[m\]. The material of a row is that at its index among the `materials`, or the one that there is.
 #[pyfunction]
 pub fn contact_states<'py>(
@@ -91,11 +92,13 @@ pub fn contact_states<'py>(
     };
     let (found, counts) = states.map_err(|error| bad_row(&error, shape))?;
     let columns = PyDict::new(py);
-    for (name, column) in STATE_COLUMNS.into_iter().zip(found) {
-        match &column[..] {
-            // An array for each number would take longer than the state.
-            [number] if shape.is_empty() => columns.set_item(name, number)?,
-            _ => columns.set_item(name, PyArray1::from_vec(py, column))?,
+    if shape.is_empty() {
+        // An array for each number would take longer than the state.
+        let state = found.iter().filter_map(|column| column.first().copied());
+        columns.set_item("state", PyArray1::from_iter(py, state))?;
+    } else {
+        for (name, column) in STATE_COLUMNS.into_iter().zip(found) {
+            columns.set_item(name, PyArray1::from_vec(py, column))?;
         }
     }
     let materials = materials.iter().map(|material| &material.get().material);

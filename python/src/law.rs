@@ -20,20 +20,27 @@ use crate::material::PyMaterial;
 use crate::surface::PySurface;
 use crate::work::carry_out;
 
-/// A law as the core has it.
-#[pyclass(frozen, name = "ContactLaw", module = "truearea._native")]
-pub struct PyContactLaw {
-    law: ContactLaw,
-    /// The exponential law of light loads, which Persson's theory has.
-    exponential: Option<ExponentialLaw>,
-    model: &'static ModelEntry,
+/// Pressure against overclosure, or conductance against pressure, as the core has it.
+#[pyclass(frozen, name = "FoundLaw", module = "truearea._native")]
+pub struct PyFoundLaw {
+    found: Found,
     provenance: Vec<String>,
     notes: Vec<Note>,
 }
 
+enum Found {
+    /// With the exponential law of light loads, which Persson's theory has.
+    Pressure {
+        law: ContactLaw,
+        exponential: Option<ExponentialLaw>,
+        model: &'static ModelEntry,
+    },
+    Conductance(ConductanceTable),
+}
+
 #[pymethods]
-impl PyContactLaw {
-    /// The law of a model between two pressures.
+impl PyFoundLaw {
+    /// The law of a model or a correlation between two pressures.
     #[new]
     fn new(
         py: Python<'_>,
@@ -43,117 +50,93 @@ impl PyContactLaw {
     ) -> PyResult<Self> {
         let (question, tolerance) = question(material, &arguments)?;
         let found = carry_out(py, None, |progress: &dyn Progress| {
-            let LawAnswer::Pressure(found) = question.answer(&surface.surface, progress)? else {
-                return Ok(None);
-            };
-            let law = found.sampled(tolerance, progress)?;
-            Ok::<_, QuestionError>(Some((law, found.exponential().ok(), found.model, found.notes)))
+            Ok::<_, QuestionError>(match question.answer(&surface.surface, progress)? {
+                LawAnswer::Pressure(found) => {
+                    let (law, model) = (found.sampled(tolerance, progress)?, found.model);
+                    let cited = vec![format!("{}: {}", model.full_name, model.citation)];
+                    let exponential = found.exponential().ok();
+                    (Found::Pressure { law, exponential, model }, cited, found.notes)
+                }
+                LawAnswer::Conductance(found) => {
+                    let table = found.sampled(tolerance, progress)?;
+                    (Found::Conductance(table), found.description(), found.notes)
+                }
+            })
         })?;
-        let (law, exponential, model, notes) = found.map_err(refused)?.ok_or_else(of_another_class)?;
+        let (found, cited, notes) = found.map_err(refused)?;
         let mut provenance = origin(&question, surface, material);
-        provenance.push(format!("{}: {}", model.full_name, model.citation));
-        Ok(PyContactLaw { law, exponential, model, provenance, notes })
+        provenance.extend(cited);
+        Ok(PyFoundLaw { found, provenance, notes })
     }
 
-    /// Points of the law; the first is where the law is cut off.
+    /// Points of the law; at the first it is cut off, or has no pressure.
     fn answer(&self, py: Python<'_>) -> PyResult<PyAnswer> {
-        let points = self.law.points();
-        let (pressures_pa, overclosures_m): (Vec<f64>, Vec<f64>) = self.law.rows(UnitSystem::Si).unzip();
-        let table = Table::default()
-            .with_numbers("pressure_pa", pressures_pa)
-            .with_numbers("overclosure_m", overclosures_m)
-            .with_numbers("mean_gap_m", points.iter().map(|point| point.mean_gap_m))
-            .with_numbers("area_fraction", points.iter().map(|point| point.area_fraction));
+        let table = match &self.found {
+            Found::Pressure { law, .. } => law_table(law),
+            Found::Conductance(table) => conductance_table(table),
+        };
         PyAnswer::new(py, &table, self.notes.clone())
     }
 
-    /// The nominal pressure \[Pa\] at the gap where it is cut off.
+    /// The nominal pressure \[Pa\] at the gap where a law is cut off.
     #[getter]
-    fn cut_pressure_pa(&self) -> f64 {
-        self.law.cut().pressure_pa
+    fn cut_pressure_pa(&self) -> Option<f64> {
+        match &self.found {
+            Found::Pressure { law, .. } => Some(law.cut().pressure_pa),
+            Found::Conductance(_) => None,
+        }
     }
 
-    /// The largest relative error of the pressure that was met halfway between two points.
+    /// The largest relative error that was met halfway between two points.
     #[getter]
     fn interpolation_error(&self) -> f64 {
-        self.law.interpolation_error()
+        match &self.found {
+            Found::Pressure { law, .. } => law.interpolation_error(),
+            Found::Conductance(table) => table.interpolation_error(),
+        }
     }
 
-    /// The law in the words of a code.
+    /// The law in the words of a code; conductances have neither name nor form.
     fn to_text(&self, dialect: &str, units: &str, name: &str, form: &str) -> PyResult<String> {
-        let dialect: Dialect = named("dialect", dialect)?;
-        let units: UnitSystem = named("units", units)?;
+        let (dialect, units): (Dialect, UnitSystem) = (named("dialect", dialect)?, named("units", units)?);
+        let (law, exponential, model) = match &self.found {
+            Found::Pressure { law, exponential, model } => (law, exponential, *model),
+            Found::Conductance(table) => {
+                return table.to_text(dialect, units, &self.provenance).map_err(input);
+            }
+        };
         let name = Heading::checked_name(name).map_err(|error| of_argument("name", error))?;
         let heading = Heading { provenance: self.provenance.clone(), name: name.to_owned() };
         let text = match named::<LawForm>("form", form)? {
-            LawForm::Table => dialect.table(&self.law, units, &heading, &[]),
+            LawForm::Table => dialect.table(law, units, &heading, &[]),
             LawForm::Exponential => {
-                let none = || refused(QuestionError::NoExponentialLaw(self.model));
-                dialect.exponential(self.exponential.as_ref().ok_or_else(none)?, units, &heading)
+                let none = || refused(QuestionError::NoExponentialLaw(model));
+                dialect.exponential(exponential.as_ref().ok_or_else(none)?, units, &heading)
             }
         };
         text.map_err(input)
     }
 }
 
-/// Conductance against pressure as the core has it.
-#[pyclass(frozen, name = "ConductanceTable", module = "truearea._native")]
-pub struct PyConductanceTable {
-    table: ConductanceTable,
-    provenance: Vec<String>,
-    notes: Vec<Note>,
+fn law_table(law: &ContactLaw) -> Table {
+    let (pressures_pa, overclosures_m): (Vec<f64>, Vec<f64>) = law.rows(UnitSystem::Si).unzip();
+    Table::default()
+        .with_numbers("pressure_pa", pressures_pa)
+        .with_numbers("overclosure_m", overclosures_m)
+        .with_numbers("mean_gap_m", law.points().iter().map(|point| point.mean_gap_m))
+        .with_numbers("area_fraction", law.points().iter().map(|point| point.area_fraction))
 }
 
-#[pymethods]
-impl PyConductanceTable {
-    /// The conductance of a model or a correlation between two pressures.
-    #[new]
-    fn new(
-        py: Python<'_>,
-        surface: &PySurface,
-        material: &PyMaterial,
-        arguments: Arguments<'_>,
-    ) -> PyResult<Self> {
-        let (question, tolerance) = question(material, &arguments)?;
-        let found = carry_out(py, None, |progress: &dyn Progress| {
-            let LawAnswer::Conductance(found) = question.answer(&surface.surface, progress)? else {
-                return Ok(None);
-            };
-            let table = found.sampled(tolerance, progress)?;
-            Ok::<_, QuestionError>(Some((table, found.description(), found.notes)))
-        })?;
-        let (table, description, notes) = found.map_err(refused)?.ok_or_else(of_another_class)?;
-        let mut provenance = origin(&question, surface, material);
-        provenance.extend(description);
-        Ok(PyConductanceTable { table, provenance, notes })
-    }
-
-    /// Points of the table; the first has no pressure.
-    fn answer(&self, py: Python<'_>) -> PyResult<PyAnswer> {
-        let points = self.table.points();
-        let total = points.iter().map(|point| point.total_si());
-        let table =
-            Table::default().with_numbers("pressure_pa", points.iter().map(|point| point.pressure_pa));
-        let table = match self.table.flow() {
-            Flow::Heat => table
-                .with_numbers("conductance_w_per_m2_k", total)
-                .with_numbers("contact_w_per_m2_k", points.iter().map(|point| point.contact_si))
-                .with_numbers("gas_w_per_m2_k", points.iter().map(|point| point.gas_si)),
-            Flow::Current => table.with_numbers("conductance_s_per_m2", total),
-        };
-        PyAnswer::new(py, &table, self.notes.clone())
-    }
-
-    /// The largest relative error of the conductance that was met halfway between two points.
-    #[getter]
-    fn interpolation_error(&self) -> f64 {
-        self.table.interpolation_error()
-    }
-
-    /// The table in the words of a code.
-    fn to_text(&self, dialect: &str, units: &str) -> PyResult<String> {
-        let (dialect, units) = (named("dialect", dialect)?, named("units", units)?);
-        self.table.to_text(dialect, units, &self.provenance).map_err(input)
+fn conductance_table(found: &ConductanceTable) -> Table {
+    let points = found.points();
+    let total = points.iter().map(|point| point.total_si());
+    let table = Table::default().with_numbers("pressure_pa", points.iter().map(|point| point.pressure_pa));
+    match found.flow() {
+        Flow::Heat => table
+            .with_numbers("conductance_w_per_m2_k", total)
+            .with_numbers("contact_w_per_m2_k", points.iter().map(|point| point.contact_si))
+            .with_numbers("gas_w_per_m2_k", points.iter().map(|point| point.gas_si)),
+        Flow::Current => table.with_numbers("conductance_s_per_m2", total),
     }
 }
 
@@ -220,9 +203,4 @@ fn origin(question: &LawTableQuestion, surface: &PySurface, material: &PyMateria
     let asked =
         format!("truearea.law, model {}, {}", model.unwrap_or_default(), material.material.describe());
     provenance(&asked, &surface.surface, by.sampling.sampling())
-}
-
-/// The error of a class that holds another quantity.
-fn of_another_class() -> PyErr {
-    of_argument("quantity", "another class holds tables of this quantity; call truearea.law")
 }

@@ -31,7 +31,7 @@ mod _native {
         contact::contact_states,
         curves::{curve, gaps, tangential},
         errors::InputError,
-        law::{PyConductanceTable, PyContactLaw},
+        law::PyFoundLaw,
         lengths::in_metres,
         material::PyMaterial,
         names::{choices, materials_table, models_table, pressure_in_words},

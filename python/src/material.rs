@@ -20,6 +20,24 @@ pub struct PyMaterial {
     pub material: Material,
     /// Rows of the table of materials that the rough body and its counterface were named by.
     pub named: [Option<TabledMaterial>; 2],
+    /// E of the rough body \[Pa\].
+    #[pyo3(get)]
+    youngs_modulus_pa: Option<f64>,
+    /// Poisson's ratio of the rough body.
+    #[pyo3(get)]
+    poisson_ratio: Option<f64>,
+    /// E* \[Pa\].
+    #[pyo3(get)]
+    composite_modulus_pa: f64,
+    /// H \[Pa\].
+    #[pyo3(get)]
+    indentation_hardness_pa: Option<f64>,
+    /// S0 \[Pa\].
+    #[pyo3(get)]
+    yield_strength_pa: Option<f64>,
+    /// The material as it was given, in SI units: equal for equal materials.
+    #[pyo3(get)]
+    identity: String,
 }
 
 #[pymethods]
@@ -47,7 +65,18 @@ impl PyMaterial {
             Some(other) => other.cast::<PyMaterial>()?.get().named[0].clone(),
             None => None,
         };
-        Ok(PyMaterial { input, material: input.material().map_err(refused)?, named: [named, other] })
+        let material = input.material().map_err(refused)?;
+        Ok(PyMaterial {
+            youngs_modulus_pa: input.youngs_modulus_pa,
+            poisson_ratio: input.poisson_ratio,
+            composite_modulus_pa: material.pair.composite_modulus_pa(),
+            indentation_hardness_pa: material.hardness_pa(),
+            yield_strength_pa: material.yield_strength_pa(),
+            identity: format!("{input:?}"),
+            named: [named, other],
+            input,
+            material,
+        })
     }
 
     /// True for text that is a name rather than a modulus.
@@ -64,46 +93,10 @@ impl PyMaterial {
         }
     }
 
-    /// E of the rough body \[Pa\].
-    #[getter]
-    fn youngs_modulus_pa(&self) -> Option<f64> {
-        self.input.youngs_modulus_pa
-    }
-
-    /// Poisson's ratio of the rough body.
-    #[getter]
-    fn poisson_ratio(&self) -> Option<f64> {
-        self.input.poisson_ratio
-    }
-
-    /// E* \[Pa\].
-    #[getter]
-    fn composite_modulus_pa(&self) -> f64 {
-        self.material.pair.composite_modulus_pa()
-    }
-
-    /// H \[Pa\].
-    #[getter]
-    fn indentation_hardness_pa(&self) -> Option<f64> {
-        self.material.hardness_pa()
-    }
-
-    /// S0 \[Pa\].
-    #[getter]
-    fn yield_strength_pa(&self) -> Option<f64> {
-        self.material.yield_strength_pa()
-    }
-
     /// A nominal pressure \[Pa\], perhaps in units of the hardness.
     fn pressure_pa(&self, argument: &str, pressure: &Given<'_>) -> PyResult<f64> {
         let pressure = self.material.nominal_pressure(load(argument, pressure)?.pressure);
         pressure.map(|pressure| pressure.pa()).map_err(|error| input(of_material(&error)))
-    }
-
-    /// The material as it was given, in SI units: equal for equal materials.
-    #[getter]
-    fn identity(&self) -> String {
-        format!("{:?}", self.input)
     }
 
     /// The material in a line.

@@ -8,7 +8,7 @@ use persson::corrections::Correction;
 use persson::variance::Band;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use questions::{LawForm, LawQuantity, PlasticCorrelation};
+use questions::{BranchChoice, LawForm, LawQuantity, NoteLevel, PlasticCorrelation};
 use roughness::FormRemoval;
 use scene::Template;
 use spectrum::{Abscissa, AmplitudeDefinition, Convention, Normalisation};
@@ -17,42 +17,57 @@ use study::materials;
 use study::models::{self, Choice, Framework, MODELS, ModelEntry};
 use topography::{Average, Detrend, Direction, GapTreatment, Window};
 
-/// Columns of text: the materials of the table, empty where the table has no value.
+/// Columns of text of some rows, by their names.
+fn text_columns<'py, R>(
+    py: Python<'py>,
+    rows: &[R],
+    columns: &[(&str, fn(&R) -> String)],
+) -> PyResult<Bound<'py, PyDict>> {
+    let table = PyDict::new(py);
+    for (name, of) in columns {
+        table.set_item(name, rows.iter().map(of).collect::<Vec<_>>())?;
+    }
+    Ok(table)
+}
+
+/// The materials of the table: text, empty where the table has no value, and Poisson's ratios.
 #[pyfunction]
 pub fn materials_table(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
-    let table = materials::materials();
-    let column = |of: fn(&materials::TabledMaterial) -> String| table.iter().map(of).collect::<Vec<_>>();
-    let columns = PyDict::new(py);
-    columns.set_item("name", column(|row| row.name.clone()))?;
-    columns.set_item("aliases", column(|row| row.aliases.join(", ")))?;
-    columns.set_item("youngs_modulus", column(|row| row.youngs_modulus.clone()))?;
-    columns.set_item("poisson_ratio", table.iter().map(|row| row.poisson_ratio).collect::<Vec<_>>())?;
-    columns.set_item("yield_strength", column(|row| row.yield_strength.clone().unwrap_or_default()))?;
-    columns.set_item(
-        "indentation_hardness",
-        column(|row| row.indentation_hardness.clone().unwrap_or_default()),
+    let rows = materials::materials();
+    let columns = text_columns(
+        py,
+        &rows,
+        &[
+            ("name", |row| row.name.clone()),
+            ("aliases", |row| row.aliases.join(", ")),
+            ("youngs_modulus", |row| row.youngs_modulus.clone()),
+            ("poisson_ratio", |_| String::new()),
+            ("yield_strength", |row| row.yield_strength.clone().unwrap_or_default()),
+            ("indentation_hardness", |row| row.indentation_hardness.clone().unwrap_or_default()),
+            ("thermal_conductivity", |row| row.thermal_conductivity.clone().unwrap_or_default()),
+            ("resistivity", |row| row.resistivity.clone().unwrap_or_default()),
+            ("sources", |row| row.sources.clone()),
+        ],
     )?;
-    columns.set_item(
-        "thermal_conductivity",
-        column(|row| row.thermal_conductivity.clone().unwrap_or_default()),
-    )?;
-    columns.set_item("resistivity", column(|row| row.resistivity.clone().unwrap_or_default()))?;
-    columns.set_item("sources", column(|row| row.sources.clone()))?;
+    columns.set_item("poisson_ratio", rows.iter().map(|row| row.poisson_ratio).collect::<Vec<_>>())?;
     Ok(columns)
 }
 
-/// Columns of text: every model, with the options that it takes.
+/// The models, with the options that they take.
 #[pyfunction]
 pub fn models_table(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
-    let column = |of: fn(&ModelEntry) -> String| MODELS.iter().map(of).collect::<Vec<_>>();
-    let columns = PyDict::new(py);
-    columns.set_item("model", column(|entry| entry.name.to_owned()))?;
-    columns.set_item("short_name", column(|entry| entry.short_name.to_owned()))?;
-    columns.set_item("full_name", column(|entry| entry.full_name.to_owned()))?;
-    columns.set_item("framework", column(|entry| entry.framework.to_string()))?;
-    columns.set_item("options", column(options))?;
-    columns.set_item("citation", column(|entry| entry.citation.to_owned()))?;
-    Ok(columns)
+    text_columns(
+        py,
+        MODELS,
+        &[
+            ("model", |entry| entry.name.to_owned()),
+            ("short_name", |entry| entry.short_name.to_owned()),
+            ("full_name", |entry| entry.full_name.to_owned()),
+            ("framework", |entry| entry.framework.to_string()),
+            ("options", options),
+            ("citation", |entry| entry.citation.to_owned()),
+        ],
+    )
 }
 
 fn options(entry: &ModelEntry) -> String {
@@ -91,7 +106,7 @@ pub fn choices(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
         "Detrend": Detrend, "Window": Window, "Average": Average, "Gaps": GapTreatment, "Direction": Direction,
         "Phases": Phases, "Dialect": Dialect, "UnitSystem": UnitSystem, "LawForm": LawForm, "LawQuantity": LawQuantity,
         "ConductanceCorrelation": PlasticCorrelation, "Form": FormRemoval,
-        "Conventions": Conventions, "Template": Template,
+        "Conventions": Conventions, "Template": Template, "Branch": BranchChoice, "NoteLevel": NoteLevel,
     );
     Ok(choices)
 }

@@ -12,17 +12,20 @@ use study::models::{MODELS, ModelEntry};
 use crate::errors::of_argument;
 
 /// Columns that are drawn, and the labels of their axes.
-const AXES: [(&str, &str); 13] = [
+const AXES: [(&str, &str); 16] = [
     ("wavelength_m", "shortest wavelength (m)"),
     ("scale_m", "wavelength (m)"),
     ("nominal_pressure_pa", "nominal pressure (Pa)"),
     ("pressure_pa", "pressure (Pa)"),
+    ("pull_pa", "pull over the nominal area (Pa)"),
     ("overclosure_m", "overclosure (m)"),
     ("displacement_m", "displacement (m)"),
     ("tangential_stress_pa", "tangential stress (Pa)"),
     ("area_fraction", "contact area / nominal area"),
     ("mean_gap_m", "mean gap (m)"),
     ("amplitude_m", "amplitude (m)"),
+    ("conductance_w_per_m2_k", "thermal conductance (W/(m² K))"),
+    ("conductance_s_per_m2", "electrical conductance (S/m²)"),
     ("moments", "moments over their final values"),
     ("c1d_m3", "power spectral density C1D (m³)"),
     ("share", "share of the variance of ln A"),

@@ -13,6 +13,7 @@ use numpy::{PyArrayDyn, PyReadonlyArrayDyn, PyUntypedArrayMethods, ToPyArray};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::{PyDict, PyString};
+use questions::NotePlace;
 use report::heights_picture::{HeightsPicture, of_heights};
 use report::scan_words;
 use report::scans_table::scans_columns;
@@ -22,7 +23,7 @@ use study::surface::{Surface, SurfaceError};
 use topography::Recipe;
 use units::{Length, SignedLength};
 
-use crate::answer::{Told, columns};
+use crate::answer::{Told, columns, in_text};
 use crate::arguments::{Arguments, Given, number, quantity, text};
 use crate::errors::{input, of_argument};
 use crate::picture::{Map, map};
@@ -30,7 +31,8 @@ use crate::surface::PySurface;
 use crate::work::{carry_out, light};
 
 /// Files that were read already, under their names.
-struct HeldFiles(BTreeMap<String, PyBackedBytes>);
+#[derive(FromPyObject)]
+pub struct HeldFiles(BTreeMap<String, PyBackedBytes>);
 
 impl Files for HeldFiles {
     fn read(&self, name: &str) -> io::Result<Vec<u8>> {
@@ -49,24 +51,61 @@ impl Files for HeldFiles {
 pub struct PyScan {
     request: ScanRequest,
     scan: ScanFile,
+    #[pyo3(get)]
     sha256: String,
+    #[pyo3(get)]
+    name: String,
+    #[pyo3(get)]
+    format: String,
+    #[pyo3(get)]
+    channel: Option<String>,
+    #[pyo3(get)]
+    channels: Vec<String>,
+    #[pyo3(get)]
+    notes: Vec<String>,
+    #[pyo3(get)]
+    is_periodic: bool,
+    #[pyo3(get)]
+    tip_radius_m: Option<f64>,
+    /// Along x, and of a map along y.
+    #[pyo3(get)]
+    size_m: Vec<f64>,
+    #[pyo3(get)]
+    spacing_m: Vec<f64>,
+    #[pyo3(get)]
+    positions_m: Option<Vec<f64>>,
+}
+
+impl PyScan {
+    fn of(request: ScanRequest, scan: ScanFile, sha256: String) -> Self {
+        let along = |(x_m, y_m): (f64, Option<f64>)| std::iter::once(x_m).chain(y_m).collect();
+        PyScan {
+            name: scan.name.clone(),
+            format: scan.format.to_string(),
+            channel: scan.channel.clone(),
+            channels: scan.channels.clone(),
+            notes: scan.notes.clone(),
+            is_periodic: scan.is_periodic,
+            tip_radius_m: scan.tip_radius_m,
+            size_m: along(scan.scan.size_m()),
+            spacing_m: along(scan.scan.spacing_m()),
+            positions_m: scan.scan.positions_m().map(<[f64]>::to_vec),
+            request,
+            scan,
+            sha256,
+        }
+    }
 }
 
 #[pymethods]
 impl PyScan {
     /// The scan in a file among some that were read.
     #[staticmethod]
-    fn of_file(
-        py: Python<'_>,
-        name: &str,
-        files: BTreeMap<String, PyBackedBytes>,
-        options: &Bound<'_, PyDict>,
-    ) -> PyResult<Self> {
+    fn of_file(py: Python<'_>, name: &str, files: HeldFiles, options: &Bound<'_, PyDict>) -> PyResult<Self> {
         let request = request(name, options)?;
-        let files = HeldFiles(files);
         let mut loaded = light(py, || Loaded::read(&request, &files)).map_err(|error| refused(&error, ""))?;
         match (loaded.scans.pop(), &loaded.scans[..]) {
-            (Some(scan), []) => Ok(PyScan { request, scan, sha256: loaded.sha256 }),
+            (Some(scan), []) => Ok(PyScan::of(request, scan, loaded.sha256)),
             (last, others) => {
                 let names: Vec<&str> = others.iter().chain(&last).map(|scan| scan.name.as_str()).collect();
                 let count = names.len();
@@ -91,7 +130,7 @@ impl PyScan {
         scan.is_periodic = is_periodic;
         let request = ScanRequest { path: name.to_owned(), ..ScanRequest::default() };
         let sha256 = light(py, || Loaded::from_heights(scan.clone())).sha256;
-        Ok(PyScan { request, scan, sha256 })
+        Ok(PyScan::of(request, scan, sha256))
     }
 
     /// Roughness parameters by the standards: columns, and notes in words.
@@ -113,66 +152,11 @@ impl PyScan {
         };
         let found = light(py, || RoughnessOfFiles::of_scan(&self.request, &self.scan, &settings));
         let found = found.map_err(|error| refused(&error, ""))?;
-        let notes = found.notes().into_iter().map(|text| (text, "note", "missing-points".to_owned()));
+        let notes = found.notes().into_iter().map(|text| {
+            let files = vec![self.request.path.clone()];
+            in_text(text, "missing-points", NotePlace { files, ..NotePlace::default() })
+        });
         Ok((columns(py, &found.table())?, notes.collect()))
-    }
-
-    #[getter]
-    fn name(&self) -> &str {
-        &self.scan.name
-    }
-
-    #[getter]
-    fn format(&self) -> String {
-        self.scan.format.to_string()
-    }
-
-    #[getter]
-    fn channel(&self) -> Option<&str> {
-        self.scan.channel.as_deref()
-    }
-
-    #[getter]
-    fn channels(&self) -> Vec<String> {
-        self.scan.channels.clone()
-    }
-
-    #[getter]
-    fn notes(&self) -> Vec<String> {
-        self.scan.notes.clone()
-    }
-
-    #[getter]
-    fn is_periodic(&self) -> bool {
-        self.scan.is_periodic
-    }
-
-    #[getter]
-    fn tip_radius_m(&self) -> Option<f64> {
-        self.scan.tip_radius_m
-    }
-
-    #[getter]
-    fn sha256(&self) -> &str {
-        &self.sha256
-    }
-
-    /// Along x, and of a map along y.
-    #[getter]
-    fn size_m(&self) -> Vec<f64> {
-        let (x_m, y_m) = self.scan.scan.size_m();
-        std::iter::once(x_m).chain(y_m).collect()
-    }
-
-    #[getter]
-    fn spacing_m(&self) -> Vec<f64> {
-        let (x_m, y_m) = self.scan.scan.spacing_m();
-        std::iter::once(x_m).chain(y_m).collect()
-    }
-
-    #[getter]
-    fn positions_m(&self) -> Option<Vec<f64>> {
-        self.scan.scan.positions_m().map(<[f64]>::to_vec)
     }
 
     /// Heights, 0 in gaps, and which points are gaps, where there are any.
@@ -307,13 +291,12 @@ pub fn composite(
     py: Python<'_>,
     name: String,
     asked: Vec<Py<PyAskedScan>>,
-    files: BTreeMap<String, PyBackedBytes>,
+    files: HeldFiles,
     recipe: Arguments<'_>,
     argument: &str,
 ) -> PyResult<PySurface> {
     let recipe = recipe_of(&recipe)?;
     let asked = asked.iter().map(|asked| asked.get().taken()).collect::<PyResult<Vec<_>>>()?;
-    let files = HeldFiles(files);
     let made = carry_out(py, None, |progress| {
         Surface::of_composite(CompositeOfFiles::from_scans(asked, &files, &recipe, progress)?, name)
     })?;
@@ -336,12 +319,11 @@ pub fn scans_of<'py>(py: Python<'py>, surface: &PySurface) -> PyResult<Option<Bo
 pub fn channels_of<'py>(
     py: Python<'py>,
     name: &str,
-    files: BTreeMap<String, PyBackedBytes>,
+    files: HeldFiles,
     options: &Bound<'_, PyDict>,
     all_channels: bool,
 ) -> PyResult<Bound<'py, PyDict>> {
     let request = request(name, options)?;
-    let files = HeldFiles(files);
     let Ok(found) = light(py, || {
         read_channels::<std::convert::Infallible>(&[request], &files, all_channels, |_, _| Ok(()))
     });

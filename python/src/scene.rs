@@ -3,8 +3,7 @@
 use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use drawings::model_style::ModelStyle;
 use findings::answer::Answer;
@@ -12,7 +11,9 @@ use parallel::Progress;
 use pyo3::exceptions::{PyFileNotFoundError, PyOSError};
 use pyo3::prelude::*;
 use pyo3::types::{PyCFunction, PyDict, PyList, PyString, PyTuple};
-use questions::{OptionName, Phase, ReportSurface, RunError, RunOptions, SamplingInput, Watch, run_scene};
+use questions::{
+    OptionName, Phase, ReportSurface, RunError, RunOptions, SamplingInput, Watch, note_code, run_scene,
+};
 use report::curve_names::short_name;
 use report::explain::explain;
 use report::products::{Product, SceneProducts};
@@ -30,7 +31,7 @@ use study::surface::{Surface, SurfaceError};
 use tables::{Format, Table};
 use toml::Value;
 
-use crate::answer::{Told, code, columns, refused as questions_refused};
+use crate::answer::{Told, columns, in_text, refused as questions_refused};
 use crate::arguments::{Arguments, Given, named, type_name};
 use crate::errors::{input, of_argument};
 use crate::material::counterface;
@@ -60,13 +61,13 @@ impl Remembering {
         name: &str,
         read: impl FnOnce(&Path) -> io::Result<Option<Vec<u8>>>,
     ) -> io::Result<Option<Vec<u8>>> {
-        if let Some(bytes) = self.read.lock().unwrap_or_else(PoisonError::into_inner).get(name) {
+        if let Some(bytes) = held(&self.read).get(name) {
             return Ok(Some(bytes.clone()));
         }
         let Some(folder) = &self.folder else { return Ok(None) };
         let bytes = read(&folder.join(name))?;
         if let Some(bytes) = &bytes {
-            self.read.lock().unwrap_or_else(PoisonError::into_inner).insert(name.to_owned(), bytes.clone());
+            held(&self.read).insert(name.to_owned(), bytes.clone());
         }
         Ok(bytes)
     }
@@ -165,10 +166,10 @@ impl PyScene {
         let asked = RunOptions { report, judge, uncertainty };
         let (date, typed) = occasion;
         let occasion = RunStamp { date, command: typed };
-        let state = Arc::new(Mutex::new(AtHand::default()));
+        let state = AtHand::default();
         let observer = observer.map(|observer| told_of(py, observer, state.clone())).transpose()?;
         let made = carry_out(py, observer.as_ref().map(|observer| observer.as_any()), |watch| {
-            let watching = Watching { watch, state: &state };
+            let watching = Watching { watch, state };
             Made::of(&self.scene, asked, occasion, &watching)
         })?;
         let made = made.map_err(|error| input(format!("{}: {error}", self.name)))?;
@@ -308,67 +309,56 @@ impl Made {
     }
 }
 
-/// The phase at hand and its steps.
-#[derive(Debug, Clone, Copy, Default)]
-struct AtHand {
-    phase: Option<Phase>,
-    done: usize,
-    of: usize,
-}
+/// The steps of the phase at hand: their name, how many are done, and of how many, 0 if that is unknown.
+type AtHand = Arc<Mutex<Option<(&'static str, usize, usize)>>>;
 
 /// Tells what is being done, and ends the work when it is to end.
 struct Watching<'w> {
     watch: &'w dyn Progress,
-    state: &'w Mutex<AtHand>,
+    state: AtHand,
 }
 
 impl Watch for Watching<'_> {
     fn begin(&self, phase: Phase, steps: usize) -> Box<dyn Progress + '_> {
-        *self.state.lock().unwrap_or_else(PoisonError::into_inner) =
-            AtHand { phase: Some(phase), done: 0, of: steps };
-        Box::new(Steps { watching: self, done: AtomicUsize::new(0) })
+        *held(&self.state) = Some((phase.steps(), 0, steps));
+        Box::new(Steps(self))
     }
 }
 
 /// The steps of a phase.
-struct Steps<'w> {
-    watching: &'w Watching<'w>,
-    done: AtomicUsize,
-}
+struct Steps<'w>(&'w Watching<'w>);
 
 impl Progress for Steps<'_> {
     fn advance(&self, steps: usize) {
-        let done = self.done.fetch_add(steps, Ordering::Relaxed) + steps;
-        // A reader that holds the lock right now need not see this step.
-        if let Ok(mut state) = self.watching.state.try_lock() {
-            state.done = state.done.max(done);
+        if let Some((_, done, _)) = &mut *held(&self.0.state) {
+            *done += steps;
         }
     }
 
     fn is_cancelled(&self) -> bool {
-        self.watching.watch.is_cancelled()
+        self.0.watch.is_cancelled()
     }
 }
 
 /// A callable that tells an observer what is being done.
-fn told_of<'py>(
-    py: Python<'py>,
-    observer: Py<PyAny>,
-    state: Arc<Mutex<AtHand>>,
-) -> PyResult<Bound<'py, PyCFunction>> {
+fn told_of<'py>(py: Python<'py>, observer: Py<PyAny>, state: AtHand) -> PyResult<Bound<'py, PyCFunction>> {
     let tell = move |arguments: &Bound<'_, PyTuple>, _: Option<&Bound<'_, PyDict>>| -> PyResult<()> {
-        let AtHand { phase, done, of } = *state.lock().unwrap_or_else(PoisonError::into_inner);
-        let Some(phase) = phase else { return Ok(()) };
-        let of = (of > 0).then_some(of);
-        observer.call1(arguments.py(), (phase.steps(), done, of)).map(drop)
+        let Some((steps, done, of)) = *held(&state) else { return Ok(()) };
+        observer.call1(arguments.py(), (steps, done, (of > 0).then_some(of))).map(drop)
     };
     PyCFunction::new_closure(py, None, None, tell)
+}
+
+fn held<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Returns the notes on a scene before anything of it is computed.
 fn said(scene: &Scene) -> Vec<Told> {
     let mut said = notes(&scene.surface);
-    said.extend(scene.notes.iter().map(|note| (scene_note_words::line(note), "note", code(note))));
+    said.extend(
+        scene.notes.iter().map(|note| in_text(scene_note_words::line(note), &note_code(note), note.into())),
+    );
     said
 }
 

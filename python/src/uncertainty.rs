@@ -4,7 +4,7 @@ use numpy::ndarray::Array2;
 use numpy::{PyArray2, ToPyArray};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
-use questions::{CurveQuestion, Note, PreparedCurve};
+use questions::{CurveQuestion, Note, NotePlace, PreparedCurve};
 use report::{advice_words, uncertainty_words};
 use scene::{Scene, UncertainProperty, UncertaintyChoices};
 use study::bodies::Bodies;
@@ -15,7 +15,7 @@ use study::spread::Spread;
 use uncertainty::{AreaInterval, Settings, Uncertainty, UncertaintyPlan, scattering_groups};
 use units::Bound as NumberBound;
 
-use crate::answer::{Told, columns, refused, words};
+use crate::answer::{Told, columns, in_text, refused, words};
 use crate::arguments::{Arguments, Given, number, without_unit};
 use crate::errors::{input, of_argument};
 use crate::material::PyMaterial;
@@ -253,7 +253,8 @@ fn told_of<'py>(
     told.set_item("bands", columns(py, &found.bands_table(needs))?)?;
     told.set_item("draws", found.draws)?;
     let of_draws = uncertainty_words::sentences(found).into_iter();
-    let mut said: Vec<Told> = of_draws.map(|text| (text, "note", "uncertainty".to_owned())).collect();
+    let mut said: Vec<Told> =
+        of_draws.map(|text| in_text(text, "uncertainty", NotePlace::default())).collect();
     let mut notes: Vec<Note> = scene.surface.notes.iter().cloned().map(Note::Surface).collect();
     for (at, rows) in results.curves.iter().enumerate() {
         notes.extend(PreparedCurve::of_scene(scene, at).notes_on(rows));

@@ -4,7 +4,8 @@ Arrays in, tables out: see the functions and classes that are listed in ``truear
 quantity has a unit, text such as ``"5 MPa"`` or ``"1e-3 H"`` does as well.
 """
 
-from truearea._boundary_elements import Pressed, PressedBall, boundary_elements
+from truearea._adhesion import AdhesiveContact, PullOff
+from truearea._boundary_elements import Patches, Pressed, PressedBall, boundary_elements
 from truearea._composite import composite
 from truearea._contact import ContactStates, contact
 from truearea._curves import StackedCurve, StatisticalCurve, stacked, statistical
@@ -14,7 +15,7 @@ from truearea._material import Material
 from truearea._native import VERSION as __version__
 from truearea._native import InputError, set_threads
 from truearea._names import Materials, Models, materials, models, show_versions
-from truearea._notes import Caution, Note
+from truearea._notes import Caution, Note, Place
 from truearea._persson import PerssonCurve, persson
 from truearea._report import report
 from truearea._results import Result, Table
@@ -28,6 +29,7 @@ from truearea._threads import threads
 from truearea._uncertainty import Advice, Bands, Shares, Uncertainty, uncertainty
 
 __all__ = [
+    "AdhesiveContact",
     "Advice",
     "Amplitudes",
     "Bands",
@@ -44,9 +46,12 @@ __all__ = [
     "Models",
     "Moments",
     "Note",
+    "Patches",
     "PerssonCurve",
+    "Place",
     "Pressed",
     "PressedBall",
+    "PullOff",
     "Result",
     "Roughness",
     "Samples",

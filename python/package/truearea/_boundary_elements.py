@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import functools
 import os
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, TypedDict, Union, overload
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any, Literal, TypedDict, Union, overload
 
 import numpy as np
 import numpy.typing as npt
 
 from truearea import _native
+from truearea._adhesion import AdhesiveContact, PullOff, adhesive_result
 from truearea._arrays import doubles, lengths_of
-from truearea._choices import Detrend, Phases
+from truearea._choices import Branch, Detrend, Phases
 from truearea._curves import Pressures
 from truearea._grammar import AnyMaterial, formerly, material_of, spectrum_of
 from truearea._material import Material, Quantity
@@ -20,7 +21,7 @@ from truearea._native import InputError
 from truearea._notes import noted
 from truearea._picture import Drawn, Picture, Trace, within_frame
 from truearea._progress import Line, Progress, observer_of
-from truearea._results import AnyArray, FloatArray, Result
+from truearea._results import AnyArray, FloatArray, Result, Table
 from truearea._scan import Scan
 from truearea._spectrum import Spectrum
 from truearea._topography import heights_and_size, is_topography
@@ -34,11 +35,31 @@ Size = Union[Quantity, "tuple[Quantity, Quantity]"]
 """Lengths along x and y, in m or as text; one of a square map."""
 
 
+class Patches(Table):
+    """Regions that touch without a break, load by load and surface by surface."""
+
+    _title = "contact patches"
+    __slots__ = ()
+    nominal_pressure_pa: FloatArray
+    realisation: FloatArray
+    patch: FloatArray
+    points: FloatArray
+    area_m2: FloatArray
+    perimeter_m: FloatArray
+
+
 class Pressed(Drawn, Result):
-    """Surfaces pressed by boundary elements: of random surfaces the mean, or each of them."""
+    """Surfaces pressed by boundary elements: of random surfaces the mean, or each of them.
+
+    Attributes
+    ----------
+    patches : Patches or None
+        The regions that touch, where they were asked for.
+    """
 
     _title = "boundary elements"
-    __slots__ = ()
+    __slots__ = ("patches",)
+    patches: Patches | None
     nominal_pressure_pa: FloatArray
     area_fraction: FloatArray
     area_fraction_corrected: FloatArray
@@ -60,6 +81,20 @@ class Pressed(Drawn, Result):
     height_m: FloatArray
     x_m: FloatArray
     y_m: FloatArray
+
+    def __init__(
+        self,
+        arrays: Mapping[str, AnyArray],
+        axes: Mapping[str, tuple[str, ...]],
+        notes: tuple[str, ...] = (),
+        patches: Patches | None = None,
+    ) -> None:
+        super().__init__(arrays, axes, notes)
+        self.patches = patches
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        kind, state = super().__reduce__()
+        return kind, (*state, self.patches)
 
     def _picture(self) -> Picture:
         pressures_pa = np.asarray(self.nominal_pressure_pa)
@@ -125,8 +160,8 @@ class PressedBall(Result):
 
 if TYPE_CHECKING:
 
-    class _OfBalls(TypedDict, total=False):
-        """Arguments by name that a ball takes as a flat does."""
+    class _Shared(TypedDict, total=False):
+        """Arguments by name that everything takes."""
 
         detrend: Detrend | None
         tolerance: float
@@ -139,16 +174,21 @@ if TYPE_CHECKING:
         phases: Phases | None
         progress: Progress
 
-    class _Options(_OfBalls, total=False):
-        """Arguments by name of flats."""
+    class _OfFlats(_Shared, total=False):
+        """Arguments by name of flats, whether they attract the surface or not."""
+
+        periodic: bool | None
+        per_realisation: bool
+
+    class _Options(_OfFlats, total=False):
+        """Arguments by name of flats that do not attract the surface."""
 
         mean_gap: Pressures | None
         indentation: Pressures | None
-        periodic: bool | None
         fields: bool
-        per_realisation: bool
+        patches: bool
 
-    _AnyPressed = Union[Pressed, PressedBall]
+    _AnyPressed = Union[Pressed, PressedBall, AdhesiveContact, PullOff]
 
 
 def _in_former_order(press: Callable[..., _AnyPressed]) -> Callable[..., _AnyPressed]:
@@ -199,8 +239,35 @@ def boundary_elements(
     ball_radius: Quantity,
     force: Quantity,
     size: Size | None = None,
-    **options: Unpack[_OfBalls],
+    **options: Unpack[_Shared],
 ) -> PressedBall: ...
+
+
+@overload
+def boundary_elements(
+    surface: Any,
+    material: AnyMaterial,
+    *,
+    work_of_adhesion: Quantity,
+    adhesion_range: Quantity,
+    pressure: Pressures,
+    branch: Branch = "apart",
+    size: Size | None = None,
+    **options: Unpack[_OfFlats],
+) -> AdhesiveContact: ...
+
+
+@overload
+def boundary_elements(
+    surface: Any,
+    material: AnyMaterial,
+    *,
+    work_of_adhesion: Quantity,
+    adhesion_range: Quantity,
+    pull_off: Literal[True],
+    size: Size | None = None,
+    **options: Unpack[_OfFlats],
+) -> PullOff: ...
 
 
 @overload
@@ -240,8 +307,13 @@ def boundary_elements(
     progress: Progress = False,
     ball_radius: Quantity | None = None,
     force: Quantity | None = None,
-) -> Pressed | PressedBall:
-    """Press heights, or random surfaces of a spectrum, into a half-space that is elastic or flows at a hardness.
+    work_of_adhesion: Quantity | None = None,
+    adhesion_range: Quantity | None = None,
+    branch: Branch | None = None,
+    pull_off: bool = False,
+    patches: bool = False,
+) -> Pressed | PressedBall | AdhesiveContact | PullOff:
+    """Press heights, or random surfaces of a spectrum, into a half-space that is elastic, flows at a hardness, or attracts them.
 
     Every point of the grid carries a pressure, and equilibrium is found by conjugate directions with the displacements of the
     half-space by fast Fourier transforms. Areas are corrected for the staircase around each spot (Yastrebov, Anciaux & Molinari
@@ -301,6 +373,17 @@ def boundary_elements(
         ``truearea bem --ball-radius`` does.
     force : float or str, optional
         Force on the ball, in N or as text such as ``"10 mN"``.
+    work_of_adhesion : float or str, optional
+        Work of adhesion w in J/m² or as text such as ``"50 mJ/m^2"``: the surfaces, which repeat themselves, attract each other,
+        and pressures may be negative.
+    adhesion_range : float or str, optional
+        Range rho in m of the attraction ``(w / rho) exp(-gap / rho)``, which ``work_of_adhesion`` needs.
+    branch : {"apart", "contact", "both"}, optional
+        History of the load with adhesion: from first touch, which is usual, from full contact, or both, one behind the other.
+    pull_off : bool, default False
+        Pull the surfaces apart in place of pressing them.
+    patches : bool, default False
+        Find the regions that touch without a break, each with its area and perimeter.
 
     Returns
     -------
@@ -313,6 +396,16 @@ def boundary_elements(
         open way crosses; ``iterations``, ``residual``; ``rms_gradient`` of each map, by differences of neighbours, or of
         the band of random surfaces. With ``fields``, ``pressure_pa`` and ``gap_m`` of shape (loads, rows, columns), of several
         surfaces (loads, surfaces, rows, columns), ``height_m``, the heights as they were pressed, and ``x_m`` and ``y_m``.
+        With ``patches``, its attribute of this name is a table of them.
+    AdhesiveContact
+        With ``work_of_adhesion``, along the loads, along the branches where both are followed, and along the surfaces as above:
+        ``area_fraction`` of points without a gap, and less the staircase; ``repulsive_area_fraction`` of those under compression;
+        ``mean_gap_m``, ``mean_attraction_pa``, ``largest_contact_pressure_pa``, ``residual``. Beside them stand single numbers:
+        ``fuller_tabor`` and ``pastewka_robbins`` of a spectrum, ``hysteresis_...`` where the branches differ most,
+        ``process_zone_points`` of a grid that is coarse.
+    PullOff
+        With ``pull_off``, the same along the states of the curve, and ``pull_off_pressure_pa``, ``pull_off_mean_gap_m`` and
+        ``pull_off_area_fraction`` at the largest pull, the mean over the surfaces.
     PressedBall
         With ``ball_radius``, along the surfaces: ``real_area_m2`` and its value less the staircase,
         ``real_area_corrected_m2``; ``effective_radius_m`` and ``peak_mean_pressure_pa`` of the pressure averaged around the axis,
@@ -347,14 +440,7 @@ def boundary_elements(
     True
     """
     arguments = locals()
-    is_flat = ball_radius is None
-    if is_flat:
-        _refuse(arguments, _OF_BALLS, "a flat, only on a ball; give ball_radius")
-        given = [name for name in _LOADS if arguments[name] is not None]
-        if len(given) != 1:
-            raise InputError(f"{' and '.join(given) or 'none'} of pressure, mean_gap and indentation is given; give one of them")
-    else:
-        _refuse(arguments, _OF_FLATS, "a ball")
+    kind = _checked_kind(arguments)
     core = material_of(material)
     if isinstance(surface, (str, os.PathLike)):
         surface = spectrum_of(surface)
@@ -365,23 +451,25 @@ def boundary_elements(
         if isinstance(surface, Spectrum):
             _refuse(arguments, _OF_HEIGHTS, "a spectrum, only on heights")
             several = "surface"
-            answer, fields_found, about = _native.press_spectrum(surface._native, core, arguments, observer)
+            answer, beside = _native.press_spectrum(surface._native, core, arguments, observer)
         else:
             _refuse(arguments, _OF_SPECTRA, "heights, only on a spectrum")
             maps, lengths, repeats = _maps(surface, size, bool(periodic))
             if maps.ndim == 3:
                 several, arguments["per_realisation"] = "map", True
-                if not is_flat:
+                if kind == "ball":
                     raise InputError("ball_radius is pressed onto one map; give each by itself")
-            arguments["periodic"] = is_flat and (repeats if periodic is None else bool(periodic))
+            arguments["periodic"] = kind != "ball" and (repeats if periodic is None else bool(periodic))
             maps = maps.reshape(-1, *maps.shape[-2:])
-            answer, fields_found, about = _native.press_heights(maps, lengths, repeats, core, arguments, observer)
+            answer, beside = _native.press_heights(maps, lengths, repeats, core, arguments, observer)
     finally:
         line.end()
-    if not is_flat:
+    if kind == "adhesion":
+        return adhesive_result(answer, beside, several)
+    if kind == "ball":
         columns = {name: np.asarray(values) for name, values in answer.columns.items() if name != "realisation"}
         return PressedBall(columns, dict.fromkeys(columns, ("surface",)), noted(answer.notes))
-    return _pressed(answer, fields_found, about, several)
+    return _pressed(answer, beside, several)
 
 
 _LOADS = ("pressure", "mean_gap", "indentation")
@@ -390,7 +478,33 @@ _OF_SPECTRA: dict[str, Any] = dict.fromkeys(("grid", "realisations", "seed", "lo
     "per_realisation": False
 }
 _OF_BALLS: dict[str, Any] = {"force": None}
-_OF_FLATS: dict[str, Any] = dict.fromkeys((*_LOADS, "saturation", "periodic")) | {"fields": False, "per_realisation": False}
+_OF_ADHESION: dict[str, Any] = {"adhesion_range": None, "branch": None, "pull_off": False}
+_OF_PLAIN_FLATS: dict[str, Any] = dict.fromkeys(("mean_gap", "indentation", "saturation")) | {"fields": False, "patches": False}
+_OF_FLATS: dict[str, Any] = (
+    dict.fromkeys(("pressure", "periodic", "work_of_adhesion")) | {"per_realisation": False} | _OF_PLAIN_FLATS | _OF_ADHESION
+)
+
+
+def _checked_kind(arguments: dict[str, Any]) -> Literal["flat", "ball", "adhesion"]:
+    """What is pressed onto the surface: arguments that mean nothing to it are refused, and those that it needs are there."""
+    if arguments["ball_radius"] is not None:
+        _refuse(arguments, _OF_FLATS, "a ball")
+        return "ball"
+    _refuse(arguments, _OF_BALLS, "a flat, only on a ball; give ball_radius")
+    if arguments["work_of_adhesion"] is None:
+        _refuse(arguments, _OF_ADHESION, "surfaces that do not attract each other; give work_of_adhesion")
+        given = [name for name in _LOADS if arguments[name] is not None]
+        if len(given) != 1:
+            raise InputError(f"{' and '.join(given) or 'none'} of pressure, mean_gap and indentation is given; give one of them")
+        return "flat"
+    _refuse(arguments, _OF_PLAIN_FLATS, "surfaces that attract each other")
+    if arguments["adhesion_range"] is None:
+        raise InputError('adhesion_range is needed beside work_of_adhesion, such as "2 nm"')
+    if arguments["pull_off"]:
+        _refuse(arguments, {"pressure": None, "branch": None}, "surfaces that are pulled apart")
+    elif arguments["pressure"] is None:
+        raise InputError("pressure is needed, or pull_off=True in its place")
+    return "adhesion"
 
 
 def _refuse(arguments: dict[str, Any], idle: dict[str, Any], what: str) -> None:
@@ -439,12 +553,7 @@ def _heights(given: Any) -> FloatArray:
     return heights
 
 
-def _pressed(
-    answer: _native.Answer,
-    fields: tuple[FloatArray, FloatArray, FloatArray] | None,
-    about: tuple[tuple[float, float], list[float]],
-    several: str,
-) -> Pressed:
+def _pressed(answer: _native.Answer, beside: Mapping[str, Any], several: str) -> Pressed:
     """The arrays of a table and the fields, with their axes: along the loads, and of each surface along ``several``."""
     columns = dict(answer.columns)
     numbers = columns.pop("realisation", None)
@@ -462,7 +571,7 @@ def _pressed(
         pressures_pa = arrays["nominal_pressure_pa"]
         if np.array_equal(pressures_pa, np.broadcast_to(pressures_pa[:, :1], pressures_pa.shape)):
             arrays["nominal_pressure_pa"], axes["nominal_pressure_pa"] = pressures_pa[:, 0].copy(), ("load",)
-    size_m, gradients = about
+    fields, gradients = beside["fields"], beside["rms_gradient"]
     arrays["rms_gradient"] = np.asarray(gradients if several == "map" else gradients[0])
     axes["rms_gradient"] = ("map",) if several == "map" else ()
     if fields is not None:
@@ -470,7 +579,8 @@ def _pressed(
         for name, array in zip(("pressure_pa", "gap_m", "height_m"), fields):
             axes[name] = points if name == "height_m" else ("load", *points)
             arrays[name] = array if several else array.squeeze(0 if name == "height_m" else 1)
-        for name, axis, length_m in zip(("x_m", "y_m"), ("column", "row"), size_m):
+        for name, axis, length_m in zip(("x_m", "y_m"), ("column", "row"), reversed(beside["size_m"])):
             count = arrays["height_m"].shape[-1 if axis == "column" else -2]
             arrays[name], axes[name] = np.arange(count) * (length_m / count), (axis,)
-    return Pressed(arrays, axes, noted(answer.notes))
+    patches = Patches._of(beside["patches"], axis="patch") if "patches" in beside else None
+    return Pressed(arrays, axes, noted(answer.notes), patches)

@@ -42,6 +42,12 @@ HardnessFormula = Literal["2005", "cosine"]
 InterferenceLaw = Literal["rostami-jackson", "bem"]
 """What ties pressure to interference of elastic sinusoids."""
 
+Branch = Literal["apart", "contact", "both"]
+"""Histories of a load with adhesion: from first touch, from full contact, or both."""
+
+NoteLevel = Literal["note", "caution", "error"]
+"""How much a note changes what to conclude from a result."""
+
 Normalisation = Literal["parseval", "as-printed"]
 """Factors of spectral moments."""
 

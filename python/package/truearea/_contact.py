@@ -153,14 +153,15 @@ def contact(
         natives = [material._native]
     else:
         rows, natives, which, shape = _rows(names, given, condition, at, material)
-    options: dict[str, Any] = {"model": model, "strain_gradient": strain_gradient, "tolerance": tolerance, "errors": errors}
+    options: dict[str, Any] = {"model": model, "tolerance": tolerance, "errors": errors}
+    if strain_gradient is not False:
+        options["strain_gradient"] = strain_gradient
     if hardness_formula is not None or hardness is not None or interference_law is not None:
         options |= {"hardness_formula": hardness_formula, "hardness": hardness, "interference_law": interference_law}
     answer = _native.contact_states(rows, condition, natives, which, options)
     if not shape:
         # Of one state the arrays are plain doubles, as ufuncs have it.
-        doubles_of = {name: np.float64(number) for name, number in answer.columns.items()}
-        return ContactStates._of_doubles(doubles_of, noted(answer.notes))
+        return ContactStates._of_doubles(dict(zip(_NO_AXES, answer.columns["state"])), noted(answer.notes))
     axes = ("state",) if len(shape) == 1 else tuple(f"axis_{axis}" for axis in range(len(shape)))
     columns = {name: column.reshape(shape) for name, column in answer.columns.items()}
     return ContactStates(columns, dict.fromkeys(columns, axes), noted(answer.notes))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import errno
 import os
 from pathlib import Path
-from typing import Any, Literal, TypeVar, overload
+from typing import TYPE_CHECKING, Any, Literal, TypedDict, overload
 
 from truearea import _native
 from truearea._choices import (
@@ -30,6 +30,9 @@ from truearea._picture import Drawn, Trace, Picture
 from truearea._results import FloatArray, Table
 from truearea._spectrum import Spectrum
 
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
 
 class ContactLaw(Drawn, Table):
     """Pressure against overclosure, straight between its points; pressure 0 at overclosure 0."""
@@ -41,7 +44,7 @@ class ContactLaw(Drawn, Table):
     mean_gap_m: FloatArray
     area_fraction: FloatArray
 
-    _native: _native.ContactLaw
+    _native: _native.FoundLaw
     _recipe: tuple[Spectrum, AnyMaterial, dict[str, Any]]
 
     def _picture(self) -> Picture:
@@ -51,7 +54,9 @@ class ContactLaw(Drawn, Table):
     @property
     def cut_pressure_pa(self) -> float:
         """The nominal pressure [Pa] at the gap of the first point, where the law is cut off and its pressure set to 0."""
-        return self._native.cut_pressure_pa
+        cut_pressure_pa = self._native.cut_pressure_pa
+        assert cut_pressure_pa is not None
+        return cut_pressure_pa
 
     @property
     def interpolation_error(self) -> float:
@@ -116,7 +121,7 @@ class _Conductance(Drawn, Table):
     __slots__ = ("_native", "_recipe")
     pressure_pa: FloatArray
 
-    _native: _native.ConductanceTable
+    _native: _native.FoundLaw
     _recipe: tuple[Spectrum, AnyMaterial, dict[str, Any]]
 
     @property
@@ -143,7 +148,7 @@ class _Conductance(Drawn, Table):
         InputError
             For more rows than the code has room for.
         """
-        return self._native.to_text(dialect, units)
+        return self._native.to_text(dialect, units, "", "")
 
     def write(self, path: str | os.PathLike[str], dialect: Dialect, *, units: UnitSystem = "SI") -> None:
         """Write :meth:`to_text` into a file: aside, and then renamed, so that the file is never there in part."""
@@ -179,78 +184,72 @@ class CurrentConductance(_Conductance):
         return Picture(self._title, "pressure_pa", "conductance_s_per_m2", (line,), marker=".")
 
 
+if TYPE_CHECKING:
+
+    class _Shared(TypedDict, total=False):
+        """Arguments by name that every table takes."""
+
+        pressure: Pressures | None
+        from_pressure: Quantity | None
+        to_pressure: Quantity | None
+        tolerance: float
+        gamma: EnergyFactor | None
+        band: Band | None
+        strain_gradient: bool
+        hardness_formula: HardnessFormula | None
+        interference_law: InterferenceLaw | None
+        normalisation: Normalisation | None
+        cutoff: Quantity | None
+        scales_per_decade: int | None
+
+    class _OfHeat(_Shared, total=False):
+        """Arguments by name of thermal conductances."""
+
+        thermal_conductivity: Quantity | None
+        counterface_thermal_conductivity: Quantity | None
+        gas_conductivity: Quantity | None
+        gas_parameter: Quantity | None
+        accommodation: float | None
+        counterface_accommodation: float | None
+        heat_capacity_ratio: float | None
+        prandtl_number: float | None
+        mean_free_path: Quantity | None
+        gas_temperature: float | None
+        gas_pressure: Quantity | None
+
+    class _OfCurrent(_Shared, total=False):
+        """Arguments by name of electrical conductances."""
+
+        resistivity: Quantity | None
+        counterface_resistivity: Quantity | None
+
+
 @overload
 def law(
     surface: AnySurface,
     material: AnyMaterial,
     *,
-    pressure: Pressures | None = None,
-    from_pressure: Quantity | None = None,
-    to_pressure: Quantity | None = None,
     quantity: Literal["pressure"] = "pressure",
     model: LawModel = "persson",
-    tolerance: float = 0.01,
-    gamma: EnergyFactor | None = None,
-    band: Band | None = None,
-    strain_gradient: bool = False,
-    hardness_formula: HardnessFormula | None = None,
-    interference_law: InterferenceLaw | None = None,
-    normalisation: Normalisation | None = None,
-    cutoff: Quantity | None = None,
-    scales_per_decade: int | None = None,
+    **options: Unpack[_Shared],
 ) -> ContactLaw: ...
 @overload
 def law(
     surface: AnySurface,
     material: AnyMaterial,
     *,
-    pressure: Pressures | None = None,
-    from_pressure: Quantity | None = None,
-    to_pressure: Quantity | None = None,
     quantity: Literal["heat"],
     model: ConductanceModel = "persson",
-    tolerance: float = 0.01,
-    gamma: EnergyFactor | None = None,
-    band: Band | None = None,
-    strain_gradient: bool = False,
-    hardness_formula: HardnessFormula | None = None,
-    interference_law: InterferenceLaw | None = None,
-    normalisation: Normalisation | None = None,
-    cutoff: Quantity | None = None,
-    scales_per_decade: int | None = None,
-    thermal_conductivity: Quantity | None = None,
-    counterface_thermal_conductivity: Quantity | None = None,
-    gas_conductivity: Quantity | None = None,
-    gas_parameter: Quantity | None = None,
-    accommodation: float | None = None,
-    counterface_accommodation: float | None = None,
-    heat_capacity_ratio: float | None = None,
-    prandtl_number: float | None = None,
-    mean_free_path: Quantity | None = None,
-    gas_temperature: float | None = None,
-    gas_pressure: Quantity | None = None,
+    **options: Unpack[_OfHeat],
 ) -> HeatConductance: ...
 @overload
 def law(
     surface: AnySurface,
     material: AnyMaterial,
     *,
-    pressure: Pressures | None = None,
-    from_pressure: Quantity | None = None,
-    to_pressure: Quantity | None = None,
     quantity: Literal["current"],
     model: ConductanceModel = "persson",
-    tolerance: float = 0.01,
-    gamma: EnergyFactor | None = None,
-    band: Band | None = None,
-    strain_gradient: bool = False,
-    hardness_formula: HardnessFormula | None = None,
-    interference_law: InterferenceLaw | None = None,
-    normalisation: Normalisation | None = None,
-    cutoff: Quantity | None = None,
-    scales_per_decade: int | None = None,
-    resistivity: Quantity | None = None,
-    counterface_resistivity: Quantity | None = None,
+    **options: Unpack[_OfCurrent],
 ) -> CurrentConductance: ...
 @formerly(spectrum="surface", hardness="hardness_formula")
 def law(
@@ -367,36 +366,22 @@ def _range(pressure: Any, from_pressure: Quantity | None, to_pressure: Quantity 
     return ends if pressure is None else pressure
 
 
+_TABLES: dict[str, type[ContactLaw | HeatConductance | CurrentConductance]] = {
+    "heat": HeatConductance,
+    "current": CurrentConductance,
+}
+
+
 def _made_again(
     spectrum: Spectrum, material: AnyMaterial, arguments: dict[str, Any]
 ) -> ContactLaw | HeatConductance | CurrentConductance:
-    recipe = (spectrum, material, arguments)
-    quantity = arguments["quantity"]
-    if quantity == "heat":
-        return _conductance(HeatConductance, recipe)
-    if quantity == "current":
-        return _conductance(CurrentConductance, recipe)
-    native = _native.ContactLaw(spectrum._native, material_of(material), arguments)
+    native = _native.FoundLaw(spectrum._native, material_of(material), arguments)
     answer = native.answer()
-    found = ContactLaw._of(answer.columns, noted(answer.notes), axis="point")
-    found._native = native
-    # A law is pickled as what it was made from, since its text takes more than its numbers.
-    found._recipe = recipe
-    return found
-
-
-_OneConductance = TypeVar("_OneConductance", HeatConductance, CurrentConductance)
-
-
-def _conductance(
-    table: type[_OneConductance], recipe: tuple[Spectrum, AnyMaterial, dict[str, Any]]
-) -> _OneConductance:
-    spectrum, material, arguments = recipe
-    native = _native.ConductanceTable(spectrum._native, material_of(material), arguments)
-    answer = native.answer()
+    table = _TABLES.get(arguments["quantity"], ContactLaw)
     found = table._of(answer.columns, noted(answer.notes), axis="point")
     found._native = native
-    found._recipe = recipe
+    # A law is pickled as what it was made from, since its text takes more than its numbers.
+    found._recipe = (spectrum, material, arguments)
     return found
 
 

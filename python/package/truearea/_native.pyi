@@ -9,17 +9,16 @@ import numpy.typing as npt
 _Floats = npt.NDArray[np.float64]
 _Columns = dict[str, Any]
 _Arguments = Mapping[str, Any]
-_Note = tuple[str, str, str]
+_Note = tuple[str, str, str, tuple[list[str], int | None, int | None, str | None]]
 _Map = tuple[str, tuple[float, float, float, float], int, bytes]
-_Pressed = tuple[Answer, tuple[_Floats, _Floats, _Floats] | None, tuple[tuple[float, float], list[float]]]
+_Pressed = tuple[Answer, dict[str, Any]]
 
 __all__ = [
     "METADATA_FILES",
     "VERSION",
     "Answer",
     "AskedScan",
-    "ConductanceTable",
-    "ContactLaw",
+    "FoundLaw",
     "InputError",
     "Material",
     "Scan",
@@ -134,22 +133,14 @@ def pressure_in_words(pressure_pa: float) -> str: ...
 def gaps(surface: Surface, material: Material, arguments: _Arguments) -> Answer: ...
 def tangential(surface: Surface, material: Material, arguments: _Arguments) -> Answer: ...
 @final
-class ContactLaw:
-    def __new__(cls, surface: Surface, material: Material, arguments: _Arguments) -> ContactLaw: ...
+class FoundLaw:
+    def __new__(cls, surface: Surface, material: Material, arguments: _Arguments) -> FoundLaw: ...
     @property
-    def cut_pressure_pa(self) -> float: ...
+    def cut_pressure_pa(self) -> float | None: ...
     @property
     def interpolation_error(self) -> float: ...
     def answer(self) -> Answer: ...
     def to_text(self, dialect: str, units: str, name: str, form: str) -> str: ...
-
-@final
-class ConductanceTable:
-    def __new__(cls, surface: Surface, material: Material, arguments: _Arguments) -> ConductanceTable: ...
-    @property
-    def interpolation_error(self) -> float: ...
-    def answer(self) -> Answer: ...
-    def to_text(self, dialect: str, units: str) -> str: ...
 
 @final
 class Material:

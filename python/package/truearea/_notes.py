@@ -6,11 +6,29 @@ import sys
 import warnings
 from collections.abc import Iterable
 from types import FrameType
-from typing import Any
+from typing import Any, NamedTuple, cast
+
+from truearea._choices import NoteLevel
+
+_Told = tuple[str, str, str, tuple[list[str], "int | None", "int | None", "str | None"]]
+"""Text, level, code and place of a note, as the core gives it."""
 
 
 class Caution(UserWarning):
     """A note that changes what to conclude from a result; each place that calls is warned once of each kind."""
+
+
+class Place(NamedTuple):
+    """Where a note points to, as far as it is known."""
+
+    files: tuple[str, ...] = ()
+    """Names of files or scans."""
+    row: int | None = None
+    """Row of the arrays, counted from 0 in C order."""
+    line: int | None = None
+    """Line of a scene, counted from 1."""
+    key: str | None = None
+    """Argument of the call, or key of a scene with its section."""
 
 
 class Note(str):
@@ -18,10 +36,12 @@ class Note(str):
 
     Attributes
     ----------
-    level : {"note", "caution"}
-        A caution changes what to conclude from a result.
+    level : {"note", "caution", "error"}
+        A caution changes what to conclude from a result; with an error part of it is missing, because its input is bad.
     code : str
         The kind of the note, the same for every wording and value, such as ``"doubt.softer-than-its-ratio"``.
+    place : Place
+        The files, row, line or key that it is about; empty where it is about the whole result.
 
     Examples
     --------
@@ -32,14 +52,15 @@ class Note(str):
     ['doubt.softer-than-its-ratio', 'doubt.real-above-third-modulus']
     """
 
-    __slots__ = ("code", "level")
+    __slots__ = ("code", "level", "place")
 
     code: str
-    level: str
+    level: NoteLevel
+    place: Place
 
-    def __new__(cls, text: str, level: str = "note", code: str = "") -> Note:
+    def __new__(cls, text: str, level: NoteLevel = "note", code: str = "", place: Place = Place()) -> Note:
         note = super().__new__(cls, text)
-        note.level, note.code = level, code
+        note.level, note.code, note.place = level, code, place
         return note
 
     @property
@@ -48,27 +69,28 @@ class Note(str):
         return str(self)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return (Note, (str(self), self.level, self.code))
+        return (Note, (str(self), self.level, self.code, self.place))
 
 
 def counted(notes: tuple[Note, ...]) -> str:
-    """How many cautions and notes there are; nothing where there are none."""
-    cautions = sum(note.level == "caution" for note in notes)
-    counts = {"caution": cautions, "note": len(notes) - cautions}
+    """How many errors, cautions and notes there are; nothing where there are none."""
+    counts = {level: sum(note.level == level for note in notes) for level in ("error", "caution", "note")}
     words = [f"{count} {kind}{'s' if count > 1 else ''}" for kind, count in counts.items() if count]
     return f", {', '.join(words)}" if words else ""
 
 
-def notes_of(told: Iterable[tuple[str, str, str]]) -> tuple[Note, ...]:
-    """Notes of texts with levels and codes."""
-    return tuple(Note(*one) for one in told)
+def notes_of(told: Iterable[_Told]) -> tuple[Note, ...]:
+    """Notes as the core gives them."""
+    return tuple(
+        Note(text, cast(NoteLevel, level), code, Place(tuple(place[0]), *place[1:])) for text, level, code, place in told
+    )
 
 
 _WARNED: set[tuple[str, int, str]] = set()
 """Places that were warned, each with the code of the note: the same kind is not told again for other values."""
 
 
-def noted(native: Iterable[tuple[str, str, str]]) -> tuple[Note, ...]:
+def noted(native: Iterable[_Told]) -> tuple[Note, ...]:
     """Notes on the result of a call, whose cautions become warnings at the place that called the package."""
     notes = notes_of(native)
     if not notes:

@@ -47,6 +47,8 @@ class Picture(NamedTuple):
     bands: tuple[Band, ...] = ()
     holes: tuple[tuple[float, float], ...] = ()
     marker: str = ""
+    is_linear: bool = False
+    """Linear axes in Matplotlib; the core draws what is above 0 over logarithmic ones."""
 
     def svg(self) -> str:
         """The picture as the core draws it."""
@@ -64,9 +66,9 @@ class Picture(NamedTuple):
 
     def draw(self, ax: Axes) -> Axes:
         """Draw into axes of Matplotlib."""
-        from truearea._plot import HOLE_COLOUR, log_axes, style_of
+        from truearea._plot import HOLE_COLOUR, set_axes, style_of
 
-        log_axes(ax, self.x, self.y)
+        set_axes(ax, self.x, self.y, "linear" if self.is_linear else "log")
         for first, last in self.holes:
             ax.axvspan(first, last, color=HOLE_COLOUR, linewidth=0)
         loads = 1 + max((line.condition or 0 for line in self.lines), default=0)
@@ -81,7 +83,8 @@ class Picture(NamedTuple):
             style = style_of(band.model) if band.model else {}
             label = ", ".join(part for part in (style.get("label", ""), band.label) if part)
             ax.fill_between(band.x, band.low, band.high, color=style.get("color"), alpha=0.3, label=label)
-        if len(self.lines) + len(self.bands) > 1 or any(line.label for line in self.lines):
+        is_several = len(self.lines) + len(self.bands) > 1 or any(line.label for line in self.lines)
+        if is_several and ax.get_legend_handles_labels()[0]:
             ax.legend(loc="best", fontsize="small")
         return ax
 

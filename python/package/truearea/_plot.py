@@ -24,10 +24,10 @@ def axes_of(ax: Axes | None) -> Axes:
     return plt.subplots(layout="constrained")[1] if ax is None else ax
 
 
-def log_axes(ax: Axes, x: str, y: str) -> None:
-    """Logarithmic axes for two columns, long wavelengths on the left."""
-    ax.set_xscale("log")
-    ax.set_yscale("log")
+def set_axes(ax: Axes, x: str, y: str, scale: str = "log") -> None:
+    """Axes for two columns, long wavelengths on the left."""
+    ax.set_xscale(scale)
+    ax.set_yscale(scale)
     ax.set_xlabel(_native.axis_label(x))
     ax.set_ylabel(_native.axis_label(y))
     if x in ("wavelength_m", "scale_m") and not ax.xaxis_inverted():

@@ -565,12 +565,12 @@ class SceneResults:
         ImportError
             Without Matplotlib; ``pip install truearea[plot]`` adds it.
         """
-        from truearea._plot import axes_of, draw_answer, log_axes, style_from
+        from truearea._plot import axes_of, draw_answer, set_axes, style_from
 
         if not 0 <= load < self.loads:
             raise InputError(f"load: there is no load {load}; give a number from 0 to {self.loads - 1}")
         ax = axes_of(ax)
-        log_axes(ax, "wavelength_m", "area_fraction")
+        set_axes(ax, "wavelength_m", "area_fraction")
         ends_m = []
         for name, columns in self.tables.items():
             if name not in self.styles:

@@ -37,7 +37,7 @@ pub(super) fn pull_off() -> Picture {
         heights_m: (0..POINTS).map(height_m).collect(),
         boundary: Boundary::Periodic,
     };
-    let answer = question.on_map(wave).and_then(|prepared| prepared.answer(&Unobserved));
+    let answer = question.on_maps(vec![wave]).and_then(|prepared| prepared.answer(&Unobserved));
     let subject = "wave, E* = 4 MPa, w = 10 mJ/m², ρ = 50 nm";
     drawn("pull-off", subject, answer.expect("a wave that is pulled off"))
 }

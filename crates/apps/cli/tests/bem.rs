@@ -366,6 +366,9 @@ fn adhesive_waves_are_pressed_and_pulled() {
     let areas = numbers(&pressed, "area_fraction");
     let plain = numbers(&bench.run(&call(&[&WAVES, &["--pressure", "20MPa"]])).ok(), "area_fraction")[0];
     assert!(areas.len() == 2 && areas.iter().all(|area| *area > plain && *area <= 1.0), "{areas:?} {plain}");
+    let held = bench.run(&call(&[&WAVES, &adhesive, &["--pressure=-5kPa"]])).ok();
+    let [held_pa] = numbers(&held, "nominal_pressure_pa")[..] else { panic!("{held}") };
+    assert!((held_pa / -5e3 - 1.0).abs() < 1e-12, "{held}");
     let pulled = bench.run(&call(&[&WAVES, &adhesive, &["--pull-off", "--figure", "pulled.svg"]])).ok();
     let drawn = bench.read("pulled.svg");
     for label in [">mean gap (nm)<", ">mean pressure (MPa)<", ">pull-off<", "\u{2212}"] {

@@ -64,6 +64,33 @@ impl Surfaces {
         }
     }
 
+    /// Points along y and along x of each surface; none of no surface.
+    #[must_use]
+    pub fn points(&self) -> Option<[usize; 2]> {
+        match self {
+            Surfaces::Maps(maps) => maps.first().map(|relief| [relief.rows, relief.columns]),
+            Surfaces::Random(random) => Some([random.synthesis.points_y, random.synthesis.points_x]),
+        }
+    }
+
+    /// Lengths of each surface along y and along x \[m\]; none of no surface.
+    #[must_use]
+    pub fn size_m(&self) -> Option<[f64; 2]> {
+        match self {
+            Surfaces::Maps(maps) => maps.first().map(|relief| [relief.length_y_m, relief.length_x_m]),
+            Surfaces::Random(random) => Some([random.synthesis.length_y_m, random.synthesis.length_x_m]),
+        }
+    }
+
+    /// Rms gradients: one for each map, from neighbouring points, or that of the band of all random surfaces.
+    #[must_use]
+    pub fn rms_gradients(&self) -> Vec<f64> {
+        match self {
+            Surfaces::Maps(maps) => maps.iter().map(Relief::rms_gradient).collect(),
+            Surfaces::Random(random) => vec![random.band.mean_square_gradient().sqrt()],
+        }
+    }
+
     /// Surface on every second point, if that still resolves its waves: always for a map, because its shortest wave
     /// is unknown.
     pub(crate) fn coarser(&self, relief: &Relief) -> Option<Relief> {

@@ -14,13 +14,39 @@ use study::surface::Surface;
 use units::Pressure;
 
 use crate::adhesion_figure;
-use crate::elements::{RandomInput, notes_on_map, notes_on_spectrum, random_surfaces};
+use crate::elements::{RandomInput, notes_on_maps, notes_on_spectrum, random_surfaces};
 use crate::loads::{LoadInput, RangeInput, nominal_pressure, pressures_pa};
 use crate::note::AdhesionNote;
 use crate::{Answer, MaterialInput, Note, OptionName, QuestionError};
 
 /// Difference of areas above which two branches count as two states.
 const SAME_AREA: f64 = 1e-3;
+
+/// The branches of a contact with adhesion, by the history of the load.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+pub enum BranchChoice {
+    /// From the surfaces that just touch.
+    #[default]
+    Apart,
+    /// From full contact.
+    Contact,
+    /// Both, one behind the other.
+    Both,
+}
+
+units::named!(BranchChoice, "branch", { Apart => "apart", Contact => "contact", Both => "both" });
+
+impl BranchChoice {
+    /// Returns the branch that is followed; none for both.
+    #[must_use]
+    pub fn branch(self) -> Option<Branch> {
+        match self {
+            BranchChoice::Apart => Some(Branch::Apart),
+            BranchChoice::Contact => Some(Branch::Contact),
+            BranchChoice::Both => None,
+        }
+    }
+}
 
 /// A surface that attracts what presses on it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -99,14 +125,14 @@ impl AdhesionQuestion {
         self.prepared(Surfaces::Random(random), notes)
     }
 
-    /// Prepares a map as measured, which must be periodic.
+    /// Prepares maps as measured, which must be periodic.
     ///
     /// # Errors
     /// [`QuestionError`].
-    pub fn on_map(&self, relief: Relief) -> Result<PreparedAdhesion, QuestionError> {
+    pub fn on_maps(&self, maps: Vec<Relief>) -> Result<PreparedAdhesion, QuestionError> {
         let material = self.material.of_half_spaces("adhesion")?;
-        let notes = notes_on_map(&material, &relief);
-        self.prepared(Surfaces::Maps(vec![relief]), notes)
+        let notes = notes_on_maps(&material, &maps);
+        self.prepared(Surfaces::Maps(maps), notes)
     }
 
     fn prepared(&self, surfaces: Surfaces, mut notes: Vec<Note>) -> Result<PreparedAdhesion, QuestionError> {

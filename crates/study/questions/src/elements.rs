@@ -208,9 +208,7 @@ impl ElementsQuestion {
     /// [`QuestionError`]; choices of random surfaces mean nothing for maps.
     pub fn on_maps(&self, maps: Vec<Relief>) -> Result<PreparedElements, QuestionError> {
         let (material, pressing) = self.pressing()?;
-        // The steepest speaks for all.
-        let steepest = maps.iter().max_by(|one, other| one.rms_slope().total_cmp(&other.rms_slope()));
-        let notes = steepest.map_or_else(Vec::new, |relief| notes_on_map(&material, relief));
+        let notes = notes_on_maps(&material, &maps);
         Ok(PreparedElements { surfaces: Surfaces::Maps(maps), notes, pressing })
     }
 
@@ -267,6 +265,12 @@ pub(crate) fn notes_on_spectrum(material: &Material, surface: &Surface) -> Vec<N
     let of_surface = surface.notes.iter().cloned().map(Note::Surface);
     let of_spectrum = Doubt::of_spectrum(&surface.psd).into_iter().map(Note::Doubt);
     of_material.chain(of_surface).chain(of_spectrum).collect()
+}
+
+/// Notes on a material and on maps of its surface, for all of which the steepest counts.
+pub(crate) fn notes_on_maps(material: &Material, maps: &[Relief]) -> Vec<Note> {
+    let steepest = maps.iter().max_by(|one, other| one.rms_slope().total_cmp(&other.rms_slope()));
+    steepest.map_or_else(Vec::new, |relief| notes_on_map(material, relief))
 }
 
 /// Notes on a material and on a map of its surface.

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use study::material::Material;
 use study::plan::{Load, LoadRange, NominalPressure};
-use units::{Pressure, PressureRange};
+use units::{Pressure, PressureRange, QuantityError};
 
 use crate::text::pressure;
 use crate::{OptionName, QuestionError};
@@ -31,6 +31,16 @@ pub struct RangeInput {
     pub to: Pressure,
     /// Number of pressures, at least two.
     pub points: u32,
+}
+
+impl LoadInput {
+    /// Parses a pressure with its unit that pulls if a minus sign stands before it, such as `-5kPa`.
+    ///
+    /// # Errors
+    /// [`QuantityError`] for text that is no pressure.
+    pub fn parse_signed(text: &str) -> Result<Self, QuantityError> {
+        Ok(LoadInput { pressure: Pressure::parse_signed(text)?, label: text.trim().to_owned() })
+    }
 }
 
 impl From<(Pressure, String)> for LoadInput {

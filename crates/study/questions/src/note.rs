@@ -299,3 +299,29 @@ pub enum AdhesionNote {
         pastewka_robbins: f64,
     },
 }
+
+impl AdhesionNote {
+    /// Returns the numbers of the finding, each with its name, which ends in its unit.
+    #[must_use]
+    pub fn numbers(&self) -> Vec<(&'static str, f64)> {
+        match *self {
+            AdhesionNote::CoarseGrid { points } => vec![("process_zone_points", points)],
+            AdhesionNote::Metastable => Vec::new(),
+            AdhesionNote::Hysteresis { nominal_pressure_pa, apart, contact } => vec![
+                ("hysteresis_pressure_pa", nominal_pressure_pa),
+                ("hysteresis_apart_area_fraction", apart),
+                ("hysteresis_contact_area_fraction", contact),
+            ],
+            AdhesionNote::PullOff { nominal_pressure_pa, mean_gap_m, area_fraction } => vec![
+                ("pull_off_pressure_pa", nominal_pressure_pa),
+                ("pull_off_mean_gap_m", mean_gap_m),
+                ("pull_off_area_fraction", area_fraction),
+            ],
+            AdhesionNote::Indicators { fuller_tabor, pastewka_robbins } => fuller_tabor
+                .map(|theta| ("fuller_tabor", theta))
+                .into_iter()
+                .chain([("pastewka_robbins", pastewka_robbins)])
+                .collect(),
+        }
+    }
+}

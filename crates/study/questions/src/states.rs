@@ -53,9 +53,9 @@ impl StatesQuestion {
         found: &StatesFound,
         all: usize,
     ) -> Vec<Note> {
-        let StatesFound { counts, narrow, assumed_strengths: rows, bad } = *found;
+        let StatesFound { counts, narrow, assumed_strengths: rows, bad, first_bad } = *found;
         let doubt = materials.find_map(Doubt::of_material).map(Note::Doubt);
-        let bad = (bad > 0).then_some(Note::Rows(RowsNote::Bad { rows: bad, all }));
+        let bad = first_bad.map(|first| Note::Rows(RowsNote::Bad { rows: bad, first, all }));
         let assumed = (rows > 0).then_some(Note::Rows(RowsNote::AssumedStrengths { rows, all }));
         let counts = Note::Counts(CurveCounts { states: counts, narrow, ..CurveCounts::default() });
         doubt.into_iter().chain(bad).chain(assumed).chain([counts]).collect()

@@ -63,6 +63,8 @@ pub struct StatesFound {
     pub assumed_strengths: usize,
     /// The number of rows left without results because their request cannot be met.
     pub bad: usize,
+    /// The first such row, counted from 0.
+    pub first_bad: Option<usize>,
 }
 
 /// The reason why states cannot be computed.
@@ -125,7 +127,7 @@ impl ContactStates {
             let of_run = asked(first + row);
             let pressed = match self.contact(&of_run) {
                 Err(_) if self.skips_bad_rows => {
-                    found.bad += 1;
+                    found.add_bad(first + row);
                     set(&mut columns, row, None);
                     row += 1;
                     continue;
@@ -143,7 +145,7 @@ impl ContactStates {
                 match (&mut sweep, &pressed) {
                     (Some(sweep), _) => match sweep.at(next.at) {
                         Err(_) if self.skips_bad_rows => {
-                            found.bad += 1;
+                            found.add_bad(first + row);
                             set(&mut columns, row, None);
                         }
                         state => {
@@ -212,6 +214,12 @@ impl StatesFound {
         self.narrow += other.narrow;
         self.assumed_strengths += other.assumed_strengths;
         self.bad += other.bad;
+        self.first_bad = self.first_bad.into_iter().chain(other.first_bad).min();
+    }
+
+    fn add_bad(&mut self, row: usize) {
+        self.bad += 1;
+        self.first_bad.get_or_insert(row);
     }
 }
 
@@ -269,6 +277,20 @@ mod tests {
             assert_eq!(columns[2][row], alone.area_fraction, "row {row}");
             assert_eq!(columns[5][row], alone.stiffness_pa_per_m().unwrap(), "row {row}");
         }
+    }
+
+    #[test]
+    fn skipped_rows_are_counted_and_the_first_is_known() {
+        let steel = material(2e11);
+        let asked = |row: usize| StateRequest {
+            material: &steel,
+            roughness: Roughness([if row % 1500 == 1499 { -1.0 } else { 1e-6 }, 1e12, 1e-8]),
+            at: Condition::Separation(0.0),
+        };
+        let states = ContactStates { skips_bad_rows: true, ..states_of("hertz") };
+        let (columns, found) = states.compute(3000, asked, &Unobserved).unwrap();
+        assert_eq!((found.bad, found.first_bad), (2, Some(1499)));
+        assert!(columns[2][1499].is_nan() && columns[2][1500] > 0.0);
     }
 
     #[test]

@@ -78,6 +78,8 @@ pub enum RowsNote {
     Bad {
         /// The number of such rows.
         rows: usize,
+        /// The first of them, counted from 0.
+        first: usize,
         /// The number of all rows.
         all: usize,
     },

@@ -6,8 +6,8 @@ use std::path::PathBuf;
 use clap::Args as ClapArgs;
 use gaussian_surfaces::Phases;
 use measurements::ScanRequest;
-use questions::{MaterialInput, OptionName, RandomInput};
-use rough_bem::{Boundary, Branch, RandomChoices};
+use questions::{BranchChoice, MaterialInput, OptionName, RandomInput};
+use rough_bem::{Boundary, RandomChoices};
 use study::measured::Kind;
 use topography::Detrend;
 use units::{
@@ -54,8 +54,8 @@ pub(crate) struct BemArgs {
     #[arg(long, value_name = "L", requires = "work_of_adhesion", allow_hyphen_values = true)]
     pub adhesion_range: Option<Length>,
     /// History of the load with adhesion: apart, from first touch (where not given), contact, from full contact, or both
-    #[arg(long, value_name = "BRANCH", requires = "work_of_adhesion", value_parser = ["apart", "contact", "both"])]
-    pub branch: Option<String>,
+    #[arg(long, value_name = "BRANCH", requires = "work_of_adhesion", value_parser = one_of::<BranchChoice, _>(BranchChoice::ALL))]
+    pub branch: Option<BranchChoice>,
     /// Pull the surfaces apart in place of pressing them, and report the largest pull that they bear
     #[arg(long, requires = "work_of_adhesion", conflicts_with_all = ["pressures", "pressure_ranges", "branch"])]
     pub pull_off: bool,
@@ -81,17 +81,6 @@ pub(crate) struct BemArgs {
     pub random: RandomArgs,
     #[command(flatten)]
     pub reading: ReadingArgs,
-}
-
-impl BemArgs {
-    /// The branch that is followed; `None` for both.
-    pub fn followed(&self) -> Option<Branch> {
-        match self.branch.as_deref() {
-            Some("both") => None,
-            Some("contact") => Some(Branch::Contact),
-            _ => Some(Branch::Apart),
-        }
-    }
 }
 
 /// The loads on elements, which may pull if the surfaces attract each other.

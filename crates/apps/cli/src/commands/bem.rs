@@ -154,7 +154,7 @@ fn press_cylinder(
     };
     let comments = told(comments, &prepared.notes, &prepared.surfaces);
     timings.lap("reading");
-    write(|progress| prepared.answer(progress), &comments, timings, context)
+    write(|progress| prepared.answer(progress), args, &comments, timings, context)
 }
 
 /// Presses surfaces that attract each other, or pulls them apart.
@@ -170,7 +170,7 @@ fn press_adhesive(
         pressure_ranges: range_inputs(&args.loads.pressure_ranges),
         work_of_adhesion_j_per_m2: work.j_per_m2,
         range_m: range.m,
-        branch: args.followed(),
+        branch: args.branch.unwrap_or_default().branch(),
         pull_off: args.pull_off,
         tolerance: args.tolerance,
         per_realisation: args.per_realisation,
@@ -180,7 +180,7 @@ fn press_adhesive(
     let mut timings = Timings::start();
     let (measured, comments) = load(args, context)?;
     let prepared = match measured {
-        Measured::Map(map) => question.on_map(relief(*map, args.map.boundary))?,
+        Measured::Map(map) => question.on_maps(vec![relief(*map, args.map.boundary)])?,
         Measured::Spectrum(surface) => question.on(&surface)?,
     };
     let comments = told(comments, &prepared.notes, &prepared.surfaces);

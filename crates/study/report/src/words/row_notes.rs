@@ -18,7 +18,7 @@ pub fn lines(note: &RowsNote) -> Vec<String> {
         RowsNote::WithoutAsperities { rows, all } => {
             vec![format!("{rows} of {all} rows have no asperities: their results are empty")]
         }
-        RowsNote::Bad { rows, all } => {
+        RowsNote::Bad { rows, all, .. } => {
             vec![format!(
                 "{rows} of {all} rows have input that is missing or out of bounds: their results are NaN"
             )]
