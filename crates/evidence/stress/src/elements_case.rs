@@ -261,7 +261,7 @@ fn plain_sums(case: &ElementsCase, contact: &Contact, trial: &mut Trial<Elements
     };
     let responses: Vec<f64> = (0..count).map(|at| response(at / columns, at % columns)).collect();
     let (mut worst_m, mut size_m) = (0.0f64, 0.0f64);
-    for point in 0..count {
+    for (point, height_m) in heights_m.iter().enumerate() {
         let (row, column) = (point / columns, point % columns);
         let displacement_m: f64 = (0..count)
             .map(|other| {
@@ -274,11 +274,11 @@ fn plain_sums(case: &ElementsCase, contact: &Contact, trial: &mut Trial<Elements
                 responses[rows_apart * columns + columns_apart] * contact.pressures_pa[other]
             })
             .sum();
-        let gap_m = displacement_m - heights_m[point] - contact.offset_m;
+        let gap_m = displacement_m - height_m - contact.offset_m;
         worst_m = worst_m.max((gap_m - contact.gaps_m[point]).abs());
         let uniform_m =
             contact.largest_pressure_pa * responses.iter().map(|response| response.abs()).sum::<f64>();
-        size_m = size_m.max(uniform_m).max(heights_m[point].abs()).max(contact.offset_m.abs());
+        size_m = size_m.max(uniform_m).max(height_m.abs()).max(contact.offset_m.abs());
     }
     trial.bound("plain sums agree on the gaps", worst_m, 1e-11 * size_m);
 }
