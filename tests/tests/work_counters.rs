@@ -263,8 +263,7 @@ fn ten_times_the_scales_of_a_converged_end_cost_a_tenth_at_most() {
 fn cutoffs_that_leave_the_asperities_as_they_were_share_their_state() {
     // A spectrum that falls off a cliff: what follows changes no moment by a digit.
     let wavelengths_m: Vec<f64> = (0..40).map(|at| 1e-4 * 0.8f64.powi(at)).collect();
-    let value =
-        |(at, wavelength_m): (usize, &f64)| if at < 10 { wavelength_m.powi(3) * 1e-6 } else { 1e-200 };
+    let value = |(at, wavelength_m): (usize, &f64)| if at < 10 { wavelength_m.powi(3) * 1e-6 } else { 1e-90 };
     let values = wavelengths_m.iter().enumerate().map(value).collect();
     let psd = Psd::new(wavelengths_m, values, Convention::C1D).unwrap().profile().unwrap();
     let scene = scene(&[DIAMOND, &loads(&["1 MPa"]), &curves(1, "")].concat());
