@@ -16,7 +16,7 @@ pub const PROGRESS_STEPS: usize = 100;
 
 /// Smallest mean pressure in units of the problem: under less, fewer points touch than one in a map of any size, and what
 /// they move is near the rounding of the heights.
-const LEAST_LOAD: f64 = 1e-10;
+const LEAST_LOAD: f64 = 1e-13;
 
 /// Boundary elements under a rigid rough surface: plans and buffers, kept between loads.
 pub struct Elements {
