@@ -7,7 +7,7 @@ use std::process::{Command, ExitCode};
 use crate::checkout;
 
 /// Largest size of a wheel in bytes.
-const LARGEST_WHEEL: u64 = 8 << 20;
+const LARGEST_WHEEL: u64 = 8_000_000;
 
 /// Builds the wheel unless one is given, installs it with the dependencies of its tests, and runs them: tests and examples, notebooks,
 /// and types by three checkers.

@@ -13,10 +13,9 @@ from truearea._picture import Drawn, Picture, Trace
 from truearea._results import AnyArray, FloatArray, Result
 
 
-class AdhesiveContact(Drawn, Result):
-    """Surfaces that attract each other under loads, along the loads, along the branches where both are followed, and along the surfaces."""
+class _AdhesiveStates(Drawn, Result):
+    """States of surfaces that attract each other, and the indicators of them."""
 
-    _title = "boundary elements with adhesion"
     __slots__ = ()
     nominal_pressure_pa: FloatArray
     branch: AnyArray
@@ -29,11 +28,18 @@ class AdhesiveContact(Drawn, Result):
     residual: FloatArray
     rms_gradient: FloatArray
     process_zone_points: FloatArray
+    fuller_tabor: FloatArray
+    pastewka_robbins: FloatArray
+
+
+class AdhesiveContact(_AdhesiveStates):
+    """Surfaces that attract each other under loads, along the loads, along the branches where both are followed, and along the surfaces."""
+
+    _title = "boundary elements with adhesion"
+    __slots__ = ()
     hysteresis_pressure_pa: FloatArray
     hysteresis_apart_area_fraction: FloatArray
     hysteresis_contact_area_fraction: FloatArray
-    fuller_tabor: FloatArray
-    pastewka_robbins: FloatArray
 
     def _picture(self) -> Picture:
         areas = np.asarray(self.area_fraction_corrected)
@@ -49,28 +55,15 @@ class AdhesiveContact(Drawn, Result):
         return Picture(self._title, "nominal_pressure_pa", "area_fraction", lines, marker="o", is_linear=pulls)
 
 
-class PullOff(Drawn, Result):
+class PullOff(_AdhesiveStates):
     """Surfaces that are pulled apart step by step, along the states; ``realisation`` counts the surfaces where there are several."""
 
     _title = "pull-off"
     __slots__ = ()
     realisation: FloatArray
-    nominal_pressure_pa: FloatArray
-    branch: AnyArray
-    area_fraction: FloatArray
-    area_fraction_corrected: FloatArray
-    repulsive_area_fraction: FloatArray
-    mean_gap_m: FloatArray
-    mean_attraction_pa: FloatArray
-    largest_contact_pressure_pa: FloatArray
-    residual: FloatArray
-    rms_gradient: FloatArray
-    process_zone_points: FloatArray
     pull_off_pressure_pa: FloatArray
     pull_off_mean_gap_m: FloatArray
     pull_off_area_fraction: FloatArray
-    fuller_tabor: FloatArray
-    pastewka_robbins: FloatArray
 
     def _picture(self) -> Picture:
         surface = self.get("realisation", np.ones(len(self.mean_gap_m)))

@@ -9,8 +9,8 @@
 //! Martinez & Raydan (2000) take over.
 //!
 //! One compliance and one preconditioner are applied per step: the gap is updated with K s for the actual change s of
-//! the pressures, and is computed anew from them only where accumulated rounding could matter. K s is computed in
-//! single precision, at half the cost: near equilibrium changes are small, and their rounding with them.
+//! the pressures, and is computed anew from them where accumulated rounding could matter, and at the end. K s is computed
+//! in single precision, at half the cost: near equilibrium changes are small, and their rounding with them.
 
 use multiversion::multiversion;
 
@@ -61,6 +61,9 @@ const ROUGH_ROUNDING: f64 = 2e-7;
 /// Mean pressures, in units of the problem, whose changes and displacements lie well within single precision.
 const ROUGH_MEANS: std::ops::Range<f64> = 1e-15..1e15;
 
+/// Accumulated rounding up to which the gaps are as good as computed anew.
+const SETTLED: f64 = 1e-13;
+
 /// Share of the residual up to which accumulated rounding needs no attention.
 const NEGLIGIBLE_SHARE: f64 = 0.01;
 
@@ -101,8 +104,7 @@ pub(crate) fn descend(
         if residual < 0.5 * best {
             (best, best_at) = (residual, iterations);
         }
-        let is_settled = descent.accumulated <= NEGLIGIBLE_SHARE * problem.tolerance;
-        if residual < problem.tolerance && is_settled {
+        if residual < problem.tolerance && descent.accumulated <= SETTLED {
             break Ending::Converged;
         }
         let is_due = descent.accumulated > NEGLIGIBLE_SHARE * residual;

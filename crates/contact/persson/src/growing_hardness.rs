@@ -17,7 +17,7 @@
 //! erfc((H + p)/(sqrt2 s)). With a constant hardness its iterations are the images. Panels of V at a distance act like
 //! a few points each.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::PI;
 
 use numerics::{GaussLegendre, solve};
 
@@ -25,12 +25,9 @@ use crate::areas::ContactAreas;
 use crate::constant_hardness::image;
 use crate::elastic;
 use crate::hardness_path::{HardnessPath, Piece};
-use crate::sources::{NODES, Source, Sources, rule_at};
+use crate::panel_rules::{Arc, Polynomial, Rules, SIZE, SIZE_MIN};
+use crate::sources::{Source, Sources, rule_at};
 
-/// Largest number of unknowns of a panel: the coefficients of a polynomial.
-const SIZE: usize = 9;
-/// Smallest number of unknowns of a panel.
-const SIZE_MIN: usize = 5;
 /// Widths of panels, in the unit of `WIDEST`, up to which `SIZE_MIN` unknowns and each one more suffice. The error
 /// falls like the width to the power of their number.
 const WIDTHS: [f64; SIZE - SIZE_MIN] = [0.03, 0.065, 0.1, 0.14];
@@ -164,9 +161,6 @@ struct Panel {
     /// Polynomial of A less the elastic theory's A.
     held: Polynomial,
 }
-
-/// Coefficients by rising power.
-pub(crate) type Polynomial = [f64; SIZE];
 
 /// Variance and the hardness there.
 #[derive(Clone, Copy)]
@@ -353,7 +347,7 @@ impl<'a> March<'a> {
             if rule.is_some() {
                 continue;
             }
-            let arc = Arc::new(panel, here.variance_pa2);
+            let arc = panel.seen_from(here.variance_pa2);
             self.rules.over(&arc, resolved_pa, |root_pa, from_kink_pa, weight| {
                 let variance_pa2 = panel.piece.from_variance_pa2 + from_kink_pa * from_kink_pa;
                 let there = Place { variance_pa2, hardness_pa: panel.piece.hardness_pa(variance_pa2) };
@@ -424,6 +418,12 @@ impl Panel {
             .append(nodes, [self.from_pa2, self.to_pa2], |variance_pa2| self.piece.hardness_pa(variance_pa2));
     }
 
+    /// Returns the panel, or its part below, as seen from a variance.
+    fn seen_from(&self, variance_pa2: f64) -> Arc {
+        let to_pa2 = self.to_pa2.min(variance_pa2);
+        Arc::new(self.piece.from_variance_pa2, [self.from_pa2, to_pa2], variance_pa2)
+    }
+
     /// Returns the rule whose points stand for the panel at a variance above it; `None` if it is too near for any.
     fn rule_seen_from(&self, variance_pa2: f64) -> Option<usize> {
         self.plastic?;
@@ -473,89 +473,6 @@ impl Place {
 fn passage(distance_pa: f64, root_pa: f64) -> f64 {
     let ratio = distance_pa / root_pa;
     (2.0 / PI).sqrt() * ratio / root_pa * (-0.5 * ratio * ratio).exp()
-}
-
-/// Gauss-Legendre rules of the integrals, and the places of collocation.
-struct Rules {
-    coarse: GaussLegendre,
-    medium: GaussLegendre,
-    fine: GaussLegendre,
-    finest: GaussLegendre,
-    /// By the number of unknowns, from `SIZE_MIN` on.
-    collocations: [Collocation; SIZE - SIZE_MIN + 1],
-}
-
-/// Places of a panel at which the equation is collocated.
-struct Collocation {
-    places: [f64; SIZE],
-    /// Powers of each place, one row per place; rows of the identity beyond the number of unknowns.
-    powers: [Polynomial; SIZE],
-}
-
-impl Collocation {
-    fn new(size: usize) -> Self {
-        let mut places = [1.0; SIZE];
-        places[..size - 1].copy_from_slice(GaussLegendre::new(size - 1).nodes());
-        let power = |row: usize, column: usize| match (row < size, column < size) {
-            (true, true) => places[row].powi(column as i32),
-            _ => f64::from(u8::from(row == column)),
-        };
-        let powers = std::array::from_fn(|row| std::array::from_fn(|column| power(row, column)));
-        Collocation { places, powers }
-    }
-}
-
-impl Rules {
-    fn new() -> Self {
-        Rules {
-            coarse: GaussLegendre::new(4),
-            medium: GaussLegendre::new(6),
-            fine: GaussLegendre::new(12),
-            finest: GaussLegendre::new(NODES),
-            collocations: std::array::from_fn(|more| Collocation::new(SIZE_MIN + more)),
-        }
-    }
-
-    /// Calls `term` with x, sqrt(V' - V_i) and the weight of dx along an arc, in pieces over which x at most halves,
-    /// down to `resolved_pa`.
-    fn over(&self, arc: &Arc, resolved_pa: f64, mut term: impl FnMut(f64, f64, f64)) {
-        // The hardness has left earlier panels, which makes their kernel as steep as x is small.
-        let least_pa = if arc.to == FRAC_PI_2 { resolved_pa } else { 0.0 };
-        let mut start = arc.from;
-        while start < arc.to {
-            let root_pa = arc.radius_pa * start.cos();
-            let halved = if root_pa > least_pa { (0.5 * start.cos()).acos() } else { arc.to };
-            let end = halved.min(arc.to);
-            let rule = match end.cos() / start.cos() {
-                0.92.. => &self.coarse,
-                0.75.. => &self.medium,
-                _ => &self.fine,
-            };
-            for (angle, weight) in rule.over(start, end) {
-                let (sine, cosine) = angle.sin_cos();
-                let from_kink_pa = arc.radius_pa * sine;
-                term(arc.radius_pa * cosine, from_kink_pa, weight * from_kink_pa);
-            }
-            start = end;
-        }
-    }
-}
-
-/// Panel as seen from a variance V above it: V' = V_i + R^2 sin^2 and x = sqrt(V - V') = R cos of an angle, in which
-/// both the root of the kernel, in x, and that of A_pl, in sqrt(V' - V_i), are smooth.
-struct Arc {
-    radius_pa: f64,
-    from: f64,
-    to: f64,
-}
-
-impl Arc {
-    fn new(panel: &Panel, variance_pa2: f64) -> Self {
-        let kink_pa2 = panel.piece.from_variance_pa2;
-        let angle = |at_pa2: f64| (at_pa2 - kink_pa2).sqrt().atan2((variance_pa2 - at_pa2).sqrt());
-        let to_pa2 = panel.to_pa2.min(variance_pa2);
-        Arc { radius_pa: (variance_pa2 - kink_pa2).sqrt(), from: angle(panel.from_pa2), to: angle(to_pa2) }
-    }
 }
 
 #[cfg(test)]

@@ -23,6 +23,7 @@ mod hardness_path;
 mod knot;
 mod layered;
 mod model;
+mod panel_rules;
 mod roughness;
 pub mod sealing;
 pub mod separation;

@@ -10,24 +10,9 @@ use thiserror::Error;
 use units::display::length;
 use units::{Bound, OutOfBounds};
 
+use crate::placed::{LARGEST_EXTENT, PressureProfile, RINGS, RINGS_PER_RADIUS};
 use crate::relief::{Boundary, Relief};
 use crate::surfaces::Surfaces;
-
-/// Largest distance of a contact from the axis, as a share of half the shorter side: beyond it the edges of the map
-/// carry load like those of a punch.
-pub const LARGEST_EXTENT: f64 = 0.9;
-
-/// Least pressure of a point in contact, as a share of the largest pressure.
-pub(crate) const TOUCHING: f64 = 1e-10;
-
-/// Rings in Hertz's contact radius, over which pressures are averaged.
-pub(crate) const RINGS_PER_RADIUS: f64 = 8.0;
-
-/// Rings among which the peak of the averaged pressure is searched.
-pub(crate) const SEARCHED_RINGS: usize = 16;
-
-/// Rings of the averaged pressure, out to four of Hertz's radii.
-const RINGS: usize = 32;
 
 /// Smooth ball, a parabola of revolution, under a force.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -241,46 +226,25 @@ impl Ball {
 
     fn state(&self, flat: &Relief, contact_modulus_pa: f64, contact: &Contact) -> BallState {
         let hertz_radius_m = self.hertz_radius_m(contact_modulus_pa);
-        let least_pa = TOUCHING * contact.largest_pressure_pa;
-        let mut rings = [(0.0, 0usize); RINGS];
-        let (mut sum_pa, mut moment, mut inner_pa) = (0.0, 0.0, 0.0);
-        let (mut touching, mut outermost_contact_m) = (0usize, 0.0f64);
-        for ((x_m, y_m), &pressure_pa) in flat.places_m().zip(&contact.pressures_pa) {
-            let distance_m = x_m.hypot(y_m);
-            let ring = (RINGS_PER_RADIUS * distance_m / hertz_radius_m) as usize;
-            if let Some((sum, count)) = rings.get_mut(ring) {
-                *sum += pressure_pa;
-                *count += 1;
-            }
-            sum_pa += pressure_pa;
-            moment += pressure_pa * distance_m;
-            if distance_m < 0.5 * hertz_radius_m {
-                inner_pa += pressure_pa;
-            }
-            if pressure_pa > least_pa {
-                touching += 1;
-                outermost_contact_m = outermost_contact_m.max(distance_m);
-            }
-        }
+        let distances_m = flat.places_m().map(|(x_m, y_m)| x_m.hypot(y_m));
+        let profile = PressureProfile::new(distances_m, contact, hertz_radius_m);
         let [spacing_x_m, spacing_y_m] = flat.spacings_m();
-        let ring_pressures_pa = rings.map(|(sum_pa, count)| (count > 0).then(|| sum_pa / count as f64));
-        let searched_pa = ring_pressures_pa[..SEARCHED_RINGS].iter().copied().flatten();
         BallState {
             force_n: self.force_n,
-            real_area_m2: touching as f64 * spacing_x_m * spacing_y_m,
+            real_area_m2: profile.touching as f64 * spacing_x_m * spacing_y_m,
             real_area_corrected_m2: contact.area_fraction_corrected * flat.length_x_m * flat.length_y_m,
-            effective_radius_m: 16.0 / (3.0 * PI) * moment / sum_pa,
+            effective_radius_m: 16.0 / (3.0 * PI) * profile.mean_distance_m,
             hertz_radius_m,
-            peak_mean_pressure_pa: searched_pa.fold(0.0, f64::max),
+            peak_mean_pressure_pa: profile.peak_pa(),
             hertz_pressure_pa: self.hertz_pressure_pa(contact_modulus_pa),
-            force_share: inner_pa / sum_pa,
-            outermost_contact_m,
+            force_share: profile.force_share,
+            outermost_contact_m: profile.outermost_contact_m,
             roughness_number: flat.rms_height_m() * self.radius_m / hertz_radius_m.powi(2),
             points_per_radius: hertz_radius_m / spacing_x_m.max(spacing_y_m),
             radii_across_map: flat.length_x_m.min(flat.length_y_m) / hertz_radius_m,
             radius_share: hertz_radius_m / self.radius_m,
             residual: contact.residual,
-            ring_pressures_pa,
+            ring_pressures_pa: profile.ring_pressures_pa,
         }
     }
 }

@@ -10,7 +10,8 @@ use thiserror::Error;
 use units::display::length;
 use units::{Bound, OutOfBounds};
 
-use crate::ball::{BallPressing, LARGEST_EXTENT, RINGS_PER_RADIUS, SEARCHED_RINGS, TOUCHING};
+use crate::ball::BallPressing;
+use crate::placed::{LARGEST_EXTENT, PressureProfile};
 use crate::relief::{Boundary, Relief};
 use crate::surfaces::Surfaces;
 
@@ -215,40 +216,19 @@ impl Cylinder {
 
     fn state(&self, flat: &Relief, contact_modulus_pa: f64, contact: &Contact) -> CylinderState {
         let hertz_half_width_m = self.hertz_half_width_m(contact_modulus_pa);
-        let least_pa = TOUCHING * contact.largest_pressure_pa;
-        let mut strips = [(0.0, 0usize); SEARCHED_RINGS];
-        let (mut sum_pa, mut moment, mut inner_pa) = (0.0, 0.0, 0.0);
-        let (mut touching, mut outermost_contact_m) = (0usize, 0.0f64);
-        for ((x_m, _), &pressure_pa) in flat.places_m().zip(&contact.pressures_pa) {
-            let distance_m = x_m.abs();
-            let strip = (RINGS_PER_RADIUS * distance_m / hertz_half_width_m) as usize;
-            if let Some((sum, count)) = strips.get_mut(strip) {
-                *sum += pressure_pa;
-                *count += 1;
-            }
-            sum_pa += pressure_pa;
-            moment += pressure_pa * distance_m;
-            if distance_m < 0.5 * hertz_half_width_m {
-                inner_pa += pressure_pa;
-            }
-            if pressure_pa > least_pa {
-                touching += 1;
-                outermost_contact_m = outermost_contact_m.max(distance_m);
-            }
-        }
+        let distances_m = flat.places_m().map(|(x_m, _)| x_m.abs());
+        let profile = PressureProfile::new(distances_m, contact, hertz_half_width_m);
         let [spacing_x_m, spacing_y_m] = flat.spacings_m();
-        let means_pa =
-            strips.iter().filter(|(_, count)| *count > 0).map(|(sum_pa, count)| sum_pa / *count as f64);
         CylinderState {
             force_n_per_m: self.force_n_per_m,
-            real_width_m: touching as f64 * spacing_x_m * spacing_y_m / flat.length_y_m,
+            real_width_m: profile.touching as f64 * spacing_x_m * spacing_y_m / flat.length_y_m,
             real_width_corrected_m: contact.area_fraction_corrected * flat.length_x_m,
-            effective_half_width_m: 0.75 * PI * moment / sum_pa,
+            effective_half_width_m: 0.75 * PI * profile.mean_distance_m,
             hertz_half_width_m,
-            peak_mean_pressure_pa: means_pa.fold(0.0, f64::max),
+            peak_mean_pressure_pa: profile.peak_pa(),
             hertz_pressure_pa: self.hertz_pressure_pa(contact_modulus_pa),
-            force_share: inner_pa / sum_pa,
-            outermost_contact_m,
+            force_share: profile.force_share,
+            outermost_contact_m: profile.outermost_contact_m,
             roughness_number: flat.rms_height_m() * self.radius_m / hertz_half_width_m.powi(2),
             points_per_half_width: hertz_half_width_m / spacing_x_m,
             half_widths_across_box: flat.length_x_m / hertz_half_width_m,

@@ -28,13 +28,14 @@ mod surfaces;
 mod table;
 
 pub use adhesive::{AdhesiveError, AdhesivePressing, AdhesiveState, Branch, adhesive_means, adhesive_table};
-pub use ball::{Ball, BallCaution, BallError, BallPressing, BallState, LARGEST_EXTENT, ball_table};
+pub use ball::{Ball, BallCaution, BallError, BallPressing, BallState, ball_table};
 pub use cylinder::{Cylinder, CylinderCaution, CylinderError, CylinderState, cylinder_table};
 pub use error::ElementsError;
 pub use field::{Field, PointState};
 pub use half_space::Approach;
 pub use mean::{Mean, PressedLoad};
 pub use patches::{PressedPatches, patches_table};
+pub use placed::LARGEST_EXTENT;
 pub use press::{press, progress_steps};
 pub use pressing::{Load, Pressing};
 pub use random_choices::RandomChoices;

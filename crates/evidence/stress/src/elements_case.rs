@@ -280,8 +280,7 @@ fn plain_sums(case: &ElementsCase, contact: &Contact, trial: &mut Trial<Elements
             contact.largest_pressure_pa * responses.iter().map(|response| response.abs()).sum::<f64>();
         size_m = size_m.max(uniform_m).max(height_m.abs()).max(contact.offset_m.abs());
     }
-    // Changes are displaced in single precision as long as that is a hundredth of the tolerance.
-    trial.bound("plain sums agree on the gaps", worst_m, (1e-11 + 0.01 * case.tolerance) * size_m);
+    trial.bound("plain sums agree on the gaps", worst_m, 1e-11 * size_m);
 }
 
 /// Integral of 1/r over a rectangle around a point at a distance (Love 1929).

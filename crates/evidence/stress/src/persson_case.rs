@@ -163,7 +163,7 @@ impl PerssonCase {
         Ok(Prepared { model, roughness, separation, energy_factor, contact_modulus_pa })
     }
 
-    /// The same case with lengths times 2^`lengths` and pressures times 2^`pressures`.
+    /// Scales the case: lengths times 2^`lengths` and pressures times 2^`pressures`.
     fn scaled(&self, lengths: i32, pressures: i32) -> Self {
         let [length, pressure] = [lengths, pressures].map(|power| 2f64.powi(power));
         let coating = self.coating.map(|Coating { thickness_m, base }| Coating {

@@ -19,6 +19,7 @@
 //!   program;
 //! * [`verdicts`]: competitors that are both faster and more accurate, if any, and our lead otherwise;
 //! * `surrogate`, behind the feature of that name: cost of an interval by plain sampling and by fitted polynomials;
+//! * [`square_map`]: maps that are handed to programs of ours from scripts;
 //! * [`files`], [`pictures`], [`sections`], [`page`]: `docs/develop/performance/` and the tables of `docs/develop/performance.md`.
 //!
 //! Times are of one thread, the shortest of many repetitions, because the shortest is the least disturbed.
@@ -36,6 +37,7 @@ pub mod point;
 pub mod reference;
 pub mod scaling;
 pub mod sections;
+pub mod square_map;
 pub mod stack;
 pub mod study;
 #[cfg(feature = "surrogate")]

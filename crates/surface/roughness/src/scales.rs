@@ -79,14 +79,22 @@ fn distances(relief: &Relief, spacing_m: f64) -> Vec<usize> {
     std::iter::successors(Some(1), next).take_while(|points| *points as f64 <= longest.max(1.0)).collect()
 }
 
-/// Waves of a relief from long to short, each with its share of the mean square height \[m^2\].
+/// Waves of a relief from long to short.
 struct Waves {
-    /// Wavenumber \[rad/m\] and mean square height \[m^2\].
-    squares: Vec<(f64, f64)>,
+    waves: Vec<Wave>,
     /// Mean square curvature of profiles over <q^4 h^2>: 1 of a profile, 3/8 averaged over the directions of a map.
     of_curvature: f64,
     /// Half the width \[rad/m\] of the rings of a map, whose modes lie on both sides of their wavenumber; 0 of a profile.
     half_width_rad_per_m: f64,
+}
+
+/// Waves of about one wavenumber.
+struct Wave {
+    wavenumber_rad_per_m: f64,
+    /// Mean square <q^2 h^2>, mode by mode.
+    slope: f64,
+    /// Mean square <q^4 h^2> \[1/m^2\], mode by mode.
+    curvature_per_m2: f64,
 }
 
 impl Waves {
@@ -100,32 +108,37 @@ impl Waves {
         if let Scan::Map(map) = &scan {
             let found = areal_spectrum(map, preparation);
             let [length_x_m, length_y_m] = found.sizes_m();
-            let squares = found.bins().iter().skip(found.flagged_bins());
-            let squares = squares.map(|bin| (bin.wavevector_rad_per_m, bin.sum_m4 / length_x_m / length_y_m));
+            let area_m2 = length_x_m * length_y_m;
+            let waves = found.bins().iter().skip(found.flagged_bins()).map(|bin| Wave {
+                wavenumber_rad_per_m: bin.wavevector_rad_per_m,
+                slope: bin.slope_sum_m2 / area_m2,
+                curvature_per_m2: bin.curvature_sum / area_m2,
+            });
             return Some(Waves {
-                squares: squares.collect(),
+                waves: waves.collect(),
                 of_curvature: 0.375,
                 half_width_rad_per_m: 0.5 * TAU / length_x_m.max(length_y_m),
             });
         }
         let found = line_spectrum(&scan, preparation);
         let bins = found.wavevectors_rad_per_m().zip(found.mean_squares_m2());
-        let squares = bins.skip(found.flagged_bins()).collect();
-        Some(Waves { squares, of_curvature: 1.0, half_width_rad_per_m: 0.0 })
+        let waves = bins.skip(found.flagged_bins()).map(|(wavenumber_rad_per_m, square_m2)| {
+            let slope = wavenumber_rad_per_m.powi(2) * square_m2;
+            Wave { wavenumber_rad_per_m, slope, curvature_per_m2: wavenumber_rad_per_m.powi(2) * slope }
+        });
+        Some(Waves { waves: waves.collect(), of_curvature: 1.0, half_width_rad_per_m: 0.0 })
     }
 
     fn down_to(&self, wavelength_m: f64) -> GradientAndCurvature {
         let last_rad_per_m =
             TAU / wavelength_m * (1.0 + ROUNDING) + (1.0 - ROUNDING) * self.half_width_rad_per_m;
-        let waves = self.squares.iter().take_while(|(wavenumber, _)| *wavenumber <= last_rad_per_m);
-        let (gradient, curvature) =
-            waves.fold((0.0, 0.0), |(gradient, curvature), (wavenumber, square_m2)| {
-                let square = wavenumber * wavenumber;
-                (gradient + square * square_m2, curvature + square * square * square_m2)
-            });
+        let longer = self.waves.iter().take_while(|wave| wave.wavenumber_rad_per_m <= last_rad_per_m);
+        let (slope, curvature_per_m2) = longer.fold((0.0, 0.0), |(slope, curvature_per_m2), wave| {
+            (slope + wave.slope, curvature_per_m2 + wave.curvature_per_m2)
+        });
         GradientAndCurvature {
-            rms_gradient: gradient.sqrt(),
-            rms_curvature_per_m: (self.of_curvature * curvature).sqrt(),
+            rms_gradient: slope.sqrt(),
+            rms_curvature_per_m: (self.of_curvature * curvature_per_m2).sqrt(),
         }
     }
 }
@@ -191,18 +204,17 @@ mod tests {
                 squares.fold((0.0, 0.0), |sums, (square, q2)| (sums.0 + square, sums.1 + q2 * square));
             let found = row.from_spectrum.unwrap();
             let expected_per_m = (0.375 * curvature).sqrt();
-            // A ring has the mean of its wavenumbers.
             let [gradient_unit, curvature_unit] = [1e-9, 1e-3];
             assert_relative_eq!(
                 found.rms_gradient,
                 gradient.sqrt(),
-                max_relative = 0.03,
+                max_relative = 1e-9,
                 epsilon = gradient_unit
             );
             assert_relative_eq!(
                 found.rms_curvature_per_m,
                 expected_per_m,
-                max_relative = 0.06,
+                max_relative = 1e-9,
                 epsilon = curvature_unit
             );
         }

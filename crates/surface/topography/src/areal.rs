@@ -58,6 +58,9 @@ struct Ring {
     modes: f64,
     radii: f64,
     power_m2: f64,
+    /// Power times the square and the fourth power of the radius, mode by mode.
+    power_of_slope_m2: f64,
+    power_of_curvature_m2: f64,
 }
 
 /// Rings of modes: ring k holds k - 1/2 <= radius < k + 1/2, in units of the width.
@@ -148,6 +151,8 @@ impl<'a> ArealTransform<'a> {
             wavevector_rad_per_m: step_rad_per_m * (ring.radii / ring.modes),
             modes: ring.modes as u64,
             sum_m4: unit_m2 * ring.power_m2,
+            slope_sum_m2: unit_m2 * ring.power_of_slope_m2 * step_rad_per_m.powi(2),
+            curvature_sum: unit_m2 * ring.power_of_curvature_m2 * step_rad_per_m.powi(4),
         });
         ArealSpectrum {
             sizes_m,
@@ -197,7 +202,14 @@ impl ArealSums {
                 (2.0 * images, values[row].norm_sqr() + values[rows - row].norm_sqr())
             };
             let (ring, radius) = geometry.place(column, row);
-            self.rings[ring].add(Ring { modes, radii: modes * radius, power_m2: images * power_m2 });
+            let (power_m2, square) = (images * power_m2, radius * radius);
+            self.rings[ring].add(Ring {
+                modes,
+                radii: modes * radius,
+                power_m2,
+                power_of_slope_m2: square * power_m2,
+                power_of_curvature_m2: square * square * power_m2,
+            });
         }
     }
 }
@@ -207,6 +219,8 @@ impl Ring {
         self.modes += other.modes;
         self.radii += other.radii;
         self.power_m2 += other.power_m2;
+        self.power_of_slope_m2 += other.power_of_slope_m2;
+        self.power_of_curvature_m2 += other.power_of_curvature_m2;
     }
 }
 

@@ -33,6 +33,12 @@ pub struct RadialBin {
     pub modes: u64,
     /// Sum of C2D over the modes \[m^4\].
     pub sum_m4: f64,
+    /// Sum of q^2 C2D over the modes, each with its own wavevector \[m^2\].
+    #[serde(skip)]
+    pub slope_sum_m2: f64,
+    /// Sum of q^4 C2D over the modes, each with its own wavevector; 1.
+    #[serde(skip)]
+    pub curvature_sum: f64,
 }
 
 impl RadialBin {

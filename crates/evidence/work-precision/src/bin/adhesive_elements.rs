@@ -7,28 +7,19 @@
 
 use std::process::ExitCode;
 
-use half_space::{Adhesion, AdhesiveElements, Control, Grid, Start};
+use half_space::{Adhesion, AdhesiveElements, Control, Start};
 use parallel::Unobserved;
+use work_precision::square_map::{carry_out, read, write};
 
 fn main() -> ExitCode {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    match run(&arguments) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    carry_out(run)
 }
 
 fn run(arguments: &[String]) -> Result<(), Box<dyn std::error::Error>> {
     let [heights, gaps, work, range, control, value, tolerance, times] = arguments else {
         return Err("HEIGHTS GAPS WORK RANGE CONTROL VALUE TOLERANCE TIMES".into());
     };
-    let bytes = std::fs::read(heights)?;
-    let heights_m: Vec<f64> = bytes.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect();
-    let side = heights_m.len().isqrt();
-    let grid = Grid::new(side, side, 1.0, 1.0)?;
+    let (grid, heights_m) = read(heights)?;
     let adhesion = Adhesion { work_j_per_m2: work.parse()?, range_m: range.parse()? };
     let control = match control.as_str() {
         "gap" => Control::MeanGapM(value.parse()?),
@@ -43,8 +34,7 @@ fn run(arguments: &[String]) -> Result<(), Box<dyn std::error::Error>> {
             tolerance.parse()?,
             &Unobserved,
         )?;
-        let bytes: Vec<u8> = contact.gaps_m.iter().flat_map(|gap| gap.to_le_bytes()).collect();
-        std::fs::write(gaps, bytes)?;
+        write(gaps, &contact.gaps_m)?;
         println!("{} {} {:e}", contact.iterations, contact.operators, contact.nominal_pressure_pa);
     }
     Ok(())

@@ -6,28 +6,19 @@
 
 use std::process::ExitCode;
 
-use half_space::{Elements, Grid, Loading};
+use half_space::{Elements, Loading};
 use parallel::Unobserved;
+use work_precision::square_map::{carry_out, read, write};
 
 fn main() -> ExitCode {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    match run(&arguments) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    carry_out(run)
 }
 
 fn run(arguments: &[String]) -> Result<(), Box<dyn std::error::Error>> {
     let [heights, pressures, pressure, tolerance, times] = arguments else {
         return Err("HEIGHTS PRESSURES PRESSURE TOLERANCE TIMES".into());
     };
-    let bytes = std::fs::read(heights)?;
-    let heights_m: Vec<f64> = bytes.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect();
-    let side = heights_m.len().isqrt();
-    let grid = Grid::new(side, side, 1.0, 1.0)?;
+    let (grid, heights_m) = read(heights)?;
     let loading = Loading {
         contact_modulus_pa: 1.0,
         nominal_pressure_pa: pressure.parse()?,
@@ -37,9 +28,7 @@ fn run(arguments: &[String]) -> Result<(), Box<dyn std::error::Error>> {
     for _ in 0..times.parse::<usize>()? {
         // Laid out anew each time, as for a user with one map and one load.
         let contact = Elements::periodic(grid, &heights_m)?.press(&loading, &Unobserved)?;
-        let bytes: Vec<u8> =
-            contact.pressures_pa.iter().flat_map(|pressure| pressure.to_le_bytes()).collect();
-        std::fs::write(pressures, bytes)?;
+        write(pressures, &contact.pressures_pa)?;
         println!("{} {}", contact.iterations, contact.operators);
     }
     Ok(())
