@@ -210,8 +210,8 @@ fn options_without_bearing_and_missing_ones_are_refused() {
         (&["--gas-parameter", "1um"], ["--gas-conductivity", "needed"]),
         (&AIR[..2], ["--gas-parameter", "--mean-free-path"]),
         (&["--gas-conductivity", "0.026 W/(m K)", "--mean-free-path", "64nm"], ["--accommodation", "needed"]),
-        (&["--gas-temperature", "400"], ["400", "400K"]),
-        (&["--gas-temperature", "-4K"], ["-4K", "above 0"]),
+        (&["--gas-temperature", "400"], ["400", "400 K"]),
+        (&["--gas-temperature", "-4K"], ["-4K", "temperature"]),
         (&["--gas-conductivity", "26"], ["26", "W/(m K)"]),
         (&["--gas-conductivity", "0.026 W/(m K)", "--gas-parameter", "0um"], ["0um", "--gas-parameter"]),
     ];

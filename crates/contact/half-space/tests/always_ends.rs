@@ -92,18 +92,18 @@ fn work() {
 }
 
 const WORK: [&str; 12] = [
-    "elastic 0.003: 14 15",
-    "elastic 0.01: 16 17",
-    "elastic 0.03: 22 23",
+    "elastic 0.003: 14 16",
+    "elastic 0.01: 16 18",
+    "elastic 0.03: 22 24",
     "elastic 0.1: 21 23",
     "elastic 0.5: 23 25",
     "elastic 0.9: 17 19",
-    "flowing 0.03: 11 12",
-    "flowing 0.03: 16 17",
-    "flowing 0.03: 17 18",
-    "flowing 0.1: 16 17",
-    "flowing 0.3: 21 22",
-    "flowing 0.3: 20 21",
+    "flowing 0.03: 11 13",
+    "flowing 0.03: 16 18",
+    "flowing 0.03: 17 19",
+    "flowing 0.1: 16 18",
+    "flowing 0.3: 21 23",
+    "flowing 0.3: 20 22",
 ];
 
 #[test]

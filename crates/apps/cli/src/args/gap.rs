@@ -12,7 +12,7 @@ use questions::{
 use stat_contact::InterferenceLaw;
 use study::models::{self, ModelEntry, ModelOptions};
 use study::plan::Tolerance;
-use units::{Length, Pressure, Resistivity, ThermalConductivity};
+use units::{Length, Pressure, Resistivity, Temperature, ThermalConductivity};
 
 use super::bem::RandomArgs;
 use super::parsers::{ModelName, one_of, parse_labelled_pressure, parse_tolerance};
@@ -241,8 +241,8 @@ pub(crate) struct GasArgs {
     #[arg(long, value_name = "L", allow_hyphen_values = true)]
     pub mean_free_path: Option<Length>,
     /// Temperature of the gas in kelvins, as in 400K; 288.15K where not given
-    #[arg(long, value_name = "T", value_parser = parse_kelvins, allow_hyphen_values = true)]
-    pub gas_temperature: Option<f64>,
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    pub gas_temperature: Option<Temperature>,
     /// Pressure of the gas, 1 atm where not given
     #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub gas_pressure: Option<Pressure>,
@@ -271,7 +271,7 @@ impl GasArgs {
             heat_capacity_ratio: self.heat_capacity_ratio,
             prandtl_number: self.prandtl_number,
             mean_free_path_m: self.mean_free_path.map(|length| length.m),
-            temperature_k: self.gas_temperature,
+            temperature_k: self.gas_temperature.map(|temperature| temperature.k),
             pressure: self.gas_pressure,
         }
     }
@@ -305,16 +305,6 @@ fn parse_range(text: &str) -> Result<[Pressure; 2], String> {
         .ok_or_else(|| format!("'{text}' is not a range of pressures; write FROM:TO, as in '1kPa:1GPa'"))?;
     let end = |text: &str| text.trim().parse::<Pressure>().map_err(|error| error.to_string());
     Ok([end(from)?, end(to)?])
-}
-
-fn parse_kelvins(text: &str) -> Result<f64, String> {
-    let number = text.trim().strip_suffix('K').map(|number| number.trim().parse::<f64>());
-    match number {
-        Some(Ok(kelvins)) if kelvins > 0.0 && kelvins.is_finite() => Ok(kelvins),
-        _ => Err(format!(
-            "'{text}' is not a temperature above 0 in kelvins; write a number with K, as in '400K'"
-        )),
-    }
 }
 
 fn parse_name(text: &str) -> Result<String, String> {
