@@ -17,11 +17,14 @@ use study::materials;
 use study::models::{self, Choice, Framework, MODELS, ModelEntry};
 use topography::{Average, Detrend, Direction, GapTreatment, Window};
 
+/// Name of a column of text, and its value in a row.
+type TextColumn<R> = (&'static str, fn(&R) -> String);
+
 /// Columns of text of some rows, by their names.
 fn text_columns<'py, R>(
     py: Python<'py>,
     rows: &[R],
-    columns: &[(&str, fn(&R) -> String)],
+    columns: &[TextColumn<R>],
 ) -> PyResult<Bound<'py, PyDict>> {
     let table = PyDict::new(py);
     for (name, of) in columns {
