@@ -34,6 +34,13 @@ pub(crate) struct Press {
     pub saturation_pa: Option<f64>,
 }
 
+impl Press {
+    /// True if a pressure \[Pa\] is so near to that of the press that they share a solution.
+    pub fn has_pressure(&self, pressure_pa: f64) -> bool {
+        (self.pressure_pa / pressure_pa - 1.0).abs() < SAME_PRESSURE
+    }
+}
+
 /// A window under one load of the scene, for one of the bodies that are pressed; all by index.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Cell {
@@ -215,9 +222,7 @@ impl Layout {
             return PlannedPress::TooLight;
         }
         let is_same = |press: &Press| {
-            press.window == window
-                && press.saturation_pa == saturation_pa
-                && (press.pressure_pa / pressure_pa - 1.0).abs() < SAME_PRESSURE
+            press.window == window && press.saturation_pa == saturation_pa && press.has_pressure(pressure_pa)
         };
         PlannedPress::Solve(self.presses.iter().position(is_same).unwrap_or_else(|| {
             self.presses.push(Press { window, pressure_pa, saturation_pa });

@@ -98,26 +98,64 @@ fn pressed(
     };
     let grid = Grid::new(window.points, window.points, box_m, box_m)?;
     let mut elements = case.elements(grid, surface.heights_m())?;
-    for (area, press) in outcome.areas.iter_mut().zip(presses) {
+    let mut found: Vec<Found> = Vec::new();
+    for at in from_high_bounds(presses) {
         if progress.is_cancelled() {
             break;
         }
-        let contact = elements.press(
-            &Loading {
-                contact_modulus_pa: case.composite_modulus_pa,
-                nominal_pressure_pa: press.pressure_pa,
-                saturation_pa: press.saturation_pa,
-                tolerance: TOLERANCE,
-            },
-            &NestedProgress(progress),
-        )?;
-        outcome.operators += contact.operators;
+        let press = &presses[at];
+        let solution = match found.iter().find(|earlier| earlier.answers(press)) {
+            Some(earlier) => *earlier,
+            None => {
+                let contact = elements.press(
+                    &Loading {
+                        contact_modulus_pa: case.composite_modulus_pa,
+                        nominal_pressure_pa: press.pressure_pa,
+                        saturation_pa: press.saturation_pa,
+                        tolerance: TOLERANCE,
+                    },
+                    &NestedProgress(progress),
+                )?;
+                outcome.operators += contact.operators;
+                let of_press = Found {
+                    pressure_pa: press.pressure_pa,
+                    largest_pressure_pa: contact.largest_pressure_pa,
+                    area_fraction: contact.area_fraction_corrected,
+                };
+                found.push(of_press);
+                of_press
+            }
+        };
         // Where everything in contact flows, the load alone decides, whatever the perimeter.
         let least = press.saturation_pa.map_or(0.0, |bound_pa| press.pressure_pa / bound_pa);
-        *area = Ok(contact.area_fraction_corrected.max(least));
+        outcome.areas[at] = Ok(solution.area_fraction.max(least));
         progress.advance(1);
     }
     Ok(outcome)
+}
+
+/// The presses by index, from no bound on the pressure to the lowest one.
+fn from_high_bounds(presses: &[Press]) -> Vec<usize> {
+    let bound_pa = |at: &usize| presses[*at].saturation_pa.unwrap_or(f64::INFINITY);
+    let mut order: Vec<usize> = (0..presses.len()).collect();
+    order.sort_by(|a, b| bound_pa(b).total_cmp(&bound_pa(a)));
+    order
+}
+
+/// A solution on one surface.
+#[derive(Debug, Clone, Copy)]
+struct Found {
+    pressure_pa: f64,
+    largest_pressure_pa: f64,
+    area_fraction: f64,
+}
+
+impl Found {
+    /// True if the solution is also that of a press with a lower bound: its pressures stay below that bound everywhere.
+    fn answers(&self, press: &Press) -> bool {
+        press.saturation_pa.is_some_and(|bound_pa| self.largest_pressure_pa < bound_pa)
+            && press.has_pressure(self.pressure_pa)
+    }
 }
 
 impl Solved {
