@@ -9,7 +9,7 @@ use crate::case::{Case, WindowForms};
 use crate::headline::Headline;
 use crate::judgement::Judgement;
 use crate::layout::{Cell, Extent, Layout, PlannedPress};
-use crate::model_areas;
+use crate::model_areas::{self, WindowProfiles};
 use crate::reason::Reason;
 use crate::seam::Seam;
 use crate::solve::{Solutions, Solved};
@@ -147,8 +147,9 @@ fn areas(
     window: &Window,
     pressures_pa: &[Vec<f64>],
 ) -> Result<Vec<Vec<Option<f64>>>, JudgeError> {
+    let profiles = WindowProfiles::new(window, &case.results.psd);
     let model_areas = |curves: &[usize], pressures_pa: &[f64]| {
-        model_areas::area_fractions(case.scene, &case.results.psd, window, curves, pressures_pa)
+        model_areas::area_fractions(case.scene, &profiles, curves, pressures_pa)
     };
     let mut areas = vec![vec![None; case.loads()]; case.curves()];
     let (growing, steady): (Vec<usize>, Vec<usize>) =

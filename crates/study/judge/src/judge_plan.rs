@@ -33,7 +33,7 @@ impl<'s> JudgePlan<'s> {
     /// The number of solutions: one for each pressure and realisation.
     #[must_use]
     pub fn solutions(&self) -> usize {
-        self.layout.as_ref().map_or(0, |layout| layout.presses.len() * layout.realisations)
+        self.layout.as_ref().map_or(0, Layout::solutions)
     }
 
     /// Presses the surfaces and compares every curve with them. `progress` advances once per surface and pressure; surfaces

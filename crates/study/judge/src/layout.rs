@@ -16,6 +16,8 @@ const FLOWING: f64 = 0.98;
 const MIN_POINTS: f64 = 200.0;
 /// The fewest surfaces that have a scatter.
 const MIN_REALISATIONS: usize = 2;
+/// From so many windows on that may scatter, pairs of surfaces know their scatter as well together as four surfaces do alone.
+const WINDOWS_THAT_POOL: usize = 8;
 /// The slope of area against p/(E* h') at light load, to estimate how many points will touch.
 const SLOPE_OF_AREA: f64 = 2.0;
 /// Area fraction from which on a window is nearly flat, so that its elements say little about the area of the surface.
@@ -70,8 +72,10 @@ pub(crate) enum PlannedPress {
 pub(crate) struct Layout {
     /// Points along each side of all windows but the last, which may have more.
     pub grid: usize,
-    /// Surfaces in each window.
-    pub realisations: usize,
+    /// Surfaces in each window but the last.
+    realisations: usize,
+    /// Surfaces in the last window.
+    realisations_of_last: usize,
     pub windows: Vec<Window>,
     /// The closed forms about every window.
     pub forms: Vec<WindowForms>,
@@ -80,7 +84,7 @@ pub(crate) struct Layout {
     pub presses: Vec<Press>,
     /// The loads that are judged, by index.
     pub loads: Vec<usize>,
-    /// Estimated cost: operator applications times grid points.
+    /// Estimated cost, at most: operator applications times grid points.
     pub cost: f64,
     /// The plan for every cell, by [`Layout::index`].
     planned: Vec<PlannedPress>,
@@ -100,7 +104,11 @@ impl Layout {
                 let share = if prolongs { 1.0 - SHARE_FOR_LAST } else { 1.0 };
                 if layout.cost <= share * settings.budget {
                     let longer = prolongs.then(|| layout.with_longer_end(settings.budget, case, waves));
-                    return Some(longer.flatten().unwrap_or(layout));
+                    let chosen = longer.flatten().unwrap_or(layout);
+                    return Some(match settings.realisations {
+                        Some(_) => chosen,
+                        None => chosen.in_pairs(case),
+                    });
                 }
             }
         }
@@ -119,6 +127,7 @@ impl Layout {
             left_out: bands.len() - windows.len(),
             grid,
             realisations,
+            realisations_of_last: realisations,
             forms: Vec::new(),
             windows,
             presses: Vec::new(),
@@ -191,6 +200,44 @@ impl Layout {
         found
     }
 
+    /// The layout with two surfaces in each window but the last, if enough windows scatter to pool it. Pooling spares half of the
+    /// work, and leaves errors as they are; grid and windows stay those of all surfaces.
+    fn in_pairs(mut self, case: &Case<'_>) -> Self {
+        let scatters = |window: &usize| {
+            let is_partial = |(body, load): (usize, usize)| {
+                let reference = case.references[body];
+                matches!(self.planned(Cell { body, window: *window, load }), PlannedPress::Solve(_))
+                    && case.area_and_share(&self.forms[*window], reference, load).0 < NEARLY_FLAT
+            };
+            let bodies = 0..case.references.len();
+            bodies.flat_map(|body| self.loads.iter().map(move |&load| (body, load))).any(is_partial)
+        };
+        if (0..self.windows.len()).filter(scatters).count() >= WINDOWS_THAT_POOL {
+            self.realisations = MIN_REALISATIONS.min(self.realisations);
+        }
+        self
+    }
+
+    /// The number of surfaces in a window.
+    pub fn realisations_of(&self, window: usize) -> usize {
+        if self.is_last(window) { self.realisations_of_last } else { self.realisations }
+    }
+
+    /// True for the last window, on whose area that of the whole band rests.
+    pub fn is_last(&self, window: usize) -> bool {
+        window + 1 == self.windows.len()
+    }
+
+    /// True if windows have too few surfaces for a scatter of their own, and pool it.
+    pub fn pools_scatter(&self) -> bool {
+        self.realisations < self.realisations_of_last
+    }
+
+    /// The number of solutions: one for each pressure and surface.
+    pub fn solutions(&self) -> usize {
+        self.presses.iter().map(|press| self.realisations_of(press.window)).sum()
+    }
+
     /// The plan for a cell.
     pub fn planned(&self, cell: Cell) -> PlannedPress {
         self.planned[self.index(cell)]
@@ -234,7 +281,7 @@ impl Layout {
     fn estimated_cost(&self) -> f64 {
         let of_press = |press: &Press| {
             let window = &self.windows[press.window];
-            self.realisations as f64 * window.grid_points() * operators(window.points)
+            self.realisations_of(press.window) as f64 * window.grid_points() * operators(window.points)
         };
         self.presses.iter().map(of_press).sum()
     }
@@ -245,6 +292,7 @@ impl Layout {
             grid: self.grid,
             grid_of_last: self.windows.last().map_or(self.grid, |window| window.points),
             realisations: self.realisations,
+            realisations_of_last: self.realisations_of_last,
             seed: settings.seed,
             windows: self.windows.len(),
             left_out: self.left_out,
@@ -283,8 +331,10 @@ pub struct Extent {
     pub grid: usize,
     /// Points along each side of the surfaces of the last window, which is prolonged if it would be pressed flat.
     pub grid_of_last: usize,
-    /// Surfaces in each window.
+    /// Surfaces in each window but the last.
     pub realisations: usize,
+    /// Surfaces in the last window, on which the area of the whole band rests.
+    pub realisations_of_last: usize,
     /// The seed of the surfaces.
     pub seed: u64,
     /// The number of windows of the spectrum; one if the grid holds the whole band.

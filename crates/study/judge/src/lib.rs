@@ -14,6 +14,7 @@ mod layout;
 mod maps;
 mod model_areas;
 mod reason;
+mod scatter;
 mod seam;
 mod settings;
 mod solve;

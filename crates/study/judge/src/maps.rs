@@ -116,7 +116,7 @@ fn compare_map(
         let Some(area_fraction) = area(&surface)? else { return Ok(found) };
         let twins = (0..TWINS).map(|at| area(&waves.twin(pressing.seed, at)));
         let Some(twins) = twins.collect::<Result<Option<Vec<f64>>, JudgeError>>()? else { return Ok(found) };
-        let Solved { area_fraction: of_twins, standard_error } = Solved::from_surfaces(&twins);
+        let Solved { area_fraction: of_twins, standard_error } = Solved::from_surfaces(&twins, None);
         let twins = ElementArea::new(of_twins, standard_error);
         found.push(MapVerdict {
             map: patch.name.clone(),

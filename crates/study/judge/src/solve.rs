@@ -8,6 +8,7 @@ use crate::JudgeError;
 use crate::case::Case;
 use crate::layout::{Layout, Press};
 use crate::reason::Reason;
+use crate::scatter::{AreasOnWindow, PooledScatter, mean_and_variance};
 use crate::window::Window;
 use study::student::widening;
 
@@ -52,7 +53,9 @@ pub(crate) fn solve(
     progress: &dyn Progress,
 ) -> Result<Solutions, JudgeError> {
     let tasks: Vec<Task> = (0..layout.windows.len())
-        .flat_map(|window| (0..layout.realisations).map(move |realisation| Task { window, realisation }))
+        .flat_map(|window| {
+            (0..layout.realisations_of(window)).map(move |realisation| Task { window, realisation })
+        })
         .collect();
     let outcomes = parallel::try_map(&tasks, |task| {
         let presses = presses_of(layout, task.window);
@@ -61,13 +64,27 @@ pub(crate) fn solve(
     })?;
     let cost = |outcome: &Outcome| outcome.operators as f64 * layout.windows[outcome.window].grid_points();
     let spent = outcomes.iter().map(cost).sum();
-    let solved = |(at, press): (usize, &Press)| {
+    let areas_of = |(at, press): (usize, &Press)| {
         let place = layout.presses[..at].iter().filter(|other| other.window == press.window).count();
         let of_window = outcomes.iter().filter(|outcome| outcome.window == press.window);
-        let areas: Result<Vec<f64>, Reason> = of_window.map(|outcome| outcome.areas[place]).collect();
-        areas.map(|areas| Solved::from_surfaces(&areas))
+        of_window.map(|outcome| outcome.areas[place]).collect()
     };
-    Ok(Solutions { of_presses: layout.presses.iter().enumerate().map(solved).collect(), spent })
+    let areas: Vec<Result<Vec<f64>, Reason>> = layout.presses.iter().enumerate().map(areas_of).collect();
+    let pooled = layout.pools_scatter().then(|| pooled_scatter(layout, &areas)).flatten();
+    let solved = |(press, areas): (&Press, &Result<Vec<f64>, Reason>)| {
+        // The area of the whole band rests on the last window, which has enough surfaces for a scatter of its own.
+        let pooled = pooled.filter(|_| !layout.is_last(press.window));
+        areas.as_ref().map(|areas| Solved::from_surfaces(areas, pooled)).map_err(|reason| *reason)
+    };
+    Ok(Solutions { of_presses: layout.presses.iter().zip(&areas).map(solved).collect(), spent })
+}
+
+fn pooled_scatter(layout: &Layout, areas: &[Result<Vec<f64>, Reason>]) -> Option<PooledScatter> {
+    let on_windows = layout.presses.iter().zip(areas).filter_map(|(press, areas)| {
+        let areas = areas.as_ref().ok()?;
+        Some(AreasOnWindow { window: press.window, areas })
+    });
+    PooledScatter::new(on_windows)
 }
 
 fn presses_of(layout: &Layout, window: usize) -> Vec<Press> {
@@ -159,13 +176,13 @@ impl Found {
 }
 
 impl Solved {
-    /// Averages the areas of several surfaces.
-    pub fn from_surfaces(areas: &[f64]) -> Self {
-        let count = areas.len() as f64;
-        let area_fraction = areas.iter().sum::<f64>() / count;
-        let deviations = areas.iter().map(|area| (area - area_fraction).powi(2)).sum::<f64>();
-        let of_mean = (deviations / (count * (count - 1.0).max(1.0))).sqrt();
-        let of_surfaces = widening(areas.len()) * of_mean;
+    /// Averages the areas of several surfaces, whose scatter is their own if none is pooled.
+    pub fn from_surfaces(areas: &[f64], pooled: Option<PooledScatter>) -> Self {
+        let (area_fraction, variance) = mean_and_variance(areas);
+        let of_surfaces = match pooled {
+            Some(pooled) => pooled.error_of_mean(areas),
+            None => widening(areas.len()) * (variance / areas.len() as f64).sqrt(),
+        };
         let standard_error = of_surfaces.hypot(GRID_ERROR * area_fraction);
         Solved { area_fraction, standard_error }
     }
@@ -184,10 +201,10 @@ mod tests {
 
     #[test]
     fn the_error_of_few_surfaces_is_widened_and_holds_that_of_the_grid() {
-        let solved = Solved::from_surfaces(&[0.1, 0.1, 0.1, 0.1]);
+        let solved = Solved::from_surfaces(&[0.1, 0.1, 0.1, 0.1], None);
         assert!((solved.area_fraction - 0.1).abs() < 1e-15);
         assert!((solved.standard_error / 0.1 - GRID_ERROR).abs() < 1e-12);
-        let scattered = Solved::from_surfaces(&[0.09, 0.11]);
+        let scattered = Solved::from_surfaces(&[0.09, 0.11], None);
         assert!((scattered.standard_error - (widening(2) * 0.01).hypot(0.1 * GRID_ERROR)).abs() < 1e-12);
     }
 }

@@ -181,9 +181,12 @@ fn pressed(extent: &Extent) -> String {
         1 => "the whole band".to_owned(),
         some => format!("{} half a decade apart", counted(some, "window")),
     };
-    let last = match extent.grid_of_last {
-        points if points == extent.grid => String::new(),
-        points => format!(" ({points} x {points} on the last window)"),
+    let (points, surfaces) = (extent.grid_of_last, extent.realisations_of_last);
+    let last = match (points != extent.grid, surfaces != extent.realisations) {
+        (false, false) => String::new(),
+        (true, false) => format!(" ({points} x {points} on the last window)"),
+        (false, true) => format!(" ({surfaces} on the last window)"),
+        (true, true) => format!(" ({surfaces} of {points} x {points} on the last window)"),
     };
     format!(
         "Boundary elements pressed {windows}{left_out}: {}, {} each of {} x {} points{last}, seed {}; cost {} of a budget of {}.",
