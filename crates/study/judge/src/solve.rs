@@ -207,4 +207,13 @@ mod tests {
         let scattered = Solved::from_surfaces(&[0.09, 0.11], None);
         assert!((scattered.standard_error - (widening(2) * 0.01).hypot(0.1 * GRID_ERROR)).abs() < 1e-12);
     }
+    #[test]
+    fn a_solution_answers_presses_whose_bound_it_does_not_reach() {
+        let found = Found { pressure_pa: 1.0, largest_pressure_pa: 9.0, area_fraction: 0.2 };
+        let press = |pressure_pa, saturation_pa| Press { window: 0, pressure_pa, saturation_pa };
+        assert!(found.answers(&press(1.005, Some(9.5))));
+        assert!(!found.answers(&press(1.02, Some(9.5))) && !found.answers(&press(1.0, Some(9.0))));
+        let presses = [press(1.0, Some(3.0)), press(1.0, None), press(2.0, Some(5.0))];
+        assert_eq!(from_high_bounds(&presses), [1, 2, 0]);
+    }
 }

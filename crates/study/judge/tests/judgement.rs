@@ -306,6 +306,43 @@ fn a_last_window_that_would_be_pressed_flat_reaches_to_longer_waves() {
     assert!(ratio.ln().abs() < 3.0 * error, "{ratio} {error}");
 }
 
+/// Elements on the whole band of 6.5 decades, pressed in pairs on all windows but the last unless the number of surfaces is given.
+#[test]
+fn windows_that_know_their_scatter_together_are_pressed_in_pairs_and_leave_the_whole_band_as_it_was() {
+    let scene = scene(6.5, "", "\"30 kPa\", \"3 MPa\"", &ELASTIC);
+    let results = scene.plan().compute().unwrap();
+    let run = |realisations| {
+        let settings = Settings { grid: Some(48), realisations, ..Settings::default() };
+        let plan = JudgePlan::new(&scene, &results, &settings);
+        let counted = Counted::default();
+        let judgement = plan.run(&counted).unwrap();
+        assert_eq!(counted.0.into_inner(), plan.solutions());
+        judgement
+    };
+    let (pairs, fours) = (run(None), run(Some(4)));
+    let surfaces = |judgement: &Judgement| {
+        let extent = judgement.extent.as_ref().unwrap();
+        (extent.realisations, extent.realisations_of_last)
+    };
+    assert_eq!((surfaces(&pairs), surfaces(&fours)), ((2, 4), (4, 4)));
+    let spent = |judgement: &Judgement| judgement.extent.as_ref().unwrap().spent;
+    assert!(spent(&pairs) < 0.6 * spent(&fours));
+    for (pair, four) in pairs.curves.iter().zip(&fours.curves) {
+        assert_eq!((pair.elements, pair.verdict), (four.elements, four.verdict));
+    }
+    // Areas on windows differ by their errors, and errors by little in the mean.
+    let on_windows = || pairs.windows.iter().zip(&fours.windows).filter(|(on, _)| !on.is_whole_band);
+    let areas: Vec<_> = on_windows().filter_map(|(pair, four)| pair.elements.zip(four.elements)).collect();
+    let apart = |(pair, four): &&(judge::ElementArea, judge::ElementArea)| {
+        let error = pair.relative_error().hypot(four.relative_error());
+        (pair.area_fraction / four.area_fraction).ln().abs() < 2.0 * error
+    };
+    assert!(areas.iter().filter(apart).count() as f64 >= 0.95 * areas.len() as f64);
+    let widened = areas.iter().map(|(pair, four)| pair.relative_error() / four.relative_error());
+    let mean = widened.sum::<f64>() / areas.len() as f64;
+    assert!(mean < 1.15, "{mean}");
+}
+
 #[test]
 fn a_step_of_progress_is_a_surface_under_one_pressure() {
     let scene = scene(0.9, "", "\"100 MPa\", \"200 MPa\"", &["model = \"persson\""]);
