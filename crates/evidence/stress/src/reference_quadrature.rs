@@ -25,6 +25,7 @@ pub fn integrals(response: &Response, separation_m: f64, sigma_s_m: f64) -> Opti
     const DROP: f64 = 80.0;
     const TOLERANCE: f64 = 1e-12;
     const MOST_EVALUATIONS: usize = 60_000;
+    const STRETCHES: u32 = 16;
     let u = separation_m / sigma_s_m;
     let half_width = (2.0 * DROP).sqrt();
     let (low, high, log_reference) = if u > 0.0 {
@@ -39,7 +40,10 @@ pub fn integrals(response: &Response, separation_m: f64, sigma_s_m: f64) -> Opti
     let kinks_m = response.kinks_m(low * sigma_s_m, high * sigma_s_m);
     let mut breaks: Vec<f64> = kinks_m.iter().map(|at_m| at_m / sigma_s_m).collect();
     breaks.extend([peak, peak + 1.0, peak - 1.0, 0.1 * high]);
-    let mut breaks: Vec<f64> = breaks.into_iter().map(f64::cbrt).filter(|v| from < *v && *v < to).collect();
+    // Both rules may miss a kink that the law does not announce; short stretches leave it no room.
+    let stretches = (1..STRETCHES).map(|at| from + (to - from) * f64::from(at) / f64::from(STRETCHES));
+    let mut breaks: Vec<f64> =
+        breaks.into_iter().map(f64::cbrt).chain(stretches).filter(|v| from < *v && *v < to).collect();
     breaks.sort_by(f64::total_cmp);
     breaks.dedup();
     let [integrator, again] = [GKPair::G10K21, GKPair::G15K31].map(|pair| {
