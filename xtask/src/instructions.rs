@@ -11,6 +11,10 @@ use crate::checkout;
 
 /// Growth of a count from which it fails, as a share of the accepted one.
 const MOST_GROWTH: f64 = 0.05;
+/// Growth of the count of a piece whose input is ten times as large where that does not matter.
+const MOST_GROWTH_TENFOLD: f64 = 0.1;
+/// End of the name of such a piece; what precedes it names the piece that it repeats.
+const TENFOLD: &str = "-tenfold";
 /// Accepted counts, by piece of work.
 const ACCEPTED: &str = "tests/instructions.csv";
 const HEADER: &str = "work,instructions";
@@ -38,6 +42,12 @@ fn compare(accept: bool) -> io::Result<bool> {
         within &= verdict.is_within();
         counts.push((work, count));
     }
+    for growth in growths_tenfold(&counts) {
+        let is_within = growth.share <= MOST_GROWTH_TENFOLD;
+        let verdict = if is_within { "" } else { "  GROWN by more than 10 %" };
+        println!("{:>13}  {:32} {:+6.1} %{verdict}", "ten times", growth.work, 100.0 * growth.share);
+        within &= is_within;
+    }
     if accept {
         let rows = counts.iter().map(|(work, count)| format!("{work},{count}\n"));
         std::fs::write(checkout(ACCEPTED), format!("{HEADER}\n{}", rows.collect::<String>()))?;
@@ -51,6 +61,22 @@ fn compare(accept: bool) -> io::Result<bool> {
         );
     }
     Ok(within)
+}
+
+/// Growth of a piece of work with ten times the input.
+struct Growth<'c> {
+    work: &'c str,
+    share: f64,
+}
+
+/// The growth of every piece that is also counted with ten times the input.
+fn growths_tenfold(counts: &[(String, u64)]) -> Vec<Growth<'_>> {
+    let growth = |(name, count): &(String, u64)| {
+        let work = name.strip_suffix(TENFOLD)?;
+        let (name, once) = counts.iter().find(|(other, _)| other == work)?;
+        Some(Growth { work: name, share: *count as f64 / *once as f64 - 1.0 })
+    };
+    counts.iter().filter_map(growth).collect()
 }
 
 /// Comparison of a count with the accepted one.
@@ -162,6 +188,15 @@ mod test {
             assert_eq!(Verdict::moved(count, before).is_within(), within, "{count} after {before}");
         }
         assert!(!Verdict::New.is_within());
+    }
+
+    #[test]
+    fn a_piece_with_ten_times_the_input_is_compared_with_the_piece_itself() {
+        let counts =
+            [("judge".to_owned(), 1000), ("judge-tenfold".to_owned(), 1050), ("paper".to_owned(), 7)];
+        let growths = growths_tenfold(&counts);
+        assert_eq!(growths.len(), 1);
+        assert!(growths[0].work == "judge" && (growths[0].share - 0.05).abs() < 1e-12);
     }
 
     #[test]

@@ -11,15 +11,18 @@ use asperity::{
     ElasticBody, ElasticPlasticSinusoid, ElasticSinusoid, Hardness, JacksonGreen, MaterialPair, NixGao,
 };
 use half_space::{Elements, Grid, Loading};
+use judge::JudgePlan;
 use parallel::Unobserved;
-use scans::HeightMap;
-use scene::{Scene, Template};
+use scans::{HeightMap, ScanOptions};
+use scene::{Overrides, Scene, Template};
 use spectrum::{
     AmplitudeDefinition, AsperityParameters, Normalisation, amplitudes, cumulative_moments, fit_self_affine,
 };
 use stacked_contact::{Scale, StackedModel, levels};
 use stat_contact::{AsperityLaw, InterferenceLaw, Population, StatisticalContact};
+use study::NoFiles;
 use topography::{Preparation, areal_spectrum, map_line_spectrum};
+use uncertainty::UncertaintyPlan;
 
 /// Work that is counted.
 type Work = Box<dyn Fn()>;
@@ -27,7 +30,7 @@ type Work = Box<dyn Fn()>;
 /// Name and preparation of a piece of work.
 type Piece = (&'static str, fn() -> Work);
 
-const PIECES: [Piece; 22] = [
+const PIECES: [Piece; 28] = [
     ("sphere", || sphere(Hardness::JacksonGreen2005)),
     ("sphere-cosine-hardness", || sphere(Hardness::Cosine)),
     ("sinusoid-elastic", sinusoid_elastic),
@@ -58,6 +61,12 @@ const PIECES: [Piece; 22] = [
     ("half-space-elastic", || half_space(None)),
     ("half-space-saturated", || half_space(Some(4e8))),
     ("paper", paper),
+    ("judge", || judge(1)),
+    ("judge-tenfold", || judge(10)),
+    ("draws", || draws(1)),
+    ("draws-tenfold", || draws(10)),
+    ("reader", || reader(1)),
+    ("reader-tenfold", || reader(10)),
 ];
 
 fn main() -> ExitCode {
@@ -240,4 +249,78 @@ fn paper() -> Work {
     let mut scene = diamond();
     scene.needs.tolerance = study::plan::Tolerance::new(1e-10).expect("a tolerance");
     Box::new(move || drop(black_box(scene.plan().compute().expect("a sound scene"))))
+}
+
+/// A scene of one body under one load, said so many times: every repeat has another name and needs nothing new.
+fn repeated(times: usize) -> Scene {
+    let curves: String =
+        (0..times).map(|at| format!("[[curve]]\nmodel = \"persson\"\nname = \"c{at}\"\n")).collect();
+    let figures: String = (0..times)
+        .map(|at| format!("[[figure]]\nname = \"f{at}\"\nshows = \"area\"\ncurves = [\"c0\"]\n"))
+        .collect();
+    // "1 MPa", "10e-1 MPa", "100e-2 MPa": one load.
+    let loads: Vec<String> = (0..times).map(|at| format!("\"1{}e-{at} MPa\"", "0".repeat(at))).collect();
+    let text = format!(
+        "[surface]\npsd = \"builtin:uncd-measured\"\n\
+         [material]\nyoungs_modulus = \"463 GPa +- 20 GPa\"\npoisson_ratio = 0.2\n\
+         [loads]\npressures = [{}]\n[judge]\ngrid = 48\nrealisations = 2\n[uncertainty]\ndraws = 100\n\
+         {curves}{figures}",
+        loads.join(", ")
+    );
+    Scene::parse(&text, &NoFiles, &Overrides::default()).expect("a sound scene")
+}
+
+/// The verdicts on a scene that is said so many times.
+fn judge(times: usize) -> Work {
+    let scene = repeated(times);
+    let results = scene.plan().compute().expect("a sound scene");
+    let settings = judge::Settings::from_choices(scene.judge.as_ref());
+    Box::new(move || {
+        black_box(JudgePlan::new(&scene, &results, &settings).run(&Unobserved).expect("a sound scene"));
+    })
+}
+
+/// The intervals of a scene that is said so many times.
+fn draws(times: usize) -> Work {
+    let scene = repeated(times);
+    let results = scene.plan().compute().expect("a sound scene");
+    let settings = uncertainty::Settings::from_choices(scene.uncertainty.as_ref());
+    Box::new(move || {
+        let plan = UncertaintyPlan::new(&scene, &results, &settings).expect("an uncertain modulus");
+        black_box(plan.run(&Unobserved).expect("a sound scene"));
+    })
+}
+
+/// The first of so many maps in a file of Gwyddion, with ten times the points that kernels take.
+fn reader(maps: usize) -> Work {
+    let side = 10 * SIZE as i32;
+    let count = side * side;
+    let heights: Vec<u8> = crossing_waves_m()
+        .iter()
+        .cycle()
+        .take(count as usize)
+        .flat_map(|height| height.to_le_bytes())
+        .collect();
+    let component =
+        |name: &str, letter: char, value: &[u8]| [name.as_bytes(), &[0, letter as u8], value].concat();
+    let object = |class: &str, parts: &[Vec<u8>]| {
+        let body = parts.concat();
+        [class.as_bytes(), &[0], &(body.len() as u32).to_le_bytes(), &body].concat()
+    };
+    let unit = |name: &str| component(name, 'o', &object("GwySIUnit", &[component("unitstr", 's', b"m\0")]));
+    let map = [
+        component("xres", 'i', &side.to_le_bytes()),
+        component("yres", 'i', &side.to_le_bytes()),
+        component("xreal", 'd', &1e-6f64.to_le_bytes()),
+        component("yreal", 'd', &1e-6f64.to_le_bytes()),
+        unit("si_unit_xy"),
+        unit("si_unit_z"),
+        component("data", 'D', &[&count.to_le_bytes()[..], &heights].concat()),
+    ];
+    let map = object("GwyDataField", &map);
+    let all: Vec<Vec<u8>> = (0..maps).map(|at| component(&format!("/{at}/data"), 'o', &map)).collect();
+    let file = [b"GWYP".to_vec(), object("GwyContainer", &all)].concat();
+    Box::new(move || {
+        black_box(scans::read_scans(&file, "maps.gwy", &ScanOptions::default()).expect("a sound file"));
+    })
 }

@@ -183,9 +183,19 @@ impl<'p> UncertaintyPlan<'p> {
             Some(psd) => self.areas.at_the_end(psd.as_ref(), self.areas.curves().to_vec()),
             None => self.areas.nothing(),
         };
-        let areas: Vec<usize> = (0..self.areas.count()).collect();
-        let interval = |&area: &usize| self.interval(area, drawn, dense, best.ln_areas[area], indices);
-        (parallel::map(&areas, interval).into_iter().flatten().collect(), best.work)
+        let is_same = |one: usize, other: usize| {
+            drawn.ln_areas.iter().all(|draw| draw[one] == draw[other])
+                && best.ln_areas[one] == best.ln_areas[other]
+                && self.area_fractions[one] == self.area_fractions[other]
+        };
+        let interval = |area: usize| self.interval(area, drawn, dense, best.ln_areas[area], indices);
+        let at_its_place = |area: usize, interval: AreaInterval| {
+            let (curve, load) = (area / self.areas.loads(), area % self.areas.loads());
+            let indices = indices.get(area).cloned().unwrap_or_default();
+            AreaInterval { curve, load, indices, ..interval }
+        };
+        let found = map_distinct(self.areas.count(), is_same, interval).into_iter().enumerate();
+        (found.filter_map(|(area, found)| Some(at_its_place(area, found?))).collect(), best.work)
     }
 
     fn quantities_of(
@@ -230,13 +240,19 @@ impl<'p> UncertaintyPlan<'p> {
     fn bands(&self, along: &[Along], best: &Along) -> Vec<AreaBand> {
         let followed =
             (0..self.areas.curves().len()).filter(|&at| self.areas.curves()[at].cutoffs == Cutoffs::Every);
-        let of_load = |curve: usize, load: usize| {
+        let places: Vec<(usize, usize)> =
+            followed.flat_map(|curve| (0..self.areas.loads()).map(move |load| (curve, load))).collect();
+        let is_same = |one: usize, other: usize| {
+            let [(curve, load), (of_curve, of_load)] = [places[one], places[other]];
+            along.iter().chain([best]).all(|draw| draw[curve][load] == draw[of_curve][of_load])
+        };
+        let band = |at: usize| {
+            let (curve, load) = places[at];
             let draws: Vec<&Points> = along.iter().map(|draw| &draw[curve][load]).collect();
             band(curve, load, &draws, &best[curve][load], self.settings.level)
         };
-        followed
-            .flat_map(|curve| (0..self.areas.loads()).filter_map(move |load| of_load(curve, load)))
-            .collect()
+        let found = map_distinct(places.len(), is_same, band).into_iter().zip(&places);
+        found.filter_map(|(found, &(curve, load))| Some(AreaBand { curve, load, ..found? })).collect()
     }
 
     fn interval(
@@ -301,6 +317,25 @@ impl<'p> UncertaintyPlan<'p> {
             }
         }
     }
+}
+
+/// Maps the numbers below `count`, once for those that are the same: curves and loads may repeat under other names.
+fn map_distinct<T: Clone + Send>(
+    count: usize,
+    is_same: impl Fn(usize, usize) -> bool,
+    map: impl Fn(usize) -> T + Sync,
+) -> Vec<T> {
+    let mut distinct: Vec<usize> = Vec::new();
+    let places: Vec<usize> = (0..count)
+        .map(|at| {
+            distinct.iter().position(|&other| is_same(at, other)).unwrap_or_else(|| {
+                distinct.push(at);
+                distinct.len() - 1
+            })
+        })
+        .collect();
+    let found = parallel::map(&distinct, |&at| map(at));
+    places.into_iter().map(|place| found[place].clone()).collect()
 }
 
 /// The standard deviation of draws about their mean, from their distances from their median: of equal draws it is 0.
