@@ -39,7 +39,7 @@ def load_extension() -> ModuleType:
     return module
 
 
-def answers_without_arrays() -> dict[str, Any]:
+def ask_without_arrays() -> dict[str, Any]:
     """Asks the extension alone for materials, spectra, laws, scenes, a scan, messages and a file."""
     native = load_extension()
     answers: dict[str, Any] = {
@@ -103,7 +103,7 @@ def find_message(native: ModuleType, arguments: dict[str, Any]) -> str:
     raise AssertionError(f"{arguments} is no material")
 
 
-def answers_with_arrays() -> dict[str, Any]:
+def ask_with_arrays() -> dict[str, Any]:
     """Asks the whole package, which needs numpy, for tables, maps and a report."""
     import numpy as np
 
@@ -123,6 +123,9 @@ def answers_with_arrays() -> dict[str, Any]:
         "law": ta.law(uncd, diamond, pressure=("10 kPa", "10 MPa")),
         "moments": uncd.moments(),
         "contact": ta.contact(radius=1e-6, density=1e12, sigma_s=10e-9, material=diamond, model="ep-sphere", pressure=[1e6, 1e8]),
+        "contact of two": ta.contact(
+            radius=1e-6, density=1e12, sigma_s=10e-9, material=[diamond, "100Cr6"], model="hertz", pressure=1e6
+        ),
         "tangential": ta.tangential(uncd, diamond, friction=0.3, pressure=loads),
         "uncertainty": ta.uncertainty(uncd, diamond, pressure="1 MPa", model="persson", draws=50, yield_strength="10 %"),
         "roughness": ta.roughness(heights_m, ("1 um", "1 um")),
@@ -137,7 +140,7 @@ def answers_with_arrays() -> dict[str, Any]:
     return answers
 
 
-ANSWERS = {"with-arrays": answers_with_arrays, "without-arrays": answers_without_arrays}
+ANSWERS = {"with-arrays": ask_with_arrays, "without-arrays": ask_without_arrays}
 
 
 def write_answers(calls: str) -> str:
