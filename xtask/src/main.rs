@@ -1,11 +1,12 @@
-//! Project chores, by name: `cargo xtask reproduce`, `golden`, `docs`, `instructions`, `layers`, `shared`, `python`, `package`, `api`, `site`, `web`, and the
-//! crates of evidence, `stress`, `coverage`, `work-precision` and `model-trials`.
+//! Project chores, by name: `cargo xtask reproduce`, `golden`, `docs`, `instructions`, `layers`, `shared`, `python`, `pyodide`, `package`, `api`,
+//! `site`, `web`, and the crates of evidence, `stress`, `coverage`, `work-precision` and `model-trials`.
 
 mod instructions;
 mod layers;
 mod package;
 mod programs;
 mod public_api;
+mod pyodide;
 mod python;
 mod shared;
 mod site;
@@ -32,6 +33,8 @@ cargo xtask python [--anew] [--wheel FILE]
                                builds the wheel and tries it in an environment below target/: tests, examples, notebooks, types
                                (minutes; needs python3 from 3.10 on and a package index); --anew makes the environment again;
                                --wheel tries a wheel or a source archive; the variable PYTHON names another interpreter
+cargo xtask pyodide            builds the wheel for Pyodide, target/pyodide, and compares its answers under node with those of this
+                               machine (minutes; needs node, python3, a package index, and the target wasm32-unknown-emscripten)
 cargo xtask package            packs the crates as they are published, compiles each archive, and runs the examples of their
                                READMEs in a project elsewhere (minutes)
 cargo xtask api [--accept]     compares the public items of the published crates with tests/contract/public-api; --accept takes
@@ -97,6 +100,7 @@ enum Task {
         anew: bool,
         wheel: Option<PathBuf>,
     },
+    Pyodide,
     Web {
         tests: bool,
     },
@@ -122,6 +126,7 @@ fn main() -> ExitCode {
         Ok(Some(Task::Api { accept })) => ended(public_api::run(accept)),
         Ok(Some(Task::Site)) => site::run(),
         Ok(Some(Task::Python { anew, wheel })) => python::run(anew, wheel.as_deref()),
+        Ok(Some(Task::Pyodide)) => ended(pyodide::run()),
         Ok(Some(Task::Web { tests })) => ended(web::run(tests)),
         Ok(Some(Task::WorkPrecision)) => work_precision::run(),
         Ok(None) => {
@@ -162,6 +167,7 @@ fn parse(mut parser: lexopt::Parser) -> Result<Option<Task>, lexopt::Error> {
                     Some("api") => Task::Api { accept: false },
                     Some("site") => Task::Site,
                     Some("python") => Task::Python { anew: false, wheel: None },
+                    Some("pyodide") => Task::Pyodide,
                     Some("web") => Task::Web { tests: false },
                     Some("stress") => in_release("truearea-stress", &mut parser)?,
                     Some("coverage") => in_release("truearea-coverage", &mut parser)?,

@@ -25,31 +25,14 @@ fn carry_out(anew: bool, given: Option<&Path>) -> Result<(), String> {
     let root = &checkout("");
     // The tests run in another folder.
     let given = given.map(std::path::absolute).transpose().map_err(|error| error.to_string())?;
-    let python = std::env::var_os("PYTHON");
-    let place = Place {
-        environment: python.as_deref().map_or_else(|| Ok("environment".to_owned()), environment_name)?,
-        package: root.join("python"),
-        built: root.join("target/python"),
-        program: command_line(root)?,
-        questions: questions(root)?,
-    };
-    std::fs::create_dir_all(&place.built)
-        .map_err(|error| format!("making {}: {error}", place.built.display()))?;
-    if anew && place.environment().exists() {
-        std::fs::remove_dir_all(place.environment())
-            .map_err(|error| format!("removing the old environment: {error}"))?;
-    }
-    if !place.in_environment("python").exists() {
-        let python = python.unwrap_or_else(|| "python3".into());
-        place.call(&python, &["-m".as_ref(), "venv".as_ref(), place.environment().as_os_str()])?;
-    }
+    let mut place = Place::new(root, anew)?;
+    place.variables =
+        vec![("TRUEAREA_PROGRAM", command_line(root)?), ("TRUEAREA_QUESTIONS", questions(root)?)];
     let wheel = match given {
         Some(wheel) => wheel.display().to_string(),
         None => place.wheel()?,
     };
-    // An earlier wheel of the same version is replaced, and new dependencies are added.
-    place.python(&["-m", "pip", "install", "--quiet", "--force-reinstall", "--no-deps", &wheel])?;
-    place.python(&["-m", "pip", "install", "--quiet", &format!("{wheel}[tests,notebooks]")])?;
+    place.install(&wheel, "[tests,notebooks]")?;
     let config = place.package.join("pyproject.toml").display().to_string();
     let tests = place.package.join("tests").display().to_string();
     let pytest = ["--quiet", "--config-file", &config];
@@ -96,27 +79,55 @@ fn cargo(root: &Path, arguments: &[&str], doing: &str) -> Result<(), String> {
     }
 }
 
-/// Folders of the package and of its environment, and the command line and the answered questions beside it.
-struct Place {
+/// Folders of the package and of its environment.
+pub(crate) struct Place {
     environment: String,
     package: PathBuf,
     built: PathBuf,
-    program: PathBuf,
-    questions: PathBuf,
+    /// Environment variables of every call: the command line and the answered questions that tests compare with.
+    variables: Vec<(&'static str, PathBuf)>,
 }
 
 impl Place {
+    /// Makes the virtual environment, unless it is there.
+    pub(crate) fn new(root: &Path, anew: bool) -> Result<Self, String> {
+        let python = std::env::var_os("PYTHON");
+        let place = Place {
+            environment: python.as_deref().map_or_else(|| Ok("environment".to_owned()), environment_name)?,
+            package: root.join("python"),
+            built: root.join("target/python"),
+            variables: Vec::new(),
+        };
+        std::fs::create_dir_all(&place.built)
+            .map_err(|error| format!("making {}: {error}", place.built.display()))?;
+        if anew && place.environment().exists() {
+            std::fs::remove_dir_all(place.environment())
+                .map_err(|error| format!("removing the old environment: {error}"))?;
+        }
+        if !place.in_environment("python").exists() {
+            let python = python.unwrap_or_else(|| "python3".into());
+            place.call(&python, &["-m".as_ref(), "venv".as_ref(), place.environment().as_os_str()])?;
+        }
+        Ok(place)
+    }
+
+    /// Installs a wheel in place of an earlier one of the same version, with the dependencies of `extras`, as `[tests]`.
+    pub(crate) fn install(&self, wheel: &str, extras: &str) -> Result<(), String> {
+        self.python(&["-m", "pip", "install", "--quiet", "--force-reinstall", "--no-deps", wheel])?;
+        self.python(&["-m", "pip", "install", "--quiet", &format!("{wheel}{extras}")])
+    }
+
     fn environment(&self) -> PathBuf {
         self.built.join(&self.environment)
     }
 
-    fn in_environment(&self, program: &str) -> PathBuf {
+    pub(crate) fn in_environment(&self, program: &str) -> PathBuf {
         let programs = if cfg!(windows) { "Scripts" } else { "bin" };
         self.environment().join(programs).join(program)
     }
 
     /// Builds the wheel, and checks its size.
-    fn wheel(&self) -> Result<String, String> {
+    pub(crate) fn wheel(&self) -> Result<String, String> {
         let wheels = self.built.join("wheels");
         if wheels.exists() {
             std::fs::remove_dir_all(&wheels).map_err(|error| format!("removing old wheels: {error}"))?;
@@ -144,7 +155,7 @@ impl Place {
             .is_ok_and(|status| status.success())
     }
 
-    fn python(&self, arguments: &[&str]) -> Result<(), String> {
+    pub(crate) fn python(&self, arguments: &[&str]) -> Result<(), String> {
         self.run("python", arguments)
     }
 
@@ -163,8 +174,7 @@ impl Place {
             .args(arguments)
             .current_dir(&self.built)
             .env("CARGO_TARGET_DIR", &self.built)
-            .env("TRUEAREA_PROGRAM", &self.program)
-            .env("TRUEAREA_QUESTIONS", &self.questions)
+            .envs(self.variables.iter().map(|(name, path)| (name, path)))
             .env("PIP_DISABLE_PIP_VERSION_CHECK", "1")
             .status()
             .map_err(|error| format!("running {}: {error}", program.display()))?;

@@ -153,7 +153,8 @@ fn test() -> Result<(), Box<dyn Error>> {
     call(Command::new("node").current_dir(&tests).args(["--test", "web.test.mjs"]))
 }
 
-fn call(command: &mut Command) -> Result<(), Box<dyn Error>> {
+/// Runs a command, and fails if it does.
+pub(crate) fn call(command: &mut Command) -> Result<(), Box<dyn Error>> {
     match command.status()? {
         status if status.success() => Ok(()),
         status => Err(format!("{command:?} ended with {status}").into()),

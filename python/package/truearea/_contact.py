@@ -188,7 +188,8 @@ def _rows(
     shape = _broadcast_shape(shapes)
     which = None
     if materials.ndim:
-        which = np.broadcast_to(np.arange(materials.size).reshape(materials.shape), shape)
+        # The integers of numpy have 32 bits by default on some platforms, Pyodide among them.
+        which = np.broadcast_to(np.arange(materials.size, dtype=np.int64).reshape(materials.shape), shape)
     return tuple(np.broadcast_to(array, shape) for array in arrays), natives, which, shape
 
 

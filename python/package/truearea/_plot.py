@@ -45,7 +45,7 @@ def draw_map(
     picture = ax.imshow(values, cmap=colours, origin="upper", extent=extent, interpolation="nearest")
     ax.set_xlabel("x (points)" if size_m is None else "x (m)")
     ax.set_ylabel("y (points)" if size_m is None else "y (m)")
-    ax.get_figure(root=True).colorbar(picture, ax=ax, label=label)  # type: ignore[union-attr]
+    ax.get_figure().colorbar(picture, ax=ax, label=label)  # type: ignore[union-attr]
     return ax
 
 
