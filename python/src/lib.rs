@@ -4,7 +4,6 @@
 mod answer;
 mod arguments;
 mod boundary_elements;
-mod columns;
 mod contact;
 mod curves;
 mod errors;
@@ -34,9 +33,9 @@ mod _native {
         law::PyFoundLaw,
         lengths::in_metres,
         material::PyMaterial,
-        names::{choices, materials_table, models_table, pressure_in_words},
+        names::{materials_table, models_table, pressure_in_words},
         picture::{axis_label, figure_svg, model_style, pressures_picture},
-        scans::{PyAskedScan, PyScan, channels_of, composite, scans_of},
+        scans::{PyScan, channels_of, composite, scans_of},
         scene::{PyScene, scene_template, scene_text, scene_with_keys, tables_of_runs, write_files},
         surface::PySurface,
         threads::{set_threads, threads},
