@@ -5,6 +5,7 @@ use std::ops::RangeInclusive;
 use std::str::FromStr;
 
 use asperity::Hardness;
+use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use persson::hardness_laws::HardnessTable;
 use persson::{EnergyFactor, EnergyFactorError};
 use pyo3::prelude::*;
@@ -14,8 +15,8 @@ use rough_bem::RandomChoices;
 use study::growth_law::GrowthLaw;
 use study::models::{Choice, MODELS, ModelEntry, ModelOptions};
 use units::{
-    Area, Force, IndentationHardness, Length, Modulus, Pressure, QuantityError, Resistivity, SignedLength,
-    ThermalConductivity, UnknownName, WorkOfAdhesion, display,
+    Area, Force, IndentationHardness, Length, LengthUnit, Modulus, Pressure, QuantityError, Resistivity,
+    SignedLength, ThermalConductivity, UnknownName, WorkOfAdhesion, display,
 };
 
 use crate::errors::{input, of_argument};
@@ -291,6 +292,19 @@ fn per_area(text: &str) -> Option<f64> {
     let number = number.trim_end();
     let number: f64 = number.strip_suffix(" 1").unwrap_or(number).trim().parse().ok()?;
     format!("1 {area}").parse::<Area>().ok().map(|area| number / area.m2)
+}
+
+/// Lengths in m, of lengths in a unit, each rounded once; a new array in C order.
+#[pyfunction]
+pub fn in_metres<'py>(
+    py: Python<'py>,
+    argument: &str,
+    unit: &str,
+    lengths: PyReadonlyArrayDyn<'py, f64>,
+) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+    let unit: LengthUnit = unit.parse().map_err(|error| of_argument(argument, error))?;
+    let in_m = lengths.as_array().iter().map(|length| unit.to_m(*length)).collect();
+    PyArray1::from_vec(py, in_m).reshape(lengths.shape())
 }
 
 /// A number without a unit.

@@ -8,7 +8,6 @@ mod contact;
 mod curves;
 mod errors;
 mod law;
-mod lengths;
 mod material;
 mod names;
 mod picture;
@@ -25,13 +24,12 @@ mod _native {
     #[pymodule_export]
     use super::{
         answer::PyAnswer,
-        arguments::{si_number, without_unit},
+        arguments::{in_metres, si_number, without_unit},
         boundary_elements::{press_heights, press_spectrum},
         contact::contact_states,
         curves::{curve, gaps, tangential},
         errors::InputError,
         law::PyFoundLaw,
-        lengths::in_metres,
         material::PyMaterial,
         names::{materials_table, models_table, pressure_in_words},
         picture::{axis_label, figure_svg, model_style, pressures_picture},

@@ -3,7 +3,7 @@
 use asperity::ElasticBody;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use questions::{BodyInput, LayerInput, MaterialInput};
+use questions::{LayerInput, MaterialInput};
 use study::layer_base::LayerBase;
 use study::material::Material;
 use study::materials::{self, TabledMaterial};
@@ -49,6 +49,8 @@ impl PyMaterial {
                 (Some(modulus_pa), Some(arguments.required("poisson_ratio", ratio)?))
             }
         };
+        let other = counterface(&arguments)?;
+        let other = other.as_ref().map(Bound::get);
         let input = MaterialInput {
             youngs_modulus_pa: elastic.0,
             poisson_ratio: elastic.1,
@@ -59,14 +61,13 @@ impl PyMaterial {
                 .map(|IndentationHardness { pa }| pa),
             strain_gradient_length_m: arguments.get("strain_gradient_length", length_m)?,
             strength_cap: arguments.get("strength_cap", quantity)?,
-            counterface: counterface(&arguments)?,
+            counterface: other.and_then(|other| other.input.body()),
             ..MaterialInput::default()
         };
         let input = input.filled_from(named.as_ref(), None);
-        let name_of = |_: &str, other: &Given<'_>| Ok(other.cast::<PyMaterial>()?.get().named[0].clone());
-        let other = arguments.get("counterface", name_of)?.flatten();
         let material = input.material().map_err(refused)?;
-        Ok(PyMaterial { named: [named, other], input, material })
+        let named = [named, other.and_then(|other| other.named[0].clone())];
+        Ok(PyMaterial { named, input, material })
     }
 
     /// Facts by their names, in SI units: an identity that is equal for equal materials, the known properties for people, and a
@@ -106,14 +107,13 @@ impl PyMaterial {
     }
 }
 
-/// The elastic constants of the counterface, if there is one.
-pub fn counterface(arguments: &Arguments<'_>) -> PyResult<Option<BodyInput>> {
-    let body = arguments.get("counterface", |name, other| {
-        let other = other.cast::<PyMaterial>()?.get();
-        match other.input.layer {
-            None => Ok(other.input.body()),
+/// The counterface, if there is one.
+pub fn counterface<'py>(arguments: &Arguments<'py>) -> PyResult<Option<Bound<'py, PyMaterial>>> {
+    arguments.get("counterface", |name, other| {
+        let other = other.cast::<PyMaterial>()?;
+        match other.get().input.layer {
+            None => Ok(other.clone()),
             Some(_) => Err(of_argument(name, "it has a layer, which only the rough body may have")),
         }
-    });
-    Ok(body?.flatten())
+    })
 }

@@ -265,8 +265,8 @@ fn refused(error: &SceneError, text: &str, name: &str) -> PyErr {
 }
 
 fn read_overrides(arguments: &Arguments<'_>) -> PyResult<Overrides> {
-    let counterface =
-        counterface(arguments)?.map(|body| body.body(OptionName::CounterfacePoissonRatio)).transpose();
+    let counterface = counterface(arguments)?.and_then(|other| other.get().input.body());
+    let counterface = counterface.map(|body| body.body(OptionName::CounterfacePoissonRatio)).transpose();
     Ok(Overrides {
         normalisation: arguments.get("normalisation", choice)?,
         amplitude: arguments.get("amplitude", choice)?,

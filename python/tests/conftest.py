@@ -35,7 +35,7 @@ def reference() -> Callable[[str], Columns]:
 
 @pytest.fixture(scope="session")
 def of_crates() -> Callable[[str], Any]:
-    """What the crates write for these tests, by the name of its file."""
+    """Reads a file that the crates write for these tests, by its name."""
     written = os.environ.get("TRUEAREA_QUESTIONS")
     if written is None:
         subprocess.run(["cargo", "test", "--quiet", "--workspace", "--test", "front_ends"], cwd=ROOT, check=True)

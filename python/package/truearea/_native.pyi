@@ -183,7 +183,7 @@ class Material:
     def is_name(text: str) -> bool: ...
     @property
     def facts(self) -> _MaterialFacts:
-        """What is known of the material; the identity is equal for equal materials."""
+        """Properties of the material; the identity is equal for equal materials."""
 
     def pressure_pa(self, argument: str, pressure: Any) -> float: ...
 
@@ -246,7 +246,7 @@ class Scan:
     def of_file(name: str, files: Mapping[str, bytes], options: Mapping[str, tuple[str, Any]]) -> Scan: ...
     @property
     def facts(self) -> _ScanFacts:
-        """What the file tells of the scan."""
+        """Facts that the file tells of its scan."""
 
     def heights(self) -> tuple[_Floats, npt.NDArray[np.bool_] | None]: ...
     @staticmethod
