@@ -235,7 +235,7 @@ class Scene:
         report: bool,
         judge: bool | None,
         uncertainty: bool | None,
-        occasion: tuple[str | None, str | None],
+        stamp: tuple[str | None, str | None],
         observer: _Observer | None,
     ) -> tuple[str, dict[str, tuple[_Columns, list[str]]], dict[str, bytes]]: ...
     def scales(self) -> _Columns: ...
