@@ -63,7 +63,7 @@ def test_slopes_down_to_each_wavelength_are_those_of_the_command_line(tmp_path: 
         ta.roughness(heights_m(), ("1 um", "0.75 um"), form="none", filter="0.5 um", scales=True),
     ):
         assert list(found) == list(printed)
-        for name in list(printed)[2:]:
+        for name in list(found)[2:]:
             assert np.array_equal(found[name], printed[name].to_numpy(float), equal_nan=True), name
     with_gaps = np.ma.masked_array(heights_m(), mask=heights_m() > 5e-9)
     found = ta.roughness(with_gaps, ("1 um", "0.75 um"), scales=True)
