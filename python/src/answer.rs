@@ -3,20 +3,21 @@
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use questions::{Note, NoteLevel, NotePlace, OptionName, QuestionError, Spelling, note_code};
+use questions::{Answer, Note, NoteLevel, NotePlace, OptionName, QuestionError, Spelling, note_code};
 use report::question_words;
 use study::material::MaterialError;
 use tables::{Cell, Cells, Table};
 use topography::Severity;
 
 use crate::errors::input;
+use crate::work::{Observer, Watch, carry_out};
 
 /// The columns of a table, and the notes on it.
 #[pyclass(frozen, name = "Answer", module = "truearea._native")]
 pub struct PyAnswer {
     #[pyo3(get)]
     columns: Py<PyDict>,
-    notes: Vec<Note>,
+    pub notes: Vec<Note>,
 }
 
 #[pymethods]
@@ -41,6 +42,21 @@ impl PyAnswer {
 
     pub fn of_columns(columns: Bound<'_, PyDict>, notes: Vec<Note>) -> Self {
         PyAnswer { columns: columns.unbind(), notes }
+    }
+
+    /// Sets notes before those of the answer.
+    pub fn behind(self, notes: Vec<Note>) -> Self {
+        PyAnswer { notes: [notes, self.notes].concat(), ..self }
+    }
+
+    /// Carries out the work of an answer.
+    pub fn carry_out(
+        py: Python<'_>,
+        observer: Option<&Observer<'_>>,
+        work: impl FnOnce(&&Watch) -> Result<Answer, QuestionError> + Send,
+    ) -> PyResult<Self> {
+        let answer = carry_out(py, observer, work)?.map_err(refused)?;
+        Self::new(py, &answer.table, answer.notes)
     }
 }
 
@@ -112,17 +128,13 @@ fn in_keywords(place: NotePlace) -> Place {
 /// anything else as a list of text.
 pub fn columns<'py>(py: Python<'py>, table: &Table) -> PyResult<Bound<'py, PyDict>> {
     let columns = PyDict::new(py);
-    for (name, cells) in table.columns() {
-        match cells {
-            Cells::Numbers(numbers) => {
-                let numbers = numbers.iter().map(|number| number.unwrap_or(f64::NAN));
-                columns.set_item(name, PyArray1::from_iter(py, numbers))?;
-            }
-            Cells::Words(words) => columns.set_item(name, words)?,
-            Cells::Typed(cells) => {
-                columns.set_item(name, cells.iter().map(Cell::text).collect::<Vec<_>>())?;
-            }
+    table.columns().try_for_each(|(name, cells)| match cells {
+        Cells::Numbers(numbers) => {
+            let numbers = numbers.iter().map(|number| number.unwrap_or(f64::NAN));
+            columns.set_item(name, PyArray1::from_iter(py, numbers))
         }
-    }
+        Cells::Words(words) => columns.set_item(name, words),
+        Cells::Typed(cells) => columns.set_item(name, cells.iter().map(Cell::text).collect::<Vec<_>>()),
+    })?;
     Ok(columns)
 }

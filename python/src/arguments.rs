@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use std::str::FromStr;
 
 use asperity::Hardness;
-use numpy::PyReadonlyArray1;
+use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use persson::hardness_laws::HardnessTable;
 use persson::{EnergyFactor, EnergyFactorError};
 use pyo3::prelude::*;
@@ -13,19 +13,19 @@ use pyo3::types::{PyBytes, PyDict, PyString};
 use questions::{LoadInput, RandomInput, SamplingInput};
 use rough_bem::RandomChoices;
 use study::growth_law::GrowthLaw;
-use study::models::ModelOptions;
+use study::models::{Choice, MODELS, ModelEntry, ModelOptions};
 use units::{
-    Area, Bound, Force, IndentationHardness, Length, Modulus, Pressure, QuantityError, Resistivity,
+    Area, Force, IndentationHardness, Length, LengthUnit, Modulus, Pressure, QuantityError, Resistivity,
     SignedLength, ThermalConductivity, UnknownName, WorkOfAdhesion, display,
 };
 
 use crate::errors::{input, of_argument};
 
-pub type Given<'py> = pyo3::Bound<'py, PyAny>;
+pub type Given<'py> = Bound<'py, PyAny>;
 
 /// The arguments of a call by their names. An argument that is None is not given.
 #[derive(FromPyObject)]
-pub struct Arguments<'py>(pyo3::Bound<'py, PyDict>);
+pub struct Arguments<'py>(Bound<'py, PyDict>);
 
 impl<'py> Arguments<'py> {
     /// An argument as it is, None if it is not given.
@@ -38,132 +38,82 @@ impl<'py> Arguments<'py> {
         convert(name, &self.raw(name)?)
     }
 
-    /// An argument, if it is given.
-    pub fn get(&self, name: &str) -> PyResult<Option<Given<'py>>> {
-        Ok(Some(self.raw(name)?).filter(|given| !given.is_none()))
-    }
-
     /// Converts an argument, if it is given.
-    pub fn convert<T>(
+    pub fn get<T>(
         &self,
         name: &str,
         convert: impl Fn(&str, &Given<'py>) -> PyResult<T>,
     ) -> PyResult<Option<T>> {
-        self.get(name)?.map(|given| convert(name, &given)).transpose()
-    }
-
-    pub fn quantity<Q: Quantity>(&self, name: &str) -> PyResult<Option<Q>> {
-        self.convert(name, quantity)
-    }
-
-    pub fn length_m(&self, name: &str) -> PyResult<Option<f64>> {
-        Ok(self.quantity::<Length>(name)?.map(|length| length.m))
-    }
-
-    /// A number within its bound.
-    pub fn number(&self, name: &str, bound: Option<Bound>) -> PyResult<Option<f64>> {
-        let number = self.convert(name, number)?;
-        number.map(|number| bound.map_or(Ok(number), |bound| checked(name, bound, number))).transpose()
-    }
-
-    pub fn whole(&self, name: &str, range: RangeInclusive<u64>) -> PyResult<Option<u64>> {
-        self.convert(name, |name, given| whole(name, given, &range))
-    }
-
-    /// A whole number of at least 1.
-    pub fn count(&self, name: &str) -> PyResult<Option<NonZeroU32>> {
-        let count = self.whole(name, 1..=u64::from(u32::MAX))?;
-        Ok(count.and_then(|count| NonZeroU32::new(count as u32)))
-    }
-
-    pub fn text(&self, name: &str) -> PyResult<Option<String>> {
-        self.convert(name, text)
-    }
-
-    /// A choice by its name.
-    pub fn named<T: FromStr<Err = UnknownName>>(&self, name: &str) -> PyResult<Option<T>> {
-        self.text(name)?.map(|choice| named(name, &choice)).transpose()
+        Some(self.raw(name)?).filter(|given| !given.is_none()).map(|given| convert(name, &given)).transpose()
     }
 
     /// An argument that is true or false; false if it is not given.
     pub fn flag(&self, name: &str) -> PyResult<bool> {
         let flag = |name: &str, given: &Given<'py>| {
-            let told =
-                || of_argument(name, format!("True or False is needed, and this is {}", type_name(given)));
-            given.extract::<bool>().map_err(|_| told())
+            given.extract().map_err(|_| wrong_type(name, "True or False is needed", given))
         };
-        Ok(self.convert(name, flag)?.unwrap_or_default())
+        Ok(self.get(name, flag)?.unwrap_or_default())
     }
 
     pub fn sampling(&self) -> PyResult<SamplingInput> {
-        let scales_per_decade = self.count("scales_per_decade")?;
-        Ok(SamplingInput { scales_per_decade, cutoff_m: self.length_m("cutoff")? })
+        let scales_per_decade = self.get("scales_per_decade", count)?;
+        Ok(SamplingInput { scales_per_decade, cutoff_m: self.get("cutoff", length_m)? })
     }
 
     /// The form of the hardness of spheres, by its name or by `hardness`, the former one.
     pub fn hardness_form(&self) -> PyResult<Option<Hardness>> {
-        let [is_new, is_former] =
-            [self.get("hardness_formula")?, self.get("hardness")?].map(|given| given.is_some());
-        if is_new && is_former {
-            return Err(input("hardness_formula and hardness, its former name, are both given; give one"));
-        }
-        let argument = if is_new { "hardness_formula" } else { "hardness" };
-        let form = |name: String| {
+        let form = |argument: &str, given: &Given<'py>| {
+            let name = text(argument, given)?;
             let found = Hardness::ALL.into_iter().find(|hardness| hardness.name() == name);
-            found.ok_or_else(|| {
-                let names = Hardness::ALL.map(Hardness::name).join(", ");
-                of_argument(argument, format!("'{name}' is none of {names}"))
-            })
+            found.ok_or_else(|| none_of(argument, &name, Hardness::ALL.map(Hardness::name)))
         };
-        self.text(argument)?.map(form).transpose()
+        match (self.get("hardness_formula", form)?, self.get("hardness", form)?) {
+            (Some(_), Some(_)) => {
+                Err(input("hardness_formula and hardness, its former name, are both given; give one"))
+            }
+            (given, former) => Ok(given.or(former)),
+        }
     }
 
     pub fn model_options(&self) -> PyResult<ModelOptions> {
         // A look through the few names that are given costs less than a question for each.
-        if !self.0.keys().iter().any(|key| key.cast::<PyString>().is_ok_and(|name| of_model(name))) {
+        if !self.0.keys().iter().any(|key| key.cast().is_ok_and(is_option)) {
             return Ok(ModelOptions::default());
         }
         Ok(ModelOptions {
             strain_gradient: self.flag("strain_gradient")?,
             hardness: self.hardness_form()?,
-            interference_law: self.named("interference_law")?,
-            correction: self.named("correction")?,
-            band: self.named("band")?,
-            gamma: self.convert("gamma", energy_factor)?,
-            hardness_law: self.convert("hardness_law", growth_law)?,
+            interference_law: self.get("interference_law", choice)?,
+            correction: self.get("correction", choice)?,
+            band: self.get("band", choice)?,
+            gamma: self.get("gamma", energy_factor)?,
+            hardness_law: self.get("hardness_law", growth_law)?,
         })
     }
 
     pub fn random(&self) -> PyResult<RandomInput> {
-        let [least, most] =
-            [RandomChoices::POINTS.start(), RandomChoices::POINTS.end()].map(|n| u64::from(*n));
+        let (least, most) = RandomChoices::POINTS.into_inner();
+        let points = |name: &str, given: &Given<'py>| whole(name, given, &(least as u64..=most as u64));
+        let seed = |name: &str, given: &Given<'py>| whole(name, given, &(0..=u64::MAX));
         Ok(RandomInput {
-            grid: self.whole("grid", least..=most)?.map(|points| points as usize),
-            realisations: self.count("realisations")?.map(|count| count.get() as usize),
-            seed: self.whole("seed", 0..=u64::MAX)?,
-            longest_m: self.length_m("longest")?,
-            shortest_m: self.length_m("shortest")?,
-            side_m: self.length_m("side")?,
-            phases: self.named("phases")?,
+            grid: self.get("grid", points)?.map(|points| points as usize),
+            realisations: self.get("realisations", count)?.map(|count| count.get() as usize),
+            seed: self.get("seed", seed)?,
+            longest_m: self.get("longest", length_m)?,
+            shortest_m: self.get("shortest", length_m)?,
+            side_m: self.get("side", length_m)?,
+            phases: self.get("phases", choice)?,
         })
     }
 
     /// Nominal pressures: one, or several.
     pub fn pressures(&self) -> PyResult<Vec<LoadInput>> {
-        let loads = self.several("pressure", load)?;
-        match loads {
+        match self.several("pressure", load)? {
             Some(loads) if loads.is_empty() => {
                 Err(of_argument("pressure", "it is empty; give at least one pressure"))
             }
             loads => Ok(loads.unwrap_or_default()),
         }
-    }
-
-    /// Separations \[m\]: one, or several.
-    pub fn separations_m(&self) -> PyResult<Vec<f64>> {
-        let one = |argument: &str, given: &Given<'py>| quantity::<SignedLength>(argument, given);
-        let separations = self.several("separation", one)?;
-        Ok(separations.unwrap_or_default().iter().map(|length| length.m).collect())
     }
 
     /// One thing, or each of a list, an array of one axis, or anything else with a length and an order; text is one thing.
@@ -172,17 +122,15 @@ impl<'py> Arguments<'py> {
         name: &str,
         one: impl Fn(&str, &Given<'py>) -> PyResult<T>,
     ) -> PyResult<Option<Vec<T>>> {
-        self.convert(name, |_, given| {
+        self.get(name, |_, given| {
             let is_text = given.is_instance_of::<PyString>() || given.is_instance_of::<PyBytes>();
             if is_text || given.len().is_err() {
                 return Ok(vec![one(name, given)?]);
             }
             if given.is_instance_of::<PyDict>() || !given.hasattr("__getitem__")? {
                 let what = type_name(given);
-                return Err(of_argument(
-                    name,
-                    format!("it has no order, being {what}; give a list or an array"),
-                ));
+                let told = format!("it has no order, being {what}; give a list or an array");
+                return Err(of_argument(name, told));
             }
             let each = given.try_iter()?.enumerate();
             each.map(|(at, given)| one(&format!("{name}[{at}]"), &given?)).collect()
@@ -191,18 +139,9 @@ impl<'py> Arguments<'py> {
 }
 
 /// Returns true for the name of an argument that is an option of models.
-fn of_model(name: &pyo3::Bound<'_, PyString>) -> bool {
-    const NAMES: [&str; 8] = [
-        "strain_gradient",
-        "hardness_formula",
-        "hardness",
-        "interference_law",
-        "correction",
-        "band",
-        "gamma",
-        "hardness_law",
-    ];
-    name.to_str().is_ok_and(|name| NAMES.contains(&name))
+fn is_option(name: &Bound<'_, PyString>) -> bool {
+    let mut of_models = Choice::OF_CURVES.into_iter().chain([Choice::Hardness]).map(Choice::key);
+    name.to_str().is_ok_and(|name| name == "hardness" || of_models.any(|key| key == name))
 }
 
 /// A nominal pressure and how it was given.
@@ -211,7 +150,7 @@ pub fn load(argument: &str, given: &Given<'_>) -> PyResult<LoadInput> {
 }
 
 /// A nominal pressure, whose number in Pa lies within a bound, and how it was given.
-pub fn load_within(argument: &str, given: &Given<'_>, bound: Bound) -> PyResult<LoadInput> {
+pub fn load_within(argument: &str, given: &Given<'_>, bound: units::Bound) -> PyResult<LoadInput> {
     let pressure: Pressure = quantity_within(argument, given, bound)?;
     let label = match (given.cast::<PyString>(), pressure) {
         (Err(_), Pressure::Pascals(pa)) => display::pressure(pa),
@@ -225,14 +164,13 @@ fn growth_law(argument: &str, given: &Given<'_>) -> PyResult<GrowthLaw> {
     if given.is_instance_of::<PyString>() {
         let name = text(argument, given)?;
         let law = GrowthLaw::named(&name).map_err(|error| of_argument(argument, error))?;
-        return law.ok_or_else(|| of_argument(argument, format!("'{name}' is none of power:N, nix-gao")));
+        return law.ok_or_else(|| none_of(argument, &name, ["power:N", "nix-gao"]));
     }
-    let told =
-        || of_argument(argument, format!("a name or a table is needed, and this is {}", type_name(given)));
-    let (sizes_m, hardnesses_pa): (PyReadonlyArray1<'_, f64>, PyReadonlyArray1<'_, f64>) =
-        given.extract().map_err(|_| told())?;
-    let rows = sizes_m.as_array().to_vec().into_iter().zip(hardnesses_pa.as_array().to_vec());
-    HardnessTable::new(rows).map(GrowthLaw::Table).map_err(|error| of_argument(argument, error))
+    let (sizes_m, hardnesses_pa): (Vec<f64>, Vec<f64>) =
+        given.extract().map_err(|_| wrong_type(argument, "a name or a table is needed", given))?;
+    HardnessTable::new(sizes_m.into_iter().zip(hardnesses_pa))
+        .map(GrowthLaw::Table)
+        .map_err(|error| of_argument(argument, error))
 }
 
 /// The elastic energy factor of mean gaps: a number, or the name of a form.
@@ -246,23 +184,20 @@ fn energy_factor(argument: &str, given: &Given<'_>) -> PyResult<EnergyFactor> {
 
 /// A quantity that is typed with its unit, or is a number in SI units.
 pub trait Quantity: FromStr<Err = QuantityError> {
-    /// The SI unit.
-    const UNIT: &'static str;
-    /// An example of its text, for messages.
-    const EXAMPLE: &'static str;
+    /// The SI unit, and an example of its text for messages.
+    const UNIT: (&'static str, &'static str);
     /// The bound on its number.
-    const BOUND: Bound = Bound::Positive;
+    const BOUND: units::Bound;
 
     /// Makes the quantity of a number in SI units.
     fn of_si(number: f64) -> Self;
 }
 
 macro_rules! quantities {
-    ($($type:ty, $unit:literal, $example:literal, $bound:expr, $of_si:expr;)*) => {
+    ($($type:ty, $bound:ident, $unit:literal, $example:literal, $of_si:expr;)*) => {
         $(impl Quantity for $type {
-            const UNIT: &'static str = $unit;
-            const EXAMPLE: &'static str = $example;
-            const BOUND: Bound = $bound;
+            const UNIT: (&'static str, &'static str) = ($unit, $example);
+            const BOUND: units::Bound = units::Bound::$bound;
 
             fn of_si(number: f64) -> Self {
                 $of_si(number)
@@ -272,15 +207,15 @@ macro_rules! quantities {
 }
 
 quantities! {
-    Length, "m", "5 um", Bound::Positive, |m| Length { m };
-    SignedLength, "m", "-5 nm", Bound::Finite, |m| SignedLength { m };
-    Modulus, "Pa", "210 GPa", Bound::Positive, |pa| Modulus { pa };
-    Force, "N", "10 mN", Bound::Positive, |n| Force { n };
-    IndentationHardness, "Pa", "3 GPa", Bound::Positive, |pa| IndentationHardness { pa };
-    Pressure, "Pa", "5 MPa", Bound::Positive, Pressure::Pascals;
-    ThermalConductivity, "W/(m*K)", "46 W/(m K)", Bound::Positive, |w_per_m_k| ThermalConductivity { w_per_m_k };
-    WorkOfAdhesion, "J/m**2", "50 mJ/m^2", Bound::Positive, |j_per_m2| WorkOfAdhesion { j_per_m2 };
-    Resistivity, "ohm*m", "1.7e-8 ohm m", Bound::Positive, |ohm_m| Resistivity { ohm_m };
+    Length, Positive, "m", "5 um", |m| Length { m };
+    SignedLength, Finite, "m", "-5 nm", |m| SignedLength { m };
+    Modulus, Positive, "Pa", "210 GPa", |pa| Modulus { pa };
+    Force, Positive, "N", "10 mN", |n| Force { n };
+    IndentationHardness, Positive, "Pa", "3 GPa", |pa| IndentationHardness { pa };
+    Pressure, Positive, "Pa", "5 MPa", Pressure::Pascals;
+    ThermalConductivity, Positive, "W/(m*K)", "46 W/(m K)", |w_per_m_k| ThermalConductivity { w_per_m_k };
+    WorkOfAdhesion, Positive, "J/m**2", "50 mJ/m^2", |j_per_m2| WorkOfAdhesion { j_per_m2 };
+    Resistivity, Positive, "ohm*m", "1.7e-8 ohm m", |ohm_m| Resistivity { ohm_m };
 }
 
 /// The quantity that an argument gives.
@@ -288,26 +223,27 @@ pub fn quantity<Q: Quantity>(argument: &str, given: &Given<'_>) -> PyResult<Q> {
     quantity_within(argument, given, Q::BOUND)
 }
 
-fn quantity_within<Q: Quantity>(argument: &str, given: &Given<'_>, bound: Bound) -> PyResult<Q> {
+fn quantity_within<Q: Quantity>(argument: &str, given: &Given<'_>, bound: units::Bound) -> PyResult<Q> {
     if let Ok(text) = given.cast::<PyString>() {
         return text.to_str()?.parse().map_err(|error| of_argument(argument, error));
     }
-    let bare = without_unit(argument, Q::UNIT, given)?;
-    let number = bare_number(argument, &bare).map_err(|_| {
-        let (unit, example, what) = (Q::UNIT, Q::EXAMPLE, type_name(given));
-        of_argument(
-            argument,
-            format!("a number in {unit} is needed, or text such as '{example}', and this is {what}"),
-        )
+    let (unit, example) = Q::UNIT;
+    let number = bare_number(argument, &without_unit(argument, unit, given)?).map_err(|_| {
+        wrong_type(argument, &format!("a number in {unit} is needed, or text such as '{example}'"), given)
     })?;
     checked(argument, bound, number).map(Q::of_si)
 }
 
+/// A length in m.
+pub fn length_m(argument: &str, given: &Given<'_>) -> PyResult<f64> {
+    quantity::<Length>(argument, given).map(|length| length.m)
+}
+
 /// A number within its bound.
-pub fn checked(argument: &str, bound: Bound, number: f64) -> PyResult<f64> {
-    bound
-        .check("", number)
-        .map_err(|error| input(format!("{argument} is {number}; it must be {}", error.bound)))
+pub fn checked(argument: &str, bound: units::Bound, number: f64) -> PyResult<f64> {
+    let told =
+        |error: units::OutOfBounds| input(format!("{argument} is {number}; it must be {}", error.bound));
+    bound.check("", number).map_err(told)
 }
 
 /// Numbers in a unit: those of a quantity of pint, astropy or unyt converted to it, anything else as it is.
@@ -334,20 +270,20 @@ pub fn si_number(argument: &str, unit: &str, given: &Given<'_>) -> PyResult<f64>
     };
     let text = text.to_str()?;
     let parsed = match unit {
-        "m" => text.parse::<SignedLength>().map(|length| length.m),
-        "Pa" => text.parse::<Modulus>().map(|modulus| modulus.pa),
-        "m**2" => text.parse::<Area>().map(|area| area.m2),
+        "m" => text.parse().map(|SignedLength { m }| m),
+        "Pa" => text.parse().map(|Modulus { pa }| pa),
+        "m**2" => text.parse().map(|Area { m2 }| m2),
         "1/m**2" => {
-            let none =
+            let told =
                 || of_argument(argument, format!("'{text}' is no number per area, such as '1e12 1/m2'"));
-            return per_area(text).ok_or_else(none);
+            return per_area(text).ok_or_else(told);
         }
         _ => {
             let number = text.trim().parse().ok().filter(|number: &f64| number.is_finite());
             return number.ok_or_else(|| of_argument(argument, format!("'{text}' is no number")));
         }
     };
-    parsed.map_err(|error| of_argument(argument, error))
+    parsed.map_err(|error: QuantityError| of_argument(argument, error))
 }
 
 /// A density such as `1e12 1/m2` or `0.5 /um2`.
@@ -358,6 +294,19 @@ fn per_area(text: &str) -> Option<f64> {
     format!("1 {area}").parse::<Area>().ok().map(|area| number / area.m2)
 }
 
+/// Lengths in m, of lengths in a unit, each rounded once; a new array in C order.
+#[pyfunction]
+pub fn in_metres<'py>(
+    py: Python<'py>,
+    argument: &str,
+    unit: &str,
+    lengths: PyReadonlyArrayDyn<'py, f64>,
+) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+    let unit: LengthUnit = unit.parse().map_err(|error| of_argument(argument, error))?;
+    let in_m = lengths.as_array().iter().map(|length| unit.to_m(*length)).collect();
+    PyArray1::from_vec(py, in_m).reshape(lengths.shape())
+}
+
 /// A number without a unit.
 pub fn number(argument: &str, given: &Given<'_>) -> PyResult<f64> {
     bare_number(argument, &without_unit(argument, "", given)?)
@@ -365,13 +314,10 @@ pub fn number(argument: &str, given: &Given<'_>) -> PyResult<f64> {
 
 /// A plain number.
 fn bare_number(argument: &str, given: &Given<'_>) -> PyResult<f64> {
-    let refused = || of_argument(argument, format!("a number is needed, and this is {}", type_name(given)));
     // The truths of numpy are no PyBool, and would be 0 and 1.
     let is_truth = given.get_type().name().is_ok_and(|name| name.to_string_lossy().starts_with("bool"));
-    if is_truth || given.is_instance_of::<PyString>() {
-        return Err(refused());
-    }
-    given.extract().map_err(|_| refused())
+    let number = if is_truth || given.is_instance_of::<PyString>() { None } else { given.extract().ok() };
+    number.ok_or_else(|| wrong_type(argument, "a number is needed", given))
 }
 
 /// A whole number in a range.
@@ -384,12 +330,21 @@ pub fn whole(argument: &str, given: &Given<'_>, range: &RangeInclusive<u64>) -> 
     })
 }
 
+/// A whole number of at least 1.
+pub fn count(argument: &str, given: &Given<'_>) -> PyResult<NonZeroU32> {
+    let count = whole(argument, given, &(1..=u64::from(u32::MAX)))?;
+    Ok(NonZeroU32::MIN.saturating_add(count as u32 - 1))
+}
+
 /// The text of an argument.
 pub fn text(argument: &str, given: &Given<'_>) -> PyResult<String> {
-    match given.cast::<PyString>() {
-        Ok(text) => text.extract(),
-        Err(_) => Err(of_argument(argument, format!("text is needed, and this is {}", type_name(given)))),
-    }
+    let text = given.cast::<PyString>().map_err(|_| wrong_type(argument, "text is needed", given))?;
+    text.extract()
+}
+
+/// A choice by its name.
+pub fn choice<T: FromStr<Err = UnknownName>>(argument: &str, given: &Given<'_>) -> PyResult<T> {
+    named(argument, &text(argument, given)?)
 }
 
 /// Parses a named choice.
@@ -397,7 +352,24 @@ pub fn named<T: FromStr<Err = UnknownName>>(argument: &str, name: &str) -> PyRes
     name.parse().map_err(|error| of_argument(argument, error))
 }
 
+/// Finds a model of any framework by its name.
+pub fn any_model(name: &str) -> PyResult<&'static ModelEntry> {
+    let found = MODELS.iter().find(|entry| entry.name == name);
+    found.ok_or_else(|| none_of("model", name, MODELS.iter().map(|entry| entry.name)))
+}
+
+/// The error of a name that is none of those known.
+pub fn none_of<'n>(argument: &str, name: &str, known: impl IntoIterator<Item = &'n str>) -> PyErr {
+    let known = known.into_iter().collect::<Vec<_>>().join(", ");
+    of_argument(argument, format!("'{name}' is none of {known}"))
+}
+
+/// The error of an argument of the wrong type.
+pub fn wrong_type(argument: &str, needed: &str, given: &Given<'_>) -> PyErr {
+    of_argument(argument, format!("{needed}, and this is {}", type_name(given)))
+}
+
 /// Describes the type of an argument, for messages.
-pub fn type_name(given: &Given<'_>) -> String {
+fn type_name(given: &Given<'_>) -> String {
     given.get_type().name().map_or_else(|_| "something else".to_owned(), |name| format!("of type {name}"))
 }

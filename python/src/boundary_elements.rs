@@ -3,32 +3,26 @@
 use std::sync::{Mutex, PoisonError};
 
 use numpy::ndarray::ArrayView2;
-use numpy::{PyArrayDyn, PyArrayMethods, PyReadonlyArray3, PyReadwriteArrayDyn};
-use parallel::Progress;
+use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray3};
+use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
-use pyo3::types::{PyCFunction, PyDict, PyString, PyTuple};
+use pyo3::types::{PyDict, PyString};
 use questions::{
-    AdhesionQuestion, Answer, BallQuestion, BranchChoice, ElementsLoad, ElementsQuestion, LoadInput, Note,
+    AdhesionQuestion, BallQuestion, BranchChoice, ElementsLoad, ElementsQuestion, LoadInput, Note,
     PreparedElements, QuestionError,
 };
-use rough_bem::{Boundary, ElementsError, Field, Relief, Surfaces};
+use rough_bem::{Boundary, ElementsError, Field, Relief};
 use scans::HeightMap;
 use study::surface::Surface;
 use topography::{Recipe, detrended_m};
-use units::{Force, Length, WorkOfAdhesion};
+use units::{Force, WorkOfAdhesion};
 
 use crate::answer::{PyAnswer, columns, refused};
-use crate::arguments::{Arguments, Given, load, load_within, number, quantity};
-use crate::errors::{input, of_argument};
+use crate::arguments::{Arguments, Given, choice, length_m, load, load_within, number, quantity};
+use crate::errors::of_argument;
 use crate::material::PyMaterial;
 use crate::surface::PySurface;
-use crate::work::carry_out;
-
-/// A callable that is told of steps: their name, how many are done, and of how many.
-type Observer = Option<Py<PyAny>>;
-
-/// Pressures \[Pa\] and gaps \[m\] of surface after surface under load after load, and the heights \[m\] of the surfaces.
-type Fields<'py> = [Bound<'py, PyArrayDyn<f64>>; 3];
+use crate::work::{Observer, carry_out, held};
 
 /// An answer, and beside it what is known of the surfaces by name: `fields`, `size_m`, `rms_gradient`, columns of `patches`,
 /// and numbers of adhesion.
@@ -38,6 +32,21 @@ type Pressed<'py> = (PyAnswer, Bound<'py, PyDict>);
 enum Bodies<'a> {
     Maps(Vec<Relief>),
     Spectrum(&'a Surface),
+}
+
+impl Bodies<'_> {
+    /// Prepares the surfaces by one of two methods of a question.
+    fn prepared<P>(
+        self,
+        on_maps: impl FnOnce(Vec<Relief>) -> Result<P, QuestionError>,
+        on: impl FnOnce(&Surface) -> Result<P, QuestionError>,
+    ) -> PyResult<P> {
+        let prepared = match self {
+            Bodies::Maps(maps) => on_maps(maps),
+            Bodies::Spectrum(surface) => on(surface),
+        };
+        prepared.map_err(refused)
+    }
 }
 
 /// Presses maps of heights \[m\], each row by row along x. `repeats` says whether the heights repeat themselves beyond the
@@ -50,21 +59,19 @@ pub fn press_heights<'py>(
     repeats: bool,
     material: &PyMaterial,
     arguments: Arguments<'py>,
-    observer: Observer,
+    observer: Option<&Observer<'py>>,
 ) -> PyResult<Pressed<'py>> {
-    let [x, y] = &size;
-    let [length_x, length_y]: [Length; 2] = [quantity("size[0]", x)?, quantity("size[1]", y)?];
-    let recipe = Recipe { detrend: arguments.named("detrend")?, ..Recipe::default() };
+    let [length_x_m, length_y_m] = [length_m("size[0]", &size[0])?, length_m("size[1]", &size[1])?];
+    let recipe = Recipe { detrend: arguments.get("detrend", choice)?, ..Recipe::default() };
     let detrend = recipe.preparation(repeats).detrend;
     let boundary = if arguments.flag("periodic")? { Boundary::Periodic } else { Boundary::Free };
     let view = heights_m.as_array();
     let (_, rows, columns) = view.dim();
-    let spacings_m = [length_x.m / columns as f64, length_y.m / rows as f64];
+    let (x_m, y_m) = (length_x_m / columns as f64, length_y_m / rows as f64);
     let relief = |map: ArrayView2<'_, f64>| {
-        let map = HeightMap::new(columns, spacings_m[0], spacings_m[1], map.iter().copied().collect());
-        let map = map.map_err(|error| of_argument("surface", error))?;
-        let heights_m = detrended_m(&map, detrend);
-        Ok(Relief { rows, columns, length_x_m: length_x.m, length_y_m: length_y.m, heights_m, boundary })
+        let map = HeightMap::new(columns, x_m, y_m, map.iter().copied().collect());
+        let heights_m = detrended_m(&map.map_err(|error| of_argument("surface", error))?, detrend);
+        Ok(Relief { rows, columns, length_x_m, length_y_m, heights_m, boundary })
     };
     let maps = view.outer_iter().map(relief).collect::<PyResult<Vec<_>>>()?;
     press(py, Bodies::Maps(maps), material, &arguments, observer)
@@ -77,7 +84,7 @@ pub fn press_spectrum<'py>(
     surface: &PySurface,
     material: &PyMaterial,
     arguments: Arguments<'py>,
-    observer: Observer,
+    observer: Option<&Observer<'py>>,
 ) -> PyResult<Pressed<'py>> {
     press(py, Bodies::Spectrum(&surface.surface), material, &arguments, observer)
 }
@@ -88,22 +95,19 @@ fn press<'py>(
     bodies: Bodies<'_>,
     material: &PyMaterial,
     arguments: &Arguments<'py>,
-    observer: Observer,
+    observer: Option<&Observer<'py>>,
 ) -> PyResult<Pressed<'py>> {
     let (material, random) = (material.input, arguments.random()?);
     let tolerance = arguments.required("tolerance", number)?;
-    if let Some(radius_m) = arguments.length_m("ball_radius")? {
+    if let Some(radius_m) = arguments.get("ball_radius", length_m)? {
         let force_n = arguments.required("force", quantity::<Force>)?.n;
         let question = BallQuestion { material, radius_m, force_n, tolerance, random };
-        question.check().map_err(refused)?;
-        let prepared = match bodies {
-            Bodies::Maps(mut maps) => question.on_map(maps.swap_remove(0)),
-            Bodies::Spectrum(surface) => question.on(surface),
-        };
-        let prepared = prepared.map_err(refused)?;
-        return answered(py, &prepared.notes, observer, |progress| prepared.answer(progress));
+        let prepared = bodies
+            .prepared(|mut maps| question.on_map(maps.swap_remove(0)), |surface| question.on(surface))?;
+        let answer = PyAnswer::carry_out(py, observer, |watch| prepared.answer(watch))?;
+        return Ok((answer.behind(prepared.notes), PyDict::new(py)));
     }
-    if let Some(work) = arguments.quantity::<WorkOfAdhesion>("work_of_adhesion")? {
+    if let Some(WorkOfAdhesion { j_per_m2 }) = arguments.get("work_of_adhesion", quantity)? {
         let signed = |name: &str, given: &Given<'_>| match given.cast::<PyString>() {
             Ok(text) => LoadInput::parse_signed(text.to_str()?).map_err(|error| of_argument(name, error)),
             Err(_) => load_within(name, given, units::Bound::Finite),
@@ -111,39 +115,37 @@ fn press<'py>(
         let question = AdhesionQuestion {
             material,
             pressures: arguments.several("pressure", signed)?.unwrap_or_default(),
-            work_of_adhesion_j_per_m2: work.j_per_m2,
-            range_m: arguments.required("adhesion_range", quantity::<Length>)?.m,
-            branch: arguments.named::<BranchChoice>("branch")?.unwrap_or_default().branch(),
+            work_of_adhesion_j_per_m2: j_per_m2,
+            range_m: arguments.required("adhesion_range", length_m)?,
+            branch: arguments.get("branch", choice::<BranchChoice>)?.unwrap_or_default().branch(),
             pull_off: arguments.flag("pull_off")?,
             tolerance,
             per_realisation: arguments.flag("per_realisation")?,
             random,
             ..AdhesionQuestion::default()
         };
-        question.check().map_err(refused)?;
-        let prepared = match bodies {
-            Bodies::Maps(maps) => question.on_maps(maps),
-            Bodies::Spectrum(surface) => question.on(surface),
-        };
-        let prepared = prepared.map_err(refused)?;
-        let (answer, beside) = answered(py, &prepared.notes, observer, |progress| prepared.answer(progress))?;
+        let prepared = bodies.prepared(|maps| question.on_maps(maps), |surface| question.on(surface))?;
+        let answer =
+            PyAnswer::carry_out(py, observer, |watch| prepared.answer(watch))?.behind(prepared.notes);
+        let beside = PyDict::new(py);
         beside.set_item("rms_gradient", prepared.surfaces.rms_gradients())?;
+        for note in &answer.notes {
+            if let Note::Adhesion(found) = note {
+                found.numbers().into_iter().try_for_each(|(name, number)| beside.set_item(name, number))?;
+            }
+        }
         return Ok((answer, beside));
     }
     let question = ElementsQuestion {
         material,
         loads: loads(arguments)?,
-        saturation: arguments.quantity("saturation")?,
+        saturation: arguments.get("saturation", quantity)?,
         tolerance,
         random,
         ..ElementsQuestion::default()
     };
-    question.check().map_err(refused)?;
-    let prepared = match bodies {
-        Bodies::Maps(maps) => question.on_maps(maps),
-        Bodies::Spectrum(surface) => question.on(surface),
-    };
-    press_flat(py, &prepared.map_err(refused)?, arguments, observer)
+    let prepared = bodies.prepared(|maps| question.on_maps(maps), |surface| question.on(surface))?;
+    press_flat(py, &prepared, arguments, observer)
 }
 
 /// Pressures, mean gaps or indentations, whichever is given.
@@ -152,128 +154,83 @@ fn loads(arguments: &Arguments<'_>) -> PyResult<Vec<ElementsLoad>> {
         Ok(text) => text.to_str()?.parse().map_err(|error| of_argument(name, error)),
         Err(_) => load(name, given).map(ElementsLoad::Pressure),
     };
-    let length_m = |name: &str, given: &Given<'_>| quantity::<Length>(name, given).map(|length| length.m);
-    let mean_gap = |name: &str, given: &Given<'_>| {
-        length_m(name, given).map(|mean_gap_m| ElementsLoad::MeanGap { mean_gap_m })
-    };
-    let indentation = |name: &str, given: &Given<'_>| {
-        length_m(name, given).map(|indentation_m| ElementsLoad::Indentation { indentation_m })
-    };
-    let given = [
-        arguments.several("pressure", pressure)?,
-        arguments.several("mean_gap", mean_gap)?,
-        arguments.several("indentation", indentation)?,
-    ];
-    let loads: Vec<ElementsLoad> = given.into_iter().flatten().flatten().collect();
+    let mean_gaps = arguments.several("mean_gap", length_m)?.unwrap_or_default().into_iter();
+    let indentations = arguments.several("indentation", length_m)?.unwrap_or_default().into_iter();
+    let mut loads = arguments.several("pressure", pressure)?.unwrap_or_default();
+    loads.extend(mean_gaps.map(|mean_gap_m| ElementsLoad::MeanGap { mean_gap_m }));
+    loads.extend(indentations.map(|indentation_m| ElementsLoad::Indentation { indentation_m }));
     if loads.is_empty() { Err(of_argument("pressure", "give at least one")) } else { Ok(loads) }
 }
 
-/// Finds an answer of which the number of steps is not known beforehand; numbers of adhesion stand beside it.
-fn answered<'py>(
-    py: Python<'py>,
-    notes: &[Note],
-    observer: Observer,
-    answer: impl FnOnce(&dyn Progress) -> Result<Answer, QuestionError> + Send,
-) -> PyResult<Pressed<'py>> {
-    let observer = counting(py, observer, None)?;
-    let answer = carry_out(py, observer.as_ref().map(|observer| observer.as_any()), answer)?;
-    let answer = answer.map_err(refused)?;
-    let notes = [notes.to_vec(), answer.notes].concat();
-    let beside = PyDict::new(py);
-    for note in &notes {
-        if let Note::Adhesion(found) = note {
-            found.numbers().into_iter().try_for_each(|(name, number)| beside.set_item(name, number))?;
-        }
-    }
-    Ok((PyAnswer::new(py, &answer.table, notes)?, beside))
-}
-
-/// Wraps an observer, which is told the name of the steps, how many are done, and of how many.
-fn counting<'py>(
-    py: Python<'py>,
-    observer: Observer,
-    steps: Option<usize>,
-) -> PyResult<Option<Bound<'py, PyCFunction>>> {
-    let told = |observer: Py<PyAny>| {
-        PyCFunction::new_closure(py, None, None, move |done: &Bound<'_, PyTuple>, _| -> PyResult<()> {
-            observer.call1(done.py(), ("steps", done.get_item(0)?, steps)).map(drop)
-        })
-    };
-    observer.map(told).transpose()
-}
-
-/// Presses every surface under every load; the observer is told of the steps.
+/// Presses every surface under every load.
 fn press_flat<'py>(
     py: Python<'py>,
     prepared: &PreparedElements,
     arguments: &Arguments<'py>,
-    observer: Observer,
+    observer: Option<&Observer<'py>>,
 ) -> PyResult<Pressed<'py>> {
-    let surfaces = &prepared.surfaces;
-    let fields = arguments.flag("fields")?.then(|| empty_fields(py, prepared)).transpose()?;
-    let mut written = fields.as_ref().map(|fields| fields.each_ref().map(|array| array.readwrite()));
-    let maps = written.as_mut().map(|[pressures_pa, gaps_m, heights_m]| {
-        PyResult::Ok([maps(pressures_pa, surfaces)?, maps(gaps_m, surfaces)?, maps(heights_m, surfaces)?])
-    });
-    let maps = maps.transpose()?;
-    let count = surfaces.count();
+    let (surfaces, count) = (&prepared.surfaces, prepared.surfaces.count());
+    let [rows, width] = surfaces.points().unwrap_or_default();
+    let points = rows * width;
+    // Pressures and gaps of surface after surface under load after load, and the heights of the surfaces.
+    let shapes = [vec![prepared.loads(), count, rows, width], vec![count, rows, width]];
+    let [of_loads, of_surfaces] = shapes.each_ref();
+    let room = || PyResult::Ok(Mutex::new([zeros(of_loads)?, zeros(of_loads)?, zeros(of_surfaces)?]));
+    let fields = arguments.flag("fields")?.then(room).transpose()?;
     let patches = arguments.flag("patches")?.then(|| Mutex::new(Vec::new()));
     let see = |field: &Field<'_>| -> Result<(), ElementsError> {
-        if let Some([pressures_pa, gaps_m, heights_m]) = &maps {
-            let at = field.load * count + field.surface;
-            write(&pressures_pa[at], field.pressures_pa);
-            write(&gaps_m[at], field.gaps_m);
-            write(&heights_m[field.surface], &field.relief.heights_m);
+        if let Some(fields) = &fields {
+            let [pressures_pa, gaps_m, heights_m] = &mut *held(fields);
+            let at = points * (field.load * count + field.surface);
+            pressures_pa[at..at + points].copy_from_slice(field.pressures_pa);
+            gaps_m[at..at + points].copy_from_slice(field.gaps_m);
+            let at = points * field.surface;
+            heights_m[at..at + points].copy_from_slice(&field.relief.heights_m);
         }
         if let Some(patches) = &patches {
             let found = field.patches()?;
-            patches.lock().unwrap_or_else(PoisonError::into_inner).push(found);
+            held(patches).push(found);
         }
         Ok(())
     };
-    let observer = counting(py, observer, Some(prepared.steps()))?;
-    let observer = observer.as_ref().map(|observer| observer.as_any());
-    let pressed = carry_out(py, observer, |progress| prepared.answer(see, progress))?;
+    let pressed = carry_out(py, observer, |watch| {
+        watch.begin("steps", Some(prepared.steps()));
+        prepared.answer(see, watch)
+    })?;
     let (loads, notes) = pressed.map_err(|error| refused(error.into()))?;
-    drop(maps);
-    drop(written);
     let table = match arguments.flag("per_realisation")? {
         true => rough_bem::states_table(&loads),
         false => rough_bem::means_table(&loads),
     };
+    let fields = fields.map(|fields| {
+        let [pressures_pa, gaps_m, heights_m] = fields.into_inner().unwrap_or_else(PoisonError::into_inner);
+        let array = |values, shape: &Vec<usize>| PyArray1::from_vec(py, values).reshape(&shape[..]);
+        PyResult::Ok([
+            array(pressures_pa, of_loads)?,
+            array(gaps_m, of_loads)?,
+            array(heights_m, of_surfaces)?,
+        ])
+    });
     let beside = PyDict::new(py);
-    beside.set_item("fields", fields)?;
+    beside.set_item("fields", fields.transpose()?)?;
     beside.set_item("size_m", surfaces.size_m().unwrap_or_default())?;
     beside.set_item("rms_gradient", surfaces.rms_gradients())?;
     if let Some(patches) = patches {
-        let table = rough_bem::patches_table(patches.into_inner().unwrap_or_else(PoisonError::into_inner));
-        beside.set_item("patches", columns(py, &table)?)?;
+        let patches = patches.into_inner().unwrap_or_else(PoisonError::into_inner);
+        beside.set_item("patches", columns(py, &rough_bem::patches_table(patches))?)?;
     }
     Ok((PyAnswer::new(py, &table, [prepared.notes.clone(), notes].concat())?, beside))
 }
 
-/// Arrays of zeros as large as the fields, which numpy refuses where there is no room for them.
-fn empty_fields<'py>(py: Python<'py>, prepared: &PreparedElements) -> PyResult<Fields<'py>> {
-    let [rows, columns] = prepared.surfaces.points().unwrap_or_default();
-    let of_map = vec![prepared.surfaces.count(), rows, columns];
-    let of_load = [vec![prepared.loads()], of_map.clone()].concat();
-    let zeros = |shape: &[usize]| -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-        let zeros = py.import("numpy")?.call_method1("zeros", (PyTuple::new(py, shape)?,))?;
-        Ok(zeros.cast_into()?)
-    };
-    Ok([zeros(&of_load)?, zeros(&of_load)?, zeros(&of_map)?])
-}
-
-/// The maps in an array, one after the other.
-fn maps<'a>(
-    array: &'a mut PyReadwriteArrayDyn<'_, f64>,
-    surfaces: &Surfaces,
-) -> PyResult<Vec<Mutex<&'a mut [f64]>>> {
-    let points: usize = surfaces.points().unwrap_or_default().iter().product();
-    let slice = array.as_slice_mut().map_err(input)?;
-    Ok(slice.chunks_exact_mut(points.max(1)).map(Mutex::new).collect())
-}
-
-fn write(map: &Mutex<&mut [f64]>, values: &[f64]) {
-    map.lock().unwrap_or_else(PoisonError::into_inner).copy_from_slice(values);
+/// Zeros of a shape.
+///
+/// # Errors
+/// MemoryError where there is no room for them.
+fn zeros(shape: &[usize]) -> PyResult<Vec<f64>> {
+    let length = shape.iter().try_fold(1, |length: usize, axis| length.checked_mul(*axis));
+    let (mut zeros, length) = (Vec::new(), length.unwrap_or(usize::MAX));
+    let told = |_| PyMemoryError::new_err(format!("no room for fields of shape {shape:?}"));
+    zeros.try_reserve_exact(length).map_err(told)?;
+    zeros.resize(length, 0.0);
+    Ok(zeros)
 }

@@ -1,16 +1,17 @@
 //! Many states of any populations, as a ufunc has it: rows that were broadcast, and columns that are found.
 
-use numpy::{PyArray1, PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use std::borrow::Cow;
+
+use numpy::{Element, PyArray1, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyFloat};
+use pyo3::types::{IntoPyDict, PyFloat};
 use questions::StatesQuestion;
 use stat_contact::Condition;
 use state_tables::{Roughness, STATE_COLUMNS, StateRequest, StatesError};
 use study::models::{self, Framework};
 
 use crate::answer::{PyAnswer, of_material, refused};
-use crate::arguments::{Arguments, text};
-use crate::columns::Column;
+use crate::arguments::{Arguments, none_of, number, text};
 use crate::errors::{input, of_argument};
 use crate::material::PyMaterial;
 use crate::work::{carry_out, light};
@@ -18,7 +19,7 @@ use crate::work::{carry_out, light};
 /// Number of rows that are done before another thread has begun.
 const LIGHT_ROWS: usize = 64;
 
-/// Numbers for the rows: one for all, as a float, or an array of their shape.
+/// Numbers of an argument: one for all rows, as a float, or an array of their shape.
 pub enum Numbers<'py> {
     One(f64),
     Many(PyReadonlyArrayDyn<'py, f64>),
@@ -27,6 +28,7 @@ pub enum Numbers<'py> {
 impl<'py> FromPyObject<'_, 'py> for Numbers<'py> {
     type Error = PyErr;
 
+    // A derived trait would word an error for every array.
     fn extract(given: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
         match given.cast::<PyFloat>() {
             Ok(number) => Ok(Numbers::One(number.value())),
@@ -35,9 +37,35 @@ impl<'py> FromPyObject<'_, 'py> for Numbers<'py> {
     }
 }
 
+/// Column of numbers: one for every row, or those of the rows in C order, without a copy where they lie so.
+enum Column<'a, T: Clone> {
+    Constant(T),
+    Rows(Cow<'a, [T]>),
+}
+
+impl<'a, T: Element + Copy> Column<'a, T> {
+    fn of(array: &'a PyReadonlyArrayDyn<'_, T>) -> Self {
+        let view = array.as_array();
+        let repeats = view.len() > 1
+            && array.strides().iter().zip(array.shape()).all(|(stride, len)| *stride == 0 || *len == 1);
+        match (view.first().filter(|_| repeats), view.to_slice()) {
+            (Some(number), _) => Column::Constant(*number),
+            (None, Some(numbers)) => Column::Rows(Cow::Borrowed(numbers)),
+            (None, None) => Column::Rows(view.iter().copied().collect()),
+        }
+    }
+
+    #[inline]
+    fn at(&self, row: usize) -> T {
+        match self {
+            Column::Constant(number) => *number,
+            Column::Rows(numbers) => numbers[row],
+        }
+    }
+}
+
 /// States of a model for rows of roughness and, last, condition, all of the same shape, or the numbers of a single one as the
-/// column `state`; the condition is a pressure \[Pa\] or a
-/// separation \[m\]. The material of a row is that at its index among the `materials`, or the one that there is.
+/// column `state`; the condition is a pressure \[Pa\] or a separation \[m\]. The material of a row is that at its index among the `materials`, or the one that there is.
 #[pyfunction]
 pub fn contact_states<'py>(
     py: Python<'py>,
@@ -47,17 +75,15 @@ pub fn contact_states<'py>(
     material_index: Option<PyReadonlyArrayDyn<'py, i64>>,
     arguments: Arguments<'py>,
 ) -> PyResult<PyAnswer> {
-    let model = arguments.required("model", text)?;
+    let model = models::named(Framework::Statistical, &arguments.required("model", text)?);
     let question = StatesQuestion {
-        model: Some(
-            models::named(Framework::Statistical, &model).map_err(|error| of_argument("model", error))?,
-        ),
+        model: Some(model.map_err(|error| of_argument("model", error))?),
         options: arguments.model_options()?,
-        tolerance: arguments.number("tolerance", None)?,
+        tolerance: arguments.get("tolerance", number)?,
         skips_bad_rows: match arguments.required("errors", text)?.as_str() {
             "raise" => false,
             "nan" => true,
-            other => return Err(of_argument("errors", format!("'{other}' is none of raise, nan"))),
+            other => return Err(none_of("errors", other, ["raise", "nan"])),
         },
     };
     let states = question.states().map_err(refused)?;
@@ -73,13 +99,9 @@ pub fn contact_states<'py>(
     if rows > 0 && materials.is_empty() {
         return Err(of_argument("material", "it is empty; give at least one"));
     }
-    let of_material = material_index.as_ref().map(Column::of);
-    let material_of = |row: usize| match &of_material {
-        None => 0,
-        Some(index) => index.at(row) as usize,
-    };
+    let index = material_index.as_ref().map_or(Column::Constant(0), Column::of);
     let asked = |row: usize| StateRequest {
-        material: &materials[material_of(row)].get().material,
+        material: &materials[index.at(row) as usize].get().material,
         roughness: Roughness([first.at(row), second.at(row), third.at(row)]),
         at: match is_pressure {
             true => Condition::Pressure(at.at(row)),
@@ -88,19 +110,17 @@ pub fn contact_states<'py>(
     };
     let states = match rows <= LIGHT_ROWS {
         true => light(py, || states.compute(rows, asked, &parallel::Unobserved)),
-        false => carry_out(py, None, |progress| states.compute(rows, asked, progress))?,
+        false => carry_out(py, None, |watch| states.compute(rows, asked, watch))?,
     };
     let (found, counts) = states.map_err(|error| bad_row(&error, shape))?;
-    let columns = PyDict::new(py);
-    if shape.is_empty() {
+    let columns = if shape.is_empty() {
         // An array for each number would take longer than the state.
         let state = found.iter().filter_map(|column| column.first().copied());
-        columns.set_item("state", PyArray1::from_iter(py, state))?;
+        [("state", PyArray1::from_iter(py, state))].into_py_dict(py)?
     } else {
-        for (name, column) in STATE_COLUMNS.into_iter().zip(found) {
-            columns.set_item(name, PyArray1::from_vec(py, column))?;
-        }
-    }
+        let arrays = found.into_iter().map(|column| PyArray1::from_vec(py, column));
+        STATE_COLUMNS.into_iter().zip(arrays).into_py_dict(py)?
+    };
     let materials = materials.iter().map(|material| &material.get().material);
     Ok(PyAnswer::of_columns(columns, question.notes_on(materials, &counts, rows)))
 }
@@ -108,14 +128,14 @@ pub fn contact_states<'py>(
 /// A bad row, by its place in the arrays.
 fn bad_row(error: &StatesError, shape: &[usize]) -> PyErr {
     let StatesError::Row { row, problem } = error else { return input(error) };
-    let mut rest = *row;
-    let mut place: Vec<String> = Vec::new();
-    for len in shape.iter().rev() {
-        place.insert(0, (rest % len).to_string());
-        rest /= len;
+    if shape.is_empty() {
+        return input(of_material(problem));
     }
-    match place.is_empty() {
-        true => input(of_material(problem)),
-        false => of_argument(&format!("element [{}]", place.join(", ")), of_material(problem)),
-    }
+    let mut rows = shape.iter().product::<usize>();
+    let place = shape.iter().map(|len| {
+        rows /= len;
+        (row / rows % len).to_string()
+    });
+    let place = place.collect::<Vec<_>>().join(", ");
+    of_argument(&format!("element [{place}]"), of_material(problem))
 }

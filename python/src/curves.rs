@@ -2,10 +2,11 @@
 
 use pyo3::prelude::*;
 use questions::{CurveQuestion, GapModel, GapQuestion, TangentialQuestion};
-use study::models::{self, Framework, ModelEntry};
+use study::models::{self, Framework};
+use units::SignedLength;
 
 use crate::answer::{PyAnswer, refused};
-use crate::arguments::{Arguments, load, text};
+use crate::arguments::{Arguments, choice, load, number, quantity, text};
 use crate::errors::of_argument;
 use crate::material::PyMaterial;
 use crate::surface::PySurface;
@@ -33,19 +34,19 @@ pub fn curve(
         "statistical" => Framework::Statistical,
         _ => Framework::Persson,
     };
-    let model = arguments.required("model", text)?;
-    let model = models::named(framework, &model).map_err(|error| of_argument("model", error))?;
+    let name = arguments.required("model", text)?;
     let options = arguments.model_options()?;
+    let separations = arguments.several("separation", quantity::<SignedLength>)?.unwrap_or_default();
     let question = CurveQuestion {
-        model: Some(model),
+        model: Some(models::named(framework, &name).map_err(|error| of_argument("model", error))?),
         material: material.input.used_with(&options),
         options,
         pressures: arguments.pressures()?,
-        separations_m: arguments.separations_m()?,
+        separations_m: separations.iter().map(|separation| separation.m).collect(),
         sampling: arguments.sampling()?,
-        normalisation: arguments.named("normalisation")?,
-        amplitude: arguments.named("amplitude")?,
-        tolerance: arguments.number("tolerance", None)?,
+        normalisation: arguments.get("normalisation", choice)?,
+        amplitude: arguments.get("amplitude", choice)?,
+        tolerance: arguments.get("tolerance", number)?,
         details: true,
         ..CurveQuestion::default()
     };
@@ -70,16 +71,14 @@ pub fn gaps(
 ) -> PyResult<PyAnswer> {
     let question = GapQuestion {
         by: GapModel {
-            tolerance: arguments.number("tolerance", None)?,
+            tolerance: arguments.get("tolerance", number)?,
             ..gap_model(material, &arguments, &[ELEMENTS])?
         },
         pressures: arguments.pressures()?,
         random: arguments.random()?,
         ..GapQuestion::default()
     };
-    let found = carry_out(py, None, |progress| question.answer(&surface.surface, progress))?;
-    let found = found.map_err(refused)?;
-    PyAnswer::new(py, &found.table, found.notes)
+    PyAnswer::carry_out(py, None, |progress| question.answer(&surface.surface, progress))
 }
 
 /// Displacement, stiffness, slip and loss of a surface that is sheared under each of the pressures.
@@ -92,28 +91,23 @@ pub fn tangential(
 ) -> PyResult<PyAnswer> {
     let question = TangentialQuestion {
         by: gap_model(material, &arguments, &[ELEMENTS])?,
-        friction: arguments.number("friction", None)?,
+        friction: arguments.get("friction", number)?,
         pressures: arguments.pressures()?,
         stresses: arguments.several("tangential_stress", load)?.unwrap_or_default(),
         random: arguments.random()?,
         ..TangentialQuestion::default()
     };
-    let found = carry_out(py, None, |progress| question.answer(&surface.surface, progress))?;
-    let found = found.map_err(refused)?;
-    PyAnswer::new(py, &found.table, found.notes)
+    PyAnswer::carry_out(py, None, |progress| question.answer(&surface.surface, progress))
 }
 
 /// A model that knows a distance between the surfaces; `others` are names that are taken besides.
 pub fn gap_model(material: &PyMaterial, arguments: &Arguments<'_>, others: &[&str]) -> PyResult<GapModel> {
     let name = arguments.required("model", text)?;
-    let known: Vec<&'static ModelEntry> = models::with_gaps().collect();
-    let model = known.iter().copied().find(|entry| entry.name == name);
+    let model = models::with_gaps().find(|entry| entry.name == name);
     if model.is_none() && !others.contains(&name.as_str()) {
-        let names: Vec<&str> = known.iter().map(|entry| entry.name).chain(others.iter().copied()).collect();
-        return Err(of_argument(
-            "model",
-            format!("'{name}' is none of those with gaps, {}", names.join(", ")),
-        ));
+        let known = models::with_gaps().map(|entry| entry.name).chain(others.iter().copied());
+        let known = known.collect::<Vec<_>>().join(", ");
+        return Err(of_argument("model", format!("'{name}' is none of those with gaps, {known}")));
     }
     let options = arguments.model_options()?;
     Ok(GapModel {
@@ -121,7 +115,7 @@ pub fn gap_model(material: &PyMaterial, arguments: &Arguments<'_>, others: &[&st
         material: material.input.used_with(&options),
         options,
         sampling: arguments.sampling()?,
-        normalisation: arguments.named("normalisation")?,
+        normalisation: arguments.get("normalisation", choice)?,
         tolerance: None,
     })
 }

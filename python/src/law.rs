@@ -1,7 +1,6 @@
 //! Pressure against overclosure, and conductance against pressure, for finite elements.
 
 use contact_law::{ConductanceTable, ContactLaw, Dialect, ExponentialLaw, Flow, Heading, UnitSystem};
-use parallel::Progress;
 use pyo3::prelude::*;
 use questions::{
     GasInput, LawAnswer, LawForm, LawQuestion, LawTableQuestion, Note, PlasticCorrelation, QuestionError,
@@ -13,7 +12,7 @@ use tables::Table;
 use units::{Resistivity, ThermalConductivity};
 
 use crate::answer::{PyAnswer, refused};
-use crate::arguments::{Arguments, checked, named, number};
+use crate::arguments::{Arguments, checked, choice, length_m, named, number, quantity, text};
 use crate::curves::gap_model;
 use crate::errors::{input, of_argument};
 use crate::material::PyMaterial;
@@ -24,8 +23,15 @@ use crate::work::carry_out;
 #[pyclass(frozen, name = "FoundLaw", module = "truearea._native")]
 pub struct PyFoundLaw {
     found: Found,
+    table: Table,
     provenance: Vec<String>,
     notes: Vec<Note>,
+    /// The nominal pressure \[Pa\] at the gap where a law is cut off.
+    #[pyo3(get)]
+    cut_pressure_pa: Option<f64>,
+    /// The largest relative error that was met halfway between two points.
+    #[pyo3(get)]
+    interpolation_error: f64,
 }
 
 enum Found {
@@ -49,51 +55,40 @@ impl PyFoundLaw {
         arguments: Arguments<'_>,
     ) -> PyResult<Self> {
         let (question, tolerance) = question(material, &arguments)?;
-        let found = carry_out(py, None, |progress: &dyn Progress| {
-            Ok::<_, QuestionError>(match question.answer(&surface.surface, progress)? {
-                LawAnswer::Pressure(found) => {
-                    let (law, model) = (found.sampled(tolerance, progress)?, found.model);
-                    let cited = vec![format!("{}: {}", model.full_name, model.citation)];
-                    let exponential = found.exponential().ok();
-                    (Found::Pressure { law, exponential, model }, cited, found.notes)
-                }
-                LawAnswer::Conductance(found) => {
-                    let table = found.sampled(tolerance, progress)?;
-                    (Found::Conductance(table), found.description(), found.notes)
-                }
-            })
-        })?;
-        let (found, cited, notes) = found.map_err(refused)?;
         let mut provenance = origin(&question, surface, material);
-        provenance.extend(cited);
-        Ok(PyFoundLaw { found, provenance, notes })
+        let law = carry_out(py, None, |watch| match question.answer(&surface.surface, watch)? {
+            LawAnswer::Pressure(found) => {
+                let (law, model) = (found.sampled(tolerance, watch)?, found.model);
+                provenance.push(format!("{}: {}", model.full_name, model.citation));
+                let exponential = found.exponential().ok();
+                Ok(PyFoundLaw {
+                    table: law_table(&law),
+                    provenance,
+                    notes: found.notes,
+                    cut_pressure_pa: Some(law.cut().pressure_pa),
+                    interpolation_error: law.interpolation_error(),
+                    found: Found::Pressure { law, exponential, model },
+                })
+            }
+            LawAnswer::Conductance(found) => {
+                let table = found.sampled(tolerance, watch)?;
+                provenance.extend(found.description());
+                Ok(PyFoundLaw {
+                    table: conductance_table(&table),
+                    provenance,
+                    notes: found.notes,
+                    cut_pressure_pa: None,
+                    interpolation_error: table.interpolation_error(),
+                    found: Found::Conductance(table),
+                })
+            }
+        })?;
+        law.map_err(refused)
     }
 
     /// Points of the law; at the first it is cut off, or has no pressure.
     fn answer(&self, py: Python<'_>) -> PyResult<PyAnswer> {
-        let table = match &self.found {
-            Found::Pressure { law, .. } => law_table(law),
-            Found::Conductance(table) => conductance_table(table),
-        };
-        PyAnswer::new(py, &table, self.notes.clone())
-    }
-
-    /// The nominal pressure \[Pa\] at the gap where a law is cut off.
-    #[getter]
-    fn cut_pressure_pa(&self) -> Option<f64> {
-        match &self.found {
-            Found::Pressure { law, .. } => Some(law.cut().pressure_pa),
-            Found::Conductance(_) => None,
-        }
-    }
-
-    /// The largest relative error that was met halfway between two points.
-    #[getter]
-    fn interpolation_error(&self) -> f64 {
-        match &self.found {
-            Found::Pressure { law, .. } => law.interpolation_error(),
-            Found::Conductance(table) => table.interpolation_error(),
-        }
+        PyAnswer::new(py, &self.table, self.notes.clone())
     }
 
     /// The law in the words of a code; conductances have neither name nor form.
@@ -147,53 +142,41 @@ fn question(material: &PyMaterial, arguments: &Arguments<'_>) -> PyResult<(LawTa
         let told = format!("a law goes from one pressure to another, and this is {count} of them; give two");
         of_argument("pressure", told)
     })?;
-    let correlations: Vec<&str> =
-        PlasticCorrelation::ALL.iter().map(|correlation| correlation.name()).collect();
+    let correlations: Vec<&str> = PlasticCorrelation::ALL.iter().map(|one| one.name()).collect();
     let by = gap_model(material, arguments, &correlations)?;
-    let correlation = arguments.text("model")?.and_then(|name| name.parse().ok());
+    let w_per_m_k = |name: &str| -> PyResult<Option<f64>> {
+        Ok(arguments.get(name, quantity)?.map(|ThermalConductivity { w_per_m_k }| w_per_m_k))
+    };
+    let ohm_m = |name: &str| -> PyResult<Option<f64>> {
+        Ok(arguments.get(name, quantity)?.map(|Resistivity { ohm_m }| ohm_m))
+    };
     let question = LawTableQuestion {
         law: LawQuestion { by, from: from.pressure, to: to.pressure },
-        quantity: arguments.named("quantity")?.unwrap_or_default(),
-        correlation,
-        transport: transport(arguments)?,
-        gas: gas(arguments)?,
+        quantity: arguments.get("quantity", choice)?.unwrap_or_default(),
+        correlation: arguments.required("model", text)?.parse().ok(),
+        transport: TransportInput {
+            thermal_conductivity_w_per_m_k: w_per_m_k("thermal_conductivity")?,
+            counterface_thermal_conductivity_w_per_m_k: w_per_m_k("counterface_thermal_conductivity")?,
+            resistivity_ohm_m: ohm_m("resistivity")?,
+            counterface_resistivity_ohm_m: ohm_m("counterface_resistivity")?,
+        },
+        gas: GasInput {
+            conductivity_w_per_m_k: w_per_m_k("gas_conductivity")?,
+            parameter_m: arguments.get("gas_parameter", length_m)?,
+            accommodation: arguments.get("accommodation", number)?,
+            counterface_accommodation: arguments.get("counterface_accommodation", number)?,
+            heat_capacity_ratio: arguments.get("heat_capacity_ratio", number)?,
+            prandtl_number: arguments.get("prandtl_number", number)?,
+            mean_free_path_m: arguments.get("mean_free_path", length_m)?,
+            temperature_k: arguments.get("gas_temperature", number)?,
+            pressure: arguments.get("gas_pressure", quantity)?,
+        },
         ..LawTableQuestion::default()
     };
     let tolerance = arguments.required("tolerance", number)?;
     let tolerance = checked("tolerance", ContactLaw::TOLERANCES, tolerance)?;
     let [rough, counterface] = &material.named;
     Ok((question.filled_from(rough.as_ref(), counterface.as_ref()), tolerance))
-}
-
-fn transport(arguments: &Arguments<'_>) -> PyResult<TransportInput> {
-    let w_per_m_k = |name: &str| -> PyResult<Option<f64>> {
-        Ok(arguments.quantity::<ThermalConductivity>(name)?.map(|given| given.w_per_m_k))
-    };
-    let ohm_m = |name: &str| -> PyResult<Option<f64>> {
-        Ok(arguments.quantity::<Resistivity>(name)?.map(|given| given.ohm_m))
-    };
-    Ok(TransportInput {
-        thermal_conductivity_w_per_m_k: w_per_m_k("thermal_conductivity")?,
-        counterface_thermal_conductivity_w_per_m_k: w_per_m_k("counterface_thermal_conductivity")?,
-        resistivity_ohm_m: ohm_m("resistivity")?,
-        counterface_resistivity_ohm_m: ohm_m("counterface_resistivity")?,
-    })
-}
-
-fn gas(arguments: &Arguments<'_>) -> PyResult<GasInput> {
-    let number = |name: &str| arguments.number(name, None);
-    let conductivity: Option<ThermalConductivity> = arguments.quantity("gas_conductivity")?;
-    Ok(GasInput {
-        conductivity_w_per_m_k: conductivity.map(|given| given.w_per_m_k),
-        parameter_m: arguments.length_m("gas_parameter")?,
-        accommodation: number("accommodation")?,
-        counterface_accommodation: number("counterface_accommodation")?,
-        heat_capacity_ratio: number("heat_capacity_ratio")?,
-        prandtl_number: number("prandtl_number")?,
-        mean_free_path_m: arguments.length_m("mean_free_path")?,
-        temperature_k: number("gas_temperature")?,
-        pressure: arguments.quantity("gas_pressure")?,
-    })
 }
 
 /// Lines on where a law comes from.

@@ -4,12 +4,10 @@
 mod answer;
 mod arguments;
 mod boundary_elements;
-mod columns;
 mod contact;
 mod curves;
 mod errors;
 mod law;
-mod lengths;
 mod material;
 mod names;
 mod picture;
@@ -26,17 +24,16 @@ mod _native {
     #[pymodule_export]
     use super::{
         answer::PyAnswer,
-        arguments::{si_number, without_unit},
+        arguments::{in_metres, si_number, without_unit},
         boundary_elements::{press_heights, press_spectrum},
         contact::contact_states,
         curves::{curve, gaps, tangential},
         errors::InputError,
         law::PyFoundLaw,
-        lengths::in_metres,
         material::PyMaterial,
-        names::{choices, materials_table, models_table, pressure_in_words},
+        names::{materials_table, models_table, pressure_in_words},
         picture::{axis_label, figure_svg, model_style, pressures_picture},
-        scans::{PyAskedScan, PyScan, channels_of, composite, scans_of},
+        scans::{PyScan, channels_of, composite, scans_of},
         scene::{PyScene, scene_template, scene_text, scene_with_keys, tables_of_runs, write_files},
         surface::PySurface,
         threads::{set_threads, threads},

@@ -2,14 +2,15 @@
 
 use asperity::ElasticBody;
 use pyo3::prelude::*;
-use questions::{BodyInput, LayerInput, MaterialInput};
+use pyo3::types::PyDict;
+use questions::{LayerInput, MaterialInput};
 use study::layer_base::LayerBase;
 use study::material::Material;
 use study::materials::{self, TabledMaterial};
-use units::{Bound, IndentationHardness, Modulus};
+use units::{IndentationHardness, Modulus};
 
 use crate::answer::{of_material, refused};
-use crate::arguments::{Arguments, Given, checked, load, number, quantity};
+use crate::arguments::{Arguments, Given, checked, choice, length_m, load, number, quantity, text};
 use crate::errors::{input, of_argument};
 
 /// A material as the core has it.
@@ -20,63 +21,69 @@ pub struct PyMaterial {
     pub material: Material,
     /// Rows of the table of materials that the rough body and its counterface were named by.
     pub named: [Option<TabledMaterial>; 2],
-    /// E of the rough body \[Pa\].
-    #[pyo3(get)]
-    youngs_modulus_pa: Option<f64>,
-    /// Poisson's ratio of the rough body.
-    #[pyo3(get)]
-    poisson_ratio: Option<f64>,
-    /// E* \[Pa\].
-    #[pyo3(get)]
-    composite_modulus_pa: f64,
-    /// H \[Pa\].
-    #[pyo3(get)]
-    indentation_hardness_pa: Option<f64>,
-    /// S0 \[Pa\].
-    #[pyo3(get)]
-    yield_strength_pa: Option<f64>,
-    /// The material as it was given, in SI units: equal for equal materials.
-    #[pyo3(get)]
-    identity: String,
 }
 
 #[pymethods]
 impl PyMaterial {
     #[new]
     fn new(arguments: Arguments<'_>) -> PyResult<Self> {
-        let named = arguments.text("name")?.map(|name| materials::named(&name)).transpose();
-        let named = named.map_err(|error| of_argument("name", error))?;
-        let hardness: Option<IndentationHardness> = arguments.quantity("indentation_hardness")?;
-        let layer = layer(&arguments)?;
-        let may_lack = named.is_some() || layer.is_some_and(|layer| layer.base == LayerBase::Rigid);
+        let named = arguments.get("name", |name, given| {
+            materials::named(&text(name, given)?).map_err(|error| of_argument(name, error))
+        })?;
+        let layer = LayerInput {
+            thickness_m: arguments.get("layer_thickness", length_m)?,
+            youngs_modulus_pa: arguments.get("layer_youngs_modulus", quantity)?.map(|Modulus { pa }| pa),
+            poisson_ratio: arguments.get("layer_poisson_ratio", number)?,
+            base: arguments.get("layer_base", choice)?.unwrap_or_default(),
+        };
+        let modulus_pa = |name: &str, given: &Given<'_>| {
+            checked(name, units::Bound::Magnitude, quantity::<Modulus>(name, given)?.pa)
+        };
+        let ratio =
+            |name: &str, given: &Given<'_>| checked(name, ElasticBody::POISSON_RATIO, number(name, given)?);
+        // A material of the table has both, and a rigid base neither.
+        let elastic = match named.is_some() || layer.base == LayerBase::Rigid {
+            true => (arguments.get("youngs_modulus", modulus_pa)?, arguments.get("poisson_ratio", ratio)?),
+            false => {
+                let modulus_pa = arguments.required("youngs_modulus", modulus_pa)?;
+                (Some(modulus_pa), Some(arguments.required("poisson_ratio", ratio)?))
+            }
+        };
+        let other = counterface(&arguments)?;
+        let other = other.as_ref().map(Bound::get);
         let input = MaterialInput {
-            youngs_modulus_pa: youngs_modulus_pa(&arguments, may_lack)?,
-            poisson_ratio: poisson_ratio(&arguments, may_lack)?,
-            layer,
-            yield_strength: arguments.quantity("yield_strength")?,
-            indentation_hardness_pa: hardness.map(|hardness| hardness.pa),
-            strain_gradient_length_m: arguments.length_m("strain_gradient_length")?,
-            strength_cap: arguments.quantity("strength_cap")?,
-            counterface: counterface(&arguments)?,
+            youngs_modulus_pa: elastic.0,
+            poisson_ratio: elastic.1,
+            layer: layer.given(),
+            yield_strength: arguments.get("yield_strength", quantity)?,
+            indentation_hardness_pa: arguments
+                .get("indentation_hardness", quantity)?
+                .map(|IndentationHardness { pa }| pa),
+            strain_gradient_length_m: arguments.get("strain_gradient_length", length_m)?,
+            strength_cap: arguments.get("strength_cap", quantity)?,
+            counterface: other.and_then(|other| other.input.body()),
             ..MaterialInput::default()
         };
         let input = input.filled_from(named.as_ref(), None);
-        let other = match arguments.get("counterface")? {
-            Some(other) => other.cast::<PyMaterial>()?.get().named[0].clone(),
-            None => None,
-        };
         let material = input.material().map_err(refused)?;
-        Ok(PyMaterial {
-            youngs_modulus_pa: input.youngs_modulus_pa,
-            poisson_ratio: input.poisson_ratio,
-            composite_modulus_pa: material.pair.composite_modulus_pa(),
-            indentation_hardness_pa: material.hardness_pa(),
-            yield_strength_pa: material.yield_strength_pa(),
-            identity: format!("{input:?}"),
-            named: [named, other],
-            input,
-            material,
-        })
+        let named = [named, other.and_then(|other| other.named[0].clone())];
+        Ok(PyMaterial { named, input, material })
+    }
+
+    /// Facts by their names, in SI units: an identity that is equal for equal materials, the known properties for people, and a
+    /// line of description among them.
+    #[getter]
+    fn facts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let facts = PyDict::new(py);
+        facts.set_item("youngs_modulus_pa", self.input.youngs_modulus_pa)?;
+        facts.set_item("poisson_ratio", self.input.poisson_ratio)?;
+        facts.set_item("composite_modulus_pa", self.material.pair.composite_modulus_pa())?;
+        facts.set_item("indentation_hardness_pa", self.material.hardness_pa())?;
+        facts.set_item("yield_strength_pa", self.material.yield_strength_pa())?;
+        facts.set_item("identity", format!("{:?}", self.input))?;
+        facts.set_item("description", self.material.describe())?;
+        facts.set_item("properties", self.material.properties())?;
+        Ok(facts)
     }
 
     /// True for text that is a name rather than a modulus.
@@ -98,54 +105,15 @@ impl PyMaterial {
         let pressure = self.material.nominal_pressure(load(argument, pressure)?.pressure);
         pressure.map(|pressure| pressure.pa()).map_err(|error| input(of_material(&error)))
     }
-
-    /// The material in a line.
-    fn describe(&self) -> String {
-        self.material.describe()
-    }
-
-    /// The known properties, each with its name, for people.
-    fn properties(&self) -> Vec<(&'static str, String)> {
-        self.material.properties()
-    }
 }
 
-/// The elastic constants of the counterface, if there is one.
-pub fn counterface(arguments: &Arguments<'_>) -> PyResult<Option<BodyInput>> {
-    let Some(other) = arguments.get("counterface")? else { return Ok(None) };
-    let other = other.cast::<PyMaterial>()?.get();
-    if other.input.layer.is_some() {
-        return Err(of_argument("counterface", "it has a layer, which only the rough body may have"));
-    }
-    Ok(other.input.body())
-}
-
-/// The layer on the rough body, if any part of it is given.
-fn layer(arguments: &Arguments<'_>) -> PyResult<Option<LayerInput>> {
-    let modulus: Option<Modulus> = arguments.quantity("layer_youngs_modulus")?;
-    let layer = LayerInput {
-        thickness_m: arguments.length_m("layer_thickness")?,
-        youngs_modulus_pa: modulus.map(|modulus| modulus.pa),
-        poisson_ratio: arguments.number("layer_poisson_ratio", None)?,
-        base: arguments.named("layer_base")?.unwrap_or_default(),
-    };
-    Ok(layer.given())
-}
-
-/// Young's modulus of the rough body, which may be left out of a material of the table and of a rigid base.
-fn youngs_modulus_pa(arguments: &Arguments<'_>, may_lack: bool) -> PyResult<Option<f64>> {
-    if may_lack && arguments.get("youngs_modulus")?.is_none() {
-        return Ok(None);
-    }
-    let modulus: Modulus = arguments.required("youngs_modulus", quantity)?;
-    checked("youngs_modulus", Bound::Magnitude, modulus.pa).map(Some)
-}
-
-/// Poisson's ratio of the rough body, which may be left out of a material of the table and of a rigid base.
-fn poisson_ratio(arguments: &Arguments<'_>, may_lack: bool) -> PyResult<Option<f64>> {
-    if may_lack && arguments.get("poisson_ratio")?.is_none() {
-        return Ok(None);
-    }
-    let ratio = arguments.required("poisson_ratio", number)?;
-    checked("poisson_ratio", ElasticBody::POISSON_RATIO, ratio).map(Some)
+/// The counterface, if there is one.
+pub fn counterface<'py>(arguments: &Arguments<'py>) -> PyResult<Option<Bound<'py, PyMaterial>>> {
+    arguments.get("counterface", |name, other| {
+        let other = other.cast::<PyMaterial>()?;
+        match other.get().input.layer {
+            None => Ok(other.clone()),
+            Some(_) => Err(of_argument(name, "it has a layer, which only the rough body may have")),
+        }
+    })
 }

@@ -1,7 +1,7 @@
 //! Pictures of results for notebooks, as the core draws them.
 
 use drawings::model_style::ModelStyle;
-use numpy::{PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
+use numpy::{PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use report::field_picture::{FieldPicture, of_pressures};
@@ -9,6 +9,7 @@ use report::plot;
 use study::figure::{Axis, Band, BandKind, CurveLook, FigureData, Series, Shows, Variant};
 use study::models::{MODELS, ModelEntry};
 
+use crate::arguments::any_model;
 use crate::errors::of_argument;
 
 /// Columns that are drawn, and the labels of their axes.
@@ -46,11 +47,10 @@ fn axis(column: &str) -> PyResult<Axis> {
 }
 
 /// A line: abscissas, ordinates, its label, the model that it belongs to, and the place of its condition.
-type Line<'py> = (PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>, String, String, Option<usize>);
+type Line = (Vec<f64>, Vec<f64>, String, String, Option<usize>);
 
 /// A band: abscissas, lower and upper ordinates, and its label.
-type Interval<'py> =
-    (PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>, String);
+type Interval = (Vec<f64>, Vec<f64>, Vec<f64>, String);
 
 /// A figure with logarithmic axes, as SVG; every number is finite and above 0.
 #[pyfunction]
@@ -58,40 +58,29 @@ pub fn figure_svg(
     title: String,
     x: &str,
     y: &str,
-    lines: Vec<Line<'_>>,
-    bands: Vec<Interval<'_>>,
+    lines: Vec<Line>,
+    bands: Vec<Interval>,
     holes: Vec<(f64, f64)>,
 ) -> PyResult<String> {
     let (x, y) = (axis(x)?, axis(y)?);
-    let series = lines.iter().enumerate().map(|(at, (xs, ys, label, model, condition))| {
+    let series = lines.into_iter().enumerate().map(|(at, (xs, ys, label, model, condition_index))| {
         let look = MODELS.iter().find(|entry| entry.name == model).map(look);
-        Series {
-            curve: look.map_or_else(String::new, |look| look.model.to_owned()),
-            look,
-            condition_index: *condition,
-            ..Series::under(label, at, drawn(xs, ys).collect())
-        }
+        let curve = look.map_or_else(String::new, |look| look.model.to_owned());
+        let points = xs.into_iter().zip(ys).collect();
+        Series { curve, look, condition_index, ..Series::under(&label, at, points) }
     });
-    let bands = bands.iter().map(|(xs, lows, highs, label)| Band {
-        label: label.clone(),
-        kind: BandKind::Interval,
-        load: None,
-        curve_index: 0,
-        points: drawn(xs, lows).zip(drawn(xs, highs)).map(|((x, low), (_, high))| (x, [low, high])).collect(),
+    let bands = bands.into_iter().map(|(xs, lows, highs, label)| {
+        let points = xs.into_iter().zip(lows.into_iter().zip(highs).map(|(low, high)| [low, high]));
+        Band { label, kind: BandKind::Interval, load: None, curve_index: 0, points: points.collect() }
     });
     let shows = if y.column == "area_fraction" { Shows::Area } else { Shows::Psd };
     let figure = FigureData {
-        title: title.clone(),
+        title,
         bands: bands.collect(),
         gaps: holes,
         ..FigureData::new("picture", shows, x, y.label, series.collect())
     };
     Ok(plot::svg(&figure, "", &[]))
-}
-
-fn drawn(xs: &PyReadonlyArray1<'_, f64>, ys: &PyReadonlyArray1<'_, f64>) -> impl Iterator<Item = (f64, f64)> {
-    let (xs, ys) = (xs.as_array().to_vec(), ys.as_array().to_vec());
-    xs.into_iter().zip(ys)
 }
 
 fn look(entry: &ModelEntry) -> CurveLook {
@@ -101,10 +90,7 @@ fn look(entry: &ModelEntry) -> CurveLook {
 /// Short name, colour and SVG dash of a model in figures.
 #[pyfunction]
 pub fn model_style(name: &str) -> PyResult<(&'static str, &'static str, String)> {
-    let Some(entry) = MODELS.iter().find(|entry| entry.name == name) else {
-        let names = MODELS.iter().map(|entry| entry.name).collect::<Vec<_>>().join(", ");
-        return Err(of_argument("model", format!("'{name}' is none of {names}")));
-    };
+    let entry = any_model(name)?;
     let style = ModelStyle::new(look(entry));
     Ok((entry.short_name, style.colour, style.dash))
 }

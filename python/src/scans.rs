@@ -1,15 +1,13 @@
 //! Scans of instruments, heights of arrays, and the composite spectra that are made of them.
 
 use std::collections::BTreeMap;
-use std::io;
-use std::sync::{Mutex, PoisonError};
+use std::convert::Infallible;
 
 use measurements::{
-    Channels, CompositeOfFiles, Files, Loaded, RequestError, RoughnessOfFiles, RoughnessSettings, ScanInput,
-    ScanProblem, ScanRequest, TipRadius, TopographyError, read_channels,
+    Channels, CompositeOfFiles, Loaded, RequestError, RoughnessOfFiles, RoughnessSettings, ScalesOfFiles,
+    ScanInput, ScanProblem, ScanRequest, TipRadius, TopographyError, read_channels,
 };
-use numpy::ndarray::ArrayD;
-use numpy::{PyArrayDyn, PyReadonlyArrayDyn, PyUntypedArrayMethods, ToPyArray};
+use numpy::{PyArray1, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::{PyDict, PyString};
@@ -21,29 +19,45 @@ use roughness::Evaluation;
 use scans::{MissingPoints, ScanFile, ScanOption, ScanSize};
 use study::surface::{Surface, SurfaceError};
 use topography::Recipe;
-use units::{Length, SignedLength};
+use units::SignedLength;
 
 use crate::answer::{Told, columns, in_text};
-use crate::arguments::{Arguments, Given, number, quantity, text};
+use crate::arguments::{Arguments, Given, choice, count, length_m, number, quantity, text};
 use crate::errors::{input, of_argument};
 use crate::picture::{Map, map};
 use crate::surface::PySurface;
 use crate::work::{carry_out, light};
 
 /// Files that were read already, under their names.
+type HeldFiles = BTreeMap<String, PyBackedBytes>;
+
+/// Options of a scan by their names, each with its argument and its value.
+type Options<'py> = BTreeMap<String, (String, Given<'py>)>;
+
+/// Heights of an array, and which of them do not count.
 #[derive(FromPyObject)]
-pub struct HeldFiles(BTreeMap<String, PyBackedBytes>);
+pub struct Heights<'py> {
+    argument: String,
+    name: String,
+    heights_m: PyReadonlyArrayDyn<'py, f64>,
+    gaps: Option<PyReadonlyArrayDyn<'py, bool>>,
+    /// The argument of the size, and the lengths along x and y.
+    size: (String, Vec<Given<'py>>),
+    is_periodic: bool,
+}
 
-impl Files for HeldFiles {
-    fn read(&self, name: &str) -> io::Result<Vec<u8>> {
-        let bytes = self.0.get(name).ok_or_else(|| io::Error::from(io::ErrorKind::NotFound))?;
-        Ok(bytes.to_vec())
-    }
-
-    fn read_beside(&self, name: &str, sibling: &str) -> io::Result<Option<Vec<u8>>> {
-        let folder = name.rfind(['/', '\\']).map_or("", |end| &name[..=end]);
-        Ok(self.0.get(&format!("{folder}{sibling}")).map(|bytes| bytes.to_vec()))
-    }
+/// Part of a composite.
+#[derive(FromPyObject)]
+pub enum Part<'py> {
+    Heights(Heights<'py>),
+    Scan {
+        #[pyo3(attribute("_native"))]
+        scan: Py<PyScan>,
+    },
+    File {
+        name: String,
+        files: HeldFiles,
+    },
 }
 
 /// A scan, with what is known of it besides its file.
@@ -51,137 +65,100 @@ impl Files for HeldFiles {
 pub struct PyScan {
     request: ScanRequest,
     scan: ScanFile,
-    #[pyo3(get)]
     sha256: String,
-    #[pyo3(get)]
-    name: String,
-    #[pyo3(get)]
-    format: String,
-    #[pyo3(get)]
-    channel: Option<String>,
-    #[pyo3(get)]
-    channels: Vec<String>,
-    #[pyo3(get)]
-    notes: Vec<String>,
-    #[pyo3(get)]
-    is_periodic: bool,
-    #[pyo3(get)]
-    tip_radius_m: Option<f64>,
-    /// Along x, and of a map along y.
-    #[pyo3(get)]
-    size_m: Vec<f64>,
-    #[pyo3(get)]
-    spacing_m: Vec<f64>,
-    #[pyo3(get)]
-    positions_m: Option<Vec<f64>>,
-}
-
-impl PyScan {
-    fn of(request: ScanRequest, scan: ScanFile, sha256: String) -> Self {
-        let along = |(x_m, y_m): (f64, Option<f64>)| std::iter::once(x_m).chain(y_m).collect();
-        PyScan {
-            name: scan.name.clone(),
-            format: scan.format.to_string(),
-            channel: scan.channel.clone(),
-            channels: scan.channels.clone(),
-            notes: scan.notes.clone(),
-            is_periodic: scan.is_periodic,
-            tip_radius_m: scan.tip_radius_m,
-            size_m: along(scan.scan.size_m()),
-            spacing_m: along(scan.scan.spacing_m()),
-            positions_m: scan.scan.positions_m().map(<[f64]>::to_vec),
-            request,
-            scan,
-            sha256,
-        }
-    }
 }
 
 #[pymethods]
 impl PyScan {
     /// The scan in a file among some that were read.
     #[staticmethod]
-    fn of_file(py: Python<'_>, name: &str, files: HeldFiles, options: &Bound<'_, PyDict>) -> PyResult<Self> {
+    fn of_file(py: Python<'_>, name: String, files: HeldFiles, options: Options<'_>) -> PyResult<Self> {
         let request = request(name, options)?;
-        let mut loaded = light(py, || Loaded::read(&request, &files)).map_err(|error| refused(&error, ""))?;
-        match (loaded.scans.pop(), &loaded.scans[..]) {
-            (Some(scan), []) => Ok(PyScan::of(request, scan, loaded.sha256)),
-            (last, others) => {
-                let names: Vec<&str> = others.iter().chain(&last).map(|scan| scan.name.as_str()).collect();
-                let count = names.len();
-                let names = names.join(", ");
-                Err(input(format!("{name}: it holds {count} scans ({names}); choose one with measurement")))
-            }
+        let Loaded { mut scans, sha256 } =
+            light(py, || Loaded::read(&request, &files)).map_err(|error| refused(&error, ""))?;
+        if scans.len() == 1 {
+            return Ok(PyScan { request, scan: scans.remove(0), sha256 });
         }
+        let (name, count) = (request.path, scans.len());
+        let names = scans.iter().map(|scan| scan.name.as_str()).collect::<Vec<_>>().join(", ");
+        Err(input(format!("{name}: it holds {count} scans ({names}); choose one with measurement")))
     }
 
-    /// Heights of an array; `gaps` tells which of them do not count.
+    /// Heights of an array.
     #[staticmethod]
-    fn of_heights(
-        py: Python<'_>,
-        argument: &str,
-        name: &str,
-        heights_m: PyReadonlyArrayDyn<'_, f64>,
-        gaps: Option<PyReadonlyArrayDyn<'_, bool>>,
-        size: (String, Vec<Given<'_>>),
-        is_periodic: bool,
-    ) -> PyResult<Self> {
-        let mut scan = scan_of_array(argument, name, &heights_m, gaps.as_ref(), size)?;
-        scan.is_periodic = is_periodic;
-        let request = ScanRequest { path: name.to_owned(), ..ScanRequest::default() };
-        let sha256 = light(py, || Loaded::from_heights(scan.clone())).sha256;
-        Ok(PyScan::of(request, scan, sha256))
+    fn of_heights(py: Python<'_>, heights: Heights<'_>) -> PyResult<Self> {
+        let request = ScanRequest { path: heights.name.clone(), ..ScanRequest::default() };
+        let Loaded { mut scans, sha256 } = heights.loaded(py)?;
+        Ok(PyScan { request, scan: scans.remove(0), sha256 })
     }
 
-    /// Roughness parameters by the standards: columns, and notes in words.
+    /// Facts that the file tells by their names; lengths are along x, and of a map along y.
+    #[getter]
+    fn facts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let (file, scan) = (&self.scan, &self.scan.scan);
+        let along =
+            |(x_m, y_m): (f64, Option<f64>)| -> Vec<f64> { std::iter::once(x_m).chain(y_m).collect() };
+        let facts = PyDict::new(py);
+        facts.set_item("sha256", &self.sha256)?;
+        facts.set_item("name", &file.name)?;
+        facts.set_item("format", file.format.to_string())?;
+        facts.set_item("channel", &file.channel)?;
+        facts.set_item("channels", &file.channels)?;
+        facts.set_item("notes", &file.notes)?;
+        facts.set_item("is_periodic", file.is_periodic)?;
+        facts.set_item("tip_radius_m", file.tip_radius_m)?;
+        facts.set_item("size_m", along(scan.size_m()))?;
+        facts.set_item("spacing_m", along(scan.spacing_m()))?;
+        facts.set_item("positions_m", scan.positions_m())?;
+        Ok(facts)
+    }
+
+    /// Roughness parameters by the standards, or rms gradient and curvature down to each wavelength: columns, and notes in words.
     fn roughness<'py>(
         &self,
         py: Python<'py>,
         arguments: Arguments<'py>,
     ) -> PyResult<(Bound<'py, PyDict>, Vec<Told>)> {
-        let settings = RoughnessSettings {
-            evaluation: Evaluation {
-                form: arguments.named("form")?.unwrap_or_default(),
-                longest_m: arguments.length_m("filter")?,
-                shortest_m: arguments.length_m("short_filter")?,
-            },
-            ratio_height_m: arguments
-                .quantity::<SignedLength>("ratio_height")?
-                .map_or(0.0, |height| height.m),
-            conventions: arguments.named("convention")?.unwrap_or_default(),
+        let evaluation = Evaluation {
+            form: arguments.get("form", choice)?.unwrap_or_default(),
+            longest_m: arguments.get("filter", length_m)?,
+            shortest_m: arguments.get("short_filter", length_m)?,
         };
-        let found = light(py, || RoughnessOfFiles::of_scan(&self.request, &self.scan, &settings));
-        let found = found.map_err(|error| refused(&error, ""))?;
-        let notes = found.notes().into_iter().map(|text| {
-            let files = vec![self.request.path.clone()];
-            in_text(text, "missing-points", NotePlace { files, ..NotePlace::default() })
+        let settings = RoughnessSettings {
+            evaluation,
+            ratio_height_m: arguments.get("ratio_height", quantity)?.map_or(0.0, |SignedLength { m }| m),
+            conventions: arguments.get("convention", choice)?.unwrap_or_default(),
+        };
+        let is_of_scales = arguments.flag("scales")?;
+        let found = light(py, || match is_of_scales {
+            true => ScalesOfFiles::of_scan(&self.request, &self.scan, &evaluation)
+                .map(|found| (found.table(), found.notes())),
+            false => RoughnessOfFiles::of_scan(&self.request, &self.scan, &settings)
+                .map(|found| (found.table(), found.notes())),
         });
-        Ok((columns(py, &found.table())?, notes.collect()))
+        let (table, notes) = found.map_err(|error| refused(&error, ""))?;
+        let place = NotePlace { files: vec![self.request.path.clone()], ..NotePlace::default() };
+        let notes = notes.into_iter().map(|text| in_text(text, "missing-points", place.clone()));
+        Ok((columns(py, &table)?, notes.collect()))
     }
 
     /// Heights, 0 in gaps, and which points are gaps, where there are any.
-    #[allow(clippy::type_complexity, reason = "two arrays of Python")]
-    fn heights<'py>(
-        &self,
-        py: Python<'py>,
-    ) -> PyResult<(Bound<'py, PyArrayDyn<f64>>, Option<Bound<'py, PyArrayDyn<bool>>>)> {
-        let measured = &self.scan.scan;
+    fn heights<'py>(&self, py: Python<'py>) -> PyResult<(Given<'py>, Option<Given<'py>>)> {
+        let (measured, gaps) = (&self.scan.scan, self.scan.scan.missing_points());
         let (points, rows) = measured.points();
         let shape: Vec<usize> = rows.into_iter().chain([points]).collect();
-        let heights_m = measured.heights_m().map(|height_m| height_m.unwrap_or(0.0)).collect();
-        let heights_m = ArrayD::from_shape_vec(shape.clone(), heights_m).map_err(input)?;
-        let gaps = measured.missing_points();
+        let heights_m: Vec<f64> = measured.heights_m().map(|height_m| height_m.unwrap_or(0.0)).collect();
         let mask = (!gaps.is_empty()).then(|| {
             let is_gap = (0..heights_m.len()).map(|index| gaps.contains(index)).collect();
-            ArrayD::from_shape_vec(shape, is_gap).map_err(input)
+            PyArray1::from_vec(py, is_gap).reshape(&shape[..])
         });
-        Ok((heights_m.to_pyarray(py), mask.transpose()?.map(|mask| mask.to_pyarray(py))))
+        let mask = mask.transpose()?.map(Bound::into_any);
+        Ok((PyArray1::from_vec(py, heights_m).reshape(&shape[..])?.into_any(), mask))
     }
 
     /// The row of the program's command `scan` for this scan.
     fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let table = light(py, || Channels::from_scan(&self.request, &self.scan).table());
-        columns(py, &table)
+        columns(py, &light(py, || Channels::from_scan(&self.request, &self.scan).table()))
     }
 
     /// The heights drawn, a line or a map; none where no point has one.
@@ -193,96 +170,39 @@ impl PyScan {
     }
 }
 
-/// A part of a composite, until it is made.
-#[pyclass(frozen, name = "AskedScan", module = "truearea._native")]
-pub struct PyAskedScan(Mutex<Option<ScanInput>>);
-
-#[pymethods]
-impl PyAskedScan {
-    /// A file, with what it does not say itself.
-    #[staticmethod]
-    fn of_file(name: &str, options: &Bound<'_, PyDict>) -> PyResult<Self> {
-        Ok(Self::of(ScanInput::File(request(name, options)?)))
-    }
-
-    /// A scan that was read; what is said of it here counts before what was said then.
-    #[staticmethod]
-    fn of_scan(scan: &PyScan, options: &Bound<'_, PyDict>) -> PyResult<Self> {
-        let request = with_options(scan.request.clone(), options)?;
-        let loaded = Loaded { scans: vec![scan.scan.clone()], sha256: scan.sha256.clone() };
-        Ok(Self::of(ScanInput::InMemory(request, loaded)))
-    }
-
-    /// Heights of an array; `gaps` tells which of them do not count.
-    #[staticmethod]
-    #[allow(clippy::too_many_arguments, reason = "the arguments of a call from Python, by name")]
-    fn of_heights(
-        py: Python<'_>,
-        argument: &str,
-        name: &str,
-        heights_m: PyReadonlyArrayDyn<'_, f64>,
-        gaps: Option<PyReadonlyArrayDyn<'_, bool>>,
-        size: (String, Vec<Given<'_>>),
-        is_periodic: bool,
-        options: &Bound<'_, PyDict>,
-    ) -> PyResult<Self> {
-        let request = request(name, options)?;
-        let mut scan = scan_of_array(argument, name, &heights_m, gaps.as_ref(), size)?;
-        scan.is_periodic = is_periodic;
-        Ok(Self::of(ScanInput::InMemory(request, light(py, || Loaded::from_heights(scan)))))
-    }
-}
-
-impl PyAskedScan {
-    fn of(asked: ScanInput) -> Self {
-        PyAskedScan(Mutex::new(Some(asked)))
-    }
-
-    fn taken(&self) -> PyResult<ScanInput> {
-        let taken = self.0.lock().unwrap_or_else(PoisonError::into_inner).take();
-        taken.ok_or_else(|| input("this scan is part of a composite already"))
-    }
-}
-
-/// The one copy that is made of an array: what it holds becomes the scan's.
-fn scan_of_array(
-    argument: &str,
-    name: &str,
-    heights_m: &PyReadonlyArrayDyn<'_, f64>,
-    gaps: Option<&PyReadonlyArrayDyn<'_, bool>>,
-    (of_size, size): (String, Vec<Given<'_>>),
-) -> PyResult<ScanFile> {
-    let shape = heights_m.shape();
-    let length = |(at, length): (usize, &Given<'_>)| {
-        quantity::<Length>(&format!("{of_size}[{at}]"), length).map(|length| length.m)
-    };
-    let lengths_m: Vec<f64> = size.iter().enumerate().map(length).collect::<PyResult<_>>()?;
-    let [x_m, ..] = lengths_m[..] else { return Err(of_argument(&of_size, "it is empty")) };
-    let size = ScanSize { x_m, y_m: lengths_m.get(1).copied() };
-    let found: MissingPoints = match gaps {
-        Some(gaps) => gaps.as_array().iter().enumerate().filter(|(_, gap)| **gap).map(|(at, _)| at).collect(),
-        None => MissingPoints::default(),
-    };
-    // In C order alone the memory is row after row.
-    let given = heights_m.as_array();
-    let mut heights: Vec<f64> =
-        given.to_slice().map_or_else(|| given.iter().copied().collect(), <[f64]>::to_vec);
-    found.indices().for_each(|index| heights[index] = 0.0);
-    if let Some(at) = heights.iter().position(|height_m| !height_m.is_finite()) {
-        let place = match shape {
-            [_, columns] => format!("{}, {}", at / columns, at % columns),
-            _ => at.to_string(),
+impl Heights<'_> {
+    /// Makes the one copy of an array: what it holds becomes the scan's.
+    fn loaded(self, py: Python<'_>) -> PyResult<Loaded> {
+        let Heights { argument, name, heights_m, gaps, size: (of_size, lengths), is_periodic } = self;
+        let length = |(at, length)| length_m(&format!("{of_size}[{at}]"), length);
+        let lengths_m: Vec<f64> = lengths.iter().enumerate().map(length).collect::<PyResult<_>>()?;
+        let [x_m, ..] = lengths_m[..] else { return Err(of_argument(&of_size, "it is empty")) };
+        let size = ScanSize { x_m, y_m: lengths_m.get(1).copied() };
+        let found: MissingPoints = gaps.map_or_else(MissingPoints::default, |gaps| {
+            gaps.as_array().iter().enumerate().filter(|(_, gap)| **gap).map(|(at, _)| at).collect()
+        });
+        // In C order alone the memory is row after row.
+        let (shape, given) = (heights_m.shape(), heights_m.as_array());
+        let mut heights_m = given.to_slice().map_or_else(|| given.iter().copied().collect(), <[f64]>::to_vec);
+        found.indices().for_each(|index| heights_m[index] = 0.0);
+        if let Some(at) = heights_m.iter().position(|height_m: &f64| !height_m.is_finite()) {
+            let place = match shape {
+                [_, columns] => format!("{}, {}", at / columns, at % columns),
+                _ => at.to_string(),
+            };
+            return Err(input(format!(
+                "{argument}[{place}] is {}; heights are finite: mask points without one, numpy.ma.masked_invalid({argument})",
+                heights_m[at]
+            )));
+        }
+        let scan = match shape {
+            [_, columns] => ScanFile::of_map(name, size, *columns, heights_m, found),
+            _ => ScanFile::of_line(name, size, heights_m, found),
         };
-        return Err(input(format!(
-            "{argument}[{place}] is {}; heights are finite: mask points without one, numpy.ma.masked_invalid({argument})",
-            heights[at]
-        )));
+        let mut scan = scan.map_err(|error| of_argument(&argument, error))?;
+        scan.is_periodic = is_periodic;
+        Ok(light(py, || Loaded::from_heights(scan)))
     }
-    let scan = match shape {
-        [_, columns] => ScanFile::of_map(name.to_owned(), size, *columns, heights, found),
-        _ => ScanFile::of_line(name.to_owned(), size, heights, found),
-    };
-    scan.map_err(|error| of_argument(argument, error))
 }
 
 /// The composite spectrum of scans, under a name.
@@ -290,15 +210,30 @@ fn scan_of_array(
 pub fn composite(
     py: Python<'_>,
     name: String,
-    asked: Vec<Py<PyAskedScan>>,
-    files: HeldFiles,
+    parts: Vec<(Part<'_>, Options<'_>)>,
     recipe: Arguments<'_>,
     argument: &str,
 ) -> PyResult<PySurface> {
-    let recipe = recipe_of(&recipe)?;
-    let asked = asked.iter().map(|asked| asked.get().taken()).collect::<PyResult<Vec<_>>>()?;
-    let made = carry_out(py, None, |progress| {
-        Surface::of_composite(CompositeOfFiles::from_scans(asked, &files, &recipe, progress)?, name)
+    let (recipe, mut all_files) = (recipe_of(&recipe)?, HeldFiles::new());
+    let scan = |(part, options)| match part {
+        Part::File { name, files } => {
+            all_files.extend(files);
+            request(name, options).map(ScanInput::File)
+        }
+        // What is said of a scan here counts before what was said then.
+        Part::Scan { scan } => {
+            let PyScan { request, scan, sha256 } = scan.get();
+            let loaded = Loaded { scans: vec![scan.clone()], sha256: sha256.clone() };
+            Ok(ScanInput::InMemory(with_options(request.clone(), options)?, loaded))
+        }
+        Part::Heights(heights) => {
+            let request = request(heights.name.clone(), options)?;
+            Ok(ScanInput::InMemory(request, heights.loaded(py)?))
+        }
+    };
+    let scans = parts.into_iter().map(scan).collect::<PyResult<Vec<_>>>()?;
+    let made = carry_out(py, None, |watch| {
+        Surface::of_composite(CompositeOfFiles::from_scans(scans, &all_files, &recipe, watch)?, name)
     })?;
     let surface = made.map_err(|error| match &error {
         SurfaceError::Scans(error) => refused(error, argument),
@@ -318,39 +253,34 @@ pub fn scans_of<'py>(py: Python<'py>, surface: &PySurface) -> PyResult<Option<Bo
 #[pyfunction]
 pub fn channels_of<'py>(
     py: Python<'py>,
-    name: &str,
+    name: String,
     files: HeldFiles,
-    options: &Bound<'_, PyDict>,
+    options: Options<'_>,
     all_channels: bool,
 ) -> PyResult<Bound<'py, PyDict>> {
     let request = request(name, options)?;
-    let Ok(found) = light(py, || {
-        read_channels::<std::convert::Infallible>(&[request], &files, all_channels, |_, _| Ok(()))
-    });
+    let Ok(found) =
+        light(py, || read_channels::<Infallible>(&[request], &files, all_channels, |_, _| Ok(())));
     match found.unreadable.first() {
         Some(error) => Err(refused(error, "")),
         None => columns(py, &found.table()),
     }
 }
 
-/// Builds the request for a scan from options by their names, each under the name of its argument.
-fn request(name: &str, options: &Bound<'_, PyDict>) -> PyResult<ScanRequest> {
-    with_options(ScanRequest { path: name.to_owned(), ..ScanRequest::default() }, options)
+/// Builds the request for a scan from its options.
+fn request(path: String, options: Options<'_>) -> PyResult<ScanRequest> {
+    with_options(ScanRequest { path, ..ScanRequest::default() }, options)
 }
 
-fn with_options(mut request: ScanRequest, options: &Bound<'_, PyDict>) -> PyResult<ScanRequest> {
-    for (key, given) in options {
-        let (argument, value): (String, Given<'_>) = given.extract()?;
-        let key: String = key.extract()?;
+fn with_options(mut request: ScanRequest, options: Options<'_>) -> PyResult<ScanRequest> {
+    for (key, (argument, value)) in options {
         if key == "measurement" {
             request.measurement = Some(text(&argument, &value)?);
             continue;
         }
         let typed = match (value.cast::<PyString>(), key.as_str()) {
             (Ok(text), _) => text.to_string(),
-            (Err(_), "size" | "shortest" | "tip_radius") => {
-                format!("{} m", quantity::<Length>(&argument, &value)?.m)
-            }
+            (Err(_), "size" | "shortest" | "tip_radius") => format!("{} m", length_m(&argument, &value)?),
             (Err(_), "z_calibration" | "slope_uncertainty") => number(&argument, &value)?.to_string(),
             (Err(_), _) => text(&argument, &value)?,
         };
@@ -364,23 +294,20 @@ fn with_options(mut request: ScanRequest, options: &Bound<'_, PyDict>) -> PyResu
 
 /// Builds the recipe for the spectra of all scans.
 fn recipe_of(arguments: &Arguments<'_>) -> PyResult<Recipe> {
-    let (usual, tip_radius) = (Recipe::default(), arguments.convert("tip_radius", tip_radius)?);
+    let tip_radius = arguments.get("tip_radius", |name, value| match value.cast::<PyString>() {
+        Ok(text) => text.to_str()?.parse().map_err(|error| of_argument(name, error)),
+        Err(_) => length_m(name, value).map(TipRadius::Known),
+    })?;
+    let usual = Recipe::default();
     Ok(Recipe {
-        detrend: arguments.named("detrend")?,
-        window: arguments.named("window")?,
-        average: arguments.named("average")?.unwrap_or(usual.average),
-        bins_per_decade: arguments.count("bins_per_decade")?.unwrap_or(usual.bins_per_decade),
+        detrend: arguments.get("detrend", choice)?,
+        window: arguments.get("window", choice)?,
+        average: arguments.get("average", choice)?.unwrap_or(usual.average),
+        bins_per_decade: arguments.get("bins_per_decade", count)?.unwrap_or(usual.bins_per_decade),
         tip_radius_m: tip_radius.and_then(TipRadius::known_m),
         tip_radius_auto: tip_radius == Some(TipRadius::Auto),
         ..usual
     })
-}
-
-fn tip_radius(argument: &str, value: &Given<'_>) -> PyResult<TipRadius> {
-    match value.cast::<PyString>() {
-        Ok(text) => text.to_str()?.parse().map_err(|error| of_argument(argument, error)),
-        Err(_) => quantity::<Length>(argument, value).map(|length| TipRadius::Known(length.m)),
-    }
 }
 
 /// Converts an error of scans, with the argument that mends it; `argument` is the list that holds the scans.

@@ -1,19 +1,18 @@
 //! Scenes: what is typed in one, what it reads, and everything that is made of it.
 
 use std::collections::BTreeMap;
+use std::convert::Infallible;
+use std::fmt::Display;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Mutex, PoisonError};
 
 use drawings::model_style::ModelStyle;
 use findings::answer::Answer;
-use parallel::Progress;
 use pyo3::exceptions::{PyFileNotFoundError, PyOSError};
 use pyo3::prelude::*;
-use pyo3::types::{PyCFunction, PyDict, PyList, PyString, PyTuple};
-use questions::{
-    OptionName, Phase, ReportSurface, RunError, RunOptions, SamplingInput, Watch, note_code, run_scene,
-};
+use pyo3::types::{IntoPyDict, PyDict};
+use questions::{OptionName, ReportSurface, RunError, RunOptions, SamplingInput, note_code, run_scene};
 use report::curve_names::short_name;
 use report::explain::explain;
 use report::products::{Product, SceneProducts};
@@ -21,22 +20,21 @@ use report::run_stamp::RunStamp;
 use report::scene_note_words;
 use report::summary::summary;
 use scene::file_names::{JUDGE_TABLES, REPORT_TABLES, UNCERTAINTY_TABLES};
-use scene::{Overrides, Scene, SceneError, SceneProblem, Template, with_keys};
-use spectrum::ReadOptions;
+use scene::{Overrides, ReplaceError, Scene, SceneError, SceneProblem, Template, with_keys};
 use staging::StagedFiles;
 use staging::reading::bytes_of;
 use study::Files;
 use study::figure::CurveLook;
-use study::surface::{Surface, SurfaceError};
-use tables::{Format, Table};
+use study::plan::PlanError;
+use tables::Format;
 use toml::Value;
 
-use crate::answer::{Told, columns, in_text, refused as questions_refused};
-use crate::arguments::{Arguments, Given, named, type_name};
+use crate::answer::{columns, in_text, refused as questions_refused};
+use crate::arguments::{Arguments, Given, choice, named, quantity, wrong_type};
 use crate::errors::{input, of_argument};
 use crate::material::counterface;
 use crate::surface::{PySurface, notes};
-use crate::work::{carry_out, light};
+use crate::work::{Observer, carry_out, held, light};
 
 /// A scene as the core has it, and the files that it read.
 #[pyclass(frozen, name = "Scene", module = "truearea._native")]
@@ -49,6 +47,9 @@ pub struct PyScene {
 /// Bytes of files by their names in a scene.
 type Read = BTreeMap<String, Vec<u8>>;
 
+/// Columns of tables by their names, with the lines that tell where they come from.
+type Tables<'py> = Bound<'py, PyDict>;
+
 /// Files below a folder, each read once and kept, so that the scene can be made again where the folder is not.
 struct Remembering {
     folder: Option<PathBuf>,
@@ -56,35 +57,25 @@ struct Remembering {
 }
 
 impl Remembering {
-    fn kept(
-        &self,
-        name: &str,
-        read: impl FnOnce(&Path) -> io::Result<Option<Vec<u8>>>,
-    ) -> io::Result<Option<Vec<u8>>> {
-        if let Some(bytes) = held(&self.read).get(name) {
-            return Ok(Some(bytes.clone()));
+    /// Reads a file unless it is kept; none if there is no folder, or the path is not wanted.
+    fn kept(&self, name: &str, is_wanted: fn(&Path) -> bool) -> io::Result<Option<Vec<u8>>> {
+        let mut read = held(&self.read);
+        let path = self.folder.as_ref().filter(|_| !read.contains_key(name)).map(|folder| folder.join(name));
+        if let Some(path) = path.filter(|path| is_wanted(path)) {
+            read.insert(name.to_owned(), bytes_of(&path)?);
         }
-        let Some(folder) = &self.folder else { return Ok(None) };
-        let bytes = read(&folder.join(name))?;
-        if let Some(bytes) = &bytes {
-            held(&self.read).insert(name.to_owned(), bytes.clone());
-        }
-        Ok(bytes)
+        Ok(read.get(name).cloned())
     }
 }
 
 impl Files for Remembering {
     fn read(&self, name: &str) -> io::Result<Vec<u8>> {
-        let bytes = self.kept(name, |path| bytes_of(path).map(Some))?;
-        bytes.ok_or_else(|| io::Error::from(io::ErrorKind::NotFound))
+        self.kept(name, |_| true)?.ok_or_else(|| io::Error::from(io::ErrorKind::NotFound))
     }
 
     fn read_beside(&self, name: &str, sibling: &str) -> io::Result<Option<Vec<u8>>> {
         let folder = name.rfind('/').map_or("", |end| &name[..=end]);
-        self.kept(&format!("{folder}{sibling}"), |path| match path.is_file() {
-            true => bytes_of(path).map(Some),
-            false => Ok(None),
-        })
+        self.kept(&format!("{folder}{sibling}"), Path::is_file)
     }
 }
 
@@ -111,16 +102,24 @@ impl PyScene {
         Ok(PyScene { scene, name, files: files.read.into_inner().unwrap_or_else(PoisonError::into_inner) })
     }
 
-    /// Title of the scene.
+    /// Facts by their names: title, number of loads, notes on the surface and on keys without effect, and short name, colour and
+    /// SVG dash of every curve.
     #[getter]
-    fn title(&self) -> &str {
-        &self.scene.title
-    }
-
-    /// Notes on the surface, and the keys that have no effect.
-    #[getter]
-    fn notes(&self) -> Vec<Told> {
-        said(&self.scene)
+    fn facts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let Scene { title, needs, surface, notes: of_scene, .. } = &self.scene;
+        let of_scene = of_scene.iter();
+        let of_scene =
+            of_scene.map(|note| in_text(scene_note_words::line(note), &note_code(note), note.into()));
+        let styled = needs.curves.iter().zip(CurveLook::of_curves(&needs.curves)).map(|(curve, look)| {
+            let ModelStyle { colour, dash, .. } = ModelStyle::new(look);
+            (&curve.name, (short_name(curve), colour, dash))
+        });
+        let facts = PyDict::new(py);
+        facts.set_item("title", title)?;
+        facts.set_item("loads", needs.loads.len())?;
+        facts.set_item("notes", notes(surface).into_iter().chain(of_scene).collect::<Vec<_>>())?;
+        facts.set_item("styles", styled.into_py_dict(py)?)?;
+        Ok(facts)
     }
 
     /// The files that it read.
@@ -129,71 +128,61 @@ impl PyScene {
         self.files.clone()
     }
 
-    /// Number of loads.
-    #[getter]
-    fn loads(&self) -> usize {
-        self.scene.needs.loads.len()
-    }
-
-    /// Short name, colour and SVG dash of every curve in figures, by its name.
-    fn styles(&self) -> BTreeMap<String, (String, &'static str, String)> {
-        let curves = &self.scene.needs.curves;
-        let looks = CurveLook::of_curves(curves);
-        let styled = curves.iter().zip(looks).map(|(curve, look)| {
-            let ModelStyle { colour, dash, .. } = ModelStyle::new(look);
-            (curve.name.clone(), (short_name(curve), colour, dash))
-        });
-        styled.collect()
-    }
-
     /// Explains which steps the scene needs, shares and skips.
     fn explain(&self, py: Python<'_>) -> String {
         light(py, || explain(&self.scene))
     }
 
     /// Runs the scene and returns all its results: the answer in words, tables with the lines that tell where they come
-    /// from, and the bytes of files by name. `observer` is called with the name of the steps at hand, the number done,
-    /// and their total where it is known.
+    /// from, and the bytes of files by name. The stamp is the date and what was typed.
     fn run<'py>(
         &self,
         py: Python<'py>,
         report: bool,
         judge: Option<bool>,
         uncertainty: Option<bool>,
-        occasion: (Option<String>, Option<String>),
-        observer: Option<Py<PyAny>>,
-    ) -> PyResult<(String, Bound<'py, PyDict>, Bound<'py, PyDict>)> {
-        let asked = RunOptions { report, judge, uncertainty };
-        let (date, typed) = occasion;
-        let occasion = RunStamp { date, command: typed };
-        let state = AtHand::default();
-        let observer = observer.map(|observer| told_of(py, observer, state.clone())).transpose()?;
-        let made = carry_out(py, observer.as_ref().map(|observer| observer.as_any()), |watch| {
-            let watching = Watching { watch, state };
-            Made::of(&self.scene, asked, occasion, &watching)
+        stamp: (Option<String>, Option<String>),
+        observer: Option<&Observer<'py>>,
+    ) -> PyResult<(String, Tables<'py>, Bound<'py, PyDict>)> {
+        let run_stamp = &RunStamp { date: stamp.0, command: stamp.1 };
+        let made = carry_out(py, observer, |watch| {
+            let outcome = run_scene(&self.scene, RunOptions { report, judge, uncertainty }, watch)?;
+            let (evidence, conclusions) = (outcome.evidence(&self.scene), &outcome.conclusions);
+            let sensitivities = outcome.sensitivities.as_deref();
+            let products = SceneProducts { evidence, conclusions, sensitivities, run_stamp };
+            let (mut tables, mut files) = (Vec::new(), Vec::new());
+            let Ok(()) = products.each(|name, product| {
+                let mut bytes = Vec::new();
+                product.write(Format::Csv, &mut bytes).expect("memory takes everything");
+                files.push((product.file_name(name, Format::Csv), bytes));
+                if let Product::Table { table, origin } = product {
+                    tables.push((name.to_owned(), table.clone(), origin.to_vec()));
+                }
+                Ok::<(), Infallible>(())
+            });
+            Ok((summary(&evidence, conclusions), tables, files))
         })?;
-        let made = made.map_err(|error| input(format!("{}: {error}", self.name)))?;
-        let tables = PyDict::new(py);
-        for (name, table, origin) in &made.tables {
-            tables.set_item(name, (columns(py, table)?, origin))?;
-        }
-        let files = PyDict::new(py);
-        for (name, bytes) in made.files {
-            files.set_item(name, bytes)?;
-        }
-        Ok((made.answer, tables, files))
+        let (answer, tables, files) = made.map_err(|error: RunError| self.failed(error))?;
+        let told = |(name, table, origin)| Ok((name, (columns(py, &table)?, origin)));
+        let tables: Vec<(String, _)> = tables.into_iter().map(told).collect::<PyResult<_>>()?;
+        Ok((answer, tables.into_py_dict(py)?, files.into_py_dict(py)?))
     }
 
     /// The final areas of every curve under every load, and nothing else: `curve`, `nominal_pressure_pa`, `area_fraction`, and
     /// what else the table `report-scales` has.
     fn scales<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let table = carry_out(py, None, |progress| {
-            let results = self.scene.plan().compute_observed(progress)?;
+        let table = carry_out(py, None, |watch| {
+            let results = self.scene.plan().compute_observed(watch)?;
             Ok(Answer::from_results(&self.scene, &results).scales_table(&self.scene.needs))
         })?;
-        let table =
-            table.map_err(|error: study::plan::PlanError| input(format!("{}: {error}", self.name)))?;
-        columns(py, &table)
+        columns(py, &table.map_err(|error: PlanError| self.failed(error))?)
+    }
+}
+
+impl PyScene {
+    /// Converts an error of the scene's run.
+    fn failed(&self, error: impl Display) -> PyErr {
+        input(format!("{}: {error}", self.name))
     }
 }
 
@@ -206,15 +195,14 @@ pub fn scene_template(name: &str) -> PyResult<&'static str> {
 /// The text of a scene with keys set anew.
 #[pyfunction]
 pub fn scene_with_keys(text: &str, name: &str, changes: &Bound<'_, PyDict>) -> PyResult<String> {
-    let mut typed = Vec::new();
-    for (key, value) in changes {
+    let typed = changes.iter().map(|(key, value)| {
         let key: String = key.extract()?;
-        let value = value_of(&key, &value)?;
-        typed.push((key, value));
-    }
+        value_of(&key, &value).map(|value| (key, value))
+    });
+    let typed: Vec<(String, Value)> = typed.collect::<PyResult<_>>()?;
     let changes = typed.iter().map(|(key, value)| (key.as_str(), value.clone()));
     with_keys(text, changes).map_err(|error| match error {
-        scene::ReplaceError::Scene(error) => refused(&error, text, name),
+        ReplaceError::Scene(error) => refused(&error, text, name),
         error => input(error),
     })
 }
@@ -223,33 +211,24 @@ pub fn scene_with_keys(text: &str, name: &str, changes: &Bound<'_, PyDict>) -> P
 /// perhaps with what its file leaves open, as on the command line.
 #[pyfunction]
 pub fn scene_text(sections: &Bound<'_, PyDict>, files: Option<Vec<String>>) -> PyResult<String> {
-    let mut parts = Vec::new();
-    for (key, value) in sections {
+    let part = |(key, value): (Given<'_>, Given<'_>)| {
         let key: String = key.extract()?;
-        parts.push(match &files {
-            Some(files) if key == "surface" => report_surface(files)?.section(),
-            _ => {
+        match files.as_ref().filter(|_| key == "surface") {
+            Some(files) => {
+                let here = Remembering { folder: Some(PathBuf::new()), read: Mutex::default() };
+                let request = |text: &String| text.parse().map_err(|error| of_argument(&key, error));
+                let requests = files.iter().map(request).collect::<PyResult<_>>()?;
+                let surface = ReportSurface::of_files(requests, &here);
+                surface.map(|surface| surface.section()).map_err(|error| of_argument(&key, error))
+            }
+            None => {
                 let value = value_of(&key, &value)?;
                 // One section at a time, since a table of TOML sorts its keys.
-                toml::to_string(&toml::Table::from_iter([(key, value)])).map_err(input)?
+                toml::to_string(&toml::Table::from_iter([(key, value)])).map_err(input)
             }
-        });
-    }
-    Ok(parts.join("\n"))
-}
-
-/// One file as a spectrum if it holds one, else all as scans.
-fn report_surface(files: &[String]) -> PyResult<ReportSurface> {
-    if let [name] = files {
-        let here = Remembering { folder: Some(PathBuf::new()), read: Mutex::default() };
-        match Surface::load(name, &here, &ReadOptions::default()) {
-            Ok(_) => return Ok(ReportSurface::Psd(name.clone())),
-            Err(error @ SurfaceError::NoSuchBuiltin { .. }) => return Err(of_argument("surface", error)),
-            Err(_) => {}
         }
-    }
-    let request = |text: &String| text.parse().map_err(|error| of_argument("surface", error));
-    files.iter().map(request).collect::<PyResult<_>>().map(ReportSurface::Scans)
+    };
+    sections.iter().map(part).collect::<PyResult<Vec<_>>>().map(|parts| parts.join("\n"))
 }
 
 /// The tables that a run makes of a scene where it makes a report, where it is judged, and where draws are made.
@@ -262,7 +241,7 @@ pub fn tables_of_runs() -> [Vec<&'static str>; 3] {
 #[pyfunction]
 pub fn write_files(py: Python<'_>, folder: PathBuf, files: Read) -> PyResult<()> {
     py.detach(|| {
-        let failed = |path: &Path, error: &dyn std::fmt::Display| {
+        let failed = |path: &Path, error: &dyn Display| {
             PyOSError::new_err(format!("writing {}: {error}", path.display()))
         };
         std::fs::create_dir_all(&folder).map_err(|error| failed(&folder, &error))?;
@@ -276,92 +255,6 @@ pub fn write_files(py: Python<'_>, folder: PathBuf, files: Read) -> PyResult<()>
     })
 }
 
-/// Results of a scene.
-struct Made {
-    answer: String,
-    tables: Vec<(String, Table, Vec<String>)>,
-    files: Vec<(String, Vec<u8>)>,
-}
-
-impl Made {
-    fn of(
-        scene: &Scene,
-        asked: RunOptions,
-        occasion: RunStamp,
-        watch: &Watching<'_>,
-    ) -> Result<Self, RunError> {
-        let outcome = run_scene(scene, asked, watch)?;
-        let (evidence, conclusions) = (outcome.evidence(scene), &outcome.conclusions);
-        let sensitivities = outcome.sensitivities.as_deref();
-        let products = SceneProducts { evidence, conclusions, sensitivities, run_stamp: &occasion };
-        let (mut tables, mut files) = (Vec::new(), Vec::new());
-        let Ok(()) = products.each(|name, product| {
-            let mut bytes = Vec::new();
-            product.write(Format::Csv, &mut bytes).expect("memory takes everything");
-            files.push((product.file_name(name, Format::Csv), bytes));
-            if let Product::Table { table, origin } = product {
-                tables.push((name.to_owned(), table.clone(), origin.to_vec()));
-            }
-            Ok::<(), std::convert::Infallible>(())
-        });
-        let answer = summary(&evidence, conclusions);
-        Ok(Made { answer, tables, files })
-    }
-}
-
-/// The steps of the phase at hand: their name, how many are done, and of how many, 0 if that is unknown.
-type AtHand = Arc<Mutex<Option<(&'static str, usize, usize)>>>;
-
-/// Tells what is being done, and ends the work when it is to end.
-struct Watching<'w> {
-    watch: &'w dyn Progress,
-    state: AtHand,
-}
-
-impl Watch for Watching<'_> {
-    fn begin(&self, phase: Phase, steps: usize) -> Box<dyn Progress + '_> {
-        *held(&self.state) = Some((phase.steps(), 0, steps));
-        Box::new(Steps(self))
-    }
-}
-
-/// The steps of a phase.
-struct Steps<'w>(&'w Watching<'w>);
-
-impl Progress for Steps<'_> {
-    fn advance(&self, steps: usize) {
-        if let Some((_, done, _)) = &mut *held(&self.0.state) {
-            *done += steps;
-        }
-    }
-
-    fn is_cancelled(&self) -> bool {
-        self.0.watch.is_cancelled()
-    }
-}
-
-/// A callable that tells an observer what is being done.
-fn told_of<'py>(py: Python<'py>, observer: Py<PyAny>, state: AtHand) -> PyResult<Bound<'py, PyCFunction>> {
-    let tell = move |arguments: &Bound<'_, PyTuple>, _: Option<&Bound<'_, PyDict>>| -> PyResult<()> {
-        let Some((steps, done, of)) = *held(&state) else { return Ok(()) };
-        observer.call1(arguments.py(), (steps, done, (of > 0).then_some(of))).map(drop)
-    };
-    PyCFunction::new_closure(py, None, None, tell)
-}
-
-fn held<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-/// Returns the notes on a scene before anything of it is computed.
-fn said(scene: &Scene) -> Vec<Told> {
-    let mut said = notes(&scene.surface);
-    said.extend(
-        scene.notes.iter().map(|note| in_text(scene_note_words::line(note), &note_code(note), note.into())),
-    );
-    said
-}
-
 /// Converts an error of a scene, drawn in its text; a missing file becomes `FileNotFoundError`.
 fn refused(error: &SceneError, text: &str, name: &str) -> PyErr {
     let drawn = report::scene_errors::drawn(error, text, name);
@@ -372,15 +265,15 @@ fn refused(error: &SceneError, text: &str, name: &str) -> PyErr {
 }
 
 fn read_overrides(arguments: &Arguments<'_>) -> PyResult<Overrides> {
-    let counterface =
-        counterface(arguments)?.map(|body| body.body(OptionName::CounterfacePoissonRatio)).transpose();
+    let counterface = counterface(arguments)?.and_then(|other| other.get().input.body());
+    let counterface = counterface.map(|body| body.body(OptionName::CounterfacePoissonRatio)).transpose();
     Ok(Overrides {
-        normalisation: arguments.named("normalisation")?,
-        amplitude: arguments.named("amplitude")?,
+        normalisation: arguments.get("normalisation", choice)?,
+        amplitude: arguments.get("amplitude", choice)?,
         scales_per_decade: arguments.sampling()?.scales_per_decade,
         hardness: arguments.hardness_form()?,
-        strength_cap: arguments.quantity("strength_cap")?,
-        cutoff: arguments.quantity("cutoff")?,
+        strength_cap: arguments.get("strength_cap", quantity)?,
+        cutoff: arguments.get("cutoff", quantity)?,
         counterface: counterface.map_err(questions_refused)?,
         ..Overrides::default()
     })
@@ -399,33 +292,31 @@ fn refuse_idle(overrides: &Overrides, scene: &Scene, name: &str) -> PyResult<()>
     }
 }
 
+/// A value that can be typed in a scene.
+#[derive(FromPyObject)]
+enum Typed<'py> {
+    Text(String),
+    Truth(bool),
+    Whole(i64),
+    Number(f64),
+    List(Vec<Given<'py>>),
+    Table(BTreeMap<String, Given<'py>>),
+}
+
 /// A value as it is typed in a scene.
 fn value_of(key: &str, given: &Given<'_>) -> PyResult<Value> {
-    if let Ok(text) = given.cast::<PyString>() {
-        return Ok(Value::String(text.to_str()?.to_owned()));
-    }
-    if let Ok(truth) = given.extract::<bool>() {
-        return Ok(Value::Boolean(truth));
-    }
-    if let Ok(number) = given.extract::<i64>() {
-        return Ok(Value::Integer(number));
-    }
-    if let Ok(number) = given.extract::<f64>() {
-        return Ok(Value::Float(number));
-    }
-    if let Ok(list) = given.cast::<PyList>() {
-        return list.iter().map(|value| value_of(key, &value)).collect::<PyResult<_>>().map(Value::Array);
-    }
-    if let Ok(table) = given.cast::<PyDict>() {
-        let keys =
-            table.iter().map(|(inner, value)| Ok((inner.extract::<String>()?, value_of(key, &value)?)));
-        return keys.collect::<PyResult<_>>().map(Value::Table);
-    }
-    Err(of_argument(
-        key,
-        format!(
-            "text, a number, true or false, or a list or dictionary of them is needed, and this is {}",
-            type_name(given)
-        ),
-    ))
+    const NEEDED: &str = "text, a number, true or false, or a list or dictionary of them is needed";
+    Ok(match given.extract().map_err(|_| wrong_type(key, NEEDED, given))? {
+        Typed::Text(text) => Value::String(text),
+        Typed::Truth(truth) => Value::Boolean(truth),
+        Typed::Whole(number) => Value::Integer(number),
+        Typed::Number(number) => Value::Float(number),
+        Typed::List(values) => {
+            Value::Array(values.iter().map(|value| value_of(key, value)).collect::<PyResult<_>>()?)
+        }
+        Typed::Table(table) => {
+            let keys = table.into_iter().map(|(inner, value)| Ok((inner, value_of(key, &value)?)));
+            Value::Table(keys.collect::<PyResult<_>>()?)
+        }
+    })
 }

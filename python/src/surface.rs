@@ -1,30 +1,29 @@
 //! Spectra, from numbers or files.
 
+use std::collections::BTreeMap;
+
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
-use pyo3::types::PyBytes;
+use pyo3::pybacked::PyBackedBytes;
+use pyo3::types::PyDict;
 use questions::{Note, SpectrumQuantity, SpectrumQuestion};
 use report::{plot, spectrum_words};
 use spectrum::{Convention, Psd, ReadOption, ReadOptions};
 use study::figure::{Figure, Shows};
-use study::measurements::NoFiles;
-use study::plan::{Needs, Plan, Sampling};
+use study::plan::{Needs, Plan, PlanError, Sampling};
 use study::surface::{Surface, SurfaceError};
 use tables::Format;
 
-use crate::answer::{PyAnswer, Told, refused, words};
-use crate::arguments::{Arguments, named};
+use crate::answer::{PyAnswer, Told, words};
+use crate::arguments::{Arguments, choice, length_m, named, text};
 use crate::errors::input;
-use crate::work::{carry_out, light};
+use crate::work::light;
 
 /// A spectrum as the core has it.
 #[pyclass(frozen, name = "Surface", module = "truearea._native")]
 pub struct PySurface {
     pub surface: Surface,
 }
-
-/// The bytes of one file, under its name.
-type OneFile = std::collections::BTreeMap<String, Vec<u8>>;
 
 #[pymethods]
 impl PySurface {
@@ -54,22 +53,20 @@ impl PySurface {
     fn of_file(
         py: Python<'_>,
         name: String,
-        bytes: Option<Vec<u8>>,
+        bytes: Option<PyBackedBytes>,
         arguments: Arguments<'_>,
     ) -> PyResult<Self> {
         let options = ReadOptions {
-            column: arguments.text("column")?,
-            convention: arguments.named("convention")?,
-            x: arguments.named("x")?,
-            series: arguments.text("series")?,
-            subject: arguments.text("subject")?,
-            x_unit: arguments.text("x_unit")?,
-            psd_unit: arguments.text("psd_unit")?,
+            column: arguments.get("column", text)?,
+            convention: arguments.get("convention", choice)?,
+            x: arguments.get("x", choice)?,
+            series: arguments.get("series", text)?,
+            subject: arguments.get("subject", text)?,
+            x_unit: arguments.get("x_unit", text)?,
+            psd_unit: arguments.get("psd_unit", text)?,
         };
-        let surface = light(py, || match bytes {
-            Some(bytes) => Surface::load(&name, &OneFile::from([(name.clone(), bytes)]), &options),
-            None => Surface::load(&name, &NoFiles, &options),
-        });
+        let files: BTreeMap<_, _> = bytes.map(|bytes| (name.clone(), bytes)).into_iter().collect();
+        let surface = light(py, || Surface::load(&name, &files, &options));
         Ok(PySurface { surface: surface.map_err(|error| unreadable(&error))? })
     }
 
@@ -78,93 +75,69 @@ impl PySurface {
         PySurface { surface: self.surface.clone().against(other.surface.clone()) }
     }
 
+    /// Facts by their names: samples with their standard errors, NaN where one is not known, wavelengths at the long and the short
+    /// end of each hole, notes, and remarks: the comments of its file, and what it is made of.
     #[getter]
-    fn name(&self) -> &str {
-        &self.surface.name
-    }
-
-    #[getter]
-    fn wavelengths_m<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        PyArray1::from_slice(py, self.surface.psd.wavelengths_m())
-    }
-
-    #[getter]
-    fn c1d_m3<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        PyArray1::from_slice(py, self.surface.psd.c1d_m3())
-    }
-
-    /// Standard errors, NaN where one is not known.
-    #[getter]
-    fn standard_errors_m3<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArray1<f64>>> {
-        let errors_m3 = self.surface.psd.standard_errors_m3()?;
-        Some(PyArray1::from_iter(py, errors_m3.iter().map(|error_m3| error_m3.unwrap_or(f64::NAN))))
-    }
-
-    /// Wavelengths \[m\] at the long and the short end of each hole of the spectrum.
-    #[getter]
-    fn holes_m(&self) -> Vec<(f64, f64)> {
-        self.surface.holes().iter().map(|hole| (hole.longest_m, hole.shortest_m)).collect()
-    }
-
-    /// Assumptions made in reading, and doubts.
-    #[getter]
-    fn notes(&self) -> Vec<Told> {
-        notes(&self.surface)
-    }
-
-    /// The comments of its file, and what it is made of.
-    #[getter]
-    fn remarks(&self) -> Vec<String> {
-        self.surface.remarks.clone()
+    fn facts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let Surface { name, psd, remarks, .. } = &self.surface;
+        let errors_m3 = psd.standard_errors_m3().map(|errors_m3| {
+            PyArray1::from_iter(py, errors_m3.iter().map(|error_m3| error_m3.unwrap_or(f64::NAN)))
+        });
+        let holes = self.surface.holes().iter();
+        let facts = PyDict::new(py);
+        facts.set_item("name", name)?;
+        facts.set_item("wavelengths_m", PyArray1::from_slice(py, psd.wavelengths_m()))?;
+        facts.set_item("c1d_m3", PyArray1::from_slice(py, psd.c1d_m3()))?;
+        facts.set_item("standard_errors_m3", errors_m3)?;
+        facts.set_item("holes_m", holes.map(|hole| (hole.longest_m, hole.shortest_m)).collect::<Vec<_>>())?;
+        facts.set_item("notes", notes(&self.surface))?;
+        facts.set_item("remarks", remarks)?;
+        Ok(facts)
     }
 
     /// Moments, amplitudes or a fit.
     fn quantity(&self, py: Python<'_>, quantity: &str, arguments: Arguments<'_>) -> PyResult<PyAnswer> {
         let quantity = match quantity {
             "moments" => SpectrumQuantity::Moments {
-                normalisation: arguments.named("normalisation")?.unwrap_or_default(),
+                normalisation: arguments.get("normalisation", choice)?.unwrap_or_default(),
             },
-            "amplitudes" => {
-                SpectrumQuantity::Amplitude { definition: arguments.named("definition")?.unwrap_or_default() }
-            }
+            "amplitudes" => SpectrumQuantity::Amplitude {
+                definition: arguments.get("definition", choice)?.unwrap_or_default(),
+            },
             _ => SpectrumQuantity::Fit {
-                from_m: arguments.length_m("longest")?,
-                to_m: arguments.length_m("shortest")?,
+                from_m: arguments.get("longest", length_m)?,
+                to_m: arguments.get("shortest", length_m)?,
             },
         };
         let question = SpectrumQuestion { quantity, sampling: arguments.sampling()?, figure: false };
-        let found = carry_out(py, None, |progress| question.answer(&self.surface, progress))?;
-        let found = found.map_err(refused)?;
-        PyAnswer::new(py, &found.table, found.notes)
+        PyAnswer::carry_out(py, None, |watch| question.answer(&self.surface, watch))
     }
 
     /// The part between two wavelengths.
     fn between(&self, arguments: Arguments<'_>) -> PyResult<Self> {
-        let (longest_m, shortest_m) = (arguments.length_m("longest")?, arguments.length_m("shortest")?);
-        let surface = self.surface.between(longest_m, shortest_m).map_err(input)?;
-        Ok(PySurface { surface })
+        let ends_m = (arguments.get("longest", length_m)?, arguments.get("shortest", length_m)?);
+        Ok(PySurface { surface: self.surface.between(ends_m.0, ends_m.1).map_err(input)? })
     }
 
     /// A file of the spectrum, from which it is read back.
-    fn csv<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
+    fn csv(&self) -> Vec<u8> {
         let mut bytes = Vec::new();
         let written = self.surface.table().write(Format::Csv, &self.surface.remarks, &mut bytes);
         written.expect("memory takes everything");
-        PyBytes::new(py, &bytes)
+        bytes
     }
 
     /// The spectrum drawn.
     fn svg(&self, py: Python<'_>) -> PyResult<String> {
         light(py, || {
             let needs = Needs::default();
-            let results =
-                Plan { psd: &self.surface.psd, sampling: Sampling::default(), needs: needs.clone() }
-                    .compute()?;
+            let (psd, sampling) = (&self.surface.psd, Sampling::default());
+            let results = Plan { psd, sampling, needs: needs.clone() }.compute()?;
             let figure = Figure { shows: Shows::Psd, ..Figure::area_of_all(Vec::new()) };
             let data = figure.data(&results, &needs, None).with_holes(self.surface.holes());
             Ok(plot::svg(&data, &self.surface.name, &report::provenance::of_surface(&self.surface)))
         })
-        .map_err(|error: study::plan::PlanError| input(error))
+        .map_err(|error: PlanError| input(error))
     }
 }
 

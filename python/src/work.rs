@@ -1,18 +1,53 @@
 //! Work done without the interpreter's lock, on the threads that were asked for; Ctrl-C ends it.
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
 
 use parallel::Progress;
 use pyo3::prelude::*;
+use questions::Phase;
+
+use crate::threads::with_threads;
+
+/// Longest wait of Ctrl-C and progress for the interpreter.
+const PATIENCE: Duration = Duration::from_millis(50);
+
+/// Callable that is told the name of the steps at hand, how many are done, and of how many.
+pub type Observer<'py> = Bound<'py, PyAny>;
 
 /// Steps done of some work, and the request to end it.
-#[derive(Debug, Default)]
-struct Watch {
+#[derive(Debug)]
+pub struct Watch {
+    /// Name of the steps, and their number if it is known.
+    phase: Mutex<(&'static str, Option<usize>)>,
     done: AtomicUsize,
     is_ended: AtomicBool,
 }
 
-impl Progress for Watch {
+impl Watch {
+    fn new() -> Self {
+        let (done, is_ended) = (AtomicUsize::new(0), AtomicBool::new(false));
+        Watch { phase: Mutex::new(("steps", None)), done, is_ended }
+    }
+
+    /// Begins to count steps by their name and number.
+    pub fn begin(&self, steps: &'static str, number: Option<usize>) {
+        *held(&self.phase) = (steps, number);
+        self.done.store(0, Ordering::Relaxed);
+    }
+
+    /// Looks for Ctrl-C, and calls the observer.
+    fn look(&self, py: Python<'_>, observer: Option<&Observer<'_>>) -> PyResult<()> {
+        py.check_signals()?;
+        let Some(observer) = observer else { return Ok(()) };
+        let (steps, number) = *held(&self.phase);
+        observer.call1((steps, self.done.load(Ordering::Relaxed), number)).map(drop)
+    }
+}
+
+impl Progress for &Watch {
     fn advance(&self, steps: usize) {
         self.done.fetch_add(steps, Ordering::Relaxed);
     }
@@ -22,46 +57,38 @@ impl Progress for Watch {
     }
 }
 
-impl Watch {
-    /// Looks for Ctrl-C, and calls the observer with the steps done.
-    fn look(&self, py: Python<'_>, observer: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
-        py.check_signals()?;
-        match observer {
-            Some(observer) => observer.call1((self.done.load(Ordering::Relaxed),)).map(drop),
-            None => Ok(()),
-        }
+impl questions::Watch for &Watch {
+    fn begin(&self, phase: Phase, steps: usize) -> Box<dyn Progress + '_> {
+        Watch::begin(self, phase.steps(), (steps > 0).then_some(steps));
+        Box::new(*self)
     }
 }
 
-/// Runs `work` on a thread beside this one, which keeps looking for Ctrl-C. `observer` is called with the steps done,
-/// now and then and at the end.
+/// Runs `work` on a thread beside this one, which keeps looking for Ctrl-C and calls the observer now and then and at the end.
+/// Without the feature `threads` it runs on this thread, the only one that there is.
 ///
 /// # Errors
 /// KeyboardInterrupt, or what the observer raises; the work has ended by then.
-#[cfg(feature = "threads")]
 pub fn carry_out<T: Send>(
     py: Python<'_>,
-    observer: Option<&Bound<'_, PyAny>>,
-    work: impl FnOnce(&dyn Progress) -> T + Send,
+    observer: Option<&Observer<'_>>,
+    work: impl FnOnce(&&Watch) -> T + Send,
 ) -> PyResult<T> {
-    use std::sync::mpsc::{RecvTimeoutError, channel};
-    use std::sync::{Mutex, PoisonError};
-
-    /// Longest wait of Ctrl-C and progress for the interpreter.
-    const PATIENCE: std::time::Duration = std::time::Duration::from_millis(50);
-
-    let watch = &Watch::default();
+    let watch = &Watch::new();
+    if cfg!(not(feature = "threads")) {
+        let made = light(py, || work(&watch));
+        return watch.look(py, observer).map(|()| made);
+    }
     let (begun, finish) = channel::<()>();
     let finish = Mutex::new(finish);
-    let wait = || finish.lock().unwrap_or_else(PoisonError::into_inner).recv_timeout(PATIENCE);
     std::thread::scope(|scope| {
         let worker = scope.spawn(move || {
             // Dropped however the work goes, which ends the wait.
             let _begun = begun;
-            crate::threads::with_threads(|| work(watch))
+            with_threads(|| work(&watch))
         });
         let mut ended = Ok(());
-        while py.detach(wait) == Err(RecvTimeoutError::Timeout) {
+        while py.detach(|| held(&finish).recv_timeout(PATIENCE)) == Err(RecvTimeoutError::Timeout) {
             if ended.is_ok() {
                 ended = watch.look(py, observer);
                 watch.is_ended.store(ended.is_err(), Ordering::Relaxed);
@@ -72,22 +99,12 @@ pub fn carry_out<T: Send>(
     })
 }
 
-/// Runs `work` on this thread, the only one that there is.
-///
-/// # Errors
-/// KeyboardInterrupt, or what the observer raises, once the work is done.
-#[cfg(not(feature = "threads"))]
-pub fn carry_out<T: Send>(
-    py: Python<'_>,
-    observer: Option<&Bound<'_, PyAny>>,
-    work: impl FnOnce(&dyn Progress) -> T + Send,
-) -> PyResult<T> {
-    let watch = Watch::default();
-    let made = light(py, || work(&watch));
-    watch.look(py, observer).map(|()| made)
-}
-
 /// Runs `work` on this thread: for work that is done before another thread has begun.
 pub fn light<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> T {
     py.detach(|| parallel::on_this_thread(work))
+}
+
+/// Locks a mutex, also after a panic of another holder.
+pub fn held<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

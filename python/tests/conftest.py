@@ -34,11 +34,17 @@ def reference() -> Callable[[str], Columns]:
 
 
 @pytest.fixture(scope="session")
-def questions() -> list[dict[str, Any]]:
-    """Random questions about curves with the answers that the crates give, as their own test writes them."""
+def of_crates() -> Callable[[str], Any]:
+    """Reads a file that the crates write for these tests, by its name."""
     written = os.environ.get("TRUEAREA_QUESTIONS")
     if written is None:
         subprocess.run(["cargo", "test", "--quiet", "--workspace", "--test", "front_ends"], cwd=ROOT, check=True)
         written = str(ROOT / "target" / "tmp" / "questions.json")
-    found: list[dict[str, Any]] = json.loads(Path(written).read_text(encoding="utf-8"))
+    return lambda name: json.loads(Path(written).with_name(name).read_text(encoding="utf-8"))
+
+
+@pytest.fixture(scope="session")
+def questions(of_crates: Callable[[str], Any]) -> list[dict[str, Any]]:
+    """Random questions about curves with the answers that the crates give."""
+    found: list[dict[str, Any]] = of_crates("questions.json")
     return found

@@ -6,14 +6,15 @@ import os
 import subprocess
 import sys
 import threading
+from collections.abc import Callable
 from pathlib import Path
-from typing import get_args
+from typing import Any, get_args
 
 import numpy as np
 
 import truearea as ta
 from support import refused_naming
-from truearea import _choices, _native
+from truearea import _choices
 from truearea._choices import GapModel, LawModel, ShearedModel
 
 
@@ -74,8 +75,8 @@ def test_threads_of_python_work_side_by_side() -> None:
     assert len(found) == 4 and all(one == found[0] for one in found)
 
 
-def test_types_of_names_are_those_that_the_crates_know() -> None:
-    known = _native.choices()
+def test_types_of_names_are_those_that_the_crates_know(of_crates: Callable[[str], Any]) -> None:
+    known: dict[str, list[str]] = of_crates("choices.json")
     for name, names in known.items():
         assert set(get_args(getattr(_choices, name))) == set(names), name
     others = {name for name in vars(_choices) if name[0].isupper() and name != "Literal"} - set(known)

@@ -53,6 +53,27 @@ def test_parameters_are_those_of_the_command_line(tmp_path: Path) -> None:
         found["Sx"]
 
 
+def test_slopes_down_to_each_wavelength_are_those_of_the_command_line(tmp_path: Path) -> None:
+    path = tmp_path / "map.npy"
+    np.save(path, heights_m())
+    printed = command_line("roughness", f"{path}:unit=m,size=1um", "--form", "none", "--filter", "0.5um", "--scales")
+    for found in (
+        ta.roughness(path, "1 um", unit="m", form="none", filter="0.5 um", scales=True),
+        ta.roughness(ta.read_scan(path, unit="m", size="1 um"), form="none", filter="0.5 um", scales=True),
+        ta.roughness(heights_m(), ("1 um", "0.75 um"), form="none", filter="0.5 um", scales=True),
+    ):
+        assert list(found) == list(printed)
+        for name in list(found)[2:]:
+            assert np.array_equal(found[name], printed[name].to_numpy(float), equal_nan=True), name
+    with_gaps = np.ma.masked_array(heights_m(), mask=heights_m() > 5e-9)
+    found = ta.roughness(with_gaps, ("1 um", "0.75 um"), scales=True)
+    assert np.isnan(found.rms_gradient_spectrum).all() and np.isfinite(found.rms_gradient_heights).any()
+    assert any("no spectrum" in note for note in found.notes)
+    for idle in ({"ratio_height": "1 nm"}, {"convention": "all"}):
+        with refused_naming("scales", "no bearing"):
+            ta.roughness(heights_m(), ("1 um", "0.75 um"), scales=True, **idle)  # type: ignore[call-overload]  # pyright: ignore[reportCallIssue, reportArgumentType]
+
+
 def test_missing_points_are_left_out_and_told() -> None:
     with_gaps = np.ma.masked_array(heights_m(), mask=heights_m() > 5e-9)
     found = ta.roughness(with_gaps, ("1 um", "0.75 um"))

@@ -238,13 +238,14 @@ def test_arrays_are_copied_once() -> None:
     script = """
 import numpy as np
 from truearea import _native
+from truearea._composite import heights_of
 h = np.random.default_rng(1).standard_normal((4096, 2048))
 def peak():
     lines = open("/proc/self/status").read().splitlines()
     return next(1024 * int(line.split()[1]) for line in lines if line.startswith("VmHWM"))
 open("/proc/self/clear_refs", "w").write("5")
 before = peak()
-asked = _native.AskedScan.of_heights("h", "h", h, None, ("size", [1.0, 1.0]), False, {})
+scan = _native.Scan.of_heights(heights_of("h", "size", "h", h, (1.0, 1.0), None))
 print((peak() - before) / h.nbytes)
 """
     beside = Path(ta.__file__).parents[1]

@@ -19,7 +19,7 @@ from truearea._notes import Caution, Note, Place
 from truearea._persson import PerssonCurve, persson
 from truearea._report import report
 from truearea._results import Result, Table
-from truearea._roughness import Roughness, roughness
+from truearea._roughness import Roughness, RoughnessScales, roughness
 from truearea._scan import Scan, ScanChannels, read_scan, scan_channels
 from truearea._scene import Scene, SceneResults, SceneTable
 from truearea._spectrum import Amplitudes, Fit, Moments, Samples, Scans, Spectrum, read_psd
@@ -54,6 +54,7 @@ __all__ = [
     "PullOff",
     "Result",
     "Roughness",
+    "RoughnessScales",
     "Samples",
     "Scan",
     "ScanChannels",

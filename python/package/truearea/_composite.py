@@ -170,17 +170,7 @@ def spectrum_of_heights(
 def _of_parts(
     parts: list[Part], options: list[Options], of_all: dict[str, Any], name: str, argument: str
 ) -> Spectrum:
-    asked: list[_native.AskedScan] = []
-    files: dict[str, bytes] = {}
-    for part, said in zip(parts, options):
-        if isinstance(part, File):
-            files.update(part.files)
-            asked.append(_native.AskedScan.of_file(part.name, said))
-        elif isinstance(part, Scan):
-            asked.append(_native.AskedScan.of_scan(part._native, said))
-        else:
-            asked.append(_native.AskedScan.of_heights(*part, said))
-    native = _native.composite(name, asked, files, of_all, argument)
+    native = _native.composite(name, list(zip(parts, options)), of_all, argument)
     return Spectrum._of(native, _of_parts, parts, options, of_all, name, argument)
 
 

@@ -107,7 +107,7 @@ class Material:
     def youngs_modulus(self) -> Quantity | None:
         """E of the rough body, as given; of a named material in Pa. None where the base of a layer is rigid."""
         modulus: Quantity | None = self._given["youngs_modulus"]
-        return self._native.youngs_modulus_pa if modulus is None else modulus
+        return self._native.facts["youngs_modulus_pa"] if modulus is None else modulus
 
     @property
     def name(self) -> str | None:
@@ -119,7 +119,7 @@ class Material:
     def poisson_ratio(self) -> float | None:
         """Poisson's ratio of the rough body. None where the base of a layer is rigid."""
         ratio: float | None = self._given["poisson_ratio"]
-        return self._native.poisson_ratio if ratio is None else ratio
+        return self._native.facts["poisson_ratio"] if ratio is None else ratio
 
     @property
     def counterface(self) -> Material | None:
@@ -130,17 +130,17 @@ class Material:
     @property
     def composite_modulus_pa(self) -> float:
         """E* = 1 / ((1 - nu1²)/E1 + (1 - nu2²)/E2) [Pa]."""
-        return self._native.composite_modulus_pa
+        return self._native.facts["composite_modulus_pa"]
 
     @property
     def indentation_hardness_pa(self) -> float | None:
         """H [Pa], where it or the strength is known."""
-        return self._native.indentation_hardness_pa
+        return self._native.facts["indentation_hardness_pa"]
 
     @property
     def yield_strength_pa(self) -> float | None:
         """S0 [Pa], where it or the hardness is known."""
-        return self._native.yield_strength_pa
+        return self._native.facts["yield_strength_pa"]
 
     def replace(self, **changes: Any) -> Material:
         """The same material with some of its arguments changed.
@@ -195,16 +195,16 @@ class Material:
         return (_material, (self._given,))
 
     def __eq__(self, other: object) -> bool:
-        return self._native.identity == other._native.identity if isinstance(other, Material) else NotImplemented
+        return self._native.facts["identity"] == other._native.facts["identity"] if isinstance(other, Material) else NotImplemented
 
     def __hash__(self) -> int:
-        return hash(self._native.identity)
+        return hash(self._native.facts["identity"])
 
     def __repr__(self) -> str:
-        return f"Material({self._native.describe()})"
+        return f"Material({self._native.facts['description']})"
 
     def _repr_html_(self) -> str:
-        return rows_html(dict(self._native.properties()))
+        return rows_html(dict(self._native.facts["properties"]))
 
 
 def _material(given: dict[str, Any]) -> Material:

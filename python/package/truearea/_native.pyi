@@ -1,7 +1,7 @@
 """The core, as the Python modules beside it call it. What arguments mean is told there."""
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, Final, final
+from typing import Any, Final, TypedDict, final
 
 import numpy as np
 import numpy.typing as npt
@@ -12,12 +12,50 @@ _Arguments = Mapping[str, Any]
 _Note = tuple[str, str, str, tuple[list[str], int | None, int | None, str | None]]
 _Map = tuple[str, tuple[float, float, float, float], int, bytes]
 _Pressed = tuple[Answer, dict[str, Any]]
+_Observer = Callable[[str, int, "int | None"], None]
+
+class _MaterialFacts(TypedDict):
+    youngs_modulus_pa: float | None
+    poisson_ratio: float | None
+    composite_modulus_pa: float
+    indentation_hardness_pa: float | None
+    yield_strength_pa: float | None
+    identity: str
+    description: str
+    properties: list[tuple[str, str]]
+
+class _SurfaceFacts(TypedDict):
+    name: str
+    wavelengths_m: _Floats
+    c1d_m3: _Floats
+    standard_errors_m3: _Floats | None
+    holes_m: list[tuple[float, float]]
+    notes: list[_Note]
+    remarks: list[str]
+
+class _SceneFacts(TypedDict):
+    title: str
+    loads: int
+    notes: list[_Note]
+    styles: dict[str, tuple[str, str, str]]
+
+class _ScanFacts(TypedDict):
+    sha256: str
+    name: str
+    format: str
+    channel: str | None
+    channels: list[str]
+    notes: list[str]
+    is_periodic: bool
+    tip_radius_m: float | None
+    size_m: list[float]
+    spacing_m: list[float]
+    positions_m: list[float] | None
 
 __all__ = [
     "METADATA_FILES",
     "VERSION",
     "Answer",
-    "AskedScan",
     "FoundLaw",
     "InputError",
     "Material",
@@ -26,7 +64,6 @@ __all__ = [
     "Surface",
     "axis_label",
     "channels_of",
-    "choices",
     "composite",
     "contact_states",
     "curve",
@@ -105,20 +142,17 @@ def press_heights(
     repeats: bool,
     material: Material,
     arguments: _Arguments,
-    observer: Callable[[str, int, int | None], None] | None,
+    observer: _Observer | None,
 ) -> _Pressed: ...
 def press_spectrum(
     surface: Surface,
     material: Material,
     arguments: _Arguments,
-    observer: Callable[[str, int, int | None], None] | None,
+    observer: _Observer | None,
 ) -> _Pressed: ...
 def materials_table() -> _Columns: ...
 def models_table() -> _Columns: ...
 def model_style(name: str) -> tuple[str, str, str]: ...
-def choices() -> dict[str, list[str]]:
-    """The names that each kind of choice has."""
-
 def axis_label(column: str) -> str: ...
 def figure_svg(
     title: str,
@@ -148,22 +182,10 @@ class Material:
     @staticmethod
     def is_name(text: str) -> bool: ...
     @property
-    def youngs_modulus_pa(self) -> float | None: ...
-    @property
-    def poisson_ratio(self) -> float | None: ...
-    @property
-    def composite_modulus_pa(self) -> float: ...
-    @property
-    def indentation_hardness_pa(self) -> float | None: ...
-    @property
-    def yield_strength_pa(self) -> float | None: ...
-    def pressure_pa(self, argument: str, pressure: Any) -> float: ...
-    @property
-    def identity(self) -> str:
-        """Equal for equal materials."""
+    def facts(self) -> _MaterialFacts:
+        """Properties of the material; the identity is equal for equal materials."""
 
-    def describe(self) -> str: ...
-    def properties(self) -> list[tuple[str, str]]: ...
+    def pressure_pa(self, argument: str, pressure: Any) -> float: ...
 
 @final
 class Surface:
@@ -179,19 +201,7 @@ class Surface:
     def of_file(name: str, bytes: bytes | None, arguments: _Arguments) -> Surface: ...
     def against(self, other: Surface) -> Surface: ...
     @property
-    def name(self) -> str: ...
-    @property
-    def wavelengths_m(self) -> _Floats: ...
-    @property
-    def c1d_m3(self) -> _Floats: ...
-    @property
-    def standard_errors_m3(self) -> _Floats | None: ...
-    @property
-    def holes_m(self) -> list[tuple[float, float]]: ...
-    @property
-    def notes(self) -> list[_Note]: ...
-    @property
-    def remarks(self) -> list[str]: ...
+    def facts(self) -> _SurfaceFacts: ...
     def quantity(self, quantity: str, arguments: _Arguments) -> Answer: ...
     def between(self, arguments: _Arguments) -> Surface: ...
     def csv(self) -> bytes: ...
@@ -214,24 +224,19 @@ class Scene:
         surface: Surface | None,
     ) -> Scene: ...
     @property
-    def title(self) -> str: ...
-    @property
-    def notes(self) -> list[_Note]: ...
+    def facts(self) -> _SceneFacts:
+        """Title, loads and notes, and short name, colour and SVG dash of every curve."""
+
     @property
     def files(self) -> dict[str, bytes]: ...
-    @property
-    def loads(self) -> int: ...
-    def styles(self) -> dict[str, tuple[str, str, str]]:
-        """Short name, colour and SVG dash of every curve."""
-
     def explain(self) -> str: ...
     def run(
         self,
         report: bool,
         judge: bool | None,
         uncertainty: bool | None,
-        occasion: tuple[str | None, str | None],
-        observer: Callable[[str, int, int | None], None] | None,
+        stamp: tuple[str | None, str | None],
+        observer: _Observer | None,
     ) -> tuple[str, dict[str, tuple[_Columns, list[str]]], dict[str, bytes]]: ...
     def scales(self) -> _Columns: ...
 
@@ -240,62 +245,19 @@ class Scan:
     @staticmethod
     def of_file(name: str, files: Mapping[str, bytes], options: Mapping[str, tuple[str, Any]]) -> Scan: ...
     @property
-    def name(self) -> str: ...
-    @property
-    def format(self) -> str: ...
-    @property
-    def channel(self) -> str | None: ...
-    @property
-    def channels(self) -> list[str]: ...
-    @property
-    def notes(self) -> list[str]: ...
-    @property
-    def is_periodic(self) -> bool: ...
-    @property
-    def tip_radius_m(self) -> float | None: ...
-    @property
-    def sha256(self) -> str: ...
-    @property
-    def size_m(self) -> list[float]: ...
-    @property
-    def spacing_m(self) -> list[float]: ...
-    @property
-    def positions_m(self) -> list[float] | None: ...
+    def facts(self) -> _ScanFacts:
+        """Facts that the file tells of its scan."""
+
     def heights(self) -> tuple[_Floats, npt.NDArray[np.bool_] | None]: ...
     @staticmethod
-    def of_heights(
-        argument: str,
-        name: str,
-        heights_m: _Floats,
-        gaps: npt.NDArray[np.bool_] | None,
-        size: tuple[str, list[Any]],
-        is_periodic: bool,
-    ) -> Scan: ...
+    def of_heights(heights: Any) -> Scan: ...
     def roughness(self, arguments: _Arguments) -> tuple[_Columns, list[_Note]]: ...
     def summary(self) -> _Columns: ...
     def picture(self) -> tuple[str, _Map | None] | None: ...
 
-@final
-class AskedScan:
-    @staticmethod
-    def of_file(name: str, options: Mapping[str, tuple[str, Any]]) -> AskedScan: ...
-    @staticmethod
-    def of_scan(scan: Scan, options: Mapping[str, tuple[str, Any]]) -> AskedScan: ...
-    @staticmethod
-    def of_heights(
-        argument: str,
-        name: str,
-        heights_m: _Floats,
-        gaps: npt.NDArray[np.bool_] | None,
-        size: tuple[str, list[Any]],
-        is_periodic: bool,
-        options: Mapping[str, tuple[str, Any]],
-    ) -> AskedScan: ...
-
 def composite(
     name: str,
-    asked: Sequence[AskedScan],
-    files: Mapping[str, bytes],
+    parts: Sequence[tuple[Any, Mapping[str, tuple[str, Any]]]],
     recipe: _Arguments,
     argument: str,
 ) -> Surface: ...
@@ -309,5 +271,5 @@ def uncertainty_of(
     names: Sequence[str],
     of_material: Sequence[tuple[str, Any, Any]],
     arguments: _Arguments,
-    observer: Callable[[int], object] | None,
+    observer: _Observer | None,
 ) -> dict[str, Any]: ...

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any
+from typing import Any, Literal, overload
 
 from truearea import _native
 from truearea._choices import Conventions, Form
@@ -38,6 +38,46 @@ class Roughness(Table):
         return float(super().__getitem__("value")[rows[0]])
 
 
+class RoughnessScales(Table):
+    """Rms gradient and curvature of all roughness down to each wavelength, from the spectrum and from differences of heights."""
+
+    _title = "slopes and curvatures down to each wavelength"
+    __slots__ = ()
+    file: AnyArray
+    channel: AnyArray
+    wavelength_m: FloatArray
+    rms_gradient_spectrum: FloatArray
+    rms_gradient_heights: FloatArray
+    rms_curvature_spectrum_per_m: FloatArray
+    rms_curvature_heights_per_m: FloatArray
+
+
+@overload
+def roughness(
+    surface: Any,
+    size: Any = None,
+    *,
+    unit: str | None = None,
+    channel: str | None = None,
+    form: Form | None = None,
+    filter: Quantity | None = None,
+    short_filter: Quantity | None = None,
+    ratio_height: Quantity | None = None,
+    convention: Conventions = "usual",
+    scales: Literal[False] = False,
+) -> Roughness: ...
+@overload
+def roughness(
+    surface: Any,
+    size: Any = None,
+    *,
+    unit: str | None = None,
+    channel: str | None = None,
+    form: Form | None = None,
+    filter: Quantity | None = None,
+    short_filter: Quantity | None = None,
+    scales: Literal[True],
+) -> RoughnessScales: ...
 @formerly(h="surface")
 def roughness(
     surface: Any,
@@ -50,7 +90,8 @@ def roughness(
     short_filter: Quantity | None = None,
     ratio_height: Quantity | None = None,
     convention: Conventions = "usual",
-) -> Roughness:
+    scales: bool = False,
+) -> Roughness | RoughnessScales:
     """Roughness parameters of a map (ISO 25178-2) or a profile (ISO 21920-2), as ``truearea roughness`` has them.
 
     Parameters
@@ -69,12 +110,19 @@ def roughness(
         The height above the mean at which the material ratio is taken; 0 where left out.
     convention : {"usual", "all"}, default "usual"
         One row for each parameter, or also those of other conventions in use.
+    scales : bool, default False
+        In place of the parameters the rms gradient and curvature of all roughness down to each wavelength, as
+        ``truearea roughness --scales`` has them.
 
     Returns
     -------
     Roughness
         ``file``, ``channel``, ``parameter``, ``value``, ``unit``, ``convention``. Lengths are in um. A symbol gives the value of its
         parameter: ``found["Sq"]``.
+    RoughnessScales
+        With ``scales``: ``file``, ``channel``, ``wavelength_m`` from long to short, ``rms_gradient_spectrum``,
+        ``rms_gradient_heights``, ``rms_curvature_spectrum_per_m``, ``rms_curvature_heights_per_m``; NaN where a wavelength has no
+        value, and of the spectrum where points have no height.
 
     Raises
     ------
@@ -98,7 +146,10 @@ def roughness(
         "short_filter": short_filter,
         "ratio_height": ratio_height,
         "convention": convention,
+        "scales": scales,
     }
+    if scales and (ratio_height is not None or convention != "usual"):
+        raise InputError("ratio_height and convention have no bearing on scales; leave them out")
     if isinstance(surface, (str, os.PathLike)):
         surface, size = read_scan(surface, unit=unit, channel=channel, size=size), None
     elif unit is not None or channel is not None:
@@ -108,6 +159,6 @@ def roughness(
             raise InputError("surface is a Scan, which has its size; leave size out")
         native = surface._native
     else:
-        native = _native.Scan.of_heights(*heights_of("surface", "size", "heights", surface, size, None))
+        native = _native.Scan.of_heights(heights_of("surface", "size", "heights", surface, size, None))
     columns, notes = native.roughness({key: value for key, value in arguments.items() if value is not None})
-    return Roughness._of(columns, noted(notes))
+    return (RoughnessScales if scales else Roughness)._of(columns, noted(notes))

@@ -54,7 +54,7 @@ class File(NamedTuple):
 class Scan:
     """Heights along a line or of a map, with what their file says of them. ``read_scan`` makes one."""
 
-    __slots__ = ("_heights", "_native", "_recipe")
+    __slots__ = ("_facts", "_heights", "_native", "_recipe")
 
     def __init__(self) -> None:
         raise TypeError("a Scan is made by read_scan")
@@ -66,7 +66,7 @@ class Scan:
         return scan
 
     def _set(self, native: _native.Scan, recipe: tuple[File, Options]) -> None:
-        self._native = native
+        self._native, self._facts = native, native.facts
         # A scan is pickled as the bytes that it was read from.
         self._recipe = recipe
         self._heights: FloatArray | None = None
@@ -83,58 +83,58 @@ class Scan:
     @property
     def size_m(self) -> tuple[float, ...]:
         """Size [m]: (lx, ly) of a map, (lx,) of a line; so many spacings as there are points."""
-        return tuple(self._native.size_m)
+        return tuple(self._facts["size_m"])
 
     @property
     def spacing_m(self) -> tuple[float, ...]:
         """Distances [m] of neighbouring points along x and, of a map, along y; the mean where they are uneven."""
-        return tuple(self._native.spacing_m)
+        return tuple(self._facts["spacing_m"])
 
     @property
     def positions_m(self) -> FloatArray | None:
         """Positions [m] of the points of an unevenly spaced line; None of any other scan."""
-        positions = self._native.positions_m
+        positions = self._facts["positions_m"]
         return None if positions is None else np.asarray(positions)
 
     @property
     def name(self) -> str:
         """What the measurement is called, by its file or by what lies beside it."""
-        return self._native.name
+        return self._facts["name"]
 
     @property
     def format(self) -> str:
         """The format of its file."""
-        return self._native.format
+        return self._facts["format"]
 
     @property
     def channel(self) -> str | None:
         """The channel that was read, where the file names it."""
-        return self._native.channel
+        return self._facts["channel"]
 
     @property
     def channels(self) -> tuple[str, ...]:
         """The channels with heights that the file offers."""
-        return tuple(self._native.channels)
+        return tuple(self._facts["channels"])
 
     @property
     def is_periodic(self) -> bool:
         """Whether the file says that the heights repeat themselves beyond the scan."""
-        return self._native.is_periodic
+        return self._facts["is_periodic"]
 
     @property
     def tip_radius_m(self) -> float | None:
         """The radius [m] of the tip, where the file says it."""
-        return self._native.tip_radius_m
+        return self._facts["tip_radius_m"]
 
     @property
     def sha256(self) -> str:
         """The SHA-256 of the file, in hexadecimal digits."""
-        return self._native.sha256
+        return self._facts["sha256"]
 
     @property
     def notes(self) -> tuple[str, ...]:
         """What reading assumed."""
-        return tuple(self._native.notes)
+        return tuple(self._facts["notes"])
 
     def plot(self, ax: Axes | None = None) -> Axes:
         """Draw the heights: a map in colours with its gaps in grey, or a profile.

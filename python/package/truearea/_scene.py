@@ -299,12 +299,12 @@ class Scene:
     @property
     def title(self) -> str:
         """What it is about."""
-        return self._native.title
+        return self._native.facts["title"]
 
     @property
     def notes(self) -> tuple[str, ...]:
         """What reading took for granted, what is doubtful, and the keys that have no effect."""
-        notes = notes_of(self._native.notes)
+        notes = notes_of(self._native.facts["notes"])
         spectrum = self._recipe[5]
         if spectrum is not None and spectrum.scans is not None and files_of(spectrum).heights_m is None:
             loss = "to_toml writes the spectrum with standard errors in place of its scans; intervals are then those of the errors"
@@ -443,8 +443,8 @@ class Scene:
             {name: SceneTable._of(columns, tuple(origin)) for name, (columns, origin) in tables.items()},
             files,
             self.notes,
-            self._native.styles(),
-            self._native.loads,
+            self._native.facts["styles"],
+            self._native.facts["loads"],
         )
 
     def scales(self) -> SceneTable:

@@ -72,7 +72,8 @@ def body_section(argument: str, body: Body) -> dict[str, Any]:
 
 def elastic_section(body: Material) -> dict[str, Any]:
     """The elastic constants of a body, all that counts of the counterface of a material."""
-    return {"youngs_modulus": in_unit(body._native.youngs_modulus_pa, "Pa"), "poisson_ratio": body._native.poisson_ratio}
+    facts = body._native.facts
+    return {"youngs_modulus": in_unit(facts["youngs_modulus_pa"], "Pa"), "poisson_ratio": facts["poisson_ratio"]}
 
 
 def pressure_list(pressures: Any) -> list[str]:

@@ -142,7 +142,7 @@ class Spectrum(Drawn):
     np.float64(3.08...e-06)
     """
 
-    __slots__ = ("_native", "_recipe")
+    __slots__ = ("_facts", "_native", "_recipe")
 
     def __init__(
         self,
@@ -166,7 +166,7 @@ class Spectrum(Drawn):
         self._set(native, (Spectrum, (q, c, errors), {"convention": convention, "name": name}))
 
     def _set(self, native: _native.Surface, recipe: tuple[Any, tuple[Any, ...], dict[str, Any]]) -> None:
-        self._native = native
+        self._native, self._facts = native, native.facts
         # A spectrum is pickled as what it was made from, so that it comes back bit for bit.
         self._recipe = recipe
 
@@ -240,37 +240,38 @@ class Spectrum(Drawn):
     @property
     def name(self) -> str:
         """What it is called."""
-        return self._native.name
+        return self._facts["name"]
 
     @property
     def wavelengths_m(self) -> FloatArray:
         """Wavelengths [m], from long to short."""
-        return self._native.wavelengths_m
+        return self._facts["wavelengths_m"].copy()
 
     @property
     def wavevectors_rad_per_m(self) -> FloatArray:
         """Wavevectors q = 2 pi/wavelength [rad/m], from small to large."""
-        return 2.0 * np.pi / self._native.wavelengths_m
+        return 2.0 * np.pi / self._facts["wavelengths_m"]
 
     @property
     def c1d_m3(self) -> FloatArray:
         """C1D [m³], one value for each wavelength."""
-        return self._native.c1d_m3
+        return self._facts["c1d_m3"].copy()
 
     @property
     def c1d_se_m3(self) -> FloatArray | None:
         """Standard errors of C1D [m³], NaN where one is not known; None where none is."""
-        return self._native.standard_errors_m3
+        errors_m3 = self._facts["standard_errors_m3"]
+        return None if errors_m3 is None else errors_m3.copy()
 
     @property
     def notes(self) -> tuple[str, ...]:
         """What reading took for granted, and what is doubtful."""
-        return notes_of(self._native.notes)
+        return notes_of(self._facts["notes"])
 
     @property
     def remarks(self) -> tuple[str, ...]:
         """The comments of its file: origin, licence; or the scans that it is made of."""
-        return tuple(self._native.remarks)
+        return tuple(self._facts["remarks"])
 
     @property
     def scans(self) -> Scans | None:
@@ -338,7 +339,7 @@ class Spectrum(Drawn):
     @property
     def holes_m(self) -> list[tuple[float, float]]:
         """The bands without samples: their wavelengths [m] at the long and at the short end."""
-        return self._native.holes_m
+        return self._facts["holes_m"]
 
     def table(self) -> Samples:
         """The samples as a table, a row for each wavelength, from long to short.
@@ -428,10 +429,10 @@ class Spectrum(Drawn):
         return (_made_again, self._recipe)
 
     def __len__(self) -> int:
-        return len(self._native.wavelengths_m)
+        return len(self._facts["wavelengths_m"])
 
     def __repr__(self) -> str:
-        wavelengths = self._native.wavelengths_m
+        wavelengths = self._facts["wavelengths_m"]
         return (
             f"Spectrum({self.name!r}, {len(wavelengths)} samples from {wavelengths[0]:.4g} m "
             f"to {wavelengths[-1]:.4g} m)"

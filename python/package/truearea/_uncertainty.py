@@ -223,10 +223,8 @@ def uncertainty(
         },
     )
     line = Line()
-    observer = observer_of(progress, line)
-    watch = None if observer is None else lambda done: observer("steps", done, None)
     try:
-        found = _native.uncertainty_of(surface_core, core, names, spreads, arguments, watch)
+        found = _native.uncertainty_of(surface_core, core, names, spreads, arguments, observer_of(progress, line))
     finally:
         line.end()
     is_one = isinstance(model, str)

@@ -127,6 +127,14 @@ pub enum QuestionError {
         /// The pressure \[Pa\].
         pressure_pa: f64,
     },
+    /// No input of the uncertainty analysis is uncertain.
+    #[error("nothing of the surface or the material is known to scatter")]
+    NothingScatters,
+    /// No draw has an area.
+    #[error(
+        "no model has an area at the shortest wavelength under any of the pressures, so that nothing can be drawn"
+    )]
+    NothingToDraw,
     /// A value out of bounds.
     #[error("{option:?}: {error}")]
     Value {

@@ -27,6 +27,7 @@ mod spectrum;
 mod states;
 mod tangential;
 mod text;
+mod uncertain_areas;
 
 pub use adhesion::{AdhesionQuestion, BranchChoice, PreparedAdhesion};
 pub use ball::{BallQuestion, PreparedBall};
@@ -51,6 +52,7 @@ pub use scene_run::{Phase, RunError, RunOptions, SceneOutcome, Unwatched, Watch,
 pub use spectrum::{SpectrumQuantity, SpectrumQuestion};
 pub use states::StatesQuestion;
 pub use tangential::TangentialQuestion;
+pub use uncertain_areas::{UncertainAreas, UncertaintyQuestion};
 
 pub use interface::conductance::PlasticCorrelation;
 

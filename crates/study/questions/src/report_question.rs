@@ -2,8 +2,10 @@
 
 use std::fmt::Write;
 
-use measurements::{ScanRequest, TipRadius};
+use measurements::{Files, ScanRequest, TipRadius};
 use serde::{Deserialize, Serialize};
+use spectrum::ReadOptions;
+use study::surface::{Surface, SurfaceError};
 use toml::Value;
 
 /// The line that begins the scene of a report.
@@ -45,6 +47,21 @@ impl Default for ReportSurface {
 }
 
 impl ReportSurface {
+    /// Takes one file as a spectrum if it holds one, and otherwise all files as scans.
+    ///
+    /// # Errors
+    /// [`SurfaceError::NoSuchBuiltin`].
+    pub fn of_files(requests: Vec<ScanRequest>, files: &dyn Files) -> Result<Self, SurfaceError> {
+        if let [request] = &requests[..] {
+            match Surface::load(&request.path, files, &ReadOptions::default()) {
+                Ok(_) => return Ok(ReportSurface::Psd(request.path.clone())),
+                Err(error @ SurfaceError::NoSuchBuiltin { .. }) => return Err(error),
+                Err(_) => {}
+            }
+        }
+        Ok(ReportSurface::Scans(requests))
+    }
+
     /// Returns the section `[surface]` of a scene.
     #[must_use]
     pub fn section(&self) -> String {

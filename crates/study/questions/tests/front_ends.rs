@@ -1,26 +1,36 @@
-//! One question, answered through the struct and as a scene's curve. The answers are written for the test of the Python
-//! package, which asks the questions once more.
+//! One question, answered through the struct and as a scene's curve. The answers and the names of all choices are written for the
+//! tests of the Python package, which asks the questions once more and repeats the names as types.
 
+use std::collections::BTreeMap;
+
+use asperity::Hardness;
+use contact_law::{Dialect, UnitSystem};
+use gaussian_surfaces::Phases;
+use measurements::Conventions;
 use parallel::Unobserved;
 use persson::EnergyFactor;
 use persson::corrections::Correction;
 use persson::variance::Band;
 use questions::{
-    BodyInput, CurveQuestion, GapCounts, GapModel, GapQuestion, LawQuestion, LoadInput, MaterialInput, Note,
-    PreparedCurve, QuestionError, SamplingInput,
+    BodyInput, BranchChoice, CurveQuestion, GapCounts, GapModel, GapQuestion, LawForm, LawQuantity,
+    LawQuestion, LoadInput, MaterialInput, Note, NoteLevel, PlasticCorrelation, PreparedCurve, QuestionError,
+    SamplingInput,
 };
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
-use scene::{Overrides, Scene};
+use roughness::FormRemoval;
+use scene::{Overrides, Scene, Template};
 use serde_json::{Map, Value, json};
-use spectrum::{Normalisation, ReadOptions};
+use spectrum::{Abscissa, AmplitudeDefinition, Convention, Normalisation, ReadOptions};
+use stat_contact::InterferenceLaw;
 use study::NoFiles;
 use study::gap_law::GapState;
 use study::growth_law::GrowthLaw;
-use study::models::{self, Choice, Framework, MODELS, ModelOptions};
+use study::models::{self, Choice, Framework, MODELS, ModelEntry, ModelOptions};
 use study::result_tables;
 use study::surface::Surface;
 use tables::{Cell, Cells, Table};
+use topography::{Average, Detrend, Direction, GapTreatment, Window};
 use units::{Length, Pressure};
 
 const SPECTRUM: &str = "builtin:uncd-measured";
@@ -185,8 +195,42 @@ fn two_hundred_random_questions_have_the_same_digits_notes_and_doubts_as_curves_
         }
     }
     assert!(answered > 150 && doubted > 20, "{answered} answered, {doubted} doubted");
-    let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("questions.json");
-    std::fs::write(path, serde_json::to_string(&for_python).unwrap()).unwrap();
+    write_for_python("questions.json", &json!(for_python));
+}
+
+#[test]
+fn every_name_of_a_choice_is_unique() {
+    let entries = |entries: &mut dyn Iterator<Item = &ModelEntry>| entries.map(|entry| entry.name).collect();
+    let mut known = BTreeMap::<&str, Vec<&str>>::from([
+        ("StackedModel", entries(&mut models::of_framework(Framework::Stacked))),
+        ("StatisticalModel", entries(&mut models::of_framework(Framework::Statistical))),
+        ("PerssonModel", entries(&mut models::of_framework(Framework::Persson))),
+        ("CurveModel", entries(&mut MODELS.iter())),
+        ("LawModel", entries(&mut models::with_gaps())),
+    ]);
+    macro_rules! add {
+        ($($key:literal: $choice:ty),+ $(,)?) => {
+            $(known.insert($key, <$choice>::ALL.iter().map(|one| one.name()).collect());)+
+        };
+    }
+    add!(
+        "HardnessFormula": Hardness, "Band": Band, "Correction": Correction, "InterferenceLaw": InterferenceLaw,
+        "Normalisation": Normalisation, "AmplitudeDefinition": AmplitudeDefinition, "Convention": Convention,
+        "Abscissa": Abscissa, "Detrend": Detrend, "Window": Window, "Average": Average, "Gaps": GapTreatment,
+        "Direction": Direction, "Phases": Phases, "Dialect": Dialect, "UnitSystem": UnitSystem, "LawForm": LawForm,
+        "LawQuantity": LawQuantity, "ConductanceCorrelation": PlasticCorrelation, "Form": FormRemoval,
+        "Conventions": Conventions, "Template": Template, "Branch": BranchChoice, "NoteLevel": NoteLevel,
+    );
+    for names in known.values() {
+        assert!(names.iter().enumerate().all(|(at, name)| !names[..at].contains(name)), "{names:?}");
+    }
+    write_for_python("choices.json", &json!(known));
+}
+
+/// Writes a file that the tests of the Python package read.
+fn write_for_python(name: &str, content: &Value) {
+    let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    std::fs::write(path, content.to_string()).unwrap();
 }
 
 /// The columns of a table by their names; null where a cell is empty.

@@ -26,15 +26,16 @@ pub trait Files: Sync {
     }
 }
 
-/// Files held in memory, under their paths with `/` between folders.
-impl Files for BTreeMap<String, Vec<u8>> {
+/// Files held in memory, under their paths with `/` between folders, or with the other separator of Windows.
+impl<B: AsRef<[u8]> + Sync> Files for BTreeMap<String, B> {
     fn read(&self, name: &str) -> io::Result<Vec<u8>> {
-        self.get(name).cloned().ok_or_else(|| io::Error::from(io::ErrorKind::NotFound))
+        let bytes = self.get(name).ok_or_else(|| io::Error::from(io::ErrorKind::NotFound))?;
+        Ok(bytes.as_ref().to_vec())
     }
 
     fn read_beside(&self, name: &str, sibling: &str) -> io::Result<Option<Vec<u8>>> {
-        let folder = name.rfind('/').map_or("", |end| &name[..=end]);
-        Ok(self.get(&format!("{folder}{sibling}")).cloned())
+        let folder = name.rfind(['/', '\\']).map_or("", |end| &name[..=end]);
+        Ok(self.get(&format!("{folder}{sibling}")).map(|bytes| bytes.as_ref().to_vec()))
     }
 
     fn list(&self, folder: &str) -> io::Result<Option<Vec<String>>> {

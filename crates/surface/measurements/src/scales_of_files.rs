@@ -54,6 +54,19 @@ impl ScalesOfFiles {
         found
     }
 
+    /// Evaluates a scan in memory.
+    ///
+    /// # Errors
+    /// [`TopographyError`] if no heights are left to evaluate.
+    pub fn of_scan(
+        request: &ScanRequest,
+        scan: &ScanFile,
+        evaluation: &Evaluation,
+    ) -> Result<Self, TopographyError> {
+        let scan = ScalesOfScan::new(request, scan, evaluation)?;
+        Ok(ScalesOfFiles { scans: vec![scan], unreadable: Vec::new() })
+    }
+
     /// Makes a table with the columns `file, channel, wavelength_m, rms_gradient_spectrum, rms_gradient_heights,
     /// rms_curvature_spectrum_per_m, rms_curvature_heights_per_m`; cells without a value are empty.
     #[must_use]

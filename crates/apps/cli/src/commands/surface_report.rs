@@ -9,9 +9,8 @@ use questions::{ReportQuestion, ReportSurface, RunOptions};
 use report::products::{self, REPORT};
 use scans::{Mend, ScanOption};
 use scene::{Overrides, Scene, SceneError, SceneProblem};
-use spectrum::ReadOptions;
 use study::materials::named;
-use study::surface::{Surface, SurfaceError};
+use study::surface::SurfaceError;
 use units::Pressure;
 
 use super::Context;
@@ -100,15 +99,8 @@ fn surface(args: &ReportArgs, context: &Context<'_>) -> Result<ReportSurface, Fa
         std::fs::metadata(path)
             .map_err(|error| Failure::reading(path, &explained(error, Path::new(path))))?;
     }
-    if let [request] = &requests[..] {
-        let files = Folder::current(context.targets(None)?);
-        match Surface::load(&request.path, &files, &ReadOptions::default()) {
-            Ok(_) => return Ok(ReportSurface::Psd(request.path.clone())),
-            Err(error @ SurfaceError::NoSuchBuiltin { .. }) => return Err(Failure::input(error)),
-            Err(_) => {}
-        }
-    }
-    Ok(ReportSurface::Scans(requests))
+    let files = Folder::current(context.targets(None)?);
+    ReportSurface::of_files(requests, &files).map_err(Failure::input)
 }
 
 /// The scene of the question, its files relative to the folder. Asks for what a file does not state.
