@@ -69,7 +69,7 @@ fn a_modulus_of_a_polymer_with_the_ratio_of_a_metal_is_doubted() {
             "[surface]\npsd = \"builtin:uncd-measured\"\n[material]\nyoungs_modulus = \"{modulus}\"\npoisson_ratio = {ratio}\n\
              [loads]\npressures = [\"1 MPa\"]\n[[curve]]\nmodel = \"elastic\"\n"
         );
-        let scene = Scene::parse(&text, &std::collections::BTreeMap::new(), &Overrides::default()).unwrap();
+        let scene = Scene::parse(&text, &NoFiles, &Overrides::default()).unwrap();
         scene.material.as_ref().and_then(Doubt::of_material)
     };
     for (modulus, youngs_modulus_pa) in [("210 MPa", 210e6), ("210 Pa", 210.0)] {
