@@ -15,10 +15,11 @@ import warnings
 from collections.abc import Iterator
 from importlib.machinery import EXTENSION_SUFFIXES
 from pathlib import Path
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
 from typing import Any
 
 SPECTRA = ["builtin:uncd-measured", "builtin:uncd-reconstructed"]
+MATERIALS = ["100Cr6", "silver", "annealed copper", "hard copper", "aluminium 6061-T6", "stainless steel 304", "NBR 70 Shore A"]
 SCENES = ["bolted-joint", "contact-challenge", "electrical-contact", "gasket", "uncd-measured", "uncd-reconstructed"]
 
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
@@ -44,22 +45,18 @@ def ask_without_arrays() -> dict[str, Any]:
     native = load_extension()
     answers: dict[str, Any] = {
         "version": native.VERSION,
-        "materials": native.materials_table(),
         "models": native.models_table(),
-        "choices": native.choices(),
         "words": [native.pressure_in_words(pressure_pa) for pressure_pa in (5e6, 1.234e9, 0.1)],
     }
-    for name in answers["materials"]["name"]:
-        material = native.Material({"name": name})
-        numbers = [material.composite_modulus_pa, material.indentation_hardness_pa, material.yield_strength_pa]
-        answers[f"material {name}"] = [material.identity, material.describe(), material.properties(), numbers]
+    for name in MATERIALS:
+        answers[f"material {name}"] = native.Material({"name": name}).facts
 
     diamond = native.Material({"youngs_modulus": "463 GPa", "poisson_ratio": 0.2, "yield_strength": "1.8 GPa"})
     annealed = native.Material({"name": "annealed copper"})
     copper = native.Material({"name": "hard copper", "counterface": annealed})
     for name in SPECTRA:
         surface = native.Surface.of_file(name, None, {})
-        answers[f"spectrum {name}"] = [surface.csv().decode(), surface.svg(), surface.remarks, surface.holes_m, surface.notes]
+        answers[f"spectrum {name}"] = [bytes(surface.csv()).decode(), surface.svg()]
         for model in ("persson", "hertz", "ep-sphere", "elastic-sine", "ep-sine", "bgt"):
             law = native.FoundLaw(surface, diamond, law_arguments(model=model))
             answers[f"law {name} {model}"] = [law.cut_pressure_pa, law.interpolation_error] + [
@@ -75,12 +72,12 @@ def ask_without_arrays() -> dict[str, Any]:
     for name in SCENES:
         text = native.scene_template(name)
         scene = native.Scene(text, f"{name}.toml", None, {}, {}, None)
-        answers[f"scene {name}"] = [scene.title, scene.loads, scene.styles(), scene.explain(), scene.notes]
+        answers[f"scene {name}"] = [scene.facts, scene.explain()]
 
     scan = "# x/um z/um\n" + "".join(f"{at * 0.5} {(at * at * 7919 % 1009) / 1009 - 0.5}\n" for at in range(512))
     files = {"profile.txt": scan.encode()}
-    asked = native.AskedScan.of_file("profile.txt", {})
-    answers["scan"] = native.composite("profile", [asked], files, {}, "scans").csv().decode()
+    part = SimpleNamespace(name="profile.txt", files=files)
+    answers["scan"] = bytes(native.composite("profile", [(part, {})], {}, "scans").csv()).decode()
 
     answers["messages"] = [find_message(native, arguments) for arguments in ({"name": "unobtainium"}, {"youngs_modulus": "463 Gpz"})]
     with tempfile.TemporaryDirectory() as folder:
