@@ -42,17 +42,21 @@ fn compare(accept: bool) -> io::Result<bool> {
         within &= verdict.is_within();
         counts.push((work, count));
     }
-    for growth in growths_tenfold(&counts) {
-        let is_within = growth.share <= MOST_GROWTH_TENFOLD;
-        let verdict = if is_within { "" } else { "  GROWN by more than 10 %" };
-        println!("{:>13}  {:32} {:+6.1} %{verdict}", "ten times", growth.work, 100.0 * growth.share);
-        within &= is_within;
+    let mut scales = true;
+    for Growth { work, share } in growths_tenfold(&counts) {
+        let is_within = share <= MOST_GROWTH_TENFOLD;
+        let verdict = match is_within {
+            true => String::new(),
+            false => format!("  GROWN by more than {} %", 100.0 * MOST_GROWTH_TENFOLD),
+        };
+        println!("{:>13}  {work:32} {:+6.1} %{verdict}", "ten times", 100.0 * share);
+        scales &= is_within;
     }
     if accept {
         let rows = counts.iter().map(|(work, count)| format!("{work},{count}\n"));
         std::fs::write(checkout(ACCEPTED), format!("{HEADER}\n{}", rows.collect::<String>()))?;
         println!("\naccepted in {ACCEPTED}");
-        return Ok(true);
+        return Ok(scales);
     }
     if !within {
         println!(
@@ -60,7 +64,7 @@ fn compare(accept: bool) -> io::Result<bool> {
              cargo xtask instructions --accept and give the reason in the commit"
         );
     }
-    Ok(within)
+    Ok(within && scales)
 }
 
 /// Growth of a piece of work with ten times the input.

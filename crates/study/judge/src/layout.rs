@@ -213,7 +213,7 @@ impl Layout {
             bodies.flat_map(|body| self.loads.iter().map(move |&load| (body, load))).any(is_partial)
         };
         if (0..self.windows.len()).filter(scatters).count() >= WINDOWS_THAT_POOL {
-            self.realisations = MIN_REALISATIONS.min(self.realisations);
+            self.realisations = MIN_REALISATIONS;
         }
         self
     }

@@ -27,7 +27,7 @@ impl PooledScatter {
     /// Pools the scatter of presses, window by window in order: the pressures on a window share its surfaces, and count as one.
     /// `None` if no window scatters.
     pub fn new<'a>(presses: impl Iterator<Item = AreasOnWindow<'a>>) -> Option<Self> {
-        let mut windows: Vec<OfWindow> = Vec::new();
+        let mut windows: Vec<WindowScatter> = Vec::new();
         for AreasOnWindow { window, areas } in presses {
             let (mean, variance) = mean_and_variance(areas);
             // Where everything in contact flows, the load alone decides, and surfaces do not differ.
@@ -42,13 +42,14 @@ impl PooledScatter {
                 }
                 None => {
                     let freedom = areas.len() - 1;
-                    windows.push(OfWindow { window, sum: over_gap, presses: 1, freedom });
+                    windows.push(WindowScatter { window, sum: over_gap, presses: 1, freedom });
                 }
             }
         }
         let freedom: usize = windows.iter().map(|window| window.freedom).sum();
-        let weighted =
-            |window: &OfWindow| window.freedom as f64 * window.sum / window.presses as f64 / freedom as f64;
+        let weighted = |window: &WindowScatter| {
+            window.freedom as f64 * window.sum / window.presses as f64 / freedom as f64
+        };
         (freedom > 0)
             .then(|| PooledScatter { variance_over_gap: windows.iter().map(weighted).sum(), freedom })
     }
@@ -64,7 +65,7 @@ impl PooledScatter {
 }
 
 /// The scatter on a window: the sum over its presses of the variance over the gap.
-struct OfWindow {
+struct WindowScatter {
     window: usize,
     sum: f64,
     presses: usize,

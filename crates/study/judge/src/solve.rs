@@ -115,7 +115,7 @@ fn pressed(
     };
     let grid = Grid::new(window.points, window.points, box_m, box_m)?;
     let mut elements = case.elements(grid, surface.heights_m())?;
-    let mut found: Vec<Found> = Vec::new();
+    let mut found: Vec<SurfaceSolution> = Vec::new();
     for at in from_high_bounds(presses) {
         if progress.is_cancelled() {
             break;
@@ -134,7 +134,7 @@ fn pressed(
                     &NestedProgress(progress),
                 )?;
                 outcome.operators += contact.operators;
-                let of_press = Found {
+                let of_press = SurfaceSolution {
                     pressure_pa: press.pressure_pa,
                     largest_pressure_pa: contact.largest_pressure_pa,
                     area_fraction: contact.area_fraction_corrected,
@@ -161,13 +161,13 @@ fn from_high_bounds(presses: &[Press]) -> Vec<usize> {
 
 /// A solution on one surface.
 #[derive(Debug, Clone, Copy)]
-struct Found {
+struct SurfaceSolution {
     pressure_pa: f64,
     largest_pressure_pa: f64,
     area_fraction: f64,
 }
 
-impl Found {
+impl SurfaceSolution {
     /// True if the solution is also that of a press with a lower bound: its pressures stay below that bound everywhere.
     fn answers(&self, press: &Press) -> bool {
         press.saturation_pa.is_some_and(|bound_pa| self.largest_pressure_pa < bound_pa)
@@ -209,7 +209,7 @@ mod tests {
     }
     #[test]
     fn a_solution_answers_presses_whose_bound_it_does_not_reach() {
-        let found = Found { pressure_pa: 1.0, largest_pressure_pa: 9.0, area_fraction: 0.2 };
+        let found = SurfaceSolution { pressure_pa: 1.0, largest_pressure_pa: 9.0, area_fraction: 0.2 };
         let press = |pressure_pa, saturation_pa| Press { window: 0, pressure_pa, saturation_pa };
         assert!(found.answers(&press(1.005, Some(9.5))));
         assert!(!found.answers(&press(1.02, Some(9.5))) && !found.answers(&press(1.0, Some(9.0))));

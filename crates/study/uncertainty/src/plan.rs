@@ -190,9 +190,8 @@ impl<'p> UncertaintyPlan<'p> {
         };
         let interval = |area: usize| self.interval(area, drawn, dense, best.ln_areas[area], indices);
         let at_its_place = |area: usize, interval: AreaInterval| {
-            let (curve, load) = (area / self.areas.loads(), area % self.areas.loads());
-            let indices = indices.get(area).cloned().unwrap_or_default();
-            AreaInterval { curve, load, indices, ..interval }
+            let (curve, load) = self.curve_and_load(area);
+            AreaInterval { curve, load, ..interval }
         };
         let found = map_distinct(self.areas.count(), is_same, interval).into_iter().enumerate();
         (found.filter_map(|(area, found)| Some(at_its_place(area, found?))).collect(), best.work)
@@ -255,6 +254,10 @@ impl<'p> UncertaintyPlan<'p> {
         found.filter_map(|(found, &(curve, load))| Some(AreaBand { curve, load, ..found? })).collect()
     }
 
+    fn curve_and_load(&self, area: usize) -> (usize, usize) {
+        (area / self.areas.loads(), area % self.areas.loads())
+    }
+
     fn interval(
         &self,
         area: usize,
@@ -279,9 +282,10 @@ impl<'p> UncertaintyPlan<'p> {
         };
         let found = at_level(self.settings.level)?;
         let within = at_level(ONE_STANDARD_UNCERTAINTY)?;
+        let (curve, load) = self.curve_and_load(area);
         Some(AreaInterval {
-            curve: area / self.areas.loads(),
-            load: area % self.areas.loads(),
+            curve,
+            load,
             area_fraction: self.area_fractions[area]?,
             median: found.median.value.exp(),
             low: found.low.value.exp(),
