@@ -30,7 +30,7 @@ type Work = Box<dyn Fn()>;
 /// Name and preparation of a piece of work.
 type Piece = (&'static str, fn() -> Work);
 
-const PIECES: [Piece; 28] = [
+const PIECES: [Piece; 29] = [
     ("sphere", || sphere(Hardness::JacksonGreen2005)),
     ("sphere-cosine-hardness", || sphere(Hardness::Cosine)),
     ("sinusoid-elastic", sinusoid_elastic),
@@ -54,6 +54,7 @@ const PIECES: [Piece; 28] = [
     ("states-elastic-sine-bem", || states(AsperityLaw::ElasticSine { interference: InterferenceLaw::Bem })),
     ("states-ep-sine", || states(AsperityLaw::EpSine { strength: strength() })),
     ("states-ep-sine-strain-gradient", || states(AsperityLaw::EpSine { strength: growing_strength() })),
+    ("persson-growing-hardness", persson_growing_hardness),
     ("moments-and-amplitudes", moments_and_amplitudes),
     ("self-affine-fit", self_affine_fit),
     ("map-line-by-line", || map(|map| drop(black_box(map_line_spectrum(map, Preparation::default()))))),
@@ -189,6 +190,20 @@ fn states(law: AsperityLaw) -> Work {
             }
         }
     })
+}
+
+/// Areas by Persson's theory on a surface of 55 wavelengths, whose hardness grows with the wavevector, under one load.
+fn persson_growing_hardness() -> Work {
+    let scene = Scene::parse(
+        "[surface]\npsd = \"builtin:contact-challenge\"\n\
+         [material]\nyoungs_modulus = \"463 GPa\"\npoisson_ratio = 0.2\nyield_strength = \"1.8 GPa\"\n\
+         [loads]\npressures = [\"54 MPa\"]\n\
+         [[curve]]\nmodel = \"persson-plastic\"\nhardness_law = \"power:0.1\"\n",
+        &NoFiles,
+        &Overrides::default(),
+    )
+    .expect("a sound scene");
+    Box::new(move || drop(black_box(scene.plan().compute().expect("a sound scene"))))
 }
 
 fn diamond() -> Scene {

@@ -1,5 +1,7 @@
 //! Hardness H along a spectrum, as a function of the variance V of the flattening pressure.
 
+use asperity::elementary;
+
 /// Pieces of H = H_i [1 + k (V - V_i)]^n, each from its V_i on. A power of the wavevector where the spectrum is a
 /// power law, a hardness whose square grows in proportion to V, and a constant hardness all have this form.
 #[derive(Debug, Clone, PartialEq)]
@@ -76,17 +78,12 @@ impl HardnessPath {
     /// Hardness \[Pa\] at a variance \[Pa^2\].
     #[must_use]
     pub fn hardness_pa(&self, variance_pa2: f64) -> f64 {
-        let after = self.pieces.partition_point(|piece| piece.from_variance_pa2 <= variance_pa2);
-        self.pieces[after.saturating_sub(1)].hardness_pa(variance_pa2)
+        self.piece(self.piece_at(variance_pa2)).hardness_pa(variance_pa2)
     }
 
     /// Growth d(H^2)/dV >= 0 at a variance \[Pa^2\].
     pub(crate) fn growth_of_square(&self, variance_pa2: f64) -> f64 {
-        let after = self.pieces.partition_point(|piece| piece.from_variance_pa2 <= variance_pa2);
-        let piece = self.pieces[after.saturating_sub(1)];
-        let grown = piece.growth_per_pa2 * (variance_pa2 - piece.from_variance_pa2);
-        let growth = 2.0 * piece.exponent * piece.growth_per_pa2 / piece.log(grown).exp();
-        (piece.hardness_pa(variance_pa2).powi(2) * growth).max(0.0)
+        self.piece(self.piece_at(variance_pa2)).growth_of_square(variance_pa2)
     }
 
     /// True if the hardness is the same everywhere.
@@ -130,6 +127,15 @@ impl HardnessPath {
             }
         }
         HardnessPath { pieces }
+    }
+
+    /// Place of the piece on which a variance lies, of two that meet there the later one.
+    pub(crate) fn piece_at(&self, variance_pa2: f64) -> usize {
+        self.pieces.partition_point(|piece| piece.from_variance_pa2 <= variance_pa2).saturating_sub(1)
+    }
+
+    pub(crate) fn piece(&self, at: usize) -> Piece {
+        self.pieces[at]
     }
 
     pub(crate) fn pieces(&self) -> &[Piece] {
@@ -206,17 +212,33 @@ impl Piece {
         })
     }
 
+    #[inline(always)]
     pub(crate) fn hardness_pa(&self, variance_pa2: f64) -> f64 {
-        let growth = self.growth_per_pa2 * (variance_pa2 - self.from_variance_pa2);
+        self.hardness_beyond_pa(variance_pa2 - self.from_variance_pa2)
+    }
+
+    /// Growth d(H^2)/dV >= 0 at a variance \[Pa^2\].
+    pub(crate) fn growth_of_square(&self, variance_pa2: f64) -> f64 {
+        let grown = self.growth_per_pa2 * (variance_pa2 - self.from_variance_pa2);
+        let growth = 2.0 * self.exponent * self.growth_per_pa2 / self.log(grown).exp();
+        (self.hardness_pa(variance_pa2).powi(2) * growth).max(0.0)
+    }
+
+    /// Hardness \[Pa\] at V - V_i \[Pa^2\], without calls, so that several are computed at once.
+    #[inline(always)]
+    pub(crate) fn hardness_beyond_pa(&self, from_kink_pa2: f64) -> f64 {
+        let growth = self.growth_per_pa2 * from_kink_pa2;
         if self.exponent == 0.5 {
             return self.hardness_pa * (1.0 + growth).sqrt();
         }
-        self.hardness_pa * (self.exponent * self.log(growth)).exp()
+        self.hardness_pa * elementary::exp(self.exponent * self.log(growth))
     }
 
     /// Computes ln(1 + growth), within the piece.
+    #[inline(always)]
     fn log(&self, growth: f64) -> f64 {
-        libm::log1p(growth.max(-1.0)).max(self.least_log)
+        let log = elementary::ln_1p(if growth > -1.0 { growth } else { -1.0 });
+        if log > self.least_log { log } else { self.least_log }
     }
 
     /// Largest variance \[Pa^2\] up to which the hardness is smooth from a variance of the piece on: where the variance comes

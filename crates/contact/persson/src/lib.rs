@@ -23,11 +23,14 @@ mod hardness_path;
 mod knot;
 mod layered;
 mod model;
+mod near_panels;
 mod panel_rules;
+mod plastic_march;
 mod roughness;
 pub mod sealing;
 pub mod separation;
 mod sources;
+mod stress_modes;
 mod stretch;
 pub mod variance;
 

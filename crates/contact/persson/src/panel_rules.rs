@@ -5,6 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use numerics::GaussLegendre;
 
+use crate::near_panels::NearPanel;
 use crate::sources::NODES;
 
 /// Largest number of unknowns of a panel: the coefficients of a polynomial.
@@ -56,9 +57,9 @@ impl Rules {
         }
     }
 
-    /// Calls `term` with x, sqrt(V' - V_i) and the weight of dx along an arc, in pieces over which x at most halves,
-    /// down to `resolved_pa`.
-    pub(crate) fn over(&self, arc: &Arc, resolved_pa: f64, mut term: impl FnMut(f64, f64, f64)) {
+    /// Places the nodes of an arc, in pieces over which x at most halves, down to `resolved_pa`.
+    pub(crate) fn place_over(&self, arc: &Arc, resolved_pa: f64, nodes: &mut NearPanel) {
+        nodes.clear();
         // The hardness has left earlier panels, which makes their kernel as steep as x is small.
         let least_pa = if arc.to == FRAC_PI_2 { resolved_pa } else { 0.0 };
         let mut start = arc.from;
@@ -71,11 +72,7 @@ impl Rules {
                 0.75.. => &self.medium,
                 _ => &self.fine,
             };
-            for (angle, weight) in rule.over(start, end) {
-                let (sine, cosine) = angle.sin_cos();
-                let from_kink_pa = arc.radius_pa * sine;
-                term(arc.radius_pa * cosine, from_kink_pa, weight * from_kink_pa);
-            }
+            nodes.append(rule, start, end);
             start = end;
         }
     }
@@ -84,7 +81,7 @@ impl Rules {
 /// Panel as seen from a variance V above it: V' = V_i + R^2 sin^2 and x = sqrt(V - V') = R cos of an angle, in which
 /// both the root of the kernel, in x, and that of A_pl, in sqrt(V' - V_i), are smooth.
 pub(crate) struct Arc {
-    radius_pa: f64,
+    pub(crate) radius_pa: f64,
     from: f64,
     to: f64,
 }

@@ -1,6 +1,9 @@
 //! Gauss quadrature of the plastic area of a panel: few points that act like the whole panel on what comes later.
 
-use std::f64::consts::{LOG2_E, PI};
+use std::f64::consts::PI;
+
+use asperity::elementary;
+use multiversion::multiversion;
 
 /// Node of a quadrature of a panel.
 #[derive(Debug, Clone, Copy, Default)]
@@ -83,26 +86,37 @@ impl Sources {
         let size = RULES[rule].0;
         let range = size * panels.start..size * panels.end;
         let Points { variances_pa2, hardnesses_pa, weights_pa2 } = &self.points[rule];
-        let points = variances_pa2[range.clone()].iter().zip(&hardnesses_pa[range.clone()]);
         let [plastic, contact] = self.terms.each_mut().map(|terms| {
             if terms.len() < range.len() {
                 terms.resize(range.len(), 0.0);
             }
             &mut terms[..range.len()]
         });
-        let terms = plastic.iter_mut().zip(contact.iter_mut());
-        for ((plastic, contact), ((there_pa2, there_pa), weight_pa2)) in
-            terms.zip(points.zip(&weights_pa2[range]))
-        {
-            [*plastic, *contact] = passages(variance_pa2 - there_pa2, hardness_pa, *there_pa, *weight_pa2);
-        }
-        let scale = (0.5 / PI).sqrt();
-        [scale * sum(plastic), scale * sum(contact)]
+        let points = [variances_pa2, hardnesses_pa, weights_pa2].map(|numbers| &numbers[range.clone()]);
+        passages_of_each([variance_pa2, hardness_pa], points, [plastic, contact])
     }
 }
 
-/// Sum of four lanes side by side.
-fn sum(terms: &[f64]) -> f64 {
+/// Computes both passages of each point to a place of a variance and a hardness, and returns their sums.
+#[multiversion(targets("x86_64+avx2"))]
+fn passages_of_each(
+    [variance_pa2, hardness_pa]: [f64; 2],
+    [variances_pa2, hardnesses_pa, weights_pa2]: [&[f64]; 3],
+    [plastic, contact]: [&mut [f64]; 2],
+) -> [f64; 2] {
+    let points = variances_pa2.iter().zip(hardnesses_pa).zip(weights_pa2);
+    for ((plastic, contact), ((there_pa2, there_pa), weight_pa2)) in
+        plastic.iter_mut().zip(contact.iter_mut()).zip(points)
+    {
+        [*plastic, *contact] = passages(variance_pa2 - there_pa2, hardness_pa, *there_pa, *weight_pa2);
+    }
+    let scale = (0.5 / PI).sqrt();
+    [scale * sum(plastic), scale * sum(contact)]
+}
+
+/// Sums four lanes side by side.
+#[inline(always)]
+pub(crate) fn sum(terms: &[f64]) -> f64 {
     let (fours, rest) = terms.as_chunks::<4>();
     let [a, b, c, d] = fours
         .iter()
@@ -117,46 +131,9 @@ fn passages(apart_pa2: f64, here_pa: f64, there_pa: f64, weight_pa2: f64) -> [f6
     let scale = weight_pa2 * (per_pa2 * per_pa2.sqrt());
     let (apart_pa, mirrored_pa) = (here_pa - there_pa, here_pa + there_pa);
     let half = -0.5 * per_pa2;
-    let passage = |distance_pa: f64| distance_pa * exp_of_negative(half * (distance_pa * distance_pa));
+    let passage = |distance_pa: f64| distance_pa * elementary::exp(half * (distance_pa * distance_pa));
     [scale * (passage(mirrored_pa) - passage(apart_pa)), scale * passage(there_pa)]
 }
-
-/// exp(x) of x <= 0 within 2 units of the last digit, 3e-308 at the least: without branches, so that several are
-/// computed at once.
-#[inline(always)]
-fn exp_of_negative(x: f64) -> f64 {
-    // 1.5 * 2^52: a number added to it is rounded to a whole one, in its last bits.
-    const ROUNDER: f64 = 6_755_399_441_055_744.0;
-    const LN_2: [f64; 2] = [0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10];
-    let x = if x < -708.0 { -708.0 } else { x };
-    let rounded = x * LOG2_E + ROUNDER;
-    let whole = rounded - ROUNDER;
-    let rest = (x - whole * LN_2[0]) - whole * LN_2[1];
-    let mut sum = TAYLOR[0];
-    for &coefficient in &TAYLOR[1..] {
-        sum = sum * rest + coefficient;
-    }
-    let power = f64::from_bits(rounded.to_bits().wrapping_add(1023) << 52);
-    sum * power
-}
-
-/// 1/k! from k = 13 down to 0.
-const TAYLOR: [f64; 14] = [
-    1.0 / 6_227_020_800.0,
-    1.0 / 479_001_600.0,
-    1.0 / 39_916_800.0,
-    1.0 / 3_628_800.0,
-    1.0 / 362_880.0,
-    1.0 / 40_320.0,
-    1.0 / 5040.0,
-    1.0 / 720.0,
-    1.0 / 120.0,
-    1.0 / 24.0,
-    1.0 / 6.0,
-    0.5,
-    1.0,
-    1.0,
-];
 
 type Roots = [f64; MOST];
 
@@ -239,16 +216,6 @@ impl Recurrence {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn exponentials_are_those_of_the_standard_library() {
-        for k in 0..70_000 {
-            let x = -0.01 * f64::from(k) - 1e-9;
-            assert!((exp_of_negative(x) / x.exp() - 1.0).abs() < 5e-16, "{x}");
-        }
-        assert_eq!(exp_of_negative(0.0), 1.0);
-        assert!(exp_of_negative(-1e300) < 1e-307);
-    }
 
     #[test]
     fn few_points_integrate_what_is_smooth_even_under_a_root() {

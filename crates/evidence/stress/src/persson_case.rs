@@ -19,7 +19,7 @@ use crate::{Draw, Reach};
 
 /// Rounding of areas of the elastic theory and of a constant hardness.
 const ROUNDING: f64 = 1e-12;
-/// Error of areas under a growing hardness, which its documentation states as 1e-9 up to a spread of a hundred times the
+/// Error of areas under a growing hardness, which its documentation states as 1e-8 up to a spread of a hundred times the
 /// hardness, and beyond.
 const GROWING: [f64; 2] = [1e-8, 1e-4];
 
