@@ -51,13 +51,16 @@ type Evaluation = Box<dyn Fn() -> (f64, f64)>;
 /// Evaluation of a law at many interferences: these, and slices for the two results.
 type BatchEvaluation = Box<dyn Fn(&[f64], &mut [f64], &mut [f64])>;
 
+/// Law prepared for a row, for many interferences, and the interference of the row.
+type Batch = fn(&Columns) -> (BatchEvaluation, f64);
+
 /// Kernel: its table, its law prepared for a row, and the columns of its two results.
 struct Kernel {
     name: &'static str,
     table: &'static str,
     law: fn(&Columns) -> Evaluation,
-    /// Law that takes many interferences at once, and its interference at a row.
-    batch: Option<fn(&Columns) -> (BatchEvaluation, f64)>,
+    /// Evaluation at many interferences; `None` for laws that take one number at a time.
+    batch: Option<Batch>,
     exact: [&'static str; 2],
     /// Name of the law in Python.
     model: Option<&'static str>,
