@@ -183,7 +183,6 @@ fn elastic_at_each(
 }
 
 /// Area fraction at x = p/p*.
-#[inline(always)]
 fn area_fraction_at(x: f64) -> f64 {
     joined_area_fraction(x, || light_joined_at(x))
 }
@@ -200,8 +199,8 @@ fn joined_area_fraction(x: f64, light: impl FnOnce() -> f64) -> f64 {
     }
 }
 
-/// Joined law at one x.
-#[inline(always)]
+/// Joined law at one x. Not inlined: in the loop of a stack the compiler then no longer pairs its two exponentials.
+#[inline(never)]
 fn light_joined_at(x: f64) -> f64 {
     let [area_fraction] = light_joined([x]);
     area_fraction
