@@ -7,36 +7,82 @@
 /// their error, so the first one below 1e-10 of the argument is the last (waiting for a step of zero cost a quarter of
 /// all evaluations); bisection continues to the last place.
 #[must_use]
-pub fn newton_in_bracket(
-    mut low: f64,
-    mut high: f64,
-    start: f64,
-    mut f: impl FnMut(f64) -> (f64, f64),
-) -> f64 {
-    // Bisection alone exhausts the doubles in a bracket of one sign in about 60 steps once exponents agree.
-    const MOST_STEPS: usize = 200;
-    const LAST_STEP: f64 = 1e-10;
-    let mut x = start.clamp(low, high);
-    for _ in 0..MOST_STEPS {
-        let (value, slope) = f(x);
-        if value == 0.0 {
-            return x;
-        }
-        if value < 0.0 {
-            low = x
-        } else {
-            high = x
-        }
-        let newton = x - value / slope;
-        let inside = low < newton && newton < high;
-        let next = if inside { newton } else { 0.5 * (low + high) };
-        let settled = (next - x).abs() <= if inside { LAST_STEP } else { f64::EPSILON } * x.abs();
-        x = next;
-        if settled {
+pub fn newton_in_bracket(low: f64, high: f64, start: f64, mut f: impl FnMut(f64) -> (f64, f64)) -> f64 {
+    let mut search = NewtonSearch { low, high, x: start.clamp(low, high) };
+    for _ in 0..MOST_NEWTON_STEPS {
+        let (value, slope) = f(search.x);
+        let is_last;
+        (search, is_last) = search.step(value, slope);
+        if is_last {
             break;
         }
     }
-    x
+    search.x
+}
+
+/// Finds the zeros of N functions with the digits of [`newton_in_bracket`]. A step takes all N searches together, which
+/// the compiler turns into vectors.
+///
+/// `f` returns the value and the derivative of the function of an index. It is evaluated for searches that have ended,
+/// too, and must not have a branch. A bracket that is a single number yields that number after one step; NaN stays NaN.
+#[inline(always)]
+#[must_use]
+pub fn newton_in_brackets<const N: usize>(
+    mut lows: [f64; N],
+    mut highs: [f64; N],
+    starts: [f64; N],
+    f: impl Fn(usize, f64) -> (f64, f64),
+) -> [f64; N] {
+    const OPEN: u64 = u64::MAX;
+    let mut xs = starts;
+    for ((x, &low), &high) in xs.iter_mut().zip(&lows).zip(&highs) {
+        *x = if *x < low { low } else { *x };
+        *x = if *x > high { high } else { *x };
+    }
+    let mut open = [OPEN; N];
+    for _ in 0..MOST_NEWTON_STEPS {
+        let mut any_open = 0;
+        for i in 0..N {
+            let (value, slope) = f(i, xs[i]);
+            let (next, is_last) = NewtonSearch { low: lows[i], high: highs[i], x: xs[i] }.step(value, slope);
+            xs[i] = if open[i] == OPEN { next.x } else { xs[i] };
+            (lows[i], highs[i]) = (next.low, next.high);
+            open[i] &= if is_last { 0 } else { OPEN };
+            any_open |= open[i];
+        }
+        if any_open == 0 {
+            break;
+        }
+    }
+    xs
+}
+
+/// Bisection alone exhausts the doubles in a bracket of one sign in about 60 steps once exponents agree.
+const MOST_NEWTON_STEPS: usize = 200;
+
+/// Search by Newton's method between two steps.
+#[derive(Debug, Clone, Copy)]
+struct NewtonSearch {
+    low: f64,
+    high: f64,
+    x: f64,
+}
+
+impl NewtonSearch {
+    /// Returns the search after a step from value and slope at `x`, and true if that step is the last. Has no branch.
+    #[inline(always)]
+    fn step(self, value: f64, slope: f64) -> (Self, bool) {
+        const LAST_STEP: f64 = 1e-10;
+        let NewtonSearch { low, high, x } = self;
+        let low = if value < 0.0 { x } else { low };
+        let high = if value < 0.0 { high } else { x };
+        let newton = x - value / slope;
+        let inside = (low < newton) & (newton < high);
+        let next = if inside { newton } else { 0.5 * (low + high) };
+        let is_zero = value == 0.0;
+        let settled = (next - x).abs() <= if inside { LAST_STEP } else { f64::EPSILON } * x.abs();
+        (NewtonSearch { low, high, x: if is_zero { x } else { next } }, is_zero | settled)
+    }
 }
 
 /// Finds the zero of `f` in [low, high] to rounding; f has opposite signs at the ends.
@@ -93,7 +139,7 @@ pub fn bisect(fails_at: f64, holds_at: f64, tolerance: f64, mut holds: impl FnMu
 
 #[cfg(test)]
 mod tests {
-    use super::{bisect, newton_in_bracket, zero_in_bracket};
+    use super::{bisect, newton_in_bracket, newton_in_brackets, zero_in_bracket};
 
     #[test]
     fn a_simple_zero_is_found_to_rounding() {
@@ -107,6 +153,19 @@ mod tests {
         let root =
             newton_in_bracket(-20.0, 3.5, 3.0, |x: f64| ((x - 1.0).atan(), 1.0 / (1.0 + (x - 1.0).powi(2))));
         assert!((root - 1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn zeros_found_together_have_the_digits_of_each_alone() {
+        let of = |target: f64| move |x: f64| (x.atan() + 0.01 * x - target, 1.0 / (1.0 + x * x) + 0.01);
+        let targets: [f64; 64] = std::array::from_fn(|i| 0.3 * (i as f64 - 31.0));
+        let start = 3.0;
+        let found = newton_in_brackets([-1e4; 64], [1e4; 64], [start; 64], |i, x| of(targets[i])(x));
+        for (target, found) in targets.into_iter().zip(found) {
+            let alone = newton_in_bracket(-1e4, 1e4, start, of(target));
+            assert_eq!(found.to_bits(), alone.to_bits(), "{target}: {found} {alone}");
+        }
+        assert_eq!(newton_in_brackets([-2.5], [-2.5], [-2.5], |_, x| (x, 1.0)), [-2.5]);
     }
 
     #[test]

@@ -5,9 +5,12 @@
 //! holds, because plastic flow can only soften. The elastic one, p* t^2, is explicit. The plastic one is solved for
 //! in ln x, and only if the elastic one may be the larger.
 
+use multiversion::multiversion;
+
 use crate::ElasticPlasticSinusoid;
 use crate::elementary;
-use crate::mean_gap::{GapExponent, power_at};
+use crate::lanes::{LANES, any, each, in_blocks};
+use crate::mean_gap::{GapExponent, power_at, powers_at};
 
 /// State of a sinusoid at an interference.
 struct StateAtInterference {
@@ -64,16 +67,32 @@ impl ElasticPlasticSinusoid {
             return (pressure_pa, self.elastic().area_fraction(pressure_pa));
         }
         let log_softening = self.log_softening();
-        let StateAtInterference { pressure_pa, x, log_x } =
-            self.state_at_power(t, self.gap_exponent(), log_softening);
-        let area_fraction = if !self.yields_at(pressure_pa) {
-            self.elastic().area_fraction(pressure_pa)
-        } else if log_x < 0.0 {
-            self.yielding_area_at(log_softening).fraction(x, log_x)
+        let state = self.state_at_power(t, self.gap_exponent(), log_softening);
+        let area_fraction = self.area_of_state(
+            &state,
+            || self.elastic().area_fraction(state.pressure_pa),
+            || self.yielding_area_at(log_softening).fraction(state.x, state.log_x),
+        );
+        (state.pressure_pa, area_fraction)
+    }
+
+    /// Computes [`pressure_and_area_at_interference`](Self::pressure_and_area_at_interference) at each of many
+    /// interferences over amplitude, to the same digits at a fraction of the cost. The three slices are equally long.
+    pub fn pressures_and_areas_at_interferences(
+        &self,
+        interferences_over_amplitude: &[f64],
+        pressures_pa: &mut [f64],
+        area_fractions: &mut [f64],
+    ) {
+        if self.can_yield() {
+            elastic_plastic_at_each(self, interferences_over_amplitude, pressures_pa, area_fractions);
         } else {
-            1.0
-        };
-        (pressure_pa, area_fraction)
+            self.elastic().pressures_and_areas_at_interferences(
+                interferences_over_amplitude,
+                pressures_pa,
+                area_fractions,
+            );
+        }
     }
 
     /// Returns a number that is positive where plastic flow sets the pressure at an interference over amplitude in
@@ -91,14 +110,8 @@ impl ElasticPlasticSinusoid {
     pub fn flow_margin_at_power(&self, t: f64) -> f64 {
         let log_t = elementary::ln(t);
         let log_x = 2.0 * log_t - self.log_softening();
-        let margin = self.gap_exponent().log_power(log_x, elementary::exp(log_x)) - log_t;
-        if !self.can_yield() {
-            -1.0
-        } else if log_x >= 0.0 {
-            1.0
-        } else {
-            margin
-        }
+        let margin = flow_margin(self.gap_exponent(), log_t, log_x, elementary::exp(log_x));
+        if self.can_yield() { margin } else { -1.0 }
     }
 
     /// Mean pressure \[Pa\] from which plastic flow sets the pressure at an interference; `None` unless r > 1.
@@ -127,22 +140,107 @@ impl ElasticPlasticSinusoid {
         let elastic_pa = self.elastic_pressure_pa(t);
         let log_t = elementary::ln(t);
         let log_x = 2.0 * log_t - log_softening;
+        let x = elementary::exp(log_x);
         // At the elastic pressure plastic flow would deform as much or less: the elastic pressure is the smaller one.
-        if log_x < 0.0 {
-            let x = elementary::exp(log_x);
-            if gap.log_power(log_x, x) <= log_t {
-                return StateAtInterference { pressure_pa: elastic_pa, x, log_x };
-            }
+        if flow_margin(gap, log_t, log_x, x) <= 0.0 {
+            return StateAtInterference { pressure_pa: elastic_pa, x, log_x };
         }
         let log_x = gap.log_x_at_power(log_t);
         let plastic_pa = self.softened_pressure_pa(log_softening + log_x);
         StateAtInterference { pressure_pa: elastic_pa.min(plastic_pa), x: elementary::exp(log_x), log_x }
     }
+
+    /// Area fraction of a state, given those of a sinusoid that has not yielded and of one that has.
+    #[inline(always)]
+    fn area_of_state(
+        &self,
+        state: &StateAtInterference,
+        elastic: impl FnOnce() -> f64,
+        yielding: impl FnOnce() -> f64,
+    ) -> f64 {
+        if !self.yields_at(state.pressure_pa) {
+            elastic()
+        } else if state.log_x < 0.0 {
+            yielding()
+        } else {
+            1.0
+        }
+    }
+}
+
+/// Returns a number that is positive where plastic flow sets the pressure, at ln t and at ln x of the elastic pressure.
+#[inline(always)]
+fn flow_margin(gap: GapExponent, log_t: f64, log_x: f64, x: f64) -> f64 {
+    let margin = gap.log_power(log_x, x) - log_t;
+    if log_x >= 0.0 { 1.0 } else { margin }
+}
+
+/// Pressures \[Pa\] and area fractions of a sinusoid with r > 1 at interferences over amplitude. A block of numbers
+/// skips a branch of the law that none of them takes.
+#[multiversion(targets("x86_64+avx2"))]
+fn elastic_plastic_at_each(
+    law: &ElasticPlasticSinusoid,
+    interferences_over_amplitude: &[f64],
+    pressures_pa: &mut [f64],
+    area_fractions: &mut [f64],
+) {
+    let (gap, log_softening) = (law.gap_exponent(), law.log_softening());
+    let (area, elastic) = (law.yielding_area_at(log_softening), law.elastic());
+    let complete_pa = law.complete_contact_pressure_pa();
+    in_blocks(interferences_over_amplitude, [pressures_pa, area_fractions], |ratios| {
+        let t = if any::<LANES>(|i| ratios[i] < 1.0) { powers_at(ratios) } else { [1.0; LANES] };
+        let log_t: [f64; LANES] = each(|i| elementary::ln(t[i]));
+        let mut log_x: [f64; LANES] = each(|i| 2.0 * log_t[i] - log_softening);
+        let mut x: [f64; LANES] = each(|i| elementary::exp(log_x[i]));
+        let margins: [f64; LANES] = each(|i| flow_margin(gap, log_t[i], log_x[i], x[i]));
+        let mut pressures_pa: [f64; LANES] = each(|i| law.elastic_pressure_pa(t[i]));
+        let flows = |i: usize| (margins[i] > 0.0) & (ratios[i] < 1.0);
+        if any::<LANES>(flows) {
+            let flowing_log_x = gap.log_xs_at_powers(log_t, flows);
+            let plastic_pa: [f64; LANES] =
+                each(|i| law.softened_pressure_pa(log_softening + flowing_log_x[i]));
+            let flowing_x: [f64; LANES] = each(|i| elementary::exp(flowing_log_x[i]));
+            pressures_pa =
+                each(|i| if flows(i) { pressures_pa[i].min(plastic_pa[i]) } else { pressures_pa[i] });
+            log_x = each(|i| if flows(i) { flowing_log_x[i] } else { log_x[i] });
+            x = each(|i| if flows(i) { flowing_x[i] } else { x[i] });
+        }
+        let yields = |i: usize| law.yields_at(pressures_pa[i]);
+        let elastic =
+            if any::<LANES>(|i| !yields(i)) { elastic.area_fractions(pressures_pa) } else { [0.0; LANES] };
+        let yielding =
+            if any::<LANES>(yields) { each(|i| area.fraction(x[i], log_x[i])) } else { [0.0; LANES] };
+        let area_fractions = each(|i| {
+            let state = StateAtInterference { pressure_pa: pressures_pa[i], x: x[i], log_x: log_x[i] };
+            let fraction = law.area_of_state(&state, || elastic[i], || yielding[i]);
+            if ratios[i] >= 1.0 { 1.0 } else { fraction }
+        });
+        [each(|i| if ratios[i] >= 1.0 { complete_pa } else { pressures_pa[i] }), area_fractions]
+    });
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::samples::at_ratio;
+    use crate::samples::{assert_batch_has_the_digits_of_each, at_ratio};
+
+    #[test]
+    fn many_interferences_have_the_digits_of_each() {
+        for r in [0.5, 1.0, 1.0 + f64::EPSILON, 1.001, 1.5, 37.0, 310.0, 1e4, 1e8] {
+            let law = at_ratio(r);
+            let onset_pa = law.flow_onset_pressure_pa().unwrap_or(law.complete_contact_pressure_pa());
+            let onset = law.elastic().deformation_over_amplitude(onset_pa);
+            let breaks = law.breaks().map(|b| law.deformation_over_amplitude(b.at));
+            let breaks: Vec<f64> = breaks.chain([onset, 1.0]).filter(|&at| at > 0.0).collect();
+            assert_batch_has_the_digits_of_each(
+                &breaks,
+                &[f64::INFINITY],
+                |ratio| law.pressure_and_area_at_interference(ratio),
+                |ratios, pressures, areas| {
+                    law.pressures_and_areas_at_interferences(ratios, pressures, areas);
+                },
+            );
+        }
+    }
 
     #[test]
     fn plastic_flow_sets_the_pressure_from_its_onset_on() {

@@ -53,7 +53,11 @@ pub fn exp_m1(x: f64) -> f64 {
 #[inline(always)]
 fn scale_and_rest(x: f64) -> (f64, f64) {
     let x = if x < -708.0 { -708.0 } else { x };
-    let x = if x > 709.0 { 709.0 } else { x };
+    scale_and_rest_in_range(if x > 709.0 { 709.0 } else { x })
+}
+
+#[inline(always)]
+fn scale_and_rest_in_range(x: f64) -> (f64, f64) {
     let shifted = x * std::f64::consts::LOG2_E + SHIFT;
     let exponent = shifted - SHIFT;
     let r = (x - exponent * LN_2[0]) - exponent * LN_2[1];
@@ -66,6 +70,13 @@ fn scale_and_rest(x: f64) -> (f64, f64) {
     let series = low + (middle + (c8 + c9 * r) * fourth) * fourth;
     let scale = f64::from_bits((shifted.to_bits() << 52).wrapping_add(1f64.to_bits()));
     (scale, r + square * series)
+}
+
+/// Computes [`exp`] where x is known to lie in \[-708, 709\], which saves limiting it.
+#[inline(always)]
+pub(crate) fn exp_in_range(x: f64) -> f64 {
+    let (scale, rest) = scale_and_rest_in_range(x);
+    scale + scale * rest
 }
 
 /// Computes ln x to one unit in the last place, for every normal x > 0.
@@ -114,6 +125,7 @@ mod tests {
         for i in -200_000..200_000 {
             let x = f64::from(i) * 0.00354;
             assert!(units_off(exp(x), x.exp()) <= 1.0, "{x}: {:e}", exp(x));
+            assert!(x.abs() > 708.0 || exp_in_range(x) == exp(x), "{x}: {:e}", exp_in_range(x));
             for x in [x, x * 1e-3, x * 1e-9, x * 1e-30] {
                 assert!(units_off(exp_m1(x), x.exp_m1()) <= 1.5, "{x}: {:e}", exp_m1(x));
             }

@@ -2,6 +2,8 @@
 
 use std::f64::consts::PI;
 
+use multiversion::multiversion;
+
 use crate::MaterialPair;
 
 /// A sphere pressed elastically by a flat (`docs/theory/models.md`, section 2.1). Exact for contact radii well below R;
@@ -26,6 +28,12 @@ impl Hertz {
         4.0 / 3.0 * self.composite_modulus_pa * interference_m * (self.radius_m * interference_m).sqrt()
     }
 
+    /// Computes [`force_n`](Self::force_n) and [`area_m2`](Self::area_m2) at each of many interferences w >= 0 \[m\], to
+    /// the same digits at a fraction of the cost. The three slices are equally long.
+    pub fn forces_and_areas(&self, interferences_m: &[f64], forces_n: &mut [f64], areas_m2: &mut [f64]) {
+        hertz_at_each(self, interferences_m, forces_n, areas_m2);
+    }
+
     /// Force per w^(3/2), (4/3) E* sqrt(R) \[N/m^1.5\].
     #[must_use]
     pub fn force_per_three_halves(&self) -> f64 {
@@ -39,9 +47,29 @@ impl Hertz {
     }
 }
 
+/// Forces and areas at interferences.
+#[multiversion(targets("x86_64+avx2"))]
+fn hertz_at_each(law: &Hertz, interferences_m: &[f64], forces_n: &mut [f64], areas_m2: &mut [f64]) {
+    for ((&w, force_n), area_m2) in interferences_m.iter().zip(forces_n).zip(areas_m2) {
+        (*force_n, *area_m2) = (law.force_n(w), law.area_m2(w));
+    }
+}
+
 #[cfg(test)]
 mod tests {
+    use crate::samples::assert_batch_has_the_digits_of_each;
     use crate::{ElasticBody, Hertz, MaterialPair};
+
+    #[test]
+    fn many_interferences_have_the_digits_of_each() {
+        let law = Hertz::new(&MaterialPair::against_rigid(ElasticBody::new(2e11, 0.3).unwrap()), 1e-6);
+        assert_batch_has_the_digits_of_each(
+            &[1e-9],
+            &[-1e-9, f64::NAN],
+            |w| (law.force_n(w), law.area_m2(w)),
+            |w, forces, areas| law.forces_and_areas(w, forces, areas),
+        );
+    }
 
     #[test]
     fn force_over_area_grows_with_the_root_of_the_interference() {

@@ -3,6 +3,7 @@
 use multiversion::multiversion;
 use std::f64::consts::PI;
 
+use crate::lanes::{LANES, any, each, in_blocks};
 use crate::{Break, Hertz, MaterialPair, elementary};
 
 /// Ratio w/w_c up to which the law is Hertz's; its force jumps there (see [`JacksonGreen::breaks`]).
@@ -126,10 +127,7 @@ impl JacksonGreen {
         if self.is_elastic(interference_m) {
             self.hertz.force_n(interference_m)
         } else {
-            let log_ratio = self.log_over_onset(interference_m);
-            self.plastic_force_n(interference_m, log_ratio, |log_share| {
-                self.hardness.over_strength(log_share)
-            })
+            self.plastic_force_n(interference_m)
         }
     }
 
@@ -152,26 +150,53 @@ impl JacksonGreen {
         }
     }
 
-    /// Force and area at one interference, without a branch; `over_strength` is H_G/Sy at ln(A/(pi R^2)).
+    /// Computes [`force_and_area`](Self::force_and_area) at each of many interferences w >= 0 \[m\], to the same digits
+    /// at a fraction of the cost (with the cosine form of the hardness at about the same). The three slices are equally
+    /// long.
+    pub fn forces_and_areas(&self, interferences_m: &[f64], forces_n: &mut [f64], areas_m2: &mut [f64]) {
+        let nodes = (interferences_m, forces_n, areas_m2);
+        match self.hardness {
+            Hardness::JacksonGreen2005 => at_each(self, Hardness::jackson_green_2005, nodes),
+            Hardness::Cosine => at_each(self, Hardness::cosine, nodes),
+        }
+    }
+
+    /// Forces and areas at N interferences, without a branch; `over_strength` is H_G/Sy at ln(A/(pi R^2)).
     #[inline(always)]
-    fn plastic_force_and_area(&self, interference_m: f64, over_strength: impl Fn(f64) -> f64) -> (f64, f64) {
-        let log_ratio = self.log_over_onset(interference_m);
-        let grown_m2 = self.hertz.area_m2(interference_m) * elementary::exp(self.log_growth(log_ratio));
+    fn plastic<const N: usize>(
+        &self,
+        interferences_m: [f64; N],
+        over_strength: impl Fn(f64) -> f64,
+    ) -> [[f64; N]; 2] {
+        let log_ratios: [f64; N] = each(|i| self.log_over_onset(interferences_m[i]));
+        let growths: [f64; N] = each(|i| elementary::exp(self.log_growth(log_ratios[i])));
         let most_m2 = PI * self.radius_m * self.radius_m;
-        let area_m2 = if grown_m2 < most_m2 { grown_m2 } else { most_m2 };
-        (self.plastic_force_n(interference_m, log_ratio, over_strength), area_m2)
+        let areas_m2 = each(|i| {
+            let grown_m2 = self.hertz.area_m2(interferences_m[i]) * growths[i];
+            if grown_m2 < most_m2 { grown_m2 } else { most_m2 }
+        });
+        [self.plastic_forces_n(interferences_m, log_ratios, over_strength), areas_m2]
     }
 
     /// Force \[N\] and contact area \[m^2\] at the interference w >= 0 \[m\]: [`force_n`](Self::force_n) and
     /// [`area_m2`](Self::area_m2), which share a logarithm and an exponential.
     #[must_use]
     pub fn force_and_area(&self, interference_m: f64) -> (f64, f64) {
-        let (hertz_area_m2, most_m2) =
-            (self.hertz.area_m2(interference_m), PI * self.radius_m * self.radius_m);
+        self.on_its_branch(interference_m, || {
+            let [[force_n], [area_m2]] =
+                self.plastic([interference_m], |log_share| self.hardness.over_strength(log_share));
+            (force_n, area_m2)
+        })
+    }
+
+    /// Force and area at one interference, given those of the plastic branch, which count from the onset on.
+    #[inline(always)]
+    fn on_its_branch(&self, interference_m: f64, plastic: impl FnOnce() -> (f64, f64)) -> (f64, f64) {
         if self.is_elastic(interference_m) {
-            return (self.hertz.force_n(interference_m), hertz_area_m2.min(most_m2));
+            let most_m2 = PI * self.radius_m * self.radius_m;
+            return (self.hertz.force_n(interference_m), self.hertz.area_m2(interference_m).min(most_m2));
         }
-        self.plastic_force_and_area(interference_m, |log_share| self.hardness.over_strength(log_share))
+        plastic()
     }
 
     /// Contact area A = A_c w' (w'/1.9)^b \[m^2\], A_c = pi R w_c, b = 0.14 exp(23 Sy/E*), at the interference w >= 0
@@ -197,10 +222,7 @@ impl JacksonGreen {
     pub fn breaks(&self) -> impl Iterator<Item = Break> + use<> {
         let onset = self.plastic_onset_m();
         let departure = onset.is_finite().then(|| {
-            let (below, above) = (
-                self.hertz.force_n(onset),
-                self.plastic_force_n(onset, 0.0, |log_share| self.hardness.over_strength(log_share)),
-            );
+            let (below, above) = (self.hertz.force_n(onset), self.plastic_force_n(onset));
             Break::jump(onset, "departure from Hertz at 1.9 w_c", below, above)
         });
         let cap = Some(Break::kink(self.cap_interference_m(), "area reaches pi R^2"));
@@ -235,6 +257,7 @@ impl JacksonGreen {
         (interference_m / self.radius_m).ln() + log_growth
     }
 
+    #[inline(always)]
     fn is_elastic(&self, interference_m: f64) -> bool {
         interference_m < self.plastic_onset_m()
     }
@@ -267,31 +290,66 @@ impl JacksonGreen {
             .min(1.0)
     }
 
-    /// Force \[N\] from the onset on, in logarithms: `log_ratio` is ln(w'/1.9), and `over_strength` gives H_G/Sy at
-    /// ln(A/(pi R^2)), which is ln(1.9 w_c/R) + (1 + b) ln(w'/1.9), limited to 0.
+    /// Force \[N\] from the onset on.
     #[inline(always)]
-    fn plastic_force_n(
+    fn plastic_force_n(&self, interference_m: f64) -> f64 {
+        let log_ratio = self.log_over_onset(interference_m);
+        let [force_n] = self.plastic_forces_n([interference_m], [log_ratio], |log_share| {
+            self.hardness.over_strength(log_share)
+        });
+        force_n
+    }
+
+    /// Forces \[N\] at N interferences from the onset on, in logarithms: `log_ratios` are ln(w'/1.9), and
+    /// `over_strength` gives H_G/Sy at ln(A/(pi R^2)), which is ln(1.9 w_c/R) + (1 + b) ln(w'/1.9), limited to 0.
+    #[inline(always)]
+    fn plastic_forces_n<const N: usize>(
         &self,
-        interference_m: f64,
-        log_ratio: f64,
+        interferences_m: [f64; N],
+        log_ratios: [f64; N],
         over_strength: impl Fn(f64) -> f64,
-    ) -> f64 {
+    ) -> [f64; N] {
         const LOG_OF_ONSET: f64 = 0.641_853_886_172_394_8;
-        let w = interference_m / self.critical_interference_m;
         let critical_force_n =
             2.0 / 3.0 * self.yield_pressure_pa * PI * self.radius_m * self.critical_interference_m;
-        let log_area_share = self.log_onset_over_radius + log_ratio + self.log_growth(log_ratio);
-        let log_area_share = if log_area_share < 0.0 { log_area_share } else { 0.0 };
-        let hardness = over_strength(log_area_share);
+        let hardnesses: [f64; N] = each(|i| {
+            let log_ratio = log_ratios[i];
+            let log_area_share = self.log_onset_over_radius + log_ratio + self.log_growth(log_ratio);
+            over_strength(if log_area_share < 0.0 { log_area_share } else { 0.0 })
+        });
         // 5/12 and 5/9 are three and four times 5/36: both powers from one exponential.
-        let power = elementary::exp(5.0 / 36.0 * (LOG_OF_ONSET + log_ratio));
-        let square = power * power;
-        let elastic_share = elementary::exp(-0.25 * square * power) * w * w.sqrt();
-        let plastic_share = -elementary::exp_m1(-square * square / 25.0) * w;
-        critical_force_n
-            * (elastic_share
-                + 4.0 * hardness * self.yield_strength_pa / self.yield_pressure_pa * plastic_share)
+        let powers: [f64; N] = each(|i| elementary::exp(5.0 / 36.0 * (LOG_OF_ONSET + log_ratios[i])));
+        let w: [f64; N] = each(|i| interferences_m[i] / self.critical_interference_m);
+        let elastic_shares: [f64; N] =
+            each(|i| elementary::exp(-0.25 * (powers[i] * powers[i]) * powers[i]) * w[i] * w[i].sqrt());
+        let plastic_shares: [f64; N] = each(|i| {
+            let square = powers[i] * powers[i];
+            -elementary::exp_m1(-square * square / 25.0) * w[i]
+        });
+        each(|i| {
+            let hardness_over_pressure =
+                4.0 * hardnesses[i] * self.yield_strength_pa / self.yield_pressure_pa;
+            critical_force_n * (elastic_shares[i] + hardness_over_pressure * plastic_shares[i])
+        })
     }
+}
+
+/// Forces and areas at interferences on both branches of a law.
+#[multiversion(targets("x86_64+avx2"))]
+fn at_each<H: Fn(f64) -> f64>(
+    law: &JacksonGreen,
+    over_strength: H,
+    (interferences_m, forces_n, areas_m2): (&[f64], &mut [f64], &mut [f64]),
+) {
+    in_blocks(interferences_m, [forces_n, areas_m2], |interferences_m| {
+        let is_plastic = any::<LANES>(|i| !law.is_elastic(interferences_m[i]));
+        let [mut forces_n, mut areas_m2] =
+            if is_plastic { law.plastic(interferences_m, &over_strength) } else { [[0.0; LANES]; 2] };
+        for i in 0..LANES {
+            (forces_n[i], areas_m2[i]) = law.on_its_branch(interferences_m[i], || (forces_n[i], areas_m2[i]));
+        }
+        [forces_n, areas_m2]
+    });
 }
 
 /// Forces and areas at interferences, without a branch.
@@ -302,7 +360,7 @@ fn plastic_at_each<L: Fn(f64) -> JacksonGreen, H: Fn(f64) -> f64>(
     (interferences_m, forces_n, areas_m2): (&[f64], &mut [f64], &mut [f64]),
 ) {
     for ((&w, force_n), area_m2) in interferences_m.iter().zip(forces_n).zip(areas_m2) {
-        (*force_n, *area_m2) = at_depth(w).plastic_force_and_area(w, &over_strength);
+        [[*force_n], [*area_m2]] = at_depth(w).plastic([w], &over_strength);
     }
 }
 
@@ -310,6 +368,7 @@ fn plastic_at_each<L: Fn(f64) -> JacksonGreen, H: Fn(f64) -> f64>(
 mod tests {
     use super::*;
     use crate::ElasticBody;
+    use crate::samples::assert_batch_has_the_digits_of_each;
 
     fn sphere(poisson_ratio: f64, strength_over_modulus: f64) -> JacksonGreen {
         let body = ElasticBody::new(1e11, poisson_ratio).unwrap();
@@ -338,6 +397,23 @@ mod tests {
         assert!((100.0 * force_step(0.2, 0.08) + 1.1).abs() < 0.05);
         assert!((100.0 * force_step(0.2, 0.5) + 10.8).abs() < 0.05);
         assert!((100.0 * force_step(0.2, 3.0) + 10.8).abs() < 0.05);
+    }
+
+    #[test]
+    fn many_interferences_have_the_digits_of_each() {
+        let pair = MaterialPair::against_rigid(ElasticBody::new(1e11, 0.3).unwrap());
+        for hardness in Hardness::ALL {
+            for strength_pa in [1e4, 1e8, 1e9, 1e10, 5e12, f64::INFINITY] {
+                let law = JacksonGreen::new(&pair, 1e-6, strength_pa, hardness);
+                let breaks: Vec<f64> = law.breaks().map(|b| b.at).collect();
+                assert_batch_has_the_digits_of_each(
+                    &breaks,
+                    &[-0.0, -1e-300, -1e-9, -0.5, f64::INFINITY, f64::NAN],
+                    |w| law.force_and_area(w),
+                    |w, forces, areas| law.forces_and_areas(w, forces, areas),
+                );
+            }
+        }
     }
 
     #[test]

@@ -6,6 +6,8 @@
 //! * the laws: [`Hertz`] and [`JacksonGreen`] for a sphere at an interference, [`HertzEllipse`] for a summit of two
 //!   curvatures, [`ElasticSinusoid`] and [`ElasticPlasticSinusoid`] for a sinusoid at a mean pressure or at an
 //!   interference, with its mean gap, and [`BemSinusoid`], the elastic one by boundary elements.
+//!   Spheres and the first two sinusoids also take many interferences at once, to the same digits at a sixth of the cost:
+//!   [`JacksonGreen::forces_and_areas`], [`ElasticPlasticSinusoid::pressures_and_areas_at_interferences`].
 //! * [`NixGao`]: the yield strength, which grows as the deformation gets shallower.
 //! * [`elementary`]: exponentials and logarithms for many arguments at once.
 //! * [`Break`]: kinks and jumps of a law, for quadratures over it.
@@ -23,6 +25,7 @@ pub mod elementary;
 mod hertz;
 mod hertz_ellipse;
 mod jackson_green;
+mod lanes;
 mod layer;
 mod material;
 mod mean_gap;

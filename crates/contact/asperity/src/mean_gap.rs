@@ -4,9 +4,10 @@
 //! Everything is written in ln x, x = p/p*, and in the complement h_p/Delta = 1 - g/Delta, which keeps its digits
 //! where the gap is almost the amplitude. They matter because the strength goes like h_p^(-1/2).
 
-use numerics::newton_in_bracket;
+use numerics::{newton_in_bracket, newton_in_brackets};
 
 use crate::elementary;
+use crate::lanes::each;
 
 /// Exponent of g/Delta = (1 - x^(A1 x + A2))^(5/2).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,23 +73,51 @@ impl GapExponent {
 
     /// ln x at which (A1 x + A2) ln x = ln t, t in (0, 1).
     pub fn log_x_at_power(self, log_t: f64) -> f64 {
-        let upper = log_t / self.a2;
         if self.a1 == 0.0 {
-            return upper;
+            return log_t / self.a2;
         }
+        let [lower, upper, start] = self.bracket(log_t);
+        newton_in_bracket(lower, upper, start, |log_x| self.excess_and_slope(log_x, log_t))
+    }
+
+    /// Computes [`log_x_at_power`](Self::log_x_at_power) for N values of ln t at which `is_wanted`; elsewhere the result
+    /// is 0. A1 is below 0, as it is for r > 1.
+    #[inline(always)]
+    pub fn log_xs_at_powers<const N: usize>(
+        self,
+        log_ts: [f64; N],
+        is_wanted: impl Fn(usize) -> bool,
+    ) -> [f64; N] {
+        let (mut lowers, mut uppers, mut starts) = ([0.0; N], [0.0; N], [0.0; N]);
+        for i in 0..N {
+            let [lower, upper, start] = self.bracket(log_ts[i]);
+            // A bracket of a single number ends at once.
+            let wanted = |value: f64| if is_wanted(i) { value } else { 0.0 };
+            (lowers[i], uppers[i], starts[i]) = (wanted(lower), wanted(upper), wanted(start));
+        }
+        newton_in_brackets(lowers, uppers, starts, |i, log_x| self.excess_and_slope(log_x, log_ts[i]))
+    }
+
+    /// Bracket of ln x at which (A1 x + A2) ln x = ln t, and a number near it.
+    #[inline(always)]
+    fn bracket(self, log_t: f64) -> [f64; 3] {
         // A1 <= 0 makes the exponent largest at x = 0 and the left side rise with ln x. So `upper` is an upper bound,
         // and the exponent there yields a lower one. Halley's step from there needs no further exponential, and leaves
         // Newton's method one to three.
+        let upper = log_t / self.a2;
         let grown = self.a1 * elementary::exp(upper);
         let lower = log_t / (grown + self.a2);
         let excess = grown * upper;
         let (slope, curvature) = (excess + grown + self.a2, excess + 2.0 * grown);
-        let start = upper - 2.0 * excess * slope / (2.0 * slope * slope - excess * curvature);
-        newton_in_bracket(lower, upper, start, |log_x| {
-            let x = elementary::exp(log_x);
-            let exponent = self.a1 * x + self.a2;
-            (exponent * log_x - log_t, self.a1 * x * log_x + exponent)
-        })
+        [lower, upper, upper - 2.0 * excess * slope / (2.0 * slope * slope - excess * curvature)]
+    }
+
+    /// Computes (A1 x + A2) ln x - ln t and its derivative by ln x.
+    #[inline(always)]
+    fn excess_and_slope(self, log_x: f64, log_t: f64) -> (f64, f64) {
+        let x = elementary::exp(log_x);
+        let exponent = self.a1 * x + self.a2;
+        (exponent * log_x - log_t, self.a1 * x * log_x + exponent)
     }
 
     /// Logarithm of x^(A1 x + A2).
@@ -103,9 +132,17 @@ impl GapExponent {
 /// With y = (1 - h_p/Delta)^(2/5), 1 - y is (1 - y^5)/(1 + y + y^2 + y^3 + y^4), where nothing cancels.
 #[inline(always)]
 pub(crate) fn power_at(deformation_over_amplitude: f64) -> f64 {
-    let h = deformation_over_amplitude;
-    let y = elementary::exp(0.4 * elementary::ln(1.0 - h));
-    h * (2.0 - h) / (1.0 + y * (1.0 + y * (1.0 + y * (1.0 + y))))
+    let [t] = powers_at([deformation_over_amplitude]);
+    t
+}
+
+/// Computes [`power_at`] for N numbers.
+#[inline(always)]
+pub(crate) fn powers_at<const N: usize>(deformations_over_amplitude: [f64; N]) -> [f64; N] {
+    let h = deformations_over_amplitude;
+    let log_y: [f64; N] = each(|i| 0.4 * elementary::ln(1.0 - h[i]));
+    let y: [f64; N] = each(|i| elementary::exp_in_range(log_y[i]));
+    each(|i| h[i] * (2.0 - h[i]) / (1.0 + y[i] * (1.0 + y[i] * (1.0 + y[i] * (1.0 + y[i])))))
 }
 
 /// Computes 1 - (1-t)^(5/2) from t in [0, 1] and 1 - t: as (1 - (1-t)^5)/(1 + (1-t)^(5/2)) for small t, without

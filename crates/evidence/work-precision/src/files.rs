@@ -36,10 +36,9 @@ pub fn points_csv(points: &[&Point], facts: &[Fact]) -> String {
 /// Costs of single asperities.
 pub fn kernels_csv(costs: &[KernelCost], facts: &[Fact]) -> String {
     let mut text = comments(facts);
-    text +=
-        "kernel,seconds,median_error,python_seconds,python_median_error,numpy_seconds,numpy_median_error\n";
+    text += "kernel,seconds,median_error,python_seconds,python_median_error,numpy_seconds,numpy_median_error,batch_seconds,batch_median_error\n";
     for cost in costs {
-        let cells = [Some(cost.ours), cost.scalar, cost.array].map(|cost| match cost {
+        let cells = [Some(cost.ours), cost.scalar, cost.array, cost.batch].map(|cost| match cost {
             Some(cost) => format!("{},{}", scientific(cost.seconds), scientific(cost.median_error)),
             None => ",".to_owned(),
         });

@@ -14,7 +14,9 @@ use crate::competitors::{Question, Row, Setting, States, Worker};
 use crate::reference::{Case, repository};
 
 const OUR_BUDGET_S: f64 = 0.05;
-const THEIR_BUDGET_S: f64 = 1e-3;
+const BUDGET_OF_A_ROW_S: f64 = 1e-3;
+/// Copies of a row's interference that a law takes at once; `worker.py` gives numpy as many.
+const BATCH: usize = 1000;
 
 /// Cost of one evaluation of a law.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,6 +25,8 @@ pub struct KernelCost {
     pub kernel: &'static str,
     /// Cost of this program.
     pub ours: Cost,
+    /// Cost of this program, per number of a slice of a thousand; `None` for laws that take one number at a time.
+    pub batch: Option<Cost>,
     /// Cost of the same formulas in Python, a number at a time; `None` if not compared.
     pub scalar: Option<Cost>,
     /// Cost in numpy, per number of an array of a thousand.
@@ -44,11 +48,19 @@ type Columns = HashMap<String, f64>;
 /// Evaluation of a law at one row, with two results.
 type Evaluation = Box<dyn Fn() -> (f64, f64)>;
 
+/// Evaluation of a law at many interferences: these, and slices for the two results.
+type BatchEvaluation = Box<dyn Fn(&[f64], &mut [f64], &mut [f64])>;
+
+/// Law prepared for a row, for many interferences, and the interference of the row.
+type Batch = fn(&Columns) -> (BatchEvaluation, f64);
+
 /// Kernel: its table, its law prepared for a row, and the columns of its two results.
 struct Kernel {
     name: &'static str,
     table: &'static str,
     law: fn(&Columns) -> Evaluation,
+    /// Evaluation at many interferences; `None` for laws that take one number at a time.
+    batch: Option<Batch>,
     exact: [&'static str; 2],
     /// Name of the law in Python.
     model: Option<&'static str>,
@@ -62,6 +74,13 @@ const KERNELS: [Kernel; 7] = [
             let (hertz, w_m) = (Hertz::new(&pair(row), row["radius_m"]), row["interference_m"]);
             Box::new(move || (hertz.force_n(black_box(w_m)), hertz.area_m2(w_m)))
         },
+        batch: Some(|row| {
+            let hertz = Hertz::new(&pair(row), row["radius_m"]);
+            (
+                Box::new(move |w_m, forces_n, areas_m2| hertz.forces_and_areas(w_m, forces_n, areas_m2)),
+                row["interference_m"],
+            )
+        }),
         exact: ["hertz_force_n", "hertz_area_m2"],
         model: Some("hertz"),
     },
@@ -69,11 +88,16 @@ const KERNELS: [Kernel; 7] = [
         name: "Jackson & Green: force, area",
         table: "sphere.csv",
         law: |row| {
-            let strength_pa = row["yield_strength_pa"];
-            let sphere = JacksonGreen::new(&pair(row), row["radius_m"], strength_pa, Hardness::default());
-            let w_m = row["interference_m"];
+            let (sphere, w_m) = (sphere(row), row["interference_m"]);
             Box::new(move || sphere.force_and_area(black_box(w_m)))
         },
+        batch: Some(|row| {
+            let sphere = sphere(row);
+            (
+                Box::new(move |w_m, forces_n, areas_m2| sphere.forces_and_areas(w_m, forces_n, areas_m2)),
+                row["interference_m"],
+            )
+        }),
         exact: ["jackson_green_force_n", "jackson_green_area_m2"],
         model: Some("ep-sphere"),
     },
@@ -82,11 +106,17 @@ const KERNELS: [Kernel; 7] = [
         table: "sinusoid_interference.csv",
         law: |row| {
             let (sinusoid, depth) = (ElasticSinusoid::new(&pair(row), row["aspect_ratio"]), depth(row));
-            Box::new(move || {
-                let pressure_pa = sinusoid.pressure_at_interference_pa(black_box(depth));
-                (pressure_pa, sinusoid.area_fraction(pressure_pa))
-            })
+            Box::new(move || sinusoid.pressure_and_area_at_interference(black_box(depth)))
         },
+        batch: Some(|row| {
+            let sinusoid = ElasticSinusoid::new(&pair(row), row["aspect_ratio"]);
+            (
+                Box::new(move |depths, pressures_pa, area_fractions| {
+                    sinusoid.pressures_and_areas_at_interferences(depths, pressures_pa, area_fractions);
+                }),
+                depth(row),
+            )
+        }),
         exact: ["pressure_elastic_pa", "area_fraction_elastic"],
         model: Some("elastic-sine"),
     },
@@ -97,6 +127,15 @@ const KERNELS: [Kernel; 7] = [
             let (sinusoid, depth) = (plastic(row), depth(row));
             Box::new(move || sinusoid.pressure_and_area_at_interference(black_box(depth)))
         },
+        batch: Some(|row| {
+            let sinusoid = plastic(row);
+            (
+                Box::new(move |depths, pressures_pa, area_fractions| {
+                    sinusoid.pressures_and_areas_at_interferences(depths, pressures_pa, area_fractions);
+                }),
+                depth(row),
+            )
+        }),
         exact: ["pressure_ep_pa", "area_fraction_ep"],
         model: Some("ep-sine"),
     },
@@ -108,6 +147,7 @@ const KERNELS: [Kernel; 7] = [
                 (ElasticSinusoid::new(&pair(row), row["aspect_ratio"]), row["pressure_pa"]);
             Box::new(move || twice(sinusoid.area_fraction(black_box(p_pa))))
         },
+        batch: None,
         exact: ["area_fraction_elastic"; 2],
         model: None,
     },
@@ -118,6 +158,7 @@ const KERNELS: [Kernel; 7] = [
             let (sinusoid, p_pa) = (plastic(row), row["pressure_pa"]);
             Box::new(move || twice(sinusoid.area_fraction(black_box(p_pa))))
         },
+        batch: None,
         exact: ["area_fraction_ep"; 2],
         model: None,
     },
@@ -128,6 +169,7 @@ const KERNELS: [Kernel; 7] = [
             let (sinusoid, p_pa) = (plastic(row), row["pressure_pa"]);
             Box::new(move || twice(sinusoid.mean_gap_over_amplitude(black_box(p_pa))))
         },
+        batch: None,
         exact: ["mean_gap_over_amplitude"; 2],
         model: None,
     },
@@ -152,7 +194,25 @@ fn cost(kernel: &Kernel, worker: Option<&mut Worker>) -> Result<KernelCost, Stri
         (Some(model), Some(worker)) => theirs(kernel, model, &rows, worker),
         _ => (None, None),
     };
-    Ok(KernelCost { kernel: kernel.name, ours, scalar, array })
+    Ok(KernelCost { kernel: kernel.name, ours, batch: batch_cost(kernel, &rows), scalar, array })
+}
+
+/// Cost per number of [`BATCH`] copies of a row's interference: the mean over the rows.
+fn batch_cost(kernel: &Kernel, rows: &[Columns]) -> Option<Cost> {
+    let batch = kernel.batch?;
+    let (mut first, mut second) = (vec![0.0; BATCH], vec![0.0; BATCH]);
+    let mut at_row = |row: &Columns| {
+        let (law, interference) = batch(row);
+        let interferences = vec![interference; BATCH];
+        let seconds = seconds_per_call(BUDGET_OF_A_ROW_S, || {
+            law(black_box(&interferences), &mut first, &mut second);
+            black_box((&first, &second));
+        });
+        (seconds / BATCH as f64, error(kernel, row, (first[0], second[0])))
+    };
+    let costs: Vec<(f64, f64)> = rows.iter().map(&mut at_row).collect();
+    let seconds = costs.iter().map(|(seconds, _)| seconds).sum::<f64>() / rows.len() as f64;
+    Some(Cost { seconds, median_error: median(costs.into_iter().map(|(_, error)| error)) })
 }
 
 /// Costs in Python, a number at a time and in arrays: the mean over the rows.
@@ -164,7 +224,7 @@ fn theirs(
 ) -> (Option<Cost>, Option<Cost>) {
     let answers = rows.iter().map(|row| {
         let (case, at) = (case(model, row), States::One(row["interference_m"]));
-        let (setting, seconds) = (Setting::Nodes(0), THEIR_BUDGET_S);
+        let (setting, seconds) = (Setting::Nodes(0), BUDGET_OF_A_ROW_S);
         worker.ask(&Question { engine: "kernel", setting, by_pressure: false, case: &case, at, seconds })
     });
     let Ok(answers) = answers.collect::<Result<Vec<Vec<Row>>, String>>() else { return (None, None) };
@@ -206,6 +266,10 @@ fn case(model: &str, row: &Columns) -> Case {
 fn pair(row: &Columns) -> MaterialPair {
     let body = ElasticBody::new(row["youngs_modulus_pa"], row["poisson_ratio"]).expect("a body of the table");
     MaterialPair::against_rigid(body)
+}
+
+fn sphere(row: &Columns) -> JacksonGreen {
+    JacksonGreen::new(&pair(row), row["radius_m"], row["yield_strength_pa"], Hardness::default())
 }
 
 fn plastic(row: &Columns) -> ElasticPlasticSinusoid {
@@ -257,6 +321,20 @@ mod tests {
             assert!(rows.len() > 100, "{}", kernel.name);
             let errors = rows.iter().map(|row| error(kernel, row, (kernel.law)(row)()));
             assert!(median(errors) < 1e-14, "{}", kernel.name);
+        }
+    }
+
+    #[test]
+    fn a_law_at_many_interferences_has_the_results_of_one() {
+        for kernel in &KERNELS {
+            let Some(batch) = kernel.batch else { continue };
+            for row in read(kernel.table).unwrap() {
+                let (law, interference) = batch(&row);
+                let (mut first, mut second) = ([0.0; 3], [0.0; 3]);
+                law(&[interference; 3], &mut first, &mut second);
+                let (alone, alone_too) = (kernel.law)(&row)();
+                assert_eq!((first, second), ([alone; 3], [alone_too; 3]), "{}: {row:?}", kernel.name);
+            }
         }
     }
 }

@@ -1,11 +1,13 @@
 //! Measures everything and rewrites `docs/develop/performance/` and the tables of `docs/develop/performance.md`: `cargo xtask work-precision`.
+//!
+//! With the argument `kernels`, in seconds, only the tables of single asperities.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use tables::markdown::with_section;
 use work_precision::competitors::{Environment, MissingPackage, Worker};
-use work_precision::machine;
+use work_precision::machine::{self, Fact};
 use work_precision::point::{GivenQuantity, Outcome, Point};
 use work_precision::reference::{self, repository};
 use work_precision::sections::Measured;
@@ -16,7 +18,13 @@ use work_precision::{files, kernels, pictures, scaling, sections, stack, study};
 const DRAWN: &str = "steel";
 
 fn main() -> ExitCode {
-    match run() {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let ran = match arguments.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
+        [] => run(),
+        ["kernels"] => run_kernels(),
+        _ => Err(format!("unknown arguments {arguments:?}; give none, or kernels")),
+    };
+    match ran {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => {
             eprintln!("error: {message}");
@@ -27,13 +35,7 @@ fn main() -> ExitCode {
 
 fn run() -> Result<(), String> {
     let groups = reference::committed()?;
-    println!("installing the competitors below target/");
-    let environment = Environment::prepare(&repository("target/work-precision/venv"));
-    let mut missing = environment.missing.clone();
-    let mut worker = started(&environment, &mut missing);
-    let mut facts = machine::facts();
-    facts.extend(worker.iter().flat_map(|worker| worker.versions.clone()));
-
+    let (mut worker, missing, facts) = prepare();
     let mut points = Vec::new();
     for group in &groups {
         println!("{}, {}", group.population, group.case.law());
@@ -46,7 +48,38 @@ fn run() -> Result<(), String> {
     let scaling = scaling::measure(&repository("target/work-precision/tables"));
     let measured = Measured { facts, missing, points, kernels, stack, scaling };
     write_files(&repository("docs/develop/performance"), &measured)?;
-    write_page(&repository("docs/develop/performance.md"), &measured)
+    write_sections(&page(), sections::all(&measured))?;
+    println!(
+        "\n{}\n{}",
+        sections::verdicts(&measured.points, &measured.stack),
+        sections::kernel_verdicts(&measured.kernels)
+    );
+    Ok(())
+}
+
+/// Measures single asperities alone, and rewrites their file and tables.
+fn run_kernels() -> Result<(), String> {
+    let (mut worker, _, facts) = prepare();
+    let kernels = kernels::costs(worker.as_mut())?;
+    write(&repository("docs/develop/performance/kernels.csv"), &files::kernels_csv(&kernels, &facts))?;
+    let (costs, verdicts) = (sections::kernel_costs(&kernels), sections::kernel_verdicts(&kernels));
+    println!("\n{costs}\n{verdicts}");
+    write_sections(&page(), [("kernels", costs), ("kernel-verdicts", verdicts)])
+}
+
+fn page() -> PathBuf {
+    repository("docs/develop/performance.md")
+}
+
+/// Installs and starts the competitors, and lists machine and versions.
+fn prepare() -> (Option<Worker>, Vec<MissingPackage>, Vec<Fact>) {
+    println!("installing the competitors below target/");
+    let environment = Environment::prepare(&repository("target/work-precision/venv"));
+    let mut missing = environment.missing.clone();
+    let worker = started(&environment, &mut missing);
+    let mut facts = machine::facts();
+    facts.extend(worker.iter().flat_map(|worker| worker.versions.clone()));
+    (worker, missing, facts)
 }
 
 /// Starts the competitors' process, and reports the missing ones.
@@ -98,16 +131,17 @@ fn write_files(folder: &Path, measured: &Measured) -> Result<(), String> {
     Ok(())
 }
 
-/// Writes the page's tables, and prints its verdicts.
-fn write_page(path: &Path, measured: &Measured) -> Result<(), String> {
+/// Writes tables of the page, by name.
+fn write_sections(
+    path: &Path,
+    sections: impl IntoIterator<Item = (&'static str, String)>,
+) -> Result<(), String> {
     let mut page =
         std::fs::read_to_string(path).map_err(|error| format!("docs/develop/performance.md: {error}"))?;
-    for (name, contents) in sections::all(measured) {
+    for (name, contents) in sections {
         page = with_section(&page, name, &contents)?;
     }
-    write(path, &page)?;
-    println!("\n{}", sections::verdicts(&measured.points, &measured.stack));
-    Ok(())
+    write(path, &page)
 }
 
 fn write(path: &Path, text: &str) -> Result<(), String> {

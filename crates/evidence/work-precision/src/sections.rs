@@ -19,6 +19,8 @@ const PAIR_TOLERANCE: f64 = 1e-12;
 const STATE_BAR: f64 = 3000.0;
 /// Factor by which the Hertz pair must be cheaper than with `Fn`.
 const PAIR_BAR: f64 = 1000.0;
+/// Factor by which a law must be cheaper than with numpy, both at a thousand interferences.
+const KERNEL_BAR: f64 = 4.0;
 /// Largest time per scale of the stack and load \[s\].
 const STACK_BAR_S: f64 = 60e-9;
 const MIB: f64 = 1024.0 * 1024.0;
@@ -43,11 +45,12 @@ pub struct Measured {
 }
 
 /// Every section of the page, by name.
-pub fn all(measured: &Measured) -> [(&'static str, String); 10] {
+pub fn all(measured: &Measured) -> [(&'static str, String); 11] {
     let Measured { facts, missing, points, kernels, stack, scaling } = measured;
     [
         ("machine", machine_table(facts, missing)),
         ("verdicts", verdicts(points, stack)),
+        ("kernel-verdicts", kernel_verdicts(kernels)),
         ("standings", standings(points)),
         ("where-ahead", where_ahead(points)),
         ("ratios", ratios(points)),
@@ -103,6 +106,16 @@ pub fn verdicts(points: &[Point], stack: &[StackCost]) -> String {
         met(ahead == 0),
     ]);
     table(&["what", "bar", "measured", "met"], &rows)
+}
+
+/// Table of the bars of single asperities, and our results.
+pub fn kernel_verdicts(costs: &[KernelCost]) -> String {
+    let rows = costs.iter().filter(|cost| cost.batch.is_some()).map(|cost| {
+        let what = format!("{}, each of 1000, against numpy", cost.kernel);
+        let seconds = |cost: Option<Cost>| cost.map(|cost| cost.seconds);
+        ratio_row(&what, KERNEL_BAR, seconds(cost.batch), seconds(cost.array), "numpy")
+    });
+    table(&["what", "bar", "measured", "met"], &rows.collect::<Vec<_>>())
 }
 
 fn met(met: bool) -> String {
@@ -244,15 +257,22 @@ fn stack_costs(costs: &[StackCost]) -> String {
 }
 
 /// Table of the cost of one asperity.
-fn kernel_costs(costs: &[KernelCost]) -> String {
+pub fn kernel_costs(costs: &[KernelCost]) -> String {
     let cells = |cost: &Option<Cost>| match cost {
         Some(cost) => format!("{}, {}", time(cost.seconds), error(cost.median_error)),
         None => String::new(),
     };
     let rows = costs.iter().map(|cost| {
-        vec![cost.kernel.to_owned(), cells(&Some(cost.ours)), cells(&cost.array), cells(&cost.scalar)]
+        vec![
+            cost.kernel.to_owned(),
+            cells(&Some(cost.ours)),
+            cells(&cost.scalar),
+            cells(&cost.batch),
+            cells(&cost.array),
+        ]
     });
-    table(&["one evaluation", "truearea", "numpy, each of 1000", "Python"], &rows.collect::<Vec<_>>())
+    let columns = ["one evaluation", "truearea", "Python", "truearea, each of 1000", "numpy, each of 1000"];
+    table(&columns, &rows.collect::<Vec<_>>())
 }
 
 /// Formats a whole number to three digits.
@@ -323,6 +343,27 @@ mod tests {
         assert_eq!((verdict(0.04).as_str(), verdict(0.02).as_str()), ("yes", "**no**"));
         let alone: Vec<Point> = of(Engine::Ours, 1e-5).collect();
         assert_eq!(state_bar(&alone, Engine::Quad)[3], "unknown");
+    }
+
+    #[test]
+    fn a_law_must_be_four_times_as_fast_as_numpy_at_many_interferences() {
+        let cost = |seconds| Some(Cost { seconds, median_error: 0.0 });
+        let of = |batch, array| KernelCost {
+            kernel: "Hertz",
+            ours: cost(1e-8).unwrap(),
+            batch,
+            scalar: None,
+            array,
+        };
+        let costs = [
+            of(cost(1e-9), cost(4e-9)),
+            of(cost(1e-9), cost(3.9e-9)),
+            of(cost(1e-9), None),
+            of(None, cost(1e-9)),
+        ];
+        let text = kernel_verdicts(&costs);
+        let met: Vec<&str> = text.lines().skip(2).map(|row| row.rsplit('|').nth(1).unwrap().trim()).collect();
+        assert_eq!(met, ["yes", "**no**", "unknown"], "{text}");
     }
 
     #[test]

@@ -27,8 +27,7 @@ impl ElasticSines {
 impl Asperities for ElasticSines {
     fn at_interference(&self, interference_m: f64) -> Response {
         let ratio = interference_m / self.shape.amplitude_m;
-        let pressure_pa = self.law.pressure_at_interference_pa(ratio);
-        let area_fraction = if ratio >= 1.0 { 1.0 } else { self.law.area_fraction(pressure_pa) };
+        let (pressure_pa, area_fraction) = self.law.pressure_and_area_at_interference(ratio);
         Response { pressure_pa, area_fraction }
     }
 
