@@ -94,22 +94,25 @@ impl Elements {
             Bound::Signed.check("height in m", height_m)?;
         }
         let points = heights_m.len() as f64;
-        let [sum] = sums::over(heights_m.len(), |point| [heights_m[point]]);
-        let mean_height_m = sum / points;
+        // Over the first height, so that those far above their rms height lose no digits.
+        let first_m = heights_m[0];
+        let [sum] = sums::over(heights_m.len(), |point| [heights_m[point] - first_m]);
+        let mean_over_first_m = sum / points;
+        let over_mean_m = |height_m: f64| (height_m - first_m) - mean_over_first_m;
+        let mean_height_m = first_m + mean_over_first_m;
         let is_flat = is_flat(heights_m);
         let unit_m = if is_flat {
             grid.length_x_m()
         } else {
-            let largest_m = heights_m
-                .iter()
-                .fold(0.0f64, |largest, height_m| largest.max((height_m - mean_height_m).abs()));
+            let largest_m =
+                heights_m.iter().fold(0.0f64, |largest, height_m| largest.max(over_mean_m(*height_m).abs()));
             let [squares] = sums::over(heights_m.len(), |point| {
-                let height = (heights_m[point] - mean_height_m) / largest_m;
+                let height = over_mean_m(heights_m[point]) / largest_m;
                 [height * height]
             });
             largest_m * (squares / points).sqrt()
         };
-        let height = |height_m: &f64| if is_flat { 0.0 } else { (height_m - mean_height_m) / unit_m };
+        let height = |height_m: &f64| if is_flat { 0.0 } else { over_mean_m(*height_m) / unit_m };
         let heights: Vec<f64> = heights_m.iter().map(height).collect();
         let state = State::new(heights.len());
         let operators = operators();
