@@ -70,7 +70,8 @@ impl ContactLaw {
         let above = self.points.partition_point(|point| self.overclosure_m(point.mean_gap_m) < overclosure_m);
         let above = above.clamp(1, self.points.len() - 1);
         let ((low_m, low_pa), (high_m, high_pa)) = (row(above - 1), row(above));
-        low_pa + (high_pa - low_pa) * (overclosure_m - low_m) / (high_m - low_m)
+        // In this order nothing underflows: the share has digits wherever the lengths have.
+        low_pa + (high_pa - low_pa) * ((overclosure_m - low_m) / (high_m - low_m))
     }
 
     /// Pressure and overclosure of every point in the given units: both 0 at first.

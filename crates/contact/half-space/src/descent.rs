@@ -70,6 +70,13 @@ const NEGLIGIBLE_SHARE: f64 = 0.01;
 /// Steps within which the residual must halve; otherwise rounding prevents it.
 const STEPS_TO_HALVE: usize = 300;
 
+/// Steps without half the residual before some go along the gap itself: the first [`PLAIN`] of every [`CYCLE`]. Bounds can turn
+/// preconditioned directions into ones that hardly lower the energy, for ever, while projected gaps always lower it. In
+/// between, conjugate directions need many steps in a row.
+const PATIENCE: usize = 20;
+const PLAIN: usize = 10;
+const CYCLE: usize = 80;
+
 /// Computes pressures in equilibrium, into `state`; `None` if `watch`, which receives every residual, cancels.
 pub(crate) fn descend(
     problem: &Problem,
@@ -117,7 +124,8 @@ pub(crate) fn descend(
         if iterations - best_at > STEPS_TO_HALVE {
             break Ending::Rounding;
         }
-        let Some(share) = descent.step() else {
+        let stalled = iterations - best_at;
+        let Some(share) = descent.step(is_plain(stalled)) else {
             if renewed_at == iterations {
                 break Ending::Rounding;
             }
@@ -134,6 +142,11 @@ pub(crate) fn descend(
         residual = descent.look(0.0);
     }
     Some(Outcome { offset: descent.offset, iterations, operators: descent.applied, residual, ending })
+}
+
+/// Returns true if a step after so many without half the residual looks along the gap itself.
+fn is_plain(stalled: usize) -> bool {
+    stalled >= PATIENCE && (stalled - PATIENCE) % CYCLE < PLAIN
 }
 
 /// Mean overlap of the undeformed bodies.
@@ -248,15 +261,20 @@ impl Descent<'_> {
         unbalanced
     }
 
-    /// Finds a change that lowers the energy, and the share of it to take; `None` if rounding leaves none.
-    fn step(&mut self) -> Option<f64> {
+    /// Finds a change that lowers the energy, and the share of it to take; `None` if rounding leaves none. With
+    /// `is_plain` it first looks along the gap itself.
+    fn step(&mut self, is_plain: bool) -> Option<f64> {
+        let aim = if is_plain { self.aim_along_gap() } else { None };
+        let aim = aim.or_else(|| self.aim_along_preconditioned()).or_else(|| self.aim_along_gap())?;
+        Some(self.search(&aim))
+    }
+
+    /// Aims along the preconditioned gap, with and without the last change.
+    fn aim_along_preconditioned(&mut self) -> Option<Aim> {
         self.precondition();
         let memory = self.memory();
-        let aim = self
-            .aim_along_conjugate(&memory)
+        self.aim_along_conjugate(&memory)
             .or_else(|| self.aim_along_conjugate(&Memory { kept: 0.0, ..memory }))
-            .or_else(|| self.aim_along_gap())?;
-        Some(self.search(&aim))
     }
 
     /// Turns the gaps of free points into pressures that would about close them.
@@ -277,11 +295,13 @@ impl Descent<'_> {
 
     /// Weight of the last change in the next direction.
     fn memory(&self) -> Memory {
-        let State { gradient, change, response, free, .. } = &*self.state;
-        let [z, zr, r, s, sr] = sums::over(free.len(), |at| {
+        let offset = self.offset;
+        let State { gaps, gradient, change, response, free, .. } = &*self.state;
+        let [z, zr, r, s, sr, g, gz, gs] = sums::over(free.len(), |at| {
             let point = free[at] as usize;
             let (z, s, r) = (f64::from(gradient[point]), change[point], response[point]);
-            [z, z * r, r, s, s * r]
+            let gap = gaps[point] - offset;
+            [z, z * r, r, s, s * r, gap, gap * z, gap * s]
         });
         // A change of the offset that costs nothing is taken out where the load is held.
         let count = match self.problem.held {
@@ -290,6 +310,8 @@ impl Descent<'_> {
         };
         let curvature = sr - s / count * r;
         let kept = if curvature > 0.0 { (zr - z / count * r) / curvature } else { 0.0 };
+        let (fall, fall_of_change) = (gz - z / count * g, s / count * g - gs);
+        let kept = if fall + kept * fall_of_change > LEAST_FALL * fall { kept } else { 0.0 };
         Memory { kept, mean_gradient: z / count, mean_change: s / count }
     }
 
@@ -505,6 +527,11 @@ const FULL_STEP_MIN: f64 = 0.7;
 
 /// Factor by which overlaps count less than unbalanced gaps.
 const OVERLAP_SHARE: f64 = 10.0;
+
+/// Share of the fall along the preconditioned gap that the energy must keep along a conjugate direction. If the last
+/// step did not end at the minimum along its direction, as when it met bounds, the conjugate direction may be zero
+/// within rounding: always where the free points leave one direction only.
+const LEAST_FALL: f64 = 1e-3;
 
 /// Largest ratio of the lengths of successive trial steps.
 const LARGEST_FACTOR: f64 = 2.0;

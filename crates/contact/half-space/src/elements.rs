@@ -25,7 +25,9 @@ pub struct Elements {
     /// Heights over their mean, in units of `unit_m`.
     heights: Vec<f64>,
     mean_height_m: f64,
+    /// Unit of length; that of a flat surface, which has none of its own, is chosen with each load.
     unit_m: f64,
+    is_flat: bool,
     /// Displacement under the longest wave of the grid, over that of the half-space; 1 without a layer.
     longest_wave: f64,
     operators: Operators,
@@ -92,26 +94,29 @@ impl Elements {
             Bound::Signed.check("height in m", height_m)?;
         }
         let points = heights_m.len() as f64;
-        let [sum] = sums::over(heights_m.len(), |point| [heights_m[point]]);
-        let mean_height_m = sum / points;
-        let unit_m = if is_flat(heights_m) {
-            // A flat surface has no unit of its own; any will do.
+        // Over the first height, so that those far above their rms height lose no digits.
+        let first_m = heights_m[0];
+        let [sum] = sums::over(heights_m.len(), |point| [heights_m[point] - first_m]);
+        let mean_over_first_m = sum / points;
+        let over_mean_m = |height_m: f64| (height_m - first_m) - mean_over_first_m;
+        let mean_height_m = first_m + mean_over_first_m;
+        let is_flat = is_flat(heights_m);
+        let unit_m = if is_flat {
             grid.length_x_m()
         } else {
-            let largest_m = heights_m
-                .iter()
-                .fold(0.0f64, |largest, height_m| largest.max((height_m - mean_height_m).abs()));
+            let largest_m =
+                heights_m.iter().fold(0.0f64, |largest, height_m| largest.max(over_mean_m(*height_m).abs()));
             let [squares] = sums::over(heights_m.len(), |point| {
-                let height = (heights_m[point] - mean_height_m) / largest_m;
+                let height = over_mean_m(heights_m[point]) / largest_m;
                 [height * height]
             });
             largest_m * (squares / points).sqrt()
         };
-        let heights: Vec<f64> =
-            heights_m.iter().map(|height_m| (height_m - mean_height_m) / unit_m).collect();
+        let height = |height_m: &f64| if is_flat { 0.0 } else { over_mean_m(*height_m) / unit_m };
+        let heights: Vec<f64> = heights_m.iter().map(height).collect();
         let state = State::new(heights.len());
         let operators = operators();
-        Ok(Self { grid, periodic, heights, mean_height_m, unit_m, longest_wave, operators, state })
+        Ok(Self { grid, periodic, heights, mean_height_m, unit_m, is_flat, longest_wave, operators, state })
     }
 
     /// Grid of points.
@@ -132,6 +137,9 @@ impl Elements {
     /// carried below the saturation or is lost in the rounding of the heights, and if `progress` cancels.
     pub fn press(&mut self, loading: &Loading, progress: &dyn Progress) -> Result<Contact, HalfSpaceError> {
         loading.check()?;
+        if self.is_flat {
+            self.unit_m *= loading.nominal_pressure_pa / self.unit_pa(loading.contact_modulus_pa);
+        }
         let unit_pa = self.unit_pa(loading.contact_modulus_pa);
         let least_pa = LEAST_LOAD * unit_pa;
         if loading.nominal_pressure_pa < least_pa {
@@ -158,6 +166,9 @@ impl Elements {
         progress: &dyn Progress,
     ) -> Result<Contact, HalfSpaceError> {
         closing.check()?;
+        if let (true, Approach::IndentationM(indentation_m)) = (self.is_flat, closing.approach) {
+            self.unit_m = indentation_m;
+        }
         let unit_pa = self.unit_pa(closing.contact_modulus_pa);
         let offset = self.offset(closing.approach)?;
         let cap = closing.saturation_pa.map(|saturation_pa| saturation_pa / unit_pa);

@@ -8,7 +8,22 @@ use crate::sums;
 /// their number. The nearest such values are shifted alike and then limited.
 #[multiversion(targets("x86_64+avx2"))]
 pub(crate) fn bring_to_sum(values: &mut [f64], cap: f64, sum: f64) {
-    let shift = shift_to_sum(values, cap, sum);
+    if values.is_empty() {
+        return;
+    }
+    let [least, largest] = ends(values);
+    // Below the first nothing is carried, above the second every value carries more than its share.
+    let bracket = [-largest, sum / values.len() as f64 - least];
+    let mut shift = shift_to_sum(values, cap, sum, bracket);
+    let [carried] = sums::over_values(values, |value| [limited(value + shift, cap)]);
+    let missing_at_cap = cap * values.len() as f64 - sum;
+    if (sum - carried).abs() > LOST * sum.min(missing_at_cap) {
+        // A last place of the shift carries more than the sum, or what is missing at the cap, allows. Shifted values tell
+        // which of them are beside a bound, and the rest of the shift has digits of its own.
+        values.iter_mut().for_each(|value| *value += shift);
+        let last_places = 8.0 * f64::EPSILON * largest.abs().max(least.abs()).max(shift.abs());
+        shift = shift_to_sum(values, cap, sum, [-last_places, last_places]);
+    }
     values.iter_mut().for_each(|value| *value = limited(*value + shift, cap));
     let is_between = |value: f64| (0.0 < value) & (value < cap);
     let [carried, between] =
@@ -34,13 +49,7 @@ fn limited(value: f64, cap: f64) -> f64 {
 /// Newton's method, which is exact once it knows which values stay between their bounds; within a bracket, because
 /// with two bounds the sum is neither convex nor concave in the shift.
 #[inline(always)]
-fn shift_to_sum(values: &[f64], cap: f64, sum: f64) -> f64 {
-    if values.is_empty() {
-        return 0.0;
-    }
-    let [least, largest] = ends(values);
-    // Below the first nothing is carried, above the second every value carries more than its share.
-    let (mut low, mut high) = (-largest, sum / values.len() as f64 - least);
+fn shift_to_sum(values: &[f64], cap: f64, sum: f64, [mut low, mut high]: [f64; 2]) -> f64 {
     let mut shift = 0.0f64.clamp(low, high.max(low));
     for _ in 0..LARGEST_PASSES {
         let [carried, between] = sums::over_values(values, |value| {
@@ -87,12 +96,34 @@ fn ends(values: &[f64]) -> [f64; 2] {
 /// Relative rounding error of the sum.
 const ROUNDING: f64 = 1e-15;
 
+/// Error of the sum, relative to itself or to what is missing at the cap, from which a shift is not fine enough.
+const LOST: f64 = 1e-13;
+
 /// Passes within which bisection alone reaches the last bit; Newton's method needs four to eight.
 const LARGEST_PASSES: usize = 100;
 
 #[cfg(test)]
 mod tests {
     use super::bring_to_sum;
+
+    /// Trial pressures of the size of 1 under a load just below a cap of 1e-12: what is missing at the cap has digits that
+    /// the last place of a trial pressure does not have.
+    #[test]
+    fn a_load_just_below_the_cap_is_met() {
+        let cap = 1e-12;
+        for values in [[-1.0, 1.0, 1.0, -1.0], [-0.3, 1.0, 0.7, -0.2], [1.0; 4]] {
+            for missing in [0.3, 1e-3, 1e-6, 1e-9] {
+                let sum = 4.0 * cap * (1.0 - missing);
+                let mut brought = values;
+                bring_to_sum(&mut brought, cap, sum);
+                let carried: f64 = brought.iter().sum();
+                assert!(
+                    (carried / sum - 1.0).abs() < 1e-15,
+                    "{values:?}, {missing}: {carried} instead of {sum}"
+                );
+            }
+        }
+    }
 
     #[test]
     fn shifted_and_bounded_values_carry_the_load() {

@@ -73,6 +73,123 @@ fn a_load_below_the_rounding_of_the_heights_is_refused() {
     assert!(!assert_sound(&ball));
 }
 
+/// Steps on which a conjugate direction is zero within rounding: with three free points that carry a load, a direction
+/// conjugate to the last change is none. The solve ended with a residual of 0.19.
+#[test]
+fn a_line_of_five_points_converges() {
+    let heights_m = vec![
+        4.901835654116346e-9,
+        3.208293087435667e-9,
+        4.680836531515929e-10,
+        4.680836531515924e-10,
+        3.2082930874356667e-9,
+    ];
+    let [length_x_m, length_y_m] = [4.6662458417448966e-4, 6.82977668691077e-4];
+    let map = SmallMap { rows: 1, columns: 5, length_x_m, length_y_m, heights_m };
+    assert!(assert_sound(&pressed(map, 10439755614.830692, 34033.96086635484, 4.7729125039706665e-11)));
+}
+
+/// Heights on every other point.
+fn checkerboard(
+    rows: usize,
+    columns: usize,
+    [length_x_m, length_y_m]: [f64; 2],
+    ends_m: [f64; 2],
+) -> SmallMap {
+    let at = |point: usize| ends_m[(point / columns + point % columns) % 2];
+    let heights_m = (0..rows * columns).map(at).collect();
+    SmallMap { rows, columns, length_x_m, length_y_m, heights_m }
+}
+
+/// Preconditioned steps that bounds turn into steps of 10^-15, for ever, on the way back from a distance to its load.
+#[test]
+fn distances_of_checkerboards_are_held() {
+    let sides_m = [7.210506913855586e-5, 4.644574203037938e-3];
+    let map = checkerboard(11, 5, sides_m, [-2.6894907728570762e-2, -2.8940604844003345e-2]);
+    assert!(assert_sound(&pressed(map, 863933858938.8304, 658083118514.4968, 1.3218164968374102e-10)));
+    let sides_m = [1.854918204966881e-6, 1.057303376831122e-4];
+    let map = checkerboard(57, 1, sides_m, [7.55663824405295e-10, 0.0]);
+    assert!(assert_sound(&pressed(map, 1413549.6931712204, 14.270858525267435, 5.907008401574092e-9)));
+    let sides_m = [5.252656372755334e-4, 8.44140428748177e-3];
+    let map = checkerboard(7, 2, sides_m, [3.490372693827811e-14, 0.0]);
+    assert!(assert_sound(&pressed(map, 45.61464674525797, 2.0460652716925793e-10, 4.258395217312189e-9)));
+}
+
+/// A pit that is all but closed, whose load rises a thousand times as much with the distance as that of one wave.
+#[test]
+fn the_distance_of_a_pit_is_held() {
+    let mut map = spiked(10, 4, [1723.7042161433653, 87228.92286885653], 0.0);
+    map.heights_m[32] = -9.754693241763263e8;
+    assert!(assert_sound(&pressed(map, 7723028885680.785, 6.657134756804699e17, 2.448117766117811e-11)));
+}
+
+/// Two contacts of a pit are within the tolerance, on two points and on all others: 2400 times the load.
+#[test]
+fn the_light_load_of_a_pit_is_known_to_the_stiffness_of_all_its_points() {
+    let mut map = spiked(8, 8, [2779.1165666906145; 2], 0.0);
+    map.heights_m[39] = -1.2987878697662587e-2;
+    assert!(assert_sound(&pressed(map, 923.8479660828727, 7.959168375312128e-13, 1.5399259242597977e-9)));
+}
+
+/// What is missing at the saturation was lost in the rounding of trial pressures: no step, or another load, or a gap of 0.3
+/// or 0.5 rms heights for the shifted map.
+#[test]
+fn loads_just_below_the_saturation() {
+    let saturated = |map, contact_modulus_pa, pressure_pa, saturation_pa, tolerance| ElementsCase {
+        saturation_pa: Some(saturation_pa),
+        ..pressed(map, contact_modulus_pa, pressure_pa, tolerance)
+    };
+    let map = checkerboard(2, 2, [2.3028855113919216e-12; 2], [1.2766448651162657e-22, 0.0]);
+    let tied = saturated(
+        map,
+        395387.46385254466,
+        3.679504747470214e-17,
+        3.6795208718447525e-17,
+        5.016024790271369e-10,
+    );
+    assert!(assert_sound(&tied));
+    let steps = (0..54).map(|point| if point % 9 < 4 { 2.4514508128134613 } else { 0.0 });
+    let map = SmallMap {
+        rows: 6,
+        columns: 9,
+        length_x_m: 0.10429344614017325,
+        length_y_m: 0.06952896409344883,
+        heights_m: steps.collect(),
+    };
+    let steps =
+        saturated(map, 2165257741646.3823, 17.94701300641149, 17.94707480001749, 1.662161045652659e-8);
+    assert!(assert_sound(&ElementsCase { periodic: false, ..steps }));
+    let mut map = spiked(3, 3, [2.2974259009554327e-7, 3.0159603565962417e-7], 0.0);
+    map.heights_m[4] = 3.3394064501793073e-11;
+    let spike =
+        saturated(map, 180383236.18097055, 2.1646399872739495, 2.164639987274117, 5.6693786160245465e-5);
+    assert!(assert_sound(&ElementsCase {
+        layer: Some((0.017768661286662414, 3.2263140290991107e-9)),
+        ..spike
+    }));
+    let mut map = spiked(1, 3, [230.2200858408894, 76.7400286136298], -0.027743311071472432);
+    map.heights_m[0] = 1.3320516843398853;
+    map.heights_m[2] = 1.3320516843398853;
+    let pit = saturated(
+        map,
+        1.1521978492907818,
+        1.716672390980994e-11,
+        1.7166723924726228e-11,
+        2.3414217534093877e-5,
+    );
+    assert!(assert_sound(&pit));
+}
+
+/// A flat punch, whose displacements were told apart only to 10^-13 of its side.
+#[test]
+fn a_flat_punch_has_displacements_of_the_size_of_its_load() {
+    let side_m = 4.744720794865332e-9;
+    let heights_m = vec![2.0423039583931554e-18; 64];
+    let map = SmallMap { rows: 8, columns: 8, length_x_m: side_m, length_y_m: side_m, heights_m };
+    let case = pressed(map, 1540490617.9240386, 6.519426769390483, 2.8742448560226475e-11);
+    assert!(assert_sound(&ElementsCase { periodic: false, ..case }));
+}
+
 /// A spike under no load, which the attraction of the rest does not hold.
 #[test]
 fn a_spike_without_load() {
@@ -263,6 +380,19 @@ fn a_law_whose_overclosures_are_lost_is_refused() {
     assert!(!assert_sound(&huge));
 }
 
+/// Lengths near the smallest double, times a difference of pressures, came out below it.
+#[test]
+fn a_law_with_gaps_near_the_smallest_double() {
+    let case = LawTablesCase {
+        shape: Shape::Exponential,
+        length_m: 2.2250738585072014e-308,
+        range_pa: [57.09081650557628, 57.090816590051084],
+        tolerance: 1.5245969905620373e-5,
+        units: contact_law::UnitSystem::Si,
+    };
+    assert!(assert_sound(&case));
+}
+
 fn profile(heights_m: Vec<f64>, missing: Vec<usize>) -> DrawnScan {
     let length_m = 4.9e-6;
     let columns = heights_m.len();
@@ -296,6 +426,17 @@ fn fewer_points_than_the_form_has_numbers() {
     heights_m[12] = -0.0018974200568570103;
     let missing = vec![0, 2, 3, 4, 7, 8, 9, 10, 11, 14, 15];
     let scan = DrawnScan { rows: Some(4), columns: 4, ..profile(heights_m, missing) };
+    let form = roughness::FormRemoval::SecondOrder;
+    assert!(assert_sound(&RoughnessCase { scan, form, cutoffs_m: [None, None] }));
+}
+
+/// Six points on two lines do not determine a form of six numbers either.
+#[test]
+fn points_on_two_lines_of_a_map() {
+    let mut heights_m = vec![0.0; 20];
+    heights_m[2] = 3.2791937194812533e-9;
+    let missing = vec![1, 3, 4, 5, 7, 9, 10, 11, 13, 14, 15, 16, 17, 19];
+    let scan = DrawnScan { rows: Some(5), columns: 4, ..profile(heights_m, missing) };
     let form = roughness::FormRemoval::SecondOrder;
     assert!(assert_sound(&RoughnessCase { scan, form, cutoffs_m: [None, None] }));
 }

@@ -221,11 +221,9 @@ impl Relief {
         }
     }
 
-    /// Subtracts the least-squares combination of some terms; nothing where the points do not determine one.
+    /// Subtracts the least-squares combination of some terms; nothing where the points do not determine one, as on two lines.
     fn subtract_fit<const N: usize>(&mut self, terms: impl Fn(usize) -> [f64; N]) {
-        if self.heights_m.len() - self.missing() < N {
-            return;
-        }
+        let measured = self.heights_m.len() - self.missing();
         // Twice: the second fit removes what rounding left of a strong curvature.
         for _ in 0..2 {
             let (mut products, mut sums) = ([[0.0; N]; N], [0.0; N]);
@@ -237,6 +235,9 @@ impl Relief {
                     products[row].iter_mut().zip(terms).for_each(|(product, other)| *product += term * other);
                 }
             }
+            if !are_independent(products, measured) {
+                return;
+            }
             let Some(coefficients) = solve(products, sums) else { return };
             let form_m = |index: usize| -> f64 {
                 terms(index).iter().zip(coefficients).map(|(term, c)| term * c).sum()
@@ -246,7 +247,7 @@ impl Relief {
                 let rest = self.heights_m().enumerate();
                 rest.filter_map(|(index, height_m)| Some(square_m2(height_m? - share * form_m(index)))).sum()
             });
-            // A fit brings no more; points along a line do not determine one, and rounding would.
+            // A fit brings no more.
             if !after_m2.is_finite() || after_m2 > before_m2 {
                 return;
             }
@@ -327,6 +328,28 @@ impl Relief {
     }
 }
 
+/// Returns true if no term is a combination of others at all points, from the sums of products of the terms over the points.
+///
+/// The pivots of the elimination are the squared distances of each term from the combinations of those before it. A pivot within
+/// the rounding of the sums is none.
+fn are_independent<const N: usize>(mut products: [[f64; N]; N], points: usize) -> bool {
+    let rounding = 16.0 * f64::EPSILON * points as f64;
+    let squares: [f64; N] = std::array::from_fn(|term| products[term][term]);
+    for term in 0..N {
+        let above = products[term];
+        // NaN is no distance either.
+        let is_distance = above[term] > rounding * squares[term];
+        if !is_distance {
+            return false;
+        }
+        for row in &mut products[term + 1..] {
+            let factor = row[term] / above[term];
+            row.iter_mut().zip(above).for_each(|(product, above)| *product -= factor * above);
+        }
+    }
+    true
+}
+
 #[cfg(test)]
 mod tests {
     use scans::{HeightMap, Measured, MissingPoints, Scan, UniformLineScan};
@@ -350,6 +373,21 @@ mod tests {
             let rest = Relief::new(&scan, &SECOND_ORDER).unwrap();
             assert!(rest.heights_m().flatten().all(|height_m| height_m.abs() < 1e-19), "{rest:?}");
         }
+    }
+
+    #[test]
+    fn points_on_two_lines_keep_their_heights() {
+        // Three points of each of two columns: as many as a form has numbers, which the lines do not determine.
+        let points = [0, 2, 6, 8, 12, 18];
+        let missing: MissingPoints = (0..20).filter(|at| !points.contains(at)).collect();
+        let heights_m = (0..20).map(|at| if at == 2 { 3e-9 } else { 0.0 }).collect();
+        let map = Scan::Map(HeightMap::new(4, 1e-7, 1e-7, heights_m).unwrap());
+        let scan = Measured::with_missing_points(map, missing);
+        let [rest, plane] = [FormRemoval::SecondOrder, FormRemoval::Plane].map(|form| {
+            let relief = Relief::new(&scan, &Evaluation { form, ..SECOND_ORDER }).unwrap();
+            relief.heights_m().collect::<Vec<_>>()
+        });
+        assert_eq!(rest, plane);
     }
 
     #[test]
