@@ -95,10 +95,12 @@ impl HardnessPath {
 
     /// Height \[Pa\] of the step with which the piece at a place begins; 0 where the hardness is continuous.
     pub(crate) fn step_pa(&self, at: usize) -> f64 {
-        let Some(before) = at.checked_sub(1).map(|before| self.pieces[before]) else { return 0.0 };
+        if at == 0 {
+            return 0.0;
+        }
         let here = self.pieces[at];
-        // What grows over the last place of the variance grows at once.
-        let before_pa = before.hardness_pa(here.from_variance_pa2.next_down());
+        // What grows over the last places of the variance grows at once.
+        let before_pa = self.hardness_pa(here.from_variance_pa2 * (1.0 - NARROWEST));
         let step_pa = here.hardness_pa - before_pa;
         if step_pa > STEP_MIN * here.hardness_pa { step_pa } else { 0.0 }
     }
@@ -145,6 +147,8 @@ impl HardnessPath {
 
 /// Step of the hardness that counts, relative to it: pieces meet to the tolerance within which knots are merged.
 const STEP_MIN: f64 = 1e-6;
+/// Interval of the variance, relative to it, over which a hardness grows at once: the rounding of variances is a part of it.
+pub(crate) const NARROWEST: f64 = 1e-12;
 /// Upper limit of the pieces of a path.
 const MOST_PIECES: usize = 500;
 /// Relative tolerance of the first attempt to merge knots.

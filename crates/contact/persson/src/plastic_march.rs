@@ -16,7 +16,7 @@ use numerics::{GaussLegendre, solve};
 use crate::areas::ContactAreas;
 use crate::constant_hardness::image;
 use crate::elastic;
-use crate::hardness_path::{HardnessPath, Piece};
+use crate::hardness_path::{HardnessPath, NARROWEST, Piece};
 use crate::near_panels::{NearPanel, Sight};
 use crate::panel_rules::{Arc, Polynomial, Rules, SIZE, SIZE_MIN};
 use crate::sources::{Source, Sources, rule_at};
@@ -31,10 +31,10 @@ const WIDEST: f64 = 0.2;
 const STEP_GROWTH: f64 = 1.25;
 const STEP_UNREACHED: f64 = 0.028;
 const STEP_OVER: f64 = 4.0;
-/// Smallest width of a panel, relative to V.
-const NARROWEST: f64 = 16.0 * f64::EPSILON;
 /// Growth of the hardness beyond the place up to which it is smooth that a panel may contain.
 const MOST_GROWTH: f64 = 1.01;
+/// Rise of the distance E from one panel to the next, relative to it, from which on the hardness has stepped.
+const STEP_DISTANCE: f64 = 1e-5;
 /// Distance E = (H - p)^2/(2V) above which the plastic share underflows a double.
 const UNREACHED: f64 = 600.0;
 /// Root of V - V', relative to the distance from the wall, below which the kernel vanishes.
@@ -153,6 +153,9 @@ impl<'a> PlasticMarch<'a> {
         {
             to_pa2 = smooth_pa2;
         }
+        // A step of the hardness leaves the stress behind.
+        let last_distance = self.panels.last().map_or(f64::INFINITY, |panel| panel.last_distance);
+        self.approaching &= first_distance <= last_distance * (1.0 + STEP_DISTANCE);
         let mut steep = self.approaching && distance(to_pa2) <= first_distance;
         // A hardness that runs away from the stress takes the plastic area with it, as steeply as exp(-E).
         while !steep
@@ -169,7 +172,7 @@ impl<'a> PlasticMarch<'a> {
                 to_pa2 = to_pa2.min(kink_pa2 + reached_pa * reached_pa);
             }
         }
-        // A hardness that grows over less than the rounding of V grows at once, over no panel.
+        // A hardness that grows over the last places of V grows at once, over no panel.
         if to_pa2 - from_pa2 <= NARROWEST * from_pa2 {
             self.reached_pa2 = (from_pa2 * (1.0 + NARROWEST)).max(from_pa2.next_up()).min(until_pa2);
             return;

@@ -124,13 +124,15 @@ pub fn spectral_exponents(samples: &[SpectrumSample]) -> Vec<f64> {
 /// A spectrum of a few scans scatters from bin to bin; the slope of two bins would turn that into areas which are too large in
 /// the mean.
 fn exponent_at_the_end(samples: &[SpectrumSample], of_last_two: f64) -> f64 {
-    let point = |sample: &SpectrumSample| [sample.wavevector_rad_per_m.ln(), sample.c1d_m3.ln()];
+    // Logarithms of ratios to the last sample keep the digits of samples that nearly coincide, in any unit.
+    let Some(end) = samples.last() else { return of_last_two };
+    let point = |sample: &SpectrumSample| {
+        [(sample.wavevector_rad_per_m / end.wavevector_rad_per_m).ln(), (sample.c1d_m3 / end.c1d_m3).ln()]
+    };
     let points: Vec<[f64; 2]> = samples.iter().map(point).collect();
     let last = |count: usize| &points[points.len() - count..];
-    let within = |decades: f64| {
-        let end = points.last().map_or(0.0, |point| point[0]);
-        last(points.iter().rev().take_while(|point| point[0] >= end - decades * LN_10).count())
-    };
+    let within =
+        |decades: f64| last(points.iter().rev().take_while(|point| point[0] >= -decades * LN_10).count());
     let (scatter, longest) = (scatter(within(1.0)), within(0.5).len());
     let mut exponent = of_last_two;
     for count in 2..=longest {

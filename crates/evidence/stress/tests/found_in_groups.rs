@@ -266,6 +266,82 @@ fn a_hardness_that_grows_at_once() {
     assert_sound(&PerssonCase { coating, ..case });
 }
 
+/// Samples of which the last two nearly coincide: the slope beyond them depended on the unit of length.
+#[test]
+fn the_slope_of_samples_that_nearly_coincide() {
+    let spectrum = [
+        (5.1110470133339414e-5, 1.2224579110633457e-19),
+        (1.7093604715570803e-7, 3.1361778485478524e-25),
+        (1.0213968873511673e-8, 5.408162190269889e-28),
+        (1.8217977273423767e-9, 1.1022220161134127e-29),
+        (1.2375161912741903e-9, 4.6024420537194216e-30),
+        (1.2375161912740733e-9, 4.6024420537184386e-30),
+    ];
+    let rows = vec![
+        (4.29466286621715e-5, 46827994.5367585),
+        (4.7395749183126426e-7, 158567050.903583),
+        (1.756384508984506e-8, 379442796.08857864),
+        (8.726706037349246e-10, 556020127.6815819),
+    ];
+    let plastic = Deformation::Plastic(46827994.5367585, Growth::Table(rows), None);
+    assert!(assert_sound(&persson(
+        (1543810.360442508, 0.0),
+        &spectrum,
+        Band::Surface,
+        plastic,
+        193116.204090544
+    )));
+}
+
+/// A hardness that grows fourfold over 1e-14 of the variance, which a panel of its own did not resolve: area was lost.
+#[test]
+fn a_hardness_that_grows_over_the_last_places_of_the_variance() {
+    let spectrum = [
+        (2.168800061086591e-5, 1.2544922566777223e-20),
+        (1.1514485067477321e-5, 5.139335255704491e-21),
+        (1.0870217844890457e-5, 4.330090929690099e-21),
+        (7.273260644950011e-6, 3.3123772602718885e-21),
+        (2.3234122627830207e-9, 8.457804709330178e-32),
+        (1.2982565119518575e-9, 2.351388808981027e-32),
+        (1.0605221003877145e-9, 3.680143617370909e-35),
+        (4.45617481058834e-10, 5.443528235719801e-36),
+        (1.7914847039546273e-10, 4.459558224935703e-37),
+        (1.7914847037666184e-10, 1.9660026958202578e-39),
+        (1.5959043514612131e-10, 1.5388864136753122e-39),
+    ];
+    let plastic = Deformation::Plastic(2683600.3899806617, Growth::Length(2.1281876853589882e-11), None);
+    let bodies = (208236275.85289297, 0.0);
+    assert!(assert_sound(&persson(bodies, &spectrum, Band::Profile, plastic, 1625.6516285298821)));
+}
+
+/// A hardness that steps far beyond the stress, which was taken for one that the stress still approaches: areas were NaN.
+#[test]
+fn a_hardness_that_steps_away_from_the_stress() {
+    let spectrum = [
+        (0.14579329083283982, 4.2570364216065475e-22),
+        (0.0662431909751787, 9.065921612465824e-24),
+        (3.350553721986963e-5, 2.988235736746761e-27),
+        (1.4456193406923806e-5, 4.489821199713841e-26),
+        (1.3893594113996774e-5, 3.44943566954654e-26),
+        (1.0722545846760949e-5, 8.908042385598189e-27),
+        (5.344484524203004e-6, 2.2867539435734642e-28),
+        (2.9978821951725474e-6, 1.7711016000201926e-28),
+        (1.5895822942646884e-6, 6.422861556695427e-27),
+        (2.9077697245861825e-8, 8.531668821330085e-24),
+        (2.7754062728471643e-8, 6.528279614586156e-24),
+        (1.191374332557396e-8, 4.4700933669814906e-27),
+    ];
+    let rows = vec![
+        (0.16924618204073108, 0.499187449533581),
+        (0.01531066830267645, 0.5944076612527698),
+        (0.01460074926914417, 2.9077447537384167),
+        (0.000357372729824083, 22.816928516287483),
+    ];
+    let plastic = Deformation::Plastic(0.499187449533581, Growth::Table(rows), Some(274.85644346151963));
+    let bodies = (84534676.24431905, 0.5);
+    assert_sound(&persson(bodies, &spectrum, Band::Surface, plastic, 0.38170479789037853));
+}
+
 /// A stress eleven decades above the hardness: shares that did not add up to 1, and a march without end.
 #[test]
 fn a_hardness_far_below_the_stress() {

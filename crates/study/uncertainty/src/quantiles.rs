@@ -136,8 +136,9 @@ pub fn area_interval_about(best: f64, draws: &[f64], level: f64) -> Option<Inter
     let lowest = draws.iter().copied().fold(f64::INFINITY, f64::min);
     let highest = draws.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let centre = best.clamp(lowest, highest);
+    // Rounding would take areas within the last denormals of 1 above it.
     let mean = |end: Quantile, other: Quantile| Quantile {
-        value: 0.5 * (end.value + mirrored(other.value, centre)),
+        value: (0.5 * (end.value + mirrored(other.value, centre))).min(0.0),
         standard_error: 0.5 * (end.standard_error + other.standard_error),
     };
     Some(Interval {
