@@ -38,7 +38,7 @@ const LATER_STEP: f64 = 1.5;
 const RELATIVE_STEP: f64 = 0.1;
 /// Longest step in V/H^2 at first, and the rate at which later ones may be longer, since the slowest mode falls by exp(-pi^2/2) in
 /// each unit.
-const EARLY_STEP: f64 = 0.04;
+const EARLY_STEP: f64 = 0.03;
 const FORGETTING: f64 = 0.6;
 /// Ratio H^2/V below which the areas are those of a hardness that has always grown as it does: the stress between the walls
 /// spreads over all of them within V of the order of H^2, while the growth changes over V of the order of V. Panels of the

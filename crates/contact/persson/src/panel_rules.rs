@@ -5,7 +5,6 @@ use std::f64::consts::FRAC_PI_2;
 
 use numerics::GaussLegendre;
 
-use crate::near_panels::NearPanel;
 use crate::sources::NODES;
 
 /// Largest number of unknowns of a panel: the coefficients of a polynomial.
@@ -57,9 +56,13 @@ impl Rules {
         }
     }
 
-    /// Places the nodes of an arc, in pieces over which x at most halves, down to `resolved_pa`.
-    pub(crate) fn place_over(&self, arc: &Arc, resolved_pa: f64, nodes: &mut NearPanel) {
-        nodes.clear();
+    /// Calls `append` with a rule and two angles for each piece of an arc over which x at most halves, down to `resolved_pa`.
+    pub(crate) fn split(
+        &self,
+        arc: &Arc,
+        resolved_pa: f64,
+        mut append: impl FnMut(&GaussLegendre, f64, f64),
+    ) {
         // The hardness has left earlier panels, which makes their kernel as steep as x is small.
         let least_pa = if arc.to == FRAC_PI_2 { resolved_pa } else { 0.0 };
         let mut start = arc.from;
@@ -72,7 +75,7 @@ impl Rules {
                 0.75.. => &self.medium,
                 _ => &self.fine,
             };
-            nodes.append(rule, start, end);
+            append(rule, start, end);
             start = end;
         }
     }

@@ -288,7 +288,7 @@ impl<'a> PlasticMarch<'a> {
             }
             let arc = panel.seen_from(here.variance_pa2);
             near.clear();
-            self.rules.place_over(&arc, resolved_pa, near);
+            self.rules.split(&arc, resolved_pa, |rule, start, end| near.append(rule, start, end));
             near.weigh(&Sight {
                 radius_pa: arc.radius_pa,
                 piece: panel.piece,

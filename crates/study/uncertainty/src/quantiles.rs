@@ -136,9 +136,10 @@ pub fn area_interval_about(best: f64, draws: &[f64], level: f64) -> Option<Inter
     let lowest = draws.iter().copied().fold(f64::INFINITY, f64::min);
     let highest = draws.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let centre = best.clamp(lowest, highest);
-    // Rounding would take areas within the last denormals of 1 above it.
+    // Where no draw is above full contact, a mirror image about full contact is not either.
+    let limit = if highest <= 0.0 { 0.0 } else { f64::INFINITY };
     let mean = |end: Quantile, other: Quantile| Quantile {
-        value: (0.5 * (end.value + mirrored(other.value, centre))).min(0.0),
+        value: (0.5 * (end.value + mirrored(other.value, centre))).min(limit),
         standard_error: 0.5 * (end.standard_error + other.standard_error),
     };
     Some(Interval {
@@ -333,6 +334,11 @@ mod tests {
             );
             assert!(found.high.value < 0.0, "{found:?}");
         }
+        // Full contact in the best estimate and in a part of the draws.
+        let draws: Vec<f64> =
+            (0..100).map(|at| if at < 60 { 0.0 } else { -0.01 * f64::from(at - 59) }).collect();
+        let found = area_interval_about(0.0, &draws, 0.95).unwrap();
+        assert!(found.low.value < 0.0 && found.high.value == 0.0, "{found:?}");
         // Small shares are mirrored as their logarithms.
         assert!((mirrored(-12.0, -11.0) + 10.0).abs() < 1e-4);
     }
