@@ -40,6 +40,8 @@ const RELATIVE_STEP: f64 = 0.1;
 /// each unit.
 const EARLY_STEP: f64 = 0.03;
 const FORGETTING: f64 = 0.6;
+/// Step towards the end of a variance, relative to what is left: the hardness grows over less and less of it.
+const STEP_OF_REST: f64 = 0.25;
 /// Ratio H^2/V below which the areas are those of a hardness that has always grown as it does: the stress between the walls
 /// spreads over all of them within V of the order of H^2, while the growth changes over V of the order of V. Panels of the
 /// width of V would resolve it less and less.
@@ -47,7 +49,7 @@ const FORGOTTEN: f64 = 1e-6;
 
 /// Returns the shares of the nominal area at each of some non-decreasing variances of the flattening pressure, under
 /// a nominal pressure 0 < p < H(0) \[Pa\]. Areas are accurate to 1e-8 of
-/// the contact, plastic areas to 1e-6 of themselves (the median is 1e-11). Where the hardness steps, or runs away from the
+/// the contact, beside kinks at which the hardness has grown fast to 1e-7, and plastic areas to 1e-6 of themselves. Where the hardness steps, or runs away from the
 /// stress, areas before that are accurate to 1e-7 up to a spread sqrt(V) of a hundred times the hardness, and to 1e-5 beyond.
 #[must_use]
 pub fn areas_along(path: &HardnessPath, pressure_pa: f64, variances_pa2: &[f64]) -> Vec<ContactAreas> {
@@ -101,10 +103,13 @@ fn follow(
         let first_pa = FIRST_STEP * hardness_pa.min(from_pa2.sqrt());
         let [mut reached_pa, end_pa] = [from_pa2, to_pa2].map(|at_pa2| (at_pa2 - kink_pa2).sqrt());
         while reached_pa < end_pa {
-            let time = (kink_pa2 + reached_pa * reached_pa) / (hardness_pa * hardness_pa);
+            let reached_pa2 = kink_pa2 + reached_pa * reached_pa;
+            let time = reached_pa2 / (hardness_pa * hardness_pa);
             let longest =
                 (EARLY_STEP * (FORGETTING * elapsed).exp()).min(RELATIVE_STEP * time * time.max(1.0));
-            let within_pa = (reached_pa * reached_pa + longest * hardness_pa * hardness_pa).sqrt();
+            let longest_pa2 =
+                (longest * hardness_pa * hardness_pa).min(STEP_OF_REST * piece.left_pa2(reached_pa2));
+            let within_pa = (reached_pa * reached_pa + longest_pa2).sqrt();
             // Far above the hardness a step within it is below the rounding of V.
             let within_pa = within_pa.max(reached_pa * (1.0 + 1e-6));
             let next_pa = end_pa.min(first_pa.max(LATER_STEP * reached_pa)).min(within_pa);

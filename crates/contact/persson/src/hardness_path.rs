@@ -245,14 +245,13 @@ impl Piece {
         if log > self.least_log { log } else { self.least_log }
     }
 
-    /// Largest variance \[Pa^2\] up to which the hardness is smooth from a variance of the piece on: where the variance comes
-    /// to an end, the hardness goes on, over less and less of it.
-    pub(crate) fn smooth_up_to_pa2(&self, variance_pa2: f64) -> f64 {
+    /// Variance left \[Pa^2\] before it comes to an end, where the hardness goes on over less and less of it; infinite if it does
+    /// not.
+    pub(crate) fn left_pa2(&self, variance_pa2: f64) -> f64 {
         if self.growth_per_pa2 >= 0.0 || self.exponent == 0.0 {
             return f64::INFINITY;
         }
-        let left_pa2 = self.from_variance_pa2 - self.growth_per_pa2.recip() - variance_pa2;
-        variance_pa2 + 0.5 * left_pa2
+        self.from_variance_pa2 - self.growth_per_pa2.recip() - variance_pa2
     }
 
     /// Variance at which the piece reaches a hardness above that of its beginning, if it does.

@@ -146,7 +146,7 @@ impl<'a> PlasticMarch<'a> {
         let kink_pa2 = piece.from_variance_pa2;
         let widest_pa = (from_pa2 - kink_pa2).sqrt() + WIDEST * from_pa2.sqrt();
         let mut to_pa2 = until_pa2.min(kink_pa2 + widest_pa * widest_pa);
-        let smooth_pa2 = piece.smooth_up_to_pa2(from_pa2);
+        let smooth_pa2 = from_pa2 + 0.5 * piece.left_pa2(from_pa2);
         if from_pa2 < smooth_pa2
             && smooth_pa2 < to_pa2
             && piece.hardness_pa(to_pa2) > MOST_GROWTH * piece.hardness_pa(smooth_pa2)
