@@ -342,6 +342,25 @@ fn a_hardness_that_steps_away_from_the_stress() {
     assert_sound(&persson(bodies, &spectrum, Band::Surface, plastic, 0.38170479789037853));
 }
 
+/// Holes towards whose end the hardness goes on growing over less and less of the variance: steps of the stress's modes passed over
+/// that growth, and the area was larger than that of a constant hardness.
+#[test]
+fn a_hardness_that_grows_towards_the_end_of_a_variance() {
+    let spectrum = [
+        (0.008462349421060757, 6.19883339311842e-11),
+        (0.0038549346611773607, 1.3266701793091449e-14),
+        (0.0025173759547750794, 3.4966513252306463e-15),
+        (0.001384095845441398, 5.379633854903789e-16),
+        (0.0009947403576678457, 1.9136141128346704e-16),
+        (0.0007584155153158396, 8.189006323495266e-17),
+        (0.0003343331405507047, 6.3110477816405376e-18),
+    ];
+    let growth = Growth::Length(1.2000495000301212e-8);
+    let plastic = Deformation::Plastic(139124.59524882116, growth, Some(20146379.279328994));
+    let bodies = (2996344.6907118363, 0.0);
+    assert!(assert_sound(&persson(bodies, &spectrum, Band::Profile, plastic, 1720.8046323353906)));
+}
+
 /// A stress eleven decades above the hardness: shares that did not add up to 1, and a march without end.
 #[test]
 fn a_hardness_far_below_the_stress() {
