@@ -77,7 +77,10 @@ impl ElasticPlasticSinusoid {
     }
 
     /// Computes [`pressure_and_area_at_interference`](Self::pressure_and_area_at_interference) at each of many
-    /// interferences over amplitude, to the same digits at a fraction of the cost. The three slices are equally long.
+    /// interferences over amplitude, to the same digits at a fraction of the cost.
+    ///
+    /// # Panics
+    /// If the slices differ in length.
     pub fn pressures_and_areas_at_interferences(
         &self,
         interferences_over_amplitude: &[f64],

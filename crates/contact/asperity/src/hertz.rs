@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use multiversion::multiversion;
 
 use crate::MaterialPair;
+use crate::lanes::check_lengths;
 
 /// A sphere pressed elastically by a flat (`docs/theory/models.md`, section 2.1). Exact for contact radii well below R;
 /// it has no fitted range and no breaks.
@@ -29,8 +30,12 @@ impl Hertz {
     }
 
     /// Computes [`force_n`](Self::force_n) and [`area_m2`](Self::area_m2) at each of many interferences w >= 0 \[m\], to
-    /// the same digits at a fraction of the cost. The three slices are equally long.
+    /// the same digits at a fraction of the cost.
+    ///
+    /// # Panics
+    /// If the slices differ in length.
     pub fn forces_and_areas(&self, interferences_m: &[f64], forces_n: &mut [f64], areas_m2: &mut [f64]) {
+        check_lengths(interferences_m, [forces_n, areas_m2]);
         hertz_at_each(self, interferences_m, forces_n, areas_m2);
     }
 

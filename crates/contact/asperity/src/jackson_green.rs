@@ -151,8 +151,10 @@ impl JacksonGreen {
     }
 
     /// Computes [`force_and_area`](Self::force_and_area) at each of many interferences w >= 0 \[m\], to the same digits
-    /// at a fraction of the cost (with the cosine form of the hardness at about the same). The three slices are equally
-    /// long.
+    /// at a fraction of the cost (with the cosine form of the hardness at about the same).
+    ///
+    /// # Panics
+    /// If the slices differ in length.
     pub fn forces_and_areas(&self, interferences_m: &[f64], forces_n: &mut [f64], areas_m2: &mut [f64]) {
         let nodes = (interferences_m, forces_n, areas_m2);
         match self.hardness {

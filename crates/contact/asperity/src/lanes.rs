@@ -27,6 +27,18 @@ pub(crate) fn any<const N: usize>(condition: impl Fn(usize) -> bool) -> bool {
     (0..N).fold(false, |any, i| any | condition(i))
 }
 
+/// Panics unless there is a place for both results of every argument.
+#[inline(always)]
+pub(crate) fn check_lengths(arguments: &[f64], [first, second]: [&[f64]; 2]) {
+    assert!(
+        arguments.len() == first.len() && arguments.len() == second.len(),
+        "{} interferences need as many places for results, not {} and {}",
+        arguments.len(),
+        first.len(),
+        second.len()
+    );
+}
+
 /// Computes two results at each of many arguments, [`LANES`] together. The last block is filled up with its last
 /// argument.
 #[inline(always)]
@@ -35,7 +47,7 @@ pub(crate) fn in_blocks(
     [first, second]: [&mut [f64]; 2],
     law: impl Fn([f64; LANES]) -> [[f64; LANES]; 2],
 ) {
-    debug_assert!(arguments.len() == first.len() && arguments.len() == second.len());
+    check_lengths(arguments, [first, second]);
     let results = first.chunks_mut(LANES).zip(second.chunks_mut(LANES));
     for (at, (first, second)) in arguments.chunks(LANES).zip(results) {
         let mut block = [at[at.len() - 1]; LANES];
@@ -43,5 +55,16 @@ pub(crate) fn in_blocks(
         let [firsts, seconds] = law(block);
         first.copy_from_slice(&firsts[..first.len()]);
         second.copy_from_slice(&seconds[..second.len()]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::check_lengths;
+
+    #[test]
+    #[should_panic(expected = "2 interferences need as many places for results, not 2 and 1")]
+    fn results_need_as_many_places_as_there_are_arguments() {
+        check_lengths(&[1.0, 2.0], [&[0.0, 0.0], &[0.0]]);
     }
 }

@@ -49,8 +49,9 @@ const FORGOTTEN: f64 = 1e-6;
 
 /// Returns the shares of the nominal area at each of some non-decreasing variances of the flattening pressure, under
 /// a nominal pressure 0 < p < H(0) \[Pa\]. Areas are accurate to 1e-8 of
-/// the contact, beside kinks at which the hardness has grown fast to 1e-7, and plastic areas to 1e-6 of themselves. Where the hardness steps, or runs away from the
-/// stress, areas before that are accurate to 1e-7 up to a spread sqrt(V) of a hundred times the hardness, and to 1e-5 beyond.
+/// the contact, to 1e-7 beside kinks at which the hardness has grown fast, and plastic areas to 1e-6 of themselves. Before
+/// a step of the hardness, or a place where it runs away from the stress, areas are accurate to 1e-7 up to a spread sqrt(V)
+/// of a hundred times the hardness, and to 1e-5 beyond.
 #[must_use]
 pub fn areas_along(path: &HardnessPath, pressure_pa: f64, variances_pa2: &[f64]) -> Vec<ContactAreas> {
     if path.is_constant() {

@@ -59,18 +59,19 @@ impl NearPanel {
         let count = self.deviations.len();
         self.variables.resize(count, 0.0);
         self.weights[1].resize(count, 0.0);
-        match sight.steep_about_pa {
-            Some(_) => weigh_each(sight, true, self),
-            None => weigh_each(sight, false, self),
-        }
+        weigh_each(sight, self);
     }
 
-    /// Integrals of a polynomial of the panel's variable.
-    pub(crate) fn integrals(&self, polynomial: &Polynomial) -> [f64; 2] {
-        integrals_of_polynomial(polynomial, &self.variables, self.weights.each_ref().map(Vec::as_slice))
+    /// Integrals of a polynomial of the panel's variable. Uses up the weights.
+    pub(crate) fn integrals(&mut self, polynomial: &Polynomial) -> [f64; 2] {
+        integrals_of_polynomial(
+            polynomial,
+            &mut self.variables,
+            self.weights.each_mut().map(Vec::as_mut_slice),
+        )
     }
 
-    /// Integrals of the first powers of the panel's variable.
+    /// Integrals of the first powers of the panel's variable. Uses up the weights.
     pub(crate) fn integrals_of_powers(&mut self, size: usize) -> [Polynomial; 2] {
         let variables = &self.variables;
         self.weights.each_mut().map(|weights| integrals_of_powers(size, variables, weights))
@@ -78,7 +79,8 @@ impl NearPanel {
 }
 
 #[multiversion(targets("x86_64+avx2"))]
-fn weigh_each(sight: &Sight, steep: bool, panel: &mut NearPanel) {
+fn weigh_each(sight: &Sight, panel: &mut NearPanel) {
+    let steep = sight.steep_about_pa.is_some();
     let count = panel.deviations.len();
     let [cosines, sines] = panel.middles.each_ref().map(|numbers| &numbers[..count]);
     let deviations = &panel.deviations[..count];
@@ -121,24 +123,20 @@ fn weigh_each(sight: &Sight, steep: bool, panel: &mut NearPanel) {
 }
 
 #[multiversion(targets("x86_64+avx2"))]
-fn integrals_of_polynomial(polynomial: &Polynomial, variables: &[f64], weights: [&[f64]; 2]) -> [f64; 2] {
-    let mut lanes = [[0.0; 4]; 2];
-    let value = |t: f64| polynomial.iter().rev().fold(0.0, |sum, coefficient| sum * t + coefficient);
-    let (fours, rest) = variables.as_chunks::<4>();
-    for (at, four) in fours.iter().enumerate() {
-        let values = four.map(value);
-        for (lanes, weights) in lanes.iter_mut().zip(weights) {
-            for (lane, (sum, value)) in lanes.iter_mut().zip(values).enumerate() {
-                *sum += weights[4 * at + lane] * value;
-            }
-        }
+fn integrals_of_polynomial(
+    polynomial: &Polynomial,
+    variables: &mut [f64],
+    weights: [&mut [f64]; 2],
+) -> [f64; 2] {
+    for t in &mut *variables {
+        *t = polynomial.iter().rev().fold(0.0, |sum, coefficient| sum * *t + coefficient);
     }
-    for (at, t) in rest.iter().enumerate() {
-        for (lanes, weights) in lanes.iter_mut().zip(weights) {
-            lanes[0] += weights[4 * fours.len() + at] * value(*t);
+    weights.map(|weights| {
+        for (weight, value) in weights.iter_mut().zip(&*variables) {
+            *weight *= value;
         }
-    }
-    lanes.map(|[a, b, c, d]| (a + b) + (c + d))
+        sum(weights)
+    })
 }
 
 #[multiversion(targets("x86_64+avx2"))]

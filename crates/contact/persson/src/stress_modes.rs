@@ -286,3 +286,61 @@ fn inverse(mut block: Block) -> Block {
     }
     inverse
 }
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use super::*;
+
+    #[test]
+    fn derivatives_at_the_stages_are_exact_for_polynomials_through_them() {
+        let (block, of_beginning) = derivatives();
+        for power in 0..=STAGES as i32 {
+            for (i, row) in block.iter().enumerate() {
+                let at_beginning = if power == 0 { of_beginning[i] } else { 0.0 };
+                let found =
+                    at_beginning + row.iter().zip(PLACES).map(|(d, t)| d * t.powi(power)).sum::<f64>();
+                let exact = f64::from(power) * PLACES[i].powi(power - 1);
+                assert!((found - exact).abs() < 1e-13, "{power}: {found} {exact}");
+            }
+        }
+        // The places are Radau's: their polynomial is orthogonal to those of the second degree.
+        let rule = GaussLegendre::new(STAGES);
+        for power in 0..STAGES as i32 - 1 {
+            let value = |t: f64| t.powi(power) * PLACES.iter().map(|place| t - place).product::<f64>();
+            let integral: f64 = rule.over(0.0, 1.0).map(|(t, weight)| weight * value(t)).sum();
+            assert!(integral.abs() < 1e-16, "{power}: {integral}");
+        }
+    }
+
+    #[test]
+    fn the_slopes_of_an_expanded_state_are_its_areas() {
+        // w = 1 - x + a x (1 - x).
+        let a = -0.3;
+        let equations = StressEquations::new();
+        let areas = equations.areas(&equations.expand(|x| 1.0 - a * (1.0 - 2.0 * x)), 0.2);
+        assert!((areas.contact() - 0.2 * (1.0 - a)).abs() < 1e-14, "{areas:?}");
+        assert!((areas.plastic - 0.2 * (1.0 + a)).abs() < 1e-14, "{areas:?}");
+    }
+
+    #[test]
+    fn a_state_that_has_forgotten_its_beginning_has_the_limit_of_a_squared_growth() {
+        let equations = StressEquations::new();
+        for growth in [1e-6, 0.5, 4.0, 12.0f64] {
+            let mut state = equations.expand(|_| 1.0);
+            let mut elimination = Elimination::default();
+            for _ in 0..8 {
+                equations.step(&mut state, &mut elimination, |_| Stage { length: 30.0, growth });
+            }
+            let root = growth.sqrt();
+            let contact = 0.1 * 2.0 / PI.sqrt() * root / libm::erf(root);
+            let areas = equations.areas(&state, 0.1);
+            assert!((areas.contact() / contact - 1.0).abs() < 1e-11, "{growth}: {areas:?}");
+            assert!(
+                (areas.plastic - contact * (-growth).exp()).abs() < 1e-11 * contact,
+                "{growth}: {areas:?}"
+            );
+        }
+    }
+}

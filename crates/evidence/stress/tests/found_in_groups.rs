@@ -131,8 +131,8 @@ fn the_light_load_of_a_pit_is_known_to_the_stiffness_of_all_its_points() {
     assert!(assert_sound(&pressed(map, 923.8479660828727, 7.959168375312128e-13, 1.5399259242597977e-9)));
 }
 
-/// What is missing at the saturation was lost in the rounding of trial pressures: no step, or another load, or a gap of 0.3
-/// or 0.5 rms heights for the shifted map.
+/// Loads so near the saturation that rounding of trial pressures lost what is missing: no step, or another load, or a gap
+/// of 0.3 or 0.5 rms heights for the shifted map.
 #[test]
 fn loads_just_below_the_saturation() {
     let saturated = |map, contact_modulus_pa, pressure_pa, saturation_pa, tolerance| ElementsCase {
