@@ -14,6 +14,7 @@
 
 mod areas;
 pub mod constant_hardness;
+mod contact_energy;
 pub mod corrections;
 pub mod elastic;
 mod energy;

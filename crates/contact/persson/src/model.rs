@@ -52,12 +52,23 @@ impl Cut {
         let elastic = areas.plastic <= MOST_PLASTIC * areas.contact();
         let if_elastic = |value: f64| Some(value).filter(|value| elastic && value.is_finite());
         Cut {
+            mean_gap_m: if_elastic(separation.mean_gap_m),
+            stiffness_pa_per_m: if_elastic(separation.stiffness_pa_per_m),
+            ..Cut::without_separation(place, areas, pressure_pa)
+        }
+    }
+
+    /// Returns the contact of these shares of the nominal area at a place, under a nominal pressure p > 0 \[Pa\], without mean
+    /// gap and stiffness.
+    #[must_use]
+    pub fn without_separation(place: &Place, areas: ContactAreas, pressure_pa: f64) -> Self {
+        Cut {
             wavelength_m: place.wavelength_m,
             areas,
             real_pressure_pa: pressure_pa / areas.contact(),
             rms_gradient: place.rms_gradient(),
-            mean_gap_m: if_elastic(separation.mean_gap_m),
-            stiffness_pa_per_m: if_elastic(separation.stiffness_pa_per_m),
+            mean_gap_m: None,
+            stiffness_pa_per_m: None,
         }
     }
 }
@@ -95,9 +106,8 @@ impl PerssonModel {
         separation: &SeparationLaw,
         pressure_pa: f64,
     ) -> Result<Option<Cut>, HardnessError> {
-        let areas = self.areas(roughness, pressure_pa)?;
-        let last = roughness.places().last().zip(areas.last());
-        Ok(last.map(|(place, areas)| Cut::new(place, *areas, separation.whole(pressure_pa), pressure_pa)))
+        let last = roughness.places().last().zip(self.areas_at_last(roughness, pressure_pa)?);
+        Ok(last.map(|(place, areas)| Cut::new(place, areas, separation.whole(pressure_pa), pressure_pa)))
     }
 
     /// Contact modulus E* \[Pa\].
@@ -115,6 +125,29 @@ impl PerssonModel {
     /// [`HardnessError::Falling`], [`HardnessError::Exceeded`] if a growing hardness is not above p at the
     /// longest wavelength, and [`HardnessError::Overrun`] if it is far below the flattening stress and grows to its size. With a constant hardness everything touches and flows in that case.
     pub fn areas(&self, roughness: &Roughness, pressure_pa: f64) -> Result<Vec<ContactAreas>, HardnessError> {
+        self.areas_from(0, roughness, pressure_pa)
+    }
+
+    /// Returns the shares of the nominal area at the last cutoff; `None` if the roughness is empty.
+    ///
+    /// # Errors
+    /// The errors of [`areas`](Self::areas).
+    pub fn areas_at_last(
+        &self,
+        roughness: &Roughness,
+        pressure_pa: f64,
+    ) -> Result<Option<ContactAreas>, HardnessError> {
+        let last = roughness.places().len().saturating_sub(1);
+        Ok(self.areas_from(last, roughness, pressure_pa)?.pop())
+    }
+
+    /// Returns the shares at the places from `first` on. The others are followed where the last ones depend on them.
+    fn areas_from(
+        &self,
+        first: usize,
+        roughness: &Roughness,
+        pressure_pa: f64,
+    ) -> Result<Vec<ContactAreas>, HardnessError> {
         let variances_pa2: Vec<f64> =
             roughness.places().iter().map(|place| place.variance_pa2(self.contact_modulus_pa())).collect();
         match self {
@@ -131,13 +164,13 @@ impl PerssonModel {
                     plastic: 0.0,
                     gap: elastic::gap_fraction(pressure_pa, variance_pa2.sqrt()),
                 };
-                Ok(effective_pa2.iter().map(areas).collect())
+                Ok(effective_pa2.iter().skip(first).map(areas).collect())
             }
             PerssonModel::ElasticPlastic { hardness, .. } => {
                 if let HardnessGrowth::Constant { hardness_pa } = *hardness.growth() {
                     let areas =
                         |variance: &f64| constant_hardness::areas(pressure_pa, variance.sqrt(), hardness_pa);
-                    return Ok(variances_pa2.iter().map(areas).collect());
+                    return Ok(variances_pa2.iter().skip(first).map(areas).collect());
                 }
                 let hardness_pa = hardness.at_longest_pa(roughness)?;
                 if pressure_pa >= hardness_pa {
@@ -149,7 +182,7 @@ impl PerssonModel {
                 if let Some((hardness_pa, spread_pa)) = overrun(&path, &variances_pa2) {
                     return Err(HardnessError::Overrun { hardness_pa, spread_pa });
                 }
-                Ok(areas_along(&path, pressure_pa, &variances_pa2))
+                Ok(areas_along(&path, pressure_pa, &variances_pa2).split_off(first))
             }
         }
     }
@@ -223,6 +256,27 @@ mod tests {
         let separation = model.separation(&roughness(), EnergyFactor::ALMQVIST);
         let last = model.at_last(&roughness(), &separation, 0.01).unwrap();
         assert_eq!(last.as_ref(), elastic.last());
+    }
+
+    #[test]
+    fn the_last_areas_alone_are_those_of_the_curve() {
+        let elastic = |correction| PerssonModel::Elastic { contact_modulus_pa: 1.0, correction };
+        for model in [
+            elastic(None),
+            elastic(Some(Correction::WangMuser)),
+            elastic(Some(Correction::AlgebraicNayak)),
+            plastic(HardnessGrowth::Constant { hardness_pa: 0.3 }),
+            plastic(HardnessGrowth::Power { hardness_pa: 0.3, exponent: 0.1 }),
+        ] {
+            let last = model.areas_at_last(&roughness(), 0.01).unwrap();
+            assert_eq!(last.as_ref(), model.areas(&roughness(), 0.01).unwrap().last(), "{model:?}");
+            let nothing = Roughness::new(&[], &[], Band::Surface);
+            if !matches!(&model, PerssonModel::ElasticPlastic { hardness, .. }
+                if !matches!(hardness.growth(), HardnessGrowth::Constant { .. }))
+            {
+                assert_eq!(model.areas_at_last(&nothing, 0.01).unwrap(), None);
+            }
+        }
     }
 
     #[test]

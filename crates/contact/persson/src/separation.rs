@@ -12,10 +12,12 @@
 //! surface to the flat. Both integrals take the whole spectrum and are dominated by its longest wavelengths.
 
 use std::f64::consts::PI;
+use std::sync::LazyLock;
 
 use asperity::LayerCompliance;
 use numerics::{GaussLegendre, zero_in_bracket};
 
+use crate::contact_energy::ContactEnergy;
 use crate::energy::EnergyFactor;
 use crate::roughness::{Place, Roughness};
 use crate::stretch::Stretch;
@@ -66,12 +68,13 @@ pub struct LightLoads {
 /// Separation for one elastic energy factor g and one spectrum, whose knots have rising wavevector and variance.
 #[derive(Debug, Clone)]
 pub struct SeparationLaw {
-    energy: Energy,
+    energy: ContactEnergy,
     contact_modulus_pa: f64,
     stretches: Vec<Option<Stretch>>,
     layer: Option<LayerCompliance>,
-    rule: GaussLegendre,
 }
+
+static RULE: LazyLock<GaussLegendre> = LazyLock::new(|| GaussLegendre::new(16));
 
 impl SeparationLaw {
     /// Creates the law of a roughness, on a layer or on half-spaces, under a contact modulus E* > 0 \[Pa\].
@@ -90,8 +93,12 @@ impl SeparationLaw {
     #[must_use]
     pub fn new(knots: &[SeparationKnot], contact_modulus_pa: f64, energy_factor: EnergyFactor) -> Self {
         let stretches = knots.windows(2).map(|pair| Stretch::between(&pair[0], &pair[1])).collect();
-        let rule = GaussLegendre::new(16);
-        SeparationLaw { energy: Energy::new(energy_factor), contact_modulus_pa, stretches, layer: None, rule }
+        SeparationLaw {
+            energy: ContactEnergy::new(energy_factor),
+            contact_modulus_pa,
+            stretches,
+            layer: None,
+        }
     }
 
     /// Separation and stiffness under a nominal pressure p > 0 \[Pa\] with the spectrum cut off at each knot; 0 and
@@ -175,10 +182,10 @@ impl SeparationLaw {
             let inside = stretch.and_then(|stretch| stretch.up_to(decade_rad_per_m));
             self.over(&inside, 0.0, |_, per_rad_m| in_first_decade += per_rad_m);
         }
-        let g = self.energy.factor.light;
+        let g = self.energy.light();
         Some(LightLoads {
             decay_length_m: g * self.factor() * sum,
-            reference_pressure_pa: (logarithms / sum + self.energy.constant / g).exp(),
+            reference_pressure_pa: (logarithms / sum + self.energy.constant() / g).exp(),
             share_of_first_decade: (in_first_decade / sum).min(1.0),
         })
     }
@@ -281,75 +288,11 @@ impl SeparationLaw {
             if start_pa >= end_pa {
                 break;
             }
-            for (v_pa, weight) in self.rule.over(start_pa, end_pa) {
+            for (v_pa, weight) in RULE.over(start_pa, end_pa) {
                 term(v_pa, weight / stiffness(stretch.wavevector_rad_per_m(v_pa)));
             }
             end_pa = start_pa;
         }
-    }
-}
-
-/// Energy of the waves in contact: its density over ln(p), and its integral above a pressure.
-#[derive(Debug, Clone)]
-struct Energy {
-    factor: EnergyFactor,
-    /// G at the multiples of [`STEP`], from the first on.
-    beyond: Vec<f64>,
-    /// Limit of G(x) + g ln(x) as x vanishes.
-    constant: f64,
-    rule: GaussLegendre,
-}
-
-/// Spacing of the tabulated G; between its multiples the density is a polynomial to rounding.
-const STEP: f64 = 0.25;
-/// Number of steps; exp(-27.5^2) is below the smallest double.
-const STEPS: usize = 110;
-
-impl Energy {
-    fn new(factor: EnergyFactor) -> Self {
-        let mut energy =
-            Energy { factor, beyond: vec![0.0; STEPS + 1], constant: 0.0, rule: GaussLegendre::new(10) };
-        for step in (0..STEPS).rev() {
-            let at = STEP * (step + 1) as f64;
-            let next = energy.beyond.get(step + 1).copied().unwrap_or(0.0);
-            energy.beyond[step] = next + energy.integral(at, at + STEP);
-        }
-        energy.constant = energy.beyond[0] + factor.light * STEP.ln() + energy.regular(0.0, STEP);
-        energy
-    }
-
-    /// Computes [g + (n + 1) (1 - g) erf(x)^n] exp(-x^2).
-    fn density(&self, x: f64) -> f64 {
-        (self.factor.light + self.of_contact(x)) * (-x * x).exp()
-    }
-
-    /// Computes (n + 1) (1 - g) erf(x)^n.
-    fn of_contact(&self, x: f64) -> f64 {
-        let EnergyFactor { light, power } = self.factor;
-        let contact = libm::erf(x);
-        let raised = if power == 2.0 { contact * contact } else { contact.powf(power) };
-        (power + 1.0) * (1.0 - light) * raised
-    }
-
-    /// Computes G(x).
-    fn beyond(&self, x: f64) -> f64 {
-        if x < STEP {
-            return self.beyond[0] + self.factor.light * (STEP / x).ln() + self.regular(x, STEP);
-        }
-        let step = (x / STEP) as usize;
-        let Some(&beyond) = self.beyond.get(step) else { return 0.0 };
-        beyond + self.integral(x, STEP * (step + 1) as f64)
-    }
-
-    fn integral(&self, from: f64, to: f64) -> f64 {
-        self.rule.over(from, to).map(|(t, weight)| weight * self.density(t) / t).sum()
-    }
-
-    /// Integral without g/t, which diverges at 0.
-    fn regular(&self, from: f64, to: f64) -> f64 {
-        let regular =
-            |t: f64| (self.factor.light * libm::expm1(-t * t) + self.of_contact(t) * (-t * t).exp()) / t;
-        self.rule.over(from, to).map(|(t, weight)| weight * regular(t)).sum()
     }
 }
 
@@ -380,7 +323,7 @@ mod tests {
     #[test]
     fn the_fitted_energy_keeps_gaps_open_under_heavy_loads_and_its_stiffness_is_their_slope() {
         let almqvist = power_law();
-        let fitted = SeparationLaw { energy: Energy::new(EnergyFactor::FITTED), ..almqvist.clone() };
+        let fitted = SeparationLaw { energy: ContactEnergy::new(EnergyFactor::FITTED), ..almqvist.clone() };
         for pressure_pa in [1e3, 1e6, 3e7, 3e8] {
             let [below, above] =
                 [1.0 - 1e-4, 1.0 + 1e-4].map(|factor| fitted.whole(factor * pressure_pa).mean_gap_m);

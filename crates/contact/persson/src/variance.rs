@@ -5,6 +5,7 @@
 //! |q'| > q.
 
 use std::f64::consts::{LN_10, PI};
+use std::sync::LazyLock;
 
 use numerics::{GaussLegendre, line_through};
 use serde::{Deserialize, Serialize};
@@ -168,9 +169,17 @@ fn scatter(points: &[[f64; 2]]) -> f64 {
 struct Tails<'a> {
     samples: &'a [SpectrumSample],
     exponents: Vec<f64>,
-    narrow: GaussLegendre,
-    wide: GaussLegendre,
+    /// Terms of the integrals from each sample q on: Int_q^inf C'(p) p^3 (q/p)^(2k) dp, k from 2 on.
+    far: Vec<[f64; FAR_TERMS]>,
 }
+
+static NARROW: LazyLock<GaussLegendre> = LazyLock::new(|| GaussLegendre::new(6));
+static WIDE: LazyLock<GaussLegendre> = LazyLock::new(|| GaussLegendre::new(12));
+
+/// Square of the ratio of a wavevector to the cutoff from which on the kernel is taken as a series in 1/that.
+const FAR_SQUARE: f64 = 2.0;
+/// Number of its terms; those left out are below 2^-55 k^-1.5 of the first.
+const FAR_TERMS: usize = 52;
 
 impl<'a> Tails<'a> {
     fn new(samples: &'a [SpectrumSample]) -> Self {
@@ -179,14 +188,25 @@ impl<'a> Tails<'a> {
         if let Some(last) = exponents.last_mut() {
             *last = exponent_at_the_end(samples, *last).min(0.0);
         }
-        Tails { samples, exponents, narrow: GaussLegendre::new(6), wide: GaussLegendre::new(12) }
+        let far = far_terms(samples, &exponents);
+        Tails { samples, exponents, far }
     }
 
     /// Computes (2/3pi) c^3 C(c) + (1/pi) Int_c^inf C'(p) I_3(p; c) dp at the cutoff c of a sample, the spectrum
     /// being continued with its last slope.
     fn beyond(&self, at: usize) -> f64 {
         let SpectrumSample { wavevector_rad_per_m: cutoff, c1d_m3, .. } = self.samples[at];
-        let integral: f64 = (at..self.samples.len()).map(|from| self.stretch(from, cutoff)).sum();
+        let near = self.samples[at..].partition_point(|sample| {
+            sample.wavevector_rad_per_m * sample.wavevector_rad_per_m < FAR_SQUARE * cutoff * cutoff
+        });
+        let far = at + near;
+        let mut integral: f64 = (at..far).map(|from| self.stretch(from, cutoff)).sum();
+        if let Some(terms) = self.far.get(far) {
+            let square = (cutoff / self.samples[far].wavevector_rad_per_m).powi(2);
+            let products = SERIES_OF_KERNEL.iter().zip(terms).rev();
+            let series = products.fold(0.0, |sum, (coefficient, term)| sum * square + coefficient * term);
+            integral += square * square * series;
+        }
         (2.0 / 3.0 * c1d_m3 * cutoff.powi(3) + integral) / PI
     }
 
@@ -212,7 +232,7 @@ impl<'a> Tails<'a> {
             let kernel = decay * (3.0 + square) / 6.0;
             exponent * c1d_m3 * (wavevector / start).powf(exponent) * tanh * kernel
         };
-        let rule = if last - first < 0.3 { &self.narrow } else { &self.wide };
+        let rule = if last - first < 0.3 { &*NARROW } else { &*WIDE };
         let pieces = (last - first).ceil().max(1.0) as usize;
         let width = (last - first) / pieces as f64;
         let over = (0..pieces).map(|i| {
@@ -221,6 +241,54 @@ impl<'a> Tails<'a> {
         });
         cutoff.powi(3) * over.sum::<f64>()
     }
+}
+
+/// Coefficients of (c/p)^(2k), k from 2 on, in I_3(p; c)/p^3 = 2/3 - sqrt(1 - c^2/p^2) (2 + c^2/p^2)/3.
+static SERIES_OF_KERNEL: LazyLock<[f64; FAR_TERMS]> = LazyLock::new(|| {
+    // That of (c/p)^(2k) in the root is the one before it times (k - 3/2)/k.
+    let mut of_root = -0.5;
+    std::array::from_fn(|place| {
+        let k = place as f64 + 2.0;
+        let coefficient = -of_root * (k - 1.0) / k;
+        of_root *= (k - 1.5) / k;
+        coefficient
+    })
+});
+
+/// Sums Int_q^inf C'(p) p^3 (q/p)^(2k) dp from each sample q on, k from 2 on, over the power laws between the samples.
+fn far_terms(samples: &[SpectrumSample], exponents: &[f64]) -> Vec<[f64; FAR_TERMS]> {
+    /// Difference of logarithms from which on that of the powers is taken from the powers.
+    const FAR_APART: f64 = 0.5;
+    let mut all = vec![[0.0; FAR_TERMS]; samples.len()];
+    let mut next: Option<(f64, [f64; FAR_TERMS])> = None;
+    for (at, sample) in samples.iter().enumerate().rev() {
+        let SpectrumSample { wavevector_rad_per_m: start, c1d_m3, .. } = *sample;
+        let factor = exponents[at] * c1d_m3 * start.powi(3);
+        let exponent = |place: usize| exponents[at] - 1.0 - 2.0 * place as f64;
+        all[at] = match next {
+            None => std::array::from_fn(|place| -factor / exponent(place)),
+            Some((end, beyond)) => {
+                let ln_ratio = (end / start).ln();
+                let inverse_square = (start / end).powi(2);
+                let mut power = (exponent(0) * ln_ratio).exp();
+                let mut share = inverse_square * inverse_square;
+                std::array::from_fn(|place| {
+                    let (exponent, grown) = (exponent(place), exponent(place) * ln_ratio);
+                    let own = match exponent {
+                        0.0 => ln_ratio,
+                        _ if grown.abs() < FAR_APART => libm::expm1(grown) / exponent,
+                        _ => (power - 1.0) / exponent,
+                    };
+                    let sum = factor * own + share * beyond[place];
+                    power *= inverse_square;
+                    share *= inverse_square;
+                    sum
+                })
+            }
+        };
+        next = Some((start, all[at]));
+    }
+    all
 }
 
 #[cfg(test)]
@@ -279,6 +347,25 @@ mod tests {
             let known = (q.powi(4) - 1.0) / (8.0 * PI);
             assert!((from_first[at] / known - 1.0).abs() < 2e-3, "{q}: {} {known}", from_first[at]);
             assert!(cut[at] < from_first[at], "{q}");
+        }
+    }
+
+    #[test]
+    fn the_series_of_the_kernel_agrees_with_the_quadrature() {
+        let mut samples = power_law(-2.6);
+        for (at, sample) in samples.iter_mut().enumerate() {
+            sample.c1d_m3 *= 1.0 + 0.5 * ((at * at) as f64).sin();
+        }
+        // Also a spectrum so sparse that nothing but the waves beyond its end is near a cutoff.
+        for samples in [samples.clone(), samples.into_iter().step_by(10).collect()] {
+            let tails = Tails::new(&samples);
+            for at in 0..samples.len() {
+                let cutoff = samples[at].wavevector_rad_per_m;
+                let plain = 2.0 / 3.0 * samples[at].c1d_m3 * cutoff.powi(3);
+                let whole: f64 = (at..samples.len()).map(|from| tails.stretch(from, cutoff)).sum();
+                let off = (tails.beyond(at) * PI - plain - whole).abs() / plain;
+                assert!(off < 1e-12, "{at}: {off:e}");
+            }
         }
     }
 

@@ -75,6 +75,7 @@ pub(crate) fn area_fractions(
             curves: chosen,
             loads: loads(pressures_pa)?,
             tolerance: scene.needs.tolerance,
+            areas_alone: true,
             ..Needs::default()
         };
         let results = Plan { psd: profile, sampling: Sampling::default(), needs }.compute()?;

@@ -46,6 +46,7 @@ impl Areas {
             curves: own.curves.clone(),
             loads: own.loads.clone(),
             tolerance: Tolerance::new(own.tolerance.value().max(TOLERANCE)).unwrap_or(own.tolerance),
+            areas_alone: true,
             ..Needs::default()
         };
         Areas { needs, sampling: scene.sampling, own_ground: PreparedSpectrum::from_results(results) }

@@ -206,6 +206,7 @@ fn plan<'s>(scene: &'s Scene, variation: Option<Variation>, models: &[CurveModel
         curves: models.iter().map(curve).collect(),
         loads: scene.needs.loads.clone(),
         tolerance: scene.needs.tolerance,
+        areas_alone: true,
         ..Needs::default()
     };
     Plan { psd: &scene.surface.psd, sampling, needs }

@@ -76,6 +76,8 @@ pub struct Needs {
     pub tolerance: Tolerance,
     /// The largest number of cutoffs per decade at which a statistical curve is computed; every cutoff if absent.
     pub states_per_decade: Option<NonZeroU32>,
+    /// True if curves are wanted for their areas alone: mean gap and stiffness of Persson's theory are left out.
+    pub areas_alone: bool,
 }
 
 impl Needs {

@@ -27,14 +27,13 @@ impl CurveTheory for Persson {
         _: Range<usize>,
     ) -> Result<(CurveResult, Work), PlanError> {
         let Job { plan, prepared, cutoffs, run } = job;
-        let PerssonSurface { model, roughness, separation } = PerssonSurface::new(self, plan, prepared)?;
+        let PerssonLaw { band, energy_factor, .. } = self.law;
+        let roughness = plan.roughness(&prepared.psd, &prepared.moments, &prepared.scales, band);
+        let (model, roughness) = bodies_on(self, roughness)?;
+        let separation = (!plan.needs.areas_alone).then(|| model.separation(&roughness, energy_factor));
         let blocks = parallel::try_map(&pressures_pa(conditions), |&pressure_pa| {
             run.go_on()?;
-            let mut cuts = model.along(&roughness, &separation, pressure_pa)?;
-            if *cutoffs == Cutoffs::Shortest {
-                cuts.drain(..cuts.len().saturating_sub(1));
-            }
-            Ok::<_, PlanError>(cuts)
+            Ok::<_, PlanError>(cuts(&model, &roughness, separation.as_ref(), *cutoffs, pressure_pa)?)
         })?;
         Ok((CurveResult::Persson(PerssonCuts { blocks, band: self.law.band }), Work::default()))
     }
@@ -82,14 +81,45 @@ impl PerssonSurface {
         roughness: Roughness,
         energy_factor: EnergyFactor,
     ) -> Result<Self, HardnessError> {
-        let model = theory.law.model(&theory.pair)?;
-        let roughness = match theory.pair.layer_compliance() {
-            Some(layer) => roughness.on_layer(layer),
-            None => roughness,
-        };
+        let (model, roughness) = bodies_on(theory, roughness)?;
         let separation = model.separation(&roughness, energy_factor);
         Ok(PerssonSurface { model, roughness, separation })
     }
+}
+
+/// Returns the theory of the bodies in contact, and a roughness between them.
+fn bodies_on(theory: &Persson, roughness: Roughness) -> Result<(PerssonModel, Roughness), HardnessError> {
+    let model = theory.law.model(&theory.pair)?;
+    let roughness = match theory.pair.layer_compliance() {
+        Some(layer) => roughness.on_layer(layer),
+        None => roughness,
+    };
+    Ok((model, roughness))
+}
+
+/// Returns the contact under a pressure at the cutoffs, with mean gap and stiffness if a law of separations is given.
+fn cuts(
+    model: &PerssonModel,
+    roughness: &Roughness,
+    separation: Option<&SeparationLaw>,
+    cutoffs: Cutoffs,
+    pressure_pa: f64,
+) -> Result<Vec<Cut>, HardnessError> {
+    let by_area = |(place, areas)| Cut::without_separation(place, areas, pressure_pa);
+    let places = roughness.places();
+    Ok(match (cutoffs, separation) {
+        (Cutoffs::Every, Some(separation)) => model.along(roughness, separation, pressure_pa)?,
+        (Cutoffs::Every, None) => {
+            places.iter().zip(model.areas(roughness, pressure_pa)?).map(by_area).collect()
+        }
+        (Cutoffs::Shortest, Some(separation)) => {
+            model.at_last(roughness, separation, pressure_pa)?.into_iter().collect()
+        }
+        (Cutoffs::Shortest, None) => {
+            let last = places.last().zip(model.areas_at_last(roughness, pressure_pa)?);
+            last.into_iter().map(by_area).collect()
+        }
+    })
 }
 
 impl LoadedSurface for PerssonSurface {
