@@ -18,58 +18,54 @@ impl Raster<'_> {
         if self.columns == 0 || self.rows == 0 {
             return Ok(Decoded::default());
         }
-        macro_rules! decode {
-            ($type:ty) => {
+        macro_rules! reader {
+            ($number:expr) => {
+                |bytes, stride, row| read_row(bytes, stride, row, $number)
+            };
+            ($type:ty, $finished:expr) => {
                 match self.byte_order {
-                    ByteOrder::Little => self.decoded(|bytes| <$type>::from_le_bytes(bytes) as f64),
-                    ByteOrder::Big => self.decoded(|bytes| <$type>::from_be_bytes(bytes) as f64),
+                    ByteOrder::Little => reader!(|bytes| $finished(<$type>::from_le_bytes(bytes))),
+                    ByteOrder::Big => reader!(|bytes| $finished(<$type>::from_be_bytes(bytes))),
                 }
             };
         }
-        let decoded = match self.number {
-            NumberType::I8 => decode!(i8),
-            NumberType::U8 => decode!(u8),
-            NumberType::I16 => decode!(i16),
-            NumberType::U16 => decode!(u16),
-            NumberType::I32 => decode!(i32),
-            NumberType::U32 => decode!(u32),
-            NumberType::I64 => decode!(i64),
-            NumberType::U64 => decode!(u64),
-            NumberType::F16 => match self.byte_order {
-                ByteOrder::Little => self.decoded(|bytes| half(u16::from_le_bytes(bytes))),
-                ByteOrder::Big => self.decoded(|bytes| half(u16::from_be_bytes(bytes))),
-            },
-            NumberType::F32 => decode!(f32),
-            NumberType::F64 => decode!(f64),
+        let read: ReadRow = match self.number {
+            NumberType::I8 => reader!(i8, f64::from),
+            NumberType::U8 => reader!(u8, f64::from),
+            NumberType::I16 => reader!(i16, f64::from),
+            NumberType::U16 => reader!(u16, f64::from),
+            NumberType::I32 => reader!(i32, f64::from),
+            NumberType::U32 => reader!(u32, f64::from),
+            NumberType::I64 => reader!(i64, |number| number as f64),
+            NumberType::U64 => reader!(u64, |number| number as f64),
+            NumberType::F16 => reader!(u16, half),
+            NumberType::F32 => reader!(f32, f64::from),
+            NumberType::F64 => reader!(f64, f64::from),
         };
+        let decoded = self.decoded(read);
         Ok(if self.is_mirrored { mirrored(decoded, self.columns) } else { decoded })
     }
 
-    fn decoded<const N: usize>(&self, number: impl Fn([u8; N]) -> f64 + Copy) -> Decoded {
+    fn decoded(&self, read: ReadRow) -> Decoded {
         let (_, run) = self.runs();
-        let stride = self.stride.unwrap_or(run * N).max(run * N);
+        let size = self.number.bytes();
+        let stride = self.stride.unwrap_or(run * size).max(run * size);
         let mut decoded = Decoded {
             values: Vec::with_capacity(self.columns * self.rows),
             missing: MissingPoints::default(),
         };
+        let mut numbers = vec![0.0; self.columns];
         for row in 0..self.rows {
             let is_from_top = matches!(self.order, Order::RowsFromTop | Order::ColumnsFromTop);
             let stored = if is_from_top { row } else { self.rows - 1 - row };
             match self.order {
                 Order::RowsFromTop | Order::RowsFromBottom => {
-                    let (numbers, _) = self.bytes[stored * stride..][..run * N].as_chunks();
-                    self.decode_row(
-                        numbers.iter().map(|bytes| number(*bytes)),
-                        stored * run,
-                        1,
-                        &mut decoded,
-                    );
+                    read(&self.bytes[stored * stride..], size, &mut numbers);
+                    self.decode_row(&numbers, stored * run, 1, &mut decoded);
                 }
                 Order::ColumnsFromTop | Order::ColumnsFromBottom => {
-                    let at = |column: usize| self.bytes[column * stride + stored * N..].first_chunk();
-                    let numbers =
-                        (0..self.columns).map(|column| at(column).map_or(f64::NAN, |bytes| number(*bytes)));
-                    self.decode_row(numbers, stored, run, &mut decoded);
+                    read(&self.bytes[stored * size..], stride, &mut numbers);
+                    self.decode_row(&numbers, stored, run, &mut decoded);
                 }
             }
         }
@@ -78,23 +74,17 @@ impl Raster<'_> {
 
     /// Decodes a row whose first number is stored at `first`, its neighbours every `step` numbers from there on. Values
     /// come first and missing points after them, so that rows without any, the rule, are decoded many points at a time.
-    fn decode_row(
-        &self,
-        numbers: impl Iterator<Item = f64> + Clone,
-        first: usize,
-        step: usize,
-        decoded: &mut Decoded,
-    ) {
+    fn decode_row(&self, numbers: &[f64], first: usize, step: usize, decoded: &mut Decoded) {
         let start = decoded.values.len();
         let (scale, zero) = (self.scale, self.zero);
-        decoded.values.extend(numbers.clone().map(|number| number * scale + zero));
+        decoded.values.extend(numbers.iter().map(|number| number * scale + zero));
         match &self.missing {
             MissingMark::None => {}
             MissingMark::Equal(mark) => mark_numbers(numbers, |number| number == *mark, start, decoded),
             MissingMark::AtLeast(least) => mark_numbers(numbers, |number| number >= *least, start, decoded),
             MissingMark::AtMost(most) => mark_numbers(numbers, |number| number <= *most, start, decoded),
             MissingMark::Flagged(flags) => {
-                let flagged = (0..decoded.values.len() - start).filter(|at| flags[first + at * step] != 0);
+                let flagged = (0..numbers.len()).filter(|at| flags[first + at * step] != 0);
                 flagged.for_each(|at| decoded.set_missing(start + at));
             }
         }
@@ -108,16 +98,27 @@ impl Raster<'_> {
     }
 }
 
+/// Reads the numbers of a row, the first of which begins with the first byte and the next so many bytes later. This alone is
+/// compiled for every type.
+type ReadRow = fn(&[u8], usize, &mut [f64]);
+
+#[inline(always)]
+fn read_row<const N: usize>(bytes: &[u8], stride: usize, row: &mut [f64], number: impl Fn([u8; N]) -> f64) {
+    if stride == N {
+        let (stored, _) = bytes.as_chunks();
+        row.iter_mut().zip(stored).for_each(|(to, bytes)| *to = number(*bytes));
+    } else {
+        for (at, to) in row.iter_mut().enumerate() {
+            *to = bytes[at * stride..].first_chunk().map_or(f64::NAN, |bytes| number(*bytes));
+        }
+    }
+}
+
 /// Takes away the values of those numbers of a row that mark missing points; its first value stands at `start`.
-fn mark_numbers(
-    numbers: impl Iterator<Item = f64> + Clone,
-    is_missing: impl Fn(f64) -> bool,
-    start: usize,
-    decoded: &mut Decoded,
-) {
+fn mark_numbers(numbers: &[f64], is_missing: impl Fn(f64) -> bool, start: usize, decoded: &mut Decoded) {
     // Without an early end this looks at many points at a time as well.
-    if numbers.clone().fold(false, |any, number| any | is_missing(number)) {
-        let marks = numbers.enumerate().filter(|(_, number)| is_missing(*number));
+    if numbers.iter().fold(false, |any, number| any | is_missing(*number)) {
+        let marks = numbers.iter().enumerate().filter(|(_, number)| is_missing(**number));
         marks.for_each(|(at, _)| decoded.set_missing(start + at));
     }
 }
