@@ -90,8 +90,7 @@ fn sources() -> Sources {
     {
         collect(path.into(), &mut sources);
     }
-    let all = "members = [\"crates/*/*\", \"data\", \"xtask\", \"tests\"]";
-    assert!(workspace.contains(all));
+    let all = workspace.lines().find(|line| line.starts_with("members = ")).unwrap();
     let (manifest, _profiles) = workspace.split_once("[profile.").unwrap();
     let members = Vec::from_iter(members);
     let manifest = manifest.replace(all, &format!("members = {members:?}"));

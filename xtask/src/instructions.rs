@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::io;
 use std::process::{Command, ExitCode, Output};
 
-use crate::checkout;
+use xtask::checkout;
 
 /// Growth of a count from which it fails, as a share of the accepted one.
 const MOST_GROWTH: f64 = 0.05;

@@ -6,7 +6,7 @@ use std::process::{Command, ExitCode};
 
 use serde_json::Value;
 
-use crate::checkout;
+use xtask::checkout;
 
 /// The floors from the ground up: folders of `crates/`. A crate may use any crate of a lower floor, and of its own
 /// floor what its manifest lists.

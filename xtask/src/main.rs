@@ -1,21 +1,13 @@
-//! Project chores, by name: `cargo xtask reproduce`, `golden`, `docs`, `instructions`, `layers`, `shared`, `python`, `pyodide`, `package`, `api`,
-//! `site`, `web`, and the crates of evidence, `stress`, `coverage`, `work-precision` and `model-trials`.
+//! Project chores, by name: `cargo xtask reproduce`, `golden`, `docs`, `instructions`, `layers`, `shared`, those of the crate
+//! `publishing`, and the crates of evidence, `stress`, `coverage`, `work-precision` and `model-trials`.
 
 mod instructions;
 mod layers;
-mod package;
 mod programs;
-mod public_api;
-mod pyodide;
-mod python;
 mod shared;
-mod site;
-mod web;
 mod work_precision;
 
-use std::error::Error;
 use std::ffi::OsString;
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 use lexopt::prelude::*;
@@ -91,19 +83,6 @@ enum Task {
     },
     Layers,
     Shared,
-    Package,
-    Api {
-        accept: bool,
-    },
-    Site,
-    Python {
-        anew: bool,
-        wheel: Option<PathBuf>,
-    },
-    Pyodide,
-    Web {
-        tests: bool,
-    },
     WorkPrecision,
 }
 
@@ -122,12 +101,6 @@ fn main() -> ExitCode {
         Ok(Some(Task::Instructions { accept })) => instructions::run(accept),
         Ok(Some(Task::Layers)) => layers::run(),
         Ok(Some(Task::Shared)) => shared::run(),
-        Ok(Some(Task::Package)) => package::run(),
-        Ok(Some(Task::Api { accept })) => ended(public_api::run(accept)),
-        Ok(Some(Task::Site)) => site::run(),
-        Ok(Some(Task::Python { anew, wheel })) => python::run(anew, wheel.as_deref()),
-        Ok(Some(Task::Pyodide)) => ended(pyodide::run()),
-        Ok(Some(Task::Web { tests })) => ended(web::run(tests)),
         Ok(Some(Task::WorkPrecision)) => work_precision::run(),
         Ok(None) => {
             print!("{HELP}");
@@ -136,17 +109,6 @@ fn main() -> ExitCode {
         Err(error) => {
             eprint!("error: {error}\n\n{HELP}");
             ExitCode::from(2)
-        }
-    }
-}
-
-/// Says an error, and returns the status of a chore.
-fn ended(result: Result<(), Box<dyn Error>>) -> ExitCode {
-    match result {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::FAILURE
         }
     }
 }
@@ -163,12 +125,9 @@ fn parse(mut parser: lexopt::Parser) -> Result<Option<Task>, lexopt::Error> {
                     Some("instructions") => Task::Instructions { accept: false },
                     Some("layers") => Task::Layers,
                     Some("shared") => Task::Shared,
-                    Some("package") => Task::Package,
-                    Some("api") => Task::Api { accept: false },
-                    Some("site") => Task::Site,
-                    Some("python") => Task::Python { anew: false, wheel: None },
-                    Some("pyodide") => Task::Pyodide,
-                    Some("web") => Task::Web { tests: false },
+                    Some(chore @ ("package" | "api" | "site" | "python" | "pyodide" | "web")) => {
+                        program("publishing", &[chore], &mut parser)?
+                    }
                     Some("stress") => in_release("truearea-stress", &mut parser)?,
                     Some("coverage") => in_release("truearea-coverage", &mut parser)?,
                     // The second names are those of earlier versions.
@@ -183,10 +142,7 @@ fn parse(mut parser: lexopt::Parser) -> Result<Option<Task>, lexopt::Error> {
                 };
                 task = Some(named);
             }
-            (Long("anew"), Some(Task::Python { anew, .. })) => *anew = true,
-            (Long("wheel"), Some(Task::Python { wheel, .. })) => *wheel = Some(parser.value()?.into()),
-            (Long("test"), Some(Task::Web { tests })) => *tests = true,
-            (Long("accept"), Some(Task::Instructions { accept } | Task::Api { accept })) => *accept = true,
+            (Long("accept"), Some(Task::Instructions { accept })) => *accept = true,
             (Long("help") | Short('h'), _) => return Ok(None),
             (arg, _) => return Err(arg.unexpected()),
         }
@@ -205,15 +161,6 @@ fn following(first: &[&str], rest: &mut lexopt::Parser) -> Result<Vec<OsString>,
 
 fn in_release(package: &'static str, rest: &mut lexopt::Parser) -> Result<Task, lexopt::Error> {
     Ok(Task::InRelease { package, arguments: rest.raw_args()?.collect() })
-}
-
-/// Path in the checkout, from its top. The checkout is the one in which cargo was called, not necessarily the one that
-/// compiled this: two of them may share a target folder.
-fn checkout(path: &str) -> PathBuf {
-    let package = std::env::var_os("CARGO_MANIFEST_DIR")
-        .map_or_else(|| PathBuf::from(env!("CARGO_MANIFEST_DIR")), PathBuf::from);
-    let top = package.parent().expect("xtask lies in the checkout");
-    if path.is_empty() { top.to_owned() } else { top.join(path) }
 }
 
 #[cfg(test)]

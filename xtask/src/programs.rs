@@ -3,7 +3,7 @@
 use std::ffi::OsString;
 use std::process::{Command, ExitCode};
 
-use crate::checkout;
+use xtask::checkout;
 
 /// Runs a program in the profile and with the features of the tests, so that both share what they build. The program refuses
 /// arguments that it does not know.

@@ -2,7 +2,7 @@
 
 use std::process::{Command, ExitCode};
 
-use crate::checkout;
+use xtask::checkout;
 
 pub(crate) fn run() -> ExitCode {
     if !checkout("../shared").is_dir() {

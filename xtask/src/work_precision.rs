@@ -2,7 +2,7 @@
 
 use std::process::{Command, ExitCode};
 
-use crate::checkout;
+use xtask::checkout;
 
 /// Builds the study in release mode and runs it: it measures for some minutes and rewrites the page's tables and
 /// plots.

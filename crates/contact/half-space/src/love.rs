@@ -1,7 +1,6 @@
 //! Displacements under a pressed rectangle (Love 1929), as factors of waves over a padded grid.
 
-use rustfft::num_complex::Complex;
-use rustfft::{Fft, FftPlanner};
+use transforms::{Complex, Fft};
 
 use crate::Grid;
 
@@ -23,9 +22,8 @@ impl LoveFactors {
         let [period_rows, period_columns] = Self::period(grid);
         let (rows, columns) = (grid.rows() + 1, grid.columns() + 1);
         let spacing = [grid.length_x_m() / grid.columns() as f64, grid.length_y_m() / grid.rows() as f64];
-        let mut planner = FftPlanner::new();
-        let mut along_x = Cosines::new(&mut planner, period_columns);
-        let mut along_y = Cosines::new(&mut planner, period_rows);
+        let mut along_x = Cosines::new(period_columns);
+        let mut along_y = Cosines::new(period_rows);
         // Rows first, then columns: the coefficients are even along both.
         let mut by_row = vec![0.0; rows * columns];
         let mut line = vec![0.0; columns];
@@ -60,8 +58,8 @@ struct Cosines {
 }
 
 impl Cosines {
-    fn new(planner: &mut FftPlanner<f64>, period: usize) -> Self {
-        let plan = planner.plan_fft_forward(period);
+    fn new(period: usize) -> Self {
+        let plan = transforms::forward(period);
         let scratch = vec![Complex::default(); plan.get_inplace_scratch_len()];
         Self { plan, values: vec![Complex::default(); period], scratch }
     }

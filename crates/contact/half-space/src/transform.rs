@@ -2,8 +2,7 @@
 
 use std::sync::Arc;
 
-use rustfft::num_complex::Complex;
-use rustfft::{Fft, FftNum, FftPlanner};
+use transforms::{Complex, Fft, FftNum, Precision};
 
 /// Columns that are transformed together: a cache line, or two, in every row.
 const BLOCK: usize = 8;
@@ -13,7 +12,7 @@ const BLOCK: usize = 8;
 /// Two rows of the map are the real and the imaginary part of one complex row, so that nothing is transformed twice,
 /// and rows of odd length cost no more. The mirrored halves of a complex row are separated while a block of columns
 /// is gathered; the block is transformed, multiplied and transformed back before it leaves the cache.
-pub(crate) struct Convolution<T: FftNum> {
+pub(crate) struct Convolution<T: Precision> {
     /// Rows and columns of the map, which may be smaller than the period: the rest is zero, and its result unused.
     map: [usize; 2],
     /// Rows and columns of the period.
@@ -34,14 +33,13 @@ struct Buffers<T> {
     scratch: Vec<Complex<T>>,
 }
 
-impl<T: FftNum> Convolution<T> {
+impl<T: Precision> Convolution<T> {
     /// Creates the convolution of maps of `map` rows and columns, repeated (or padded with zeros) to `period`;
     /// `factor(row, column)` multiplies the wave with so many periods along y and x.
     pub(crate) fn new(map: [usize; 2], period: [usize; 2], factor: impl Fn(usize, usize) -> f64) -> Self {
         let [rows, columns] = period;
-        let mut planner = FftPlanner::new();
-        let along_rows = [planner.plan_fft_forward(columns), planner.plan_fft_inverse(columns)];
-        let along_columns = [planner.plan_fft_forward(rows), planner.plan_fft_inverse(rows)];
+        let along_rows = T::plan_both_ways(columns);
+        let along_columns = if rows == columns { along_rows.clone() } else { T::plan_both_ways(rows) };
         // A factor of 1/2 for separating two rows; the rest normalises the transforms.
         let share = 0.5 / (rows as f64 * columns as f64);
         let factors = (0..=columns / 2).flat_map(|column| (0..=rows / 2).map(move |row| (row, column)));

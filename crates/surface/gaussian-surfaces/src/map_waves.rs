@@ -2,8 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use rustfft::num_complex::Complex64;
-use rustfft::{FftDirection, FftPlanner};
+use transforms::Complex64;
 
 use crate::fourier::HalfSpectrum;
 use crate::modes::Draws;
@@ -152,9 +151,8 @@ fn periodic_part(heights_m: &[f64], columns: usize) -> Vec<Complex64> {
 /// Computes the discrete Fourier transform in place; `columns` values per row.
 fn transform(values: &mut [Complex64], columns: usize) {
     let rows = values.len() / columns;
-    let mut planner = FftPlanner::new();
-    planner.plan_fft(columns, FftDirection::Forward).process(values);
-    let along_columns = planner.plan_fft(rows, FftDirection::Forward);
+    transforms::forward(columns).process(values);
+    let along_columns = transforms::forward(rows);
     let mut column_values = vec![Complex64::ZERO; rows];
     for column in 0..columns {
         for (row, value) in column_values.iter_mut().enumerate() {

@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use rustfft::num_complex::Complex64;
 use serde::{Deserialize, Serialize};
+use transforms::Complex64;
 use units::{Bound, named};
 
 use crate::area_spectrum::AreaSpectrum;

@@ -2,9 +2,7 @@
 
 use std::f64::consts::PI;
 
-use realfft::RealFftPlanner;
-use rustfft::FftPlanner;
-use rustfft::num_complex::Complex;
+use transforms::{Complex, Precision};
 use units::named;
 
 use crate::relief::Relief;
@@ -176,10 +174,8 @@ impl Shape {
     fn sums_of_products(&self, values: impl Iterator<Item = f64>) -> Vec<f64> {
         let [wide, high] =
             [(self.columns, self.lags[0]), (self.rows, self.lags[1])].map(|(n, lag)| fast_size(n + lag));
-        let mut real = RealFftPlanner::new();
-        let (forward, backward) = (real.plan_fft_forward(wide), real.plan_fft_inverse(wide));
-        let mut complex = FftPlanner::new();
-        let (down, up) = (complex.plan_fft_forward(high), complex.plan_fft_inverse(high));
+        let (forward, backward) = (transforms::forward_of_real(wide), transforms::inverse_to_real(wide));
+        let [down, up] = f64::plan_both_ways(high);
         let bins = wide / 2 + 1;
         let mut transform = vec![Complex::default(); bins * high];
         let mut row = forward.make_input_vec();

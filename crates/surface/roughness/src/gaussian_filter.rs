@@ -1,10 +1,9 @@
 //! The Gaussian filter of ISO 16610-21 and -61: transmission 2^(-(lc/lambda)^2), 50 % at the cut-off lc.
 
 use std::f64::consts::{LN_2, PI};
-
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
-use rustfft::num_complex::Complex;
 use std::sync::Arc;
+
+use transforms::{Complex, ComplexToReal, RealToComplex};
 
 /// Half the extent of the weights, in standard deviations.
 const EXTENT: f64 = 4.0;
@@ -28,9 +27,8 @@ pub(crate) struct GaussianFilter {
 impl GaussianFilter {
     /// Makes a filter for rows of `points` points `spacing_m` apart.
     pub fn new(points: usize, spacing_m: f64, cutoff_m: f64) -> Self {
-        let mut planner = RealFftPlanner::new();
         let period = 2 * points;
-        let (forward, backward) = (planner.plan_fft_forward(period), planner.plan_fft_inverse(period));
+        let (forward, backward) = (transforms::forward_of_real(period), transforms::inverse_to_real(period));
         let deviation = standard_deviation_m(cutoff_m) / spacing_m;
         let reach = (EXTENT * deviation + 0.5) as usize;
         let weight = |offset: usize| (-0.5 * (offset as f64 / deviation).powi(2)).exp();

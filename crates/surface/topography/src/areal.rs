@@ -3,8 +3,7 @@
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
-use rustfft::num_complex::Complex;
-use rustfft::{Fft, FftPlanner};
+use transforms::{Complex, Fft};
 
 use crate::detrend::Trend;
 use crate::lines::RowTransform;
@@ -84,7 +83,7 @@ impl<'a> ArealTransform<'a> {
             trend: Trend::from_map(map, preparation.detrend),
             row_factors: preparation.window.factors(map.rows()),
             row_transform: RowTransform::new(map.columns(), preparation),
-            column_plan: FftPlanner::new().plan_fft_forward(map.rows()),
+            column_plan: transforms::forward(map.rows()),
         }
     }
 

@@ -2,9 +2,7 @@
 
 use std::sync::Arc;
 
-use realfft::num_complex::Complex;
-use realfft::{RealFftPlanner, RealToComplex};
-use rustfft::FftPlanner;
+use transforms::{Complex, RealToComplex};
 
 use crate::detrend::Trend;
 use crate::line::LineSpectrum;
@@ -149,7 +147,7 @@ pub(crate) struct RowTransform {
 
 impl RowTransform {
     pub(crate) fn new(columns: usize, preparation: Preparation) -> Self {
-        let plan = RealFftPlanner::new().plan_fft_forward(columns);
+        let plan = transforms::forward_of_real(columns);
         Self {
             factors: preparation.window.factors(columns),
             input: plan.make_input_vec(),
@@ -184,7 +182,7 @@ fn independent_lines(values: &[Complex<f64>], bins: usize) -> Vec<f64> {
         return Vec::new();
     }
     let rows = values.len() / bins;
-    let transform = FftPlanner::new().plan_fft_forward(rows);
+    let transform = transforms::forward(rows);
     let mut across = vec![Complex::default(); rows];
     let of_bin = |bin: usize| {
         across.iter_mut().zip(values[bin..].iter().step_by(bins)).for_each(|(to, from)| *to = *from);

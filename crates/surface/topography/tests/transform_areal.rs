@@ -5,12 +5,11 @@ mod transform_support;
 use std::f64::consts::{PI, TAU};
 
 use approx::assert_relative_eq;
-use rustfft::FftPlanner;
-use rustfft::num_complex::Complex;
 use scans::{HeightMap, Scan};
 use spectrum::Convention;
 use topography::{ArealTransform, BandLimits, Detrend, Preparation, ReliableBand, Window, areal_spectrum};
 use transform_support::Random;
+use transforms::Complex;
 
 #[test]
 fn the_modes_add_up_to_the_variance_for_every_size() {
@@ -147,7 +146,7 @@ fn synthesised(points: usize, spacing_m: f64, ciso_m4: impl Fn(f64) -> f64) -> H
             Complex::from_polar(if i == 0 { 0.0 } else { power_m2.sqrt() }, TAU * random.next())
         })
         .collect();
-    let plan = FftPlanner::new().plan_fft_inverse(points);
+    let plan = transforms::inverse(points);
     for _ in 0..2 {
         plan.process(&mut modes);
         modes = (0..points * points).map(|i| modes[i % points * points + i / points]).collect();

@@ -5,9 +5,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::checkout;
 use crate::python::Place;
 use crate::web::call;
+use xtask::checkout;
 
 const TARGET: &str = "wasm32-unknown-emscripten";
 

@@ -3,8 +3,8 @@
 use std::error::Error;
 use std::process::Command;
 
-use crate::checkout;
 use crate::package;
+use xtask::checkout;
 
 /// Folder of the lists, one for each crate.
 const LISTS: &str = "tests/contract/public-api";

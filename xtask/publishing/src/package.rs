@@ -7,7 +7,7 @@ use std::process::{Command, ExitCode};
 use flate2::read::GzDecoder;
 use serde_json::Value;
 
-use crate::checkout;
+use xtask::checkout;
 
 /// Packs every crate of the workspace, lets cargo compile each archive, and runs the example of each README in a project
 /// elsewhere that knows nothing but the archives of published crates.

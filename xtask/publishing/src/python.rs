@@ -4,7 +4,7 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
-use crate::checkout;
+use xtask::checkout;
 
 /// Largest size of a wheel in bytes.
 const LARGEST_WHEEL: u64 = 8_000_000;

@@ -10,7 +10,7 @@ mod python_reference;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
-use crate::checkout;
+use xtask::checkout;
 
 /// Builds `target/site` with mdBook, and checks every link in it.
 pub(crate) fn run() -> ExitCode {
