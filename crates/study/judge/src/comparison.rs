@@ -5,7 +5,7 @@ use study::plan::PlanError;
 use crate::JudgeError;
 use crate::assumptions::CurveAtLoad;
 use crate::body::Reference;
-use crate::case::{Case, WindowForms};
+use crate::case::Case;
 use crate::headline::Headline;
 use crate::judgement::Judgement;
 use crate::layout::{Cell, Extent, Layout, PlannedPress};
@@ -32,14 +32,16 @@ impl Comparisons<'_> {
         let mut outcomes = Vec::new();
         for (index, window) in layout.windows.iter().enumerate() {
             let forms = &layout.forms[index];
-            let pressures_pa = pressures_pa(case, forms);
+            let pressures_pa =
+                of_bodies_and_loads(case, |reference, load| case.pressure_pa(forms, reference, load));
+            let seams = of_bodies_and_loads(case, |reference, load| case.seam(forms, reference, load));
             let areas = areas(case, window, &pressures_pa)?;
             for at in case.all() {
                 let body = case.body(at);
                 let comparison = Comparison {
                     at,
                     band: window.band,
-                    seam: case.seam(forms, case.references[body], at.load),
+                    seam: seams[body][at.load],
                     pressure_pa: pressures_pa[body][at.load],
                     gradient_pa: case.composite_modulus_pa * window.flattening_gradient,
                     area_fraction: areas[at.curve][at.load],
@@ -133,11 +135,9 @@ fn comparable(case: &Case<'_>, at: CurveAtLoad) -> Result<(), Reason> {
     own_law.map_or(Ok(()), |above| Err(Reason::StrengthGrows { wavelength_m: above.wavelength_m }))
 }
 
-/// The mean pressures \[Pa\] on a window, for every body that is pressed and every load.
-fn pressures_pa(case: &Case<'_>, forms: &WindowForms) -> Vec<Vec<f64>> {
-    let of_body = |&reference: &Reference| {
-        (0..case.loads()).map(|load| case.pressure_pa(forms, reference, load)).collect()
-    };
+/// A value for every body that is pressed and every load.
+fn of_bodies_and_loads<T>(case: &Case<'_>, value: impl Fn(Reference, usize) -> T) -> Vec<Vec<T>> {
+    let of_body = |&reference: &Reference| (0..case.loads()).map(|load| value(reference, load)).collect();
     case.references.iter().map(of_body).collect()
 }
 

@@ -237,7 +237,7 @@ impl Adviser<'_> {
             let longer = self.inputs.psd(of).flatten().and_then(|drawn| prolonged(&drawn, end, slope));
             let found = match longer {
                 Some(longer) => {
-                    self.areas.at_the_end(Some(&longer), self.inputs.curves(self.areas.curves(), of))
+                    self.areas.at_the_end(Some(&longer), self.inputs.curves(self.areas.distinct_curves(), of))
                 }
                 None => self.areas.nothing(),
             };

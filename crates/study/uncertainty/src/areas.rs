@@ -22,7 +22,13 @@ pub(crate) type Points = Vec<(f64, f64)>;
 /// The scene's curves under its loads, to be computed for many spectra and materials.
 #[derive(Debug)]
 pub(crate) struct Areas {
+    /// The curves and loads that differ; names and repetitions need nothing new in a draw.
     needs: Needs,
+    /// The curves of the scene, and the place of each among those that differ.
+    curves: Vec<Curve>,
+    curve_at: Vec<usize>,
+    /// The place of each load of the scene among those that differ.
+    load_at: Vec<usize>,
     sampling: Sampling,
     /// The prepared spectrum of the scene, for draws that keep it.
     own_ground: PreparedSpectrum,
@@ -40,26 +46,54 @@ pub(crate) struct DrawnAreas {
 impl Areas {
     pub fn new(scene: &Scene, results: &Results) -> Self {
         let own = &scene.needs;
+        let (curves, curve_at) =
+            distinct(&own.curves, |one, other| one.model == other.model && one.cutoffs == other.cutoffs);
+        let (loads, load_at) =
+            distinct(&own.loads, |one, other| one.nominal_pressure == other.nominal_pressure);
         let needs = Needs {
             moments: own.moments,
             amplitudes: own.amplitudes,
-            curves: own.curves.clone(),
-            loads: own.loads.clone(),
+            curves,
+            loads,
             tolerance: Tolerance::new(own.tolerance.value().max(TOLERANCE)).unwrap_or(own.tolerance),
             areas_alone: true,
             ..Needs::default()
         };
-        Areas { needs, sampling: scene.sampling, own_ground: PreparedSpectrum::from_results(results) }
+        Areas {
+            needs,
+            curves: own.curves.clone(),
+            curve_at,
+            load_at,
+            sampling: scene.sampling,
+            own_ground: PreparedSpectrum::from_results(results),
+        }
     }
 
-    /// The curves.
+    /// The curves of the scene.
     pub fn curves(&self) -> &[Curve] {
+        &self.curves
+    }
+
+    /// The curves that differ, which draws compute.
+    pub fn distinct_curves(&self) -> &[Curve] {
         &self.needs.curves
     }
 
-    /// The number of loads.
+    /// The number of loads of the scene.
     pub fn loads(&self) -> usize {
-        self.needs.loads.len()
+        self.load_at.len()
+    }
+
+    /// Places of a curve and a load of the scene among those that differ: the same areas have the same places.
+    pub fn place(&self, curve: usize, load: usize) -> (usize, usize) {
+        (self.curve_at[curve], self.load_at[load])
+    }
+
+    /// Hands a value of each curve and load that differ out to all curves and loads of the scene, curve by curve.
+    fn handed_out<T: Clone>(&self, values: &[Vec<T>]) -> Vec<Vec<T>> {
+        let of_curve =
+            |&curve: &usize| self.load_at.iter().map(|&load| values[curve][load].clone()).collect();
+        self.curve_at.iter().map(of_curve).collect()
     }
 
     /// The cutoff that the scene sets \[m\].
@@ -72,8 +106,8 @@ impl Areas {
         self.curves().len() * self.loads()
     }
 
-    /// The final areas of a spectrum (the scene's own if `None`) and of curves of these bodies. A model out of its
-    /// range has no area.
+    /// The final areas of a spectrum (the scene's own if `None`) and of the curves that differ, with these bodies. A model
+    /// out of its range has no area.
     pub fn at_the_end(&self, psd: Option<&ProfilePsd>, curves: Vec<Curve>) -> DrawnAreas {
         let found = self.results(psd, curves, Cutoffs::Shortest);
         let ln_area = |curve: &CurveResult, load| {
@@ -82,11 +116,7 @@ impl Areas {
         };
         match found {
             Some(results) => DrawnAreas {
-                ln_areas: results
-                    .curves
-                    .iter()
-                    .flat_map(|curve| (0..self.loads()).map(move |load| ln_area(curve, load)))
-                    .collect(),
+                ln_areas: self.handed_out(&self.of_all(&results, ln_area)).concat(),
                 work: results.work,
             },
             None => self.nothing(),
@@ -102,9 +132,15 @@ impl Areas {
     /// area fraction.
     pub fn along(&self, psd: Option<&ProfilePsd>, curves: Vec<Curve>) -> Option<(Vec<Vec<Points>>, Work)> {
         let results = self.results(psd, curves, Cutoffs::Every)?;
+        let points = self.of_all(&results, |curve, load| curve.area_fractions(load));
+        Some((self.handed_out(&points), results.work))
+    }
+
+    /// Takes a value of each curve and load that differ.
+    fn of_all<T>(&self, results: &Results, value: impl Fn(&CurveResult, usize) -> T) -> Vec<Vec<T>> {
         let of_curve =
-            |curve: &CurveResult| (0..self.loads()).map(|load| curve.area_fractions(load)).collect();
-        Some((results.curves.iter().map(of_curve).collect(), results.work))
+            |curve: &CurveResult| (0..self.needs.loads.len()).map(|load| value(curve, load)).collect();
+        results.curves.iter().map(of_curve).collect()
     }
 
     fn results(&self, psd: Option<&ProfilePsd>, curves: Vec<Curve>, cutoffs: Cutoffs) -> Option<Results> {
@@ -119,4 +155,17 @@ impl Areas {
             None => plan.compute_on(self.own_ground.clone(), &Unobserved).ok(),
         }
     }
+}
+
+/// Returns the things that differ, and the place of each thing among them.
+pub(crate) fn distinct<T: Clone>(things: &[T], is_same: impl Fn(&T, &T) -> bool) -> (Vec<T>, Vec<usize>) {
+    let mut all: Vec<T> = Vec::new();
+    let place = |thing: &T| {
+        all.iter().position(|other| is_same(other, thing)).unwrap_or_else(|| {
+            all.push(thing.clone());
+            all.len() - 1
+        })
+    };
+    let places = things.iter().map(place).collect();
+    (all, places)
 }

@@ -46,7 +46,7 @@ impl FromIterator<DrawnAreas> for Drawn {
 
 /// Computes the final areas of a draw.
 pub(crate) fn drawn(inputs: &Inputs, areas: &Areas, draw: DrawOf) -> DrawnAreas {
-    let curves = inputs.curves(areas.curves(), draw);
+    let curves = inputs.curves(areas.distinct_curves(), draw);
     match inputs.psd(draw) {
         Some(psd) => areas.at_the_end(psd.as_ref(), curves),
         None => areas.nothing(),
@@ -92,7 +92,7 @@ pub(crate) fn along(
         }
         let draw = DrawOf::all(draw);
         let psd = inputs.psd(draw)?;
-        let found = areas.along(psd.as_ref(), inputs.curves(areas.curves(), draw));
+        let found = areas.along(psd.as_ref(), inputs.curves(areas.distinct_curves(), draw));
         progress.advance(1);
         found
     });

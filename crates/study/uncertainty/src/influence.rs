@@ -34,7 +34,7 @@ impl Influence {
         let count = part_of.last().map_or(0, |last| last + 1);
         let mut samples = vec![0; count];
         part_of.iter().for_each(|part| samples[*part] += 1);
-        let centre = areas.at_the_end(Some(psd), areas.curves().to_vec());
+        let centre = areas.at_the_end(Some(psd), areas.distinct_curves().to_vec());
         let moved = |part: &usize| {
             if progress.is_cancelled() {
                 return None;
@@ -42,7 +42,7 @@ impl Influence {
             let factor = |of: &usize| if of == part { STEP.exp() } else { 1.0 };
             let values = psd.c1d_m3().iter().zip(&part_of).map(|(c1d_m3, of)| c1d_m3 * factor(of)).collect();
             let psd = ProfilePsd::new(psd.wavelengths_m().to_vec(), values).ok()?;
-            let found = areas.at_the_end(Some(&psd), areas.curves().to_vec());
+            let found = areas.at_the_end(Some(&psd), areas.distinct_curves().to_vec());
             progress.advance(1);
             Some(found)
         };

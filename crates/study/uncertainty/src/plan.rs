@@ -5,7 +5,7 @@ use study::Progress;
 use study::plan::{Cutoffs, PlanError, Results, Work};
 
 use crate::advice::{Adviser, MIN_SCANS};
-use crate::areas::{Areas, Points};
+use crate::areas::{Areas, Points, distinct};
 use crate::bands::{self, band};
 use crate::dense_draws::DenseDraws;
 use crate::draws::{self, Along, Drawn};
@@ -180,20 +180,19 @@ impl<'p> UncertaintyPlan<'p> {
         indices: &[Vec<Indices>],
     ) -> (Vec<AreaInterval>, Work) {
         let best = match self.inputs.best_psd() {
-            Some(psd) => self.areas.at_the_end(psd.as_ref(), self.areas.curves().to_vec()),
+            Some(psd) => self.areas.at_the_end(psd.as_ref(), self.areas.distinct_curves().to_vec()),
             None => self.areas.nothing(),
         };
-        let is_same = |one: usize, other: usize| {
-            drawn.ln_areas.iter().all(|draw| draw[one] == draw[other])
-                && best.ln_areas[one] == best.ln_areas[other]
-                && self.area_fractions[one] == self.area_fractions[other]
+        let place = |area: usize| {
+            let (curve, load) = self.curve_and_load(area);
+            self.areas.place(curve, load)
         };
         let interval = |area: usize| self.interval(area, drawn, dense, best.ln_areas[area], indices);
         let at_its_place = |area: usize, interval: AreaInterval| {
             let (curve, load) = self.curve_and_load(area);
             AreaInterval { curve, load, ..interval }
         };
-        let found = map_distinct(self.areas.count(), is_same, interval).into_iter().enumerate();
+        let found = map_distinct(self.areas.count(), place, interval).into_iter().enumerate();
         (found.filter_map(|(area, found)| Some(at_its_place(area, found?))).collect(), best.work)
     }
 
@@ -233,7 +232,7 @@ impl<'p> UncertaintyPlan<'p> {
     /// The areas of the best estimates along the cutoff; `None` if no curve is followed.
     fn best_along(&self) -> Option<(Along, Work)> {
         let psd = self.inputs.best_psd().filter(|_| self.follows_any())?;
-        self.areas.along(psd.as_ref(), self.areas.curves().to_vec())
+        self.areas.along(psd.as_ref(), self.areas.distinct_curves().to_vec())
     }
 
     fn bands(&self, along: &[Along], best: &Along) -> Vec<AreaBand> {
@@ -241,16 +240,16 @@ impl<'p> UncertaintyPlan<'p> {
             (0..self.areas.curves().len()).filter(|&at| self.areas.curves()[at].cutoffs == Cutoffs::Every);
         let places: Vec<(usize, usize)> =
             followed.flat_map(|curve| (0..self.areas.loads()).map(move |load| (curve, load))).collect();
-        let is_same = |one: usize, other: usize| {
-            let [(curve, load), (of_curve, of_load)] = [places[one], places[other]];
-            along.iter().chain([best]).all(|draw| draw[curve][load] == draw[of_curve][of_load])
+        let place = |at: usize| {
+            let (curve, load) = places[at];
+            self.areas.place(curve, load)
         };
         let band = |at: usize| {
             let (curve, load) = places[at];
             let draws: Vec<&Points> = along.iter().map(|draw| &draw[curve][load]).collect();
             band(curve, load, &draws, &best[curve][load], self.settings.level)
         };
-        let found = map_distinct(places.len(), is_same, band).into_iter().zip(&places);
+        let found = map_distinct(places.len(), place, band).into_iter().zip(&places);
         found.filter_map(|(found, &(curve, load))| Some(AreaBand { curve, load, ..found? })).collect()
     }
 
@@ -323,21 +322,14 @@ impl<'p> UncertaintyPlan<'p> {
     }
 }
 
-/// Maps the numbers below `count`, once for those that are the same: curves and loads may repeat under other names.
+/// Maps the numbers below `count`, once for those of one place: curves and loads may repeat under other names.
 fn map_distinct<T: Clone + Send>(
     count: usize,
-    is_same: impl Fn(usize, usize) -> bool,
+    place: impl Fn(usize) -> (usize, usize),
     map: impl Fn(usize) -> T + Sync,
 ) -> Vec<T> {
-    let mut distinct: Vec<usize> = Vec::new();
-    let places: Vec<usize> = (0..count)
-        .map(|at| {
-            distinct.iter().position(|&other| is_same(at, other)).unwrap_or_else(|| {
-                distinct.push(at);
-                distinct.len() - 1
-            })
-        })
-        .collect();
+    let numbers: Vec<usize> = (0..count).collect();
+    let (distinct, places) = distinct(&numbers, |one, other| place(*one) == place(*other));
     let found = parallel::map(&distinct, |&at| map(at));
     places.into_iter().map(|place| found[place].clone()).collect()
 }

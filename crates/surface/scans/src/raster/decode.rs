@@ -20,7 +20,7 @@ impl Raster<'_> {
         }
         macro_rules! reader {
             ($number:expr) => {
-                |bytes, stride, row| read_row(bytes, stride, row, $number)
+                |row, line, values| read_row(row, line, values, $number)
             };
             ($type:ty, $finished:expr) => {
                 match self.byte_order {
@@ -50,41 +50,53 @@ impl Raster<'_> {
         let (_, run) = self.runs();
         let size = self.number.bytes();
         let stride = self.stride.unwrap_or(run * size).max(run * size);
+        let is_from_top = matches!(self.order, Order::RowsFromTop | Order::ColumnsFromTop);
         let mut decoded = Decoded {
             values: Vec::with_capacity(self.columns * self.rows),
             missing: MissingPoints::default(),
         };
-        let mut numbers = vec![0.0; self.columns];
         for row in 0..self.rows {
-            let is_from_top = matches!(self.order, Order::RowsFromTop | Order::ColumnsFromTop);
             let stored = if is_from_top { row } else { self.rows - 1 - row };
-            match self.order {
-                Order::RowsFromTop | Order::RowsFromBottom => {
-                    read(&self.bytes[stored * stride..], size, &mut numbers);
-                    self.decode_row(&numbers, stored * run, 1, &mut decoded);
-                }
-                Order::ColumnsFromTop | Order::ColumnsFromBottom => {
-                    read(&self.bytes[stored * size..], stride, &mut numbers);
-                    self.decode_row(&numbers, stored, run, &mut decoded);
-                }
-            }
+            let row = match self.order {
+                Order::RowsFromTop | Order::RowsFromBottom => StoredRow {
+                    bytes: &self.bytes[stored * stride..],
+                    stride: size,
+                    first: stored * run,
+                    step: 1,
+                    columns: self.columns,
+                },
+                Order::ColumnsFromTop | Order::ColumnsFromBottom => StoredRow {
+                    bytes: &self.bytes[stored * size..],
+                    stride,
+                    first: stored,
+                    step: run,
+                    columns: self.columns,
+                },
+            };
+            self.decode_row(read, &row, &mut decoded);
         }
         decoded
     }
 
-    /// Decodes a row whose first number is stored at `first`, its neighbours every `step` numbers from there on. Values
-    /// come first and missing points after them, so that rows without any, the rule, are decoded many points at a time.
-    fn decode_row(&self, numbers: &[f64], first: usize, step: usize, decoded: &mut Decoded) {
+    /// Decodes a row. Values come first and missing points after them, so that rows without any, the rule, are decoded many
+    /// points at a time.
+    fn decode_row(&self, read: ReadRow, row: &StoredRow<'_>, decoded: &mut Decoded) {
         let start = decoded.values.len();
-        let (scale, zero) = (self.scale, self.zero);
-        decoded.values.extend(numbers.iter().map(|number| number * scale + zero));
+        read(row, [self.scale, self.zero], &mut decoded.values);
+        let numbers = || {
+            let mut numbers = Vec::with_capacity(row.columns);
+            read(row, [1.0, 0.0], &mut numbers);
+            numbers
+        };
         match &self.missing {
             MissingMark::None => {}
-            MissingMark::Equal(mark) => mark_numbers(numbers, |number| number == *mark, start, decoded),
-            MissingMark::AtLeast(least) => mark_numbers(numbers, |number| number >= *least, start, decoded),
-            MissingMark::AtMost(most) => mark_numbers(numbers, |number| number <= *most, start, decoded),
+            MissingMark::Equal(mark) => mark_numbers(&numbers(), |number| number == *mark, start, decoded),
+            MissingMark::AtLeast(least) => {
+                mark_numbers(&numbers(), |number| number >= *least, start, decoded);
+            }
+            MissingMark::AtMost(most) => mark_numbers(&numbers(), |number| number <= *most, start, decoded),
             MissingMark::Flagged(flags) => {
-                let flagged = (0..numbers.len()).filter(|at| flags[first + at * step] != 0);
+                let flagged = (0..row.columns).filter(|at| flags[row.first + at * row.step] != 0);
                 flagged.for_each(|at| decoded.set_missing(start + at));
             }
         }
@@ -98,19 +110,35 @@ impl Raster<'_> {
     }
 }
 
-/// Reads the numbers of a row, the first of which begins with the first byte and the next so many bytes later. This alone is
-/// compiled for every type.
-type ReadRow = fn(&[u8], usize, &mut [f64]);
+/// A row in a file.
+struct StoredRow<'f> {
+    /// The file from the first number of the row on.
+    bytes: &'f [u8],
+    /// Bytes from one number to the next.
+    stride: usize,
+    /// Place of the first number among all numbers, and numbers from one to the next.
+    first: usize,
+    step: usize,
+    columns: usize,
+}
+
+/// Appends the numbers of a row, times a factor and plus a summand. This alone is compiled for every type.
+type ReadRow = fn(&StoredRow<'_>, [f64; 2], &mut Vec<f64>);
 
 #[inline(always)]
-fn read_row<const N: usize>(bytes: &[u8], stride: usize, row: &mut [f64], number: impl Fn([u8; N]) -> f64) {
+fn read_row<const N: usize>(
+    &StoredRow { bytes, stride, columns, .. }: &StoredRow<'_>,
+    [factor, summand]: [f64; 2],
+    values: &mut Vec<f64>,
+    number: impl Fn([u8; N]) -> f64,
+) {
     if stride == N {
-        let (stored, _) = bytes.as_chunks();
-        row.iter_mut().zip(stored).for_each(|(to, bytes)| *to = number(*bytes));
+        let (stored, _) = bytes[..columns * N].as_chunks();
+        values.extend(stored.iter().map(|bytes| number(*bytes) * factor + summand));
     } else {
-        for (at, to) in row.iter_mut().enumerate() {
-            *to = bytes[at * stride..].first_chunk().map_or(f64::NAN, |bytes| number(*bytes));
-        }
+        let at = |column: usize| bytes[column * stride..].first_chunk();
+        let stored = (0..columns).map(|column| at(column).map_or(f64::NAN, |bytes| number(*bytes)));
+        values.extend(stored.map(|number| number * factor + summand));
     }
 }
 
