@@ -107,9 +107,7 @@ impl<'a> PlasticMarch<'a> {
         let gap = elastic::gap_fraction(self.pressure_pa, spread_pa);
         let at = self.panels.partition_point(|panel| panel.from_pa2 < variance_pa2);
         let panel = at.checked_sub(1).map(|at| &self.panels[at]);
-        // Between two panels there is at most rounding.
-        let ends_before = |panel: &Panel| panel.to_pa2 < variance_pa2 * (1.0 - 2.0 * NARROWEST);
-        let panel = panel.filter(|panel| !ends_before(panel));
+        // Between two panels the hardness grows at once, any number of times over the last places of V.
         let Some((panel, coefficients)) = panel.and_then(|panel| Some((panel, panel.plastic.as_ref()?)))
         else {
             return ContactAreas { elastic, plastic: 0.0, gap };

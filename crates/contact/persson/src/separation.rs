@@ -116,8 +116,7 @@ impl SeparationLaw {
 
     /// Adds a stretch to the two integrals.
     fn add(&self, stretch: &Option<Stretch>, pressure_pa: f64, gap: &mut f64, compliance: &mut f64) {
-        // For p/v > 27 the integrands are below the smallest double.
-        self.over(stretch, pressure_pa / 27.0, |v_pa, per_rad_m| {
+        self.over(stretch, pressure_pa, |v_pa, per_rad_m| {
             let x = pressure_pa / v_pa;
             *gap += per_rad_m * self.energy.beyond(x);
             *compliance += per_rad_m * self.energy.density(x);
@@ -234,7 +233,7 @@ impl SeparationLaw {
     pub(crate) fn gap_per_variance_left_out_m_per_pa2(&self, pressure_pa: f64) -> f64 {
         let mut sum = 0.0;
         for stretch in &self.stretches {
-            self.over(stretch, pressure_pa / 27.0, |v_pa, per_rad_m| {
+            self.over(stretch, pressure_pa, |v_pa, per_rad_m| {
                 let x = pressure_pa / v_pa;
                 sum += per_rad_m * (self.energy.beyond(x) - self.energy.density(x)) / (v_pa * v_pa);
             });
@@ -247,38 +246,45 @@ impl SeparationLaw {
         2.0 / (PI.sqrt() * self.contact_modulus_pa)
     }
 
-    /// Calls `term` with v and the weight of dv/q over a stretch, from v = `from_pa` up; on a layer with that of
-    /// dv E*/(q E*(q)).
-    fn over(&self, stretch: &Option<Stretch>, from_pa: f64, term: impl FnMut(f64, f64)) {
+    /// Calls `term` with v and the weight of dv/q over a stretch, on a layer with that of dv E*/(q E*(q)), for terms that fall
+    /// like exp(-x^2) with x = p/v; without a load p = 0.
+    fn over(&self, stretch: &Option<Stretch>, pressure_pa: f64, term: impl FnMut(f64, f64)) {
         match self.layer {
-            None => self.over_waves(stretch, from_pa, |wavevector_rad_per_m| wavevector_rad_per_m, term),
+            None => self.over_waves(stretch, pressure_pa, |wavevector_rad_per_m| wavevector_rad_per_m, term),
             Some(layer) => self.over_waves(
                 stretch,
-                from_pa,
+                pressure_pa,
                 |wavevector_rad_per_m| wavevector_rad_per_m / layer.relative_at(wavevector_rad_per_m),
                 term,
             ),
         }
     }
 
-    /// Calls `term` with v and the weight of dv/`stiffness(q)` over a stretch, from v = `from_pa` up, in pieces on which v and
-    /// the wavevector grow by at most `MOST_GROWTH`.
+    /// Calls `term` with v and the weight of dv/`stiffness(q)` over a stretch, in pieces on which v and the wavevector grow by at
+    /// most `MOST_GROWTH` and x^2 by at most `MOST_FALL`, and no further than x^2 = `SMALLEST` or `NEGLIGIBLE` beyond that of the
+    /// end.
     fn over_waves(
         &self,
         stretch: &Option<Stretch>,
-        from_pa: f64,
+        pressure_pa: f64,
         stiffness: impl Fn(f64) -> f64,
         mut term: impl FnMut(f64, f64),
     ) {
         const MOST_GROWTH: f64 = 1.6;
+        const MOST_FALL: f64 = 24.0;
+        const NEGLIGIBLE: f64 = 44.0;
+        const SMALLEST: f64 = 27.0 * 27.0;
         let Some(stretch) = stretch else { return };
+        let square_at = |v_pa: f64| (pressure_pa / v_pa).powi(2);
         let last_pa = (2.0 * stretch.end_pa2).sqrt();
-        let first_pa = (2.0 * stretch.start_pa2).sqrt().max(from_pa).max(1e-18 * last_pa);
+        let most = SMALLEST.min(square_at(last_pa) + NEGLIGIBLE);
+        let first_pa = (2.0 * stretch.start_pa2).sqrt().max(pressure_pa / most.sqrt()).max(1e-18 * last_pa);
         let mut end_pa = last_pa;
         while end_pa > first_pa {
             let mut slower_rad_per_m = stretch.wavevector_rad_per_m(end_pa) / MOST_GROWTH;
-            let start =
-                |slower_rad_per_m| first_pa.max(end_pa / MOST_GROWTH).max(stretch.v_pa(slower_rad_per_m));
+            let fallen_pa = pressure_pa / (square_at(end_pa) + MOST_FALL).sqrt();
+            let least_pa = first_pa.max(end_pa / MOST_GROWTH).max(fallen_pa);
+            let start = |slower_rad_per_m| least_pa.max(stretch.v_pa(slower_rad_per_m));
             let mut start_pa = start(slower_rad_per_m);
             // If a spectrum falls by powers of ten within a stretch, v stays constant to rounding over much of it.
             while start_pa >= end_pa && slower_rad_per_m > stretch.start_rad_per_m {
@@ -335,6 +341,33 @@ mod tests {
         assert_eq!(light.decay_length_m, usual.decay_length_m);
         let gaps = [&fitted, &almqvist].map(|law| law.whole(3e8).mean_gap_m);
         assert!(gaps[0] > gaps[1], "{gaps:?}");
+    }
+
+    /// One rule over all of exp(-310) to exp(-790) was off by 1e-3.
+    #[test]
+    fn the_gap_under_a_load_of_many_times_the_spread_is_that_of_finer_knots() {
+        let law = |knots: i32| {
+            let knot = |at: i32| {
+                let ln_q = 1.5 * f64::from(at) / f64::from(knots);
+                SeparationKnot {
+                    wavevector_rad_per_m: 1e4 * ln_q.exp(),
+                    variance_pa2: 1e16 * libm::expm1(3.0 * ln_q),
+                    variance_exponent: 3.0,
+                }
+            };
+            SeparationLaw::new(&(0..=knots).map(knot).collect::<Vec<_>>(), 1e11, EnergyFactor::FITTED)
+        };
+        let (coarse, fine) = (law(1), law(400));
+        let spread_pa = (2e16 * libm::expm1(4.5)).sqrt();
+        for times in [0.1, 1.0, 4.0, 18.0] {
+            let [found, known] = [&coarse, &fine].map(|law| law.whole(times * spread_pa));
+            assert!(
+                (found.mean_gap_m / known.mean_gap_m - 1.0).abs() < 1e-10,
+                "{times}: {found:?} {known:?}"
+            );
+            let stiffness = found.stiffness_pa_per_m / known.stiffness_pa_per_m;
+            assert!((stiffness - 1.0).abs() < 1e-10, "{times}: {stiffness}");
+        }
     }
 
     #[test]

@@ -535,3 +535,29 @@ fn points_on_two_lines_of_a_map() {
     let form = roughness::FormRemoval::SecondOrder;
     assert!(assert_sound(&RoughnessCase { scan, form, cutoffs_m: [None, None] }));
 }
+
+#[test]
+fn area_held_by_plastic_flow_stays_where_the_hardness_grows_again_and_again_over_the_last_places_of_the_variance()
+ {
+    let spectrum = [
+        (1.463100777912195e-10, 3.0824361426668262e-27),
+        (1.2210026057312963e-10, 4.646049177939309e-27),
+        (6.11718753363223e-11, 1.1564852695586442e-27),
+        (1.2044527142251694e-13, 6.021216332206303e-50),
+        (8.367465533914034e-14, 4.453358876639563e-51),
+        (3.519245938872256e-14, 9.048856371557806e-51),
+        (1.4424970193402717e-14, 4.980361928389691e-51),
+        (1.3722135721756117e-14, 3.911598206693328e-51),
+        (1.2372748629878145e-14, 1.5953761745165467e-51),
+        (4.977801978329952e-15, 6.666220264850988e-50),
+        (1.2016829485676484e-17, 8.822472812323889e-74),
+    ];
+    let plastic = Deformation::Plastic(18160633.319166075, Growth::Power(0.31859860080694236), None);
+    assert!(assert_sound(&persson(
+        (306347.94951080706, 0.5),
+        &spectrum,
+        Band::Profile,
+        plastic,
+        830237.3717081524
+    )));
+}
