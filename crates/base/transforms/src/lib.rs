@@ -20,16 +20,20 @@ pub trait Precision: FftNum {
 
 impl Precision for f64 {
     fn plan_both_ways(length: usize) -> [Arc<dyn Fft<f64>>; 2] {
-        let mut planner = FftPlanner::new();
-        [planner.plan_fft_forward(length), planner.plan_fft_inverse(length)]
+        both_ways(length)
     }
 }
 
 impl Precision for f32 {
     fn plan_both_ways(length: usize) -> [Arc<dyn Fft<f32>>; 2] {
-        let mut planner = FftPlanner::new();
-        [planner.plan_fft_forward(length), planner.plan_fft_inverse(length)]
+        both_ways(length)
     }
+}
+
+/// Compiles all kernels for a precision: no function of this kind may be public.
+fn both_ways<T: FftNum>(length: usize) -> [Arc<dyn Fft<T>>; 2] {
+    let mut planner = FftPlanner::new();
+    [planner.plan_fft_forward(length), planner.plan_fft_inverse(length)]
 }
 
 /// Plans the transform of `length` values with exp(-2 pi i jk/n).

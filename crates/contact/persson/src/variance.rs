@@ -176,9 +176,9 @@ struct Tails<'a> {
 static NARROW: LazyLock<GaussLegendre> = LazyLock::new(|| GaussLegendre::new(6));
 static WIDE: LazyLock<GaussLegendre> = LazyLock::new(|| GaussLegendre::new(12));
 
-/// Square of the ratio of a wavevector to the cutoff from which on the kernel is taken as a series in 1/that.
+/// Square of the ratio p/c of a wavevector to the cutoff from which on the kernel is a power series in (c/p)^2.
 const FAR_SQUARE: f64 = 2.0;
-/// Number of its terms; those left out are below 2^-55 k^-1.5 of the first.
+/// Number of its terms; those left out, from k = 54 on, are below 2^-52 k^-1.5 of the first.
 const FAR_TERMS: usize = 52;
 
 impl<'a> Tails<'a> {

@@ -4,8 +4,10 @@ use std::num::NonZeroU32;
 
 use scene::Scene;
 use study::Unobserved;
+use study::models::CurveModel;
 use study::plan::{
-    Curve, CurveResult, Cutoffs, Needs, Plan, PreparedSpectrum, Results, Sampling, Tolerance, Work,
+    Curve, CurveResult, Cutoffs, Distinct, Load, Needs, Plan, PreparedSpectrum, Results, Sampling, Tolerance,
+    Work,
 };
 
 use spectrum::ProfilePsd;
@@ -46,15 +48,19 @@ pub(crate) struct DrawnAreas {
 impl Areas {
     pub fn new(scene: &Scene, results: &Results) -> Self {
         let own = &scene.needs;
-        let (curves, curve_at) =
-            distinct(&own.curves, |one, other| one.model == other.model && one.cutoffs == other.cutoffs);
-        let (loads, load_at) =
-            distinct(&own.loads, |one, other| one.nominal_pressure == other.nominal_pressure);
+        let curves = Distinct::compared(own.curves.iter().map(|curve| (&curve.model, curve.cutoffs)));
+        let curve = |(model, cutoffs): (&CurveModel, Cutoffs)| Curve {
+            name: String::new(),
+            model: model.clone(),
+            cutoffs,
+        };
+        let loads = Distinct::compared(own.loads.iter().map(|load| load.nominal_pressure));
+        let load = |nominal_pressure| Load { nominal_pressure, label: String::new() };
         let needs = Needs {
             moments: own.moments,
             amplitudes: own.amplitudes,
-            curves,
-            loads,
+            curves: curves.items.into_iter().map(curve).collect(),
+            loads: loads.items.into_iter().map(load).collect(),
             tolerance: Tolerance::new(own.tolerance.value().max(TOLERANCE)).unwrap_or(own.tolerance),
             areas_alone: true,
             ..Needs::default()
@@ -62,8 +68,8 @@ impl Areas {
         Areas {
             needs,
             curves: own.curves.clone(),
-            curve_at,
-            load_at,
+            curve_at: curves.index_of,
+            load_at: loads.index_of,
             sampling: scene.sampling,
             own_ground: PreparedSpectrum::from_results(results),
         }
@@ -155,17 +161,4 @@ impl Areas {
             None => plan.compute_on(self.own_ground.clone(), &Unobserved).ok(),
         }
     }
-}
-
-/// Returns the things that differ, and the place of each thing among them.
-pub(crate) fn distinct<T: Clone>(things: &[T], is_same: impl Fn(&T, &T) -> bool) -> (Vec<T>, Vec<usize>) {
-    let mut all: Vec<T> = Vec::new();
-    let place = |thing: &T| {
-        all.iter().position(|other| is_same(other, thing)).unwrap_or_else(|| {
-            all.push(thing.clone());
-            all.len() - 1
-        })
-    };
-    let places = things.iter().map(place).collect();
-    (all, places)
 }

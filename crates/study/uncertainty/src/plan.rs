@@ -2,10 +2,10 @@
 
 use scene::Scene;
 use study::Progress;
-use study::plan::{Cutoffs, PlanError, Results, Work};
+use study::plan::{Cutoffs, Distinct, PlanError, Results, Work};
 
 use crate::advice::{Adviser, MIN_SCANS};
-use crate::areas::{Areas, Points, distinct};
+use crate::areas::{Areas, Points};
 use crate::bands::{self, band};
 use crate::dense_draws::DenseDraws;
 use crate::draws::{self, Along, Drawn};
@@ -328,10 +328,9 @@ fn map_distinct<T: Clone + Send>(
     place: impl Fn(usize) -> (usize, usize),
     map: impl Fn(usize) -> T + Sync,
 ) -> Vec<T> {
-    let numbers: Vec<usize> = (0..count).collect();
-    let (distinct, places) = distinct(&numbers, |one, other| place(*one) == place(*other));
-    let found = parallel::map(&distinct, |&at| map(at));
-    places.into_iter().map(|place| found[place].clone()).collect()
+    let distinct = Distinct::by_key(0..count, |&at| place(at));
+    let found = parallel::map(&distinct.items, |&at| map(at));
+    distinct.index_of.into_iter().map(|at| found[at].clone()).collect()
 }
 
 /// The standard deviation of draws about their mean, from their distances from their median: of equal draws it is 0.

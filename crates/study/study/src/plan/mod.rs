@@ -25,6 +25,7 @@ mod work;
 
 pub use crate::load::{Load, LoadRange, NominalPressure};
 pub use crate::models::CurveModel;
+pub use distinct::Distinct;
 pub use error::PlanError;
 pub use needs::{Curve, Cutoffs, LoadSweep, Needs, Sampling};
 pub use prepared_spectrum::PreparedSpectrum;
