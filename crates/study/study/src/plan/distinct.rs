@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::hash::Hash;
 
 /// Distinct values, and the index of each original value among them.
+#[derive(Debug)]
 pub struct Distinct<T> {
     /// The things that differ, in the order of their first appearance.
     pub items: Vec<T>,
