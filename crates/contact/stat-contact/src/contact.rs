@@ -6,7 +6,7 @@ use crate::asperities::answers::Asperities;
 use crate::asperities::hertz_ellipses::ElasticSummits;
 use crate::quadrature::frames::Frames;
 use crate::quadrature::precision::Precision;
-use crate::{AsperityLaw, Condition, ContactState, NayakSummits, Population, Sweep};
+use crate::{AsperityLaw, Condition, ContactState, NayakSummits, Population, StateTable, Sweep};
 
 /// Gaussian asperities pressed by a rigid flat (Greenwood & Williamson 1966; `docs/theory/models.md`, section 3) under any
 /// of the laws: p(d) = eta Int_0^inf F(w) g(d + w) dw, and likewise the area over the nominal one, limited to 1.
@@ -81,7 +81,20 @@ impl StatisticalContact {
     /// Computes states at many separations and pressures, to a relative `tolerance` as in
     /// [`at_separation`](Self::at_separation), for less than as many single calls.
     pub fn sweep(&self, tolerance: f64) -> Sweep<'_> {
-        Sweep::on(Frames::new(&*self.asperities, self.sigma_s_m, Precision::new(tolerance)))
+        Sweep::on(self.frames(tolerance))
+    }
+
+    /// Tabulates the states between two conditions, to a relative `tolerance` as in
+    /// [`at_separation`](Self::at_separation): for a hundred states and more, at tolerances of some digits.
+    ///
+    /// # Errors
+    /// The errors of [`at_pressure`](Self::at_pressure) and [`at_separation`](Self::at_separation).
+    pub fn table(&self, ends: [Condition; 2], tolerance: f64) -> Result<StateTable<'_>, AsperityError> {
+        StateTable::new(self, self.frames(tolerance), ends, tolerance)
+    }
+
+    fn frames(&self, tolerance: f64) -> Frames<'_> {
+        Frames::new(&*self.asperities, self.sigma_s_m, Precision::new(tolerance))
     }
 
     /// Pressure \[Pa\] below which every pressure is carried at some separation: complete contact of every sinusoid,

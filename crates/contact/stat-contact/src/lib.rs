@@ -7,6 +7,7 @@
 //! * [`StatisticalContact`]: population and law under a material; computes states at a separation or at a pressure.
 //! * [`LinearLaw`]: area in proportion to the load, as a yardstick for elastic areas.
 //! * [`Sweep`]: many states of one population and material, which share work.
+//! * [`StateTable`]: states over a range of separations, from polynomials.
 //! * [`Condition`]: a pressure or a separation, at which a state is wanted.
 //! * [`ContactState`]: a state with its error estimate and its cost; also in logarithms, because pressures span
 //!   hundreds of decades.
@@ -24,6 +25,7 @@ mod search;
 mod state;
 mod summits;
 mod sweep;
+mod table;
 
 pub use asperities::{AsperityLaw, InterferenceLaw};
 pub use condition::Condition;
@@ -33,3 +35,4 @@ pub use population::Population;
 pub use state::ContactState;
 pub use summits::nayak::NayakSummits;
 pub use sweep::Sweep;
+pub use table::StateTable;

@@ -4,7 +4,6 @@ use approx::{AbsDiffEq, RelativeEq};
 
 use crate::asperities::answers::Response;
 use crate::gaussian::density::{log_reference_density, reference_density};
-use crate::quadrature::frame::FrameState;
 
 /// State of a population in contact with a flat.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
@@ -29,7 +28,7 @@ pub struct ContactState {
     /// Share of the load, in \[0, 1\], carried by asperities outside the range their law was fitted in: those that
     /// yield with Sy/E* > 0.01 or a/R > 0.41 (spheres) or r > 100 (sinusoids); 0 for elastic laws.
     pub out_of_range_load_share: f64,
-    /// True if the sum of the areas exceeds the nominal area and was limited to it.
+    /// True if the sum of the areas exceeds the nominal area by more than its error, and was limited to it.
     pub clamped: bool,
     /// Separation over which the pressure would fall by a factor e at the current slope \[m\]: -p/(dp/dd).
     #[serde(skip)]
@@ -50,26 +49,27 @@ impl ContactState {
         self.decay_length_m.map(|decay_length_m| self.pressure_pa / decay_length_m)
     }
 
-    /// State on a frame at the separation u + rounding, in units of sigma_s. The caller fills in the separation in
+    /// State of integrals at the separation u + rounding, in units of sigma_s. The caller fills in the separation in
     /// metres and the evaluations.
-    pub(crate) fn on_frame(here: &FrameState<'_, '_>, rounding: f64, sigma_s_m: f64) -> Self {
-        let &FrameState { u, sums, .. } = here;
-        let correction = sums.log_pressure_slope() * rounding;
+    #[inline]
+    pub(crate) fn of(integrals: &Integrals, rounding: f64, sigma_s_m: f64) -> Self {
+        let &Integrals { u, mean_height, .. } = integrals;
+        let correction = -mean_height * rounding;
         let log_density = log_reference_density(u) + correction;
         let scale = reference_density(u) * (1.0 + correction);
-        let pressure = Product::new(sums.pressure_pa, scale, log_density);
-        let area_fraction = Product::new(sums.area_fraction, scale, log_density);
+        let pressure = Product::new(integrals.pressure_pa, scale, log_density);
+        let area_fraction = Product::new(integrals.area_fraction, scale, log_density);
         ContactState {
             separation_m: None,
             pressure_pa: pressure.value,
             area_fraction: area_fraction.value.min(1.0),
             ln_pressure_pa: pressure.logarithm,
             ln_area_fraction: area_fraction.logarithm.min(0.0),
-            error_estimate: here.relative_error(),
+            error_estimate: integrals.relative_error,
             evaluations: 0,
-            out_of_range_load_share: here.out_of_range_load_share(),
-            clamped: area_fraction.logarithm > 0.0,
-            decay_length_m: Some(-sigma_s_m / sums.log_pressure_slope()),
+            out_of_range_load_share: integrals.out_of_range_load_share,
+            clamped: area_fraction.logarithm > integrals.relative_error,
+            decay_length_m: Some(sigma_s_m / mean_height),
         }
     }
 
@@ -124,6 +124,21 @@ impl ContactState {
             .max(logarithmic(self.ln_pressure_pa, other.ln_pressure_pa))
             .max(logarithmic(self.ln_area_fraction, other.ln_area_fraction))
     }
+}
+
+/// Integrals at one separation, over the reference density there, as a state needs them.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Integrals {
+    /// Separation in units of sigma_s.
+    pub u: f64,
+    pub pressure_pa: f64,
+    pub area_fraction: f64,
+    /// Mean height u + s of the asperities, weighted by load.
+    pub mean_height: f64,
+    /// Estimate of the larger relative error of pressure and area.
+    pub relative_error: f64,
+    /// Share of the load outside the range that the law was fitted in.
+    pub out_of_range_load_share: f64,
 }
 
 /// Integral times density, and its logarithm.

@@ -82,7 +82,7 @@ impl<'a> Sweep<'a> {
         let spent = self.frames.evaluations();
         let here = self.frames.at(u).at(u);
         self.near = Some(Neighbour { u, sums: Some(here.sums) });
-        let state = ContactState::on_frame(&here, rounding, sigma_s_m);
+        let state = ContactState::of(&here.integrals(), rounding, sigma_s_m);
         let evaluations = self.frames.evaluations() - spent;
         Ok(ContactState { separation_m: Some(separation_m), evaluations, ..state })
     }
@@ -115,7 +115,7 @@ impl<'a> Sweep<'a> {
         let sigma_s_m = self.frames.sigma_s_m;
         let here = self.frames.frame(cell).at(u);
         self.near = Some(Neighbour { u, sums: Some(here.sums) });
-        let state = ContactState::on_frame(&here, 0.0, sigma_s_m);
+        let state = ContactState::of(&here.integrals(), 0.0, sigma_s_m);
         let error_estimate = state.error_estimate + missed_by;
         let separation_m = Some(u * sigma_s_m);
         Ok(asked(ContactState { separation_m, error_estimate, evaluations, ..state }))

@@ -2,7 +2,9 @@
 
 use asperity::{ElasticBody, Hardness, MaterialPair, NixGao};
 use proptest::prelude::*;
-use stat_contact::{AsperityLaw, ContactState, InterferenceLaw, Population, StatisticalContact};
+use proptest::strategy::ValueTree;
+use proptest::test_runner::TestRunner;
+use stat_contact::{AsperityLaw, Condition, ContactState, InterferenceLaw, Population, StatisticalContact};
 
 /// Numbers between 10^low and 10^high, evenly in the exponent.
 fn decades(low: f64, high: f64) -> impl Strategy<Value = f64> {
@@ -95,4 +97,35 @@ proptest! {
             prop_assert!(((a - b) / sigma).abs() <= 1e-12 * (1.0 + (a / sigma).abs()), "{a:e} {b:e}");
         }
     }
+}
+
+#[test]
+fn states_of_tables_are_within_their_errors() {
+    const TABLES: usize = 2000;
+    const STATES: u32 = 20;
+    let asked = (contact(), prop::array::uniform2(-60.0..60.0f64), 2.0..13.0f64);
+    let mut runner = TestRunner::deterministic();
+    let (mut ratios, mut beyond) = (Vec::new(), String::new());
+    for _ in 0..TABLES {
+        let ((contact, sigma, what), ends, digits) = asked.new_tree(&mut runner).unwrap().current();
+        let ends = ends.map(|u| u * sigma);
+        let table = contact.table(ends.map(Condition::Separation), 10f64.powf(-digits)).unwrap();
+        for at in 0..STATES {
+            let d = ends[0] + (ends[1] - ends[0]) * f64::from(at) / f64::from(STATES);
+            let (state, single) = (table.at_separation(d).unwrap(), contact.at_separation(d, 1e-13).unwrap());
+            let pressures = (state.ln_pressure_pa - single.ln_pressure_pa).abs();
+            let areas = (state.ln_area_fraction - single.ln_area_fraction).abs();
+            // The last place of the separation shows in ln p like u^2.
+            let rounding = 1e-15 * (d / sigma).powi(2);
+            ratios.push(pressures.max(areas) / (state.error_estimate + single.error_estimate + rounding));
+            if ratios.last().is_some_and(|ratio| *ratio > 1.0) {
+                beyond += &format!("{what} at {}: {state:?} {single:?}\n", d / sigma);
+            }
+        }
+    }
+    ratios.sort_by(f64::total_cmp);
+    let exceeding = ratios.iter().filter(|ratio| **ratio > 1.0).count() as f64 / ratios.len() as f64;
+    assert!(exceeding <= 5e-4 && ratios[ratios.len() - 1] < 3.0, "{exceeding:e} of all states: {beyond}");
+    let median = ratios[ratios.len() / 2];
+    assert!(median > 1e-4, "estimates are {:.0} times the errors", 1.0 / median);
 }

@@ -1,7 +1,7 @@
 //! Answers of this program.
 
 use asperity::{ElasticBody, Hardness, MaterialPair, NixGao};
-use stat_contact::{AsperityLaw, ContactState, InterferenceLaw, Population, StatisticalContact};
+use stat_contact::{AsperityLaw, Condition, ContactState, InterferenceLaw, Population, StatisticalContact};
 
 use crate::clock::seconds_per_call;
 use crate::point::{Answer, GivenQuantity};
@@ -54,15 +54,18 @@ impl Parts {
         self.as_answer(&found.expect("a state of the table"))
     }
 
-    /// States at many separations \[m\] or pressures \[Pa\] of one contact, in one sweep.
+    /// States at many separations \[m\] or pressures \[Pa\] of one contact, from a table.
     fn answers(&self, asked: &[f64], given: GivenQuantity, tolerance: f64) -> Vec<ContactState> {
-        let contact = self.contact();
-        let mut sweep = contact.sweep(tolerance);
-        let state = |&value: &f64| match given {
-            GivenQuantity::Separation => sweep.at_separation(value),
-            GivenQuantity::Pressure => sweep.at_pressure(value),
+        let condition = match given {
+            GivenQuantity::Separation => Condition::Separation,
+            GivenQuantity::Pressure => Condition::Pressure,
         };
-        let states = asked.iter().map(state).collect::<Result<_, _>>();
+        let contact = self.contact();
+        let least = asked.iter().copied().fold(f64::INFINITY, f64::min);
+        let most = asked.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let table =
+            contact.table([least, most].map(condition), tolerance).expect("ends between those of the table");
+        let states = asked.iter().map(|&value| table.at(condition(value))).collect::<Result<_, _>>();
         states.expect("states between those of the table")
     }
 

@@ -116,8 +116,9 @@ impl Engine {
     /// Settings of the engine: tolerances, or numbers of nodes of a grid.
     pub fn settings(self) -> &'static [f64] {
         match self {
-            Engine::Ours | Engine::OursBatch => {
-                &[1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13]
+            Engine::Ours => &[1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13],
+            Engine::OursBatch => {
+                &[1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13]
             }
             Engine::QuadNumpy => &[1e-6, 1e-10],
             Engine::Quad => &[1e-4, 1e-6, 1e-8, 1e-10, 1e-12],

@@ -9,6 +9,7 @@ use super::precision::{Precision, error_estimate};
 use super::sums::Sums;
 use crate::asperities::answers::Asperities;
 use crate::gaussian::window::Window;
+use crate::state::Integrals as StateIntegrals;
 use crate::summits::integrals::{SummitIntegrals, SummitSums};
 
 /// Integrals prepared around one separation.
@@ -102,6 +103,11 @@ impl<'a> Frame<'a> {
         Frame { centre, window, integrals, u: centre, sums: None, sums_at_centre: None }
     }
 
+    /// True if the integrals have a closed form.
+    pub fn is_closed(&self) -> bool {
+        matches!(self.integrals, Integrals::Closed(_))
+    }
+
     /// Law evaluations spent.
     pub fn evaluations(&self) -> usize {
         match &self.integrals {
@@ -163,8 +169,20 @@ pub(crate) struct FrameState<'f, 'a> {
 }
 
 impl FrameState<'_, '_> {
+    /// Integrals of a state there.
+    pub fn integrals(&self) -> StateIntegrals {
+        StateIntegrals {
+            u: self.u,
+            pressure_pa: self.sums.pressure_pa,
+            area_fraction: self.sums.area_fraction,
+            mean_height: -self.sums.log_pressure_slope(),
+            relative_error: self.relative_error(),
+            out_of_range_load_share: self.out_of_range_load_share(),
+        }
+    }
+
     /// Estimate of the larger relative error of the two integrals.
-    pub fn relative_error(&self) -> f64 {
+    fn relative_error(&self) -> f64 {
         let Frame { window, integrals, .. } = self.frame;
         match integrals {
             Integrals::Closed(hertz) => hertz.relative_error(self.u),
@@ -178,7 +196,7 @@ impl FrameState<'_, '_> {
     }
 
     /// Share of the load carried at interferences outside the fitted range of the law.
-    pub fn out_of_range_load_share(&self) -> f64 {
+    fn out_of_range_load_share(&self) -> f64 {
         let Frame { window, integrals: Integrals::Panels(panels), .. } = self.frame else { return 0.0 };
         let above_pa = |at_m: f64| if at_m.is_finite() { panels.load_above_pa(at_m) } else { 0.0 };
         let load_pa: f64 = panels

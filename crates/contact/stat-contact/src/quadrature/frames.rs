@@ -8,6 +8,7 @@ use super::frame::Frame;
 use super::precision::Precision;
 use super::sums::Sums;
 use crate::asperities::answers::Asperities;
+use crate::state::Integrals;
 
 /// Largest number of frames kept, of a few kilobytes each: all between fifty standard deviations on the far side and
 /// ten below.
@@ -79,6 +80,16 @@ impl<'a> Frames<'a> {
     /// True if the frame of a cell exists.
     pub fn have(&self, cell: Cell) -> bool {
         self.are_one() || self.cells.contains(&cell)
+    }
+
+    /// True if one closed form serves all separations.
+    pub fn have_closed_form(&self) -> bool {
+        self.everywhere.as_ref().is_some_and(Frame::is_closed)
+    }
+
+    /// The integrals of a state at a separation.
+    pub fn integrals_at(&mut self, u: f64) -> Integrals {
+        self.at(u).at(u).integrals()
     }
 
     /// The integrals at a separation, on the frame of its cell.
