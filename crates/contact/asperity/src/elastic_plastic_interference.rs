@@ -21,6 +21,13 @@ struct StateAtInterference {
     log_x: f64,
 }
 
+/// States of N sinusoids at interferences below complete contact.
+struct StatesAtInterferences<const N: usize> {
+    pressures_pa: [f64; N],
+    x: [f64; N],
+    log_x: [f64; N],
+}
+
 impl ElasticPlasticSinusoid {
     /// Mean pressure \[Pa\] when the flat has descended by w > 0, given as w/Delta: the smaller of the elastic and
     /// the elastic-plastic one, because plastic flow can only soften; p*_ep from w = Delta on.
@@ -98,6 +105,21 @@ impl ElasticPlasticSinusoid {
         }
     }
 
+    /// [`pressure_at_interference_pa`](Self::pressure_at_interference_pa) at each of some interferences over amplitude,
+    /// with the exponent of the gap precomputed.
+    pub(crate) fn pressures_at_interferences_by(
+        &self,
+        gap: GapExponent,
+        interferences_over_amplitude: &[f64],
+        pressures_pa: &mut [f64],
+    ) {
+        if self.can_yield() {
+            elastic_plastic_pressures(self, gap, interferences_over_amplitude, pressures_pa);
+        } else {
+            self.elastic().pressures_at_interferences(interferences_over_amplitude, pressures_pa);
+        }
+    }
+
     /// Returns a number that is positive where plastic flow sets the pressure at an interference over amplitude in
     /// (0, 1): in the law x^(A1 x + A2) = t, the ln t that the elastic pressure would need over the ln t that it has.
     #[inline]
@@ -153,6 +175,33 @@ impl ElasticPlasticSinusoid {
         StateAtInterference { pressure_pa: elastic_pa.min(plastic_pa), x: elementary::exp(log_x), log_x }
     }
 
+    /// States with the digits of [`state_at_power`](Self::state_at_power) at N interferences over amplitude, for r > 1.
+    #[inline(always)]
+    fn states_at<const N: usize>(
+        &self,
+        ratios: [f64; N],
+        gap: GapExponent,
+        log_softening: f64,
+    ) -> StatesAtInterferences<N> {
+        let t = if any::<N>(|i| ratios[i] < 1.0) { powers_at(ratios) } else { [1.0; N] };
+        let log_t: [f64; N] = each(|i| elementary::ln(t[i]));
+        let mut log_x: [f64; N] = each(|i| 2.0 * log_t[i] - log_softening);
+        let mut x: [f64; N] = each(|i| elementary::exp(log_x[i]));
+        let margins: [f64; N] = each(|i| flow_margin(gap, log_t[i], log_x[i], x[i]));
+        let mut pressures_pa: [f64; N] = each(|i| self.elastic_pressure_pa(t[i]));
+        let flows = |i: usize| (margins[i] > 0.0) & (ratios[i] < 1.0);
+        if any::<N>(flows) {
+            let flowing_log_x = gap.log_xs_at_powers(log_t, flows);
+            let plastic_pa: [f64; N] = each(|i| self.softened_pressure_pa(log_softening + flowing_log_x[i]));
+            let flowing_x: [f64; N] = each(|i| elementary::exp(flowing_log_x[i]));
+            pressures_pa =
+                each(|i| if flows(i) { pressures_pa[i].min(plastic_pa[i]) } else { pressures_pa[i] });
+            log_x = each(|i| if flows(i) { flowing_log_x[i] } else { log_x[i] });
+            x = each(|i| if flows(i) { flowing_x[i] } else { x[i] });
+        }
+        StatesAtInterferences { pressures_pa, x, log_x }
+    }
+
     /// Area fraction of a state, given those of a sinusoid that has not yielded and of one that has.
     #[inline(always)]
     fn area_of_state(
@@ -180,7 +229,7 @@ fn flow_margin(gap: GapExponent, log_t: f64, log_x: f64, x: f64) -> f64 {
 
 /// Pressures \[Pa\] and area fractions of a sinusoid with r > 1 at interferences over amplitude. A block of numbers
 /// skips a branch of the law that none of them takes.
-#[multiversion(targets("x86_64+avx2"))]
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512dq", "x86_64+avx2"))]
 fn elastic_plastic_at_each(
     law: &ElasticPlasticSinusoid,
     interferences_over_amplitude: &[f64],
@@ -191,23 +240,8 @@ fn elastic_plastic_at_each(
     let (area, elastic) = (law.yielding_area_at(log_softening), law.elastic());
     let complete_pa = law.complete_contact_pressure_pa();
     in_blocks(interferences_over_amplitude, [pressures_pa, area_fractions], |ratios| {
-        let t = if any::<LANES>(|i| ratios[i] < 1.0) { powers_at(ratios) } else { [1.0; LANES] };
-        let log_t: [f64; LANES] = each(|i| elementary::ln(t[i]));
-        let mut log_x: [f64; LANES] = each(|i| 2.0 * log_t[i] - log_softening);
-        let mut x: [f64; LANES] = each(|i| elementary::exp(log_x[i]));
-        let margins: [f64; LANES] = each(|i| flow_margin(gap, log_t[i], log_x[i], x[i]));
-        let mut pressures_pa: [f64; LANES] = each(|i| law.elastic_pressure_pa(t[i]));
-        let flows = |i: usize| (margins[i] > 0.0) & (ratios[i] < 1.0);
-        if any::<LANES>(flows) {
-            let flowing_log_x = gap.log_xs_at_powers(log_t, flows);
-            let plastic_pa: [f64; LANES] =
-                each(|i| law.softened_pressure_pa(log_softening + flowing_log_x[i]));
-            let flowing_x: [f64; LANES] = each(|i| elementary::exp(flowing_log_x[i]));
-            pressures_pa =
-                each(|i| if flows(i) { pressures_pa[i].min(plastic_pa[i]) } else { pressures_pa[i] });
-            log_x = each(|i| if flows(i) { flowing_log_x[i] } else { log_x[i] });
-            x = each(|i| if flows(i) { flowing_x[i] } else { x[i] });
-        }
+        let StatesAtInterferences { pressures_pa, x, log_x } =
+            law.states_at::<LANES>(ratios, gap, log_softening);
         let yields = |i: usize| law.yields_at(pressures_pa[i]);
         let elastic =
             if any::<LANES>(|i| !yields(i)) { elastic.area_fractions(pressures_pa) } else { [0.0; LANES] };
@@ -220,6 +254,25 @@ fn elastic_plastic_at_each(
         });
         [each(|i| if ratios[i] >= 1.0 { complete_pa } else { pressures_pa[i] }), area_fractions]
     });
+}
+
+/// Pressures \[Pa\] of a sinusoid at interferences over amplitude, for few of them.
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512dq", "x86_64+avx2"))]
+fn elastic_plastic_pressures(
+    law: &ElasticPlasticSinusoid,
+    gap: GapExponent,
+    interferences_over_amplitude: &[f64],
+    pressures_pa: &mut [f64],
+) {
+    const FEW: usize = 8;
+    let (log_softening, complete_pa) = (law.log_softening(), law.complete_contact_pressure_pa());
+    for (ratios, pressures_pa) in interferences_over_amplitude.chunks(FEW).zip(pressures_pa.chunks_mut(FEW)) {
+        let mut block = [ratios[ratios.len() - 1]; FEW];
+        block[..ratios.len()].copy_from_slice(ratios);
+        let states = law.states_at::<FEW>(block, gap, log_softening);
+        let found: [f64; FEW] = each(|i| if block[i] >= 1.0 { complete_pa } else { states.pressures_pa[i] });
+        pressures_pa.copy_from_slice(&found[..pressures_pa.len()]);
+    }
 }
 
 #[cfg(test)]
@@ -240,6 +293,16 @@ mod tests {
                 |ratio| law.pressure_and_area_at_interference(ratio),
                 |ratios, pressures, areas| {
                     law.pressures_and_areas_at_interferences(ratios, pressures, areas);
+                },
+            );
+            let flow = law.plastic_flow();
+            assert_batch_has_the_digits_of_each(
+                &breaks,
+                &[f64::INFINITY],
+                |ratio| (flow.pressure_at_interference_pa(ratio), 0.0),
+                |ratios, pressures, others| {
+                    flow.pressures_at_interferences(ratios, pressures);
+                    others.fill(0.0);
                 },
             );
         }

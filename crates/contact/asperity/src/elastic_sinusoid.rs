@@ -117,6 +117,12 @@ impl ElasticSinusoid {
         self.complete_contact_pressure_pa * t * t
     }
 
+    /// Computes [`pressure_at_interference_pa`](Self::pressure_at_interference_pa) at each of some interferences over
+    /// amplitude, to the same digits at a fraction of the cost.
+    pub fn pressures_at_interferences(&self, interferences_over_amplitude: &[f64], pressures_pa: &mut [f64]) {
+        elastic_pressures(self, interferences_over_amplitude, pressures_pa);
+    }
+
     /// Returns [`pressure_at_interference_pa`](Self::pressure_at_interference_pa) and the
     /// [`area_fraction`](Self::area_fraction) at that pressure when the flat has descended by w > 0, given as w/Delta.
     #[must_use]
@@ -171,7 +177,7 @@ pub(crate) fn log_of_fraction(pressure_pa: f64, full_pa: f64) -> Option<f64> {
 }
 
 /// Pressures \[Pa\] and area fractions at interferences over amplitude.
-#[multiversion(targets("x86_64+avx2"))]
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512dq", "x86_64+avx2"))]
 fn elastic_at_each(
     law: &ElasticSinusoid,
     interferences_over_amplitude: &[f64],
@@ -183,6 +189,15 @@ fn elastic_at_each(
         let pressures_pa = each(|i| law.pressure_at_power(ratios[i], || t[i]));
         [pressures_pa, law.area_fractions(pressures_pa)]
     });
+}
+
+/// Pressures \[Pa\] at interferences over amplitude.
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512dq", "x86_64+avx2"))]
+fn elastic_pressures(law: &ElasticSinusoid, interferences_over_amplitude: &[f64], pressures_pa: &mut [f64]) {
+    for (&ratio, pressure_pa) in interferences_over_amplitude.iter().zip(pressures_pa) {
+        let t = power_at(ratio);
+        *pressure_pa = law.pressure_at_power(ratio, || t);
+    }
 }
 
 /// Area fraction at x = p/p*.
@@ -275,6 +290,15 @@ mod tests {
                 (pressure_pa, law.area_fraction(pressure_pa))
             },
             |ratios, pressures, areas| law.pressures_and_areas_at_interferences(ratios, pressures, areas),
+        );
+        assert_batch_has_the_digits_of_each(
+            &[1.0],
+            &[-0.0, -0.5, f64::INFINITY, f64::NAN],
+            |ratio| (law.pressure_at_interference_pa(ratio), 0.0),
+            |ratios, pressures, others| {
+                law.pressures_at_interferences(ratios, pressures);
+                others.fill(0.0);
+            },
         );
     }
 

@@ -53,7 +53,7 @@ impl Hertz {
 }
 
 /// Forces and areas at interferences.
-#[multiversion(targets("x86_64+avx2"))]
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512dq", "x86_64+avx2"))]
 fn hertz_at_each(law: &Hertz, interferences_m: &[f64], forces_n: &mut [f64], areas_m2: &mut [f64]) {
     for ((&w, force_n), area_m2) in interferences_m.iter().zip(forces_n).zip(areas_m2) {
         (*force_n, *area_m2) = (law.force_n(w), law.area_m2(w));

@@ -337,7 +337,7 @@ impl JacksonGreen {
 }
 
 /// Forces and areas at interferences on both branches of a law.
-#[multiversion(targets("x86_64+avx2"))]
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512dq", "x86_64+avx2"))]
 fn at_each<H: Fn(f64) -> f64>(
     law: &JacksonGreen,
     over_strength: H,
@@ -355,7 +355,7 @@ fn at_each<H: Fn(f64) -> f64>(
 }
 
 /// Forces and areas at interferences, without a branch.
-#[multiversion(targets("x86_64+avx2"))]
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512dq", "x86_64+avx2"))]
 fn plastic_at_each<L: Fn(f64) -> JacksonGreen, H: Fn(f64) -> f64>(
     at_depth: L,
     over_strength: H,

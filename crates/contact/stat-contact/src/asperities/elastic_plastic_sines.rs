@@ -3,7 +3,7 @@
 //! Their interference is explicit in the pressure, before and after the onset of plastic flow: the integrals run over
 //! coordinates of the contact, and nothing is solved for.
 
-use asperity::{ElasticPlasticSinusoid, MaterialPair, PlasticFlow, elementary};
+use asperity::{ElasticPlasticSinusoid, FlowPoint, MaterialPair, PlasticFlow, elementary};
 use multiversion::multiversion;
 
 use super::answers::{Asperities, Response};
@@ -104,9 +104,8 @@ impl Asperities for ElasticPlasticSines {
     }
 
     fn pressures_at_interferences(&self, interferences_m: &[f64], pressures_pa: &mut [f64]) {
-        for (w, pressure_pa) in interferences_m.iter().zip(pressures_pa) {
-            *pressure_pa = self.flow.pressure_at_interference_pa(w / self.shape.amplitude_m);
-        }
+        let ratios: Vec<f64> = interferences_m.iter().map(|w| w / self.shape.amplitude_m).collect();
+        self.flow.pressures_at_interferences(&ratios, pressures_pa);
     }
 
     fn pieces(&self, _low_m: f64, _high_m: f64) -> Vec<Piece<'_>> {
@@ -192,38 +191,54 @@ impl InFlow {
             Side::Heavy => 1.0 - v * v,
         }
     }
+
+    /// Points at coordinates from those at x and ln x.
+    #[inline(always)]
+    fn fill(&self, coordinates: &[f64], points: Points<'_>, at: impl Fn(f64, f64) -> FlowPoint) {
+        let nodes = coordinates
+            .iter()
+            .zip(points.interferences_m)
+            .zip(points.slopes_m)
+            .zip(points.pressures_pa)
+            .zip(points.area_fractions);
+        for ((((&v, interference_m), slope_m), pressure_pa), area_fraction) in nodes {
+            let x = self.pressure_ratio(v);
+            let (log_x, slope) = match self.side {
+                Side::Light => (4.0 * elementary::ln(v), 4.0 / v),
+                Side::Heavy => (elementary::ln_1p(-v * v), -2.0 * v / x),
+            };
+            let point = at(x, log_x);
+            *interference_m = self.amplitude_m * point.interference_over_amplitude;
+            *slope_m = self.amplitude_m * point.slope_by_log_pressure * slope;
+            (*pressure_pa, *area_fraction) = (point.pressure_pa, point.area_fraction);
+        }
+    }
 }
 
 /// Points where the area yields under an elastic pressure.
-#[multiversion(targets("x86_64+avx2"))]
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512dq", "x86_64+avx2"))]
 fn points_before_flow<'a>(chart: &BeforeFlow, coordinates: &[f64], points: Points<'a>) {
-    let complete_pa = chart.law.complete_contact_pressure_pa();
+    let complete_pa = chart.flow.complete_contact_pressure_pa();
     chart.elastic.with_areas(coordinates, points, |v, _| {
         chart.flow.yielding_area_fraction(chart.elastic.pressure_pa(v) / complete_pa)
     });
 }
 
 /// Points in plastic flow. No break of the law divides the coordinates: if the first one yields, all do.
-#[multiversion(targets("x86_64+avx2"))]
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512dq", "x86_64+avx2"))]
 fn points_in_flow<'a>(chart: &InFlow, coordinates: &[f64], points: Points<'a>) {
-    let complete_pa = chart.law.complete_contact_pressure_pa();
+    let flow = &chart.flow;
+    let complete_pa = flow.complete_contact_pressure_pa();
     let yields =
         coordinates.first().is_some_and(|&v| chart.law.yields_at(complete_pa * chart.pressure_ratio(v)));
-    let nodes = coordinates
-        .iter()
-        .zip(points.interferences_m)
-        .zip(points.slopes_m)
-        .zip(points.pressures_pa)
-        .zip(points.area_fractions);
-    for ((((&v, interference_m), slope_m), pressure_pa), area_fraction) in nodes {
-        let x = chart.pressure_ratio(v);
-        let (log_x, slope) = match chart.side {
-            Side::Light => (4.0 * elementary::ln(v), 4.0 / v),
-            Side::Heavy => (elementary::ln_1p(-v * v), -2.0 * v / x),
-        };
-        let point = if yields { chart.flow.yielding_at(x, log_x) } else { chart.flow.at_log_pressure(log_x) };
-        *interference_m = chart.amplitude_m * point.interference_over_amplitude;
-        *slope_m = chart.amplitude_m * point.slope_by_log_pressure * slope;
-        (*pressure_pa, *area_fraction) = (point.pressure_pa, point.area_fraction);
+    // A loop for each side and branch: the compiler makes no vectors of one that decides at every node.
+    match (yields, chart.side) {
+        (false, _) => chart.fill(coordinates, points, |_, log_x| flow.at_log_pressure(log_x)),
+        (true, side @ Side::Light) => {
+            InFlow { side, ..*chart }.fill(coordinates, points, |x, log_x| flow.yielding_at(x, log_x));
+        }
+        (true, side @ Side::Heavy) => {
+            InFlow { side, ..*chart }.fill(coordinates, points, |x, log_x| flow.yielding_at(x, log_x));
+        }
     }
 }

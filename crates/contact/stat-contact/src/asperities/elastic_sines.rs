@@ -32,9 +32,8 @@ impl Asperities for ElasticSines {
     }
 
     fn pressures_at_interferences(&self, interferences_m: &[f64], pressures_pa: &mut [f64]) {
-        for (w, pressure_pa) in interferences_m.iter().zip(pressures_pa) {
-            *pressure_pa = self.law.pressure_at_interference_pa(w / self.shape.amplitude_m);
-        }
+        let ratios: Vec<f64> = interferences_m.iter().map(|w| w / self.shape.amplitude_m).collect();
+        self.law.pressures_at_interferences(&ratios, pressures_pa);
     }
 
     fn pieces(&self, _low_m: f64, _high_m: f64) -> Vec<Piece<'_>> {

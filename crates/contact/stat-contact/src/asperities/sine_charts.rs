@@ -166,7 +166,7 @@ impl LawChart for SineChart {
 }
 
 /// Points of the elastic law. No break of it divides the coordinates: all are on the branch of the first.
-#[multiversion(targets("x86_64+avx2"))]
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512dq", "x86_64+avx2"))]
 fn elastic_points<'a>(chart: &SineChart, coordinates: &[f64], points: Points<'a>) {
     let is_joined = coordinates.first().is_some_and(|&v| {
         let t = chart.t(v);

@@ -42,7 +42,7 @@ pub(crate) fn for_cell<'a>(
     for piece in asperities.pieces(low_m, high_m) {
         add_piece(&mut builder, piece, window, coordinate, precision.digits);
     }
-    refine(&mut builder, precision.tolerance);
+    builder.panels.relative_error = refine(&mut builder, precision.tolerance);
     builder.panels
 }
 
@@ -146,27 +146,35 @@ fn nodes_between([low, high]: [f64; 2], growth: f64, centre: f64, digits: f64) -
     0.5 * (digits * run + smooth * smooth).sqrt()
 }
 
-/// Gives more nodes to the panels whose error at the centre is above their share of the tolerance, or halves them.
-fn refine(builder: &mut Builder<'_, '_>, tolerance: f64) {
+/// Gives more nodes to the panels whose error at the centre is above their share of the tolerance, or halves them. Returns
+/// an estimate of the larger relative error of the two integrals that is left.
+fn refine(builder: &mut Builder<'_, '_>, tolerance: f64) -> f64 {
     // Few panels reach their limit: with this share their sum stays about the tolerance.
     const SHARE: f64 = 0.3;
     let tolerance = SHARE * tolerance;
     let totals = builder.panels.sums();
-    let mut place = 0;
-    while let Some(panel) =
-        builder.panels.list.get(place).copied().filter(|_| builder.panels.evaluations < MOST_EVALUATIONS)
-    {
-        let [pressure, area] = builder.panels.errors(&panel);
-        let fine = pressure <= tolerance * totals.pressure_pa && area <= tolerance * totals.area_fraction;
+    let (mut place, mut left) = (0, [0.0; 2]);
+    while let Some(panel) = builder.panels.list.get(place).copied() {
+        let [pressure_pa, area] = builder.panels.errors(&panel);
+        let errors = [pressure_pa / totals.pressure_pa, area / totals.area_fraction];
+        let is_fine = errors.iter().all(|&error| error <= tolerance);
         match panel.rule {
-            Some(rule) if !fine && panel.halvings < MOST_HALVINGS => {
+            Some(rule)
+                if !is_fine
+                    && panel.halvings < MOST_HALVINGS
+                    && builder.panels.evaluations < MOST_EVALUATIONS =>
+            {
                 // The replacement comes last and is examined again.
                 builder.panels.list.remove(place);
                 replace(builder, &panel, rule);
             }
-            _ => place += 1,
+            _ => {
+                place += 1;
+                left = [left[0] + errors[0], left[1] + errors[1]];
+            }
         }
     }
+    left[0].max(left[1])
 }
 
 /// Replaces a panel by one with a third more nodes or, if it has many already, by halves with a quarter fewer.

@@ -2,7 +2,7 @@
 
 use super::coordinate::Coordinate;
 use super::heights::Density;
-use super::nodes::{Block, Rows, split};
+use super::nodes::{Block, Nodes, Rows, split};
 use super::panel::{Panel, Variable};
 use super::panels::Panels;
 use super::rules::{MOST, Rule};
@@ -63,7 +63,7 @@ impl<'a> Builder<'a, '_> {
     pub fn add_trapezoid(&mut self, coordinate: Coordinate, [from, to]: [f64; 2], trapezoid: Trapezoid) {
         let variable = Variable::Own(coordinate);
         let rows = self.scratch.rows(trapezoid.count);
-        for (k, v) in rows.coordinates.iter_mut().enumerate() {
+        for (k, v) in rows.coordinates[..trapezoid.count].iter_mut().enumerate() {
             *v = trapezoid.at(k);
         }
         let nodes = self.evaluate(variable, trapezoid.count, std::iter::repeat(trapezoid.step));
@@ -92,6 +92,8 @@ impl<'a> Builder<'a, '_> {
         self.panels.evaluations += count;
         let Rows { places, pressures_pa, area_fractions, densities } = self.panels.nodes.rows(nodes);
         let ScratchRows { coordinates, interferences_m, slopes } = self.scratch.rows(count);
+        let last = coordinates[count - 1];
+        coordinates[count..].fill(last);
         let density = Density::new(centre, centre);
         match variable {
             Variable::Own(coordinate) => {
@@ -108,6 +110,8 @@ impl<'a> Builder<'a, '_> {
                         asperities.at_interferences(interferences_m, pressures_pa, area_fractions);
                     }
                     Quantities::Pressure => {
+                        let (interferences_m, pressures_pa) =
+                            (&interferences_m[..count], &mut pressures_pa[..count]);
                         asperities.pressures_at_interferences(interferences_m, pressures_pa);
                     }
                 }
@@ -126,11 +130,13 @@ impl<'a> Builder<'a, '_> {
                 }
             }
         }
-        let values = pressures_pa.iter_mut().zip(area_fractions);
-        for (((pressure_pa, area_fraction), slope), weight) in values.zip(&*slopes).zip(weights) {
+        let values = pressures_pa.iter_mut().zip(&mut *area_fractions).zip(&*slopes).take(count);
+        for (((pressure_pa, area_fraction), slope), weight) in values.zip(weights) {
             let weight = slope * weight;
             (*pressure_pa, *area_fraction) = (weight * *pressure_pa, weight * *area_fraction);
         }
+        pressures_pa[count..].fill(0.0);
+        area_fractions[count..].fill(0.0);
         density.at(places, densities);
         nodes
     }
@@ -141,14 +147,14 @@ impl Scratch {
     /// Size that fits any Gauss rule.
     const USUAL: usize = Self::ROWS * MOST;
 
-    /// Rows of `count` nodes.
+    /// Rows of `count` nodes, filled up like those of [`Nodes`].
     fn rows(&mut self, count: usize) -> ScratchRows<'_> {
-        let length = Self::ROWS * count;
+        let row = Nodes::row(count);
+        let length = Self::ROWS * row;
         if self.values.len() < length {
             self.values.resize(length.max(Self::USUAL), 0.0);
         }
-        let [coordinates, interferences_m, slopes] =
-            split::<{ Self::ROWS }>(&mut self.values[..length], count);
+        let [coordinates, interferences_m, slopes] = split::<{ Self::ROWS }>(&mut self.values[..length], row);
         ScratchRows { coordinates, interferences_m, slopes }
     }
 }

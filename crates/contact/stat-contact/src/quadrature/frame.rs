@@ -190,7 +190,7 @@ impl FrameState<'_, '_> {
             Integrals::Panels(panels) => {
                 let saturates = panels.saturation.is_some_and(|(from, _)| from <= window.high);
                 let left_out = window.left_out(self.u, saturates);
-                error_estimate(panels.relative_error(&self.sums) + left_out, self.u)
+                error_estimate(panels.relative_error + left_out, self.u)
             }
         }
     }

@@ -46,7 +46,7 @@ impl Density {
     }
 }
 
-#[multiversion(targets("x86_64+avx2"))]
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512dq", "x86_64+avx2"))]
 fn densities_at(of: &Density, places: &[f64], densities: &mut [f64]) {
     let Density { shift, left, around_peak, .. } = *of;
     if around_peak {

@@ -6,6 +6,9 @@ pub(crate) const LANES: usize = 4;
 /// Values of nodes side by side.
 pub(crate) type Lanes = [f64; LANES];
 
+/// Number of nodes that rows are filled up to a multiple of, so that no node is left over for a loop over single ones.
+const FILLED_TO: usize = 8;
+
 /// Rows of all panels, one panel after the other.
 pub(crate) struct Nodes {
     values: Vec<f64>,
@@ -15,10 +18,11 @@ pub(crate) struct Nodes {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Block {
     at: usize,
-    count: usize,
+    row: usize,
 }
 
-/// Nodes of a panel, an entry in each row for each of them. Lengths are in units of sigma_s.
+/// Nodes of a panel, an entry in each row for each of them, filled up with nodes of no weight. Lengths are in units of
+/// sigma_s.
 pub(crate) struct Rows<'a> {
     /// Height u + s at the separation u of the frame if that is not positive, else the interference s.
     pub places: &'a mut [f64],
@@ -45,44 +49,37 @@ impl Nodes {
         Nodes { values: Vec::with_capacity(Self::ROWS * count) }
     }
 
+    /// Length of the rows of a panel.
+    pub fn row(count: usize) -> usize {
+        count.next_multiple_of(FILLED_TO)
+    }
+
     /// Adds the nodes of one more panel, all zero.
     pub fn add(&mut self, count: usize) -> Block {
-        let at = self.values.len();
-        self.values.resize(at + Self::ROWS * count.next_multiple_of(LANES), 0.0);
-        Block { at, count }
+        let (at, row) = (self.values.len(), Self::row(count));
+        self.values.resize(at + Self::ROWS * row, 0.0);
+        Block { at, row }
     }
 
     /// Rows of a panel.
     pub fn rows(&mut self, block: Block) -> Rows<'_> {
-        let Block { at, count } = block;
-        let rows = &mut self.values[at..at + Self::ROWS * block.row()];
-        let [places, pressures_pa, area_fractions, densities] = split(rows, block.row());
-        Rows {
-            places: &mut places[..count],
-            pressures_pa: &mut pressures_pa[..count],
-            area_fractions: &mut area_fractions[..count],
-            densities: &mut densities[..count],
-        }
+        let Block { at, row } = block;
+        let [places, pressures_pa, area_fractions, densities] =
+            split(&mut self.values[at..at + Self::ROWS * row], row);
+        Rows { places, pressures_pa, area_fractions, densities }
     }
 
-    /// Rows of a panel as summands, with zeros where the lanes outnumber the nodes.
+    /// Rows of a panel as summands.
     pub fn summed(&self, block: Block) -> Summands<'_> {
-        let (places, rest) = self.values[block.at..].split_at(block.row());
-        let (pressures_pa, rest) = rest.split_at(block.row());
-        let (area_fractions, rest) = rest.split_at(block.row());
+        let (places, rest) = self.values[block.at..].split_at(block.row);
+        let (pressures_pa, rest) = rest.split_at(block.row);
+        let (area_fractions, rest) = rest.split_at(block.row);
         Summands {
             places: places.as_chunks().0,
             pressures_pa: pressures_pa.as_chunks().0,
             area_fractions: area_fractions.as_chunks().0,
-            densities: rest[..block.row()].as_chunks().0,
+            densities: rest[..block.row].as_chunks().0,
         }
-    }
-}
-
-impl Block {
-    /// Length of a row.
-    fn row(self) -> usize {
-        self.count.next_multiple_of(LANES)
     }
 }
 
@@ -106,18 +103,18 @@ mod tests {
     use super::*;
 
     #[test]
-    fn panels_keep_their_nodes_and_the_lanes_left_over_are_empty() {
+    fn panels_keep_their_nodes() {
         let mut nodes = Nodes::with_room_for(2);
         let blocks = [7, 8].map(|count| nodes.add(count));
         for (block, value) in blocks.into_iter().zip([1.0, 2.0]) {
             let rows = nodes.rows(block);
-            assert_eq!(rows.area_fractions.len(), block.count);
+            assert_eq!(rows.area_fractions.len(), 8);
             rows.places.fill(value);
             rows.densities.fill(-value);
         }
         let first = nodes.summed(blocks[0]);
-        assert_eq!(first.places, [[1.0; 4], [1.0, 1.0, 1.0, 0.0]]);
-        assert_eq!(first.densities, [[-1.0; 4], [-1.0, -1.0, -1.0, 0.0]]);
+        assert_eq!(first.places, [[1.0; 4]; 2]);
+        assert_eq!(first.densities, [[-1.0; 4]; 2]);
         assert_eq!(first.pressures_pa, [[0.0; 4]; 2]);
         assert_eq!(nodes.summed(blocks[1]).places, [[2.0; 4]; 2]);
         assert_eq!(total([1.0, 2.0, 3.0, 4.0]), 10.0);

@@ -74,7 +74,7 @@ struct Coefficients {
     coefficients: [[Lanes; 4]; 2],
 }
 
-#[multiversion(targets("x86_64+avx2"))]
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512dq", "x86_64+avx2"))]
 fn coefficients<'a>(values: &Summands<'a>, probes: &[[Lanes; 4]]) -> Coefficients {
     let mut sums = Coefficients::default();
     for (((pressure_pa, area_fraction), density), probes) in
