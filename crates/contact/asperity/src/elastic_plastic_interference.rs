@@ -9,7 +9,7 @@ use multiversion::multiversion;
 
 use crate::ElasticPlasticSinusoid;
 use crate::elementary;
-use crate::lanes::{LANES, any, each, in_blocks};
+use crate::lanes::{FEW, LANES, any, each, in_blocks, in_few};
 use crate::mean_gap::{GapExponent, power_at, powers_at};
 
 /// State of a sinusoid at an interference.
@@ -264,15 +264,11 @@ fn elastic_plastic_pressures(
     interferences_over_amplitude: &[f64],
     pressures_pa: &mut [f64],
 ) {
-    const FEW: usize = 8;
     let (log_softening, complete_pa) = (law.log_softening(), law.complete_contact_pressure_pa());
-    for (ratios, pressures_pa) in interferences_over_amplitude.chunks(FEW).zip(pressures_pa.chunks_mut(FEW)) {
-        let mut block = [ratios[ratios.len() - 1]; FEW];
-        block[..ratios.len()].copy_from_slice(ratios);
-        let states = law.states_at::<FEW>(block, gap, log_softening);
-        let found: [f64; FEW] = each(|i| if block[i] >= 1.0 { complete_pa } else { states.pressures_pa[i] });
-        pressures_pa.copy_from_slice(&found[..pressures_pa.len()]);
-    }
+    in_few(interferences_over_amplitude, pressures_pa, |ratios| {
+        let pressures_pa = law.states_at::<FEW>(ratios, gap, log_softening).pressures_pa;
+        each(|i| if ratios[i] >= 1.0 { complete_pa } else { pressures_pa[i] })
+    });
 }
 
 #[cfg(test)]

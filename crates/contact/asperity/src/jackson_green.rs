@@ -3,7 +3,7 @@
 use multiversion::multiversion;
 use std::f64::consts::PI;
 
-use crate::lanes::{LANES, any, each, in_blocks};
+use crate::lanes::{FEW, LANES, any, each, in_blocks, in_few};
 use crate::{Break, Hertz, MaterialPair, elementary};
 
 /// Ratio w/w_c up to which the law is Hertz's; its force jumps there (see [`JacksonGreen::breaks`]).
@@ -160,6 +160,17 @@ impl JacksonGreen {
         match self.hardness {
             Hardness::JacksonGreen2005 => at_each(self, Hardness::jackson_green_2005, nodes),
             Hardness::Cosine => at_each(self, Hardness::cosine, nodes),
+        }
+    }
+
+    /// Computes [`force_n`](Self::force_n) at each of few interferences w >= 0 \[m\], to the same digits at a fraction of
+    /// the cost.
+    pub fn forces_n(&self, interferences_m: &[f64], forces_n: &mut [f64]) {
+        match self.hardness {
+            Hardness::JacksonGreen2005 => {
+                forces_at_each(self, Hardness::jackson_green_2005, interferences_m, forces_n);
+            }
+            Hardness::Cosine => forces_at_each(self, Hardness::cosine, interferences_m, forces_n),
         }
     }
 
@@ -354,6 +365,29 @@ fn at_each<H: Fn(f64) -> f64>(
     });
 }
 
+/// Forces at few interferences on both branches of a law.
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512dq", "x86_64+avx2"))]
+fn forces_at_each<H: Fn(f64) -> f64>(
+    law: &JacksonGreen,
+    over_strength: H,
+    interferences_m: &[f64],
+    forces_n: &mut [f64],
+) {
+    in_few(interferences_m, forces_n, |interferences_m| {
+        let is_plastic = any::<FEW>(|i| !law.is_elastic(interferences_m[i]));
+        let log_ratios = each(|i| law.log_over_onset(interferences_m[i]));
+        let plastic_n = if is_plastic {
+            law.plastic_forces_n(interferences_m, log_ratios, &over_strength)
+        } else {
+            [0.0; FEW]
+        };
+        each(|i| {
+            let w = interferences_m[i];
+            if law.is_elastic(w) { law.hertz.force_n(w) } else { plastic_n[i] }
+        })
+    });
+}
+
 /// Forces and areas at interferences, without a branch.
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512dq", "x86_64+avx2"))]
 fn plastic_at_each<L: Fn(f64) -> JacksonGreen, H: Fn(f64) -> f64>(
@@ -413,6 +447,15 @@ mod tests {
                     &[-0.0, -1e-300, -1e-9, -0.5, f64::INFINITY, f64::NAN],
                     |w| law.force_and_area(w),
                     |w, forces, areas| law.forces_and_areas(w, forces, areas),
+                );
+                assert_batch_has_the_digits_of_each(
+                    &breaks,
+                    &[-0.0, -1e-300, -1e-9, -0.5, f64::INFINITY, f64::NAN],
+                    |w| (law.force_n(w), 0.0),
+                    |w, forces, others| {
+                        law.forces_n(w, forces);
+                        others.fill(0.0);
+                    },
                 );
             }
         }

@@ -58,6 +58,19 @@ pub(crate) fn in_blocks(
     }
 }
 
+/// Number of arguments that go together where there are few of them.
+pub(crate) const FEW: usize = 8;
+
+/// Computes a result at each of few arguments. The last block is filled up with its last argument.
+#[inline(always)]
+pub(crate) fn in_few(arguments: &[f64], results: &mut [f64], law: impl Fn([f64; FEW]) -> [f64; FEW]) {
+    for (at, results) in arguments.chunks(FEW).zip(results.chunks_mut(FEW)) {
+        let mut block = [at[at.len() - 1]; FEW];
+        block[..at.len()].copy_from_slice(at);
+        results.copy_from_slice(&law(block)[..results.len()]);
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::check_lengths;

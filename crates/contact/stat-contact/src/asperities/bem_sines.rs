@@ -89,6 +89,10 @@ impl LawChart for TableChart {
         }
     }
 
+    fn goes_one_by_one(&self) -> bool {
+        true
+    }
+
     fn at_coordinates(&self, coordinates: &[f64], points: Points<'_>) {
         for (i, &v) in coordinates.iter().enumerate() {
             let (log_x, slope) = match self.stretch {

@@ -146,8 +146,7 @@ impl Asperities for ElasticPlasticSpheres {
 
     fn pressures_at_interferences(&self, interferences_m: &[f64], pressures_pa: &mut [f64]) {
         if self.strength.strain_gradient_length_m().is_none() {
-            let mut areas_m2 = vec![0.0; interferences_m.len()];
-            self.macroscopic.forces_and_areas(interferences_m, pressures_pa, &mut areas_m2);
+            self.macroscopic.forces_n(interferences_m, pressures_pa);
             pressures_pa.iter_mut().for_each(|force_n| *force_n *= self.density_per_m2);
             return;
         }

@@ -118,6 +118,10 @@ impl LawChart for GradientChart {
         self.elastic.coordinate(interference_m)
     }
 
+    fn goes_one_by_one(&self) -> bool {
+        true
+    }
+
     fn at_coordinates(&self, coordinates: &[f64], points: Points<'_>) {
         let Points { interferences_m, slopes_m, pressures_pa, area_fractions } = points;
         self.elastic.interferences(coordinates, interferences_m, slopes_m);

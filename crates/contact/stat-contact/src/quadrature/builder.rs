@@ -117,13 +117,16 @@ impl<'a> Builder<'a, '_> {
                 }
             }
             Variable::Law(chart) => {
+                let evaluated = if chart.goes_one_by_one() { count } else { coordinates.len() };
                 let points = Points {
-                    interferences_m: &mut *interferences_m,
-                    slopes_m: &mut *slopes,
-                    pressures_pa: &mut *pressures_pa,
-                    area_fractions: &mut *area_fractions,
+                    interferences_m: &mut interferences_m[..evaluated],
+                    slopes_m: &mut slopes[..evaluated],
+                    pressures_pa: &mut pressures_pa[..evaluated],
+                    area_fractions: &mut area_fractions[..evaluated],
                 };
-                chart.at_coordinates(coordinates, points);
+                chart.at_coordinates(&coordinates[..evaluated], points);
+                let last_m = interferences_m[count - 1];
+                interferences_m[count..].fill(last_m);
                 let origin = if density.around_peak { centre } else { 0.0 };
                 for (place, interference_m) in places.iter_mut().zip(&*interferences_m) {
                     *place = interference_m / sigma_s_m + origin;
