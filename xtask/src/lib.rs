@@ -6,12 +6,12 @@ use std::path::{Path, PathBuf};
 /// compiled this: two of them may share a target folder.
 ///
 /// # Panics
-/// If no folder above the manifest of the chore has a `Cargo.lock`.
+/// If no folder above the manifest of the chore has a `rust-toolchain.toml`.
 #[must_use]
 pub fn checkout(path: &str) -> PathBuf {
     let package = std::env::var_os("CARGO_MANIFEST_DIR")
         .map_or_else(|| PathBuf::from(env!("CARGO_MANIFEST_DIR")), PathBuf::from);
-    let top = package.ancestors().find(|folder| folder.join("Cargo.lock").exists());
+    let top = package.ancestors().find(|folder| folder.join("rust-toolchain.toml").exists());
     let top = top.map(Path::to_owned).expect("chores lie in the checkout");
     if path.is_empty() { top } else { top.join(path) }
 }

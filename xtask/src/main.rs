@@ -67,6 +67,11 @@ enum Task {
         name: &'static str,
         arguments: Vec<OsString>,
     },
+    /// Chore of `publishing`, and what follows its name.
+    Publishing {
+        chore: String,
+        arguments: Vec<OsString>,
+    },
     Reproduce {
         arguments: Vec<OsString>,
     },
@@ -89,6 +94,7 @@ enum Task {
 fn main() -> ExitCode {
     match parse(lexopt::Parser::from_env()) {
         Ok(Some(Task::Program { name, arguments })) => programs::run(name, &arguments),
+        Ok(Some(Task::Publishing { chore, arguments })) => programs::publish(&chore, &arguments),
         Ok(Some(Task::Reproduce { arguments })) => {
             programs::run_light("truearea-paper", "reproduce", &arguments)
         }
@@ -126,7 +132,7 @@ fn parse(mut parser: lexopt::Parser) -> Result<Option<Task>, lexopt::Error> {
                     Some("layers") => Task::Layers,
                     Some("shared") => Task::Shared,
                     Some(chore @ ("package" | "api" | "site" | "python" | "pyodide" | "web")) => {
-                        program("publishing", &[chore], &mut parser)?
+                        Task::Publishing { chore: chore.to_owned(), arguments: following(&[], &mut parser)? }
                     }
                     Some("stress") => in_release("truearea-stress", &mut parser)?,
                     Some("coverage") => in_release("truearea-coverage", &mut parser)?,

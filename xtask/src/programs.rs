@@ -16,6 +16,13 @@ pub(crate) fn run_light(package: &str, program: &str, arguments: &[OsString]) ->
     call(&["run", "--quiet", "--package", package, "--bin", program, "--"], arguments)
 }
 
+/// Runs a chore of `xtask/publishing`, which is a workspace of its own.
+pub(crate) fn publish(chore: &str, arguments: &[OsString]) -> ExitCode {
+    let manifest = ["--manifest-path", "xtask/publishing/Cargo.toml", "--target-dir", "target/publishing"];
+    let run = ["run", "--quiet", "--locked"].into_iter().chain(manifest).chain(["--", chore]);
+    call(&run.collect::<Vec<_>>(), arguments)
+}
+
 /// Runs the program of a crate in release mode, for tasks of minutes and hours.
 pub(crate) fn run_in_release(package: &str, arguments: &[OsString]) -> ExitCode {
     call(&["run", "--quiet", "--release", "--package", package, "--"], arguments)
