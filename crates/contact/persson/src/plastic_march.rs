@@ -31,8 +31,13 @@ const WIDEST: f64 = 0.2;
 const STEP_GROWTH: f64 = 1.25;
 const STEP_UNREACHED: f64 = 0.028;
 const STEP_OVER: f64 = 4.0;
+/// Width of the layer behind the end of a variance, over the unit of the panels, from which on the layer does not limit them; width
+/// of the first panel over that of the layer, and growth of sqrt(V - V_i) over a later one.
+const LAYER_OVER: f64 = 0.1;
+const LAYER_FIRST: f64 = 0.5;
+const LAYER_GROWTH: f64 = 2.0;
 /// Growth of the hardness beyond the place up to which it is smooth that a panel may contain.
-const MOST_GROWTH: f64 = 1.01;
+const MOST_GROWTH: f64 = 1.000_001;
 /// Rise of the distance E from one panel to the next, relative to it, from which on the hardness has stepped.
 const STEP_DISTANCE: f64 = 1e-5;
 /// Distance E = (H - p)^2/(2V) above which the plastic share underflows a double.
@@ -75,6 +80,24 @@ struct Panel {
     plastic: Option<Polynomial>,
     /// Polynomial of A less the elastic theory's A.
     held: Polynomial,
+}
+
+/// Kink of the hardness with which a piece of the path begins.
+struct Kink {
+    /// Step of the hardness \[Pa\].
+    step_pa: f64,
+    /// Root of the variance \[Pa^2\] that was left before it; infinite unless the hardness grew towards the end of a variance.
+    layer_pa: f64,
+}
+
+impl Kink {
+    /// Creates the kink with which the piece at a place begins.
+    fn new(path: &HardnessPath, at: usize) -> Self {
+        let kink_pa2 = path.piece(at).from_variance_pa2;
+        let before = at.checked_sub(1).map(|before| path.piece(before));
+        let layer_pa = before.map_or(f64::INFINITY, |before| before.left_pa2(kink_pa2).max(0.0).sqrt());
+        Kink { step_pa: path.step_pa(at), layer_pa }
+    }
 }
 
 /// Variance and the hardness there.
@@ -128,21 +151,21 @@ impl<'a> PlasticMarch<'a> {
             let pieces = self.path.pieces();
             let next = pieces.partition_point(|piece| piece.from_variance_pa2 <= self.reached_pa2);
             let at = next.saturating_sub(1);
-            let (piece, step_pa) = (pieces[at], self.path.step_pa(at));
             let until_pa2 =
                 pieces.get(next).map_or(variance_pa2, |next| next.from_variance_pa2.min(variance_pa2));
-            self.append(piece, step_pa, until_pa2);
+            self.append(pieces[at], Kink::new(self.path, at), until_pa2);
         }
     }
 
-    /// Appends the next panel, which ends at `until_pa2` at the latest, of a piece that begins with a step of the hardness.
-    fn append(&mut self, piece: Piece, step_pa: f64, until_pa2: f64) {
+    /// Appends the next panel, which ends at `until_pa2` at the latest, of a piece that begins with a kink.
+    fn append(&mut self, piece: Piece, Kink { step_pa, layer_pa }: Kink, until_pa2: f64) {
         let from_pa2 = self.reached_pa2;
         let place = |variance_pa2| Place { variance_pa2, hardness_pa: piece.hardness_pa(variance_pa2) };
         let distance = |variance_pa2| place(variance_pa2).distance(self.pressure_pa);
         let first_distance = distance(from_pa2);
         let kink_pa2 = piece.from_variance_pa2;
-        let widest_pa = (from_pa2 - kink_pa2).sqrt() + WIDEST * from_pa2.sqrt();
+        let unit_pa = from_pa2.sqrt();
+        let widest_pa = (from_pa2 - kink_pa2).sqrt() + WIDEST * unit_pa;
         let mut to_pa2 = until_pa2.min(kink_pa2 + widest_pa * widest_pa);
         let smooth_pa2 = from_pa2 + 0.5 * piece.left_pa2(from_pa2);
         if from_pa2 < smooth_pa2
@@ -150,6 +173,12 @@ impl<'a> PlasticMarch<'a> {
             && piece.hardness_pa(to_pa2) > MOST_GROWTH * piece.hardness_pa(smooth_pa2)
         {
             to_pa2 = smooth_pa2;
+        }
+        // Behind a variance that has come to an end, the plastic area keeps traces of the growth there.
+        let reached_pa = LAYER_GROWTH * (from_pa2 - kink_pa2).sqrt();
+        let in_layer = layer_pa < LAYER_OVER * unit_pa && reached_pa < WIDEST * unit_pa;
+        if in_layer {
+            to_pa2 = to_pa2.min(kink_pa2 + reached_pa.max(LAYER_FIRST * layer_pa).powi(2));
         }
         // A step of the hardness leaves the stress behind.
         let last_distance = self.panels.last().map_or(f64::INFINITY, |panel| panel.last_distance);
@@ -194,8 +223,10 @@ impl<'a> PlasticMarch<'a> {
             held: [0.0; SIZE],
         };
         let [first_pa, last_pa] = kink_distances_pa;
-        let width = (last_pa - first_pa) / from_pa2.sqrt();
-        panel.size = SIZE_MIN + WIDTHS.iter().filter(|widest| width > **widest).count();
+        let width = (last_pa - first_pa) / unit_pa;
+        if !in_layer {
+            panel.size = SIZE_MIN + WIDTHS.iter().filter(|widest| width > **widest).count();
+        }
         self.panels.push(panel);
         self.reached_pa2 = to_pa2;
         self.solve_last();

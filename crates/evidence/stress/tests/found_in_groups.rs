@@ -562,6 +562,28 @@ fn area_held_by_plastic_flow_stays_where_the_hardness_grows_again_and_again_over
     )));
 }
 
+/// A hardness that grows by 0.3 % at the end of a variance, within one panel: the area was below p/H by 7e-4, and rose behind it.
+#[test]
+fn a_hardness_that_grows_by_less_than_a_hundredth_at_the_end_of_a_variance() {
+    let spectrum = [
+        (5.408211558279721e-11, 2.769552597878685e-28),
+        (2.188180579998139e-11, 1.4115602310504433e-26),
+        (2.101444848211903e-11, 2.0013751015076198e-28),
+        (1.7935277606142284e-11, 9.611371878193751e-32),
+        (1.3712995370643522e-11, 3.0570512668502327e-31),
+        (1.1976370301765288e-11, 2.2573731504164742e-32),
+        (5.988509529371217e-12, 2.5126912721765628e-33),
+        (2.629291462401469e-12, 5.119172886457328e-38),
+        (2.476674354526583e-12, 3.935395261033325e-38),
+        (1.0408596124356508e-12, 6.049537630427787e-38),
+        (9.056400979925388e-13, 3.1030087231087235e-38),
+        (7.420878474168342e-13, 8.871521073583127e-38),
+    ];
+    let plastic = Deformation::Plastic(3617029286.251824, Growth::Length(3.3919798979822385e-13), None);
+    let bodies = (569445254.8918086, 0.0);
+    assert!(assert_sound(&persson(bodies, &spectrum, Band::Surface, plastic, 3617029286.2518234)));
+}
+
 /// A spectrum that falls steeply: one rule spanned the end of the variance, and the gap under twice the load was off by 7e-5.
 #[test]
 fn the_gap_of_a_spectrum_that_falls_steeply() {
