@@ -9,7 +9,10 @@
 //!
 //! with g(d) = exp(-d^2/(2 (V - V')))/(sqrt(2 pi) (V - V')^(3/2)), H' = H(V') and D = erfc((H - p)/(sqrt2 s)) -
 //! erfc((H + p)/(sqrt2 s)). With a constant hardness its iterations are the images. Panels of V at a distance act like
-//! a few points each.
+//! a few points each. The equation may also begin at a later variance, where C is known: then D and the first part of A come from
+//! its slope there, spread by the normal density of what the variance has grown by.
+
+use std::sync::LazyLock;
 
 use numerics::{GaussLegendre, solve};
 
@@ -20,6 +23,7 @@ use crate::hardness_path::{HardnessPath, NARROWEST, Piece};
 use crate::near_panels::{NearPanel, Sight};
 use crate::panel_rules::{Arc, Polynomial, Rules, SIZE, SIZE_MIN};
 use crate::sources::{Source, Sources, rule_at};
+use crate::stress_profile::StressProfile;
 
 /// Widths of panels, in the unit of `WIDEST`, up to which `SIZE_MIN` unknowns and each one more suffice. The error
 /// falls like the width to the power of their number.
@@ -47,11 +51,16 @@ const NEAR_WALL: f64 = 0.05;
 /// Exponent beyond which exp(-x) is negligible beside 1.
 const NEGLIGIBLE: f64 = 45.0;
 
+/// Rules of all marches.
+static RULES: LazyLock<Rules> = LazyLock::new(Rules::new);
+
 /// Plastic area up to some variance, panel by panel.
 pub(crate) struct PlasticMarch<'a> {
     path: &'a HardnessPath,
     pressure_pa: f64,
-    rules: Rules,
+    /// Slope of the mean excess at the beginning; `None` if that is V = 0, where all stress is the pressure.
+    start: Option<StressProfile>,
+    rules: &'static Rules,
     panels: Vec<Panel>,
     /// End of the last panel \[Pa^2\].
     reached_pa2: f64,
@@ -114,7 +123,8 @@ impl<'a> PlasticMarch<'a> {
         PlasticMarch {
             path,
             pressure_pa,
-            rules: Rules::new(),
+            start: None,
+            rules: &RULES,
             panels: Vec::new(),
             reached_pa2,
             approaching: true,
@@ -123,11 +133,15 @@ impl<'a> PlasticMarch<'a> {
         }
     }
 
+    /// Creates a march that begins at the variance of a profile.
+    pub(crate) fn from_profile(path: &'a HardnessPath, pressure_pa: f64, start: StressProfile) -> Self {
+        let reached_pa2 = start.variance_pa2();
+        PlasticMarch { start: Some(start), reached_pa2, approaching: false, ..Self::new(path, pressure_pa) }
+    }
+
     /// Areas at a variance that has been reached.
     pub(crate) fn areas_at(&self, variance_pa2: f64) -> ContactAreas {
-        let spread_pa = variance_pa2.sqrt();
-        let elastic = elastic::area_fraction(self.pressure_pa, spread_pa);
-        let gap = elastic::gap_fraction(self.pressure_pa, spread_pa);
+        let [elastic, gap] = self.elastic(variance_pa2);
         let at = self.panels.partition_point(|panel| panel.from_pa2 < variance_pa2);
         let panel = at.checked_sub(1).map(|at| &self.panels[at]);
         // Between two panels the hardness grows at once, any number of times over the last places of V.
@@ -143,6 +157,34 @@ impl<'a> PlasticMarch<'a> {
         let contact = (elastic + held).clamp(0.0, 1.0);
         let plastic = plastic.clamp(0.0, contact);
         ContactAreas { elastic: contact - plastic, plastic, gap: (gap - held).clamp(0.0, 1.0) }
+    }
+
+    /// Shares in contact and of the gap at a variance if nothing flowed from the beginning on.
+    fn elastic(&self, variance_pa2: f64) -> [f64; 2] {
+        match &self.start {
+            Some(start) => {
+                let contact = start.contact(variance_pa2);
+                [contact, 1.0 - contact]
+            }
+            None => {
+                let spread_pa = variance_pa2.sqrt();
+                [elastic::area_fraction, elastic::gap_fraction].map(|of| of(self.pressure_pa, spread_pa))
+            }
+        }
+    }
+
+    /// Part D of A_pl, from the stress at the beginning, times exp(relief).
+    fn direct(&self, here: Place, relief: f64) -> f64 {
+        match &self.start {
+            Some(start) => start.plastic(here.hardness_pa, here.variance_pa2),
+            None => image(here.hardness_pa, self.pressure_pa, here.variance_pa2.sqrt()) * relief.exp(),
+        }
+    }
+
+    /// Unit \[Pa\] of the widths of panels.
+    fn unit_pa(&self, from: Place) -> f64 {
+        let spread_pa = from.variance_pa2.sqrt();
+        if self.start.is_some() { spread_pa.min(from.hardness_pa) } else { spread_pa }
     }
 
     /// Appends the panels up to a variance, split where a piece of the path begins.
@@ -164,7 +206,7 @@ impl<'a> PlasticMarch<'a> {
         let distance = |variance_pa2| place(variance_pa2).distance(self.pressure_pa);
         let first_distance = distance(from_pa2);
         let kink_pa2 = piece.from_variance_pa2;
-        let unit_pa = from_pa2.sqrt();
+        let unit_pa = self.unit_pa(place(from_pa2));
         let widest_pa = (from_pa2 - kink_pa2).sqrt() + WIDEST * unit_pa;
         let mut to_pa2 = until_pa2.min(kink_pa2 + widest_pa * widest_pa);
         let smooth_pa2 = from_pa2 + 0.5 * piece.left_pa2(from_pa2);
@@ -235,7 +277,13 @@ impl<'a> PlasticMarch<'a> {
     /// Solves for the polynomials of the last panel: collocates the integral equation at `SIZE` places.
     fn solve_last(&mut self) {
         let (mut near, mut sources) = (std::mem::take(&mut self.near), std::mem::take(&mut self.sources));
-        let Some(panel) = self.panels.last() else { return };
+        let Some((panel, before)) = self.panels.split_last() else { return };
+        // Nothing sees the points of a panel before the next one is solved for.
+        if let Some((before, plastic)) =
+            before.last().and_then(|panel| Some((panel, panel.plastic.as_ref()?)))
+        {
+            before.append_sources(plastic, &self.rules.finest, self.pressure_pa, &mut sources);
+        }
         let (mut matrix, mut to_held) = ([[0.0; SIZE]; SIZE], [[0.0; SIZE]; SIZE]);
         let (mut right, mut held) = ([0.0; SIZE], [0.0; SIZE]);
         let collocation = &self.rules.collocations[panel.size - SIZE_MIN];
@@ -245,7 +293,7 @@ impl<'a> PlasticMarch<'a> {
             let relief = if panel.steep { here.distance(self.pressure_pa) } else { 0.0 };
             let [plastic, contact] =
                 self.history(here, relief, self.resolved_pa(here), (&mut near, &mut sources));
-            let direct = image(here.hardness_pa, self.pressure_pa, variance_pa2.sqrt()) * relief.exp();
+            let direct = self.direct(here, relief);
             right[row] = direct + plastic.known;
             held[row] = contact.known;
             matrix[row] =
@@ -262,7 +310,6 @@ impl<'a> PlasticMarch<'a> {
             *held += powers.iter().zip(plastic).map(|(power, coefficient)| power * coefficient).sum::<f64>();
         }
         let held = solve(collocation.powers, held).unwrap_or_default();
-        panel.append_sources(&plastic, &self.rules.finest, self.pressure_pa, &mut sources);
         (self.near, self.sources) = (near, sources);
         if let Some(panel) = self.panels.last_mut() {
             panel.plastic = Some(plastic);
@@ -280,7 +327,7 @@ impl<'a> PlasticMarch<'a> {
         let (mut near, mut sources) = (std::mem::take(&mut self.near), std::mem::take(&mut self.sources));
         let [plastic, _] = self.history(here, 0.0, resolved_pa, (&mut near, &mut sources));
         (self.near, self.sources) = (near, sources);
-        0.5 * (image(stress_pa, self.pressure_pa, wall.variance_pa2.sqrt()) + plastic.known)
+        0.5 * (self.direct(here, 0.0) + plastic.known)
     }
 
     /// Integrates exp(relief) A_pl(V') kernel dV' over the panels, for the kernels of A_pl and of A.
