@@ -9,12 +9,13 @@
 //! As long as little of the stress has reached the hardness, and wherever the hardness steps or runs away from it, an integral
 //! equation gives A_pl to its own last digits, at a cost that grows with the square of the pieces of the path. From where the
 //! stress has spread over the whole interval between the walls, and the hardness grows gently to the end, C is followed by its
-//! modes.
+//! modes, and beside kinks of the hardness by the integral equation from the modes on.
 
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
 use crate::areas::ContactAreas;
+use crate::beside_kinks::{BesideKinks, is_resolved, stop_before_end};
 use crate::hardness_path::HardnessPath;
 use crate::plastic_march::PlasticMarch;
 use crate::stress_modes::{Elimination, Stage, StressEquations};
@@ -97,8 +98,14 @@ fn follow(
     let mut elapsed = 0.0f64;
     let hardness_pa = path.hardness_pa(stops.late_from_pa2());
     let mut state = equations.expand(|x| hardness_pa / pressure_pa * march.fall_at(x * hardness_pa));
+    let mut beside_kinks =
+        BesideKinks::new(path, pressure_pa, equations, (stops.late_from_pa2(), state.clone()));
     for [from_pa2, to_pa2] in intervals {
-        let piece = path.piece(path.piece_at(from_pa2));
+        let at = path.piece_at(from_pa2);
+        let piece = path.piece(at);
+        if piece.from_variance_pa2 == from_pa2 {
+            beside_kinks.enter(at);
+        }
         let kink_pa2 = piece.from_variance_pa2;
         let hardness_pa = piece.hardness_pa(from_pa2);
         let first_pa = FIRST_STEP * hardness_pa.min(from_pa2.sqrt());
@@ -127,7 +134,7 @@ fn follow(
             });
             reached_pa = next_pa;
         }
-        areas.push((to_pa2, equations.areas(&state, pressure_pa / piece.hardness_pa(to_pa2))));
+        areas.push((to_pa2, beside_kinks.areas(&piece, to_pa2, &state)));
     }
     areas
 }
@@ -143,8 +150,15 @@ impl Stops {
     fn new(path: &HardnessPath, asked_pa2: &[f64]) -> Self {
         let last_pa2 = asked_pa2.last().copied().unwrap_or(0.0);
         let starts = path.pieces().iter().map(|piece| piece.from_variance_pa2);
-        let mut ends: Vec<f64> =
-            starts.chain(asked_pa2.iter().copied()).filter(|at| *at > 0.0 && *at <= last_pa2).collect();
+        let ends_pa2 = starts.clone().skip(1).chain([last_pa2]);
+        let before_ends = path.pieces().iter().zip(ends_pa2);
+        let before_ends =
+            before_ends.filter_map(|(piece, end_pa2)| stop_before_end(piece, end_pa2.min(last_pa2)));
+        let mut ends: Vec<f64> = starts
+            .chain(asked_pa2.iter().copied())
+            .chain(before_ends)
+            .filter(|at| *at > 0.0 && *at <= last_pa2)
+            .collect();
         ends.sort_by(f64::total_cmp);
         ends.dedup();
         let mut variances_pa2 = Vec::with_capacity(ends.len());
@@ -167,7 +181,11 @@ impl Stops {
         }
         let has_spread = |at_pa2: f64| at_pa2 - kink_pa2 >= SPREAD * path.hardness_pa(at_pa2).powi(2);
         let last_early = variances_pa2.iter().rposition(|at_pa2| !has_spread(*at_pa2));
-        let late = last_early.map_or(0, |at| at + 1).min(variances_pa2.len().saturating_sub(1));
+        let last = variances_pa2.len().saturating_sub(1);
+        let mut late = last_early.map_or(0, |at| at + 1).min(last);
+        while late < last && !is_resolved(path, variances_pa2[late]) {
+            late += 1;
+        }
         Stops { variances_pa2, late }
     }
 

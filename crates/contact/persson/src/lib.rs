@@ -13,6 +13,7 @@
 #![deny(missing_docs)]
 
 mod areas;
+mod beside_kinks;
 pub mod constant_hardness;
 mod contact_energy;
 pub mod corrections;
@@ -32,6 +33,7 @@ pub mod sealing;
 pub mod separation;
 mod sources;
 mod stress_modes;
+mod stress_profile;
 mod stretch;
 pub mod variance;
 

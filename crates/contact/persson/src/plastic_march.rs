@@ -9,7 +9,10 @@
 //!
 //! with g(d) = exp(-d^2/(2 (V - V')))/(sqrt(2 pi) (V - V')^(3/2)), H' = H(V') and D = erfc((H - p)/(sqrt2 s)) -
 //! erfc((H + p)/(sqrt2 s)). With a constant hardness its iterations are the images. Panels of V at a distance act like
-//! a few points each.
+//! a few points each. The equation may also begin at a later variance, where C is known: then D and the first part of A come from
+//! its slope there, spread by the normal density of what the variance has grown by.
+
+use std::sync::LazyLock;
 
 use numerics::{GaussLegendre, solve};
 
@@ -20,6 +23,7 @@ use crate::hardness_path::{HardnessPath, NARROWEST, Piece};
 use crate::near_panels::{NearPanel, Sight};
 use crate::panel_rules::{Arc, Polynomial, Rules, SIZE, SIZE_MIN};
 use crate::sources::{Source, Sources, rule_at};
+use crate::stress_profile::StressProfile;
 
 /// Widths of panels, in the unit of `WIDEST`, up to which `SIZE_MIN` unknowns and each one more suffice. The error
 /// falls like the width to the power of their number.
@@ -31,8 +35,13 @@ const WIDEST: f64 = 0.2;
 const STEP_GROWTH: f64 = 1.25;
 const STEP_UNREACHED: f64 = 0.028;
 const STEP_OVER: f64 = 4.0;
+/// Width of the layer behind the end of a variance, over the unit of the panels, from which on the layer does not limit them; width
+/// of the first panel over that of the layer, and growth of sqrt(V - V_i) over a later one.
+const LAYER_OVER: f64 = 0.1;
+const LAYER_FIRST: f64 = 0.5;
+const LAYER_GROWTH: f64 = 2.0;
 /// Growth of the hardness beyond the place up to which it is smooth that a panel may contain.
-const MOST_GROWTH: f64 = 1.01;
+const MOST_GROWTH: f64 = 1.000_001;
 /// Rise of the distance E from one panel to the next, relative to it, from which on the hardness has stepped.
 const STEP_DISTANCE: f64 = 1e-5;
 /// Distance E = (H - p)^2/(2V) above which the plastic share underflows a double.
@@ -42,11 +51,16 @@ const NEAR_WALL: f64 = 0.05;
 /// Exponent beyond which exp(-x) is negligible beside 1.
 const NEGLIGIBLE: f64 = 45.0;
 
+/// Rules of all marches.
+static RULES: LazyLock<Rules> = LazyLock::new(Rules::new);
+
 /// Plastic area up to some variance, panel by panel.
 pub(crate) struct PlasticMarch<'a> {
     path: &'a HardnessPath,
     pressure_pa: f64,
-    rules: Rules,
+    /// Slope of the mean excess at the beginning; `None` if that is V = 0, where all stress is the pressure.
+    start: Option<StressProfile>,
+    rules: &'static Rules,
     panels: Vec<Panel>,
     /// End of the last panel \[Pa^2\].
     reached_pa2: f64,
@@ -77,6 +91,24 @@ struct Panel {
     held: Polynomial,
 }
 
+/// Kink of the hardness with which a piece of the path begins.
+struct Kink {
+    /// Step of the hardness \[Pa\].
+    step_pa: f64,
+    /// Root of the variance \[Pa^2\] that was left before it; infinite unless the hardness grew towards the end of a variance.
+    layer_pa: f64,
+}
+
+impl Kink {
+    /// Creates the kink with which the piece at a place begins.
+    fn new(path: &HardnessPath, at: usize) -> Self {
+        let kink_pa2 = path.piece(at).from_variance_pa2;
+        let before = at.checked_sub(1).map(|before| path.piece(before));
+        let layer_pa = before.map_or(f64::INFINITY, |before| before.left_pa2(kink_pa2).max(0.0).sqrt());
+        Kink { step_pa: path.step_pa(at), layer_pa }
+    }
+}
+
 /// Variance and the hardness there.
 #[derive(Clone, Copy)]
 struct Place {
@@ -91,7 +123,8 @@ impl<'a> PlasticMarch<'a> {
         PlasticMarch {
             path,
             pressure_pa,
-            rules: Rules::new(),
+            start: None,
+            rules: &RULES,
             panels: Vec::new(),
             reached_pa2,
             approaching: true,
@@ -100,11 +133,15 @@ impl<'a> PlasticMarch<'a> {
         }
     }
 
+    /// Creates a march that begins at the variance of a profile.
+    pub(crate) fn from_profile(path: &'a HardnessPath, pressure_pa: f64, start: StressProfile) -> Self {
+        let reached_pa2 = start.variance_pa2();
+        PlasticMarch { start: Some(start), reached_pa2, approaching: false, ..Self::new(path, pressure_pa) }
+    }
+
     /// Areas at a variance that has been reached.
     pub(crate) fn areas_at(&self, variance_pa2: f64) -> ContactAreas {
-        let spread_pa = variance_pa2.sqrt();
-        let elastic = elastic::area_fraction(self.pressure_pa, spread_pa);
-        let gap = elastic::gap_fraction(self.pressure_pa, spread_pa);
+        let [elastic, gap] = self.elastic(variance_pa2);
         let at = self.panels.partition_point(|panel| panel.from_pa2 < variance_pa2);
         let panel = at.checked_sub(1).map(|at| &self.panels[at]);
         // Between two panels the hardness grows at once, any number of times over the last places of V.
@@ -122,27 +159,55 @@ impl<'a> PlasticMarch<'a> {
         ContactAreas { elastic: contact - plastic, plastic, gap: (gap - held).clamp(0.0, 1.0) }
     }
 
+    /// Shares in contact and of the gap at a variance if nothing flowed from the beginning on.
+    fn elastic(&self, variance_pa2: f64) -> [f64; 2] {
+        match &self.start {
+            Some(start) => {
+                let contact = start.contact(variance_pa2);
+                [contact, 1.0 - contact]
+            }
+            None => {
+                let spread_pa = variance_pa2.sqrt();
+                [elastic::area_fraction, elastic::gap_fraction].map(|of| of(self.pressure_pa, spread_pa))
+            }
+        }
+    }
+
+    /// Part D of A_pl, from the stress at the beginning, times exp(relief).
+    fn direct(&self, here: Place, relief: f64) -> f64 {
+        match &self.start {
+            Some(start) => start.plastic(here.hardness_pa, here.variance_pa2),
+            None => image(here.hardness_pa, self.pressure_pa, here.variance_pa2.sqrt()) * relief.exp(),
+        }
+    }
+
+    /// Unit \[Pa\] of the widths of panels.
+    fn unit_pa(&self, from: Place) -> f64 {
+        let spread_pa = from.variance_pa2.sqrt();
+        if self.start.is_some() { spread_pa.min(from.hardness_pa) } else { spread_pa }
+    }
+
     /// Appends the panels up to a variance, split where a piece of the path begins.
     pub(crate) fn extend_to(&mut self, variance_pa2: f64) {
         while self.reached_pa2 < variance_pa2 {
             let pieces = self.path.pieces();
             let next = pieces.partition_point(|piece| piece.from_variance_pa2 <= self.reached_pa2);
             let at = next.saturating_sub(1);
-            let (piece, step_pa) = (pieces[at], self.path.step_pa(at));
             let until_pa2 =
                 pieces.get(next).map_or(variance_pa2, |next| next.from_variance_pa2.min(variance_pa2));
-            self.append(piece, step_pa, until_pa2);
+            self.append(pieces[at], Kink::new(self.path, at), until_pa2);
         }
     }
 
-    /// Appends the next panel, which ends at `until_pa2` at the latest, of a piece that begins with a step of the hardness.
-    fn append(&mut self, piece: Piece, step_pa: f64, until_pa2: f64) {
+    /// Appends the next panel, which ends at `until_pa2` at the latest, of a piece that begins with a kink.
+    fn append(&mut self, piece: Piece, Kink { step_pa, layer_pa }: Kink, until_pa2: f64) {
         let from_pa2 = self.reached_pa2;
         let place = |variance_pa2| Place { variance_pa2, hardness_pa: piece.hardness_pa(variance_pa2) };
         let distance = |variance_pa2| place(variance_pa2).distance(self.pressure_pa);
         let first_distance = distance(from_pa2);
         let kink_pa2 = piece.from_variance_pa2;
-        let widest_pa = (from_pa2 - kink_pa2).sqrt() + WIDEST * from_pa2.sqrt();
+        let unit_pa = self.unit_pa(place(from_pa2));
+        let widest_pa = (from_pa2 - kink_pa2).sqrt() + WIDEST * unit_pa;
         let mut to_pa2 = until_pa2.min(kink_pa2 + widest_pa * widest_pa);
         let smooth_pa2 = from_pa2 + 0.5 * piece.left_pa2(from_pa2);
         if from_pa2 < smooth_pa2
@@ -150,6 +215,12 @@ impl<'a> PlasticMarch<'a> {
             && piece.hardness_pa(to_pa2) > MOST_GROWTH * piece.hardness_pa(smooth_pa2)
         {
             to_pa2 = smooth_pa2;
+        }
+        // Behind a variance that has come to an end, the plastic area keeps traces of the growth there.
+        let reached_pa = LAYER_GROWTH * (from_pa2 - kink_pa2).sqrt();
+        let in_layer = layer_pa < LAYER_OVER * unit_pa && reached_pa < WIDEST * unit_pa;
+        if in_layer {
+            to_pa2 = to_pa2.min(kink_pa2 + reached_pa.max(LAYER_FIRST * layer_pa).powi(2));
         }
         // A step of the hardness leaves the stress behind.
         let last_distance = self.panels.last().map_or(f64::INFINITY, |panel| panel.last_distance);
@@ -194,8 +265,10 @@ impl<'a> PlasticMarch<'a> {
             held: [0.0; SIZE],
         };
         let [first_pa, last_pa] = kink_distances_pa;
-        let width = (last_pa - first_pa) / from_pa2.sqrt();
-        panel.size = SIZE_MIN + WIDTHS.iter().filter(|widest| width > **widest).count();
+        let width = (last_pa - first_pa) / unit_pa;
+        if !in_layer {
+            panel.size = SIZE_MIN + WIDTHS.iter().filter(|widest| width > **widest).count();
+        }
         self.panels.push(panel);
         self.reached_pa2 = to_pa2;
         self.solve_last();
@@ -204,7 +277,13 @@ impl<'a> PlasticMarch<'a> {
     /// Solves for the polynomials of the last panel: collocates the integral equation at `SIZE` places.
     fn solve_last(&mut self) {
         let (mut near, mut sources) = (std::mem::take(&mut self.near), std::mem::take(&mut self.sources));
-        let Some(panel) = self.panels.last() else { return };
+        let Some((panel, before)) = self.panels.split_last() else { return };
+        // Nothing sees the points of a panel before the next one is solved for.
+        if let Some((before, plastic)) =
+            before.last().and_then(|panel| Some((panel, panel.plastic.as_ref()?)))
+        {
+            before.append_sources(plastic, &self.rules.finest, self.pressure_pa, &mut sources);
+        }
         let (mut matrix, mut to_held) = ([[0.0; SIZE]; SIZE], [[0.0; SIZE]; SIZE]);
         let (mut right, mut held) = ([0.0; SIZE], [0.0; SIZE]);
         let collocation = &self.rules.collocations[panel.size - SIZE_MIN];
@@ -214,7 +293,7 @@ impl<'a> PlasticMarch<'a> {
             let relief = if panel.steep { here.distance(self.pressure_pa) } else { 0.0 };
             let [plastic, contact] =
                 self.history(here, relief, self.resolved_pa(here), (&mut near, &mut sources));
-            let direct = image(here.hardness_pa, self.pressure_pa, variance_pa2.sqrt()) * relief.exp();
+            let direct = self.direct(here, relief);
             right[row] = direct + plastic.known;
             held[row] = contact.known;
             matrix[row] =
@@ -231,7 +310,6 @@ impl<'a> PlasticMarch<'a> {
             *held += powers.iter().zip(plastic).map(|(power, coefficient)| power * coefficient).sum::<f64>();
         }
         let held = solve(collocation.powers, held).unwrap_or_default();
-        panel.append_sources(&plastic, &self.rules.finest, self.pressure_pa, &mut sources);
         (self.near, self.sources) = (near, sources);
         if let Some(panel) = self.panels.last_mut() {
             panel.plastic = Some(plastic);
@@ -249,7 +327,7 @@ impl<'a> PlasticMarch<'a> {
         let (mut near, mut sources) = (std::mem::take(&mut self.near), std::mem::take(&mut self.sources));
         let [plastic, _] = self.history(here, 0.0, resolved_pa, (&mut near, &mut sources));
         (self.near, self.sources) = (near, sources);
-        0.5 * (image(stress_pa, self.pressure_pa, wall.variance_pa2.sqrt()) + plastic.known)
+        0.5 * (self.direct(here, 0.0) + plastic.known)
     }
 
     /// Integrates exp(relief) A_pl(V') kernel dV' over the panels, for the kernels of A_pl and of A.

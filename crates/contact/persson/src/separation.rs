@@ -261,8 +261,8 @@ impl SeparationLaw {
     }
 
     /// Calls `term` with v and the weight of dv/`stiffness(q)` over a stretch, in pieces on which v and the wavevector grow by at
-    /// most `MOST_GROWTH` and x^2 by at most `MOST_FALL`, and no further than x^2 = `SMALLEST` or `NEGLIGIBLE` beyond that of the
-    /// end.
+    /// most `MOST_GROWTH`, dV/dln(q) by at most `MOST_CHANGE` or its inverse, and x^2 by at most `MOST_FALL`, and no further than
+    /// x^2 = `SMALLEST` or `NEGLIGIBLE` beyond that of the end.
     fn over_waves(
         &self,
         stretch: &Option<Stretch>,
@@ -271,6 +271,7 @@ impl SeparationLaw {
         mut term: impl FnMut(f64, f64),
     ) {
         const MOST_GROWTH: f64 = 1.6;
+        const MOST_CHANGE: f64 = 8.0;
         const MOST_FALL: f64 = 24.0;
         const NEGLIGIBLE: f64 = 44.0;
         const SMALLEST: f64 = 27.0 * 27.0;
@@ -279,16 +280,17 @@ impl SeparationLaw {
         let last_pa = (2.0 * stretch.end_pa2).sqrt();
         let most = SMALLEST.min(square_at(last_pa) + NEGLIGIBLE);
         let first_pa = (2.0 * stretch.start_pa2).sqrt().max(pressure_pa / most.sqrt()).max(1e-18 * last_pa);
+        let growth = stretch.growth_with_slope(MOST_CHANGE).min(MOST_GROWTH);
         let mut end_pa = last_pa;
         while end_pa > first_pa {
-            let mut slower_rad_per_m = stretch.wavevector_rad_per_m(end_pa) / MOST_GROWTH;
+            let mut slower_rad_per_m = stretch.wavevector_rad_per_m(end_pa) / growth;
             let fallen_pa = pressure_pa / (square_at(end_pa) + MOST_FALL).sqrt();
             let least_pa = first_pa.max(end_pa / MOST_GROWTH).max(fallen_pa);
             let start = |slower_rad_per_m| least_pa.max(stretch.v_pa(slower_rad_per_m));
             let mut start_pa = start(slower_rad_per_m);
             // If a spectrum falls by powers of ten within a stretch, v stays constant to rounding over much of it.
             while start_pa >= end_pa && slower_rad_per_m > stretch.start_rad_per_m {
-                slower_rad_per_m /= MOST_GROWTH;
+                slower_rad_per_m /= growth;
                 start_pa = start(slower_rad_per_m);
             }
             if start_pa >= end_pa {
@@ -367,6 +369,33 @@ mod tests {
             );
             let stiffness = found.stiffness_pa_per_m / known.stiffness_pa_per_m;
             assert!((stiffness - 1.0).abs() < 1e-10, "{times}: {stiffness}");
+        }
+    }
+
+    /// One rule over a stretch at whose end the variance hardly grows, or at whose beginning it has hardly begun to, was off by 1e-5.
+    #[test]
+    fn the_gap_of_a_spectrum_that_falls_or_rises_steeply_is_that_of_finer_knots() {
+        for exponent in [-12.0, -6.0, 6.0, 12.0] {
+            let law = |knots: i32| {
+                let knot = |at: i32| {
+                    let ln_q = 0.5 * f64::from(at) / f64::from(knots);
+                    let share = libm::expm1(exponent * ln_q) / libm::expm1(0.5 * exponent);
+                    SeparationKnot {
+                        wavevector_rad_per_m: 1e4 * ln_q.exp(),
+                        variance_pa2: 1e16 * (1.0 + share),
+                        variance_exponent: exponent,
+                    }
+                };
+                SeparationLaw::new(&(0..=knots).map(knot).collect::<Vec<_>>(), 1e11, EnergyFactor::FITTED)
+            };
+            let (coarse, fine) = (law(1), law(400));
+            for times in [0.1, 1.0, 4.0, 8.0] {
+                let [found, known] = [&coarse, &fine].map(|law| law.whole(times * 2e8));
+                let gap = found.mean_gap_m / known.mean_gap_m - 1.0;
+                let stiffness = found.stiffness_pa_per_m / known.stiffness_pa_per_m - 1.0;
+                let off = gap.abs().max(stiffness.abs());
+                assert!(off < 1e-9, "{exponent} {times}: {gap:e} {stiffness:e}");
+            }
         }
     }
 

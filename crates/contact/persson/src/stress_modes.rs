@@ -122,6 +122,22 @@ impl StressEquations {
         StressModes(modes)
     }
 
+    /// Returns -dw/dx of a state at several x, side by side.
+    pub(crate) fn falls<const N: usize>(&self, state: &StressModes, places: [f64; N]) -> [f64; N] {
+        let z = places.map(|x| 2.0 * x - 1.0);
+        let (mut falls, mut before, mut now) = ([1.0; N], [1.0; N], z);
+        for (k, (mode, at_one)) in state.0.iter().zip(&self.slopes).enumerate() {
+            let n = (k + 1) as f64;
+            let [of_now, of_before] = [(2.0 * n + 1.0) / (n + 1.0), n / (n + 1.0)];
+            let slope = 2.0 * mode * at_one;
+            for at in 0..N {
+                falls[at] -= slope * now[at];
+                (before[at], now[at]) = (now[at], of_now * z[at] * now[at] - of_before * before[at]);
+            }
+        }
+        falls
+    }
+
     /// Returns the shares of the nominal area, with p/H.
     pub(crate) fn areas(&self, state: &StressModes, pressure_over_hardness: f64) -> ContactAreas {
         let (mut at_zero, mut at_one) = (0.0, 0.0);
@@ -319,7 +335,13 @@ mod tests {
         // w = 1 - x + a x (1 - x).
         let a = -0.3;
         let equations = StressEquations::new();
-        let areas = equations.areas(&equations.expand(|x| 1.0 - a * (1.0 - 2.0 * x)), 0.2);
+        let fall = |x: f64| 1.0 - a * (1.0 - 2.0 * x);
+        let state = equations.expand(fall);
+        let places = [0.0, 0.1, 0.5, 0.77, 1.0];
+        for (x, found) in places.into_iter().zip(equations.falls(&state, places)) {
+            assert!((found - fall(x)).abs() < 1e-13, "{x}: {found}");
+        }
+        let areas = equations.areas(&state, 0.2);
         assert!((areas.contact() - 0.2 * (1.0 - a)).abs() < 1e-14, "{areas:?}");
         assert!((areas.plastic - 0.2 * (1.0 + a)).abs() < 1e-14, "{areas:?}");
     }

@@ -69,6 +69,11 @@ impl Stretch {
         wavevector_rad_per_m.min(self.end_rad_per_m)
     }
 
+    /// Growth of the wavevector over which dV/dln(q) grows or falls by a factor; at least some units in the last place.
+    pub(crate) fn growth_with_slope(&self, factor: f64) -> f64 {
+        (factor.ln() / self.exponent.abs()).exp().max(1.0 + 4.0 * f64::EPSILON)
+    }
+
     /// Variance V up to a wavevector; before the beginning, that of the beginning.
     pub(crate) fn variance_pa2(&self, wavevector_rad_per_m: f64) -> f64 {
         let ln_q = (wavevector_rad_per_m / self.start_rad_per_m).max(1.0).ln();
