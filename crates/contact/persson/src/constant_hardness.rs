@@ -15,6 +15,9 @@ use crate::areas::ContactAreas;
 /// Ratio s/H from which the sum over eigenfunctions replaces the sum over images.
 const LATE: f64 = 0.5;
 
+/// Share of a sum at which a term no longer changes it.
+const NEGLIGIBLE: f64 = 0.25 * f64::EPSILON;
+
 /// Rule for the difference of two images that nearly cancel: integrates cosh and exp over less than 1/2 each, to
 /// rounding.
 static RULE: LazyLock<GaussLegendre> = LazyLock::new(|| GaussLegendre::new(9));
@@ -69,16 +72,35 @@ pub fn stress_density_per_pa(stress_pa: f64, pressure_pa: f64, spread_pa: f64, h
 /// the smaller one is lost in the difference of H and the larger.
 fn absorbed_by_images([pressure_pa, from_above_pa]: [f64; 2], spread_pa: f64, hardness_pa: f64) -> f64 {
     let nearest_pa = |j: f64| (j - 1.0) * hardness_pa + from_above_pa;
-    images(1).map(|j| image_from([nearest_pa(j), j * hardness_pa], pressure_pa, spread_pa)).sum()
+    sum_of_falling(images(1).map(|j| image_from([nearest_pa(j), j * hardness_pa], pressure_pa, spread_pa)))
 }
 
 /// Elastic share erf(b) + (sum of D_j over even j) - (sum over odd j), for p <= H/2, where the first two terms do not
 /// cancel.
 fn elastic_by_images(pressure_pa: f64, spread_pa: f64, hardness_pa: f64) -> f64 {
-    let pairs = images(1)
-        .zip(images(2))
-        .map(|(odd, even)| [odd, even].map(|j| image(j * hardness_pa, pressure_pa, spread_pa)));
-    crate::elastic::area_fraction(pressure_pa, spread_pa) - pairs.map(|[odd, even]| odd - even).sum::<f64>()
+    let share = crate::elastic::area_fraction(pressure_pa, spread_pa);
+    let of = |j: f64| image(j * hardness_pa, pressure_pa, spread_pa);
+    let mut lost = 0.0;
+    for (odd, even) in images(1).zip(images(2)) {
+        let odd = of(odd);
+        if odd <= NEGLIGIBLE * share {
+            break;
+        }
+        lost += odd - of(even);
+    }
+    share - lost
+}
+
+/// Sums positive terms that fall ever faster, as far as they count.
+fn sum_of_falling(terms: impl Iterator<Item = f64>) -> f64 {
+    let mut sum = 0.0;
+    for term in terms {
+        sum += term;
+        if term <= NEGLIGIBLE * sum {
+            break;
+        }
+    }
+    sum
 }
 
 /// Multiples of H at which every second image lies; the exponential of the last is below rounding for s < H/2.
@@ -109,7 +131,7 @@ fn image_from([nearest_pa, distance_pa]: [f64; 2], pressure_pa: f64, spread_pa: 
 /// Elastic share at late times, sum over odd n of (4/(n pi)) sin(n pi p/H) e_n, for p <= H/2.
 fn elastic_by_modes(pressure_pa: f64, spread_pa: f64, hardness_pa: f64) -> f64 {
     let term = |n: f64| 4.0 / (n * PI) * (n * PI * (pressure_pa / hardness_pa)).sin();
-    modes(1, 2).map(|n| term(n) * decay(n, spread_pa, hardness_pa)).sum()
+    modes(1, 2, spread_pa, hardness_pa).map(|(n, decay)| term(n) * decay).sum()
 }
 
 /// Plastic share at late times, p/H + (2/pi) sum over n of ((-1)^n/n) sin(n pi p/H) e_n. The sine is taken from the
@@ -125,18 +147,24 @@ fn absorbed_by_modes(pressure_pa: f64, spread_pa: f64, hardness_pa: f64) -> f64 
         }
     };
     let transient: f64 =
-        modes(1, 1).map(|n| 2.0 / (n * PI) * sine(n) * decay(n, spread_pa, hardness_pa)).sum();
+        modes(1, 1, spread_pa, hardness_pa).map(|(n, decay)| 2.0 / (n * PI) * sine(n) * decay).sum();
     pressure_pa / hardness_pa + transient
 }
 
-fn modes(first: u8, step: usize) -> impl Iterator<Item = f64> {
-    (first..9).step_by(step).map(f64::from)
-}
-
-/// Decay e_n = exp(-n^2 pi^2 s^2/(2 H^2)) of mode n.
-fn decay(n: f64, spread_pa: f64, hardness_pa: f64) -> f64 {
-    let ratio = n * PI * (spread_pa / hardness_pa);
-    (-0.5 * ratio * ratio).exp()
+/// Modes n with their decays e_n = exp(-n^2 pi^2 s^2/(2 H^2)), as far as they count beside the first.
+fn modes(first: u8, step: usize, spread_pa: f64, hardness_pa: f64) -> impl Iterator<Item = (f64, f64)> {
+    let exponent = move |n: f64| {
+        let ratio = n * PI * (spread_pa / hardness_pa);
+        -0.5 * ratio * ratio
+    };
+    // A term of mode n is at most n^2 e_n/e_1 times the first.
+    const NEGLIGIBLE_FALL: f64 = 45.0;
+    let counted = exponent(1.0) - NEGLIGIBLE_FALL;
+    let modes = (first..9).step_by(step).map(f64::from);
+    modes
+        .map(move |n| (n, exponent(n)))
+        .take_while(move |(_, exponent)| *exponent >= counted)
+        .map(|(n, exponent)| (n, exponent.exp()))
 }
 
 fn density_by_modes(stress_pa: f64, pressure_pa: f64, spread_pa: f64, hardness_pa: f64) -> f64 {
@@ -151,7 +179,8 @@ fn density_by_modes(stress_pa: f64, pressure_pa: f64, spread_pa: f64, hardness_p
         }
     };
     let term = |n: f64| (n * PI * (pressure_pa / hardness_pa)).sin() * sine(n);
-    2.0 / hardness_pa * modes(1, 1).map(|n| term(n) * decay(n, spread_pa, hardness_pa)).sum::<f64>()
+    let sum: f64 = modes(1, 1, spread_pa, hardness_pa).map(|(n, decay)| term(n) * decay).sum();
+    2.0 / hardness_pa * sum
 }
 
 /// Density by images grouped about the wall at 0: each is paired with its mirror image, and nothing cancels for
