@@ -134,6 +134,19 @@ fn conditions_outside_are_single_states() {
 }
 
 #[test]
+fn pressures_that_a_table_cannot_tell_apart_are_single_states() {
+    // Sinusoids so soft that all are flattened, and the pressure no longer depends on the separation.
+    let pair = MaterialPair::against_rigid(ElasticBody::new(700.0, 0.04).unwrap());
+    let population = Population::new(1.8e-3, 9.8e23, 0.23).unwrap();
+    let law = AsperityLaw::ElasticSine { interference: InterferenceLaw::RostamiJackson };
+    let contact = StatisticalContact::new(&pair, &population, &law);
+    let table = contact.table([-1.715, -1.71].map(Condition::Separation), 1e-12).unwrap();
+    let pressure_pa = contact.at_separation(-1.712, 1e-12).unwrap().pressure_pa;
+    let single = contact.at_pressure(pressure_pa, 1e-12, None).unwrap();
+    assert_eq!(table.at_pressure(pressure_pa).unwrap(), single);
+}
+
+#[test]
 fn a_table_between_bad_ends_is_refused() {
     let contact = &contacts()[2];
     assert!(contact.table([Condition::Pressure(-1.0), Condition::Pressure(1.0)], 1e-6).is_err());

@@ -26,16 +26,18 @@ pub struct Sample {
     pub finest: bool,
     /// Check of the condition numbers.
     pub conditions: bool,
+    /// Check of a table of states.
+    pub table: bool,
 }
 
 impl Sample {
     /// Intervals of the checks, in states.
-    const EVERY: [u64; 3] = [2000, 20, 5000];
+    const EVERY: [u64; 4] = [2000, 20, 5000, 100];
 
     /// Selects the checks of the state `index`.
     pub fn for_state(index: u64) -> Self {
-        let [quadrature, finest, conditions] = Self::EVERY.map(|every| index.is_multiple_of(every));
-        Sample { quadrature, finest, conditions }
+        let [quadrature, finest, conditions, table] = Self::EVERY.map(|every| index.is_multiple_of(every));
+        Sample { quadrature, finest, conditions, table }
     }
 }
 
@@ -89,6 +91,9 @@ pub fn try_state(
     }
     if sample.conditions {
         note_conditions(case, separation_m, trial);
+    }
+    if sample.table {
+        tabulated(case, &contact, separation_m, draw, trial);
     }
 }
 
@@ -267,6 +272,43 @@ fn falls(
     let rise = (beyond.ln_pressure_pa - here.ln_pressure_pa).max(0.0);
     let rounding = ROUNDING + 4.0 * f64::EPSILON * here.ln_pressure_pa.abs();
     trial.bound("p falls with d", rise, here.error_estimate + beyond.error_estimate + rounding);
+}
+
+/// Checks the states of a table that begins at the separation.
+fn tabulated(
+    case: &StatisticalCase,
+    contact: &StatisticalContact,
+    separation_m: f64,
+    draw: &mut Draw,
+    trial: &mut Trial<StatisticalCase>,
+) {
+    const FINEST: f64 = 1e-13;
+    /// Estimates are no bounds: one state in some ten thousand errs by more.
+    const CAUTION: f64 = 3.0;
+    let width = draw.one_of(&[-1.0, 1.0]) * draw.decades(-2.0, 2.0);
+    let end_m = separation_m + width * case.sigma_s_m;
+    let share = draw.between(0.0, 1.0);
+    let within_m = (1.0 - share) * separation_m + share * end_m;
+    let ends = [separation_m, end_m].map(Question::Separation);
+    let table = contact.table(ends, case.tolerance).expect("finite separations");
+    let [tabulated, single] = [table.at_separation(within_m), contact.at_separation(within_m, FINEST)];
+    let (tabulated, single) = (tabulated.expect("finite"), single.expect("finite"));
+    let off = |a: &ContactState, b: &ContactState| {
+        let pressures = (a.ln_pressure_pa - b.ln_pressure_pa).abs();
+        pressures.max((a.ln_area_fraction - b.ln_area_fraction).abs())
+    };
+    let u = within_m / case.sigma_s_m;
+    let rounding = ROUNDING + 8.0 * f64::EPSILON * (single.ln_pressure_pa.abs() + u * u.max(0.0) + u.abs());
+    let allowed = CAUTION * (tabulated.error_estimate + single.error_estimate) + rounding;
+    trial.bound("a table's state", off(&tabulated, &single), allowed);
+    if !single.pressure_pa.is_normal() {
+        return;
+    }
+    let carried = table.at_pressure(single.pressure_pa).expect("a positive pressure");
+    let Some(carried_m) = carried.separation_m else { return };
+    let back = contact.at_separation(carried_m, FINEST).expect("finite");
+    let missed = (back.ln_pressure_pa - single.ln_pressure_pa).abs();
+    trial.bound("a table's state at a pressure", missed, allowed + CAUTION * carried.error_estimate);
 }
 
 /// Compares the error estimate with the error against the finest tolerance.

@@ -7,7 +7,7 @@ use stress::{Draw, Material, Question, Reach, Sample, StatisticalCase, Tally, Tr
 
 /// Puts states to every test there is.
 fn assert_sound(cases: &[StatisticalCase]) {
-    let everything = Sample { quadrature: true, finest: true, conditions: true };
+    let everything = Sample { quadrature: true, finest: true, conditions: true, table: true };
     // Starts of searches and separations nearby are drawn.
     const DRAWS: u64 = 6;
     for (case, draw) in cases.iter().flat_map(|case| (0..DRAWS).map(move |draw| (case, draw))) {

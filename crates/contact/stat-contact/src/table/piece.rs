@@ -78,8 +78,11 @@ impl Piece {
     /// Returns true if the pressure falls with the separation all over the piece.
     pub fn falls(&self) -> bool {
         // Between the points the polynomial shows what they may have missed.
-        let between = self.knots.windows(2).map(|pair| 0.5 * (pair[0].x + pair[1].x));
-        self.knots.iter().all(|knot| knot.slope < 0.0) && between.into_iter().all(|x| self.values(x)[2] > 0.0)
+        let falls_between = |x: f64| self.values(x)[2] > 0.0;
+        self.knots.iter().all(|knot| knot.slope < 0.0)
+            && self.knots.windows(2).all(|pair| {
+                pair[1].log_pressure < pair[0].log_pressure && falls_between(0.5 * (pair[0].x + pair[1].x))
+            })
     }
 
     /// Logarithm of the pressure at the end with the smaller separation.
