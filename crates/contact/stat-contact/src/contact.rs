@@ -90,7 +90,7 @@ impl StatisticalContact {
     /// # Errors
     /// The errors of [`at_pressure`](Self::at_pressure) and [`at_separation`](Self::at_separation).
     pub fn table(&self, ends: [Condition; 2], tolerance: f64) -> Result<StateTable<'_>, AsperityError> {
-        StateTable::new(self, self.frames(tolerance), ends, tolerance)
+        StateTable::new(self.frames(tolerance), ends)
     }
 
     fn frames(&self, tolerance: f64) -> Frames<'_> {

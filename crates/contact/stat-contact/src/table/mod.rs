@@ -6,13 +6,15 @@ use std::sync::OnceLock;
 
 use asperity::AsperityError;
 
+use crate::asperities::answers::Asperities;
 use crate::far::FAR;
 use crate::quadrature::frames::Frames;
-use crate::{Condition, ContactState, StatisticalContact, Sweep};
+use crate::quadrature::precision::Precision;
+use crate::{Condition, ContactState, Sweep};
 use piece::{Piece, coordinate, separation};
 
 /// States between two separations, which cost a tenth of a microsecond each once the table is built
-/// ([`StatisticalContact::table`]). Building it takes some ten to fifty states.
+/// ([`StatisticalContact::table`](crate::StatisticalContact::table)). Building it takes some ten to fifty states.
 ///
 /// ln p and ln A are polynomials over a few pieces of the range, each fitted until the terms left out are below the
 /// tolerance. The error estimate of a state bounds these terms and the errors of the states that they were fitted to. A
@@ -38,9 +40,9 @@ use piece::{Piece, coordinate, separation};
 #[must_use]
 #[derive(Debug)]
 pub struct StateTable<'a> {
-    contact: &'a StatisticalContact,
+    asperities: &'a dyn Asperities,
     sigma_s_m: f64,
-    tolerance: f64,
+    precision: Precision,
     /// Pieces in the order of their separations, which leave out what no polynomial fits.
     pieces: Vec<Piece>,
     /// True if every pressure of the table has one separation, which is in the table; found when first asked.
@@ -49,17 +51,12 @@ pub struct StateTable<'a> {
 }
 
 impl<'a> StateTable<'a> {
-    pub(crate) fn new(
-        contact: &'a StatisticalContact,
-        mut frames: Frames<'_>,
-        ends: [Condition; 2],
-        tolerance: f64,
-    ) -> Result<Self, AsperityError> {
-        let sigma_s_m = frames.sigma_s_m;
+    pub(crate) fn new(mut frames: Frames<'a>, ends: [Condition; 2]) -> Result<Self, AsperityError> {
+        let Frames { asperities, sigma_s_m, precision, .. } = frames;
         let mut table = StateTable {
-            contact,
+            asperities,
             sigma_s_m,
-            tolerance,
+            precision,
             pieces: Vec::new(),
             has_one_separation: OnceLock::new(),
             evaluations: 0,
@@ -85,7 +82,7 @@ impl<'a> StateTable<'a> {
                 Sweep::SEPARATION_M.check("separation in m", separation_m).map(Some)
             }
             Condition::Pressure(pressure_pa) => {
-                let state = self.contact.at_pressure(pressure_pa, self.tolerance, None)?;
+                let state = self.alone().at_pressure(pressure_pa)?;
                 self.evaluations += state.evaluations;
                 Ok(state.separation_m)
             }
@@ -129,9 +126,14 @@ impl<'a> StateTable<'a> {
         let end = last.integrals(last.to_x, separation(last.to_x));
         let pressure_pa = ContactState::of(&end, 0.0, self.sigma_s_m).pressure_pa;
         // Pressures below the smallest double are carried only where every law rises.
-        let largest = self.contact.at_pressure(pressure_pa, self.tolerance, None);
+        let largest = self.alone().at_pressure(pressure_pa);
         let largest_m = largest.ok().and_then(|state| state.separation_m);
         largest_m.is_some_and(|d| coordinate(d / self.sigma_s_m) > last.to_x + APART)
+    }
+
+    /// Computes a state without the table.
+    fn alone(&self) -> Sweep<'a> {
+        Sweep::on(Frames::new(self.asperities, self.sigma_s_m, self.precision))
     }
 
     /// Number of evaluations of the law of one asperity that the polynomials have cost.
@@ -154,13 +156,13 @@ impl<'a> StateTable<'a> {
     /// Returns the state at a separation d \[m\] from the mean of the asperity heights, of either sign.
     ///
     /// # Errors
-    /// The errors of [`StatisticalContact::at_separation`].
+    /// The errors of [`StatisticalContact::at_separation`](crate::StatisticalContact::at_separation).
     pub fn at_separation(&self, separation_m: f64) -> Result<ContactState, AsperityError> {
         let u = separation_m / self.sigma_s_m;
         let x = coordinate(u);
         let at = self.pieces.partition_point(|piece| piece.to_x < x);
         let Some(piece) = self.pieces.get(at).filter(|piece| piece.from_x <= x) else {
-            return self.contact.at_separation(separation_m, self.tolerance);
+            return self.alone().at_separation(separation_m);
         };
         let rounding = (-u).mul_add(self.sigma_s_m, separation_m) / self.sigma_s_m;
         let state = ContactState::of(&piece.integrals(x, u), rounding, self.sigma_s_m);
@@ -170,7 +172,7 @@ impl<'a> StateTable<'a> {
     /// Returns the state at the largest separation that carries a pressure \[Pa\] over the nominal area.
     ///
     /// # Errors
-    /// The errors of [`StatisticalContact::at_pressure`].
+    /// The errors of [`StatisticalContact::at_pressure`](crate::StatisticalContact::at_pressure).
     pub fn at_pressure(&self, pressure_pa: f64) -> Result<ContactState, AsperityError> {
         let ln_pressure_pa = pressure_pa.ln();
         let at = self.pieces.partition_point(|piece| piece.log_pressure_at_end() > ln_pressure_pa);
@@ -180,7 +182,7 @@ impl<'a> StateTable<'a> {
                 && pressure_pa.is_normal()
         };
         let Some(piece) = self.pieces.get(at).filter(is_there) else {
-            return self.contact.at_pressure(pressure_pa, self.tolerance, None);
+            return self.alone().at_pressure(pressure_pa);
         };
         let x = piece.coordinate_of(ln_pressure_pa);
         let u = separation(x);
