@@ -15,8 +15,8 @@
 //! * [`ours`] and [`competitors`]: the engines; [`clock`] is the stopwatch;
 //! * [`study`]: puts every question to every engine, and yields a [`point::Point`] per answer, compared with its
 //!   reference;
-//! * [`kernels`], [`stack`] and [`scaling`]: costs of single asperities and scales of a stack, and the scaling of the
-//!   program;
+//! * [`stack`]: cost of a scale of a stack;
+//! * [`parts`]: what is measured one by one beside the states: [`kernels`], [`elements`], [`scaling`], with [`processes`] for what is measured from outside;
 //! * [`verdicts`]: competitors that are both faster and more accurate, if any, and our lead otherwise;
 //! * `surrogate`, behind the feature of that name: cost of an interval by plain sampling and by fitted polynomials;
 //! * [`square_map`]: maps that are handed to programs of ours from scripts;
@@ -27,13 +27,16 @@
 
 pub mod clock;
 pub mod competitors;
+pub mod elements;
 pub mod files;
 pub mod kernels;
 pub mod machine;
 pub mod ours;
 pub mod page;
+pub mod parts;
 pub mod pictures;
 pub mod point;
+pub mod processes;
 pub mod reference;
 pub mod scaling;
 pub mod sections;

@@ -6,15 +6,8 @@
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
-use std::time::{Duration, Instant};
 
-/// Total time of repeated runs, long enough for the kernel's ticks.
-const LEAST_TOTAL_S: f64 = 0.6;
-/// Ticks per second, whatever the kernel's clock: `USER_HZ` of Linux.
-const TICKS_PER_S: f64 = 100.0;
-/// Interval at which memory is sampled; the kernel keeps the peak, so that only the last moment could be missed.
-const GLANCE: Duration = Duration::from_micros(300);
+use crate::processes::{peak_bytes, processor_s, program, wall_s};
 
 const MATERIAL: [&str; 6] =
     ["--youngs-modulus", "463 GPa", "--poisson-ratio", "0.2", "--yield-strength", "1.8 GPa"];
@@ -69,10 +62,7 @@ pub struct Scaling {
 /// # Errors
 /// A message if the program is missing or fails.
 pub fn measure(folder: &Path) -> Result<Scaling, String> {
-    let program = std::env::current_exe().map_err(|error| error.to_string())?.with_file_name("truearea");
-    if !program.exists() {
-        return Err("truearea is not built: cargo build --release -p cli".to_owned());
-    }
+    let program = program("truearea", "truearea-cli")?;
     let start_up_s = processor_s(&program, &["--version".to_owned()])?;
     let growth = |what, sizes: &[f64], arguments: &dyn Fn(f64) -> Vec<String>| -> Result<Growth, String> {
         let run = |&size: &f64| {
@@ -149,76 +139,6 @@ fn table(folder: &Path, rows: usize) -> String {
     path.display().to_string()
 }
 
-fn command(program: &Path, arguments: &[String], threads: usize) -> Command {
-    let mut command = Command::new(program);
-    command.args(arguments).env("RAYON_NUM_THREADS", threads.to_string());
-    command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
-    command
-}
-
-fn succeed(command: &mut Command) -> Result<(), String> {
-    match command.status() {
-        Ok(status) if status.success() => Ok(()),
-        Ok(status) => Err(format!("{command:?}: {status}")),
-        Err(error) => Err(format!("{command:?}: {error}")),
-    }
-}
-
-/// Mean processor time of a run on one thread.
-fn processor_s(program: &Path, arguments: &[String]) -> Result<f64, String> {
-    let before = childrens_ticks()?;
-    let mut runs = 0;
-    loop {
-        succeed(&mut command(program, arguments, 1))?;
-        runs += 1;
-        let taken_s = (childrens_ticks()? - before) / TICKS_PER_S;
-        if taken_s >= LEAST_TOTAL_S {
-            return Ok(taken_s / f64::from(runs));
-        }
-    }
-}
-
-/// Processor time of all children that have ended, in the kernel's ticks.
-fn childrens_ticks() -> Result<f64, String> {
-    let stat =
-        std::fs::read_to_string("/proc/self/stat").map_err(|error| format!("/proc/self/stat: {error}"))?;
-    ticks(&stat).ok_or_else(|| format!("/proc/self/stat: {stat}"))
-}
-
-/// Fields 16 and 17; the name in parentheses before them may hold any character.
-fn ticks(stat: &str) -> Option<f64> {
-    let fields: Vec<&str> = stat.rsplit_once(')')?.1.split_whitespace().collect();
-    Some(fields.get(13)?.parse::<f64>().ok()? + fields.get(14)?.parse::<f64>().ok()?)
-}
-
-/// Largest memory that a run holds.
-fn peak_bytes(program: &Path, arguments: &[String]) -> Result<Option<u64>, String> {
-    let mut child = command(program, arguments, 1).spawn().map_err(|error| error.to_string())?;
-    let status = format!("/proc/{}/status", child.id());
-    let mut peak = None;
-    while child.try_wait().map_err(|error| error.to_string())?.is_none() {
-        peak = std::fs::read_to_string(&status).ok().and_then(|text| high_water_bytes(&text)).max(peak);
-        std::thread::sleep(GLANCE);
-    }
-    Ok(peak)
-}
-
-fn high_water_bytes(status: &str) -> Option<u64> {
-    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
-    Some(line.split_whitespace().next()?.parse::<u64>().ok()? * 1024)
-}
-
-/// Shortest wall time of five runs.
-fn wall_s(program: &Path, arguments: &[String], threads: usize) -> Result<f64, String> {
-    let mut shortest = f64::INFINITY;
-    for _ in 0..5 {
-        let start = Instant::now();
-        succeed(&mut command(program, arguments, threads))?;
-        shortest = shortest.min(start.elapsed().as_secs_f64());
-    }
-    Ok(shortest)
-}
-
 /// Slope beyond the smallest run, which stands for all that does not grow.
 fn exponent(runs: &[Run]) -> Option<f64> {
     let (least, others) = runs.split_first()?;
@@ -251,13 +171,5 @@ mod tests {
             assert!((exponent(&runs).unwrap() - power).abs() < 0.01);
         }
         assert_eq!(exponent(&[run(10.0, 1.0), run(1e6, 1.0)]), None, "a point has no slope");
-    }
-
-    #[test]
-    fn the_systems_figures_are_read() {
-        let stat = "123 (a (strange) name) S 1 2 3 4 5 6 7 8 9 10 11 12 250 50 20 0 1";
-        assert_eq!(ticks(stat), Some(300.0));
-        assert_eq!(high_water_bytes("VmPeak:\t 9 kB\nVmHWM:\t    2048 kB\n"), Some(2 << 20));
-        assert_eq!(high_water_bytes("Threads: 1"), None);
     }
 }
