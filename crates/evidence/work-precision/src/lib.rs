@@ -16,7 +16,7 @@
 //! * [`study`]: puts every question to every engine, and yields a [`point::Point`] per answer, compared with its
 //!   reference;
 //! * [`stack`]: cost of a scale of a stack;
-//! * [`parts`]: what is measured one by one beside the states: [`kernels`], [`elements`], [`scaling`], with [`processes`] for what is measured from outside;
+//! * [`parts`]: what is measured one by one beside the states: [`kernels`], [`elements`], [`bracket`], [`scaling`], with [`processes`] for what is measured from outside and [`seeds`] for repetitions;
 //! * [`verdicts`]: competitors that are both faster and more accurate, if any, and our lead otherwise;
 //! * `surrogate`, behind the feature of that name: cost of an interval by plain sampling and by fitted polynomials;
 //! * [`square_map`]: maps that are handed to programs of ours from scripts;
@@ -25,6 +25,7 @@
 //! Times are of one thread, the shortest of many repetitions, because the shortest is the least disturbed.
 #![deny(missing_docs)]
 
+pub mod bracket;
 pub mod clock;
 pub mod competitors;
 pub mod elements;
@@ -40,6 +41,7 @@ pub mod processes;
 pub mod reference;
 pub mod scaling;
 pub mod sections;
+pub mod seeds;
 pub mod square_map;
 pub mod stack;
 pub mod study;
