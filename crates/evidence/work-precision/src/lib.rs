@@ -16,7 +16,8 @@
 //! * [`study`]: puts every question to every engine, and yields a [`point::Point`] per answer, compared with its
 //!   reference;
 //! * [`stack`]: cost of a scale of a stack;
-//! * [`parts`]: what is measured one by one beside the states: [`kernels`], [`elements`], [`bracket`], [`scaling`], with [`processes`] for what is measured from outside and [`seeds`] for repetitions;
+//! * [`parts`]: what is measured one by one beside the states: [`kernels`], [`elements`], [`bracket`], [`intervals`] and
+//!   [`scaling`], with [`processes`] for what is measured from outside and [`seeds`] for repetitions;
 //! * [`verdicts`]: competitors that are both faster and more accurate, if any, and our lead otherwise;
 //! * `surrogate`, behind the feature of that name: cost of an interval by plain sampling and by fitted polynomials;
 //! * [`square_map`]: maps that are handed to programs of ours from scripts;
@@ -30,6 +31,7 @@ pub mod clock;
 pub mod competitors;
 pub mod elements;
 pub mod files;
+pub mod intervals;
 pub mod kernels;
 pub mod machine;
 pub mod ours;

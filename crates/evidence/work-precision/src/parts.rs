@@ -3,7 +3,7 @@
 use crate::competitors::{Environment, MissingPackage, Worker};
 use crate::machine::{self, Fact};
 use crate::reference::repository;
-use crate::{bracket, elements, files, kernels, pictures, scaling, sections};
+use crate::{bracket, elements, files, intervals, kernels, pictures, scaling, sections};
 
 /// Competitors, machine and versions: what parts are measured with.
 #[derive(Debug)]
@@ -58,10 +58,11 @@ pub struct Part {
 }
 
 /// All parts, in the order in which they are measured.
-pub const PARTS: [Part; 4] = [
+pub const PARTS: [Part; 5] = [
     Part { name: "kernels", measure: of_kernels },
     Part { name: "elements", measure: elements::measure },
     Part { name: "judge", measure: bracket::measure },
+    Part { name: "intervals", measure: intervals::measure },
     Part { name: "scaling", measure: of_scaling },
 ];
 
