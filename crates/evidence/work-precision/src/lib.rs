@@ -16,7 +16,7 @@
 //! * [`study`]: puts every question to every engine, and yields a [`point::Point`] per answer, compared with its
 //!   reference;
 //! * [`stack`]: cost of a scale of a stack;
-//! * [`parts`]: what is measured one by one beside the states: [`kernels`], [`elements`], [`bracket`], [`intervals`] and
+//! * [`parts`]: what is measured one by one beside the states: [`kernels`], [`elements`], [`persson_states`], [`bracket`], [`intervals`] and
 //!   [`scaling`], with [`processes`] for what is measured from outside and [`seeds`] for repetitions;
 //! * [`verdicts`]: competitors that are both faster and more accurate, if any, and our lead otherwise;
 //! * `surrogate`, behind the feature of that name: cost of an interval by plain sampling and by fitted polynomials;
@@ -37,6 +37,7 @@ pub mod machine;
 pub mod ours;
 pub mod page;
 pub mod parts;
+pub mod persson_states;
 pub mod pictures;
 pub mod point;
 pub mod processes;

@@ -3,7 +3,7 @@
 use crate::competitors::{Environment, MissingPackage, Worker};
 use crate::machine::{self, Fact};
 use crate::reference::repository;
-use crate::{bracket, elements, files, intervals, kernels, pictures, scaling, sections};
+use crate::{bracket, elements, files, intervals, kernels, persson_states, pictures, scaling, sections};
 
 /// Competitors, machine and versions: what parts are measured with.
 #[derive(Debug)]
@@ -58,9 +58,10 @@ pub struct Part {
 }
 
 /// All parts, in the order in which they are measured.
-pub const PARTS: [Part; 5] = [
+pub const PARTS: [Part; 6] = [
     Part { name: "kernels", measure: of_kernels },
     Part { name: "elements", measure: elements::measure },
+    Part { name: "persson", measure: persson_states::measure },
     Part { name: "judge", measure: bracket::measure },
     Part { name: "intervals", measure: intervals::measure },
     Part { name: "scaling", measure: of_scaling },
