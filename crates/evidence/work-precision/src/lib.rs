@@ -16,8 +16,8 @@
 //! * [`study`]: puts every question to every engine, and yields a [`point::Point`] per answer, compared with its
 //!   reference;
 //! * [`stack`]: cost of a scale of a stack;
-//! * [`parts`]: what is measured one by one beside the states: [`kernels`], [`elements`], [`persson_states`], [`bracket`], [`intervals`] and
-//!   [`scaling`], with [`processes`] for what is measured from outside and [`seeds`] for repetitions;
+//! * [`parts`]: what is measured one by one beside the states: [`kernels`], [`elements`], [`persson_states`], [`bracket`], [`intervals`],
+//!   [`scan_files`] and [`scaling`], with [`processes`] for what is measured from outside and [`seeds`] for repetitions;
 //! * [`verdicts`]: competitors that are both faster and more accurate, if any, and our lead otherwise;
 //! * `surrogate`, behind the feature of that name: cost of an interval by plain sampling and by fitted polynomials;
 //! * [`square_map`]: maps that are handed to programs of ours from scripts;
@@ -43,6 +43,7 @@ pub mod point;
 pub mod processes;
 pub mod reference;
 pub mod scaling;
+pub mod scan_files;
 pub mod sections;
 pub mod seeds;
 pub mod square_map;

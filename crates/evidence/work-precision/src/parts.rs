@@ -3,7 +3,9 @@
 use crate::competitors::{Environment, MissingPackage, Worker};
 use crate::machine::{self, Fact};
 use crate::reference::repository;
-use crate::{bracket, elements, files, intervals, kernels, persson_states, pictures, scaling, sections};
+use crate::{
+    bracket, elements, files, intervals, kernels, persson_states, pictures, scaling, scan_files, sections,
+};
 
 /// Competitors, machine and versions: what parts are measured with.
 #[derive(Debug)]
@@ -58,12 +60,13 @@ pub struct Part {
 }
 
 /// All parts, in the order in which they are measured.
-pub const PARTS: [Part; 6] = [
+pub const PARTS: [Part; 7] = [
     Part { name: "kernels", measure: of_kernels },
     Part { name: "elements", measure: elements::measure },
     Part { name: "persson", measure: persson_states::measure },
     Part { name: "judge", measure: bracket::measure },
     Part { name: "intervals", measure: intervals::measure },
+    Part { name: "scans", measure: scan_files::measure },
     Part { name: "scaling", measure: of_scaling },
 ];
 
