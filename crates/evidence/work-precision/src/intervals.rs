@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use parallel::Unobserved;
 use scene::{Overrides, Scene};
 use spectrum::ProfilePsd;
+use study::NoFiles;
 use study::plan::Results;
 use tables::markdown::table;
 use uncertainty::{AreaInterval, Settings, UncertaintyPlan};
@@ -21,9 +22,6 @@ const DRAWS: [usize; 4] = [100, 300, 1000, 3000];
 const SEEDS: u64 = 12;
 /// Relative standard error of every bin of the spectrum.
 const ERROR_OF_A_BIN: f64 = 0.1;
-/// Spectrum that gets these errors: diamond, measured.
-const SPECTRUM: &str = "surface = { psd = \"builtin:uncd-measured\" }\n";
-const SPECTRUM_WITH_ERRORS: &str = "surface = { psd = \"psd.csv\" }\n";
 /// Uncertain material, light and heavy loads, a curve of each kind.
 const STUDY: &str = r#"
 [material]
@@ -74,7 +72,7 @@ struct IntervalCost {
 /// # Errors
 /// A message if the scene cannot be computed.
 pub fn measure(bench: &mut Bench) -> Result<Contents, String> {
-    let scene = scene()?;
+    let scene = SceneFiles::new()?.parsed()?;
     let results = scene.plan().compute().map_err(|error| error.to_string())?;
     let mut costs = Vec::new();
     for (way, intervals) in WAYS {
@@ -99,15 +97,34 @@ pub fn measure(bench: &mut Bench) -> Result<Contents, String> {
     })
 }
 
-/// Parses the scene, with standard errors added to its spectrum.
-fn scene() -> Result<Scene, String> {
-    let parsed = |text: String, psd: Option<String>| {
-        let files: BTreeMap<String, Vec<u8>> =
-            psd.into_iter().map(|psd| ("psd.csv".to_owned(), psd.into_bytes())).collect();
-        Scene::parse(&text, &files, &Overrides::default()).map_err(|error| error.to_string())
-    };
-    let certain = parsed(SPECTRUM.to_owned() + STUDY, None)?;
-    parsed(SPECTRUM_WITH_ERRORS.to_owned() + STUDY, Some(with_errors(&certain.surface.psd)))
+/// Text of the scene, and its spectrum with standard errors.
+#[derive(Debug)]
+pub struct SceneFiles {
+    /// The scene, which reads [`SceneFiles::PSD`].
+    pub scene: String,
+    /// The spectrum as a table.
+    pub psd: String,
+}
+
+impl SceneFiles {
+    /// Name of the spectrum's file.
+    pub const PSD: &str = "psd.csv";
+
+    /// Adds standard errors to the spectrum of diamond.
+    ///
+    /// # Errors
+    /// A message if the scene cannot be parsed.
+    pub fn new() -> Result<Self, String> {
+        let certain = "surface = { psd = \"builtin:uncd-measured\" }\n".to_owned() + STUDY;
+        let certain = Scene::parse(&certain, &NoFiles, &Overrides::default());
+        let psd = with_errors(&certain.map_err(|error| error.to_string())?.surface.psd);
+        Ok(SceneFiles { scene: format!("surface = {{ psd = \"{}\" }}\n{STUDY}", Self::PSD), psd })
+    }
+
+    fn parsed(&self) -> Result<Scene, String> {
+        let files = BTreeMap::from([(Self::PSD.to_owned(), self.psd.clone().into_bytes())]);
+        Scene::parse(&self.scene, &files, &Overrides::default()).map_err(|error| error.to_string())
+    }
 }
 
 /// Spectrum as a table with a standard error in every row.
@@ -179,7 +196,7 @@ mod tests {
 
     #[test]
     fn every_curve_of_the_scene_has_intervals() {
-        let scene = scene().unwrap();
+        let scene = SceneFiles::new().unwrap().parsed().unwrap();
         let results = scene.plan().compute().unwrap();
         for (way, intervals) in WAYS {
             let settings = Settings { draws: 100, ..Settings::default() };

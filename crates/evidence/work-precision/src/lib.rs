@@ -17,7 +17,7 @@
 //!   reference;
 //! * [`stack`]: cost of a scale of a stack;
 //! * [`parts`]: what is measured one by one beside the states: [`kernels`], [`elements`], [`persson_states`], [`bracket`], [`intervals`],
-//!   [`scan_files`] and [`scaling`], with [`processes`] for what is measured from outside and [`seeds`] for repetitions;
+//!   [`scan_files`] and [`scaling`] with its [`inputs`]; [`processes`] is for what is measured from outside, [`seeds`] for repetitions;
 //! * [`verdicts`]: competitors that are both faster and more accurate, if any, and our lead otherwise;
 //! * `surrogate`, behind the feature of that name: cost of an interval by plain sampling and by fitted polynomials;
 //! * [`square_map`]: maps that are handed to programs of ours from scripts;
@@ -31,6 +31,7 @@ pub mod clock;
 pub mod competitors;
 pub mod elements;
 pub mod files;
+pub mod inputs;
 pub mod intervals;
 pub mod kernels;
 pub mod machine;

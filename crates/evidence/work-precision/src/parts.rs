@@ -82,7 +82,7 @@ fn of_kernels(bench: &mut Bench) -> Result<Contents, String> {
 }
 
 fn of_scaling(bench: &mut Bench) -> Result<Contents, String> {
-    let scaling = scaling::measure(&repository("target/work-precision/tables"))?;
+    let scaling = scaling::measure(repository("target/work-precision/tables"))?;
     Ok(Contents {
         sections: vec![("scaling", sections::growths(&scaling))],
         files: vec![
