@@ -42,8 +42,9 @@ cargo xtask stress [--states N] [--seed S] [--threads T] [--only I]
 cargo xtask coverage [--studies N] [--scans N] [--draws N] [--hurst H] [--seed S] [--only bias|coverage|advice|forms|seeds]
                                counts how often intervals of the area hold the truth, in studies of known surfaces, and
                                prints the tables of docs/guide/uncertainty.md (minutes)
-cargo xtask work-precision     measures run time against error, beside scipy and others; rewrites the tables of
-                               docs/develop/performance.md (minutes)
+cargo xtask work-precision [PART]...
+                               measures run time against error, beside scipy and others; rewrites the tables of
+                               docs/develop/performance.md (minutes); with names such as kernels or elements only theirs
 cargo xtask model-trials [--anew]
                                compares every model with boundary elements and rewrites the tables and figures of
                                docs/guide/which-model.md; presses new surfaces only, --anew all of them (minutes)
@@ -88,7 +89,9 @@ enum Task {
     },
     Layers,
     Shared,
-    WorkPrecision,
+    WorkPrecision {
+        parts: Vec<OsString>,
+    },
 }
 
 fn main() -> ExitCode {
@@ -107,7 +110,7 @@ fn main() -> ExitCode {
         Ok(Some(Task::Instructions { accept })) => instructions::run(accept),
         Ok(Some(Task::Layers)) => layers::run(),
         Ok(Some(Task::Shared)) => shared::run(),
-        Ok(Some(Task::WorkPrecision)) => work_precision::run(),
+        Ok(Some(Task::WorkPrecision { parts })) => work_precision::run(&parts),
         Ok(None) => {
             print!("{HELP}");
             ExitCode::SUCCESS
@@ -137,7 +140,9 @@ fn parse(mut parser: lexopt::Parser) -> Result<Option<Task>, lexopt::Error> {
                     Some("stress") => in_release("truearea-stress", &mut parser)?,
                     Some("coverage") => in_release("truearea-coverage", &mut parser)?,
                     // The second names are those of earlier versions.
-                    Some("work-precision" | "bench") => Task::WorkPrecision,
+                    Some("work-precision" | "bench") => {
+                        Task::WorkPrecision { parts: following(&[], &mut parser)? }
+                    }
                     Some("model-trials" | "judge") => {
                         Task::ModelTrials { arguments: following(&["models"], &mut parser)? }
                     }
@@ -180,9 +185,10 @@ mod tests {
 
     #[test]
     fn the_names_of_earlier_versions_call_the_same_tasks() {
-        assert!(matches!(parsed("bench"), Some(Task::WorkPrecision)));
+        let Some(Task::WorkPrecision { parts }) = parsed("bench elements") else { panic!() };
+        assert_eq!(parts, ["elements"]);
         let Some(Task::ModelTrials { arguments }) = parsed("judge --anew") else { panic!() };
         assert_eq!(arguments, ["models", "--anew"]);
-        assert!(parsed("bench --anew").is_none() && parsed("judges").is_none());
+        assert!(parsed("layers --anew").is_none() && parsed("judges").is_none());
     }
 }

@@ -26,8 +26,11 @@ else:
 
 def greeting():
     versions = {"Python": platform.python_version(), "numpy": numpy.__version__, "scipy": scipy.__version__}
-    if Fn:
-        versions["ContactMechanics"] = importlib.metadata.version("ContactMechanics")
+    for package in ("ContactMechanics", "SurfaceTopography", "tamaas"):
+        try:
+            versions[package] = importlib.metadata.version(package)
+        except importlib.metadata.PackageNotFoundError:
+            pass
     return {"versions": versions, "missing": MISSING}
 
 

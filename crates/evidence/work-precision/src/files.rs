@@ -1,5 +1,7 @@
 //! Tables of the points, and the format of their numbers.
 
+use serde::de::DeserializeOwned;
+
 use crate::kernels::KernelCost;
 use crate::machine::Fact;
 use crate::point::{GivenQuantity, Outcome, Point};
@@ -68,6 +70,16 @@ pub fn scaling_csv(scaling: &Scaling, facts: &[Fact]) -> String {
         }
     }
     text
+}
+
+/// Parses the rows of a table that a script has printed.
+///
+/// # Errors
+/// A message if a column or a number is missing.
+pub fn parse<T: DeserializeOwned>(printed: &str) -> Result<Vec<T>, String> {
+    let rows = csv::Reader::from_reader(printed.as_bytes()).into_deserialize().collect();
+    let rows: Result<Vec<T>, csv::Error> = rows;
+    rows.map_err(|error| error.to_string())
 }
 
 /// Facts as comments of a table.

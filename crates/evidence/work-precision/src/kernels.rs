@@ -1,7 +1,6 @@
 //! Cost of one asperity: force and area at an interference, area at a pressure, against the tables of single
 //! asperities in `tests/reference`, whose rows lie in the hard regions of each law.
 
-use std::collections::HashMap;
 use std::f64::consts::TAU;
 use std::hint::black_box;
 
@@ -11,7 +10,7 @@ use asperity::{
 
 use crate::clock::seconds_per_call;
 use crate::competitors::{Question, Row, Setting, States, Worker};
-use crate::reference::{Case, repository};
+use crate::reference::{Case, Columns, columns};
 
 const OUR_BUDGET_S: f64 = 0.05;
 const BUDGET_OF_A_ROW_S: f64 = 1e-3;
@@ -41,9 +40,6 @@ pub struct Cost {
     /// Median relative error over the table.
     pub median_error: f64,
 }
-
-/// Row of a table, by column.
-type Columns = HashMap<String, f64>;
 
 /// Evaluation of a law at one row, with two results.
 type Evaluation = Box<dyn Fn() -> (f64, f64)>;
@@ -184,7 +180,7 @@ pub fn costs(mut worker: Option<&mut Worker>) -> Result<Vec<KernelCost>, String>
 }
 
 fn cost(kernel: &Kernel, worker: Option<&mut Worker>) -> Result<KernelCost, String> {
-    let rows = read(kernel.table)?;
+    let rows = columns(kernel.table)?;
     let laws: Vec<_> = rows.iter().map(kernel.law).collect();
     let seconds =
         seconds_per_call(OUR_BUDGET_S, || laws.iter().map(|law| law().1).sum::<f64>()) / rows.len() as f64;
@@ -297,19 +293,6 @@ fn median(values: impl Iterator<Item = f64>) -> f64 {
     values[values.len() / 2]
 }
 
-fn read(table: &str) -> Result<Vec<Columns>, String> {
-    let path = repository("tests/reference").join(table);
-    let failed = |error: csv::Error| format!("{table}: {error}");
-    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_path(path).map_err(failed)?;
-    let columns = reader.headers().map_err(failed)?.clone();
-    let row = |record: Result<csv::StringRecord, csv::Error>| {
-        let record = record.map_err(failed)?;
-        let numbers = columns.iter().zip(&record);
-        Ok(numbers.filter_map(|(name, cell)| Some((name.to_owned(), cell.parse().ok()?))).collect())
-    };
-    reader.records().map(row).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -317,7 +300,7 @@ mod tests {
     #[test]
     fn every_kernel_is_right_where_its_law_is_hard() {
         for kernel in &KERNELS {
-            let rows = read(kernel.table).unwrap();
+            let rows = columns(kernel.table).unwrap();
             assert!(rows.len() > 100, "{}", kernel.name);
             let errors = rows.iter().map(|row| error(kernel, row, (kernel.law)(row)()));
             assert!(median(errors) < 1e-14, "{}", kernel.name);
@@ -328,7 +311,7 @@ mod tests {
     fn a_law_at_many_interferences_has_the_results_of_one() {
         for kernel in &KERNELS {
             let Some(batch) = kernel.batch else { continue };
-            for row in read(kernel.table).unwrap() {
+            for row in columns(kernel.table).unwrap() {
                 let (law, interference) = batch(&row);
                 let (mut first, mut second) = ([0.0; 3], [0.0; 3]);
                 law(&[interference; 3], &mut first, &mut second);

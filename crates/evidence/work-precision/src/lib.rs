@@ -15,8 +15,9 @@
 //! * [`ours`] and [`competitors`]: the engines; [`clock`] is the stopwatch;
 //! * [`study`]: puts every question to every engine, and yields a [`point::Point`] per answer, compared with its
 //!   reference;
-//! * [`kernels`], [`stack`] and [`scaling`]: costs of single asperities and scales of a stack, and the scaling of the
-//!   program;
+//! * [`stack`]: cost of a scale of a stack;
+//! * [`parts`]: what is measured one by one beside the states: [`kernels`], [`elements`], [`persson_states`], [`bracket`], [`intervals`],
+//!   [`scan_files`] and [`scaling`] with its [`inputs`]; [`processes`] is for what is measured from outside, [`seeds`] for repetitions;
 //! * [`verdicts`]: competitors that are both faster and more accurate, if any, and our lead otherwise;
 //! * `surrogate`, behind the feature of that name: cost of an interval by plain sampling and by fitted polynomials;
 //! * [`square_map`]: maps that are handed to programs of ours from scripts;
@@ -25,18 +26,27 @@
 //! Times are of one thread, the shortest of many repetitions, because the shortest is the least disturbed.
 #![deny(missing_docs)]
 
+pub mod bracket;
 pub mod clock;
 pub mod competitors;
+pub mod elements;
 pub mod files;
+pub mod inputs;
+pub mod intervals;
 pub mod kernels;
 pub mod machine;
 pub mod ours;
 pub mod page;
+pub mod parts;
+pub mod persson_states;
 pub mod pictures;
 pub mod point;
+pub mod processes;
 pub mod reference;
 pub mod scaling;
+pub mod scan_files;
 pub mod sections;
+pub mod seeds;
 pub mod square_map;
 pub mod stack;
 pub mod study;

@@ -1,30 +1,25 @@
 //! Measures everything and rewrites `docs/develop/performance/` and the tables of `docs/develop/performance.md`: `cargo xtask work-precision`.
 //!
-//! With the argument `kernels`, in seconds, only the tables of single asperities.
+//! With names of parts as arguments, `kernels` or `elements`, it measures these alone.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use tables::markdown::with_section;
-use work_precision::competitors::{Environment, MissingPackage, Worker};
-use work_precision::machine::{self, Fact};
+use work_precision::competitors::MissingPackage;
+use work_precision::parts::{Bench, Contents, PARTS, Part};
 use work_precision::point::{GivenQuantity, Outcome, Point};
 use work_precision::reference::{self, repository};
 use work_precision::sections::Measured;
 use work_precision::verdicts::FOUR_LAWS;
-use work_precision::{files, kernels, pictures, scaling, sections, stack, study};
+use work_precision::{files, pictures, sections, stack, study};
 
 /// Population whose states are plotted; the tables hold all.
 const DRAWN: &str = "steel";
 
 fn main() -> ExitCode {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let ran = match arguments.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
-        [] => run(),
-        ["kernels"] => run_kernels(),
-        _ => Err(format!("unknown arguments {arguments:?}; give none, or kernels")),
-    };
-    match ran {
+    let names: Vec<String> = std::env::args().skip(1).collect();
+    match run(&names) {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => {
             eprintln!("error: {message}");
@@ -33,68 +28,65 @@ fn main() -> ExitCode {
     }
 }
 
-fn run() -> Result<(), String> {
-    let groups = reference::committed()?;
-    let (mut worker, missing, facts) = prepare();
-    let mut points = Vec::new();
-    for group in &groups {
-        println!("{}, {}", group.population, group.case.law());
-        points.extend(study::points(group, worker.as_mut(), &missing));
+/// Measures the parts of these names; without names the states and all parts.
+fn run(names: &[String]) -> Result<(), String> {
+    let parts = names.iter().map(|name| part(name)).collect::<Result<Vec<&Part>, String>>()?;
+    println!("installing the competitors below target/");
+    let mut bench = Bench::prepare();
+    for MissingPackage { package, reason } in &bench.missing {
+        println!("{package} is missing: {reason}");
     }
-    gate(&points)?;
-    println!("single asperities, the stack, how the program grows");
-    let kernels = kernels::costs(worker.as_mut())?;
-    let stack = stack::costs();
-    let scaling = scaling::measure(&repository("target/work-precision/tables"));
-    let measured = Measured { facts, missing, points, kernels, stack, scaling };
-    write_files(&repository("docs/develop/performance"), &measured)?;
-    write_sections(&page(), sections::all(&measured))?;
-    println!(
-        "\n{}\n{}",
-        sections::verdicts(&measured.points, &measured.stack),
-        sections::kernel_verdicts(&measured.kernels)
-    );
+    if !parts.is_empty() {
+        return parts.into_iter().try_for_each(|part| run_part(part, &mut bench));
+    }
+    run_states(&mut bench)?;
+    for part in &PARTS {
+        if let Err(reason) = run_part(part, &mut bench) {
+            println!("not measured, so that its last contents stay: {reason}");
+        }
+    }
     Ok(())
 }
 
-/// Measures single asperities alone, and rewrites their file and tables.
-fn run_kernels() -> Result<(), String> {
-    let (mut worker, _, facts) = prepare();
-    let kernels = kernels::costs(worker.as_mut())?;
-    write(&repository("docs/develop/performance/kernels.csv"), &files::kernels_csv(&kernels, &facts))?;
-    let (costs, verdicts) = (sections::kernel_costs(&kernels), sections::kernel_verdicts(&kernels));
-    println!("\n{costs}\n{verdicts}");
-    write_sections(&page(), [("kernels", costs), ("kernel-verdicts", verdicts)])
+fn part(name: &str) -> Result<&'static Part, String> {
+    let names = PARTS.map(|part| part.name).join(", ");
+    let unknown = || format!("there is no part '{name}'; choose some of {names}, or none for everything");
+    PARTS.iter().find(|part| part.name == name).ok_or_else(unknown)
+}
+
+/// Measures a part, and rewrites its tables and files.
+fn run_part(part: &Part, bench: &mut Bench) -> Result<(), String> {
+    println!("\n{}", part.name);
+    let Contents { sections, files } = (part.measure)(bench)?;
+    for (name, text) in files {
+        write(&folder().join(name), &text)?;
+    }
+    sections.iter().for_each(|(_, text)| println!("{text}"));
+    write_sections(&page(), sections)
+}
+
+/// Measures statistical states and the stack, and rewrites their tables, files and plots.
+fn run_states(bench: &mut Bench) -> Result<(), String> {
+    let groups = reference::committed()?;
+    let mut points = Vec::new();
+    for group in &groups {
+        println!("{}, {}", group.population, group.case.law());
+        points.extend(study::points(group, bench.worker.as_mut(), &bench.missing));
+    }
+    gate(&points)?;
+    let (facts, missing) = (bench.facts.clone(), bench.missing.clone());
+    let measured = Measured { facts, missing, points, stack: stack::costs() };
+    write_files(&folder(), &measured)?;
+    println!("\n{}", sections::verdicts(&measured.points, &measured.stack));
+    write_sections(&page(), sections::all(&measured))
 }
 
 fn page() -> PathBuf {
     repository("docs/develop/performance.md")
 }
 
-/// Installs and starts the competitors, and lists machine and versions.
-fn prepare() -> (Option<Worker>, Vec<MissingPackage>, Vec<Fact>) {
-    println!("installing the competitors below target/");
-    let environment = Environment::prepare(&repository("target/work-precision/venv"));
-    let mut missing = environment.missing.clone();
-    let worker = started(&environment, &mut missing);
-    let mut facts = machine::facts();
-    facts.extend(worker.iter().flat_map(|worker| worker.versions.clone()));
-    (worker, missing, facts)
-}
-
-/// Starts the competitors' process, and reports the missing ones.
-fn started(environment: &Environment, missing: &mut Vec<MissingPackage>) -> Option<Worker> {
-    let worker = Worker::start(environment).map_err(|reason| {
-        if missing.is_empty() {
-            missing.push(MissingPackage { package: "Python".to_owned(), reason });
-        }
-    });
-    let worker = worker.ok();
-    missing.extend(worker.iter().flat_map(|worker| worker.missing.clone()));
-    for MissingPackage { package, reason } in &*missing {
-        println!("{package} is missing: {reason}");
-    }
-    worker
+fn folder() -> PathBuf {
+    repository("docs/develop/performance")
 }
 
 /// Checks all of our answers: times of wrong answers do not count.
@@ -108,10 +100,9 @@ fn gate(points: &[Point]) -> Result<(), String> {
     }
 }
 
-/// Writes a table for every law and question, a plot for the four laws, and the files of asperities, stack and
-/// scaling.
+/// Writes a table for every law and question, a plot for the four laws, and the file of the stack.
 fn write_files(folder: &Path, measured: &Measured) -> Result<(), String> {
-    let Measured { facts, points, kernels, stack, scaling, .. } = measured;
+    let Measured { facts, points, stack, .. } = measured;
     for law in sections::laws(points) {
         for given in GivenQuantity::ALL {
             let here: Vec<&Point> = points.iter().filter(|p| p.law == law && p.given == given).collect();
@@ -122,13 +113,7 @@ fn write_files(folder: &Path, measured: &Measured) -> Result<(), String> {
             }
         }
     }
-    write(&folder.join("kernels.csv"), &files::kernels_csv(kernels, facts))?;
-    write(&folder.join("stack.csv"), &files::stack_csv(stack, facts))?;
-    if let Ok(scaling) = scaling {
-        write(&folder.join("scaling.csv"), &files::scaling_csv(scaling, facts))?;
-        write(&folder.join("scaling.svg"), &pictures::scaling(scaling, facts))?;
-    }
-    Ok(())
+    write(&folder.join("stack.csv"), &files::stack_csv(stack, facts))
 }
 
 /// Writes tables of the page, by name.

@@ -38,6 +38,21 @@ pub fn error(value: f64) -> String {
     format!("{value:.1e}")
 }
 
+/// Formats a number of bytes in MiB.
+pub fn mebibytes(bytes: u64) -> String {
+    format!("{} MiB", three_digits(bytes as f64 / (1024.0 * 1024.0)))
+}
+
+/// Formats a share in per cent.
+pub fn percent(share: f64) -> String {
+    format!("{} %", three_digits(100.0 * share))
+}
+
+/// Words for a bar that is met or not.
+pub fn met(met: bool) -> String {
+    if met { "yes" } else { "**no**" }.to_owned()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -62,7 +62,8 @@ pub fn scaling(scaling: &Scaling, facts: &[Fact]) -> String {
     let series = scaling.growths.iter().enumerate().map(|(index, growth)| {
         Series::under(growth.what, index, growth.runs.iter().map(|run| (run.size, run.processor_s)).collect())
     });
-    let size = Axis { column: "size", label: "number of scales, cutoffs, loads or rows" };
+    let size =
+        Axis { column: "size", label: "number of scales, cutoffs, loads, rows, points, scans or draws" };
     let figure = FigureData {
         title: "Cost of a run of the program".to_owned(),
         ..FigureData::new("scaling", Shows::Response, size, "processor time (s)", series.collect())

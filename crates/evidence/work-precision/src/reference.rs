@@ -1,5 +1,6 @@
 //! States and their high-precision values: `tests/reference/work_precision.csv`, made by `make_work_precision.py`.
 
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
@@ -118,6 +119,26 @@ fn parts(row: Row) -> (String, Case, State) {
         area_fraction: row.area_fraction,
     };
     (row.population, case, state)
+}
+
+/// Row of a table, by column; cells that are no numbers are left out.
+pub type Columns = HashMap<String, f64>;
+
+/// Reads a table of `tests/reference` whose columns are numbers.
+///
+/// # Errors
+/// A message with the file if it cannot be read.
+pub fn columns(table: &str) -> Result<Vec<Columns>, String> {
+    let path = repository("tests/reference").join(table);
+    let failed = |error: csv::Error| format!("{table}: {error}");
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_path(path).map_err(failed)?;
+    let names = reader.headers().map_err(failed)?.clone();
+    let row = |record: Result<csv::StringRecord, csv::Error>| {
+        let record = record.map_err(failed)?;
+        let numbers = names.iter().zip(&record);
+        Ok(numbers.filter_map(|(name, cell)| Some((name.to_owned(), cell.parse().ok()?))).collect())
+    };
+    reader.records().map(row).collect()
 }
 
 /// Path of a file of this repository, from its top.

@@ -1,23 +1,30 @@
-//! Scaling of the program's cost with its input: scales, cutoffs, loads, rows of a table, threads.
+//! Scaling of the program's cost with its input: scales, cutoffs, loads, rows of a table, points of maps, scans, draws, threads.
 //!
 //! The program is measured from outside, with everything that a user waits for: start-up, reading, computing,
 //! writing. Time is processor time, user and system, which a busy machine disturbs less than wall time; only threads
 //! are measured by wall time.
 
-use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
-use std::time::{Duration, Instant};
+use std::path::PathBuf;
 
-/// Total time of repeated runs, long enough for the kernel's ticks.
-const LEAST_TOTAL_S: f64 = 0.6;
-/// Ticks per second, whatever the kernel's clock: `USER_HZ` of Linux.
-const TICKS_PER_S: f64 = 100.0;
-/// Interval at which memory is sampled; the kernel keeps the peak, so that only the last moment could be missed.
-const GLANCE: Duration = Duration::from_micros(300);
+use crate::inputs::Inputs;
+use crate::intervals::SceneFiles;
+use crate::processes::{peak_bytes, processor_s, program, wall_s};
 
 const MATERIAL: [&str; 6] =
     ["--youngs-modulus", "463 GPa", "--poisson-ratio", "0.2", "--yield-strength", "1.8 GPa"];
+/// Material of the Contact-Mechanics Challenge, and a band of its spectrum that the coarsest grid holds.
+const BAND: [&str; 10] = [
+    "--youngs-modulus",
+    "18.75 MPa",
+    "--poisson-ratio",
+    "0.5",
+    "--longest",
+    "50 um",
+    "--shortest",
+    "2 um",
+    "--box",
+    "100 um",
+];
 const SPECTRUM: &str = "builtin:uncd-reconstructed";
 const DECADES: f64 = 7.3;
 
@@ -36,7 +43,7 @@ pub struct Growth {
 /// Run of one size.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Run {
-    /// Number of scales, cutoffs, loads or rows.
+    /// Number of scales, cutoffs, loads, rows, points, scans or draws.
     pub size: f64,
     /// Processor time \[s\] of a run, start-up included.
     pub processor_s: f64,
@@ -64,16 +71,14 @@ pub struct Scaling {
     pub threads: Vec<Threads>,
 }
 
-/// Measures the program beside this one, as built by cargo; tables of rows are kept in `folder` while it reads them.
+/// Measures the program beside this one, as built by cargo; its input is kept in `folder` meanwhile.
 ///
 /// # Errors
 /// A message if the program is missing or fails.
-pub fn measure(folder: &Path) -> Result<Scaling, String> {
-    let program = std::env::current_exe().map_err(|error| error.to_string())?.with_file_name("truearea");
-    if !program.exists() {
-        return Err("truearea is not built: cargo build --release -p cli".to_owned());
-    }
+pub fn measure(folder: PathBuf) -> Result<Scaling, String> {
+    let program = program("truearea", "truearea-cli")?;
     let start_up_s = processor_s(&program, &["--version".to_owned()])?;
+    let inputs = Inputs::new(folder);
     let growth = |what, sizes: &[f64], arguments: &dyn Fn(f64) -> Vec<String>| -> Result<Growth, String> {
         let run = |&size: &f64| {
             let (arguments, size) = (arguments(size), size.round());
@@ -86,6 +91,9 @@ pub fn measure(folder: &Path) -> Result<Scaling, String> {
     let per_decade = |sizes: &[f64]| sizes.iter().map(|size| size * DECADES).collect::<Vec<f64>>();
     let loads = [1.0, 10.0, 100.0, 1000.0];
     let rows = [1e3, 1e4, 1e5, 1e6];
+    let points = [256.0, 512.0, 1024.0, 2048.0].map(|side: f64| side * side);
+    let draws = [1e2, 1e3, 1e4];
+    let scene = SceneFiles::new()?;
     let growths = vec![
         growth("scales, stacked", &per_decade(&[1e2, 1e3, 1e4, 1e5]), &|scales| {
             resampled("stacked", "elastic-plastic", scales, 1)
@@ -100,8 +108,12 @@ pub fn measure(folder: &Path) -> Result<Scaling, String> {
             resampled("statistical", "ep-sphere", 10.0 * DECADES, loads as usize)
         })?,
         growth("rows of a table, statistical", &rows, &|rows| {
-            vec!["statistical".to_owned(), "--input".to_owned(), table(folder, rows as usize)]
+            vec!["statistical".to_owned(), "--input".to_owned(), inputs.states(rows as usize)]
         })?,
+        growth("points of a map, spectrum", &points, &|points| inputs.map(points))?,
+        growth("points of a map, elements", &points, &elements)?,
+        growth("scans of 4096 points, spectrum", &loads, &|lines| inputs.lines(lines as usize))?,
+        growth("draws of an interval", &draws, &|draws| inputs.draws(&scene, draws as usize))?,
     ];
     let available = std::thread::available_parallelism().map_or(1, usize::from);
     let threads = (1..=available).map(|threads| {
@@ -109,7 +121,7 @@ pub fn measure(folder: &Path) -> Result<Scaling, String> {
         Ok(Threads { threads, wall_s })
     });
     let threads = threads.collect::<Result<Vec<Threads>, String>>()?;
-    let _ = std::fs::remove_dir_all(folder);
+    inputs.remove();
     Ok(Scaling { start_up_s, growths, threads })
 }
 
@@ -127,96 +139,13 @@ fn resampled(model: &str, law: &str, scales: f64, loads: usize) -> Vec<String> {
     arguments
 }
 
-/// Writes a table of unrelated populations under unrelated loads; if that fails, the program will report it.
-fn table(folder: &Path, rows: usize) -> String {
-    let mut text =
-        "model,youngs_modulus_pa,poisson_ratio,yield_strength_pa,radius_m,density_per_m2,sigma_s_m,\
-                    pressure_pa\n"
-            .to_owned();
-    for row in 0..rows {
-        // Fractions of the golden ratio are spread evenly for any number.
-        let [a, b, c] =
-            [0.618_033_988_75, 0.754_877_666_25, 0.569_840_290_99].map(|step| (step * row as f64).fract());
-        let (sigma_m, radius_m) = (1e-9 * 10f64.powf(2.0 * a), 1e-7 * 10f64.powf(2.0 * b));
-        let (density, pressure_pa) = (0.03 / (sigma_m * radius_m), 1e3 * 10f64.powf(5.0 * c));
-        let _ = writeln!(
-            text,
-            "ep-sphere,4.63e11,0.2,1.8e9,{radius_m:e},{density:e},{sigma_m:e},{pressure_pa:e}"
-        );
-    }
-    let path: PathBuf = folder.join(format!("states-{rows}.csv"));
-    let _ = std::fs::create_dir_all(folder).and_then(|()| std::fs::write(&path, text));
-    path.display().to_string()
-}
-
-fn command(program: &Path, arguments: &[String], threads: usize) -> Command {
-    let mut command = Command::new(program);
-    command.args(arguments).env("RAYON_NUM_THREADS", threads.to_string());
-    command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
-    command
-}
-
-fn succeed(command: &mut Command) -> Result<(), String> {
-    match command.status() {
-        Ok(status) if status.success() => Ok(()),
-        Ok(status) => Err(format!("{command:?}: {status}")),
-        Err(error) => Err(format!("{command:?}: {error}")),
-    }
-}
-
-/// Mean processor time of a run on one thread.
-fn processor_s(program: &Path, arguments: &[String]) -> Result<f64, String> {
-    let before = childrens_ticks()?;
-    let mut runs = 0;
-    loop {
-        succeed(&mut command(program, arguments, 1))?;
-        runs += 1;
-        let taken_s = (childrens_ticks()? - before) / TICKS_PER_S;
-        if taken_s >= LEAST_TOTAL_S {
-            return Ok(taken_s / f64::from(runs));
-        }
-    }
-}
-
-/// Processor time of all children that have ended, in the kernel's ticks.
-fn childrens_ticks() -> Result<f64, String> {
-    let stat =
-        std::fs::read_to_string("/proc/self/stat").map_err(|error| format!("/proc/self/stat: {error}"))?;
-    ticks(&stat).ok_or_else(|| format!("/proc/self/stat: {stat}"))
-}
-
-/// Fields 16 and 17; the name in parentheses before them may hold any character.
-fn ticks(stat: &str) -> Option<f64> {
-    let fields: Vec<&str> = stat.rsplit_once(')')?.1.split_whitespace().collect();
-    Some(fields.get(13)?.parse::<f64>().ok()? + fields.get(14)?.parse::<f64>().ok()?)
-}
-
-/// Largest memory that a run holds.
-fn peak_bytes(program: &Path, arguments: &[String]) -> Result<Option<u64>, String> {
-    let mut child = command(program, arguments, 1).spawn().map_err(|error| error.to_string())?;
-    let status = format!("/proc/{}/status", child.id());
-    let mut peak = None;
-    while child.try_wait().map_err(|error| error.to_string())?.is_none() {
-        peak = std::fs::read_to_string(&status).ok().and_then(|text| high_water_bytes(&text)).max(peak);
-        std::thread::sleep(GLANCE);
-    }
-    Ok(peak)
-}
-
-fn high_water_bytes(status: &str) -> Option<u64> {
-    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
-    Some(line.split_whitespace().next()?.parse::<u64>().ok()? * 1024)
-}
-
-/// Shortest wall time of five runs.
-fn wall_s(program: &Path, arguments: &[String], threads: usize) -> Result<f64, String> {
-    let mut shortest = f64::INFINITY;
-    for _ in 0..5 {
-        let start = Instant::now();
-        succeed(&mut command(program, arguments, threads))?;
-        shortest = shortest.min(start.elapsed().as_secs_f64());
-    }
-    Ok(shortest)
+/// Arguments of boundary elements on a surface of this many points, whose band stays the same.
+fn elements(points: f64) -> Vec<String> {
+    let mut arguments = vec!["bem".to_owned(), "builtin:contact-challenge".to_owned()];
+    arguments.extend(BAND.map(str::to_owned));
+    arguments.extend(["--realisations", "1", "--pressure", "1 MPa", "--grid"].map(str::to_owned));
+    arguments.push(points.sqrt().round().to_string());
+    arguments
 }
 
 /// Slope beyond the smallest run, which stands for all that does not grow.
@@ -251,13 +180,5 @@ mod tests {
             assert!((exponent(&runs).unwrap() - power).abs() < 0.01);
         }
         assert_eq!(exponent(&[run(10.0, 1.0), run(1e6, 1.0)]), None, "a point has no slope");
-    }
-
-    #[test]
-    fn the_systems_figures_are_read() {
-        let stat = "123 (a (strange) name) S 1 2 3 4 5 6 7 8 9 10 11 12 250 50 20 0 1";
-        assert_eq!(ticks(stat), Some(300.0));
-        assert_eq!(high_water_bytes("VmPeak:\t 9 kB\nVmHWM:\t    2048 kB\n"), Some(2 << 20));
-        assert_eq!(high_water_bytes("Threads: 1"), None);
     }
 }

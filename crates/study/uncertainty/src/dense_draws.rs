@@ -53,6 +53,13 @@ pub(crate) struct DenseValues {
     pub error_factor: f64,
 }
 
+impl DenseValues {
+    /// The values in computed draws alone.
+    pub fn of_computed(values: Vec<f64>) -> Self {
+        DenseValues { values, error_factor: 1.0 }
+    }
+}
+
 impl DenseDraws {
     /// Draws the inputs of `computed` draws, numbered from 0, and of more. `cutoff_m` is the shortest wavelength that takes
     /// part, if the scene sets one.
@@ -84,7 +91,7 @@ impl DenseDraws {
     /// Fills up the values of a quantity in the computed draws; `None` has no value.
     pub fn fill(&self, computed: &[Option<f64>]) -> DenseValues {
         let present: Vec<f64> = computed.iter().copied().flatten().collect();
-        let as_computed = DenseValues { values: present.clone(), error_factor: 1.0 };
+        let as_computed = DenseValues::of_computed(present.clone());
         let varies = present.windows(2).any(|pair| pair[0] != pair[1]);
         let is_enough = self.central.len() >= DRAWS_PER_TERM * self.terms.len();
         if !varies || !is_enough || computed.len() != self.computed {

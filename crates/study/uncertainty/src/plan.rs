@@ -7,7 +7,7 @@ use study::plan::{Cutoffs, Distinct, PlanError, Results, Work};
 use crate::advice::{Adviser, MIN_SCANS};
 use crate::areas::{Areas, Points};
 use crate::bands::{self, band};
-use crate::dense_draws::DenseDraws;
+use crate::dense_draws::{DenseDraws, DenseValues};
 use crate::draws::{self, Along, Drawn};
 use crate::group::Indices;
 use crate::inputs::Inputs;
@@ -111,7 +111,7 @@ impl<'p> UncertaintyPlan<'p> {
         work += of_advice;
         plans += plans_of_advice;
         let dense = self.dense(&drawn);
-        let (areas, of_best) = self.intervals_of(&drawn, &dense, &indices);
+        let (areas, of_best) = self.intervals_of(&drawn, Some(&dense), &indices);
         work += of_best;
         plans += 1;
         let mut found = Uncertainty {
@@ -154,7 +154,17 @@ impl<'p> UncertaintyPlan<'p> {
     /// [`PlanError::Cancelled`] where fewer than 20 draws were made by then.
     pub fn intervals(&self, progress: &dyn Progress) -> Result<Vec<AreaInterval>, PlanError> {
         let drawn = self.drawn(progress)?;
-        Ok(self.intervals_of(&drawn, &self.dense(&drawn), &[]).0)
+        Ok(self.intervals_of(&drawn, Some(&self.dense(&drawn)), &[]).0)
+    }
+
+    /// Computes the intervals from the computed draws alone, to compare: no polynomial fills the space between them, so
+    /// that another seed moves the ends more. `progress` advances once per draw.
+    ///
+    /// # Errors
+    /// [`PlanError::Cancelled`] where fewer than 20 draws were made by then.
+    pub fn intervals_unfilled(&self, progress: &dyn Progress) -> Result<Vec<AreaInterval>, PlanError> {
+        let drawn = self.drawn(progress)?;
+        Ok(self.intervals_of(&drawn, None, &[]).0)
     }
 
     /// Makes the draws, fewer if they are cancelled.
@@ -172,11 +182,12 @@ impl<'p> UncertaintyPlan<'p> {
         DenseDraws::new(&self.inputs, self.areas.cutoff_m(), drawn.ln_areas.len())
     }
 
-    /// The interval of every area that has one, centred on the best estimates.
+    /// The interval of every area that has one, centred on the best estimates; from the computed draws alone without
+    /// draws between them.
     fn intervals_of(
         &self,
         drawn: &Drawn,
-        dense: &DenseDraws,
+        dense: Option<&DenseDraws>,
         indices: &[Vec<Indices>],
     ) -> (Vec<AreaInterval>, Work) {
         let best = match self.inputs.best_psd() {
@@ -261,7 +272,7 @@ impl<'p> UncertaintyPlan<'p> {
         &self,
         area: usize,
         drawn: &Drawn,
-        dense: &DenseDraws,
+        dense: Option<&DenseDraws>,
         best: Option<f64>,
         indices: &[Vec<Indices>],
     ) -> Option<AreaInterval> {
@@ -271,7 +282,10 @@ impl<'p> UncertaintyPlan<'p> {
         }
         // A certain surface needs no correction for bias.
         let best = best.filter(|_| self.inputs.surface_scatters());
-        let filled = dense.fill(&drawn.in_every(area));
+        let filled = match dense {
+            Some(dense) => dense.fill(&drawn.in_every(area)),
+            None => DenseValues::of_computed(ln_areas.clone()),
+        };
         let at_level = |level| {
             let found = match best {
                 Some(best) => area_interval_about(best, &filled.values, level),

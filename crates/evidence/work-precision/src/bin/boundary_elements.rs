@@ -2,12 +2,13 @@
 //!
 //! `boundary_elements HEIGHTS PRESSURES PRESSURE TOLERANCE TIMES`: heights in m as 64-bit numbers, row by row over a
 //! square of side 1 m and modulus 1 Pa; they are pressed TIMES times, and the pressures are written in the same
-//! format.
+//! format. It prints iterations, operators and the largest memory in bytes.
 
 use std::process::ExitCode;
 
 use half_space::{Elements, Loading};
 use parallel::Unobserved;
+use work_precision::processes::own_peak_bytes;
 use work_precision::square_map::{carry_out, read, write};
 
 fn main() -> ExitCode {
@@ -29,7 +30,8 @@ fn run(arguments: &[String]) -> Result<(), Box<dyn std::error::Error>> {
         // Laid out anew each time, as for a user with one map and one load.
         let contact = Elements::periodic(grid, &heights_m)?.press(&loading, &Unobserved)?;
         write(pressures, &contact.pressures_pa)?;
-        println!("{} {}", contact.iterations, contact.operators);
+        let peak_bytes = own_peak_bytes().unwrap_or_default();
+        println!("{} {} {peak_bytes}", contact.iterations, contact.operators);
     }
     Ok(())
 }

@@ -1,10 +1,11 @@
 //! Virtual environment with the competitors, below `target/`.
 
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 /// Packages, installed one by one, so that one failure does not affect the others.
-const PACKAGES: [&str; 2] = ["scipy", "ContactMechanics"];
+const PACKAGES: [&str; 3] = ["scipy", "ContactMechanics", "tamaas"];
 
 /// Competitor that is missing, and the reason.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -43,19 +44,42 @@ impl Environment {
         let missing = missing.collect();
         Environment { python, missing }
     }
+
+    /// Runs a script of `competitors/` on one thread, and returns what it prints.
+    ///
+    /// # Errors
+    /// The last line of its error messages, if it fails.
+    pub fn output(
+        &self,
+        script: &str,
+        arguments: impl IntoIterator<Item = impl AsRef<OsStr>>,
+    ) -> Result<String, String> {
+        let printed = succeed(self.command(script).args(arguments))?;
+        Ok(String::from_utf8_lossy(&printed).into_owned())
+    }
+
+    /// A script of `competitors/`, to be run on one thread.
+    pub(super) fn command(&self, script: &str) -> Command {
+        let mut command = Command::new(&self.python);
+        command.arg(scripts().join(script)).env("PYTHONDONTWRITEBYTECODE", "1");
+        for threads in ["OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"] {
+            command.env(threads, "1");
+        }
+        command
+    }
 }
 
 /// Folder of the Python side.
-pub(super) fn scripts() -> PathBuf {
+fn scripts() -> PathBuf {
     crate::reference::repository("crates/evidence/work-precision/competitors")
 }
 
-/// Runs a command to its end; the error is the last line of its output.
-fn succeed(command: &mut Command) -> Result<(), String> {
+/// Runs a command to its end and returns what it prints; the error is the last line of its error messages.
+fn succeed(command: &mut Command) -> Result<Vec<u8>, String> {
     let program = Path::new(command.get_program()).file_name().unwrap_or_default().to_owned();
     let program = program.to_string_lossy();
     match command.output() {
-        Ok(Output { status, .. }) if status.success() => Ok(()),
+        Ok(Output { status, stdout, .. }) if status.success() => Ok(stdout),
         Ok(Output { status, stderr, .. }) => {
             let said = String::from_utf8_lossy(&stderr);
             let last = said.lines().rfind(|line| !line.trim().is_empty()).unwrap_or_default();

@@ -3,11 +3,11 @@
 
 use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader, Write};
-use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+use std::process::{Child, ChildStdin, ChildStdout, Stdio};
 
 use serde::{Deserialize, Serialize};
 
-use super::environment::{Environment, MissingPackage, scripts};
+use super::environment::{Environment, MissingPackage};
 use crate::reference::Case;
 
 /// Question to an engine.
@@ -101,12 +101,9 @@ impl Worker {
     /// # Errors
     /// A message if it does not start.
     pub fn start(environment: &Environment) -> Result<Self, String> {
-        let mut command = Command::new(&environment.python);
-        command.arg(scripts().join("worker.py")).stdin(Stdio::piped()).stdout(Stdio::piped());
-        for threads in ["OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"] {
-            command.env(threads, "1");
-        }
-        let mut child = command.env("PYTHONDONTWRITEBYTECODE", "1").spawn().map_err(|e| e.to_string())?;
+        let mut command = environment.command("worker.py");
+        command.stdin(Stdio::piped()).stdout(Stdio::piped());
+        let mut child = command.spawn().map_err(|error| error.to_string())?;
         let questions = child.stdin.take();
         let answers = BufReader::new(child.stdout.take().ok_or("no output")?);
         let (versions, missing) = (BTreeMap::new(), Vec::new());
