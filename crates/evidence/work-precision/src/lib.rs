@@ -17,7 +17,7 @@
 //!   reference;
 //! * [`stack`]: cost of a scale of a stack;
 //! * [`parts`]: what is measured one by one beside the states: [`kernels`], [`elements`], [`persson_states`], [`bracket`], [`intervals`],
-//!   [`scan_files`] and [`scaling`] with its [`inputs`]; [`processes`] is for what is measured from outside, [`seeds`] for repetitions;
+//!   [`scan_files`], [`python_calls`] and [`scaling`] with its [`inputs`]; [`processes`] is for what is measured from outside, [`seeds`] for repetitions;
 //! * [`verdicts`]: competitors that are both faster and more accurate, if any, and our lead otherwise;
 //! * `surrogate`, behind the feature of that name: cost of an interval by plain sampling and by fitted polynomials;
 //! * [`square_map`]: maps that are handed to programs of ours from scripts;
@@ -42,6 +42,7 @@ pub mod persson_states;
 pub mod pictures;
 pub mod point;
 pub mod processes;
+pub mod python_calls;
 pub mod reference;
 pub mod scaling;
 pub mod scan_files;

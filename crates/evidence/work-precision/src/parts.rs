@@ -4,7 +4,8 @@ use crate::competitors::{Environment, MissingPackage, Worker};
 use crate::machine::{self, Fact};
 use crate::reference::repository;
 use crate::{
-    bracket, elements, files, intervals, kernels, persson_states, pictures, scaling, scan_files, sections,
+    bracket, elements, files, intervals, kernels, persson_states, pictures, python_calls, scaling,
+    scan_files, sections,
 };
 
 /// Competitors, machine and versions: what parts are measured with.
@@ -60,13 +61,14 @@ pub struct Part {
 }
 
 /// All parts, in the order in which they are measured.
-pub const PARTS: [Part; 7] = [
+pub const PARTS: [Part; 8] = [
     Part { name: "kernels", measure: of_kernels },
     Part { name: "elements", measure: elements::measure },
     Part { name: "persson", measure: persson_states::measure },
     Part { name: "judge", measure: bracket::measure },
     Part { name: "intervals", measure: intervals::measure },
     Part { name: "scans", measure: scan_files::measure },
+    Part { name: "python", measure: python_calls::measure },
     Part { name: "scaling", measure: of_scaling },
 ];
 

@@ -45,6 +45,24 @@ impl Environment {
         Environment { python, missing }
     }
 
+    /// Installs a wheel in place of an earlier one, without its dependencies.
+    ///
+    /// # Errors
+    /// The last line of the error messages, if that fails.
+    pub fn install_wheel(&self, wheel: &Path) -> Result<(), String> {
+        let mut pip = Command::new(&self.python);
+        pip.args([
+            "-m",
+            "pip",
+            "install",
+            "--quiet",
+            "--disable-pip-version-check",
+            "--force-reinstall",
+            "--no-deps",
+        ]);
+        succeed(pip.arg(wheel)).map(drop)
+    }
+
     /// Runs a script of `competitors/` on one thread, and returns what it prints.
     ///
     /// # Errors
