@@ -96,7 +96,9 @@ fn interpolated_m(line: &Measured) -> Vec<f64> {
         heights_m.push(match (before, after) {
             (Some((from, from_m)), Some((to, to_m))) => {
                 let share = (index - from) as f64 / (to - from) as f64;
-                (1.0 - share) * from_m + share * to_m
+                let height_m = (1.0 - share) * from_m + share * to_m;
+                // Below the normal doubles a sum of two shares may round beyond both.
+                height_m.clamp(from_m.min(to_m), from_m.max(to_m))
             }
             (Some((_, height_m)), None) | (None, Some((_, height_m))) => height_m,
             (None, None) => 0.0, // a line without any height, refused before

@@ -88,6 +88,15 @@ fn gaps_of_a_line_lie_on_straight_lines_and_are_level_at_its_ends() {
 }
 
 #[test]
+fn gaps_of_a_line_lie_between_their_ends_even_below_the_normal_doubles() {
+    // Both halves of an odd number of smallest doubles are rounded up.
+    let height_m = f64::from_bits(7);
+    let line = UniformLineScan::new(1.0, vec![height_m; 16]).unwrap();
+    let scan = Measured::with_missing_points(Scan::UniformLine(line), [5].into_iter().collect());
+    assert_eq!(filled_m(scan)[5], height_m);
+}
+
+#[test]
 fn too_many_gaps_are_refused_with_what_to_do() {
     let refusal = |treatment, is_gap: &dyn Fn(usize, usize) -> bool| {
         let map = map_with_gaps(10, 10, [1.0, 1.0], |row, column| (row * column) as f64, is_gap);
