@@ -7,9 +7,9 @@ use study::NoFiles;
 use study::plan::Results;
 use tables::markdown::table;
 
+use crate::bench::{Bench, Contents};
 use crate::files::{self, scientific};
 use crate::page::{percent, time};
-use crate::parts::{Bench, Contents};
 use crate::seeds::{mean, standard_deviation, with_seeds};
 
 /// Scene that is judged.

@@ -3,9 +3,9 @@
 use serde::Deserialize;
 use tables::markdown::table;
 
+use crate::bench::{Bench, Contents};
 use crate::files;
 use crate::page::{error, mebibytes, met, three_digits, time};
-use crate::parts::{Bench, Contents};
 use crate::processes::program;
 
 /// Factors by which ours must be cheaper than Tamaas, by p/(E* h').

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
-use crate::intervals::SceneFiles;
+use crate::uncertain_scene::SceneFiles;
 
 /// Points of a line.
 const POINTS_OF_A_LINE: usize = 4096;

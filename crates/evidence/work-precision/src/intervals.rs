@@ -1,50 +1,22 @@
 //! Movement of the ends of an interval between seeds against the cost of its draws, with and without the polynomial that
 //! fills up the space between draws.
 
-use std::collections::BTreeMap;
-
 use parallel::Unobserved;
-use scene::{Overrides, Scene};
-use spectrum::ProfilePsd;
-use study::NoFiles;
+use scene::Scene;
 use study::plan::Results;
 use tables::markdown::table;
 use uncertainty::{AreaInterval, Settings, UncertaintyPlan};
 
+use crate::bench::{Bench, Contents};
 use crate::files::{self, scientific};
 use crate::page::{percent, time};
-use crate::parts::{Bench, Contents};
 use crate::seeds::{mean, root_mean_square, standard_deviation, with_seeds};
+use crate::uncertain_scene::SceneFiles;
 
 /// Numbers of computed draws.
 const DRAWS: [usize; 4] = [100, 300, 1000, 3000];
 /// Number of seeds.
 const SEEDS: u64 = 12;
-/// Relative standard error of every bin of the spectrum.
-const ERROR_OF_A_BIN: f64 = 0.1;
-/// Uncertain material, light and heavy loads, a curve of each kind.
-const STUDY: &str = r#"
-[material]
-youngs_modulus = "463 GPa +- 5 %"
-poisson_ratio = 0.2
-yield_strength = "10 GPa +- 5 %"
-
-[loads]
-pressures = ["1e-3 H", "1e-1 H"]
-
-[[curve]]
-model = "elastic-plastic"
-cutoffs = "shortest"
-
-[[curve]]
-model = "ep-sphere"
-cutoffs = "shortest"
-
-[[curve]]
-model = "persson"
-cutoffs = "shortest"
-"#;
-
 /// Function of a plan that computes its intervals.
 type Intervals = fn(&UncertaintyPlan<'_>) -> Result<Vec<AreaInterval>, study::plan::PlanError>;
 
@@ -95,45 +67,6 @@ pub fn measure(bench: &mut Bench) -> Result<Contents, String> {
         sections: vec![("intervals", costs_table(&costs))],
         files: vec![("intervals.csv", files::comments(&bench.facts) + &csv(&costs))],
     })
-}
-
-/// Text of the scene, and its spectrum with standard errors.
-#[derive(Debug)]
-pub struct SceneFiles {
-    /// The scene, which reads [`SceneFiles::PSD`].
-    pub scene: String,
-    /// The spectrum as a table.
-    pub psd: String,
-}
-
-impl SceneFiles {
-    /// Name of the spectrum's file.
-    pub const PSD: &str = "psd.csv";
-
-    /// Adds standard errors to the spectrum of diamond.
-    ///
-    /// # Errors
-    /// A message if the scene cannot be parsed.
-    pub fn new() -> Result<Self, String> {
-        let certain = "surface = { psd = \"builtin:uncd-measured\" }\n".to_owned() + STUDY;
-        let certain = Scene::parse(&certain, &NoFiles, &Overrides::default());
-        let psd = with_errors(&certain.map_err(|error| error.to_string())?.surface.psd);
-        Ok(SceneFiles { scene: format!("surface = {{ psd = \"{}\" }}\n{STUDY}", Self::PSD), psd })
-    }
-
-    fn parsed(&self) -> Result<Scene, String> {
-        let files = BTreeMap::from([(Self::PSD.to_owned(), self.psd.clone().into_bytes())]);
-        Scene::parse(&self.scene, &files, &Overrides::default()).map_err(|error| error.to_string())
-    }
-}
-
-/// Spectrum as a table with a standard error in every row.
-fn with_errors(psd: &ProfilePsd) -> String {
-    let rows = psd.wavelengths_m().iter().zip(psd.c1d_m3());
-    let row = |(wavelength_m, c1d_m3): (&f64, &f64)| {
-        format!("{wavelength_m:e},{c1d_m3:e},{:e}\n", ERROR_OF_A_BIN * c1d_m3)
-    };
-    "wavelength_m,C1D_m3,C1D_se_m3\n".to_owned() + &rows.map(row).collect::<String>()
 }
 
 /// Logarithms of the ends of every interval.

@@ -17,7 +17,7 @@
 //!   reference;
 //! * [`stack`]: cost of a scale of a stack;
 //! * [`parts`]: what is measured one by one beside the states: [`kernels`], [`elements`], [`persson_states`], [`bracket`], [`intervals`],
-//!   [`scan_files`], [`python_calls`] and [`scaling`] with its [`inputs`]; [`processes`] is for what is measured from outside, [`seeds`] for repetitions;
+//!   [`scan_files`], [`python_calls`] and [`scaling`] with its [`inputs`]; [`uncertain_scene`] is what intervals are of, [`bench`](mod@bench) what all are measured with; [`processes`] is for what is measured from outside, [`seeds`] for repetitions;
 //! * [`verdicts`]: competitors that are both faster and more accurate, if any, and our lead otherwise;
 //! * `surrogate`, behind the feature of that name: cost of an interval by plain sampling and by fitted polynomials;
 //! * [`square_map`]: maps that are handed to programs of ours from scripts;
@@ -26,6 +26,7 @@
 //! Times are of one thread, the shortest of many repetitions, because the shortest is the least disturbed.
 #![deny(missing_docs)]
 
+pub mod bench;
 pub mod bracket;
 pub mod clock;
 pub mod competitors;
@@ -53,4 +54,5 @@ pub mod stack;
 pub mod study;
 #[cfg(feature = "surrogate")]
 pub mod surrogate;
+pub mod uncertain_scene;
 pub mod verdicts;

@@ -6,8 +6,9 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use tables::markdown::with_section;
+use work_precision::bench::{Bench, Contents};
 use work_precision::competitors::MissingPackage;
-use work_precision::parts::{Bench, Contents, PARTS, Part};
+use work_precision::parts::{PARTS, Part};
 use work_precision::point::{GivenQuantity, Outcome, Point};
 use work_precision::reference::{self, repository};
 use work_precision::sections::Measured;

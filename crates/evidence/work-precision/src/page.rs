@@ -11,12 +11,13 @@ pub fn time(seconds: f64) -> String {
     format!("{} {unit}", three_digits(value))
 }
 
-/// Formats a number to three digits, grouped in threes from five places on.
+/// Formats a number to three digits, those below a tenth to four places, grouped in threes from five places on.
 pub fn three_digits(value: f64) -> String {
     let digits = match value.abs() {
         v if v >= 99.95 => 0,
         v if v >= 9.995 => 1,
-        _ => 2,
+        v if v >= 0.0995 || v == 0.0 => 2,
+        _ => 4,
     };
     let rounded = if value.abs() >= 999.5 {
         let unit = 10f64.powf(value.abs().log10().floor() - 2.0);
@@ -64,8 +65,8 @@ mod tests {
             ["37.0 ms", "340 µs", "8.31 µs", "15.0 ns", "2.00 s"]
         );
         assert_eq!(
-            [3456.0, 34567.0, 1_234_567.0, 0.5, 99.99].map(three_digits),
-            ["3460", "34,600", "1,230,000", "0.50", "100"]
+            [3456.0, 34567.0, 1_234_567.0, 0.5, 99.99, 0.00291].map(three_digits),
+            ["3460", "34,600", "1,230,000", "0.50", "100", "0.0029"]
         );
     }
 }

@@ -4,10 +4,10 @@ use persson::{constant_hardness, elastic};
 use serde::Deserialize;
 use tables::markdown::table;
 
+use crate::bench::{Bench, Contents};
 use crate::clock::seconds_per_call;
 use crate::files::{self, scientific};
 use crate::page::{error, three_digits, time};
-use crate::parts::{Bench, Contents};
 use crate::reference::{Columns, columns, repository};
 use crate::seeds::mean;
 

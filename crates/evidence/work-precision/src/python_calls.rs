@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use serde::Deserialize;
 use tables::markdown::table;
 
+use crate::bench::{Bench, Contents};
 use crate::files;
 use crate::page::{error, three_digits, time};
-use crate::parts::{Bench, Contents};
 use crate::reference::repository;
 
 /// Folder of the wheel that `cargo xtask python` builds.

@@ -7,8 +7,8 @@
 use std::path::PathBuf;
 
 use crate::inputs::Inputs;
-use crate::intervals::SceneFiles;
 use crate::processes::{peak_bytes, processor_s, program, wall_s};
+use crate::uncertain_scene::SceneFiles;
 
 const MATERIAL: [&str; 6] =
     ["--youngs-modulus", "463 GPa", "--poisson-ratio", "0.2", "--yield-strength", "1.8 GPa"];
