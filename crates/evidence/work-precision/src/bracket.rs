@@ -121,8 +121,11 @@ fn cost(setting: Option<(usize, usize)>, seconds: f64, found: &[Vec<Bracket>], m
         )
     };
     let scatter = |brackets: &[Bracket]| standard_deviation(&areas(brackets)) / mean(&areas(brackets));
-    let is_held =
-        |(bracket, mean): (&Bracket, &f64)| f64::from(bracket.low <= *mean && *mean <= bracket.high);
+    // The mean of equal areas, as of full flow, may be off by its rounding.
+    const ROUNDING: f64 = 1e-14;
+    let is_held = |(bracket, mean): (&Bracket, &f64)| {
+        f64::from(bracket.low <= mean * (1.0 + ROUNDING) && mean * (1.0 - ROUNDING) <= bracket.high)
+    };
     let held: Vec<f64> = found.iter().flat_map(|brackets| brackets.iter().zip(means).map(is_held)).collect();
     BracketCost {
         setting,
@@ -190,6 +193,8 @@ mod tests {
         assert!((cost.scatter - 0.5 * 0.02 * 0.5f64.sqrt() / 0.11).abs() < 1e-12, "{}", cost.scatter);
         assert_eq!(cost.share_held, 1.0);
         assert_eq!(super::cost(Some((48, 2)), 0.5, &found, &[0.2, 0.3]).share_held, 0.5);
+        let flat = Bracket { low: 0.1, ..bracket(0.1) };
+        assert_eq!(super::cost(None, 0.5, &[vec![flat]], &[0.1f64.next_down()]).share_held, 1.0);
         let row = costs_table(&[cost]).lines().last().unwrap().to_owned();
         assert_eq!(row, "| 48 | 2 | 500 ms | 10.0 % | 5.00 % | 6.43 % | 100 % |");
     }
