@@ -8,7 +8,7 @@ use std::f64::consts::{PI, SQRT_2};
 
 use multiversion::multiversion;
 
-use crate::lanes::{LANES, any, each, in_blocks};
+use crate::lanes::{LANES, any, check_lengths, each, in_blocks};
 use crate::mean_gap::{complement, power_at, powers_at};
 use crate::{Break, MaterialPair, elementary};
 
@@ -119,6 +119,9 @@ impl ElasticSinusoid {
 
     /// Computes [`pressure_at_interference_pa`](Self::pressure_at_interference_pa) at each of some interferences over
     /// amplitude, to the same digits at a fraction of the cost.
+    ///
+    /// # Panics
+    /// If the slices differ in length.
     pub fn pressures_at_interferences(&self, interferences_over_amplitude: &[f64], pressures_pa: &mut [f64]) {
         elastic_pressures(self, interferences_over_amplitude, pressures_pa);
     }
@@ -194,6 +197,7 @@ fn elastic_at_each(
 /// Pressures \[Pa\] at interferences over amplitude.
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512dq", "x86_64+avx2"))]
 fn elastic_pressures(law: &ElasticSinusoid, interferences_over_amplitude: &[f64], pressures_pa: &mut [f64]) {
+    check_lengths(interferences_over_amplitude, [pressures_pa]);
     for (&ratio, pressure_pa) in interferences_over_amplitude.iter().zip(pressures_pa) {
         let t = power_at(ratio);
         *pressure_pa = law.pressure_at_power(ratio, || t);

@@ -165,6 +165,9 @@ impl JacksonGreen {
 
     /// Computes [`force_n`](Self::force_n) at each of few interferences w >= 0 \[m\], to the same digits at a fraction of
     /// the cost.
+    ///
+    /// # Panics
+    /// If the slices differ in length.
     pub fn forces_n(&self, interferences_m: &[f64], forces_n: &mut [f64]) {
         match self.hardness {
             Hardness::JacksonGreen2005 => {

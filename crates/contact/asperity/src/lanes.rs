@@ -27,15 +27,14 @@ pub(crate) fn any<const N: usize>(condition: impl Fn(usize) -> bool) -> bool {
     (0..N).fold(false, |any, i| any | condition(i))
 }
 
-/// Panics unless there is a place for both results of every argument.
+/// Panics unless there is a place for every result of every argument.
 #[inline(always)]
-pub(crate) fn check_lengths(arguments: &[f64], [first, second]: [&[f64]; 2]) {
+pub(crate) fn check_lengths<const N: usize>(arguments: &[f64], results: [&[f64]; N]) {
+    let lengths = results.map(<[f64]>::len);
     assert!(
-        arguments.len() == first.len() && arguments.len() == second.len(),
-        "{} interferences need as many places for results, not {} and {}",
-        arguments.len(),
-        first.len(),
-        second.len()
+        lengths == [arguments.len(); N],
+        "{} interferences need as many places for results, not {lengths:?}",
+        arguments.len()
     );
 }
 
@@ -64,6 +63,7 @@ pub(crate) const FEW: usize = 8;
 /// Computes a result at each of few arguments. The last block is filled up with its last argument.
 #[inline(always)]
 pub(crate) fn in_few(arguments: &[f64], results: &mut [f64], law: impl Fn([f64; FEW]) -> [f64; FEW]) {
+    check_lengths(arguments, [results]);
     for (at, results) in arguments.chunks(FEW).zip(results.chunks_mut(FEW)) {
         let mut block = [at[at.len() - 1]; FEW];
         block[..at.len()].copy_from_slice(at);
@@ -76,7 +76,7 @@ mod tests {
     use super::check_lengths;
 
     #[test]
-    #[should_panic(expected = "2 interferences need as many places for results, not 2 and 1")]
+    #[should_panic(expected = "2 interferences need as many places for results, not [2, 1]")]
     fn results_need_as_many_places_as_there_are_arguments() {
         check_lengths(&[1.0, 2.0], [&[0.0, 0.0], &[0.0]]);
     }

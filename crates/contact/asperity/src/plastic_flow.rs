@@ -64,6 +64,9 @@ impl PlasticFlow {
 
     /// Computes [`pressure_at_interference_pa`](Self::pressure_at_interference_pa) at each of some interferences over
     /// amplitude, to the same digits at a fraction of the cost.
+    ///
+    /// # Panics
+    /// If the slices differ in length.
     pub fn pressures_at_interferences(&self, interferences_over_amplitude: &[f64], pressures_pa: &mut [f64]) {
         self.law.pressures_at_interferences_by(self.gap, interferences_over_amplitude, pressures_pa);
     }

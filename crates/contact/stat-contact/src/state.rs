@@ -49,6 +49,15 @@ impl ContactState {
         self.decay_length_m.map(|decay_length_m| self.pressure_pa / decay_length_m)
     }
 
+    /// State of integrals at a separation \[m\] that is u sigma_s within rounding. The caller fills in the evaluations.
+    #[inline]
+    pub(crate) fn at_separation(integrals: &Integrals, separation_m: f64, sigma_s_m: f64) -> Self {
+        // ln p falls like u^2/2: at sixty sigma the rounding of u itself shows in the thirteenth digit of p.
+        let rounding = (-integrals.u).mul_add(sigma_s_m, separation_m) / sigma_s_m;
+        let state = Self::of(integrals, rounding, sigma_s_m);
+        ContactState { separation_m: Some(separation_m), ..state }
+    }
+
     /// State of integrals at the separation u + rounding, in units of sigma_s. The caller fills in the separation in
     /// metres and the evaluations.
     #[inline]

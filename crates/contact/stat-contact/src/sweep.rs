@@ -77,14 +77,12 @@ impl<'a> Sweep<'a> {
         }
         let sigma_s_m = self.frames.sigma_s_m;
         let u = separation_m / sigma_s_m;
-        // ln p falls like u^2/2: at sixty sigma the rounding of u itself shows in the thirteenth digit of p.
-        let rounding = (-u).mul_add(sigma_s_m, separation_m) / sigma_s_m;
         let spent = self.frames.evaluations();
         let here = self.frames.at(u).at(u);
         self.near = Some(Neighbour { u, sums: Some(here.sums) });
-        let state = ContactState::of(&here.integrals(), rounding, sigma_s_m);
+        let state = ContactState::at_separation(&here.integrals(), separation_m, sigma_s_m);
         let evaluations = self.frames.evaluations() - spent;
-        Ok(ContactState { separation_m: Some(separation_m), evaluations, ..state })
+        Ok(ContactState { evaluations, ..state })
     }
 
     /// Returns the state that carries a pressure \[Pa\] over the nominal area.

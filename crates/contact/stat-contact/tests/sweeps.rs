@@ -1,35 +1,24 @@
 //! A sweep has the digits of single states, for less.
 
+mod support;
+
 use asperity::{ElasticBody, Hardness, MaterialPair, NixGao};
 use proptest::prelude::*;
 use stat_contact::{AsperityLaw, ContactState, InterferenceLaw, Population, StatisticalContact};
+
+use support::contacts_of_diamond;
 
 const SIGMA_M: f64 = 5e-9;
 const TOLERANCES: [f64; 4] = [1e-2, 1e-3, 1e-6, 1e-10];
 
 /// All laws, and in the end spheres whose force steps down where they yield.
 fn contacts() -> Vec<StatisticalContact> {
-    let pair = |modulus_pa, poisson_ratio| {
-        MaterialPair::against_rigid(ElasticBody::new(modulus_pa, poisson_ratio).unwrap())
-    };
-    let population = Population::new(40e-9, 3e13, SIGMA_M).unwrap();
-    let strength = NixGao::constant(1.8e9).unwrap();
-    let hardening = strength.with_strain_gradient(5e-6).unwrap();
-    let hardness = Hardness::default();
-    let laws = [
-        AsperityLaw::Hertz,
-        AsperityLaw::EpSphere { strength, hardness },
-        AsperityLaw::EpSphere { strength: hardening, hardness },
-        AsperityLaw::ElasticSine { interference: InterferenceLaw::RostamiJackson },
-        AsperityLaw::ElasticSine { interference: InterferenceLaw::Bem },
-        AsperityLaw::EpSine { strength },
-        AsperityLaw::EpSine { strength: hardening },
-    ];
-    let usual = laws.map(|law| StatisticalContact::new(&pair(463e9, 0.2), &population, &law));
+    let pair = MaterialPair::against_rigid(ElasticBody::new(1e11, 0.5).unwrap());
     let large = Population::new(1e-2, 1e8, SIGMA_M).unwrap();
-    let soft = AsperityLaw::EpSphere { strength: NixGao::constant(1e9).unwrap(), hardness };
-    let stepping = StatisticalContact::new(&pair(1e11, 0.5), &large, &soft);
-    usual.into_iter().chain([stepping]).collect()
+    let strength = NixGao::constant(1e9).unwrap();
+    let soft = AsperityLaw::EpSphere { strength, hardness: Hardness::default() };
+    let stepping = StatisticalContact::new(&pair, &large, &soft);
+    contacts_of_diamond(SIGMA_M).into_iter().chain([stepping]).collect()
 }
 
 /// All but the evaluations.

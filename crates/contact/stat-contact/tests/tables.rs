@@ -1,31 +1,23 @@
 //! States of a table are single states within their error estimates, for less.
 
-use asperity::{ElasticBody, Hardness, MaterialPair, NixGao};
+mod support;
+
+use asperity::{ElasticBody, MaterialPair};
 use stat_contact::{
     AsperityLaw, Condition, ContactState, InterferenceLaw, NayakSummits, Population, StatisticalContact,
 };
 
+use support::contacts_of_diamond;
+
 const SIGMA_M: f64 = 5e-9;
 const TOLERANCES: [f64; 5] = [1e-2, 1e-4, 1e-7, 1e-10, 1e-13];
 
-/// All laws that have no closed form.
+/// All laws that have no closed form, and the summits of a surface.
 fn contacts() -> Vec<StatisticalContact> {
     let pair = MaterialPair::against_rigid(ElasticBody::new(463e9, 0.2).unwrap());
-    let population = Population::new(40e-9, 3e13, SIGMA_M).unwrap();
-    let strength = NixGao::constant(1.8e9).unwrap();
-    let hardening = strength.with_strain_gradient(5e-6).unwrap();
-    let hardness = Hardness::default();
-    let laws = [
-        AsperityLaw::EpSphere { strength, hardness },
-        AsperityLaw::EpSphere { strength: hardening, hardness },
-        AsperityLaw::ElasticSine { interference: InterferenceLaw::RostamiJackson },
-        AsperityLaw::ElasticSine { interference: InterferenceLaw::Bem },
-        AsperityLaw::EpSine { strength },
-        AsperityLaw::EpSine { strength: hardening },
-    ];
-    let populations = laws.map(|law| StatisticalContact::new(&pair, &population, &law));
     let summits = NayakSummits::new(SIGMA_M * SIGMA_M, 0.05, 5e14).unwrap();
-    populations.into_iter().chain([StatisticalContact::from_summits(&pair, &summits)]).collect()
+    let summits = StatisticalContact::from_summits(&pair, &summits);
+    contacts_of_diamond(SIGMA_M).into_iter().skip(1).chain([summits]).collect()
 }
 
 /// Larger of the relative differences of pressure and area.

@@ -7,7 +7,7 @@ use crate::uncertain_scene::SceneFiles;
 
 /// Points of a line.
 const POINTS_OF_A_LINE: usize = 4096;
-/// What the program is told about heights, whose files have no units.
+/// Options that give the program unit and size of heights, whose files have neither.
 const UNITS: [&str; 4] = ["--unit", "nm", "--size", "100 um"];
 
 /// Folder for the files. Errors of writing are left to the program, which then lacks its input.

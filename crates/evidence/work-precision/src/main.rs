@@ -19,19 +19,22 @@ use work_precision::{files, pictures, sections, stack, study};
 const DRAWN: &str = "steel";
 
 fn main() -> ExitCode {
-    let names: Vec<String> = std::env::args().skip(1).collect();
-    match run(&names) {
+    let parts = std::env::args().skip(1).map(|name| part(&name)).collect::<Result<Vec<&Part>, String>>();
+    let (result, status) = match parts {
+        Ok(parts) => (run(parts), ExitCode::FAILURE),
+        Err(message) => (Err(message), ExitCode::from(2)),
+    };
+    match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => {
             eprintln!("error: {message}");
-            ExitCode::FAILURE
+            status
         }
     }
 }
 
-/// Measures the parts of these names; without names the states and all parts.
-fn run(names: &[String]) -> Result<(), String> {
-    let parts = names.iter().map(|name| part(name)).collect::<Result<Vec<&Part>, String>>()?;
+/// Measures some parts; without any, the states and all parts.
+fn run(parts: Vec<&Part>) -> Result<(), String> {
     println!("installing the competitors below target/");
     let mut bench = Bench::prepare();
     for MissingPackage { package, reason } in &bench.missing {

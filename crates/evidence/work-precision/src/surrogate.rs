@@ -19,8 +19,10 @@ use study::models::CurveModel;
 use study::plan::Plan;
 use uncertainty::{quantiles, sobol};
 
-/// Scene: the measured spectrum of diamond, elastic and plastic curves of each kind, light and heavy loads.
-const SCENE: &str = r#"
+use crate::uncertain_scene::LOADS_AND_CURVES;
+
+/// Surface and material of the scene: the measured spectrum of diamond.
+const DIAMOND: &str = r#"
 title = "UNCD, measured"
 
 [surface]
@@ -30,21 +32,6 @@ psd = "builtin:uncd-measured"
 youngs_modulus = "463 GPa"
 poisson_ratio = 0.2
 yield_strength = "10 GPa"
-
-[loads]
-pressures = ["1e-3 H", "1e-1 H"]
-
-[[curve]]
-model = "elastic-plastic"
-cutoffs = "shortest"
-
-[[curve]]
-model = "ep-sphere"
-cutoffs = "shortest"
-
-[[curve]]
-model = "persson"
-cutoffs = "shortest"
 "#;
 
 /// Number of inputs: Young's modulus, the yield strength, and the height scale.
@@ -115,7 +102,8 @@ struct Design {
 /// # Errors
 /// A message if the scene fails.
 pub fn method_errors() -> Result<Vec<MethodErrors>, String> {
-    let scene = Scene::parse(SCENE, &NoFiles, &Overrides::default()).map_err(|error| error.to_string())?;
+    let scene = DIAMOND.to_owned() + LOADS_AND_CURVES;
+    let scene = Scene::parse(&scene, &NoFiles, &Overrides::default()).map_err(|error| error.to_string())?;
     let mut random = ChaCha8Rng::seed_from_u64(1);
     let mut draws = || -> Vec<Draw> {
         (0..REFERENCE_DRAWS).map(|_| std::array::from_fn(|_| StandardNormal.sample(&mut random))).collect()

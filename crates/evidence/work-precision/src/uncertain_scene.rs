@@ -8,13 +8,8 @@ use study::NoFiles;
 
 /// Relative standard error of every bin of the spectrum.
 const ERROR_OF_A_BIN: f64 = 0.1;
-/// Uncertain material, light and heavy loads, a curve of each kind.
-const STUDY: &str = r#"
-[material]
-youngs_modulus = "463 GPa +- 5 %"
-poisson_ratio = 0.2
-yield_strength = "10 GPa +- 5 %"
-
+/// Light and heavy loads, and a curve of each kind, elastic and plastic.
+pub const LOADS_AND_CURVES: &str = r#"
 [loads]
 pressures = ["1e-3 H", "1e-1 H"]
 
@@ -29,6 +24,13 @@ cutoffs = "shortest"
 [[curve]]
 model = "persson"
 cutoffs = "shortest"
+"#;
+/// Uncertain material.
+const MATERIAL: &str = r#"
+[material]
+youngs_modulus = "463 GPa +- 5 %"
+poisson_ratio = 0.2
+yield_strength = "10 GPa +- 5 %"
 "#;
 
 /// Text of the scene, and its spectrum with standard errors.
@@ -49,10 +51,14 @@ impl SceneFiles {
     /// # Errors
     /// A message if the scene cannot be parsed.
     pub fn new() -> Result<Self, String> {
-        let certain = "surface = { psd = \"builtin:uncd-measured\" }\n".to_owned() + STUDY;
+        let certain =
+            "surface = { psd = \"builtin:uncd-measured\" }\n".to_owned() + MATERIAL + LOADS_AND_CURVES;
         let certain = Scene::parse(&certain, &NoFiles, &Overrides::default());
         let psd = with_errors(&certain.map_err(|error| error.to_string())?.surface.psd);
-        Ok(SceneFiles { scene: format!("surface = {{ psd = \"{}\" }}\n{STUDY}", Self::PSD), psd })
+        Ok(SceneFiles {
+            scene: format!("surface = {{ psd = \"{}\" }}\n{MATERIAL}{LOADS_AND_CURVES}", Self::PSD),
+            psd,
+        })
     }
 
     /// Parses the scene.

@@ -13,7 +13,7 @@ use crate::quadrature::precision::Precision;
 use crate::{Condition, ContactState, Sweep};
 use piece::{Piece, coordinate, separation};
 
-/// States between two separations, which cost a tenth of a microsecond each once the table is built
+/// States between two separations, which cost some tenths of a microsecond each once the table is built
 /// ([`StatisticalContact::table`](crate::StatisticalContact::table)). Building it takes some ten to fifty states.
 ///
 /// ln p and ln A are polynomials over a few pieces of the range, each fitted until the terms left out are below the
@@ -164,9 +164,7 @@ impl<'a> StateTable<'a> {
         let Some(piece) = self.pieces.get(at).filter(|piece| piece.from_x <= x) else {
             return self.alone().at_separation(separation_m);
         };
-        let rounding = (-u).mul_add(self.sigma_s_m, separation_m) / self.sigma_s_m;
-        let state = ContactState::of(&piece.integrals(x, u), rounding, self.sigma_s_m);
-        Ok(ContactState { separation_m: Some(separation_m), ..state })
+        Ok(ContactState::at_separation(&piece.integrals(x, u), separation_m, self.sigma_s_m))
     }
 
     /// Returns the state at the largest separation that carries a pressure \[Pa\] over the nominal area.

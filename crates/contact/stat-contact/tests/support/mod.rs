@@ -15,6 +15,25 @@ pub struct Row {
     pub area_fraction: f64,
 }
 
+/// Populations of diamond with heights of a standard deviation \[m\] under every law.
+pub fn contacts_of_diamond(sigma_s_m: f64) -> [StatisticalContact; 7] {
+    let pair = MaterialPair::against_rigid(ElasticBody::new(463e9, 0.2).unwrap());
+    let population = Population::new(40e-9, 3e13, sigma_s_m).unwrap();
+    let strength = NixGao::constant(1.8e9).unwrap();
+    let hardening = strength.with_strain_gradient(5e-6).unwrap();
+    let hardness = Hardness::default();
+    let laws = [
+        AsperityLaw::Hertz,
+        AsperityLaw::EpSphere { strength, hardness },
+        AsperityLaw::EpSphere { strength: hardening, hardness },
+        AsperityLaw::ElasticSine { interference: InterferenceLaw::RostamiJackson },
+        AsperityLaw::ElasticSine { interference: InterferenceLaw::Bem },
+        AsperityLaw::EpSine { strength },
+        AsperityLaw::EpSine { strength: hardening },
+    ];
+    laws.map(|law| StatisticalContact::new(&pair, &population, &law))
+}
+
 /// The rows of a table without its header, in the columns of the project's reference tables.
 pub fn rows(table: &str) -> impl Iterator<Item = Row> {
     table.lines().map(|line| {
