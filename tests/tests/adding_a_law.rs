@@ -57,7 +57,7 @@ fn the_page_touches_few_files_and_its_law_compiles_and_runs() {
     let mut sources = sources();
     let touched = follow(&page, &mut sources);
     assert!((5..=MOST_FILES).contains(&touched.len()), "{touched:?}");
-    sources.insert("crates/study/scene/tests/followed.rs".into(), FOLLOWED.into());
+    sources.insert("crates/answer/scene/tests/followed.rs".into(), FOLLOWED.into());
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("adding-a-law");
     write(&sources, &folder.join("sources"));
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());

@@ -10,7 +10,7 @@ use xtask::checkout;
 
 /// The floors from the ground up: folders of `crates/`. A crate may use any crate of a lower floor, and of its own
 /// floor what its manifest lists.
-const FLOORS: [&str; 6] = ["base", "surface", "contact", "study", "apps", "evidence"];
+const FLOORS: [&str; 6] = ["base", "surface", "contact", "answer", "apps", "evidence"];
 
 /// The floors whose crates are fit for a browser: bytes in, values out.
 const CORE_FLOORS: usize = 4;

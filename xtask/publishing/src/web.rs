@@ -64,7 +64,7 @@ fn build() -> Result<(), Box<dyn Error>> {
             .remove_producers_section(true)
             .generate(&out)?;
     }
-    fs::copy(root.join("crates/study/report/src/page/style.css"), out.join("report.css"))?;
+    fs::copy(root.join("crates/answer/report/src/page/style.css"), out.join("report.css"))?;
     fs::write(out.join("choices.json"), printed(root, "page_choices")?)?;
     let page = root.join("crates/apps/web/page");
     for entry in fs::read_dir(&page)? {
