@@ -1,4 +1,4 @@
-//! Bias of spectra of self-affine maps by the treatment of missing points, as the table of docs/guide/gaps.md: C1D and the rms slope
+//! Bias of spectra of self-affine maps by the treatment of missing points, as the table of docs/guide/missing-points.md: C1D and the rms slope
 //! of a map with missing points over those of the whole map, geometric means over seeds and over the wavelengths of a column.
 
 #[path = "../tests/transform_support/mod.rs"]
