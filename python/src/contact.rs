@@ -109,7 +109,7 @@ pub fn contact_states<'py>(
         },
     };
     let states = match rows <= LIGHT_ROWS {
-        true => light(py, || states.compute(rows, asked, &parallel::Unobserved)),
+        true => light(py, || states.compute(rows, asked, &numerics::parallel::Unobserved)),
         false => carry_out(py, None, |watch| states.compute(rows, asked, watch))?,
     };
     let (found, counts) = states.map_err(|error| bad_row(&error, shape))?;

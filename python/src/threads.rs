@@ -41,7 +41,7 @@ pub fn with_threads<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     if let Some(pool) = pool(threads()) {
         return pool.install(work);
     }
-    parallel::on_this_thread(work)
+    numerics::parallel::on_this_thread(work)
 }
 
 /// The pool of this process; none where one thread is to do all, or no more can be had.

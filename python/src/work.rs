@@ -5,7 +5,7 @@ use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-use parallel::Progress;
+use numerics::parallel::Progress;
 use pyo3::prelude::*;
 use questions::Phase;
 
@@ -101,7 +101,7 @@ pub fn carry_out<T: Send>(
 
 /// Runs `work` on this thread: for work that is done before another thread has begun.
 pub fn light<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> T {
-    py.detach(|| parallel::on_this_thread(work))
+    py.detach(|| numerics::parallel::on_this_thread(work))
 }
 
 /// Locks a mutex, also after a panic of another holder.

@@ -20,7 +20,7 @@ pub fn write_differences(curves: &[GoldenCurve]) -> Option<PathBuf> {
         return None;
     }
     let page = page(&changed).into_string();
-    staging::write_file(&path, page).expect("the target folder is writable");
+    tables::staging::write_file(&path, page).expect("the target folder is writable");
     Some(path)
 }
 

@@ -1,7 +1,7 @@
 //! Boundary elements against another solver's answers on maps as instruments' programs write them.
 
 use half_space::{Elements, Ending, Grid, Loading};
-use parallel::Unobserved;
+use numerics::parallel::Unobserved;
 use scans::{Scan, ScanOptions, read_scans};
 use tests::ReferenceTable;
 use tests::committed_file;

@@ -3,7 +3,7 @@
 
 use asperity::{ElasticBody, Layer, LayerCompliance, MaterialPair};
 use half_space::{Elements, Ending, Grid, Loading};
-use parallel::Unobserved;
+use numerics::parallel::Unobserved;
 use scans::{Scan, ScanOptions, read_scans};
 use tests::{Deviations, ReferenceTable, committed_file};
 

@@ -12,7 +12,7 @@ use asperity::{
 };
 use half_space::{Elements, Grid, Loading};
 use judge::JudgePlan;
-use parallel::Unobserved;
+use numerics::parallel::Unobserved;
 use scans::{HeightMap, ScanOptions};
 use scene::{Overrides, Scene, Template};
 use spectrum::{

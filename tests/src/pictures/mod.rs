@@ -21,7 +21,7 @@ use std::path::PathBuf;
 
 use asperity::{Break, ElasticBody, MaterialPair};
 use report::plot;
-use staging::StagedFiles;
+use tables::staging::StagedFiles;
 use study::figure::{Axis, FigureData, Series, Shows};
 
 use crate::committed_file;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use parallel::Unobserved;
+use numerics::parallel::Unobserved;
 use questions::{AdhesionQuestion, Answer, GapModel, LoadInput, MaterialInput, TangentialQuestion};
 use report::plot;
 use rough_bem::{Boundary, Relief};

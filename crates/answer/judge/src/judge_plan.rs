@@ -1,6 +1,6 @@
 //! The plan of a judgement: what is pressed, and in which order everything is compared.
 
-use parallel::{NestedProgress, Progress};
+use numerics::parallel::{NestedProgress, Progress};
 use scene::Scene;
 use study::plan::Results;
 

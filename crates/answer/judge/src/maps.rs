@@ -4,7 +4,7 @@
 use gaussian_surfaces::{MapWaves, Surface};
 use half_space::{Grid, Loading};
 use measurements::MapPatch;
-use parallel::Progress;
+use numerics::parallel::Progress;
 use serde::Serialize;
 use topography::{Detrend, detrended_m};
 
@@ -78,7 +78,7 @@ pub(crate) fn compare_maps(
     progress: &dyn Progress,
 ) -> Result<Vec<MapVerdict>, JudgeError> {
     let first = &maps[..maps.len().min(MAX_MAPS)];
-    let found = parallel::try_map(first, |patch| compare_map(patch, pressing, progress))?;
+    let found = numerics::parallel::try_map(first, |patch| compare_map(patch, pressing, progress))?;
     Ok(found.into_iter().flatten().collect())
 }
 

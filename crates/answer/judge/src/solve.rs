@@ -2,7 +2,7 @@
 
 use gaussian_surfaces::{Phases, Synthesis};
 use half_space::{Grid, Loading};
-use parallel::{NestedProgress, Progress};
+use numerics::parallel::{NestedProgress, Progress};
 
 use crate::JudgeError;
 use crate::case::Case;
@@ -57,7 +57,7 @@ pub(crate) fn solve(
             (0..layout.realisations_of(window)).map(move |realisation| Task { window, realisation })
         })
         .collect();
-    let outcomes = parallel::try_map(&tasks, |task| {
+    let outcomes = numerics::parallel::try_map(&tasks, |task| {
         let presses = presses_of(layout, task.window);
         let window = &layout.windows[task.window];
         pressed(window, task, &presses, case, seed, progress)

@@ -4,7 +4,7 @@ use asperity::MaterialPair;
 use gaussian_surfaces::AreaSpectrum;
 use half_space::{Adhesion, GOOD_RESOLUTION};
 use interface::adhesion::{FullerTabor, PastewkaRobbins, StickyContact};
-use parallel::Progress;
+use numerics::parallel::Progress;
 use rough_bem::{
     AdhesivePressing, AdhesiveState, Branch, Pressing, Relief, Surfaces, adhesive_means, adhesive_table,
 };

@@ -1,6 +1,6 @@
 //! A ball pressed onto a rough flat by boundary elements.
 
-use parallel::Progress;
+use numerics::parallel::Progress;
 use rough_bem::{Ball, BallPressing, BallState, ball_table};
 use rough_bem::{Pressing, Relief, Surfaces};
 use serde::{Deserialize, Serialize};

@@ -6,7 +6,7 @@ use interface::conductance::{
     RelativeStiffness,
 };
 use interface::gas::{GapGas, RarefiedGas, plastic_separation_m};
-use parallel::Progress;
+use numerics::parallel::Progress;
 use spectrum::Normalisation;
 use study::gap_law::{GapError, GapLaw};
 use study::material::Material;

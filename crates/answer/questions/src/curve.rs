@@ -1,7 +1,7 @@
 //! A curve over cutoffs, by any model.
 
 use findings::doubts::{Doubt, RealPressures};
-use parallel::Progress;
+use numerics::parallel::Progress;
 use persson::separation::LightLoads;
 use scene::Scene;
 use serde::{Deserialize, Serialize};

@@ -1,6 +1,6 @@
 //! A cylinder pressed onto a rough flat by boundary elements.
 
-use parallel::Progress;
+use numerics::parallel::Progress;
 use rough_bem::{BallPressing, Boundary, Cylinder, CylinderState, cylinder_table};
 use rough_bem::{Pressing, Relief, Surfaces};
 use serde::{Deserialize, Serialize};

@@ -5,7 +5,7 @@ use std::str::FromStr;
 use findings::doubts::Doubt;
 use gaussian_surfaces::{AreaSpectrum, Phases};
 
-use parallel::Progress;
+use numerics::parallel::Progress;
 use rough_bem::{
     Approach, ElementsError, Field, Load, PressedLoad, Pressing, RandomChoices, RandomSurfaces, Relief,
     Surfaces,

@@ -2,7 +2,7 @@
 
 use contact_law::{ContactLaw, ExponentialLaw};
 use findings::doubts::Doubt;
-use parallel::Progress;
+use numerics::parallel::Progress;
 use persson::variance::Band;
 use rough_bem::{PressedLoad, Pressing, Surfaces};
 use serde::{Deserialize, Serialize};
@@ -236,7 +236,7 @@ impl GapQuestion {
             return Ok(Answer { table: result_tables::gaps(&states, None), notes, figure: None });
         };
         let law = self.by.law(entry, &material, surface, progress)?;
-        let states = parallel::try_map(&pressures_pa, |&pressure_pa| {
+        let states = numerics::parallel::try_map(&pressures_pa, |&pressure_pa| {
             if progress.is_cancelled() {
                 return Err(QuestionError::Plan(PlanError::Cancelled));
             }

@@ -1,7 +1,7 @@
 //! Quantities of a spectrum alone: moments, amplitudes, a self-affine fit.
 
 use findings::doubts::Doubt;
-use parallel::Progress;
+use numerics::parallel::Progress;
 use serde::{Deserialize, Serialize};
 use spectrum::{AmplitudeDefinition, Normalisation};
 use study::figure::{Figure, Shows};

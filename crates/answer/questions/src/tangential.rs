@@ -1,7 +1,7 @@
 //! A surface sheared under a constant normal load: displacement, stiffness, slip and energy lost.
 
 use interface::tangential::{NOTICEABLE_MISMATCH, ShearedContact, ShearedPair};
-use parallel::Progress;
+use numerics::parallel::Progress;
 use serde::{Deserialize, Serialize};
 use study::figure::{FigureData, ShearLoop, shear_loops};
 use study::gap_law::{GapLaw, GapState};
@@ -99,7 +99,7 @@ impl TangentialQuestion {
         let material = self.by.material.of_half_spaces("tangential loads")?;
         let pair = self.pair(&material)?;
         let (normal, mut notes) = self.normal_law(&material, surface, progress)?;
-        let rows = parallel::try_map(&self.loads(&material)?, |&(pressure_pa, stress_pa)| {
+        let rows = numerics::parallel::try_map(&self.loads(&material)?, |&(pressure_pa, stress_pa)| {
             if progress.is_cancelled() {
                 return Err(QuestionError::Plan(PlanError::Cancelled));
             }
@@ -127,7 +127,7 @@ impl TangentialQuestion {
     ) -> Result<FigureData, QuestionError> {
         let loads = self.drawn_loads(material)?;
         let sticking: Vec<&DrawnLoad> = loads.iter().filter(|load| load.share(pair) < 1.0).collect();
-        let loops = parallel::try_map(&sticking, |load| {
+        let loops = numerics::parallel::try_map(&sticking, |load| {
             if progress.is_cancelled() {
                 return Err(QuestionError::Plan(PlanError::Cancelled));
             }

@@ -1,6 +1,6 @@
 //! Coverage intervals of the areas of several models.
 
-use parallel::Progress;
+use numerics::parallel::Progress;
 use scene::{Scene, UncertaintyChoices};
 use spectrum::{AmplitudeDefinition, Normalisation};
 use study::bodies::Bodies;

@@ -7,7 +7,7 @@ use asperity::Hardness;
 use contact_law::{Dialect, UnitSystem};
 use gaussian_surfaces::Phases;
 use measurements::Conventions;
-use parallel::Unobserved;
+use numerics::parallel::Unobserved;
 use persson::EnergyFactor;
 use persson::corrections::Correction;
 use persson::variance::Band;

@@ -1,7 +1,7 @@
 //! Single asperities under their contact law, row by row.
 
 use asperity::ElasticBody;
-use parallel::Progress;
+use numerics::parallel::Progress;
 use tables::{InputTable, Refusal};
 
 use super::asperity_table::AsperityTable;

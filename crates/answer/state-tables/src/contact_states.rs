@@ -2,7 +2,7 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use parallel::{Progress, fill_blocks};
+use numerics::parallel::{Progress, fill_blocks};
 use stat_contact::{Condition, ContactState};
 use study::material::{Material, MaterialError};
 use study::models::{ModelEntry, ModelOptions, Pressable};
@@ -226,7 +226,7 @@ impl StatesFound {
 #[cfg(test)]
 mod tests {
     use asperity::{ElasticBody, MaterialPair};
-    use parallel::Unobserved;
+    use numerics::parallel::Unobserved;
     use stat_contact::{AsperityLaw, Population, StatisticalContact};
     use study::material::GivenMaterial;
     use study::models::{Framework, named};

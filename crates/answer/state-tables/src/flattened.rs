@@ -1,7 +1,7 @@
 //! Persson's theory row by row: a nominal pressure, the spread of the pressure that would flatten the roughness, and a
 //! hardness.
 
-use parallel::Progress;
+use numerics::parallel::Progress;
 use persson::{ContactAreas, constant_hardness, elastic, growing_hardness};
 use tables::{Cells, InputTable, Refusal, Row};
 use units::Bound;
@@ -95,7 +95,7 @@ impl RowByRow for Flattened {
         progress: &dyn Progress,
     ) -> Result<Vec<RowsNote>, RowsError> {
         let asked = self.asked(block)?;
-        let areas = parallel::try_map(&asked, |asked| {
+        let areas = numerics::parallel::try_map(&asked, |asked| {
             if progress.is_cancelled() {
                 return Err(RowsError::Cancelled);
             }

@@ -20,7 +20,7 @@ pub use stat_contact::Condition;
 pub use state_counts::StateCounts;
 
 use asperity::AsperityError;
-use parallel::Progress;
+use numerics::parallel::Progress;
 use tables::{InputTable, Refusal};
 
 /// A computation on the rows of a table.

@@ -1,7 +1,7 @@
 //! Populations of asperities pressed to a separation or under a pressure, row by row.
 
 use asperity::{Bound, ElasticBody};
-use parallel::Progress;
+use numerics::parallel::Progress;
 use stat_contact::{Condition, ContactState, Sweep};
 use tables::{Cell, Cells, InputTable, Refusal, Row};
 use units::Pressure;
@@ -221,7 +221,7 @@ impl RowByRow for Populations {
             progress.advance(1);
             Ok(Some(state?))
         };
-        let states = parallel::try_map(&asked, state)?;
+        let states = numerics::parallel::try_map(&asked, state)?;
         self.counts.add(states.iter().flatten());
         self.assumed_strengths += asked.iter().flatten().filter(|asked| asked.strength_is_assumed).count();
         self.without_asperities += asked.iter().filter(|asked| asked.is_none()).count();

@@ -4,7 +4,7 @@
 //! the undeformed one where asperities are pressed one by one, as none of them moves the others.
 
 use contact_law::{ContactLaw, ExponentialLaw, LawPoint, SamplingError};
-use parallel::Progress;
+use numerics::parallel::Progress;
 use persson::Roughness;
 use persson::separation::{LightLoads, SeparationLaw};
 use persson::variance::Band;
@@ -224,7 +224,7 @@ mod tests {
     fn a_law_is_sampled_as_close_as_it_needs() {
         for name in ["persson", "hertz", "bgt"] {
             let law = law_of(name, &spectrum()).unwrap();
-            let sampled = law.sampled([1e4, 1e7], 0.01, &parallel::Unobserved).unwrap();
+            let sampled = law.sampled([1e4, 1e7], 0.01, &numerics::parallel::Unobserved).unwrap();
             for pressure_pa in [1e4, 7e4, 3.3e6, 1e7] {
                 let overclosure_m = sampled.overclosure_m(law.at(pressure_pa).unwrap().mean_gap_m.unwrap());
                 let off = sampled.pressure_pa(overclosure_m) / pressure_pa - 1.0;

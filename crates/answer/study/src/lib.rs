@@ -30,4 +30,4 @@ pub mod validity;
 pub use measurements::{self, Files, NoFiles};
 pub use models::persson as persson_law;
 pub use note::Note;
-pub use parallel::{Progress, Unobserved};
+pub use numerics::parallel::{Progress, Unobserved};

@@ -228,7 +228,7 @@ impl Adviser<'_> {
         }
         let count = PROLONGED_DRAWS.min(self.drawn.ln_areas.len());
         let numbers: Vec<u64> = (0..count as u64).collect();
-        let draws = parallel::map(&numbers, |&draw| {
+        let draws = numerics::parallel::map(&numbers, |&draw| {
             if progress.is_cancelled() {
                 return self.areas.nothing();
             }

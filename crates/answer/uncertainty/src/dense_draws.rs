@@ -6,7 +6,7 @@
 //! been computed. A polynomial that explains nothing leaves the computed draws, each counted about as often.
 
 use numerics::line_through;
-use parallel::map;
+use numerics::parallel::map;
 use spectrum::{Normalisation, cumulative_moments_to};
 
 use crate::inputs::Inputs;

@@ -68,7 +68,7 @@ pub(crate) fn all(
             break;
         }
         let numbers: Vec<u64> = (from..count.min(from + BLOCK)).map(|draw| draw as u64).collect();
-        let block = parallel::map(&numbers, |&draw| drawn(inputs, areas, which(draw)));
+        let block = numerics::parallel::map(&numbers, |&draw| drawn(inputs, areas, which(draw)));
         progress.advance(block.len());
         block.into_iter().for_each(|draw| found.add(draw));
     }
@@ -86,7 +86,7 @@ pub(crate) fn along(
     progress: &dyn Progress,
 ) -> (Vec<Along>, Work) {
     let numbers: Vec<u64> = (0..count as u64).collect();
-    let found = parallel::map(&numbers, |&draw| {
+    let found = numerics::parallel::map(&numbers, |&draw| {
         if progress.is_cancelled() {
             return None;
         }

@@ -47,7 +47,7 @@ impl Influence {
             Some(found)
         };
         let parts: Vec<usize> = (0..count).collect();
-        let found: Option<Vec<_>> = parallel::map(&parts, moved).into_iter().collect();
+        let found: Option<Vec<_>> = numerics::parallel::map(&parts, moved).into_iter().collect();
         let mut work = centre.work;
         let mut of_parts = Vec::new();
         for part in found? {

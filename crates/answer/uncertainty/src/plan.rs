@@ -343,7 +343,7 @@ fn map_distinct<T: Clone + Send>(
     map: impl Fn(usize) -> T + Sync,
 ) -> Vec<T> {
     let distinct = Distinct::by_key(0..count, |&at| place(at));
-    let found = parallel::map(&distinct.items, |&at| map(at));
+    let found = numerics::parallel::map(&distinct.items, |&at| map(at));
     distinct.index_of.into_iter().map(|at| found[at].clone()).collect()
 }
 

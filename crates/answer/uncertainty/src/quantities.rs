@@ -60,7 +60,7 @@ impl<'p> Quantities<'p> {
             progress.advance(1);
             found
         };
-        let drawn: Vec<Option<Vec<Option<f64>>>> = parallel::map(&numbers, of_draw);
+        let drawn: Vec<Option<Vec<Option<f64>>>> = numerics::parallel::map(&numbers, of_draw);
         if progress.is_cancelled() || drawn.iter().all(Option::is_none) {
             return QuantityDraws::default();
         }

@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use staging::PublishError;
+use tables::staging::PublishError;
 use study::plan::PlanError;
 use tables::{Refusal, TableError};
 

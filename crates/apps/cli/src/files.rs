@@ -13,7 +13,7 @@ use crate::failure::Failure;
 use crate::missing_file::{explained, files_in, spelt_as_on_disk};
 use crate::output::Place;
 use crate::targets::Targets;
-use staging::reading::{FileAsOpened, bytes_of, bytes_of_stream, copy_stream, length_of};
+use tables::staging::reading::{FileAsOpened, bytes_of, bytes_of_stream, copy_stream, length_of};
 
 /// Bytes of a stream read more than once that are held in memory; a longer stream goes to a temporary file.
 const MOST_BYTES_HELD: usize = 1 << 24;

@@ -70,6 +70,6 @@ impl Drop for EarlyEnd {
 
 fn end() -> ! {
     // The guard lives to the end, so that nothing is published after the question.
-    let _removed = staging::remove_temporaries();
-    std::process::exit(if staging::has_published() { 0 } else { i32::from(INTERRUPTED) });
+    let _removed = tables::staging::remove_temporaries();
+    std::process::exit(if tables::staging::has_published() { 0 } else { i32::from(INTERRUPTED) });
 }

@@ -4,7 +4,7 @@ use std::ffi::OsStr;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use staging::StagedFiles;
+use tables::staging::StagedFiles;
 
 use crate::failure::Failure;
 use crate::interruption;
@@ -14,7 +14,7 @@ use crate::stderr::say;
 use crate::terminal::standard_output;
 use report::products::{ANSWER, SceneProducts};
 use scene::Scene;
-use staging::reading::{bytes_of, bytes_of_stream};
+use tables::staging::reading::{bytes_of, bytes_of_stream};
 use study::figure::PictureFormat;
 use study::plan::PlanError;
 use tables::{Format, TableError};

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::io;
 
 use measurements::Files;
-use parallel::Progress;
+use numerics::parallel::Progress;
 use questions::{Phase, Watch};
 use report::run_stamp::RunStamp;
 use serde::Serialize;

@@ -1,7 +1,7 @@
 //! A measured map of a scene, pressed apart from the scene.
 
 use measurements::Files;
-use parallel::Progress;
+use numerics::parallel::Progress;
 use questions::MapQuestion;
 use report::page::PressedMap;
 use serde::{Deserialize, Serialize};

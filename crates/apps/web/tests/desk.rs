@@ -109,7 +109,7 @@ fn a_map_of_a_scene_is_pressed_apart_from_it() {
     let question = serde_json::to_value(&map.question).unwrap();
     let press = |nominal_pressure_pa: f64| {
         let request = serde_json::json!({ "question": question, "nominal_pressure_pa": nominal_pressure_pa });
-        pressed(&serde_json::from_value(request).unwrap(), |_| parallel::Unobserved).unwrap()
+        pressed(&serde_json::from_value(request).unwrap(), |_| numerics::parallel::Unobserved).unwrap()
     };
     let [light, heavy] = [1e6, 1e7].map(press);
     assert!(light.area_fraction < heavy.area_fraction, "{} {}", light.area, heavy.area);

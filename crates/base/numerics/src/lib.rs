@@ -4,7 +4,10 @@ mod legendre;
 mod line;
 mod linear_system;
 mod minimum;
+pub mod parallel;
 mod roots;
+#[cfg(feature = "transforms")]
+pub mod transforms;
 
 pub use legendre::{GaussLegendre, legendre_integral_above, legendre_polynomials};
 pub use line::{Line, line_through};

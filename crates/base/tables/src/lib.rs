@@ -6,6 +6,8 @@ mod input;
 mod json_text;
 pub mod markdown;
 mod source;
+#[cfg(feature = "staging")]
+pub mod staging;
 mod table;
 mod writer;
 

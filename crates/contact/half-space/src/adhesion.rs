@@ -5,7 +5,7 @@
 //! method on the points that are free: those with a gap, or with a contact pressure that is not positive. The linear
 //! problems are solved by preconditioned conjugate gradients in single precision, the outer steps are in double.
 
-use parallel::Progress;
+use numerics::parallel::Progress;
 use thiserror::Error;
 use units::display::{length, pressure};
 use units::{Bound, OutOfBounds};

@@ -1,6 +1,6 @@
 //! Boundary elements: a surface, its operators, and the solution for a load.
 
-use parallel::Progress;
+use numerics::parallel::Progress;
 use units::Bound;
 
 use crate::area::{Count, count};

@@ -1,6 +1,6 @@
 //! Displacements under a pressed rectangle (Love 1929), as factors of waves over a padded grid.
 
-use transforms::{Complex, Fft};
+use numerics::transforms::{Complex, Fft};
 
 use crate::Grid;
 
@@ -59,7 +59,7 @@ struct Cosines {
 
 impl Cosines {
     fn new(period: usize) -> Self {
-        let plan = transforms::forward(period);
+        let plan = numerics::transforms::forward(period);
         let scratch = vec![Complex::default(); plan.get_inplace_scratch_len()];
         Self { plan, values: vec![Complex::default(); period], scratch }
     }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use transforms::{Complex, Fft, FftNum, Precision};
+use numerics::transforms::{Complex, Fft, FftNum, Precision};
 
 /// Columns that are transformed together: a cache line, or two, in every row.
 const BLOCK: usize = 8;

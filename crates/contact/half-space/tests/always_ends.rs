@@ -4,7 +4,7 @@ mod common;
 
 use common::{elastic, flowing, heights, press, rough};
 use half_space::{Contact, Elements, Ending, Grid, HalfSpaceError, Loading, PROGRESS_STEPS};
-use parallel::{Progress, Unobserved};
+use numerics::parallel::{Progress, Unobserved};
 
 /// Asserts that the pressures carry the load within their bounds and that the gaps agree with them.
 fn assert_balanced(contact: &Contact, loading: &Loading, rms_m: f64) {

@@ -4,7 +4,7 @@ mod common;
 
 use common::{elastic, flowing, heights, rough};
 use half_space::{Approach, Closing, Contact, Elements, Grid, HalfSpaceError, Loading};
-use parallel::Unobserved;
+use numerics::parallel::Unobserved;
 
 const POINTS: usize = 64;
 

@@ -6,7 +6,7 @@ use std::f64::consts::{PI, SQRT_2, TAU};
 
 use common::{CLOSING, elastic, flowing, heights, press, rough};
 use half_space::{Contact, Elements, Grid, OpenPaths, Sides, open_paths};
-use parallel::Unobserved;
+use numerics::parallel::Unobserved;
 
 /// One wave of height 1 and length 1 on a line.
 fn wave(points: usize, share_of_closing: f64) -> (Elements, Contact) {

@@ -4,7 +4,7 @@ mod common;
 
 use common::{elastic, flowing, press, rough};
 use half_space::{Contact, Elements, Grid, Loading};
-use parallel::Unobserved;
+use numerics::parallel::Unobserved;
 
 const POINTS: usize = 96;
 

@@ -7,7 +7,7 @@
 
 use gaussian_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Surface, Synthesis};
 use half_space::{Contact, Elements, Grid, Loading, OpenPaths, Sides, open_paths};
-use parallel::Unobserved;
+use numerics::parallel::Unobserved;
 
 const POINTS: usize = 512;
 const SURFACES: u64 = 10;

@@ -3,7 +3,7 @@
 use half_space::{
     Adhesion, AdhesionError, AdhesiveContact, AdhesiveElements, Control, Grid, HalfSpaceError, Start,
 };
-use parallel::Progress;
+use numerics::parallel::Progress;
 use serde::{Deserialize, Serialize};
 use tables::Table;
 use thiserror::Error;
@@ -139,7 +139,7 @@ impl AdhesivePressing {
             return Err(AdhesiveError::NoLoad);
         }
         let branches = self.branches.len();
-        let of_pairs = parallel::map_indices(surfaces.count() * branches, |pair| {
+        let of_pairs = numerics::parallel::map_indices(surfaces.count() * branches, |pair| {
             let (surface, branch) = (pair / branches, self.branches[pair % branches]);
             let relief = surfaces.relief(surface)?;
             self.resolution(&relief)?;
@@ -238,7 +238,7 @@ impl AdhesivePressing {
         surfaces: &Surfaces,
         progress: &dyn Progress,
     ) -> Result<Vec<AdhesiveState>, AdhesiveError> {
-        let of_surfaces = parallel::map_indices(surfaces.count(), |surface| {
+        let of_surfaces = numerics::parallel::map_indices(surfaces.count(), |surface| {
             let relief = surfaces.relief(surface)?;
             self.resolution(&relief)?;
             let mut elements = self.elements(&relief)?;

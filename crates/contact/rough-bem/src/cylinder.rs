@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use gaussian_surfaces::SurfaceError;
 use half_space::{Contact, HalfSpaceError, Loading};
-use parallel::Progress;
+use numerics::parallel::Progress;
 use tables::Table;
 use thiserror::Error;
 use units::display::length;
@@ -204,7 +204,7 @@ impl Cylinder {
         pressing: &BallPressing,
         progress: &dyn Progress,
     ) -> Result<Vec<CylinderState>, CylinderError> {
-        let states = parallel::map_indices(surfaces.count(), |surface| {
+        let states = numerics::parallel::map_indices(surfaces.count(), |surface| {
             if progress.is_cancelled() {
                 return Err(HalfSpaceError::Cancelled.into());
             }

@@ -1,7 +1,7 @@
 //! Presses every surface under every load.
 
 use half_space::{HalfSpaceError, PROGRESS_STEPS};
-use parallel::{NestedProgress, Progress};
+use numerics::parallel::{NestedProgress, Progress};
 
 use crate::error::ElementsError;
 use crate::field::Field;
@@ -34,7 +34,7 @@ pub fn press<E: From<ElementsError> + Send>(
         return Err(ElementsError::Nothing { surfaces: count, loads }.into());
     }
     pressing.check().map_err(ElementsError::from)?;
-    let states = parallel::map_indices(count * loads, |pair| {
+    let states = numerics::parallel::map_indices(count * loads, |pair| {
         let (load, surface) = (pair / count, pair % count);
         press_once(surfaces, surface, pressing, load, &see, progress)
     });

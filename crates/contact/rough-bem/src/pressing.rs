@@ -2,7 +2,7 @@
 
 use asperity::{LayerCompliance, MaterialPair};
 use half_space::{Approach, Closing, Contact, Elements, HalfSpaceError, Loading};
-use parallel::Progress;
+use numerics::parallel::Progress;
 
 /// Load on a surface, or what is held in its place.
 #[derive(Clone, Copy, Debug, PartialEq)]

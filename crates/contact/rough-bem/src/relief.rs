@@ -2,7 +2,7 @@
 
 use asperity::LayerCompliance;
 use half_space::{Contact, Elements, Grid, HalfSpaceError, Loading, OpenPaths, Sides, open_paths};
-use parallel::Progress;
+use numerics::parallel::Progress;
 use serde::{Deserialize, Serialize};
 use units::named;
 

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use approx::assert_relative_eq;
 use half_space::{Adhesion, AdhesionError, AdhesiveContact, AdhesiveElements, Control, Grid, Start};
 use half_space::{Elements, Loading};
-use parallel::Unobserved;
+use numerics::parallel::Unobserved;
 use rough_bem::{AdhesiveError, AdhesivePressing, Boundary, Branch, Relief, Surfaces, adhesive_means};
 
 fn reference_file(name: &str) -> Vec<u8> {

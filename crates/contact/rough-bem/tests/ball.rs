@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use approx::assert_relative_eq;
 use gaussian_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};
 use half_space::HalfSpaceError;
-use parallel::{Progress, Unobserved};
+use numerics::parallel::{Progress, Unobserved};
 use rough_bem::{
     Ball, BallCaution, BallError, BallPressing, BallState, Boundary, Cylinder, CylinderCaution,
     CylinderError, RandomSurfaces, Relief, Surfaces, ball_table, cylinder_table,

@@ -3,7 +3,7 @@
 use approx::assert_relative_eq;
 use gaussian_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};
 use half_space::HalfSpaceError;
-use parallel::{Progress, Unobserved};
+use numerics::parallel::{Progress, Unobserved};
 use rough_bem::{
     Approach, Boundary, ElementsError, Field, Load, Pressing, RandomSurfaces, Relief, Surfaces, press,
     progress_steps,

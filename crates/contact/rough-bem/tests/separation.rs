@@ -1,7 +1,7 @@
 //! Mean gap and stiffness of Persson's theory compared with those of boundary elements.
 
 use gaussian_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};
-use parallel::Unobserved;
+use numerics::parallel::Unobserved;
 use persson::EnergyFactor;
 use persson::separation::{SeparationKnot, SeparationLaw};
 use rough_bem::{ElementsError, Field, Load, Pressing, RandomSurfaces, Surfaces, press};

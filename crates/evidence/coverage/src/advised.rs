@@ -52,7 +52,7 @@ pub fn shrinkages(
         }
         Ok((before, ratios))
     };
-    let found = parallel::map_indices(studies as usize, of_study);
+    let found = numerics::parallel::map_indices(studies as usize, of_study);
     let found: Vec<(Trial, Vec<Ratios>)> = found.into_iter().collect::<Result<_, StudyError>>()?;
     let Some((first, _)) = found.first() else { return Ok(Vec::new()) };
     let steps =

@@ -46,7 +46,7 @@ pub fn biases(
     of_each[instrument] = scans;
     let one_study = |number| one_study(laboratory, number as u64, of_each, averages);
     let of_studies: Result<Vec<_>, _> =
-        parallel::map_indices(studies as usize, one_study).into_iter().collect();
+        numerics::parallel::map_indices(studies as usize, one_study).into_iter().collect();
     let of_studies = of_studies?;
     let Some((wavelengths_m, _)) = of_studies.first() else { return Ok(Vec::new()) };
     let of_average = |average: usize| -> Deviations {

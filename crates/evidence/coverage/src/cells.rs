@@ -1,6 +1,6 @@
 //! Cells of the study of coverage: spectra drawn at random, and the scans by which each surface is measured.
 
-use parallel::map_indices;
+use numerics::parallel::map_indices;
 use statrs::distribution::{Beta, ContinuousCDF};
 use uncertainty::Settings;
 

@@ -50,7 +50,7 @@ pub fn trials(
     settings: &Settings,
 ) -> Result<Vec<Trial>, StudyError> {
     let trial = |number: usize| laboratory.trial(number as u64, scans, settings);
-    parallel::map_indices(studies as usize, trial).into_iter().collect()
+    numerics::parallel::map_indices(studies as usize, trial).into_iter().collect()
 }
 
 /// Coverage of every curve and load.

@@ -1,6 +1,6 @@
 //! Lines of a Gaussian surface that are not periodic.
 
-use transforms::Complex64;
+use numerics::transforms::Complex64;
 
 use crate::error::StudyError;
 use crate::instrument::Instrument;
@@ -31,7 +31,7 @@ impl LineMaker {
 
     /// Heights \[m\].
     pub(crate) fn line(&self, normals: &mut Normals) -> Vec<f64> {
-        let transform = transforms::inverse_to_real(PERIODS * self.points);
+        let transform = numerics::transforms::inverse_to_real(PERIODS * self.points);
         let mut waves = transform.make_input_vec();
         for (wave, rms_m) in waves[1..].iter_mut().zip(&self.of_waves_m) {
             *wave = Complex64::new(normals.next(), normals.next()) * (0.5 * rms_m);

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use gaussian_surfaces::{AreaSpectrum, Phases, Synthesis};
-use transforms::Complex64;
+use numerics::transforms::Complex64;
 
 use crate::error::StudyError;
 use crate::instrument::Instrument;

@@ -8,7 +8,7 @@ use std::path::Path;
 use model_trials::elements;
 use model_trials::gap_trials::{GapElements, GapRow, LOADS, beside_theory, rows_of, trials, written};
 use model_trials::judge_spectra::JudgeTrial;
-use staging::write_file;
+use tables::staging::write_file;
 
 use crate::guide;
 

@@ -7,7 +7,7 @@ use model_trials::elements;
 use model_trials::judge_spectra::{Set, trials};
 use model_trials::judge_trials::{JudgedRow, written};
 use model_trials::judge_truth::TruthRow;
-use staging::write_file;
+use tables::staging::write_file;
 
 use crate::guide;
 

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use model_trials::elements;
 use model_trials::layer_trials::{LayerRow, LayerTruth, trials, written};
-use staging::write_file;
+use tables::staging::write_file;
 
 use crate::guide;
 

@@ -11,7 +11,7 @@ use model_trials::programme::programme;
 use model_trials::sections::{self, Findings};
 use model_trials::{ratios, windows};
 use serde::Serialize;
-use staging::{StagedFiles, write_file};
+use tables::staging::{StagedFiles, write_file};
 
 use crate::guide;
 

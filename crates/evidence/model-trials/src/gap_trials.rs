@@ -4,7 +4,7 @@
 use std::ops::RangeInclusive;
 
 use gaussian_surfaces::AreaSpectrum;
-use parallel::Unobserved;
+use numerics::parallel::Unobserved;
 use persson::EnergyFactor;
 use persson::separation::LIGHT_CONTACT;
 use persson::variance::Band;

@@ -65,7 +65,7 @@ pub fn rows(elements: &[ElementsRow]) -> Result<Vec<GluingRow>, TrialError> {
                 Ok(2.0 * on_grid(GRIDS[0])? - on_grid(GRIDS[1])?)
             };
             let numbers: Vec<u64> = (0..REALISATIONS).collect();
-            let glued = Mean::new(parallel::try_map(&numbers, glued)?.into_iter());
+            let glued = Mean::new(numerics::parallel::try_map(&numbers, glued)?.into_iter());
             rows.push(GluingRow {
                 hurst_exponent,
                 pressure_over_gradient: row.pressure_over_gradient,

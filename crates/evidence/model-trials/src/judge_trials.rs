@@ -2,7 +2,7 @@
 //! them into windows: the tables of `docs/guide/judge.md`.
 
 use judge::{CurveVerdict, JudgePlan, Settings, Verdict};
-use parallel::Unobserved;
+use numerics::parallel::Unobserved;
 use serde::{Deserialize, Serialize};
 use tables::markdown::{table, with_section};
 use units::display::three_digits;

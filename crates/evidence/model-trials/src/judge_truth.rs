@@ -2,7 +2,7 @@
 
 use gaussian_surfaces::{AreaSpectrum, Phases};
 use half_space::Loading;
-use parallel::{Unobserved, map_indices};
+use numerics::parallel::{Unobserved, map_indices};
 use rough_bem::{RandomChoices, Relief, Surfaces};
 use serde::{Deserialize, Serialize};
 

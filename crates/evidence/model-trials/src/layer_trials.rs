@@ -5,7 +5,7 @@ use asperity::{ElasticBody, Layer, LayerCompliance, MaterialPair};
 use gaussian_surfaces::AreaSpectrum;
 use half_space::{Elements, Grid, Loading};
 use judge::{CurveVerdict, JudgePlan, Settings, Verdict};
-use parallel::Unobserved;
+use numerics::parallel::Unobserved;
 use rough_bem::Relief;
 use scene::Scene;
 use serde::{Deserialize, Serialize};

@@ -2,7 +2,7 @@
 
 use gaussian_surfaces::{AreaSpectrum, Phases, Surface, Synthesis};
 use half_space::{Contact, Elements, Grid, Loading, extrapolated_area};
-use parallel::Unobserved;
+use numerics::parallel::Unobserved;
 
 use crate::TrialError;
 use crate::programme::Trial;
@@ -37,7 +37,7 @@ pub struct LoadResult {
 /// The error of making or pressing a surface.
 pub fn press_trial(trial: &Trial) -> Result<Vec<LoadResult>, TrialError> {
     let numbers: Vec<u64> = (0..trial.realisations).collect();
-    let of_surfaces = parallel::try_map(&numbers, |&number| one_surface(trial, number))?;
+    let of_surfaces = numerics::parallel::try_map(&numbers, |&number| one_surface(trial, number))?;
     let of_load = |(at, &load): (usize, &TrialLoad)| {
         let mean = |of: fn(&Areas) -> f64| Mean::new(of_surfaces.iter().map(|areas| of(&areas[at])));
         LoadResult {

@@ -71,5 +71,5 @@ pub fn rows(elements: &[ElementsRow]) -> Result<Vec<RatioRow>, TrialError> {
         };
         Ok(areas(&band.spectrum()?, &loads)?.into_iter().map(of_model).collect())
     };
-    Ok(parallel::try_map(&bands, of_band)?.into_iter().flatten().collect())
+    Ok(numerics::parallel::try_map(&bands, of_band)?.into_iter().flatten().collect())
 }

@@ -15,7 +15,7 @@ use report::page::Report;
 use report::products::SceneProducts;
 use report::run_stamp::RunStamp;
 use scene::Template;
-use staging::{StagedFiles, write_file};
+use tables::staging::{StagedFiles, write_file};
 use study::Unobserved;
 use tables::Format;
 

@@ -6,7 +6,7 @@ use half_space::{
     Adhesion, AdhesionError, AdhesiveContact, AdhesiveElements, Control, Grid, HalfSpaceError,
     LEAST_RESOLUTION, Start,
 };
-use parallel::Unobserved;
+use numerics::parallel::Unobserved;
 
 use crate::drawn_map::SmallMap;
 use crate::group::Case;

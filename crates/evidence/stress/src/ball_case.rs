@@ -1,7 +1,7 @@
 //! Balls on small maps: their numbers, and the promises of every result.
 
 use half_space::HalfSpaceError;
-use parallel::Unobserved;
+use numerics::parallel::Unobserved;
 use rough_bem::{Ball, BallError, BallPressing, BallState, Boundary, Relief};
 
 use crate::drawn_map::SmallMap;

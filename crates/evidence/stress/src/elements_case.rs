@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use half_space::{Approach, Closing, Contact, Elements, Ending, Grid, HalfSpaceError, Loading};
-use parallel::Unobserved;
+use numerics::parallel::Unobserved;
 
 use crate::drawn_map::SmallMap;
 use crate::group::Case;

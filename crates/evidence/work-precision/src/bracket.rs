@@ -1,7 +1,7 @@
 //! The bracket of the judge against its cost, on a scene that comes with the program.
 
 use judge::{ElementArea, JudgePlan, Settings};
-use parallel::Unobserved;
+use numerics::parallel::Unobserved;
 use scene::{Overrides, Scene, Template};
 use study::NoFiles;
 use study::plan::Results;

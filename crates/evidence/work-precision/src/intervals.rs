@@ -1,7 +1,7 @@
 //! Movement of the ends of an interval between seeds against the cost of its draws, with and without the polynomial that
 //! fills up the space between draws.
 
-use parallel::Unobserved;
+use numerics::parallel::Unobserved;
 use scene::Scene;
 use study::plan::Results;
 use tables::markdown::table;

@@ -151,7 +151,7 @@ fn compared(
 ) -> Option<MethodErrors> {
     let repeats = REPEATS.min(REFERENCE_DRAWS / plans);
     let answers: Vec<Vec<Answer>> =
-        parallel::map_indices(repeats, answers).into_iter().collect::<Option<_>>()?;
+        numerics::parallel::map_indices(repeats, answers).into_iter().collect::<Option<_>>()?;
     let pairs = || answers.iter().flat_map(|of_areas| of_areas.iter().zip(references));
     let root_mean_square = |squares: Vec<f64>| (squares.iter().sum::<f64>() / squares.len() as f64).sqrt();
     let ends = pairs().flat_map(|(found, reference)| {
@@ -172,7 +172,7 @@ fn compared(
 /// Outputs of all draws, for every curve and load.
 fn designs(scene: &Scene, a: &[Draw], b: &[Draw]) -> Result<Vec<Design>, String> {
     let outputs = |draws: &[Draw]| -> Result<Vec<Vec<f64>>, String> {
-        parallel::try_map(draws, |draw| ln_areas(scene, draw))
+        numerics::parallel::try_map(draws, |draw| ln_areas(scene, draw))
     };
     let of_ab = |input: usize| {
         let exchanged = |(a, b): (&Draw, &Draw)| {

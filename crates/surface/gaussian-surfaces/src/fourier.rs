@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use transforms::{Complex64, ComplexToReal, Fft};
+use numerics::transforms::{Complex64, ComplexToReal, Fft};
 
 /// Columns transformed together, because their rows are contiguous in memory.
 const BLOCK: usize = 8;
@@ -37,8 +37,8 @@ impl HalfSpectrum {
 
     /// Sums all waves at the points, row by row.
     pub(crate) fn sum(mut self) -> Vec<f64> {
-        self.transform_columns(&transforms::inverse(self.rows));
-        self.transform_rows(&transforms::inverse_to_real(self.columns))
+        self.transform_columns(&numerics::transforms::inverse(self.rows));
+        self.transform_rows(&numerics::transforms::inverse_to_real(self.columns))
     }
 
     fn transform_columns(&mut self, transform: &Arc<dyn Fft<f64>>) {

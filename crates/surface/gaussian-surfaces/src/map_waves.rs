@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use transforms::Complex64;
+use numerics::transforms::Complex64;
 
 use crate::fourier::HalfSpectrum;
 use crate::modes::Draws;
@@ -151,8 +151,8 @@ fn periodic_part(heights_m: &[f64], columns: usize) -> Vec<Complex64> {
 /// Computes the discrete Fourier transform in place; `columns` values per row.
 fn transform(values: &mut [Complex64], columns: usize) {
     let rows = values.len() / columns;
-    transforms::forward(columns).process(values);
-    let along_columns = transforms::forward(rows);
+    numerics::transforms::forward(columns).process(values);
+    let along_columns = numerics::transforms::forward(rows);
     let mut column_values = vec![Complex64::ZERO; rows];
     for column in 0..columns {
         for (row, value) in column_values.iter_mut().enumerate() {

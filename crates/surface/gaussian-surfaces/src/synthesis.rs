@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use serde::{Deserialize, Serialize};
-use transforms::Complex64;
+use numerics::transforms::Complex64;
 use units::{Bound, named};
 
 use crate::area_spectrum::AreaSpectrum;

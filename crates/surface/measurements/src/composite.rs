@@ -1,6 +1,6 @@
 //! The composite spectrum of the scans in files, with its provenance.
 
-use parallel::{Progress, Unobserved};
+use numerics::parallel::{Progress, Unobserved};
 use scans::{Axis, HeightMap, Scan, ScanFile};
 use tables::Table;
 use topography::{CompositeSpectrum, Detrend, ScanSpectrum, TransformError, without_gaps};
@@ -134,7 +134,7 @@ impl CompositeOfFiles {
         progress: &dyn Progress,
     ) -> Result<Self, TopographyError> {
         let transform = |input| transform_input(input, files, recipe, wanted, progress);
-        let of_files = parallel::map_owned(inputs, transform);
+        let of_files = numerics::parallel::map_owned(inputs, transform);
         let (mut scans, mut maps, mut sketches) = (Vec::new(), Vec::new(), Vec::new());
         let mut sources: Vec<Source> = Vec::new();
         let mut request_of = Vec::new();

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use measurements::{CompositeOfFiles, Loaded, NoFiles, ScanInput, ScanProblem, ScanRequest};
-use parallel::Unobserved;
+use numerics::parallel::Unobserved;
 use scans::{MissingPoints, ScanFile, ScanSize};
 use topography::Recipe;
 

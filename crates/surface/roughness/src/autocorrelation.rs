@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use transforms::{Complex, Precision};
+use numerics::transforms::{Complex, Precision};
 use units::named;
 
 use crate::relief::Relief;
@@ -174,7 +174,7 @@ impl Shape {
     fn sums_of_products(&self, values: impl Iterator<Item = f64>) -> Vec<f64> {
         let [wide, high] =
             [(self.columns, self.lags[0]), (self.rows, self.lags[1])].map(|(n, lag)| fast_size(n + lag));
-        let (forward, backward) = (transforms::forward_of_real(wide), transforms::inverse_to_real(wide));
+        let (forward, backward) = (numerics::transforms::forward_of_real(wide), numerics::transforms::inverse_to_real(wide));
         let [down, up] = f64::plan_both_ways(high);
         let bins = wide / 2 + 1;
         let mut transform = vec![Complex::default(); bins * high];

@@ -3,7 +3,7 @@
 use std::f64::consts::{LN_2, PI};
 use std::sync::Arc;
 
-use transforms::{Complex, ComplexToReal, RealToComplex};
+use numerics::transforms::{Complex, ComplexToReal, RealToComplex};
 
 /// Half the extent of the weights, in standard deviations.
 const EXTENT: f64 = 4.0;
@@ -28,7 +28,7 @@ impl GaussianFilter {
     /// Makes a filter for rows of `points` points `spacing_m` apart.
     pub fn new(points: usize, spacing_m: f64, cutoff_m: f64) -> Self {
         let period = 2 * points;
-        let (forward, backward) = (transforms::forward_of_real(period), transforms::inverse_to_real(period));
+        let (forward, backward) = (numerics::transforms::forward_of_real(period), numerics::transforms::inverse_to_real(period));
         let deviation = standard_deviation_m(cutoff_m) / spacing_m;
         let reach = (EXTENT * deviation + 0.5) as usize;
         let weight = |offset: usize| (-0.5 * (offset as f64 / deviation).powi(2)).exp();

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
-use transforms::{Complex, Fft};
+use numerics::transforms::{Complex, Fft};
 
 use crate::detrend::Trend;
 use crate::lines::RowTransform;
@@ -22,9 +22,9 @@ const BLOCK_COLUMNS: usize = 16;
 /// Needs as much additional memory as the map itself.
 pub fn areal_spectrum(map: &HeightMap, preparation: Preparation) -> ArealSpectrum {
     let transform = ArealTransform::new(map, preparation);
-    let rows: Vec<ArealRows> = parallel::map_indices(transform.row_blocks(), |block| transform.rows(block));
+    let rows: Vec<ArealRows> = numerics::parallel::map_indices(transform.row_blocks(), |block| transform.rows(block));
     let sums: Vec<ArealSums> =
-        parallel::map_indices(transform.column_blocks(), |block| transform.columns(&rows, block));
+        numerics::parallel::map_indices(transform.column_blocks(), |block| transform.columns(&rows, block));
     transform.spectrum(&rows, &sums)
 }
 
@@ -83,7 +83,7 @@ impl<'a> ArealTransform<'a> {
             trend: Trend::from_map(map, preparation.detrend),
             row_factors: preparation.window.factors(map.rows()),
             row_transform: RowTransform::new(map.columns(), preparation),
-            column_plan: transforms::forward(map.rows()),
+            column_plan: numerics::transforms::forward(map.rows()),
         }
     }
 

@@ -25,7 +25,7 @@ const LARGEST_RATIO: f64 = 1e6;
 pub(crate) fn harmonic_m(map: &Measured, holes: &Holes) -> Vec<f64> {
     let grid = MapGrid::new(map);
     let batches = batches(holes);
-    let filled: Vec<Vec<f64>> = parallel::map(&batches, |batch| {
+    let filled: Vec<Vec<f64>> = numerics::parallel::map(&batches, |batch| {
         batch.clone().flat_map(|hole| Hole { runs: holes.hole(hole), grid: &grid }.filled_m()).collect()
     });
     let mut heights_m = vec![0.0; map.missing_points().count()];

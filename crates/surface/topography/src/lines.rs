@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use transforms::{Complex, RealToComplex};
+use numerics::transforms::{Complex, RealToComplex};
 
 use crate::detrend::Trend;
 use crate::line::LineSpectrum;
@@ -24,7 +24,7 @@ pub fn map_line_spectrum(map: &HeightMap, preparation: Preparation) -> LineSpect
 /// Computes the mean of the spectra C1D of lines.
 pub(crate) fn rows_spectrum(rows: Rows, preparation: Preparation) -> LineSpectrum {
     let lines = MapLines::from_rows(rows, preparation);
-    let sums: Vec<LineSums> = parallel::map_indices(lines.blocks(), |block| lines.block(block));
+    let sums: Vec<LineSums> = numerics::parallel::map_indices(lines.blocks(), |block| lines.block(block));
     lines.spectrum(&sums)
 }
 
@@ -147,7 +147,7 @@ pub(crate) struct RowTransform {
 
 impl RowTransform {
     pub(crate) fn new(columns: usize, preparation: Preparation) -> Self {
-        let plan = transforms::forward_of_real(columns);
+        let plan = numerics::transforms::forward_of_real(columns);
         Self {
             factors: preparation.window.factors(columns),
             input: plan.make_input_vec(),
@@ -182,7 +182,7 @@ fn independent_lines(values: &[Complex<f64>], bins: usize) -> Vec<f64> {
         return Vec::new();
     }
     let rows = values.len() / bins;
-    let transform = transforms::forward(rows);
+    let transform = numerics::transforms::forward(rows);
     let mut across = vec![Complex::default(); rows];
     let of_bin = |bin: usize| {
         across.iter_mut().zip(values[bin..].iter().step_by(bins)).for_each(|(to, from)| *to = *from);

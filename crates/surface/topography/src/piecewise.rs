@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use transforms::Complex;
+use numerics::transforms::Complex;
 
 use crate::detrend::Detrend;
 use crate::line::LineSpectrum;

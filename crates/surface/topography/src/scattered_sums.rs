@@ -4,7 +4,7 @@
 use std::f64::consts::{PI, TAU};
 
 use numerics::GaussLegendre;
-use transforms::Complex;
+use numerics::transforms::Complex;
 
 /// Points of the regular grid for each wavevector, positive and negative.
 const OVERSAMPLING: usize = 4;
@@ -42,7 +42,7 @@ impl ScatteredSums {
 
     /// Computes the sums.
     pub(crate) fn finish(mut self) -> Vec<Complex<f64>> {
-        let plan = transforms::forward_of_real(self.grid.len());
+        let plan = numerics::transforms::forward_of_real(self.grid.len());
         let mut transformed = plan.make_output_vec();
         plan.process(&mut self.grid, &mut transformed).expect("the buffers come from the plan");
         let half_width = PI * WIDTH as f64 / self.grid.len() as f64; // in radians

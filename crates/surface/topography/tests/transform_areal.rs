@@ -9,7 +9,7 @@ use scans::{HeightMap, Scan};
 use spectrum::Convention;
 use topography::{ArealTransform, BandLimits, Detrend, Preparation, ReliableBand, Window, areal_spectrum};
 use transform_support::Random;
-use transforms::Complex;
+use numerics::transforms::Complex;
 
 #[test]
 fn the_modes_add_up_to_the_variance_for_every_size() {
@@ -146,7 +146,7 @@ fn synthesised(points: usize, spacing_m: f64, ciso_m4: impl Fn(f64) -> f64) -> H
             Complex::from_polar(if i == 0 { 0.0 } else { power_m2.sqrt() }, TAU * random.next())
         })
         .collect();
-    let plan = transforms::inverse(points);
+    let plan = numerics::transforms::inverse(points);
     for _ in 0..2 {
         plan.process(&mut modes);
         modes = (0..points * points).map(|i| modes[i % points * points + i / points]).collect();

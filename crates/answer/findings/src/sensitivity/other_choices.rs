@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use parallel::Progress;
+use numerics::parallel::Progress;
 use serde::Serialize;
 use tables::Table;
 

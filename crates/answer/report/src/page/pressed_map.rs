@@ -1,6 +1,6 @@
 //! A measured map under a load: numbers in words, and the state of each point, for a page that stays open.
 
-use parallel::Progress;
+use numerics::parallel::Progress;
 use questions::{MapQuestion, Note};
 use rough_bem::{ElementsError, Field, PointState, PressedLoad};
 use serde::Serialize;

@@ -1,6 +1,6 @@
 //! Carrying a plan out.
 
-use parallel::{Progress, Unobserved};
+use numerics::parallel::{Progress, Unobserved};
 
 use super::distinct_inputs::DistinctInputs;
 use super::prepared_spectrum::PreparedSpectrum;
@@ -41,7 +41,7 @@ impl Plan<'_> {
         let inputs = DistinctInputs::new(&self.needs);
         let models: Vec<(CurveModel, Cutoffs)> =
             inputs.models.items.iter().cloned().zip(inputs.cutoffs.iter().copied()).collect();
-        let computed = parallel::try_map(&models, |(model, cutoffs)| {
+        let computed = numerics::parallel::try_map(&models, |(model, cutoffs)| {
             self.rows_of_model(model, *cutoffs, &inputs, &prepared, run)
         })?;
         let (rows_of_models, work_of_curves) = counted(computed);

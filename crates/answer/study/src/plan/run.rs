@@ -1,6 +1,6 @@
 //! The settings of a run of a plan, passed on as one value.
 
-use parallel::Progress;
+use numerics::parallel::Progress;
 
 use super::{Plan, PlanError, Tolerance};
 

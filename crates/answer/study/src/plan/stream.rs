@@ -1,6 +1,6 @@
 //! Curves part by part, so that neither their rows nor their loads need be held.
 
-use parallel::{Progress, Unobserved};
+use numerics::parallel::{Progress, Unobserved};
 use spectrum::ProfilePsd;
 use stat_contact::Condition;
 

@@ -39,7 +39,7 @@ pub(super) fn results(
     };
     let subjects = Distinct::of(needs.sweeps.iter().zip(&prepared.sweep_cutoffs).map(of_sweep));
     let places: Vec<usize> = (0..subjects.items.len()).collect();
-    let computed = parallel::try_map(&places, |&place| {
+    let computed = numerics::parallel::try_map(&places, |&place| {
         let subject = subjects.items[place];
         let sweeps = || {
             let of_all = needs.sweeps.iter().zip(&prepared.sweep_cutoffs).zip(&subjects.index_of);

@@ -13,7 +13,7 @@ use report::provenance::program;
 use report::{elements_figure, elements_words, field_picture, question_words};
 use rough_bem::{Boundary, ElementsError, Field, Relief, Surfaces};
 use spectrum::ReadOptions;
-use staging::{NewFolder, StagedFiles};
+use tables::staging::{NewFolder, StagedFiles};
 use study::measured::{Kind, Measured, MeasuredOptions};
 use study::surface::SurfaceError;
 use topography::Recipe;

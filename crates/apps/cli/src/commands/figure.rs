@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use questions::{RunOptions, run_scene};
 use report::products;
 use scene::{Overrides, Scene};
-use staging::StagedFiles;
+use tables::staging::StagedFiles;
 use study::figure::{Figure, PictureFormat, Shows};
 
 use super::Context;

@@ -10,7 +10,7 @@ use super::Context;
 use crate::args::{Args, ManArgs};
 use crate::failure::Failure;
 use crate::output::{make_folder, publish, stage};
-use staging::StagedFiles;
+use tables::staging::StagedFiles;
 
 pub(super) fn run(args: &ManArgs, context: &Context<'_>) -> Result<(), Failure> {
     context.targets(None)?;

@@ -25,7 +25,7 @@ use questions::{Answer, CurveQuestion, LoadInput, Note, RangeInput, SpectrumQues
 use report::provenance::provenance;
 use report::{plot, question_words, scan_words, spectrum_words};
 use spectrum::{ReadOption, ReadOptions};
-use staging::StagedFiles;
+use tables::staging::StagedFiles;
 use study::figure::FigureData;
 use study::plan::{Plan, PlanError, Results, Sampling};
 use study::surface::{Surface, SurfaceError};

@@ -17,7 +17,7 @@ use report::provenance::program;
 use report::scan_words;
 use report::scans_table::scans_table;
 use scans::{Mend, ScanOption};
-use staging::StagedFiles;
+use tables::staging::StagedFiles;
 use study::figure::composite_figure;
 use topography::{Recipe, Remark};
 

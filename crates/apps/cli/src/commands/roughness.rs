@@ -6,7 +6,7 @@ use std::io::IsTerminal;
 use measurements::{RoughnessOfFiles, RoughnessSettings, ScalesOfFiles, TopographyError};
 use report::provenance::program;
 use roughness::Evaluation;
-use staging::StagedFiles;
+use tables::staging::StagedFiles;
 use tables::Table;
 
 use super::{Context, psd, say_notes};

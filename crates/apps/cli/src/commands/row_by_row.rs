@@ -9,7 +9,7 @@ use crate::flags::Flags;
 use crate::output::{Place, Stopped, publish};
 use crate::progress::Progress;
 use report::provenance::program;
-use staging::StagedFiles;
+use tables::staging::StagedFiles;
 use state_tables::{RowByRow, RowsNote};
 use study::Progress as _;
 use study::material::{MaterialError, NeededFor};

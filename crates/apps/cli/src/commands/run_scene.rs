@@ -163,7 +163,7 @@ impl Watching {
 }
 
 impl Watch for Watching {
-    fn begin(&self, phase: Phase, steps: usize) -> Box<dyn parallel::Progress + '_> {
+    fn begin(&self, phase: Phase, steps: usize) -> Box<dyn numerics::parallel::Progress + '_> {
         match phase {
             Phase::Computing | Phase::Judging => Box::new(Progress::towards(steps, phase.steps())),
             Phase::Comparing => Box::new(Unseen),

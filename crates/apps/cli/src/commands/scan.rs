@@ -8,7 +8,7 @@ use measurements::{Channels, read_channels};
 use report::heights_picture::{HeightsPicture, of_heights};
 use report::provenance::program;
 use scans::ScanFile;
-use staging::StagedFiles;
+use tables::staging::StagedFiles;
 
 use super::{Context, psd};
 use crate::args::ScanArgs;

@@ -4,7 +4,7 @@
 use std::f64::consts::{PI, TAU};
 
 use half_space::{Contact, Elements, Grid, Loading};
-use parallel::Unobserved;
+use numerics::parallel::Unobserved;
 
 /// Heights row by row, of x and y in periods.
 pub fn heights(rows: usize, columns: usize, height: impl Fn(f64, f64) -> f64) -> Vec<f64> {

@@ -12,7 +12,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let evidence = [Template::UncdReconstructed, Template::UncdMeasured].map(Evidence::compute);
     let models = other_models(&evidence.into_iter().collect::<Result<Vec<_>, _>>()?)?;
     let text = with_section(&std::fs::read_to_string(&page)?, "uncd", &other_models_table(&models))?;
-    staging::write_file(&page, text.into_bytes())?;
+    tables::staging::write_file(&page, text.into_bytes())?;
     println!("the table of other models in docs/guide/which-model.md");
     Ok(())
 }

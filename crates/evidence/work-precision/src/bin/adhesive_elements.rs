@@ -8,7 +8,7 @@
 use std::process::ExitCode;
 
 use half_space::{Adhesion, AdhesiveElements, Control, Start};
-use parallel::Unobserved;
+use numerics::parallel::Unobserved;
 use work_precision::square_map::{carry_out, read, write};
 
 fn main() -> ExitCode {

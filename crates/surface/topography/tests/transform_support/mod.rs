@@ -30,12 +30,12 @@ pub fn self_affine_c1d_m3(q_rad_per_m: f64) -> f64 {
 /// A periodic profile with that spectrum at every q = 2 pi n/L below the Nyquist one: fixed amplitudes, random phases.
 pub fn periodic_profile_m(points: usize, spacing_m: f64, random: &mut Random) -> Vec<f64> {
     let length_m = spacing_m * points as f64;
-    let mut values = vec![transforms::Complex::new(0.0, 0.0); points];
+    let mut values = vec![numerics::transforms::Complex::new(0.0, 0.0); points];
     for (n, value) in values.iter_mut().enumerate().take(points.div_ceil(2)).skip(1) {
         // a^2/2 = C dq/pi
         let amplitude_m = 2.0 * (self_affine_c1d_m3(TAU * n as f64 / length_m) / length_m).sqrt();
-        *value = transforms::Complex::from_polar(amplitude_m, TAU * random.next());
+        *value = numerics::transforms::Complex::from_polar(amplitude_m, TAU * random.next());
     }
-    transforms::inverse(points).process(&mut values);
+    numerics::transforms::inverse(points).process(&mut values);
     values.iter().map(|value| value.re).collect()
 }

@@ -31,7 +31,7 @@ impl CurveTheory for Persson {
         let roughness = plan.roughness(&prepared.psd, &prepared.moments, &prepared.scales, band);
         let (model, roughness) = bodies_on(self, roughness)?;
         let separation = (!plan.needs.areas_alone).then(|| model.separation(&roughness, energy_factor));
-        let blocks = parallel::try_map(&pressures_pa(conditions), |&pressure_pa| {
+        let blocks = numerics::parallel::try_map(&pressures_pa(conditions), |&pressure_pa| {
             run.go_on()?;
             Ok::<_, PlanError>(cuts(&model, &roughness, separation.as_ref(), *cutoffs, pressure_pa)?)
         })?;

@@ -31,14 +31,14 @@ impl CurveTheory for StackedModel {
         let (blocks, stacked_levels) = match job.cutoffs {
             Cutoffs::Every => {
                 let together: Vec<&[f64]> = pressures_pa.chunks(LOADS_PER_BLOCK).collect();
-                let blocks = parallel::try_map(&together, |pressures_pa| {
+                let blocks = numerics::parallel::try_map(&together, |pressures_pa| {
                     run.go_on().map(|()| levels_together(self, pressures_pa, scales))
                 })?;
                 (blocks.into_iter().flatten().collect(), pressures_pa.len() * scales.len())
             }
             Cutoffs::Shortest => {
                 let stack = FinalLevels::new(self, scales);
-                let ends = parallel::try_map(&pressures_pa, |&pressure_pa| {
+                let ends = numerics::parallel::try_map(&pressures_pa, |&pressure_pa| {
                     run.go_on().map(|()| stack.under(pressure_pa))
                 })?;
                 let visited = ends.iter().flatten().map(|end| end.visited).sum();

@@ -31,8 +31,8 @@ impl States<'_> {
             return self.at_one_cutoff(*wavelength_m, roughness, conditions);
         }
         let pieces: Vec<&[Cutoff]> = cutoffs.chunks(STATES_PER_BLOCK).collect();
-        let blocks = parallel::try_map(conditions, |&condition| {
-            parallel::try_map(&pieces, |cutoffs| self.rows(cutoffs, condition)).map(joined)
+        let blocks = numerics::parallel::try_map(conditions, |&condition| {
+            numerics::parallel::try_map(&pieces, |cutoffs| self.rows(cutoffs, condition)).map(joined)
         })?;
         Ok(counted(blocks))
     }
@@ -93,7 +93,7 @@ impl States<'_> {
             Ok((states, work))
         };
         let pieces: Vec<&[Condition]> = conditions.chunks(STATES_PER_BLOCK).collect();
-        parallel::try_map(&pieces, |conditions| piece(conditions)).map(joined)
+        numerics::parallel::try_map(&pieces, |conditions| piece(conditions)).map(joined)
     }
 
     /// The rows of neighbouring cutoffs under one condition, each found from the one before it, which saves work. Where a

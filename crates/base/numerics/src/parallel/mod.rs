@@ -1,4 +1,7 @@
-#![doc = include_str!("../README.md")]
+//! Maps over independent items, on one thread or, with the feature `threads`, on all of them.
+//!
+//! No other module or crate of truearea uses a thread pool. [`on_this_thread`] keeps work on one thread for callers that have
+//! threads of their own; [`fill_blocks`] fills columns of numbers in place.
 
 mod blocks;
 mod one_thread;

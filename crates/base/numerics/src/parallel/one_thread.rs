@@ -37,7 +37,7 @@ mod tests {
     use std::thread::current;
 
     use super::on_this_thread;
-    use crate::{map, map_indices};
+    use super::super::{map, map_indices};
 
     #[test]
     fn work_stays_on_the_calling_thread() {

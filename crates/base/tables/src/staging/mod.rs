@@ -1,4 +1,23 @@
-#![doc = include_str!("../README.md")]
+//! Files written aside and renamed into place together: either all appear whole, or none does and the old ones stay.
+//!
+//! Until it is published, a file is a temporary file in the folder of its target. Dropping [`StagedFiles`] removes it. A
+//! program that a signal ends calls [`remove_temporaries`] first. The module [`reading`] reads files and streams up to a bound.
+//!
+//! ```
+//! use std::io::{self, Write};
+//! use tables::staging::StagedFiles;
+//!
+//! let folder = std::env::temp_dir().join(format!("staging-example-{}", std::process::id()));
+//! std::fs::create_dir_all(&folder)?;
+//! let mut files = StagedFiles::default();
+//! files.stage(&folder.join("area.csv"), |out| writeln!(out, "wavelength_m,area_fraction"))?;
+//! files.stage(&folder.join("area.svg"), |out| -> io::Result<()> { out.write_all(b"<svg/>") })?;
+//! assert!(!folder.join("area.csv").exists());
+//! files.publish()?;
+//! assert!(folder.join("area.csv").exists());
+//! # std::fs::remove_dir_all(folder)?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod new_folder;
 pub mod reading;

@@ -1,4 +1,19 @@
-#![doc = include_str!("../README.md")]
+//! Discrete Fourier transforms of any length, of complex and of real numbers.
+//!
+//! ```
+//! use numerics::transforms::{self, Complex64};
+//!
+//! let mut values = vec![Complex64::new(1.0, 0.0); 6];
+//! transforms::forward(6).process(&mut values);
+//! assert_eq!(values[0].re, 6.0);
+//!
+//! // Of n real numbers, n/2 + 1 values suffice.
+//! let real = transforms::forward_of_real(6);
+//! let (mut numbers, mut waves) = (vec![1.0; 6], real.make_output_vec());
+//! real.process(&mut numbers, &mut waves)?;
+//! assert_eq!((waves.len(), waves[0].re), (4, 6.0));
+//! # Ok::<(), transforms::FftError>(())
+//! ```
 //!
 //! Nothing is normalised: forth and back multiplies by the length. The last digits depend on the processor, since wider
 //! vectors fuse and order sums differently.

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use crate::temporaries::folder_of;
+use super::temporaries::folder_of;
 
 /// Name of the marker in a folder that gets files.
 const MARKER: &str = ".truearea-unfinished";

@@ -33,7 +33,7 @@ pub fn fill_blocks<const N: usize, E: Send>(
     let blocks: Vec<(usize, [&mut [f64]; N])> =
         (0..rows).step_by(block).map_while(|first| Some((first, next()?))).collect();
     #[cfg(feature = "threads")]
-    if !crate::one_thread::is_confined() {
+    if !super::one_thread::is_confined() {
         let found: Vec<Result<(), E>> =
             blocks.into_par_iter().map(|(first, block_columns)| fill(first, block_columns)).collect();
         return found.into_iter().collect();

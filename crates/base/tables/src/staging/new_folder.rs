@@ -3,7 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use crate::temporaries::lock;
+use super::temporaries::lock;
 
 /// A newly created folder. It is removed when this value is dropped or a signal ends the program, unless it holds
 /// published files or [`NewFolder::keep`] was called.
