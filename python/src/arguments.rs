@@ -11,7 +11,7 @@ use persson::{EnergyFactor, EnergyFactorError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyString};
 use questions::{LoadInput, RandomInput, SamplingInput};
-use rough_bem::RandomChoices;
+use elements::RandomChoices;
 use study::growth_law::GrowthLaw;
 use study::models::{Choice, MODELS, ModelEntry, ModelOptions};
 use units::{

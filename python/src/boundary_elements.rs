@@ -11,7 +11,7 @@ use questions::{
     AdhesionQuestion, BallQuestion, BranchChoice, ElementsLoad, ElementsQuestion, LoadInput, Note,
     PreparedElements, QuestionError,
 };
-use rough_bem::{Boundary, ElementsError, Field, Relief};
+use elements::{Boundary, ElementsError, Field, Relief};
 use scans::HeightMap;
 use study::surface::Surface;
 use topography::{Recipe, detrended_m};
@@ -199,8 +199,8 @@ fn press_flat<'py>(
     })?;
     let (loads, notes) = pressed.map_err(|error| refused(error.into()))?;
     let table = match arguments.flag("per_realisation")? {
-        true => rough_bem::states_table(&loads),
-        false => rough_bem::means_table(&loads),
+        true => elements::states_table(&loads),
+        false => elements::means_table(&loads),
     };
     let fields = fields.map(|fields| {
         let [pressures_pa, gaps_m, heights_m] = fields.into_inner().unwrap_or_else(PoisonError::into_inner);
@@ -217,7 +217,7 @@ fn press_flat<'py>(
     beside.set_item("rms_gradient", surfaces.rms_gradients())?;
     if let Some(patches) = patches {
         let patches = patches.into_inner().unwrap_or_else(PoisonError::into_inner);
-        beside.set_item("patches", columns(py, &rough_bem::patches_table(patches))?)?;
+        beside.set_item("patches", columns(py, &elements::patches_table(patches))?)?;
     }
     Ok((PyAnswer::new(py, &table, [prepared.notes.clone(), notes].concat())?, beside))
 }

@@ -1,6 +1,6 @@
 //! Boundary elements against another solver's answers on maps as instruments' programs write them.
 
-use half_space::{Elements, Ending, Grid, Loading};
+use elements::half_space::{Elements, Ending, Grid, Loading};
 use numerics::parallel::Unobserved;
 use scans::{Scan, ScanOptions, read_scans};
 use tests::ReferenceTable;

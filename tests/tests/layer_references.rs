@@ -2,7 +2,7 @@
 //! solver's answers.
 
 use asperity::{ElasticBody, Layer, LayerCompliance, MaterialPair};
-use half_space::{Elements, Ending, Grid, Loading};
+use elements::half_space::{Elements, Ending, Grid, Loading};
 use numerics::parallel::Unobserved;
 use scans::{Scan, ScanOptions, read_scans};
 use tests::{Deviations, ReferenceTable, committed_file};

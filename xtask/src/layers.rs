@@ -19,7 +19,7 @@ const CORE_FLOORS: usize = 4;
 const SHIPPED_DATA: &str = "truearea-data";
 
 /// Crates of contact that know spectra or scans; all others take numbers.
-const JOINS_SURFACE_AND_CONTACT: [&str; 1] = ["truearea-rough-bem"];
+const JOINS_SURFACE_AND_CONTACT: [&str; 1] = ["truearea-elements"];
 
 /// Crates for the command line only, however far down the tree; a thread pool is behind a feature.
 const STRANGERS: [&str; 5] = ["annotate-snippets", "clap", "indicatif", "rayon", "tempfile"];

@@ -10,7 +10,7 @@ use std::process::ExitCode;
 use asperity::{
     ElasticBody, ElasticPlasticSinusoid, ElasticSinusoid, Hardness, JacksonGreen, MaterialPair, NixGao,
 };
-use half_space::{Elements, Grid, Loading};
+use elements::half_space::{Elements, Grid, Loading};
 use judge::JudgePlan;
 use numerics::parallel::Unobserved;
 use scans::{HeightMap, ScanOptions};

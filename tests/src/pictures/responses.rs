@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use numerics::parallel::Unobserved;
 use questions::{AdhesionQuestion, Answer, GapModel, LoadInput, MaterialInput, TangentialQuestion};
 use report::plot;
-use rough_bem::{Boundary, Relief};
+use elements::{Boundary, Relief};
 use spectrum::ReadOptions;
 use study::NoFiles;
 use study::models;

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::plot::{Panel, escaped};
-use rough_bem::Field;
+use elements::Field;
 use units::display::{length, pressure};
 
 /// Width of the frame's longer side.

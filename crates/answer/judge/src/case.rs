@@ -1,8 +1,8 @@
 //! A scene as the judge sees it: its bodies and their hardness, and the pressures that closed forms give at each scale.
 
 use asperity::LayerCompliance;
-use gaussian_surfaces::AreaSpectrum;
-use half_space::{Elements, Grid, HalfSpaceError};
+use spectrum::random_surfaces::AreaSpectrum;
+use elements::half_space::{Elements, Grid, HalfSpaceError};
 use scene::Scene;
 use spectrum::{Moments, Normalisation, amplitudes, cumulative_moments};
 use study::plan::Results;

@@ -1,7 +1,7 @@
 //! Errors of a judgement.
 
-use gaussian_surfaces::SurfaceError;
-use half_space::HalfSpaceError;
+use spectrum::random_surfaces::SurfaceError;
+use elements::half_space::HalfSpaceError;
 use spectrum::PsdError;
 use study::plan::PlanError;
 use units::OutOfBounds;

@@ -1,8 +1,8 @@
 //! Measured maps pressed by boundary elements, compared with Gaussian surfaces that have the same waves. The difference
 //! is the effect of everything that a spectrum omits.
 
-use gaussian_surfaces::{MapWaves, Surface};
-use half_space::{Grid, Loading};
+use spectrum::random_surfaces::{MapWaves, Surface};
+use elements::half_space::{Grid, Loading};
 use measurements::MapPatch;
 use numerics::parallel::Progress;
 use serde::Serialize;

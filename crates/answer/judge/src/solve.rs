@@ -1,7 +1,7 @@
 //! Surfaces pressed by boundary elements, window by window.
 
-use gaussian_surfaces::{Phases, Synthesis};
-use half_space::{Grid, Loading};
+use spectrum::random_surfaces::{Phases, Synthesis};
+use elements::half_space::{Grid, Loading};
 use numerics::parallel::{NestedProgress, Progress};
 
 use crate::JudgeError;

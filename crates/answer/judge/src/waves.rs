@@ -1,7 +1,7 @@
 //! The waves of a surface, and the pressure that flattens them on half-spaces or on a layer.
 
 use asperity::LayerCompliance;
-use gaussian_surfaces::{AreaSpectrum, Surface, SurfaceError, Synthesis};
+use spectrum::random_surfaces::{AreaSpectrum, Surface, SurfaceError, Synthesis};
 
 /// Factor by which wavevectors are raised for the exponent of the stiffness.
 const STEP: f64 = 1.01;

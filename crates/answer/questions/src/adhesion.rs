@@ -1,11 +1,11 @@
 //! Surfaces that attract each other, pressed and pulled apart by boundary elements.
 
 use asperity::MaterialPair;
-use gaussian_surfaces::AreaSpectrum;
-use half_space::{Adhesion, GOOD_RESOLUTION};
+use spectrum::random_surfaces::AreaSpectrum;
+use elements::half_space::{Adhesion, GOOD_RESOLUTION};
 use interface::adhesion::{FullerTabor, PastewkaRobbins, StickyContact};
 use numerics::parallel::Progress;
-use rough_bem::{
+use elements::{
     AdhesivePressing, AdhesiveState, Branch, Pressing, Relief, Surfaces, adhesive_means, adhesive_table,
 };
 use serde::{Deserialize, Serialize};
@@ -137,7 +137,7 @@ impl AdhesionQuestion {
 
     fn prepared(&self, surfaces: Surfaces, mut notes: Vec<Note>) -> Result<PreparedAdhesion, QuestionError> {
         let pressing = self.pressing()?;
-        let first = surfaces.relief(0).map_err(rough_bem::AdhesiveError::from)?;
+        let first = surfaces.relief(0).map_err(elements::AdhesiveError::from)?;
         let points = pressing.resolution(&first)?;
         drop(first);
         if points < GOOD_RESOLUTION {
@@ -191,7 +191,7 @@ impl AdhesionQuestion {
 }
 
 impl PreparedAdhesion {
-    /// Presses the surfaces, or pulls them apart. The table has the columns of [`adhesive_table`](rough_bem::adhesive_table).
+    /// Presses the surfaces, or pulls them apart. The table has the columns of [`adhesive_table`](elements::adhesive_table).
     ///
     /// # Errors
     /// [`QuestionError::Adhesion`] for a load that pulls the surfaces apart, and for numbers out of their bounds.

@@ -1,6 +1,6 @@
 //! Figures of surfaces that attract each other: the pull-off curve, and the area on both branches.
 
-use rough_bem::{AdhesiveState, Branch};
+use elements::{AdhesiveState, Branch};
 use study::figure::{Axis, FigureData, Mark, Series, Shows};
 use units::display::{length, pressure};
 

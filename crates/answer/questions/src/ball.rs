@@ -1,8 +1,8 @@
 //! A ball pressed onto a rough flat by boundary elements.
 
 use numerics::parallel::Progress;
-use rough_bem::{Ball, BallPressing, BallState, ball_table};
-use rough_bem::{Pressing, Relief, Surfaces};
+use elements::{Ball, BallPressing, BallState, ball_table};
+use elements::{Pressing, Relief, Surfaces};
 use serde::{Deserialize, Serialize};
 use study::surface::Surface;
 
@@ -93,7 +93,7 @@ impl BallQuestion {
 
 impl PreparedBall {
     /// Presses the ball onto every flat. The table has a row for each, with the columns of
-    /// [`ball_table`](rough_bem::ball_table).
+    /// [`ball_table`](elements::ball_table).
     ///
     /// # Errors
     /// [`QuestionError::Ball`] if the contact reaches the edges of the flat, and for numbers out of their bounds.

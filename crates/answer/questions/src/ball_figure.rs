@@ -1,6 +1,6 @@
 //! The averaged pressure under a ball beside that of Hertz.
 
-use rough_bem::BallState;
+use elements::BallState;
 use study::figure::{Axis, Band, BandKind, FigureData, Series, Shows};
 use units::display::{counted, three_digits};
 

@@ -1,6 +1,6 @@
 //! Tables of conductance against pressure for finite elements: heat by spots and gas, and current.
 
-use contact_law::{ConductancePoint, ConductanceTable, Flow, SamplingError};
+use interface::finite_elements::{ConductancePoint, ConductanceTable, Flow, SamplingError};
 use interface::conductance::{
     Conductivities, CutSurface, ELECTRON_MEAN_FREE_PATH_M, PlasticCorrelation, PressureRatio,
     RelativeStiffness,

@@ -1,8 +1,8 @@
 //! A cylinder pressed onto a rough flat by boundary elements.
 
 use numerics::parallel::Progress;
-use rough_bem::{BallPressing, Boundary, Cylinder, CylinderState, cylinder_table};
-use rough_bem::{Pressing, Relief, Surfaces};
+use elements::{BallPressing, Boundary, Cylinder, CylinderState, cylinder_table};
+use elements::{Pressing, Relief, Surfaces};
 use serde::{Deserialize, Serialize};
 use study::surface::Surface;
 
@@ -96,7 +96,7 @@ impl CylinderQuestion {
 
 impl PreparedCylinder {
     /// Presses the cylinder onto every flat. The table has a row for each, with the columns of
-    /// [`cylinder_table`](rough_bem::cylinder_table).
+    /// [`cylinder_table`](elements::cylinder_table).
     ///
     /// # Errors
     /// [`QuestionError::Cylinder`] if the contact reaches the edges of the box, and for numbers out of their bounds.

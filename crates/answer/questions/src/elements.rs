@@ -3,10 +3,10 @@
 use std::str::FromStr;
 
 use findings::doubts::Doubt;
-use gaussian_surfaces::{AreaSpectrum, Phases};
+use spectrum::random_surfaces::{AreaSpectrum, Phases};
 
 use numerics::parallel::Progress;
-use rough_bem::{
+use elements::{
     Approach, ElementsError, Field, Load, PressedLoad, Pressing, RandomChoices, RandomSurfaces, Relief,
     Surfaces,
 };
@@ -235,7 +235,7 @@ impl PreparedElements {
     /// Number of steps that the progress will count.
     #[must_use]
     pub fn steps(&self) -> usize {
-        rough_bem::progress_steps(&self.surfaces, &self.pressing)
+        elements::progress_steps(&self.surfaces, &self.pressing)
     }
 
     /// Number of loads.
@@ -253,7 +253,7 @@ impl PreparedElements {
         see: impl Fn(&Field<'_>) -> Result<(), E> + Sync + Send,
         progress: &dyn Progress,
     ) -> Result<(Vec<PressedLoad>, Vec<Note>), E> {
-        let pressed = rough_bem::press(&self.surfaces, &self.pressing, see, progress)?;
+        let pressed = elements::press(&self.surfaces, &self.pressing, see, progress)?;
         let notes = vec![Note::Pressed(pressed.clone())];
         Ok((pressed, notes))
     }

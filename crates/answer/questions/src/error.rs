@@ -1,10 +1,10 @@
 //! Why a question has no answer.
 
 use asperity::AsperityError;
-use contact_law::SamplingError;
+use interface::finite_elements::SamplingError;
 use interface::conductance::PlasticCorrelation;
 use persson::hardness_laws::HardnessError;
-use rough_bem::{AdhesiveError, BallError, CylinderError, ElementsError};
+use elements::{AdhesiveError, BallError, CylinderError, ElementsError};
 use study::gap_law::GapError;
 use study::material::MaterialError;
 use study::models::ModelEntry;
@@ -113,7 +113,7 @@ pub enum QuestionError {
         /// The name of the surface.
         surface: String,
         /// The reason.
-        error: gaussian_surfaces::SurfaceError,
+        error: spectrum::random_surfaces::SurfaceError,
     },
     /// A saturation in units of a hardness that the material does not have.
     #[error("the saturation is given in H, and the material has no hardness")]
@@ -152,7 +152,7 @@ impl QuestionError {
     /// Returns true if the user cancelled the work.
     #[must_use]
     pub fn is_cancelled(&self) -> bool {
-        use half_space::{AdhesionError, HalfSpaceError};
+        use elements::half_space::{AdhesionError, HalfSpaceError};
         matches!(
             self,
             QuestionError::Plan(PlanError::Cancelled)

@@ -1,10 +1,10 @@
 //! Mean gap and stiffness under loads, and laws made from them.
 
-use contact_law::{ContactLaw, ExponentialLaw};
+use interface::finite_elements::{ContactLaw, ExponentialLaw};
 use findings::doubts::Doubt;
 use numerics::parallel::Progress;
 use persson::variance::Band;
-use rough_bem::{PressedLoad, Pressing, Surfaces};
+use elements::{PressedLoad, Pressing, Surfaces};
 use serde::{Deserialize, Serialize};
 use spectrum::Normalisation;
 use study::gap_law::{GapChoices, GapLaw, GapState};
@@ -219,7 +219,7 @@ impl GapQuestion {
         let (material, pressures_pa) = self.loads()?;
         let pressing = elastic(&material, pressures_pa);
         let (random, _) = random_surfaces(surface, &self.random, &pressing)?;
-        Ok(rough_bem::progress_steps(&Surfaces::Random(random), &pressing))
+        Ok(elements::progress_steps(&Surfaces::Random(random), &pressing))
     }
 
     /// Computes the gaps.
@@ -277,7 +277,7 @@ impl GapQuestion {
         let (random, mut notes) = random_surfaces(surface, &self.random, &pressing)?;
         let rms_height_m = random.band.mean_square_height_m2().sqrt();
         let surfaces = Surfaces::Random(random);
-        let pressed = rough_bem::press::<QuestionError>(&surfaces, &pressing, |_| Ok(()), progress)?;
+        let pressed = elements::press::<QuestionError>(&surfaces, &pressing, |_| Ok(()), progress)?;
         let states = states_of_elements(&pressed);
         notes.push(Note::Pressed(pressed));
         notes.push(Note::Gaps(GapCounts::of(&states, Some(rms_height_m))));
@@ -287,7 +287,7 @@ impl GapQuestion {
 
 /// Loads on an elastic material.
 fn elastic(material: &Material, pressures_pa: Vec<f64>) -> Pressing {
-    let loads = pressures_pa.into_iter().map(rough_bem::Load::PressurePa).collect();
+    let loads = pressures_pa.into_iter().map(elements::Load::PressurePa).collect();
     Pressing { loads, stiffness: true, ..Pressing::between(&material.pair) }
 }
 

@@ -2,7 +2,7 @@
 
 use findings::doubts::Doubt;
 use measurements::MapPatch;
-use rough_bem::{Boundary, ElementsError, Load, Pressing, Relief, Surfaces};
+use elements::{Boundary, ElementsError, Load, Pressing, Relief, Surfaces};
 use scene::Scene;
 use serde::{Deserialize, Serialize};
 use topography::detrended_m;

@@ -1,11 +1,11 @@
 //! Facts that a reader has to know about an answer, as data.
 
 use findings::doubts::Doubt;
-use gaussian_surfaces::{AreaSpectrum, GridBand};
+use spectrum::random_surfaces::{AreaSpectrum, GridBand};
 use persson::Roughness;
 use persson::corrections::Correction;
 use persson::separation::LightLoads;
-use rough_bem::{BallCaution, CylinderCaution, PressedLoad, RandomSurfaces};
+use elements::{BallCaution, CylinderCaution, PressedLoad, RandomSurfaces};
 use spectrum::ProfilePsd;
 use state_tables::RowsNote;
 use study::material::Material;

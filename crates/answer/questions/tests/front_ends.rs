@@ -4,8 +4,8 @@
 use std::collections::BTreeMap;
 
 use asperity::Hardness;
-use contact_law::{Dialect, UnitSystem};
-use gaussian_surfaces::Phases;
+use interface::finite_elements::{Dialect, UnitSystem};
+use spectrum::random_surfaces::Phases;
 use measurements::Conventions;
 use numerics::parallel::Unobserved;
 use persson::EnergyFactor;

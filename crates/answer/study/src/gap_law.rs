@@ -3,7 +3,7 @@
 //! The gap is measured from the mean plane of the rough surface to the flat: of the deformed surface in Persson's theory, of
 //! the undeformed one where asperities are pressed one by one, as none of them moves the others.
 
-use contact_law::{ContactLaw, ExponentialLaw, LawPoint, SamplingError};
+use interface::finite_elements::{ContactLaw, ExponentialLaw, LawPoint, SamplingError};
 use numerics::parallel::Progress;
 use persson::Roughness;
 use persson::separation::{LightLoads, SeparationLaw};

@@ -3,6 +3,7 @@
 //! Modules by subject:
 //! * [`conductance`]: heat and current by Barber's analogy and by correlations for plastic contact, one circular
 //!   spot, and the effects that none of them includes;
+//! * [`finite_elements`]: contact and conductance laws as finite element codes read them;
 //! * [`gas`]: heat through the gas in the gaps, and its gas parameter;
 //! * [`leak`]: the leak rate of a seal, to an order of magnitude;
 //! * [`friction`]: friction of a contact of known area;
@@ -12,6 +13,7 @@
 
 pub mod adhesion;
 pub mod conductance;
+pub mod finite_elements;
 pub mod friction;
 pub mod gas;
 pub mod leak;

@@ -1,6 +1,6 @@
 //! Errors of a study.
 
-use gaussian_surfaces::SurfaceError;
+use spectrum::random_surfaces::SurfaceError;
 use measurements::TopographyError;
 use scene::SceneError;
 use study::plan::PlanError;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use gaussian_surfaces::{AreaSpectrum, Phases, Synthesis};
+use spectrum::random_surfaces::{AreaSpectrum, Phases, Synthesis};
 use numerics::transforms::Complex64;
 
 use crate::error::StudyError;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use gaussian_surfaces::{AreaSpectrum, SelfAffine, Size};
+use spectrum::random_surfaces::{AreaSpectrum, SelfAffine, Size};
 use spectrum::{Convention, ProfilePsd, Psd};
 use statrs::distribution::{ContinuousCDF, Normal};
 

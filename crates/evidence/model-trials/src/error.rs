@@ -1,7 +1,7 @@
 //! Errors of a trial.
 
-use gaussian_surfaces::SurfaceError;
-use half_space::HalfSpaceError;
+use spectrum::random_surfaces::SurfaceError;
+use elements::half_space::HalfSpaceError;
 use thiserror::Error;
 
 /// Reason why a trial has no result.
@@ -31,7 +31,7 @@ pub enum TrialError {
     Samples(#[from] spectrum::PsdError),
     /// Random surfaces cannot be made or pressed.
     #[error(transparent)]
-    Random(#[from] rough_bem::ElementsError),
+    Random(#[from] elements::ElementsError),
     /// A theory has no gap.
     #[error("computing a gap: {0}")]
     Gap(#[from] study::gap_law::GapError),

@@ -3,12 +3,12 @@
 
 use std::ops::RangeInclusive;
 
-use gaussian_surfaces::AreaSpectrum;
+use spectrum::random_surfaces::AreaSpectrum;
 use numerics::parallel::Unobserved;
 use persson::EnergyFactor;
 use persson::separation::LIGHT_CONTACT;
 use persson::variance::Band;
-use rough_bem::{ElementsError, Load, PressedLoad, Pressing, press};
+use elements::{ElementsError, Load, PressedLoad, Pressing, press};
 use serde::{Deserialize, Serialize};
 use spectrum::{Normalisation, ProfilePsd};
 use study::gap_law::{GapChoices, GapError, GapLaw, GapState};

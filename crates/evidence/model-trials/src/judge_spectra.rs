@@ -1,6 +1,6 @@
 //! Spectra of every kind on which the judge of scenes is tried, as scenes.
 
-use gaussian_surfaces::AreaSpectrum;
+use spectrum::random_surfaces::AreaSpectrum;
 use scene::{Overrides, Scene};
 use serde::{Deserialize, Serialize};
 use spectrum::{Convention, Psd};

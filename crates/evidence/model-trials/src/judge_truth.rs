@@ -1,9 +1,9 @@
 //! Truth of the judge's trials: areas of whole bands, solved at once on boxes that hold several of the longest waves.
 
-use gaussian_surfaces::{AreaSpectrum, Phases};
-use half_space::Loading;
+use spectrum::random_surfaces::{AreaSpectrum, Phases};
+use elements::half_space::Loading;
 use numerics::parallel::{Unobserved, map_indices};
-use rough_bem::{RandomChoices, Relief, Surfaces};
+use elements::{RandomChoices, Relief, Surfaces};
 use serde::{Deserialize, Serialize};
 
 use crate::TrialError;

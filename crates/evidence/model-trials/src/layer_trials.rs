@@ -2,11 +2,11 @@
 //! windows: the tables of `docs/guide/judge.md`.
 
 use asperity::{ElasticBody, Layer, LayerCompliance, MaterialPair};
-use gaussian_surfaces::AreaSpectrum;
-use half_space::{Elements, Grid, Loading};
+use spectrum::random_surfaces::AreaSpectrum;
+use elements::half_space::{Elements, Grid, Loading};
 use judge::{CurveVerdict, JudgePlan, Settings, Verdict};
 use numerics::parallel::Unobserved;
-use rough_bem::Relief;
+use elements::Relief;
 use scene::Scene;
 use serde::{Deserialize, Serialize};
 use tables::markdown::{table, with_section};

@@ -3,7 +3,7 @@
 use std::num::NonZeroU32;
 
 use asperity::ElasticBody;
-use gaussian_surfaces::AreaSpectrum;
+use spectrum::random_surfaces::AreaSpectrum;
 use persson::corrections::Correction;
 use persson::elastic;
 use spectrum::{AmplitudeDefinition, Normalisation, ProfilePsd};

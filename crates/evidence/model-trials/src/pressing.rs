@@ -1,7 +1,7 @@
 //! Boundary elements under surfaces of a spectrum.
 
-use gaussian_surfaces::{AreaSpectrum, Phases, Surface, Synthesis};
-use half_space::{Contact, Elements, Grid, Loading, extrapolated_area};
+use spectrum::random_surfaces::{AreaSpectrum, Phases, Surface, Synthesis};
+use elements::half_space::{Contact, Elements, Grid, Loading, extrapolated_area};
 use numerics::parallel::Unobserved;
 
 use crate::TrialError;

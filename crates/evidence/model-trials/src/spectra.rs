@@ -1,6 +1,6 @@
 //! Spectra of the study: self-affine surfaces, given in waves per box.
 
-use gaussian_surfaces::{AreaSpectrum, SelfAffine, Size, SurfaceError};
+use spectrum::random_surfaces::{AreaSpectrum, SelfAffine, Size, SurfaceError};
 use serde::{Deserialize, Serialize};
 
 /// Side of the periodic box \[m\]. Areas do not depend on it: only ratios of lengths matter.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use half_space::{
+use elements::half_space::{
     Adhesion, AdhesionError, AdhesiveContact, AdhesiveElements, Control, Grid, HalfSpaceError,
     LEAST_RESOLUTION, Start,
 };

@@ -1,8 +1,8 @@
 //! Balls on small maps: their numbers, and the promises of every result.
 
-use half_space::HalfSpaceError;
+use elements::half_space::HalfSpaceError;
 use numerics::parallel::Unobserved;
-use rough_bem::{Ball, BallError, BallPressing, BallState, Boundary, Relief};
+use elements::{Ball, BallError, BallPressing, BallState, Boundary, Relief};
 
 use crate::drawn_map::SmallMap;
 use crate::group::Case;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use half_space::{Approach, Closing, Contact, Elements, Ending, Grid, HalfSpaceError, Loading};
+use elements::half_space::{Approach, Closing, Contact, Elements, Ending, Grid, HalfSpaceError, Loading};
 use numerics::parallel::Unobserved;
 
 use crate::drawn_map::SmallMap;

@@ -1,6 +1,6 @@
 //! Contact laws as tables of finite element codes: their numbers, and the promises of every table.
 
-use contact_law::{
+use interface::finite_elements::{
     Column, ConductancePoint, ConductanceTable, ContactLaw, ContactLawError, Dialect, Flow, Heading,
     LawPoint, SamplingError, UnitSystem,
 };

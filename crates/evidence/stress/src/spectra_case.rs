@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::num::NonZeroU32;
 
-use gaussian_surfaces::AreaSpectrum;
+use spectrum::random_surfaces::AreaSpectrum;
 use spectrum::{
     AmplitudeDefinition, AsperityParameters, Convention, Moments, Normalisation, ProfilePsd, Psd, amplitudes,
     cumulative_moments, fit_self_affine, superpose,

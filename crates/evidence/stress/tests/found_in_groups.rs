@@ -1,6 +1,6 @@
 //! States of the groups that once broke a promise, as `cargo xtask stress` printed them.
 
-use half_space::Control;
+use elements::half_space::Control;
 use persson::variance::Band;
 use stress::{
     AdhesionCase, BallCase, Case, Coating, Deformation, Draw, DrawnScan, ElementsCase, Growth, IntervalsCase,
@@ -462,7 +462,7 @@ fn a_law_whose_overclosures_are_lost_is_refused() {
         length_m: 4.440566203637786e-8,
         range_pa: [1894.6719479376054, 12086779709512.742],
         tolerance: 0.22524262558893815,
-        units: contact_law::UnitSystem::Inches,
+        units: interface::finite_elements::UnitSystem::Inches,
     };
     assert!(!assert_sound(&case));
     let huge = LawTablesCase {
@@ -483,7 +483,7 @@ fn a_law_with_gaps_near_the_smallest_double() {
         length_m: 2.2250738585072014e-308,
         range_pa: [57.09081650557628, 57.090816590051084],
         tolerance: 1.5245969905620373e-5,
-        units: contact_law::UnitSystem::Si,
+        units: interface::finite_elements::UnitSystem::Si,
     };
     assert!(assert_sound(&case));
 }

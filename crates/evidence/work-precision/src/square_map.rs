@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::process::ExitCode;
 
-use half_space::Grid;
+use elements::half_space::Grid;
 
 /// Runs a program on its arguments, and says on standard error why it failed.
 pub fn carry_out(run: impl FnOnce(&[String]) -> Result<(), Box<dyn Error>>) -> ExitCode {

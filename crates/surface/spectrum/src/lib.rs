@@ -25,6 +25,7 @@
 //! * [`Superposition`]: the composite spectrum of two rough surfaces;
 //! * [`PowerLaw`] and [`AbelIntegral`]: pieces of a function of the wavevector, and the integral that joins line and
 //!   area spectra;
+//! * [`random_surfaces`], behind a feature: the spectrum of an area, and random surfaces that have it;
 //! * [`PsdFile`]: a [`Psd`] as read from text, JSON or a workbook, with the comments and the assumptions made.
 //!
 //! Not here: paths, printing, threads. The crate `scans` reads heights and `topography` computes their spectra.
@@ -42,6 +43,8 @@ mod moments;
 mod power_law;
 mod profile;
 mod psd;
+#[cfg(feature = "random-surfaces")]
+pub mod random_surfaces;
 mod read;
 mod roughness_parameters;
 mod samples;

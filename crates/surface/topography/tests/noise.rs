@@ -2,7 +2,7 @@
 
 mod transform_support;
 
-use gaussian_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};
+use spectrum::random_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};
 use scans::{HeightMap, Scan, UniformLineScan};
 use topography::{
     BandLimits, GapTreatment, NoiseFloor, Recipe, ScanRemark, ScanSpectrum, Severity, without_gaps,

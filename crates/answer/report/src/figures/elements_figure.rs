@@ -1,12 +1,12 @@
 //! The contact area against load from boundary elements, as counted and as corrected.
 
-use rough_bem::{Mean, PressedLoad};
+use elements::{Mean, PressedLoad};
 use study::figure::{Axis, FigureData, Series, Shows};
 
 const PRESSURE: Axis = Axis { column: "nominal_pressure_pa", label: "nominal pressure (Pa)" };
 const AREA: &str = "contact area / nominal area";
 
-/// The areas of [`rough_bem::means_table`] against load; those at zero have no place on logarithmic axes.
+/// The areas of [`elements::means_table`] against load; those at zero have no place on logarithmic axes.
 #[must_use]
 pub fn area_against_load(loads: &[PressedLoad]) -> FigureData {
     let mut means: Vec<(f64, Mean)> =

@@ -2,7 +2,7 @@
 
 use numerics::parallel::Progress;
 use questions::{MapQuestion, Note};
-use rough_bem::{ElementsError, Field, PointState, PressedLoad};
+use elements::{ElementsError, Field, PointState, PressedLoad};
 use serde::Serialize;
 use std::sync::{Mutex, PoisonError};
 use units::display::{length, pressure, share, three_digits};
@@ -75,8 +75,8 @@ impl PressedMap {
             false => format!("the middle {} × {} of {columns} × {rows} points", relief.columns, relief.rows),
         };
         let edges = match relief.boundary {
-            rough_bem::Boundary::Periodic => "repeated without end",
-            rough_bem::Boundary::Free => "with free edges",
+            elements::Boundary::Periodic => "repeated without end",
+            elements::Boundary::Free => "with free edges",
         };
         format!("{part}, {} × {}, {edges}", length(relief.length_x_m), length(relief.length_y_m))
     }

@@ -4,10 +4,10 @@ use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use clap::Args as ClapArgs;
-use gaussian_surfaces::Phases;
+use spectrum::random_surfaces::Phases;
 use measurements::ScanRequest;
 use questions::{BranchChoice, MaterialInput, OptionName, RandomInput};
-use rough_bem::{Boundary, RandomChoices};
+use elements::{Boundary, RandomChoices};
 use study::measured::Kind;
 use topography::Detrend;
 use units::{
@@ -60,7 +60,7 @@ pub(crate) struct BemArgs {
     #[arg(long, requires = "work_of_adhesion", conflicts_with_all = ["pressures", "pressure_ranges", "branch"])]
     pub pull_off: bool,
     /// The largest residual, sum p|g| over sum p h_rms, above 0 and at most 0.1
-    #[arg(long, value_name = "T", default_value_t = rough_bem::Pressing::TOLERANCE, allow_hyphen_values = true)]
+    #[arg(long, value_name = "T", default_value_t = elements::Pressing::TOLERANCE, allow_hyphen_values = true)]
     pub tolerance: f64,
     /// A row for each surface instead of their mean
     #[arg(long)]

@@ -2,7 +2,7 @@
 
 use clap::Args as ClapArgs;
 use clap::builder::TypedValueParser;
-use contact_law::{ContactLaw, Dialect, Heading, UnitSystem};
+use interface::finite_elements::{ContactLaw, Dialect, Heading, UnitSystem};
 use persson::EnergyFactor;
 use persson::variance::Band;
 use questions::{

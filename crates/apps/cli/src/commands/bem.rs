@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-use half_space::HalfSpaceError;
+use elements::half_space::HalfSpaceError;
 use measurements::MapOfFile;
 use questions::{
     AdhesionQuestion, Answer, BallQuestion, CylinderQuestion, ElementsLoad, ElementsQuestion, Note,
@@ -11,7 +11,7 @@ use questions::{
 };
 use report::provenance::program;
 use report::{elements_figure, elements_words, field_picture, question_words};
-use rough_bem::{Boundary, ElementsError, Field, Relief, Surfaces};
+use elements::{Boundary, ElementsError, Field, Relief, Surfaces};
 use spectrum::ReadOptions;
 use tables::staging::{NewFolder, StagedFiles};
 use study::measured::{Kind, Measured, MeasuredOptions};
@@ -75,9 +75,9 @@ pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> 
     timings.lap("pressing");
     say_all(&notes, &Flags);
     let table = if args.per_realisation {
-        rough_bem::states_table(&pressed)
+        elements::states_table(&pressed)
     } else {
-        rough_bem::means_table(&pressed)
+        elements::means_table(&pressed)
     };
     let mut files = files.into_inner().unwrap_or_else(PoisonError::into_inner);
     if let Some(picture) = &args.figure.figure {
@@ -88,7 +88,7 @@ pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> 
         Ok(out.block(&table)?)
     })?;
     if let Some(path) = &args.patches {
-        let table = rough_bem::patches_table(patches.into_inner().unwrap_or_else(PoisonError::into_inner));
+        let table = elements::patches_table(patches.into_inner().unwrap_or_else(PoisonError::into_inner));
         let place = Place::File(path.clone());
         context.stage_blocks(&mut files, &place, context.wanted(&comments), |out| Ok(out.block(&table)?))?;
     }

@@ -1,6 +1,6 @@
 //! `law`: pressure against overclosure, and conductance against pressure, for finite elements.
 
-use contact_law::{ConductanceError, ContactLawError, Heading};
+use interface::finite_elements::{ConductanceError, ContactLawError, Heading};
 use questions::{LawAnswer, LawForm};
 use report::provenance::provenance;
 use tables::Format;

@@ -7,7 +7,7 @@
 
 use std::process::ExitCode;
 
-use half_space::{Adhesion, AdhesiveElements, Control, Start};
+use elements::half_space::{Adhesion, AdhesiveElements, Control, Start};
 use numerics::parallel::Unobserved;
 use work_precision::square_map::{carry_out, read, write};
 

@@ -6,7 +6,7 @@
 
 use std::process::ExitCode;
 
-use half_space::{Elements, Loading};
+use elements::half_space::{Elements, Loading};
 use numerics::parallel::Unobserved;
 use work_precision::processes::own_peak_bytes;
 use work_precision::square_map::{carry_out, read, write};

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-use gaussian_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};
+use spectrum::random_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};
 use scans::Measured;
 use topography::{
     BandLimits, BinMean, DEFAULT_BINS_PER_DECADE, Direction, GapTreatment, Recipe, ScanSpectrum, log_binned,

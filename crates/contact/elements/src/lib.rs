@@ -1,0 +1,46 @@
+#![doc = include_str!("../README.md")]
+//!
+//! Main types:
+//! * [`Surfaces`]: surfaces to press, [`Relief`]s as measured or [`RandomSurfaces`] of a band of a spectrum, by
+//!   [`RandomChoices`];
+//! * [`Pressing`]: material, [`Load`]s and tolerance;
+//! * [`PressedLoad`]: one load on every surface, each with its [`PressedState`], and their [`Mean`];
+//! * [`Ball`] and [`Cylinder`]: smooth bodies pressed onto one rough flat;
+//! * [`AdhesivePressing`]: surfaces that attract each other, under loads and pulled apart;
+//! * [`PressedPatches`]: connected regions of the contact;
+//! * [`Field`]: pressures and gaps of one surface under one load, which can be written as NetCDF.
+
+mod adhesive;
+mod ball;
+mod cylinder;
+mod error;
+mod field;
+pub mod half_space;
+mod mean;
+mod netcdf_classic;
+mod patches;
+mod placed;
+mod press;
+mod pressing;
+mod random_choices;
+mod relief;
+mod state;
+mod surfaces;
+mod table;
+
+pub use adhesive::{AdhesiveError, AdhesivePressing, AdhesiveState, Branch, adhesive_means, adhesive_table};
+pub use ball::{Ball, BallCaution, BallError, BallPressing, BallState, ball_table};
+pub use cylinder::{Cylinder, CylinderCaution, CylinderError, CylinderState, cylinder_table};
+pub use error::ElementsError;
+pub use field::{Field, PointState};
+pub use half_space::Approach;
+pub use mean::{Mean, PressedLoad};
+pub use patches::{PressedPatches, patches_table};
+pub use placed::LARGEST_EXTENT;
+pub use press::{press, progress_steps};
+pub use pressing::{Load, Pressing};
+pub use random_choices::RandomChoices;
+pub use relief::{Boundary, Relief};
+pub use state::PressedState;
+pub use surfaces::{RandomSurfaces, Surfaces};
+pub use table::{means_table, states_table};

@@ -1,0 +1,94 @@
+//! Presses every surface under every load.
+
+use crate::half_space::{HalfSpaceError, PROGRESS_STEPS};
+use numerics::parallel::{NestedProgress, Progress};
+
+use crate::error::ElementsError;
+use crate::field::Field;
+use crate::mean::PressedLoad;
+use crate::pressing::{Load, Pressing};
+use crate::relief::Relief;
+use crate::state::PressedState;
+use crate::surfaces::Surfaces;
+
+/// Number of progress steps of [`press`].
+#[must_use]
+pub fn progress_steps(surfaces: &Surfaces, pressing: &Pressing) -> usize {
+    surfaces.count() * pressing.loads.len() * PROGRESS_STEPS
+}
+
+/// Presses every surface under every load, each pair by itself: on as many threads as there are, and with the same
+/// digits on any number of them. `see` receives the pressures and gaps of each pair as it is solved, in no particular
+/// order.
+///
+/// # Errors
+/// [`ElementsError`] for invalid surfaces and loads, and if `progress` cancels; the first error of `see`.
+pub fn press<E: From<ElementsError> + Send>(
+    surfaces: &Surfaces,
+    pressing: &Pressing,
+    see: impl Fn(&Field<'_>) -> Result<(), E> + Sync,
+    progress: &dyn Progress,
+) -> Result<Vec<PressedLoad>, E> {
+    let (count, loads) = (surfaces.count(), pressing.loads.len());
+    if count * loads == 0 {
+        return Err(ElementsError::Nothing { surfaces: count, loads }.into());
+    }
+    pressing.check().map_err(ElementsError::from)?;
+    let states = numerics::parallel::map_indices(count * loads, |pair| {
+        let (load, surface) = (pair / count, pair % count);
+        press_once(surfaces, surface, pressing, load, &see, progress)
+    });
+    let mut states = states.into_iter();
+    let of_load = |load: &Load| {
+        let states = states.by_ref().take(count).collect::<Result<Vec<PressedState>, E>>()?;
+        let nominal_pressure_pa = match *load {
+            Load::PressurePa(pressure_pa) => pressure_pa,
+            _ => states.iter().map(|state| state.nominal_pressure_pa).sum::<f64>() / count as f64,
+        };
+        Ok(PressedLoad { nominal_pressure_pa, states })
+    };
+    pressing.loads.iter().map(of_load).collect()
+}
+
+/// Presses one surface under one load, and on every second point of its grid.
+fn press_once<E: From<ElementsError>>(
+    surfaces: &Surfaces,
+    surface: usize,
+    pressing: &Pressing,
+    load: usize,
+    see: &impl Fn(&Field<'_>) -> Result<(), E>,
+    progress: &dyn Progress,
+) -> Result<PressedState, E> {
+    // Avoids making a surface after cancellation.
+    if progress.is_cancelled() {
+        return Err(ElementsError::from(HalfSpaceError::Cancelled).into());
+    }
+    let relief = surfaces.relief(surface).map_err(ElementsError::from)?;
+    let mut elements = relief.elements(pressing.layer.as_ref()).map_err(ElementsError::from)?;
+    let rms_gradient = surfaces.rms_gradient(&relief);
+    let contact = pressing.press(load, rms_gradient, &mut elements, progress).map_err(ElementsError::from)?;
+    let stiffness_pa_per_m = if pressing.stiffness {
+        let modulus_pa = pressing.contact_modulus_pa;
+        elements.stiffness_pa_per_m(&contact, modulus_pa, progress).map_err(ElementsError::from)?
+    } else {
+        None
+    };
+    drop(elements);
+    // Areas are extrapolated at the same load.
+    let loading = pressing.loading(contact.nominal_pressure_pa);
+    let pressed =
+        |relief: Relief| relief.elements(pressing.layer.as_ref())?.press(&loading, &NestedProgress(progress));
+    let coarser = surfaces.coarser(&relief).map(pressed).transpose().map_err(ElementsError::from)?;
+    see(&Field {
+        load,
+        surface,
+        relief: &relief,
+        nominal_pressure_pa: contact.nominal_pressure_pa,
+        contact_modulus_pa: pressing.contact_modulus_pa,
+        saturation_pa: pressing.saturation_pa,
+        pressures_pa: &contact.pressures_pa,
+        gaps_m: &contact.gaps_m,
+    })?;
+    let open = relief.open_paths(&contact).map_err(ElementsError::from)?;
+    Ok(PressedState::new(&contact, stiffness_pa_per_m, open, coarser.as_ref()))
+}
