@@ -11,7 +11,7 @@ use questions::{
     AdhesionQuestion, BallQuestion, BranchChoice, ElementsLoad, ElementsQuestion, LoadInput, Note,
     PreparedElements, QuestionError,
 };
-use elements::{Boundary, ElementsError, Field, Relief};
+use elements::{Boundary, ElementsError, ContactField, Relief};
 use scans::HeightMap;
 use study::surface::Surface;
 use topography::{Recipe, detrended_m};
@@ -178,7 +178,7 @@ fn press_flat<'py>(
     let room = || PyResult::Ok(Mutex::new([zeros(of_loads)?, zeros(of_loads)?, zeros(of_surfaces)?]));
     let fields = arguments.flag("fields")?.then(room).transpose()?;
     let patches = arguments.flag("patches")?.then(|| Mutex::new(Vec::new()));
-    let see = |field: &Field<'_>| -> Result<(), ElementsError> {
+    let see = |field: &ContactField<'_>| -> Result<(), ElementsError> {
         if let Some(fields) = &fields {
             let [pressures_pa, gaps_m, heights_m] = &mut *held(fields);
             let at = points * (field.load * count + field.surface);

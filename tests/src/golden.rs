@@ -200,7 +200,8 @@ pub fn readme_picture_is_current() -> bool {
 
 /// Draws the README's picture anew.
 pub fn rewrite_readme_picture() {
-    tables::staging::write_file(&committed_file(README_PICTURE.0), readme_picture()).expect("the docs are writable");
+    tables::staging::write_file(&committed_file(README_PICTURE.0), readme_picture())
+        .expect("the docs are writable");
 }
 
 fn readme_picture() -> String {

@@ -21,8 +21,8 @@ use std::path::PathBuf;
 
 use asperity::{Break, ElasticBody, MaterialPair};
 use report::plot;
-use tables::staging::StagedFiles;
 use study::figure::{Axis, FigureData, Series, Shows};
+use tables::staging::StagedFiles;
 
 use crate::committed_file;
 

@@ -2,10 +2,10 @@
 
 use std::f64::consts::TAU;
 
+use elements::{Boundary, Relief};
 use numerics::parallel::Unobserved;
 use questions::{AdhesionQuestion, Answer, GapModel, LoadInput, MaterialInput, TangentialQuestion};
 use report::plot;
-use elements::{Boundary, Relief};
 use spectrum::ReadOptions;
 use study::NoFiles;
 use study::models;

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::plot::{Panel, escaped};
-use elements::Field;
+use elements::ContactField;
 use units::display::{length, pressure};
 
 /// Width of the frame's longer side.
@@ -41,7 +41,7 @@ pub struct FieldPicture {
 
 /// The pressures, white where there is no contact.
 #[must_use]
-pub fn of_pressure(field: &Field<'_>) -> FieldPicture {
+pub fn of_pressure(field: &ContactField<'_>) -> FieldPicture {
     let relief = field.relief;
     let size_m = [relief.length_x_m, relief.length_y_m];
     of_pressures(field.nominal_pressure_pa, field.pressures_pa, relief.columns, size_m)
@@ -63,7 +63,7 @@ pub fn of_pressures(
 
 /// The gaps, white in contact.
 #[must_use]
-pub fn of_gap(field: &Field<'_>) -> FieldPicture {
+pub fn of_gap(field: &ContactField<'_>) -> FieldPicture {
     let largest_m = field.gaps_m.iter().fold(0.0, |largest: f64, &value| largest.max(value));
     // In contact the gap is zero within the tolerance; the pressure tells which points those are.
     let touches = 1e-10 * field.nominal_pressure_pa;

@@ -4,7 +4,7 @@
 use std::iter::once;
 use std::ops::Range;
 
-use scans::{Measure, Measured, ScanFile};
+use scans::{Measure, MeasuredScan, ScanFile};
 use units::LengthUnit;
 use units::display::{length, three_digits};
 
@@ -84,13 +84,13 @@ fn row_and_histogram(file: &ScanFile, columns: usize, rows: usize) -> Option<Pan
 }
 
 /// The row with a value that is nearest the middle.
-fn middle_row(scan: &Measured, columns: usize, rows: usize) -> Option<usize> {
+fn middle_row(scan: &MeasuredScan, columns: usize, rows: usize) -> Option<usize> {
     let has_value = |row: &usize| (row * columns..(row + 1) * columns).any(|at| scan.height_m(at).is_some());
     (0..rows).filter(has_value).min_by_key(|row| row.abs_diff(rows / 2))
 }
 
 /// The values of the first and the last colour.
-fn coloured(scan: &Measured) -> Option<[f64; 2]> {
+fn coloured(scan: &MeasuredScan) -> Option<[f64; 2]> {
     let mut values: Vec<f64> = scan.heights_m().flatten().collect();
     let last = values.len().checked_sub(1)?;
     let beyond = (BEYOND * last as f64) as usize;

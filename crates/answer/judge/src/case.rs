@@ -1,9 +1,9 @@
 //! A scene as the judge sees it: its bodies and their hardness, and the pressures that closed forms give at each scale.
 
 use asperity::LayerCompliance;
-use spectrum::random_surfaces::AreaSpectrum;
 use elements::half_space::{Elements, Grid, HalfSpaceError};
 use scene::Scene;
+use spectrum::random_surfaces::AreaSpectrum;
 use spectrum::{Moments, Normalisation, amplitudes, cumulative_moments};
 use study::plan::Results;
 use study::validity::SMALL_SLOPE_PRESSURE;

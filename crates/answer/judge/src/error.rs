@@ -1,8 +1,8 @@
 //! Errors of a judgement.
 
-use spectrum::random_surfaces::SurfaceError;
 use elements::half_space::HalfSpaceError;
 use spectrum::PsdError;
+use spectrum::random_surfaces::RandomSurfaceError;
 use study::plan::PlanError;
 use units::OutOfBounds;
 
@@ -12,7 +12,7 @@ use units::OutOfBounds;
 pub enum JudgeError {
     /// No surface has this spectrum, or a window of it does not fit the grid.
     #[error("making surfaces of the spectrum for the judge: {0}")]
-    Surface(#[from] SurfaceError),
+    RandomSurface(#[from] RandomSurfaceError),
     /// A surface cannot be pressed.
     #[error("pressing a surface for the judge: {0}")]
     HalfSpace(#[from] HalfSpaceError),

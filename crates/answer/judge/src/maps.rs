@@ -1,11 +1,11 @@
 //! Measured maps pressed by boundary elements, compared with Gaussian surfaces that have the same waves. The difference
 //! is the effect of everything that a spectrum omits.
 
-use spectrum::random_surfaces::{MapWaves, Surface};
 use elements::half_space::{Grid, Loading};
 use measurements::MapPatch;
 use numerics::parallel::Progress;
 use serde::Serialize;
+use spectrum::random_surfaces::{MapWaves, RandomSurface};
 use topography::{Detrend, detrended_m};
 
 use crate::JudgeError;
@@ -112,7 +112,7 @@ fn compare_map(
         if !says_something {
             continue;
         }
-        let area = |surface: &Surface| area_fraction(surface, pressure_pa, pressing, progress);
+        let area = |surface: &RandomSurface| area_fraction(surface, pressure_pa, pressing, progress);
         let Some(area_fraction) = area(&surface)? else { return Ok(found) };
         let twins = (0..TWINS).map(|at| area(&waves.twin(pressing.seed, at)));
         let Some(twins) = twins.collect::<Result<Option<Vec<f64>>, JudgeError>>()? else { return Ok(found) };
@@ -130,7 +130,7 @@ fn compare_map(
 }
 
 fn area_fraction(
-    surface: &Surface,
+    surface: &RandomSurface,
     nominal_pressure_pa: f64,
     pressing: &MapPressing<'_>,
     progress: &dyn Progress,

@@ -1,8 +1,8 @@
 //! Surfaces pressed by boundary elements, window by window.
 
-use spectrum::random_surfaces::{Phases, Synthesis};
 use elements::half_space::{Grid, Loading};
 use numerics::parallel::{NestedProgress, Progress};
+use spectrum::random_surfaces::{Phases, Synthesis};
 
 use crate::JudgeError;
 use crate::case::Case;

@@ -1,7 +1,7 @@
 //! The waves of a surface, and the pressure that flattens them on half-spaces or on a layer.
 
 use asperity::LayerCompliance;
-use spectrum::random_surfaces::{AreaSpectrum, Surface, SurfaceError, Synthesis};
+use spectrum::random_surfaces::{AreaSpectrum, RandomSurface, RandomSurfaceError, Synthesis};
 
 /// Factor by which wavevectors are raised for the exponent of the stiffness.
 const STEP: f64 = 1.01;
@@ -33,10 +33,13 @@ impl Waves {
     }
 
     /// Cuts the waves to a band \[m\].
-    pub fn cut(&self, longest_m: f64, shortest_m: f64) -> Result<Self, SurfaceError> {
+    pub fn cut(&self, longest_m: f64, shortest_m: f64) -> Result<Self, RandomSurfaceError> {
         let cut = |spectrum: &AreaSpectrum| spectrum.cut(longest_m, shortest_m);
         let on_layer = |OnLayer { alike, alike_of_shorter }: &OnLayer| {
-            Ok::<_, SurfaceError>(OnLayer { alike: cut(alike)?, alike_of_shorter: cut(alike_of_shorter)? })
+            Ok::<_, RandomSurfaceError>(OnLayer {
+                alike: cut(alike)?,
+                alike_of_shorter: cut(alike_of_shorter)?,
+            })
         };
         Ok(Waves {
             surface: cut(&self.surface)?,
@@ -80,7 +83,11 @@ impl Waves {
     }
 
     /// Makes a surface of these waves, scaled so that it has their flattening gradient: the area depends on that first of all.
-    pub fn realised(&self, synthesis: &Synthesis, realisation: u64) -> Result<Surface, SurfaceError> {
+    pub fn realised(
+        &self,
+        synthesis: &Synthesis,
+        realisation: u64,
+    ) -> Result<RandomSurface, RandomSurfaceError> {
         let surface = self.surface.surface(synthesis, realisation)?;
         let mean_square = match &self.on_layer {
             // The same random numbers: the same waves, each with its stiffness.

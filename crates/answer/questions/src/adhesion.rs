@@ -1,15 +1,15 @@
 //! Surfaces that attract each other, pressed and pulled apart by boundary elements.
 
 use asperity::MaterialPair;
-use spectrum::random_surfaces::AreaSpectrum;
 use elements::half_space::{Adhesion, GOOD_RESOLUTION};
-use interface::adhesion::{FullerTabor, PastewkaRobbins, StickyContact};
-use numerics::parallel::Progress;
 use elements::{
     AdhesivePressing, AdhesiveState, Branch, Pressing, Relief, Surfaces, adhesive_means, adhesive_table,
 };
+use interface::adhesion::{FullerTabor, PastewkaRobbins, StickyContact};
+use numerics::parallel::Progress;
 use serde::{Deserialize, Serialize};
 use spectrum::AsperityParameters;
+use spectrum::random_surfaces::AreaSpectrum;
 use study::surface::Surface;
 use units::Pressure;
 

@@ -1,8 +1,8 @@
 //! A ball pressed onto a rough flat by boundary elements.
 
-use numerics::parallel::Progress;
 use elements::{Ball, BallPressing, BallState, ball_table};
 use elements::{Pressing, Relief, Surfaces};
+use numerics::parallel::Progress;
 use serde::{Deserialize, Serialize};
 use study::surface::Surface;
 

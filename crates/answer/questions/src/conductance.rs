@@ -1,10 +1,10 @@
 //! Tables of conductance against pressure for finite elements: heat by spots and gas, and current.
 
-use interface::finite_elements::{ConductancePoint, ConductanceTable, Flow, SamplingError};
 use interface::conductance::{
     Conductivities, CutSurface, ELECTRON_MEAN_FREE_PATH_M, PlasticCorrelation, PressureRatio,
     RelativeStiffness,
 };
+use interface::finite_elements::{ConductancePoint, ConductanceTable, Flow, SamplingError};
 use interface::gas::{GapGas, RarefiedGas, plastic_separation_m};
 use numerics::parallel::Progress;
 use spectrum::Normalisation;

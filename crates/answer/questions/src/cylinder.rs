@@ -1,8 +1,8 @@
 //! A cylinder pressed onto a rough flat by boundary elements.
 
-use numerics::parallel::Progress;
 use elements::{BallPressing, Boundary, Cylinder, CylinderState, cylinder_table};
 use elements::{Pressing, Relief, Surfaces};
+use numerics::parallel::Progress;
 use serde::{Deserialize, Serialize};
 use study::surface::Surface;
 

@@ -5,11 +5,11 @@ use std::str::FromStr;
 use findings::doubts::Doubt;
 use spectrum::random_surfaces::{AreaSpectrum, Phases};
 
-use numerics::parallel::Progress;
 use elements::{
-    Approach, ElementsError, Field, Load, PressedLoad, Pressing, RandomChoices, RandomSurfaces, Relief,
-    Surfaces,
+    Approach, ContactField, ElementsError, ImposedLoad, PressedLoad, Pressing, RandomChoices, RandomSurfaces,
+    Relief, Surfaces,
 };
+use numerics::parallel::Progress;
 use serde::{Deserialize, Serialize};
 use study::material::Material;
 use study::surface::Surface;
@@ -126,18 +126,18 @@ impl FromStr for ElementsLoad {
 }
 
 impl ElementsLoad {
-    fn load(&self, material: &Material) -> Result<Load, QuestionError> {
+    fn load(&self, material: &Material) -> Result<ImposedLoad, QuestionError> {
         let modulus_pa = material.pair.composite_modulus_pa();
         Ok(match self {
             ElementsLoad::Pressure(LoadInput { pressure, label }) => {
                 let pressure = nominal_pressure(OptionName::Pressure, Some(label), *pressure, material)?;
-                Load::PressurePa(pressure.pa())
+                ImposedLoad::PressurePa(pressure.pa())
             }
-            ElementsLoad::Moduli { moduli } => Load::PressurePa(moduli * modulus_pa),
-            ElementsLoad::ReducedModuli { reduced_moduli } => Load::ReducedPressure(*reduced_moduli),
-            ElementsLoad::MeanGap { mean_gap_m } => Load::Approach(Approach::MeanGapM(*mean_gap_m)),
+            ElementsLoad::Moduli { moduli } => ImposedLoad::PressurePa(moduli * modulus_pa),
+            ElementsLoad::ReducedModuli { reduced_moduli } => ImposedLoad::ReducedPressure(*reduced_moduli),
+            ElementsLoad::MeanGap { mean_gap_m } => ImposedLoad::Approach(Approach::MeanGapM(*mean_gap_m)),
             ElementsLoad::Indentation { indentation_m } => {
-                Load::Approach(Approach::IndentationM(*indentation_m))
+                ImposedLoad::Approach(Approach::IndentationM(*indentation_m))
             }
         })
     }
@@ -220,7 +220,7 @@ impl ElementsQuestion {
         let loads = self.loads.iter().map(|load| load.load(&material)).collect::<Result<Vec<_>, _>>()?;
         let ranges = pressures_pa(&[], &self.pressure_ranges, &material)?;
         let pressing = Pressing {
-            loads: loads.into_iter().chain(ranges.into_iter().map(Load::PressurePa)).collect(),
+            loads: loads.into_iter().chain(ranges.into_iter().map(ImposedLoad::PressurePa)).collect(),
             saturation_pa: saturation_pa.transpose()?,
             tolerance: self.tolerance,
             stiffness: true,
@@ -250,7 +250,7 @@ impl PreparedElements {
     /// Returns the errors of `see`, and [`ElementsError`].
     pub fn answer<E: From<ElementsError> + Send>(
         &self,
-        see: impl Fn(&Field<'_>) -> Result<(), E> + Sync + Send,
+        see: impl Fn(&ContactField<'_>) -> Result<(), E> + Sync + Send,
         progress: &dyn Progress,
     ) -> Result<(Vec<PressedLoad>, Vec<Note>), E> {
         let pressed = elements::press(&self.surfaces, &self.pressing, see, progress)?;

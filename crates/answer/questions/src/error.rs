@@ -1,10 +1,10 @@
 //! Why a question has no answer.
 
 use asperity::AsperityError;
-use interface::finite_elements::SamplingError;
-use interface::conductance::PlasticCorrelation;
-use persson::hardness_laws::HardnessError;
 use elements::{AdhesiveError, BallError, CylinderError, ElementsError};
+use interface::conductance::PlasticCorrelation;
+use interface::finite_elements::SamplingError;
+use persson::hardness_laws::HardnessError;
 use study::gap_law::GapError;
 use study::material::MaterialError;
 use study::models::ModelEntry;
@@ -113,7 +113,7 @@ pub enum QuestionError {
         /// The name of the surface.
         surface: String,
         /// The reason.
-        error: spectrum::random_surfaces::SurfaceError,
+        error: spectrum::random_surfaces::RandomSurfaceError,
     },
     /// A saturation in units of a hardness that the material does not have.
     #[error("the saturation is given in H, and the material has no hardness")]

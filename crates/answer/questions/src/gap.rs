@@ -1,10 +1,10 @@
 //! Mean gap and stiffness under loads, and laws made from them.
 
-use interface::finite_elements::{ContactLaw, ExponentialLaw};
+use elements::{PressedLoad, Pressing, Surfaces};
 use findings::doubts::Doubt;
+use interface::finite_elements::{ContactLaw, ExponentialLaw};
 use numerics::parallel::Progress;
 use persson::variance::Band;
-use elements::{PressedLoad, Pressing, Surfaces};
 use serde::{Deserialize, Serialize};
 use spectrum::Normalisation;
 use study::gap_law::{GapChoices, GapLaw, GapState};
@@ -287,7 +287,7 @@ impl GapQuestion {
 
 /// Loads on an elastic material.
 fn elastic(material: &Material, pressures_pa: Vec<f64>) -> Pressing {
-    let loads = pressures_pa.into_iter().map(elements::Load::PressurePa).collect();
+    let loads = pressures_pa.into_iter().map(elements::ImposedLoad::PressurePa).collect();
     Pressing { loads, stiffness: true, ..Pressing::between(&material.pair) }
 }
 

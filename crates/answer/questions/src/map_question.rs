@@ -1,8 +1,8 @@
 //! A measured map of a scene, pressed as it was scanned.
 
+use elements::{Boundary, ElementsError, ImposedLoad, Pressing, Relief, Surfaces};
 use findings::doubts::Doubt;
 use measurements::MapPatch;
-use elements::{Boundary, ElementsError, Load, Pressing, Relief, Surfaces};
 use scene::Scene;
 use serde::{Deserialize, Serialize};
 use topography::detrended_m;
@@ -52,7 +52,7 @@ impl MapQuestion {
     /// [`ElementsError`] for a pressure that the surface cannot carry.
     pub fn under(&self, nominal_pressure_pa: f64) -> Result<PreparedElements, ElementsError> {
         let pressing = Pressing {
-            loads: vec![Load::PressurePa(nominal_pressure_pa)],
+            loads: vec![ImposedLoad::PressurePa(nominal_pressure_pa)],
             saturation_pa: self.saturation_pa,
             stiffness: true,
             ..Pressing::elastic(self.contact_modulus_pa)

@@ -1,12 +1,12 @@
 //! Facts that a reader has to know about an answer, as data.
 
+use elements::{BallCaution, CylinderCaution, PressedLoad, RandomSurfaces};
 use findings::doubts::Doubt;
-use spectrum::random_surfaces::{AreaSpectrum, GridBand};
 use persson::Roughness;
 use persson::corrections::Correction;
 use persson::separation::LightLoads;
-use elements::{BallCaution, CylinderCaution, PressedLoad, RandomSurfaces};
 use spectrum::ProfilePsd;
+use spectrum::random_surfaces::{AreaSpectrum, GridBand};
 use state_tables::RowsNote;
 use study::material::Material;
 use study::models::{Choice, ModelEntry};

@@ -5,7 +5,6 @@ use std::collections::BTreeMap;
 
 use asperity::Hardness;
 use interface::finite_elements::{Dialect, UnitSystem};
-use spectrum::random_surfaces::Phases;
 use measurements::Conventions;
 use numerics::parallel::Unobserved;
 use persson::EnergyFactor;
@@ -21,6 +20,7 @@ use rand_chacha::rand_core::{Rng, SeedableRng};
 use roughness::FormRemoval;
 use scene::{Overrides, Scene, Template};
 use serde_json::{Map, Value, json};
+use spectrum::random_surfaces::Phases;
 use spectrum::{Abscissa, AmplitudeDefinition, Convention, Normalisation, ReadOptions};
 use stat_contact::InterferenceLaw;
 use study::NoFiles;

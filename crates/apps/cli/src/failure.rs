@@ -2,8 +2,8 @@
 
 use std::process::ExitCode;
 
-use tables::staging::PublishError;
 use study::plan::PlanError;
+use tables::staging::PublishError;
 use tables::{Refusal, TableError};
 
 use crate::stderr::say;

@@ -14,9 +14,9 @@ use crate::stderr::say;
 use crate::terminal::standard_output;
 use report::products::{ANSWER, SceneProducts};
 use scene::Scene;
-use tables::staging::reading::{bytes_of, bytes_of_stream};
 use study::figure::PictureFormat;
 use study::plan::PlanError;
+use tables::staging::reading::{bytes_of, bytes_of_stream};
 use tables::{Format, TableError};
 
 /// A path, or `-` for stdin or stdout.

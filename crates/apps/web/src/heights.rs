@@ -1,7 +1,7 @@
 //! Heights of a map, few enough to be drawn by the page in colours of its reader's choice.
 
-use report::field_picture::colour;
 use elements::Relief;
+use report::field_picture::colour;
 use scans::ScanFile;
 use serde::Serialize;
 use units::display::length;

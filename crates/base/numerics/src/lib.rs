@@ -10,7 +10,7 @@ mod roots;
 pub mod transforms;
 
 pub use legendre::{GaussLegendre, legendre_integral_above, legendre_polynomials};
-pub use line::{Line, line_through};
+pub use line::{FittedLine, line_through};
 pub use linear_system::solve;
 pub use minimum::minimum_in_bracket;
 pub use roots::{bisect, newton_in_bracket, newton_in_brackets, zero_in_bracket};

@@ -2,7 +2,7 @@
 
 /// Slope of a least-squares line, and how far its points are spread.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Line {
+pub struct FittedLine {
     /// Change of y per x.
     pub slope: f64,
     /// Root of the sum of squares of x about the mean, above 0: the slope's standard error is that of y over this.
@@ -11,7 +11,7 @@ pub struct Line {
 
 /// Fits a line to points (x, y) by least squares; `None` for fewer than two different x.
 #[must_use]
-pub fn line_through(points: impl Iterator<Item = (f64, f64)> + Clone) -> Option<Line> {
+pub fn line_through(points: impl Iterator<Item = (f64, f64)> + Clone) -> Option<FittedLine> {
     let (mut count, mut sum_x, mut sum_y) = (0.0, 0.0, 0.0);
     for (x, y) in points.clone() {
         count += 1.0;
@@ -24,7 +24,7 @@ pub fn line_through(points: impl Iterator<Item = (f64, f64)> + Clone) -> Option<
         squares += (x - mean_x).powi(2);
         products += (x - mean_x) * (y - mean_y);
     }
-    (squares > 0.0).then(|| Line { slope: products / squares, spread: squares.sqrt() })
+    (squares > 0.0).then(|| FittedLine { slope: products / squares, spread: squares.sqrt() })
 }
 
 #[cfg(test)]

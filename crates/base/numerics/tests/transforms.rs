@@ -1,6 +1,8 @@
 //! Transforms against sums by definition. They stand apart from the library, which would be compiled once more for them.
 
-use numerics::transforms::{Complex, Complex64, Precision, forward, forward_of_real, inverse, inverse_to_real};
+use numerics::transforms::{
+    Complex, Complex64, Precision, forward, forward_of_real, inverse, inverse_to_real,
+};
 
 /// Numbers without any symmetry.
 fn numbers(count: usize) -> Vec<f64> {

@@ -5,9 +5,9 @@
 //! points, the perimeter of the spots included), so that the mean of twenty is known to 0.007. Single channels of
 //! eight roll-off wavelengths closed from 0.35 to 0.48.
 
-use spectrum::random_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Surface, Synthesis};
 use elements::half_space::{Contact, Elements, Grid, Loading, OpenPaths, Sides, open_paths};
 use numerics::parallel::Unobserved;
+use spectrum::random_surfaces::{AreaSpectrum, Phases, RandomSurface, SelfAffine, Size, Synthesis};
 
 const POINTS: usize = 512;
 const SURFACES: u64 = 10;
@@ -74,7 +74,7 @@ struct ClosingArea {
 }
 
 impl TriedSurface {
-    fn new(surface: &Surface) -> Result<Self, Box<dyn std::error::Error>> {
+    fn new(surface: &RandomSurface) -> Result<Self, Box<dyn std::error::Error>> {
         let grid =
             Grid::new(surface.points_y(), surface.points_x(), surface.length_x_m(), surface.length_y_m())?;
         Ok(TriedSurface { elements: Elements::periodic(grid, surface.heights_m())?, known: Vec::new() })

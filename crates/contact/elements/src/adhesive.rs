@@ -12,7 +12,7 @@ use units::named;
 
 use crate::relief::{Boundary, Relief};
 use crate::surfaces::Surfaces;
-use spectrum::random_surfaces::SurfaceError;
+use spectrum::random_surfaces::RandomSurfaceError;
 
 /// Steps from one load to the next, so that no state on the way is skipped.
 const STEPS_TO_A_LOAD: usize = 4;
@@ -101,7 +101,7 @@ pub enum AdhesiveError {
     },
     /// The surface cannot be made.
     #[error(transparent)]
-    Surface(#[from] SurfaceError),
+    Surface(#[from] RandomSurfaceError),
     /// The surface cannot be pressed.
     #[error(transparent)]
     Adhesion(#[from] AdhesionError),

@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-use spectrum::random_surfaces::SurfaceError;
 use crate::half_space::{Contact, HalfSpaceError, Loading};
 use numerics::parallel::Progress;
+use spectrum::random_surfaces::RandomSurfaceError;
 use tables::Table;
 use thiserror::Error;
 use units::display::length;
@@ -151,7 +151,7 @@ pub enum BallError {
     },
     /// The surface cannot be made.
     #[error(transparent)]
-    Surface(#[from] SurfaceError),
+    Surface(#[from] RandomSurfaceError),
     /// The surface cannot be pressed.
     #[error(transparent)]
     HalfSpace(#[from] HalfSpaceError),

@@ -1,7 +1,7 @@
 //! Errors of pressing rough surfaces.
 
-use spectrum::random_surfaces::SurfaceError;
 use crate::half_space::HalfSpaceError;
+use spectrum::random_surfaces::RandomSurfaceError;
 use thiserror::Error;
 
 /// Reason why surfaces were not pressed.
@@ -10,7 +10,7 @@ use thiserror::Error;
 pub enum ElementsError {
     /// The surface cannot be made.
     #[error(transparent)]
-    Surface(#[from] SurfaceError),
+    Surface(#[from] RandomSurfaceError),
     /// The surface cannot be pressed.
     #[error(transparent)]
     HalfSpace(#[from] HalfSpaceError),

@@ -12,7 +12,7 @@ use crate::relief::{Boundary, Relief};
 /// Surface under one load, point by point.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
-pub struct Field<'s> {
+pub struct ContactField<'s> {
     /// Index of the load.
     pub load: usize,
     /// Number of the surface.
@@ -42,7 +42,7 @@ pub enum PointState {
     Yielding,
 }
 
-impl Field<'_> {
+impl ContactField<'_> {
     /// Iterates over the states of the points, row by row, as the areas count them.
     pub fn states(&self) -> impl ExactSizeIterator<Item = PointState> {
         let loading = Loading {

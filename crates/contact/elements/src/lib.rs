@@ -3,12 +3,12 @@
 //! Main types:
 //! * [`Surfaces`]: surfaces to press, [`Relief`]s as measured or [`RandomSurfaces`] of a band of a spectrum, by
 //!   [`RandomChoices`];
-//! * [`Pressing`]: material, [`Load`]s and tolerance;
+//! * [`Pressing`]: material, [`ImposedLoad`]s and tolerance;
 //! * [`PressedLoad`]: one load on every surface, each with its [`PressedState`], and their [`Mean`];
 //! * [`Ball`] and [`Cylinder`]: smooth bodies pressed onto one rough flat;
 //! * [`AdhesivePressing`]: surfaces that attract each other, under loads and pulled apart;
 //! * [`PressedPatches`]: connected regions of the contact;
-//! * [`Field`]: pressures and gaps of one surface under one load, which can be written as NetCDF.
+//! * [`ContactField`]: pressures and gaps of one surface under one load, which can be written as NetCDF.
 
 mod adhesive;
 mod ball;
@@ -32,13 +32,13 @@ pub use adhesive::{AdhesiveError, AdhesivePressing, AdhesiveState, Branch, adhes
 pub use ball::{Ball, BallCaution, BallError, BallPressing, BallState, ball_table};
 pub use cylinder::{Cylinder, CylinderCaution, CylinderError, CylinderState, cylinder_table};
 pub use error::ElementsError;
-pub use field::{Field, PointState};
+pub use field::{ContactField, PointState};
 pub use half_space::Approach;
 pub use mean::{Mean, PressedLoad};
 pub use patches::{PressedPatches, patches_table};
 pub use placed::LARGEST_EXTENT;
 pub use press::{press, progress_steps};
-pub use pressing::{Load, Pressing};
+pub use pressing::{ImposedLoad, Pressing};
 pub use random_choices::RandomChoices;
 pub use relief::{Boundary, Relief};
 pub use state::PressedState;

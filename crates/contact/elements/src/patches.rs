@@ -3,7 +3,7 @@
 use crate::half_space::{Grid, HalfSpaceError, Patch};
 use tables::Table;
 
-use crate::field::{Field, PointState};
+use crate::field::{ContactField, PointState};
 use crate::relief::{Boundary, Relief};
 
 /// Patches of one surface under one load.
@@ -19,7 +19,7 @@ pub struct PressedPatches {
     pub patches: Vec<Patch>,
 }
 
-impl Field<'_> {
+impl ContactField<'_> {
     /// Finds the connected regions of the points in contact, as the areas count them.
     ///
     /// # Errors

@@ -4,9 +4,9 @@ use crate::half_space::{HalfSpaceError, PROGRESS_STEPS};
 use numerics::parallel::{NestedProgress, Progress};
 
 use crate::error::ElementsError;
-use crate::field::Field;
+use crate::field::ContactField;
 use crate::mean::PressedLoad;
-use crate::pressing::{Load, Pressing};
+use crate::pressing::{ImposedLoad, Pressing};
 use crate::relief::Relief;
 use crate::state::PressedState;
 use crate::surfaces::Surfaces;
@@ -26,7 +26,7 @@ pub fn progress_steps(surfaces: &Surfaces, pressing: &Pressing) -> usize {
 pub fn press<E: From<ElementsError> + Send>(
     surfaces: &Surfaces,
     pressing: &Pressing,
-    see: impl Fn(&Field<'_>) -> Result<(), E> + Sync,
+    see: impl Fn(&ContactField<'_>) -> Result<(), E> + Sync,
     progress: &dyn Progress,
 ) -> Result<Vec<PressedLoad>, E> {
     let (count, loads) = (surfaces.count(), pressing.loads.len());
@@ -39,10 +39,10 @@ pub fn press<E: From<ElementsError> + Send>(
         press_once(surfaces, surface, pressing, load, &see, progress)
     });
     let mut states = states.into_iter();
-    let of_load = |load: &Load| {
+    let of_load = |load: &ImposedLoad| {
         let states = states.by_ref().take(count).collect::<Result<Vec<PressedState>, E>>()?;
         let nominal_pressure_pa = match *load {
-            Load::PressurePa(pressure_pa) => pressure_pa,
+            ImposedLoad::PressurePa(pressure_pa) => pressure_pa,
             _ => states.iter().map(|state| state.nominal_pressure_pa).sum::<f64>() / count as f64,
         };
         Ok(PressedLoad { nominal_pressure_pa, states })
@@ -56,7 +56,7 @@ fn press_once<E: From<ElementsError>>(
     surface: usize,
     pressing: &Pressing,
     load: usize,
-    see: &impl Fn(&Field<'_>) -> Result<(), E>,
+    see: &impl Fn(&ContactField<'_>) -> Result<(), E>,
     progress: &dyn Progress,
 ) -> Result<PressedState, E> {
     // Avoids making a surface after cancellation.
@@ -79,7 +79,7 @@ fn press_once<E: From<ElementsError>>(
     let pressed =
         |relief: Relief| relief.elements(pressing.layer.as_ref())?.press(&loading, &NestedProgress(progress));
     let coarser = surfaces.coarser(&relief).map(pressed).transpose().map_err(ElementsError::from)?;
-    see(&Field {
+    see(&ContactField {
         load,
         surface,
         relief: &relief,

@@ -1,12 +1,12 @@
 //! Material and loads under which surfaces are pressed.
 
-use asperity::{LayerCompliance, MaterialPair};
 use crate::half_space::{Approach, Closing, Contact, Elements, HalfSpaceError, Loading};
+use asperity::{LayerCompliance, MaterialPair};
 use numerics::parallel::Progress;
 
 /// Load on a surface, or what is held in its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Load {
+pub enum ImposedLoad {
     /// Nominal pressure \[Pa\].
     PressurePa(f64),
     /// Nominal pressure in units of E* h' of each surface, with its own rms gradient h'.
@@ -23,7 +23,7 @@ pub struct Pressing {
     /// Displacement of a layer under waves, over that of half-spaces with this modulus; `None` for half-spaces.
     pub layer: Option<LayerCompliance>,
     /// Loads, in the order of the results.
-    pub loads: Vec<Load>,
+    pub loads: Vec<ImposedLoad>,
     /// Pressure at which the surface yields, an indentation hardness \[Pa\]; `None` if it is elastic throughout.
     pub saturation_pa: Option<f64>,
     /// Largest residual: sum of p|g| over the sum of p h_rms, above 0 and at most 0.1.
@@ -61,12 +61,12 @@ impl Pressing {
     /// [`HalfSpaceError`] for numbers out of their bounds, and for a load that is not below the saturation.
     pub fn check(&self) -> Result<(), HalfSpaceError> {
         self.loads.iter().try_for_each(|load| match *load {
-            Load::PressurePa(pressure_pa) => self.loading(pressure_pa).check(),
+            ImposedLoad::PressurePa(pressure_pa) => self.loading(pressure_pa).check(),
             // Pressures of surfaces with a gradient of 1; each surface checks its own.
-            Load::ReducedPressure(share) => {
+            ImposedLoad::ReducedPressure(share) => {
                 Loading { saturation_pa: None, ..self.loading(share * self.contact_modulus_pa) }.check()
             }
-            Load::Approach(approach) => self.closing(approach).check(),
+            ImposedLoad::Approach(approach) => self.closing(approach).check(),
         })
     }
 
@@ -79,11 +79,11 @@ impl Pressing {
         progress: &dyn Progress,
     ) -> Result<Contact, HalfSpaceError> {
         match self.loads[load] {
-            Load::PressurePa(pressure_pa) => elements.press(&self.loading(pressure_pa), progress),
-            Load::ReducedPressure(share) => {
+            ImposedLoad::PressurePa(pressure_pa) => elements.press(&self.loading(pressure_pa), progress),
+            ImposedLoad::ReducedPressure(share) => {
                 elements.press(&self.loading(share * self.contact_modulus_pa * rms_gradient), progress)
             }
-            Load::Approach(approach) => elements.press_to(&self.closing(approach), progress),
+            ImposedLoad::Approach(approach) => elements.press_to(&self.closing(approach), progress),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use spectrum::random_surfaces::{AreaSpectrum, GridBand, Phases, SurfaceError, Synthesis};
+use spectrum::random_surfaces::{AreaSpectrum, GridBand, Phases, RandomSurfaceError, Synthesis};
 
 use crate::surfaces::RandomSurfaces;
 
@@ -49,8 +49,8 @@ impl RandomChoices {
     /// Returns surfaces with the spectrum in the band that the grid holds, and that band.
     ///
     /// # Errors
-    /// [`SurfaceError`] if the grid or the spectrum does not hold the band.
-    pub fn surfaces(&self, area: &AreaSpectrum) -> Result<(RandomSurfaces, GridBand), SurfaceError> {
+    /// [`RandomSurfaceError`] if the grid or the spectrum does not hold the band.
+    pub fn surfaces(&self, area: &AreaSpectrum) -> Result<(RandomSurfaces, GridBand), RandomSurfaceError> {
         let grid = GridBand::in_spectrum(area, self.points, self.longest_m, self.shortest_m, self.side_m)?;
         let band = area.cut(grid.longest_m, grid.shortest_m)?;
         let synthesis = Synthesis::square(self.points, grid.length_m, self.seed, self.phases);

@@ -1,7 +1,7 @@
 //! Heights of one surface to be pressed.
 
-use asperity::LayerCompliance;
 use crate::half_space::{Contact, Elements, Grid, HalfSpaceError, Loading, OpenPaths, Sides, open_paths};
+use asperity::LayerCompliance;
 use numerics::parallel::Progress;
 use serde::{Deserialize, Serialize};
 use units::named;

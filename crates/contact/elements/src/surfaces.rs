@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use spectrum::random_surfaces::{AreaSpectrum, SurfaceError, Synthesis};
+use spectrum::random_surfaces::{AreaSpectrum, RandomSurfaceError, Synthesis};
 
 use crate::relief::{Boundary, Relief};
 
@@ -46,8 +46,8 @@ impl Surfaces {
     /// Returns the surface of a number.
     ///
     /// # Errors
-    /// [`SurfaceError`] for a band that the grid does not hold.
-    pub fn relief(&self, number: usize) -> Result<Cow<'_, Relief>, SurfaceError> {
+    /// [`RandomSurfaceError`] for a band that the grid does not hold.
+    pub fn relief(&self, number: usize) -> Result<Cow<'_, Relief>, RandomSurfaceError> {
         match self {
             Surfaces::Maps(maps) => Ok(Cow::Borrowed(&maps[number])),
             Surfaces::Random(random) => random.relief(number).map(Cow::Owned),
@@ -110,7 +110,7 @@ impl Surfaces {
 }
 
 impl RandomSurfaces {
-    fn relief(&self, number: usize) -> Result<Relief, SurfaceError> {
+    fn relief(&self, number: usize) -> Result<Relief, RandomSurfaceError> {
         let surface = self.band.surface(&self.synthesis, number as u64)?;
         let factor = (self.band.mean_square_gradient() / surface.mean_square_gradient()).sqrt();
         let surface = surface.scaled(factor);

@@ -3,10 +3,12 @@
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
-use elements::half_space::{Adhesion, AdhesionError, AdhesiveContact, AdhesiveElements, Control, Grid, Start};
+use elements::half_space::{
+    Adhesion, AdhesionError, AdhesiveContact, AdhesiveElements, Control, Grid, Start,
+};
 use elements::half_space::{Elements, Loading};
-use numerics::parallel::Unobserved;
 use elements::{AdhesiveError, AdhesivePressing, Boundary, Branch, Relief, Surfaces, adhesive_means};
+use numerics::parallel::Unobserved;
 
 fn reference_file(name: &str) -> Vec<u8> {
     std::fs::read(format!("{}/../../../tests/reference/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()

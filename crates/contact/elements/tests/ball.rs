@@ -3,13 +3,13 @@
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
-use spectrum::random_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};
 use elements::half_space::HalfSpaceError;
-use numerics::parallel::{Progress, Unobserved};
 use elements::{
     Ball, BallCaution, BallError, BallPressing, BallState, Boundary, Cylinder, CylinderCaution,
     CylinderError, RandomSurfaces, Relief, Surfaces, ball_table, cylinder_table,
 };
+use numerics::parallel::{Progress, Unobserved};
+use spectrum::random_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};
 
 /// E* of 1 Pa.
 const PRESSING: BallPressing = BallPressing { contact_modulus_pa: 1.0, tolerance: 1e-10 };

@@ -1,13 +1,13 @@
 //! Surfaces pressed as ensembles: their means, comparisons, and cancellation.
 
 use approx::assert_relative_eq;
-use spectrum::random_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};
 use elements::half_space::HalfSpaceError;
-use numerics::parallel::{Progress, Unobserved};
 use elements::{
-    Approach, Boundary, ElementsError, Field, Load, Pressing, RandomSurfaces, Relief, Surfaces, press,
-    progress_steps,
+    Approach, Boundary, ContactField, ElementsError, ImposedLoad, Pressing, RandomSurfaces, Relief, Surfaces,
+    press, progress_steps,
 };
+use numerics::parallel::{Progress, Unobserved};
+use spectrum::random_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};
 use std::f64::consts::TAU;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -32,14 +32,14 @@ fn random(
 }
 
 fn elastic(pressures_pa: &[f64]) -> Pressing {
-    under(pressures_pa.iter().map(|pressure_pa| Load::PressurePa(*pressure_pa)).collect())
+    under(pressures_pa.iter().map(|pressure_pa| ImposedLoad::PressurePa(*pressure_pa)).collect())
 }
 
-fn under(loads: Vec<Load>) -> Pressing {
+fn under(loads: Vec<ImposedLoad>) -> Pressing {
     Pressing { loads, ..Pressing::elastic(1.0) }
 }
 
-fn unseen(_: &Field<'_>) -> Result<(), ElementsError> {
+fn unseen(_: &ContactField<'_>) -> Result<(), ElementsError> {
     Ok(())
 }
 
@@ -73,7 +73,7 @@ fn every_surface_is_pressed_at_the_gradient_of_its_band() {
     // At E* = 1 and a gradient of 1 full contact has a pressure of rms 1/2 around its mean.
     let surfaces = random([2.0, 2.0, 8.0], 0.8, 64, 2);
     let seen = Mutex::new(Vec::new());
-    let see = |field: &Field<'_>| -> Result<(), ElementsError> {
+    let see = |field: &ContactField<'_>| -> Result<(), ElementsError> {
         let deviations = field.pressures_pa.iter().map(|pressure| (pressure - 50.0).powi(2));
         let rms = (deviations.sum::<f64>() / field.pressures_pa.len() as f64).sqrt();
         seen.lock().unwrap().push(((field.load, field.surface), rms));
@@ -169,7 +169,7 @@ fn fields_are_read_back_as_they_were_written() {
     let surfaces = random([2.0, 2.0, 8.0], 0.8, 24, 1);
     let written = Mutex::new(Vec::new());
     let heights = Mutex::new(Vec::new());
-    let see = |field: &Field<'_>| -> Result<(), ElementsError> {
+    let see = |field: &ContactField<'_>| -> Result<(), ElementsError> {
         field.write_netcdf(&mut *written.lock().unwrap()).unwrap();
         *heights.lock().unwrap() = field.relief.heights_m.clone();
         Ok(())
@@ -209,7 +209,7 @@ fn work_is_told_of_and_may_be_ended() {
 fn what_cannot_be_pressed_is_refused_before_it_is() {
     let surfaces = random([2.0, 2.0, 8.0], 0.8, 32, 1);
     let refused = |pressing: &Pressing| {
-        let see = |_: &Field<'_>| -> Result<(), ElementsError> { panic!("nothing is pressed") };
+        let see = |_: &ContactField<'_>| -> Result<(), ElementsError> { panic!("nothing is pressed") };
         press(&surfaces, pressing, see, &Unobserved).unwrap_err()
     };
     assert_eq!(refused(&elastic(&[])), ElementsError::Nothing { surfaces: 1, loads: 0 });
@@ -250,12 +250,13 @@ fn every_surface_takes_its_own_load_to_a_distance_and_in_units_of_its_gradient()
         .collect();
     let gradients: Vec<f64> = steeper.iter().map(Relief::rms_gradient).collect();
     let surfaces = Surfaces::Maps(steeper);
-    let reduced = press(&surfaces, &under(vec![Load::ReducedPressure(0.05)]), unseen, &Unobserved).unwrap();
+    let reduced =
+        press(&surfaces, &under(vec![ImposedLoad::ReducedPressure(0.05)]), unseen, &Unobserved).unwrap();
     for (state, gradient) in reduced[0].states.iter().zip(gradients) {
         assert_relative_eq!(state.nominal_pressure_pa, 0.05 * gradient, max_relative = 1e-12);
     }
     for state in &reduced[0].states {
-        let held = under(vec![Load::Approach(Approach::MeanGapM(state.mean_gap_m))]);
+        let held = under(vec![ImposedLoad::Approach(Approach::MeanGapM(state.mean_gap_m))]);
         let found = press(&surfaces, &held, unseen, &Unobserved).unwrap();
         let same = found[0].states.iter().any(|other| {
             (other.nominal_pressure_pa / state.nominal_pressure_pa - 1.0).abs() < 1e-4

@@ -1,10 +1,10 @@
 //! Mean gap and stiffness of Persson's theory compared with those of boundary elements.
 
-use spectrum::random_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};
+use elements::{ContactField, ElementsError, ImposedLoad, Pressing, RandomSurfaces, Surfaces, press};
 use numerics::parallel::Unobserved;
 use persson::EnergyFactor;
 use persson::separation::{SeparationKnot, SeparationLaw};
-use elements::{ElementsError, Field, Load, Pressing, RandomSurfaces, Surfaces, press};
+use spectrum::random_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};
 
 const HURST_EXPONENT: f64 = 0.8;
 /// Four lengths of the longest wave in a box of 1 m, and eight points for the shortest one on 128 of them.
@@ -52,9 +52,9 @@ fn gap_and_stiffness_of_perssons_theory_are_those_of_surfaces_within_fifteen_per
     let law = theory(&band);
     let synthesis = Synthesis::square(POINTS, 1.0, 1, Phases::FixedModulus);
     let surfaces = Surfaces::Random(RandomSurfaces { band, synthesis, realisations: REALISATIONS });
-    let loads = [0.02, 0.05, 0.12].map(Load::PressurePa).to_vec();
+    let loads = [0.02, 0.05, 0.12].map(ImposedLoad::PressurePa).to_vec();
     let pressing = Pressing { loads, stiffness: true, ..Pressing::elastic(1.0) };
-    let unseen = |_: &Field<'_>| -> Result<(), ElementsError> { Ok(()) };
+    let unseen = |_: &ContactField<'_>| -> Result<(), ElementsError> { Ok(()) };
     let pressed = press(&surfaces, &pressing, unseen, &Unobserved).unwrap();
     for load in &pressed {
         let (mean, by_theory) = (load.mean(), law.whole(load.nominal_pressure_pa));

@@ -1,8 +1,8 @@
 //! Errors of a study.
 
-use spectrum::random_surfaces::SurfaceError;
 use measurements::TopographyError;
 use scene::SceneError;
+use spectrum::random_surfaces::RandomSurfaceError;
 use study::plan::PlanError;
 use topography::TransformError;
 
@@ -12,7 +12,7 @@ use topography::TransformError;
 pub enum StudyError {
     /// The surface does not exist.
     #[error(transparent)]
-    Surface(#[from] SurfaceError),
+    RandomSurface(#[from] RandomSurfaceError),
     /// The spectrum drawn is none.
     #[error(transparent)]
     Spectrum(#[from] spectrum::PsdError),

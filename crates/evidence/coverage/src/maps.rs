@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use spectrum::random_surfaces::{AreaSpectrum, Phases, Synthesis};
 use numerics::transforms::Complex64;
+use spectrum::random_surfaces::{AreaSpectrum, Phases, Synthesis};
 
 use crate::error::StudyError;
 use crate::instrument::Instrument;

@@ -1,7 +1,7 @@
 //! Errors of a trial.
 
-use spectrum::random_surfaces::SurfaceError;
 use elements::half_space::HalfSpaceError;
+use spectrum::random_surfaces::RandomSurfaceError;
 use thiserror::Error;
 
 /// Reason why a trial has no result.
@@ -10,7 +10,7 @@ use thiserror::Error;
 pub enum TrialError {
     /// A spectrum or a surface cannot be made.
     #[error("making a surface: {0}")]
-    Surface(#[from] SurfaceError),
+    RandomSurface(#[from] RandomSurfaceError),
     /// A surface cannot be pressed.
     #[error(transparent)]
     Elements(#[from] HalfSpaceError),

@@ -3,13 +3,13 @@
 
 use std::ops::RangeInclusive;
 
-use spectrum::random_surfaces::AreaSpectrum;
+use elements::{ElementsError, ImposedLoad, PressedLoad, Pressing, press};
 use numerics::parallel::Unobserved;
 use persson::EnergyFactor;
 use persson::separation::LIGHT_CONTACT;
 use persson::variance::Band;
-use elements::{ElementsError, Load, PressedLoad, Pressing, press};
 use serde::{Deserialize, Serialize};
+use spectrum::random_surfaces::AreaSpectrum;
 use spectrum::{Normalisation, ProfilePsd};
 use study::gap_law::{GapChoices, GapError, GapLaw, GapState};
 use study::plan::{Needs, Plan, Sampling};
@@ -201,7 +201,7 @@ pub fn rows_of(trial: &JudgeTrial, loads: &[f64]) -> Result<Vec<GapRow>, TrialEr
     let theory = Theory::of(trial)?;
     let area = AreaSpectrum::from_profile(&theory.psd)?;
     let pressing = Pressing {
-        loads: loads.iter().map(|load| Load::PressurePa(pressure_pa(*load))).collect(),
+        loads: loads.iter().map(|load| ImposedLoad::PressurePa(pressure_pa(*load))).collect(),
         stiffness: true,
         ..Pressing::elastic(CONTACT_MODULUS_PA)
     };

@@ -1,8 +1,8 @@
 //! Spectra of every kind on which the judge of scenes is tried, as scenes.
 
-use spectrum::random_surfaces::AreaSpectrum;
 use scene::{Overrides, Scene};
 use serde::{Deserialize, Serialize};
+use spectrum::random_surfaces::AreaSpectrum;
 use spectrum::{Convention, Psd};
 use study::Files;
 

@@ -1,10 +1,10 @@
 //! Truth of the judge's trials: areas of whole bands, solved at once on boxes that hold several of the longest waves.
 
-use spectrum::random_surfaces::{AreaSpectrum, Phases};
 use elements::half_space::Loading;
-use numerics::parallel::{Unobserved, map_indices};
 use elements::{RandomChoices, Relief, Surfaces};
+use numerics::parallel::{Unobserved, map_indices};
 use serde::{Deserialize, Serialize};
+use spectrum::random_surfaces::{AreaSpectrum, Phases};
 
 use crate::TrialError;
 use crate::elements::digits;

@@ -2,13 +2,13 @@
 //! windows: the tables of `docs/guide/judge.md`.
 
 use asperity::{ElasticBody, Layer, LayerCompliance, MaterialPair};
-use spectrum::random_surfaces::AreaSpectrum;
+use elements::Relief;
 use elements::half_space::{Elements, Grid, Loading};
 use judge::{CurveVerdict, JudgePlan, Settings, Verdict};
 use numerics::parallel::Unobserved;
-use elements::Relief;
 use scene::Scene;
 use serde::{Deserialize, Serialize};
+use spectrum::random_surfaces::AreaSpectrum;
 use tables::markdown::{table, with_section};
 use units::display::three_digits;
 

@@ -3,9 +3,9 @@
 use std::num::NonZeroU32;
 
 use asperity::ElasticBody;
-use spectrum::random_surfaces::AreaSpectrum;
 use persson::corrections::Correction;
 use persson::elastic;
+use spectrum::random_surfaces::AreaSpectrum;
 use spectrum::{AmplitudeDefinition, Normalisation, ProfilePsd};
 use study::hardness_and_strength::HardnessAndStrength;
 use study::material::{GivenMaterial, Material};

@@ -1,8 +1,8 @@
 //! Boundary elements under surfaces of a spectrum.
 
-use spectrum::random_surfaces::{AreaSpectrum, Phases, Surface, Synthesis};
 use elements::half_space::{Contact, Elements, Grid, Loading, extrapolated_area};
 use numerics::parallel::Unobserved;
+use spectrum::random_surfaces::{AreaSpectrum, Phases, RandomSurface, Synthesis};
 
 use crate::TrialError;
 use crate::programme::Trial;
@@ -85,15 +85,15 @@ fn one_surface(trial: &Trial, number: u64) -> Result<Vec<Areas>, TrialError> {
     trial.loads.iter().map(of_load).collect()
 }
 
-/// Surface scaled to the rms gradient of its spectrum: the area depends mostly on the gradient, and most of the
+/// RandomSurface scaled to the rms gradient of its spectrum: the area depends mostly on the gradient, and most of the
 /// scatter from surface to surface comes from it.
-fn surface(spectrum: &AreaSpectrum, grid: usize, number: u64) -> Result<Surface, TrialError> {
+fn surface(spectrum: &AreaSpectrum, grid: usize, number: u64) -> Result<RandomSurface, TrialError> {
     let surface = spectrum.surface(&Synthesis::square(grid, BOX_M, SEED, Phases::FixedModulus), number)?;
     let own = surface.mean_square_gradient().sqrt();
     Ok(surface.scaled(RMS_GRADIENT / own))
 }
 
-fn elements(surface: &Surface) -> Result<Elements, TrialError> {
+fn elements(surface: &RandomSurface) -> Result<Elements, TrialError> {
     let grid = Grid::new(surface.points_y(), surface.points_x(), surface.length_x_m(), surface.length_y_m())?;
     Ok(Elements::periodic(grid, surface.heights_m())?)
 }

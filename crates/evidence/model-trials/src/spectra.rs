@@ -1,7 +1,7 @@
 //! Spectra of the study: self-affine surfaces, given in waves per box.
 
-use spectrum::random_surfaces::{AreaSpectrum, SelfAffine, Size, SurfaceError};
 use serde::{Deserialize, Serialize};
+use spectrum::random_surfaces::{AreaSpectrum, RandomSurfaceError, SelfAffine, Size};
 
 /// Side of the periodic box \[m\]. Areas do not depend on it: only ratios of lengths matter.
 pub const BOX_M: f64 = 1e-3;
@@ -44,7 +44,7 @@ impl WaveBand {
     ///
     /// # Errors
     /// The errors of [`AreaSpectrum::self_affine`].
-    pub fn spectrum(&self) -> Result<AreaSpectrum, SurfaceError> {
+    pub fn spectrum(&self) -> Result<AreaSpectrum, RandomSurfaceError> {
         AreaSpectrum::self_affine(&SelfAffine {
             hurst_exponent: self.hurst_exponent,
             longest_m: BOX_M / self.first_wave,
@@ -58,7 +58,7 @@ impl WaveBand {
     ///
     /// # Errors
     /// The errors of [`WaveBand::spectrum`].
-    pub fn alpha(&self) -> Result<f64, SurfaceError> {
+    pub fn alpha(&self) -> Result<f64, RandomSurfaceError> {
         let moments = self.spectrum()?.moments();
         Ok(moments.m0_m2 * moments.m4_per_m2 / (moments.m2 * moments.m2))
     }

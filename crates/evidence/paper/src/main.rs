@@ -15,9 +15,9 @@ use report::page::Report;
 use report::products::SceneProducts;
 use report::run_stamp::RunStamp;
 use scene::Template;
-use tables::staging::{StagedFiles, write_file};
 use study::Unobserved;
 use tables::Format;
+use tables::staging::{StagedFiles, write_file};
 
 /// The spectrum that goes further comes first.
 const SCENES: [Template; 2] = [Template::UncdReconstructed, Template::UncdMeasured];

@@ -1,8 +1,8 @@
 //! Balls on small maps: their numbers, and the promises of every result.
 
 use elements::half_space::HalfSpaceError;
-use numerics::parallel::Unobserved;
 use elements::{Ball, BallError, BallPressing, BallState, Boundary, Relief};
+use numerics::parallel::Unobserved;
 
 use crate::drawn_map::SmallMap;
 use crate::group::Case;

@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use roughness::{
-    Evaluation, FormRemoval, HeightParameters, MaterialRatioCurve, Parameter, Relief, ReliefError, parameters,
+    Evaluation, FormRemoval, HeightParameters, MaterialRatioCurve, Parameter, ScaleLimitedSurface,
+    ScaleLimitedSurfaceError, parameters,
 };
 use scans::{NonuniformLineScan, Scan};
 
@@ -35,7 +36,7 @@ impl RoughnessCase {
         Evaluation { form: self.form, longest_m, shortest_m }
     }
 
-    fn relief(&self, at_missing_m: f64) -> Option<Result<Relief, ReliefError>> {
+    fn relief(&self, at_missing_m: f64) -> Option<Result<ScaleLimitedSurface, ScaleLimitedSurfaceError>> {
         let measured = match &self.scan.positions_m {
             Some(positions_m) => {
                 let line = NonuniformLineScan::new(positions_m.clone(), self.scan.heights_m.clone()).ok()?;
@@ -43,7 +44,7 @@ impl RoughnessCase {
             }
             None => self.scan.file(at_missing_m)?.scan,
         };
-        Some(Relief::new(&measured, &self.evaluation()))
+        Some(ScaleLimitedSurface::new(&measured, &self.evaluation()))
     }
 
     /// First values of all parameters.
@@ -77,7 +78,7 @@ impl Case for RoughnessCase {
             Err(error) => {
                 let has_none = self.scan.missing.len() == self.scan.heights_m.len();
                 let is_filtered = self.cutoffs_m.iter().any(Option::is_some);
-                let is_empty = error == ReliefError::NoHeights;
+                let is_empty = error == ScaleLimitedSurfaceError::NoHeights;
                 let is_cut =
                     self.scan.rows.is_none() && self.cutoffs_m[0].is_some() && !self.scan.missing.is_empty();
                 let reason = if is_empty { has_none || is_cut } else { is_filtered };
@@ -144,7 +145,7 @@ fn ordered(found: &BTreeMap<&str, f64>, trial: &mut Trial<RoughnessCase>) {
 }
 
 /// Checks the identity of void and material.
-fn curve(relief: &Relief, draw: &mut Draw, trial: &mut Trial<RoughnessCase>) {
+fn curve(relief: &ScaleLimitedSurface, draw: &mut Draw, trial: &mut Trial<RoughnessCase>) {
     let curve = MaterialRatioCurve::new(relief);
     let ratio = draw.between(0.0, 1.0);
     let (highest_m, lowest_m) = (curve.height_m(0.0), curve.height_m(1.0));

@@ -2,7 +2,7 @@
 
 use std::{fmt, io};
 
-use roughness::ReliefError;
+use roughness::ScaleLimitedSurfaceError;
 use scans::{Mend, ScanReadError};
 use topography::{Direction, TransformError};
 use units::number;
@@ -56,7 +56,7 @@ pub enum ScanProblem {
     },
     /// The heights cannot be evaluated.
     #[error(transparent)]
-    Relief(ReliefError),
+    Relief(ScaleLimitedSurfaceError),
     /// The text is neither heights nor a spectrum.
     #[error("as a scan: {as_scan}{}", as_spectrum.as_ref().map_or(String::new(), |why| format!("; as a spectrum: {why}")))]
     NeitherKind {

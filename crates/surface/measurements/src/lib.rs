@@ -18,7 +18,7 @@ mod roughness_of_files;
 mod scales_of_files;
 mod sketch;
 
-pub use areal::{AreaSpectrum, areal_spectrum};
+pub use areal::{ArealSpectrum, areal_spectrum};
 pub use calibration::{Instrument, SlopeUncertainty, ZCalibration};
 pub use channels::{Channels, read_channels};
 pub use composite::{CompositeOfFiles, MapPatch, STEPS_PER_FILE, ScanInput, Source};

@@ -1,6 +1,6 @@
 //! Roughness parameters of the scans in files, one row each.
 
-use roughness::{Evaluation, Parameter, ParameterValue, Relief, parameters};
+use roughness::{Evaluation, Parameter, ParameterValue, ScaleLimitedSurface, parameters};
 use scans::ScanFile;
 use tables::Table;
 use units::display::counted;
@@ -153,7 +153,7 @@ fn rough_surface(
     scan: &ScanFile,
     settings: &RoughnessSettings,
 ) -> Result<RoughSurface, TopographyError> {
-    let relief = Relief::new(&scan.scan, &settings.evaluation)
+    let relief = ScaleLimitedSurface::new(&scan.scan, &settings.evaluation)
         .map_err(|error| TopographyError::for_file(&request.path, ScanProblem::Relief(error)))?;
     let mut parameters = parameters(&relief, settings.ratio_height_m);
     parameters.retain(|parameter| settings.conventions == Conventions::All || parameter.is_first);

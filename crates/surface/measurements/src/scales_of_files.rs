@@ -1,6 +1,6 @@
 //! Rms gradient and curvature of the scans in files down to each wavelength.
 
-use roughness::{Evaluation, GradientAndCurvature, Relief, ScaleParameters, scale_parameters};
+use roughness::{Evaluation, GradientAndCurvature, ScaleLimitedSurface, ScaleParameters, scale_parameters};
 use scans::ScanFile;
 use tables::Table;
 
@@ -109,7 +109,7 @@ impl ScalesOfScan {
         scan: &ScanFile,
         evaluation: &Evaluation,
     ) -> Result<Self, TopographyError> {
-        let relief = Relief::new(&scan.scan, evaluation)
+        let relief = ScaleLimitedSurface::new(&scan.scan, evaluation)
             .map_err(|error| TopographyError::for_file(&request.path, ScanProblem::Relief(error)))?;
         Ok(ScalesOfScan {
             file: request.path.clone(),

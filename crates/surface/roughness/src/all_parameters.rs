@@ -2,18 +2,18 @@
 
 use units::display::length;
 
-use crate::autocorrelation::{Autocorrelation, Normalisation, Reach};
+use crate::autocorrelation::{Autocorrelation, AutocorrelationNormalisation, Reach};
 use crate::heights::{HeightParameters, section_means_m};
 use crate::material_ratio::{Core, MaterialRatioCurve};
 use crate::parameter::{Parameter, ParameterValue};
-use crate::relief::Relief;
+use crate::relief::ScaleLimitedSurface;
 use crate::slopes::{Differences, Triangles, developed_area_excess, rms_gradient};
 
 /// Computes all parameters of prepared heights, and the material ratio at `height_m` above the mean.
 ///
 /// Further conventions of a parameter follow it, with [`Parameter::is_first`] false.
 #[must_use]
-pub fn parameters(relief: &Relief, height_m: f64) -> Vec<Parameter> {
+pub fn parameters(relief: &ScaleLimitedSurface, height_m: f64) -> Vec<Parameter> {
     let is_map = relief.points().1.is_some();
     let mut found = HeightParameters::from_relief(relief).parameters();
     if !is_map && let Some([ra_m, rq_m]) = section_means_m(relief) {
@@ -33,7 +33,7 @@ pub fn parameters(relief: &Relief, height_m: f64) -> Vec<Parameter> {
     found
 }
 
-fn gradients(relief: &Relief, symbol: &'static str) -> Vec<Parameter> {
+fn gradients(relief: &ScaleLimitedSurface, symbol: &'static str) -> Vec<Parameter> {
     let of = |differences: Differences| {
         let gradient = rms_gradient(relief, differences)?;
         Some(Parameter::new(symbol, ParameterValue::Number(gradient)).by(differences.name()))
@@ -42,7 +42,7 @@ fn gradients(relief: &Relief, symbol: &'static str) -> Vec<Parameter> {
     found.enumerate().map(|(at, parameter)| if at == 0 { parameter } else { parameter.further() }).collect()
 }
 
-fn developed_areas(relief: &Relief) -> Vec<Parameter> {
+fn developed_areas(relief: &ScaleLimitedSurface) -> Vec<Parameter> {
     let of = |triangles: Triangles| {
         let excess = developed_area_excess(relief, triangles)?;
         Some(Parameter::new("Sdr", ParameterValue::Share(excess)).by(triangles.name()))
@@ -51,9 +51,9 @@ fn developed_areas(relief: &Relief) -> Vec<Parameter> {
     found.enumerate().map(|(at, parameter)| if at == 0 { parameter } else { parameter.further() }).collect()
 }
 
-fn autocorrelation(relief: &Relief) -> Vec<Parameter> {
+fn autocorrelation(relief: &ScaleLimitedSurface) -> Vec<Parameter> {
     let Some(table) = Autocorrelation::of_map(relief) else { return Vec::new() };
-    Normalisation::ALL
+    AutocorrelationNormalisation::ALL
         .iter()
         .flat_map(|normalisation| {
             let Reach { shortest_m, longest_m, searched_m } = table.reach(*normalisation);
@@ -74,13 +74,13 @@ fn autocorrelation(relief: &Relief) -> Vec<Parameter> {
                 }
                 _ => undetermined("Str"),
             };
-            let is_first = *normalisation == Normalisation::Unbiased;
+            let is_first = *normalisation == AutocorrelationNormalisation::Unbiased;
             [sal, str_].map(|parameter| Parameter { is_first, ..parameter })
         })
         .collect()
 }
 
-fn material_ratio(relief: &Relief, is_map: bool, height_m: f64) -> Vec<Parameter> {
+fn material_ratio(relief: &ScaleLimitedSurface, is_map: bool, height_m: f64) -> Vec<Parameter> {
     use ParameterValue::{LengthM, Share, VolumeM};
     let curve = MaterialRatioCurve::new(relief);
     let Core { depth_m, peaks_m, valleys_m, peak_share, valley_share } = curve.core();

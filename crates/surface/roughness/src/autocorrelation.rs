@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use numerics::transforms::{Complex, Precision};
 use units::named;
 
-use crate::relief::Relief;
+use crate::relief::ScaleLimitedSurface;
 
 /// Value of the autocorrelation at which heights count as unrelated.
 const UNRELATED: f64 = 0.2;
@@ -16,16 +16,16 @@ const STEPS_PER_POINT: f64 = 20.0;
 /// Lags beyond those that are searched, which the cubic interpolation needs.
 const MARGIN: usize = 2;
 
-/// Normalisation of the sum over pairs of points at a lag.
+/// AutocorrelationNormalisation of the sum over pairs of points at a lag.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Normalisation {
+pub enum AutocorrelationNormalisation {
     /// By the number of pairs at that lag.
     Unbiased,
     /// By the number of all points, which shortens long lags.
     Biased,
 }
 
-named!(Normalisation, "normalisation", {
+named!(AutocorrelationNormalisation, "normalisation", {
     Unbiased => "unbiased autocorrelation", Biased => "biased autocorrelation"
 });
 
@@ -55,7 +55,7 @@ pub struct Autocorrelation {
 impl Autocorrelation {
     /// Sums over all pairs of points that have a height. None for lines and for flat maps.
     #[must_use]
-    pub fn of_map(relief: &Relief) -> Option<Self> {
+    pub fn of_map(relief: &ScaleLimitedSurface) -> Option<Self> {
         let (columns, rows) = relief.points();
         let (spacing_x_m, spacing_y_m) = relief.spacing_m();
         let (rows, spacing_y_m) = (rows?, spacing_y_m?);
@@ -85,7 +85,7 @@ impl Autocorrelation {
 
     /// Searches every direction, degree by degree, for the first lag at which the autocorrelation falls to 0.2.
     #[must_use]
-    pub fn reach(&self, normalisation: Normalisation) -> Reach {
+    pub fn reach(&self, normalisation: AutocorrelationNormalisation) -> Reach {
         let (mut shortest_m, mut longest_m) = (f64::INFINITY, 0.0f64);
         let mut searched_m = None::<f64>;
         for direction in 0..DIRECTIONS {
@@ -103,7 +103,7 @@ impl Autocorrelation {
     }
 
     /// Walks in a direction; returns the lag \[m\] of the fall, or as an error the lag at which the search ends.
-    fn first_fall_m(&self, direction: f64, normalisation: Normalisation) -> Result<f64, f64> {
+    fn first_fall_m(&self, direction: f64, normalisation: AutocorrelationNormalisation) -> Result<f64, f64> {
         let step_m = self.spacing_m[0].min(self.spacing_m[1]) / STEPS_PER_POINT;
         let (sin, cos) = direction.sin_cos();
         let per_step = [cos * step_m / self.spacing_m[0], sin * step_m / self.spacing_m[1]];
@@ -124,7 +124,7 @@ impl Autocorrelation {
     }
 
     /// Interpolates by the cubic of the four points around a lag, along each axis.
-    fn interpolated(&self, lag: [f64; 2], normalisation: Normalisation) -> f64 {
+    fn interpolated(&self, lag: [f64; 2], normalisation: AutocorrelationNormalisation) -> f64 {
         let base = lag.map(f64::floor);
         let [along_x, along_y] = [0, 1].map(|axis| cubic_weights(lag[axis] - base[axis]));
         let base = base.map(|lag| lag as isize);
@@ -138,13 +138,13 @@ impl Autocorrelation {
     }
 
     /// Returns the autocorrelation at a lag in points; opposite lags are equal.
-    fn value(&self, [x, y]: [isize; 2], normalisation: Normalisation) -> f64 {
+    fn value(&self, [x, y]: [isize; 2], normalisation: AutocorrelationNormalisation) -> f64 {
         let [x, y] = if y < 0 { [-x, -y] } else { [x, y] };
         let reach = (self.largest[0] + MARGIN) as isize;
         let at = y as usize * (2 * reach as usize + 1) + (x + reach) as usize;
         let pairs = match normalisation {
-            Normalisation::Unbiased => self.pairs[at].max(1.0),
-            Normalisation::Biased => self.points,
+            AutocorrelationNormalisation::Unbiased => self.pairs[at].max(1.0),
+            AutocorrelationNormalisation::Biased => self.points,
         };
         self.products_m2[at] / pairs
     }
@@ -174,7 +174,8 @@ impl Shape {
     fn sums_of_products(&self, values: impl Iterator<Item = f64>) -> Vec<f64> {
         let [wide, high] =
             [(self.columns, self.lags[0]), (self.rows, self.lags[1])].map(|(n, lag)| fast_size(n + lag));
-        let (forward, backward) = (numerics::transforms::forward_of_real(wide), numerics::transforms::inverse_to_real(wide));
+        let (forward, backward) =
+            (numerics::transforms::forward_of_real(wide), numerics::transforms::inverse_to_real(wide));
         let [down, up] = f64::plan_both_ways(high);
         let bins = wide / 2 + 1;
         let mut transform = vec![Complex::default(); bins * high];
@@ -238,7 +239,7 @@ mod tests {
     use std::f64::consts::TAU;
 
     use approx::assert_relative_eq;
-    use scans::{HeightMap, Measured, MissingPoints, Scan};
+    use scans::{HeightMap, MeasuredScan, MissingPoints, Scan};
 
     use crate::relief::{Evaluation, FormRemoval};
 
@@ -249,12 +250,12 @@ mod tests {
         rows: usize,
         height_m: impl Fn(f64, f64) -> f64,
         missing: MissingPoints,
-    ) -> Relief {
+    ) -> ScaleLimitedSurface {
         let heights_m =
             (0..columns * rows).map(|at| height_m((at % columns) as f64, (at / columns) as f64)).collect();
         let map = Scan::Map(HeightMap::new(columns, 1e-6, 2e-6, heights_m).unwrap());
         let evaluation = Evaluation { form: FormRemoval::None, ..Evaluation::default() };
-        Relief::new(&Measured::with_missing_points(map, missing), &evaluation).unwrap()
+        ScaleLimitedSurface::new(&MeasuredScan::with_missing_points(map, missing), &evaluation).unwrap()
     }
 
     #[test]
@@ -277,9 +278,9 @@ mod tests {
                     }
                 }
             }
-            let value = found.value([x, y], Normalisation::Unbiased);
+            let value = found.value([x, y], AutocorrelationNormalisation::Unbiased);
             assert_relative_eq!(value, sum / pairs, max_relative = 1e-11, epsilon = 1e-14);
-            let value = found.value([x, y], Normalisation::Biased);
+            let value = found.value([x, y], AutocorrelationNormalisation::Biased);
             assert_relative_eq!(value, sum / 60.0, max_relative = 1e-11, epsilon = 1e-14);
         }
     }
@@ -288,7 +289,7 @@ mod tests {
     fn a_wave_falls_along_its_direction_and_not_across_it() {
         // cos(2 pi tau/L) = 0.2 at tau = 0.2179 L.
         let ridges = relief(4000, 30, |x, _| (TAU * (x + 0.5) / 40.0).cos(), MissingPoints::default());
-        let reach = Autocorrelation::of_map(&ridges).unwrap().reach(Normalisation::Unbiased);
+        let reach = Autocorrelation::of_map(&ridges).unwrap().reach(AutocorrelationNormalisation::Unbiased);
         assert_relative_eq!(reach.shortest_m.unwrap(), 0.2f64.acos() / TAU * 40e-6, max_relative = 3e-3);
         assert_eq!(reach.longest_m, None);
         assert_relative_eq!(reach.searched_m, 30e-6, max_relative = 0.02);
@@ -309,7 +310,7 @@ mod tests {
             };
             let reach = Autocorrelation::of_map(&relief(400, 300, height_m, MissingPoints::default()))
                 .unwrap()
-                .reach(Normalisation::Unbiased);
+                .reach(AutocorrelationNormalisation::Unbiased);
             reach.shortest_m.unwrap() / reach.longest_m.unwrap()
         };
         assert!(field(1.0) > 0.9, "{}", field(1.0));

@@ -28,7 +28,8 @@ impl GaussianFilter {
     /// Makes a filter for rows of `points` points `spacing_m` apart.
     pub fn new(points: usize, spacing_m: f64, cutoff_m: f64) -> Self {
         let period = 2 * points;
-        let (forward, backward) = (numerics::transforms::forward_of_real(period), numerics::transforms::inverse_to_real(period));
+        let (forward, backward) =
+            (numerics::transforms::forward_of_real(period), numerics::transforms::inverse_to_real(period));
         let deviation = standard_deviation_m(cutoff_m) / spacing_m;
         let reach = (EXTENT * deviation + 0.5) as usize;
         let weight = |offset: usize| (-0.5 * (offset as f64 / deviation).powi(2)).exp();

@@ -1,10 +1,10 @@
 //! Heights: areal parameters of ISO 25178-2, those of profiles of ISO 21920-2.
 
-use scans::Measured;
+use scans::MeasuredScan;
 use topography::Form;
 
 use crate::parameter::{Parameter, ParameterValue};
-use crate::relief::{Evaluation, Relief};
+use crate::relief::{Evaluation, ScaleLimitedSurface};
 
 /// Number of sections of a profile over which Rz averages.
 pub(crate) const SECTIONS: usize = 5;
@@ -21,7 +21,7 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 #[non_exhaustive]
 pub struct HeightParameters {
     /// Map or profile, which decides the symbols.
-    pub extent: Extent,
+    pub extent: EvaluatedExtent,
     /// Sa or Ra: mean of |z| in m.
     pub mean_deviation_m: f64,
     /// Sq or Rq: root mean square of z in m.
@@ -45,7 +45,7 @@ pub struct HeightParameters {
 
 /// Extent of the heights that parameters describe.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Extent {
+pub enum EvaluatedExtent {
     /// A map: parameters begin with S.
     Areal,
     /// A line: parameters begin with R.
@@ -56,9 +56,11 @@ impl HeightParameters {
     /// Computes the parameters of a scan after its least-squares plane or line has been subtracted; none where no point
     /// has a height. Heights of a map are not copied, which would double the memory of a large one.
     #[must_use]
-    pub fn from_scan(scan: &Measured) -> Option<Self> {
+    pub fn from_scan(scan: &MeasuredScan) -> Option<Self> {
         if scan.points().1.is_none() {
-            return Relief::new(scan, &Evaluation::default()).ok().map(|relief| Self::from_relief(&relief));
+            return ScaleLimitedSurface::new(scan, &Evaluation::default())
+                .ok()
+                .map(|relief| Self::from_relief(&relief));
         }
         let form = Form::fit(scan);
         let removed_m = || form.removed_m(scan).flatten();
@@ -72,24 +74,28 @@ impl HeightParameters {
         let second_m = mean_of(removed_m().fold(0.0, |sum_m, height_m| sum_m + (height_m - first_m)));
         let largest_given_m =
             scan.heights_m().flatten().fold(0.0, |largest: f64, height_m| largest.max(height_m.abs()));
-        Some(Self::from_heights(Extent::Areal, largest_given_m, scan.missing_points().count(), || {
-            removed_m().map(|height_m| (height_m - first_m) - second_m)
-        }))
+        Some(Self::from_heights(
+            EvaluatedExtent::Areal,
+            largest_given_m,
+            scan.missing_points().count(),
+            || removed_m().map(|height_m| (height_m - first_m) - second_m),
+        ))
     }
 
     /// Computes the parameters of prepared heights.
     #[must_use]
-    pub fn from_relief(relief: &Relief) -> Self {
-        let extent = if relief.points().1.is_some() { Extent::Areal } else { Extent::Profile };
+    pub fn from_relief(relief: &ScaleLimitedSurface) -> Self {
+        let extent =
+            if relief.points().1.is_some() { EvaluatedExtent::Areal } else { EvaluatedExtent::Profile };
         let heights_m = || relief.heights_m().flatten();
         let found = Self::from_heights(extent, relief.largest_given_m(), relief.missing(), heights_m);
         let mean_section_height_m =
-            (extent == Extent::Profile).then(|| mean_section_height_m(relief)).flatten();
+            (extent == EvaluatedExtent::Profile).then(|| mean_section_height_m(relief)).flatten();
         Self { mean_section_height_m, ..found }
     }
 
     fn from_heights<H: Iterator<Item = f64>>(
-        extent: Extent,
+        extent: EvaluatedExtent,
         largest_given_m: f64,
         missing: usize,
         heights_m: impl Fn() -> H,
@@ -137,8 +143,8 @@ impl HeightParameters {
     pub fn parameters(&self) -> Vec<Parameter> {
         use ParameterValue::{LengthM, Number};
         let [mean, rms, skewness, kurtosis, peak, valley, total] = match self.extent {
-            Extent::Areal => ["Sa", "Sq", "Ssk", "Sku", "Sp", "Sv", "Sz"],
-            Extent::Profile => ["Ra", "Rq", "Rsk", "Rku", "Rp", "Rv", "Rt"],
+            EvaluatedExtent::Areal => ["Sa", "Sq", "Ssk", "Sku", "Sp", "Sv", "Sz"],
+            EvaluatedExtent::Profile => ["Ra", "Rq", "Rsk", "Rku", "Rp", "Rv", "Rt"],
         };
         let values = [
             (mean, Some(LengthM(self.mean_deviation_m))),
@@ -157,7 +163,7 @@ impl HeightParameters {
 }
 
 /// Computes Ra and Rq as ISO 4287 did, as means over the sections of a profile; none where a section has no heights.
-pub(crate) fn section_means_m(relief: &Relief) -> Option<[f64; 2]> {
+pub(crate) fn section_means_m(relief: &ScaleLimitedSurface) -> Option<[f64; 2]> {
     let mut sums = [[0.0; 3]; SECTIONS];
     for (section, height_m) in in_sections(relief) {
         let [count, deviation_m, square_m2] = sums[section];
@@ -173,7 +179,7 @@ pub(crate) fn section_means_m(relief: &Relief) -> Option<[f64; 2]> {
 }
 
 /// Iterates over the heights \[m\] of a profile with their sections of equal length.
-fn in_sections(relief: &Relief) -> impl Iterator<Item = (usize, f64)> + '_ {
+fn in_sections(relief: &ScaleLimitedSurface) -> impl Iterator<Item = (usize, f64)> + '_ {
     let points = relief.points().0;
     let share = move |index: usize| match relief.positions_m() {
         Some(positions_m) => {
@@ -186,7 +192,7 @@ fn in_sections(relief: &Relief) -> impl Iterator<Item = (usize, f64)> + '_ {
     })
 }
 
-fn mean_section_height_m(relief: &Relief) -> Option<f64> {
+fn mean_section_height_m(relief: &ScaleLimitedSurface) -> Option<f64> {
     let mut sections = [Ends::NONE; SECTIONS];
     in_sections(relief).for_each(|(section, height_m)| sections[section].add(height_m));
     let total_m: Option<f64> = sections.iter().map(Ends::distance_m).sum();
@@ -282,11 +288,11 @@ mod tests {
         let missing: MissingPoints = (0..columns * rows).filter(|index| index % columns < 10).collect();
         let heights_m = (0..columns * rows).map(|index| rough_m(index) + tilt_m(index)).collect();
         let map = Scan::Map(HeightMap::new(columns, 1e-6, 1e-6, heights_m).unwrap());
-        let scan = Measured::with_missing_points(map, missing);
+        let scan = MeasuredScan::with_missing_points(map, missing);
         let found = HeightParameters::from_scan(&scan).unwrap();
         assert_eq!((found.points, found.missing), (900, 300));
         // A copy of the heights gives the same digits.
-        let relief = Relief::new(&scan, &Evaluation::default()).unwrap();
+        let relief = ScaleLimitedSurface::new(&scan, &Evaluation::default()).unwrap();
         assert_eq!(found, HeightParameters::from_relief(&relief));
         assert_relative_eq!(found.rms_m, 1e-9, max_relative = 1e-5);
         let symbols: Vec<_> = found.parameters().iter().map(|parameter| parameter.symbol).collect();
@@ -295,7 +301,7 @@ mod tests {
 
     #[test]
     fn a_scan_without_heights_has_no_parameters_and_a_flat_one_no_shape() {
-        let nothing = Measured::with_missing_points(line(|_| 0.0, 4), (0..4).collect());
+        let nothing = MeasuredScan::with_missing_points(line(|_| 0.0, 4), (0..4).collect());
         assert_eq!(HeightParameters::from_scan(&nothing), None);
         let flat = parameters(line(|index| 2e-9 * index, 8));
         assert_eq!((flat.skewness, flat.kurtosis), (None, None));

@@ -11,10 +11,10 @@ mod scales;
 mod slopes;
 
 pub use all_parameters::parameters;
-pub use autocorrelation::{Autocorrelation, Normalisation, Reach};
-pub use heights::{Extent, HeightParameters};
+pub use autocorrelation::{Autocorrelation, AutocorrelationNormalisation, Reach};
+pub use heights::{EvaluatedExtent, HeightParameters};
 pub use material_ratio::{Core, MaterialRatioCurve};
 pub use parameter::{Parameter, ParameterValue};
-pub use relief::{Evaluation, FormRemoval, Relief, ReliefError};
+pub use relief::{Evaluation, FormRemoval, ScaleLimitedSurface, ScaleLimitedSurfaceError};
 pub use scales::{GradientAndCurvature, ScaleParameters, scale_parameters};
 pub use slopes::{Differences, Triangles, developed_area_excess, rms_gradient};

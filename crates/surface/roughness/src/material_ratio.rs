@@ -1,6 +1,6 @@
 //! Material ratio: Smr, the Sk family and volumes of ISO 25178-2, and their counterparts for profiles.
 
-use crate::relief::Relief;
+use crate::relief::ScaleLimitedSurface;
 
 /// Share of the heights in the window that the core line is fitted to.
 const WINDOW: f64 = 0.4;
@@ -31,7 +31,7 @@ pub struct Core {
 impl MaterialRatioCurve {
     /// Sorts the heights.
     #[must_use]
-    pub fn new(relief: &Relief) -> Self {
+    pub fn new(relief: &ScaleLimitedSurface) -> Self {
         let mut heights_m: Vec<f64> = relief.heights_m().flatten().collect();
         heights_m.sort_unstable_by(|a, b| b.total_cmp(a));
         MaterialRatioCurve { heights_m }
@@ -184,7 +184,7 @@ mod tests {
     fn curve(heights_m: Vec<f64>) -> MaterialRatioCurve {
         let scan = Scan::UniformLine(UniformLineScan::new(1e-6, heights_m).unwrap());
         let evaluation = Evaluation { form: FormRemoval::None, ..Evaluation::default() };
-        MaterialRatioCurve::new(&Relief::new(&scan.into(), &evaluation).unwrap())
+        MaterialRatioCurve::new(&ScaleLimitedSurface::new(&scan.into(), &evaluation).unwrap())
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Heights to evaluate: what is left of a scan without its form, and of a filter.
 
 use numerics::solve;
-use scans::Measured;
+use scans::MeasuredScan;
 use thiserror::Error;
 use topography::without_form_m;
 use units::named;
@@ -36,7 +36,7 @@ pub struct Evaluation {
 /// Errors of preparing heights.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
-pub enum ReliefError {
+pub enum ScaleLimitedSurfaceError {
     /// No point has a height, or none of those that a filter leaves.
     #[error("no point has a height")]
     NoHeights,
@@ -75,7 +75,7 @@ pub enum ReliefError {
 
 /// Heights from their mean, row by row, on a line or a grid.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Relief {
+pub struct ScaleLimitedSurface {
     columns: usize,
     rows: Option<usize>,
     spacing_m: (f64, Option<f64>),
@@ -87,13 +87,13 @@ pub struct Relief {
     largest_given_m: f64,
 }
 
-impl Relief {
+impl ScaleLimitedSurface {
     /// Subtracts the form, filters, and takes the mean as the origin of heights. From each end of a filtered profile
     /// half a cut-off is dropped, where the filter looks beyond the end.
     ///
     /// # Errors
-    /// [`ReliefError`] for a scan without heights and for cut-offs that it cannot take.
-    pub fn new(scan: &Measured, evaluation: &Evaluation) -> Result<Self, ReliefError> {
+    /// [`ScaleLimitedSurfaceError`] for a scan without heights and for cut-offs that it cannot take.
+    pub fn new(scan: &MeasuredScan, evaluation: &Evaluation) -> Result<Self, ScaleLimitedSurfaceError> {
         let (columns, rows) = scan.points();
         let mut largest_given_m = 0.0f64;
         let mut first_m = None;
@@ -101,7 +101,7 @@ impl Relief {
             largest_given_m = largest_given_m.max(height_m.abs());
             first_m = first_m.or(Some(height_m));
         }
-        let first_m = first_m.ok_or(ReliefError::NoHeights)?;
+        let first_m = first_m.ok_or(ScaleLimitedSurfaceError::NoHeights)?;
         let heights_m: Vec<Option<f64>> = match evaluation.form {
             FormRemoval::None => {
                 scan.heights_m().map(|height_m| height_m.map(|height_m| height_m - first_m)).collect()
@@ -109,7 +109,7 @@ impl Relief {
             FormRemoval::Plane | FormRemoval::SecondOrder => without_form_m(scan),
         };
         let is_complete = heights_m.iter().all(Option::is_some);
-        let mut relief = Relief {
+        let mut relief = ScaleLimitedSurface {
             columns,
             rows,
             spacing_m: scan.spacing_m(),
@@ -124,7 +124,7 @@ impl Relief {
         relief.filter(evaluation)?;
         // The ends of a filtered profile may have been all that was measured.
         if relief.heights_m().all(|height_m| height_m.is_none()) {
-            return Err(ReliefError::NoHeights);
+            return Err(ScaleLimitedSurfaceError::NoHeights);
         }
         relief.subtract_mean();
         Ok(relief)
@@ -255,7 +255,7 @@ impl Relief {
         }
     }
 
-    fn filter(&mut self, evaluation: &Evaluation) -> Result<(), ReliefError> {
+    fn filter(&mut self, evaluation: &Evaluation) -> Result<(), ScaleLimitedSurfaceError> {
         if let Some(cutoff_m) = evaluation.shortest_m {
             self.check_cutoff(cutoff_m, cutoff_m)?;
             self.heights_m = self.smoothed_m(cutoff_m);
@@ -271,20 +271,20 @@ impl Relief {
         Ok(())
     }
 
-    fn check_cutoff(&self, cutoff_m: f64, needed_m: f64) -> Result<(), ReliefError> {
+    fn check_cutoff(&self, cutoff_m: f64, needed_m: f64) -> Result<(), ScaleLimitedSurfaceError> {
         if self.positions_m.is_some() {
-            return Err(ReliefError::UnevenlySpaced);
+            return Err(ScaleLimitedSurfaceError::UnevenlySpaced);
         }
         let (spacing_x_m, spacing_y_m) = self.spacing_m;
         let spacing_m = spacing_y_m.map_or(spacing_x_m, |spacing_y_m| spacing_y_m.max(spacing_x_m));
         if cutoff_m <= 2.0 * spacing_m {
-            return Err(ReliefError::CutoffTooShort { cutoff_m, spacing_m });
+            return Err(ScaleLimitedSurfaceError::CutoffTooShort { cutoff_m, spacing_m });
         }
         let along_x_m = spacing_x_m * self.columns as f64;
         let along_y_m = spacing_y_m.zip(self.rows).map(|(spacing_m, rows)| spacing_m * rows as f64);
         let size_m = along_y_m.map_or(along_x_m, |along_y_m| along_y_m.min(along_x_m));
         if needed_m > size_m {
-            return Err(ReliefError::CutoffTooLong { cutoff_m, needed_m, size_m });
+            return Err(ScaleLimitedSurfaceError::CutoffTooLong { cutoff_m, needed_m, size_m });
         }
         Ok(())
     }
@@ -352,7 +352,7 @@ fn are_independent<const N: usize>(mut products: [[f64; N]; N], points: usize) -
 
 #[cfg(test)]
 mod tests {
-    use scans::{HeightMap, Measured, MissingPoints, Scan, UniformLineScan};
+    use scans::{HeightMap, MeasuredScan, MissingPoints, Scan, UniformLineScan};
 
     use super::*;
 
@@ -369,8 +369,8 @@ mod tests {
         let missing: MissingPoints = (0..600).filter(|at| at % 7 == 3).collect();
         let arc = (0..50).map(|x| 1e-8 * f64::from(x * x)).collect();
         let line = Scan::UniformLine(UniformLineScan::new(1e-6, arc).unwrap());
-        for scan in [Measured::with_missing_points(map, missing), line.into()] {
-            let rest = Relief::new(&scan, &SECOND_ORDER).unwrap();
+        for scan in [MeasuredScan::with_missing_points(map, missing), line.into()] {
+            let rest = ScaleLimitedSurface::new(&scan, &SECOND_ORDER).unwrap();
             assert!(rest.heights_m().flatten().all(|height_m| height_m.abs() < 1e-19), "{rest:?}");
         }
     }
@@ -382,9 +382,9 @@ mod tests {
         let missing: MissingPoints = (0..20).filter(|at| !points.contains(at)).collect();
         let heights_m = (0..20).map(|at| if at == 2 { 3e-9 } else { 0.0 }).collect();
         let map = Scan::Map(HeightMap::new(4, 1e-7, 1e-7, heights_m).unwrap());
-        let scan = Measured::with_missing_points(map, missing);
+        let scan = MeasuredScan::with_missing_points(map, missing);
         let [rest, plane] = [FormRemoval::SecondOrder, FormRemoval::Plane].map(|form| {
-            let relief = Relief::new(&scan, &Evaluation { form, ..SECOND_ORDER }).unwrap();
+            let relief = ScaleLimitedSurface::new(&scan, &Evaluation { form, ..SECOND_ORDER }).unwrap();
             relief.heights_m().collect::<Vec<_>>()
         });
         assert_eq!(rest, plane);
@@ -396,7 +396,8 @@ mod tests {
         let missing: MissingPoints = (10..200).collect();
         let heights_m = (0..200).map(|at| if at % 2 == 0 { 1e-9 } else { -1e-9 }).collect();
         let map = Scan::Map(HeightMap::new(10, 1e-6, 1e-6, heights_m).unwrap());
-        let rest = Relief::new(&Measured::with_missing_points(map, missing), &SECOND_ORDER).unwrap();
+        let rest = ScaleLimitedSurface::new(&MeasuredScan::with_missing_points(map, missing), &SECOND_ORDER)
+            .unwrap();
         assert!(rest.heights_m().flatten().all(|height_m| height_m.abs() < 2e-9));
     }
 }

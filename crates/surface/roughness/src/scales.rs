@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 use scans::{HeightMap, NonuniformLineScan, Scan, UniformLineScan};
 use topography::{Detrend, Preparation, Window, areal_spectrum, line_spectrum};
 
-use crate::relief::Relief;
+use crate::relief::ScaleLimitedSurface;
 use crate::slopes::{rms_curvature_at, rms_gradient_at};
 
 /// Growth of the distance from one row to the next, at least.
@@ -46,7 +46,7 @@ pub struct GradientAndCurvature {
 /// `is_periodic` says that the heights repeat themselves. Others are windowed (Hann) for the spectrum, after a plane or a straight
 /// line has been subtracted.
 #[must_use]
-pub fn scale_parameters(relief: &Relief, is_periodic: bool) -> Vec<ScaleParameters> {
+pub fn scale_parameters(relief: &ScaleLimitedSurface, is_periodic: bool) -> Vec<ScaleParameters> {
     let spectrum = Waves::new(relief, is_periodic);
     let (spacing_x_m, spacing_y_m) = relief.spacing_m();
     let spacing_m = spacing_y_m.map_or(spacing_x_m, |spacing_y_m| spacing_y_m.max(spacing_x_m));
@@ -68,7 +68,7 @@ pub fn scale_parameters(relief: &Relief, is_periodic: bool) -> Vec<ScaleParamete
 }
 
 /// Distances in points, from short to long.
-fn distances(relief: &Relief, spacing_m: f64) -> Vec<usize> {
+fn distances(relief: &ScaleLimitedSurface, spacing_m: f64) -> Vec<usize> {
     let (columns, rows) = relief.points();
     let (spacing_x_m, spacing_y_m) = relief.spacing_m();
     let along_x_m = columns as f64 * spacing_x_m;
@@ -99,7 +99,7 @@ struct Wave {
 
 impl Waves {
     /// Transforms a relief; `None` if points lack heights.
-    fn new(relief: &Relief, is_periodic: bool) -> Option<Self> {
+    fn new(relief: &ScaleLimitedSurface, is_periodic: bool) -> Option<Self> {
         let preparation = match is_periodic {
             true => Preparation::PERIODIC,
             false => Preparation { detrend: Detrend::Plane, window: Window::Hann },
@@ -144,7 +144,7 @@ impl Waves {
 }
 
 /// The relief as a scan; `None` if points lack heights.
-fn scan(relief: &Relief) -> Option<Scan> {
+fn scan(relief: &ScaleLimitedSurface) -> Option<Scan> {
     let (heights_m, measured) = relief.parts();
     if measured.is_some() {
         return None;
@@ -166,20 +166,20 @@ fn scan(relief: &Relief) -> Option<Scan> {
 #[cfg(test)]
 mod tests {
     use approx::assert_relative_eq;
-    use scans::Measured;
+    use scans::MeasuredScan;
 
     use crate::relief::{Evaluation, FormRemoval};
     use crate::slopes::{Differences, rms_gradient};
 
     use super::*;
 
-    fn relief(scan: Scan) -> Relief {
+    fn relief(scan: Scan) -> ScaleLimitedSurface {
         let evaluation = Evaluation { form: FormRemoval::None, ..Evaluation::default() };
-        Relief::new(&Measured::from(scan), &evaluation).unwrap()
+        ScaleLimitedSurface::new(&MeasuredScan::from(scan), &evaluation).unwrap()
     }
 
     /// Waves of 16 and 4 points along x, and of 8 points along y, on a periodic map.
-    fn map() -> Relief {
+    fn map() -> ScaleLimitedSurface {
         let height_m = |at: usize| {
             let (x, y) = ((at % 64) as f64, (at / 64) as f64);
             1e-9 * (TAU * x / 16.0).sin()
@@ -261,8 +261,9 @@ mod tests {
         assert!(rows.iter().all(|row| row.from_heights.is_none() && row.from_spectrum.is_some()));
         let heights_m = (0..200).map(|x| 1e-9 * f64::from(x % 7)).collect();
         let line = Scan::UniformLine(UniformLineScan::new(1e-8, heights_m).unwrap());
-        let holed = Measured::with_missing_points(line, [3, 77].into_iter().collect());
-        let rows = scale_parameters(&Relief::new(&holed, &Evaluation::default()).unwrap(), false);
+        let holed = MeasuredScan::with_missing_points(line, [3, 77].into_iter().collect());
+        let rows =
+            scale_parameters(&ScaleLimitedSurface::new(&holed, &Evaluation::default()).unwrap(), false);
         assert!(rows.iter().all(|row| row.from_heights.is_some() && row.from_spectrum.is_none()));
     }
 }

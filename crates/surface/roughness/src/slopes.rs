@@ -2,7 +2,7 @@
 
 use units::named;
 
-use crate::relief::Relief;
+use crate::relief::ScaleLimitedSurface;
 
 /// Differences from which slopes are computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -56,7 +56,7 @@ impl Differences {
 /// Computes the rms gradient: Sdq of a map, Rdq of a profile, 1. Differences that a missing point takes part in are left
 /// out. None where no difference is left, and for uneven profiles but between neighbours.
 #[must_use]
-pub fn rms_gradient(relief: &Relief, differences: Differences) -> Option<f64> {
+pub fn rms_gradient(relief: &ScaleLimitedSurface, differences: Differences) -> Option<f64> {
     if let Some(positions_m) = relief.positions_m() {
         return (differences == Differences::Neighbours).then(|| rms_of_uneven(relief, positions_m))?;
     }
@@ -71,14 +71,14 @@ pub fn rms_gradient(relief: &Relief, differences: Differences) -> Option<f64> {
 
 /// Computes the rms gradient from heights a distance apart, given in points along x and, of a map, along y: between neighbours it
 /// is Sdq or Rdq. None where no difference is left, and for uneven profiles.
-pub(crate) fn rms_gradient_at(relief: &Relief, points: [usize; 2]) -> Option<f64> {
+pub(crate) fn rms_gradient_at(relief: &ScaleLimitedSurface, points: [usize; 2]) -> Option<f64> {
     along_axes(relief, points, |lines, points| mean_square(lines, &[(0, -1.0), (points, 1.0)]), 1)
         .map(|[x, y]| (x + y).sqrt())
 }
 
 /// Computes the rms curvature \[1/m\] from three heights a distance apart, given in points along x and, of a map, along y: that of a
 /// profile, or of the profiles of a map along both axes. None where no difference is left, and for uneven profiles.
-pub(crate) fn rms_curvature_at(relief: &Relief, points: [usize; 2]) -> Option<f64> {
+pub(crate) fn rms_curvature_at(relief: &ScaleLimitedSurface, points: [usize; 2]) -> Option<f64> {
     let stencil = |points: isize| [(-points, 1.0), (0, -2.0), (points, 1.0)];
     let [x, y] = along_axes(relief, points, |lines, points| mean_square(lines, &stencil(points)), 2)?;
     Some(if relief.points().1.is_some() { (0.5 * (x + y)).sqrt() } else { x.sqrt() })
@@ -86,7 +86,7 @@ pub(crate) fn rms_curvature_at(relief: &Relief, points: [usize; 2]) -> Option<f6
 
 /// Mean squares along x and along y over the distances to a power; 0 along y of a profile.
 fn along_axes(
-    relief: &Relief,
+    relief: &ScaleLimitedSurface,
     [along_x, along_y]: [usize; 2],
     mean_square: impl Fn(&Lines<'_>, isize) -> Option<f64>,
     power: i32,
@@ -110,7 +110,7 @@ fn along_axes(
 /// The lines of a relief along an axis: `count` of them, `apart` points apart in memory, each of `points` points that are `step`
 /// apart.
 struct Lines<'r> {
-    relief: &'r Relief,
+    relief: &'r ScaleLimitedSurface,
     points: usize,
     step: usize,
     count: usize,
@@ -118,12 +118,12 @@ struct Lines<'r> {
 }
 
 impl<'r> Lines<'r> {
-    fn along_x(relief: &'r Relief) -> Self {
+    fn along_x(relief: &'r ScaleLimitedSurface) -> Self {
         let (columns, rows) = relief.points();
         Lines { relief, points: columns, step: 1, count: rows.unwrap_or(1), apart: columns }
     }
 
-    fn along_y(relief: &'r Relief) -> Option<Self> {
+    fn along_y(relief: &'r ScaleLimitedSurface) -> Option<Self> {
         let (columns, rows) = relief.points();
         Some(Lines { relief, points: rows?, step: columns, count: columns, apart: 1 })
     }
@@ -155,7 +155,7 @@ fn mean_square(lines: &Lines<'_>, stencil: &Stencil) -> Option<f64> {
 }
 
 /// Computes the rms slope of straight lines between uneven points, each weighted by its length.
-fn rms_of_uneven(relief: &Relief, positions_m: &[f64]) -> Option<f64> {
+fn rms_of_uneven(relief: &ScaleLimitedSurface, positions_m: &[f64]) -> Option<f64> {
     let (heights_m, _) = relief.parts();
     let pieces = positions_m.windows(2).zip(heights_m.windows(2));
     let squares_m: f64 = pieces.map(|(x, z)| (z[1] - z[0]).powi(2) / (x[1] - x[0])).sum();
@@ -165,7 +165,7 @@ fn rms_of_uneven(relief: &Relief, positions_m: &[f64]) -> Option<f64> {
 /// Computes Sdr of a map as a share: developed over projected area less one, over the cells of four points that all have a
 /// height. None where there is no such cell, and for lines.
 #[must_use]
-pub fn developed_area_excess(relief: &Relief, triangles: Triangles) -> Option<f64> {
+pub fn developed_area_excess(relief: &ScaleLimitedSurface, triangles: Triangles) -> Option<f64> {
     let (columns, rows) = relief.points();
     let (dx_m, rows, dy_m) = (relief.spacing_m().0, rows?, relief.spacing_m().1?);
     // Of a triangle with these slopes, without cancellation.
@@ -202,18 +202,18 @@ pub fn developed_area_excess(relief: &Relief, triangles: Triangles) -> Option<f6
 #[cfg(test)]
 mod tests {
     use approx::assert_relative_eq;
-    use scans::{HeightMap, Measured, Scan, UniformLineScan};
+    use scans::{HeightMap, MeasuredScan, Scan, UniformLineScan};
 
     use crate::relief::{Evaluation, FormRemoval};
 
     use super::*;
 
-    fn relief(scan: Scan) -> Relief {
+    fn relief(scan: Scan) -> ScaleLimitedSurface {
         let evaluation = Evaluation { form: FormRemoval::None, ..Evaluation::default() };
-        Relief::new(&Measured::from(scan), &evaluation).unwrap()
+        ScaleLimitedSurface::new(&MeasuredScan::from(scan), &evaluation).unwrap()
     }
 
-    fn map(height_m: impl Fn(f64, f64) -> f64) -> Relief {
+    fn map(height_m: impl Fn(f64, f64) -> f64) -> ScaleLimitedSurface {
         let heights_m = (0..20 * 30).map(|at| height_m((at % 20) as f64, (at / 20) as f64)).collect();
         relief(Scan::Map(HeightMap::new(20, 1e-6, 2e-6, heights_m).unwrap()))
     }

@@ -8,7 +8,7 @@ use crate::error::{Place, ScanReadError};
 use crate::file::ScanFile;
 use crate::format::ScanFormat;
 use crate::heights::{HeightMap, NonuniformLineScan, Scan, UniformLineScan};
-use crate::measured::Measured;
+use crate::measured::MeasuredScan;
 use crate::metadata::MeasurementMetadata;
 use crate::options::ScanOptions;
 use crate::raster::Decoded;
@@ -127,7 +127,7 @@ fn scan(
     lateral: Lateral,
     options: &ScanOptions,
     notes: &mut Vec<String>,
-) -> Result<Measured, ScanReadError> {
+) -> Result<MeasuredScan, ScanReadError> {
     let rows = decoded.values.len() / columns.max(1);
     let stated = match lateral {
         Lateral::Positions(positions_m) => {
@@ -157,7 +157,7 @@ fn scan(
         (_, Some((x_m, Some(y_m)))) => Scan::Map(HeightMap::new(columns, x_m, y_m, values)?),
         (_, _) => size.map(columns, values, notes)?,
     };
-    Ok(Measured::with_missing_points(scan, missing))
+    Ok(MeasuredScan::with_missing_points(scan, missing))
 }
 
 /// A line without the points that have no height: neighbours may lie at any distance.
@@ -165,7 +165,7 @@ fn uneven_line(
     positions_m: Vec<f64>,
     decoded: Decoded,
     notes: &mut Vec<String>,
-) -> Result<Measured, ScanReadError> {
+) -> Result<MeasuredScan, ScanReadError> {
     let missing = &decoded.missing;
     if !missing.is_empty() {
         let (count, points) = (missing.count(), positions_m.len());
@@ -189,7 +189,7 @@ fn uneven_line(
 }
 
 /// Tells of a size in the metadata that is not that of the file.
-fn size_note(scan: &Measured, stated: ScanSize) -> Option<String> {
+fn size_note(scan: &MeasuredScan, stated: ScanSize) -> Option<String> {
     let (x_m, y_m) = scan.size_m();
     let agrees = |found: f64, stated: f64| (found - stated).abs() <= SIZE_AGREEMENT * stated.abs();
     let y_agrees = y_m.zip(stated.y_m).is_none_or(|(found, stated)| agrees(found, stated));

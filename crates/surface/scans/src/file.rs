@@ -5,7 +5,7 @@ use crate::error::ScanReadError;
 use crate::format::ScanFormat;
 use crate::heights::Scan;
 use crate::measure::Measure;
-use crate::measured::Measured;
+use crate::measured::MeasuredScan;
 use crate::metadata::Probe;
 use crate::missing_points::MissingPoints;
 use crate::scan_size::ScanSize;
@@ -13,7 +13,7 @@ use crate::scan_size::ScanSize;
 /// A scan with the metadata of its file: as measured, or complete where `S` is a [`Scan`].
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct ScanFile<S = Measured> {
+pub struct ScanFile<S = MeasuredScan> {
     /// Name of the measurement where metadata give one, else that of the file.
     pub name: String,
     /// Format it was read from; within a container, that of the data file.
@@ -79,7 +79,7 @@ impl ScanFile {
         missing: MissingPoints,
     ) -> Result<Self, ScanReadError> {
         let line = size.line(heights_m)?;
-        Ok(Self::in_memory(name, Measured::with_missing_points(line, missing), Vec::new()))
+        Ok(Self::in_memory(name, MeasuredScan::with_missing_points(line, missing), Vec::new()))
     }
 
     /// A map of heights \[m\] that are in memory, row after row of so many columns; values at missing
@@ -96,10 +96,10 @@ impl ScanFile {
     ) -> Result<Self, ScanReadError> {
         let mut notes = Vec::new();
         let map = size.map(columns, heights_m, &mut notes)?;
-        Ok(Self::in_memory(name, Measured::with_missing_points(map, missing), notes))
+        Ok(Self::in_memory(name, MeasuredScan::with_missing_points(map, missing), notes))
     }
 
-    fn in_memory(name: String, scan: Measured, notes: Vec<String>) -> Self {
+    fn in_memory(name: String, scan: MeasuredScan, notes: Vec<String>) -> Self {
         ScanFile {
             name,
             format: ScanFormat::Memory,

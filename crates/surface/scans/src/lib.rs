@@ -3,7 +3,7 @@
 //!
 //! The nouns:
 //! * [`Scan`]: heights along an evenly or unevenly spaced line, or of a map, in m;
-//! * [`Measured`]: such heights as an instrument gives them, some points without any ([`MissingPoints`]);
+//! * [`MeasuredScan`]: such heights as an instrument gives them, some points without any ([`MissingPoints`]);
 //! * [`ScanFile`]: a scan as read, with the instrument that the file names and the assumptions made;
 //! * [`ScanOptions`]: what a file may leave open, such as its unit and size;
 //! * [`ScanFormat`]: which reader knows a file.
@@ -52,7 +52,7 @@ pub use foreign::ForeignFile;
 pub use format::ScanFormat;
 pub use heights::{HeightMap, NonuniformLineScan, ParallelLines, Scan, ScanError, UniformLineScan};
 pub use measure::Measure;
-pub use measured::Measured;
+pub use measured::MeasuredScan;
 pub use metadata::{MeasurementMetadata, Probe};
 pub use missing_points::MissingPoints;
 pub use options::ScanOptions;

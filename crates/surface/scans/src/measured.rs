@@ -3,22 +3,22 @@
 use crate::heights::{HeightMap, Scan, ScanError, UniformLineScan};
 use crate::missing_points::MissingPoints;
 
-/// A scan as an instrument gives it, with its missing points. [`Measured::complete`] refuses a scan that has to be
+/// A scan as an instrument gives it, with its missing points. [`MeasuredScan::complete`] refuses a scan that has to be
 /// mended first.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Measured {
+pub struct MeasuredScan {
     /// Heights of missing points are 0 and never shown.
     scan: Scan,
     missing: MissingPoints,
 }
 
-impl From<Scan> for Measured {
+impl From<Scan> for MeasuredScan {
     fn from(scan: Scan) -> Self {
         Self { scan, missing: MissingPoints::default() }
     }
 }
 
-impl Measured {
+impl MeasuredScan {
     /// A scan with missing points; the heights that it holds there are ignored.
     pub fn with_missing_points(scan: Scan, missing: MissingPoints) -> Self {
         Self { scan, missing }
@@ -165,10 +165,10 @@ impl Measured {
 mod tests {
     use super::*;
 
-    fn map() -> Measured {
+    fn map() -> MeasuredScan {
         let heights_m = vec![1.0, 2.0, 0.0, 4.0, 5.0, 0.0];
         let map = HeightMap::new(3, 1.0, 2.0, heights_m).unwrap();
-        Measured::with_missing_points(Scan::Map(map), [2, 5].into_iter().collect())
+        MeasuredScan::with_missing_points(Scan::Map(map), [2, 5].into_iter().collect())
     }
 
     #[test]

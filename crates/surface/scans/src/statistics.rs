@@ -1,6 +1,6 @@
 //! Statistics of the heights of a scan.
 
-use crate::measured::Measured;
+use crate::measured::MeasuredScan;
 
 /// Sums over the points of a scan that have a height; nothing is subtracted but the mean.
 ///
@@ -23,7 +23,7 @@ pub struct Statistics {
 impl Statistics {
     /// Computes the statistics of a scan; none where no point has a height.
     #[must_use]
-    pub fn from_scan(scan: &Measured) -> Option<Self> {
+    pub fn from_scan(scan: &MeasuredScan) -> Option<Self> {
         let heights = || scan.heights_m().flatten();
         let count = heights().count();
         if count == 0 {
@@ -74,9 +74,11 @@ mod tests {
     #[test]
     fn missing_points_take_no_part() {
         let map = HeightMap::new(3, 1.0, 2.0, vec![0.0, 2.0, 99.0, 4.0, 6.0, 8.0]).unwrap();
-        let found =
-            Statistics::from_scan(&Measured::with_missing_points(Scan::Map(map), [2].into_iter().collect()))
-                .unwrap();
+        let found = Statistics::from_scan(&MeasuredScan::with_missing_points(
+            Scan::Map(map),
+            [2].into_iter().collect(),
+        ))
+        .unwrap();
         assert_eq!((found.mean_m, found.peak_to_valley_m), (4.0, 8.0));
         assert!((found.rms_height_m - 8f64.sqrt()).abs() < 1e-15);
         assert_eq!((found.rms_slope_x, found.rms_slope_y), (Some(2.0), Some(2.0)));

@@ -3,7 +3,7 @@
 use std::num::NonZeroU32;
 
 use approx::assert_relative_eq;
-use spectrum::random_surfaces::{AreaSpectrum, SelfAffine, Size, SurfaceError};
+use spectrum::random_surfaces::{AreaSpectrum, RandomSurfaceError, SelfAffine, Size};
 use spectrum::{Convention, Normalisation, ProfilePsd, Psd, cumulative_moments};
 
 const TWENTY: NonZeroU32 = NonZeroU32::new(20).unwrap();
@@ -105,8 +105,8 @@ fn the_profile_of_a_level_surface_is_a_quarter_of_an_ellipse() {
         let expected = 2.0 * c * (root(5.0) - root(2.0));
         assert_relative_eq!(*found, expected, max_relative = 1e-12);
     }
-    assert!(matches!(area.profile(&[1.0, 0.2]), Err(SurfaceError::NoWaves { .. })));
-    assert!(matches!(area.profile(&[1.0, 2.0]), Err(SurfaceError::Samples(_))));
+    assert!(matches!(area.profile(&[1.0, 0.2]), Err(RandomSurfaceError::NoWaves { .. })));
+    assert!(matches!(area.profile(&[1.0, 2.0]), Err(RandomSurfaceError::Samples(_))));
 }
 
 #[test]
@@ -117,9 +117,9 @@ fn windows_add_up_to_the_whole() {
     assert_relative_eq!(sum, area.mean_square_gradient(), max_relative = 1e-13);
     assert_eq!(area.cut(1e-3, 1e-6).unwrap().mean_square_gradient(), area.mean_square_gradient());
     assert_eq!(parts[0].ciso_m4(std::f64::consts::TAU / 2e-5), 0.0);
-    assert!(matches!(area.cut(1e-2, 1e-5), Err(SurfaceError::BeyondSpectrum { .. })));
-    assert!(matches!(area.cut(1e-5, 1e-5), Err(SurfaceError::EmptyBand { .. })));
-    assert!(matches!(area.cut(1e-5, f64::NAN), Err(SurfaceError::EmptyBand { .. })));
+    assert!(matches!(area.cut(1e-2, 1e-5), Err(RandomSurfaceError::BeyondSpectrum { .. })));
+    assert!(matches!(area.cut(1e-5, 1e-5), Err(RandomSurfaceError::EmptyBand { .. })));
+    assert!(matches!(area.cut(1e-5, f64::NAN), Err(RandomSurfaceError::EmptyBand { .. })));
 }
 
 #[test]
@@ -177,9 +177,12 @@ fn spectra_of_areas_are_taken_as_they_are() {
 #[test]
 fn what_is_no_surface_is_refused() {
     let single = ProfilePsd::new(vec![1.0], vec![1.0]).unwrap();
-    assert!(matches!(AreaSpectrum::from_profile(&single), Err(SurfaceError::TooFewSamples { samples: 1 })));
+    assert!(matches!(
+        AreaSpectrum::from_profile(&single),
+        Err(RandomSurfaceError::TooFewSamples { samples: 1 })
+    ));
     let level = ProfilePsd::new(vec![1.0, 0.1], vec![1.0, 1.0]).unwrap();
-    assert!(matches!(AreaSpectrum::from_profile(&level), Err(SurfaceError::EmptyBand { .. })));
+    assert!(matches!(AreaSpectrum::from_profile(&level), Err(RandomSurfaceError::EmptyBand { .. })));
     let good = SelfAffine {
         hurst_exponent: 0.8,
         longest_m: 1.0,
@@ -198,12 +201,12 @@ fn what_is_no_surface_is_refused() {
         (SelfAffine { rolloff_m: 2.0, ..good }, 2.0),
         (SelfAffine { rolloff_m: 0.05, ..good }, 0.05),
     ] {
-        assert!(matches!(refused(bad), SurfaceError::Bounds(out) if out.value == value), "{bad:?}");
+        assert!(matches!(refused(bad), RandomSurfaceError::Bounds(out) if out.value == value), "{bad:?}");
     }
     let flat = refused(SelfAffine { size: Size::RmsGradient(f64::NAN), ..good });
-    assert!(matches!(flat, SurfaceError::Bounds(out) if out.value.is_nan()), "{flat}");
+    assert!(matches!(flat, RandomSurfaceError::Bounds(out) if out.value.is_nan()), "{flat}");
     let narrow = refused(SelfAffine { longest_m: 0.1, rolloff_m: 0.1, ..good });
-    assert!(matches!(narrow, SurfaceError::EmptyBand { .. }), "{narrow}");
+    assert!(matches!(narrow, RandomSurfaceError::EmptyBand { .. }), "{narrow}");
 }
 
 #[test]

@@ -3,7 +3,9 @@
 use std::f64::consts::TAU;
 
 use approx::assert_relative_eq;
-use spectrum::random_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Surface, SurfaceError, Synthesis};
+use spectrum::random_surfaces::{
+    AreaSpectrum, Phases, RandomSurface, RandomSurfaceError, SelfAffine, Size, Synthesis,
+};
 
 fn self_affine(longest: f64, rolloff: f64, shortest: f64, hurst_exponent: f64) -> AreaSpectrum {
     AreaSpectrum::self_affine(&SelfAffine {
@@ -16,7 +18,7 @@ fn self_affine(longest: f64, rolloff: f64, shortest: f64, hurst_exponent: f64) -
     .unwrap()
 }
 
-fn made(area: &AreaSpectrum, points: usize, phases: Phases, realisation: u64) -> Surface {
+fn made(area: &AreaSpectrum, points: usize, phases: Phases, realisation: u64) -> RandomSurface {
     area.surface(&Synthesis::square(points, 1.0, 1, phases), realisation).unwrap()
 }
 
@@ -113,7 +115,7 @@ fn sides_may_differ_and_points_may_be_odd() {
 }
 
 /// The amplitude of a wave of a surface, with its phase in turns: (2/N^2) sum of h exp(-i q x).
-fn wave(surface: &Surface, m: i64, n: i64) -> (f64, f64) {
+fn wave(surface: &RandomSurface, m: i64, n: i64) -> (f64, f64) {
     let (columns, rows) = (surface.points_x(), surface.points_y());
     let (mut re, mut im) = (0.0, 0.0);
     for (at, height_m) in surface.heights_m().iter().enumerate() {
@@ -153,7 +155,7 @@ fn phases_and_moduli_are_those_that_another_program_draws() {
 fn gaussian_surfaces_scatter_about_the_band_and_its_curvature_is_that_of_gauss() {
     let area = self_affine(2.0, 4.0, 12.0, 0.8);
     let expected = made(&area, 32, Phases::FixedModulus, 0).moments().m0_m2;
-    let surfaces: Vec<Surface> =
+    let surfaces: Vec<RandomSurface> =
         (0..400).map(|realisation| made(&area, 32, Phases::Gaussian, realisation)).collect();
     let variances: Vec<f64> = surfaces.iter().map(|surface| surface.moments().m0_m2).collect();
     let mean = variances.iter().sum::<f64>() / 400.0;
@@ -193,19 +195,20 @@ fn bands_that_a_grid_does_not_hold_are_refused() {
         area.surface(&Synthesis::square(points, length_m, 1, Phases::FixedModulus), 0).unwrap_err()
     };
     for (points, length_m) in [(128, 1.0), (1024, 0.5)] {
-        let SurfaceError::BandTooWide { points: found, length_m: found_m, .. } = refused(points, length_m)
+        let RandomSurfaceError::BandTooWide { points: found, length_m: found_m, .. } =
+            refused(points, length_m)
         else {
             panic!("{points}")
         };
         assert_eq!((found, found_m), (points, length_m));
     }
     for points in [0, usize::MAX] {
-        assert_eq!(refused(points, 1.0), SurfaceError::Points { points_x: points, points_y: points });
+        assert_eq!(refused(points, 1.0), RandomSurfaceError::Points { points_x: points, points_y: points });
     }
-    assert!(matches!(refused(512, -1.0), SurfaceError::Bounds(out) if out.value == -1.0));
+    assert!(matches!(refused(512, -1.0), RandomSurfaceError::Bounds(out) if out.value == -1.0));
     let one_row = Synthesis { points_y: 1, ..Synthesis::square(512, 1.0, 1, Phases::FixedModulus) };
-    assert!(matches!(area.surface(&one_row, 0), Err(SurfaceError::BandTooWide { points: 1, .. })));
+    assert!(matches!(area.surface(&one_row, 0), Err(RandomSurfaceError::BandTooWide { points: 1, .. })));
     let thin = area.cut(1.0 / 2.3, 1.0 / 2.31).unwrap();
     let none = thin.surface(&Synthesis::square(64, 1.0, 1, Phases::FixedModulus), 0).unwrap_err();
-    assert!(matches!(none, SurfaceError::NoModes { .. }), "{none}");
+    assert!(matches!(none, RandomSurfaceError::NoModes { .. }), "{none}");
 }

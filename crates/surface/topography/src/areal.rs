@@ -22,7 +22,8 @@ const BLOCK_COLUMNS: usize = 16;
 /// Needs as much additional memory as the map itself.
 pub fn areal_spectrum(map: &HeightMap, preparation: Preparation) -> ArealSpectrum {
     let transform = ArealTransform::new(map, preparation);
-    let rows: Vec<ArealRows> = numerics::parallel::map_indices(transform.row_blocks(), |block| transform.rows(block));
+    let rows: Vec<ArealRows> =
+        numerics::parallel::map_indices(transform.row_blocks(), |block| transform.rows(block));
     let sums: Vec<ArealSums> =
         numerics::parallel::map_indices(transform.column_blocks(), |block| transform.columns(&rows, block));
     transform.spectrum(&rows, &sums)

@@ -9,7 +9,7 @@ use crate::remark::{Derivative, FundamentalMode, ScanRemark};
 use crate::rows::{Lines, Rows};
 use crate::sums::dot;
 use crate::{
-    Boundary, DerivativeOf, Detrend, LineSpectrum, Preparation, Window, real_space_derivatives,
+    DerivativeOf, Detrend, LineSpectrum, Preparation, ScanBoundary, Window, real_space_derivatives,
     real_space_derivatives_across,
 };
 
@@ -43,7 +43,7 @@ impl Checks {
     /// whose window gives more weight to the middle of a line.
     #[must_use]
     pub fn new(scan: &Scan, spectrum: &LineSpectrum, preparation: Preparation, is_periodic: bool) -> Self {
-        let boundary = if is_periodic { Boundary::Periodic } else { Boundary::Open };
+        let boundary = if is_periodic { ScanBoundary::Periodic } else { ScanBoundary::Open };
         let real = real_space_derivatives(scan, preparation.detrend, boundary);
         let spectral = spectrum.rms_derivatives(match scan {
             Scan::NonuniformLine(_) => DerivativeOf::Continuum,

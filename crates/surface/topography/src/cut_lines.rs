@@ -1,6 +1,6 @@
 //! Lines without missing points, cut out of scans.
 
-use scans::{Axis, Measured, ParallelLines};
+use scans::{Axis, MeasuredScan, ParallelLines};
 
 use crate::error::TransformError;
 
@@ -18,7 +18,7 @@ pub(crate) struct Cut {
 }
 
 /// Cuts out the lines along x without missing points and, for a map, also those along y if there are any.
-pub(crate) fn cut(scan: &Measured) -> Result<Cut, TransformError> {
+pub(crate) fn cut(scan: &MeasuredScan) -> Result<Cut, TransformError> {
     let ((columns, rows), (spacing_x_m, spacing_y_m)) = (scan.points(), scan.spacing_m());
     let of_rows = Lines { scan, axis: Axis::X, count: rows.unwrap_or(1), points: columns, columns };
     let along_x = of_rows.cut(spacing_x_m)?;
@@ -35,7 +35,7 @@ pub(crate) fn cut(scan: &Measured) -> Result<Cut, TransformError> {
 
 /// The lines of a scan along an axis.
 struct Lines<'a> {
-    scan: &'a Measured,
+    scan: &'a MeasuredScan,
     axis: Axis,
     count: usize,
     points: usize,

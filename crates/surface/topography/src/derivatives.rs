@@ -10,7 +10,7 @@ use scans::{NonuniformLineScan, Scan};
 
 /// Boundary condition of the heights at the ends of a scan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Boundary {
+pub enum ScanBoundary {
     /// The last point of a line is a neighbour of the first.
     Periodic,
     /// The lines end.
@@ -29,7 +29,7 @@ pub enum Boundary {
 /// window favours the middle of the scan, so agreement then depends on how uniform the roughness is; its own slope adds
 /// (2 pi/L)^2/3 times the variance to the mean square slope. Without a window, the step between the ends of a scan that
 /// is not periodic swamps the spectral values.
-pub fn real_space_derivatives(scan: &Scan, detrend: Detrend, boundary: Boundary) -> RmsDerivatives {
+pub fn real_space_derivatives(scan: &Scan, detrend: Detrend, boundary: ScanBoundary) -> RmsDerivatives {
     match Lines::from_scan(scan) {
         Lines::Even(rows) => even_derivatives(&rows.slices(), &rows.trend(detrend), rows.spacing_m, boundary),
         Lines::Uneven(line) => uneven_derivatives(line, detrend),
@@ -44,7 +44,7 @@ pub fn real_space_derivatives(scan: &Scan, detrend: Detrend, boundary: Boundary)
 pub fn real_space_derivatives_across(
     scan: &Scan,
     detrend: Detrend,
-    boundary: Boundary,
+    boundary: ScanBoundary,
 ) -> Option<RmsDerivatives> {
     match scan {
         Scan::Map(map) => {
@@ -64,10 +64,10 @@ fn even_derivatives(
     lines: &impl HeightRows,
     trend: &Trend,
     spacing_m: f64,
-    boundary: Boundary,
+    boundary: ScanBoundary,
 ) -> RmsDerivatives {
     let points = lines.points();
-    let closing = usize::from(boundary == Boundary::Periodic);
+    let closing = usize::from(boundary == ScanBoundary::Periodic);
     let (ones, mut rest_m) = (vec![1.0; points], vec![0.0; points]);
     let (mut slopes, mut bends) = (Vec::with_capacity(points), Vec::with_capacity(points));
     let (mut slope_squares, mut curvature_squares) = (0.0, 0.0);

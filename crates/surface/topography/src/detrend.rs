@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::height_rows::{HeightRows, Slices};
 use crate::sums::{Spread, dot, sum_of, sums_of};
-use scans::{HeightMap, Measured};
+use scans::{HeightMap, MeasuredScan};
 use units::named;
 
 /// Trend subtracted from the heights before they are transformed, fitted by least squares.
@@ -40,7 +40,7 @@ pub fn detrended_m(map: &HeightMap, detrend: Detrend) -> Vec<f64> {
 ///
 /// Equals [`detrended_m`] where no point is missing; then the fit is not separable in x and y.
 #[must_use]
-pub fn without_form_m(scan: &Measured) -> Vec<Option<f64>> {
+pub fn without_form_m(scan: &MeasuredScan) -> Vec<Option<f64>> {
     Form::fit(scan).removed_m(scan).collect()
 }
 
@@ -56,7 +56,7 @@ pub struct Form {
 impl Form {
     /// Fits the form of a scan; zero where no point has a height.
     #[must_use]
-    pub fn fit(scan: &Measured) -> Self {
+    pub fn fit(scan: &MeasuredScan) -> Self {
         // From the first height, then twice: the second fit removes what rounding left of a steep plane.
         let Some(pivot_m) = scan.heights_m().flatten().next() else { return Form::default() };
         let pivot = Form { level_m: pivot_m, slopes_m: [0.0; 2] };
@@ -65,7 +65,7 @@ impl Form {
     }
 
     /// Iterates over the heights \[m\] from the form, row by row.
-    pub fn removed_m(self, scan: &Measured) -> impl Iterator<Item = Option<f64>> + '_ {
+    pub fn removed_m(self, scan: &MeasuredScan) -> impl Iterator<Item = Option<f64>> + '_ {
         places(scan)
             .zip(scan.heights_m())
             .map(move |(at, height_m)| height_m.map(|height_m| height_m - self.height_m(at[0], at[1])))
@@ -103,7 +103,7 @@ impl Form {
     }
 
     /// Fits the heights from this form.
-    fn of_rest(self, scan: &Measured) -> Self {
+    fn of_rest(self, scan: &MeasuredScan) -> Self {
         if let Some(heights_m) = evenly_spaced_m(scan) {
             return self.of_even_rest(heights_m, scan.points().0);
         }
@@ -134,7 +134,7 @@ impl Form {
 }
 
 /// All heights \[m\] of evenly spaced points; none if one is missing.
-fn evenly_spaced_m(scan: &Measured) -> Option<&[f64]> {
+fn evenly_spaced_m(scan: &MeasuredScan) -> Option<&[f64]> {
     scan.complete_heights_m().filter(|heights_m| scan.positions_m().is_none() && !heights_m.is_empty())
 }
 
@@ -144,7 +144,7 @@ fn centred(points: usize) -> Vec<f64> {
 }
 
 /// Iterates over the places of all points in steps from the middle of the scan, row by row.
-fn places(scan: &Measured) -> impl Iterator<Item = [f64; 2]> + '_ {
+fn places(scan: &MeasuredScan) -> impl Iterator<Item = [f64; 2]> + '_ {
     let (columns, rows) = scan.points();
     let rows = rows.unwrap_or(1);
     let middle = |points: usize| 0.5 * (points as f64 - 1.0);

@@ -1,6 +1,6 @@
 //! Treatment of missing points, those without a height.
 
-use scans::{Measured, Scan, ScanFile};
+use scans::{MeasuredScan, Scan, ScanFile};
 use serde::{Deserialize, Serialize};
 use units::display::{counted, length};
 
@@ -55,7 +55,7 @@ pub fn without_gaps(file: ScanFile, treatment: GapTreatment) -> Result<ScanFile<
     }
 }
 
-fn count(scan: &Measured) -> usize {
+fn count(scan: &MeasuredScan) -> usize {
     let (columns, rows) = scan.points();
     columns * rows.unwrap_or(1)
 }
@@ -80,7 +80,7 @@ fn filled(file: ScanFile, share: f64) -> Result<ScanFile<Scan>, TransformError> 
 }
 
 /// Interpolates the missing points of a line \[m\]: straight lines between the points beside them, level at the ends.
-fn interpolated_m(line: &Measured) -> Vec<f64> {
+fn interpolated_m(line: &MeasuredScan) -> Vec<f64> {
     let (points, _) = line.points();
     let known = |index: usize| line.height_m(index).map(|height_m| (index, height_m));
     let (mut before, mut after) = (None, (0..points).find_map(known));
@@ -107,7 +107,7 @@ fn interpolated_m(line: &Measured) -> Vec<f64> {
     heights_m
 }
 
-fn size_of_largest(holes: &Holes, scan: &Measured) -> String {
+fn size_of_largest(holes: &Holes, scan: &MeasuredScan) -> String {
     let Some(largest) = (0..holes.count()).rev().max_by_key(|&hole| points(holes.hole(hole))) else {
         return length(0.0);
     };

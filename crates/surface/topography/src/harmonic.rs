@@ -1,6 +1,6 @@
 //! Harmonic filling of the holes of a map.
 
-use scans::Measured;
+use scans::MeasuredScan;
 
 use crate::holes::{Holes, Run, extent, points};
 use crate::multigrid::{Cells, Multigrid, NONE, Ties};
@@ -22,7 +22,7 @@ const LARGEST_RATIO: f64 = 1e6;
 /// Solves Laplace's equation in each hole by the five-point formula with the spacings of the map. Heights around the
 /// hole are boundary values; at the edge of the map the surface runs flat. No height then lies beyond those around its
 /// hole, and a plane is continued exactly.
-pub(crate) fn harmonic_m(map: &Measured, holes: &Holes) -> Vec<f64> {
+pub(crate) fn harmonic_m(map: &MeasuredScan, holes: &Holes) -> Vec<f64> {
     let grid = MapGrid::new(map);
     let batches = batches(holes);
     let filled: Vec<Vec<f64>> = numerics::parallel::map(&batches, |batch| {
@@ -53,7 +53,7 @@ fn batches(holes: &Holes) -> Vec<std::ops::Range<usize>> {
 
 /// The grid of a map with the weights of its neighbours.
 struct MapGrid<'a> {
-    map: &'a Measured,
+    map: &'a MeasuredScan,
     columns: usize,
     rows: usize,
     weight_x: f64,
@@ -61,7 +61,7 @@ struct MapGrid<'a> {
 }
 
 impl<'a> MapGrid<'a> {
-    fn new(map: &'a Measured) -> Self {
+    fn new(map: &'a MeasuredScan) -> Self {
         let (columns, rows) = map.points();
         let (x_m, y_m) = map.spacing_m();
         let ratio = (y_m.unwrap_or(x_m) / x_m).clamp(LARGEST_RATIO.recip(), LARGEST_RATIO);

@@ -55,7 +55,7 @@ pub use bins::{BinMean, log_binned};
 pub use checks::{Checks, fundamental_kept};
 pub use composite::{Composite, CompositeBin, CompositeOptions, composite};
 pub use composite_spectrum::{CompositeSpectrum, InstrumentsDisagree};
-pub use derivatives::{Boundary, real_space_derivatives, real_space_derivatives_across};
+pub use derivatives::{ScanBoundary, real_space_derivatives, real_space_derivatives_across};
 pub use detrend::{Detrend, Form, detrended_m, without_form_m};
 pub use direction::Direction;
 pub use error::TransformError;

@@ -2,12 +2,12 @@
 
 mod transform_support;
 
-use scans::{Measured, Scan, UniformLineScan};
+use scans::{MeasuredScan, Scan, UniformLineScan};
 use topography::{BandLimits, Direction, GapTreatment, Recipe, ScanSpectrum, TransformError, without_gaps};
 use transform_support::Random;
 use transform_support::files::{file_of, map_with_gaps};
 
-fn filled_m(scan: Measured) -> Vec<f64> {
+fn filled_m(scan: MeasuredScan) -> Vec<f64> {
     match without_gaps(file_of(scan), GapTreatment::Harmonic).expect("few gaps").scan {
         Scan::Map(map) => map.heights_m().to_vec(),
         Scan::UniformLine(line) => line.heights_m().to_vec(),
@@ -82,7 +82,7 @@ fn every_filled_point_is_the_weighted_mean_of_its_neighbours() {
 fn gaps_of_a_line_lie_on_straight_lines_and_are_level_at_its_ends() {
     let heights_m = vec![9.0, 1.0, 2.0, 9.0, 9.0, 5.0, 4.0, 3.0, 2.0, 1.0, 0.0, 0.5, 1.0, 1.5, 2.0, 9.0];
     let line = UniformLineScan::new(1.0, heights_m).unwrap();
-    let scan = Measured::with_missing_points(Scan::UniformLine(line), [0, 3, 4].into_iter().collect());
+    let scan = MeasuredScan::with_missing_points(Scan::UniformLine(line), [0, 3, 4].into_iter().collect());
     let filled = filled_m(scan);
     assert_eq!(filled[..6], [1.0, 1.0, 2.0, 3.0, 4.0, 5.0]);
 }
@@ -92,7 +92,7 @@ fn gaps_of_a_line_lie_between_their_ends_even_below_the_normal_doubles() {
     // Both halves of an odd number of smallest doubles are rounded up.
     let height_m = f64::from_bits(7);
     let line = UniformLineScan::new(1.0, vec![height_m; 16]).unwrap();
-    let scan = Measured::with_missing_points(Scan::UniformLine(line), [5].into_iter().collect());
+    let scan = MeasuredScan::with_missing_points(Scan::UniformLine(line), [5].into_iter().collect());
     assert_eq!(filled_m(scan)[5], height_m);
 }
 
@@ -133,7 +133,7 @@ fn what_was_filled_is_told() {
     );
 }
 
-fn lines_of(scan: Measured) -> (scans::ParallelLines, Vec<String>) {
+fn lines_of(scan: MeasuredScan) -> (scans::ParallelLines, Vec<String>) {
     let file = without_gaps(file_of(scan), GapTreatment::Lines).expect("lines");
     let Scan::Lines(lines) = file.scan else { panic!("{:?}", file.scan) };
     (lines, file.notes)
@@ -170,7 +170,7 @@ fn stretches_of_the_length_that_keeps_most_points_take_part_where_they_are_not()
     assert!(lines.across().is_none());
 
     let line = UniformLineScan::new(1.0, (0..50).map(f64::from).collect()).unwrap();
-    let scan = Measured::with_missing_points(Scan::UniformLine(line), [15].into_iter().collect());
+    let scan = MeasuredScan::with_missing_points(Scan::UniformLine(line), [15].into_iter().collect());
     let (lines, _) = lines_of(scan);
     assert_eq!((lines.points(), lines.lines(), lines.heights_m()[0]), (34, 1, 16.0));
 }
@@ -184,7 +184,7 @@ fn lines_cut_from_a_map_have_the_spectrum_of_the_map_where_nothing_is_cut() {
     let is_gap = |row: usize, column: usize| (row, column) == (39, 63);
     let recipe =
         Recipe { gaps: GapTreatment::Lines, detrend: Some(topography::Detrend::Line), ..Recipe::default() };
-    let spectrum = |scan: Measured, direction| {
+    let spectrum = |scan: MeasuredScan, direction| {
         let recipe = Recipe { direction, ..recipe };
         let file = without_gaps(file_of(scan), recipe.gaps).expect("lines");
         ScanSpectrum::per_direction(file, BandLimits::default(), &recipe).expect("spectra")

@@ -2,8 +2,8 @@
 
 mod transform_support;
 
-use spectrum::random_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};
 use scans::{HeightMap, Scan, UniformLineScan};
+use spectrum::random_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};
 use topography::{
     BandLimits, GapTreatment, NoiseFloor, Recipe, ScanRemark, ScanSpectrum, Severity, without_gaps,
 };

@@ -5,11 +5,11 @@ mod transform_support;
 use std::f64::consts::{PI, TAU};
 
 use approx::assert_relative_eq;
+use numerics::transforms::Complex;
 use scans::{HeightMap, Scan};
 use spectrum::Convention;
 use topography::{ArealTransform, BandLimits, Detrend, Preparation, ReliableBand, Window, areal_spectrum};
 use transform_support::Random;
-use numerics::transforms::Complex;
 
 #[test]
 fn the_modes_add_up_to_the_variance_for_every_size() {

@@ -9,7 +9,7 @@ use approx::assert_relative_eq;
 use proptest::prelude::*;
 use scans::{HeightMap, Scan, UniformLineScan};
 use topography::{
-    BandLimits, BinMean, Boundary, DerivativeOf, Detrend, MapLines, Preparation, ReliableBand,
+    BandLimits, BinMean, DerivativeOf, Detrend, MapLines, Preparation, ReliableBand, ScanBoundary,
     TransformError, Window, fundamental_kept, line_spectrum, log_binned, map_line_spectrum,
     real_space_derivatives, real_space_derivatives_across, uniform_line_spectrum,
 };
@@ -163,7 +163,7 @@ fn differences_in_real_space_and_in_the_spectrum_agree_on_periodic_data() {
         let scan = Scan::Map(map);
         let spectral = line_spectrum(&scan, Preparation::PERIODIC);
         let spectral = spectral.rms_derivatives(DerivativeOf::Differences).unwrap();
-        let real = real_space_derivatives(&scan, Detrend::Mean, Boundary::Periodic);
+        let real = real_space_derivatives(&scan, Detrend::Mean, ScanBoundary::Periodic);
         assert_relative_eq!(spectral.slope, real.slope, max_relative = 1e-13);
         assert_relative_eq!(
             spectral.curvature_per_m.unwrap(),
@@ -183,7 +183,7 @@ fn the_slope_of_a_wave_is_that_of_the_continuum() {
     let continuum = spectrum.rms_derivatives(DerivativeOf::Continuum).unwrap();
     assert_relative_eq!(continuum.slope, q * 0.5f64.sqrt(), max_relative = 1e-10);
     assert_relative_eq!(continuum.curvature_per_m.unwrap(), q * q * 0.5f64.sqrt(), max_relative = 1e-6);
-    let open = real_space_derivatives(&scan, Detrend::Mean, Boundary::Open);
+    let open = real_space_derivatives(&scan, Detrend::Mean, ScanBoundary::Open);
     assert_relative_eq!(open.slope, continuum.slope, max_relative = 1e-3);
 }
 
@@ -223,15 +223,15 @@ fn slopes_across_a_map_are_those_of_the_map_turned() {
         (0..rows).flat_map(|row| (0..columns).map(move |x| 3e-9 * x as f64 + wave_m(row))).collect();
     let map = HeightMap::new(columns, 1e-9, 2e-9, heights_m).unwrap();
     let scan = Scan::Map(map.clone());
-    let across = real_space_derivatives_across(&scan, Detrend::Plane, Boundary::Periodic).unwrap();
-    let along = real_space_derivatives(&scan, Detrend::Plane, Boundary::Open);
+    let across = real_space_derivatives_across(&scan, Detrend::Plane, ScanBoundary::Periodic).unwrap();
+    let along = real_space_derivatives(&scan, Detrend::Plane, ScanBoundary::Open);
     // (2 sin(pi/16)/a) a_0/sqrt(2)
     let slope = 2.0 * (std::f64::consts::PI / 16.0).sin() / 2e-9 * 0.1e-9 / 2f64.sqrt();
     assert!(along.slope < 1e-12 && (across.slope / slope - 1.0).abs() < 1e-2, "{along:?} {across:?}");
     assert_eq!(map.turned().turned(), map);
     assert_eq!((map.turned().columns(), map.turned().spacing_x_m()), (rows, 2e-9));
     let line = Scan::UniformLine(UniformLineScan::new(1e-9, vec![0.0, 1.0]).unwrap());
-    assert_eq!(real_space_derivatives_across(&line, Detrend::Mean, Boundary::Open), None);
+    assert_eq!(real_space_derivatives_across(&line, Detrend::Mean, ScanBoundary::Open), None);
 }
 
 proptest! {

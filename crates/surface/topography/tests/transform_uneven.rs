@@ -7,7 +7,7 @@ use std::f64::consts::{PI, TAU};
 use approx::assert_relative_eq;
 use scans::{NonuniformLineScan, Scan, UniformLineScan};
 use topography::{
-    Boundary, DerivativeOf, Detrend, Preparation, Window, nonuniform_line_spectrum,
+    DerivativeOf, Detrend, Preparation, ScanBoundary, Window, nonuniform_line_spectrum,
     nonuniform_line_spectrum_to, real_space_derivatives, uniform_line_spectrum,
 };
 use transform_support::Random;
@@ -133,7 +133,7 @@ fn two_points_make_a_spectrum_of_one_bin() {
 #[test]
 fn slopes_are_those_of_the_straight_lines() {
     let scan = Scan::NonuniformLine(small());
-    let found = real_space_derivatives(&scan, Detrend::Mean, Boundary::Open);
+    let found = real_space_derivatives(&scan, Detrend::Mean, ScanBoundary::Open);
     let segments = small();
     let (x, h) = (segments.positions_m(), segments.heights_m());
     let squares: f64 = (1..7).map(|i| (h[i] - h[i - 1]).powi(2) / (x[i] - x[i - 1])).sum();

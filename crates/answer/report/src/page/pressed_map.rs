@@ -1,8 +1,8 @@
 //! A measured map under a load: numbers in words, and the state of each point, for a page that stays open.
 
+use elements::{ContactField, ElementsError, PointState, PressedLoad};
 use numerics::parallel::Progress;
 use questions::{MapQuestion, Note};
-use elements::{ElementsError, Field, PointState, PressedLoad};
 use serde::Serialize;
 use std::sync::{Mutex, PoisonError};
 use units::display::{length, pressure, share, three_digits};
@@ -39,7 +39,7 @@ impl PressedMap {
         let prepared = question.under(nominal_pressure_pa)?;
         let progress = begin(prepared.steps());
         let states = Mutex::new(Vec::new());
-        let see = |field: &Field<'_>| {
+        let see = |field: &ContactField<'_>| {
             let found = field.states().map(|state| match state {
                 PointState::Open => 0,
                 PointState::Touching => 1,

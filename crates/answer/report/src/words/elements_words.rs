@@ -1,9 +1,9 @@
 //! Boundary elements in words: the surfaces, and the limits of the results.
 
-use spectrum::random_surfaces::{AreaSpectrum, GridBand};
+use elements::{BallCaution, CylinderCaution, PressedLoad, RandomSurfaces};
 use interface::adhesion::{FullerTabor, PastewkaRobbins};
 use questions::AdhesionNote;
-use elements::{BallCaution, CylinderCaution, PressedLoad, RandomSurfaces};
+use spectrum::random_surfaces::{AreaSpectrum, GridBand};
 use study::validity::SMALL_SLOPE_PRESSURE;
 use units::display::{counted, length, percent, pressure, three_digits};
 

@@ -1,12 +1,12 @@
 //! Notes and errors of questions in words.
 
 use asperity::FLAGGED_ASPECT_RATIO_OVER_CRITICAL;
+use elements::ElementsError;
 use elements::half_space::HalfSpaceError;
 use questions::{
     CurveCounts, CutCounts, FEW_TOUCH, GapCounts, LawQuantity, LevelCounts, Note, OptionName, QuestionError,
     Reason, SampledScales, Spelling, UnusedOption,
 };
-use elements::ElementsError;
 use study::body_properties::BodyProperty;
 use study::material::MaterialError;
 use study::models::Choice;

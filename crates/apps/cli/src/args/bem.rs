@@ -4,10 +4,10 @@ use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use clap::Args as ClapArgs;
-use spectrum::random_surfaces::Phases;
+use elements::{Boundary, RandomChoices};
 use measurements::ScanRequest;
 use questions::{BranchChoice, MaterialInput, OptionName, RandomInput};
-use elements::{Boundary, RandomChoices};
+use spectrum::random_surfaces::Phases;
 use study::measured::Kind;
 use topography::Detrend;
 use units::{

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 use elements::half_space::HalfSpaceError;
+use elements::{Boundary, ContactField, ElementsError, Relief, Surfaces};
 use measurements::MapOfFile;
 use questions::{
     AdhesionQuestion, Answer, BallQuestion, CylinderQuestion, ElementsLoad, ElementsQuestion, Note,
@@ -11,11 +12,10 @@ use questions::{
 };
 use report::provenance::program;
 use report::{elements_figure, elements_words, field_picture, question_words};
-use elements::{Boundary, ElementsError, Field, Relief, Surfaces};
 use spectrum::ReadOptions;
-use tables::staging::{NewFolder, StagedFiles};
 use study::measured::{Kind, Measured, MeasuredOptions};
 use study::surface::SurfaceError;
+use tables::staging::{NewFolder, StagedFiles};
 use topography::Recipe;
 use units::{Force, ForcePerLength, Length, WorkOfAdhesion};
 
@@ -60,7 +60,7 @@ pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> 
     let progress = Progress::towards(prepared.steps(), "steps");
     let files = Mutex::new(StagedFiles::default());
     let patches = Mutex::new(Vec::new());
-    let see = |field: &Field<'_>| {
+    let see = |field: &ContactField<'_>| {
         if args.patches.is_some() {
             let found = field.patches().map_err(ElementsError::from)?;
             patches.lock().unwrap_or_else(PoisonError::into_inner).push(found);
@@ -74,11 +74,8 @@ pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> 
     drop(progress);
     timings.lap("pressing");
     say_all(&notes, &Flags);
-    let table = if args.per_realisation {
-        elements::states_table(&pressed)
-    } else {
-        elements::means_table(&pressed)
-    };
+    let table =
+        if args.per_realisation { elements::states_table(&pressed) } else { elements::means_table(&pressed) };
     let mut files = files.into_inner().unwrap_or_else(PoisonError::into_inner);
     if let Some(picture) = &args.figure.figure {
         let figure = elements_figure::area_against_load(&pressed);
@@ -311,7 +308,7 @@ impl FieldFiles {
     }
 
     /// Writes one surface under one load aside: `load-1-surface-1.nc`, and two pictures.
-    fn stage(&self, field: &Field<'_>, files: &Mutex<StagedFiles>) -> Result<(), Failure> {
+    fn stage(&self, field: &ContactField<'_>, files: &Mutex<StagedFiles>) -> Result<(), Failure> {
         let stem = format!("load-{}-surface-{}", field.load + 1, field.surface + 1);
         let pictures =
             [("pressure", field_picture::of_pressure(field)), ("gap", field_picture::of_gap(field))];

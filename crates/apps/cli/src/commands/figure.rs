@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use questions::{RunOptions, run_scene};
 use report::products;
 use scene::{Overrides, Scene};
-use tables::staging::StagedFiles;
 use study::figure::{Figure, PictureFormat, Shows};
+use tables::staging::StagedFiles;
 
 use super::Context;
 use super::run_scene::{Watching, failed};

@@ -25,10 +25,10 @@ use questions::{Answer, CurveQuestion, LoadInput, Note, RangeInput, SpectrumQues
 use report::provenance::provenance;
 use report::{plot, question_words, scan_words, spectrum_words};
 use spectrum::{ReadOption, ReadOptions};
-use tables::staging::StagedFiles;
 use study::figure::FigureData;
 use study::plan::{Plan, PlanError, Results, Sampling};
 use study::surface::{Surface, SurfaceError};
+use tables::staging::StagedFiles;
 use tables::{Format, Table, TableWriter};
 use topography::Severity;
 use units::printable::shown_path;

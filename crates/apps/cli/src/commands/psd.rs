@@ -17,8 +17,8 @@ use report::provenance::program;
 use report::scan_words;
 use report::scans_table::scans_table;
 use scans::{Mend, ScanOption};
-use tables::staging::StagedFiles;
 use study::figure::composite_figure;
+use tables::staging::StagedFiles;
 use topography::{Recipe, Remark};
 
 pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure> {

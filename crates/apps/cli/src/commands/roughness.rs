@@ -6,8 +6,8 @@ use std::io::IsTerminal;
 use measurements::{RoughnessOfFiles, RoughnessSettings, ScalesOfFiles, TopographyError};
 use report::provenance::program;
 use roughness::Evaluation;
-use tables::staging::StagedFiles;
 use tables::Table;
+use tables::staging::StagedFiles;
 
 use super::{Context, psd, say_notes};
 use crate::args::RoughnessArgs;

@@ -9,10 +9,10 @@ use crate::flags::Flags;
 use crate::output::{Place, Stopped, publish};
 use crate::progress::Progress;
 use report::provenance::program;
-use tables::staging::StagedFiles;
 use state_tables::{RowByRow, RowsNote};
 use study::Progress as _;
 use study::material::{MaterialError, NeededFor};
+use tables::staging::StagedFiles;
 use tables::{Refusal, TableError};
 use units::Pressure;
 

@@ -36,8 +36,8 @@ impl Drop for RestoreOnDrop {
 mod tests {
     use std::thread::current;
 
-    use super::on_this_thread;
     use super::super::{map, map_indices};
+    use super::on_this_thread;
 
     #[test]
     fn work_stays_on_the_calling_thread() {

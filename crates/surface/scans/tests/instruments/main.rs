@@ -50,7 +50,7 @@ pub mod zip_file;
 use std::io::{Cursor, Read};
 
 use scans::{
-    Measured, ScanFile, ScanFormat, ScanOptions, ScanReadError, ScanSize, read_scans, visit_channels,
+    MeasuredScan, ScanFile, ScanFormat, ScanOptions, ScanReadError, ScanSize, read_scans, visit_channels,
 };
 
 /// A file with what it holds.
@@ -117,7 +117,7 @@ pub fn channels(bytes: &[u8], all: bool) -> Vec<Result<ScanFile, ScanReadError>>
 /// Asserts points, size in m to 1e-12, heights in m (nothing at missing points) within a resolution.
 #[track_caller]
 pub fn assert_holds(
-    scan: &Measured,
+    scan: &MeasuredScan,
     size_m: (f64, Option<f64>),
     heights_m: &[Option<f64>],
     resolution_m: f64,

@@ -1,7 +1,7 @@
 //! MarWin: traced profiles in a ZIP file, evenly spaced or not.
 
 use crate::refusal;
-use scans::{Measured, Probe, Scan};
+use scans::{MeasuredScan, Probe, Scan};
 
 use crate::bytes::Bytes;
 use crate::{Sample, assert_holds, heights, zip_file};
@@ -62,7 +62,7 @@ fn even_profiles_keep_their_missing_points() {
 
 #[test]
 fn uneven_profiles_leave_them_out() {
-    let positions_m = |scan: Measured| match scan.complete().unwrap() {
+    let positions_m = |scan: MeasuredScan| match scan.complete().unwrap() {
         Scan::NonuniformLine(line) => (line.positions_m().to_vec(), line.heights_m().to_vec()),
         other => panic!("{other:?}"),
     };

@@ -1,6 +1,6 @@
 //! Arrays of NumPy, with unit and size told by the caller.
 
-use scans::{Measured, ScanOptions, ScanReadError, ScanSize, read_scans};
+use scans::{MeasuredScan, ScanOptions, ScanReadError, ScanSize, read_scans};
 
 use crate::zip_file::zipped;
 use crate::{Sample, assert_holds};
@@ -37,7 +37,7 @@ pub fn samples() -> Vec<Sample> {
     ]
 }
 
-fn read(bytes: &[u8], channel: Option<&str>) -> Result<Measured, ScanReadError> {
+fn read(bytes: &[u8], channel: Option<&str>) -> Result<MeasuredScan, ScanReadError> {
     let size = ScanSize { x_m: 3e-6, y_m: Some(2e-6) };
     let channel = channel.map(str::to_owned);
     let unit = "nm".parse().ok();

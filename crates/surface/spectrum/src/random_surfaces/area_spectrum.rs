@@ -6,7 +6,7 @@ use std::num::NonZeroU32;
 use crate::{AbelIntegral, Convention, ConversionError, Moments, PowerLaw, ProfilePsd, Psd};
 
 use crate::random_surfaces::conversion::{self, Conversion};
-use crate::random_surfaces::error::SurfaceError;
+use crate::random_surfaces::error::RandomSurfaceError;
 use crate::random_surfaces::grading::before_knot;
 use crate::random_surfaces::surface::profile_moments;
 
@@ -37,9 +37,9 @@ impl AreaSpectrum {
     /// smoothed or clipped, see [`AreaSpectrum::conversion`].
     ///
     /// # Errors
-    /// [`SurfaceError::TooFewSamples`] for a single sample; [`SurfaceError::EmptyBand`] for a spectrum that falls
+    /// [`RandomSurfaceError::TooFewSamples`] for a single sample; [`RandomSurfaceError::EmptyBand`] for a spectrum that falls
     /// nowhere, which no surface has.
-    pub fn from_profile(profile: &ProfilePsd) -> Result<Self, SurfaceError> {
+    pub fn from_profile(profile: &ProfilePsd) -> Result<Self, RandomSurfaceError> {
         let (pieces, conversion) = conversion::of_profile(profile)?;
         let (longest_m, shortest_m) = (profile.longest_wavelength_m(), profile.shortest_wavelength_m());
         Self::from_pieces(pieces, longest_m, shortest_m, conversion)
@@ -50,7 +50,7 @@ impl AreaSpectrum {
     ///
     /// # Errors
     /// As [`AreaSpectrum::from_profile`].
-    pub fn from_psd(psd: &Psd) -> Result<Self, SurfaceError> {
+    pub fn from_psd(psd: &Psd) -> Result<Self, RandomSurfaceError> {
         // A factor exists only among conventions of areas, or among those of profiles.
         let factor: Result<f64, ConversionError> = psd.convention().factor_to(Convention::Ciso);
         let Ok(factor) = factor else {
@@ -72,9 +72,9 @@ impl AreaSpectrum {
         longest_m: f64,
         shortest_m: f64,
         conversion: Conversion,
-    ) -> Result<Self, SurfaceError> {
+    ) -> Result<Self, RandomSurfaceError> {
         if pieces.is_empty() {
-            return Err(SurfaceError::EmptyBand { longest_m, shortest_m });
+            return Err(RandomSurfaceError::EmptyBand { longest_m, shortest_m });
         }
         Ok(Self { pieces, longest_m, shortest_m, conversion })
     }
@@ -82,15 +82,15 @@ impl AreaSpectrum {
     /// Cuts the spectrum to the band from a longest to a shortest wavelength \[m\]; Ciso is zero outside.
     ///
     /// # Errors
-    /// [`SurfaceError::BeyondSpectrum`] if the band extends beyond the spectrum, [`SurfaceError::EmptyBand`] if no
+    /// [`RandomSurfaceError::BeyondSpectrum`] if the band extends beyond the spectrum, [`RandomSurfaceError::EmptyBand`] if no
     /// roughness is left.
-    pub fn cut(&self, longest_m: f64, shortest_m: f64) -> Result<Self, SurfaceError> {
+    pub fn cut(&self, longest_m: f64, shortest_m: f64) -> Result<Self, RandomSurfaceError> {
         if longest_m.is_nan() || shortest_m.is_nan() || longest_m <= shortest_m {
-            return Err(SurfaceError::EmptyBand { longest_m, shortest_m });
+            return Err(RandomSurfaceError::EmptyBand { longest_m, shortest_m });
         }
         if longest_m > self.longest_m * (1.0 + ROUNDING) || shortest_m < self.shortest_m * (1.0 - ROUNDING) {
             let (spectrum_longest_m, spectrum_shortest_m) = (self.longest_m, self.shortest_m);
-            return Err(SurfaceError::BeyondSpectrum {
+            return Err(RandomSurfaceError::BeyondSpectrum {
                 longest_m,
                 shortest_m,
                 spectrum_longest_m,
@@ -187,9 +187,9 @@ impl AreaSpectrum {
     /// slant, so it also has waves longer than the longest of the band; its spectrum is level there.
     ///
     /// # Errors
-    /// [`SurfaceError::NoWaves`] for a wavelength at which C1D is zero; [`SurfaceError::Samples`] for wavelengths that
+    /// [`RandomSurfaceError::NoWaves`] for a wavelength at which C1D is zero; [`RandomSurfaceError::Samples`] for wavelengths that
     /// are not those of a spectrum.
-    pub fn profile(&self, wavelengths_m: &[f64]) -> Result<ProfilePsd, SurfaceError> {
+    pub fn profile(&self, wavelengths_m: &[f64]) -> Result<ProfilePsd, RandomSurfaceError> {
         let integrand = |piece: &PowerLaw| PowerLaw {
             at_start: piece.at_start * piece.start_rad_per_m / PI,
             exponent: piece.exponent + 1.0,
@@ -200,7 +200,7 @@ impl AreaSpectrum {
             wavelengths_m.iter().map(|wavelength_m| integral.from(TAU / wavelength_m)).collect();
         if let Some(row) = c1d_m3.iter().position(|&c1d_m3| c1d_m3 == 0.0) {
             let (wavelength_m, shortest_m) = (wavelengths_m[row], self.shortest_m);
-            return Err(SurfaceError::NoWaves { wavelength_m, shortest_m });
+            return Err(RandomSurfaceError::NoWaves { wavelength_m, shortest_m });
         }
         Ok(ProfilePsd::new(wavelengths_m.to_vec(), c1d_m3)?)
     }

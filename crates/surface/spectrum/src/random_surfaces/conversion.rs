@@ -2,10 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use serde::Serialize;
 use crate::{AbelIntegral, PowerLaw, ProfilePsd};
+use serde::Serialize;
 
-use crate::random_surfaces::error::SurfaceError;
+use crate::random_surfaces::error::RandomSurfaceError;
 use crate::random_surfaces::grading::before_knot;
 use crate::random_surfaces::monotone::not_rising;
 
@@ -32,9 +32,9 @@ pub struct Conversion {
 }
 
 /// Computes the pieces of Ciso between the first and the last wavevector of a spectrum of profiles.
-pub(crate) fn of_profile(profile: &ProfilePsd) -> Result<(Vec<PowerLaw>, Conversion), SurfaceError> {
+pub(crate) fn of_profile(profile: &ProfilePsd) -> Result<(Vec<PowerLaw>, Conversion), RandomSurfaceError> {
     if profile.len() < 2 {
-        return Err(SurfaceError::TooFewSamples { samples: profile.len() });
+        return Err(RandomSurfaceError::TooFewSamples { samples: profile.len() });
     }
     let wavevectors: Vec<f64> =
         profile.wavelengths_m().iter().map(|wavelength_m| TAU / wavelength_m).collect();

@@ -8,7 +8,7 @@ use units::display::length;
 /// Errors of making a spectrum of an area, a band of it, or a surface.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
-pub enum SurfaceError {
+pub enum RandomSurfaceError {
     /// A number outside its bound.
     #[error("describing a surface: {0}")]
     Bounds(#[from] OutOfBounds),

@@ -1,7 +1,7 @@
 //! Bands of a spectrum on square grids.
 
 use crate::random_surfaces::area_spectrum::AreaSpectrum;
-use crate::random_surfaces::error::SurfaceError;
+use crate::random_surfaces::error::RandomSurfaceError;
 
 /// A band of wavelengths laid out on a square grid.
 ///
@@ -38,13 +38,13 @@ impl GridBand {
     /// side exceed their minimum by the same factor.
     ///
     /// # Errors
-    /// [`SurfaceError::GridTooSmall`] if the points do not hold the band.
-    pub fn new(longest_m: f64, shortest_m: f64, points: usize) -> Result<Self, SurfaceError> {
+    /// [`RandomSurfaceError::GridTooSmall`] if the points do not hold the band.
+    pub fn new(longest_m: f64, shortest_m: f64, points: usize) -> Result<Self, RandomSurfaceError> {
         let (points_per_shortest, lengths) = (Self::POINTS_PER_SHORTEST, Self::LENGTHS);
         let widest = points as f64 / (points_per_shortest * lengths);
         let room = widest / (longest_m / shortest_m);
         if room.is_nan() || room < 1.0 - 1e-9 {
-            return Err(SurfaceError::GridTooSmall {
+            return Err(RandomSurfaceError::GridTooSmall {
                 longest_m,
                 shortest_m,
                 points,
@@ -62,7 +62,7 @@ impl GridBand {
     /// the grid and the spectrum hold. With a given side, the ends default to the minimum of points and lengths.
     ///
     /// # Errors
-    /// [`SurfaceError::GridTooSmall`] if the points do not hold the band. With a given side nothing is refused here;
+    /// [`RandomSurfaceError::GridTooSmall`] if the points do not hold the band. With a given side nothing is refused here;
     /// making the surface fails with fewer than two points per shortest wavelength or one longest wavelength per side.
     pub fn in_spectrum(
         spectrum: &AreaSpectrum,
@@ -70,7 +70,7 @@ impl GridBand {
         longest_m: Option<f64>,
         shortest_m: Option<f64>,
         side_m: Option<f64>,
-    ) -> Result<Self, SurfaceError> {
+    ) -> Result<Self, RandomSurfaceError> {
         let Some(length_m) = side_m else {
             let shortest_m = shortest_m.unwrap_or(spectrum.shortest_m());
             let widest_m = Self::widest_to(shortest_m, points).longest_m;

@@ -6,7 +6,7 @@ use numerics::transforms::Complex64;
 
 use crate::random_surfaces::fourier::HalfSpectrum;
 use crate::random_surfaces::modes::Draws;
-use crate::random_surfaces::surface::{Surface, profile_moments};
+use crate::random_surfaces::surface::{RandomSurface, profile_moments};
 
 /// A map made periodic, as a sum of waves.
 ///
@@ -69,25 +69,25 @@ impl MapWaves {
 
     /// Returns the map as the sum of its kept waves.
     #[must_use]
-    pub fn surface(&self) -> Surface {
+    pub fn surface(&self) -> RandomSurface {
         self.summed(|amplitude, _| amplitude)
     }
 
     /// Returns a Gaussian surface of the same waves: the amplitudes of the map with random phases. Seed and realisation
     /// act as in [`AreaSpectrum::surface`](crate::random_surfaces::AreaSpectrum::surface).
     #[must_use]
-    pub fn twin(&self, seed: u64, realisation: u64) -> Surface {
+    pub fn twin(&self, seed: u64, realisation: u64) -> RandomSurface {
         self.summed_with(Draws::new(seed, realisation), |amplitude, turn| {
             let (sine, cosine) = libm::sincos(TAU * turn);
             Complex64::new(cosine, sine) * amplitude.norm()
         })
     }
 
-    fn summed(&self, of: impl Fn(Complex64, f64) -> Complex64) -> Surface {
+    fn summed(&self, of: impl Fn(Complex64, f64) -> Complex64) -> RandomSurface {
         self.summed_with(Draws::new(0, 0), of)
     }
 
-    fn summed_with(&self, draws: Draws, of: impl Fn(Complex64, f64) -> Complex64) -> Surface {
+    fn summed_with(&self, draws: Draws, of: impl Fn(Complex64, f64) -> Complex64) -> RandomSurface {
         let mut spectrum = HalfSpectrum::new(self.points_y, self.points_x);
         let mut sums = [0.0; 3];
         // Waves are stored row by row, and so are their random numbers.
@@ -103,7 +103,7 @@ impl MapWaves {
                 spectrum.add(m, n, amplitude);
             }
         }
-        Surface {
+        RandomSurface {
             points_x: self.points_x,
             points_y: self.points_y,
             length_x_m: self.length_x_m,

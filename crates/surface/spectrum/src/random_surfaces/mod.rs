@@ -31,7 +31,7 @@
 //! * [`SelfAffine`]: a self-affine spectrum by its Hurst exponent and three wavelengths;
 //! * [`GridBand`]: a band laid out on a square grid;
 //! * [`MapWaves`]: a measured map made periodic, and Gaussian surfaces of its own waves;
-//! * [`Synthesis`]: grid, seed and [`Phases`], from which [`AreaSpectrum::surface`] makes a [`Surface`].
+//! * [`Synthesis`]: grid, seed and [`Phases`], from which [`AreaSpectrum::surface`] makes a [`RandomSurface`].
 
 mod area_spectrum;
 mod conversion;
@@ -48,9 +48,9 @@ mod synthesis;
 
 pub use area_spectrum::AreaSpectrum;
 pub use conversion::Conversion;
-pub use error::SurfaceError;
+pub use error::RandomSurfaceError;
 pub use grid_band::GridBand;
 pub use map_waves::MapWaves;
 pub use self_affine::{SelfAffine, Size};
-pub use surface::Surface;
+pub use surface::RandomSurface;
 pub use synthesis::{Phases, Synthesis};

@@ -7,7 +7,7 @@ use units::Bound;
 
 use crate::random_surfaces::area_spectrum::AreaSpectrum;
 use crate::random_surfaces::conversion::Conversion;
-use crate::random_surfaces::error::SurfaceError;
+use crate::random_surfaces::error::RandomSurfaceError;
 
 /// A self-affine surface: Ciso is level from the longest wavelength to the roll-off and falls as q^(-2(1 + H)) from
 /// there to the shortest (Persson, Albohr, Tartaglino, Volokitin & Tosatti 2005, J. Phys.: Condens. Matter 17:R1,
@@ -40,9 +40,9 @@ impl AreaSpectrum {
     /// Builds the spectrum of a self-affine surface.
     ///
     /// # Errors
-    /// [`SurfaceError::Bounds`] for a Hurst exponent outside 0 to 1, lengths and sizes that are not finite and above 0,
-    /// or a roll-off outside the band; [`SurfaceError::EmptyBand`] if the shortest wavelength is not below the longest.
-    pub fn self_affine(surface: &SelfAffine) -> Result<Self, SurfaceError> {
+    /// [`RandomSurfaceError::Bounds`] for a Hurst exponent outside 0 to 1, lengths and sizes that are not finite and above 0,
+    /// or a roll-off outside the band; [`RandomSurfaceError::EmptyBand`] if the shortest wavelength is not below the longest.
+    pub fn self_affine(surface: &SelfAffine) -> Result<Self, RandomSurfaceError> {
         let SelfAffine { hurst_exponent, longest_m, rolloff_m, shortest_m, size } = *surface;
         Bound::LeftOpen { above: 0.0, at_most: 1.0 }.check("the Hurst exponent", hurst_exponent)?;
         Bound::Magnitude.check("the longest wavelength in m", longest_m)?;

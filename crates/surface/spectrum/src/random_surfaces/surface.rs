@@ -4,7 +4,7 @@ use crate::Moments;
 
 /// Heights of zero mean on a periodic grid, row by row along x, with the moments of their waves.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Surface {
+pub struct RandomSurface {
     pub(crate) points_x: usize,
     pub(crate) points_y: usize,
     pub(crate) length_x_m: f64,
@@ -20,7 +20,7 @@ pub(crate) fn profile_moments(wavelength_m: f64, [m0_m2, gradient, laplacian_per
     Moments { wavelength_m, m0_m2, m2: 0.5 * gradient, m4_per_m2: 0.375 * laplacian_per_m2 }
 }
 
-impl Surface {
+impl RandomSurface {
     /// Points along x, the columns.
     #[must_use]
     pub fn points_x(&self) -> usize {

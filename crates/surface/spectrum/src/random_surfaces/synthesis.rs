@@ -2,15 +2,15 @@
 
 use std::f64::consts::TAU;
 
-use serde::{Deserialize, Serialize};
 use numerics::transforms::Complex64;
+use serde::{Deserialize, Serialize};
 use units::{Bound, named};
 
 use crate::random_surfaces::area_spectrum::AreaSpectrum;
-use crate::random_surfaces::error::SurfaceError;
+use crate::random_surfaces::error::RandomSurfaceError;
 use crate::random_surfaces::fourier::HalfSpectrum;
 use crate::random_surfaces::modes::{Draw, Draws};
-use crate::random_surfaces::surface::{Surface, profile_moments};
+use crate::random_surfaces::surface::{RandomSurface, profile_moments};
 
 /// Relative distance outside the band that counts as rounding.
 const ROUNDING: f64 = 1e-9;
@@ -70,10 +70,14 @@ impl AreaSpectrum {
     /// phase in turns; from the second, u, a random modulus is sqrt(-ln(1 - u)) times the mean one.
     ///
     /// # Errors
-    /// [`SurfaceError::BandTooWide`] if a side is shorter than the longest wavelength or has fewer than two points per
-    /// shortest wavelength; [`SurfaceError::NoModes`] if no wave of the box lies in the band; [`SurfaceError::Bounds`]
-    /// for lengths that are not finite and above 0; [`SurfaceError::Points`] for no points or more than `u32::MAX`.
-    pub fn surface(&self, synthesis: &Synthesis, realisation: u64) -> Result<Surface, SurfaceError> {
+    /// [`RandomSurfaceError::BandTooWide`] if a side is shorter than the longest wavelength or has fewer than two points per
+    /// shortest wavelength; [`RandomSurfaceError::NoModes`] if no wave of the box lies in the band; [`RandomSurfaceError::Bounds`]
+    /// for lengths that are not finite and above 0; [`RandomSurfaceError::Points`] for no points or more than `u32::MAX`.
+    pub fn surface(
+        &self,
+        synthesis: &Synthesis,
+        realisation: u64,
+    ) -> Result<RandomSurface, RandomSurfaceError> {
         let Synthesis { points_x, points_y, length_x_m, length_y_m, seed, phases } = *synthesis;
         self.check(synthesis)?;
         let waves = Waves::new(self, length_x_m, length_y_m);
@@ -98,16 +102,16 @@ impl AreaSpectrum {
         }
         if sums[0] == 0.0 {
             let (longest_m, shortest_m) = (self.longest_m(), self.shortest_m());
-            return Err(SurfaceError::NoModes { longest_m, shortest_m, length_x_m, length_y_m });
+            return Err(RandomSurfaceError::NoModes { longest_m, shortest_m, length_x_m, length_y_m });
         }
         let moments = profile_moments(self.shortest_m(), sums);
-        Ok(Surface { points_x, points_y, length_x_m, length_y_m, heights_m: spectrum.sum(), moments })
+        Ok(RandomSurface { points_x, points_y, length_x_m, length_y_m, heights_m: spectrum.sum(), moments })
     }
 
-    fn check(&self, synthesis: &Synthesis) -> Result<(), SurfaceError> {
+    fn check(&self, synthesis: &Synthesis) -> Result<(), RandomSurfaceError> {
         let Synthesis { points_x, points_y, length_x_m, length_y_m, .. } = *synthesis;
         if points_x.checked_mul(points_y).is_none_or(|points| points == 0 || points > u32::MAX as usize) {
-            return Err(SurfaceError::Points { points_x, points_y });
+            return Err(RandomSurfaceError::Points { points_x, points_y });
         }
         for (points, length_m, name) in [
             (points_x, length_x_m, "the length of the box along x in m"),
@@ -117,7 +121,7 @@ impl AreaSpectrum {
             let (longest_m, shortest_m) = (self.longest_m(), self.shortest_m());
             let points_per_shortest = shortest_m / length_m * points as f64;
             if longest_m > length_m * (1.0 + ROUNDING) || points_per_shortest < 2.0 * (1.0 - ROUNDING) {
-                return Err(SurfaceError::BandTooWide { longest_m, shortest_m, points, length_m });
+                return Err(RandomSurfaceError::BandTooWide { longest_m, shortest_m, points, length_m });
             }
         }
         Ok(())

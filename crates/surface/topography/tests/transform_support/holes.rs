@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
+use scans::MeasuredScan;
 use spectrum::random_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};
-use scans::Measured;
 use topography::{
     BandLimits, BinMean, DEFAULT_BINS_PER_DECADE, Direction, GapTreatment, Recipe, ScanSpectrum, log_binned,
     without_gaps,
@@ -156,7 +156,7 @@ pub fn bias(
     size: f64,
     treatment: GapTreatment,
 ) -> Option<Bias> {
-    let spectrum = |scan: Measured| {
+    let spectrum = |scan: MeasuredScan| {
         let recipe = Recipe { direction: Direction::X, ..Recipe::default() };
         let whole = without_gaps(file_of(scan), treatment).ok()?;
         ScanSpectrum::new(whole, BandLimits::default(), &recipe).ok()
