@@ -30,9 +30,8 @@ def test_the_examples_of_a_page_run(page: Path, tmp_path: Path, monkeypatch: pyt
     exec(compile(program, str(page), "exec"), {"__name__": "__page__"})
 
 
-def test_the_page_beside_scipy_has_the_script() -> None:
-    script = SCRIPT.read_text(encoding="utf-8").split('"""', 2)[2].strip()
-    assert script in (ROOT / "docs" / "python" / "beside-scipy.md").read_text(encoding="utf-8")
+def test_the_script_in_scipy_runs() -> None:
+    exec(compile(SCRIPT.read_text(encoding="utf-8"), str(SCRIPT), "exec"), {"__name__": "__page__"})
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
