@@ -8,7 +8,7 @@ use crate::waves::Waves;
 
 /// Least factor g of the correction.
 const LEAST_FACTOR: f64 = 0.01;
-/// Share of g by which it changes per exponent of the stiffness, fitted to whole bands (docs/guide/judge.md).
+/// Share of g by which it changes per exponent of the stiffness, fitted to whole bands (docs/develop/trials.md).
 const PER_EXPONENT: f64 = 0.85;
 
 /// Persson's theory on some waves, with the variance of the pressure that would flatten them corrected for the elastic energy

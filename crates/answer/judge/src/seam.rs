@@ -1,13 +1,13 @@
 //! The seam between the waves of a window, which elements press, and the longer waves, for which a closed form stands.
 
-/// The least relative standard error of a seam. Measured on spectra of every kind (docs/guide/judge.md).
+/// The least relative standard error of a seam. Measured on spectra of every kind (docs/develop/trials.md).
 const LEAST_ERROR: f64 = 0.02;
 /// The least relative standard error of a seam for elements that flow at a hardness, an assumption: the closed form with a
 /// hardness is up to a tenth low on bands that were solved at once.
 const LEAST_ERROR_IF_YIELDING: f64 = 0.05;
 
 /// The relative standard error of a seam per exponent of the stiffness of a layer, up to 1: measured on whole bands on layers
-/// (docs/guide/judge.md).
+/// (docs/develop/trials.md).
 const ERROR_PER_EXPONENT: f64 = 0.15;
 
 /// The relative standard error of a seam between waves whose stiffness on a layer goes as q^n with the wavenumber q; 0 on

@@ -126,7 +126,7 @@ fn bounded(unbounded: f64) -> f64 {
 ///   square height if a single wave dominates. From few scans, the truth lies below them more often than above.
 ///
 /// The mean was chosen on synthetic studies, in which it misses to one side about as often as to the other
-/// (`docs/guide/uncertainty.md`). A result beyond all draws counts as the outermost.
+/// (`docs/theory/intervals.md`). A result beyond all draws counts as the outermost.
 pub fn area_interval_about(best: f64, draws: &[f64], level: f64) -> Option<Interval> {
     let percentiles = percentiles_about(best, draws, level)?;
     let plain = interval(draws, level)?;
@@ -158,7 +158,7 @@ pub fn area_interval_about(best: f64, draws: &[f64], level: f64) -> Option<Inter
 ///
 /// z0 is limited to half a standard deviation. If a result is the larger or the smaller of two that nearly agree, z0
 /// follows its own error, and twice z0 would lead away from the truth. Synthetic studies confirm the limit
-/// (`docs/guide/uncertainty.md`): with it, intervals hold the truth as often as they should, for spectra of all slopes.
+/// (`docs/theory/intervals.md`): with it, intervals hold the truth as often as they should, for spectra of all slopes.
 pub(crate) fn percentiles_about(best: f64, draws: &[f64], level: f64) -> Option<Interval> {
     let plain = interval(draws, level)?;
     if plain.low.value == plain.high.value {

@@ -23,7 +23,7 @@ impl EnergyFactor {
     /// Solids 59:2355. The default.
     pub const ALMQVIST: Self = EnergyFactor { light: 0.45, power: 2.0 };
 
-    /// g = 0.45 and n = 2.25, fitted to boundary elements on random spectra of every kind (`docs/guide/gap.md`).
+    /// g = 0.45 and n = 2.25, fitted to boundary elements on random spectra of every kind (`docs/develop/trials.md`).
     pub const FITTED: Self = EnergyFactor { light: 0.45, power: 2.25 };
 
     /// Name of [`FITTED`](Self::FITTED) as text.
