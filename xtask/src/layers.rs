@@ -8,6 +8,8 @@ use serde_json::Value;
 
 use xtask::checkout;
 
+use crate::budgets;
+
 /// The floors from the ground up: folders of `crates/`. A crate may use any crate of a lower floor, and of its own
 /// floor what its manifest lists.
 const FLOORS: [&str; 6] = ["base", "surface", "contact", "answer", "apps", "evidence"];
@@ -98,6 +100,10 @@ fn faults(house: &House) -> Result<Vec<String>, Box<dyn std::error::Error>> {
             faults.push(format!("{} is no crate of the workspace", folder.display()));
         }
     }
+    let crates = house.members.iter().filter(|(_, member)| member.floor.is_some());
+    faults.extend(budgets::faults(
+        &crates.map(|(name, member)| (name.clone(), member.folder.clone())).collect(),
+    )?);
     faults.extend(house.cycle().map(|cycle| format!("a cycle of crates: {}", cycle.join(" -> "))));
     Ok(faults)
 }

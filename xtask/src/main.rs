@@ -1,6 +1,7 @@
 //! Project chores, by name: `cargo xtask reproduce`, `golden`, `docs`, `instructions`, `layers`, `shared`, those of the crate
 //! `publishing`, and the crates of evidence, `stress`, `coverage`, `work-precision` and `model-trials`.
 
+mod budgets;
 mod instructions;
 mod layers;
 mod programs;
@@ -19,7 +20,7 @@ cargo xtask docs [--check]     draws the pictures of docs/; --check lists the co
 cargo xtask instructions [--accept]
                                counts instructions of the main kernels and the paper against the accepted counts (needs
                                valgrind); --accept takes the new counts
-cargo xtask layers             checks which crate may use which, and what stays out of the core
+cargo xtask layers             checks which crate may use which, what stays out of the core, and budgets of lines and words
 cargo xtask shared             runs the tests that need the folder shared/ beside the checkout
 cargo xtask python [--anew] [--wheel FILE]
                                builds the wheel and tries it in an environment below target/: tests, examples, notebooks, types
