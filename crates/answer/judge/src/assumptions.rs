@@ -4,7 +4,7 @@ use scene::Scene;
 use serde::Serialize;
 use study::plan::{CurveResult, Results};
 
-use crate::body::Body;
+use crate::body::BodyKind;
 use crate::hardness_of_scales::{AboveHardness, HardnessOfScales};
 
 /// The largest share of the load that may rest outside the fitted range of a law.
@@ -52,7 +52,7 @@ pub(crate) fn first_broken(
     at: CurveAtLoad,
     hardness: Option<&HardnessOfScales>,
 ) -> Option<BrokenAssumption> {
-    let elastic = Body::from_model(&scene.needs.curves[at.curve].model) == Body::Elastic;
+    let elastic = BodyKind::from_model(&scene.needs.curves[at.curve].model) == BodyKind::Elastic;
     let yields = hardness
         .filter(|_| elastic)
         .and_then(|hardness| hardness.first_above(real_pressures(scene, results, at)))

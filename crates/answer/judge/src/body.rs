@@ -6,7 +6,7 @@ use study::plan::CurveModel;
 /// The yielding of a body.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Body {
+pub enum BodyKind {
     /// The body never yields.
     Elastic,
     /// The body yields at a hardness that is the same at every scale.
@@ -20,15 +20,15 @@ pub enum Body {
     GrowingByOwnLaw,
 }
 
-impl Body {
+impl BodyKind {
     /// The body of a model.
     #[must_use]
     pub fn from_model(model: &CurveModel) -> Self {
         match model.hardness_pa() {
-            None => Body::Elastic,
-            Some(_) if model.options().hardness_law.is_some() => Body::GrowingByOwnLaw,
-            Some(_) if model.strength_grows() => Body::Growing,
-            Some(hardness_pa) => Body::Hard { hardness_pa },
+            None => BodyKind::Elastic,
+            Some(_) if model.options().hardness_law.is_some() => BodyKind::GrowingByOwnLaw,
+            Some(_) if model.strength_grows() => BodyKind::Growing,
+            Some(hardness_pa) => BodyKind::Hard { hardness_pa },
         }
     }
 
@@ -36,9 +36,9 @@ impl Body {
     /// against elastic elements, and only if it never yields.
     pub(crate) fn reference(self) -> Reference {
         match self {
-            Body::Elastic | Body::GrowingByOwnLaw => Reference::Elastic,
-            Body::Hard { hardness_pa } => Reference::Yielding { hardness_pa },
-            Body::Growing => Reference::Growing,
+            BodyKind::Elastic | BodyKind::GrowingByOwnLaw => Reference::Elastic,
+            BodyKind::Hard { hardness_pa } => Reference::Yielding { hardness_pa },
+            BodyKind::Growing => Reference::Growing,
         }
     }
 }

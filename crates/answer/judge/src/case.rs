@@ -9,7 +9,7 @@ use study::plan::Results;
 use study::validity::SMALL_SLOPE_PRESSURE;
 
 use crate::assumptions::{BrokenAssumption, CurveAtLoad, first_broken, real_pressures};
-use crate::body::{Body, Reference};
+use crate::body::{BodyKind, Reference};
 use crate::closed_form::ClosedForm;
 use crate::hardness_of_scales::{AboveHardness, HardnessOfScales};
 use crate::seam::{self, Seam};
@@ -45,7 +45,7 @@ pub(crate) struct Case<'s> {
     /// Moments of the spectrum at every cutoff but the longest.
     moments: Vec<Moments>,
     /// The body of every curve.
-    bodies: Vec<Body>,
+    bodies: Vec<BodyKind>,
     /// The place in `references` of the elements that every curve under every load is compared with, in the order of
     /// [`all`](Self::all).
     compared_with: Vec<usize>,
@@ -59,8 +59,8 @@ pub(crate) struct Case<'s> {
 
 impl<'s> Case<'s> {
     pub fn new(scene: &'s Scene, results: &'s Results) -> Self {
-        let bodies: Vec<Body> =
-            scene.needs.curves.iter().map(|curve| Body::from_model(&curve.model)).collect();
+        let bodies: Vec<BodyKind> =
+            scene.needs.curves.iter().map(|curve| BodyKind::from_model(&curve.model)).collect();
         let pressure_pa = |load: &usize| scene.needs.loads[*load].nominal_pressure_pa();
         let mut loads_by_pressure: Vec<usize> = (0..scene.needs.loads.len()).collect();
         loads_by_pressure.sort_by(|a, b| pressure_pa(a).total_cmp(&pressure_pa(b)));
@@ -118,12 +118,12 @@ impl<'s> Case<'s> {
 
     /// True if the strength of a curve's body grows at small scales.
     pub fn strength_grows(&self, curve: usize) -> bool {
-        matches!(self.bodies[curve], Body::Growing | Body::GrowingByOwnLaw)
+        matches!(self.bodies[curve], BodyKind::Growing | BodyKind::GrowingByOwnLaw)
     }
 
     /// The scale from which on a curve yields by a hardness law of its own, which no elements have.
     pub fn yields_by_own_law(&self, at: CurveAtLoad) -> Option<AboveHardness> {
-        (self.bodies[at.curve] == Body::GrowingByOwnLaw).then(|| self.yields_while_growing(at)).flatten()
+        (self.bodies[at.curve] == BodyKind::GrowingByOwnLaw).then(|| self.yields_while_growing(at)).flatten()
     }
 
     /// Finds the elements that every curve is compared with, and those that the material needs besides.

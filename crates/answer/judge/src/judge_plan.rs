@@ -11,20 +11,20 @@ use crate::judgement::Judgement;
 use crate::layout::Layout;
 use crate::maps::{MapPressing, MapVerdict, compare_maps};
 use crate::reason::Reason;
-use crate::settings::Settings;
+use crate::settings::JudgeSettings;
 use crate::solve::solve;
 
 /// The surfaces and pressures that the judge will solve for a scene. The budget fixes them before anything is solved.
 pub struct JudgePlan<'s> {
     case: Case<'s>,
-    settings: Settings,
+    settings: JudgeSettings,
     layout: Result<Layout, Reason>,
 }
 
 impl<'s> JudgePlan<'s> {
     /// Cuts the spectrum of a scene into windows, as fine as the budget allows.
     #[must_use]
-    pub fn new(scene: &'s Scene, results: &'s Results, settings: &Settings) -> Self {
+    pub fn new(scene: &'s Scene, results: &'s Results, settings: &JudgeSettings) -> Self {
         let case = Case::new(scene, results);
         let layout = layout(&case, settings);
         JudgePlan { case, settings: *settings, layout }
@@ -76,7 +76,7 @@ impl<'s> JudgePlan<'s> {
 }
 
 /// The finest layout within the budget, or the reason why there is none.
-fn layout(case: &Case<'_>, settings: &Settings) -> Result<Layout, Reason> {
+fn layout(case: &Case<'_>, settings: &JudgeSettings) -> Result<Layout, Reason> {
     if case.curves() == 0 || case.loads() == 0 {
         return Err(Reason::NoSurface);
     }

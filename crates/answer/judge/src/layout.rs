@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::body::Reference;
 use crate::case::{Case, WindowForms};
-use crate::settings::{DEFAULT_REALISATIONS, GRIDS, Settings};
+use crate::settings::{DEFAULT_REALISATIONS, GRIDS, JudgeSettings};
 use crate::waves::Waves;
 use crate::window::{Window, bands, decades_held};
 
@@ -93,7 +93,7 @@ pub(crate) struct Layout {
 
 impl Layout {
     /// The finest layout that the budget allows; `None` if even the coarsest is beyond it.
-    pub fn within(settings: &Settings, case: &Case<'_>, waves: &Waves) -> Option<Self> {
+    pub fn within(settings: &JudgeSettings, case: &Case<'_>, waves: &Waves) -> Option<Self> {
         let grids: Vec<usize> = settings.grid.map_or_else(|| GRIDS.to_vec(), |grid| vec![grid]);
         let realisations = settings.realisations.unwrap_or(DEFAULT_REALISATIONS);
         // Fineness is given up first, then loads, then surfaces.
@@ -287,7 +287,7 @@ impl Layout {
     }
 
     /// The extent of the layout, with the cost that was spent on it.
-    pub fn extent(&self, settings: &Settings, spent: f64) -> Extent {
+    pub fn extent(&self, settings: &JudgeSettings, spent: f64) -> Extent {
         Extent {
             grid: self.grid,
             grid_of_last: self.windows.last().map_or(self.grid, |window| window.points),

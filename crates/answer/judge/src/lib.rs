@@ -26,7 +26,7 @@ mod window;
 mod yielding;
 
 pub use assumptions::{BrokenAssumption, LARGEST_SHARE_OUT_OF_RANGE};
-pub use body::{Body, Reference};
+pub use body::{BodyKind, Reference};
 pub use error::JudgeError;
 pub use hardness_of_scales::AboveHardness;
 pub use headline::{Basis, Headline, Otherwise};
@@ -35,7 +35,7 @@ pub use judgement::Judgement;
 pub use layout::Extent;
 pub use maps::MapVerdict;
 pub use reason::Reason;
-pub use settings::{DEFAULT_BUDGET, DEFAULT_REALISATIONS, DEFAULT_SEED, Settings};
+pub use settings::{DEFAULT_BUDGET, DEFAULT_REALISATIONS, DEFAULT_SEED, JudgeSettings};
 pub use verdict::{AGREEMENT, ERRORS_GIVEN, Verdict, WorstWindow};
 pub use verdicts::{CurveVerdict, ElementArea, ReferenceArea, WindowOutcome};
 pub use yielding::Yielding;

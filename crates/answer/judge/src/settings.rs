@@ -16,7 +16,7 @@ pub(crate) const GRIDS: [usize; 10] = [1024, 768, 512, 384, 256, 192, 128, 96, 6
 
 /// The settings of the judge.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Settings {
+pub struct JudgeSettings {
     /// Points along each side of a surface; `None` for the largest number within the budget.
     pub grid: Option<usize>,
     /// Surfaces in each window; `None` for [`DEFAULT_REALISATIONS`] if the budget allows.
@@ -27,18 +27,18 @@ pub struct Settings {
     pub budget: f64,
 }
 
-impl Default for Settings {
+impl Default for JudgeSettings {
     fn default() -> Self {
-        Settings { grid: None, realisations: None, seed: DEFAULT_SEED, budget: DEFAULT_BUDGET }
+        JudgeSettings { grid: None, realisations: None, seed: DEFAULT_SEED, budget: DEFAULT_BUDGET }
     }
 }
 
-impl Settings {
+impl JudgeSettings {
     /// The settings of a scene's section `[judge]`; the defaults without one.
     #[must_use]
     pub fn from_choices(choices: Option<&JudgeChoices>) -> Self {
-        let Some(choices) = choices else { return Settings::default() };
-        Settings {
+        let Some(choices) = choices else { return JudgeSettings::default() };
+        JudgeSettings {
             grid: choices.grid,
             realisations: choices.realisations,
             seed: choices.seed.unwrap_or(DEFAULT_SEED),

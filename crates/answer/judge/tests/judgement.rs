@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use judge::{Basis, JudgePlan, Judgement, Reason, Reference, Settings, Verdict};
+use judge::{Basis, JudgePlan, JudgeSettings, Judgement, Reason, Reference, Verdict};
 use scene::{Overrides, Scene};
 use study::plan::Results;
 use study::{Files, Progress, Unobserved};
@@ -63,14 +63,14 @@ fn scene_on(files: &SelfAffine, material: &str, loads: &str, curves: &[&str]) ->
     Scene::parse(&text, files, &Overrides::default()).unwrap()
 }
 
-fn judged(scene: &Scene, settings: &Settings) -> (Results, Judgement) {
+fn judged(scene: &Scene, settings: &JudgeSettings) -> (Results, Judgement) {
     let results = scene.plan().compute().unwrap();
     let judgement = JudgePlan::new(scene, &results, settings).run(&Unobserved).unwrap();
     (results, judgement)
 }
 
-fn coarse(grid: usize, realisations: usize) -> Settings {
-    Settings { grid: Some(grid), realisations: Some(realisations), ..Settings::default() }
+fn coarse(grid: usize, realisations: usize) -> JudgeSettings {
+    JudgeSettings { grid: Some(grid), realisations: Some(realisations), ..JudgeSettings::default() }
 }
 
 const ELASTIC: [&str; 3] = ["model = \"elastic\"", "model = \"persson\"", "model = \"hertz\""];
@@ -266,7 +266,8 @@ fn a_curve_between_the_growing_and_the_constant_hardness_is_not_judged() {
 fn the_budget_fixes_the_work_and_what_is_cancelled_is_not_judged() {
     let scene = scene(1.6, "", "\"1 MPa\", \"20 MPa\", \"30 MPa\", \"50 MPa\"", &ELASTIC);
     let results = scene.plan().compute().unwrap();
-    let plan = |budget: f64| JudgePlan::new(&scene, &results, &Settings { budget, ..Settings::default() });
+    let plan =
+        |budget: f64| JudgePlan::new(&scene, &results, &JudgeSettings { budget, ..JudgeSettings::default() });
     let extents = [3e6, 3e7].map(|budget| plan(budget).run(&Unobserved).unwrap().extent.unwrap());
     for (extent, budget) in extents.iter().zip([3e6, 3e7]) {
         assert!(extent.estimated <= budget && extent.spent <= 1.2 * budget, "{extent:?}");
@@ -291,12 +292,12 @@ fn a_last_window_that_would_be_pressed_flat_reaches_to_longer_waves() {
         let last = judgement.windows.iter().rfind(|on| !on.is_whole_band).unwrap();
         (last.longest_m, last.elements.unwrap().area_fraction)
     };
-    let (_, fixed) = judged(&scene, &Settings { grid: Some(96), ..Settings::default() });
+    let (_, fixed) = judged(&scene, &JudgeSettings { grid: Some(96), ..JudgeSettings::default() });
     let extent = fixed.extent.as_ref().unwrap();
     assert_eq!((extent.grid, extent.grid_of_last), (96, 96));
     let (longest_m, flat) = shortest(&fixed);
     assert!(flat > 0.9, "{flat}");
-    let (_, longer) = judged(&scene, &Settings { budget: 6e6, ..Settings::default() });
+    let (_, longer) = judged(&scene, &JudgeSettings { budget: 6e6, ..JudgeSettings::default() });
     let extent = longer.extent.as_ref().unwrap();
     assert!(extent.grid_of_last > extent.grid && extent.estimated <= 6e6, "{extent:?}");
     let (from_m, area) = shortest(&longer);
@@ -312,7 +313,7 @@ fn windows_that_know_their_scatter_together_are_pressed_in_pairs_and_leave_the_w
     let scene = scene(6.5, "", "\"30 kPa\", \"3 MPa\"", &ELASTIC);
     let results = scene.plan().compute().unwrap();
     let run = |realisations| {
-        let settings = Settings { grid: Some(48), realisations, ..Settings::default() };
+        let settings = JudgeSettings { grid: Some(48), realisations, ..JudgeSettings::default() };
         let plan = JudgePlan::new(&scene, &results, &settings);
         let counted = Counted::default();
         let judgement = plan.run(&counted).unwrap();
@@ -359,7 +360,7 @@ fn a_hundred_pairs_of_seeds_differ_by_their_standard_errors() {
     let scene = scene(0.9, "", "\"200 MPa\"", &["model = \"persson\""]);
     let results = scene.plan().compute().unwrap();
     let area = |seed: u64| {
-        let settings = Settings { seed, ..coarse(64, 4) };
+        let settings = JudgeSettings { seed, ..coarse(64, 4) };
         let judgement = JudgePlan::new(&scene, &results, &settings).run(&Unobserved).unwrap();
         judgement.curves[0].elements.unwrap()
     };

@@ -186,7 +186,7 @@ fn judgement(
     if !options.is_judged(scene) {
         return Ok(None);
     }
-    let settings = judge::Settings::from_choices(scene.judge.as_ref());
+    let settings = judge::JudgeSettings::from_choices(scene.judge.as_ref());
     let plan = JudgePlan::new(scene, results, &settings);
     let progress = watch.begin(Phase::Judging, plan.solutions());
     let judgement = plan.run(&*progress)?;

@@ -76,7 +76,7 @@ fn a_corrected_curve_is_in_table_figure_verdict_first_line_and_interval() {
     let series = figure.series.iter().find(|series| series.curve == "persson-algebraic-nayak").unwrap();
     assert_eq!(series.points.last().map(|point| point.1), Some(last_area(CORRECTED)));
 
-    let settings = judge::Settings { grid: Some(64), realisations: Some(4), ..Default::default() };
+    let settings = judge::JudgeSettings { grid: Some(64), realisations: Some(4), ..Default::default() };
     let judgement = JudgePlan::new(&scene, &results, &settings).run(&Unobserved).unwrap();
     let of_corrected = &judgement.curves[CORRECTED];
     assert_eq!(of_corrected.verdict, Verdict::Agrees, "{of_corrected:?}");

@@ -1,7 +1,7 @@
 //! Trials of the judge of scenes: spectra of every kind, whose whole band is solved at once, against the judge that must cut
 //! them into windows: the tables of `docs/guide/judge.md`.
 
-use judge::{CurveVerdict, JudgePlan, Settings, Verdict};
+use judge::{CurveVerdict, JudgePlan, JudgeSettings, Verdict};
 use numerics::parallel::Unobserved;
 use serde::{Deserialize, Serialize};
 use tables::markdown::{table, with_section};
@@ -21,7 +21,7 @@ impl JudgeTrial {
     /// # Errors
     /// The error of making or pressing a surface, and of running a model.
     pub fn judged(&self, truth: &[TruthRow]) -> Result<Vec<JudgedRow>, TrialError> {
-        let settings = Settings { budget: BUDGET, ..Settings::default() };
+        let settings = JudgeSettings { budget: BUDGET, ..JudgeSettings::default() };
         let scene = self.scene(true)?;
         let results = scene.plan().compute()?;
         let judgement = JudgePlan::new(&scene, &results, &settings).run(&Unobserved)?;

@@ -4,7 +4,7 @@
 use asperity::{ElasticBody, Layer, LayerCompliance, MaterialPair};
 use elements::Relief;
 use elements::half_space::{Elements, Grid, Loading};
-use judge::{CurveVerdict, JudgePlan, Settings, Verdict};
+use judge::{CurveVerdict, JudgePlan, JudgeSettings, Verdict};
 use numerics::parallel::Unobserved;
 use scene::Scene;
 use serde::{Deserialize, Serialize};
@@ -252,7 +252,7 @@ impl LayerTrial {
         let pressures_pa = LOADS.map(|load| load * 2.0 * spread_pa);
         let scene = self.scene(&pressures_pa)?;
         let results = scene.plan().compute()?;
-        let settings = Settings { budget: BUDGET, ..Settings::default() };
+        let settings = JudgeSettings { budget: BUDGET, ..JudgeSettings::default() };
         let judgement = JudgePlan::new(&scene, &results, &settings).run(&Unobserved)?;
         let row = |curve: &CurveVerdict| {
             let known =

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use conclusions::Conclusions;
 use findings::answer::Answer;
 use findings::sensitivity::{Sensitivity, sensitivities};
-use judge::{JudgePlan, Judgement, Settings};
+use judge::{JudgePlan, JudgeSettings, Judgement};
 use paper::{Evidence, Verdict};
 use report::page::Report;
 use report::products::SceneProducts;
@@ -118,7 +118,7 @@ struct Found {
 impl Found {
     fn about(evidence: &Evidence) -> Result<Self, Box<dyn Error>> {
         let (scene, results) = (&evidence.scene, &evidence.results);
-        let settings = Settings::from_choices(scene.judge.as_ref());
+        let settings = JudgeSettings::from_choices(scene.judge.as_ref());
         Ok(Found {
             answer: Answer::from_results(scene, results),
             sensitivities: sensitivities(scene, results, &Unobserved)?,

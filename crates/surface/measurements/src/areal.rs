@@ -10,7 +10,7 @@ use crate::request::ScanRequest;
 use tables::Table;
 
 /// The two-dimensional spectrum of a map, averaged radially.
-pub struct ArealSpectrum {
+pub struct ArealTable {
     /// Columns `wavelength_m, wavevector_rad_per_m, Ciso_m4, modes`, from long to short wavelengths, within the
     /// reliable band.
     pub table: Table,
@@ -29,7 +29,7 @@ pub fn areal_spectrum(
     request: &ScanRequest,
     files: &dyn Files,
     recipe: &Recipe,
-) -> Result<ArealSpectrum, TopographyError> {
+) -> Result<ArealTable, TopographyError> {
     let recipe = &request.recipe(recipe);
     if recipe.direction != Direction::X {
         let problem = ScanProblem::AreaHasNoDirection(recipe.direction);
@@ -52,5 +52,5 @@ pub fn areal_spectrum(
         request.path, file.format, found.preparation.detrend, found.preparation.window
     );
     let of_map = |remark| Remark::Scan { names: vec![file.name.clone()], remark };
-    Ok(ArealSpectrum { table, provenance, remarks: found.remarks.into_iter().map(of_map).collect() })
+    Ok(ArealTable { table, provenance, remarks: found.remarks.into_iter().map(of_map).collect() })
 }

@@ -1,7 +1,7 @@
 //! Channels of the files of instruments, one row each.
 
 use roughness::{HeightParameters, Parameter};
-use scans::{Axis, Measure, Probe, ScanFile, Statistics, visit_channels};
+use scans::{Measure, Probe, ScanAxis, ScanFile, Statistics, visit_channels};
 use tables::Table;
 use units::display::{counted, length};
 use units::printable::printable_line;
@@ -216,8 +216,8 @@ fn note(file: &ScanFile, found: Option<Statistics>) -> String {
         parts.push("unevenly spaced".to_owned());
     }
     match file.fast_axis {
-        Some(Axis::X) => parts.push("fast axis x".to_owned()),
-        Some(Axis::Y) => parts.push("fast axis y".to_owned()),
+        Some(ScanAxis::X) => parts.push("fast axis x".to_owned()),
+        Some(ScanAxis::Y) => parts.push("fast axis y".to_owned()),
         None => {}
     }
     match (file.probe, file.tip_radius_m) {

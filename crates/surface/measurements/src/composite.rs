@@ -1,7 +1,7 @@
 //! The composite spectrum of the scans in files, with its provenance.
 
 use numerics::parallel::{Progress, Unobserved};
-use scans::{Axis, HeightMap, Scan, ScanFile};
+use scans::{HeightMap, Scan, ScanAxis, ScanFile};
 use tables::Table;
 use topography::{CompositeSpectrum, Detrend, ScanSpectrum, TransformError, without_gaps};
 use units::number;
@@ -22,7 +22,7 @@ pub struct CompositeOfFiles {
     /// The spectra of the scans and their composite.
     pub spectrum: CompositeSpectrum,
     /// Origin of each scan.
-    pub sources: Vec<Source>,
+    pub sources: Vec<ScanSource>,
     /// Middles of its maps, for boundary elements.
     pub maps: Vec<MapPatch>,
     /// The scans in short, where they were asked for; a map has one, also if it has a spectrum along each axis.
@@ -75,7 +75,7 @@ impl MapPatch {
 
 /// The origin of a scan.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Source {
+pub struct ScanSource {
     /// File name as typed.
     pub file: String,
     /// SHA-256 in hexadecimal digits.
@@ -136,7 +136,7 @@ impl CompositeOfFiles {
         let transform = |input| transform_input(input, files, recipe, wanted, progress);
         let of_files = numerics::parallel::map_owned(inputs, transform);
         let (mut scans, mut maps, mut sketches) = (Vec::new(), Vec::new(), Vec::new());
-        let mut sources: Vec<Source> = Vec::new();
+        let mut sources: Vec<ScanSource> = Vec::new();
         let mut request_of = Vec::new();
         for (at, of_file) in of_files.into_iter().enumerate() {
             let of_file = of_file.map_err(|error| TopographyError { request: Some(at), ..error })?;
@@ -171,8 +171,8 @@ impl CompositeOfFiles {
             let channel =
                 scan.channel.as_ref().map_or(String::new(), |channel| format!(", channel {channel}"));
             let along = match scan.axis {
-                Some(Axis::X) => ", along x",
-                Some(Axis::Y) => ", along y",
+                Some(ScanAxis::X) => ", along x",
+                Some(ScanAxis::Y) => ", along y",
                 None => "",
             };
             lines.push(format!(
@@ -190,7 +190,7 @@ impl CompositeOfFiles {
 }
 
 /// Names instruments that are known by the path of their file by its last part alone, where no other has that name.
-fn shorten_instruments(sources: &mut [Source]) {
+fn shorten_instruments(sources: &mut [ScanSource]) {
     let short = |name: &str| name.rsplit(['/', '\\']).next().unwrap_or_default().to_owned();
     let names: Vec<String> = sources.iter().map(|source| source.instrument.name.clone()).collect();
     for source in sources.iter_mut().filter(|source| source.instrument.name == source.file) {
@@ -204,7 +204,7 @@ fn shorten_instruments(sources: &mut [Source]) {
 /// Spectra of one file, with one source per spectrum.
 struct FileSpectra {
     scans: Vec<ScanSpectrum>,
-    sources: Vec<Source>,
+    sources: Vec<ScanSource>,
     maps: Vec<MapPatch>,
     sketches: Vec<ScanSketch>,
 }
@@ -248,7 +248,7 @@ fn transform_input(
         let instrument = InstrumentOfScan::new(request, &scan);
         found.maps.extend(MapPatch::from_file(&scan, &recipe));
         let spectra = ScanSpectrum::per_direction(scan, request.limits(), &recipe).map_err(blame)?;
-        let source = Source { file: request.path.clone(), sha256: sha256.clone(), instrument };
+        let source = ScanSource { file: request.path.clone(), sha256: sha256.clone(), instrument };
         found.sources.extend(spectra.iter().map(|_| source.clone()));
         found.scans.extend(spectra);
     }

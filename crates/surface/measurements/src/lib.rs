@@ -18,10 +18,10 @@ mod roughness_of_files;
 mod scales_of_files;
 mod sketch;
 
-pub use areal::{ArealSpectrum, areal_spectrum};
+pub use areal::{ArealTable, areal_spectrum};
 pub use calibration::{Instrument, SlopeUncertainty, ZCalibration};
 pub use channels::{Channels, read_channels};
-pub use composite::{CompositeOfFiles, MapPatch, STEPS_PER_FILE, ScanInput, Source};
+pub use composite::{CompositeOfFiles, MapPatch, STEPS_PER_FILE, ScanInput, ScanSource};
 pub use error::{ScanProblem, TopographyError};
 pub use files::{Files, NoFiles};
 pub use folders::ScansInFolders;

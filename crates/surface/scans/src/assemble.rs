@@ -4,7 +4,7 @@ use crate::channel::{Channel, Lateral, Quantity, UnitsBy};
 use crate::choice_of_size;
 use crate::choice_of_size::refuse_size;
 use crate::choice_of_units::{Units, own_scale_note, refuse_unit};
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::file::ScanFile;
 use crate::format::ScanFormat;
 use crate::heights::{HeightMap, NonuniformLineScan, Scan, UniformLineScan};
@@ -131,7 +131,7 @@ fn scan(
     let rows = decoded.values.len() / columns.max(1);
     let stated = match lateral {
         Lateral::Positions(positions_m) => {
-            refuse_size(format, Place::File, options)?;
+            refuse_size(format, FilePlace::File, options)?;
             return uneven_line(positions_m, decoded, notes);
         }
         Lateral::Unknown => None,

@@ -1,6 +1,6 @@
 //! Lateral sizes: which one counts.
 
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::format::ScanFormat;
 use crate::options::ScanOptions;
 use crate::scan_size::ScanSize;
@@ -28,7 +28,7 @@ pub(crate) fn size(
 /// Refuses a size asked for where every point has its position.
 pub(crate) fn refuse_size(
     format: ScanFormat,
-    place: Place,
+    place: FilePlace,
     options: &ScanOptions,
 ) -> Result<(), ScanReadError> {
     if options.size.is_none() { Ok(()) } else { Err(ScanReadError::SizeIsFixed { format, place }) }

@@ -1,6 +1,6 @@
 //! Reading of binary fields one after the other, each within the file.
 
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::format::ScanFormat;
 pub(crate) use crate::texts::{latin1, latin1_at_most};
 
@@ -115,7 +115,7 @@ impl<'b> Cursor<'b> {
     pub(crate) fn bad(&self, offset: usize, field: &str, value: &str, bound: &str) -> ScanReadError {
         ScanReadError::BadField {
             format: self.format,
-            place: Place::Byte(offset as u64),
+            place: FilePlace::Byte(offset as u64),
             field: field.to_owned(),
             value: value.to_owned(),
             bound: bound.to_owned(),

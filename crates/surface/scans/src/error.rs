@@ -36,7 +36,7 @@ pub enum ScanReadError {
         /// Format of the file.
         format: ScanFormat,
         /// Place where it should be.
-        place: Place,
+        place: FilePlace,
         /// Its name.
         field: String,
         /// Advice.
@@ -48,7 +48,7 @@ pub enum ScanReadError {
         /// Format of the file.
         format: ScanFormat,
         /// Place of the point or field.
-        place: Place,
+        place: FilePlace,
         /// Its name.
         field: String,
         /// Value found.
@@ -81,7 +81,7 @@ pub enum ScanReadError {
         /// Format of the file.
         format: ScanFormat,
         /// Place in the file.
-        place: Place,
+        place: FilePlace,
         /// Variant found.
         found: String,
         /// Advice.
@@ -142,7 +142,7 @@ pub enum ScanReadError {
         /// Format of the file.
         format: ScanFormat,
         /// Place in the file.
-        place: Place,
+        place: FilePlace,
     },
     /// Bytes that are no text.
     #[error(
@@ -371,7 +371,7 @@ pub enum ScanOption {
 
 /// A place in a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum FilePlace {
     /// The whole file.
     File,
     /// Line, from 1.
@@ -382,7 +382,7 @@ pub enum Place {
     Element(String),
 }
 
-impl fmt::Display for Place {
+impl fmt::Display for FilePlace {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::File => f.write_str("the file"),

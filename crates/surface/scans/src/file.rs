@@ -1,6 +1,6 @@
 //! A scan as read, with its metadata.
 
-use crate::channel::Axis;
+use crate::channel::ScanAxis;
 use crate::error::ScanReadError;
 use crate::format::ScanFormat;
 use crate::heights::Scan;
@@ -27,7 +27,7 @@ pub struct ScanFile<S = MeasuredScan> {
     /// The channels with heights that the file offers.
     pub channels: Vec<String>,
     /// Axis of a map along which the instrument scanned its lines, where the file states it.
-    pub fast_axis: Option<Axis>,
+    pub fast_axis: Option<ScanAxis>,
     /// True if the heights repeat themselves beyond the scan.
     pub is_periodic: bool,
     /// The probe, where the file states it or the format has only one kind.

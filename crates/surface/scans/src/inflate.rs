@@ -4,7 +4,7 @@ use std::io::Read;
 
 use flate2::read::ZlibDecoder;
 
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::format::ScanFormat;
 
 /// Offset of a stream in a file, for messages.
@@ -18,7 +18,7 @@ pub(crate) struct StreamPlace {
 pub(crate) fn inflated(place: &StreamPlace, packed: &[u8], length: usize) -> Result<Vec<u8>, ScanReadError> {
     let bad = |value: String| ScanReadError::BadField {
         format: place.format,
-        place: Place::Byte(place.offset as u64),
+        place: FilePlace::Byte(place.offset as u64),
         field: "the packed data".to_owned(),
         value,
         bound: format!("a zlib stream of {length} bytes"),

@@ -45,8 +45,8 @@ mod inflate;
 #[cfg(feature = "archives")]
 mod unpacked;
 
-pub use channel::Axis;
-pub use error::{Mend, Place, ScanOption, ScanReadError};
+pub use channel::ScanAxis;
+pub use error::{FilePlace, Mend, ScanOption, ScanReadError};
 pub use file::ScanFile;
 pub use foreign::ForeignFile;
 pub use format::ScanFormat;

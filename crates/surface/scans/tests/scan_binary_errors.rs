@@ -43,7 +43,7 @@ fn nanoscope_headers_that_lie() {
     let refused = |from: &str, to: &str| refusal(&replaced(&bytes, from, to), &none());
     refused!(
         refused("Data length: 48", "Data length: 47"),
-        BadField { field: "'Data length'", value: "'47'", place: scans::Place::Byte(192) }
+        BadField { field: "'Data length'", value: "'47'", place: scans::FilePlace::Byte(192) }
     );
     refused!(
         refused("Data offset: 2048", "Data offset: 2049"),

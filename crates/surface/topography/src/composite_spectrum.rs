@@ -3,7 +3,7 @@
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::iter;
 
-use scans::Axis;
+use scans::ScanAxis;
 use spectrum::{Convention, Hole, Psd};
 
 use crate::composite::average_scan_bins;
@@ -130,7 +130,7 @@ impl CompositeSpectrum {
     /// Yields the indices of the two spectra of each map that has one along each axis; they follow each other.
     fn both_directions(&self) -> impl Iterator<Item = (usize, usize)> {
         let is_pair = |&(x, y): &(usize, usize)| {
-            [x, y].map(|scan| self.scans[scan].axis) == [Some(Axis::X), Some(Axis::Y)]
+            [x, y].map(|scan| self.scans[scan].axis) == [Some(ScanAxis::X), Some(ScanAxis::Y)]
         };
         (1..self.scans.len()).map(|y| (y - 1, y)).filter(is_pair)
     }
@@ -158,7 +158,7 @@ impl CompositeSpectrum {
     /// Returns true if the two spectra are those of one map along both axes, not of two instruments.
     fn is_one_map(&self, overlap: &Overlap) -> bool {
         let (x, y) = (overlap.first, overlap.second);
-        y == x + 1 && self.scans[x].axis == Some(Axis::X) && self.scans[y].axis == Some(Axis::Y)
+        y == x + 1 && self.scans[x].axis == Some(ScanAxis::X) && self.scans[y].axis == Some(ScanAxis::Y)
     }
 
     /// Collects remarks: assumptions of the reader, and checks of each spectrum, of overlaps and of the composite.

@@ -1,6 +1,6 @@
 //! Lines without missing points, cut out of scans.
 
-use scans::{Axis, MeasuredScan, ParallelLines};
+use scans::{MeasuredScan, ParallelLines, ScanAxis};
 
 use crate::error::TransformError;
 
@@ -20,10 +20,10 @@ pub(crate) struct Cut {
 /// Cuts out the lines along x without missing points and, for a map, also those along y if there are any.
 pub(crate) fn cut(scan: &MeasuredScan) -> Result<Cut, TransformError> {
     let ((columns, rows), (spacing_x_m, spacing_y_m)) = (scan.points(), scan.spacing_m());
-    let of_rows = Lines { scan, axis: Axis::X, count: rows.unwrap_or(1), points: columns, columns };
+    let of_rows = Lines { scan, axis: ScanAxis::X, count: rows.unwrap_or(1), points: columns, columns };
     let along_x = of_rows.cut(spacing_x_m)?;
     let (Some(rows), Some(spacing_y_m)) = (rows, spacing_y_m) else { return Ok(along_x) };
-    let of_columns = Lines { scan, axis: Axis::Y, count: columns, points: rows, columns };
+    let of_columns = Lines { scan, axis: ScanAxis::Y, count: columns, points: rows, columns };
     Ok(match of_columns.cut(spacing_y_m) {
         Ok(along_y) => Cut {
             lines: along_x.lines.with_across(along_y.lines),
@@ -36,7 +36,7 @@ pub(crate) fn cut(scan: &MeasuredScan) -> Result<Cut, TransformError> {
 /// The lines of a scan along an axis.
 struct Lines<'a> {
     scan: &'a MeasuredScan,
-    axis: Axis,
+    axis: ScanAxis,
     count: usize,
     points: usize,
     columns: usize,
@@ -73,8 +73,8 @@ impl Lines<'_> {
 
     fn height_m(&self, line: usize, at: usize) -> Option<f64> {
         self.scan.height_m(match self.axis {
-            Axis::X => line * self.columns + at,
-            Axis::Y => at * self.columns + line,
+            ScanAxis::X => line * self.columns + at,
+            ScanAxis::Y => at * self.columns + line,
         })
     }
 

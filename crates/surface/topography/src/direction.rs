@@ -1,6 +1,6 @@
 //! Axis of a map along which its spectrum is taken.
 
-use scans::{Axis, Scan, ScanFile};
+use scans::{Scan, ScanAxis, ScanFile};
 use serde::{Deserialize, Serialize};
 
 use crate::cut_lines::LEAST_POINTS;
@@ -21,11 +21,11 @@ pub enum Direction {
 
 units::named!(Direction, "direction", { X => "x", Y => "y", Both => "both" });
 
-impl From<Axis> for Direction {
-    fn from(axis: Axis) -> Self {
+impl From<ScanAxis> for Direction {
+    fn from(axis: ScanAxis) -> Self {
         match axis {
-            Axis::X => Self::X,
-            Axis::Y => Self::Y,
+            ScanAxis::X => Self::X,
+            ScanAxis::Y => Self::Y,
         }
     }
 }
@@ -47,7 +47,7 @@ pub(crate) fn turned(mut file: ScanFile<Scan>) -> Result<ScanFile<Scan>, Transfo
     file.scan = match file.scan {
         Scan::Map(map) => Scan::Map(map.turned()),
         Scan::Lines(lines) => Scan::Lines(
-            lines.into_across().ok_or(TransformError::NoLines { axis: Axis::Y, least: LEAST_POINTS })?,
+            lines.into_across().ok_or(TransformError::NoLines { axis: ScanAxis::Y, least: LEAST_POINTS })?,
         ),
         line => {
             file.notes

@@ -1,6 +1,6 @@
 //! Errors of making spectra from heights.
 
-use scans::{Axis, ScanError};
+use scans::{ScanAxis, ScanError};
 use spectrum::PsdError;
 use thiserror::Error;
 use units::display::length;
@@ -81,13 +81,13 @@ pub enum TransformError {
     #[error(
         "no line along {} has {least} neighbouring points with heights; crop the scan to a part with fewer missing points, or \
          measure with an instrument that loses fewer points",
-        match axis { Axis::X => "x", Axis::Y => "y" }
+        match axis { ScanAxis::X => "x", ScanAxis::Y => "y" }
     )]
     NoLines {
         /// Smallest number of points of a stretch.
         least: usize,
         /// Axis of the lines.
-        axis: Axis,
+        axis: ScanAxis,
     },
     /// An area is needed, but missing points left only lines.
     #[error(

@@ -1,6 +1,6 @@
 //! The spectrum of a scan in its reliable band.
 
-use scans::{Axis, Scan, ScanFile, ScanFormat};
+use scans::{Scan, ScanAxis, ScanFile, ScanFormat};
 use spectrum::ProfilePsd;
 
 use crate::band_end::{FoundBand, band_of};
@@ -45,9 +45,9 @@ pub struct ScanSpectrum {
     /// Checks of the spectrum.
     pub checks: Checks,
     /// Axis of the lines, if the map has a spectrum along each.
-    pub axis: Option<Axis>,
+    pub axis: Option<ScanAxis>,
     /// Fast axis of the instrument, if the file states it.
-    pub fast_axis: Option<Axis>,
+    pub fast_axis: Option<ScanAxis>,
     /// Assumptions of the reader, one sentence each.
     pub notes: Vec<String>,
 }
@@ -85,8 +85,8 @@ impl ScanSpectrum {
             Direction::Y => Ok(vec![Self::new(turned(file)?, given, recipe)?]),
             Direction::Both if !has_two(&file.scan) => Ok(vec![Self::new(turned(file)?, given, recipe)?]),
             Direction::Both => {
-                let along_x = Self::from_file(&file, given, recipe)?.named_along(Axis::X);
-                let along_y = Self::new(turned(file)?, given, recipe)?.named_along(Axis::Y);
+                let along_x = Self::from_file(&file, given, recipe)?.named_along(ScanAxis::X);
+                let along_y = Self::new(turned(file)?, given, recipe)?.named_along(ScanAxis::Y);
                 Ok(vec![along_x, along_y])
             }
         }
@@ -117,10 +117,10 @@ impl ScanSpectrum {
         })
     }
 
-    fn named_along(mut self, axis: Axis) -> Self {
+    fn named_along(mut self, axis: ScanAxis) -> Self {
         self.name += match axis {
-            Axis::X => ", along x",
-            Axis::Y => ", along y",
+            ScanAxis::X => ", along x",
+            ScanAxis::Y => ", along y",
         };
         self.axis = Some(axis);
         self

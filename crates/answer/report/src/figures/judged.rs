@@ -1,6 +1,6 @@
 //! The areas of boundary elements on figures of areas.
 
-use judge::{Body, ERRORS_GIVEN, Judgement};
+use judge::{BodyKind, ERRORS_GIVEN, Judgement};
 use scene::Scene;
 use study::figure::{FigureData, Mark};
 
@@ -16,8 +16,8 @@ pub(crate) fn with_marks(figure: FigureData, judgement: &Judgement, scene: &Scen
     for on in of_windows.filter(|on| shown(on.load)) {
         let Some(judged) = on.elements_of_whole else { continue };
         let given = ERRORS_GIVEN * judged.standard_error;
-        let (label, is_ring) = match Body::from_model(&scene.needs.curves[on.curve].model) {
-            Body::Hard { .. } => (SATURATED, true),
+        let (label, is_ring) = match BodyKind::from_model(&scene.needs.curves[on.curve].model) {
+            BodyKind::Hard { .. } => (SATURATED, true),
             _ => (ELASTIC, false),
         };
         let mark = Mark {

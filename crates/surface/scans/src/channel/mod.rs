@@ -5,7 +5,7 @@ mod names;
 pub(crate) use crate::texts::{MOST_TEXT, shortened};
 pub(crate) use names::{is_named_after_height, is_named_after_signal};
 
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::format::ScanFormat;
 use crate::measure::Measure;
 use crate::metadata::Probe;
@@ -28,7 +28,7 @@ pub(crate) struct Channel<'b> {
     pub(crate) samples: Samples<'b>,
     pub(crate) units: UnitsBy,
     /// Axis of the map along which the instrument scanned its lines, where the file states it.
-    pub(crate) fast_axis: Option<Axis>,
+    pub(crate) fast_axis: Option<ScanAxis>,
     pub(crate) is_periodic: Option<bool>,
     pub(crate) probe: Option<Probe>,
     pub(crate) tip_radius_m: Option<f64>,
@@ -41,7 +41,7 @@ pub(crate) struct Channel<'b> {
 
 /// An axis of a map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Axis {
+pub enum ScanAxis {
     /// Along its rows.
     X,
     /// Across them.
@@ -213,7 +213,7 @@ pub(crate) fn refuse_many(format: ScanFormat, channels: usize) -> Result<(), Sca
     }
     Err(ScanReadError::BadField {
         format,
-        place: Place::File,
+        place: FilePlace::File,
         field: "the number of channels".to_owned(),
         value: format!("at least {channels}"),
         bound: format!("at most {MOST_CHANNELS}"),

@@ -5,7 +5,7 @@
 
 use crate::channel::{Channel, Lateral, Quantity, Samples};
 use crate::cursor::{ByteOrder, Cursor};
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
 use crate::numbers;
@@ -123,7 +123,7 @@ impl Tags<'_> {
     fn count(&self, key: &str) -> Result<usize, ScanReadError> {
         let tag = self.get(key).ok_or_else(|| ScanReadError::MissingField {
             format: FORMAT,
-            place: Place::File,
+            place: FilePlace::File,
             field: format!("tag '{key}'"),
             mend: "export the file again with its depth image",
         })?;

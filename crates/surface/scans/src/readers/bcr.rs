@@ -6,7 +6,7 @@
 
 use crate::channel::{Channel, Lateral, Quantity, Samples};
 use crate::cursor::ByteOrder;
-use crate::error::{Place, ScanReadError, quoted};
+use crate::error::{FilePlace, ScanReadError, quoted};
 use crate::format::ScanFormat;
 use crate::numbers;
 use crate::options::ScanOptions;
@@ -103,7 +103,7 @@ impl Header {
     fn count(&self, key: &str) -> Result<usize, ScanReadError> {
         let value = self.get(key).ok_or_else(|| ScanReadError::MissingField {
             format: FORMAT,
-            place: Place::File,
+            place: FilePlace::File,
             field: format!("'{key}' in the header"),
             mend: "export the file again",
         })?;
@@ -118,7 +118,7 @@ impl Header {
 fn bad(key: &str, value: &str, bound: &str) -> ScanReadError {
     ScanReadError::BadField {
         format: FORMAT,
-        place: Place::File,
+        place: FilePlace::File,
         field: format!("'{key}' in the header"),
         value: quoted(value),
         bound: bound.to_owned(),

@@ -7,14 +7,14 @@ const DISCERNIBLE: f64 = 0.25;
 const SPARSEST: usize = 4;
 
 /// One axis of a grid.
-pub(crate) struct Axis {
+pub(crate) struct ScanAxis {
     pub(crate) first: f64,
     pub(crate) spacing: f64,
     /// At least 1.
     pub(crate) count: usize,
 }
 
-impl Axis {
+impl ScanAxis {
     /// The axis of positions in any order, each known within a rounding; none where they are on no even one.
     pub(crate) fn fit(mut values: Vec<f64>, rounding: f64) -> Option<Self> {
         sort(&mut values);
@@ -57,7 +57,7 @@ fn sort(values: &mut Vec<f64>) {
 }
 
 /// Number of points of the grid; none where so many points hardly fill it.
-pub(crate) fn points_of_grid(x: &Axis, y: &Axis, points: usize) -> Option<usize> {
+pub(crate) fn points_of_grid(x: &ScanAxis, y: &ScanAxis, points: usize) -> Option<usize> {
     x.count.checked_mul(y.count).filter(|&size| size / SPARSEST <= points)
 }
 

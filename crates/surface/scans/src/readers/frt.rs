@@ -3,7 +3,7 @@
 
 use crate::channel::{Channel, Lateral, MOST_TEXT, Quantity, Samples, refuse_many, shortened};
 use crate::cursor::{ByteOrder, Cursor, latin1};
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
 use crate::options::ScanOptions;
@@ -65,7 +65,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
         let found = blocks.iter().find(|block| block.id == id).map(|block| block.cursor);
         found.ok_or_else(|| ScanReadError::MissingField {
             format: FORMAT,
-            place: Place::File,
+            place: FilePlace::File,
             field: format!("block 0x{id:02x}, {what}"),
             mend: "the file holds no heights, or is damaged: export it again",
         })

@@ -3,8 +3,8 @@
 //!
 //! The layout is that which Gwyddion's importer, written by the maker, and SurfaceTopography's reader follow.
 
-use crate::channel::{Axis, Channel, Lateral, MOST_TEXT, Quantity, shortened};
-use crate::error::{Place, ScanReadError};
+use crate::channel::{Channel, Lateral, MOST_TEXT, Quantity, ScanAxis, shortened};
+use crate::error::{FilePlace, ScanReadError};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
 use crate::options::ScanOptions;
@@ -61,7 +61,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     let named = tiff.pages.iter().filter_map(|page| Some((page, name(page)?)));
     let channels = named.map(|(page, name)| Channel {
         probe: Some(Probe::Tip),
-        fast_axis: Some(Axis::X),
+        fast_axis: Some(ScanAxis::X),
         free_text: free_text.clone(),
         ..channel(page, name, lateral.clone(), &mut left)
     });
@@ -99,7 +99,7 @@ fn raster<'b>(page: &Page<'b>, slot: Option<u16>, left: &mut usize) -> Result<Ra
     if scaling != "LinearScaling" {
         return Err(ScanReadError::Unsupported {
             format: FORMAT,
-            place: Place::File,
+            place: FilePlace::File,
             found: format!("a channel with the scaling '{scaling}'"),
             mend: "choose a linear calibration of the channel and save it again",
         });
@@ -114,5 +114,5 @@ fn raster<'b>(page: &Page<'b>, slot: Option<u16>, left: &mut usize) -> Result<Ra
 
 fn missing(field: &str) -> ScanReadError {
     let mend = "export the file again";
-    ScanReadError::MissingField { format: FORMAT, place: Place::File, field: field.to_owned(), mend }
+    ScanReadError::MissingField { format: FORMAT, place: FilePlace::File, field: field.to_owned(), mend }
 }

@@ -5,7 +5,7 @@ use memchr::memmem;
 
 use crate::channel::{Channel, Lateral, Quantity};
 use crate::cursor::{ByteOrder, Cursor};
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
 use crate::options::ScanOptions;
@@ -69,7 +69,7 @@ fn packed<'b>(bytes: &[u8], options: &ScanOptions) -> Result<Vec<Channel<'b>>, S
 fn packed<'b>(_: &[u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
     Err(ScanReadError::Unsupported {
         format: FORMAT,
-        place: Place::File,
+        place: FilePlace::File,
         found: "a packed file".to_owned(),
         mend: "build with the feature 'archives'",
     })
@@ -123,7 +123,7 @@ fn raster(mut cursor: Cursor<'_>, scale: f64) -> Result<Raster<'_>, ScanReadErro
     if compression != 0 {
         return Err(ScanReadError::Unsupported {
             format: FORMAT,
-            place: Place::Byte(at as u64),
+            place: FilePlace::Byte(at as u64),
             found: format!("compression {compression}"),
             mend: "export it without compression",
         });

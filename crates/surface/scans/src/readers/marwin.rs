@@ -7,7 +7,7 @@ use super::measured_line::MeasuredLine;
 use crate::archive::{Archive, is_named_in, is_zip};
 use crate::channel::{Channel, Quantity};
 use crate::cursor::{ByteOrder, Cursor, latin1};
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
 use crate::numbers;
@@ -128,7 +128,7 @@ fn points_start(file: &[u8], texts_end: usize) -> Result<usize, ScanReadError> {
         let found = rest.windows(mark.len()).position(|part| part == mark);
         at += found.ok_or_else(|| ScanReadError::MissingField {
             format: FORMAT,
-            place: Place::Byte(at as u64),
+            place: FilePlace::Byte(at as u64),
             field: format!("section '{}'", mark.escape_ascii()),
             mend: "the file is damaged or of a variant that is not known: export it again",
         })?;

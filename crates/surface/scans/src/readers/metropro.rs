@@ -5,7 +5,7 @@
 
 use crate::channel::{Channel, Lateral, Quantity, Samples};
 use crate::cursor::{ByteOrder, Cursor};
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
 use crate::options::ScanOptions;
@@ -79,7 +79,7 @@ fn header(bytes: &[u8]) -> Result<Header, ScanReadError> {
     if columns == 0 || rows == 0 {
         return Err(ScanReadError::MissingField {
             format: FORMAT,
-            place: Place::Byte(68),
+            place: FilePlace::Byte(68),
             field: format!("phase data ({columns} x {rows} points)"),
             mend: "save the file with its phases, not with intensities alone",
         });

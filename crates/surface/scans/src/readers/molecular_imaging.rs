@@ -3,9 +3,9 @@
 //!
 //! The layout is that which Gwyddion's importer follows, whose author wrote it for the maker.
 
-use crate::channel::{Axis, Channel, Lateral, Quantity, Samples, refuse_many};
+use crate::channel::{Channel, Lateral, Quantity, Samples, ScanAxis, refuse_many};
 use crate::cursor::latin1;
-use crate::error::{Place, ScanReadError, quoted};
+use crate::error::{FilePlace, ScanReadError, quoted};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
 use crate::numbers;
@@ -48,7 +48,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     if kind != "Image" {
         return Err(ScanReadError::Unsupported {
             format: FORMAT,
-            place: Place::Byte(0),
+            place: FilePlace::Byte(0),
             found: format!("a file of type '{kind}'"),
             mend: "export an image of heights",
         });
@@ -109,7 +109,7 @@ impl Header {
         }
         Err(ScanReadError::MissingField {
             format: FORMAT,
-            place: Place::Byte(head.len() as u64),
+            place: FilePlace::Byte(head.len() as u64),
             field: "line 'data' before it".to_owned(),
             mend: "the file is cut off: export it again",
         })
@@ -123,7 +123,7 @@ fn get<'e>(entries: &'e Entries, key: &str) -> Option<&'e str> {
 fn require<'e>(entries: &'e Entries, key: &str) -> Result<&'e str, ScanReadError> {
     get(entries, key).ok_or_else(|| ScanReadError::MissingField {
         format: FORMAT,
-        place: Place::File,
+        place: FilePlace::File,
         field: format!("'{key}' in the header"),
         mend: "export the file again",
     })
@@ -143,7 +143,7 @@ fn range(entries: &Entries) -> Result<f64, ScanReadError> {
 fn bad(field: &str, value: &str, bound: &str) -> ScanReadError {
     ScanReadError::BadField {
         format: FORMAT,
-        place: Place::File,
+        place: FilePlace::File,
         field: format!("'{field}'"),
         value: quoted(value),
         bound: bound.to_owned(),
@@ -193,7 +193,7 @@ fn channel<'b>(
     let samples = samples.unwrap_or_else(|error| Samples::Unreadable(Box::new(error)));
     Channel {
         probe: Some(Probe::Tip),
-        fast_axis: (rows > 1).then_some(Axis::X),
+        fast_axis: (rows > 1).then_some(ScanAxis::X),
         free_text: get(scan, "comment").unwrap_or_default().to_owned(),
         ..Channel::new(Some(name), quantity, lateral, samples)
     }

@@ -4,10 +4,10 @@
 //! The layout is that which Nanosurf's own reader, published under the MIT license, and Gwyddion's follow.
 
 use crate::channel::{
-    Axis, Channel, Lateral, MOST_TEXT, Quantity, Samples, is_named_after_signal, refuse_many, shortened,
+    Channel, Lateral, MOST_TEXT, Quantity, Samples, ScanAxis, is_named_after_signal, refuse_many, shortened,
 };
 use crate::cursor::ByteOrder;
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
 use crate::numbers;
@@ -116,7 +116,7 @@ impl Stored {
     ) -> Result<Raster<'b>, ScanReadError> {
         let offset = offset.ok_or_else(|| ScanReadError::Unsupported {
             format: FORMAT,
-            place: Place::Element(format!("[{section}]")),
+            place: FilePlace::Element(format!("[{section}]")),
             found: "a channel behind one of unknown size".to_owned(),
             mend: "export this channel alone",
         })?;
@@ -156,7 +156,7 @@ fn channel<'b>(
     let lateral = size(header, section, rows).map_or(Lateral::Unknown, Lateral::Size);
     Channel {
         probe: Some(Probe::Tip),
-        fast_axis: (rows > 1).then_some(Axis::X),
+        fast_axis: (rows > 1).then_some(ScanAxis::X),
         free_text: free_text.to_owned(),
         ..Channel::new(Some(format!("{frame} ({signal})")), quantity, lateral, samples)
     }

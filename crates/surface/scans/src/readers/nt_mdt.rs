@@ -5,7 +5,7 @@
 
 use crate::channel::{Channel, Lateral, Quantity, Samples};
 use crate::cursor::{ByteOrder, Cursor};
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
 use crate::numbers;
@@ -72,7 +72,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     if channels.is_empty() {
         return Err(ScanReadError::Unsupported {
             format: FORMAT,
-            place: Place::File,
+            place: FilePlace::File,
             found: "a file without a frame of a scanned image".to_owned(),
             mend: "export an image of heights",
         });

@@ -6,7 +6,7 @@
 use crate::channel::refuse_many;
 use crate::channel::{Channel, Lateral, Quantity, Samples};
 use crate::cursor::{ByteOrder, Cursor};
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::format::ScanFormat;
 use crate::options::ScanOptions;
 use crate::raster::{NumberType, Order, Raster};
@@ -108,7 +108,7 @@ impl Array {
         let header = String::from_utf8_lossy(cursor.take(length, "the header")?).into_owned();
         let missing = |field: &str| ScanReadError::MissingField {
             format: FORMAT,
-            place: Place::Byte(at as u64),
+            place: FilePlace::Byte(at as u64),
             field: format!("entry '{field}' in the header"),
             mend: "save the array again",
         };
@@ -153,7 +153,7 @@ impl Array {
         let samples = match found {
             Err(found) => Samples::Unreadable(Box::new(ScanReadError::Unsupported {
                 format: FORMAT,
-                place: Place::File,
+                place: FilePlace::File,
                 found,
                 mend: "save one line or map of real numbers",
             })),

@@ -3,9 +3,9 @@
 //!
 //! The layout of the header is that which Gwyddion's importer and SurfaceTopography's reader follow.
 
-use crate::channel::{Axis, Channel, Lateral, Quantity, Samples};
+use crate::channel::{Channel, Lateral, Quantity, Samples, ScanAxis};
 use crate::cursor::{ByteOrder, Cursor};
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
 use crate::options::ScanOptions;
@@ -37,7 +37,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
         let field = "page of tags".to_owned();
         return Err(ScanReadError::MissingField {
             format: FORMAT,
-            place: Place::File,
+            place: FilePlace::File,
             field,
             mend: "export it again",
         });
@@ -60,7 +60,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     let lateral = if is_sized { Lateral::Size(ScanSize { x_m, y_m: Some(y_m) }) } else { Lateral::Unknown };
     Ok(vec![Channel {
         probe: Some(Probe::Tip),
-        fast_axis: Some(if header.is_swapped { Axis::Y } else { Axis::X }),
+        fast_axis: Some(if header.is_swapped { ScanAxis::Y } else { ScanAxis::X }),
         free_text: page.text(COMMENT_TAG).unwrap_or_default(),
         ..Channel::new(Some(header.name), quantity, lateral, Samples::Raster(raster))
     }])

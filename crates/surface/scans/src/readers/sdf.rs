@@ -3,7 +3,7 @@
 
 use crate::channel::{Channel, Lateral, Quantity, Samples};
 use crate::cursor::{ByteOrder, Cursor, latin1};
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::format::ScanFormat;
 use crate::numbers;
 use crate::options::ScanOptions;
@@ -67,7 +67,7 @@ fn binary(bytes: &[u8]) -> Result<Vec<Channel<'_>>, ScanReadError> {
         data_type: cursor.u8("DataType")?.into(),
         check_type: cursor.u8("CheckType")?.into(),
     };
-    let number = header.number(Place::Byte(cursor.offset() as u64 - 2))?;
+    let number = header.number(FilePlace::Byte(cursor.offset() as u64 - 2))?;
     let size = points.saturating_mul(profiles).saturating_mul(number.bytes());
     let has_extra =
         bytes.starts_with(b"bISO-1.0") && cursor.rest().len() == size.saturating_add(EXTRA_HEADER_BYTES);
@@ -91,7 +91,7 @@ fn text(bytes: &[u8]) -> Result<Vec<Channel<'_>>, ScanReadError> {
     if trailer.is_none() && !data.ends_with(char::is_whitespace) {
         let last = data.split_whitespace().last().unwrap_or_default();
         return Err(bad(
-            Place::Line(text.lines().count()),
+            FilePlace::Line(text.lines().count()),
             "the last height",
             last,
             "followed by '*'".to_owned(),
@@ -115,7 +115,7 @@ fn text(bytes: &[u8]) -> Result<Vec<Channel<'_>>, ScanReadError> {
         data_type: fields.number("DataType")? as i64,
         check_type: fields.number("CheckType")? as i64,
     };
-    let number = header.number(Place::Line(fields.line("DataType")))?;
+    let number = header.number(FilePlace::Line(fields.line("DataType")))?;
     let missing = header.missing(number, head.starts_with("aISO-2.0"));
     let mut decoded = Decoded::default();
     let first_line = head.matches('\n').count() + 1;
@@ -123,7 +123,7 @@ fn text(bytes: &[u8]) -> Result<Vec<Channel<'_>>, ScanReadError> {
         for word in line.split_whitespace() {
             let value = if word.eq_ignore_ascii_case("bad") { Some(f64::NAN) } else { word.parse().ok() };
             let value = value.ok_or_else(|| {
-                bad(Place::Line(first_line + index), "a height", word, "a number or BAD".to_owned())
+                bad(FilePlace::Line(first_line + index), "a height", word, "a number or BAD".to_owned())
             })?;
             let is_missing = matches!(missing, MissingMark::Equal(mark) if value == mark);
             decoded.push((!is_missing).then_some(value * header.height_scale_m));
@@ -133,7 +133,7 @@ fn text(bytes: &[u8]) -> Result<Vec<Channel<'_>>, ScanReadError> {
     if Some(decoded.values.len()) != expected {
         let bound = format!("{} x {}, NumPoints and NumProfiles", header.points, header.profiles);
         let found = decoded.values.len().to_string();
-        return Err(bad(Place::Line(first_line), "the number of heights", &found, bound));
+        return Err(bad(FilePlace::Line(first_line), "the number of heights", &found, bound));
     }
     let samples = Samples::Decoded { columns: header.points, decoded };
     header.channel(samples, trailer.trim().to_owned())
@@ -148,7 +148,7 @@ impl Fields<'_> {
         let found = self.0.iter().find(|(_, found, _)| found.eq_ignore_ascii_case(name));
         found.map(|&(line, _, value)| (line, value)).ok_or_else(|| ScanReadError::MissingField {
             format: FORMAT,
-            place: Place::File,
+            place: FilePlace::File,
             field: format!("line '{name}' in the header"),
             mend: "export the file again",
         })
@@ -161,18 +161,18 @@ impl Fields<'_> {
     fn number(&self, name: &str) -> Result<f64, ScanReadError> {
         let (line, value) = self.get(name)?;
         numbers::finite(value)
-            .ok_or_else(|| bad(Place::Line(line), name, value, "a finite number".to_owned()))
+            .ok_or_else(|| bad(FilePlace::Line(line), name, value, "a finite number".to_owned()))
     }
 
     fn count(&self, name: &str) -> Result<usize, ScanReadError> {
         let (line, value) = self.get(name)?;
         numbers::count(value)
-            .ok_or_else(|| bad(Place::Line(line), name, value, "a whole number above 0".to_owned()))
+            .ok_or_else(|| bad(FilePlace::Line(line), name, value, "a whole number above 0".to_owned()))
     }
 }
 
 impl Header {
-    fn number(&self, place: Place) -> Result<NumberType, ScanReadError> {
+    fn number(&self, place: FilePlace) -> Result<NumberType, ScanReadError> {
         if self.compression != 0 {
             return Err(ScanReadError::Unsupported {
                 format: FORMAT,
@@ -233,7 +233,7 @@ fn free_text(trailer: &[u8]) -> String {
     if is_text { latin1(trailer) } else { String::new() }
 }
 
-fn bad(place: Place, field: &str, value: &str, bound: String) -> ScanReadError {
+fn bad(place: FilePlace, field: &str, value: &str, bound: String) -> ScanReadError {
     let value = value.chars().take(60).collect();
     ScanReadError::BadField {
         format: FORMAT,

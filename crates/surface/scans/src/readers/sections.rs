@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use crate::cursor::latin1;
-use crate::error::{Place, ScanReadError, quoted};
+use crate::error::{FilePlace, ScanReadError, quoted};
 use crate::format::ScanFormat;
 use crate::numbers;
 
@@ -46,7 +46,7 @@ impl Sections {
         }
         Err(ScanReadError::MissingField {
             format,
-            place: Place::Byte(head.len() as u64),
+            place: FilePlace::Byte(head.len() as u64),
             field: format!("'{}' before it, which ends the header", latin1(mark)),
             mend: "the file is cut off: export it again",
         })
@@ -65,7 +65,7 @@ impl Sections {
     pub(super) fn require(&self, section: &str, key: &str) -> Result<&str, ScanReadError> {
         self.get(section, key).ok_or_else(|| ScanReadError::MissingField {
             format: self.format,
-            place: Place::Element(format!("[{section}]")),
+            place: FilePlace::Element(format!("[{section}]")),
             field: format!("'{key}'"),
             mend: "export the file again",
         })
@@ -86,7 +86,7 @@ impl Sections {
     pub(super) fn bad(&self, section: &str, key: &str, value: &str, bound: &str) -> ScanReadError {
         ScanReadError::BadField {
             format: self.format,
-            place: Place::Element(format!("[{section}]")),
+            place: FilePlace::Element(format!("[{section}]")),
             field: format!("'{key}'"),
             value: quoted(value),
             bound: bound.to_owned(),

@@ -5,7 +5,7 @@
 
 use crate::channel::{Channel, Lateral, Quantity, Samples};
 use crate::cursor::{ByteOrder, Cursor};
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
 use crate::numbers;
@@ -99,7 +99,7 @@ fn kind(cursor: &mut Cursor) -> Result<Kind, ScanReadError> {
         5 => Ok(Kind::Thicknesses),
         other => Err(ScanReadError::Unsupported {
             format: FORMAT,
-            place: Place::Byte(offset as u64),
+            place: FilePlace::Byte(offset as u64),
             found: format!("a measurement of type {other}"),
             mend: "export a topography or a profile",
         }),

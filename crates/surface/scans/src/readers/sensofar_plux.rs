@@ -6,7 +6,7 @@ use roxmltree::Node;
 
 use crate::archive::{Archive, is_named_in, is_zip};
 use crate::channel::{Channel, Lateral, MOST_TEXT, Quantity, refuse_many, shortened};
-use crate::error::{Place, ScanReadError, quoted};
+use crate::error::{FilePlace, ScanReadError, quoted};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
 use crate::numbers;
@@ -98,7 +98,7 @@ fn count(parent: Node, name: &str) -> Result<usize, ScanReadError> {
     let text = child_text(parent, name).ok_or_else(|| missing(parent.tag_name().name(), name))?;
     numbers::count(text).ok_or_else(|| ScanReadError::BadField {
         format: FORMAT,
-        place: Place::Element(format!("{}/{name}", parent.tag_name().name())),
+        place: FilePlace::Element(format!("{}/{name}", parent.tag_name().name())),
         field: "the text".to_owned(),
         value: quoted(text),
         bound: "a whole number above 0".to_owned(),
@@ -117,7 +117,7 @@ fn child_text<'a>(parent: Node<'a, '_>, name: &str) -> Option<&'a str> {
 fn missing(parent: &str, name: &str) -> ScanReadError {
     ScanReadError::MissingField {
         format: FORMAT,
-        place: Place::Element(parent.to_owned()),
+        place: FilePlace::Element(parent.to_owned()),
         field: format!("element '{name}'"),
         mend: "export the file again",
     }

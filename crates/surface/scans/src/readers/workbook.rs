@@ -13,7 +13,7 @@ use calamine::{DataRef, Reader as _, Xlsx, XlsxError};
 use crate::archive::{Archive, is_named_in, is_zip};
 use crate::channel::{Channel, Lateral, Quantity, Samples, UnitsBy};
 use crate::choice_of_units::Units;
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
 use crate::options::ScanOptions;
@@ -276,7 +276,7 @@ fn damaged(error: XlsxError) -> ScanReadError {
 fn bad(field: &str, value: &str, bound: &str) -> ScanReadError {
     ScanReadError::BadField {
         format: FORMAT,
-        place: Place::Element(DATA.to_owned()),
+        place: FilePlace::Element(DATA.to_owned()),
         field: field.to_owned(),
         value: value.to_owned(),
         bound: bound.to_owned(),

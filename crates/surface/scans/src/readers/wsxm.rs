@@ -2,9 +2,9 @@
 //!
 //! The layout is that which Gwyddion's importer and SurfaceTopography's reader follow.
 
-use crate::channel::{Axis, Channel, Lateral, Quantity, Samples};
+use crate::channel::{Channel, Lateral, Quantity, Samples, ScanAxis};
 use crate::cursor::latin1;
-use crate::error::{Place, ScanReadError, quoted};
+use crate::error::{FilePlace, ScanReadError, quoted};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
 use crate::options::ScanOptions;
@@ -38,7 +38,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     let samples = Samples::Raster(raster);
     Ok(vec![Channel {
         probe: Some(Probe::Tip),
-        fast_axis: (rows > 1).then_some(Axis::X),
+        fast_axis: (rows > 1).then_some(ScanAxis::X),
         free_text: header.get("Miscellaneous", "Comments").unwrap_or_default().to_owned(),
         notes,
         ..Channel::new(Some(name.to_owned()), quantity, lateral, samples)
@@ -53,7 +53,7 @@ fn refuse_other_kinds(bytes: &[u8]) -> Result<(), ScanReadError> {
     }
     Err(ScanReadError::Unsupported {
         format: FORMAT,
-        place: Place::Line(2),
+        place: FilePlace::Line(2),
         found: format!("a file of kind {}", quoted(&line)),
         mend: "export an image of heights",
     })

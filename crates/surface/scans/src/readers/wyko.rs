@@ -6,7 +6,7 @@
 
 use crate::channel::{Channel, Lateral, MOST_TEXT, Quantity, refuse_many, shortened};
 use crate::cursor::{ByteOrder, Cursor, latin1};
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
 use crate::numbers;
@@ -86,7 +86,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
 fn no_wavelength() -> ScanReadError {
     ScanReadError::MissingField {
         format: FORMAT,
-        place: Place::File,
+        place: FilePlace::File,
         field: "block 'Wavelength', which scales the heights".to_owned(),
         mend: "export the file again",
     }

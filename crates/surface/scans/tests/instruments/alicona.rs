@@ -62,7 +62,7 @@ fn rows_are_cut_where_they_are_filled_up_and_marks_are_missing_points() {
 fn damage_is_told() {
     refused!(
         refusal(&file(&with("Cols", "-3"), 0.0)),
-        BadField { field: "'Cols'", value: "'-3'", place: scans::Place::Byte(141) }
+        BadField { field: "'Cols'", value: "'-3'", place: scans::FilePlace::Byte(141) }
     );
     refused!(refusal(&file(&TAGS[..5], 0.0)), MissingField { field: "tag 'DepthImageOffset'" });
     let mut line = file(&TAGS, 0.0);

@@ -27,7 +27,7 @@ fn names_that_would_stand_in_every_path_are_refused() {
     let file = [b"VCA DATA\x01\x00\x00\x55".as_slice(), &name, &[0x7d, 1, 0]].concat();
     refused!(
         refusal(&file),
-        BadField { field: "the length of a name", value: "600", place: scans::Place::Byte(12) }
+        BadField { field: "the length of a name", value: "600", place: scans::FilePlace::Byte(12) }
     );
 }
 

@@ -225,7 +225,7 @@ fn without_a_spacing_the_size_is_asked_for() {
 fn damage_is_told() {
     refused!(
         refusal(&Object { kind: 20, ..map() }.bytes()),
-        Unsupported { found: "a spectrum", place: scans::Place::Byte(18) }
+        Unsupported { found: "a spectrum", place: scans::FilePlace::Byte(18) }
     );
     let mut bits = map().bytes();
     bits[98] = 24;

@@ -331,7 +331,7 @@ fn what_is_damaged_is_refused_with_its_place() {
     let unknown = component("name", b'?', []);
     refused!(
         message(&file(&[unknown])),
-        BadField { field: "the type of a component", value: "'?'", place: scans::Place::Byte(26) }
+        BadField { field: "the type of a component", value: "'?'", place: scans::FilePlace::Byte(26) }
     );
     refused!(
         message(&file(&[])),

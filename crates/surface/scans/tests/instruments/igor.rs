@@ -1,6 +1,6 @@
 //! Binary waves of Igor.
 
-use scans::{Axis, Measure, Probe, ScanOptions, read_scans};
+use scans::{Measure, Probe, ScanAxis, ScanOptions, read_scans};
 
 use super::bytes::Bytes;
 use super::{Sample, assert_holds, channels, heights};
@@ -163,7 +163,7 @@ fn channels_of_a_scan_have_their_names_and_units() {
     let expected = [3.0, 4.0, 5.0, 0.0, 1.0, 2.0].map(Some);
     assert_holds(&all[0].scan, (3e-6, Some(4e-6)), &expected, 0.0);
     assert_eq!(all[0].channel.as_deref(), Some("HeightTrace"));
-    assert_eq!((all[0].probe, all[0].fast_axis), (Some(Probe::Tip), Some(Axis::X)));
+    assert_eq!((all[0].probe, all[0].fast_axis), (Some(Probe::Tip), Some(ScanAxis::X)));
     assert_eq!(all[0].free_text, "ImageNote: sharp tip\n");
     assert_eq!((all[1].channel.as_deref(), &all[1].measure), (Some("AmplitudeTrace"), &Measure::Length));
     assert_eq!(all[0].channels, ["HeightTrace"]);
@@ -209,7 +209,7 @@ fn what_holds_no_heights_is_refused() {
     let message = |wave: Wave| read_scans(&wave.bytes(), "scan", &ScanOptions::default()).unwrap_err();
     refused!(
         message(Wave { type_code: 0, ..Wave::scan() }),
-        BadField { field: "the type of the numbers", value: "0", place: scans::Place::Byte(80) }
+        BadField { field: "the type of the numbers", value: "0", place: scans::FilePlace::Byte(80) }
     );
     refused!(
         message(Wave { points: [2, 2, 2, 1], ..Wave::scan() }),

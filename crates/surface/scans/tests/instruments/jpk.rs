@@ -1,6 +1,6 @@
 //! Image scans of JPK Instruments.
 
-use scans::{Axis, Measure, Probe, ScanOptions, read_scans};
+use scans::{Measure, Probe, ScanAxis, ScanOptions, read_scans};
 
 use super::tiff_file::{Tag, tiff};
 use super::{Sample, assert_holds, channels, heights};
@@ -81,7 +81,7 @@ fn channels_are_scaled_by_their_default_slot() {
     let measures: Vec<_> = all.iter().map(|file| file.measure.clone()).collect();
     let phase = Measure::Other("deg".to_owned());
     assert_eq!(measures, [Measure::Height, Measure::Length, Measure::Height, phase]);
-    assert_eq!((all[0].probe, all[0].fast_axis), (Some(Probe::Tip), Some(Axis::X)));
+    assert_eq!((all[0].probe, all[0].fast_axis), (Some(Probe::Tip), Some(ScanAxis::X)));
     assert_eq!(all[0].free_text, "PEG on mica\ntip radius 10 nm\n");
 }
 

@@ -106,7 +106,7 @@ fn damage_is_told() {
     refused!(refusal(&no_size), NoSize { what: "how large the map is" });
     refused!(
         refusal(&Phases { resolution: 3, ..map() }.bytes()),
-        BadField { field: "the resolution of phases", value: "3", place: scans::Place::Byte(218) }
+        BadField { field: "the resolution of phases", value: "3", place: scans::FilePlace::Byte(218) }
     );
     let none = Phases { columns: 0, phases: vec![], ..map() }.bytes();
     refused!(refusal(&none), MissingField { field: "phase data (0 x 0 points)" });

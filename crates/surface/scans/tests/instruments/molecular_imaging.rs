@@ -1,6 +1,6 @@
 //! Files of Molecular Imaging and Agilent.
 
-use scans::{Axis, Measure, Probe, ScanOptions, read_scans};
+use scans::{Measure, Probe, ScanAxis, ScanOptions, read_scans};
 
 use super::{Sample, assert_holds, channels};
 
@@ -75,7 +75,7 @@ fn every_way_to_write_numbers_is_read() {
             (all[1].channel.as_deref(), &all[1].measure),
             (Some("Deflection"), &Measure::Other("V".to_owned()))
         );
-        assert_eq!((all[0].probe, all[0].fast_axis), (Some(Probe::Tip), Some(Axis::X)));
+        assert_eq!((all[0].probe, all[0].fast_axis), (Some(Probe::Tip), Some(ScanAxis::X)));
         assert_eq!(all[0].free_text, "tip 10 nm");
     }
 }

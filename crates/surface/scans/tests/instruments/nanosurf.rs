@@ -1,7 +1,7 @@
 //! Files of Nanosurf.
 
 use crate::refusal;
-use scans::{Axis, Measure, Probe};
+use scans::{Measure, Probe, ScanAxis};
 
 use super::{Sample, assert_holds, channels, heights};
 
@@ -64,7 +64,7 @@ fn both_directions_are_read_from_their_bottom() {
     assert_holds(&all[1].scan, size, &[0.0, 32.512, -32.768, -16.384].map(Some), 1e-12);
     assert_holds(&all[2].scan, size, &[0.0, -1e-12, 1e-12, 0.0].map(Some), 1e-24);
     assert_eq!((&all[0].measure, &all[1].measure), (&Measure::Height, &Measure::Length));
-    assert_eq!((all[0].probe, all[0].fast_axis), (Some(Probe::Tip), Some(Axis::X)));
+    assert_eq!((all[0].probe, all[0].fast_axis), (Some(Probe::Tip), Some(ScanAxis::X)));
     assert_eq!(all[0].free_text, "Comment: sharp\n");
     assert_eq!(heights(&scan()).len(), 2);
 }

@@ -39,7 +39,7 @@ fn maps_and_lines_are_read() {
 fn damage_is_told() {
     refused!(
         refusal(&map(-1.0, 2)),
-        BadField { field: "the distance of columns", value: "-1", place: scans::Place::Byte(66) }
+        BadField { field: "the distance of columns", value: "-1", place: scans::FilePlace::Byte(66) }
     );
     refused!(refusal(&map(1.0, 3)), Truncated { needed: 36, available: 24 });
     refused!(refusal(&map(1.0, 0)), BadField { field: "the number of rows", value: "0" });

@@ -1,6 +1,6 @@
 //! Images of Park Systems.
 
-use scans::{Axis, Measure, Probe, ScanOptions, read_scans};
+use scans::{Measure, Probe, ScanAxis, ScanOptions, read_scans};
 
 use super::bytes::Bytes;
 use super::tiff_file::{Tag, tiff};
@@ -92,11 +92,11 @@ fn numbers_are_scaled_and_read_from_their_bottom() {
     let found = &heights(&Image::first().bytes())[0];
     assert_holds(&found.scan, SIZE, &[-90e-9, -110e-9, 110e-9, -30e-9, -50e-9, -70e-9].map(Some), 1e-20);
     assert_eq!((found.channel.as_deref(), found.free_text.as_str()), (Some("Topography"), "tip radius 7 nm"));
-    assert_eq!((found.probe, found.fast_axis), (Some(Probe::Tip), Some(Axis::X)));
+    assert_eq!((found.probe, found.fast_axis), (Some(Probe::Tip), Some(ScanAxis::X)));
     let found = &heights(&Image::second().bytes())[0];
     let expected = [Some(-50e-6), None, Some(50e-6), Some(-20e-6), Some(-30e-6), Some(-40e-6)];
     assert_holds(&found.scan, SIZE, &expected, 1e-18);
-    assert_eq!(found.fast_axis, Some(Axis::Y));
+    assert_eq!(found.fast_axis, Some(ScanAxis::Y));
     let numbers = [1i32, 2, 3, 4, 5, 6].map(i32::to_le_bytes).concat();
     let found = heights(&Image { data_type: 1, numbers, ..Image::second() }.bytes());
     assert_eq!(found[0].scan.heights_m().next(), Some(Some(-50e-6)));

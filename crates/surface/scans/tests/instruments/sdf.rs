@@ -106,11 +106,11 @@ fn damage_is_told() {
     let text = |from: &str, to: &str| refusal(TEXT.replace(from, to).as_bytes());
     refused!(
         text("4 BAD 6", "4 BAD"),
-        BadField { field: "the number of heights", value: "5", place: scans::Place::Line(15) }
+        BadField { field: "the number of heights", value: "5", place: scans::FilePlace::Line(15) }
     );
     refused!(
         text("4 BAD 6", "4 BAD x"),
-        BadField { field: "a height", value: "x", place: scans::Place::Line(17) }
+        BadField { field: "a height", value: "x", place: scans::FilePlace::Line(17) }
     );
     refused!(text("NumPoints", "Points"), MissingField { field: "line 'NumPoints' in the header" });
     refused!(text("DataType = 7", "DataType = 9"), BadField { field: "DataType", value: "9" });

@@ -113,7 +113,7 @@ fn only_a_time_with_zero_bytes_behind_it_tells_the_format() {
 fn damage_is_told() {
     refused!(
         refusal(&Measurement { kind: 4, ..topography() }.bytes()),
-        Unsupported { found: "a measurement of type 4", place: scans::Place::Byte(428) }
+        Unsupported { found: "a measurement of type 4", place: scans::FilePlace::Byte(428) }
     );
     let no_size = Measurement { spacings: [0.0, f32::NAN], ..topography() }.bytes();
     refused!(refusal(&no_size), NoSize { what: "how large the map is" });

@@ -150,7 +150,7 @@ fn damage_is_told() {
     let unknown = file(&[item("What", 0x33, vec![])]);
     refused!(
         refusal(&unknown),
-        BadField { field: "the type of a value", value: "0x33", place: scans::Place::Byte(20) }
+        BadField { field: "the type of a value", value: "0x33", place: scans::FilePlace::Byte(20) }
     );
     let cut = profile();
     refused!(refusal(&cut[..100]), Truncated { needed: 255, available: 74 });

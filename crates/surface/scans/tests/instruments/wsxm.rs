@@ -1,6 +1,6 @@
 //! Images of WSxM.
 
-use scans::{Axis, Measure, Probe, ScanOptions, read_scans};
+use scans::{Measure, Probe, ScanAxis, ScanOptions, read_scans};
 
 use super::{Sample, assert_holds, channels, heights};
 
@@ -49,7 +49,7 @@ fn counts_spread_over_the_amplitude() {
     // 16 counts are 8 Å; the last point comes first.
     assert_holds(&found.scan, SIZE, &[7e-10, 3e-10, 2e-10, 1e-10, 0.0, -1e-10].map(Some), 1e-22);
     assert_eq!((found.channel.as_deref(), found.free_text.as_str()), (Some("Topography"), "tip: new"));
-    assert_eq!((found.probe, found.fast_axis), (Some(Probe::Tip), Some(Axis::X)));
+    assert_eq!((found.probe, found.fast_axis), (Some(Probe::Tip), Some(ScanAxis::X)));
     let flat = file(&header("short"), &[7, 0].repeat(6));
     assert_holds(&heights(&flat)[0].scan, SIZE, &[Some(0.0); 6], 0.0);
 }
@@ -80,7 +80,7 @@ fn what_is_damaged_is_refused() {
     let changed = |from: &str, to: &str| message(&header("short").replace(from, to));
     refused!(
         changed("SxM Image file", "FZ curve file"),
-        Unsupported { found: "a file of kind 'FZ curve file'", place: scans::Place::Line(2) }
+        Unsupported { found: "a file of kind 'FZ curve file'", place: scans::FilePlace::Line(2) }
     );
     refused!(changed("8 \u{c5}", "eight"), BadField { field: "'Z Amplitude'", value: "'eight'" });
     refused!(changed("short", "long"), BadField { field: "'Image Data Type'", value: "'long'" });

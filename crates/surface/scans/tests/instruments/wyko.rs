@@ -127,7 +127,7 @@ fn damage_is_told() {
     directory[20] += 1;
     refused!(
         refusal(&directory),
-        BadField { field: "the length of the directory", value: "193", place: scans::Place::Byte(20) }
+        BadField { field: "the length of the directory", value: "193", place: scans::FilePlace::Byte(20) }
     );
     let mut blocks = map();
     blocks.truncate(5);

@@ -35,7 +35,7 @@ fn counts_are_heights() {
 fn damage_is_told() {
     refused!(
         refusal(&map(0.0)),
-        BadField { field: "the height of a count", value: "0", place: scans::Place::Byte(105) }
+        BadField { field: "the height of a count", value: "0", place: scans::FilePlace::Byte(105) }
     );
     refused!(refusal(&map(1.0)[..220]), Truncated { needed: 12, available: 11 });
     refused!(refusal(&map(1.0)[..40]), Truncated { needed: 4, available: 0 });

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::format::ScanFormat;
 use crate::metadata::{MeasurementMetadata, file_name, instrument_length_m, probe};
 use units::LengthUnit;
@@ -52,7 +52,7 @@ fn list<'v>(value: &'v Value, name: &str, path: &str) -> Result<&'v [Value], Sca
     let list = value.get(name).and_then(Value::as_array);
     list.map(Vec::as_slice).ok_or_else(|| ScanReadError::MissingField {
         format: ScanFormat::Container,
-        place: if path.is_empty() { Place::File } else { Place::Element(path.to_owned()) },
+        place: if path.is_empty() { FilePlace::File } else { FilePlace::Element(path.to_owned()) },
         field: format!("list '{name}'"),
         mend: "download the container again",
     })
@@ -120,7 +120,7 @@ impl Entry<'_> {
     fn bad(&self, field: &str, value: &Value, bound: &str) -> ScanReadError {
         ScanReadError::BadField {
             format: ScanFormat::Container,
-            place: Place::Element(self.path.clone()),
+            place: FilePlace::Element(self.path.clone()),
             field: format!("'{field}'"),
             value: value.to_string().chars().take(60).collect(),
             bound: bound.to_owned(),

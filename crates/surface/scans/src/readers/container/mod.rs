@@ -5,7 +5,7 @@ mod index;
 pub use index::read_metadata;
 
 use crate::archive::{Archive, INDEXES, is_zip, leads_outside};
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::file::ScanFile;
 use crate::format::ScanFormat;
 use crate::metadata::{MeasurementMetadata, file_name};
@@ -90,7 +90,7 @@ fn measurement(
     let Some(path) = squeezed else {
         let nothing = || ScanReadError::MissingField {
             format: ScanFormat::Container,
-            place: Place::Element("datafile".to_owned()),
+            place: FilePlace::Element("datafile".to_owned()),
             field: "path 'original' or 'squeezed-netcdf'".to_owned(),
             mend: "download the container again",
         };

@@ -90,7 +90,7 @@ fn unpacked(
 fn unpacked(header: &Header, _: &Raster, _: &[u8], _: &mut Room) -> Result<Vec<u8>, ScanReadError> {
     Err(ScanReadError::Unsupported {
         format: FORMAT,
-        place: crate::error::Place::Byte(header.data as u64),
+        place: crate::error::FilePlace::Byte(header.data as u64),
         found: "packed data".to_owned(),
         mend: "build with the feature 'archives', or export the file without compression",
     })

@@ -2,7 +2,7 @@
 
 use super::FORMAT;
 use crate::cursor::{ByteOrder, Cursor, latin1};
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::metadata::Probe;
 
 /// First bytes of objects with plain counts ...
@@ -167,7 +167,7 @@ fn refuse_kind(kind: u16, offset: usize) -> Result<(), ScanReadError> {
     };
     Err(ScanReadError::Unsupported {
         format: FORMAT,
-        place: Place::Byte(offset as u64),
+        place: FilePlace::Byte(offset as u64),
         found: found.to_owned(),
         mend: "export a surface or a profile",
     })

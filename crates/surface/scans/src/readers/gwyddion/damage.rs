@@ -1,13 +1,13 @@
 //! Errors of damaged objects.
 
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::format::ScanFormat;
 
 pub(super) const MEND: &str = "the file is damaged: save it again from Gwyddion";
 
 /// An object under a key of the file lacks a component.
 pub(super) fn missing(key: &str, name: &str) -> ScanReadError {
-    let place = Place::Element(key.to_owned());
+    let place = FilePlace::Element(key.to_owned());
     ScanReadError::MissingField {
         format: ScanFormat::Gwyddion,
         place,
@@ -20,7 +20,7 @@ pub(super) fn missing(key: &str, name: &str) -> ScanReadError {
 pub(super) fn bad(key: &str, field: &str, value: &str, bound: String) -> ScanReadError {
     ScanReadError::BadField {
         format: ScanFormat::Gwyddion,
-        place: Place::Element(key.to_owned()),
+        place: FilePlace::Element(key.to_owned()),
         field: field.to_owned(),
         value: value.to_owned(),
         bound,

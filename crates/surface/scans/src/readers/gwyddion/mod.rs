@@ -15,7 +15,7 @@ use crate::channel::{
     Channel, Lateral, MOST_TEXT, Quantity, Samples, is_named_after_height, is_named_after_signal,
     refuse_many, shortened,
 };
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::options::ScanOptions;
 use crate::raster::MissingMark;
 use crate::readers::Reader;
@@ -81,7 +81,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     if channels.is_empty() {
         return Err(ScanReadError::Unsupported {
             format: FORMAT,
-            place: Place::File,
+            place: FilePlace::File,
             found: "a file without any image or profile, such as one of volume data".to_owned(),
             mend: "save an image of heights, or a graph of heights over a length",
         });

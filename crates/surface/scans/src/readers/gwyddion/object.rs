@@ -2,7 +2,7 @@
 
 use super::damage::MEND;
 use crate::cursor::{ByteOrder, Cursor, latin1};
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::format::ScanFormat;
 
 /// The format whose reader this is, for messages.
@@ -199,7 +199,7 @@ fn letter_of(number: u32) -> Option<u8> {
 fn unknown_type(offset: usize, found: &str) -> ScanReadError {
     ScanReadError::BadField {
         format: FORMAT,
-        place: Place::Byte(offset as u64),
+        place: FilePlace::Byte(offset as u64),
         field: "the type of a component".to_owned(),
         value: found.to_owned(),
         bound: "one of the letters b, c, i, q, d, s, o, C, I, Q, D, S, O".to_owned(),

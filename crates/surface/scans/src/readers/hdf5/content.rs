@@ -5,7 +5,7 @@ use hdf5_reader::{Attribute, ByteOrder as StoredOrder, Dataset, Datatype, Hdf5Fi
 
 use super::FORMAT;
 use crate::cursor::ByteOrder;
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::options::ScanOptions;
 use crate::raster::{NumberType, Raster};
 use crate::room::Room;
@@ -140,7 +140,7 @@ impl Entry {
     pub(super) fn bad(&self, field: &str, value: &str, bound: &str) -> ScanReadError {
         ScanReadError::BadField {
             format: FORMAT,
-            place: Place::Element(self.path.clone()),
+            place: FilePlace::Element(self.path.clone()),
             field: field.to_owned(),
             value: value.chars().take(60).collect(),
             bound: bound.to_owned(),

@@ -7,10 +7,10 @@ mod asylum;
 mod wave;
 
 use crate::channel::{
-    Axis, Channel, Lateral, MOST_TEXT, Quantity, Samples, is_named_after_height, is_named_after_signal,
+    Channel, Lateral, MOST_TEXT, Quantity, Samples, ScanAxis, is_named_after_height, is_named_after_signal,
     shortened,
 };
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::metadata::Probe;
 use crate::numbers;
 use crate::options::ScanOptions;
@@ -71,7 +71,7 @@ fn is_table(wave: &Wave) -> bool {
 
 fn unsupported(found: String) -> ScanReadError {
     let mend = "save an image of heights";
-    ScanReadError::Unsupported { format: FORMAT, place: Place::File, found, mend }
+    ScanReadError::Unsupported { format: FORMAT, place: FilePlace::File, found, mend }
 }
 
 fn channel<'b>(
@@ -92,7 +92,7 @@ fn channel<'b>(
     let channel = Channel::new(Some(name), quantity, lateral(wave, shape), Samples::Raster(raster));
     Ok(Channel {
         probe: note.map(|_| Probe::Tip),
-        fast_axis: note.filter(|note| note.has_fast_axis() && shape.rows.is_some()).map(|_| Axis::X),
+        fast_axis: note.filter(|note| note.has_fast_axis() && shape.rows.is_some()).map(|_| ScanAxis::X),
         free_text: match note {
             Some(note) => shortened(note.free_text(), MOST_TEXT),
             None => wave.note[..wave.note.floor_char_boundary(MOST_TEXT)].to_owned(),

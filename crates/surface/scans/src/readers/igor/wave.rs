@@ -1,7 +1,7 @@
 //! Headers of a binary wave: grid, units, places of numbers and texts.
 
 use crate::cursor::{ByteOrder, Cursor, latin1, latin1_at_most};
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::format::ScanFormat;
 use crate::raster::{NumberType, Raster};
 
@@ -70,7 +70,7 @@ fn header_bytes(version: u16) -> Option<usize> {
 impl Wave {
     pub(super) fn read(bytes: &[u8]) -> Result<Self, ScanReadError> {
         let Some((version, order)) = version(bytes) else {
-            let place = Place::File;
+            let place = FilePlace::File;
             let found = "a file whose headers do not have the sum that they should".to_owned();
             return Err(ScanReadError::Unsupported {
                 format: FORMAT,

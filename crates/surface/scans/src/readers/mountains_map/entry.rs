@@ -3,7 +3,7 @@
 use super::FORMAT;
 use crate::channel::MOST_TEXT;
 use crate::cursor::{ByteOrder, Cursor};
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 
 /// Texts begin with this byte.
 const TEXT: u8 = 4;
@@ -51,7 +51,7 @@ impl<'b> Entry<'b> {
     pub(super) fn required(&self, path: &[u16]) -> Result<Self, ScanReadError> {
         self.optional(path)?.ok_or_else(|| ScanReadError::MissingField {
             format: FORMAT,
-            place: Place::Byte(self.offset as u64),
+            place: FilePlace::Byte(self.offset as u64),
             field: format!("entry {path:x?} in this part of the document"),
             mend: "export the surface from MountainsMap as SUR or X3P",
         })

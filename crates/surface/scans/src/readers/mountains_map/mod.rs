@@ -14,7 +14,7 @@ use entry::Entry;
 use memchr::memmem;
 
 use crate::channel::{Channel, Lateral, Quantity, Samples, refuse_many};
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::format::ScanFormat;
 use crate::options::ScanOptions;
 use crate::raster::{MissingMark, NumberType, Raster};
@@ -59,7 +59,7 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
     if channels.is_empty() {
         return Err(ScanReadError::Unsupported {
             format: FORMAT,
-            place: Place::File,
+            place: FilePlace::File,
             found: "a document without a measured surface".to_owned(),
             mend: "export the surface or profile from MountainsMap as SUR, PRO or X3P",
         });
@@ -71,7 +71,7 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
 fn contents(bytes: &[u8]) -> Result<Vec<u8>, ScanReadError> {
     let bad = |error: std::io::Error| ScanReadError::BadField {
         format: FORMAT,
-        place: Place::File,
+        place: FilePlace::File,
         field: "the compound file".to_owned(),
         value: error.to_string(),
         bound: format!("one with a stream '{STREAM}'"),
@@ -103,7 +103,7 @@ fn surface<'b>(object: &Entry, room: &mut Room) -> Result<Option<Channel<'b>>, S
     if class(&heights)? != Some(HEIGHTS) {
         return Ok(None);
     }
-    let [x, y] = [Axis::lateral(&grid, 1)?, Axis::lateral(&grid, 2)?];
+    let [x, y] = [ScanAxis::lateral(&grid, 1)?, ScanAxis::lateral(&grid, 2)?];
     let z = Scale::read(&measurement.required(&[2, 0xffff])?)?;
     let samples = match raster(&heights, &grid, [x.points, y.points], room) {
         Ok(raster) => Samples::Raster(Raster { scale: z.step, zero: z.origin, ..raster }),
@@ -127,12 +127,12 @@ fn surface<'b>(object: &Entry, room: &mut Room) -> Result<Option<Channel<'b>>, S
 }
 
 /// A direction of a grid.
-struct Axis {
+struct ScanAxis {
     scale: Scale,
     points: usize,
 }
 
-impl Axis {
+impl ScanAxis {
     fn lateral(grid: &Entry, tag: u16) -> Result<Self, ScanReadError> {
         let axis = grid.required(&[tag, 0xffff])?;
         let points = axis.required(&[1])?.count("the number of points")?;

@@ -1,7 +1,7 @@
 //! The text at the beginning of a Nanoscope file: sections of keys and values.
 
 use crate::cursor::latin1;
-use crate::error::{Place, ScanReadError, quoted};
+use crate::error::{FilePlace, ScanReadError, quoted};
 use crate::format::ScanFormat;
 use crate::numbers;
 
@@ -55,7 +55,7 @@ impl<'b> Header<'b> {
         }
         Err(ScanReadError::MissingField {
             format: FORMAT,
-            place: Place::Byte(head.len() as u64),
+            place: FilePlace::Byte(head.len() as u64),
             field: "line '\\*File list end' before it".to_owned(),
             mend: "the file is cut off: export it again",
         })
@@ -82,7 +82,7 @@ impl<'b> Header<'b> {
             }
             _ => Err(ScanReadError::BadField {
                 format: FORMAT,
-                place: Place::Byte(offset),
+                place: FilePlace::Byte(offset),
                 field: "the line".to_owned(),
                 value: format!("'{}'", line[..line.len().min(40)].escape_ascii()),
                 bound: "a line of the header, which begins with a backslash".to_owned(),
@@ -139,7 +139,7 @@ impl Section<'_> {
     pub(crate) fn require(&self, key: &'static str) -> Result<Value, ScanReadError> {
         self.get(key).ok_or_else(|| ScanReadError::MissingField {
             format: FORMAT,
-            place: Place::Byte(self.offset),
+            place: FilePlace::Byte(self.offset),
             field: format!("'{key}' in this section"),
             mend: "export the file again with a newer version of the software",
         })
@@ -159,7 +159,7 @@ impl Value {
     pub(crate) fn bad(&self, bound: &str) -> ScanReadError {
         ScanReadError::BadField {
             format: FORMAT,
-            place: Place::Byte(self.offset),
+            place: FilePlace::Byte(self.offset),
             field: format!("'{}'", self.key),
             value: quoted(&self.text),
             bound: bound.to_owned(),

@@ -5,8 +5,8 @@ mod header;
 mod image;
 mod scaled;
 
-use crate::channel::{Axis, Channel, Lateral, Quantity, Samples, refuse_many};
-use crate::error::{Place, ScanReadError};
+use crate::channel::{Channel, Lateral, Quantity, Samples, ScanAxis, refuse_many};
+use crate::error::{FilePlace, ScanReadError};
 use crate::metadata::Probe;
 use crate::options::ScanOptions;
 use crate::readers::Reader;
@@ -58,7 +58,7 @@ fn channel<'b>(image: &Image<'_>, bytes: &'b [u8]) -> Channel<'b> {
     Channel {
         probe: Some(Probe::Tip),
         // Images lie in the frame of the scan, however it is turned on the sample.
-        fast_axis: Some(Axis::X),
+        fast_axis: Some(ScanAxis::X),
         free_text: image.note(),
         notes,
         ..Channel::new(label, quantity, lateral, samples)
@@ -70,7 +70,7 @@ fn refuse_other_modes(header: &Header) -> Result<(), ScanReadError> {
     let refuse = |offset: u64, found: &str| {
         Err(ScanReadError::Unsupported {
             format: FORMAT,
-            place: Place::Byte(offset),
+            place: FilePlace::Byte(offset),
             found: found.to_owned(),
             mend: "export an image of heights",
         })

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use crate::cursor::{ByteOrder, Cursor as Fields};
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::format::ScanFormat;
 
 /// The format whose reader this is, for messages.
@@ -82,7 +82,7 @@ impl<'b> Cursor<'b> {
 pub(crate) fn bad(offset: u64, field: &str, value: &str, bound: &str) -> ScanReadError {
     ScanReadError::BadField {
         format: FORMAT,
-        place: Place::Byte(offset),
+        place: FilePlace::Byte(offset),
         field: field.to_owned(),
         value: value.to_owned(),
         bound: bound.to_owned(),

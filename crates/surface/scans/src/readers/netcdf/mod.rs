@@ -7,7 +7,7 @@ mod kind;
 
 use crate::channel::{Channel, Lateral, Quantity, Samples, UnitsBy};
 use crate::choice_of_units::Units;
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::heights::transposed;
 use crate::metadata::{instrument_length_m, probe};
 use crate::numbers;
@@ -101,7 +101,7 @@ impl Layout {
             (["n"], _) => Ok(Self::Points),
             _ => Err(ScanReadError::BadField {
                 format: FORMAT,
-                place: Place::Byte(heights.offset),
+                place: FilePlace::Byte(heights.offset),
                 field: "the list of dimensions of 'heights'".to_owned(),
                 value: file.dimensions_of(heights),
                 bound: "x and y (both above 0), x, or n".to_owned(),
@@ -130,7 +130,7 @@ fn units(
     {
         return Err(ScanReadError::BadField {
             format: FORMAT,
-            place: Place::File,
+            place: FilePlace::File,
             field: "the unit of 'y'".to_owned(),
             value: y.to_string(),
             bound: format!("that of 'x', {x}"),
@@ -158,7 +158,7 @@ fn size(file: &Classic, is_map: bool, units: &Units) -> Result<Lateral, ScanRead
 fn positions(file: &Classic, units: &Units) -> Result<Lateral, ScanReadError> {
     let x = file.variable("x").ok_or_else(|| ScanReadError::MissingField {
         format: FORMAT,
-        place: Place::File,
+        place: FilePlace::File,
         field: "variable 'x' with the positions of the points".to_owned(),
         mend: "export the line again",
     })?;
@@ -172,7 +172,7 @@ fn mask(file: &Classic, heights: &Variable) -> Result<Option<Vec<f64>>, ScanRead
     if mask.dimensions != heights.dimensions {
         return Err(ScanReadError::BadField {
             format: FORMAT,
-            place: Place::Byte(mask.offset),
+            place: FilePlace::Byte(mask.offset),
             field: "the list of dimensions of 'mask'".to_owned(),
             value: file.dimensions_of(mask),
             bound: format!("that of 'heights', {}", file.dimensions_of(heights)),

@@ -9,7 +9,7 @@ use crate::choice_of_units::Units;
 use crate::error::ScanReadError;
 use crate::options::ScanOptions;
 use crate::raster::Decoded;
-use crate::readers::even_axis::{Axis, points_of_grid};
+use crate::readers::even_axis::{ScanAxis, points_of_grid};
 
 /// A map with its rows in the order of rising y.
 pub(super) fn read(
@@ -35,20 +35,20 @@ pub(super) fn read(
 }
 
 /// The axis of a column of positions; the error tells which lies farthest off an even one.
-fn axis(text: &str, columns: &Columns, column: usize) -> Result<Axis, ScanReadError> {
+fn axis(text: &str, columns: &Columns, column: usize) -> Result<ScanAxis, ScanReadError> {
     let values: Vec<f64> = columns.measured(column).flatten().collect();
     let rounding = columns.rounding(column);
-    if let Some(axis) = Axis::fit(values.clone(), rounding) {
+    if let Some(axis) = ScanAxis::fit(values.clone(), rounding) {
         return Ok(axis);
     }
-    let nearest = Axis::nearest(values).ok_or(ScanReadError::NoRows)?;
+    let nearest = ScanAxis::nearest(values).ok_or(ScanReadError::NoRows)?;
     let off = |value: f64| (value - nearest.position(nearest.index(value))).abs();
     let known = |(row, value): (usize, Option<f64>)| Some((row, value?));
     let (row, position) = (columns.measured(column).enumerate().filter_map(known))
         .reduce(|worst, next| if off(next.1) > off(worst.1) { next } else { worst })
         .unwrap_or((0, nearest.first));
     let (line, axis) = (columns.line_of_row(text, row), if column == 0 { 'x' } else { 'y' });
-    let Axis { first, count, .. } = nearest;
+    let ScanAxis { first, count, .. } = nearest;
     Err(ScanReadError::NotAGrid { line, axis, position, count, first, last: nearest.position(count - 1) })
 }
 
@@ -56,8 +56,8 @@ fn axis(text: &str, columns: &Columns, column: usize) -> Result<Axis, ScanReadEr
 fn fill(
     text: &str,
     columns: &Columns,
-    x: &Axis,
-    y: &Axis,
+    x: &ScanAxis,
+    y: &ScanAxis,
 ) -> Result<Vec<Option<Option<f64>>>, ScanReadError> {
     let points = columns.rows();
     let size = points_of_grid(x, y, points).ok_or(ScanReadError::Scattered {

@@ -5,7 +5,7 @@ use super::keys::{Key, key_and_value};
 use super::lengths::{Length, bad_field, length, stylus_radius_m, trailing_unit, unit};
 use super::style::{FORMAT, is_comment};
 use crate::choice_of_units::Units;
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::numbers;
 use crate::scan_size::ScanSize;
 use units::LengthUnit;
@@ -259,7 +259,7 @@ impl Header {
             if found < stated {
                 return Err(ScanReadError::BadField {
                     format: FORMAT,
-                    place: Place::Line(line),
+                    place: FilePlace::Line(line),
                     field: format!("the number of {what} in the file"),
                     value: found.to_string(),
                     bound: format!("{stated}, as stated here"),
@@ -305,7 +305,7 @@ impl Header {
 fn second_channel(line: usize) -> ScanReadError {
     ScanReadError::Unsupported {
         format: FORMAT,
-        place: Place::Line(line),
+        place: FilePlace::Line(line),
         found: "a second channel in one file".to_owned(),
         mend: "export each channel to a file of its own",
     }
@@ -350,7 +350,7 @@ mod tests {
         }
         for (header, stated_in) in [("# Rows: 3", 1), ("# a\n# nx=5", 2), ("# Points: 12", 1)] {
             match map(header).unwrap_err() {
-                ScanReadError::BadField { place: Place::Line(line), .. } => assert_eq!(line, stated_in),
+                ScanReadError::BadField { place: FilePlace::Line(line), .. } => assert_eq!(line, stated_in),
                 other => panic!("{other}"),
             }
         }

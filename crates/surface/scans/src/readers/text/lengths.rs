@@ -1,7 +1,7 @@
 //! Lengths and units as the headers of text files write them.
 
 use super::style::{FORMAT, shortened};
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use units::LengthUnit;
 
 /// A length as written; without a unit it is in that of the lateral positions.
@@ -33,7 +33,7 @@ pub(super) fn unit(text: &str, line: usize) -> Result<LengthUnit, ScanReadError>
 pub(super) fn bad_field(line: usize, field: &str, value: &str, bound: String) -> ScanReadError {
     ScanReadError::BadField {
         format: FORMAT,
-        place: Place::Line(line),
+        place: FilePlace::Line(line),
         field: field.to_owned(),
         value: format!("'{}'", shortened(value)),
         bound,

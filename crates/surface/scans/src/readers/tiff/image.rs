@@ -4,7 +4,7 @@
 use std::borrow::Cow;
 
 use super::Page;
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::raster::{NumberType, Raster};
 
 /// Bytes of a table of strips, of which an image has no more than rows.
@@ -118,7 +118,7 @@ impl<'b> Page<'b> {
     fn bad(&self, field: &str, value: &str, bound: &str) -> ScanReadError {
         ScanReadError::BadField {
             format: self.format,
-            place: Place::File,
+            place: FilePlace::File,
             field: field.to_owned(),
             value: value.to_owned(),
             bound: bound.to_owned(),

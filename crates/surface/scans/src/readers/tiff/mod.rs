@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 
 use crate::channel::MOST_TEXT;
 use crate::cursor::{ByteOrder, Cursor, latin1};
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::format::ScanFormat;
 
 /// Files of instruments have some dozens of pages; a file with more is damaged.
@@ -149,7 +149,7 @@ impl<'b> Page<'b> {
     fn missing(&self, tag: u16) -> ScanReadError {
         ScanReadError::MissingField {
             format: self.format,
-            place: Place::File,
+            place: FilePlace::File,
             field: format!("tag {tag}"),
             mend: "export the file again",
         }

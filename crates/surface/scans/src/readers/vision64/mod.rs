@@ -13,7 +13,7 @@ use crate::channel::{
     Channel, Lateral, MOST_TEXT, Quantity, Samples, is_named_after_height, refuse_many, shortened,
 };
 use crate::cursor::{ByteOrder, Cursor};
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::format::ScanFormat;
 use crate::metadata::Probe;
 use crate::numbers;
@@ -149,7 +149,12 @@ fn map<'b>(bytes: &'b [u8], tree: &Tree, group: &str) -> Result<Raster<'b>, Scan
 }
 
 fn missing(field: String) -> ScanReadError {
-    ScanReadError::MissingField { format: FORMAT, place: Place::File, field, mend: "export the file again" }
+    ScanReadError::MissingField {
+        format: FORMAT,
+        place: FilePlace::File,
+        field,
+        mend: "export the file again",
+    }
 }
 
 /// The extent is the distance of the first from the last point.

@@ -4,7 +4,7 @@ use crate::raster::NumberType;
 
 /// Places of the points along an axis.
 #[derive(Clone, Copy)]
-pub(super) enum Axis {
+pub(super) enum ScanAxis {
     /// So far from each other, in m.
     Even(f64),
     /// At positions stored in the data.
@@ -28,7 +28,7 @@ pub(super) struct Coordinate {
     pub(super) offset: f64,
 }
 
-impl Axis {
+impl ScanAxis {
     pub(super) fn given(self) -> Option<Coordinate> {
         match self {
             Self::Even(_) => None,

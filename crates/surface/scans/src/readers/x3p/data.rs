@@ -4,7 +4,7 @@ use super::FORMAT;
 use super::axis::Coordinate;
 use super::description::{Description, Points};
 use crate::archive::Archive;
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::raster::{Decoded, Raster};
 
 /// The data in m, those of an even axis left out.
@@ -75,7 +75,7 @@ impl Description {
     ) -> Result<Data, ScanReadError> {
         let bad = |field: &str, value: String, bound: String| ScanReadError::BadField {
             format: FORMAT,
-            place: Place::Element("Record3/DataList".to_owned()),
+            place: FilePlace::Element("Record3/DataList".to_owned()),
             field: field.to_owned(),
             value,
             bound,

@@ -1,9 +1,9 @@
 //! XML description of a file: number of points, their places, and the place of their data.
 
-use super::axis::{Axis, Coordinate};
+use super::axis::{Coordinate, ScanAxis};
 use super::element::Element;
 use super::{FORMAT, INDEX};
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::metadata::Probe;
 use crate::readers::xml;
 
@@ -15,8 +15,8 @@ pub(super) struct Description {
     pub(super) layout: Layout,
     pub(super) columns: usize,
     pub(super) rows: usize,
-    pub(super) x: Axis,
-    pub(super) y: Axis,
+    pub(super) x: ScanAxis,
+    pub(super) y: ScanAxis,
     pub(super) z: Coordinate,
     pub(super) points: Points,
     pub(super) probe: Option<Probe>,
@@ -55,7 +55,7 @@ impl Description {
             other => {
                 return Err(ScanReadError::Unsupported {
                     format: FORMAT,
-                    place: Place::Element(feature.path),
+                    place: FilePlace::Element(feature.path),
                     found: format!("the feature type '{other}'"),
                     mend: "export a surface (SUR) or a profile (PRF)",
                 });
@@ -63,10 +63,10 @@ impl Description {
         };
         let x = axes.child("CX")?.axis()?;
         let y = match axes.child("CY") {
-            Err(_) if layout == Layout::Profile => Axis::Even(1.0),
+            Err(_) if layout == Layout::Profile => ScanAxis::Even(1.0),
             // The one row of a profile needs no spacing.
             Ok(y) if layout == Layout::Profile && y.one_of("AxisType", &["I", "A"])? == "I" => {
-                Axis::Even(1.0)
+                ScanAxis::Even(1.0)
             }
             y => y?.axis()?,
         };
@@ -88,7 +88,8 @@ impl Description {
             }
             (columns.count()?, rows.count()?)
         };
-        if let (Layout::Cloud, Axis::Even(_), _) | (Layout::Cloud, _, Axis::Even(_)) = (layout, x, y) {
+        if let (Layout::Cloud, ScanAxis::Even(_), _) | (Layout::Cloud, _, ScanAxis::Even(_)) = (layout, x, y)
+        {
             return Err(axes
                 .child("CX")?
                 .child("AxisType")?
@@ -132,7 +133,7 @@ fn points(record: &Element) -> Result<Points, ScanReadError> {
     }
     let link = record.child("DataLink").map_err(|_| ScanReadError::MissingField {
         format: FORMAT,
-        place: Place::Element("Record3".to_owned()),
+        place: FilePlace::Element("Record3".to_owned()),
         field: "element 'DataLink' or 'DataList'".to_owned(),
         mend: "export the file again",
     })?;

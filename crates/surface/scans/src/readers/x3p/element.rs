@@ -2,10 +2,10 @@
 
 use roxmltree::Node;
 
-use super::axis::{Axis, Coordinate, Kind};
+use super::axis::{Coordinate, Kind, ScanAxis};
 use super::{FORMAT, INDEX};
 use crate::archive::leads_outside;
-use crate::error::{Place, ScanReadError, quoted};
+use crate::error::{FilePlace, ScanReadError, quoted};
 use crate::numbers;
 
 /// An element with its path, for messages.
@@ -20,7 +20,11 @@ impl<'a, 'd> Element<'a, 'd> {
         let node = self.node.children().find(|node| node.is_element() && node.tag_name().name() == name);
         let missing = || ScanReadError::MissingField {
             format: FORMAT,
-            place: Place::Element(if self.path.is_empty() { INDEX.to_owned() } else { self.path.clone() }),
+            place: FilePlace::Element(if self.path.is_empty() {
+                INDEX.to_owned()
+            } else {
+                self.path.clone()
+            }),
             field: format!("element '{name}'"),
             mend: "export the file again",
         };
@@ -54,10 +58,10 @@ impl<'a, 'd> Element<'a, 'd> {
         if number > 0.0 { Ok(number) } else { Err(self.bad("above 0", "export the file again")) }
     }
 
-    pub(super) fn axis(&self) -> Result<Axis, ScanReadError> {
+    pub(super) fn axis(&self) -> Result<ScanAxis, ScanReadError> {
         match self.one_of("AxisType", &["I", "A"])? {
-            "I" => Ok(Axis::Even(self.child("Increment")?.positive()?)),
-            _ => Ok(Axis::Given(self.coordinate()?)),
+            "I" => Ok(ScanAxis::Even(self.child("Increment")?.positive()?)),
+            _ => Ok(ScanAxis::Given(self.coordinate()?)),
         }
     }
 
@@ -87,7 +91,7 @@ impl<'a, 'd> Element<'a, 'd> {
     pub(super) fn bad(&self, bound: &str, mend: &'static str) -> ScanReadError {
         ScanReadError::BadField {
             format: FORMAT,
-            place: Place::Element(self.path.clone()),
+            place: FilePlace::Element(self.path.clone()),
             field: "the text".to_owned(),
             value: quoted(self.text()),
             bound: bound.to_owned(),

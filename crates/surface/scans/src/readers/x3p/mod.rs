@@ -8,13 +8,13 @@ mod element;
 
 use crate::archive::{Archive, is_named_in, is_zip};
 use crate::channel::{Channel, Lateral, Quantity, Samples};
-use crate::error::{Place, ScanReadError};
+use crate::error::{FilePlace, ScanReadError};
 use crate::format::ScanFormat;
 use crate::options::ScanOptions;
 use crate::raster::Decoded;
 use crate::readers::Reader;
-use crate::readers::even_axis::{Axis as EvenAxis, points_of_grid};
-use axis::Axis;
+use crate::readers::even_axis::{ScanAxis as EvenAxis, points_of_grid};
+use axis::ScanAxis;
 use data::Data;
 use description::{Description, Layout};
 use units::LengthUnit;
@@ -38,11 +38,13 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
     let description = Description::read(&index)?;
     let data = description.data(&mut archive)?;
     let (columns, lateral, decoded) = match (description.layout, description.x, description.y) {
-        (Layout::Profile, Axis::Given(_), _) => (description.columns, Lateral::Positions(data.x_m), data.z_m),
-        (Layout::Profile, Axis::Even(x_m), _) => {
+        (Layout::Profile, ScanAxis::Given(_), _) => {
+            (description.columns, Lateral::Positions(data.x_m), data.z_m)
+        }
+        (Layout::Profile, ScanAxis::Even(x_m), _) => {
             (description.columns, Lateral::Spacing { x_m, y_m: None }, data.z_m)
         }
-        (Layout::Surface, Axis::Even(x_m), Axis::Even(y_m)) => {
+        (Layout::Surface, ScanAxis::Even(x_m), ScanAxis::Even(y_m)) => {
             (description.columns, Lateral::Spacing { x_m, y_m: Some(y_m) }, data.z_m)
         }
         (Layout::Surface | Layout::Cloud, ..) => on_grid(&description, data)?,
@@ -57,14 +59,14 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
 fn on_grid(description: &Description, data: Data) -> Result<(usize, Lateral, Decoded), ScanReadError> {
     let no_grid = || ScanReadError::Unsupported {
         format: FORMAT,
-        place: Place::Element("Record1/FeatureType".to_owned()),
+        place: FilePlace::Element("Record1/FeatureType".to_owned()),
         found: "points that lie on no even grid, one at each of its points".to_owned(),
         mend: "export a surface (SUR) on a regular grid",
     };
     // The matrix tells the place of a point along an axis without positions.
-    let along = |given: Vec<f64>, axis: Axis, place: fn(usize, usize) -> usize| match axis {
-        Axis::Given(_) => given,
-        Axis::Even(spacing_m) => (0..data.z_m.values.len())
+    let along = |given: Vec<f64>, axis: ScanAxis, place: fn(usize, usize) -> usize| match axis {
+        ScanAxis::Given(_) => given,
+        ScanAxis::Even(spacing_m) => (0..data.z_m.values.len())
             .map(|index| place(index, description.columns) as f64 * spacing_m)
             .collect(),
     };
