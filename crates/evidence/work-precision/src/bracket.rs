@@ -1,6 +1,6 @@
 //! The bracket of the judge against its cost, on a scene that comes with the program.
 
-use judge::{ElementArea, JudgePlan, Settings};
+use judge::{ElementArea, JudgePlan, JudgeSettings};
 use numerics::parallel::Unobserved;
 use scene::{Overrides, Scene, Template};
 use study::NoFiles;
@@ -78,10 +78,10 @@ pub fn measure(bench: &mut Bench) -> Result<Contents, String> {
     })
 }
 
-/// Settings of the judge, without a budget where the setting is fixed.
-fn settings(setting: Option<(usize, usize)>, seed: u64) -> Settings {
-    let chosen = Settings { seed, ..Settings::default() };
-    setting.map_or(chosen, |(grid, realisations)| Settings {
+/// JudgeSettings of the judge, without a budget where the setting is fixed.
+fn settings(setting: Option<(usize, usize)>, seed: u64) -> JudgeSettings {
+    let chosen = JudgeSettings { seed, ..JudgeSettings::default() };
+    setting.map_or(chosen, |(grid, realisations)| JudgeSettings {
         grid: Some(grid),
         realisations: Some(realisations),
         budget: f64::INFINITY,
@@ -90,7 +90,7 @@ fn settings(setting: Option<(usize, usize)>, seed: u64) -> Settings {
 }
 
 /// Judges a scene; a bracket for each load and body that was pressed.
-fn brackets(scene: &Scene, results: &Results, settings: &Settings) -> Result<Vec<Bracket>, String> {
+fn brackets(scene: &Scene, results: &Results, settings: &JudgeSettings) -> Result<Vec<Bracket>, String> {
     let judgement = JudgePlan::new(scene, results, settings).run(&Unobserved);
     let judgement = judgement.map_err(|error| error.to_string())?;
     let found = judgement.references.iter().filter_map(|reference| reference.elements);
