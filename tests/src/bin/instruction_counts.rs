@@ -289,7 +289,7 @@ fn repeated(times: usize) -> Scene {
 fn judge(times: usize) -> Work {
     let scene = repeated(times);
     let results = scene.plan().compute().expect("a sound scene");
-    let settings = judge::Settings::from_choices(scene.judge.as_ref());
+    let settings = judge::JudgeSettings::from_choices(scene.judge.as_ref());
     Box::new(move || {
         black_box(JudgePlan::new(&scene, &results, &settings).run(&Unobserved).expect("a sound scene"));
     })
