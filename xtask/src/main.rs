@@ -1,12 +1,11 @@
 //! Project chores, by name: `cargo xtask reproduce`, `golden`, `docs`, `instructions`, `layers`, `shared`, those of the crate
-//! `publishing`, and the crates of evidence, `stress`, `coverage`, `work-precision` and `model-trials`.
+//! `publishing`, and the crates of evidence, `stress`, `trials` and `work-precision`.
 
 mod budgets;
 mod instructions;
 mod layers;
 mod programs;
 mod shared;
-mod work_precision;
 
 use std::ffi::OsString;
 use std::process::ExitCode;
@@ -40,28 +39,15 @@ cargo xtask web [--test]       builds the page for browsers as a static folder, 
 Crates of evidence:
 cargo xtask stress [--states N] [--seed S] [--threads T] [--only I]
                                holds random extreme states against the promises of every result: docs/develop/stress.md
-cargo xtask coverage [--studies N] [--scans N] [--draws N] [--hurst H] [--seed S] [--only bias|coverage|advice|forms|seeds]
-                               counts how often intervals of the area hold the truth, in studies of known surfaces, and
-                               prints the tables of docs/guide/uncertainty.md (minutes)
+cargo xtask trials models|judge|layers|gaps [--anew]
+                               compares models, the judge, the judge on layers, or gaps with boundary elements, and rewrites
+                               their tables in docs; presses missing surfaces only, --anew all of them (an hour)
+cargo xtask trials coverage [--studies N] [--draws N] [--seed S] [--cell N]... [--first N]
+                               counts how often intervals of the area hold the truth, in studies of known surfaces (minutes)
 cargo xtask work-precision [PART]...
-                               measures run time against error, beside scipy and others; rewrites the tables of
-                               docs/develop/performance.md (minutes); with names such as kernels or elements only theirs
-cargo xtask model-trials [--anew]
-                               compares every model with boundary elements and rewrites the tables and figures of
-                               docs/guide/which-model.md; presses new surfaces only, --anew all of them (minutes)
-cargo xtask gap-trials [--anew]
-                               compares mean gap and stiffness of Persson's theory with boundary elements and rewrites the table
-                               of docs/guide/gap.md; presses new spectra only, --anew all of them (minutes)
-cargo xtask judge-trials [--anew]
-                               compares the judge of scenes with whole bands solved at once and rewrites the tables of
-                               docs/guide/judge.md; presses new surfaces only, --anew all of them (an hour)
-cargo xtask layer-trials [--anew]
-                               compares the judge on layers with whole bands solved at once and rewrites a table of
-                               docs/guide/judge.md; presses new surfaces only, --anew all of them (an hour)
+                               measures run time and error beside scipy and others, and rewrites the tables of
+                               docs/develop/performance.md (minutes); with names such as laws or elements only theirs
 ";
-
-/// Program that compares with boundary elements, and rewrites tables of pages.
-const TRIALS: &str = "truearea-model-trials";
 
 enum Task {
     /// Program of another crate, and what it is called with.
@@ -77,7 +63,7 @@ enum Task {
     Reproduce {
         arguments: Vec<OsString>,
     },
-    ModelTrials {
+    Trials {
         arguments: Vec<OsString>,
     },
     /// Program of a crate of evidence, for long tasks.
@@ -90,9 +76,6 @@ enum Task {
     },
     Layers,
     Shared,
-    WorkPrecision {
-        parts: Vec<OsString>,
-    },
 }
 
 fn main() -> ExitCode {
@@ -102,16 +85,20 @@ fn main() -> ExitCode {
         Ok(Some(Task::Reproduce { arguments })) => {
             programs::run_light("truearea-paper", "reproduce", &arguments)
         }
-        Ok(Some(Task::ModelTrials { arguments })) => {
-            // The page has a table of the paper's surface as well.
-            let compared = programs::run(TRIALS, &arguments);
-            if compared == ExitCode::SUCCESS { programs::run("other_models", &[]) } else { compared }
+        Ok(Some(Task::Trials { arguments })) => {
+            let compared = programs::run("truearea-trials", &arguments);
+            // The page on models has a table of the paper's surface as well.
+            let has_models = arguments.first().is_some_and(|name| name == "models");
+            if has_models && compared == ExitCode::SUCCESS {
+                programs::run("other_models", &[])
+            } else {
+                compared
+            }
         }
         Ok(Some(Task::InRelease { package, arguments })) => programs::run_in_release(package, &arguments),
         Ok(Some(Task::Instructions { accept })) => instructions::run(accept),
         Ok(Some(Task::Layers)) => layers::run(),
         Ok(Some(Task::Shared)) => shared::run(),
-        Ok(Some(Task::WorkPrecision { parts })) => work_precision::run(&parts),
         Ok(None) => {
             print!("{HELP}");
             ExitCode::SUCCESS
@@ -129,27 +116,18 @@ fn parse(mut parser: lexopt::Parser) -> Result<Option<Task>, lexopt::Error> {
         match (arg, &mut task) {
             (Value(name), None) => {
                 let named = match name.to_str() {
-                    Some("reproduce") => Task::Reproduce { arguments: following(&[], &mut parser)? },
-                    Some("golden") => program("golden", &[], &mut parser)?,
-                    Some("docs") => program("pictures", &[], &mut parser)?,
+                    Some("reproduce") => Task::Reproduce { arguments: following(&mut parser)? },
+                    Some("golden") => program("golden", &mut parser)?,
+                    Some("docs") => program("pictures", &mut parser)?,
                     Some("instructions") => Task::Instructions { accept: false },
                     Some("layers") => Task::Layers,
                     Some("shared") => Task::Shared,
                     Some(chore @ ("package" | "api" | "site" | "python" | "pyodide" | "web")) => {
-                        Task::Publishing { chore: chore.to_owned(), arguments: following(&[], &mut parser)? }
+                        Task::Publishing { chore: chore.to_owned(), arguments: following(&mut parser)? }
                     }
                     Some("stress") => in_release("truearea-stress", &mut parser)?,
-                    Some("coverage") => in_release("truearea-coverage", &mut parser)?,
-                    // The second names are those of earlier versions.
-                    Some("work-precision" | "bench") => {
-                        Task::WorkPrecision { parts: following(&[], &mut parser)? }
-                    }
-                    Some("model-trials" | "judge") => {
-                        Task::ModelTrials { arguments: following(&["models"], &mut parser)? }
-                    }
-                    Some("gap-trials") => program(TRIALS, &["gap"], &mut parser)?,
-                    Some("judge-trials") => program(TRIALS, &["judge"], &mut parser)?,
-                    Some("layer-trials") => program(TRIALS, &["layers"], &mut parser)?,
+                    Some("trials") => Task::Trials { arguments: following(&mut parser)? },
+                    Some("work-precision") => in_release("truearea-work-precision", &mut parser)?,
                     _ => return Err(Value(name).unexpected()),
                 };
                 task = Some(named);
@@ -162,34 +140,15 @@ fn parse(mut parser: lexopt::Parser) -> Result<Option<Task>, lexopt::Error> {
     Ok(task)
 }
 
-/// Program that gets `first` and the rest of the line.
-fn program(name: &'static str, first: &[&str], rest: &mut lexopt::Parser) -> Result<Task, lexopt::Error> {
-    Ok(Task::Program { name, arguments: following(first, rest)? })
-}
-
-fn following(first: &[&str], rest: &mut lexopt::Parser) -> Result<Vec<OsString>, lexopt::Error> {
-    Ok(first.iter().map(OsString::from).chain(rest.raw_args()?).collect())
+fn program(name: &'static str, rest: &mut lexopt::Parser) -> Result<Task, lexopt::Error> {
+    Ok(Task::Program { name, arguments: following(rest)? })
 }
 
 fn in_release(package: &'static str, rest: &mut lexopt::Parser) -> Result<Task, lexopt::Error> {
-    Ok(Task::InRelease { package, arguments: rest.raw_args()?.collect() })
+    Ok(Task::InRelease { package, arguments: following(rest)? })
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn parsed(line: &str) -> Option<Task> {
-        let words = std::iter::once("xtask").chain(line.split_whitespace());
-        parse(lexopt::Parser::from_iter(words)).unwrap_or(None)
-    }
-
-    #[test]
-    fn the_names_of_earlier_versions_call_the_same_tasks() {
-        let Some(Task::WorkPrecision { parts }) = parsed("bench elements") else { panic!() };
-        assert_eq!(parts, ["elements"]);
-        let Some(Task::ModelTrials { arguments }) = parsed("judge --anew") else { panic!() };
-        assert_eq!(arguments, ["models", "--anew"]);
-        assert!(parsed("layers --anew").is_none() && parsed("judges").is_none());
-    }
+/// The rest of the line.
+fn following(rest: &mut lexopt::Parser) -> Result<Vec<OsString>, lexopt::Error> {
+    Ok(rest.raw_args()?.collect())
 }

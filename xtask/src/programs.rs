@@ -23,11 +23,6 @@ pub(crate) fn publish(chore: &str, arguments: &[OsString]) -> ExitCode {
     call(&run.collect::<Vec<_>>(), arguments)
 }
 
-/// Builds a crate in release mode, with all of its programs.
-pub(crate) fn build_in_release(package: &str) -> ExitCode {
-    call(&["build", "--release", "--package", package], &[])
-}
-
 /// Runs the program of a crate in release mode, for tasks of minutes and hours.
 pub(crate) fn run_in_release(package: &str, arguments: &[OsString]) -> ExitCode {
     call(&["run", "--quiet", "--release", "--package", package, "--"], arguments)

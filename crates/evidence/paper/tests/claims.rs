@@ -55,7 +55,7 @@ fn other_models_contradict_the_paper_or_not_with_the_strength_and_are_not_counte
     let others = other_models(&evidence).unwrap();
     let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../docs/guide/which-model.md");
     let page = std::fs::read_to_string(page).unwrap();
-    assert!(page.contains(&other_models_table(&others)), "cargo xtask model-trials rewrites the table");
+    assert!(page.contains(&other_models_table(&others)), "cargo xtask trials models rewrites the table");
     let [constant, growing] = &others[..] else { panic!("two models: {others:?}") };
     for ((spectrum, at_constant), (_, at_growing)) in constant.findings.iter().zip(&growing.findings) {
         // About s/H = 1.2 Persson's theory has come within 1 % of A = p/H: erf(p/(sqrt(2) s)) is long below it.

@@ -2,7 +2,7 @@
 
     boundary_elements.py PROGRAM [POINTS] [COMPETITORS]
 
-PROGRAM is `boundary_elements` of this package, built optimised; POINTS the points along a side,
+PROGRAM is `truearea-work-precision`, built optimised, which has the command `press`; POINTS the points along a side,
 512 if not given; COMPETITORS some of `tamaas,contactmechanics`, both if not given.
 
 Everybody presses the same map: Gaussian, periodic over a square of side 1, 64 waves at the shortest
@@ -82,7 +82,7 @@ def ours(program, folder):
 
         def run(times):
             before = resource.getrusage(resource.RUSAGE_CHILDREN)
-            arguments = [program, folder / "heights", folder / "pressures", str(load), str(tolerance), str(times)]
+            arguments = [program, "press", folder / "heights", folder / "pressures", str(load), str(tolerance), str(times)]
             told = subprocess.run(arguments, check=True, capture_output=True, text=True).stdout
             after = resource.getrusage(resource.RUSAGE_CHILDREN)
             return told.split(), after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime

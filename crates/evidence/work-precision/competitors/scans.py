@@ -2,7 +2,7 @@
 
     scans.py PROGRAM FOLDER
 
-PROGRAM is `scan_spectrum` of this package, built optimised; FOLDER has the files. Both read the first channel, subtract
+PROGRAM is `truearea-work-precision`, built optimised, which has the command `scan`; FOLDER has the files. Both read the first channel, subtract
 the least-squares plane and compute the spectrum of the rows without a window. Every reading has a process of its own;
 its processor time counts in full, and beside it that of the calls alone, once Python and its packages are there. The
 shortest of several counts. Differences are relative: of heights over their range, in the orientation that fits best, of
@@ -35,7 +35,7 @@ def ours(program, path, folder):
     best = float("inf")
     for _ in range(REPETITIONS):
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
-        told = subprocess.run([program, path, *outputs], check=True, capture_output=True, text=True).stdout
+        told = subprocess.run([program, "scan", path, *outputs], check=True, capture_output=True, text=True).stdout
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
         best = min(best, after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime)
     columns, rows = (int(count) for count in told.split())

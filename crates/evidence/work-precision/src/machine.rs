@@ -1,5 +1,6 @@
 //! Machine and versions of a measurement.
 
+use std::path::PathBuf;
 use std::process::Command;
 
 /// Line of the report: name and value.
@@ -19,6 +20,14 @@ pub fn facts() -> Vec<Fact> {
     .into_iter()
     .map(|(name, value)| (name.to_owned(), value.unwrap_or_else(|| "unknown".to_owned())))
     .collect()
+}
+
+/// Path of this program, which scripts call.
+///
+/// # Errors
+/// The message of the system.
+pub fn own_program() -> Result<PathBuf, String> {
+    std::env::current_exe().map_err(|error| error.to_string())
 }
 
 fn said(program: &str, arguments: &[&str]) -> Option<String> {

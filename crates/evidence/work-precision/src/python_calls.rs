@@ -5,10 +5,10 @@ use std::path::PathBuf;
 use serde::Deserialize;
 use tables::markdown::table;
 
-use crate::bench::{Bench, Contents};
-use crate::files;
-use crate::page::{error, three_digits, time};
+use crate::environment::Environment;
+use crate::part::parse;
 use crate::reference::repository;
+use crate::words::{error, three_digits, time};
 
 /// Folder of the wheel that `cargo xtask python` builds.
 const WHEELS: &str = "target/python/wheels";
@@ -29,24 +29,26 @@ struct Row {
 ///
 /// # Errors
 /// A message if there is no wheel, or if the script fails.
-pub fn measure(bench: &mut Bench) -> Result<Contents, String> {
-    bench.environment.install_wheel(&wheel()?)?;
-    let printed = bench.environment.output("python_calls.py", [""; 0])?;
-    Ok(Contents {
-        sections: vec![("python", costs(&files::parse(&printed)?))],
-        files: vec![("python.csv", files::comments(&bench.facts) + &printed)],
-    })
+pub fn measure(environment: &Environment) -> Result<String, String> {
+    environment.install_wheel(&wheel()?)?;
+    environment.output("python_calls.py", [""; 0])
 }
 
 fn wheel() -> Result<PathBuf, String> {
     let files = std::fs::read_dir(repository(WHEELS)).into_iter().flatten().flatten();
     let mut wheels =
         files.map(|file| file.path()).filter(|path| path.extension().is_some_and(|it| it == "whl"));
-    wheels.next().ok_or_else(|| "no wheel of the Python package; build one: cargo xtask python".to_owned())
+    wheels.next().ok_or_else(|| {
+        "the wheel of the Python package is missing; build it with cargo xtask python".to_owned()
+    })
 }
 
 /// Table of time, length and difference by task.
-fn costs(rows: &[Row]) -> String {
+///
+/// # Errors
+/// A message if the rows cannot be parsed.
+pub fn table_of(csv: &str) -> Result<String, String> {
+    let rows: Vec<Row> = parse(csv)?;
     let columns = ["task", "truearea", "lines", "numpy and scipy", "lines", "ratio", "differ by"];
     let cells = |row: &Row| {
         vec![
@@ -59,7 +61,7 @@ fn costs(rows: &[Row]) -> String {
             error(row.differ),
         ]
     };
-    table(&columns, &rows.iter().map(cells).collect::<Vec<_>>())
+    Ok(table(&columns, &rows.iter().map(cells).collect::<Vec<_>>()))
 }
 
 #[cfg(test)]
@@ -70,6 +72,6 @@ mod tests {
     fn a_row_has_the_ratio_of_times() {
         let printed = "task,lines,their_lines,seconds,their_seconds,differ\n100 loads,5,7,1e-5,2e-2,1e-12\n";
         let row = "| 100 loads | 10.0 µs | 5 | 20.0 ms | 7 | 2000 | 1.0e-12 |";
-        assert_eq!(costs(&files::parse(printed).unwrap()).lines().last(), Some(row));
+        assert_eq!(table_of(printed).unwrap().lines().last(), Some(row));
     }
 }

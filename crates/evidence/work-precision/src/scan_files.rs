@@ -5,11 +5,11 @@ use std::path::PathBuf;
 use serde::Deserialize;
 use tables::markdown::table;
 
-use crate::bench::{Bench, Contents};
-use crate::files;
-use crate::page::{error, three_digits, time};
-use crate::processes::program;
+use crate::environment::Environment;
+use crate::machine::own_program;
+use crate::part::parse;
 use crate::reference::repository;
+use crate::words::{error, three_digits, time};
 
 /// Variable that names the folder of the files.
 const FOLDER: &str = "WORK_PRECISION_SCANS";
@@ -37,22 +37,21 @@ struct Row {
 /// Reads every file with both programs.
 ///
 /// # Errors
-/// A message if the files are missing, if our program is not built, or if the script fails.
-pub fn measure(bench: &mut Bench) -> Result<Contents, String> {
+/// A message if the files are missing or the script fails.
+pub fn measure(environment: &Environment) -> Result<String, String> {
     let folder = std::env::var_os(FOLDER).map_or_else(|| repository(BESIDE), PathBuf::from);
     if !folder.is_dir() {
-        return Err(format!("no folder of scans; give one with the variable {FOLDER}"));
+        return Err(format!("the folder of scans is missing; name one with the variable {FOLDER}"));
     }
-    let program = program("scan_spectrum", "truearea-work-precision")?;
-    let printed = bench.environment.output("scans.py", [program, folder])?;
-    Ok(Contents {
-        sections: vec![("scans", costs(&files::parse(&printed)?))],
-        files: vec![("scans.csv", files::comments(&bench.facts) + &printed)],
-    })
+    environment.output("scans.py", [own_program()?, folder])
 }
 
 /// Table of time and difference by format.
-fn costs(rows: &[Row]) -> String {
+///
+/// # Errors
+/// A message if the rows cannot be parsed.
+pub fn table_of(csv: &str) -> Result<String, String> {
+    let rows: Vec<Row> = parse(csv)?;
     let columns = [
         "format",
         "points",
@@ -77,7 +76,7 @@ fn costs(rows: &[Row]) -> String {
             error(row.spectra_differ),
         ]
     };
-    table(&columns, &rows.iter().map(cells).collect::<Vec<_>>())
+    Ok(table(&columns, &rows.iter().map(cells).collect::<Vec<_>>()))
 }
 
 #[cfg(test)]
@@ -88,7 +87,7 @@ mod tests {
     fn a_row_has_both_ratios() {
         let printed = "format,points_x,points_y,seconds,their_seconds,their_call_seconds,heights_differ,spectra_differ\n\
             MetroPro,640,480,1e-2,1,5e-2,1e-16,2e-12\n";
-        let text = costs(&files::parse(printed).unwrap());
+        let text = table_of(printed).unwrap();
         let row = "| MetroPro | 640 × 480 | 10.0 ms | 1.00 s | 100 | 50.0 ms | 5.00 | 1.0e-16 | 2.0e-12 |";
         assert_eq!(text.lines().last(), Some(row));
     }

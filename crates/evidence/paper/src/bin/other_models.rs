@@ -1,4 +1,4 @@
-//! Rewrites the table of other models on the paper's surface in `docs/guide/which-model.md`: a part of `cargo xtask model-trials`.
+//! Rewrites the table of other models on the paper's surface in `docs/guide/which-model.md`: a part of `cargo xtask trials models`.
 
 use std::error::Error;
 use std::path::Path;

@@ -1,0 +1,123 @@
+//! Comparisons with boundary elements: each presses what its table lacks, and rewrites the table and sections of its page.
+
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use tables::staging::write_file;
+use trials::TrialError;
+use trials::elements::{self, ElementsRow};
+use trials::gap_trials::{self, GapElements, GapRow};
+use trials::judge_spectra::{JudgeTrial, Set};
+use trials::judge_truth::TruthRow;
+use trials::layer_trials::{self, LayerRow, LayerTruth};
+use trials::programme::programme;
+use trials::{judge_spectra, judge_trials, ratios, sections};
+
+use crate::Outcome;
+
+/// Compares every model with boundary elements: `docs/guide/which-model.md`.
+pub(crate) fn models(anew: bool) -> Outcome {
+    let csv = checkout("docs/guide/which-model/elements.csv");
+    let old: Vec<ElementsRow> = stored(&csv, anew)?;
+    let mut rows: Vec<ElementsRow> = Vec::new();
+    let trials = programme();
+    for (at, trial) in trials.iter().enumerate() {
+        if let Some(known) = elements::known(&old, trial) {
+            rows.extend(known);
+            continue;
+        }
+        println!("pressing spectrum {} of {}: {:?}", at + 1, trials.len(), trial.band);
+        rows.extend(elements::rows_of(trial)?);
+        let rest = trials[at + 1..].iter().filter_map(|trial| elements::known(&old, trial)).flatten();
+        store(&rows.iter().chain(rest).copied().collect::<Vec<_>>(), &csv)?;
+    }
+    store(&rows, &csv)?;
+    let ratios = ratios::rows(&rows)?;
+    store(&ratios, &checkout("docs/guide/which-model/ratios.csv"))?;
+    rewrite("docs/guide/which-model.md", |page| sections::written(page, &rows, &ratios))
+}
+
+/// Compares mean gap and stiffness of Persson's theory with boundary elements: `docs/develop/trials.md`.
+pub(crate) fn gaps(anew: bool) -> Outcome {
+    let csv = checkout("docs/guide/gap/trials.csv");
+    let pressed: Vec<GapElements> = stored(&csv, anew)?;
+    let trials = gap_trials::trials();
+    let mut rows: Vec<GapRow> = Vec::new();
+    let mut missing: Vec<&JudgeTrial> = Vec::new();
+    for trial in &trials {
+        let of_trial = pressed.iter().filter(|row| row.number == trial.number).copied();
+        let of_trial: Vec<GapElements> = of_trial.collect();
+        rows.extend(gap_trials::beside_theory(trial, &of_trial)?);
+        missing.extend(of_trial.is_empty().then_some(trial));
+    }
+    for trial in missing {
+        println!("pressing spectrum {}: {:?}", trial.number, trial.kind);
+        rows.extend(gap_trials::rows_of(trial, &gap_trials::LOADS)?);
+        store(&rows, &csv)?;
+    }
+    rows.sort_by_key(|row| trials.iter().position(|trial| trial.number == row.number));
+    store(&rows, &csv)?;
+    rewrite("docs/develop/trials.md", |page| gap_trials::written(page, &rows))
+}
+
+/// Compares the judge of scenes with whole bands solved at once: `docs/develop/trials.md`.
+pub(crate) fn judge(anew: bool) -> Outcome {
+    let csv = checkout("docs/guide/judge/truth.csv");
+    let mut truth: Vec<TruthRow> = stored(&csv, anew)?;
+    let mut judged = Vec::new();
+    for trial in [Set::Calibration, Set::Report].into_iter().flat_map(judge_spectra::trials) {
+        if !truth.iter().any(|row| row.number == trial.number) {
+            println!("pressing spectrum {}: {:?}", trial.number, trial.kind);
+            truth.extend(trial.truth()?);
+            store(&truth, &csv)?;
+        }
+        judged.extend(trial.judged(&truth)?);
+    }
+    store(&judged, &checkout("docs/guide/judge/trials.csv"))?;
+    rewrite("docs/develop/trials.md", |page| judge_trials::written(page, &judged))
+}
+
+/// Compares the judge on layers with whole bands solved at once: `docs/develop/trials.md`.
+pub(crate) fn layers(anew: bool) -> Outcome {
+    let csv = checkout("docs/guide/judge/layers.csv");
+    let mut truth: Vec<LayerTruth> = stored(&csv, anew)?;
+    let mut rows: Vec<LayerRow> = Vec::new();
+    let (known, missing): (Vec<_>, Vec<_>) =
+        layer_trials::trials().into_iter().partition(|trial| truth.iter().any(|row| trial.is_of(row)));
+    for trial in &known {
+        rows.extend(trial.judged(&truth)?);
+    }
+    for trial in &missing {
+        println!("pressing spectrum {} on {:?}", trial.spectrum.number, trial.layer);
+        truth.extend(trial.truth()?);
+        rows.extend(trial.judged(&truth)?);
+        store(&rows, &csv)?;
+    }
+    store(&rows, &csv)?;
+    rewrite("docs/develop/trials.md", |page| layer_trials::written(page, &rows))
+}
+
+/// Reads a table; empty if it is missing or to be made anew.
+fn stored<R: DeserializeOwned>(csv: &Path, anew: bool) -> Result<Vec<R>, Box<dyn std::error::Error>> {
+    if anew || !csv.exists() { Ok(Vec::new()) } else { Ok(elements::read(&std::fs::read(csv)?[..])?) }
+}
+
+fn store<R: Serialize>(rows: &[R], csv: &Path) -> Outcome {
+    let mut table = Vec::new();
+    elements::write(rows, &mut table)?;
+    Ok(write_file(csv, table)?)
+}
+
+/// Rewrites the tables of a page.
+fn rewrite(page: &str, tables: impl FnOnce(&str) -> Result<String, TrialError>) -> Outcome {
+    let path = checkout(page);
+    write_file(&path, tables(&std::fs::read_to_string(&path)?)?.into_bytes())?;
+    println!("rewrote the tables of {page}");
+    Ok(())
+}
+
+/// Path of a file of this repository.
+fn checkout(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../..").join(path)
+}

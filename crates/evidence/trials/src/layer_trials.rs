@@ -1,0 +1,349 @@
+//! Trials of the judge on layers: bands whose waves feel layer and base, solved at once, against the judge that cuts them into
+//! windows: tables of `docs/develop/trials.md`.
+
+use asperity::{ElasticBody, Layer, LayerCompliance, MaterialPair};
+use elements::Relief;
+use elements::half_space::{Elements, Grid, Loading};
+use judge::{CurveVerdict, JudgePlan, JudgeSettings, Verdict};
+use numerics::parallel::Unobserved;
+use scene::Scene;
+use serde::{Deserialize, Serialize};
+use spectrum::random_surfaces::AreaSpectrum;
+use tables::markdown::{table, with_section};
+use units::display::three_digits;
+
+use crate::TrialError;
+use crate::elements::digits;
+use crate::judge_spectra::{CONTACT_MODULUS_PA, JudgeTrial, Kind, SHORTEST_M, Set, trials as judge_trials};
+use crate::judge_trials::BUDGET;
+use crate::judge_truth::TOLERANCE;
+
+/// Loads p/(2s) of every trial, with the rms pressure s of full contact.
+pub const LOADS: [f64; 3] = [0.005, 0.03, 0.2];
+/// The most batches of surfaces.
+const MAX_BATCHES: u64 = 4;
+/// Side of the box over the longest wavelength.
+const LENGTHS_IN_BOX: f64 = 2.0;
+
+/// Layer of a trial, of the contact modulus E*, against a rigid counterface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum LayerKind {
+    /// A soft coat: the base is ten times as stiff, the thickness a tenth of the longest wavelength.
+    StiffBase,
+    /// A stiff coat: the base is a tenth as stiff, the thickness a twentieth of the longest wavelength.
+    SoftBase,
+    /// A rigid base under a tenth of the longest wavelength.
+    RigidBase,
+    /// A rigid base under a fiftieth of the longest wavelength: a bed of springs for the long waves.
+    ThinOnRigid,
+    /// A rigid base under a nearly incompressible layer, a twentieth of the longest wavelength.
+    ThinRubber,
+}
+
+impl LayerKind {
+    /// All layers, in the order of the tables.
+    pub const ALL: [LayerKind; 5] = [
+        LayerKind::StiffBase,
+        LayerKind::SoftBase,
+        LayerKind::RigidBase,
+        LayerKind::ThinOnRigid,
+        LayerKind::ThinRubber,
+    ];
+
+    /// Name in the tables.
+    fn name(self) -> &'static str {
+        match self {
+            LayerKind::StiffBase => "base ten times as stiff, t = λ/10",
+            LayerKind::SoftBase => "base ten times as soft, t = λ/20",
+            LayerKind::RigidBase => "rigid base, ν 0.3, t = λ/10",
+            LayerKind::ThinOnRigid => "rigid base, ν 0.3, t = λ/50",
+            LayerKind::ThinRubber => "rigid base, ν 0.48, t = λ/20",
+        }
+    }
+
+    /// Longest wavelength over thickness.
+    fn wavelengths(self) -> f64 {
+        match self {
+            LayerKind::StiffBase | LayerKind::RigidBase => 10.0,
+            LayerKind::SoftBase | LayerKind::ThinRubber => 20.0,
+            LayerKind::ThinOnRigid => 50.0,
+        }
+    }
+
+    fn poisson_ratio(self) -> f64 {
+        if self == LayerKind::ThinRubber { 0.48 } else { 0.3 }
+    }
+
+    /// Stiffness of the base over that of the layer; none if it is rigid.
+    fn base_over_layer(self) -> Option<f64> {
+        match self {
+            LayerKind::StiffBase => Some(10.0),
+            LayerKind::SoftBase => Some(0.1),
+            _ => None,
+        }
+    }
+}
+
+/// A spectrum on a layer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LayerTrial {
+    /// The layer.
+    pub layer: LayerKind,
+    /// The spectrum.
+    pub spectrum: JudgeTrial,
+}
+
+/// Spectra on which the closed form and the error of a seam were chosen: two self-affine ones with the Hurst exponents 0.84 and
+/// 0.54, and one that is steep at long waves, which feel the base most.
+const CALIBRATION: [u32; 3] = [32, 35, 56];
+/// Spectra that were pressed afterwards: self-affine (0.64), with a roll-off (0.84), and steep.
+const REPORT: [u32; 3] = [34, 39, 57];
+
+/// All trials: some of the judge's spectra, each on every layer.
+#[must_use]
+pub fn trials() -> Vec<LayerTrial> {
+    let all = judge_trials(Set::Report);
+    let numbers = CALIBRATION.iter().chain(&REPORT);
+    let spectra = numbers.filter_map(|number| all.iter().find(|trial| trial.number == *number));
+    spectra.flat_map(|&spectrum| LayerKind::ALL.map(|layer| LayerTrial { layer, spectrum })).collect()
+}
+
+/// Area of a whole band solved at once.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[non_exhaustive]
+pub struct LayerTruth {
+    /// Layer of the trial.
+    pub layer: LayerKind,
+    /// Number of the spectrum among those of the judge's trials.
+    pub number: u32,
+    /// Load p/(2s).
+    pub pressure_over_spread: f64,
+    /// Area fraction of the whole band solved at once.
+    pub truth: f64,
+    /// Its relative standard error.
+    pub truth_error: f64,
+}
+
+/// A curve under a load, beside the judge and the truth.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct LayerRow {
+    /// Layer of the trial.
+    pub layer: LayerKind,
+    /// Form of the spectrum.
+    pub kind: Kind,
+    /// Number of the spectrum among those of the judge's trials.
+    pub number: u32,
+    /// Rms pressure of full contact over that without a layer.
+    pub stiffening: f64,
+    /// Load p/(2s).
+    pub pressure_over_spread: f64,
+    /// Area fraction of the whole band solved at once.
+    pub truth: f64,
+    /// Its relative standard error.
+    pub truth_error: f64,
+    /// Judge's area over the truth.
+    pub judge: f64,
+    /// Relative standard error that the judge states.
+    pub stated_error: f64,
+    /// Upper over lower end of the judge's bracket.
+    pub bracket: f64,
+    /// Name of the curve.
+    pub curve: String,
+    /// Curve's area over the truth.
+    pub curve_over_truth: f64,
+    /// True if its verdict on the whole band is `agrees`.
+    pub agrees: bool,
+    /// True if it agrees on most windows too.
+    pub holds: bool,
+}
+
+impl LayerTrial {
+    fn thickness_m(&self) -> f64 {
+        self.spectrum.width() * SHORTEST_M / self.layer.wavelengths()
+    }
+
+    fn youngs_modulus_pa(&self) -> f64 {
+        CONTACT_MODULUS_PA * (1.0 - self.layer.poisson_ratio().powi(2))
+    }
+
+    fn compliance(&self) -> Result<LayerCompliance, TrialError> {
+        let body = |modulus_pa: f64| ElasticBody::new(modulus_pa, self.layer.poisson_ratio());
+        let own = body(self.youngs_modulus_pa())?;
+        let base =
+            self.layer.base_over_layer().map(|ratio| body(ratio * self.youngs_modulus_pa())).transpose()?;
+        let layer = Layer::new(own, self.thickness_m(), base)?;
+        let pair = MaterialPair::against_rigid(own).bonded(Some(layer));
+        pair.layer_compliance().ok_or_else(|| TrialError::Scene("the pair has no layer".to_owned()))
+    }
+
+    fn scene(&self, pressures_pa: &[f64]) -> Result<Scene, TrialError> {
+        let ratio = self.layer.poisson_ratio();
+        let base = match self.layer.base_over_layer() {
+            Some(over) => {
+                format!(
+                    "youngs_modulus = \"{} Pa\"\npoisson_ratio = {ratio}\n",
+                    over * self.youngs_modulus_pa()
+                )
+            }
+            None => String::new(),
+        };
+        let word = if base.is_empty() { "rigid" } else { "material" };
+        let material = format!(
+            "[material]\n{base}[material.layer]\nthickness = \"{} m\"\nyoungs_modulus = \"{} Pa\"\npoisson_ratio = {ratio}\n\
+             base = \"{word}\"\n",
+            self.thickness_m(),
+            self.youngs_modulus_pa()
+        );
+        self.spectrum.scene_with(&material, pressures_pa, true)
+    }
+
+    /// The spectrum of the surface, and the rms pressure \[Pa\] of its full contact on the layer and on a half-space.
+    fn surface(&self) -> Result<(AreaSpectrum, [f64; 2]), TrialError> {
+        let psd = self.spectrum.scene(false)?.plan().compute()?.psd;
+        let surface = AreaSpectrum::from_profile(&psd)?;
+        let layer = self.compliance()?;
+        let alike = surface.weighted(|wavevector_rad_per_m| layer.relative_at(wavevector_rad_per_m).powi(-2));
+        let spread_pa = |waves: &AreaSpectrum| 0.5 * CONTACT_MODULUS_PA * waves.mean_square_gradient().sqrt();
+        let spreads_pa = [spread_pa(&alike), spread_pa(&surface)];
+        Ok((surface, spreads_pa))
+    }
+
+    /// Presses surfaces with the whole band until the area under every load is known, or the most batches are pressed.
+    ///
+    /// # Errors
+    /// The error of making or pressing a surface.
+    pub fn truth(&self) -> Result<Vec<LayerTruth>, TrialError> {
+        let (surface, [spread_pa, _]) = self.surface()?;
+        let layer = self.compliance()?;
+        let row = |&pressure_over_spread: &f64| {
+            let loading = Loading {
+                contact_modulus_pa: CONTACT_MODULUS_PA,
+                nominal_pressure_pa: pressure_over_spread * 2.0 * spread_pa,
+                saturation_pa: None,
+                tolerance: TOLERANCE,
+            };
+            let area = |relief: &Relief| {
+                let grid = Grid::new(relief.rows, relief.columns, relief.length_x_m, relief.length_y_m)?;
+                let mut elements = Elements::periodic_on(grid, &relief.heights_m, |wavevector_rad_per_m| {
+                    layer.relative_at(wavevector_rad_per_m)
+                })?;
+                Ok(elements.press(&loading, &Unobserved)?.area_fraction_corrected)
+            };
+            let (area, _) = self.spectrum.known_area(&surface, LENGTHS_IN_BOX, MAX_BATCHES, area)?;
+            Ok(LayerTruth {
+                layer: self.layer,
+                number: self.spectrum.number,
+                pressure_over_spread,
+                truth: digits(area.value),
+                truth_error: digits(area.standard_error / area.value),
+            })
+        };
+        LOADS.iter().map(row).collect()
+    }
+
+    /// Judges the spectrum in windows, and compares the judge and every curve with the truth.
+    ///
+    /// # Errors
+    /// The error of making or pressing a surface, and of running a model.
+    pub fn judged(&self, truth: &[LayerTruth]) -> Result<Vec<LayerRow>, TrialError> {
+        let (_, [spread_pa, on_half_space_pa]) = self.surface()?;
+        let pressures_pa = LOADS.map(|load| load * 2.0 * spread_pa);
+        let scene = self.scene(&pressures_pa)?;
+        let results = scene.plan().compute()?;
+        let settings = JudgeSettings { budget: BUDGET, ..JudgeSettings::default() };
+        let judgement = JudgePlan::new(&scene, &results, &settings).run(&Unobserved)?;
+        let row = |curve: &CurveVerdict| {
+            let known =
+                truth.iter().find(|row| self.is_of(row) && row.pressure_over_spread == LOADS[curve.load])?;
+            let elements = curve.elements?;
+            Some(LayerRow {
+                layer: self.layer,
+                kind: self.spectrum.kind,
+                number: self.spectrum.number,
+                stiffening: digits(spread_pa / on_half_space_pa),
+                pressure_over_spread: known.pressure_over_spread,
+                truth: known.truth,
+                truth_error: known.truth_error,
+                judge: digits(elements.area_fraction / known.truth),
+                stated_error: digits(elements.relative_error()),
+                bracket: digits(elements.high() / elements.low()),
+                curve: scene.needs.curves[curve.curve].name.clone(),
+                curve_over_truth: digits(curve.area_fraction? / known.truth),
+                agrees: curve.verdict == Verdict::Agrees,
+                holds: curve.holds(),
+            })
+        };
+        Ok(judgement.curves.iter().filter_map(row).collect())
+    }
+
+    /// Returns true for a truth of this trial.
+    #[must_use]
+    pub fn is_of(&self, truth: &LayerTruth) -> bool {
+        (truth.layer, truth.number) == (self.layer, self.spectrum.number)
+    }
+}
+
+impl LayerRow {
+    /// The truth of the row.
+    #[must_use]
+    pub fn known(&self) -> LayerTruth {
+        let LayerRow { layer, number, pressure_over_spread, truth, truth_error, .. } = *self;
+        LayerTruth { layer, number, pressure_over_spread, truth, truth_error }
+    }
+
+    /// Returns true if judge and truth differ by at most two of their standard errors, which are independent.
+    fn is_within_two_errors(&self) -> bool {
+        (self.judge - 1.0).abs() <= 2.0 * (self.stated_error * self.judge).hypot(self.truth_error)
+    }
+}
+
+/// Returns the page with a new table; its text is written by hand.
+///
+/// # Errors
+/// [`TrialError::Page`] if the page lacks the section.
+pub fn written(page: &str, rows: &[LayerRow]) -> Result<String, TrialError> {
+    let line = |name: &str, wanted: &dyn Fn(&LayerRow) -> bool| {
+        let of_line: Vec<&LayerRow> = rows.iter().filter(|row| wanted(row)).collect();
+        let of_judge: Vec<&LayerRow> = of_line.iter().copied().filter(|row| row.curve == "persson").collect();
+        let count = of_judge.len();
+        let squares: f64 = of_judge.iter().map(|row| row.judge.ln().powi(2)).sum();
+        let within = of_judge.iter().filter(|row| row.is_within_two_errors()).count();
+        let range = |values: Vec<f64>| {
+            let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+            let most = values.iter().copied().fold(0.0, f64::max);
+            format!("{} to {}", three_digits(least), three_digits(most))
+        };
+        let mut brackets: Vec<f64> = of_judge.iter().map(|row| row.bracket).collect();
+        brackets.sort_by(f64::total_cmp);
+        let promised: Vec<_> = of_line.iter().filter(|row| row.agrees).collect();
+        let kept = promised.iter().filter(|row| (0.75..=4.0 / 3.0).contains(&row.curve_over_truth)).count();
+        vec![
+            name.to_owned(),
+            range(of_judge.iter().map(|row| row.stiffening).collect()),
+            format!("{:.1} %", 100.0 * (squares / count.max(1) as f64).sqrt()),
+            range(of_judge.iter().map(|row| row.judge).collect()),
+            format!("{within} of {count}"),
+            three_digits(brackets.get(count / 2).copied().unwrap_or(f64::NAN)),
+            range(of_judge.iter().map(|row| row.curve_over_truth).collect()),
+            format!("{kept} of {}", promised.len()),
+        ]
+    };
+    let is_reported = |row: &LayerRow| REPORT.contains(&row.number);
+    let mut lines = vec![line("calibration", &|row| !is_reported(row)), line("reported", &is_reported)];
+    lines.extend(LayerKind::ALL.iter().map(|&layer| {
+        line(&format!("reported, {}", layer.name()), &|row| is_reported(row) && row.layer == layer)
+    }));
+    let headings = [
+        "layer",
+        "s over that without",
+        "rms",
+        "judge over truth",
+        "within two standard errors",
+        "median bracket",
+        "`persson` over truth",
+        "`agrees` within 4/3 of the truth",
+    ];
+    with_section(page, "layers", &table(&headings, &lines)).map_err(TrialError::Page)
+}

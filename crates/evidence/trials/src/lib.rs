@@ -1,0 +1,25 @@
+//! Trials on surfaces whose spectrum is known, which make tables of the documentation:
+//!
+//! * [`sections`]: every model against boundary elements (`docs/guide/which-model.md`);
+//! * [`judge_trials`] and [`layer_trials`]: the judge of scenes against whole bands solved at once (`docs/develop/trials.md`);
+//! * [`gap_trials`]: mean gap and stiffness of Persson's theory against boundary elements (`docs/develop/trials.md`);
+//! * [`coverage`]: how often intervals of the area hold the truth (`docs/theory/intervals.md`).
+#![deny(missing_docs)]
+
+pub mod coverage;
+pub mod elements;
+mod error;
+pub mod gap_trials;
+pub mod judge_spectra;
+pub mod judge_trials;
+pub mod judge_truth;
+pub mod layer_trials;
+pub mod models;
+pub mod pressing;
+pub mod programme;
+pub mod ratios;
+pub mod sections;
+pub mod spectra;
+pub mod statistics;
+
+pub use error::TrialError;
