@@ -248,7 +248,7 @@ fn loads_and_curves_have_no_order_and_more_load_more_contact() {
         assert!(pair[0].iter().zip(&pair[1]).all(|(less, more)| less < more || *more == 1.0));
     }
     let mut alone = Vec::new();
-    for entry in MODELS {
+    for entry in MODELS.iter() {
         let curve = format!("[[curve]]\nmodel = \"{entry}\"\n");
         let scene = scene_of_file(STEEL, &["20 MPa"], &curve);
         alone.extend(areas_with(&scene, &files, 0));

@@ -33,14 +33,14 @@ fn reason(choice: Choice, why: IgnoredReason, entry: &'static ModelEntry) -> Rea
         IgnoredReason::NoSuchOption => Reason::OnlyOn { model, models },
         // Statistical and stacked models that yield are named.
         IgnoredReason::NeverYields
-            if choice == Choice::StrainGradient && !entry.framework.facts().takes_hardness =>
+            if choice == Choice::StrainGradient && !entry.framework.takes_hardness() =>
         {
             Reason::OnlyOn { model, models }
         }
         IgnoredReason::NeverYields => Reason::DoesNotYield(model),
         IgnoredReason::CorrectionsAreElastic => Reason::CorrectionsAreElastic(model),
         IgnoredReason::OtherHardnessLaw => Reason::OtherHardnessLaw(model),
-        IgnoredReason::NothingGrows if entry.framework.facts().takes_hardness => {
+        IgnoredReason::NothingGrows if entry.framework.takes_hardness() => {
             Reason::HardnessDoesNotGrow(model)
         }
         IgnoredReason::NothingGrows => Reason::StrengthDoesNotGrow,

@@ -8,13 +8,11 @@ use serde::{Deserialize, Serialize};
 use spectrum::{AmplitudeDefinition, Normalisation};
 use study::figure::Figure;
 use study::material::Material;
-use study::models::{ModelEntry, ModelOptions, MomentUse, Theory};
-use study::persson_law::PerssonLaw;
+use study::models::{ModelEntry, ModelOptions};
 use study::plan::{
     Curve, CurveResult, Cutoffs, Load, LoadRange, Needs, NominalPressure, Part, PerssonSurface, Plan,
     PlanError, Sampling, Stream, Tolerance,
 };
-use study::result_tables;
 use study::surface::Surface;
 use tables::Table;
 
@@ -110,14 +108,13 @@ impl CurveQuestion {
 
     fn resolve(&self) -> Result<Resolved, QuestionError> {
         let entry = self.model.ok_or(QuestionError::Missing(&[OptionName::Model]))?;
-        let facts = entry.framework.facts();
+        let framework = entry.framework;
         choices::check(&self.options, entry, self.material.strength_cap.is_some())?;
-        let takes_normalisation = facts.moments == MomentUse::Chosen;
         let of_other_frameworks = [
-            (OptionName::Normalisation, self.normalisation.is_some() && !takes_normalisation),
-            (OptionName::Tolerance, self.tolerance.is_some() && !facts.has_states),
-            (OptionName::Separation, !self.separations_m.is_empty() && !facts.has_states),
-            (OptionName::Amplitude, self.amplitude.is_some() && !facts.takes_amplitude),
+            (OptionName::Normalisation, self.normalisation.is_some() && !framework.takes_normalisation()),
+            (OptionName::Tolerance, self.tolerance.is_some() && !framework.has_states()),
+            (OptionName::Separation, !self.separations_m.is_empty() && !framework.has_states()),
+            (OptionName::Amplitude, self.amplitude.is_some() && !framework.takes_amplitude()),
         ];
         first_given(of_other_frameworks, || Reason::Model(entry.name))?;
         let material = self.material.material()?;
@@ -126,14 +123,14 @@ impl CurveQuestion {
         let model = entry.build(&material, &self.options)?;
         let (loads, load_ranges) = resolved(&self.pressures, &self.pressure_ranges, &material)?;
         if loads.is_empty() && load_ranges.is_empty() && self.separations_m.is_empty() {
-            return Err(QuestionError::Missing(match facts.has_states {
+            return Err(QuestionError::Missing(match framework.has_states() {
                 true => &[OptionName::Pressure, OptionName::Separation],
                 false => &[OptionName::Pressure],
             }));
         }
         let mut needs = Needs {
-            moments: facts.moments.normalisation(self.normalisation),
-            amplitudes: facts.takes_amplitude.then(|| self.amplitude.unwrap_or_default()),
+            moments: framework.normalisation(self.normalisation),
+            amplitudes: framework.takes_amplitude().then(|| self.amplitude.unwrap_or_default()),
             curves: vec![Curve {
                 name: self.name.clone().unwrap_or_else(|| entry.curve_name(&self.options)),
                 model,
@@ -266,10 +263,7 @@ impl<'s> PreparedCurve<'s> {
     /// [`QuestionError::Plan`].
     pub fn stream(&self) -> Result<CurveStream<'_>, QuestionError> {
         let stream = self.plan.stream()?;
-        let surface = match self.curve().model.theory() {
-            Theory::Persson(theory) => Some(PerssonSurface::new(theory, &self.plan, stream.prepared())?),
-            _ => None,
-        };
+        let surface = self.plan.persson_surface(&self.curve().model, stream.prepared())?;
         if let Some(surface) = &surface {
             check_loads(surface, &self.plan.needs)?;
         }
@@ -330,7 +324,7 @@ impl CurveStream<'_> {
             notes.push(Note::FirstRowIsEmpty);
         }
         if let Some(PerssonSurface { roughness, separation, .. }) = &self.surface {
-            let correction = model.persson().and_then(PerssonLaw::correction).flatten();
+            let correction = model.persson().and_then(|theory| theory.correction);
             notes.extend(correction.map(|correction| Note::of_correction(correction, roughness)));
             let least_pa = plan.needs.pressures().map(NominalPressure::pa).fold(f64::INFINITY, f64::min);
             let moments = self.stream.prepared().moments().last();
@@ -359,7 +353,7 @@ impl CurveStream<'_> {
         let details = self.prepared.details;
         self.stream.parts(self.prepared.curve(), progress, |part: Part| {
             remarks.add(&part.rows, &part.pressures_pa);
-            each(result_tables::part_of_curve(&part.rows, &part.pressures_pa, several, details))
+            each(part.rows.table(&part.pressures_pa, several, details))
         })?;
         Ok(remarks.notes())
     }
@@ -377,7 +371,7 @@ impl CurveStream<'_> {
         let mut remarks = self.prepared.remarks();
         remarks.add(rows, &pressures_pa);
         let several = needs.load_count() > 1;
-        let table = result_tables::part_of_curve(rows, &pressures_pa, several, self.prepared.details);
+        let table = rows.table(&pressures_pa, several, self.prepared.details);
         let figure = self.prepared.figure.then(|| {
             let of = Figure::area_of_all(vec![0]);
             of.data(&results, needs, self.prepared.hardness_pa)

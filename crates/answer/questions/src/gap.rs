@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use spectrum::Normalisation;
 use study::gap_law::{GapChoices, GapLaw, GapState};
 use study::material::Material;
-use study::models::{Choice, ModelEntry, ModelOptions, MomentUse};
+use study::models::{Choice, ModelEntry, ModelOptions};
 use study::plan::{Needs, Plan, PlanError, Tolerance};
 use study::result_tables;
 use study::surface::Surface;
@@ -139,10 +139,10 @@ impl GapModel {
             let of_models = options.given().map(|choice| (OptionName::of_choice(choice), true));
             return Ok(first_given(of_models.chain(given), || Reason::BoundaryElements)?);
         };
-        let facts = entry.framework.facts();
+        let framework = entry.framework;
         let of_other_frameworks = [
-            (OptionName::Normalisation, self.normalisation.is_some() && facts.moments != MomentUse::Chosen),
-            (OptionName::Tolerance, self.tolerance.is_some() && !facts.has_states),
+            (OptionName::Normalisation, self.normalisation.is_some() && !framework.takes_normalisation()),
+            (OptionName::Tolerance, self.tolerance.is_some() && !framework.has_states()),
         ];
         let of_asperities = [Choice::Hardness, Choice::Interference, Choice::StrainGradient];
         let missing = options.given().filter(|choice| of_asperities.contains(choice) && !entry.has(*choice));
@@ -167,7 +167,7 @@ impl GapModel {
     ) -> Result<GapLaw, QuestionError> {
         self.sampling.check(surface)?;
         let model = entry.build(material, &self.options)?;
-        let moments = entry.framework.facts().moments.normalisation(self.normalisation);
+        let moments = entry.framework.normalisation(self.normalisation);
         let needs = Needs {
             moments: Some(moments.unwrap_or_default()),
             amplitudes: model.needs_amplitudes().then(Default::default),

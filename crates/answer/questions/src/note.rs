@@ -219,7 +219,7 @@ impl Note {
         if material.pair.layer().is_some() {
             return Some(Note::ModulusOfLayer);
         }
-        let takes_strength = model.has(Choice::Strength) && !model.framework.facts().takes_hardness;
+        let takes_strength = model.has(Choice::Strength) && !model.framework.takes_hardness();
         let strength_pa = material.assumed_yield_strength_pa().filter(|_| takes_strength)?;
         Some(Note::AssumedStrength { yield_strength_pa: strength_pa })
     }

@@ -297,7 +297,7 @@ fn every_option_that_a_model_ignores_is_found_and_none_that_it_heeds() {
         strain_gradient_length_m: Some(5e-6),
         ..MaterialInput::default()
     };
-    for entry in MODELS {
+    for entry in MODELS.iter() {
         let asked = |change: &dyn Fn(&mut CurveQuestion)| {
             let mut question = CurveQuestion {
                 model: Some(entry),

@@ -61,7 +61,7 @@ pub(super) fn resolve_curves(
 pub(super) fn curves_that_apply(material: &Material, options: &ModelOptions) -> Vec<Curve> {
     let plain = ModelOptions { hardness: options.hardness, ..ModelOptions::default() };
     let mut curves: Vec<Curve> = Vec::new();
-    for entry in MODELS {
+    for entry in MODELS.iter() {
         let mut forms = vec![ModelOptions { interference_law: options.interference_law, ..plain.clone() }];
         // Persson's theory with a hardness that grows takes longer than all other models together.
         if entry.has(Choice::StrainGradient) && entry.framework != Framework::Persson {

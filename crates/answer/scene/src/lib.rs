@@ -139,7 +139,7 @@ impl Scene {
             }));
         }
         for law in self.needs.curves.iter().filter_map(|curve| curve.model.persson()) {
-            let (correction, band) = (law.correction().flatten(), law.band);
+            let (correction, band) = (law.correction, law.band);
             of_laws.extend(correction.map(|correction| {
                 named(
                     "correction of Persson's theory",

@@ -10,15 +10,14 @@ use persson::separation::{LightLoads, SeparationLaw};
 use persson::variance::Band;
 use spectrum::Normalisation;
 
-use crate::models::CurveModel;
-use crate::plan::gap::LoadedSurface;
+use crate::models::{CurveModel, LoadedSurface};
 pub use crate::plan::gap::{GapChoices, GapError, GapState};
 use crate::plan::{Plan, PreparedSpectrum, Results};
 
 /// A surface under any load.
 #[derive(Debug)]
 pub struct GapLaw {
-    surface: Box<dyn LoadedSurface>,
+    surface: LoadedSurface,
     rms_height_m: f64,
     /// The band that a cutoff lets through in Persson's theory.
     band: Band,
@@ -41,7 +40,7 @@ impl GapLaw {
         let parseval = Normalisation::Parseval.factor() / normalisation.factor();
         let rms_height_m = parseval.sqrt() * moments.rms_height_m();
         let prepared = PreparedSpectrum::from_results(results);
-        let surface = plan.surface(model, &prepared, choices)?;
+        let surface = model.surface(&prepared, || roughness(plan, results, choices.band), choices)?;
         let surface = surface.ok_or(GapError::NoDistances(model.entry().name))?;
         Ok(GapLaw { surface, rms_height_m, band: choices.band })
     }
@@ -109,7 +108,7 @@ impl GapLaw {
     /// The roughness as Persson's theory takes it, where that is the model.
     #[must_use]
     pub fn roughness(&self) -> Option<&Roughness> {
-        self.surface.persson().map(|(roughness, _)| roughness)
+        self.surface.persson().map(|surface| &surface.roughness)
     }
 
     /// Rms height of the surface \[m\].
@@ -119,7 +118,7 @@ impl GapLaw {
     }
 
     fn separation(&self) -> Option<&SeparationLaw> {
-        self.surface.persson().map(|(_, separation)| separation)
+        self.surface.persson().map(|surface| &surface.separation)
     }
 }
 
@@ -177,7 +176,7 @@ mod tests {
         let psd = spectrum();
         // At this hardness more than a few per cent of the contact flow, and there is no gap then.
         let has_gaps = |name: &str| name != "persson-plastic";
-        let entries = MODELS.iter().filter(|entry| entry.framework.facts().has_gaps);
+        let entries = MODELS.iter().filter(|entry| entry.framework.has_gaps());
         for entry in entries.filter(|entry| has_gaps(entry.name)) {
             let law = law_of(entry.name, &psd).unwrap();
             for pressure_pa in [1e5, 3e6, 2e8] {

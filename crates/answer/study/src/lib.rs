@@ -16,7 +16,6 @@ pub mod material;
 pub mod material_spreads;
 pub mod materials;
 pub mod measured;
-mod model_names;
 pub mod model_options;
 pub mod models;
 mod note;

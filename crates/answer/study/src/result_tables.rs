@@ -3,7 +3,7 @@
 use persson::separation::LightLoads;
 
 use crate::gap_law::GapState;
-pub use crate::plan::STATE_DETAILS;
+pub use crate::models::STATE_DETAILS;
 use crate::plan::{CurveResult, Load, Results};
 use tables::Table;
 
@@ -60,13 +60,7 @@ pub fn fit(results: &Results) -> Table {
 /// found.
 pub fn curve(curve: &CurveResult, loads: &[Load], details: bool) -> Table {
     let pressures_pa: Vec<f64> = loads.iter().map(Load::nominal_pressure_pa).collect();
-    part_of_curve(curve, &pressures_pa, loads.len() > 1, details)
-}
-
-/// Makes a table of some blocks of a curve, under these nominal pressures \[Pa\]. `several` is true if the whole curve
-/// has more than one load.
-pub fn part_of_curve(curve: &CurveResult, pressures_pa: &[f64], several: bool, details: bool) -> Table {
-    curve.table(pressures_pa, several, details)
+    curve.table(&pressures_pa, loads.len() > 1, details)
 }
 
 /// Makes the table of a surface under loads, with a row per load. The law of light loads is in every row, if the model

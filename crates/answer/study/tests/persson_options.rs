@@ -116,7 +116,7 @@ fn a_curve_of_a_plan_and_its_stream_equal_the_theory_bit_for_bit() {
 #[test]
 fn every_option_changes_the_model_its_name_and_nothing_else() {
     let strong = material(Some("0.7 GPa"));
-    for entry in MODELS {
+    for entry in MODELS.iter() {
         let plain = entry.build(&strong, &ModelOptions::default()).unwrap();
         assert_eq!(plain.options(), ModelOptions::default(), "{entry}");
         let mut ways = vec![

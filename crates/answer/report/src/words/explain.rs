@@ -55,7 +55,7 @@ pub fn explain(scene: &Scene) -> String {
             None => "amplitudes: no curve and no figure uses them".to_owned(),
         },
     );
-    for framework in Framework::ALL {
+    for &framework in Framework::ALL {
         let is_its = |curve: &Curve| curve.model.entry().framework == framework;
         if !needs.curves.iter().any(is_its) {
             row("skipped", format!("{framework} model: no curve asks for it"));

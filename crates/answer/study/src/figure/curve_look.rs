@@ -49,7 +49,7 @@ impl Variant {
         if model.strength_grows() {
             return Variant::Hardening;
         }
-        match model.persson().and_then(|law| law.correction().flatten()) {
+        match model.persson().and_then(|law| law.correction) {
             Some(_) => Variant::Corrected,
             None => Variant::Plain,
         }

@@ -1,89 +1,38 @@
-//! The models by name: one table that the command line, scenes, tables of populations and sensitivities go by.
+//! The three theories of contact and their models.
 //!
-//! Each theory has a module with its models, with what they have in common, and with what a model is made of. A law of its
-//! own crate becomes a model of the program by one entry there.
+//! Each theory has a module with its models, their bodies and options, the rows of its curves, and their columns. This module
+//! has the enums over the theories, [`entry`] the table of models that the command line, scenes, tables of populations and
+//! sensitivities go by.
 
-mod curve_model;
+mod entry;
 pub mod persson;
 mod stacked;
-mod statistical;
+pub(crate) mod statistical;
 
+use std::ops::Range;
 use std::sync::LazyLock;
 
-use asperity::{MaterialPair, NixGao};
-use serde::{Deserialize, Deserializer};
+use ::persson::Cut;
+use ::persson::corrections::Correction;
+use ::persson::variance::Band;
+use asperity::{Hardness, MaterialPair, NixGao};
+use serde::Serialize;
 use spectrum::Normalisation;
-use stacked_contact::StackedModel;
-use units::UnknownName;
+use stacked_contact::{Level, StackedModel};
+use stat_contact::{AsperityLaw, Condition, InterferenceLaw};
+use tables::Table;
 
-pub use self::curve_model::CurveModel;
-pub use self::persson::Persson;
-pub use self::statistical::{Pressable, Statistical, StatisticalLaw};
-use crate::growth_law::GrowthLaw;
+pub use self::entry::{ModelEntry, named, of_framework, with_gaps};
+pub use self::persson::{Persson, PerssonCuts, PerssonSurface};
+pub use self::statistical::{CutoffState, Pressable, STATE_DETAILS, Statistical};
+use self::statistical::PressedAsperities;
 use crate::hardness_and_strength::HARDNESS_OVER_STRENGTH;
-use crate::material::{Material, MaterialError};
 pub use crate::model_options::{Choice, IgnoredOption, IgnoredReason, ModelOptions};
-
-/// A theory with its law and the bodies in contact.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Theory {
-    /// Scale upon scale.
-    Stacked(StackedModel),
-    /// Asperities of Gaussian heights.
-    Statistical(Statistical),
-    /// Persson's theory, without asperities.
-    Persson(Persson),
-}
-
-impl Theory {
-    fn law(&self) -> &dyn TheoryLaw {
-        match self {
-            Theory::Stacked(model) => model,
-            Theory::Statistical(model) => model,
-            Theory::Persson(model) => model,
-        }
-    }
-}
-
-/// Properties of a model that its theory knows.
-trait TheoryLaw {
-    /// Returns the bodies in contact.
-    fn pair(&self) -> MaterialPair;
-
-    /// Returns the same theory of other bodies in contact.
-    fn with_pair(&self, pair: MaterialPair) -> Theory;
-
-    /// Returns the strength of the body that yields, or nothing for an elastic model.
-    fn strength(&self) -> Option<NixGao>;
-
-    /// Returns the same theory with another strength, or nothing for one that never yields.
-    fn with_strength(&self, strength: NixGao) -> Option<Theory>;
-
-    /// Returns the hardness \[Pa\] at which the model flows at long wavelengths, or nothing for an elastic one.
-    fn hardness_pa(&self) -> Option<f64> {
-        self.strength().map(|strength| HARDNESS_OVER_STRENGTH * strength.macroscopic_strength_pa())
-    }
-
-    /// Returns true if the strength grows at small depths.
-    fn has_strain_gradient(&self) -> bool {
-        self.strength().is_some_and(|strength| strength.strain_gradient_length_m().is_some())
-    }
-
-    /// Returns true if strength or hardness grow at small scales.
-    fn strength_grows(&self) -> bool {
-        self.has_strain_gradient()
-    }
-
-    /// Returns true if it stands on the amplitudes of scales.
-    fn needs_amplitudes(&self) -> bool {
-        false
-    }
-
-    /// Returns the options that differ from their defaults, but for the strain gradient.
-    fn options(&self) -> ModelOptions {
-        ModelOptions::default()
-    }
-}
+use crate::plan::error::PlanError;
+use crate::plan::gap::{GapChoices, GapError, GapState};
+use crate::plan::prepared_spectrum::{Cutoffs, PreparedSpectrum};
+use crate::plan::run::Run;
+use crate::plan::work::Work;
 
 /// The theory by which a model gets from the roughness to the contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -96,339 +45,476 @@ pub enum Framework {
     Persson,
 }
 
-/// Properties that the models of a framework share.
-#[derive(Debug)]
-pub struct FrameworkFacts {
-    /// The name, e.g. `stacked`.
-    pub name: &'static str,
-    /// One of its models in a sentence, e.g. `stacked model`.
-    pub noun: &'static str,
-    /// The moments that the models stand on.
-    pub moments: MomentUse,
-    /// True if a choice of the amplitude of a scale matters.
-    pub takes_amplitude: bool,
-    /// True if every row is a state that is solved for: within a tolerance, and at a separation as well as under a load.
-    pub has_states: bool,
-    /// True if the models know a distance between the surfaces.
-    pub has_gaps: bool,
-    /// True if a model that yields takes the hardness of the material rather than its strength.
-    pub takes_hardness: bool,
-}
+units::named!(Framework, "theory", {
+    Stacked => "stacked",
+    Statistical => "statistical",
+    Persson => "persson",
+});
 
-/// The use of spectral moments by the models of a framework.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum MomentUse {
-    /// The models do without.
-    None,
-    /// Moments of the normalisation that the user chooses.
-    Chosen,
-    /// Moments of Parseval's normalisation.
-    Parseval,
-}
+impl Framework {
+    /// Returns the words for one of its models, e.g. `stacked model`.
+    #[must_use]
+    pub fn noun(self) -> &'static str {
+        match self {
+            Framework::Stacked => "stacked model",
+            Framework::Statistical => "statistical model",
+            Framework::Persson => "model of Persson's theory",
+        }
+    }
 
-impl MomentUse {
-    /// Returns the normalisation of the moments, where `chosen` is that of the user, or nothing for models without moments.
+    /// Returns the normalisation of the moments that its models take, where `chosen` is that of the user, or nothing for
+    /// models without moments.
     #[must_use]
     pub fn normalisation(self, chosen: Option<Normalisation>) -> Option<Normalisation> {
         match self {
-            MomentUse::None => None,
-            MomentUse::Chosen => Some(chosen.unwrap_or_default()),
-            MomentUse::Parseval => Some(Normalisation::Parseval),
+            Framework::Stacked => None,
+            Framework::Statistical => Some(chosen.unwrap_or_default()),
+            Framework::Persson => Some(Normalisation::Parseval),
         }
     }
-}
 
-impl Framework {
-    /// Every framework, in the order of the documentation.
-    pub const ALL: [Framework; 3] = [Framework::Stacked, Framework::Statistical, Framework::Persson];
-
-    /// Returns the properties that its models share.
+    /// Returns true if the user chooses the normalisation of the moments.
     #[must_use]
-    pub fn facts(self) -> &'static FrameworkFacts {
-        match self {
-            Framework::Stacked => &stacked::FACTS,
-            Framework::Statistical => &statistical::FACTS,
-            Framework::Persson => &persson::FACTS,
-        }
+    pub fn takes_normalisation(self) -> bool {
+        self == Framework::Statistical
     }
-}
 
-impl std::fmt::Display for Framework {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.pad(self.facts().name)
-    }
-}
-
-impl ModelOptions {
-    /// Returns the options that were given and that a model ignores.
+    /// Returns true if the definition of the amplitude of a scale matters.
     #[must_use]
-    pub fn ignored_by(&self, entry: &ModelEntry) -> Vec<IgnoredOption> {
-        let ignored = |choice| Some(IgnoredOption { choice, reason: self.reason_to_ignore(choice, entry)? });
-        self.given().filter_map(ignored).collect()
+    pub fn takes_amplitude(self) -> bool {
+        self != Framework::Statistical
     }
 
-    /// Returns why a model ignores a cap of the strength, or nothing if it heeds one. The cap belongs to the material,
-    /// which is why it is no field here.
+    /// Returns true if every row is a state that is solved for: within a tolerance, and at a separation as well as under a
+    /// load.
     #[must_use]
-    pub fn reason_to_ignore_strength_cap(&self, entry: &ModelEntry) -> Option<IgnoredReason> {
-        match entry.has(Choice::Strength) {
-            false => Some(IgnoredReason::NeverYields),
-            true if self.strain_gradient || self.hardness_law.is_some() => None,
-            true => Some(IgnoredReason::NothingGrows),
-        }
+    pub fn has_states(self) -> bool {
+        self == Framework::Statistical
     }
 
-    fn reason_to_ignore(&self, choice: Choice, entry: &ModelEntry) -> Option<IgnoredReason> {
-        let yields = entry.has(Choice::Strength);
-        let is_of_framework = || of_framework(entry.framework).any(|other| other.has(choice));
-        let other_law = || self.hardness_law.as_ref().is_some_and(|law| *law != GrowthLaw::NixGao);
-        match choice {
-            Choice::StrainGradient if entry.has(Choice::HardnessLaw) && other_law() => {
-                Some(IgnoredReason::OtherHardnessLaw)
-            }
-            choice if entry.has(choice) => None,
-            Choice::StrainGradient if !yields => Some(IgnoredReason::NeverYields),
-            Choice::HardnessLaw if !yields && is_of_framework() => Some(IgnoredReason::NeverYields),
-            Choice::Correction if yields && is_of_framework() => Some(IgnoredReason::CorrectionsAreElastic),
-            _ => Some(IgnoredReason::NoSuchOption),
-        }
+    /// Returns true if its models know a distance between the surfaces.
+    #[must_use]
+    pub fn has_gaps(self) -> bool {
+        self != Framework::Stacked
+    }
+
+    /// Returns true if a model that yields takes the hardness of the material rather than its strength.
+    #[must_use]
+    pub fn takes_hardness(self) -> bool {
+        self == Framework::Persson
     }
 }
-
-/// The description of a model before it is built.
-#[derive(Debug, Clone, Copy)]
-pub struct ModelEntry {
-    /// The name that people type, which is also that of its curves.
-    pub name: &'static str,
-    /// The short name in print.
-    pub short_name: &'static str,
-    /// The full name, with the authors of the model.
-    pub full_name: &'static str,
-    /// The publication.
-    pub citation: &'static str,
-    /// Its framework.
-    pub framework: Framework,
-    choices: &'static [Choice],
-    /// True if the model takes the moments of a surface, rather than the asperities that they make.
-    takes_moments: bool,
-    build: fn(&Material, &ModelOptions) -> Result<Theory, MaterialError>,
-}
-
-/// The models of each framework.
-const TABLES: [&[ModelEntry]; 3] = [stacked::MODELS, statistical::MODELS, persson::MODELS];
 
 /// Every model, in the order of the documentation.
-pub static MODELS: &[ModelEntry] = &joined::<{ count() }>();
+pub static MODELS: LazyLock<Vec<ModelEntry>> =
+    LazyLock::new(|| [stacked::MODELS, statistical::MODELS, persson::MODELS].concat());
 
-const fn count() -> usize {
-    let (mut count, mut table) = (0, 0);
-    while table < TABLES.len() {
-        count += TABLES[table].len();
-        table += 1;
-    }
-    count
+/// A theory with its law and the bodies in contact.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Theory {
+    /// Scale upon scale.
+    Stacked(StackedModel),
+    /// Asperities of Gaussian heights.
+    Statistical(Statistical),
+    /// Persson's theory, without asperities.
+    Persson(Persson),
 }
 
-/// Returns the entries of all tables, one table after the other.
-const fn joined<const COUNT: usize>() -> [ModelEntry; COUNT] {
-    let mut entries = [TABLES[0][0]; COUNT];
-    let (mut at, mut table, mut row) = (0, 0, 0);
-    while at < COUNT {
-        if row == TABLES[table].len() {
-            (table, row) = (table + 1, 0);
-        } else {
-            entries[at] = TABLES[table][row];
-            (at, row) = (at + 1, row + 1);
+/// A model of a material: an entry of the table of models with its theory.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CurveModel {
+    entry: &'static ModelEntry,
+    theory: Theory,
+}
+
+/// A curve to be computed: the cutoffs of its model on a prepared spectrum.
+pub(crate) struct Job<'j> {
+    pub prepared: &'j PreparedSpectrum,
+    pub cutoffs: Cutoffs,
+    pub run: Run<'j>,
+    /// Builds the roughness of a band for Persson's theory.
+    pub roughness: &'j (dyn Fn(Band) -> ::persson::Roughness + Sync),
+}
+
+impl CurveModel {
+    /// Returns the entry of the model in the table of models.
+    #[must_use]
+    pub fn entry(&self) -> &'static ModelEntry {
+        self.entry
+    }
+
+    /// Returns the theory with its law.
+    #[must_use]
+    pub fn theory(&self) -> &Theory {
+        &self.theory
+    }
+
+    /// Returns the stack, or nothing for another theory.
+    #[must_use]
+    pub fn stacked(&self) -> Option<&StackedModel> {
+        if let Theory::Stacked(model) = &self.theory { Some(model) } else { None }
+    }
+
+    /// Returns the statistical theory, or nothing for another one.
+    #[must_use]
+    pub fn statistical(&self) -> Option<&Statistical> {
+        if let Theory::Statistical(model) = &self.theory { Some(model) } else { None }
+    }
+
+    /// Returns Persson's theory, or nothing for another one.
+    #[must_use]
+    pub fn persson(&self) -> Option<&Persson> {
+        if let Theory::Persson(model) = &self.theory { Some(model) } else { None }
+    }
+
+    /// Returns the bodies in contact.
+    #[must_use]
+    pub fn pair(&self) -> MaterialPair {
+        match &self.theory {
+            Theory::Stacked(model) => *model.pair(),
+            Theory::Statistical(model) => model.pair,
+            Theory::Persson(model) => model.pair,
         }
     }
-    entries
-}
-/// The names of all models.
-static NAMES: LazyLock<Vec<&'static str>> = LazyLock::new(|| MODELS.iter().map(|entry| entry.name).collect());
 
-/// The models of a framework.
-pub fn of_framework(framework: Framework) -> impl Iterator<Item = &'static ModelEntry> {
-    MODELS.iter().filter(move |entry| entry.framework == framework)
-}
-
-/// The models that know a distance between the surfaces; the theory without asperities comes first.
-pub fn with_gaps() -> impl Iterator<Item = &'static ModelEntry> {
-    let frameworks = Framework::ALL.into_iter().rev().filter(|framework| framework.facts().has_gaps);
-    frameworks.flat_map(of_framework)
-}
-
-/// The model of a name in a framework.
-///
-/// # Errors
-/// [`UnknownName`], which lists the names of that framework.
-pub fn named(framework: Framework, name: &str) -> Result<&'static ModelEntry, UnknownName> {
-    of_framework(framework).find(|entry| entry.answers_to(name)).ok_or_else(|| UnknownName {
-        what: framework.facts().noun,
-        given: name.to_owned(),
-        accepted: of_framework(framework).map(|entry| entry.name).collect::<Vec<_>>().join(", "),
-    })
-}
-
-impl ModelEntry {
-    /// The model of a material, with the choices made.
-    ///
-    /// # Errors
-    /// [`MaterialError`] where the model needs what the material lacks, or what it has is out of bounds, and where the rough body
-    /// is a layer that the model does not know.
-    pub fn build(
-        &'static self,
-        material: &Material,
-        options: &ModelOptions,
-    ) -> Result<CurveModel, MaterialError> {
-        if material.pair.layer().is_some() && self.framework != Framework::Persson {
-            return Err(MaterialError::LayerUnknown { model: self.name });
-        }
-        Ok(CurveModel::new(self, (self.build)(material, options)?))
-    }
-
-    /// Returns true if it takes the moments of a surface, rather than the asperities that they make.
+    /// Returns the same model of other bodies in contact, with its strength and its options.
     #[must_use]
-    pub fn takes_moments(&self) -> bool {
-        self.takes_moments
-    }
-
-    /// Returns true if it takes asperities of one curvature, McCool's.
-    #[must_use]
-    pub fn takes_asperities(&self) -> bool {
-        self.framework == Framework::Statistical && !self.takes_moments
-    }
-
-    /// Returns true if the model has this choice.
-    #[must_use]
-    pub fn has(&self, choice: Choice) -> bool {
-        self.choices.contains(&choice)
-    }
-
-    /// Returns the name of a curve that is given none: the model's, followed by the options that differ from its defaults.
-    #[must_use]
-    pub fn curve_name(&self, options: &ModelOptions) -> String {
-        let settings = options.settings(|choice| self.has(choice));
-        let parts = settings.iter().map(|setting| setting.name.as_str());
-        std::iter::once(self.name).chain(parts).collect::<Vec<_>>().join("-")
-    }
-}
-
-impl PartialEq for ModelEntry {
-    fn eq(&self, other: &Self) -> bool {
-        self.name == other.name
-    }
-}
-
-impl std::fmt::Display for ModelEntry {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.pad(self.name)
-    }
-}
-
-impl<'de> Deserialize<'de> for &'static ModelEntry {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let name = String::deserialize(deserializer)?;
-        let found = MODELS.iter().find(|entry| entry.answers_to(&name));
-        found.ok_or_else(|| serde::de::Error::unknown_variant(&name, &NAMES))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use ::persson::EnergyFactor;
-    use ::persson::corrections::Correction;
-    use ::persson::variance::Band;
-    use asperity::{ElasticBody, Hardness};
-    use stat_contact::InterferenceLaw;
-    use units::Pressure;
-
-    use super::*;
-    use crate::hardness_and_strength::HardnessAndStrength;
-    use crate::material::{GivenMaterial, NeededFor};
-
-    fn material(yield_strength: Option<Pressure>) -> Material {
-        Material::new(GivenMaterial {
-            hardness_and_strength: HardnessAndStrength::new(None, yield_strength).unwrap(),
-            strain_gradient_length_m: Some(5e-6),
-            ..GivenMaterial::new(ElasticBody::new(463e9, 0.2).unwrap())
+    pub fn with_pair(&self, pair: MaterialPair) -> Self {
+        self.with_theory(match &self.theory {
+            Theory::Stacked(model) => stacked::with_pair(model, pair),
+            Theory::Statistical(model) => Theory::Statistical(Statistical { pair, ..*model }),
+            Theory::Persson(model) => Theory::Persson(Persson { pair, ..model.clone() }),
         })
     }
 
-    #[test]
-    fn every_model_is_built_known_again_and_has_the_choices_that_its_law_has() {
-        let strong = material(Some("1.8 GPa".parse().unwrap()));
-        for entry in MODELS {
-            let model = entry.build(&strong, &ModelOptions::default()).unwrap();
-            assert_eq!(model.entry(), entry);
-            let built = entry.build(&material(None), &ModelOptions::default());
-            assert_eq!(built.is_err(), entry.has(Choice::Strength), "{entry}");
-            assert!(built.err().is_none_or(|error| error == MaterialError::Missing(NeededFor::Yielding)));
-            let strength = NixGao::constant(2e9).unwrap();
-            assert_eq!(model.with_strength(strength).is_some(), entry.has(Choice::Strength), "{entry}");
-            assert_eq!(
-                model.with_hardness(Hardness::Cosine).is_some(),
-                entry.has(Choice::Hardness),
-                "{entry}"
-            );
-            let bem = model.with_interference(InterferenceLaw::Bem);
-            assert_eq!(bem.is_some(), entry.has(Choice::Interference), "{entry}");
-            let growing = ModelOptions { strain_gradient: true, ..ModelOptions::default() };
-            let grows = entry.build(&strong, &growing).unwrap() != model;
-            assert_eq!(grows, entry.has(Choice::StrainGradient), "{entry}");
-            assert_eq!(named(entry.framework, entry.name).unwrap(), entry);
-            let other = MaterialPair::against_rigid(ElasticBody::new(70e9, 0.33).unwrap());
-            let moved = model.with_pair(other);
-            assert_eq!((moved.pair(), moved.strength(), moved.entry()), (other, model.strength(), entry));
-            assert_eq!(moved.with_pair(model.pair()), model);
+    /// Returns the strength of the body that yields, or nothing for an elastic model.
+    #[must_use]
+    pub fn strength(&self) -> Option<NixGao> {
+        match &self.theory {
+            Theory::Stacked(model) => model.strength(),
+            Theory::Statistical(model) => model.law?.strength(),
+            Theory::Persson(model) => Some(model.plastic.as_ref()?.strength()),
         }
     }
 
-    #[test]
-    fn an_option_is_ignored_by_the_models_that_do_not_have_it_with_the_reason() {
-        use IgnoredReason::{
-            CorrectionsAreElastic, NeverYields, NoSuchOption, NothingGrows, OtherHardnessLaw,
+    /// Returns the same model with another strength, or nothing for one that never yields.
+    #[must_use]
+    pub fn with_strength(&self, strength: NixGao) -> Option<Self> {
+        Some(self.with_theory(match &self.theory {
+            Theory::Stacked(model) => Theory::Stacked(model.with_strength(strength)?),
+            Theory::Statistical(model) => model.with_law(|law| law.with_strength(strength))?,
+            Theory::Persson(model) => model.with_strength(strength)?,
+        }))
+    }
+
+    /// Returns the hardness \[Pa\] at which the model flows at long wavelengths, or nothing for an elastic one. The laws of
+    /// asperities flow at three times their strength, Persson's theory at the hardness of the material.
+    #[must_use]
+    pub fn hardness_pa(&self) -> Option<f64> {
+        match &self.theory {
+            Theory::Persson(model) => Some(model.plastic.as_ref()?.hardness_pa()),
+            _ => Some(HARDNESS_OVER_STRENGTH * self.strength()?.macroscopic_strength_pa()),
+        }
+    }
+
+    /// Returns true if its strength or its hardness grows at small scales.
+    #[must_use]
+    pub fn strength_grows(&self) -> bool {
+        self.has_strain_gradient() || self.persson().is_some_and(|model| model.growth().is_some())
+    }
+
+    fn has_strain_gradient(&self) -> bool {
+        self.strength().is_some_and(|strength| strength.strain_gradient_length_m().is_some())
+    }
+
+    /// Returns the options in which the model differs from the defaults of its entry.
+    #[must_use]
+    pub fn options(&self) -> ModelOptions {
+        let own = match &self.theory {
+            Theory::Stacked(_) => ModelOptions::default(),
+            Theory::Statistical(model) => model.options(),
+            Theory::Persson(model) => model.options(),
         };
-        let all = ModelOptions {
-            strain_gradient: true,
-            hardness: Some(Hardness::default()),
-            interference_law: Some(InterferenceLaw::Bem),
-            correction: Some(Correction::AlgebraicNayak),
-            band: Some(Band::Profile),
-            gamma: EnergyFactor::new(0.5).ok(),
-            hardness_law: Some(GrowthLaw::Power(0.5)),
+        ModelOptions { strain_gradient: self.has_strain_gradient(), ..own }
+    }
+
+    /// Returns true if it stands on the amplitudes of scales.
+    #[must_use]
+    pub fn needs_amplitudes(&self) -> bool {
+        match &self.theory {
+            Theory::Stacked(_) => true,
+            Theory::Statistical(_) => false,
+            Theory::Persson(_) => self.has_strain_gradient(),
+        }
+    }
+
+    /// Returns true if it stands on spectral moments.
+    #[must_use]
+    pub fn needs_moments(&self) -> bool {
+        self.entry.framework.normalisation(None).is_some()
+    }
+
+    /// Returns true if separations are conditions of the model besides loads.
+    #[must_use]
+    pub fn takes_separations(&self) -> bool {
+        self.entry.framework.has_states()
+    }
+
+    /// Returns the same model with another correction of Persson's elastic theory, or nothing for one that has none.
+    #[must_use]
+    pub fn with_correction(&self, correction: Option<Correction>) -> Option<Self> {
+        let model = self.persson().filter(|model| model.plastic.is_none())?;
+        Some(self.with_theory(Theory::Persson(Persson { correction, ..model.clone() })))
+    }
+
+    /// Returns the same model with a cutoff of another spectrum, or nothing for a theory other than Persson's.
+    #[must_use]
+    pub fn with_band(&self, band: Band) -> Option<Self> {
+        Some(self.with_theory(Theory::Persson(Persson { band, ..self.persson()?.clone() })))
+    }
+
+    /// Returns the same model with the hardness of its spheres in another form, or nothing for one that has none.
+    #[must_use]
+    pub fn with_hardness(&self, hardness: Hardness) -> Option<Self> {
+        Some(self.with_theory(self.statistical()?.with_law(|law| law.with_hardness(hardness))?))
+    }
+
+    /// Returns the same model with another interference law, or nothing for one that has none.
+    #[must_use]
+    pub fn with_interference(&self, interference: InterferenceLaw) -> Option<Self> {
+        Some(self.with_theory(self.statistical()?.with_law(|law| law.with_interference(interference))?))
+    }
+
+    /// Returns the form of the hardness of its spheres, or nothing for a model that has none.
+    #[must_use]
+    pub fn hardness(&self) -> Option<Hardness> {
+        match self.statistical()?.law? {
+            AsperityLaw::EpSphere { hardness, .. } => Some(hardness),
+            _ => None,
+        }
+    }
+
+    /// Returns the interference law, or nothing for a model that has none.
+    #[must_use]
+    pub fn interference(&self) -> Option<InterferenceLaw> {
+        match self.statistical()?.law? {
+            AsperityLaw::ElasticSine { interference } => Some(interference),
+            _ => None,
+        }
+    }
+
+    fn with_theory(&self, theory: Theory) -> Self {
+        CurveModel { entry: self.entry, theory }
+    }
+
+    /// Returns the most rows of a block.
+    pub(crate) fn rows_per_block(&self, prepared: &PreparedSpectrum, cutoffs: Cutoffs) -> usize {
+        match &self.theory {
+            Theory::Stacked(_) => prepared.scales.len(),
+            Theory::Statistical(_) => prepared.cutoff_count(cutoffs),
+            Theory::Persson(_) => prepared.psd.len(),
+        }
+    }
+
+    /// Checks that every cutoff can be computed.
+    ///
+    /// # Errors
+    /// [`PlanError`] for a spectrum that the theory cannot take.
+    pub(crate) fn check(&self, prepared: &PreparedSpectrum, cutoffs: Cutoffs) -> Result<(), PlanError> {
+        self.statistical().map_or(Ok(()), |model| model.check(prepared, cutoffs))
+    }
+
+    /// Computes a block of rows for every condition, and counts the work. `places` are the needed rows of a block, which
+    /// statistical models alone compute piece by piece.
+    ///
+    /// # Errors
+    /// [`PlanError`] for values out of the theory's bounds, and if the work was cancelled.
+    pub(crate) fn blocks(
+        &self,
+        job: &Job<'_>,
+        conditions: &[Condition],
+        places: Range<usize>,
+    ) -> Result<(CurveResult, Work), PlanError> {
+        let pressures_pa = || -> Vec<f64> {
+            conditions.iter().filter_map(|condition| condition.pressure_pa()).collect()
         };
-        assert_eq!(ModelOptions::default().given().count(), 0);
-        assert_eq!(all.given().count(), 7);
-        let entry = |name: &str| MODELS.iter().find(|entry| entry.name == name).unwrap();
-        for entry in MODELS {
-            let reasons = all.ignored_by(entry);
-            for choice in all.given() {
-                let ignored = reasons.iter().find(|ignored| ignored.choice == choice);
-                let reason = match choice {
-                    Choice::StrainGradient if entry.name == "persson-plastic" => Some(OtherHardnessLaw),
-                    choice if entry.has(choice) => None,
-                    Choice::StrainGradient => Some(NeverYields),
-                    Choice::HardnessLaw if entry.name == "persson" => Some(NeverYields),
-                    Choice::Correction if entry.name == "persson-plastic" => Some(CorrectionsAreElastic),
-                    _ => Some(NoSuchOption),
-                };
-                assert_eq!(ignored.map(|ignored| ignored.reason), reason, "{choice:?} of {entry}");
+        match &self.theory {
+            Theory::Stacked(model) => stacked::blocks(model, job, &pressures_pa()),
+            Theory::Statistical(model) => model.blocks(job, conditions, places),
+            Theory::Persson(model) => model.blocks(job, &pressures_pa()),
+        }
+    }
+
+    /// Returns the surface with its whole spectrum, or nothing for a theory without distances.
+    ///
+    /// # Errors
+    /// [`GapError`] for a spectrum that has no gap.
+    pub(crate) fn surface(
+        &self,
+        prepared: &PreparedSpectrum,
+        roughness: impl FnOnce() -> ::persson::Roughness,
+        choices: &GapChoices,
+    ) -> Result<Option<LoadedSurface>, GapError> {
+        Ok(match &self.theory {
+            Theory::Stacked(_) => None,
+            Theory::Statistical(model) => {
+                Some(LoadedSurface::Asperities(model.surface(prepared, choices.tolerance.value())?))
+            }
+            Theory::Persson(model) => {
+                Some(LoadedSurface::Persson(model.surface(roughness(), choices.energy_factor)?))
+            }
+        })
+    }
+}
+
+/// A surface with its whole spectrum, as a model presses it.
+#[derive(Debug)]
+pub(crate) enum LoadedSurface {
+    Asperities(PressedAsperities),
+    Persson(PerssonSurface),
+}
+
+impl LoadedSurface {
+    /// Returns the surface under a nominal pressure > 0 \[Pa\].
+    ///
+    /// # Errors
+    /// [`GapError`] for a pressure that cannot be carried.
+    pub fn at(&self, pressure_pa: f64) -> Result<GapState, GapError> {
+        match self {
+            LoadedSurface::Asperities(surface) => surface.at(pressure_pa),
+            LoadedSurface::Persson(surface) => surface.at(pressure_pa),
+        }
+    }
+
+    /// Returns the surface of Persson's theory, or nothing for another one.
+    pub fn persson(&self) -> Option<&PerssonSurface> {
+        if let LoadedSurface::Persson(surface) = self { Some(surface) } else { None }
+    }
+}
+
+/// A curve against cutoff: for every load its rows, from long to short wavelengths.
+#[derive(Debug, Clone, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum CurveResult {
+    /// Levels of the stack; only the last one if only the shortest cutoff is needed.
+    Stacked(Vec<Vec<Level>>),
+    /// States of the population that each cutoff leaves; the separations follow the loads.
+    Statistical(Vec<Vec<CutoffState>>),
+    /// Cuts of Persson's theory.
+    Persson(PerssonCuts),
+}
+
+impl CurveResult {
+    /// Returns the levels of a stack, or nothing for another theory.
+    #[must_use]
+    pub fn stacked(&self) -> Option<&[Vec<Level>]> {
+        if let CurveResult::Stacked(blocks) = self { Some(blocks) } else { None }
+    }
+
+    /// Returns the states of a statistical curve, or nothing for another theory.
+    #[must_use]
+    pub fn statistical(&self) -> Option<&[Vec<CutoffState>]> {
+        if let CurveResult::Statistical(blocks) = self { Some(blocks) } else { None }
+    }
+
+    /// Returns the cuts of Persson's theory, or nothing for another theory.
+    #[must_use]
+    pub fn persson(&self) -> Option<&[Vec<Cut>]> {
+        if let CurveResult::Persson(cuts) = self { Some(&cuts.blocks) } else { None }
+    }
+
+    /// Returns the number of blocks: one per load, and per separation.
+    #[must_use]
+    pub fn blocks(&self) -> usize {
+        match self {
+            CurveResult::Stacked(blocks) => blocks.len(),
+            CurveResult::Statistical(blocks) => blocks.len(),
+            CurveResult::Persson(cuts) => cuts.blocks.len(),
+        }
+    }
+
+    /// Returns the wavelengths \[m\], area fractions and real pressures \[Pa\] of the rows of a block with contact.
+    fn points(&self, block: usize) -> Vec<[f64; 3]> {
+        match self {
+            CurveResult::Stacked(blocks) => blocks[block].iter().map(stacked::point).collect(),
+            CurveResult::Statistical(blocks) => {
+                blocks[block].iter().filter_map(CutoffState::point).collect()
+            }
+            CurveResult::Persson(cuts) => cuts.blocks[block].iter().map(persson::point).collect(),
+        }
+    }
+
+    /// Returns a block as points of wavelength \[m\] and area fraction; cutoffs without asperities have none.
+    ///
+    /// # Panics
+    /// Unless `block` is below [`blocks`](Self::blocks).
+    #[must_use]
+    pub fn area_fractions(&self, block: usize) -> Vec<(f64, f64)> {
+        self.points(block).into_iter().map(|[wavelength_m, area, _]| (wavelength_m, area)).collect()
+    }
+
+    /// Returns the highest real pressure \[Pa\] in a block, or 0 for one without contact.
+    ///
+    /// # Panics
+    /// Unless `block` is below [`blocks`](Self::blocks).
+    #[must_use]
+    pub fn highest_real_pressure_pa(&self, block: usize) -> f64 {
+        self.points(block).into_iter().map(|[_, _, pressure_pa]| pressure_pa).fold(0.0, f64::max)
+    }
+
+    /// Returns some blocks of a curve as a table, under these nominal pressures \[Pa\]. `several` is true if the whole
+    /// curve has more loads than one; `details` appends how each row was found.
+    #[must_use]
+    pub fn table(&self, pressures_pa: &[f64], several: bool, details: bool) -> Table {
+        match self {
+            CurveResult::Stacked(blocks) => {
+                stacked::table(with_loads(blocks, pressures_pa, several), blocks, details)
+            }
+            CurveResult::Statistical(blocks) => statistical::table(blocks, details),
+            CurveResult::Persson(cuts) => cuts.table(with_loads(&cuts.blocks, pressures_pa, several)),
+        }
+    }
+
+    /// Returns the numbers of levels of stacks and of statistical states.
+    pub(crate) fn levels_and_states(&self) -> [usize; 2] {
+        match self {
+            CurveResult::Stacked(blocks) => [blocks.iter().map(Vec::len).sum(), 0],
+            CurveResult::Statistical(blocks) => {
+                [0, blocks.iter().flatten().filter(|row| row.contact.is_some()).count()]
+            }
+            CurveResult::Persson(_) => [0, 0],
+        }
+    }
+
+    /// Returns for every condition the block at its index, or the last row of that block.
+    pub(crate) fn repeated(self, index_of: &[usize], cutoffs: Cutoffs) -> Self {
+        match self {
+            CurveResult::Stacked(blocks) => CurveResult::Stacked(repeated(blocks, index_of, cutoffs)),
+            CurveResult::Statistical(blocks) => CurveResult::Statistical(repeated(blocks, index_of, cutoffs)),
+            CurveResult::Persson(PerssonCuts { blocks, band }) => {
+                CurveResult::Persson(PerssonCuts { blocks: repeated(blocks, index_of, cutoffs), band })
             }
         }
-        let nix_gao = ModelOptions { hardness_law: Some(GrowthLaw::NixGao), ..all.clone() };
-        let ignored = nix_gao.ignored_by(entry("persson-plastic"));
-        assert!(ignored.iter().all(|ignored| ignored.choice != Choice::StrainGradient));
-        let cap = |options: &ModelOptions, name: &str| options.reason_to_ignore_strength_cap(entry(name));
-        assert_eq!(cap(&all, "persson"), Some(NeverYields));
-        assert_eq!(cap(&ModelOptions::default(), "persson-plastic"), Some(NothingGrows));
-        assert_eq!(cap(&nix_gao, "persson-plastic"), None);
     }
+}
 
-    #[test]
-    fn a_name_of_the_other_framework_is_unknown_and_those_of_its_own_are_listed() {
-        let error = named(Framework::Statistical, "elastic").unwrap_err();
-        assert_eq!((error.what, error.given.as_str()), ("statistical model", "elastic"));
-        let names: Vec<&str> = of_framework(Framework::Statistical).map(|entry| entry.name).collect();
-        assert_eq!(error.accepted.split(", ").collect::<Vec<_>>(), names);
+fn repeated<T: Clone>(blocks: Vec<Vec<T>>, index_of: &[usize], cutoffs: Cutoffs) -> Vec<Vec<T>> {
+    let no_repetitions = index_of.len() == blocks.len() && index_of.iter().copied().eq(0..blocks.len());
+    match cutoffs {
+        Cutoffs::Every if no_repetitions => blocks,
+        Cutoffs::Every => index_of.iter().map(|&index| blocks[index].clone()).collect(),
+        Cutoffs::Shortest => {
+            index_of.iter().map(|&index| blocks[index].last().cloned().into_iter().collect()).collect()
+        }
     }
+}
+
+/// Returns a table with the nominal pressure of each row, if there are several.
+fn with_loads<T>(blocks: &[Vec<T>], pressures_pa: &[f64], several: bool) -> Table {
+    let of_block = |(rows, &pressure_pa): (&Vec<T>, &f64)| std::iter::repeat_n(pressure_pa, rows.len());
+    let table = Table::default();
+    if !several {
+        return table;
+    }
+    table.with_numbers("nominal_pressure_pa", blocks.iter().zip(pressures_pa).flat_map(of_block))
 }

@@ -1,29 +1,25 @@
-//! Persson's theory as a model of curves, and a spectrum as that theory takes it.
+//! Persson's theory: its models, its cuts of curves, and surfaces under any load.
 
 use asperity::{MaterialPair, NixGao};
 use persson::corrections::Correction;
 use persson::hardness_laws::{Hardness, HardnessError, HardnessGrowth};
+use persson::separation::SeparationLaw;
 use persson::variance::Band;
-use persson::{EnergyFactor, PerssonModel, Roughness, RoughnessSample};
+use persson::{Cut, EnergyFactor, PerssonModel, Roughness, RoughnessSample};
+use serde::Serialize;
 use spectrum::{Moments, Normalisation, ProfilePsd};
 use stacked_contact::Scale;
+use tables::Table;
 
-use super::{Choice, Framework, FrameworkFacts, ModelEntry, MomentUse, Theory, TheoryLaw};
+use super::{Choice, CurveResult, Framework, Job, ModelEntry, Theory};
 use crate::growth_law::GrowthLaw;
 use crate::hardness_and_strength::HARDNESS_OVER_STRENGTH;
 use crate::material::{Material, MaterialError, NeededFor};
 use crate::model_options::ModelOptions;
-
-/// Properties of every form of the theory.
-pub(super) static FACTS: FrameworkFacts = FrameworkFacts {
-    name: "persson",
-    noun: "model of Persson's theory",
-    moments: MomentUse::Parseval,
-    takes_amplitude: true,
-    has_states: false,
-    has_gaps: true,
-    takes_hardness: true,
-};
+use crate::plan::error::PlanError;
+use crate::plan::gap::{GapError, GapState};
+use crate::plan::prepared_spectrum::Cutoffs;
+use crate::plan::work::Work;
 
 /// The forms of the theory.
 pub(super) const MODELS: &[ModelEntry] = &[
@@ -32,12 +28,13 @@ pub(super) const MODELS: &[ModelEntry] = &[
         short_name: "Persson, elastic",
         full_name: "Persson's theory, elastic",
         citation: "Persson (2001), J. Chem. Phys. 115:3840; Manners & Greenwood (2006), Wear 261:600",
+        aliases: &["perssonstheory", "perssontheory"],
         framework: Framework::Persson,
         choices: &[Choice::Correction, Choice::Band, Choice::Gamma],
         takes_moments: false,
         build: |material, options| {
-            let deformation = PerssonDeformation::Elastic { correction: options.correction };
-            Ok(Theory::Persson(Persson { pair: material.pair, law: PerssonLaw::new(deformation, options) }))
+            let persson = Persson::new(material.pair, options);
+            Ok(Theory::Persson(Persson { correction: options.correction, ..persson }))
         },
     },
     ModelEntry {
@@ -45,6 +42,7 @@ pub(super) const MODELS: &[ModelEntry] = &[
         short_name: "Persson, elastic-plastic",
         full_name: "Persson's theory, elastic-plastic",
         citation: "Persson (2001), Phys. Rev. Lett. 87:116101; Persson (2006), Surf. Sci. Rep. 61:201",
+        aliases: &["perssonep"],
         framework: Framework::Persson,
         choices: &[
             Choice::Strength,
@@ -55,67 +53,106 @@ pub(super) const MODELS: &[ModelEntry] = &[
         ],
         takes_moments: false,
         build: |material, options| {
-            let plastic = PlasticLaw::new(material, options)?;
-            let law = PerssonLaw::new(PerssonDeformation::ElasticPlastic(plastic), options);
-            Ok(Theory::Persson(Persson { pair: material.pair, law }))
+            let plastic = Some(PlasticLaw::new(material, options)?);
+            Ok(Theory::Persson(Persson { plastic, ..Persson::new(material.pair, options) }))
         },
     },
 ];
 
-/// Persson's theory of bodies in contact.
+/// Persson's theory of bodies in contact, with its choices.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Persson {
     /// The bodies in contact.
     pub pair: MaterialPair,
-    /// The law with its choices.
-    pub law: PerssonLaw,
+    /// The corrected form of the elastic theory, if any; absent for a surface that yields.
+    pub correction: Option<Correction>,
+    /// The hardness; absent for an elastic surface.
+    pub plastic: Option<PlasticLaw>,
+    /// The spectrum that a cutoff ends.
+    pub band: Band,
+    /// The elastic energy factor of separations.
+    pub energy_factor: EnergyFactor,
 }
 
 impl Persson {
-    /// Returns the theory of the same bodies with another law.
-    pub(super) fn with_law(&self, law: PerssonLaw) -> Theory {
-        Theory::Persson(Persson { pair: self.pair, law })
-    }
-}
-
-impl TheoryLaw for Persson {
-    fn pair(&self) -> MaterialPair {
-        self.pair
+    /// Returns the elastic theory, with band and energy factor as given or by default.
+    fn new(pair: MaterialPair, options: &ModelOptions) -> Self {
+        let (band, energy_factor) = (options.band.unwrap_or_default(), options.gamma.unwrap_or_default());
+        Persson { pair, correction: None, plastic: None, band, energy_factor }
     }
 
-    fn with_pair(&self, pair: MaterialPair) -> Theory {
-        Theory::Persson(Persson { pair, law: self.law.clone() })
+    /// Returns the law of a hardness that grows without a strain gradient.
+    pub(super) fn growth(&self) -> Option<&GrowthLaw> {
+        self.plastic.as_ref()?.growth.as_ref()
     }
 
-    fn strength(&self) -> Option<NixGao> {
-        self.law.plastic().map(PlasticLaw::strength)
+    /// Returns the theory with another strength, or nothing for an elastic surface. A measured hardness is kept.
+    pub(super) fn with_strength(&self, strength: NixGao) -> Option<Theory> {
+        let plastic = Some(self.plastic.as_ref()?.with_strength(strength));
+        Some(Theory::Persson(Persson { plastic, ..self.clone() }))
     }
 
-    fn with_strength(&self, strength: NixGao) -> Option<Theory> {
-        Some(self.with_law(self.law.with_strength(strength)?))
-    }
-
-    fn hardness_pa(&self) -> Option<f64> {
-        self.law.plastic().map(PlasticLaw::hardness_pa)
-    }
-
-    fn strength_grows(&self) -> bool {
-        self.law.plastic().is_some_and(PlasticLaw::grows)
-    }
-
-    fn needs_amplitudes(&self) -> bool {
-        self.has_strain_gradient()
-    }
-
-    fn options(&self) -> ModelOptions {
-        let PerssonLaw { band, energy_factor, .. } = self.law;
+    /// Returns the options that differ from their defaults, but for the strain gradient.
+    pub(super) fn options(&self) -> ModelOptions {
+        let Persson { band, energy_factor, .. } = *self;
         ModelOptions {
-            correction: self.law.correction().flatten(),
+            correction: self.correction,
             band: (band != Band::default()).then_some(band),
             gamma: (energy_factor != EnergyFactor::default()).then_some(energy_factor),
-            hardness_law: self.law.plastic().and_then(PlasticLaw::growth).cloned(),
+            hardness_law: self.growth().cloned(),
             ..ModelOptions::default()
         }
+    }
+
+    /// Returns the theory of the bodies in contact, and a roughness between them.
+    ///
+    /// # Errors
+    /// [`HardnessError`] for a hardness beyond the range of magnitudes.
+    fn between_bodies(&self, roughness: Roughness) -> Result<(PerssonModel, Roughness), HardnessError> {
+        let contact_modulus_pa = self.pair.composite_modulus_pa();
+        let model = match &self.plastic {
+            None => PerssonModel::Elastic { contact_modulus_pa, correction: self.correction },
+            Some(plastic) => {
+                PerssonModel::ElasticPlastic { contact_modulus_pa, hardness: plastic.hardness()? }
+            }
+        };
+        let roughness = match self.pair.layer_compliance() {
+            Some(layer) => roughness.on_layer(layer),
+            None => roughness,
+        };
+        Ok((model, roughness))
+    }
+
+    /// Computes a block of cuts for every nominal pressure \[Pa\].
+    ///
+    /// # Errors
+    /// [`PlanError`] for a hardness that cannot carry a load, and if the work was cancelled.
+    pub(super) fn blocks(
+        &self,
+        job: &Job<'_>,
+        pressures_pa: &[f64],
+    ) -> Result<(CurveResult, Work), PlanError> {
+        let (model, roughness) = self.between_bodies((job.roughness)(self.band))?;
+        let separation = (!job.run.areas_alone).then(|| model.separation(&roughness, self.energy_factor));
+        let blocks = numerics::parallel::try_map(pressures_pa, |&pressure_pa| {
+            job.run.go_on()?;
+            Ok::<_, PlanError>(cuts(&model, &roughness, separation.as_ref(), job.cutoffs, pressure_pa)?)
+        })?;
+        Ok((CurveResult::Persson(PerssonCuts { blocks, band: self.band }), Work::default()))
+    }
+
+    /// Returns the surface with its whole roughness.
+    ///
+    /// # Errors
+    /// [`HardnessError`] for a hardness beyond the range of magnitudes.
+    pub fn surface(
+        &self,
+        roughness: Roughness,
+        energy_factor: EnergyFactor,
+    ) -> Result<PerssonSurface, HardnessError> {
+        let (model, roughness) = self.between_bodies(roughness)?;
+        let separation = model.separation(&roughness, energy_factor);
+        Ok(PerssonSurface { model, roughness, separation })
     }
 }
 
@@ -141,29 +178,6 @@ impl Deformation {
     }
 }
 
-/// Persson's theory with its choices.
-#[derive(Debug, Clone, PartialEq)]
-pub struct PerssonLaw {
-    /// The deformation of the surface.
-    pub deformation: PerssonDeformation,
-    /// The spectrum that a cutoff ends.
-    pub band: Band,
-    /// The elastic energy factor of separations.
-    pub energy_factor: EnergyFactor,
-}
-
-/// The deformation of the surface in Persson's theory.
-#[derive(Debug, Clone, PartialEq)]
-pub enum PerssonDeformation {
-    /// Elastic, by the theory or by a corrected form of it.
-    Elastic {
-        /// The corrected form.
-        correction: Option<Correction>,
-    },
-    /// Elastic up to a hardness.
-    ElasticPlastic(PlasticLaw),
-}
-
 /// A hardness with its growth towards short wavelengths, and the strength of the same body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlasticLaw {
@@ -175,63 +189,6 @@ pub struct PlasticLaw {
     hardness_over_strength: f64,
     /// The law of a hardness that grows without a strain gradient.
     growth: Option<GrowthLaw>,
-}
-
-impl PerssonLaw {
-    /// Returns the law of a deformation, with the other choices as given or by default.
-    #[must_use]
-    pub fn new(deformation: PerssonDeformation, options: &ModelOptions) -> Self {
-        let (band, energy_factor) = (options.band.unwrap_or_default(), options.gamma.unwrap_or_default());
-        PerssonLaw { deformation, band, energy_factor }
-    }
-
-    /// Returns the law of the hardness, or nothing for an elastic surface.
-    #[must_use]
-    pub fn plastic(&self) -> Option<&PlasticLaw> {
-        match &self.deformation {
-            PerssonDeformation::Elastic { .. } => None,
-            PerssonDeformation::ElasticPlastic(plastic) => Some(plastic),
-        }
-    }
-
-    /// Returns the corrected form of the elastic theory; the outer `None` is for a surface that yields.
-    #[must_use]
-    pub fn correction(&self) -> Option<Option<Correction>> {
-        match self.deformation {
-            PerssonDeformation::Elastic { correction } => Some(correction),
-            PerssonDeformation::ElasticPlastic(_) => None,
-        }
-    }
-
-    /// Returns the law with another strength, or nothing for an elastic surface. A measured hardness is kept.
-    #[must_use]
-    pub fn with_strength(&self, strength: NixGao) -> Option<Self> {
-        let plastic = self.plastic()?.with_strength(strength);
-        Some(PerssonLaw { deformation: PerssonDeformation::ElasticPlastic(plastic), ..*self })
-    }
-
-    /// Returns the law with another correction, or nothing for a surface that yields.
-    #[must_use]
-    pub fn with_correction(&self, correction: Option<Correction>) -> Option<Self> {
-        let deformation = self.correction().map(|_| PerssonDeformation::Elastic { correction })?;
-        Some(PerssonLaw { deformation, ..*self })
-    }
-
-    /// Returns the theory for bodies in contact.
-    ///
-    /// # Errors
-    /// [`HardnessError`] for a hardness beyond the range of magnitudes.
-    pub fn model(&self, pair: &MaterialPair) -> Result<PerssonModel, HardnessError> {
-        let contact_modulus_pa = pair.composite_modulus_pa();
-        Ok(match &self.deformation {
-            PerssonDeformation::Elastic { correction } => {
-                PerssonModel::Elastic { contact_modulus_pa, correction: *correction }
-            }
-            PerssonDeformation::ElasticPlastic(plastic) => {
-                PerssonModel::ElasticPlastic { contact_modulus_pa, hardness: plastic.hardness()? }
-            }
-        })
-    }
 }
 
 impl PlasticLaw {
@@ -284,12 +241,6 @@ impl PlasticLaw {
         self.growth.as_ref()
     }
 
-    /// Returns true if the hardness grows towards short wavelengths.
-    #[must_use]
-    pub fn grows(&self) -> bool {
-        self.growth.is_some() || self.strength.strain_gradient_length_m().is_some()
-    }
-
     fn with_strength(&self, strength: NixGao) -> Self {
         let is_other = strength.macroscopic_strength_pa() != self.strength.macroscopic_strength_pa();
         let hardness_pa = match is_other {
@@ -317,6 +268,89 @@ impl PlasticLaw {
         let cap_pa = self.strength.cap_pa().map(|cap_pa| self.hardness_over_strength * cap_pa);
         Hardness::new(growth, cap_pa)
     }
+}
+
+/// A surface by Persson's theory.
+#[derive(Debug)]
+pub struct PerssonSurface {
+    /// The theory of the bodies in contact.
+    pub model: PerssonModel,
+    /// The roughness.
+    pub roughness: Roughness,
+    /// The law of its separations.
+    pub separation: SeparationLaw,
+}
+
+impl PerssonSurface {
+    pub(super) fn at(&self, pressure_pa: f64) -> Result<GapState, GapError> {
+        let last = self.model.at_last(&self.roughness, &self.separation, pressure_pa)?;
+        let last = last.ok_or(GapError::NoRoughness)?;
+        Ok(GapState {
+            nominal_pressure_pa: pressure_pa,
+            area_fraction: last.areas.contact(),
+            mean_gap_m: last.mean_gap_m,
+            stiffness_pa_per_m: last.stiffness_pa_per_m,
+        })
+    }
+}
+
+/// Returns the contact under a pressure at the cutoffs, with mean gap and stiffness if a law of separations is given.
+fn cuts(
+    model: &PerssonModel,
+    roughness: &Roughness,
+    separation: Option<&SeparationLaw>,
+    cutoffs: Cutoffs,
+    pressure_pa: f64,
+) -> Result<Vec<Cut>, HardnessError> {
+    let by_area = |(place, areas)| Cut::without_separation(place, areas, pressure_pa);
+    let places = roughness.places();
+    Ok(match (cutoffs, separation) {
+        (Cutoffs::Every, Some(separation)) => model.along(roughness, separation, pressure_pa)?,
+        (Cutoffs::Every, None) => {
+            places.iter().zip(model.areas(roughness, pressure_pa)?).map(by_area).collect()
+        }
+        (Cutoffs::Shortest, Some(separation)) => {
+            model.at_last(roughness, separation, pressure_pa)?.into_iter().collect()
+        }
+        (Cutoffs::Shortest, None) => {
+            let last = places.last().zip(model.areas_at_last(roughness, pressure_pa)?);
+            last.into_iter().map(by_area).collect()
+        }
+    })
+}
+
+/// Cuts of Persson's theory under loads.
+#[derive(Debug, Clone, Serialize)]
+#[serde(transparent)]
+pub struct PerssonCuts {
+    /// For every load its cuts, from long to short wavelengths.
+    pub blocks: Vec<Vec<Cut>>,
+    /// Band that a cutoff lets through.
+    #[serde(skip)]
+    pub band: Band,
+}
+
+impl PerssonCuts {
+    /// Appends the columns of the cuts to a table of their loads.
+    pub(super) fn table(&self, loads: Table) -> Table {
+        let column = |of: fn(&Cut) -> f64| self.blocks.iter().flatten().map(of);
+        let optional = |of: fn(&Cut) -> Option<f64>| self.blocks.iter().flatten().map(of);
+        loads
+            .with_numbers("wavelength_m", column(|cut| cut.wavelength_m))
+            .with_numbers("area_fraction", column(|cut| cut.areas.contact()))
+            .with_numbers("elastic_area_fraction", column(|cut| cut.areas.elastic))
+            .with_numbers("plastic_area_fraction", column(|cut| cut.areas.plastic))
+            .with_numbers("real_pressure_pa", column(|cut| cut.real_pressure_pa))
+            .with_numbers("rms_gradient", column(|cut| cut.rms_gradient))
+            .with_numbers("mean_gap_m", optional(|cut| cut.mean_gap_m))
+            .with_numbers("stiffness_pa_per_m", optional(|cut| cut.stiffness_pa_per_m))
+            .with_words("band", self.blocks.iter().flatten().map(|_| self.band.name()))
+    }
+}
+
+/// Returns wavelength \[m\], area fraction and real pressure \[Pa\] of a cut.
+pub(super) fn point(cut: &Cut) -> [f64; 3] {
+    [cut.wavelength_m, cut.areas.contact(), cut.real_pressure_pa]
 }
 
 /// A spectrum with the moments, of a normalisation, that it has from the second wavelength on, and the amplitudes of its

@@ -1,13 +1,16 @@
 //! Carrying a plan out.
 
+use std::ops::Range;
+
 use numerics::parallel::{Progress, Unobserved};
+use stat_contact::Condition;
 
 use super::distinct_inputs::DistinctInputs;
 use super::prepared_spectrum::PreparedSpectrum;
 use super::run::Run;
-use super::theory::{Job, theory_of};
 use super::work::counted;
-use super::{CurveModel, CurveResult, Cutoffs, Plan, PlanError, Results, Work, sweeps};
+use super::{CurveModel, CurveResult, Cutoffs, Needs, Plan, PlanError, Results, Work, sweeps};
+use crate::models::Job;
 
 impl Plan<'_> {
     /// Carries the plan out. Curves and loads run in parallel; the digits do not depend on the number of threads.
@@ -25,7 +28,7 @@ impl Plan<'_> {
     /// Returns the errors of [`compute`](Self::compute), and [`PlanError::Cancelled`].
     pub fn compute_observed(&self, progress: &dyn Progress) -> Result<Results, PlanError> {
         self.check_size()?;
-        self.compute_on(self.prepare(Run::of(self, progress))?, progress)
+        self.compute_on(self.prepare(self.run(progress))?, progress)
     }
 
     /// Computes the plan from a spectrum that is already prepared, and reports to `progress`.
@@ -37,16 +40,16 @@ impl Plan<'_> {
         prepared: PreparedSpectrum,
         progress: &dyn Progress,
     ) -> Result<Results, PlanError> {
-        let run = Run::of(self, progress);
         let inputs = DistinctInputs::new(&self.needs);
         let models: Vec<(CurveModel, Cutoffs)> =
             inputs.models.items.iter().cloned().zip(inputs.cutoffs.iter().copied()).collect();
         let computed = numerics::parallel::try_map(&models, |(model, cutoffs)| {
-            self.rows_of_model(model, *cutoffs, &inputs, &prepared, run)
+            let places = 0..model.rows_per_block(&prepared, *cutoffs);
+            self.blocks(model, *cutoffs, &prepared, progress, &inputs.conditions_of(model), places)
         })?;
         let (rows_of_models, work_of_curves) = counted(computed);
         let (sweeps, work_of_sweeps) =
-            sweeps::results(&self.needs, &inputs, &rows_of_models, &prepared, run)?;
+            sweeps::results(&self.needs, &inputs, &rows_of_models, &prepared, self.run(progress))?;
         let [computed_levels, computed_states] = levels_and_states(&rows_of_models);
         let curves = inputs.handed_out(rows_of_models, &self.needs.curves);
         let [wanted_levels, wanted_states] = levels_and_states(&curves);
@@ -62,22 +65,31 @@ impl Plan<'_> {
         Ok(Results { psd, moments, scales, fit, curves, sweeps, work })
     }
 
-    /// The rows of one model, a block for each differing load and separation.
-    fn rows_of_model(
+    /// Computes some rows of a model, a block for each condition, and counts the work.
+    pub(super) fn blocks(
         &self,
         model: &CurveModel,
         cutoffs: Cutoffs,
-        inputs: &DistinctInputs,
         prepared: &PreparedSpectrum,
-        run: Run<'_>,
+        progress: &dyn Progress,
+        conditions: &[Condition],
+        places: Range<usize>,
     ) -> Result<(CurveResult, Work), PlanError> {
-        let theory = theory_of(model);
-        let places = 0..theory.rows_per_block(prepared, cutoffs);
-        theory.blocks(&Job { plan: self, prepared, cutoffs, run }, &inputs.conditions_of(model), places)
+        let PreparedSpectrum { psd, moments, scales, .. } = prepared;
+        let roughness = |band| self.roughness(psd, moments, scales, band);
+        let job = Job { prepared, cutoffs, run: self.run(progress), roughness: &roughness };
+        model.blocks(&job, conditions, places)
+    }
+
+    /// Returns the settings of a run that an observer follows.
+    pub(super) fn run<'r>(&self, progress: &'r dyn Progress) -> Run<'r> {
+        let Needs { tolerance, states_per_decade, areas_alone, .. } = self.needs;
+        Run { progress, tolerance, states_per_decade, areas_alone }
     }
 }
 
 /// Counts the levels of stacks and the statistical states.
 fn levels_and_states(curves: &[CurveResult]) -> [usize; 2] {
-    [curves.iter().map(CurveResult::levels).sum(), curves.iter().map(CurveResult::states).sum()]
+    let of_curves = curves.iter().map(CurveResult::levels_and_states);
+    of_curves.fold([0, 0], |[levels, states], [more, further]| [levels + more, states + further])
 }

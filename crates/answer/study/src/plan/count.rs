@@ -5,7 +5,6 @@ use ordered_float::OrderedFloat;
 use super::distinct::Distinct;
 use super::distinct_inputs::DistinctInputs;
 use super::error::MOST_ROWS;
-use super::theory::theory_of;
 use super::{CurveModel, Cutoffs, Plan, PlanError};
 
 impl Plan<'_> {
@@ -13,11 +12,13 @@ impl Plan<'_> {
     #[must_use]
     pub fn statistical_states(&self) -> usize {
         let inputs = DistinctInputs::new(&self.needs);
-        let of_model = |(model, cutoffs): (&CurveModel, &Cutoffs)| {
+        let of_model = |(_, cutoffs): (&CurveModel, &Cutoffs)| {
             let cutoffs = if *cutoffs == Cutoffs::Every { self.most_scales() } else { 1 };
-            theory_of(model).most_states(cutoffs) * inputs.conditions.items.len()
+            cutoffs * inputs.conditions.items.len()
         };
-        let over_cutoffs: usize = inputs.models.items.iter().zip(&inputs.cutoffs).map(of_model).sum();
+        let models = inputs.models.items.iter().zip(&inputs.cutoffs);
+        let statistical = models.filter(|(model, _)| model.statistical().is_some());
+        let over_cutoffs: usize = statistical.map(of_model).sum();
         let over_loads = Distinct::of(self.needs.sweeps.iter().flat_map(|sweep| {
             let place = (inputs.models.index_of[sweep.curve], OrderedFloat(sweep.cutoff_multiple));
             sweep.pressures_pa.iter().map(move |&pressure_pa| (place, OrderedFloat(pressure_pa)))
@@ -29,10 +30,8 @@ impl Plan<'_> {
     #[must_use]
     pub fn stacked_levels(&self) -> usize {
         let inputs = DistinctInputs::new(&self.needs);
-        let of_model = |model: &CurveModel| {
-            theory_of(model).most_levels(self.most_scales()) * inputs.conditions_of(model).len()
-        };
-        inputs.models.items.iter().map(of_model).sum()
+        let stacks = inputs.models.items.iter().filter(|model| model.stacked().is_some());
+        stacks.map(|model| self.most_scales() * inputs.conditions_of(model).len()).sum()
     }
 
     /// Refuses more rows than can be held: scales, loads and curves multiply.

@@ -1,12 +1,11 @@
-//! Surfaces under any load, with their mean gaps.
+//! States of surfaces under a load, with their mean gaps.
 
 use asperity::AsperityError;
+use persson::EnergyFactor;
 use persson::hardness_laws::HardnessError;
-use persson::separation::SeparationLaw;
 use persson::variance::Band;
-use persson::{EnergyFactor, Roughness};
 
-use super::Tolerance;
+use super::tolerance::Tolerance;
 
 /// A surface under a nominal pressure.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,18 +61,4 @@ pub enum GapError {
     /// The work was cancelled.
     #[error("ended before all was computed")]
     Cancelled,
-}
-
-/// A surface with its whole spectrum, as a model presses it.
-pub(crate) trait LoadedSurface: std::fmt::Debug + Send + Sync {
-    /// Returns the surface under a nominal pressure > 0 \[Pa\].
-    ///
-    /// # Errors
-    /// [`GapError`] for a pressure that cannot be carried.
-    fn at(&self, pressure_pa: f64) -> Result<GapState, GapError>;
-
-    /// Returns the roughness and the separations of Persson's theory, or nothing for another theory.
-    fn persson(&self) -> Option<(&Roughness, &SeparationLaw)> {
-        None
-    }
 }

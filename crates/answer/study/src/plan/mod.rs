@@ -1,41 +1,39 @@
 //! Plans: everything that is needed, computed once. Every table, figure and reported number comes from one plan.
 //!
-//! `needs` holds requests and `results` their answers. `prepared_spectrum` computes everything that curves need from
-//! the spectrum. `distinct_inputs` finds equal curves and loads. `theory` computes the rows of a model, with a module
-//! per theory, and `sweeps` those over loads. `gap` presses a surface with its whole
-//! spectrum. `compute` assembles the results; `stream` passes curves on in parts that
-//! are not kept.
+//! `needs` holds requests and `results` their answers. `prepare` computes everything that curves need from the spectrum.
+//! `distinct_inputs` finds equal curves and loads. [`models`](crate::models) compute the rows of curves, and `sweeps` those
+//! over loads. `compute` assembles the results; `stream` passes curves on in parts that are not kept.
 
 mod compute;
 mod condition;
 mod count;
 mod distinct;
 mod distinct_inputs;
-mod error;
+pub(crate) mod error;
 pub(crate) mod gap;
 mod needs;
-mod prepared_spectrum;
+mod prepare;
+pub(crate) mod prepared_spectrum;
 mod results;
-mod run;
+pub(crate) mod run;
 mod stream;
 mod sweeps;
-mod theory;
-mod tolerance;
-mod work;
+pub(crate) mod tolerance;
+pub(crate) mod work;
 
 pub use crate::load::{Load, LoadRange, NominalPressure};
-pub use crate::models::CurveModel;
+pub use crate::models::{CurveModel, CurveResult, CutoffState, PerssonSurface};
 pub use distinct::Distinct;
 pub use error::PlanError;
-pub use needs::{Curve, Cutoffs, LoadSweep, Needs, Sampling};
-pub use prepared_spectrum::PreparedSpectrum;
+pub use needs::{Curve, LoadSweep, Needs, Sampling};
+pub use prepared_spectrum::{Cutoffs, PreparedSpectrum};
 pub use results::{Results, SweepResult};
 pub use stream::{Part, Stream};
-pub use theory::{CurveResult, CutoffState, PerssonSurface, STATE_DETAILS};
 pub use tolerance::Tolerance;
 pub use work::Work;
 
 use persson::Roughness;
+use persson::hardness_laws::HardnessError;
 use persson::variance::Band;
 use spectrum::{AsperityParameters, Moments, ProfilePsd};
 use stacked_contact::Scale;
@@ -65,6 +63,21 @@ impl Plan<'_> {
         let normalisation = self.needs.moments.unwrap_or_default();
         let moments = moments.iter().map(|(moments, _)| moments);
         roughness(psd, moments, normalisation, scales, &self.beyond(psd, band), band)
+    }
+
+    /// Returns the surface of a model with its whole prepared spectrum, or nothing for a theory other than Persson's.
+    ///
+    /// # Errors
+    /// [`HardnessError`] for a hardness beyond the range of magnitudes.
+    pub fn persson_surface(
+        &self,
+        model: &CurveModel,
+        prepared: &PreparedSpectrum,
+    ) -> Result<Option<PerssonSurface>, HardnessError> {
+        let Some(theory) = model.persson() else { return Ok(None) };
+        let PreparedSpectrum { psd, moments, scales, .. } = prepared;
+        let roughness = self.roughness(psd, moments, scales, theory.band);
+        theory.surface(roughness, theory.energy_factor).map(Some)
     }
 }
 

@@ -2,10 +2,9 @@
 
 use std::num::NonZeroU32;
 
-use serde::{Deserialize, Serialize};
 use spectrum::{AmplitudeDefinition, Normalisation};
 
-use super::{Load, LoadRange, NominalPressure, Tolerance};
+use super::{Cutoffs, Load, LoadRange, NominalPressure, Tolerance};
 use crate::models::CurveModel;
 
 /// The selection of scales of a spectrum.
@@ -26,17 +25,6 @@ pub struct Curve {
     pub model: CurveModel,
     /// The cutoffs at which its area is needed.
     pub cutoffs: Cutoffs,
-}
-
-/// The cutoffs at which a curve is needed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Cutoffs {
-    /// At every wavelength.
-    #[default]
-    Every,
-    /// At the shortest one: a statistical model skips the others, a stack yields its last level alone.
-    Shortest,
 }
 
 /// A statistical curve against load, at some cutoff.

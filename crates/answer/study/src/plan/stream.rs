@@ -5,8 +5,6 @@ use spectrum::ProfilePsd;
 use stat_contact::Condition;
 
 use super::condition::distinct;
-use super::run::Run;
-use super::theory::{Job, theory_of};
 use super::{Curve, CurveResult, Cutoffs, Plan, PlanError, PreparedSpectrum};
 
 /// The approximate number of rows of a part: enough to keep every core busy, and few compared with a spectrum.
@@ -32,9 +30,9 @@ impl Plan<'_> {
     /// # Errors
     /// Returns the errors of [`compute`](Plan::compute).
     pub fn stream(&self) -> Result<Stream<'_>, PlanError> {
-        let prepared = self.prepare(Run::of(self, &Unobserved))?;
+        let prepared = self.prepare(self.run(&Unobserved))?;
         for curve in &self.needs.curves {
-            theory_of(&curve.model).check(&prepared, curve.cutoffs)?;
+            curve.model.check(&prepared, curve.cutoffs)?;
         }
         Ok(Stream { plan: self, prepared })
     }
@@ -56,7 +54,7 @@ impl Stream<'_> {
     /// Returns an upper bound of the number of rows of a curve.
     #[must_use]
     pub fn rows(&self, curve: &Curve) -> usize {
-        let rows = theory_of(&curve.model).rows_per_block(&self.prepared, curve.cutoffs);
+        let rows = curve.model.rows_per_block(&self.prepared, curve.cutoffs);
         rows * self.conditions(curve).count()
     }
 
@@ -78,17 +76,16 @@ impl Stream<'_> {
         mut each: impl FnMut(Part) -> Result<(), E>,
     ) -> Result<(), E> {
         let (plan, prepared, cutoffs) = (self.plan, &self.prepared, curve.cutoffs);
-        let job = Job { plan, prepared, cutoffs, run: Run::of(plan, progress) };
-        let theory = theory_of(&curve.model);
-        let rows = theory.rows_per_block(prepared, cutoffs);
+        let rows = curve.model.rows_per_block(prepared, cutoffs);
         // Where a block has more rows than a part, and a part hence one condition, it comes in pieces if it can.
-        let piece = if theory.splits_blocks() { PART } else { rows.max(1) };
+        let piece = if curve.model.statistical().is_some() { PART } else { rows.max(1) };
         in_parts(self.conditions(curve), rows, |conditions| {
             let distinct = distinct(conditions.iter().copied());
             let pressures_pa: Vec<f64> = conditions.iter().filter_map(|at| at.pressure_pa()).collect();
             for first in (0..rows.max(1)).step_by(piece) {
                 let places = first..(first + piece).min(rows);
-                let (blocks, _) = theory.blocks(&job, &distinct.items, places)?;
+                let (blocks, _) =
+                    plan.blocks(&curve.model, cutoffs, prepared, progress, &distinct.items, places)?;
                 let rows = blocks.repeated(&distinct.index_of, Cutoffs::Every);
                 each(Part { pressures_pa: pressures_pa.clone(), rows })?;
             }

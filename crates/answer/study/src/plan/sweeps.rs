@@ -6,14 +6,14 @@ use std::collections::HashMap;
 use ordered_float::OrderedFloat;
 use stat_contact::{Condition, ContactState};
 
-use super::condition::Asperities;
 use super::distinct::Distinct;
 use super::distinct_inputs::DistinctInputs;
 use super::prepared_spectrum::{Cutoff, PreparedSpectrum, Roughness};
 use super::run::Run;
-use super::theory::statistical::states::States;
 use super::work::counted;
 use super::{CurveResult, LoadSweep, Needs, PlanError, SweepResult, Work};
+use crate::models::statistical::Asperities;
+use crate::models::statistical::states::States;
 
 /// The states of one model and population, by their pressures \[Pa\].
 type KnownStates = HashMap<OrderedFloat<f64>, ContactState>;

@@ -53,7 +53,7 @@ impl AddAssign for Work {
 }
 
 /// Results beside the work that each took, as results and the sum of the work.
-pub(super) fn counted<T>(parts: impl IntoIterator<Item = (T, Work)>) -> (Vec<T>, Work) {
+pub(crate) fn counted<T>(parts: impl IntoIterator<Item = (T, Work)>) -> (Vec<T>, Work) {
     let mut work = Work::default();
     let results = parts
         .into_iter()

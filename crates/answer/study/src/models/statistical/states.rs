@@ -2,20 +2,18 @@
 
 use stat_contact::{Condition, ContactState, StatisticalContact};
 
-use super::CutoffState;
-use crate::models::{Pressable, Statistical};
-use crate::plan::condition::{Asperities, contact_of};
+use super::{Asperities, CutoffState, Pressable, Statistical};
+use crate::plan::error::PlanError;
 use crate::plan::prepared_spectrum::{Cutoff, Roughness};
 use crate::plan::run::Run;
-use crate::plan::work::counted;
-use crate::plan::{PlanError, Work};
+use crate::plan::work::{Work, counted};
 
 /// The largest number of consecutive states. Each starts from its neighbour's solution. The first starts without one,
 /// which costs some evaluations and changes no digit.
 const STATES_PER_BLOCK: usize = 256;
 
 /// The states of a model.
-pub(in crate::plan) struct States<'r> {
+pub(crate) struct States<'r> {
     pub model: &'r Statistical,
     pub run: Run<'r>,
 }
@@ -44,7 +42,7 @@ impl States<'_> {
         roughness: &Roughness,
         pressures_pa: &[f64],
     ) -> Result<(Vec<ContactState>, Work), PlanError> {
-        let Pressable::Contact(contact) = contact_of(self.model, roughness)? else {
+        let Pressable::Contact(contact) = self.model.press_roughness(roughness)? else {
             return Ok(Default::default());
         };
         let conditions: Vec<Condition> = pressures_pa.iter().copied().map(Condition::Pressure).collect();
@@ -59,7 +57,7 @@ impl States<'_> {
         conditions: &[Condition],
     ) -> Result<(Vec<Vec<CutoffState>>, Work), PlanError> {
         let nothing = CutoffState { wavelength_m, contact: None, too_narrow_alpha: None };
-        match contact_of(self.model, roughness)? {
+        match self.model.press_roughness(roughness)? {
             Pressable::Contact(contact) => {
                 let (states, work) = self.states(&contact, conditions)?;
                 let row =
@@ -113,7 +111,7 @@ impl States<'_> {
                 }
                 neighbour => {
                     self.run.go_on()?;
-                    let contact = match contact_of(self.model, &roughness)? {
+                    let contact = match self.model.press_roughness(&roughness)? {
                         Pressable::Contact(contact) => contact,
                         Pressable::TooNarrow { alpha } => {
                             self.run.state_is_known();

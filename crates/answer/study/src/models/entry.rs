@@ -1,0 +1,284 @@
+//! The models by name: one table that the command line, scenes, tables of populations and sensitivities go by.
+
+use std::sync::LazyLock;
+
+use serde::{Deserialize, Deserializer};
+use units::UnknownName;
+
+use super::{CurveModel, Framework, MODELS, Theory};
+use crate::growth_law::GrowthLaw;
+use crate::material::{Material, MaterialError};
+use crate::model_options::{Choice, IgnoredOption, IgnoredReason, ModelOptions};
+
+/// The description of a model before it is built.
+#[derive(Debug, Clone, Copy)]
+pub struct ModelEntry {
+    /// The name that people type, which is also that of its curves.
+    pub name: &'static str,
+    /// The short name in print.
+    pub short_name: &'static str,
+    /// The full name, with the authors of the model.
+    pub full_name: &'static str,
+    /// The publication.
+    pub citation: &'static str,
+    /// Abbreviations and authors that people know it by, without case, blanks and hyphens.
+    pub(super) aliases: &'static [&'static str],
+    /// Its framework.
+    pub framework: Framework,
+    pub(super) choices: &'static [Choice],
+    /// True if the model takes the moments of a surface, rather than the asperities that they make.
+    pub(super) takes_moments: bool,
+    pub(super) build: fn(&Material, &ModelOptions) -> Result<Theory, MaterialError>,
+}
+
+/// The names of all models.
+static NAMES: LazyLock<Vec<&'static str>> = LazyLock::new(|| MODELS.iter().map(|entry| entry.name).collect());
+
+/// The models of a framework.
+pub fn of_framework(framework: Framework) -> impl Iterator<Item = &'static ModelEntry> {
+    MODELS.iter().filter(move |entry| entry.framework == framework)
+}
+
+/// The models that know a distance between the surfaces; the theory without asperities comes first.
+pub fn with_gaps() -> impl Iterator<Item = &'static ModelEntry> {
+    Framework::ALL.iter().rev().filter(|framework| framework.has_gaps()).flat_map(|of| of_framework(*of))
+}
+
+/// The model of a name in a framework.
+///
+/// # Errors
+/// [`UnknownName`], which lists the names of that framework.
+pub fn named(framework: Framework, name: &str) -> Result<&'static ModelEntry, UnknownName> {
+    of_framework(framework).find(|entry| entry.answers_to(name)).ok_or_else(|| UnknownName {
+        what: framework.noun(),
+        given: name.to_owned(),
+        accepted: of_framework(framework).map(|entry| entry.name).collect::<Vec<_>>().join(", "),
+    })
+}
+
+impl ModelEntry {
+    /// The model of a material, with the choices made.
+    ///
+    /// # Errors
+    /// [`MaterialError`] where the model needs what the material lacks, or what it has is out of bounds, and where the rough body
+    /// is a layer that the model does not know.
+    pub fn build(
+        &'static self,
+        material: &Material,
+        options: &ModelOptions,
+    ) -> Result<CurveModel, MaterialError> {
+        if material.pair.layer().is_some() && self.framework != Framework::Persson {
+            return Err(MaterialError::LayerUnknown { model: self.name });
+        }
+        Ok(CurveModel { entry: self, theory: (self.build)(material, options)? })
+    }
+
+    /// Returns true if it takes the moments of a surface, rather than the asperities that they make.
+    #[must_use]
+    pub fn takes_moments(&self) -> bool {
+        self.takes_moments
+    }
+
+    /// Returns true if it takes asperities of one curvature, McCool's.
+    #[must_use]
+    pub fn takes_asperities(&self) -> bool {
+        self.framework == Framework::Statistical && !self.takes_moments
+    }
+
+    /// Returns true if the model has this choice.
+    #[must_use]
+    pub fn has(&self, choice: Choice) -> bool {
+        self.choices.contains(&choice)
+    }
+
+    /// Returns the name of a curve that is given none: the model's, followed by the options that differ from its defaults.
+    #[must_use]
+    pub fn curve_name(&self, options: &ModelOptions) -> String {
+        let settings = options.settings(|choice| self.has(choice));
+        let parts = settings.iter().map(|setting| setting.name.as_str());
+        std::iter::once(self.name).chain(parts).collect::<Vec<_>>().join("-")
+    }
+
+    /// Returns true if people call the model so: by its name, its short or full name in print, an abbreviation or its
+    /// authors. Case, blanks and punctuation do not count.
+    #[must_use]
+    pub fn answers_to(&self, name: &str) -> bool {
+        let plain = |text: &str| -> String {
+            text.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect()
+        };
+        let wanted = plain(name);
+        let names = [self.name, self.short_name, self.full_name];
+        names.iter().chain(self.aliases).any(|known| plain(known) == wanted)
+    }
+}
+
+impl ModelOptions {
+    /// Returns the options that were given and that a model ignores.
+    #[must_use]
+    pub fn ignored_by(&self, entry: &ModelEntry) -> Vec<IgnoredOption> {
+        let ignored = |choice| Some(IgnoredOption { choice, reason: self.reason_to_ignore(choice, entry)? });
+        self.given().filter_map(ignored).collect()
+    }
+
+    /// Returns why a model ignores a cap of the strength, or nothing if it heeds one. The cap belongs to the material,
+    /// which is why it is no field here.
+    #[must_use]
+    pub fn reason_to_ignore_strength_cap(&self, entry: &ModelEntry) -> Option<IgnoredReason> {
+        match entry.has(Choice::Strength) {
+            false => Some(IgnoredReason::NeverYields),
+            true if self.strain_gradient || self.hardness_law.is_some() => None,
+            true => Some(IgnoredReason::NothingGrows),
+        }
+    }
+
+    fn reason_to_ignore(&self, choice: Choice, entry: &ModelEntry) -> Option<IgnoredReason> {
+        let yields = entry.has(Choice::Strength);
+        let is_of_framework = || of_framework(entry.framework).any(|other| other.has(choice));
+        let other_law = || self.hardness_law.as_ref().is_some_and(|law| *law != GrowthLaw::NixGao);
+        match choice {
+            Choice::StrainGradient if entry.has(Choice::HardnessLaw) && other_law() => {
+                Some(IgnoredReason::OtherHardnessLaw)
+            }
+            choice if entry.has(choice) => None,
+            Choice::StrainGradient if !yields => Some(IgnoredReason::NeverYields),
+            Choice::HardnessLaw if !yields && is_of_framework() => Some(IgnoredReason::NeverYields),
+            Choice::Correction if yields && is_of_framework() => Some(IgnoredReason::CorrectionsAreElastic),
+            _ => Some(IgnoredReason::NoSuchOption),
+        }
+    }
+}
+
+impl PartialEq for ModelEntry {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+}
+
+impl std::fmt::Display for ModelEntry {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(self.name)
+    }
+}
+
+impl<'de> Deserialize<'de> for &'static ModelEntry {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let name = String::deserialize(deserializer)?;
+        let found = MODELS.iter().find(|entry| entry.answers_to(&name));
+        found.ok_or_else(|| serde::de::Error::unknown_variant(&name, &NAMES))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use ::persson::EnergyFactor;
+    use ::persson::corrections::Correction;
+    use ::persson::variance::Band;
+    use asperity::{ElasticBody, Hardness, MaterialPair, NixGao};
+    use stat_contact::InterferenceLaw;
+    use units::Pressure;
+
+    use super::*;
+    use crate::hardness_and_strength::HardnessAndStrength;
+    use crate::material::{GivenMaterial, NeededFor};
+
+    fn material(yield_strength: Option<Pressure>) -> Material {
+        Material::new(GivenMaterial {
+            hardness_and_strength: HardnessAndStrength::new(None, yield_strength).unwrap(),
+            strain_gradient_length_m: Some(5e-6),
+            ..GivenMaterial::new(ElasticBody::new(463e9, 0.2).unwrap())
+        })
+    }
+
+    #[test]
+    fn every_model_is_built_known_again_and_has_the_choices_that_its_law_has() {
+        let strong = material(Some("1.8 GPa".parse().unwrap()));
+        for entry in MODELS.iter() {
+            let model = entry.build(&strong, &ModelOptions::default()).unwrap();
+            assert_eq!(model.entry(), entry);
+            let built = entry.build(&material(None), &ModelOptions::default());
+            assert_eq!(built.is_err(), entry.has(Choice::Strength), "{entry}");
+            assert!(built.err().is_none_or(|error| error == MaterialError::Missing(NeededFor::Yielding)));
+            let strength = NixGao::constant(2e9).unwrap();
+            assert_eq!(model.with_strength(strength).is_some(), entry.has(Choice::Strength), "{entry}");
+            assert_eq!(
+                model.with_hardness(Hardness::Cosine).is_some(),
+                entry.has(Choice::Hardness),
+                "{entry}"
+            );
+            let bem = model.with_interference(InterferenceLaw::Bem);
+            assert_eq!(bem.is_some(), entry.has(Choice::Interference), "{entry}");
+            let growing = ModelOptions { strain_gradient: true, ..ModelOptions::default() };
+            let grows = entry.build(&strong, &growing).unwrap() != model;
+            assert_eq!(grows, entry.has(Choice::StrainGradient), "{entry}");
+            assert_eq!(named(entry.framework, entry.name).unwrap(), entry);
+            let other = MaterialPair::against_rigid(ElasticBody::new(70e9, 0.33).unwrap());
+            let moved = model.with_pair(other);
+            assert_eq!((moved.pair(), moved.strength(), moved.entry()), (other, model.strength(), entry));
+            assert_eq!(moved.with_pair(model.pair()), model);
+        }
+    }
+
+    #[test]
+    fn an_option_is_ignored_by_the_models_that_do_not_have_it_with_the_reason() {
+        use IgnoredReason::{
+            CorrectionsAreElastic, NeverYields, NoSuchOption, NothingGrows, OtherHardnessLaw,
+        };
+        let all = ModelOptions {
+            strain_gradient: true,
+            hardness: Some(Hardness::default()),
+            interference_law: Some(InterferenceLaw::Bem),
+            correction: Some(Correction::AlgebraicNayak),
+            band: Some(Band::Profile),
+            gamma: EnergyFactor::new(0.5).ok(),
+            hardness_law: Some(GrowthLaw::Power(0.5)),
+        };
+        assert_eq!(ModelOptions::default().given().count(), 0);
+        assert_eq!(all.given().count(), 7);
+        let entry = |name: &str| MODELS.iter().find(|entry| entry.name == name).unwrap();
+        for entry in MODELS.iter() {
+            let reasons = all.ignored_by(entry);
+            for choice in all.given() {
+                let ignored = reasons.iter().find(|ignored| ignored.choice == choice);
+                let reason = match choice {
+                    Choice::StrainGradient if entry.name == "persson-plastic" => Some(OtherHardnessLaw),
+                    choice if entry.has(choice) => None,
+                    Choice::StrainGradient => Some(NeverYields),
+                    Choice::HardnessLaw if entry.name == "persson" => Some(NeverYields),
+                    Choice::Correction if entry.name == "persson-plastic" => Some(CorrectionsAreElastic),
+                    _ => Some(NoSuchOption),
+                };
+                assert_eq!(ignored.map(|ignored| ignored.reason), reason, "{choice:?} of {entry}");
+            }
+        }
+        let nix_gao = ModelOptions { hardness_law: Some(GrowthLaw::NixGao), ..all.clone() };
+        let ignored = nix_gao.ignored_by(entry("persson-plastic"));
+        assert!(ignored.iter().all(|ignored| ignored.choice != Choice::StrainGradient));
+        let cap = |options: &ModelOptions, name: &str| options.reason_to_ignore_strength_cap(entry(name));
+        assert_eq!(cap(&all, "persson"), Some(NeverYields));
+        assert_eq!(cap(&ModelOptions::default(), "persson-plastic"), Some(NothingGrows));
+        assert_eq!(cap(&nix_gao, "persson-plastic"), None);
+    }
+
+    #[test]
+    fn a_name_of_the_other_framework_is_unknown_and_those_of_its_own_are_listed() {
+        let error = named(Framework::Statistical, "elastic").unwrap_err();
+        assert_eq!((error.what, error.given.as_str()), ("statistical model", "elastic"));
+        let names: Vec<&str> = of_framework(Framework::Statistical).map(|entry| entry.name).collect();
+        assert_eq!(error.accepted.split(", ").collect::<Vec<_>>(), names);
+    }
+
+    #[test]
+    fn every_name_belongs_to_one_model() {
+        let answering = |name: &str| -> Vec<&str> {
+            MODELS.iter().filter(|entry| entry.answers_to(name)).map(|entry| entry.name).collect()
+        };
+        for entry in MODELS.iter() {
+            for name in [entry.name, entry.short_name, entry.full_name].iter().chain(entry.aliases) {
+                assert_eq!(answering(name), [entry.name], "{name}");
+            }
+        }
+        assert_eq!((answering("GW"), answering("EP sine")), (vec!["hertz"], vec!["ep-sine"]));
+        assert_eq!(answering("Greenwood-Williamson (Hertz)"), ["hertz"]);
+        assert!(answering("rigid").is_empty());
+    }
+}
