@@ -40,9 +40,7 @@ fn reason(choice: Choice, why: IgnoredReason, entry: &'static ModelEntry) -> Rea
         IgnoredReason::NeverYields => Reason::DoesNotYield(model),
         IgnoredReason::CorrectionsAreElastic => Reason::CorrectionsAreElastic(model),
         IgnoredReason::OtherHardnessLaw => Reason::OtherHardnessLaw(model),
-        IgnoredReason::NothingGrows if entry.framework.takes_hardness() => {
-            Reason::HardnessDoesNotGrow(model)
-        }
+        IgnoredReason::NothingGrows if entry.framework.takes_hardness() => Reason::HardnessDoesNotGrow(model),
         IgnoredReason::NothingGrows => Reason::StrengthDoesNotGrow,
     }
 }

@@ -4,8 +4,8 @@ use asperity::{AsperityError, MaterialPair};
 
 use crate::asperities::answers::Asperities;
 use crate::asperities::hertz_ellipses::ElasticSummits;
+use crate::quadrature::Precision;
 use crate::quadrature::frames::Frames;
-use crate::quadrature::precision::Precision;
 use crate::{AsperityLaw, Condition, ContactState, NayakSummits, Population, StateTable, Sweep};
 
 /// Gaussian asperities pressed by a rigid flat (Greenwood & Williamson 1966; `docs/theory/models.md`, section 3) under any

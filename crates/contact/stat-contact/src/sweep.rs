@@ -78,9 +78,9 @@ impl<'a> Sweep<'a> {
         let sigma_s_m = self.frames.sigma_s_m;
         let u = separation_m / sigma_s_m;
         let spent = self.frames.evaluations();
-        let here = self.frames.at(u).at(u);
-        self.near = Some(Neighbour { u, sums: Some(here.sums) });
-        let state = ContactState::at_separation(&here.integrals(), separation_m, sigma_s_m);
+        let (sums, integrals) = self.frames.at(u).integrals_at(u);
+        self.near = Some(Neighbour { u, sums: Some(sums) });
+        let state = ContactState::at_separation(&integrals, separation_m, sigma_s_m);
         let evaluations = self.frames.evaluations() - spent;
         Ok(ContactState { evaluations, ..state })
     }
@@ -111,9 +111,9 @@ impl<'a> Sweep<'a> {
         };
         let evaluations = self.frames.evaluations() - spent;
         let sigma_s_m = self.frames.sigma_s_m;
-        let here = self.frames.frame(cell).at(u);
-        self.near = Some(Neighbour { u, sums: Some(here.sums) });
-        let state = ContactState::of(&here.integrals(), 0.0, sigma_s_m);
+        let (sums, integrals) = self.frames.frame(cell).integrals_at(u);
+        self.near = Some(Neighbour { u, sums: Some(sums) });
+        let state = ContactState::of(&integrals, 0.0, sigma_s_m);
         let error_estimate = state.error_estimate + missed_by;
         let separation_m = Some(u * sigma_s_m);
         Ok(asked(ContactState { separation_m, error_estimate, evaluations, ..state }))

@@ -24,8 +24,8 @@ use tables::Table;
 
 pub use self::entry::{ModelEntry, named, of_framework, with_gaps};
 pub use self::persson::{Persson, PerssonCuts, PerssonSurface};
-pub use self::statistical::{CutoffState, Pressable, STATE_DETAILS, Statistical};
 use self::statistical::PressedAsperities;
+pub use self::statistical::{CutoffState, Pressable, STATE_DETAILS, Statistical};
 use crate::hardness_and_strength::HARDNESS_OVER_STRENGTH;
 pub use crate::model_options::{Choice, IgnoredOption, IgnoredReason, ModelOptions};
 use crate::plan::error::PlanError;
@@ -335,9 +335,8 @@ impl CurveModel {
         conditions: &[Condition],
         places: Range<usize>,
     ) -> Result<(CurveResult, Work), PlanError> {
-        let pressures_pa = || -> Vec<f64> {
-            conditions.iter().filter_map(|condition| condition.pressure_pa()).collect()
-        };
+        let pressures_pa =
+            || -> Vec<f64> { conditions.iter().filter_map(|condition| condition.pressure_pa()).collect() };
         match &self.theory {
             Theory::Stacked(model) => stacked::blocks(model, job, &pressures_pa()),
             Theory::Statistical(model) => model.blocks(job, conditions, places),
@@ -437,9 +436,7 @@ impl CurveResult {
     fn points(&self, block: usize) -> Vec<[f64; 3]> {
         match self {
             CurveResult::Stacked(blocks) => blocks[block].iter().map(stacked::point).collect(),
-            CurveResult::Statistical(blocks) => {
-                blocks[block].iter().filter_map(CutoffState::point).collect()
-            }
+            CurveResult::Statistical(blocks) => blocks[block].iter().filter_map(CutoffState::point).collect(),
             CurveResult::Persson(cuts) => cuts.blocks[block].iter().map(persson::point).collect(),
         }
     }

@@ -7,7 +7,7 @@ use asperity::{
 use numerics::zero_in_bracket;
 
 use super::answers::{Asperities, Course, Hertzian, Response};
-use super::hertz_spheres::hertzian;
+use super::one_by_one::hertzian;
 use super::pieces::{Chart, Piece, pieces_between};
 use crate::Population;
 

@@ -11,7 +11,7 @@ pub mod gradient_breaks;
 pub mod gradient_law;
 pub mod gradient_sines;
 pub mod hertz_ellipses;
-pub mod hertz_spheres;
+pub mod one_by_one;
 pub mod pieces;
 pub mod sine_charts;
 
@@ -24,7 +24,7 @@ use self::elastic_plastic_sines::ElasticPlasticSines;
 use self::elastic_plastic_spheres::ElasticPlasticSpheres;
 use self::elastic_sines::ElasticSines;
 use self::gradient_sines::GradientSines;
-use self::hertz_spheres::ElasticSpheres;
+use self::one_by_one::elastic_spheres;
 use crate::Population;
 
 /// Response of one asperity to the flat that presses on it (`docs/theory/models.md`, sections 2 and 3.1).
@@ -96,7 +96,7 @@ impl AsperityLaw {
     /// Population of asperities that follow this law.
     pub(crate) fn asperities(self, pair: &MaterialPair, population: &Population) -> Box<dyn Asperities> {
         match self {
-            AsperityLaw::Hertz => Box::new(ElasticSpheres::new(pair, population)),
+            AsperityLaw::Hertz => elastic_spheres(pair, population),
             AsperityLaw::EpSphere { strength, hardness } => {
                 Box::new(ElasticPlasticSpheres::new(pair, population, strength, hardness))
             }

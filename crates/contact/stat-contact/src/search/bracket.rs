@@ -1,6 +1,6 @@
 //! Bracket of separations that a search has not yet ruled out.
 
-use crate::quadrature::cell::Cell;
+use crate::quadrature::Cell;
 
 /// Side of a separation on which the solution lies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -2,7 +2,7 @@
 
 use super::bracket::Bracket;
 use super::problem::{CellSolution, Search};
-use crate::quadrature::cell::Cell;
+use crate::quadrature::Cell;
 
 /// Steps after which a search ends in any case; each halves a bracket or better.
 const MOST_STEPS: usize = 60;

@@ -5,7 +5,7 @@ use super::converge::is_near;
 use super::problem::{Answer, CellSolution, Neighbour, Search};
 use crate::asperities::answers::Course;
 use crate::far::FAR;
-use crate::quadrature::cell::Cell;
+use crate::quadrature::Cell;
 
 /// Start of a search without a neighbour: light loads are the common ones.
 const USUAL_SEPARATION: f64 = 2.0;

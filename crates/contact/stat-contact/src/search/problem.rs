@@ -5,9 +5,9 @@ use numerics::zero_in_bracket;
 use crate::asperities::answers::Course;
 use crate::far::FAR;
 use crate::gaussian::density::{log_reference_density, reference_density};
-use crate::quadrature::cell::Cell;
+use crate::quadrature::Cell;
+use crate::quadrature::Sums;
 use crate::quadrature::frames::Frames;
-use crate::quadrature::sums::Sums;
 
 /// Standard deviations beyond which a feature of the law is invisible.
 pub(crate) const OUT_OF_SIGHT: f64 = 9.0;

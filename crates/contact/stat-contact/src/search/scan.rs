@@ -5,7 +5,7 @@ use numerics::zero_in_bracket;
 use super::bracket::Bracket;
 use super::problem::{CellSolution, OUT_OF_SIGHT, Search};
 use crate::far::FAR;
-use crate::quadrature::cell::Cell;
+use crate::quadrature::Cell;
 
 /// Position at which the pressure comes to be carried, from larger separations to smaller ones.
 enum Crossing {

@@ -2,7 +2,7 @@
 
 use super::bracket::{Bracket, Side};
 use super::problem::Search;
-use crate::quadrature::sums::Sums;
+use crate::quadrature::Sums;
 
 /// Lower limit of the discriminant of the parabola, as a share of the tangent's slope squared, if it does not reach
 /// the target: the step is then at most a third longer than twice the tangent's.

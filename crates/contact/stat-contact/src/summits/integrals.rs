@@ -21,8 +21,8 @@ use super::stretches::{Stretch, Stretches};
 use crate::gaussian::density::DENSITY_SCALE;
 use crate::gaussian::hertz_load::load_and_mean_height;
 use crate::gaussian::moments::first_moment;
+use crate::quadrature::Sums;
 use crate::quadrature::rules::{Rule, error_of_rule};
-use crate::quadrature::sums::Sums;
 
 /// Nodes of a stretch.
 const NODES: usize = 34;

@@ -8,8 +8,8 @@ use asperity::AsperityError;
 
 use crate::asperities::answers::Asperities;
 use crate::far::FAR;
+use crate::quadrature::Precision;
 use crate::quadrature::frames::Frames;
-use crate::quadrature::precision::Precision;
 use crate::{Condition, ContactState, Sweep};
 use piece::{Piece, coordinate, separation};
 

@@ -294,9 +294,8 @@ pub(super) fn table(blocks: &[Vec<CutoffState>], details: bool) -> Table {
     let rows = || blocks.iter().flatten();
     let parameter =
         |of: fn(&AsperityParameters) -> f64| rows().map(move |row| row.contact.map(|(p, _)| of(&p)));
-    let state = |of: fn(&ContactState) -> Option<f64>| {
-        rows().map(move |row| row.contact.and_then(|(_, s)| of(&s)))
-    };
+    let state =
+        |of: fn(&ContactState) -> Option<f64>| rows().map(move |row| row.contact.and_then(|(_, s)| of(&s)));
     let table = Table::default()
         .with_numbers("wavelength_m", rows().map(|row| row.wavelength_m))
         .with_numbers("radius_m", parameter(|p| p.radius_m))
