@@ -10,6 +10,7 @@ use numerics::parallel::Progress;
 use spectrum::Normalisation;
 use study::gap_law::{GapError, GapLaw};
 use study::material::Material;
+use study::body_properties::BodyProperty;
 use study::materials::TabledMaterial;
 use study::models::{Choice, ModelEntry};
 use study::plan::{Needs, Plan, PlanError};
@@ -128,11 +129,11 @@ impl LawTableQuestion {
         let mut filled = self;
         let transport = &mut filled.transport;
         let conductivity = |body: Option<&TabledMaterial>| {
-            let parsed: ThermalConductivity = body?.thermal_conductivity.as_ref()?.parse().ok()?;
+            let parsed: ThermalConductivity = body?.quantity(BodyProperty::ThermalConductivity)?;
             Some(parsed.w_per_m_k)
         };
         let resistivity = |body: Option<&TabledMaterial>| {
-            let parsed: Resistivity = body?.resistivity.as_ref()?.parse().ok()?;
+            let parsed: Resistivity = body?.quantity(BodyProperty::Resistivity)?;
             Some(parsed.ohm_m)
         };
         match filled.quantity {

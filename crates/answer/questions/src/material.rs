@@ -3,11 +3,12 @@
 use asperity::ElasticBody;
 use serde::{Deserialize, Serialize};
 use study::bodies::{Body, Softer};
+use study::body_properties::BodyProperty;
 use study::hardness_and_strength::HardnessAndStrength;
 use study::material::{GivenMaterial, Material, MaterialError};
 use study::materials::TabledMaterial;
 use study::models::{Choice, ModelEntry, ModelOptions};
-use units::{IndentationHardness, Pressure};
+use units::{IndentationHardness, Modulus, Pressure};
 
 use crate::option::{Reason, UnusedOption};
 use crate::text::optional_pressure;
@@ -69,23 +70,27 @@ impl MaterialInput {
     #[must_use]
     pub fn filled_from(self, rough: Option<&TabledMaterial>, counterface: Option<&TabledMaterial>) -> Self {
         let mut filled = self;
+        let modulus_pa = |body: &TabledMaterial| -> Option<f64> {
+            body.quantity(BodyProperty::YoungsModulus).map(|modulus: Modulus| modulus.pa)
+        };
+        let strength = |body: &TabledMaterial| {
+            let hardness: Option<IndentationHardness> = body.quantity(BodyProperty::IndentationHardness);
+            (body.quantity(BodyProperty::YieldStrength), hardness.map(|hardness| hardness.pa))
+        };
         if let Some(rough) = rough {
-            filled.youngs_modulus_pa = self.youngs_modulus_pa.or_else(|| rough.youngs_modulus_pa());
-            filled.poisson_ratio = self.poisson_ratio.or(Some(rough.poisson_ratio));
+            filled.youngs_modulus_pa = self.youngs_modulus_pa.or_else(|| modulus_pa(rough));
+            filled.poisson_ratio = self.poisson_ratio.or_else(|| rough.poisson_ratio());
             let has_strength = self.yield_strength.is_some() || self.indentation_hardness_pa.is_some();
             if !has_strength && self.layer.is_none() {
-                filled.yield_strength = rough.own_yield_strength();
-                filled.indentation_hardness_pa = rough.indentation_hardness_pa();
+                (filled.yield_strength, filled.indentation_hardness_pa) = strength(rough);
             }
         }
         if let Some(counterface) = counterface {
-            let elastic = counterface.youngs_modulus_pa().map(|youngs_modulus_pa| BodyInput {
-                youngs_modulus_pa,
-                poisson_ratio: counterface.poisson_ratio,
-            });
+            let elastic = modulus_pa(counterface).zip(counterface.poisson_ratio());
+            let elastic = elastic.map(|(youngs_modulus_pa, poisson_ratio)| BodyInput { youngs_modulus_pa, poisson_ratio });
             filled.counterface = self.counterface.or(elastic);
-            filled.counterface_yield_strength = counterface.own_yield_strength();
-            filled.counterface_indentation_hardness_pa = counterface.indentation_hardness_pa();
+            (filled.counterface_yield_strength, filled.counterface_indentation_hardness_pa) =
+                strength(counterface);
         }
         filled
     }

@@ -61,7 +61,8 @@ impl BodyKeys {
             let is_given = self.get(property).is_some() || has_strength && STRENGTHS.contains(&property);
             if let Some(value) = tabled.value(property).filter(|_| !is_given) {
                 keys.push(property.key());
-                self.properties.push((property, Spanned::new(name.span(), RawProperty::Value(value))));
+                let value = RawProperty::Value(value.clone());
+                self.properties.push((property, Spanned::new(name.span(), value)));
             }
         }
         self.from_table = Some(FromTable { name: tabled.name, keys, sources: tabled.sources });

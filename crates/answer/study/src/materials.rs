@@ -1,35 +1,26 @@
 //! A short table of materials, which comes with the program.
 
+use std::collections::BTreeMap;
 use std::iter::once;
+use std::str::FromStr;
 
 use serde::Deserialize;
-use units::{IndentationHardness, Modulus, Pressure};
 
 use crate::body_properties::BodyProperty;
 
-/// A material of the table: properties as a scene types them, with their units.
+/// A material of the table.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct TabledMaterial {
     /// Its name.
     pub name: String,
     /// Other names that it answers to.
     #[serde(default)]
     pub aliases: Vec<String>,
-    /// Young's modulus.
-    pub youngs_modulus: String,
-    /// Poisson's ratio.
-    pub poisson_ratio: f64,
-    /// The yield strength, where that is what its source has.
-    pub yield_strength: Option<String>,
-    /// The indentation hardness, where that is what its source has.
-    pub indentation_hardness: Option<String>,
-    /// The thermal conductivity.
-    pub thermal_conductivity: Option<String>,
-    /// The electrical resistivity.
-    pub resistivity: Option<String>,
     /// Its condition, and where each value comes from.
     pub sources: String,
+    /// Values as a scene types them, with their units, by the keys of [`BodyProperty`].
+    #[serde(flatten)]
+    values: BTreeMap<String, toml::Value>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -104,35 +95,20 @@ pub fn named(name: &str) -> Result<TabledMaterial, UnknownMaterial> {
 impl TabledMaterial {
     /// Returns the value of a property as a scene types it, or nothing if the table lacks it.
     #[must_use]
-    pub fn value(&self, property: BodyProperty) -> Option<toml::Value> {
-        let text = match property {
-            BodyProperty::PoissonRatio => return Some(toml::Value::Float(self.poisson_ratio)),
-            BodyProperty::YoungsModulus => Some(&self.youngs_modulus),
-            BodyProperty::YieldStrength => self.yield_strength.as_ref(),
-            BodyProperty::IndentationHardness => self.indentation_hardness.as_ref(),
-            BodyProperty::ThermalConductivity => self.thermal_conductivity.as_ref(),
-            BodyProperty::Resistivity => self.resistivity.as_ref(),
-            BodyProperty::StrainGradientLength => None,
-        };
-        text.cloned().map(toml::Value::String)
+    pub fn value(&self, property: BodyProperty) -> Option<&toml::Value> {
+        self.values.get(property.key())
     }
 
-    /// Young's modulus \[Pa\].
+    /// Returns a property with a unit, or nothing if the table lacks it.
     #[must_use]
-    pub fn youngs_modulus_pa(&self) -> Option<f64> {
-        self.youngs_modulus.parse().ok().map(|modulus: Modulus| modulus.pa)
+    pub fn quantity<T: FromStr>(&self, property: BodyProperty) -> Option<T> {
+        self.value(property)?.as_str()?.parse().ok()
     }
 
-    /// Yield strength, where that is what the source has.
+    /// Returns Poisson's ratio.
     #[must_use]
-    pub fn own_yield_strength(&self) -> Option<Pressure> {
-        self.yield_strength.as_ref()?.parse().ok()
-    }
-
-    /// Indentation hardness \[Pa\], where that is what the source has.
-    #[must_use]
-    pub fn indentation_hardness_pa(&self) -> Option<f64> {
-        self.indentation_hardness.as_ref()?.parse().ok().map(|hardness: IndentationHardness| hardness.pa)
+    pub fn poisson_ratio(&self) -> Option<f64> {
+        self.value(BodyProperty::PoissonRatio)?.as_float()
     }
 
     /// Returns true if the material has this name or alias; case does not count.
@@ -148,7 +124,7 @@ mod tests {
     use std::collections::HashSet;
 
     use asperity::ElasticBody;
-    use units::{Resistivity, ThermalConductivity};
+    use units::{IndentationHardness, Modulus, Pressure, Resistivity, ThermalConductivity};
 
     use super::*;
 
@@ -158,19 +134,20 @@ mod tests {
         assert!(table.material.len() >= 12);
         let mut names = HashSet::new();
         for row in &table.material {
-            let modulus: Modulus = row.youngs_modulus.parse().unwrap();
-            ElasticBody::new(modulus.pa, row.poisson_ratio).unwrap();
-            let hardness =
-                row.indentation_hardness.as_ref().map(|text| text.parse::<IndentationHardness>().unwrap());
-            let strength = row.yield_strength.as_ref().map(|text| text.parse::<Pressure>().unwrap());
+            let keys = row.values.keys();
+            assert!(keys.clone().all(|key| BodyProperty::of_key(key).is_some()), "{}", row.name);
+            let modulus: Modulus = row.quantity(BodyProperty::YoungsModulus).unwrap();
+            ElasticBody::new(modulus.pa, row.poisson_ratio().unwrap()).unwrap();
+            let parsed = [
+                row.quantity::<IndentationHardness>(BodyProperty::IndentationHardness).is_some(),
+                row.quantity::<Pressure>(BodyProperty::YieldStrength).is_some(),
+                row.quantity::<ThermalConductivity>(BodyProperty::ThermalConductivity).is_some(),
+                row.quantity::<Resistivity>(BodyProperty::Resistivity).is_some(),
+            ];
+            // Besides the elastic constants.
+            assert_eq!(parsed.iter().filter(|is_parsed| **is_parsed).count() + 2, keys.count(), "{}", row.name);
             // H is three times S0 in the models, which no two measured values are.
-            assert!(hardness.is_none() || strength.is_none(), "{}", row.name);
-            if let Some(conductivity) = &row.thermal_conductivity {
-                conductivity.parse::<ThermalConductivity>().unwrap();
-            }
-            if let Some(resistivity) = &row.resistivity {
-                resistivity.parse::<Resistivity>().unwrap();
-            }
+            assert!(!(parsed[0] && parsed[1]), "{}", row.name);
             assert!(row.sources.len() > 10, "{}", row.name);
             for name in once(&row.name).chain(&row.aliases) {
                 assert!(names.insert(name.to_lowercase()), "{name} stands twice");
@@ -200,12 +177,9 @@ mod tests {
     fn the_conductivities_of_metals_obey_wiedemann_and_franz() {
         const LORENZ_W_OHM_PER_K2: f64 = 2.44e-8;
         for row in materials() {
-            let (Some(conductivity), Some(resistivity)) = (&row.thermal_conductivity, &row.resistivity)
-            else {
-                continue;
-            };
-            let conductivity: ThermalConductivity = conductivity.parse().unwrap();
-            let resistivity: Resistivity = resistivity.parse().unwrap();
+            let conductivity = row.quantity::<ThermalConductivity>(BodyProperty::ThermalConductivity);
+            let resistivity = row.quantity::<Resistivity>(BodyProperty::Resistivity);
+            let (Some(conductivity), Some(resistivity)) = (conductivity, resistivity) else { continue };
             let over_lorenz = conductivity.w_per_m_k * resistivity.ohm_m / 293.0 / LORENZ_W_OHM_PER_K2;
             assert!((0.8..1.6).contains(&over_lorenz), "{}: {over_lorenz}", row.name);
         }

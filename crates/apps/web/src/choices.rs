@@ -1,6 +1,7 @@
 //! Examples and materials that the page offers before the core has loaded.
 
 use serde::Serialize;
+use study::body_properties::BodyProperty;
 use study::materials::materials;
 
 use crate::example::{EXAMPLES, Example};
@@ -21,17 +22,18 @@ pub fn choices() -> String {
         materials: Vec<Material>,
     }
     let materials = materials().into_iter().map(|material| {
-        let values = [
-            Some(format!("E {}", material.youngs_modulus)),
-            Some(format!("ν {}", material.poisson_ratio)),
-            material.yield_strength.map(|value| format!("yield strength {value}")),
-            material.indentation_hardness.map(|value| format!("hardness {value}")),
+        let words = [
+            ("E", BodyProperty::YoungsModulus),
+            ("ν", BodyProperty::PoissonRatio),
+            ("yield strength", BodyProperty::YieldStrength),
+            ("hardness", BodyProperty::IndentationHardness),
         ];
-        Material {
-            name: material.name,
-            sources: material.sources,
-            values: values.into_iter().flatten().collect::<Vec<_>>().join(" · "),
-        }
+        let values = words.into_iter().filter_map(|(words, property)| {
+            let value = material.value(property)?;
+            Some(value.as_str().map_or_else(|| format!("{words} {value}"), |text| format!("{words} {text}")))
+        });
+        let values = values.collect::<Vec<_>>().join(" · ");
+        Material { name: material.name, sources: material.sources, values }
     });
     let choices = Choices {
         program: concat!("truearea ", env!("CARGO_PKG_VERSION")),
