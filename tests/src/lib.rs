@@ -1,5 +1,5 @@
-//! Common parts of the cross-crate tests: reference tables, golden curves, pictures, and deviations of results from
-//! them.
+//! Common parts of the cross-crate tests: reference tables, golden curves, pictures, the page of the status, and
+//! deviations of results from references.
 //!
 //! ```
 //! use tests::{Deviations, ReferenceTable};
@@ -18,6 +18,7 @@ mod differences;
 pub mod golden;
 pub mod pictures;
 mod reference;
+pub mod status;
 
 pub use differences::write_differences;
 pub use reference::{Deviations, ReferenceTable, committed_file, shared_file};

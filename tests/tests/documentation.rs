@@ -12,6 +12,12 @@ fn the_committed_pictures_are_as_drawn_now() {
 }
 
 #[test]
+fn the_committed_status_is_that_of_the_program() {
+    let committed = std::fs::read_to_string(tests::status::path()).unwrap();
+    assert_eq!(tests::status::page().unwrap(), committed, "run cargo xtask docs");
+}
+
+#[test]
 fn pictures_stay_small_and_every_one_is_shown_with_words() {
     let pages: Vec<String> = pages().map(|page| std::fs::read_to_string(page).unwrap()).collect();
     for picture in pictures() {

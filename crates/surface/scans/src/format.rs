@@ -12,6 +12,11 @@ macro_rules! formats {
             $($(#[$doc])* $format,)*
         }
 
+        impl ScanFormat {
+            /// Every format.
+            pub const ALL: &[ScanFormat] = &[$(ScanFormat::$format),*];
+        }
+
         impl fmt::Display for ScanFormat {
             fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 f.write_str(match self {
