@@ -60,19 +60,14 @@ impl<'py> Arguments<'py> {
         Ok(SamplingInput { scales_per_decade, cutoff_m: self.get("cutoff", length_m)? })
     }
 
-    /// The form of the hardness of spheres, by its name or by `hardness`, the former one.
+    /// The form of the hardness of spheres.
     pub fn hardness_form(&self) -> PyResult<Option<Hardness>> {
         let form = |argument: &str, given: &Given<'py>| {
             let name = text(argument, given)?;
             let found = Hardness::ALL.into_iter().find(|hardness| hardness.name() == name);
             found.ok_or_else(|| none_of(argument, &name, Hardness::ALL.map(Hardness::name)))
         };
-        match (self.get("hardness_formula", form)?, self.get("hardness", form)?) {
-            (Some(_), Some(_)) => {
-                Err(input("hardness_formula and hardness, its former name, are both given; give one"))
-            }
-            (given, former) => Ok(given.or(former)),
-        }
+        self.get("hardness_formula", form)
     }
 
     pub fn model_options(&self) -> PyResult<ModelOptions> {
@@ -141,7 +136,7 @@ impl<'py> Arguments<'py> {
 /// Returns true for the name of an argument that is an option of models.
 fn is_option(name: &Bound<'_, PyString>) -> bool {
     let mut of_models = Choice::OF_CURVES.into_iter().chain([Choice::Hardness]).map(Choice::key);
-    name.to_str().is_ok_and(|name| name == "hardness" || of_models.any(|key| key == name))
+    name.to_str().is_ok_and(|name| of_models.any(|key| key == name))
 }
 
 /// A nominal pressure and how it was given.

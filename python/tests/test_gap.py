@@ -104,7 +104,7 @@ def test_gaps_are_pickled_and_framed() -> None:
         ({"model": "hertz", "gamma": 0.5}, "gamma hertz"),
         ({"model": "hertz", "band": "2d"}, "band hertz"),
         ({"normalisation": "parseval"}, "normalisation persson"),
-        ({"hardness": "2005"}, "hardness persson"),
+        ({"hardness_formula": "2005"}, "hardness_formula persson"),
         ({"interference_law": "bem", "model": "hertz"}, "interference_law hertz"),
         ({"strain_gradient": True, "model": "hertz"}, "strain_gradient hertz"),
         ({"grid": 64}, "grid bem"),

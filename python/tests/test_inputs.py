@@ -310,26 +310,7 @@ def test_what_stands_for_a_surface_and_for_a_material_is_understood() -> None:
         ta.persson(UNCD, "100Cr7", pressure="5 MPa")
 
 
-def test_former_names_and_orders_are_accepted_and_never_both() -> None:
-    former: Any = ta.persson
-    assert former(spectrum=UNCD, material=STEEL, pressure=5e6, model="elastic") == ta.persson(UNCD, STEEL, pressure=5e6)
-    assert former(UNCD, STEEL, pressure=5e6, model="elastic-plastic").model == "persson-plastic"
-    with refused_naming("surface", "spectrum"):
-        former(surface=UNCD, spectrum=UNCD, material=STEEL, pressure=5e6)
-    gap: Any = ta.gap
-    assert gap(UNCD, STEEL, pressure=5e6, model="ep-sphere", hardness="cosine") == ta.gap(
-        UNCD, STEEL, pressure=5e6, model="ep-sphere", hardness_formula="cosine"
-    )
-    elements: Any = ta.boundary_elements
-    new = ta.boundary_elements(WAVE, STEEL, pressure=1e7, size="1 um")
-    assert elements(WAVE, "1 um", 1e7, STEEL) == elements(h=WAVE, size="1 um", pressure=1e7, material=STEEL) == new
-    assert elements(WAVE, "1 um", pressure=1e7, material=STEEL) == new
+def test_a_material_of_boundary_elements_may_be_a_name() -> None:
     assert ta.boundary_elements(WAVE, "100Cr6", pressure=1e7, size="1 um") == ta.boundary_elements(
         WAVE, ta.Material("100Cr6"), pressure=1e7, size="1 um"
     )
-    with refused_naming("size"):
-        elements(WAVE, "1 um", 1e7, STEEL, size="2 um")
-    report: Any = ta.Scene
-    assert report(UNCD, STEEL, pressures=5e6).text == ta.Scene(UNCD, STEEL, pressure=5e6).text
-    with refused_naming("pressure", "pressures"):
-        report(UNCD, STEEL, pressure=5e6, pressures=5e6)

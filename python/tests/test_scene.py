@@ -256,7 +256,7 @@ def test_missing_files_and_wrong_bytes(folder: Path) -> None:
     [
         ({"normalisation": "none"}, "normalisation: 'none'"),
         ({"amplitude": 5}, "amplitude: int"),
-        ({"hardness": "2006"}, "hardness: '2006'"),
+        ({"hardness_formula": "2006"}, "hardness_formula: '2006'"),
         ({"strength_cap": "1 H"}, "strength_cap scene"),
         ({"cutoff": "1 pm"}, "cutoff spectrum.csv 1 pm"),
         ({"cutoff": -1.0}, "cutoff -1;"),

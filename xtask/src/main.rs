@@ -15,7 +15,7 @@ use lexopt::prelude::*;
 const HELP: &str = "\
 cargo xtask reproduce          writes the paper's figures as tables and SVG, under target/reproduce
 cargo xtask golden [--accept]  shows how far each golden curve has moved; --accept rewrites those that have
-cargo xtask docs [--check]     draws the pictures of docs/; --check lists the committed ones that differ
+cargo xtask docs [--check]     draws the pictures of docs/ and writes docs/develop/status.md; --check lists those that differ
 cargo xtask instructions [--accept]
                                counts instructions of the main kernels and the paper against the accepted counts (needs
                                valgrind); --accept takes the new counts
@@ -29,8 +29,6 @@ cargo xtask pyodide            builds the wheel for Pyodide, target/pyodide, and
                                machine (minutes; needs node, python3, a package index, and the target wasm32-unknown-emscripten)
 cargo xtask package            packs the crates as they are published, compiles each archive, and runs the examples of their
                                READMEs in a project elsewhere (minutes)
-cargo xtask api [--accept]     compares the public items of the published crates with tests/contract/public-api; --accept takes
-                               them as they are (minutes)
 cargo xtask site               builds the documentation with search and references as a site, target/site, and checks its links
                                (needs mdbook and python3); takes the page for browsers from target/web
 cargo xtask web [--test]       builds the page for browsers as a static folder, target/web (minutes); --test runs its tests in
@@ -122,7 +120,7 @@ fn parse(mut parser: lexopt::Parser) -> Result<Option<Task>, lexopt::Error> {
                     Some("instructions") => Task::Instructions { accept: false },
                     Some("layers") => Task::Layers,
                     Some("shared") => Task::Shared,
-                    Some(chore @ ("package" | "api" | "site" | "python" | "pyodide" | "web")) => {
+                    Some(chore @ ("package" | "site" | "python" | "pyodide" | "web")) => {
                         Task::Publishing { chore: chore.to_owned(), arguments: following(&mut parser)? }
                     }
                     Some("stress") => in_release("truearea-stress", &mut parser)?,

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import functools
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, Literal, TypedDict, Union, overload
 
 import numpy as np
@@ -15,8 +14,8 @@ from truearea._adhesion import AdhesiveContact, PullOff, adhesive_result
 from truearea._arrays import doubles, lengths_of
 from truearea._choices import Branch, Detrend, Phases
 from truearea._curves import Pressures
-from truearea._grammar import AnyMaterial, formerly, material_of, spectrum_of
-from truearea._material import Material, Quantity
+from truearea._grammar import AnyMaterial, material_of, spectrum_of
+from truearea._material import Quantity
 from truearea._native import InputError
 from truearea._notes import noted
 from truearea._picture import Drawn, Picture, Trace, within_frame
@@ -188,36 +187,6 @@ if TYPE_CHECKING:
         fields: bool
         patches: bool
 
-    _AnyPressed = Union[Pressed, PressedBall, AdhesiveContact, PullOff]
-
-
-def _in_former_order(press: Callable[..., _AnyPressed]) -> Callable[..., _AnyPressed]:
-    """Lets size, pressure, material and saturation follow the surface, as they once did."""
-
-    @functools.wraps(press)
-    def pressing(surface: Any, *ordered: Any, **named: Any) -> _AnyPressed:
-        if not ordered or ("material" not in named and _is_material(ordered[0])):
-            if ordered[1:]:
-                raise InputError("behind the material, arguments are given by name: boundary_elements(surface, material, pressure=...)")
-            return press(surface, *ordered, **named)
-        former = dict(zip(("size", "pressure", "material", "saturation"), ordered))
-        if twice := former.keys() & named.keys():
-            raise InputError(f"{sorted(twice)[0]} is given twice; give arguments by name behind the material")
-        return press(surface, **{**named, **former})
-
-    return pressing
-
-
-def _is_material(given: Any) -> bool:
-    """Whether something is a material or the name of one, rather than a length."""
-    if not isinstance(given, str):
-        return isinstance(given, Material)
-    try:
-        _native.si_number("size", "m", given)
-    except InputError:
-        return True
-    return False
-
 
 @overload
 def boundary_elements(
@@ -270,19 +239,6 @@ def boundary_elements(
 ) -> PullOff: ...
 
 
-@overload
-def boundary_elements(
-    surface: Any,
-    size: Size | None = None,
-    pressure: Pressures | None = None,
-    material: AnyMaterial | None = None,
-    saturation: Quantity | None = None,
-    **options: Unpack[_Options],
-) -> Pressed: ...
-
-
-@formerly(h="surface")
-@_in_former_order
 def boundary_elements(
     surface: Any,
     material: AnyMaterial,

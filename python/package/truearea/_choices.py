@@ -11,7 +11,7 @@ StatisticalModel = Literal["hertz", "ep-sphere", "elastic-sine", "ep-sine", "bgt
 """Models of a population of asperities."""
 
 PerssonModel = Literal["persson", "persson-plastic"]
-"""Persson's theory for bodies that do not yield, and that do; their former names are elastic and elastic-plastic."""
+"""Persson's theory for bodies that do not yield, and that do."""
 
 LawModel = Literal["persson", "persson-plastic", "hertz", "ep-sphere", "elastic-sine", "ep-sine", "bgt"]
 """Models that know a distance between the surfaces."""

@@ -65,7 +65,6 @@ def contact(
     separation: _Numbers | None = None,
     strain_gradient: bool = False,
     hardness_formula: HardnessFormula | None = None,
-    hardness: HardnessFormula | None = None,
     interference_law: InterferenceLaw | None = None,
     tolerance: float = 1e-12,
     errors: Literal["raise", "nan"] = "raise",
@@ -97,7 +96,7 @@ def contact(
     strain_gradient : bool, default False
         Let the strength grow at small depths, with the material's ``strain_gradient_length``.
     hardness_formula : {"2005", "cosine"}, optional
-        The form of the hardness of spheres that yield; ``hardness`` is its former name.
+        The form of the hardness of spheres that yield.
     interference_law : str, optional
         What ties pressure to interference of elastic sinusoids.
     tolerance : float, default 1e-12
@@ -156,8 +155,8 @@ def contact(
     options: dict[str, Any] = {"model": model, "tolerance": tolerance, "errors": errors}
     if strain_gradient is not False:
         options["strain_gradient"] = strain_gradient
-    if hardness_formula is not None or hardness is not None or interference_law is not None:
-        options |= {"hardness_formula": hardness_formula, "hardness": hardness, "interference_law": interference_law}
+    if hardness_formula is not None or interference_law is not None:
+        options |= {"hardness_formula": hardness_formula, "interference_law": interference_law}
     answer = _native.contact_states(rows, condition, natives, which, options)
     if not shape:
         # Of one state the arrays are plain doubles, as ufuncs have it.

@@ -17,7 +17,7 @@ from truearea._choices import (
     StackedModel,
     StatisticalModel,
 )
-from truearea._grammar import AnyMaterial, AnySurface, formerly, material_of, surface_of
+from truearea._grammar import AnyMaterial, AnySurface, material_of, surface_of
 from truearea._material import Quantity
 from truearea._notes import noted
 from truearea._picture import Drawn, Picture, lines_by_load
@@ -109,7 +109,6 @@ class StatisticalCurve(Curve):
     ln_area_fraction: FloatArray
 
 
-@formerly(spectrum="surface")
 def stacked(
     surface: AnySurface,
     material: AnyMaterial,
@@ -167,7 +166,6 @@ def stacked(
     return StackedCurve._along(answer, pressures_pa, ("wavelength_m", "amplitude_m"), model)
 
 
-@formerly(spectrum="surface", hardness="hardness_formula")
 def statistical(
     surface: AnySurface,
     material: AnyMaterial,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from truearea import _native
 from truearea._choices import Band, EnergyFactor, GapModel, HardnessFormula, InterferenceLaw, Normalisation, Phases
 from truearea._curves import Pressures
-from truearea._grammar import AnyMaterial, AnySurface, formerly, material_of, surface_of
+from truearea._grammar import AnyMaterial, AnySurface, material_of, surface_of
 from truearea._material import Quantity
 from truearea._notes import noted
 from truearea._picture import Drawn, Trace, Picture
@@ -28,7 +28,6 @@ class Gaps(Drawn, Table):
         return Picture(self._title, "nominal_pressure_pa", "mean_gap_m", (line,), marker="o")
 
 
-@formerly(spectrum="surface", hardness="hardness_formula")
 def gap(
     surface: AnySurface,
     material: AnyMaterial,

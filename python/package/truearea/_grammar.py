@@ -1,11 +1,10 @@
-"""One grammar for all nouns: (surface, material, ...), former names of arguments, and what may stand for either."""
+"""One grammar for all nouns: (surface, material, ...), and the arguments that are accepted for either."""
 
 from __future__ import annotations
 
-import functools
 import os
-from collections.abc import Callable, Sequence
-from typing import Any, TypeVar, Union
+from collections.abc import Sequence
+from typing import Any, Union
 
 from truearea import _native
 from truearea._material import Material
@@ -19,26 +18,6 @@ AnySurface = Union[Spectrum, Scan, str, "os.PathLike[str]", Sequence[Any]]
 
 AnyMaterial = Union[Material, str]
 """A material, or the name of one, see :func:`truearea.materials`."""
-
-AnyCall = TypeVar("AnyCall", bound=Callable[..., Any])
-
-
-def formerly(**former: str) -> Callable[[AnyCall], AnyCall]:
-    """Accept former names of arguments: ``formerly(spectrum="surface")``."""
-
-    def accept(call: AnyCall) -> AnyCall:
-        @functools.wraps(call)
-        def accepting(*args: Any, **named: Any) -> Any:
-            for name in former.keys() & named.keys():
-                now, value = former[name], named.pop(name)
-                if now in named:
-                    raise InputError(f"{now} and {name}, its former name, are both given; give one")
-                named[now] = value
-            return call(*args, **named)
-
-        return accepting  # type: ignore[return-value]
-
-    return accept
 
 
 def spectrum_of(surface: Any) -> Spectrum:

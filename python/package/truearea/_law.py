@@ -22,7 +22,7 @@ from truearea._choices import (
     UnitSystem,
 )
 from truearea._curves import Pressures
-from truearea._grammar import AnyMaterial, AnySurface, formerly, material_of, spectrum_of
+from truearea._grammar import AnyMaterial, AnySurface, material_of, spectrum_of
 from truearea._material import Quantity
 from truearea._native import InputError
 from truearea._notes import noted
@@ -251,7 +251,6 @@ def law(
     model: ConductanceModel = "persson",
     **options: Unpack[_OfCurrent],
 ) -> CurrentConductance: ...
-@formerly(spectrum="surface", hardness="hardness_formula")
 def law(
     surface: AnySurface,
     material: AnyMaterial,

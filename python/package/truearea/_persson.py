@@ -11,7 +11,7 @@ from truearea import _native
 from truearea._arrays import doubles
 from truearea._choices import AmplitudeDefinition, Band, Correction, EnergyFactor, PerssonModel
 from truearea._curves import Curve, Pressures, _curve
-from truearea._grammar import AnyMaterial, AnySurface, formerly, material_of, surface_of
+from truearea._grammar import AnyMaterial, AnySurface, material_of, surface_of
 from truearea._material import Quantity
 from truearea._native import InputError
 from truearea._results import AnyArray, FloatArray
@@ -36,7 +36,6 @@ class PerssonCurve(Curve):
     band: AnyArray
 
 
-@formerly(spectrum="surface")
 def persson(
     surface: AnySurface,
     material: AnyMaterial,
@@ -66,7 +65,7 @@ def persson(
     pressure : float, str, or sequence of them
         Nominal pressures, in Pa or as text such as ``"5 MPa"`` or ``"1e-3 H"``.
     model : {"persson", "persson-plastic"}
-        Whether the contact flows, at the indentation hardness; ``"elastic"`` and ``"elastic-plastic"`` are former names.
+        Whether the contact flows, at the indentation hardness.
     correction : {"wang-muser", "yang-persson", "algebraic", "algebraic-nayak"}, optional
         A corrected form of the elastic theory, fitted to simulations.
     gamma : float or "fitted", default 0.45
@@ -114,16 +113,12 @@ def persson(
     arguments = locals()
     if not (hardness_law is None or isinstance(hardness_law, str)):
         arguments["hardness_law"] = _table(hardness_law)
-    name = arguments["model"] = _FORMER.get(model, model)
     answer, pressures_pa, light = _native.curve("persson", surface_of(surface), material_of(material), arguments)
-    blocks = PerssonCurve._along(answer, pressures_pa, ("wavelength_m", "rms_gradient", "band"), name)
+    blocks = PerssonCurve._along(answer, pressures_pa, ("wavelength_m", "rms_gradient", "band"), model)
     u0_m, p00_pa = (np.nan, np.nan) if light is None else light
     arrays = dict(blocks) | {"u0_m": np.asarray(u0_m), "p00_pa": np.asarray(p00_pa)}
     axes = {name: blocks.axes(name) for name in blocks} | {"u0_m": (), "p00_pa": ()}
-    return _curve(PerssonCurve, arrays, axes, blocks.notes, name)
-
-
-_FORMER = {"elastic": "persson", "elastic-plastic": "persson-plastic"}
+    return _curve(PerssonCurve, arrays, axes, blocks.notes, model)
 
 
 def _table(given: Mapping[str, Any] | pd.DataFrame) -> tuple[FloatArray, FloatArray]:

@@ -5,14 +5,12 @@ from __future__ import annotations
 import os
 from typing import Any
 
-from truearea._grammar import formerly
 from truearea._material import Quantity
 from truearea._progress import Progress
 from truearea._scene import Scene, SceneResults
 from truearea._scene_sections import Body
 
 
-@formerly(pressures="pressure")
 def report(
     surface: Any,
     material: Body,

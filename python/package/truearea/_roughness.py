@@ -8,7 +8,6 @@ from typing import Any, Literal, overload
 from truearea import _native
 from truearea._choices import Conventions, Form
 from truearea._composite import heights_of
-from truearea._grammar import formerly
 from truearea._material import Quantity
 from truearea._native import InputError
 from truearea._notes import noted
@@ -78,7 +77,6 @@ def roughness(
     short_filter: Quantity | None = None,
     scales: Literal[True],
 ) -> RoughnessScales: ...
-@formerly(h="surface")
 def roughness(
     surface: Any,
     size: Any = None,

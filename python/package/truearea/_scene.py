@@ -62,7 +62,7 @@ class Scene:
         The rough body: a material, a name of the table, or the keys of ``[material]`` in a scene, whose values may be uncertain:
         ``{"youngs_modulus": "210 GPa +- 5 GPa", "poisson_ratio": 0.3}``.
     pressure : float, str, or sequence of them
-        Nominal pressures, in Pa or as text such as ``"5 MPa"`` or ``"1e-3 H"``; ``pressures`` is the former name.
+        Nominal pressures, in Pa or as text such as ``"5 MPa"`` or ``"1e-3 H"``.
     counterface : Material, str or mapping, optional
         What presses on the rough body; left out, the counterface of ``material``, or a rigid one.
     curves : "all", or sequence of str or mapping, default "all"
@@ -112,8 +112,7 @@ class Scene:
         surface: Any,
         material: Body,
         *,
-        pressure: Any = None,
-        pressures: Any = None,
+        pressure: Any,
         counterface: Body | None = None,
         curves: Any = "all",
         interface: bool | Mapping[str, Any] = False,
@@ -126,9 +125,8 @@ class Scene:
         title: str | None = None,
         size: Any = None,
     ) -> None:
-        if (pressure is None) == (pressures is None):
-            both = "pressure is needed" if pressure is None else "pressure and pressures, its former name, are both given; give one"
-            raise InputError(both)
+        if pressure is None:
+            raise InputError("pressure is needed")
         rough = surface_of_scene(surface, size)
         others: dict[str, Any] = dict(options or {})
         if isinstance(material, Material):
@@ -142,7 +140,7 @@ class Scene:
             "surface": rough.section(),
             "material": body_section("material", material),
             "counterface": None if counterface is None else body_section("counterface", counterface),
-            "loads": {"pressures": pressure_list(pressures if pressure is None else pressure)},
+            "loads": {"pressures": pressure_list(pressure)},
             "cutoffs": None if cutoff is None else {"shortest_wavelength": cutoff},
             "options": others or None,
             "curve": None if isinstance(curves, str) and curves == "all" else curve_tables(curves),
@@ -166,7 +164,6 @@ class Scene:
         amplitude: AmplitudeDefinition | None = None,
         scales_per_decade: int | None = None,
         hardness_formula: HardnessFormula | None = None,
-        hardness: HardnessFormula | None = None,
         strength_cap: Quantity | None = None,
         cutoff: Quantity | None = None,
         counterface: Material | None = None,
@@ -232,7 +229,6 @@ class Scene:
             "amplitude": amplitude,
             "scales_per_decade": scales_per_decade,
             "hardness_formula": hardness_formula,
-            "hardness": hardness,
             "strength_cap": strength_cap,
             "cutoff": cutoff,
             "counterface": counterface,

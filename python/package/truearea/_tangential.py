@@ -5,7 +5,7 @@ from __future__ import annotations
 from truearea import _native
 from truearea._choices import Band, EnergyFactor, InterferenceLaw, Normalisation, Phases, ShearedModel
 from truearea._curves import Pressures
-from truearea._grammar import AnyMaterial, AnySurface, formerly, material_of, surface_of
+from truearea._grammar import AnyMaterial, AnySurface, material_of, surface_of
 from truearea._material import Quantity
 from truearea._notes import noted
 from truearea._picture import Drawn, Trace, Picture, load_label
@@ -36,7 +36,6 @@ class Sheared(Drawn, Table):
         return Picture(self._title, "displacement_m", "tangential_stress_pa", lines, marker=".")
 
 
-@formerly(spectrum="surface")
 def tangential(
     surface: AnySurface,
     material: AnyMaterial,

@@ -10,7 +10,7 @@ import numpy as np
 from truearea import _native
 from truearea._choices import AmplitudeDefinition, CurveModel, HardnessFormula, InterferenceLaw, Normalisation
 from truearea._curves import Pressures
-from truearea._grammar import AnyMaterial, AnySurface, formerly, material_of, named_material, surface_of
+from truearea._grammar import AnyMaterial, AnySurface, material_of, named_material, surface_of
 from truearea._material import Material, Quantity
 from truearea._native import InputError
 from truearea._notes import noted
@@ -120,7 +120,6 @@ def _uncertainty(arrays: Any, axes: Any, notes: Any, tables: Any) -> Uncertainty
     return Uncertainty(arrays, axes, notes)._with(*tables)
 
 
-@formerly(spectrum="surface", hardness="hardness_formula")
 def uncertainty(
     surface: AnySurface,
     material: AnyMaterial,

@@ -2,7 +2,6 @@
 //! the first command on a new machine.
 
 mod package;
-mod public_api;
 mod pyodide;
 mod python;
 mod site;
@@ -16,7 +15,6 @@ use lexopt::prelude::*;
 
 enum Chore {
     Package,
-    Api { accept: bool },
     Site,
     Python { anew: bool, wheel: Option<PathBuf> },
     Pyodide,
@@ -33,7 +31,6 @@ fn main() -> ExitCode {
     };
     match chore {
         Chore::Package => package::run(),
-        Chore::Api { accept } => ended(public_api::run(accept)),
         Chore::Site => site::run(),
         Chore::Python { anew, wheel } => python::run(anew, wheel.as_deref()),
         Chore::Pyodide => ended(pyodide::run()),
@@ -45,7 +42,6 @@ fn parse(mut parser: lexopt::Parser) -> Result<Chore, lexopt::Error> {
     let mut chore = match parser.next()? {
         Some(Value(name)) => match name.to_str() {
             Some("package") => Chore::Package,
-            Some("api") => Chore::Api { accept: false },
             Some("site") => Chore::Site,
             Some("python") => Chore::Python { anew: false, wheel: None },
             Some("pyodide") => Chore::Pyodide,
@@ -60,7 +56,6 @@ fn parse(mut parser: lexopt::Parser) -> Result<Chore, lexopt::Error> {
             (Long("anew"), Chore::Python { anew, .. }) => *anew = true,
             (Long("wheel"), Chore::Python { wheel, .. }) => *wheel = Some(parser.value()?.into()),
             (Long("test"), Chore::Web { tests }) => *tests = true,
-            (Long("accept"), Chore::Api { accept }) => *accept = true,
             (option, _) => return Err(option.unexpected()),
         }
     }

@@ -86,8 +86,9 @@ fn random(dice: &mut Dice) -> (CurveQuestion, String) {
     }
     if entry.has(Choice::Hardness) {
         options.hardness = dice.perhaps(&asperity::Hardness::ALL);
-        of_options +=
-            &options.hardness.map_or(String::new(), |form| format!("hardness = \"{}\"\n", form.name()));
+        of_options += &options
+            .hardness
+            .map_or(String::new(), |form| format!("hardness_formula = \"{}\"\n", form.name()));
     }
     if entry.has(Choice::Interference) {
         options.interference_law = dice.perhaps(stat_contact::InterferenceLaw::ALL);

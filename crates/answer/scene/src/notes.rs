@@ -157,7 +157,7 @@ fn options(raw: &RawScene, scene: &Scene, overrides: &Overrides) -> UnusedKeys {
         unused.push(("amplitude", Unused::NothingNeedsIt));
     }
     if overrides.hardness.is_none() && !has(Choice::Hardness) {
-        unused.extend(all(&["hardness_formula", "hardness"], Unused::NoCurveUsesIt));
+        unused.extend(all(&["hardness_formula"], Unused::NoCurveUsesIt));
     }
     if overrides.strength_cap.is_none() && !grows {
         unused.push(("strength_cap", Unused::NoCurveUsesIt));

@@ -326,7 +326,6 @@ pub(super) struct RawOptions {
     pub normalisation: Option<Normalisation>,
     pub amplitude: Option<AmplitudeDefinition>,
     pub scales_per_decade: Option<Spanned<i64>>,
-    #[serde(alias = "hardness")]
     pub hardness_formula: Option<asperity::Hardness>,
     pub strength_cap: Option<RawQuantity>,
     pub interference_law: Option<InterferenceLaw>,

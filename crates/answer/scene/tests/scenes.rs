@@ -96,7 +96,7 @@ fn wrong_settings_of_figures_are_refused_at_their_values() {
 
 #[test]
 fn options_and_cutoffs_that_have_no_effect_are_noted() {
-    let options = "[cutoffs]\nshortest_wavelength = \"1 nm\"\n[options]\nhardness = \"cosine\"\nstrength_cap = \"9 GPa\"\n\
+    let options = "[cutoffs]\nshortest_wavelength = \"1 nm\"\n[options]\nhardness_formula = \"cosine\"\nstrength_cap = \"9 GPa\"\n\
                    interference_law = \"bem\"\namplitude = \"parseval\"\nnormalisation = \"as-printed\"\n";
     let keys = |curve: &str| -> Vec<String> {
         notes(&format!("{curve}{options}")).into_iter().map(|(key, ..)| key).collect()

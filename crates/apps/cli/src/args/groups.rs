@@ -154,7 +154,7 @@ pub(crate) struct AmplitudeArg {
 pub(crate) struct HardnessFormulaArg {
     /// Hardness of the sphere in the model ep-sphere: 2005, that of Jackson & Green 2005, or cosine, the cosine form
     /// 2.84 - 0.92 [1 - cos(pi a/R)]
-    #[arg(long, alias = "hardness", value_parser = hardness())]
+    #[arg(long, value_parser = hardness())]
     pub hardness_formula: Option<Hardness>,
 }
 
