@@ -9,16 +9,18 @@ use std::sync::{Mutex, PoisonError};
 
 use drawings::model_style::ModelStyle;
 use findings::answer::Answer;
+use findings::interface::InterfaceStates;
 use pyo3::exceptions::{PyFileNotFoundError, PyOSError};
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
 use questions::{OptionName, ReportSurface, RunError, RunOptions, SamplingInput, note_code, run_scene};
+use report::conclusion_words::{SummaryEnd, short_summary};
 use report::curve_names::short_name;
-use report::explain::explain;
+use report::details::details;
+use report::dry_run::dry_run;
 use report::products::{Product, SceneProducts};
 use report::run_stamp::RunStamp;
 use report::scene_note_words;
-use report::summary::summary;
 use scene::file_names::{JUDGE_TABLES, REPORT_TABLES, UNCERTAINTY_TABLES};
 use scene::{Overrides, ReplaceError, Scene, SceneError, SceneProblem, Template, with_keys};
 use tables::staging::StagedFiles;
@@ -128,9 +130,9 @@ impl PyScene {
         self.files.clone()
     }
 
-    /// Explains which steps the scene needs, shares and skips.
+    /// Returns the steps that a run of the scene would take.
     fn explain(&self, py: Python<'_>) -> String {
-        light(py, || explain(&self.scene))
+        light(py, || dry_run(&self.scene))
     }
 
     /// Runs the scene and returns all its results: the answer in words, tables with the lines that tell where they come
@@ -160,7 +162,10 @@ impl PyScene {
                 }
                 Ok::<(), Infallible>(())
             });
-            Ok((summary(&evidence, conclusions), tables, files))
+            let states = InterfaceStates::from_scene(&self.scene, &outcome.results);
+            let end = SummaryEnd { report: None, warnings: 0, notes: 0, verbose_option: "" };
+            let short = short_summary(conclusions, &self.scene, states.as_ref(), &end);
+            Ok((format!("{short}\n{}", details(&evidence, conclusions)), tables, files))
         })?;
         let (answer, tables, files) = made.map_err(|error: RunError| self.failed(error))?;
         let told = |(name, table, origin)| Ok((name, (columns(py, &table)?, origin)));

@@ -47,20 +47,9 @@ pub struct CutCounts {
 impl CurveCounts {
     /// Counts the rows of a curve, or of a part of one.
     pub fn add(&mut self, part: &CurveResult) {
-        (0..part.blocks()).for_each(|block| self.add_block(part, block));
-    }
-
-    /// Counts the rows under one load.
-    pub fn add_block(&mut self, part: &CurveResult, block: usize) {
-        if let Some(blocks) = part.stacked() {
-            self.levels.add(&blocks[block]);
-        }
-        if let Some(blocks) = part.persson() {
-            self.cuts.add(&blocks[block]);
-        }
-        if let Some(blocks) = part.statistical() {
-            self.add_states(&blocks[block]);
-        }
+        part.stacked().into_iter().flatten().for_each(|levels| self.levels.add(levels));
+        part.persson().into_iter().flatten().for_each(|cuts| self.cuts.add(cuts));
+        part.statistical().into_iter().flatten().for_each(|rows| self.add_states(rows));
     }
 
     fn add_states(&mut self, rows: &[CutoffState]) {

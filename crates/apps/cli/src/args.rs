@@ -5,7 +5,6 @@ mod figure_files;
 mod gap;
 mod groups;
 mod layer;
-mod misplaced;
 mod parsers;
 mod persson;
 mod report;
@@ -19,7 +18,6 @@ pub(crate) use groups::{
     NormalisationArg, PressureArgs, PsdArgs, QuotedPaths, ReadingArgs, SamplingArgs, SharedArgs,
     StrengthCapArg,
 };
-pub(crate) use misplaced::{behind_the_command, foreign_option};
 pub(crate) use persson::{GrowthArg, PerssonArgs};
 pub(crate) use report::ReportArgs;
 pub(crate) use scans::{RoughnessArgs, ScanArgs, ScansArgs};
@@ -41,9 +39,10 @@ use units::{IndentationHardness, Length, Modulus, Pressure, SignedLength};
 
 /// Real contact area of two rough surfaces, and the scales of roughness that decide it.
 ///
-/// Computes the real contact area, scale by scale, from the power spectral density (PSD) of a surface and a material:
-/// spectral moments, amplitudes, and Archard's stacked multiscale model with elastic or elastic-plastic asperities,
-/// after Jackson & Jacobs.
+/// `truearea report` answers the whole question from scans of a surface or its power spectral density (PSD), a material and
+/// a pressure: how much touches, how sure that is, and which of its models agree with boundary elements. The other commands
+/// are the parts: spectra and roughness of scans; contact area by Persson's theory, by asperities after Greenwood &
+/// Williamson, and by Archard's stack after Jackson & Jacobs; boundary elements; gaps, contact laws and tangential loads.
 #[derive(Debug, Parser)]
 #[command(
     name = "truearea",
@@ -295,11 +294,11 @@ Examples:
       --on 100Cr6 --pressure 10MPa --seal
   truearea report builtin:uncd-measured --material diamond --pressure 5.4MPa")]
     Report(Box<ReportArgs>),
-    /// Carry out a scene: tables, figures and a summary
+    /// Run a scene: tables, figures and a summary
     #[command(after_help = "\
 Writes one table per curve, one table and one SVG per figure, a report and
-answer.json, and prints a summary of at most twelve lines; --verbose prints
-every note and number. Options given here count more than the scene's own.
+answer.json, and prints a summary of at most twelve lines; --verbose adds the
+area of every model and all notes. Options given here count more than the scene's own.
 
 Example:
   truearea scene uncd-measured > uncd.toml
@@ -568,19 +567,15 @@ pub(crate) struct RunArgs {
     /// Leave out report.html, its tables, and the sensitivities, which only it needs
     #[arg(long)]
     pub no_report: bool,
-    /// Judge no model by boundary elements, whatever the scene says of it
+    /// Skip the comparison with boundary elements, even if the scene asks for it
     #[arg(long)]
     pub no_judge: bool,
-    /// Draw nothing to tell how sure the areas are, whatever the scene says of it
+    /// Skip the uncertainty analysis, even if the scene asks for it
     #[arg(long)]
     pub no_uncertainty: bool,
-    /// Print what the scene needs and what is skipped, and stop there, with nothing computed
-    #[arg(long, conflicts_with_all = ["explain", "no_report", "out"])]
-    pub dry_run: bool,
-    /// Print what --dry-run prints, and behind it why every number is what it is: which scale and which law set it, and
-    /// which remarks there are on it; no file is written
+    /// Print the steps that the run would take, and compute nothing
     #[arg(long, conflicts_with_all = ["no_report", "out"])]
-    pub explain: bool,
+    pub dry_run: bool,
     #[command(flatten)]
     pub sampling: SamplingArgs,
     #[command(flatten)]

@@ -1,7 +1,7 @@
-//! The `truearea` command line as a library: what may be typed, which files are read and written, and what is said.
+//! The `truearea` command line as a library: arguments, files and messages.
 //!
-//! It computes nothing itself: [`args`] is what may be typed, `commands` ask [`study`] for it and [`report`] for its words,
-//! and [`output`] has what is written appear whole or not at all.
+//! It computes nothing itself: [`args`] parses the command line, `commands` fill the structs of [`questions`] and show their
+//! answers in the words of [`report`], and [`output`] writes each file whole or not at all.
 
 pub mod args;
 mod commands;
@@ -34,8 +34,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
         return ExitCode::from(2);
     }
     let typed: Vec<String> = args.iter().skip(1).map(|arg| arg.to_string_lossy().into_owned()).collect();
-    let line = args::behind_the_command(args);
-    match args::Args::try_parse_from(&line) {
+    match args::Args::try_parse_from(&args) {
         Ok(parsed) => match commands::run(parsed, &typed) {
             Ok(()) => ExitCode::SUCCESS,
             // A result that is in place is not interrupted.
@@ -45,17 +44,15 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
             Err(failure) => failure.report(),
         },
         Err(error) => {
-            if let Some(word) = line.iter().find(|word| word.to_str().is_none()) {
+            if let Some(word) = args.iter().find(|word| word.to_str().is_none()) {
                 let word = word.to_string_lossy();
                 let message = format!("'{word}' is not UTF-8, and names of files must be; rename the file");
                 return failure::Failure::Input(message).report();
             }
-            if let Some(message) =
-                args::foreign_option(&error, &line).or_else(|| suggestion::for_file(&error, &line))
-            {
+            if let Some(message) = suggestion::for_file(&error, &args) {
                 return failure::Failure::Input(message).report();
             }
-            // Help and the version are no errors; a closed pipe is nobody's concern here.
+            // Printing help is not an error; a closed pipe is ignored.
             let _ = error.print();
             ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
         }

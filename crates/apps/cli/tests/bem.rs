@@ -215,38 +215,6 @@ fn odd_sides_and_single_rows_are_pressed_without_a_coarser_grid() {
     }
 }
 
-#[test]
-fn bad_input_is_refused_by_its_name() {
-    let bench = with_waves(16, 16);
-    bench.write("psd.csv", "wavelength_m,C1D_m3\n1e-3,1e-14\n1e-6,1e-22\n");
-    bench.write("line.txt", "0 1\n1 2\n2 1\n3 2\n");
-    bench.write("gaps.txt", waves(16, 16).replacen("1e-1", "nan", 1));
-    let psd: &[&str] = &["psd.csv"];
-    let [waves, missing] = ["waves.txt", "gaps.txt"].map(|file| [file, "--unit=um", "--size=1um"]);
-    for (input, options, names) in [
-        (
-            psd,
-            &["--longest", "1mm"][..],
-            &["psd.csv: ", "from 1 mm to 1 µm", "512 points", "64 µm", "15.6 µm", "8000"][..],
-        ),
-        (psd, &["--shortest", "1nm"], &["1 mm to 1 µm"]),
-        (psd, &["--box=1mm", "--shortest=1um"], &["500 µm to 1 µm", "512 points"]),
-        (psd, &["--saturation", "1MPa"], &["1 MPa is more", "--saturation"]),
-        (psd, &["--saturation", "1H"], &["--saturation", "hardness"]),
-        (psd, &["--tolerance", "0"], &["is 0;", "0.1"]),
-        (psd, &["--boundary", "free"], &["--boundary", "spectrum"]),
-        (&waves, &["--grid=64"], &["--grid", "scan"]),
-        (&["line.txt", "--unit=um"], &[], &["line.txt", "line scan"]),
-        (&missing, &["--gaps=refuse"], &["gaps.txt: "]),
-        (&["waves.txt"], &["--as=spectrum"], &["error: waves.txt: "]),
-        (psd, &["--fields", "psd.csv"], &["--fields psd.csv", "folder"]),
-        (&["absent.nc"], &[], &["absent.nc"]),
-    ] {
-        bench.run(&call(&[input, options, &["--pressure", "1MPa"]])).refused_naming(names);
-    }
-    assert!(!bench.path("fields").exists());
-}
-
 #[cfg(target_os = "linux")]
 #[test]
 fn a_signal_ends_the_work_and_leaves_nothing() {
@@ -339,22 +307,6 @@ fn a_cylinder_on_a_nearly_smooth_map_is_hertz() {
     // Half of the half-width is 6.4 points.
     assert!((of("force_share") - 0.609).abs() < 0.04, "{table}");
     assert!((of("real_width_corrected_m") / 0.1e-6 - 1.0).abs() < 0.05, "{table}");
-}
-
-#[test]
-fn cylinders_are_refused_with_what_they_cannot_have() {
-    let bench = with_spectrum();
-    let cylinder = ["--cylinder-radius", "1m", "--force-per-length", "1N/m"];
-    let refused = |more: &[&str], names: &[&str]| {
-        bench.run(&call(&[&SURFACES, &cylinder, more])).refused_naming(names);
-    };
-    refused(&["--ball-radius", "1m", "--force", "1N"], &["--cylinder-radius", "--ball-radius"]);
-    refused(&["--pressure", "1MPa"], &["--cylinder-radius", "--pressure"]);
-    let sticky = ["--work-of-adhesion", "10mJ/m^2", "--adhesion-range", "10nm"];
-    refused(&sticky, &["--cylinder-radius", "--work-of-adhesion"]);
-    let layer =
-        ["--layer-thickness", "5um", "--layer-youngs-modulus", "1GPa", "--layer-poisson-ratio", "0.3"];
-    refused(&layer, &["--layer-thickness", "cylinders"]);
 }
 
 /// Pressures of a wave with adhesion lie between pull-off and full contact, and both branches meet where the state is unique.

@@ -138,22 +138,6 @@ fn boundary_elements_have_the_gap_of_their_surfaces() {
 }
 
 #[test]
-fn options_without_bearing_are_refused() {
-    let bench = power_law();
-    for (model, option) in [
-        ("persson", ["--normalisation", "parseval"]),
-        ("hertz", ["--gamma", "1"]),
-        ("hertz", ["--hardness", "cosine"]),
-        ("persson", ["--grid", "64"]),
-        ("bem", ["--cutoff", "1um"]),
-        ("bem", ["--gamma", "1"]),
-    ] {
-        gap(&bench, "psd.csv", &[&["--model", model, "--pressure", "1MPa"], &option, &UNIT])
-            .refused_naming(&[option[0], &format!("--model {model}")]);
-    }
-}
-
-#[test]
 fn a_law_is_the_gap_below_that_of_first_touch() {
     let bench = Bench::new();
     let first = format!("{}Pa", 1e4 / E);

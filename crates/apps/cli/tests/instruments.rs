@@ -66,18 +66,6 @@ fn a_file_that_leaves_its_unit_open_names_the_option_that_tells_it() {
 }
 
 #[test]
-fn a_spectrum_is_told_from_heights() {
-    let bench = Bench::new();
-    let spectrum = "wavelength_m,C1D_m3\n1e-6,1e-24\n5e-7,2e-25\n2e-7,3e-26\n1e-7,1e-27\n";
-    bench.write("psd.csv", spectrum);
-    for command in ["scan", "psd"] {
-        let run = bench.run(&[command, "psd.csv"]);
-        assert_eq!(run.status, 2, "{}", run.stdout);
-        assert_names(&run.stderr, &["error: psd.csv: ", "power spectrum"]);
-    }
-}
-
-#[test]
 fn a_channel_without_lengths_is_shown_and_drawn_in_its_unit_and_is_no_scan() {
     let bench = Bench::new();
     let values: Vec<f64> = (0..32).map(|point| f64::from(point * 7 % 32) * 1e-9).collect();

@@ -87,33 +87,6 @@ fn gap_and_law_take_a_layer_by_the_theory() {
 }
 
 #[test]
-fn wrong_layers_are_refused_with_the_option_that_mends_them() {
-    let bench = with_map();
-    let refused = |parts: &[&[&str]], names: &[&str]| bench.run(&parts.concat()).refused_naming(names);
-    for command in [&MAP[..], &PERSSON] {
-        refused(&[command, &STEEL, &LAYER[2..]], &["--layer-thickness"]);
-        refused(&[command, &STEEL, &LAYER[..2]], &["--layer-youngs-modulus"]);
-        refused(&[command, &STEEL, &LAYER[..4]], &["--layer-poisson-ratio"]);
-        refused(&[command, &STEEL, &LAYER[..5], &["0.6"]], &["--layer-poisson-ratio", "0.6"]);
-        refused(&[command, &STEEL, &LAYER[..5], &["-0.1"]], &["--layer-poisson-ratio", "-0.1"]);
-        refused(&[command, &STEEL, &["--layer-thickness", "0nm"], &LAYER[2..]], &["--layer-thickness"]);
-        refused(&[command, &STEEL, &["--layer-thickness", "-5nm"], &LAYER[2..]], &["--layer-thickness"]);
-        refused(&[command, &STEEL, &LAYER, &RIGID], &["--youngs-modulus", "--layer-base rigid"]);
-        refused(&[command, &LAYER], &["--youngs-modulus", "--layer-base"]);
-    }
-    let ball =
-        ["bem", "waves.txt", "--unit", "um", "--size", "1um", "--ball-radius", "1um", "--force", "1nN"];
-    refused(&[&ball, &STEEL, &LAYER], &["--layer-thickness", "balls"]);
-    let sticky = ["--work-of-adhesion", "10mJ/m^2", "--adhesion-range", "10nm"];
-    refused(&[&MAP, &sticky, &STEEL, &LAYER], &["--layer-thickness", "adhesion"]);
-    let mut free = MAP;
-    free[7] = "free";
-    refused(&[&free, &STEEL, &LAYER], &["layer", "periodic"]);
-    let stacked = ["stacked", "builtin:uncd-measured", "--model", "elastic", "--pressure", "1MPa"];
-    refused(&[&stacked, &STEEL, &LAYER], &["layer", "persson"]);
-}
-
-#[test]
 fn scenes_with_a_layer_run_persson_are_judged_and_refuse_what_knows_half_spaces() {
     let bench = Bench::new();
     let scene = |base: &str, more: &str| {
@@ -125,7 +98,7 @@ fn scenes_with_a_layer_run_persson_are_judged_and_refuse_what_knows_half_spaces(
     let steel = "youngs_modulus = \"210 GPa\"\npoisson_ratio = 0.3";
     let summary = bench.write("s.toml", scene(steel, "")).run(&["run", "s.toml", "-v", "--no-judge"]).ok();
     support::assert_names(&summary, &["persson", "layer of this material", "areas of a layer"]);
-    assert!(!summary.contains("\nbgt"), "{summary}");
+    assert!(!summary.contains("\n  bgt"), "{summary}");
     bench.write("s.toml", scene("", "base = \"rigid\"")).run(&["run", "s.toml"]).ok();
     let named = bench.write("s.toml", scene("name = \"100Cr6\"", "")).run(&["run", "s.toml"]).ok();
     support::assert_names(&named, &["coated", "100Cr6", "boundary elements"]);

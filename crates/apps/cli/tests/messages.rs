@@ -13,8 +13,6 @@ use std::fmt::Write;
 use nanoscope::{Image, NanoscopeFile};
 use support::Bench;
 
-const PSD: &str = "wavelength_m,C1D_m3\n1e-5,1e-20\n1e-6,1e-23\n1e-7,1e-26\n";
-
 /// A call a line, as in a shell without quotes.
 const CALLS: &str = include_str!("messages/calls.txt");
 
@@ -207,42 +205,4 @@ fn messages_are_those_of_the_snapshot() {
     insta::with_settings!({ prepend_module_to_snapshot => false }, {
         insta::assert_snapshot!("messages", said);
     });
-}
-
-#[test]
-fn an_option_before_its_command_means_what_it_means_behind() {
-    let bench = Bench::new();
-    let model = "stacked psd.csv --model elastic-plastic --pressure 1MPa --youngs-modulus 1GPa --poisson-ratio 0.3 \
-                 --yield-strength 1MPa --strain-gradient-length 1um";
-    let statistical = model.replace("stacked", "statistical").replace("elastic-plastic", "ep-sphere");
-    let counterface = "--counterface-youngs-modulus 2GPa --counterface-poisson-ratio 0.2";
-    bench.write("psd.csv", PSD).write(
-        "rows.csv",
-        "youngs_modulus_pa,poisson_ratio,yield_strength_pa,radius_m,interference_m\n1e11,0.3,1e9,1e-6,1e-9\n",
-    );
-    for (option, command) in [
-        ("--format json", "moments psd.csv"),
-        ("--timings", "scene new"),
-        ("--normalisation as-printed", "moments psd.csv"),
-        ("--normalisation as-printed", &statistical),
-        ("--cutoff 1um", "moments psd.csv"),
-        ("--cutoff=1um", "amplitude psd.csv"),
-        ("--scales-per-decade 3", "fit psd.csv"),
-        ("--scales-per-decade 3", model),
-        ("--cutoff 1um", &statistical),
-        ("--amplitude parseval", "amplitude psd.csv"),
-        ("--amplitude parseval", model),
-        ("--hardness-formula cosine", &statistical),
-        ("--strength-cap 5MPa", model),
-        ("--strength-cap 5MPa", &statistical),
-        (counterface, model),
-        (counterface, &statistical),
-        (counterface, "asperity sphere --input rows.csv"),
-    ] {
-        let run = |line: String| bench.run(&line.split_whitespace().collect::<Vec<_>>()).ok();
-        let before = run(format!("{option} {command}"));
-        assert_eq!(before, run(format!("{command} {option}")), "{option} {command}");
-        let changes_nothing = option == "--timings";
-        assert_eq!(before == run(command.to_owned()), changes_nothing, "{option} {command}");
-    }
 }

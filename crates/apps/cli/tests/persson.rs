@@ -116,14 +116,6 @@ fn the_load_at_the_hardness_flows_everywhere_and_is_refused_where_hardness_grows
 }
 
 #[test]
-fn a_hardness_that_falls_is_refused_with_the_wavelength() {
-    let bench = Bench::new();
-    bench.write("sizes.csv", "contact_size_m,hardness_pa\n1e-9,2e9\n1e-6,5.4e9\n");
-    let law = ["--pressure", "1MPa", "--hardness-law", "table:sizes.csv"];
-    of_diamond(&bench, &[&PLASTIC, &law]).refused_naming(&["hardness falls", "wavelength"]);
-}
-
-#[test]
 fn corrected_forms_say_that_they_are_fitted_and_touch_more() {
     let bench = Bench::new();
     let areas = |options: &[&str]| {
@@ -169,32 +161,6 @@ fn a_spectrum_without_roll_off_and_loads_that_few_asperities_carry_are_noted() {
     let smooth = of_diamond(&bench, &[&ELASTIC, &["--pressure", "5GPa"]]);
     assert_eq!(notes.map(|note| smooth.remarks(&note).len()), [0, 0], "{}", smooth.stderr);
     smooth.ok_remarking(&["113 nm", "h'", "0.2"]);
-}
-
-#[test]
-fn options_without_bearing_are_refused() {
-    let bench = Bench::new();
-    for (options, option) in [
-        ([&ELASTIC[..], &["--hardness-law", "power:0.2"]].concat(), "--hardness-law"),
-        ([&ELASTIC[..], &["--strength-cap", "5GPa"]].concat(), "--strength-cap"),
-        ([&PLASTIC[..], &["--correction", "wang-muser"]].concat(), "--correction"),
-        ([&PLASTIC[..], &["--strength-cap", "5GPa"]].concat(), "--strength-cap"),
-        (
-            [&PLASTIC[..], &["--hardness-law", "power:0.2", "--strain-gradient-length", "5um"]].concat(),
-            "--strain-gradient-length",
-        ),
-    ] {
-        of_diamond(&bench, &[&options, &["--pressure", "1MPa"]]).refused_naming(&[option, "--model"]);
-    }
-    let exponent = ["--hardness-law", "power:-1"];
-    let gamma = ["--gamma", "0"];
-    for (options, more, names) in [
-        (&PLASTIC[..], &exponent[..], &["exponent", "-1"][..]),
-        (&ELASTIC, &gamma, &["is 0;", "at most 1"]),
-        (&PLASTIC[..6], &[], &["--yield-strength", "--indentation-hardness"]),
-    ] {
-        of_diamond(&bench, &[options, &["--pressure", "1MPa"], more]).refused_naming(names);
-    }
 }
 
 const ROWS: &str = "pressure_pa,rms_pressure_pa,hardness_pa,hardness_growth
@@ -255,31 +221,6 @@ fn what_is_the_same_in_every_row_is_given_as_an_option() {
     let elastic = ["persson", "--input", "-", "--model", "elastic", "--pressure", "54MPa"];
     let table = bench.run_with_input(&elastic, "rms_pressure_pa,hardness_pa\n1.62e9,5.4e9\n").ok();
     assert_eq!(numbers(&table, "plastic_area_fraction"), [0.0]);
-}
-
-#[test]
-fn bad_rows_are_refused_with_their_line() {
-    let bench = Bench::new();
-    let header = "pressure_pa,rms_pressure_pa,hardness_pa,hardness_growth";
-    for (cells, names) in [
-        ("6e9,1e9,5.4e9,0.5", &["line 2, column pressure_pa", "6000000000", "hardness_pa"][..]),
-        ("1,-1,,", &["line 2, column rms_pressure_pa", "-1"]),
-        ("1,1,2,-3", &["line 2, column hardness_growth", "-3"]),
-        ("1,1,,3", &["line 2, column hardness_growth", "hardness_pa"]),
-    ] {
-        bench
-            .run_with_input(&["persson", "--input", "-"], &format!("{header}\n{cells}\n"))
-            .refused_naming(names);
-    }
-    bench
-        .run_with_input(&["persson", "--input", "-"], "pressure_pa\n1\n")
-        .refused_naming(&["rms_pressure_pa"]);
-    bench
-        .run_with_input(
-            &["persson", "--input", "-", "--model", "elastic-plastic"],
-            "pressure_pa,rms_pressure_pa,hardness_pa\n1,1,\n",
-        )
-        .refused_naming(&["column hardness_pa"]);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 mod support;
 
-use support::{Bench, DIAMOND, assert_names, numbers};
+use support::{Bench, DIAMOND, numbers};
 
 /// A line of `points` heights in nm every 5 nm: a sinusoid of amplitude 3 nm and wavelength 160 nm, and some roughness.
 fn line(points: usize, spacing_nm: f64) -> String {
@@ -155,30 +155,6 @@ fn a_scene_takes_scans_and_a_rough_counterface() {
 }
 
 #[test]
-fn what_is_wrong_with_one_scan_of_a_scene_points_at_that_scan() {
-    let bench = Bench::new();
-    bench.write("a.txt", line(512, 5.0)).write("b.txt", line(512, 20.0));
-    let scene = "[surface]\nscans = [\n    { file = \"a.txt\", unit = \"nm\" },\n    { file = \"b.txt\" },\n]\n\
-                 [[figure]]\nname = \"psd\"\nshows = \"psd\"\n";
-    let refused = bench.write("s.toml", scene).run(&["run", "s.toml"]).refused();
-    assert_names(&refused, &[" unit = ", "--> s.toml:4:5"]);
-    assert!(!refused.contains("--unit") && !refused.contains("a.txt"), "{refused}");
-}
-
-#[test]
-fn options_that_say_nothing_about_scans_are_refused() {
-    let bench = Bench::new();
-    bench.write("a.txt", line(512, 5.0));
-    for (more, names) in [
-        (&["--cutoff", "1um"][..], &["--cutoff", "`psd`", "`moments`", "`run`"][..]),
-        (&["--out", "a.csv", "--output", "b.csv"], &["--out ", "--output"]),
-    ] {
-        bench.run(&[&["psd", "a.txt", "--unit", "nm"], more].concat()).refused_naming(names);
-    }
-    assert_eq!(bench.files(), ["a.txt"]);
-}
-
-#[test]
 fn doubtful_scans_are_warned_of_and_spectra_refused() {
     let bench = Bench::new();
     bench.write("psd.csv", "Wavevector (1/m),PSD (m^3)\n1e3,1e-15\n1e4,1e-17\n1e5,1e-19\n");
@@ -201,15 +177,6 @@ fn doubtful_scans_are_warned_of_and_spectra_refused() {
     // Another program's index.json is none of ours.
     bench.write("index.json", "{\"name\": \"my web page\"}");
     bench.run(&["psd", "a.txt", "--unit", "nm"]).ok();
-}
-
-#[test]
-fn data_given_twice_are_warned_of() {
-    let bench = Bench::new();
-    bench.write("a.txt", line(256, 5.0)).write("copy.txt", line(256, 5.0)).write("b.txt", line(300, 5.0));
-    let run = bench.run(&["psd", "a.txt", "b.txt", "copy.txt", "--unit", "nm"]);
-    assert_eq!(run.remarks(&["warning: a.txt and copy.txt hold"]).len(), 1, "{}", run.stderr);
-    assert!(run.remarks(&["b.txt", "hold the same"]).is_empty(), "{}", run.stderr);
 }
 
 #[test]

@@ -109,56 +109,6 @@ fn bom_crlf_quotes_and_blank_lines_are_read() {
 }
 
 #[test]
-fn a_bad_table_is_refused_with_line_column_value_and_bound_and_nothing_is_written() {
-    let bench = Bench::new();
-    let three = SPHERES.replace("0.2799", "0.9").replace("5.3113e-07", "-1").replace("7.7157e+08", "much");
-    for (input, names) in [
-        (
-            three,
-            &[
-                "line 2, column poisson_ratio: 0.9 ",
-                "-1",
-                "0.5\n",
-                "line 2, column yield_strength_pa: \"much\" ",
-            ][..],
-        ),
-        (SPHERES.replace("5.3113e-07", "nan"), &["line 2, column radius_m: nan "]),
-        (SPHERES.replace("7.09842e-08", ""), &["line 3, column interference_m: "]),
-        (
-            SPHERES.replace("radius_m", "r"),
-            &["column radius_m ", "poisson_ratio, yield_strength_pa, r, interference_m"],
-        ),
-        (SPHERES.replace("radius_m", "poisson_ratio"), &["column \"poisson_ratio\" "]),
-        (SPHERES.replace(",4.43628e-11", ""), &["line 2: 4 fields", "5"]),
-        (String::new(), &["header"]),
-        ("[{\"a\":1},3]".to_owned(), &["error: standard input: "]),
-    ] {
-        bench
-            .run_with_input(&["asperity", "sphere", "--output", "out.csv"], &input)
-            .refused_naming(&[names, &["error: standard input"]].concat());
-        assert!(!bench.path("out.csv").exists());
-    }
-}
-
-#[test]
-fn at_most_ten_bad_cells_are_listed() {
-    let bench = Bench::new();
-    let rows = "x,0.3,1e9,1e-6,1e-9\n".repeat(13);
-    let input = format!("{}\n{rows}", SPHERES.lines().next().unwrap());
-    let message = bench.run_with_input(&["asperity", "sphere"], &input).refused();
-    assert_eq!(message.lines().count(), 11);
-    assert!(message.lines().last().unwrap().contains(" 3 "), "{message}");
-}
-
-#[test]
-fn an_output_that_cannot_be_written_is_a_failure_of_the_system() {
-    let bench = Bench::new();
-    let ran = bench.run(&["amplitude", "builtin:uncd-measured", "--output", "no/such/folder.csv"]);
-    assert_eq!(ran.status, 1);
-    assert!(ran.stderr.starts_with("error: writing no/such/folder.csv: "), "{}", ran.stderr);
-}
-
-#[test]
 fn constants_stand_for_columns_that_are_not_there() {
     let bench = Bench::new();
     let input = "radius_m,interference_m\n5.3113e-07,4.43628e-11\n";

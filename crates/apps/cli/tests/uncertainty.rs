@@ -2,7 +2,7 @@
 
 mod support;
 
-use support::{Bench, assert_names, lines_with};
+use support::{Bench, assert_names};
 
 const SCENE: &str = "[surface]\npsd = \"e.csv\"\n[material]\nyoungs_modulus = \"463 GPa\"\n\
                      poisson_ratio = 0.2\n[loads]\npressures = [\"1 MPa\"]\n[[curve]]\nname = \"c\"\nmodel = \"persson\"\n";
@@ -81,17 +81,6 @@ fn a_scene_of_which_nothing_scatters_is_not_drawn() {
     bench.run(&["run", "s.toml", "--no-judge"]).ok();
     assert!(!has_intervals(&bench) && !bench.read("s-results/report.html").contains("id=\"how-sure\""));
     assert!(!bench.run(&["run", "s.toml", "--dry-run"]).ok().contains("draws"));
-}
-
-#[test]
-fn a_dry_run_counts_the_draws() {
-    let told = |section: &str, options: &[&str]| {
-        bench(section).run(&[&["run", "s.toml", "--dry-run"], options].concat()).ok()
-    };
-    assert_names(&told("", &[]), &["1000 draws", "95 %"]);
-    assert_names(&told("[uncertainty]\ndraws = 50\nlevel = 0.9\n", &[]), &["50 draws", "90 %"]);
-    let off = told("", &["--no-uncertainty"]);
-    assert_eq!(lines_with(&off, &["skipped", "draws"]).len(), 1, "{off}");
 }
 
 #[test]

@@ -3,9 +3,9 @@
 use maud::{Markup, html};
 
 use super::{Report, SceneReport, Section, gists, per_scene, sentence};
+use crate::question_words::sampling;
 use crate::run_stamp::RunStamp;
 use crate::scan_words;
-use crate::summary::sampling;
 use units::printable::shown_path;
 
 pub(super) fn section(report: &Report<'_>) -> Section {

@@ -7,8 +7,8 @@ use topography::ScanSpectrum;
 use units::display::{counted, length, three_digits, typeset};
 
 use super::{SceneReport, Section, gists, per_scene, sentence, table};
+use crate::question_words::sampling;
 use crate::scan_words;
-use crate::summary::sampling;
 use crate::thumbnail;
 
 /// The most pictures of scans, and of height parameters below each: Sa and Sq, or Ra and Rq.

@@ -27,15 +27,6 @@ pub(crate) fn subject(advice: &Advice, scene: &Scene) -> String {
     format!("{} at {}", in_full(&scene.needs.curves[advice.curve]), scene.needs.loads[advice.load].label)
 }
 
-/// The step that shrinks the interval most, and the outlook for settling the area.
-pub(crate) fn in_short(uncertainty: &Uncertainty, advice: &Advice, scene: &Scene) -> Vec<String> {
-    let best = advice.steps.iter().find(|step| narrows(step));
-    let best = best.map(|step| {
-        format!("Measure next, for {}: {}.", subject(advice, scene), in_a_line(uncertainty, step))
-    });
-    best.into_iter().chain([settling(advice)]).collect()
-}
-
 /// Returns true if a step narrows the interval.
 pub(crate) fn narrows(step: &Step) -> bool {
     step.width_ratio < 1.0 - NO_CHANGE

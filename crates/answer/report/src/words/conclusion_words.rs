@@ -159,22 +159,6 @@ pub(crate) fn condition(other: &OtherHardness) -> String {
     format!("if the hardness is {} at every scale", pressure(other.hardness_pa))
 }
 
-/// The area and its range in a sentence: `40 ppm (32 to 49 ppm) of the area touches at 5.4 MPa (boundary elements, elastic)`.
-pub(crate) fn area_sentence(load: &LoadConclusion) -> String {
-    let area = &load.area;
-    let range = share_range(area.low, area.high);
-    let source = source_words(area.source);
-    let otherwise = load.otherwise.map_or_else(String::new, |other| {
-        format!(" It is {} {}.", share(other.area_fraction), condition(&other))
-    });
-    let number = match area.area_fraction {
-        Some(area_fraction) if area.low < area.high => format!("{} ({range})", share(area_fraction)),
-        Some(area_fraction) => share(area_fraction),
-        None => range,
-    };
-    format!("{number} of the area touches at {}: {source}.{otherwise}", load.label)
-}
-
 /// The seal in words: `NO   closes near 2.9 GPa as the contact yields, 290 times the load`.
 pub(crate) fn seal_words(seal: &SealConclusion, scene: &Scene) -> String {
     let loads = &scene.needs.loads;
@@ -289,7 +273,7 @@ fn report_words(report: &str, end: &SummaryEnd<'_>) -> String {
     }
 }
 
-/// A name that fits into a line with others: a long one without its middle. The long text has names in full.
+/// A name that fits into a line with others: a long one without its middle.
 fn elided(name: &str) -> String {
     const LONGEST: usize = 24;
     const ENDS: [usize; 2] = [12, 9];

@@ -13,13 +13,6 @@ pub fn statistical_notes(result: &CurveResult) -> Vec<String> {
     of_counts(&counts)
 }
 
-/// The notes on one block of a curve.
-pub(crate) fn notes_of_block(result: &CurveResult, block: usize) -> Vec<String> {
-    let mut counts = CurveCounts::default();
-    counts.add_block(result, block);
-    of_counts(&counts)
-}
-
 /// The note on levels beyond the range of the elastic-plastic sinusoid, if there are any.
 pub fn beyond_fitted_range(curve: &[Vec<Level>]) -> Option<String> {
     let mut counts = CurveCounts::default();

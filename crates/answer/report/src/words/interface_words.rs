@@ -8,18 +8,14 @@ use questions::Note;
 use scene::Scene;
 use study::interface::{Quantity, Seal, Slot};
 use uncertainty::Uncertainty;
-use units::display::{counted, energy_per_area, length, percent, pressure, share, three_digits};
+use units::display::{energy_per_area, length, percent, pressure, share, three_digits};
 
 use crate::listing::listed;
 use crate::persson_words;
 use crate::question_words::coupled_tractions;
-use crate::uncertainty_words::level;
 
 /// The size of an atom \[m\]: surfaces nearer than this touch.
 const ATOM_M: f64 = 0.3e-9;
-
-/// The most loads in words; the table holds all.
-const LOADS_SHOWN: usize = 3;
 
 /// A value with its unit: `2.31 um`.
 pub(crate) fn value(quantity: Quantity, value: f64) -> String {
@@ -31,12 +27,6 @@ pub(crate) fn value(quantity: Quantity, value: f64) -> String {
         "" => three_digits(value),
         unit => format!("{} {unit}", three_digits(value)),
     }
-}
-
-/// `2.31 um (95 %: 2.1 um to 2.5 um)`.
-pub(crate) fn with_interval(slot: Slot, found: f64, uncertainty: Option<&Uncertainty>) -> String {
-    let interval = uncertainty.and_then(|found| Some(format!(" ({}: {})", level(found), ends(slot, found)?)));
-    value(slot.quantity, found) + &interval.unwrap_or_default()
 }
 
 /// Both ends of an interval: `2.1 um to 2.5 um`; `None` if no uncertain input changes the value.
@@ -51,57 +41,6 @@ pub(crate) fn ends(slot: Slot, uncertainty: &Uncertainty) -> Option<String> {
             .trim_end()
             .to_owned(),
     })
-}
-
-/// Quantities under a heading, with their values.
-pub(crate) struct QuantityList {
-    /// The load.
-    pub heading: String,
-    /// Name and value of every quantity.
-    pub lines: Vec<(String, String)>,
-}
-
-/// The quantities that do not depend on the load, then those of each of the first loads.
-pub(crate) fn quantity_lists(
-    states: &InterfaceStates<'_>,
-    scene: &Scene,
-    uncertainty: Option<&Uncertainty>,
-) -> Vec<QuantityList> {
-    let slots = states.slots();
-    let line = |slot: &Slot| {
-        let found = states.value(*slot).ok().flatten()?;
-        let of_curve =
-            slot.curve.map_or_else(String::new, |curve| format!(", {}", scene.needs.curves[curve].name));
-        let name = format!("{}{of_curve}", slot.quantity.words());
-        Some((name, with_interval(*slot, found, uncertainty)))
-    };
-    let of = |load: Option<usize>| -> Vec<(String, String)> {
-        slots.iter().filter(|slot| slot.load == load).filter_map(line).collect()
-    };
-    let all = QuantityList { heading: "At any load".to_owned(), lines: of(None) };
-    let loads = &scene.needs.loads;
-    let of_load = |load: usize| {
-        let more = (load + 1 == LOADS_SHOWN && loads.len() > LOADS_SHOWN)
-            .then(|| format!(" ({} more in report-interface)", counted(loads.len() - LOADS_SHOWN, "load")));
-        let tight = is_tight(states, &slots, load).then(|| {
-            let in_draws = uncertainty.and_then(|found| found.share_open(load)).filter(|share| *share > 0.0);
-            let in_draws = in_draws.map(|share| format!(" (open in {} of the draws)", percent(share)));
-            ("last channel".to_owned(), format!("none open: tight{}", in_draws.unwrap_or_default()))
-        });
-        let heading = format!(
-            "At {} (gap and stiffness by Persson’s elastic theory){}",
-            loads[load].label,
-            more.unwrap_or_default()
-        );
-        QuantityList { heading, lines: of(Some(load)).into_iter().chain(tight).collect() }
-    };
-    let of_loads = (0..loads.len().min(LOADS_SHOWN)).map(of_load);
-    Some(all).filter(|all| !all.lines.is_empty()).into_iter().chain(of_loads).collect()
-}
-
-fn is_tight(states: &InterfaceStates<'_>, slots: &[Slot], load: usize) -> bool {
-    let of_channel = |slot: &&Slot| slot.load == Some(load) && slot.quantity == Quantity::ChannelWavelength;
-    slots.iter().find(of_channel).is_some_and(|slot| matches!(states.value(*slot), Ok(None)))
 }
 
 /// Limits of the numbers, a sentence each.

@@ -1,5 +1,7 @@
 //! Loads, names, ranges and small numbers as people list them.
 
+use std::fmt::Write;
+
 use findings::features::DecadeShare;
 use scene::Scene;
 use spectrum::ProfilePsd;
@@ -66,6 +68,24 @@ pub(crate) fn decade_name(decade: &DecadeShare, psd: &ProfilePsd) -> String {
 /// A length without a line break.
 fn unbroken(length_m: f64) -> String {
     length(length_m).replace(' ', "\u{a0}")
+}
+
+/// Rows as indented columns of equal width.
+pub(crate) fn aligned(rows: &[Vec<String>]) -> String {
+    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..columns)
+        .map(|at| rows.iter().filter_map(|row| row.get(at)).map(|c| c.chars().count()).max().unwrap_or(0))
+        .collect();
+    let mut text = String::new();
+    for row in rows {
+        let mut line = String::from(" ");
+        for (cell, width) in row.iter().zip(&widths) {
+            let _ = write!(line, " {cell:<width$} ");
+        }
+        text.push_str(line.trim_end());
+        text.push('\n');
+    }
+    text
 }
 
 #[cfg(test)]

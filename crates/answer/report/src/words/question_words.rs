@@ -10,6 +10,7 @@ use questions::{
 use study::body_properties::BodyProperty;
 use study::material::MaterialError;
 use study::models::Choice;
+use study::plan::Results;
 use study::validity::SMALL_SLOPE_GRADIENT;
 use topography::Severity;
 use units::display::{counted, length, pressure, three_digits};
@@ -127,10 +128,15 @@ pub(crate) fn coupled_tractions(mismatch: f64) -> String {
 }
 
 /// Number and range of scales.
-pub(crate) fn sampled_scales(scales: &SampledScales) -> String {
+fn sampled_scales(scales: &SampledScales) -> String {
     let density = scales.per_decade.map_or(String::new(), |n| format!(", {} per decade", three_digits(n)));
     let (longest, shortest) = (length(scales.longest_m), length(scales.shortest_m));
     format!("{} scales from {longest} to {shortest}{density}", scales.scales)
+}
+
+/// Number and range of the scales of results, on which the stacked area depends.
+pub(crate) fn sampling(results: &Results) -> String {
+    sampled_scales(&SampledScales::of(&results.psd))
 }
 
 /// Counts of a curve in words.

@@ -77,11 +77,6 @@ fn of_parameters(given: &GivenRoughness) -> String {
     )
 }
 
-/// The warnings about a spectrum, a sentence each.
-pub(crate) fn warnings(surface: &Surface) -> Vec<String> {
-    surface.notes.iter().filter(|it| it.severity() == Severity::Warning).map(note).collect()
-}
-
 /// The notes to read before the answer: warnings, and assumptions on the spectrum itself. Notes on single scans belong to the
 /// provenance.
 pub(crate) fn foremost(surface: &Surface) -> Vec<String> {

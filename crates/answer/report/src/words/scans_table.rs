@@ -4,8 +4,8 @@ use tables::Table;
 use topography::{CompositeSpectrum, ScanSpectrum};
 use units::display::{length, three_digits};
 
+use crate::listing::aligned;
 use crate::scan_words::band_end;
-use crate::summary::aligned;
 
 /// A line for each scan: the wavelengths used and their limit, the rms slopes along and across its lines, and a
 /// verdict.

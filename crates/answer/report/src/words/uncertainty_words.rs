@@ -1,23 +1,18 @@
 //! The uncertainty of areas in words: coverage intervals, their sources, and what was assumed.
 
-use scene::Scene;
 use uncertainty::{
     AreaInterval, Group, Guess, InstrumentInput, InstrumentName, OverlapMisfit, Resampled, SpectrumErrors,
     Uncertainty,
 };
 use units::display::{counted, length, percent, three_digits};
 
-use crate::curve_names::in_full;
-use crate::listing::{capital, listed, number_word, share, share_range};
+use crate::listing::{capital, listed, number_word, share_range};
 
 /// The share above which an input carries most of the interval.
 const MAJORITY: f64 = 0.5;
 
 /// The largest misfit, in standard uncertainties, that is as expected.
 const EXPECTED: f64 = 2.0;
-
-/// The most loads in words; the table holds all.
-const LOADS_SHOWN: usize = 3;
 
 /// `95 % interval 0.11 to 0.24 %, mostly from the scatter of three AFM scans`.
 pub(crate) fn interval(uncertainty: &Uncertainty, curve: usize, load: usize) -> Option<String> {
@@ -41,28 +36,6 @@ pub(crate) fn ends(area: &AreaInterval) -> String {
 
 fn varies(area: &AreaInterval) -> bool {
     area.ln_area_sd > 0.0
-}
-
-/// The areas with their intervals, a sentence for each curve.
-pub(crate) fn of_curves(uncertainty: &Uncertainty, scene: &Scene) -> Vec<String> {
-    let sentence = |curve: usize| {
-        let of_curve = || uncertainty.areas.iter().filter(move |area| area.curve == curve);
-        let areas: Vec<String> = of_curve()
-            .take(LOADS_SHOWN)
-            .filter_map(|area| {
-                let load = &scene.needs.loads[area.load].label;
-                let interval = interval(uncertainty, curve, area.load)?;
-                Some(format!("{} of the area touches at {load} ({interval})", share(area.area_fraction)))
-            })
-            .collect();
-        let rest = match of_curve().count().saturating_sub(LOADS_SHOWN) {
-            0 => String::new(),
-            more => format!("; {} more in report-uncertainty", counted(more, "load")),
-        };
-        let name = in_full(&scene.needs.curves[curve]);
-        (!areas.is_empty()).then(|| format!("{name}: {}{rest}.", areas.join("; ")))
-    };
-    (0..scene.needs.curves.len()).filter_map(sentence).collect()
 }
 
 /// The basis of the intervals: draws, guesses, overlaps of instruments, and assumptions.

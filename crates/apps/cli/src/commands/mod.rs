@@ -26,7 +26,7 @@ use report::provenance::provenance;
 use report::{plot, question_words, scan_words, spectrum_words};
 use spectrum::{ReadOption, ReadOptions};
 use study::figure::FigureData;
-use study::plan::{Plan, PlanError, Results, Sampling};
+use study::plan::Sampling;
 use study::surface::{Surface, SurfaceError};
 use tables::staging::StagedFiles;
 use tables::{Format, Table, TableWriter};
@@ -285,12 +285,6 @@ fn reading_options(reading: &ReadingArgs) -> ReadOptions {
         x_unit: reading.x_unit.clone(),
         psd_unit: reading.psd_unit.clone(),
     }
-}
-
-/// Carries a plan out, with a progress bar where it takes long.
-fn compute(plan: &Plan<'_>) -> Result<Results, PlanError> {
-    let progress = Progress::towards(plan.statistical_states(), "states");
-    plan.compute_observed(&progress)
 }
 
 /// The flag that gives an option of reading.

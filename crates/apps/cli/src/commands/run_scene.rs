@@ -6,7 +6,7 @@ use std::time::SystemTime;
 
 use chrono::{DateTime, Utc};
 
-use super::{Context, compute, say_notes, say_surface};
+use super::{Context, say_notes, say_surface};
 use crate::args::RunArgs;
 use crate::failure::Failure;
 use crate::files::Folder;
@@ -16,16 +16,14 @@ use crate::output::{Layout, Place, make_folder, utf8};
 use crate::progress::{Progress, Unseen, UntilEnded};
 use crate::targets::Targets;
 use crate::timings::Timings;
-use findings::answer::Answer;
 use findings::interface::InterfaceStates;
 use questions::{OptionName, Phase, RunError, RunOptions, Watch, run_scene};
 use report::conclusion_words::{SummaryEnd, short_summary};
-use report::explain::explain;
+use report::details::details;
+use report::dry_run::dry_run;
 use report::products::{self, SceneProducts};
-use report::reasons::reasons;
 use report::run_stamp::RunStamp;
 use report::scene_note_words;
-use report::summary::summary;
 use report::uncertainty_words;
 use scene::{FileContent, Overrides, Scene, SceneError, SceneProblem};
 use topography::Severity;
@@ -35,16 +33,9 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     let folder = args.out.clone().unwrap_or_else(|| default_folder(&args.scene));
     let scene = read(args, &folder, context)?;
     timings.lap("reading");
-    if args.dry_run || args.explain {
-        say_scene(&scene);
-    }
     if args.dry_run {
-        return print(&explain(&scene), context);
-    }
-    if args.explain {
-        let results = compute(&scene.plan()).map_err(|error| failed(error.into()))?;
-        let answer = Answer::from_results(&scene, &results);
-        return print(&format!("{}\n{}", explain(&scene), reasons(&scene, &results, &answer)), context);
+        say_scene(&scene);
+        return print(&dry_run(&scene), context);
     }
     let scene_run = SceneRun {
         scene: &scene,
@@ -108,7 +99,7 @@ impl SceneRun<'_> {
         if context.shared.verbose {
             text += &format!(
                 "\n{}\n{} files in {}: {}\n",
-                summary(&evidence, conclusions),
+                details(&evidence, conclusions),
                 written.len(),
                 folder.display(),
                 written.join(", ")
@@ -188,7 +179,7 @@ impl Watch for Watching {
 /// options that say nothing.
 fn read(args: &RunArgs, folder: &Path, context: &Context<'_>) -> Result<Scene, Failure> {
     let targets = context.targets(None)?;
-    let writes_files = !args.dry_run && !args.explain;
+    let writes_files = !args.dry_run;
     if writes_files && folder.is_file() {
         make_folder("--out", folder)?;
     }

@@ -1,7 +1,6 @@
-//! The explanation of a scene before anything is computed: what it needs, shares and skips.
+//! The steps that a run of a scene would take: what it needs, shares and skips.
 
-use crate::listing::listed;
-use crate::summary::aligned;
+use crate::listing::{aligned, listed};
 use crate::uncertainty_words::describe_group;
 use findings::sensitivity::wanted_areas;
 use scene::Scene;
@@ -12,8 +11,9 @@ use study::plan::{Curve, Cutoffs, Needs, scales_per_decade};
 use uncertainty::{Settings, scattering_groups};
 use units::display::{length, three_digits};
 
-/// The explanation of a scene.
-pub fn explain(scene: &Scene) -> String {
+/// Returns the steps that a run of the scene would take, as a table.
+#[must_use]
+pub fn dry_run(scene: &Scene) -> String {
     let mut rows = vec![vec!["spectrum".to_owned(), spectrum(scene)]];
     let mut row = |state: &str, what: String| rows.push(vec![state.to_owned(), what]);
     let (needs, plan) = (&scene.needs, scene.plan());

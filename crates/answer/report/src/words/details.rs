@@ -1,0 +1,84 @@
+//! The table and the notes behind a summary.
+
+use conclusions::{Conclusions, Evidence, LoadConclusion};
+use findings::answer::LoadAnswer;
+use findings::interface::InterfaceStates;
+use scene::Scene;
+use units::display::{length, pressure, three_digits};
+
+use crate::listing::{aligned, capital};
+use crate::question_words::sampling;
+use crate::{conclusion_words, interface_words, uncertainty_words, verdict_words};
+
+/// Returns the area of each model under each load as a table, then all cautions and notes.
+#[must_use]
+pub fn details(evidence: &Evidence<'_>, conclusions: &Conclusions) -> String {
+    let Evidence { scene, results, judgement, uncertainty, .. } = *evidence;
+    let mut notes: Vec<String> = conclusions.cautions.iter().map(conclusion_words::caution_words).collect();
+    notes.extend(judgement.into_iter().flat_map(|judgement| verdict_words::about_elements(judgement, scene)));
+    notes.extend(uncertainty.into_iter().flat_map(uncertainty_words::sentences));
+    if let Some(states) = InterfaceStates::from_scene(scene, results) {
+        let of_interface = interface_words::notes(&states, scene, uncertainty);
+        notes.extend(of_interface.iter().map(|note| format!("{}.", capital(note))));
+    }
+    notes.push(format!("{}.", sampling(results)));
+    notes.extend(scene.choices().iter().map(|choice| format!("{}.", capital(choice))));
+    // Names of curves are hyphenated and stay whole.
+    let columns = textwrap::Options::new(100)
+        .subsequent_indent("  ")
+        .word_splitter(textwrap::WordSplitter::NoHyphenation);
+    let mut text = areas(evidence, conclusions);
+    for note in notes {
+        text += &format!("{}\n", textwrap::fill(&note, &columns));
+    }
+    text
+}
+
+/// A row for each curve and load with an area; empty without any.
+fn areas(evidence: &Evidence<'_>, conclusions: &Conclusions) -> String {
+    let Evidence { scene, answer, uncertainty, .. } = *evidence;
+    let mut rows = Vec::new();
+    for (at, (curve, answers)) in scene.needs.curves.iter().zip(&answer.curves).enumerate() {
+        for load in &conclusions.loads {
+            let Some(answer) = &answers[load.load] else { continue };
+            let mut row = vec![curve.name.clone(), load.label.clone(), three_digits(answer.area_fraction)];
+            row.extend(uncertainty.map(|found| {
+                found.interval(at, load.load).map_or_else(|| "-".to_owned(), uncertainty_words::ends)
+            }));
+            row.extend([real_pressure(scene, answer), settled(answer), verdict(load, at)]);
+            rows.push(row);
+        }
+    }
+    if rows.is_empty() {
+        return String::new();
+    }
+    let mut head = ["model", "pressure", "area fraction"].map(str::to_owned).to_vec();
+    head.extend(uncertainty.map(uncertainty_words::level));
+    head.extend(["real pressure", "settled within 1 % at", "boundary elements"].map(str::to_owned));
+    rows.insert(0, head);
+    format!("{}\n", aligned(&rows))
+}
+
+fn real_pressure(scene: &Scene, answer: &LoadAnswer) -> String {
+    match scene.hardness_pa() {
+        Some(hardness_pa) => format!("{} H", three_digits(answer.real_pressure_pa / hardness_pa)),
+        None => pressure(answer.real_pressure_pa),
+    }
+}
+
+fn settled(answer: &LoadAnswer) -> String {
+    match (answer.followed, answer.settled_at_m(answer.within_1_percent)) {
+        (false, _) => "unknown".to_owned(),
+        (true, Some(wavelength_m)) => length(wavelength_m),
+        (true, None) => "not settled".to_owned(),
+    }
+}
+
+/// The verdict on a curve, with its area over that of the elements.
+fn verdict(load: &LoadConclusion, curve: usize) -> String {
+    let mut cells = load.references.iter().flat_map(|group| &group.models);
+    cells.find(|cell| cell.curve == curve).map_or_else(String::new, |cell| {
+        let ratio = cell.ratio.map_or_else(String::new, |ratio| format!(" (×{})", three_digits(ratio)));
+        format!("{}{ratio}", cell.verdict.name().replace('-', " "))
+    })
+}
