@@ -49,10 +49,9 @@ pub fn path() -> PathBuf {
 pub fn page() -> io::Result<String> {
     let mut page = HEAD.to_owned();
     let yes = |is: bool| if is { "yes" } else { "-" };
-    for model in MODELS {
-        let facts = model.framework.facts();
-        let [name, full, command, gap] = [model.name, model.full_name, facts.name, yes(facts.has_gaps)];
-        let _ = writeln!(page, "| `{name}` | {full} | `{command}` | {gap} |");
+    for model in MODELS.iter() {
+        let (name, full, command) = (model.name, model.full_name, model.framework);
+        let _ = writeln!(page, "| `{name}` | {full} | `{command}` | {} |", yes(command.has_gaps()));
     }
     page.push_str(QUESTIONS);
     let front_ends = [

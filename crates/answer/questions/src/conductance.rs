@@ -8,9 +8,9 @@ use interface::finite_elements::{ConductancePoint, ConductanceTable, Flow, Sampl
 use interface::gas::{GapGas, RarefiedGas, plastic_separation_m};
 use numerics::parallel::Progress;
 use spectrum::Normalisation;
+use study::body_properties::BodyProperty;
 use study::gap_law::{GapError, GapLaw};
 use study::material::Material;
-use study::body_properties::BodyProperty;
 use study::materials::TabledMaterial;
 use study::models::{Choice, ModelEntry};
 use study::plan::{Needs, Plan, PlanError};

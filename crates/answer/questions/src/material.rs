@@ -87,7 +87,8 @@ impl MaterialInput {
         }
         if let Some(counterface) = counterface {
             let elastic = modulus_pa(counterface).zip(counterface.poisson_ratio());
-            let elastic = elastic.map(|(youngs_modulus_pa, poisson_ratio)| BodyInput { youngs_modulus_pa, poisson_ratio });
+            let elastic = elastic
+                .map(|(youngs_modulus_pa, poisson_ratio)| BodyInput { youngs_modulus_pa, poisson_ratio });
             filled.counterface = self.counterface.or(elastic);
             (filled.counterface_yield_strength, filled.counterface_indentation_hardness_pa) =
                 strength(counterface);

@@ -277,7 +277,8 @@ fn prefixed(modulus_pa: f64, tabled_pa: f64) -> String {
 /// Refuses a modulus far from that of the named material.
 fn refuse_mistaken_prefix(keys: &BodyKeys, modulus_pa: f64, span: Range<usize>) -> Result<(), SceneError> {
     let Some(FromTable { name, .. }) = &keys.from_table else { return Ok(()) };
-    let tabled = named(name).ok().and_then(|material| material.quantity::<Modulus>(BodyProperty::YoungsModulus));
+    let tabled =
+        named(name).ok().and_then(|material| material.quantity::<Modulus>(BodyProperty::YoungsModulus));
     match tabled.map(|tabled| tabled.pa) {
         Some(tabled_pa) if (tabled_pa / modulus_pa).ln().abs() > OTHER_PREFIX.ln() => {
             let typed = pressure(modulus_pa);

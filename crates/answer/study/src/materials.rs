@@ -145,7 +145,12 @@ mod tests {
                 row.quantity::<Resistivity>(BodyProperty::Resistivity).is_some(),
             ];
             // Besides the elastic constants.
-            assert_eq!(parsed.iter().filter(|is_parsed| **is_parsed).count() + 2, keys.count(), "{}", row.name);
+            assert_eq!(
+                parsed.iter().filter(|is_parsed| **is_parsed).count() + 2,
+                keys.count(),
+                "{}",
+                row.name
+            );
             // H is three times S0 in the models, which no two measured values are.
             assert!(!(parsed[0] && parsed[1]), "{}", row.name);
             assert!(row.sources.len() > 10, "{}", row.name);
