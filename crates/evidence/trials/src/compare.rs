@@ -18,7 +18,7 @@ use crate::Outcome;
 
 /// Compares every model with boundary elements: `docs/guide/which-model.md`.
 pub(crate) fn models(anew: bool) -> Outcome {
-    let csv = checkout("docs/guide/which-model/elements.csv");
+    let csv = checkout("docs/develop/trials/elements.csv");
     let old: Vec<ElementsRow> = stored(&csv, anew)?;
     let mut rows: Vec<ElementsRow> = Vec::new();
     let trials = programme();
@@ -34,13 +34,13 @@ pub(crate) fn models(anew: bool) -> Outcome {
     }
     store(&rows, &csv)?;
     let ratios = ratios::rows(&rows)?;
-    store(&ratios, &checkout("docs/guide/which-model/ratios.csv"))?;
+    store(&ratios, &checkout("docs/develop/trials/ratios.csv"))?;
     rewrite("docs/guide/which-model.md", |page| sections::written(page, &rows, &ratios))
 }
 
 /// Compares mean gap and stiffness of Persson's theory with boundary elements: `docs/develop/trials.md`.
 pub(crate) fn gaps(anew: bool) -> Outcome {
-    let csv = checkout("docs/guide/gap/trials.csv");
+    let csv = checkout("docs/develop/trials/gap.csv");
     let pressed: Vec<GapElements> = stored(&csv, anew)?;
     let trials = gap_trials::trials();
     let mut rows: Vec<GapRow> = Vec::new();
@@ -63,7 +63,7 @@ pub(crate) fn gaps(anew: bool) -> Outcome {
 
 /// Compares the judge of scenes with whole bands solved at once: `docs/develop/trials.md`.
 pub(crate) fn judge(anew: bool) -> Outcome {
-    let csv = checkout("docs/guide/judge/truth.csv");
+    let csv = checkout("docs/develop/trials/judge-truth.csv");
     let mut truth: Vec<TruthRow> = stored(&csv, anew)?;
     let mut judged = Vec::new();
     for trial in [Set::Calibration, Set::Report].into_iter().flat_map(judge_spectra::trials) {
@@ -74,13 +74,13 @@ pub(crate) fn judge(anew: bool) -> Outcome {
         }
         judged.extend(trial.judged(&truth)?);
     }
-    store(&judged, &checkout("docs/guide/judge/trials.csv"))?;
+    store(&judged, &checkout("docs/develop/trials/judge.csv"))?;
     rewrite("docs/develop/trials.md", |page| judge_trials::written(page, &judged))
 }
 
 /// Compares the judge on layers with whole bands solved at once: `docs/develop/trials.md`.
 pub(crate) fn layers(anew: bool) -> Outcome {
-    let csv = checkout("docs/guide/judge/layers.csv");
+    let csv = checkout("docs/develop/trials/layers.csv");
     let mut truth: Vec<LayerTruth> = stored(&csv, anew)?;
     let mut rows: Vec<LayerRow> = Vec::new();
     let (known, missing): (Vec<_>, Vec<_>) =

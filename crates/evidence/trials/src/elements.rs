@@ -1,4 +1,4 @@
-//! Table of boundary-element results, kept in the repository: `docs/guide/which-model/elements.csv`.
+//! Table of boundary-element results, kept in the repository: `docs/develop/trials/elements.csv`.
 
 use std::io::{Read, Write};
 

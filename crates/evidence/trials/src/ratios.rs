@@ -1,4 +1,4 @@
-//! Ratios of every model to boundary elements: `docs/guide/which-model/ratios.csv`.
+//! Ratios of every model to boundary elements: `docs/develop/trials/ratios.csv`.
 
 use serde::{Deserialize, Serialize};
 

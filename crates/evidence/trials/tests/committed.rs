@@ -8,7 +8,7 @@ use trials::ratios::{self, RatioRow};
 use trials::sections;
 
 fn file(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../docs/guide/which-model").join(name)
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../docs/develop/trials").join(name)
 }
 
 fn committed() -> Vec<ElementsRow> {

@@ -6,7 +6,7 @@ use trials::elements;
 use trials::gap_trials::{GapRow, LOADS, rows_of, trials};
 
 fn committed() -> Vec<GapRow> {
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../docs/guide/gap/trials.csv");
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../docs/develop/trials/gap.csv");
     elements::read(&std::fs::read(file).unwrap()[..]).unwrap()
 }
 

@@ -9,14 +9,14 @@ use trials::judge_trials::JudgedRow;
 use trials::judge_truth::TruthRow;
 
 fn committed<R: DeserializeOwned>(name: &str) -> Vec<R> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../docs/guide/judge");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../docs/develop/trials");
     elements::read(&std::fs::read(folder.join(name)).unwrap()[..]).unwrap()
 }
 
 #[test]
 fn one_trial_of_every_kind_gives_the_committed_areas() {
-    let truth: Vec<TruthRow> = committed("truth.csv");
-    let rows: Vec<JudgedRow> = committed("trials.csv");
+    let truth: Vec<TruthRow> = committed("judge-truth.csv");
+    let rows: Vec<JudgedRow> = committed("judge.csv");
     for trial in trials(Set::Report).iter().step_by(5) {
         let judged = trial.judged(&truth).unwrap();
         let known: Vec<&JudgedRow> = rows.iter().filter(|row| row.number == trial.number).collect();
@@ -31,7 +31,7 @@ fn one_trial_of_every_kind_gives_the_committed_areas() {
 
 #[test]
 fn every_trial_has_a_truth() {
-    let truth: Vec<TruthRow> = committed("truth.csv");
+    let truth: Vec<TruthRow> = committed("judge-truth.csv");
     for trial in [Set::Calibration, Set::Report].into_iter().flat_map(trials) {
         assert_eq!(truth.iter().filter(|row| row.number == trial.number).count(), 3, "{trial:?}");
     }
