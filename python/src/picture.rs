@@ -1,11 +1,10 @@
 //! Pictures of results for notebooks, as the core draws them.
 
-use drawings::model_style::ModelStyle;
 use numpy::{PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
-use pyo3::types::PyBytes;
-use report::field_picture::{FieldPicture, of_pressures};
-use report::plot;
+use report::chart;
+use report::chart::maps::FieldPicture;
+use report::chart::palette::ModelStyle;
 use study::figure::{Axis, Band, BandKind, CurveLook, FigureData, Series, Shows, Variant};
 use study::models::{MODELS, ModelEntry};
 
@@ -52,7 +51,7 @@ type Line = (Vec<f64>, Vec<f64>, String, String, Option<usize>);
 /// A band: abscissas, lower and upper ordinates, and its label.
 type Interval = (Vec<f64>, Vec<f64>, Vec<f64>, String);
 
-/// A figure with logarithmic axes, as SVG; every number is finite and above 0.
+/// A figure as SVG; logarithmic axes have no place for what is not above 0.
 #[pyfunction]
 pub fn figure_svg(
     title: String,
@@ -61,6 +60,7 @@ pub fn figure_svg(
     lines: Vec<Line>,
     bands: Vec<Interval>,
     holes: Vec<(f64, f64)>,
+    is_linear: bool,
 ) -> PyResult<String> {
     let (x, y) = (axis(x)?, axis(y)?);
     let series = lines.into_iter().enumerate().map(|(at, (xs, ys, label, model, condition_index))| {
@@ -80,7 +80,8 @@ pub fn figure_svg(
         gaps: holes,
         ..FigureData::new("picture", shows, x, y.label, series.collect())
     };
-    Ok(plot::svg(&figure, "", &[]))
+    let figure = if is_linear { figure.with_linear_axes() } else { figure };
+    Ok(chart::svg(&figure, "", &[]))
 }
 
 fn look(entry: &ModelEntry) -> CurveLook {
@@ -95,24 +96,14 @@ pub fn model_style(name: &str) -> PyResult<(&'static str, &'static str, String)>
     Ok((entry.short_name, style.colour, style.dash))
 }
 
-/// A frame, where the points belong in it, how many there are in a row, and their colours.
-pub type Map<'py> = (String, (f64, f64, f64, f64), usize, Bound<'py, PyBytes>);
-
-/// A map of pressures \[Pa\] on a rectangle of a size in m.
+/// A map of pressures \[Pa\] on a rectangle of a size in m, as SVG.
 #[pyfunction]
-pub fn pressures_picture<'py>(
-    py: Python<'py>,
+pub fn pressures_picture(
     nominal_pressure_pa: f64,
-    pressures_pa: PyReadonlyArray2<'py, f64>,
+    pressures_pa: PyReadonlyArray2<'_, f64>,
     size_m: [f64; 2],
-) -> Map<'py> {
+) -> String {
     let columns = pressures_pa.shape()[1];
     let values: Vec<f64> = pressures_pa.as_array().iter().copied().collect();
-    map(py, of_pressures(nominal_pressure_pa, &values, columns, size_m))
-}
-
-/// Takes a picture apart for Python, which has a compressor for its points.
-pub fn map(py: Python<'_>, picture: FieldPicture) -> Map<'_> {
-    let colours = PyBytes::new(py, &picture.colours.concat());
-    (picture.svg, picture.place.into(), picture.columns, colours)
+    FieldPicture::of_pressures(nominal_pressure_pa, &values, columns, size_m).document()
 }

@@ -12,7 +12,7 @@ use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::{PyDict, PyString};
 use questions::NotePlace;
-use report::heights_picture::{HeightsPicture, of_heights};
+use report::chart::maps::HeightsPicture;
 use report::scan_words;
 use report::scans_table::scans_columns;
 use roughness::Evaluation;
@@ -24,7 +24,6 @@ use units::SignedLength;
 use crate::answer::{Told, columns, in_text};
 use crate::arguments::{Arguments, Given, choice, count, length_m, number, quantity, text};
 use crate::errors::{input, of_argument};
-use crate::picture::{Map, map};
 use crate::surface::PySurface;
 use crate::work::{carry_out, light};
 
@@ -162,11 +161,8 @@ impl PyScan {
     }
 
     /// The heights drawn, a line or a map; none where no point has one.
-    fn picture<'py>(&self, py: Python<'py>) -> Option<(String, Option<Map<'py>>)> {
-        match light(py, || of_heights(&self.scan))? {
-            HeightsPicture::Line(svg) => Some((svg, None)),
-            HeightsPicture::Map(picture) => Some((String::new(), Some(map(py, picture)))),
-        }
+    fn picture(&self, py: Python<'_>) -> Option<String> {
+        light(py, || HeightsPicture::new(&self.scan).map(|picture| picture.document()))
     }
 }
 

@@ -7,13 +7,13 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-use drawings::model_style::ModelStyle;
 use findings::answer::Answer;
 use findings::interface::InterfaceStates;
 use pyo3::exceptions::{PyFileNotFoundError, PyOSError};
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
 use questions::{OptionName, ReportSurface, RunError, RunOptions, SamplingInput, note_code, run_scene};
+use report::chart::palette::ModelStyle;
 use report::conclusion_words::{SummaryEnd, short_summary};
 use report::curve_names::short_name;
 use report::details::details;
@@ -153,7 +153,7 @@ impl PyScene {
             let sensitivities = outcome.sensitivities.as_deref();
             let products = SceneProducts { evidence, conclusions, sensitivities, run_stamp };
             let (mut tables, mut files) = (Vec::new(), Vec::new());
-            let Ok(()) = products.each(|name, product| {
+            let Ok(()) = products.each(Format::Csv, |name, product| {
                 let mut bytes = Vec::new();
                 product.write(Format::Csv, &mut bytes).expect("memory takes everything");
                 files.push((product.file_name(name, Format::Csv), bytes));

@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyDict;
 use questions::{Note, SpectrumQuantity, SpectrumQuestion};
-use report::{plot, spectrum_words};
+use report::{chart, spectrum_words};
 use spectrum::{Convention, Psd, ReadOption, ReadOptions};
 use study::figure::{Figure, Shows};
 use study::plan::{Needs, Plan, PlanError, Sampling};
@@ -135,7 +135,7 @@ impl PySurface {
             let results = Plan { psd, sampling, needs: needs.clone() }.compute()?;
             let figure = Figure { shows: Shows::Psd, ..Figure::area_of_all(Vec::new()) };
             let data = figure.data(&results, &needs, None).with_holes(self.surface.holes());
-            Ok(plot::svg(&data, &self.surface.name, &report::provenance::of_surface(&self.surface)))
+            Ok(chart::svg(&data, &self.surface.name, &report::provenance::of_surface(&self.surface)))
         })
         .map_err(|error: PlanError| input(error))
     }

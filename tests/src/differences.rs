@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
-use report::plot;
+use report::chart;
 use study::figure::{FigureData, Series};
 
 use crate::committed_file;
@@ -55,7 +55,7 @@ fn section(curve: &GoldenCurve) -> Markup {
                 @for (name, deviation) in columns { tr { td { (name) } td { (format!("{deviation:.1e}")) } } }
             },
         }
-        (PreEscaped(plot::svg(&overlaid(curve, accepted.as_deref()), &curve.name, &[])))
+        (PreEscaped(chart::svg(&overlaid(curve, accepted.as_deref()), &curve.name, &[])))
     }
 }
 

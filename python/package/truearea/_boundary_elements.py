@@ -18,7 +18,7 @@ from truearea._grammar import AnyMaterial, material_of, spectrum_of
 from truearea._material import Quantity
 from truearea._native import InputError
 from truearea._notes import noted
-from truearea._picture import Drawn, Picture, Trace, within_frame
+from truearea._picture import Drawn, Picture, Trace
 from truearea._progress import Line, Progress, observer_of
 from truearea._results import AnyArray, FloatArray, Result, Table
 from truearea._scan import Scan
@@ -133,7 +133,7 @@ class Pressed(Drawn, Result):
         if "pressure_pa" not in self:
             return super()._drawing()
         pressures_pa, nominal_pressure_pa, size_m = self._last_map()
-        return within_frame(*_native.pressures_picture(nominal_pressure_pa, pressures_pa, size_m))
+        return _native.pressures_picture(nominal_pressure_pa, pressures_pa, size_m)
 
     def _is_coordinate(self, name: str) -> bool:
         return name in ("nominal_pressure_pa", "x_m", "y_m") and super()._is_coordinate(name)

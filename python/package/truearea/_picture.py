@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-import base64
-import struct
-import zlib
-from html import escape
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -38,7 +34,7 @@ class Band(NamedTuple):
 
 
 class Picture(NamedTuple):
-    """Lines over logarithmic axes, which are columns: ``axis_label`` of the core has their labels."""
+    """Lines over axes, which are columns: ``axis_label`` of the core has their labels."""
 
     title: str
     x: str
@@ -48,21 +44,13 @@ class Picture(NamedTuple):
     holes: tuple[tuple[float, float], ...] = ()
     marker: str = ""
     is_linear: bool = False
-    """Linear axes in Matplotlib; the core draws what is above 0 over logarithmic ones."""
+    """Linear axes; logarithmic ones draw what is above 0."""
 
     def svg(self) -> str:
         """The picture as the core draws it."""
-        lines = []
-        for line in self.lines:
-            x, y = _positive(line.x, line.y)
-            lines.append((x, y, line.label or "", line.model, line.condition))
-        bands = []
-        for band in self.bands:
-            x, low, high = _positive(band.x, band.low, band.high)
-            bands.append((x, low, high, band.label))
-        if not any(len(x) for x in [line[0] for line in lines] + [band[0] for band in bands]):
-            return f"<p>{escape(self.title)}: nothing of it is above 0</p>"
-        return _native.figure_svg(self.title, self.x, self.y, lines, bands, list(self.holes))
+        lines = [(_column(of.x), _column(of.y), of.label or "", of.model, of.condition) for of in self.lines]
+        bands = [(_column(of.x), _column(of.low), _column(of.high), of.label) for of in self.bands]
+        return _native.figure_svg(self.title, self.x, self.y, lines, bands, list(self.holes), self.is_linear)
 
     def draw(self, ax: Axes) -> Axes:
         """Draw into axes of Matplotlib."""
@@ -89,11 +77,8 @@ class Picture(NamedTuple):
         return ax
 
 
-def _positive(x: FloatArray, *ys: FloatArray) -> tuple[FloatArray, ...]:
-    """The points that have a place on logarithmic axes."""
-    columns = [np.asarray(column, dtype=np.float64).reshape(-1) for column in (x, *ys)]
-    has_place = np.logical_and.reduce([np.isfinite(column) & (column > 0.0) for column in columns])
-    return tuple(np.ascontiguousarray(column[has_place]) for column in columns)
+def _column(values: AnyArray) -> FloatArray:
+    return np.asarray(values, dtype=np.float64).reshape(-1)
 
 
 class Drawn:
@@ -139,27 +124,3 @@ def lines_by_load(x: AnyArray, ys: AnyArray, pressures_pa: AnyArray, model: str 
     return tuple(
         Trace(x, ys[at], load_label(float(pressure_pa)), model, at) for at, pressure_pa in enumerate(pressures_pa)
     )
-
-
-def within_frame(svg: str, place: tuple[float, float, float, float], columns: int, colours: bytes) -> str:
-    """An SVG document with points as an image in it: red, green and blue of each, row by row from the top."""
-    left, top, width, height = place
-    image = (
-        f'<image x="{left}" y="{top}" width="{width}" height="{height}" preserveAspectRatio="none" '
-        f'style="image-rendering:pixelated" href="data:image/png;base64,{base64.b64encode(_png(columns, colours)).decode()}"/>'
-        "\n</svg>"
-    )
-    return svg.replace("</svg>", image)
-
-
-def _png(columns: int, colours: bytes) -> bytes:
-    row = 3 * columns
-    # Each row begins with the filter that it is stored with: none.
-    rows = b"".join(b"\0" + colours[at : at + row] for at in range(0, len(colours), row))
-    header = struct.pack(">IIBBBBB", columns, len(colours) // row, 8, 2, 0, 0, 0)
-    chunks = (_chunk(b"IHDR", header), _chunk(b"IDAT", zlib.compress(rows)), _chunk(b"IEND", b""))
-    return b"\x89PNG\r\n\x1a\n" + b"".join(chunks)
-
-
-def _chunk(kind: bytes, content: bytes) -> bytes:
-    return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))

@@ -12,7 +12,6 @@ import numpy as np
 from truearea import _native
 from truearea._choices import Direction, Gaps
 from truearea._material import Quantity
-from truearea._picture import within_frame
 from truearea._results import AnyArray, FloatArray, Table, notes_html, rows_html
 
 if TYPE_CHECKING:
@@ -187,15 +186,13 @@ class Scan:
         picture = self._native.picture()
         if picture is None:
             return f"<p>{escape(self.name)}: no point has a height</p>"
-        line, points = picture
-        drawing = line if points is None else within_frame(*points)
         rows = {
             "format": self.format,
             "points": " × ".join(str(count) for count in self.heights_m.shape),
             "size": " × ".join(f"{length:.4g} m" for length in self.size_m),
             "rms height": f"{self.summary().rms_height_m[0]:.4g} m",
         }
-        return f"<div>{drawing}{rows_html(rows)}{notes_html(self.notes)}</div>"
+        return f"<div>{picture}{rows_html(rows)}{notes_html(self.notes)}</div>"
 
 
 def read_scan(

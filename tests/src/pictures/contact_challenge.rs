@@ -1,7 +1,7 @@
 //! The Contact-Mechanics Challenge without adhesion: one large grid, the judge in windows, and closed forms.
 
 use questions::{RunOptions, Unwatched, run_scene};
-use report::plot;
+use report::chart;
 use scene::{Scene, Template};
 use study::figure::{Axis, FigureData, Mark, Series, Shows};
 use study::plan::{Load, NominalPressure};
@@ -84,5 +84,5 @@ pub(super) fn area_over_load() -> Picture {
         ..FigureData::new("contact-challenge", Shows::Response, x, "area over load, A/(p/E* h')", series)
     };
     let subject = "area over load: one large grid, the judge, closed forms";
-    Picture { name: "contact-challenge", svg: plot::svg(&figure, subject, &[PROVENANCE.to_owned()]) }
+    Picture { name: "contact-challenge", svg: chart::svg(&figure, subject, &[PROVENANCE.to_owned()]) }
 }

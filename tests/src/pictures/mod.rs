@@ -20,7 +20,7 @@ pub use same_picture::is_same_picture;
 use std::path::PathBuf;
 
 use asperity::{Break, ElasticBody, MaterialPair};
-use report::plot;
+use report::chart;
 use study::figure::{Axis, FigureData, Series, Shows};
 use tables::staging::StagedFiles;
 
@@ -122,7 +122,7 @@ fn picture(
     let shows = if y_label.ends_with(" (Pa)") { Shows::Response } else { Shows::Area };
     let x = Axis { column: "x", label: x_label };
     let figure = FigureData { title: title.to_owned(), ..FigureData::new(name, shows, x, y_label, series) };
-    Picture { name, svg: plot::svg(&figure, subject, &[PROVENANCE.to_owned()]) }
+    Picture { name, svg: chart::svg(&figure, subject, &[PROVENANCE.to_owned()]) }
 }
 
 /// Line under a condition.

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use elements::{Boundary, Relief};
 use numerics::parallel::Unobserved;
 use questions::{AdhesionQuestion, Answer, GapModel, LoadInput, MaterialInput, TangentialQuestion};
-use report::plot;
+use report::chart;
 use spectrum::ReadOptions;
 use study::NoFiles;
 use study::models;
@@ -71,5 +71,5 @@ fn material(youngs_modulus_pa: f64, poisson_ratio: f64) -> MaterialInput {
 
 fn drawn(name: &'static str, subject: &str, answer: Answer) -> Picture {
     let figure = answer.figure.expect("a figure was asked for");
-    Picture { name, svg: plot::svg(&figure, subject, &[PROVENANCE.to_owned()]) }
+    Picture { name, svg: chart::svg(&figure, subject, &[PROVENANCE.to_owned()]) }
 }

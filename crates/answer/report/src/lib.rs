@@ -1,13 +1,12 @@
 #![doc = include_str!("../README.md")]
 
+pub mod chart;
 mod figures;
 pub mod page;
 pub mod products;
 pub mod run_stamp;
 mod words;
 
-use drawings::thumbnail;
-pub use drawings::{field_picture, heights_picture, plot};
 pub use figures::elements_figure;
 use figures::{interface_figure, intervals, judged};
 #[cfg(feature = "scene-errors")]

@@ -2,11 +2,11 @@
 
 use std::io::{self, Write};
 
+use crate::chart;
 use crate::curve_names::with_printed_names;
 use crate::intervals::with_intervals;
 use crate::judged;
 use crate::page::{Report, SceneReport};
-use crate::plot;
 use crate::provenance::provenance;
 use crate::run_stamp::RunStamp;
 use conclusions::{Conclusions, Evidence};
@@ -76,13 +76,21 @@ impl<'a> FigureDocuments<'a> {
     /// Draws the figure as an SVG document.
     #[must_use]
     pub fn svg(&self) -> String {
-        plot::styled_svg(&self.named(), &self.figure.style, &self.scene.title, &self.origin())
+        chart::styled_svg(&self.named(), &self.figure.style, &self.scene.title, &self.origin())
     }
 
-    /// Writes the Python script that draws the figure.
+    /// Writes the Python script that draws the figure from its table in a format.
     #[must_use]
-    pub fn script(&self) -> String {
-        plot::script(&self.named(), &self.figure.style, &self.origin())
+    pub fn script(&self, format: Format) -> String {
+        chart::script(&self.named(), &self.figure.style, &self.origin(), format)
+    }
+
+    /// Writes the table of the figure, from which its script draws it.
+    ///
+    /// # Errors
+    /// Any error that `out` returns.
+    pub fn write_table(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
+        self.data.table().write(format, &self.origin(), out)
     }
 
     fn named(&self) -> FigureData {
@@ -117,7 +125,9 @@ fn reported_figures(evidence: &Evidence<'_>) -> Vec<FigureData> {
     let finished = |data: FigureData| {
         let named = with_printed_names(data, &scene.needs.curves);
         match evidence.judgement {
-            Some(judgement) if named.shows == Shows::Area => judged::with_marks(named, judgement, scene),
+            Some(judgement) if named.shows == Shows::Area => {
+                judged::with_marks(named, judgement, results.psd.shortest_wavelength_m())
+            }
             _ => named,
         }
     };
@@ -289,7 +299,7 @@ impl<'a> SceneProducts<'a> {
         mut file: impl FnMut(&str, Content<'_>) -> Result<(), E>,
     ) -> Result<Vec<String>, E> {
         let mut names = Vec::new();
-        self.each(|name, product| {
+        self.each(format, |name, product| {
             let name = product.file_name(name, format);
             let written = file(&name, &|out| product.write(format, out));
             names.push(name);
@@ -298,12 +308,16 @@ impl<'a> SceneProducts<'a> {
         Ok(names)
     }
 
-    /// Passes every product to `take`, by name. The report and its tables need sensitivities; the tables of the
+    /// Passes every product to `take`, by name; scripts read tables in a format. The report and its tables need sensitivities; the tables of the
     /// judge and of draws need those. A table is made when its turn comes, so that only one is held.
     ///
     /// # Errors
     /// Any error that `take` returns.
-    pub fn each<E>(&self, mut take: impl FnMut(&str, Product<'_>) -> Result<(), E>) -> Result<(), E> {
+    pub fn each<E>(
+        &self,
+        format: Format,
+        mut take: impl FnMut(&str, Product<'_>) -> Result<(), E>,
+    ) -> Result<(), E> {
         let SceneProducts { evidence, sensitivities, run_stamp, .. } = *self;
         let Evidence { scene, results, answer, .. } = evidence;
         let mut take_table = |name: &str, what: &str, table: &Table| {
@@ -337,7 +351,7 @@ impl<'a> SceneProducts<'a> {
             let name = &documents.figure.name;
             take(name, Product::Figure(&documents.svg()))?;
             if documents.figure.formats.contains(&PictureFormat::Script) {
-                take(name, Product::Script(&documents.script()))?;
+                take(name, Product::Script(&documents.script(format)))?;
             }
         }
         take(ANSWER, Product::Answer(&answer_json(self.conclusions, scene)))?;

@@ -264,7 +264,7 @@ fn check_products(scene: &Scene, outcome: &SceneOutcome) {
         run_stamp: &RunStamp { date: None, command: None },
     };
     let mut tables = 0;
-    let taken: Result<(), ()> = products.each(|name, product| {
+    let taken: Result<(), ()> = products.each(tables::Format::Csv, |name, product| {
         match product {
             Product::Table { table, .. } if name == "report-models" => {
                 tables += 1;

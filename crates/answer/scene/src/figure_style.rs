@@ -1,7 +1,7 @@
 //! The look of figures and their choice of models and loads, given for each or for all.
 
 use serde_spanned::Spanned;
-use study::figure::{Figure, FigureStyle, PictureFormat, Shows};
+use study::figure::{Figure, FigureStyle, PictureFormat};
 use study::material::Material;
 use study::plan::{Curve, Load};
 use units::printable::listed;
@@ -74,9 +74,7 @@ impl Scene {
                 figure.sweeps.retain(|sweep| models.contains(&self.needs.sweeps[*sweep].curve));
             }
         }
-        let lacks_curves = |figure: &&Figure| {
-            matches!(figure.shows, Shows::Area | Shows::AreaAgainstLoad) && figure.curves.is_empty()
-        };
+        let lacks_curves = |figure: &&Figure| figure.shows.draws_areas() && figure.curves.is_empty();
         match self.figures.iter().find(lacks_curves) {
             Some(figure) => {
                 let message = format!("figure {:?} draws none of these models; choose others", figure.name);

@@ -45,7 +45,7 @@ pub(super) fn resolve_figures(
                 format!("another figure or curve is called {name:?}, and so would be its file; rename one");
             return Err(SceneError::at(figure.name.span(), message));
         }
-        if matches!(figure.shows, Shows::Area | Shows::AreaAgainstLoad) && curves.is_empty() {
+        if figure.shows.draws_areas() && curves.is_empty() {
             return Err(SceneError::at(spanned.span(), "a figure of the area needs a [[curve]]"));
         }
         let mut drawn = match &figure.curves {
@@ -64,7 +64,7 @@ pub(super) fn resolve_figures(
             }
             None => defaults.keep_models(&mut drawn),
         }
-        if drawn.is_empty() && matches!(figure.shows, Shows::Area | Shows::AreaAgainstLoad) {
+        if drawn.is_empty() && figure.shows.draws_areas() {
             return Err(SceneError::at(
                 spanned.span(),
                 match figure.curves {

@@ -126,12 +126,10 @@ fn loads(scene: &Scene) -> UnusedKeys {
 
 fn shown(figure: &Figure) -> UnusedKeys {
     let unused: &[&str] = match figure.shows {
-        Shows::AreaAgainstLoad | Shows::Response => &[],
+        Shows::AreaAgainstLoad => &[],
         Shows::Area if figure.loads.is_some() => &["cutoff_multiples"],
         Shows::Area => &["loads", "cutoff_multiples"],
-        Shows::Psd | Shows::Moments | Shows::Amplitude | Shows::AspectRatio => {
-            &["curves", "models", "loads", "cutoff_multiples"]
-        }
+        _ => &["curves", "models", "loads", "cutoff_multiples"],
     };
     all(unused, Unused::FigureShowsSomethingElse)
 }

@@ -132,7 +132,7 @@ pub(super) fn resolve(
     file_names::check(raw, &curves, &figures)?;
     let any_with_moments = curves.iter().any(|curve| curve.model.needs_moments());
     let any_with_amplitudes = curves.iter().any(|curve| curve.model.needs_amplitudes());
-    let shows = |wanted: &[Shows]| figures.iter().any(|figure| wanted.contains(&figure.shows));
+    let shows = |needs: fn(Shows) -> bool| figures.iter().any(|figure| needs(figure.shows));
     let normalisation = overrides.normalisation.or(options.normalisation).unwrap_or_default();
     let amplitude = overrides.amplitude.or(options.amplitude).unwrap_or_default();
     let judge = raw.judge.as_ref().map(resolve_judge).transpose()?;
@@ -175,10 +175,9 @@ pub(super) fn resolve(
             cutoff_m: overrides.cutoff.or(cutoff).map(|cutoff| cutoff.m),
         },
         needs: Needs {
-            moments: (any_with_moments || interface.is_some() || shows(&[Shows::Moments]))
+            moments: (any_with_moments || interface.is_some() || shows(Shows::needs_moments))
                 .then_some(normalisation),
-            amplitudes: (any_with_amplitudes || shows(&[Shows::Amplitude, Shows::AspectRatio]))
-                .then_some(amplitude),
+            amplitudes: (any_with_amplitudes || shows(Shows::needs_amplitudes)).then_some(amplitude),
             curves,
             loads,
             sweeps,

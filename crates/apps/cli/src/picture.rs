@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::str::FromStr;
 
-use report::field_picture::FieldPicture;
+use report::chart::maps::FieldPicture;
 
 /// A file for a picture, in the format that its name ends in.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -96,7 +96,7 @@ impl Picture {
         let drawing = |why| PictureError::Drawing { path: self.path.clone(), why };
         match self.format {
             PictureFormat::Png => png::of_field(field).map_err(drawing),
-            PictureFormat::Svg => png::within_svg(field).map(String::into_bytes).map_err(drawing),
+            PictureFormat::Svg => Ok(field.document().into_bytes()),
             PictureFormat::Pdf => Err(PictureError::NoPdfOfPoints { path: self.path.clone() }),
         }
     }
@@ -149,9 +149,7 @@ pub(crate) fn png_of_field(_: &FieldPicture) -> Result<Option<Vec<u8>>, PictureE
 mod png {
     use std::sync::Arc;
 
-    use base64::Engine;
-    use base64::engine::general_purpose::STANDARD;
-    use report::field_picture::FieldPicture;
+    use report::chart::maps::FieldPicture;
     use resvg::tiny_skia::{Color, FilterQuality, IntSize, Pixmap, PixmapPaint, Transform};
     use resvg::usvg::fontdb::Database;
     use resvg::usvg::{Options, Tree};
@@ -188,18 +186,6 @@ mod png {
         let place = Transform::from_row(x, 0.0, 0.0, y, left, top);
         drawn.draw_pixmap(0, 0, points.as_ref(), &paint, place, None);
         drawn.encode_png().map_err(|error| error.to_string())
-    }
-
-    /// The SVG of a field: its points as an image within its frame.
-    pub(super) fn within_svg(picture: &FieldPicture) -> Result<String, String> {
-        let bytes = points(picture)?.encode_png().map_err(|error| error.to_string())?;
-        let [left, top, width, height] = picture.place;
-        let image = format!(
-            "<image x=\"{left}\" y=\"{top}\" width=\"{width}\" height=\"{height}\" preserveAspectRatio=\"none\" \
-             style=\"image-rendering:pixelated\" href=\"data:image/png;base64,{}\"/>\n</svg>",
-            STANDARD.encode(bytes)
-        );
-        Ok(picture.svg.replace("</svg>", &image))
     }
 
     /// The points alone, a pixel each.

@@ -1,7 +1,7 @@
 //! First sight of a file: its kind, its size, its roughness, a picture, and what it lacks.
 
 use measurements::{Files, METADATA_FILES, ScanProblem, TopographyError, read_channels};
-use report::heights_picture::{HeightsPicture, of_heights};
+use report::chart::maps::HeightsPicture;
 use serde::Serialize;
 
 use crate::heights::MapHeights;
@@ -51,7 +51,7 @@ impl FileSight {
                 map = MapHeights::new(scan);
                 line = match map {
                     Some(_) => None,
-                    None => match of_heights(scan) {
+                    None => match HeightsPicture::new(scan) {
                         Some(HeightsPicture::Line(svg)) => Some(svg),
                         _ => None,
                     },

@@ -1,7 +1,7 @@
 //! Heights of a map, few enough to be drawn by the page in colours of its reader's choice.
 
 use elements::Relief;
-use report::field_picture::colour;
+use report::chart::palette::map_colour;
 use scans::ScanFile;
 use serde::Serialize;
 use units::display::length;
@@ -77,7 +77,7 @@ impl MapHeights {
             heights,
             range: length(range_m),
             range_m,
-            colours: (0..COLOURS).map(|at| colour(at as f64 / (COLOURS - 1) as f64)).collect(),
+            colours: (0..COLOURS).map(|at| map_colour(at as f64 / (COLOURS - 1) as f64)).collect(),
         })
     }
 }

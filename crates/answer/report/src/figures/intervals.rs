@@ -24,7 +24,7 @@ pub(crate) fn with_intervals(
             let marks = bars(&data, figure, scene, &label, uncertainty);
             FigureData { marks: data.marks.into_iter().chain(marks).collect(), ..data }
         }
-        Shows::Psd | Shows::Moments | Shows::Amplitude | Shows::AspectRatio | Shows::Response => data,
+        _ => data,
     }
 }
 

@@ -1,38 +1,46 @@
 //! The areas of boundary elements on figures of areas.
 
-use judge::{BodyKind, ERRORS_GIVEN, Judgement};
-use scene::Scene;
+use judge::{Judgement, Reference};
 use study::figure::{FigureData, Mark};
 
 const ELASTIC: &str = "boundary elements, elastic";
 const SATURATED: &str = "boundary elements, saturated at the hardness";
 
-/// Adds the areas of boundary elements under the loads that a figure shows: the area of each window, carried
-/// over to the surface, with two standard errors either way.
-pub(crate) fn with_marks(figure: FigureData, judgement: &Judgement, scene: &Scene) -> FigureData {
-    let shown = |load: usize| figure.series.iter().any(|series| series.load == Some(load));
-    let mut marks: Vec<Mark> = Vec::new();
-    let of_windows = judgement.windows.iter().filter(|on| !on.is_whole_band);
-    for on in of_windows.filter(|on| shown(on.load)) {
-        let Some(judged) = on.elements_of_whole else { continue };
-        let given = ERRORS_GIVEN * judged.standard_error;
-        let (label, is_ring) = match BodyKind::from_model(&scene.needs.curves[on.curve].model) {
-            BodyKind::Hard { .. } => (SATURATED, true),
-            _ => (ELASTIC, false),
-        };
-        let mark = Mark {
-            label: label.to_owned(),
-            is_ring,
-            condition_index: Some(on.load),
-            x: on.shortest_m,
-            y: judged.area_fraction,
-            low: (judged.area_fraction - given).max(0.1 * judged.area_fraction),
-            high: (judged.area_fraction + given).min(1.0),
-        };
-        // Curves of one body share their elements.
-        if !marks.contains(&mark) {
-            marks.push(mark);
-        }
-    }
+/// Adds the areas of boundary elements under the loads that a figure shows.
+pub(crate) fn with_marks(figure: FigureData, judgement: &Judgement, shortest_m: f64) -> FigureData {
+    let mut loads: Vec<usize> = figure.series.iter().filter_map(|series| series.load).collect();
+    loads.sort_unstable();
+    loads.dedup();
+    let marks = loads.into_iter().flat_map(|load| element_marks(judgement, load, shortest_m)).collect();
     FigureData { marks, ..figure }
+}
+
+/// Returns the areas under a load with two standard errors either way: with the whole surface at its shortest wavelength
+/// \[m\], and on each window, carried over to the surface.
+pub(crate) fn element_marks(judgement: &Judgement, load: usize, shortest_m: f64) -> Vec<Mark> {
+    let whole = judgement
+        .references
+        .iter()
+        .filter(|area| area.load == load)
+        .filter_map(|area| Some((area.reference, shortest_m, area.elements?)));
+    let on_windows = judgement.windows.iter().filter(|on| on.load == load && !on.is_whole_band);
+    let on_windows = on_windows.filter_map(|on| {
+        let reference = judgement.curves.iter().find(|curve| curve.curve == on.curve)?.reference;
+        Some((reference, on.shortest_m, on.elements_of_whole?))
+    });
+    let mut drawn: Vec<Reference> = Vec::new();
+    let mut marks: Vec<Mark> = Vec::new();
+    for (reference, x, elements) in whole.chain(on_windows) {
+        // Curves of one body share their elements, and the last window ends where the spectrum does.
+        let mut earlier = marks.iter().zip(&drawn);
+        if earlier.any(|(mark, other)| *other == reference && (mark.x / x - 1.0).abs() < 0.01) {
+            continue;
+        }
+        let is_ring = reference != Reference::Elastic;
+        let (y, low, high) = (elements.area_fraction, elements.low(), elements.high());
+        let label = if is_ring { SATURATED } else { ELASTIC }.to_owned();
+        marks.push(Mark { label, is_ring, condition_index: Some(load), x, y, low, high });
+        drawn.push(reference);
+    }
+    marks
 }

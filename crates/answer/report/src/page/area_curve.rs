@@ -1,39 +1,38 @@
 //! The area against the cutoff under one load: every model, boundary elements with their errors, and holes of the spectrum.
 
-use std::fmt::Write;
-
-use drawings::model_style::ModelStyle;
-use judge::Reference;
 use maud::{Markup, PreEscaped, html};
-use study::figure::pieces;
+use study::figure::{Mark, pieces};
 use units::display::length;
 use units::printable::printable;
 
 use super::SceneReport;
-use super::axis::Axis;
 use super::reading::{Reading, ReadingLine};
+use crate::chart::canvas::{Anchor, Canvas, Point, Rect, Stroke, disc, thinned};
+use crate::chart::palette::{self, ModelStyle, NEUTRAL, variables};
+use crate::chart::ruler::{Ruler, TickWords};
+use crate::judged::element_marks;
 use crate::listing::{decade_name, share};
 
-/// Size and margins in units of the drawing.
+/// Size and frame in units of the drawing.
 const WIDTH: f64 = 520.0;
 const HEIGHT: f64 = 360.0;
-const LEFT: f64 = 58.0;
-const RIGHT: f64 = 26.0;
-const TOP: f64 = 10.0;
-const BOTTOM: f64 = 66.0;
+const FRAME: Rect = Rect { left: 58.0, top: 10.0, right: WIDTH - 26.0, bottom: HEIGHT - 66.0 };
 
 /// Top and height of the strip of decisive scales, below the axis.
-const STRIP_TOP: f64 = HEIGHT - BOTTOM + 22.0;
+const STRIP_TOP: f64 = FRAME.bottom + 23.0;
 const STRIP_HEIGHT: f64 = 16.0;
 
 /// The least width of a decade whose share is written into the strip.
 const STRIP_TEXT: f64 = 26.0;
 
+/// The size of letters.
+const LETTERS: f64 = 11.0;
+
 /// The room for the words beside a disc.
 const KIND_WIDTH: f64 = 110.0;
 
 /// The most points of a piece of a line.
-const MAX_POINTS: usize = 90;
+const MOST_POINTS: usize = 160;
 
 /// Draws the figure of a load; `None` if no curve was followed along the cutoff.
 pub(super) fn figure(report: &SceneReport<'_>, load: usize, styles: &[ModelStyle]) -> Option<Markup> {
@@ -49,14 +48,15 @@ pub(super) struct AreaCurve<'r, 's> {
     holes_m: Vec<(f64, f64)>,
     /// Wavelength \[m\] and area fraction along each curve, by its index.
     curves: Vec<(usize, Vec<(f64, f64)>)>,
-    marks: Vec<ElementMark>,
-    x: Axis,
-    y: Axis,
+    marks: Vec<Mark>,
+    /// The smallest area on the axis.
+    floor: f64,
+    axes: Canvas,
 }
 
 impl<'r, 's> AreaCurve<'r, 's> {
     /// Takes the curves of a load, with an axis from one wavelength \[m\] to another; `None` if no curve was followed.
-    pub fn new(report: &'r SceneReport<'s>, load: usize, [shortest_m, longest_m]: [f64; 2]) -> Option<Self> {
+    pub fn new(report: &'r SceneReport<'s>, load: usize, band_m: [f64; 2]) -> Option<Self> {
         let holes_m =
             report.scene.surface.holes().iter().map(|hole| (hole.shortest_m, hole.longest_m)).collect();
         let curves: Vec<(usize, Vec<(f64, f64)>)> = report
@@ -64,7 +64,9 @@ impl<'r, 's> AreaCurve<'r, 's> {
             .filter(|(_, answers)| answers.iter().any(|(at, answer)| *at == load && answer.followed))
             .map(|(curve, _)| (curve, report.results.curves[curve].area_fractions(load)))
             .collect();
-        let marks = marks(report, load);
+        let shortest_m = report.results.psd.shortest_wavelength_m();
+        let judgement = report.evidence.judgement;
+        let marks = judgement.map_or_else(Vec::new, |found| element_marks(found, load, shortest_m));
         let areas = curves
             .iter()
             .flat_map(|(_, points)| points.iter().map(|(_, area)| *area))
@@ -73,56 +75,140 @@ impl<'r, 's> AreaCurve<'r, 's> {
         if curves.is_empty() || least >= 1.0 {
             return None;
         }
-        let x = Axis { least: shortest_m, most: longest_m, start: LEFT, end: WIDTH - RIGHT };
-        let floor = 10f64.powf((0.6 * least).log10().mul_add(2.0, 0.0).floor() / 2.0);
-        let y = Axis { least: floor, most: 1.0, start: HEIGHT - BOTTOM, end: TOP };
-        Some(AreaCurve { report, load, holes_m, curves, marks, x, y })
+        let floor = 10f64.powf((2.0 * (0.6 * least).log10()).floor() / 2.0);
+        let x = Ruler::tight(band_m, TickWords::Length);
+        let y = Ruler::tight([floor, 1.0], TickWords::Share);
+        Some(AreaCurve { report, load, holes_m, curves, marks, floor, axes: Canvas::new(x, y, FRAME) })
     }
 
     /// Draws the figure.
     pub fn figure(&self, styles: &[ModelStyle]) -> Markup {
-        let AreaCurve { report, x, y, .. } = *self;
+        let report = self.report;
         let load = &report.scene.needs.loads[self.load].label;
         let label = format!("Contact area at {load} as finer roughness is included");
+        let mut canvas = self.axes.clone();
+        for (shortest_m, longest_m) in &self.holes_m {
+            let hole = canvas.hole(*shortest_m, *longest_m);
+            let middle = (0.5 * (hole.left + hole.right), hole.top + 12.0);
+            canvas.text(middle, Anchor::Middle, LETTERS, "not measured");
+        }
+        canvas.grid();
+        canvas.tick_labels();
+        canvas.text(
+            (FRAME.right, HEIGHT - 8.0),
+            Anchor::End,
+            LETTERS,
+            "shortest wavelength included (finer ←)",
+        );
+        for (curve, points) in &self.curves {
+            let ModelStyle { colour, dark_colour, dash } = &styles[*curve];
+            let look =
+                format!("class=\"{} line\" style=\"{}\"", class(*curve), variables(colour, dark_colour));
+            canvas.group(&look, &report.curve(*curve), |canvas| {
+                for piece in pieces(points, &self.holes_m) {
+                    let places = piece.iter().map(|(wavelength_m, area)| self.place(*wavelength_m, *area));
+                    let run = thinned(places.collect(), MOST_POINTS);
+                    canvas.line(&run, Stroke { colour, width_px: 2.0, dash });
+                }
+            });
+        }
+        self.elements(&mut canvas);
+        self.strip(&mut canvas);
+        self.names(&mut canvas, styles);
         html! {
             svg.area viewBox=(format!("0 0 {WIDTH} {HEIGHT}")) role="img" aria-label=(label) xmlns="http://www.w3.org/2000/svg" {
-                (PreEscaped(background(report, x, y)))
-                @for (curve, points) in &self.curves {
-                    @let style = &styles[*curve];
-                    g class=(format!("{} line", class(*curve))) style=(line_colours(style)) {
-                        path d=(path(points, &self.holes_m, x, y)) stroke-dasharray=(style.dash) {}
-                        title { (report.curve(*curve)) }
-                    }
-                }
-                (PreEscaped(elements(&self.marks, x, y)))
-                (PreEscaped(element_kinds(&self.marks)))
-                (PreEscaped(strip(report, self.load, x)))
-                (PreEscaped(labels(report, &self.curves, styles, x, y)))
+                (PreEscaped(canvas.svg))
             }
         }
     }
 
     /// The values along the curves, in print.
     pub fn reading(&self) -> Reading {
-        let AreaCurve { report, x, y, .. } = *self;
         // Wavelengths rise from left to right, and curves run from long to short ones.
         let points = |points: &[(f64, f64)]| {
-            let inside = points.iter().rev().filter(|(_, area)| *area >= y.least);
-            inside
-                .map(|(wavelength_m, area)| (x.place(*wavelength_m), y.place(*area), share(*area)))
-                .collect()
+            let inside = points.iter().rev().filter(|(_, area)| *area >= self.floor);
+            let value = |(wavelength_m, area): &(f64, f64)| {
+                let (x, y) = self.place(*wavelength_m, *area);
+                (x, y, share(*area))
+            };
+            inside.map(value).collect()
         };
         let lines = self.curves.iter().map(|(curve, along)| ReadingLine {
             class: class(*curve),
-            name: printable(&report.short_curve(*curve)).into_owned(),
+            name: printable(&self.report.short_curve(*curve)).into_owned(),
             points: points(along),
         });
         let finest = self.curves.iter().map(|(_, along)| along).max_by_key(|along| along.len());
         let places = finest.into_iter().flatten().rev();
+        let place =
+            |(wavelength_m, area): &(f64, f64)| (self.place(*wavelength_m, *area).0, length(*wavelength_m));
+        let Rect { left, top, right, bottom } = FRAME;
         Reading {
-            frame: [LEFT, TOP, WIDTH - RIGHT, HEIGHT - BOTTOM],
-            places: places.map(|(wavelength_m, _)| (x.place(*wavelength_m), length(*wavelength_m))).collect(),
+            frame: [left, top, right, bottom],
+            places: places.map(place).collect(),
             lines: lines.collect(),
+        }
+    }
+
+    /// The place of an area, which lies no lower than the axis.
+    fn place(&self, wavelength_m: f64, area: f64) -> Point {
+        (self.axes.x.px_or_first(wavelength_m), self.axes.y.px_or_first(area.max(self.floor)))
+    }
+
+    /// Draws the areas of the elements with their errors, and the kinds of elements below.
+    fn elements(&self, canvas: &mut Canvas) {
+        let black = palette::colour(NEUTRAL);
+        let class = |yields| if yields { "class=\"elements yielding\"" } else { "class=\"elements\"" };
+        for Mark { label, is_ring, x, y, low, high, .. } in &self.marks {
+            canvas.group(class(*is_ring), &format!("{label}: {}", share(*y)), |canvas| {
+                let _ = canvas.mark(*x, [low.max(self.floor), *y, *high], &black, *is_ring);
+            });
+        }
+        let mut across = FRAME.left + 4.0;
+        for (yields, words) in [(false, "elastic elements"), (true, "yielding")] {
+            if self.marks.iter().any(|mark| mark.is_ring == yields) {
+                let at = (across, HEIGHT - 12.0);
+                canvas.group(class(yields), words, |canvas| canvas.svg += &disc(at, &black, yields));
+                canvas.text((across + 8.0, HEIGHT - 8.0), Anchor::Start, LETTERS, words);
+                across += 8.0 + KIND_WIDTH;
+            }
+        }
+    }
+
+    /// Draws the share of each decade in the answer, on the axis of wavelengths: that of the model nearest to the elements.
+    fn strip(&self, canvas: &mut Canvas) {
+        let (report, load) = (self.report, self.load);
+        let mut loads = report.conclusions.loads.iter();
+        let nearest = loads.find(|of| of.load == load).and_then(|of| of.nearest_curve());
+        let answer = nearest.and_then(|curve| report.answer.curves[curve][load].as_ref());
+        let Some(answer) = answer.filter(|answer| !answer.decades.is_empty()) else { return };
+        let middle = STRIP_TOP + 0.5 * STRIP_HEIGHT + 4.0;
+        canvas.text((FRAME.left - 5.0, middle), Anchor::End, LETTERS, "decides");
+        for decade in &answer.decades {
+            let [left, right] =
+                [decade.shortest_m, decade.longest_m].map(|edge_m| canvas.x.px_within(edge_m));
+            let percent = format!("{:.0} %", 100.0 * decade.share);
+            let words = format!("{} decides {percent}", decade_name(decade, &report.results.psd));
+            canvas.group("class=\"share\"", &words, |canvas| {
+                let place = Rect { left, top: STRIP_TOP, right, bottom: STRIP_TOP + STRIP_HEIGHT };
+                canvas.rect(place, &format!("style=\"--share:{:.2}\"", decade.share.clamp(0.0, 1.0)));
+                if right - left >= STRIP_TEXT {
+                    canvas.text((0.5 * (left + right), middle), Anchor::Middle, 10.0, &percent);
+                }
+            });
+        }
+    }
+
+    /// Writes the names of the models at the short ends of their lines.
+    fn names(&self, canvas: &mut Canvas, styles: &[ModelStyle]) {
+        for (curve, points) in &self.curves {
+            let Some((wavelength_m, area)) = points.last() else { continue };
+            let (x, y) = self.place(*wavelength_m, *area);
+            let at = (x + 6.0, (y + 14.0).min(FRAME.bottom - 3.0));
+            let ModelStyle { colour, dark_colour, .. } = &styles[*curve];
+            let look =
+                format!("class=\"{} line name\" style=\"{}\"", class(*curve), variables(colour, dark_colour));
+            canvas.styled_text(at, Anchor::Start, &look, &self.report.short_curve(*curve));
         }
     }
 }
@@ -130,215 +216,4 @@ impl<'r, 's> AreaCurve<'r, 's> {
 /// The class of the elements of a curve.
 fn class(curve: usize) -> String {
     format!("m{curve}")
-}
-
-/// Grey holes, grid lines and tick labels.
-fn background(report: &SceneReport<'_>, x: Axis, y: Axis) -> String {
-    let mut text = String::new();
-    for hole in report.scene.surface.holes() {
-        let (left, right) = (x.place(hole.shortest_m).max(LEFT), x.place(hole.longest_m).min(WIDTH - RIGHT));
-        let _ = write!(
-            text,
-            "<rect class=\"hole\" x=\"{left:.1}\" y=\"{TOP}\" width=\"{:.1}\" height=\"{:.1}\"/><text class=\"quiet\" x=\"{:.1}\" \
-             y=\"{:.1}\" text-anchor=\"middle\">not measured</text>",
-            (right - left).max(0.0),
-            HEIGHT - BOTTOM - TOP,
-            0.5 * (left + right),
-            TOP + 12.0
-        );
-    }
-    for tick in y.ticks() {
-        let place = y.place(tick);
-        let _ = write!(
-            text,
-            "<path class=\"grid\" d=\"M{LEFT} {place:.1}H{:.1}\"/><text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\">{}</text>",
-            WIDTH - RIGHT,
-            LEFT - 5.0,
-            place + 3.5,
-            share(tick)
-        );
-    }
-    for tick in x.ticks() {
-        let place = x.place(tick);
-        let _ = write!(
-            text,
-            "<path class=\"grid\" d=\"M{place:.1} {TOP}V{:.1}\"/><text x=\"{place:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{}</text>",
-            HEIGHT - BOTTOM,
-            HEIGHT - BOTTOM + 14.0,
-            length(tick)
-        );
-    }
-    let _ = write!(
-        text,
-        "<text class=\"quiet\" x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\">shortest wavelength included (finer ←)</text>",
-        WIDTH - RIGHT,
-        HEIGHT - 8.0
-    );
-    text
-}
-
-/// The share of each decade in the answer, on the axis of wavelengths: that of the model nearest to the elements.
-fn strip(report: &SceneReport<'_>, load: usize, x: Axis) -> String {
-    let nearest =
-        report.conclusions.loads.iter().find(|of| of.load == load).and_then(|of| of.nearest_curve());
-    let answer = nearest.and_then(|curve| report.answer.curves[curve][load].as_ref());
-    let Some(answer) = answer.filter(|answer| !answer.decades.is_empty()) else { return String::new() };
-    let middle = STRIP_TOP + 0.5 * STRIP_HEIGHT + 4.0;
-    let mut text =
-        format!("<text x=\"{:.1}\" y=\"{middle:.1}\" text-anchor=\"end\">decides</text>", LEFT - 5.0);
-    for decade in &answer.decades {
-        let (left, right) = (x.place(decade.shortest_m).max(x.start), x.place(decade.longest_m).min(x.end));
-        let percent = format!("{:.0} %", 100.0 * decade.share);
-        let _ = write!(
-            text,
-            "<g class=\"share\"><rect x=\"{left:.1}\" y=\"{STRIP_TOP}\" width=\"{:.1}\" height=\"{STRIP_HEIGHT}\" \
-             style=\"--share:{:.2}\"/><title>{} decides {percent}</title>",
-            (right - left).max(0.0),
-            decade.share.clamp(0.0, 1.0),
-            decade_name(decade, &report.results.psd)
-        );
-        if right - left >= STRIP_TEXT {
-            let _ = write!(
-                text,
-                "<text x=\"{:.1}\" y=\"{middle:.1}\" text-anchor=\"middle\">{percent}</text>",
-                0.5 * (left + right)
-            );
-        }
-        text += "</g>";
-    }
-    text
-}
-
-/// An area of boundary elements on the figure.
-struct ElementMark {
-    wavelength_m: f64,
-    area_fraction: f64,
-    low: f64,
-    high: f64,
-    reference: Reference,
-}
-
-/// The areas of the elements on each window, with the whole surface, and at the end of the spectrum.
-fn marks(report: &SceneReport<'_>, load: usize) -> Vec<ElementMark> {
-    let Some(judgement) = report.evidence.judgement else { return Vec::new() };
-    let shortest_m = report.results.psd.shortest_wavelength_m();
-    let whole = judgement
-        .references
-        .iter()
-        .filter(|area| area.load == load)
-        .filter_map(|area| Some((area.reference, shortest_m, area.elements?)));
-    let on_windows = judgement.windows.iter().filter(|on| on.load == load && !on.is_whole_band);
-    let on_windows = on_windows.filter_map(|on| {
-        let reference = judgement.curves.iter().find(|curve| curve.curve == on.curve)?.reference;
-        Some((reference, on.shortest_m, on.elements_of_whole?))
-    });
-    let mut marks: Vec<ElementMark> = Vec::new();
-    for (reference, wavelength_m, elements) in whole.chain(on_windows) {
-        let is_drawn = |mark: &ElementMark| {
-            mark.reference == reference && (mark.wavelength_m / wavelength_m - 1.0).abs() < 0.01
-        };
-        // Curves of one body share their elements, and the last window ends where the spectrum does.
-        if !marks.iter().any(is_drawn) {
-            let (low, high) = (elements.low(), elements.high());
-            marks.push(ElementMark {
-                wavelength_m,
-                area_fraction: elements.area_fraction,
-                low,
-                high,
-                reference,
-            });
-        }
-    }
-    marks
-}
-
-fn elements(marks: &[ElementMark], x: Axis, y: Axis) -> String {
-    let mut text = String::new();
-    for mark in marks {
-        let class = match mark.reference {
-            Reference::Elastic => "elements",
-            Reference::Yielding { .. } | Reference::Growing => "elements yielding",
-        };
-        let (across, up) = (x.place(mark.wavelength_m), y.place(mark.area_fraction));
-        let _ = write!(
-            text,
-            "<g class=\"{class}\"><path d=\"M{across:.1} {:.1}V{:.1}\"/><circle cx=\"{across:.1}\" cy=\"{up:.1}\" r=\"3.5\"/>\
-             <title>boundary elements, {}: {}</title></g>",
-            y.place(mark.low.max(y.least)),
-            y.place(mark.high),
-            mark.reference.name(),
-            share(mark.area_fraction)
-        );
-    }
-    text
-}
-
-/// The kinds of elements that are drawn, each with its disc or ring.
-fn element_kinds(marks: &[ElementMark]) -> String {
-    let mut text = String::new();
-    let mut across = LEFT + 4.0;
-    let up = HEIGHT - 12.0;
-    for (yields, words) in [(false, "elastic elements"), (true, "yielding")] {
-        if marks.iter().any(|mark| (mark.reference != Reference::Elastic) == yields) {
-            let class = if yields { "elements yielding" } else { "elements" };
-            let _ = write!(
-                text,
-                "<g class=\"{class}\"><circle cx=\"{across}\" cy=\"{up}\" r=\"3.5\"/></g>\
-                 <text class=\"quiet\" x=\"{}\" y=\"{}\">{words}</text>",
-                across + 8.0,
-                up + 4.0
-            );
-            across += 8.0 + KIND_WIDTH;
-        }
-    }
-    text
-}
-
-/// The colours of a model's lines on light and dark pages, as variables of the style sheet.
-pub(super) fn line_colours(style: &ModelStyle) -> String {
-    format!("--light:{};--dark:{}", style.colour, style.dark_colour)
-}
-
-/// The names of the models at the short ends of their lines, moved apart.
-fn labels(
-    report: &SceneReport<'_>,
-    curves: &[(usize, Vec<(f64, f64)>)],
-    styles: &[ModelStyle],
-    x: Axis,
-    y: Axis,
-) -> String {
-    let mut text = String::new();
-    for (curve, points) in curves {
-        let Some((wavelength_m, area)) = points.last() else { continue };
-        let name = html! { (report.short_curve(*curve)) }.into_string();
-        let _ = write!(
-            text,
-            "<text class=\"m{curve} line name\" x=\"{:.1}\" y=\"{:.1}\" style=\"{}\">{name}</text>",
-            x.place(*wavelength_m) + 6.0,
-            (y.place(*area) + 14.0).min(HEIGHT - BOTTOM - 3.0),
-            line_colours(&styles[*curve])
-        );
-    }
-    text
-}
-
-/// A path along the points that breaks at holes.
-fn path(points: &[(f64, f64)], holes: &[(f64, f64)], x: Axis, y: Axis) -> String {
-    let mut text = String::new();
-    for piece in pieces(points, holes) {
-        for (at, (wavelength_m, area)) in thinned(piece).into_iter().enumerate() {
-            let command = if at == 0 { 'M' } else { 'L' };
-            let _ = write!(text, "{command}{:.1} {:.1}", x.place(wavelength_m), y.place(area.max(y.least)));
-        }
-    }
-    text
-}
-
-/// Every point, or evenly chosen ones with both ends.
-fn thinned(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
-    if points.len() <= MAX_POINTS {
-        return points;
-    }
-    let last = points.len() - 1;
-    (0..MAX_POINTS).map(|at| points[at * last / (MAX_POINTS - 1)]).collect()
 }

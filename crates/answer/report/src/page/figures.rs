@@ -3,7 +3,7 @@
 use maud::{Markup, PreEscaped, html};
 
 use super::{SceneReport, Section, sentence};
-use crate::plot;
+use crate::chart;
 use study::figure::{BandKind, FigureData, Shows};
 use units::display::counted;
 
@@ -21,32 +21,24 @@ pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
 
 /// The figure of this name, a panel for each scene that has it.
 fn figure(scenes: &[SceneReport<'_>], name: &str) -> Markup {
-    let panels: Vec<(usize, &SceneReport<'_>, &FigureData)> = scenes
-        .iter()
-        .enumerate()
-        .filter_map(|(at, scene)| {
-            scene.figures.iter().find(|figure| figure.name == name).map(|figure| (at, scene, figure))
-        })
-        .collect();
-    let beside: Vec<&FigureData> = panels.iter().map(|(_, _, figure)| *figure).collect();
-    let Some((_, _, first)) = panels.first() else { return html! {} };
+    let own = |scene: &SceneReport<'_>| scene.figures.iter().position(|figure| figure.name == name);
+    let panels: Vec<(&SceneReport<'_>, &FigureData)> =
+        scenes.iter().filter_map(|scene| Some((scene, &scene.figures[own(scene)?]))).collect();
+    let beside: Vec<&FigureData> = panels.iter().map(|(_, figure)| *figure).collect();
+    let Some((_, first)) = panels.first() else { return html! {} };
     html! {
         figure {
             div.panels {
-                @for (at, scene, figure) in &panels {
+                @for (scene, figure) in &panels {
                     div {
                         @if scenes.len() > 1 { p.panel { (scene.label) } }
-                        (panel(scene, figure, &beside, &format!("scene-{at}-{name}")))
+                        (PreEscaped(chart::element(figure, &beside, &words(scene, figure))))
                     }
                 }
             }
             figcaption { strong { (numbered(name)) (sentence(&first.title)) } " " (caption(first.shows)) (intervals(first)) }
         }
     }
-}
-
-fn panel(scene: &SceneReport<'_>, figure: &FigureData, beside: &[&FigureData], id: &str) -> Markup {
-    PreEscaped(plot::element(figure, beside, id, &words(scene, figure)))
 }
 
 /// The text for readers who cannot see a panel.

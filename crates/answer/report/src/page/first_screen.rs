@@ -5,7 +5,6 @@
 use std::fmt::Write;
 
 use conclusions::{Caution, Conclusions, LoadConclusion, ModelCell, ReferenceGroup, Source};
-use drawings::model_style::ModelStyle;
 use findings::interface::InterfaceStates;
 use judge::{AGREEMENT, Reference, Verdict};
 use maud::{Markup, PreEscaped, html};
@@ -14,6 +13,7 @@ use units::display::{three_digits, typeset};
 
 use super::SceneReport;
 use super::area_curve;
+use crate::chart::palette::{ModelStyle, variables};
 use crate::conclusion_words::{
     caution_words, condition, next_words, quantity_rows, rough_body, seal_words, source_words,
 };
@@ -233,7 +233,7 @@ fn matrix(report: &SceneReport<'_>, at: usize, styles: &[ModelStyle]) -> Markup 
                                 tr {
                                     th scope="row" {
                                         (input("checkbox", &id, &id, drawn.contains(&curve)))
-                                        label for=(id) { span.key.line style=(area_curve::line_colours(&styles[curve])) {} (report.short_curve(curve)) }
+                                        label for=(id) { span.key.line style=(variables(styles[curve].colour, styles[curve].dark_colour)) {} (report.short_curve(curve)) }
                                     }
                                     @for load in loads { (cell(report, load, reference, curve)) }
                                 }

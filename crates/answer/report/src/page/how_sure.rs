@@ -2,9 +2,9 @@
 
 use maud::{Markup, PreEscaped, html};
 
-use super::{SceneReport, Section, gists, per_numbered_scene, share_cell, table};
+use super::{SceneReport, Section, gists, per_scene, share_cell, table};
 use crate::advice_words::{foremost_advice, subject};
-use crate::plot;
+use crate::chart;
 use crate::uncertainty_words::{self, level};
 use uncertainty::{
     Advice, AreaInterval, DecadeOfVariance, Group, InstrumentInput, InstrumentName, OverlapMisfit, Resampled,
@@ -13,7 +13,7 @@ use uncertainty::{
 use units::display::{counted, length, three_digits, typeset, typeset_digits};
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
-    let body = per_numbered_scene(scenes, of)?;
+    let body = per_scene(scenes, of)?;
     let gist = gists(scenes, |scene| {
         let load = scene.middle()?;
         let interval =
@@ -23,7 +23,7 @@ pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
     Some(Section { id: "how-sure", title: "How sure", gist, body })
 }
 
-fn of(report: &SceneReport<'_>, at: usize) -> Option<Markup> {
+fn of(report: &SceneReport<'_>) -> Option<Markup> {
     let uncertainty = report.evidence.uncertainty?;
     let is_nearest = |area: &AreaInterval| {
         let mut loads = report.conclusions.loads.iter();
@@ -36,7 +36,7 @@ fn of(report: &SceneReport<'_>, at: usize) -> Option<Markup> {
             summary { h3 { "Every model, and the inputs of the draws" } }
             @for text in uncertainty_words::sentences(uncertainty) { p { (typeset(&text)) } }
             (intervals(report, uncertainty, EVERY_AREA, |_| true))
-            @if let Some(advice) = advice { (decades(report, advice, &format!("scene-{at}-variance"))) }
+            @if let Some(advice) = advice { (decades(report, advice)) }
             @if !uncertainty.instruments.is_empty() { (instruments(uncertainty)) }
             @if !uncertainty.overlaps.is_empty() { (overlaps(uncertainty)) }
         }
@@ -91,13 +91,21 @@ fn intervals(
 }
 
 /// The share of each decade in the variance, as a figure.
-fn decades(report: &SceneReport<'_>, advice: &Advice, id: &str) -> Markup {
+fn decades(report: &SceneReport<'_>, advice: &Advice) -> Markup {
     let subject = subject(advice, report.scene);
     let words = format!(
         "Share of each decade of wavelengths in the variance of ln A, {subject}: {}",
         advice.decades.iter().map(in_words).collect::<Vec<_>>().join(", ")
     );
-    let drawn = plot::shares_of_decades(&advice.decades, "share of variance (%)", id, &words);
+    let is_drawable = |decade: &&DecadeOfVariance| {
+        decade.shortest_m > 0.0 && decade.longest_m > decade.shortest_m && decade.share.is_finite()
+    };
+    // A share below 0 is within its own error.
+    let bar = |decade: &DecadeOfVariance| {
+        ([decade.shortest_m, decade.longest_m], 100.0 * decade.share.clamp(0.0, 1.0))
+    };
+    let shown: Vec<_> = advice.decades.iter().filter(is_drawable).map(bar).collect();
+    let drawn = chart::bars(&shown, "share of variance (%)", &words);
     html! {
         @if let Some(drawn) = drawn {
             figure {

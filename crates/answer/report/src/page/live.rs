@@ -1,7 +1,6 @@
 //! The first screen of one load in parts, for a page that stays open while its conditions change.
 
 use conclusions::{Conclusions, Evidence};
-use drawings::model_style::ModelStyle;
 use serde::Serialize;
 use study::figure::CurveLook;
 use units::display::{share, three_digits, typeset};
@@ -10,6 +9,7 @@ use units::printable::printable;
 use super::area_curve::AreaCurve;
 use super::reading::Reading;
 use super::{SceneReport, first_screen};
+use crate::chart::palette::ModelStyle;
 use crate::curve_names::{model_in_words, short_name};
 
 /// The first screen of one load in parts: HTML and SVG, and the models as data.

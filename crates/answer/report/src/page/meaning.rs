@@ -2,21 +2,21 @@
 
 use maud::{Markup, PreEscaped, html};
 
-use super::{SceneReport, Section, per_numbered_scene, sentence, table};
+use super::{SceneReport, Section, per_scene, sentence, table};
 use crate::interface_figure::{gap_against_load, loops_of_loads};
 use crate::listing::capital;
 use crate::uncertainty_words::level;
-use crate::{interface_words, plot};
+use crate::{chart, interface_words};
 use findings::interface::InterfaceStates;
 use study::interface::Slot;
 use units::display::typeset;
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
-    let body = per_numbered_scene(scenes, of)?;
+    let body = per_scene(scenes, of)?;
     Some(Section { id: "meaning", title: "The interface", gist: String::new(), body })
 }
 
-fn of(report: &SceneReport<'_>, at: usize) -> Option<Markup> {
+fn of(report: &SceneReport<'_>) -> Option<Markup> {
     if report.scene.needs.curves.is_empty() && report.scene.interface.is_none() {
         return None;
     }
@@ -26,8 +26,8 @@ fn of(report: &SceneReport<'_>, at: usize) -> Option<Markup> {
         @if let Some(states) = &found {
             @for note in interface_words::notes(states, report.scene, report.evidence.uncertainty) { p { (typeset(&capital(&note))) "." } }
             (quantities(report, states))
-            (gap(report, states, &format!("scene-{at}-gap")))
-            (shear(report, states, &format!("scene-{at}-shear")))
+            (gap(report, states))
+            (shear(report, states))
         }
         @if let Some(further) = further { p { (typeset(&further)) } }
     })
@@ -77,14 +77,14 @@ fn quantities(report: &SceneReport<'_>, states: &InterfaceStates<'_>) -> Markup 
     )
 }
 
-fn gap(report: &SceneReport<'_>, states: &InterfaceStates<'_>, id: &str) -> Markup {
+fn gap(report: &SceneReport<'_>, states: &InterfaceStates<'_>) -> Markup {
     let Some(figure) = gap_against_load(states, report.scene, report.evidence.uncertainty) else {
         return html! {};
     };
     let words = format!("{} against {}", figure.y_label, figure.x_label);
     html! {
         figure {
-            div.panels { div { (PreEscaped(plot::element(&figure, &[&figure], id, &words))) } }
+            div.panels { div { (PreEscaped(chart::element(&figure, &[&figure], &words))) } }
             figcaption {
                 strong { "Mean gap against load." } " The whole theory, and the law u" sub { "0" } " ln(p" sub { "00" }
                 "/p) that light loads follow; the loads of the scene with their intervals."
@@ -93,12 +93,12 @@ fn gap(report: &SceneReport<'_>, states: &InterfaceStates<'_>, id: &str) -> Mark
     }
 }
 
-fn shear(report: &SceneReport<'_>, states: &InterfaceStates<'_>, id: &str) -> Markup {
+fn shear(report: &SceneReport<'_>, states: &InterfaceStates<'_>) -> Markup {
     let Some(figure) = loops_of_loads(states, report.scene) else { return html! {} };
     let words = format!("{}: {} against {}", figure.title, figure.y_label, figure.x_label);
     html! {
         figure {
-            div.panels { div { (PreEscaped(plot::element(&figure, &[&figure], id, &words))) } }
+            div.panels { div { (PreEscaped(chart::element(&figure, &[&figure], &words))) } }
             figcaption {
                 strong { (sentence(&figure.title)) } " First loading, and the cycle between both signs of the load; the area that it \
                 encloses is the energy lost per cycle."

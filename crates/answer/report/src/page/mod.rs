@@ -5,7 +5,6 @@
 
 mod all_numbers;
 mod area_curve;
-mod axis;
 mod choices;
 #[cfg(test)]
 mod contrast;
@@ -153,17 +152,8 @@ fn per_scene(
     scenes: &[SceneReport<'_>],
     part: impl Fn(&SceneReport<'_>) -> Option<Markup>,
 ) -> Option<Markup> {
-    per_numbered_scene(scenes, |scene, _| part(scene))
-}
-
-/// The parts of all scenes that have one; `part` also takes the number of the scene, for ids that are unique in the
-/// page.
-fn per_numbered_scene(
-    scenes: &[SceneReport<'_>],
-    part: impl Fn(&SceneReport<'_>, usize) -> Option<Markup>,
-) -> Option<Markup> {
     let parts: Vec<(&str, Markup)> =
-        scenes.iter().enumerate().filter_map(|(at, scene)| Some((scene.label, part(scene, at)?))).collect();
+        scenes.iter().filter_map(|scene| Some((scene.label, part(scene)?))).collect();
     let several = scenes.len() > 1;
     (!parts.is_empty()).then(|| {
         html! {

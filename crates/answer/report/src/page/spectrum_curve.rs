@@ -2,41 +2,33 @@
 //! with its limit, and holes in grey.
 
 use std::f64::consts::TAU;
-use std::fmt::Write;
 
-use maud::{Markup, PreEscaped, html};
+use maud::{PreEscaped, html};
 use serde::Serialize;
 use spectrum::ProfilePsd;
 use study::figure::pieces;
 use study::surface::Surface;
 use topography::{BinMean, DEFAULT_BINS_PER_DECADE, ScanSpectrum, log_binned};
-use units::display::{length, power_of_ten, typeset_digits};
+use units::display::{length, typeset_digits};
 use units::printable::printable;
 
-use super::axis::Axis;
 use super::reading::{Reading, ReadingLine};
+use crate::chart::canvas::{Anchor, Canvas, Rect, Stroke};
+use crate::chart::palette::{self, NEUTRAL, of_page};
+use crate::chart::ruler::{Ruler, TickWords};
 use crate::scan_words::band_end;
 
-/// Width, height of the frame, and margins in units of the drawing.
+/// Width and frame in units of the drawing, and the height below the frame.
 const WIDTH: f64 = 560.0;
-const FRAME: f64 = 270.0;
-const LEFT: f64 = 50.0;
-const RIGHT: f64 = 18.0;
-const TOP: f64 = 42.0;
+const FRAME: Rect = Rect { left: 50.0, top: 42.0, right: WIDTH - 18.0, bottom: 312.0 };
 const BELOW: f64 = 44.0;
+
+/// The size of letters.
+const LETTERS: f64 = 11.0;
 
 /// The height of the row of a scan below the axis, and the most rows.
 const ROW: f64 = 18.0;
 const MOST_ROWS: usize = 12;
-
-/// Colours of scans on white and on a dark page; further scans begin again.
-const COLOURS: [[&str; 2]; 5] = [
-    ["#0072b2", "#5aa9e6"],
-    ["#b4530a", "#f0883e"],
-    ["#0b7a5a", "#3fbf8f"],
-    ["#a6438c", "#e58ac8"],
-    ["#7a6200", "#d4b833"],
-];
 
 /// The class of the line of the whole surface.
 const COMPOSITE: &str = "composite";
@@ -66,7 +58,7 @@ impl SpectrumCurve {
     #[must_use]
     pub fn new(surface: &Surface) -> Self {
         let drawing = Drawing::new(surface);
-        SpectrumCurve { figure: drawing.figure().into_string(), reading: drawing.reading() }
+        SpectrumCurve { figure: drawing.figure(), reading: drawing.reading() }
     }
 }
 
@@ -75,8 +67,9 @@ struct Drawing<'s> {
     holes: Vec<(f64, f64)>,
     composite: Line,
     scans: Vec<Scan<'s>>,
-    x: Axis,
-    y: Axis,
+    /// Wavevectors from the least to the largest \[rad/m\].
+    wavevectors: [f64; 2],
+    axes: Canvas,
 }
 
 impl<'s> Drawing<'s> {
@@ -98,105 +91,84 @@ impl<'s> Drawing<'s> {
             surface.holes().iter().map(|hole| (TAU / hole.longest_m, TAU / hole.shortest_m)).collect();
         let points =
             || scans.iter().flat_map(|scan| scan.whole.iter().chain(&scan.trusted)).chain(&composite);
-        let range = |of: fn(&(f64, f64)) -> f64| {
-            points().map(of).fold((f64::INFINITY, 0.0), |(least, most): (f64, f64), value| {
-                (least.min(value), most.max(value))
-            })
+        let range = |of: fn(&(f64, f64)) -> f64, room: f64| {
+            let (least, most) =
+                points().map(of).fold((f64::INFINITY, 0.0), |(least, most): (f64, f64), value| {
+                    (least.min(value), most.max(value))
+                });
+            [least / room, most * room]
         };
-        let ((q_least, q_most), (least, most)) = (range(|point| point.0), range(|point| point.1));
-        let x = Axis { least: q_least / 1.05, most: q_most * 1.05, start: LEFT, end: WIDTH - RIGHT };
-        let y = Axis { least: 0.5 * least, most: 2.0 * most, start: TOP + FRAME, end: TOP };
-        Drawing { holes, composite, scans, x, y }
+        let wavevectors = range(|point| point.0, 1.05);
+        let x = Ruler::tight(wavevectors, TickWords::Number);
+        let y = Ruler::tight(range(|point| point.1, 2.0), TickWords::Number);
+        Drawing { holes, composite, scans, wavevectors, axes: Canvas::new(x, y, FRAME) }
     }
 
-    fn figure(&self) -> Markup {
+    fn figure(&self) -> String {
         let rows = self.scans.len().min(MOST_ROWS);
-        let height = TOP + FRAME + BELOW + ROW * rows as f64;
+        let height = FRAME.bottom + BELOW + ROW * rows as f64;
+        let mut canvas = self.axes.clone();
+        self.background(&mut canvas);
+        for (at, scan) in self.scans.iter().enumerate() {
+            let (colour, look) = (palette::colour(at % NEUTRAL), look(at));
+            canvas.group(&format!("class=\"{} line\" {look}", class(at)), &scan.name, |canvas| {
+                let thin = Stroke { colour: &colour, width_px: 1.0, dash: "2 3" };
+                canvas.svg += "<g class=\"untrusted\">";
+                self.line(canvas, &scan.whole, thin);
+                canvas.svg += "</g>";
+                self.line(canvas, &scan.trusted, Stroke { width_px: 1.4, dash: "", ..thin });
+            });
+        }
+        canvas.group(&format!("class=\"{COMPOSITE} line\""), "whole surface", |canvas| {
+            let colour = palette::colour(NEUTRAL);
+            for piece in pieces(&self.composite, &self.holes) {
+                self.line(canvas, &piece, Stroke { colour: &colour, width_px: 2.4, dash: "" });
+            }
+        });
+        (0..rows).for_each(|at| self.row(&mut canvas, at));
+        if rows < self.scans.len() {
+            let more = format!("and {} more", self.scans.len() - rows);
+            canvas.text((FRAME.right, height - 2.0), Anchor::End, LETTERS, &more);
+        }
         html! {
             svg.area.spectrum viewBox=(format!("0 0 {WIDTH} {height}")) role="img" xmlns="http://www.w3.org/2000/svg"
                 aria-label="Power spectrum of profiles against wavevector, with wavelengths above" {
-                (PreEscaped(self.background()))
-                @for (at, scan) in self.scans.iter().enumerate() {
-                    g class=(format!("{} line", class(at))) style=(colours(at)) {
-                        path.untrusted d=(self.path(&scan.whole)) {}
-                        path d=(self.path(&scan.trusted)) {}
-                        title { (scan.name) }
-                    }
-                }
-                g.composite.line {
-                    @for piece in pieces(&self.composite, &self.holes) { path d=(self.path(&piece)) {} }
-                    title { "whole surface" }
-                }
-                @for at in 0..rows { (self.row(at)) }
-                @if rows < self.scans.len() {
-                    text.quiet x=(WIDTH - RIGHT) y=(height - 2.0) text-anchor="end" { "and " (self.scans.len() - rows) " more" }
-                }
+                (PreEscaped(canvas.svg))
             }
         }
+        .into_string()
     }
 
     /// Grey holes, grid lines, and the labels of three axes.
-    fn background(&self) -> String {
-        let (x, y, bottom, right) = (self.x, self.y, TOP + FRAME, WIDTH - RIGHT);
-        let mut text = String::new();
+    fn background(&self, canvas: &mut Canvas) {
         for (from, to) in &self.holes {
-            let (left, width) = (x.place(*from), x.place(*to) - x.place(*from));
-            let _ = write!(
-                text,
-                "<rect class=\"hole\" x=\"{left:.1}\" y=\"{TOP}\" width=\"{width:.1}\" height=\"{FRAME}\"/>\
-                 <text class=\"quiet\" x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\">not measured</text>",
-                left + 0.5 * width,
-                TOP + 14.0
-            );
+            let hole = canvas.hole(*from, *to);
+            let middle = (0.5 * (hole.left + hole.right), hole.top + 14.0);
+            canvas.text(middle, Anchor::Middle, LETTERS, "not measured");
         }
-        for power in y.powers() {
-            let place = y.place(10f64.powi(power));
-            let _ = write!(
-                text,
-                "<path class=\"grid\" d=\"M{LEFT} {place:.1}H{right:.1}\"/><text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\">{}</text>",
-                LEFT - 5.0,
-                place + 3.5,
-                power_of_ten(power)
-            );
+        canvas.grid();
+        canvas.tick_labels();
+        canvas.rect(FRAME, "class=\"frame\" fill=\"none\" stroke=\"black\"");
+        let [least, most] = self.wavevectors;
+        let wavelengths =
+            Ruler::tight([TAU / most, TAU / least], TickWords::Length).over([FRAME.right, FRAME.left]);
+        for (at, label) in &wavelengths.ticks {
+            let x = wavelengths.place_px(*at);
+            canvas.svg += &format!("<path class=\"tick\" d=\"M{x:.2} {}v-4\" stroke=\"black\"/>", FRAME.top);
+            canvas.text((x, FRAME.top - 8.0), Anchor::Middle, LETTERS, label);
         }
-        for power in x.powers() {
-            let place = x.place(10f64.powi(power));
-            let _ = write!(
-                text,
-                "<path class=\"grid\" d=\"M{place:.1} {TOP}V{bottom}\"/><text x=\"{place:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{}</text>",
-                bottom + 14.0,
-                power_of_ten(power)
-            );
-        }
-        let wavelengths = Axis { least: TAU / x.most, most: TAU / x.least, start: x.end, end: x.start };
-        for tick in wavelengths.ticks() {
-            let place = wavelengths.place(tick);
-            let _ = write!(
-                text,
-                "<path class=\"tick\" d=\"M{place:.1} {TOP}v-4\"/><text x=\"{place:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{}</text>",
-                TOP - 8.0,
-                length(tick)
-            );
-        }
-        let _ = write!(
-            text,
-            "<rect class=\"frame\" x=\"{LEFT}\" y=\"{TOP}\" width=\"{:.1}\" height=\"{FRAME}\"/>\
-             <text class=\"quiet\" x=\"{right:.1}\" y=\"12\" text-anchor=\"end\">wavelength</text>\
-             <text class=\"quiet\" x=\"{right:.1}\" y=\"{:.1}\" text-anchor=\"end\">wavevector (rad/m)</text>\
-             <text class=\"quiet\" x=\"{LEFT}\" y=\"12\">C1D (m³)</text>",
-            right - LEFT,
-            bottom + 29.0
-        );
-        text
+        canvas.text((FRAME.right, 12.0), Anchor::End, LETTERS, "wavelength");
+        canvas.text((FRAME.right, FRAME.bottom + 31.0), Anchor::End, LETTERS, "wavevector (rad/m)");
+        canvas.text((FRAME.left, 12.0), Anchor::Start, LETTERS, "C1D (m³)");
     }
 
-    /// The trusted band of a scan as a bar below the axis, with its name and the limit of its short end.
-    fn row(&self, at: usize) -> Markup {
+    /// Draws the trusted band of a scan as a bar below the axis, with its name and the limit of its short end.
+    fn row(&self, canvas: &mut Canvas, at: usize) {
         let scan = &self.scans[at];
         let reliable = &scan.spectrum.reliable;
         let (longest_m, shortest_m) = (reliable.longest_wavelength_m(), reliable.shortest_wavelength_m());
-        let [from, to] = [longest_m, shortest_m].map(|wavelength_m| self.x.place(TAU / wavelength_m));
-        let middle = TOP + FRAME + BELOW + ROW * (at as f64 + 0.5) - 3.0;
+        let [from, to] = [longest_m, shortest_m].map(|wavelength_m| canvas.x.px_or_first(TAU / wavelength_m));
+        let middle = FRAME.bottom + BELOW + ROW * (at as f64 + 0.5) - 3.0;
         let words = format!(
             "{}: {} to {}, ends at {}",
             scan.name,
@@ -205,28 +177,27 @@ impl<'s> Drawing<'s> {
             band_end(&scan.spectrum.band_end)
         );
         // Words begin on the side that has more room.
-        let is_early = 0.5 * (from + to) < 0.5 * (LEFT + WIDTH - RIGHT);
-        let (place, anchor) = if is_early { (LEFT.max(from), "start") } else { (to, "end") };
-        html! {
-            g class=(format!("{} line band", class(at))) style=(colours(at)) {
-                path d=(format!("M{from:.1} {middle:.1}H{to:.1}")) {}
-                text.name x=(format!("{place:.1}")) y=(format!("{:.1}", middle - 6.0)) text-anchor=(anchor) { (words) }
-            }
-        }
+        let is_early = 0.5 * (from + to) < 0.5 * (FRAME.left + FRAME.right);
+        let (place, anchor) =
+            if is_early { (FRAME.left.max(from), Anchor::Start) } else { (to, Anchor::End) };
+        let colour = palette::colour(at % NEUTRAL);
+        canvas.group(&format!("class=\"{} line band\" {}", class(at), look(at)), &scan.name, |canvas| {
+            canvas.line(&[(from, middle), (to, middle)], Stroke { colour: &colour, width_px: 4.0, dash: "" });
+            canvas.styled_text((place, middle - 6.0), anchor, "class=\"name\"", &words);
+        });
     }
 
-    fn path(&self, points: &[(f64, f64)]) -> String {
-        let step = |(at, (q, c1d_m3)): (usize, &(f64, f64))| {
-            let command = if at == 0 { 'M' } else { 'L' };
-            format!("{command}{:.1} {:.1}", self.x.place(*q), self.y.place(*c1d_m3))
-        };
-        points.iter().enumerate().map(step).collect()
+    fn line(&self, canvas: &mut Canvas, line: &[(f64, f64)], stroke: Stroke<'_>) {
+        let place =
+            |(q, c1d_m3): &(f64, f64)| (self.axes.x.px_or_first(*q), self.axes.y.px_or_first(*c1d_m3));
+        canvas.line(&line.iter().map(place).collect::<Vec<_>>(), stroke);
     }
 
     fn reading(&self) -> Reading {
+        let Canvas { x, y, .. } = &self.axes;
         let points = |line: &Line| {
             let point = |(q, c1d_m3): &(f64, f64)| {
-                (self.x.place(*q), self.y.place(*c1d_m3), format!("{} m³", typeset_digits(*c1d_m3)))
+                (x.px_or_first(*q), y.px_or_first(*c1d_m3), format!("{} m³", typeset_digits(*c1d_m3)))
             };
             line.iter().map(point).collect()
         };
@@ -241,10 +212,11 @@ impl<'s> Drawing<'s> {
             points: points(&scan.trusted),
         });
         let place = |(q, _): &(f64, f64)| {
-            (self.x.place(*q), format!("{}, {} rad/m", length(TAU / q), typeset_digits(*q)))
+            (x.px_or_first(*q), format!("{}, {} rad/m", length(TAU / q), typeset_digits(*q)))
         };
+        let Rect { left, top, right, bottom } = FRAME;
         Reading {
-            frame: [LEFT, TOP, WIDTH - RIGHT, TOP + FRAME],
+            frame: [left, top, right, bottom],
             places: self.composite.iter().map(place).collect(),
             lines: std::iter::once(whole).chain(scans).collect(),
         }
@@ -256,9 +228,9 @@ fn class(at: usize) -> String {
     format!("s{at}")
 }
 
-fn colours(at: usize) -> String {
-    let [light, dark] = COLOURS[at % COLOURS.len()];
-    format!("--light:{light};--dark:{dark}")
+/// The colours of a scan as an attribute.
+fn look(at: usize) -> String {
+    format!("style=\"{}\"", of_page(at))
 }
 
 fn line(psd: &ProfilePsd) -> Line {

@@ -7,9 +7,9 @@ use topography::ScanSpectrum;
 use units::display::{counted, length, three_digits, typeset};
 
 use super::{SceneReport, Section, gists, per_scene, sentence, table};
+use crate::chart::maps::thumbnail;
 use crate::question_words::sampling;
 use crate::scan_words;
-use crate::thumbnail;
 
 /// The most pictures of scans, and of height parameters below each: Sa and Sq, or Ra and Rq.
 const PICTURES_SHOWN: usize = 6;
@@ -62,7 +62,7 @@ fn pictures(scans: &CompositeOfFiles) -> Markup {
                 @if let Some(thinned) = &sketch.thinned {
                     figure {
                         // The pictures of many scans would weigh more than the rest of the page.
-                        @if at < PICTURES_SHOWN { (PreEscaped(thumbnail::of_scan(thinned, &thinned.name).unwrap_or_default())) }
+                        @if at < PICTURES_SHOWN { (PreEscaped(thumbnail(thinned, &thinned.name).unwrap_or_default())) }
                         figcaption { strong { (thinned.name) } ", " (in_short(sketch)) }
                     }
                 }

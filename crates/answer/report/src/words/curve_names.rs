@@ -1,6 +1,6 @@
 //! The names of curves in print: one short name per model, after the user's own name where there is one.
 
-use study::figure::{FigureData, Shows};
+use study::figure::FigureData;
 use study::models::CurveModel;
 use study::plan::Curve;
 
@@ -35,7 +35,7 @@ fn model_in_short(model: &CurveModel) -> String {
 /// A figure of areas whose legend has the curves' names in print.
 #[must_use]
 pub fn with_printed_names(figure: FigureData, curves: &[Curve]) -> FigureData {
-    if !matches!(figure.shows, Shows::Area | Shows::AreaAgainstLoad) {
+    if !figure.shows.draws_areas() {
         return figure;
     }
     let mut figure = figure;

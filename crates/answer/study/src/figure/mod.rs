@@ -34,6 +34,26 @@ pub enum Shows {
     Response,
 }
 
+impl Shows {
+    /// Returns true if the figure draws areas of curves.
+    #[must_use]
+    pub fn draws_areas(self) -> bool {
+        matches!(self, Shows::Area | Shows::AreaAgainstLoad)
+    }
+
+    /// Returns true if the figure needs the moments of the spectrum.
+    #[must_use]
+    pub fn needs_moments(self) -> bool {
+        self == Shows::Moments
+    }
+
+    /// Returns true if the figure needs the amplitudes of the spectrum.
+    #[must_use]
+    pub fn needs_amplitudes(self) -> bool {
+        matches!(self, Shows::Amplitude | Shows::AspectRatio)
+    }
+}
+
 /// A requested figure.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Figure {
@@ -141,7 +161,7 @@ impl Series {
     }
 }
 
-/// An area between two lines, to hold lines against; it is not part of tables.
+/// An area between two lines, to hold lines against. Only intervals are part of tables.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Band {
     /// The label in the legend.

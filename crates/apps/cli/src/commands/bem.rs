@@ -10,8 +10,9 @@ use questions::{
     AdhesionQuestion, Answer, BallQuestion, CylinderQuestion, ElementsLoad, ElementsQuestion, Note,
     OptionName, QuestionError, Reason, UnusedOption,
 };
+use report::chart::maps::FieldPicture;
 use report::provenance::program;
-use report::{elements_figure, elements_words, field_picture, question_words};
+use report::{elements_figure, elements_words, question_words};
 use spectrum::ReadOptions;
 use study::measured::{Kind, Measured, MeasuredOptions};
 use study::surface::SurfaceError;
@@ -310,8 +311,7 @@ impl FieldFiles {
     /// Writes one surface under one load aside: `load-1-surface-1.nc`, and two pictures.
     fn stage(&self, field: &ContactField<'_>, files: &Mutex<StagedFiles>) -> Result<(), Failure> {
         let stem = format!("load-{}-surface-{}", field.load + 1, field.surface + 1);
-        let pictures =
-            [("pressure", field_picture::of_pressure(field)), ("gap", field_picture::of_gap(field))];
+        let pictures = [("pressure", FieldPicture::of_pressure(field)), ("gap", FieldPicture::of_gap(field))];
         let mut contents = Vec::new();
         for (what, picture) in pictures {
             if let Some(bytes) = png_of_field(&picture).map_err(|error| Failure::System(error.to_string()))? {

@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 use questions::{RunOptions, run_scene};
 use report::products;
 use scene::{Overrides, Scene};
-use study::figure::{Figure, PictureFormat, Shows};
+use study::figure::{Figure, PictureFormat};
+use tables::Format;
 use tables::staging::StagedFiles;
 
 use super::Context;
@@ -45,7 +46,14 @@ pub(super) fn run(args: &FigureFilesArgs, context: &Context<'_>) -> Result<(), F
         let svg = figure.svg();
         for file in files {
             let bytes = match file {
-                FigureFile::Script(_) => figure.script().into_bytes(),
+                FigureFile::Script(_) => figure.script(Format::Csv).into_bytes(),
+                FigureFile::Table(_) => {
+                    let mut table = Vec::new();
+                    figure
+                        .write_table(Format::Csv, &mut table)
+                        .map_err(|error| Failure::writing(&file.path().display().to_string(), &error))?;
+                    table
+                }
                 FigureFile::Picture(picture) => picture.bytes(svg.clone()).map_err(Failure::input)?,
             };
             stage(&mut staged, file.path(), |out| out.write_all(&bytes))?;
@@ -82,37 +90,45 @@ enum FigureFile {
     Picture(Picture),
     /// A Python script that draws it.
     Script(PathBuf),
+    /// The table that the script reads.
+    Table(PathBuf),
 }
 
 impl FigureFile {
     fn path(&self) -> &Path {
         match self {
             FigureFile::Picture(picture) => &picture.path,
-            FigureFile::Script(path) => path,
+            FigureFile::Script(path) | FigureFile::Table(path) => path,
         }
     }
 }
 
 /// The files of each figure.
 fn files(scene: &Scene, args: &FigureFilesArgs) -> Result<Vec<Vec<FigureFile>>, Failure> {
-    let file = |name: &str, ending: &str| {
-        let path = args.out.join(format!("{name}.{ending}"));
+    let place = |name: &str, ending: &str| args.out.join(format!("{name}.{ending}"));
+    let files = |name: &str, ending: &str| {
+        let path = place(name, ending);
         if ending == PictureFormat::Script.extension() {
-            return Ok(FigureFile::Script(path));
+            let table = place(name, Format::Csv.extension());
+            return Ok(vec![FigureFile::Script(path), FigureFile::Table(table)]);
         }
-        path.to_string_lossy().parse().map(FigureFile::Picture).map_err(Failure::input)
+        let picture = path.to_string_lossy().parse().map_err(Failure::input)?;
+        Ok(vec![FigureFile::Picture(picture)])
     };
-    let files_of = |figure: &Figure| match args.picture.is_empty() {
-        true => figure.formats.iter().map(|format| file(&figure.name, format.extension())).collect(),
-        false => args.picture.iter().map(|ending| file(&figure.name, ending)).collect(),
+    let files_of = |figure: &Figure| {
+        let own = figure.formats.iter().map(|format| format.extension()).collect::<Vec<_>>();
+        let chosen: Vec<&str> = args.picture.iter().map(String::as_str).collect();
+        let endings = if chosen.is_empty() { own } else { chosen };
+        let files: Result<Vec<_>, Failure> =
+            endings.into_iter().map(|ending| files(&figure.name, ending)).collect();
+        Ok(files?.into_iter().flatten().collect())
     };
     scene.figures.iter().map(files_of).collect()
 }
 
 /// Figures show no verdicts. They show intervals if they show areas, as those of `run` do.
 fn options(scene: &Scene) -> RunOptions {
-    let shows_areas = |shows| matches!(shows, Shows::Area | Shows::AreaAgainstLoad);
     let of_run = RunOptions { report: true, judge: None, uncertainty: None };
-    let is_drawn = of_run.is_drawn(scene) && scene.figures.iter().any(|figure| shows_areas(figure.shows));
+    let is_drawn = of_run.is_drawn(scene) && scene.figures.iter().any(|figure| figure.shows.draws_areas());
     RunOptions { report: false, judge: Some(false), uncertainty: Some(is_drawn) }
 }

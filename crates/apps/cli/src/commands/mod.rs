@@ -23,7 +23,7 @@ use std::time::{Duration, Instant};
 
 use questions::{Answer, CurveQuestion, LoadInput, Note, RangeInput, SpectrumQuestion, Spelling};
 use report::provenance::provenance;
-use report::{plot, question_words, scan_words, spectrum_words};
+use report::{chart, question_words, scan_words, spectrum_words};
 use spectrum::{ReadOption, ReadOptions};
 use study::figure::FigureData;
 use study::plan::Sampling;
@@ -229,7 +229,7 @@ impl Context<'_> {
         comments: &[String],
     ) -> Result<(), Failure> {
         let bytes = picture
-            .bytes(plot::svg(figure, subject, comments))
+            .bytes(chart::svg(figure, subject, comments))
             .map_err(|error| Failure::System(error.to_string()))?;
         stage(files, &picture.path, |out| out.write_all(&bytes))
     }

@@ -5,7 +5,7 @@ use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 
 use measurements::{Channels, read_channels};
-use report::heights_picture::{HeightsPicture, of_heights};
+use report::chart::maps::HeightsPicture;
 use report::provenance::program;
 use scans::ScanFile;
 use tables::staging::StagedFiles;
@@ -78,7 +78,7 @@ fn numbered(path: &Path, number: usize) -> PathBuf {
 
 /// Stages a picture of the heights. Returns false if there is nothing to draw.
 fn stage_heights(files: &mut StagedFiles, picture: &Picture, file: &ScanFile) -> Result<bool, Failure> {
-    let bytes = match of_heights(file) {
+    let bytes = match HeightsPicture::new(file) {
         None => return Ok(false),
         Some(HeightsPicture::Line(svg)) => picture.bytes(svg),
         Some(HeightsPicture::Map(map)) => picture.bytes_of_field(&map),

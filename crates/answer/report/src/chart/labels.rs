@@ -1,9 +1,9 @@
 //! Labels at the lines themselves: one per group of lines, left out if every place overlaps something.
 
-use super::text_width_px;
+use super::canvas::{Rect, text_width_px};
 
 /// Height of a label's letters, and its distance from lines: from its own group, and from others.
-pub(super) const SIZE_PX: f64 = 11.0;
+pub(crate) const SIZE_PX: f64 = 11.0;
 const GAP_PX: f64 = 4.0;
 const BERTH_PX: f64 = 7.0;
 /// The distance of a label from the frame.
@@ -25,49 +25,16 @@ pub(super) struct Track {
     pub points: Vec<(f64, f64)>,
 }
 
-/// Left, top, right and bottom in pixels.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Box {
-    pub left: f64,
-    pub top: f64,
-    pub right: f64,
-    pub bottom: f64,
-}
-
-impl Box {
-    fn grown(self, by: f64) -> Self {
-        Box { left: self.left - by, top: self.top - by, right: self.right + by, bottom: self.bottom + by }
-    }
-
-    fn holds(&self, (x, y): (f64, f64)) -> bool {
-        (self.left..=self.right).contains(&x) && (self.top..=self.bottom).contains(&y)
-    }
-
-    fn overlaps(&self, other: &Box) -> bool {
-        self.left < other.right
-            && other.left < self.right
-            && self.top < other.bottom
-            && other.top < self.bottom
-    }
-
-    fn within(&self, other: &Box) -> bool {
-        self.left >= other.left
-            && self.right <= other.right
-            && self.top >= other.top
-            && self.bottom <= other.bottom
-    }
-}
-
 /// A label and its place.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Placed {
     pub text: String,
     pub group: usize,
-    pub place: Box,
+    pub place: Rect,
 }
 
 /// The labels that find a place inside the frame.
-pub(super) fn place(tracks: &[Track], frame: Box) -> Vec<Placed> {
+pub(super) fn place(tracks: &[Track], frame: Rect) -> Vec<Placed> {
     let probes: Vec<(usize, Vec<(f64, f64)>)> =
         tracks.iter().map(|track| (track.group, probed(&track.points))).collect();
     let mut placed: Vec<Placed> = Vec::new();
@@ -77,7 +44,7 @@ pub(super) fn place(tracks: &[Track], frame: Box) -> Vec<Placed> {
             continue;
         }
         seen.push(track.group);
-        let free = |candidate: &Box| {
+        let free = |candidate: &Rect| {
             candidate.within(&frame.grown(-MARGIN_PX))
                 && placed.iter().all(|other| !candidate.overlaps(&other.place.grown(GAP_PX / 2.0)))
                 && probes.iter().all(|(group, points)| {
@@ -98,11 +65,11 @@ pub(super) fn place(tracks: &[Track], frame: Box) -> Vec<Placed> {
 }
 
 /// The places around a point of a line: beside it on either side, above and below.
-fn around(line: &[(f64, f64)], along: f64, label: &str) -> Vec<Box> {
+fn around(line: &[(f64, f64)], along: f64, label: &str) -> Vec<Rect> {
     let Some(last) = line.len().checked_sub(1) else { return Vec::new() };
     let (x, y) = line[(along * last as f64).round() as usize];
     let (width, half) = (text_width_px(label, SIZE_PX), SIZE_PX / 2.0);
-    let at = |left: f64, top: f64| Box { left, top, right: left + width, bottom: top + SIZE_PX };
+    let at = |left: f64, top: f64| Rect { left, top, right: left + width, bottom: top + SIZE_PX };
     let (above, below) = (y - GAP_PX - SIZE_PX, y + GAP_PX);
     vec![
         at(x - GAP_PX - width, y - half),
@@ -138,7 +105,7 @@ fn probed(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
 mod tests {
     use super::*;
 
-    const FRAME: Box = Box { left: 0.0, top: 0.0, right: 400.0, bottom: 300.0 };
+    const FRAME: Rect = Rect { left: 0.0, top: 0.0, right: 400.0, bottom: 300.0 };
 
     fn level(group: usize, y: f64) -> Track {
         let label = ["first", "second", "third"][group].to_owned();
