@@ -59,6 +59,6 @@ fn the_committed_ratios_are_what_the_models_give() {
 
 #[test]
 fn the_tables_of_the_page_are_those_of_the_committed_ratios() {
-    let page = std::fs::read_to_string(file("../which-model.md")).unwrap();
+    let page = std::fs::read_to_string(file("../../guide/which-model.md")).unwrap();
     assert_eq!(sections::written(&page, &committed(), &committed_ratios()).unwrap(), page);
 }
