@@ -34,10 +34,11 @@
 mod abel;
 mod amplitude;
 mod approximate;
-mod cholesky;
 mod convention;
 mod hole;
 mod interval;
+#[cfg(feature = "fit")]
+mod least_squares;
 mod mccool;
 mod moments;
 mod power_law;
