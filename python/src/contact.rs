@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyFloat};
 use questions::StatesQuestion;
 use stat_contact::Condition;
-use state_tables::{Roughness, STATE_COLUMNS, StateRequest, StatesError};
+use questions::rows::{Roughness, STATE_COLUMNS, StateRequest, StatesError};
 use study::models::{self, Framework};
 
 use crate::answer::{PyAnswer, of_material, refused};
@@ -119,7 +119,7 @@ pub fn contact_states<'py>(
         [("state", PyArray1::from_iter(py, state))].into_py_dict(py)?
     } else {
         let arrays = found.into_iter().map(|column| PyArray1::from_vec(py, column));
-        STATE_COLUMNS.into_iter().zip(arrays).into_py_dict(py)?
+        STATE_COLUMNS.into_iter().map(|(name, _)| name).zip(arrays).into_py_dict(py)?
     };
     let materials = materials.iter().map(|material| &material.get().material);
     Ok(PyAnswer::of_columns(columns, question.notes_on(materials, &counts, rows)))

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use state_tables::asperity_table::AsperityTable;
+use questions::rows::asperity_table::AsperityTable;
 use tables::{Cells, TableSource};
 use tests::{Deviations, ReferenceTable, committed_file, shared_file};
 

@@ -1,9 +1,9 @@
 //! Rows of a curve that are limited by a bound or lie outside the range of a law.
 
+use crate::rows::{NarrowSpectra, StateCounts};
 use asperity::FLAGGED_ASPECT_RATIO_OVER_CRITICAL;
 use persson::Cut;
 use stacked_contact::Level;
-use state_tables::{NarrowSpectra, StateCounts};
 use study::plan::{CurveResult, CutoffState};
 use study::validity::SMALL_SLOPE_GRADIENT;
 

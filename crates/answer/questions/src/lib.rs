@@ -21,6 +21,7 @@ mod note_facts;
 mod option;
 mod report_question;
 mod retune;
+pub mod rows;
 mod sampling;
 mod scene_run;
 mod spectrum;

@@ -1,5 +1,6 @@
 //! Facts that a reader has to know about an answer, as data.
 
+use crate::rows::RowsNote;
 use elements::{BallCaution, CylinderCaution, PressedLoad, RandomSurfaces};
 use findings::doubts::Doubt;
 use persson::Roughness;
@@ -7,7 +8,6 @@ use persson::corrections::Correction;
 use persson::separation::LightLoads;
 use spectrum::ProfilePsd;
 use spectrum::random_surfaces::{AreaSpectrum, GridBand};
-use state_tables::RowsNote;
 use study::material::Material;
 use study::models::{Choice, ModelEntry};
 use study::plan::scales_per_decade;

@@ -2,8 +2,8 @@
 
 use std::fmt::Debug;
 
+use crate::rows::RowsNote;
 use scene::SceneNote;
-use state_tables::RowsNote;
 use study::models::Choice;
 use topography::{Remark, Severity};
 

@@ -1,8 +1,8 @@
 //! States of populations of asperities, row by row of arrays.
 
+use crate::rows::{ContactStates, RowsNote, StatesFound};
 use findings::doubts::Doubt;
 use serde::{Deserialize, Serialize};
-use state_tables::{ContactStates, RowsNote, StatesFound};
 use study::material::Material;
 use study::models::{ModelEntry, ModelOptions};
 use study::plan::{PlanError, Tolerance};
@@ -53,7 +53,7 @@ impl StatesQuestion {
         found: &StatesFound,
         all: usize,
     ) -> Vec<Note> {
-        let StatesFound { counts, narrow, assumed_strengths: rows, bad, first_bad } = *found;
+        let StatesFound { counts, narrow, assumed_strengths: rows, bad, first_bad, .. } = *found;
         let doubt = materials.find_map(Doubt::of_material).map(Note::Doubt);
         let bad = first_bad.map(|first| Note::Rows(RowsNote::Bad { rows: bad, first, all }));
         let assumed = (rows > 0).then_some(Note::Rows(RowsNote::AssumedStrengths { rows, all }));

@@ -30,8 +30,8 @@ use stat_contact::InterferenceLaw;
 
 use crate::output::Place;
 use parsers::{model_of, one_of, parse_labelled_pressure, parse_place, parse_poisson_ratio, parse_tolerance};
+use questions::rows::GivenColumn;
 use scene::Template;
-use state_tables::GivenColumn;
 use study::models::{Framework, ModelEntry, ModelOptions};
 use study::plan::Tolerance;
 use units::PressureRange;

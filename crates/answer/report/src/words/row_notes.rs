@@ -1,6 +1,6 @@
 //! Notes on rows in words.
 
-use state_tables::RowsNote;
+use questions::rows::RowsNote;
 use units::display::counted;
 use units::number;
 

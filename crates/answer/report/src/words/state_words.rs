@@ -1,6 +1,6 @@
 //! Notes on states and on spectra without summits.
 
-use state_tables::{NarrowSpectra, StateCounts};
+use questions::rows::{NarrowSpectra, StateCounts};
 use units::display::counted;
 use units::number;
 

@@ -6,8 +6,8 @@ use questions::MaterialInput;
 use super::row_by_row::{self, Constants};
 use crate::args::AsperityLaw;
 use crate::failure::Failure;
-use state_tables::Asperities;
-use state_tables::asperity_table::AsperityTable;
+use questions::rows::Asperities;
+use questions::rows::asperity_table::AsperityTable;
 
 pub(super) fn run(law: &AsperityLaw, context: &Context<'_>) -> Result<(), Failure> {
     let (law, args) = match law {

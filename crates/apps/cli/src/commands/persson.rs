@@ -4,7 +4,7 @@ use std::path::Path;
 
 use persson::hardness_laws::HardnessTable;
 use questions::CurveQuestion;
-use state_tables::Flattened;
+use questions::rows::Flattened;
 use study::growth_law::GrowthLaw;
 use study::models::{self, Framework, ModelOptions};
 use study::persson_law::Deformation;

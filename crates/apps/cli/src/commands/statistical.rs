@@ -1,7 +1,7 @@
 //! `statistical`: populations of asperities, from a spectrum or row by row of a table.
 
+use questions::rows::Populations;
 use questions::{CurveQuestion, Note};
-use state_tables::Populations;
 use study::models::ModelOptions;
 
 use super::row_by_row::{self, Constants};
@@ -44,7 +44,7 @@ fn of_rows(input: &Place, args: &StatisticalArgs, context: &Context<'_>) -> Resu
     let used = args.tolerance.value();
     let too_fine = args.tolerance.asked_finer().map(|asked| Note::ToleranceTooFine { asked, used });
     say_all(too_fine.as_slice(), &Flags);
-    let mut rows = Populations::new();
+    let mut rows = Populations::default();
     let material = args.material.input();
     rows.counterface = material.counterface()?;
     rows.options = args.options();

@@ -1,23 +1,19 @@
-#![doc = include_str!("../README.md")]
+//! Contact laws row by row of a table: the laws of one asperity, and populations of asperities at a separation or a pressure.
+//! All rows are checked before the first is computed.
 
 mod asperities;
 pub mod asperity_table;
 mod contact_states;
 mod flattened;
-mod narrow_spectra;
 mod populations;
-mod row_contact;
 mod state_counts;
 mod strength_columns;
 
 pub use asperities::Asperities;
-pub use contact_states::{ContactStates, STATE_COLUMNS, StateRequest, StatesError, StatesFound};
+pub use contact_states::{ContactStates, Roughness, STATE_COLUMNS, StateRequest, StatesError, StatesFound};
 pub use flattened::Flattened;
-pub use narrow_spectra::NarrowSpectra;
 pub use populations::{GivenColumn, Populations};
-pub use row_contact::Roughness;
-pub use stat_contact::Condition;
-pub use state_counts::StateCounts;
+pub use state_counts::{NarrowSpectra, StateCounts};
 
 use asperity::AsperityError;
 use numerics::parallel::Progress;

@@ -8,8 +8,7 @@ use study::material::{Material, MaterialError};
 use study::models::{ModelEntry, ModelOptions, Pressable};
 use study::plan::Tolerance;
 
-use crate::row_contact::Roughness;
-use crate::{NarrowSpectra, StateCounts};
+use super::{NarrowSpectra, StateCounts};
 
 /// The number of states that are computed one after the other and share work.
 const BLOCK: usize = 1024;
@@ -27,6 +26,24 @@ pub struct ContactStates {
     pub skips_bad_rows: bool,
 }
 
+/// The three numbers of a row's roughness, in the order of [`Roughness::columns`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Roughness(pub [f64; 3]);
+
+impl Roughness {
+    /// McCool's parameters, which most models take.
+    pub const ASPERITIES: [&'static str; 3] = ["radius_m", "density_per_m2", "sigma_s_m"];
+
+    /// The moments of profiles, which a model of the summits takes instead.
+    pub const MOMENTS: [&'static str; 3] = ["m0_m2", "m2", "m4_per_m2"];
+
+    /// The roughness columns of a model.
+    #[must_use]
+    pub fn columns(entry: &ModelEntry) -> [&'static str; 3] {
+        if entry.takes_moments() { Self::MOMENTS } else { Self::ASPERITIES }
+    }
+}
+
 /// The request of one row.
 #[derive(Debug, Clone, Copy)]
 pub struct StateRequest<'m> {
@@ -38,18 +55,21 @@ pub struct StateRequest<'m> {
     pub at: Condition,
 }
 
-/// Names of the result columns: separation \[m\], pressure over the nominal area \[Pa\], real over nominal area, natural
+/// A result column of a state.
+type StateColumn = (&'static str, fn(&ContactState) -> Option<f64>);
+
+/// The result columns: separation \[m\], pressure over the nominal area \[Pa\], real over nominal area, natural
 /// logarithms of the pressure in Pa and of that area, stiffness over the nominal area \[Pa/m\], an estimate of the relative
 /// numerical error of pressure and area, and the share of the load on asperities outside the range of their law.
-pub const STATE_COLUMNS: [&str; 8] = [
-    "separation_m",
-    "pressure_pa",
-    "area_fraction",
-    "ln_pressure",
-    "ln_area_fraction",
-    "stiffness_pa_per_m",
-    "error_estimate",
-    "out_of_range_load_share",
+pub const STATE_COLUMNS: [StateColumn; 8] = [
+    ("separation_m", |state| state.separation_m),
+    ("pressure_pa", |state| Some(state.pressure_pa)),
+    ("area_fraction", |state| Some(state.area_fraction)),
+    ("ln_pressure", |state| Some(state.ln_pressure_pa)),
+    ("ln_area_fraction", |state| Some(state.ln_area_fraction)),
+    ("stiffness_pa_per_m", ContactState::stiffness_pa_per_m),
+    ("error_estimate", |state| Some(state.error_estimate)),
+    ("out_of_range_load_share", |state| Some(state.out_of_range_load_share)),
 ];
 
 /// Counts over all rows, for notes.
@@ -65,6 +85,8 @@ pub struct StatesFound {
     pub bad: usize,
     /// The first such row, counted from 0.
     pub first_bad: Option<usize>,
+    /// The number of rows without asperities.
+    pub without_asperities: usize,
 }
 
 /// The reason why states cannot be computed.
@@ -193,19 +215,9 @@ impl StateRequest<'_> {
 
 /// Sets a row of the columns, in the order of [`STATE_COLUMNS`].
 fn set(columns: &mut [&mut [f64]; 8], row: usize, state: Option<&ContactState>) {
-    let values = state.map_or([f64::NAN; 8], |state| {
-        [
-            state.separation_m.unwrap_or(f64::NAN),
-            state.pressure_pa,
-            state.area_fraction,
-            state.ln_pressure_pa,
-            state.ln_area_fraction,
-            state.stiffness_pa_per_m().unwrap_or(f64::NAN),
-            state.error_estimate,
-            state.out_of_range_load_share,
-        ]
-    });
-    columns.iter_mut().zip(values).for_each(|(column, value)| column[row] = value);
+    for (column, (_, of)) in columns.iter_mut().zip(STATE_COLUMNS) {
+        column[row] = state.and_then(of).unwrap_or(f64::NAN);
+    }
 }
 
 impl StatesFound {
@@ -215,6 +227,7 @@ impl StatesFound {
         self.assumed_strengths += other.assumed_strengths;
         self.bad += other.bad;
         self.first_bad = self.first_bad.into_iter().chain(other.first_bad).min();
+        self.without_asperities += other.without_asperities;
     }
 
     fn add_bad(&mut self, row: usize) {

@@ -6,9 +6,9 @@ use stat_contact::{Condition, ContactState, Sweep};
 use tables::{Cell, Cells, InputTable, Refusal, Row};
 use units::Pressure;
 
-use super::row_contact::Roughness;
+use super::contact_states::{Roughness, StatesFound};
 use super::strength_columns::{INDENTATION_HARDNESS, YIELD_STRENGTH, hardness_and_strength};
-use super::{NarrowSpectra, RowByRow, RowsError, RowsNote, StateCounts};
+use super::{RowByRow, RowsError, RowsNote};
 use study::body_properties::BodyProperty;
 use study::hardness_and_strength::HardnessAndStrength;
 use study::material::{GivenMaterial, Material, MaterialError};
@@ -28,7 +28,7 @@ pub enum GivenColumn {
 units::named!(GivenColumn, "column that is given", { Separation => "separation", Pressure => "pressure" });
 
 /// A table of populations, with what holds for all of its rows.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Populations {
     /// The counterface; rigid if `None`.
     pub counterface: Option<ElasticBody>,
@@ -44,10 +44,7 @@ pub struct Populations {
     pub tolerance: Tolerance,
     /// True to append columns on how each state was found.
     pub details: bool,
-    counts: StateCounts,
-    without_asperities: usize,
-    narrow: NarrowSpectra,
-    assumed_strengths: usize,
+    found: StatesFound,
 }
 
 /// A row of the table: a population and the condition of its state.
@@ -61,24 +58,6 @@ struct RowRequest {
 const REQUIRED_COLUMNS: [&str; 3] = ["model", "youngs_modulus_pa", "poisson_ratio"];
 
 impl Populations {
-    /// Populations against a rigid counterface, with default choices.
-    #[must_use]
-    pub fn new() -> Self {
-        Populations {
-            counterface: None,
-            options: ModelOptions::default(),
-            strength_cap: None,
-            given: None,
-            how_to_say_given: "say which one counts",
-            tolerance: Tolerance::default(),
-            details: false,
-            counts: StateCounts::default(),
-            without_asperities: 0,
-            narrow: NarrowSpectra::default(),
-            assumed_strengths: 0,
-        }
-    }
-
     /// The requests of all rows; `None` for a row without asperities.
     fn asked(&self, block: &InputTable) -> Result<Vec<Option<RowRequest>>, Refusal> {
         block.rows(&required_columns(block)?, |row| self.read(row))
@@ -138,7 +117,7 @@ impl Populations {
     fn condition(&self, row: &Row<'_>) -> Result<Condition, String> {
         let separation = || row.optional_number("separation_m", Sweep::SEPARATION_M);
         let pressure = || {
-            // What is no pressure at all is told so, before what is too large a one.
+            // Reports invalid pressures before too large ones.
             row.optional_number("pressure_pa", Bound::Positive)?;
             row.optional_number("pressure_pa", NominalPressure::BOUND)
         };
@@ -192,12 +171,6 @@ impl Populations {
     }
 }
 
-impl Default for Populations {
-    fn default() -> Self {
-        Populations::new()
-    }
-}
-
 impl RowByRow for Populations {
     fn check(&self, block: &InputTable) -> Result<(), Refusal> {
         self.asked(block).map(|_| ())
@@ -222,12 +195,16 @@ impl RowByRow for Populations {
             Ok(Some(state?))
         };
         let states = numerics::parallel::try_map(&asked, state)?;
-        self.counts.add(states.iter().flatten());
-        self.assumed_strengths += asked.iter().flatten().filter(|asked| asked.strength_is_assumed).count();
-        self.without_asperities += asked.iter().filter(|asked| asked.is_none()).count();
-        for asked in asked.iter().flatten() {
+        let found = &mut self.found;
+        found.counts.add(states.iter().flatten());
+        for asked in &asked {
+            let Some(asked) = asked else {
+                found.without_asperities += 1;
+                continue;
+            };
+            found.assumed_strengths += usize::from(asked.strength_is_assumed);
             if let Pressable::TooNarrow { alpha } = asked.contact {
-                self.narrow.add(alpha);
+                found.narrow.add(alpha);
             }
         }
         self.set_results(block, &asked, &states);
@@ -235,20 +212,20 @@ impl RowByRow for Populations {
     }
 
     fn notes(&self) -> Vec<RowsNote> {
-        let narrow = self.narrow;
-        let (rows, all) = (self.without_asperities, self.without_asperities + narrow.count + self.counts.all);
+        let StatesFound { counts, narrow, assumed_strengths: assumed, without_asperities: rows, .. } =
+            self.found;
+        let all = rows + narrow.count + counts.all;
         let without = (rows > 0).then_some(RowsNote::WithoutAsperities { rows, all });
         let narrow = (narrow.count > 0).then_some(RowsNote::NarrowSpectra { narrow, all });
-        let (rows, all) = (self.assumed_strengths, self.counts.all);
-        let assumed = (rows > 0).then_some(RowsNote::AssumedStrengths { rows, all });
-        without.into_iter().chain(narrow).chain(assumed).chain([RowsNote::States(self.counts)]).collect()
+        let assumed = (assumed > 0).then_some(RowsNote::AssumedStrengths { rows: assumed, all: counts.all });
+        without.into_iter().chain(narrow).chain(assumed).chain([RowsNote::States(counts)]).collect()
     }
 }
 
 /// Returns the columns that the rows of a block need together: those of asperities unless every model takes moments.
 fn required_columns(block: &InputTable) -> Result<Vec<&'static str>, Refusal> {
     let models = block.rows(&["model"], |row| {
-        // A model that is none is told of with its row.
+        // An unknown model is reported with its row.
         Ok(models::named(Framework::Statistical, row.text("model").trim()).ok())
     })?;
     let takes_moments = |model: &Option<&ModelEntry>| model.is_some_and(ModelEntry::takes_moments);

@@ -1,0 +1,75 @@
+//! Counts of states, and of spectra without summits, that deserve a note.
+
+use stat_contact::ContactState;
+
+/// Counts of states that are limited by a bound, or rest on asperities outside the range of their law.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct StateCounts {
+    /// All states.
+    pub all: usize,
+    /// States beyond complete contact of every asperity.
+    pub incomplete: usize,
+    /// States with more contact area than nominal area.
+    pub clamped: usize,
+    /// States with most of their load on asperities outside the range of their law.
+    pub out_of_range: usize,
+}
+
+impl StateCounts {
+    /// Counts states.
+    pub fn add<'s>(&mut self, states: impl IntoIterator<Item = &'s ContactState>) {
+        for state in states {
+            self.all += 1;
+            self.incomplete += usize::from(state.separation_m.is_none());
+            self.clamped += usize::from(state.clamped);
+            self.out_of_range += usize::from(state.out_of_range_load_share > 0.5);
+        }
+    }
+}
+
+impl std::ops::AddAssign for StateCounts {
+    fn add_assign(&mut self, other: Self) {
+        self.all += other.all;
+        self.incomplete += other.incomplete;
+        self.clamped += other.clamped;
+        self.out_of_range += other.out_of_range;
+    }
+}
+
+/// The number of spectra without summits, and the range of their alpha = m0 m4/m2^2.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct NarrowSpectra {
+    /// The number of such spectra.
+    pub count: usize,
+    /// The lowest and the highest alpha; `None` if the number is 0.
+    pub alphas: Option<[f64; 2]>,
+}
+
+impl NarrowSpectra {
+    /// Counts a spectrum.
+    pub fn add(&mut self, alpha: f64) {
+        let [lowest, highest] = self.alphas.unwrap_or([alpha; 2]);
+        self.count += 1;
+        self.alphas = Some([lowest.min(alpha), highest.max(alpha)]);
+    }
+}
+
+impl std::ops::AddAssign for NarrowSpectra {
+    fn add_assign(&mut self, other: Self) {
+        let both = self.alphas.into_iter().chain(other.alphas);
+        self.alphas = both.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]);
+        self.count += other.count;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_range_of_alpha_is_kept() {
+        let mut narrow = NarrowSpectra::default();
+        [1.3, 1.1, 1.2].into_iter().for_each(|alpha| narrow.add(alpha));
+        assert_eq!(narrow, NarrowSpectra { count: 3, alphas: Some([1.1, 1.3]) });
+    }
+}
