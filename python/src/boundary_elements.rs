@@ -8,10 +8,10 @@ use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
 use questions::{
-    AdhesionQuestion, BallQuestion, BranchChoice, ElementsLoad, ElementsQuestion, LoadInput, Note,
+    AdhesionQuestion, BranchChoice, ElementsLoad, ElementsQuestion, IndenterQuestion, LoadInput, Note,
     PreparedElements, QuestionError,
 };
-use elements::{Boundary, ElementsError, ContactField, Relief};
+use elements::{Boundary, ContactField, ElementsError, IndenterShape, Relief};
 use scans::HeightMap;
 use study::surface::Surface;
 use topography::{Recipe, detrended_m};
@@ -100,8 +100,9 @@ fn press<'py>(
     let (material, random) = (material.input, arguments.random()?);
     let tolerance = arguments.required("tolerance", number)?;
     if let Some(radius_m) = arguments.get("ball_radius", length_m)? {
-        let force_n = arguments.required("force", quantity::<Force>)?.n;
-        let question = BallQuestion { material, radius_m, force_n, tolerance, random };
+        let force = arguments.required("force", quantity::<Force>)?.n;
+        let shape = IndenterShape::Ball;
+        let question = IndenterQuestion { material, shape, radius_m, force, tolerance, random };
         let prepared = bodies
             .prepared(|mut maps| question.on_map(maps.swap_remove(0)), |surface| question.on(surface))?;
         let answer = PyAnswer::carry_out(py, observer, |watch| prepared.answer(watch))?;

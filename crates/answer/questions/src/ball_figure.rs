@@ -1,6 +1,6 @@
 //! The averaged pressure under a ball beside that of Hertz.
 
-use elements::BallState;
+use elements::IndenterState;
 use study::figure::{Axis, Band, BandKind, FigureData, Series, Shows};
 use units::display::{counted, three_digits};
 
@@ -11,7 +11,7 @@ const HERTZ_POINTS: usize = 100;
 
 /// Draws the mean pressure over rings around the axis, averaged over all places, and Hertz's pressure of the smooth ball; `None`
 /// without a place. A band has the standard deviation between places.
-pub(crate) fn averaged_pressure(states: &[BallState]) -> Option<FigureData> {
+pub(crate) fn averaged_pressure(states: &[IndenterState]) -> Option<FigureData> {
     let first = states.first()?;
     let reach_m = states.iter().map(|state| state.outermost_contact_m).fold(first.hertz_radius_m, f64::max);
     let rings: Vec<(f64, Vec<f64>)> = (0..first.ring_pressures_pa.len())
@@ -47,7 +47,7 @@ pub(crate) fn averaged_pressure(states: &[BallState]) -> Option<FigureData> {
 }
 
 /// Hertz's pressure p0 sqrt(1 - (r/a)^2), closer towards the edge, where it ends with a steep slope.
-fn hertz(state: &BallState) -> Vec<(f64, f64)> {
+fn hertz(state: &IndenterState) -> Vec<(f64, f64)> {
     let point = |step: usize| {
         let (sine, cosine) = (0.5 * std::f64::consts::PI * step as f64 / HERTZ_POINTS as f64).sin_cos();
         (state.hertz_radius_m * sine, state.hertz_pressure_pa * cosine)

@@ -1,7 +1,7 @@
 //! Why a question has no answer.
 
 use asperity::AsperityError;
-use elements::{AdhesiveError, BallError, CylinderError, ElementsError};
+use elements::{AdhesiveError, ElementsError, IndenterError};
 use interface::conductance::PlasticCorrelation;
 use interface::finite_elements::SamplingError;
 use persson::hardness_laws::HardnessError;
@@ -98,12 +98,9 @@ pub enum QuestionError {
     /// Boundary elements failed or were cancelled.
     #[error(transparent)]
     Elements(#[from] ElementsError),
-    /// A ball cannot be pressed onto the surfaces.
+    /// An indenter cannot be pressed onto the surfaces.
     #[error(transparent)]
-    Ball(#[from] BallError),
-    /// A cylinder cannot be pressed onto the surfaces.
-    #[error(transparent)]
-    Cylinder(#[from] CylinderError),
+    Indenter(#[from] IndenterError),
     /// Adhesive surfaces cannot be pressed.
     #[error(transparent)]
     Adhesion(#[from] AdhesiveError),
@@ -158,8 +155,7 @@ impl QuestionError {
             QuestionError::Plan(PlanError::Cancelled)
                 | QuestionError::Sampling(SamplingError::Source(GapError::Cancelled))
                 | QuestionError::Elements(ElementsError::HalfSpace(HalfSpaceError::Cancelled))
-                | QuestionError::Ball(BallError::HalfSpace(HalfSpaceError::Cancelled))
-                | QuestionError::Cylinder(CylinderError::HalfSpace(HalfSpaceError::Cancelled))
+                | QuestionError::Indenter(IndenterError::HalfSpace(HalfSpaceError::Cancelled))
                 | QuestionError::Adhesion(AdhesiveError::Adhesion(AdhesionError::HalfSpace(
                     HalfSpaceError::Cancelled
                 )))

@@ -2,16 +2,15 @@
 
 mod adhesion;
 mod adhesion_figure;
-mod ball;
 mod ball_figure;
 mod choices;
 mod conductance;
 mod counts;
 mod curve;
-mod cylinder;
 mod elements;
 mod error;
 mod gap;
+mod indenter;
 mod layer;
 mod loads;
 mod map_question;
@@ -31,14 +30,13 @@ mod text;
 mod uncertain_areas;
 
 pub use adhesion::{AdhesionQuestion, BranchChoice, PreparedAdhesion};
-pub use ball::{BallQuestion, PreparedBall};
 pub use conductance::{FoundConductance, GasInput, LawAnswer, LawQuantity, LawTableQuestion, TransportInput};
 pub use counts::{CurveCounts, CutCounts, LevelCounts};
 pub use curve::{CurveQuestion, CurveStream, PreparedCurve};
-pub use cylinder::{CylinderQuestion, PreparedCylinder};
 pub use elements::{ElementsLoad, ElementsQuestion, PreparedElements, RandomInput};
 pub use error::QuestionError;
 pub use gap::{FoundLaw, GapModel, GapQuestion, LawForm, LawQuestion};
+pub use indenter::{IndenterQuestion, PreparedIndenter};
 pub use layer::LayerInput;
 pub use loads::{LoadInput, RangeInput};
 pub use map_question::MapQuestion;

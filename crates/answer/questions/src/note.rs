@@ -1,7 +1,7 @@
 //! Facts that a reader has to know about an answer, as data.
 
 use crate::rows::RowsNote;
-use elements::{BallCaution, CylinderCaution, PressedLoad, RandomSurfaces};
+use elements::{IndenterCaution, PressedLoad, RandomSurfaces};
 use findings::doubts::Doubt;
 use persson::Roughness;
 use persson::corrections::Correction;
@@ -92,9 +92,9 @@ pub enum Note {
     /// Surfaces pressed by boundary elements.
     Pressed(Vec<PressedLoad>),
     /// A ball on a flat that is coarse, narrow, or much larger than the ball can be as a parabola.
-    Ball(BallCaution),
+    Ball(IndenterCaution),
     /// A cylinder on a flat that is coarse, narrow, or much larger than the cylinder can be as a parabola.
-    Cylinder(CylinderCaution),
+    Cylinder(IndenterCaution),
     /// A map that does not repeat itself is repeated under a cylinder.
     RepeatedMap,
     /// A finding on surfaces that attract each other.

@@ -5,17 +5,16 @@
 //!   [`RandomChoices`];
 //! * [`Pressing`]: material, [`ImposedLoad`]s and tolerance;
 //! * [`PressedLoad`]: one load on every surface, each with its [`PressedState`], and their [`Mean`];
-//! * [`Ball`] and [`Cylinder`]: smooth bodies pressed onto one rough flat;
+//! * [`Indenter`]: a smooth ball or cylinder pressed onto a rough flat;
 //! * [`AdhesivePressing`]: surfaces that attract each other, under loads and pulled apart;
 //! * [`PressedPatches`]: connected regions of the contact;
 //! * [`ContactField`]: pressures and gaps of one surface under one load, which can be written as NetCDF.
 
 mod adhesive;
-mod ball;
-mod cylinder;
 mod error;
 mod field;
 pub mod half_space;
+mod indenter;
 mod mean;
 mod netcdf_classic;
 mod patches;
@@ -29,11 +28,12 @@ mod surfaces;
 mod table;
 
 pub use adhesive::{AdhesiveError, AdhesivePressing, AdhesiveState, Branch, adhesive_means, adhesive_table};
-pub use ball::{Ball, BallCaution, BallError, BallPressing, BallState, ball_table};
-pub use cylinder::{Cylinder, CylinderCaution, CylinderError, CylinderState, cylinder_table};
 pub use error::ElementsError;
 pub use field::{ContactField, PointState};
 pub use half_space::Approach;
+pub use indenter::{
+    Indenter, IndenterCaution, IndenterError, IndenterPressing, IndenterShape, IndenterState, indenter_table,
+};
 pub use mean::{Mean, PressedLoad};
 pub use patches::{PressedPatches, patches_table};
 pub use placed::LARGEST_EXTENT;

@@ -1,7 +1,7 @@
 //! Balls on small maps: their numbers, and the promises of every result.
 
 use elements::half_space::HalfSpaceError;
-use elements::{Ball, BallError, BallPressing, BallState, Boundary, Relief};
+use elements::{Boundary, Indenter, IndenterError, IndenterPressing, IndenterShape, IndenterState, Relief};
 use numerics::parallel::Unobserved;
 
 use crate::drawn_map::SmallMap;
@@ -31,10 +31,10 @@ impl BallCase {
         Relief { rows, columns, length_x_m, length_y_m, heights_m, boundary: Boundary::Free }
     }
 
-    fn press(&self) -> Result<BallState, BallError> {
-        let ball = Ball { radius_m: self.radius_m, force_n: self.force_n };
+    fn press(&self) -> Result<IndenterState, IndenterError> {
+        let ball = Indenter { shape: IndenterShape::Ball, radius_m: self.radius_m, force: self.force_n };
         let pressing =
-            BallPressing { contact_modulus_pa: self.contact_modulus_pa, tolerance: self.tolerance };
+            IndenterPressing { contact_modulus_pa: self.contact_modulus_pa, tolerance: self.tolerance };
         ball.press(&self.relief(), &pressing, &Unobserved).map(|(state, _)| state)
     }
 
@@ -71,7 +71,7 @@ impl Case for BallCase {
     fn test(&self, reach: Reach, draw: &mut Draw, trial: &mut Trial<Self>) {
         let state = match self.press() {
             Ok(state) => state,
-            Err(BallError::BeyondMap { reach_m, half_side_m, least_side_m }) => {
+            Err(IndenterError::BeyondMap { reach_m, half_side_m, least_side_m, .. }) => {
                 let is_named = reach_m > 0.0 && half_side_m > 0.0 && least_side_m.is_finite();
                 trial.hold("a map too small is named", is_named || reach == Reach::Edge);
                 trial.refused();
@@ -80,8 +80,8 @@ impl Case for BallCase {
             Err(error) => {
                 let is_bound = matches!(
                     error,
-                    BallError::OutOfBounds(_)
-                        | BallError::HalfSpace(
+                    IndenterError::OutOfBounds { .. }
+                        | IndenterError::HalfSpace(
                             HalfSpaceError::OutOfBounds(_) | HalfSpaceError::TooLight { .. }
                         )
                 );
@@ -91,14 +91,14 @@ impl Case for BallCase {
             }
         };
         let numbers = [
-            state.real_area_m2,
+            state.real_area,
             state.effective_radius_m,
             state.hertz_radius_m,
             state.peak_mean_pressure_pa,
             state.hertz_pressure_pa,
             state.force_share,
             state.outermost_contact_m,
-            state.real_area_corrected_m2,
+            state.real_area_corrected,
             state.roughness_number,
             state.points_per_radius,
             state.residual,
@@ -108,11 +108,11 @@ impl Case for BallCase {
             numbers.iter().all(|number| number.is_finite() && *number >= 0.0),
         );
         let area_m2 = self.map.length_x_m * self.map.length_y_m;
-        trial.bound("real area within the map", state.real_area_m2, area_m2 * (1.0 + 1e-12));
+        trial.bound("real area within the map", state.real_area, area_m2 * (1.0 + 1e-12));
         trial.bound(
             "corrected area within the counted one",
-            state.real_area_corrected_m2,
-            state.real_area_m2 * (1.0 + 1e-12),
+            state.real_area_corrected,
+            state.real_area * (1.0 + 1e-12),
         );
         trial.hold("share of the force in [0, 1]", (0.0..=1.0 + 1e-12).contains(&state.force_share));
         let half_m = 0.5 * self.map.length_x_m.min(self.map.length_y_m);

@@ -1,50 +1,39 @@
 //! Boundary elements in words: the surfaces, and the limits of the results.
 
-use elements::{BallCaution, CylinderCaution, PressedLoad, RandomSurfaces};
+use elements::{IndenterCaution, IndenterShape, PressedLoad, RandomSurfaces};
 use interface::adhesion::{FullerTabor, PastewkaRobbins};
 use questions::AdhesionNote;
 use spectrum::random_surfaces::{AreaSpectrum, GridBand};
 use study::validity::SMALL_SLOPE_PRESSURE;
 use units::display::{counted, length, percent, pressure, three_digits};
 
-/// Says why the contact of a ball is doubtful.
+/// Says why the contact of an indenter is doubtful.
 #[must_use]
-pub fn of_ball(caution: &BallCaution) -> String {
-    match caution {
-        BallCaution::CoarseGrid { points_per_radius } => format!(
-            "Hertz's radius has {} points of the grid, and 8 are needed for an answer",
+pub fn of_indenter(shape: IndenterShape, caution: &IndenterCaution) -> String {
+    let radius = match shape {
+        IndenterShape::Ball => "radius",
+        IndenterShape::Cylinder => "half-width",
+    };
+    match (caution, shape) {
+        (IndenterCaution::CoarseGrid { points_per_radius }, _) => format!(
+            "Hertz's {radius} has {} points of the grid, and 8 are needed for an answer",
             three_digits(*points_per_radius)
         ),
-        BallCaution::NarrowMap { radii_across_map } => format!(
+        (IndenterCaution::NarrowMap { radii_across_map, .. }, IndenterShape::Ball) => format!(
             "the map is {} of Hertz's radii wide; below 4 its edges carry load",
             three_digits(*radii_across_map)
         ),
-        BallCaution::LargeContact { radius_share } => format!(
-            "Hertz's radius is {} of the ball's; from 0.1 on a ball is no parabola",
+        (IndenterCaution::NarrowMap { radii_across_map, pressure_excess }, IndenterShape::Cylinder) => {
+            format!(
+                "the surface is {} of Hertz's half-widths wide; its images raise the pressure of a smooth cylinder by {}",
+                three_digits(*radii_across_map),
+                percent(*pressure_excess)
+            )
+        }
+        (IndenterCaution::LargeContact { radius_share }, _) => format!(
+            "Hertz's {radius} is {} of the radius of the {shape}; from 0.1 on a {shape} is not a parabola",
             three_digits(*radius_share)
         ),
-        _ => "the contact of the ball is doubtful".to_owned(),
-    }
-}
-
-/// Says why the contact of a cylinder is doubtful.
-#[must_use]
-pub fn of_cylinder(caution: &CylinderCaution) -> String {
-    match caution {
-        CylinderCaution::CoarseGrid { points_per_half_width } => format!(
-            "Hertz's half-width has {} points of the grid, and 8 are needed for an answer",
-            three_digits(*points_per_half_width)
-        ),
-        CylinderCaution::NarrowBox { half_widths_across_box, pressure_excess } => format!(
-            "the surface is {} of Hertz's half-widths wide; its images raise the pressure of a smooth cylinder by {}",
-            three_digits(*half_widths_across_box),
-            percent(*pressure_excess)
-        ),
-        CylinderCaution::LargeContact { half_width_share } => format!(
-            "Hertz's half-width is {} of the radius; from 0.1 on a cylinder is no parabola",
-            three_digits(*half_width_share)
-        ),
-        _ => "the contact of the cylinder is doubtful".to_owned(),
     }
 }
 

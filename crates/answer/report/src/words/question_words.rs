@@ -1,8 +1,8 @@
 //! Notes and errors of questions in words.
 
 use asperity::FLAGGED_ASPECT_RATIO_OVER_CRITICAL;
-use elements::ElementsError;
 use elements::half_space::HalfSpaceError;
+use elements::{ElementsError, IndenterShape};
 use questions::{
     CurveCounts, CutCounts, FEW_TOUCH, GapCounts, LawQuantity, LevelCounts, Note, OptionName, QuestionError,
     Reason, SampledScales, Spelling, UnusedOption,
@@ -96,8 +96,8 @@ fn texts(note: &Note, spelling: &dyn Spelling) -> Vec<String> {
             elements_words::of_surfaces(&made.spectrum, &made.random, &made.grid, made.contact_modulus_pa)
         }
         Note::Pressed(loads) => elements_words::of_results(loads),
-        Note::Ball(caution) => vec![elements_words::of_ball(caution)],
-        Note::Cylinder(caution) => vec![elements_words::of_cylinder(caution)],
+        Note::Ball(caution) => vec![elements_words::of_indenter(IndenterShape::Ball, caution)],
+        Note::Cylinder(caution) => vec![elements_words::of_indenter(IndenterShape::Cylinder, caution)],
         Note::RepeatedMap => vec![
             "the map is taken to repeat itself along and across the cylinder; steps where its ends meet carry load".to_owned(),
         ],

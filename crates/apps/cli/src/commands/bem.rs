@@ -4,11 +4,11 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 use elements::half_space::HalfSpaceError;
-use elements::{Boundary, ContactField, ElementsError, Relief, Surfaces};
+use elements::{Boundary, ContactField, ElementsError, IndenterShape, Relief, Surfaces};
 use measurements::MapOfFile;
 use questions::{
-    AdhesionQuestion, Answer, BallQuestion, CylinderQuestion, ElementsLoad, ElementsQuestion, Note,
-    OptionName, QuestionError, Reason, UnusedOption,
+    AdhesionQuestion, Answer, ElementsLoad, ElementsQuestion, IndenterQuestion, Note, OptionName,
+    QuestionError, Reason, UnusedOption,
 };
 use report::chart::maps::FieldPicture;
 use report::provenance::program;
@@ -18,7 +18,7 @@ use study::measured::{Kind, Measured, MeasuredOptions};
 use study::surface::SurfaceError;
 use tables::staging::{NewFolder, StagedFiles};
 use topography::Recipe;
-use units::{Force, ForcePerLength, Length, WorkOfAdhesion};
+use units::{Length, WorkOfAdhesion};
 
 use super::{Context, load_inputs, psd, range_inputs, reading_options, say_all};
 use crate::args::BemArgs;
@@ -32,10 +32,10 @@ use crate::timings::Timings;
 
 pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> {
     if let Some((radius, force)) = args.ball_radius.zip(args.force) {
-        return press_ball(args, radius, force, context);
+        return press_indenter(args, IndenterShape::Ball, (radius.m, force.n), context);
     }
     if let Some((radius, force)) = args.cylinder_radius.zip(args.force_per_length) {
-        return press_cylinder(args, radius, force, context);
+        return press_indenter(args, IndenterShape::Cylinder, (radius.m, force.n_per_m), context);
     }
     if let Some((work, range)) = args.work_of_adhesion.zip(args.adhesion_range) {
         return press_adhesive(args, work, range, context);
@@ -108,46 +108,27 @@ impl From<ElementsError> for Failure {
     }
 }
 
-/// Presses a ball in place of a flat.
-fn press_ball(args: &BemArgs, radius: Length, force: Force, context: &Context<'_>) -> Result<(), Failure> {
-    let question = BallQuestion {
-        material: args.material.input(),
-        radius_m: radius.m,
-        force_n: force.n,
-        tolerance: args.tolerance,
-        random: args.random.input(),
-    };
-    question.check()?;
-    let mut timings = Timings::start();
-    let (measured, comments) = load(args, context)?;
-    let prepared = match measured {
-        Measured::Map(map) => question.on_map(relief(*map, Some(Boundary::Free)))?,
-        Measured::Spectrum(surface) => question.on(&surface)?,
-    };
-    let comments = told(comments, &prepared.notes, &prepared.surfaces);
-    timings.lap("reading");
-    write(|progress| prepared.answer(progress), args, &comments, timings, context)
-}
-
-/// Presses a cylinder in place of a flat.
-fn press_cylinder(
+/// Presses a ball \[m, N\] or a cylinder \[m, N/m\] in place of a flat.
+fn press_indenter(
     args: &BemArgs,
-    radius: Length,
-    force: ForcePerLength,
+    shape: IndenterShape,
+    (radius_m, force): (f64, f64),
     context: &Context<'_>,
 ) -> Result<(), Failure> {
-    let question = CylinderQuestion {
+    let question = IndenterQuestion {
         material: args.material.input(),
-        radius_m: radius.m,
-        force_n_per_m: force.n_per_m,
+        shape,
+        radius_m,
+        force,
         tolerance: args.tolerance,
         random: args.random.input(),
     };
     question.check()?;
     let mut timings = Timings::start();
     let (measured, comments) = load(args, context)?;
+    let boundary = (shape == IndenterShape::Ball).then_some(Boundary::Free);
     let prepared = match measured {
-        Measured::Map(map) => question.on_map(relief(*map, None))?,
+        Measured::Map(map) => question.on_map(relief(*map, boundary))?,
         Measured::Spectrum(surface) => question.on(&surface)?,
     };
     let comments = told(comments, &prepared.notes, &prepared.surfaces);

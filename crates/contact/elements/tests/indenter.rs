@@ -5,14 +5,14 @@ use std::f64::consts::PI;
 use approx::assert_relative_eq;
 use elements::half_space::HalfSpaceError;
 use elements::{
-    Ball, BallCaution, BallError, BallPressing, BallState, Boundary, Cylinder, CylinderCaution,
-    CylinderError, RandomSurfaces, Relief, Surfaces, ball_table, cylinder_table,
+    Boundary, Indenter, IndenterCaution, IndenterError, IndenterPressing, IndenterShape, IndenterState,
+    RandomSurfaces, Relief, Surfaces, indenter_table,
 };
 use numerics::parallel::{Progress, Unobserved};
 use spectrum::random_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};
 
 /// E* of 1 Pa.
-const PRESSING: BallPressing = BallPressing { contact_modulus_pa: 1.0, tolerance: 1e-10 };
+const PRESSING: IndenterPressing = IndenterPressing { contact_modulus_pa: 1.0, tolerance: 1e-10 };
 
 fn smooth(rows: usize, columns: usize, spacing_m: f64) -> Relief {
     Relief {
@@ -26,11 +26,21 @@ fn smooth(rows: usize, columns: usize, spacing_m: f64) -> Relief {
 }
 
 /// Ball whose contact radius on a smooth flat is `radius_m` at E* = 1 Pa.
-fn ball(radius_m: f64, contact_radius_m: f64) -> Ball {
-    Ball { radius_m, force_n: 4.0 * contact_radius_m.powi(3) / (3.0 * radius_m) }
+fn ball(radius_m: f64, contact_radius_m: f64) -> Indenter {
+    Indenter {
+        shape: IndenterShape::Ball,
+        radius_m,
+        force: 4.0 * contact_radius_m.powi(3) / (3.0 * radius_m),
+    }
 }
 
-fn pressed(ball: Ball, flat: &Relief) -> BallState {
+/// Cylinder whose half-width of contact on a smooth flat is `half_width_m` at E* = 1 Pa.
+fn cylinder(radius_m: f64, half_width_m: f64) -> Indenter {
+    let force = PI * half_width_m.powi(2) / (4.0 * radius_m);
+    Indenter { shape: IndenterShape::Cylinder, radius_m, force }
+}
+
+fn pressed(ball: Indenter, flat: &Relief) -> IndenterState {
     ball.press(flat, &PRESSING, &Unobserved).unwrap().0
 }
 
@@ -65,16 +75,14 @@ fn rows_are_those_of_an_independent_program() {
             record[at].parse::<f64>().unwrap()
         };
         let flat = reference_map(&record[0]);
-        let ball = Ball {
+        let ball = Indenter {
+            shape: IndenterShape::Ball,
             radius_m: 1e-6 * field("ball_radius_um"),
-            force_n: 1e-12 * field("force_over_e_star_um2"),
+            force: 1e-12 * field("force_over_e_star_um2"),
         };
         let state = pressed(ball, &flat);
         let of_points_m2 = flat.length_x_m / flat.columns as f64 * flat.length_y_m / flat.rows as f64;
-        assert!(
-            (state.real_area_m2 - 1e-12 * field("real_area_um2")).abs() < 1.01 * of_points_m2,
-            "{state:?}"
-        );
+        assert!((state.real_area - 1e-12 * field("real_area_um2")).abs() < 1.01 * of_points_m2, "{state:?}");
         for (ours, theirs) in [
             (state.hertz_radius_m, 1e-6 * field("hertz_radius_um")),
             (state.hertz_pressure_pa, field("hertz_pressure_over_e_star")),
@@ -101,7 +109,7 @@ fn smooth_ball_is_hertz() {
         assert!((0.994..0.997).contains(&peak), "{points}: {peak}");
         assert_relative_eq!(state.force_share, 1.0 - 0.75f64.powf(1.5), max_relative = share);
         let area_m2 = PI * state.hertz_radius_m.powi(2);
-        assert_relative_eq!(state.real_area_m2, area_m2, max_relative = 0.02);
+        assert_relative_eq!(state.real_area, area_m2, max_relative = 0.02);
         assert_relative_eq!(state.points_per_radius, points, max_relative = 1e-12);
     }
 }
@@ -121,7 +129,7 @@ fn roughness_widens_the_contact_and_lowers_its_pressure() {
             assert_relative_eq!(state.roughness_number, roughness_number, max_relative = 1e-3);
             [
                 state.effective_radius_m / state.hertz_radius_m,
-                state.real_area_m2 / (PI * contact_radius_m.powi(2)),
+                state.real_area / (PI * contact_radius_m.powi(2)),
             ]
         });
         [0, 1].map(|row| places.iter().map(|place| place[row]).sum::<f64>() / 4.0)
@@ -136,22 +144,22 @@ fn cylinder_in_a_periodic_box_is_hertz_with_the_share_of_its_neighbours() {
     let flat = smooth(1, 1024, 1.0 / 1024.0);
     for share in [0.05, 0.1, 0.2] {
         let radius_m = 10.0;
-        let cylinder = Cylinder { radius_m, force_n_per_m: PI * share * share / (4.0 * radius_m) };
-        assert_relative_eq!(cylinder.hertz_half_width_m(1.0), share, max_relative = 1e-12);
+        let cylinder = cylinder(radius_m, share);
+        assert_relative_eq!(cylinder.hertz_radius_m(1.0), share, max_relative = 1e-12);
         let (state, contact) = cylinder.press(&flat, &PRESSING, &Unobserved).unwrap();
         let ratio = contact.largest_pressure_pa / cylinder.hertz_pressure_pa(1.0);
         assert!((ratio - 1.0 - (PI * share).powi(2) / 12.0).abs() < 1e-3, "{share}: {ratio}");
         let half_width_m = 0.5 * contact.area_fraction;
         let narrower = share * (1.0 - (PI * share).powi(2) / 12.0);
         assert!((half_width_m - narrower).abs() < 2.5 / 1024.0, "{share}: {half_width_m}");
-        assert!((state.effective_half_width_m / narrower - 1.0).abs() < 2e-3, "{share}: {state:?}");
-        assert_relative_eq!(state.real_width_m, contact.area_fraction, max_relative = 1e-12);
+        assert!((state.effective_radius_m / narrower - 1.0).abs() < 2e-3, "{share}: {state:?}");
+        assert_relative_eq!(state.real_area, contact.area_fraction, max_relative = 1e-12);
         // The first strip has a width.
         assert!((0.99..1.04).contains(&(state.peak_mean_pressure_pa / state.hertz_pressure_pa)), "{state:?}");
         let expected = 1.0 / 3.0 + 3f64.sqrt() / (2.0 * PI);
         assert!((state.force_share - expected).abs() < 0.02, "{share}: {}", state.force_share);
         let narrow =
-            state.cautions().iter().any(|caution| matches!(caution, CylinderCaution::NarrowBox { .. }));
+            state.cautions().iter().any(|caution| matches!(caution, IndenterCaution::NarrowMap { .. }));
         assert_eq!(narrow, share > 0.1 + 1e-9, "{state:?}");
     }
 }
@@ -172,40 +180,36 @@ fn a_rough_flat_widens_the_contact_of_a_cylinder_and_leaves_less_of_it() {
         realisations: 2,
     });
     let (radius_m, half_width_m): (f64, f64) = (40.0, 0.08);
-    let cylinder = Cylinder { radius_m, force_n_per_m: PI * half_width_m.powi(2) / (4.0 * radius_m) };
-    let pressing = BallPressing { tolerance: 1e-6, ..PRESSING };
+    let cylinder = cylinder(radius_m, half_width_m);
+    let pressing = IndenterPressing { tolerance: 1e-6, ..PRESSING };
     let states = cylinder.press_all(&surfaces, &pressing, &Unobserved).unwrap();
     for state in &states {
-        assert!(state.effective_half_width_m > 1.02 * half_width_m, "{state:?}");
-        assert!(state.real_width_m < 1.9 * half_width_m, "{state:?}");
+        assert!(state.effective_radius_m > 1.02 * half_width_m, "{state:?}");
+        assert!(state.real_area < 1.9 * half_width_m, "{state:?}");
         assert_relative_eq!(
             state.roughness_number,
             5e-5 * radius_m / half_width_m.powi(2),
             max_relative = 0.05
         );
     }
-    assert_eq!(cylinder_table(&states).rows(), 2);
+    assert_eq!(indenter_table(IndenterShape::Cylinder, &states).rows(), 2);
 }
 
 #[test]
 fn a_cylinder_that_meets_its_image_is_refused_before_and_after() {
     let flat = smooth(8, 64, 1.0);
-    let cylinder = |half_width_m: f64| Cylinder {
-        radius_m: 1000.0,
-        force_n_per_m: PI * half_width_m * half_width_m / 4000.0,
-    };
-    let before = cylinder(29.0).press(&flat, &PRESSING, &Unobserved).unwrap_err();
+    let before = cylinder(1000.0, 29.0).press(&flat, &PRESSING, &Unobserved).unwrap_err();
     assert!(
-        matches!(before, CylinderError::BeyondBox { half_side_m, .. } if half_side_m == 32.0),
+        matches!(before, IndenterError::BeyondMap { half_side_m, .. } if half_side_m == 32.0),
         "{before:?}"
     );
     let mut bumpy = flat.clone();
     bumpy.heights_m[64 + 62] = 5.0;
-    let after = cylinder(6.0).press(&bumpy, &PRESSING, &Unobserved).unwrap_err();
-    assert!(matches!(after, CylinderError::BeyondBox { reach_m, .. } if reach_m > 28.8), "{after:?}");
+    let after = cylinder(1000.0, 6.0).press(&bumpy, &PRESSING, &Unobserved).unwrap_err();
+    assert!(matches!(after, IndenterError::BeyondMap { reach_m, .. } if reach_m > 28.8), "{after:?}");
     let wrong =
-        Cylinder { radius_m: -1.0, force_n_per_m: 1.0 }.press(&flat, &PRESSING, &Unobserved).unwrap_err();
-    assert!(matches!(wrong, CylinderError::OutOfBounds(_)), "{wrong:?}");
+        Indenter { radius_m: -1.0, ..cylinder(1.0, 1.0) }.press(&flat, &PRESSING, &Unobserved).unwrap_err();
+    assert!(matches!(wrong, IndenterError::OutOfBounds { .. }), "{wrong:?}");
 }
 
 #[test]
@@ -219,19 +223,20 @@ fn contacts_that_reach_the_edges_are_refused_before_and_after() {
     }
     let flat = smooth(32, 64, 1.0);
     let before = ball(100.0, 14.5).press(&flat, &PRESSING, &Unstarted).unwrap_err();
-    let BallError::BeyondMap { half_side_m, least_side_m, .. } = before else { panic!("{before:?}") };
+    let IndenterError::BeyondMap { half_side_m, least_side_m, .. } = before else { panic!("{before:?}") };
     assert_relative_eq!(half_side_m, 16.0);
     assert!(least_side_m > 32.0);
     // A high point near the edge carries load beyond the contact that Hertz expects.
     let mut bumpy = flat.clone();
     bumpy.heights_m[64 + 32] = 5.0;
     let after = ball(100.0, 4.0).press(&bumpy, &PRESSING, &Unobserved).unwrap_err();
-    assert!(matches!(after, BallError::BeyondMap { reach_m, .. } if reach_m > 14.4), "{after:?}");
+    assert!(matches!(after, IndenterError::BeyondMap { reach_m, .. } if reach_m > 14.4), "{after:?}");
     let ended = ball(100.0, 4.0).press(&flat, &PRESSING, &Unstarted).unwrap_err();
-    assert_eq!(ended, BallError::HalfSpace(HalfSpaceError::Cancelled));
-    for wrong in [Ball { radius_m: 0.0, force_n: 1.0 }, Ball { radius_m: 1.0, force_n: f64::NAN }] {
+    assert_eq!(ended, IndenterError::HalfSpace(HalfSpaceError::Cancelled));
+    let ball = ball(1.0, 1.0);
+    for wrong in [Indenter { radius_m: 0.0, ..ball }, Indenter { force: f64::NAN, ..ball }] {
         let refused = wrong.press(&flat, &PRESSING, &Unobserved).unwrap_err();
-        assert!(matches!(refused, BallError::OutOfBounds(_)), "{refused:?}");
+        assert!(matches!(refused, IndenterError::OutOfBounds { .. }), "{refused:?}");
     }
 }
 
@@ -250,7 +255,7 @@ fn surfaces_of_a_spectrum_give_a_row_each_and_scatter() {
     let states = ball(20.0, 0.25).press_all(&surfaces, &PRESSING, &Unobserved).unwrap();
     assert_eq!(states.len(), 3);
     assert!(states[0].effective_radius_m != states[1].effective_radius_m);
-    let table = ball_table(&states);
+    let table = indenter_table(IndenterShape::Ball, &states);
     let names: Vec<&str> = table.columns().map(|(name, _)| name).collect();
     assert_eq!(names[..3], ["realisation", "force_n", "real_area_m2"]);
 }
@@ -260,8 +265,11 @@ fn coarse_grids_narrow_maps_and_large_contacts_are_doubted() {
     let state = pressed(ball(4.0, 0.25), &smooth(64, 64, 1.0 / 64.0));
     assert_eq!(state.cautions(), []);
     let state = pressed(ball(2.0, 0.3), &smooth(16, 16, 1.0 / 16.0));
-    let [BallCaution::CoarseGrid { .. }, BallCaution::NarrowMap { .. }, BallCaution::LargeContact { .. }] =
-        state.cautions()[..]
+    let [
+        IndenterCaution::CoarseGrid { .. },
+        IndenterCaution::NarrowMap { .. },
+        IndenterCaution::LargeContact { .. },
+    ] = state.cautions()[..]
     else {
         panic!("{:?}", state.cautions())
     };

@@ -1,0 +1,128 @@
+//! A ball or a cylinder pressed onto a rough flat by boundary elements.
+
+use elements::{
+    Boundary, Indenter, IndenterPressing, IndenterShape, IndenterState, Pressing, Relief, Surfaces,
+    indenter_table,
+};
+use numerics::parallel::Progress;
+use serde::{Deserialize, Serialize};
+use study::material::Material;
+use study::surface::Surface;
+
+use crate::ball_figure::averaged_pressure;
+use crate::elements::{RandomInput, notes_on_map, notes_on_spectrum, random_surfaces};
+use crate::{Answer, MaterialInput, Note, QuestionError};
+
+/// A smooth indenter under a force on a rough flat.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct IndenterQuestion {
+    /// Bodies in contact; the roughness is that of both.
+    pub material: MaterialInput,
+    /// Shape of the indenter.
+    pub shape: IndenterShape,
+    /// Radius of the indenter \[m\].
+    pub radius_m: f64,
+    /// Force on it \[N\]; force per length \[N/m\] on a cylinder.
+    pub force: f64,
+    /// Largest residual, above 0 and at most 0.1.
+    pub tolerance: f64,
+    /// Random surfaces, for a spectrum.
+    pub random: RandomInput,
+}
+
+impl Default for IndenterQuestion {
+    fn default() -> Self {
+        IndenterQuestion {
+            material: MaterialInput::default(),
+            shape: IndenterShape::default(),
+            radius_m: 0.0,
+            force: 0.0,
+            tolerance: Pressing::TOLERANCE,
+            random: RandomInput::default(),
+        }
+    }
+}
+
+/// Flats ready for the indenter.
+pub struct PreparedIndenter {
+    /// The flats.
+    pub surfaces: Surfaces,
+    /// Notes on the surfaces and on the material.
+    pub notes: Vec<Note>,
+    indenter: Indenter,
+    pressing: IndenterPressing,
+}
+
+impl IndenterQuestion {
+    fn material(&self) -> Result<Material, QuestionError> {
+        self.material.of_half_spaces(match self.shape {
+            IndenterShape::Ball => "balls",
+            IndenterShape::Cylinder => "cylinders",
+        })
+    }
+
+    /// Finds a material that is missing or contradicts itself.
+    ///
+    /// # Errors
+    /// [`QuestionError`] with the first of them.
+    pub fn check(&self) -> Result<(), QuestionError> {
+        self.material().map(drop)
+    }
+
+    /// Prepares random surfaces of a spectrum, each of which is a place of its own.
+    ///
+    /// # Errors
+    /// [`QuestionError`].
+    pub fn on(&self, surface: &Surface) -> Result<PreparedIndenter, QuestionError> {
+        let material = self.material()?;
+        let mut notes = notes_on_spectrum(&material, surface);
+        let elastic = Pressing::elastic(material.pair.composite_modulus_pa());
+        let (random, made) = random_surfaces(surface, &self.random, &elastic)?;
+        notes.extend(made);
+        self.prepared(Surfaces::Random(random), notes)
+    }
+
+    /// Prepares a map as measured: whatever lies beyond its edges under a ball, repeated along and across under a cylinder.
+    ///
+    /// # Errors
+    /// [`QuestionError`]; choices of random surfaces mean nothing for a map.
+    pub fn on_map(&self, relief: Relief) -> Result<PreparedIndenter, QuestionError> {
+        let material = self.material()?;
+        let mut notes = notes_on_map(&material, &relief);
+        let is_repeated = self.shape == IndenterShape::Cylinder && relief.boundary == Boundary::Free;
+        notes.extend(is_repeated.then_some(Note::RepeatedMap));
+        self.prepared(Surfaces::Maps(vec![relief]), notes)
+    }
+
+    fn prepared(&self, surfaces: Surfaces, notes: Vec<Note>) -> Result<PreparedIndenter, QuestionError> {
+        let contact_modulus_pa = self.material()?.pair.composite_modulus_pa();
+        Ok(PreparedIndenter {
+            surfaces,
+            notes,
+            indenter: Indenter { shape: self.shape, radius_m: self.radius_m, force: self.force },
+            pressing: IndenterPressing { contact_modulus_pa, tolerance: self.tolerance },
+        })
+    }
+}
+
+impl PreparedIndenter {
+    /// Presses the indenter onto every flat. The table has a row for each, with the columns of
+    /// [`indenter_table`](elements::indenter_table); the figure has the averaged pressure under a ball.
+    ///
+    /// # Errors
+    /// [`QuestionError::Indenter`] if the contact reaches the edges of the flat, and for numbers out of their bounds.
+    pub fn answer(&self, progress: &dyn Progress) -> Result<Answer, QuestionError> {
+        let states = self.indenter.press_all(&self.surfaces, &self.pressing, progress)?;
+        let shape = self.indenter.shape;
+        let (note, figure): (fn(_) -> Note, _) = match shape {
+            IndenterShape::Ball => (Note::Ball, averaged_pressure(&states)),
+            IndenterShape::Cylinder => (Note::Cylinder, None),
+        };
+        let cautions = states.first().map(IndenterState::cautions).unwrap_or_default();
+        let mut notes: Vec<Note> = cautions.into_iter().map(note).collect();
+        let areas: Vec<f64> = states.iter().map(|state| state.real_area).collect();
+        notes.push(Note::of_places(&areas));
+        Ok(Answer { table: indenter_table(shape, &states), notes, figure })
+    }
+}
