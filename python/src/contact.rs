@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyFloat};
 use questions::StatesQuestion;
 use stat_contact::Condition;
-use questions::rows::{Roughness, STATE_COLUMNS, StateRequest, StatesError};
+use questions::rows::{Roughness, RowsError, STATE_COLUMNS, StateRequest};
 use study::models::{self, Framework};
 
 use crate::answer::{PyAnswer, of_material, refused};
@@ -126,8 +126,8 @@ pub fn contact_states<'py>(
 }
 
 /// A bad row, by its place in the arrays.
-fn bad_row(error: &StatesError, shape: &[usize]) -> PyErr {
-    let StatesError::Row { row, problem } = error else { return input(error) };
+fn bad_row(error: &RowsError, shape: &[usize]) -> PyErr {
+    let RowsError::Row { row, problem } = error else { return input(error) };
     if shape.is_empty() {
         return input(of_material(problem));
     }

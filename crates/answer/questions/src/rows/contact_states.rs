@@ -8,7 +8,7 @@ use study::material::{Material, MaterialError};
 use study::models::{ModelEntry, ModelOptions, Pressable};
 use study::plan::Tolerance;
 
-use super::{NarrowSpectra, StateCounts};
+use super::{NarrowSpectra, RowsError, StateCounts};
 
 /// The number of states that are computed one after the other and share work.
 const BLOCK: usize = 1024;
@@ -89,23 +89,6 @@ pub struct StatesFound {
     pub without_asperities: usize,
 }
 
-/// The reason why states cannot be computed.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum StatesError {
-    /// The request of a row cannot be met.
-    #[error("row {row}: {problem}")]
-    Row {
-        /// The row, counted from 0.
-        row: usize,
-        /// The problem.
-        problem: MaterialError,
-    },
-    /// The work was cancelled.
-    #[error("ended before all rows were computed")]
-    Cancelled,
-}
-
 impl ContactStates {
     /// Computes the columns, as [`STATE_COLUMNS`] names them, from the request of each row. NaN marks a missing value: a
     /// separation beyond complete contact, or a state of a spectrum narrower than that of any surface. Neighbouring rows of
@@ -113,18 +96,18 @@ impl ContactStates {
     /// `progress` advances once per row.
     ///
     /// # Errors
-    /// [`StatesError`] of the first bad row, or where `progress` is cancelled.
+    /// [`RowsError`] of the first bad row, or where `progress` is cancelled.
     pub fn compute<'m>(
         &self,
         rows: usize,
         asked: impl Fn(usize) -> StateRequest<'m> + Sync,
         progress: &dyn Progress,
-    ) -> Result<([Vec<f64>; 8], StatesFound), StatesError> {
+    ) -> Result<([Vec<f64>; 8], StatesFound), RowsError> {
         let mut columns: [Vec<f64>; 8] = std::array::from_fn(|_| vec![0.0; rows]);
         let found = Mutex::new(StatesFound::default());
         fill_blocks(columns.each_mut().map(Vec::as_mut_slice), BLOCK, |first, columns| {
             if progress.is_cancelled() {
-                return Err(StatesError::Cancelled);
+                return Err(RowsError::Cancelled);
             }
             let rows = columns[0].len();
             let of_block = self.fill_block(first, columns, &asked)?;
@@ -140,56 +123,39 @@ impl ContactStates {
         first: usize,
         mut columns: [&mut [f64]; 8],
         asked: &impl Fn(usize) -> StateRequest<'m>,
-    ) -> Result<StatesFound, StatesError> {
-        let rows = columns[0].len();
-        let mut found = StatesFound::default();
-        let mut row = 0;
-        while row < rows {
-            let blame = |row: usize| move |problem| StatesError::Row { row: first + row, problem };
-            let of_run = asked(first + row);
-            let pressed = match self.contact(&of_run) {
-                Err(_) if self.skips_bad_rows => {
-                    found.add_bad(first + row);
-                    set(&mut columns, row, None);
-                    row += 1;
-                    continue;
-                }
-                pressed => pressed.map_err(blame(row))?,
-            };
-            let assumes = usize::from(of_run.material.assumed_yield_strength_pa().is_some());
+    ) -> Result<StatesFound, RowsError> {
+        let requests: Vec<StateRequest<'m>> = (0..columns[0].len()).map(|row| asked(first + row)).collect();
+        let (mut found, mut row) = (StatesFound::default(), 0);
+        for run in requests.chunk_by(StateRequest::presses_the_same_as) {
+            let pressed = self.contact(&run[0]);
+            let assumes = pressed.is_ok() && run[0].material.assumed_yield_strength_pa().is_some();
             let mut sweep = match &pressed {
-                Pressable::Contact(contact) => Some(contact.sweep(self.tolerance.value())),
-                Pressable::TooNarrow { .. } => None,
+                Ok(Pressable::Contact(contact)) => Some(contact.sweep(self.tolerance.value())),
+                _ => None,
             };
-            let mut next = of_run;
-            loop {
-                found.assumed_strengths += assumes;
-                match (&mut sweep, &pressed) {
-                    (Some(sweep), _) => match sweep.at(next.at) {
-                        Err(_) if self.skips_bad_rows => {
-                            found.add_bad(first + row);
-                            set(&mut columns, row, None);
-                        }
-                        state => {
-                            let state = state.map_err(|error| blame(row)(error.into()))?;
-                            found.counts.add([&state]);
-                            set(&mut columns, row, Some(&state));
-                        }
-                    },
-                    (None, Pressable::TooNarrow { alpha }) => {
+            for request in run {
+                found.assumed_strengths += usize::from(assumes);
+                let state = match (&pressed, &mut sweep) {
+                    (Ok(_), Some(sweep)) => sweep.at(request.at).map(Some).map_err(MaterialError::from),
+                    (Ok(Pressable::TooNarrow { alpha }), _) => {
                         found.narrow.add(*alpha);
+                        Ok(None)
+                    }
+                    (Ok(Pressable::Contact(_)), None) => unreachable!("a contact has its sweep"),
+                    (Err(problem), _) => Err(problem.clone()),
+                };
+                match state {
+                    Ok(state) => {
+                        found.counts.add(&state);
+                        set(&mut columns, row, state.as_ref());
+                    }
+                    Err(_) if self.skips_bad_rows => {
+                        found.add_bad(first + row);
                         set(&mut columns, row, None);
                     }
-                    (None, Pressable::Contact(_)) => unreachable!("a contact has its sweep"),
+                    Err(problem) => return Err(RowsError::Row { row: first + row, problem }),
                 }
                 row += 1;
-                if row == rows {
-                    break;
-                }
-                next = asked(first + row);
-                if !next.presses_the_same_as(&of_run) {
-                    break;
-                }
             }
         }
         Ok(found)
@@ -260,7 +226,7 @@ mod tests {
         }
     }
 
-    type Filled = Result<([Vec<f64>; 8], StatesFound), StatesError>;
+    type Filled = Result<([Vec<f64>; 8], StatesFound), RowsError>;
 
     fn filled<'m>(model: &str, rows: usize, asked: impl Fn(usize) -> StateRequest<'m> + Sync) -> Filled {
         states_of(model).compute(rows, asked, &Unobserved)
@@ -314,7 +280,7 @@ mod tests {
             roughness: Roughness([if row < 1500 { 1e-6 } else { -1.0 }, 1e12, 1e-8]),
             at: Condition::Separation(0.0),
         };
-        assert!(matches!(filled("hertz", 3000, asked), Err(StatesError::Row { row: 1500, .. })));
+        assert!(matches!(filled("hertz", 3000, asked), Err(RowsError::Row { row: 1500, .. })));
         let narrow = |row: usize| StateRequest {
             material: &steel,
             roughness: Roughness([1e-16, 1e-2, if row == 1 { 1e11 } else { 1e13 }]),

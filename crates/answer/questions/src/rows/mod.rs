@@ -1,7 +1,6 @@
 //! Contact laws row by row of a table: the laws of one asperity, and populations of asperities at a separation or a pressure.
 //! All rows are checked before the first is computed.
 
-mod asperities;
 pub mod asperity_table;
 mod contact_states;
 mod flattened;
@@ -9,14 +8,15 @@ mod populations;
 mod state_counts;
 mod strength_columns;
 
-pub use asperities::Asperities;
-pub use contact_states::{ContactStates, Roughness, STATE_COLUMNS, StateRequest, StatesError, StatesFound};
+pub use asperity_table::Asperities;
+pub use contact_states::{ContactStates, Roughness, STATE_COLUMNS, StateRequest, StatesFound};
 pub use flattened::Flattened;
 pub use populations::{GivenColumn, Populations};
 pub use state_counts::{NarrowSpectra, StateCounts};
 
 use asperity::AsperityError;
 use numerics::parallel::Progress;
+use study::material::MaterialError;
 use tables::{InputTable, Refusal};
 
 /// A computation on the rows of a table.
@@ -52,6 +52,14 @@ pub enum RowsError {
     /// A value that no law takes.
     #[error(transparent)]
     Value(#[from] AsperityError),
+    /// The request of a row of arrays cannot be met.
+    #[error("row {row}: {problem}")]
+    Row {
+        /// The row, counted from 0.
+        row: usize,
+        /// The problem.
+        problem: MaterialError,
+    },
     /// The work was cancelled.
     #[error("ended before all rows were computed")]
     Cancelled,
