@@ -106,7 +106,7 @@ fn options_and_cutoffs_that_have_no_effect_are_noted() {
         [
             "cutoffs.shortest_wavelength",
             "options.amplitude",
-            "options.hardness",
+            "options.hardness_formula",
             "options.strength_cap",
             "options.interference_law"
         ]
