@@ -133,9 +133,7 @@ impl Case for AdhesionCase {
             return;
         }
         balanced(self, &contact, trial);
-        if draw.chance(0.5) {
-            branches(self, trial);
-        }
+        if draw.chance(0.5) {}
         if draw.chance(0.3) {
             full_contact(self, draw, trial);
         }
@@ -193,15 +191,6 @@ fn balanced(case: &AdhesionCase, contact: &AdhesiveContact, trial: &mut Trial<Ad
     }
     trial.bound("no contact pressure at a gap", at_gap_pa / unit_pa, slack * 100.0 + 1e-10);
     trial.bound("no pull in contact beyond the attraction", pulled_pa / unit_pa, slack * 100.0 + 1e-10);
-}
-
-/// Notes whether a start in contact keeps at least the area of one apart, which Newton's steps mostly do.
-fn branches(case: &AdhesionCase, trial: &mut Trial<AdhesionCase>) {
-    let Control::PressurePa(_) = case.control else { return };
-    let states = [Start::Apart, Start::Contact].map(|start| case.solve(case.control, start));
-    let [Ok(apart), Ok(contact)] = states else { return };
-    let points = case.map.heights_m.len() as f64;
-    trial.note("points lost by a start in contact", points * (apart.area_fraction - contact.area_fraction));
 }
 
 /// Checks that full contact holds above its pressure.

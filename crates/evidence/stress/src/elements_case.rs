@@ -192,7 +192,6 @@ fn mean(values: &[f64]) -> f64 {
 /// Checks equilibrium, from pressures and gaps.
 fn balanced(case: &ElementsCase, contact: &Contact, trial: &mut Trial<ElementsCase>) {
     let residual = contact.residual;
-    trial.note("residual over tolerance", residual / case.tolerance);
     if contact.ending == Ending::Converged {
         trial.bound("residual within the tolerance", residual, case.tolerance);
     } else {
@@ -367,8 +366,6 @@ fn rises_with_load(case: &ElementsCase, contact: &Contact, draw: &mut Draw, tria
     let slack = slack(case, contact);
     trial.bound("the planes approach with the load", contact.offset_m - there.offset_m, slack * rms_m);
     trial.bound("the mean gap falls with the load", there.mean_gap_m - contact.mean_gap_m, slack * rms_m);
-    let points = case.map.heights_m.len() as f64;
-    trial.note("points lost under a larger load", points * (contact.area_fraction - there.area_fraction));
 }
 
 /// Checks that the distance of a contact gives back its load.

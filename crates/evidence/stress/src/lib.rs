@@ -9,7 +9,6 @@
 //! * [`StatisticalCase`], and a [`Case`] for each [`Group`]: the numbers of a state, drawn from its own [`Draw`];
 //!   printed, they are literals for a regression test.
 //! * [`Trial`]: the tests of one state; [`Tally`]: the outcome of many, worst cases included.
-//! * [`Condition`]: sensitivity of the answers to their inputs.
 //!
 //! Not here: reference values of high precision, which are in `tests/reference`.
 #![deny(missing_docs)]
@@ -17,7 +16,6 @@
 mod adhesion_case;
 mod asperity_case;
 mod ball_case;
-mod condition;
 mod draw;
 mod drawn_map;
 mod drawn_scan;
@@ -45,7 +43,6 @@ mod tally;
 pub use adhesion_case::AdhesionCase;
 pub use asperity_case::AsperityCase;
 pub use ball_case::BallCase;
-pub use condition::{Condition, Slopes, conditions, slopes};
 pub use draw::Draw;
 pub use drawn_map::SmallMap;
 pub use drawn_scan::DrawnScan;

@@ -149,12 +149,10 @@ fn curve(relief: &ScaleLimitedSurface, draw: &mut Draw, trial: &mut Trial<Roughn
     let curve = MaterialRatioCurve::new(relief);
     let ratio = draw.between(0.0, 1.0);
     let (highest_m, lowest_m) = (curve.height_m(0.0), curve.height_m(1.0));
-    let heights: f64 = relief.heights_m().flatten().sum();
     let mean_m = curve.material_m(1.0) + lowest_m;
     let size_m = highest_m - lowest_m;
     let off_m = curve.void_m(ratio) - curve.material_m(ratio) - curve.height_m(ratio) + mean_m;
     trial.bound("Vv = Vm + c - mean", off_m.abs(), 1e-12 * size_m + TINY_M);
-    trial.note("mean of heights over their range", heights.abs() / size_m.max(f64::MIN_POSITIVE));
     let share = curve.share_at_or_above(curve.height_m(ratio));
     trial.hold("share at a height in [0, 1]", (0.0..=1.0).contains(&share));
 }

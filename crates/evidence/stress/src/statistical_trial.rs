@@ -3,7 +3,6 @@
 use asperity::Bound;
 use stat_contact::{ContactState, StatisticalContact};
 
-use crate::condition::{conditions, slopes};
 use crate::reference_quadrature::integrals;
 use crate::statistical::{Question, StatisticalCase};
 use crate::tally::Trial;
@@ -24,20 +23,18 @@ pub struct Sample {
     pub quadrature: bool,
     /// Check against the finest tolerance.
     pub finest: bool,
-    /// Check of the condition numbers.
-    pub conditions: bool,
     /// Check of a table of states.
     pub table: bool,
 }
 
 impl Sample {
     /// Intervals of the checks, in states.
-    const EVERY: [u64; 4] = [2000, 20, 5000, 100];
+    const EVERY: [u64; 3] = [2000, 20, 100];
 
     /// Selects the checks of the state `index`.
     pub fn for_state(index: u64) -> Self {
-        let [quadrature, finest, conditions, table] = Self::EVERY.map(|every| index.is_multiple_of(every));
-        Sample { quadrature, finest, conditions, table }
+        let [quadrature, finest, table] = Self::EVERY.map(|every| index.is_multiple_of(every));
+        Sample { quadrature, finest, table }
     }
 }
 
@@ -88,9 +85,6 @@ pub fn try_state(
     }
     if sample.quadrature {
         other_quadrature(case, separation_m, trial);
-    }
-    if sample.conditions {
-        note_conditions(case, separation_m, trial);
     }
     if sample.table {
         tabulated(case, &contact, separation_m, draw, trial);
@@ -244,10 +238,25 @@ fn any_start(
     let u = (separation_m / case.sigma_s_m).abs();
     let mut allowed = 1e-12 * (1.0 + u);
     if off > allowed {
-        let slope = slopes(case, separation_m).map_or(0.0, |slopes| slopes.ln_pressure.abs());
+        let slope = slope_of_ln_pressure(case, separation_m).map_or(0.0, f64::abs);
         allowed += 4.0 * f64::EPSILON / slope;
     }
     trial.bound("the start changes nothing", off, allowed);
+}
+
+/// Slope of ln p by d/sigma_s at the separation d \[m\], by a central difference; `None` if numbers are refused.
+fn slope_of_ln_pressure(case: &StatisticalCase, separation_m: f64) -> Option<f64> {
+    const TOLERANCE: f64 = 1e-13;
+    let u = separation_m / case.sigma_s_m;
+    // ln p bends on the scale of 1 near the mean plane, and of |u| away from it, and u has to move.
+    let step = 1e-3 / (1.0 + u.max(0.0)) + 1e-9 * u.abs();
+    let at = |u: f64| {
+        let question = Question::Separation(u * case.sigma_s_m);
+        StatisticalCase { question, tolerance: TOLERANCE, ..*case }.state().ok()
+    };
+    let [low, high] = [at(u - step)?, at(u + step)?];
+    let width = (high.separation_m? - low.separation_m?) / case.sigma_s_m;
+    Some((high.ln_pressure_pa - low.ln_pressure_pa) / width)
 }
 
 /// Checks that a slightly larger separation carries no more: anywhere if the force rises, above the mean plane in any
@@ -332,7 +341,6 @@ fn error_bar(
         .max((coarse.ln_area_fraction - fine.ln_area_fraction).abs());
     let rounding = f64::EPSILON * (1.0 + 2.0 * fine.ln_pressure_pa.abs());
     trial.note("error over its estimate", error / (coarse.error_estimate + rounding));
-    trial.note("estimate over error, floored at rounding", coarse.error_estimate / error.max(rounding));
     trial.bound(
         "error within a hundred tolerances",
         error,
@@ -366,19 +374,6 @@ fn other_quadrature(case: &StatisticalCase, separation_m: f64, trial: &mut Trial
         // Otherwise the comparison means nothing.
         if error < MEANINGFUL {
             trial.bound(promise, (ours - theirs).abs(), state.error_estimate + 2.0 * error + rounding);
-        }
-    }
-}
-
-/// Notes condition numbers, for the worst and the typical.
-fn note_conditions(case: &StatisticalCase, separation_m: f64, trial: &mut Trial<StatisticalCase>) {
-    for condition in conditions(case, separation_m).into_iter().flatten() {
-        let [pressure, area, separation] = condition.names;
-        trial.note(pressure, condition.ln_pressure.abs());
-        trial.note(area, condition.ln_area.abs());
-        // Where the pressure no longer depends on the separation, none can be found.
-        if condition.separation.is_finite() {
-            trial.note(separation, condition.separation.abs());
         }
     }
 }

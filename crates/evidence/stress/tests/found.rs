@@ -1,249 +1,186 @@
-//! States that once broke a promise, as `cargo xtask stress` printed them.
+//! States that once broke a promise, as `cargo xtask stress` printed them: most in tables below `found`, with a column for each
+//! argument.
 
-use asperity::Hardness::{Cosine, JacksonGreen2005};
-use stress::Kind::{self, ElasticSine, EpSine, EpSphere, GradientSine, GradientSphere, Hertz};
-use stress::Question::{Pressure, Separation};
-use stress::{Draw, Material, Question, Reach, Sample, StatisticalCase, Tally, Trial, try_state};
+use std::collections::HashMap;
+use std::path::Path;
 
-/// Puts states to every test there is.
-fn assert_sound(cases: &[StatisticalCase]) {
-    let everything = Sample { quadrature: true, finest: true, conditions: true, table: true };
+use asperity::Hardness;
+use elements::half_space::Control;
+use persson::variance::Band;
+use stress::{
+    AdhesionCase, BallCase, Case, Coating, Deformation, Draw, DrawnScan, ElementsCase, Growth, IntervalsCase,
+    Kind, LawTablesCase, Material, PerssonCase, Question, Reach, RoughnessCase, Sample, Shape, SmallMap,
+    SpectraCase, StatisticalCase, Tally, Trial, try_state,
+};
+
+/// Row of a table, by column.
+struct Row(HashMap<String, String>);
+
+impl Row {
+    /// Reads a table.
+    fn all(name: &str) -> Vec<Row> {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/found").join(name);
+        csv::Reader::from_path(path).unwrap().into_deserialize().map(|row| Row(row.unwrap())).collect()
+    }
+
+    fn text(&self, column: &str) -> &str {
+        &self.0[column]
+    }
+
+    fn number(&self, column: &str) -> f64 {
+        self.optional(column).unwrap_or_else(|| panic!("{column} of {}", self.text("why")))
+    }
+
+    fn optional(&self, column: &str) -> Option<f64> {
+        let cell = self.text(column);
+        (!cell.is_empty()).then(|| cell.parse().unwrap())
+    }
+
+    fn pair(&self, columns: [&str; 2]) -> Option<(f64, f64)> {
+        let [first, second] = columns.map(|column| self.optional(column));
+        first.zip(second)
+    }
+
+    fn list(&self, column: &str) -> Vec<f64> {
+        self.text(column).split_whitespace().map(|cell| cell.parse().unwrap()).collect()
+    }
+
+    /// Pairs such as `1e-6:1e-24`.
+    fn pairs(&self, column: &str) -> Vec<(f64, f64)> {
+        let pair = |cell: &str| {
+            let (first, second) = cell.split_once(':').unwrap();
+            (first.parse().unwrap(), second.parse().unwrap())
+        };
+        self.text(column).split_whitespace().map(pair).collect()
+    }
+
+    /// Puts a state to every test, and compares whether its numbers are taken with what the row says.
+    fn assert_sound<C: Case>(&self, case: &C) {
+        let taken = assert_sound(case);
+        assert!(
+            match self.text("taken") {
+                "yes" => taken,
+                "no" => !taken,
+                _ => true,
+            },
+            "{}: {case:?}",
+            self.text("why")
+        );
+    }
+}
+
+/// Puts a state to every test, with several choices of what is drawn; returns true if its numbers are taken.
+fn assert_sound<C: Case>(case: &C) -> bool {
+    const DRAWS: u64 = 8;
+    let mut tally = Tally::default();
+    for draw in 0..DRAWS {
+        let mut trial = Trial::new(&mut tally, "found", draw, (case, Reach::Wide));
+        case.test(Reach::Wide, &mut Draw::new(0, draw), &mut trial);
+    }
+    assert_kept(&tally);
+    tally.refused.is_empty()
+}
+
+fn assert_kept(tally: &Tally) {
+    for ((_, promise), record) in &tally.records {
+        assert_eq!(record.broken, 0, "{promise}: {:?}", record.worst);
+    }
+}
+
+#[test]
+fn statistical_states_keep_every_promise() {
+    const EVERYTHING: Sample = Sample { quadrature: true, finest: true, table: true };
     // Starts of searches and separations nearby are drawn.
     const DRAWS: u64 = 6;
-    for (case, draw) in cases.iter().flat_map(|case| (0..DRAWS).map(move |draw| (case, draw))) {
-        let mut tally = Tally::default();
-        let mut trial = Trial::new(&mut tally, case.kind.name(), draw, (case, Reach::Wide));
-        try_state(case, Reach::Wide, everything, &mut Draw::new(0, draw), &mut trial);
-        assert!(tally.refused.is_empty(), "{case:?}");
-        for ((_, promise), record) in &tally.records {
-            assert_eq!(record.broken, 0, "{promise}: {:?}", record.worst);
+    for row in Row::all("statistical.csv") {
+        let material = Material {
+            youngs_modulus_pa: row.number("youngs_modulus_pa"),
+            poisson_ratio: row.number("poisson_ratio"),
+            counterface: row.pair(["counterface_pa", "counterface_poisson_ratio"]),
+            strength_pa: row.number("strength_pa"),
+            strain_gradient_length_m: row.optional("strain_gradient_length_m"),
+            strength_cap_pa: row.optional("strength_cap_pa"),
+        };
+        let question = match row.optional("separation_m") {
+            Some(separation_m) => Question::Separation(separation_m),
+            None => Question::Pressure(row.number("pressure_pa")),
+        };
+        let hardness = |form: &Hardness| format!("{form:?}") == row.text("hardness");
+        let case = StatisticalCase {
+            kind: Kind::ALL.into_iter().find(|kind| kind.name() == row.text("law")).unwrap(),
+            material,
+            hardness: Hardness::ALL.into_iter().find(hardness).unwrap(),
+            radius_m: row.number("radius_m"),
+            density_per_m2: row.number("density_per_m2"),
+            sigma_s_m: row.number("sigma_s_m"),
+            tolerance: row.number("tolerance"),
+            question,
+        };
+        for draw in 0..DRAWS {
+            let mut tally = Tally::default();
+            let mut trial = Trial::new(&mut tally, case.kind.name(), draw, (&case, Reach::Wide));
+            try_state(&case, Reach::Wide, EVERYTHING, &mut Draw::new(0, draw), &mut trial);
+            assert!(tally.refused.is_empty(), "{}: {case:?}", row.text("why"));
+            assert_kept(&tally);
         }
     }
 }
 
-/// Bodies without a cap against a rigid one: E \[Pa\], nu and Sy \[Pa\], h* \[m\], and R \[m\], eta \[m^-2\] and sigma_s \[m\].
-fn of(
-    kind: Kind,
-    [youngs_modulus_pa, poisson_ratio, strength_pa]: [f64; 3],
-    strain_gradient_length_m: Option<f64>,
-    [radius_m, density_per_m2, sigma_s_m]: [f64; 3],
-    tolerance: f64,
-    question: Question,
-) -> StatisticalCase {
-    let material = Material {
-        youngs_modulus_pa,
-        poisson_ratio,
-        counterface: None,
-        strength_pa,
-        strain_gradient_length_m,
-        strength_cap_pa: None,
-    };
-    let hardness = Cosine;
-    StatisticalCase { kind, material, hardness, radius_m, density_per_m2, sigma_s_m, tolerance, question }
+#[test]
+fn states_of_persson_keep_every_promise() {
+    for row in Row::all("persson.csv") {
+        let growth = match row.text("growth") {
+            "power" => Growth::Power(row.number("growth_value")),
+            "length" => Growth::Length(row.number("growth_value")),
+            "table" => Growth::Table(row.pairs("growth_table")),
+            _ => Growth::Constant,
+        };
+        let deformation = match row.optional("hardness_pa") {
+            Some(hardness_pa) => Deformation::Plastic(hardness_pa, growth, row.optional("limit_pa")),
+            None => Deformation::Elastic(None),
+        };
+        let coating =
+            |thickness_m: f64| Coating { thickness_m, base: row.pair(["base_pa", "base_poisson_ratio"]) };
+        row.assert_sound(&PerssonCase {
+            youngs_modulus_pa: row.number("youngs_modulus_pa"),
+            poisson_ratio: row.number("poisson_ratio"),
+            coating: row.optional("thickness_m").map(coating),
+            spectrum: row.pairs("spectrum"),
+            band: if row.text("band") == "surface" { Band::Surface } else { Band::Profile },
+            deformation,
+            energy_factor: row.optional("energy_factor"),
+            threshold: 0.42,
+            pressure_pa: row.number("pressure_pa"),
+        });
+    }
 }
 
-/// Slopes of ln p that drown in the error of the quadrature led searches astray.
 #[test]
-fn far_below_at_a_loose_tolerance() {
-    assert_sound(&[
-        StatisticalCase {
-            kind: Hertz,
-            material: Material {
-                youngs_modulus_pa: 28.337347231564557,
-                poisson_ratio: -0.4706251301622505,
-                counterface: None,
-                strength_pa: 545.2641054060883,
-                strain_gradient_length_m: None,
-                strength_cap_pa: Some(571.6769204147898),
-            },
-            hardness: Cosine,
-            radius_m: 2.136707110769364,
-            density_per_m2: 13868.701830458376,
-            sigma_s_m: 0.1835822378117563,
-            tolerance: 2.640937090475099e-7,
-            question: Separation(-183582.237811753),
-        },
-        StatisticalCase {
-            kind: Hertz,
-            material: Material {
-                youngs_modulus_pa: 1416859360.5475278,
-                poisson_ratio: -0.8539027776723553,
-                counterface: None,
-                strength_pa: 577130.580029538,
-                strain_gradient_length_m: None,
-                strength_cap_pa: None,
-            },
-            hardness: JacksonGreen2005,
-            radius_m: 2.1486163483115338e-11,
-            density_per_m2: 2372215091481639.5,
-            sigma_s_m: 2.6844399483090226e-14,
-            tolerance: 0.00011553188097852843,
-            question: Pressure(17033200.047269616),
-        },
-    ]);
-}
-
-/// A plateau that starts with an infinite slope.
-#[test]
-fn just_before_complete_contact_far_below() {
-    assert_sound(&[
-        StatisticalCase {
-            kind: ElasticSine,
-            material: Material {
-                youngs_modulus_pa: 12559814904986.008,
-                poisson_ratio: -0.7515225882625681,
-                counterface: None,
-                strength_pa: 15.193850206811064,
-                strain_gradient_length_m: None,
-                strength_cap_pa: None,
-            },
-            hardness: Cosine,
-            radius_m: 2.7253694053976665e-11,
-            density_per_m2: 4634808.205027687,
-            sigma_s_m: 3.232021215698081e-14,
-            tolerance: 7.282519110814621e-10,
-            question: Separation(-401.06347787629613),
-        },
-        StatisticalCase {
-            kind: EpSine,
-            material: Material {
-                youngs_modulus_pa: 1966.0632867104887,
-                poisson_ratio: 0.05376747128323828,
-                counterface: None,
-                strength_pa: 1.6348463431013236e-7,
-                strain_gradient_length_m: None,
-                strength_cap_pa: None,
-            },
-            hardness: JacksonGreen2005,
-            radius_m: 0.04121694422876172,
-            density_per_m2: 865707646.351722,
-            sigma_s_m: 1.0579236740729699e-15,
-            tolerance: 1e-10,
-            question: Separation(-1.4197870640310234e-9),
-        },
-    ]);
-}
-
-/// Parabolas that do not converge, and loads that no separation carries.
-#[test]
-fn near_a_maximum_of_the_pressure() {
-    assert_sound(&[
-        StatisticalCase {
-            kind: EpSphere,
-            material: Material {
-                youngs_modulus_pa: 139322.0404456576,
-                poisson_ratio: 0.04638200725323788,
-                counterface: None,
-                strength_pa: 491584.5928041908,
-                strain_gradient_length_m: None,
-                strength_cap_pa: None,
-            },
-            hardness: JacksonGreen2005,
-            radius_m: 3.4832296441800944e-10,
-            density_per_m2: 58886218180017.06,
-            sigma_s_m: 1.1327605837548632e-9,
-            tolerance: 1e-10,
-            question: Separation(-3.634564921005582e-8),
-        },
-        StatisticalCase {
-            kind: EpSphere,
-            material: Material {
-                youngs_modulus_pa: 81778336818779.63,
-                poisson_ratio: 0.49999999999999994,
-                counterface: None,
-                strength_pa: 6218036.924110888,
-                strain_gradient_length_m: None,
-                strength_cap_pa: None,
-            },
-            hardness: JacksonGreen2005,
-            radius_m: 0.0010031876285022164,
-            density_per_m2: 8141782.68558826,
-            sigma_s_m: 1.5790041876709055e-8,
-            tolerance: 0.040576767186779716,
-            question: Pressure(11.838430833363292),
-        },
-        StatisticalCase {
-            kind: GradientSine,
-            material: Material {
-                youngs_modulus_pa: 9925425807.470863,
-                poisson_ratio: -0.999999,
-                counterface: None,
-                strength_pa: 11188129.960159257,
-                strain_gradient_length_m: Some(1.1205453872463217e-10),
-                strength_cap_pa: None,
-            },
-            hardness: Cosine,
-            radius_m: 2.403494293687091e-9,
-            density_per_m2: 61711113284780.59,
-            sigma_s_m: 7.519581548623936e-9,
-            tolerance: 1e-10,
-            question: Separation(-3.3233213822632703e-7),
-        },
-        StatisticalCase {
-            kind: GradientSine,
-            material: Material {
-                youngs_modulus_pa: 244589536337.43088,
-                poisson_ratio: -0.912975821150555,
-                counterface: None,
-                strength_pa: 654924057.2352675,
-                strain_gradient_length_m: Some(4.4874780618634397e-8),
-                strength_cap_pa: Some(766788505.865262),
-            },
-            hardness: JacksonGreen2005,
-            radius_m: 1.1681734577907799e-8,
-            density_per_m2: 2309991123459978.0,
-            sigma_s_m: 3.3773199106688056e-9,
-            tolerance: 2.0154348471210893e-13,
-            question: Pressure(179466229010.81644),
-        },
-    ]);
-}
-
-/// Its state held NaN.
-#[test]
-fn a_search_that_ran_past_the_heights_that_have_digits() {
-    assert_sound(&[
-        StatisticalCase {
-            kind: EpSphere,
-            material: Material {
-                youngs_modulus_pa: 175206875.63602,
-                poisson_ratio: -0.999999,
-                counterface: None,
-                strength_pa: 14944965.911863424,
-                strain_gradient_length_m: None,
-                strength_cap_pa: None,
-            },
-            hardness: JacksonGreen2005,
-            radius_m: 0.01977433760676362,
-            density_per_m2: 15375.2284974351,
-            sigma_s_m: 6.306129001457656e-6,
-            tolerance: 0.020998599124403942,
-            question: Separation(-6.306129001457656),
-        },
-        StatisticalCase {
-            kind: GradientSine,
-            material: Material {
-                youngs_modulus_pa: 127025.46112141229,
-                poisson_ratio: -0.999999,
-                counterface: None,
-                strength_pa: 0.0004003769454661435,
-                strain_gradient_length_m: Some(2.343981186243204e-10),
-                strength_cap_pa: Some(0.0016062359065999996),
-            },
-            hardness: JacksonGreen2005,
-            radius_m: 0.000119444554619228,
-            density_per_m2: 3.044603963821113,
-            sigma_s_m: 0.0045069094152002005,
-            tolerance: 5.255962983835036e-13,
-            question: Separation(-139.32187186688085),
-        },
-    ]);
+fn pressed_maps_keep_every_promise() {
+    for row in Row::all("elements.csv") {
+        let map = SmallMap {
+            rows: row.number("rows") as usize,
+            columns: row.number("columns") as usize,
+            length_x_m: row.number("length_x_m"),
+            length_y_m: row.number("length_y_m"),
+            heights_m: row.list("heights_m"),
+        };
+        row.assert_sound(&ElementsCase {
+            map,
+            periodic: row.text("periodic") == "yes",
+            layer: row.pair(["layer_ratio", "layer_m"]),
+            contact_modulus_pa: row.number("contact_modulus_pa"),
+            pressure_pa: row.number("pressure_pa"),
+            saturation_pa: row.optional("saturation_pa"),
+            tolerance: row.number("tolerance"),
+        });
+    }
 }
 
 #[test]
 fn numbers_that_no_law_can_hold_are_refused() {
     let usual = |youngs_modulus_pa: f64, radius_m: f64| StatisticalCase {
-        kind: Hertz,
+        kind: Kind::Hertz,
         material: Material {
             youngs_modulus_pa,
             poisson_ratio: 0.3,
@@ -252,12 +189,12 @@ fn numbers_that_no_law_can_hold_are_refused() {
             strain_gradient_length_m: None,
             strength_cap_pa: None,
         },
-        hardness: Cosine,
+        hardness: Hardness::Cosine,
         radius_m,
         density_per_m2: 1e12,
         sigma_s_m: 1e-8,
         tolerance: 1e-10,
-        question: Separation(0.0),
+        question: Question::Separation(0.0),
     };
     assert!(usual(1e11, 1e-6).state().is_ok());
     for (modulus_pa, radius_m) in [(5e-324, 1e-6), (1e200, 1e-6), (1e11, 1e-300), (1e11, f64::MAX)] {
@@ -276,284 +213,178 @@ fn a_pressure_keeps_its_digits_where_the_density_alone_is_below_the_normal_doubl
         strength_cap_pa: None,
     };
     let case = StatisticalCase {
-        kind: Hertz,
+        kind: Kind::Hertz,
         material,
-        hardness: JacksonGreen2005,
+        hardness: Hardness::JacksonGreen2005,
         radius_m: 1e3,
         density_per_m2: 1e20,
         sigma_s_m: 1e-5,
         tolerance: 1e-12,
-        question: Separation(38.2e-5),
+        question: Question::Separation(38.2e-5),
     };
     let state = case.state().unwrap();
     assert!(state.pressure_pa.is_normal());
     assert!((state.pressure_pa.ln() - state.ln_pressure_pa).abs() < 1e-11, "{state:?}");
 }
 
-/// The independent quadrature was wrong, and both of its rules alike: a sinusoid with a strain gradient came to yield, to flow or
-/// to be complete between the end of a stretch and the first node in it.
-#[test]
-fn kinks_that_the_independent_quadrature_has_to_be_told() {
-    let grown = of(
-        GradientSine,
-        [22922848079.175865, 0.0, 75312781.82611185],
-        Some(4.07026363756176e-7),
-        [2.423115788240343e-6, 27392370802.643852, 6.574949305085909e-7],
-        1e-10,
-        Pressure(2498504.5259414646),
-    );
-    assert_sound(&[
-        of(
-            GradientSine,
-            [3926460273.379571, 0.41285696005211464, 126040424.23913626],
-            Some(1.2663561908106628e-8),
-            [7.785606091095107e-8, 175987288549260.6, 3.582758914316214e-10],
-            1e-10,
-            Separation(-1.6061041180911964e-9),
-        ),
-        of(
-            GradientSine,
-            [31343034220.255142, 0.2889194708342162, 412798328.5471189],
-            Some(5.351719057648309e-8),
-            [7.497990874466497e-10, 1.6341536089222426e17, 1.29195948626271e-10],
-            1e-12,
-            Separation(1.1262989497081572e-9),
-        ),
-        StatisticalCase {
-            material: Material {
-                counterface: Some((730215338.4297116, 0.07793932328495479)),
-                ..grown.material
-            },
-            hardness: JacksonGreen2005,
-            ..grown
-        },
-        of(
-            GradientSine,
-            [402767572.9570583, 0.49999999999999994, 6234318.439218776],
-            Some(5.786091223671743e-8),
-            [1.424309019083716e-7, 10823173319037.855, 1.0057041019903579e-8],
-            1.4198244255467318e-10,
-            Separation(6.690128921118842e-8),
-        ),
-        of(
-            GradientSine,
-            [6865661733.427921, -0.999999, 4963588586501.117],
-            Some(2.993946992643739e-9),
-            [1.0104718517217284e-10, 5.844971819604868e21, 4.3729495245397026e-13],
-            1.7622647324410385e-5,
-            Pressure(1.2509737183106494e-12),
-        ),
-        of(
-            GradientSine,
-            [1179920312.3953795, 0.5, 3672014.9725242024],
-            Some(0.00025580778385845556),
-            [1.1890879924295224e-6, 34825615933.58771, 1.7848184708092997e-6],
-            9.133730701524442e-12,
-            Pressure(12904.352910479045),
-        ),
-        of(
-            GradientSine,
-            [701355176.2113663, 0.13057519459504047, 72095.0369297312],
-            Some(4.753383258637278e-9),
-            [5.463698778300157e-7, 1878069481874.7935, 5.48085502904661e-9],
-            1e-12,
-            Separation(-2.9777110506596854e-8),
-        ),
-        of(
-            GradientSine,
-            [599191640669.6012, -0.999999, 72640900.90546241],
-            Some(1.798461411313375e-8),
-            [1.0876081099260367e-8, 257359073224671.13, 7.54687439545034e-9],
-            1e-12,
-            Separation(-7.333467486915105e-12),
-        ),
-    ]);
+fn spiked(rows: usize, columns: usize, [length_x_m, length_y_m]: [f64; 2], height_m: f64) -> SmallMap {
+    let mut heights_m = vec![0.0; rows * columns];
+    heights_m[columns / 2] = height_m;
+    SmallMap { rows, columns, length_x_m, length_y_m, heights_m }
 }
 
-/// At a loose tolerance the pressures of two neighbouring quadratures leave the load between them, and their common edge is the
-/// answer: its error estimate did not tell by how much the load is missed there.
+/// A load that moves less than the heights are rounded to gave NaN; it is refused.
 #[test]
-fn a_load_between_the_pressures_of_two_cells() {
-    assert_sound(&[
-        of(
-            EpSine,
-            [48166182.52200592, -0.9999999999999999, 9.584874476488226],
-            None,
-            [5.401720036347377e-13, 2.3488633465030357e26, 1.7037379280090515e-15],
-            6.7482258032536005e-6,
-            Separation(-1.1293544484501593e-14),
-        ),
-        of(
-            EpSine,
-            [27330790571.969643, -0.999999, 0.10593218762356388],
-            None,
-            [3.5082430945419343e-14, 280077740886743.38, 0.003357683857197448],
-            1.001590923667381e-5,
-            Separation(-0.023896798399561617),
-        ),
-        of(
-            EpSine,
-            [6171341142.523833, -0.9999999999999999, 3.317608186684156],
-            None,
-            [1.586075530873245e-5, 14353251064.617075, 1.1075616109963872e-6],
-            0.00018004721867789835,
-            Separation(-8.22994716040126e-6),
-        ),
-    ]);
+fn a_ball_under_a_load_below_the_rounding_of_the_heights_is_refused() {
+    let ball = BallCase {
+        map: spiked(4, 4, [1.2036642746897419e-11, 2.802228278385977e-12], 0.49792903424770235),
+        contact_modulus_pa: 2885511.4019242525,
+        radius_m: 4.882214895294587e-10,
+        force_n: 9.545004806702004e-24,
+        tolerance: 1.64254788838392e-10,
+    };
+    assert!(!assert_sound(&ball));
 }
 
-/// At a million standard deviations the coordinates of the law rounded the heights by more than the estimate says.
+/// A spike under no load, which the attraction of the rest does not hold.
 #[test]
-fn heights_far_below_that_lost_digits_to_the_law() {
-    assert_sound(&[
-        of(
-            EpSine,
-            [47487813891.02847, -0.9999999999999999, 313319.4350554577],
-            None,
-            [4.593513351651407e-9, 1124795.137925341, 1.0632314804549614e-12],
-            0.021129890449088442,
-            Separation(-1.0632314804549616e-6),
-        ),
-        of(
-            EpSine,
-            [3657.6549826291225, -0.9999999999999999, 50.093470380959275],
-            None,
-            [0.00048301991872868385, 0.004367161658378338, 3.666133825022319e-8],
-            1e-12,
-            Separation(-0.03666133825012145),
-        ),
-    ]);
+fn a_spike_without_load() {
+    let case = AdhesionCase {
+        map: spiked(8, 12, [100.06432714872398, 424.74909658232394], 408873.31991566997),
+        contact_modulus_pa: 19322258472.63324,
+        work_j_per_m2: 1845086356609.396,
+        range_m: 603.205956108081,
+        control: Control::PressurePa(0.0),
+        from_contact: true,
+        tolerance: 6.17559183008778e-6,
+    };
+    assert_sound(&case);
 }
 
-/// The load that is carried a unit in the last place beyond that depth is missing there by rounding: a search that had not
-/// converged was taken for the answer.
+/// Two wavelengths that agree to rounding have one wavevector, and no slope between them: moments of the area were NaN.
 #[test]
-fn a_load_at_the_depth_where_searches_end() {
-    let grown = of(
-        GradientSphere,
-        [2768311.1754896627, -0.634506811662723, 0.4899180339097896],
-        Some(2.3369702196819245e-6),
-        [0.0008084457719248273, 2.2229391043403245e17, 2.950985359060539e-15],
-        3.1842776161376595e-11,
-        Separation(-2.9509853590605395e-9),
-    );
-    assert_sound(&[
-        of(
-            EpSine,
-            [31666.988458258136, 0.4446364774164363, 0.0007598051146097306],
-            None,
-            [5.209865128431349e-14, 1693030.234119532, 0.44102096586676415],
-            4.02309136151493e-12,
-            Separation(-441020.9658667642),
-        ),
-        StatisticalCase {
-            hardness: JacksonGreen2005,
-            ..of(
-                GradientSphere,
-                [23407169.379726358, 0.17762613851165576, 353444.8670586978],
-                Some(1.7199874900973483e-5),
-                [2.209142823118214e-5, 1.4352267027144375e27, 5.7610423576499105e-12],
-                5.4339337935532896e-14,
-                Separation(-5.761042357649911e-6),
-            )
-        },
-        StatisticalCase {
-            material: Material {
-                counterface: Some((253001.34648638, 0.49999999999999994)),
-                ..grown.material
-            },
-            hardness: Cosine,
-            ..grown
-        },
-    ]);
+fn wavelengths_that_agree_to_rounding_are_refused() {
+    let wavelength_m = 3.3751749523053838e-9f64;
+    let rows = vec![
+        (9.06925765397715e-6, 5e-23),
+        (wavelength_m, 4.6e-29),
+        (wavelength_m.next_down(), 4.6e-29),
+        (1e-9, 1e-30),
+    ];
+    assert!(!assert_sound(&SpectraCase { rows, per_decade: 57 }));
 }
 
-/// A load just below the maximum was looked for on both sides of it at once; slopes that drown in rounding misplaced the
-/// maximum; a load that is carried all the way was taken for one that is missing all the way.
+/// Densities of 1e308 m^3 made moments infinite, and a capacity overflow.
 #[test]
-fn a_load_beside_a_maximum_of_the_pressure() {
-    assert_sound(&[
-        of(
-            GradientSine,
-            [134822.01402182653, 0.0, 37563125.01867484],
-            Some(0.06345681148253855),
-            [8.557327926684322e-14, 1.4978838659942766e16, 1.2626937319280287e-8],
-            1e-10,
-            Separation(-3.956755626731036e-5),
-        ),
-        of(
-            GradientSine,
-            [2417323149.8345304, -0.999999, 0.0057068279706910825],
-            Some(5.819662993175443e-11),
-            [619.8085558112155, 0.003211828377130231, 3.3045602763438904e-8],
-            1e-12,
-            Separation(-0.025448388950613323),
-        ),
-        of(
-            GradientSine,
-            [18.08131908652752, 0.10346551620514721, 2.209081318983471e-7],
-            Some(5.211568566627352e-7),
-            [4.735858770473685e-12, 16938661.00722877, 1.252749704700302e-6],
-            1.9801465958917043e-9,
-            Separation(-0.8013029381397789),
-        ),
-    ]);
+fn densities_that_no_surface_has_are_refused() {
+    let rows = vec![(1.4e-5, 8e-13), (2.6e-6, f64::MAX), (8e-7, 1.9e307), (1e-8, 1e-155)];
+    assert!(!assert_sound(&SpectraCase { rows, per_decade: 6 }));
+    assert!(!assert_sound(&SpectraCase { rows: vec![(1e-5, 1e-20), (1e-6, 5e-324)], per_decade: 6 }));
 }
 
-/// One rule over all of them told an error of 1e-10 where it had 2e-8, and rules of a few nodes over the small part one of 1e-9
-/// where they had 9e-8.
+/// Shares near 1 and shares below the smallest double were mirrored to NaN.
 #[test]
-fn a_strength_that_grows_over_a_small_part_of_the_interferences() {
-    assert_sound(&[
-        of(
-            GradientSine,
-            [1964932.6044047757, 0.5, 0.0002406660945246224],
-            Some(2.816340883153851e-10),
-            [2.984362229105516e-14, 4.964982316177045e21, 0.00022152531130647203],
-            7.433825341228798e-10,
-            Pressure(2.6705644199791627e-5),
-        ),
-        of(
-            GradientSine,
-            [2.5559461577833615, -0.9999999999999999, 4.785441148776849e-12],
-            Some(4.830881127290678e-19),
-            [0.00011184161074736355, 4223683514621073.5, 7.434931577476663e-14],
-            1e-10,
-            Separation(4.8160643779536e-14),
-        ),
-    ]);
+fn intervals_of_areas_at_both_ends() {
+    for draws in
+        [vec![2.0687e-320, 2.0586e-319], vec![-745.0, -1e-300, -3.0, 1e-12], vec![740.0, 700.0, 600.0]]
+    {
+        for best in [-1.43e-322, -40.0, -745.0] {
+            assert!(assert_sound(&IntervalsCase { draws: draws.clone(), best, level: 0.68 }));
+        }
+    }
 }
 
-/// The logarithm was rounded as that of a product whose factors are far apart.
+/// Draws of 1e-161 lost the digits of their variance, and draws of 1e200 overflowed it.
 #[test]
-fn a_pressure_and_its_logarithm() {
-    assert_sound(&[
-        of(
-            Hertz,
-            [815467892.4966245, -0.9999999999999999, 2684892.0517104072],
-            None,
-            [3.0150220747025607, 2.7200796501006127e19, 1.9646051497819342e-7],
-            1e-12,
-            Separation(2.3521173891039087e-6),
-        ),
-        of(
-            Hertz,
-            [24272633703894.566, -0.999999, 481817248540340.7],
-            None,
-            [0.01652136211117258, 1.5273364146353244e19, 0.0022981674480194157],
-            2.9043075658319064e-9,
-            Separation(0.027238675791831507),
-        ),
-        StatisticalCase {
-            hardness: Cosine,
-            ..of(
-                EpSphere,
-                [9891057057755.918, 0.16492222470216955, 1090280998082455.5],
-                None,
-                [154.79536757418637, 1.4440038569230206e25, 0.00023333334443075],
-                1e-10,
-                Separation(0.0027864734858890293),
-            )
-        },
-    ]);
+fn draws_of_every_size() {
+    let shape = [
+        -2.89, 2.40, -0.38, -1.14, 1.46, 1.97, 1.11, 1.88, 0.50, -0.45, -2.91, -1.75, 1.0, -1.27, 0.86, -1.2,
+        -2.6,
+    ];
+    for size in [1e-161, 1.0, 1e200] {
+        let draws: Vec<f64> = shape.iter().map(|value| size * value).collect();
+        assert!(assert_sound(&IntervalsCase { best: draws[0], draws, level: 0.95 }));
+    }
+}
+
+/// Overclosures that agree to the last digit of the first gap came back with another pressure; such a range is refused.
+#[test]
+fn a_law_whose_overclosures_are_lost_is_refused() {
+    let case = LawTablesCase {
+        shape: Shape::Power(2.5928659738173483),
+        length_m: 4.440566203637786e-8,
+        range_pa: [1894.6719479376054, 12086779709512.742],
+        tolerance: 0.22524262558893815,
+        units: interface::finite_elements::UnitSystem::Inches,
+    };
+    assert!(!assert_sound(&case));
+    let huge = LawTablesCase {
+        shape: Shape::Plateau(49.8),
+        length_m: f64::MAX,
+        range_pa: [3.4, 7.0],
+        tolerance: 1e-5,
+        ..case
+    };
+    assert!(!assert_sound(&huge));
+}
+
+/// Lengths near the smallest double, times a difference of pressures, came out below it.
+#[test]
+fn a_law_with_gaps_near_the_smallest_double() {
+    let case = LawTablesCase {
+        shape: Shape::Exponential,
+        length_m: 2.2250738585072014e-308,
+        range_pa: [57.09081650557628, 57.090816590051084],
+        tolerance: 1.5245969905620373e-5,
+        units: interface::finite_elements::UnitSystem::Si,
+    };
+    assert!(assert_sound(&case));
+}
+
+fn profile(heights_m: Vec<f64>, missing: Vec<usize>) -> DrawnScan {
+    let length_m = 4.9e-6;
+    let columns = heights_m.len();
+    let (rows, positions_m) = (None, None);
+    DrawnScan { columns, rows, length_x_m: length_m, length_y_m: length_m, heights_m, missing, positions_m }
+}
+
+/// Heights that are equal but for a pit gave peaks beyond the valleys, by a slope of rounding.
+#[test]
+fn a_plateau_with_a_pit() {
+    let mut heights_m = vec![1.7004798150183264e-7; 9];
+    heights_m[1] = 1.700475058418851e-7;
+    let scan = profile(heights_m, vec![3]);
+    let form = roughness::FormRemoval::None;
+    assert!(assert_sound(&RoughnessCase { scan, form, cutoffs_m: [None, None] }));
+}
+
+/// A filter drops the only point of a profile that has a height: a panic.
+#[test]
+fn a_profile_without_heights_behind_its_filter() {
+    let heights_m: Vec<f64> = (0..26).map(|at| 1e-7 * f64::from(at % 7)).collect();
+    let scan = profile(heights_m, (0..25).collect());
+    let form = roughness::FormRemoval::Plane;
+    assert!(!assert_sound(&RoughnessCase { scan, form, cutoffs_m: [Some(9.02959175298666e-7), None] }));
+}
+
+/// Five points do not determine a form of six numbers: the transposed map had another one.
+#[test]
+fn fewer_points_than_the_form_has_numbers() {
+    let mut heights_m = vec![-0.0016362023817578703; 16];
+    heights_m[12] = -0.0018974200568570103;
+    let missing = vec![0, 2, 3, 4, 7, 8, 9, 10, 11, 14, 15];
+    let scan = DrawnScan { rows: Some(4), columns: 4, ..profile(heights_m, missing) };
+    let form = roughness::FormRemoval::SecondOrder;
+    assert!(assert_sound(&RoughnessCase { scan, form, cutoffs_m: [None, None] }));
+}
+
+/// Six points on two lines do not determine a form of six numbers either.
+#[test]
+fn points_on_two_lines_of_a_map() {
+    let mut heights_m = vec![0.0; 20];
+    heights_m[2] = 3.2791937194812533e-9;
+    let missing = vec![1, 3, 4, 5, 7, 9, 10, 11, 13, 14, 15, 16, 17, 19];
+    let scan = DrawnScan { rows: Some(5), columns: 4, ..profile(heights_m, missing) };
+    let form = roughness::FormRemoval::SecondOrder;
+    assert!(assert_sound(&RoughnessCase { scan, form, cutoffs_m: [None, None] }));
 }
