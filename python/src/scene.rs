@@ -8,7 +8,6 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 use findings::answer::Answer;
-use findings::interface::InterfaceStates;
 use pyo3::exceptions::{PyFileNotFoundError, PyOSError};
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
@@ -162,7 +161,7 @@ impl PyScene {
                 }
                 Ok::<(), Infallible>(())
             });
-            let states = InterfaceStates::from_scene(&self.scene, &outcome.results);
+            let states = self.scene.interface_states(&outcome.results);
             let end = SummaryEnd { report: None, warnings: 0, notes: 0, verbose_option: "" };
             let short = short_summary(conclusions, &self.scene, states.as_ref(), &end);
             Ok((format!("{short}\n{}", details(&evidence, conclusions)), tables, files))

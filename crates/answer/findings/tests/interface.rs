@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use findings::interface::InterfaceStates;
 use scene::{Overrides, Scene};
+use study::interface::InterfaceStates;
 use study::interface::{Quantity, Slot};
 use study::plan::Results;
 
@@ -53,7 +53,7 @@ fn gas_in_the_gaps_conducts_beside_the_spots() {
     let air = "gas_conductivity = \"0.026 W/(m K)\"";
     let section = |keys: &str| format!("{TEXT}[interface]\n{keys}\n");
     let (scene, results) = carried_out(&section(&format!("{air}\ngas_parameter = \"0.4 um\"")));
-    let states = InterfaceStates::from_scene(&scene, &results).unwrap();
+    let states = scene.interface_states(&results).unwrap();
     let value = |quantity| under_the_load(&states, quantity).unwrap();
     let of_gas = value(Quantity::GasConductance);
     let simple = 0.026 / (value(Quantity::MeanGap) + 0.4e-6);
@@ -76,7 +76,7 @@ fn gas_in_the_gaps_conducts_beside_the_spots() {
 #[test]
 fn heat_and_current_follow_the_stiffness() {
     let (scene, results) = carried_out(TEXT);
-    let states = InterfaceStates::from_scene(&scene, &results).unwrap();
+    let states = scene.interface_states(&results).unwrap();
     let value = |quantity| under_the_load(&states, quantity).unwrap();
     let stiffness = value(Quantity::Stiffness);
     let found = states.separation_under(1e6);
@@ -102,7 +102,7 @@ fn a_seal_has_a_channel_until_it_is_tight() {
     let (scene, results) = carried_out(&format!(
         "{TEXT}[seal]\npressure_drop = \"1 bar\"\nviscosity = \"1 mPa s\"\nbreadth = \"10 cm\"\nlength = \"1 mm\"\n"
     ));
-    let states = InterfaceStates::from_scene(&scene, &results).unwrap();
+    let states = scene.interface_states(&results).unwrap();
     let tight = Slot { quantity: Quantity::TightPressure, load: None, curve: None };
     let tight_pa = states.value(tight).unwrap().unwrap();
     assert!(tight_pa > 1e6, "{tight_pa}");
@@ -112,7 +112,7 @@ fn a_seal_has_a_channel_until_it_is_tight() {
 
     let pressed = TEXT.replace("force = \"1 kN\", nominal_area = \"10 cm^2\"", "pressures = [\"50 GPa\"]");
     let (scene, results) = carried_out(&format!("{pressed}[seal]\n"));
-    let states = InterfaceStates::from_scene(&scene, &results).unwrap();
+    let states = scene.interface_states(&results).unwrap();
     assert!(states.value(tight).unwrap().unwrap() < 50e9);
     assert_eq!(under_the_load(&states, Quantity::ChannelWavelength), None);
 }
@@ -122,7 +122,7 @@ fn friction_is_strength_times_area_and_adhesion_needs_its_keys() {
     let (scene, results) = carried_out(&format!(
         "{TEXT}[interface]\nshear_strength = \"1 GPa\"\nwork_of_adhesion = \"50 mJ/m^2\"\n"
     ));
-    let states = InterfaceStates::from_scene(&scene, &results).unwrap();
+    let states = scene.interface_states(&results).unwrap();
     let (_, area_fraction) = *results.curves[0].area_fractions(0).last().unwrap();
     let friction = states
         .value(Slot { quantity: Quantity::FrictionStress, load: Some(0), curve: Some(0) })
@@ -138,7 +138,7 @@ const SHEARED: &str = "[interface]\nfriction = 0.3\nshare_of_sliding = 0.6\n";
 #[test]
 fn a_tangential_load_follows_the_normal_law_until_everything_slides() {
     let (scene, results) = carried_out(&format!("{TEXT}{SHEARED}"));
-    let states = InterfaceStates::from_scene(&scene, &results).unwrap();
+    let states = scene.interface_states(&results).unwrap();
     let value = |quantity| under_the_load(&states, quantity).unwrap();
     // Against a rigid counterface eta = (2 - nu)/(2 (1 - nu)).
     let eta = 1.7 / 1.4;
@@ -158,12 +158,12 @@ fn a_tangential_load_follows_the_normal_law_until_everything_slides() {
     // The same load as a stress.
     let as_stress = SHEARED.replace("share_of_sliding = 0.6", "tangential_stress = \"0.18 MPa\"");
     let (scene, results) = carried_out(&format!("{TEXT}{as_stress}"));
-    let same = InterfaceStates::from_scene(&scene, &results).unwrap();
+    let same = scene.interface_states(&results).unwrap();
     let displacement_m = under_the_load(&same, Quantity::TangentialDisplacement).unwrap();
     assert!((displacement_m / value(Quantity::TangentialDisplacement) - 1.0).abs() < 1e-9);
     let beyond = SHEARED.replace("share_of_sliding = 0.6", "tangential_stress = \"0.4 MPa\"");
     let (scene, results) = carried_out(&format!("{TEXT}{beyond}"));
-    let sliding = InterfaceStates::from_scene(&scene, &results).unwrap();
+    let sliding = scene.interface_states(&results).unwrap();
     assert_eq!(sliding.sliding_loads(), [0]);
     assert!(under_the_load(&sliding, Quantity::TangentialStiffness).is_some());
     assert_eq!(under_the_load(&sliding, Quantity::TangentialDissipation), None);
@@ -177,9 +177,9 @@ fn what_was_not_asked_for_is_not_there() {
         "youngs_modulus = \"100 GPa\"\npoisson_ratio = 0.3\n",
     );
     let (scene, results) = carried_out(&plain);
-    assert!(scene.interface.is_none() && InterfaceStates::from_scene(&scene, &results).is_none());
+    assert!(scene.interface.is_none() && scene.interface_states(&results).is_none());
     let (scene, results) = carried_out(&format!("{plain}[interface]\n"));
-    let slots = InterfaceStates::from_scene(&scene, &results).unwrap().slots();
+    let slots = scene.interface_states(&results).unwrap().slots();
     let quantities: Vec<Quantity> = slots.iter().map(|slot| slot.quantity).collect();
     assert_eq!(quantities, [Quantity::MeanGap, Quantity::Stiffness]);
 }

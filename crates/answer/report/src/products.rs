@@ -9,9 +9,8 @@ use crate::judged;
 use crate::page::{Report, SceneReport};
 use crate::provenance::provenance;
 use crate::run_stamp::RunStamp;
-use conclusions::{Conclusions, Evidence};
 use findings::answer::Answer;
-use findings::interface::{InterfaceStates, slots_table};
+use findings::conclusions::{Conclusions, Evidence};
 use findings::sensitivity::Sensitivity;
 use judge::Judgement;
 use questions::RunOptions;
@@ -20,6 +19,7 @@ use scene::file_names::{INTERFACE_TABLE, JUDGE_TABLES, REPORT_TABLES, UNCERTAINT
 use serde::Serialize;
 use study::figure::{Figure, FigureData, PictureFormat, Shows, over_scans};
 use study::interface::Slot;
+use study::interface::{InterfaceStates, slots_table};
 use study::plan::{Cutoffs, Results};
 use study::result_tables;
 use tables::{Format, Table};
@@ -339,7 +339,7 @@ impl<'a> SceneProducts<'a> {
                 take_table(name, "table", &table)?;
             }
         }
-        if let Some(states) = InterfaceStates::from_scene(scene, results) {
+        if let Some(states) = scene.interface_states(results) {
             take_table(INTERFACE_TABLE, "table", &interface_table(&states, scene, evidence.uncertainty))?;
         }
         let figures: Vec<FigureDocuments<'_>> =

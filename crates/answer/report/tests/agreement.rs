@@ -3,14 +3,14 @@
 
 use std::collections::BTreeMap;
 
-use conclusions::{Caution, Conclusions, Evidence, LoadConclusion, NextStep, Source, Stickiness};
-use findings::interface::InterfaceStates;
+use findings::conclusions::{Caution, Conclusions, Evidence, LoadConclusion, NextStep, Source, Stickiness};
 use interface::conductance::MOST_PLASTIC_SHARE;
 use judge::{AGREEMENT, CurveVerdict, Judgement, Verdict};
 use questions::{RunOptions, SceneOutcome, Unwatched, run_scene};
 use report::products::{Product, SceneProducts};
 use report::run_stamp::RunStamp;
 use scene::{Overrides, Scene};
+use study::interface::InterfaceStates;
 use study::interface::{Quantity, Slot};
 
 /// Spectra without errors, with them, with a hole of 1.3 decades, from roughness parameters; and two bodies.
@@ -78,7 +78,7 @@ fn areas_of_sticky_surfaces_carry_a_caution() {
         let scene = Scene::parse(&text, &files, &Overrides::default()).unwrap();
         let options = RunOptions { report: true, judge: None, uncertainty: None };
         let outcome = run_scene(&scene, options, &Unwatched).unwrap();
-        let states = InterfaceStates::from_scene(&scene, &outcome.results).unwrap();
+        let states = scene.interface_states(&outcome.results).unwrap();
         let value = |quantity| states.value(Slot { quantity, load: None, curve: None }).unwrap();
         let indicators = [value(Quantity::PastewkaRobbins), value(Quantity::FullerTabor)];
         let found = outcome.conclusions.cautions.iter().find_map(|caution| match caution {
@@ -122,7 +122,7 @@ fn check(scene: &Scene, outcome: &SceneOutcome, seen: &mut Seen) {
     check_advice(conclusions, seen);
     let left = conclusions.cautions.iter().map(Caution::trust_left).min();
     assert!(left.is_none_or(|left| left == conclusions.trust));
-    if let Some(states) = InterfaceStates::from_scene(scene, &outcome.results) {
+    if let Some(states) = scene.interface_states(&outcome.results) {
         check_yield(conclusions, &states, seen);
         check_seal(scene, conclusions, &states, seen);
     }

@@ -45,10 +45,10 @@ use persson::variance::Band;
 use study::bodies::Bodies;
 use study::choices_in_words;
 use study::figure::Figure;
-use study::interface::InterfaceRequest;
+use study::interface::{InterfaceInputs, InterfaceRequest, InterfaceStates};
 use study::material::Material;
 use study::material_spreads::MaterialSpreads;
-use study::plan::{Needs, Plan, Sampling};
+use study::plan::{Needs, Plan, Results, Sampling};
 use study::surface::Surface;
 use units::number;
 
@@ -185,5 +185,19 @@ impl Scene {
     /// Returns the plan that computes the scene.
     pub fn plan(&self) -> Plan<'_> {
         Plan { psd: &self.surface.psd, sampling: self.sampling, needs: self.needs.clone() }
+    }
+
+    /// Returns the quantities that the scene requests of its interface, from its results; `None` if it requests none.
+    pub fn interface_states<'a>(&'a self, results: &'a Results) -> Option<InterfaceStates<'a>> {
+        let request = self.interface.as_ref()?;
+        let material = self.material.as_ref()?;
+        let inputs = InterfaceInputs {
+            results,
+            normalisation: self.needs.moments?,
+            pair: material.pair,
+            hardness_pa: material.hardness_pa(),
+            pressures: self.needs.loads.iter().map(|load| load.nominal_pressure).collect(),
+        };
+        InterfaceStates::new(request, &self.plan(), inputs)
     }
 }

@@ -4,8 +4,8 @@ use study::Progress;
 use study::plan::{Cutoffs, Results, Work};
 use study::student::{half_width, normal_half_width};
 
-use findings::features::convergence;
 use spectrum::ProfilePsd;
+use stacked_contact::convergence;
 
 use crate::areas::Areas;
 use crate::draws::Drawn;

@@ -1,8 +1,8 @@
 //! Draws of the quantities of an interface.
 
-use findings::interface::{InterfaceInputs, InterfaceStates};
 use scene::Scene;
 use study::Progress;
+use study::interface::{InterfaceInputs, InterfaceStates};
 use study::interface::{Quantity, Slot};
 use study::plan::{Needs, Plan, Results};
 
@@ -36,7 +36,7 @@ pub(crate) struct QuantityDraws {
 impl<'p> Quantities<'p> {
     /// The quantities of a scene; `None` if it requests none.
     pub fn from_scene(scene: &'p Scene, results: &'p Results) -> Option<Self> {
-        let slots = InterfaceStates::from_scene(scene, results)?.slots();
+        let slots = scene.interface_states(results)?.slots();
         Some(Quantities { scene, results, slots })
     }
 
@@ -65,7 +65,7 @@ impl<'p> Quantities<'p> {
             return QuantityDraws::default();
         }
         let best = inputs.surface_scatters().then(|| self.best(inputs)).flatten();
-        let Some(plain) = InterfaceStates::from_scene(self.scene, self.results) else {
+        let Some(plain) = self.scene.interface_states(self.results) else {
             return QuantityDraws::default();
         };
         let of_slot = |(at, slot): (usize, &Slot)| {

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-use conclusions::Conclusions;
 use findings::answer::Answer;
+use findings::conclusions::Conclusions;
 use findings::sensitivity::{Sensitivity, sensitivities};
 use judge::{JudgePlan, JudgeSettings, Judgement};
 use paper::{Evidence, Verdict};
@@ -53,7 +53,7 @@ fn reproduce(folder: &Path) -> Result<(), Box<dyn Error>> {
     let ledger = paper::ledger(&evidence);
     let computing = start.elapsed();
     let run_stamp = RunStamp::default();
-    let of_scenes: Vec<conclusions::Evidence<'_>> =
+    let of_scenes: Vec<findings::conclusions::Evidence<'_>> =
         evidence.iter().zip(&found).map(|(evidence, found)| found.beside(evidence)).collect();
     let conclusions: Vec<Conclusions> = of_scenes.iter().map(Conclusions::new).collect();
     let products: Vec<SceneProducts<'_>> = of_scenes
@@ -126,8 +126,8 @@ impl Found {
         })
     }
 
-    fn beside<'a>(&'a self, evidence: &'a Evidence) -> conclusions::Evidence<'a> {
-        conclusions::Evidence {
+    fn beside<'a>(&'a self, evidence: &'a Evidence) -> findings::conclusions::Evidence<'a> {
+        findings::conclusions::Evidence {
             scene: &evidence.scene,
             results: &evidence.results,
             answer: &self.answer,

@@ -1,8 +1,8 @@
 //! The mean gap against load, and the loops of a tangential load, as figures.
 
-use findings::interface::InterfaceStates;
 use scene::Scene;
 use study::figure::{Axis, FigureData, Mark, Series, ShearLoop, Shows, shear_loops};
+use study::interface::InterfaceStates;
 use study::interface::{Quantity, Slot};
 use study::plan::Load;
 use uncertainty::Uncertainty;

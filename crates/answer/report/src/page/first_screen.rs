@@ -4,8 +4,7 @@
 
 use std::fmt::Write;
 
-use conclusions::{Caution, Conclusions, LoadConclusion, ModelCell, ReferenceGroup, Source};
-use findings::interface::InterfaceStates;
+use findings::conclusions::{Caution, Conclusions, LoadConclusion, ModelCell, ReferenceGroup, Source};
 use judge::{AGREEMENT, Reference, Verdict};
 use maud::{Markup, PreEscaped, html};
 use study::figure::CurveLook;
@@ -205,7 +204,7 @@ pub(super) fn interface_strip(report: &SceneReport<'_>) -> Markup {
     let conclusions = report.conclusions;
     let mut rows: Vec<(&str, String)> =
         conclusions.seal.iter().map(|seal| ("Seals?", seal_words(seal, report.scene))).collect();
-    let states = InterfaceStates::from_scene(report.scene, report.results);
+    let states = report.scene.interface_states(report.results);
     rows.extend(states.iter().flat_map(|states| quantity_rows(conclusions, states)));
     html! {
         @if !rows.is_empty() {

@@ -1,6 +1,6 @@
 //! The first screen of one load in parts, for a page that stays open while its conditions change.
 
-use conclusions::{Conclusions, Evidence};
+use findings::conclusions::{Conclusions, Evidence};
 use serde::Serialize;
 use study::figure::CurveLook;
 use units::display::{share, three_digits, typeset};

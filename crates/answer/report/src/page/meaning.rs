@@ -7,7 +7,7 @@ use crate::interface_figure::{gap_against_load, loops_of_loads};
 use crate::listing::capital;
 use crate::uncertainty_words::level;
 use crate::{chart, interface_words};
-use findings::interface::InterfaceStates;
+use study::interface::InterfaceStates;
 use study::interface::Slot;
 use units::display::typeset;
 
@@ -20,7 +20,7 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
     if report.scene.needs.curves.is_empty() && report.scene.interface.is_none() {
         return None;
     }
-    let found = InterfaceStates::from_scene(report.scene, report.results);
+    let found = report.scene.interface_states(report.results);
     let further = interface_words::further_keys(report.scene);
     Some(html! {
         @if let Some(states) = &found {

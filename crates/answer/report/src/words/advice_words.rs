@@ -1,6 +1,6 @@
 //! The advice on what to measure next, in words.
 
-use conclusions::{Conclusions, Evidence, LoadConclusion};
+use findings::conclusions::{Conclusions, Evidence, LoadConclusion};
 use scene::Scene;
 use uncertainty::{Advice, Settling, Step, StepKind, Uncertainty};
 use units::display::{length, three_digits};

@@ -2,14 +2,14 @@
 
 use std::fmt::Write;
 
-use conclusions::{
+use findings::conclusions::{
     AreaEstimate, Caution, Conclusions, LoadConclusion, ModelCell, NextStep, OtherHardness, SealConclusion,
     ShearConclusion, Source, Stickiness,
 };
-use findings::interface::InterfaceStates;
 use interface::adhesion::{FullerTabor, PastewkaRobbins};
 use judge::{Reference, Verdict};
 use scene::Scene;
+use study::interface::InterfaceStates;
 use study::interface::{Quantity, Slot};
 use units::display::{counted, energy_per_area, length, percent, pressure, three_digits};
 

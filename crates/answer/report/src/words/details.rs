@@ -1,8 +1,7 @@
 //! The table and the notes behind a summary.
 
-use conclusions::{Conclusions, Evidence, LoadConclusion};
 use findings::answer::LoadAnswer;
-use findings::interface::InterfaceStates;
+use findings::conclusions::{Conclusions, Evidence, LoadConclusion};
 use scene::Scene;
 use units::display::{length, pressure, three_digits};
 
@@ -17,7 +16,7 @@ pub fn details(evidence: &Evidence<'_>, conclusions: &Conclusions) -> String {
     let mut notes: Vec<String> = conclusions.cautions.iter().map(conclusion_words::caution_words).collect();
     notes.extend(judgement.into_iter().flat_map(|judgement| verdict_words::about_elements(judgement, scene)));
     notes.extend(uncertainty.into_iter().flat_map(uncertainty_words::sentences));
-    if let Some(states) = InterfaceStates::from_scene(scene, results) {
+    if let Some(states) = scene.interface_states(results) {
         let of_interface = interface_words::notes(&states, scene, uncertainty);
         notes.extend(of_interface.iter().map(|note| format!("{}.", capital(note))));
     }

@@ -1,11 +1,11 @@
 //! The quantities of an interface in words.
 
-use findings::interface::InterfaceStates;
 use interface::conductance::{ELECTRON_MEAN_FREE_PATH_M, MOST_PLASTIC_SHARE, PressureRatio};
 use interface::tangential::NOTICEABLE_MISMATCH;
 use persson::variance::Band;
 use questions::Note;
 use scene::Scene;
+use study::interface::InterfaceStates;
 use study::interface::{Quantity, Seal, Slot};
 use uncertainty::Uncertainty;
 use units::display::{energy_per_area, length, percent, pressure, share, three_digits};

@@ -3,7 +3,11 @@
 mod quantity;
 mod request;
 mod shear;
+mod states;
+mod table;
 
 pub use quantity::{Quantity, Slot};
 pub use request::{Adhesion, InterfaceRequest, Seal};
 pub use shear::{Shear, ShearLoad, sheared_pair};
+pub use states::{InterfaceError, InterfaceInputs, InterfaceStates};
+pub use table::slots_table;

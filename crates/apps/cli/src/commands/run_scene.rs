@@ -16,7 +16,6 @@ use crate::output::{Layout, Place, make_folder, utf8};
 use crate::progress::{Progress, Unseen, UntilEnded};
 use crate::targets::Targets;
 use crate::timings::Timings;
-use findings::interface::InterfaceStates;
 use questions::{OptionName, Phase, RunError, RunOptions, Watch, run_scene};
 use report::conclusion_words::{SummaryEnd, short_summary};
 use report::details::details;
@@ -81,7 +80,7 @@ impl SceneRun<'_> {
         let (evidence, conclusions) = (outcome.evidence(scene), &outcome.conclusions);
         let sensitivities = outcome.sensitivities.as_deref();
         let products = SceneProducts { evidence, conclusions, sensitivities, run_stamp: &run_stamp };
-        let states = InterfaceStates::from_scene(scene, &outcome.results);
+        let states = scene.interface_states(&outcome.results);
         let report = folder.join(products::REPORT);
         let report = options.report.then(|| report.display().to_string());
         let noted = [Severity::Warning, Severity::Note]

@@ -2,8 +2,8 @@
 
 use tables::Table;
 
-use study::interface::Slot;
-use study::plan::Needs;
+use super::quantity::Slot;
+use crate::plan::Needs;
 
 /// The first columns of a table with a row per slot: `quantity, nominal_pressure_pa, curve`. The quantity includes its unit;
 /// missing loads and curves are empty.

@@ -3,7 +3,7 @@
 use judge::{Basis, CurveVerdict, ElementArea, Headline, Judgement, Reference, Verdict};
 use serde::Serialize;
 
-use crate::Evidence;
+use super::evidence::Evidence;
 
 /// The conclusion for a load.
 #[derive(Debug, Clone, PartialEq, Serialize)]

@@ -1,8 +1,8 @@
 //! The seal: the pressure that closes it, and whether it is closed under each load.
 
-use findings::interface::InterfaceStates;
 use scene::Scene;
 use serde::Serialize;
+use study::interface::InterfaceStates;
 use study::interface::{Quantity, Slot};
 
 /// The conclusion on a seal.

@@ -2,13 +2,13 @@
 
 use std::cell::OnceCell;
 
+use ::interface::OutOfBounds;
+use ::interface::adhesion::{FullerTabor, PastewkaRobbins, StickyContact};
+use ::interface::conductance::{CutSurface, PlasticCorrelation, PressureRatio, RelativeStiffness, Spot};
+use ::interface::friction::SlidingContact;
+use ::interface::leak::Constriction;
+use ::interface::tangential::{ShearedContact, ShearedPair};
 use asperity::MaterialPair;
-use interface::OutOfBounds;
-use interface::adhesion::{FullerTabor, PastewkaRobbins, StickyContact};
-use interface::conductance::{CutSurface, PlasticCorrelation, PressureRatio, RelativeStiffness, Spot};
-use interface::friction::SlidingContact;
-use interface::leak::Constriction;
-use interface::tangential::{ShearedContact, ShearedPair};
 use persson::corrections::Correction;
 use persson::sealing::{MagnifiedContact, SealingLaw};
 use persson::separation::{
@@ -18,11 +18,12 @@ use persson::variance::Band;
 use persson::{Roughness, constant_hardness, elastic};
 use spectrum::{AsperityParameters, Moments, Normalisation};
 
-use scene::Scene;
-use study::figure::ShearLoop;
-use study::gap_law;
-use study::interface::{Adhesion, InterfaceRequest, Quantity, Slot, sheared_pair};
-use study::plan::{NominalPressure, Plan, Results};
+use super::quantity::{Quantity, Slot};
+use super::request::{Adhesion, InterfaceRequest};
+use super::shear::sheared_pair;
+use crate::figure::ShearLoop;
+use crate::gap_law;
+use crate::plan::{NominalPressure, Plan, Results};
 
 /// A value out of bounds for a quantity.
 pub type InterfaceError = OutOfBounds;
@@ -89,21 +90,6 @@ impl<'a> InterfaceStates<'a> {
             sheared: (0..loads).map(|_| OnceCell::new()).collect(),
             constrictions: (0..loads).map(|_| OnceCell::new()).collect(),
         })
-    }
-
-    /// The quantities that a scene requests, from its results; `None` if it requests none.
-    #[must_use]
-    pub fn from_scene(scene: &'a Scene, results: &'a Results) -> Option<Self> {
-        let request = scene.interface.as_ref()?;
-        let material = scene.material.as_ref()?;
-        let inputs = InterfaceInputs {
-            results,
-            normalisation: scene.needs.moments?,
-            pair: material.pair,
-            hardness_pa: material.hardness_pa(),
-            pressures: scene.needs.loads.iter().map(|load| load.nominal_pressure).collect(),
-        };
-        Self::new(request, &scene.plan(), inputs)
     }
 
     /// All requested slots.

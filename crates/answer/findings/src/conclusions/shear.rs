@@ -1,7 +1,7 @@
 //! The response of an interface to a tangential load.
 
-use findings::interface::InterfaceStates;
 use serde::Serialize;
+use study::interface::InterfaceStates;
 use study::interface::{Quantity, Slot};
 
 /// The response to the tangential load of a scene under one of its loads.

@@ -1,18 +1,18 @@
 //! Cautions: what to know before quoting a number.
 
-use findings::doubts::Doubt;
-use findings::interface::InterfaceStates;
+use crate::doubts::Doubt;
 use interface::adhesion::{FullerTabor, PastewkaRobbins};
 use interface::conductance::MOST_PLASTIC_SHARE;
 use judge::{AGREEMENT, Reference};
 use serde::Serialize;
 use spectrum::Hole;
+use study::interface::InterfaceStates;
 use study::interface::{Quantity, Slot};
 use topography::InstrumentsDisagree;
 use uncertainty::Guess;
 
-use crate::load::{LoadConclusion, Source};
-use crate::{Evidence, Trust};
+use super::evidence::{Evidence, Trust};
+use super::load::{LoadConclusion, Source};
 
 /// A caution that changes what a reader should conclude.
 #[derive(Debug, Clone, PartialEq, Serialize)]

@@ -4,8 +4,8 @@ use serde::Serialize;
 use spectrum::Hole;
 use uncertainty::{Group, Settling, Step, StepKind};
 
-use crate::Evidence;
-use crate::load::LoadConclusion;
+use super::evidence::Evidence;
+use super::load::LoadConclusion;
 
 /// A step that narrows the interval by less than this share is not worth a measurement.
 const WORTHWHILE: f64 = 0.95;
@@ -59,7 +59,7 @@ pub enum NextStep {
 pub(crate) fn next_steps(evidence: &Evidence<'_>, loads: &[LoadConclusion]) -> Vec<NextStep> {
     let mut steps: Vec<NextStep> =
         evidence.scene.surface.holes().iter().copied().map(NextStep::CloseHole).collect();
-    if crate::cautions::hardness_decides(evidence, loads).is_some() {
+    if super::cautions::hardness_decides(evidence, loads).is_some() {
         steps.push(NextStep::HardnessAtSmallDepth);
     }
     steps.extend(from_draws(evidence, loads));

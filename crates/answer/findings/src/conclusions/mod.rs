@@ -1,39 +1,25 @@
-#![doc = include_str!("../README.md")]
+//! The conclusions of a scene, as data: for each load the area that touches, its range, the condition that it depends on, and the
+//! models beside boundary elements; for all loads the seal, the limits of these numbers, the trust that they leave, and what to
+//! measure next.
+//!
+//! Findings, verdicts and intervals each see a part of the results. [`Conclusions::new`] joins them once from the [`Evidence`], so that
+//! the summary on a terminal, the report and `answer.json` cannot contradict each other.
 
 mod cautions;
+mod evidence;
 mod load;
 mod next;
 mod seal;
 mod shear;
 
 pub use cautions::{Caution, Stickiness};
+pub use evidence::{Evidence, Trust};
 pub use load::{AreaEstimate, LoadConclusion, ModelCell, OtherHardness, ReferenceGroup, Source, Tally};
 pub use next::NextStep;
 pub use seal::{SealClosing, SealConclusion};
 pub use shear::ShearConclusion;
 
-use findings::answer::Answer;
-use findings::interface::InterfaceStates;
-use judge::Judgement;
-use scene::Scene;
 use serde::Serialize;
-use study::plan::Results;
-use uncertainty::Uncertainty;
-
-/// The inputs of conclusions: a scene and what was found about it.
-#[derive(Clone, Copy)]
-pub struct Evidence<'a> {
-    /// The scene.
-    pub scene: &'a Scene,
-    /// Its results.
-    pub results: &'a Results,
-    /// Its answer.
-    pub answer: &'a Answer,
-    /// The verdicts of boundary elements; absent if nothing was judged.
-    pub judgement: Option<&'a Judgement>,
-    /// The uncertainty of the areas; absent if nothing was drawn.
-    pub uncertainty: Option<&'a Uncertainty>,
-}
 
 /// The conclusions of a scene.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -55,39 +41,12 @@ pub struct Conclusions {
     pub next: Vec<NextStep>,
 }
 
-/// The trust in the conclusions.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Trust {
-    /// The numbers cannot be used.
-    None,
-    /// An order of magnitude.
-    Poor,
-    /// A number with a condition.
-    Fair,
-    /// A number with its range.
-    Good,
-}
-
-impl Trust {
-    /// Returns the name, for print and for scripts.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Trust::None => "none",
-            Trust::Poor => "poor",
-            Trust::Fair => "fair",
-            Trust::Good => "good",
-        }
-    }
-}
-
 impl Conclusions {
     /// Draws the conclusions from the evidence.
     #[must_use]
     pub fn new(evidence: &Evidence<'_>) -> Self {
         let scene = evidence.scene;
-        let states = InterfaceStates::from_scene(scene, evidence.results);
+        let states = scene.interface_states(evidence.results);
         let loads: Vec<LoadConclusion> =
             (0..scene.needs.loads.len()).filter_map(|load| LoadConclusion::new(evidence, load)).collect();
         let cautions = cautions::cautions(evidence, &loads, states.as_ref());
