@@ -161,15 +161,11 @@ fn question(material: &PyMaterial, arguments: &Arguments<'_>) -> PyResult<(LawTa
             counterface_resistivity_ohm_m: ohm_m("counterface_resistivity")?,
         },
         gas: GasInput {
-            conductivity_w_per_m_k: w_per_m_k("gas_conductivity")?,
-            parameter_m: arguments.get("gas_parameter", length_m)?,
-            accommodation: arguments.get("accommodation", number)?,
-            counterface_accommodation: arguments.get("counterface_accommodation", number)?,
-            heat_capacity_ratio: arguments.get("heat_capacity_ratio", number)?,
-            prandtl_number: arguments.get("prandtl_number", number)?,
-            mean_free_path_m: arguments.get("mean_free_path", length_m)?,
+            name: arguments.get("gas", choice)?,
             temperature_k: arguments.get("gas_temperature", number)?,
             pressure: arguments.get("gas_pressure", quantity)?,
+            conductivity_w_per_m_k: w_per_m_k("gas_conductivity")?,
+            parameter_m: arguments.get("gas_parameter", length_m)?,
         },
         ..LawTableQuestion::default()
     };

@@ -229,7 +229,7 @@ def test_named_bodies_have_their_conductivities_from_the_table() -> None:
         ({"thermal_conductivity": 20.0}, ["thermal_conductivity", "quantity"]),
         ({"quantity": "current", **RESISTORS, **AIR}, ["gas_conductivity", "current"]),
         ({"quantity": "heat", **CONDUCTORS, "gas_parameter": 1e-6}, ["gas_conductivity", "needed"]),
-        ({"quantity": "heat", **CONDUCTORS, **AIR, "accommodation": 0.9}, ["accommodation", "gas_parameter"]),
+        ({"quantity": "heat", **CONDUCTORS, **AIR, "gas": "air"}, ["gas_conductivity", "gas"]),
         ({"quantity": "heat", **CONDUCTORS, "model": "yovanovich"}, ["hardness", "needed"]),
         ({"quantity": "heat", "thermal_conductivity": -1.0}, ["thermal_conductivity", "-1"]),
         ({"model": "yovanovich"}, ["yovanovich", "heat"]),

@@ -90,6 +90,9 @@ LawForm = Literal["table", "exponential"]
 LawQuantity = Literal["pressure", "heat", "current"]
 """Quantities that a law has."""
 
+Gas = Literal["air", "nitrogen", "helium", "argon", "hydrogen"]
+"""Gases with known properties."""
+
 ConductanceCorrelation = Literal["cooper-mikic-yovanovich", "yovanovich"]
 """Correlations of conductances for flowed peaks."""
 

@@ -13,6 +13,7 @@ from truearea._choices import (
     ConductanceModel,
     Dialect,
     EnergyFactor,
+    Gas,
     HardnessFormula,
     InterferenceLaw,
     LawForm,
@@ -207,15 +208,11 @@ if TYPE_CHECKING:
 
         thermal_conductivity: Quantity | None
         counterface_thermal_conductivity: Quantity | None
-        gas_conductivity: Quantity | None
-        gas_parameter: Quantity | None
-        accommodation: float | None
-        counterface_accommodation: float | None
-        heat_capacity_ratio: float | None
-        prandtl_number: float | None
-        mean_free_path: Quantity | None
+        gas: Gas | None
         gas_temperature: float | None
         gas_pressure: Quantity | None
+        gas_conductivity: Quantity | None
+        gas_parameter: Quantity | None
 
     class _OfCurrent(_Shared, total=False):
         """Arguments by name of electrical conductances."""
@@ -273,15 +270,11 @@ def law(
     counterface_thermal_conductivity: Quantity | None = None,
     resistivity: Quantity | None = None,
     counterface_resistivity: Quantity | None = None,
-    gas_conductivity: Quantity | None = None,
-    gas_parameter: Quantity | None = None,
-    accommodation: float | None = None,
-    counterface_accommodation: float | None = None,
-    heat_capacity_ratio: float | None = None,
-    prandtl_number: float | None = None,
-    mean_free_path: Quantity | None = None,
+    gas: Gas | None = None,
     gas_temperature: float | None = None,
     gas_pressure: Quantity | None = None,
+    gas_conductivity: Quantity | None = None,
+    gas_parameter: Quantity | None = None,
 ) -> ContactLaw | HeatConductance | CurrentConductance:
     """Nominal pressure against overclosure between two pressures, or conductance against pressure, for finite elements.
 
@@ -314,17 +307,14 @@ def law(
         Those of the bodies, for heat, in W/(m K) or as text; of named materials those of the table where left out.
     resistivity, counterface_resistivity : float or str, optional
         Those of the bodies, for current, in ohm m or as text; of named materials those of the table where left out.
-    gas_conductivity : float or str, optional
-        Thermal conductivity of the gas in the gaps, for heat; vacuum where left out.
-    gas_parameter : float or str, optional
-        M in m, by which temperature jumps lengthen every gap.
-    accommodation, counterface_accommodation, heat_capacity_ratio, prandtl_number, mean_free_path : optional
-        In place of the gas parameter: accommodation coefficients on both bodies, ratio of specific heats, Prandtl number, and
-        mean free path at 15 C and 1 atm, in m or as text.
+    gas : {"air", "nitrogen", "helium", "argon", "hydrogen"}, optional
+        Gas in the gaps, for heat; vacuum where no gas is given.
     gas_temperature : float, optional
-        In K; 288.15 where left out.
+        That of the named gas, in K; 288.15 where left out.
     gas_pressure : float or str, optional
-        In Pa or as text; 1 atm where left out.
+        That of the named gas, in Pa or as text; 1 atm where left out.
+    gas_conductivity, gas_parameter : float or str, optional
+        Of any other gas: its conductivity, and M in m, by which temperature jumps lengthen every gap; both or neither.
 
     Returns
     -------

@@ -60,17 +60,15 @@ fn gas_in_the_gaps_conducts_beside_the_spots() {
     assert!((1.0..1.3).contains(&(of_gas / simple)), "{of_gas} {simple}");
     let both = value(Quantity::ThermalConductance) + of_gas;
     assert_eq!(value(Quantity::ThermalConductanceWithGas), both);
-    // M = alpha beta Lambda with alpha = 2 (2 - 0.9)/0.9 and beta = 2 1.4/(0.7 2.4): the same gas at twice 1 atm.
-    let parameter_m = 2.0 * 1.1 / 0.9 * (2.8 / (0.7 * 2.4)) * 64e-9 / 2.0;
-    let kinetic = "accommodation = 0.9\ncounterface_accommodation = 0.9\nheat_capacity_ratio = 1.4\nprandtl_number = 0.7\n\
-                   mean_free_path = \"64 nm\"\ngas_pressure = \"202650 Pa\"";
-    let (scene, _) = carried_out(&section(&format!("{air}\n{kinetic}")));
+    // M = alpha beta Lambda with alpha = 2 (2 - 0.86)/0.86 and beta = 2 1.4/(0.71 2.4), at twice 1 atm.
+    let parameter_m = 2.0 * 1.14 / 0.86 * (2.8 / (0.71 * 2.4)) * 64e-9 / 2.0;
+    let (scene, _) = carried_out(&section("gas = \"air\"\ngas_pressure = \"202650 Pa\""));
     let found = scene.interface.unwrap().gas.unwrap();
     assert!((found.parameter_m() / parameter_m - 1.0).abs() < 1e-12, "{found:?}");
-    for wrong in ["gas_parameter = \"1 um\"", air, "prandtl_number = 0.7"] {
+    for wrong in ["gas_parameter = \"1 um\"", air, "gas_pressure = \"1 kPa\"", "gas = \"steam\""] {
         assert!(parsed(&section(wrong)).is_err(), "{wrong}");
     }
-    assert!(parsed(&section(&format!("{air}\ngas_parameter = \"1 um\"\nprandtl_number = 0.7"))).is_err());
+    assert!(parsed(&section(&format!("{air}\ngas_parameter = \"1 um\"\ngas = \"air\""))).is_err());
 }
 
 #[test]

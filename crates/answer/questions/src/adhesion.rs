@@ -23,7 +23,8 @@ use crate::{Answer, MaterialInput, Note, OptionName, QuestionError};
 const SAME_AREA: f64 = 1e-3;
 
 /// The branches of a contact with adhesion, by the history of the load.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum BranchChoice {
     /// From the surfaces that just touch.
     #[default]

@@ -5,25 +5,28 @@ use interface::conductance::{
     RelativeStiffness,
 };
 use interface::finite_elements::{ConductancePoint, ConductanceTable, Flow, SamplingError};
-use interface::gas::{GapGas, RarefiedGas, plastic_separation_m};
+use interface::gas::{GapGas, NamedGas, plastic_separation_m};
 use numerics::parallel::Progress;
+use serde::{Deserialize, Serialize};
 use spectrum::Normalisation;
 use study::body_properties::BodyProperty;
 use study::gap_law::{GapError, GapLaw};
+use study::interface::{GasOption, GivenGas};
 use study::material::Material;
 use study::materials::TabledMaterial;
 use study::models::{Choice, ModelEntry};
-use study::plan::{Needs, Plan, PlanError};
+use study::plan::{Needs, NominalPressure, Plan, PlanError};
 use study::surface::Surface;
 use units::display::{length, pressure, three_digits};
-use units::{Bound, OutOfBounds, Pressure, Resistivity, ThermalConductivity, named};
+use units::{OutOfBounds, Pressure, Resistivity, ThermalConductivity, named};
 
 use crate::loads::nominal_pressure;
 use crate::option::{Reason, first_given};
 use crate::{FoundLaw, LawForm, LawQuestion, Note, OptionName, QuestionError};
 
 /// Quantity that a law has over the nominal pressure.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum LawQuantity {
     /// Overclosure: the mechanical law.
     #[default]
@@ -37,7 +40,8 @@ pub enum LawQuantity {
 named!(LawQuantity, "quantity", { Pressure => "pressure", Heat => "heat", Current => "current" });
 
 /// Thermal conductivities and electrical resistivities of both bodies.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct TransportInput {
     /// Thermal conductivity of the rough body \[W/(m K)\].
     pub thermal_conductivity_w_per_m_k: Option<f64>,
@@ -49,31 +53,26 @@ pub struct TransportInput {
     pub counterface_resistivity_ohm_m: Option<f64>,
 }
 
-/// Gas in the gaps: its conductivity, and the gas parameter or the properties that it follows from.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+/// Gas in the gaps: a gas by name with its temperature and pressure, or the conductivity and the gas parameter of any other.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct GasInput {
-    /// Thermal conductivity k_g \[W/(m K)\]; vacuum if absent.
-    pub conductivity_w_per_m_k: Option<f64>,
-    /// Gas parameter M \[m\].
-    pub parameter_m: Option<f64>,
-    /// Accommodation coefficient on the rough body, in (0, 1\].
-    pub accommodation: Option<f64>,
-    /// Accommodation coefficient on the counterface, in (0, 1\].
-    pub counterface_accommodation: Option<f64>,
-    /// Ratio of specific heats, in (1, 2\].
-    pub heat_capacity_ratio: Option<f64>,
-    /// Prandtl number.
-    pub prandtl_number: Option<f64>,
-    /// Mean free path at 15 C and 1 atm \[m\].
-    pub mean_free_path_m: Option<f64>,
-    /// Temperature \[K\]; 288.15 if absent.
+    /// Name of the gas.
+    pub name: Option<NamedGas>,
+    /// Temperature of the named gas \[K\]; 288.15 if absent.
     pub temperature_k: Option<f64>,
-    /// Pressure of the gas; 1 atm if absent.
+    /// Pressure of the named gas; 1 atm if absent.
+    #[serde(with = "crate::text::optional_pressure")]
     pub pressure: Option<Pressure>,
+    /// Thermal conductivity k_g of another gas \[W/(m K)\].
+    pub conductivity_w_per_m_k: Option<f64>,
+    /// Gas parameter M of another gas \[m\].
+    pub parameter_m: Option<f64>,
 }
 
 /// A law between two nominal pressures: pressure against overclosure, or conductance against pressure.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct LawTableQuestion {
     /// Model, material, spectrum and range of pressures; no model with a correlation.
     pub law: LawQuestion,
@@ -293,77 +292,24 @@ impl TransportInput {
 
 impl GasInput {
     fn given(&self) -> impl Iterator<Item = (OptionName, bool)> {
-        let conductivity = (OptionName::GasConductivity, self.conductivity_w_per_m_k.is_some());
-        let parameter = (OptionName::GasParameter, self.parameter_m.is_some());
-        [conductivity, parameter].into_iter().chain(self.kinetic())
+        // A pressure in units of the hardness needs no value to be given.
+        let pressure_pa = self.pressure.map(|_| 1.0);
+        let options = GivenGas { pressure_pa, ..self.without_pressure() }.options();
+        options.into_iter().map(|(option, is_given)| (OptionName::Gas(option), is_given))
     }
 
-    /// Properties that the gas parameter follows from.
-    fn kinetic(&self) -> [(OptionName, bool); 7] {
-        [
-            (OptionName::Accommodation, self.accommodation.is_some()),
-            (OptionName::CounterfaceAccommodation, self.counterface_accommodation.is_some()),
-            (OptionName::HeatCapacityRatio, self.heat_capacity_ratio.is_some()),
-            (OptionName::PrandtlNumber, self.prandtl_number.is_some()),
-            (OptionName::MeanFreePath, self.mean_free_path_m.is_some()),
-            (OptionName::GasTemperature, self.temperature_k.is_some()),
-            (OptionName::GasPressure, self.pressure.is_some()),
-        ]
+    fn without_pressure(&self) -> GivenGas {
+        let GasInput { name, temperature_k, conductivity_w_per_m_k, parameter_m, pressure: _ } = *self;
+        GivenGas { name, temperature_k, pressure_pa: None, conductivity_w_per_m_k, parameter_m }
     }
 
     /// The gas, if there is one.
     fn gas(&self, material: &Material) -> Result<Option<GapGas>, QuestionError> {
-        let Some(conductivity_w_per_m_k) = self.conductivity_w_per_m_k else {
-            return match self.given().any(|(_, is_given)| is_given) {
-                true => Err(QuestionError::Missing(&[OptionName::GasConductivity])),
-                false => Ok(None),
-            };
-        };
-        let parameter_m = match self.parameter_m {
-            Some(parameter_m) => {
-                first_given(self.kinetic(), || Reason::Beside(OptionName::GasParameter))?;
-                parameter_m
-            }
-            None => self.parameter_of_gas_m(material)?,
-        };
-        let gas = GapGas::new(conductivity_w_per_m_k, parameter_m);
-        gas.map(Some).map_err(|error| QuestionError::Value { option: OptionName::GasConductivity, error })
-    }
-
-    fn parameter_of_gas_m(&self, material: &Material) -> Result<f64, QuestionError> {
-        if !self.kinetic().iter().any(|(_, is_given)| *is_given) {
-            return Err(QuestionError::Missing(&[OptionName::GasParameter, OptionName::MeanFreePath]));
-        }
-        let needed = |options: &'static [OptionName], name, bound: Bound, value: Option<f64>| {
-            let value = value.ok_or(QuestionError::Missing(options))?;
-            bound.check(name, value).map_err(|error| QuestionError::Value { option: options[0], error })
-        };
-        let path = &[OptionName::MeanFreePath];
-        let reference_m = needed(path, "mean free path in m", Bound::Magnitude, self.mean_free_path_m)?;
-        let (name, bound) = ("accommodation coefficient", RarefiedGas::ACCOMMODATIONS);
-        let accommodation = [
-            needed(&[OptionName::Accommodation], name, bound, self.accommodation)?,
-            needed(&[OptionName::CounterfaceAccommodation], name, bound, self.counterface_accommodation)?,
-        ];
-        let ratio = &[OptionName::HeatCapacityRatio];
-        let (name, bound) = ("ratio of specific heats", RarefiedGas::HEAT_CAPACITY_RATIOS);
-        let heat_capacity_ratio = needed(ratio, name, bound, self.heat_capacity_ratio)?;
-        let prandtl = &[OptionName::PrandtlNumber];
-        let prandtl_number = needed(prandtl, "Prandtl number", Bound::Magnitude, self.prandtl_number)?;
-        let pressure_pa = match self.pressure {
-            Some(given) => nominal_pressure(OptionName::GasPressure, None, given, material)?.pa(),
-            None => RarefiedGas::REFERENCE_PRESSURE_PA,
-        };
-        let temperature_k = Some(self.temperature_k.unwrap_or(RarefiedGas::REFERENCE_TEMPERATURE_K));
-        let temperature = &[OptionName::GasTemperature];
-        let temperature_k =
-            needed(temperature, "temperature of the gas in K", Bound::Magnitude, temperature_k)?;
-        let refused = |error| QuestionError::Value { option: OptionName::MeanFreePath, error };
-        let mean_free_path_m =
-            RarefiedGas::mean_free_path_m(reference_m, temperature_k, pressure_pa).map_err(refused)?;
-        RarefiedGas { accommodation, heat_capacity_ratio, prandtl_number, mean_free_path_m }
-            .parameter_m()
-            .map_err(refused)
+        let option = OptionName::Gas(GasOption::Pressure);
+        let pressure =
+            self.pressure.map(|given| nominal_pressure(option, None, given, material)).transpose()?;
+        let pressure_pa = pressure.map(NominalPressure::pa);
+        Ok(GivenGas { pressure_pa, ..self.without_pressure() }.resolve()?)
     }
 }
 

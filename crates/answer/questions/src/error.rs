@@ -6,10 +6,12 @@ use interface::conductance::PlasticCorrelation;
 use interface::finite_elements::SamplingError;
 use persson::hardness_laws::HardnessError;
 use study::gap_law::GapError;
+use study::interface::{GasError, GasOption};
 use study::material::MaterialError;
 use study::models::ModelEntry;
 use study::plan::PlanError;
 
+use crate::option::Reason;
 use crate::{OptionName, UnusedOption};
 
 /// Why a question has no answer; a front end words it in its own spelling (`report::question_words::error`).
@@ -160,6 +162,25 @@ impl QuestionError {
                     HalfSpaceError::Cancelled
                 )))
         )
+    }
+}
+
+impl From<GasError> for QuestionError {
+    fn from(error: GasError) -> Self {
+        match error {
+            GasError::Beside(option, other) => QuestionError::Unused(UnusedOption {
+                option: OptionName::Gas(option),
+                why: Reason::Beside(OptionName::Gas(other)),
+            }),
+            GasError::Needs(_, GasOption::Parameter) => {
+                QuestionError::Missing(&[OptionName::Gas(GasOption::Parameter)])
+            }
+            GasError::Needs(_, GasOption::Conductivity) => {
+                QuestionError::Missing(&[OptionName::Gas(GasOption::Conductivity)])
+            }
+            GasError::Needs(..) => QuestionError::Missing(&[OptionName::Gas(GasOption::Name)]),
+            GasError::Value(option, error) => QuestionError::Value { option: OptionName::Gas(option), error },
+        }
     }
 }
 

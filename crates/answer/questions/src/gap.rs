@@ -61,7 +61,7 @@ pub struct GapQuestion {
 
 /// A law of pressure against overclosure between two pressures.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(default, deny_unknown_fields)]
 pub struct LawQuestion {
     /// Model, material and spectrum.
     pub by: GapModel,
@@ -81,7 +81,8 @@ impl Default for LawQuestion {
 }
 
 /// The form in which a law is written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum LawForm {
     /// Rows of pressure and overclosure.
     Table,

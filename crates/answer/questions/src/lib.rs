@@ -54,6 +54,7 @@ pub use tangential::TangentialQuestion;
 pub use uncertain_areas::{UncertainAreas, UncertaintyQuestion};
 
 pub use interface::conductance::PlasticCorrelation;
+pub use interface::gas::NamedGas;
 
 use study::figure::FigureData;
 use tables::Table;

@@ -1,5 +1,6 @@
 //! Options of questions, the reasons why one is ignored, and how a front end writes them.
 
+use study::interface::GasOption;
 use study::measured::Kind;
 use study::models::Choice;
 
@@ -7,16 +8,12 @@ use study::models::Choice;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum OptionName {
-    /// Accommodation coefficient of a gas on the rough body.
-    Accommodation,
     /// Amplitude of a scale.
     Amplitude,
     /// Edges of a map.
     Boundary,
     /// Channel of a file of heights.
     Channel,
-    /// Accommodation coefficient of a gas on the counterface.
-    CounterfaceAccommodation,
     /// Poisson's ratio of the counterface.
     CounterfacePoissonRatio,
     /// Electrical resistivity of the counterface.
@@ -35,18 +32,10 @@ pub enum OptionName {
     Form,
     /// Coefficient of friction.
     Friction,
-    /// Thermal conductivity of the gas in the gaps.
-    GasConductivity,
-    /// Gas parameter, a length.
-    GasParameter,
-    /// Pressure of the gas.
-    GasPressure,
-    /// Temperature of the gas.
-    GasTemperature,
+    /// Option of the gas in the gaps.
+    Gas(GasOption),
     /// Points along a side of a random surface.
     Grid,
-    /// Ratio of specific heats of the gas.
-    HeatCapacityRatio,
     /// Indentation hardness.
     IndentationHardness,
     /// Base of the layer.
@@ -59,8 +48,6 @@ pub enum OptionName {
     LayerYoungsModulus,
     /// Longest wavelength of random surfaces.
     Longest,
-    /// Mean free path of the gas.
-    MeanFreePath,
     /// Treatment of points without a height.
     MissingPoints,
     /// Model.
@@ -75,8 +62,6 @@ pub enum OptionName {
     Phases,
     /// Poisson's ratio of the rough body.
     PoissonRatio,
-    /// Prandtl number of the gas.
-    PrandtlNumber,
     /// Nominal pressure.
     Pressure,
     /// Range of nominal pressures of a law.
@@ -136,8 +121,10 @@ impl OptionName {
     /// Returns the name in lower case, with underscores between its words: `interference_law`.
     #[must_use]
     pub fn snake_case(self) -> String {
-        if let OptionName::ModelOption(choice) = self {
-            return choice.key().to_owned();
+        match self {
+            OptionName::ModelOption(choice) => return choice.key().to_owned(),
+            OptionName::Gas(option) => return option.key().to_owned(),
+            _ => {}
         }
         let mut name = String::new();
         for letter in format!("{self:?}").chars() {

@@ -12,8 +12,8 @@ use persson::corrections::Correction;
 use persson::variance::Band;
 use questions::{
     BodyInput, BranchChoice, CurveQuestion, GapCounts, GapModel, GapQuestion, LawForm, LawQuantity,
-    LawQuestion, LoadInput, MaterialInput, Note, NoteLevel, PlasticCorrelation, PreparedCurve, QuestionError,
-    SamplingInput,
+    LawQuestion, LoadInput, MaterialInput, NamedGas, Note, NoteLevel, PlasticCorrelation, PreparedCurve,
+    QuestionError, SamplingInput,
 };
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -219,7 +219,7 @@ fn every_name_of_a_choice_is_unique() {
         "Normalisation": Normalisation, "AmplitudeDefinition": AmplitudeDefinition, "Convention": Convention,
         "Abscissa": Abscissa, "Detrend": Detrend, "Window": Window, "Average": Average, "Gaps": GapTreatment,
         "Direction": Direction, "Phases": Phases, "Dialect": Dialect, "UnitSystem": UnitSystem, "LawForm": LawForm,
-        "LawQuantity": LawQuantity, "ConductanceCorrelation": PlasticCorrelation, "Form": FormRemoval,
+        "LawQuantity": LawQuantity, "Gas": NamedGas, "ConductanceCorrelation": PlasticCorrelation, "Form": FormRemoval,
         "Conventions": Conventions, "Template": Template, "Branch": BranchChoice, "NoteLevel": NoteLevel,
     );
     for names in known.values() {

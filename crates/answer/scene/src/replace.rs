@@ -23,7 +23,7 @@ const OTHER_NAMES: [(&str, [&str; 2]); 2] =
 
 /// The SI units of the keys that are typed with a unit, so that a plain number can be given for them; those of bodies are in
 /// their own table.
-const SI_UNITS: [(&str, &str); 21] = [
+const SI_UNITS: [(&str, &str); 20] = [
     ("surface.rms_height", "m"),
     ("surface.mean_width", "m"),
     ("surface.rolloff_wavelength", "m"),
@@ -37,7 +37,6 @@ const SI_UNITS: [(&str, &str); 21] = [
     ("interface.range_of_attraction", "m"),
     ("interface.gas_conductivity", "W/(m K)"),
     ("interface.gas_parameter", "m"),
-    ("interface.mean_free_path", "m"),
     ("interface.gas_temperature", "K"),
     ("interface.gas_pressure", "Pa"),
     ("interface.tangential_stress", "Pa"),

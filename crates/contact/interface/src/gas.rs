@@ -13,7 +13,8 @@ use std::f64::consts::{PI, SQRT_2};
 use std::sync::LazyLock;
 
 use numerics::{GaussLegendre, zero_in_bracket};
-use units::{Bound, OutOfBounds};
+use serde::{Deserialize, Serialize};
+use units::{Bound, OutOfBounds, named};
 
 use crate::conductance::PressureRatio;
 
@@ -27,14 +28,14 @@ const LEAST_PANELS: f64 = 32.0;
 const PANELS_PER_UNIT: f64 = 4.0;
 
 /// Gas between two walls: its conductivity, and the gas parameter.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct GapGas {
     conductivity_w_per_m_k: f64,
     parameter_m: f64,
 }
 
 /// Gas properties behind the gas parameter M = alpha beta Lambda.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct RarefiedGas {
     /// Thermal accommodation coefficients of gas and walls, one per body, in (0, 1\].
     pub accommodation: [f64; 2],
@@ -44,6 +45,102 @@ pub struct RarefiedGas {
     pub prandtl_number: f64,
     /// Mean free path of the molecules Lambda at the temperature and pressure of the gas \[m\].
     pub mean_free_path_m: f64,
+}
+
+/// Gas with known properties.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum NamedGas {
+    /// Dry air.
+    Air,
+    /// Nitrogen.
+    Nitrogen,
+    /// Helium.
+    Helium,
+    /// Argon.
+    Argon,
+    /// Hydrogen.
+    Hydrogen,
+}
+
+named!(NamedGas, "gas", {
+    Air => "air",
+    Nitrogen => "nitrogen",
+    Helium => "helium",
+    Argon => "argon",
+    Hydrogen => "hydrogen",
+});
+
+/// Properties of a gas near 1 atm.
+struct GasProperties {
+    /// Conductivities at 300 and at 400 K \[W/(m K)\].
+    conductivities_w_per_m_k: [f64; 2],
+    prandtl_number: f64,
+    heat_capacity_ratio: f64,
+    /// Mean free path at 15 C and 1 atm \[m\].
+    mean_free_path_m: f64,
+    /// Accommodation coefficient on either wall.
+    accommodation: f64,
+}
+
+impl NamedGas {
+    /// Temperatures \[K\] between which the conductivities hold within 6 %.
+    pub const TEMPERATURES_K: Bound = Bound::Within { at_least: 200.0, at_most: 600.0 };
+
+    /// Returns the properties of the gas, from these sources:
+    /// * conductivities, and Prandtl numbers eta c_p/k at 300 K with the viscosities of the same book: CRC Handbook of Chemistry
+    ///   and Physics, section 6, "Viscosity of gases" and "Thermal conductivity of gases";
+    /// * mean free paths at 15 C and 1 atm: E. H. Kennard (1938), Kinetic Theory of Gases, McGraw-Hill;
+    /// * accommodation coefficients of engineering surfaces: S. Song & M. M. Yovanovich (1987), Correlation of thermal accommodation
+    ///   coefficients for engineering surfaces, ASME HTD 69:107. At 0 C it is M/(6.8 + M) for any solid, with the molar mass M in
+    ///   g/mol, 1.4 times that of molecules with more than one atom. Clean metals accommodate light gases far worse.
+    fn properties(self) -> GasProperties {
+        let (conductivities_w_per_m_k, prandtl_number, heat_capacity_ratio, mean_free_path_m, accommodation) =
+            match self {
+                NamedGas::Air => ([0.0262, 0.0333], 0.71, 1.40, 64.0e-9, 0.86),
+                NamedGas::Nitrogen => ([0.0260, 0.0323], 0.72, 1.40, 62.8e-9, 0.85),
+                NamedGas::Helium => ([0.1567, 0.1906], 0.66, 1.67, 186.2e-9, 0.37),
+                NamedGas::Argon => ([0.0179, 0.0226], 0.67, 1.67, 66.6e-9, 0.85),
+                NamedGas::Hydrogen => ([0.1869, 0.2304], 0.69, 1.41, 117.7e-9, 0.29),
+            };
+        GasProperties {
+            conductivities_w_per_m_k,
+            prandtl_number,
+            heat_capacity_ratio,
+            mean_free_path_m,
+            accommodation,
+        }
+    }
+
+    /// Returns the conductivity \[W/(m K)\] at a temperature \[K\], by the power law through the values at 300 and 400 K.
+    ///
+    /// # Errors
+    /// [`OutOfBounds`] for a temperature outside of [`TEMPERATURES_K`](Self::TEMPERATURES_K).
+    pub fn conductivity_w_per_m_k(self, temperature_k: f64) -> Result<f64, OutOfBounds> {
+        let temperature_k = Self::TEMPERATURES_K.check("temperature of the gas in K", temperature_k)?;
+        let [at_300, at_400] = self.properties().conductivities_w_per_m_k;
+        let power = (at_400 / at_300).ln() / (400.0f64 / 300.0).ln();
+        Ok(at_300 * (temperature_k / 300.0).powf(power))
+    }
+
+    /// Returns the gas parameter M \[m\] at a temperature \[K\] and a pressure \[Pa\].
+    ///
+    /// # Errors
+    /// [`OutOfBounds`] unless both are positive and within thirty decades of 1.
+    pub fn parameter_m(self, temperature_k: f64, pressure_pa: f64) -> Result<f64, OutOfBounds> {
+        let gas = self.properties();
+        RarefiedGas {
+            accommodation: [gas.accommodation; 2],
+            heat_capacity_ratio: gas.heat_capacity_ratio,
+            prandtl_number: gas.prandtl_number,
+            mean_free_path_m: RarefiedGas::mean_free_path_m(
+                gas.mean_free_path_m,
+                temperature_k,
+                pressure_pa,
+            )?,
+        }
+        .parameter_m()
+    }
 }
 
 impl RarefiedGas {
@@ -281,6 +378,27 @@ mod tests {
         };
         assert_eq!(path_m(288.15, 101_325.0), 64e-9);
         assert!((path_m(576.3, 1013.25) / 128e-7 - 1.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn the_properties_of_named_gases_are_those_of_tables() {
+        // Accommodation coefficients by the correlation, and conductivities of the handbook at 500 K [mW/(m K)].
+        for (gas, molar_mass, atoms, conductivity) in [
+            (NamedGas::Air, 28.97, 2, 39.7),
+            (NamedGas::Nitrogen, 28.01, 2, 38.3),
+            (NamedGas::Helium, 4.003, 1, 222.3),
+            (NamedGas::Argon, 39.95, 1, 26.8),
+        ] {
+            let mass = if atoms == 1 { molar_mass } else { 1.4 * molar_mass };
+            assert!((gas.properties().accommodation - mass / (6.8 + mass)).abs() < 0.006, "{gas}");
+            let found = 1e3 * gas.conductivity_w_per_m_k(500.0).unwrap();
+            assert!((found / conductivity - 1.0).abs() < 0.02, "{gas}: {found}");
+        }
+        // alpha beta Lambda = 2 (1.14/0.86) (2.8/(0.71 2.4)) 64 nm, and twice that at half of the pressure.
+        let [full, half] = [101_325.0, 50_662.5].map(|pa| NamedGas::Air.parameter_m(288.15, pa).unwrap());
+        assert!((full / (2.0 * 1.14 / 0.86 * (2.8 / (0.71 * 2.4)) * 64e-9) - 1.0).abs() < 1e-12);
+        assert!((half / full - 2.0).abs() < 1e-12);
+        assert!(NamedGas::Helium.conductivity_w_per_m_k(77.0).is_err());
     }
 
     #[test]

@@ -234,7 +234,7 @@ pub(crate) fn further_keys(scene: &Scene) -> Option<String> {
             is_missing(asked.map(|asked| asked.conductivities.is_some())),
             "thermal_conductivity of [material] and [counterface] (heat)",
         ),
-        (is_missing(asked.map(|asked| asked.gas.is_some())), "interface.gas_conductivity (heat through gas)"),
+        (is_missing(asked.map(|asked| asked.gas.is_some())), "interface.gas (heat through gas)"),
         (is_missing(asked.map(|asked| asked.resistivities.is_some())), "resistivity of both (current)"),
         (is_missing(asked.map(|asked| asked.seal.is_some())), "[seal] (leaks)"),
         (

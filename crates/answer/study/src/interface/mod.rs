@@ -1,11 +1,13 @@
 //! Quantities of an interface besides its area, and the scene's request for them.
 
+mod gas;
 mod quantity;
 mod request;
 mod shear;
 mod states;
 mod table;
 
+pub use gas::{GasError, GasOption, GivenGas};
 pub use quantity::{Quantity, Slot};
 pub use request::{Adhesion, InterfaceRequest, Seal};
 pub use shear::{Shear, ShearLoad, sheared_pair};

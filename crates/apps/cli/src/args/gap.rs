@@ -6,7 +6,7 @@ use interface::finite_elements::{ContactLaw, Dialect, Heading, UnitSystem};
 use persson::EnergyFactor;
 use persson::variance::Band;
 use questions::{
-    GapModel, GasInput, LawForm, LawQuantity, LawQuestion, LawTableQuestion, PlasticCorrelation,
+    GapModel, GasInput, LawForm, LawQuantity, LawQuestion, LawTableQuestion, NamedGas, PlasticCorrelation,
     TransportInput,
 };
 use stat_contact::InterferenceLaw;
@@ -218,34 +218,21 @@ pub(crate) struct TransportArgs {
 /// Gas in the gaps.
 #[derive(Debug, ClapArgs)]
 pub(crate) struct GasArgs {
-    /// Thermal conductivity of the gas in the gaps, for --quantity heat; vacuum where not given
+    /// Gas in the gaps, for --quantity heat: air, nitrogen, helium, argon or hydrogen; vacuum where no gas is given
+    #[arg(long, value_name = "NAME")]
+    pub gas: Option<NamedGas>,
+    /// Temperature of that gas in kelvins, as in 400K; 288.15K where not given
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    pub gas_temperature: Option<Temperature>,
+    /// Pressure of that gas, 1 atm where not given
+    #[arg(long, value_name = "P", allow_hyphen_values = true)]
+    pub gas_pressure: Option<Pressure>,
+    /// Thermal conductivity of any other gas, with --gas-parameter
     #[arg(long, value_name = "K", allow_hyphen_values = true)]
     pub gas_conductivity: Option<ThermalConductivity>,
     /// Gas parameter M, which lengthens every gap by the temperature jumps at its walls
     #[arg(long, value_name = "L", allow_hyphen_values = true)]
     pub gas_parameter: Option<Length>,
-    /// Thermal accommodation coefficient of the gas on the rough body, in (0, 1]; in place of --gas-parameter, with the
-    /// four options that follow
-    #[arg(long, value_name = "A", allow_hyphen_values = true)]
-    pub accommodation: Option<f64>,
-    /// Thermal accommodation coefficient of the gas on the counterface, in (0, 1]
-    #[arg(long, value_name = "A", allow_hyphen_values = true)]
-    pub counterface_accommodation: Option<f64>,
-    /// Ratio of specific heats of the gas, in (1, 2]
-    #[arg(long, value_name = "GAMMA", allow_hyphen_values = true)]
-    pub heat_capacity_ratio: Option<f64>,
-    /// Prandtl number of the gas
-    #[arg(long, value_name = "PR", allow_hyphen_values = true)]
-    pub prandtl_number: Option<f64>,
-    /// Mean free path of the gas at 15 C and 1 atm
-    #[arg(long, value_name = "L", allow_hyphen_values = true)]
-    pub mean_free_path: Option<Length>,
-    /// Temperature of the gas in kelvins, as in 400K; 288.15K where not given
-    #[arg(long, value_name = "T", allow_hyphen_values = true)]
-    pub gas_temperature: Option<Temperature>,
-    /// Pressure of the gas, 1 atm where not given
-    #[arg(long, value_name = "P", allow_hyphen_values = true)]
-    pub gas_pressure: Option<Pressure>,
 }
 
 impl TransportArgs {
@@ -264,15 +251,11 @@ impl TransportArgs {
 impl GasArgs {
     fn input(&self) -> GasInput {
         GasInput {
-            conductivity_w_per_m_k: self.gas_conductivity.map(|conductivity| conductivity.w_per_m_k),
-            parameter_m: self.gas_parameter.map(|length| length.m),
-            accommodation: self.accommodation,
-            counterface_accommodation: self.counterface_accommodation,
-            heat_capacity_ratio: self.heat_capacity_ratio,
-            prandtl_number: self.prandtl_number,
-            mean_free_path_m: self.mean_free_path.map(|length| length.m),
+            name: self.gas,
             temperature_k: self.gas_temperature.map(|temperature| temperature.k),
             pressure: self.gas_pressure,
+            conductivity_w_per_m_k: self.gas_conductivity.map(|conductivity| conductivity.w_per_m_k),
+            parameter_m: self.gas_parameter.map(|length| length.m),
         }
     }
 }
