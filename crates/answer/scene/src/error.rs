@@ -105,6 +105,11 @@ impl SceneError {
         SceneError { problem: problem.into(), span: None }
     }
 
+    /// Points at a place unless a place is known.
+    pub(super) fn or_at(self, span: Range<usize>) -> Self {
+        SceneError { span: self.span.or(Some(span)), ..self }
+    }
+
     /// The key at fault, if known.
     #[must_use]
     pub fn key(&self) -> Option<&str> {

@@ -12,8 +12,8 @@ use stat_contact::InterferenceLaw;
 use topography::{Average, Detrend, Direction, GapTreatment, Window};
 
 use super::error::SceneError;
-use super::from_toml::scene_error;
 use super::mistyped::explained;
+use super::reader::read;
 use super::section::{Section, read_section};
 use study::body_properties::BodyProperty;
 use study::figure::{PictureFormat, Shows};
@@ -51,7 +51,7 @@ pub(super) struct RawScene {
 }
 
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a section [surface]")]
 pub(super) struct RawSurface {
     pub psd: Option<Spanned<String>>,
     pub column: Option<String>,
@@ -79,7 +79,7 @@ pub(super) struct RawSurface {
 pub(super) struct RawScan(pub RawScanKeys);
 
 #[derive(Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "{ file = \"...\", ... }")]
 pub(super) struct RawScanKeys {
     pub file: String,
     pub unit: Option<Spanned<String>>,
@@ -113,7 +113,7 @@ pub(super) struct RawBody<const IS_COUNTERFACE: bool> {
 
 /// A layer bonded to the rough body.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a section [material.layer]")]
 pub(super) struct RawLayer {
     pub thickness: Option<RawQuantity>,
     pub youngs_modulus: Option<RawQuantity>,
@@ -130,7 +130,8 @@ fn body_keys(last: &'static str) -> Vec<&'static str> {
 }
 
 impl<const IS_COUNTERFACE: bool> Section for RawBody<IS_COUNTERFACE> {
-    const NAME: &'static str = if IS_COUNTERFACE { "RawCounterface" } else { "RawMaterial" };
+    const WANTED: &'static str =
+        if IS_COUNTERFACE { "a section [counterface]" } else { "a section [material]" };
 
     fn keys() -> &'static [&'static str] {
         if IS_COUNTERFACE { &COUNTERFACE_KEYS } else { &MATERIAL_KEYS }
@@ -191,7 +192,7 @@ pub(super) enum Distribution {
 }
 
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a section [loads]")]
 pub(super) struct RawLoads {
     pub pressures: Option<Vec<RawQuantity>>,
     pub force: Option<RawQuantity>,
@@ -215,7 +216,7 @@ static CURVE_KEYS: LazyLock<Vec<&str>> = LazyLock::new(|| {
 });
 
 impl Section for RawCurve {
-    const NAME: &'static str = "RawCurve";
+    const WANTED: &'static str = "a section [[curve]]";
 
     fn keys() -> &'static [&'static str] {
         &CURVE_KEYS
@@ -248,7 +249,7 @@ impl<'de> Deserialize<'de> for RawCurve {
 }
 
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a section [[figure]]")]
 pub(super) struct RawFigure {
     pub name: Spanned<String>,
     pub shows: Shows,
@@ -264,7 +265,7 @@ pub(super) struct RawFigure {
 
 /// Settings of all figures that do not set their own.
 #[derive(Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a section [figures]")]
 pub(super) struct RawFigureDefaults {
     pub title: Option<Spanned<bool>>,
     pub models: Option<Vec<Spanned<String>>>,
@@ -307,7 +308,7 @@ pub(super) enum RawFigureLoads {
 }
 
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "{ from = \"1e-6 H\", to = \"1 H\", points = 41 }")]
 pub(super) struct RawLoadRange {
     pub from: RawQuantity,
     pub to: RawQuantity,
@@ -315,13 +316,13 @@ pub(super) struct RawLoadRange {
 }
 
 #[derive(Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a section [cutoffs]")]
 pub(super) struct RawCutoffs {
     pub shortest_wavelength: Option<RawQuantity>,
 }
 
 #[derive(Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a section [options]")]
 pub(super) struct RawOptions {
     pub normalisation: Option<Normalisation>,
     pub amplitude: Option<AmplitudeDefinition>,
@@ -333,7 +334,7 @@ pub(super) struct RawOptions {
 }
 
 #[derive(Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a section [judge]")]
 pub(super) struct RawJudge {
     pub grid: Option<Spanned<i64>>,
     pub realisations: Option<Spanned<i64>>,
@@ -346,7 +347,7 @@ pub(super) struct RawJudge {
 }
 
 #[derive(Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a section [uncertainty]")]
 pub(super) struct RawUncertainty {
     pub level: Option<Spanned<f64>>,
     pub draws: Option<Spanned<i64>>,
@@ -357,7 +358,7 @@ pub(super) struct RawUncertainty {
 }
 
 #[derive(Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a section [interface]")]
 pub(super) struct RawInterface {
     pub gamma: Option<RawEnergyFactor>,
     pub band: Option<Spanned<String>>,
@@ -375,7 +376,7 @@ pub(super) struct RawInterface {
 }
 
 #[derive(Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a section [seal]")]
 pub(super) struct RawSeal {
     pub percolation_threshold: Option<Spanned<f64>>,
     pub pressure_drop: Option<RawQuantity>,
@@ -494,6 +495,6 @@ impl<'de> Deserialize<'de> for RawProperty {
 
 impl RawScene {
     pub fn parse(text: &str) -> Result<Self, SceneError> {
-        toml::from_str(text).map_err(|error| explained(scene_error(&error), text))
+        read(text).map_err(|error| explained(error, text))
     }
 }

@@ -3,9 +3,6 @@
 use std::cmp::Ordering;
 use std::fmt;
 
-use serde::Deserialize;
-use serde::de::value::Error as NoValue;
-use serde::de::{Deserializer, Error as _, Visitor};
 use toml::Value;
 use toml_edit::{DocumentMut, Item, Key, Table, TomlError};
 
@@ -14,6 +11,7 @@ use super::raw::{
     RawCounterface, RawCurve, RawCutoffs, RawFigure, RawFigureDefaults, RawInterface, RawJudge, RawLoads,
     RawMaterial, RawOptions, RawSeal, RawSurface, RawUncertainty,
 };
+use super::reader::keys;
 use super::spelling::meant;
 use study::body_properties::BodyProperty;
 
@@ -142,12 +140,12 @@ fn place(document: &DocumentMut, name: &str) -> Result<Vec<String>, ReplaceError
         [key] if key == "title" => Ok(parts),
         [key] => of_short_name(document, key),
         [section, key, ..]
-            if keys_of(&SECTIONS, section).is_some_and(|keys| keys.contains(&key.as_str())) =>
+            if keys_of(&SECTIONS, section).is_some_and(|keys| keys.contains(key)) =>
         {
             Ok(parts)
         }
         [section, at, key]
-            if keys_of(&REPEATED, section).is_some_and(|keys| keys.contains(&key.as_str())) =>
+            if keys_of(&REPEATED, section).is_some_and(|keys| keys.contains(key)) =>
         {
             let count =
                 (0..).take_while(|at| document.get(section).and_then(|all| all.get(at)).is_some()).count();
@@ -161,7 +159,7 @@ fn place(document: &DocumentMut, name: &str) -> Result<Vec<String>, ReplaceError
 /// The section of a key that is named alone.
 fn of_short_name(document: &DocumentMut, key: &str) -> Result<Vec<String>, ReplaceError> {
     let may_have: Vec<&str> =
-        SECTIONS.iter().filter(|(_, keys)| keys().contains(&key)).map(|(section, _)| *section).collect();
+        SECTIONS.iter().filter(|(_, keys)| keys().iter().any(|known| known == key)).map(|(section, _)| *section).collect();
     let table = |section: &str| document.get(section)?.as_table_like();
     let of = |section: &&str| table(section).is_some_and(|table| table.contains_key(key));
     let has: Vec<&str> = may_have.iter().copied().filter(of).collect();
@@ -190,7 +188,7 @@ fn unknown(name: &str) -> ReplaceError {
         (Some(section), Some(keys)) => keys.iter().map(|key| format!("{section}.{key}")).collect(),
         _ => {
             let mut known: Vec<String> = Vec::new();
-            let keys = SECTIONS.iter().flat_map(|(_, keys)| keys().iter()).map(|key| (*key).to_owned());
+            let keys = SECTIONS.iter().flat_map(|(_, keys)| keys());
             for key in keys.chain(OTHER_NAMES.map(|(name, _)| name.to_owned())) {
                 if !known.contains(&key) {
                     known.push(key);
@@ -284,7 +282,7 @@ fn key_first(key: &str, a: &Key, b: &Key) -> Ordering {
     (a.get() != key).cmp(&(b.get() != key))
 }
 
-type Keys = fn() -> &'static [&'static str];
+type Keys = fn() -> Vec<String>;
 
 /// The sections that occur at most once, and their keys.
 const SECTIONS: [(&str, Keys); 11] = [
@@ -304,40 +302,8 @@ const SECTIONS: [(&str, Keys); 11] = [
 /// The sections that may occur several times, and their keys.
 const REPEATED: [(&str, Keys); 2] = [("curve", keys::<RawCurve>), ("figure", keys::<RawFigure>)];
 
-fn keys_of(sections: &[(&str, Keys)], section: &str) -> Option<&'static [&'static str]> {
+fn keys_of(sections: &[(&str, Keys)], section: &str) -> Option<Vec<String>> {
     sections.iter().find(|(name, _)| *name == section).map(|(_, keys)| keys())
-}
-
-/// The keys of a section, as it is read: a reader that asks for them and gives nothing.
-fn keys<T: Deserialize<'static>>() -> &'static [&'static str] {
-    struct AskedKeys<'a>(&'a mut &'static [&'static str]);
-
-    impl<'de> Deserializer<'de> for AskedKeys<'_> {
-        type Error = NoValue;
-
-        fn deserialize_struct<V: Visitor<'de>>(
-            self,
-            _: &'static str,
-            fields: &'static [&'static str],
-            _: V,
-        ) -> Result<V::Value, NoValue> {
-            *self.0 = fields;
-            Err(NoValue::custom("its keys alone are wanted"))
-        }
-
-        fn deserialize_any<V: Visitor<'de>>(self, _: V) -> Result<V::Value, NoValue> {
-            Err(NoValue::custom("no section"))
-        }
-
-        serde::forward_to_deserialize_any! {
-            bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf option unit unit_struct
-            newtype_struct seq tuple tuple_struct map enum identifier ignored_any
-        }
-    }
-
-    let mut fields: &'static [&'static str] = &[];
-    let _nothing = T::deserialize(AskedKeys(&mut fields));
-    fields
 }
 
 #[cfg(test)]
@@ -436,7 +402,7 @@ mod tests {
     fn every_section_of_a_scene_is_known() {
         let mut known: Vec<&str> = SECTIONS.iter().chain(&REPEATED).map(|(section, _)| *section).collect();
         known.push("title");
-        let mut keys = keys::<RawScene>().to_vec();
+        let mut keys = keys::<RawScene>();
         known.sort_unstable();
         keys.sort_unstable();
         assert_eq!(known, keys);

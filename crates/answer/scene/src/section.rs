@@ -6,8 +6,8 @@ use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, Visitor};
 
 /// A section with keys that are known only when the program runs.
 pub(super) trait Section: Default {
-    /// The name of the type in errors.
-    const NAME: &'static str;
+    /// The section, as errors name it.
+    const WANTED: &'static str;
 
     /// Returns every key, in the order of messages.
     fn keys() -> &'static [&'static str];
@@ -22,7 +22,7 @@ pub(super) trait Section: Default {
 }
 
 pub(super) fn read_section<'de, S: Section, D: Deserializer<'de>>(deserializer: D) -> Result<S, D::Error> {
-    deserializer.deserialize_struct(S::NAME, S::keys(), Reader(S::default()))
+    deserializer.deserialize_map(Reader(S::default()))
 }
 
 struct Reader<S>(S);
@@ -31,7 +31,7 @@ impl<'de, S: Section> Visitor<'de> for Reader<S> {
     type Value = S;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "struct {}", S::NAME)
+        f.write_str(S::WANTED)
     }
 
     fn visit_map<A: MapAccess<'de>>(self, mut values: A) -> Result<S, A::Error> {
