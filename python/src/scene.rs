@@ -21,7 +21,7 @@ use report::products::{Product, SceneProducts};
 use report::run_stamp::RunStamp;
 use report::scene_note_words;
 use scene::file_names::{JUDGE_TABLES, REPORT_TABLES, UNCERTAINTY_TABLES};
-use scene::{Overrides, ReplaceError, Scene, SceneError, SceneProblem, Template, with_keys};
+use scene::{Overrides, ReplaceError, Scene, SceneError, SceneProblem, SceneText, Template, with_keys};
 use tables::staging::StagedFiles;
 use tables::staging::reading::bytes_of;
 use study::Files;
@@ -215,24 +215,22 @@ pub fn scene_with_keys(text: &str, name: &str, changes: &Bound<'_, PyDict>) -> P
 /// perhaps with what its file leaves open, as on the command line.
 #[pyfunction]
 pub fn scene_text(sections: &Bound<'_, PyDict>, files: Option<Vec<String>>) -> PyResult<String> {
-    let part = |(key, value): (Given<'_>, Given<'_>)| {
+    let mut text = SceneText::default();
+    for (key, value) in sections.iter() {
         let key: String = key.extract()?;
-        match files.as_ref().filter(|_| key == "surface") {
+        let set = match files.as_ref().filter(|_| key == "surface") {
             Some(files) => {
                 let here = Remembering { folder: Some(PathBuf::new()), read: Mutex::default() };
                 let request = |text: &String| text.parse().map_err(|error| of_argument(&key, error));
                 let requests = files.iter().map(request).collect::<PyResult<_>>()?;
                 let surface = ReportSurface::of_files(requests, &here);
-                surface.map(|surface| surface.section()).map_err(|error| of_argument(&key, error))
+                text.set(&key, &surface.map_err(|error| of_argument(&key, error))?)
             }
-            None => {
-                let value = value_of(&key, &value)?;
-                // One section at a time, since a table of TOML sorts its keys.
-                toml::to_string(&toml::Table::from_iter([(key, value)])).map_err(input)
-            }
-        }
-    };
-    sections.iter().map(part).collect::<PyResult<Vec<_>>>().map(|parts| parts.join("\n"))
+            None => text.set(&key, &value_of(&key, &value)?),
+        };
+        set.map_err(input)?;
+    }
+    Ok(text.to_string())
 }
 
 /// The tables that a run makes of a scene where it makes a report, where it is judged, and where draws are made.

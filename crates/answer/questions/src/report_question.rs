@@ -1,9 +1,10 @@
 //! A report on a contact: surfaces, bodies and loads, as a scene that repeats it.
 
-use std::fmt::Write;
+use std::collections::BTreeMap;
 
 use measurements::{Files, ScanRequest, TipRadius};
-use serde::{Deserialize, Serialize};
+use scene::SceneText;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use spectrum::ReadOptions;
 use study::surface::{Surface, SurfaceError};
 use toml::Value;
@@ -61,36 +62,42 @@ impl ReportSurface {
         }
         Ok(ReportSurface::Scans(requests))
     }
+}
 
-    /// Returns the section `[surface]` of a scene.
-    #[must_use]
-    pub fn section(&self) -> String {
+impl Serialize for ReportSurface {
+    /// Writes the section `[surface]` of a scene.
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self {
-            ReportSurface::Psd(name) => format!("[surface]\npsd = {}\n", quoted(name)),
+            ReportSurface::Psd(name) => serializer.collect_map([("psd", name)]),
             ReportSurface::Scans(scans) => {
-                let lines: Vec<String> =
-                    scans.iter().map(|scan| format!("    {},\n", scan_keys(scan))).collect();
-                format!("[surface]\nscans = [\n{}]\n", lines.concat())
+                let scans: Vec<ScanSection<'_>> = scans.iter().map(ScanSection).collect();
+                serializer.collect_map([("scans", scans)])
             }
         }
     }
 }
 
-/// Properties of a body, as text with units.
+/// Properties of a body, as text with units. It is read from a section of a scene too, whose other keys it ignores.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[serde(default)]
 pub struct BodyText {
     /// A name from the table of materials, which fills the other properties.
+    #[serde(deserialize_with = "as_typed")]
     pub name: Option<String>,
     /// Young's modulus.
+    #[serde(deserialize_with = "as_typed")]
     pub youngs_modulus: Option<String>,
     /// Poisson's ratio.
+    #[serde(deserialize_with = "as_typed")]
     pub poisson_ratio: Option<String>,
     /// Yield strength.
+    #[serde(deserialize_with = "as_typed")]
     pub yield_strength: Option<String>,
     /// Indentation hardness.
+    #[serde(deserialize_with = "as_typed")]
     pub indentation_hardness: Option<String>,
     /// Strain-gradient length.
+    #[serde(deserialize_with = "as_typed")]
     pub strain_gradient_length: Option<String>,
 }
 
@@ -101,27 +108,15 @@ impl BodyText {
         *self == BodyText::default()
     }
 
-    fn keys(&self) -> [(&'static str, &Option<String>); 5] {
-        [
-            ("name", &self.name),
-            ("youngs_modulus", &self.youngs_modulus),
-            ("yield_strength", &self.yield_strength),
-            ("indentation_hardness", &self.indentation_hardness),
-            ("strain_gradient_length", &self.strain_gradient_length),
-        ]
-    }
-
-    fn write(&self, section: &str, text: &mut String) {
-        let _ = writeln!(text, "\n[{section}]");
-        for (key, value) in self.keys() {
-            if let Some(value) = value {
-                let _ = writeln!(text, "{key} = {}", quoted(value));
-            }
-        }
-        if let Some(ratio) = &self.poisson_ratio {
-            // A number without quotes; anything else, as an uncertain ratio, is text.
-            let value = ratio.parse::<f64>().map_or_else(|_| quoted(ratio), |ratio| ratio.to_string());
-            let _ = writeln!(text, "poisson_ratio = {value}");
+    /// Writes the section of a body, whose own surface stays. A ratio that is a plain number has no quotes.
+    ///
+    /// # Errors
+    /// None: text and numbers fit in every scene.
+    pub fn write(&self, section: &str, text: &mut SceneText) -> Result<(), toml_edit::ser::Error> {
+        text.set_except(section, self, "surface")?;
+        match self.poisson_ratio.as_ref().map(|ratio| ratio.parse::<f64>()) {
+            Some(Ok(ratio)) => text.set(&format!("{section}.poisson_ratio"), &ratio),
+            _ => Ok(()),
         }
     }
 }
@@ -133,74 +128,85 @@ impl ReportQuestion {
         text.starts_with(FIRST_LINE)
     }
 
-    /// Returns the scene that gives the report. Without curves it runs all models that apply.
+    /// Returns the text of the scene that gives the report. Without curves it runs all models that apply.
     #[must_use]
     pub fn scene_text(&self) -> String {
-        let mut text = format!("{FIRST_LINE}\n\n");
+        let mut text = SceneText::default();
+        // Text, numbers and lists of them fit in every scene.
+        self.write(&mut text).expect("TOML holds every value of a report");
+        format!("{FIRST_LINE}\n\n{text}")
+    }
+
+    fn write(&self, text: &mut SceneText) -> Result<(), toml_edit::ser::Error> {
+        let nothing: [(&str, &str); 0] = [];
+        let nothing = BTreeMap::from(nothing);
         if let Some(title) = &self.title {
-            let _ = writeln!(text, "title = {}\n", quoted(title));
+            text.set("title", title)?;
         }
-        text += &self.surface.section();
-        self.material.write("material", &mut text);
+        text.set("surface", &self.surface)?;
+        self.material.write("material", text)?;
         if let Some(counterface) = &self.counterface {
-            counterface.write("counterface", &mut text);
+            counterface.write("counterface", text)?;
         }
-        let pressures: Vec<String> = self.pressures.iter().map(|pressure| quoted(pressure)).collect();
-        let _ = writeln!(text, "\n[loads]\npressures = [{}]", pressures.join(", "));
+        text.set("loads", &BTreeMap::from([("pressures", &self.pressures)]))?;
         if let Some(cap) = &self.strength_cap {
-            let _ = writeln!(text, "\n[options]\nstrength_cap = {}", quoted(cap));
+            text.set("options", &BTreeMap::from([("strength_cap", cap)]))?;
         }
         if self.material.name.is_some() || self.material.youngs_modulus.is_some() {
-            text += "\n[interface]\n";
+            text.set("interface", &nothing)?;
         }
         if self.seal {
-            text += "\n[seal]\n";
+            text.set("seal", &nothing)?;
         }
-        text + "\n[figures]\nformat = [\"svg\", \"py\"]\n"
+        text.set("figures", &BTreeMap::from([("format", ["svg", "py"])]))
     }
 }
 
-/// The keys of a scan as an inline table.
-fn scan_keys(scan: &ScanRequest) -> String {
-    let mut keys = vec![format!("file = {}", quoted(&scan.path))];
-    let mut add = |key: &str, value: Option<String>| {
-        keys.extend(value.map(|value| format!("{key} = {}", quoted(&value))));
-    };
-    add("unit", scan.unit.map(|unit| unit.to_string()));
-    add("channel", scan.channel.clone());
-    add("size", scan.size_m.map(metres));
-    add(
-        "tip_radius",
-        scan.tip_radius.map(|radius| match radius {
+/// A value as it is typed in a scene: text without quotes.
+fn as_typed<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<String>, D::Error> {
+    Ok(Option::<Value>::deserialize(deserializer)?.map(|value| match value {
+        Value::String(text) => text,
+        other => other.to_string(),
+    }))
+}
+
+/// A scan as a scene lists it.
+struct ScanSection<'s>(&'s ScanRequest);
+
+impl Serialize for ScanSection<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let ScanSection(scan) = self;
+        let tip_radius = scan.tip_radius.map(|radius| match radius {
             TipRadius::Known(radius_m) => metres(radius_m),
             TipRadius::Auto => "auto".to_owned(),
-        }),
-    );
-    add("shortest_wavelength", scan.shortest_m.map(metres));
-    add("gaps", scan.gaps.map(|gaps| gaps.to_string()));
-    add("direction", scan.direction.map(|direction| direction.to_string()));
-    add("detrend", scan.detrend.map(|detrend| detrend.to_string()));
-    add("instrument", scan.instrument.clone());
-    add("z_calibration", scan.z_calibration.map(|share| format!("{} %", 100.0 * share)));
-    let slope = scan.slope_uncertainty.map(|error| format!("slope_uncertainty = {error}"));
-    keys.extend(slope);
-    format!("{{ {} }}", keys.join(", "))
+        });
+        let keys = [
+            ("file", Some(scan.path.clone())),
+            ("unit", scan.unit.map(|unit| unit.to_string())),
+            ("channel", scan.channel.clone()),
+            ("size", scan.size_m.map(metres)),
+            ("tip_radius", tip_radius),
+            ("shortest_wavelength", scan.shortest_m.map(metres)),
+            ("gaps", scan.gaps.map(|gaps| gaps.to_string())),
+            ("direction", scan.direction.map(|direction| direction.to_string())),
+            ("detrend", scan.detrend.map(|detrend| detrend.to_string())),
+            ("instrument", scan.instrument.clone()),
+            ("z_calibration", scan.z_calibration.map(|share| format!("{} %", 100.0 * share))),
+        ];
+        let keys = keys.into_iter().filter_map(|(key, value)| Some((key, Value::String(value?))));
+        let slope = scan.slope_uncertainty.map(|error| ("slope_uncertainty", Value::Float(error)));
+        serializer.collect_map(keys.chain(slope))
+    }
 }
 
 fn metres(length_m: f64) -> String {
     format!("{length_m:e} m")
 }
 
-/// A text as TOML writes it.
-fn quoted(text: &str) -> String {
-    Value::String(text.to_owned()).to_string()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use scene::{Overrides, Scene};
-    use std::collections::BTreeMap;
 
     fn question() -> ReportQuestion {
         ReportQuestion {

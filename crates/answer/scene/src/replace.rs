@@ -4,14 +4,15 @@ use std::cmp::Ordering;
 use std::fmt;
 
 use toml::Value;
-use toml_edit::{DocumentMut, Item, Key, Table, TomlError};
+use toml_edit::{DocumentMut, Item, Key, Table};
 
-use super::error::{SceneError, SceneProblem};
+use super::error::SceneError;
 use super::raw::{
     RawCounterface, RawCurve, RawCutoffs, RawFigure, RawFigureDefaults, RawInterface, RawJudge, RawLoads,
     RawMaterial, RawOptions, RawSeal, RawSurface, RawUncertainty,
 };
 use super::reader::keys;
+use super::scene_text::SceneText;
 use super::spelling::meant;
 use study::body_properties::BodyProperty;
 
@@ -118,10 +119,7 @@ pub fn with_keys<'k>(
     text: &str,
     changes: impl IntoIterator<Item = (&'k str, Value)>,
 ) -> Result<String, ReplaceError> {
-    let mut document: DocumentMut = text.parse().map_err(|error: TomlError| {
-        let problem = SceneProblem::Text(error.message().to_owned());
-        ReplaceError::Scene(SceneError { problem, span: error.span() })
-    })?;
+    let SceneText(mut document) = SceneText::parse(text).map_err(ReplaceError::Scene)?;
     for (name, value) in changes {
         let place = place(&document, name)?;
         let value = fitted(&place, value);

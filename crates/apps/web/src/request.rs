@@ -4,11 +4,10 @@ use measurements::{Files, ScanProblem, ScanRequest};
 use questions::{BodyText, ReportQuestion, ReportSurface};
 use report::scan_words;
 use scans::{Mend, ScanOption};
-use scene::{SceneError, SceneProblem};
+use scene::{SceneError, SceneProblem, SceneText};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use study::surface::SurfaceError;
-use toml_edit::{DocumentMut, Item, Table, value};
 
 use crate::example;
 
@@ -141,29 +140,30 @@ impl Request {
             }
             (None, None) => return Ok(self.question()?.scene_text()),
         };
-        let mut document: DocumentMut = text.parse().map_err(Refusal::new)?;
+        let mut scene = SceneText::parse(&text).map_err(Refusal::new)?;
         if self.example.is_some() {
             // An example runs every model that applies.
-            document.remove("curve");
+            scene.remove("curve");
         }
         if self.example.is_some() || !in_full {
-            document.remove("figure");
+            scene.remove("figure");
         }
-        if self.pressure.is_some()
-            && let Some(loads) = document.get_mut("loads").and_then(Item::as_table_mut)
-        {
-            loads.remove("force");
-            loads.remove("nominal_area");
+        if self.pressure.is_some() {
+            scene.remove("loads.force");
+            scene.remove("loads.nominal_area");
         }
         for (section, body) in [("material", &self.material), ("counterface", &self.counterface)] {
-            if let Some(body) = body {
-                replace_body(&mut document, section, body);
+            match body {
+                None => {}
+                // An empty body without a surface of its own is none.
+                Some(body) if body.is_empty() && !scene.has(&format!("{section}.surface")) => scene.remove(section),
+                Some(body) => body.write(section, &mut scene).map_err(Refusal::new)?,
             }
         }
-        if self.seal && !document.contains_key("seal") {
-            document.insert("seal", Item::Table(Table::new()));
+        if self.seal && !scene.has("seal") {
+            scene.set("seal", &BTreeMap::<String, String>::new()).map_err(Refusal::new)?;
         }
-        Ok(document.to_string())
+        Ok(scene.to_string())
     }
 
     /// The question about scans or a spectrum.
@@ -188,54 +188,24 @@ impl Request {
     }
 }
 
-/// Replaces the properties of a body; its own surface stays. An empty body is none.
-fn replace_body(document: &mut DocumentMut, section: &str, body: &BodyText) {
-    let surface = document.get(section).and_then(|old| old.get("surface")).cloned();
-    if body.is_empty() && surface.is_none() {
-        document.remove(section);
-        return;
-    }
-    let mut table = Table::new();
-    let keys = [
-        ("name", &body.name),
-        ("youngs_modulus", &body.youngs_modulus),
-        ("yield_strength", &body.yield_strength),
-        ("indentation_hardness", &body.indentation_hardness),
-        ("strain_gradient_length", &body.strain_gradient_length),
-    ];
-    for (key, text) in keys {
-        if let Some(text) = text {
-            table.insert(key, value(text.as_str()));
-        }
-    }
-    if let Some(ratio) = &body.poisson_ratio {
-        let item = ratio.parse::<f64>().map_or_else(|_| value(ratio.as_str()), value);
-        table.insert("poisson_ratio", item);
-    }
-    if let Some(surface) = surface {
-        table.insert("surface", surface);
-    }
-    document.insert(section, Item::Table(table));
+/// The bodies and the loads that a scene states.
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+struct StatedScene {
+    material: BodyText,
+    counterface: BodyText,
+    loads: StatedLoads,
 }
 
-/// The bodies and the first pressure that a scene states.
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+struct StatedLoads {
+    pressures: Vec<String>,
+}
+
+/// The bodies and the middle pressure that a scene states.
 pub(crate) fn stated(text: &str) -> (BodyText, BodyText, Option<String>) {
-    let Ok(document) = text.parse::<DocumentMut>() else { return Default::default() };
-    let body = |section: &str| {
-        let of = |key: &str| {
-            let item = document.get(section)?.get(key)?;
-            item.as_str().map(str::to_owned).or_else(|| Some(item.as_value()?.to_string().trim().to_owned()))
-        };
-        BodyText {
-            name: of("name"),
-            youngs_modulus: of("youngs_modulus"),
-            poisson_ratio: of("poisson_ratio"),
-            yield_strength: of("yield_strength"),
-            indentation_hardness: of("indentation_hardness"),
-            strain_gradient_length: of("strain_gradient_length"),
-        }
-    };
-    let pressures = document.get("loads").and_then(|loads| loads.get("pressures")).and_then(Item::as_array);
-    let middle = pressures.and_then(|all| all.get(all.len() / 2)?.as_str().map(str::to_owned));
-    (body("material"), body("counterface"), middle)
+    let StatedScene { material, counterface, loads } = toml::from_str(text).unwrap_or_default();
+    let middle = loads.pressures.get(loads.pressures.len() / 2).cloned();
+    (material, counterface, middle)
 }
