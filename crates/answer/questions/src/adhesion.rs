@@ -5,11 +5,10 @@ use elements::half_space::{Adhesion, GOOD_RESOLUTION};
 use elements::{
     AdhesivePressing, AdhesiveState, Branch, Pressing, Relief, Surfaces, adhesive_means, adhesive_table,
 };
-use interface::adhesion::{FullerTabor, PastewkaRobbins, StickyContact};
 use numerics::parallel::Progress;
 use serde::{Deserialize, Serialize};
-use spectrum::AsperityParameters;
 use spectrum::random_surfaces::AreaSpectrum;
+use study::interface::AdhesionRequest;
 use study::surface::Surface;
 use units::Pressure;
 
@@ -169,24 +168,12 @@ impl AdhesionQuestion {
 
     /// The indicators of the waves that are pressed.
     fn indicators(&self, waves: &AreaSpectrum, pair: &MaterialPair) -> Option<AdhesionNote> {
-        let moments = waves.moments();
-        let contact_modulus_pa = pair.composite_modulus_pa();
-        let work_j_per_m2 = self.work_of_adhesion_j_per_m2;
-        let fuller_tabor = AsperityParameters::from_moments(&moments).and_then(|summits| {
-            let AsperityParameters { sigma_s_m, radius_m, .. } = summits;
-            FullerTabor::new(contact_modulus_pa, sigma_s_m, radius_m, work_j_per_m2).ok()
-        });
-        let sticky = PastewkaRobbins::new(&StickyContact {
-            rms_gradient: moments.rms_gradient(),
-            rms_laplacian_per_m: (8.0 / 3.0 * moments.m4_per_m2).sqrt(),
-            contact_modulus_pa,
-            work_of_adhesion_j_per_m2: work_j_per_m2,
-            range_m: self.range_m,
-            kappa: PastewkaRobbins::USUAL_KAPPA,
-        });
+        let (moments, contact_modulus_pa) = (waves.moments(), pair.composite_modulus_pa());
+        let adhesion =
+            AdhesionRequest { work_j_per_m2: self.work_of_adhesion_j_per_m2, range_m: Some(self.range_m) };
         Some(AdhesionNote::Indicators {
-            fuller_tabor: fuller_tabor.map(FullerTabor::theta),
-            pastewka_robbins: sticky.ok()?.left_side(),
+            fuller_tabor: adhesion.fuller_tabor(&moments, contact_modulus_pa).ok().flatten(),
+            pastewka_robbins: adhesion.pastewka_robbins(&moments, contact_modulus_pa).ok().flatten()?,
         })
     }
 }

@@ -133,12 +133,7 @@ impl TangentialQuestion {
             }
             let stiffness = |pressure_pa| normal.at(pressure_pa).map(|(stiffness, _)| stiffness);
             let share = load.share(pair);
-            let found = pair.respond(load.pressure_pa, share, stiffness)?;
-            Ok(ShearLoop {
-                label: load.label.clone(),
-                cycle: pair.cycle(load.pressure_pa, share, CYCLE_STEPS, stiffness)?,
-                dissipation_j_per_m2: found.dissipation_j_per_m2,
-            })
+            ShearLoop::new(pair, &load.label, load.pressure_pa, share, CYCLE_STEPS, stiffness)
         })?;
         shear_loops(&loops).ok_or(QuestionError::NoLoop)
     }

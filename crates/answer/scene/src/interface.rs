@@ -13,7 +13,7 @@ use super::loads::nominal_pressure;
 use super::raw::{RawEnergyFactor, RawInterface, RawScene, RawSeal};
 use super::values::{optional, parsed, value_error};
 use study::bodies::{Bodies, Transport};
-use study::interface::{Adhesion, InterfaceRequest, Seal, Shear, ShearLoad};
+use study::interface::{AdhesionRequest, InterfaceRequest, Seal, Shear, ShearLoad};
 use study::material::Material;
 use study::plan::NominalPressure;
 
@@ -108,7 +108,7 @@ fn of_both(bodies: &Bodies, of: fn(&Transport) -> Option<f64>) -> Option<[f64; 2
     Some([of(&bodies.transport)?, of(&bodies.counterface_transport)?])
 }
 
-fn resolve_adhesion(raw: &RawInterface) -> Result<Option<Adhesion>, SceneError> {
+fn resolve_adhesion(raw: &RawInterface) -> Result<Option<AdhesionRequest>, SceneError> {
     let work: Option<WorkOfAdhesion> = optional("interface.work_of_adhesion", raw.work_of_adhesion.as_ref())?;
     let range: Option<Length> = optional("interface.range_of_attraction", raw.range_of_attraction.as_ref())?;
     match (work, range, &raw.range_of_attraction) {
@@ -118,7 +118,7 @@ fn resolve_adhesion(raw: &RawInterface) -> Result<Option<Adhesion>, SceneError> 
         )),
         _ => {
             Ok(work
-                .map(|work| Adhesion { work_j_per_m2: work.j_per_m2, range_m: range.map(|range| range.m) }))
+                .map(|work| AdhesionRequest { work_j_per_m2: work.j_per_m2, range_m: range.map(|range| range.m) }))
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Loops of the tangential stress over the tangential displacement.
 
-use ::interface::tangential::ShearCycle;
+use ::interface::tangential::{ShearCycle, ShearedPair};
 use units::display::energy_per_area;
 
 use super::{Axis, FigureData, Series, Shows};
@@ -17,6 +17,28 @@ pub struct ShearLoop {
     pub cycle: ShearCycle,
     /// Energy lost in it \[J/m^2\].
     pub dissipation_j_per_m2: f64,
+}
+
+impl ShearLoop {
+    /// Follows a share of friction times a nominal pressure \[Pa\] through a cycle, in some steps; `stiffness` is that of the
+    /// interface under any nominal pressure \[Pa/m\].
+    ///
+    /// # Errors
+    /// Those of `stiffness`.
+    pub fn new<E>(
+        pair: &ShearedPair,
+        label: &str,
+        pressure_pa: f64,
+        share: f64,
+        steps: usize,
+        stiffness: impl Fn(f64) -> Result<f64, E>,
+    ) -> Result<Self, E> {
+        Ok(ShearLoop {
+            label: label.to_owned(),
+            dissipation_j_per_m2: pair.respond(pressure_pa, share, &stiffness)?.dissipation_j_per_m2,
+            cycle: pair.cycle(pressure_pa, share, steps, &stiffness)?,
+        })
+    }
 }
 
 /// Makes the figure of loops on linear axes; `None` without one. The energy lost per cycle is in the title of a single loop, and

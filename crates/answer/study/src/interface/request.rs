@@ -1,11 +1,14 @@
 //! Requests of a scene for the quantities of its interface.
 
+use interface::adhesion::{FullerTabor, PastewkaRobbins, StickyContact};
 use interface::conductance::{Conductivities, Resistivities};
 use interface::gas::GapGas;
 use interface::leak::SealedJoint;
 use persson::EnergyFactor;
 use persson::sealing::PercolationThreshold;
 use persson::variance::Band;
+use spectrum::{AsperityParameters, Moments};
+use units::OutOfBounds;
 
 use super::quantity::{Quantity, Slot};
 use super::shear::Shear;
@@ -31,7 +34,7 @@ pub struct InterfaceRequest {
     /// The shear strength of what touches \[Pa\].
     pub shear_strength_pa: Option<f64>,
     /// The adhesion across the gap.
-    pub adhesion: Option<Adhesion>,
+    pub adhesion: Option<AdhesionRequest>,
     /// The tangential load, and the friction that it meets.
     pub shear: Option<Shear>,
 }
@@ -47,11 +50,49 @@ pub struct Seal {
 
 /// Attraction across a gap.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Adhesion {
+pub struct AdhesionRequest {
     /// The work of adhesion w \[J/m^2\].
     pub work_j_per_m2: f64,
     /// The range of the attraction \[m\].
     pub range_m: Option<f64>,
+}
+
+impl AdhesionRequest {
+    /// Returns the parameter of Fuller & Tabor for a surface by its moments, by Parseval's theorem; `None` without summits.
+    ///
+    /// # Errors
+    /// [`OutOfBounds`] for what leaves the range of magnitudes.
+    pub fn fuller_tabor(
+        &self,
+        moments: &Moments,
+        contact_modulus_pa: f64,
+    ) -> Result<Option<f64>, OutOfBounds> {
+        let Some(summits) = AsperityParameters::from_moments(moments) else { return Ok(None) };
+        let AsperityParameters { sigma_s_m, radius_m, .. } = summits;
+        let parameter = FullerTabor::new(contact_modulus_pa, sigma_s_m, radius_m, self.work_j_per_m2)?;
+        Ok(Some(parameter.theta()))
+    }
+
+    /// Returns the left side of the criterion of Pastewka & Robbins likewise; `None` without a range.
+    ///
+    /// # Errors
+    /// [`OutOfBounds`] for what leaves the range of magnitudes.
+    pub fn pastewka_robbins(
+        &self,
+        moments: &Moments,
+        contact_modulus_pa: f64,
+    ) -> Result<Option<f64>, OutOfBounds> {
+        let Some(range_m) = self.range_m else { return Ok(None) };
+        let contact = StickyContact {
+            rms_gradient: moments.rms_gradient(),
+            rms_laplacian_per_m: (8.0 / 3.0 * moments.m4_per_m2).sqrt(),
+            contact_modulus_pa,
+            work_of_adhesion_j_per_m2: self.work_j_per_m2,
+            range_m,
+            kappa: PastewkaRobbins::USUAL_KAPPA,
+        };
+        Ok(Some(PastewkaRobbins::new(&contact)?.left_side()))
+    }
 }
 
 impl InterfaceRequest {

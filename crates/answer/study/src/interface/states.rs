@@ -3,7 +3,6 @@
 use std::cell::OnceCell;
 
 use ::interface::OutOfBounds;
-use ::interface::adhesion::{FullerTabor, PastewkaRobbins, StickyContact};
 use ::interface::conductance::{CutSurface, PlasticCorrelation, PressureRatio, RelativeStiffness, Spot};
 use ::interface::friction::SlidingContact;
 use ::interface::leak::Constriction;
@@ -16,10 +15,10 @@ use persson::separation::{
 };
 use persson::variance::Band;
 use persson::{Roughness, constant_hardness, elastic};
-use spectrum::{AsperityParameters, Moments, Normalisation};
+use spectrum::{Moments, Normalisation};
 
 use super::quantity::{Quantity, Slot};
-use super::request::{Adhesion, InterfaceRequest};
+use super::request::InterfaceRequest;
 use super::shear::sheared_pair;
 use crate::figure::ShearLoop;
 use crate::gap_law;
@@ -218,10 +217,8 @@ impl<'a> InterfaceStates<'a> {
     #[must_use]
     pub fn shear_loop(&self, load: usize, label: &str, steps: usize) -> Option<ShearLoop> {
         let (pair, share) = (self.sheared_pair().ok().flatten()?, self.sticking_share(load)?);
-        let dissipation_j_per_m2 = self.sheared(load).ok().flatten()?.dissipation_j_per_m2;
         let stiffness = |pressure_pa| self.finite_stiffness_pa_per_m(pressure_pa).ok_or(());
-        let cycle = pair.cycle(self.pressure_pa(load), share, steps, stiffness).ok()?;
-        Some(ShearLoop { label: label.to_owned(), cycle, dissipation_j_per_m2 })
+        ShearLoop::new(&pair, label, self.pressure_pa(load), share, steps, stiffness).ok()
     }
 
     /// The requested quantities.
@@ -239,30 +236,14 @@ impl<'a> InterfaceStates<'a> {
     fn of_all_loads(&self, quantity: Quantity) -> Result<Option<f64>, InterfaceError> {
         match (quantity, &self.request.adhesion) {
             (Quantity::TightPressure, _) => Ok(self.sealing.as_ref().map(SealingLaw::tight_pressure_pa)),
-            (Quantity::FullerTabor, Some(adhesion)) => self.fuller_tabor(adhesion),
-            (Quantity::PastewkaRobbins, Some(adhesion)) => self.pastewka_robbins(adhesion),
+            (Quantity::FullerTabor, Some(adhesion)) => {
+                adhesion.fuller_tabor(&self.moments, self.modulus_pa())
+            }
+            (Quantity::PastewkaRobbins, Some(adhesion)) => {
+                adhesion.pastewka_robbins(&self.moments, self.modulus_pa())
+            }
             _ => Ok(None),
         }
-    }
-
-    fn fuller_tabor(&self, adhesion: &Adhesion) -> Result<Option<f64>, InterfaceError> {
-        let Some(summits) = AsperityParameters::from_moments(&self.moments) else { return Ok(None) };
-        let AsperityParameters { sigma_s_m, radius_m, .. } = summits;
-        let parameter = FullerTabor::new(self.modulus_pa(), sigma_s_m, radius_m, adhesion.work_j_per_m2)?;
-        Ok(Some(parameter.theta()))
-    }
-
-    fn pastewka_robbins(&self, adhesion: &Adhesion) -> Result<Option<f64>, InterfaceError> {
-        let Some(range_m) = adhesion.range_m else { return Ok(None) };
-        let contact = StickyContact {
-            rms_gradient: self.moments.rms_gradient(),
-            rms_laplacian_per_m: (8.0 / 3.0 * self.moments.m4_per_m2).sqrt(),
-            contact_modulus_pa: self.modulus_pa(),
-            work_of_adhesion_j_per_m2: adhesion.work_j_per_m2,
-            range_m,
-            kappa: PastewkaRobbins::USUAL_KAPPA,
-        };
-        Ok(Some(PastewkaRobbins::new(&contact)?.left_side()))
     }
 
     fn under(&self, load: usize, slot: Slot) -> Result<Option<f64>, InterfaceError> {
