@@ -163,8 +163,13 @@ impl fmt::Display for SceneProblem {
             }
             SceneProblem::WrongType { found, wanted } => {
                 write!(f, "{found} stands where {wanted} should")?;
-                let text = found.strip_prefix("string ").filter(|_| wanted == "a list in brackets");
-                text.map_or(Ok(()), |text| write!(f, "; write [{text}]"))
+                match (found.strip_prefix("string "), found.as_str()) {
+                    (Some(text), _) if wanted == "a list in brackets" => write!(f, "; write [{text}]"),
+                    (None, "map") if wanted == "a list in brackets" => f.write_str(
+                        "; write a section that may be repeated in double brackets, as in [[curve]]",
+                    ),
+                    _ => Ok(()),
+                }
             }
             SceneProblem::NotAScene(content) => write!(f, "this is {content}, not a scene"),
             SceneProblem::NoQuotes { value, meant } => write!(f, "{value} needs quotes; write \"{meant}\""),

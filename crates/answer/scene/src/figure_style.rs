@@ -10,7 +10,7 @@ use units::{Bound, Length, OutOfBounds};
 use super::Scene;
 use super::error::SceneError;
 use super::loads::nominal_pressure;
-use super::raw::{RawFigure, RawFigureDefaults, RawFigures, RawQuantity, RawScene};
+use super::raw::{RawFigure, RawFigureDefaults, RawQuantity, RawScene};
 use super::spelling::meant;
 use super::values::{label, optional, value_error};
 
@@ -85,7 +85,7 @@ impl Scene {
     }
 }
 
-/// The settings of figures that have none of their own, from `[figures]` or a table `[figure]`.
+/// The settings of figures that have none of their own, from `[figures]`.
 pub(super) struct Defaults {
     pub style: FigureStyle,
     /// Curves of the listed models, by index.
@@ -102,14 +102,7 @@ impl Defaults {
         material: Option<&Material>,
     ) -> Result<Self, SceneError> {
         let of_all = RawFigureDefaults::default();
-        let raw = match (&raw.figures, &raw.figure) {
-            (Some(_), RawFigures::Defaults(_)) => {
-                let message = "[figure] and [figures] both set what all figures share; keep [figures]";
-                return Err(SceneError::anywhere(message));
-            }
-            (Some(defaults), _) | (None, RawFigures::Defaults(defaults)) => defaults,
-            (None, RawFigures::List(_)) => &of_all,
-        };
+        let raw = raw.figures.as_ref().unwrap_or(&of_all);
         let style = FigureStyle {
             width_mm: width_mm(raw.width.as_ref())?,
             font_size_pt: font_size_pt(raw.font_size.as_ref())?,

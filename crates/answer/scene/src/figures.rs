@@ -21,7 +21,7 @@ pub(super) fn resolve_figures(
     material: Option<&Material>,
 ) -> Result<(Vec<Figure>, Vec<LoadSweep>), SceneError> {
     let defaults = Defaults::new(raw, curves, loads, material)?;
-    let raw = raw.figure.list();
+    let raw = &raw.figure;
     if raw.is_empty() {
         let mut over_cutoffs = followed(curves);
         defaults.keep_models(&mut over_cutoffs);

@@ -25,12 +25,12 @@ pub(super) fn check(raw: &RawScene, curves: &[Curve], figures: &[Figure]) -> Res
     let curve_spans =
         raw.curve.iter().map(|curve| curve.get_ref().name.as_ref().map_or(curve.span(), |name| name.span()));
     let curves = curves.iter().map(|curve| curve.name.as_str()).zip(curve_spans);
-    let figure_spans = raw.figure.list().iter().map(|figure| figure.get_ref().name.span());
+    let figure_spans = raw.figure.iter().map(|figure| figure.get_ref().name.span());
     // A scene without figures gets one of all curves, which has no place in its text.
     let drawn = figures.iter().map(|figure| figure.name.as_str()).zip(figure_spans);
     let mut taken: Vec<&str> = [&REPORT_TABLES[..], &JUDGE_TABLES[..], &UNCERTAINTY_TABLES[..]].concat();
     taken.extend([REPORT, INTERFACE_TABLE]);
-    if raw.figure.list().is_empty() && !figures.is_empty() {
+    if raw.figure.is_empty() && !figures.is_empty() {
         taken.push(AREA_OF_ALL);
     }
     for (name, span) in curves.chain(drawn) {

@@ -116,10 +116,10 @@ fn resolve_adhesion(raw: &RawInterface) -> Result<Option<AdhesionRequest>, Scene
             typed.span(),
             "key interface.range_of_attraction: it says nothing without a work_of_adhesion; give both",
         )),
-        _ => {
-            Ok(work
-                .map(|work| AdhesionRequest { work_j_per_m2: work.j_per_m2, range_m: range.map(|range| range.m) }))
-        }
+        _ => Ok(work.map(|work| AdhesionRequest {
+            work_j_per_m2: work.j_per_m2,
+            range_m: range.map(|range| range.m),
+        })),
     }
 }
 

@@ -38,7 +38,7 @@ pub(super) struct RawScene {
     #[serde(default)]
     pub curve: Vec<Spanned<RawCurve>>,
     #[serde(default)]
-    pub figure: RawFigures,
+    pub figure: Vec<Spanned<RawFigure>>,
     pub figures: Option<RawFigureDefaults>,
     #[serde(default)]
     pub cutoffs: RawCutoffs,
@@ -275,29 +275,6 @@ pub(super) struct RawFigureDefaults {
     pub font_size: Option<Spanned<f64>>,
 }
 
-/// The key `figure`: a table of defaults, or a list of figures.
-#[derive(Debug)]
-pub(super) enum RawFigures {
-    Defaults(RawFigureDefaults),
-    List(Vec<Spanned<RawFigure>>),
-}
-
-impl Default for RawFigures {
-    fn default() -> Self {
-        RawFigures::List(Vec::new())
-    }
-}
-
-impl RawFigures {
-    /// The figures of a list.
-    pub fn list(&self) -> &[Spanned<RawFigure>] {
-        match self {
-            RawFigures::Defaults(_) => &[],
-            RawFigures::List(list) => list,
-        }
-    }
-}
-
 /// The loads of a figure.
 #[derive(Debug)]
 pub(super) enum RawFigureLoads {
@@ -383,30 +360,6 @@ pub(super) struct RawSeal {
     pub viscosity: Option<RawQuantity>,
     pub breadth: Option<RawQuantity>,
     pub length: Option<RawQuantity>,
-}
-
-impl<'de> Deserialize<'de> for RawFigures {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct ListOrDefaults;
-
-        impl<'de> Visitor<'de> for ListOrDefaults {
-            type Value = RawFigures;
-
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("sections [[figure]], or one section [figure] for all figures")
-            }
-
-            fn visit_seq<A: SeqAccess<'de>>(self, figures: A) -> Result<RawFigures, A::Error> {
-                Deserialize::deserialize(SeqAccessDeserializer::new(figures)).map(RawFigures::List)
-            }
-
-            fn visit_map<A: MapAccess<'de>>(self, keys: A) -> Result<RawFigures, A::Error> {
-                Deserialize::deserialize(MapAccessDeserializer::new(keys)).map(RawFigures::Defaults)
-            }
-        }
-
-        deserializer.deserialize_any(ListOrDefaults)
-    }
 }
 
 impl<'de> Deserialize<'de> for RawFigureLoads {

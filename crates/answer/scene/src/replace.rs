@@ -137,14 +137,8 @@ fn place(document: &DocumentMut, name: &str) -> Result<Vec<String>, ReplaceError
     match &parts[..] {
         [key] if key == "title" => Ok(parts),
         [key] => of_short_name(document, key),
-        [section, key, ..]
-            if keys_of(&SECTIONS, section).is_some_and(|keys| keys.contains(key)) =>
-        {
-            Ok(parts)
-        }
-        [section, at, key]
-            if keys_of(&REPEATED, section).is_some_and(|keys| keys.contains(key)) =>
-        {
+        [section, key, ..] if keys_of(&SECTIONS, section).is_some_and(|keys| keys.contains(key)) => Ok(parts),
+        [section, at, key] if keys_of(&REPEATED, section).is_some_and(|keys| keys.contains(key)) => {
             let count =
                 (0..).take_while(|at| document.get(section).and_then(|all| all.get(at)).is_some()).count();
             let is_there = at.parse::<usize>().is_ok_and(|at| at < count);
@@ -156,8 +150,11 @@ fn place(document: &DocumentMut, name: &str) -> Result<Vec<String>, ReplaceError
 
 /// The section of a key that is named alone.
 fn of_short_name(document: &DocumentMut, key: &str) -> Result<Vec<String>, ReplaceError> {
-    let may_have: Vec<&str> =
-        SECTIONS.iter().filter(|(_, keys)| keys().iter().any(|known| known == key)).map(|(section, _)| *section).collect();
+    let may_have: Vec<&str> = SECTIONS
+        .iter()
+        .filter(|(_, keys)| keys().iter().any(|known| known == key))
+        .map(|(section, _)| *section)
+        .collect();
     let table = |section: &str| document.get(section)?.as_table_like();
     let of = |section: &&str| table(section).is_some_and(|table| table.contains_key(key));
     let has: Vec<&str> = may_have.iter().copied().filter(of).collect();

@@ -70,7 +70,8 @@ impl SceneText {
     /// Returns true if there is a section of this name, or a key at this place.
     #[must_use]
     pub fn has(&self, place: &str) -> bool {
-        let (section, key) = place.split_once('.').map_or((place, None), |(section, key)| (section, Some(key)));
+        let (section, key) =
+            place.split_once('.').map_or((place, None), |(section, key)| (section, Some(key)));
         self.0.get(section).is_some_and(|found| key.is_none_or(|key| found.get(key).is_some()))
     }
 }
@@ -83,7 +84,9 @@ impl fmt::Display for SceneText {
 
 /// Gives each table in a list a line of its own.
 fn spread(value: &mut Item) {
-    let Some(list) = value.as_array_mut().filter(|list| list.iter().any(|one| one.is_inline_table())) else { return };
+    let Some(list) = value.as_array_mut().filter(|list| list.iter().any(|one| one.is_inline_table())) else {
+        return;
+    };
     list.iter_mut().for_each(|one| one.decor_mut().set_prefix("\n    "));
     list.set_trailing_comma(true);
     list.set_trailing("\n");
@@ -97,9 +100,12 @@ mod tests {
     fn sections_are_written_as_a_person_would() {
         let mut text = SceneText::default();
         text.set("title", "a \"b\"").unwrap();
-        let scans = toml::Value::Array(vec!["{ file = \"a\" }", "{ file = \"b\" }"].into_iter().map(|scan| {
-            toml::Value::Table(toml::from_str(scan.trim_matches(['{', '}', ' '])).unwrap())
-        }).collect());
+        let scans = toml::Value::Array(
+            vec!["{ file = \"a\" }", "{ file = \"b\" }"]
+                .into_iter()
+                .map(|scan| toml::Value::Table(toml::from_str(scan.trim_matches(['{', '}', ' '])).unwrap()))
+                .collect(),
+        );
         text.set("surface", &std::collections::BTreeMap::from([("scans", scans)])).unwrap();
         text.set("seal", &toml::Table::new()).unwrap();
         let written = "title = 'a \"b\"'\n\n[surface]\nscans = [\n    { file = \"a\" },\n    { file = \"b\" },\n]\n\n[seal]\n";

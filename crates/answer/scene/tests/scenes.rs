@@ -59,7 +59,7 @@ fn settings_of_all_figures_hold_where_a_figure_has_none_of_its_own() {
     let steel = STEEL.replace("[\"1 MPa\"]", "[\"1 MPa\", \"2 MPa\"]");
     let curves = format!("{HERTZ}[[curve]]\nmodel = \"persson\"\n");
     let settings = "width = \"8.5 cm\"\nfont_size = 9\ntitle = false\nformat = [\"pdf\", \"svg\"]\nmodels = [\"hertz\"]\nloads = [\"2e6 Pa\"]\n";
-    let table = parsed(&format!("{steel}{curves}[figure]\n{settings}")).unwrap();
+    let table = parsed(&format!("{steel}{curves}[figures]\n{settings}")).unwrap();
     let style = FigureStyle { width_mm: Some(85.0), font_size_pt: Some(9.0), hides_title: true };
     let [all] = &table.figures[..] else { panic!("{:?}", table.figures) };
     assert_eq!((&all.style, &all.curves, &all.loads), (&style, &vec![0], &Some(vec![1])));

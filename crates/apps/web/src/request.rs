@@ -156,7 +156,9 @@ impl Request {
             match body {
                 None => {}
                 // An empty body without a surface of its own is none.
-                Some(body) if body.is_empty() && !scene.has(&format!("{section}.surface")) => scene.remove(section),
+                Some(body) if body.is_empty() && !scene.has(&format!("{section}.surface")) => {
+                    scene.remove(section)
+                }
                 Some(body) => body.write(section, &mut scene).map_err(Refusal::new)?,
             }
         }
