@@ -241,7 +241,7 @@ fn known<T: Property>(
 /// Reads a property that may not be uncertain.
 fn exact<T: FromStr<Err: Display>>(keys: &BodyKeys, which: BodyProperty) -> Result<Option<T>, SceneError> {
     match keys.get(which).map(|raw| (raw.get_ref(), raw.span())) {
-        Some((RawProperty::Value(value), span)) => quantity_at(&keys.key(which), value, span).map(Some),
+        Some((RawProperty::Other(value), span)) => quantity_at(&keys.key(which), value, span).map(Some),
         _ => Ok(None),
     }
 }

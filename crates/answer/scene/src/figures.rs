@@ -88,7 +88,7 @@ pub(super) fn resolve_figures(
             title: title(figure)?,
             curves: drawn,
             loads: match figure.loads.as_ref().map(Spanned::get_ref) {
-                Some(RawFigureLoads::Some(some)) => Some(loads_of(some, loads, material)?),
+                Some(RawFigureLoads::Other(some)) => Some(loads_of(some, loads, material)?),
                 _ => defaults.loads.clone(),
             },
             formats: figure.format.as_ref().map_or_else(|| defaults.formats.clone(), |own| formats(own)),
@@ -149,7 +149,7 @@ fn load_sweeps(
         );
         return Err(SceneError::at(spanned.span(), message));
     }
-    let Some(RawFigureLoads::Range(range)) = figure.loads.as_ref().map(Spanned::get_ref) else {
+    let Some(RawFigureLoads::Table(range)) = figure.loads.as_ref().map(Spanned::get_ref) else {
         let message = "area-against-load needs loads = { from = \"1e-6 H\", to = \"1 H\", points = 41 }";
         return Err(SceneError::at(spanned.span(), message));
     };

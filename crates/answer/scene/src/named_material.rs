@@ -61,7 +61,7 @@ impl BodyKeys {
             let is_given = self.get(property).is_some() || has_strength && STRENGTHS.contains(&property);
             if let Some(value) = tabled.value(property).filter(|_| !is_given) {
                 keys.push(property.key());
-                let value = RawProperty::Value(value.clone());
+                let value = RawProperty::Other(value.clone());
                 self.properties.push((property, Spanned::new(name.span(), value)));
             }
         }

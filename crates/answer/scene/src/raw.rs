@@ -1,10 +1,11 @@
 //! A scene as typed, with every key that exists.
 
 use std::fmt;
+use std::marker::PhantomData;
 use std::sync::LazyLock;
 
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
-use serde::de::{MapAccess, SeqAccess, Visitor};
+use serde::de::{Error, IntoDeserializer, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use serde_spanned::Spanned;
 use spectrum::{AmplitudeDefinition, Normalisation};
@@ -75,8 +76,7 @@ pub(super) struct RawSurface {
 }
 
 /// A scan: its file alone, or with the options that the file needs.
-#[derive(Debug, Default)]
-pub(super) struct RawScan(pub RawScanKeys);
+pub(super) type RawScan = TableOr<RawScanKeys, String>;
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "{ file = \"...\", ... }")]
@@ -144,7 +144,7 @@ impl<const IS_COUNTERFACE: bool> Section for RawBody<IS_COUNTERFACE> {
             }
             Some(property) => {
                 let quantity: RawQuantity = values.next_value()?;
-                let given = Spanned::new(quantity.span(), RawProperty::Value(quantity.into_inner()));
+                let given = Spanned::new(quantity.span(), RawProperty::Other(quantity.into_inner()));
                 self.properties.push((property, given));
             }
             None if key == "name" => self.name = Some(values.next_value()?),
@@ -161,17 +161,12 @@ impl<'de, const IS_COUNTERFACE: bool> Deserialize<'de> for RawBody<IS_COUNTERFAC
     }
 }
 
-/// A property of a material: text with a unit, perhaps with how well it is known, or the distribution of it.
-#[derive(Debug, Clone)]
-pub(super) enum RawProperty {
-    /// A text, a number, or anything else, which is refused with the remedy.
-    Value(toml::Value),
-    /// A table.
-    Distribution(RawDistribution),
-}
+/// A property of a material: text with a unit, perhaps with how well it is known, or the distribution of it. Other values are
+/// refused with the remedy.
+pub(super) type RawProperty = TableOr<RawDistribution, toml::Value>;
 
 #[derive(Debug, Clone, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "{ distribution = \"...\", ... }")]
 pub(super) struct RawDistribution {
     pub distribution: Distribution,
     pub median: Option<RawQuantity>,
@@ -275,14 +270,8 @@ pub(super) struct RawFigureDefaults {
     pub font_size: Option<Spanned<f64>>,
 }
 
-/// The loads of a figure.
-#[derive(Debug)]
-pub(super) enum RawFigureLoads {
-    /// Some loads of the scene, of a figure against the cutoff.
-    Some(Vec<RawQuantity>),
-    /// The abscissas of a figure against the load.
-    Range(RawLoadRange),
-}
+/// The loads of a figure: some loads of the scene, of a figure against the cutoff, or the abscissas of one against the load.
+pub(super) type RawFigureLoads = TableOr<RawLoadRange, Vec<RawQuantity>>;
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "{ from = \"1e-6 H\", to = \"1 H\", points = 41 }")]
@@ -362,87 +351,56 @@ pub(super) struct RawSeal {
     pub length: Option<RawQuantity>,
 }
 
-impl<'de> Deserialize<'de> for RawFigureLoads {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct ListOrRange;
-
-        impl<'de> Visitor<'de> for ListOrRange {
-            type Value = RawFigureLoads;
-
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("[\"10 MPa\"] or { from = \"1e-6 H\", to = \"1 H\", points = 41 }")
-            }
-
-            fn visit_seq<A: SeqAccess<'de>>(self, loads: A) -> Result<RawFigureLoads, A::Error> {
-                Deserialize::deserialize(SeqAccessDeserializer::new(loads)).map(RawFigureLoads::Some)
-            }
-
-            fn visit_map<A: MapAccess<'de>>(self, keys: A) -> Result<RawFigureLoads, A::Error> {
-                Deserialize::deserialize(MapAccessDeserializer::new(keys)).map(RawFigureLoads::Range)
-            }
-        }
-
-        deserializer.deserialize_any(ListOrRange)
-    }
+/// A table, or another value in its place.
+#[derive(Debug, Clone)]
+pub(super) enum TableOr<T, V> {
+    Table(T),
+    Other(V),
 }
 
-impl<'de> Deserialize<'de> for RawScan {
+impl<'de, T: Deserialize<'de>, V: Deserialize<'de>> Deserialize<'de> for TableOr<T, V> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct FileOrKeys;
+        struct Either<T, V>(PhantomData<(T, V)>);
 
-        impl<'de> Visitor<'de> for FileOrKeys {
-            type Value = RawScan;
+        fn other<'de, V: Deserialize<'de>, T, E: Error>(
+            value: impl IntoDeserializer<'de, E>,
+        ) -> Result<TableOr<T, V>, E> {
+            V::deserialize(value.into_deserializer()).map(TableOr::Other)
+        }
+
+        impl<'de, T: Deserialize<'de>, V: Deserialize<'de>> Visitor<'de> for Either<T, V> {
+            type Value = TableOr<T, V>;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("the name of a scan's file or { file = \"...\", ... }")
+                f.write_str("a value or a table")
             }
 
-            fn visit_str<E: serde::de::Error>(self, file: &str) -> Result<RawScan, E> {
-                Ok(RawScan(RawScanKeys { file: file.to_owned(), ..RawScanKeys::default() }))
+            fn visit_map<A: MapAccess<'de>>(self, keys: A) -> Result<Self::Value, A::Error> {
+                T::deserialize(MapAccessDeserializer::new(keys)).map(TableOr::Table)
             }
 
-            fn visit_map<A: MapAccess<'de>>(self, keys: A) -> Result<RawScan, A::Error> {
-                RawScanKeys::deserialize(MapAccessDeserializer::new(keys)).map(RawScan)
+            fn visit_seq<A: SeqAccess<'de>>(self, values: A) -> Result<Self::Value, A::Error> {
+                V::deserialize(SeqAccessDeserializer::new(values)).map(TableOr::Other)
+            }
+
+            fn visit_str<E: Error>(self, text: &str) -> Result<Self::Value, E> {
+                other(text.to_owned())
+            }
+
+            fn visit_f64<E: Error>(self, number: f64) -> Result<Self::Value, E> {
+                other(number)
+            }
+
+            fn visit_i64<E: Error>(self, number: i64) -> Result<Self::Value, E> {
+                other(number)
+            }
+
+            fn visit_bool<E: Error>(self, truth: bool) -> Result<Self::Value, E> {
+                other(truth)
             }
         }
 
-        deserializer.deserialize_any(FileOrKeys)
-    }
-}
-
-impl<'de> Deserialize<'de> for RawProperty {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct ValueOrKeys;
-
-        impl<'de> Visitor<'de> for ValueOrKeys {
-            type Value = RawProperty;
-
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a value or { distribution = \"...\", ... }")
-            }
-
-            fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<RawProperty, E> {
-                Ok(RawProperty::Value(toml::Value::String(text.to_owned())))
-            }
-
-            fn visit_f64<E: serde::de::Error>(self, number: f64) -> Result<RawProperty, E> {
-                Ok(RawProperty::Value(toml::Value::Float(number)))
-            }
-
-            fn visit_i64<E: serde::de::Error>(self, number: i64) -> Result<RawProperty, E> {
-                Ok(RawProperty::Value(toml::Value::Integer(number)))
-            }
-
-            fn visit_bool<E: serde::de::Error>(self, truth: bool) -> Result<RawProperty, E> {
-                Ok(RawProperty::Value(toml::Value::Boolean(truth)))
-            }
-
-            fn visit_map<A: MapAccess<'de>>(self, keys: A) -> Result<RawProperty, A::Error> {
-                RawDistribution::deserialize(MapAccessDeserializer::new(keys)).map(RawProperty::Distribution)
-            }
-        }
-
-        deserializer.deserialize_any(ValueOrKeys)
+        deserializer.deserialize_any(Either(PhantomData))
     }
 }
 

@@ -138,7 +138,11 @@ fn composite(key: &str, surface: &RawSurface, files: &dyn Files) -> Result<Surfa
     })
 }
 
-fn request(key: &str, RawScan(raw): &RawScan) -> Result<ScanRequest, SceneError> {
+fn request(key: &str, raw: &RawScan) -> Result<ScanRequest, SceneError> {
+    let raw = match raw {
+        RawScan::Table(keys) => keys,
+        RawScan::Other(file) => return Ok(ScanRequest { path: file.clone(), ..ScanRequest::default() }),
+    };
     let length = |name: &str, raw| -> Result<Option<f64>, SceneError> {
         let length: Option<Length> = optional(&format!("{key}.scans.{name}"), raw)?;
         Ok(length.map(|length| length.m))

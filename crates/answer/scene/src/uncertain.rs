@@ -126,7 +126,7 @@ pub(super) fn property<T: Property>(
     raw: &Spanned<RawProperty>,
 ) -> Result<Uncertain<T>, SceneError> {
     match raw.get_ref() {
-        RawProperty::Value(value) => {
+        RawProperty::Other(value) => {
             let text = text_of(value);
             let blame = |problem: String| value_error(key, &text, raw.span(), problem);
             match TypedSpread::parse(&text) {
@@ -137,7 +137,7 @@ pub(super) fn property<T: Property>(
                 Some(spread) => with_unit::<T>(spread).map_err(blame),
             }
         }
-        RawProperty::Distribution(table) => of_table(
+        RawProperty::Table(table) => of_table(
             key,
             table,
             &raw.span(),
@@ -155,9 +155,9 @@ pub(super) fn property<T: Property>(
 /// A Poisson's ratio under its key.
 pub(super) fn poisson_ratio(key: &str, raw: &Spanned<RawProperty>) -> Result<Uncertain<f64>, SceneError> {
     match raw.get_ref() {
-        RawProperty::Value(toml::Value::Float(ratio)) => Ok(Uncertain::exactly(*ratio)),
-        RawProperty::Value(toml::Value::Integer(ratio)) => Ok(Uncertain::exactly(*ratio as f64)),
-        RawProperty::Value(value) => {
+        RawProperty::Other(toml::Value::Float(ratio)) => Ok(Uncertain::exactly(*ratio)),
+        RawProperty::Other(toml::Value::Integer(ratio)) => Ok(Uncertain::exactly(*ratio as f64)),
+        RawProperty::Other(value) => {
             let text = text_of(value);
             let Some(spread) = TypedSpread::parse(&text) else {
                 let found = match value {
@@ -169,7 +169,7 @@ pub(super) fn poisson_ratio(key: &str, raw: &Spanned<RawProperty>) -> Result<Unc
             };
             without_unit(spread).map_err(|problem| value_error(key, &text, raw.span(), problem))
         }
-        RawProperty::Distribution(table) => of_table(
+        RawProperty::Table(table) => of_table(
             key,
             table,
             &raw.span(),
