@@ -85,7 +85,7 @@ impl Study {
         let evidence = self.evidence(Some(uncertainty));
         // As it stands before lines are broken.
         let text = details(&evidence, &Conclusions::new(&evidence));
-        text.replace('\n', " ")
+        text.replace("\n  ", " ")
     }
 
     fn files(&self, uncertainty: Option<&Uncertainty>) -> BTreeMap<String, String> {

@@ -2,18 +2,29 @@
 
 use findings::answer::LoadAnswer;
 use findings::conclusions::{Conclusions, Evidence, LoadConclusion};
+use findings::doubts::Doubt;
 use scene::Scene;
+use study::material::Material;
 use units::display::{length, pressure, three_digits};
 
 use crate::listing::{aligned, capital};
 use crate::question_words::sampling;
-use crate::{conclusion_words, interface_words, uncertainty_words, verdict_words};
+use crate::words::curve_counts::{beyond_fitted_range, statistical_notes};
+use crate::{conclusion_words, doubt_words, interface_words, uncertainty_words, verdict_words};
 
 /// Returns the area of each model under each load as a table, then all cautions and notes.
 #[must_use]
 pub fn details(evidence: &Evidence<'_>, conclusions: &Conclusions) -> String {
-    let Evidence { scene, results, judgement, uncertainty, .. } = *evidence;
+    let Evidence { scene, results, answer, judgement, uncertainty } = *evidence;
     let mut notes: Vec<String> = conclusions.cautions.iter().map(conclusion_words::caution_words).collect();
+    let doubts = Doubt::of_scene(scene, answer).iter().map(doubt_words::line).collect::<Vec<_>>();
+    let doubts = doubts.iter().map(|doubt| format!("{}.", capital(doubt)));
+    notes.extend(doubts.filter(|doubt| !notes.contains(doubt)).collect::<Vec<_>>());
+    for (curve, result) in scene.needs.curves.iter().zip(&results.curves) {
+        let beyond = result.stacked().and_then(beyond_fitted_range);
+        let of_rows = statistical_notes(result).into_iter().chain(beyond);
+        notes.extend(of_rows.map(|note| format!("{}: {note}.", curve.name)));
+    }
     notes.extend(judgement.into_iter().flat_map(|judgement| verdict_words::about_elements(judgement, scene)));
     notes.extend(uncertainty.into_iter().flat_map(uncertainty_words::sentences));
     if let Some(states) = scene.interface_states(results) {
@@ -21,7 +32,11 @@ pub fn details(evidence: &Evidence<'_>, conclusions: &Conclusions) -> String {
         notes.extend(of_interface.iter().map(|note| format!("{}.", capital(note))));
     }
     notes.push(format!("{}.", sampling(results)));
-    notes.extend(scene.choices().iter().map(|choice| format!("{}.", capital(choice))));
+    let properties = scene.material.as_ref().map(Material::properties).unwrap_or_default();
+    let properties: Vec<String> = properties.iter().map(|(name, value)| format!("{name} {value}")).collect();
+    let inputs = std::iter::once(properties.join(", ")).chain(scene.bodies.describe(&scene.spreads));
+    let inputs = inputs.chain(scene.model_choices()).filter(|line| !line.is_empty());
+    notes.extend(inputs.map(|line| format!("{}.", capital(&line))));
     // Names of curves are hyphenated and stay whole.
     let columns = textwrap::Options::new(100)
         .subsequent_indent("  ")
