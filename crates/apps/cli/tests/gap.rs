@@ -86,23 +86,6 @@ fn the_gap_of_perssons_theory_agrees_with_references() {
 }
 
 #[test]
-fn a_gap_says_where_it_means_little_and_where_the_logarithm_holds() {
-    let bench = power_law();
-    let ran = gap(&bench, "psd.csv", &[&["--model", "persson", "--pressure", "1e-4Pa"], &UNIT]);
-    for words in [["decade", " % "], ["mean gap", "3 rms"], ["u0", "ln(p00/p)"]] {
-        assert_eq!(ran.remarks(&words).len(), 1, "{words:?} in {}", ran.stderr);
-    }
-    let ran =
-        gap(&bench, "psd.csv", &[&["--model", "bgt", "--pressure", "1e-9Pa", "--pressure", "0.3Pa"], &UNIT]);
-    for words in [["at 1 of 2 loads", "3 rms"], ["at 1 of 2 loads", "negative"]] {
-        assert_eq!(ran.remarks(&words).len(), 1, "{words:?} in {}", ran.stderr);
-    }
-    let hard = ["--model", "persson-plastic", "--indentation-hardness", "5.4GPa", "--pressure", "1MPa"];
-    let ran = gap(&bench, "builtin:uncd-reconstructed", &[&hard, &DIAMOND]);
-    assert_eq!(column(&ran.ok_remarking(&["3 %", "plastic"]), "mean_gap_m"), [""]);
-}
-
-#[test]
 fn asperities_are_as_far_from_the_mean_plane_as_from_their_own_and_its_offset() {
     let bench = Bench::new();
     let psd = "builtin:uncd-reconstructed";

@@ -22,13 +22,6 @@ fn of_diamond(bench: &Bench, options: &[&[&str]]) -> support::Ran {
     bench.run(&[&["persson", "builtin:uncd-reconstructed"], &options.concat()[..]].concat())
 }
 
-/// C1D = q^-2.6 from 1e4 to 1e6 rad/m under a modulus of 1 Pa: two samples say it all.
-fn power_law(bench: &Bench) {
-    let row =
-        |q: f64| format!("{:e},{:e}\n", std::f64::consts::TAU / q, 1.8e-7 * (q / 1e4).powf(-2.6) * 1e-6);
-    bench.write("psd.csv", format!("lambda_m,C1D_m3\n{}{}", row(1e4), row(1e6)));
-}
-
 #[test]
 fn an_elastic_curve_follows_the_error_function_and_carries_the_load() {
     let bench = Bench::new();
@@ -150,19 +143,6 @@ fn a_cut_of_the_surface_lets_less_through_than_one_of_its_profiles_and_does_not_
     }
 }
 
-#[test]
-fn a_spectrum_without_roll_off_and_loads_that_few_asperities_carry_are_noted() {
-    let bench = Bench::new();
-    power_law(&bench);
-    let material = ["--model", "elastic", "--youngs-modulus", "1Pa", "--poisson-ratio", "0"];
-    let ran = bench.run(&[&["persson", "psd.csv", "--pressure", "1e-4Pa"], &material[..]].concat());
-    let notes = [["decade", " % "], ["mean gap", "3 rms"]];
-    assert_eq!(notes.map(|note| ran.remarks(&note).len()), [1, 1], "{}", ran.stderr);
-    let smooth = of_diamond(&bench, &[&ELASTIC, &["--pressure", "5GPa"]]);
-    assert_eq!(notes.map(|note| smooth.remarks(&note).len()), [0, 0], "{}", smooth.stderr);
-    smooth.ok_remarking(&["113 nm", "h'", "0.2"]);
-}
-
 const ROWS: &str = "pressure_pa,rms_pressure_pa,hardness_pa,hardness_growth
 54e6,1.62e9,,
 54e6,1.62e9,5.4e9,
@@ -229,28 +209,4 @@ fn a_figure_is_drawn_of_what_the_table_holds() {
     let options = ["--pressure", "540kPa", "--figure", "area.svg", "--hardness-law", "power:0.2"];
     of_diamond(&bench, &[&PLASTIC, &options]).ok();
     assert!(bench.read("area.svg").contains("persson"));
-}
-
-#[test]
-fn scenes_take_both_models_and_their_tables_are_those_of_the_command() {
-    let bench = Bench::new();
-    bench.write(
-        "scene.toml",
-        "[surface]\npsd = 'builtin:uncd-reconstructed'\n[material]\nyoungs_modulus = '463 GPa'\npoisson_ratio = 0.2\n\
-         indentation_hardness = '5.4 GPa'\nstrain_gradient_length = '5 um'\n[loads]\npressures = ['540 kPa']\n\
-         [[curve]]\nmodel = 'persson'\n[[curve]]\nmodel = 'persson-plastic'\n\
-         [[curve]]\nmodel = 'persson-plastic'\nstrain_gradient = true\n",
-    );
-    bench.run(&["run", "scene.toml", "--out", "out", "--no-report"]).ok();
-    for (table, options) in [
-        ("persson", &ELASTIC[..]),
-        ("persson-plastic", &PLASTIC),
-        ("persson-plastic-strain-gradient", &[&PLASTIC[..], &["--strain-gradient-length", "5um"]].concat()),
-    ] {
-        let of_command = of_diamond(&bench, &[options, &["--pressure", "540kPa"]]).ok();
-        let of_scene = bench.read(&format!("out/{table}.csv"));
-        for name in COLUMNS.split(',') {
-            assert_eq!(column(&of_scene, name), column(&of_command, name), "{table} {name}");
-        }
-    }
 }
