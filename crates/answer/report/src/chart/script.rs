@@ -55,7 +55,7 @@ for start, end in HOLES:
 axes.set(xscale="@XSCALE@", yscale="@YSCALE@", xlabel=@XLABEL@, ylabel=@YLABEL@, title=@TITLE@)
 handles = {label: handle for handle, label in zip(*axes.get_legend_handles_labels())}
 if 0 < len(handles) <= @MOST@:
-    figure.legend(handles.values(), handles.keys(), loc="outside lower center", ncols=2, frameon=False)
+    figure.legend(handles.values(), handles.keys(), loc="outside lower left", frameon=False)
 figure.savefig(sys.argv[1], dpi=300) if len(sys.argv) > 1 else plt.show()
 "##;
 
@@ -70,7 +70,11 @@ pub fn script(figure: &FigureData, style: &FigureStyle, provenance: &[String], f
     let size_pt = style.font_size_pt.unwrap_or(FONT_SIZE_PT);
     let points_of_px = size_pt / LETTERS_PX;
     let width_pt = style.width_mm.map_or(WIDTH_PX * points_of_px, |width_mm| width_mm * POINTS_PER_MM);
-    let (width, height) = (width_pt / POINTS_PER_INCH, width_pt * HEIGHT_PX / WIDTH_PX / POINTS_PER_INCH);
+    // Rows of the legend, each one and a half times as high as its letters.
+    let entries = figure.series.len() + figure.marks.len().min(2);
+    let legend_pt = if entries <= MOST_ENTRIES { 1.5 * size_pt * (entries + 1) as f64 } else { 0.0 };
+    let (width, height) =
+        (width_pt / POINTS_PER_INCH, (width_pt * HEIGHT_PX / WIDTH_PX + legend_pt) / POINTS_PER_INCH);
     let scale = |scale| if scale == AxisScale::Linear { "linear" } else { "log" };
     let holes: Vec<String> = figure.gaps.iter().map(|(from, to)| format!("({from:e}, {to:e})")).collect();
     let value = |name: &str| -> String {
