@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use tables::markdown::table;
 
-use crate::part::{parse, write};
+use crate::csv_rows::{parse, write};
 use crate::words::{error, time};
 
 /// Time and error of one or many evaluations of a law by a program.

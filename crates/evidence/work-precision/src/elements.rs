@@ -3,9 +3,9 @@
 use serde::Deserialize;
 use tables::markdown::table;
 
+use crate::csv_rows::parse;
 use crate::environment::Environment;
 use crate::machine::own_program;
-use crate::part::parse;
 use crate::words::{mebibytes, time};
 
 /// Answer of a program at a load; its numbers are missing where the program is.

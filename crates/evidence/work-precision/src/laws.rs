@@ -9,8 +9,8 @@ use asperity::{
 
 use crate::clock::seconds_per_call;
 use crate::costs::{Cost, joined, median};
+use crate::csv_rows::parse;
 use crate::environment::Environment;
-use crate::part::parse;
 use crate::reference::{Columns, columns, repository};
 
 const BUDGET_OF_A_ROW_S: f64 = 1e-3;

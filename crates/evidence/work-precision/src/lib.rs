@@ -9,6 +9,7 @@
 
 pub mod clock;
 pub mod costs;
+pub mod csv_rows;
 pub mod elements;
 pub mod environment;
 pub mod laws;

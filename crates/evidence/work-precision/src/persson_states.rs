@@ -5,8 +5,8 @@ use persson::{constant_hardness, elastic};
 
 use crate::clock::seconds_per_call;
 use crate::costs::{Cost, joined, largest};
+use crate::csv_rows::parse;
 use crate::environment::Environment;
-use crate::part::parse;
 use crate::reference::{Columns, columns, repository};
 
 const TABLE: &str = "persson_states.csv";

@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use serde::Deserialize;
 use tables::markdown::table;
 
+use crate::csv_rows::parse;
 use crate::environment::Environment;
-use crate::part::parse;
 use crate::reference::repository;
 use crate::words::{error, three_digits, time};
 

@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use serde::Deserialize;
 use tables::markdown::table;
 
+use crate::csv_rows::parse;
 use crate::environment::Environment;
 use crate::machine::own_program;
-use crate::part::parse;
 use crate::reference::repository;
 use crate::words::{error, three_digits, time};
 

@@ -9,8 +9,8 @@ use stat_contact::{AsperityLaw, InterferenceLaw, Population, StatisticalContact}
 
 use crate::clock::seconds_per_call;
 use crate::costs::{Cost, joined, largest};
+use crate::csv_rows::parse;
 use crate::environment::Environment;
-use crate::part::parse;
 use crate::reference::{repository, rows};
 
 const TABLE: &str = "work_precision.csv";
