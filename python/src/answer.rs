@@ -3,11 +3,11 @@
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use questions::{Answer, Note, NoteLevel, NotePlace, OptionName, QuestionError, Spelling, note_code};
+use questions::{Answer, QuestionError};
 use report::question_words;
 use study::material::MaterialError;
 use tables::{Cell, Cells, Table};
-use topography::Severity;
+use units::{Remark, RemarkLevel, RemarkPlace, Spelling};
 
 use crate::errors::input;
 use crate::work::{Observer, Watch, carry_out};
@@ -17,7 +17,7 @@ use crate::work::{Observer, Watch, carry_out};
 pub struct PyAnswer {
     #[pyo3(get)]
     columns: Py<PyDict>,
-    pub notes: Vec<Note>,
+    pub notes: Vec<Remark>,
 }
 
 #[pymethods]
@@ -36,16 +36,16 @@ impl PyAnswer {
 }
 
 impl PyAnswer {
-    pub fn new(py: Python<'_>, table: &Table, notes: Vec<Note>) -> PyResult<Self> {
+    pub fn new(py: Python<'_>, table: &Table, notes: Vec<Remark>) -> PyResult<Self> {
         Ok(Self::of_columns(columns(py, table)?, notes))
     }
 
-    pub fn of_columns(columns: Bound<'_, PyDict>, notes: Vec<Note>) -> Self {
+    pub fn of_columns(columns: Bound<'_, PyDict>, notes: Vec<Remark>) -> Self {
         PyAnswer { columns: columns.unbind(), notes }
     }
 
     /// Sets notes before those of the answer.
-    pub fn behind(self, notes: Vec<Note>) -> Self {
+    pub fn behind(self, notes: Vec<Remark>) -> Self {
         PyAnswer { notes: [notes, self.notes].concat(), ..self }
     }
 
@@ -64,20 +64,21 @@ impl PyAnswer {
 pub struct Keywords;
 
 impl Spelling for Keywords {
-    fn option(&self, option: OptionName) -> String {
-        match option {
-            OptionName::MissingPoints => "gaps".to_owned(),
-            option => option.snake_case(),
-        }
+    fn option(&self, option: &str) -> String {
+        if option == "missing_points" { "gaps".to_owned() } else { option.to_owned() }
     }
 
-    fn with_value(&self, option: OptionName, value: &str) -> String {
+    fn with_value(&self, option: &str, value: &str) -> String {
         let quote = if value.parse::<f64>().is_ok() { "" } else { "\"" };
         format!("{}={quote}{value}{quote}", self.option(option))
     }
 
     fn model(&self, name: &str) -> String {
         format!("model {name}")
+    }
+
+    fn of_scan(&self, option: &str, value: &str) -> String {
+        format!("set {}", self.with_value(option, value))
     }
 
     fn of_material(&self) -> &'static str {
@@ -101,27 +102,26 @@ pub type Told = (String, &'static str, String, Place);
 /// Files, row, line and key that a note is about.
 type Place = (Vec<String>, Option<usize>, Option<usize>, Option<String>);
 
-/// Notes in words; checks that were passed are left out.
-pub fn words(notes: &[Note]) -> Vec<Told> {
-    let with_level = notes.iter().filter_map(|note| Some((note, note.level()?)));
-    let lines = with_level.flat_map(|(note, level)| {
-        question_words::lines(note, &Keywords).into_iter().map(move |line| {
-            let is_warning = line.severity == Severity::Warning;
-            let text = if is_warning { format!("warning: {}", line.text) } else { line.text };
-            (text, level.name(), note_code(note), in_keywords(note.place()))
-        })
+/// Remarks in words; checks that were passed are left out.
+pub fn words(remarks: &[Remark]) -> Vec<Told> {
+    let shown = remarks.iter().filter(|remark| remark.level != RemarkLevel::Passed);
+    let told = shown.map(|remark| {
+        let doubt = if remark.level == RemarkLevel::Caution { "warning: " } else { "" };
+        let text = format!("{doubt}{}", remark.words(&Keywords));
+        (text, remark.level.name(), remark.code_name(), in_keywords(remark.place.clone()))
     });
-    lines.collect()
+    told.collect()
 }
 
 /// A note that is text already, with the code of its kind.
-pub fn in_text(text: String, code: &str, place: NotePlace) -> Told {
-    (text, NoteLevel::Note.name(), code.to_owned(), in_keywords(place))
+pub fn in_text(text: String, code: &str, place: RemarkPlace) -> Told {
+    (text, RemarkLevel::Note.name(), code.to_owned(), in_keywords(place))
 }
 
-fn in_keywords(place: NotePlace) -> Place {
-    let NotePlace { files, row, line, option, key } = place;
-    (files, row, line, key.or_else(|| option.map(|option| Keywords.option(option))))
+fn in_keywords(place: RemarkPlace) -> Place {
+    let RemarkPlace { files, surface, row, line, option, key } = place;
+    let files = if files.is_empty() { surface.into_iter().collect() } else { files };
+    (files, row, line, key.or_else(|| option.map(|option| Keywords.option(&option))))
 }
 
 /// The columns of a table by their names: numbers as arrays of doubles, NaN where a cell is empty, as data frames have it;

@@ -356,7 +356,7 @@ pub fn any_model(name: &str) -> PyResult<&'static ModelEntry> {
 /// The error of a name that is none of those known.
 pub fn none_of<'n>(argument: &str, name: &str, known: impl IntoIterator<Item = &'n str>) -> PyErr {
     let known = known.into_iter().collect::<Vec<_>>().join(", ");
-    of_argument(argument, format!("'{name}' is none of {known}"))
+    of_argument(argument, format!("'{name}' is not one of {known}"))
 }
 
 /// The error of an argument of the wrong type.

@@ -8,7 +8,7 @@ use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
 use questions::{
-    AdhesionQuestion, BranchChoice, ElementsLoad, ElementsQuestion, IndenterQuestion, LoadInput, Note,
+    AdhesionQuestion, BranchChoice, ElementsLoad, ElementsQuestion, IndenterQuestion, LoadInput,
     PreparedElements, QuestionError,
 };
 use elements::{Boundary, ContactField, ElementsError, IndenterShape, Relief};
@@ -131,8 +131,9 @@ fn press<'py>(
         let beside = PyDict::new(py);
         beside.set_item("rms_gradient", prepared.surfaces.rms_gradients())?;
         for note in &answer.notes {
-            if let Note::Adhesion(found) = note {
-                found.numbers().into_iter().try_for_each(|(name, number)| beside.set_item(name, number))?;
+            if note.code.name().starts_with("adhesion.") {
+                let numbers = note.numbers.iter().filter_map(|(name, _)| Some((name, note.number(name)?)));
+                numbers.into_iter().try_for_each(|(name, number)| beside.set_item(name, number))?;
             }
         }
         return Ok((answer, beside));

@@ -107,7 +107,7 @@ pub fn gap_model(material: &PyMaterial, arguments: &Arguments<'_>, others: &[&st
     if model.is_none() && !others.contains(&name.as_str()) {
         let known = models::with_gaps().map(|entry| entry.name).chain(others.iter().copied());
         let known = known.collect::<Vec<_>>().join(", ");
-        return Err(of_argument("model", format!("'{name}' is none of those with gaps, {known}")));
+        return Err(of_argument("model", format!("'{name}' is not one of those with gaps, {known}")));
     }
     let options = arguments.model_options()?;
     Ok(GapModel {

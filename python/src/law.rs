@@ -3,13 +3,13 @@
 use interface::finite_elements::{ConductanceTable, ContactLaw, Dialect, ExponentialLaw, Flow, Heading, UnitSystem};
 use pyo3::prelude::*;
 use questions::{
-    GasInput, LawAnswer, LawForm, LawQuestion, LawTableQuestion, Note, PlasticCorrelation, QuestionError,
+    GasInput, LawAnswer, LawForm, LawQuestion, LawTableQuestion, PlasticCorrelation, QuestionError,
     TransportInput,
 };
 use report::provenance::provenance;
 use study::models::ModelEntry;
 use tables::Table;
-use units::{Resistivity, ThermalConductivity};
+use units::{Remark, Resistivity, ThermalConductivity};
 
 use crate::answer::{PyAnswer, refused};
 use crate::arguments::{Arguments, checked, choice, length_m, named, number, quantity, text};
@@ -25,7 +25,7 @@ pub struct PyFoundLaw {
     found: Found,
     table: Table,
     provenance: Vec<String>,
-    notes: Vec<Note>,
+    notes: Vec<Remark>,
     /// The nominal pressure \[Pa\] at the gap where a law is cut off.
     #[pyo3(get)]
     cut_pressure_pa: Option<f64>,

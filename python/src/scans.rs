@@ -11,7 +11,6 @@ use numpy::{PyArray1, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods}
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::{PyDict, PyString};
-use questions::NotePlace;
 use report::chart::maps::HeightsPicture;
 use report::scan_words;
 use report::scans_table::scans_columns;
@@ -19,7 +18,7 @@ use roughness::Evaluation;
 use scans::{MissingPoints, ScanFile, ScanOption, ScanSize};
 use study::surface::{Surface, SurfaceError};
 use topography::Recipe;
-use units::SignedLength;
+use units::{RemarkPlace, SignedLength};
 
 use crate::answer::{Told, columns, in_text};
 use crate::arguments::{Arguments, Given, choice, count, length_m, number, quantity, text};
@@ -136,7 +135,7 @@ impl PyScan {
                 .map(|found| (found.table(), found.notes())),
         });
         let (table, notes) = found.map_err(|error| refused(&error, ""))?;
-        let place = NotePlace { files: vec![self.request.path.clone()], ..NotePlace::default() };
+        let place = RemarkPlace { files: vec![self.request.path.clone()], ..RemarkPlace::default() };
         let notes = notes.into_iter().map(|text| in_text(text, "missing-points", place.clone()));
         Ok((columns(py, &table)?, notes.collect()))
     }

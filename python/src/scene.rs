@@ -11,7 +11,7 @@ use findings::answer::Answer;
 use pyo3::exceptions::{PyFileNotFoundError, PyOSError};
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
-use questions::{OptionName, ReportSurface, RunError, RunOptions, SamplingInput, note_code, run_scene};
+use questions::{OptionName, ReportSurface, RunError, RunOptions, SamplingInput, run_scene};
 use report::chart::palette::ModelStyle;
 use report::conclusion_words::{SummaryEnd, short_summary};
 use report::curve_names::short_name;
@@ -19,7 +19,6 @@ use report::details::details;
 use report::dry_run::dry_run;
 use report::products::{Product, SceneProducts};
 use report::run_stamp::RunStamp;
-use report::scene_note_words;
 use scene::file_names::{JUDGE_TABLES, REPORT_TABLES, UNCERTAINTY_TABLES};
 use scene::{Overrides, ReplaceError, Scene, SceneError, SceneProblem, SceneText, Template, with_keys};
 use tables::staging::StagedFiles;
@@ -30,11 +29,11 @@ use study::plan::PlanError;
 use tables::Format;
 use toml::Value;
 
-use crate::answer::{columns, in_text, refused as questions_refused};
+use crate::answer::{columns, refused as questions_refused, words};
 use crate::arguments::{Arguments, Given, choice, named, quantity, wrong_type};
 use crate::errors::{input, of_argument};
 use crate::material::counterface;
-use crate::surface::{PySurface, notes};
+use crate::surface::PySurface;
 use crate::work::{Observer, carry_out, held, light};
 
 /// A scene as the core has it, and the files that it read.
@@ -108,9 +107,6 @@ impl PyScene {
     #[getter]
     fn facts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let Scene { title, needs, surface, notes: of_scene, .. } = &self.scene;
-        let of_scene = of_scene.iter();
-        let of_scene =
-            of_scene.map(|note| in_text(scene_note_words::line(note), &note_code(note), note.into()));
         let styled = needs.curves.iter().zip(CurveLook::of_curves(&needs.curves)).map(|(curve, look)| {
             let ModelStyle { colour, dash, .. } = ModelStyle::new(look);
             (&curve.name, (short_name(curve), colour, dash))
@@ -118,7 +114,7 @@ impl PyScene {
         let facts = PyDict::new(py);
         facts.set_item("title", title)?;
         facts.set_item("loads", needs.loads.len())?;
-        facts.set_item("notes", notes(surface).into_iter().chain(of_scene).collect::<Vec<_>>())?;
+        facts.set_item("notes", words(&[&surface.notes[..], of_scene].concat()))?;
         facts.set_item("styles", styled.into_py_dict(py)?)?;
         Ok(facts)
     }

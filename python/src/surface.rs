@@ -6,7 +6,7 @@ use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyDict;
-use questions::{Note, SpectrumQuantity, SpectrumQuestion};
+use questions::{SpectrumQuantity, SpectrumQuestion};
 use report::{chart, spectrum_words};
 use spectrum::{Convention, Psd, ReadOption, ReadOptions};
 use study::figure::{Figure, Shows};
@@ -143,8 +143,7 @@ impl PySurface {
 
 /// Returns the notes and warnings on a surface; checks that were passed are left out.
 pub fn notes(surface: &Surface) -> Vec<Told> {
-    let notes: Vec<Note> = surface.notes.iter().cloned().map(Note::Surface).collect();
-    words(&notes)
+    words(&surface.notes)
 }
 
 fn to_vec(array: &PyReadonlyArray1<'_, f64>) -> Vec<f64> {

@@ -4,7 +4,7 @@ use numpy::ToPyArray;
 use numpy::ndarray::Array2;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyString};
-use questions::{NotePlace, QuestionError, UncertainAreas, UncertaintyQuestion};
+use questions::{QuestionError, UncertainAreas, UncertaintyQuestion};
 use report::{advice_words, uncertainty_words};
 use scene::{UncertainProperty, UncertaintyChoices};
 use study::material_spreads::MaterialSpreads;
@@ -12,7 +12,7 @@ use study::models::ModelEntry;
 use study::plan::Tolerance;
 use study::spread::Spread;
 use uncertainty::AreaInterval;
-use units::Bound as NumberBound;
+use units::{Bound as NumberBound, RemarkPlace};
 
 use crate::answer::{Told, columns, in_text, refused, words};
 use crate::arguments::{Arguments, Given, any_model, checked, choice, number, without_unit};
@@ -191,7 +191,7 @@ fn told_of<'py>(py: Python<'py>, areas: &UncertainAreas) -> PyResult<Bound<'py, 
     let in_words = steps.map(|step| advice_words::in_a_line(found, step));
     let of_draws = uncertainty_words::sentences(found).into_iter();
     let mut said: Vec<Told> =
-        of_draws.map(|text| in_text(text, "uncertainty", NotePlace::default())).collect();
+        of_draws.map(|text| in_text(text, "uncertainty", RemarkPlace::default())).collect();
     for note in words(&areas.notes()) {
         if said.iter().all(|(text, ..)| *text != note.0) {
             said.push(note);

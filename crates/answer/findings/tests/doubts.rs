@@ -1,9 +1,10 @@
 //! Doubts that physics raises about scenes and their results; the answer and its doubts as data.
 
 use findings::answer::Answer;
-use findings::doubts::Doubt;
+use findings::doubts;
 use scene::{Overrides, Scene};
 use study::NoFiles;
+use units::{Remark, RemarkCode, RemarkValue};
 
 fn scene(sections: &str) -> Scene {
     let text = format!(
@@ -20,7 +21,7 @@ fn an_answer_and_its_doubts_serialise() {
     );
     let results = scene.plan().compute().unwrap();
     let answer = Answer::from_results(&scene, &results);
-    let found = Doubt::of_scene(&scene, &answer);
+    let found = doubts::of_scene(&scene, &answer);
     let all = serde_json::json!({ "answer": answer, "doubts": found });
     let area = results.curves[1].area_fractions(0).last().map(|(_, area_fraction)| *area_fraction);
     assert_eq!(all["answer"]["curves"][1][0]["area_fraction"].as_f64(), area);
@@ -28,24 +29,24 @@ fn an_answer_and_its_doubts_serialise() {
     assert_eq!(all["doubts"].as_array().map(Vec::len), Some(found.len()));
 }
 
-fn doubts(sections: &str) -> Vec<Doubt> {
+fn found(sections: &str) -> Vec<Remark> {
     let scene = scene(sections);
     let results = scene.plan().compute().unwrap();
-    Doubt::of_scene(&scene, &Answer::from_results(&scene, &results))
+    doubts::of_scene(&scene, &Answer::from_results(&scene, &results))
 }
 
 #[test]
 fn pressures_above_what_the_body_bears_are_doubted_with_their_places() {
-    let found = doubts("[loads]\npressures = [\"1 MPa\", \"2 H\", \"4 H\"]\n[[curve]]\nmodel = \"hertz\"\n");
-    let [Doubt::NominalAboveHardness { load, others: 1, .. }, Doubt::RealAboveHardness { highest, .. }, ..] =
-        &found[..]
-    else {
-        panic!("{found:?}")
-    };
-    assert_eq!((load.as_str(), highest.curve.as_str(), highest.load.as_str()), ("4 H", "hertz", "4 H"));
-    assert!(
-        matches!(&found[2..], [Doubt::RealAboveThirdModulus { bound_pa, .. }] if *bound_pa < 210e9 / 2.0)
+    let found = found("[loads]\npressures = [\"1 MPa\", \"2 H\", \"4 H\"]\n[[curve]]\nmodel = \"hertz\"\n");
+    let codes: Vec<RemarkCode> = found.iter().map(|doubt| doubt.code).collect();
+    assert_eq!(
+        codes,
+        [RemarkCode::NominalAboveHardness, RemarkCode::RealAboveHardness, RemarkCode::RealAboveThirdModulus]
     );
+    let has_text = |at: usize, name, text: &str| found[at].numbers.contains(&(name, RemarkValue::from(text)));
+    assert!(has_text(0, "load", "4 H") && has_text(1, "curve", "hertz") && has_text(1, "load", "4 H"));
+    assert_eq!(found[0].number("others"), Some(1.0));
+    assert!(found[2].number("bound_pa").unwrap() < 210e9 / 2.0);
 }
 
 #[test]
@@ -55,11 +56,13 @@ fn a_spectrum_in_the_wrong_unit_and_a_body_too_strong_are_doubted() {
     let text = "[surface]\npsd = \"psd.csv\"\n[material]\nyoungs_modulus = \"210 GPa\"\npoisson_ratio = 0.3\n\
                 yield_strength = \"30 GPa\"\n[loads]\npressures = [\"1 MPa\"]\n[[curve]]\nmodel = \"elastic\"\n";
     let scene = Scene::parse(text, &files, &Overrides::default()).unwrap();
-    let found = Doubt::of_spectrum(&scene.surface.psd);
-    assert!(matches!(found[..], [Doubt::SteepSurface { rms_slope }, Doubt::SteepScale { aspect_ratio, .. }]
-        if rms_slope > 1e3 && aspect_ratio > 1e3));
-    let material = scene.material.as_ref().and_then(Doubt::of_material);
-    assert_eq!(material, Some(Doubt::StrongerThanSolids { yield_strength_pa: 30e9, bound_pa: 21e9 }));
+    let found = doubts::of_spectrum(&scene.surface.psd);
+    let [surface, scale] = &found[..] else { panic!("{found:?}") };
+    assert_eq!((surface.code, scale.code), (RemarkCode::FarTooSteepSurface, RemarkCode::SteepScale));
+    assert!(surface.number("rms_slope") > Some(1e3) && scale.number("aspect_ratio") > Some(1e3));
+    let material = scene.material.as_ref().and_then(doubts::of_material);
+    let expected = Remark::new(RemarkCode::StrongerThanSolids).with("yield_strength_pa", 30e9);
+    assert_eq!(material, Some(expected.with("bound_pa", 21e9)));
 }
 
 #[test]
@@ -70,11 +73,13 @@ fn a_modulus_of_a_polymer_with_the_ratio_of_a_metal_is_doubted() {
              [loads]\npressures = [\"1 MPa\"]\n[[curve]]\nmodel = \"elastic\"\n"
         );
         let scene = Scene::parse(&text, &NoFiles, &Overrides::default()).unwrap();
-        scene.material.as_ref().and_then(Doubt::of_material)
+        scene.material.as_ref().and_then(doubts::of_material)
     };
     for (modulus, youngs_modulus_pa) in [("210 MPa", 210e6), ("210 Pa", 210.0)] {
-        let expected =
-            Doubt::SofterThanItsRatio { youngs_modulus_pa, probable_pa: 210e9, poisson_ratio: 0.3 };
+        let expected = Remark::new(RemarkCode::SofterThanItsRatio)
+            .with("youngs_modulus_pa", youngs_modulus_pa)
+            .with("probable_pa", 210e9)
+            .with("poisson_ratio", 0.3);
         assert_eq!(doubt(modulus, 0.3), Some(expected));
     }
     for (modulus, ratio) in [("210 GPa", 0.3), ("500 MPa", 0.46), ("5.5 MPa", 0.3), ("1 GPa", 0.3)] {
@@ -85,7 +90,7 @@ fn a_modulus_of_a_polymer_with_the_ratio_of_a_metal_is_doubted() {
 #[test]
 fn nothing_is_doubted_where_physics_has_nothing_against_it() {
     assert_eq!(
-        doubts(
+        found(
             "[loads]\npressures = [\"1 MPa\"]\n[[curve]]\nmodel = \"elastic-plastic\"\n\
                        [cutoffs]\nshortest_wavelength = \"20 um\"\n"
         ),

@@ -1,11 +1,11 @@
 //! The assumptions of a curve, and the scales at which they fail.
 
 use scene::Scene;
-use serde::Serialize;
 use study::plan::{CurveResult, Results};
+use units::{Remark, RemarkCode};
 
 use crate::body::BodyKind;
-use crate::hardness_of_scales::{AboveHardness, HardnessOfScales};
+use crate::hardness_of_scales::HardnessOfScales;
 
 /// The largest share of the load that may rest outside the fitted range of a law.
 pub const LARGEST_SHARE_OUT_OF_RANGE: f64 = 0.05;
@@ -17,33 +17,6 @@ pub(crate) struct CurveAtLoad {
     pub load: usize,
 }
 
-/// An assumption of a curve that does not hold.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-#[non_exhaustive]
-pub enum BrokenAssumption {
-    /// The curve assumes that nothing yields, but the real pressure exceeds the hardness.
-    Yields(AboveHardness),
-    /// Too much of the load rests outside the fitted range of the law.
-    Unfitted {
-        /// The longest cutoff \[m\] at which this holds.
-        wavelength_m: f64,
-        /// The share of the load outside the range, at that cutoff.
-        load_share: f64,
-    },
-}
-
-impl BrokenAssumption {
-    /// The longest wavelength \[m\] at which the assumption is broken.
-    #[must_use]
-    pub fn wavelength_m(self) -> f64 {
-        match self {
-            BrokenAssumption::Yields(above) => above.wavelength_m,
-            BrokenAssumption::Unfitted { wavelength_m, .. } => wavelength_m,
-        }
-    }
-}
-
 /// Finds the assumption of a curve that fails at the longest wavelength. `hardness` is that of the material at each
 /// scale, if it yields.
 pub(crate) fn first_broken(
@@ -51,18 +24,28 @@ pub(crate) fn first_broken(
     results: &Results,
     at: CurveAtLoad,
     hardness: Option<&HardnessOfScales>,
-) -> Option<BrokenAssumption> {
+) -> Option<Remark> {
     let elastic = BodyKind::from_model(&scene.needs.curves[at.curve].model) == BodyKind::Elastic;
     let yields = hardness
         .filter(|_| elastic)
         .and_then(|hardness| hardness.first_above(real_pressures(scene, results, at)))
-        .map(BrokenAssumption::Yields);
+        .map(|above| {
+            Remark::new(RemarkCode::AssumesNoYielding)
+                .with("wavelength_m", above.wavelength_m)
+                .with("pressure_pa", above.pressure_pa)
+                .with("hardness_pa", above.hardness_pa)
+        });
     let unfitted = unfitted(&results.curves[at.curve], at.load);
     match (yields, unfitted) {
-        (Some(yields), Some(unfitted)) if unfitted.wavelength_m() > yields.wavelength_m() => Some(unfitted),
+        (Some(yields), Some(unfitted)) if begins_m(&unfitted) > begins_m(&yields) => Some(unfitted),
         (Some(yields), _) => Some(yields),
         (None, unfitted) => unfitted,
     }
+}
+
+/// The longest wavelength \[m\] at which an assumption is broken.
+pub(crate) fn begins_m(broken: &Remark) -> f64 {
+    broken.number("wavelength_m").unwrap_or(f64::NAN)
 }
 
 /// The real pressures \[Pa\] of a curve against its cutoffs \[m\].
@@ -76,10 +59,10 @@ pub(crate) fn real_pressures(
     points.into_iter().map(move |(wavelength_m, area)| (wavelength_m, nominal_pa / area))
 }
 
-fn unfitted(result: &CurveResult, load: usize) -> Option<BrokenAssumption> {
+fn unfitted(result: &CurveResult, load: usize) -> Option<Remark> {
     result.statistical()?[load].iter().find_map(|row| {
         let load_share = row.contact?.1.out_of_range_load_share;
-        (load_share > LARGEST_SHARE_OUT_OF_RANGE)
-            .then_some(BrokenAssumption::Unfitted { wavelength_m: row.wavelength_m, load_share })
+        let remark = Remark::new(RemarkCode::UnfittedLaw).with("wavelength_m", row.wavelength_m);
+        (load_share > LARGEST_SHARE_OUT_OF_RANGE).then(|| remark.with("load_share", load_share))
     })
 }

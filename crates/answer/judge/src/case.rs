@@ -8,7 +8,9 @@ use spectrum::{Moments, Normalisation, amplitudes, cumulative_moments};
 use study::plan::Results;
 use study::validity::SMALL_SLOPE_PRESSURE;
 
-use crate::assumptions::{BrokenAssumption, CurveAtLoad, first_broken, real_pressures};
+use units::Remark;
+
+use crate::assumptions::{CurveAtLoad, first_broken, real_pressures};
 use crate::body::{BodyKind, Reference};
 use crate::closed_form::ClosedForm;
 use crate::hardness_of_scales::{AboveHardness, HardnessOfScales};
@@ -54,7 +56,7 @@ pub(crate) struct Case<'s> {
     /// The hardness that grows with the strain-gradient length, for a material that has one.
     growing_hardness: Option<HardnessOfScales>,
     /// The first broken assumption of every curve under every load, in the order of [`all`](Self::all).
-    broken: Vec<Option<BrokenAssumption>>,
+    broken: Vec<Option<Remark>>,
 }
 
 impl<'s> Case<'s> {
@@ -335,8 +337,8 @@ impl<'s> Case<'s> {
     }
 
     /// The assumption of its own that a curve breaks first.
-    pub fn broken_assumption(&self, at: CurveAtLoad) -> Option<BrokenAssumption> {
-        self.broken[self.place(at)]
+    pub fn broken_assumption(&self, at: CurveAtLoad) -> Option<&Remark> {
+        self.broken[self.place(at)].as_ref()
     }
 
     /// Finds the first scale at which the pressure on a curve whose strength grows exceeds its hardness. The pressure

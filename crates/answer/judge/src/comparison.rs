@@ -1,16 +1,16 @@
 //! Curves against boundary elements: on each window, on the whole band, and the verdict on each curve.
 
 use study::plan::PlanError;
+use units::{Remark, RemarkCode};
 
 use crate::JudgeError;
-use crate::assumptions::CurveAtLoad;
+use crate::assumptions::{CurveAtLoad, begins_m};
 use crate::body::Reference;
 use crate::case::Case;
 use crate::headline::Headline;
 use crate::judgement::Judgement;
 use crate::layout::{Cell, Extent, Layout, PlannedPress};
 use crate::model_areas::{self, WindowProfiles};
-use crate::reason::Reason;
 use crate::seam::Seam;
 use crate::solve::{Solutions, Solved};
 use crate::verdict::{ERRORS_GIVEN, Verdict, WorstWindow};
@@ -45,8 +45,10 @@ impl Comparisons<'_> {
                     pressure_pa: pressures_pa[body][at.load],
                     gradient_pa: case.composite_modulus_pa * window.flattening_gradient,
                     area_fraction: areas[at.curve][at.load],
-                    elements: comparable(case, at)
-                        .and_then(|()| self.area_on_window(Cell { body, window: index, load: at.load })),
+                    elements: comparable(case, at).and_then(|()| {
+                        let cell = Cell { body, window: index, load: at.load };
+                        self.area_on_window(cell).map_err(Remark::new)
+                    }),
                 };
                 outcomes.push(comparison.outcome(case));
             }
@@ -67,7 +69,8 @@ impl Comparisons<'_> {
                 pressure_pa: case.nominal_pressure_pa(at.load),
                 gradient_pa,
                 area_fraction: case.final_area(at),
-                elements: comparable(case, at).and_then(|()| self.area_of_whole_band(case.body(at), at.load)),
+                elements: comparable(case, at)
+                    .and_then(|()| self.area_of_whole_band(case.body(at), at.load).map_err(Remark::new)),
             };
             WindowOutcome { is_whole_band: true, ..comparison.outcome(case) }
         };
@@ -89,16 +92,16 @@ impl Comparisons<'_> {
 
     /// The area of elements on the whole band. That of bodies whose hardness grows may be as large as with the constant
     /// hardness.
-    fn area_of_whole_band(&self, body: usize, load: usize) -> Result<ElementArea, Reason> {
+    fn area_of_whole_band(&self, body: usize, load: usize) -> Result<ElementArea, RemarkCode> {
         let area = self.area_at_one_hardness(body, load)?;
         let softer = self.case.softer_body(body).and_then(|body| self.area_at_one_hardness(body, load).ok());
         Ok(softer.map_or(area, |softer| area.reaching(softer.high())))
     }
 
     /// The area of elements on the whole band: as pressed, or that of the last window carried over by the closed form.
-    fn area_at_one_hardness(&self, body: usize, load: usize) -> Result<ElementArea, Reason> {
+    fn area_at_one_hardness(&self, body: usize, load: usize) -> Result<ElementArea, RemarkCode> {
         let Comparisons { case, layout, .. } = self;
-        let Some(window) = layout.windows.len().checked_sub(1) else { return Err(Reason::NoSurface) };
+        let Some(window) = layout.windows.len().checked_sub(1) else { return Err(RemarkCode::NoSurface) };
         let area = self.area_on_window(Cell { body, window, load })?;
         let reference = case.references[body];
         let seam = if layout.is_whole_band() {
@@ -110,13 +113,13 @@ impl Comparisons<'_> {
     }
 
     /// The area that elements give for a cell of the layout, or the reason why there is none.
-    fn area_on_window(&self, cell: Cell) -> Result<ElementArea, Reason> {
+    fn area_on_window(&self, cell: Cell) -> Result<ElementArea, RemarkCode> {
         let Comparisons { case, layout, solutions } = self;
         let solved = match layout.planned(cell) {
             PlannedPress::Solve(press) => solutions.of_presses[press]?,
             PlannedPress::Flows { share } => Solved::between(share),
-            PlannedPress::TooLight => return Err(Reason::TooLight),
-            PlannedPress::LoadNotChosen => return Err(Reason::LoadNotChosen),
+            PlannedPress::TooLight => return Err(RemarkCode::TooLight),
+            PlannedPress::LoadNotChosen => return Err(RemarkCode::LoadNotChosen),
         };
         let reference = case.references[cell.body];
         let of_hardness = case.error_of_hardness(&layout.forms[cell.window], reference, cell.load);
@@ -130,9 +133,10 @@ impl Comparisons<'_> {
 }
 
 /// Refuses a curve that yields by a hardness law that no elements have.
-fn comparable(case: &Case<'_>, at: CurveAtLoad) -> Result<(), Reason> {
-    let own_law = case.yields_by_own_law(at);
-    own_law.map_or(Ok(()), |above| Err(Reason::StrengthGrows { wavelength_m: above.wavelength_m }))
+fn comparable(case: &Case<'_>, at: CurveAtLoad) -> Result<(), Remark> {
+    let own_law = Remark::new(RemarkCode::OwnHardnessLaw);
+    let above = case.yields_by_own_law(at);
+    above.map_or(Ok(()), |above| Err(own_law.with("wavelength_m", above.wavelength_m)))
 }
 
 /// A value for every body that is pressed and every load.
@@ -187,7 +191,7 @@ struct Comparison {
     /// Area fraction of the curve.
     area_fraction: Option<f64>,
     /// Area fraction of the elements, or the reason why there is none.
-    elements: Result<ElementArea, Reason>,
+    elements: Result<ElementArea, Remark>,
 }
 
 impl Comparison {
@@ -197,14 +201,14 @@ impl Comparison {
         // An assumption that breaks at some scale is broken at all shorter ones.
         let broken = case
             .broken_assumption(self.at)
-            .filter(|broken| broken.wavelength_m() >= band.shortest_m * (1.0 - 1e-9));
-        let (verdict, reason) = match (broken, area_fraction, self.elements) {
-            (Some(broken), _, _) => (Verdict::OutOfRange, Reason::Broken(broken)),
-            (None, _, Err(reason)) => (Verdict::NotJudged, reason),
-            (None, None, Ok(_)) => (Verdict::NotJudged, Reason::NoArea),
-            (None, Some(area_fraction), Ok(elements)) => Self::compared(area_fraction, elements),
+            .filter(|broken| begins_m(broken) >= band.shortest_m * (1.0 - 1e-9));
+        let (verdict, reason) = match (broken, area_fraction, &self.elements) {
+            (Some(broken), _, _) => (Verdict::OutOfRange, broken.clone()),
+            (None, _, Err(reason)) => (Verdict::NotJudged, reason.clone()),
+            (None, None, Ok(_)) => (Verdict::NotJudged, Remark::new(RemarkCode::NoArea)),
+            (None, Some(area_fraction), Ok(elements)) => Self::compared(area_fraction, *elements),
         };
-        let elements = self.elements.ok();
+        let elements = self.elements.as_ref().ok().copied();
         WindowOutcome {
             curve,
             load,
@@ -222,13 +226,13 @@ impl Comparison {
         }
     }
 
-    fn compared(area_fraction: f64, elements: ElementArea) -> (Verdict, Reason) {
+    fn compared(area_fraction: f64, elements: ElementArea) -> (Verdict, Remark) {
         let ratio = area_fraction / elements.area_fraction;
         match Verdict::from_ratio(ratio, elements.relative_error()) {
             Verdict::TooLarge if elements.may_reach(area_fraction) => {
-                (Verdict::NotJudged, Reason::BetweenHardnesses { ratio })
+                (Verdict::NotJudged, Remark::new(RemarkCode::BetweenHardnesses).with("ratio", ratio))
             }
-            verdict => (verdict, Reason::Compared { ratio }),
+            verdict => (verdict, Remark::new(RemarkCode::ComparedAreas).with("ratio", ratio)),
         }
     }
 }
@@ -244,11 +248,14 @@ fn curve_verdict(case: &Case<'_>, whole: &WindowOutcome, windows: &[WindowOutcom
     });
     let agreeing = compared().filter(|on| on.verdict == Verdict::Agrees).count();
     let windows = compared().count();
-    let reason = match whole.reason {
-        Reason::Compared { ratio } => {
-            Reason::ComparedOnWholeBand { ratio, worst: worst_window, agreeing, windows }
-        }
-        reason => reason,
+    let reason = match (worst_window, whole.reason.clone()) {
+        (Some(worst), reason) if reason.code == RemarkCode::ComparedAreas => reason
+            .with("agreeing", agreeing)
+            .with("windows", windows)
+            .with("longest_m", worst.longest_m)
+            .with("shortest_m", worst.shortest_m)
+            .with("worst_ratio", worst.ratio),
+        (_, reason) => reason,
     };
     CurveVerdict {
         curve: at.curve,
@@ -258,7 +265,6 @@ fn curve_verdict(case: &Case<'_>, whole: &WindowOutcome, windows: &[WindowOutcom
         elements: whole.elements,
         verdict: whole.verdict,
         reason,
-        broken: case.broken_assumption(at),
         worst_window,
         agreeing,
         windows,
@@ -272,7 +278,7 @@ fn badness(on: &WindowOutcome) -> f64 {
 }
 
 /// The judgement of a case for which nothing can be pressed.
-pub(crate) fn without_elements(case: &Case<'_>, reason: Reason) -> Judgement {
+pub(crate) fn without_elements(case: &Case<'_>, reason: RemarkCode) -> Judgement {
     let verdict = |at: CurveAtLoad| {
         let broken = case.broken_assumption(at);
         CurveVerdict {
@@ -282,8 +288,7 @@ pub(crate) fn without_elements(case: &Case<'_>, reason: Reason) -> Judgement {
             reference: case.reference(at),
             elements: None,
             verdict: if broken.is_some() { Verdict::OutOfRange } else { Verdict::NotJudged },
-            reason: broken.map_or(reason, Reason::Broken),
-            broken,
+            reason: broken.cloned().unwrap_or_else(|| Remark::new(reason)),
             worst_window: None,
             agreeing: 0,
             windows: 0,

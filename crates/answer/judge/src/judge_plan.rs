@@ -3,6 +3,7 @@
 use numerics::parallel::{NestedProgress, Progress};
 use scene::Scene;
 use study::plan::Results;
+use units::RemarkCode;
 
 use crate::JudgeError;
 use crate::case::Case;
@@ -10,7 +11,6 @@ use crate::comparison::{Comparisons, conclude, without_elements};
 use crate::judgement::Judgement;
 use crate::layout::Layout;
 use crate::maps::{MapPressing, MapVerdict, compare_maps};
-use crate::reason::Reason;
 use crate::settings::JudgeSettings;
 use crate::solve::solve;
 
@@ -18,7 +18,7 @@ use crate::solve::solve;
 pub struct JudgePlan<'s> {
     case: Case<'s>,
     settings: JudgeSettings,
-    layout: Result<Layout, Reason>,
+    layout: Result<Layout, RemarkCode>,
 }
 
 impl<'s> JudgePlan<'s> {
@@ -76,10 +76,10 @@ impl<'s> JudgePlan<'s> {
 }
 
 /// The finest layout within the budget, or the reason why there is none.
-fn layout(case: &Case<'_>, settings: &JudgeSettings) -> Result<Layout, Reason> {
+fn layout(case: &Case<'_>, settings: &JudgeSettings) -> Result<Layout, RemarkCode> {
     if case.curves() == 0 || case.loads() == 0 {
-        return Err(Reason::NoSurface);
+        return Err(RemarkCode::NoSurface);
     }
-    let waves = case.waves.as_ref().ok_or(Reason::NoSurface)?;
-    Layout::within(settings, case, waves).ok_or(Reason::BeyondBudget)
+    let waves = case.waves.as_ref().ok_or(RemarkCode::NoSurface)?;
+    Layout::within(settings, case, waves).ok_or(RemarkCode::BeyondBudget)
 }

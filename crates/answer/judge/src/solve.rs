@@ -3,11 +3,11 @@
 use elements::half_space::{Grid, Loading};
 use numerics::parallel::{NestedProgress, Progress};
 use spectrum::random_surfaces::{Phases, Synthesis};
+use units::RemarkCode;
 
 use crate::JudgeError;
 use crate::case::Case;
 use crate::layout::{Layout, Press};
-use crate::reason::Reason;
 use crate::scatter::{AreasOnWindow, PooledScatter, mean_and_variance};
 use crate::window::Window;
 use study::student::widening;
@@ -28,7 +28,7 @@ pub(crate) struct Solved {
 #[derive(Debug)]
 pub(crate) struct Solutions {
     /// For every press its solution, or the reason why there is none.
-    pub of_presses: Vec<Result<Solved, Reason>>,
+    pub of_presses: Vec<Result<Solved, RemarkCode>>,
     pub spent: f64,
 }
 
@@ -41,7 +41,7 @@ struct Task {
 struct Outcome {
     window: usize,
     /// For every press of the window the area fraction, or the reason why there is none.
-    areas: Vec<Result<f64, Reason>>,
+    areas: Vec<Result<f64, RemarkCode>>,
     operators: usize,
 }
 
@@ -69,9 +69,9 @@ pub(crate) fn solve(
         let of_window = outcomes.iter().filter(|outcome| outcome.window == press.window);
         of_window.map(|outcome| outcome.areas[place]).collect()
     };
-    let areas: Vec<Result<Vec<f64>, Reason>> = layout.presses.iter().enumerate().map(areas_of).collect();
+    let areas: Vec<Result<Vec<f64>, RemarkCode>> = layout.presses.iter().enumerate().map(areas_of).collect();
     let pooled = layout.pools_scatter().then(|| pooled_scatter(layout, &areas)).flatten();
-    let solved = |(press, areas): (&Press, &Result<Vec<f64>, Reason>)| {
+    let solved = |(press, areas): (&Press, &Result<Vec<f64>, RemarkCode>)| {
         // The area of the whole band rests on the last window, which has enough surfaces for a scatter of its own.
         let pooled = pooled.filter(|_| !layout.is_last(press.window));
         areas.as_ref().map(|areas| Solved::from_surfaces(areas, pooled)).map_err(|reason| *reason)
@@ -79,7 +79,7 @@ pub(crate) fn solve(
     Ok(Solutions { of_presses: layout.presses.iter().zip(&areas).map(solved).collect(), spent })
 }
 
-fn pooled_scatter(layout: &Layout, areas: &[Result<Vec<f64>, Reason>]) -> Option<PooledScatter> {
+fn pooled_scatter(layout: &Layout, areas: &[Result<Vec<f64>, RemarkCode>]) -> Option<PooledScatter> {
     let on_windows = layout.presses.iter().zip(areas).filter_map(|(press, areas)| {
         let areas = areas.as_ref().ok()?;
         Some(AreasOnWindow { window: press.window, areas })
@@ -100,7 +100,7 @@ fn pressed(
     progress: &dyn Progress,
 ) -> Result<Outcome, JudgeError> {
     let mut outcome =
-        Outcome { window: task.window, areas: vec![Err(Reason::Cancelled); presses.len()], operators: 0 };
+        Outcome { window: task.window, areas: vec![Err(RemarkCode::NotSolved); presses.len()], operators: 0 };
     if presses.is_empty() || progress.is_cancelled() {
         return Ok(outcome);
     }
@@ -110,7 +110,7 @@ fn pressed(
     let synthesis = Synthesis::square(window.points, box_m, seed, Phases::FixedModulus);
     // No wave of the box may lie in a band that noise has thinned.
     let Ok(surface) = window.waves.realised(&synthesis, task.realisation as u64) else {
-        outcome.areas.fill(Err(Reason::NoSurface));
+        outcome.areas.fill(Err(RemarkCode::NoSurface));
         return Ok(outcome);
     };
     let grid = Grid::new(window.points, window.points, box_m, box_m)?;

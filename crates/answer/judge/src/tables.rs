@@ -2,6 +2,7 @@
 
 use study::plan::Needs;
 use tables::Table;
+use units::SceneKeys;
 
 use crate::judgement::Judgement;
 use crate::verdicts::{CurveVerdict, WindowOutcome};
@@ -50,7 +51,7 @@ impl Judgement {
             .with_numbers("judged_high", found(|row| Some(row.elements?.high())))
             .with_numbers("ratio_to_judge", found(CurveVerdict::ratio))
             .with_text("verdict", rows().map(|row| row.verdict.name().to_owned()))
-            .with_text("reason", rows().map(|row| row.reason.to_string()))
+            .with_text("reason", rows().map(|row| row.reason.words(&SceneKeys)))
             .with_text("reference", rows().map(|row| row.reference.name().to_owned()))
             .with_numbers("worst_window_ratio", found(|row| Some(row.worst_window?.ratio)))
             .with_text("worst_window_verdict", rows().map(|row| worst_verdict(row).to_owned()))

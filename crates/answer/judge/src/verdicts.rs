@@ -1,10 +1,10 @@
 //! Verdicts on curves: under a load on a window, and under a load on the whole band.
 
 use serde::Serialize;
+use units::Remark;
 
-use crate::assumptions::{BrokenAssumption, CurveAtLoad};
+use crate::assumptions::CurveAtLoad;
 use crate::body::Reference;
-use crate::reason::Reason;
 use crate::seam::Seam;
 use crate::verdict::{ERRORS_GIVEN, Verdict, WorstWindow};
 
@@ -34,7 +34,7 @@ pub struct WindowOutcome {
     /// The verdict on the curve.
     pub verdict: Verdict,
     /// The reason for the verdict.
-    pub reason: Reason,
+    pub reason: Remark,
 }
 
 /// The area of boundary elements.
@@ -143,9 +143,7 @@ pub struct CurveVerdict {
     /// The verdict on the area at the shortest wavelength.
     pub verdict: Verdict,
     /// The reason for the verdict.
-    pub reason: Reason,
-    /// The assumption of the curve that breaks first.
-    pub broken: Option<BrokenAssumption>,
+    pub reason: Remark,
     /// The window on which the curve is farthest from the elements; `None` if no window was compared.
     pub worst_window: Option<WorstWindow>,
     /// The number of windows on which the curve agrees.

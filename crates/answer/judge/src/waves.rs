@@ -16,9 +16,9 @@ pub(crate) struct Waves {
 /// Surfaces that half-spaces of the modulus E* flatten by the same pressures as the layer does.
 #[derive(Debug, Clone, PartialEq)]
 struct OnLayer {
-    /// That of the layer.
+    /// Those with the stiffness of the layer.
     alike: AreaSpectrum,
-    /// That of the layer if each wave had the stiffness of a slightly shorter one.
+    /// Those with the stiffness of the layer for slightly shorter waves.
     alike_of_shorter: AreaSpectrum,
 }
 

@@ -5,18 +5,19 @@ use elements::half_space::{Adhesion, GOOD_RESOLUTION};
 use elements::{
     AdhesivePressing, AdhesiveState, Branch, Pressing, Relief, Surfaces, adhesive_means, adhesive_table,
 };
+use interface::adhesion::{FullerTabor, PastewkaRobbins};
 use numerics::parallel::Progress;
 use serde::{Deserialize, Serialize};
 use spectrum::random_surfaces::AreaSpectrum;
 use study::interface::AdhesionRequest;
 use study::surface::Surface;
-use units::Pressure;
+use units::display::three_digits;
+use units::{Pressure, Remark, RemarkCode};
 
 use crate::adhesion_figure;
 use crate::elements::{RandomInput, notes_on_maps, notes_on_spectrum, random_surfaces};
 use crate::loads::{LoadInput, RangeInput, nominal_pressure, pressures_pa};
-use crate::note::AdhesionNote;
-use crate::{Answer, MaterialInput, Note, OptionName, QuestionError};
+use crate::{Answer, MaterialInput, OptionName, QuestionError};
 
 /// Difference of areas above which two branches count as two states.
 const SAME_AREA: f64 = 1e-3;
@@ -96,7 +97,7 @@ pub struct PreparedAdhesion {
     /// The surfaces.
     pub surfaces: Surfaces,
     /// Notes on the surfaces and on the material.
-    pub notes: Vec<Note>,
+    pub notes: Vec<Remark>,
     pressing: AdhesivePressing,
     pull_off: bool,
     per_realisation: bool,
@@ -121,7 +122,7 @@ impl AdhesionQuestion {
         let elastic = Pressing::elastic(material.pair.composite_modulus_pa());
         let (random, made) = random_surfaces(surface, &self.random, &elastic)?;
         notes.extend(made);
-        notes.extend(self.indicators(&random.band, &material.pair).map(Note::Adhesion));
+        notes.extend(self.indicators(&random.band, &material.pair));
         self.prepared(Surfaces::Random(random), notes)
     }
 
@@ -135,13 +136,17 @@ impl AdhesionQuestion {
         self.prepared(Surfaces::Maps(maps), notes)
     }
 
-    fn prepared(&self, surfaces: Surfaces, mut notes: Vec<Note>) -> Result<PreparedAdhesion, QuestionError> {
+    fn prepared(
+        &self,
+        surfaces: Surfaces,
+        mut notes: Vec<Remark>,
+    ) -> Result<PreparedAdhesion, QuestionError> {
         let pressing = self.pressing()?;
         let first = surfaces.relief(0).map_err(elements::AdhesiveError::from)?;
         let points = pressing.resolution(&first)?;
         drop(first);
         if points < GOOD_RESOLUTION {
-            notes.push(Note::Adhesion(AdhesionNote::CoarseGrid { points }));
+            notes.push(Remark::new(RemarkCode::ProcessZoneCoarse).with("process_zone_points", points));
         }
         let AdhesionQuestion { pull_off, per_realisation, .. } = *self;
         Ok(PreparedAdhesion { surfaces, notes, pressing, pull_off, per_realisation })
@@ -167,13 +172,18 @@ impl AdhesionQuestion {
     }
 
     /// The indicators of the waves that are pressed.
-    fn indicators(&self, waves: &AreaSpectrum, pair: &MaterialPair) -> Option<AdhesionNote> {
+    fn indicators(&self, waves: &AreaSpectrum, pair: &MaterialPair) -> Option<Remark> {
         let (moments, contact_modulus_pa) = (waves.moments(), pair.composite_modulus_pa());
         let adhesion =
             AdhesionRequest { work_j_per_m2: self.work_of_adhesion_j_per_m2, range_m: Some(self.range_m) };
-        Some(AdhesionNote::Indicators {
-            fuller_tabor: adhesion.fuller_tabor(&moments, contact_modulus_pa).ok().flatten(),
-            pastewka_robbins: adhesion.pastewka_robbins(&moments, contact_modulus_pa).ok().flatten()?,
+        let left_side = adhesion.pastewka_robbins(&moments, contact_modulus_pa).ok().flatten()?;
+        let remark = Remark::new(RemarkCode::AdhesionIndicators)
+            .with("pastewka_robbins", left_side)
+            .with("sticky_below", three_digits(PastewkaRobbins::LIMIT))
+            .with("not_sticky_above", three_digits(FullerTabor::NOT_STICKY_ABOVE));
+        Some(match adhesion.fuller_tabor(&moments, contact_modulus_pa).ok().flatten() {
+            Some(theta) => remark.with("fuller_tabor", theta),
+            None => remark,
         })
     }
 }
@@ -187,7 +197,7 @@ impl PreparedAdhesion {
         if self.pull_off {
             let states = self.pressing.pull_apart(&self.surfaces, progress)?;
             let strongest = strongest_pulls(&states);
-            let notes = pull_off(&strongest).map(Note::Adhesion).into_iter().collect();
+            let notes = pull_off(&strongest).into_iter().collect();
             return Ok(Answer {
                 table: adhesive_table(&states, self.surfaces.count() > 1),
                 notes,
@@ -196,9 +206,9 @@ impl PreparedAdhesion {
         }
         let states = self.pressing.press(&self.surfaces, progress)?;
         let means = adhesive_means(&states);
-        let mut notes: Vec<Note> = hysteresis(&means).map(Note::Adhesion).into_iter().collect();
+        let mut notes: Vec<Remark> = hysteresis(&means).into_iter().collect();
         if states.iter().any(|state| state.nominal_pressure_pa < 0.0) {
-            notes.push(Note::Adhesion(AdhesionNote::Metastable));
+            notes.push(Remark::new(RemarkCode::Metastable));
         }
         let rows = if self.per_realisation { &states } else { &means };
         Ok(Answer {
@@ -210,16 +220,17 @@ impl PreparedAdhesion {
 }
 
 /// The load at which the branches differ most, if they do.
-fn hysteresis(means: &[AdhesiveState]) -> Option<AdhesionNote> {
+fn hysteresis(means: &[AdhesiveState]) -> Option<Remark> {
     let (apart, contact): (Vec<&AdhesiveState>, Vec<&AdhesiveState>) =
         means.iter().partition(|state| state.branch == Branch::Apart);
     let pairs = apart.iter().zip(&contact);
     let difference = |pair: &(&&AdhesiveState, &&AdhesiveState)| pair.1.area_fraction - pair.0.area_fraction;
     let widest = pairs.max_by(|a, b| difference(a).total_cmp(&difference(b)))?;
-    (difference(&widest) > SAME_AREA).then_some(AdhesionNote::Hysteresis {
-        nominal_pressure_pa: widest.0.nominal_pressure_pa,
-        apart: widest.0.area_fraction,
-        contact: widest.1.area_fraction,
+    (difference(&widest) > SAME_AREA).then(|| {
+        Remark::new(RemarkCode::Hysteresis)
+            .with("hysteresis_pressure_pa", widest.0.nominal_pressure_pa)
+            .with("hysteresis_apart_area_fraction", widest.0.area_fraction)
+            .with("hysteresis_contact_area_fraction", widest.1.area_fraction)
     })
 }
 
@@ -233,14 +244,14 @@ fn strongest_pulls(states: &[AdhesiveState]) -> Vec<AdhesiveState> {
 }
 
 /// The largest pull of every surface, averaged.
-fn pull_off(strongest: &[AdhesiveState]) -> Option<AdhesionNote> {
+fn pull_off(strongest: &[AdhesiveState]) -> Option<Remark> {
     if strongest.is_empty() {
         return None;
     }
     let mean = |of: fn(&AdhesiveState) -> f64| strongest.iter().map(of).sum::<f64>() / strongest.len() as f64;
-    Some(AdhesionNote::PullOff {
-        nominal_pressure_pa: mean(|state| state.nominal_pressure_pa),
-        mean_gap_m: mean(|state| state.mean_gap_m),
-        area_fraction: mean(|state| state.area_fraction),
-    })
+    let remark = Remark::new(RemarkCode::PullOff)
+        .with("pull_off_pressure_pa", mean(|state| state.nominal_pressure_pa))
+        .with("pull_off_mean_gap_m", mean(|state| state.mean_gap_m))
+        .with("pull_off_area_fraction", mean(|state| state.area_fraction));
+    Some(remark)
 }

@@ -1,46 +1,15 @@
 //! Options of a model that it ignores.
 
-use study::models::{self, Choice, IgnoredReason, ModelEntry, ModelOptions};
-
-use crate::option::{OptionName, Reason, UnusedOption};
+use study::models::{ModelEntry, ModelOptions};
+use units::Remark;
 
 /// Refuses the first option that a model ignores.
 pub(crate) fn check(
     options: &ModelOptions,
     entry: &'static ModelEntry,
     has_strength_cap: bool,
-) -> Result<(), UnusedOption> {
-    if let Some(ignored) = options.ignored_by(entry).first() {
-        return Err(UnusedOption {
-            option: OptionName::of_choice(ignored.choice),
-            why: reason(ignored.choice, ignored.reason, entry),
-        });
-    }
-    match options.reason_to_ignore_strength_cap(entry).filter(|_| has_strength_cap) {
-        None => Ok(()),
-        Some(why) => {
-            Err(UnusedOption { option: OptionName::StrengthCap, why: reason(Choice::Strength, why, entry) })
-        }
-    }
-}
-
-fn reason(choice: Choice, why: IgnoredReason, entry: &'static ModelEntry) -> Reason {
-    let others = models::of_framework(entry.framework).filter(|other| other.has(choice));
-    let models: Vec<&'static str> = others.map(|other| other.name).collect();
-    let model = entry.name;
-    match why {
-        IgnoredReason::NoSuchOption if models.is_empty() => Reason::Model(model),
-        IgnoredReason::NoSuchOption => Reason::OnlyOn { model, models },
-        // Statistical and stacked models that yield are named.
-        IgnoredReason::NeverYields
-            if choice == Choice::StrainGradient && !entry.framework.takes_hardness() =>
-        {
-            Reason::OnlyOn { model, models }
-        }
-        IgnoredReason::NeverYields => Reason::DoesNotYield(model),
-        IgnoredReason::CorrectionsAreElastic => Reason::CorrectionsAreElastic(model),
-        IgnoredReason::OtherHardnessLaw => Reason::OtherHardnessLaw(model),
-        IgnoredReason::NothingGrows if entry.framework.takes_hardness() => Reason::HardnessDoesNotGrow(model),
-        IgnoredReason::NothingGrows => Reason::StrengthDoesNotGrow,
-    }
+) -> Result<(), Box<Remark>> {
+    let of_cap = || options.ignored_strength_cap(entry).filter(|_| has_strength_cap);
+    let ignored = options.ignored_by(entry).into_iter().next().or_else(of_cap);
+    ignored.map_or(Ok(()), |ignored| Err(Box::new(ignored)))
 }

@@ -18,11 +18,11 @@ use study::models::{Choice, ModelEntry};
 use study::plan::{Needs, NominalPressure, Plan, PlanError};
 use study::surface::Surface;
 use units::display::{length, pressure, three_digits};
-use units::{OutOfBounds, Pressure, Resistivity, ThermalConductivity, named};
+use units::{OutOfBounds, Pressure, Remark, RemarkCode, Resistivity, ThermalConductivity, named};
 
 use crate::loads::nominal_pressure;
-use crate::option::{Reason, first_given};
-use crate::{FoundLaw, LawForm, LawQuestion, Note, OptionName, QuestionError};
+use crate::option::{first_given, not_of_model};
+use crate::{FoundLaw, LawForm, LawQuestion, OptionName, QuestionError};
 
 /// Quantity that a law has over the nominal pressure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -105,7 +105,7 @@ pub struct FoundConductance {
     /// Flow.
     pub flow: Flow,
     /// Notes for the reader of the table.
-    pub notes: Vec<Note>,
+    pub notes: Vec<Remark>,
     range_pa: [f64; 2],
     spots: Spots,
     conductivities: Conductivities,
@@ -164,13 +164,13 @@ impl LawTableQuestion {
                 return Err(QuestionError::ConductanceOnly(correlation));
             }
             let given = self.transport.given(None).chain(self.gas.given());
-            first_given(given, || Reason::Quantity(self.quantity.name()))?;
+            first_given(given, self.no_option_of_quantity())?;
             return self.law.check();
         };
         let of_law = [(OptionName::Form, self.form.is_some()), (OptionName::Name, self.name.is_some())];
         let of_gas = self.gas.given().filter(|_| flow == Flow::Current);
         let given = of_law.into_iter().chain(self.transport.given(Some(flow))).chain(of_gas);
-        first_given(given, || Reason::Quantity(self.quantity.name()))?;
+        first_given(given, self.no_option_of_quantity())?;
         let material = self.law.by.material.material()?;
         match self.correlation {
             Some(correlation) => {
@@ -236,6 +236,11 @@ impl LawTableQuestion {
         }
     }
 
+    /// The reason that the quantity does not depend on an option.
+    fn no_option_of_quantity(&self) -> Remark {
+        Remark::new(RemarkCode::OtherQuantity).with("quantity", self.quantity.name())
+    }
+
     /// Refuses options of models, which no correlation has.
     fn check_correlation(&self, correlation: PlasticCorrelation) -> Result<(), QuestionError> {
         let by = &self.law.by;
@@ -246,7 +251,7 @@ impl LawTableQuestion {
             (OptionName::StrainGradientLength, by.material.strain_gradient_length_m.is_some()),
             (OptionName::StrengthCap, by.material.strength_cap.is_some()),
         ];
-        Ok(first_given(of_models.chain(given), || Reason::Model(correlation.name()))?)
+        Ok(first_given(of_models.chain(given), not_of_model(correlation.name()))?)
     }
 }
 

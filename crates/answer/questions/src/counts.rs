@@ -6,6 +6,7 @@ use persson::Cut;
 use stacked_contact::Level;
 use study::plan::{CurveResult, CutoffState};
 use study::validity::SMALL_SLOPE_GRADIENT;
+use units::{Remark, RemarkCode};
 
 /// Counts of a curve, whose parts may come one by one.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -45,6 +46,14 @@ pub struct CutCounts {
 }
 
 impl CurveCounts {
+    /// Remarks on the rows counted so far.
+    #[must_use]
+    pub fn remarks(&self) -> Vec<Remark> {
+        let narrow = self.narrow.remark(self.states.all + self.narrow.count);
+        let of_states = self.states.remarks().into_iter().chain(narrow);
+        of_states.chain(self.levels.remark()).chain(self.cuts.remarks()).collect()
+    }
+
     /// Counts the rows of a curve, or of a part of one.
     pub fn add(&mut self, part: &CurveResult) {
         part.stacked().into_iter().flatten().for_each(|levels| self.levels.add(levels));
@@ -60,6 +69,14 @@ impl CurveCounts {
 }
 
 impl LevelCounts {
+    /// The remark on levels beyond the trusted range, if there are any.
+    #[must_use]
+    pub fn remark(&self) -> Option<Remark> {
+        let remark =
+            Remark::new(RemarkCode::LevelsOutOfRange).with("levels", self.beyond).with("all", self.all);
+        (self.beyond > 0).then(|| remark.with("bound", FLAGGED_ASPECT_RATIO_OVER_CRITICAL))
+    }
+
     /// Counts levels.
     pub fn add(&mut self, levels: &[Level]) {
         let flagged =
@@ -70,6 +87,18 @@ impl LevelCounts {
 }
 
 impl CutCounts {
+    fn remarks(&self) -> Vec<Remark> {
+        let flowing = Remark::new(RemarkCode::FlowingLoads).with("loads", self.flowing);
+        let steep = Remark::new(RemarkCode::SteepCutoffs)
+            .with("steep", self.steep)
+            .with("all", self.all)
+            .with("longest_steep_m", self.longest_steep_m)
+            .with("bound", SMALL_SLOPE_GRADIENT)
+            .with("steepest", self.steepest);
+        let found = [(self.flowing > 0, flowing), (self.steep > 0, steep)];
+        found.into_iter().filter_map(|(is_found, remark)| is_found.then_some(remark)).collect()
+    }
+
     fn add(&mut self, block: &[Cut]) {
         self.flowing += usize::from(block.first().is_some_and(|cut| cut.areas.plastic == 1.0));
         self.all += block.len();

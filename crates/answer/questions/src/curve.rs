@@ -1,6 +1,6 @@
 //! A curve over cutoffs, by any model.
 
-use findings::doubts::{Doubt, RealPressures};
+use findings::doubts::{self, RealPressures};
 use numerics::parallel::Progress;
 use persson::separation::LightLoads;
 use scene::Scene;
@@ -15,12 +15,13 @@ use study::plan::{
 };
 use study::surface::Surface;
 use tables::Table;
+use units::{Remark, RemarkCode};
 
 use crate::choices;
 use crate::loads::{LoadInput, RangeInput, resolved};
-use crate::note::SampledScales;
-use crate::option::{Reason, first_given};
-use crate::{Answer, CurveCounts, MaterialInput, Note, OptionName, QuestionError, SamplingInput};
+use crate::note::{remark_on_model, remark_on_sampling, remarks_on_correction, remarks_on_separation};
+use crate::option::{first_given, not_of_model};
+use crate::{Answer, CurveCounts, MaterialInput, OptionName, QuestionError, SamplingInput};
 
 /// The contact over the cutoffs of a spectrum, under loads and at separations.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -85,10 +86,10 @@ impl CurveQuestion {
         let Resolved { material, entry, tolerance, needs } = self.resolve()?;
         self.sampling.check(surface)?;
         let mut notes = Vec::new();
-        notes.extend(of_tolerance(tolerance));
-        notes.extend(Note::of_model(&material, entry));
-        notes.extend(Doubt::of_material(&material).map(Note::Doubt));
-        notes.extend(surface.notes.iter().cloned().map(Note::Surface));
+        notes.extend(remark_on_tolerance(tolerance));
+        notes.extend(remark_on_model(&material, entry));
+        notes.extend(doubts::of_material(&material));
+        notes.extend(surface.notes.iter().cloned());
         Ok(PreparedCurve {
             plan: Plan { psd: &surface.psd, sampling: self.sampling.sampling(), needs },
             hardness_pa: material.hardness_pa(),
@@ -116,7 +117,7 @@ impl CurveQuestion {
             (OptionName::Separation, !self.separations_m.is_empty() && !framework.has_states()),
             (OptionName::Amplitude, self.amplitude.is_some() && !framework.takes_amplitude()),
         ];
-        first_given(of_other_frameworks, || Reason::Model(entry.name))?;
+        first_given(of_other_frameworks, not_of_model(entry.name))?;
         let material = self.material.material()?;
         let tolerance = self.tolerance.map(Tolerance::new).transpose().map_err(PlanError::from)?;
         let tolerance = tolerance.unwrap_or_default();
@@ -158,10 +159,11 @@ impl CurveQuestion {
     }
 }
 
-/// A tolerance beyond double precision.
-pub(crate) fn of_tolerance(tolerance: Tolerance) -> Option<Note> {
-    let used = tolerance.value();
-    tolerance.asked_finer().map(|asked| Note::ToleranceTooFine { asked, used })
+/// Makes the remark on a tolerance beyond double precision.
+#[must_use]
+pub fn remark_on_tolerance(tolerance: Tolerance) -> Option<Remark> {
+    let remark = Remark::new(RemarkCode::ToleranceTooFine).on("tolerance");
+    tolerance.asked_finer().map(|asked| remark.with("asked", asked).with("used", tolerance.value()))
 }
 
 /// A question with everything looked up.
@@ -192,7 +194,7 @@ pub struct PreparedCurve<'s> {
     details: bool,
     figure: bool,
     /// Notes from before the spectrum was sampled.
-    notes: Vec<Note>,
+    notes: Vec<Remark>,
 }
 
 impl<'s> PreparedCurve<'s> {
@@ -203,10 +205,11 @@ impl<'s> PreparedCurve<'s> {
         let curve = scene.needs.curves[curve].clone();
         let tolerance = scene.needs.tolerance;
         let has_states = curve.model.takes_separations();
-        let mut notes: Vec<Note> = of_tolerance(tolerance).filter(|_| has_states).into_iter().collect();
-        notes.extend(material.and_then(|material| Note::of_model(material, curve.model.entry())));
-        notes.extend(material.and_then(Doubt::of_material).map(Note::Doubt));
-        notes.extend(scene.surface.notes.iter().cloned().map(Note::Surface));
+        let mut notes: Vec<Remark> =
+            remark_on_tolerance(tolerance).filter(|_| has_states).into_iter().collect();
+        notes.extend(material.and_then(|material| remark_on_model(material, curve.model.entry())));
+        notes.extend(material.and_then(doubts::of_material));
+        notes.extend(scene.surface.notes.iter().cloned());
         let needs =
             Needs { curves: vec![curve], sweeps: Vec::new(), fit_band_m: None, ..scene.needs.clone() };
         PreparedCurve {
@@ -234,7 +237,7 @@ impl<'s> PreparedCurve<'s> {
 
     /// Notes on rows that somebody else has computed, and on what they were made from.
     #[must_use]
-    pub fn notes_on(&self, rows: &CurveResult) -> Vec<Note> {
+    pub fn notes_on(&self, rows: &CurveResult) -> Vec<Remark> {
         let pressures_pa: Vec<f64> = self.plan.needs.pressures().map(NominalPressure::pa).collect();
         let mut remarks = self.remarks();
         remarks.add(rows, &pressures_pa);
@@ -242,11 +245,11 @@ impl<'s> PreparedCurve<'s> {
     }
 
     /// Doubts about the spectrum and the loads.
-    fn doubts(&self) -> Vec<Note> {
+    fn doubts(&self) -> Vec<Remark> {
         let Plan { psd, needs, .. } = &self.plan;
         let labels = needs.loads.iter().map(|load| Some(load.label.as_str())).chain(std::iter::repeat(None));
-        let of_pressures = Doubt::of_pressures(needs.pressures().zip(labels), self.hardness_pa);
-        Doubt::of_spectrum(psd).into_iter().chain(of_pressures).map(Note::Doubt).collect()
+        let of_pressures = doubts::of_pressures(needs.pressures().zip(labels), self.hardness_pa);
+        doubts::of_spectrum(psd).into_iter().chain(of_pressures).collect()
     }
 
     fn remarks(&self) -> Remarks<'_> {
@@ -314,25 +317,28 @@ impl CurveStream<'_> {
 
     /// Notes known before any row is computed.
     #[must_use]
-    pub fn notes(&self) -> Vec<Note> {
+    pub fn notes(&self) -> Vec<Remark> {
         let PreparedCurve { plan, notes, .. } = self.prepared;
         let mut notes = notes.clone();
         let model = &self.prepared.curve().model;
         if model.stacked().is_some() {
-            notes.push(Note::Sampling(SampledScales::of(self.stream.psd())));
+            notes.push(remark_on_sampling(self.stream.psd()));
         } else if model.statistical().is_some() {
-            notes.push(Note::FirstRowIsEmpty);
+            notes.push(Remark::new(RemarkCode::FirstRowIsEmpty));
         }
         if let Some(PerssonSurface { roughness, separation, .. }) = &self.surface {
             let correction = model.persson().and_then(|theory| theory.correction);
-            notes.extend(correction.map(|correction| Note::of_correction(correction, roughness)));
+            let of_correction = correction.map(|correction| remarks_on_correction(correction, roughness));
+            notes.extend(of_correction.into_iter().flatten());
             let least_pa = plan.needs.pressures().map(NominalPressure::pa).fold(f64::INFINITY, f64::min);
             let moments = self.stream.prepared().moments().last();
             let parseval = Normalisation::Parseval.factor() / self.prepared.normalisation().factor();
             let rms_height_m = moments.map_or(0.0, |(moments, _)| parseval.sqrt() * moments.rms_height_m());
             let light = separation.light_loads();
             notes.extend(
-                light.iter().flat_map(|light| Note::of_separation(light, roughness, rms_height_m, least_pa)),
+                light
+                    .iter()
+                    .flat_map(|light| remarks_on_separation(light, roughness, rms_height_m, least_pa)),
             );
         }
         notes.extend(self.prepared.doubts());
@@ -347,7 +353,7 @@ impl CurveStream<'_> {
         &self,
         progress: &dyn Progress,
         mut each: impl FnMut(Table) -> Result<(), E>,
-    ) -> Result<Vec<Note>, E> {
+    ) -> Result<Vec<Remark>, E> {
         let mut remarks = self.prepared.remarks();
         let several = self.prepared.plan.needs.load_count() > 1;
         let details = self.prepared.details;
@@ -393,8 +399,7 @@ impl Remarks<'_> {
         self.pressures.add_part(self.curve, rows, pressures_pa);
     }
 
-    fn notes(self) -> Vec<Note> {
-        let doubts = self.pressures.doubts().into_iter().map(Note::Doubt);
-        std::iter::once(Note::Counts(self.counts)).chain(doubts).collect()
+    fn notes(self) -> Vec<Remark> {
+        [self.counts.remarks(), self.pressures.doubts()].concat()
     }
 }

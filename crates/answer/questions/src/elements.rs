@@ -2,8 +2,8 @@
 
 use std::str::FromStr;
 
-use findings::doubts::Doubt;
-use spectrum::random_surfaces::{AreaSpectrum, Phases};
+use findings::doubts;
+use spectrum::random_surfaces::{AreaSpectrum, GridBand, Phases};
 
 use elements::{
     Approach, ContactField, ElementsError, ImposedLoad, PressedLoad, Pressing, RandomChoices, RandomSurfaces,
@@ -13,12 +13,13 @@ use numerics::parallel::Progress;
 use serde::{Deserialize, Serialize};
 use study::material::Material;
 use study::surface::Surface;
-use units::{Pressure, QuantityError};
+use study::validity::SMALL_SLOPE_PRESSURE;
+use units::display::{length, pressure};
+use units::{Pressure, QuantityError, Remark, RemarkCode};
 
 use crate::loads::{LoadInput, RangeInput, nominal_pressure, pressures_pa};
-use crate::note::MadeSurfaces;
 use crate::text::optional_pressure;
-use crate::{MaterialInput, Note, OptionName, QuestionError};
+use crate::{MaterialInput, OptionName, QuestionError};
 
 /// Random surfaces of a spectrum; an absent choice is the usual one.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
@@ -148,7 +149,7 @@ pub struct PreparedElements {
     /// The surfaces.
     pub surfaces: Surfaces,
     /// Notes on the surfaces and on the material.
-    pub notes: Vec<Note>,
+    pub notes: Vec<Remark>,
     pub(crate) pressing: Pressing,
 }
 
@@ -252,31 +253,31 @@ impl PreparedElements {
         &self,
         see: impl Fn(&ContactField<'_>) -> Result<(), E> + Sync + Send,
         progress: &dyn Progress,
-    ) -> Result<(Vec<PressedLoad>, Vec<Note>), E> {
+    ) -> Result<(Vec<PressedLoad>, Vec<Remark>), E> {
         let pressed = elements::press(&self.surfaces, &self.pressing, see, progress)?;
-        let notes = vec![Note::Pressed(pressed.clone())];
+        let notes = remarks_on_pressed(&pressed);
         Ok((pressed, notes))
     }
 }
 
 /// Notes on a material and on the spectrum of its surfaces.
-pub(crate) fn notes_on_spectrum(material: &Material, surface: &Surface) -> Vec<Note> {
-    let of_material = Doubt::of_material(material).map(Note::Doubt).into_iter();
-    let of_surface = surface.notes.iter().cloned().map(Note::Surface);
-    let of_spectrum = Doubt::of_spectrum(&surface.psd).into_iter().map(Note::Doubt);
+pub(crate) fn notes_on_spectrum(material: &Material, surface: &Surface) -> Vec<Remark> {
+    let of_material = doubts::of_material(material).into_iter();
+    let of_surface = surface.notes.iter().cloned();
+    let of_spectrum = doubts::of_spectrum(&surface.psd).into_iter();
     of_material.chain(of_surface).chain(of_spectrum).collect()
 }
 
 /// Notes on a material and on maps of its surface, for all of which the steepest counts.
-pub(crate) fn notes_on_maps(material: &Material, maps: &[Relief]) -> Vec<Note> {
+pub(crate) fn notes_on_maps(material: &Material, maps: &[Relief]) -> Vec<Remark> {
     let steepest = maps.iter().max_by(|one, other| one.rms_slope().total_cmp(&other.rms_slope()));
     steepest.map_or_else(Vec::new, |relief| notes_on_map(material, relief))
 }
 
 /// Notes on a material and on a map of its surface.
-pub(crate) fn notes_on_map(material: &Material, relief: &Relief) -> Vec<Note> {
-    let doubts = Doubt::of_material(material).into_iter().chain(Doubt::of_slope(relief.rms_slope()));
-    doubts.map(Note::Doubt).collect()
+pub(crate) fn notes_on_map(material: &Material, relief: &Relief) -> Vec<Remark> {
+    let doubts = doubts::of_material(material).into_iter().chain(doubts::of_slope(relief.rms_slope()));
+    doubts.collect()
 }
 
 /// Random surfaces with the spectrum in the band that the grid holds.
@@ -284,7 +285,7 @@ pub(crate) fn random_surfaces(
     surface: &Surface,
     random: &RandomInput,
     pressing: &Pressing,
-) -> Result<(RandomSurfaces, Vec<Note>), QuestionError> {
+) -> Result<(RandomSurfaces, Vec<Remark>), QuestionError> {
     pressing.check().map_err(ElementsError::from)?;
     let named = |error| QuestionError::RandomSurfaces { surface: surface.name.clone(), error };
     let area = match &surface.of_area {
@@ -293,12 +294,94 @@ pub(crate) fn random_surfaces(
     };
     let area = area.map_err(named)?;
     let (random, grid) = random.choices().surfaces(&area).map_err(named)?;
-    let mut notes: Vec<Note> = surface.of_area.iter().map(|_| Note::AreaSpectrumAsItIs).collect();
-    notes.push(Note::RandomSurfaces(Box::new(MadeSurfaces {
-        spectrum: area,
-        random: random.clone(),
-        grid,
-        contact_modulus_pa: pressing.contact_modulus_pa,
-    })));
-    Ok((random, notes))
+    let as_it_is = surface.of_area.iter().map(|_| Remark::new(RemarkCode::AreaSpectrumAsItIs));
+    let made = remarks_on_surfaces(&area, &random, &grid, pressing.contact_modulus_pa);
+    Ok((random, as_it_is.chain(made).collect()))
+}
+
+/// Remarks on surfaces made of a spectrum.
+fn remarks_on_surfaces(
+    spectrum: &AreaSpectrum,
+    random: &RandomSurfaces,
+    grid: &GridBand,
+    contact_modulus_pa: f64,
+) -> Vec<Remark> {
+    let band = &random.band;
+    let (longest_m, shortest_m) = (band.longest_m(), band.shortest_m());
+    let gradient = band.mean_square_gradient().sqrt();
+    let mut remarks = vec![
+        Remark::new(RemarkCode::RandomSurfaces)
+            .with("surfaces", random.realisations)
+            .with("points", grid.points)
+            .with("side_m", grid.length_m)
+            .with("longest_m", longest_m)
+            .with("shortest_m", shortest_m)
+            .with("points_per_shortest", grid.points_per_shortest())
+            .with("lengths", grid.lengths()),
+        Remark::new(RemarkCode::RandomGradient)
+            .with("gradient", gradient)
+            .with("reduced_modulus_pa", contact_modulus_pa * gradient),
+    ];
+    let left_out = [
+        (spectrum.longest_m() > 1.001 * longest_m).then(|| format!("above {}", length(longest_m))),
+        (spectrum.shortest_m() < 0.999 * shortest_m).then(|| format!("below {}", length(shortest_m))),
+    ];
+    let left_out: Vec<String> = left_out.into_iter().flatten().collect();
+    if !left_out.is_empty() {
+        remarks.push(Remark::new(RemarkCode::WavesLeftOut).with("where", left_out.join(" and ")));
+    }
+    let conversion = spectrum.conversion();
+    if conversion.smoothed {
+        remarks.push(Remark::new(RemarkCode::SpectrumSmoothed).with("share", conversion.negative_share));
+    } else if conversion.clipped_share > 1e-6 {
+        remarks.push(Remark::new(RemarkCode::SpectrumClipped).with("share", conversion.clipped_share));
+    }
+    if 0.5 * gradient > SMALL_SLOPE_PRESSURE {
+        let steep = Remark::new(RemarkCode::SteepWaves).with("pressure_over_modulus", 0.5 * gradient);
+        remarks.push(steep.with("bound", SMALL_SLOPE_PRESSURE));
+    }
+    remarks
+}
+
+/// Remarks on pressed surfaces: grids too coarse, residuals held by rounding, and closed paths.
+pub(crate) fn remarks_on_pressed(loads: &[PressedLoad]) -> Vec<Remark> {
+    let at = |code, is_found: &dyn Fn(&PressedLoad) -> bool| {
+        let found: Vec<&PressedLoad> = loads.iter().filter(|load| is_found(load)).collect();
+        let labels: Vec<String> = found.iter().map(|load| pressure(load.nominal_pressure_pa)).collect();
+        let all = if found.len() == loads.len() { "every load".to_owned() } else { labels.join(", ") };
+        (!found.is_empty()).then(|| Remark::new(code).with("loads", all))
+    };
+    let is_coarse = |load: &PressedLoad| {
+        load.states.iter().all(|state| state.area_fraction_coarser.is_some()) && !load.shows_spots()
+    };
+    let coarse = at(RemarkCode::CoarseForSpots, &is_coarse);
+    let is_rounded = |load: &PressedLoad| load.states.iter().any(|state| state.is_rounded);
+    let rounded = at(RemarkCode::RoundedResidual, &is_rounded);
+    coarse.into_iter().chain(rounded).chain(closed_paths(loads)).collect()
+}
+
+/// The loads at which contact closes the paths from edge to edge; `None` if every surface is open in both directions.
+fn closed_paths(loads: &[PressedLoad]) -> Option<Remark> {
+    let (mut clauses, mut shut) = (Vec::new(), Vec::new());
+    for load in loads {
+        let count = load.states.len();
+        let along_x = load.states.iter().filter(|state| state.open.along_x).count();
+        let along_y = load.states.iter().filter(|state| state.open.along_y).count();
+        let pressure = pressure(load.nominal_pressure_pa);
+        if along_x + along_y == 0 {
+            shut.push(pressure);
+        } else if along_x + along_y < 2 * count {
+            clauses.push(match (count, along_x) {
+                (1, 1) => format!("at {pressure} only those along x are open"),
+                (1, _) => format!("at {pressure} only those along y are open"),
+                _ => format!(
+                    "at {pressure} {along_x} of {count} surfaces are open along x and {along_y} along y"
+                ),
+            });
+        }
+    }
+    if !shut.is_empty() {
+        clauses.push(format!("at {} none is open", shut.join(", ")));
+    }
+    (!clauses.is_empty()).then(|| Remark::new(RemarkCode::ClosedPaths).with("paths", clauses.join("; ")))
 }

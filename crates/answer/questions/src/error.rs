@@ -10,17 +10,17 @@ use study::interface::{GasError, GasOption};
 use study::material::MaterialError;
 use study::models::ModelEntry;
 use study::plan::PlanError;
+use units::{Remark, RemarkCode};
 
-use crate::option::Reason;
-use crate::{OptionName, UnusedOption};
+use crate::OptionName;
 
 /// Why a question has no answer; a front end words it in its own spelling (`report::question_words::error`).
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum QuestionError {
     /// An option is given that changes nothing.
-    #[error("{0:?} has no bearing here")]
-    Unused(UnusedOption),
+    #[error("{0:?} has no effect here")]
+    Unused(Box<Remark>),
     /// None of some options is given, and one is needed.
     #[error("one of {0:?} is needed")]
     Missing(&'static [OptionName]),
@@ -168,10 +168,10 @@ impl QuestionError {
 impl From<GasError> for QuestionError {
     fn from(error: GasError) -> Self {
         match error {
-            GasError::Beside(option, other) => QuestionError::Unused(UnusedOption {
-                option: OptionName::Gas(option),
-                why: Reason::Beside(OptionName::Gas(other)),
-            }),
+            GasError::Beside(option, other) => {
+                let remark = Remark::new(RemarkCode::Replaced).on(option.key());
+                QuestionError::Unused(Box::new(remark.with("other", other.key())))
+            }
             GasError::Needs(_, GasOption::Parameter) => {
                 QuestionError::Missing(&[OptionName::Gas(GasOption::Parameter)])
             }
@@ -184,8 +184,8 @@ impl From<GasError> for QuestionError {
     }
 }
 
-impl From<UnusedOption> for QuestionError {
-    fn from(unused: UnusedOption) -> Self {
+impl From<Box<Remark>> for QuestionError {
+    fn from(unused: Box<Remark>) -> Self {
         QuestionError::Unused(unused)
     }
 }

@@ -1,7 +1,7 @@
 //! Mean gap and stiffness under loads, and laws made from them.
 
 use elements::{PressedLoad, Pressing, Surfaces};
-use findings::doubts::Doubt;
+use findings::doubts;
 use interface::finite_elements::{ContactLaw, ExponentialLaw};
 use numerics::parallel::Progress;
 use persson::variance::Band;
@@ -13,15 +13,15 @@ use study::models::{Choice, ModelEntry, ModelOptions};
 use study::plan::{Needs, Plan, PlanError, Tolerance};
 use study::result_tables;
 use study::surface::Surface;
-use units::Pressure;
+use units::{Pressure, Remark, RemarkCode};
 
-use crate::FEW_TOUCH;
 use crate::choices;
-use crate::curve::of_tolerance;
-use crate::elements::{RandomInput, random_surfaces};
+use crate::curve::remark_on_tolerance;
+use crate::elements::{RandomInput, random_surfaces, remarks_on_pressed};
 use crate::loads::{LoadInput, RangeInput, nominal_pressure, pressures_pa};
-use crate::option::{Reason, first_given};
-use crate::{Answer, GapCounts, MaterialInput, Note, OptionName, QuestionError, SamplingInput};
+use crate::note::{FEW_TOUCH, remark_on_model, remarks_on_separation};
+use crate::option::{first_given, not_of_model};
+use crate::{Answer, MaterialInput, OptionName, QuestionError, SamplingInput};
 
 /// The light-load law holds within this share of the pressure.
 const LIGHT_LOADS_SHARE: f64 = 0.01;
@@ -102,7 +102,7 @@ pub struct FoundLaw {
     /// The least and the largest nominal pressure \[Pa\].
     pub range_pa: [f64; 2],
     /// Notes for the reader of the law.
-    pub notes: Vec<Note>,
+    pub notes: Vec<Remark>,
 }
 
 impl FoundLaw {
@@ -138,7 +138,8 @@ impl GapModel {
                 (OptionName::Cutoff, self.sampling.cutoff_m.is_some()),
             ];
             let of_models = options.given().map(|choice| (OptionName::of_choice(choice), true));
-            return Ok(first_given(of_models.chain(given), || Reason::BoundaryElements)?);
+            let reason = Remark::new(RemarkCode::ElasticElements).with("model", "bem");
+            return Ok(first_given(of_models.chain(given), reason)?);
         };
         let framework = entry.framework;
         let of_other_frameworks = [
@@ -148,7 +149,7 @@ impl GapModel {
         let of_asperities = [Choice::Hardness, Choice::Interference, Choice::StrainGradient];
         let missing = options.given().filter(|choice| of_asperities.contains(choice) && !entry.has(*choice));
         let missing = missing.map(|choice| (OptionName::of_choice(choice), true));
-        first_given(of_other_frameworks.into_iter().chain(missing), || Reason::Model(entry.name))?;
+        first_given(of_other_frameworks.into_iter().chain(missing), not_of_model(entry.name))?;
         choices::check(options, entry, self.material.strength_cap.is_some())?;
         self.checked_tolerance().map(drop)
     }
@@ -185,12 +186,12 @@ impl GapModel {
     }
 
     /// Notes known before anything is computed.
-    pub(crate) fn notes(&self, material: &Material, surface: &Surface) -> Vec<Note> {
-        let too_fine = self.checked_tolerance().ok().and_then(of_tolerance);
-        let doubt = Doubt::of_material(material).map(Note::Doubt);
-        let surface_notes = surface.notes.iter().cloned().map(Note::Surface);
-        let of_model = self.model.and_then(|entry| Note::of_model(material, entry));
-        let of_spectrum = Doubt::of_spectrum(&surface.psd).into_iter().map(Note::Doubt);
+    pub(crate) fn notes(&self, material: &Material, surface: &Surface) -> Vec<Remark> {
+        let too_fine = self.checked_tolerance().ok().and_then(remark_on_tolerance);
+        let doubt = doubts::of_material(material);
+        let surface_notes = surface.notes.iter().cloned();
+        let of_model = self.model.and_then(|entry| remark_on_model(material, entry));
+        let of_spectrum = doubts::of_spectrum(&surface.psd).into_iter();
         too_fine.into_iter().chain(doubt).chain(surface_notes).chain(of_model).chain(of_spectrum).collect()
     }
 }
@@ -203,8 +204,7 @@ impl GapQuestion {
     pub fn check(&self) -> Result<(), QuestionError> {
         self.by.check()?;
         if let Some(entry) = self.by.model {
-            let why = || Reason::OnlyOn { model: entry.name, models: vec!["bem"] };
-            first_given(self.random.given(), why)?;
+            first_given(self.random.given(), not_of_model(entry.name).with("models", "bem"))?;
         }
         self.loads().map(drop)
     }
@@ -243,9 +243,9 @@ impl GapQuestion {
             }
             Ok(law.at(pressure_pa)?)
         })?;
-        notes.extend(Note::of_gap_law(&law, pressures_pa.iter().copied().fold(f64::INFINITY, f64::min)));
+        notes.extend(remarks_on_gap_law(&law, pressures_pa.iter().copied().fold(f64::INFINITY, f64::min)));
         let rms_height_m = law.light_loads().is_none().then(|| law.rms_height_m());
-        notes.push(Note::Gaps(GapCounts::of(&states, rms_height_m)));
+        notes.extend(remarks_on_gaps(&states, rms_height_m));
         let table = result_tables::gaps(&states, law.light_loads().as_ref());
         Ok(Answer { table, notes, figure: None })
     }
@@ -261,7 +261,7 @@ impl GapQuestion {
         &self,
         surface: &Surface,
         progress: &dyn Progress,
-    ) -> Result<(Vec<GapState>, Vec<Note>), QuestionError> {
+    ) -> Result<(Vec<GapState>, Vec<Remark>), QuestionError> {
         let (material, pressures_pa) = self.loads()?;
         self.by_elements(&material, pressures_pa, surface, progress)
     }
@@ -273,15 +273,15 @@ impl GapQuestion {
         pressures_pa: Vec<f64>,
         surface: &Surface,
         progress: &dyn Progress,
-    ) -> Result<(Vec<GapState>, Vec<Note>), QuestionError> {
+    ) -> Result<(Vec<GapState>, Vec<Remark>), QuestionError> {
         let pressing = elastic(material, pressures_pa);
         let (random, mut notes) = random_surfaces(surface, &self.random, &pressing)?;
         let rms_height_m = random.band.mean_square_height_m2().sqrt();
         let surfaces = Surfaces::Random(random);
         let pressed = elements::press::<QuestionError>(&surfaces, &pressing, |_| Ok(()), progress)?;
         let states = states_of_elements(&pressed);
-        notes.push(Note::Pressed(pressed));
-        notes.push(Note::Gaps(GapCounts::of(&states, Some(rms_height_m))));
+        notes.extend(remarks_on_pressed(&pressed));
+        notes.extend(remarks_on_gaps(&states, Some(rms_height_m)));
         Ok((states, notes))
     }
 }
@@ -313,7 +313,7 @@ impl LawQuestion {
         let range_pa = self.range_pa(&material)?;
         let mut notes = self.by.notes(&material, surface);
         let law = self.by.law(entry, &material, surface, progress)?;
-        notes.extend(Note::of_gap_law(&law, range_pa[0]));
+        notes.extend(remarks_on_gap_law(&law, range_pa[0]));
         Ok(FoundLaw { model: entry, law, range_pa, notes })
     }
 
@@ -324,38 +324,37 @@ impl LawQuestion {
     }
 }
 
-impl Note {
-    /// Loads for which gap and stiffness of a law mean little, and for which the law of light loads holds; `least_pa` is the
-    /// least load.
-    #[must_use]
-    pub fn of_gap_law(law: &GapLaw, least_pa: f64) -> Vec<Note> {
-        let (Some(light), Some(roughness)) = (law.light_loads(), law.roughness()) else { return Vec::new() };
-        let mut notes = Note::of_separation(&light, roughness, law.rms_height_m(), least_pa);
-        if law.band() == Some(Band::Profile) {
-            notes.push(Note::WavesOfProfiles);
-        }
-        let light_loads = |up_to_pa| Note::LightLoads { up_to_pa, share: LIGHT_LOADS_SHARE };
-        notes.extend(law.light_load_limit_pa(LIGHT_LOADS_SHARE).map(light_loads));
-        notes
+/// Makes remarks on loads for which gap and stiffness of a law mean little, and for which the law of light loads holds; `least_pa`
+/// is the least load.
+#[must_use]
+pub fn remarks_on_gap_law(law: &GapLaw, least_pa: f64) -> Vec<Remark> {
+    let (Some(light), Some(roughness)) = (law.light_loads(), law.roughness()) else { return Vec::new() };
+    let mut remarks = remarks_on_separation(&light, roughness, law.rms_height_m(), least_pa);
+    if law.band() == Some(Band::Profile) {
+        remarks.push(Remark::new(RemarkCode::WavesOfProfiles).on("band"));
     }
+    let light_loads = |up_to_pa: f64| {
+        Remark::new(RemarkCode::LightLoads).with("up_to_pa", up_to_pa).with("share", LIGHT_LOADS_SHARE)
+    };
+    remarks.extend(law.light_load_limit_pa(LIGHT_LOADS_SHARE).map(light_loads));
+    remarks
 }
 
-impl GapCounts {
-    /// Counts states. `rms_height_m`, that of the surface, is for counting loads under which few asperities touch;
-    /// `None` if [`Note::of_gap_law`] already reports them.
-    #[must_use]
-    pub fn of(states: &[GapState], rms_height_m: Option<f64>) -> Self {
-        let counted = |which: &dyn Fn(Option<f64>) -> bool| {
-            states.iter().filter(|state| which(state.mean_gap_m)).count()
-        };
-        let above = |gap_m: Option<f64>, bound_m: f64| gap_m.is_some_and(|gap_m| gap_m > FEW_TOUCH * bound_m);
-        GapCounts {
-            all: states.len(),
-            few_touch: rms_height_m.map_or(0, |rms_height_m| counted(&|gap_m| above(gap_m, rms_height_m))),
-            negative: counted(&|gap_m| gap_m.is_some_and(|gap_m| gap_m < 0.0)),
-            missing: counted(&|gap_m| gap_m.is_none()),
-        }
-    }
+/// Remarks on gaps that mean little, or are missing. `rms_height_m`, that of the surface, is for loads under which few asperities
+/// touch; `None` if [`remarks_on_gap_law`] reports them.
+fn remarks_on_gaps(states: &[GapState], rms_height_m: Option<f64>) -> Vec<Remark> {
+    let few_touch_m = rms_height_m.map_or(f64::INFINITY, |rms_height_m| FEW_TOUCH * rms_height_m);
+    let at = |code, is_found: &dyn Fn(Option<f64>) -> bool| {
+        let loads = states.iter().filter(|state| is_found(state.mean_gap_m)).count();
+        let remark = Remark::new(code).with("loads", loads).with("all", states.len());
+        (loads > 0).then(|| remark.with("few_touch", FEW_TOUCH))
+    };
+    let remarks = [
+        at(RemarkCode::FewTouch, &|gap_m| gap_m.is_some_and(|gap_m| gap_m > few_touch_m)),
+        at(RemarkCode::NegativeGaps, &|gap_m| gap_m.is_some_and(|gap_m| gap_m < 0.0)),
+        at(RemarkCode::MissingGaps, &|gap_m| gap_m.is_none()),
+    ];
+    remarks.into_iter().flatten().collect()
 }
 
 /// States of boundary elements in the form of models: the mean of all surfaces under each load.
@@ -370,4 +369,29 @@ fn states_of_elements(loads: &[PressedLoad]) -> Vec<GapState> {
         }
     };
     loads.iter().map(state).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn states_are_counted_by_what_they_leave_open() {
+        let state = |mean_gap_m| GapState {
+            nominal_pressure_pa: 1e6,
+            area_fraction: 0.1,
+            mean_gap_m,
+            stiffness_pa_per_m: None,
+        };
+        let states = [state(Some(4e-8)), state(Some(1e-8)), state(Some(-1e-9)), state(None)];
+        let counted = |rms_height_m| -> Vec<(RemarkCode, Option<f64>)> {
+            let remarks = remarks_on_gaps(&states, rms_height_m);
+            remarks.iter().map(|remark| (remark.code, remark.number("loads"))).collect()
+        };
+        let [few, negative, missing] =
+            [RemarkCode::FewTouch, RemarkCode::NegativeGaps, RemarkCode::MissingGaps]
+                .map(|code| (code, Some(1.0)));
+        assert_eq!(counted(Some(1e-8)), [few, negative, missing]);
+        assert_eq!(counted(None), [negative, missing]);
+    }
 }

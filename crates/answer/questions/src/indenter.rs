@@ -8,10 +8,12 @@ use numerics::parallel::Progress;
 use serde::{Deserialize, Serialize};
 use study::material::Material;
 use study::surface::Surface;
+use units::{Remark, RemarkCode};
 
 use crate::ball_figure::averaged_pressure;
 use crate::elements::{RandomInput, notes_on_map, notes_on_spectrum, random_surfaces};
-use crate::{Answer, MaterialInput, Note, QuestionError};
+use crate::note::remark_on_places;
+use crate::{Answer, MaterialInput, QuestionError};
 
 /// A smooth indenter under a force on a rough flat.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -49,7 +51,7 @@ pub struct PreparedIndenter {
     /// The flats.
     pub surfaces: Surfaces,
     /// Notes on the surfaces and on the material.
-    pub notes: Vec<Note>,
+    pub notes: Vec<Remark>,
     indenter: Indenter,
     pressing: IndenterPressing,
 }
@@ -91,11 +93,11 @@ impl IndenterQuestion {
         let material = self.material()?;
         let mut notes = notes_on_map(&material, &relief);
         let is_repeated = self.shape == IndenterShape::Cylinder && relief.boundary == Boundary::Free;
-        notes.extend(is_repeated.then_some(Note::RepeatedMap));
+        notes.extend(is_repeated.then(|| Remark::new(RemarkCode::RepeatedMap)));
         self.prepared(Surfaces::Maps(vec![relief]), notes)
     }
 
-    fn prepared(&self, surfaces: Surfaces, notes: Vec<Note>) -> Result<PreparedIndenter, QuestionError> {
+    fn prepared(&self, surfaces: Surfaces, notes: Vec<Remark>) -> Result<PreparedIndenter, QuestionError> {
         let contact_modulus_pa = self.material()?.pair.composite_modulus_pa();
         Ok(PreparedIndenter {
             surfaces,
@@ -115,14 +117,13 @@ impl PreparedIndenter {
     pub fn answer(&self, progress: &dyn Progress) -> Result<Answer, QuestionError> {
         let states = self.indenter.press_all(&self.surfaces, &self.pressing, progress)?;
         let shape = self.indenter.shape;
-        let (note, figure): (fn(_) -> Note, _) = match shape {
-            IndenterShape::Ball => (Note::Ball, averaged_pressure(&states)),
-            IndenterShape::Cylinder => (Note::Cylinder, None),
+        let figure = match shape {
+            IndenterShape::Ball => averaged_pressure(&states),
+            IndenterShape::Cylinder => None,
         };
-        let cautions = states.first().map(IndenterState::cautions).unwrap_or_default();
-        let mut notes: Vec<Note> = cautions.into_iter().map(note).collect();
+        let mut notes = states.first().map(IndenterState::remarks).unwrap_or_default();
         let areas: Vec<f64> = states.iter().map(|state| state.real_area).collect();
-        notes.push(Note::of_places(&areas));
+        notes.push(remark_on_places(&areas));
         Ok(Answer { table: indenter_table(shape, &states), notes, figure })
     }
 }

@@ -3,8 +3,8 @@
 use asperity::{ElasticBody, Layer};
 use serde::{Deserialize, Serialize};
 use study::layer_base::LayerBase;
+use units::{Remark, RemarkCode};
 
-use crate::option::{Reason, UnusedOption};
 use crate::{OptionName, QuestionError};
 
 /// An elastic layer bonded to the rough body, or to a rigid base in its place. It carries the roughness, and a hardness or a
@@ -60,12 +60,10 @@ impl LayerInput {
         let body = self.body()?;
         let base = match self.base {
             LayerBase::Rigid if youngs_modulus_pa.is_some() => {
-                let option = OptionName::YoungsModulus;
-                return Err(UnusedOption { option, why: Reason::RigidBase }.into());
+                return Err(Box::new(Remark::new(RemarkCode::RigidBase).on("youngs_modulus")).into());
             }
             LayerBase::Rigid if poisson_ratio.is_some() => {
-                let option = OptionName::PoissonRatio;
-                return Err(UnusedOption { option, why: Reason::RigidBase }.into());
+                return Err(Box::new(Remark::new(RemarkCode::RigidBase).on("poisson_ratio")).into());
             }
             LayerBase::Rigid => None,
             LayerBase::Material => {

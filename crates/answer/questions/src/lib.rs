@@ -16,7 +16,6 @@ mod loads;
 mod map_question;
 mod material;
 mod note;
-mod note_facts;
 mod option;
 mod report_question;
 mod retune;
@@ -32,18 +31,17 @@ mod uncertain_areas;
 pub use adhesion::{AdhesionQuestion, BranchChoice, PreparedAdhesion};
 pub use conductance::{FoundConductance, GasInput, LawAnswer, LawQuantity, LawTableQuestion, TransportInput};
 pub use counts::{CurveCounts, CutCounts, LevelCounts};
-pub use curve::{CurveQuestion, CurveStream, PreparedCurve};
+pub use curve::{CurveQuestion, CurveStream, PreparedCurve, remark_on_tolerance};
 pub use elements::{ElementsLoad, ElementsQuestion, PreparedElements, RandomInput};
 pub use error::QuestionError;
-pub use gap::{FoundLaw, GapModel, GapQuestion, LawForm, LawQuestion};
+pub use gap::{FoundLaw, GapModel, GapQuestion, LawForm, LawQuestion, remarks_on_gap_law};
 pub use indenter::{IndenterQuestion, PreparedIndenter};
 pub use layer::LayerInput;
 pub use loads::{LoadInput, RangeInput};
 pub use map_question::MapQuestion;
 pub use material::{BodyInput, MaterialInput};
-pub use note::{AdhesionNote, FEW_TOUCH, GapCounts, MadeSurfaces, Note, OutsideFit, SampledScales};
-pub use note_facts::{NoteLevel, NotePlace, note_code};
-pub use option::{OptionName, Reason, Spelling, UnusedOption};
+pub use note::{remark_on_sampling, remarks_on_separation};
+pub use option::OptionName;
 pub use report_question::{BodyText, ReportQuestion, ReportSurface};
 pub use retune::{ConditionError, retune};
 pub use sampling::SamplingInput;
@@ -58,6 +56,7 @@ pub use interface::gas::NamedGas;
 
 use study::figure::FigureData;
 use tables::Table;
+use units::Remark;
 
 /// The answer to a question: a table, notes and perhaps a figure.
 #[derive(Debug)]
@@ -65,7 +64,7 @@ pub struct Answer {
     /// The table, as every front end writes it.
     pub table: Table,
     /// Notes for the reader of the table.
-    pub notes: Vec<Note>,
+    pub notes: Vec<Remark>,
     /// The figure, if the question asks for one.
     pub figure: Option<FigureData>,
 }

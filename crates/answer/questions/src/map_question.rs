@@ -1,13 +1,13 @@
 //! A measured map of a scene, pressed as it was scanned.
 
 use elements::{Boundary, ElementsError, ImposedLoad, Pressing, Relief, Surfaces};
-use findings::doubts::Doubt;
+use findings::doubts;
 use measurements::MapPatch;
 use scene::Scene;
 use serde::{Deserialize, Serialize};
 use topography::detrended_m;
 
-use crate::{Note, PreparedElements};
+use crate::PreparedElements;
 
 /// A map of a scene between the bodies of the scene: all that boundary elements need, so that it can be pressed elsewhere.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -58,7 +58,7 @@ impl MapQuestion {
             ..Pressing::elastic(self.contact_modulus_pa)
         };
         pressing.check()?;
-        let notes = Doubt::of_slope(self.relief.rms_slope()).map(Note::Doubt).into_iter().collect();
+        let notes = doubts::of_slope(self.relief.rms_slope()).into_iter().collect();
         Ok(PreparedElements { surfaces: Surfaces::Maps(vec![self.relief.clone()]), notes, pressing })
     }
 }

@@ -8,9 +8,8 @@ use study::hardness_and_strength::HardnessAndStrength;
 use study::material::{GivenMaterial, Material, MaterialError};
 use study::materials::TabledMaterial;
 use study::models::{Choice, ModelEntry, ModelOptions};
-use units::{IndentationHardness, Modulus, Pressure};
+use units::{IndentationHardness, Modulus, Pressure, Remark, RemarkCode};
 
-use crate::option::{Reason, UnusedOption};
 use crate::text::optional_pressure;
 use crate::{LayerInput, OptionName, QuestionError};
 
@@ -167,8 +166,8 @@ impl MaterialInput {
         match self.layer {
             None => self.material(),
             Some(_) => {
-                let why = Reason::HalfSpaces(contact);
-                Err(UnusedOption { option: OptionName::LayerThickness, why }.into())
+                let remark = Remark::new(RemarkCode::OfHalfSpaces).with("contact", contact);
+                Err(Box::new(remark.on("layer_thickness")).into())
             }
         }
     }

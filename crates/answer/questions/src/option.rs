@@ -1,8 +1,8 @@
-//! Options of questions, the reasons why one is ignored, and how a front end writes them.
+//! Options of questions.
 
 use study::interface::GasOption;
-use study::measured::Kind;
 use study::models::Choice;
+use units::{Remark, RemarkCode};
 
 /// An option of a question, whatever a front end calls it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -137,75 +137,18 @@ impl OptionName {
     }
 }
 
-/// A given option that has no effect.
-#[derive(Debug, Clone, PartialEq)]
-pub struct UnusedOption {
-    /// The option.
-    pub option: OptionName,
-    /// The reason.
-    pub why: Reason,
-}
-
-/// The reason why an option has no effect.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Reason {
-    /// The model has no such option.
-    Model(&'static str),
-    /// Only other models have it.
-    OnlyOn {
-        /// The requested model.
-        model: &'static str,
-        /// The models that have the option.
-        models: Vec<&'static str>,
-    },
-    /// The model does not yield.
-    DoesNotYield(&'static str),
-    /// Corrected forms of Persson's theory are elastic.
-    CorrectionsAreElastic(&'static str),
-    /// No option lets the hardness grow.
-    HardnessDoesNotGrow(&'static str),
-    /// The hardness grows by a law without a strain-gradient length.
-    OtherHardnessLaw(&'static str),
-    /// No length lets the strength grow.
-    StrengthDoesNotGrow,
-    /// Boundary elements are elastic, and take their waves by other options.
-    BoundaryElements,
-    /// Only contacts of half-spaces are computed; the text names the contact.
-    HalfSpaces(&'static str),
-    /// The base of the layer is rigid.
-    RigidBase,
-    /// The file is of the other kind.
-    KindOfFile(Kind),
-    /// The quantity of a law does not depend on it.
-    Quantity(&'static str),
-    /// Another option that is given replaces it.
-    Beside(OptionName),
-}
-
-/// A front end's way to write options.
-pub trait Spelling {
-    /// The option, e.g. `--interference-law` or `interference_law`.
-    fn option(&self, option: OptionName) -> String;
-
-    /// An option with a value, e.g. `--band 2d` or `band="2d"`.
-    fn with_value(&self, option: OptionName, value: &str) -> String;
-
-    /// The choice of a model, e.g. `--model hertz` or `model hertz`.
-    fn model(&self, name: &str) -> String;
-
-    /// Words in front of options that belong to a material made by itself, e.g. `the material `.
-    fn of_material(&self) -> &'static str {
-        ""
-    }
-}
-
-/// The first option of a list that is given.
+/// Refuses the first option of a list that is given, for the reason in a remark.
 pub(crate) fn first_given(
     options: impl IntoIterator<Item = (OptionName, bool)>,
-    why: impl FnOnce() -> Reason,
-) -> Result<(), UnusedOption> {
+    reason: Remark,
+) -> Result<(), Box<Remark>> {
     match options.into_iter().find(|(_, is_given)| *is_given) {
-        Some((option, _)) => Err(UnusedOption { option, why: why() }),
+        Some((option, _)) => Err(Box::new(reason.on(option.snake_case()))),
         None => Ok(()),
     }
+}
+
+/// The reason that a model has no such option.
+pub(crate) fn not_of_model(model: &'static str) -> Remark {
+    Remark::new(RemarkCode::NoSuchOption).with("model", model)
 }

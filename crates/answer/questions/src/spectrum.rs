@@ -1,6 +1,6 @@
 //! Quantities of a spectrum alone: moments, amplitudes, a self-affine fit.
 
-use findings::doubts::Doubt;
+use findings::doubts;
 use numerics::parallel::Progress;
 use serde::{Deserialize, Serialize};
 use spectrum::{AmplitudeDefinition, Normalisation};
@@ -8,8 +8,9 @@ use study::figure::{Figure, Shows};
 use study::plan::{Needs, Plan, Results};
 use study::result_tables;
 use study::surface::Surface;
+use units::{Remark, RemarkCode};
 
-use crate::{Answer, Note, QuestionError, SamplingInput};
+use crate::{Answer, QuestionError, SamplingInput};
 
 /// A quantity of a spectrum.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -93,12 +94,12 @@ impl SpectrumQuestion {
             let of = Figure { shows, ..Figure::area_of_all(Vec::new()) };
             of.data(&results, &plan.needs, None)
         });
-        let mut notes: Vec<Note> = surface.notes.iter().cloned().map(Note::Surface).collect();
+        let mut notes = surface.notes.clone();
         if let SpectrumQuantity::Moments { .. } = self.quantity {
             notes.extend(not_gaussian(&results));
         }
         notes.extend(of_fit(&results));
-        notes.extend(Doubt::of_spectrum(&surface.psd).into_iter().map(Note::Doubt));
+        notes.extend(doubts::of_spectrum(&surface.psd));
         progress.advance(1);
         Ok(Answer { table, notes, figure })
     }
@@ -115,7 +116,7 @@ fn band_m(from_m: Option<f64>, to_m: Option<f64>) -> (f64, f64) {
 }
 
 /// Cutoffs with moments of no Gaussian isotropic surface, for which McCool's parameters are derived.
-fn not_gaussian(results: &Results) -> Option<Note> {
+fn not_gaussian(results: &Results) -> Option<Remark> {
     let offenders: Vec<_> = results
         .moments
         .iter()
@@ -123,19 +124,28 @@ fn not_gaussian(results: &Results) -> Option<Note> {
         .filter(|(_, parameters)| !parameters.is_gaussian_isotropic())
         .collect();
     let alphas = offenders.iter().map(|(_, parameters)| parameters.nayak_alpha);
-    Some(Note::NotGaussian {
-        cutoffs: offenders.len(),
-        range_m: [offenders.first()?.0, offenders.last()?.0],
-        least_alpha: alphas.fold(f64::INFINITY, f64::min),
+    let remark = Remark::new(RemarkCode::NotGaussianMoments)
+        .with("least_alpha", thousandths(alphas.fold(f64::INFINITY, f64::min)));
+    let (longest_m, shortest_m) = (offenders.first()?.0, offenders.last()?.0);
+    Some(match offenders.len() {
+        1 => remark.with("wavelength_m", longest_m),
+        cutoffs => {
+            remark.with("cutoffs", cutoffs).with("longest_m", longest_m).with("shortest_m", shortest_m)
+        }
     })
 }
 
+/// A number rounded to thousandths.
+fn thousandths(value: f64) -> f64 {
+    (value * 1000.0).round() / 1000.0
+}
+
 /// A fit without a roll-off, or of no self-affine surface.
-fn of_fit(results: &Results) -> Vec<Note> {
+fn of_fit(results: &Results) -> Vec<Remark> {
     let Some(fit) = &results.fit else { return Vec::new() };
     let hurst_exponent = fit.hurst_exponent;
-    let power_law = fit.rolloff.is_none().then_some(Note::PurePowerLaw);
-    let out_of_range =
-        (!(0.0..=1.0).contains(&hurst_exponent)).then_some(Note::HurstOutOfRange { hurst_exponent });
+    let power_law = fit.rolloff.is_none().then(|| Remark::new(RemarkCode::PurePowerLaw));
+    let remark = Remark::new(RemarkCode::HurstOutOfRange).with("hurst_exponent", thousandths(hurst_exponent));
+    let out_of_range = (!(0.0..=1.0).contains(&hurst_exponent)).then_some(remark);
     power_law.into_iter().chain(out_of_range).collect()
 }

@@ -1,13 +1,14 @@
 //! States of populations of asperities, row by row of arrays.
 
-use crate::rows::{ContactStates, RowsNote, StatesFound};
-use findings::doubts::Doubt;
+use crate::rows::{ContactStates, StatesFound, rows_of};
+use findings::doubts;
 use serde::{Deserialize, Serialize};
 use study::material::Material;
 use study::models::{ModelEntry, ModelOptions};
 use study::plan::{PlanError, Tolerance};
+use units::{Remark, RemarkCode};
 
-use crate::{CurveCounts, Note, OptionName, QuestionError, choices};
+use crate::{CurveCounts, OptionName, QuestionError, choices};
 
 /// States of a statistical model, for rows of any roughness, material and condition.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -52,12 +53,15 @@ impl StatesQuestion {
         mut materials: impl Iterator<Item = &'m Material>,
         found: &StatesFound,
         all: usize,
-    ) -> Vec<Note> {
+    ) -> Vec<Remark> {
         let StatesFound { counts, narrow, assumed_strengths: rows, bad, first_bad, .. } = *found;
-        let doubt = materials.find_map(Doubt::of_material).map(Note::Doubt);
-        let bad = first_bad.map(|first| Note::Rows(RowsNote::Bad { rows: bad, first, all }));
-        let assumed = (rows > 0).then_some(Note::Rows(RowsNote::AssumedStrengths { rows, all }));
-        let counts = Note::Counts(CurveCounts { states: counts, narrow, ..CurveCounts::default() });
-        doubt.into_iter().chain(bad).chain(assumed).chain([counts]).collect()
+        let doubt = materials.find_map(doubts::of_material);
+        let bad = rows_of(RemarkCode::BadRows, bad, all).map(|mut remark| {
+            remark.place.row = first_bad;
+            remark
+        });
+        let assumed = rows_of(RemarkCode::AssumedStrengths, rows, all);
+        let counts = CurveCounts { states: counts, narrow, ..CurveCounts::default() };
+        doubt.into_iter().chain(bad).chain(assumed).chain(counts.remarks()).collect()
     }
 }

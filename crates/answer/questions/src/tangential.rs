@@ -12,11 +12,13 @@ use study::plan::PlanError;
 use study::surface::Surface;
 use tables::Table;
 use units::display::{percent, pressure};
+use units::{Remark, RemarkCode};
 
 use crate::elements::RandomInput;
+use crate::gap::remarks_on_gap_law;
 use crate::gap::{GapModel, GapQuestion};
 use crate::loads::{LoadInput, RangeInput, nominal_pressure, pressures_pa};
-use crate::{Answer, Note, OptionName, QuestionError};
+use crate::{Answer, OptionName, QuestionError};
 
 /// Shares of the load at which all slides, where no tangential stress is given.
 const SHARES: [f64; 11] = [0.01, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.99];
@@ -106,11 +108,11 @@ impl TangentialQuestion {
             sheared(&pair, &normal, pressure_pa, stress_pa)
         })?;
         if pair.mismatch().abs() > NOTICEABLE_MISMATCH {
-            notes.push(Note::CoupledTractions { mismatch: pair.mismatch() });
+            notes.push(Remark::new(RemarkCode::CoupledTractions).with("mismatch", pair.mismatch()));
         }
         let sliding = rows.iter().filter(|row| row.response.is_none()).count();
         if sliding > 0 {
-            notes.push(Note::Sliding { sliding, all: rows.len() });
+            notes.push(Remark::new(RemarkCode::Sliding).with("sliding", sliding).with("all", rows.len()));
         }
         let figure =
             if self.figure { Some(self.loops_figure(&pair, &normal, &material, progress)?) } else { None };
@@ -185,14 +187,14 @@ impl TangentialQuestion {
         material: &Material,
         surface: &Surface,
         progress: &dyn Progress,
-    ) -> Result<(NormalLaw, Vec<Note>), QuestionError> {
+    ) -> Result<(NormalLaw, Vec<Remark>), QuestionError> {
         let mut notes = self.by.notes(material, surface);
         Ok(match self.by.model {
             Some(entry) => {
                 let law = self.by.law(entry, material, surface, progress)?;
                 let least_pa =
                     self.loads(material)?.iter().fold(f64::INFINITY, |least, load| least.min(load.0));
-                notes.extend(Note::of_gap_law(&law, least_pa));
+                notes.extend(remarks_on_gap_law(&law, least_pa));
                 (NormalLaw::Model(law), notes)
             }
             None => {

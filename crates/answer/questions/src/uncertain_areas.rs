@@ -9,8 +9,9 @@ use study::models::{Choice, ModelEntry, ModelOptions};
 use study::plan::{Curve, Needs, Results, Tolerance};
 use study::surface::Surface;
 use uncertainty::{Settings, Uncertainty, UncertaintyPlan, scattering_groups};
+use units::Remark;
 
-use crate::{CurveQuestion, LoadInput, MaterialInput, Note, PreparedCurve, QuestionError, SamplingInput};
+use crate::{CurveQuestion, LoadInput, MaterialInput, PreparedCurve, QuestionError, SamplingInput};
 
 /// Areas of some models under some loads, with their coverage intervals from draws of scans, instruments and material.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -121,8 +122,8 @@ impl UncertaintyQuestion {
 impl UncertainAreas {
     /// Lists the notes on the surface and on every curve.
     #[must_use]
-    pub fn notes(&self) -> Vec<Note> {
-        let of_surface = self.scene.surface.notes.iter().cloned().map(Note::Surface);
+    pub fn notes(&self) -> Vec<Remark> {
+        let of_surface = self.scene.surface.notes.iter().cloned();
         let of_curves = self.results.curves.iter().enumerate();
         let of_curves =
             of_curves.flat_map(|(at, rows)| PreparedCurve::of_scene(&self.scene, at).notes_on(rows));

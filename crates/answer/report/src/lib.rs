@@ -12,7 +12,7 @@ use figures::{interface_figure, intervals, judged};
 #[cfg(feature = "scene-errors")]
 pub use words::scene_errors;
 pub use words::{
-    advice_words, conclusion_words, curve_names, details, doubt_words, dry_run, elements_words, provenance,
-    question_words, scan_words, scans_table, scene_note_words, spectrum_words, uncertainty_words,
+    advice_words, conclusion_words, curve_names, details, dry_run, elements_words, provenance,
+    question_words, scan_words, scans_table, spectrum_words, uncertainty_words,
 };
-use words::{interface_words, listing, persson_words, row_notes, verdict_words, yardstick_words};
+use words::{interface_words, listing, verdict_words, yardstick_words};

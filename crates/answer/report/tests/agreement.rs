@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use findings::conclusions::{Caution, Conclusions, Evidence, LoadConclusion, NextStep, Source, Stickiness};
+use findings::conclusions::{Conclusions, Evidence, LoadConclusion, NextStep, Source, trust_left};
 use interface::conductance::MOST_PLASTIC_SHARE;
 use judge::{AGREEMENT, CurveVerdict, Judgement, Verdict};
 use questions::{RunOptions, SceneOutcome, Unwatched, run_scene};
@@ -12,6 +12,7 @@ use report::run_stamp::RunStamp;
 use scene::{Overrides, Scene};
 use study::interface::InterfaceStates;
 use study::interface::{Quantity, Slot};
+use units::{Remark, RemarkCode};
 
 /// Spectra without errors, with them, with a hole of 1.3 decades, from roughness parameters; and two bodies.
 const SURFACES: [&str; 4] = [
@@ -81,17 +82,15 @@ fn areas_of_sticky_surfaces_carry_a_caution() {
         let states = scene.interface_states(&outcome.results).unwrap();
         let value = |quantity| states.value(Slot { quantity, load: None, curve: None }).unwrap();
         let indicators = [value(Quantity::PastewkaRobbins), value(Quantity::FullerTabor)];
-        let found = outcome.conclusions.cautions.iter().find_map(|caution| match caution {
-            Caution::Sticky(indicator) => Some(*indicator),
-            _ => None,
-        });
-        (found, indicators)
+        let is_sticky = |caution: &&Remark| caution.code.name() == "sticky";
+        let found = outcome.conclusions.cautions.iter().find(is_sticky).cloned();
+        (found.map(|found| (found.code, found.number("left_side").or(found.number("theta")))), indicators)
     };
     let (found, [left_side, _]) =
         sticky("work_of_adhesion = \"100 J/m^2\"\nrange_of_attraction = \"10 nm\"\n");
-    assert_eq!(found, left_side.map(|left_side| Stickiness::PastewkaRobbins { left_side }));
+    assert_eq!(found, Some((RemarkCode::StickyByPastewka, left_side)));
     let (found, [_, theta]) = sticky("work_of_adhesion = \"100 J/m^2\"\n");
-    assert_eq!(found, theta.map(|theta| Stickiness::FullerTabor { theta }));
+    assert_eq!(found, Some((RemarkCode::StickyByFuller, theta)));
     for weak in [
         "work_of_adhesion = \"0.001 mJ/m^2\"\nrange_of_attraction = \"10 nm\"\n",
         "work_of_adhesion = \"0.001 mJ/m^2\"\n",
@@ -120,7 +119,7 @@ fn check(scene: &Scene, outcome: &SceneOutcome, seen: &mut Seen) {
         seen.conditions += usize::from(load.otherwise.is_some());
     }
     check_advice(conclusions, seen);
-    let left = conclusions.cautions.iter().map(Caution::trust_left).min();
+    let left = conclusions.cautions.iter().map(trust_left).min();
     assert!(left.is_none_or(|left| left == conclusions.trust));
     if let Some(states) = scene.interface_states(&outcome.results) {
         check_yield(conclusions, &states, seen);
@@ -198,25 +197,28 @@ fn check_models(load: &LoadConclusion, judgement: &Judgement, scene: &Scene) {
 }
 
 fn check_advice(conclusions: &Conclusions, seen: &mut Seen) {
-    let warns = |is: fn(&Caution) -> bool| conclusions.cautions.iter().any(is);
+    let warns = |code| conclusions.cautions.iter().any(|caution| caution.code == code);
     let advises = |is: fn(&NextStep) -> bool| conclusions.next.iter().any(is);
-    let has_hole = warns(|caution| matches!(caution, Caution::NotMeasured(_)));
+    let has_hole = warns(RemarkCode::NotMeasured);
     assert_eq!(has_hole, advises(|step| matches!(step, NextStep::CloseHole(_))));
     assert!(!has_hole || matches!(conclusions.next[0], NextStep::CloseHole(_)));
     seen.holes += usize::from(has_hole);
-    let hardness_decides = warns(|caution| matches!(caution, Caution::HardnessDecides { .. }));
+    let hardness_decides = warns(RemarkCode::HardnessDecides);
     assert_eq!(hardness_decides, advises(|step| matches!(step, NextStep::HardnessAtSmallDepth)));
     assert!(!conclusions.loads.iter().any(|load| load.otherwise.is_some()) || hardness_decides);
     let is_finer =
         |step: &NextStep| matches!(step, NextStep::Wavelengths { area_ratio, .. } if *area_ratio < 0.95);
     if conclusions.next.iter().any(is_finer) {
-        assert!(warns(|caution| matches!(caution, Caution::UpperBound { .. })));
+        assert!(warns(RemarkCode::UpperBound));
     }
 }
 
 fn check_yield(conclusions: &Conclusions, states: &InterfaceStates<'_>, seen: &mut Seen) {
     for caution in &conclusions.cautions {
-        let Caution::GapOfYieldingContact { share } = *caution else { continue };
+        if caution.code != RemarkCode::GapOfYieldingContact {
+            continue;
+        }
+        let share = caution.number("share").unwrap();
         let shares = || conclusions.loads.iter().filter_map(|load| states.plastic_share(load.load));
         assert!(share > MOST_PLASTIC_SHARE && shares().any(|other| other == share));
         assert!(

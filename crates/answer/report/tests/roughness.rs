@@ -1,8 +1,8 @@
 //! The answer for a surface of roughness parameters states that the spectrum was assumed.
 
-use report::scan_words;
 use scene::{Overrides, Scene};
 use study::NoFiles;
+use units::SceneKeys;
 
 #[test]
 fn what_was_assumed_of_a_spectrum_is_told_with_its_numbers() {
@@ -12,7 +12,7 @@ fn what_was_assumed_of_a_spectrum_is_told_with_its_numbers() {
              pressures = [\"1 MPa\"]\n[[curve]]\nmodel = \"elastic\"\n"
         );
         let scene = Scene::parse(&text, &NoFiles, &Overrides::default()).unwrap();
-        scan_words::note(&scene.surface.notes[0])
+        scene.surface.notes[0].words(&SceneKeys)
     };
     assert_eq!(
         told("mean_width = \"80 um\""),

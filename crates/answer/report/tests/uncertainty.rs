@@ -14,10 +14,11 @@ use study::NoFiles;
 use study::plan::{Results, Work};
 use tables::Format;
 use uncertainty::{
-    Advice, AreaBand, AreaInterval, BandPoint, DecadeOfVariance, Group, Guess, Index, Indices,
-    InstrumentInput, InstrumentName, OverlapMisfit, Resampled, Settings, Settling, SpectrumErrors, Step,
-    StepKind, Uncertainty,
+    Advice, AreaBand, AreaInterval, BandPoint, DecadeOfVariance, Group, Index, Indices, InstrumentInput,
+    InstrumentName, OverlapMisfit, Resampled, Settings, Settling, SpectrumErrors, Step, StepKind,
+    Uncertainty,
 };
+use units::{Remark, RemarkCode};
 
 const SCENE: &str = r#"
     title = "Diamond, as measured"
@@ -145,7 +146,7 @@ impl Study {
                 shortest_m: 4e-6,
             }],
             spectrum_errors: Vec::new(),
-            guesses: vec![Guess::FewScans { instrument: 0, scans: 2 }],
+            guesses: vec![Remark::new(RemarkCode::FewScans).with("instrument", "stylus").with("scans", 2)],
             areas,
             quantities: Vec::new(),
             open_channels: Vec::new(),
@@ -209,7 +210,7 @@ fn the_inputs_of_intervals_and_their_assumptions_are_in_the_notes() {
     let words = study.words(&study.drawn());
     for said in [
         "type A: the scatter of scans between places; type B: the height scales of instruments and the elastic constants",
-        "Treat the interval as a guess: two stylus scans cannot show how much the surface varies.",
+        "Treat the range as a guess: two stylus scans cannot show how much the surface varies.",
         "stylus and AFM differ by a factor 1.08 from 20 µm to 4 µm, where both measure (standard uncertainty: a factor 1.07): as \
          expected.",
         "Height calibration of AFM unknown, 3 % assumed (set z_calibration).",
@@ -249,8 +250,10 @@ fn a_guess_an_early_end_and_errors_of_a_file_are_told() {
     drawn.overlaps.clear();
     drawn.advice.clear();
     (drawn.draws, drawn.ended_early) = (312, true);
-    drawn.guesses =
-        vec![Guess::FewDraws { draws: 312 }, Guess::SpectrumWithoutErrors { name: "s.csv".to_owned() }];
+    drawn.guesses = vec![
+        Remark::new(RemarkCode::FewDraws).with("draws", 312),
+        Remark::new(RemarkCode::SpectrumWithoutErrors).with("name", "s.csv"),
+    ];
     drawn.spectrum_errors = vec![SpectrumErrors {
         name: "t.csv".to_owned(),
         samples: 90,
@@ -261,7 +264,7 @@ fn a_guess_an_early_end_and_errors_of_a_file_are_told() {
     let words = study.words(&drawn);
     for said in [
         "The draws were stopped after 312 of 1000: intervals rest on these, and there is no advice.",
-        "Treat the interval as a guess: it rests on 312 draws only.",
+        "Treat the range as a guess: it rests on 312 draws only.",
         "s.csv has no standard errors, so it holds the scatter of the other inputs only",
         "t.csv: 90 of 94 samples have a standard error, the others take that of their neighbours; errors are taken as correlated over 0.5 decades of wavelength.",
         "type A: the standard errors of the spectrum;",

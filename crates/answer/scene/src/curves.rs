@@ -7,7 +7,7 @@ use persson::corrections::Correction;
 use persson::hardness_laws::HardnessTable;
 use serde_spanned::Spanned;
 use tables::TableSource;
-use units::Bound;
+use units::{Bound, Remark};
 
 use super::error::SceneError;
 use super::interface::energy_factor;
@@ -15,7 +15,7 @@ use super::raw::RawCurve;
 use super::values::{check_file_name, value_error};
 use study::growth_law::GrowthLaw;
 use study::material::Material;
-use study::models::{Choice, Framework, IgnoredOption, MODELS, ModelOptions};
+use study::models::{Choice, Framework, MODELS, ModelOptions};
 use study::plan::{Curve, Cutoffs};
 
 /// Returns the curves, and for each of them the options that its model ignores. `options` are those of the whole scene,
@@ -25,7 +25,7 @@ pub(super) fn resolve_curves(
     material: Option<&Material>,
     options: &ModelOptions,
     files: &dyn Files,
-) -> Result<(Vec<Curve>, Vec<Vec<IgnoredOption>>), SceneError> {
+) -> Result<(Vec<Curve>, Vec<Vec<Remark>>), SceneError> {
     let mut curves: Vec<Curve> = Vec::new();
     let mut ignored = Vec::new();
     for spanned in raw {

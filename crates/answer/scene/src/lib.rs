@@ -34,7 +34,6 @@ pub use error::{SceneError, SceneProblem};
 pub use figure_style::FigureChoice;
 pub use file_content::FileContent;
 pub use judge::JudgeChoices;
-pub use notes::{SceneNote, Unused};
 pub use replace::{ReplaceError, with_keys};
 pub use resolve::Overrides;
 pub use scene_text::SceneText;
@@ -52,7 +51,7 @@ use study::material::Material;
 use study::material_spreads::MaterialSpreads;
 use study::plan::{Needs, Plan, Results, Sampling};
 use study::surface::Surface;
-use units::number;
+use units::{Remark, number};
 
 /// A checked scene.
 #[derive(Debug, Clone)]
@@ -82,7 +81,7 @@ pub struct Scene {
     /// Results requested of the interface besides its area; absent if none are.
     pub interface: Option<InterfaceRequest>,
     /// Keys that have no effect.
-    pub notes: Vec<SceneNote>,
+    pub notes: Vec<Remark>,
 }
 
 impl Scene {

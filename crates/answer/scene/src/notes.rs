@@ -1,94 +1,39 @@
-//! Notes on keys of a scene that have no effect on its results. Such keys are reported, not refused.
+//! Remarks on keys of a scene that have no effect on its results. Such keys are reported, not refused.
 
-use std::ops::Range;
-
-use serde::Serialize;
 use toml_edit::Document;
 
 use super::raw::RawScene;
 use super::{Overrides, Scene};
 use study::figure::{Figure, Shows};
-use study::models::{Choice, IgnoredOption, IgnoredReason};
-
-/// A key of a scene that has no effect, or not the one that it reads as.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct SceneNote {
-    /// The key with its section, e.g. `curve.strain_gradient`.
-    pub key: String,
-    /// The line that it stands in, counted from 1.
-    pub line: usize,
-    /// The bytes of the scene that it stands in.
-    pub span: Range<usize>,
-    /// Reason for the missing effect.
-    pub reason: Unused,
-}
-
-/// Reason why a key of a scene has no effect.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-#[non_exhaustive]
-pub enum Unused {
-    /// The curve's model does not yield, so that it has no strength.
-    ModelDoesNotYield,
-    /// The curve's model has no choice of an interference law.
-    ModelHasNoInterferenceLaw,
-    /// The curve's model has no such option.
-    ModelHasNoSuchOption,
-    /// The curve's model yields, and the corrected forms are elastic ones.
-    CorrectionsAreElastic,
-    /// The curve's hardness law is not `nix-gao`, the only one that takes a strain-gradient length.
-    OtherHardnessLaw,
-    /// The figure shows something else.
-    FigureShowsSomethingElse,
-    /// No curve depends on it.
-    NoCurveUsesIt,
-    /// Every curve that depends on it has a setting of its own.
-    EveryCurveHasItsOwn,
-    /// No curve and no figure needs it.
-    NothingNeedsIt,
-    /// The spectrum ends above the cutoff.
-    CutoffBelowData {
-        /// The shortest wavelength of the spectrum \[m\].
-        shortest_m: f64,
-    },
-    /// The judge is off.
-    JudgeIsOff,
-    /// The uncertainty analysis is off.
-    UncertaintyIsOff,
-    /// Nothing in the scene scatters.
-    NothingScatters,
-    /// The tolerance is finer than double precision reaches.
-    ToleranceHeld {
-        /// Tolerance used instead.
-        used: f64,
-    },
-}
+use study::models::Choice;
+use units::{Remark, RemarkCode, RemarkPlace};
 
 /// Returns the notes on a scene in the order of its sections. Keys that are overridden from outside get no note.
 pub(super) fn notes(
     text: &str,
     raw: &RawScene,
     scene: &Scene,
-    ignored: &[Vec<IgnoredOption>],
+    ignored: &[Vec<Remark>],
     overrides: &Overrides,
-) -> Vec<SceneNote> {
+) -> Vec<Remark> {
     // A text that does not parse was refused before.
     let Ok(document) = Document::parse(text) else { return Vec::new() };
     let mut sections = Vec::new();
-    sections.extend(ignored.iter().enumerate().map(|(at, options)| ("curve", Some(at), curve(options))));
+    sections.extend(ignored.iter().enumerate().map(|(at, options)| ("curve", Some(at), options.clone())));
     sections.push(("loads", None, loads(scene)));
     sections.extend(scene.figures.iter().enumerate().map(|(at, figure)| ("figure", Some(at), shown(figure))));
     sections.push(("cutoffs", None, cutoffs(scene, overrides)));
     sections.push(("options", None, options(raw, scene, overrides)));
     sections.push(("judge", None, judge(scene, overrides)));
     sections.push(("uncertainty", None, uncertainty(scene, overrides)));
-    let note = |section: &str, at: Option<usize>, (key, reason): (&str, Unused)| {
+    let note = |section: &str, at: Option<usize>, remark: Remark| {
+        let key = remark.place.option.as_deref()?;
         let found = document.get(section)?;
         let table = at.map_or(Some(found), |at| found.get(at))?.as_table_like()?;
-        let (name, value) = table.get_key_value(key)?;
-        let span = name.span()?.start..value.span()?.end;
-        let line = 1 + text[..span.start].matches('\n').count();
-        Some(SceneNote { key: format!("{section}.{key}"), line, span, reason })
+        let (name, _) = table.get_key_value(key)?;
+        let line = 1 + text[..name.span()?.start].matches('\n').count();
+        let key = Some(format!("{section}.{key}"));
+        Some(Remark { place: RemarkPlace { line: Some(line), key, ..RemarkPlace::default() }, ..remark })
     };
     let keys = sections
         .into_iter()
@@ -97,31 +42,21 @@ pub(super) fn notes(
 }
 
 /// Keys of a section that have no effect where they are in the text.
-type UnusedKeys = Vec<(&'static str, Unused)>;
+type UnusedKeys = Vec<Remark>;
 
-fn all(keys: &[&'static str], reason: Unused) -> UnusedKeys {
-    keys.iter().map(|key| (*key, reason)).collect()
+fn one(key: &str, code: RemarkCode) -> Remark {
+    Remark::new(code).on(key)
 }
 
-fn curve(ignored: &[IgnoredOption]) -> UnusedKeys {
-    let key = |option: &IgnoredOption| {
-        let reason = match (option.reason, option.choice) {
-            (IgnoredReason::NeverYields, _) => Unused::ModelDoesNotYield,
-            (IgnoredReason::CorrectionsAreElastic, _) => Unused::CorrectionsAreElastic,
-            (IgnoredReason::OtherHardnessLaw, _) => Unused::OtherHardnessLaw,
-            (_, Choice::Interference) => Unused::ModelHasNoInterferenceLaw,
-            _ => Unused::ModelHasNoSuchOption,
-        };
-        (option.choice.key(), reason)
-    };
-    ignored.iter().map(key).collect()
+fn all(keys: &[&str], code: RemarkCode) -> UnusedKeys {
+    keys.iter().map(|key| one(key, code)).collect()
 }
 
 fn loads(scene: &Scene) -> UnusedKeys {
     if !scene.needs.curves.is_empty() || scene.interface.is_some() {
         return Vec::new();
     }
-    all(&["pressures", "force", "nominal_area"], Unused::NoCurveUsesIt)
+    all(&["pressures", "force", "nominal_area"], RemarkCode::NoCurveUsesIt)
 }
 
 fn shown(figure: &Figure) -> UnusedKeys {
@@ -131,7 +66,7 @@ fn shown(figure: &Figure) -> UnusedKeys {
         Shows::Area => &["loads", "cutoff_multiples"],
         _ => &["curves", "models", "loads", "cutoff_multiples"],
     };
-    all(unused, Unused::FigureShowsSomethingElse)
+    all(unused, RemarkCode::FigureShowsSomethingElse)
 }
 
 fn cutoffs(scene: &Scene, overrides: &Overrides) -> UnusedKeys {
@@ -140,7 +75,7 @@ fn cutoffs(scene: &Scene, overrides: &Overrides) -> UnusedKeys {
     if !below || overrides.cutoff.is_some() {
         return Vec::new();
     }
-    vec![("shortest_wavelength", Unused::CutoffBelowData { shortest_m })]
+    vec![one("shortest_wavelength", RemarkCode::CutoffBelowData).with("shortest_m", shortest_m)]
 }
 
 fn options(raw: &RawScene, scene: &Scene, overrides: &Overrides) -> UnusedKeys {
@@ -149,16 +84,16 @@ fn options(raw: &RawScene, scene: &Scene, overrides: &Overrides) -> UnusedKeys {
     let grows = needs.curves.iter().any(|curve| curve.model.strength_grows());
     let mut unused = Vec::new();
     if needs.moments.is_none() && overrides.normalisation.is_none() {
-        unused.push(("normalisation", Unused::NothingNeedsIt));
+        unused.push(one("normalisation", RemarkCode::NothingNeedsIt));
     }
     if needs.amplitudes.is_none() && overrides.amplitude.is_none() {
-        unused.push(("amplitude", Unused::NothingNeedsIt));
+        unused.push(one("amplitude", RemarkCode::NothingNeedsIt));
     }
     if overrides.hardness.is_none() && !has(Choice::Hardness) {
-        unused.extend(all(&["hardness_formula"], Unused::NoCurveUsesIt));
+        unused.extend(all(&["hardness_formula"], RemarkCode::NoCurveUsesIt));
     }
     if overrides.strength_cap.is_none() && !grows {
-        unused.push(("strength_cap", Unused::NoCurveUsesIt));
+        unused.push(one("strength_cap", RemarkCode::NoCurveUsesIt));
     }
     let mut sinusoids = raw
         .curve
@@ -166,14 +101,14 @@ fn options(raw: &RawScene, scene: &Scene, overrides: &Overrides) -> UnusedKeys {
         .map(|curve| curve.get_ref())
         .filter(|curve| curve.model.is_some_and(|model| model.has(Choice::Interference)));
     if !has(Choice::Interference) {
-        unused.push(("interference_law", Unused::NoCurveUsesIt));
+        unused.push(one("interference_law", RemarkCode::NoCurveUsesIt));
     } else if sinusoids.all(|curve| curve.options.interference_law.is_some()) {
-        unused.push(("interference_law", Unused::EveryCurveHasItsOwn));
+        unused.push(one("interference_law", RemarkCode::EveryCurveHasItsOwn));
     }
     if needs.curves.iter().all(|curve| curve.model.statistical().is_none()) {
-        unused.push(("tolerance", Unused::NoCurveUsesIt));
+        unused.push(one("tolerance", RemarkCode::NoCurveUsesIt));
     } else if needs.tolerance.asked_finer().is_some() {
-        unused.push(("tolerance", Unused::ToleranceHeld { used: needs.tolerance.value() }));
+        unused.push(one("tolerance", RemarkCode::ToleranceHeld).with("used", needs.tolerance.value()));
     }
     unused
 }
@@ -181,8 +116,8 @@ fn options(raw: &RawScene, scene: &Scene, overrides: &Overrides) -> UnusedKeys {
 fn judge(scene: &Scene, overrides: &Overrides) -> UnusedKeys {
     let reason = match scene.judge {
         _ if overrides.no_judge => return Vec::new(),
-        Some(judge) if judge.off => Unused::JudgeIsOff,
-        _ if scene.needs.curves.is_empty() => Unused::NoCurveUsesIt,
+        Some(judge) if judge.off => RemarkCode::JudgeIsOff,
+        _ if scene.needs.curves.is_empty() => RemarkCode::NoCurveUsesIt,
         _ => return Vec::new(),
     };
     all(&["grid", "realisations", "seed", "budget"], reason)
@@ -191,9 +126,9 @@ fn judge(scene: &Scene, overrides: &Overrides) -> UnusedKeys {
 fn uncertainty(scene: &Scene, overrides: &Overrides) -> UnusedKeys {
     let reason = match scene.uncertainty {
         _ if overrides.no_uncertainty => return Vec::new(),
-        Some(uncertainty) if uncertainty.off => Unused::UncertaintyIsOff,
-        _ if scene.needs.curves.is_empty() => Unused::NoCurveUsesIt,
-        _ if !scene.scatters() => Unused::NothingScatters,
+        Some(uncertainty) if uncertainty.off => RemarkCode::UncertaintyIsOff,
+        _ if scene.needs.curves.is_empty() => RemarkCode::NoCurveUsesIt,
+        _ if !scene.scatters() => RemarkCode::NothingScatters,
         _ => return Vec::new(),
     };
     all(&["level", "draws", "seed", "shares_draws"], reason)

@@ -22,10 +22,10 @@ use measurements::Files;
 use study::bodies::Bodies;
 use study::figure::Shows;
 use study::material_spreads::MaterialSpreads;
-use study::models::{Choice, CurveModel, IgnoredOption, ModelOptions};
+use study::models::{Choice, CurveModel, ModelOptions};
 use study::plan::{Curve, Needs, Sampling};
 use study::surface::Surface;
-use units::{Length, Pressure};
+use units::{Length, Pressure, Remark};
 
 /// Options given outside the scene, which count more than the scene's own.
 #[derive(Debug, Clone, Default)]
@@ -82,7 +82,7 @@ pub(super) fn resolve(
     raw: &RawScene,
     files: &dyn Files,
     overrides: &Overrides,
-) -> Result<(Scene, Vec<Vec<IgnoredOption>>), SceneError> {
+) -> Result<(Scene, Vec<Vec<Remark>>), SceneError> {
     let options = &raw.options;
     let strength_cap = match overrides.strength_cap {
         Some(cap) => Some(cap),

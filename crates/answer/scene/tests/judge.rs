@@ -1,7 +1,8 @@
 //! Choices of a scene for its judge.
 
-use scene::{JudgeChoices, Overrides, Scene, SceneError, SceneProblem, Template, Unused};
+use scene::{JudgeChoices, Overrides, Scene, SceneError, SceneProblem, Template};
 use study::NoFiles;
+use units::RemarkCode;
 
 fn parsed_with(section: &str, overrides: &Overrides) -> Result<Scene, SceneError> {
     let text = format!(
@@ -73,8 +74,8 @@ fn unknown_keys_and_wrong_kinds_are_told_with_what_was_meant() {
 fn keys_beside_a_judge_that_is_off_are_noted_and_an_option_puts_it_off() {
     let section = "[judge]\ngrid = 64\noff = true\n";
     let scene = parsed(section).unwrap();
-    assert_eq!(scene.notes.iter().map(|note| note.reason).collect::<Vec<_>>(), [Unused::JudgeIsOff]);
-    assert_eq!(scene.notes[0].key, "judge.grid");
+    assert_eq!(scene.notes.iter().map(|note| note.code).collect::<Vec<_>>(), [RemarkCode::JudgeIsOff]);
+    assert_eq!(scene.notes[0].place.key.as_deref(), Some("judge.grid"));
     assert!(scene.judge.unwrap().off);
     let no_judge = Overrides { no_judge: true, ..Overrides::default() };
     for section in ["", "[judge]\ngrid = 64\n", section] {

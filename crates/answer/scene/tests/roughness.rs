@@ -2,8 +2,8 @@
 
 use scene::{Overrides, Scene, SceneError, SceneProblem};
 use spectrum::{Normalisation, cumulative_moments};
+use study::NoFiles;
 use study::given_roughness::RollOffFrom;
-use study::{NoFiles, Note};
 
 /// A scene of steel with these keys of its surface.
 fn of_surface(keys: &str) -> Result<Scene, SceneError> {
@@ -28,9 +28,8 @@ fn height_slope_and_a_width_become_a_spectrum_that_has_them() {
         assert!((last.rms_height_m() / 0.4e-6 - 1.0).abs() < 1e-12);
         assert!((last.rms_slope() / 0.15 - 1.0).abs() < 1e-12);
         assert!(scene.surface.sources.is_empty() && scene.surface.made_from.is_none());
-        let [Note::OfParameters(given)] = &scene.surface.notes[..] else {
-            panic!("{:?}", scene.surface.notes)
-        };
+        let given = scene.surface.roughness.unwrap();
+        assert_eq!(scene.surface.notes, [given.remark()]);
         assert_eq!((given.rolloff_from, given.hurst_is_assumed), (rolloff_from, is_assumed));
         let parameters = given.profile.parameters();
         assert_eq!((parameters.rolloff_m, parameters.hurst_exponent), (rolloff_m, hurst));

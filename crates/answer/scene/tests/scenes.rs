@@ -1,11 +1,12 @@
 //! Errors of scenes, and keys without effect.
 
 use scans::{ForeignFile, ScanFormat};
-use scene::{Overrides, Scene, SceneError, SceneProblem, Unused};
+use scene::{Overrides, Scene, SceneError, SceneProblem};
 use study::NoFiles;
 use study::figure::{FigureStyle, PictureFormat};
 use study::plan::Sampling;
 use study::surface::SurfaceError;
+use units::{Remark, RemarkCode};
 
 const STEEL: &str = "[surface]\npsd = \"builtin:uncd-measured\"\n\
                      [material]\nyoungs_modulus = \"210 GPa\"\npoisson_ratio = 0.3\nyield_strength = \"1 GPa\"\n\
@@ -20,9 +21,10 @@ fn refused(sections: &str) -> SceneError {
     parsed(&format!("{STEEL}{sections}")).unwrap_err()
 }
 
-fn notes(sections: &str) -> Vec<(String, usize, Unused)> {
+fn notes(sections: &str) -> Vec<(String, usize, RemarkCode)> {
     let scene = parsed(&format!("{STEEL}{sections}")).unwrap();
-    scene.notes.into_iter().map(|note| (note.key, note.line, note.reason)).collect()
+    let place = |note: Remark| Some((note.place.key?, note.place.line?, note.code));
+    scene.notes.into_iter().filter_map(place).collect()
 }
 
 #[test]
@@ -31,8 +33,8 @@ fn keys_of_curves_that_have_no_effect_are_noted_with_their_lines() {
     assert_eq!(
         notes(idle),
         [
-            ("curve.strain_gradient".to_owned(), 12, Unused::ModelDoesNotYield),
-            ("curve.interference_law".to_owned(), 13, Unused::ModelHasNoInterferenceLaw),
+            ("curve.strain_gradient".to_owned(), 12, RemarkCode::NeverYields),
+            ("curve.interference_law".to_owned(), 13, RemarkCode::NoSuchOption),
         ]
     );
     let used = "[[curve]]\nmodel = \"ep-sphere\"\nstrain_gradient = true\n\
@@ -49,7 +51,7 @@ fn keys_of_figures_that_have_no_effect_are_noted() {
     let found = notes(&format!("{HERTZ}{figure}"));
     let keys: Vec<&str> = found.iter().map(|(key, ..)| key.as_str()).collect();
     assert_eq!(keys, ["figure.curves", "figure.loads", "figure.cutoff_multiples"]);
-    assert!(found.iter().all(|(.., reason)| *reason == Unused::FigureShowsSomethingElse));
+    assert!(found.iter().all(|(.., reason)| *reason == RemarkCode::FigureShowsSomethingElse));
     let drawn = figure.replace("\"psd\"", "\"area-against-load\"");
     assert_eq!(notes(&format!("{HERTZ}{drawn}")), []);
 }
@@ -119,10 +121,7 @@ fn options_and_cutoffs_that_have_no_effect_are_noted() {
 #[test]
 fn a_tolerance_that_cannot_be_had_is_noted_and_the_used_one_reported() {
     let sections = format!("{HERTZ}[options]\ntolerance = 1e-300\n");
-    assert_eq!(
-        notes(&sections),
-        [("options.tolerance".to_owned(), 13, Unused::ToleranceHeld { used: 1e-13 })]
-    );
+    assert_eq!(notes(&sections), [("options.tolerance".to_owned(), 13, RemarkCode::ToleranceHeld)]);
     let scene = parsed(&format!("{STEEL}{sections}")).unwrap();
     assert!(scene.model_choices().contains(&"tolerance of statistical states: 1e-13".to_owned()));
 }
@@ -247,10 +246,10 @@ fn options_that_a_model_of_perssons_theory_ignores_are_noted_and_wrong_ones_refu
     assert_eq!(
         notes(ignored),
         [
-            ("curve.hardness_law".to_owned(), 12, Unused::ModelDoesNotYield),
-            ("curve.strain_gradient".to_owned(), 15, Unused::OtherHardnessLaw),
-            ("curve.correction".to_owned(), 16, Unused::CorrectionsAreElastic),
-            ("curve.band".to_owned(), 20, Unused::ModelHasNoSuchOption),
+            ("curve.hardness_law".to_owned(), 12, RemarkCode::NeverYields),
+            ("curve.strain_gradient".to_owned(), 15, RemarkCode::OtherHardnessLaw),
+            ("curve.correction".to_owned(), 16, RemarkCode::CorrectionsAreElastic),
+            ("curve.band".to_owned(), 20, RemarkCode::NoSuchOption),
         ]
     );
     for (key, value) in [

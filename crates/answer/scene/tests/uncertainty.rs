@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use scene::{Overrides, Scene, SceneError, SceneProblem, Template, UncertaintyChoices, Unused};
+use scene::{Overrides, Scene, SceneError, SceneProblem, Template, UncertaintyChoices};
+use units::RemarkCode;
 
 /// A spectrum whose standard errors scatter, one with a hole, and one without either.
 const WITH_ERRORS: &str = "with-errors.csv";
@@ -87,8 +88,8 @@ fn unknown_keys_and_wrong_kinds_are_told_with_what_was_meant() {
 fn keys_beside_draws_that_are_off_are_noted_and_an_option_puts_them_off() {
     let section = "[uncertainty]\ndraws = 64\noff = true\n";
     let scene = parsed(section).unwrap();
-    assert_eq!(scene.notes.iter().map(|note| note.reason).collect::<Vec<_>>(), [Unused::UncertaintyIsOff]);
-    assert_eq!(scene.notes[0].key, "uncertainty.draws");
+    assert_eq!(scene.notes.iter().map(|note| note.code).collect::<Vec<_>>(), [RemarkCode::UncertaintyIsOff]);
+    assert_eq!(scene.notes[0].place.key.as_deref(), Some("uncertainty.draws"));
     assert!(scene.uncertainty.unwrap().off);
     let overrides = Overrides { no_uncertainty: true, ..Overrides::default() };
     for section in ["", "[uncertainty]\ndraws = 64\n", section] {
@@ -101,9 +102,9 @@ fn keys_beside_draws_that_are_off_are_noted_and_an_option_puts_them_off() {
 fn a_section_on_what_does_not_scatter_is_noted() {
     let notes = |psd: &str| {
         let scene = parsed_with(psd, "[uncertainty]\nlevel = 0.9\n", &Overrides::default()).unwrap();
-        scene.notes.into_iter().map(|note| (note.key, note.reason)).collect::<Vec<_>>()
+        scene.notes.into_iter().map(|note| (note.place.key.unwrap(), note.code)).collect::<Vec<_>>()
     };
-    assert_eq!(notes(WITHOUT), [("uncertainty.level".to_owned(), Unused::NothingScatters)]);
+    assert_eq!(notes(WITHOUT), [("uncertainty.level".to_owned(), RemarkCode::NothingScatters)]);
     assert_eq!(notes(WITH_ERRORS), []);
     assert_eq!(notes(WITH_HOLE), []);
 }

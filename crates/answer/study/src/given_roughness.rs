@@ -1,7 +1,8 @@
 //! A surface given only by roughness parameters.
 
-use spectrum::{RoughnessParameters, SelfAffineProfile};
+use spectrum::{HURST_UNCERTAINTY, ROLLOFF_UNCERTAINTY_FACTOR, RoughnessParameters, SelfAffineProfile};
 use units::display::{length, three_digits};
+use units::{Remark, RemarkCode};
 
 /// The default Hurst exponent, common among measured surfaces.
 pub const ASSUMED_HURST: f64 = 0.8;
@@ -27,6 +28,28 @@ pub enum RollOffFrom {
 }
 
 impl GivenRoughness {
+    /// The remark on what was given and what was assumed.
+    #[must_use]
+    pub fn remark(&self) -> Remark {
+        let RoughnessParameters { rms_height_m, rms_slope, rolloff_m, hurst_exponent } =
+            self.profile.parameters();
+        let rolloff = match self.rolloff_from {
+            RollOffFrom::Given => "given",
+            RollOffFrom::MeanWidth => "the mean width RSm",
+        };
+        Remark::new(RemarkCode::OfParameters)
+            .with("rms_height_m", rms_height_m)
+            .with("rms_slope", rms_slope)
+            .with("longest_m", self.profile.longest_m())
+            .with("rolloff_m", rolloff_m)
+            .with("rolloff", rolloff)
+            .with("hurst_exponent", hurst_exponent)
+            .with("hurst", if self.hurst_is_assumed { "assumed" } else { "given" })
+            .with("shortest_m", self.profile.shortest_m())
+            .with("hurst_uncertainty", HURST_UNCERTAINTY)
+            .with("rolloff_factor", ROLLOFF_UNCERTAINTY_FACTOR)
+    }
+
     /// The surface by its parameters, in short.
     #[must_use]
     pub fn name(&self) -> String {

@@ -30,7 +30,7 @@ impl TryFrom<NameOrRows> for GrowthLaw {
     fn try_from(given: NameOrRows) -> Result<Self, String> {
         match given {
             NameOrRows::Name(name) => {
-                GrowthLaw::named(&name)?.ok_or_else(|| format!("'{name}' is none of power:N, nix-gao"))
+                GrowthLaw::named(&name)?.ok_or_else(|| format!("'{name}' is not one of power:N, nix-gao"))
             }
             NameOrRows::Rows(rows) => {
                 HardnessTable::new(rows).map(GrowthLaw::Table).map_err(|error| error.to_string())

@@ -18,7 +18,6 @@ pub mod materials;
 pub mod measured;
 pub mod model_options;
 pub mod models;
-mod note;
 pub mod plan;
 pub mod result_tables;
 pub mod spread;
@@ -28,5 +27,4 @@ pub mod validity;
 
 pub use measurements::{self, Files, NoFiles};
 pub use models::persson as persson_law;
-pub use note::Note;
 pub use numerics::parallel::{Progress, Unobserved};

@@ -1,4 +1,4 @@
-//! The material as given: what a model needs of it is drawn, and missed, only when the model asks.
+//! The material as given: values are drawn, or reported missing, only when a model needs them.
 
 use asperity::{AsperityError, ElasticBody, Layer, MaterialPair, NixGao};
 
@@ -10,7 +10,7 @@ use units::Pressure;
 use units::display::{length, pressure};
 use units::number;
 
-/// The bodies and, where given, the strength; what a model does not need of it is not looked at.
+/// The bodies and, where given, the strength; unused properties are not checked.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Material {
     /// The rough body and its counterface.

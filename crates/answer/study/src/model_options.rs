@@ -72,32 +72,6 @@ pub struct Setting {
     pub words: String,
 }
 
-/// A given option that the model ignores.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-pub struct IgnoredOption {
-    /// The option.
-    pub choice: Choice,
-    /// Why the model ignores it.
-    pub reason: IgnoredReason,
-}
-
-/// The reason why a model ignores an option.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum IgnoredReason {
-    /// The model has no such option; [`ModelEntry::has`](crate::models::ModelEntry::has) returns true for those that
-    /// have it.
-    NoSuchOption,
-    /// The model never yields, so that it has neither strength nor hardness.
-    NeverYields,
-    /// The model yields, and the corrected forms are elastic ones.
-    CorrectionsAreElastic,
-    /// The hardness law is not `nix-gao`, the only one that takes a strain-gradient length.
-    OtherHardnessLaw,
-    /// Neither strength nor hardness grows, so a cap has no effect.
-    NothingGrows,
-}
-
 impl Choice {
     /// The choices that a curve of a scene may make, in the order of its keys.
     pub const OF_CURVES: [Choice; 6] = [

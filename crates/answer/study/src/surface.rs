@@ -12,9 +12,9 @@ use spectrum::{
 use tables::Table;
 use topography::Recipe;
 use units::printable::shown_path;
+use units::{Remark, RemarkCode};
 
 use crate::given_roughness::GivenRoughness;
-use crate::note::Note;
 use measurements::{
     CompositeOfFiles, Files, ScanProblem, ScanRequest, ScansInFolders, TopographyError, heights_in,
 };
@@ -110,6 +110,11 @@ impl SurfaceError {
     }
 }
 
+/// The remark on an assumption that was made in reading a file.
+fn reading(text: String) -> Remark {
+    Remark::new(RemarkCode::Reading).with("text", text)
+}
+
 /// Returns true if a word of a text is a number of 0 or below.
 fn has_number_up_to_0(bytes: &[u8]) -> bool {
     let is_separator = |c: char| c.is_whitespace() || ";,".contains(c);
@@ -138,7 +143,7 @@ pub struct Surface {
     /// The comment lines of the file: origin, licence, description.
     pub remarks: Vec<String>,
     /// Assumptions made in reading, and doubts.
-    pub notes: Vec<Note>,
+    pub notes: Vec<Remark>,
     /// The scans behind the spectrum, if it is a composite.
     pub made_from: Option<CompositeOfFiles>,
     /// The roughness parameters behind the spectrum, if only they were given.
@@ -170,9 +175,9 @@ impl Surface {
             .map_err(|error| SurfaceError::unread(name.to_owned(), &bytes, error))?;
         let mut surface = Self::of_psd(shown_path(name).to_owned(), psd)?;
         surface.remarks = comments;
-        let mut notes: Vec<Note> = notes.into_iter().map(Note::Reading).collect();
+        let mut notes: Vec<Remark> = notes.into_iter().map(reading).collect();
         if name == RECONSTRUCTION {
-            notes.push(Note::Reconstruction);
+            notes.push(Remark::new(RemarkCode::Reconstruction));
         }
         surface.notes.splice(..0, notes);
         surface.sources =
@@ -188,7 +193,7 @@ impl Surface {
         let of_area = psd.convention().factor_to(Convention::Ciso).is_ok().then(|| psd.clone());
         let psd = psd.profile().map_err(|error| SurfaceError::Conversion { name: name.clone(), error })?;
         let holes = psd.holes();
-        let notes = (!holes.is_empty()).then(|| Note::Holes(holes.clone())).into_iter().collect();
+        let notes = Hole::remark(RemarkCode::Holes, &holes).into_iter().collect();
         Ok(Surface {
             name,
             psd,
@@ -219,7 +224,7 @@ impl Surface {
             TopographyError { request, ..error }
         })?;
         let mut surface = Self::of_composite(composite, names.join(" + "))?;
-        surface.notes.extend(found.note().map(Note::Reading));
+        surface.notes.extend(found.note().map(reading));
         Ok(surface)
     }
 
@@ -233,7 +238,7 @@ impl Surface {
             .psd()
             .map_err(|error| TopographyError::for_all(ScanProblem::Transform { scan: None, error }))?;
         let psd = psd.profile().map_err(|error| SurfaceError::Conversion { name: name.clone(), error })?;
-        let notes = scans.spectrum.remarks().into_iter().map(Note::Scans).collect();
+        let notes = scans.spectrum.remarks();
         let (remarks, holes) = (scans.provenance(), scans.spectrum.holes());
         Ok(Surface {
             name,
@@ -262,7 +267,7 @@ impl Surface {
             psd,
             of_area: None,
             remarks: Vec::new(),
-            notes: vec![Note::OfParameters(given)],
+            notes: vec![given.remark()],
             made_from: None,
             roughness: Some(given),
             sources: Vec::new(),
@@ -286,11 +291,16 @@ impl Surface {
         let mut holes = [self.holes.clone(), other.holes.clone(), sum.psd.holes()].concat();
         holes.sort_by(|a, b| b.longest_m.total_cmp(&a.longest_m));
         holes.dedup();
-        let mut notes: Vec<Note> = [&self, &other].into_iter().flat_map(Surface::named_notes).collect();
+        let mut notes: Vec<Remark> = [&self, &other].into_iter().flat_map(Surface::named_notes).collect();
         let apart: Vec<Hole> =
             sum.psd.holes().into_iter().filter(|hole| !self.has(hole) && !other.has(hole)).collect();
-        notes.extend((!apart.is_empty()).then_some(Note::Holes(apart)));
-        notes.push(Note::Superposition { shared_m: sum.shared_m });
+        notes.extend(Hole::remark(RemarkCode::Holes, &apart));
+        notes.push(match sum.shared_m {
+            Some([longest_m, shortest_m]) => Remark::new(RemarkCode::Superposition)
+                .with("longest_m", longest_m)
+                .with("shortest_m", shortest_m),
+            None => Remark::new(RemarkCode::NothingShared),
+        });
         let remarks = [&self, &other].into_iter().flat_map(Surface::named_remarks).collect();
         let name = format!("{} against {}", self.name, other.name);
         let sources = [&self.sources[..], &other.sources[..]].concat();
@@ -359,12 +369,12 @@ impl Surface {
     }
 
     /// Returns the notes with the name of the surface. Notes on scans already have names.
-    fn named_notes(&self) -> Vec<Note> {
-        let named = |note: &Note| match note {
-            Note::Scans(_) => note.clone(),
-            _ => Note::OfSurface { name: self.name.clone(), note: Box::new(note.clone()) },
-        };
-        self.notes.iter().map(named).collect()
+    fn named_notes(&self) -> Vec<Remark> {
+        let mut notes = self.notes.clone();
+        for note in notes.iter_mut().filter(|note| !note.code.is_about_scans()) {
+            note.place.surface.get_or_insert_with(|| self.name.clone());
+        }
+        notes
     }
 
     /// Returns the remarks with the name of the surface, except for those that name scans.

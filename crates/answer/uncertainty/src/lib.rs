@@ -37,7 +37,7 @@ pub use instruments::ASSUMED_Z_CALIBRATION;
 pub use material_draws::{DrawnMaterial, MaterialDraws};
 pub use plan::UncertaintyPlan;
 pub use results::{
-    Advice, AreaBand, AreaInterval, BandPoint, DecadeOfVariance, Guess, InstrumentInput, InstrumentName,
+    Advice, AreaBand, AreaInterval, BandPoint, DecadeOfVariance, InstrumentInput, InstrumentName,
     OpenChannel, OverlapMisfit, QuantityInterval, Resampled, Settling, SpectrumErrors, Step, StepKind,
     Uncertainty,
 };

@@ -3,6 +3,7 @@
 use scene::Scene;
 use study::Progress;
 use study::plan::{Cutoffs, Distinct, PlanError, Results, Work};
+use units::{Remark, RemarkCode};
 
 use crate::advice::{Adviser, MIN_SCANS};
 use crate::areas::{Areas, Points};
@@ -13,7 +14,7 @@ use crate::group::Indices;
 use crate::inputs::Inputs;
 use crate::quantiles::{area_interval_about, interval};
 use crate::quantities::{Quantities, QuantityDraws};
-use crate::results::{AreaBand, AreaInterval, Guess, Uncertainty};
+use crate::results::{AreaBand, AreaInterval, Uncertainty};
 use crate::settings::Settings;
 use crate::shares::Design;
 use crate::surface_scatter::{DrawOf, SpectrumSource};
@@ -137,13 +138,14 @@ impl<'p> UncertaintyPlan<'p> {
         let beyond_an_end = 0.5 * (1.0 - self.settings.level) * draws as f64;
         let are_ends_loose = found.areas.iter().any(|area| area.monte_carlo_error > MAX_MONTE_CARLO_ERROR);
         if draws < self.settings.draws || beyond_an_end < 1.0 || are_ends_loose {
-            found.guesses.push(Guess::FewDraws { draws });
+            found.guesses.push(Remark::new(RemarkCode::FewDraws).with("draws", draws));
         }
         let without =
             |area: &AreaInterval| draws - drawn.of(area.curve * self.areas.loads() + area.load).len();
         let most_without = found.areas.iter().map(without).max().unwrap_or(0);
         if most_without > 0 {
-            found.guesses.push(Guess::DrawsWithoutArea { draws: most_without, of: draws });
+            let without = Remark::new(RemarkCode::DrawsWithoutArea).with("draws", most_without);
+            found.guesses.push(without.with("of", draws));
         }
         Ok(found)
     }
@@ -317,8 +319,9 @@ impl<'p> UncertaintyPlan<'p> {
                     let first = found.instruments.len();
                     let few = (0..scans.descriptions.len()).filter_map(|at| {
                         let places = scans.places_in_a_bin(at);
-                        let guess = Guess::FewScans { instrument: first + at, scans: places };
-                        (places < MIN_SCANS).then_some(guess)
+                        let few = Remark::new(RemarkCode::FewScans);
+                        let few = few.with("instrument", scans.descriptions[at].name.text());
+                        (places < MIN_SCANS).then(|| few.with("scans", places))
                     });
                     found.guesses.extend(few);
                     found.instruments.extend(scans.descriptions.iter().cloned());
@@ -329,7 +332,8 @@ impl<'p> UncertaintyPlan<'p> {
                 }
                 SpectrumSource::Errors(errors) => found.spectrum_errors.push(errors.description.clone()),
                 SpectrumSource::Certain(_, name) => {
-                    found.guesses.push(Guess::SpectrumWithoutErrors { name: name.clone() });
+                    let without = Remark::new(RemarkCode::SpectrumWithoutErrors);
+                    found.guesses.push(without.with("name", name.as_str()));
                 }
             }
         }

@@ -3,6 +3,7 @@
 use serde::Serialize;
 use study::interface::Slot;
 use study::plan::Work;
+use units::Remark;
 
 use crate::group::{Group, Indices};
 use crate::settings::Settings;
@@ -25,7 +26,7 @@ pub struct Uncertainty {
     /// The standard errors of spectra from files that have some.
     pub spectrum_errors: Vec<SpectrumErrors>,
     /// The reasons to treat intervals as guesses.
-    pub guesses: Vec<Guess>,
+    pub guesses: Vec<Remark>,
     /// An interval for every curve and load that has an area.
     pub areas: Vec<AreaInterval>,
     /// An interval for every quantity of the interface that the scene requests and that has a value.
@@ -181,38 +182,6 @@ pub struct SpectrumErrors {
     pub correlation_decades: f64,
     /// True if the errors come from assumptions on roughness parameters, not from statistics.
     pub are_assumed: bool,
-}
-
-/// The reason to treat an interval as a guess.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-#[non_exhaustive]
-pub enum Guess {
-    /// One or two scans say little about the scatter between places.
-    FewScans {
-        /// The instrument, by index.
-        instrument: usize,
-        /// The number of its scans.
-        scans: usize,
-    },
-    /// Some draws leave the range of a model, so that its interval rests on the others.
-    DrawsWithoutArea {
-        /// The number of draws without an area, for the area that has the most such draws.
-        draws: usize,
-        /// The number of all draws.
-        of: usize,
-    },
-    /// The draws were stopped early, or are so few that none lies beyond an end, or that an end is known to a quarter
-    /// of the interval at best.
-    FewDraws {
-        /// The number of draws.
-        draws: usize,
-    },
-    /// A spectrum without standard errors beside uncertain materials, so that its scatter is missing.
-    SpectrumWithoutErrors {
-        /// The file.
-        name: String,
-    },
 }
 
 /// The interval of a curve along the cutoff.

@@ -1,8 +1,8 @@
 //! Options as the command line writes them.
 
-use questions::{OptionName, QuestionError, Spelling};
+use questions::QuestionError;
 use report::question_words;
-use study::models::Choice;
+use units::Spelling;
 
 use crate::failure::Failure;
 
@@ -13,19 +13,18 @@ pub(crate) struct Flags;
 pub(crate) struct PerssonFlags;
 
 impl Spelling for Flags {
-    fn option(&self, option: OptionName) -> String {
+    fn option(&self, option: &str) -> String {
         let name = match option {
-            OptionName::MissingPoints => "gaps",
-            OptionName::Reading => return "an option for reading spectra".to_owned(),
-            OptionName::Side => "box",
-            OptionName::ModelOption(Choice::Hardness) => "hardness-formula",
-            OptionName::ModelOption(Choice::StrainGradient) => "strain-gradient-length",
-            option => return format!("--{}", option.snake_case().replace('_', "-")),
+            "missing_points" => "gaps",
+            "reading" => return "an option for reading spectra".to_owned(),
+            "side" => "box",
+            "strain_gradient" => "strain-gradient-length",
+            option => return format!("--{}", option.replace('_', "-")),
         };
         format!("--{name}")
     }
 
-    fn with_value(&self, option: OptionName, value: &str) -> String {
+    fn with_value(&self, option: &str, value: &str) -> String {
         format!("{} {value}", self.option(option))
     }
 
@@ -35,11 +34,11 @@ impl Spelling for Flags {
 }
 
 impl Spelling for PerssonFlags {
-    fn option(&self, option: OptionName) -> String {
+    fn option(&self, option: &str) -> String {
         Flags.option(option)
     }
 
-    fn with_value(&self, option: OptionName, value: &str) -> String {
+    fn with_value(&self, option: &str, value: &str) -> String {
         Flags.with_value(option, value)
     }
 

@@ -5,11 +5,11 @@ use findings::conclusions::{Conclusions, Evidence};
 use measurements::Files;
 use questions::{BodyText, retune};
 use report::page::{LiveScreen, SpectrumCurve};
-use report::{scan_words, scans_table, scene_note_words};
+use report::scans_table;
 use scene::{Overrides, Scene};
 use serde::Serialize;
-use topography::Severity;
 use units::display::length;
+use units::{Remark, RemarkLevel, SceneKeys, Spelling};
 
 use crate::request::{Refusal, Request, stated};
 
@@ -62,6 +62,27 @@ pub struct PageNote {
     pub is_warning: bool,
     /// The words.
     pub text: String,
+}
+
+/// Options of a page, whose options of scans are filled in beside the files.
+struct BesideFiles;
+
+impl Spelling for BesideFiles {
+    fn option(&self, option: &str) -> String {
+        SceneKeys.option(option)
+    }
+
+    fn with_value(&self, option: &str, value: &str) -> String {
+        SceneKeys.with_value(option, value)
+    }
+
+    fn model(&self, name: &str) -> String {
+        SceneKeys.model(name)
+    }
+
+    fn of_scan(&self, _: &str, value: &str) -> String {
+        format!("fill it in beside the file, such as {value}")
+    }
 }
 
 /// Gives a scene the conditions of a request, or its own.
@@ -118,21 +139,12 @@ impl Desk {
         let (material, counterface, _) = stated(&text);
         let wavelengths_m = psd.wavelengths_m().to_vec();
         let made_from = scene.surface.made_from.as_ref();
-        let mut notes: Vec<PageNote> = scene
-            .surface
-            .notes
-            .iter()
-            .map(|note| PageNote {
-                is_warning: note.severity() == Severity::Warning,
-                text: scan_words::note_beside_files(note),
-            })
-            .chain(
-                scene
-                    .notes
-                    .iter()
-                    .map(|note| PageNote { is_warning: false, text: scene_note_words::line(note) }),
-            )
-            .collect();
+        let page_note = |note: &Remark| PageNote {
+            is_warning: note.level == RemarkLevel::Caution,
+            text: note.words(&BesideFiles),
+        };
+        let mut notes: Vec<PageNote> =
+            scene.surface.notes.iter().chain(&scene.notes).map(page_note).collect();
         notes.sort_by_key(|note| !note.is_warning);
         let opened = Opened {
             title: scene.title.clone(),

@@ -75,6 +75,15 @@ pub fn counted(number: usize, thing: &str) -> String {
     format!("{number} {thing}{s}")
 }
 
+/// Words a number from 2 to 12, e.g. `three`; others are in digits.
+#[must_use]
+pub fn number_word(number: usize) -> String {
+    const WORDS: [&str; 11] =
+        ["two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"];
+    let word = number.checked_sub(2).and_then(|at| WORDS.get(at));
+    word.map_or_else(|| number.to_string(), |word| (*word).to_owned())
+}
+
 /// A share in percent with three significant digits, e.g. `0.18 %` of 0.0018.
 #[must_use]
 pub fn percent(share: f64) -> String {

@@ -12,6 +12,8 @@ pub mod printable;
 mod quantity;
 mod quantity_error;
 mod quantity_kind;
+mod remark;
+mod remark_codes;
 mod roughness;
 mod share;
 mod standard_uncertainty;
@@ -29,6 +31,7 @@ pub use quantity::{
     Temperature, ThermalConductivity, Viscosity, WorkOfAdhesion,
 };
 pub use quantity_error::QuantityError;
+pub use remark::{Remark, RemarkCode, RemarkLevel, RemarkPlace, RemarkValue, SceneKeys, Spelling};
 pub use roughness::Scale;
 pub use share::{Share, ShareError};
 pub use standard_uncertainty::standard_uncertainty;

@@ -4,7 +4,7 @@ use thiserror::Error;
 
 /// A name that an option does not have.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("reading the {what}: '{given}' is none of {accepted}")]
+#[error("reading the {what}: '{given}' is not one of {accepted}")]
 pub struct UnknownName {
     /// The option, such as `convention`.
     pub what: &'static str,

@@ -8,7 +8,7 @@ use spectrum::random_surfaces::RandomSurfaceError;
 use tables::Table;
 use thiserror::Error;
 use units::display::length;
-use units::{Bound, OutOfBounds};
+use units::{Bound, OutOfBounds, Remark, RemarkCode};
 
 use crate::placed::{LARGEST_EXTENT, PressureProfile, RINGS, RINGS_PER_RADIUS};
 use crate::relief::{Boundary, Relief};
@@ -88,43 +88,31 @@ pub struct IndenterState {
     pub ring_pressures_pa: [Option<f64>; RINGS],
 }
 
-/// Reason to doubt the state of an indenter.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum IndenterCaution {
-    /// Hertz's radius has fewer than 8 points.
-    CoarseGrid {
-        /// Points along Hertz's radius.
-        points_per_radius: f64,
-    },
-    /// The map is less than four of Hertz's radii wide, or less than ten under a cylinder, whose images are then felt.
-    NarrowMap {
-        /// Width over Hertz's radius.
-        radii_across_map: f64,
-        /// Relative excess (pi a/L)^2/12 of the largest pressure of a smooth cylinder over Hertz's.
-        pressure_excess: f64,
-    },
-    /// Hertz's radius is at least a tenth of the indenter's, which is no longer a parabola.
-    LargeContact {
-        /// Hertz's radius over the radius of the indenter.
-        radius_share: f64,
-    },
-}
-
 impl IndenterState {
-    /// Returns the reasons to doubt the state.
+    /// Lists the reasons to doubt the state.
     #[must_use]
-    pub fn cautions(&self) -> Vec<IndenterCaution> {
-        let Self { points_per_radius, radii_across_map, radius_share, .. } = *self;
-        let least_radii = match self.shape {
-            IndenterShape::Ball => 4.0,
-            IndenterShape::Cylinder => 10.0,
+    pub fn remarks(&self) -> Vec<Remark> {
+        let Self { points_per_radius: points, radii_across_map: radii, radius_share: share, .. } = *self;
+        let (least_radii, [coarse, narrow, large]) = match self.shape {
+            IndenterShape::Ball => {
+                (4.0, [RemarkCode::BallCoarseGrid, RemarkCode::BallNarrowMap, RemarkCode::BallLargeContact])
+            }
+            IndenterShape::Cylinder => (
+                10.0,
+                [
+                    RemarkCode::CylinderCoarseGrid,
+                    RemarkCode::CylinderNarrowBox,
+                    RemarkCode::CylinderLargeContact,
+                ],
+            ),
         };
-        let pressure_excess = (PI / radii_across_map).powi(2) / 12.0;
-        let coarse = (points_per_radius < 8.0).then_some(IndenterCaution::CoarseGrid { points_per_radius });
-        let narrow = (radii_across_map < least_radii)
-            .then_some(IndenterCaution::NarrowMap { radii_across_map, pressure_excess });
-        let large = (radius_share >= 0.1).then_some(IndenterCaution::LargeContact { radius_share });
-        [coarse, narrow, large].into_iter().flatten().collect()
+        let narrow = Remark::new(narrow).with("radii_across_map", radii);
+        let found = [
+            (points < 8.0, Remark::new(coarse).with("points_per_radius", points)),
+            (radii < least_radii, narrow.with("pressure_excess", (PI / radii).powi(2) / 12.0)),
+            (share >= 0.1, Remark::new(large).with("radius_share", share)),
+        ];
+        found.into_iter().filter_map(|(is_found, remark)| is_found.then_some(remark)).collect()
     }
 
     /// Returns the distance from the axis \[m\] of the middle of a ring.

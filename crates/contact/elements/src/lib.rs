@@ -31,9 +31,7 @@ pub use adhesive::{AdhesiveError, AdhesivePressing, AdhesiveState, Branch, adhes
 pub use error::ElementsError;
 pub use field::{ContactField, PointState};
 pub use half_space::Approach;
-pub use indenter::{
-    Indenter, IndenterCaution, IndenterError, IndenterPressing, IndenterShape, IndenterState, indenter_table,
-};
+pub use indenter::{Indenter, IndenterError, IndenterPressing, IndenterShape, IndenterState, indenter_table};
 pub use mean::{Mean, PressedLoad};
 pub use patches::{PressedPatches, patches_table};
 pub use placed::LARGEST_EXTENT;

@@ -5,11 +5,12 @@ use std::f64::consts::PI;
 use approx::assert_relative_eq;
 use elements::half_space::HalfSpaceError;
 use elements::{
-    Boundary, Indenter, IndenterCaution, IndenterError, IndenterPressing, IndenterShape, IndenterState,
-    RandomSurfaces, Relief, Surfaces, indenter_table,
+    Boundary, Indenter, IndenterError, IndenterPressing, IndenterShape, IndenterState, RandomSurfaces,
+    Relief, Surfaces, indenter_table,
 };
 use numerics::parallel::{Progress, Unobserved};
 use spectrum::random_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};
+use units::RemarkCode;
 
 /// E* of 1 Pa.
 const PRESSING: IndenterPressing = IndenterPressing { contact_modulus_pa: 1.0, tolerance: 1e-10 };
@@ -158,8 +159,7 @@ fn cylinder_in_a_periodic_box_is_hertz_with_the_share_of_its_neighbours() {
         assert!((0.99..1.04).contains(&(state.peak_mean_pressure_pa / state.hertz_pressure_pa)), "{state:?}");
         let expected = 1.0 / 3.0 + 3f64.sqrt() / (2.0 * PI);
         assert!((state.force_share - expected).abs() < 0.02, "{share}: {}", state.force_share);
-        let narrow =
-            state.cautions().iter().any(|caution| matches!(caution, IndenterCaution::NarrowMap { .. }));
+        let narrow = state.remarks().iter().any(|remark| remark.code == RemarkCode::CylinderNarrowBox);
         assert_eq!(narrow, share > 0.1 + 1e-9, "{state:?}");
     }
 }
@@ -263,14 +263,8 @@ fn surfaces_of_a_spectrum_give_a_row_each_and_scatter() {
 #[test]
 fn coarse_grids_narrow_maps_and_large_contacts_are_doubted() {
     let state = pressed(ball(4.0, 0.25), &smooth(64, 64, 1.0 / 64.0));
-    assert_eq!(state.cautions(), []);
+    assert_eq!(state.remarks(), []);
     let state = pressed(ball(2.0, 0.3), &smooth(16, 16, 1.0 / 16.0));
-    let [
-        IndenterCaution::CoarseGrid { .. },
-        IndenterCaution::NarrowMap { .. },
-        IndenterCaution::LargeContact { .. },
-    ] = state.cautions()[..]
-    else {
-        panic!("{:?}", state.cautions())
-    };
+    let codes: Vec<RemarkCode> = state.remarks().iter().map(|remark| remark.code).collect();
+    assert_eq!(codes, [RemarkCode::BallCoarseGrid, RemarkCode::BallNarrowMap, RemarkCode::BallLargeContact]);
 }

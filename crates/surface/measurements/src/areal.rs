@@ -1,6 +1,6 @@
 //! The two-dimensional spectrum of a map.
 
-use topography::{Direction, MapSpectrum, Recipe, Remark};
+use topography::{Direction, MapSpectrum, Recipe};
 
 use crate::error::{ScanProblem, TopographyError};
 use crate::files::Files;
@@ -8,6 +8,7 @@ use crate::load::{Loaded, load};
 use crate::only_map::{map_in, only_scan, untransformed};
 use crate::request::ScanRequest;
 use tables::Table;
+use units::Remark;
 
 /// The two-dimensional spectrum of a map, averaged radially.
 pub struct ArealTable {
@@ -51,6 +52,6 @@ pub fn areal_spectrum(
         "map: {} ({}), SHA-256 {sha256}, detrend {}, window {}",
         request.path, file.format, found.preparation.detrend, found.preparation.window
     );
-    let of_map = |remark| Remark::Scan { names: vec![file.name.clone()], remark };
+    let of_map = |remark: Remark| remark.about([file.name.as_str()]);
     Ok(ArealTable { table, provenance, remarks: found.remarks.into_iter().map(of_map).collect() })
 }

@@ -1,7 +1,8 @@
 //! The detrended heights of one map, for boundary elements.
 
 use scans::HeightMap;
-use topography::{Direction, Recipe, Remark, ScanRemark, detrended_m};
+use topography::{Direction, Recipe, detrended_m};
+use units::{Remark, RemarkCode};
 
 use crate::error::{ScanProblem, TopographyError};
 use crate::files::Files;
@@ -58,7 +59,7 @@ impl MapOfFile {
                 .to_owned()
         });
         let of_map =
-            |note| Remark::Scan { names: vec![file.name.clone()], remark: ScanRemark::Reading(note) };
+            |note| Remark::new(RemarkCode::ScanReading).about([file.name.as_str()]).with("text", note);
         let remarks = file.notes.iter().cloned().chain(pressed_once).map(of_map).collect();
         Ok(MapOfFile { map, is_periodic: file.is_periodic, provenance, remarks })
     }

@@ -20,7 +20,7 @@ pub(crate) fn size(
     if let (Some(told), Some(unused)) = (told, options.fallback_size)
         && told != unused
     {
-        notes.push(format!("the size {unused} given is not used: it is told to be {told}"));
+        notes.push(format!("ignoring the size {unused}, because {told} is known"));
     }
     told.or(options.fallback_size)
 }

@@ -161,7 +161,7 @@ mod tests {
         }
         assert_eq!(
             "C2D".parse::<Convention>().unwrap_err().to_string(),
-            "reading the convention: 'C2D' is none of c1d, w1, frequency, ciso, persson"
+            "reading the convention: 'C2D' is not one of c1d, w1, frequency, ciso, persson"
         );
     }
 }

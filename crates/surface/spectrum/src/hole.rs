@@ -1,6 +1,8 @@
 //! Holes in a spectrum: wavelengths that were not measured.
 
 use serde::Serialize;
+use units::display::length;
+use units::{Remark, RemarkCode};
 
 use crate::ProfilePsd;
 
@@ -29,7 +31,24 @@ impl ProfilePsd {
     }
 }
 
+/// The most holes that a remark names; the others are counted.
+const MAX_HOLES_NAMED: usize = 3;
+
 impl Hole {
+    /// Makes the remark on holes, from long to short wavelengths; `None` without holes.
+    #[must_use]
+    pub fn remark(code: RemarkCode, holes: &[Hole]) -> Option<Remark> {
+        let ends =
+            |hole: &Hole| format!("between {} and {}", length(hole.longest_m), length(hole.shortest_m));
+        let named: Vec<String> = holes.iter().take(MAX_HOLES_NAMED).map(ends).collect();
+        let more = match holes.len() - named.len() {
+            0 => String::new(),
+            more => format!(", and in {more} more such holes"),
+        };
+        let holes = named.join(" and ") + &more;
+        (!named.is_empty()).then(|| Remark::new(code).with("holes", holes))
+    }
+
     /// Fraction of a band \[m\] that lies in the hole, on a logarithmic scale; 0 to 1.
     #[must_use]
     pub fn share_of(&self, longest_m: f64, shortest_m: f64) -> f64 {
@@ -58,5 +77,24 @@ mod tests {
         assert_eq!(hole.share_of(10.0, 1.0), 1.0);
         assert!((hole.share_of(1000.0, 10.0) - 0.5).abs() < 1e-15);
         assert_eq!(hole.share_of(1e5, 1e4), 0.0);
+    }
+}
+
+#[cfg(test)]
+mod remarks {
+    use units::SceneKeys;
+
+    use super::*;
+
+    #[test]
+    fn many_holes_are_counted() {
+        let hole = |longest_m: f64| Hole { longest_m, shortest_m: longest_m / 4.0 };
+        let words = |holes: &[Hole]| Some(Hole::remark(RemarkCode::Holes, holes)?.words(&SceneKeys));
+        assert_eq!(
+            words(&[hole(1e-6)]).unwrap(),
+            "nothing was measured between 1 µm and 250 nm: the spectrum there is a straight line in logarithms from end to end"
+        );
+        assert!(words(&[hole(1e-3); 5]).unwrap().contains(", and in 2 more such holes: "));
+        assert_eq!(words(&[]), None);
     }
 }

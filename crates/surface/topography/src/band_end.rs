@@ -1,11 +1,13 @@
 //! The limit that ends the band of a scan at its short end.
 
 use scans::{Scan, ScanFile};
+use units::display::length;
+use units::{Remark, RemarkCode};
 
 use crate::recipe::Recipe;
-use crate::remark::{BandEnd, ScanRemark};
+use crate::remark::BandEnd;
 use crate::tip::may_have_a_tip;
-use crate::tip_indication::TipIndication;
+use crate::tip_indication::{TipIndication, usual_tip_radii_m};
 use crate::tip_words::proposed_tip;
 use crate::{BandLimits, ReliableBand, TransformError};
 
@@ -13,7 +15,7 @@ use crate::{BandLimits, ReliableBand, TransformError};
 pub(crate) struct FoundBand {
     pub(crate) band: ReliableBand,
     pub(crate) end: BandEnd,
-    pub(crate) tip_remarks: Vec<ScanRemark>,
+    pub(crate) tip_remarks: Vec<Remark>,
 }
 
 /// Computes the band of a scan and the limit that ends it.
@@ -42,16 +44,24 @@ fn tip_remarks(
     given: BandLimits,
     recipe: &Recipe,
     (band, end): (&ReliableBand, BandEnd),
-) -> Vec<ScanRemark> {
+) -> Vec<Remark> {
     if given.tip_radius_m.or(file.tip_radius_m).is_some() {
         return Vec::new();
     }
     let words = proposed_tip(&file.free_text).filter(|_| may_have_a_tip(file));
     let mut remarks = Vec::new();
     if end == BandEnd::PixelsWithoutTip {
-        remarks.push(ScanRemark::TipUnknown { shortest_m: band.shortest_m });
-        remarks.push(ScanRemark::TipIndicated(TipIndication::from_scan(&file.scan, band.shortest_m)));
+        let sharp_tip = length(usual_tip_radii_m(band.shortest_m)[0]).replace('µ', "u");
+        remarks.push(
+            Remark::new(RemarkCode::TipUnknown)
+                .with("shortest_m", band.shortest_m)
+                .with("sharp_tip", sharp_tip),
+        );
+        remarks.push(TipIndication::from_scan(&file.scan, band.shortest_m).remark());
     }
-    remarks.extend(words.map(|words| ScanRemark::TipWords { words, is_used: recipe.tip_radius_auto }));
+    let code = if recipe.tip_radius_auto { RemarkCode::TipFromText } else { RemarkCode::TipInText };
+    remarks.extend(
+        words.map(|words| Remark::new(code).with("radius_m", words.radius_m).with("text", words.text)),
+    );
     remarks
 }

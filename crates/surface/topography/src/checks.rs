@@ -3,15 +3,29 @@
 use std::f64::consts::TAU;
 
 use scans::Scan;
+use units::{Remark, RemarkCode};
 
 use crate::piecewise::nonuniform_line_spectrum_to;
-use crate::remark::{Derivative, FundamentalMode, ScanRemark};
+use crate::remark::{FundamentalMode, SLOPES_DIFFER};
 use crate::rows::{Lines, Rows};
 use crate::sums::dot;
 use crate::{
     DerivativeOf, Detrend, LineSpectrum, Preparation, ScanBoundary, Window, real_space_derivatives,
     real_space_derivatives_across,
 };
+
+/// Deviation from Parseval's theorem that exceeds rounding.
+const LARGE_PARSEVAL: f64 = 1e-9;
+/// The least relative error that double precision resolves.
+const MIN_RELATIVE_ERROR: f64 = 1e-15;
+/// Largest relative difference of rms slopes and curvatures that a window and nonuniform roughness explain.
+const LARGE_DERIVATIVE: f64 = 0.1;
+/// Largest such difference for uneven points, whose straight lines have slopes beyond the last wavelength.
+const LARGE_DERIVATIVE_UNEVEN: f64 = 0.5;
+/// Share of the variance below which a trace of uneven points is doubtful.
+const LEAST_SHARE: f64 = 0.9;
+/// Largest over median distance of neighbouring points above which a trace is doubtful.
+const LARGE_GAP: f64 = 10.0;
 
 /// Results of the checks of a spectrum.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -69,26 +83,64 @@ impl Checks {
 
     /// Makes remarks on all checks, passed or not.
     #[must_use]
-    pub fn remarks(&self) -> Vec<ScanRemark> {
-        let evenly_spaced = self.evenly_spaced;
-        let compared = |derivative, real, spectral: Option<f64>| {
-            Some(ScanRemark::Derivative { derivative, real, spectral: spectral?, evenly_spaced })
+    pub fn remarks(&self) -> Vec<Remark> {
+        let slopes = self.spectral_slope.map(|spectral| (self.real_slope, spectral));
+        let curvatures = self.real_curvature_per_m.zip(self.spectral_curvature_per_m);
+        let gap = |code| Remark::new(code).with("over_median", self.largest_gap);
+        let gap = if self.largest_gap <= LARGE_GAP {
+            gap(RemarkCode::NarrowGaps)
+        } else {
+            gap(RemarkCode::WideGap)
         };
-        let curvature = self.real_curvature_per_m.and_then(|real_per_m| {
-            compared(Derivative::CurvaturePerM, real_per_m, self.spectral_curvature_per_m)
-        });
         [
-            Some(ScanRemark::Variance { share: self.parseval_share, evenly_spaced }),
-            (!evenly_spaced).then_some(ScanRemark::Gap { over_median: self.largest_gap }),
-            compared(Derivative::Slope, self.real_slope, self.spectral_slope),
-            curvature,
-            self.slope_across.map(|across| ScanRemark::Slopes { along: self.real_slope, across }),
-            Some(ScanRemark::Fundamental(self.fundamental)),
+            Some(self.variance()),
+            (!self.evenly_spaced).then_some(gap),
+            slopes.map(|found| self.compared(RemarkCode::SlopesCompared, found)),
+            curvatures.map(|found| self.compared(RemarkCode::CurvaturesCompared, found)),
+            self.slope_across.map(|across| slopes_of_map(self.real_slope, across)),
+            Some(self.fundamental.remark()),
         ]
         .into_iter()
         .flatten()
         .collect()
     }
+
+    fn variance(&self) -> Remark {
+        let share = self.parseval_share;
+        // A comparison with NaN is false and must not pass a check.
+        match self.evenly_spaced {
+            true if (share - 1.0).abs() <= LARGE_PARSEVAL => {
+                let power = (share - 1.0).abs().max(MIN_RELATIVE_ERROR).log10().ceil();
+                // The logarithm of a power of ten may lie a rounding above it.
+                let bound = 10f64.powi((power - 1e-9) as i32);
+                Remark::new(RemarkCode::ParsevalHolds).with("bound", format!("{bound:.0e}"))
+            }
+            true => Remark::new(RemarkCode::ParsevalFails).with("share", share),
+            false => {
+                Remark::new(RemarkCode::VarianceOfTrace).with("share", share).passed_if(share >= LEAST_SHARE)
+            }
+        }
+    }
+
+    /// The remark on a root mean square derivative from neighbouring points and from the spectrum.
+    fn compared(&self, code: RemarkCode, (real, spectral): (f64, f64)) -> Remark {
+        let most = if self.evenly_spaced { LARGE_DERIVATIVE } else { LARGE_DERIVATIVE_UNEVEN };
+        let apart = spectral / real - 1.0;
+        let difference = match (real == 0.0, spectral == 0.0) {
+            (true, true) => "the same".to_owned(),
+            (true, false) => "none to compare with".to_owned(),
+            (false, _) => format!("{:+.1} %", 100.0 * apart),
+        };
+        let remark = Remark::new(code).with("real", real).with("spectral", spectral);
+        remark.with("difference", difference).passed_if(real == spectral || apart.abs() <= most)
+    }
+}
+
+/// The remark on the root mean square slopes along and across the lines of a map.
+fn slopes_of_map(along: f64, across: f64) -> Remark {
+    let is_alike = along == across || (along / across).ln().abs() < SLOPES_DIFFER.ln();
+    let code = if is_alike { RemarkCode::SlopesAlike } else { RemarkCode::SlopesDiffer };
+    Remark::new(code).with("along", along).with("across", across).with("bound", SLOPES_DIFFER)
 }
 
 fn largest_gap(scan: &Scan) -> f64 {
@@ -134,4 +186,40 @@ fn fundamental_of_rows(rows: &Rows, detrend: Detrend) -> f64 {
     };
     let mean_m2 = rows.iter().enumerate().map(power_m2).sum::<f64>() / rows.count() as f64;
     mean_m2 * rows.spacing_m / points as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use units::SceneKeys;
+
+    use super::*;
+
+    #[test]
+    fn checks_are_worded_as_in_the_field() {
+        let checks = Checks {
+            parseval_share: 1.0,
+            evenly_spaced: true,
+            largest_gap: 1.0,
+            real_slope: 0.0,
+            slope_across: None,
+            spectral_slope: Some(0.1),
+            real_curvature_per_m: None,
+            spectral_curvature_per_m: None,
+            fundamental: FundamentalMode::Kept { share: 0.85, used: false },
+        };
+        let worded = |checks: &Checks| -> Vec<String> {
+            let remarks = checks.remarks().into_iter().map(|remark| remark.about(["a"]).words(&SceneKeys));
+            remarks.collect()
+        };
+        assert_eq!(
+            worded(&checks),
+            [
+                "a: Parseval: relative error below 1e-15",
+                "a: rms slope 0 from neighbouring points, 0.1 from the spectrum (none to compare with)",
+                "a: the mode of the full length keeps 85 % of its power; bin not used",
+            ]
+        );
+        let close = Checks { parseval_share: 1.0 - 3e-13, ..checks };
+        assert_eq!(worded(&close)[0], "a: Parseval: relative error below 1e-12");
+    }
 }

@@ -5,10 +5,13 @@ use std::iter;
 
 use scans::ScanAxis;
 use spectrum::{Convention, Hole, Psd};
+use units::display::{length, three_digits};
+use units::{Remark, RemarkCode, RemarkLevel};
 
 use crate::composite::average_scan_bins;
+use crate::overlap::{DIRECTIONS_DIFFER, mixed_units};
 use crate::recipe::{Average, Recipe};
-use crate::remark::{Remark, ScanRemark, differ};
+use crate::remark::{SPECTRA_DIFFER, differ};
 use crate::scan_bins::ScanBin;
 use crate::scan_spectrum::ScanSpectrum;
 use crate::{Composite, Direction, DirectionRatio, Overlap, TransformError, overlaps};
@@ -172,16 +175,16 @@ impl CompositeSpectrum {
             let [of_x, of_y] = [x, y].map(|scan| &self.scans[scan].reliable);
             let ratios = DirectionRatio::per_decade(of_x, of_y, self.recipe.bins_per_decade);
             let fast = self.scans[x].fast_axis.map(Direction::from);
-            (!ratios.is_empty()).then(|| Remark::Directions { names: both([x, y]), ratios, fast })
+            (!ratios.is_empty()).then(|| remark_on_directions(both([x, y]), &ratios, fast))
         });
         let overlaps = self.overlap_remarks(&names);
-        let holes = Some(self.holes()).filter(|holes| !holes.is_empty()).map(Remark::Holes);
+        let holes = Hole::remark(RemarkCode::ScanHoles, &self.holes());
         of_scans.chain(same).chain(directions).chain(overlaps).chain(self.bias()).chain(holes).collect()
     }
 
     /// Remarks on single scans; scans of which the same holds share a remark.
     fn scan_remarks(&self, names: &[String]) -> Vec<Remark> {
-        let mut gathered: Vec<(ScanRemark, Vec<String>)> = Vec::new();
+        let mut gathered: Vec<(Remark, Vec<String>)> = Vec::new();
         for (scan, name) in self.scans.iter().zip(names) {
             for remark in scan.remarks() {
                 match gathered.iter_mut().find(|(other, _)| *other == remark) {
@@ -190,17 +193,17 @@ impl CompositeSpectrum {
                 }
             }
         }
-        gathered.into_iter().map(|(remark, names)| Remark::Scan { names, remark }).collect()
+        gathered.into_iter().map(|(remark, names)| remark.about(names)).collect()
     }
 
     /// Remarks on scans that hold the same data, one for each group of them.
     fn same_data(&self, names: &[String]) -> Vec<Remark> {
         let repeats_of = |first: usize| {
             let repeats = self.repeated.iter().filter(move |(of, _)| *of == first).map(|(_, scan)| *scan);
-            iter::once(first).chain(repeats).map(|scan| names[scan].clone()).collect()
+            iter::once(first).chain(repeats).map(|scan| names[scan].clone())
         };
         let firsts: BTreeSet<usize> = self.repeated.iter().map(|(first, _)| *first).collect();
-        firsts.into_iter().map(|first| Remark::SameData { names: repeats_of(first) }).collect()
+        firsts.into_iter().map(|first| Remark::new(RemarkCode::SameData).about(repeats_of(first))).collect()
     }
 
     /// Remarks on each pair of scans that overlap or, of many pairs, on those that differ most and on all others together.
@@ -214,14 +217,15 @@ impl CompositeSpectrum {
             let rest = listed.split_off(MOST_PAIRS_NAMED);
             let lowest = rest.iter().map(|overlap| overlap.ratio).fold(f64::INFINITY, f64::min);
             let highest = rest.iter().map(|overlap| overlap.ratio).fold(0.0, f64::max);
-            others = Some(Remark::OtherOverlaps { pairs: rest.len(), ratios: [lowest, highest] });
+            let remark = Remark::new(RemarkCode::OtherOverlaps).with("pairs", rest.len());
+            let mut remark = remark.with("lowest", lowest).with("highest", highest);
+            if differ(lowest) || differ(highest) {
+                remark.level = RemarkLevel::Caution;
+            }
+            others = Some(remark);
         }
-        let one = |overlap: &Overlap| Remark::Overlap {
-            names: [overlap.first, overlap.second].map(|scan| names[scan].clone()),
-            ratio: overlap.ratio,
-            bins: overlap.bins,
-            longest_m: overlap.longest_m,
-            shortest_m: overlap.shortest_m,
+        let one = |overlap: &Overlap| {
+            remark_on_overlap(overlap).about([overlap.first, overlap.second].map(|scan| names[scan].clone()))
         };
         listed.into_iter().map(one).chain(others).collect()
     }
@@ -232,7 +236,43 @@ impl CompositeSpectrum {
         let bins = self.in_bins.iter().flatten().filter(|_| average == Average::LogUnbiased);
         let factors = bins.map(|bin| (average.counted_m3(bin) / bin.c1d_m3, bin.wavelength_m));
         let (factor, wavelength_m) = factors.max_by(|a, b| a.0.total_cmp(&b.0))?;
-        Some(Remark::BiasRemoved { factor, wavelength_m })
+        Some(Remark::new(RemarkCode::BiasRemoved).with("factor", factor).with("wavelength_m", wavelength_m))
+    }
+}
+
+/// The remark on two scans where they overlap.
+fn remark_on_overlap(overlap: &Overlap) -> Remark {
+    let Overlap { ratio, bins, longest_m, shortest_m, .. } = *overlap;
+    if let Some(units) = mixed_units(ratio) {
+        let factor = ratio.max(1.0 / ratio).sqrt();
+        return Remark::new(RemarkCode::MixedUnits).with("factor", factor).with("units", units);
+    }
+    let code = if differ(ratio) { RemarkCode::OverlapDiffers } else { RemarkCode::Overlap };
+    let remark = Remark::new(code).with("ratio", ratio).with("bound", SPECTRA_DIFFER);
+    match bins {
+        1 => remark.with("wavelength_m", longest_m),
+        _ => remark.with("bins", bins).with("longest_m", longest_m).with("shortest_m", shortest_m),
+    }
+}
+
+/// The remark on the spectra of a map along both of its axes, compared decade by decade.
+fn remark_on_directions(names: [String; 2], ratios: &[DirectionRatio], fast: Option<Direction>) -> Remark {
+    let of_decade = |found: &DirectionRatio| {
+        let (ratio, longest) = (three_digits(found.ratio), length(found.longest_m));
+        match found.bins {
+            1 => format!("{ratio} at {longest}"),
+            _ => format!("{ratio} from {longest} to {}", length(found.shortest_m)),
+        }
+    };
+    let code = match ratios.iter().any(DirectionRatio::is_anisotropic) {
+        true => RemarkCode::DirectionsDiffer,
+        false => RemarkCode::Directions,
+    };
+    let ratios = ratios.iter().map(of_decade).collect::<Vec<_>>().join(", ");
+    let remark = Remark::new(code).about(names).with("ratios", ratios).with("bound", DIRECTIONS_DIFFER);
+    match fast {
+        Some(fast) => remark.with("fast", fast.to_string()),
+        None => remark,
     }
 }
 
@@ -243,4 +283,34 @@ fn repeated(scans: &[ScanSpectrum]) -> Vec<(usize, usize)> {
         Some((first, second))
     };
     (1..scans.len()).filter_map(of_an_earlier).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use units::SceneKeys;
+
+    use super::*;
+
+    #[test]
+    fn directions_are_compared_decade_by_decade() {
+        let decade = |longest_m: f64, bins, ratio| DirectionRatio {
+            longest_m,
+            shortest_m: longest_m / 8.0,
+            bins,
+            ratio,
+        };
+        let names = || ["a, along x", "a, along y"].map(str::to_owned);
+        let isotropic = [decade(8e-6, 9, 1.1), decade(8e-7, 1, 3.0)];
+        assert_eq!(
+            remark_on_directions(names(), &isotropic, Some(Direction::X)).words(&SceneKeys),
+            "a, along y over a, along x: 1.1 from 8 µm to 1 µm, 3 at 800 nm; x is the fast axis of the scan"
+        );
+        let anisotropic = remark_on_directions(names(), &[decade(8e-6, 9, 0.5)], None);
+        assert_eq!(anisotropic.level, RemarkLevel::Caution);
+        assert_eq!(
+            anisotropic.words(&SceneKeys),
+            "a, along y over a, along x: 0.5 from 8 µm to 1 µm; a factor of 1.5 or more: the surface has a direction, or its \
+             lines are offset against each other"
+        );
+    }
 }

@@ -5,7 +5,7 @@
 //! * [`LineSpectrum`] and [`ArealSpectrum`]: the spectrum of a scan on the bins of its own length, with its
 //!   [`ReliableBand`];
 //! * [`ScanSpectrum`]: the spectrum of a file of heights by a [`Recipe`], with [`Checks`];
-//! * [`Composite`] and [`CompositeSpectrum`]: one spectrum from many measurements, with every [`Remark`] on it.
+//! * [`Composite`] and [`CompositeSpectrum`]: one spectrum from many measurements, with every [`Remark`](units::Remark) on it.
 //!
 //! The crate opens no paths, prints nothing, and runs on one thread unless the feature `parallel` is on. No digit
 //! depends on the number of threads.
@@ -64,14 +64,12 @@ pub use line::{DerivativeOf, LineSpectrum, RmsDerivatives};
 pub use lines::{LineSums, MapLines, map_line_spectrum, uniform_line_spectrum};
 pub use map_spectrum::{MapSpectrum, map_of};
 pub use noise_floor::NoiseFloor;
-pub use overlap::{DIRECTIONS_DIFFER, DirectionRatio, Overlap, mixed_units, overlaps};
+pub use overlap::{DirectionRatio, Overlap, overlaps};
 pub use piecewise::{nonuniform_line_spectrum, nonuniform_line_spectrum_to};
 pub use preparation::{Preparation, Window};
 pub use radial::{ArealSpectrum, RadialBin};
 pub use recipe::{Average, DEFAULT_BINS_PER_DECADE, Recipe};
-pub use remark::{
-    BandEnd, Derivative, FundamentalMode, Remark, SLOPES_DIFFER, SPECTRA_DIFFER, ScanRemark, Severity,
-};
+pub use remark::{BandEnd, FundamentalMode};
 pub use scan_bins::ScanBin;
 pub use scan_spectrum::{ScanSpectrum, line_spectrum};
 pub use tip::tip_cutoff_m;

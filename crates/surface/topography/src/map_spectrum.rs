@@ -2,10 +2,11 @@
 
 use scans::{HeightMap, Scan, ScanFile};
 use spectrum::Psd;
+use units::Remark;
 
 use crate::band_end::{FoundBand, band_of};
 use crate::recipe::Recipe;
-use crate::remark::ScanRemark;
+use crate::scan_spectrum::readings;
 use crate::{ArealSpectrum, BandLimits, Preparation, TransformError, areal_spectrum};
 
 /// The two-dimensional spectrum of a map, averaged radially.
@@ -19,7 +20,7 @@ pub struct MapSpectrum {
     /// The spectrum in the reliable band.
     pub reliable: Psd,
     /// Remarks on the spectrum.
-    pub remarks: Vec<ScanRemark>,
+    pub remarks: Vec<Remark>,
 }
 
 /// Returns the map of a scan; `None` for a line.
@@ -50,7 +51,7 @@ impl MapSpectrum {
         let FoundBand { band, tip_remarks, .. } = band_of(file, given, recipe)?;
         let spectrum = areal_spectrum(map, preparation);
         let reliable = spectrum.ciso(&band)?;
-        let mut remarks: Vec<ScanRemark> = file.notes.iter().cloned().map(ScanRemark::Reading).collect();
+        let mut remarks = readings(&file.notes);
         remarks.extend(tip_remarks);
         Ok(MapSpectrum { preparation, spectrum, reliable, remarks })
     }

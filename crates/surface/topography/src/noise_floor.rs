@@ -3,14 +3,12 @@
 use std::f64::consts::{PI, SQRT_2, TAU};
 use std::num::NonZeroU32;
 
-use serde::Serialize;
-
 use crate::bins::{BinMean, log_binned};
 use crate::line::LineSpectrum;
 use spectrum::ProfilePsd;
 
 /// A white floor under the spectrum of a surface.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NoiseFloor {
     /// Level of the floor \[m^3\].
     pub c1d_m3: f64,

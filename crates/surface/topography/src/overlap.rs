@@ -57,8 +57,7 @@ const MIXED_UNITS: [(&str, f64); 2] = [("nm and µm", 1e3), ("nm and mm", 1e6)];
 const NEAR_A_FACTOR: f64 = 3.0;
 
 /// Returns the units that explain two spectra of this ratio, which is that of heights squared, if they were mixed up.
-#[must_use]
-pub fn mixed_units(ratio: f64) -> Option<&'static str> {
+pub(crate) fn mixed_units(ratio: f64) -> Option<&'static str> {
     let heights = ratio.ln().abs() / 2.0;
     let explains = |factor: f64| (heights - factor.ln()).abs() < NEAR_A_FACTOR.ln();
     MIXED_UNITS.into_iter().find(|(_, factor)| explains(*factor)).map(|(units, _)| units)
@@ -89,7 +88,7 @@ pub(crate) fn mean_ratio(shared: &[SharedBin]) -> f64 {
 }
 
 /// Ratio of the spectra along x and y from which a surface is not isotropic.
-pub const DIRECTIONS_DIFFER: f64 = 1.5;
+pub(crate) const DIRECTIONS_DIFFER: f64 = 1.5;
 
 /// Smallest number of shared bins that can show anisotropy; in fewer, the few waves of a map scatter as much.
 const LEAST_DECADE_BINS: usize = 3;

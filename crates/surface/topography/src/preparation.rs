@@ -94,7 +94,7 @@ mod tests {
         assert_eq!("hann".parse(), Ok(Window::Hann));
         assert_eq!(
             "hamming".parse::<Window>().unwrap_err().to_string(),
-            "reading the window: 'hamming' is none of hann, none"
+            "reading the window: 'hamming' is not one of hann, none"
         );
     }
 }

@@ -2,6 +2,7 @@
 
 use scans::{Scan, ScanAxis, ScanFile, ScanFormat};
 use spectrum::ProfilePsd;
+use units::{Remark, RemarkCode, RemarkLevel};
 
 use crate::band_end::{FoundBand, band_of};
 use crate::checks::Checks;
@@ -11,7 +12,7 @@ use crate::lines::rows_spectrum;
 use crate::noise_floor::{NoiseFloor, noise_floor};
 use crate::piecewise::nonuniform_line_spectrum;
 use crate::recipe::Recipe;
-use crate::remark::{BandEnd, ScanRemark, Severity};
+use crate::remark::BandEnd;
 use crate::rows::Lines;
 use crate::{BandLimits, Preparation, ReliableBand, TransformError};
 
@@ -37,7 +38,7 @@ pub struct ScanSpectrum {
     /// Limit of the band at its short end.
     pub band_end: BandEnd,
     /// Remarks on a tip of unknown radius, and on a radius found in the text of the file.
-    pub tip_remarks: Vec<ScanRemark>,
+    pub tip_remarks: Vec<Remark>,
     /// Noise floor of the instrument, if it shows.
     pub noise_floor: Option<NoiseFloor>,
     /// The spectrum in the reliable band.
@@ -128,14 +129,18 @@ impl ScanSpectrum {
 
     /// Collects remarks on the spectrum, including passed checks.
     #[must_use]
-    pub fn remarks(&self) -> Vec<ScanRemark> {
-        let mut remarks: Vec<ScanRemark> = self.notes.iter().cloned().map(ScanRemark::Reading).collect();
+    pub fn remarks(&self) -> Vec<Remark> {
+        let mut remarks = readings(&self.notes);
         let (longest_m, shortest_m) =
             (self.reliable.longest_wavelength_m(), self.reliable.shortest_wavelength_m());
-        remarks.push(ScanRemark::Band { longest_m, shortest_m, end: self.band_end });
+        let band = Remark::new(RemarkCode::Band).with("longest_m", longest_m).with("shortest_m", shortest_m);
+        remarks.push(band.with("end", self.band_end.to_string()));
         remarks.extend(self.tip_remarks.iter().cloned());
         let is_used = |floor: &NoiseFloor| floor.wavelength_m > shortest_m;
-        remarks.extend(self.noise_floor.filter(is_used).map(ScanRemark::NoiseFloor));
+        remarks.extend(self.noise_floor.filter(is_used).map(|floor| {
+            let remark = Remark::new(RemarkCode::NoiseFloor).with("c1d_m3", floor.c1d_m3);
+            remark.with("wavelength_m", floor.wavelength_m)
+        }));
         remarks.extend(self.checks.remarks());
         remarks
     }
@@ -143,8 +148,13 @@ impl ScanSpectrum {
     /// Returns true if a remark is a warning.
     #[must_use]
     pub fn is_doubtful(&self) -> bool {
-        self.remarks().iter().any(|remark| remark.severity() == Severity::Warning)
+        self.remarks().iter().any(|remark| remark.level == RemarkLevel::Caution)
     }
+}
+
+/// Remarks on the assumptions of a reader.
+pub(crate) fn readings(notes: &[String]) -> Vec<Remark> {
+    notes.iter().map(|note| Remark::new(RemarkCode::ScanReading).with("text", note.as_str())).collect()
 }
 
 /// Refuses heights that detrending reduces to rounding, and those whose squares overflow.

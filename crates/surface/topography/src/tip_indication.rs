@@ -1,7 +1,8 @@
 //! Indication of an unknown tip radius by the scan itself.
 
 use scans::Scan;
-use serde::Serialize;
+use units::display::length;
+use units::{Remark, RemarkCode};
 
 use crate::rows::Lines;
 use crate::tip::{CURVATURE_FRACTION, peak_curvatures_per_m, trial_steps};
@@ -16,7 +17,7 @@ const SHORTEST_OF_STYLI_M: f64 = 1e-7;
 const USUAL_PEAKS: f64 = 0.999;
 
 /// Indication of the tip radius by the curvature of a scan, from up to 256 of its lines.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct TipIndication {
     /// Radius of the sharpest peak \[m\], see [`sharpest_peak_radius_m`].
     pub sharpest_peak_radius_m: Option<f64>,
@@ -25,7 +26,7 @@ pub struct TipIndication {
 }
 
 /// Reliable wavelengths of a scan for an assumed tip radius.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrustedDownTo {
     /// Tip radius \[m\].
     pub radius_m: f64,
@@ -60,7 +61,24 @@ pub fn sharpest_peak_radius_m(scan: &Scan) -> Option<f64> {
 }
 
 impl TipIndication {
-    pub(crate) fn from_scan(scan: &Scan, shortest_m: f64) -> Self {
+    pub(crate) fn remark(&self) -> Remark {
+        let trusted = self.trusted.iter().map(|trusted| {
+            let of_scan = trusted
+                .shortest_m
+                .map_or("all of it".to_owned(), |shortest_m| format!("down to about {}", length(shortest_m)));
+            format!("{of_scan} with a tip of {}", length(trusted.radius_m))
+        });
+        let remark =
+            Remark::new(RemarkCode::TipIndicated).with("trusted", trusted.collect::<Vec<_>>().join(", "));
+        match self.sharpest_peak_radius_m {
+            Some(radius_m) => remark.with("sharpest_peak_radius_m", radius_m),
+            None => remark,
+        }
+    }
+
+    /// Finds the indication of a scan that is used down to a wavelength \[m\].
+    #[must_use]
+    pub fn from_scan(scan: &Scan, shortest_m: f64) -> Self {
         let steps = trial_steps(&Lines::from_scan(scan));
         let trusted = usual_tip_radii_m(shortest_m).map(|radius_m| {
             let fails = |(_, sharpest_per_m): &(f64, f64)| *sharpest_per_m < -CURVATURE_FRACTION / radius_m;
@@ -72,5 +90,26 @@ impl TipIndication {
             TrustedDownTo { radius_m, shortest_m }
         });
         Self { sharpest_peak_radius_m: sharpest_peak_radius_m(scan), trusted: trusted.to_vec() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use units::SceneKeys;
+
+    use super::*;
+
+    #[test]
+    fn an_unknown_tip_is_described() {
+        let trusted = |radius_m, shortest_m| TrustedDownTo { radius_m, shortest_m };
+        let indicated = TipIndication {
+            sharpest_peak_radius_m: Some(12e-9),
+            trusted: vec![trusted(5e-9, None), trusted(20e-9, Some(4e-9))],
+        };
+        assert_eq!(
+            indicated.remark().about(["a"]).words(&SceneKeys),
+            "a: the sharpest peaks have a radius of 12 nm, which the tip does not exceed unless they are noise; to be trusted: all \
+             of it with a tip of 5 nm, down to about 4 nm with a tip of 20 nm"
+        );
     }
 }

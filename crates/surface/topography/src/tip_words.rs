@@ -3,7 +3,6 @@
 use std::sync::LazyLock;
 
 use regex_lite::{Captures, Regex};
-use serde::Serialize;
 use units::LengthUnit;
 
 /// Range of plausible tip radii \[m\].
@@ -13,7 +12,7 @@ const LONGEST_M: f64 = 1e-2;
 const AROUND: usize = 20;
 
 /// A tip radius found in text.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct TipWords {
     /// Radius \[m\].
     pub radius_m: f64,

@@ -4,11 +4,10 @@ mod transform_support;
 
 use scans::{HeightMap, Scan, UniformLineScan};
 use spectrum::random_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};
-use topography::{
-    BandLimits, GapTreatment, NoiseFloor, Recipe, ScanRemark, ScanSpectrum, Severity, without_gaps,
-};
+use topography::{BandLimits, GapTreatment, NoiseFloor, Recipe, ScanSpectrum, without_gaps};
 use transform_support::Random;
 use transform_support::files::file_of;
+use units::{RemarkCode, RemarkLevel};
 
 const SPACING_M: f64 = 1e-6;
 
@@ -142,10 +141,10 @@ fn a_floor_inside_the_band_is_warned_of_and_one_beyond_it_is_not() {
     let heights_m = with_noise(&map(0.8, 1000e-6, 2e-6, 1, 1), 3e-8, 1);
     let scan = || Scan::Map(HeightMap::new(1024, SPACING_M, SPACING_M, heights_m.clone()).unwrap());
     let told = |found: &ScanSpectrum| {
-        found.remarks().into_iter().find(|remark| matches!(remark, ScanRemark::NoiseFloor(_)))
+        found.remarks().into_iter().find(|remark| remark.code == RemarkCode::NoiseFloor)
     };
     let whole = spectrum(scan());
-    assert_eq!(told(&whole).expect("a remark").severity(), Severity::Warning);
+    assert_eq!(told(&whole).expect("a remark").level, RemarkLevel::Caution);
     let file = without_gaps(file_of(scan().into()), GapTreatment::Refuse).unwrap();
     let limits = BandLimits { tip_radius_m: None, shortest_m: Some(100e-6) };
     assert_eq!(told(&ScanSpectrum::new(file, limits, &Recipe::default()).unwrap()), None);

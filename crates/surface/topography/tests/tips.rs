@@ -5,11 +5,12 @@ mod transform_support;
 use approx::assert_relative_eq;
 use scans::{HeightMap, Probe, Scan, ScanFile, UniformLineScan};
 use topography::{
-    BandEnd, BandLimits, GapTreatment, Recipe, ScanRemark, ScanSpectrum, sharpest_peak_radius_m,
+    BandEnd, BandLimits, GapTreatment, Recipe, ScanSpectrum, TipIndication, sharpest_peak_radius_m,
     tip_cutoff_m, without_gaps,
 };
 use transform_support::Random;
 use transform_support::files::file_of;
+use units::{Remark, RemarkCode, SceneKeys};
 
 /// Round peaks of this radius beside each other, with dents between them as sharp as points allow.
 fn peaks(radius_m: f64) -> Scan {
@@ -45,22 +46,19 @@ fn a_radius_in_words_is_used_where_that_is_asked_for_and_told_where_not() {
     assert_eq!(used.band.tip_m, tip_cutoff_m(&peaks(30e-9), 60e-9));
     assert!(matches!(used.band_end, BandEnd::Tip { radius_m } if (radius_m - 60e-9).abs() < 1e-20));
     assert!(
-        matches!(&used.tip_remarks[..], [ScanRemark::TipWords { is_used: true, .. }]),
+        matches!(&used.tip_remarks[..], [Remark { code: RemarkCode::TipFromText, .. }]),
         "{:?}",
         used.tip_remarks
     );
 
     let told = spectrum(whole(peaks(30e-9), WORDS), None, false);
     assert_eq!(told.band_end, BandEnd::PixelsWithoutTip);
-    let [
-        ScanRemark::TipUnknown { .. },
-        ScanRemark::TipIndicated(_),
-        ScanRemark::TipWords { words, is_used: false },
-    ] = &told.tip_remarks[..]
-    else {
-        panic!("{:?}", told.tip_remarks)
-    };
-    assert_eq!(words.text, "Final tip radii - 60 nm (assuming, no TEM i");
+    let codes: Vec<RemarkCode> = told.tip_remarks.iter().map(|remark| remark.code).collect();
+    assert_eq!(codes, [RemarkCode::TipUnknown, RemarkCode::TipIndicated, RemarkCode::TipInText]);
+    assert_eq!(
+        told.tip_remarks[2].clone().about(["scan"]).words(&SceneKeys),
+        "scan: the metadata mention a tip radius of 60 nm ('Final tip radii - 60 nm (assuming, no TEM i'); tip radius auto uses it"
+    );
 }
 
 #[test]
@@ -103,10 +101,7 @@ fn what_could_be_trusted_agrees_with_the_cutoff_of_a_known_tip() {
         })
         .collect();
     let scan = Scan::Map(HeightMap::new(400, 1e-9, 1e-9, walk).unwrap());
-    let found = spectrum(whole(scan.clone(), ""), None, false);
-    let Some(ScanRemark::TipIndicated(indication)) = found.tip_remarks.get(1) else {
-        panic!("{:?}", found.tip_remarks)
-    };
+    let indication = TipIndication::from_scan(&scan, 2e-9);
     assert_eq!(indication.trusted.len(), 3);
     for trusted in &indication.trusted {
         match (trusted.shortest_m, tip_cutoff_m(&scan, trusted.radius_m)) {

@@ -12,7 +12,7 @@ mod next;
 mod seal;
 mod shear;
 
-pub use cautions::{Caution, Stickiness};
+pub use cautions::trust_left;
 pub use evidence::{Evidence, Trust};
 pub use load::{AreaEstimate, LoadConclusion, ModelCell, OtherHardness, ReferenceGroup, Source, Tally};
 pub use next::NextStep;
@@ -20,6 +20,7 @@ pub use seal::{SealClosing, SealConclusion};
 pub use shear::ShearConclusion;
 
 use serde::Serialize;
+use units::Remark;
 
 /// The conclusions of a scene.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -29,7 +30,8 @@ pub struct Conclusions {
     /// The conclusion for every load that has an area, in the order of the scene.
     pub loads: Vec<LoadConclusion>,
     /// The limits of these numbers, the most serious first.
-    pub cautions: Vec<Caution>,
+    #[serde(serialize_with = "cautions::serialize")]
+    pub cautions: Vec<Remark>,
     /// The trust that they leave.
     pub trust: Trust,
     /// The seal, if the scene has one.
@@ -52,7 +54,7 @@ impl Conclusions {
         let cautions = cautions::cautions(evidence, &loads, states.as_ref());
         Conclusions {
             title: scene.title.clone(),
-            trust: cautions.iter().map(Caution::trust_left).min().unwrap_or(Trust::Good),
+            trust: cautions.iter().map(trust_left).min().unwrap_or(Trust::Good),
             seal: states.as_ref().and_then(|states| SealConclusion::new(scene, states)),
             shear: states.as_ref().map(ShearConclusion::of_loads).unwrap_or_default(),
             next: next::next_steps(evidence, &loads),

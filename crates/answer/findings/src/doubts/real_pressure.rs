@@ -1,8 +1,8 @@
 //! Real pressures above what asperities bear.
 
-use super::{Doubt, HighestPressure};
 use study::plan::{Curve, CurveResult, NominalPressure};
 use study::validity::MODULUS_OVER_LARGEST_PRESSURE;
+use units::{Remark, RemarkCode};
 
 /// Gathers the real pressures of curves, which may come part by part.
 pub struct RealPressures {
@@ -59,13 +59,14 @@ impl RealPressures {
 
     /// The doubts about the pressures added so far.
     #[must_use]
-    pub fn doubts(self) -> Vec<Doubt> {
-        let of_hardness = self.above_hardness.highest().zip(self.hardness_pa);
-        let of_hardness =
-            of_hardness.map(|(highest, hardness_pa)| Doubt::RealAboveHardness { highest, hardness_pa });
-        let bound_pa = self.third_modulus_pa;
-        let of_modulus = self.above_third_modulus.highest();
-        let of_modulus = of_modulus.map(|highest| Doubt::RealAboveThirdModulus { highest, bound_pa });
+    pub fn doubts(self) -> Vec<Remark> {
+        let of_hardness = self.above_hardness.remark(RemarkCode::RealAboveHardness).zip(self.hardness_pa);
+        let of_hardness = of_hardness.map(|(remark, hardness_pa)| {
+            let in_hardnesses = remark.number("pressure_pa").map_or(f64::NAN, |pa| pa / hardness_pa);
+            remark.with("hardness_pa", hardness_pa).with("in_hardnesses", in_hardnesses)
+        });
+        let of_modulus = self.above_third_modulus.remark(RemarkCode::RealAboveThirdModulus);
+        let of_modulus = of_modulus.map(|remark| remark.with("bound_pa", self.third_modulus_pa));
         of_hardness.into_iter().chain(of_modulus).collect()
     }
 }
@@ -80,13 +81,10 @@ impl Above {
         }
     }
 
-    fn highest(self) -> Option<HighestPressure> {
+    fn remark(self, code: RemarkCode) -> Option<Remark> {
         let other_curves = self.curves.len().saturating_sub(1);
-        self.highest.map(|(pressure_pa, curve, load)| HighestPressure {
-            curve,
-            load,
-            pressure_pa,
-            other_curves,
-        })
+        let (pressure_pa, curve, load) = self.highest?;
+        let remark = Remark::new(code).with("curve", curve).with("load", load);
+        Some(remark.with("pressure_pa", pressure_pa).with("other_curves", other_curves))
     }
 }

@@ -5,7 +5,8 @@ use numerics::parallel::Progress;
 use tables::{Cells, InputTable, Refusal};
 
 use super::strength_columns::{INDENTATION_HARDNESS, YIELD_STRENGTH, assumed_strengths, yield_strengths_pa};
-use super::{RowByRow, RowsError, RowsNote};
+use super::{RowByRow, RowsError, rows_of};
+use units::{Remark, RemarkCode};
 
 const ELASTIC_COLUMNS: [(&str, Bound); 2] =
     [("youngs_modulus_pa", Bound::Magnitude), ("poisson_ratio", ElasticBody::POISSON_RATIO)];
@@ -188,18 +189,18 @@ impl RowByRow for Asperities {
         self.law.check(block)
     }
 
-    fn fill_in(&mut self, block: &mut InputTable, _: &dyn Progress) -> Result<Vec<RowsNote>, RowsError> {
+    fn fill_in(&mut self, block: &mut InputTable, _: &dyn Progress) -> Result<Vec<Remark>, RowsError> {
         self.beyond += self.law.set_results(block, self.counterface)?;
         self.assumed += assumed_strengths(block);
         self.rows += block.table.rows();
         Ok(Vec::new())
     }
 
-    fn notes(&self) -> Vec<RowsNote> {
+    fn notes(&self) -> Vec<Remark> {
         let (assumed, beyond, all) = (self.assumed, self.beyond, self.rows);
-        let assumed = (assumed > 0).then_some(RowsNote::AssumedStrengths { rows: assumed, all });
-        let beyond =
-            (beyond > 0).then_some(RowsNote::BeyondRange { rows: beyond, all, range: self.law.range() });
+        let assumed = rows_of(RemarkCode::AssumedStrengths, assumed, all);
+        let beyond = rows_of(RemarkCode::RowsOutOfRange, beyond, all);
+        let beyond = beyond.map(|remark| remark.with("range", self.law.range()));
         assumed.into_iter().chain(beyond).collect()
     }
 }

@@ -4,9 +4,9 @@
 use numerics::parallel::Progress;
 use persson::{ContactAreas, constant_hardness, elastic, growing_hardness};
 use tables::{Cells, InputTable, Refusal, Row};
-use units::Bound;
+use units::{Bound, Remark, RemarkCode};
 
-use super::{RowByRow, RowsError, RowsNote};
+use super::{RowByRow, RowsError, rows_of};
 
 /// A table of pressures and spreads, with the option that holds for all of its rows.
 #[derive(Debug, Default)]
@@ -89,11 +89,7 @@ impl RowByRow for Flattened {
         self.asked(block).map(|_| ())
     }
 
-    fn fill_in(
-        &mut self,
-        block: &mut InputTable,
-        progress: &dyn Progress,
-    ) -> Result<Vec<RowsNote>, RowsError> {
+    fn fill_in(&mut self, block: &mut InputTable, progress: &dyn Progress) -> Result<Vec<Remark>, RowsError> {
         let asked = self.asked(block)?;
         let areas = numerics::parallel::try_map(&asked, |asked| {
             if progress.is_cancelled() {
@@ -117,8 +113,7 @@ impl RowByRow for Flattened {
         Ok(Vec::new())
     }
 
-    fn notes(&self) -> Vec<RowsNote> {
-        let note = RowsNote::FlowingEverywhere { rows: self.flowing, all: self.rows };
-        if self.flowing > 0 { vec![note] } else { Vec::new() }
+    fn notes(&self) -> Vec<Remark> {
+        rows_of(RemarkCode::FlowingRows, self.flowing, self.rows).into_iter().collect()
     }
 }

@@ -18,6 +18,7 @@ use asperity::AsperityError;
 use numerics::parallel::Progress;
 use study::material::MaterialError;
 use tables::{InputTable, Refusal};
+use units::{Remark, RemarkCode};
 
 /// A computation on the rows of a table.
 pub trait RowByRow {
@@ -32,14 +33,10 @@ pub trait RowByRow {
     ///
     /// # Errors
     /// [`RowsError`], of rows that have not been checked, or where `progress` is cancelled.
-    fn fill_in(
-        &mut self,
-        block: &mut InputTable,
-        progress: &dyn Progress,
-    ) -> Result<Vec<RowsNote>, RowsError>;
+    fn fill_in(&mut self, block: &mut InputTable, progress: &dyn Progress) -> Result<Vec<Remark>, RowsError>;
 
     /// The notes on all rows so far.
-    fn notes(&self) -> Vec<RowsNote>;
+    fn notes(&self) -> Vec<Remark>;
 }
 
 /// The reason why rows cannot be computed.
@@ -65,65 +62,8 @@ pub enum RowsError {
     Cancelled,
 }
 
-/// A note on rows.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub enum RowsNote {
-    /// A pressure beyond complete contact, which no separation carries.
-    BeyondCompleteContact {
-        /// The row, e.g. `rows.csv, line 2`.
-        row: String,
-        /// The pressure requested \[Pa\].
-        pressure_pa: f64,
-        /// The pressure \[Pa\] below which every pressure has a separation.
-        highest_pressure_pa: f64,
-    },
-    /// Rows whose request cannot be met: their results are empty.
-    Bad {
-        /// The number of such rows.
-        rows: usize,
-        /// The first of them, counted from 0.
-        first: usize,
-        /// The number of all rows.
-        all: usize,
-    },
-    /// Rows that hold no asperities: their results are empty.
-    WithoutAsperities {
-        /// The number of such rows.
-        rows: usize,
-        /// The number of all rows.
-        all: usize,
-    },
-    /// Rows of a spectrum too narrow for any surface, for a model of its summits: their results are empty.
-    NarrowSpectra {
-        /// The number of such rows and their alpha.
-        narrow: NarrowSpectra,
-        /// The number of all rows.
-        all: usize,
-    },
-    /// States at a bound, or outside the range of their law.
-    States(StateCounts),
-    /// Rows with a hardness and no yield strength, for which a third of the hardness was taken.
-    AssumedStrengths {
-        /// The number of such rows.
-        rows: usize,
-        /// The number of all rows.
-        all: usize,
-    },
-    /// Rows whose pressure is not below their hardness: the whole area touches and yields.
-    FlowingEverywhere {
-        /// The number of such rows.
-        rows: usize,
-        /// The number of all rows.
-        all: usize,
-    },
-    /// Rows outside the range that a law was fitted in.
-    BeyondRange {
-        /// The number of such rows.
-        rows: usize,
-        /// The number of all rows.
-        all: usize,
-        /// The range.
-        range: &'static str,
-    },
+/// Makes the remark on a number of rows out of all, if there are any.
+#[must_use]
+pub fn rows_of(code: RemarkCode, rows: usize, all: usize) -> Option<Remark> {
+    (rows > 0).then(|| Remark::new(code).with("rows", rows).with("all", all))
 }

@@ -4,11 +4,11 @@ use asperity::{Bound, ElasticBody};
 use numerics::parallel::Progress;
 use stat_contact::{Condition, ContactState, Sweep};
 use tables::{Cell, Cells, InputTable, Refusal, Row};
-use units::Pressure;
+use units::{Pressure, Remark, RemarkCode};
 
 use super::contact_states::{Roughness, StatesFound};
 use super::strength_columns::{INDENTATION_HARDNESS, YIELD_STRENGTH, hardness_and_strength};
-use super::{RowByRow, RowsError, RowsNote};
+use super::{RowByRow, RowsError, StateCounts, rows_of};
 use study::body_properties::BodyProperty;
 use study::hardness_and_strength::HardnessAndStrength;
 use study::material::{GivenMaterial, Material, MaterialError};
@@ -176,11 +176,7 @@ impl RowByRow for Populations {
         self.asked(block).map(|_| ())
     }
 
-    fn fill_in(
-        &mut self,
-        block: &mut InputTable,
-        progress: &dyn Progress,
-    ) -> Result<Vec<RowsNote>, RowsError> {
+    fn fill_in(&mut self, block: &mut InputTable, progress: &dyn Progress) -> Result<Vec<Remark>, RowsError> {
         let asked = self.asked(block)?;
         let tolerance = self.tolerance.value();
         let state = |asked: &Option<RowRequest>| -> Result<Option<ContactState>, RowsError> {
@@ -211,14 +207,16 @@ impl RowByRow for Populations {
         Ok(beyond_complete_contact(block, &asked, &states))
     }
 
-    fn notes(&self) -> Vec<RowsNote> {
+    fn notes(&self) -> Vec<Remark> {
         let StatesFound { counts, narrow, assumed_strengths: assumed, without_asperities: rows, .. } =
             self.found;
         let all = rows + narrow.count + counts.all;
-        let without = (rows > 0).then_some(RowsNote::WithoutAsperities { rows, all });
-        let narrow = (narrow.count > 0).then_some(RowsNote::NarrowSpectra { narrow, all });
-        let assumed = (assumed > 0).then_some(RowsNote::AssumedStrengths { rows: assumed, all: counts.all });
-        without.into_iter().chain(narrow).chain(assumed).chain([RowsNote::States(counts)]).collect()
+        let without = rows_of(RemarkCode::RowsWithoutAsperities, rows, all);
+        let narrow = narrow.remark(all);
+        let assumed = rows_of(RemarkCode::AssumedStrengths, assumed, counts.all);
+        // Rows beyond complete contact have remarks of their own.
+        let of_states = StateCounts { incomplete: 0, ..counts }.remarks();
+        without.into_iter().chain(narrow).chain(assumed).chain(of_states).collect()
     }
 }
 
@@ -251,15 +249,16 @@ fn beyond_complete_contact(
     input: &InputTable,
     asked: &[Option<RowRequest>],
     states: &[Option<ContactState>],
-) -> Vec<RowsNote> {
+) -> Vec<Remark> {
     let rows = asked.iter().zip(states).enumerate();
     rows.filter_map(|(row, (asked, state))| {
         let (asked, state) = (asked.as_ref()?, state.as_ref()?);
         let Pressable::Contact(contact) = &asked.contact else { return None };
-        state.separation_m.is_none().then(|| RowsNote::BeyondCompleteContact {
-            row: input.row_name(row),
-            pressure_pa: state.pressure_pa,
-            highest_pressure_pa: contact.highest_pressure_pa(),
+        state.separation_m.is_none().then(|| {
+            Remark::new(RemarkCode::BeyondCompleteContact)
+                .with("row", input.row_name(row))
+                .with("pressure_pa", state.pressure_pa)
+                .with("highest_pressure_pa", contact.highest_pressure_pa())
         })
     })
     .collect()

@@ -1,6 +1,7 @@
 //! Counts of states, and of spectra without summits, that deserve a note.
 
 use stat_contact::ContactState;
+use units::{Remark, RemarkCode, number};
 
 /// Counts of states that are limited by a bound, or rest on asperities outside the range of their law.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -16,6 +17,18 @@ pub struct StateCounts {
 }
 
 impl StateCounts {
+    /// Remarks on those states, a kind each.
+    #[must_use]
+    pub fn remarks(&self) -> Vec<Remark> {
+        let kinds = [
+            (RemarkCode::IncompleteStates, self.incomplete),
+            (RemarkCode::ClampedStates, self.clamped),
+            (RemarkCode::StatesOutOfRange, self.out_of_range),
+        ];
+        let found = kinds.into_iter().filter(|(_, states)| *states > 0);
+        found.map(|(code, states)| Remark::new(code).with("states", states).with("all", self.all)).collect()
+    }
+
     /// Counts states.
     pub fn add<'s>(&mut self, states: impl IntoIterator<Item = &'s ContactState>) {
         for state in states {
@@ -46,6 +59,16 @@ pub struct NarrowSpectra {
 }
 
 impl NarrowSpectra {
+    /// The remark on such spectra among the spectra of all rows, if there are any.
+    #[must_use]
+    pub fn remark(&self, all: usize) -> Option<Remark> {
+        // Rounded down, so that none reads 1.5.
+        let [lowest, highest] = self.alphas?.map(|alpha| number((1e3 * alpha).floor() / 1e3));
+        let alphas = if lowest == highest { lowest } else { format!("{lowest} to {highest}") };
+        let remark = Remark::new(RemarkCode::NarrowSpectra).with("narrow", self.count).with("all", all);
+        Some(remark.with("alphas", alphas))
+    }
+
     /// Counts a spectrum.
     pub fn add(&mut self, alpha: f64) {
         let [lowest, highest] = self.alphas.unwrap_or([alpha; 2]);

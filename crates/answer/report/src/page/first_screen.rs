@@ -4,11 +4,12 @@
 
 use std::fmt::Write;
 
-use findings::conclusions::{Caution, Conclusions, LoadConclusion, ModelCell, ReferenceGroup, Source};
+use findings::conclusions::{Conclusions, LoadConclusion, ModelCell, ReferenceGroup, Source};
 use judge::{AGREEMENT, Reference, Verdict};
 use maud::{Markup, PreEscaped, html};
 use study::figure::CurveLook;
 use units::display::{three_digits, typeset};
+use units::{Remark, RemarkCode, SceneKeys};
 
 use super::SceneReport;
 use super::area_curve;
@@ -183,8 +184,7 @@ pub(super) fn hangs_on(report: &SceneReport<'_>, load: &LoadConclusion) -> Marku
 
 /// The cautions; that on the hardness is left out if it has a card of its own.
 pub(super) fn before_quoting(conclusions: &Conclusions, says_hardness: bool) -> Markup {
-    let is_shown =
-        |caution: &&Caution| !(says_hardness && matches!(caution, Caution::HardnessDecides { .. }));
+    let is_shown = |caution: &&Remark| !(says_hardness && caution.code == RemarkCode::HardnessDecides);
     html! {
         section.card.before {
             h3 { "Before you quote it – trust: " (conclusions.trust.name()) }
@@ -331,5 +331,5 @@ pub(super) fn reason(report: &SceneReport<'_>, cell: &ModelCell, load: usize) ->
     let verdicts = report.evidence.judgement.map_or(&[][..], |judgement| &judgement.curves);
     let verdict = verdicts.iter().find(|verdict| verdict.curve == cell.curve && verdict.load == load);
     let area = cell.area_fraction.map_or_else(String::new, |area| format!("{}: ", share(area)));
-    verdict.map_or_else(String::new, |verdict| format!("{area}{}", verdict.reason))
+    verdict.map_or_else(String::new, |verdict| format!("{area}{}", verdict.reason.words(&SceneKeys)))
 }

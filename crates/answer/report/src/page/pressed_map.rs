@@ -2,12 +2,11 @@
 
 use elements::{ContactField, ElementsError, PointState, PressedLoad};
 use numerics::parallel::Progress;
-use questions::{MapQuestion, Note};
+use questions::MapQuestion;
 use serde::Serialize;
 use std::sync::{Mutex, PoisonError};
+use units::SceneKeys;
 use units::display::{length, pressure, share, three_digits};
-
-use crate::{doubt_words, elements_words};
 
 /// A measured map under a load.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -48,12 +47,8 @@ impl PressedMap {
             *states.lock().unwrap_or_else(PoisonError::into_inner) = found.collect();
             Ok::<(), ElementsError>(())
         };
-        let (pressed, _) = prepared.answer(see, &progress)?;
-        let notes = prepared.notes.iter().filter_map(|note| match note {
-            Note::Doubt(doubt) => Some(format!("doubtful: {}", doubt_words::line(doubt))),
-            _ => None,
-        });
-        let notes = notes.chain(elements_words::of_results(&pressed)).collect();
+        let (pressed, found) = prepared.answer(see, &progress)?;
+        let notes = prepared.notes.iter().chain(&found).map(|note| note.words(&SceneKeys)).collect();
         let area_fraction = pressed.first().map_or(0.0, best_area);
         Ok(PressedMap {
             load: pressure(nominal_pressure_pa),

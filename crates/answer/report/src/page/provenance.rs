@@ -3,9 +3,9 @@
 use maud::{Markup, html};
 
 use super::{Report, SceneReport, Section, gists, per_scene, sentence};
-use crate::question_words::sampling;
 use crate::run_stamp::RunStamp;
-use crate::scan_words;
+use crate::scan_words::sampling;
+use units::SceneKeys;
 use units::printable::shown_path;
 
 pub(super) fn section(report: &Report<'_>) -> Section {
@@ -36,7 +36,7 @@ fn of(report: &SceneReport<'_>) -> Markup {
             p { "Its file says:" }
             blockquote { @for remark in &surface.remarks { p { (with_links(remark)) } } }
         }
-        @for note in &surface.notes { p { (sentence(&scan_words::note(note))) } }
+        @for note in &surface.notes { p { (sentence(&note.words(&SceneKeys))) } }
         p { "The scene, as typed:" }
         pre tabindex="0" { code { (report.scene.text.trim_end()) } }
     }

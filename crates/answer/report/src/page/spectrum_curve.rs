@@ -16,7 +16,6 @@ use super::reading::{Reading, ReadingLine};
 use crate::chart::canvas::{Anchor, Canvas, Rect, Stroke};
 use crate::chart::palette::{self, NEUTRAL, of_page};
 use crate::chart::ruler::{Ruler, TickWords};
-use crate::scan_words::band_end;
 
 /// Width and frame in units of the drawing, and the height below the frame.
 const WIDTH: f64 = 560.0;
@@ -174,7 +173,7 @@ impl<'s> Drawing<'s> {
             scan.name,
             length(longest_m),
             length(shortest_m),
-            band_end(&scan.spectrum.band_end)
+            scan.spectrum.band_end
         );
         // Words begin on the side that has more room.
         let is_early = 0.5 * (from + to) < 0.5 * (FRAME.left + FRAME.right);

@@ -8,8 +8,7 @@ use units::display::{counted, length, three_digits, typeset};
 
 use super::{SceneReport, Section, gists, per_scene, sentence, table};
 use crate::chart::maps::thumbnail;
-use crate::question_words::sampling;
-use crate::scan_words;
+use crate::scan_words::{self, sampling};
 
 /// The most pictures of scans, and of height parameters below each: Sa and Sq, or Ra and Rq.
 const PICTURES_SHOWN: usize = 6;
@@ -98,7 +97,7 @@ fn scans_table(scans: &[ScanSpectrum], names: &[String]) -> Markup {
                     td { (scan.format) }
                     td { (length(scan.reliable.longest_wavelength_m())) }
                     td { (length(scan.reliable.shortest_wavelength_m())) }
-                    td { (scan_words::band_end(&scan.band_end)) }
+                    td { (scan.band_end.to_string()) }
                     td { (three_digits(scan.checks.real_slope)) }
                     td { (scan.checks.slope_across.map_or("–".to_owned(), three_digits)) }
                     td { @if scan.is_doubtful() { "doubtful" } @else { "ok" } }

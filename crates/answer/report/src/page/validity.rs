@@ -3,9 +3,9 @@
 use maud::{Markup, html};
 
 use super::{SceneReport, Section, per_scene};
-use crate::doubt_words;
 use crate::words::curve_counts::{beyond_fitted_range, statistical_notes};
-use findings::doubts::Doubt;
+use findings::doubts;
+use units::SceneKeys;
 use units::display::percent;
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
@@ -17,7 +17,7 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
     if report.scene.needs.curves.is_empty() {
         return None;
     }
-    let doubts = Doubt::of_scene(report.scene, report.answer);
+    let doubts = doubts::of_scene(report.scene, report.answer);
     let warned: Vec<(String, Vec<String>)> = report
         .answers()
         .map(|(curve, _)| (report.curve(curve), warnings(report, curve)))
@@ -26,7 +26,7 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
     Some(html! {
         @if !doubts.is_empty() {
             p { "Some of these numbers are physically implausible:" }
-            ul { @for doubt in &doubts { li { (doubt_words::line(doubt)) "." } } }
+            ul { @for doubt in &doubts { li { (doubt.words(&SceneKeys)) "." } } }
         }
         @if warned.is_empty() { p { "No law was used outside its fitted range." } }
         @else {

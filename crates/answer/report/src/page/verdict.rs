@@ -6,6 +6,7 @@ use super::{SceneReport, Section, gists, per_scene, table};
 use crate::listing::range;
 use crate::verdict_words;
 use judge::CurveVerdict;
+use units::SceneKeys;
 use units::display::{typeset, typeset_digits};
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
@@ -39,7 +40,7 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
                             td { (digits(row.iter().filter_map(|of| of.area_fraction))) }
                             td { (digits(row.iter().filter_map(|of| of.ratio()))) }
                             td { (row[0].verdict.name()) }
-                            td.reason { (typeset(&furthest(row).reason.to_string())) }
+                            td.reason { (typeset(&furthest(row).reason.words(&SceneKeys))) }
                         }
                     }
                 }

@@ -3,20 +3,20 @@
 use std::fmt::Write;
 
 use findings::conclusions::{
-    AreaEstimate, Caution, Conclusions, LoadConclusion, ModelCell, NextStep, OtherHardness, SealConclusion,
-    ShearConclusion, Source, Stickiness,
+    AreaEstimate, Conclusions, LoadConclusion, ModelCell, NextStep, OtherHardness, SealConclusion,
+    ShearConclusion, Source,
 };
-use interface::adhesion::{FullerTabor, PastewkaRobbins};
 use judge::{Reference, Verdict};
 use scene::Scene;
 use study::interface::InterfaceStates;
 use study::interface::{Quantity, Slot};
 use units::display::{counted, energy_per_area, length, percent, pressure, three_digits};
+use units::{Remark, RemarkCode, SceneKeys};
 
 use crate::curve_names::short_name;
 use crate::interface_words;
-use crate::listing::{listed, number_word, share, share_range};
-use crate::{doubt_words, uncertainty_words};
+use crate::listing::{capital, listed, number_word, share, share_range};
+use crate::uncertainty_words;
 
 /// The most lines of a summary.
 const MAX_LINES: usize = 12;
@@ -189,7 +189,7 @@ pub(crate) fn quantity_rows(
 ) -> Vec<(&'static str, String)> {
     let Some(load) = middle(conclusions) else { return Vec::new() };
     let is_guess =
-        conclusions.cautions.iter().any(|caution| matches!(caution, Caution::GapOfYieldingContact { .. }));
+        conclusions.cautions.iter().any(|caution| caution.code == RemarkCode::GapOfYieldingContact);
     let remark = if is_guess { "; order of magnitude, since the contact yields" } else { "" };
     let at = if conclusions.loads.len() > 1 { format!(" at {}", load.label) } else { String::new() };
     let row = |(quantity, heading): (Quantity, &'static str)| {
@@ -254,7 +254,7 @@ fn models_words(load: &LoadConclusion, scene: &Scene) -> Option<String> {
 
 fn trust_words(conclusions: &Conclusions) -> String {
     let reasons: Vec<String> =
-        conclusions.cautions.iter().take(CAUTIONS_SHOWN).map(caution_in_short).collect();
+        conclusions.cautions.iter().take(CAUTIONS_SHOWN).map(Remark::in_short).collect();
     match reasons.is_empty() {
         true => conclusions.trust.name().to_owned(),
         false => format!("{} - {}", conclusions.trust.name(), reasons.join("; ")),
@@ -273,131 +273,12 @@ fn report_words(report: &str, end: &SummaryEnd<'_>) -> String {
     }
 }
 
-/// A name that fits into a line with others: a long one without its middle.
-fn elided(name: &str) -> String {
-    const LONGEST: usize = 24;
-    const ENDS: [usize; 2] = [12, 9];
-    let letters: Vec<char> = name.chars().collect();
-    if letters.len() <= LONGEST {
-        return name.to_owned();
-    }
-    let ends = [&letters[..ENDS[0]], &letters[letters.len() - ENDS[1]..]];
-    ends.map(|end| end.iter().collect::<String>()).join("…")
-}
-
-/// A caution in a few words, for one line with others.
-fn caution_in_short(caution: &Caution) -> String {
-    match caution {
-        Caution::TooFewScales { scales } => format!("the spectrum has only {}", counted(*scales, "scale")),
-        Caution::InstrumentsDisagree(found) => {
-            let [first, second] = found.names.each_ref().map(|name| elided(name));
-            format!("{first} and {second} do not show the same surface")
-        }
-        Caution::Doubt(doubt) => doubt_words::line(doubt),
-        Caution::HardnessDecides { ratio } => {
-            format!("hardness at small scales decides a factor {}", three_digits(*ratio))
-        }
-        Caution::NotJudged => "not compared with boundary elements".to_owned(),
-        Caution::NoModelAgrees { .. } => "no model agrees with boundary elements".to_owned(),
-        Caution::NotMeasured(hole) => {
-            format!("nothing measured from {} to {}", length(hole.longest_m), length(hole.shortest_m))
-        }
-        Caution::UpperBound { shortest_m } => {
-            format!("upper bound, the spectrum ends at {}", length(*shortest_m))
-        }
-        Caution::TooSteep { from_m } => format!("slopes too steep below {}", length(*from_m)),
-        Caution::FewScans { instrument, scans } => match scans {
-            1 => format!("one {instrument} scan only"),
-            _ => format!("{} {instrument} scans only", number_word(*scans)),
-        },
-        Caution::GapOfYieldingContact { share } => format!("{} of the contact yields", percent(*share)),
-        Caution::ModulusOfLayer => {
-            "areas of a layer hold to 25 %, of a thin rubber-like one to a factor 2.3".to_owned()
-        }
-        Caution::Sticky(_) => "adhesion, which areas leave out".to_owned(),
-        Caution::NotGaussian { map, .. } => format!("heights of {map} are not Gaussian"),
-        other => format!("{other:?}"),
-    }
-}
-
 /// A caution in a sentence with its consequence.
 #[must_use]
-pub fn caution_words(caution: &Caution) -> String {
-    match caution {
-        Caution::TooFewScales { scales } => format!(
-            "The spectrum is too short to tell how much touches: it has {}.",
-            counted(*scales, "scale")
-        ),
-        Caution::InstrumentsDisagree(found) => format!(
-            "{} has {} times the spectrum of {} from {} to {}, where both measure: check units, height scales and places, or \
-             leave one out.",
-            elided(&found.names[0]),
-            three_digits(found.ratio),
-            elided(&found.names[1]),
-            length(found.longest_m),
-            length(found.shortest_m)
-        ),
-        Caution::Doubt(doubt) => format!("{}.", crate::listing::capital(&doubt_words::line(doubt))),
-        Caution::HardnessDecides { ratio } => format!(
-            "Whether the hardness grows at small scales moves the area by a factor {}: measure it by indentation at the depth of \
-             the roughness.",
-            three_digits(*ratio)
-        ),
-        Caution::NotJudged => "No model was compared with boundary elements.".to_owned(),
-        Caution::NoModelAgrees { models: 1 } => {
-            "The model does not agree with these boundary elements: quote the elements.".to_owned()
-        }
-        Caution::NoModelAgrees { models } => format!(
-            "None of the {} models that can be compared with these boundary elements agrees: quote the elements.",
-            number_word(*models)
-        ),
-        Caution::NotMeasured(hole) => format!(
-            "Nothing was measured from {} to {}: the spectrum there is a guess.",
-            length(hole.longest_m),
-            length(hole.shortest_m)
-        ),
-        Caution::UpperBound { shortest_m } => format!(
-            "Upper bound: the spectrum ends at {} and the area is still falling there.",
-            length(*shortest_m)
-        ),
-        Caution::TooSteep { from_m } => format!(
-            "Below {} slopes are too steep for every method used here, boundary elements included.",
-            length(*from_m)
-        ),
-        Caution::FewScans { instrument, scans } => {
-            let scans = match scans {
-                1 => format!("one {instrument} scan"),
-                _ => format!("{} {instrument} scans", number_word(*scans)),
-            };
-            format!("Treat the range as a guess: {scans} cannot show how much the surface varies.")
-        }
-        Caution::GapOfYieldingContact { share } => format!(
-            "{} of the contact yields, but gap and stiffness assume it does not: order of magnitude only.",
-            percent(*share)
-        ),
-        Caution::ModulusOfLayer => format!("{}.", crate::listing::capital(doubt_words::MODULUS_OF_LAYER)),
-        Caution::Sticky(indicator) => {
-            let indicator = match indicator {
-                Stickiness::PastewkaRobbins { left_side } => format!(
-                    "Pastewka & Robbins' criterion is {}, and surfaces stick below {}",
-                    three_digits(*left_side),
-                    three_digits(PastewkaRobbins::LIMIT)
-                ),
-                Stickiness::FullerTabor { theta } => format!(
-                    "Fuller & Tabor's parameter is {}, and surfaces did not stick above {}",
-                    three_digits(*theta),
-                    three_digits(FullerTabor::NOT_STICKY_ABOVE)
-                ),
-                other => format!("{other:?}"),
-            };
-            format!("Adhesion may change the area, and no area here counts it: {indicator}.")
-        }
-        Caution::NotGaussian { map, ratio } => format!(
-            "{map} touches {} times as much as Gaussian surfaces with its spectrum: its heights are not Gaussian.",
-            three_digits(*ratio)
-        ),
-        other => format!("{other:?}"),
-    }
+pub fn caution_words(caution: &Remark) -> String {
+    let words = caution.words(&SceneKeys);
+    // Doubts and remarks on models are without a full stop.
+    if words.ends_with('.') { words } else { format!("{}.", capital(&words)) }
 }
 
 /// A measurement in words: `three more AFM scans at other places (range shrinks to 70 %)`.

@@ -2,23 +2,23 @@
 
 use findings::answer::LoadAnswer;
 use findings::conclusions::{Conclusions, Evidence, LoadConclusion};
-use findings::doubts::Doubt;
+use findings::doubts;
 use scene::Scene;
 use study::material::Material;
 use units::display::{length, pressure, three_digits};
 
 use crate::listing::{aligned, capital};
-use crate::question_words::sampling;
+use crate::scan_words::sampling;
 use crate::words::curve_counts::{beyond_fitted_range, statistical_notes};
-use crate::{conclusion_words, doubt_words, interface_words, uncertainty_words, verdict_words};
+use crate::{conclusion_words, interface_words, uncertainty_words, verdict_words};
 
 /// Returns the area of each model under each load as a table, then all cautions and notes.
 #[must_use]
 pub fn details(evidence: &Evidence<'_>, conclusions: &Conclusions) -> String {
     let Evidence { scene, results, answer, judgement, uncertainty } = *evidence;
     let mut notes: Vec<String> = conclusions.cautions.iter().map(conclusion_words::caution_words).collect();
-    let doubts = Doubt::of_scene(scene, answer).iter().map(doubt_words::line).collect::<Vec<_>>();
-    let doubts = doubts.iter().map(|doubt| format!("{}.", capital(doubt)));
+    let doubts = doubts::of_scene(scene, answer);
+    let doubts = doubts.iter().map(conclusion_words::caution_words);
     notes.extend(doubts.filter(|doubt| !notes.contains(doubt)).collect::<Vec<_>>());
     for (curve, result) in scene.needs.curves.iter().zip(&results.curves) {
         let beyond = result.stacked().and_then(beyond_fitted_range);

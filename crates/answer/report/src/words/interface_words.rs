@@ -3,16 +3,15 @@
 use interface::conductance::{ELECTRON_MEAN_FREE_PATH_M, MOST_PLASTIC_SHARE, PressureRatio};
 use interface::tangential::NOTICEABLE_MISMATCH;
 use persson::variance::Band;
-use questions::Note;
+use questions::remarks_on_separation;
 use scene::Scene;
 use study::interface::InterfaceStates;
 use study::interface::{Quantity, Seal, Slot};
 use uncertainty::Uncertainty;
 use units::display::{energy_per_area, length, percent, pressure, share, three_digits};
+use units::{Remark, RemarkCode, SceneKeys};
 
 use crate::listing::listed;
-use crate::persson_words;
-use crate::question_words::coupled_tractions;
 
 /// The size of an atom \[m\]: surfaces nearer than this touch.
 const ATOM_M: f64 = 0.3e-9;
@@ -104,11 +103,11 @@ fn of_the_gap(states: &InterfaceStates<'_>, scene: &Scene) -> Vec<String> {
     let least_pa = loads.iter().map(|load| load.nominal_pressure_pa()).fold(f64::INFINITY, f64::min);
     let light = states.light_loads();
     let mut notes = light.map_or_else(Vec::new, |light| {
-        let notes = Note::of_separation(&light, states.roughness(), states.rms_height_m(), least_pa);
-        notes.iter().flat_map(persson_words::words).collect()
+        let remarks = remarks_on_separation(&light, states.roughness(), states.rms_height_m(), least_pa);
+        remarks.iter().map(|remark| remark.words(&SceneKeys)).collect()
     });
     if states.request().band == Band::Profile {
-        notes.push(persson_words::by_profiles("interface.band = \"2d\""));
+        notes.push(Remark::new(RemarkCode::WavesOfProfiles).words(&SceneKeys));
     }
     let plastic = loads_where(scene, |load| {
         let share = states.plastic_share(load).filter(|share| *share > MOST_PLASTIC_SHARE)?;
@@ -167,6 +166,11 @@ fn of_shear(states: &InterfaceStates<'_>, scene: &Scene) -> Vec<String> {
     });
     let coupled = states.coupling().filter(|mismatch| mismatch.abs() > NOTICEABLE_MISMATCH);
     std::iter::once(assumed.to_owned()).chain(slides).chain(coupled.map(coupled_tractions)).collect()
+}
+
+/// Dundurs' beta, which superposition leaves out.
+fn coupled_tractions(mismatch: f64) -> String {
+    Remark::new(RemarkCode::CoupledTractions).with("mismatch", mismatch).words(&SceneKeys)
 }
 
 /// Assumptions of a seal.

@@ -35,7 +35,7 @@ pub(crate) fn range(values: impl Iterator<Item = f64>, display: impl Fn(f64) -> 
     if least == most { least } else { format!("{least} to {most}") }
 }
 
-pub(crate) use units::display::share;
+pub(crate) use units::display::{number_word, share};
 
 /// `0.12 to 0.18 %`, a range of shares; in ppm below 0.01 %.
 pub(crate) fn share_range(low: f64, high: f64) -> String {
@@ -47,14 +47,6 @@ pub(crate) fn share_range(low: f64, high: f64) -> String {
 pub(crate) fn capital(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| format!("{}{}", first.to_uppercase(), letters.as_str()))
-}
-
-/// `three` of 3; numbers of 13 and more, 0 and 1 in digits.
-pub(crate) fn number_word(number: usize) -> String {
-    const WORDS: [&str; 11] =
-        ["two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"];
-    let word = number.checked_sub(2).and_then(|at| WORDS.get(at));
-    word.map_or_else(|| number.to_string(), |word| (*word).to_owned())
 }
 
 /// `10 µm to 1 µm`: the part of a decade that the spectrum covers, with a remark if it was not measured.

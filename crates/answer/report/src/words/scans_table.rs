@@ -5,7 +5,6 @@ use topography::{CompositeSpectrum, ScanSpectrum};
 use units::display::{length, three_digits};
 
 use crate::listing::aligned;
-use crate::scan_words::band_end;
 
 /// A line for each scan: the wavelengths used and their limit, the rms slopes along and across its lines, and a
 /// verdict.
@@ -26,7 +25,7 @@ pub fn scans_columns(found: &CompositeSpectrum) -> Table {
         .with_text("scan", found.series_names())
         .with_numbers("used_from_m", number(|scan| scan.reliable.longest_wavelength_m()))
         .with_numbers("used_to_m", number(|scan| scan.reliable.shortest_wavelength_m()))
-        .with_text("limit", found.scans.iter().map(|scan| band_end(&scan.band_end)))
+        .with_text("limit", found.scans.iter().map(|scan| scan.band_end.to_string()))
         .with_numbers("slope_along", number(|scan| scan.checks.real_slope))
         .with_numbers("slope_across", found.scans.iter().map(|scan| scan.checks.slope_across))
         .with_words("verdict", found.scans.iter().map(verdict))
@@ -37,7 +36,7 @@ fn row(scan: &ScanSpectrum, name: String) -> Vec<String> {
         name,
         length(scan.reliable.longest_wavelength_m()),
         length(scan.reliable.shortest_wavelength_m()),
-        band_end(&scan.band_end),
+        scan.band_end.to_string(),
         three_digits(scan.checks.real_slope),
         scan.checks.slope_across.map_or("-".to_owned(), three_digits),
         verdict(scan).to_owned(),

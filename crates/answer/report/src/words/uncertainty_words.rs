@@ -1,9 +1,10 @@
 //! The uncertainty of areas in words: coverage intervals, their sources, and what was assumed.
 
 use uncertainty::{
-    AreaInterval, Group, Guess, InstrumentInput, InstrumentName, OverlapMisfit, Resampled, SpectrumErrors,
+    AreaInterval, Group, InstrumentInput, InstrumentName, OverlapMisfit, Resampled, SpectrumErrors,
     Uncertainty,
 };
+use units::SceneKeys;
 use units::display::{counted, length, percent, three_digits};
 
 use crate::listing::{capital, listed, number_word, share_range};
@@ -45,7 +46,7 @@ pub fn sentences(uncertainty: &Uncertainty) -> Vec<String> {
     if uncertainty.ended_early {
         sentences.push(format!("{}.", capital(&ended_early(uncertainty))));
     }
-    sentences.extend(guesses(uncertainty));
+    sentences.extend(uncertainty.guesses.iter().map(|guess| guess.words(&SceneKeys)));
     sentences.extend(uncertainty.overlaps.iter().filter_map(|overlap| misfit(uncertainty, overlap)));
     sentences.extend(uncertainty.spectrum_errors.iter().map(errors_of_spectrum));
     sentences.extend(assumed_calibrations(&uncertainty.instruments));
@@ -67,7 +68,7 @@ fn drawn_inputs(uncertainty: &Uncertainty) -> String {
         let names: Vec<&str> = inputs.iter().map(String::as_str).collect();
         (!names.is_empty()).then(|| format!("{kind}: {}", listed(&names)))
     };
-    // Errors of an assumed spectrum are no statistics.
+    // An assumed spectrum has no statistical error.
     let errors = &uncertainty.spectrum_errors;
     let is_assumed = uncertainty.instruments.is_empty()
         && !errors.is_empty()
@@ -116,30 +117,6 @@ pub fn ended_early(uncertainty: &Uncertainty) -> String {
     } else {
         "the draws for shares and advice were stopped early: intervals rest on all draws".to_owned()
     }
-}
-
-/// The reasons to treat intervals as guesses, a line each.
-fn guesses(uncertainty: &Uncertainty) -> Vec<String> {
-    let why = |guess: &Guess| match guess {
-        Guess::FewScans { instrument, scans } => {
-            let name = uncertainty.instruments.get(*instrument)?.name.text();
-            let scans = match scans {
-                1 => format!("one {name} scan"),
-                _ => format!("{} {name} scans", number_word(*scans)),
-            };
-            Some(format!("{scans} cannot show how much the surface varies"))
-        }
-        Guess::DrawsWithoutArea { draws, of } => {
-            Some(format!("{draws} of {} leave the range of a model and do not count", counted(*of, "draw")))
-        }
-        Guess::FewDraws { draws } => Some(format!("it rests on {} only", counted(*draws, "draw"))),
-        Guess::SpectrumWithoutErrors { name } => {
-            Some(format!("{name} has no standard errors, so it holds the scatter of the other inputs only"))
-        }
-        _ => None,
-    };
-    let reasons = uncertainty.guesses.iter().filter_map(why);
-    reasons.map(|why| format!("Treat the interval as a guess: {why}.")).collect()
 }
 
 /// The misfit of two instruments at the wavelengths that both measure.

@@ -3,12 +3,12 @@
 use std::sync::LazyLock;
 
 use serde::{Deserialize, Deserializer};
-use units::UnknownName;
+use units::{Remark, RemarkCode, UnknownName};
 
 use super::{CurveModel, Framework, MODELS, Theory};
 use crate::growth_law::GrowthLaw;
 use crate::material::{Material, MaterialError};
-use crate::model_options::{Choice, IgnoredOption, IgnoredReason, ModelOptions};
+use crate::model_options::{Choice, ModelOptions};
 
 /// The description of a model before it is built.
 #[derive(Debug, Clone, Copy)]
@@ -115,37 +115,46 @@ impl ModelEntry {
 impl ModelOptions {
     /// Returns the options that were given and that a model ignores.
     #[must_use]
-    pub fn ignored_by(&self, entry: &ModelEntry) -> Vec<IgnoredOption> {
-        let ignored = |choice| Some(IgnoredOption { choice, reason: self.reason_to_ignore(choice, entry)? });
+    pub fn ignored_by(&self, entry: &ModelEntry) -> Vec<Remark> {
+        let ignored = |choice| Some(remark_on_ignored(choice, self.reason_to_ignore(choice, entry)?, entry));
         self.given().filter_map(ignored).collect()
     }
 
-    /// Returns why a model ignores a cap of the strength, or nothing if it heeds one. The cap belongs to the material,
-    /// which is why it is no field here.
+    /// Returns a remark if a model ignores a cap of the strength. The cap is a property of the material, not a field here.
     #[must_use]
-    pub fn reason_to_ignore_strength_cap(&self, entry: &ModelEntry) -> Option<IgnoredReason> {
-        match entry.has(Choice::Strength) {
-            false => Some(IgnoredReason::NeverYields),
-            true if self.strain_gradient || self.hardness_law.is_some() => None,
-            true => Some(IgnoredReason::NothingGrows),
-        }
+    pub fn ignored_strength_cap(&self, entry: &ModelEntry) -> Option<Remark> {
+        let code = match entry.has(Choice::Strength) {
+            false => RemarkCode::NeverYields,
+            true if self.strain_gradient || self.hardness_law.is_some() => return None,
+            true if entry.framework.takes_hardness() => RemarkCode::HardnessDoesNotGrow,
+            true => RemarkCode::StrengthDoesNotGrow,
+        };
+        Some(Remark::new(code).with("model", entry.name).on("strength_cap"))
     }
 
-    fn reason_to_ignore(&self, choice: Choice, entry: &ModelEntry) -> Option<IgnoredReason> {
+    fn reason_to_ignore(&self, choice: Choice, entry: &ModelEntry) -> Option<RemarkCode> {
         let yields = entry.has(Choice::Strength);
         let is_of_framework = || of_framework(entry.framework).any(|other| other.has(choice));
         let other_law = || self.hardness_law.as_ref().is_some_and(|law| *law != GrowthLaw::NixGao);
         match choice {
             Choice::StrainGradient if entry.has(Choice::HardnessLaw) && other_law() => {
-                Some(IgnoredReason::OtherHardnessLaw)
+                Some(RemarkCode::OtherHardnessLaw)
             }
             choice if entry.has(choice) => None,
-            Choice::StrainGradient if !yields => Some(IgnoredReason::NeverYields),
-            Choice::HardnessLaw if !yields && is_of_framework() => Some(IgnoredReason::NeverYields),
-            Choice::Correction if yields && is_of_framework() => Some(IgnoredReason::CorrectionsAreElastic),
-            _ => Some(IgnoredReason::NoSuchOption),
+            Choice::StrainGradient if !yields => Some(RemarkCode::NeverYields),
+            Choice::HardnessLaw if !yields && is_of_framework() => Some(RemarkCode::NeverYields),
+            Choice::Correction if yields && is_of_framework() => Some(RemarkCode::CorrectionsAreElastic),
+            _ => Some(RemarkCode::NoSuchOption),
         }
     }
+}
+
+/// The remark on an option that a model ignores, with the models that take it.
+fn remark_on_ignored(choice: Choice, code: RemarkCode, entry: &ModelEntry) -> Remark {
+    let remark = Remark::new(code).with("model", entry.name).on(choice.key());
+    let others = of_framework(entry.framework).filter(|other| other.has(choice));
+    let others: Vec<&str> = others.map(|other| other.name).collect();
+    if others.is_empty() { remark } else { remark.with("models", others.join(", ")) }
 }
 
 impl PartialEq for ModelEntry {
@@ -220,8 +229,8 @@ mod tests {
 
     #[test]
     fn an_option_is_ignored_by_the_models_that_do_not_have_it_with_the_reason() {
-        use IgnoredReason::{
-            CorrectionsAreElastic, NeverYields, NoSuchOption, NothingGrows, OtherHardnessLaw,
+        use RemarkCode::{
+            CorrectionsAreElastic, HardnessDoesNotGrow, NeverYields, NoSuchOption, OtherHardnessLaw,
         };
         let all = ModelOptions {
             strain_gradient: true,
@@ -238,7 +247,8 @@ mod tests {
         for entry in MODELS.iter() {
             let reasons = all.ignored_by(entry);
             for choice in all.given() {
-                let ignored = reasons.iter().find(|ignored| ignored.choice == choice);
+                let is_on = |ignored: &&Remark| ignored.place.option.as_deref() == Some(choice.key());
+                let ignored = reasons.iter().find(is_on);
                 let reason = match choice {
                     Choice::StrainGradient if entry.name == "persson-plastic" => Some(OtherHardnessLaw),
                     choice if entry.has(choice) => None,
@@ -247,15 +257,17 @@ mod tests {
                     Choice::Correction if entry.name == "persson-plastic" => Some(CorrectionsAreElastic),
                     _ => Some(NoSuchOption),
                 };
-                assert_eq!(ignored.map(|ignored| ignored.reason), reason, "{choice:?} of {entry}");
+                assert_eq!(ignored.map(|ignored| ignored.code), reason, "{choice:?} of {entry}");
             }
         }
         let nix_gao = ModelOptions { hardness_law: Some(GrowthLaw::NixGao), ..all.clone() };
         let ignored = nix_gao.ignored_by(entry("persson-plastic"));
-        assert!(ignored.iter().all(|ignored| ignored.choice != Choice::StrainGradient));
-        let cap = |options: &ModelOptions, name: &str| options.reason_to_ignore_strength_cap(entry(name));
+        assert!(ignored.iter().all(|ignored| ignored.place.option.as_deref() != Some("strain_gradient")));
+        let cap = |options: &ModelOptions, name: &str| {
+            options.ignored_strength_cap(entry(name)).map(|cap| cap.code)
+        };
         assert_eq!(cap(&all, "persson"), Some(NeverYields));
-        assert_eq!(cap(&ModelOptions::default(), "persson-plastic"), Some(NothingGrows));
+        assert_eq!(cap(&ModelOptions::default(), "persson-plastic"), Some(HardnessDoesNotGrow));
         assert_eq!(cap(&nix_gao, "persson-plastic"), None);
     }
 

@@ -27,7 +27,7 @@ pub use self::persson::{Persson, PerssonCuts, PerssonSurface};
 use self::statistical::PressedAsperities;
 pub use self::statistical::{CutoffState, Pressable, STATE_DETAILS, Statistical};
 use crate::hardness_and_strength::HARDNESS_OVER_STRENGTH;
-pub use crate::model_options::{Choice, IgnoredOption, IgnoredReason, ModelOptions};
+pub use crate::model_options::{Choice, ModelOptions};
 use crate::plan::error::PlanError;
 use crate::plan::gap::{GapChoices, GapError, GapState};
 use crate::plan::prepared_spectrum::{Cutoffs, PreparedSpectrum};

@@ -102,7 +102,7 @@ fn parse_growth(text: &str) -> Result<GrowthArg, String> {
         Some(("table", path)) if !path.is_empty() => Ok(GrowthArg::Table(path.into())),
         _ => match GrowthLaw::named(text)? {
             Some(law) => Ok(GrowthArg::Law(law)),
-            None => Err(format!("'{text}' is none of power:N, nix-gao, table:FILE")),
+            None => Err(format!("'{text}' is not one of power:N, nix-gao, table:FILE")),
         },
     }
 }

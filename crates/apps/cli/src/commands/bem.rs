@@ -7,18 +7,17 @@ use elements::half_space::HalfSpaceError;
 use elements::{Boundary, ContactField, ElementsError, IndenterShape, Relief, Surfaces};
 use measurements::MapOfFile;
 use questions::{
-    AdhesionQuestion, Answer, ElementsLoad, ElementsQuestion, IndenterQuestion, Note, OptionName,
-    QuestionError, Reason, UnusedOption,
+    AdhesionQuestion, Answer, ElementsLoad, ElementsQuestion, IndenterQuestion, OptionName, QuestionError,
 };
 use report::chart::maps::FieldPicture;
 use report::provenance::program;
-use report::{elements_figure, elements_words, question_words};
+use report::{elements_figure, elements_words};
 use spectrum::ReadOptions;
 use study::measured::{Kind, Measured, MeasuredOptions};
 use study::surface::SurfaceError;
 use tables::staging::{NewFolder, StagedFiles};
 use topography::Recipe;
-use units::{Length, WorkOfAdhesion};
+use units::{Length, Remark, RemarkCode, WorkOfAdhesion};
 
 use super::{Context, load_inputs, psd, range_inputs, reading_options, say_all};
 use crate::args::BemArgs;
@@ -212,7 +211,7 @@ fn load(args: &BemArgs, context: &Context<'_>) -> Result<(Measured, Vec<String>)
         Measured::Map(map) => {
             let is_read = (OptionName::Reading, reading_options(&args.reading) != ReadOptions::default());
             refuse_foreign(Kind::Scan, args.random.input().given().into_iter().chain([is_read]))?;
-            psd::say_remarks(&map.remarks);
+            say_all(&map.remarks, &Flags);
             comments.push(map.provenance.clone());
         }
         Measured::Spectrum(surface) => {
@@ -224,7 +223,7 @@ fn load(args: &BemArgs, context: &Context<'_>) -> Result<(Measured, Vec<String>)
 }
 
 /// Says the notes on surfaces, and adds to the comments how they were made.
-fn told(mut comments: Vec<String>, notes: &[Note], surfaces: &Surfaces) -> Vec<String> {
+fn told(mut comments: Vec<String>, notes: &[Remark], surfaces: &Surfaces) -> Vec<String> {
     say_all(notes, &Flags);
     if let Surfaces::Random(random) = surfaces {
         comments.push(elements_words::random_surfaces(random));
@@ -237,9 +236,8 @@ fn refuse_foreign(kind: Kind, given: impl IntoIterator<Item = (OptionName, bool)
     match given.into_iter().find(|(_, is_given)| *is_given) {
         None => Ok(()),
         Some((option, _)) => {
-            let unused = UnusedOption { option, why: Reason::KindOfFile(kind) };
-            let words = question_words::unused(&unused, &Flags);
-            Err(Failure::Input(format!("{words}; leave it out, or say what the file is with --as")))
+            let remark = Remark::new(RemarkCode::OtherKindOfFile).with("kind", kind.to_string());
+            Err(Failure::Input(remark.on(option.snake_case()).words(&Flags)))
         }
     }
 }

@@ -21,18 +21,17 @@ mod tangential;
 
 use std::time::{Duration, Instant};
 
-use questions::{Answer, CurveQuestion, LoadInput, Note, RangeInput, SpectrumQuestion, Spelling};
+use questions::{Answer, CurveQuestion, LoadInput, RangeInput, SpectrumQuestion};
 use report::provenance::provenance;
-use report::{chart, question_words, scan_words, spectrum_words};
+use report::{chart, spectrum_words};
 use spectrum::{ReadOption, ReadOptions};
 use study::figure::FigureData;
 use study::plan::Sampling;
 use study::surface::{Surface, SurfaceError};
 use tables::staging::StagedFiles;
 use tables::{Format, Table, TableWriter};
-use topography::Severity;
 use units::printable::shown_path;
-use units::{Pressure, PressureRange};
+use units::{Pressure, PressureRange, Remark, RemarkLevel, Spelling};
 
 use crate::args::{Args, Command, PsdArgs, QuotedPaths, ReadingArgs, SharedArgs};
 use crate::failure::Failure;
@@ -302,27 +301,21 @@ fn range_inputs(ranges: &[PressureRange]) -> Vec<RangeInput> {
     ranges.iter().copied().map(RangeInput::from).collect()
 }
 
-/// Says notes of questions on stderr, with the flags of a command.
-fn say_all(notes: &[Note], spelling: &dyn Spelling) {
-    for line in notes.iter().flat_map(|note| question_words::lines(note, spelling)) {
-        say_of_severity(line.severity, &line.text);
+/// Says remarks on stderr, with the flags of a command; of checks that were passed nothing.
+fn say_all(remarks: &[Remark], spelling: &dyn Spelling) {
+    for remark in remarks {
+        let kind = match remark.level {
+            RemarkLevel::Passed => continue,
+            RemarkLevel::Caution => "warning",
+            RemarkLevel::Note | RemarkLevel::Error => "note",
+        };
+        say(&format!("{kind}: {}", remark.words(spelling)));
     }
 }
 
 /// Says on stderr what a reader has to know about a spectrum.
 fn say_surface(surface: &Surface) {
-    for note in &surface.notes {
-        say_of_severity(note.severity(), &scan_words::note(note));
-    }
-}
-
-/// Says a note or a warning on stderr, and of checks that were passed nothing.
-fn say_of_severity(severity: Severity, text: &str) {
-    match severity {
-        Severity::Passed => {}
-        Severity::Note => say(&format!("note: {text}")),
-        Severity::Warning => say(&format!("warning: {text}")),
-    }
+    say_all(&surface.notes, &Flags);
 }
 
 /// Says notes on stderr.

@@ -1,9 +1,10 @@
 //! `psd`: from scans to their composite spectrum.
 
-use super::{Context, say_notes, say_of_severity};
+use super::{Context, say_all, say_notes};
 use crate::args::ScansArgs;
 use crate::failure::Failure;
 use crate::files::{Folder, open_table};
+use crate::flags::Flags;
 use crate::output::{Place, publish};
 use crate::progress::Progress;
 use crate::stderr::say;
@@ -19,7 +20,8 @@ use report::scans_table::scans_table;
 use scans::{Mend, ScanOption};
 use study::figure::composite_figure;
 use tables::staging::StagedFiles;
-use topography::{Recipe, Remark};
+use topography::Recipe;
+use units::RemarkCode;
 
 pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure> {
     refuse_two_outputs(args, context)?;
@@ -47,7 +49,7 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
             )));
         };
         let found = areal_spectrum(request, &folder, &recipe).map_err(refused)?;
-        say_remarks(&found.remarks);
+        say_all(&found.remarks, &Flags);
         let mut files = StagedFiles::default();
         let comments = [program(context.typed), found.provenance];
         context.stage_blocks(&mut files, output, &comments, |out| Ok(out.block(&found.table)?))?;
@@ -60,11 +62,11 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
     timings.lap("reading and transforming");
     say_lines(&scans_table(&found.spectrum));
     let remarks = found.spectrum.remarks();
-    say_remarks(&remarks);
+    say_all(&remarks, &Flags);
     let mut comments = vec![program(context.typed)];
     comments.extend(found.provenance());
-    let holes = remarks.iter().filter(|remark| matches!(remark, Remark::Holes(_)));
-    comments.extend(holes.map(scan_words::remark));
+    let holes = remarks.iter().filter(|remark| remark.code == RemarkCode::ScanHoles);
+    comments.extend(holes.map(|remark| remark.words(&Flags)));
     let table = if args.per_scan { found.series_table() } else { found.table() };
     let mut files = StagedFiles::default();
     if let Some(picture) = &args.figure {
@@ -136,13 +138,6 @@ pub(super) fn scans_in_folders(
     let found = ScansInFolders::find(requests, folder).map_err(refused)?;
     say_notes(found.note());
     Ok(found.requests)
-}
-
-/// Says what there is to say of scans, a line each.
-pub(super) fn say_remarks(remarks: &[Remark]) {
-    for remark in remarks {
-        say_of_severity(remark.severity(), &scan_words::remark(remark));
-    }
 }
 
 /// Says text of several lines on stderr.

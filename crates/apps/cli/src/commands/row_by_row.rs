@@ -1,6 +1,6 @@
 //! Tables of any length, checked as a whole and then computed block by block.
 
-use questions::{MaterialInput, Note, OptionName, QuestionError};
+use questions::{MaterialInput, OptionName, QuestionError};
 
 use super::{Context, say_all};
 use crate::failure::Failure;
@@ -8,13 +8,13 @@ use crate::files::open_table;
 use crate::flags::Flags;
 use crate::output::{Place, Stopped, publish};
 use crate::progress::Progress;
-use questions::rows::{RowByRow, RowsNote};
+use questions::rows::RowByRow;
 use report::provenance::program;
 use study::Progress as _;
 use study::material::{MaterialError, NeededFor};
 use tables::staging::StagedFiles;
 use tables::{Refusal, TableError};
-use units::Pressure;
+use units::{Pressure, Remark};
 
 /// Rows that are in memory together.
 const BLOCK: usize = 1 << 12;
@@ -106,10 +106,7 @@ pub(super) fn run(
     let mut comments = context.wanted(&[program(context.typed)]).to_vec();
     // Comment lines that came with the table stay with it.
     comments.append(&mut source.comments);
-    let say = |notes: Vec<RowsNote>| {
-        let notes: Vec<Note> = notes.into_iter().map(Note::Rows).collect();
-        progress.aside(|| say_all(&notes, &Flags));
-    };
+    let say = |notes: Vec<Remark>| progress.aside(|| say_all(&notes, &Flags));
     let mut files = StagedFiles::default();
     context.stage_blocks(&mut files, &context.shared.output, &comments, |out| {
         source.blocks(BLOCK, |mut block| {

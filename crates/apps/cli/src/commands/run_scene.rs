@@ -6,10 +6,11 @@ use std::time::SystemTime;
 
 use chrono::{DateTime, Utc};
 
-use super::{Context, say_notes, say_surface};
+use super::{Context, say_all, say_notes, say_surface};
 use crate::args::RunArgs;
 use crate::failure::Failure;
 use crate::files::Folder;
+use crate::flags::Flags;
 use crate::interruption::EarlyEnd;
 use crate::output;
 use crate::output::{Layout, Place, make_folder, utf8};
@@ -22,10 +23,9 @@ use report::details::details;
 use report::dry_run::dry_run;
 use report::products::{self, SceneProducts};
 use report::run_stamp::RunStamp;
-use report::scene_note_words;
 use report::uncertainty_words;
 use scene::{FileContent, Overrides, Scene, SceneError, SceneProblem};
-use topography::Severity;
+use units::RemarkLevel;
 
 pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> {
     let mut timings = Timings::start();
@@ -52,7 +52,7 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
 /// Says the notes on a scene before anything of it is computed.
 fn say_scene(scene: &Scene) {
     say_surface(&scene.surface);
-    say_notes(scene.notes.iter().map(scene_note_words::line));
+    say_all(&scene.notes, &Flags);
 }
 
 /// A scene that is run into a folder.
@@ -83,8 +83,8 @@ impl SceneRun<'_> {
         let states = scene.interface_states(&outcome.results);
         let report = folder.join(products::REPORT);
         let report = options.report.then(|| report.display().to_string());
-        let noted = [Severity::Warning, Severity::Note]
-            .map(|severity| scene.surface.notes.iter().filter(|note| note.severity() == severity).count());
+        let noted = [RemarkLevel::Caution, RemarkLevel::Note]
+            .map(|level| scene.surface.notes.iter().filter(|note| note.level == level).count());
         let end = SummaryEnd {
             report: report.as_deref(),
             warnings: noted[0],

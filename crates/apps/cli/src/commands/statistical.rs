@@ -1,7 +1,7 @@
 //! `statistical`: populations of asperities, from a spectrum or row by row of a table.
 
 use questions::rows::Populations;
-use questions::{CurveQuestion, Note};
+use questions::{CurveQuestion, remark_on_tolerance};
 use study::models::ModelOptions;
 
 use super::row_by_row::{self, Constants};
@@ -41,9 +41,7 @@ fn over_cutoffs(psd: &str, args: &StatisticalArgs, context: &Context<'_>) -> Res
 }
 
 fn of_rows(input: &Place, args: &StatisticalArgs, context: &Context<'_>) -> Result<(), Failure> {
-    let used = args.tolerance.value();
-    let too_fine = args.tolerance.asked_finer().map(|asked| Note::ToleranceTooFine { asked, used });
-    say_all(too_fine.as_slice(), &Flags);
+    say_all(remark_on_tolerance(args.tolerance).as_slice(), &Flags);
     let mut rows = Populations::default();
     let material = args.material.input();
     rows.counterface = material.counterface()?;
