@@ -1,7 +1,7 @@
 //! Bias of spectra of self-affine maps by the treatment of missing points, as the table of docs/guide/missing-points.md: C1D and the rms slope
 //! of a map with missing points over those of the whole map, geometric means over seeds and over the wavelengths of a column.
 
-#[path = "../tests/transform_support/mod.rs"]
+#[path = "../tests/all/transform_support/mod.rs"]
 mod transform_support;
 
 use topography::GapTreatment;

@@ -1,0 +1,185 @@
+//! `report`: one command from scans to a verdict, the same facts in its summary, its page and its answer.
+
+use crate::support::Bench;
+use serde_json::Value;
+
+/// Ten lines of a rough trace: abscissa and height in micrometres.
+fn trace() -> String {
+    let height = |at: f64| (0.7 * at).sin() + 0.3 * (5.1 * at + 1.0).sin() + 0.1 * (23.0 * at).sin();
+    (0..2000).map(|at| format!("{} {}\n", 0.1 * f64::from(at), 0.4 * height(0.1 * f64::from(at)))).collect()
+}
+
+fn answer(bench: &Bench, folder: &str) -> Value {
+    serde_json::from_str(&bench.read(&format!("{folder}/answer.json"))).unwrap()
+}
+
+#[test]
+fn a_trace_becomes_a_report_that_its_scene_repeats() {
+    let bench = Bench::new();
+    bench.write("flange.txt", trace());
+    let call = [
+        "report",
+        "flange.txt:unit=um,shortest=1um",
+        "--material",
+        "100Cr6",
+        "--on",
+        "100Cr6",
+        "--pressure",
+        "10MPa",
+        "--seal",
+    ];
+    let summary = bench.run(&call).ok();
+    assert!(summary.lines().count() <= 12, "{summary}");
+    for folder in ["flange-report", "flange-report/figures", "flange-report/data"] {
+        assert!(bench.path(folder).is_dir());
+    }
+    assert_eq!(bench.read("flange-report/summary.txt"), summary);
+    let own = answer(&bench, "flange-report");
+    let load = &own["loads"][0];
+    let [area, low, high] = ["area_fraction", "low", "high"].map(|key| load["area"][key].as_f64().unwrap());
+    assert!(low < area && area < high, "{load}");
+    assert!(own["seal"]["open_under"].as_array().is_some());
+    bench.run(&["run", "flange-report/scene.toml", "--out", "again"]).ok();
+    assert_eq!(answer(&bench, "again"), own);
+}
+
+#[test]
+fn what_a_report_lacks_is_named_with_what_to_type() {
+    let bench = Bench::new();
+    bench.write("flange.txt", trace());
+    bench.run(&["report", "flange.txt", "--pressure", "1MPa"]).refused_naming(&["--material"]);
+    bench.run(&["report", "flange.txt", "--material", "100Cr6"]).refused_naming(&["--pressure"]);
+    let call = ["report", "flange.txt", "--material", "100Cr6", "--pressure", "1MPa"];
+    bench.run(&call).refused_naming(&["error: flange.txt: ", " flange.txt:unit=um"]);
+    assert!(!bench.path("flange-report").exists(), "a call that fails leaves nothing");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_terminal_is_asked_for_what_is_missing_and_again_for_what_cannot_be_read() {
+    let bench = Bench::new();
+    bench.write("flange.txt", trace());
+    // A material that is none, a steel, the suggested pressure, a unit that is none, and micrometres.
+    let ran = bench.run_on_terminal(&["report", "flange.txt"], "unobtainium\n100Cr6\n\nfurlong\num\n");
+    assert_eq!(ran.status, 0, "{ran:?}");
+    for (question, times) in [
+        ("material of the rough body? [steel 100Cr6]", 2),
+        ("nominal pressure? [10 MPa]", 1),
+        ("unit of heights in flange.txt? [um]", 2),
+    ] {
+        assert_eq!(ran.stderr.matches(question).count(), times, "{question}: {}", ran.stderr);
+    }
+    let scene = bench.read("flange-report/scene.toml");
+    for answer in ["100Cr6\"", "\"10 MPa\"", "unit = \"µm\""] {
+        assert!(scene.contains(answer), "{answer}: {scene}");
+    }
+}
+
+#[test]
+fn no_file_that_is_read_or_that_somebody_else_wrote_is_replaced_or_removed() {
+    let bench = Bench::new();
+    let scene = |psd: &str, figure: &str| {
+        format!(
+            "title = \"s\"\nsurface = {{ psd = \"{psd}\" }}\n[[figure]]\nname = \"{figure}\"\nshows = \"psd\"\n"
+        )
+    };
+    bench.write("s.toml", scene("builtin:uncd-measured", "spectrum")).run(&["run", "s.toml"]).ok();
+    let table = bench.read("s-results/spectrum.csv");
+    // A table of an earlier run is an input of the next, which would remove it.
+    bench.write("s.toml", scene("s-results/spectrum.csv", "other"));
+    bench.run(&["run", "s.toml"]).refused_naming(&["s-results/spectrum.csv", "--out"]);
+    assert_eq!(bench.read("s-results/spectrum.csv"), table);
+    let report = |file: &str, out: &str| {
+        bench.run(&[
+            "report",
+            file,
+            "--material",
+            "100Cr6",
+            "--pressure",
+            "1MPa",
+            "--title",
+            "s",
+            "--out",
+            out,
+        ])
+    };
+    std::fs::create_dir_all(bench.path("r/data")).unwrap();
+    for name in ["r/data/spectrum.csv", "r/data/elastic.csv"] {
+        bench.write(name, table.clone());
+        report(name, "r").refused_naming(&[name, "--out"]);
+        assert_eq!(bench.read(name), table);
+        std::fs::remove_file(bench.path(name)).unwrap();
+    }
+    std::fs::create_dir(bench.path("own")).unwrap();
+    bench.write("own/scene.toml", "mine");
+    report("builtin:uncd-measured", "own").refused_naming(&["own", "scene.toml"]);
+    assert_eq!(bench.read("own/scene.toml"), "mine");
+}
+
+#[test]
+fn a_scene_without_curves_runs_every_model_and_the_judge_may_add_the_others() {
+    let bench = Bench::new();
+    let scene = "[surface]\npsd = \"builtin:uncd-measured\"\n[material]\nname = \"100Cr6\"\n[loads]\npressures = [\"10 MPa\"]\n";
+    bench.write("all.toml", scene).run(&["run", "all.toml"]).ok();
+    let curves = |name: &str| answer(&bench, name)["curves"].as_array().unwrap().len();
+    assert!(curves("all-results") >= 9);
+    bench.write("one.toml", format!("{scene}[[curve]]\nmodel = \"hertz\"\n")).run(&["run", "one.toml"]).ok();
+    bench
+        .write("more.toml", format!("{scene}[[curve]]\nmodel = \"hertz\"\n[judge]\nall_models = true\n"))
+        .run(&["run", "more.toml"])
+        .ok();
+    assert_eq!((curves("one-results"), curves("more-results")), (1, curves("all-results")));
+    // The number does not depend on the models that are listed.
+    let area = |name: &str| answer(&bench, name)["loads"][0]["area"]["area_fraction"].as_f64().unwrap();
+    assert!(
+        (area("one-results") / area("all-results") - 1.0).abs() < 0.2,
+        "{} {}",
+        area("one-results"),
+        area("all-results")
+    );
+}
+
+#[test]
+fn summary_page_and_answer_agree_on_every_shipped_scene() {
+    let bench = Bench::new();
+    for name in ["uncd-measured", "gasket", "electrical-contact", "bolted-joint", "contact-challenge"] {
+        let scene = bench.run(&["scene", name]).ok();
+        let summary = bench.run_with_input(&["run", "-", "--out", name], &scene).ok();
+        assert!(summary.lines().count() <= 12, "{summary}");
+        let (answer, page) = (answer(&bench, name), bench.read(&format!("{name}/report.html")));
+        assert!(summary.contains(&format!("Trust     {}", answer["trust"].as_str().unwrap())));
+        assert!(page.contains(&format!("trust: {}", answer["trust"].as_str().unwrap())));
+        for load in answer["loads"].as_array().unwrap() {
+            let models = || {
+                load["references"]
+                    .as_array()
+                    .unwrap()
+                    .iter()
+                    .flat_map(|group| group["models"].as_array().unwrap())
+            };
+            let agreeing = models().filter(|model| model["verdict"] == "agrees").count();
+            assert_eq!(load["tally"]["agree"].as_u64(), Some(agreeing as u64));
+            // The verdict on a number is that of its ratio to the elements of its group.
+            for model in models().filter(|model| model["ratio"].is_number()) {
+                let ratio = model["ratio"].as_f64().unwrap();
+                match model["verdict"].as_str().unwrap() {
+                    "too-large" => assert!(ratio > 1.0, "{model}"),
+                    "too-small" => assert!(ratio < 1.0, "{model}"),
+                    "agrees" => assert!((0.75..=4.0 / 3.0).contains(&ratio), "{model}"),
+                    _ => {}
+                }
+            }
+            if let Some(best) = load["best_model"].as_object() {
+                assert_eq!(best["verdict"], "agrees");
+            }
+        }
+        if let Some(seal) = answer["seal"].as_object() {
+            let closes_pa = seal["closes"]["nominal_pressure_pa"].as_f64().unwrap();
+            for load in seal["closed_under"].as_array().unwrap() {
+                let pressure_pa =
+                    answer["loads"][load.as_u64().unwrap() as usize]["nominal_pressure_pa"].as_f64();
+                assert!(pressure_pa.unwrap() >= closes_pa);
+            }
+        }
+    }
+}

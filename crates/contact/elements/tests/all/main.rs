@@ -1,0 +1,11 @@
+//! The tests of this crate from outside, in one program: linking takes longer than running them.
+
+mod adhesion;
+mod always_ends;
+mod approach;
+mod common;
+mod exact;
+mod indenter;
+mod invariances;
+mod pressed;
+mod separation;

@@ -1,0 +1,12 @@
+//! The tests of this crate from outside, in one program: linking takes longer than running them.
+
+mod error_estimates;
+mod hard;
+mod references;
+mod robustness;
+mod states;
+mod stiffness;
+mod summits;
+mod support;
+mod sweeps;
+mod tables;

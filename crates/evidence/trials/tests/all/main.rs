@@ -1,0 +1,7 @@
+//! The tests of this crate from outside, in one program: linking takes longer than running them.
+
+mod committed;
+mod coverage;
+mod gap_trials;
+mod judge_trials;
+mod window_excess;

@@ -1,0 +1,14 @@
+//! The tests of this crate from outside, in one program: linking takes longer than running them.
+
+#[macro_use]
+mod support;
+
+mod instruments;
+mod scan_binary_errors;
+#[cfg(feature = "container")]
+mod scan_container;
+mod scan_corpus;
+mod scan_corruption;
+mod scan_round_trip;
+mod scan_samples;
+mod scan_text;

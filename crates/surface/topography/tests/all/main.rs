@@ -1,0 +1,11 @@
+//! The tests of this crate from outside, in one program: linking takes longer than running them.
+
+mod gap_bias;
+mod gaps;
+mod noise;
+mod tips;
+mod transform_areal;
+mod transform_composite;
+mod transform_lines;
+mod transform_support;
+mod transform_uneven;
