@@ -57,24 +57,26 @@ fn the_page_touches_few_files_and_its_law_compiles_and_runs() {
     let mut sources = sources();
     let touched = follow(&page, &mut sources);
     assert_eq!(touched.len(), FILES, "{touched:?}");
-    sources.insert("crates/answer/scene/tests/all/followed.rs".into(), FOLLOWED.into());
+    sources.insert("crates/answer/scene/tests/followed.rs".into(), FOLLOWED.into());
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("adding-a-law");
     write(&sources, &folder.join("sources"));
+    let tests_of_the_page = [
+        "the_area_is_twice_that_of_hertz_up_to_the_cap",
+        "fully_plastic_spheres_carry_their_hardness",
+        "a_scene_is_carried_out_under_the_new_model",
+    ];
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let ran = Command::new(cargo)
-        .args(["test", "--offline", "--lib", "--test", "states", "--test", "followed"])
+        .args(["test", "--offline", "--lib", "--test", "all", "--test", "followed"])
         .args(TESTED.map(|name| format!("--package=truearea-{name}")))
+        .arg("--")
+        .args(tests_of_the_page)
         .env("CARGO_TARGET_DIR", folder.join("target"))
         .current_dir(folder.join("sources"))
         .output()
         .unwrap();
     let [out, err] = [&ran.stdout, &ran.stderr].map(|bytes| String::from_utf8_lossy(bytes));
     assert!(ran.status.success(), "{out}\n{err}");
-    let tests_of_the_page = [
-        "the_area_is_twice_that_of_hertz_up_to_the_cap",
-        "fully_plastic_spheres_carry_their_hardness",
-        "a_scene_is_carried_out_under_the_new_model",
-    ];
     for test in tests_of_the_page {
         assert!(out.lines().any(|line| line.contains(test) && line.ends_with(" ... ok")), "{test}\n{out}");
     }

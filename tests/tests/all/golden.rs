@@ -6,7 +6,7 @@ use tests::write_differences;
 
 fn settings() -> Settings {
     let mut settings = Settings::clone_current();
-    settings.set_snapshot_path("../golden");
+    settings.set_snapshot_path("../../golden");
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
     settings

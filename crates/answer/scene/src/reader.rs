@@ -173,7 +173,7 @@ where
 
     fn next_value_seed<V: DeserializeSeed<'de>>(&mut self, seed: V) -> Result<V::Value, SceneError> {
         match self.value.take() {
-            Some(value) => seed.deserialize(Node(value)),
+            Some(value) => seed.deserialize(Node(value)).map_err(|error| error.or_at(value.span())),
             None => Err(SceneError::custom("a value is read before its key")),
         }
     }

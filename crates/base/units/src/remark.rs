@@ -4,24 +4,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use crate::display::{counted, length, percent, pressure, three_digits};
 use crate::number;
-pub use crate::remark_codes::RemarkCode;
-
-/// Weight of a remark for whoever relies on the result.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum RemarkLevel {
-    /// A passed check, for the record.
-    Passed,
-    /// An assumption, an omission or a finding.
-    Note,
-    /// A doubt that changes what to conclude from the result.
-    Caution,
-    /// Part of the result is missing because its input is bad.
-    Error,
-}
-
-crate::named!(RemarkLevel, "level", {
-    Passed => "passed", Note => "note", Caution => "caution", Error => "error",
-});
+pub use crate::remark_codes::{RemarkCode, RemarkLevel};
 
 /// Place that a remark is about, as far as it is known.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]

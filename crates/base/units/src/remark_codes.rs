@@ -1,7 +1,22 @@
 //! The table of remarks: public code, usual weight and words of every kind. [`Remark::words`](crate::Remark::words) fills in values,
 //! and options as the front end spells them.
 
-use crate::RemarkLevel;
+/// Weight of a remark for whoever relies on the result.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum RemarkLevel {
+    /// A passed check, for the record.
+    Passed,
+    /// An assumption, an omission or a finding.
+    Note,
+    /// A doubt that changes what to conclude from the result.
+    Caution,
+    /// Part of the result is missing because its input is bad.
+    Error,
+}
+
+crate::named!(RemarkLevel, "level", {
+    Passed => "passed", Note => "note", Caution => "caution", Error => "error",
+});
 
 /// Makes the kinds of remarks from rows of variant, public code, weight, words and, after `short`, the words for one line with
 /// others.

@@ -8,7 +8,7 @@ use nalgebra::{DVector, Dyn, Matrix3, OMatrix, U3, Vector3};
 
 use crate::interval::ln_ratio;
 use crate::profile::ProfilePsd;
-use crate::self_affine_fit::{FitError, RollOff, SelfAffineFit};
+use crate::self_affine::{FitError, RollOff, SelfAffineFit};
 
 /// Number of trial roll-offs at the start, evenly spaced in the logarithm of the band.
 const STARTS: usize = 24;

@@ -49,6 +49,7 @@ pub mod random_surfaces;
 mod read;
 mod roughness_parameters;
 mod samples;
+mod self_affine;
 mod self_affine_fit;
 mod superpose;
 
@@ -70,7 +71,8 @@ pub use roughness_parameters::{
     SelfAffineProfile,
 };
 pub use samples::PsdError;
-pub use self_affine_fit::{FitError, RollOff, SelfAffineFit, fit_self_affine};
+pub use self_affine::{FitError, RollOff, SelfAffineFit};
+pub use self_affine_fit::fit_self_affine;
 pub use superpose::{Superposition, superpose};
 pub use units::{Scale, UnknownName};
 

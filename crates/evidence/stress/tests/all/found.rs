@@ -19,7 +19,7 @@ struct Row(HashMap<String, String>);
 impl Row {
     /// Reads a table.
     fn all(name: &str) -> Vec<Row> {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/found").join(name);
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/all/found").join(name);
         csv::Reader::from_path(path).unwrap().into_deserialize().map(|row| Row(row.unwrap())).collect()
     }
 
