@@ -72,7 +72,7 @@ impl Adviser<'_> {
         }
         let (mut work, mut plans) = (influence.work, influence.plans);
         for prolongation in prolongations.iter().flatten() {
-            work += prolongation.drawn.work;
+            work += prolongation.work;
             plans += PROLONGED_DRAWS;
         }
         let light = LightDraw::all(self.inputs, &influence);
@@ -86,7 +86,7 @@ impl Adviser<'_> {
         psd: &ProfilePsd,
         influence: &Influence,
         light: &[LightDraw],
-        prolongations: &[Option<Prolongation>; 2],
+        prolongations: &[Option<Drawn>; 2],
     ) -> Option<Advice> {
         let (curve, load) = (area / self.areas.loads(), area % self.areas.loads());
         let width = self.width(&self.drawn.of(area))?;
@@ -140,7 +140,7 @@ impl Adviser<'_> {
         width: f64,
         contributions: &Contributions,
         psd: &ProfilePsd,
-        prolongations: &[Option<Prolongation>; 2],
+        prolongations: &[Option<Drawn>; 2],
     ) -> Vec<Step> {
         let mut steps = Vec::new();
         let shrunk = |before: f64, after: f64| {
@@ -199,13 +199,13 @@ impl Adviser<'_> {
         area: usize,
         end: End,
         psd: &ProfilePsd,
-        prolongation: &Prolongation,
+        prolongation: &Drawn,
     ) -> Option<Step> {
         let (before, after): (Vec<f64>, Vec<f64>) = self
             .drawn
             .ln_areas
             .iter()
-            .zip(&prolongation.drawn.ln_areas)
+            .zip(&prolongation.ln_areas)
             .filter_map(|(before, after)| before[area].zip(after[area]))
             .unzip();
         let (width_before, width_after) = (self.width(&before)?, self.width(&after)?);
@@ -221,7 +221,7 @@ impl Adviser<'_> {
 
     /// Draws with the spectrum prolonged at an end by a power law, whose exponent scatters as the end does; `None` if
     /// the scene does not use wavelengths beyond that end.
-    fn prolongation(&self, end: End, psd: &ProfilePsd, progress: &dyn Progress) -> Option<Prolongation> {
+    fn prolongation(&self, end: End, psd: &ProfilePsd, progress: &dyn Progress) -> Option<Drawn> {
         let law = PowerLaw::at(end, psd)?;
         if end == End::Short && self.areas.cutoff_m().is_some() {
             return None;
@@ -244,7 +244,7 @@ impl Adviser<'_> {
             progress.advance(1);
             found
         });
-        Some(Prolongation { drawn: Drawn::from_iter(draws) })
+        Some(Drawn::from_iter(draws))
     }
 
     fn settling(&self, curve: usize, load: usize, psd: &ProfilePsd) -> Settling {
@@ -262,11 +262,6 @@ impl Adviser<'_> {
             None => Settling::Unknown,
         }
     }
-}
-
-/// Draws of a spectrum prolonged.
-struct Prolongation {
-    drawn: Drawn,
 }
 
 /// The spectrum of a single uncertain surface.

@@ -25,11 +25,6 @@ impl Drawn {
         self.ln_areas.iter().filter_map(|draw| draw[area]).collect()
     }
 
-    /// ln A of one curve and load in every draw.
-    pub fn in_every(&self, area: usize) -> Vec<Option<f64>> {
-        self.ln_areas.iter().map(|draw| draw[area]).collect()
-    }
-
     fn add(&mut self, found: DrawnAreas) {
         self.ln_areas.push(found.ln_areas);
         self.work += found.work;

@@ -3,7 +3,6 @@
 mod advice;
 mod areas;
 mod bands;
-mod dense_draws;
 mod draws;
 mod gains;
 mod group;

@@ -8,7 +8,6 @@ use units::{Remark, RemarkCode};
 use crate::advice::{Adviser, MIN_SCANS};
 use crate::areas::{Areas, Points};
 use crate::bands::{self, band};
-use crate::dense_draws::{DenseDraws, DenseValues};
 use crate::draws::{self, Along, Drawn};
 use crate::group::Indices;
 use crate::inputs::Inputs;
@@ -111,8 +110,7 @@ impl<'p> UncertaintyPlan<'p> {
         let ended_early = is_incomplete || progress.is_cancelled();
         work += of_advice;
         plans += plans_of_advice;
-        let dense = self.dense(&drawn);
-        let (areas, of_best) = self.intervals_of(&drawn, Some(&dense), &indices);
+        let (areas, of_best) = self.intervals_of(&drawn, &indices);
         work += of_best;
         plans += 1;
         let mut found = Uncertainty {
@@ -132,7 +130,7 @@ impl<'p> UncertaintyPlan<'p> {
             work,
             plans,
         };
-        let QuantityDraws { intervals, open_channels } = self.quantities_of(&dense, &found.areas, progress);
+        let QuantityDraws { intervals, open_channels } = self.quantities_of(draws, &found.areas, progress);
         (found.quantities, found.open_channels) = (intervals, open_channels);
         self.describe_inputs(&mut found);
         let beyond_an_end = 0.5 * (1.0 - self.settings.level) * draws as f64;
@@ -156,17 +154,7 @@ impl<'p> UncertaintyPlan<'p> {
     /// [`PlanError::Cancelled`] where fewer than 20 draws were made by then.
     pub fn intervals(&self, progress: &dyn Progress) -> Result<Vec<AreaInterval>, PlanError> {
         let drawn = self.drawn(progress)?;
-        Ok(self.intervals_of(&drawn, Some(&self.dense(&drawn)), &[]).0)
-    }
-
-    /// Computes the intervals from the computed draws alone, to compare: no polynomial fills the space between them, so
-    /// that another seed moves the ends more. `progress` advances once per draw.
-    ///
-    /// # Errors
-    /// [`PlanError::Cancelled`] where fewer than 20 draws were made by then.
-    pub fn intervals_unfilled(&self, progress: &dyn Progress) -> Result<Vec<AreaInterval>, PlanError> {
-        let drawn = self.drawn(progress)?;
-        Ok(self.intervals_of(&drawn, None, &[]).0)
+        Ok(self.intervals_of(&drawn, &[]).0)
     }
 
     /// Makes the draws, fewer if they are cancelled.
@@ -179,19 +167,8 @@ impl<'p> UncertaintyPlan<'p> {
         Ok(drawn)
     }
 
-    /// Draws between those that were made.
-    fn dense(&self, drawn: &Drawn) -> DenseDraws {
-        DenseDraws::new(&self.inputs, self.areas.cutoff_m(), drawn.ln_areas.len())
-    }
-
-    /// The interval of every area that has one, centred on the best estimates; from the computed draws alone without
-    /// draws between them.
-    fn intervals_of(
-        &self,
-        drawn: &Drawn,
-        dense: Option<&DenseDraws>,
-        indices: &[Vec<Indices>],
-    ) -> (Vec<AreaInterval>, Work) {
+    /// The interval of every area that has one, centred on the best estimates.
+    fn intervals_of(&self, drawn: &Drawn, indices: &[Vec<Indices>]) -> (Vec<AreaInterval>, Work) {
         let best = match self.inputs.best_psd() {
             Some(psd) => self.areas.at_the_end(psd.as_ref(), self.areas.distinct_curves().to_vec()),
             None => self.areas.nothing(),
@@ -200,7 +177,7 @@ impl<'p> UncertaintyPlan<'p> {
             let (curve, load) = self.curve_and_load(area);
             self.areas.place(curve, load)
         };
-        let interval = |area: usize| self.interval(area, drawn, dense, best.ln_areas[area], indices);
+        let interval = |area: usize| self.interval(area, drawn, best.ln_areas[area], indices);
         let at_its_place = |area: usize, interval: AreaInterval| {
             let (curve, load) = self.curve_and_load(area);
             AreaInterval { curve, load, ..interval }
@@ -211,13 +188,13 @@ impl<'p> UncertaintyPlan<'p> {
 
     fn quantities_of(
         &self,
-        dense: &DenseDraws,
+        draws: usize,
         areas: &[AreaInterval],
         progress: &dyn Progress,
     ) -> QuantityDraws {
         let level = self.settings.level;
         let intervals =
-            |quantities: &Quantities<'_>| quantities.intervals(&self.inputs, dense, level, areas, progress);
+            |quantities: &Quantities<'_>| quantities.intervals(&self.inputs, draws, level, areas, progress);
         self.quantities.as_ref().map(intervals).unwrap_or_default()
     }
 
@@ -274,7 +251,6 @@ impl<'p> UncertaintyPlan<'p> {
         &self,
         area: usize,
         drawn: &Drawn,
-        dense: Option<&DenseDraws>,
         best: Option<f64>,
         indices: &[Vec<Indices>],
     ) -> Option<AreaInterval> {
@@ -284,16 +260,9 @@ impl<'p> UncertaintyPlan<'p> {
         }
         // A certain surface needs no correction for bias.
         let best = best.filter(|_| self.inputs.surface_scatters());
-        let filled = match dense {
-            Some(dense) => dense.fill(&drawn.in_every(area)),
-            None => DenseValues::of_computed(ln_areas.clone()),
-        };
-        let at_level = |level| {
-            let found = match best {
-                Some(best) => area_interval_about(best, &filled.values, level),
-                None => interval(&filled.values, level),
-            };
-            Some(found?.with_errors_times(filled.error_factor))
+        let at_level = |level| match best {
+            Some(best) => area_interval_about(best, &ln_areas, level),
+            None => interval(&ln_areas, level),
         };
         let found = at_level(self.settings.level)?;
         let within = at_level(ONE_STANDARD_UNCERTAINTY)?;

@@ -36,18 +36,6 @@ impl Interval {
         let length = self.high.value - self.low.value;
         if length > 0.0 { self.length_standard_error / length } else { 0.0 }
     }
-
-    /// The interval with all its standard errors multiplied by a factor.
-    #[must_use]
-    pub fn with_errors_times(self, factor: f64) -> Self {
-        let scaled = |end: Quantile| Quantile { standard_error: factor * end.standard_error, ..end };
-        Interval {
-            low: scaled(self.low),
-            median: scaled(self.median),
-            high: scaled(self.high),
-            length_standard_error: factor * self.length_standard_error,
-        }
-    }
 }
 
 /// Computes the equal-tailed interval that holds a share `level` of the draws (above 0, below 1); `None` without draws.

@@ -8,7 +8,6 @@ use study::plan::{Needs, Plan, Results};
 
 use spectrum::ProfilePsd;
 
-use crate::dense_draws::DenseDraws;
 use crate::inputs::Inputs;
 use crate::material_draws::DrawnMaterial;
 use crate::quantiles::{Interval, interval, percentiles_about};
@@ -40,17 +39,16 @@ impl<'p> Quantities<'p> {
         Some(Quantities { scene, results, slots })
     }
 
-    /// Computes the intervals of all quantities with a value from the computed draws, at a level; empty if cancelled. A
+    /// Computes the intervals of all quantities with a value from the first `draws` draws, at a level; empty if cancelled. A
     /// quantity from the area of a curve takes the interval of that area. `progress` advances once per draw.
     pub fn intervals(
         &self,
         inputs: &Inputs,
-        dense: &DenseDraws,
+        draws: usize,
         level: f64,
         areas: &[AreaInterval],
         progress: &dyn Progress,
     ) -> QuantityDraws {
-        let draws = dense.computed();
         let numbers: Vec<u64> = (0..draws as u64).collect();
         let of_draw = |&number: &u64| {
             if progress.is_cancelled() {
@@ -77,18 +75,15 @@ impl<'p> Quantities<'p> {
                     .find(is_its)
                     .map(|area| QuantityInterval::in_proportion(*slot, value, area));
             }
-            let ln_values: Vec<Option<f64>> = drawn.iter().map(|draw| draw.as_ref()?[at]).collect();
-            let filled = dense.fill(&ln_values);
+            let ln_values: Vec<f64> = drawn.iter().filter_map(|draw| draw.as_ref()?[at]).collect();
             let found = match best.as_ref().and_then(|best| best[at]) {
                 // Leaks scatter over decades to one side, and their mirror image is no interval.
-                Some(best) => percentiles_about(best, &filled.values, level),
-                None => interval(&filled.values, level),
+                Some(best) => percentiles_about(best, &ln_values, level),
+                None => interval(&ln_values, level),
             };
-            let found = found.map(|found| found.with_errors_times(filled.error_factor));
-            let told = ln_values.iter().flatten().count() as f64;
-            let is_told = told >= MIN_SHARE_WITH_VALUE * draws as f64;
+            let is_known = ln_values.len() as f64 >= MIN_SHARE_WITH_VALUE * draws as f64;
             let largest = slot.load.map_or(1.0, |load| plain.largest_stiffness_over_theory(load));
-            let found = found.filter(|_| is_told).map(|found| QuantityInterval::new(*slot, value, &found));
+            let found = found.filter(|_| is_known).map(|found| QuantityInterval::new(*slot, value, &found));
             found.map(|found| found.with_stiffness_up_to(largest))
         };
         let open = |(at, slot): (usize, &Slot)| {

@@ -6,7 +6,7 @@ use scene::UncertaintyChoices;
 pub const DEFAULT_LEVEL: f64 = 0.95;
 
 /// The default number of draws.
-pub const DEFAULT_DRAWS: usize = 1000;
+pub const DEFAULT_DRAWS: usize = 2000;
 
 /// The default seed of the draws.
 pub const DEFAULT_SEED: u64 = 1;

@@ -8,8 +8,9 @@ use crate::draws::{self, Drawn};
 use crate::group::{Group, Index, Indices};
 use crate::inputs::Inputs;
 use crate::quantiles::interval;
-use crate::sobol::indices;
+use crate::sobol::{NOTHING, indices};
 use crate::surface_scatter::DrawOf;
+use crate::tables::LARGEST_ERROR_OF_A_SHARE;
 
 /// The size of the small design: a share has a standard error of 0.04 at most.
 pub(crate) const SMALL_DESIGN: usize = 256;
@@ -18,12 +19,6 @@ pub(crate) const SMALL_DESIGN: usize = 256;
 const ALL: Indices = Indices {
     first_order: Index { value: 1.0, standard_error: 0.0 },
     total: Index { value: 1.0, standard_error: 0.0 },
-};
-
-/// The indices of an area that does not vary.
-const NOTHING: Indices = Indices {
-    first_order: Index { value: 0.0, standard_error: 0.0 },
-    total: Index { value: 0.0, standard_error: 0.0 },
 };
 
 /// Saltelli's design over the uncertain groups. A and B reuse draws that were made already.
@@ -125,12 +120,9 @@ impl Tails {
     }
 }
 
-/// The largest standard error of a share that is reported.
-const LARGEST_ERROR: f64 = 0.1;
-
 /// The first-order index of a group, if it is uncertain and its index is known.
 pub(crate) fn first_order(groups: &[Group], indices: &[Indices], group: Group) -> Option<f64> {
     let at = groups.iter().position(|other| *other == group)?;
     let index = indices.get(at)?.first_order;
-    (index.standard_error <= LARGEST_ERROR).then_some(index.value)
+    (index.standard_error <= LARGEST_ERROR_OF_A_SHARE).then_some(index.value)
 }

@@ -36,8 +36,11 @@ const MIN_DRAWS: usize = 8;
 /// An unknown index: its standard error is as large as a share can be.
 const UNKNOWN: Index = Index { value: 0.0, standard_error: 1.0 };
 
-/// The index for an output that does not vary.
-const NOTHING: Index = Index { value: 0.0, standard_error: 0.0 };
+/// The indices for an output that does not vary.
+pub(crate) const NOTHING: Indices = Indices {
+    first_order: Index { value: 0.0, standard_error: 0.0 },
+    total: Index { value: 0.0, standard_error: 0.0 },
+};
 
 /// Computes the indices of one group from the outputs of Saltelli's design: `a` and `b` from two independent draws of
 /// all inputs, `ab` from the inputs of `a` with this group's inputs from `b`. Slices are cut to the shortest.
@@ -49,7 +52,7 @@ pub fn indices(a: &[f64], b: &[f64], ab: &[f64]) -> Indices {
     let draws = a.len().min(b.len()).min(ab.len());
     let (a, b, ab) = (&a[..draws], &b[..draws], &ab[..draws]);
     if does_not_vary(a) && does_not_vary(b) && does_not_vary(ab) {
-        return Indices { first_order: NOTHING, total: NOTHING };
+        return NOTHING;
     }
     let standard = (standardised(a), standardised(b), standardised(ab));
     let (Some(a), Some(b), Some(ab)) = standard else {

@@ -203,22 +203,3 @@ fn draws_compute_final_areas_and_nothing_else() {
     );
     assert!(of_state < 1.5 * of_scene, "{of_state} {of_scene}");
 }
-
-#[test]
-fn draws_between_the_computed_ones_steady_the_ends_of_an_interval() {
-    let material = "youngs_modulus = \"100 GPa +- 10 %\", poisson_ratio = 0.3";
-    let scene = scene(&psd(0.2), material, &["elastic"]);
-    let results = scene.plan().compute().unwrap();
-    let mut ends: [Vec<f64>; 2] = Default::default();
-    for seed in 1..=8 {
-        let settings = Settings { draws: 300, seed, ..Settings::default() };
-        let plan = UncertaintyPlan::new(&scene, &results, &settings).unwrap();
-        let both = [plan.intervals(&Unobserved), plan.intervals_unfilled(&Unobserved)];
-        ends.iter_mut().zip(both).for_each(|(ends, found)| ends.push(found.unwrap()[0].high.ln()));
-    }
-    let [filled, unfilled] = ends.map(|ends| {
-        let mean = ends.iter().sum::<f64>() / ends.len() as f64;
-        ends.iter().map(|end| (end - mean).powi(2)).sum::<f64>()
-    });
-    assert!(filled < 0.5 * unfilled, "{filled} against {unfilled}");
-}

@@ -43,7 +43,7 @@ fn an_area_is_told_with_its_interval_in_words_table_and_page() {
     let bench = bench("[judge]\noff = true\n");
     // As it stands before lines are broken.
     let said = bench.run(&["run", "s.toml", "-v"]).ok().replace('\n', " ");
-    assert_names(&said, &["95 %", "1000 draws"]);
+    assert_names(&said, &["95 %", "2000 draws"]);
     let table = bench.read("s-results/report-uncertainty.csv");
     let rows: Vec<&str> = table.lines().filter(|line| !line.starts_with('#')).collect();
     assert_eq!(rows.len(), 2, "{table}");
