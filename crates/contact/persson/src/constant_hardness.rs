@@ -110,12 +110,12 @@ fn images(first: u8) -> impl Iterator<Item = f64> {
 
 /// Contribution D = erfc((d - p)/(sqrt(2) s)) - erfc((d + p)/(sqrt(2) s)) of an image at the distance d >= 0, to
 /// rounding.
-pub(crate) fn image(distance_pa: f64, pressure_pa: f64, spread_pa: f64) -> f64 {
+fn image(distance_pa: f64, pressure_pa: f64, spread_pa: f64) -> f64 {
     image_from([distance_pa - pressure_pa, distance_pa], pressure_pa, spread_pa)
 }
 
 /// Contribution of an image from d - p and d.
-fn image_from([nearest_pa, distance_pa]: [f64; 2], pressure_pa: f64, spread_pa: f64) -> f64 {
+pub(crate) fn image_from([nearest_pa, distance_pa]: [f64; 2], pressure_pa: f64, spread_pa: f64) -> f64 {
     let [near, far] = [nearest_pa, distance_pa + pressure_pa].map(|d| FRAC_1_SQRT_2 * (d / spread_pa));
     let (a, b) = (FRAC_1_SQRT_2 * (distance_pa / spread_pa), FRAC_1_SQRT_2 * (pressure_pa / spread_pa));
     if 4.0 * a * b > 1.0 || b > 0.5 {

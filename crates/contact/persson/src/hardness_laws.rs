@@ -80,18 +80,6 @@ pub enum HardnessError {
         /// Hardness at the wavelength before \[Pa\].
         before_pa: f64,
     },
-    /// The hardness grows from far below the stress that flattens the surface to its size: what the short waves find in contact
-    /// cannot be followed.
-    #[error(
-        "a hardness of {hardness_pa:e} Pa is far below the stress that flattens the surface, {spread_pa:e} Pa, and grows to its size \
-         later; the theory cannot follow that"
-    )]
-    Overrun {
-        /// Hardness \[Pa\] below the stress.
-        hardness_pa: f64,
-        /// Spread \[Pa\] of the flattening pressure there.
-        spread_pa: f64,
-    },
     /// The growing hardness cannot carry the load at the longest wavelength.
     #[error(
         "the nominal pressure {pressure_pa:e} Pa is not below the hardness {hardness_pa:e} Pa at the longest wavelength, {wavelength_m:e} m"

@@ -58,11 +58,11 @@ impl HardnessPath {
     /// wavevector between neighbours, continued beyond the last.
     ///
     /// Knots within 1e-10 of a common power are merged. If more than 500 pieces remain, the tolerance rises tenfold
-    /// until they do not, because the work grows with their square.
+    /// until they do not.
     #[must_use]
     pub fn through(knots: &[HardnessKnot]) -> Self {
-        let mut pieces = joined(knots, FINEST);
         let mut tolerance = FINEST;
+        let mut pieces = joined(knots, tolerance);
         while pieces.len() > MOST_PIECES {
             tolerance *= 10.0;
             pieces = joined(knots, tolerance);
@@ -78,12 +78,7 @@ impl HardnessPath {
     /// Hardness \[Pa\] at a variance \[Pa^2\].
     #[must_use]
     pub fn hardness_pa(&self, variance_pa2: f64) -> f64 {
-        self.piece(self.piece_at(variance_pa2)).hardness_pa(variance_pa2)
-    }
-
-    /// Growth d(H^2)/dV >= 0 at a variance \[Pa^2\].
-    pub(crate) fn growth_of_square(&self, variance_pa2: f64) -> f64 {
-        self.piece(self.piece_at(variance_pa2)).growth_of_square(variance_pa2)
+        self.pieces[self.piece_at(variance_pa2)].hardness_pa(variance_pa2)
     }
 
     /// True if the hardness is the same everywhere.
@@ -91,18 +86,6 @@ impl HardnessPath {
     pub fn is_constant(&self) -> bool {
         let first_pa = self.pieces[0].hardness_pa;
         self.pieces.iter().all(|piece| piece.is_constant() && piece.hardness_pa == first_pa)
-    }
-
-    /// Height \[Pa\] of the step with which the piece at a place begins; 0 where the hardness is continuous.
-    pub(crate) fn step_pa(&self, at: usize) -> f64 {
-        if at == 0 {
-            return 0.0;
-        }
-        let here = self.pieces[at];
-        // What grows over the last places of the variance grows at once.
-        let before_pa = self.hardness_pa(here.from_variance_pa2 * (1.0 - NARROWEST));
-        let step_pa = here.hardness_pa - before_pa;
-        if step_pa > STEP_MIN * here.hardness_pa { step_pa } else { 0.0 }
     }
 
     /// Returns the path limited to `cap_pa` > 0 \[Pa\].
@@ -132,12 +115,8 @@ impl HardnessPath {
     }
 
     /// Place of the piece on which a variance lies, of two that meet there the later one.
-    pub(crate) fn piece_at(&self, variance_pa2: f64) -> usize {
+    fn piece_at(&self, variance_pa2: f64) -> usize {
         self.pieces.partition_point(|piece| piece.from_variance_pa2 <= variance_pa2).saturating_sub(1)
-    }
-
-    pub(crate) fn piece(&self, at: usize) -> Piece {
-        self.pieces[at]
     }
 
     pub(crate) fn pieces(&self) -> &[Piece] {
@@ -145,10 +124,6 @@ impl HardnessPath {
     }
 }
 
-/// Step of the hardness that counts, relative to it: pieces meet to the tolerance within which knots are merged.
-const STEP_MIN: f64 = 1e-6;
-/// Interval of the variance, relative to it, over which a hardness grows at once: the rounding of variances is a part of it.
-pub(crate) const NARROWEST: f64 = 1e-12;
 /// Upper limit of the pieces of a path.
 const MOST_PIECES: usize = 500;
 /// Relative tolerance of the first attempt to merge knots.
@@ -216,20 +191,18 @@ impl Piece {
         })
     }
 
-    #[inline(always)]
-    pub(crate) fn hardness_pa(&self, variance_pa2: f64) -> f64 {
+    fn hardness_pa(&self, variance_pa2: f64) -> f64 {
         self.hardness_beyond_pa(variance_pa2 - self.from_variance_pa2)
     }
 
-    /// Growth d(H^2)/dV >= 0 at a variance \[Pa^2\].
-    pub(crate) fn growth_of_square(&self, variance_pa2: f64) -> f64 {
-        let grown = self.growth_per_pa2 * (variance_pa2 - self.from_variance_pa2);
+    /// Growth d(H^2)/dV >= 0 at V - V_i \[Pa^2\].
+    pub(crate) fn growth_of_square(&self, from_kink_pa2: f64) -> f64 {
+        let grown = self.growth_per_pa2 * from_kink_pa2;
         let growth = 2.0 * self.exponent * self.growth_per_pa2 / self.log(grown).exp();
-        (self.hardness_pa(variance_pa2).powi(2) * growth).max(0.0)
+        (self.hardness_beyond_pa(from_kink_pa2).powi(2) * growth).max(0.0)
     }
 
-    /// Hardness \[Pa\] at V - V_i \[Pa^2\], without calls, so that several are computed at once.
-    #[inline(always)]
+    /// Hardness \[Pa\] at V - V_i \[Pa^2\].
     pub(crate) fn hardness_beyond_pa(&self, from_kink_pa2: f64) -> f64 {
         let growth = self.growth_per_pa2 * from_kink_pa2;
         if self.exponent == 0.5 {
@@ -243,15 +216,6 @@ impl Piece {
     fn log(&self, growth: f64) -> f64 {
         let log = elementary::ln_1p(if growth > -1.0 { growth } else { -1.0 });
         if log > self.least_log { log } else { self.least_log }
-    }
-
-    /// Variance left \[Pa^2\] before it comes to an end, where the hardness goes on over less and less of it; infinite if it does
-    /// not.
-    pub(crate) fn left_pa2(&self, variance_pa2: f64) -> f64 {
-        if self.growth_per_pa2 >= 0.0 || self.exponent == 0.0 {
-            return f64::INFINITY;
-        }
-        self.from_variance_pa2 - self.growth_per_pa2.recip() - variance_pa2
     }
 
     /// Variance at which the piece reaches a hardness above that of its beginning, if it does.

@@ -13,7 +13,6 @@
 #![deny(missing_docs)]
 
 mod areas;
-mod beside_kinks;
 pub mod constant_hardness;
 mod contact_energy;
 pub mod corrections;
@@ -25,14 +24,9 @@ mod hardness_path;
 mod knot;
 mod layered;
 mod model;
-mod near_panels;
-mod panel_rules;
-mod plastic_march;
 mod roughness;
 pub mod sealing;
 pub mod separation;
-mod sources;
-mod stress_modes;
 mod stress_profile;
 mod stretch;
 pub mod variance;

@@ -3,7 +3,7 @@
 use crate::areas::ContactAreas;
 use crate::corrections::Correction;
 use crate::energy::EnergyFactor;
-use crate::growing_hardness::{areas_along, overrun};
+use crate::growing_hardness::areas_along;
 use crate::hardness_laws::{Hardness, HardnessError, HardnessGrowth};
 use crate::roughness::{Place, Roughness};
 use crate::separation::{Separation, SeparationLaw};
@@ -122,8 +122,8 @@ impl PerssonModel {
     /// Returns the shares of the nominal area at each cutoff of a roughness, under a nominal pressure p > 0 \[Pa\].
     ///
     /// # Errors
-    /// [`HardnessError::Falling`], [`HardnessError::Exceeded`] if a growing hardness is not above p at the
-    /// longest wavelength, and [`HardnessError::Overrun`] if it is far below the flattening stress and grows to its size. With a constant hardness everything touches and flows in that case.
+    /// [`HardnessError::Falling`], and [`HardnessError::Exceeded`] if a growing hardness is not above p at the longest wavelength.
+    /// With a constant hardness everything touches and flows in that case.
     pub fn areas(&self, roughness: &Roughness, pressure_pa: f64) -> Result<Vec<ContactAreas>, HardnessError> {
         self.areas_from(0, roughness, pressure_pa)
     }
@@ -179,9 +179,6 @@ impl PerssonModel {
                     return Err(HardnessError::Exceeded { pressure_pa, hardness_pa, wavelength_m });
                 }
                 let path = hardness.path(roughness, self.contact_modulus_pa())?;
-                if let Some((hardness_pa, spread_pa)) = overrun(&path, &variances_pa2) {
-                    return Err(HardnessError::Overrun { hardness_pa, spread_pa });
-                }
                 Ok(areas_along(&path, pressure_pa, &variances_pa2).split_off(first))
             }
         }

@@ -183,8 +183,9 @@ fn rows_are_elastic_plastic_or_of_growing_hardness_each_by_itself() {
     ];
     for (name, expected) in expected {
         for (at, (found, expected)) in numbers(&table, name).iter().zip(expected).enumerate() {
-            let tolerance = if at == 3 { 1e-10 } else { 1e-13 };
-            assert!((found - expected).abs() <= tolerance * expected, "{name} {at}: {found} {expected}");
+            // Under a growing hardness shares are accurate relative to that in contact.
+            let tolerance = if at == 3 { 1e-6 * 0.0368 } else { 1e-13 * expected };
+            assert!((found - expected).abs() <= tolerance, "{name} {at}: {found} {expected}");
         }
     }
 }

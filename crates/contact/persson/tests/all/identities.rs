@@ -91,8 +91,8 @@ proptest! {
     fn a_hardness_that_hardly_grows_is_constant(pressure in fraction(), spread in 0.02..3.0f64) {
         let growing = areas_of_squared_growth(pressure, spread, 1.0, 1e-12);
         let constant = constant_hardness::areas(pressure, spread, 1.0);
-        prop_assert!((growing.contact() / constant.contact() - 1.0).abs() < 1e-9, "{growing:?} {constant:?}");
-        prop_assert!((growing.plastic - constant.plastic).abs() < 1e-9 * constant.contact(), "{growing:?} {constant:?}");
+        prop_assert!((growing.contact() / constant.contact() - 1.0).abs() < 1e-6, "{growing:?} {constant:?}");
+        prop_assert!((growing.plastic - constant.plastic).abs() < 1e-6 * constant.contact(), "{growing:?} {constant:?}");
     }
 
     #[test]
@@ -110,15 +110,15 @@ proptest! {
         let now = (1.0 + growth * spread * spread).sqrt();
         prop_assert!(in_order(&growing, 0.0));
         prop_assert!(growing.plastic * now <= pressure * (1.0 + 1e-9), "{growing:?}");
-        prop_assert!(growing.plastic <= constant.plastic * (1.0 + 1e-9), "{growing:?} {constant:?}");
+        prop_assert!(growing.plastic <= constant.plastic + 1e-6 * constant.contact(), "{growing:?} {constant:?}");
         prop_assert!(growing.contact() >= elastic::area_fraction(pressure, spread) * (1.0 - 1e-12));
-        prop_assert!(growing.contact() <= constant.contact() * (1.0 + 1e-9), "{growing:?} {constant:?}");
+        prop_assert!(growing.contact() <= constant.contact() * (1.0 + 1e-6), "{growing:?} {constant:?}");
     }
 
     #[test]
     fn pressures_scale_together(pressure in fraction(), spread in 0.05..3.0f64, unit in 1e-3..1e12f64) {
         let one = areas_of_squared_growth(pressure, spread, 1.0, 2.0);
         let other = areas_of_squared_growth(pressure * unit, spread * unit, unit, 2.0);
-        prop_assert!((one.contact() / other.contact() - 1.0).abs() < 1e-8);
+        prop_assert!((one.contact() / other.contact() - 1.0).abs() < 1e-6);
     }
 }
