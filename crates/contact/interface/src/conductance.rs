@@ -7,17 +7,21 @@
 //!
 //! The correlations for plastic contact ([`PlasticCorrelation`]) need the slopes of the surface, which depend on the
 //! cutoff of its spectrum ([`CutSurface`]).
-//!
-//! [`Circumstances`] flag the effects that are left out.
 
 mod bodies;
-mod circumstances;
 mod plastic;
 mod spot;
 mod stiffness;
 
 pub use bodies::{Conductivities, Resistivities};
-pub use circumstances::{Circumstances, ELECTRON_MEAN_FREE_PATH_M, Flag, MOST_PLASTIC_SHARE};
-pub use plastic::{CorrelationRange, CutSurface, PlasticCorrelation, PressureRatio};
+pub use plastic::{CutSurface, PlasticCorrelation, PressureRatio};
 pub use spot::Spot;
 pub use stiffness::RelativeStiffness;
+
+/// Mean free path of electrons in a good metal at room temperature \[m\]; spots below it conduct less than by diffusion (Sharvin
+/// 1965).
+pub const ELECTRON_MEAN_FREE_PATH_M: f64 = 40e-9;
+
+/// Largest plastic share of the contact for which the slope of an elastic loading curve is still the stiffness of the
+/// contact.
+pub const MOST_PLASTIC_SHARE: f64 = 0.03;

@@ -144,7 +144,7 @@ fn of_flowed_peaks(states: &InterfaceStates<'_>, scene: &Scene) -> Vec<String> {
     });
     let outside = loads_where(scene, |load| {
         let ratio = states.pressure_ratio(load).ok().flatten()?;
-        alone(!ratio.range().is_within())
+        alone(!ratio.is_fitted())
     });
     let [least, most] = PressureRatio::FITTED;
     let outside = outside.map(|loads| {

@@ -38,18 +38,6 @@ pub struct CutSurface {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct PressureRatio(f64);
 
-/// Position of P/H relative to the range of the correlations.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum CorrelationRange {
-    /// Below the range.
-    Below,
-    /// Within the range.
-    Within,
-    /// Above the range.
-    Above,
-}
-
 impl CutSurface {
     /// Creates a surface from an rms height sigma \[m\] and a mean absolute slope m of profiles.
     ///
@@ -104,25 +92,11 @@ impl PressureRatio {
         self.0
     }
 
-    /// Position relative to the range of the correlations; outside they are extrapolated.
+    /// Returns true if the ratio lies within the range of the correlations; outside they are extrapolated.
     #[must_use]
-    pub fn range(self) -> CorrelationRange {
+    pub fn is_fitted(self) -> bool {
         let [least, most] = Self::FITTED;
-        if self.0 < least {
-            CorrelationRange::Below
-        } else if self.0 > most {
-            CorrelationRange::Above
-        } else {
-            CorrelationRange::Within
-        }
-    }
-}
-
-impl CorrelationRange {
-    /// True if the ratio lies within the range of the correlations.
-    #[must_use]
-    pub fn is_within(self) -> bool {
-        self == CorrelationRange::Within
+        (least..=most).contains(&self.0)
     }
 }
 
@@ -150,10 +124,8 @@ mod tests {
 
     #[test]
     fn a_pressure_outside_the_range_is_flagged_not_refused() {
-        let range = |ratio: f64| PressureRatio::new(ratio * 3e9, 3e9).unwrap().range();
-        assert_eq!(range(1e-7), CorrelationRange::Below);
-        assert_eq!(range(1e-3), CorrelationRange::Within);
-        assert_eq!(range(0.03), CorrelationRange::Above);
+        let is_fitted = |ratio: f64| PressureRatio::new(ratio * 3e9, 3e9).unwrap().is_fitted();
+        assert_eq!([1e-7, 1e-3, 0.03].map(is_fitted), [false, true, false]);
     }
 
     #[test]
