@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyFloat};
 use questions::StatesQuestion;
 use stat_contact::Condition;
-use questions::rows::{Roughness, RowsError, STATE_COLUMNS, StateRequest};
+use questions::rows::{RowRoughness, RowsError, STATE_COLUMNS, StateRequest};
 use study::models::{self, Framework};
 
 use crate::answer::{PyAnswer, of_material, refused};
@@ -102,7 +102,7 @@ pub fn contact_states<'py>(
     let index = material_index.as_ref().map_or(Column::Constant(0), Column::of);
     let asked = |row: usize| StateRequest {
         material: &materials[index.at(row) as usize].get().material,
-        roughness: Roughness([first.at(row), second.at(row), third.at(row)]),
+        roughness: RowRoughness([first.at(row), second.at(row), third.at(row)]),
         at: match is_pressure {
             true => Condition::Pressure(at.at(row)),
             false => Condition::Separation(at.at(row)),

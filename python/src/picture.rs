@@ -5,7 +5,7 @@ use pyo3::prelude::*;
 use report::chart;
 use report::chart::maps::FieldPicture;
 use report::chart::palette::ModelStyle;
-use study::figure::{Axis, Band, BandKind, CurveLook, FigureData, Series, Shows, Variant};
+use study::figure::{Axis, FigureBand, BandKind, CurveLook, FigureData, Series, Shows, Variant};
 use study::models::{MODELS, ModelEntry};
 
 use crate::arguments::any_model;
@@ -71,7 +71,7 @@ pub fn figure_svg(
     });
     let bands = bands.into_iter().map(|(xs, lows, highs, label)| {
         let points = xs.into_iter().zip(lows.into_iter().zip(highs).map(|(low, high)| [low, high]));
-        Band { label, kind: BandKind::Interval, load: None, curve_index: 0, points: points.collect() }
+        FigureBand { label, kind: BandKind::Interval, load: None, curve_index: 0, points: points.collect() }
     });
     let shows = if y.column == "area_fraction" { Shows::Area } else { Shows::Psd };
     let figure = FigureData {

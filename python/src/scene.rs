@@ -7,7 +7,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-use findings::answer::Answer;
+use findings::answer::SceneAnswer;
 use pyo3::exceptions::{PyFileNotFoundError, PyOSError};
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
@@ -173,7 +173,7 @@ impl PyScene {
     fn scales<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let table = carry_out(py, None, |watch| {
             let results = self.scene.plan().compute_observed(watch)?;
-            Ok(Answer::from_results(&self.scene, &results).scales_table(&self.scene.needs))
+            Ok(SceneAnswer::from_results(&self.scene, &results).scales_table(&self.scene.needs))
         })?;
         columns(py, &table.map_err(|error: PlanError| self.failed(error))?)
     }

@@ -1,7 +1,7 @@
 //! The averaged pressure under a ball beside that of Hertz.
 
 use elements::IndenterState;
-use study::figure::{Axis, Band, BandKind, FigureData, Series, Shows};
+use study::figure::{Axis, BandKind, FigureBand, FigureData, Series, Shows};
 use units::display::{counted, three_digits};
 
 const RADIUS: Axis = Axis { column: "distance_m", label: "distance from the axis (m)" };
@@ -26,7 +26,7 @@ pub(crate) fn averaged_pressure(states: &[IndenterState]) -> Option<FigureData> 
         let (mean_pa, deviation_pa) = (mean(pressures_pa), deviation(pressures_pa));
         (*radius_m, [(mean_pa - deviation_pa).max(0.0), mean_pa + deviation_pa])
     });
-    let band = Band {
+    let band = FigureBand {
         label: "standard deviation between places".to_owned(),
         kind: BandKind::Interval,
         load: Some(1),

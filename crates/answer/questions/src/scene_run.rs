@@ -1,6 +1,6 @@
 //! Runs a scene from its plan to all of its results, in the same order for every front end.
 
-use findings::answer::Answer;
+use findings::answer::SceneAnswer;
 use findings::conclusions::{Conclusions, Evidence};
 use findings::sensitivity::{Sensitivity, sensitivities};
 use judge::{JudgeError, JudgePlan, Judgement};
@@ -89,7 +89,7 @@ pub struct SceneOutcome {
     /// Curves and figures of the scene.
     pub results: Results,
     /// The areas and the scales that decide them.
-    pub answer: Answer,
+    pub answer: SceneAnswer,
     /// The sensitivities of the areas to modelling choices; absent if no report was requested.
     pub sensitivities: Option<Vec<Sensitivity>>,
     /// Judgement by boundary elements; absent if it was not requested.
@@ -155,7 +155,7 @@ pub fn run_scene(scene: &Scene, options: RunOptions, watch: &dyn Watch) -> Resul
     let plan = scene.plan();
     let results = plan.compute_observed(&*watch.begin(Phase::Computing, plan.statistical_states()))?;
     watch.end(Phase::Computing);
-    let answer = Answer::from_results(scene, &results);
+    let answer = SceneAnswer::from_results(scene, &results);
     let sensitivities = match options.report {
         true => Some(sensitivities(scene, &results, &*watch.begin(Phase::Comparing, 0))?),
         false => None,

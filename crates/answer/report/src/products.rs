@@ -9,7 +9,7 @@ use crate::judged;
 use crate::page::{Report, SceneReport};
 use crate::provenance::provenance;
 use crate::run_stamp::RunStamp;
-use findings::answer::Answer;
+use findings::answer::SceneAnswer;
 use findings::conclusions::{Conclusions, Evidence};
 use findings::sensitivity::Sensitivity;
 use judge::Judgement;
@@ -172,7 +172,7 @@ fn origin(scene: &Scene, what: &str) -> Vec<String> {
 
 /// The tables of the answer and of the sensitivities.
 fn report_tables(
-    answer: &Answer,
+    answer: &SceneAnswer,
     sensitivities: &[Sensitivity],
     scene: &Scene,
 ) -> [(&'static str, Table); 3] {

@@ -194,13 +194,7 @@ impl Adviser<'_> {
         (scans + added >= MIN_SCANS).then(|| width(scans + added) / before)
     }
 
-    fn prolonged_step(
-        &self,
-        area: usize,
-        end: End,
-        psd: &ProfilePsd,
-        prolongation: &Drawn,
-    ) -> Option<Step> {
+    fn prolonged_step(&self, area: usize, end: End, psd: &ProfilePsd, prolongation: &Drawn) -> Option<Step> {
         let (before, after): (Vec<f64>, Vec<f64>) = self
             .drawn
             .ln_areas

@@ -186,12 +186,7 @@ impl<'p> UncertaintyPlan<'p> {
         (found.filter_map(|(area, found)| Some(at_its_place(area, found?))).collect(), best.work)
     }
 
-    fn quantities_of(
-        &self,
-        draws: usize,
-        areas: &[AreaInterval],
-        progress: &dyn Progress,
-    ) -> QuantityDraws {
+    fn quantities_of(&self, draws: usize, areas: &[AreaInterval], progress: &dyn Progress) -> QuantityDraws {
         let level = self.settings.level;
         let intervals =
             |quantities: &Quantities<'_>| quantities.intervals(&self.inputs, draws, level, areas, progress);

@@ -1,6 +1,6 @@
 //! The desk: a scene that is open, and its answer in closed forms at every move of a slider.
 
-use findings::answer::Answer;
+use findings::answer::SceneAnswer;
 use findings::conclusions::{Conclusions, Evidence};
 use measurements::Files;
 use questions::{BodyText, retune};
@@ -104,7 +104,7 @@ impl Desk {
     pub fn answer(&mut self, request: &Request, files: &dyn Files) -> Result<Reply, Refusal> {
         let (scene, opened) = self.scene(request, files)?;
         let results = scene.plan().compute().map_err(Refusal::new)?;
-        let answer = Answer::from_results(scene, &results);
+        let answer = SceneAnswer::from_results(scene, &results);
         let evidence =
             Evidence { scene, results: &results, answer: &answer, judgement: None, uncertainty: None };
         let conclusions = Conclusions::new(&evidence);

@@ -11,7 +11,7 @@ use crate::roughness::Roughness;
 
 /// Hardness along a spectrum: a law and an optional cap.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Hardness {
+pub struct CappedHardness {
     growth: HardnessGrowth,
     /// Hardness at which its growth ends \[Pa\].
     cap_pa: Option<f64>,
@@ -131,7 +131,7 @@ impl HardnessTable {
     }
 }
 
-impl Hardness {
+impl CappedHardness {
     /// Creates a hardness that follows a law, up to `cap_pa` if given.
     ///
     /// # Errors
@@ -154,7 +154,7 @@ impl Hardness {
         if let Some(cap_pa) = cap_pa {
             Bound::AtLeast(least_pa).check("the upper limit of the hardness in Pa", cap_pa)?;
         }
-        Ok(Hardness { growth, cap_pa })
+        Ok(CappedHardness { growth, cap_pa })
     }
 
     /// Growth law of this hardness.
@@ -248,7 +248,7 @@ mod tests {
     }
 
     fn along(growth: HardnessGrowth) -> Result<Vec<f64>, HardnessError> {
-        Hardness::new(growth, None)?.along(&roughness([1e-6, 1e-8, 4e-8, 1e-10]))
+        CappedHardness::new(growth, None)?.along(&roughness([1e-6, 1e-8, 4e-8, 1e-10]))
     }
 
     #[test]
@@ -277,7 +277,7 @@ mod tests {
 
     #[test]
     fn hardnesses_out_of_bounds_are_refused() {
-        let refused = |growth, cap_pa| Hardness::new(growth, cap_pa).unwrap_err().to_string();
+        let refused = |growth, cap_pa| CappedHardness::new(growth, cap_pa).unwrap_err().to_string();
         let power = |hardness_pa, exponent| HardnessGrowth::Power { hardness_pa, exponent };
         assert_eq!(
             refused(power(1.0, -0.1), None),

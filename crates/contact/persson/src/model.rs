@@ -4,7 +4,7 @@ use crate::areas::ContactAreas;
 use crate::corrections::Correction;
 use crate::energy::EnergyFactor;
 use crate::growing_hardness::areas_along;
-use crate::hardness_laws::{Hardness, HardnessError, HardnessGrowth};
+use crate::hardness_laws::{CappedHardness, HardnessError, HardnessGrowth};
 use crate::roughness::{Place, Roughness};
 use crate::separation::{Separation, SeparationLaw};
 use crate::{constant_hardness, elastic};
@@ -25,7 +25,7 @@ pub enum PerssonModel {
         /// The contact modulus E* > 0 \[Pa\].
         contact_modulus_pa: f64,
         /// Hardness along the spectrum.
-        hardness: Hardness,
+        hardness: CappedHardness,
     },
 }
 
@@ -214,7 +214,7 @@ mod tests {
     fn plastic(growth: HardnessGrowth) -> PerssonModel {
         PerssonModel::ElasticPlastic {
             contact_modulus_pa: 1.0,
-            hardness: Hardness::new(growth, None).unwrap(),
+            hardness: CappedHardness::new(growth, None).unwrap(),
         }
     }
 

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-use findings::answer::Answer;
+use findings::answer::SceneAnswer;
 use findings::conclusions::Conclusions;
 use findings::sensitivity::{Sensitivity, sensitivities};
 use judge::{JudgePlan, JudgeSettings, Judgement};
@@ -110,7 +110,7 @@ fn label(spectrum: &str) -> &str {
 
 /// The findings on the scene of a spectrum, besides its results.
 struct Found {
-    answer: Answer,
+    answer: SceneAnswer,
     sensitivities: Vec<Sensitivity>,
     judgement: Judgement,
 }
@@ -120,7 +120,7 @@ impl Found {
         let (scene, results) = (&evidence.scene, &evidence.results);
         let settings = JudgeSettings::from_choices(scene.judge.as_ref());
         Ok(Found {
-            answer: Answer::from_results(scene, results),
+            answer: SceneAnswer::from_results(scene, results),
             sensitivities: sensitivities(scene, results, &Unobserved)?,
             judgement: JudgePlan::new(scene, results, &settings).run(&Unobserved)?,
         })

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use asperity::{AsperityError, ElasticBody, Layer, MaterialPair};
 use bilby::AdaptiveIntegrator;
 use persson::corrections::Correction;
-use persson::hardness_laws::{Hardness, HardnessError, HardnessGrowth, HardnessTable};
+use persson::hardness_laws::{CappedHardness, HardnessError, HardnessGrowth, HardnessTable};
 use persson::sealing::{PercolationThreshold, SealingLaw};
 use persson::separation::SeparationLaw;
 use persson::variance::Band;
@@ -132,7 +132,10 @@ impl PerssonCase {
                     &Growth::Length(length_m) => HardnessGrowth::NixGao { hardness_pa, length_m },
                     Growth::Table(rows) => HardnessGrowth::Table(HardnessTable::new(rows.iter().copied())?),
                 };
-                PerssonModel::ElasticPlastic { contact_modulus_pa, hardness: Hardness::new(growth, cap_pa)? }
+                PerssonModel::ElasticPlastic {
+                    contact_modulus_pa,
+                    hardness: CappedHardness::new(growth, cap_pa)?,
+                }
             }
         })
     }

@@ -4,5 +4,5 @@ mod scene_answer;
 mod table_rows;
 
 pub use scene_answer::{
-    Answer, DISAGREEMENT, Disagreement, LoadAnswer, MIN_DECADES, MIN_SCALES, SettingScale,
+    DISAGREEMENT, Disagreement, LoadAnswer, MIN_DECADES, MIN_SCALES, SceneAnswer, SettingScale,
 };

@@ -19,7 +19,7 @@ pub const DISAGREEMENT: f64 = 2.0;
 
 /// The findings on the areas of a scene.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Answer {
+pub struct SceneAnswer {
     /// For every curve and load of the scene the final area; `None` if the cutoffs leave no asperities.
     pub curves: Vec<Vec<Option<LoadAnswer>>>,
     /// For every load with several curves, the distance of their final areas.
@@ -81,7 +81,7 @@ pub struct Disagreement {
     pub parting_wavelength_m: Option<f64>,
 }
 
-impl Answer {
+impl SceneAnswer {
     /// Extracts the answer from the results of a scene.
     pub fn from_results(scene: &Scene, results: &Results) -> Self {
         let needs = &scene.needs;
@@ -103,7 +103,7 @@ impl Answer {
         let disagreements =
             (0..needs.loads.len()).filter_map(|load| Disagreement::at(load, &curves, results)).collect();
         let too_few_scales = (!enough).then_some(wavelengths_m.len());
-        Answer { curves, disagreements, too_few_scales, instruments_disagree }
+        SceneAnswer { curves, disagreements, too_few_scales, instruments_disagree }
     }
 }
 

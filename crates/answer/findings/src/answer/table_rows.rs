@@ -1,10 +1,10 @@
 //! The answer as tables for scripts.
 
-use super::{Answer, LoadAnswer};
+use super::{LoadAnswer, SceneAnswer};
 use study::plan::Needs;
 use tables::Table;
 
-impl Answer {
+impl SceneAnswer {
     /// A row per curve and load: `curve, nominal_pressure_pa, area_fraction, real_pressure_pa, settled_1_percent_m,
     /// settled_01_percent_m, settled` (yes or no, empty for a curve at the shortest cutoff only),
     /// `setting_wavelength_m, setting_pressure_pa, out_of_range_load_share`. A wavelength is empty if the spectrum ends

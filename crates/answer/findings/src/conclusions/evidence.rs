@@ -6,7 +6,7 @@ use serde::Serialize;
 use study::plan::Results;
 use uncertainty::Uncertainty;
 
-use crate::answer::Answer;
+use crate::answer::SceneAnswer;
 
 /// The inputs of conclusions: a scene and what was found about it.
 #[derive(Clone, Copy)]
@@ -16,7 +16,7 @@ pub struct Evidence<'a> {
     /// Its results.
     pub results: &'a Results,
     /// Its answer.
-    pub answer: &'a Answer,
+    pub answer: &'a SceneAnswer,
     /// The verdicts of boundary elements; absent if nothing was judged.
     pub judgement: Option<&'a Judgement>,
     /// The uncertainty of the areas; absent if nothing was drawn.

@@ -4,7 +4,7 @@ mod real_pressure;
 
 use spectrum::{AmplitudeDefinition, Normalisation, ProfilePsd, amplitudes, cumulative_moments};
 
-use crate::answer::Answer;
+use crate::answer::SceneAnswer;
 use scene::Scene;
 use study::material::Material;
 use study::plan::{Load, NominalPressure};
@@ -25,7 +25,7 @@ const FAR_TOO_STEEP: f64 = 30.0;
 
 /// All doubts about a scene and its answer.
 #[must_use]
-pub fn of_scene(scene: &Scene, answer: &Answer) -> Vec<Remark> {
+pub fn of_scene(scene: &Scene, answer: &SceneAnswer) -> Vec<Remark> {
     let mut doubts = of_spectrum(&scene.surface.psd);
     doubts.extend(scene.material.iter().filter_map(of_material));
     doubts.extend(of_loads(&scene.needs.loads, scene.hardness_pa()));

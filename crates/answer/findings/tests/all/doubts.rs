@@ -1,6 +1,6 @@
 //! Doubts that physics raises about scenes and their results; the answer and its doubts as data.
 
-use findings::answer::Answer;
+use findings::answer::SceneAnswer;
 use findings::doubts;
 use scene::{Overrides, Scene};
 use study::NoFiles;
@@ -20,7 +20,7 @@ fn an_answer_and_its_doubts_serialise() {
         "[loads]\npressures = [\"1 MPa\", \"1 H\"]\n[[curve]]\nmodel = \"hertz\"\n[[curve]]\nmodel = \"elastic\"\n",
     );
     let results = scene.plan().compute().unwrap();
-    let answer = Answer::from_results(&scene, &results);
+    let answer = SceneAnswer::from_results(&scene, &results);
     let found = doubts::of_scene(&scene, &answer);
     let all = serde_json::json!({ "answer": answer, "doubts": found });
     let area = results.curves[1].area_fractions(0).last().map(|(_, area_fraction)| *area_fraction);
@@ -32,7 +32,7 @@ fn an_answer_and_its_doubts_serialise() {
 fn found(sections: &str) -> Vec<Remark> {
     let scene = scene(sections);
     let results = scene.plan().compute().unwrap();
-    doubts::of_scene(&scene, &Answer::from_results(&scene, &results))
+    doubts::of_scene(&scene, &SceneAnswer::from_results(&scene, &results))
 }
 
 #[test]

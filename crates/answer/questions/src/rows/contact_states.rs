@@ -26,11 +26,11 @@ pub struct ContactStates {
     pub skips_bad_rows: bool,
 }
 
-/// The three numbers of a row's roughness, in the order of [`Roughness::columns`].
+/// The three numbers of a row's roughness, in the order of [`RowRoughness::columns`].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Roughness(pub [f64; 3]);
+pub struct RowRoughness(pub [f64; 3]);
 
-impl Roughness {
+impl RowRoughness {
     /// McCool's parameters, which most models take.
     pub const ASPERITIES: [&'static str; 3] = ["radius_m", "density_per_m2", "sigma_s_m"];
 
@@ -50,7 +50,7 @@ pub struct StateRequest<'m> {
     /// The bodies in contact.
     pub material: &'m Material,
     /// The roughness.
-    pub roughness: Roughness,
+    pub roughness: RowRoughness,
     /// The separation or pressure.
     pub at: Condition,
 }
@@ -241,7 +241,7 @@ mod tests {
         let which = |row: usize| row / 500 % 2;
         let (columns, found) = filled("hertz", rows, |row| StateRequest {
             material: &materials[which(row)],
-            roughness: Roughness([radius_m(row), 1e12, 1e-8]),
+            roughness: RowRoughness([radius_m(row), 1e12, 1e-8]),
             at: Condition::Pressure(pressure_pa(row)),
         })
         .unwrap();
@@ -263,7 +263,7 @@ mod tests {
         let steel = material(2e11);
         let asked = |row: usize| StateRequest {
             material: &steel,
-            roughness: Roughness([if row % 1500 == 1499 { -1.0 } else { 1e-6 }, 1e12, 1e-8]),
+            roughness: RowRoughness([if row % 1500 == 1499 { -1.0 } else { 1e-6 }, 1e12, 1e-8]),
             at: Condition::Separation(0.0),
         };
         let states = ContactStates { skips_bad_rows: true, ..states_of("hertz") };
@@ -277,13 +277,13 @@ mod tests {
         let steel = material(2e11);
         let asked = |row: usize| StateRequest {
             material: &steel,
-            roughness: Roughness([if row < 1500 { 1e-6 } else { -1.0 }, 1e12, 1e-8]),
+            roughness: RowRoughness([if row < 1500 { 1e-6 } else { -1.0 }, 1e12, 1e-8]),
             at: Condition::Separation(0.0),
         };
         assert!(matches!(filled("hertz", 3000, asked), Err(RowsError::Row { row: 1500, .. })));
         let narrow = |row: usize| StateRequest {
             material: &steel,
-            roughness: Roughness([1e-16, 1e-2, if row == 1 { 1e11 } else { 1e13 }]),
+            roughness: RowRoughness([1e-16, 1e-2, if row == 1 { 1e11 } else { 1e13 }]),
             at: Condition::Separation(1e-8),
         };
         let (columns, found) = filled("bgt", 3, narrow).unwrap();

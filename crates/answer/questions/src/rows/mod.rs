@@ -9,7 +9,7 @@ mod state_counts;
 mod strength_columns;
 
 pub use asperity_table::Asperities;
-pub use contact_states::{ContactStates, Roughness, STATE_COLUMNS, StateRequest, StatesFound};
+pub use contact_states::{ContactStates, RowRoughness, STATE_COLUMNS, StateRequest, StatesFound};
 pub use flattened::Flattened;
 pub use populations::{GivenColumn, Populations};
 pub use state_counts::{NarrowSpectra, StateCounts};

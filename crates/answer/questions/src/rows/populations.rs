@@ -6,7 +6,7 @@ use stat_contact::{Condition, ContactState, Sweep};
 use tables::{Cell, Cells, InputTable, Refusal, Row};
 use units::{Pressure, Remark, RemarkCode};
 
-use super::contact_states::{Roughness, StatesFound};
+use super::contact_states::{RowRoughness, StatesFound};
 use super::strength_columns::{INDENTATION_HARDNESS, YIELD_STRENGTH, hardness_and_strength};
 use super::{RowByRow, RowsError, StateCounts, rows_of};
 use study::body_properties::BodyProperty;
@@ -85,12 +85,12 @@ impl Populations {
             entry.has(Choice::Strength) && !row.text("strain_gradient_length_m").trim().is_empty();
         let model = entry.build(material, &ModelOptions { strain_gradient, ..self.options.clone() });
         let model = model.map_err(|error| missing_cell(&error))?;
-        let columns = Roughness::columns(entry);
+        let columns = RowRoughness::columns(entry);
         if columns.iter().all(|column| row.text(column).trim().is_empty()) {
             return Ok(None);
         }
         let [first, second, third] = columns.map(|column| row.number(column, Bound::Magnitude));
-        let roughness = Roughness([first?, second?, third?]);
+        let roughness = RowRoughness([first?, second?, third?]);
         let press = |statistical: &Statistical| statistical.press(roughness.0);
         model.statistical().map(press).transpose().map_err(|error| error.to_string())
     }
@@ -229,8 +229,8 @@ fn required_columns(block: &InputTable) -> Result<Vec<&'static str>, Refusal> {
     let takes_moments = |model: &Option<&ModelEntry>| model.is_some_and(ModelEntry::takes_moments);
     let any_moments = models.iter().any(takes_moments);
     let any_asperities = models.is_empty() || !models.iter().all(takes_moments);
-    let asperities = any_asperities.then_some(Roughness::ASPERITIES);
-    let moments = any_moments.then_some(Roughness::MOMENTS);
+    let asperities = any_asperities.then_some(RowRoughness::ASPERITIES);
+    let moments = any_moments.then_some(RowRoughness::MOMENTS);
     Ok(REQUIRED_COLUMNS.into_iter().chain([asperities, moments].into_iter().flatten().flatten()).collect())
 }
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use study::figure::{Band, BandKind, FigureData, Series};
+use study::figure::{BandKind, FigureBand, FigureData, Series};
 
 use super::palette::{INTERVAL_OPACITY, ModelStyle, NEUTRAL, YARDSTICK_OPACITY, colour, dash, tint};
 
@@ -40,7 +40,7 @@ impl Ink {
     }
 
     /// Returns the look of a band: that of its line, or black for a yardstick among lines of models.
-    pub fn of_band(figure: &FigureData, band: &Band) -> Self {
+    pub fn of_band(figure: &FigureData, band: &FigureBand) -> Self {
         let mut lines = figure.series.iter().filter(|series| series.look.is_some());
         let line = match band.kind {
             BandKind::Interval => lines.find(|series| series.curve_index == band.curve_index),

@@ -16,7 +16,7 @@ mod script;
 
 pub use script::script;
 
-use study::figure::{AxisKind, AxisScale, Band, BandKind, FigureData, FigureStyle, Mark, pieces};
+use study::figure::{AxisKind, AxisScale, BandKind, FigureBand, FigureData, FigureStyle, Mark, pieces};
 use units::display::typeset;
 
 use canvas::{Anchor, Canvas, LETTERS_PX, MOST_POINTS, Point, Rect, Stroke, path, thinned, wrapped};
@@ -276,7 +276,7 @@ fn label_lines(canvas: &mut Canvas, figure: &FigureData, traces: &[Trace]) -> Ve
 
 /// Draws a band as far as it lies inside the frame. An interval has edges in the dash pattern of its line. A yardstick has
 /// none and breaks at holes of the spectrum; an interval does not, since it tells what they leave open.
-fn draw_band(canvas: &mut Canvas, figure: &FigureData, band: &Band) {
+fn draw_band(canvas: &mut Canvas, figure: &FigureData, band: &FigureBand) {
     let Ink { dark, dash, .. } = Ink::of_band(figure, band);
     let is_interval = band.kind == BandKind::Interval;
     let drawn = if is_interval { vec![band.points.clone()] } else { pieces(&band.points, &figure.gaps) };

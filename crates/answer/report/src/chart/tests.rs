@@ -40,7 +40,7 @@ fn what_was_not_measured_is_shaded_and_no_line_crosses_it() {
 fn a_band_is_drawn_inside_the_frame_and_named_once() {
     let mut figure = figure("a");
     let whole = svg(&figure, "", &[]);
-    let band = |load, share: f64| Band {
+    let band = |load, share: f64| FigureBand {
         label: "linear laws".to_owned(),
         kind: BandKind::Yardstick,
         load: Some(load),
@@ -62,7 +62,7 @@ fn an_interval_has_edges_in_the_dash_pattern_of_its_line_and_belongs_on_the_axes
     let mut figure = figure("a");
     let held_against = Series { curve_index: 1, ..figure.series[0].clone() };
     figure.series.push(held_against);
-    figure.bands = vec![Band {
+    figure.bands = vec![FigureBand {
         label: "95 % coverage interval".to_owned(),
         kind: BandKind::Interval,
         load: None,

@@ -2,7 +2,7 @@
 
 use crate::uncertainty_words::level;
 use scene::Scene;
-use study::figure::{Band, BandKind, Figure, FigureData, Mark, Shows};
+use study::figure::{BandKind, Figure, FigureBand, FigureData, Mark, Shows};
 use uncertainty::{AreaBand, AreaInterval, Uncertainty};
 
 /// Adds coverage intervals to a figure of areas: bands behind the lines against the cutoff, and bars at the loads of
@@ -17,7 +17,7 @@ pub(crate) fn with_intervals(
     match data.shows {
         Shows::Area => {
             let bands = uncertainty.bands.iter().filter_map(|area| band(&data, scene, &label, area));
-            let intervals: Vec<Band> = bands.collect();
+            let intervals: Vec<FigureBand> = bands.collect();
             FigureData { bands: data.bands.into_iter().chain(intervals).collect(), ..data }
         }
         Shows::AreaAgainstLoad => {
@@ -29,11 +29,11 @@ pub(crate) fn with_intervals(
 }
 
 /// The band of a line that the figure shows.
-fn band(data: &FigureData, scene: &Scene, label: &str, area: &AreaBand) -> Option<Band> {
+fn band(data: &FigureData, scene: &Scene, label: &str, area: &AreaBand) -> Option<FigureBand> {
     let name = &scene.needs.curves.get(area.curve)?.name;
     let line = data.series.iter().find(|line| line.curve == *name && line.load == Some(area.load))?;
     let points = area.points.iter().map(|point| (point.wavelength_m, [point.low, point.high]));
-    Some(Band {
+    Some(FigureBand {
         label: label.to_owned(),
         kind: BandKind::Interval,
         load: line.load,

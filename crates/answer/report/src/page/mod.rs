@@ -36,7 +36,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use crate::curve_names::{in_full, short_name};
 use crate::listing::capital;
 use crate::run_stamp::RunStamp;
-use findings::answer::{Answer, LoadAnswer};
+use findings::answer::{LoadAnswer, SceneAnswer};
 use findings::conclusions::{Conclusions, Evidence, LoadConclusion};
 use findings::sensitivity::Sensitivity;
 use scene::Scene;
@@ -54,7 +54,7 @@ pub struct SceneReport<'a> {
     /// Its results.
     pub results: &'a Results,
     /// Its answer.
-    pub answer: &'a Answer,
+    pub answer: &'a SceneAnswer,
     /// Everything found about it.
     pub evidence: Evidence<'a>,
     /// The conclusions.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use findings::answer::Answer;
+use findings::answer::SceneAnswer;
 use findings::conclusions::{Conclusions, Evidence, NextStep};
 use findings::sensitivity::{Sensitivity, sensitivities};
 use questions::RunOptions;
@@ -55,7 +55,7 @@ const ONE_CURVE: &str = r#"
 struct Study {
     scene: Scene,
     results: Results,
-    answer: Answer,
+    answer: SceneAnswer,
     sensitivities: Vec<Sensitivity>,
 }
 
@@ -67,7 +67,7 @@ impl Study {
     fn of(scene: &str) -> Self {
         let scene = Scene::parse(scene, &NoFiles, &Overrides::default()).unwrap();
         let results = scene.plan().compute().unwrap();
-        let answer = Answer::from_results(&scene, &results);
+        let answer = SceneAnswer::from_results(&scene, &results);
         let sensitivities = sensitivities(&scene, &results, &study::Unobserved).unwrap();
         Study { scene, results, answer, sensitivities }
     }

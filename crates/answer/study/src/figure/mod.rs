@@ -163,7 +163,7 @@ impl Series {
 
 /// An area between two lines, to hold lines against. Only intervals are part of tables.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Band {
+pub struct FigureBand {
     /// The label in the legend.
     pub label: String,
     /// The role of the band beside the lines under its load.
@@ -208,7 +208,7 @@ pub struct FigureData {
     /// The lines.
     pub series: Vec<Series>,
     /// The bands that the lines are compared with.
-    pub bands: Vec<Band>,
+    pub bands: Vec<FigureBand>,
     /// Pairs of abscissas between which nothing was measured, so that no line connects them.
     pub gaps: Vec<(f64, f64)>,
     /// Values with their errors that belong to no line.

@@ -3,7 +3,7 @@
 use stacked_contact::Scale;
 use units::display::{length, lengths_apart, load_in_full, pressure, typeset};
 
-use super::{Axis, Band, BandKind, CurveLook, Figure, FigureData, PSD, Series, Shows, WAVEVECTOR};
+use super::{Axis, BandKind, CurveLook, Figure, FigureBand, FigureData, PSD, Series, Shows, WAVEVECTOR};
 use crate::linear_laws::{linear_areas, rms_gradients};
 use crate::plan::{Load, Needs, Results};
 
@@ -47,7 +47,7 @@ impl Figure {
     }
 
     /// For every load the areas that go with it, where an elastic curve is drawn.
-    fn linear_bands(&self, results: &Results, needs: &Needs) -> Vec<Band> {
+    fn linear_bands(&self, results: &Results, needs: &Needs) -> Vec<FigureBand> {
         let mut models = self.curves.iter().map(|&curve| &needs.curves[curve].model);
         let Some(elastic) = models.find(|model| model.strength().is_none()) else { return Vec::new() };
         let gradients = rms_gradients(&results.psd);
@@ -55,7 +55,7 @@ impl Figure {
             let areas = |gradient| linear_areas(elastic, load.nominal_pressure_pa(), gradient);
             let point = |&(cutoff_m, gradient): &(f64, f64)| Some((cutoff_m, areas(gradient)?));
             let points = gradients.iter().filter_map(point).collect();
-            Band {
+            FigureBand {
                 label: "linear laws".to_owned(),
                 kind: BandKind::Yardstick,
                 load: Some(index),

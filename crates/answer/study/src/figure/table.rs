@@ -2,7 +2,7 @@
 
 use tables::Table;
 
-use super::{Band, BandKind, FigureData, Series};
+use super::{BandKind, FigureBand, FigureData, Series};
 
 impl FigureData {
     /// Returns the lines as a table: every abscissa of any line, a column per line, and columns for the ends of intervals, called
@@ -28,7 +28,7 @@ impl FigureData {
     }
 
     /// The intervals of lines, each with the column of its line.
-    fn intervals(&self) -> impl Iterator<Item = (&str, &Band)> {
+    fn intervals(&self) -> impl Iterator<Item = (&str, &FigureBand)> {
         let intervals = self.bands.iter().filter(|band| band.kind == BandKind::Interval);
         intervals.filter_map(|band| {
             let is_its = |line: &&Series| (line.curve_index, line.load) == (band.curve_index, band.load);
@@ -56,7 +56,7 @@ impl FigureData {
 mod tests {
     use tables::Cells;
 
-    use crate::figure::{Axis, Band, BandKind, FigureData, Series, Shows};
+    use crate::figure::{Axis, BandKind, FigureBand, FigureData, Series, Shows};
 
     const WAVELENGTH: Axis = Axis { column: "wavelength_m", label: "wavelength (m)" };
 
@@ -66,7 +66,7 @@ mod tests {
             Series::under("a", 0, vec![(3.0, 0.3), (2.0, 0.2), (1.0, 0.1)]),
             Series::under("b", 0, vec![(2.0, 0.5), (0.5, 0.4)]),
         ];
-        let interval = Band {
+        let interval = FigureBand {
             label: String::new(),
             kind: BandKind::Interval,
             load: None,

@@ -2,7 +2,7 @@
 
 use asperity::{MaterialPair, NixGao};
 use persson::corrections::Correction;
-use persson::hardness_laws::{Hardness, HardnessError, HardnessGrowth};
+use persson::hardness_laws::{CappedHardness, HardnessError, HardnessGrowth};
 use persson::separation::SeparationLaw;
 use persson::variance::Band;
 use persson::{Cut, EnergyFactor, PerssonModel, Roughness, RoughnessSample};
@@ -254,7 +254,7 @@ impl PlasticLaw {
     ///
     /// # Errors
     /// [`HardnessError`] for numbers beyond the range of magnitudes, and for a cap below the hardness.
-    pub fn hardness(&self) -> Result<Hardness, HardnessError> {
+    pub fn hardness(&self) -> Result<CappedHardness, HardnessError> {
         let hardness_pa = self.hardness_pa;
         let growth = match (&self.growth, self.strength.strain_gradient_length_m()) {
             (Some(GrowthLaw::Power(exponent)), _) => {
@@ -262,11 +262,11 @@ impl PlasticLaw {
             }
             (Some(GrowthLaw::Table(table)), _) => HardnessGrowth::Table(table.clone()),
             (_, Some(length_m)) => HardnessGrowth::NixGao { hardness_pa, length_m },
-            (_, None) => return Hardness::new(HardnessGrowth::Constant { hardness_pa }, None),
+            (_, None) => return CappedHardness::new(HardnessGrowth::Constant { hardness_pa }, None),
         };
         // The cap is one of the yield strength.
         let cap_pa = self.strength.cap_pa().map(|cap_pa| self.hardness_over_strength * cap_pa);
-        Hardness::new(growth, cap_pa)
+        CappedHardness::new(growth, cap_pa)
     }
 }
 
@@ -401,10 +401,10 @@ mod tests {
             let options = ModelOptions { hardness_law: law, ..ModelOptions::default() };
             PlasticLaw::new(&material, &options).map(|law| law.hardness().unwrap())
         };
-        let constant = Hardness::new(HardnessGrowth::Constant { hardness_pa: 3e9 }, None).unwrap();
+        let constant = CappedHardness::new(HardnessGrowth::Constant { hardness_pa: 3e9 }, None).unwrap();
         assert_eq!(hardness(None, None), Ok(constant));
         let growth = HardnessGrowth::NixGao { hardness_pa: 3e9, length_m: 1e-6 };
-        let growing = Hardness::new(growth, Some(6e9)).unwrap();
+        let growing = CappedHardness::new(growth, Some(6e9)).unwrap();
         assert_eq!(hardness(Some(1e-6), Some(GrowthLaw::NixGao)), Ok(growing));
         let missing = MaterialError::Missing(NeededFor::StrainGradient);
         assert_eq!(hardness(None, Some(GrowthLaw::NixGao)), Err(missing));

@@ -1,7 +1,7 @@
 //! The answer to a scene: what touches, which scales decide it, what rests on what, and what the data cannot tell.
 
 use crate::support::{Bench, assert_names, column};
-use findings::answer::Answer;
+use findings::answer::SceneAnswer;
 use findings::sensitivity::{Sensitivity, sensitivities};
 use scene::{Overrides, Scene};
 
@@ -160,7 +160,7 @@ fn without_a_report_nothing_but_curves_and_figures_is_written() {
 fn models_that_end_a_factor_of_two_apart_are_named_with_where_they_part() {
     let scene = scene("");
     let results = scene.plan().compute().unwrap();
-    let answer = Answer::from_results(&scene, &results);
+    let answer = SceneAnswer::from_results(&scene, &results);
     let finals = final_areas(&scene);
     for disagreement in &answer.disagreements {
         let areas: Vec<f64> = finals.iter().map(|areas| areas[disagreement.load]).collect();
