@@ -1,206 +1,205 @@
-"""Scenes and functions over many values, on one machine or a cluster of them."""
+"""Scenes and functions over many values, in this process or on the workers of Dask."""
 
 from __future__ import annotations
 
-import importlib.util
+import importlib
+import math
 import os
-import sys
+import threading
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from truearea._native import InputError
-from truearea._progress import Line, Progress, observer_of
-from truearea._sweep_axes import Axes, Over
-from truearea._sweep_files import Folder, frame_of, needed, read_part
-from truearea._sweep_rows import Rows, Swept
+from truearea._results import AnyArray
+from truearea._scene import Scene
 from truearea._threads import one_thread
 
-_MOST_ROWS = 2**20
+_ROWS_PER_PART = 2**8
+_ROWS_PER_VECTORISED_PART = 2**17
 
 
 def sweep(
-    swept: Swept,
-    over: Over,
-    repeats: int = 1,
-    *,
-    zipped: bool = False,
-    vectorised: bool = False,
-    seed: int = 1,
-    table: str | None = None,
+    swept: Scene | Callable[..., Any],
+    axes: Mapping[str, Any],
     to: str | os.PathLike[str] | None = None,
-    partition_seconds: float = 2.0,
-    rows_per_partition: int | None = None,
     client: Any = None,
-    progress: Progress = False,
+    vectorised: bool = False,
 ) -> Any:
-    """Carry a scene or a function out for every combination of some values.
-
-    The rows are the same, and in the same order, whatever the number of workers and the size of the partitions. Numbers that are
-    found are doubles; what is swept over stands before them in columns of its own.
+    """Computes a scene or a function for every combination of values.
 
     Parameters
     ----------
     swept : Scene or callable
-        A scene, whose keys are set as by :meth:`Scene.replace`; or a function of one keyword for each name in ``over``, which
-        yields a mapping of single values, or one number. A function with a parameter ``rng`` is given a
-        ``numpy.random.Generator`` that depends on ``seed`` and the number of the row alone; one with a parameter ``row`` is given
-        that number.
-    over : mapping of str, or tuple of str, to array_like
-        The values of each name; every combination is a row, and the last name changes fastest. A tuple of names has as many
-        columns that go together, row by row.
-    repeats : int, default 1
-        Compute every combination so many times, told apart by a column ``repeat``; for functions that draw numbers.
-    zipped : bool, default False
-        All columns go together, row by row.
-    vectorised : bool, default False
-        The function takes arrays of any number of rows at once, and yields a mapping of arrays, such as :func:`contact` does.
-    seed : int, default 1
-        Of the generators, from 0 on.
-    table : str, optional
-        Of a scene: the table whose rows are wanted for each combination. Left out, the final area of every curve under every
-        load: the table ``report-scales``.
+        A scene, whose keys are set as by :meth:`Scene.replace`; its rows are the final area of every curve under every load. Or a
+        function of one keyword for each axis, which returns a mapping of single values, or one number.
+    axes : mapping of str to array_like
+        The values of each name. Every combination is a row, and the last name changes fastest.
     to : str or path-like, optional
-        A folder for the rows: a Parquet file for each partition, with where it comes from in its metadata. It is filled at once.
-        A sweep that was ended goes on where it was when it is begun again, and computes no partition twice.
-    partition_seconds : float, default 2.0
-        How long a partition takes, about. Of a folder that was begun, the partitions stay as they were.
-    rows_per_partition : int, optional
-        How many combinations a partition has, in place of timing the first ones: a power of two.
+        A folder, which receives a Parquet file for each part of the rows (256 rows, or 131,072 of a vectorised function). A sweep
+        that was killed continues when it is started again: a part whose file is whole is skipped. The files do not know the
+        function: give a changed function, or changed files of a scene, a new folder.
     client : distributed.Client, optional
-        Whose workers write ``to``. Left out, that of this process where there is one; where there is none, this process itself.
-    progress : bool or callable, default False
-        For ``to``: True for a line on stderr, or what is called with the partitions done and their number.
+        Dask's client, whose workers write the parts; they must share the folder. By default this process writes them.
+    vectorised : bool, default False
+        The function takes arrays, an element for each row, and returns a mapping of arrays, as :func:`contact` does.
 
     Returns
     -------
-    dask.dataframe.DataFrame or pandas.DataFrame
-        With ``to``, of the files in the folder. Without, nothing is computed before it is asked for; where Dask is not installed,
-        all of it is computed at once, into a frame of pandas.
+    pandas.DataFrame or pathlib.Path
+        The rows, with the values of the axes in front; with ``to`` the folder, for ``pandas.read_parquet`` or
+        ``dask.dataframe.read_parquet``.
 
     Raises
     ------
     InputError
-        For values that do not go together; with the row for what its values lead to; for a folder of another sweep, with how
-        that differs.
+        If the axes do not fit the function, if a row is refused (with its values), or if the folder holds parts of other axes.
     ImportError
-        Where neither Dask nor pandas is installed, or ``to`` is given without pyarrow: ``pip install truearea[cluster]``.
-
-    Notes
-    -----
-    A folder tells functions by their code, the state of objects, what they have captured, and the globals and the functions of
-    your own that they use; installed packages count by their names. To see how long rows take, and what their columns are, the first ones are computed here; those of a vectorised function are computed again.
+        If pandas or pyarrow is not installed: ``pip install truearea[cluster]``.
 
     Examples
     --------
     >>> import truearea as ta
-    >>> scene = ta.Scene.template("uncd-measured")
-    >>> frame = ta.sweep(scene, over={"youngs_modulus": ["400 GPa", "500 GPa"], "cutoff": [1e-8, 1e-7]})
-    >>> frame.compute()[["youngs_modulus", "cutoff", "curve", "area_fraction"]].head(2)
-      youngs_modulus ... curve  area_fraction
-    0        400 GPa ... elastic ...
-    1        400 GPa ... elastic ...
+    >>> ta.sweep(lambda length, width: length * width, {"length": [1, 2], "width": [3.0]})
+       length  width  value
+    0       1    3.0    3.0
+    1       2    3.0    6.0
     """
-    if not 0 < partition_seconds < float("inf"):
-        raise InputError(f"partition_seconds is {partition_seconds}; it must be finite and greater than 0")
-    rows = Rows(
-        swept,
-        Axes(over, zipped),
-        _whole("repeats", repeats, 1),
-        _whole("seed", seed, 0),
-        vectorised,
-        table,
-    )
-    if rows_per_partition is not None:
-        _whole("rows_per_partition", rows_per_partition, 1)
-        if rows_per_partition & (rows_per_partition - 1):
-            raise InputError(f"rows_per_partition is {rows_per_partition}; it must be a power of two")
-
-    def size() -> int:
-        rows.begin()
-        return rows_per_partition or rows.rows_within(partition_seconds, _MOST_ROWS)
-
-    if to is not None:
-        return _into_folder(Path(to), rows, size, rows_per_partition, client, progress)
-    if client is not None:
-        raise InputError("client is for sweeps into a folder; without to, compute the frame with the client")
-    if importlib.util.find_spec("dask") is None:
-        needed("pandas", "sweep")
-        rows.begin()
-        return frame_of(rows.columns(0, rows.count)[0])
-    return _lazy(rows, size())
+    rows = _Rows(swept, axes, vectorised)
+    if to is None:
+        if client is not None:
+            raise InputError("client needs a folder: give to, into which its workers write")
+        return _needed("pandas").concat([rows.frame(part) for part in range(rows.parts)], ignore_index=True)
+    folder = Path(to)
+    folder.mkdir(parents=True, exist_ok=True)
+    left = rows.missing_from(folder)
+    if client is None or not left:
+        for part in left:
+            rows.write(part, folder)
+    else:
+        shared = client.scatter(rows, broadcast=True, hash=False)
+        client.gather(client.map(_Rows.write, [shared] * len(left), left, folder=folder.absolute(), pure=False))
+    return folder
 
 
-def _lazy(rows: Rows, size: int) -> Any:
-    dask, frames = needed("dask", "sweep"), needed("dask.dataframe", "sweep")
-    # In the graph once, for all partitions.
-    shared = dask.delayed(rows, traverse=False)
-    starts = range(0, rows.count, size)
-    parts = [dask.delayed(_frame)(shared, start, min(start + size, rows.count)) for start in starts]
-    return frames.from_delayed(parts, meta=frame_of(rows.columns(0, 1)[0]).head(0), verify_meta=False)
+class _Rows:
+    """The rows of a product of axes, in parts of one size."""
+
+    def __init__(self, swept: Scene | Callable[..., Any], axes: Mapping[str, Any], vectorised: bool) -> None:
+        if not isinstance(axes, Mapping) or not axes:
+            raise InputError("axes: give a mapping from names to values, with at least one name")
+        self.axes = {name: _column(name, values) for name, values in axes.items()}
+        self.swept = swept
+        self.vectorised = vectorised
+        if vectorised and isinstance(swept, Scene):
+            raise InputError("vectorised is for functions; a scene is computed row by row")
+        if not isinstance(swept, Scene) and not callable(swept):
+            raise InputError(f"give a Scene or a function to sweep, not a value of type {type(swept).__name__}")
+        self.lengths = [len(column) for column in self.axes.values()]
+        self.size = _ROWS_PER_VECTORISED_PART if vectorised else _ROWS_PER_PART
+        self.parts = -(-math.prod(self.lengths) // self.size)
+
+    def given(self, part: int) -> dict[str, AnyArray]:
+        """Returns the values of the rows of a part."""
+        stop = min((part + 1) * self.size, math.prod(self.lengths))
+        places = np.unravel_index(np.arange(part * self.size, stop), self.lengths)
+        return {name: column[at] for (name, column), at in zip(self.axes.items(), places)}
+
+    def frame(self, part: int) -> Any:
+        """Computes the rows of a part, with the values of the axes in front."""
+        given = self.given(part)
+        with one_thread():
+            found, counts = self._block(given) if self.vectorised else self._row_by_row(given)
+        if hidden := [name for name in found if name in given]:
+            raise InputError(f"{hidden[0]} is the name of an axis and of a result; rename one of them")
+        shown = {name: np.repeat(_shown(column), counts) for name, column in given.items()}
+        return _needed("pandas").DataFrame({**shown, **found})
+
+    def write(self, part: int, folder: Path) -> None:
+        """Writes a part under another name and renames it, so that its file is whole or absent."""
+        aside = folder / f".{part}.{os.getpid()}-{threading.get_ident()}.aside"
+        try:
+            self.frame(part).to_parquet(aside, index=False)
+            aside.replace(folder / f"part-{part:06}.parquet")
+        finally:
+            aside.unlink(missing_ok=True)
+
+    def missing_from(self, folder: Path) -> list[int]:
+        """Lists the parts without a whole file; refuses a folder with parts of other axes."""
+        files = [folder / f"part-{part:06}.parquet" for part in range(self.parts)]
+        if others := sorted(set(folder.glob("*.parquet")) - set(files)):
+            raise InputError(f"to: {others[0]} is not a part of this sweep; name another folder")
+        return [part for part, file in enumerate(files) if not self._is_written(file, part)]
+
+    def _is_written(self, file: Path, part: int) -> bool:
+        pandas, arrow = _needed("pandas"), _needed("pyarrow")
+        try:
+            there = pandas.read_parquet(file)
+        except (OSError, ValueError, arrow.ArrowException):
+            return False
+        given = pandas.DataFrame({name: _shown(column) for name, column in self.given(part).items()})
+        # A scene has several rows for each combination.
+        axes = there.reindex(columns=given.columns)
+        if not axes.drop_duplicates(ignore_index=True).equals(given.drop_duplicates(ignore_index=True)):
+            raise InputError(f"to: {file} has rows of other axes; name another folder")
+        return True
+
+    def _block(self, given: dict[str, AnyArray]) -> tuple[dict[str, AnyArray], int]:
+        count = len(next(iter(given.values())))
+        found = self.swept(**given)  # type: ignore[operator]
+        if not isinstance(found, Mapping):
+            raise InputError(f"a vectorised function returns a mapping of arrays, not a value of type {type(found).__name__}")
+        columns = {}
+        for name, values in found.items():
+            if np.shape(values) not in ((), (count,)):
+                raise InputError(f"{name} has the shape {np.shape(values)}; {count} rows need ({count},) or a single value")
+            columns[name] = np.broadcast_to(values, (count,))
+        return columns, 1
+
+    def _row_by_row(self, given: dict[str, AnyArray]) -> tuple[dict[str, AnyArray], list[int]]:
+        each = [self._row(dict(zip(given, values))) for values in zip(*(column.tolist() for column in given.values()))]
+        if others := [list(columns) for columns in each if list(columns) != list(each[0])]:
+            raise InputError(f"one row has the columns {others[0]}, and the first has {list(each[0])}")
+        counts = [len(next(iter(columns.values()), ())) for columns in each]
+        return {name: np.concatenate([columns[name] for columns in each]) for name in each[0]}, counts
+
+    def _row(self, given: dict[str, Any]) -> dict[str, AnyArray]:
+        try:
+            if isinstance(self.swept, Scene):
+                return dict(self.swept.replace(**given).scales())
+            found = self.swept(**given)
+        except InputError as error:
+            raise InputError(f"{', '.join(f'{name} = {value}' for name, value in given.items())}: {error}") from None
+        found = found if isinstance(found, Mapping) else {"value": found}
+        if wide := [name for name, value in found.items() if np.size(value) != 1]:
+            raise InputError(f"{wide[0]} has the shape {np.shape(found[wide[0]])}; a row needs a single value")
+        return {str(name): np.reshape(np.asarray(value), 1) for name, value in found.items()}
 
 
-def _frame(rows: Rows, start: int, stop: int) -> Any:
-    with one_thread():
-        return frame_of(rows.columns(start, stop)[0])
+def _column(name: str, values: Any) -> AnyArray:
+    if isinstance(values, (str, bytes, Mapping)) or not isinstance(values, Iterable):
+        raise InputError(f"axes[{name!r}]: give a list or an array of values, not a value of type {type(values).__name__}")
+    if hasattr(values, "to_value"):
+        raise InputError(f"axes[{name!r}]: give numbers in SI units, or text with a unit, in place of an array with a unit")
+    values = values if isinstance(values, np.ndarray) else list(values)
+    is_plain = isinstance(values, np.ndarray) or all(isinstance(value, (bool, int, float, np.number)) for value in values)
+    column: AnyArray = np.asarray(values) if is_plain else np.fromiter(values, dtype=object, count=len(values))
+    if column.ndim != 1 or len(column) == 0:
+        raise InputError(f"axes[{name!r}]: give one axis with at least one value, not the shape {column.shape}")
+    return column
 
 
-def _into_folder(path: Path, rows: Rows, size: Any, asked_size: int | None, client: Any, progress: Progress) -> Any:
-    needed("pyarrow.parquet", "to")
-    key = rows.key()
-    folder = Folder.begun(path, rows, key) or Folder.begin(path, rows, key, size())
-    if asked_size not in (None, folder.rows_per_partition):
-        raise InputError(
-            f"rows_per_partition is {asked_size}, and {path} was begun with {folder.rows_per_partition}; leave it out"
-        )
-    left = folder.left()
-    line = Line()
-    observer = observer_of(progress, line)
-    client = client or _client_of_this_process()
+def _shown(column: AnyArray) -> AnyArray:
+    """Returns a column with its objects as text."""
+    if column.dtype.kind != "O":
+        return column
+    return np.array([value if isinstance(value, str) else repr(value) for value in column], dtype=object)
+
+
+def _needed(module: str) -> Any:
     try:
-        if client is None or not left:
-            written = map(folder.write, left)
-        else:
-            # Futures of other workers that are not done when the sweep ends are cancelled.
-            shared = client.scatter(folder, broadcast=True, hash=False)
-            written = client.get_executor(pure=False).map(_write, left, [shared] * len(left))
-        for done, _ in enumerate(written, folder.partitions - len(left) + 1):
-            if observer is not None:
-                observer("partitions", done, folder.partitions)
-    finally:
-        line.end()
-    folder.tidy()
-    files, keys = folder.parts()
-    if importlib.util.find_spec("dask") is not None:
-        meta = _read(files[0], keys[0]).head(0)
-        return needed("dask.dataframe", "sweep").from_map(_read, files, keys, meta=meta, enforce_metadata=False)
-    return needed("pandas", "sweep").concat([_read(file, key) for file, key in zip(files, keys)], ignore_index=True)
-
-
-def _read(file: Path, key: str, columns: list[str] | None = None) -> Any:
-    """The rows of a part; Dask asks for the columns that it needs."""
-    needed("pandas", "sweep")
-    return read_part(file, key, columns).to_pandas()
-
-
-def _client_of_this_process() -> Any:
-    if "distributed" not in sys.modules:
-        return None
-    try:
-        return sys.modules["distributed"].client.default_client()
-    except ValueError:
-        return None
-
-
-def _write(partition: int, folder: Folder) -> int:
-    with one_thread():
-        return folder.write(partition)
-
-
-def _whole(name: str, given: Any, least: int) -> int:
-    try:
-        number = given.__index__()
-    except AttributeError:
-        raise InputError(f"{name}: a whole number is needed, and this is of type {type(given).__name__}") from None
-    if isinstance(given, bool) or number < least:
-        raise InputError(f"{name} is {given}; it must be a whole number from {least} on")
-    return int(number)
+        return importlib.import_module(module)
+    except ImportError as error:
+        raise ImportError(f"sweep needs {module}, which is not installed: pip install truearea[cluster]") from error
