@@ -48,7 +48,7 @@ def doubles(argument: str, given: Any, unit: str = "") -> FloatArray:
     try:
         array = np.asarray(given)
     except ValueError as error:
-        raise InputError(f"{argument}: no array can be made of it: {error}") from None
+        raise InputError(f"{argument}: it cannot become an array: {error}") from None
     if array.dtype.kind == "O" and array.size and all(map(_is_real, array.flat)):
         array = array.astype(np.float64)
     if array.dtype.kind not in "fiu":
@@ -60,7 +60,7 @@ def doubles(argument: str, given: Any, unit: str = "") -> FloatArray:
 
 
 def _is_real(given: Any) -> bool:
-    """Whether something is a real number, decimals and fractions among them."""
+    """Returns True for a real number, including decimals and fractions."""
     return isinstance(given, numbers.Number) and not isinstance(given, (bool, complex))
 
 

@@ -53,7 +53,7 @@ class Pressed(Drawn, Result):
     Attributes
     ----------
     patches : Patches or None
-        The regions that touch, where they were asked for.
+        The regions that touch, if requested.
     """
 
     _title = "boundary elements"
@@ -323,7 +323,7 @@ def boundary_elements(
     per_realisation : bool, default False
         Tell of each random surface instead of their mean.
     progress : bool or callable, default False
-        True shows a line on stderr; a callable is told the steps done and how many there are.
+        True shows a line on stderr; a callable receives the steps done and their number.
     ball_radius : float or str, optional
         Radius in m of a smooth ball that is pressed onto the middle of the surface, whose edges are free, as
         ``truearea bem --ball-radius`` does.
@@ -356,7 +356,7 @@ def boundary_elements(
     AdhesiveContact
         With ``work_of_adhesion``, along the loads, along the branches where both are followed, and along the surfaces as above:
         ``area_fraction`` of points without a gap, and less the staircase; ``repulsive_area_fraction`` of those under compression;
-        ``mean_gap_m``, ``mean_attraction_pa``, ``largest_contact_pressure_pa``, ``residual``. Beside them stand single numbers:
+        ``mean_gap_m``, ``mean_attraction_pa``, ``largest_contact_pressure_pa``, ``residual``. Single numbers are:
         ``fuller_tabor`` and ``pastewka_robbins`` of a spectrum, ``hysteresis_...`` where the branches differ most,
         ``process_zone_points`` of a grid that is coarse.
     PullOff
@@ -442,7 +442,7 @@ _OF_FLATS: dict[str, Any] = (
 
 
 def _checked_kind(arguments: dict[str, Any]) -> Literal["flat", "ball", "adhesion"]:
-    """What is pressed onto the surface: arguments that mean nothing to it are refused, and those that it needs are there."""
+    """Checks the arguments for the body that is pressed on: those without effect are refused, and those that it needs are present."""
     if arguments["ball_radius"] is not None:
         _refuse(arguments, _OF_FLATS, "a ball")
         return "ball"
@@ -451,7 +451,7 @@ def _checked_kind(arguments: dict[str, Any]) -> Literal["flat", "ball", "adhesio
         _refuse(arguments, _OF_ADHESION, "surfaces that do not attract each other; give work_of_adhesion")
         given = [name for name in _LOADS if arguments[name] is not None]
         if len(given) != 1:
-            raise InputError(f"{' and '.join(given) or 'none'} of pressure, mean_gap and indentation is given; give one of them")
+            raise InputError(f"{' and '.join(given) or 'none'} of pressure, mean_gap and indentation is given; give one")
         return "flat"
     _refuse(arguments, _OF_PLAIN_FLATS, "surfaces that attract each other")
     if arguments["adhesion_range"] is None:
@@ -500,7 +500,7 @@ def _heights(given: Any) -> FloatArray:
     if heights.ndim not in (2, 3):
         raise InputError(f"surface: a map of rows and columns is needed, or several, and this has {heights.ndim} axes")
     if not heights.size:
-        raise InputError("surface: there are no heights")
+        raise InputError("surface: it has no heights")
     unknown = heights.size - int(np.count_nonzero(np.isfinite(heights)))
     if unknown:
         raise InputError(

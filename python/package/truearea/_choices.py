@@ -14,13 +14,13 @@ PerssonModel = Literal["persson", "persson-plastic"]
 """Persson's theory for bodies that do not yield, and that do."""
 
 LawModel = Literal["persson", "persson-plastic", "hertz", "ep-sphere", "elastic-sine", "ep-sine", "bgt"]
-"""Models that know a distance between the surfaces."""
+"""Models with a distance between the surfaces."""
 
 GapModel = Literal["persson", "persson-plastic", "hertz", "ep-sphere", "elastic-sine", "ep-sine", "bgt", "bem"]
-"""Models that know a distance between the surfaces, and boundary elements."""
+"""Models with a distance between the surfaces, and boundary elements."""
 
 ShearedModel = Literal["persson", "hertz", "elastic-sine", "bgt", "bem"]
-"""Models that know a distance between the surfaces and do not yield."""
+"""Models with a distance between the surfaces that do not yield."""
 
 CurveModel = Literal[
     "elastic-plastic", "elastic", "hertz", "ep-sphere", "elastic-sine", "ep-sine", "bgt", "persson", "persson-plastic"
@@ -40,28 +40,28 @@ HardnessFormula = Literal["2005", "cosine"]
 """Forms of the hardness of spheres that yield."""
 
 InterferenceLaw = Literal["rostami-jackson", "bem"]
-"""What ties pressure to interference of elastic sinusoids."""
+"""Laws of pressure against interference of elastic sinusoids."""
 
 Branch = Literal["apart", "contact", "both"]
 """Histories of a load with adhesion: from first touch, from full contact, or both."""
 
 NoteLevel = Literal["note", "caution", "error"]
-"""How much a note changes what to conclude from a result."""
+"""Levels of notes, by how much they change the conclusion."""
 
 Normalisation = Literal["parseval", "as-printed"]
 """Factors of spectral moments."""
 
 AmplitudeDefinition = Literal["eq5", "parseval"]
-"""How the amplitude of a scale is made from the spectrum."""
+"""Definitions of the amplitude of a scale."""
 
 Convention = Literal["c1d", "w1", "frequency", "ciso", "persson"]
-"""What the values of a spectrum are."""
+"""Conventions of the values of a spectrum."""
 
 Abscissa = Literal["wavelength", "wavevector", "frequency"]
-"""What the first column of a spectrum is."""
+"""Quantities of the first column of a spectrum."""
 
 Detrend = Literal["mean", "line", "plane"]
-"""What is subtracted from heights."""
+"""Trends that are subtracted from heights."""
 
 Window = Literal["hann", "none"]
 """Windows of the transform."""
@@ -70,13 +70,13 @@ Average = Literal["log-unbiased", "log", "arithmetic"]
 """Means across scans that share a bin."""
 
 Gaps = Literal["refuse", "harmonic", "lines"]
-"""What becomes of points without a height."""
+"""Treatments of missing points."""
 
 Direction = Literal["x", "y", "both"]
 """Axes of a map along which spectra are taken."""
 
 Phases = Literal["fixed-modulus", "gaussian"]
-"""What is random in random surfaces."""
+"""Random quantities of random surfaces."""
 
 Dialect = Literal["abaqus", "calculix", "csv"]
 """Codes that read contact laws."""

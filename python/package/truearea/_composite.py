@@ -223,7 +223,7 @@ def _name(parts: list[Part]) -> str:
 
 
 def _is_common(value: Any) -> bool:
-    """Whether a value is for all scans; text is one value."""
+    """Returns True for a value that holds for all scans; text is one value."""
     return value is not None and (isinstance(value, str) or not isinstance(value, (Sequence, np.ndarray)))
 
 

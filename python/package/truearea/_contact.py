@@ -19,7 +19,7 @@ from truearea._results import FloatArray, Result
 
 
 _COLUMNS = {"radius": "radius_m", "density": "density_per_m2", "sigma_s": "sigma_s_m", "m0": "m0_m2", "m2": "m2", "m4": "m4_per_m2"}
-"""What tables call them, :class:`truearea.Moments` among others."""
+"""Their names in tables such as :class:`truearea.Moments`."""
 
 _Numbers = Union[npt.ArrayLike, str, Sequence[str]]
 

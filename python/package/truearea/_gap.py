@@ -51,7 +51,7 @@ def gap(
     side: Quantity | None = None,
     phases: Phases | None = None,
 ) -> Gaps:
-    """How far apart two rough surfaces stand under loads, and how stiff they are against more of it.
+    """Computes mean gap and stiffness of two rough surfaces under loads.
 
     The gap is measured from the mean plane of the rough surface to the flat: of the deformed surface in Persson's theory
     (Persson 2007; Yang & Persson 2008), of the undeformed one where asperities are pressed one by one (Greenwood & Williamson

@@ -42,7 +42,7 @@ def surface_of(surface: Any) -> _native.Surface:
 
 
 def named_material(name: str) -> Material:
-    """The material of the table that a name stands for."""
+    """Returns the material of the table that has this name."""
     try:
         return Material(name=name)
     except InputError as error:

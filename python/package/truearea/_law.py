@@ -87,7 +87,7 @@ class ContactLaw(Drawn, Table):
         Raises
         ------
         InputError
-            For what the code cannot read: more rows than it has room for, rows nearer than it tells apart.
+            For tables that the code cannot read: too many rows, or rows too close together.
 
         Examples
         --------

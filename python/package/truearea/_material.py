@@ -14,7 +14,7 @@ Quantity = Union[float, str, "np.floating[Any]", "np.integer[Any]"]
 
 
 class Material:
-    """The rough body, and what presses on it.
+    """The rough body, and the body that presses on it.
 
     Parameters
     ----------
@@ -34,7 +34,7 @@ class Material:
     strength_cap : float or str, optional
         The most that the strength grows to, in Pa or as a multiple of the hardness, such as ``"1 H"``.
     counterface : Material, optional
-        What presses on the rough body; rigid where left out. Its elastic constants alone count.
+        The body that presses on the rough one; rigid by default. Only its elastic constants are used.
     layer_thickness : float or str, optional
         Thickness in m of an elastic layer bonded to the rough body, which then carries the roughness; strength and hardness are
         those of the layer. Boundary elements and Persson's theory take layers.
@@ -123,7 +123,7 @@ class Material:
 
     @property
     def counterface(self) -> Material | None:
-        """What presses on the rough body; None where it is rigid."""
+        """The body that presses on the rough one; None if it is rigid."""
         other: Material | None = self._given["counterface"]
         return other
 
@@ -143,7 +143,7 @@ class Material:
         return self._native.facts["yield_strength_pa"]
 
     def replace(self, **changes: Any) -> Material:
-        """The same material with some of its arguments changed.
+        """Returns this material with some arguments changed.
 
         Examples
         --------

@@ -102,7 +102,7 @@ def set_threads(count: int) -> None:
     """
 
 def threads() -> int:
-    """How many threads work takes."""
+    """Returns the number of threads."""
 
 def without_unit(argument: str, unit: str, given: Any) -> Any:
     """Numbers in a unit, of a quantity of pint, astropy or unyt; anything else as it is."""

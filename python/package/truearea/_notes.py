@@ -10,7 +10,7 @@ from typing import Any, NamedTuple, cast
 
 from truearea._choices import NoteLevel
 
-_Told = tuple[str, str, str, tuple[list[str], "int | None", "int | None", "str | None"]]
+_NativeNote = tuple[str, str, str, tuple[list[str], "int | None", "int | None", "str | None"]]
 """Text, level, code and place of a note, as the core gives it."""
 
 
@@ -19,7 +19,7 @@ class Caution(UserWarning):
 
 
 class Place(NamedTuple):
-    """Where a note points to, as far as it is known."""
+    """The place that a note points to, as far as it is known."""
 
     files: tuple[str, ...] = ()
     """Names of files or scans."""
@@ -73,24 +73,24 @@ class Note(str):
 
 
 def counted(notes: tuple[Note, ...]) -> str:
-    """How many errors, cautions and notes there are; nothing where there are none."""
+    """Counts errors, cautions and notes; empty text without any."""
     counts = {level: sum(note.level == level for note in notes) for level in ("error", "caution", "note")}
     words = [f"{count} {kind}{'s' if count > 1 else ''}" for kind, count in counts.items() if count]
     return f", {', '.join(words)}" if words else ""
 
 
-def notes_of(told: Iterable[_Told]) -> tuple[Note, ...]:
-    """Notes as the core gives them."""
+def notes_of(native: Iterable[_NativeNote]) -> tuple[Note, ...]:
+    """Converts notes of the core."""
     return tuple(
-        Note(text, cast(NoteLevel, level), code, Place(tuple(place[0]), *place[1:])) for text, level, code, place in told
+        Note(text, cast(NoteLevel, level), code, Place(tuple(place[0]), *place[1:])) for text, level, code, place in native
     )
 
 
 _WARNED: set[tuple[str, int, str]] = set()
-"""Places that were warned, each with the code of the note: the same kind is not told again for other values."""
+"""Places that were warned, each with the code of the note: the same kind is not repeated for other values."""
 
 
-def noted(native: Iterable[_Told]) -> tuple[Note, ...]:
+def noted(native: Iterable[_NativeNote]) -> tuple[Note, ...]:
     """Notes on the result of a call, whose cautions become warnings at the place that called the package."""
     notes = notes_of(native)
     if not notes:

@@ -1,4 +1,4 @@
-"""Pictures of results, described once: drawn by Matplotlib where one asks, and by the core in notebooks."""
+"""Pictures of results, described once: drawn by Matplotlib on request, and by the core in notebooks."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ def _column(values: AnyArray) -> FloatArray:
 
 
 class Drawn:
-    """What has a picture: drawn by ``plot``, and above the table that a notebook shows."""
+    """A result with a picture: drawn by ``plot``, and above the table that a notebook shows."""
 
     __slots__ = ()
 

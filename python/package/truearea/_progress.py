@@ -1,4 +1,4 @@
-"""How long work is watched: a line that is written anew, or a callable."""
+"""Progress of long work: a line on stderr, or a callable."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from collections.abc import Callable
 from typing import Union
 
 Watcher = Callable[[int, "int | None"], object]
-"""What is told how many steps are done, and of how many; None where that is not known."""
+"""A callable that receives the steps done and their number, None if unknown."""
 
 Progress = Union[bool, Watcher]
 """True for a line on stderr, False for nothing, or a callable."""
@@ -42,13 +42,13 @@ class Line:
 
 
 def observer_of(progress: Progress, line: Line) -> Observer | None:
-    """What tells steps to whoever is to be told; the line where it is asked for."""
+    """Returns the observer for a request of progress."""
     if progress is True:
         return line
     if progress is False or progress is None:
         return None
     if not callable(progress):
-        raise TypeError(f"progress: True, False or a callable is needed, and this is of type {type(progress).__name__}")
+        raise TypeError(f"progress: give True, False or a callable, not a value of type {type(progress).__name__}")
     watcher = progress
 
     def tell(_: str, done: int, total: int | None) -> None:

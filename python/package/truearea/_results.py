@@ -1,4 +1,4 @@
-"""What calls yield: named arrays with their axes, units and notes."""
+"""Results of calls: named arrays with their axes, units and notes."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ FloatArray = npt.NDArray[np.float64]
 AnyArray = npt.NDArray[Any]
 """Doubles or text."""
 
-# The ends of names and the units that they stand for, the longest first.
+# Ends of names and their units, the longest first.
 _UNITS = {
     "_pa_per_m": "Pa/m",
     "_w_per_m2_k": "W/(m² K)",
@@ -42,7 +42,7 @@ _UNITS = {
 
 
 def unit_of(name: str) -> str:
-    """The unit that the end of a name tells; nothing of a name without one, nor of a logarithm."""
+    """Returns the unit that a name ends in; empty for a name without one and for a logarithm."""
     if name.startswith("ln_"):
         return ""
     ends = (end for end in _UNITS if name.endswith(end))
@@ -169,7 +169,7 @@ class Result(dict[str, AnyArray]):
         try:
             import pandas as pd
         except ModuleNotFoundError:
-            raise ImportError("to_pandas needs pandas, which is not here: pip install truearea[pandas]") from None
+            raise ImportError("to_pandas needs pandas, which is not installed: pip install truearea[pandas]") from None
 
         sizes = self.sizes
         shape = tuple(sizes.values())
@@ -191,7 +191,7 @@ class Result(dict[str, AnyArray]):
         try:
             import xarray as xr
         except ModuleNotFoundError:
-            raise ImportError("to_xarray needs xarray, which is not here: pip install truearea[xarray]") from None
+            raise ImportError("to_xarray needs xarray, which is not installed: pip install truearea[xarray]") from None
 
         variables = {name: (self._axes[name], array, _attributes(name)) for name, array in self.items()}
         coordinates = [name for name in self if len(self._axes[name]) == 1 and self._is_coordinate(name)]
@@ -205,18 +205,18 @@ class Result(dict[str, AnyArray]):
 
 
 def rows_html(rows: Mapping[str, str]) -> str:
-    """A table of names and what they stand for."""
-    told = "".join(
+    """Returns a table of names and values."""
+    rows_text = "".join(
         f"<tr><th style='text-align:left'>{escape(name)}</th><td style='text-align:left'>{escape(value)}</td></tr>"
         for name, value in rows.items()
     )
-    return f"<table>{told}</table>"
+    return f"<table>{rows_text}</table>"
 
 
 def notes_html(notes: Iterable[str]) -> str:
     """A list of notes; nothing where there are none."""
-    told = "".join(f"<li>{escape(note)}</li>" for note in notes)
-    return f"<ul>{told}</ul>" if told else ""
+    rows_text = "".join(f"<li>{escape(note)}</li>" for note in notes)
+    return f"<ul>{items}</ul>" if items else ""
 
 
 def _attributes(name: str) -> dict[str, str]:

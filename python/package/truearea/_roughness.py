@@ -125,7 +125,7 @@ def roughness(
     Raises
     ------
     FileNotFoundError
-        Where there is no such file.
+        If the file does not exist.
     InputError
         Where no point has a height, or a filter is longer than the scan.
 

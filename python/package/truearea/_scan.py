@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 Options = dict[str, "tuple[str, Any]"]
-"""What is said of a scan besides its file: values by what they are, each with what its argument is called."""
+"""Metadata of a scan besides its file: values by kind, each with the name of its argument."""
 
 AnyPath = Union[str, "os.PathLike[str]"]
 
@@ -44,14 +44,14 @@ class ScanChannels(Table):
 
 
 class File(NamedTuple):
-    """A file that was read, with those beside it that may tell of it."""
+    """A file that was read, with the metadata files beside it."""
 
     name: str
     files: dict[str, bytes]
 
 
 class Scan:
-    """Heights along a line or of a map, with what their file says of them. ``read_scan`` makes one."""
+    """Heights along a line or of a map, with the metadata of their file. ``read_scan`` makes one."""
 
     __slots__ = ("_facts", "_heights", "_native", "_recipe")
 
@@ -97,7 +97,7 @@ class Scan:
 
     @property
     def name(self) -> str:
-        """What the measurement is called, by its file or by what lies beside it."""
+        """The name of the measurement, from its file or the metadata beside it."""
         return self._facts["name"]
 
     @property
@@ -117,7 +117,7 @@ class Scan:
 
     @property
     def is_periodic(self) -> bool:
-        """Whether the file says that the heights repeat themselves beyond the scan."""
+        """True if the file says that the heights are periodic."""
         return self._facts["is_periodic"]
 
     @property
@@ -132,7 +132,7 @@ class Scan:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What reading assumed."""
+        """Assumptions of reading."""
         return tuple(self._facts["notes"])
 
     def plot(self, ax: Axes | None = None) -> Axes:
@@ -214,7 +214,7 @@ def read_scan(
     path : str or path-like
         The file. A ``meta.yml`` or ``index.json`` beside it that names it is read as well.
     unit : str, optional
-        Unit of lengths and heights, such as ``"nm"``, where neither the file nor what lies beside it tells one.
+        Unit of lengths and heights, such as ``"nm"``, if neither the file nor the metadata beside it state one.
     channel : str, optional
         The channel; the first one of heights where left out.
     measurement : str, optional
@@ -235,7 +235,7 @@ def read_scan(
     Raises
     ------
     FileNotFoundError
-        Where there is no such file.
+        If the file does not exist.
     InputError
         With file, place, value and bound for what cannot be read, and the argument that mends it.
 
@@ -291,7 +291,7 @@ def scan_channels(
     Raises
     ------
     FileNotFoundError
-        Where there is no such file.
+        If the file does not exist.
     InputError
         Where no channel can be read.
     """
@@ -310,5 +310,5 @@ def file_of(path: AnyPath) -> File:
 
 
 def given(options: dict[str, Any]) -> Options:
-    """What is given of some options, under the names of their arguments."""
+    """Returns the options that are given, by the names of their arguments."""
     return {name: (name, value) for name, value in options.items() if value is not None}

@@ -250,7 +250,7 @@ class Scene:
         Raises
         ------
         InputError
-            For another name, and tells those there are.
+            For an unknown name, with the known ones.
         """
         return cls._of(_native.scene_template(name), name, "", {}, {})
 
@@ -294,12 +294,12 @@ class Scene:
 
     @property
     def title(self) -> str:
-        """What it is about."""
+        """The title of the scene."""
         return self._native.facts["title"]
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What reading took for granted, what is doubtful, and the keys that have no effect."""
+        """Assumptions of reading, doubts, and keys without effect."""
         notes = notes_of(self._native.facts["notes"])
         spectrum = self._recipe[5]
         if spectrum is not None and spectrum.scans is not None and files_of(spectrum).heights_m is None:
@@ -308,11 +308,11 @@ class Scene:
         return notes
 
     def explain(self) -> str:
-        """What the scene needs, what of it is shared, and what is skipped, told before anything is computed."""
+        """The steps that a run would take."""
         return self._native.explain()
 
     def replace(self, **changes: Any) -> Scene:
-        """The same scene with keys of its sections set anew; comments and all else of its text stay.
+        """Returns this scene with other values of some keys; comments and the rest of its text stay.
 
         Parameters
         ----------
@@ -402,7 +402,7 @@ class Scene:
         judge: bool | None = None,
         uncertainty: bool | None = None,
     ) -> SceneResults:
-        """Compute everything that the scene asks for, as ``truearea run`` does. Ctrl-C ends it.
+        """Computes everything that the scene requests, as ``truearea run`` does. Ctrl-C ends it.
 
         Parameters
         ----------
@@ -423,7 +423,7 @@ class Scene:
         Raises
         ------
         InputError
-            Where the scene cannot be carried out.
+            If the scene cannot be run.
         """
         line = Line()
         occasion = (datetime.now(timezone.utc).strftime("%Y-%m-%d %H:%M UTC"), f"Scene.run of {self._recipe[1]}")
@@ -526,7 +526,7 @@ class SceneResults:
 
     @property
     def report_html(self) -> str | None:
-        """The report as an HTML page; None where none was asked for."""
+        """The report as an HTML page; None without a report."""
         page = self.files.get("report.html")
         return None if page is None else page.decode()
 
@@ -534,7 +534,7 @@ class SceneResults:
     def conclusions(self) -> dict[str, Any]:
         """The answer as data: for each load the area, its range and the verdict on every model, cautions, and what to measure next.
 
-        It is what ``answer.json`` holds; empty where no report was asked for.
+        It is what ``answer.json`` holds; empty without a report.
         """
         content = self.files.get("answer.json")
         found: dict[str, Any] = {} if content is None else json.loads(content)
@@ -564,7 +564,7 @@ class SceneResults:
         from truearea._plot import axes_of, draw_answer, set_axes, style_from
 
         if not 0 <= load < self.loads:
-            raise InputError(f"load: there is no load {load}; give a number from 0 to {self.loads - 1}")
+            raise InputError(f"load {load} does not exist; give a number from 0 to {self.loads - 1}")
         ax = axes_of(ax)
         set_axes(ax, "wavelength_m", "area_fraction")
         ends_m = []
@@ -627,7 +627,7 @@ def _path_of(given: str | os.PathLike[str]) -> Path | None:
     if "\n" in given:
         return None
     is_text = not given.endswith(".toml") and ("=" in given or "[" in given)
-    # A line without a key is no scene: what it names is missing, and that is told.
+    # A line without a key is not a scene: it names a missing file.
     return None if is_text and not os.path.isfile(given) else Path(given)
 
 
@@ -640,7 +640,7 @@ def _text(content: bytes, name: str) -> str:
 
 
 def _section(given: bool | Mapping[str, Any]) -> Mapping[str, Any] | None:
-    """The keys of a section that may be asked for without any."""
+    """Returns the keys of a section that may be empty."""
     if isinstance(given, bool):
         return {} if given else None
     return given

@@ -54,7 +54,7 @@ def surface_of_scene(surface: Any, size: Any) -> SurfaceOfScene:
 
 
 def _path(given: str | os.PathLike[str]) -> str:
-    """A path that means the same in any folder; what is said of a scan may stand behind it."""
+    """A path that means the same in any folder; options of a scan may follow it."""
     path = os.fspath(given)
     return path if path.startswith("builtin:") else os.path.abspath(path)
 
@@ -81,7 +81,7 @@ def pressure_list(pressures: Any) -> list[str]:
     if isinstance(pressures, (set, frozenset, Mapping)):
         raise InputError(f"pressure: it has no order, being of type {type(pressures).__name__}; give a list")
     if np.ma.is_masked(pressures):
-        raise InputError("pressure: some of it is masked; fill it, or leave it out")
+        raise InputError("pressure: it has masked values; fill them, or leave them out")
     if not isinstance(pressures, (list, tuple)):
         bare = _native.without_unit("pressure", "Pa", pressures)
         is_one = isinstance(bare, (str, bytes)) or np.ndim(bare) == 0

@@ -155,7 +155,7 @@ class Spectrum(Drawn):
     ) -> None:
         q = _column("wavevectors", wavevectors)
         if bad := [value for value in q if not (np.isfinite(value) and value > 0.0)]:
-            raise InputError(f"wavevectors: {bad[0]} is one of them; they must be finite and greater than 0")
+            raise InputError(f"wavevectors: {bad[0]} is given; they must be finite and greater than 0")
         c = _column("c1d", c1d)
         errors = None if c1d_se is None else _column("c1d_se", c1d_se)
         if errors is not None and q.shape == c.shape == errors.shape:
@@ -239,7 +239,7 @@ class Spectrum(Drawn):
 
     @property
     def name(self) -> str:
-        """What it is called."""
+        """The name of the spectrum."""
         return self._facts["name"]
 
     @property
@@ -265,7 +265,7 @@ class Spectrum(Drawn):
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What reading took for granted, and what is doubtful."""
+        """Assumptions of reading, and doubts."""
         return notes_of(self._facts["notes"])
 
     @property
@@ -484,7 +484,7 @@ def read_psd(
     Raises
     ------
     FileNotFoundError
-        Where there is no such file.
+        If the file does not exist.
     InputError
         With file, line, column and value for what cannot be read, and the argument that mends it.
 

@@ -13,7 +13,7 @@ from truearea._results import FloatArray
 
 
 def is_topography(given: Any) -> bool:
-    """Whether something has heights and a size, as the topographies and line scans of SurfaceTopography do."""
+    """Returns True for an object with heights and a size, such as a topography or line scan of SurfaceTopography."""
     return callable(getattr(given, "heights", None)) and hasattr(given, "physical_sizes")
 
 

@@ -1,4 +1,4 @@
-"""How sure areas are, and what to measure next."""
+"""Intervals of areas, and the next measurement."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ Models = Union[CurveModel, Sequence[CurveModel]]
 
 
 class Shares(Table):
-    """How much of the variance of ln A each input carries: first-order and total indices (Saltelli et al. 2010)."""
+    """Shares of the inputs in the variance of ln A: first-order and total indices (Saltelli et al. 2010)."""
 
     _title = "shares of variance"
     __slots__ = ()
@@ -36,7 +36,7 @@ class Shares(Table):
 
 
 class Advice(Table):
-    """What to measure next, the step that shrinks the interval most first."""
+    """Next measurements, the one that shrinks the interval most first."""
 
     _title = "what to measure next"
     __slots__ = ()
@@ -185,7 +185,7 @@ def uncertainty(
     Uncertainty
         ``area_fraction`` (plain), ``median``, ``low``, ``high``, ``low_68``, ``high_68``, ``ln_area_sd`` and
         ``monte_carlo_error`` (of the interval's ends, as a share of ln(high/low)), with tables ``shares``, ``advice`` and
-        ``bands``. NaN where a model has no area in too many draws. What the intervals rest on is told in ``notes``.
+        ``bands``. NaN where a model has no area in too many draws. ``notes`` say what the intervals rest on.
 
     Raises
     ------
