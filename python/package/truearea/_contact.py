@@ -214,8 +214,8 @@ def _broadcast_shape(shapes: dict[str, tuple[int, ...]]) -> tuple[int, ...]:
     try:
         return np.broadcast_shapes(*shapes.values())
     except ValueError:
-        told = ", ".join(f"{name} {shape}" for name, shape in shapes.items() if shape)
-        raise InputError(f"the shapes do not broadcast against each other: {told}") from None
+        given = ", ".join(f"{name} {shape}" for name, shape in shapes.items() if shape)
+        raise InputError(f"the shapes do not broadcast against each other: {given}") from None
 
 
 def _materials(given: Any) -> npt.NDArray[np.object_]:

@@ -215,7 +215,7 @@ def rows_html(rows: Mapping[str, str]) -> str:
 
 def notes_html(notes: Iterable[str]) -> str:
     """A list of notes; nothing where there are none."""
-    rows_text = "".join(f"<li>{escape(note)}</li>" for note in notes)
+    items = "".join(f"<li>{escape(note)}</li>" for note in notes)
     return f"<ul>{items}</ul>" if items else ""
 
 
