@@ -2,7 +2,8 @@
 
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use study::materials;
+use study::body_properties::BodyProperty;
+use study::materials::{self, TabledMaterial};
 use study::models::{Choice, MODELS, ModelEntry};
 use tables::Table;
 
@@ -12,16 +13,19 @@ use crate::answer::columns;
 #[pyfunction]
 pub fn materials_table(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
     let rows = materials::materials();
-    let or_empty = |text: &Option<String>| text.clone().unwrap_or_default();
+    let text = |property: BodyProperty| -> Vec<String> {
+        let value = |row: &TabledMaterial| row.value(property)?.as_str().map(str::to_owned);
+        rows.iter().map(|row| value(row).unwrap_or_default()).collect()
+    };
     let table = Table::default()
         .with_text("name", rows.iter().map(|row| row.name.clone()))
         .with_text("aliases", rows.iter().map(|row| row.aliases.join(", ")))
-        .with_text("youngs_modulus", rows.iter().map(|row| row.youngs_modulus.clone()))
-        .with_numbers("poisson_ratio", rows.iter().map(|row| row.poisson_ratio))
-        .with_text("yield_strength", rows.iter().map(|row| or_empty(&row.yield_strength)))
-        .with_text("indentation_hardness", rows.iter().map(|row| or_empty(&row.indentation_hardness)))
-        .with_text("thermal_conductivity", rows.iter().map(|row| or_empty(&row.thermal_conductivity)))
-        .with_text("resistivity", rows.iter().map(|row| or_empty(&row.resistivity)))
+        .with_text("youngs_modulus", text(BodyProperty::YoungsModulus))
+        .with_numbers("poisson_ratio", rows.iter().map(TabledMaterial::poisson_ratio))
+        .with_text("yield_strength", text(BodyProperty::YieldStrength))
+        .with_text("indentation_hardness", text(BodyProperty::IndentationHardness))
+        .with_text("thermal_conductivity", text(BodyProperty::ThermalConductivity))
+        .with_text("resistivity", text(BodyProperty::Resistivity))
         .with_text("sources", rows.iter().map(|row| row.sources.clone()));
     columns(py, &table)
 }
