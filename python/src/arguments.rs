@@ -5,13 +5,13 @@ use std::ops::RangeInclusive;
 use std::str::FromStr;
 
 use asperity::Hardness;
+use elements::RandomChoices;
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use persson::hardness_laws::HardnessTable;
 use persson::{EnergyFactor, EnergyFactorError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyString};
 use questions::{LoadInput, RandomInput, SamplingInput};
-use elements::RandomChoices;
 use study::growth_law::GrowthLaw;
 use study::models::{Choice, MODELS, ModelEntry, ModelOptions};
 use units::{

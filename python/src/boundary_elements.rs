@@ -2,6 +2,7 @@
 
 use std::sync::{Mutex, PoisonError};
 
+use elements::{Boundary, ContactField, ElementsError, IndenterShape, Relief};
 use numpy::ndarray::ArrayView2;
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray3};
 use pyo3::exceptions::PyMemoryError;
@@ -11,7 +12,6 @@ use questions::{
     AdhesionQuestion, BranchChoice, ElementsLoad, ElementsQuestion, IndenterQuestion, LoadInput,
     PreparedElements, QuestionError,
 };
-use elements::{Boundary, ContactField, ElementsError, IndenterShape, Relief};
 use scans::HeightMap;
 use study::surface::Surface;
 use topography::{Recipe, detrended_m};

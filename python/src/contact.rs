@@ -6,8 +6,8 @@ use numpy::{Element, PyArray1, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyFloat};
 use questions::StatesQuestion;
-use stat_contact::Condition;
 use questions::rows::{RowRoughness, RowsError, STATE_COLUMNS, StateRequest};
+use stat_contact::Condition;
 use study::models::{self, Framework};
 
 use crate::answer::{PyAnswer, of_material, refused};

@@ -1,6 +1,8 @@
 //! Pressure against overclosure, and conductance against pressure, for finite elements.
 
-use interface::finite_elements::{ConductanceTable, ContactLaw, Dialect, ExponentialLaw, Flow, Heading, UnitSystem};
+use interface::finite_elements::{
+    ConductanceTable, ContactLaw, Dialect, ExponentialLaw, Flow, Heading, UnitSystem,
+};
 use pyo3::prelude::*;
 use questions::{
     GasInput, LawAnswer, LawForm, LawQuestion, LawTableQuestion, PlasticCorrelation, QuestionError,

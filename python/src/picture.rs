@@ -5,7 +5,7 @@ use pyo3::prelude::*;
 use report::chart;
 use report::chart::maps::FieldPicture;
 use report::chart::palette::ModelStyle;
-use study::figure::{Axis, FigureBand, BandKind, CurveLook, FigureData, Series, Shows, Variant};
+use study::figure::{Axis, BandKind, CurveLook, FigureBand, FigureData, Series, Shows, Variant};
 use study::models::{MODELS, ModelEntry};
 
 use crate::arguments::any_model;

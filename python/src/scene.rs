@@ -21,12 +21,12 @@ use report::products::{Product, SceneProducts};
 use report::run_stamp::RunStamp;
 use scene::file_names::{JUDGE_TABLES, REPORT_TABLES, UNCERTAINTY_TABLES};
 use scene::{Overrides, ReplaceError, Scene, SceneError, SceneProblem, SceneText, Template, with_keys};
-use tables::staging::StagedFiles;
-use tables::staging::reading::bytes_of;
 use study::Files;
 use study::figure::CurveLook;
 use study::plan::PlanError;
 use tables::Format;
+use tables::staging::StagedFiles;
+use tables::staging::reading::bytes_of;
 use toml::Value;
 
 use crate::answer::{columns, refused as questions_refused, words};
