@@ -59,7 +59,7 @@ def test_gaps_of_perssons_theory_are_those_of_references(
         ({"model": "persson-plastic"}, "--model persson-plastic"),
         ({"model": "hertz", "scales_per_decade": 7}, "--model hertz --scales-per-decade 7"),
         ({"model": "ep-sphere", "strain_gradient": True}, "--model ep-sphere --strain-gradient-length 5um"),
-        ({"model": "ep-sphere", "hardness_formula": "cosine", "tolerance": 1e-6}, "--model ep-sphere --hardness cosine --tolerance 1e-6"),
+        ({"model": "ep-sphere", "hardness_formula": "cosine", "tolerance": 1e-6}, "--model ep-sphere --hardness-formula cosine --tolerance 1e-6"),
         (
             {"model": "bem", "grid": 32, "realisations": 2, "seed": 3, "phases": "gaussian", "shortest": "1 um"},
             "--model bem --grid 32 --realisations 2 --seed 3 --phases gaussian --shortest 1um",

@@ -73,9 +73,9 @@ def test_gaps_laws_scans_maps_and_intervals_are_drawn(tmp_path: Path) -> None:
     (picture,) = scan.plot().images
     assert np.ma.is_masked(np.ma.masked_invalid(np.asarray(picture.get_array()))) and picture.get_extent()[1] == 1e-6
     assert len(ta.read_scan(tmp_path / "line.npy", unit="nm", size="1 um").plot().lines) == 1
-    pressed = ta.boundary_elements(heights_m, "1 um", "1 MPa", steel, fields=True)
+    pressed = ta.boundary_elements(heights_m, steel, pressure="1 MPa", size="1 um", fields=True)
     assert len(pressed.plot().images) == 1
-    without = ta.boundary_elements(heights_m, "1 um", ["1 MPa", "2 MPa"], steel)
+    without = ta.boundary_elements(heights_m, steel, pressure=["1 MPa", "2 MPa"], size="1 um")
     assert np.allclose(np.asarray(without.plot().lines[0].get_xdata()), [1e6, 2e6])
     composite = ta.composite([(heights_m, "1 um"), (heights_m[::-1] * 1.1, "1 um"), (heights_m.T, "1 um")])
     found = ta.uncertainty(composite, steel, pressure="5 MPa", model=["persson", "hertz"])
@@ -86,7 +86,7 @@ def test_gaps_laws_scans_maps_and_intervals_are_drawn(tmp_path: Path) -> None:
 def test_a_scene_is_drawn_with_the_answer_and_its_range() -> None:
     import matplotlib.pyplot as plt
 
-    found = ta.Scene("builtin:uncd-measured", "100Cr6", pressures=["1 MPa", "10 MPa"]).run(uncertainty=False)
+    found = ta.Scene("builtin:uncd-measured", "100Cr6", pressure=["1 MPa", "10 MPa"]).run(uncertainty=False)
     ax = found.plot(1)
     labels = ax.get_legend_handles_labels()[1]
     assert labels[-1] == "boundary elements" and "Persson, elastic, algebraic-nayak" in labels

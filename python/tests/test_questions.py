@@ -43,6 +43,7 @@ def asked(spectrum: ta.Spectrum, question: dict[str, Any]) -> ta.Result:
     """The question as somebody asks it in Python."""
     model = question["model"]
     given = {key: value for key, value in question["options"].items() if value is not None and key != "strain_gradient"}
+    given |= {"hardness_formula": given.pop("hardness")} if "hardness" in given else {}
     given |= {"strain_gradient": True} if question["options"]["strain_gradient"] else {}
     given |= {"normalisation": question["normalisation"]} if question["normalisation"] else {}
     call: Any = FUNCTIONS.get(model, ta.statistical)

@@ -130,7 +130,7 @@ def test_the_judge_and_draws_where_they_are_asked(folder: Path) -> None:
     assert told and all(total is None or done <= total for done, total in told)
     neither = scene.run(report=False, judge=False, uncertainty=False)
     assert not {"report-models", "report-uncertainty"} & set(neither.tables)
-    assert "boundary elements" in results.answer and "boundary elements" not in neither.answer
+    assert "boundary elements, elastic" in results.answer and "not compared with boundary elements" in neither.answer
 
 
 def test_progress_is_a_line_that_goes(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:

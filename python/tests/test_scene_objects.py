@@ -32,7 +32,7 @@ def area(results: ta.SceneResults, curve: str = "persson") -> float:
 
 def test_a_spectrum_gives_the_numbers_of_the_scene_that_names_it(tmp_path: Path) -> None:
     spectrum = ta.read_psd("builtin:uncd-measured").between("10 um", "10 nm")
-    scene = ta.Scene(spectrum, "100Cr6", pressures=["1 MPa", 5e6], curves=["persson", {"model": "hertz"}], interface=True)
+    scene = ta.Scene(spectrum, "100Cr6", pressure=["1 MPa", 5e6], curves=["persson", {"model": "hertz"}], interface=True)
     found = scene.run()
     assert scene.to_toml(tmp_path / "scene.toml") == scene.text
     again = ta.Scene.from_toml(tmp_path / "scene.toml").run()
@@ -44,9 +44,9 @@ def test_a_spectrum_gives_the_numbers_of_the_scene_that_names_it(tmp_path: Path)
 
 
 def test_scans_in_memory_and_in_files_give_one_answer_with_an_interval(tmp_path: Path) -> None:
-    of_files = ta.Scene(files(tmp_path), "100Cr6", pressures="10 MPa", curves=["persson"], cutoff="1 um").run()
+    of_files = ta.Scene(files(tmp_path), "100Cr6", pressure="10 MPa", curves=["persson"], cutoff="1 um").run()
     scans = [(trace(seed), 2048 * 1e-7) for seed in range(3)]
-    in_memory = ta.Scene(scans, "100Cr6", pressures="10 MPa", curves=["persson"], cutoff="1 um").run()
+    in_memory = ta.Scene(scans, "100Cr6", pressure="10 MPa", curves=["persson"], cutoff="1 um").run()
     assert area(in_memory) == pytest.approx(area(of_files), rel=1e-6)
     for found in (of_files, in_memory):
         interval = found.tables["report-uncertainty"]
@@ -65,14 +65,14 @@ def test_a_report_is_that_of_the_command(tmp_path: Path) -> None:
 def test_a_counterface_of_a_material_counts_by_its_elastic_constants() -> None:
     spectrum = ta.read_psd("builtin:uncd-measured")
     steel = ta.Material("210 GPa", 0.3, counterface=ta.Material("70 GPa", 0.33, yield_strength="100 MPa"))
-    found = ta.Scene(spectrum, steel, pressures="1 MPa", curves=["persson"]).run(report=False)
+    found = ta.Scene(spectrum, steel, pressure="1 MPa", curves=["persson"]).run(report=False)
     assert area(found) == ta.persson(spectrum, steel, pressure="1 MPa").area_fraction[0, -1]
 
 
 def test_units_reach_the_scene() -> None:
     pint = pytest.importorskip("pint")
     u = pint.UnitRegistry()
-    scene = ta.Scene("builtin:uncd-measured", ta.Material(210 * u.GPa, 0.3), pressures=[5 * u.MPa, 6e6], curves=["persson"])
+    scene = ta.Scene("builtin:uncd-measured", ta.Material(210 * u.GPa, 0.3), pressure=[5 * u.MPa, 6e6], curves=["persson"])
     assert 'pressures = ["5 MPa", "6 MPa"]' in scene.text and 'youngs_modulus = "210000000000.0 Pa"' in scene.text
 
 
@@ -86,13 +86,13 @@ def test_units_reach_the_scene() -> None:
         ({"material": "1000Cr6"}, "1000Cr6"),
         ({"material": 5}, "material"),
         ({"material": {"youngs_modlus": "1 GPa"}}, "youngs_modulus"),
-        ({"pressures": {1e6}}, "pressure"),
+        ({"pressure": {1e6}}, "pressure"),
         ({"curves": ["perssn"]}, "persson"),
         ({"seal": {"viscosty": 1.0}}, "viscosity"),
     ],
 )
 def test_mistakes_are_named(arguments: dict[str, object], naming: str) -> None:
-    given = {"surface": "builtin:uncd-measured", "material": "diamond", "pressures": 1e6, **arguments}
+    given = {"surface": "builtin:uncd-measured", "material": "diamond", "pressure": 1e6, **arguments}
     surface, material = given.pop("surface"), given.pop("material")
     with pytest.raises(ta.InputError, match=naming):
         ta.Scene(surface, material, **given)  # type: ignore[arg-type]
@@ -100,7 +100,7 @@ def test_mistakes_are_named(arguments: dict[str, object], naming: str) -> None:
 
 def test_a_missing_file_is_named(tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError, match="none.csv"):
-        ta.Scene(tmp_path / "none.csv", "diamond", pressures=1e6)
+        ta.Scene(tmp_path / "none.csv", "diamond", pressure=1e6)
 
 
 def test_a_composite_in_memory_keeps_the_scatter_of_its_scans_in_the_file_of_its_scene(tmp_path: Path) -> None:

@@ -52,8 +52,8 @@ def test_quantities_are_converted_by_their_unit(library: str) -> None:
         found_curve = ta.persson(UNCD, STEEL, pressure=pressure, cutoff=of(10, "nm"))
         expected_curve = ta.persson(UNCD, STEEL, pressure="1 MPa", cutoff="10 nm")
         np.testing.assert_allclose(found_curve.area_fraction[0, -1], expected_curve.area_fraction[0, -1], rtol=1e-12)
-    pressed = ta.boundary_elements(of(1e9 * WAVE, "nm"), of(1, "um"), of(10, "MPa"), STEEL, periodic=True)
-    bare = ta.boundary_elements(WAVE, 1e-6, 1e7, STEEL, periodic=True)
+    pressed = ta.boundary_elements(of(1e9 * WAVE, "nm"), STEEL, size=of(1, "um"), pressure=of(10, "MPa"), periodic=True)
+    bare = ta.boundary_elements(WAVE, STEEL, size=1e-6, pressure=1e7, periodic=True)
     np.testing.assert_allclose(pressed.mean_gap_m, bare.mean_gap_m, rtol=1e-9)
     drawn = ta.uncertainty(UNCD, STEEL, pressure=1e6, model="elastic", draws=40, youngs_modulus=of(10, "GPa"))
     assert drawn == ta.uncertainty(UNCD, STEEL, pressure=1e6, model="elastic", draws=40, youngs_modulus="10 GPa")
@@ -69,7 +69,7 @@ def test_quantities_of_another_dimension_are_refused_by_name(library: str) -> No
     with refused_naming("pressure", "Pa"):
         ta.contact(model="hertz", material=STEEL, pressure=of([5, 6], "m"), **POPULATION)
     with refused_naming("surface:", "m"):
-        ta.boundary_elements(of(WAVE, "Pa"), 1e-6, 1e7, STEEL)
+        ta.boundary_elements(of(WAVE, "Pa"), STEEL, size=1e-6, pressure=1e7)
     with refused_naming("sigma_s", "m"):
         ta.contact(model="hertz", material=STEEL, pressure=1e6, **{**POPULATION, "sigma_s": of(1, "Pa")})
 
@@ -101,8 +101,8 @@ def test_doubts_are_noted_by_every_call() -> None:
         ta.contact(model="hertz", material=soft, pressure=1.0, **POPULATION),
         ta.persson(UNCD, soft, pressure=1.0),
         ta.gap(UNCD, soft, pressure=1.0),
-        ta.boundary_elements(WAVE, 1e-6, 1.0, soft, periodic=True),
-        ta.boundary_elements(1e9 * WAVE, 1e-6, 1e7, STEEL, periodic=True),
+        ta.boundary_elements(WAVE, soft, size=1e-6, pressure=1.0, periodic=True),
+        ta.boundary_elements(1e9 * WAVE, STEEL, size=1e-6, pressure=1e7, periodic=True),
     ]
     assert [any(note.level == "caution" for note in answer.notes) for answer in answers] == [True] * 5
 

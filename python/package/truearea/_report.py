@@ -66,8 +66,8 @@ def report(
     --------
     >>> import truearea as ta
     >>> found = ta.report("builtin:uncd-measured", "diamond", pressure="5.4 MPa")
-    >>> print(found.answer.splitlines()[0])
-    17... ppm (...) of the area touches at 5.4 MPa: boundary elements, elastic.
+    >>> print(found.answer.splitlines()[2])
+      Touches   17... ppm  ... to ... ppm    boundary elements, elastic
     """
     scene = Scene(
         surface,
