@@ -48,7 +48,8 @@ const STEP_MIN: f64 = 1e-6;
 const AT_ONCE: f64 = 1e-12;
 
 /// Returns the shares of the nominal area at each of some non-decreasing variances of the flattening pressure, under
-/// a nominal pressure 0 < p < H(0) \[Pa\]. Shares are accurate to 1e-6 of the share in contact.
+/// a nominal pressure 0 < p < H(0) \[Pa\]. Shares are accurate to 1e-6 of the share in contact
+/// while the variance is below some (1e4 H)^2; beyond, a hardness that grows within the last digits of the variance is not resolved.
 #[must_use]
 pub fn areas_along(path: &HardnessPath, pressure_pa: f64, variances_pa2: &[f64]) -> Vec<ContactAreas> {
     if path.is_constant() {
