@@ -263,7 +263,7 @@ fn a_guess_an_early_end_and_errors_of_a_file_are_told() {
     }];
     let words = study.words(&drawn);
     for said in [
-        "The draws were stopped after 312 of 1000: intervals rest on these, and there is no advice.",
+        "The draws were stopped after 312 of 2000: intervals rest on these, and there is no advice.",
         "Treat the range as a guess: it rests on 312 draws only.",
         "s.csv has no standard errors, so it holds the scatter of the other inputs only",
         "t.csv: 90 of 94 samples have a standard error, the others take that of their neighbours; errors are taken as correlated over 0.5 decades of wavelength.",
