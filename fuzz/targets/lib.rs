@@ -2,7 +2,7 @@
 
 use std::io::{Cursor, Write};
 
-use scans::{Measured, ScanOptions, ScanSize, Statistics, read_scans, visit_channels};
+use scans::{MeasuredScan, ScanOptions, ScanSize, Statistics, read_scans, visit_channels};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipWriter};
 
@@ -35,7 +35,7 @@ pub fn check_message(message: &str, bytes: &[u8]) {
     assert!(!message.is_empty() && message.len() < 10_000 + 4 * bytes.len(), "{message}");
 }
 
-fn check(scan: &Measured) {
+fn check(scan: &MeasuredScan) {
     let (columns, rows) = scan.points();
     let points = columns * rows.unwrap_or(1);
     assert_eq!(scan.heights_m().len(), points);
