@@ -54,7 +54,7 @@ impl KnownSurface {
     /// Creates the surface of a Hurst exponent, down to a shortest wavelength \[m\].
     ///
     /// # Errors
-    /// [`TrialError::Surface`] for an exponent or a wavelength out of range.
+    /// [`TrialError::RandomSurface`] for an exponent or a wavelength out of range.
     pub fn new(hurst_exponent: f64, shortest_m: f64) -> Result<Self, TrialError> {
         let area = AreaSpectrum::self_affine(&SelfAffine {
             hurst_exponent,
@@ -70,7 +70,7 @@ impl KnownSurface {
     /// gradients in their logarithm).
     ///
     /// # Errors
-    /// [`TrialError::Surface`] for a shortest wavelength out of range.
+    /// [`TrialError::RandomSurface`] for a shortest wavelength out of range.
     pub(crate) fn at_random(form: Form, normals: &mut Normals, shortest_m: f64) -> Result<Self, TrialError> {
         let mut between = |low: f64, high: f64| low + (high - low) * Normal::standard().cdf(normals.next());
         let mut log_between = |low: f64, high: f64| between(low.ln(), high.ln()).exp();
@@ -106,7 +106,7 @@ impl KnownSurface {
     /// Returns the spectrum of its profiles at wavelengths \[m\] from long to short.
     ///
     /// # Errors
-    /// [`TrialError::Surface`] at wavelengths outside of the surface's band.
+    /// [`TrialError::RandomSurface`] at wavelengths outside of the surface's band.
     pub fn profile(&self, wavelengths_m: &[f64]) -> Result<ProfilePsd, TrialError> {
         Ok(self.area.profile(wavelengths_m)?)
     }

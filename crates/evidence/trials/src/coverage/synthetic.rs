@@ -45,7 +45,7 @@ impl Laboratory {
     /// Creates a surface of this Hurst exponent, with both instruments.
     ///
     /// # Errors
-    /// [`TrialError::Surface`] for an exponent out of range.
+    /// [`TrialError::RandomSurface`] for an exponent out of range.
     pub fn new(hurst_exponent: f64, seed: u64) -> Result<Self, TrialError> {
         let surface = KnownSurface::new(hurst_exponent, 2.0 * AFM.spacing_m())?;
         Self::of_surface(surface, &INSTRUMENTS, seed)
@@ -54,7 +54,7 @@ impl Laboratory {
     /// Puts a surface under the given instruments.
     ///
     /// # Errors
-    /// [`TrialError::Surface`] if the band of an instrument does not fit the surface.
+    /// [`TrialError::RandomSurface`] if the band of an instrument does not fit the surface.
     pub fn of_surface(
         surface: KnownSurface,
         instruments: &[Instrument],
@@ -75,7 +75,7 @@ impl Laboratory {
     /// depend on how many there are.
     ///
     /// # Errors
-    /// [`TrialError::Surface`] if the band of an instrument does not fit the surface.
+    /// [`TrialError::RandomSurface`] if the band of an instrument does not fit the surface.
     pub fn study(&self, number: u64, scans: &[u32]) -> Result<SyntheticStudy, TrialError> {
         let (mut files, mut requests) = (BTreeMap::new(), Vec::new());
         for (place, (instrument, scans)) in self.instruments.iter().zip(scans).enumerate() {

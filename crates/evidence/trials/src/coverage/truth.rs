@@ -10,7 +10,7 @@ use crate::TrialError;
 /// the same bins.
 ///
 /// # Errors
-/// [`TrialError::Surface`] at wavelengths outside of the surface's band.
+/// [`TrialError::RandomSurface`] at wavelengths outside of the surface's band.
 pub fn known_composite(
     surface: &KnownSurface,
     measured: &CompositeSpectrum,
