@@ -7,7 +7,7 @@
 //! f_V = f''/2,  f'(0) = 0,  f'(H) = -2 H'(V) f(H),  f(sigma, 0) = 1 below p and 0 above;  A = f(0),  A_pl = f(H).
 //!
 //! As long as the stress does not feel the hardness, it spreads freely, and f is known in closed form: from the beginning on, and
-//! again from where the hardness steps or runs away from it. In between, a [`StressProfile`] follows it, in
+//! again from where the hardness steps or runs away from it. In between, a `StressProfile` follows it, in
 //! elements and steps that are as small as their estimated errors ask. In the distance sqrt(V - V_i) from the last kink of
 //! the hardness f is smooth.
 

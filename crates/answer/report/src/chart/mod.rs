@@ -1,6 +1,6 @@
 //! Charts: every figure of reports, pages and print as SVG.
 //!
-//! [`canvas`] writes axes, lines, bands and marks, [`ruler`] lays out an axis, [`palette`] has all colours and dashes. A
+//! `canvas` writes axes, lines, bands and marks, `ruler` lays out an axis, [`palette`] has all colours and dashes. A
 //! drawing of a kind of its own, such as the curve of the first screen, uses these directly; figures as data
 //! ([`FigureData`]) are drawn here.
 

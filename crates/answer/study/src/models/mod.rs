@@ -1,7 +1,7 @@
 //! The three theories of contact and their models.
 //!
 //! Each theory has a module with its models, their bodies and options, the rows of its curves, and their columns. This module
-//! has the enums over the theories, [`entry`] the table of models that the command line, scenes, tables of populations and
+//! has the enums over the theories, `entry` the table of models that the command line, scenes, tables of populations and
 //! sensitivities go by.
 
 mod entry;

@@ -10,18 +10,17 @@ use crate::Population;
 pub(crate) struct OneByOne<F> {
     density_per_m2: f64,
     force_and_area: F,
-    /// The smooth pieces lie between these interferences \[m\].
-    ends_m: Vec<f64>,
+    /// Interferences \[m\] at which the law is not smooth, in rising order.
+    breaks_m: Vec<f64>,
     hertzian: Option<Hertzian>,
 }
 
 impl<F: Fn(f64) -> [f64; 2] + Send + Sync> OneByOne<F> {
     /// Creates a population from its law and the interferences \[m\] at which that is not smooth, in any order.
     pub fn new(population: &Population, force_and_area: F, breaks_m: impl IntoIterator<Item = f64>) -> Self {
-        let mut ends_m = vec![0.0, f64::INFINITY];
-        ends_m.extend(breaks_m);
-        ends_m.sort_by(f64::total_cmp);
-        OneByOne { density_per_m2: population.density_per_m2(), force_and_area, ends_m, hertzian: None }
+        let mut breaks_m: Vec<f64> = breaks_m.into_iter().collect();
+        breaks_m.sort_by(f64::total_cmp);
+        OneByOne { density_per_m2: population.density_per_m2(), force_and_area, breaks_m, hertzian: None }
     }
 }
 
@@ -53,12 +52,17 @@ impl<F: Fn(f64) -> [f64; 2] + Send + Sync> Asperities for OneByOne<F> {
     }
 
     fn pieces(&self, _low_m: f64, _high_m: f64) -> Vec<Piece<'_>> {
-        pieces_between(&self.ends_m, |_| Chart::Interference)
+        if self.hertzian.is_some_and(|hertzian| hertzian.until_m == f64::INFINITY) {
+            // The integrals have a closed form at every separation.
+            return Vec::new();
+        }
+        let ends_m = [&[0.0], &self.breaks_m[..], &[f64::INFINITY]].concat();
+        pieces_between(&ends_m, |_| Chart::Interference)
     }
 }
 
 impl<F> std::fmt::Debug for OneByOne<F> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("OneByOne").field("ends_m", &self.ends_m).finish_non_exhaustive()
+        f.debug_struct("OneByOne").field("breaks_m", &self.breaks_m).finish_non_exhaustive()
     }
 }
