@@ -108,7 +108,7 @@ pub fn words(remarks: &[Remark]) -> Vec<Told> {
     let told = shown.map(|remark| {
         let doubt = if remark.level == RemarkLevel::Caution { "warning: " } else { "" };
         let text = format!("{doubt}{}", remark.words(&Keywords));
-        (text, remark.level.name(), remark.code_name(), in_keywords(remark.place.clone()))
+        (text, remark.level.name(), remark.code_name(), in_keywords((*remark.place).clone()))
     });
     told.collect()
 }

@@ -33,7 +33,10 @@ pub(super) fn notes(
         let (name, _) = table.get_key_value(key)?;
         let line = 1 + text[..name.span()?.start].matches('\n').count();
         let key = Some(format!("{section}.{key}"));
-        Some(Remark { place: RemarkPlace { line: Some(line), key, ..RemarkPlace::default() }, ..remark })
+        Some(Remark {
+            place: Box::new(RemarkPlace { line: Some(line), key, ..RemarkPlace::default() }),
+            ..remark
+        })
     };
     let keys = sections
         .into_iter()

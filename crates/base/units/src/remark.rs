@@ -42,7 +42,7 @@ pub struct Remark {
     /// The weight.
     pub level: RemarkLevel,
     /// The place.
-    pub place: RemarkPlace,
+    pub place: Box<RemarkPlace>,
     /// Values by name.
     pub numbers: Vec<(&'static str, RemarkValue)>,
 }
@@ -115,7 +115,7 @@ impl Remark {
     /// Makes a remark of the usual weight of its kind.
     #[must_use]
     pub fn new(code: RemarkCode) -> Self {
-        Remark { code, level: code.level(), place: RemarkPlace::default(), numbers: Vec::new() }
+        Remark { code, level: code.level(), place: Box::default(), numbers: Vec::new() }
     }
 
     /// Adds a value.
@@ -245,7 +245,7 @@ impl Remark {
         if let Some((name, things)) = inner.split_once('~') {
             return Some(in_words(count(name)?, &thing(things)?));
         }
-        let RemarkPlace { files, option, key, .. } = &self.place;
+        let RemarkPlace { files, option, key, .. } = &*self.place;
         match inner {
             "files" => (!files.is_empty()).then(|| some(files)),
             "first" => files.first().cloned(),
@@ -368,7 +368,7 @@ mod tests {
         assert_eq!(unused.words(&SceneKeys), "gamma does not affect model hertz; leave it out");
         let place =
             RemarkPlace { line: Some(7), key: Some("curve.gamma".to_owned()), ..RemarkPlace::default() };
-        let in_scene = Remark { place, ..unused }.with("models", "persson");
+        let in_scene = Remark { place: Box::new(place), ..unused }.with("models", "persson");
         assert_eq!(
             in_scene.words(&SceneKeys),
             "line 7: curve.gamma does not affect model hertz, only persson; leave it out"

@@ -133,7 +133,6 @@ impl Case for AdhesionCase {
             return;
         }
         balanced(self, &contact, trial);
-        if draw.chance(0.5) {}
         if draw.chance(0.3) {
             full_contact(self, draw, trial);
         }

@@ -360,7 +360,7 @@ impl CurveModel {
                 Some(LoadedSurface::Asperities(model.surface(prepared, choices.tolerance.value())?))
             }
             Theory::Persson(model) => {
-                Some(LoadedSurface::Persson(model.surface(roughness(), choices.energy_factor)?))
+                Some(LoadedSurface::Persson(Box::new(model.surface(roughness(), choices.energy_factor)?)))
             }
         })
     }
@@ -370,7 +370,7 @@ impl CurveModel {
 #[derive(Debug)]
 pub(crate) enum LoadedSurface {
     Asperities(PressedAsperities),
-    Persson(PerssonSurface),
+    Persson(Box<PerssonSurface>),
 }
 
 impl LoadedSurface {

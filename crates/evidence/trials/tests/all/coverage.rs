@@ -105,8 +105,10 @@ fn biases(hurst_exponent: f64, scans: [u32; 2], studies: usize, band_m: [f64; 2]
         (ratios.each_ref().map(|ratios| mean(ratios, f64::ln)), mean(&ratios[0], |ratio| ratio))
     };
     let of_studies = numerics::parallel::map_indices(studies, of_study);
-    let mean = |of: &dyn Fn(&([f64; 3], f64)) -> f64| of_studies.iter().map(of).sum::<f64>() / studies as f64;
-    ([0, 1, 2].map(|average| mean(&|(ln_ratios, _)| ln_ratios[average])), mean(&|(_, ratio)| *ratio).ln())
+    let (ln_ratios, ratios): (Vec<[f64; 3]>, Vec<f64>) = of_studies.into_iter().unzip();
+    let ln_ratio =
+        |average: usize| ln_ratios.iter().map(|of_study| of_study[average]).sum::<f64>() / studies as f64;
+    ([0, 1, 2].map(ln_ratio), (ratios.iter().sum::<f64>() / studies as f64).ln())
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use crate::instruments::refusal;
 
-use crate::instruments::zip_file::stored;
+use crate::support::zip_file::stored;
 
 #[test]
 fn channels_without_number_are_refused() {

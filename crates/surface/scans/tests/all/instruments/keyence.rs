@@ -2,8 +2,8 @@
 
 use crate::instruments::bytes::Bytes;
 use crate::instruments::refusal;
-use crate::instruments::zip_file::zipped;
 use crate::instruments::{Sample, assert_holds, channels, heights};
+use crate::support::zip_file::zipped;
 use scans::{Measure, Probe, ScanOptions, read_scans};
 
 fn image(bits: u32, compression: u32, data: &[u8]) -> Vec<u8> {

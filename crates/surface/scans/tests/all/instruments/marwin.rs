@@ -4,7 +4,8 @@ use crate::instruments::refusal;
 use scans::{MeasuredScan, Probe, Scan};
 
 use crate::instruments::bytes::Bytes;
-use crate::instruments::{Sample, assert_holds, heights, zip_file};
+use crate::instruments::{Sample, assert_holds, heights};
+use crate::support::zip_file;
 
 const EVEN_MM: [f64; 4] = [1.0, 1.5, 2.0, 2.5];
 const UNEVEN_MM: [f64; 4] = [1.0, 1.5, 2.5, 2.75];

@@ -38,8 +38,6 @@ mod wsxm;
 mod wyko;
 mod x3p;
 mod zeta;
-#[path = "../support/zip_file.rs"]
-pub mod zip_file;
 
 use std::io::{Cursor, Read};
 
@@ -197,7 +195,7 @@ fn what_is_damaged_before_it_is_packed_is_no_worse() {
                     };
                     let files: Vec<(String, Vec<u8>)> = files.iter().map(file).collect();
                     let files = files.iter().map(|(path, content)| (path.as_str(), content.as_slice()));
-                    zip_file::stored(&files.collect::<Vec<_>>())
+                    crate::support::zip_file::stored(&files.collect::<Vec<_>>())
                 };
                 damage(content, with);
             }

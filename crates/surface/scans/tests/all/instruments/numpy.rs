@@ -2,8 +2,8 @@
 
 use scans::{MeasuredScan, ScanOptions, ScanReadError, ScanSize, read_scans};
 
-use crate::instruments::zip_file::zipped;
 use crate::instruments::{Sample, assert_holds};
+use crate::support::zip_file::zipped;
 
 /// An array with its header padded as NumPy pads it.
 pub fn array(version: u8, described: &str, is_fortran: bool, shape: &str, data: &[u8]) -> Vec<u8> {

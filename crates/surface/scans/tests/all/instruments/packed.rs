@@ -6,7 +6,7 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 use scans::{Mend, ScanFormat, ScanOption, ScanOptions, read_scans};
 
-use crate::instruments::zip_file::zipped;
+use crate::support::zip_file::zipped;
 
 const PROFILE: &[u8] = b"# Unit: um\n0 1\n1 2\n2 4\n";
 

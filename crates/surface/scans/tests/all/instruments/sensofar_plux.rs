@@ -3,7 +3,8 @@
 use crate::instruments::refusal;
 use scans::{Probe, ScanOptions, read_scans};
 
-use crate::instruments::{Sample, assert_holds, heights, zip_file};
+use crate::instruments::{Sample, assert_holds, heights};
+use crate::support::zip_file;
 
 fn zipped(files: &[(&str, Vec<u8>)]) -> Vec<u8> {
     let files = files.iter().map(|(path, bytes)| (*path, bytes.as_slice()));

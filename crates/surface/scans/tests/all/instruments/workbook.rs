@@ -1,7 +1,7 @@
 //! Workbooks of surface testers and of people.
 
-use crate::instruments::zip_file::zipped;
 use crate::instruments::{Sample, assert_holds, heights};
+use crate::support::zip_file::zipped;
 use scans::{Probe, ScanFormat, ScanOptions, ScanReadError, ScanSize, read_scans};
 
 const TYPES: &str = r#"<Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types"></Types>"#;

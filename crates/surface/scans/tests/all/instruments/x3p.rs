@@ -1,8 +1,8 @@
 //! X3P files whose points have positions of their own, and whose data stand in the XML.
 
 use crate::instruments::refusal;
-use crate::instruments::zip_file::zipped;
 use crate::instruments::{Sample, assert_holds, heights};
+use crate::support::zip_file::zipped;
 use scans::Probe;
 
 fn axis(name: &str, axis_type: &str, data_type: &str, increment: f64) -> String {
