@@ -153,7 +153,7 @@ def test_a_pressure_in_hardnesses_is_another_one_for_each_material() -> None:
         ({"radius": None}, "radius hertz"),
         ({"m0": 1.0}, "m0 hertz"),
         ({"model": "herz"}, "model: 'herz' hertz"),
-        ({"strain_gradient": True}, "strain_gradient hertz, which does not yield"),
+        ({"strain_gradient": True}, "strain_gradient hertz ep-sphere, ep-sine"),
         ({"model": "ep-sphere", "hardness_formula": "soft"}, "hardness_formula: 'soft' 2005"),
         ({"model": "ep-sphere", "material": ta.Material(1e9, 0.3)}, "yield strength material"),
         ({"material": "steel"}, "material: 'steel' 100Cr6"),

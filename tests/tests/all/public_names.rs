@@ -8,7 +8,7 @@ use tests::committed_file;
 /// The floors below the front ends.
 const FLOORS: [&str; 4] = ["base", "surface", "contact", "answer"];
 
-/// What a public type begins with, on a line of its own as rustfmt writes it.
+/// Beginnings of the line of a public type, as rustfmt writes it.
 const KINDS: [&str; 4] = ["pub struct ", "pub enum ", "pub trait ", "pub type "];
 
 #[test]

@@ -17,35 +17,31 @@ pub(crate) struct CurveAtLoad {
     pub load: usize,
 }
 
-/// Finds the assumption of a curve that fails at the longest wavelength. `hardness` is that of the material at each
-/// scale, if it yields.
+/// Finds the assumption of a curve that fails at the longest wavelength, and that wavelength \[m\]. `hardness` is that of the
+/// material at each scale, if it yields.
 pub(crate) fn first_broken(
     scene: &Scene,
     results: &Results,
     at: CurveAtLoad,
     hardness: Option<&HardnessOfScales>,
-) -> Option<Remark> {
+) -> Option<(f64, Remark)> {
     let elastic = BodyKind::from_model(&scene.needs.curves[at.curve].model) == BodyKind::Elastic;
     let yields = hardness
         .filter(|_| elastic)
         .and_then(|hardness| hardness.first_above(real_pressures(scene, results, at)))
         .map(|above| {
-            Remark::new(RemarkCode::AssumesNoYielding)
+            let remark = Remark::new(RemarkCode::AssumesNoYielding)
                 .with("wavelength_m", above.wavelength_m)
                 .with("pressure_pa", above.pressure_pa)
-                .with("hardness_pa", above.hardness_pa)
+                .with("hardness_pa", above.hardness_pa);
+            (above.wavelength_m, remark)
         });
     let unfitted = unfitted(&results.curves[at.curve], at.load);
     match (yields, unfitted) {
-        (Some(yields), Some(unfitted)) if begins_m(&unfitted) > begins_m(&yields) => Some(unfitted),
+        (Some(yields), Some(unfitted)) if unfitted.0 > yields.0 => Some(unfitted),
         (Some(yields), _) => Some(yields),
         (None, unfitted) => unfitted,
     }
-}
-
-/// The longest wavelength \[m\] at which an assumption is broken.
-pub(crate) fn begins_m(broken: &Remark) -> f64 {
-    broken.number("wavelength_m").unwrap_or(f64::NAN)
 }
 
 /// The real pressures \[Pa\] of a curve against its cutoffs \[m\].
@@ -59,10 +55,11 @@ pub(crate) fn real_pressures(
     points.into_iter().map(move |(wavelength_m, area)| (wavelength_m, nominal_pa / area))
 }
 
-fn unfitted(result: &CurveResult, load: usize) -> Option<Remark> {
+fn unfitted(result: &CurveResult, load: usize) -> Option<(f64, Remark)> {
     result.statistical()?[load].iter().find_map(|row| {
         let load_share = row.contact?.1.out_of_range_load_share;
         let remark = Remark::new(RemarkCode::UnfittedLaw).with("wavelength_m", row.wavelength_m);
-        (load_share > LARGEST_SHARE_OUT_OF_RANGE).then(|| remark.with("load_share", load_share))
+        (load_share > LARGEST_SHARE_OUT_OF_RANGE)
+            .then(|| (row.wavelength_m, remark.with("load_share", load_share)))
     })
 }

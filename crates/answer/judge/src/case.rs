@@ -55,8 +55,9 @@ pub(crate) struct Case<'s> {
     constant_hardness: Option<HardnessOfScales>,
     /// The hardness that grows with the strain-gradient length, for a material that has one.
     growing_hardness: Option<HardnessOfScales>,
-    /// The first broken assumption of every curve under every load, in the order of [`all`](Self::all).
-    broken: Vec<Option<Remark>>,
+    /// The first broken assumption of every curve under every load, with the wavelength \[m\] from which on it is broken, in the
+    /// order of [`all`](Self::all).
+    broken: Vec<Option<(f64, Remark)>>,
 }
 
 impl<'s> Case<'s> {
@@ -337,7 +338,7 @@ impl<'s> Case<'s> {
     }
 
     /// The assumption of its own that a curve breaks first.
-    pub fn broken_assumption(&self, at: CurveAtLoad) -> Option<&Remark> {
+    pub fn broken_assumption(&self, at: CurveAtLoad) -> Option<&(f64, Remark)> {
         self.broken[self.place(at)].as_ref()
     }
 

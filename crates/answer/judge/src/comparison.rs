@@ -4,7 +4,7 @@ use study::plan::PlanError;
 use units::{Remark, RemarkCode};
 
 use crate::JudgeError;
-use crate::assumptions::{CurveAtLoad, begins_m};
+use crate::assumptions::CurveAtLoad;
 use crate::body::Reference;
 use crate::case::Case;
 use crate::headline::Headline;
@@ -201,9 +201,9 @@ impl Comparison {
         // An assumption that breaks at some scale is broken at all shorter ones.
         let broken = case
             .broken_assumption(self.at)
-            .filter(|broken| begins_m(broken) >= band.shortest_m * (1.0 - 1e-9));
+            .filter(|(begins_m, _)| *begins_m >= band.shortest_m * (1.0 - 1e-9));
         let (verdict, reason) = match (broken, area_fraction, &self.elements) {
-            (Some(broken), _, _) => (Verdict::OutOfRange, broken.clone()),
+            (Some((_, broken)), _, _) => (Verdict::OutOfRange, broken.clone()),
             (None, _, Err(reason)) => (Verdict::NotJudged, reason.clone()),
             (None, None, Ok(_)) => (Verdict::NotJudged, Remark::new(RemarkCode::NoArea)),
             (None, Some(area_fraction), Ok(elements)) => Self::compared(area_fraction, *elements),
@@ -288,7 +288,7 @@ pub(crate) fn without_elements(case: &Case<'_>, reason: RemarkCode) -> Judgement
             reference: case.reference(at),
             elements: None,
             verdict: if broken.is_some() { Verdict::OutOfRange } else { Verdict::NotJudged },
-            reason: broken.cloned().unwrap_or_else(|| Remark::new(reason)),
+            reason: broken.map(|(_, remark)| remark.clone()).unwrap_or_else(|| Remark::new(reason)),
             worst_window: None,
             agreeing: 0,
             windows: 0,

@@ -195,7 +195,7 @@ impl Remark {
     fn filled(&self, template: &str, spelling: &dyn Spelling) -> String {
         let filled = self.fill(template, spelling, false);
         debug_assert!(filled.is_some(), "a value of {self:?} is missing");
-        filled.unwrap_or_default()
+        filled.unwrap_or_else(|| template.to_owned())
     }
 
     /// Fills the values into a template; `None` if one is missing. Parts in brackets are left out without theirs, and with a count

@@ -285,7 +285,7 @@ remark_codes! {
 
     // Options and keys without effect.
     NoSuchOption "scene-note" Note "{option} does not affect {@model}[, only {models}]; leave it out";
-    NeverYields "scene-note" Note "{option} does not affect {@model}, which does not yield; leave it out";
+    NeverYields "scene-note" Note "{option} affects only models that yield[ ({models})], not {@model}; leave it out";
     CorrectionsAreElastic "scene-note" Note
         "{option} does not affect {@model}: the corrected forms are elastic; leave it out";
     OtherHardnessLaw "scene-note" Note

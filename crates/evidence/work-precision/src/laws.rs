@@ -19,7 +19,7 @@ const BATCH: usize = 1000;
 
 /// Force and area, or pressure and area, at an interference.
 type One = Box<dyn Fn(f64) -> (f64, f64)>;
-/// The same at many interferences, into slices.
+/// Forces and areas at many interferences, into slices.
 type Many = Box<dyn Fn(&[f64], &mut [f64], &mut [f64])>;
 
 /// Law: its name and table, itself at a row for one number and for many, and the columns of its results.

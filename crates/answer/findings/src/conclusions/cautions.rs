@@ -17,11 +17,14 @@ use super::load::{LoadConclusion, Source};
 /// Returns the trust that a caution leaves.
 #[must_use]
 pub fn trust_left(caution: &Remark) -> Trust {
-    let number = |name| caution.number(name).unwrap_or(f64::NAN);
+    let is_wide = || {
+        let ends_m = caution.number("longest_m").zip(caution.number("shortest_m"));
+        ends_m.is_some_and(|(longest_m, shortest_m)| longest_m > 10.0 * shortest_m)
+    };
     match caution.code {
         RemarkCode::TooFewScales => Trust::None,
         RemarkCode::InstrumentsDisagree | RemarkCode::HardnessDecides | RemarkCode::NotJudged => Trust::Poor,
-        RemarkCode::NotMeasured if number("longest_m") > 10.0 * number("shortest_m") => Trust::Poor,
+        RemarkCode::NotMeasured if is_wide() => Trust::Poor,
         code if is_doubt(code) => Trust::Poor,
         _ => Trust::Fair,
     }

@@ -61,12 +61,11 @@ impl RealPressures {
     #[must_use]
     pub fn doubts(self) -> Vec<Remark> {
         let of_hardness = self.above_hardness.remark(RemarkCode::RealAboveHardness).zip(self.hardness_pa);
-        let of_hardness = of_hardness.map(|(remark, hardness_pa)| {
-            let in_hardnesses = remark.number("pressure_pa").map_or(f64::NAN, |pa| pa / hardness_pa);
-            remark.with("hardness_pa", hardness_pa).with("in_hardnesses", in_hardnesses)
+        let of_hardness = of_hardness.map(|((pressure_pa, remark), hardness_pa)| {
+            remark.with("hardness_pa", hardness_pa).with("in_hardnesses", pressure_pa / hardness_pa)
         });
         let of_modulus = self.above_third_modulus.remark(RemarkCode::RealAboveThirdModulus);
-        let of_modulus = of_modulus.map(|remark| remark.with("bound_pa", self.third_modulus_pa));
+        let of_modulus = of_modulus.map(|(_, remark)| remark.with("bound_pa", self.third_modulus_pa));
         of_hardness.into_iter().chain(of_modulus).collect()
     }
 }
@@ -81,10 +80,11 @@ impl Above {
         }
     }
 
-    fn remark(self, code: RemarkCode) -> Option<Remark> {
+    /// Returns the highest pressure \[Pa\], and the remark on it.
+    fn remark(self, code: RemarkCode) -> Option<(f64, Remark)> {
         let other_curves = self.curves.len().saturating_sub(1);
         let (pressure_pa, curve, load) = self.highest?;
         let remark = Remark::new(code).with("curve", curve).with("load", load);
-        Some(remark.with("pressure_pa", pressure_pa).with("other_curves", other_curves))
+        Some((pressure_pa, remark.with("pressure_pa", pressure_pa).with("other_curves", other_curves)))
     }
 }

@@ -1,4 +1,4 @@
-//! The first screen: the answer, what it hangs on, what to know before quoting it, the models, and the area against the cutoff.
+//! The first screen: the answer, what decides it, what to know before quoting it, the models, and the area against the cutoff.
 //!
 //! Chips choose the load and boxes the lines, by CSS alone, so that the page needs no script.
 
@@ -43,7 +43,7 @@ pub(super) fn first_screen(report: &SceneReport<'_>, at: usize, several: bool) -
             @for load in &conclusions.loads {
                 div class={ "cards " (load_class(load)) } {
                     (best_estimate(report, load))
-                    (hangs_on(report, load))
+                    (decides(report, load))
                     (before_quoting(conclusions, load.otherwise.is_some()))
                 }
             }
@@ -150,7 +150,7 @@ pub(super) fn best_estimate(report: &SceneReport<'_>, load: &LoadConclusion) -> 
 const FULL: f64 = 0.999;
 
 /// The assumption that decides the answer, or else the scales that do.
-pub(super) fn hangs_on(report: &SceneReport<'_>, load: &LoadConclusion) -> Markup {
+pub(super) fn decides(report: &SceneReport<'_>, load: &LoadConclusion) -> Markup {
     if let Some(other) = load.otherwise {
         return html! {
             section.card {
@@ -167,7 +167,7 @@ pub(super) fn hangs_on(report: &SceneReport<'_>, load: &LoadConclusion) -> Marku
     });
     html! {
         section.card {
-            h3 { "What it hangs on" }
+            h3 { "What decides the answer" }
             @match decisive {
                 Some((name, decided, _)) => {
                     p.number { (format!("{:.0} %", 100.0 * decided)) }

@@ -29,8 +29,8 @@ pub struct LiveScreen {
     pub high: Option<f64>,
     /// The card of the best estimate, as HTML.
     pub best: String,
-    /// The card of what the estimate hangs on, as HTML.
-    pub hangs_on: String,
+    /// The card of what decides the estimate, as HTML.
+    pub decides: String,
     /// The card of cautions, as HTML.
     pub cautions: String,
     /// Seal, gap, heat and current, as HTML; empty if the scene asks for none.
@@ -156,7 +156,7 @@ impl LiveScreen {
             low: Some(load.area.low),
             high: Some(load.area.high),
             best: first_screen::best_estimate(&report, load).into_string(),
-            hangs_on: first_screen::hangs_on(&report, load).into_string(),
+            decides: first_screen::decides(&report, load).into_string(),
             cautions: first_screen::before_quoting(conclusions, says_hardness).into_string(),
             interface: first_screen::interface_strip(&report).into_string(),
             figure: curve.as_ref().map(|curve| curve.figure(&styles).into_string()),

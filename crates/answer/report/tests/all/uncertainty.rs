@@ -42,7 +42,7 @@ const SCENE: &str = r#"
     loads = { from = "100 kPa", to = "1 GPa", points = 9 }
 "#;
 
-/// The same with one curve, which is then the nearest to the answer.
+/// A scene with one curve, which is the nearest to the answer.
 const ONE_CURVE: &str = r#"
     title = "Diamond, as measured"
     surface = { psd = "builtin:uncd-measured" }

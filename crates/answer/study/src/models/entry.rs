@@ -154,7 +154,12 @@ fn remark_on_ignored(choice: Choice, code: RemarkCode, entry: &ModelEntry) -> Re
     let remark = Remark::new(code).with("model", entry.name).on(choice.key());
     let others = of_framework(entry.framework).filter(|other| other.has(choice));
     let others: Vec<&str> = others.map(|other| other.name).collect();
-    if others.is_empty() { remark } else { remark.with("models", others.join(", ")) }
+    // A law of the hardness is an option of one theory, whose models a front end may call otherwise.
+    if others.is_empty() || choice == Choice::HardnessLaw {
+        remark
+    } else {
+        remark.with("models", others.join(", "))
+    }
 }
 
 impl PartialEq for ModelEntry {

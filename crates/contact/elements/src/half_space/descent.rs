@@ -55,7 +55,7 @@ const STEPS_UNTIL_RENEWED: usize = 100;
 /// Rounding of the displacements of a change, over the largest of them.
 const ROUNDING: f64 = 1e-15;
 
-/// The same rounding in single precision.
+/// Rounding of the displacements of a change in single precision, over the largest of them.
 const ROUGH_ROUNDING: f64 = 2e-7;
 
 /// Mean pressures, in units of the problem, whose changes and displacements lie well within single precision.
