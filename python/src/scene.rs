@@ -11,7 +11,7 @@ use findings::answer::SceneAnswer;
 use pyo3::exceptions::{PyFileNotFoundError, PyOSError};
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
-use questions::{OptionName, ReportSurface, RunError, RunOptions, SamplingInput, run_scene};
+use questions::{ReportSurface, RunError, RunOptions, SamplingInput, run_scene};
 use report::chart::palette::ModelStyle;
 use report::conclusion_words::{SummaryEnd, short_summary};
 use report::curve_names::short_name;
@@ -264,7 +264,7 @@ fn refused(error: &SceneError, text: &str, name: &str) -> PyErr {
 
 fn read_overrides(arguments: &Arguments<'_>) -> PyResult<Overrides> {
     let counterface = counterface(arguments)?.and_then(|other| other.get().input.body());
-    let counterface = counterface.map(|body| body.body(OptionName::CounterfacePoissonRatio)).transpose();
+    let counterface = counterface.map(|body| body.body("counterface_poisson_ratio")).transpose();
     Ok(Overrides {
         normalisation: arguments.get("normalisation", choice)?,
         amplitude: arguments.get("amplitude", choice)?,

@@ -12,12 +12,12 @@ use spectrum::random_surfaces::AreaSpectrum;
 use study::interface::AdhesionRequest;
 use study::surface::Surface;
 use units::display::three_digits;
-use units::{Pressure, Remark, RemarkCode};
+use units::{Pressure, PressureRange, Remark, RemarkCode};
 
 use crate::adhesion_figure;
 use crate::elements::{RandomInput, notes_on_maps, notes_on_spectrum, random_surfaces};
-use crate::loads::{LoadInput, RangeInput, nominal_pressure, pressures_pa};
-use crate::{Answer, MaterialInput, OptionName, QuestionError};
+use crate::loads::{LoadInput, nominal_pressure, pressures_pa};
+use crate::{Answer, MaterialInput, QuestionError};
 
 /// Difference of areas above which two branches count as two states.
 const SAME_AREA: f64 = 1e-3;
@@ -58,7 +58,7 @@ pub struct AdhesionQuestion {
     /// Nominal pressures; negative ones pull.
     pub pressures: Vec<LoadInput>,
     /// Nominal pressures as ranges, behind the others.
-    pub pressure_ranges: Vec<RangeInput>,
+    pub pressure_ranges: Vec<PressureRange>,
     /// Work of adhesion w \[J/m^2\].
     pub work_of_adhesion_j_per_m2: f64,
     /// Range rho of the attraction (w/rho) exp(-g/rho) \[m\].
@@ -157,8 +157,9 @@ impl AdhesionQuestion {
         let load_pa = |LoadInput { pressure, label }: &LoadInput| match pressure {
             // Negative ones pull, which nominal pressures do not.
             Pressure::Pascals(load_pa) => Ok(*load_pa),
-            _ => nominal_pressure(OptionName::Pressure, Some(label), *pressure, &material)
-                .map(|pressure| pressure.pa()),
+            _ => {
+                nominal_pressure("pressure", Some(label), *pressure, &material).map(|pressure| pressure.pa())
+            }
         };
         let loads_pa = self.pressures.iter().map(load_pa).collect::<Result<Vec<f64>, QuestionError>>()?;
         let loads_pa = [loads_pa, pressures_pa(&[], &self.pressure_ranges, &material)?].concat();

@@ -5,24 +5,24 @@ use interface::conductance::{
     RelativeStiffness,
 };
 use interface::finite_elements::{ConductancePoint, ConductanceTable, Flow, SamplingError};
-use interface::gas::{GapGas, NamedGas, plastic_separation_m};
+use interface::gas::{GapGas, plastic_separation_m};
 use numerics::parallel::Progress;
 use serde::{Deserialize, Serialize};
 use spectrum::Normalisation;
 use study::body_properties::BodyProperty;
 use study::gap_law::{GapError, GapLaw};
-use study::interface::{GasOption, GivenGas};
+use study::interface::GasInput;
 use study::material::Material;
 use study::materials::TabledMaterial;
 use study::models::{Choice, ModelEntry};
-use study::plan::{Needs, NominalPressure, Plan, PlanError};
+use study::plan::{Needs, Plan, PlanError};
 use study::surface::Surface;
 use units::display::{length, pressure, three_digits};
-use units::{OutOfBounds, Pressure, Remark, RemarkCode, Resistivity, ThermalConductivity, named};
+use units::{OutOfBounds, Remark, RemarkCode, Resistivity, ThermalConductivity, named};
 
 use crate::loads::nominal_pressure;
 use crate::option::{first_given, not_of_model};
-use crate::{FoundLaw, LawForm, LawQuestion, OptionName, QuestionError};
+use crate::{FoundLaw, LawForm, LawQuestion, QuestionError};
 
 /// Quantity that a law has over the nominal pressure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -51,23 +51,6 @@ pub struct TransportInput {
     pub resistivity_ohm_m: Option<f64>,
     /// Resistivity of the counterface \[ohm m\].
     pub counterface_resistivity_ohm_m: Option<f64>,
-}
-
-/// Gas in the gaps: a gas by name with its temperature and pressure, or the conductivity and the gas parameter of any other.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct GasInput {
-    /// Name of the gas.
-    pub name: Option<NamedGas>,
-    /// Temperature of the named gas \[K\]; 288.15 if absent.
-    pub temperature_k: Option<f64>,
-    /// Pressure of the named gas; 1 atm if absent.
-    #[serde(with = "crate::text::optional_pressure")]
-    pub pressure: Option<Pressure>,
-    /// Thermal conductivity k_g of another gas \[W/(m K)\].
-    pub conductivity_w_per_m_k: Option<f64>,
-    /// Gas parameter M of another gas \[m\].
-    pub parameter_m: Option<f64>,
 }
 
 /// A law between two nominal pressures: pressure against overclosure, or conductance against pressure.
@@ -128,27 +111,23 @@ impl LawTableQuestion {
         let mut filled = self;
         let transport = &mut filled.transport;
         let conductivity = |body: Option<&TabledMaterial>| {
-            let parsed: ThermalConductivity = body?.quantity(BodyProperty::ThermalConductivity)?;
-            Some(parsed.w_per_m_k)
+            let tabled: Option<ThermalConductivity> = body?.quantity(BodyProperty::ThermalConductivity);
+            tabled.map(|conductivity| conductivity.w_per_m_k)
         };
         let resistivity = |body: Option<&TabledMaterial>| {
-            let parsed: Resistivity = body?.quantity(BodyProperty::Resistivity)?;
-            Some(parsed.ohm_m)
+            let tabled: Option<Resistivity> = body?.quantity(BodyProperty::Resistivity);
+            tabled.map(|resistivity| resistivity.ohm_m)
         };
+        let fill = |value: &mut Option<f64>, tabled: Option<f64>| *value = value.or(tabled);
         match filled.quantity {
             LawQuantity::Pressure => {}
             LawQuantity::Heat => {
-                let TransportInput {
-                    thermal_conductivity_w_per_m_k: own,
-                    counterface_thermal_conductivity_w_per_m_k: other,
-                    ..
-                } = transport;
-                (*own, *other) = (own.or(conductivity(rough)), other.or(conductivity(counterface)));
+                fill(&mut transport.thermal_conductivity_w_per_m_k, conductivity(rough));
+                fill(&mut transport.counterface_thermal_conductivity_w_per_m_k, conductivity(counterface));
             }
             LawQuantity::Current => {
-                let TransportInput { resistivity_ohm_m: own, counterface_resistivity_ohm_m: other, .. } =
-                    transport;
-                (*own, *other) = (own.or(resistivity(rough)), other.or(resistivity(counterface)));
+                fill(&mut transport.resistivity_ohm_m, resistivity(rough));
+                fill(&mut transport.counterface_resistivity_ohm_m, resistivity(counterface));
             }
         }
         filled
@@ -163,13 +142,13 @@ impl LawTableQuestion {
             if let Some(correlation) = self.correlation {
                 return Err(QuestionError::ConductanceOnly(correlation));
             }
-            let given = self.transport.given(None).chain(self.gas.given());
+            let given = self.transport.foreign(None).chain(self.gas.options().into_iter());
             first_given(given, self.no_option_of_quantity())?;
             return self.law.check();
         };
-        let of_law = [(OptionName::Form, self.form.is_some()), (OptionName::Name, self.name.is_some())];
-        let of_gas = self.gas.given().filter(|_| flow == Flow::Current);
-        let given = of_law.into_iter().chain(self.transport.given(Some(flow))).chain(of_gas);
+        let of_law = [("form", self.form.is_some()), ("name", self.name.is_some())];
+        let of_gas = self.gas.options().into_iter().filter(|_| flow == Flow::Current);
+        let given = of_law.into_iter().chain(self.transport.foreign(Some(flow))).chain(of_gas);
         first_given(given, self.no_option_of_quantity())?;
         let material = self.law.by.material.material()?;
         match self.correlation {
@@ -181,7 +160,7 @@ impl LawTableQuestion {
             None => self.law.check()?,
         }
         self.transport.conductivities(flow)?;
-        self.gas.gas(&material).map(drop)
+        self.gas(&material).map(drop)
     }
 
     /// Finds the law.
@@ -224,8 +203,14 @@ impl LawTableQuestion {
             range_pa,
             spots,
             conductivities: self.transport.conductivities(flow)?,
-            gas: self.gas.gas(&material)?,
+            gas: self.gas(&material)?,
         }))
+    }
+
+    /// The gas, if there is one.
+    fn gas(&self, material: &Material) -> Result<Option<GapGas>, QuestionError> {
+        let pressure = self.gas.pressure.map(|given| nominal_pressure("gas_pressure", None, given, material));
+        Ok(self.gas.resolve(pressure.transpose()?)?)
     }
 
     fn flow(&self) -> Option<Flow> {
@@ -244,77 +229,50 @@ impl LawTableQuestion {
     /// Refuses options of models, which no correlation has.
     fn check_correlation(&self, correlation: PlasticCorrelation) -> Result<(), QuestionError> {
         let by = &self.law.by;
-        let of_models = by.options.given().map(|choice| (OptionName::of_choice(choice), true));
+        let of_models = by.options.given().map(|choice| (choice.key(), true));
         let given = [
-            (OptionName::Normalisation, by.normalisation.is_some()),
-            (OptionName::Tolerance, by.tolerance.is_some()),
-            (OptionName::StrainGradientLength, by.material.strain_gradient_length_m.is_some()),
-            (OptionName::StrengthCap, by.material.strength_cap.is_some()),
+            ("normalisation", by.normalisation.is_some()),
+            ("tolerance", by.tolerance.is_some()),
+            ("strain_gradient_length", by.material.strain_gradient_length_m.is_some()),
+            ("strength_cap", by.material.strength_cap.is_some()),
         ];
         Ok(first_given(of_models.chain(given), not_of_model(correlation.name()))?)
     }
 }
 
 impl TransportInput {
-    /// Properties that a flow does not need, or all without one.
-    fn given(&self, flow: Option<Flow>) -> impl Iterator<Item = (OptionName, bool)> {
-        let of_heat = [
-            (OptionName::ThermalConductivity, self.thermal_conductivity_w_per_m_k.is_some()),
-            (
-                OptionName::CounterfaceThermalConductivity,
-                self.counterface_thermal_conductivity_w_per_m_k.is_some(),
-            ),
-        ];
-        let of_current = [
-            (OptionName::Resistivity, self.resistivity_ohm_m.is_some()),
-            (OptionName::CounterfaceResistivity, self.counterface_resistivity_ohm_m.is_some()),
-        ];
-        let of_heat = of_heat.into_iter().filter(move |_| flow != Some(Flow::Heat));
-        of_heat.chain(of_current.into_iter().filter(move |_| flow != Some(Flow::Current)))
+    /// Properties of both bodies that a flow needs.
+    fn properties(&self, flow: Flow) -> [(&'static str, Option<f64>); 2] {
+        match flow {
+            Flow::Heat => [
+                ("thermal_conductivity", self.thermal_conductivity_w_per_m_k),
+                ("counterface_thermal_conductivity", self.counterface_thermal_conductivity_w_per_m_k),
+            ],
+            Flow::Current => [
+                ("resistivity", self.resistivity_ohm_m),
+                ("counterface_resistivity", self.counterface_resistivity_ohm_m),
+            ],
+        }
+    }
+
+    /// Properties that a flow does not need, or all without one, and whether they are given.
+    fn foreign(&self, flow: Option<Flow>) -> impl Iterator<Item = (&'static str, bool)> {
+        let others = [Flow::Heat, Flow::Current].into_iter().filter(move |other| flow != Some(*other));
+        others.flat_map(|other| self.properties(other)).map(|(option, value)| (option, value.is_some()))
     }
 
     /// Thermal conductivities, or the electrical ones 1/rho: sigma_g = 2 K/(E* (rho1 + rho2)) is h = k_s K/E* with these.
     fn conductivities(&self, flow: Flow) -> Result<Conductivities, QuestionError> {
-        let ([own, other], options): ([Option<f64>; 2], [&'static [OptionName]; 2]) = match flow {
-            Flow::Heat => (
-                [self.thermal_conductivity_w_per_m_k, self.counterface_thermal_conductivity_w_per_m_k],
-                [&[OptionName::ThermalConductivity], &[OptionName::CounterfaceThermalConductivity]],
-            ),
-            Flow::Current => (
-                [self.resistivity_ohm_m, self.counterface_resistivity_ohm_m],
-                [&[OptionName::Resistivity], &[OptionName::CounterfaceResistivity]],
-            ),
+        let [own, other] = self.properties(flow);
+        let needed = |(option, value): (&'static str, Option<f64>)| {
+            value.ok_or_else(|| QuestionError::missing(option))
         };
-        let own = own.ok_or(QuestionError::Missing(options[0]))?;
-        let other = other.ok_or(QuestionError::Missing(options[1]))?;
+        let (option, own, other) = (own.0, needed(own)?, needed(other)?);
         let made = match flow {
             Flow::Heat => Conductivities::new(own, other),
             Flow::Current => Conductivities::new(1.0 / own, 1.0 / other),
         };
-        made.map_err(|error| QuestionError::Value { option: options[0][0], error })
-    }
-}
-
-impl GasInput {
-    fn given(&self) -> impl Iterator<Item = (OptionName, bool)> {
-        // A pressure in units of the hardness needs no value to be given.
-        let pressure_pa = self.pressure.map(|_| 1.0);
-        let options = GivenGas { pressure_pa, ..self.without_pressure() }.options();
-        options.into_iter().map(|(option, is_given)| (OptionName::Gas(option), is_given))
-    }
-
-    fn without_pressure(&self) -> GivenGas {
-        let GasInput { name, temperature_k, conductivity_w_per_m_k, parameter_m, pressure: _ } = *self;
-        GivenGas { name, temperature_k, pressure_pa: None, conductivity_w_per_m_k, parameter_m }
-    }
-
-    /// The gas, if there is one.
-    fn gas(&self, material: &Material) -> Result<Option<GapGas>, QuestionError> {
-        let option = OptionName::Gas(GasOption::Pressure);
-        let pressure =
-            self.pressure.map(|given| nominal_pressure(option, None, given, material)).transpose()?;
-        let pressure_pa = pressure.map(NominalPressure::pa);
-        Ok(GivenGas { pressure_pa, ..self.without_pressure() }.resolve()?)
+        made.map_err(|error| QuestionError::Value { option, error })
     }
 }
 
@@ -338,18 +296,13 @@ impl FoundConductance {
         });
         sampled.map_err(|error| match error {
             SamplingError::Source(error) => error,
-            SamplingError::Value(error) => QuestionError::Sampling(SamplingError::Value(error)),
-            SamplingError::EmptyRange { from_pa, to_pa } => {
-                QuestionError::Sampling(SamplingError::EmptyRange { from_pa, to_pa })
-            }
             other => QuestionError::Other(other.to_string()),
         })
     }
 
     /// Conductances under a nominal pressure > 0 \[Pa\].
     fn at(&self, pressure_pa: f64) -> Result<ConductancePoint, QuestionError> {
-        let out_of_range =
-            |error: OutOfBounds| QuestionError::Value { option: OptionName::PressureRange, error };
+        let out_of_range = |error: OutOfBounds| QuestionError::Value { option: "pressure_range", error };
         let (contact_si, gas_si) = match &self.spots {
             Spots::Analogy { law, modulus_pa, .. } => {
                 let state = law.at(pressure_pa)?;
@@ -464,6 +417,6 @@ fn formula(correlation: PlasticCorrelation, symbol: &str) -> String {
 
 /// Hardness of the softer body \[Pa\].
 fn hardness_pa(material: &Material) -> Result<f64, QuestionError> {
-    const HARDNESS: &[OptionName] = &[OptionName::IndentationHardness, OptionName::YieldStrength];
-    material.hardness_pa().ok_or(QuestionError::Missing(HARDNESS))
+    let options = || QuestionError::Missing(vec!["indentation_hardness", "yield_strength"]);
+    material.hardness_pa().ok_or_else(options)
 }

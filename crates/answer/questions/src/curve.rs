@@ -15,20 +15,19 @@ use study::plan::{
 };
 use study::surface::Surface;
 use tables::Table;
-use units::{Remark, RemarkCode};
+use units::{PressureRange, Remark, RemarkCode};
 
 use crate::choices;
-use crate::loads::{LoadInput, RangeInput, resolved};
+use crate::loads::{LoadInput, resolved};
 use crate::note::{remark_on_model, remark_on_sampling, remarks_on_correction, remarks_on_separation};
 use crate::option::{first_given, not_of_model};
-use crate::{Answer, CurveCounts, MaterialInput, OptionName, QuestionError, SamplingInput};
+use crate::{Answer, CurveCounts, MaterialInput, QuestionError, SamplingInput};
 
 /// The contact over the cutoffs of a spectrum, under loads and at separations.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct CurveQuestion {
     /// The model.
-    #[serde(with = "crate::text::model")]
     pub model: Option<&'static ModelEntry>,
     /// The name of the curve in notes and figures; the model's if absent.
     pub name: Option<String>,
@@ -39,7 +38,7 @@ pub struct CurveQuestion {
     /// Nominal pressures.
     pub pressures: Vec<LoadInput>,
     /// Nominal pressures as ranges, behind the others.
-    pub pressure_ranges: Vec<RangeInput>,
+    pub pressure_ranges: Vec<PressureRange>,
     /// Separations \[m\] from the mean of the asperity heights, for statistical models.
     pub separations_m: Vec<f64>,
     /// Scales that take part.
@@ -108,14 +107,14 @@ impl CurveQuestion {
     }
 
     fn resolve(&self) -> Result<Resolved, QuestionError> {
-        let entry = self.model.ok_or(QuestionError::Missing(&[OptionName::Model]))?;
+        let entry = self.model.ok_or(QuestionError::missing("model"))?;
         let framework = entry.framework;
         choices::check(&self.options, entry, self.material.strength_cap.is_some())?;
         let of_other_frameworks = [
-            (OptionName::Normalisation, self.normalisation.is_some() && !framework.takes_normalisation()),
-            (OptionName::Tolerance, self.tolerance.is_some() && !framework.has_states()),
-            (OptionName::Separation, !self.separations_m.is_empty() && !framework.has_states()),
-            (OptionName::Amplitude, self.amplitude.is_some() && !framework.takes_amplitude()),
+            ("normalisation", self.normalisation.is_some() && !framework.takes_normalisation()),
+            ("tolerance", self.tolerance.is_some() && !framework.has_states()),
+            ("separation", !self.separations_m.is_empty() && !framework.has_states()),
+            ("amplitude", self.amplitude.is_some() && !framework.takes_amplitude()),
         ];
         first_given(of_other_frameworks, not_of_model(entry.name))?;
         let material = self.material.material()?;
@@ -125,8 +124,8 @@ impl CurveQuestion {
         let (loads, load_ranges) = resolved(&self.pressures, &self.pressure_ranges, &material)?;
         if loads.is_empty() && load_ranges.is_empty() && self.separations_m.is_empty() {
             return Err(QuestionError::Missing(match framework.has_states() {
-                true => &[OptionName::Pressure, OptionName::Separation],
-                false => &[OptionName::Pressure],
+                true => vec!["pressure", "separation"],
+                false => vec!["pressure"],
             }));
         }
         let mut needs = Needs {

@@ -15,11 +15,10 @@ use study::material::Material;
 use study::surface::Surface;
 use study::validity::SMALL_SLOPE_PRESSURE;
 use units::display::{length, pressure};
-use units::{Pressure, QuantityError, Remark, RemarkCode};
+use units::{Pressure, PressureRange, QuantityError, Remark, RemarkCode};
 
-use crate::loads::{LoadInput, RangeInput, nominal_pressure, pressures_pa};
-use crate::text::optional_pressure;
-use crate::{MaterialInput, OptionName, QuestionError};
+use crate::loads::{LoadInput, nominal_pressure, pressures_pa};
+use crate::{MaterialInput, QuestionError};
 
 /// Random surfaces of a spectrum; an absent choice is the usual one.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
@@ -50,9 +49,8 @@ pub struct ElementsQuestion {
     /// Loads, or distances in their place.
     pub loads: Vec<ElementsLoad>,
     /// Nominal pressures as ranges, behind the others.
-    pub pressure_ranges: Vec<RangeInput>,
+    pub pressure_ranges: Vec<PressureRange>,
     /// The pressure at which the surface yields; elastic throughout if absent.
-    #[serde(with = "optional_pressure")]
     pub saturation: Option<Pressure>,
     /// The largest residual, above 0 and at most 0.1.
     pub tolerance: f64,
@@ -117,10 +115,7 @@ impl FromStr for ElementsLoad {
         let load = match (reduced, multiple_of("E*")) {
             (Some(reduced_moduli), _) => ElementsLoad::ReducedModuli { reduced_moduli },
             (None, Some(moduli)) => ElementsLoad::Moduli { moduli },
-            (None, None) => {
-                let pressure = text.parse::<Pressure>()?;
-                ElementsLoad::Pressure(LoadInput { pressure, label: text.to_owned() })
-            }
+            (None, None) => ElementsLoad::Pressure(text.parse()?),
         };
         Ok(load)
     }
@@ -131,7 +126,7 @@ impl ElementsLoad {
         let modulus_pa = material.pair.composite_modulus_pa();
         Ok(match self {
             ElementsLoad::Pressure(LoadInput { pressure, label }) => {
-                let pressure = nominal_pressure(OptionName::Pressure, Some(label), *pressure, material)?;
+                let pressure = nominal_pressure("pressure", Some(label), *pressure, material)?;
                 ImposedLoad::PressurePa(pressure.pa())
             }
             ElementsLoad::Moduli { moduli } => ImposedLoad::PressurePa(moduli * modulus_pa),
@@ -156,15 +151,15 @@ pub struct PreparedElements {
 impl RandomInput {
     /// The options, and whether each is given.
     #[must_use]
-    pub fn given(&self) -> [(OptionName, bool); 7] {
+    pub fn given(&self) -> [(&'static str, bool); 7] {
         [
-            (OptionName::Grid, self.grid.is_some()),
-            (OptionName::Realisations, self.realisations.is_some()),
-            (OptionName::Seed, self.seed.is_some()),
-            (OptionName::Shortest, self.shortest_m.is_some()),
-            (OptionName::Longest, self.longest_m.is_some()),
-            (OptionName::Side, self.side_m.is_some()),
-            (OptionName::Phases, self.phases.is_some()),
+            ("grid", self.grid.is_some()),
+            ("realisations", self.realisations.is_some()),
+            ("seed", self.seed.is_some()),
+            ("shortest", self.shortest_m.is_some()),
+            ("longest", self.longest_m.is_some()),
+            ("side", self.side_m.is_some()),
+            ("phases", self.phases.is_some()),
         ]
     }
 

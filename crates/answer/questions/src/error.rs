@@ -6,13 +6,11 @@ use interface::conductance::PlasticCorrelation;
 use interface::finite_elements::SamplingError;
 use persson::hardness_laws::HardnessError;
 use study::gap_law::GapError;
-use study::interface::{GasError, GasOption};
+use study::interface::GasError;
 use study::material::MaterialError;
 use study::models::ModelEntry;
 use study::plan::PlanError;
 use units::{Remark, RemarkCode};
-
-use crate::OptionName;
 
 /// Why a question has no answer; a front end words it in its own spelling (`report::question_words::error`).
 #[derive(Debug, thiserror::Error)]
@@ -23,15 +21,15 @@ pub enum QuestionError {
     Unused(Box<Remark>),
     /// None of some options is given, and one is needed.
     #[error("one of {0:?} is needed")]
-    Missing(&'static [OptionName]),
+    Missing(Vec<&'static str>),
     /// An elastic constant is missing.
-    #[error("{0:?} is needed: every model is at least elastic")]
-    ElasticConstant(OptionName),
+    #[error("{0} is needed: every model is at least elastic")]
+    ElasticConstant(&'static str),
     /// A body with an elastic constant out of bounds.
-    #[error("{option:?}: {error}")]
+    #[error("{option}: {error}")]
     Body {
         /// The option of its Poisson's ratio.
-        option: OptionName,
+        option: &'static str,
         /// The bound.
         error: AsperityError,
     },
@@ -42,7 +40,7 @@ pub enum QuestionError {
     #[error("{error}")]
     Load {
         /// The option that gives it.
-        option: OptionName,
+        option: &'static str,
         /// The text it was typed in.
         label: Option<String>,
         /// The reason.
@@ -135,10 +133,10 @@ pub enum QuestionError {
     )]
     NothingToDraw,
     /// A value out of bounds.
-    #[error("{option:?}: {error}")]
+    #[error("{option}: {error}")]
     Value {
         /// The option that gives it.
-        option: OptionName,
+        option: &'static str,
         /// The bound.
         error: units::OutOfBounds,
     },
@@ -148,6 +146,10 @@ pub enum QuestionError {
 }
 
 impl QuestionError {
+    pub(crate) fn missing(option: &'static str) -> Self {
+        QuestionError::Missing(vec![option])
+    }
+
     /// Returns true if the user cancelled the work.
     #[must_use]
     pub fn is_cancelled(&self) -> bool {
@@ -169,17 +171,11 @@ impl From<GasError> for QuestionError {
     fn from(error: GasError) -> Self {
         match error {
             GasError::Beside(option, other) => {
-                let remark = Remark::new(RemarkCode::Replaced).on(option.key());
-                QuestionError::Unused(Box::new(remark.with("other", other.key())))
+                let remark = Remark::new(RemarkCode::Replaced).on(option);
+                QuestionError::Unused(Box::new(remark.with("other", other)))
             }
-            GasError::Needs(_, GasOption::Parameter) => {
-                QuestionError::Missing(&[OptionName::Gas(GasOption::Parameter)])
-            }
-            GasError::Needs(_, GasOption::Conductivity) => {
-                QuestionError::Missing(&[OptionName::Gas(GasOption::Conductivity)])
-            }
-            GasError::Needs(..) => QuestionError::Missing(&[OptionName::Gas(GasOption::Name)]),
-            GasError::Value(option, error) => QuestionError::Value { option: OptionName::Gas(option), error },
+            GasError::Needs(_, other) => QuestionError::missing(other),
+            GasError::Value(option, error) => QuestionError::Value { option, error },
         }
     }
 }

@@ -13,15 +13,15 @@ use study::models::{Choice, ModelEntry, ModelOptions};
 use study::plan::{Needs, Plan, PlanError, Tolerance};
 use study::result_tables;
 use study::surface::Surface;
-use units::{Pressure, Remark, RemarkCode};
+use units::{Pressure, PressureRange, Remark, RemarkCode};
 
 use crate::choices;
 use crate::curve::remark_on_tolerance;
 use crate::elements::{RandomInput, random_surfaces, remarks_on_pressed};
-use crate::loads::{LoadInput, RangeInput, nominal_pressure, pressures_pa};
+use crate::loads::{LoadInput, nominal_pressure, pressures_pa};
 use crate::note::{FEW_TOUCH, remark_on_model, remarks_on_separation};
 use crate::option::{first_given, not_of_model};
-use crate::{Answer, MaterialInput, OptionName, QuestionError, SamplingInput};
+use crate::{Answer, MaterialInput, QuestionError, SamplingInput};
 
 /// The light-load law holds within this share of the pressure.
 const LIGHT_LOADS_SHARE: f64 = 0.01;
@@ -31,7 +31,6 @@ const LIGHT_LOADS_SHARE: f64 = 0.01;
 #[serde(default, deny_unknown_fields)]
 pub struct GapModel {
     /// The model; boundary elements if absent.
-    #[serde(with = "crate::text::model")]
     pub model: Option<&'static ModelEntry>,
     /// Choices that the model leaves open.
     pub options: ModelOptions,
@@ -54,7 +53,7 @@ pub struct GapQuestion {
     /// Nominal pressures.
     pub pressures: Vec<LoadInput>,
     /// Nominal pressures as ranges, behind the others.
-    pub pressure_ranges: Vec<RangeInput>,
+    pub pressure_ranges: Vec<PressureRange>,
     /// Random surfaces, for boundary elements.
     pub random: RandomInput,
 }
@@ -66,10 +65,8 @@ pub struct LawQuestion {
     /// Model, material and spectrum.
     pub by: GapModel,
     /// The least nominal pressure.
-    #[serde(with = "crate::text::pressure")]
     pub from: Pressure,
     /// The largest nominal pressure.
-    #[serde(with = "crate::text::pressure")]
     pub to: Pressure,
 }
 
@@ -130,25 +127,25 @@ impl GapModel {
         let options = &self.options;
         let Some(entry) = self.model else {
             let given = [
-                (OptionName::Normalisation, self.normalisation.is_some()),
-                (OptionName::Tolerance, self.tolerance.is_some()),
-                (OptionName::StrainGradientLength, self.material.strain_gradient_length_m.is_some()),
-                (OptionName::StrengthCap, self.material.strength_cap.is_some()),
-                (OptionName::ScalesPerDecade, self.sampling.scales_per_decade.is_some()),
-                (OptionName::Cutoff, self.sampling.cutoff_m.is_some()),
+                ("normalisation", self.normalisation.is_some()),
+                ("tolerance", self.tolerance.is_some()),
+                ("strain_gradient_length", self.material.strain_gradient_length_m.is_some()),
+                ("strength_cap", self.material.strength_cap.is_some()),
+                ("scales_per_decade", self.sampling.scales_per_decade.is_some()),
+                ("cutoff", self.sampling.cutoff_m.is_some()),
             ];
-            let of_models = options.given().map(|choice| (OptionName::of_choice(choice), true));
+            let of_models = options.given().map(|choice| (choice.key(), true));
             let reason = Remark::new(RemarkCode::ElasticElements).with("model", "bem");
             return Ok(first_given(of_models.chain(given), reason)?);
         };
         let framework = entry.framework;
         let of_other_frameworks = [
-            (OptionName::Normalisation, self.normalisation.is_some() && !framework.takes_normalisation()),
-            (OptionName::Tolerance, self.tolerance.is_some() && !framework.has_states()),
+            ("normalisation", self.normalisation.is_some() && !framework.takes_normalisation()),
+            ("tolerance", self.tolerance.is_some() && !framework.has_states()),
         ];
         let of_asperities = [Choice::Hardness, Choice::Interference, Choice::StrainGradient];
         let missing = options.given().filter(|choice| of_asperities.contains(choice) && !entry.has(*choice));
-        let missing = missing.map(|choice| (OptionName::of_choice(choice), true));
+        let missing = missing.map(|choice| (choice.key(), true));
         first_given(of_other_frameworks.into_iter().chain(missing), not_of_model(entry.name))?;
         choices::check(options, entry, self.material.strength_cap.is_some())?;
         self.checked_tolerance().map(drop)
@@ -308,7 +305,7 @@ impl LawQuestion {
     /// [`QuestionError`].
     pub fn answer(&self, surface: &Surface, progress: &dyn Progress) -> Result<FoundLaw, QuestionError> {
         self.by.check()?;
-        let entry = self.by.model.ok_or(QuestionError::Missing(&[OptionName::Model]))?;
+        let entry = self.by.model.ok_or(QuestionError::missing("model"))?;
         let material = self.by.material.material()?;
         let range_pa = self.range_pa(&material)?;
         let mut notes = self.by.notes(&material, surface);
@@ -319,7 +316,7 @@ impl LawQuestion {
 
     pub(crate) fn range_pa(&self, material: &Material) -> Result<[f64; 2], QuestionError> {
         let [from, to] =
-            [self.from, self.to].map(|end| nominal_pressure(OptionName::PressureRange, None, end, material));
+            [self.from, self.to].map(|end| nominal_pressure("pressure_range", None, end, material));
         Ok([from?.pa(), to?.pa()])
     }
 }

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use study::layer_base::LayerBase;
 use units::{Remark, RemarkCode};
 
-use crate::{OptionName, QuestionError};
+use crate::QuestionError;
 
 /// An elastic layer bonded to the rough body, or to a rigid base in its place. It carries the roughness, and a hardness or a
 /// strength of the rough body is then that of the layer.
@@ -34,16 +34,15 @@ impl LayerInput {
     /// # Errors
     /// [`QuestionError`] for a constant that is missing or out of bounds.
     pub(crate) fn body(&self) -> Result<ElasticBody, QuestionError> {
-        let missing = |option| QuestionError::Missing(option);
+        let option = "layer_poisson_ratio";
         let youngs_modulus_pa =
-            self.youngs_modulus_pa.ok_or_else(|| missing(&[OptionName::LayerYoungsModulus]))?;
-        let poisson_ratio = self.poisson_ratio.ok_or_else(|| missing(&[OptionName::LayerPoissonRatio]))?;
-        let option = OptionName::LayerPoissonRatio;
+            self.youngs_modulus_pa.ok_or_else(|| QuestionError::missing("layer_youngs_modulus"))?;
+        let poisson_ratio = self.poisson_ratio.ok_or_else(|| QuestionError::missing(option))?;
         Layer::POISSON_RATIO
             .check("Poisson's ratio of the layer", poisson_ratio)
             .map_err(|error| QuestionError::Value { option, error })?;
         ElasticBody::new(youngs_modulus_pa, poisson_ratio)
-            .map_err(|error| QuestionError::Value { option: OptionName::LayerYoungsModulus, error })
+            .map_err(|error| QuestionError::Value { option: "layer_youngs_modulus", error })
     }
 
     /// The layer on its base: the rough body with Young's modulus \[Pa\] and Poisson's ratio, as far as given, or a rigid one.
@@ -55,8 +54,8 @@ impl LayerInput {
         youngs_modulus_pa: Option<f64>,
         poisson_ratio: Option<f64>,
     ) -> Result<Layer, QuestionError> {
-        let option = OptionName::LayerThickness;
-        let thickness_m = self.thickness_m.ok_or(QuestionError::Missing(&[OptionName::LayerThickness]))?;
+        let option = "layer_thickness";
+        let thickness_m = self.thickness_m.ok_or_else(|| QuestionError::missing(option))?;
         let body = self.body()?;
         let base = match self.base {
             LayerBase::Rigid if youngs_modulus_pa.is_some() => {
@@ -67,12 +66,11 @@ impl LayerInput {
             }
             LayerBase::Rigid => None,
             LayerBase::Material => {
-                let needed = QuestionError::Missing(&[OptionName::YoungsModulus, OptionName::LayerBase]);
+                let needed = QuestionError::Missing(vec!["youngs_modulus", "layer_base"]);
                 let youngs_modulus_pa = youngs_modulus_pa.ok_or(needed)?;
-                let poisson_ratio =
-                    poisson_ratio.ok_or(QuestionError::ElasticConstant(OptionName::PoissonRatio))?;
+                let poisson_ratio = poisson_ratio.ok_or(QuestionError::ElasticConstant("poisson_ratio"))?;
                 let body = ElasticBody::new(youngs_modulus_pa, poisson_ratio);
-                Some(body.map_err(|error| QuestionError::Body { option: OptionName::PoissonRatio, error })?)
+                Some(body.map_err(|error| QuestionError::Body { option: "poisson_ratio", error })?)
             }
         };
         Layer::new(body, thickness_m, base).map_err(|error| QuestionError::Value { option, error })

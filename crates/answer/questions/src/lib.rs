@@ -25,11 +25,10 @@ mod scene_run;
 mod spectrum;
 mod states;
 mod tangential;
-mod text;
 mod uncertain_areas;
 
 pub use adhesion::{AdhesionQuestion, BranchChoice, PreparedAdhesion};
-pub use conductance::{FoundConductance, GasInput, LawAnswer, LawQuantity, LawTableQuestion, TransportInput};
+pub use conductance::{FoundConductance, LawAnswer, LawQuantity, LawTableQuestion, TransportInput};
 pub use counts::{CurveCounts, CutCounts, LevelCounts};
 pub use curve::{CurveQuestion, CurveStream, PreparedCurve, remark_on_tolerance};
 pub use elements::{ElementsLoad, ElementsQuestion, PreparedElements, RandomInput};
@@ -37,11 +36,10 @@ pub use error::QuestionError;
 pub use gap::{FoundLaw, GapModel, GapQuestion, LawForm, LawQuestion, remarks_on_gap_law};
 pub use indenter::{IndenterQuestion, PreparedIndenter};
 pub use layer::LayerInput;
-pub use loads::{LoadInput, RangeInput};
+pub use loads::LoadInput;
 pub use map_question::MapQuestion;
 pub use material::{BodyInput, MaterialInput};
 pub use note::{remark_on_sampling, remarks_on_separation};
-pub use option::OptionName;
 pub use report_question::{BodyText, ReportQuestion, ReportSurface};
 pub use retune::{ConditionError, retune};
 pub use sampling::SamplingInput;
@@ -53,6 +51,7 @@ pub use uncertain_areas::{UncertainAreas, UncertaintyQuestion};
 
 pub use interface::conductance::PlasticCorrelation;
 pub use interface::gas::NamedGas;
+pub use study::interface::GasInput;
 
 use study::figure::FigureData;
 use tables::Table;

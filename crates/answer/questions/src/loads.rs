@@ -1,36 +1,22 @@
 //! Nominal pressures of a question.
 
+use std::str::FromStr;
+
 use serde::{Deserialize, Serialize};
 use study::material::Material;
 use study::plan::{Load, LoadRange, NominalPressure};
 use units::{Pressure, PressureRange, QuantityError};
 
-use crate::text::pressure;
-use crate::{OptionName, QuestionError};
+use crate::QuestionError;
 
 /// A nominal pressure and the words it was typed in.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct LoadInput {
     /// The pressure, in Pa or in units of the hardness.
-    #[serde(with = "pressure")]
     pub pressure: Pressure,
     /// Its label.
     pub label: String,
-}
-
-/// Nominal pressures evenly spaced in their logarithms.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RangeInput {
-    /// The first.
-    #[serde(with = "pressure")]
-    pub from: Pressure,
-    /// The last.
-    #[serde(with = "pressure")]
-    pub to: Pressure,
-    /// Number of pressures, at least two.
-    pub points: u32,
 }
 
 impl LoadInput {
@@ -43,21 +29,17 @@ impl LoadInput {
     }
 }
 
-impl From<(Pressure, String)> for LoadInput {
-    fn from((pressure, label): (Pressure, String)) -> Self {
-        LoadInput { pressure, label }
-    }
-}
+impl FromStr for LoadInput {
+    type Err = QuantityError;
 
-impl From<PressureRange> for RangeInput {
-    fn from(range: PressureRange) -> Self {
-        RangeInput { from: range.from, to: range.to, points: range.points }
+    fn from_str(text: &str) -> Result<Self, QuantityError> {
+        Ok(LoadInput { pressure: text.parse()?, label: text.trim().to_owned() })
     }
 }
 
 /// A nominal pressure in Pa; `label` is the text it was typed in, if the error should name it.
 pub(crate) fn nominal_pressure(
-    option: OptionName,
+    option: &'static str,
     label: Option<&str>,
     pressure: Pressure,
     material: &Material,
@@ -70,16 +52,15 @@ pub(crate) fn nominal_pressure(
 /// Loads with labels, and ranges without.
 pub(crate) fn resolved(
     pressures: &[LoadInput],
-    ranges: &[RangeInput],
+    ranges: &[PressureRange],
     material: &Material,
 ) -> Result<(Vec<Load>, Vec<LoadRange>), QuestionError> {
     let load = |LoadInput { pressure, label }: &LoadInput| {
-        let nominal_pressure = nominal_pressure(OptionName::Pressure, Some(label), *pressure, material)?;
+        let nominal_pressure = nominal_pressure("pressure", Some(label), *pressure, material)?;
         Ok(Load { nominal_pressure, label: label.clone() })
     };
-    let range = |range: &RangeInput| {
-        let [from, to] =
-            [range.from, range.to].map(|end| nominal_pressure(OptionName::Pressures, None, end, material));
+    let range = |range: &PressureRange| {
+        let [from, to] = [range.from, range.to].map(|end| nominal_pressure("pressures", None, end, material));
         Ok(LoadRange::new(from?, to?, range.points))
     };
     let loads = pressures.iter().map(load).collect::<Result<_, QuestionError>>()?;
@@ -89,7 +70,7 @@ pub(crate) fn resolved(
 /// All nominal pressures \[Pa\], ranges last.
 pub(crate) fn pressures_pa(
     pressures: &[LoadInput],
-    ranges: &[RangeInput],
+    ranges: &[PressureRange],
     material: &Material,
 ) -> Result<Vec<f64>, QuestionError> {
     let (loads, ranges) = resolved(pressures, ranges, material)?;

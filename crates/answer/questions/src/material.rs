@@ -10,8 +10,7 @@ use study::materials::TabledMaterial;
 use study::models::{Choice, ModelEntry, ModelOptions};
 use units::{IndentationHardness, Modulus, Pressure, Remark, RemarkCode};
 
-use crate::text::optional_pressure;
-use crate::{LayerInput, OptionName, QuestionError};
+use crate::{LayerInput, QuestionError};
 
 /// All properties of the rough body and its counterface. A model uses some of them.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
@@ -22,19 +21,16 @@ pub struct MaterialInput {
     /// Poisson's ratio, in (-1, 0.5\]; every model needs it.
     pub poisson_ratio: Option<f64>,
     /// Yield strength S0.
-    #[serde(with = "optional_pressure")]
     pub yield_strength: Option<Pressure>,
     /// Indentation hardness H \[Pa\].
     pub indentation_hardness_pa: Option<f64>,
     /// Strain-gradient length h* \[m\].
     pub strain_gradient_length_m: Option<f64>,
     /// Upper limit of the depth-dependent yield strength.
-    #[serde(with = "optional_pressure")]
     pub strength_cap: Option<Pressure>,
     /// The counterface; rigid if absent.
     pub counterface: Option<BodyInput>,
     /// Yield strength of the counterface, which is taken not to yield if it has neither strength nor hardness.
-    #[serde(with = "optional_pressure")]
     pub counterface_yield_strength: Option<Pressure>,
     /// Indentation hardness of the counterface \[Pa\].
     pub counterface_indentation_hardness_pa: Option<f64>,
@@ -57,7 +53,7 @@ impl BodyInput {
     ///
     /// # Errors
     /// [`QuestionError::Body`] if a constant is out of bounds.
-    pub fn body(self, option: OptionName) -> Result<ElasticBody, QuestionError> {
+    pub fn body(self, option: &'static str) -> Result<ElasticBody, QuestionError> {
         ElasticBody::new(self.youngs_modulus_pa, self.poisson_ratio)
             .map_err(|error| QuestionError::Body { option, error })
     }
@@ -122,7 +118,7 @@ impl MaterialInput {
     /// # Errors
     /// [`QuestionError::Body`] if a constant is out of bounds.
     pub fn counterface(&self) -> Result<Option<ElasticBody>, QuestionError> {
-        self.counterface.map(|body| body.body(OptionName::CounterfacePoissonRatio)).transpose()
+        self.counterface.map(|body| body.body("counterface_poisson_ratio")).transpose()
     }
 
     /// Hardness and strength of the rough body, which must agree if both are given.
@@ -140,7 +136,7 @@ impl MaterialInput {
     pub fn counterface_yields(&self) -> Result<bool, QuestionError> {
         let body = match &self.layer {
             Some(layer) => Some(layer.body()?),
-            None => self.body().map(|body| body.body(OptionName::PoissonRatio)).transpose()?,
+            None => self.body().map(|body| body.body("poisson_ratio")).transpose()?,
         };
         let flows = body.map(|body| self.yielding(body)).transpose()?;
         Ok(flows.is_some_and(|(flows, _)| flows == Body::Counterface))
@@ -195,10 +191,9 @@ impl MaterialInput {
     /// The rough body as a half-space.
     fn half_space(&self) -> Result<ElasticBody, QuestionError> {
         let youngs_modulus_pa =
-            self.youngs_modulus_pa.ok_or(QuestionError::ElasticConstant(OptionName::YoungsModulus))?;
-        let poisson_ratio =
-            self.poisson_ratio.ok_or(QuestionError::ElasticConstant(OptionName::PoissonRatio))?;
-        BodyInput { youngs_modulus_pa, poisson_ratio }.body(OptionName::PoissonRatio)
+            self.youngs_modulus_pa.ok_or(QuestionError::ElasticConstant("youngs_modulus"))?;
+        let poisson_ratio = self.poisson_ratio.ok_or(QuestionError::ElasticConstant("poisson_ratio"))?;
+        BodyInput { youngs_modulus_pa, poisson_ratio }.body("poisson_ratio")
     }
 }
 

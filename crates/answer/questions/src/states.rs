@@ -8,14 +8,13 @@ use study::models::{ModelEntry, ModelOptions};
 use study::plan::{PlanError, Tolerance};
 use units::{Remark, RemarkCode};
 
-use crate::{CurveCounts, OptionName, QuestionError, choices};
+use crate::{CurveCounts, QuestionError, choices};
 
 /// States of a statistical model, for rows of any roughness, material and condition.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct StatesQuestion {
     /// The model.
-    #[serde(with = "crate::text::model")]
     pub model: Option<&'static ModelEntry>,
     /// Choices that the model leaves open.
     pub options: ModelOptions,
@@ -39,7 +38,7 @@ impl StatesQuestion {
     /// # Errors
     /// Returns the errors of [`check`](Self::check).
     pub fn states(&self) -> Result<ContactStates, QuestionError> {
-        let entry = self.model.ok_or(QuestionError::Missing(&[OptionName::Model]))?;
+        let entry = self.model.ok_or(QuestionError::missing("model"))?;
         choices::check(&self.options, entry, false)?;
         let tolerance = self.tolerance.map(Tolerance::new).transpose().map_err(PlanError::from)?;
         let (options, tolerance) = (self.options.clone(), tolerance.unwrap_or_default());

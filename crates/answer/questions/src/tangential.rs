@@ -12,13 +12,13 @@ use study::plan::PlanError;
 use study::surface::Surface;
 use tables::Table;
 use units::display::{percent, pressure};
-use units::{Remark, RemarkCode};
+use units::{PressureRange, Remark, RemarkCode};
 
 use crate::elements::RandomInput;
 use crate::gap::remarks_on_gap_law;
 use crate::gap::{GapModel, GapQuestion};
-use crate::loads::{LoadInput, RangeInput, nominal_pressure, pressures_pa};
-use crate::{Answer, OptionName, QuestionError};
+use crate::loads::{LoadInput, nominal_pressure, pressures_pa};
+use crate::{Answer, QuestionError};
 
 /// Shares of the load at which all slides, where no tangential stress is given.
 const SHARES: [f64; 11] = [0.01, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.99];
@@ -40,7 +40,7 @@ pub struct TangentialQuestion {
     /// Nominal pressures.
     pub pressures: Vec<LoadInput>,
     /// Nominal pressures as ranges, behind the others.
-    pub pressure_ranges: Vec<RangeInput>,
+    pub pressure_ranges: Vec<PressureRange>,
     /// Tangential stresses; shares of friction times pressure where there are none.
     pub stresses: Vec<LoadInput>,
     /// Random surfaces, for boundary elements.
@@ -243,15 +243,15 @@ impl TangentialQuestion {
 
     fn stresses_pa(&self, material: &Material) -> Result<Vec<f64>, QuestionError> {
         let stress = |stress: &LoadInput| {
-            nominal_pressure(OptionName::TangentialStress, Some(&stress.label), stress.pressure, material)
+            nominal_pressure("tangential_stress", Some(&stress.label), stress.pressure, material)
         };
         self.stresses.iter().map(|given| Ok(stress(given)?.pa())).collect()
     }
 
     fn pair(&self, material: &Material) -> Result<ShearedPair, QuestionError> {
-        let friction = self.friction.ok_or(QuestionError::Missing(&[OptionName::Friction]))?;
+        let friction = self.friction.ok_or(QuestionError::missing("friction"))?;
         sheared_pair(friction, &material.pair)
-            .map_err(|error| QuestionError::Value { option: OptionName::Friction, error })
+            .map_err(|error| QuestionError::Value { option: "friction", error })
     }
 }
 

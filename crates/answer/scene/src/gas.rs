@@ -4,9 +4,9 @@ use std::ops::Range;
 
 use ::interface::gas::GapGas;
 use serde_spanned::Spanned;
-use study::interface::{GasError, GasOption, GivenGas};
+use study::interface::{GasError, GasInput};
 use study::material::Material;
-use units::{Length, Temperature, ThermalConductivity};
+use units::{Length, Pressure, Temperature, ThermalConductivity};
 
 use super::error::SceneError;
 use super::loads::nominal_pressure;
@@ -25,32 +25,33 @@ pub(super) fn resolve_gas(
         optional("interface.gas_temperature", raw.gas_temperature.as_ref())?;
     let pressure =
         raw.gas_pressure.as_ref().map(|typed| nominal_pressure("interface.gas_pressure", typed, material));
-    let given = GivenGas {
+    let pressure = pressure.transpose()?;
+    let given = GasInput {
         name: raw.gas.as_ref().map(|name| parsed("interface.gas", name)).transpose()?,
         temperature_k: temperature.map(|temperature| temperature.k),
-        pressure_pa: pressure.transpose()?.map(|pressure| pressure.pa()),
+        pressure: pressure.map(|pressure| Pressure::Pascals(pressure.pa())),
         conductivity_w_per_m_k: conductivity.map(|conductivity| conductivity.w_per_m_k),
         parameter_m: parameter.map(|parameter| parameter.m),
     };
-    given.resolve().map_err(|error| {
+    given.resolve(pressure).map_err(|error| {
         let (option, problem) = match error {
             GasError::Beside(option, other) => {
-                (option, format!("it has no effect beside {}; leave one of them out", other.key()))
+                (option, format!("it has no effect beside {}; leave one of them out", other))
             }
-            GasError::Needs(option, other) => (option, format!("it needs {}; give both", other.key())),
+            GasError::Needs(option, other) => (option, format!("it needs {}; give both", other)),
             GasError::Value(option, error) => (option, error.to_string()),
         };
-        let message = format!("key interface.{}: {problem}", option.key());
+        let message = format!("key interface.{}: {problem}", option);
         SceneError { span: span(raw, option), ..SceneError::anywhere(message) }
     })
 }
 
-fn span(raw: &RawInterface, option: GasOption) -> Option<Range<usize>> {
+fn span(raw: &RawInterface, option: &str) -> Option<Range<usize>> {
     match option {
-        GasOption::Name => raw.gas.as_ref().map(Spanned::span),
-        GasOption::Temperature => raw.gas_temperature.as_ref().map(Spanned::span),
-        GasOption::Pressure => raw.gas_pressure.as_ref().map(Spanned::span),
-        GasOption::Conductivity => raw.gas_conductivity.as_ref().map(Spanned::span),
-        GasOption::Parameter => raw.gas_parameter.as_ref().map(Spanned::span),
+        "gas_temperature" => raw.gas_temperature.as_ref().map(Spanned::span),
+        "gas_pressure" => raw.gas_pressure.as_ref().map(Spanned::span),
+        "gas_conductivity" => raw.gas_conductivity.as_ref().map(Spanned::span),
+        "gas_parameter" => raw.gas_parameter.as_ref().map(Spanned::span),
+        _ => raw.gas.as_ref().map(Spanned::span),
     }
 }

@@ -29,12 +29,11 @@ use clap_complete::Shell;
 use stat_contact::InterferenceLaw;
 
 use crate::output::Place;
-use parsers::{model_of, one_of, parse_labelled_pressure, parse_place, parse_poisson_ratio, parse_tolerance};
+use parsers::{model_of, one_of, parse_place, parse_poisson_ratio, parse_tolerance};
 use questions::rows::GivenColumn;
 use scene::Template;
 use study::models::{Framework, ModelEntry, ModelOptions};
 use study::plan::Tolerance;
-use units::PressureRange;
 use units::{IndentationHardness, Length, Modulus, Pressure, SignedLength};
 
 /// Real contact area of two rough surfaces, and the scales of roughness that decide it.
@@ -460,21 +459,6 @@ pub(crate) struct StackedArgs {
     pub figure: FigureArg,
 }
 
-/// Options of `statistical` that mean nothing without a spectrum.
-const OF_SPECTRA: [&str; 11] = [
-    "column",
-    "x",
-    "convention",
-    "series",
-    "subject",
-    "x_unit",
-    "psd_unit",
-    "scales_per_decade",
-    "cutoff",
-    "normalisation",
-    "figure",
-];
-
 #[derive(Debug, ClapArgs)]
 #[command(group = clap::ArgGroup::new("source").required(true).args(["psd", "input"]))]
 #[command(group = clap::ArgGroup::new("pressed").multiple(true).args(["pressures", "pressure_ranges", "separations"]))]
@@ -486,7 +470,7 @@ pub(crate) struct StatisticalArgs {
     #[command(flatten)]
     pub reading: ReadingArgs,
     /// A table of populations instead, CSV or JSON: a path, or - for standard input
-    #[arg(long, value_name = "PATH", value_parser = parse_place, conflicts_with_all = OF_SPECTRA)]
+    #[arg(long, value_name = "PATH", value_parser = parse_place, conflicts_with_all = ["normalisation", "pressure_ranges", "figure"], conflicts_with_all = ReadingArgs::OPTIONS, conflicts_with_all = SamplingArgs::OPTIONS)]
     pub input: Option<Place>,
     /// Column of the table to use as input where both are filled; the other is recomputed
     #[arg(long, value_parser = one_of::<GivenColumn, _>(GivenColumn::ALL), requires = "input")]
@@ -494,17 +478,8 @@ pub(crate) struct StatisticalArgs {
     /// The law of one asperity
     #[arg(long, value_parser = model_of(Framework::Statistical))]
     pub model: Option<&'static ModelEntry>,
-    /// Nominal pressure; give it several times for several loads
-    #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
-    pub pressures: Vec<(Pressure, String)>,
-    /// COUNT log-spaced pressures from FROM to TO, in addition to any --pressure
-    #[arg(
-        long = "pressures",
-        value_name = "FROM:TO:COUNT",
-        allow_hyphen_values = true,
-        conflicts_with = "input"
-    )]
-    pub pressure_ranges: Vec<PressureRange>,
+    #[command(flatten)]
+    pub loads: PressureArgs,
     /// Separation from the mean of the asperity heights, of either sign; repeatable
     #[arg(long = "separation", value_name = "L", allow_hyphen_values = true)]
     pub separations: Vec<SignedLength>,

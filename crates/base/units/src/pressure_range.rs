@@ -2,10 +2,13 @@
 
 use std::str::FromStr;
 
+use serde::{Deserialize, Serialize};
+
 use crate::{Pressure, QuantityError};
 
 /// A range of pressures, typed as `1kPa:1GPa:1000`.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct PressureRange {
     /// The first pressure.
     pub from: Pressure,

@@ -2,6 +2,9 @@
 
 use std::str::FromStr;
 
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
 use crate::hardness_scale::{HardnessScale, pascals_per_rockwell_c};
 use crate::quantity_error::QuantityError;
 use crate::quantity_kind::{
@@ -222,6 +225,22 @@ impl FromStr for Pressure {
             return Ok(Pressure::Hardnesses(PRESSURE.positive(text, scaled(number, UnitScale::ONE))?));
         }
         Ok(Pressure::Pascals(PRESSURE.parse(text)?))
+    }
+}
+
+impl Serialize for Pressure {
+    /// Writes the pressure with its unit; the digits survive the way there and back.
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Pressure::Pascals(pa) => serializer.collect_str(&format_args!("{pa} Pa")),
+            Pressure::Hardnesses(multiple) => serializer.collect_str(&format_args!("{multiple} H")),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Pressure {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        String::deserialize(deserializer)?.parse().map_err(D::Error::custom)
     }
 }
 

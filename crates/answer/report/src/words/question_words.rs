@@ -2,7 +2,7 @@
 
 use elements::ElementsError;
 use elements::half_space::HalfSpaceError;
-use questions::{LawQuantity, OptionName, QuestionError};
+use questions::{LawQuantity, QuestionError};
 use study::body_properties::BodyProperty;
 use study::material::MaterialError;
 use units::Spelling;
@@ -10,73 +10,55 @@ use units::display::{length, pressure};
 
 use crate::elements_words;
 
-/// An option of a question as a front end spells it.
-struct Options<'s>(&'s dyn Spelling);
-
-impl Options<'_> {
-    fn option(&self, option: OptionName) -> String {
-        self.0.option(&option.snake_case())
-    }
-
-    fn with_value(&self, option: OptionName, value: &str) -> String {
-        self.0.with_value(&option.snake_case(), value)
-    }
-
-    fn model(&self, name: &str) -> String {
-        self.0.model(name)
-    }
-}
-
 /// An error in words, with the options that mend it.
 #[must_use]
-pub fn error(error: &QuestionError, front_end: &dyn Spelling) -> String {
-    let spelling = Options(front_end);
-    let name = |option: &OptionName| spelling.option(*option);
+pub fn error(error: &QuestionError, spelling: &dyn Spelling) -> String {
+    let name = |option: &str| spelling.option(option);
     match error {
-        QuestionError::Unused(remark) => remark.words(front_end),
+        QuestionError::Unused(remark) => remark.words(spelling),
         QuestionError::Missing(options) => {
-            let names: Vec<String> = options.iter().map(name).collect();
+            let names: Vec<String> = options.iter().map(|option| name(option)).collect();
             format!("{} is needed", names.join(" or "))
         }
         QuestionError::ElasticConstant(option) => {
             format!("{} is needed: every model is at least elastic", name(option))
         }
         QuestionError::Body { option, error } => format!("{}: {error}", name(option)),
-        QuestionError::Material(error) => of_material(error, front_end),
+        QuestionError::Material(error) => of_material(error, spelling),
         QuestionError::Load { option, label, error } => {
             let given = match label {
-                Some(label) => spelling.with_value(*option, label),
+                Some(label) => spelling.with_value(option, label),
                 None => name(option),
             };
-            format!("{given}: {}", of_material(error, front_end))
+            format!("{given}: {}", of_material(error, spelling))
         }
         QuestionError::CutoffBelowData { cutoff_m, shortest_m, surface } => format!(
             "{} leaves nothing out: the shortest wavelength of {surface} is {}; leave it out, or choose a longer one",
-            spelling.with_value(OptionName::Cutoff, &length(*cutoff_m)),
+            spelling.with_value("cutoff", &length(*cutoff_m)),
             length(*shortest_m)
         ),
         QuestionError::TooManyLines { lines, most } => format!(
             "{} draws a line for each pressure and separation, and {lines} are given; give at most {most}",
-            name(&OptionName::Figure)
+            name("figure")
         ),
         QuestionError::TooManyLoops { loops, most } => format!(
             "{} draws a loop for each pressure and tangential stress, and {loops} are given; give at most {most}",
-            name(&OptionName::Figure)
+            name("figure")
         ),
         QuestionError::NoLoop => format!(
             "{}: every tangential stress reaches friction times pressure, and what slides has no loop; lower {}",
-            name(&OptionName::Figure),
-            name(&OptionName::TangentialStress)
+            name("figure"),
+            name("tangential_stress")
         ),
         QuestionError::ConductanceOnly(correlation) => format!(
             "{} has no overclosure, only conductances; add {} or {}",
             spelling.model(correlation.name()),
-            spelling.with_value(OptionName::Quantity, LawQuantity::Heat.name()),
-            spelling.with_value(OptionName::Quantity, LawQuantity::Current.name())
+            spelling.with_value("quantity", LawQuantity::Heat.name()),
+            spelling.with_value("quantity", LawQuantity::Current.name())
         ),
         QuestionError::NoExponentialLaw(model) => format!(
             "{} is the law of light loads of Persson's theory, and {} has none; take the table",
-            spelling.with_value(OptionName::Form, "exponential"),
+            spelling.with_value("form", "exponential"),
             spelling.model(model.name)
         ),
         QuestionError::NotElastic(model) => {
@@ -94,36 +76,32 @@ pub fn error(error: &QuestionError, front_end: &dyn Spelling) -> String {
         QuestionError::Value { option, error } => format!("{}: {error}", name(option)),
         QuestionError::SaturationWithoutHardness => format!(
             "{} is given in H, and the material has no hardness: add {} or {}",
-            name(&OptionName::Saturation),
-            name(&OptionName::IndentationHardness),
-            name(&OptionName::YieldStrength)
+            name("saturation"),
+            name("indentation_hardness"),
+            name("yield_strength")
         ),
         QuestionError::Elements(ElementsError::HalfSpace(HalfSpaceError::CannotBeCarried {
             nominal_pressure_pa,
             saturation_pa,
-        })) => elements_words::cannot_be_carried(
-            *nominal_pressure_pa,
-            *saturation_pa,
-            &name(&OptionName::Saturation),
-        ),
+        })) => elements_words::cannot_be_carried(*nominal_pressure_pa, *saturation_pa, &name("saturation")),
         error => error.to_string(),
     }
 }
 
 /// An error of the material, with the options that mend it.
 #[must_use]
-pub fn of_material(error: &MaterialError, front_end: &dyn Spelling) -> String {
-    let name = |option| Options(front_end).option(option);
-    let hardness = || name(OptionName::IndentationHardness);
-    let strength = || name(OptionName::YieldStrength);
+pub fn of_material(error: &MaterialError, spelling: &dyn Spelling) -> String {
+    let name = |option: &str| spelling.option(option);
+    let hardness = || name("indentation_hardness");
+    let strength = || name("yield_strength");
     match error {
         MaterialError::Missing(needed_for) => {
             let options = match needed_for.property() {
                 BodyProperty::IndentationHardness => format!("{} or {}", hardness(), strength()),
                 BodyProperty::YieldStrength => format!("{} or {}", strength(), hardness()),
-                _ => name(OptionName::StrainGradientLength),
+                _ => name("strain_gradient_length"),
             };
-            format!("{error}: give {}{options}", front_end.of_material())
+            format!("{error}: give {}{options}", spelling.of_material())
         }
         MaterialError::HardnessOffStrength(_) => {
             format!("{error}: leave out {} or {}", hardness(), strength())

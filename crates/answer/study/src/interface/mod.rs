@@ -7,7 +7,7 @@ mod shear;
 mod states;
 mod table;
 
-pub use gas::{GasError, GasOption, GivenGas};
+pub use gas::{GasError, GasInput};
 pub use quantity::{Quantity, Slot};
 pub use request::{AdhesionRequest, InterfaceRequest, Seal};
 pub use shear::{Shear, ShearLoad, sheared_pair};

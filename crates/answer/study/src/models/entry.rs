@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use serde::{Deserialize, Deserializer};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use units::{Remark, RemarkCode, UnknownName};
 
 use super::{CurveModel, Framework, MODELS, Theory};
@@ -29,6 +29,13 @@ pub struct ModelEntry {
     /// True if the model takes the moments of a surface, rather than the asperities that they make.
     pub(super) takes_moments: bool,
     pub(super) build: fn(&Material, &ModelOptions) -> Result<Theory, MaterialError>,
+}
+
+impl Serialize for ModelEntry {
+    /// Writes the name.
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name)
+    }
 }
 
 /// The names of all models.

@@ -6,17 +6,14 @@ use std::path::PathBuf;
 use clap::Args as ClapArgs;
 use elements::{Boundary, RandomChoices};
 use measurements::ScanRequest;
-use questions::{BranchChoice, MaterialInput, OptionName, RandomInput};
+use questions::{BranchChoice, LoadInput, RandomInput};
 use spectrum::random_surfaces::Phases;
 use study::measured::Kind;
 use topography::Detrend;
-use units::{
-    Force, ForcePerLength, IndentationHardness, Length, Modulus, Pressure, PressureRange, WorkOfAdhesion,
-};
+use units::{Force, ForcePerLength, Length, Pressure, PressureRange, WorkOfAdhesion};
 
-use super::groups::{CounterfaceArgs, FigureArg, NamedMaterialArgs, ReadingArgs};
-use super::layer::LayerArgs;
-use super::parsers::{one_of, parse_labelled_load, parse_poisson_ratio};
+use super::groups::{BodiesArgs, FigureArg, ReadingArgs};
+use super::parsers::one_of;
 use super::scans::{MapTreatmentArgs, UntoldArgs};
 
 /// A surface, how it is pressed, and what is written.
@@ -74,7 +71,7 @@ pub(crate) struct BemArgs {
     #[command(flatten)]
     pub figure: FigureArg,
     #[command(flatten)]
-    pub material: PressedMaterialArgs,
+    pub material: BodiesArgs,
     #[command(flatten)]
     pub map: MapArgs,
     #[command(flatten)]
@@ -87,49 +84,11 @@ pub(crate) struct BemArgs {
 #[derive(Debug, ClapArgs)]
 pub(crate) struct SignedPressureArgs {
     /// Nominal pressure; give it several times for several loads. A negative one pulls, with --work-of-adhesion
-    #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_load, allow_hyphen_values = true)]
-    pub pressures: Vec<(Pressure, String)>,
+    #[arg(long = "pressure", value_name = "P", value_parser = LoadInput::parse_signed, allow_hyphen_values = true)]
+    pub pressures: Vec<LoadInput>,
     /// COUNT log-spaced pressures from FROM to TO, in addition to any --pressure
     #[arg(long = "pressures", value_name = "FROM:TO:COUNT", allow_hyphen_values = true)]
     pub pressure_ranges: Vec<PressureRange>,
-}
-
-/// A material that is elastic, or flows at one hardness.
-#[derive(Debug, ClapArgs)]
-pub(crate) struct PressedMaterialArgs {
-    #[command(flatten)]
-    pub named: NamedMaterialArgs,
-    /// Young's modulus of the rough body
-    #[arg(long, value_name = "P", allow_hyphen_values = true)]
-    pub youngs_modulus: Option<Modulus>,
-    /// Poisson's ratio of the rough body, in (-1, 0.5]
-    #[arg(long, value_name = "NU", value_parser = parse_poisson_ratio, allow_hyphen_values = true)]
-    pub poisson_ratio: Option<f64>,
-    /// Yield strength of the rough body, a third of the hardness H in which pressures may be given
-    #[arg(long, value_name = "P", allow_hyphen_values = true)]
-    pub yield_strength: Option<Pressure>,
-    /// Indentation hardness H of the rough body, a pressure or a Vickers number, in which pressures may be given
-    #[arg(long, value_name = "P", allow_hyphen_values = true)]
-    pub indentation_hardness: Option<IndentationHardness>,
-    #[command(flatten)]
-    pub counterface: CounterfaceArgs,
-    #[command(flatten)]
-    pub layer: LayerArgs,
-}
-
-impl PressedMaterialArgs {
-    /// The material as questions take it.
-    pub fn input(&self) -> MaterialInput {
-        self.named.fill(MaterialInput {
-            youngs_modulus_pa: self.youngs_modulus.map(|modulus| modulus.pa),
-            poisson_ratio: self.poisson_ratio,
-            yield_strength: self.yield_strength,
-            indentation_hardness_pa: self.indentation_hardness.map(|hardness| hardness.pa),
-            counterface: self.counterface.input(),
-            layer: self.layer.input(),
-            ..MaterialInput::default()
-        })
-    }
 }
 
 /// Options of a map.
@@ -151,15 +110,15 @@ pub(crate) struct MapArgs {
 
 impl MapArgs {
     /// The options of maps, and whether each is given.
-    pub fn given(&self) -> [(OptionName, bool); 7] {
+    pub fn given(&self) -> [(&'static str, bool); 7] {
         [
-            (OptionName::Boundary, self.boundary.is_some()),
-            (OptionName::Detrend, self.detrend.is_some()),
-            (OptionName::Unit, self.untold.unit.is_some()),
-            (OptionName::Size, self.untold.size.is_some()),
-            (OptionName::Channel, self.untold.channel.is_some()),
-            (OptionName::MissingPoints, self.treatment.gaps.is_some()),
-            (OptionName::Direction, self.treatment.direction.is_some()),
+            ("boundary", self.boundary.is_some()),
+            ("detrend", self.detrend.is_some()),
+            ("unit", self.untold.unit.is_some()),
+            ("size", self.untold.size.is_some()),
+            ("channel", self.untold.channel.is_some()),
+            ("missing_points", self.treatment.gaps.is_some()),
+            ("direction", self.treatment.direction.is_some()),
         ]
     }
 }

@@ -6,8 +6,8 @@ use interface::finite_elements::{ContactLaw, Dialect, Heading, UnitSystem};
 use persson::EnergyFactor;
 use persson::variance::Band;
 use questions::{
-    GapModel, GasInput, LawForm, LawQuantity, LawQuestion, LawTableQuestion, NamedGas, PlasticCorrelation,
-    TransportInput,
+    GapModel, GasInput, LawForm, LawQuantity, LawQuestion, LawTableQuestion, LoadInput, NamedGas,
+    PlasticCorrelation, TransportInput,
 };
 use stat_contact::InterferenceLaw;
 use study::models::{self, ModelEntry, ModelOptions};
@@ -15,8 +15,8 @@ use study::plan::Tolerance;
 use units::{Length, Pressure, Resistivity, Temperature, ThermalConductivity};
 
 use super::bem::RandomArgs;
-use super::parsers::{ModelName, one_of, parse_labelled_pressure, parse_tolerance};
-use super::{HardnessFormulaArg, MaterialArgs, NormalisationArg, PressureArgs, ReadingArgs, SamplingArgs};
+use super::parsers::{ModelName, one_of, parse_tolerance};
+use super::{HardnessFormulaArg, MaterialArgs, NormalisationArg, PressureArgs, PsdArgs, SamplingArgs};
 use crate::picture::Picture;
 
 /// Model of the gap: a law of asperities, Persson's theory, or boundary elements if there is none.
@@ -103,11 +103,8 @@ impl GapChoiceArgs {
 #[derive(Debug, ClapArgs)]
 #[command(group = clap::ArgGroup::new("pressed").required(true).multiple(true).args(["pressures", "pressure_ranges"]))]
 pub(crate) struct GapArgs {
-    /// The power spectrum: a file, - for standard input, or builtin:uncd-measured,
-    /// builtin:uncd-reconstructed or builtin:contact-challenge
-    pub psd: String,
     #[command(flatten)]
-    pub reading: ReadingArgs,
+    pub psd: PsdArgs,
     /// Model of the gap: Persson's theory, a law of asperities, or boundary elements
     #[arg(long, value_parser = gap_model())]
     pub model: GapModelArg,
@@ -125,11 +122,8 @@ pub(crate) struct GapArgs {
 #[derive(Debug, ClapArgs)]
 #[command(group = clap::ArgGroup::new("pressed").required(true).multiple(true).args(["pressures", "pressure_ranges"]))]
 pub(crate) struct TangentialArgs {
-    /// The power spectrum: a file, - for standard input, or builtin:uncd-measured,
-    /// builtin:uncd-reconstructed or builtin:contact-challenge
-    pub psd: String,
     #[command(flatten)]
-    pub reading: ReadingArgs,
+    pub psd: PsdArgs,
     /// Elastic model of the normal law: Persson's theory, a law of asperities, or boundary elements
     #[arg(long, value_parser = gap_model())]
     pub model: GapModelArg,
@@ -138,8 +132,8 @@ pub(crate) struct TangentialArgs {
     pub friction: f64,
     /// Tangential stress on the nominal area; give it several times for several. Shares of friction times pressure from 1 to
     /// 99 % where not given
-    #[arg(long = "tangential-stress", value_name = "Q", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
-    pub stresses: Vec<(Pressure, String)>,
+    #[arg(long = "tangential-stress", value_name = "Q", allow_hyphen_values = true)]
+    pub stresses: Vec<LoadInput>,
     #[command(flatten)]
     pub loads: PressureArgs,
     #[command(flatten)]
@@ -160,11 +154,8 @@ pub(crate) struct ShearFigureArg {
 
 #[derive(Debug, ClapArgs)]
 pub(crate) struct LawArgs {
-    /// The power spectrum: a file, - for standard input, or builtin:uncd-measured,
-    /// builtin:uncd-reconstructed or builtin:contact-challenge
-    pub psd: String,
     #[command(flatten)]
-    pub reading: ReadingArgs,
+    pub psd: PsdArgs,
     /// Model behind the law: Persson's theory, or a law of asperities; for conductances also a correlation for flowed peaks
     #[arg(long, value_parser = law_model())]
     pub model: LawModelArg,
@@ -268,7 +259,7 @@ impl LawArgs {
             LawModelArg::Correlation(correlation) => (None, Some(correlation)),
         };
         let [from, to] = self.pressure_range;
-        let named = &self.choices.material.named;
+        let named = &self.choices.material.bodies.named;
         let question = LawTableQuestion {
             law: LawQuestion { by: self.choices.input(model), from, to },
             quantity: self.quantity,

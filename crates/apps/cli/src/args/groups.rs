@@ -4,16 +4,14 @@ use std::num::NonZeroU32;
 
 use asperity::Hardness;
 use clap::Args as ClapArgs;
-use questions::{BodyInput, MaterialInput, SamplingInput};
+use questions::{BodyInput, LoadInput, MaterialInput, SamplingInput};
 use spectrum::{Abscissa, AmplitudeDefinition, Convention, Normalisation};
 use study::materials::{TabledMaterial, named};
 use tables::Format;
 use units::{IndentationHardness, Length, Modulus, Pressure, PressureRange};
 
 use super::layer::LayerArgs;
-use super::parsers::{
-    hardness, one_of, parse_count, parse_labelled_pressure, parse_place, parse_poisson_ratio,
-};
+use super::parsers::{hardness, one_of, parse_count, parse_place, parse_poisson_ratio};
 use crate::output::Place;
 use crate::picture::Picture;
 
@@ -100,12 +98,17 @@ pub(crate) struct ReadingArgs {
     pub psd_unit: Option<String>,
 }
 
+impl ReadingArgs {
+    /// All of them.
+    pub const OPTIONS: [&str; 7] = ["column", "x", "convention", "series", "subject", "x_unit", "psd_unit"];
+}
+
 /// Nominal pressures, one by one and as ranges.
 #[derive(Debug, Clone, ClapArgs)]
 pub(crate) struct PressureArgs {
     /// Nominal pressure; give it several times for several loads
-    #[arg(long = "pressure", value_name = "P", value_parser = parse_labelled_pressure, allow_hyphen_values = true)]
-    pub pressures: Vec<(Pressure, String)>,
+    #[arg(long = "pressure", value_name = "P", allow_hyphen_values = true)]
+    pub pressures: Vec<LoadInput>,
     /// COUNT log-spaced pressures from FROM to TO, in addition to any --pressure
     #[arg(long = "pressures", value_name = "FROM:TO:COUNT", allow_hyphen_values = true)]
     pub pressure_ranges: Vec<PressureRange>,
@@ -123,6 +126,9 @@ pub(crate) struct SamplingArgs {
 }
 
 impl SamplingArgs {
+    /// All of them.
+    pub const OPTIONS: [&str; 2] = ["scales_per_decade", "cutoff"];
+
     /// The sampling as questions take it.
     pub fn input(&self) -> SamplingInput {
         SamplingInput {
@@ -195,15 +201,15 @@ impl NamedMaterialArgs {
     }
 }
 
-/// A material: the rough body, and what presses on it.
+/// The bodies in contact, as far as every theory and boundary elements take them.
 #[derive(Debug, Clone, ClapArgs)]
-pub(crate) struct MaterialArgs {
+pub(crate) struct BodiesArgs {
     #[command(flatten)]
     pub named: NamedMaterialArgs,
-    /// Young's modulus of the rough body; every model needs it
+    /// Young's modulus of the rough body
     #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub youngs_modulus: Option<Modulus>,
-    /// Poisson's ratio of the rough body, in (-1, 0.5]; every model needs it
+    /// Poisson's ratio of the rough body, in (-1, 0.5]
     #[arg(long, value_name = "NU", value_parser = parse_poisson_ratio, allow_hyphen_values = true)]
     pub poisson_ratio: Option<f64>,
     /// Yield strength of the rough body; elastic models do without
@@ -213,15 +219,22 @@ pub(crate) struct MaterialArgs {
     /// the yield strength where not given, and where it alone is given, a third of it is the yield strength
     #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub indentation_hardness: Option<IndentationHardness>,
+    #[command(flatten)]
+    pub counterface: CounterfaceArgs,
+    #[command(flatten)]
+    pub layer: LayerArgs,
+}
+
+/// The bodies in contact, and the growth of their strength.
+#[derive(Debug, Clone, ClapArgs)]
+pub(crate) struct MaterialArgs {
+    #[command(flatten)]
+    pub bodies: BodiesArgs,
     /// Let the strength grow where the deformation is shallower than this length (Nix & Gao)
     #[arg(long, value_name = "L", allow_hyphen_values = true)]
     pub strain_gradient_length: Option<Length>,
     #[command(flatten)]
     pub strength_cap: StrengthCapArg,
-    #[command(flatten)]
-    pub counterface: CounterfaceArgs,
-    #[command(flatten)]
-    pub layer: LayerArgs,
 }
 
 impl CounterfaceArgs {
@@ -234,23 +247,7 @@ impl CounterfaceArgs {
     }
 }
 
-impl MaterialArgs {
-    /// Options that rows of Persson's theory do not take, which have a pressure and a hardness alone.
-    pub const OF_SPECTRA: [&str; 12] = [
-        "material",
-        "on",
-        "youngs_modulus",
-        "poisson_ratio",
-        "yield_strength",
-        "strain_gradient_length",
-        "strength_cap",
-        "counterface_youngs_modulus",
-        "layer_thickness",
-        "layer_youngs_modulus",
-        "layer_poisson_ratio",
-        "layer_base",
-    ];
-
+impl BodiesArgs {
     /// The material as questions take it.
     pub fn input(&self) -> MaterialInput {
         self.named.fill(MaterialInput {
@@ -258,12 +255,21 @@ impl MaterialArgs {
             poisson_ratio: self.poisson_ratio,
             yield_strength: self.yield_strength,
             indentation_hardness_pa: self.indentation_hardness.map(|hardness| hardness.pa),
-            strain_gradient_length_m: self.strain_gradient_length.map(|length| length.m),
-            strength_cap: self.strength_cap.strength_cap,
             counterface: self.counterface.input(),
             layer: self.layer.input(),
             ..MaterialInput::default()
         })
+    }
+}
+
+impl MaterialArgs {
+    /// The material as questions take it.
+    pub fn input(&self) -> MaterialInput {
+        MaterialInput {
+            strain_gradient_length_m: self.strain_gradient_length.map(|length| length.m),
+            strength_cap: self.strength_cap.strength_cap,
+            ..self.bodies.input()
+        }
     }
 }
 

@@ -7,22 +7,12 @@ use asperity::Hardness;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use study::models::{self, Framework, MODELS, ModelEntry};
 use study::plan::Tolerance;
-use units::{Pressure, QuantityError, TypedSpread, without_comma};
+use units::{QuantityError, TypedSpread, without_comma};
 
 use crate::output::Place;
 
 pub(super) fn parse_place(text: &str) -> Result<Place, std::convert::Infallible> {
     Ok(Place::from(text))
-}
-
-/// A pressure with the words it was typed in, which label it.
-pub(super) fn parse_labelled_pressure(text: &str) -> Result<(Pressure, String), units::QuantityError> {
-    Ok((text.parse()?, text.trim().to_owned()))
-}
-
-/// A pressure with the words it was typed in; a negative one pulls.
-pub(super) fn parse_labelled_load(text: &str) -> Result<(Pressure, String), units::QuantityError> {
-    Ok((Pressure::parse_signed(text)?, text.trim().to_owned()))
 }
 
 pub(super) fn parse_count(text: &str) -> Result<NonZeroU32, String> {

@@ -23,17 +23,8 @@ pub(crate) enum GrowthArg {
     Table(PathBuf),
 }
 
-/// Options that mean nothing without a spectrum.
-const OF_SPECTRA: [&str; 16] = [
-    "column",
-    "x",
-    "convention",
-    "series",
-    "subject",
-    "x_unit",
-    "psd_unit",
-    "scales_per_decade",
-    "cutoff",
+/// Options that rows do not take, besides those for reading and sampling a spectrum: a row has a pressure and a hardness alone.
+const OF_SPECTRA: [&str; 19] = [
     "figure",
     "amplitude",
     "correction",
@@ -41,6 +32,18 @@ const OF_SPECTRA: [&str; 16] = [
     "hardness_law",
     "gamma",
     "pressure_ranges",
+    "material",
+    "on",
+    "youngs_modulus",
+    "poisson_ratio",
+    "yield_strength",
+    "strain_gradient_length",
+    "strength_cap",
+    "counterface_youngs_modulus",
+    "layer_thickness",
+    "layer_youngs_modulus",
+    "layer_poisson_ratio",
+    "layer_base",
 ];
 
 #[derive(Debug, ClapArgs)]
@@ -54,7 +57,7 @@ pub(crate) struct PerssonArgs {
     #[command(flatten)]
     pub reading: ReadingArgs,
     /// A table of pressures instead, CSV or JSON: a path, or - for standard input
-    #[arg(long, value_name = "PATH", value_parser = parse_place, conflicts_with_all = OF_SPECTRA, conflicts_with_all = MaterialArgs::OF_SPECTRA)]
+    #[arg(long, value_name = "PATH", value_parser = parse_place, conflicts_with_all = OF_SPECTRA, conflicts_with_all = ReadingArgs::OPTIONS, conflicts_with_all = SamplingArgs::OPTIONS)]
     pub input: Option<Place>,
     /// Deformation of the surface; where left out, rows with a hardness yield and the others do not
     #[arg(long, value_parser = one_of::<Deformation, _>(Deformation::ALL))]

@@ -6,9 +6,7 @@ use std::sync::{Mutex, PoisonError};
 use elements::half_space::HalfSpaceError;
 use elements::{Boundary, ContactField, ElementsError, IndenterShape, Relief, Surfaces};
 use measurements::MapOfFile;
-use questions::{
-    AdhesionQuestion, Answer, ElementsLoad, ElementsQuestion, IndenterQuestion, OptionName, QuestionError,
-};
+use questions::{AdhesionQuestion, Answer, ElementsLoad, ElementsQuestion, IndenterQuestion, QuestionError};
 use report::chart::maps::FieldPicture;
 use report::provenance::program;
 use report::{elements_figure, elements_words};
@@ -19,7 +17,7 @@ use tables::staging::{NewFolder, StagedFiles};
 use topography::Recipe;
 use units::{Length, Remark, RemarkCode, WorkOfAdhesion};
 
-use super::{Context, load_inputs, psd, range_inputs, reading_options, say_all};
+use super::{Context, psd, reading_options, say_all};
 use crate::args::BemArgs;
 use crate::failure::Failure;
 use crate::files::Folder;
@@ -41,8 +39,8 @@ pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> 
     }
     let question = ElementsQuestion {
         material: args.material.input(),
-        loads: load_inputs(&args.loads.pressures).into_iter().map(ElementsLoad::Pressure).collect(),
-        pressure_ranges: range_inputs(&args.loads.pressure_ranges),
+        loads: args.loads.pressures.clone().into_iter().map(ElementsLoad::Pressure).collect(),
+        pressure_ranges: args.loads.pressure_ranges.clone(),
         saturation: args.saturation,
         tolerance: args.tolerance,
         random: args.random.input(),
@@ -144,8 +142,8 @@ fn press_adhesive(
 ) -> Result<(), Failure> {
     let question = AdhesionQuestion {
         material: args.material.input(),
-        pressures: load_inputs(&args.loads.pressures),
-        pressure_ranges: range_inputs(&args.loads.pressure_ranges),
+        pressures: args.loads.pressures.clone(),
+        pressure_ranges: args.loads.pressure_ranges.clone(),
         work_of_adhesion_j_per_m2: work.j_per_m2,
         range_m: range.m,
         branch: args.branch.unwrap_or_default().branch(),
@@ -209,7 +207,7 @@ fn load(args: &BemArgs, context: &Context<'_>) -> Result<(Measured, Vec<String>)
     let mut comments = vec![program(context.typed)];
     match &found {
         Measured::Map(map) => {
-            let is_read = (OptionName::Reading, reading_options(&args.reading) != ReadOptions::default());
+            let is_read = ("reading", reading_options(&args.reading) != ReadOptions::default());
             refuse_foreign(Kind::Scan, args.random.input().given().into_iter().chain([is_read]))?;
             say_all(&map.remarks, &Flags);
             comments.push(map.provenance.clone());
@@ -232,12 +230,12 @@ fn told(mut comments: Vec<String>, notes: &[Remark], surfaces: &Surfaces) -> Vec
 }
 
 /// Refuses options that mean something for the other kind of file.
-fn refuse_foreign(kind: Kind, given: impl IntoIterator<Item = (OptionName, bool)>) -> Result<(), Failure> {
+fn refuse_foreign(kind: Kind, given: impl IntoIterator<Item = (&'static str, bool)>) -> Result<(), Failure> {
     match given.into_iter().find(|(_, is_given)| *is_given) {
         None => Ok(()),
         Some((option, _)) => {
             let remark = Remark::new(RemarkCode::OtherKindOfFile).with("kind", kind.to_string());
-            Err(Failure::Input(remark.on(option.snake_case()).words(&Flags)))
+            Err(Failure::Input(remark.on(option).words(&Flags)))
         }
     }
 }

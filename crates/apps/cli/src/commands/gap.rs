@@ -1,28 +1,23 @@
 //! `gap`: mean gap and stiffness of a surface under loads.
 
 use questions::{GapModel, GapQuestion};
+use study::surface::Surface;
 
-use super::{Context, load_inputs, range_inputs};
+use super::Context;
 use crate::args::GapArgs;
 use crate::failure::Failure;
-use crate::progress::Progress;
-use crate::timings::Timings;
 
 pub(super) fn run(args: &GapArgs, context: &Context<'_>) -> Result<(), Failure> {
     let tolerance = args.tolerance.map(|tolerance| tolerance.asked_finer().unwrap_or(tolerance.value()));
     let question = GapQuestion {
         by: GapModel { tolerance, ..args.choices.input(args.model.0) },
-        pressures: load_inputs(&args.loads.pressures),
-        pressure_ranges: range_inputs(&args.loads.pressure_ranges),
+        pressures: args.loads.pressures.clone(),
+        pressure_ranges: args.loads.pressure_ranges.clone(),
         random: args.random.input(),
     };
     question.check()?;
-    let mut timings = Timings::start();
-    let surface = context.load(&args.psd, &args.reading, None)?;
-    timings.lap("reading");
-    let progress = Progress::towards(question.steps(&surface)?, "steps");
-    let answer = question.answer(&surface, &progress)?;
-    drop(progress);
-    timings.lap("computing");
-    context.publish_answer(&answer, &surface, question.by.sampling.sampling(), None, timings)
+    let steps = |surface: &Surface| question.steps(surface);
+    context.answer(&args.psd, &question.by.sampling, None, steps, |surface, progress| {
+        question.answer(surface, progress)
+    })
 }

@@ -21,7 +21,7 @@ pub(super) fn run(args: &LawArgs, context: &Context<'_>) -> Result<(), Failure> 
     let question = args.question();
     question.check()?;
     let mut timings = Timings::start();
-    let surface = context.load(&args.psd, &args.reading, None)?;
+    let surface = context.load(&args.psd.psd, &args.psd.reading, None)?;
     timings.lap("reading");
     let progress = Progress::counting("states");
     let mut origin = provenance(context.typed, &surface, question.law.by.sampling.sampling());

@@ -21,7 +21,7 @@ mod tangential;
 
 use std::time::{Duration, Instant};
 
-use questions::{Answer, CurveQuestion, LoadInput, RangeInput, SpectrumQuestion};
+use questions::{Answer, CurveQuestion, QuestionError, SamplingInput};
 use report::provenance::provenance;
 use report::{chart, spectrum_words};
 use spectrum::{ReadOption, ReadOptions};
@@ -31,7 +31,7 @@ use study::surface::{Surface, SurfaceError};
 use tables::staging::StagedFiles;
 use tables::{Format, Table, TableWriter};
 use units::printable::shown_path;
-use units::{Pressure, PressureRange, Remark, RemarkLevel, Spelling};
+use units::{Remark, RemarkLevel, Spelling};
 
 use crate::args::{Args, Command, PsdArgs, QuotedPaths, ReadingArgs, SharedArgs};
 use crate::failure::Failure;
@@ -94,22 +94,23 @@ struct Context<'a> {
 }
 
 impl Context<'_> {
-    /// Answers a question about a spectrum alone.
-    fn spectrum(
+    /// Answers a question about a spectrum, in so many steps.
+    fn answer(
         &self,
-        question: &SpectrumQuestion,
         psd: &PsdArgs,
+        sampling: &SamplingInput,
         figure: Figure<'_>,
+        steps: impl FnOnce(&Surface) -> Result<usize, QuestionError>,
+        answer: impl FnOnce(&Surface, &Progress) -> Result<Answer, QuestionError>,
     ) -> Result<(), Failure> {
         let mut timings = Timings::start();
         let surface = self.load(&psd.psd, &psd.reading, figure)?;
         timings.lap("reading");
-        let progress = Progress::towards(SpectrumQuestion::STEPS, "steps");
-        let answer = question.answer(&surface, &progress)?;
+        let progress = Progress::towards(steps(&surface)?, "steps");
+        let answer = answer(&surface, &progress)?;
         drop(progress);
         timings.lap("computing");
-        let sampling = question.sampling.sampling();
-        self.publish_answer(&answer, &surface, sampling, figure, timings)
+        self.publish_answer(&answer, &surface, sampling.sampling(), figure, timings)
     }
 
     /// Says the notes of an answer, and writes its table and its figure.
@@ -289,16 +290,6 @@ fn reading_options(reading: &ReadingArgs) -> ReadOptions {
 /// The flag that gives an option of reading.
 fn flag_of(option: ReadOption) -> String {
     format!("--{}", option.key().replace('_', "-"))
-}
-
-/// Loads as questions take them.
-fn load_inputs(pressures: &[(Pressure, String)]) -> Vec<LoadInput> {
-    pressures.iter().cloned().map(LoadInput::from).collect()
-}
-
-/// Ranges of loads as questions take them.
-fn range_inputs(ranges: &[PressureRange]) -> Vec<RangeInput> {
-    ranges.iter().copied().map(RangeInput::from).collect()
 }
 
 /// Says remarks on stderr, with the flags of a command; of checks that were passed nothing.

@@ -3,15 +3,15 @@
 use std::path::Path;
 
 use persson::hardness_laws::HardnessTable;
-use questions::CurveQuestion;
 use questions::rows::Flattened;
+use questions::{CurveQuestion, LoadInput};
 use study::growth_law::GrowthLaw;
 use study::models::{self, Framework, ModelOptions};
 use study::persson_law::Deformation;
 use units::Bound;
 
+use super::Context;
 use super::row_by_row::{self, Constants};
-use super::{Context, load_inputs, range_inputs};
 use crate::args::{GrowthArg, PerssonArgs};
 use crate::failure::Failure;
 use crate::files::open_table;
@@ -48,8 +48,8 @@ fn over_cutoffs(
             ..args.options()
         },
         material,
-        pressures: load_inputs(&args.loads.pressures),
-        pressure_ranges: range_inputs(&args.loads.pressure_ranges),
+        pressures: args.loads.pressures.clone(),
+        pressure_ranges: args.loads.pressure_ranges.clone(),
         sampling: args.sampling.input(),
         amplitude: args.amplitude.amplitude,
         figure: figure.is_some(),
@@ -72,13 +72,13 @@ fn of_rows(input: &Place, args: &PerssonArgs, context: &Context<'_>) -> Result<(
     if args.loads.pressures.len() > 1 {
         return Err(Failure::input("the rows of a table take one --pressure"));
     }
-    let hardness_pa = args.material.indentation_hardness.map(|hardness| hardness.pa);
+    let hardness_pa = args.material.bodies.indentation_hardness.map(|hardness| hardness.pa);
     if args.model == Some(Deformation::Elastic) && hardness_pa.is_some() {
         return Err(Failure::input(
             "--indentation-hardness has no bearing on --model elastic, which does not yield; leave it out",
         ));
     }
-    for (pressure, label) in &args.loads.pressures {
+    for LoadInput { pressure, label } in &args.loads.pressures {
         let pressure_pa = pressure.pascals(hardness_pa).ok_or_else(|| {
             Failure::Input(format!(
                 "--pressure {label}: a pressure in H needs the hardness: give --indentation-hardness"

@@ -1,6 +1,6 @@
 //! Tables of any length, checked as a whole and then computed block by block.
 
-use questions::{MaterialInput, OptionName, QuestionError};
+use questions::{LoadInput, MaterialInput, QuestionError};
 
 use super::{Context, say_all};
 use crate::failure::Failure;
@@ -14,7 +14,7 @@ use study::Progress as _;
 use study::material::{MaterialError, NeededFor};
 use tables::staging::StagedFiles;
 use tables::{Refusal, TableError};
-use units::{Pressure, Remark};
+use units::Remark;
 
 /// Rows that are in memory together.
 const BLOCK: usize = 1 << 12;
@@ -38,7 +38,7 @@ impl Constants {
 
     /// The elastic constants of the rough body.
     pub fn add_elastic(&mut self, material: &MaterialInput) -> Result<(), Failure> {
-        material.body().map(|body| body.body(OptionName::PoissonRatio)).transpose()?;
+        material.body().map(|body| body.body("poisson_ratio")).transpose()?;
         self.add_number("--youngs-modulus", "youngs_modulus_pa", material.youngs_modulus_pa);
         self.add_number("--poisson-ratio", "poisson_ratio", material.poisson_ratio);
         Ok(())
@@ -62,14 +62,10 @@ impl Constants {
     }
 
     /// Nominal pressures, in units of a hardness \[Pa\] or not.
-    pub fn add_pressure(
-        &mut self,
-        pressures: &[(Pressure, String)],
-        hardness_pa: Option<f64>,
-    ) -> Result<(), Failure> {
-        for (pressure, label) in pressures {
+    pub fn add_pressure(&mut self, pressures: &[LoadInput], hardness_pa: Option<f64>) -> Result<(), Failure> {
+        for LoadInput { pressure, label } in pressures {
             let pressure_pa = pressure.pascals(hardness_pa).ok_or_else(|| QuestionError::Load {
-                option: OptionName::Pressure,
+                option: "pressure",
                 label: Some(label.clone()),
                 error: MaterialError::Missing(NeededFor::PressureInHardnesses),
             })?;

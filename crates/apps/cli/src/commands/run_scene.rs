@@ -17,7 +17,7 @@ use crate::output::{Layout, Place, make_folder, utf8};
 use crate::progress::{Progress, Unseen, UntilEnded};
 use crate::targets::Targets;
 use crate::timings::Timings;
-use questions::{OptionName, Phase, RunError, RunOptions, Watch, run_scene};
+use questions::{Phase, RunError, RunOptions, Watch, run_scene};
 use report::conclusion_words::{SummaryEnd, short_summary};
 use report::details::details;
 use report::dry_run::dry_run;
@@ -229,7 +229,7 @@ fn overrides(args: &RunArgs) -> Result<Overrides, Failure> {
         counterface: args
             .counterface
             .input()
-            .map(|body| body.body(OptionName::CounterfacePoissonRatio))
+            .map(|body| body.body("counterface_poisson_ratio"))
             .transpose()?,
         no_judge: args.no_judge,
         no_uncertainty: args.no_uncertainty,

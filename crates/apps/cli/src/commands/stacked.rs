@@ -3,7 +3,7 @@
 use questions::CurveQuestion;
 use study::models::ModelOptions;
 
-use super::{Context, load_inputs, range_inputs};
+use super::Context;
 use crate::args::StackedArgs;
 use crate::failure::Failure;
 use crate::flags::Flags;
@@ -17,8 +17,8 @@ pub(super) fn run(args: &StackedArgs, context: &Context<'_>) -> Result<(), Failu
         name: Some("stacked".to_owned()),
         options: ModelOptions { strain_gradient, ..ModelOptions::default() },
         material,
-        pressures: load_inputs(&args.loads.pressures),
-        pressure_ranges: range_inputs(&args.loads.pressure_ranges),
+        pressures: args.loads.pressures.clone(),
+        pressure_ranges: args.loads.pressure_ranges.clone(),
         sampling: args.sampling.input(),
         amplitude: args.amplitude.amplitude,
         details: args.details,

@@ -5,7 +5,7 @@ use questions::{CurveQuestion, remark_on_tolerance};
 use study::models::ModelOptions;
 
 use super::row_by_row::{self, Constants};
-use super::{Context, load_inputs, range_inputs, say_all};
+use super::{Context, say_all};
 use crate::args::StatisticalArgs;
 use crate::failure::Failure;
 use crate::flags::Flags;
@@ -27,8 +27,8 @@ fn over_cutoffs(psd: &str, args: &StatisticalArgs, context: &Context<'_>) -> Res
         model: args.model,
         options: ModelOptions { strain_gradient, ..args.options() },
         material,
-        pressures: load_inputs(&args.pressures),
-        pressure_ranges: range_inputs(&args.pressure_ranges),
+        pressures: args.loads.pressures.clone(),
+        pressure_ranges: args.loads.pressure_ranges.clone(),
         separations_m: args.separations.iter().map(|separation| separation.m).collect(),
         sampling: args.sampling.input(),
         normalisation: args.normalisation.normalisation,
@@ -59,10 +59,10 @@ fn of_rows(input: &Place, args: &StatisticalArgs, context: &Context<'_>) -> Resu
     constants.add_strength(&material)?;
     let length_m = material.strain_gradient_length_m;
     constants.add_number("--strain-gradient-length", "strain_gradient_length_m", length_m);
-    if args.pressures.len() + args.separations.len() > 1 {
+    if args.loads.pressures.len() + args.separations.len() > 1 {
         return Err(Failure::input("the rows of a table take one --pressure or one --separation"));
     }
-    constants.add_pressure(&args.pressures, material.hardness_and_strength()?.hardness_pa())?;
+    constants.add_pressure(&args.loads.pressures, material.hardness_and_strength()?.hardness_pa())?;
     for separation in &args.separations {
         constants.add_number("--separation", "separation_m", Some(separation.m));
     }
