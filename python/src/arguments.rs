@@ -14,6 +14,7 @@ use pyo3::types::{PyBytes, PyDict, PyString};
 use questions::{LoadInput, RandomInput, SamplingInput};
 use study::growth_law::GrowthLaw;
 use study::models::{Choice, MODELS, ModelEntry, ModelOptions};
+use study::plan::Tolerance;
 use units::{
     Area, Force, IndentationHardness, Length, LengthUnit, Modulus, Pressure, QuantityError, Resistivity,
     SignedLength, ThermalConductivity, UnknownName, WorkOfAdhesion, display,
@@ -166,6 +167,11 @@ fn growth_law(argument: &str, given: &Given<'_>) -> PyResult<GrowthLaw> {
     HardnessTable::new(sizes_m.into_iter().zip(hardnesses_pa))
         .map(GrowthLaw::Table)
         .map_err(|error| of_argument(argument, error))
+}
+
+/// The relative tolerance of statistical states.
+pub fn tolerance(argument: &str, given: &Given<'_>) -> PyResult<Tolerance> {
+    Tolerance::new(number(argument, given)?).map_err(input)
 }
 
 /// The elastic energy factor of mean gaps: a number, or the name of a form.

@@ -11,7 +11,7 @@ use stat_contact::Condition;
 use study::models::{self, Framework};
 
 use crate::answer::{PyAnswer, of_material, refused};
-use crate::arguments::{Arguments, none_of, number, text};
+use crate::arguments::{Arguments, none_of, text, tolerance};
 use crate::errors::{input, of_argument};
 use crate::material::PyMaterial;
 use crate::work::{carry_out, light};
@@ -79,7 +79,7 @@ pub fn contact_states<'py>(
     let question = StatesQuestion {
         model: Some(model.map_err(|error| of_argument("model", error))?),
         options: arguments.model_options()?,
-        tolerance: arguments.get("tolerance", number)?,
+        tolerance: arguments.get("tolerance", tolerance)?,
         skips_bad_rows: match arguments.required("errors", text)?.as_str() {
             "raise" => false,
             "nan" => true,

@@ -6,7 +6,7 @@ use study::models::{self, Framework};
 use units::SignedLength;
 
 use crate::answer::{PyAnswer, refused};
-use crate::arguments::{Arguments, choice, load, number, quantity, text};
+use crate::arguments::{Arguments, choice, load, number, quantity, text, tolerance};
 use crate::errors::of_argument;
 use crate::material::PyMaterial;
 use crate::surface::PySurface;
@@ -46,7 +46,7 @@ pub fn curve(
         sampling: arguments.sampling()?,
         normalisation: arguments.get("normalisation", choice)?,
         amplitude: arguments.get("amplitude", choice)?,
-        tolerance: arguments.get("tolerance", number)?,
+        tolerance: arguments.get("tolerance", tolerance)?,
         details: true,
         ..CurveQuestion::default()
     };
@@ -71,7 +71,7 @@ pub fn gaps(
 ) -> PyResult<PyAnswer> {
     let question = GapQuestion {
         by: GapModel {
-            tolerance: arguments.get("tolerance", number)?,
+            tolerance: arguments.get("tolerance", tolerance)?,
             ..gap_model(material, &arguments, &[ELEMENTS])?
         },
         pressures: arguments.pressures()?,

@@ -6,16 +6,15 @@ use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyString};
 use questions::{QuestionError, UncertainAreas, UncertaintyQuestion};
 use report::{advice_words, uncertainty_words};
-use scene::{UncertainProperty, UncertaintyChoices};
+use scene::{UncertainProperty, UncertaintySettings};
 use study::material_spreads::MaterialSpreads;
 use study::models::ModelEntry;
-use study::plan::Tolerance;
 use study::spread::Spread;
 use uncertainty::AreaInterval;
 use units::{Bound as NumberBound, RemarkPlace};
 
 use crate::answer::{Told, columns, in_text, refused, words};
-use crate::arguments::{Arguments, Given, any_model, checked, choice, number, without_unit};
+use crate::arguments::{Arguments, Given, any_model, checked, choice, number, tolerance, without_unit};
 use crate::errors::{input, of_argument};
 use crate::material::PyMaterial;
 use crate::surface::PySurface;
@@ -52,7 +51,7 @@ pub fn uncertainty_of<'py>(
         sampling: arguments.sampling()?,
         normalisation: arguments.get("normalisation", choice)?,
         amplitude: arguments.get("amplitude", choice)?,
-        tolerance: Tolerance::new(arguments.required("tolerance", number)?).map_err(input)?,
+        tolerance: arguments.required("tolerance", tolerance)?,
         choices: choices(&arguments)?,
     };
     let areas = carry_out(py, observer, |watch| question.answer(&surface.surface, watch))?;
@@ -78,7 +77,7 @@ fn models(names: &[String]) -> PyResult<Vec<&'static ModelEntry>> {
 }
 
 /// The numbers of draws.
-fn choices(arguments: &Arguments<'_>) -> PyResult<UncertaintyChoices> {
+fn choices(arguments: &Arguments<'_>) -> PyResult<UncertaintySettings> {
     let within = |bound| move |name: &str, given: &Given<'_>| checked(name, bound, number(name, given)?);
     let whole = |argument: &str, bound: NumberBound| {
         arguments.get(argument, |name, given| {
@@ -86,11 +85,12 @@ fn choices(arguments: &Arguments<'_>) -> PyResult<UncertaintyChoices> {
             given.extract().map_err(|_| input(format!("{name} is {value}; it must be a whole number")))
         })
     };
-    Ok(UncertaintyChoices {
-        level: arguments.get("level", within(UncertaintyChoices::LEVEL))?,
-        draws: whole("draws", UncertaintyChoices::DRAWS)?.map(|draws: u64| draws as usize),
-        seed: whole("seed", NumberBound::AtLeast(0.0))?,
-        shares_draws: whole("shares_draws", UncertaintyChoices::SHARES_DRAWS)?.map(|draws| draws as usize),
+    let usual = UncertaintySettings::default();
+    Ok(UncertaintySettings {
+        level: arguments.get("level", within(UncertaintySettings::LEVEL))?.unwrap_or(usual.level),
+        draws: whole("draws", UncertaintySettings::DRAWS)?.map_or(usual.draws, |draws: u64| draws as usize),
+        seed: whole("seed", NumberBound::AtLeast(0.0))?.unwrap_or(usual.seed),
+        shares_draws: whole("shares_draws", UncertaintySettings::SHARES_DRAWS)?.map(|draws| draws as usize),
         off: false,
     })
 }

@@ -289,7 +289,7 @@ fn repeated(times: usize) -> Scene {
 fn judge(times: usize) -> Work {
     let scene = repeated(times);
     let results = scene.plan().compute().expect("a sound scene");
-    let settings = judge::JudgeSettings::from_choices(scene.judge.as_ref());
+    let settings = scene.judge.unwrap_or_default();
     Box::new(move || {
         black_box(JudgePlan::new(&scene, &results, &settings).run(&Unobserved).expect("a sound scene"));
     })
@@ -299,7 +299,7 @@ fn judge(times: usize) -> Work {
 fn draws(times: usize) -> Work {
     let scene = repeated(times);
     let results = scene.plan().compute().expect("a sound scene");
-    let settings = uncertainty::Settings::from_choices(scene.uncertainty.as_ref());
+    let settings = scene.uncertainty.unwrap_or_default();
     Box::new(move || {
         let plan = UncertaintyPlan::new(&scene, &results, &settings).expect("an uncertain modulus");
         black_box(plan.run(&Unobserved).expect("a sound scene"));

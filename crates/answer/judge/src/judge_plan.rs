@@ -1,7 +1,7 @@
 //! The plan of a judgement: what is pressed, and in which order everything is compared.
 
 use numerics::parallel::{NestedProgress, Progress};
-use scene::Scene;
+use scene::{JudgeSettings, Scene};
 use study::plan::Results;
 use units::RemarkCode;
 
@@ -11,7 +11,6 @@ use crate::comparison::{Comparisons, conclude, without_elements};
 use crate::judgement::Judgement;
 use crate::layout::Layout;
 use crate::maps::{MapPressing, MapVerdict, compare_maps};
-use crate::settings::JudgeSettings;
 use crate::solve::solve;
 
 /// The surfaces and pressures that the judge will solve for a scene. The budget fixes them before anything is solved.

@@ -1,12 +1,18 @@
 //! The layout of a judgement, fixed before anything is solved: grid, windows, surfaces, and the pressures on each window.
 
+use scene::JudgeSettings;
 use serde::Serialize;
 
 use crate::body::Reference;
 use crate::case::{Case, WindowForms};
-use crate::settings::{DEFAULT_REALISATIONS, GRIDS, JudgeSettings};
 use crate::waves::Waves;
 use crate::window::{Window, bands, decades_held};
+
+/// The number of surfaces in each window, if the budget allows and no other is given.
+const DEFAULT_REALISATIONS: usize = 4;
+
+/// Grids that are tried, from fine to coarse: their sides have small factors, which fast Fourier transforms like.
+const GRIDS: [usize; 10] = [1024, 768, 512, 384, 256, 192, 128, 96, 64, 48];
 
 /// Pressures that differ by less than this share a solution.
 const SAME_PRESSURE: f64 = 0.01;

@@ -48,7 +48,7 @@ pub struct CurveQuestion {
     /// Amplitude of a scale, for all models but statistical ones.
     pub amplitude: Option<AmplitudeDefinition>,
     /// Relative tolerance of statistical states, in (0, 0.01\].
-    pub tolerance: Option<f64>,
+    pub tolerance: Option<Tolerance>,
     /// Cutoffs at which the contact is wanted.
     pub cutoffs: Cutoffs,
     /// True appends columns on how each row was found.
@@ -85,7 +85,7 @@ impl CurveQuestion {
         let Resolved { material, entry, tolerance, needs } = self.resolve()?;
         self.sampling.check(surface)?;
         let mut notes = Vec::new();
-        notes.extend(remark_on_tolerance(tolerance));
+        notes.extend(tolerance.remark());
         notes.extend(remark_on_model(&material, entry));
         notes.extend(doubts::of_material(&material));
         notes.extend(surface.notes.iter().cloned());
@@ -118,8 +118,7 @@ impl CurveQuestion {
         ];
         first_given(of_other_frameworks, not_of_model(entry.name))?;
         let material = self.material.material()?;
-        let tolerance = self.tolerance.map(Tolerance::new).transpose().map_err(PlanError::from)?;
-        let tolerance = tolerance.unwrap_or_default();
+        let tolerance = self.tolerance.unwrap_or_default();
         let model = entry.build(&material, &self.options)?;
         let (loads, load_ranges) = resolved(&self.pressures, &self.pressure_ranges, &material)?;
         if loads.is_empty() && load_ranges.is_empty() && self.separations_m.is_empty() {
@@ -156,13 +155,6 @@ impl CurveQuestion {
         }
         Ok(Resolved { material, entry, tolerance, needs })
     }
-}
-
-/// Makes the remark on a tolerance beyond double precision.
-#[must_use]
-pub fn remark_on_tolerance(tolerance: Tolerance) -> Option<Remark> {
-    let remark = Remark::new(RemarkCode::ToleranceTooFine).on("tolerance");
-    tolerance.asked_finer().map(|asked| remark.with("asked", asked).with("used", tolerance.value()))
 }
 
 /// A question with everything looked up.
@@ -204,8 +196,7 @@ impl<'s> PreparedCurve<'s> {
         let curve = scene.needs.curves[curve].clone();
         let tolerance = scene.needs.tolerance;
         let has_states = curve.model.takes_separations();
-        let mut notes: Vec<Remark> =
-            remark_on_tolerance(tolerance).filter(|_| has_states).into_iter().collect();
+        let mut notes: Vec<Remark> = tolerance.remark().filter(|_| has_states).into_iter().collect();
         notes.extend(material.and_then(|material| remark_on_model(material, curve.model.entry())));
         notes.extend(material.and_then(doubts::of_material));
         notes.extend(scene.surface.notes.iter().cloned());

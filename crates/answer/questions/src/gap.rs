@@ -16,7 +16,6 @@ use study::surface::Surface;
 use units::{Pressure, PressureRange, Remark, RemarkCode};
 
 use crate::choices;
-use crate::curve::remark_on_tolerance;
 use crate::elements::{RandomInput, random_surfaces, remarks_on_pressed};
 use crate::loads::{LoadInput, nominal_pressure, pressures_pa};
 use crate::note::{FEW_TOUCH, remark_on_model, remarks_on_separation};
@@ -41,7 +40,7 @@ pub struct GapModel {
     /// Normalisation of moments, for statistical models.
     pub normalisation: Option<Normalisation>,
     /// Relative tolerance of statistical states, in (0, 0.01\], for statistical models.
-    pub tolerance: Option<f64>,
+    pub tolerance: Option<Tolerance>,
 }
 
 /// Mean gap and stiffness of a surface under loads, with its whole spectrum.
@@ -147,13 +146,7 @@ impl GapModel {
         let missing = options.given().filter(|choice| of_asperities.contains(choice) && !entry.has(*choice));
         let missing = missing.map(|choice| (choice.key(), true));
         first_given(of_other_frameworks.into_iter().chain(missing), not_of_model(entry.name))?;
-        choices::check(options, entry, self.material.strength_cap.is_some())?;
-        self.checked_tolerance().map(drop)
-    }
-
-    fn checked_tolerance(&self) -> Result<Tolerance, QuestionError> {
-        let tolerance = self.tolerance.map(Tolerance::new).transpose().map_err(PlanError::from)?;
-        Ok(tolerance.unwrap_or_default())
+        Ok(choices::check(options, entry, self.material.strength_cap.is_some())?)
     }
 
     /// The law with the whole spectrum.
@@ -177,14 +170,14 @@ impl GapModel {
         let choices = GapChoices {
             energy_factor: self.options.gamma.unwrap_or_default(),
             band: self.options.band.unwrap_or_default(),
-            tolerance: self.checked_tolerance()?,
+            tolerance: self.tolerance.unwrap_or_default(),
         };
         Ok(GapLaw::of(&model, &plan, &results, &choices)?)
     }
 
     /// Notes known before anything is computed.
     pub(crate) fn notes(&self, material: &Material, surface: &Surface) -> Vec<Remark> {
-        let too_fine = self.checked_tolerance().ok().and_then(remark_on_tolerance);
+        let too_fine = self.tolerance.and_then(Tolerance::remark);
         let doubt = doubts::of_material(material);
         let surface_notes = surface.notes.iter().cloned();
         let of_model = self.model.and_then(|entry| remark_on_model(material, entry));

@@ -2,7 +2,7 @@
 
 use elements::{Boundary, ElementsError, ImposedLoad, Pressing, Relief, Surfaces};
 use findings::doubts;
-use measurements::MapPatch;
+use scans::HeightMap;
 use scene::Scene;
 use serde::{Deserialize, Serialize};
 use topography::detrended_m;
@@ -31,10 +31,11 @@ impl MapQuestion {
     pub fn from_scene(scene: &Scene, map: usize) -> Option<Self> {
         let patch = scene.surface.made_from.as_ref()?.maps.get(map)?;
         let material = scene.material.as_ref().filter(|material| material.pair.layer().is_none())?;
+        let boundary = if patch.is_periodic { Boundary::Periodic } else { Boundary::Free };
         Some(MapQuestion {
             name: patch.name.clone(),
             points_of_whole: patch.points_of_whole,
-            relief: relief(patch),
+            relief: relief(&patch.map, detrended_m(&patch.map, patch.detrend), boundary),
             contact_modulus_pa: material.pair.composite_modulus_pa(),
             saturation_pa: material.hardness_pa(),
         })
@@ -63,15 +64,15 @@ impl MapQuestion {
     }
 }
 
-/// The heights of a patch without their trend.
-fn relief(patch: &MapPatch) -> Relief {
-    let map = &patch.map;
+/// Returns a map, with heights \[m\] of its own or others in their place, as it is pressed.
+#[must_use]
+pub fn relief(map: &HeightMap, heights_m: Vec<f64>, boundary: Boundary) -> Relief {
     Relief {
         rows: map.rows(),
         columns: map.columns(),
         length_x_m: map.columns() as f64 * map.spacing_x_m(),
         length_y_m: map.rows() as f64 * map.spacing_y_m(),
-        heights_m: detrended_m(map, patch.detrend),
-        boundary: if patch.is_periodic { Boundary::Periodic } else { Boundary::Free },
+        heights_m,
+        boundary,
     }
 }

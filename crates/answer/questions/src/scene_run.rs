@@ -186,7 +186,7 @@ fn judgement(
     if !options.is_judged(scene) {
         return Ok(None);
     }
-    let settings = judge::JudgeSettings::from_choices(scene.judge.as_ref());
+    let settings = scene.judge.unwrap_or_default();
     let plan = JudgePlan::new(scene, results, &settings);
     let progress = watch.begin(Phase::Judging, plan.solutions());
     let judgement = plan.run(&*progress)?;
@@ -203,7 +203,7 @@ fn uncertainty(
     if !options.is_drawn(scene) {
         return Ok(None);
     }
-    let settings = uncertainty::Settings::from_choices(scene.uncertainty.as_ref());
+    let settings = scene.uncertainty.unwrap_or_default();
     let Some(plan) = UncertaintyPlan::new(scene, results, &settings) else { return Ok(None) };
     let progress = watch.begin(Phase::Drawing, plan.steps());
     Ok(Some(plan.run(&*progress)?))

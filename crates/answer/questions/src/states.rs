@@ -5,7 +5,7 @@ use findings::doubts;
 use serde::{Deserialize, Serialize};
 use study::material::Material;
 use study::models::{ModelEntry, ModelOptions};
-use study::plan::{PlanError, Tolerance};
+use study::plan::Tolerance;
 use units::{Remark, RemarkCode};
 
 use crate::{CurveCounts, QuestionError, choices};
@@ -19,7 +19,7 @@ pub struct StatesQuestion {
     /// Choices that the model leaves open.
     pub options: ModelOptions,
     /// Relative tolerance of pressure and area, in (0, 0.01\].
-    pub tolerance: Option<f64>,
+    pub tolerance: Option<Tolerance>,
     /// Leaves rows that cannot be computed without results, instead of ending with the first.
     pub skips_bad_rows: bool,
 }
@@ -40,8 +40,7 @@ impl StatesQuestion {
     pub fn states(&self) -> Result<ContactStates, QuestionError> {
         let entry = self.model.ok_or(QuestionError::missing("model"))?;
         choices::check(&self.options, entry, false)?;
-        let tolerance = self.tolerance.map(Tolerance::new).transpose().map_err(PlanError::from)?;
-        let (options, tolerance) = (self.options.clone(), tolerance.unwrap_or_default());
+        let (options, tolerance) = (self.options.clone(), self.tolerance.unwrap_or_default());
         Ok(ContactStates { entry, options, tolerance, skips_bad_rows: self.skips_bad_rows })
     }
 

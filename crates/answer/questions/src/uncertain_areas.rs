@@ -1,14 +1,14 @@
 //! Coverage intervals of the areas of several models.
 
 use numerics::parallel::Progress;
-use scene::{Scene, UncertaintyChoices};
+use scene::{Scene, UncertaintySettings};
 use spectrum::{AmplitudeDefinition, Normalisation};
 use study::bodies::Bodies;
 use study::material_spreads::MaterialSpreads;
 use study::models::{Choice, ModelEntry, ModelOptions};
 use study::plan::{Curve, Needs, Results, Tolerance};
 use study::surface::Surface;
-use uncertainty::{Settings, Uncertainty, UncertaintyPlan, scattering_groups};
+use uncertainty::{Uncertainty, UncertaintyPlan, scattering_groups};
 use units::Remark;
 
 use crate::{CurveQuestion, LoadInput, MaterialInput, PreparedCurve, QuestionError, SamplingInput};
@@ -35,7 +35,7 @@ pub struct UncertaintyQuestion {
     /// Relative tolerance of statistical states.
     pub tolerance: Tolerance,
     /// Settings of the draws.
-    pub choices: UncertaintyChoices,
+    pub choices: UncertaintySettings,
 }
 
 /// Areas with their coverage intervals.
@@ -63,8 +63,7 @@ impl UncertaintyQuestion {
             return Err(QuestionError::NothingScatters);
         }
         let results = scene.plan().compute_observed(progress)?;
-        let plan =
-            UncertaintyPlan::new(&scene, &results, &Settings::from_choices(scene.uncertainty.as_ref()));
+        let plan = UncertaintyPlan::new(&scene, &results, &self.choices);
         let uncertainty = plan.ok_or(QuestionError::NothingToDraw)?.run(progress)?;
         Ok(UncertainAreas { scene, results, uncertainty })
     }

@@ -25,6 +25,7 @@ use stat_contact::InterferenceLaw;
 use study::NoFiles;
 use study::growth_law::GrowthLaw;
 use study::models::{self, Choice, Framework, MODELS, ModelEntry, ModelOptions};
+use study::plan::Tolerance;
 use study::result_tables;
 use study::surface::Surface;
 use tables::{Cell, Cells, Table};
@@ -253,7 +254,12 @@ fn a_tolerance_is_refused_by_gaps_and_laws_without_statistical_states() {
     };
     let pressures = vec![LoadInput { pressure: Pressure::Pascals(1e6), label: "1 MPa".to_owned() }];
     for model in models::with_gaps().map(Some).chain([None]) {
-        let by = GapModel { model, material, tolerance: Some(1e-6), ..GapModel::default() };
+        let by = GapModel {
+            model,
+            material,
+            tolerance: Some(Tolerance::new(1e-6).unwrap()),
+            ..GapModel::default()
+        };
         let is_statistical = model.is_some_and(|entry| entry.framework == Framework::Statistical);
         let gap = GapQuestion { by: by.clone(), pressures: pressures.clone(), ..GapQuestion::default() };
         let law = LawQuestion { by, ..LawQuestion::default() };
@@ -304,7 +310,11 @@ fn every_option_that_a_model_ignores_is_found_and_none_that_it_heeds() {
         let of = |framework| entry.framework == framework;
         let statistical = of(Framework::Statistical);
         assert_eq!(asked(&|question| question.normalisation = Some(Normalisation::Parseval)), !statistical);
-        assert_eq!(asked(&|question| question.tolerance = Some(1e-6)), !statistical, "{entry}");
+        assert_eq!(
+            asked(&|question| question.tolerance = Some(Tolerance::new(1e-6).unwrap())),
+            !statistical,
+            "{entry}"
+        );
         assert_eq!(asked(&|question| question.separations_m = vec![1e-9]), !statistical, "{entry}");
         assert_eq!(asked(&|question| question.amplitude = Some(Default::default())), statistical, "{entry}");
         let cap = |question: &mut CurveQuestion| {

@@ -4,10 +4,9 @@ use std::io::Cursor;
 
 use measurements::Files;
 use persson::corrections::Correction;
-use persson::hardness_laws::HardnessTable;
 use serde_spanned::Spanned;
 use tables::TableSource;
-use units::{Bound, Remark};
+use units::Remark;
 
 use super::error::SceneError;
 use super::interface::energy_factor;
@@ -95,18 +94,15 @@ fn growth_law(text: &Spanned<String>, files: &dyn Files) -> Result<GrowthLaw, Sc
     let typed = text.get_ref();
     let refused = |problem: String| value_error("curve.hardness_law", typed, text.span(), problem);
     if let Some(name) = typed.strip_prefix("table:").filter(|name| !name.is_empty()) {
-        return table_of_hardnesses(name, files).map(GrowthLaw::Table).map_err(refused);
+        return table_of_hardnesses(name, files).map_err(refused);
     }
     let law = GrowthLaw::named(typed).map_err(refused)?;
     law.ok_or_else(|| refused("expected power:N, nix-gao or table:FILE".to_owned()))
 }
 
-fn table_of_hardnesses(name: &str, files: &dyn Files) -> Result<HardnessTable, String> {
+fn table_of_hardnesses(name: &str, files: &dyn Files) -> Result<GrowthLaw, String> {
     let bytes = files.read(name).map_err(|error| format!("{name}: {error}"))?;
     let table = TableSource::new(name, Cursor::new(bytes)).and_then(TableSource::whole);
-    let columns = [("contact_size_m", Bound::Magnitude), ("hardness_pa", Bound::Magnitude)];
-    let rows =
-        table.map_err(|error| error.to_string())?.numbers(columns).map_err(|error| error.to_string())?;
-    let rows = rows.into_iter().map(|[size_m, hardness_pa]| (size_m, hardness_pa));
-    HardnessTable::new(rows).map_err(|error| format!("{name}: {error}"))
+    GrowthLaw::from_table(&table.map_err(|error| error.to_string())?)
+        .map_err(|error| format!("{name}: {error}"))
 }

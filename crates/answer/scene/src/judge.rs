@@ -15,28 +15,29 @@ const GRID: Bound = Bound::Within { at_least: 32.0, at_most: 8192.0 };
 /// below the error of their grid.
 const REALISATIONS: Bound = Bound::Within { at_least: 2.0, at_most: 10_000.0 };
 
-/// Settings of the judge in a scene. The judge chooses those that are absent.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct JudgeChoices {
-    /// Points per side of a surface, from 32 to 8192.
+/// Settings of the judge.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct JudgeSettings {
+    /// Points per side of a surface, from 32 to 8192; the most that the budget allows if absent.
     pub grid: Option<usize>,
-    /// Surfaces of a spectrum, from 2 to 10,000.
+    /// Surfaces in each window, from 2 to 10,000; chosen within the budget if absent.
     pub realisations: Option<usize>,
     /// Seed of the random phases of the surfaces.
-    pub seed: Option<u64>,
+    pub seed: u64,
     /// Total cost: operator applications of the solver times grid points of a surface, > 0.
-    pub budget: Option<f64>,
+    pub budget: f64,
     /// True if the scene turns the judgement off.
     pub off: bool,
 }
 
-impl JudgeChoices {
-    /// Turns the judge off.
-    pub(super) const OFF: Self =
-        JudgeChoices { grid: None, realisations: None, seed: None, budget: None, off: true };
+impl Default for JudgeSettings {
+    /// Returns the settings with a budget of one to two seconds on two processors.
+    fn default() -> Self {
+        JudgeSettings { grid: None, realisations: None, seed: 1, budget: 6e7, off: false }
+    }
 }
 
-pub(super) fn resolve_judge(raw: &RawJudge) -> Result<JudgeChoices, SceneError> {
+pub(super) fn resolve_judge(raw: &RawJudge) -> Result<JudgeSettings, SceneError> {
     let whole = |key, quantity, raw: &Option<Spanned<i64>>, bound| {
         raw.as_ref().map(|raw| whole_number(key, quantity, raw, bound)).transpose()
     };
@@ -49,11 +50,12 @@ pub(super) fn resolve_judge(raw: &RawJudge) -> Result<JudgeChoices, SceneError> 
         let checked = Bound::Positive.check("the number of operators times points", value);
         checked.map_err(|error| value_error("judge.budget", &value.to_string(), raw.span(), error))
     });
-    Ok(JudgeChoices {
+    let usual = JudgeSettings::default();
+    Ok(JudgeSettings {
         grid: grid.map(|points| points as usize),
         realisations: realisations.map(|surfaces| surfaces as usize),
-        seed,
-        budget: budget.transpose()?,
+        seed: seed.unwrap_or(usual.seed),
+        budget: budget.transpose()?.unwrap_or(usual.budget),
         off: raw.off,
     })
 }

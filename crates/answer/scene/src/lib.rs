@@ -33,13 +33,13 @@ mod values;
 pub use error::{SceneError, SceneProblem};
 pub use figure_style::FigureChoice;
 pub use file_content::FileContent;
-pub use judge::JudgeChoices;
+pub use judge::JudgeSettings;
 pub use replace::{ReplaceError, with_keys};
 pub use resolve::Overrides;
 pub use scene_text::SceneText;
 pub use template::Template;
 pub use uncertain::UncertainProperty;
-pub use uncertainty::UncertaintyChoices;
+pub use uncertainty::UncertaintySettings;
 
 use measurements::{Files, NoFiles};
 use persson::variance::Band;
@@ -75,9 +75,9 @@ pub struct Scene {
     /// The figures to draw.
     pub figures: Vec<Figure>,
     /// Settings of the judge; absent if the scene has no `judge` section.
-    pub judge: Option<JudgeChoices>,
+    pub judge: Option<JudgeSettings>,
     /// Settings of the uncertainty analysis; absent if the scene has no `uncertainty` section.
-    pub uncertainty: Option<UncertaintyChoices>,
+    pub uncertainty: Option<UncertaintySettings>,
     /// Results requested of the interface besides its area; absent if none are.
     pub interface: Option<InterfaceRequest>,
     /// Keys that have no effect.

@@ -110,8 +110,8 @@ fn options(raw: &RawScene, scene: &Scene, overrides: &Overrides) -> UnusedKeys {
     }
     if needs.curves.iter().all(|curve| curve.model.statistical().is_none()) {
         unused.push(one("tolerance", RemarkCode::NoCurveUsesIt));
-    } else if needs.tolerance.asked_finer().is_some() {
-        unused.push(one("tolerance", RemarkCode::ToleranceHeld).with("used", needs.tolerance.value()));
+    } else {
+        unused.extend(needs.tolerance.remark());
     }
     unused
 }

@@ -12,11 +12,11 @@ use super::error::SceneError;
 use super::figures::resolve_figures;
 use super::file_names;
 use super::interface::resolve_interface;
-use super::judge::{JudgeChoices, resolve_judge};
+use super::judge::{JudgeSettings, resolve_judge};
 use super::loads::{nominal_area_m2, resolve_loads};
 use super::raw::RawScene;
 use super::surfaces::resolve_surface;
-use super::uncertainty::{UncertaintyChoices, resolve_uncertainty};
+use super::uncertainty::{UncertaintySettings, resolve_uncertainty};
 use super::values::{count, optional, tolerance};
 use measurements::Files;
 use study::bodies::Bodies;
@@ -185,11 +185,11 @@ pub(super) fn resolve(
         },
         figures,
         judge: match overrides.no_judge {
-            true => Some(JudgeChoices::OFF),
+            true => Some(JudgeSettings { off: true, ..JudgeSettings::default() }),
             false => judge,
         },
         uncertainty: match overrides.no_uncertainty {
-            true => Some(UncertaintyChoices::OFF),
+            true => Some(UncertaintySettings { off: true, ..UncertaintySettings::default() }),
             false => uncertainty,
         },
         interface,

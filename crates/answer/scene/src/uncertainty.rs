@@ -1,5 +1,6 @@
 //! Settings of the uncertainty analysis: typed values, checked against their bounds.
 
+use serde::Serialize;
 use serde_spanned::Spanned;
 use units::Bound;
 
@@ -7,22 +8,30 @@ use super::error::SceneError;
 use super::raw::RawUncertainty;
 use super::values::{value_error, whole_number};
 
-/// Settings of the uncertainty analysis in a scene. The analysis chooses those that are absent.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct UncertaintyChoices {
+/// Settings of the uncertainty analysis.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct UncertaintySettings {
     /// The probability that an interval covers, above 0 and below 1.
-    pub level: Option<f64>,
+    pub level: f64,
     /// Number of draws, from 20 to 1,000,000.
-    pub draws: Option<usize>,
+    pub draws: usize,
     /// Seed of the draws.
-    pub seed: Option<u64>,
-    /// Draws of the full design that shares of variance are taken from, from 64 to 1,000,000.
+    pub seed: u64,
+    /// Draws of the full design that shares of variance are taken from, from 64 to 1,000,000; a small design, with its error, if
+    /// absent.
     pub shares_draws: Option<usize>,
     /// True if the scene turns the uncertainty analysis off.
+    #[serde(skip)]
     pub off: bool,
 }
 
-impl UncertaintyChoices {
+impl Default for UncertaintySettings {
+    fn default() -> Self {
+        UncertaintySettings { level: 0.95, draws: 2000, seed: 1, shares_draws: None, off: false }
+    }
+}
+
+impl UncertaintySettings {
     /// The probability that an interval covers: of 0 it is a point, of 1 it has no ends.
     pub const LEVEL: Bound = Bound::Between { above: 0.0, below: 1.0 };
 
@@ -32,33 +41,30 @@ impl UncertaintyChoices {
 
     /// Draws of the design that shares of variance are taken from: below, a share is lost in its own error.
     pub const SHARES_DRAWS: Bound = Bound::Within { at_least: 64.0, at_most: 1_000_000.0 };
-
-    /// Turns the draws off.
-    pub(super) const OFF: Self =
-        UncertaintyChoices { level: None, draws: None, seed: None, shares_draws: None, off: true };
 }
 
-pub(super) fn resolve_uncertainty(raw: &RawUncertainty) -> Result<UncertaintyChoices, SceneError> {
+pub(super) fn resolve_uncertainty(raw: &RawUncertainty) -> Result<UncertaintySettings, SceneError> {
     let whole = |key, quantity, raw: &Option<Spanned<i64>>, bound| {
         raw.as_ref().map(|raw| whole_number(key, quantity, raw, bound)).transpose()
     };
-    let draws = whole("uncertainty.draws", "the number of draws", &raw.draws, UncertaintyChoices::DRAWS)?;
+    let draws = whole("uncertainty.draws", "the number of draws", &raw.draws, UncertaintySettings::DRAWS)?;
     let seed = whole("uncertainty.seed", "the seed", &raw.seed, Bound::AtLeast(0.0))?;
     let shares_draws = whole(
         "uncertainty.shares_draws",
         "the number of draws for shares",
         &raw.shares_draws,
-        UncertaintyChoices::SHARES_DRAWS,
+        UncertaintySettings::SHARES_DRAWS,
     )?;
     let level = raw.level.as_ref().map(|raw| {
         let value = *raw.get_ref();
-        let checked = UncertaintyChoices::LEVEL.check("the probability that an interval covers", value);
+        let checked = UncertaintySettings::LEVEL.check("the probability that an interval covers", value);
         checked.map_err(|error| value_error("uncertainty.level", &value.to_string(), raw.span(), error))
     });
-    Ok(UncertaintyChoices {
-        level: level.transpose()?,
-        draws: draws.map(|draws| draws as usize),
-        seed,
+    let usual = UncertaintySettings::default();
+    Ok(UncertaintySettings {
+        level: level.transpose()?.unwrap_or(usual.level),
+        draws: draws.map_or(usual.draws, |draws| draws as usize),
+        seed: seed.unwrap_or(usual.seed),
         shares_draws: shares_draws.map(|draws| draws as usize),
         off: raw.off,
     })

@@ -2,6 +2,7 @@
 
 use persson::hardness_laws::HardnessTable;
 use serde::{Deserialize, Serialize};
+use tables::InputTable;
 use units::Bound;
 
 /// The law by which a hardness grows towards short wavelengths. In files it is `nix-gao`, `power:N`, or a list of pairs
@@ -50,6 +51,17 @@ impl From<GrowthLaw> for NameOrRows {
 }
 
 impl GrowthLaw {
+    /// Reads the law of a table with the columns `contact_size_m` and `hardness_pa`.
+    ///
+    /// # Errors
+    /// A message that says what is wrong with the table.
+    pub fn from_table(table: &InputTable) -> Result<Self, String> {
+        let columns = [("contact_size_m", Bound::Magnitude), ("hardness_pa", Bound::Magnitude)];
+        let rows = table.numbers(columns).map_err(|error| error.to_string())?;
+        let rows = rows.into_iter().map(|[size_m, hardness_pa]| (size_m, hardness_pa));
+        HardnessTable::new(rows).map(GrowthLaw::Table).map_err(|error| error.to_string())
+    }
+
     /// Parses `nix-gao` or `power:N`; returns `None` if the text names neither law.
     ///
     /// # Errors

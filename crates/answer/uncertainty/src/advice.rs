@@ -1,5 +1,6 @@
 //! Advice on what to measure next, from the same draws.
 
+use scene::UncertaintySettings;
 use study::Progress;
 use study::plan::{Cutoffs, Results, Work};
 use study::student::{half_width, normal_half_width};
@@ -15,7 +16,6 @@ use crate::inputs::Inputs;
 use crate::light_draws::{Contributions, LIGHT_DRAWS, LightDraw};
 use crate::quantiles::interval;
 use crate::results::{Advice, DecadeOfVariance, Resampled, Settling, Step, StepKind};
-use crate::settings::Settings;
 use crate::shares::first_order;
 use crate::spectrum_ends::{End, PowerLaw, prolonged, prolonged_to_m};
 use crate::surface_scatter::{DrawOf, SpectrumSource, SurfaceScatter};
@@ -44,7 +44,7 @@ pub(crate) struct Adviser<'p> {
     pub inputs: &'p Inputs,
     pub areas: &'p Areas,
     pub results: &'p Results,
-    pub settings: Settings,
+    pub settings: UncertaintySettings,
     pub drawn: &'p Drawn,
     pub indices: &'p [Vec<Indices>],
 }

@@ -1,13 +1,12 @@
 //! The uncertain inputs of a scene: surface and bodies.
 
-use scene::Scene;
+use scene::{Scene, UncertaintySettings};
 use spectrum::ProfilePsd;
 use study::plan::Curve;
 
 use crate::group::Group;
 use crate::material_draws::{DrawnMaterial, MaterialDraws};
 use crate::random::Streams;
-use crate::settings::DEFAULT_SEED;
 use crate::surface_scatter::{DrawOf, SurfaceScatter};
 
 /// The uncertain surface and bodies.
@@ -23,7 +22,8 @@ pub(crate) struct Inputs {
 /// The uncertain groups of inputs of a scene, whatever its settings for draws.
 #[must_use]
 pub fn scattering_groups(scene: &Scene) -> Vec<Group> {
-    Inputs::from_scene(scene, DEFAULT_SEED).map_or_else(Vec::new, |inputs| inputs.groups)
+    Inputs::from_scene(scene, UncertaintySettings::default().seed)
+        .map_or_else(Vec::new, |inputs| inputs.groups)
 }
 
 impl Inputs {

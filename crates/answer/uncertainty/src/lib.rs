@@ -20,7 +20,6 @@ mod quantities;
 mod random;
 mod results;
 mod scan_scatter;
-mod settings;
 mod shares;
 mod smooth_spectrum;
 pub mod sobol;
@@ -40,6 +39,6 @@ pub use results::{
     OpenChannel, OverlapMisfit, QuantityInterval, Resampled, Settling, SpectrumErrors, Step, StepKind,
     Uncertainty,
 };
-pub use settings::{DEFAULT_DRAWS, DEFAULT_LEVEL, DEFAULT_SEED, Settings};
+pub use scene::UncertaintySettings;
 pub use spectrum_errors::CORRELATION_DECADES;
 pub use tables::LARGEST_ERROR_OF_A_SHARE;

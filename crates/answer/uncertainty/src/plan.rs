@@ -1,6 +1,6 @@
 //! The draws of a scene, from its inputs to the result.
 
-use scene::Scene;
+use scene::{Scene, UncertaintySettings};
 use study::Progress;
 use study::plan::{Cutoffs, Distinct, PlanError, Results, Work};
 use units::{Remark, RemarkCode};
@@ -14,7 +14,6 @@ use crate::inputs::Inputs;
 use crate::quantiles::{area_interval_about, interval};
 use crate::quantities::{Quantities, QuantityDraws};
 use crate::results::{AreaBand, AreaInterval, Uncertainty};
-use crate::settings::Settings;
 use crate::shares::Design;
 use crate::surface_scatter::{DrawOf, SpectrumSource};
 
@@ -22,7 +21,7 @@ use crate::surface_scatter::{DrawOf, SpectrumSource};
 #[derive(Debug)]
 pub struct UncertaintyPlan<'p> {
     results: &'p Results,
-    settings: Settings,
+    settings: UncertaintySettings,
     inputs: Inputs,
     areas: Areas,
     quantities: Option<Quantities<'p>>,
@@ -45,7 +44,7 @@ impl<'p> UncertaintyPlan<'p> {
     /// Plans the analysis of a scene and its results; `None` if nothing in the scene is uncertain, or if it has no
     /// areas.
     #[must_use]
-    pub fn new(scene: &'p Scene, results: &'p Results, settings: &Settings) -> Option<Self> {
+    pub fn new(scene: &'p Scene, results: &'p Results, settings: &UncertaintySettings) -> Option<Self> {
         let inputs = Inputs::from_scene(scene, settings.seed)?;
         let areas = Areas::new(scene, results);
         let shortest_m = results.psd.shortest_wavelength_m();

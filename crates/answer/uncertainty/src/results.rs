@@ -1,18 +1,18 @@
 //! The results of an uncertainty analysis.
 
+use scene::UncertaintySettings;
 use serde::Serialize;
 use study::interface::Slot;
 use study::plan::Work;
 use units::Remark;
 
 use crate::group::{Group, Indices};
-use crate::settings::Settings;
 
 /// The uncertainty of the areas of a scene.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Uncertainty {
     /// The settings of the draws.
-    pub settings: Settings,
+    pub settings: UncertaintySettings,
     /// The number of draws behind the intervals: the requested number, unless the draws were stopped early.
     pub draws: usize,
     /// True if the draws were stopped early.

@@ -163,7 +163,7 @@ remark_codes! {
          compressible layers, up to 2.3 times on thin rubber-like layers, and 0.9 to 1.2 times the gaps"
         short "areas of a layer hold to 25 %, of a thin rubber-like one to a factor 2.3";
     ToleranceTooFine "tolerance-too-fine" Note
-        "{--tolerance=@asked#} is finer than double precision reaches: {used#} is used";
+        "{option} of {asked#} is finer than double precision reaches: {used#} is used";
     Sampling "sampling.sampled-scales" Note
         "{scales} scales from {longest_m} to {shortest_m}[, {per_decade} per decade]; the area depends on how densely scales are sampled \
          ({--scales_per_decade})"
@@ -310,7 +310,6 @@ remark_codes! {
     EveryCurveHasItsOwn "scene-note" Note "{option} has no effect: every curve that it applies to sets its own";
     NothingNeedsIt "scene-note" Note "{option} has no effect: no curve and no figure needs it";
     CutoffBelowData "scene-note" Note "{option} has no effect: the spectrum ends above it, at {shortest_m}";
-    ToleranceHeld "scene-note" Note "{option} is finer than double precision reaches: {used#} is used";
     JudgeIsOff "scene-note" Note "{option} has no effect: the judge is off";
     UncertaintyIsOff "scene-note" Note "{option} has no effect: the uncertainty analysis is off";
     NothingScatters "scene-note" Note

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use findings::answer::SceneAnswer;
 use findings::conclusions::Conclusions;
 use findings::sensitivity::{Sensitivity, sensitivities};
-use judge::{JudgePlan, JudgeSettings, Judgement};
+use judge::{JudgePlan, Judgement};
 use paper::{Evidence, Verdict};
 use report::page::Report;
 use report::products::SceneProducts;
@@ -118,7 +118,7 @@ struct Found {
 impl Found {
     fn about(evidence: &Evidence) -> Result<Self, Box<dyn Error>> {
         let (scene, results) = (&evidence.scene, &evidence.results);
-        let settings = JudgeSettings::from_choices(scene.judge.as_ref());
+        let settings = scene.judge.unwrap_or_default();
         Ok(Found {
             answer: SceneAnswer::from_results(scene, results),
             sensitivities: sensitivities(scene, results, &Unobserved)?,

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 use lexopt::prelude::*;
 use trials::coverage::{CELLS, TAILS_HEADER, tails, tails_rows};
-use uncertainty::Settings;
+use uncertainty::UncertaintySettings;
 
 const HELP: &str = "\
 cargo xtask trials models|judge|layers|gaps [--anew]
@@ -96,7 +96,7 @@ fn named(name: &std::ffi::OsStr) -> Option<Trials> {
 
 /// Runs the cells one after the other and prints each when it is done.
 fn count_held_truths(coverage: &Coverage) -> Outcome {
-    let settings = Settings { draws: coverage.draws, ..Settings::default() };
+    let settings = UncertaintySettings { draws: coverage.draws, ..UncertaintySettings::default() };
     println!("{TAILS_HEADER}");
     for (number, cell) in (1..).zip(&CELLS) {
         if coverage.cells.is_empty() || coverage.cells.contains(&number) {

@@ -8,7 +8,7 @@ use study::choices_in_words;
 use study::figure::Shows;
 use study::models::Framework;
 use study::plan::{Curve, Cutoffs, Needs, scales_per_decade};
-use uncertainty::{Settings, scattering_groups};
+use uncertainty::{UncertaintySettings, scattering_groups};
 use units::display::{length, three_digits};
 
 /// Returns the steps that a run of the scene would take, as a table.
@@ -118,11 +118,11 @@ fn draws(scene: &Scene) -> Option<(&'static str, String)> {
     let of_scans = scene.surface.each().iter().any(|part| part.made_from.is_some());
     let of: Vec<&str> = groups.iter().map(|group| describe_group(*group, of_scans)).collect();
     let of = listed(&of);
-    let choices = scene.uncertainty.as_ref();
+    let choices = scene.uncertainty;
     if choices.is_some_and(|choices| choices.off) {
         return (!groups.is_empty()).then(|| ("skipped", format!("draws of {of}: uncertainty is off")));
     }
-    let Settings { draws, level, .. } = Settings::from_choices(choices);
+    let UncertaintySettings { draws, level, .. } = choices.unwrap_or_default();
     let without = if choices.is_some() { "" } else { " (not with --no-report)" };
     (!groups.is_empty()).then(|| {
         (

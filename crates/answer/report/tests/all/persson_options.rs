@@ -85,7 +85,7 @@ fn a_corrected_curve_is_in_table_figure_verdict_first_line_and_interval() {
     assert!(off(CORRECTED) < 0.1 && off(PLAIN) > 0.15, "{} {}", off(CORRECTED), off(PLAIN));
     assert_eq!(judgement.headline(0).unwrap().best_curve, Some(CORRECTED));
 
-    let drawn = UncertaintyPlan::new(&scene, &results, &uncertainty::Settings::default()).unwrap();
+    let drawn = UncertaintyPlan::new(&scene, &results, &uncertainty::UncertaintySettings::default()).unwrap();
     let found = drawn.run(&Unobserved).unwrap();
     let interval = found.interval(CORRECTED, 0).unwrap();
     assert!(interval.low < last_area(CORRECTED) && last_area(CORRECTED) < interval.high, "{interval:?}");

@@ -15,8 +15,8 @@ use study::plan::{Results, Work};
 use tables::Format;
 use uncertainty::{
     Advice, AreaBand, AreaInterval, BandPoint, DecadeOfVariance, Group, Index, Indices, InstrumentInput,
-    InstrumentName, OverlapMisfit, Resampled, Settings, Settling, SpectrumErrors, Step, StepKind,
-    Uncertainty,
+    InstrumentName, OverlapMisfit, Resampled, Settling, SpectrumErrors, Step, StepKind, Uncertainty,
+    UncertaintySettings,
 };
 use units::{Remark, RemarkCode};
 
@@ -128,7 +128,7 @@ impl Study {
         let areas: Vec<AreaInterval> = places.clone().map(|(curve, load)| self.area(curve, load)).collect();
         let bands = places.clone().map(|(curve, load)| self.band(curve, load)).collect();
         Uncertainty {
-            settings: Settings::default(),
+            settings: UncertaintySettings::default(),
             draws: 1000,
             ended_early: false,
             groups: vec![Group::Scans, Group::Instruments, Group::Material],

@@ -1,6 +1,6 @@
 //! Choices of a scene for its judge.
 
-use scene::{JudgeChoices, Overrides, Scene, SceneError, SceneProblem, Template};
+use scene::{JudgeSettings, Overrides, Scene, SceneError, SceneProblem, Template};
 use study::NoFiles;
 use units::RemarkCode;
 
@@ -20,22 +20,22 @@ fn parsed(section: &str) -> Result<Scene, SceneError> {
 fn what_is_typed_is_what_is_chosen_and_the_rest_is_left_open() {
     let judge = |section: &str| parsed(section).unwrap().judge;
     assert_eq!(judge(""), None);
-    assert_eq!(judge("[judge]\n"), Some(JudgeChoices::default()));
+    assert_eq!(judge("[judge]\n"), Some(JudgeSettings::default()));
     let all = "[judge]\ngrid = 33\nrealisations = 8\nseed = 9223372036854775807\nbudget = 2e8\n";
-    let expected = JudgeChoices {
+    let expected = JudgeSettings {
         grid: Some(33),
         realisations: Some(8),
-        seed: Some(i64::MAX as u64),
-        budget: Some(2e8),
+        seed: i64::MAX as u64,
+        budget: 2e8,
         off: false,
     };
     assert_eq!(judge(all), Some(expected));
     // A budget may be a whole number.
-    assert_eq!(judge("[judge]\nbudget = 1\n").and_then(|judge| judge.budget), Some(1.0));
+    assert_eq!(judge("[judge]\nbudget = 1\n").map(|judge| judge.budget), Some(1.0));
     for (grid, realisations) in [(32, 2), (8192, 10_000)] {
         let ends =
             judge(&format!("[judge]\ngrid = {grid}\nrealisations = {realisations}\nseed = 0\n")).unwrap();
-        assert_eq!((ends.grid, ends.realisations, ends.seed), (Some(grid), Some(realisations), Some(0)));
+        assert_eq!((ends.grid, ends.realisations, ends.seed), (Some(grid), Some(realisations), 0));
     }
 }
 
@@ -92,5 +92,5 @@ fn the_keys_that_the_template_shows_are_keys_that_there_are() {
     let typed: String = lines.map(|line| format!("{}\n", line.trim_start_matches("# "))).collect();
     let judge = parsed(&typed).unwrap().judge.unwrap();
     assert!(judge.grid.is_some() && judge.realisations.is_some());
-    assert!(judge.seed.is_some() && judge.budget.is_some() && !judge.off);
+    assert!(!judge.off);
 }

@@ -121,7 +121,7 @@ fn options_and_cutoffs_that_have_no_effect_are_noted() {
 #[test]
 fn a_tolerance_that_cannot_be_had_is_noted_and_the_used_one_reported() {
     let sections = format!("{HERTZ}[options]\ntolerance = 1e-300\n");
-    assert_eq!(notes(&sections), [("options.tolerance".to_owned(), 13, RemarkCode::ToleranceHeld)]);
+    assert_eq!(notes(&sections), [("options.tolerance".to_owned(), 13, RemarkCode::ToleranceTooFine)]);
     let scene = parsed(&format!("{STEEL}{sections}")).unwrap();
     assert!(scene.model_choices().contains(&"tolerance of statistical states: 1e-13".to_owned()));
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use scene::{Overrides, Scene, SceneError, SceneProblem, Template, UncertaintyChoices};
+use scene::{Overrides, Scene, SceneError, SceneProblem, Template, UncertaintySettings};
 use units::RemarkCode;
 
 /// A spectrum whose standard errors scatter, one with a hole, and one without either.
@@ -34,12 +34,12 @@ fn parsed(section: &str) -> Result<Scene, SceneError> {
 fn what_is_typed_is_what_is_chosen_and_the_rest_is_left_open() {
     let uncertainty = |section: &str| parsed(section).unwrap().uncertainty;
     assert_eq!(uncertainty(""), None);
-    assert_eq!(uncertainty("[uncertainty]\n"), Some(UncertaintyChoices::default()));
+    assert_eq!(uncertainty("[uncertainty]\n"), Some(UncertaintySettings::default()));
     let all = "[uncertainty]\nlevel = 0.95\ndraws = 1000\nseed = 9223372036854775807\nshares_draws = 4096\n";
-    let expected = UncertaintyChoices {
-        level: Some(0.95),
-        draws: Some(1000),
-        seed: Some(i64::MAX as u64),
+    let expected = UncertaintySettings {
+        level: 0.95,
+        draws: 1000,
+        seed: i64::MAX as u64,
         shares_draws: Some(4096),
         off: false,
     };
@@ -49,7 +49,7 @@ fn what_is_typed_is_what_is_chosen_and_the_rest_is_left_open() {
             "[uncertainty]\ndraws = {draws}\nshares_draws = {shares_draws}\nseed = 0\n"
         ))
         .unwrap();
-        assert_eq!((ends.draws, ends.shares_draws, ends.seed), (Some(draws), Some(shares_draws), Some(0)));
+        assert_eq!((ends.draws, ends.shares_draws, ends.seed), (draws, Some(shares_draws), 0));
     }
 }
 
@@ -116,6 +116,5 @@ fn the_keys_that_the_template_shows_are_keys_that_there_are() {
     let lines = section.lines().filter(|line| !line.contains("off = true"));
     let typed: String = lines.map(|line| format!("{}\n", line.trim_start_matches("# "))).collect();
     let uncertainty = parsed(&typed).unwrap().uncertainty.unwrap();
-    assert!(uncertainty.level.is_some() && uncertainty.draws.is_some());
-    assert!(uncertainty.seed.is_some() && uncertainty.shares_draws.is_some() && !uncertainty.off);
+    assert!(uncertainty.shares_draws.is_some() && !uncertainty.off);
 }

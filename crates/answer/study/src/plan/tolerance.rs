@@ -1,10 +1,13 @@
 //! Tolerance of statistical states.
 
 use asperity::{AsperityError, Bound};
+use serde::{Deserialize, Serialize};
+use units::{Remark, RemarkCode};
 
 /// The relative error allowed of a statistical state. The value in use may be larger than the requested one, because
 /// double precision limits it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "f64", into = "f64")]
 pub struct Tolerance {
     used: f64,
     asked: f64,
@@ -35,6 +38,27 @@ impl Tolerance {
     #[must_use]
     pub fn asked_finer(self) -> Option<f64> {
         (self.asked < self.used).then_some(self.asked)
+    }
+
+    /// Returns the remark on a tolerance finer than the finest that can be reached.
+    #[must_use]
+    pub fn remark(self) -> Option<Remark> {
+        let remark = Remark::new(RemarkCode::ToleranceTooFine).on("tolerance");
+        self.asked_finer().map(|asked| remark.with("asked", asked).with("used", self.used))
+    }
+}
+
+impl TryFrom<f64> for Tolerance {
+    type Error = AsperityError;
+
+    fn try_from(tolerance: f64) -> Result<Self, AsperityError> {
+        Tolerance::new(tolerance)
+    }
+}
+
+impl From<Tolerance> for f64 {
+    fn from(tolerance: Tolerance) -> Self {
+        tolerance.asked
     }
 }
 

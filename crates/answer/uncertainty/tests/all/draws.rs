@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use scene::{Overrides, Scene};
 use study::Unobserved;
 use study::plan::Results;
-use uncertainty::{Group, Settings, Uncertainty, UncertaintyPlan};
+use uncertainty::{Group, Uncertainty, UncertaintyPlan, UncertaintySettings};
 
 /// A spectrum with these relative standard errors, over two decades.
 fn psd(relative_error: f64) -> String {
@@ -26,7 +26,7 @@ fn scene(psd: &str, material: &str, curves: &[&str]) -> Scene {
     Scene::parse(&text, &files, &Overrides::default()).unwrap()
 }
 
-fn found(scene: &Scene, settings: &Settings) -> (Results, Uncertainty) {
+fn found(scene: &Scene, settings: &UncertaintySettings) -> (Results, Uncertainty) {
     let results = scene.plan().compute().unwrap();
     let found = UncertaintyPlan::new(scene, &results, settings).unwrap().run(&Unobserved).unwrap();
     (results, found)
@@ -38,13 +38,14 @@ const CERTAIN: &str = "youngs_modulus = \"100 GPa\", poisson_ratio = 0.3, yield_
 fn where_nothing_scatters_there_is_nothing_to_draw() {
     let scene = scene(&psd(0.0), CERTAIN, &["elastic"]);
     let results = scene.plan().compute().unwrap();
-    assert!(UncertaintyPlan::new(&scene, &results, &Settings::default()).is_none());
+    assert!(UncertaintyPlan::new(&scene, &results, &UncertaintySettings::default()).is_none());
 }
 
 #[test]
 fn what_does_not_depend_on_what_scatters_does_not_scatter() {
     let material = "youngs_modulus = \"100 GPa\", poisson_ratio = 0.3, yield_strength = \"1 GPa +- 10 %\"";
-    let (results, found) = found(&scene(&psd(0.0), material, &["hertz", "ep-sphere"]), &Settings::default());
+    let (results, found) =
+        found(&scene(&psd(0.0), material, &["hertz", "ep-sphere"]), &UncertaintySettings::default());
     let [hertz, sphere] = &found.areas[..] else { panic!("two curves") };
     assert_eq!(
         (hertz.low, hertz.high, hertz.ln_area_sd, hertz.monte_carlo_error),
@@ -60,7 +61,7 @@ fn what_does_not_depend_on_what_scatters_does_not_scatter() {
 fn the_elastic_constants_follow_the_linear_law() {
     // Under a light load ln A goes like -ln E*; 1 % of E and 1 % of nu = 0.3, which moves 1 - nu^2 by 0.198 %.
     let material = "youngs_modulus = \"100 GPa +- 1 %\", poisson_ratio = \"0.3 +- 0.003\"";
-    let settings = Settings { draws: 4000, ..Settings::default() };
+    let settings = UncertaintySettings { draws: 4000, ..UncertaintySettings::default() };
     let (_, found) = found(&scene(&psd(0.0), material, &["elastic", "bgt", "persson"]), &settings);
     let linear = (0.01f64.powi(2) + (2.0 * 0.3 * 0.003 / (1.0 - 0.09_f64)).powi(2)).sqrt();
     for area in &found.areas {
@@ -72,7 +73,7 @@ fn the_elastic_constants_follow_the_linear_law() {
 #[test]
 fn standard_errors_of_a_spectrum_follow_the_linear_law() {
     let own = scene(&psd(0.01), CERTAIN, &["elastic", "hertz", "persson"]);
-    let settings = Settings { draws: 4000, ..Settings::default() };
+    let settings = UncertaintySettings { draws: 4000, ..UncertaintySettings::default() };
     let (results, found) = found(&own, &settings);
     // d ln A/d ln C of every sample by differences of the plain plan.
     let last =
@@ -122,7 +123,8 @@ fn hold_shares_against_a_brute_force(model: &str, error: f64, modulus_percent: f
     };
     let (modulus, strength) =
         (format!("100 GPa +- {modulus_percent} %"), format!("1 GPa +- {strength_percent} %"));
-    let full = Settings { draws: 4096, shares_draws: Some(1 << 13), ..Settings::default() };
+    let full =
+        UncertaintySettings { draws: 4096, shares_draws: Some(1 << 13), ..UncertaintySettings::default() };
     let (_, all) = found(&with(&modulus, &strength), &full);
     let total = all.areas[0].ln_area_sd.powi(2);
     let sigma = |percent: f64| (0.5 * (1.0 + (1.0 + 4e-4 * percent * percent).sqrt())).ln().sqrt();
@@ -148,7 +150,7 @@ fn hold_shares_against_a_brute_force(model: &str, error: f64, modulus_percent: f
 
 fn median_of_draws(scene: &Scene, draws: usize) -> f64 {
     let results = scene.plan().compute().unwrap();
-    let settings = Settings { draws, ..Settings::default() };
+    let settings = UncertaintySettings { draws, ..UncertaintySettings::default() };
     let plan = UncertaintyPlan::new(scene, &results, &settings).unwrap();
     plan.intervals(&Unobserved).unwrap()[0].median
 }
@@ -176,10 +178,10 @@ fn normal_quantile(probability: f64) -> f64 {
 #[test]
 fn the_same_seed_makes_the_same_digits() {
     let own = scene(&psd(0.1), "youngs_modulus = \"100 GPa +- 5 %\", poisson_ratio = 0.3", &["hertz"]);
-    let settings = Settings { draws: 100, ..Settings::default() };
+    let settings = UncertaintySettings { draws: 100, ..UncertaintySettings::default() };
     let (first, again) = (found(&own, &settings).1, found(&own, &settings).1);
     assert_eq!(first, again);
-    let other = found(&own, &Settings { seed: 2, ..settings }).1;
+    let other = found(&own, &UncertaintySettings { seed: 2, ..settings }).1;
     assert_ne!(first.areas, other.areas);
 }
 
@@ -190,7 +192,7 @@ fn draws_compute_final_areas_and_nothing_else() {
         "youngs_modulus = \"100 GPa +- 5 %\", poisson_ratio = 0.3, yield_strength = \"1 GPa +- 5 %\"",
         &["elastic", "hertz", "ep-sphere"],
     );
-    let settings = Settings { draws: 200, ..Settings::default() };
+    let settings = UncertaintySettings { draws: 200, ..UncertaintySettings::default() };
     let (results, found) = found(&own, &settings);
     // 200 draws, 3 groups of 100 pairs, the best estimates, the spectrum with each of its 20 parts moved and with none, 64 draws
     // of it prolonged at either end, and 64 and the best estimates along the cutoff.

@@ -6,7 +6,7 @@ use persson::separation::LIGHT_CONTACT_STIFFNESS;
 use scene::{Overrides, Scene};
 use study::Unobserved;
 use study::interface::{Quantity, Slot};
-use uncertainty::{Settings, Uncertainty, UncertaintyPlan};
+use uncertainty::{Uncertainty, UncertaintyPlan, UncertaintySettings};
 
 fn found(modulus: &str) -> Uncertainty {
     let row = |at: i32| {
@@ -22,7 +22,7 @@ fn found(modulus: &str) -> Uncertainty {
     let files = BTreeMap::from([("psd.csv".to_owned(), psd.into_bytes())]);
     let scene = Scene::parse(&text, &files, &Overrides::default()).unwrap();
     let results = scene.plan().compute().unwrap();
-    let settings = Settings { draws: 4000, ..Settings::default() };
+    let settings = UncertaintySettings { draws: 4000, ..UncertaintySettings::default() };
     UncertaintyPlan::new(&scene, &results, &settings).unwrap().run(&Unobserved).unwrap()
 }
 

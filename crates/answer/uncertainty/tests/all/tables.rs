@@ -6,7 +6,7 @@ use study::plan::Work;
 use tables::{Format, Table};
 use uncertainty::{
     Advice, AreaBand, AreaInterval, BandPoint, Group, Index, Indices, InstrumentInput, InstrumentName,
-    Resampled, Settings, Settling, Step, StepKind, Uncertainty,
+    Resampled, Settling, Step, StepKind, Uncertainty, UncertaintySettings,
 };
 
 const SCENE: &str = r#"
@@ -50,7 +50,7 @@ fn found() -> Uncertainty {
     };
     let step = |kind, width_ratio| Step { kind, width_ratio, area_ratio: 1.0 };
     Uncertainty {
-        settings: Settings::default(),
+        settings: UncertaintySettings::default(),
         draws: 1000,
         ended_early: false,
         groups: vec![Group::Scans, Group::Material],

@@ -6,7 +6,9 @@ use std::sync::{Mutex, PoisonError};
 use elements::half_space::HalfSpaceError;
 use elements::{Boundary, ContactField, ElementsError, IndenterShape, Relief, Surfaces};
 use measurements::MapOfFile;
-use questions::{AdhesionQuestion, Answer, ElementsLoad, ElementsQuestion, IndenterQuestion, QuestionError};
+use questions::{
+    AdhesionQuestion, Answer, ElementsLoad, ElementsQuestion, IndenterQuestion, QuestionError, relief,
+};
 use report::chart::maps::FieldPicture;
 use report::provenance::program;
 use report::{elements_figure, elements_words};
@@ -49,7 +51,7 @@ pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> 
     let mut timings = Timings::start();
     let (measured, comments) = load(args, context)?;
     let prepared = match measured {
-        Measured::Map(map) => question.on_maps(vec![relief(*map, args.map.boundary)])?,
+        Measured::Map(map) => question.on_maps(vec![of_file(&map, args.map.boundary)])?,
         Measured::Spectrum(surface) => question.on(&surface)?,
     };
     let comments = told(comments, &prepared.notes, &prepared.surfaces);
@@ -125,7 +127,7 @@ fn press_indenter(
     let (measured, comments) = load(args, context)?;
     let boundary = (shape == IndenterShape::Ball).then_some(Boundary::Free);
     let prepared = match measured {
-        Measured::Map(map) => question.on_map(relief(*map, boundary))?,
+        Measured::Map(map) => question.on_map(of_file(&map, boundary))?,
         Measured::Spectrum(surface) => question.on(&surface)?,
     };
     let comments = told(comments, &prepared.notes, &prepared.surfaces);
@@ -156,7 +158,7 @@ fn press_adhesive(
     let mut timings = Timings::start();
     let (measured, comments) = load(args, context)?;
     let prepared = match measured {
-        Measured::Map(map) => question.on_maps(vec![relief(*map, args.map.boundary)])?,
+        Measured::Map(map) => question.on_maps(vec![of_file(&map, args.map.boundary)])?,
         Measured::Spectrum(surface) => question.on(&surface)?,
     };
     let comments = told(comments, &prepared.notes, &prepared.surfaces);
@@ -240,18 +242,10 @@ fn refuse_foreign(kind: Kind, given: impl IntoIterator<Item = (&'static str, boo
     }
 }
 
-/// A map as it is pressed.
-fn relief(map: MapOfFile, boundary: Option<Boundary>) -> Relief {
-    let of_file = if map.is_periodic { Boundary::Periodic } else { Boundary::Free };
-    let map_m = &map.map;
-    Relief {
-        rows: map_m.rows(),
-        columns: map_m.columns(),
-        length_x_m: map_m.columns() as f64 * map_m.spacing_x_m(),
-        length_y_m: map_m.rows() as f64 * map_m.spacing_y_m(),
-        heights_m: map_m.heights_m().to_vec(),
-        boundary: boundary.unwrap_or(of_file),
-    }
+/// A map as it is pressed, with the edges that its file states unless others are chosen.
+fn of_file(file: &MapOfFile, boundary: Option<Boundary>) -> Relief {
+    let own = if file.is_periodic { Boundary::Periodic } else { Boundary::Free };
+    relief(&file.map, file.map.heights_m().to_vec(), boundary.unwrap_or(own))
 }
 
 /// The files of pressures and gaps, in a folder of their own.

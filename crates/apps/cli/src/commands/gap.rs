@@ -8,9 +8,8 @@ use crate::args::GapArgs;
 use crate::failure::Failure;
 
 pub(super) fn run(args: &GapArgs, context: &Context<'_>) -> Result<(), Failure> {
-    let tolerance = args.tolerance.map(|tolerance| tolerance.asked_finer().unwrap_or(tolerance.value()));
     let question = GapQuestion {
-        by: GapModel { tolerance, ..args.choices.input(args.model.0) },
+        by: GapModel { tolerance: args.tolerance, ..args.choices.input(args.model.0) },
         pressures: args.loads.pressures.clone(),
         pressure_ranges: args.loads.pressure_ranges.clone(),
         random: args.random.input(),

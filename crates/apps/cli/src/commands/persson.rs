@@ -2,13 +2,11 @@
 
 use std::path::Path;
 
-use persson::hardness_laws::HardnessTable;
 use questions::rows::Flattened;
 use questions::{CurveQuestion, LoadInput};
 use study::growth_law::GrowthLaw;
 use study::models::{self, Framework, ModelOptions};
 use study::persson_law::Deformation;
-use units::Bound;
 
 use super::Context;
 use super::row_by_row::{self, Constants};
@@ -36,7 +34,7 @@ fn over_cutoffs(
     let material = args.material.input();
     let hardness_law = args.hardness_law.as_ref().map(|law| match law {
         GrowthArg::Law(law) => Ok(law.clone()),
-        GrowthArg::Table(path) => table_of_hardnesses(path).map(GrowthLaw::Table),
+        GrowthArg::Table(path) => table_of_hardnesses(path),
     });
     let figure = args.figure.figure.as_ref();
     let question = CurveQuestion {
@@ -58,13 +56,9 @@ fn over_cutoffs(
     context.curve(&question, psd, &args.reading, figure, &PerssonFlags)
 }
 
-fn table_of_hardnesses(path: &Path) -> Result<HardnessTable, Failure> {
-    let place = Place::from(path.to_string_lossy().as_ref());
-    let table = open_table(&place)?.whole()?;
-    let columns = [("contact_size_m", Bound::Magnitude), ("hardness_pa", Bound::Magnitude)];
-    let rows = table.numbers(columns)?;
-    HardnessTable::new(rows.into_iter().map(|[size_m, hardness_pa]| (size_m, hardness_pa)))
-        .map_err(|error| Failure::Input(format!("{}: {error}", path.display())))
+fn table_of_hardnesses(path: &Path) -> Result<GrowthLaw, Failure> {
+    let table = open_table(&Place::File(path.to_owned()))?.whole()?;
+    GrowthLaw::from_table(&table).map_err(|error| Failure::Input(format!("{}: {error}", path.display())))
 }
 
 fn of_rows(input: &Place, args: &PerssonArgs, context: &Context<'_>) -> Result<(), Failure> {

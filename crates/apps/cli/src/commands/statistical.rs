@@ -1,7 +1,7 @@
 //! `statistical`: populations of asperities, from a spectrum or row by row of a table.
 
+use questions::CurveQuestion;
 use questions::rows::Populations;
-use questions::{CurveQuestion, remark_on_tolerance};
 use study::models::ModelOptions;
 
 use super::row_by_row::{self, Constants};
@@ -32,7 +32,7 @@ fn over_cutoffs(psd: &str, args: &StatisticalArgs, context: &Context<'_>) -> Res
         separations_m: args.separations.iter().map(|separation| separation.m).collect(),
         sampling: args.sampling.input(),
         normalisation: args.normalisation.normalisation,
-        tolerance: Some(args.tolerance.asked_finer().unwrap_or(args.tolerance.value())),
+        tolerance: Some(args.tolerance),
         details: args.details,
         figure: figure.is_some(),
         ..CurveQuestion::default()
@@ -41,7 +41,7 @@ fn over_cutoffs(psd: &str, args: &StatisticalArgs, context: &Context<'_>) -> Res
 }
 
 fn of_rows(input: &Place, args: &StatisticalArgs, context: &Context<'_>) -> Result<(), Failure> {
-    say_all(remark_on_tolerance(args.tolerance).as_slice(), &Flags);
+    say_all(args.tolerance.remark().as_slice(), &Flags);
     let mut rows = Populations::default();
     let material = args.material.input();
     rows.counterface = material.counterface()?;

@@ -2,7 +2,7 @@
 
 use numerics::parallel::map_indices;
 use statrs::distribution::{Beta, ContinuousCDF};
-use uncertainty::Settings;
+use uncertainty::UncertaintySettings;
 
 use super::instrument::{AFM, AFM_LINES, Instrument, STYLUS};
 use super::outcome::{IntervalOutcome, StudyOutcome};
@@ -49,7 +49,12 @@ impl Cell {
     ///
     /// # Errors
     /// The error of the study.
-    pub fn trial(&self, number: u64, seed: u64, settings: &Settings) -> Result<StudyOutcome, TrialError> {
+    pub fn trial(
+        &self,
+        number: u64,
+        seed: u64,
+        settings: &UncertaintySettings,
+    ) -> Result<StudyOutcome, TrialError> {
         self.laboratory(number, seed)?.trial(number, &self.scans_of_each(), settings)
     }
 
@@ -80,7 +85,7 @@ impl Cell {
         first: u32,
         studies: u32,
         seed: u64,
-        settings: &Settings,
+        settings: &UncertaintySettings,
     ) -> Result<Vec<StudyOutcome>, TrialError> {
         let trial = |study: usize| self.trial(u64::from(first) + study as u64, seed, settings);
         map_indices(studies as usize, trial).into_iter().collect()

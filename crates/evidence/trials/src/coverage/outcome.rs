@@ -3,7 +3,7 @@
 use scene::Scene;
 use study::Unobserved;
 use study::plan::{Plan, Results};
-use uncertainty::{Settings, UncertaintyPlan};
+use uncertainty::{UncertaintyPlan, UncertaintySettings};
 
 use super::synthetic::Laboratory;
 use super::truth::known_composite;
@@ -64,10 +64,15 @@ impl Laboratory {
     ///
     /// # Errors
     /// [`TrialError`] if any part fails, and [`TrialError::Certain`] if the scene has no uncertain input.
-    pub fn trial(&self, number: u64, scans: &[u32], settings: &Settings) -> Result<StudyOutcome, TrialError> {
+    pub fn trial(
+        &self,
+        number: u64,
+        scans: &[u32],
+        settings: &UncertaintySettings,
+    ) -> Result<StudyOutcome, TrialError> {
         let scene = self.study(number, scans)?.scene()?;
         let results = scene.plan().compute()?;
-        let settings = Settings { seed: number, ..*settings };
+        let settings = UncertaintySettings { seed: number, ..*settings };
         let plan = UncertaintyPlan::new(&scene, &results, &settings).ok_or(TrialError::Certain)?;
         let areas = plan.intervals(&Unobserved)?;
         let known = self.known(&scene)?;

@@ -5,13 +5,14 @@ use topography::{Average, CompositeSpectrum, Recipe};
 use trials::coverage::{
     AFM, CELLS, KnownSurface, Laboratory, STYLUS, SyntheticStudy, Tails, known_composite, tails,
 };
-use uncertainty::{AreaInterval, Settings, StepKind, Uncertainty, UncertaintyPlan};
+use uncertainty::{AreaInterval, StepKind, Uncertainty, UncertaintyPlan, UncertaintySettings};
 use units::RemarkCode;
 
 /// Studies of each cell.
 const STUDIES: u32 = 14;
 
-const FEW: Settings = Settings { draws: 150, level: 0.95, seed: 1, shares_draws: None };
+const FEW: UncertaintySettings =
+    UncertaintySettings { draws: 150, level: 0.95, seed: 1, shares_draws: None, off: false };
 
 /// Shares of intervals that hold the truth, that lie below it and above it.
 fn shares(rows: &[Tails]) -> [f64; 3] {
@@ -48,17 +49,21 @@ fn intervals_hold_the_truth_and_miss_it_to_both_sides() {
 }
 
 /// Runs the scene of a study with its uncertainty.
-fn run<T>(study: &SyntheticStudy, settings: &Settings, run: impl FnOnce(&UncertaintyPlan<'_>) -> T) -> T {
+fn run<T>(
+    study: &SyntheticStudy,
+    settings: &UncertaintySettings,
+    run: impl FnOnce(&UncertaintyPlan<'_>) -> T,
+) -> T {
     let scene = study.scene().unwrap();
     let results = scene.plan().compute().unwrap();
     run(&UncertaintyPlan::new(&scene, &results, settings).unwrap())
 }
 
-fn intervals(study: &SyntheticStudy, settings: &Settings) -> Vec<AreaInterval> {
+fn intervals(study: &SyntheticStudy, settings: &UncertaintySettings) -> Vec<AreaInterval> {
     run(study, settings, |plan| plan.intervals(&Unobserved).unwrap())
 }
 
-fn advised(study: &SyntheticStudy, settings: &Settings) -> Uncertainty {
+fn advised(study: &SyntheticStudy, settings: &UncertaintySettings) -> Uncertainty {
     run(study, settings, |plan| plan.run(&Unobserved).unwrap())
 }
 
@@ -68,7 +73,8 @@ fn another_seed_moves_the_ends_of_intervals_a_little() {
     let mut moves = Vec::new();
     for cell in [4, 8, 1] {
         let study = CELLS[cell].study(0, 4).unwrap();
-        let of_seeds = [1, 2, 3].map(|seed| intervals(&study, &Settings { seed, ..Settings::default() }));
+        let of_seeds = [1, 2, 3]
+            .map(|seed| intervals(&study, &UncertaintySettings { seed, ..UncertaintySettings::default() }));
         for pair in of_seeds.windows(2) {
             for (one, other) in pair[0].iter().zip(&pair[1]) {
                 let width = 0.5 * ((one.high / one.low).ln() + (other.high / other.low).ln());
@@ -153,7 +159,7 @@ fn the_known_composite_has_the_bins_of_the_measured_one() {
 fn more_scans_are_predicted_to_shrink_intervals_and_do() {
     let laboratory = Laboratory::new(0.8, 1).unwrap();
     for number in 0..2 {
-        let settings = Settings { seed: number, draws: 100, ..FEW };
+        let settings = UncertaintySettings { seed: number, draws: 100, ..FEW };
         let before = advised(&laboratory.study(number, &[4, 4]).unwrap(), &settings);
         let after = intervals(&laboratory.study(number, &[14, 4]).unwrap(), &settings);
         // The third curve is that of the spheres.
@@ -180,7 +186,7 @@ fn two_scans_of_an_instrument_are_a_guess_and_three_are_not() {
         let surface = KnownSurface::new(hurst_exponent, 2.0 * AFM.spacing_m()).unwrap();
         let laboratory = Laboratory::of_surface(surface, &[instrument], 3).unwrap();
         for scans in [2, 3] {
-            let settings = Settings { draws: 20, ..Settings::default() };
+            let settings = UncertaintySettings { draws: 20, ..UncertaintySettings::default() };
             let found = advised(&laboratory.study(0, &[scans]).unwrap(), &settings);
             let is_guess = found.guesses.iter().any(|guess| guess.code == RemarkCode::FewScans);
             assert_eq!(is_guess, scans == 2, "{} {scans}", instrument.name);
