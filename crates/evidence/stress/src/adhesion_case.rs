@@ -1,16 +1,13 @@
 //! Adhesive boundary elements under small maps: their numbers, and the promises of every result.
 
-use std::f64::consts::TAU;
-
 use elements::half_space::{
-    Adhesion, AdhesionError, AdhesiveContact, AdhesiveElements, Control, Grid, HalfSpaceError,
-    LEAST_RESOLUTION, Start,
+    Adhesion, AdhesionError, AdhesiveContact, AdhesiveElements, Control, LEAST_RESOLUTION, Start,
 };
 use numerics::parallel::Unobserved;
 
 use crate::drawn_map::SmallMap;
 use crate::group::Case;
-use crate::tally::Trial;
+use crate::tally::{Refused, Trial};
 use crate::{Draw, Reach};
 
 /// Map, body, attraction and load; printed, it is a literal that recreates it.
@@ -33,16 +30,9 @@ pub struct AdhesionCase {
 }
 
 impl AdhesionCase {
-    fn grid(&self) -> Result<Grid, HalfSpaceError> {
-        Grid::new(self.map.rows, self.map.columns, self.map.length_x_m, self.map.length_y_m)
-    }
-
-    fn adhesion(&self) -> Adhesion {
-        Adhesion { work_j_per_m2: self.work_j_per_m2, range_m: self.range_m }
-    }
-
     fn elements(&self) -> Result<AdhesiveElements, AdhesionError> {
-        AdhesiveElements::new(self.grid()?, &self.map.heights_m, self.contact_modulus_pa, self.adhesion())
+        let adhesion = Adhesion { work_j_per_m2: self.work_j_per_m2, range_m: self.range_m };
+        AdhesiveElements::new(self.map.grid()?, &self.map.heights_m, self.contact_modulus_pa, adhesion)
     }
 
     fn start(&self) -> Start {
@@ -51,12 +41,6 @@ impl AdhesionCase {
 
     fn solve(&self, control: Control, start: Start) -> Result<AdhesiveContact, AdhesionError> {
         self.elements()?.solve(control, start, self.tolerance, &Unobserved)
-    }
-
-    /// Pressure \[Pa\] of a wave of the rms height along the longer side.
-    fn unit_pa(&self) -> f64 {
-        let longer_m = self.map.length_x_m.max(self.map.length_y_m);
-        0.5 * self.contact_modulus_pa * (TAU / longer_m * self.map.rms_m())
     }
 }
 
@@ -82,7 +66,7 @@ impl Case for AdhesionCase {
             from_contact: draw.chance(0.5),
             tolerance: draw.decades(-9.0, -3.0),
         };
-        let unit_pa = case.unit_pa() + work_j_per_m2 / range_m;
+        let unit_pa = case.map.wave_pa(case.contact_modulus_pa) + work_j_per_m2 / range_m;
         let load_pa = unit_pa * draw.decades(-4.0, 1.0);
         let pull_pa = -unit_pa * draw.decades(-6.0, 0.0);
         let gap_m = case.map.rms_m() * draw.decades(-2.0, 0.7);
@@ -96,51 +80,49 @@ impl Case for AdhesionCase {
         (case, reach)
     }
 
-    fn test(&self, reach: Reach, draw: &mut Draw, trial: &mut Trial<Self>) {
-        let contact = match self.solve(self.control, self.start()) {
+    fn test(trial: &mut Trial<Self>) -> Result<(), Refused> {
+        let case = trial.case;
+        let contact = match case.solve(case.control, case.start()) {
             Ok(contact) => contact,
             Err(AdhesionError::Unresolved { process_zone_m, spacing_m, points }) => {
                 trial.hold(
                     "refused below the least resolution",
                     process_zone_m < LEAST_RESOLUTION * spacing_m,
                 );
-                let longer_m = self.map.length_x_m.max(self.map.length_y_m);
+                let longer_m = case.map.length_x_m.max(case.map.length_y_m);
                 let resolved = points as f64 * process_zone_m >= longer_m * (1.0 - 1e-12);
                 trial.hold("a number of points that would do", resolved || points == usize::MAX);
-                trial.refused();
-                return;
+                return Err(Refused);
             }
             Err(AdhesionError::PulledOff { nominal_pressure_pa }) => {
                 trial.hold("no load tears off", nominal_pressure_pa <= 0.0);
-                return;
+                return Ok(());
             }
             Err(AdhesionError::NotConverged { .. }) => {
                 // Whether such a state exists is not promised at the edge.
-                let is_pressed = matches!(self.control, Control::PressurePa(load_pa) if load_pa > 0.0);
-                if reach == Reach::Usual && is_pressed && !self.from_contact {
+                let is_pressed = matches!(case.control, Control::PressurePa(load_pa) if load_pa > 0.0);
+                if trial.reach == Reach::Usual && is_pressed && !case.from_contact {
                     trial.hold("usual loads converge from apart", false);
                 }
-                trial.refused();
-                return;
+                return Err(Refused);
             }
-            Err(_) => {
-                trial.refused();
-                return;
-            }
+            Err(_) => return Err(Refused),
         };
-        sound(self, &contact, trial);
-        if reach == Reach::Edge {
-            return;
+        sound(&contact, trial);
+        if trial.reach == Reach::Edge {
+            return Ok(());
         }
-        balanced(self, &contact, trial);
-        if draw.chance(0.3) {
-            full_contact(self, draw, trial);
+        balanced(&contact, trial);
+        if trial.draw.chance(0.3) {
+            full_contact(trial);
         }
+        Ok(())
     }
 }
 
 /// Checks the numbers of a contact.
-fn sound(case: &AdhesionCase, contact: &AdhesiveContact, trial: &mut Trial<AdhesionCase>) {
+fn sound(contact: &AdhesiveContact, trial: &mut Trial<AdhesionCase>) {
+    let case = trial.case;
     let areas = [contact.area_fraction, contact.area_fraction_corrected, contact.repulsive_area_fraction];
     trial.hold("areas in [0, 1]", areas.iter().all(|area| (0.0..=1.0).contains(area)));
     trial.hold("the repulsive area is part of the area", areas[2] <= areas[0] && areas[1] <= areas[0]);
@@ -163,7 +145,8 @@ fn sound(case: &AdhesionCase, contact: &AdhesiveContact, trial: &mut Trial<Adhes
 }
 
 /// Checks equilibrium, from gaps and pressures.
-fn balanced(case: &AdhesionCase, contact: &AdhesiveContact, trial: &mut Trial<AdhesionCase>) {
+fn balanced(contact: &AdhesiveContact, trial: &mut Trial<AdhesionCase>) {
+    let case = trial.case;
     let largest_pa = case.work_j_per_m2 / case.range_m;
     let attraction_pa = |gap_m: f64| largest_pa * (-gap_m / case.range_m).exp();
     let count = contact.gaps_m.len() as f64;
@@ -193,12 +176,13 @@ fn balanced(case: &AdhesionCase, contact: &AdhesiveContact, trial: &mut Trial<Ad
 }
 
 /// Checks that full contact holds above its pressure.
-fn full_contact(case: &AdhesionCase, draw: &mut Draw, trial: &mut Trial<AdhesionCase>) {
+fn full_contact(trial: &mut Trial<AdhesionCase>) {
+    let case = trial.case;
     let Ok(elements) = case.elements() else { return };
     let full_pa = elements.full_contact_pressure_pa();
     trial.hold("pressure of full contact finite", full_pa.is_finite());
-    let unit_pa = case.unit_pa() + case.work_j_per_m2 / case.range_m;
-    let above_pa = full_pa + unit_pa * (draw.decades(-3.0, 1.0) + 1e2 * case.tolerance);
+    let unit_pa = case.map.wave_pa(case.contact_modulus_pa) + case.work_j_per_m2 / case.range_m;
+    let above_pa = full_pa + unit_pa * (trial.draw.decades(-3.0, 1.0) + 1e2 * case.tolerance);
     match case.solve(Control::PressurePa(above_pa), Start::Contact) {
         Ok(contact) => trial.hold("full contact stays above its pressure", contact.area_fraction == 1.0),
         Err(_) => trial.hold("full contact stays above its pressure", false),

@@ -8,7 +8,7 @@ use asperity::{
 };
 
 use crate::group::Case;
-use crate::tally::Trial;
+use crate::tally::{Refused, Trial};
 use crate::{Draw, Material, Reach};
 
 /// Relative rounding of a law.
@@ -53,33 +53,26 @@ impl Case for AsperityCase {
     }
 
     /// Tests every law at its load, and at every break that it announces, on it and beside it.
-    fn test(&self, reach: Reach, _: &mut Draw, trial: &mut Trial<Self>) {
-        let (Ok(pair), Ok(strength)) = (self.material.pair(), self.material.strength()) else {
-            trial.refused();
-            return;
-        };
+    fn test(trial: &mut Trial<Self>) -> Result<(), Refused> {
+        let case = trial.case;
+        let (pair, strength) = (case.material.pair()?, case.material.strength()?);
         // Plain numbers that the laws take unchecked are checked where populations are made.
-        if ![self.radius_m, self.aspect_ratio].into_iter().all(|number| Bound::Magnitude.admits(number)) {
-            trial.refused();
-            return;
+        if ![case.radius_m, case.aspect_ratio].into_iter().all(|number| Bound::Magnitude.admits(number)) {
+            return Err(Refused);
         }
-        let strength_pa = strength.at_depth_pa(self.load * self.radius_m);
+        let strength_pa = strength.at_depth_pa(case.load * case.radius_m);
         let soft_pa = strength.macroscopic_strength_pa();
         trial.hold("Nix-Gao: no NaN, at least S0", strength_pa >= soft_pa * (1.0 - f64::EPSILON));
-        spheres(self, reach, &pair, soft_pa, trial);
-        elastic(self, reach, &pair, trial);
-        boundary_elements(self, reach, &pair, trial);
-        elastic_plastic(self, reach, &pair, soft_pa, trial);
+        spheres(&pair, soft_pa, trial);
+        elastic(&pair, trial);
+        boundary_elements(&pair, trial);
+        elastic_plastic(&pair, soft_pa, trial);
+        Ok(())
     }
 }
 
-fn spheres(
-    case: &AsperityCase,
-    reach: Reach,
-    pair: &MaterialPair,
-    strength_pa: f64,
-    trial: &mut Trial<AsperityCase>,
-) {
+fn spheres(pair: &MaterialPair, strength_pa: f64, trial: &mut Trial<AsperityCase>) {
+    let case = trial.case;
     let hertz = Hertz::new(pair, case.radius_m);
     let sphere = JacksonGreen::new(pair, case.radius_m, strength_pa, case.hardness);
     let breaks: Vec<Break> = sphere.breaks().collect();
@@ -94,7 +87,7 @@ fn spheres(
         let numbers = [force_n, area_m2, both.0, both.1, elastic[0], elastic[1]];
         trial.hold("sphere: no NaN, at least 0", numbers.iter().all(|number| *number >= 0.0));
         trial.hold("sphere: area within the cross-section", area_m2 <= cross_section_m2);
-        if reach == Reach::Edge {
+        if trial.reach == Reach::Edge {
             continue;
         }
         trial.hold("sphere: finite", numbers.iter().all(|number| number.is_finite()));
@@ -108,7 +101,8 @@ fn spheres(
     }
 }
 
-fn elastic(case: &AsperityCase, reach: Reach, pair: &MaterialPair, trial: &mut Trial<AsperityCase>) {
+fn elastic(pair: &MaterialPair, trial: &mut Trial<AsperityCase>) {
+    let case = trial.case;
     let law = ElasticSinusoid::new(pair, case.aspect_ratio);
     let full_pa = law.complete_contact_pressure_pa();
     for p_pa in pressures_pa(case.load * full_pa, law.breaks()) {
@@ -123,7 +117,7 @@ fn elastic(case: &AsperityCase, reach: Reach, pair: &MaterialPair, trial: &mut T
             0.0,
             trial,
         );
-        if reach != Reach::Edge {
+        if trial.reach != Reach::Edge {
             let back_pa = law.pressure_at_interference_pa(state[2]);
             inverse("elastic sinusoid: p -> h -> p", p_pa.min(full_pa), back_pa, state[2], trial);
         }
@@ -137,12 +131,8 @@ fn elastic(case: &AsperityCase, reach: Reach, pair: &MaterialPair, trial: &mut T
     );
 }
 
-fn boundary_elements(
-    case: &AsperityCase,
-    reach: Reach,
-    pair: &MaterialPair,
-    trial: &mut Trial<AsperityCase>,
-) {
+fn boundary_elements(pair: &MaterialPair, trial: &mut Trial<AsperityCase>) {
+    let case = trial.case;
     let law = BemSinusoid::new(pair, case.aspect_ratio);
     let full_pa = law.complete_contact_pressure_pa();
     for p_pa in pressures_pa(case.load * full_pa, law.breaks()) {
@@ -154,7 +144,7 @@ fn boundary_elements(
             0.0,
             trial,
         );
-        if reach != Reach::Edge {
+        if trial.reach != Reach::Edge {
             let back_pa = law.pressure_at_interference_pa(deformation);
             inverse("bem sinusoid: p -> h -> p", p_pa.min(full_pa), back_pa, deformation, trial);
         }
@@ -168,13 +158,8 @@ fn boundary_elements(
     );
 }
 
-fn elastic_plastic(
-    case: &AsperityCase,
-    reach: Reach,
-    pair: &MaterialPair,
-    strength_pa: f64,
-    trial: &mut Trial<AsperityCase>,
-) {
+fn elastic_plastic(pair: &MaterialPair, strength_pa: f64, trial: &mut Trial<AsperityCase>) {
+    let case = trial.case;
     let law = ElasticPlasticSinusoid::new(pair, case.aspect_ratio, strength_pa);
     let full_pa = law.complete_contact_pressure_pa();
     let flattening_pa = law.flattening_pressure_pa();
@@ -196,7 +181,7 @@ fn elastic_plastic(
             2.0 * last_place,
             trial,
         );
-        if reach == Reach::Edge {
+        if trial.reach == Reach::Edge {
             continue;
         }
         // A scale never pushes the pressure above its own complete contact.

@@ -6,7 +6,7 @@ use numerics::parallel::Unobserved;
 
 use crate::drawn_map::SmallMap;
 use crate::group::Case;
-use crate::tally::Trial;
+use crate::tally::{Refused, Trial};
 use crate::{Draw, Reach};
 
 /// Map, ball and load; printed, it is a literal that recreates it.
@@ -68,14 +68,14 @@ impl Case for BallCase {
         (BallCase { map, contact_modulus_pa, radius_m, force_n, tolerance: draw.decades(-10.0, -4.0) }, reach)
     }
 
-    fn test(&self, reach: Reach, draw: &mut Draw, trial: &mut Trial<Self>) {
-        let state = match self.press() {
+    fn test(trial: &mut Trial<Self>) -> Result<(), Refused> {
+        let case = trial.case;
+        let state = match case.press() {
             Ok(state) => state,
             Err(IndenterError::BeyondMap { reach_m, half_side_m, least_side_m, .. }) => {
                 let is_named = reach_m > 0.0 && half_side_m > 0.0 && least_side_m.is_finite();
-                trial.hold("a map too small is named", is_named || reach == Reach::Edge);
-                trial.refused();
-                return;
+                trial.hold("a map too small is named", is_named || trial.reach == Reach::Edge);
+                return Err(Refused);
             }
             Err(error) => {
                 let is_bound = matches!(
@@ -86,8 +86,7 @@ impl Case for BallCase {
                         )
                 );
                 trial.hold("bad numbers are named", is_bound);
-                trial.refused();
-                return;
+                return Err(Refused);
             }
         };
         let numbers = [
@@ -107,7 +106,7 @@ impl Case for BallCase {
             "numbers finite, at least 0",
             numbers.iter().all(|number| number.is_finite() && *number >= 0.0),
         );
-        let area_m2 = self.map.length_x_m * self.map.length_y_m;
+        let area_m2 = case.map.length_x_m * case.map.length_y_m;
         trial.bound("real area within the map", state.real_area, area_m2 * (1.0 + 1e-12));
         trial.bound(
             "corrected area within the counted one",
@@ -115,7 +114,7 @@ impl Case for BallCase {
             state.real_area * (1.0 + 1e-12),
         );
         trial.hold("share of the force in [0, 1]", (0.0..=1.0 + 1e-12).contains(&state.force_share));
-        let half_m = 0.5 * self.map.length_x_m.min(self.map.length_y_m);
+        let half_m = 0.5 * case.map.length_x_m.min(case.map.length_y_m);
         trial.bound("contact inside the map", state.outermost_contact_m, half_m);
         // 16/(3 pi) of the mean distance of the force from the axis.
         trial.bound(
@@ -123,18 +122,19 @@ impl Case for BallCase {
             state.effective_radius_m,
             1.698 * state.outermost_contact_m,
         );
-        if reach == Reach::Edge {
-            return;
+        if trial.reach == Reach::Edge {
+            return Ok(());
         }
-        if self.map.rms_m() == 0.0 && state.points_per_radius >= 8.0 {
+        if case.map.rms_m() == 0.0 && state.points_per_radius >= 8.0 {
             let off = (state.effective_radius_m / state.hertz_radius_m - 1.0).abs();
             trial.bound("a smooth flat has Hertz's radius", off, 0.02);
         }
-        let [length, pressure] = [0, 1].map(|_| 2f64.powi(draw.between(-8.0, 8.0) as i32));
-        if let Ok(there) = self.scaled(length, pressure).press() {
+        let [length, pressure] = [0, 1].map(|_| 2f64.powi(trial.draw.between(-8.0, 8.0) as i32));
+        if let Ok(there) = case.scaled(length, pressure).press() {
             let off =
                 (there.effective_radius_m / length - state.effective_radius_m).abs() / state.hertz_radius_m;
             trial.bound("units do not matter", off, 1e-12);
         }
+        Ok(())
     }
 }

@@ -4,7 +4,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
 /// Random stream of one state: it depends on seed and number alone, not on earlier draws or on the thread.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Draw(ChaCha8Rng);
 
 impl Draw {

@@ -1,5 +1,9 @@
 //! Small height maps of every kind.
 
+use std::f64::consts::TAU;
+
+use elements::half_space::{Grid, HalfSpaceError};
+
 use crate::{Draw, Reach};
 
 /// Heights on a small grid as plain numbers; printed, it is a literal that recreates it.
@@ -95,6 +99,16 @@ impl SmallMap {
         }
     }
 
+    pub(crate) fn grid(&self) -> Result<Grid, HalfSpaceError> {
+        Grid::new(self.rows, self.columns, self.length_x_m, self.length_y_m)
+    }
+
+    /// Pressure \[Pa\] of a wave of the rms height along the longer side, on a body of a contact modulus \[Pa\].
+    pub(crate) fn wave_pa(&self, contact_modulus_pa: f64) -> f64 {
+        let longer_m = self.length_x_m.max(self.length_y_m);
+        0.5 * contact_modulus_pa * (TAU / longer_m * self.rms_m())
+    }
+
     /// Root mean square \[m\] of the heights from their mean.
     pub(crate) fn rms_m(&self) -> f64 {
         let count = self.heights_m.len() as f64;
@@ -130,7 +144,7 @@ fn shape(draw: &mut Draw, rows: usize, columns: usize) -> Vec<f64> {
             (0..points).map(|_| smallest * draw.between(0.0, 4.0).floor()).collect()
         }
         7 => {
-            let wave = |at: usize, of: usize| (std::f64::consts::TAU * at as f64 / of as f64).cos();
+            let wave = |at: usize, of: usize| (TAU * at as f64 / of as f64).cos();
             places.map(|(row, column)| wave(row, rows) + wave(column, columns)).collect()
         }
         8 => (0..points).map(|_| draw.one_of(&[-1.0, 1.0]) * draw.decades(-6.0, 0.0)).collect(),

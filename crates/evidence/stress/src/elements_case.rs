@@ -2,12 +2,12 @@
 
 use std::f64::consts::{PI, TAU};
 
-use elements::half_space::{Approach, Closing, Contact, Elements, Ending, Grid, HalfSpaceError, Loading};
+use elements::half_space::{Approach, Closing, Contact, Elements, Ending, HalfSpaceError, Loading};
 use numerics::parallel::Unobserved;
 
 use crate::drawn_map::SmallMap;
 use crate::group::Case;
-use crate::tally::Trial;
+use crate::tally::{Refused, Trial};
 use crate::{Draw, Reach};
 
 /// Rms height \[m\] below which a map is flat.
@@ -34,8 +34,7 @@ pub struct ElementsCase {
 
 impl ElementsCase {
     fn elements(&self) -> Result<Elements, HalfSpaceError> {
-        let SmallMap { rows, columns, length_x_m, length_y_m, ref heights_m } = self.map;
-        let grid = Grid::new(rows, columns, length_x_m, length_y_m)?;
+        let (grid, heights_m) = (self.map.grid()?, &self.map.heights_m);
         match (self.periodic, self.layer) {
             (true, None) => Elements::periodic(grid, heights_m),
             (true, Some(layer)) => Elements::periodic_on(grid, heights_m, relative_displacement(layer)),
@@ -54,12 +53,6 @@ impl ElementsCase {
 
     fn press(&self) -> Result<Contact, HalfSpaceError> {
         self.elements()?.press(&self.loading(), &Unobserved)
-    }
-
-    /// Pressure \[Pa\] of a wave of the rms height along the longer side.
-    fn unit_pa(&self) -> f64 {
-        let longer_m = self.map.length_x_m.max(self.map.length_y_m);
-        0.5 * self.contact_modulus_pa * (TAU / longer_m * self.map.rms_m())
     }
 }
 
@@ -91,7 +84,7 @@ impl Case for ElementsCase {
             saturation_pa: None,
             tolerance: draw.decades(-11.0, -2.0),
         };
-        let unit_pa = case.unit_pa();
+        let unit_pa = case.map.wave_pa(case.contact_modulus_pa);
         let unit_pa = if unit_pa.is_normal() { unit_pa } else { contact_modulus_pa };
         case.pressure_pa = match reach {
             Reach::Usual => unit_pa * draw.decades(-4.0, 2.0),
@@ -107,55 +100,56 @@ impl Case for ElementsCase {
         (case, reach)
     }
 
-    fn test(&self, reach: Reach, draw: &mut Draw, trial: &mut Trial<Self>) {
-        let contact = match self.press() {
+    fn test(trial: &mut Trial<Self>) -> Result<(), Refused> {
+        let case = trial.case;
+        let contact = match case.press() {
             Ok(contact) => contact,
             Err(HalfSpaceError::CannotBeCarried { .. }) => {
                 let refused =
-                    self.saturation_pa.is_some_and(|saturation_pa| saturation_pa <= self.pressure_pa);
+                    case.saturation_pa.is_some_and(|saturation_pa| saturation_pa <= case.pressure_pa);
                 trial.hold("a load below the saturation is carried", refused);
-                trial.refused();
-                return;
+                return Err(Refused);
             }
             Err(error) => {
                 let is_light =
-                    matches!(error, HalfSpaceError::TooLight { least_pa, .. } if self.pressure_pa < least_pa);
+                    matches!(error, HalfSpaceError::TooLight { least_pa, .. } if case.pressure_pa < least_pa);
                 trial.hold(
                     "bad numbers are named",
                     is_light || matches!(error, HalfSpaceError::OutOfBounds(_)),
                 );
-                trial.refused();
-                return;
+                return Err(Refused);
             }
         };
-        sound(self, &contact, trial);
-        if reach == Reach::Edge {
-            return;
+        sound(&contact, trial);
+        if trial.reach == Reach::Edge {
+            return Ok(());
         }
-        balanced(self, &contact, trial);
-        if draw.chance(0.05) {
-            plain_sums(self, &contact, trial);
+        balanced(&contact, trial);
+        if trial.draw.chance(0.05) {
+            plain_sums(&contact, trial);
         }
-        if draw.chance(0.3) {
-            symmetric(self, &contact, draw, trial);
+        if trial.draw.chance(0.3) {
+            symmetric(&contact, trial);
         }
-        if draw.chance(0.3) {
-            scaled(self, &contact, draw, trial);
+        if trial.draw.chance(0.3) {
+            scaled(&contact, trial);
         }
-        if draw.chance(0.3) {
-            rises_with_load(self, &contact, draw, trial);
+        if trial.draw.chance(0.3) {
+            rises_with_load(&contact, trial);
         }
-        if draw.chance(0.3) {
-            there_and_back(self, &contact, trial);
+        if trial.draw.chance(0.3) {
+            there_and_back(&contact, trial);
         }
-        if draw.chance(0.3) {
-            stiffness(self, &contact, trial);
+        if trial.draw.chance(0.3) {
+            stiffness(&contact, trial);
         }
+        Ok(())
     }
 }
 
 /// Checks the numbers of a contact.
-fn sound(case: &ElementsCase, contact: &Contact, trial: &mut Trial<ElementsCase>) {
+fn sound(contact: &Contact, trial: &mut Trial<ElementsCase>) {
+    let case = trial.case;
     let areas = [
         contact.area_fraction,
         contact.area_fraction_corrected,
@@ -190,12 +184,13 @@ fn mean(values: &[f64]) -> f64 {
 }
 
 /// Checks equilibrium, from pressures and gaps.
-fn balanced(case: &ElementsCase, contact: &Contact, trial: &mut Trial<ElementsCase>) {
+fn balanced(contact: &Contact, trial: &mut Trial<ElementsCase>) {
+    let case = trial.case;
     let residual = contact.residual;
     if contact.ending == Ending::Converged {
         trial.bound("residual within the tolerance", residual, case.tolerance);
     } else {
-        let heavy = 1e-14 * case.pressure_pa / case.unit_pa();
+        let heavy = 1e-14 * case.pressure_pa / case.map.wave_pa(case.contact_modulus_pa);
         trial.bound(
             "rounding ends a solve near the tolerance",
             residual,
@@ -229,7 +224,8 @@ fn balanced(case: &ElementsCase, contact: &Contact, trial: &mut Trial<ElementsCa
 }
 
 /// Compares gaps with plain sums over waves or over Love's coefficients.
-fn plain_sums(case: &ElementsCase, contact: &Contact, trial: &mut Trial<ElementsCase>) {
+fn plain_sums(contact: &Contact, trial: &mut Trial<ElementsCase>) {
+    let case = trial.case;
     let SmallMap { rows, columns, length_x_m, length_y_m, ref heights_m } = case.map;
     let [dx_m, dy_m] = [length_x_m / columns as f64, length_y_m / rows as f64];
     let count = rows * columns;
@@ -296,20 +292,21 @@ fn slack(case: &ElementsCase, contact: &Contact) -> f64 {
     let larger_m = |most: f64, height_m: &f64| most.max(height_m.abs());
     let largest_m = case.map.heights_m.iter().fold(contact.offset_m.abs(), larger_m);
     let rounding = largest_m / case.map.rms_m().max(f64::MIN_POSITIVE)
-        + contact.largest_pressure_pa / case.unit_pa().max(f64::MIN_POSITIVE);
+        + contact.largest_pressure_pa / case.map.wave_pa(case.contact_modulus_pa).max(f64::MIN_POSITIVE);
     (contact.residual.max(case.tolerance) * (case.map.heights_m.len() as f64).max(10.0) * 10.0
         + 1e-13 * rounding)
         .min(1e3)
 }
 
 /// Checks that transposing, mirroring and shifting do not matter.
-fn symmetric(case: &ElementsCase, contact: &Contact, draw: &mut Draw, trial: &mut Trial<ElementsCase>) {
+fn symmetric(contact: &Contact, trial: &mut Trial<ElementsCase>) {
+    let case = trial.case;
     let rms_m = case.map.rms_m();
     if rms_m < FLAT_M {
         return;
     }
     let (rows, columns) = (case.map.rows as f64, case.map.columns as f64);
-    let by = [draw.between(0.0, rows) as usize, draw.between(0.0, columns) as usize];
+    let by = [trial.draw.between(0.0, rows) as usize, trial.draw.between(0.0, columns) as usize];
     let turned = [
         ("transposed map", Some(case.map.transposed())),
         ("mirrored map", Some(case.map.mirrored())),
@@ -328,9 +325,9 @@ fn symmetric(case: &ElementsCase, contact: &Contact, draw: &mut Draw, trial: &mu
 }
 
 /// Checks that powers of two in lengths, heights and pressures change no digit.
-fn scaled(case: &ElementsCase, contact: &Contact, draw: &mut Draw, trial: &mut Trial<ElementsCase>) {
-    let power = |draw: &mut Draw| 2f64.powi(draw.between(-10.0, 10.0) as i32);
-    let (height, length, pressure) = (power(draw), power(draw), power(draw));
+fn scaled(contact: &Contact, trial: &mut Trial<ElementsCase>) {
+    let case = trial.case;
+    let [height, length, pressure] = [0, 1, 2].map(|_| 2f64.powi(trial.draw.between(-10.0, 10.0) as i32));
     let of_pressure = pressure * height / length;
     let other = ElementsCase {
         map: case.map.scaled(height, length),
@@ -355,8 +352,9 @@ fn scaled(case: &ElementsCase, contact: &Contact, draw: &mut Draw, trial: &mut T
 }
 
 /// Checks that a larger load closes the gap.
-fn rises_with_load(case: &ElementsCase, contact: &Contact, draw: &mut Draw, trial: &mut Trial<ElementsCase>) {
-    let factor = 1.0 + draw.decades(-3.0, 1.0);
+fn rises_with_load(contact: &Contact, trial: &mut Trial<ElementsCase>) {
+    let case = trial.case;
+    let factor = 1.0 + trial.draw.decades(-3.0, 1.0);
     let more = ElementsCase { pressure_pa: factor * case.pressure_pa, saturation_pa: None, ..case.clone() };
     let rms_m = case.map.rms_m();
     if case.saturation_pa.is_some() || rms_m < FLAT_M {
@@ -369,7 +367,8 @@ fn rises_with_load(case: &ElementsCase, contact: &Contact, draw: &mut Draw, tria
 }
 
 /// Checks that the distance of a contact gives back its load.
-fn there_and_back(case: &ElementsCase, contact: &Contact, trial: &mut Trial<ElementsCase>) {
+fn there_and_back(contact: &Contact, trial: &mut Trial<ElementsCase>) {
+    let case = trial.case;
     let heights_m = &case.map.heights_m;
     let rms_m = case.map.rms_m();
     let highest_m = heights_m.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -408,7 +407,8 @@ fn there_and_back(case: &ElementsCase, contact: &Contact, trial: &mut Trial<Elem
 }
 
 /// Checks the stiffness.
-fn stiffness(case: &ElementsCase, contact: &Contact, trial: &mut Trial<ElementsCase>) {
+fn stiffness(contact: &Contact, trial: &mut Trial<ElementsCase>) {
+    let case = trial.case;
     let Ok(mut elements) = case.elements() else { return };
     match elements.stiffness_pa_per_m(contact, case.contact_modulus_pa, &Unobserved) {
         Ok(Some(stiffness)) => trial.hold("stiffness positive", stiffness > 0.0 && stiffness.is_finite()),

@@ -12,7 +12,7 @@ use interface::leak::{Constriction, SealedJoint};
 use interface::tangential::{ShearedBody, ShearedContact, ShearedPair};
 
 use crate::group::Case;
-use crate::tally::Trial;
+use crate::tally::{Refused, Trial};
 use crate::{Draw, Reach};
 
 /// Numbers of an interface in SI units; printed, it is a literal that recreates it.
@@ -76,17 +76,9 @@ impl Case for InterfacesCase {
         (InterfacesCase { share: share.clamp(1e-12, 1.0f64.next_down()), ..case }, reach)
     }
 
-    fn test(&self, reach: Reach, draw: &mut Draw, trial: &mut Trial<Self>) {
-        let tested = [
-            spots(self, trial),
-            plastic(self, trial),
-            gas(self, draw, trial),
-            leak(self, trial),
-            sheared(self, reach, trial),
-        ];
-        if tested.iter().all(Result::is_err) {
-            trial.refused();
-        }
+    fn test(trial: &mut Trial<Self>) -> Result<(), Refused> {
+        let tested = [spots(trial), plastic(trial), gas(trial), leak(trial), sheared(trial)];
+        if tested.iter().all(Result::is_err) { Err(Refused) } else { Ok(()) }
     }
 }
 
@@ -95,7 +87,8 @@ fn positive(value: f64) -> bool {
 }
 
 /// Checks the conductance of spots.
-fn spots(case: &InterfacesCase, trial: &mut Trial<InterfacesCase>) -> Result<(), OutOfBounds> {
+fn spots(trial: &mut Trial<InterfacesCase>) -> Result<(), OutOfBounds> {
+    let case = trial.case;
     let stiffness = RelativeStiffness::from_light_load(case.pressure_pa, case.modulus_pa, case.length_m)?;
     let conductivities = Conductivities::new(case.bodies[0], case.bodies[1])?;
     let resistivities = Resistivities::new(case.bodies[0], case.bodies[1])?;
@@ -119,7 +112,8 @@ fn spots(case: &InterfacesCase, trial: &mut Trial<InterfacesCase>) -> Result<(),
 }
 
 /// Checks plastic correlations and the separation of heights that flow.
-fn plastic(case: &InterfacesCase, trial: &mut Trial<InterfacesCase>) -> Result<(), OutOfBounds> {
+fn plastic(trial: &mut Trial<InterfacesCase>) -> Result<(), OutOfBounds> {
+    let case = trial.case;
     let ratio = PressureRatio::new(case.pressure_pa, case.hardness_pa)?;
     let surface = CutSurface::from_rms_slope(case.rms_height_m, case.rms_slope)?;
     let separation_m = plastic_separation_m(case.rms_height_m, ratio);
@@ -147,7 +141,8 @@ fn plastic(case: &InterfacesCase, trial: &mut Trial<InterfacesCase>) -> Result<(
 }
 
 /// Checks the conductance of the gas.
-fn gas(case: &InterfacesCase, draw: &mut Draw, trial: &mut Trial<InterfacesCase>) -> Result<(), OutOfBounds> {
+fn gas(trial: &mut Trial<InterfacesCase>) -> Result<(), OutOfBounds> {
+    let case = trial.case;
     let parameter_m = case.gas_parameter * case.rms_height_m;
     let gas = GapGas::new(case.gas_w_per_m_k, parameter_m)?;
     if !interface::Bound::Magnitude.admits(case.rms_height_m) {
@@ -166,7 +161,7 @@ fn gas(case: &InterfacesCase, draw: &mut Draw, trial: &mut Trial<InterfacesCase>
         let least = unit * open * open / (mean + m * open);
         trial.bound("gas at least k over the mean gap", least, conductance * (1.0 + 1e-9));
     }
-    if draw.chance(0.1) && u > -8.0 {
+    if trial.draw.chance(0.1) && u > -8.0 {
         let integrator =
             AdaptiveIntegrator::default().with_abs_tol(0.0).with_rel_tol(1e-11).with_max_evals(20_000);
         let density = |t: f64| (-0.5 * (u - t) * (u - t)).exp();
@@ -212,7 +207,8 @@ fn gas(case: &InterfacesCase, draw: &mut Draw, trial: &mut Trial<InterfacesCase>
 }
 
 /// Checks the leak rate.
-fn leak(case: &InterfacesCase, trial: &mut Trial<InterfacesCase>) -> Result<(), OutOfBounds> {
+fn leak(trial: &mut Trial<InterfacesCase>) -> Result<(), OutOfBounds> {
+    let case = trial.case;
     let joint = SealedJoint::new(case.length_m, case.rms_height_m, case.pressure_pa, case.bodies[0])?;
     let rates = [1.0, 2.0].map(|factor| Ok(joint.leak_rate(Constriction::new(factor * case.length_m)?)));
     let [rate, of_twice]: [Result<_, OutOfBounds>; 2] = rates;
@@ -223,11 +219,8 @@ fn leak(case: &InterfacesCase, trial: &mut Trial<InterfacesCase>) -> Result<(), 
 }
 
 /// Checks loops of tangential load against the closed forms of an exponential law and of a sphere.
-fn sheared(
-    case: &InterfacesCase,
-    reach: Reach,
-    trial: &mut Trial<InterfacesCase>,
-) -> Result<(), OutOfBounds> {
+fn sheared(trial: &mut Trial<InterfacesCase>) -> Result<(), OutOfBounds> {
+    let case = trial.case;
     let body = ShearedBody { shear_modulus_pa: case.modulus_pa, poisson_ratio: case.poisson_ratio };
     let pair = ShearedPair::new(case.friction, case.modulus_pa, body, None)?;
     interface::Bound::Magnitude.check("pressure", case.pressure_pa)?;
@@ -236,7 +229,7 @@ fn sheared(
     let exponential = pair.respond(p, x, |at_pa| Ok::<f64, OutOfBounds>(at_pa / case.length_m))?;
     let displacement_m = -f * eta * case.length_m * (-x).ln_1p();
     let loss = f * f * eta * case.length_m * p * (-8.0 * x - (8.0 - 4.0 * x) * (-x).ln_1p());
-    loop_of(&exponential, case, reach, [displacement_m, loss], trial);
+    loop_of(&exponential, [displacement_m, loss], trial);
     // Sphere: u = length (p/modulus)^(2/3).
     let approach_m = |at_pa: f64| case.length_m * (at_pa / case.modulus_pa).cbrt().powi(2);
     let stiffness = |at_pa: f64| 1.5 * at_pa / approach_m(at_pa);
@@ -245,17 +238,16 @@ fn sheared(
     let [two, five] = [2.0 / 3.0, 5.0 / 3.0].map(|power: f64| (power * (-x).ln_1p()).exp_m1());
     let displacement_m = -f * eta * approach_m(p) * two;
     let loss = f * f * eta * approach_m(p) * p * (-4.0 * x * two - 8.0 * x - 4.8 * five);
-    loop_of(&sphere, case, reach, [displacement_m, loss], trial);
+    loop_of(&sphere, [displacement_m, loss], trial);
     Ok(())
 }
 
 fn loop_of(
     contact: &ShearedContact,
-    case: &InterfacesCase,
-    reach: Reach,
     [displacement_m, loss_j_per_m2]: [f64; 2],
     trial: &mut Trial<InterfacesCase>,
 ) {
+    let case = trial.case;
     let numbers = [
         contact.displacement_m,
         contact.initial_stiffness_pa_per_m,
@@ -266,7 +258,7 @@ fn loop_of(
     ];
     trial.hold("loop finite, at least 0", numbers.iter().all(|number| *number >= 0.0 && number.is_finite()));
     trial.bound("damping at most 2/pi", contact.damping_ratio, 2.0 / PI * (1.0 + 1e-9));
-    if reach == Reach::Edge {
+    if trial.reach == Reach::Edge {
         return;
     }
     let off = (contact.displacement_m / displacement_m - 1.0).abs();

@@ -4,7 +4,7 @@ use uncertainty::quantiles::{Interval, area_interval_about, interval};
 use uncertainty::sobol::indices;
 
 use crate::group::Case;
-use crate::tally::Trial;
+use crate::tally::{Refused, Trial};
 use crate::{Draw, Reach};
 
 /// Draws and a level; printed, it is a literal that recreates it.
@@ -45,12 +45,13 @@ impl Case for IntervalsCase {
         (IntervalsCase { draws, best, level: draw.one_of(&[0.95, 0.68, any, 1e-9, 1.0 - 1e-9]) }, reach)
     }
 
-    fn test(&self, reach: Reach, draw: &mut Draw, trial: &mut Trial<Self>) {
-        let lowest = self.draws.iter().copied().fold(f64::INFINITY, f64::min);
-        let highest = self.draws.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let Some(plain) = interval(&self.draws, self.level) else {
+    fn test(trial: &mut Trial<Self>) -> Result<(), Refused> {
+        let case = trial.case;
+        let lowest = case.draws.iter().copied().fold(f64::INFINITY, f64::min);
+        let highest = case.draws.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let Some(plain) = interval(&case.draws, case.level) else {
             trial.hold("draws have an interval", false);
-            return;
+            return Ok(());
         };
         sound(&plain, trial);
         let inside = lowest <= plain.low.value && plain.high.value <= highest;
@@ -62,21 +63,22 @@ impl Case for IntervalsCase {
                 errors == [0.0; 3] && plain.low == plain.high,
             );
         }
-        let mut turned = self.draws.clone();
+        let mut turned = case.draws.clone();
         turned.reverse();
-        trial.hold("the order of the draws does not matter", interval(&turned, self.level) == Some(plain));
-        let power = 2f64.powi(draw.between(-20.0, 20.0) as i32);
-        let scaled: Vec<f64> = self.draws.iter().map(|value| power * value).collect();
-        if reach != Reach::Edge
-            && let Some(there) = interval(&scaled, self.level)
+        trial.hold("the order of the draws does not matter", interval(&turned, case.level) == Some(plain));
+        let power = 2f64.powi(trial.draw.between(-20.0, 20.0) as i32);
+        let scaled: Vec<f64> = case.draws.iter().map(|value| power * value).collect();
+        if trial.reach != Reach::Edge
+            && let Some(there) = interval(&scaled, case.level)
         {
             let pairs = [(there.low, plain.low), (there.median, plain.median), (there.high, plain.high)];
             let same = pairs.iter().all(|(there, here)| there.value == power * here.value);
-            let normal = self.draws.iter().all(|value| (1e-250..1e250).contains(&value.abs()));
+            let normal = case.draws.iter().all(|value| (1e-250..1e250).contains(&value.abs()));
             trial.hold("units do not matter", same || !normal);
         }
-        of_area(self, trial);
-        shares(self, draw, trial);
+        of_area(trial);
+        shares(trial);
+        Ok(())
     }
 }
 
@@ -92,7 +94,8 @@ fn sound(interval: &Interval, trial: &mut Trial<IntervalsCase>) {
 }
 
 /// Checks the interval of the logarithm of an area.
-fn of_area(case: &IntervalsCase, trial: &mut Trial<IntervalsCase>) {
+fn of_area(trial: &mut Trial<IntervalsCase>) {
+    let case = trial.case;
     // Areas are doubles: their logarithms are at least -745.
     let negative = |value: &f64| -value.abs().min(745.0);
     let logarithms: Vec<f64> = case.draws.iter().map(negative).collect();
@@ -109,10 +112,12 @@ fn of_area(case: &IntervalsCase, trial: &mut Trial<IntervalsCase>) {
 }
 
 /// Checks the shares of a group that does everything, and of one that does nothing.
-fn shares(case: &IntervalsCase, draw: &mut Draw, trial: &mut Trial<IntervalsCase>) {
+fn shares(trial: &mut Trial<IntervalsCase>) {
+    let case = trial.case;
     let half = case.draws.len() / 2;
     let (a, b) = (&case.draws[..half], &case.draws[half..]);
-    let mixed: Vec<f64> = a.iter().zip(b).map(|(a, b)| if draw.chance(0.5) { *a } else { *b }).collect();
+    let mixed: Vec<f64> =
+        a.iter().zip(b).map(|(a, b)| if trial.draw.chance(0.5) { *a } else { *b }).collect();
     for (ab, total) in [(a, Some(0.0)), (&b[..half], Some(1.0)), (&mixed[..], None)] {
         let found = indices(a, b, ab);
         for index in [found.first_order, found.total] {

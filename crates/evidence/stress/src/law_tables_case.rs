@@ -6,7 +6,7 @@ use interface::finite_elements::{
 };
 
 use crate::group::Case;
-use crate::tally::Trial;
+use crate::tally::{Refused, Trial};
 use crate::{Draw, Reach};
 
 /// Shape of a law.
@@ -102,58 +102,59 @@ impl Case for LawTablesCase {
         (case, reach)
     }
 
-    fn test(&self, reach: Reach, draw: &mut Draw, trial: &mut Trial<Self>) {
-        conductance(self, reach, draw, trial);
-        let law = match self.sample() {
+    fn test(trial: &mut Trial<Self>) -> Result<(), Refused> {
+        let case = trial.case;
+        conductance(trial);
+        let law = match case.sample() {
             Ok(law) => law,
             Err(error) => {
                 let is_its_own = match error {
                     SamplingError::NotClosing { from_pa, to_pa } => {
-                        !self.is_smooth() || self.is_lost(from_pa, to_pa)
+                        !case.is_smooth() || case.is_lost(from_pa, to_pa)
                     }
                     SamplingError::NoGap { .. } => {
-                        matches!(self.shape, Shape::Missing(_)) || reach == Reach::Edge
+                        matches!(case.shape, Shape::Missing(_)) || trial.reach == Reach::Edge
                     }
                     SamplingError::EmptyRange { from_pa, to_pa } => from_pa >= to_pa,
-                    SamplingError::Value(_) => reach == Reach::Edge || self.length_m > 1e25,
-                    _ => reach == Reach::Edge,
+                    SamplingError::Value(_) => trial.reach == Reach::Edge || case.length_m > 1e25,
+                    _ => trial.reach == Reach::Edge,
                 };
                 trial.hold("a law is refused for what it is", is_its_own);
-                trial.refused();
-                return;
+                return Err(Refused);
             }
         };
         let points = law.points();
         trial.hold("pressures rise", points.is_sorted_by(|low, high| low.pressure_pa < high.pressure_pa));
         trial.hold("gaps fall", points.is_sorted_by(|low, high| low.mean_gap_m > high.mean_gap_m));
-        let ends = points.len() > 2 && points[1].pressure_pa == self.range_pa[0];
-        trial.hold("range of the table", ends && points[points.len() - 1].pressure_pa == self.range_pa[1]);
+        let ends = points.len() > 2 && points[1].pressure_pa == case.range_pa[0];
+        trial.hold("range of the table", ends && points[points.len() - 1].pressure_pa == case.range_pa[1]);
         trial.bound("number of points", points.len() as f64, 1e5);
-        if self.is_smooth() {
+        if case.is_smooth() {
             trial.bound(
                 "interpolation error within the tolerance",
                 law.interpolation_error(),
-                self.tolerance,
+                case.tolerance,
             );
         }
         for point in &points[1..] {
             let back_pa = law.pressure_pa(law.overclosure_m(point.mean_gap_m));
             // Overclosures lose the digits that the first gap has beyond theirs.
             let allowed =
-                if self.is_lost(0.9 * point.pressure_pa, point.pressure_pa) { self.tolerance } else { 1e-9 };
+                if case.is_lost(0.9 * point.pressure_pa, point.pressure_pa) { case.tolerance } else { 1e-9 };
             trial.bound("p -> gap -> p at a point", (back_pa / point.pressure_pa - 1.0).abs(), allowed);
         }
-        let share = draw.between(0.0, 1.0);
-        let pressure_pa = self.range_pa[0] * (self.range_pa[1] / self.range_pa[0]).powf(share);
-        if let (Some(gap_m), true) = (self.gap_m(pressure_pa), self.is_smooth()) {
+        let share = trial.draw.between(0.0, 1.0);
+        let pressure_pa = case.range_pa[0] * (case.range_pa[1] / case.range_pa[0]).powf(share);
+        if let (Some(gap_m), true) = (case.gap_m(pressure_pa), case.is_smooth()) {
             let first_m = points[1].mean_gap_m.abs().max(gap_m.abs());
             let slope_m = (points[0].mean_gap_m - points[points.len() - 1].mean_gap_m).abs();
             let back_pa = law.pressure_pa(law.overclosure_m(gap_m));
             let rounding = 1e-14 * first_m / slope_m.max(f64::MIN_POSITIVE) * points.len() as f64;
-            let allowed = 1.1 * self.tolerance + rounding;
+            let allowed = 1.1 * case.tolerance + rounding;
             trial.bound("table within its tolerance", (back_pa / pressure_pa - 1.0).abs(), allowed);
         }
-        texts(self, &law, trial);
+        texts(&law, trial);
+        Ok(())
     }
 }
 
@@ -164,7 +165,8 @@ fn numbers(text: &str) -> Vec<Vec<f64>> {
 }
 
 /// Checks what codes read.
-fn texts(case: &LawTablesCase, law: &ContactLaw, trial: &mut Trial<LawTablesCase>) {
+fn texts(law: &ContactLaw, trial: &mut Trial<LawTablesCase>) {
+    let case = trial.case;
     let heading = Heading { name: "rough".to_owned(), provenance: vec!["a law".to_owned()] };
     for dialect in Dialect::ALL {
         let text = match dialect.table(law, case.units, &heading, &[]) {
@@ -204,32 +206,33 @@ fn texts(case: &LawTablesCase, law: &ContactLaw, trial: &mut Trial<LawTablesCase
 }
 
 /// Checks a table of conductances in proportion to the load, plus gas.
-fn conductance(case: &LawTablesCase, reach: Reach, draw: &mut Draw, trial: &mut Trial<LawTablesCase>) {
+fn conductance(trial: &mut Trial<LawTablesCase>) {
+    let case = trial.case;
     let exponent = match case.shape {
         Shape::Power(exponent) => exponent,
         _ => 1.0,
     };
-    let gas_si = draw.one_of(&[0.0, 1.0, 1e6]);
+    let gas_si = trial.draw.one_of(&[0.0, 1.0, 1e6]);
     let at = |pressure_pa: f64| ConductancePoint {
         pressure_pa,
         contact_si: 1e3 * (pressure_pa / case.range_pa[0]).powf(exponent),
         gas_si,
     };
-    let flow = draw.one_of(Flow::ALL);
+    let flow = trial.draw.one_of(Flow::ALL);
     let table = match ConductanceTable::sample(flow, case.range_pa, case.tolerance, |p_pa| {
         Ok::<_, ()>(at(p_pa))
     }) {
         Ok(table) => table,
         Err(error) => {
             let is_empty = case.range_pa[0] >= case.range_pa[1] || matches!(error, SamplingError::Value(_));
-            trial.hold("conductances are refused for their range", is_empty || reach == Reach::Edge);
+            trial.hold("conductances are refused for their range", is_empty || trial.reach == Reach::Edge);
             return;
         }
     };
     let points = table.points();
     trial.hold("pressures of conductances rise", points.is_sorted_by(|a, b| a.pressure_pa < b.pressure_pa));
     trial.bound("conductance within its tolerance, halfway", table.interpolation_error(), case.tolerance);
-    let share = draw.between(0.0, 1.0);
+    let share = trial.draw.between(0.0, 1.0);
     let pressure_pa = case.range_pa[0] * (case.range_pa[1] / case.range_pa[0]).powf(share);
     let off = (table.conductance_si(pressure_pa) / at(pressure_pa).total_si() - 1.0).abs();
     trial.bound("conductance within its tolerance", off, 1.1 * case.tolerance + 1e-12);

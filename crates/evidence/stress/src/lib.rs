@@ -64,4 +64,4 @@ pub use stack_case::StackCase;
 pub use statistical::{Kind, Question, StatisticalCase};
 pub use statistical_trial::{Sample, try_state};
 pub use summits_case::SummitsCase;
-pub use tally::{Record, Spread, Tally, Trial, WorstCase};
+pub use tally::{Record, Refused, Spread, Tally, Trial, WorstCase};

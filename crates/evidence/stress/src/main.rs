@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use lexopt::prelude::*;
-use stress::{Group, Kind, Scope};
+use stress::{Group, Scope};
 
 const HELP: &str = "\
 cargo xtask stress [--states N] [--seed S] [--threads T] [--only I] [--law NAME | --group NAME]
@@ -50,25 +50,13 @@ fn parse() -> Result<Option<Arguments>, lexopt::Error> {
             }
             Long("seed") => arguments.seed = parser.value()?.parse()?,
             Long("threads") => arguments.threads = parser.value()?.parse()?,
-            Long("law") => arguments.scope = Scope::Law(parser.value()?.parse_with(law_named)?),
-            Long("group") => arguments.scope = Scope::Group(parser.value()?.parse_with(group_named)?),
+            Long("law") => arguments.scope = Scope::Law(parser.value()?.parse()?),
+            Long("group") => arguments.scope = Scope::Group(parser.value()?.parse_with(Group::named)?),
             Long("help") | Short('h') => return Ok(None),
             other => return Err(other.unexpected()),
         }
     }
     Ok(Some(arguments))
-}
-
-fn law_named(name: &str) -> Result<Kind, String> {
-    let all = Kind::ALL.map(Kind::name);
-    let place = all.iter().position(|&other| other == name);
-    place.map(|place| Kind::ALL[place]).ok_or_else(|| format!("there are: {}", all.join("; ")))
-}
-
-fn group_named(name: &str) -> Result<Group, String> {
-    let all = Group::ALL.map(Group::name);
-    let place = all.iter().position(|&other| other == name);
-    place.map(|place| Group::ALL[place]).ok_or_else(|| format!("there are: {}", all.join("; ")))
 }
 
 fn stress(arguments: &Arguments) -> ExitCode {

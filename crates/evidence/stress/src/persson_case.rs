@@ -14,7 +14,7 @@ use spectrum::{AmplitudeDefinition, Normalisation, ProfilePsd, amplitudes, cumul
 
 use crate::drawn_spectrum::drawn_spectrum;
 use crate::group::Case;
-use crate::tally::Trial;
+use crate::tally::{Refused, Trial};
 use crate::{Draw, Reach};
 
 /// Rounding of areas of the elastic theory and of a constant hardness.
@@ -74,14 +74,6 @@ pub struct PerssonCase {
     pub threshold: f64,
     /// Nominal pressure \[Pa\].
     pub pressure_pa: f64,
-}
-
-/// Reason why a case cannot be built.
-#[derive(Debug)]
-enum Refusal {
-    Body,
-    Spectrum,
-    Hardness,
 }
 
 /// Everything that a load needs.
@@ -145,21 +137,21 @@ impl PerssonCase {
             .map_or(EnergyFactor::FITTED, |light| EnergyFactor::new(light).expect("drawn within its bounds"))
     }
 
-    fn prepared(&self) -> Result<Prepared, Refusal> {
+    fn prepared(&self) -> Result<Prepared, Refused> {
         self.prepared_as(self.coating, &self.deformation)
     }
 
-    fn prepared_as(&self, coating: Option<Coating>, deformation: &Deformation) -> Result<Prepared, Refusal> {
-        let pair = self.pair(coating).map_err(|_| Refusal::Body)?;
+    fn prepared_as(&self, coating: Option<Coating>, deformation: &Deformation) -> Result<Prepared, Refused> {
+        let pair = self.pair(coating)?;
         let contact_modulus_pa = pair.composite_modulus_pa();
         let (wavelengths_m, c1d_m3) = self.spectrum.iter().copied().unzip();
-        let psd = ProfilePsd::new(wavelengths_m, c1d_m3).map_err(|_| Refusal::Spectrum)?;
+        let psd = ProfilePsd::new(wavelengths_m, c1d_m3)?;
         let roughness = roughness(&psd, self.band);
         let roughness = match pair.layer_compliance() {
             Some(layer) => roughness.on_layer(layer),
             None => roughness,
         };
-        let model = self.model(contact_modulus_pa, deformation).map_err(|_| Refusal::Hardness)?;
+        let model = self.model(contact_modulus_pa, deformation)?;
         let energy_factor = self.energy_factor();
         let separation = model.separation(&roughness, energy_factor);
         Ok(Prepared { model, roughness, separation, energy_factor, contact_modulus_pa })
@@ -282,52 +274,48 @@ impl Case for PerssonCase {
         (case, reach)
     }
 
-    fn test(&self, reach: Reach, draw: &mut Draw, trial: &mut Trial<Self>) {
-        let Ok(prepared) = self.prepared() else {
-            trial.refused();
-            return;
-        };
+    fn test(trial: &mut Trial<Self>) -> Result<(), Refused> {
+        let case = trial.case;
+        let prepared = case.prepared()?;
         let Prepared { model, roughness, separation, .. } = &prepared;
-        let pressure_pa = self.pressure_pa;
+        let pressure_pa = case.pressure_pa;
         if !asperity::Bound::Magnitude.admits(pressure_pa) {
-            trial.refused();
-            return;
+            return Err(Refused);
         }
-        let Ok(cuts) = model.along(roughness, separation, pressure_pa) else {
-            trial.refused();
-            return;
-        };
-        sound(self, &prepared, &cuts, trial);
-        let Some(last) = cuts.last() else { return };
+        let cuts = model.along(roughness, separation, pressure_pa)?;
+        sound(&prepared, &cuts, trial);
+        let Some(last) = cuts.last() else { return Ok(()) };
         let at_last = model.at_last(roughness, separation, pressure_pa);
         let again = at_last.is_ok_and(|cut| cut.is_some_and(|cut| cut == *last));
         trial.hold("the last cut alone and along the spectrum", again);
-        if reach == Reach::Edge {
-            return;
+        if trial.reach == Reach::Edge {
+            return Ok(());
         }
-        let more_pa = pressure_pa * (1.0 + draw.decades(-6.0, 0.0));
-        rises_with_load(self, &prepared, (last, pressure_pa), more_pa, trial);
-        between_limits(self, &prepared, last.areas, trial);
-        scaled(self, &cuts, draw, trial);
-        if let Deformation::Plastic(hardness_pa, Growth::Constant, _) = self.deformation {
+        let more_pa = pressure_pa * (1.0 + trial.draw.decades(-6.0, 0.0));
+        rises_with_load(&prepared, (last, pressure_pa), more_pa, trial);
+        between_limits(&prepared, last.areas, trial);
+        scaled(&cuts, trial);
+        if let Deformation::Plastic(hardness_pa, Growth::Constant, _) = case.deformation {
             eigenfunctions(&prepared, last.areas, pressure_pa, hardness_pa, trial);
         }
-        let first = (prepared.roughness.places(), self);
-        if let (Deformation::Elastic(correction), [_, .., _]) = (&self.deformation, first.0) {
-            seal(self, &prepared, *correction, trial);
-            light_load(&prepared, *correction, draw, trial);
+        let first = (prepared.roughness.places(), case);
+        if let (Deformation::Elastic(correction), [_, .., _]) = (&case.deformation, first.0) {
+            seal(&prepared, *correction, trial);
+            light_load(&prepared, *correction, trial);
         }
-        if draw.chance(0.1) {
+        if trial.draw.chance(0.1) {
             stiffness_is_the_slope(&prepared, pressure_pa, 1e-9, trial);
         }
-        if let (Some(coating), true) = (self.coating, draw.chance(0.3)) {
-            trivial_layer(self, coating, trial);
+        if let (Some(coating), true) = (case.coating, trial.draw.chance(0.3)) {
+            trivial_layer(coating, trial);
         }
+        Ok(())
     }
 }
 
 /// Checks shares and separations of every cut.
-fn sound(case: &PerssonCase, prepared: &Prepared, cuts: &[Cut], trial: &mut Trial<PerssonCase>) {
+fn sound(prepared: &Prepared, cuts: &[Cut], trial: &mut Trial<PerssonCase>) {
+    let case = trial.case;
     let tolerance = case.area_tolerance();
     for cut in cuts {
         let ContactAreas { elastic, plastic, gap } = cut.areas;
@@ -360,12 +348,12 @@ fn sound(case: &PerssonCase, prepared: &Prepared, cuts: &[Cut], trial: &mut Tria
 
 /// Checks that a larger load closes the contact.
 fn rises_with_load(
-    case: &PerssonCase,
     prepared: &Prepared,
     (last, pressure_pa): (&Cut, f64),
     more_pa: f64,
     trial: &mut Trial<PerssonCase>,
 ) {
+    let case = trial.case;
     let more = prepared.model.at_last(&prepared.roughness, &prepared.separation, more_pa);
     let Ok(Some(more)) = more else { return };
     let tolerance = case.area_tolerance();
@@ -379,12 +367,8 @@ fn rises_with_load(
 }
 
 /// Checks that plastic contact lies between the elastic theory and a constant hardness.
-fn between_limits(
-    case: &PerssonCase,
-    prepared: &Prepared,
-    areas: ContactAreas,
-    trial: &mut Trial<PerssonCase>,
-) {
+fn between_limits(prepared: &Prepared, areas: ContactAreas, trial: &mut Trial<PerssonCase>) {
+    let case = trial.case;
     let Deformation::Plastic(hardness_pa, growth, _) = &case.deformation else { return };
     let last = |deformation: &Deformation| -> Option<ContactAreas> {
         let prepared = case.prepared_as(case.coating, deformation).ok()?;
@@ -415,8 +399,9 @@ fn between_limits(
 }
 
 /// Checks that units do not matter.
-fn scaled(case: &PerssonCase, cuts: &[Cut], draw: &mut Draw, trial: &mut Trial<PerssonCase>) {
-    let [lengths, pressures] = [0, 1].map(|_| draw.between(-20.0, 20.0) as i32);
+fn scaled(cuts: &[Cut], trial: &mut Trial<PerssonCase>) {
+    let case = trial.case;
+    let [lengths, pressures] = [0, 1].map(|_| trial.draw.between(-20.0, 20.0) as i32);
     let other = case.scaled(lengths, pressures);
     let Ok(prepared) = other.prepared() else { return };
     if !asperity::Bound::Magnitude.admits(other.pressure_pa) {
@@ -466,12 +451,8 @@ fn eigenfunctions(
 }
 
 /// Checks the seal of an elastic contact.
-fn seal(
-    case: &PerssonCase,
-    prepared: &Prepared,
-    correction: Option<Correction>,
-    trial: &mut Trial<PerssonCase>,
-) {
+fn seal(prepared: &Prepared, correction: Option<Correction>, trial: &mut Trial<PerssonCase>) {
+    let case = trial.case;
     let Prepared { roughness, energy_factor, contact_modulus_pa, .. } = prepared;
     let threshold = PercolationThreshold::new(case.threshold).expect("drawn within its bounds");
     let law = SealingLaw::new(roughness, *contact_modulus_pa, *energy_factor, correction, threshold);
@@ -497,14 +478,9 @@ fn seal(
 }
 
 /// Checks the limit of light loads, without a correction.
-fn light_load(
-    prepared: &Prepared,
-    correction: Option<Correction>,
-    draw: &mut Draw,
-    trial: &mut Trial<PerssonCase>,
-) {
+fn light_load(prepared: &Prepared, correction: Option<Correction>, trial: &mut Trial<PerssonCase>) {
     let spread_pa = prepared.spread_pa();
-    let pressure_pa = spread_pa * draw.decades(-9.0, -5.0);
+    let pressure_pa = spread_pa * trial.draw.decades(-9.0, -5.0);
     if correction.is_none() && spread_pa > 0.0 {
         let areas = prepared.areas(pressure_pa).expect("elastic contact has no hardness");
         let linear = (2.0 / PI).sqrt() * (pressure_pa / spread_pa);
@@ -560,7 +536,8 @@ fn stiffness_is_the_slope(
 }
 
 /// Checks that a layer of the material of its base is no layer.
-fn trivial_layer(case: &PerssonCase, coating: Coating, trial: &mut Trial<PerssonCase>) {
+fn trivial_layer(coating: Coating, trial: &mut Trial<PerssonCase>) {
+    let case = trial.case;
     let base = Some((case.youngs_modulus_pa, case.poisson_ratio));
     let deformation = Deformation::Elastic(None);
     let both = [Some(Coating { base, ..coating }), None].map(|coating| {

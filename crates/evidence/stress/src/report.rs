@@ -86,12 +86,12 @@ pub fn write_csv(tally: &Tally, to: impl io::Write) -> csv::Result<()> {
 
 #[cfg(test)]
 mod tests {
-    use crate::{Reach, Tally, Trial};
+    use crate::{Draw, Reach, Tally, Trial};
 
     #[test]
     fn a_broken_promise_is_a_row_with_its_inputs() {
         let mut tally = Tally::default();
-        let mut trial = Trial::new(&mut tally, "family", 5, (&0.1, Reach::Usual));
+        let mut trial = Trial::new(&mut tally, "family", 5, (&0.1, Reach::Usual), Draw::new(0, 0));
         trial.bound("small", 3.0, 2.0);
         trial.note("size", 3.0);
         let mut written = Vec::new();

@@ -10,7 +10,7 @@ use scans::{NonuniformLineScan, Scan};
 
 use crate::drawn_scan::DrawnScan;
 use crate::group::Case;
-use crate::tally::Trial;
+use crate::tally::{Refused, Trial};
 use crate::{Draw, Reach};
 
 /// Height \[m\] near the smallest double, where digits are lost.
@@ -68,41 +68,41 @@ impl Case for RoughnessCase {
         (RoughnessCase { scan, form: draw.one_of(FormRemoval::ALL), cutoffs_m }, reach)
     }
 
-    fn test(&self, reach: Reach, draw: &mut Draw, trial: &mut Trial<Self>) {
-        let Some(relief) = self.relief(0.0) else {
-            trial.refused();
-            return;
+    fn test(trial: &mut Trial<Self>) -> Result<(), Refused> {
+        let case = trial.case;
+        let Some(relief) = case.relief(0.0) else {
+            return Err(Refused);
         };
         let relief = match relief {
             Ok(relief) => relief,
             Err(error) => {
-                let has_none = self.scan.missing.len() == self.scan.heights_m.len();
-                let is_filtered = self.cutoffs_m.iter().any(Option::is_some);
+                let has_none = case.scan.missing.len() == case.scan.heights_m.len();
+                let is_filtered = case.cutoffs_m.iter().any(Option::is_some);
                 let is_empty = error == ScaleLimitedSurfaceError::NoHeights;
                 let is_cut =
-                    self.scan.rows.is_none() && self.cutoffs_m[0].is_some() && !self.scan.missing.is_empty();
+                    case.scan.rows.is_none() && case.cutoffs_m[0].is_some() && !case.scan.missing.is_empty();
                 let reason = if is_empty { has_none || is_cut } else { is_filtered };
                 trial.hold("a scan is refused for what it is", reason);
-                trial.refused();
-                return;
+                return Err(Refused);
             }
         };
         let all = parameters(&relief, 0.0);
         let known = all.iter().filter_map(|parameter| parameter.value.known());
-        if reach == Reach::Edge {
+        if trial.reach == Reach::Edge {
             trial.hold("parameters no NaN", known.into_iter().all(|value| !value.is_nan()));
-            return;
+            return Ok(());
         }
         trial.hold("parameters finite", known.into_iter().all(f64::is_finite));
-        let junk_m = draw.one_of(&[-1.0, 1.0]) * draw.decades(-30.0, 30.0);
-        let again = self.relief(junk_m).and_then(Result::ok);
+        let junk_m = trial.draw.one_of(&[-1.0, 1.0]) * trial.draw.decades(-30.0, 30.0);
+        let again = case.relief(junk_m).and_then(Result::ok);
         trial.hold("missing points have no value", again.is_some_and(|again| again == relief));
         let found = values(&all);
         ordered(&found, trial);
-        curve(&relief, draw, trial);
-        turned(self, &found, trial);
-        scaled(self, &found, draw, trial);
-        heights_alone(self, &found, trial);
+        curve(&relief, trial);
+        turned(&found, trial);
+        scaled(&found, trial);
+        heights_alone(&found, trial);
+        Ok(())
     }
 }
 
@@ -145,9 +145,9 @@ fn ordered(found: &BTreeMap<&str, f64>, trial: &mut Trial<RoughnessCase>) {
 }
 
 /// Checks the identity of void and material.
-fn curve(relief: &ScaleLimitedSurface, draw: &mut Draw, trial: &mut Trial<RoughnessCase>) {
+fn curve(relief: &ScaleLimitedSurface, trial: &mut Trial<RoughnessCase>) {
     let curve = MaterialRatioCurve::new(relief);
-    let ratio = draw.between(0.0, 1.0);
+    let ratio = trial.draw.between(0.0, 1.0);
     let (highest_m, lowest_m) = (curve.height_m(0.0), curve.height_m(1.0));
     let mean_m = curve.material_m(1.0) + lowest_m;
     let size_m = highest_m - lowest_m;
@@ -158,7 +158,8 @@ fn curve(relief: &ScaleLimitedSurface, draw: &mut Draw, trial: &mut Trial<Roughn
 }
 
 /// Checks that the transposed map has the same parameters.
-fn turned(case: &RoughnessCase, found: &BTreeMap<&str, f64>, trial: &mut Trial<RoughnessCase>) {
+fn turned(found: &BTreeMap<&str, f64>, trial: &mut Trial<RoughnessCase>) {
+    let case = trial.case;
     let Some(rows) = case.scan.rows else { return };
     let columns = case.scan.columns;
     let places: Vec<usize> =
@@ -176,17 +177,13 @@ fn turned(case: &RoughnessCase, found: &BTreeMap<&str, f64>, trial: &mut Trial<R
         trial.hold("transposed map", false);
         return;
     };
-    same(case, found, |symbol| there.get(symbol).copied(), "transposed map", trial);
+    same(found, |symbol| there.get(symbol).copied(), "transposed map", trial);
 }
 
 /// Checks that units do not matter.
-fn scaled(
-    case: &RoughnessCase,
-    found: &BTreeMap<&str, f64>,
-    draw: &mut Draw,
-    trial: &mut Trial<RoughnessCase>,
-) {
-    let size = 2f64.powi(draw.between(-15.0, 15.0) as i32);
+fn scaled(found: &BTreeMap<&str, f64>, trial: &mut Trial<RoughnessCase>) {
+    let case = trial.case;
+    let size = 2f64.powi(trial.draw.between(-15.0, 15.0) as i32);
     let cutoffs_m = case.cutoffs_m.map(|cutoff_m| cutoff_m.map(|cutoff_m| size * cutoff_m));
     let other = RoughnessCase { scan: case.scan.scaled(size, size), cutoffs_m, ..case.clone() };
     let Some(there) = other.values() else {
@@ -200,17 +197,17 @@ fn scaled(
     };
     let at =
         |symbol: &str| there.get(symbol).map(|value| if is_length(symbol) { value / size } else { *value });
-    same(case, found, at, "units do not matter", trial);
+    same(found, at, "units do not matter", trial);
 }
 
 /// Compares parameters that rounding does not decide.
 fn same(
-    case: &RoughnessCase,
     found: &BTreeMap<&str, f64>,
     there: impl Fn(&str) -> Option<f64>,
     promise: &'static str,
     trial: &mut Trial<RoughnessCase>,
 ) {
+    let case = trial.case;
     let largest_m = case.scan.heights_m.iter().fold(0.0f64, |most, height_m| most.max(height_m.abs()));
     let rms_m = found.get("Sq").or_else(|| found.get("Rq")).copied().unwrap_or(0.0);
     // Parameters of a surface that is flat within rounding have no digits.
@@ -229,7 +226,8 @@ fn same(
 }
 
 /// Checks that heights alone have the same parameters as a whole evaluation by the default.
-fn heights_alone(case: &RoughnessCase, found: &BTreeMap<&str, f64>, trial: &mut Trial<RoughnessCase>) {
+fn heights_alone(found: &BTreeMap<&str, f64>, trial: &mut Trial<RoughnessCase>) {
+    let case = trial.case;
     if case.form != FormRemoval::Plane || case.cutoffs_m != [None, None] || case.scan.positions_m.is_some() {
         return;
     }
@@ -240,7 +238,6 @@ fn heights_alone(case: &RoughnessCase, found: &BTreeMap<&str, f64>, trial: &mut 
     };
     let there = values(&heights.parameters());
     same(
-        case,
         found,
         |symbol| there.get(symbol).copied().or_else(|| found.get(symbol).copied()),
         "heights alone",

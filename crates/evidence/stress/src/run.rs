@@ -6,30 +6,17 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use rayon::prelude::*;
 
-use crate::adhesion_case::AdhesionCase;
-use crate::asperity_case::AsperityCase;
-use crate::ball_case::BallCase;
-use crate::elements_case::ElementsCase;
 use crate::group::{Case, Group};
-use crate::interfaces_case::InterfacesCase;
-use crate::intervals_case::IntervalsCase;
-use crate::law_tables_case::LawTablesCase;
-use crate::persson_case::PerssonCase;
-use crate::roughness_case::RoughnessCase;
-use crate::scans_case::ScansCase;
-use crate::spectra_case::SpectraCase;
-use crate::stack_case::StackCase;
 use crate::statistical::{Kind, StatisticalCase};
 use crate::statistical_trial::{Sample, try_state};
-use crate::summits_case::SummitsCase;
-use crate::tally::{Tally, Trial};
+use crate::tally::{Refused, Tally, Trial};
 use crate::{Draw, Reach};
 
 /// Number of states in a chunk.
 const CHUNK: u64 = 2000;
 
 /// Scope of a run.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy)]
 pub enum Scope {
     /// States of every law of the statistical model, and of all groups in proportion.
     Everything,
@@ -70,14 +57,14 @@ fn try_range(scope: Scope, seed: u64, range: Range<u64>) -> Tally {
 
 fn try_one(scope: Scope, seed: u64, index: u64, tally: &mut Tally, catch: bool) {
     match scope {
-        Scope::Group(group) => try_group(group, seed, index, tally, catch),
+        Scope::Group(group) => (group.try_case)(group, seed, index, tally, catch),
         Scope::Law(kind) if kind != kind_of(index) => (),
         Scope::Law(_) => try_statistical(seed, index, tally, catch),
         Scope::Everything => {
             try_statistical(seed, index, tally, catch);
-            let drawn = |group: &Group| index.is_multiple_of(group.every());
+            let drawn = |group: &Group| index.is_multiple_of(group.every);
             Group::ALL.into_iter().filter(drawn).for_each(|group| {
-                try_group(group, seed, index, tally, catch);
+                (group.try_case)(group, seed, index, tally, catch);
             });
         }
     }
@@ -93,39 +80,19 @@ fn try_statistical(seed: u64, index: u64, tally: &mut Tally, catch: bool) {
     // Samples are taken evenly from all kinds.
     let sample = Sample::for_state(index / Kind::ALL.len() as u64);
     let (case, reach) = StatisticalCase::draw(&mut draw, kind);
-    one(kind.name(), index, (&case, reach), tally, catch, |trial| {
-        try_state(&case, reach, sample, &mut draw, trial)
-    });
+    one(kind.name(), index, (&case, reach), draw, tally, catch, |trial| try_state(sample, trial));
 }
 
-fn try_group(group: Group, seed: u64, index: u64, tally: &mut Tally, catch: bool) {
-    let try_case = match group {
-        Group::Asperities => try_case::<AsperityCase>,
-        Group::Stacks => try_case::<StackCase>,
-        Group::Persson => try_case::<PerssonCase>,
-        Group::Summits => try_case::<SummitsCase>,
-        Group::Elements => try_case::<ElementsCase>,
-        Group::Adhesion => try_case::<AdhesionCase>,
-        Group::Balls => try_case::<BallCase>,
-        Group::Spectra => try_case::<SpectraCase>,
-        Group::Scans => try_case::<ScansCase>,
-        Group::Intervals => try_case::<IntervalsCase>,
-        Group::Interfaces => try_case::<InterfacesCase>,
-        Group::LawTables => try_case::<LawTablesCase>,
-        Group::Roughness => try_case::<RoughnessCase>,
-    };
-    try_case(group, seed, index, tally, catch);
-}
-
-fn try_case<C: Case>(group: Group, seed: u64, index: u64, tally: &mut Tally, catch: bool) {
-    let mut draw = Draw::new(seed ^ group.seed(), index);
+/// Draws and tests the state of a group with a number.
+pub(crate) fn try_case<C: Case>(group: Group, seed: u64, index: u64, tally: &mut Tally, catch: bool) {
+    let mut draw = Draw::new(seed ^ group.seed, index);
     // A case that needs laws to be drawn may panic as well.
     let drawn = catch_unwind(AssertUnwindSafe(|| C::draw(&mut draw)));
     let Ok((case, reach)) = drawn else {
-        Trial::new(tally, group.name(), index, (&"drawing", Reach::Edge)).hold("no panic", false);
+        Trial::new(tally, group.name, index, (&"drawing", Reach::Edge), draw).hold("no panic", false);
         return;
     };
-    one(group.name(), index, (&case, reach), tally, catch, |trial| case.test(reach, &mut draw, trial));
+    one(group.name, index, (&case, reach), draw, tally, catch, C::test);
 }
 
 /// Tests one state of a family; with `catch` a panic becomes a broken promise with its inputs.
@@ -133,19 +100,19 @@ fn one<C: Debug>(
     family: &'static str,
     index: u64,
     case: (&C, Reach),
+    draw: Draw,
     tally: &mut Tally,
     catch: bool,
-    test: impl FnOnce(&mut Trial<C>),
+    test: impl FnOnce(&mut Trial<C>) -> Result<(), Refused>,
 ) {
     if !catch {
-        return test(&mut Trial::new(tally, family, index, case));
+        return Trial::new(tally, family, index, case, draw).run(test);
     }
     let mut own = Tally::default();
-    let survived =
-        catch_unwind(AssertUnwindSafe(|| test(&mut Trial::new(&mut own, family, index, case)))).is_ok();
-    if !survived {
+    let trial = Trial::new(&mut own, family, index, case, draw.clone());
+    if catch_unwind(AssertUnwindSafe(|| trial.run(test))).is_err() {
         own = Tally::default();
-        Trial::new(&mut own, family, index, case).hold("no panic", false);
+        Trial::new(&mut own, family, index, case, draw).hold("no panic", false);
     }
     *tally = std::mem::take(tally).joined(own);
 }
@@ -158,9 +125,11 @@ mod tests {
     fn a_panic_is_reported_with_its_inputs_and_the_others_go_on() {
         let mut tally = Tally::default();
         for (index, case) in [1, 2, 3].iter().enumerate() {
-            one("family", index as u64, (case, Reach::Usual), &mut tally, true, |trial| {
+            let index = index as u64;
+            one("family", index, (case, Reach::Usual), Draw::new(0, index), &mut tally, true, |trial| {
                 assert!(*case != 2);
                 trial.hold("fine", true);
+                Ok(())
             });
         }
         let panics = &tally.records[&("family", "no panic")];

@@ -8,7 +8,7 @@ use topography::{
 
 use crate::drawn_scan::DrawnScan;
 use crate::group::Case;
-use crate::tally::Trial;
+use crate::tally::{Refused, Trial};
 use crate::{Draw, Reach};
 
 /// Scan and its treatment; printed, it is a literal that recreates it.
@@ -52,28 +52,27 @@ impl Case for ScansCase {
         (ScansCase { scan, treatment: draw.one_of(GapTreatment::ALL), preparation }, reach)
     }
 
-    fn test(&self, reach: Reach, draw: &mut Draw, trial: &mut Trial<Self>) {
-        let Some(file) = self.complete(0.0) else {
-            trial.refused();
-            return;
+    fn test(trial: &mut Trial<Self>) -> Result<(), Refused> {
+        let case = trial.case;
+        let Some(file) = case.complete(0.0) else {
+            return Err(Refused);
         };
-        let junk_m = draw.one_of(&[-1.0, 1.0]) * draw.decades(-30.0, 30.0);
-        let again = self.complete(junk_m);
+        let junk_m = trial.draw.one_of(&[-1.0, 1.0]) * trial.draw.decades(-30.0, 30.0);
+        let again = case.complete(junk_m);
         let file = match file {
             Ok(file) => file,
             Err(error) => {
-                refused_for_a_reason(self, &error, trial);
+                refused_for_a_reason(&error, trial);
                 trial.hold("missing points have no value", again.is_some_and(|again| again.is_err()));
-                trial.refused();
-                return;
+                return Err(Refused);
             }
         };
         let same = again.and_then(Result::ok).is_some_and(|again| again.scan == file.scan);
         trial.hold("missing points have no value", same);
-        filled_within(self, &file.scan, trial);
-        let spectrum = line_spectrum(&file.scan, self.preparation);
+        filled_within(&file.scan, trial);
+        let spectrum = line_spectrum(&file.scan, case.preparation);
         let densities = spectrum.c1d_m3();
-        if reach != Reach::Edge {
+        if trial.reach != Reach::Edge {
             trial.hold(
                 "densities finite, at least 0",
                 densities.iter().all(|value| *value >= 0.0 && value.is_finite()),
@@ -81,7 +80,7 @@ impl Case for ScansCase {
             let share = spectrum.parseval_share();
             let is_even = spectrum.spacing_m().is_some();
             let largest_m =
-                self.scan.heights_m.iter().fold(0.0f64, |most, height_m| most.max(height_m.abs()));
+                case.scan.heights_m.iter().fold(0.0f64, |most, height_m| most.max(height_m.abs()));
             // A variance that rounding left has no digits.
             if is_even && spectrum.variance_m2() > 1e-280 && spectrum.variance_m2().sqrt() > 1e-7 * largest_m
             {
@@ -91,19 +90,21 @@ impl Case for ScansCase {
             trial.hold("densities no NaN", densities.iter().all(|value| !value.is_nan()));
         }
         if let Scan::Map(map) = &file.scan {
-            let areal = areal_spectrum(map, self.preparation);
+            let areal = areal_spectrum(map, case.preparation);
             let sound = areal.bins().iter().all(|bin| bin.ciso_m4() >= 0.0);
             trial.hold("densities of the area no NaN, at least 0", sound);
         }
-        whole_way(self, file, trial);
-        if reach != Reach::Edge {
-            scaled(self, densities, draw, trial);
+        whole_way(file, trial);
+        if trial.reach != Reach::Edge {
+            scaled(densities, trial);
         }
+        Ok(())
     }
 }
 
 /// Checks that a scan is refused only with missing points, or for what it is.
-fn refused_for_a_reason(case: &ScansCase, error: &TransformError, trial: &mut Trial<ScansCase>) {
+fn refused_for_a_reason(error: &TransformError, trial: &mut Trial<ScansCase>) {
+    let case = trial.case;
     let missing = case.scan.missing.len();
     let reason = match error {
         TransformError::Gaps(_) => case.treatment == GapTreatment::Refuse && missing > 0,
@@ -118,7 +119,8 @@ fn refused_for_a_reason(case: &ScansCase, error: &TransformError, trial: &mut Tr
 }
 
 /// Checks the maximum principle of filled heights.
-fn filled_within(case: &ScansCase, scan: &Scan, trial: &mut Trial<ScansCase>) {
+fn filled_within(scan: &Scan, trial: &mut Trial<ScansCase>) {
+    let case = trial.case;
     let filled_m = match scan {
         Scan::Map(map) => map.heights_m(),
         Scan::UniformLine(line) => line.heights_m(),
@@ -138,7 +140,8 @@ fn filled_within(case: &ScansCase, scan: &Scan, trial: &mut Trial<ScansCase>) {
 }
 
 /// Checks the way from a complete scan to the composite spectrum.
-fn whole_way(case: &ScansCase, file: ScanFile<Scan>, trial: &mut Trial<ScansCase>) {
+fn whole_way(file: ScanFile<Scan>, trial: &mut Trial<ScansCase>) {
+    let case = trial.case;
     let recipe = case.recipe();
     let Ok(spectrum) = ScanSpectrum::new(file, BandLimits::default(), &recipe) else { return };
     let _ = spectrum.remarks();
@@ -168,8 +171,9 @@ fn is_known(error: &TransformError) -> bool {
 }
 
 /// Checks that units do not matter.
-fn scaled(case: &ScansCase, densities: &[f64], draw: &mut Draw, trial: &mut Trial<ScansCase>) {
-    let [length, height] = [0, 1].map(|_| 2f64.powi(draw.between(-15.0, 15.0) as i32));
+fn scaled(densities: &[f64], trial: &mut Trial<ScansCase>) {
+    let case = trial.case;
+    let [length, height] = [0, 1].map(|_| 2f64.powi(trial.draw.between(-15.0, 15.0) as i32));
     let other = ScansCase { scan: case.scan.scaled(length, height), ..case.clone() };
     let Some(Ok(file)) = other.complete(0.0) else {
         trial.hold("units do not matter", false);

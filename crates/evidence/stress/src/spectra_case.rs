@@ -11,7 +11,7 @@ use spectrum::{
 
 use crate::drawn_spectrum::drawn_spectrum;
 use crate::group::Case;
-use crate::tally::Trial;
+use crate::tally::{Refused, Trial};
 use crate::{Draw, Reach};
 
 /// Wavelengths \[m\] and densities \[m^3\], in any order and with repeats; printed, it is a literal that recreates it.
@@ -49,27 +49,28 @@ impl Case for SpectraCase {
         (SpectraCase { rows, per_decade: draw.between(1.0, 60.0) as u32 }, reach)
     }
 
-    fn test(&self, reach: Reach, draw: &mut Draw, trial: &mut Trial<Self>) {
+    fn test(trial: &mut Trial<Self>) -> Result<(), Refused> {
+        let case = trial.case;
         let within = |value: f64, decades: i32| (10f64.powi(-decades)..=10f64.powi(decades)).contains(&value);
         let is_sample = |row: &(f64, f64)| within(row.0, 30) && within(row.1, 90);
-        let is_table = self.rows.iter().all(is_sample) && self.is_in_order();
-        let profile = match self.profile() {
+        let is_table = case.rows.iter().all(is_sample) && case.is_in_order();
+        let profile = match case.profile() {
             Ok(profile) => profile,
             Err(_) => {
                 trial.hold("a table of a spectrum is taken", !is_table);
-                trial.refused();
-                return;
+                return Err(Refused);
             }
         };
         trial.hold("other tables are refused", is_table);
         moments(&profile, trial);
         sizes(&profile, trial);
-        sampled_again(self, &profile, trial);
+        sampled_again(&profile, trial);
         fitted(&profile, trial);
-        converted(self, draw, trial);
-        if reach != Reach::Edge {
+        converted(trial);
+        if trial.reach != Reach::Edge {
             of_area(&profile, trial);
         }
+        Ok(())
     }
 }
 
@@ -129,7 +130,8 @@ fn sizes(profile: &ProfilePsd, trial: &mut Trial<SpectraCase>) {
 }
 
 /// Checks values between samples, new samples, cuts and holes.
-fn sampled_again(case: &SpectraCase, profile: &ProfilePsd, trial: &mut Trial<SpectraCase>) {
+fn sampled_again(profile: &ProfilePsd, trial: &mut Trial<SpectraCase>) {
+    let case = trial.case;
     let ends = |profile: &ProfilePsd| [profile.longest_wavelength_m(), profile.shortest_wavelength_m()];
     let decades = (ends(profile)[0] / ends(profile)[1]).log10();
     if let Some(per_decade) = NonZeroU32::new(case.per_decade).filter(|_| decades < 200.0) {
@@ -181,8 +183,9 @@ fn fitted(profile: &ProfilePsd, trial: &mut Trial<SpectraCase>) {
 }
 
 /// Checks conventions there and back.
-fn converted(case: &SpectraCase, draw: &mut Draw, trial: &mut Trial<SpectraCase>) {
-    let [from, to] = [0, 1].map(|_| draw.one_of(Convention::ALL));
+fn converted(trial: &mut Trial<SpectraCase>) {
+    let case = trial.case;
+    let [from, to] = [0, 1].map(|_| trial.draw.one_of(Convention::ALL));
     let (wavelengths_m, values): (Vec<f64>, Vec<f64>) = case.rows.iter().copied().unzip();
     let Ok(psd) = Psd::new(wavelengths_m, values, from) else {
         trial.hold("two rows are a spectrum", case.rows.len() < 2);

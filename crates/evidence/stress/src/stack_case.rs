@@ -4,7 +4,7 @@ use asperity::{AsperityError, Bound};
 use stacked_contact::{Level, Scale, StackedModel, largest_full_contact_pressure_pa, levels};
 
 use crate::group::Case;
-use crate::tally::Trial;
+use crate::tally::{Refused, Trial};
 use crate::{Draw, Material, Reach};
 
 /// Stack under a nominal pressure; printed, it is a literal that recreates it.
@@ -58,18 +58,15 @@ impl Case for StackCase {
         )
     }
 
-    fn test(&self, reach: Reach, _: &mut Draw, trial: &mut Trial<Self>) {
+    fn test(trial: &mut Trial<Self>) -> Result<(), Refused> {
+        let case = trial.case;
         // Numbers beyond thirty decades are outside of the laws' range.
-        let admitted = self.scales.iter().all(|scale| Bound::Magnitude.admits(scale.aspect_ratio()));
-        let Ok(model) = self.model() else {
-            trial.refused();
-            return;
-        };
+        let admitted = case.scales.iter().all(|scale| Bound::Magnitude.admits(scale.aspect_ratio()));
+        let model = case.model()?;
         if !admitted {
-            trial.refused();
-            return;
+            return Err(Refused);
         }
-        let curve: Vec<Level> = levels(&model, self.pressure_pa, self.scales.iter().copied()).collect();
+        let curve: Vec<Level> = levels(&model, case.pressure_pa, case.scales.iter().copied()).collect();
         for level in &curve {
             trial.hold("stack: area fraction in [0, 1]", (0.0..=1.0).contains(&level.area_fraction));
             trial.hold("stack: pressure no NaN, never falls", level.real_pressure_pa >= level.pressure_in_pa);
@@ -77,21 +74,22 @@ impl Case for StackCase {
                 "stack: strength no NaN",
                 level.yield_strength_pa.is_none_or(|strength_pa| strength_pa > 0.0),
             );
-            if reach != Reach::Edge {
+            if trial.reach != Reach::Edge {
                 trial.hold("stack: finite", level.real_pressure_pa.is_finite());
                 let load_pa = level.area_fraction * level.real_pressure_pa;
-                trial.bound("stack: load", (load_pa / self.pressure_pa - 1.0).abs(), 4.0 * f64::EPSILON);
+                trial.bound("stack: load", (load_pa / case.pressure_pa - 1.0).abs(), 4.0 * f64::EPSILON);
             }
         }
         trial.hold(
             "stack: area falls",
             curve.is_sorted_by(|long, short| long.area_fraction >= short.area_fraction),
         );
-        if let (Some(last), true) = (curve.last(), reach != Reach::Edge)
-            && let Some(largest_pa) = largest_full_contact_pressure_pa(&model, self.scales.iter().copied())
+        if let (Some(last), true) = (curve.last(), trial.reach != Reach::Edge)
+            && let Some(largest_pa) = largest_full_contact_pressure_pa(&model, case.scales.iter().copied())
         {
-            let bound_pa = largest_pa.max(self.pressure_pa) * (1.0 + 1e-12);
+            let bound_pa = largest_pa.max(case.pressure_pa) * (1.0 + 1e-12);
             trial.bound("stack: pressure within complete contact", last.real_pressure_pa, bound_pa);
         }
+        Ok(())
     }
 }

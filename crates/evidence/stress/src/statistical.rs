@@ -26,34 +26,25 @@ pub enum Kind {
     GradientSine,
 }
 
+units::named!(Kind, "law", {
+    Hertz => "hertz",
+    EpSphere => "ep-sphere",
+    GradientSphere => "ep-sphere, strain gradient",
+    ElasticSine => "elastic-sine",
+    BemSine => "elastic-sine, bem",
+    EpSine => "ep-sine",
+    GradientSine => "ep-sine, strain gradient",
+});
+
 impl Kind {
-    /// All kinds.
-    pub const ALL: [Kind; 7] = [
-        Kind::Hertz,
-        Kind::EpSphere,
-        Kind::GradientSphere,
-        Kind::ElasticSine,
-        Kind::BemSine,
-        Kind::EpSine,
-        Kind::GradientSine,
-    ];
-
-    /// Name in reports.
-    pub fn name(self) -> &'static str {
-        match self {
-            Kind::Hertz => "hertz",
-            Kind::EpSphere => "ep-sphere",
-            Kind::GradientSphere => "ep-sphere, strain gradient",
-            Kind::ElasticSine => "elastic-sine",
-            Kind::BemSine => "elastic-sine, bem",
-            Kind::EpSine => "ep-sine",
-            Kind::GradientSine => "ep-sine, strain gradient",
-        }
-    }
-
     /// True if the force of an asperity never falls with its interference.
     pub fn force_rises(self) -> bool {
         !matches!(self, Kind::EpSphere | Kind::GradientSphere | Kind::GradientSine)
+    }
+
+    /// True if the area of an asperity never falls: that of Johnson's sinusoid steps down where its branches meet.
+    pub(crate) fn area_rises(self) -> bool {
+        !matches!(self, Kind::ElasticSine | Kind::EpSine | Kind::GradientSine)
     }
 
     fn has_gradient(self) -> bool {

@@ -2,17 +2,16 @@
 
 use std::f64::consts::PI;
 
-use asperity::{AsperityError, Bound, ElasticBody, HertzEllipse, MaterialPair};
+use asperity::{AsperityError, ElasticBody, HertzEllipse, MaterialPair};
 use bilby::AdaptiveIntegrator;
 use numerics::GaussLegendre;
 use stat_contact::{Condition, ContactState, NayakSummits, StatisticalContact};
 
 use crate::group::Case;
-use crate::tally::Trial;
+use crate::statistical_trial::Search;
+use crate::tally::{Refused, Trial};
 use crate::{Draw, Reach};
 
-/// Limit of the curvatures that a state at a separation, and one at a pressure, looks at.
-const MOST_EVALUATIONS: [f64; 2] = [5_000.0, 50_000.0];
 /// Relative rounding of a sum of some hundred positive terms.
 const ROUNDING: f64 = 1e-12;
 
@@ -84,48 +83,30 @@ impl Case for SummitsCase {
         (SummitsCase { youngs_modulus_pa, m0_m2, m2, m4_per_m2, tolerance, question }, reach)
     }
 
-    fn test(&self, reach: Reach, draw: &mut Draw, trial: &mut Trial<Self>) {
-        let Ok(contact) = self.contact() else {
-            trial.refused();
-            return;
+    fn test(trial: &mut Trial<Self>) -> Result<(), Refused> {
+        let case = trial.case;
+        let contact = &case.contact()?;
+        let SummitsCase { question, tolerance, .. } = *case;
+        let search = Search {
+            contact,
+            question,
+            tolerance,
+            height_m: case.height_m(),
+            force_rises: true,
+            area_rises: true,
         };
-        let Ok(state) = contact.at(self.question, self.tolerance, None) else {
-            trial.refused();
-            return;
-        };
-        sound(self, &state, trial);
-        if reach == Reach::Edge {
-            return;
+        let Some((state, separation_m)) = search.test(trial)? else { return Ok(()) };
+        let stiffness = state.stiffness_pa_per_m();
+        trial.hold("stiffness at least 0", stiffness.is_none_or(|stiffness| stiffness >= 0.0));
+        scaled(&state, separation_m, trial);
+        if trial.draw.chance(0.05) {
+            error_bar(contact, separation_m, trial);
         }
-        let Some(separation_m) = state.separation_m.filter(|d_m| Bound::Signed.admits(*d_m)) else {
-            trial.hold("every pressure has a separation", state.pressure_pa > 1e30 * self.youngs_modulus_pa);
-            return;
-        };
-        match self.question {
-            Condition::Separation(_) => there_and_back(self, &contact, &state, separation_m, trial),
-            Condition::Pressure(pressure_pa) => carries(self, &contact, separation_m, pressure_pa, trial),
+        if trial.draw.chance(0.005) {
+            other_quadrature(contact, separation_m, trial);
         }
-        falls(self, &contact, separation_m, draw, trial);
-        scaled(self, &state, draw, trial);
-        if draw.chance(0.05) {
-            error_bar(self, &contact, separation_m, trial);
-        }
-        if draw.chance(0.005) {
-            other_quadrature(self, &contact, separation_m, trial);
-        }
+        Ok(())
     }
-}
-
-/// Checks a state by itself.
-fn sound(case: &SummitsCase, state: &ContactState, trial: &mut Trial<SummitsCase>) {
-    trial.hold("area fraction in [0, 1]", (0.0..=1.0).contains(&state.area_fraction));
-    trial.hold("pressure no NaN, at least 0", state.pressure_pa >= 0.0);
-    trial.hold("logarithms no NaN", !state.ln_pressure_pa.is_nan() && !state.ln_area_fraction.is_nan());
-    trial.hold("error estimate at least 0", state.error_estimate >= 0.0);
-    let most = MOST_EVALUATIONS[usize::from(case.question.pressure_pa().is_some())];
-    trial.bound("evaluations", state.evaluations as f64, most);
-    let stiffness = state.stiffness_pa_per_m();
-    trial.hold("stiffness no NaN, at least 0", stiffness.is_none_or(|stiffness| stiffness >= 0.0));
 }
 
 /// Effect of the last places of a separation on ln p: u^2 above the mean plane.
@@ -135,59 +116,9 @@ fn rounding(case: &SummitsCase, state: &ContactState, separation_m: f64) -> f64 
     ROUNDING + 8.0 * f64::EPSILON * (state.ln_pressure_pa.abs() + high * high + u.abs().ln_1p())
 }
 
-fn there_and_back(
-    case: &SummitsCase,
-    contact: &StatisticalContact,
-    state: &ContactState,
-    separation_m: f64,
-    trial: &mut Trial<SummitsCase>,
-) {
-    if !(state.pressure_pa.is_normal() && state.pressure_pa <= 1e60) {
-        return;
-    }
-    let back = contact.at_pressure(state.pressure_pa, case.tolerance, None);
-    let back_m = back.ok().and_then(|back| back.separation_m);
-    trial.hold("a pressure that was carried has a separation", back_m.is_some());
-    let Some(back_m) = back_m else { return };
-    let Ok(again) = contact.at_separation(back_m, case.tolerance) else { return };
-    let off = (again.ln_pressure_pa - state.ln_pressure_pa).abs();
-    trial.bound("d -> p -> d carries p", off, 1e-10 + rounding(case, state, separation_m));
-    let u = separation_m / case.height_m();
-    if u.abs() < 1e3 {
-        let off = (back_m - separation_m).abs() / case.height_m();
-        trial.bound("d -> p -> d", off, 1e-10 * (1.0 + u.abs()));
-    }
-}
-
-fn carries(
-    case: &SummitsCase,
-    contact: &StatisticalContact,
-    separation_m: f64,
-    pressure_pa: f64,
-    trial: &mut Trial<SummitsCase>,
-) {
-    let Ok(again) = contact.at_separation(separation_m, case.tolerance) else { return };
-    let off = (again.ln_pressure_pa - pressure_pa.ln()).abs();
-    trial.bound("p -> d -> p", off, 1e-10 + rounding(case, &again, separation_m));
-}
-
-fn falls(
-    case: &SummitsCase,
-    contact: &StatisticalContact,
-    separation_m: f64,
-    draw: &mut Draw,
-    trial: &mut Trial<SummitsCase>,
-) {
-    let larger_m = separation_m + case.height_m() * draw.decades(-14.0, 0.5);
-    let [here, beyond] = [separation_m, larger_m].map(|d_m| contact.at_separation(d_m, case.tolerance));
-    let (Ok(here), Ok(beyond)) = (here, beyond) else { return };
-    let allowed = here.error_estimate + beyond.error_estimate + rounding(case, &here, separation_m);
-    trial.bound("p falls with d", beyond.ln_pressure_pa - here.ln_pressure_pa, allowed);
-    trial.bound("area falls with d", beyond.ln_area_fraction - here.ln_area_fraction, allowed);
-}
-
-fn scaled(case: &SummitsCase, state: &ContactState, draw: &mut Draw, trial: &mut Trial<SummitsCase>) {
-    let [lengths, pressures] = [0, 1].map(|_| draw.between(-20.0, 20.0) as i32);
+fn scaled(state: &ContactState, separation_m: f64, trial: &mut Trial<SummitsCase>) {
+    let case = trial.case;
+    let [lengths, pressures] = [0, 1].map(|_| trial.draw.between(-20.0, 20.0) as i32);
     let [length, pressure] = [lengths, pressures].map(|power| 2f64.powi(power));
     let question = match case.question {
         Condition::Separation(d_m) => Condition::Separation(length * d_m),
@@ -203,17 +134,12 @@ fn scaled(case: &SummitsCase, state: &ContactState, draw: &mut Draw, trial: &mut
     let there = other.contact().and_then(|contact| contact.at(question, case.tolerance, None));
     if let Ok(there) = there {
         let off = (there.ln_area_fraction - state.ln_area_fraction).abs();
-        let d_m = state.separation_m.unwrap_or(0.0);
-        trial.bound("units do not matter", off, 10.0 * rounding(case, state, d_m));
+        trial.bound("units do not matter", off, 10.0 * rounding(case, state, separation_m));
     }
 }
 
-fn error_bar(
-    case: &SummitsCase,
-    contact: &StatisticalContact,
-    separation_m: f64,
-    trial: &mut Trial<SummitsCase>,
-) {
+fn error_bar(contact: &StatisticalContact, separation_m: f64, trial: &mut Trial<SummitsCase>) {
+    let case = trial.case;
     let states = [case.tolerance, 1e-13].map(|tolerance| contact.at_separation(separation_m, tolerance));
     let [Ok(coarse), Ok(fine)] = states else { return };
     let error = (coarse.ln_pressure_pa - fine.ln_pressure_pa).abs();
@@ -222,12 +148,8 @@ fn error_bar(
 }
 
 /// Compares with the triple integral over heights, mean curvatures and their differences, which shares no code.
-fn other_quadrature(
-    case: &SummitsCase,
-    contact: &StatisticalContact,
-    separation_m: f64,
-    trial: &mut Trial<SummitsCase>,
-) {
+fn other_quadrature(contact: &StatisticalContact, separation_m: f64, trial: &mut Trial<SummitsCase>) {
+    let case = trial.case;
     let u = separation_m / case.height_m();
     let alpha = (case.m0_m2 / case.m2) * (case.m4_per_m2 / case.m2);
     if !((-20.0..=5.0).contains(&u) && (1.51..=1e6).contains(&alpha)) {

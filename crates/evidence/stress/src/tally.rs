@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Debug;
 
-use crate::Reach;
+use crate::{Draw, Reach};
 
 /// Position of a state in a run: its family and its number. Among equally bad states the first is kept, so that a
 /// report does not depend on the order of the threads.
@@ -152,14 +152,26 @@ impl WorstCase {
     }
 }
 
+/// A constructor refused the numbers of a case.
+#[derive(Debug)]
+pub struct Refused;
+
+impl<E: std::error::Error> From<E> for Refused {
+    fn from(_: E) -> Self {
+        Refused
+    }
+}
+
 /// Tests of one state, written into a tally.
 #[derive(Debug)]
 pub struct Trial<'a, C> {
     tally: &'a mut Tally,
     family: &'static str,
     index: Place,
-    reach: Reach,
-    case: &'a C,
+    pub(crate) reach: Reach,
+    pub(crate) case: &'a C,
+    /// Chooses between alternatives, such as a second load.
+    pub(crate) draw: Draw,
 }
 
 impl<'a, C: Debug> Trial<'a, C> {
@@ -169,14 +181,17 @@ impl<'a, C: Debug> Trial<'a, C> {
         family: &'static str,
         index: Place,
         (case, reach): (&'a C, Reach),
+        draw: Draw,
     ) -> Self {
         *tally.states.entry(family).or_default() += 1;
-        Trial { tally, family, index, reach, case }
+        Trial { tally, family, index, reach, case, draw }
     }
 
-    /// Records that a constructor refused its numbers.
-    pub fn refused(&mut self) {
-        *self.tally.refused.entry(self.family).or_default() += 1;
+    /// Runs a test, and counts a case whose numbers are refused.
+    pub fn run(mut self, test: impl FnOnce(&mut Self) -> Result<(), Refused>) {
+        if test(&mut self).is_err() {
+            *self.tally.refused.entry(self.family).or_default() += 1;
+        }
     }
 
     /// Records a promise that is kept or not.
@@ -226,7 +241,7 @@ mod tests {
     fn tally_of(values: &[(u64, f64)]) -> Tally {
         let mut tally = Tally::default();
         for (index, value) in values {
-            let mut trial = Trial::new(&mut tally, "family", *index, (value, Reach::Usual));
+            let mut trial = Trial::new(&mut tally, "family", *index, (value, Reach::Usual), Draw::new(0, 0));
             trial.bound("small", *value, 2.0);
             trial.note("size", *value);
         }

@@ -74,8 +74,7 @@ fn assert_sound<C: Case>(case: &C) -> bool {
     const DRAWS: u64 = 8;
     let mut tally = Tally::default();
     for draw in 0..DRAWS {
-        let mut trial = Trial::new(&mut tally, "found", draw, (case, Reach::Wide));
-        case.test(Reach::Wide, &mut Draw::new(0, draw), &mut trial);
+        Trial::new(&mut tally, "found", draw, (case, Reach::Wide), Draw::new(0, draw)).run(C::test);
     }
     assert_kept(&tally);
     tally.refused.is_empty()
@@ -107,7 +106,7 @@ fn statistical_states_keep_every_promise() {
         };
         let hardness = |form: &Hardness| format!("{form:?}") == row.text("hardness");
         let case = StatisticalCase {
-            kind: Kind::ALL.into_iter().find(|kind| kind.name() == row.text("law")).unwrap(),
+            kind: row.text("law").parse().unwrap(),
             material,
             hardness: Hardness::ALL.into_iter().find(hardness).unwrap(),
             radius_m: row.number("radius_m"),
@@ -118,8 +117,8 @@ fn statistical_states_keep_every_promise() {
         };
         for draw in 0..DRAWS {
             let mut tally = Tally::default();
-            let mut trial = Trial::new(&mut tally, case.kind.name(), draw, (&case, Reach::Wide));
-            try_state(&case, Reach::Wide, EVERYTHING, &mut Draw::new(0, draw), &mut trial);
+            Trial::new(&mut tally, case.kind.name(), draw, (&case, Reach::Wide), Draw::new(0, draw))
+                .run(|trial| try_state(EVERYTHING, trial));
             assert!(tally.refused.is_empty(), "{}: {case:?}", row.text("why"));
             assert_kept(&tally);
         }
