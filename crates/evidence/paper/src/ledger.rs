@@ -2,6 +2,8 @@
 
 use tables::Table;
 
+use crate::evidence::Evidence;
+
 /// The verdict on a statement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
@@ -13,20 +15,11 @@ pub enum Verdict {
     ByConstruction,
 }
 
-impl Verdict {
-    pub(crate) const ALL: [Verdict; 3] =
-        [Verdict::Reproduced, Verdict::NotReproduced, Verdict::ByConstruction];
-
-    /// The verdict in words.
-    #[must_use]
-    pub fn words(self) -> &'static str {
-        match self {
-            Verdict::Reproduced => "reproduced",
-            Verdict::NotReproduced => "not reproduced",
-            Verdict::ByConstruction => "by construction",
-        }
-    }
-}
+units::named!(Verdict, "verdict", {
+    Reproduced => "reproduced",
+    NotReproduced => "not reproduced",
+    ByConstruction => "by construction",
+});
 
 /// Returns `Reproduced` if `holds`.
 pub(crate) fn verdict(holds: bool) -> Verdict {
@@ -34,7 +27,7 @@ pub(crate) fn verdict(holds: bool) -> Verdict {
 }
 
 /// Statement of the paper and its measurement, in our words.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Statement {
     /// Number in the ledger, 1 to 20.
     pub number: u32,
@@ -44,6 +37,8 @@ pub struct Statement {
     pub how: &'static str,
     /// Unit of the value; empty for a pure number.
     pub unit: &'static str,
+    /// Checks it on one spectrum.
+    pub(crate) check: fn(&Evidence) -> Finding,
 }
 
 /// Finding on a statement for one spectrum.
@@ -60,7 +55,7 @@ pub struct Finding {
 }
 
 /// Row of the ledger: a statement, and a finding for every spectrum.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Row {
     /// Statement of the row.
     pub statement: Statement,
@@ -83,6 +78,6 @@ pub fn table(rows: &[Row]) -> Table {
         .with_numbers("value", each().map(|(_, _, finding)| finding.value))
         .with_words("unit", each().map(|(statement, ..)| statement.unit))
         .with_text("found", each().map(|(_, _, finding)| finding.found.clone()))
-        .with_words("verdict", each().map(|(_, _, finding)| finding.verdict.words()))
+        .with_words("verdict", each().map(|(_, _, finding)| finding.verdict.name()))
         .with_text("remark", each().map(|(_, _, finding)| finding.remark.clone()))
 }

@@ -33,5 +33,5 @@ mod section;
 pub use claims::ledger;
 pub use evidence::Evidence;
 pub use ledger::{Finding, Row, Statement, Verdict, table};
-pub use other_models::{OtherFinding, OtherModel, other_models, other_models_table};
+pub use other_models::{OtherModel, other_models, other_models_table};
 pub use section::opening;

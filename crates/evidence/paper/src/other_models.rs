@@ -19,17 +19,10 @@ pub struct OtherModel {
     pub model: &'static str,
     /// Statement of the model.
     pub statement: &'static str,
-    /// Names of the spectra with their findings.
-    pub findings: Vec<(&'static str, OtherFinding)>,
-}
-
-/// Finding on another model for one spectrum.
-#[derive(Debug, Clone, PartialEq)]
-pub struct OtherFinding {
-    /// All measured values.
-    pub found: String,
     /// Remark of one sentence.
-    pub remark: String,
+    pub remark: &'static str,
+    /// Names of the spectra with all measured values.
+    pub findings: Vec<(&'static str, String)>,
 }
 
 /// Relative distance within which the area counts as p/H.
@@ -43,11 +36,13 @@ pub fn other_models(evidence: &[Evidence]) -> Result<Vec<OtherModel>, Box<dyn Er
     let mut constant = OtherModel {
         model: "persson-plastic",
         statement: "At a constant hardness the real pressure is the hardness from some scale down: A = p/H.",
+        remark: "This contradicts that hardness does not limit the pressure: it is a statement about models whose asperities bear more than H.",
         findings: Vec::new(),
     };
     let mut growing = OtherModel {
         model: "persson-plastic, strain gradient",
         statement: "With a hardness that grows at small scales the contact stays elastic throughout.",
+        remark: "The strength decides between all plastic and all elastic, and it is an extrapolation of indentation.",
         findings: Vec::new(),
     };
     for of_scene in evidence {
@@ -66,7 +61,7 @@ pub fn other_models_table(models: &[OtherModel]) -> String {
         .iter()
         .flat_map(|model| model.findings.iter().map(move |(spectrum, finding)| (model, spectrum, finding)))
         .map(|(model, spectrum, finding)| {
-            vec![format!("`{}`", model.model), (*spectrum).to_owned(), finding.found.replace('*', "\\*")]
+            vec![format!("`{}`", model.model), (*spectrum).to_owned(), finding.replace('*', "\\*")]
         })
         .collect();
     table(&["model", "spectrum", "found"], &lines).replace("---:", "---")
@@ -100,7 +95,7 @@ impl Curves {
         Ok(Curves { elastic: next()?, constant: next()?, growing: next()? })
     }
 
-    fn at_constant_hardness(&self, evidence: &Evidence) -> OtherFinding {
+    fn at_constant_hardness(&self, evidence: &Evidence) -> String {
         let hardness_pa = evidence.hardness_pa();
         let is_at_hardness = |cut: &Cut| (cut.real_pressure_pa / hardness_pa - 1.0).abs() <= NEAR;
         let first = |cuts: &Vec<Cut>| {
@@ -122,27 +117,19 @@ impl Curves {
             }
             None => "A = p/H is not reached at every load".to_owned(),
         };
-        OtherFinding {
-            found: format!("{found}. {}", steep(evidence, &self.constant)),
-            remark: "This contradicts that hardness does not limit the pressure: it is a statement about models whose asperities bear more than H."
-                .to_owned(),
-        }
+        format!("{found}. {}", steep(evidence, &self.constant))
     }
 
-    fn with_growing_hardness(&self) -> OtherFinding {
+    fn with_growing_hardness(&self) -> String {
         let plastic = self.growing.iter().flatten().map(|cut| cut.areas.plastic / cut.areas.contact());
         let off = self.growing.iter().zip(&self.elastic).filter_map(|(growing, elastic)| {
             Some(growing.last()?.areas.contact() / elastic.last()?.areas.contact() - 1.0)
         });
-        OtherFinding {
-            found: format!(
-                "at most {} of the contact is plastic at any scale and load; the area at the shortest wavelength is at most {} off the elastic one",
-                share(plastic.fold(0.0, f64::max)),
-                share(off.map(f64::abs).fold(0.0, f64::max)),
-            ),
-            remark: "The strength decides between all plastic and all elastic, and it is an extrapolation of indentation."
-                .to_owned(),
-        }
+        format!(
+            "at most {} of the contact is plastic at any scale and load; the area at the shortest wavelength is at most {} off the elastic one",
+            share(plastic.fold(0.0, f64::max)),
+            share(off.map(f64::abs).fold(0.0, f64::max)),
+        )
     }
 }
 

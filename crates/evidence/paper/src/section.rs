@@ -59,7 +59,7 @@ fn squares(rows: &[Row], spectrum: &str, label: &str) -> Markup {
                         li {
                             a class={ "cell " (finding.verdict.class()) } href=(anchor(statement)) {
                                 (statement.number) " " (finding.verdict.symbol())
-                                span.reason { (finding.verdict.words()) ": " (typeset(statement.statement)) }
+                                span.reason { (finding.verdict.name()) ": " (typeset(statement.statement)) }
                             }
                         }
                     }
@@ -80,7 +80,7 @@ fn folded(Row { statement, findings }: &Row, spectra: &[&str], label: fn(&str) -
             summary {
                 h4 { (statement.number) ". " (typeset(statement.statement)) }
                 @for (_, finding) in findings {
-                    " " span class=(finding.verdict.class()) { (finding.verdict.symbol()) span.unseen { (finding.verdict.words()) } }
+                    " " span class=(finding.verdict.class()) { (finding.verdict.symbol()) span.unseen { (finding.verdict.name()) } }
                 }
             }
             p { (typeset(statement.how)) }
@@ -89,7 +89,7 @@ fn folded(Row { statement, findings }: &Row, spectra: &[&str], label: fn(&str) -
                     dt { (label(spectrum)) }
                     @for (_, finding) in findings.iter().filter(|(of, _)| of == spectrum) {
                         dd {
-                            strong { (finding.verdict.words()) } ": " (typeset(&finding.found))
+                            strong { (finding.verdict.name()) } ": " (typeset(&finding.found))
                             @if !finding.remark.is_empty() { ". " (typeset(&finding.remark)) }
                         }
                     }
@@ -116,8 +116,8 @@ fn other_models(models: &[OtherModel], spectra: &[&str], label: fn(&str) -> &str
                     @for spectrum in spectra {
                         td {
                             @for (_, finding) in other.findings.iter().filter(|(of, _)| of == spectrum) {
-                                span.found { (typeset(&finding.found)) }
-                                span.remark { (typeset(&finding.remark)) }
+                                span.found { (typeset(finding)) }
+                                span.remark { (typeset(other.remark)) }
                             }
                         }
                     }
@@ -135,7 +135,7 @@ fn other_models(models: &[OtherModel], spectra: &[&str], label: fn(&str) -> &str
 fn counts(rows: &[Row], spectrum: &str) -> String {
     let findings = || rows.iter().flat_map(|row| &row.findings).filter(|(of, _)| *of == spectrum);
     let count = |verdict: Verdict| findings().filter(|(_, finding)| finding.verdict == verdict).count();
-    let counts = Verdict::ALL.into_iter().map(|verdict| (count(verdict), verdict.words()));
+    let counts = Verdict::ALL.iter().map(|&verdict| (count(verdict), verdict.name()));
     let counted: Vec<String> =
         counts.filter(|(count, _)| *count > 0).map(|(count, words)| format!("{count} {words}")).collect();
     format!("{}.", counted.join(", "))

@@ -60,14 +60,14 @@ fn other_models_contradict_the_paper_or_not_with_the_strength_and_are_not_counte
     for ((spectrum, at_constant), (_, at_growing)) in constant.findings.iter().zip(&growing.findings) {
         // About s/H = 1.2 Persson's theory has come within 1 % of A = p/H: erf(p/(sqrt(2) s)) is long below it.
         assert!(
-            at_constant.found.starts_with("A = p/H within 1 % at every load from 1."),
+            at_constant.starts_with("A = p/H within 1 % at every load from 1."),
             "{spectrum}: {at_constant:?}"
         );
-        let (_, spread) = at_constant.found.split_once(" \u{b5}m down, where s/H = ").expect("a wavelength");
+        let (_, spread) = at_constant.split_once(" \u{b5}m down, where s/H = ").expect("a wavelength");
         let spread: f64 = spread.split(". ").next().and_then(|share| share.parse().ok()).expect("s/H");
         assert!((1.05..1.4).contains(&spread), "{spectrum}: {at_constant:?}");
         assert!(
-            at_growing.found.ends_with("at most a millionth off the elastic one"),
+            at_growing.ends_with("at most a millionth off the elastic one"),
             "{spectrum}: {at_growing:?}"
         );
     }

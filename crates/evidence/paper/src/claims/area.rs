@@ -8,19 +8,17 @@ use stat_contact::ContactState;
 use units::display::{length, three_digits};
 
 use super::spectrum::PRINTED_WAVELENGTH_M;
-use super::{Check, LEVEL, VISIBLE, final_slopes, furthest_from_one, highest, lengths, lowest, numbers};
+use super::{LEVEL, VISIBLE, final_slopes, furthest_from_one, highest, lengths, lowest, numbers};
 use crate::evidence::{ALL, ELASTIC, Evidence, HERTZ, PLASTIC, SINE, SINE_ELASTIC, SPHERE};
 use crate::ledger::{Finding, Statement, verdict};
 
-pub(super) const STACK_CONVERGES: (Statement, Check) = (
-    Statement {
-        number: 4,
-        statement: "The stacked area converges near 5.65 nm, at the same wavelength for every load, elastic or not.",
-        how: "Convergence wavelength at 1 % and 0.1 % of both stacked models under every load. Reproduced if those at 1 % mean \
+pub(super) const STACK_CONVERGES: Statement = Statement {
+    number: 4,
+    statement: "The stacked area converges near 5.65 nm, at the same wavelength for every load, elastic or not.",
+    how: "Convergence wavelength at 1 % and 0.1 % of both stacked models under every load. Reproduced if those at 1 % mean \
               convergence, lie within a factor of 2 of 5.65 nm, and do not depend on the load.",
-        unit: "m, elastic-plastic at 1 %",
-    },
-    |evidence| {
+    unit: "m, elastic-plastic at 1 %",
+    check: |evidence| {
         let at = |name, tolerance| converged(&evidence.areas(name), tolerance);
         let (elastic, plastic) = (at(ELASTIC, 0.01), at(PLASTIC, 0.01));
         let both = || elastic.iter().chain(&plastic);
@@ -52,17 +50,15 @@ pub(super) const STACK_CONVERGES: (Statement, Check) = (
             .to_owned(),
         }
     },
-);
+};
 
-pub(super) const PROPORTIONAL_TO_LOAD: (Statement, Check) = (
-    Statement {
-        number: 6,
-        statement: "The contact area is proportional to the load.",
-        how: "Exponent of area against load at the last cutoff, by least squares over the four loads, for every model. \
+pub(super) const PROPORTIONAL_TO_LOAD: Statement = Statement {
+    number: 6,
+    statement: "The contact area is proportional to the load.",
+    how: "Exponent of area against load at the last cutoff, by least squares over the four loads, for every model. \
               Reproduced if all lie within 0.05 of 1.",
-        unit: "exponent furthest from 1",
-    },
-    |evidence| {
+    unit: "exponent furthest from 1",
+    check: |evidence| {
         let loads_pa = evidence.loads_pa();
         let exponent = |name| {
             let points: Vec<Point> = loads_pa.iter().copied().zip(evidence.final_areas(name)).collect();
@@ -91,17 +87,15 @@ pub(super) const PROPORTIONAL_TO_LOAD: (Statement, Check) = (
             },
         }
     },
-);
+};
 
-pub(super) const ELASTIC_DECADES: (Statement, Check) = (
-    Statement {
-        number: 7,
-        statement: "The elastic statistical area falls by about one decade when the cutoff falls by two.",
-        how: "Decades between the Hertz areas at 100 times and once the shortest wavelength, at every load of figure 5 whose area \
+pub(super) const ELASTIC_DECADES: Statement = Statement {
+    number: 7,
+    statement: "The elastic statistical area falls by about one decade when the cutoff falls by two.",
+    how: "Decades between the Hertz areas at 100 times and once the shortest wavelength, at every load of figure 5 whose area \
               is below a tenth at both. Reproduced if the median lies between 0.75 and 1.25.",
-        unit: "decades of area",
-    },
-    |evidence| {
+    unit: "decades of area",
+    check: |evidence| {
         let sweeps = evidence.sweeps(HERTZ);
         let at = |multiple: f64| {
             sweeps.iter().find(|(known, ..)| *known == multiple).map(|(_, _, states)| *states)
@@ -134,20 +128,18 @@ pub(super) const ELASTIC_DECADES: (Statement, Check) = (
             .to_owned(),
         }
     },
-);
+};
 
-pub(super) const SPHERES_LEVEL_OFF: (Statement, Check) = (
-    Statement {
-        number: 8,
-        statement: "The elastic-plastic sphere model gives nearly one curve of area against load for cutoffs at 1, 10 and 100 \
+pub(super) const SPHERES_LEVEL_OFF: Statement = Statement {
+    number: 8,
+    statement: "The elastic-plastic sphere model gives nearly one curve of area against load for cutoffs at 1, 10 and 100 \
                     times the shortest wavelength; against cutoff it dips near 1 um, is level from about 100 nm and falls again \
                     in the last decade.",
-        how: "Largest ratio of areas between the three cutoffs at one load; dips of 10 % or more; widest stretch below the dip that is level within a \
+    how: "Largest ratio of areas between the three cutoffs at one load; dips of 10 % or more; widest stretch below the dip that is level within a \
               factor of 1.2; exponent of area against cutoff over the last decade. Reproduced if the ratio is below 2, a dip \
               lies at 0.3 to 3 um, the level stretch begins at 30 to 300 nm, and the last exponent is above 0.1.",
-        unit: "largest ratio between cutoffs",
-    },
-    |evidence| {
+    unit: "largest ratio between cutoffs",
+    check: |evidence| {
         let spread = spread(evidence);
         let Shape { dips, plateaus, slopes } = Shape::new(&evidence.areas(SPHERE));
         let one_curve = spread < 2.0;
@@ -177,17 +169,15 @@ pub(super) const SPHERES_LEVEL_OFF: (Statement, Check) = (
             remark: which_parts(&parts),
         }
     },
-);
+};
 
-pub(super) const NEVER_LEVEL: (Statement, Check) = (
-    Statement {
-        number: 10,
-        statement: "The elastic and the sinusoidal statistical models never level off.",
-        how: "Exponent of area against cutoff over the last decade for hertz, elastic-sine and ep-sine at every load. Reproduced \
+pub(super) const NEVER_LEVEL: Statement = Statement {
+    number: 10,
+    statement: "The elastic and the sinusoidal statistical models never level off.",
+    how: "Exponent of area against cutoff over the last decade for hertz, elastic-sine and ep-sine at every load. Reproduced \
               if all are above 0.1.",
-        unit: "smallest exponent",
-    },
-    |evidence| {
+    unit: "smallest exponent",
+    check: |evidence| {
         let slopes = |name| final_slopes(&evidence.areas(name));
         let all = [HERTZ, SINE_ELASTIC, SINE].map(slopes);
         let least = lowest(all.iter().flatten().copied());
@@ -208,18 +198,16 @@ pub(super) const NEVER_LEVEL: (Statement, Check) = (
             .to_owned(),
         }
     },
-);
+};
 
-pub(super) const STEEPEST_SCALE_DECIDES: (Statement, Check) = (
-    Statement {
-        number: 19,
-        statement: "The scale of the largest aspect ratio is the scale of convergence, and the area is close to the load over the \
+pub(super) const STEEPEST_SCALE_DECIDES: Statement = Statement {
+    number: 19,
+    statement: "The scale of the largest aspect ratio is the scale of convergence, and the area is close to the load over the \
                     largest full-contact pressure.",
-        how: "Wavelength of the largest B over the elastic convergence wavelength at 1 %; elastic area over load / max p*. \
+    how: "Wavelength of the largest B over the elastic convergence wavelength at 1 %; elastic area over load / max p*. \
               Reproduced if the former lies within a factor of 1.5 of 1, the latter within 5 %, and the area has converged.",
-        unit: "elastic area over load / max p*",
-    },
-    |evidence| {
+    unit: "elastic area over load / max p*",
+    check: |evidence| {
         let curve = evidence.aspect_ratios();
         let &(steepest_m, _) = curve.iter().max_by(|a, b| a.1.total_cmp(&b.1)).expect("scales");
         let found = converged(&evidence.areas(ELASTIC), 0.01);
@@ -252,18 +240,16 @@ pub(super) const STEEPEST_SCALE_DECIDES: (Statement, Check) = (
             .to_owned(),
         }
     },
-);
+};
 
-pub(super) const LAST_FALL: (Statement, Check) = (
-    Statement {
-        number: 20,
-        statement: "The last fall of the elastic-plastic sphere model stays above its dip near 1 um, and its convergence does not \
+pub(super) const LAST_FALL: Statement = Statement {
+    number: 20,
+    statement: "The last fall of the elastic-plastic sphere model stays above its dip near 1 um, and its convergence does not \
                     depend on load.",
-        how: "Last area over the area of the lowest dip at every load; convergence wavelength at 1 % at every load. Reproduced if \
+    how: "Last area over the area of the lowest dip at every load; convergence wavelength at 1 % at every load. Reproduced if \
               there is a dip, every ratio is above 1, and the wavelengths are one.",
-        unit: "smallest ratio of last area to dip",
-    },
-    |evidence| {
+    unit: "smallest ratio of last area to dip",
+    check: |evidence| {
         let curves = evidence.areas(SPHERE);
         let Shape { dips, .. } = Shape::new(&curves);
         let ratio = |(curve, dips): (&Vec<Point>, &Vec<Dip>)| {
@@ -300,7 +286,7 @@ pub(super) const LAST_FALL: (Statement, Check) = (
             ]),
         }
     },
-);
+};
 
 /// Shape of a family of curves, one entry per load.
 struct Shape {

@@ -9,14 +9,11 @@ use findings::features::Point;
 use units::display::{length, three_digits};
 
 use crate::evidence::Evidence;
-use crate::ledger::{Finding, Row, Statement};
-
-/// Check of a statement against one spectrum.
-type Check = fn(&Evidence) -> Finding;
+use crate::ledger::{Row, Statement};
 
 /// Returns a row per statement, with a finding for each of the spectra in `evidence`.
 pub fn ledger(evidence: &[Evidence]) -> Vec<Row> {
-    let claims: [(Statement, Check); 20] = [
+    let statements: [Statement; 20] = [
         spectrum::LARGEST_ASPECT_RATIO,
         spectrum::COURSE_OF_ASPECT_RATIO,
         spectrum::MOMENTS,
@@ -38,8 +35,11 @@ pub fn ledger(evidence: &[Evidence]) -> Vec<Row> {
         area::STEEPEST_SCALE_DECIDES,
         area::LAST_FALL,
     ];
-    let finding = |check: Check| evidence.iter().map(|scene| (scene.template.name(), check(scene))).collect();
-    claims.into_iter().map(|(statement, check)| Row { statement, findings: finding(check) }).collect()
+    let row = |statement: Statement| {
+        let finding = |scene: &Evidence| (scene.template.name(), (statement.check)(scene));
+        Row { statement, findings: evidence.iter().map(finding).collect() }
+    };
+    statements.into_iter().map(row).collect()
 }
 
 /// Smallest factor between values of a printed curve that the eye can distinguish.

@@ -5,19 +5,17 @@ use findings::features::{agrees_from, ratio};
 use stacked_contact::setting_level;
 use units::display::{length, three_digits};
 
-use super::{Check, lengths, lowest, numbers};
+use super::{lengths, lowest, numbers};
 use crate::evidence::{ALL, Evidence, Name, PLASTIC, PLASTIC_AND_ELASTIC};
 use crate::ledger::{Finding, Statement, verdict};
 
-pub(super) const CONVERGED_PRESSURE: (Statement, Check) = (
-    Statement {
-        number: 5,
-        statement: "The converged real pressure of the elastic-plastic stack is about 8 H.",
-        how: "Load over area at the last cutoff, in H, at every load; beside it the full-contact pressure p*_ep of the setting \
+pub(super) const CONVERGED_PRESSURE: Statement = Statement {
+    number: 5,
+    statement: "The converged real pressure of the elastic-plastic stack is about 8 H.",
+    how: "Load over area at the last cutoff, in H, at every load; beside it the full-contact pressure p*_ep of the setting \
               scale, and twice that. Reproduced if the first lies between 6 H and 10 H.",
-        unit: "H",
-    },
-    |evidence| {
+    unit: "H",
+    check: |evidence| {
         let pressures = real_pressures(evidence, PLASTIC);
         let (model, levels) = evidence.stack(PLASTIC);
         let strength_pa = model.strength().expect("this stack yields").macroscopic_strength_pa();
@@ -40,17 +38,15 @@ pub(super) const CONVERGED_PRESSURE: (Statement, Check) = (
                 .to_owned(),
         }
     },
-);
+};
 
-pub(super) const PLASTIC_ABOVE_ELASTIC: (Statement, Check) = (
-    Statement {
-        number: 9,
-        statement: "The elastic-plastic areas lie above the elastic ones, from cutoffs of 1 to 10 um on.",
-        how: "The longest cutoff from which on the elastic-plastic area is more than 1 % above the elastic one, for the stack, \
+pub(super) const PLASTIC_ABOVE_ELASTIC: Statement = Statement {
+    number: 9,
+    statement: "The elastic-plastic areas lie above the elastic ones, from cutoffs of 1 to 10 um on.",
+    how: "The longest cutoff from which on the elastic-plastic area is more than 1 % above the elastic one, for the stack, \
               spheres and sinusoids at every load; the ratio at the last cutoff. Reproduced if all of them part so, at 1 to 10 um.",
-        unit: "smallest ratio at the last cutoff",
-    },
-    |evidence| {
+    unit: "smallest ratio at the last cutoff",
+    check: |evidence| {
         let mut partings = Vec::new();
         let mut finals = Vec::new();
         let mut all_part = true;
@@ -88,16 +84,14 @@ pub(super) const PLASTIC_ABOVE_ELASTIC: (Statement, Check) = (
             .to_owned(),
         }
     },
-);
+};
 
-pub(super) const BEYOND_HARDNESS: (Statement, Check) = (
-    Statement {
-        number: 15,
-        statement: "Hardness does not limit the real pressure.",
-        how: "Load over area at the last cutoff, in H, for every model at every load. Reproduced if all are above 1 H.",
-        unit: "H, the lowest",
-    },
-    |evidence| {
+pub(super) const BEYOND_HARDNESS: Statement = Statement {
+    number: 15,
+    statement: "Hardness does not limit the real pressure.",
+    how: "Load over area at the last cutoff, in H, for every model at every load. Reproduced if all are above 1 H.",
+    unit: "H, the lowest",
+    check: |evidence| {
         let of = |name: &Name| (name.0, real_pressures(evidence, *name));
         let pressures: Vec<(&str, Vec<f64>)> = ALL.iter().map(of).collect();
         let least = lowest(pressures.iter().flat_map(|(_, pressures)| pressures.iter().copied()));
@@ -115,7 +109,7 @@ pub(super) const BEYOND_HARDNESS: (Statement, Check) = (
             .to_owned(),
         }
     },
-);
+};
 
 /// Load over final area in units of the hardness, for every load.
 pub(super) fn real_pressures(evidence: &Evidence, name: Name) -> Vec<f64> {

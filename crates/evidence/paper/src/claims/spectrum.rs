@@ -6,22 +6,20 @@ use findings::features::{between, log_slope, log_slopes};
 use spectrum::{Convention, Moments, Normalisation, Psd, cumulative_moments};
 use units::display::{length, three_digits};
 
-use super::{Check, numbers};
+use super::numbers;
 use crate::ledger::{Finding, Statement, Verdict, verdict};
 
 /// Largest aspect ratio as printed, and its wavelength.
 pub(super) const PRINTED_ASPECT_RATIO: f64 = 0.0463;
 pub(super) const PRINTED_WAVELENGTH_M: f64 = 5.65e-9;
 
-pub(super) const LARGEST_ASPECT_RATIO: (Statement, Check) = (
-    Statement {
-        number: 1,
-        statement: "The largest aspect ratio is 0.0463, at a wavelength of 5.65 nm.",
-        how: "Largest B of the amplitude spectrum (Eq. 5). Reproduced if B agrees to the printed digits and the wavelength \
+pub(super) const LARGEST_ASPECT_RATIO: Statement = Statement {
+    number: 1,
+    statement: "The largest aspect ratio is 0.0463, at a wavelength of 5.65 nm.",
+    how: "Largest B of the amplitude spectrum (Eq. 5). Reproduced if B agrees to the printed digits and the wavelength \
               within a tenth of a decade.",
-        unit: "",
-    },
-    |evidence| {
+    unit: "",
+    check: |evidence| {
         let curve = evidence.aspect_ratios();
         let &(wavelength_m, largest) = curve.iter().max_by(|a, b| a.1.total_cmp(&b.1)).expect("scales");
         let near = (wavelength_m / PRINTED_WAVELENGTH_M).log10().abs() <= 0.1;
@@ -43,17 +41,15 @@ pub(super) const LARGEST_ASPECT_RATIO: (Statement, Check) = (
             },
         }
     },
-);
+};
 
-pub(super) const COURSE_OF_ASPECT_RATIO: (Statement, Check) = (
-    Statement {
-        number: 2,
-        statement: "The aspect ratio is nearly constant below about 10 nm and a straight slope above.",
-        how: "Exponent of B against wavelength by least squares below 10 nm, and above it with the rms distance from the \
+pub(super) const COURSE_OF_ASPECT_RATIO: Statement = Statement {
+    number: 2,
+    statement: "The aspect ratio is nearly constant below about 10 nm and a straight slope above.",
+    how: "Exponent of B against wavelength by least squares below 10 nm, and above it with the rms distance from the \
               straight line. Reproduced if the former lies within 0.15 of 0 and the latter is below 0.1 decade.",
-        unit: "exponent below 10 nm",
-    },
-    |evidence| {
+    unit: "exponent below 10 nm",
+    check: |evidence| {
         let curve = evidence.aspect_ratios();
         let below = between(&curve, 10e-9, evidence.shortest_m());
         let above = between(&curve, f64::INFINITY, 10e-9);
@@ -84,17 +80,15 @@ pub(super) const COURSE_OF_ASPECT_RATIO: (Statement, Check) = (
             .to_owned(),
         }
     },
-);
+};
 
-pub(super) const MOMENTS: (Statement, Check) = (
-    Statement {
-        number: 3,
-        statement: "Of the spectral moments m0 changes least with the cutoff; m2 and m4 change by many orders of magnitude.",
-        how: "Orders of magnitude of each moment between the second and the last wavelength. Reproduced if they rise from m0 to \
+pub(super) const MOMENTS: Statement = Statement {
+    number: 3,
+    statement: "Of the spectral moments m0 changes least with the cutoff; m2 and m4 change by many orders of magnitude.",
+    how: "Orders of magnitude of each moment between the second and the last wavelength. Reproduced if they rise from m0 to \
               m4, and m2 and m4 change by more than three.",
-        unit: "orders of magnitude of m4",
-    },
-    |evidence| {
+    unit: "orders of magnitude of m4",
+    check: |evidence| {
         let moments: Vec<Moments> = evidence.results.moments.iter().map(|(moments, _)| *moments).collect();
         let (first, last) = (moments[0], moments[moments.len() - 1]);
         let orders = |of: fn(&Moments) -> f64| (of(&last) / of(&first)).log10();
@@ -116,17 +110,15 @@ pub(super) const MOMENTS: (Statement, Check) = (
             },
         }
     },
-);
+};
 
-pub(super) const SLOPE: (Statement, Check) = (
-    Statement {
-        number: 14,
-        statement: "The average slope, published before for the same surface, is 50 degrees.",
-        how: "arctan of sqrt(m2) at the last cutoff, with m2 over pi (Parseval) and as Eq. (1) is printed. Reproduced if the \
+pub(super) const SLOPE: Statement = Statement {
+    number: 14,
+    statement: "The average slope, published before for the same surface, is 50 degrees.",
+    how: "arctan of sqrt(m2) at the last cutoff, with m2 over pi (Parseval) and as Eq. (1) is printed. Reproduced if the \
               former lies within 5 degrees and is the nearer one.",
-        unit: "degrees",
-    },
-    |evidence| {
+    unit: "degrees",
+    check: |evidence| {
         let (own, printed) = slopes_degrees(evidence.results.moments.last().map_or(0.0, |(m, _)| m.m2));
         let mut found = format!(
             "{} with 1/pi, {} as printed, down to {}",
@@ -155,7 +147,7 @@ pub(super) const SLOPE: (Statement, Check) = (
             .to_owned(),
         }
     },
-);
+};
 
 /// Slopes for m2 over pi and as printed.
 fn slopes_degrees(m2: f64) -> (f64, f64) {

@@ -6,22 +6,20 @@ use units::display::{length, pressure};
 
 use super::area::{converged, level_part, slope_below, which_parts};
 use super::plasticity::agreement;
-use super::{Check, furthest_from_one, highest, lengths, lowest, numbers, range};
+use super::{furthest_from_one, highest, lengths, lowest, numbers, range};
 use crate::evidence::{
     ELASTIC, Evidence, GRADIENT_AND_PLAIN, HERTZ, Name, PLASTIC_GRADIENT, SINE_ELASTIC, SINE_GRADIENT,
     SPHERE_GRADIENT,
 };
 use crate::ledger::{Finding, Statement, verdict};
 
-pub(super) const STACK_RETURNS_TO_ELASTIC: (Statement, Check) = (
-    Statement {
-        number: 11,
-        statement: "With the strain gradient the stacked elastic-plastic area returns to the elastic one at the last scales.",
-        how: "Ratio of the two areas over all cutoffs and loads, and how many levels yield. Reproduced if it ends within 1 % of 1 \
+pub(super) const STACK_RETURNS_TO_ELASTIC: Statement = Statement {
+    number: 11,
+    statement: "With the strain gradient the stacked elastic-plastic area returns to the elastic one at the last scales.",
+    how: "Ratio of the two areas over all cutoffs and loads, and how many levels yield. Reproduced if it ends within 1 % of 1 \
               at every load.",
-        unit: "last ratio furthest from 1",
-    },
-    |evidence| {
+    unit: "last ratio furthest from 1",
+    check: |evidence| {
         let pairs = evidence.areas(PLASTIC_GRADIENT).into_iter().zip(evidence.areas(ELASTIC));
         let ratios: Vec<Vec<(f64, f64)>> =
             pairs.map(|(gradient, elastic)| ratio(&gradient, &elastic)).collect();
@@ -49,17 +47,15 @@ pub(super) const STACK_RETURNS_TO_ELASTIC: (Statement, Check) = (
             .to_owned(),
         }
     },
-);
+};
 
-pub(super) const STATISTICAL_STAY_PLASTIC: (Statement, Check) = (
-    Statement {
-        number: 12,
-        statement: "With the strain gradient the statistical elastic-plastic models still differ from the elastic ones.",
-        how: "Ratio of area with strain gradient to the elastic area at the last cutoff, spheres and sinusoids, at every load. \
+pub(super) const STATISTICAL_STAY_PLASTIC: Statement = Statement {
+    number: 12,
+    statement: "With the strain gradient the statistical elastic-plastic models still differ from the elastic ones.",
+    how: "Ratio of area with strain gradient to the elastic area at the last cutoff, spheres and sinusoids, at every load. \
               Reproduced if all differ from 1 by more than 10 %.",
-        unit: "ratio nearest to 1",
-    },
-    |evidence| {
+    unit: "ratio nearest to 1",
+    check: |evidence| {
         let spheres = final_ratios(evidence, SPHERE_GRADIENT, HERTZ);
         let sines = final_ratios(evidence, SINE_GRADIENT, SINE_ELASTIC);
         let both = || spheres.iter().chain(&sines).copied();
@@ -81,17 +77,15 @@ pub(super) const STATISTICAL_STAY_PLASTIC: (Statement, Check) = (
             .to_owned(),
         }
     },
-);
+};
 
-pub(super) const STRENGTH_AT_DEPTH: (Statement, Check) = (
-    Statement {
-        number: 13,
-        statement: "The strength is of the order of 40 to 45 GPa at a few nm, and 29 GPa at 10 to 40 nm.",
-        how: "Eq. (8) at depths of 3 nm and 20 nm, and the strengths that the scales of the stack meet. Reproduced if the formula \
+pub(super) const STRENGTH_AT_DEPTH: Statement = Statement {
+    number: 13,
+    statement: "The strength is of the order of 40 to 45 GPa at a few nm, and 29 GPa at 10 to 40 nm.",
+    how: "Eq. (8) at depths of 3 nm and 20 nm, and the strengths that the scales of the stack meet. Reproduced if the formula \
               gives 30 to 60 GPa at 3 nm, 20 to 40 GPa at 20 nm, and some scale of the stack meets a strength below 60 GPa.",
-        unit: "Pa, Eq. (8) at 3 nm",
-    },
-    |evidence| {
+    unit: "Pa, Eq. (8) at 3 nm",
+    check: |evidence| {
         let (model, levels) = evidence.stack(PLASTIC_GRADIENT);
         let strength = model.strength().expect("this stack yields");
         let (shallow_pa, deep_pa) = (strength.at_depth_pa(3e-9), strength.at_depth_pa(20e-9));
@@ -122,17 +116,15 @@ pub(super) const STRENGTH_AT_DEPTH: (Statement, Check) = (
             .to_owned(),
         }
     },
-);
+};
 
-pub(super) const LOWERS_AREA: (Statement, Check) = (
-    Statement {
-        number: 16,
-        statement: "A strength that grows at small scales lowers the area.",
-        how: "Ratio of the area with strain gradient to that without at the last cutoff, for the stack, spheres and sinusoids, and \
+pub(super) const LOWERS_AREA: Statement = Statement {
+    number: 16,
+    statement: "A strength that grows at small scales lowers the area.",
+    how: "Ratio of the area with strain gradient to that without at the last cutoff, for the stack, spheres and sinusoids, and \
               the cutoffs at which it is above 1. Reproduced if every last ratio is below 1.",
-        unit: "largest last ratio",
-    },
-    |evidence| {
+    unit: "largest last ratio",
+    check: |evidence| {
         let finals = GRADIENT_AND_PLAIN.map(|(gradient, plain)| final_ratios(evidence, gradient, plain));
         let largest = highest(finals.iter().flatten().copied());
         let raised: Vec<String> = GRADIENT_AND_PLAIN
@@ -160,16 +152,14 @@ pub(super) const LOWERS_AREA: (Statement, Check) = (
             .to_owned(),
         }
     },
-);
+};
 
-pub(super) const STACK_CONVERGES: (Statement, Check) = (
-    Statement {
-        number: 17,
-        statement: "With the strain gradient the stacked area converges between 1 and 10 nm.",
-        how: "Convergence wavelength at 1 % and 0.1 % at every load. Reproduced if those at 1 % mean convergence and lie there.",
-        unit: "m, at 1 %",
-    },
-    |evidence| {
+pub(super) const STACK_CONVERGES: Statement = Statement {
+    number: 17,
+    statement: "With the strain gradient the stacked area converges between 1 and 10 nm.",
+    how: "Convergence wavelength at 1 % and 0.1 % at every load. Reproduced if those at 1 % mean convergence and lie there.",
+    unit: "m, at 1 %",
+    check: |evidence| {
         let curves = evidence.areas(PLASTIC_GRADIENT);
         let found = converged(&curves, 0.01);
         let certain = found.iter().all(|found| found.converged);
@@ -193,17 +183,15 @@ pub(super) const STACK_CONVERGES: (Statement, Check) = (
             .to_owned(),
         }
     },
-);
+};
 
-pub(super) const SPHERES_LEVEL_OFF: (Statement, Check) = (
-    Statement {
-        number: 18,
-        statement: "With the strain gradient the elastic-plastic sphere model is level near 0.1 um and falls again below 1 nm.",
-        how: "Widest stretch of area against cutoff that is level within a factor of 1.2; exponent below 1 nm. Reproduced if the \
+pub(super) const SPHERES_LEVEL_OFF: Statement = Statement {
+    number: 18,
+    statement: "With the strain gradient the elastic-plastic sphere model is level near 0.1 um and falls again below 1 nm.",
+    how: "Widest stretch of area against cutoff that is level within a factor of 1.2; exponent below 1 nm. Reproduced if the \
               stretch spans half a decade and includes 0.1 um at every load, and the exponent is above 0.1.",
-        unit: "exponent below 1 nm, or over the last decade where the spectrum ends before",
-    },
-    |evidence| {
+    unit: "exponent below 1 nm, or over the last decade where the spectrum ends before",
+    check: |evidence| {
         let curves = evidence.areas(SPHERE_GRADIENT);
         let plateaus: Vec<Plateau> = curves.iter().filter_map(|curve| level_part(curve)).collect();
         let level = plateaus.len() == evidence.loads_pa().len()
@@ -232,7 +220,7 @@ pub(super) const SPHERES_LEVEL_OFF: (Statement, Check) = (
             remark,
         }
     },
-);
+};
 
 /// Ratio of two families of curves at the last cutoff, for every load.
 fn final_ratios(evidence: &Evidence, numerator: Name, denominator: Name) -> Vec<f64> {
