@@ -7,10 +7,11 @@ use serde::de::DeserializeOwned;
 use tables::staging::write_file;
 use trials::TrialError;
 use trials::elements::{self, ElementsRow};
-use trials::gap_trials::{self, GapElements, GapRow};
+use trials::gap_trials::{self, GapRow};
 use trials::judge_spectra::{JudgeTrial, Set};
+use trials::judge_trials::JudgedRow;
 use trials::judge_truth::TruthRow;
-use trials::layer_trials::{self, LayerRow, LayerTruth};
+use trials::layer_trials;
 use trials::programme::programme;
 use trials::{judge_spectra, judge_trials, ratios, sections};
 
@@ -41,13 +42,13 @@ pub(crate) fn models(anew: bool) -> Outcome {
 /// Compares mean gap and stiffness of Persson's theory with boundary elements: `docs/develop/trials.md`.
 pub(crate) fn gaps(anew: bool) -> Outcome {
     let csv = checkout("docs/develop/trials/gap.csv");
-    let pressed: Vec<GapElements> = stored(&csv, anew)?;
+    let pressed: Vec<GapRow> = stored(&csv, anew)?;
     let trials = gap_trials::trials();
     let mut rows: Vec<GapRow> = Vec::new();
     let mut missing: Vec<&JudgeTrial> = Vec::new();
     for trial in &trials {
         let of_trial = pressed.iter().filter(|row| row.number == trial.number).copied();
-        let of_trial: Vec<GapElements> = of_trial.collect();
+        let of_trial: Vec<GapRow> = of_trial.collect();
         rows.extend(gap_trials::beside_theory(trial, &of_trial)?);
         missing.extend(of_trial.is_empty().then_some(trial));
     }
@@ -81,8 +82,8 @@ pub(crate) fn judge(anew: bool) -> Outcome {
 /// Compares the judge on layers with whole bands solved at once: `docs/develop/trials.md`.
 pub(crate) fn layers(anew: bool) -> Outcome {
     let csv = checkout("docs/develop/trials/layers.csv");
-    let mut truth: Vec<LayerTruth> = stored(&csv, anew)?;
-    let mut rows: Vec<LayerRow> = Vec::new();
+    let mut truth: Vec<JudgedRow> = stored(&csv, anew)?;
+    let mut rows: Vec<JudgedRow> = Vec::new();
     let (known, missing): (Vec<_>, Vec<_>) =
         layer_trials::trials().into_iter().partition(|trial| truth.iter().any(|row| trial.is_of(row)));
     for trial in &known {

@@ -35,30 +35,8 @@ const SEED: u64 = 2000;
 /// Area fractions between which the theory is used for laws; lighter loads stand in lines of their own.
 const MODERATE: RangeInclusive<f64> = LIGHT_CONTACT..=0.5;
 
-/// Gap and stiffness of a spectrum under a load, by boundary elements.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
-#[non_exhaustive]
-pub struct GapElements {
-    /// Form of the spectrum.
-    pub kind: Kind,
-    /// Number of the spectrum among those of the judge's trials.
-    pub number: u32,
-    /// Load p/(E* h').
-    pub pressure_over_gradient: f64,
-    /// Area fraction of the elements.
-    pub area_fraction: f64,
-    /// Mean gap of the elements over the rms height of the spectrum.
-    pub gap_over_rms_height: f64,
-    /// Its relative standard error, from the scatter of the surfaces.
-    pub gap_error: f64,
-    /// Stiffness of the elements times the rms height over E*.
-    pub relative_stiffness: f64,
-    /// Its relative standard error.
-    pub stiffness_error: f64,
-}
-
 /// Gap and stiffness of a spectrum under a load, with the theory beside the elements.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct GapRow {
     /// Form of the spectrum.
@@ -138,8 +116,8 @@ impl Theory {
         Ok(Theory { psd, surface, profile, fitted })
     }
 
-    /// Puts the theory beside the elements under a load.
-    fn beside(&self, elements: &GapElements) -> Result<GapRow, TrialError> {
+    /// Puts the theory beside the elements of a row.
+    fn beside(&self, elements: &GapRow) -> Result<GapRow, TrialError> {
         let rms_height_m = self.surface.rms_height_m();
         let gap_m = elements.gap_over_rms_height * rms_height_m;
         let stiffness_pa_per_m = elements.relative_stiffness * CONTACT_MODULUS_PA / rms_height_m;
@@ -156,18 +134,7 @@ impl Theory {
         let [gap_2d, stiffness_2d, area_2d] = over(&self.surface)?;
         let [gap_1d, stiffness_1d, area_1d] = over(&self.profile)?;
         let [gap_fitted, stiffness_fitted, _] = over(&self.fitted)?;
-        let GapElements { kind, number, pressure_over_gradient, area_fraction, .. } = *elements;
-        let GapElements { gap_over_rms_height, gap_error, relative_stiffness, stiffness_error, .. } =
-            *elements;
         Ok(GapRow {
-            kind,
-            number,
-            pressure_over_gradient,
-            area_fraction,
-            gap_over_rms_height,
-            gap_error,
-            relative_stiffness,
-            stiffness_error,
             gap_2d,
             stiffness_2d,
             area_2d,
@@ -176,6 +143,7 @@ impl Theory {
             area_1d,
             gap_fitted,
             stiffness_fitted,
+            ..*elements
         })
     }
 }
@@ -188,7 +156,7 @@ fn pressure_pa(pressure_over_gradient: f64) -> f64 {
 ///
 /// # Errors
 /// The error of computing the theory.
-pub fn beside_theory(trial: &JudgeTrial, rows: &[GapElements]) -> Result<Vec<GapRow>, TrialError> {
+pub fn beside_theory(trial: &JudgeTrial, rows: &[GapRow]) -> Result<Vec<GapRow>, TrialError> {
     let theory = Theory::of(trial)?;
     rows.iter().map(|row| theory.beside(row)).collect()
 }
@@ -223,7 +191,7 @@ pub fn rows_of(trial: &JudgeTrial, loads: &[f64]) -> Result<Vec<GapRow>, TrialEr
         let (gap_m, gap_error) = mean(load.states.iter().map(|state| state.mean_gap_m));
         let (stiffness_pa_per_m, stiffness_error) =
             mean(load.states.iter().filter_map(|state| state.stiffness_pa_per_m));
-        theory.beside(&GapElements {
+        theory.beside(&GapRow {
             kind: trial.kind,
             number: trial.number,
             pressure_over_gradient: *pressure_over_gradient,
@@ -232,6 +200,7 @@ pub fn rows_of(trial: &JudgeTrial, loads: &[f64]) -> Result<Vec<GapRow>, TrialEr
             gap_error: digits(gap_error),
             relative_stiffness: digits(stiffness_pa_per_m * rms_height_m / CONTACT_MODULUS_PA),
             stiffness_error: digits(stiffness_error),
+            ..GapRow::default()
         })
     };
     loads.iter().zip(&pressed).map(row).collect()

@@ -26,20 +26,22 @@ const OF_A_KIND: u32 = 5;
 const OF_A_FURTHER_KIND: u32 = 3;
 
 /// Part of the trials.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Set {
     /// The errors that the judge states were measured on these.
     Calibration,
     /// These were pressed afterwards, and changed nothing.
+    #[default]
     Report,
 }
 
 /// Form of a spectrum.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Kind {
     /// Hurst exponents from 0.2 to 0.9 over the whole band.
+    #[default]
     SelfAffine,
     /// Level at long wavelengths.
     RollOff,

@@ -3,6 +3,7 @@
 
 use judge::{CurveVerdict, JudgePlan, JudgeSettings, Verdict};
 use numerics::parallel::Unobserved;
+use scene::Scene;
 use serde::{Deserialize, Serialize};
 use tables::markdown::{table, with_section};
 use units::display::three_digits;
@@ -11,9 +12,10 @@ use crate::TrialError;
 use crate::elements::digits;
 use crate::judge_spectra::{JudgeTrial, Kind, Set};
 use crate::judge_truth::{TRUTH_ERROR, TruthRow};
+use crate::layer_trials::LayerKind;
 
 /// Budget of the judge: three windows under three loads on grids of 96 points a side, about one decade each.
-pub(crate) const BUDGET: f64 = 1.2e7;
+const BUDGET: f64 = 1.2e7;
 
 impl JudgeTrial {
     /// Judges the spectrum in windows, and compares the judge and every curve with the truth.
@@ -21,48 +23,66 @@ impl JudgeTrial {
     /// # Errors
     /// The error of making or pressing a surface, and of running a model.
     pub fn judged(&self, truth: &[TruthRow]) -> Result<Vec<JudgedRow>, TrialError> {
-        let settings = JudgeSettings { budget: BUDGET, ..JudgeSettings::default() };
-        let scene = self.scene(true)?;
-        let results = scene.plan().compute()?;
-        let judgement = JudgePlan::new(&scene, &results, &settings).run(&Unobserved)?;
-        let row = |curve: &CurveVerdict| {
-            let known = truth.iter().filter(|row| row.number == self.number).nth(curve.load)?;
-            let elements = curve.elements?;
+        let JudgeTrial { set, kind, number } = *self;
+        judged(&self.scene(true)?, |load| {
+            let known = truth.iter().filter(|row| row.number == number).nth(load)?;
+            let (load, truth, truth_error) =
+                (known.pressure_over_gradient, known.area_fraction, known.relative_error);
             Some(JudgedRow {
-                set: self.set,
-                kind: self.kind,
-                number: self.number,
-                alpha: known.alpha,
-                pressure_over_gradient: known.pressure_over_gradient,
-                truth: known.area_fraction,
-                truth_error: known.relative_error,
-                judge: digits(elements.area_fraction / known.area_fraction),
-                stated_error: digits(elements.relative_error()),
-                bracket: digits(elements.high() / elements.low()),
-                curve: scene.needs.curves[curve.curve].name.clone(),
-                curve_over_truth: digits(curve.area_fraction? / known.area_fraction),
-                agrees: curve.verdict == Verdict::Agrees,
-                holds: curve.holds(),
+                set,
+                kind,
+                number,
+                stiffening: 1.0,
+                load,
+                truth,
+                truth_error,
+                ..JudgedRow::default()
             })
-        };
-        Ok(judgement.curves.iter().filter_map(row).collect())
+        })
     }
 }
 
+/// Judges a scene in windows, and compares the judge and every curve with the truth of each load by its index; loads without one
+/// are left out.
+pub(crate) fn judged(
+    scene: &Scene,
+    truth: impl Fn(usize) -> Option<JudgedRow>,
+) -> Result<Vec<JudgedRow>, TrialError> {
+    let settings = JudgeSettings { budget: BUDGET, ..JudgeSettings::default() };
+    let results = scene.plan().compute()?;
+    let judgement = JudgePlan::new(scene, &results, &settings).run(&Unobserved)?;
+    let row = |curve: &CurveVerdict| {
+        let (known, elements) = (truth(curve.load)?, curve.elements?);
+        Some(JudgedRow {
+            judge: digits(elements.area_fraction / known.truth),
+            stated_error: digits(elements.relative_error()),
+            bracket: digits(elements.high() / elements.low()),
+            curve: scene.needs.curves[curve.curve].name.clone(),
+            curve_over_truth: digits(curve.area_fraction? / known.truth),
+            agrees: curve.verdict == Verdict::Agrees,
+            holds: curve.holds(),
+            ..known
+        })
+    };
+    Ok(judgement.curves.iter().filter_map(row).collect())
+}
+
 /// A curve under a load, beside the judge and the truth.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct JudgedRow {
     /// Set of the trial.
     pub set: Set,
-    /// Form of its spectrum.
+    /// Layer; none on a half-space.
+    pub layer: Option<LayerKind>,
+    /// Form of the spectrum.
     pub kind: Kind,
-    /// Number of the trial.
+    /// Number of the spectrum among those of the judge's trials.
     pub number: u32,
-    /// Nayak's alpha.
-    pub alpha: f64,
-    /// Load p/(E* h').
-    pub pressure_over_gradient: f64,
+    /// Rms pressure of full contact over that without a layer.
+    pub stiffening: f64,
+    /// Load p/(2s), with the rms pressure s of full contact.
+    pub load: f64,
     /// Area fraction of the whole band solved at once.
     pub truth: f64,
     /// Its relative standard error.
@@ -99,20 +119,10 @@ fn errors(rows: &[JudgedRow]) -> String {
     let of_judge: Vec<&JudgedRow> = rows.iter().filter(|row| row.curve == "persson").collect();
     let line = |name: &str, wanted: &dyn Fn(&JudgedRow) -> bool| {
         let of_line: Vec<&JudgedRow> = of_judge.iter().copied().filter(|row| wanted(row)).collect();
-        let count = of_line.len();
-        let squares: f64 = of_line.iter().map(|row| row.judge.ln().powi(2)).sum();
         let worst = of_line.iter().map(|row| (row.judge.ln().abs(), row.judge));
         let worst = worst.max_by(|a, b| a.0.total_cmp(&b.0)).map_or(1.0, |(_, ratio)| ratio);
-        let within = of_line.iter().filter(|row| row.is_within_two_errors()).count();
-        let mut brackets: Vec<f64> = of_line.iter().map(|row| row.bracket).collect();
-        brackets.sort_by(f64::total_cmp);
-        vec![
-            name.to_owned(),
-            format!("{:.1} %", 100.0 * (squares / count.max(1) as f64).sqrt()),
-            three_digits(worst),
-            format!("{within} of {count}"),
-            three_digits(brackets.get(count / 2).copied().unwrap_or(f64::NAN)),
-        ]
+        let [rms, within, bracket] = errors_of_judge(&of_line);
+        vec![name.to_owned(), rms, three_digits(worst), within, bracket]
     };
     let mut lines = vec![
         line("calibration", &|row| row.set == Set::Calibration),
@@ -125,11 +135,25 @@ fn errors(rows: &[JudgedRow]) -> String {
     table(&["trials", "rms", "worst ratio", "within two standard errors", "median bracket"], &lines)
 }
 
+/// Rms error of the judge, how often it is within two standard errors, and its median bracket.
+pub(crate) fn errors_of_judge(rows: &[&JudgedRow]) -> [String; 3] {
+    let count = rows.len();
+    let squares: f64 = rows.iter().map(|row| row.judge.ln().powi(2)).sum();
+    let within = rows.iter().filter(|row| row.is_within_two_errors()).count();
+    let mut brackets: Vec<f64> = rows.iter().map(|row| row.bracket).collect();
+    brackets.sort_by(f64::total_cmp);
+    [
+        format!("{:.1} %", 100.0 * (squares / count.max(1) as f64).sqrt()),
+        format!("{within} of {count}"),
+        three_digits(brackets.get(count / 2).copied().unwrap_or(f64::NAN)),
+    ]
+}
+
 /// Share of the curves that get `agrees` and are within 4/3 of the truth.
 fn promises(rows: &[JudgedRow]) -> String {
     let line = |name: &str, set: Set, has: fn(&JudgedRow) -> bool| {
         let promised = || rows.iter().filter(|row| row.set == set && has(row));
-        let kept = promised().filter(|row| (0.75..=4.0 / 3.0).contains(&row.curve_over_truth)).count();
+        let kept = promised().filter(|row| row.is_curve_right()).count();
         let count = promised().count();
         vec![
             name.to_owned(),
@@ -147,6 +171,11 @@ fn promises(rows: &[JudgedRow]) -> String {
 }
 
 impl JudgedRow {
+    /// True if the curve is within 4/3 of the truth.
+    pub(crate) fn is_curve_right(&self) -> bool {
+        (0.75..=4.0 / 3.0).contains(&self.curve_over_truth)
+    }
+
     /// True if judge and truth differ by at most two of their standard errors. The errors of the judge and of the truth are
     /// independent.
     fn is_within_two_errors(&self) -> bool {

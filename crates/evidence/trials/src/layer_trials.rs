@@ -3,8 +3,7 @@
 
 use asperity::{ElasticBody, Layer, LayerCompliance, MaterialPair};
 use elements::Relief;
-use elements::half_space::{Elements, Grid, Loading};
-use judge::{CurveVerdict, JudgePlan, JudgeSettings, Verdict};
+use elements::half_space::{Elements, Loading};
 use numerics::parallel::Unobserved;
 use scene::Scene;
 use serde::{Deserialize, Serialize};
@@ -14,8 +13,8 @@ use units::display::three_digits;
 
 use crate::TrialError;
 use crate::elements::digits;
-use crate::judge_spectra::{CONTACT_MODULUS_PA, JudgeTrial, Kind, SHORTEST_M, Set, trials as judge_trials};
-use crate::judge_trials::BUDGET;
+use crate::judge_spectra::{CONTACT_MODULUS_PA, JudgeTrial, SHORTEST_M, Set, trials as judge_trials};
+use crate::judge_trials::{JudgedRow, errors_of_judge, judged};
 use crate::judge_truth::TOLERANCE;
 
 /// Loads p/(2s) of every trial, with the rms pressure s of full contact.
@@ -41,27 +40,15 @@ pub enum LayerKind {
     ThinRubber,
 }
 
+units::named!(LayerKind, "layer", {
+    StiffBase => "base ten times as stiff, t = λ/10",
+    SoftBase => "base ten times as soft, t = λ/20",
+    RigidBase => "rigid base, ν 0.3, t = λ/10",
+    ThinOnRigid => "rigid base, ν 0.3, t = λ/50",
+    ThinRubber => "rigid base, ν 0.48, t = λ/20",
+});
+
 impl LayerKind {
-    /// All layers, in the order of the tables.
-    pub const ALL: [LayerKind; 5] = [
-        LayerKind::StiffBase,
-        LayerKind::SoftBase,
-        LayerKind::RigidBase,
-        LayerKind::ThinOnRigid,
-        LayerKind::ThinRubber,
-    ];
-
-    /// Name in the tables.
-    fn name(self) -> &'static str {
-        match self {
-            LayerKind::StiffBase => "base ten times as stiff, t = λ/10",
-            LayerKind::SoftBase => "base ten times as soft, t = λ/20",
-            LayerKind::RigidBase => "rigid base, ν 0.3, t = λ/10",
-            LayerKind::ThinOnRigid => "rigid base, ν 0.3, t = λ/50",
-            LayerKind::ThinRubber => "rigid base, ν 0.48, t = λ/20",
-        }
-    }
-
     /// Longest wavelength over thickness.
     fn wavelengths(self) -> f64 {
         match self {
@@ -106,57 +93,8 @@ pub fn trials() -> Vec<LayerTrial> {
     let all = judge_trials(Set::Report);
     let numbers = CALIBRATION.iter().chain(&REPORT);
     let spectra = numbers.filter_map(|number| all.iter().find(|trial| trial.number == *number));
-    spectra.flat_map(|&spectrum| LayerKind::ALL.map(|layer| LayerTrial { layer, spectrum })).collect()
-}
-
-/// Area of a whole band solved at once.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
-#[non_exhaustive]
-pub struct LayerTruth {
-    /// Layer of the trial.
-    pub layer: LayerKind,
-    /// Number of the spectrum among those of the judge's trials.
-    pub number: u32,
-    /// Load p/(2s).
-    pub pressure_over_spread: f64,
-    /// Area fraction of the whole band solved at once.
-    pub truth: f64,
-    /// Its relative standard error.
-    pub truth_error: f64,
-}
-
-/// A curve under a load, beside the judge and the truth.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[non_exhaustive]
-pub struct LayerRow {
-    /// Layer of the trial.
-    pub layer: LayerKind,
-    /// Form of the spectrum.
-    pub kind: Kind,
-    /// Number of the spectrum among those of the judge's trials.
-    pub number: u32,
-    /// Rms pressure of full contact over that without a layer.
-    pub stiffening: f64,
-    /// Load p/(2s).
-    pub pressure_over_spread: f64,
-    /// Area fraction of the whole band solved at once.
-    pub truth: f64,
-    /// Its relative standard error.
-    pub truth_error: f64,
-    /// Judge's area over the truth.
-    pub judge: f64,
-    /// Relative standard error that the judge states.
-    pub stated_error: f64,
-    /// Upper over lower end of the judge's bracket.
-    pub bracket: f64,
-    /// Name of the curve.
-    pub curve: String,
-    /// Curve's area over the truth.
-    pub curve_over_truth: f64,
-    /// True if its verdict on the whole band is `agrees`.
-    pub agrees: bool,
-    /// True if it agrees on most windows too.
-    pub holds: bool,
+    let on_layers = |&spectrum| LayerKind::ALL.iter().map(move |&layer| LayerTrial { layer, spectrum });
+    spectra.flat_map(on_layers).collect()
 }
 
 impl LayerTrial {
@@ -214,30 +152,34 @@ impl LayerTrial {
     ///
     /// # Errors
     /// The error of making or pressing a surface.
-    pub fn truth(&self) -> Result<Vec<LayerTruth>, TrialError> {
-        let (surface, [spread_pa, _]) = self.surface()?;
+    pub fn truth(&self) -> Result<Vec<JudgedRow>, TrialError> {
+        let (surface, [spread_pa, on_half_space_pa]) = self.surface()?;
         let layer = self.compliance()?;
-        let row = |&pressure_over_spread: &f64| {
+        let row = |&load: &f64| {
             let loading = Loading {
                 contact_modulus_pa: CONTACT_MODULUS_PA,
-                nominal_pressure_pa: pressure_over_spread * 2.0 * spread_pa,
+                nominal_pressure_pa: load * 2.0 * spread_pa,
                 saturation_pa: None,
                 tolerance: TOLERANCE,
             };
             let area = |relief: &Relief| {
-                let grid = Grid::new(relief.rows, relief.columns, relief.length_x_m, relief.length_y_m)?;
-                let mut elements = Elements::periodic_on(grid, &relief.heights_m, |wavevector_rad_per_m| {
-                    layer.relative_at(wavevector_rad_per_m)
-                })?;
+                let mut elements =
+                    Elements::periodic_on(relief.grid()?, &relief.heights_m, |wavevector_rad_per_m| {
+                        layer.relative_at(wavevector_rad_per_m)
+                    })?;
                 Ok(elements.press(&loading, &Unobserved)?.area_fraction_corrected)
             };
             let (area, _) = self.spectrum.known_area(&surface, LENGTHS_IN_BOX, MAX_BATCHES, area)?;
-            Ok(LayerTruth {
-                layer: self.layer,
+            Ok(JudgedRow {
+                set: if REPORT.contains(&self.spectrum.number) { Set::Report } else { Set::Calibration },
+                layer: Some(self.layer),
+                kind: self.spectrum.kind,
                 number: self.spectrum.number,
-                pressure_over_spread,
+                stiffening: digits(spread_pa / on_half_space_pa),
+                load,
                 truth: digits(area.value),
                 truth_error: digits(area.standard_error / area.value),
+                ..JudgedRow::default()
             })
         };
         LOADS.iter().map(row).collect()
@@ -247,55 +189,16 @@ impl LayerTrial {
     ///
     /// # Errors
     /// The error of making or pressing a surface, and of running a model.
-    pub fn judged(&self, truth: &[LayerTruth]) -> Result<Vec<LayerRow>, TrialError> {
-        let (_, [spread_pa, on_half_space_pa]) = self.surface()?;
-        let pressures_pa = LOADS.map(|load| load * 2.0 * spread_pa);
-        let scene = self.scene(&pressures_pa)?;
-        let results = scene.plan().compute()?;
-        let settings = JudgeSettings { budget: BUDGET, ..JudgeSettings::default() };
-        let judgement = JudgePlan::new(&scene, &results, &settings).run(&Unobserved)?;
-        let row = |curve: &CurveVerdict| {
-            let known =
-                truth.iter().find(|row| self.is_of(row) && row.pressure_over_spread == LOADS[curve.load])?;
-            let elements = curve.elements?;
-            Some(LayerRow {
-                layer: self.layer,
-                kind: self.spectrum.kind,
-                number: self.spectrum.number,
-                stiffening: digits(spread_pa / on_half_space_pa),
-                pressure_over_spread: known.pressure_over_spread,
-                truth: known.truth,
-                truth_error: known.truth_error,
-                judge: digits(elements.area_fraction / known.truth),
-                stated_error: digits(elements.relative_error()),
-                bracket: digits(elements.high() / elements.low()),
-                curve: scene.needs.curves[curve.curve].name.clone(),
-                curve_over_truth: digits(curve.area_fraction? / known.truth),
-                agrees: curve.verdict == Verdict::Agrees,
-                holds: curve.holds(),
-            })
-        };
-        Ok(judgement.curves.iter().filter_map(row).collect())
+    pub fn judged(&self, truth: &[JudgedRow]) -> Result<Vec<JudgedRow>, TrialError> {
+        let (_, [spread_pa, _]) = self.surface()?;
+        let scene = self.scene(&LOADS.map(|load| load * 2.0 * spread_pa))?;
+        judged(&scene, |load| truth.iter().find(|row| self.is_of(row) && row.load == LOADS[load]).cloned())
     }
 
     /// Returns true for a truth of this trial.
     #[must_use]
-    pub fn is_of(&self, truth: &LayerTruth) -> bool {
-        (truth.layer, truth.number) == (self.layer, self.spectrum.number)
-    }
-}
-
-impl LayerRow {
-    /// The truth of the row.
-    #[must_use]
-    pub fn known(&self) -> LayerTruth {
-        let LayerRow { layer, number, pressure_over_spread, truth, truth_error, .. } = *self;
-        LayerTruth { layer, number, pressure_over_spread, truth, truth_error }
-    }
-
-    /// Returns true if judge and truth differ by at most two of their standard errors, which are independent.
-    fn is_within_two_errors(&self) -> bool {
-        (self.judge - 1.0).abs() <= 2.0 * (self.stated_error * self.judge).hypot(self.truth_error)
+    pub fn is_of(&self, truth: &JudgedRow) -> bool {
+        (truth.layer, truth.number) == (Some(self.layer), self.spectrum.number)
     }
 }
 
@@ -303,37 +206,34 @@ impl LayerRow {
 ///
 /// # Errors
 /// [`TrialError::Page`] if the page lacks the section.
-pub fn written(page: &str, rows: &[LayerRow]) -> Result<String, TrialError> {
-    let line = |name: &str, wanted: &dyn Fn(&LayerRow) -> bool| {
-        let of_line: Vec<&LayerRow> = rows.iter().filter(|row| wanted(row)).collect();
-        let of_judge: Vec<&LayerRow> = of_line.iter().copied().filter(|row| row.curve == "persson").collect();
-        let count = of_judge.len();
-        let squares: f64 = of_judge.iter().map(|row| row.judge.ln().powi(2)).sum();
-        let within = of_judge.iter().filter(|row| row.is_within_two_errors()).count();
+pub fn written(page: &str, rows: &[JudgedRow]) -> Result<String, TrialError> {
+    let line = |name: &str, wanted: &dyn Fn(&JudgedRow) -> bool| {
+        let of_line: Vec<&JudgedRow> = rows.iter().filter(|row| wanted(row)).collect();
+        let of_judge: Vec<&JudgedRow> =
+            of_line.iter().copied().filter(|row| row.curve == "persson").collect();
+        let [rms, within, bracket] = errors_of_judge(&of_judge);
         let range = |values: Vec<f64>| {
             let least = values.iter().copied().fold(f64::INFINITY, f64::min);
             let most = values.iter().copied().fold(0.0, f64::max);
             format!("{} to {}", three_digits(least), three_digits(most))
         };
-        let mut brackets: Vec<f64> = of_judge.iter().map(|row| row.bracket).collect();
-        brackets.sort_by(f64::total_cmp);
         let promised: Vec<_> = of_line.iter().filter(|row| row.agrees).collect();
-        let kept = promised.iter().filter(|row| (0.75..=4.0 / 3.0).contains(&row.curve_over_truth)).count();
+        let kept = promised.iter().filter(|row| row.is_curve_right()).count();
         vec![
             name.to_owned(),
             range(of_judge.iter().map(|row| row.stiffening).collect()),
-            format!("{:.1} %", 100.0 * (squares / count.max(1) as f64).sqrt()),
+            rms,
             range(of_judge.iter().map(|row| row.judge).collect()),
-            format!("{within} of {count}"),
-            three_digits(brackets.get(count / 2).copied().unwrap_or(f64::NAN)),
+            within,
+            bracket,
             range(of_judge.iter().map(|row| row.curve_over_truth).collect()),
             format!("{kept} of {}", promised.len()),
         ]
     };
-    let is_reported = |row: &LayerRow| REPORT.contains(&row.number);
+    let is_reported = |row: &JudgedRow| row.set == Set::Report;
     let mut lines = vec![line("calibration", &|row| !is_reported(row)), line("reported", &is_reported)];
     lines.extend(LayerKind::ALL.iter().map(|&layer| {
-        line(&format!("reported, {}", layer.name()), &|row| is_reported(row) && row.layer == layer)
+        line(&format!("reported, {}", layer.name()), &|row| is_reported(row) && row.layer == Some(layer))
     }));
     let headings = [
         "layer",

@@ -44,8 +44,6 @@ impl Form {
 /// Surface of a known spectrum.
 #[derive(Debug, Clone)]
 pub struct KnownSurface {
-    /// Hurst exponent.
-    pub hurst_exponent: f64,
     pub(crate) longest_m: f64,
     pub(crate) area: AreaSpectrum,
 }
@@ -63,7 +61,7 @@ impl KnownSurface {
             shortest_m,
             size: Size::RmsGradient(RMS_GRADIENT),
         })?;
-        Ok(KnownSurface { hurst_exponent, longest_m: LONGEST_M, area })
+        Ok(KnownSurface { longest_m: LONGEST_M, area })
     }
 
     /// Draws a surface of a form: Hurst exponents from 0.2 to 0.95, rms gradients from 0.02 to 0.2, both evenly (the
@@ -100,7 +98,7 @@ impl KnownSurface {
         };
         let factor = rms_gradient.powi(2) / of_values(values.clone())?.mean_square_gradient();
         let area = of_values(values.into_iter().map(|value| factor * value).collect())?;
-        Ok(KnownSurface { hurst_exponent, longest_m, area })
+        Ok(KnownSurface { longest_m, area })
     }
 
     /// Returns the spectrum of its profiles at wavelengths \[m\] from long to short.
