@@ -6,8 +6,6 @@
 //! Gaussian heights of the rms value sigma, with mean planes Y apart, have
 //!
 //! h_g = (k_g/sigma)/sqrt(2 pi) Int_0^inf exp(-(Y/sigma - t)^2/2)/(t + M/sigma) dt.
-//!
-//! [`GapGas::simple_conductance_w_per_m2_k`] is the form k_g/(Y + M) of handbooks, which is smaller.
 
 use std::f64::consts::{PI, SQRT_2};
 use std::sync::LazyLock;
@@ -32,19 +30,6 @@ const PANELS_PER_UNIT: f64 = 4.0;
 pub struct GapGas {
     conductivity_w_per_m_k: f64,
     parameter_m: f64,
-}
-
-/// Gas properties behind the gas parameter M = alpha beta Lambda.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct RarefiedGas {
-    /// Thermal accommodation coefficients of gas and walls, one per body, in (0, 1\].
-    pub accommodation: [f64; 2],
-    /// Ratio of specific heats gamma, above 1 and at most 2.
-    pub heat_capacity_ratio: f64,
-    /// Prandtl number.
-    pub prandtl_number: f64,
-    /// Mean free path of the molecules Lambda at the temperature and pressure of the gas \[m\].
-    pub mean_free_path_m: f64,
 }
 
 /// Gas with known properties.
@@ -86,6 +71,10 @@ struct GasProperties {
 impl NamedGas {
     /// Temperatures \[K\] between which the conductivities hold within 6 %.
     pub const TEMPERATURES_K: Bound = Bound::Within { at_least: 200.0, at_most: 600.0 };
+    /// Temperature at which tables give mean free paths, 15 C \[K\].
+    pub const REFERENCE_TEMPERATURE_K: f64 = 288.15;
+    /// Pressure at which tables give mean free paths, 1 atm \[Pa\].
+    pub const REFERENCE_PRESSURE_PA: f64 = 101_325.0;
 
     /// Returns the properties of the gas, from these sources:
     /// * conductivities, and Prandtl numbers eta c_p/k at 300 K with the viscosities of the same book: CRC Handbook of Chemistry
@@ -123,68 +112,20 @@ impl NamedGas {
         Ok(at_300 * (temperature_k / 300.0).powf(power))
     }
 
-    /// Returns the gas parameter M \[m\] at a temperature \[K\] and a pressure \[Pa\].
+    /// Returns the gas parameter M = alpha beta Lambda \[m\] at a temperature \[K\] and a pressure \[Pa\], with alpha = 2 (2 - a)/a of
+    /// walls that accommodate alike, beta = 2 gamma/(Pr (1 + gamma)), and the mean free path Lambda = Lambda_0 (T/T_0) (P_0/P).
     ///
     /// # Errors
-    /// [`OutOfBounds`] unless both are positive and within thirty decades of 1.
+    /// [`OutOfBounds`] unless both, and the parameter, are positive and within thirty decades of 1.
     pub fn parameter_m(self, temperature_k: f64, pressure_pa: f64) -> Result<f64, OutOfBounds> {
-        let gas = self.properties();
-        RarefiedGas {
-            accommodation: [gas.accommodation; 2],
-            heat_capacity_ratio: gas.heat_capacity_ratio,
-            prandtl_number: gas.prandtl_number,
-            mean_free_path_m: RarefiedGas::mean_free_path_m(
-                gas.mean_free_path_m,
-                temperature_k,
-                pressure_pa,
-            )?,
-        }
-        .parameter_m()
-    }
-}
-
-impl RarefiedGas {
-    /// Temperature at which tables give mean free paths, 15 C \[K\].
-    pub const REFERENCE_TEMPERATURE_K: f64 = 288.15;
-    /// Range of an accommodation coefficient.
-    pub const ACCOMMODATIONS: Bound = Bound::LeftOpen { above: 0.0, at_most: 1.0 };
-    /// Range of the ratio of specific heats.
-    pub const HEAT_CAPACITY_RATIOS: Bound = Bound::LeftOpen { above: 1.0, at_most: 2.0 };
-    /// Pressure at which tables give mean free paths, 1 atm \[Pa\].
-    pub const REFERENCE_PRESSURE_PA: f64 = 101_325.0;
-
-    /// Converts a mean free path \[m\] at the reference temperature and pressure to a temperature \[K\] and a pressure
-    /// \[Pa\]: Lambda = Lambda_0 (T/T_0) (P_0/P).
-    ///
-    /// # Errors
-    /// [`OutOfBounds`] unless all are positive and within thirty decades of 1.
-    pub fn mean_free_path_m(
-        reference_m: f64,
-        temperature_k: f64,
-        pressure_pa: f64,
-    ) -> Result<f64, OutOfBounds> {
-        let path_m = Bound::Magnitude.check("mean free path in m", reference_m)?;
         let temperature_k = Bound::Magnitude.check("temperature of the gas in K", temperature_k)?;
         let pressure_pa = Bound::Magnitude.check("pressure of the gas in Pa", pressure_pa)?;
+        let gas = self.properties();
         let hotter = temperature_k / Self::REFERENCE_TEMPERATURE_K;
-        Ok(path_m * hotter * (Self::REFERENCE_PRESSURE_PA / pressure_pa))
-    }
-
-    /// Gas parameter M = alpha beta Lambda \[m\], with alpha = (2 - a1)/a1 + (2 - a2)/a2 and beta = 2 gamma/(Pr (1 +
-    /// gamma)).
-    ///
-    /// # Errors
-    /// [`OutOfBounds`] for a property outside of its range, and if the parameter is not within thirty decades of 1 m.
-    pub fn parameter_m(&self) -> Result<f64, OutOfBounds> {
-        let mut alpha = 0.0;
-        for accommodation in self.accommodation {
-            let accommodation = Self::ACCOMMODATIONS.check("accommodation coefficient", accommodation)?;
-            alpha += (2.0 - accommodation) / accommodation;
-        }
-        let ratio = Self::HEAT_CAPACITY_RATIOS.check("ratio of specific heats", self.heat_capacity_ratio)?;
-        let prandtl_number = Bound::Magnitude.check("Prandtl number", self.prandtl_number)?;
-        let path_m = Bound::Magnitude.check("mean free path in m", self.mean_free_path_m)?;
-        let parameter_m = alpha * (2.0 * ratio / (prandtl_number * (1.0 + ratio))) * path_m;
+        let path_m = gas.mean_free_path_m * hotter * (Self::REFERENCE_PRESSURE_PA / pressure_pa);
+        let alpha = 2.0 * ((2.0 - gas.accommodation) / gas.accommodation);
+        let ratio = gas.heat_capacity_ratio;
+        let parameter_m = alpha * (2.0 * ratio / (gas.prandtl_number * (1.0 + ratio))) * path_m;
         Bound::Magnitude.check("gas parameter in m", parameter_m)
     }
 }
@@ -220,13 +161,6 @@ impl GapGas {
     pub fn conductance_w_per_m2_k(&self, separation_m: f64, rms_height_m: f64) -> f64 {
         let (separation, parameter) = (separation_m / rms_height_m, self.parameter_m / rms_height_m);
         self.conductivity_w_per_m_k / rms_height_m * mean_inverse_gap(separation, parameter)
-    }
-
-    /// Conductance of the gas k_g/(Y + M) \[W/(m^2 K)\] for mean planes at a distance Y >= 0 \[m\]; 3 to 21 % below the
-    /// mean over the gaps between Y = 3 sigma, M = 3 sigma and Y = 2 sigma, M = 0.3 sigma.
-    #[must_use]
-    pub fn simple_conductance_w_per_m2_k(&self, separation_m: f64) -> f64 {
-        self.conductivity_w_per_m_k / (separation_m + self.parameter_m)
     }
 }
 
@@ -279,29 +213,11 @@ mod tests {
     }
 
     #[test]
-    fn a_gas_parameter_beyond_all_lengths_is_refused() {
-        let gas = RarefiedGas {
-            accommodation: [f64::MIN_POSITIVE, 1e-9],
-            heat_capacity_ratio: 1.4,
-            prandtl_number: 0.7,
-            mean_free_path_m: 1e-7,
-        };
-        let error = gas.parameter_m().unwrap_err();
-        assert!(
-            error.bound == Bound::Finite || error.bound == Bound::Magnitude || error.bound == Bound::Positive,
-            "{error}"
-        );
-    }
-
-    #[test]
-    fn the_mean_over_the_gaps_exceeds_the_simple_form() {
-        // Y and M in rms heights, and both conductances in k_g/sigma, by independent quadrature.
-        for (separation, parameter, mean, simple) in
-            [(3.0, 3.0, 0.171_247, 0.166_667), (2.0, 0.3, 0.524_709, 0.434_783)]
-        {
+    fn the_mean_over_the_gaps_is_that_of_an_independent_quadrature() {
+        // Y and M in rms heights, and the conductance in k_g/sigma, by independent quadrature.
+        for (separation, parameter, mean) in [(3.0, 3.0, 0.171_247), (2.0, 0.3, 0.524_709)] {
             let gas = gas(parameter);
             assert!((gas.conductance_w_per_m2_k(separation, 1.0) - mean).abs() < 5e-7);
-            assert!((gas.simple_conductance_w_per_m2_k(separation) - simple).abs() < 5e-7);
         }
     }
 
@@ -309,7 +225,7 @@ mod tests {
     fn wide_gaps_and_large_parameters_have_the_simple_form() {
         let near = |separation: f64, parameter: f64| {
             let gas = gas(parameter);
-            gas.conductance_w_per_m2_k(separation, 1.0) / gas.simple_conductance_w_per_m2_k(separation) - 1.0
+            gas.conductance_w_per_m2_k(separation, 1.0) * (separation + parameter) - 1.0
         };
         // <1/(g + M)> = (1 + sigma^2/(Y + M)^2 + 3 sigma^4/(Y + M)^4 ...)/(Y + M).
         assert!((near(1e3, 1.0) - 1.0 / (1001.0 * 1001.0)).abs() < 1e-11);
@@ -318,29 +234,6 @@ mod tests {
         // Lengths scale.
         let scaled = GapGas::new(0.026, 0.3e-6).unwrap().conductance_w_per_m2_k(2e-6, 1e-6);
         assert!((scaled / (0.026 / 1e-6) / gas(0.3).conductance_w_per_m2_k(2.0, 1.0) - 1.0).abs() < 1e-13);
-    }
-
-    #[test]
-    fn the_integral_holds_for_every_gap_and_parameter() {
-        // By Simpson's rule in ln(t + M), as fine as it takes.
-        let dense = |separation: f64, parameter: f64| {
-            let (low, high) = (parameter.ln(), (separation.abs() + 40.0 + parameter).ln());
-            let steps = 400_000;
-            let width = (high - low) / f64::from(steps);
-            let at = |step: i32| {
-                let off = separation - ((low + width * f64::from(step)).exp() - parameter);
-                (-0.5 * off * off).exp()
-            };
-            let inner: f64 = (1..steps).map(|step| f64::from(2 + 2 * (step % 2)) * at(step)).sum();
-            width / 3.0 * (inner + at(0) + at(steps)) / (2.0 * PI).sqrt()
-        };
-        for separation in [-6.0, -1.0, 0.0, 0.5, 4.0, 12.0, 80.0] {
-            for parameter in [1e-9, 1e-3, 1.0, 1e4] {
-                let exact = dense(separation, parameter);
-                let off = mean_inverse_gap(separation, parameter) / exact - 1.0;
-                assert!(off.abs() < 1e-9, "{separation} {parameter}: {off:e}");
-            }
-        }
     }
 
     #[test]
@@ -362,25 +255,6 @@ mod tests {
     }
 
     #[test]
-    fn the_gas_parameter_follows_from_the_kinetic_theory() {
-        let full = RarefiedGas {
-            accommodation: [1.0, 1.0],
-            heat_capacity_ratio: 1.4,
-            prandtl_number: 0.7,
-            mean_free_path_m: 64e-9,
-        };
-        // 2 (2.8/(0.7 2.4)) 64 nm.
-        assert!((full.parameter_m().unwrap() / (2.0 * (2.8 / 1.68) * 64e-9) - 1.0).abs() < 1e-14);
-        let half = RarefiedGas { accommodation: [0.5, 1.0], ..full };
-        assert!((half.parameter_m().unwrap() / full.parameter_m().unwrap() - 2.0).abs() < 1e-14);
-        let path_m = |temperature_k, pressure_pa| {
-            RarefiedGas::mean_free_path_m(64e-9, temperature_k, pressure_pa).unwrap()
-        };
-        assert_eq!(path_m(288.15, 101_325.0), 64e-9);
-        assert!((path_m(576.3, 1013.25) / 128e-7 - 1.0).abs() < 1e-14);
-    }
-
-    #[test]
     fn the_properties_of_named_gases_are_those_of_tables() {
         // Accommodation coefficients by the correlation, and conductivities of the handbook at 500 K [mW/(m K)].
         for (gas, molar_mass, atoms, conductivity) in [
@@ -398,27 +272,16 @@ mod tests {
         let [full, half] = [101_325.0, 50_662.5].map(|pa| NamedGas::Air.parameter_m(288.15, pa).unwrap());
         assert!((full / (2.0 * 1.14 / 0.86 * (2.8 / (0.71 * 2.4)) * 64e-9) - 1.0).abs() < 1e-12);
         assert!((half / full - 2.0).abs() < 1e-12);
+        assert!((NamedGas::Air.parameter_m(576.3, 101_325.0).unwrap() / full - 2.0).abs() < 1e-12);
         assert!(NamedGas::Helium.conductivity_w_per_m_k(77.0).is_err());
     }
 
     #[test]
     fn values_out_of_their_range_are_refused() {
-        let gas = RarefiedGas {
-            accommodation: [0.9, 0.9],
-            heat_capacity_ratio: 1.4,
-            prandtl_number: 0.7,
-            mean_free_path_m: 64e-9,
-        };
-        for wrong in [
-            RarefiedGas { accommodation: [0.9, 1.1], ..gas },
-            RarefiedGas { accommodation: [0.0, 0.9], ..gas },
-            RarefiedGas { heat_capacity_ratio: 1.0, ..gas },
-            RarefiedGas { prandtl_number: 0.0, ..gas },
-            RarefiedGas { mean_free_path_m: f64::NAN, ..gas },
-        ] {
-            assert!(wrong.parameter_m().is_err(), "{wrong:?}");
-        }
         assert!(GapGas::new(0.0, 1e-6).is_err() && GapGas::new(0.026, 0.0).is_err());
-        assert!(RarefiedGas::mean_free_path_m(64e-9, 0.0, 1e5).is_err());
+        assert!(
+            NamedGas::Air.parameter_m(0.0, 1e5).is_err()
+                && NamedGas::Air.parameter_m(300.0, f64::NAN).is_err()
+        );
     }
 }

@@ -7,7 +7,7 @@ use interface::OutOfBounds;
 use interface::conductance::{
     Conductivities, CutSurface, PlasticCorrelation, PressureRatio, RelativeStiffness, Resistivities,
 };
-use interface::gas::{GapGas, RarefiedGas, plastic_separation_m};
+use interface::gas::{GapGas, NamedGas, plastic_separation_m};
 use interface::leak::{Constriction, SealedJoint};
 use interface::tangential::{ShearedBody, ShearedContact, ShearedPair};
 
@@ -38,8 +38,6 @@ pub struct InterfacesCase {
     pub gas_parameter: f64,
     /// Conductivity of the gas \[W/(m K)\].
     pub gas_w_per_m_k: f64,
-    /// Accommodation coefficients.
-    pub accommodation: [f64; 2],
     /// Coefficient of friction.
     pub friction: f64,
     /// Poisson's ratio of the sheared bodies.
@@ -64,7 +62,6 @@ impl Case for InterfacesCase {
             separation: draw.between(-9.0, 12.0) * draw.one_of(&[1.0, 0.0, 1e-6, 3.0]),
             gas_parameter: reach.number(draw, -3.0 * wide, 2.0 * wide),
             gas_w_per_m_k: reach.number(draw, -3.0 * wide, 0.0),
-            accommodation: [reach.number(draw, -3.0, 0.0), draw.one_of(&[1.0, 0.5, 1e-9])],
             friction: reach.number(draw, -2.0 * wide, 0.5 * wide),
             poisson_ratio: draw.one_of(&[0.0, 0.3, 0.5]),
             share: 0.5,
@@ -191,17 +188,10 @@ fn gas(trial: &mut Trial<InterfacesCase>) -> Result<(), OutOfBounds> {
             }
         }
     }
-    let rarefied = RarefiedGas {
-        accommodation: case.accommodation,
-        heat_capacity_ratio: 1.4,
-        prandtl_number: case.friction,
-        mean_free_path_m: case.length_m,
-    };
-    if let Ok(parameter_m) = rarefied.parameter_m() {
-        trial.hold("gas parameter finite, above 0", positive(parameter_m));
-    }
-    if let Ok(path_m) = RarefiedGas::mean_free_path_m(case.length_m, case.bodies[0], case.pressure_pa) {
-        trial.hold("mean free path finite, above 0", positive(path_m));
+    for named in NamedGas::ALL {
+        if let Ok(parameter_m) = named.parameter_m(case.bodies[0], case.pressure_pa) {
+            trial.hold("gas parameter finite, above 0", positive(parameter_m));
+        }
     }
     Ok(())
 }

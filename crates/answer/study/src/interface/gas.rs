@@ -1,6 +1,6 @@
 //! The gas in the gaps, as options of a command or keys of a scene give it.
 
-use ::interface::gas::{GapGas, NamedGas, RarefiedGas};
+use ::interface::gas::{GapGas, NamedGas};
 use serde::{Deserialize, Serialize};
 use units::{OutOfBounds, Pressure};
 
@@ -59,8 +59,8 @@ impl GasInput {
             if let Some(option) = given(&[conductivity, parameter]) {
                 return Err(GasError::Beside(option, "gas"));
             }
-            let temperature_k = self.temperature_k.unwrap_or(RarefiedGas::REFERENCE_TEMPERATURE_K);
-            let pressure_pa = pressure.map_or(RarefiedGas::REFERENCE_PRESSURE_PA, NominalPressure::pa);
+            let temperature_k = self.temperature_k.unwrap_or(NamedGas::REFERENCE_TEMPERATURE_K);
+            let pressure_pa = pressure.map_or(NamedGas::REFERENCE_PRESSURE_PA, NominalPressure::pa);
             let conductivity = gas
                 .conductivity_w_per_m_k(temperature_k)
                 .map_err(|error| GasError::Value("gas_temperature", error))?;

@@ -19,16 +19,6 @@ impl Spot {
         Ok(Spot { radius_m: Bound::Magnitude.check("radius of a spot in m", radius_m)? })
     }
 
-    /// Creates the spot that belongs to a contact of the stiffness dF/d delta = 2 E* a \[N/m\] under a contact
-    /// modulus E* \[Pa\]: of a sphere, of a flat punch, and of any interface in Barber's sense.
-    ///
-    /// # Errors
-    /// [`OutOfBounds`] unless both are positive and within thirty decades of 1.
-    pub fn from_stiffness(stiffness_n_per_m: f64, contact_modulus_pa: f64) -> Result<Self, OutOfBounds> {
-        let stiffness_n_per_m = Bound::Magnitude.check("stiffness in N/m", stiffness_n_per_m)?;
-        Ok(Self::from_relative_stiffness_m(stiffness_n_per_m / modulus(contact_modulus_pa)?))
-    }
-
     /// Creates the spot of a relative stiffness (dF/d delta)/E* > 0 \[m\].
     pub(super) fn from_relative_stiffness_m(relative_stiffness_m: f64) -> Self {
         Spot { radius_m: 0.5 * relative_stiffness_m }

@@ -232,18 +232,9 @@ fn symbol(flow: Flow, units: UnitSystem) -> &'static str {
     }
 }
 
-/// Unit of a conductance per area in the name of a column.
-fn column_unit(flow: Flow, units: UnitSystem) -> &'static str {
-    match (flow, units) {
-        (Flow::Heat, UnitSystem::Si) => "W_per_m2_K",
-        (Flow::Heat, UnitSystem::Millimetres) => "mW_per_mm2_K",
-        (Flow::Heat, UnitSystem::Micrometres) => "pW_per_um2_K",
-        (Flow::Heat, UnitSystem::Inches) => "lbf_per_in_s_K",
-        (Flow::Current, UnitSystem::Si) => "S_per_m2",
-        (Flow::Current, UnitSystem::Millimetres) => "mS_per_mm2",
-        (Flow::Current, UnitSystem::Micrometres) => "pS_per_um2",
-        (Flow::Current, UnitSystem::Inches) => "lbf_per_in_s_V2",
-    }
+/// Unit of a conductance per area in the name of a column: `W_per_m2_K`.
+fn column_unit(flow: Flow, units: UnitSystem) -> String {
+    symbol(flow, units).replace(['^', '(', ')'], "").replace('/', "_per_").replace(' ', "_")
 }
 
 /// Units of the flow and of the conductivity that fit the conductance.
@@ -270,8 +261,7 @@ fn flow_units(flow: Flow, units: UnitSystem) -> &'static str {
 fn comments(dialect: Dialect, flow: Flow) -> &'static [&'static str] {
     match (dialect, flow) {
         (Dialect::Csv, _) => &[],
-        (Dialect::Abaqus, Flow::Heat) => &ABAQUS_HEAT,
-        (Dialect::Abaqus, Flow::Current) => &ABAQUS_CURRENT,
+        (Dialect::Abaqus, _) => &ABAQUS,
         (Dialect::Calculix, Flow::Heat) => &CALCULIX_HEAT,
         (Dialect::Calculix, Flow::Current) => &CALCULIX_CURRENT,
     }
@@ -304,8 +294,7 @@ const CALCULIX_CURRENT: [&str; 4] = [
     WRONG_ROWS,
 ];
 
-const ABAQUS_HEAT: [&str; 3] = [ORDER, ABAQUS_PRESSURE, ABAQUS_NOT_RUN];
-const ABAQUS_CURRENT: [&str; 3] = [ORDER, ABAQUS_PRESSURE, ABAQUS_NOT_RUN];
+const ABAQUS: [&str; 3] = [ORDER, ABAQUS_PRESSURE, ABAQUS_NOT_RUN];
 
 const ABAQUS_PRESSURE: &str = "Without the parameter PRESSURE Abaqus reads the second number as a clearance.";
 

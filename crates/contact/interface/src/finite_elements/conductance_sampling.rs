@@ -4,12 +4,9 @@ use units::Bound;
 
 use crate::finite_elements::conductance::between;
 use crate::finite_elements::error::SamplingError;
-use crate::finite_elements::{ConductancePoint, ConductanceTable, ContactLaw, Flow};
+use crate::finite_elements::sampling::{BEYOND_MIDDLE, FIRST_STEP, check_range};
+use crate::finite_elements::{ConductancePoint, ConductanceTable, Flow};
 
-/// Largest ratio of neighbouring pressures, as a logarithm: a factor e.
-const FIRST_STEP: f64 = 1.0;
-/// Factor by which the largest error of a line exceeds that in the middle of its logarithms.
-const BEYOND_MIDDLE: f64 = 1.03;
 /// Relative width below which a stretch is not cut: a conductance may have a step, where a law of asperities yields.
 const NARROWEST: f64 = 1e-6;
 
@@ -26,13 +23,7 @@ impl ConductanceTable {
         tolerance: f64,
         at: impl FnMut(f64) -> Result<ConductancePoint, E>,
     ) -> Result<Self, SamplingError<E>> {
-        for pressure_pa in [from_pa, to_pa] {
-            Bound::Magnitude.check("pressure of the law in Pa", pressure_pa)?;
-        }
-        ContactLaw::TOLERANCES.check("tolerance of the law", tolerance)?;
-        if from_pa >= to_pa {
-            return Err(SamplingError::EmptyRange { from_pa, to_pa });
-        }
+        check_range([from_pa, to_pa], tolerance)?;
         let mut source = Source { at, tolerance, interpolation_error: 0.0 };
         let first = source.point(from_pa)?;
         let zero = ConductancePoint { pressure_pa: 0.0, contact_si: 0.0, gas_si: first.gas_si };

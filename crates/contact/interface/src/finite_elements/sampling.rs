@@ -8,9 +8,9 @@ use crate::finite_elements::error::SamplingError;
 use crate::finite_elements::law::{ContactLaw, LawPoint};
 
 /// Largest ratio of pressures between the first points, as a logarithm: a factor e.
-const FIRST_STEP: f64 = 1.0;
+pub(super) const FIRST_STEP: f64 = 1.0;
 /// Factor by which the largest error of a line exceeds that in the middle of its logarithms.
-const BEYOND_MIDDLE: f64 = 1.03;
+pub(super) const BEYOND_MIDDLE: f64 = 1.03;
 /// Largest number of parts into which a stretch is cut at once.
 const MOST_PARTS: f64 = 8.0;
 
@@ -32,13 +32,7 @@ impl ContactLaw {
         tolerance: f64,
         at: impl FnMut(f64) -> Result<Option<LawPoint>, E>,
     ) -> Result<Self, SamplingError<E>> {
-        for pressure_pa in [from_pa, to_pa] {
-            Bound::Magnitude.check("pressure of the law in Pa", pressure_pa)?;
-        }
-        Self::TOLERANCES.check("tolerance of the law", tolerance)?;
-        if from_pa >= to_pa {
-            return Err(SamplingError::EmptyRange { from_pa, to_pa });
-        }
+        check_range([from_pa, to_pa], tolerance)?;
         let mut source = Source { at, tolerance, interpolation_error: 0.0, cut_m: 0.0 };
         let cut = source.point(from_pa / E)?;
         source.cut_m = cut.mean_gap_m;
@@ -54,6 +48,15 @@ impl ContactLaw {
         }
         Ok(ContactLaw { points, tolerance, interpolation_error: source.interpolation_error })
     }
+}
+
+/// Checks the range of pressures \[Pa\] and the tolerance of a table.
+pub(super) fn check_range<E>([from_pa, to_pa]: [f64; 2], tolerance: f64) -> Result<(), SamplingError<E>> {
+    for pressure_pa in [from_pa, to_pa] {
+        Bound::Magnitude.check("pressure of the law in Pa", pressure_pa)?;
+    }
+    ContactLaw::TOLERANCES.check("tolerance of the law", tolerance)?;
+    if from_pa < to_pa { Ok(()) } else { Err(SamplingError::EmptyRange { from_pa, to_pa }) }
 }
 
 /// Source of a law.

@@ -23,7 +23,7 @@ fn one_hertz_contact_conducts_as_a_circular_spot() {
             (force_n(indentation_m + k * step_m) - force_n(indentation_m - k * step_m)) / (2.0 * k * step_m)
         };
         let stiffness_n_per_m = (15.0 * difference(1.0) - 6.0 * difference(2.0) + difference(3.0)) / 10.0;
-        let spot = Spot::from_stiffness(stiffness_n_per_m, MODULUS_PA).unwrap();
+        let spot = Spot::new(0.5 * stiffness_n_per_m / MODULUS_PA).unwrap();
         assert!(off(stiffness_n_per_m, 2.0 * MODULUS_PA * contact_radius_m) < 1e-10);
         assert!(off(spot.radius_m(), contact_radius_m) < 1e-10);
         // Holm: R = (rho1 + rho2)/(4 a).
