@@ -208,7 +208,7 @@ impl PreparedAdhesion {
         let states = self.pressing.press(&self.surfaces, progress)?;
         let means = adhesive_means(&states);
         let mut notes: Vec<Remark> = hysteresis(&means).into_iter().collect();
-        if states.iter().any(|state| state.nominal_pressure_pa < 0.0) {
+        if states.iter().any(|state| state.numbers.nominal_pressure_pa < 0.0) {
             notes.push(Remark::new(RemarkCode::Metastable));
         }
         let rows = if self.per_realisation { &states } else { &means };
@@ -225,13 +225,15 @@ fn hysteresis(means: &[AdhesiveState]) -> Option<Remark> {
     let (apart, contact): (Vec<&AdhesiveState>, Vec<&AdhesiveState>) =
         means.iter().partition(|state| state.branch == Branch::Apart);
     let pairs = apart.iter().zip(&contact);
-    let difference = |pair: &(&&AdhesiveState, &&AdhesiveState)| pair.1.area_fraction - pair.0.area_fraction;
+    let difference = |pair: &(&&AdhesiveState, &&AdhesiveState)| {
+        pair.1.numbers.area_fraction - pair.0.numbers.area_fraction
+    };
     let widest = pairs.max_by(|a, b| difference(a).total_cmp(&difference(b)))?;
     (difference(&widest) > SAME_AREA).then(|| {
         Remark::new(RemarkCode::Hysteresis)
-            .with("hysteresis_pressure_pa", widest.0.nominal_pressure_pa)
-            .with("hysteresis_apart_area_fraction", widest.0.area_fraction)
-            .with("hysteresis_contact_area_fraction", widest.1.area_fraction)
+            .with("hysteresis_pressure_pa", widest.0.numbers.nominal_pressure_pa)
+            .with("hysteresis_apart_area_fraction", widest.0.numbers.area_fraction)
+            .with("hysteresis_contact_area_fraction", widest.1.numbers.area_fraction)
     })
 }
 
@@ -239,7 +241,10 @@ fn hysteresis(means: &[AdhesiveState]) -> Option<Remark> {
 fn strongest_pulls(states: &[AdhesiveState]) -> Vec<AdhesiveState> {
     let surfaces = states.chunk_by(|one, other| one.surface == other.surface);
     let strongest = |of_surface: &[AdhesiveState]| {
-        of_surface.iter().copied().min_by(|a, b| a.nominal_pressure_pa.total_cmp(&b.nominal_pressure_pa))
+        of_surface
+            .iter()
+            .copied()
+            .min_by(|a, b| a.numbers.nominal_pressure_pa.total_cmp(&b.numbers.nominal_pressure_pa))
     };
     surfaces.filter_map(strongest).collect()
 }
@@ -251,8 +256,8 @@ fn pull_off(strongest: &[AdhesiveState]) -> Option<Remark> {
     }
     let mean = |of: fn(&AdhesiveState) -> f64| strongest.iter().map(of).sum::<f64>() / strongest.len() as f64;
     let remark = Remark::new(RemarkCode::PullOff)
-        .with("pull_off_pressure_pa", mean(|state| state.nominal_pressure_pa))
-        .with("pull_off_mean_gap_m", mean(|state| state.mean_gap_m))
-        .with("pull_off_area_fraction", mean(|state| state.area_fraction));
+        .with("pull_off_pressure_pa", mean(|state| state.numbers.nominal_pressure_pa))
+        .with("pull_off_mean_gap_m", mean(|state| state.numbers.mean_gap_m))
+        .with("pull_off_area_fraction", mean(|state| state.numbers.area_fraction));
     Some(remark)
 }

@@ -11,7 +11,7 @@ const AREA: &str = "contact area / nominal area";
 
 /// Draws the mean pressure over the mean gap, a line for each surface, with the largest pull of each marked.
 pub(crate) fn pull_off_curve(states: &[AdhesiveState], strongest: &[AdhesiveState]) -> FigureData {
-    let point = |state: &AdhesiveState| (state.mean_gap_m, state.nominal_pressure_pa);
+    let point = |state: &AdhesiveState| (state.numbers.mean_gap_m, state.numbers.nominal_pressure_pa);
     let surfaces: Vec<Vec<(f64, f64)>> = states
         .chunk_by(|one, other| one.surface == other.surface)
         .map(|of_surface| of_surface.iter().map(point).collect())
@@ -39,8 +39,8 @@ pub(crate) fn pull_off_curve(states: &[AdhesiveState], strongest: &[AdhesiveStat
 fn pull_off_title(strongest: &[AdhesiveState]) -> String {
     let count = strongest.len();
     let mean = |of: fn(&AdhesiveState) -> f64| strongest.iter().map(of).sum::<f64>() / count as f64;
-    let pull = pressure(-mean(|state| state.nominal_pressure_pa));
-    let gap = length(mean(|state| state.mean_gap_m));
+    let pull = pressure(-mean(|state| state.numbers.nominal_pressure_pa));
+    let gap = length(mean(|state| state.numbers.mean_gap_m));
     match count {
         0 | 1 => format!("Pull-off at a pull of {pull}, mean gap {gap}"),
         _ => format!("Pull-off at a pull of {pull}, mean gap {gap} (means of {count} surfaces)"),
@@ -52,7 +52,7 @@ pub(crate) fn area_on_branches(means: &[AdhesiveState]) -> FigureData {
     let line = |(index, branch, name): (usize, Branch, &str)| {
         let of_branch = means.iter().filter(|state| state.branch == branch);
         let mut points: Vec<(f64, f64)> =
-            of_branch.map(|state| (state.nominal_pressure_pa, state.area_fraction)).collect();
+            of_branch.map(|state| (state.numbers.nominal_pressure_pa, state.numbers.area_fraction)).collect();
         points.sort_by(|one, other| one.0.total_cmp(&other.0));
         Series::under(name, index, points)
     };
@@ -60,6 +60,6 @@ pub(crate) fn area_on_branches(means: &[AdhesiveState]) -> FigureData {
     let lines = branches.map(line).into_iter().filter(|line| !line.points.is_empty()).collect();
     let figure = FigureData::new("area-with-adhesion", Shows::AreaAgainstLoad, PRESSURE, AREA, lines);
     let figure = FigureData { title: "Contact area with adhesion".to_owned(), ..figure };
-    let pulls = means.iter().any(|state| state.nominal_pressure_pa <= 0.0);
+    let pulls = means.iter().any(|state| state.numbers.nominal_pressure_pa <= 0.0);
     if pulls { figure.with_linear_axes() } else { figure }
 }

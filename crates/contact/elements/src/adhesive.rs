@@ -1,7 +1,8 @@
 //! Surfaces that attract each other, under every load on both branches, and pulled apart.
 
 use crate::half_space::{
-    Adhesion, AdhesionError, AdhesiveContact, AdhesiveElements, Control, Grid, HalfSpaceError, Start,
+    Adhesion, AdhesionError, AdhesiveContact, AdhesiveElements, AdhesiveNumbers, Control, HalfSpaceError,
+    Start,
 };
 use numerics::parallel::Progress;
 use serde::{Deserialize, Serialize};
@@ -58,22 +59,8 @@ pub struct AdhesiveState {
     pub surface: usize,
     /// Branch on which it was reached.
     pub branch: Branch,
-    /// Nominal pressure \[Pa\].
-    pub nominal_pressure_pa: f64,
-    /// Share of points without a gap.
-    pub area_fraction: f64,
-    /// That share with the staircase of the perimeter corrected.
-    pub area_fraction_corrected: f64,
-    /// Share of points without a gap that press on each other, net of the attraction.
-    pub repulsive_area_fraction: f64,
-    /// Mean gap over all points \[m\].
-    pub mean_gap_m: f64,
-    /// Mean attraction over all points \[Pa\].
-    pub mean_attraction_pa: f64,
-    /// Largest contact pressure \[Pa\], without the attraction.
-    pub largest_contact_pressure_pa: f64,
-    /// Largest violation of equilibrium.
-    pub residual: f64,
+    /// Numbers of the contact.
+    pub numbers: AdhesiveNumbers,
 }
 
 /// Reason why adhesive surfaces were not pressed.
@@ -122,7 +109,7 @@ impl AdhesivePressing {
         if relief.boundary == Boundary::Free {
             return Err(AdhesiveError::FreeEdges);
         }
-        Ok(self.adhesion.resolution(&grid(relief)?, self.contact_modulus_pa)?)
+        Ok(self.adhesion.resolution(&relief.grid()?, self.contact_modulus_pa)?)
     }
 
     /// Presses every surface under every load on every branch: on as many threads as there are, and with the same digits on any
@@ -145,7 +132,10 @@ impl AdhesivePressing {
             self.resolution(&relief)?;
             let mut elements = self.elements(&relief)?;
             let found = self.along(branch, &mut elements, progress)?;
-            Ok(found.iter().map(|contact| AdhesiveState::new(surface, branch, contact)).collect::<Vec<_>>())
+            Ok(found
+                .iter()
+                .map(|contact| AdhesiveState { surface, branch, numbers: contact.numbers })
+                .collect::<Vec<_>>())
         });
         let states = of_pairs.into_iter().collect::<Result<Vec<_>, AdhesiveError>>()?;
         Ok(states.into_iter().flatten().collect())
@@ -153,7 +143,7 @@ impl AdhesivePressing {
 
     fn elements(&self, relief: &Relief) -> Result<AdhesiveElements, AdhesiveError> {
         let (modulus_pa, adhesion) = (self.contact_modulus_pa, self.adhesion);
-        Ok(AdhesiveElements::new(grid(relief)?, &relief.heights_m, modulus_pa, adhesion)?)
+        Ok(AdhesiveElements::new(relief.grid()?, &relief.heights_m, modulus_pa, adhesion)?)
     }
 
     /// Follows a branch; the states are in the order of the loads.
@@ -244,14 +234,19 @@ impl AdhesivePressing {
             let mut elements = self.elements(&relief)?;
             let free = self.solve(&mut elements, 0.0, Start::Apart, 0.0, progress)?;
             let step_m = GAP_STEP * relief.rms_height_m();
-            let mut states = vec![AdhesiveState::new(surface, Branch::Apart, &free)];
+            let state = |contact: &AdhesiveContact| AdhesiveState {
+                surface,
+                branch: Branch::Apart,
+                numbers: contact.numbers,
+            };
+            let mut states = vec![state(&free)];
             let mut largest_pull_pa = 0.0f64;
             for step in 1..=MOST_GAP_STEPS {
-                let control = Control::MeanGapM(free.mean_gap_m + step as f64 * step_m);
+                let control = Control::MeanGapM(free.numbers.mean_gap_m + step as f64 * step_m);
                 let contact = elements.solve(control, Start::Last, self.tolerance, progress)?;
                 progress.advance(1);
-                states.push(AdhesiveState::new(surface, Branch::Apart, &contact));
-                let pull_pa = -contact.nominal_pressure_pa;
+                states.push(state(&contact));
+                let pull_pa = -contact.numbers.nominal_pressure_pa;
                 largest_pull_pa = largest_pull_pa.max(pull_pa);
                 if largest_pull_pa > 0.0 && pull_pa < APART * largest_pull_pa {
                     break;
@@ -264,23 +259,6 @@ impl AdhesivePressing {
     }
 }
 
-impl AdhesiveState {
-    fn new(surface: usize, branch: Branch, contact: &AdhesiveContact) -> Self {
-        AdhesiveState {
-            surface,
-            branch,
-            nominal_pressure_pa: contact.nominal_pressure_pa,
-            area_fraction: contact.area_fraction,
-            area_fraction_corrected: contact.area_fraction_corrected,
-            repulsive_area_fraction: contact.repulsive_area_fraction,
-            mean_gap_m: contact.mean_gap_m,
-            mean_attraction_pa: contact.mean_attraction_pa,
-            largest_contact_pressure_pa: contact.largest_contact_pressure_pa,
-            residual: contact.residual,
-        }
-    }
-}
-
 /// Means over the surfaces, for each branch and load in the order in which they were pressed.
 #[must_use]
 pub fn adhesive_means(states: &[AdhesiveState]) -> Vec<AdhesiveState> {
@@ -288,20 +266,22 @@ pub fn adhesive_means(states: &[AdhesiveState]) -> Vec<AdhesiveState> {
     let of_first: Vec<&AdhesiveState> = states.iter().filter(|state| state.surface == first).collect();
     let mean = |at: usize| {
         let same: Vec<&AdhesiveState> = states.iter().skip(at).step_by(of_first.len()).collect();
-        let mean = |of: fn(&AdhesiveState) -> f64| {
-            same.iter().map(|state| of(state)).sum::<f64>() / same.len() as f64
+        let mean = |of: fn(&AdhesiveNumbers) -> f64| {
+            same.iter().map(|state| of(&state.numbers)).sum::<f64>() / same.len() as f64
         };
-        let largest = |of: fn(&AdhesiveState) -> f64| same.iter().map(|state| of(state)).fold(0.0, f64::max);
-        AdhesiveState {
-            area_fraction: mean(|state| state.area_fraction),
-            area_fraction_corrected: mean(|state| state.area_fraction_corrected),
-            repulsive_area_fraction: mean(|state| state.repulsive_area_fraction),
-            mean_gap_m: mean(|state| state.mean_gap_m),
-            mean_attraction_pa: mean(|state| state.mean_attraction_pa),
-            largest_contact_pressure_pa: largest(|state| state.largest_contact_pressure_pa),
-            residual: largest(|state| state.residual),
-            ..*of_first[at]
-        }
+        let largest =
+            |of: fn(&AdhesiveNumbers) -> f64| same.iter().map(|state| of(&state.numbers)).fold(0.0, f64::max);
+        let numbers = AdhesiveNumbers {
+            area_fraction: mean(|numbers| numbers.area_fraction),
+            area_fraction_corrected: mean(|numbers| numbers.area_fraction_corrected),
+            repulsive_area_fraction: mean(|numbers| numbers.repulsive_area_fraction),
+            mean_gap_m: mean(|numbers| numbers.mean_gap_m),
+            mean_attraction_pa: mean(|numbers| numbers.mean_attraction_pa),
+            largest_contact_pressure_pa: largest(|numbers| numbers.largest_contact_pressure_pa),
+            residual: largest(|numbers| numbers.residual),
+            ..of_first[at].numbers
+        };
+        AdhesiveState { numbers, ..*of_first[at] }
     };
     (0..of_first.len()).map(mean).collect()
 }
@@ -310,24 +290,20 @@ pub fn adhesive_means(states: &[AdhesiveState]) -> Vec<AdhesiveState> {
 /// mean_gap_m, mean_attraction_pa, largest_contact_pressure_pa, residual`; begun by `realisation` if `numbered`.
 #[must_use]
 pub fn adhesive_table(states: &[AdhesiveState], numbered: bool) -> Table {
-    let column = |of: fn(&AdhesiveState) -> f64| states.iter().map(of);
+    let column = |of: fn(&AdhesiveNumbers) -> f64| states.iter().map(move |state| of(&state.numbers));
     let table = if numbered {
-        Table::default().with_numbers("realisation", column(|state| (state.surface + 1) as f64))
+        Table::default().with_numbers("realisation", states.iter().map(|state| (state.surface + 1) as f64))
     } else {
         Table::default()
     };
     table
-        .with_numbers("nominal_pressure_pa", column(|state| state.nominal_pressure_pa))
+        .with_numbers("nominal_pressure_pa", column(|numbers| numbers.nominal_pressure_pa))
         .with_words("branch", states.iter().map(|state| state.branch.name()))
-        .with_numbers("area_fraction", column(|state| state.area_fraction))
-        .with_numbers("area_fraction_corrected", column(|state| state.area_fraction_corrected))
-        .with_numbers("repulsive_area_fraction", column(|state| state.repulsive_area_fraction))
-        .with_numbers("mean_gap_m", column(|state| state.mean_gap_m))
-        .with_numbers("mean_attraction_pa", column(|state| state.mean_attraction_pa))
-        .with_numbers("largest_contact_pressure_pa", column(|state| state.largest_contact_pressure_pa))
-        .with_numbers("residual", column(|state| state.residual))
-}
-
-fn grid(relief: &Relief) -> Result<Grid, HalfSpaceError> {
-    Grid::new(relief.rows, relief.columns, relief.length_x_m, relief.length_y_m)
+        .with_numbers("area_fraction", column(|numbers| numbers.area_fraction))
+        .with_numbers("area_fraction_corrected", column(|numbers| numbers.area_fraction_corrected))
+        .with_numbers("repulsive_area_fraction", column(|numbers| numbers.repulsive_area_fraction))
+        .with_numbers("mean_gap_m", column(|numbers| numbers.mean_gap_m))
+        .with_numbers("mean_attraction_pa", column(|numbers| numbers.mean_attraction_pa))
+        .with_numbers("largest_contact_pressure_pa", column(|numbers| numbers.largest_contact_pressure_pa))
+        .with_numbers("residual", column(|numbers| numbers.residual))
 }

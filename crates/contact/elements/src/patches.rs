@@ -1,10 +1,10 @@
 //! Contact patches of pressed surfaces.
 
-use crate::half_space::{Grid, HalfSpaceError, Patch};
+use crate::half_space::{HalfSpaceError, Patch};
 use tables::Table;
 
 use crate::field::{ContactField, PointState};
-use crate::relief::{Boundary, Relief};
+use crate::relief::Boundary;
 
 /// Patches of one surface under one load.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,14 +25,16 @@ impl ContactField<'_> {
     /// # Errors
     /// [`HalfSpaceError`] for a map of another size than its grid.
     pub fn patches(&self) -> Result<PressedPatches, HalfSpaceError> {
-        let Relief { rows, columns, length_x_m, length_y_m, boundary, .. } = *self.relief;
-        let grid = Grid::new(rows, columns, length_x_m, length_y_m)?;
         let is_contact: Vec<bool> = self.states().map(|state| state != PointState::Open).collect();
         Ok(PressedPatches {
             load: self.load,
             surface: self.surface,
             nominal_pressure_pa: self.nominal_pressure_pa,
-            patches: crate::half_space::patches(&grid, boundary == Boundary::Periodic, &is_contact)?,
+            patches: crate::half_space::patches(
+                &self.relief.grid()?,
+                self.relief.boundary == Boundary::Periodic,
+                &is_contact,
+            )?,
         })
     }
 }

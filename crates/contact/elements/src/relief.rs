@@ -60,7 +60,7 @@ impl Relief {
         let mut along_x = rows.flat_map(|row| row.windows(2).map(|pair| pair[1] - pair[0]));
         let mut along_y =
             self.heights_m.iter().zip(self.heights_m.iter().skip(self.columns)).map(|(a, b)| b - a);
-        let spacings_m = [self.length_x_m / self.columns as f64, self.length_y_m / self.rows as f64];
+        let spacings_m = self.spacings_m();
         [rms(&mut along_x, spacings_m[0]), rms(&mut along_y, spacings_m[1])]
     }
 
@@ -107,7 +107,11 @@ impl Relief {
         open_paths(&self.grid()?, sides, &contact.touching())
     }
 
-    fn grid(&self) -> Result<Grid, HalfSpaceError> {
+    /// Returns the grid of its points.
+    ///
+    /// # Errors
+    /// [`HalfSpaceError`] for numbers of points and lengths out of their bounds.
+    pub fn grid(&self) -> Result<Grid, HalfSpaceError> {
         Grid::new(self.rows, self.columns, self.length_x_m, self.length_y_m)
     }
 }

@@ -99,8 +99,7 @@ impl Surfaces {
                 relief.every_second_point().filter(|coarse| coarse.rows > 1 && coarse.columns > 1)
             }
             Surfaces::Random(random) => {
-                let spacing_x_m = relief.length_x_m / relief.columns as f64;
-                let spacing_y_m = relief.length_y_m / relief.rows as f64;
+                let [spacing_x_m, spacing_y_m] = relief.spacings_m();
                 let points = random.band.shortest_m() / (2.0 * spacing_x_m.max(spacing_y_m));
                 let shows = points >= FEWEST_POINTS * (1.0 - 1e-9);
                 if shows { relief.every_second_point() } else { None }

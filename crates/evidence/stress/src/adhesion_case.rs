@@ -123,15 +123,19 @@ impl Case for AdhesionCase {
 /// Checks the numbers of a contact.
 fn sound(contact: &AdhesiveContact, trial: &mut Trial<AdhesionCase>) {
     let case = trial.case;
-    let areas = [contact.area_fraction, contact.area_fraction_corrected, contact.repulsive_area_fraction];
+    let areas = [
+        contact.numbers.area_fraction,
+        contact.numbers.area_fraction_corrected,
+        contact.numbers.repulsive_area_fraction,
+    ];
     trial.hold("areas in [0, 1]", areas.iter().all(|area| (0.0..=1.0).contains(area)));
     trial.hold("the repulsive area is part of the area", areas[2] <= areas[0] && areas[1] <= areas[0]);
     let numbers = [
-        contact.nominal_pressure_pa,
-        contact.mean_gap_m,
-        contact.mean_attraction_pa,
-        contact.largest_contact_pressure_pa,
-        contact.residual,
+        contact.numbers.nominal_pressure_pa,
+        contact.numbers.mean_gap_m,
+        contact.numbers.mean_attraction_pa,
+        contact.numbers.largest_contact_pressure_pa,
+        contact.numbers.residual,
     ];
     trial.hold("numbers finite", numbers.iter().all(|number| number.is_finite()));
     trial.hold(
@@ -140,7 +144,7 @@ fn sound(contact: &AdhesiveContact, trial: &mut Trial<AdhesionCase>) {
     );
     trial.hold("pressures finite", contact.pressures_pa.iter().all(|pressure_pa| pressure_pa.is_finite()));
     if let Control::MeanGapM(gap_m) = case.control {
-        trial.bound("the mean gap is held", (contact.mean_gap_m / gap_m - 1.0).abs(), 1e-9);
+        trial.bound("the mean gap is held", (contact.numbers.mean_gap_m / gap_m - 1.0).abs(), 1e-9);
     }
 }
 
@@ -155,11 +159,11 @@ fn balanced(contact: &AdhesiveContact, trial: &mut Trial<AdhesionCase>) {
     let SmallMap { rows, columns, length_x_m, length_y_m, .. } = case.map;
     let spacing_m = (length_x_m / columns as f64).min(length_y_m / rows as f64);
     let full_pa = case.contact_modulus_pa * (case.map.rms_m() / spacing_m);
-    let unit_pa = full_pa.max(contact.nominal_pressure_pa.abs()).max(largest_pa);
-    let off_pa = (mean_attraction_pa - contact.mean_attraction_pa).abs();
+    let unit_pa = full_pa.max(contact.numbers.nominal_pressure_pa.abs()).max(largest_pa);
+    let off_pa = (mean_attraction_pa - contact.numbers.mean_attraction_pa).abs();
     trial.bound("mean attraction", off_pa, 1e-10 * unit_pa);
     let mean_pa = contact.pressures_pa.iter().sum::<f64>() / count;
-    let off_pa = (mean_pa - contact.nominal_pressure_pa).abs();
+    let off_pa = (mean_pa - contact.numbers.nominal_pressure_pa).abs();
     let slack = if contact.is_rounded { 1e-6 } else { case.tolerance };
     trial.bound("the mean pressure is the load", off_pa / unit_pa, slack * 100.0 + 1e-10);
     let (mut at_gap_pa, mut pulled_pa) = (0.0f64, 0.0f64);
@@ -184,7 +188,9 @@ fn full_contact(trial: &mut Trial<AdhesionCase>) {
     let unit_pa = case.map.wave_pa(case.contact_modulus_pa) + case.work_j_per_m2 / case.range_m;
     let above_pa = full_pa + unit_pa * (trial.draw.decades(-3.0, 1.0) + 1e2 * case.tolerance);
     match case.solve(Control::PressurePa(above_pa), Start::Contact) {
-        Ok(contact) => trial.hold("full contact stays above its pressure", contact.area_fraction == 1.0),
+        Ok(contact) => {
+            trial.hold("full contact stays above its pressure", contact.numbers.area_fraction == 1.0)
+        }
         Err(_) => trial.hold("full contact stays above its pressure", false),
     }
 }

@@ -128,20 +128,10 @@ impl Case for ElementsCase {
         if trial.draw.chance(0.05) {
             plain_sums(&contact, trial);
         }
-        if trial.draw.chance(0.3) {
-            symmetric(&contact, trial);
-        }
-        if trial.draw.chance(0.3) {
-            scaled(&contact, trial);
-        }
-        if trial.draw.chance(0.3) {
-            rises_with_load(&contact, trial);
-        }
-        if trial.draw.chance(0.3) {
-            there_and_back(&contact, trial);
-        }
-        if trial.draw.chance(0.3) {
-            stiffness(&contact, trial);
+        for test in [symmetric, scaled, rises_with_load, there_and_back, stiffness] {
+            if trial.draw.chance(0.3) {
+                test(&contact, trial);
+            }
         }
         Ok(())
     }

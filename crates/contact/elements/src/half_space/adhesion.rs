@@ -58,10 +58,10 @@ pub enum Start {
     Last,
 }
 
-/// Adhesive contact in equilibrium.
-#[derive(Clone, Debug, PartialEq)]
+/// Numbers of an adhesive contact in equilibrium.
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct AdhesiveContact {
+pub struct AdhesiveNumbers {
     /// Nominal pressure \[Pa\]: mean contact pressure less mean attraction.
     pub nominal_pressure_pa: f64,
     /// Share of the points without a gap.
@@ -78,6 +78,14 @@ pub struct AdhesiveContact {
     pub largest_contact_pressure_pa: f64,
     /// Largest violation of equilibrium over the larger of the nominal pressure and the rms pressure of full contact.
     pub residual: f64,
+}
+
+/// Adhesive contact in equilibrium.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct AdhesiveContact {
+    /// Its numbers.
+    pub numbers: AdhesiveNumbers,
     /// Newton steps.
     pub iterations: usize,
     /// Number of times that tractions were computed from displacements, in single or double precision.
@@ -88,14 +96,6 @@ pub struct AdhesiveContact {
     pub gaps_m: Vec<f64>,
     /// Net pressure of every point \[Pa\]: contact pressure less attraction.
     pub pressures_pa: Vec<f64>,
-}
-
-impl AdhesiveContact {
-    /// Returns true if the surface is pulled: the state is a local minimum of the energy only.
-    #[must_use]
-    pub fn is_metastable(&self) -> bool {
-        self.nominal_pressure_pa < 0.0
-    }
 }
 
 /// Reason why an adhesive contact was not solved.
@@ -215,12 +215,7 @@ impl AdhesiveElements {
         contact_modulus_pa: f64,
         adhesion: Adhesion,
     ) -> Result<Self, AdhesionError> {
-        if heights_m.len() != grid.points() {
-            return Err(HalfSpaceError::Size { given: heights_m.len(), expected: grid.points() }.into());
-        }
-        for &height_m in heights_m {
-            Bound::Signed.check("height in m", height_m)?;
-        }
+        grid.check_heights(heights_m)?;
         adhesion.resolution(&grid, contact_modulus_pa)?;
         let count = grid.points();
         let mean_m = sums::over(count, |at| [heights_m[at]])[0] / count as f64;
@@ -261,12 +256,6 @@ impl AdhesiveElements {
     /// The errors of [`Adhesion::resolution`].
     pub fn resolution(&self) -> Result<f64, AdhesionError> {
         self.adhesion.resolution(&self.grid, self.contact_modulus_pa)
-    }
-
-    /// Mean gap of the surface that just touches \[m\].
-    #[must_use]
-    pub fn touching_gap_m(&self) -> f64 {
-        self.unit_m * self.heights.iter().copied().fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// Finds a state in equilibrium, from `start` downhill in energy.
@@ -488,7 +477,7 @@ impl AdhesiveElements {
             let contact = if self.gaps[at] == 0.0 { gradient.values[at].max(0.0) } else { 0.0 };
             self.unit_pa * (contact - self.attraction(self.gaps[at]))
         });
-        AdhesiveContact {
+        let numbers = AdhesiveNumbers {
             nominal_pressure_pa: gradient.pressure * self.unit_pa,
             area_fraction: touching.share,
             area_fraction_corrected: (touching.share - touching.perimeter).clamp(0.0, 1.0),
@@ -498,6 +487,9 @@ impl AdhesiveElements {
             largest_contact_pressure_pa: self.unit_pa
                 * closed.map(|at| gradient.values[at]).fold(0.0, f64::max),
             residual: gradient.residual,
+        };
+        AdhesiveContact {
+            numbers,
             iterations,
             operators: self.operators,
             is_rounded,

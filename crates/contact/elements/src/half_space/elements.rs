@@ -1,6 +1,7 @@
 //! Boundary elements: a surface, its operators, and the solution for a load.
 
 use numerics::parallel::Progress;
+
 use units::Bound;
 
 use crate::half_space::area::{Count, count};
@@ -87,12 +88,7 @@ impl Elements {
         longest_wave: f64,
         operators: impl FnOnce() -> Operators,
     ) -> Result<Self, HalfSpaceError> {
-        if heights_m.len() != grid.points() {
-            return Err(HalfSpaceError::Size { given: heights_m.len(), expected: grid.points() });
-        }
-        for &height_m in heights_m {
-            Bound::Signed.check("height in m", height_m)?;
-        }
+        grid.check_heights(heights_m)?;
         let points = heights_m.len() as f64;
         // Over the first height, so that those far above their rms height lose no digits.
         let first_m = heights_m[0];
@@ -236,9 +232,7 @@ impl Elements {
     ) -> Result<Option<f64>, HalfSpaceError> {
         let points = self.heights.len();
         Bound::Magnitude.check("contact modulus in Pa", contact_modulus_pa)?;
-        if contact.pressures_pa.len() != points {
-            return Err(HalfSpaceError::Size { given: contact.pressures_pa.len(), expected: points });
-        }
+        self.grid.check_size(contact.pressures_pa.len())?;
         let touching: Vec<u32> = (0u32..)
             .zip(contact.touching())
             .filter_map(|(point, touches)| touches.then_some(point))

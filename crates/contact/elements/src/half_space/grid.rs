@@ -70,6 +70,21 @@ impl Grid {
         self.rows * self.columns
     }
 
+    /// Checks that a map has a value for each point.
+    pub(crate) fn check_size(&self, given: usize) -> Result<(), HalfSpaceError> {
+        let expected = self.points();
+        if given == expected { Ok(()) } else { Err(HalfSpaceError::Size { given, expected }) }
+    }
+
+    /// Checks that there is a finite height \[m\] for each point.
+    pub(crate) fn check_heights(&self, heights_m: &[f64]) -> Result<(), HalfSpaceError> {
+        self.check_size(heights_m.len())?;
+        for &height_m in heights_m {
+            Bound::Signed.check("height in m", height_m)?;
+        }
+        Ok(())
+    }
+
     /// Wave number that makes pressures and displacements dimensionless: one wave along the longer side.
     pub(crate) fn unit_wave_number_per_m(&self) -> f64 {
         TAU / self.length_x_m.max(self.length_y_m)

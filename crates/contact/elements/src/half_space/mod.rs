@@ -70,8 +70,8 @@ mod sums;
 mod transform;
 
 pub use adhesion::{
-    Adhesion, AdhesionError, AdhesiveContact, AdhesiveElements, Control, GOOD_RESOLUTION, LEAST_RESOLUTION,
-    Start,
+    Adhesion, AdhesionError, AdhesiveContact, AdhesiveElements, AdhesiveNumbers, Control, GOOD_RESOLUTION,
+    LEAST_RESOLUTION, Start,
 };
 pub use area::extrapolated_area;
 pub use contact::{Contact, Ending};

@@ -21,9 +21,7 @@ pub struct Patch {
 /// # Errors
 /// [`HalfSpaceError`] for a map of another size than the grid.
 pub fn patches(grid: &Grid, is_periodic: bool, is_contact: &[bool]) -> Result<Vec<Patch>, HalfSpaceError> {
-    if is_contact.len() != grid.points() {
-        return Err(HalfSpaceError::Size { given: is_contact.len(), expected: grid.points() });
-    }
+    grid.check_size(is_contact.len())?;
     let (rows, columns) = (grid.rows(), grid.columns());
     let (step_x_m, step_y_m) = (grid.length_x_m() / columns as f64, grid.length_y_m() / rows as f64);
     let mut is_counted = vec![false; is_contact.len()];

@@ -27,9 +27,7 @@ pub enum Sides {
 /// # Errors
 /// [`HalfSpaceError`] for a map of another size than the grid.
 pub fn open_paths(grid: &Grid, sides: Sides, is_contact: &[bool]) -> Result<OpenPaths, HalfSpaceError> {
-    if is_contact.len() != grid.points() {
-        return Err(HalfSpaceError::Size { given: is_contact.len(), expected: grid.points() });
-    }
+    grid.check_size(is_contact.len())?;
     let (rows, columns) = (grid.rows(), grid.columns());
     let is_open = |row: usize, column: usize| !is_contact[row * columns + column];
     Ok(OpenPaths {
