@@ -7,13 +7,6 @@ use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
 use numerics::newton_in_bracket;
 
-/// Spread s \[Pa\] of the flattening pressure under a contact modulus E* > 0 \[Pa\] of a surface of mean square
-/// gradient h'^2 >= 0.
-#[must_use]
-pub fn flattening_spread_pa(contact_modulus_pa: f64, mean_square_gradient: f64) -> f64 {
-    0.5 * contact_modulus_pa * mean_square_gradient.sqrt()
-}
-
 /// Share in contact, erf(p/(sqrt(2) s)), in \[0, 1\]; 1 where nothing has to be flattened.
 #[must_use]
 pub fn area_fraction(pressure_pa: f64, spread_pa: f64) -> f64 {

@@ -21,7 +21,6 @@ mod energy;
 pub mod growing_hardness;
 pub mod hardness_laws;
 mod hardness_path;
-mod knot;
 mod layered;
 mod model;
 mod roughness;

@@ -31,9 +31,6 @@ impl PercolationThreshold {
     /// project's boundary elements give 0.416 +- 0.03 in a channel of eight roll-off wavelengths.
     pub const SIMULATED: Self = PercolationThreshold(0.42);
 
-    /// 0.5, from the effective medium theory of Bruggeman.
-    pub const EFFECTIVE_MEDIUM: Self = PercolationThreshold(0.5);
-
     /// Range of a threshold.
     pub const BOUND: Bound = Bound::Between { above: 0.0, below: 1.0 };
 

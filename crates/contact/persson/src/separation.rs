@@ -22,7 +22,16 @@ use crate::energy::EnergyFactor;
 use crate::roughness::{Place, Roughness};
 use crate::stretch::Stretch;
 
-pub use crate::knot::SeparationKnot;
+/// Variance up to one wavevector of a spectrum.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SeparationKnot {
+    /// Wavevector q > 0 \[rad/m\].
+    pub wavevector_rad_per_m: f64,
+    /// Variance V >= 0 of the flattening pressure up to q \[Pa^2\].
+    pub variance_pa2: f64,
+    /// Exponent e of dV/dq ~ q^(e-1) between here and the next knot: 3 plus the exponent of C1D.
+    pub variance_exponent: f64,
+}
 
 impl SeparationKnot {
     /// Returns the knots of a roughness under a contact modulus E* > 0 \[Pa\].
@@ -345,57 +354,51 @@ mod tests {
         assert!(gaps[0] > gaps[1], "{gaps:?}");
     }
 
-    /// One rule over all of exp(-310) to exp(-790) was off by 1e-3.
-    #[test]
-    fn the_gap_under_a_load_of_many_times_the_spread_is_that_of_finer_knots() {
+    /// Asserts that the law of two knots, ln(q) apart, is that of finer ones between which V(ln q) has an exponent.
+    fn assert_as_with_finer_knots(
+        whole_ln: f64,
+        exponent: f64,
+        variance_pa2: impl Fn(f64) -> f64,
+        pressures_pa: [f64; 4],
+        tolerance: f64,
+    ) {
         let law = |knots: i32| {
             let knot = |at: i32| {
-                let ln_q = 1.5 * f64::from(at) / f64::from(knots);
+                let ln_q = whole_ln * f64::from(at) / f64::from(knots);
                 SeparationKnot {
                     wavevector_rad_per_m: 1e4 * ln_q.exp(),
-                    variance_pa2: 1e16 * libm::expm1(3.0 * ln_q),
-                    variance_exponent: 3.0,
+                    variance_pa2: variance_pa2(ln_q),
+                    variance_exponent: exponent,
                 }
             };
             SeparationLaw::new(&(0..=knots).map(knot).collect::<Vec<_>>(), 1e11, EnergyFactor::FITTED)
         };
         let (coarse, fine) = (law(1), law(400));
-        let spread_pa = (2e16 * libm::expm1(4.5)).sqrt();
-        for times in [0.1, 1.0, 4.0, 18.0] {
-            let [found, known] = [&coarse, &fine].map(|law| law.whole(times * spread_pa));
-            assert!(
-                (found.mean_gap_m / known.mean_gap_m - 1.0).abs() < 1e-10,
-                "{times}: {found:?} {known:?}"
-            );
-            let stiffness = found.stiffness_pa_per_m / known.stiffness_pa_per_m;
-            assert!((stiffness - 1.0).abs() < 1e-10, "{times}: {stiffness}");
+        for pressure_pa in pressures_pa {
+            let [found, known] = [&coarse, &fine].map(|law| law.whole(pressure_pa));
+            let gap = found.mean_gap_m / known.mean_gap_m - 1.0;
+            let stiffness = found.stiffness_pa_per_m / known.stiffness_pa_per_m - 1.0;
+            let off = gap.abs().max(stiffness.abs());
+            assert!(off < tolerance, "{exponent} {pressure_pa}: {gap:e} {stiffness:e}");
         }
+    }
+
+    /// One rule over all of exp(-310) to exp(-790) was off by 1e-3.
+    #[test]
+    fn the_gap_under_a_load_of_many_times_the_spread_is_that_of_finer_knots() {
+        let variance_pa2 = |ln_q: f64| 1e16 * libm::expm1(3.0 * ln_q);
+        let spread_pa = (2.0 * variance_pa2(1.5)).sqrt();
+        let pressures_pa = [0.1, 1.0, 4.0, 18.0].map(|times| times * spread_pa);
+        assert_as_with_finer_knots(1.5, 3.0, variance_pa2, pressures_pa, 1e-10);
     }
 
     /// One rule over a stretch at whose end the variance hardly grows, or at whose beginning it has hardly begun to, was off by 1e-5.
     #[test]
     fn the_gap_of_a_spectrum_that_falls_or_rises_steeply_is_that_of_finer_knots() {
-        for exponent in [-12.0, -6.0, 6.0, 12.0] {
-            let law = |knots: i32| {
-                let knot = |at: i32| {
-                    let ln_q = 0.5 * f64::from(at) / f64::from(knots);
-                    let share = libm::expm1(exponent * ln_q) / libm::expm1(0.5 * exponent);
-                    SeparationKnot {
-                        wavevector_rad_per_m: 1e4 * ln_q.exp(),
-                        variance_pa2: 1e16 * (1.0 + share),
-                        variance_exponent: exponent,
-                    }
-                };
-                SeparationLaw::new(&(0..=knots).map(knot).collect::<Vec<_>>(), 1e11, EnergyFactor::FITTED)
-            };
-            let (coarse, fine) = (law(1), law(400));
-            for times in [0.1, 1.0, 4.0, 8.0] {
-                let [found, known] = [&coarse, &fine].map(|law| law.whole(times * 2e8));
-                let gap = found.mean_gap_m / known.mean_gap_m - 1.0;
-                let stiffness = found.stiffness_pa_per_m / known.stiffness_pa_per_m - 1.0;
-                let off = gap.abs().max(stiffness.abs());
-                assert!(off < 1e-9, "{exponent} {times}: {gap:e} {stiffness:e}");
-            }
+        for exponent in [-12.0, -6.0, 6.0, 12.0f64] {
+            let share = |ln_q: f64| libm::expm1(exponent * ln_q) / libm::expm1(0.5 * exponent);
+            let variance_pa2 = |ln_q: f64| 1e16 * (1.0 + share(ln_q));
+            assert_as_with_finer_knots(0.5, exponent, variance_pa2, [2e7, 2e8, 8e8, 16e8], 1e-9);
         }
     }
 

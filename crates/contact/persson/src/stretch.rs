@@ -1,7 +1,7 @@
 //! The spectrum between two neighbouring samples: growth of the variance of the flattening pressure with the
 //! wavevector.
 
-use crate::knot::SeparationKnot;
+use crate::separation::SeparationKnot;
 
 /// Interval of the spectrum with q = q_i \[1 + k (V - V_i)\]^(1/e).
 #[derive(Debug, Clone, Copy)]

@@ -77,12 +77,6 @@ impl MeanSquareGradients {
     }
 }
 
-/// Returns h'^2 up to each of the samples; non-decreasing, and 0 at the first.
-#[must_use]
-pub fn mean_square_gradients(samples: &[SpectrumSample], band: Band) -> Vec<f64> {
-    MeanSquareGradients::of(samples, band).up_to
-}
-
 fn of_profiles(sample: &SpectrumSample) -> f64 {
     2.0 * sample.mean_square_slope
 }
@@ -312,7 +306,7 @@ mod tests {
         for (exponent, ratio) in [(-2.0, PI / 4.0), (-2.6, 0.919_715_127), (-2.2, 0.832_350_576)] {
             let samples = power_law(exponent);
             let [profile, surface] =
-                [Band::Profile, Band::Surface].map(|band| mean_square_gradients(&samples, band)[40]);
+                [Band::Profile, Band::Surface].map(|band| MeanSquareGradients::of(&samples, band).up_to[40]);
             let found = surface / profile;
             let unaffected = 1e8f64.powf(-(3.0 + exponent));
             assert!((found / ratio - 1.0).abs() < 1e-6 + 2.0 * unaffected, "{exponent}: {found} {ratio}");

@@ -49,10 +49,9 @@ const LAWS: [Law; 4] = [
         at_row: |row| {
             let strength_pa = row["yield_strength_pa"];
             let sphere = JacksonGreen::new(&pair(row), row["radius_m"], strength_pa, Hardness::default());
-            let many = sphere;
             (
                 Box::new(move |w_m| sphere.force_and_area(w_m)),
-                Box::new(move |w_m, forces_n, areas_m2| many.forces_and_areas(w_m, forces_n, areas_m2)),
+                Box::new(move |w_m, forces_n, areas_m2| sphere.forces_and_areas(w_m, forces_n, areas_m2)),
             )
         },
         exact: ["jackson_green_force_n", "jackson_green_area_m2"],
@@ -62,11 +61,10 @@ const LAWS: [Law; 4] = [
         table: "sinusoid_interference.csv",
         at_row: |row| {
             let sinusoid = ElasticSinusoid::new(&pair(row), row["aspect_ratio"]);
-            let many = sinusoid;
             (
                 Box::new(move |depth| sinusoid.pressure_and_area_at_interference(depth)),
                 Box::new(move |depths, pressures_pa, areas| {
-                    many.pressures_and_areas_at_interferences(depths, pressures_pa, areas);
+                    sinusoid.pressures_and_areas_at_interferences(depths, pressures_pa, areas);
                 }),
             )
         },
@@ -78,11 +76,10 @@ const LAWS: [Law; 4] = [
         at_row: |row| {
             let strength_pa = row["yield_strength_pa"];
             let sinusoid = ElasticPlasticSinusoid::new(&pair(row), row["aspect_ratio"], strength_pa);
-            let many = sinusoid;
             (
                 Box::new(move |depth| sinusoid.pressure_and_area_at_interference(depth)),
                 Box::new(move |depths, pressures_pa, areas| {
-                    many.pressures_and_areas_at_interferences(depths, pressures_pa, areas);
+                    sinusoid.pressures_and_areas_at_interferences(depths, pressures_pa, areas);
                 }),
             )
         },

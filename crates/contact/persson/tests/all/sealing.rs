@@ -142,7 +142,6 @@ fn what_is_no_share_is_no_threshold() {
         assert!(error.contains("greater than 0 and less than 1"), "{error}");
     }
     assert_eq!(PercolationThreshold::default().area_fraction(), 0.42);
-    assert_eq!(PercolationThreshold::EFFECTIVE_MEDIUM.area_fraction(), 0.5);
 }
 
 #[test]

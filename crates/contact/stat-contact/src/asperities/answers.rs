@@ -72,7 +72,7 @@ pub(crate) trait Asperities: std::fmt::Debug + Send + Sync {
 
     /// Largest eta F \[Pa\] at any interference; infinite if it grows without bound.
     fn highest_response_pa(&self) -> f64 {
-        f64::INFINITY
+        self.saturation().map_or(f64::INFINITY, |(_, response)| response.pressure_pa)
     }
 
     /// Shape of the force over the interference, smoothed by a Gaussian of standard deviation `sigma_s_m`.

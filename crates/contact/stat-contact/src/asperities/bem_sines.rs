@@ -68,10 +68,6 @@ impl Asperities for BemSines {
         pieces
     }
 
-    fn highest_response_pa(&self) -> f64 {
-        self.law.complete_contact_pressure_pa()
-    }
-
     fn saturation(&self) -> Option<(f64, Response)> {
         let pressure_pa = self.law.complete_contact_pressure_pa();
         Some((self.amplitude_m, Response { pressure_pa, area_fraction: 1.0 }))

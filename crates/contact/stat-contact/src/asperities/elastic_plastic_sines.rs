@@ -124,10 +124,6 @@ impl Asperities for ElasticPlasticSines {
         pieces
     }
 
-    fn highest_response_pa(&self) -> f64 {
-        self.flow.complete_contact_pressure_pa()
-    }
-
     fn saturation(&self) -> Option<(f64, Response)> {
         let pressure_pa = self.flow.complete_contact_pressure_pa();
         Some((self.shape.amplitude_m, Response { pressure_pa, area_fraction: 1.0 }))

@@ -42,10 +42,6 @@ impl Asperities for ElasticSines {
         self.shape.pieces(0.0, self.shape.amplitude_m, breaks_m, charts)
     }
 
-    fn highest_response_pa(&self) -> f64 {
-        self.law.complete_contact_pressure_pa()
-    }
-
     fn saturation(&self) -> Option<(f64, Response)> {
         let pressure_pa = self.law.complete_contact_pressure_pa();
         Some((self.shape.amplitude_m, Response { pressure_pa, area_fraction: 1.0 }))
