@@ -13,7 +13,7 @@ use trials::judge_trials::JudgedRow;
 use trials::judge_truth::TruthRow;
 use trials::layer_trials;
 use trials::programme::programme;
-use trials::{judge_spectra, judge_trials, ratios, sections};
+use trials::{judge_spectra, judge_trials, pressing, ratios, sections};
 
 use crate::Outcome;
 
@@ -29,7 +29,7 @@ pub(crate) fn models(anew: bool) -> Outcome {
             continue;
         }
         println!("pressing spectrum {} of {}: {:?}", at + 1, trials.len(), trial.band);
-        rows.extend(elements::rows_of(trial)?);
+        rows.extend(pressing::rows_of(trial)?);
         let rest = trials[at + 1..].iter().filter_map(|trial| elements::known(&old, trial)).flatten();
         store(&rows.iter().chain(rest).copied().collect::<Vec<_>>(), &csv)?;
     }

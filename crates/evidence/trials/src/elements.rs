@@ -5,7 +5,6 @@ use std::io::{Read, Write};
 use serde::{Deserialize, Serialize};
 
 use crate::TrialError;
-use crate::pressing::{LoadResult, press_trial};
 use crate::programme::SpectrumTrial;
 use crate::spectra::{TrialLoad, WaveBand};
 
@@ -71,32 +70,6 @@ impl ElementsRow {
 
 /// Relative error of an area left by the grid.
 const GRID_REST: f64 = 0.007;
-
-/// Presses a trial.
-///
-/// # Errors
-/// The error of making or pressing a surface.
-pub fn rows_of(trial: &SpectrumTrial) -> Result<Vec<ElementsRow>, TrialError> {
-    let alpha = trial.band.alpha()?;
-    let WaveBand { hurst_exponent, first_wave, rolloff_wave, last_wave } = trial.band;
-    let row = |result: &LoadResult| ElementsRow {
-        hurst_exponent,
-        first_wave,
-        rolloff_wave,
-        last_wave,
-        alpha: digits(alpha),
-        pressure_over_gradient: result.load.pressure_over_gradient,
-        spread_over_hardness: result.load.spread_over_hardness,
-        area_fraction: digits(result.area.value),
-        area_fraction_corrected: digits(result.corrected.value),
-        plastic_area_fraction: digits(result.plastic.value),
-        standard_error: digits(result.area.standard_error),
-        plastic_standard_error: digits(result.plastic.standard_error),
-        realisations: trial.realisations,
-        grid: trial.grid,
-    };
-    Ok(press_trial(trial)?.iter().map(row).collect())
-}
 
 /// Rows of a trial in a table; `None` unless the table has all of them as the trial would make them.
 #[must_use]

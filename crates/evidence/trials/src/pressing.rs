@@ -5,8 +5,9 @@ use numerics::parallel::Unobserved;
 use spectrum::random_surfaces::{AreaSpectrum, Phases, RandomSurface, Synthesis};
 
 use crate::TrialError;
+use crate::elements::{ElementsRow, digits};
 use crate::programme::SpectrumTrial;
-use crate::spectra::{BOX_M, CONTACT_MODULUS_PA, RMS_GRADIENT, TrialLoad};
+use crate::spectra::{BOX_M, CONTACT_MODULUS_PA, RMS_GRADIENT, TrialLoad, WaveBand};
 use crate::statistics::Mean;
 
 /// Seed of all surfaces.
@@ -18,33 +19,35 @@ const TOLERANCE: f64 = 1e-6;
 /// Points on the shortest wavelength below which a grid does not show how areas change with the grid.
 const FEWEST_POINTS_PER_WAVE: f64 = 2.5;
 
-/// Mean result of boundary elements over the surfaces under a load.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LoadResult {
-    /// Load on the surfaces.
-    pub load: TrialLoad,
-    /// Area, extrapolated from two grids if both resolve the shortest wavelength.
-    pub area: Mean,
-    /// Area on the finer grid, corrected by its perimeter.
-    pub corrected: Mean,
-    /// Plastic area on the finer grid, corrected by its perimeter.
-    pub plastic: Mean,
-}
-
-/// Presses every surface of a trial under every load, with the surfaces in parallel.
+/// Presses every surface of a trial under every load, with the surfaces in parallel. The area is extrapolated from two grids if
+/// both resolve the shortest wavelength.
 ///
 /// # Errors
 /// The error of making or pressing a surface.
-pub fn press_trial(trial: &SpectrumTrial) -> Result<Vec<LoadResult>, TrialError> {
+pub fn rows_of(trial: &SpectrumTrial) -> Result<Vec<ElementsRow>, TrialError> {
     let numbers: Vec<u64> = (0..trial.realisations).collect();
     let of_surfaces = numerics::parallel::try_map(&numbers, |&number| one_surface(trial, number))?;
-    let of_load = |(at, &load): (usize, &TrialLoad)| {
+    let alpha = digits(trial.band.alpha()?);
+    let WaveBand { hurst_exponent, first_wave, rolloff_wave, last_wave } = trial.band;
+    let of_load = |(at, load): (usize, &TrialLoad)| {
         let mean = |of: fn(&Areas) -> f64| Mean::new(of_surfaces.iter().map(|areas| of(&areas[at])));
-        LoadResult {
-            load,
-            area: mean(|areas| areas.extrapolated),
-            corrected: mean(|areas| areas.corrected),
-            plastic: mean(|areas| areas.plastic),
+        let [area, corrected, plastic] =
+            [mean(|areas| areas.extrapolated), mean(|areas| areas.corrected), mean(|areas| areas.plastic)];
+        ElementsRow {
+            hurst_exponent,
+            first_wave,
+            rolloff_wave,
+            last_wave,
+            alpha,
+            pressure_over_gradient: load.pressure_over_gradient,
+            spread_over_hardness: load.spread_over_hardness,
+            area_fraction: digits(area.value),
+            area_fraction_corrected: digits(corrected.value),
+            plastic_area_fraction: digits(plastic.value),
+            standard_error: digits(area.standard_error),
+            plastic_standard_error: digits(plastic.standard_error),
+            realisations: trial.realisations,
+            grid: trial.grid,
         }
     };
     Ok(trial.loads.iter().enumerate().map(of_load).collect())

@@ -28,12 +28,6 @@ pub struct WaveBand {
 }
 
 impl WaveBand {
-    /// Creates a band without a roll-off.
-    #[must_use]
-    pub fn fractal(hurst_exponent: f64, first_wave: f64, last_wave: f64) -> Self {
-        Self { hurst_exponent, first_wave, rolloff_wave: first_wave, last_wave }
-    }
-
     /// Spectrum of the band, at [`RMS_GRADIENT`].
     ///
     /// # Errors

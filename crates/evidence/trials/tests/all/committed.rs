@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use trials::elements::{self, ElementsRow};
+use trials::pressing;
 use trials::programme::programme;
 use trials::ratios::{self, RatioRow};
 use trials::sections;
@@ -34,7 +35,7 @@ fn a_trial_pressed_again_gives_the_committed_areas() {
     // The quickest one.
     let trial = &programme()[0];
     let table = committed();
-    let rows = elements::rows_of(trial).unwrap();
+    let rows = pressing::rows_of(trial).unwrap();
     for (committed, again) in elements::known(&table, trial).unwrap().into_iter().zip(&rows) {
         assert!((committed.area_fraction / again.area_fraction - 1.0).abs() < 1e-3, "{committed:?}");
     }
