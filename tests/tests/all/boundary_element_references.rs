@@ -53,26 +53,30 @@ fn elastic_and_saturated_maps() {
         };
         let contact = elements.press(&loading, &Unobserved).unwrap();
         let case = format!("{} at {} below {:?}", maps[row], pressures[row], saturations[row]);
-        assert_eq!(contact.ending, Ending::Converged, "{case}");
-        assert!(contact.operators < 100, "{case}: {}", contact.operators);
+        assert_eq!(contact.numbers.ending, Ending::Converged, "{case}");
+        assert!(contact.numbers.operators < 100, "{case}: {}", contact.numbers.operators);
         let bar = POINTS / points + f64::EPSILON;
-        assert!((contact.area_fraction - areas[row]).abs() <= bar, "{case}: {}", contact.area_fraction);
+        assert!(
+            (contact.numbers.area_fraction - areas[row]).abs() <= bar,
+            "{case}: {}",
+            contact.numbers.area_fraction
+        );
         let plastic = plastic_areas[row].parse().unwrap_or(0.0);
         assert!(
-            (contact.plastic_area_fraction_raw - plastic).abs() <= bar,
+            (contact.numbers.plastic_area_fraction - plastic).abs() <= bar,
             "{case}: {}",
-            contact.plastic_area_fraction_raw
+            contact.numbers.plastic_area_fraction
         );
         let largest_gap_m = contact.gaps_m.iter().fold(0.0f64, |largest, &gap_m| largest.max(gap_m));
         for (found_m, expected_um) in
-            [(contact.mean_gap_m, gaps[row]), (contact.mean_plastic_depth_m, depths[row])]
+            [(contact.numbers.mean_gap_m, gaps[row]), (contact.numbers.mean_plastic_depth_m, depths[row])]
         {
             let bar_m = GAPS * (expected_um * UM).max(1e-3 * largest_gap_m);
             // Closed throughout there is no gap to take a thousandth of, but rounding.
             let bar_m = bar_m.max(1e-9 * UM);
             assert!((found_m - expected_um * UM).abs() <= bar_m, "{case}: {found_m} {expected_um}");
         }
-        let found = contact.largest_pressure_pa / MODULUS_PA;
+        let found = contact.numbers.largest_pressure_pa / MODULUS_PA;
         assert!((found / largest[row] - 1.0).abs() < 1e-6, "{case}: {found} {}", largest[row]);
     }
 }

@@ -92,18 +92,21 @@ fn boundary_elements_on_layers() {
         let mut elements = map.elements(pair.layer_compliance());
         let contact = elements.press(&loading, &Unobserved).unwrap();
         let case = format!("row {row}, map {}", maps[row]);
-        assert_eq!(contact.ending, Ending::Converged, "{case}");
+        assert_eq!(contact.numbers.ending, Ending::Converged, "{case}");
         let points = map.heights_m.len() as f64;
-        let off = (contact.area_fraction - areas[row]).abs() * points;
-        let gap_off = contact.mean_gap_m / (gaps[row] * UM) - 1.0;
-        eprintln!("{case}: {off:.2} points, gap {gap_off:.1e}, {} operators", contact.operators);
+        let off = (contact.numbers.area_fraction - areas[row]).abs() * points;
+        let gap_off = contact.numbers.mean_gap_m / (gaps[row] * UM) - 1.0;
+        eprintln!("{case}: {off:.2} points, gap {gap_off:.1e}, {} operators", contact.numbers.operators);
         assert!(off < 1.01, "{case}: {off} points");
         assert!(gap_off.abs() < 1e-6, "{case}: {gap_off}");
-        assert!(contact.operators < 300, "{case}: {}", contact.operators);
+        assert!(contact.numbers.operators < 300, "{case}: {}", contact.numbers.operators);
         if shear_ratios[row] == 1.0 {
             let plain = map.elements(None).press(&loading, &Unobserved).unwrap();
-            assert!((plain.area_fraction - contact.area_fraction).abs() * points < 1.01, "{case}");
-            assert!((plain.mean_gap_m / contact.mean_gap_m - 1.0).abs() < 1e-8, "{case}");
+            assert!(
+                (plain.numbers.area_fraction - contact.numbers.area_fraction).abs() * points < 1.01,
+                "{case}"
+            );
+            assert!((plain.numbers.mean_gap_m / contact.numbers.mean_gap_m - 1.0).abs() < 1e-8, "{case}");
         }
     }
 }
@@ -133,7 +136,7 @@ fn pressures_of_full_contact_and_the_areas_of_the_theory() {
             tolerance: 1e-12,
         };
         let contact = map.elements(pair.layer_compliance()).press(&loading, &Unobserved).unwrap();
-        assert_eq!(contact.area_fraction, 1.0, "row {row}");
+        assert_eq!(contact.numbers.area_fraction, 1.0, "row {row}");
         let squares: f64 = contact
             .pressures_pa
             .iter()

@@ -147,5 +147,5 @@ fn area_fraction(
         tolerance: TOLERANCE,
     };
     let contact = pressing.case.elements(grid, surface.heights_m())?.press(&loading, progress)?;
-    Ok(Some(contact.area_fraction_corrected))
+    Ok(Some(contact.numbers.area_fraction_corrected))
 }

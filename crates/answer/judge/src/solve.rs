@@ -133,11 +133,11 @@ fn pressed(
                     },
                     &NestedProgress(progress),
                 )?;
-                outcome.operators += contact.operators;
+                outcome.operators += contact.numbers.operators;
                 let of_press = SurfaceSolution {
                     pressure_pa: press.pressure_pa,
-                    largest_pressure_pa: contact.largest_pressure_pa,
-                    area_fraction: contact.area_fraction_corrected,
+                    largest_pressure_pa: contact.numbers.largest_pressure_pa,
+                    area_fraction: contact.numbers.area_fraction_corrected,
                 };
                 found.push(of_press);
                 of_press

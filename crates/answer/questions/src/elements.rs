@@ -350,7 +350,9 @@ pub(crate) fn remarks_on_pressed(loads: &[PressedLoad]) -> Vec<Remark> {
         load.states.iter().all(|state| state.area_fraction_coarser.is_some()) && !load.shows_spots()
     };
     let coarse = at(RemarkCode::CoarseForSpots, &is_coarse);
-    let is_rounded = |load: &PressedLoad| load.states.iter().any(|state| state.is_rounded);
+    let is_rounded = |load: &PressedLoad| {
+        load.states.iter().any(|state| state.numbers.ending == elements::half_space::Ending::Rounding)
+    };
     let rounded = at(RemarkCode::RoundedResidual, &is_rounded);
     coarse.into_iter().chain(rounded).chain(closed_paths(loads)).collect()
 }

@@ -123,8 +123,8 @@ impl TriedSurface {
         let contact: Contact = self.elements.press(&loading, &Unobserved)?;
         let paths = open_paths(self.elements.grid(), Sides::Periodic, &contact.touching())?;
         let areas = ClosingArea {
-            share_of_points: contact.area_fraction,
-            area_fraction: contact.area_fraction_corrected,
+            share_of_points: contact.numbers.area_fraction,
+            area_fraction: contact.numbers.area_fraction_corrected,
         };
         self.known.push((load, areas, paths));
         Ok((areas, paths))

@@ -295,7 +295,7 @@ impl Indenter {
         let profile = PressureProfile::new(distances_m, contact, hertz_radius_m);
         let [spacing_x_m, spacing_y_m] = flat.spacings_m();
         let touching_m2 = profile.touching as f64 * spacing_x_m * spacing_y_m;
-        let corrected_m = contact.area_fraction_corrected * flat.length_x_m;
+        let corrected_m = contact.numbers.area_fraction_corrected * flat.length_x_m;
         let (real_area, real_area_corrected, over_mean_distance, spacing_m) = match shape {
             IndenterShape::Ball => {
                 (touching_m2, corrected_m * flat.length_y_m, 16.0 / (3.0 * PI), spacing_x_m.max(spacing_y_m))
@@ -317,7 +317,7 @@ impl Indenter {
             points_per_radius: hertz_radius_m / spacing_m,
             radii_across_map: self.width_m(flat) / hertz_radius_m,
             radius_share: hertz_radius_m / radius_m,
-            residual: contact.residual,
+            residual: contact.numbers.residual,
             ring_pressures_pa: profile.ring_pressures_pa,
         }
     }

@@ -60,21 +60,21 @@ impl PressedLoad {
         let largest = |of: fn(&PressedState) -> f64| self.states.iter().map(of).fold(0.0, f64::max);
         let extrapolated = |state: &PressedState| self.extrapolated_area_fraction(state);
         Mean {
-            area_fraction: mean(|state| state.area_fraction),
-            area_fraction_corrected: mean(|state| state.area_fraction_corrected),
+            area_fraction: mean(|state| state.numbers.area_fraction),
+            area_fraction_corrected: mean(|state| state.numbers.area_fraction_corrected),
             area_fraction_extrapolated: self.mean_of_all(extrapolated),
             standard_error: self.standard_error(),
-            plastic_area_fraction: mean(|state| state.plastic_area_fraction),
-            plastic_area_fraction_corrected: mean(|state| state.plastic_area_fraction_corrected),
-            mean_gap_m: mean(|state| state.mean_gap_m),
-            mean_plastic_depth_m: mean(|state| state.mean_plastic_depth_m),
-            largest_pressure_pa: largest(|state| state.largest_pressure_pa),
+            plastic_area_fraction: mean(|state| state.numbers.plastic_area_fraction),
+            plastic_area_fraction_corrected: mean(|state| state.numbers.plastic_area_fraction_corrected),
+            mean_gap_m: mean(|state| state.numbers.mean_gap_m),
+            mean_plastic_depth_m: mean(|state| state.numbers.mean_plastic_depth_m),
+            largest_pressure_pa: largest(|state| state.numbers.largest_pressure_pa),
             stiffness_pa_per_m: self.mean_of_all(|state| state.stiffness_pa_per_m),
             open_along_x: mean(|state| share(state.open.along_x)),
             open_along_y: mean(|state| share(state.open.along_y)),
-            iterations: self.states.iter().map(|state| state.iterations).max().unwrap_or_default(),
-            operators: self.states.iter().map(|state| state.operators).sum(),
-            residual: largest(|state| state.residual),
+            iterations: self.states.iter().map(|state| state.numbers.iterations).max().unwrap_or_default(),
+            operators: self.states.iter().map(|state| state.numbers.operators).sum(),
+            residual: largest(|state| state.numbers.residual),
         }
     }
 
@@ -85,7 +85,7 @@ impl PressedLoad {
     #[must_use]
     pub fn shows_spots(&self) -> bool {
         let coarser = self.mean_of_all(|state| state.area_fraction_coarser);
-        coarser.is_some_and(|coarser| coarser <= self.mean_of(|state| state.area_fraction_corrected))
+        coarser.is_some_and(|coarser| coarser <= self.mean_of(|state| state.numbers.area_fraction_corrected))
     }
 
     /// Area of one of the surfaces, extrapolated to a finer grid: adds the step from the corrected area on every
@@ -94,14 +94,14 @@ impl PressedLoad {
     #[must_use]
     pub fn extrapolated_area_fraction(&self, state: &PressedState) -> Option<f64> {
         let coarser = state.area_fraction_coarser?;
-        let corrected = state.area_fraction_corrected;
+        let corrected = state.numbers.area_fraction_corrected;
         Some(if self.shows_spots() { extrapolated_area(corrected, coarser) } else { corrected })
     }
 
     /// Standard error s/sqrt(R) of the best areas.
     fn standard_error(&self) -> Option<f64> {
         let best = |state: &PressedState| {
-            self.extrapolated_area_fraction(state).unwrap_or(state.area_fraction_corrected)
+            self.extrapolated_area_fraction(state).unwrap_or(state.numbers.area_fraction_corrected)
         };
         let (count, mean) = (self.states.len() as f64, self.mean_of(best));
         let squares: f64 = self.states.iter().map(|state| (best(state) - mean).powi(2)).sum();

@@ -37,7 +37,7 @@ pub(crate) struct PressureProfile {
 impl PressureProfile {
     /// Averages the pressures of points at distances \[m\] from the middle, with Hertz's radius or half-width \[m\].
     pub fn new(distances_m: impl Iterator<Item = f64>, contact: &Contact, hertz_m: f64) -> Self {
-        let least_pa = TOUCHING * contact.largest_pressure_pa;
+        let least_pa = TOUCHING * contact.numbers.largest_pressure_pa;
         let mut rings = [(0.0, 0usize); RINGS];
         let (mut sum_pa, mut moment, mut inner_pa) = (0.0, 0.0, 0.0);
         let (mut touching, mut outermost_contact_m) = (0usize, 0.0f64);

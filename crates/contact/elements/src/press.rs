@@ -43,7 +43,7 @@ pub fn press<E: From<ElementsError> + Send>(
         let states = states.by_ref().take(count).collect::<Result<Vec<PressedState>, E>>()?;
         let nominal_pressure_pa = match *load {
             ImposedLoad::PressurePa(pressure_pa) => pressure_pa,
-            _ => states.iter().map(|state| state.nominal_pressure_pa).sum::<f64>() / count as f64,
+            _ => states.iter().map(|state| state.numbers.nominal_pressure_pa).sum::<f64>() / count as f64,
         };
         Ok(PressedLoad { nominal_pressure_pa, states })
     };
@@ -75,7 +75,7 @@ fn press_once<E: From<ElementsError>>(
     };
     drop(elements);
     // Areas are extrapolated at the same load.
-    let loading = pressing.loading(contact.nominal_pressure_pa);
+    let loading = pressing.loading(contact.numbers.nominal_pressure_pa);
     let pressed =
         |relief: Relief| relief.elements(pressing.layer.as_ref())?.press(&loading, &NestedProgress(progress));
     let coarser = surfaces.coarser(&relief).map(pressed).transpose().map_err(ElementsError::from)?;
@@ -83,12 +83,13 @@ fn press_once<E: From<ElementsError>>(
         load,
         surface,
         relief: &relief,
-        nominal_pressure_pa: contact.nominal_pressure_pa,
+        nominal_pressure_pa: contact.numbers.nominal_pressure_pa,
         contact_modulus_pa: pressing.contact_modulus_pa,
         saturation_pa: pressing.saturation_pa,
         pressures_pa: &contact.pressures_pa,
         gaps_m: &contact.gaps_m,
     })?;
     let open = relief.open_paths(&contact).map_err(ElementsError::from)?;
-    Ok(PressedState::new(&contact, stiffness_pa_per_m, open, coarser.as_ref()))
+    let area_fraction_coarser = coarser.map(|coarser| coarser.numbers.area_fraction_corrected);
+    Ok(PressedState { numbers: contact.numbers, area_fraction_coarser, stiffness_pa_per_m, open })
 }

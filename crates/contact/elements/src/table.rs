@@ -30,7 +30,7 @@ pub fn states_table(loads: &[PressedLoad]) -> Table {
     let means: Vec<Mean> =
         loads.iter().flat_map(|load| load.states.iter().map(move |state| alone(load, state))).collect();
     let pressures_pa =
-        loads.iter().flat_map(|load| load.states.iter().map(|state| state.nominal_pressure_pa));
+        loads.iter().flat_map(|load| load.states.iter().map(|state| state.numbers.nominal_pressure_pa));
     let realisations = loads.iter().flat_map(|load| (1..=load.states.len()).map(|number| number as f64));
     let table = Table::default().with_numbers("nominal_pressure_pa", pressures_pa);
     with_means(table.with_numbers("realisation", realisations), &means)

@@ -141,20 +141,20 @@ impl Case for ElementsCase {
 fn sound(contact: &Contact, trial: &mut Trial<ElementsCase>) {
     let case = trial.case;
     let areas = [
-        contact.area_fraction,
-        contact.area_fraction_corrected,
-        contact.plastic_area_fraction,
-        contact.plastic_area_fraction_raw,
+        contact.numbers.area_fraction,
+        contact.numbers.area_fraction_corrected,
+        contact.numbers.plastic_area_fraction_corrected,
+        contact.numbers.plastic_area_fraction,
     ];
     trial.hold("areas in [0, 1]", areas.iter().all(|area| (0.0..=1.0).contains(area)));
     trial.hold("corrected area within the counted one", areas[1] <= areas[0] && areas[2] <= areas[0]);
     let numbers = [
-        contact.mean_gap_m,
-        contact.mean_plastic_depth_m,
-        contact.largest_pressure_pa,
+        contact.numbers.mean_gap_m,
+        contact.numbers.mean_plastic_depth_m,
+        contact.numbers.largest_pressure_pa,
         contact.energy_j_per_m2,
         contact.offset_m,
-        contact.residual,
+        contact.numbers.residual,
     ];
     trial.hold("numbers finite", numbers.iter().all(|number| number.is_finite()));
     trial.hold("gap, depth and residual at least 0", numbers[..3].iter().all(|number| *number >= 0.0));
@@ -163,7 +163,7 @@ fn sound(contact: &Contact, trial: &mut Trial<ElementsCase>) {
     trial.hold("pressures at least 0", contact.pressures_pa.iter().all(|pressure_pa| *pressure_pa >= 0.0));
     if let Some(saturation_pa) = case.saturation_pa {
         let allowed_pa = saturation_pa * (1.0 + 1e-9);
-        trial.bound("pressures within the saturation", contact.largest_pressure_pa, allowed_pa);
+        trial.bound("pressures within the saturation", contact.numbers.largest_pressure_pa, allowed_pa);
     }
     let mean_pa = mean(&contact.pressures_pa);
     trial.bound("the mean pressure is the load", (mean_pa / case.pressure_pa - 1.0).abs(), 1e-12);
@@ -176,8 +176,8 @@ fn mean(values: &[f64]) -> f64 {
 /// Checks equilibrium, from pressures and gaps.
 fn balanced(contact: &Contact, trial: &mut Trial<ElementsCase>) {
     let case = trial.case;
-    let residual = contact.residual;
-    if contact.ending == Ending::Converged {
+    let residual = contact.numbers.residual;
+    if contact.numbers.ending == Ending::Converged {
         trial.bound("residual within the tolerance", residual, case.tolerance);
     } else {
         let heavy = 1e-14 * case.pressure_pa / case.map.wave_pa(case.contact_modulus_pa);
@@ -256,8 +256,8 @@ fn plain_sums(contact: &Contact, trial: &mut Trial<ElementsCase>) {
             .sum();
         let gap_m = displacement_m - height_m - contact.offset_m;
         worst_m = worst_m.max((gap_m - contact.gaps_m[point]).abs());
-        let uniform_m =
-            contact.largest_pressure_pa * responses.iter().map(|response| response.abs()).sum::<f64>();
+        let uniform_m = contact.numbers.largest_pressure_pa
+            * responses.iter().map(|response| response.abs()).sum::<f64>();
         size_m = size_m.max(uniform_m).max(height_m.abs()).max(contact.offset_m.abs());
     }
     trial.bound("plain sums agree on the gaps", worst_m, 1e-11 * size_m);
@@ -282,8 +282,9 @@ fn slack(case: &ElementsCase, contact: &Contact) -> f64 {
     let larger_m = |most: f64, height_m: &f64| most.max(height_m.abs());
     let largest_m = case.map.heights_m.iter().fold(contact.offset_m.abs(), larger_m);
     let rounding = largest_m / case.map.rms_m().max(f64::MIN_POSITIVE)
-        + contact.largest_pressure_pa / case.map.wave_pa(case.contact_modulus_pa).max(f64::MIN_POSITIVE);
-    (contact.residual.max(case.tolerance) * (case.map.heights_m.len() as f64).max(10.0) * 10.0
+        + contact.numbers.largest_pressure_pa
+            / case.map.wave_pa(case.contact_modulus_pa).max(f64::MIN_POSITIVE);
+    (contact.numbers.residual.max(case.tolerance) * (case.map.heights_m.len() as f64).max(10.0) * 10.0
         + 1e-13 * rounding)
         .min(1e3)
 }
@@ -309,7 +310,7 @@ fn symmetric(contact: &Contact, trial: &mut Trial<ElementsCase>) {
             trial.hold(promise, false);
             continue;
         };
-        let off_m = (there.mean_gap_m - contact.mean_gap_m).abs();
+        let off_m = (there.numbers.mean_gap_m - contact.numbers.mean_gap_m).abs();
         trial.bound(promise, off_m / rms_m, slack(case, contact));
     }
 }
@@ -338,7 +339,10 @@ fn scaled(contact: &Contact, trial: &mut Trial<ElementsCase>) {
         .iter()
         .zip(&there.pressures_pa)
         .all(|(here, there)| of_pressure * here == *there);
-    trial.hold("powers of two change no digit", same && there.area_fraction == contact.area_fraction);
+    trial.hold(
+        "powers of two change no digit",
+        same && there.numbers.area_fraction == contact.numbers.area_fraction,
+    );
 }
 
 /// Checks that a larger load closes the gap.
@@ -353,7 +357,11 @@ fn rises_with_load(contact: &Contact, trial: &mut Trial<ElementsCase>) {
     let Ok(there) = more.press() else { return };
     let slack = slack(case, contact);
     trial.bound("the planes approach with the load", contact.offset_m - there.offset_m, slack * rms_m);
-    trial.bound("the mean gap falls with the load", there.mean_gap_m - contact.mean_gap_m, slack * rms_m);
+    trial.bound(
+        "the mean gap falls with the load",
+        there.numbers.mean_gap_m - contact.numbers.mean_gap_m,
+        slack * rms_m,
+    );
 }
 
 /// Checks that the distance of a contact gives back its load.
@@ -363,7 +371,7 @@ fn there_and_back(contact: &Contact, trial: &mut Trial<ElementsCase>) {
     let rms_m = case.map.rms_m();
     let highest_m = heights_m.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let depth_m = contact.offset_m + highest_m;
-    let full = contact.area_fraction == 1.0;
+    let full = contact.numbers.area_fraction == 1.0;
     // Within a loose tolerance surfaces overlap by more than light loads press them.
     let loose = case.tolerance > 1e-8;
     if rms_m < FLAT_M || (full && case.periodic) || case.saturation_pa.is_some() || loose {
@@ -387,7 +395,7 @@ fn there_and_back(contact: &Contact, trial: &mut Trial<ElementsCase>) {
                 let Ok(Some(stiffness_pa_per_m)) = stiffness else { return };
                 stiffest_pa_per_m = stiffest_pa_per_m.max(stiffness_pa_per_m);
             }
-            let off_pa = (back.nominal_pressure_pa - case.pressure_pa).abs();
+            let off_pa = (back.numbers.nominal_pressure_pa - case.pressure_pa).abs();
             let allowed_pa = slack(case, contact) * (rms_m * stiffest_pa_per_m + case.pressure_pa);
             trial.bound("load -> distance -> load", off_pa, allowed_pa);
         }
@@ -402,9 +410,10 @@ fn stiffness(contact: &Contact, trial: &mut Trial<ElementsCase>) {
     let Ok(mut elements) = case.elements() else { return };
     match elements.stiffness_pa_per_m(contact, case.contact_modulus_pa, &Unobserved) {
         Ok(Some(stiffness)) => trial.hold("stiffness positive", stiffness > 0.0 && stiffness.is_finite()),
-        Ok(None) => {
-            trial.hold("no stiffness at full contact alone", case.periodic && contact.area_fraction == 1.0)
-        }
+        Ok(None) => trial.hold(
+            "no stiffness at full contact alone",
+            case.periodic && contact.numbers.area_fraction == 1.0,
+        ),
         Err(_) => trial.hold("a contact has a stiffness", false),
     }
 }

@@ -188,7 +188,7 @@ pub fn rows_of(trial: &JudgeTrial, loads: &[f64]) -> Result<Vec<GapRow>, TrialEr
     }
     let rms_height_m = theory.surface.rms_height_m();
     let row = |(pressure_over_gradient, load): (&f64, &PressedLoad)| {
-        let (gap_m, gap_error) = mean(load.states.iter().map(|state| state.mean_gap_m));
+        let (gap_m, gap_error) = mean(load.states.iter().map(|state| state.numbers.mean_gap_m));
         let (stiffness_pa_per_m, stiffness_error) =
             mean(load.states.iter().filter_map(|state| state.stiffness_pa_per_m));
         theory.beside(&GapRow {
@@ -209,7 +209,7 @@ pub fn rows_of(trial: &JudgeTrial, loads: &[f64]) -> Result<Vec<GapRow>, TrialEr
 /// Returns true if gap and stiffness under a load are known well enough, or if the load is too light to matter.
 fn is_known(load: &PressedLoad) -> bool {
     let errors = [
-        mean(load.states.iter().map(|state| state.mean_gap_m)).1,
+        mean(load.states.iter().map(|state| state.numbers.mean_gap_m)).1,
         mean(load.states.iter().filter_map(|state| state.stiffness_pa_per_m)).1,
     ];
     !MODERATE.contains(&load.mean().best_area_fraction()) || errors.iter().all(|error| *error <= TRUTH_ERROR)

@@ -67,7 +67,7 @@ impl JudgeTrial {
                 tolerance: TOLERANCE,
             };
             let (area, surfaces) = self.known_area(&spectrum, LENGTHS_IN_BOX, MAX_BATCHES, |relief| {
-                Ok(relief.press(&loading, &Unobserved)?.area_fraction_corrected)
+                Ok(relief.press(&loading, &Unobserved)?.numbers.area_fraction_corrected)
             })?;
             Ok(TruthRow {
                 set: self.set,

@@ -167,7 +167,7 @@ impl LayerTrial {
                     Elements::periodic_on(relief.grid()?, &relief.heights_m, |wavevector_rad_per_m| {
                         layer.relative_at(wavevector_rad_per_m)
                     })?;
-                Ok(elements.press(&loading, &Unobserved)?.area_fraction_corrected)
+                Ok(elements.press(&loading, &Unobserved)?.numbers.area_fraction_corrected)
             };
             let (area, _) = self.spectrum.known_area(&surface, LENGTHS_IN_BOX, MAX_BATCHES, area)?;
             Ok(JudgedRow {

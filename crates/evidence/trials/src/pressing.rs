@@ -68,14 +68,14 @@ fn one_surface(trial: &SpectrumTrial, number: u64) -> Result<Vec<Areas>, TrialEr
     let mut fine = elements(&fine)?;
     let of_load = |load: &TrialLoad| {
         let contact = press_elements(&mut fine, load)?;
-        let corrected = contact.area_fraction_corrected;
+        let corrected = contact.numbers.area_fraction_corrected;
         let extrapolated = match &mut coarse {
             Some(coarse) => {
-                extrapolated_area(corrected, press_elements(coarse, load)?.area_fraction_corrected)
+                extrapolated_area(corrected, press_elements(coarse, load)?.numbers.area_fraction_corrected)
             }
             None => corrected,
         };
-        Ok(Areas { extrapolated, corrected, plastic: contact.plastic_area_fraction })
+        Ok(Areas { extrapolated, corrected, plastic: contact.numbers.plastic_area_fraction_corrected })
     };
     trial.loads.iter().map(of_load).collect()
 }

@@ -33,7 +33,12 @@ pub fn press(arguments: &[String]) -> Result<(), Box<dyn Error>> {
         // Laid out anew each time, as for a user with one map and one load.
         let contact = Elements::periodic(grid, &heights_m)?.press(&loading, &Unobserved)?;
         write(pressures, &contact.pressures_pa)?;
-        println!("{} {} {}", contact.iterations, contact.operators, peak_bytes().unwrap_or_default());
+        println!(
+            "{} {} {}",
+            contact.numbers.iterations,
+            contact.numbers.operators,
+            peak_bytes().unwrap_or_default()
+        );
     }
     Ok(())
 }

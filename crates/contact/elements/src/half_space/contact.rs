@@ -8,38 +8,30 @@ use crate::half_space::sums;
 pub enum Ending {
     /// The residual is below the tolerance.
     Converged,
-    /// Rounding keeps the residual above the tolerance; see [`Contact::residual`].
+    /// Rounding keeps the residual above the tolerance; see [`ContactNumbers::residual`].
     Rounding,
 }
 
-/// Surface in equilibrium under a load.
-#[derive(Clone, Debug, PartialEq)]
+/// Numbers of a surface in equilibrium under a load.
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct Contact {
+pub struct ContactNumbers {
     /// Load over the area of the grid \[Pa\].
     pub nominal_pressure_pa: f64,
     /// Share of the points in contact, with a pressure above 1e-10 of the nominal one.
     pub area_fraction: f64,
-    /// Area fraction without the staircase around each spot: less the perimeter's share (Yastrebov, Anciaux &
-    /// Molinari 2017).
+    /// Area fraction less the staircase around each spot (Yastrebov, Anciaux & Molinari 2017, Tribol. Int. 114:161).
     pub area_fraction_corrected: f64,
-    /// Share of the points at the saturation, plus the staircase around them, because here the points below it are
-    /// overcounted; 0 without a saturation.
-    pub plastic_area_fraction: f64,
     /// Share of the points at the saturation; 0 without one.
-    pub plastic_area_fraction_raw: f64,
+    pub plastic_area_fraction: f64,
+    /// Plastic area fraction plus the staircase around each spot, because here the points below the saturation are overcounted.
+    pub plastic_area_fraction_corrected: f64,
     /// Mean over all points of the gap where it is open \[m\].
     pub mean_gap_m: f64,
     /// Mean over all points of the depth by which the surfaces overlap \[m\]: the plastic deformation.
     pub mean_plastic_depth_m: f64,
     /// Largest pressure \[Pa\].
     pub largest_pressure_pa: f64,
-    /// Elastic energy over the nominal area \[J/m^2\]: half of the mean of pressure times displacement.
-    pub energy_j_per_m2: f64,
-    /// Height \[m\] of the undeformed plane over which the gaps open: gap = displacement - height - offset. With a
-    /// free boundary this is the approach of the two bodies; with a periodic one, displacements have a mean of 0 and
-    /// the distance of the mean planes is its opposite.
-    pub offset_m: f64,
     /// Steps of the solver.
     pub iterations: usize,
     /// Number of times that displacements were computed from pressures.
@@ -47,8 +39,22 @@ pub struct Contact {
     /// Residual: sum of p|g| over the sum of p h_rms, over the points with 0 < p < saturation; or, if larger, a tenth
     /// of the largest overlap at p = 0 or gap at the saturation, over h_rms.
     pub residual: f64,
-    /// Returns true if the residual is below the tolerance.
+    /// End of the solve.
     pub ending: Ending,
+}
+
+/// Surface in equilibrium under a load.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Contact {
+    /// Its numbers.
+    pub numbers: ContactNumbers,
+    /// Elastic energy over the nominal area \[J/m^2\]: half of the mean of pressure times displacement.
+    pub energy_j_per_m2: f64,
+    /// Height \[m\] of the undeformed plane over which the gaps open: gap = displacement - height - offset. With a
+    /// free boundary this is the approach of the two bodies; with a periodic one, displacements have a mean of 0 and
+    /// the distance of the mean planes is its opposite.
+    pub offset_m: f64,
     /// Pressure \[Pa\] at every point, row by row.
     pub pressures_pa: Vec<f64>,
     /// Gap \[m\] at every point, row by row; negative where the surfaces overlap, by plastic flow or within the

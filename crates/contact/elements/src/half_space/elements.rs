@@ -5,7 +5,7 @@ use numerics::parallel::Progress;
 use units::Bound;
 
 use crate::half_space::area::{Count, count};
-use crate::half_space::contact::Contact;
+use crate::half_space::contact::{Contact, ContactNumbers};
 use crate::half_space::descent::{Outcome, descend};
 use crate::half_space::loading::{Approach, Closing, Loading};
 use crate::half_space::problem::{Held, Operators, Problem, State};
@@ -264,22 +264,25 @@ impl Elements {
         });
         let count = points as f64;
         Contact {
-            nominal_pressure_pa: loading.nominal_pressure_pa,
-            area_fraction: touching.share,
-            area_fraction_corrected: (touching.share - touching.perimeter).clamp(0.0, 1.0),
-            plastic_area_fraction: (flowing.share + flowing.perimeter).clamp(0.0, touching.share),
-            plastic_area_fraction_raw: flowing.share,
-            mean_gap_m: open_m / count,
-            mean_plastic_depth_m: sunk_m / count,
-            largest_pressure_pa: pressures_pa
-                .iter()
-                .fold(0.0, |largest, &pressure_pa| largest.max(pressure_pa)),
+            numbers: ContactNumbers {
+                nominal_pressure_pa: loading.nominal_pressure_pa,
+                area_fraction: touching.share,
+                area_fraction_corrected: (touching.share - touching.perimeter).clamp(0.0, 1.0),
+                plastic_area_fraction: flowing.share,
+                plastic_area_fraction_corrected: (flowing.share + flowing.perimeter)
+                    .clamp(0.0, touching.share),
+                mean_gap_m: open_m / count,
+                mean_plastic_depth_m: sunk_m / count,
+                largest_pressure_pa: pressures_pa
+                    .iter()
+                    .fold(0.0, |largest, &pressure_pa| largest.max(pressure_pa)),
+                iterations: outcome.iterations,
+                operators: outcome.operators,
+                residual: outcome.residual,
+                ending: outcome.ending,
+            },
             energy_j_per_m2: 0.5 * self.unit_m * work / count,
             offset_m: outcome.offset * self.unit_m - self.mean_height_m,
-            iterations: outcome.iterations,
-            operators: outcome.operators,
-            residual: outcome.residual,
-            ending: outcome.ending,
             pressures_pa,
             gaps_m,
         }

@@ -22,8 +22,8 @@
 //!     let mut loading =
 //!         Loading { contact_modulus_pa, nominal_pressure_pa: 0.25 * closing_pa, saturation_pa: None, tolerance: 1e-8 };
 //!     let contact = elements.press(&loading, &Unobserved)?;
-//!     assert!((contact.area_fraction - 1.0 / 3.0).abs() < 2.0 / points as f64);
-//!     assert!((contact.largest_pressure_pa / closing_pa - 1.0).abs() < 1e-3);
+//!     assert!((contact.numbers.area_fraction - 1.0 / 3.0).abs() < 2.0 / points as f64);
+//!     assert!((contact.numbers.largest_pressure_pa / closing_pa - 1.0).abs() < 1e-3);
 //!     let stiffness_pa_per_m = elements.stiffness_pa_per_m(&contact, contact_modulus_pa, &Unobserved)?;
 //!     assert!(stiffness_pa_per_m.is_some());
 //!
@@ -34,7 +34,8 @@
 //!     // With a hardness of 0.4 of the closing pressure most of the contact flows.
 //!     loading.saturation_pa = Some(0.4 * closing_pa);
 //!     let yielding = elements.press(&loading, &Unobserved)?;
-//!     assert!(yielding.area_fraction > contact.area_fraction && yielding.plastic_area_fraction > 0.4);
+//!     let [yielding, elastic] = [yielding.numbers, contact.numbers];
+//!     assert!(yielding.area_fraction > elastic.area_fraction && yielding.plastic_area_fraction > 0.4);
 //!     Ok(())
 //! }
 //! ```
@@ -74,7 +75,7 @@ pub use adhesion::{
     LEAST_RESOLUTION, Start,
 };
 pub use area::extrapolated_area;
-pub use contact::{Contact, Ending};
+pub use contact::{Contact, ContactNumbers, Ending};
 pub use elements::{Elements, PROGRESS_STEPS};
 pub use error::HalfSpaceError;
 pub use grid::Grid;

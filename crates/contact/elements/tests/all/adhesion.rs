@@ -257,7 +257,7 @@ fn plain_mean_gap_m(grid: Grid, heights_m: &[f64], pressure_pa: f64) -> (f64, Ve
         tolerance: 1e-12,
     };
     let contact = Elements::periodic(grid, heights_m).unwrap().press(&loading, &Unobserved).unwrap();
-    (contact.mean_gap_m, contact.gaps_m)
+    (contact.numbers.mean_gap_m, contact.gaps_m)
 }
 
 #[test]

@@ -19,12 +19,17 @@ fn closing(approach: Approach, loading: &Loading) -> Closing {
 
 /// Asserts that a contact is the one under a load.
 fn assert_same(found: &Contact, expected: &Contact, rtol: f64) {
-    let ratio = found.nominal_pressure_pa / expected.nominal_pressure_pa;
+    let ratio = found.numbers.nominal_pressure_pa / expected.numbers.nominal_pressure_pa;
     assert!((ratio - 1.0).abs() < rtol, "{ratio}");
-    assert!((found.area_fraction - expected.area_fraction).abs() <= 2.0 / (POINTS * POINTS) as f64);
-    assert!((found.largest_pressure_pa / expected.largest_pressure_pa - 1.0).abs() < 10.0 * rtol);
+    assert!(
+        (found.numbers.area_fraction - expected.numbers.area_fraction).abs()
+            <= 2.0 / (POINTS * POINTS) as f64
+    );
+    assert!(
+        (found.numbers.largest_pressure_pa / expected.numbers.largest_pressure_pa - 1.0).abs() < 10.0 * rtol
+    );
     let mean_pa: f64 = found.pressures_pa.iter().sum::<f64>() / found.pressures_pa.len() as f64;
-    assert!((mean_pa / found.nominal_pressure_pa - 1.0).abs() < 1e-12);
+    assert!((mean_pa / found.numbers.nominal_pressure_pa - 1.0).abs() < 1e-12);
 }
 
 #[test]
@@ -43,13 +48,18 @@ fn a_held_distance_is_that_of_the_load_that_it_takes() {
                     let found = elements.press_to(&closing(indentation, &loading), &Unobserved).unwrap();
                     assert_same(&found, &expected, 1e-6);
                     if periodic {
-                        let gap_m = expected.mean_gap_m - expected.mean_plastic_depth_m;
+                        let gap_m = expected.numbers.mean_gap_m - expected.numbers.mean_plastic_depth_m;
                         assert!((gap_m - distance_m).abs() < 1e-9 * highest_m);
                         let mean_gap = closing(Approach::MeanGapM(gap_m), &loading);
                         let found = elements.press_to(&mean_gap, &Unobserved).unwrap();
                         assert_same(&found, &expected, 1e-6);
-                        let stepped = found.iterations as f64 / expected.iterations as f64;
-                        assert!(stepped < 4.0, "{} steps for {}", found.iterations, expected.iterations);
+                        let stepped = found.numbers.iterations as f64 / expected.numbers.iterations as f64;
+                        assert!(
+                            stepped < 4.0,
+                            "{} steps for {}",
+                            found.numbers.iterations,
+                            expected.numbers.iterations
+                        );
                     }
                 }
             }
@@ -65,7 +75,7 @@ fn a_paraboloid_carries_the_force_of_hertz() {
     let indentation = closing(Approach::IndentationM(depth_m), &elastic(1.0, 1e-8));
     let found = elements(&heights_m, false).press_to(&indentation, &Unobserved).unwrap();
     let force_n = 4.0 / 3.0 * radius_m.sqrt() * depth_m.powf(1.5);
-    let ratio = found.nominal_pressure_pa / force_n;
+    let ratio = found.numbers.nominal_pressure_pa / force_n;
     assert!((ratio - 1.0).abs() < 2e-3, "{ratio}");
 }
 

@@ -20,15 +20,19 @@ fn westergaards_wave_on_a_line() {
         let (mut elements, contact) = wave(4096, share);
         let area = 2.0 / PI * share.sqrt().asin();
         assert!(
-            (contact.area_fraction - area).abs() <= 1.5 / 4096.0,
+            (contact.numbers.area_fraction - area).abs() <= 1.5 / 4096.0,
             "{share}: {} {area}",
-            contact.area_fraction
+            contact.numbers.area_fraction
         );
-        assert_eq!(contact.area_fraction_corrected, contact.area_fraction);
+        assert_eq!(contact.numbers.area_fraction_corrected, contact.numbers.area_fraction);
         let largest = 2.0 * share * CLOSING / share.sqrt();
-        assert!((contact.largest_pressure_pa / largest - 1.0).abs() < 2e-4, "{share}");
+        assert!((contact.numbers.largest_pressure_pa / largest - 1.0).abs() < 2e-4, "{share}");
         let gap = 1.0 - share + share * share.ln();
-        assert!((contact.mean_gap_m - gap).abs() < 1e-6, "{share}: {} {gap}", contact.mean_gap_m);
+        assert!(
+            (contact.numbers.mean_gap_m - gap).abs() < 1e-6,
+            "{share}: {} {gap}",
+            contact.numbers.mean_gap_m
+        );
         // The energy is what the load has done on its way: of p du.
         let energy = CLOSING * (share.powi(2) / 4.0 - share.powi(2) / 2.0 * share.ln());
         assert!(
@@ -52,9 +56,9 @@ fn a_wave_along_either_side_of_any_rectangle_is_the_same_wave() {
             .unwrap()
             .press(&elastic(0.3 * CLOSING, 1e-10), &Unobserved)
             .unwrap();
-        assert!((contact.area_fraction - line.area_fraction).abs() < 1e-12);
-        assert!((contact.mean_gap_m / line.mean_gap_m - 1.0).abs() < 1e-8);
-        assert!((contact.largest_pressure_pa / line.largest_pressure_pa - 1.0).abs() < 1e-7);
+        assert!((contact.numbers.area_fraction - line.numbers.area_fraction).abs() < 1e-12);
+        assert!((contact.numbers.mean_gap_m / line.numbers.mean_gap_m - 1.0).abs() < 1e-8);
+        assert!((contact.numbers.largest_pressure_pa / line.numbers.largest_pressure_pa - 1.0).abs() < 1e-7);
     }
 }
 
@@ -73,8 +77,8 @@ fn full_contact_is_a_wave_of_pressure_for_every_wave_of_height() {
     let exact = heights(rows, columns, |x, y| 3.0 + sum(x, y, &|q| 0.5 * q));
     let mut elements = Elements::periodic(grid, &heights_m).unwrap();
     let contact = elements.press(&elastic(3.0, 1e-12), &Unobserved).unwrap();
-    assert_eq!(contact.area_fraction, 1.0);
-    assert_eq!(contact.area_fraction_corrected, 1.0);
+    assert_eq!(contact.numbers.area_fraction, 1.0);
+    assert_eq!(contact.numbers.area_fraction_corrected, 1.0);
     for (found, exact) in contact.pressures_pa.iter().zip(&exact) {
         assert!((found - exact).abs() < 1e-10, "{found} {exact}");
     }
@@ -83,7 +87,7 @@ fn full_contact_is_a_wave_of_pressure_for_every_wave_of_height() {
         .map(|&(kx, ky, height)| 0.125 * TAU * f64::hypot(kx / 1.4, ky / 2.0) * height * height)
         .sum();
     assert!((contact.energy_j_per_m2 / energy - 1.0).abs() < 1e-11);
-    assert!(contact.mean_gap_m < 1e-10);
+    assert!(contact.numbers.mean_gap_m < 1e-10);
     assert_eq!(elements.stiffness_pa_per_m(&contact, 1.0, &Unobserved).unwrap(), None);
 }
 
@@ -105,17 +109,21 @@ fn the_bisinusoid() {
     for [share, area, gap, largest] in BISINUSOID {
         let contact = press(&heights_m, &elastic(share * SQRT_2 * CLOSING, 1e-9));
         assert!(
-            (contact.area_fraction_corrected - area).abs() < 0.01 * area.min(1.0 - area) + 2e-4,
+            (contact.numbers.area_fraction_corrected - area).abs() < 0.01 * area.min(1.0 - area) + 2e-4,
             "{share}: {} {area}",
-            contact.area_fraction_corrected
+            contact.numbers.area_fraction_corrected
         );
-        assert!((contact.mean_gap_m - gap).abs() < 2e-6 + 2e-4 * gap, "{share}: {}", contact.mean_gap_m);
-        let found = contact.largest_pressure_pa / (SQRT_2 * CLOSING);
+        assert!(
+            (contact.numbers.mean_gap_m - gap).abs() < 2e-6 + 2e-4 * gap,
+            "{share}: {}",
+            contact.numbers.mean_gap_m
+        );
+        let found = contact.numbers.largest_pressure_pa / (SQRT_2 * CLOSING);
         assert!((found / largest - 1.0).abs() < 2e-3, "{share}: {found} {largest}");
     }
     // Near full contact, 1 - A = (3/(2 pi))(1 - p/p*), of which the perimeter's correction is a part.
     let contact = press(&heights_m, &elastic(0.97 * SQRT_2 * CLOSING, 1e-9));
-    let open = 1.0 - contact.area_fraction_corrected;
+    let open = 1.0 - contact.numbers.area_fraction_corrected;
     assert!((open / (1.5 / PI * 0.03) - 1.0).abs() < 0.06, "{open}");
 }
 
@@ -134,10 +142,10 @@ fn hertz_in_a_wide_box_and_alone_on_the_half_space() {
     let force = 4.0 / 3.0 * radius.powi(3);
     let mut elements = Elements::free(grid, &heights_m).unwrap();
     let contact = elements.press(&elastic(force / length.powi(2), 1e-8), &Unobserved).unwrap();
-    let found = (contact.area_fraction_corrected * length.powi(2) / PI).sqrt();
+    let found = (contact.numbers.area_fraction_corrected * length.powi(2) / PI).sqrt();
     assert!((found / radius - 1.0).abs() < 0.01, "{found} {radius}");
     let largest = 2.0 * radius / PI;
-    assert!((contact.largest_pressure_pa / largest - 1.0).abs() < 0.01);
+    assert!((contact.numbers.largest_pressure_pa / largest - 1.0).abs() < 0.01);
     // The top lies at 0, so that the offset is the approach a^2/R.
     assert!(
         (contact.offset_m / radius.powi(2) - 1.0).abs() < 0.01,
@@ -151,13 +159,13 @@ fn hertz_in_a_wide_box_and_alone_on_the_half_space() {
     assert!((stiffness / (2.0 * radius) - 1.0).abs() < 0.01, "{stiffness}");
     // A saturation above the largest pressure changes nothing; one below it flows in the middle.
     let same = elements.press(&flowing(force / length.powi(2), 1.1 * largest, 1e-8), &Unobserved).unwrap();
-    assert_eq!(same.plastic_area_fraction, 0.0);
-    assert!((same.area_fraction - contact.area_fraction).abs() < 1e-12);
+    assert_eq!(same.numbers.plastic_area_fraction_corrected, 0.0);
+    assert!((same.numbers.area_fraction - contact.numbers.area_fraction).abs() < 1e-12);
     let flat = elements.press(&flowing(force / length.powi(2), 0.5 * largest, 1e-6), &Unobserved).unwrap();
-    assert_eq!(flat.largest_pressure_pa, 0.5 * largest);
+    assert_eq!(flat.numbers.largest_pressure_pa, 0.5 * largest);
     assert!(
-        flat.plastic_area_fraction_raw > 0.1 * flat.area_fraction
-            && flat.area_fraction > contact.area_fraction
+        flat.numbers.plastic_area_fraction > 0.1 * flat.numbers.area_fraction
+            && flat.numbers.area_fraction > contact.numbers.area_fraction
     );
 
     // In a periodic box of twenty radii: area within the count of points, and the largest pressure.
@@ -171,9 +179,9 @@ fn hertz_in_a_wide_box_and_alone_on_the_half_space() {
         .unwrap()
         .press(&elastic(4.0 / 3.0 * radius.powi(3) / length.powi(2), 1e-8), &Unobserved)
         .unwrap();
-    let found = (contact.area_fraction_corrected * length.powi(2) / PI).sqrt();
+    let found = (contact.numbers.area_fraction_corrected * length.powi(2) / PI).sqrt();
     assert!((found / radius - 1.0).abs() < 0.01, "{found} {radius}");
-    assert!((contact.largest_pressure_pa / (2.0 * radius / PI) - 1.0).abs() < 0.01);
+    assert!((contact.numbers.largest_pressure_pa / (2.0 * radius / PI) - 1.0).abs() < 0.01);
 }
 
 #[test]
@@ -184,7 +192,7 @@ fn a_square_punch_alone_on_the_half_space() {
     let grid = Grid::new(points, points, 2.0, 2.0).unwrap();
     let mut elements = Elements::free(grid, &vec![5.0; points * points]).unwrap();
     let contact = elements.press(&elastic(1e-3, 1e-9), &Unobserved).unwrap();
-    assert_eq!(contact.area_fraction, 1.0);
+    assert_eq!(contact.numbers.area_fraction, 1.0);
     let approach = contact.offset_m + 5.0;
     assert!((1e-3 * 4.0 / approach / (1.1505 * 2.0) - 1.0).abs() < 0.02, "{approach}");
     let stiffness = elements.stiffness_pa_per_m(&contact, 1.0, &Unobserved).unwrap().unwrap();
@@ -213,9 +221,13 @@ fn half_a_wave_flows_as_a_line_of_constant_pressure() {
     let grid = Grid::new(1, 2048, 1.0, 1.0).unwrap();
     let mut elements = Elements::periodic(grid, &heights_m).unwrap();
     let contact = elements.press(&flowing(0.01, 0.04, 1e-8), &Unobserved).unwrap();
-    assert!(contact.area_fraction >= 0.25 && contact.area_fraction < 0.26, "{}", contact.area_fraction);
-    assert!((contact.plastic_area_fraction / 0.25 - 1.0).abs() < 0.02);
-    assert!(contact.mean_plastic_depth_m > 0.0);
+    assert!(
+        contact.numbers.area_fraction >= 0.25 && contact.numbers.area_fraction < 0.26,
+        "{}",
+        contact.numbers.area_fraction
+    );
+    assert!((contact.numbers.plastic_area_fraction_corrected / 0.25 - 1.0).abs() < 0.02);
+    assert!(contact.numbers.mean_plastic_depth_m > 0.0);
 }
 
 #[test]
@@ -227,7 +239,7 @@ fn a_fluid_passes_along_waves_and_not_across_them() {
         let contact = Elements::periodic(grid, &heights_m).unwrap().press(&loading, &Unobserved).unwrap();
         let touching = contact.touching();
         let share = touching.iter().filter(|&&touches| touches).count() as f64 / touching.len() as f64;
-        assert_eq!(share, contact.area_fraction);
+        assert_eq!(share, contact.numbers.area_fraction);
         open_paths(&grid, Sides::Periodic, &touching).unwrap()
     };
     assert_eq!(contact(0.3), OpenPaths { along_x: false, along_y: true });

@@ -148,13 +148,13 @@ fn cylinder_in_a_periodic_box_is_hertz_with_the_share_of_its_neighbours() {
         let cylinder = cylinder(radius_m, share);
         assert_relative_eq!(cylinder.hertz_radius_m(1.0), share, max_relative = 1e-12);
         let (state, contact) = cylinder.press(&flat, &PRESSING, &Unobserved).unwrap();
-        let ratio = contact.largest_pressure_pa / cylinder.hertz_pressure_pa(1.0);
+        let ratio = contact.numbers.largest_pressure_pa / cylinder.hertz_pressure_pa(1.0);
         assert!((ratio - 1.0 - (PI * share).powi(2) / 12.0).abs() < 1e-3, "{share}: {ratio}");
-        let half_width_m = 0.5 * contact.area_fraction;
+        let half_width_m = 0.5 * contact.numbers.area_fraction;
         let narrower = share * (1.0 - (PI * share).powi(2) / 12.0);
         assert!((half_width_m - narrower).abs() < 2.5 / 1024.0, "{share}: {half_width_m}");
         assert!((state.effective_radius_m / narrower - 1.0).abs() < 2e-3, "{share}: {state:?}");
-        assert_relative_eq!(state.real_area, contact.area_fraction, max_relative = 1e-12);
+        assert_relative_eq!(state.real_area, contact.numbers.area_fraction, max_relative = 1e-12);
         // The first strip has a width.
         assert!((0.99..1.04).contains(&(state.peak_mean_pressure_pa / state.hertz_pressure_pa)), "{state:?}");
         let expected = 1.0 / 3.0 + 3f64.sqrt() / (2.0 * PI);

@@ -124,9 +124,13 @@ fn a_ball_under_a_free_boundary_is_that_of_hertz() {
     let pressing = Pressing { stiffness: true, ..elastic(&[4.0 / 3.0 * 0.25f64.powi(3)]) };
     let pressed = press(&Surfaces::Maps(vec![relief]), &pressing, unseen, &Unobserved).unwrap();
     let state = pressed[0].states[0];
-    let radius_m = (state.area_fraction_corrected / std::f64::consts::PI).sqrt();
+    let radius_m = (state.numbers.area_fraction_corrected / std::f64::consts::PI).sqrt();
     assert_relative_eq!(radius_m, 0.25, max_relative = 0.01);
-    assert_relative_eq!(state.largest_pressure_pa, 2.0 / std::f64::consts::PI * 0.25, max_relative = 0.02);
+    assert_relative_eq!(
+        state.numbers.largest_pressure_pa,
+        2.0 / std::f64::consts::PI * 0.25,
+        max_relative = 0.02
+    );
     // dF/d(approach) = 2 E* a.
     assert_relative_eq!(state.stiffness_pa_per_m.unwrap(), 0.5, max_relative = 0.02);
     assert_eq!(pressed[0].mean().standard_error, None);
@@ -253,17 +257,19 @@ fn every_surface_takes_its_own_load_to_a_distance_and_in_units_of_its_gradient()
     let reduced =
         press(&surfaces, &under(vec![ImposedLoad::ReducedPressure(0.05)]), unseen, &Unobserved).unwrap();
     for (state, gradient) in reduced[0].states.iter().zip(gradients) {
-        assert_relative_eq!(state.nominal_pressure_pa, 0.05 * gradient, max_relative = 1e-12);
+        assert_relative_eq!(state.numbers.nominal_pressure_pa, 0.05 * gradient, max_relative = 1e-12);
     }
     for state in &reduced[0].states {
-        let held = under(vec![ImposedLoad::Approach(Approach::MeanGapM(state.mean_gap_m))]);
+        let held = under(vec![ImposedLoad::Approach(Approach::MeanGapM(state.numbers.mean_gap_m))]);
         let found = press(&surfaces, &held, unseen, &Unobserved).unwrap();
         let same = found[0].states.iter().any(|other| {
-            (other.nominal_pressure_pa / state.nominal_pressure_pa - 1.0).abs() < 1e-4
-                && (other.area_fraction_corrected / state.area_fraction_corrected - 1.0).abs() < 1e-3
+            (other.numbers.nominal_pressure_pa / state.numbers.nominal_pressure_pa - 1.0).abs() < 1e-4
+                && (other.numbers.area_fraction_corrected / state.numbers.area_fraction_corrected - 1.0).abs()
+                    < 1e-3
         });
         assert!(same, "{state:?}");
-        let mean_pa = found[0].states.iter().map(|state| state.nominal_pressure_pa).sum::<f64>() / 3.0;
+        let mean_pa =
+            found[0].states.iter().map(|state| state.numbers.nominal_pressure_pa).sum::<f64>() / 3.0;
         assert_relative_eq!(found[0].nominal_pressure_pa, mean_pa, max_relative = 1e-12);
     }
 }
