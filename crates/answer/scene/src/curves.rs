@@ -9,8 +9,7 @@ use tables::TableSource;
 use units::Remark;
 
 use super::error::SceneError;
-use super::interface::energy_factor;
-use super::raw::RawCurve;
+use super::raw::{RawCurve, given};
 use super::values::{check_file_name, value_error};
 use study::growth_law::GrowthLaw;
 use study::material::Material;
@@ -80,9 +79,8 @@ pub(super) fn curves_that_apply(material: &Material, options: &ModelOptions) -> 
 
 /// Returns the options that a curve gives itself.
 fn own_options(curve: &RawCurve, files: &dyn Files) -> Result<ModelOptions, SceneError> {
-    let gamma = curve.gamma.as_ref().map(|gamma| energy_factor("curve.gamma", gamma));
     Ok(ModelOptions {
-        gamma: gamma.transpose()?,
+        gamma: given(&curve.gamma),
         hardness_law: curve.hardness_law.as_ref().map(|text| growth_law(text, files)).transpose()?,
         ..curve.options.clone()
     })

@@ -110,6 +110,14 @@ impl SceneError {
         SceneError { span: self.span.or(Some(span)), ..self }
     }
 
+    /// Puts the key of a section before that of a value in it.
+    pub(super) fn below(mut self, section: &str) -> Self {
+        if let SceneProblem::Value { key, .. } = &mut self.problem {
+            *key = if key.is_empty() { section.to_owned() } else { format!("{section}.{key}") };
+        }
+        self
+    }
+
     /// The key at fault, if known.
     #[must_use]
     pub fn key(&self) -> Option<&str> {

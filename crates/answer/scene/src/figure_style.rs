@@ -10,9 +10,9 @@ use units::{Bound, Length, OutOfBounds};
 use super::Scene;
 use super::error::SceneError;
 use super::loads::nominal_pressure;
-use super::raw::{RawFigure, RawFigureDefaults, RawQuantity, RawScene};
+use super::raw::{RawFigure, RawFigureDefaults, RawQuantity, RawScene, Typed};
 use super::spelling::meant;
-use super::values::{label, optional, value_error};
+use super::values::{text_of, value_error};
 
 const WIDTH_MM: Bound = Bound::Within { at_least: 30.0, at_most: 1000.0 };
 const FONT_SIZE_PT: Bound = Bound::Within { at_least: 3.0, at_most: 40.0 };
@@ -140,11 +140,10 @@ pub(super) fn title(figure: &RawFigure) -> Result<Option<String>, SceneError> {
     }
 }
 
-pub(super) fn width_mm(raw: Option<&RawQuantity>) -> Result<Option<f64>, SceneError> {
-    let width: Option<Length> = optional("figure.width", raw)?;
-    let Some((raw, width)) = raw.zip(width) else { return Ok(None) };
-    let checked = WIDTH_MM.check("the width in mm", 1e3 * width.m);
-    checked.map(Some).map_err(|error| value_error("figure.width", &label(raw), raw.span(), error))
+pub(super) fn width_mm(raw: Option<&Typed<Length>>) -> Result<Option<f64>, SceneError> {
+    let Some(raw) = raw else { return Ok(None) };
+    let checked = WIDTH_MM.check("the width in mm", 1e3 * raw.value.m);
+    checked.map(Some).map_err(|error| value_error("figure.width", &raw.text, raw.span(), error))
 }
 
 pub(super) fn font_size_pt(raw: Option<&Spanned<f64>>) -> Result<Option<f64>, SceneError> {
@@ -197,11 +196,13 @@ pub(super) fn loads_of(
     material: Option<&Material>,
 ) -> Result<Vec<usize>, SceneError> {
     let index = |raw: &RawQuantity| {
-        let typed = label(raw);
+        let typed = text_of(raw.get_ref()).trim().to_owned();
         if let Some(at) = loads.iter().position(|load| load.label == typed) {
             return Ok(at);
         }
-        let pressure_pa = nominal_pressure("figure.loads", raw, material)?.pa();
+        let pressure =
+            Typed::read(raw).map_err(|error: SceneError| error.or_at(raw.span()).below("figure.loads"))?;
+        let pressure_pa = nominal_pressure("figure.loads", &pressure, material)?.pa();
         let is_meant = |load: &Load| (load.nominal_pressure_pa() / pressure_pa - 1.0).abs() < 1e-9;
         loads.iter().position(is_meant).ok_or_else(|| {
             let known: Vec<&str> = loads.iter().map(|load| load.label.as_str()).collect();

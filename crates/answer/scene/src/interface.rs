@@ -3,15 +3,14 @@
 use ::interface::conductance::{Conductivities, Resistivities};
 use ::interface::leak::SealedJoint;
 use persson::sealing::PercolationThreshold;
-use persson::{EnergyFactor, EnergyFactorError};
 use serde_spanned::Spanned;
-use units::{Bound, Length, Viscosity, WorkOfAdhesion};
+use units::Bound;
 
 use super::error::SceneError;
 use super::gas::resolve_gas;
 use super::loads::nominal_pressure;
-use super::raw::{RawEnergyFactor, RawInterface, RawScene, RawSeal};
-use super::values::{optional, parsed, value_error};
+use super::raw::{RawInterface, RawScene, RawSeal, given};
+use super::values::value_error;
 use study::bodies::{Bodies, Transport};
 use study::interface::{AdhesionRequest, InterfaceRequest, Seal, Shear, ShearLoad};
 use study::material::Material;
@@ -39,15 +38,14 @@ pub(super) fn resolve_interface(
     }
     let nothing = RawInterface::default();
     let own = raw.interface.as_ref().unwrap_or(&nothing);
-    let gamma = own.gamma.as_ref().map(|gamma| energy_factor("interface.gamma", gamma));
     let shear_strength = own
         .shear_strength
         .as_ref()
         .map(|typed| nominal_pressure("interface.shear_strength", typed, material))
         .transpose()?;
     Ok(Some(InterfaceRequest {
-        energy_factor: gamma.transpose()?.unwrap_or_default(),
-        band: own.band.as_ref().map(|band| parsed("interface.band", band)).transpose()?.unwrap_or_default(),
+        energy_factor: given(&own.gamma).unwrap_or_default(),
+        band: given(&own.band).unwrap_or_default(),
         conductivities,
         resistivities,
         gas: resolve_gas(own, material)?,
@@ -109,16 +107,14 @@ fn of_both(bodies: &Bodies, of: fn(&Transport) -> Option<f64>) -> Option<[f64; 2
 }
 
 fn resolve_adhesion(raw: &RawInterface) -> Result<Option<AdhesionRequest>, SceneError> {
-    let work: Option<WorkOfAdhesion> = optional("interface.work_of_adhesion", raw.work_of_adhesion.as_ref())?;
-    let range: Option<Length> = optional("interface.range_of_attraction", raw.range_of_attraction.as_ref())?;
-    match (work, range, &raw.range_of_attraction) {
-        (None, Some(_), Some(typed)) => Err(SceneError::at(
+    match (given(&raw.work_of_adhesion), &raw.range_of_attraction) {
+        (None, Some(typed)) => Err(SceneError::at(
             typed.span(),
             "key interface.range_of_attraction: it says nothing without a work_of_adhesion; give both",
         )),
-        _ => Ok(work.map(|work| AdhesionRequest {
+        (work, range) => Ok(work.map(|work| AdhesionRequest {
             work_j_per_m2: work.j_per_m2,
-            range_m: range.map(|range| range.m),
+            range_m: range.as_ref().map(|range| range.value.m),
         })),
     }
 }
@@ -135,10 +131,7 @@ fn resolve_seal(raw: &Spanned<RawSeal>, material: Option<&Material>) -> Result<S
         .as_ref()
         .map(|typed| nominal_pressure("seal.pressure_drop", typed, material))
         .transpose()?;
-    let viscosity: Option<Viscosity> = optional("seal.viscosity", seal.viscosity.as_ref())?;
-    let breadth: Option<Length> = optional("seal.breadth", seal.breadth.as_ref())?;
-    let length: Option<Length> = optional("seal.length", seal.length.as_ref())?;
-    let joint = match (drop, viscosity, breadth, length) {
+    let joint = match (drop, given(&seal.viscosity), given(&seal.breadth), given(&seal.length)) {
         (Some(drop), Some(viscosity), Some(breadth), Some(length)) => Some(
             SealedJoint::new(breadth.m, length.m, drop.pa(), viscosity.pa_s)
                 .map_err(|error| SceneError::at(raw.span(), format!("[seal]: {error}")))?,
@@ -151,13 +144,4 @@ fn resolve_seal(raw: &Spanned<RawSeal>, material: Option<&Material>) -> Result<S
         }
     };
     Ok(Seal { threshold: threshold.transpose()?.unwrap_or_default(), joint })
-}
-
-/// Reads an elastic energy factor.
-pub(super) fn energy_factor(key: &str, raw: &RawEnergyFactor) -> Result<EnergyFactor, SceneError> {
-    let typed = match raw.get_ref() {
-        toml::Value::String(name) => name.clone(),
-        other => other.to_string(),
-    };
-    typed.parse().map_err(|error: EnergyFactorError| value_error(key, &typed, raw.span(), error))
 }

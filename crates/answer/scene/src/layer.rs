@@ -3,11 +3,9 @@
 use asperity::{ElasticBody, Layer};
 use serde_spanned::Spanned;
 use study::layer_base::LayerBase;
-use units::{Length, Modulus};
 
 use super::error::{SceneError, SceneProblem};
-use super::raw::{RawLayer, RawQuantity};
-use super::values::quantity;
+use super::raw::RawLayer;
 
 /// Resolves a layer on the rough body; `base` returns the latter, which a rigid base takes the place of.
 pub(super) fn resolve_layer(
@@ -21,20 +19,17 @@ pub(super) fn resolve_layer(
     let at = |key: &str, span, error: asperity::AsperityError| {
         SceneError::at(span, format!("key material.layer.{key}: {error}"))
     };
-    let given = |key, raw: &Option<RawQuantity>| raw.clone().ok_or_else(|| missing(key));
-    let thickness = given("thickness", thickness)?;
-    let youngs_modulus = given("youngs_modulus", youngs_modulus)?;
+    let thickness = thickness.as_ref().ok_or_else(|| missing("thickness"))?;
+    let youngs_modulus = youngs_modulus.as_ref().ok_or_else(|| missing("youngs_modulus"))?;
     let ratio = poisson_ratio.as_ref().ok_or_else(|| missing("poisson_ratio"))?;
-    let thickness_m = quantity::<Length>("material.layer.thickness", &thickness)?.m;
-    let modulus_pa = quantity::<Modulus>("material.layer.youngs_modulus", &youngs_modulus)?.pa;
     Layer::POISSON_RATIO
         .check("Poisson's ratio of the layer", *ratio.get_ref())
         .map_err(|error| at("poisson_ratio", ratio.span(), error))?;
-    let body = ElasticBody::new(modulus_pa, *ratio.get_ref())
+    let body = ElasticBody::new(youngs_modulus.value.pa, *ratio.get_ref())
         .map_err(|error| at("youngs_modulus", youngs_modulus.span(), error))?;
     let base = match raw.get_ref().base.unwrap_or_default() {
         LayerBase::Rigid => None,
         LayerBase::Material => Some(base()?),
     };
-    Layer::new(body, thickness_m, base).map_err(|error| at("thickness", thickness.span(), error))
+    Layer::new(body, thickness.value.m, base).map_err(|error| at("thickness", thickness.span(), error))
 }

@@ -3,8 +3,8 @@
 use serde_spanned::Spanned;
 
 use super::error::{SceneError, SceneProblem};
-use super::raw::{RawLoads, RawQuantity};
-use super::values::{label, optional, quantity, value_error};
+use super::raw::{RawLoads, Typed, given};
+use super::values::value_error;
 use study::material::{Material, MaterialError, NeededFor};
 use study::plan::{Load, NominalPressure};
 use units::{Area, Force, Pressure};
@@ -34,36 +34,35 @@ pub(super) fn resolve_loads(
     Ok(resolved)
 }
 
-fn pressure_load(raw: &RawQuantity, material: Option<&Material>) -> Result<Load, SceneError> {
-    Ok(Load { nominal_pressure: nominal_pressure("loads.pressures", raw, material)?, label: label(raw) })
+fn pressure_load(raw: &Typed<Pressure>, material: Option<&Material>) -> Result<Load, SceneError> {
+    Ok(Load {
+        nominal_pressure: nominal_pressure("loads.pressures", raw, material)?,
+        label: raw.text.clone(),
+    })
 }
 
 /// The nominal pressure under a key, in Pa or in H.
 pub(super) fn nominal_pressure(
     key: &str,
-    raw: &RawQuantity,
+    raw: &Typed<Pressure>,
     material: Option<&Material>,
 ) -> Result<NominalPressure, SceneError> {
-    let pressure: Pressure = quantity(key, raw)?;
-    let pressure_pa = pressure.pascals(material.and_then(Material::hardness_pa)).ok_or_else(|| {
+    let pressure_pa = raw.value.pascals(material.and_then(Material::hardness_pa)).ok_or_else(|| {
         let missing = MaterialError::Missing(NeededFor::PressureInHardnesses);
-        value_error(key, &label(raw), raw.span(), SceneProblem::from(missing))
+        value_error(key, &raw.text, raw.span(), SceneProblem::from(missing))
     })?;
     NominalPressure::new(pressure_pa)
-        .map_err(|error| value_error(key, &label(raw), raw.span(), format!("{}: {error}", label(raw))))
+        .map_err(|error| value_error(key, &raw.text, raw.span(), format!("{}: {error}", raw.text)))
 }
 
 /// The nominal area \[m^2\] that a force presses on; none where pressures are given.
-pub(super) fn nominal_area_m2(raw: &Spanned<RawLoads>) -> Result<Option<f64>, SceneError> {
-    let area: Option<Area> = optional("loads.nominal_area", raw.get_ref().nominal_area.as_ref())?;
-    Ok(area.map(|area| area.m2))
+pub(super) fn nominal_area_m2(raw: &Spanned<RawLoads>) -> Option<f64> {
+    given(&raw.get_ref().nominal_area).map(|area| area.m2)
 }
 
-fn force_load(force: &RawQuantity, area: &RawQuantity) -> Result<Load, SceneError> {
-    let Force { n } = quantity("loads.force", force)?;
-    let Area { m2 } = quantity("loads.nominal_area", area)?;
-    let label = format!("{} on {}", label(force), label(area));
-    let nominal_pressure = NominalPressure::new(n / m2)
+fn force_load(force: &Typed<Force>, area: &Typed<Area>) -> Result<Load, SceneError> {
+    let label = format!("{} on {}", force.text, area.text);
+    let nominal_pressure = NominalPressure::new(force.value.n / area.value.m2)
         .map_err(|error| value_error("loads.force", &label, force.span(), format!("{label}: {error}")))?;
     Ok(Load { nominal_pressure, label })
 }

@@ -2,13 +2,20 @@
 
 use std::fmt;
 use std::marker::PhantomData;
+use std::ops::Range;
+use std::str::FromStr;
 use std::sync::LazyLock;
 
+use ::interface::gas::NamedGas;
+use measurements::{Instrument, SlopeUncertainty, TipRadius, ZCalibration};
+use persson::EnergyFactor;
+use persson::variance::Band;
+
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
-use serde::de::{Error, IntoDeserializer, MapAccess, SeqAccess, Visitor};
+use serde::de::{Error, IntoDeserializer, MapAccess, SeqAccess, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer};
 use serde_spanned::Spanned;
-use spectrum::{AmplitudeDefinition, Normalisation};
+use spectrum::{Abscissa, AmplitudeDefinition, Convention, Normalisation};
 use stat_contact::InterferenceLaw;
 use topography::{Average, Detrend, Direction, GapTreatment, Window};
 
@@ -16,17 +23,19 @@ use super::error::SceneError;
 use super::mistyped::explained;
 use super::reader::read;
 use super::section::{Section, read_section};
+use super::values::text_of;
 use study::body_properties::BodyProperty;
 use study::figure::{PictureFormat, Shows};
 use study::layer_base::LayerBase;
 use study::models::{Choice, ModelEntry, ModelOptions};
 use study::plan::Cutoffs;
+use units::{
+    Area, Force, Length, LengthUnit, Modulus, Pressure, Temperature, ThermalConductivity, Viscosity,
+    WorkOfAdhesion,
+};
 
-/// A quantity: text with a unit. Any other value is let in here, to be refused with the mend.
+/// A quantity that is read later: text with a unit. Any other value is let in here, to be refused with the mend.
 pub(super) type RawQuantity = Spanned<toml::Value>;
-
-/// An elastic energy factor: a number, or the name of a form.
-pub(super) type RawEnergyFactor = Spanned<toml::Value>;
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -56,8 +65,8 @@ pub(super) struct RawScene {
 pub(super) struct RawSurface {
     pub psd: Option<Spanned<String>>,
     pub column: Option<String>,
-    pub x: Option<Spanned<String>>,
-    pub convention: Option<Spanned<String>>,
+    pub x: Option<Typed<Abscissa>>,
+    pub convention: Option<Typed<Convention>>,
     pub series: Option<String>,
     pub subject: Option<String>,
     pub x_unit: Option<String>,
@@ -68,10 +77,10 @@ pub(super) struct RawSurface {
     pub window: Option<Window>,
     pub average: Option<Average>,
     pub bins_per_decade: Option<Spanned<i64>>,
-    pub rms_height: Option<RawQuantity>,
+    pub rms_height: Option<Typed<Length>>,
     pub rms_slope: Option<Spanned<f64>>,
-    pub mean_width: Option<RawQuantity>,
-    pub rolloff_wavelength: Option<RawQuantity>,
+    pub mean_width: Option<Typed<Length>>,
+    pub rolloff_wavelength: Option<Typed<Length>>,
     pub hurst: Option<Spanned<f64>>,
 }
 
@@ -82,17 +91,17 @@ pub(super) type RawScan = TableOr<RawScanKeys, String>;
 #[serde(deny_unknown_fields, expecting = "{ file = \"...\", ... }")]
 pub(super) struct RawScanKeys {
     pub file: String,
-    pub unit: Option<Spanned<String>>,
+    pub unit: Option<Typed<LengthUnit>>,
     pub channel: Option<String>,
-    pub size: Option<RawQuantity>,
-    pub tip_radius: Option<RawQuantity>,
-    pub shortest_wavelength: Option<RawQuantity>,
+    pub size: Option<Typed<Length>>,
+    pub tip_radius: Option<Typed<TipRadius>>,
+    pub shortest_wavelength: Option<Typed<Length>>,
     pub gaps: Option<GapTreatment>,
     pub direction: Option<Direction>,
     pub detrend: Option<Detrend>,
-    pub instrument: Option<Spanned<String>>,
-    pub z_calibration: Option<RawQuantity>,
-    pub slope_uncertainty: Option<RawQuantity>,
+    pub instrument: Option<Typed<Instrument>>,
+    pub z_calibration: Option<Typed<ZCalibration>>,
+    pub slope_uncertainty: Option<Typed<SlopeUncertainty>>,
 }
 
 /// The rough body.
@@ -115,8 +124,8 @@ pub(super) struct RawBody<const IS_COUNTERFACE: bool> {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "a section [material.layer]")]
 pub(super) struct RawLayer {
-    pub thickness: Option<RawQuantity>,
-    pub youngs_modulus: Option<RawQuantity>,
+    pub thickness: Option<Typed<Length>>,
+    pub youngs_modulus: Option<Typed<Modulus>>,
     pub poisson_ratio: Option<Spanned<f64>>,
     pub base: Option<LayerBase>,
 }
@@ -189,9 +198,9 @@ pub(super) enum Distribution {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "a section [loads]")]
 pub(super) struct RawLoads {
-    pub pressures: Option<Vec<RawQuantity>>,
-    pub force: Option<RawQuantity>,
-    pub nominal_area: Option<RawQuantity>,
+    pub pressures: Option<Vec<Typed<Pressure>>>,
+    pub force: Option<Typed<Force>>,
+    pub nominal_area: Option<Typed<Area>>,
 }
 
 /// A curve. Of the options of its model, those whose values need more checks stand beside the others.
@@ -199,7 +208,7 @@ pub(super) struct RawLoads {
 pub(super) struct RawCurve {
     pub model: Option<&'static ModelEntry>,
     pub options: ModelOptions,
-    pub gamma: Option<RawEnergyFactor>,
+    pub gamma: Option<Typed<EnergyFactor>>,
     pub hardness_law: Option<Spanned<String>>,
     pub cutoffs: Option<Cutoffs>,
     pub name: Option<Spanned<String>>,
@@ -253,7 +262,7 @@ pub(super) struct RawFigure {
     pub models: Option<Vec<Spanned<String>>>,
     pub loads: Option<Spanned<RawFigureLoads>>,
     pub cutoff_multiples: Option<Vec<f64>>,
-    pub width: Option<RawQuantity>,
+    pub width: Option<Typed<Length>>,
     pub format: Option<Vec<PictureFormat>>,
     pub font_size: Option<Spanned<f64>>,
 }
@@ -265,7 +274,7 @@ pub(super) struct RawFigureDefaults {
     pub title: Option<Spanned<bool>>,
     pub models: Option<Vec<Spanned<String>>>,
     pub loads: Option<Vec<RawQuantity>>,
-    pub width: Option<RawQuantity>,
+    pub width: Option<Typed<Length>>,
     pub format: Option<Vec<PictureFormat>>,
     pub font_size: Option<Spanned<f64>>,
 }
@@ -276,15 +285,15 @@ pub(super) type RawFigureLoads = TableOr<RawLoadRange, Vec<RawQuantity>>;
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "{ from = \"1e-6 H\", to = \"1 H\", points = 41 }")]
 pub(super) struct RawLoadRange {
-    pub from: RawQuantity,
-    pub to: RawQuantity,
+    pub from: Typed<Pressure>,
+    pub to: Typed<Pressure>,
     pub points: Spanned<u32>,
 }
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "a section [cutoffs]")]
 pub(super) struct RawCutoffs {
-    pub shortest_wavelength: Option<RawQuantity>,
+    pub shortest_wavelength: Option<Typed<Length>>,
 }
 
 #[derive(Debug, Default, Deserialize)]
@@ -294,7 +303,7 @@ pub(super) struct RawOptions {
     pub amplitude: Option<AmplitudeDefinition>,
     pub scales_per_decade: Option<Spanned<i64>>,
     pub hardness_formula: Option<asperity::Hardness>,
-    pub strength_cap: Option<RawQuantity>,
+    pub strength_cap: Option<Typed<Pressure>>,
     pub interference_law: Option<InterferenceLaw>,
     pub tolerance: Option<Spanned<f64>>,
 }
@@ -326,18 +335,18 @@ pub(super) struct RawUncertainty {
 #[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "a section [interface]")]
 pub(super) struct RawInterface {
-    pub gamma: Option<RawEnergyFactor>,
-    pub band: Option<Spanned<String>>,
-    pub shear_strength: Option<RawQuantity>,
-    pub work_of_adhesion: Option<RawQuantity>,
-    pub range_of_attraction: Option<RawQuantity>,
-    pub gas: Option<Spanned<String>>,
-    pub gas_temperature: Option<RawQuantity>,
-    pub gas_pressure: Option<RawQuantity>,
-    pub gas_conductivity: Option<RawQuantity>,
-    pub gas_parameter: Option<RawQuantity>,
+    pub gamma: Option<Typed<EnergyFactor>>,
+    pub band: Option<Typed<Band>>,
+    pub shear_strength: Option<Typed<Pressure>>,
+    pub work_of_adhesion: Option<Typed<WorkOfAdhesion>>,
+    pub range_of_attraction: Option<Typed<Length>>,
+    pub gas: Option<Typed<NamedGas>>,
+    pub gas_temperature: Option<Typed<Temperature>>,
+    pub gas_pressure: Option<Typed<Pressure>>,
+    pub gas_conductivity: Option<Typed<ThermalConductivity>>,
+    pub gas_parameter: Option<Typed<Length>>,
     pub friction: Option<Spanned<f64>>,
-    pub tangential_stress: Option<RawQuantity>,
+    pub tangential_stress: Option<Typed<Pressure>>,
     pub share_of_sliding: Option<Spanned<f64>>,
 }
 
@@ -345,10 +354,46 @@ pub(super) struct RawInterface {
 #[serde(deny_unknown_fields, expecting = "a section [seal]")]
 pub(super) struct RawSeal {
     pub percolation_threshold: Option<Spanned<f64>>,
-    pub pressure_drop: Option<RawQuantity>,
-    pub viscosity: Option<RawQuantity>,
-    pub breadth: Option<RawQuantity>,
-    pub length: Option<RawQuantity>,
+    pub pressure_drop: Option<Typed<Pressure>>,
+    pub viscosity: Option<Typed<Viscosity>>,
+    pub breadth: Option<Typed<Length>>,
+    pub length: Option<Typed<Length>>,
+}
+
+/// A value that is typed as text, such as a quantity with its unit, with the text and its place.
+#[derive(Debug, Clone)]
+pub(super) struct Typed<T> {
+    pub value: T,
+    pub text: String,
+    span: Range<usize>,
+}
+
+impl<T: FromStr<Err: fmt::Display>> Typed<T> {
+    /// Reads a value. A bare number is read as text without a unit, so that the message lists the units.
+    pub fn read<E: Error>(raw: &RawQuantity) -> Result<Self, E> {
+        let text = text_of(raw.get_ref());
+        match text.parse() {
+            Ok(value) => Ok(Typed { value, text: text.trim().to_owned(), span: raw.span() }),
+            Err(error) => Err(E::invalid_value(Unexpected::Other(&text), &error.to_string().as_str())),
+        }
+    }
+}
+
+impl<T> Typed<T> {
+    pub fn span(&self) -> Range<usize> {
+        self.span.clone()
+    }
+}
+
+impl<'de, T: FromStr<Err: fmt::Display>> Deserialize<'de> for Typed<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        Typed::read(&Spanned::deserialize(deserializer)?)
+    }
+}
+
+/// Returns the value of a key, if it is given.
+pub(super) fn given<T: Copy>(typed: &Option<Typed<T>>) -> Option<T> {
+    typed.as_ref().map(|typed| typed.value)
 }
 
 /// A table, or another value in its place.

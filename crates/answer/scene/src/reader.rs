@@ -53,8 +53,11 @@ impl Error for SceneError {
         SceneError::anywhere(SceneProblem::WrongType { found, wanted: words.unwrap_or(wanted) })
     }
 
+    /// A text that cannot be read, with what is wrong with it, or a number out of bounds.
     fn invalid_value(found: Unexpected<'_>, wanted: &dyn Expected) -> Self {
-        Self::invalid_type(found, wanted)
+        let Unexpected::Other(text) = found else { return Self::invalid_type(found, wanted) };
+        let (value, problem) = (text.to_owned(), wanted.to_string());
+        SceneError::anywhere(SceneProblem::Value { key: String::new(), value, problem })
     }
 
     fn unknown_field(key: &str, known: &'static [&'static str]) -> Self {
@@ -100,7 +103,7 @@ impl<'de> Deserializer<'de> for Node<'_> {
             },
             DeValue::Datetime(date) => visitor.visit_str(&date.to_string()),
             DeValue::Array(values) => visitor.visit_seq(SeqDeserializer::new(values.iter().map(Node))),
-            DeValue::Table(table) => visitor.visit_map(Entries { rest: table.iter(), value: None }),
+            DeValue::Table(table) => visitor.visit_map(Entries { rest: table.iter(), entry: None }),
         };
         found.map_err(|error| error.or_at(self.0.span()))
     }
@@ -153,7 +156,7 @@ impl IntoDeserializer<'_, SceneError> for Node<'_> {
 /// The keys of a table and their values.
 struct Entries<'n, I> {
     rest: I,
-    value: Option<&'n Spanned<DeValue<'n>>>,
+    entry: Option<(&'n str, &'n Spanned<DeValue<'n>>)>,
 }
 
 impl<'de, 'n, I> MapAccess<'de> for Entries<'n, I>
@@ -164,16 +167,18 @@ where
 
     fn next_key_seed<K: DeserializeSeed<'de>>(&mut self, seed: K) -> Result<Option<K::Value>, SceneError> {
         let Some((key, value)) = self.rest.next() else { return Ok(None) };
-        self.value = Some(value);
         let name: &str = key.get_ref();
+        self.entry = Some((name, value));
         seed.deserialize(IntoDeserializer::<SceneError>::into_deserializer(name))
             .map(Some)
             .map_err(|error| error.or_at(key.span()))
     }
 
     fn next_value_seed<V: DeserializeSeed<'de>>(&mut self, seed: V) -> Result<V::Value, SceneError> {
-        match self.value.take() {
-            Some(value) => seed.deserialize(Node(value)).map_err(|error| error.or_at(value.span())),
+        match self.entry.take() {
+            Some((key, value)) => {
+                seed.deserialize(Node(value)).map_err(|error| error.or_at(value.span()).below(key))
+            }
             None => Err(SceneError::custom("a value is read before its key")),
         }
     }

@@ -14,10 +14,10 @@ use super::file_names;
 use super::interface::resolve_interface;
 use super::judge::{JudgeSettings, resolve_judge};
 use super::loads::{nominal_area_m2, resolve_loads};
-use super::raw::RawScene;
+use super::raw::{RawScene, given};
 use super::surfaces::resolve_surface;
 use super::uncertainty::{UncertaintySettings, resolve_uncertainty};
-use super::values::{count, optional, tolerance};
+use super::values::{count, tolerance};
 use measurements::Files;
 use study::bodies::Bodies;
 use study::figure::Shows;
@@ -86,7 +86,7 @@ pub(super) fn resolve(
     let options = &raw.options;
     let strength_cap = match overrides.strength_cap {
         Some(cap) => Some(cap),
-        None => optional("options.strength_cap", options.strength_cap.as_ref())?,
+        None => given(&options.strength_cap),
     };
     let counterface = match (overrides.counterface, &raw.counterface) {
         (Some(body), _) => UncertainCounterface::exactly(body),
@@ -100,8 +100,7 @@ pub(super) fn resolve(
         }
         None => (None, MaterialSpreads::default(), Bodies::default()),
     };
-    let cutoff: Option<Length> =
-        optional("cutoffs.shortest_wavelength", raw.cutoffs.shortest_wavelength.as_ref())?;
+    let cutoff = given(&raw.cutoffs.shortest_wavelength);
     let per_decade =
         options.scales_per_decade.as_ref().map(|raw| count("options.scales_per_decade", raw)).transpose()?;
     let law_options = ModelOptions {
@@ -136,7 +135,7 @@ pub(super) fn resolve(
     let amplitude = overrides.amplitude.or(options.amplitude).unwrap_or_default();
     let judge = raw.judge.as_ref().map(resolve_judge).transpose()?;
     let uncertainty = raw.uncertainty.as_ref().map(resolve_uncertainty).transpose()?;
-    let area_m2 = raw.loads.as_ref().map(nominal_area_m2).transpose()?.flatten();
+    let area_m2 = raw.loads.as_ref().and_then(nominal_area_m2);
     let interface = resolve_interface(raw, material.as_ref(), &bodies, area_m2)?;
     if interface.is_some() && (material.is_none() || loads.is_empty()) {
         return Err(SceneError::anywhere(

@@ -2,11 +2,9 @@
 
 use serde_spanned::Spanned;
 use spectrum::{RoughnessParameters, SelfAffineProfile};
-use units::Length;
 
 use super::error::{SceneError, SceneProblem};
-use super::raw::RawSurface;
-use super::values::optional;
+use super::raw::{RawSurface, given};
 use study::given_roughness::{ASSUMED_HURST, GivenRoughness, RollOffFrom};
 use study::surface::Surface;
 
@@ -29,11 +27,7 @@ pub(super) fn keys(surface: &RawSurface) -> [(&'static str, bool); 5] {
 pub(super) fn resolve_roughness(key: &str, raw: &Spanned<RawSurface>) -> Result<Surface, SceneError> {
     let surface = raw.get_ref();
     let refused = |message: String| SceneError::at(raw.span(), message);
-    let lateral: Option<Length> = optional(&format!("{key}.mean_width"), surface.mean_width.as_ref())?;
-    let rolloff: Option<Length> =
-        optional(&format!("{key}.rolloff_wavelength"), surface.rolloff_wavelength.as_ref())?;
-    let height: Option<Length> = optional(&format!("{key}.rms_height"), surface.rms_height.as_ref())?;
-    let (rolloff_m, rolloff_from) = match (lateral, rolloff) {
+    let (rolloff_m, rolloff_from) = match (given(&surface.mean_width), given(&surface.rolloff_wavelength)) {
         (Some(width), None) => (width.m, RollOffFrom::MeanWidth),
         (None, Some(rolloff)) => (rolloff.m, RollOffFrom::Given),
         (Some(_), Some(_)) => {
@@ -50,7 +44,7 @@ pub(super) fn resolve_roughness(key: &str, raw: &Spanned<RawSurface>) -> Result<
     };
     let missing = |name: &str| SceneError::at(raw.span(), SceneProblem::MissingKey { key: name.to_owned() });
     let parameters = RoughnessParameters {
-        rms_height_m: height.ok_or_else(|| missing("rms_height"))?.m,
+        rms_height_m: given(&surface.rms_height).ok_or_else(|| missing("rms_height"))?.m,
         rms_slope: *surface.rms_slope.as_ref().ok_or_else(|| missing("rms_slope"))?.get_ref(),
         rolloff_m,
         hurst_exponent: surface.hurst.as_ref().map_or(ASSUMED_HURST, |hurst| *hurst.get_ref()),

@@ -5,13 +5,12 @@ use serde_spanned::Spanned;
 use spectrum::ReadOptions;
 
 use super::error::SceneError;
-use super::raw::{RawScan, RawSurface};
+use super::raw::{RawScan, RawSurface, given};
 use super::roughness::{keys as roughness_keys, resolve_roughness};
-use super::values::{count, optional, parsed};
-use measurements::{Files, Instrument, ScanRequest, SlopeUncertainty, ZCalibration};
+use super::values::count;
+use measurements::{Files, ScanRequest};
 use study::surface::{Surface, SurfaceError};
 use topography::{DEFAULT_BINS_PER_DECADE, Recipe};
-use units::Length;
 
 /// The surface under this key of the scene, its files from `files`.
 pub(super) fn resolve_surface(
@@ -24,7 +23,7 @@ pub(super) fn resolve_surface(
     match (&surface.psd, &surface.scans[..], parameter) {
         (Some(psd), [], None) => {
             refuse_idle_keys(key, raw)?;
-            spectrum(key, surface, psd, files)
+            spectrum(surface, psd, files)
         }
         (None, [_, ..], None) => {
             refuse_idle_keys(key, raw)?;
@@ -92,20 +91,11 @@ fn refuse_idle_keys(key: &str, raw: &Spanned<RawSurface>) -> Result<(), SceneErr
     }
 }
 
-fn spectrum(
-    key: &str,
-    surface: &RawSurface,
-    psd: &Spanned<String>,
-    files: &dyn Files,
-) -> Result<Surface, SceneError> {
+fn spectrum(surface: &RawSurface, psd: &Spanned<String>, files: &dyn Files) -> Result<Surface, SceneError> {
     let options = ReadOptions {
         column: surface.column.clone(),
-        x: surface.x.as_ref().map(|text| parsed(&format!("{key}.x"), text)).transpose()?,
-        convention: surface
-            .convention
-            .as_ref()
-            .map(|text| parsed(&format!("{key}.convention"), text))
-            .transpose()?,
+        x: given(&surface.x),
+        convention: given(&surface.convention),
         series: surface.series.clone(),
         subject: surface.subject.clone(),
         x_unit: surface.x_unit.clone(),
@@ -126,8 +116,7 @@ fn composite(key: &str, surface: &RawSurface, files: &dyn Files) -> Result<Surfa
             .unwrap_or(DEFAULT_BINS_PER_DECADE),
         ..Recipe::default()
     };
-    let requests =
-        surface.scans.iter().map(|raw| request(key, raw.get_ref())).collect::<Result<Vec<_>, _>>()?;
+    let requests: Vec<ScanRequest> = surface.scans.iter().map(|raw| request(raw.get_ref())).collect();
     Surface::from_scans(&requests, files, &recipe).map_err(|error| {
         let all = surface.scans[0].span().start..surface.scans[surface.scans.len() - 1].span().end;
         let request = match &error {
@@ -138,34 +127,24 @@ fn composite(key: &str, surface: &RawSurface, files: &dyn Files) -> Result<Surfa
     })
 }
 
-fn request(key: &str, raw: &RawScan) -> Result<ScanRequest, SceneError> {
+fn request(raw: &RawScan) -> ScanRequest {
     let raw = match raw {
         RawScan::Table(keys) => keys,
-        RawScan::Other(file) => return Ok(ScanRequest { path: file.clone(), ..ScanRequest::default() }),
+        RawScan::Other(file) => return ScanRequest { path: file.clone(), ..ScanRequest::default() },
     };
-    let length = |name: &str, raw| -> Result<Option<f64>, SceneError> {
-        let length: Option<Length> = optional(&format!("{key}.scans.{name}"), raw)?;
-        Ok(length.map(|length| length.m))
-    };
-    let z_calibration: Option<ZCalibration> =
-        optional(&format!("{key}.scans.z_calibration"), raw.z_calibration.as_ref())?;
-    let slope_uncertainty: Option<SlopeUncertainty> =
-        optional(&format!("{key}.scans.slope_uncertainty"), raw.slope_uncertainty.as_ref())?;
-    let instrument: Option<Instrument> =
-        raw.instrument.as_ref().map(|text| parsed(&format!("{key}.scans.instrument"), text)).transpose()?;
-    Ok(ScanRequest {
+    ScanRequest {
         path: raw.file.clone(),
-        unit: raw.unit.as_ref().map(|text| parsed(&format!("{key}.scans.unit"), text)).transpose()?,
+        unit: given(&raw.unit),
         channel: raw.channel.clone(),
         measurement: None,
-        size_m: length("size", raw.size.as_ref())?,
-        tip_radius: optional(&format!("{key}.scans.tip_radius"), raw.tip_radius.as_ref())?,
+        size_m: given(&raw.size).map(|size| size.m),
+        tip_radius: given(&raw.tip_radius),
         gaps: raw.gaps,
         direction: raw.direction,
         detrend: raw.detrend,
-        instrument: instrument.map(|Instrument(name)| name),
-        z_calibration: z_calibration.map(|calibration| calibration.share),
-        slope_uncertainty: slope_uncertainty.map(|slope| slope.standard_uncertainty),
-        shortest_m: length("shortest_wavelength", raw.shortest_wavelength.as_ref())?,
-    })
+        instrument: raw.instrument.as_ref().map(|typed| typed.value.0.clone()),
+        z_calibration: given(&raw.z_calibration).map(|calibration| calibration.share),
+        slope_uncertainty: given(&raw.slope_uncertainty).map(|slope| slope.standard_uncertainty),
+        shortest_m: given(&raw.shortest_wavelength).map(|wavelength| wavelength.m),
+    }
 }

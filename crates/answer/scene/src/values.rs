@@ -6,24 +6,8 @@ use std::str::FromStr;
 use serde_spanned::Spanned;
 
 use super::error::{SceneError, SceneProblem};
-use super::raw::RawQuantity;
 use study::plan::Tolerance;
 use units::Bound;
-
-pub(super) fn optional<T: FromStr<Err: std::fmt::Display>>(
-    key: &str,
-    raw: Option<&RawQuantity>,
-) -> Result<Option<T>, SceneError> {
-    raw.map(|raw| quantity(key, raw)).transpose()
-}
-
-/// A quantity with its unit. A bare number is read as text without a unit, so that the message lists the units.
-pub(super) fn quantity<T: FromStr<Err: std::fmt::Display>>(
-    key: &str,
-    raw: &RawQuantity,
-) -> Result<T, SceneError> {
-    quantity_at(key, raw.get_ref(), raw.span())
-}
 
 /// A quantity with its unit at `span`.
 pub(super) fn quantity_at<T: FromStr<Err: std::fmt::Display>>(
@@ -41,13 +25,6 @@ pub(super) fn text_of(value: &toml::Value) -> String {
         toml::Value::String(text) => text.clone(),
         other => other.to_string(),
     }
-}
-
-pub(super) fn parsed<T: FromStr<Err: std::fmt::Display>>(
-    key: &str,
-    text: &Spanned<String>,
-) -> Result<T, SceneError> {
-    text.get_ref().parse().map_err(|error| value_error(key, text.get_ref(), text.span(), error))
 }
 
 /// Returns an error about the value of a key at `span`.
@@ -80,11 +57,6 @@ pub(super) fn whole_number(
     let checked = bound.check(quantity, value as f64);
     checked.map_err(|error| value_error(key, &value.to_string(), raw.span(), error))?;
     Ok(value.unsigned_abs())
-}
-
-/// A quantity as typed.
-pub(super) fn label(raw: &RawQuantity) -> String {
-    raw.get_ref().as_str().unwrap_or_default().trim().to_owned()
 }
 
 /// The names of curves and figures become those of files.
