@@ -1,6 +1,5 @@
 //! Why a question has no answer.
 
-use asperity::AsperityError;
 use elements::{AdhesiveError, ElementsError, IndenterError};
 use interface::conductance::PlasticCorrelation;
 use interface::finite_elements::SamplingError;
@@ -25,14 +24,6 @@ pub enum QuestionError {
     /// An elastic constant is missing.
     #[error("{0} is needed: every model is at least elastic")]
     ElasticConstant(&'static str),
-    /// A body with an elastic constant out of bounds.
-    #[error("{option}: {error}")]
-    Body {
-        /// The option of its Poisson's ratio.
-        option: &'static str,
-        /// The bound.
-        error: AsperityError,
-    },
     /// The material lacks something, or contradicts itself.
     #[error(transparent)]
     Material(#[from] MaterialError),

@@ -70,7 +70,7 @@ impl LayerInput {
                 let youngs_modulus_pa = youngs_modulus_pa.ok_or(needed)?;
                 let poisson_ratio = poisson_ratio.ok_or(QuestionError::ElasticConstant("poisson_ratio"))?;
                 let body = ElasticBody::new(youngs_modulus_pa, poisson_ratio);
-                Some(body.map_err(|error| QuestionError::Body { option: "poisson_ratio", error })?)
+                Some(body.map_err(|error| QuestionError::Value { option: "poisson_ratio", error })?)
             }
         };
         Layer::new(body, thickness_m, base).map_err(|error| QuestionError::Value { option, error })

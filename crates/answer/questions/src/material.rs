@@ -52,10 +52,10 @@ impl BodyInput {
     /// The elastic body; `option` is the one that gives its Poisson's ratio.
     ///
     /// # Errors
-    /// [`QuestionError::Body`] if a constant is out of bounds.
+    /// [`QuestionError::Value`] if a constant is out of bounds.
     pub fn body(self, option: &'static str) -> Result<ElasticBody, QuestionError> {
         ElasticBody::new(self.youngs_modulus_pa, self.poisson_ratio)
-            .map_err(|error| QuestionError::Body { option, error })
+            .map_err(|error| QuestionError::Value { option, error })
     }
 }
 
@@ -116,7 +116,7 @@ impl MaterialInput {
     /// The elastic counterface, if there is one.
     ///
     /// # Errors
-    /// [`QuestionError::Body`] if a constant is out of bounds.
+    /// [`QuestionError::Value`] if a constant is out of bounds.
     pub fn counterface(&self) -> Result<Option<ElasticBody>, QuestionError> {
         self.counterface.map(|body| body.body("counterface_poisson_ratio")).transpose()
     }

@@ -1,8 +1,8 @@
 //! The reader of scenes: values of TOML with their places, and errors as data.
 
-use serde::de::value::SeqDeserializer;
 use serde::de::{
-    DeserializeSeed, Deserializer, Error, Expected, IntoDeserializer, MapAccess, Unexpected, Visitor,
+    DeserializeSeed, Deserializer, Error, Expected, IntoDeserializer, MapAccess, SeqAccess, Unexpected,
+    Visitor,
 };
 use serde_spanned::Spanned;
 use serde_spanned::de::{SpannedDeserializer, is_spanned};
@@ -102,7 +102,7 @@ impl<'de> Deserializer<'de> for Node<'_> {
                 _ => Err(overflows(number.as_str())),
             },
             DeValue::Datetime(date) => visitor.visit_str(&date.to_string()),
-            DeValue::Array(values) => visitor.visit_seq(SeqDeserializer::new(values.iter().map(Node))),
+            DeValue::Array(values) => visitor.visit_seq(Elements(values.iter())),
             DeValue::Table(table) => visitor.visit_map(Entries { rest: table.iter(), entry: None }),
         };
         found.map_err(|error| error.or_at(self.0.span()))
@@ -150,6 +150,21 @@ impl IntoDeserializer<'_, SceneError> for Node<'_> {
 
     fn into_deserializer(self) -> Self {
         self
+    }
+}
+
+/// The values of a list.
+struct Elements<'n>(std::slice::Iter<'n, Spanned<DeValue<'n>>>);
+
+impl<'de> SeqAccess<'de> for Elements<'_> {
+    type Error = SceneError;
+
+    fn next_element_seed<T: DeserializeSeed<'de>>(
+        &mut self,
+        seed: T,
+    ) -> Result<Option<T::Value>, SceneError> {
+        let Some(value) = self.0.next() else { return Ok(None) };
+        seed.deserialize(Node(value)).map(Some).map_err(|error| error.or_at(value.span()))
     }
 }
 

@@ -101,12 +101,8 @@ fn folded(Row { statement, findings }: &Row, spectra: &[&str], label: fn(&str) -
 
 /// The findings of other models, below the counts and outside them.
 fn other_models(models: &[OtherModel], spectra: &[&str], label: fn(&str) -> &str) -> Markup {
-    let head = html! {
-        tr {
-            th scope="col" { "model" } th scope="col" { "what it says" }
-            @for spectrum in spectra { th scope="col" { (label(spectrum)) } }
-        }
-    };
+    let mut columns = vec!["model", "what it says"];
+    columns.extend(spectra.iter().map(|spectrum| label(spectrum)));
     let body = html! {
         tbody {
             @for other in models {
@@ -127,7 +123,7 @@ fn other_models(models: &[OtherModel], spectra: &[&str], label: fn(&str) -> &str
     };
     html! {
         h3 { "Other models" }
-        div.ledger { (table("What models that are not the paper’s say of the same surfaces; not counted above.", &head, &body)) }
+        div.ledger { (table("What models that are not the paper’s say of the same surfaces; not counted above.", &columns, &body)) }
     }
 }
 

@@ -6,6 +6,7 @@ mod calibration;
 mod channels;
 mod composite;
 mod error;
+mod evaluated;
 mod files;
 mod folders;
 mod instrument;
@@ -31,5 +32,5 @@ pub use load::{Loaded, METADATA_FILES, heights_in, holds_a_spectrum, holds_heigh
 pub use map::MapOfFile;
 pub use request::{RequestError, ScanRequest, TipRadius};
 pub use roughness_of_files::{Conventions, RoughnessOfFiles, RoughnessSettings};
-pub use scales_of_files::{ScalesOfFiles, ScalesOfScan};
+pub use scales_of_files::ScalesOfFiles;
 pub use sketch::ScanSketch;

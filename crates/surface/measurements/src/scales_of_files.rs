@@ -1,38 +1,22 @@
 //! Rms gradient and curvature of the scans in files down to each wavelength.
 
-use roughness::{Evaluation, GradientAndCurvature, ScaleLimitedSurface, ScaleParameters, scale_parameters};
+use roughness::{Evaluation, GradientAndCurvature, ScaleParameters, scale_parameters};
 use scans::ScanFile;
 use tables::Table;
 
-use crate::channels::channel;
-use crate::error::{ScanProblem, TopographyError};
+use crate::error::TopographyError;
+use crate::evaluated::EvaluatedScan;
 use crate::files::Files;
-use crate::load::load;
 use crate::request::ScanRequest;
-use crate::roughness_of_files::left_out;
 
 /// The rms gradient and curvature of the scans in some files, down to each wavelength.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 #[non_exhaustive]
 pub struct ScalesOfFiles {
-    /// The scans, in the order of the files.
-    pub scans: Vec<ScalesOfScan>,
+    /// The scans in the order of the files, with rows from long to short wavelengths.
+    scans: Vec<EvaluatedScan<Vec<ScaleParameters>>>,
     /// Files without a result, with the error of each.
     pub unreadable: Vec<TopographyError>,
-}
-
-/// The rms gradient and curvature of a scan down to each wavelength.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct ScalesOfScan {
-    /// The file.
-    pub file: String,
-    /// The channel; empty if the file names none.
-    pub channel: String,
-    /// The rows, from long to short wavelengths.
-    pub rows: Vec<ScaleParameters>,
-    /// Number of points without a height: with any, there is no spectrum.
-    pub missing: usize,
 }
 
 impl ScalesOfFiles {
@@ -40,18 +24,9 @@ impl ScalesOfFiles {
     /// [`ScalesOfFiles::unreadable`].
     #[must_use]
     pub fn read(requests: &[ScanRequest], files: &dyn Files, evaluation: &Evaluation) -> Self {
-        let mut found = ScalesOfFiles::default();
-        for request in requests {
-            let of_file = || -> Result<Vec<ScalesOfScan>, TopographyError> {
-                let loaded = load(request, files)?;
-                loaded.scans.iter().map(|scan| ScalesOfScan::new(request, scan, evaluation)).collect()
-            };
-            match of_file() {
-                Ok(scans) => found.scans.extend(scans),
-                Err(error) => found.unreadable.push(error),
-            }
-        }
-        found
+        let of = |request: &ScanRequest, scan: &ScanFile| evaluated(request, scan, evaluation);
+        let (scans, unreadable) = EvaluatedScan::of_files(requests, files, of);
+        ScalesOfFiles { scans, unreadable }
     }
 
     /// Evaluates a scan in memory.
@@ -63,15 +38,15 @@ impl ScalesOfFiles {
         scan: &ScanFile,
         evaluation: &Evaluation,
     ) -> Result<Self, TopographyError> {
-        let scan = ScalesOfScan::new(request, scan, evaluation)?;
-        Ok(ScalesOfFiles { scans: vec![scan], unreadable: Vec::new() })
+        let scans = vec![evaluated(request, scan, evaluation)?];
+        Ok(ScalesOfFiles { scans, unreadable: Vec::new() })
     }
 
     /// Makes a table with the columns `file, channel, wavelength_m, rms_gradient_spectrum, rms_gradient_heights,
     /// rms_curvature_spectrum_per_m, rms_curvature_heights_per_m`; cells without a value are empty.
     #[must_use]
     pub fn table(&self) -> Table {
-        let rows = || self.scans.iter().flat_map(|scan| scan.rows.iter().map(move |row| (scan, row)));
+        let rows = || self.scans.iter().flat_map(|scan| scan.found.iter().map(move |row| (scan, row)));
         let column = |of: fn(&ScaleParameters) -> Option<GradientAndCurvature>,
                       value: fn(GradientAndCurvature) -> f64| {
             rows().map(move |(_, row)| of(row).map(value))
@@ -88,34 +63,18 @@ impl ScalesOfFiles {
             .with_numbers("rms_curvature_heights_per_m", column(|row| row.from_heights, curvature))
     }
 
-    /// Lists what a reader should know of the scans, a sentence each without a full stop.
+    /// Lists what a reader should know of the scans, a sentence each without a full stop. With points missing there is no spectrum.
     #[must_use]
     pub fn notes(&self) -> Vec<String> {
-        let incomplete = self.scans.iter().filter(|scan| scan.missing > 0);
-        let note = |scan: &ScalesOfScan| {
-            format!("{}, and no spectrum", left_out(&scan.file, &scan.channel, scan.missing))
-        };
-        incomplete.map(note).collect()
+        let incomplete = self.scans.iter().filter_map(EvaluatedScan::left_out);
+        incomplete.map(|note| format!("{note}, and no spectrum")).collect()
     }
 }
 
-impl ScalesOfScan {
-    /// Evaluates a scan in memory.
-    ///
-    /// # Errors
-    /// [`TopographyError`] if no heights are left to evaluate.
-    pub fn new(
-        request: &ScanRequest,
-        scan: &ScanFile,
-        evaluation: &Evaluation,
-    ) -> Result<Self, TopographyError> {
-        let relief = ScaleLimitedSurface::new(&scan.scan, evaluation)
-            .map_err(|error| TopographyError::for_file(&request.path, ScanProblem::Relief(error)))?;
-        Ok(ScalesOfScan {
-            file: request.path.clone(),
-            channel: channel(request, scan),
-            rows: scale_parameters(&relief, scan.is_periodic),
-            missing: relief.missing(),
-        })
-    }
+fn evaluated(
+    request: &ScanRequest,
+    scan: &ScanFile,
+    evaluation: &Evaluation,
+) -> Result<EvaluatedScan<Vec<ScaleParameters>>, TopographyError> {
+    EvaluatedScan::new(request, scan, evaluation, |relief| scale_parameters(relief, scan.is_periodic))
 }

@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use super::{SceneReport, Section, gists, per_scene, share_cell, table};
+use super::{SceneReport, Section, gists, per_scene, row_group, share_cell, table};
 use crate::listing::decade_name;
 use findings::features::DecadeShare;
 
@@ -51,28 +51,18 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
         return None;
     }
     let psd = &report.results.psd;
-    let head = html! {
-        tr {
-            th scope="col" { "curve" } th scope="col" { "nominal pressure" }
-            @for decade in &decades {
-                th scope="col" { (decade_name(decade, psd)) }
-            }
+    let mut columns = ["curve", "nominal pressure"].map(str::to_owned).to_vec();
+    columns.extend(decades.iter().map(|decade| decade_name(decade, psd)));
+    let cells = |strip: &Strip| {
+        html! {
+            td { (report.loads(&strip.loads)) }
+            @for percent in &strip.percents { (share_cell(*percent)) }
         }
     };
     let body = html! {
-        @for (curve, strips) in strips(report, &decades) {
-            tbody {
-                @for (place, strip) in strips.iter().enumerate() {
-                    tr {
-                        @if place == 0 { th scope="rowgroup" rowspan=(strips.len()) { (report.curve(curve)) } }
-                        td { (report.loads(&strip.loads)) }
-                        @for percent in &strip.percents { (share_cell(*percent)) }
-                    }
-                }
-            }
-        }
+        @for (curve, strips) in strips(report, &decades) { (row_group(&report.curve(curve), &strips, cells)) }
     };
-    Some(table("Share of each decade of wavelengths, in percent.", &head, &body))
+    Some(table("Share of each decade of wavelengths, in percent.", &columns, &body))
 }
 
 /// The strips of each curve. Neighbouring loads share a strip if their strips read the same.

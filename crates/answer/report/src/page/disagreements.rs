@@ -16,12 +16,8 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
     if found.is_empty() {
         return None;
     }
-    let head = html! {
-        tr {
-            th scope="col" { "nominal pressure" } th scope="col" { "smallest area" } th scope="col" { "largest area" }
-            th scope="col" { "ratio" } th scope="col" { "more than " (DISAGREEMENT) "x apart for cutoffs below" }
-        }
-    };
+    let apart = format!("more than {DISAGREEMENT}x apart for cutoffs below");
+    let columns = ["nominal pressure", "smallest area", "largest area", "ratio", &apart];
     let area = |curve: usize, load: usize| {
         let answer = report.answer.curves[curve][load].as_ref();
         let fraction = answer.map_or_else(String::new, |answer| typeset_digits(answer.area_fraction));
@@ -39,5 +35,5 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
             }
         }
     };
-    Some(table("The smallest and the largest area that the curves end in.", &head, &body))
+    Some(table("The smallest and the largest area that the curves end in.", &columns, &body))
 }

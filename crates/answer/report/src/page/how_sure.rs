@@ -2,7 +2,7 @@
 
 use maud::{Markup, PreEscaped, html};
 
-use super::{SceneReport, Section, gists, per_scene, share_cell, table};
+use super::{SceneReport, Section, gists, per_scene, row_group, share_cell, table};
 use crate::advice_words::{foremost_advice, subject};
 use crate::chart;
 use crate::uncertainty_words::{self, level};
@@ -55,13 +55,21 @@ fn intervals(
     is_shown: impl Fn(&AreaInterval) -> bool,
 ) -> Markup {
     let groups = &uncertainty.groups;
-    let head = html! {
-        tr {
-            th scope="col" { "curve" } th scope="col" { "nominal pressure" } th scope="col" { "area fraction" }
-            th scope="col" { (level(uncertainty)) }
-            @for group in groups { th scope="col" { (group_name(*group)) } }
-            @if groups.len() > 1 { th scope="col" { "together" } }
-            th scope="col" { "median" } th scope="col" { "68 %" } th scope="col" { "Monte Carlo error" }
+    let mut columns = ["curve", "nominal pressure", "area fraction"].map(str::to_owned).to_vec();
+    columns.push(level(uncertainty));
+    columns.extend(groups.iter().map(|group| group_name(*group).to_owned()));
+    columns.extend((groups.len() > 1).then(|| "together".to_owned()));
+    columns.extend(["median", "68 %", "Monte Carlo error"].map(str::to_owned));
+    let cells = |area: &&AreaInterval| {
+        html! {
+            td { (report.load(area.load)) }
+            td { (typeset_digits(area.area_fraction)) }
+            td { (between(area.low, area.high)) }
+            @for group in groups { (share_cell(percent(uncertainty.share(area, *group)))) }
+            @if groups.len() > 1 { (share_cell(percent(uncertainty.share_of_others(area)))) }
+            td { (typeset_digits(area.median)) }
+            td { (between(area.within_68[0], area.within_68[1])) }
+            td { (three_digits((1000.0 * area.monte_carlo_error).round() / 10.0)) "\u{a0}%" }
         }
     };
     let of_curve = |curve: usize| -> Vec<&AreaInterval> {
@@ -70,24 +78,10 @@ fn intervals(
     let curves = (0..report.scene.needs.curves.len()).map(|curve| (curve, of_curve(curve)));
     let body = html! {
         @for (curve, areas) in curves.filter(|(_, areas)| !areas.is_empty()) {
-            tbody {
-                @for (place, area) in areas.iter().enumerate() {
-                    tr {
-                        @if place == 0 { th scope="rowgroup" rowspan=(areas.len()) { (report.curve(curve)) } }
-                        td { (report.load(area.load)) }
-                        td { (typeset_digits(area.area_fraction)) }
-                        td { (between(area.low, area.high)) }
-                        @for group in groups { (share_cell(percent(uncertainty.share(area, *group)))) }
-                        @if groups.len() > 1 { (share_cell(percent(uncertainty.share_of_others(area)))) }
-                        td { (typeset_digits(area.median)) }
-                        td { (between(area.within_68[0], area.within_68[1])) }
-                        td { (three_digits((1000.0 * area.monte_carlo_error).round() / 10.0)) "\u{a0}%" }
-                    }
-                }
-            }
+            (row_group(&report.curve(curve), &areas, cells))
         }
     };
-    table(caption, &head, &body)
+    table(caption, &columns, &body)
 }
 
 /// The share of each decade in the variance, as a figure.
@@ -125,20 +119,22 @@ fn in_words(decade: &DecadeOfVariance) -> String {
 
 /// The inputs that every instrument adds to the draws.
 fn instruments(uncertainty: &Uncertainty) -> Markup {
-    let head = html! {
-        tr {
-            th scope="col" { "instrument" } th scope="col" { "scans" } th scope="col" { "wavelengths" }
-            th scope="col" { "scatter (type A) from" } th scope="col" { "height scale (type B)" }
-            th scope="col" { "exponent (type B)" } th scope="col" { "gain left by overlaps" }
-        }
-    };
+    let columns = [
+        "instrument",
+        "scans",
+        "wavelengths",
+        "scatter (type A) from",
+        "height scale (type B)",
+        "exponent (type B)",
+        "gain left by overlaps",
+    ];
     let body = html! {
         tbody { @for instrument in &uncertainty.instruments { (instrument_row(instrument)) } }
     };
     table(
         "Instruments: standard uncertainties of their height scales and of the exponents of their spectra, and the gain of ln C \
          with its standard uncertainty that overlaps with other instruments leave.",
-        &head,
+        &columns,
         &body,
     )
 }
@@ -173,13 +169,15 @@ fn is_guessed(instrument: &InstrumentInput) -> bool {
 
 /// The overlaps of instruments.
 fn overlaps(uncertainty: &Uncertainty) -> Markup {
-    let head = html! {
-        tr {
-            th scope="col" { "instruments" } th scope="col" { "where both measure" } th scope="col" { "bins" }
-            th scope="col" { "ratio of spectra" } th scope="col" { "from scatter" }
-            th scope="col" { "with height scales" } th scope="col" { "" }
-        }
-    };
+    let columns = [
+        "instruments",
+        "where both measure",
+        "bins",
+        "ratio of spectra",
+        "from scatter",
+        "with height scales",
+        "",
+    ];
     let name = |at: usize| uncertainty.instruments.get(at).map_or("", |instrument| instrument.name.text());
     let found = |overlap: &OverlapMisfit| match uncertainty_words::is_as_expected(overlap) {
         true => "as expected",
@@ -202,7 +200,7 @@ fn overlaps(uncertainty: &Uncertainty) -> Markup {
     };
     table(
         "Overlaps: the geometric mean of the ratio of two spectra, and its standard uncertainty as a factor.",
-        &head,
+        &columns,
         &body,
     )
 }

@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use super::{SceneReport, Section, per_scene, table};
+use super::{SceneReport, Section, per_scene, row_group, table};
 use crate::yardstick_words::yardsticks;
 use findings::answer::LoadAnswer;
 use findings::features::Convergence;
@@ -19,30 +19,28 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
     if curves.is_empty() {
         return None;
     }
-    let head = html! {
-        tr {
-            th scope="col" { "curve" } th scope="col" { "nominal pressure" } th scope="col" { "area fraction" }
-            th scope="col" { "real pressure" } th scope="col" { "settled within 1\u{a0}% at" }
-            th scope="col" { "within 0.1\u{a0}% at" } th scope="col" { "pressure set by the scale at" }
-            th scope="col" { "load outside the fitted range" }
+    let columns = [
+        "curve",
+        "nominal pressure",
+        "area fraction",
+        "real pressure",
+        "settled within 1\u{a0}% at",
+        "within 0.1\u{a0}% at",
+        "pressure set by the scale at",
+        "load outside the fitted range",
+    ];
+    let cells = |(load, answer): &(usize, &LoadAnswer)| {
+        html! {
+            td { (report.load(*load)) }
+            td { (typeset_digits(answer.area_fraction)) }
+            td { (report.pressure(answer.real_pressure_pa)) }
+            (settled(answer, answer.within_1_percent)) (settled(answer, answer.within_01_percent))
+            td { (answer.setting.map_or("–".to_owned(), |scale| length(scale.wavelength_m))) }
+            td { (answer.out_of_range_load_share.map_or("–".to_owned(), share_text)) }
         }
     };
     let body = html! {
-        @for (curve, loads) in &curves {
-            tbody {
-                @for (place, (load, answer)) in loads.iter().enumerate() {
-                    tr {
-                        @if place == 0 { th scope="rowgroup" rowspan=(loads.len()) { (report.curve(*curve)) } }
-                        td { (report.load(*load)) }
-                        td { (typeset_digits(answer.area_fraction)) }
-                        td { (report.pressure(answer.real_pressure_pa)) }
-                        (settled(answer, answer.within_1_percent)) (settled(answer, answer.within_01_percent))
-                        td { (answer.setting.map_or("–".to_owned(), |scale| length(scale.wavelength_m))) }
-                        td { (answer.out_of_range_load_share.map_or("–".to_owned(), share_text)) }
-                    }
-                }
-            }
-        }
+        @for (curve, loads) in &curves { (row_group(&report.curve(*curve), loads, cells)) }
     };
     let caption = match report.scene.hardness_pa() {
         Some(_) => "At the shortest wavelength of the spectrum; pressures in units of the hardness H.",
@@ -55,7 +53,7 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
     }
     linear_laws.dedup();
     Some(html! {
-        (table(caption, &head, &body))
+        (table(caption, &columns, &body))
         @for sentence in &linear_laws { p { "For comparison with the elastic areas: " (typeset(sentence)) "." } }
     })
 }

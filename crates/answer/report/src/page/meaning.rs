@@ -2,7 +2,7 @@
 
 use maud::{Markup, PreEscaped, html};
 
-use super::{SceneReport, Section, per_scene, sentence, table};
+use super::{SceneReport, Section, per_scene, row_group, sentence, table};
 use crate::interface_figure::{gap_against_load, loops_of_loads};
 use crate::listing::capital;
 use crate::uncertainty_words::level;
@@ -35,44 +35,35 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
 
 fn quantities(report: &SceneReport<'_>, states: &InterfaceStates<'_>) -> Markup {
     let uncertainty = report.evidence.uncertainty;
-    let head = html! {
-        tr {
-            th scope="col" { "nominal pressure" } th scope="col" { "quantity" } th scope="col" { "value" }
-            @if let Some(uncertainty) = uncertainty { th scope="col" { (level(uncertainty)) } }
-        }
-    };
+    let mut columns = ["nominal pressure", "quantity", "value"].map(str::to_owned).to_vec();
+    columns.extend(uncertainty.map(level));
     let values: Vec<(Slot, f64)> = states
         .slots()
         .into_iter()
         .filter_map(|slot| Some((slot, states.value(slot).ok().flatten()?)))
         .collect();
+    let cells = |(slot, value): &(Slot, f64)| {
+        html! {
+            td {
+                (slot.quantity.words())
+                @if let Some(curve) = slot.curve { ", " span.curve { (report.curve(curve)) } }
+            }
+            td { (typeset(&interface_words::value(slot.quantity, *value))) }
+            @if let Some(uncertainty) = uncertainty {
+                td { (typeset(&interface_words::ends(*slot, uncertainty).unwrap_or_default())) }
+            }
+        }
+    };
+    let load = |slot: Slot| slot.load.map_or("any".to_owned(), |load| report.load(load));
     let body = html! {
         @for of_load in values.chunk_by(|(one, _), (other, _)| one.load == other.load) {
-            tbody {
-                @for (place, (slot, value)) in of_load.iter().enumerate() {
-                    tr {
-                        @if place == 0 {
-                            th scope="rowgroup" rowspan=(of_load.len()) {
-                                @match slot.load { Some(load) => (report.load(load)), None => "any" }
-                            }
-                        }
-                        td {
-                            (slot.quantity.words())
-                            @if let Some(curve) = slot.curve { ", " span.curve { (report.curve(curve)) } }
-                        }
-                        td { (typeset(&interface_words::value(slot.quantity, *value))) }
-                        @if let Some(uncertainty) = uncertainty {
-                            td { (typeset(&interface_words::ends(*slot, uncertainty).unwrap_or_default())) }
-                        }
-                    }
-                }
-            }
+            (row_group(&load(of_load[0].0), of_load, cells))
         }
     };
     table(
         "Quantities of the interface. Gap and stiffness are those of Persson’s elastic theory; conductances follow from the stiffness by \
          Barber’s analogy, friction from the areas of the curves, and the response to a tangential load from the stiffness.",
-        &head,
+        &columns,
         &body,
     )
 }

@@ -184,11 +184,29 @@ fn sentence(note: &str) -> String {
 
 /// A table that scrolls separately on a narrow page.
 #[must_use]
-pub fn table(caption: &str, head: &Markup, body: &Markup) -> Markup {
+pub fn table(caption: &str, columns: &[impl AsRef<str>], body: &Markup) -> Markup {
     html! {
         // Reached by keyboard, since it may have to be scrolled.
         div.wide role="region" aria-label=(caption) tabindex="0" {
-            table { caption { (caption) } thead { (head) } (body) }
+            table {
+                caption { (caption) }
+                thead { tr { @for column in columns { th scope="col" { (column.as_ref()) } } } }
+                (body)
+            }
+        }
+    }
+}
+
+/// Rows of a table under one name, from the cells of each.
+fn row_group<T>(name: &str, rows: &[T], cells: impl Fn(&T) -> Markup) -> Markup {
+    html! {
+        tbody {
+            @for (place, row) in rows.iter().enumerate() {
+                tr {
+                    @if place == 0 { th scope="rowgroup" rowspan=(rows.len()) { (name) } }
+                    (cells(row))
+                }
+            }
         }
     }
 }

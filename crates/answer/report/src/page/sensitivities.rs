@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use super::{SceneReport, Section, gists, per_scene, table};
+use super::{SceneReport, Section, gists, per_scene, row_group, table};
 use findings::sensitivity::Sensitivity;
 use units::display::typeset_digits;
 
@@ -56,26 +56,20 @@ fn settings(report: &SceneReport<'_>, varied: &[&Sensitivity]) -> Option<Markup>
     if curves.is_empty() {
         return None;
     }
-    let head = html! {
-        tr {
-            th scope="col" { "choice" } th scope="col" { "made as" }
-            @for curve in &curves { th scope="col" { (report.curve(*curve)) } }
+    let mut columns = ["choice", "made as"].map(str::to_owned).to_vec();
+    columns.extend(curves.iter().map(|curve| report.curve(*curve)));
+    let cells = |varied: &&Sensitivity| {
+        html! {
+            th scope="row" { (varied.setting_in_words) }
+            @for curve in &curves { td { (ratios(varied, *curve)) } }
         }
     };
     let body = html! {
         @for group in varied.chunk_by(|a, b| a.choice == b.choice) {
-            tbody {
-                @for (place, varied) in group.iter().enumerate() {
-                    tr {
-                        @if place == 0 { th scope="rowgroup" rowspan=(group.len()) { (varied.choice) } }
-                        th scope="row" { (varied.setting_in_words) }
-                        @for curve in &curves { td { (ratios(varied, *curve)) } }
-                    }
-                }
-            }
+            (row_group(&group[0].choice.to_string(), group, cells))
         }
     };
-    Some(table("Area over the scene’s own area.", &head, &body))
+    Some(table("Area over the scene’s own area.", &columns, &body))
 }
 
 /// `×0.56`, `×0.93–1.07`, or a dash.

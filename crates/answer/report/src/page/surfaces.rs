@@ -83,12 +83,8 @@ fn in_short(sketch: &ScanSketch) -> String {
 }
 
 fn scans_table(scans: &[ScanSpectrum], names: &[String]) -> Markup {
-    let head = html! {
-        tr {
-            th scope="col" { "scan" } th scope="col" { "format" } th scope="col" { "trusted from" } th scope="col" { "down to" }
-            th scope="col" { "limit" } th scope="col" { "rms slope along" } th scope="col" { "across" } th scope="col" { "verdict" }
-        }
-    };
+    let columns =
+        ["scan", "format", "trusted from", "down to", "limit", "rms slope along", "across", "verdict"];
     let body = html! {
         tbody {
             @for (scan, name) in scans.iter().zip(names) {
@@ -105,5 +101,5 @@ fn scans_table(scans: &[ScanSpectrum], names: &[String]) -> Markup {
             }
         }
     };
-    table("Scans, and the wavelengths at which each is trusted.", &head, &body)
+    table("Scans, and the wavelengths at which each is trusted.", &columns, &body)
 }

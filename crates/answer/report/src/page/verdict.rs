@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use super::{SceneReport, Section, gists, per_scene, table};
+use super::{SceneReport, Section, gists, per_scene, row_group, table};
 use crate::listing::range;
 use crate::verdict_words;
 use judge::CurveVerdict;
@@ -20,10 +20,14 @@ pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
 
 fn of(report: &SceneReport<'_>) -> Option<Markup> {
     let judgement = report.evidence.judgement?;
-    let head = html! {
-        tr {
-            th scope="col" { "model" } th scope="col" { "nominal pressure" } th scope="col" { "area" }
-            th scope="col" { "over boundary elements" } th scope="col" { "verdict" } th scope="col" { "why" }
+    let columns = ["model", "nominal pressure", "area", "over boundary elements", "verdict", "why"];
+    let cells = |row: &&[&CurveVerdict]| {
+        html! {
+            td { (report.loads(&row.iter().map(|of| of.load).collect::<Vec<_>>())) }
+            td { (digits(row.iter().filter_map(|of| of.area_fraction))) }
+            td { (digits(row.iter().filter_map(|of| of.ratio()))) }
+            td { (row[0].verdict.name()) }
+            td.reason { (typeset(&furthest(row).reason.words(&SceneKeys))) }
         }
     };
     let body = html! {
@@ -31,26 +35,13 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
             @let verdicts: Vec<&CurveVerdict> = judgement.curves.iter().filter(|of| of.curve == curve).collect();
             // Neighbouring loads with one verdict share a row, with the reason of the load that is furthest off.
             @let rows: Vec<&[&CurveVerdict]> = verdicts.chunk_by(|a, b| a.verdict == b.verdict).collect();
-            @if !rows.is_empty() {
-                tbody {
-                    @for (place, row) in rows.iter().enumerate() {
-                        tr {
-                            @if place == 0 { th scope="rowgroup" rowspan=(rows.len()) { (report.curve(curve)) } }
-                            td { (report.loads(&row.iter().map(|of| of.load).collect::<Vec<_>>())) }
-                            td { (digits(row.iter().filter_map(|of| of.area_fraction))) }
-                            td { (digits(row.iter().filter_map(|of| of.ratio()))) }
-                            td { (row[0].verdict.name()) }
-                            td.reason { (typeset(&furthest(row).reason.words(&SceneKeys))) }
-                        }
-                    }
-                }
-            }
+            @if !rows.is_empty() { (row_group(&report.curve(curve), &rows, cells)) }
         }
     };
     let caption = "The area of every curve over that of boundary elements, both with the whole band.";
     Some(html! {
         @for text in verdict_words::about_elements(judgement, report.scene) { p { (typeset(&text)) } }
-        (table(caption, &head, &body))
+        (table(caption, &columns, &body))
     })
 }
 

@@ -23,7 +23,6 @@ pub fn error(error: &QuestionError, spelling: &dyn Spelling) -> String {
         QuestionError::ElasticConstant(option) => {
             format!("{} is needed: every model is at least elastic", name(option))
         }
-        QuestionError::Body { option, error } => format!("{}: {error}", name(option)),
         QuestionError::Material(error) => of_material(error, spelling),
         QuestionError::Load { option, label, error } => {
             let given = match label {
