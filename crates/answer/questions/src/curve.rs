@@ -144,7 +144,8 @@ impl CurveQuestion {
         if self.figure {
             let lines = needs.load_count() + needs.separations_m.len();
             if lines > Self::MOST_LINES {
-                return Err(QuestionError::TooManyLines { lines, most: Self::MOST_LINES });
+                let (drawn, most) = ("line for each pressure and separation", Self::MOST_LINES);
+                return Err(QuestionError::TooManyLines { drawn, lines, most });
             }
             // Lines have labels.
             let of_ranges = std::mem::take(&mut needs.load_ranges);

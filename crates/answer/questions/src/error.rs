@@ -52,16 +52,10 @@ pub enum QuestionError {
     /// A figure with more lines than a reader can distinguish.
     #[error("a figure with {lines} lines is unreadable; at most {most} are drawn")]
     TooManyLines {
-        /// One line per load and separation.
+        /// What is drawn, and for which conditions, e.g. `loop for each pressure and tangential stress`.
+        drawn: &'static str,
+        /// One line for each of these.
         lines: usize,
-        /// The most that are drawn.
-        most: usize,
-    },
-    /// A figure with more loops than a reader can distinguish.
-    #[error("a figure with {loops} loops is unreadable; at most {most} are drawn")]
-    TooManyLoops {
-        /// One loop per pressure and tangential stress.
-        loops: usize,
         /// The most that are drawn.
         most: usize,
     },

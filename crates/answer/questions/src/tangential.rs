@@ -73,9 +73,10 @@ impl TangentialQuestion {
         self.gaps(Vec::new()).check()?;
         let material = self.by.material.of_half_spaces("tangential loads")?;
         self.pair(&material)?;
-        let loops = self.drawn_loads(&material)?.len();
-        if self.figure && loops > Self::MOST_LOOPS {
-            return Err(QuestionError::TooManyLoops { loops, most: Self::MOST_LOOPS });
+        let lines = self.drawn_loads(&material)?.len();
+        if self.figure && lines > Self::MOST_LOOPS {
+            let (drawn, most) = ("loop for each pressure and tangential stress", Self::MOST_LOOPS);
+            return Err(QuestionError::TooManyLines { drawn, lines, most });
         }
         Ok(())
     }

@@ -194,18 +194,23 @@ impl Surface {
         let psd = psd.profile().map_err(|error| SurfaceError::Conversion { name: name.clone(), error })?;
         let holes = psd.holes();
         let notes = Hole::remark(RemarkCode::Holes, &holes).into_iter().collect();
-        Ok(Surface {
+        Ok(Surface { of_area, notes, holes, ..Self::plain(name, psd) })
+    }
+
+    /// A spectrum with a name, of which nothing else is known.
+    fn plain(name: String, psd: ProfilePsd) -> Self {
+        Surface {
             name,
             psd,
-            of_area,
+            of_area: None,
             remarks: Vec::new(),
-            notes,
+            notes: Vec::new(),
             made_from: None,
             roughness: None,
             sources: Vec::new(),
             parts: None,
-            holes,
-        })
+            holes: Vec::new(),
+        }
     }
 
     /// Makes the composite spectrum of scans.
@@ -240,18 +245,7 @@ impl Surface {
         let psd = psd.profile().map_err(|error| SurfaceError::Conversion { name: name.clone(), error })?;
         let notes = scans.spectrum.remarks();
         let (remarks, holes) = (scans.provenance(), scans.spectrum.holes());
-        Ok(Surface {
-            name,
-            psd,
-            of_area: None,
-            remarks,
-            notes,
-            made_from: Some(scans),
-            roughness: None,
-            sources: Vec::new(),
-            parts: None,
-            holes,
-        })
+        Ok(Surface { remarks, notes, made_from: Some(scans), holes, ..Self::plain(name, psd) })
     }
 
     /// The spectrum of roughness parameters.
@@ -262,18 +256,7 @@ impl Surface {
         let name = given.name();
         let psd = given.profile.psd();
         let psd = psd.profile().map_err(|error| SurfaceError::Conversion { name: name.clone(), error })?;
-        Ok(Surface {
-            name,
-            psd,
-            of_area: None,
-            remarks: Vec::new(),
-            notes: vec![given.remark()],
-            made_from: None,
-            roughness: Some(given),
-            sources: Vec::new(),
-            parts: None,
-            holes: Vec::new(),
-        })
+        Ok(Surface { notes: vec![given.remark()], roughness: Some(given), ..Self::plain(name, psd) })
     }
 
     /// Returns the wavelengths that were not measured, from long to short. There neighbouring samples of the spectrum
@@ -305,8 +288,7 @@ impl Surface {
         let name = format!("{} against {}", self.name, other.name);
         let sources = [&self.sources[..], &other.sources[..]].concat();
         let parts = Some(Box::new([self, other]));
-        let (of_area, made_from, roughness) = (None, None, None);
-        Surface { name, psd: sum.psd, of_area, remarks, notes, made_from, roughness, sources, parts, holes }
+        Surface { remarks, notes, sources, parts, holes, ..Self::plain(name, sum.psd) }
     }
 
     /// Returns the samples between two wavelengths \[m\], both included; the ends of the spectrum if absent. The part no longer

@@ -2,6 +2,7 @@
 
 use std::process::ExitCode;
 
+use interface::finite_elements::{ConductanceError, ContactLawError};
 use study::plan::PlanError;
 use tables::staging::PublishError;
 use tables::{Refusal, TableError};
@@ -26,11 +27,18 @@ pub enum Failure {
     EndedEarly(String),
 }
 
-impl From<TableError> for Failure {
-    fn from(error: TableError) -> Self {
-        Failure::input(error)
-    }
+/// Makes errors bad input, said in their own words.
+macro_rules! bad_input {
+    ($($error:ty),*) => {$(
+        impl From<$error> for Failure {
+            fn from(error: $error) -> Self {
+                Failure::input(error)
+            }
+        }
+    )*};
 }
+
+bad_input!(TableError, Refusal, ContactLawError, ConductanceError);
 
 impl From<PublishError> for Failure {
     fn from(error: PublishError) -> Self {
@@ -47,12 +55,6 @@ impl From<PlanError> for Failure {
             PlanError::Cancelled => Failure::Interrupted,
             error => Failure::input(error),
         }
-    }
-}
-
-impl From<Refusal> for Failure {
-    fn from(refusal: Refusal) -> Self {
-        Failure::input(refusal)
     }
 }
 

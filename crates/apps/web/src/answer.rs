@@ -9,7 +9,7 @@ use report::scans_table;
 use scene::{Overrides, Scene};
 use serde::Serialize;
 use units::display::length;
-use units::{Remark, RemarkLevel, SceneKeys, Spelling};
+use units::{Remark, RemarkLevel, Spelling};
 
 use crate::request::{Refusal, Request, stated};
 
@@ -68,18 +68,6 @@ pub struct PageNote {
 struct BesideFiles;
 
 impl Spelling for BesideFiles {
-    fn option(&self, option: &str) -> String {
-        SceneKeys.option(option)
-    }
-
-    fn with_value(&self, option: &str, value: &str) -> String {
-        SceneKeys.with_value(option, value)
-    }
-
-    fn model(&self, name: &str) -> String {
-        SceneKeys.model(name)
-    }
-
     fn of_scan(&self, _: &str, value: &str) -> String {
         format!("fill it in beside the file, such as {value}")
     }

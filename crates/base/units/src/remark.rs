@@ -47,16 +47,22 @@ pub struct Remark {
     pub numbers: Vec<(&'static str, RemarkValue)>,
 }
 
-/// A front end's way to write options.
+/// A front end's way to write options, by default as keys of a scene.
 pub trait Spelling {
     /// Spells an option, e.g. `--interference-law` or `interference_law`.
-    fn option(&self, option: &str) -> String;
+    fn option(&self, option: &str) -> String {
+        option.to_owned()
+    }
 
-    /// Spells an option with a value, e.g. `--band 2d` or `band="2d"`.
-    fn with_value(&self, option: &str, value: &str) -> String;
+    /// Spells an option with a value, e.g. `--band 2d` or `band = "2d"`.
+    fn with_value(&self, option: &str, value: &str) -> String {
+        format!("{option} = \"{value}\"")
+    }
 
     /// Spells the choice of a model, e.g. `--model hertz` or `model hertz`.
-    fn model(&self, name: &str) -> String;
+    fn model(&self, name: &str) -> String {
+        format!("model {name}")
+    }
 
     /// Says how a property of a scan is given, beside its file.
     fn of_scan(&self, option: &str, value: &str) -> String {
@@ -73,19 +79,7 @@ pub trait Spelling {
 /// Keys of a scene, as `interference_law`.
 pub struct SceneKeys;
 
-impl Spelling for SceneKeys {
-    fn option(&self, option: &str) -> String {
-        option.to_owned()
-    }
-
-    fn with_value(&self, option: &str, value: &str) -> String {
-        format!("{option} = \"{value}\"")
-    }
-
-    fn model(&self, name: &str) -> String {
-        format!("model {name}")
-    }
-}
+impl Spelling for SceneKeys {}
 
 impl From<f64> for RemarkValue {
     fn from(number: f64) -> Self {

@@ -36,14 +36,9 @@ pub fn error(error: &QuestionError, spelling: &dyn Spelling) -> String {
             spelling.with_value("cutoff", &length(*cutoff_m)),
             length(*shortest_m)
         ),
-        QuestionError::TooManyLines { lines, most } => format!(
-            "{} draws a line for each pressure and separation, and {lines} are given; give at most {most}",
-            name("figure")
-        ),
-        QuestionError::TooManyLoops { loops, most } => format!(
-            "{} draws a loop for each pressure and tangential stress, and {loops} are given; give at most {most}",
-            name("figure")
-        ),
+        QuestionError::TooManyLines { drawn, lines, most } => {
+            format!("{} draws a {drawn}, and {lines} are given; give at most {most}", name("figure"))
+        }
         QuestionError::NoLoop => format!(
             "{}: every tangential stress reaches friction times pressure, and what slides has no loop; lower {}",
             name("figure"),

@@ -1,6 +1,6 @@
 //! `law`: pressure against overclosure, and conductance against pressure, for finite elements.
 
-use interface::finite_elements::{ConductanceError, ContactLawError, Heading};
+use interface::finite_elements::Heading;
 use questions::{LawAnswer, LawForm};
 use report::provenance::provenance;
 use tables::Format;
@@ -54,16 +54,4 @@ pub(super) fn run(args: &LawArgs, context: &Context<'_>) -> Result<(), Failure> 
     timings.lap("writing");
     timings.report(context.shared.timings);
     Ok(())
-}
-
-impl From<ContactLawError> for Failure {
-    fn from(error: ContactLawError) -> Self {
-        Failure::input(error)
-    }
-}
-
-impl From<ConductanceError> for Failure {
-    fn from(error: ConductanceError) -> Self {
-        Failure::input(error)
-    }
 }
