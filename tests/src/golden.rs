@@ -39,7 +39,7 @@ pub fn curves() -> Vec<GoldenCurve> {
             .into_iter()
             .flat_map(move |figure| curves_of(&format!("{}__{}", template.name(), figure.name), &figure))
     };
-    Template::OF_THE_PAPER.into_iter().flat_map(of_scene).collect()
+    [Template::UncdMeasured, Template::UncdReconstructed].into_iter().flat_map(of_scene).collect()
 }
 
 fn curves_of(prefix: &str, figure: &FigureData) -> Vec<GoldenCurve> {

@@ -15,7 +15,7 @@ use units::display::three_digits;
 use units::{Pressure, PressureRange, Remark, RemarkCode};
 
 use crate::adhesion_figure;
-use crate::elements::{RandomInput, notes_on_maps, notes_on_spectrum, random_surfaces};
+use crate::elements::{Prepared, RandomInput, notes_on_maps, notes_on_spectrum, random_surfaces};
 use crate::loads::{LoadInput, nominal_pressure, pressures_pa};
 use crate::{Answer, MaterialInput, QuestionError};
 
@@ -92,16 +92,8 @@ impl Default for AdhesionQuestion {
     }
 }
 
-/// Adhesive surfaces ready to be pressed.
-pub struct PreparedAdhesion {
-    /// The surfaces.
-    pub surfaces: Surfaces,
-    /// Notes on the surfaces and on the material.
-    pub notes: Vec<Remark>,
-    pressing: AdhesivePressing,
-    pull_off: bool,
-    per_realisation: bool,
-}
+/// Adhesive surfaces ready to be pressed, or to be pulled apart as the question asks.
+pub type PreparedAdhesion = Prepared<(AdhesivePressing, AdhesionQuestion)>;
 
 impl AdhesionQuestion {
     /// Finds input that contradicts itself or is missing.
@@ -148,8 +140,7 @@ impl AdhesionQuestion {
         if points < GOOD_RESOLUTION {
             notes.push(Remark::new(RemarkCode::ProcessZoneCoarse).with("process_zone_points", points));
         }
-        let AdhesionQuestion { pull_off, per_realisation, .. } = *self;
-        Ok(PreparedAdhesion { surfaces, notes, pressing, pull_off, per_realisation })
+        Ok(Prepared { surfaces, notes, pressing: (pressing, self.clone()) })
     }
 
     fn pressing(&self) -> Result<AdhesivePressing, QuestionError> {
@@ -195,8 +186,9 @@ impl PreparedAdhesion {
     /// # Errors
     /// [`QuestionError::Adhesion`] for a load that pulls the surfaces apart, and for numbers out of their bounds.
     pub fn answer(&self, progress: &dyn Progress) -> Result<Answer, QuestionError> {
-        if self.pull_off {
-            let states = self.pressing.pull_apart(&self.surfaces, progress)?;
+        let (pressing, question) = &self.pressing;
+        if question.pull_off {
+            let states = pressing.pull_apart(&self.surfaces, progress)?;
             let strongest = strongest_pulls(&states);
             let notes = pull_off(&strongest).into_iter().collect();
             return Ok(Answer {
@@ -205,15 +197,15 @@ impl PreparedAdhesion {
                 figure: Some(adhesion_figure::pull_off_curve(&states, &strongest)),
             });
         }
-        let states = self.pressing.press(&self.surfaces, progress)?;
+        let states = pressing.press(&self.surfaces, progress)?;
         let means = adhesive_means(&states);
         let mut notes: Vec<Remark> = hysteresis(&means).into_iter().collect();
         if states.iter().any(|state| state.numbers.nominal_pressure_pa < 0.0) {
             notes.push(Remark::new(RemarkCode::Metastable));
         }
-        let rows = if self.per_realisation { &states } else { &means };
+        let rows = if question.per_realisation { &states } else { &means };
         Ok(Answer {
-            table: adhesive_table(rows, self.per_realisation),
+            table: adhesive_table(rows, question.per_realisation),
             notes,
             figure: Some(adhesion_figure::area_on_branches(&means)),
         })

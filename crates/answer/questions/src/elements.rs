@@ -139,14 +139,17 @@ impl ElementsLoad {
     }
 }
 
-/// Surfaces ready to be pressed.
-pub struct PreparedElements {
+/// Surfaces ready to be pressed in some way.
+pub struct Prepared<P> {
     /// The surfaces.
     pub surfaces: Surfaces,
     /// Notes on the surfaces and on the material.
     pub notes: Vec<Remark>,
-    pub(crate) pressing: Pressing,
+    pub(crate) pressing: P,
 }
+
+/// Surfaces ready to be pressed by a flat.
+pub type PreparedElements = Prepared<Pressing>;
 
 impl RandomInput {
     /// The options, and whether each is given.
@@ -195,7 +198,7 @@ impl ElementsQuestion {
         let mut notes = notes_on_spectrum(&material, surface);
         let (random, made) = random_surfaces(surface, &self.random, &pressing)?;
         notes.extend(made);
-        Ok(PreparedElements { surfaces: Surfaces::Random(random), notes, pressing })
+        Ok(Prepared { surfaces: Surfaces::Random(random), notes, pressing })
     }
 
     /// Prepares maps as measured.
@@ -205,7 +208,7 @@ impl ElementsQuestion {
     pub fn on_maps(&self, maps: Vec<Relief>) -> Result<PreparedElements, QuestionError> {
         let (material, pressing) = self.pressing()?;
         let notes = notes_on_maps(&material, &maps);
-        Ok(PreparedElements { surfaces: Surfaces::Maps(maps), notes, pressing })
+        Ok(Prepared { surfaces: Surfaces::Maps(maps), notes, pressing })
     }
 
     fn pressing(&self) -> Result<(Material, Pressing), QuestionError> {

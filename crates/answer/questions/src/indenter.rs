@@ -11,7 +11,7 @@ use study::surface::Surface;
 use units::{Remark, RemarkCode};
 
 use crate::ball_figure::averaged_pressure;
-use crate::elements::{RandomInput, notes_on_map, notes_on_spectrum, random_surfaces};
+use crate::elements::{Prepared, RandomInput, notes_on_map, notes_on_spectrum, random_surfaces};
 use crate::note::remark_on_places;
 use crate::{Answer, MaterialInput, QuestionError};
 
@@ -47,14 +47,7 @@ impl Default for IndenterQuestion {
 }
 
 /// Flats ready for the indenter.
-pub struct PreparedIndenter {
-    /// The flats.
-    pub surfaces: Surfaces,
-    /// Notes on the surfaces and on the material.
-    pub notes: Vec<Remark>,
-    indenter: Indenter,
-    pressing: IndenterPressing,
-}
+pub type PreparedIndenter = Prepared<(Indenter, IndenterPressing)>;
 
 impl IndenterQuestion {
     fn material(&self) -> Result<Material, QuestionError> {
@@ -99,12 +92,9 @@ impl IndenterQuestion {
 
     fn prepared(&self, surfaces: Surfaces, notes: Vec<Remark>) -> Result<PreparedIndenter, QuestionError> {
         let contact_modulus_pa = self.material()?.pair.composite_modulus_pa();
-        Ok(PreparedIndenter {
-            surfaces,
-            notes,
-            indenter: Indenter { shape: self.shape, radius_m: self.radius_m, force: self.force },
-            pressing: IndenterPressing { contact_modulus_pa, tolerance: self.tolerance },
-        })
+        let indenter = Indenter { shape: self.shape, radius_m: self.radius_m, force: self.force };
+        let pressing = (indenter, IndenterPressing { contact_modulus_pa, tolerance: self.tolerance });
+        Ok(Prepared { surfaces, notes, pressing })
     }
 }
 
@@ -115,8 +105,9 @@ impl PreparedIndenter {
     /// # Errors
     /// [`QuestionError::Indenter`] if the contact reaches the edges of the flat, and for numbers out of their bounds.
     pub fn answer(&self, progress: &dyn Progress) -> Result<Answer, QuestionError> {
-        let states = self.indenter.press_all(&self.surfaces, &self.pressing, progress)?;
-        let shape = self.indenter.shape;
+        let (indenter, pressing) = &self.pressing;
+        let states = indenter.press_all(&self.surfaces, pressing, progress)?;
+        let shape = indenter.shape;
         let figure = match shape {
             IndenterShape::Ball => averaged_pressure(&states),
             IndenterShape::Cylinder => None,

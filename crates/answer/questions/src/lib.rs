@@ -31,7 +31,7 @@ pub use adhesion::{AdhesionQuestion, BranchChoice, PreparedAdhesion};
 pub use conductance::{FoundConductance, LawAnswer, LawQuantity, LawTableQuestion, TransportInput};
 pub use counts::{CurveCounts, CutCounts, LevelCounts};
 pub use curve::{CurveQuestion, CurveStream, PreparedCurve};
-pub use elements::{ElementsLoad, ElementsQuestion, PreparedElements, RandomInput};
+pub use elements::{ElementsLoad, ElementsQuestion, Prepared, PreparedElements, RandomInput};
 pub use error::QuestionError;
 pub use gap::{FoundLaw, GapModel, GapQuestion, LawForm, LawQuestion, remarks_on_gap_law};
 pub use indenter::{IndenterQuestion, PreparedIndenter};

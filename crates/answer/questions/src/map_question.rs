@@ -7,7 +7,7 @@ use scene::Scene;
 use serde::{Deserialize, Serialize};
 use topography::detrended_m;
 
-use crate::PreparedElements;
+use crate::{Prepared, PreparedElements};
 
 /// A map of a scene between the bodies of the scene: all that boundary elements need, so that it can be pressed elsewhere.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -60,7 +60,7 @@ impl MapQuestion {
         };
         pressing.check()?;
         let notes = doubts::of_slope(self.relief.rms_slope()).into_iter().collect();
-        Ok(PreparedElements { surfaces: Surfaces::Maps(vec![self.relief.clone()]), notes, pressing })
+        Ok(Prepared { surfaces: Surfaces::Maps(vec![self.relief.clone()]), notes, pressing })
     }
 }
 

@@ -30,19 +30,6 @@ units::named!(Template, "scene", {
 });
 
 impl Template {
-    /// The scenes that can be run as they are.
-    pub const RUNNABLE: [Template; 6] = [
-        Template::UncdMeasured,
-        Template::UncdReconstructed,
-        Template::Gasket,
-        Template::ElectricalContact,
-        Template::BoltedJoint,
-        Template::ContactChallenge,
-    ];
-
-    /// The scenes of the paper, which draw all of its figures.
-    pub const OF_THE_PAPER: [Template; 2] = [Template::UncdMeasured, Template::UncdReconstructed];
-
     /// The file that [`Template::New`] names in place of one's own.
     pub const PLACEHOLDER: &str = "my_psd.csv";
 

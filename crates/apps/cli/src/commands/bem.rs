@@ -7,14 +7,15 @@ use elements::half_space::HalfSpaceError;
 use elements::{Boundary, ContactField, ElementsError, IndenterShape, Relief, Surfaces};
 use measurements::MapOfFile;
 use questions::{
-    AdhesionQuestion, Answer, ElementsLoad, ElementsQuestion, IndenterQuestion, QuestionError, relief,
+    AdhesionQuestion, Answer, ElementsLoad, ElementsQuestion, IndenterQuestion, Prepared, QuestionError,
+    relief,
 };
 use report::chart::maps::FieldPicture;
 use report::provenance::program;
 use report::{elements_figure, elements_words};
 use spectrum::ReadOptions;
 use study::measured::{Kind, Measured, MeasuredOptions};
-use study::surface::SurfaceError;
+use study::surface::{Surface, SurfaceError};
 use tables::staging::{NewFolder, StagedFiles};
 use topography::Recipe;
 use units::{Length, Remark, RemarkCode, WorkOfAdhesion};
@@ -49,12 +50,9 @@ pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> 
     };
     question.check()?;
     let mut timings = Timings::start();
-    let (measured, comments) = load(args, context)?;
-    let prepared = match measured {
-        Measured::Map(map) => question.on_maps(vec![of_file(&map, args.map.boundary)])?,
-        Measured::Spectrum(surface) => question.on(&surface)?,
-    };
-    let comments = told(comments, &prepared.notes, &prepared.surfaces);
+    let boundary = args.map.boundary;
+    let (prepared, comments) =
+        prepare(args, context, boundary, |map| question.on_maps(vec![map]), |surface| question.on(surface))?;
     let fields = args.fields.as_deref().map(|folder| FieldFiles::new(folder, args)).transpose()?;
     timings.lap("reading");
     let progress = Progress::towards(prepared.steps(), "steps");
@@ -124,13 +122,9 @@ fn press_indenter(
     };
     question.check()?;
     let mut timings = Timings::start();
-    let (measured, comments) = load(args, context)?;
     let boundary = (shape == IndenterShape::Ball).then_some(Boundary::Free);
-    let prepared = match measured {
-        Measured::Map(map) => question.on_map(of_file(&map, boundary))?,
-        Measured::Spectrum(surface) => question.on(&surface)?,
-    };
-    let comments = told(comments, &prepared.notes, &prepared.surfaces);
+    let (prepared, comments) =
+        prepare(args, context, boundary, |map| question.on_map(map), |surface| question.on(surface))?;
     timings.lap("reading");
     write(|progress| prepared.answer(progress), args, &comments, timings, context)
 }
@@ -156,12 +150,9 @@ fn press_adhesive(
     };
     question.check()?;
     let mut timings = Timings::start();
-    let (measured, comments) = load(args, context)?;
-    let prepared = match measured {
-        Measured::Map(map) => question.on_maps(vec![of_file(&map, args.map.boundary)])?,
-        Measured::Spectrum(surface) => question.on(&surface)?,
-    };
-    let comments = told(comments, &prepared.notes, &prepared.surfaces);
+    let boundary = args.map.boundary;
+    let (prepared, comments) =
+        prepare(args, context, boundary, |map| question.on_maps(vec![map]), |surface| question.on(surface))?;
     timings.lap("reading");
     write(|progress| prepared.answer(progress), args, &comments, timings, context)
 }
@@ -222,13 +213,25 @@ fn load(args: &BemArgs, context: &Context<'_>) -> Result<(Measured, Vec<String>)
     Ok((found, comments))
 }
 
-/// Says the notes on surfaces, and adds to the comments how they were made.
-fn told(mut comments: Vec<String>, notes: &[Remark], surfaces: &Surfaces) -> Vec<String> {
-    say_all(notes, &Flags);
-    if let Surfaces::Random(random) = surfaces {
+/// Reads the surfaces and prepares them by one of two methods of a question; says the notes on them, and returns comments on where
+/// they come from and how they were made.
+fn prepare<P>(
+    args: &BemArgs,
+    context: &Context<'_>,
+    boundary: Option<Boundary>,
+    on_map: impl FnOnce(Relief) -> Result<Prepared<P>, QuestionError>,
+    on: impl FnOnce(&Surface) -> Result<Prepared<P>, QuestionError>,
+) -> Result<(Prepared<P>, Vec<String>), Failure> {
+    let (measured, mut comments) = load(args, context)?;
+    let prepared = match measured {
+        Measured::Map(map) => on_map(of_file(&map, boundary))?,
+        Measured::Spectrum(surface) => on(&surface)?,
+    };
+    say_all(&prepared.notes, &Flags);
+    if let Surfaces::Random(random) = &prepared.surfaces {
         comments.push(elements_words::random_surfaces(random));
     }
-    comments
+    Ok((prepared, comments))
 }
 
 /// Refuses options that mean something for the other kind of file.
