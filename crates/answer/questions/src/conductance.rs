@@ -142,7 +142,7 @@ impl LawTableQuestion {
             if let Some(correlation) = self.correlation {
                 return Err(QuestionError::ConductanceOnly(correlation));
             }
-            let given = self.transport.foreign(None).chain(self.gas.options().into_iter());
+            let given = self.transport.foreign(None).chain(self.gas.options());
             first_given(given, self.no_option_of_quantity())?;
             return self.law.check();
         };

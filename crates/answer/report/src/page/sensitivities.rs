@@ -66,7 +66,7 @@ fn settings(report: &SceneReport<'_>, varied: &[&Sensitivity]) -> Option<Markup>
     };
     let body = html! {
         @for group in varied.chunk_by(|a, b| a.choice == b.choice) {
-            (row_group(&group[0].choice.to_string(), group, cells))
+            (row_group(group[0].choice, group, cells))
         }
     };
     Some(table("Area over the scene’s own area.", &columns, &body))
