@@ -6,8 +6,7 @@ use elements::half_space::{
 use numerics::parallel::Unobserved;
 
 use crate::drawn_map::SmallMap;
-use crate::group::Case;
-use crate::tally::{Refused, Trial};
+use crate::tally::{Case, Refused, Trial};
 use crate::{Draw, Reach};
 
 /// Map, body, attraction and load; printed, it is a literal that recreates it.

@@ -7,8 +7,7 @@ use asperity::{
     MaterialPair,
 };
 
-use crate::group::Case;
-use crate::tally::{Refused, Trial};
+use crate::tally::{Case, Refused, Trial};
 use crate::{Draw, Material, Reach};
 
 /// Relative rounding of a law.

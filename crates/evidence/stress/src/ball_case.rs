@@ -5,8 +5,7 @@ use elements::{Boundary, Indenter, IndenterError, IndenterPressing, IndenterShap
 use numerics::parallel::Unobserved;
 
 use crate::drawn_map::SmallMap;
-use crate::group::Case;
-use crate::tally::{Refused, Trial};
+use crate::tally::{Case, Refused, Trial};
 use crate::{Draw, Reach};
 
 /// Map, ball and load; printed, it is a literal that recreates it.

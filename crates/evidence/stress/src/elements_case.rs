@@ -6,8 +6,7 @@ use elements::half_space::{Approach, Closing, Contact, Elements, Ending, HalfSpa
 use numerics::parallel::Unobserved;
 
 use crate::drawn_map::SmallMap;
-use crate::group::Case;
-use crate::tally::{Refused, Trial};
+use crate::tally::{Case, Refused, Trial};
 use crate::{Draw, Reach};
 
 /// Rms height \[m\] below which a map is flat.

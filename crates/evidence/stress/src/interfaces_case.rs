@@ -11,8 +11,7 @@ use interface::gas::{GapGas, NamedGas, plastic_separation_m};
 use interface::leak::{Constriction, SealedJoint};
 use interface::tangential::{ShearedBody, ShearedContact, ShearedPair};
 
-use crate::group::Case;
-use crate::tally::{Refused, Trial};
+use crate::tally::{Case, Refused, Trial};
 use crate::{Draw, Reach};
 
 /// Numbers of an interface in SI units; printed, it is a literal that recreates it.

@@ -3,8 +3,7 @@
 use uncertainty::quantiles::{Interval, area_interval_about, interval};
 use uncertainty::sobol::indices;
 
-use crate::group::Case;
-use crate::tally::{Refused, Trial};
+use crate::tally::{Case, Refused, Trial};
 use crate::{Draw, Reach};
 
 /// Draws and a level; printed, it is a literal that recreates it.

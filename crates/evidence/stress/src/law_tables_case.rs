@@ -5,8 +5,7 @@ use interface::finite_elements::{
     LawPoint, SamplingError, UnitSystem,
 };
 
-use crate::group::Case;
-use crate::tally::{Refused, Trial};
+use crate::tally::{Case, Refused, Trial};
 use crate::{Draw, Reach};
 
 /// Shape of a law.

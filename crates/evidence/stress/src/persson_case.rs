@@ -13,8 +13,7 @@ use persson::{ContactAreas, Cut, EnergyFactor, PerssonModel, Place, Roughness, R
 use spectrum::{AmplitudeDefinition, Normalisation, ProfilePsd, amplitudes, cumulative_moments};
 
 use crate::drawn_spectrum::drawn_spectrum;
-use crate::group::Case;
-use crate::tally::{Refused, Trial};
+use crate::tally::{Case, Refused, Trial};
 use crate::{Draw, Reach};
 
 /// Rounding of areas of the elastic theory and of a constant hardness.

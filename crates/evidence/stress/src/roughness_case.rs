@@ -9,8 +9,7 @@ use roughness::{
 use scans::{NonuniformLineScan, Scan};
 
 use crate::drawn_scan::DrawnScan;
-use crate::group::Case;
-use crate::tally::{Refused, Trial};
+use crate::tally::{Case, Refused, Trial};
 use crate::{Draw, Reach};
 
 /// Height \[m\] near the smallest double, where digits are lost.

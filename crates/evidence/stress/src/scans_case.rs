@@ -7,8 +7,7 @@ use topography::{
 };
 
 use crate::drawn_scan::DrawnScan;
-use crate::group::Case;
-use crate::tally::{Refused, Trial};
+use crate::tally::{Case, Refused, Trial};
 use crate::{Draw, Reach};
 
 /// Scan and its treatment; printed, it is a literal that recreates it.

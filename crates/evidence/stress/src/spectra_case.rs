@@ -10,8 +10,7 @@ use spectrum::{
 };
 
 use crate::drawn_spectrum::drawn_spectrum;
-use crate::group::Case;
-use crate::tally::{Refused, Trial};
+use crate::tally::{Case, Refused, Trial};
 use crate::{Draw, Reach};
 
 /// Wavelengths \[m\] and densities \[m^3\], in any order and with repeats; printed, it is a literal that recreates it.

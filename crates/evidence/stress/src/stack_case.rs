@@ -3,8 +3,7 @@
 use asperity::{AsperityError, Bound};
 use stacked_contact::{Level, Scale, StackedModel, largest_full_contact_pressure_pa, levels};
 
-use crate::group::Case;
-use crate::tally::{Refused, Trial};
+use crate::tally::{Case, Refused, Trial};
 use crate::{Draw, Material, Reach};
 
 /// Stack under a nominal pressure; printed, it is a literal that recreates it.

@@ -7,9 +7,8 @@ use bilby::AdaptiveIntegrator;
 use numerics::GaussLegendre;
 use stat_contact::{Condition, ContactState, NayakSummits, StatisticalContact};
 
-use crate::group::Case;
 use crate::statistical_trial::Search;
-use crate::tally::{Refused, Trial};
+use crate::tally::{Case, Refused, Trial};
 use crate::{Draw, Reach};
 
 /// Relative rounding of a sum of some hundred positive terms.

@@ -152,6 +152,18 @@ impl WorstCase {
     }
 }
 
+/// State that can be drawn and tested; printed, it is a literal that recreates it.
+pub trait Case: Debug + Sized {
+    /// Draws a random case, with the range of its numbers.
+    fn draw(draw: &mut Draw) -> (Self, Reach);
+
+    /// Tests every promise of the case of a trial.
+    ///
+    /// # Errors
+    /// [`Refused`] if a constructor refuses its numbers.
+    fn test(trial: &mut Trial<Self>) -> Result<(), Refused>;
+}
+
 /// A constructor refused the numbers of a case.
 #[derive(Debug)]
 pub struct Refused;

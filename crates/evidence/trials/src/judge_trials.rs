@@ -10,9 +10,8 @@ use units::display::three_digits;
 
 use crate::TrialError;
 use crate::elements::digits;
-use crate::judge_spectra::{JudgeTrial, Kind, Set};
+use crate::judge_spectra::{JudgeTrial, Kind, LayerKind, Set};
 use crate::judge_truth::{TRUTH_ERROR, TruthRow};
-use crate::layer_trials::LayerKind;
 
 /// Budget of the judge: three windows under three loads on grids of 96 points a side, about one decade each.
 const BUDGET: f64 = 1.2e7;

@@ -6,14 +6,15 @@ use elements::Relief;
 use elements::half_space::{Elements, Loading};
 use numerics::parallel::Unobserved;
 use scene::Scene;
-use serde::{Deserialize, Serialize};
 use spectrum::random_surfaces::AreaSpectrum;
 use tables::markdown::{table, with_section};
 use units::display::three_digits;
 
 use crate::TrialError;
 use crate::elements::digits;
-use crate::judge_spectra::{CONTACT_MODULUS_PA, JudgeTrial, SHORTEST_M, Set, trials as judge_trials};
+use crate::judge_spectra::{
+    CONTACT_MODULUS_PA, JudgeTrial, LayerKind, SHORTEST_M, Set, trials as judge_trials,
+};
 use crate::judge_trials::{JudgedRow, errors_of_judge, judged};
 use crate::judge_truth::TOLERANCE;
 
@@ -23,54 +24,6 @@ pub const LOADS: [f64; 3] = [0.005, 0.03, 0.2];
 const MAX_BATCHES: u64 = 4;
 /// Side of the box over the longest wavelength.
 const LENGTHS_IN_BOX: f64 = 2.0;
-
-/// Layer of a trial, of the contact modulus E*, against a rigid counterface.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum LayerKind {
-    /// A soft coat: the base is ten times as stiff, the thickness a tenth of the longest wavelength.
-    StiffBase,
-    /// A stiff coat: the base is a tenth as stiff, the thickness a twentieth of the longest wavelength.
-    SoftBase,
-    /// A rigid base under a tenth of the longest wavelength.
-    RigidBase,
-    /// A rigid base under a fiftieth of the longest wavelength: a bed of springs for the long waves.
-    ThinOnRigid,
-    /// A rigid base under a nearly incompressible layer, a twentieth of the longest wavelength.
-    ThinRubber,
-}
-
-units::named!(LayerKind, "layer", {
-    StiffBase => "base ten times as stiff, t = λ/10",
-    SoftBase => "base ten times as soft, t = λ/20",
-    RigidBase => "rigid base, ν 0.3, t = λ/10",
-    ThinOnRigid => "rigid base, ν 0.3, t = λ/50",
-    ThinRubber => "rigid base, ν 0.48, t = λ/20",
-});
-
-impl LayerKind {
-    /// Longest wavelength over thickness.
-    fn wavelengths(self) -> f64 {
-        match self {
-            LayerKind::StiffBase | LayerKind::RigidBase => 10.0,
-            LayerKind::SoftBase | LayerKind::ThinRubber => 20.0,
-            LayerKind::ThinOnRigid => 50.0,
-        }
-    }
-
-    fn poisson_ratio(self) -> f64 {
-        if self == LayerKind::ThinRubber { 0.48 } else { 0.3 }
-    }
-
-    /// Stiffness of the base over that of the layer; none if it is rigid.
-    fn base_over_layer(self) -> Option<f64> {
-        match self {
-            LayerKind::StiffBase => Some(10.0),
-            LayerKind::SoftBase => Some(0.1),
-            _ => None,
-        }
-    }
-}
 
 /// A spectrum on a layer.
 #[derive(Clone, Copy, Debug, PartialEq)]

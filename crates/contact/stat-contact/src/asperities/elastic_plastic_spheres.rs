@@ -1,5 +1,7 @@
 //! Populations of the elastic-plastic spheres of Jackson & Green.
 
+use std::f64::consts::PI;
+
 use asperity::{
     FITTED_CONTACT_RADIUS_OVER_RADIUS, FITTED_STRENGTH_OVER_MODULUS, Hardness, Hertz, JacksonGreen,
     MaterialPair, NixGao, YIELD_INTERFERENCE_RATIO,
@@ -124,9 +126,9 @@ impl Asperities for ElasticPlasticSpheres {
         let (forces_n, areas_m2) = (&mut *pressures_pa, &mut *area_fractions);
         let hardness = self.hardness;
         if interferences_m.first().is_some_and(|&w| w < self.onset_m) {
-            for ((&w, force_n), area_m2) in interferences_m.iter().zip(forces_n).zip(areas_m2) {
-                (*force_n, *area_m2) = self.elastic.force_and_area(w);
-            }
+            Hertz::new(&self.pair, self.radius_m).forces_and_areas(interferences_m, forces_n, areas_m2);
+            let most_m2 = PI * self.radius_m * self.radius_m;
+            areas_m2.iter_mut().for_each(|area_m2| *area_m2 = area_m2.min(most_m2));
         } else if self.strength.strain_gradient_length_m().is_none() {
             let sphere = self.macroscopic;
             JacksonGreen::plastic_forces_and_areas(hardness, |_| sphere, interferences_m, forces_n, areas_m2);
