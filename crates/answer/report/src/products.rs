@@ -36,12 +36,6 @@ pub fn figures(scene: &Scene, results: &Results) -> Vec<FigureData> {
     scene.figures.iter().map(|figure| data(scene, results, figure, None)).collect()
 }
 
-/// Draws one figure of a scene as an SVG document; `None` if it has no figure of that name.
-pub fn figure_svg(scene: &Scene, results: &Results, name: &str) -> Option<String> {
-    let figure = scene.figures.iter().find(|figure| figure.name == name)?;
-    Some(FigureDocuments::new(scene, results, figure, None).svg())
-}
-
 /// The figure of the spectrum that a report makes where the scene asks for none.
 fn spectrum_figure() -> Figure {
     Figure { name: SPECTRUM_NAME.to_owned(), shows: Shows::Psd, ..Figure::area_of_all(Vec::new()) }
@@ -238,41 +232,8 @@ pub enum Product<'p> {
         /// The lines.
         origin: &'p [String],
     },
-    /// A figure as an SVG document.
-    Figure(&'p str),
-    /// A figure as a Python script.
-    Script(&'p str),
-    /// The report as an HTML page.
-    Report(&'p str),
-    /// The conclusions as JSON.
-    Answer(&'p str),
-}
-
-impl Product<'_> {
-    /// The name of its file.
-    #[must_use]
-    pub fn file_name(&self, name: &str, format: Format) -> String {
-        match self {
-            Product::Table { .. } => format!("{name}.{}", format.extension()),
-            Product::Figure(_) => format!("{name}.svg"),
-            Product::Script(_) => format!("{name}.py"),
-            Product::Report(_) => REPORT.to_owned(),
-            Product::Answer(_) => ANSWER.to_owned(),
-        }
-    }
-
-    /// Writes the content of its file.
-    ///
-    /// # Errors
-    /// Any error that `out` returns.
-    pub fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
-        match self {
-            Product::Table { table, origin } => table.write(format, origin, out),
-            Product::Figure(text) | Product::Script(text) | Product::Report(text) | Product::Answer(text) => {
-                out.write_all(text.as_bytes())
-            }
-        }
-    }
+    /// The text of a file: a figure as an SVG document or as a Python script, the report, or the conclusions as JSON.
+    Text(&'p str),
 }
 
 /// A scene with what was found about it, and the products made of that.
@@ -300,15 +261,21 @@ impl<'a> SceneProducts<'a> {
     ) -> Result<Vec<String>, E> {
         let mut names = Vec::new();
         self.each(format, |name, product| {
-            let name = product.file_name(name, format);
-            let written = file(&name, &|out| product.write(format, out));
+            let (name, written) = match product {
+                Product::Table { table, origin } => {
+                    let name = format!("{name}.{}", format.extension());
+                    let written = file(&name, &|out| table.write(format, origin, out));
+                    (name, written)
+                }
+                Product::Text(text) => (name.to_owned(), file(name, &|out| out.write_all(text.as_bytes()))),
+            };
             names.push(name);
             written
         })?;
         Ok(names)
     }
 
-    /// Passes every product to `take`, by name; scripts read tables in a format. The report and its tables need sensitivities; the tables of the
+    /// Passes every table to `take` by its name, and every text by that of its file; scripts read tables in a format. The report and its tables need sensitivities; the tables of the
     /// judge and of draws need those. A table is made when its turn comes, so that only one is held.
     ///
     /// # Errors
@@ -349,12 +316,12 @@ impl<'a> SceneProducts<'a> {
         }
         for documents in &figures {
             let name = &documents.figure.name;
-            take(name, Product::Figure(&documents.svg()))?;
+            take(&format!("{name}.svg"), Product::Text(&documents.svg()))?;
             if documents.figure.formats.contains(&PictureFormat::Script) {
-                take(name, Product::Script(&documents.script(format)))?;
+                take(&format!("{name}.py"), Product::Text(&documents.script(format)))?;
             }
         }
-        take(ANSWER, Product::Answer(&answer_json(self.conclusions, scene)))?;
+        take(ANSWER, Product::Text(&answer_json(self.conclusions, scene)))?;
         if let Some(part) = self.report(&scene.title) {
             let report = Report {
                 title: &scene.title,
@@ -363,7 +330,7 @@ impl<'a> SceneProducts<'a> {
                 repeat: "truearea run with the scene below; the tables beside this page hold its numbers.",
                 run_stamp,
             };
-            take(REPORT, Product::Report(&report.html()))?;
+            take(REPORT, Product::Text(&report.html()))?;
         }
         Ok(())
     }

@@ -7,7 +7,7 @@ use findings::conclusions::{Conclusions, Evidence, LoadConclusion, NextStep, Sou
 use interface::conductance::MOST_PLASTIC_SHARE;
 use judge::{AGREEMENT, CurveVerdict, Judgement, Verdict};
 use questions::{RunOptions, SceneOutcome, Unwatched, run_scene};
-use report::products::{Product, SceneProducts};
+use report::products::{ANSWER, Product, SceneProducts};
 use report::run_stamp::RunStamp;
 use scene::{Overrides, Scene};
 use study::interface::InterfaceStates;
@@ -281,7 +281,7 @@ fn check_products(scene: &Scene, outcome: &SceneOutcome) {
                     assert_eq!((row.ratio(), row.verdict.name()), (*ratio, &*verdict.text()));
                 }
             }
-            Product::Answer(text) => {
+            Product::Text(text) if name == ANSWER => {
                 tables += 1;
                 let answer: serde_json::Value = serde_json::from_str(text).unwrap();
                 for (load, found) in outcome.conclusions.loads.iter().zip(answer["loads"].as_array().unwrap())
