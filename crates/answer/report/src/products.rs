@@ -236,6 +236,28 @@ pub enum Product<'p> {
     Text(&'p str),
 }
 
+impl Product<'_> {
+    /// Returns the name of its file: that of a table is without ending.
+    #[must_use]
+    pub fn file_name(&self, name: &str, format: Format) -> String {
+        match self {
+            Product::Table { .. } => format!("{name}.{}", format.extension()),
+            Product::Text(_) => name.to_owned(),
+        }
+    }
+
+    /// Writes the content of its file.
+    ///
+    /// # Errors
+    /// Any error that `out` returns.
+    pub fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
+        match self {
+            Product::Table { table, origin } => table.write(format, origin, out),
+            Product::Text(text) => out.write_all(text.as_bytes()),
+        }
+    }
+}
+
 /// A scene with what was found about it, and the products made of that.
 #[derive(Clone, Copy)]
 pub struct SceneProducts<'a> {
@@ -261,14 +283,8 @@ impl<'a> SceneProducts<'a> {
     ) -> Result<Vec<String>, E> {
         let mut names = Vec::new();
         self.each(format, |name, product| {
-            let (name, written) = match product {
-                Product::Table { table, origin } => {
-                    let name = format!("{name}.{}", format.extension());
-                    let written = file(&name, &|out| table.write(format, origin, out));
-                    (name, written)
-                }
-                Product::Text(text) => (name.to_owned(), file(name, &|out| out.write_all(text.as_bytes()))),
-            };
+            let name = product.file_name(name, format);
+            let written = file(&name, &|out| product.write(format, out));
             names.push(name);
             written
         })?;
