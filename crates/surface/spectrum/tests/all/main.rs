@@ -7,7 +7,7 @@ mod moments;
 mod properties;
 mod random_surfaces;
 mod read;
-mod read_errors;
+mod refused;
 mod roughness_parameters;
 mod self_affine_fit;
 mod series;
