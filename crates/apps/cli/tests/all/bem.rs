@@ -178,8 +178,6 @@ fn patches_are_the_regions_that_touch() {
         assert!((areas[at] / (share * 0.5e-12) - 1.0).abs() < 1e-12);
         assert!((perimeters[at] / 1e-6 - 1.0).abs() < 1e-12);
     }
-    let onto_input = ["--pressure", "60MPa", "--patches", "waves.txt"];
-    bench.run(&call(&[&WAVES, &onto_input])).refused_naming(&["--patches", "waves.txt"]);
 }
 
 #[test]

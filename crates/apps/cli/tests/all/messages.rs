@@ -12,7 +12,12 @@ const CALLS: &str = include_str!("messages/calls.txt");
 const FILES: &str = include_str!("messages/files.txt");
 
 /// Words of [`CALLS`] that stand for several.
-const SHORTHAND: [(&str, &str); 6] = [
+const SHORTHAND: [(&str, &str); 8] = [
+    (
+        "$HEAT",
+        "$LAW --quantity heat --thermal-conductivity 20W/m/K --counterface-thermal-conductivity 60W/m/K",
+    ),
+    ("$LAW", "law power.csv --pressure-range 1Pa:2Pa --dialect abaqus $UNIT"),
     ("$SOFT", "--youngs-modulus 1GPa --poisson-ratio 0.3"),
     ("$RIGID", "--youngs-modulus 1GPa --poisson-ratio 0"),
     ("$UNIT", "--youngs-modulus 1Pa --poisson-ratio 0"),

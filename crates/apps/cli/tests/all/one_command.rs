@@ -43,17 +43,6 @@ fn a_trace_becomes_a_report_that_its_scene_repeats() {
     assert_eq!(answer(&bench, "again"), own);
 }
 
-#[test]
-fn what_a_report_lacks_is_named_with_what_to_type() {
-    let bench = Bench::new();
-    bench.write("flange.txt", trace());
-    bench.run(&["report", "flange.txt", "--pressure", "1MPa"]).refused_naming(&["--material"]);
-    bench.run(&["report", "flange.txt", "--material", "100Cr6"]).refused_naming(&["--pressure"]);
-    let call = ["report", "flange.txt", "--material", "100Cr6", "--pressure", "1MPa"];
-    bench.run(&call).refused_naming(&["error: flange.txt: ", " flange.txt:unit=um"]);
-    assert!(!bench.path("flange-report").exists(), "a call that fails leaves nothing");
-}
-
 #[cfg(unix)]
 #[test]
 fn a_terminal_is_asked_for_what_is_missing_and_again_for_what_cannot_be_read() {

@@ -65,7 +65,6 @@ fn a_periodic_sinusoid_has_its_variance() {
 fn metadata_beside_a_file_give_its_unit_and_size() {
     let bench = Bench::new();
     bench.write("line.txt", line(256, 5.0));
-    bench.run(&["psd", "line.txt"]).refused_naming(&["line.txt: ", ":unit=um"]);
     let meta = "surfaces:\n- topographies:\n  - name: my line\n    datafile:\n      original: line.txt\n    \
                 size: !!python/tuple [1280.0]\n    unit: nm\n    height_scale: 2.0\n";
     let plain = bench.run(&["psd", "line.txt", "--unit", "nm"]).ok();
@@ -122,10 +121,6 @@ fn a_map_in_two_dimensions_is_read_back_by_the_exact_conversion() {
     let table = bench.read("ciso.csv");
     assert!(table.contains("\nwavelength_m,wavevector_rad_per_m,Ciso_m4,modes\n"), "{table}");
     bench.run(&["moments", "ciso.csv"]).ok_remarking(&["Abel"]);
-    bench
-        .write("line.txt", line(64, 5.0))
-        .run(&["psd", "line.txt:unit=nm", "--areal"])
-        .refused_naming(&["line.txt: ", "areal"]);
 }
 
 #[test]
@@ -142,21 +137,11 @@ fn a_scene_takes_scans_and_a_rough_counterface() {
     assert!(header.contains("\nwavevector_rad_per_m,c1d_m3 of a.txt,c1d_m3 of b.txt,c1d_m3\n"), "{header}");
     bench.write("both.toml", format!("{scene}[counterface.surface]\npsd = \"builtin:uncd-measured\"\n"));
     bench.run(&["run", "both.toml", "-v"]).ok_remarking(&["both surfaces"]);
-    let without_average = scene.replace("average = \"arithmetic\"\n", "");
-    for (scene, names) in [
-        (format!("{scene}[counterface]\nyoungs_modulus = \"70 GPa\"\n"), &["counterface"][..]),
-        (scene.replace("[surface]", "[surface]\ncolumn = \"C1D\""), &["surface.column", "scans"]),
-        (without_average.replace("[surface]", "[surface]\npsd = \"x.csv\""), &["psd", "scans"]),
-    ] {
-        bench.write("bad.toml", scene).run(&["run", "bad.toml"]).refused_naming(names);
-    }
 }
 
 #[test]
-fn doubtful_scans_are_warned_of_and_spectra_refused() {
+fn doubtful_scans_are_warned_of() {
     let bench = Bench::new();
-    bench.write("psd.csv", "Wavevector (1/m),PSD (m^3)\n1e3,1e-15\n1e4,1e-17\n1e5,1e-19\n");
-    bench.run(&["psd", "psd.csv", "--unit", "mm"]).refused_naming(&["psd.csv: ", "power spectrum"]);
     let gap: Vec<String> = line(400, 5.0)
         .lines()
         .enumerate()
@@ -213,24 +198,4 @@ fn the_same_digits_come_out_on_any_number_of_threads() {
     bench.write("map.txt", format!("# Width: 1 um\n# Height: 3 um\n# Value units: nm\n{}", rows.join("\n")));
     let with = |threads: &str| bench.run_with_env(&["psd", "map.txt"], "RAYON_NUM_THREADS", threads).ok();
     assert_eq!(with("1"), with("7"));
-}
-
-#[test]
-fn wrong_scans_are_refused_with_what_is_wrong() {
-    let bench = Bench::new();
-    bench
-        .write("gap.txt", "0 1\n1 nan\n2 1\n3 2\n")
-        .write("one.txt", "0 1\n")
-        .write("flat.txt", "0 1\n1 1\n2 1\n3 1\n");
-    bench.write("other.bin", "\u{1}\u{2}\u{3}");
-    for (file, expected) in [
-        ("gap.txt", "gap.txt: "),
-        ("one.txt", "one.txt: "),
-        ("flat.txt", "flat.txt: "),
-        ("other.bin", "other.bin"),
-        ("absent.txt", "absent.txt"),
-        ("one.txt:width=3nm", "'width'"),
-    ] {
-        bench.run(&["psd", file, "--unit", "nm"]).refused_naming(&[expected]);
-    }
 }

@@ -37,9 +37,6 @@ fn a_filled_table_is_recomputed_from_the_column_that_is_named() {
     let by_pressure = ran("pressure");
     assert_eq!(column(&by_pressure, "pressure_pa"), ["1e5"]);
     assert!(numbers(&by_pressure, "separation_m")[0] > 5.02477e-8);
-    bench
-        .run_with_input(&["statistical", "--input", "-"], &table(&[&filled]))
-        .refused_naming(&["standard input, line 2, columns separation_m and pressure_pa", "--given"]);
 }
 
 #[test]
@@ -206,14 +203,6 @@ fn a_range_of_pressures_is_as_many_loads() {
         many.lines().skip(1 + 1000 * 46).collect::<Vec<_>>(),
         alone.lines().skip(1).collect::<Vec<_>>()
     );
-    for (pressures, names) in [
-        ("1kPa:1GPa", ["--pressures", "FROM:TO:COUNT"]),
-        ("1kPa:1GPa:1", ["'1'", "from 2 to 10000000"]),
-        ("1H:2H:2", ["--pressures", "--yield-strength"]),
-    ] {
-        let call = ["builtin:uncd-measured", "--pressures", pressures];
-        bench.run(&[&statistical, &call[..], &DIAMOND[..4]].concat()).refused_naming(&names);
-    }
 }
 
 #[test]

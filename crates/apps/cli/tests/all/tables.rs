@@ -163,7 +163,6 @@ fn bodies_are_taken_by_name_in_every_command_and_the_softer_one_yields() {
         run(&call, &["--material", "steel"]).refused_naming(&["--material", "steel 100Cr6", "steel C45"]);
         run(&call, &["--on", "unobtainium"]).refused_naming(&["--on", "unobtainium", "diamond"]);
     }
-    bench.run(&["persson", "--input", "in.csv", "--material", "gold"]).refused_naming(&["--material"]);
 }
 
 #[test]

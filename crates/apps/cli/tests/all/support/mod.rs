@@ -1,5 +1,4 @@
 //! Running the binary in a folder of its own.
-#![allow(dead_code, reason = "every test file uses its own share of this")]
 
 use std::io::Write;
 use std::path::PathBuf;
