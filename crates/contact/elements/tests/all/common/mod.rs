@@ -1,5 +1,4 @@
 //! Surfaces to press.
-#![allow(dead_code)]
 
 use std::f64::consts::{PI, TAU};
 

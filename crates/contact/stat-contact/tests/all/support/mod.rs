@@ -1,5 +1,4 @@
 //! Rows of reference tables as contacts.
-#![allow(dead_code, reason = "every test file uses its own share of this")]
 
 use asperity::{ElasticBody, Hardness, MaterialPair, NixGao};
 use stat_contact::{AsperityLaw, InterferenceLaw, Population, StatisticalContact};

@@ -1,5 +1,4 @@
 //! Bytes of a file put together field by field.
-#![allow(dead_code, reason = "every format uses some of it")]
 
 /// A file in the making. Numbers carry their own byte order: `bytes.put(7u16.to_le_bytes())`.
 #[derive(Default, Clone)]

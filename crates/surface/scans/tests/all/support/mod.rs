@@ -1,5 +1,4 @@
 //! Synthetic scans and writers of every format that scans are read from.
-#![allow(dead_code, reason = "every test uses some of it")]
 
 #[macro_use]
 pub mod refused;

@@ -1,5 +1,4 @@
 //! Errors by their kind and their data.
-#![allow(unused_macros, reason = "some tests refuse nothing")]
 
 /// Asserts the kind of an error, and some of its fields.
 macro_rules! refused {
