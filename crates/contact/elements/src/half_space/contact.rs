@@ -67,7 +67,7 @@ pub(crate) const TOUCHING: f64 = 1e-10;
 
 impl Contact {
     /// Returns for each point, row by row, true if it is in contact, as counted by
-    /// [`area_fraction`](Self::area_fraction).
+    /// [`area_fraction`](ContactNumbers::area_fraction).
     #[must_use]
     pub fn touching(&self) -> Vec<bool> {
         let points = self.pressures_pa.len();

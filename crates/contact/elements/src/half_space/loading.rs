@@ -17,7 +17,7 @@ pub struct Loading {
     pub nominal_pressure_pa: f64,
     /// Pressure at which the surface yields, an indentation hardness \[Pa\]; `None` if it is elastic throughout.
     pub saturation_pa: Option<f64>,
-    /// Largest [`residual`](crate::half_space::Contact::residual), above 0 and at most 0.1.
+    /// Largest [`residual`](crate::half_space::ContactNumbers::residual), above 0 and at most 0.1.
     pub tolerance: f64,
 }
 
@@ -73,7 +73,7 @@ pub struct Closing {
     pub approach: Approach,
     /// Pressure at which the surface yields, an indentation hardness \[Pa\]; `None` if it is elastic throughout.
     pub saturation_pa: Option<f64>,
-    /// Largest [`residual`](crate::half_space::Contact::residual), above 0 and at most 0.1.
+    /// Largest [`residual`](crate::half_space::ContactNumbers::residual), above 0 and at most 0.1.
     pub tolerance: f64,
 }
 
