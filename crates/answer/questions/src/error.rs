@@ -52,7 +52,7 @@ pub enum QuestionError {
     /// A figure with more lines than a reader can distinguish.
     #[error("a figure with {lines} lines is unreadable; at most {most} are drawn")]
     TooManyLines {
-        /// What is drawn, and for which conditions, e.g. `loop for each pressure and tangential stress`.
+        /// Kind of line and its conditions, e.g. `loop for each pressure and tangential stress`.
         drawn: &'static str,
         /// One line for each of these.
         lines: usize,
