@@ -206,6 +206,8 @@ fn over_panels([from, to]: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::PI;
+
     use super::*;
 
     fn gas(parameter_m: f64) -> GapGas {
@@ -234,6 +236,29 @@ mod tests {
         // Lengths scale.
         let scaled = GapGas::new(0.026, 0.3e-6).unwrap().conductance_w_per_m2_k(2e-6, 1e-6);
         assert!((scaled / (0.026 / 1e-6) / gas(0.3).conductance_w_per_m2_k(2.0, 1.0) - 1.0).abs() < 1e-13);
+    }
+
+    #[test]
+    fn the_integral_holds_for_every_gap_and_parameter() {
+        // By Simpson's rule in ln(t + M), as fine as it takes.
+        let dense = |separation: f64, parameter: f64| {
+            let (low, high) = (parameter.ln(), (separation.abs() + 40.0 + parameter).ln());
+            let steps = 400_000;
+            let width = (high - low) / f64::from(steps);
+            let at = |step: i32| {
+                let off = separation - ((low + width * f64::from(step)).exp() - parameter);
+                (-0.5 * off * off).exp()
+            };
+            let inner: f64 = (1..steps).map(|step| f64::from(2 + 2 * (step % 2)) * at(step)).sum();
+            width / 3.0 * (inner + at(0) + at(steps)) / (2.0 * PI).sqrt()
+        };
+        for separation in [-6.0, -1.0, 0.0, 0.5, 4.0, 12.0, 80.0] {
+            for parameter in [1e-9, 1e-3, 1.0, 1e4] {
+                let exact = dense(separation, parameter);
+                let off = mean_inverse_gap(separation, parameter) / exact - 1.0;
+                assert!(off.abs() < 1e-9, "{separation} {parameter}: {off:e}");
+            }
+        }
     }
 
     #[test]
