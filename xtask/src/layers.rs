@@ -97,7 +97,7 @@ fn faults(house: &House) -> Result<Vec<String>, Box<dyn std::error::Error>> {
     }
     for folder in crates_on_disk()? {
         if !house.members.values().any(|member| member.folder == folder) {
-            faults.push(format!("{} is no crate of the workspace", folder.display()));
+            faults.push(format!("{} is not a crate of the workspace", folder.display()));
         }
     }
     let crates = house.members.iter().filter(|(_, member)| member.floor.is_some());

@@ -42,7 +42,7 @@ fn main() -> ExitCode {
                 eprintln!("error: writing pictures and status: {error}");
                 return ExitCode::FAILURE;
             }
-            println!("drawn anew; a file that is no picture of the program is for you to delete");
+            println!("drawn anew; a file that is not a picture of the program is for you to delete");
         }
     }
     ExitCode::SUCCESS

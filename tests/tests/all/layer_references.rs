@@ -49,7 +49,7 @@ impl Map {
         let file = format!("adhesion_{name}.nc");
         let bytes = std::fs::read(committed_file("tests/reference").join(&file)).unwrap();
         let scan = read_scans(&bytes, &file, &ScanOptions::default()).unwrap().remove(0);
-        let Scan::Map(map) = scan.scan.complete().unwrap() else { panic!("{file} is no map") };
+        let Scan::Map(map) = scan.scan.complete().unwrap() else { panic!("{file} is not a map") };
         let (length_x_m, length_y_m) =
             (map.spacing_x_m() * map.columns() as f64, map.spacing_y_m() * map.rows() as f64);
         let grid = Grid::new(map.rows(), map.columns(), length_x_m, length_y_m).unwrap();

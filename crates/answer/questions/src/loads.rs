@@ -23,7 +23,7 @@ impl LoadInput {
     /// Parses a pressure with its unit that pulls if a minus sign stands before it, such as `-5kPa`.
     ///
     /// # Errors
-    /// [`QuantityError`] for text that is no pressure.
+    /// [`QuantityError`] for text that is not a pressure.
     pub fn parse_signed(text: &str) -> Result<Self, QuantityError> {
         Ok(LoadInput { pressure: Pressure::parse_signed(text)?, label: text.trim().to_owned() })
     }

@@ -9,7 +9,7 @@ use units::{Length, OutOfBounds, Pressure, QuantityError};
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ConditionError {
-    /// The text is no quantity.
+    /// The text is not a quantity.
     #[error("{0}")]
     Quantity(#[from] QuantityError),
     /// A pressure in H needs a hardness.

@@ -170,7 +170,7 @@ impl fmt::Display for SceneProblem {
                 write!(f, "unknown value `{value}`{} it may be {}", hint(meant), known.join(", "))
             }
             SceneProblem::WrongType { found, wanted } => {
-                write!(f, "{found} stands where {wanted} should")?;
+                write!(f, "found {found}, expected {wanted}")?;
                 match (found.strip_prefix("string "), found.as_str()) {
                     (Some(text), _) if wanted == "a list in brackets" => write!(f, "; write [{text}]"),
                     (None, "map") if wanted == "a list in brackets" => f.write_str(

@@ -67,7 +67,7 @@ fn resolve_shear(raw: &RawInterface, material: Option<&Material>) -> Result<Opti
     };
     let load = match (&raw.tangential_stress, &raw.share_of_sliding) {
         (Some(_), Some(share)) => {
-            let message = "key interface.share_of_sliding: it stands beside tangential_stress, and both give the tangential load; \
+            let message = "key interface.share_of_sliding: it and tangential_stress both give the tangential load; \
                            leave one out";
             return Err(SceneError::at(share.span(), message));
         }
@@ -89,7 +89,7 @@ fn resolve_shear(raw: &RawInterface, material: Option<&Material>) -> Result<Opti
         }
         (Some(typed), None) => Err(SceneError::at(
             typed.span(),
-            "key interface.friction: it says nothing without a tangential load; give tangential_stress or share_of_sliding",
+            "key interface.friction: it needs a tangential load; give tangential_stress or share_of_sliding",
         )),
         (None, Some((span, key, _))) => Err(SceneError::at(
             span,
@@ -110,7 +110,7 @@ fn resolve_adhesion(raw: &RawInterface) -> Result<Option<AdhesionRequest>, Scene
     match (given(&raw.work_of_adhesion), &raw.range_of_attraction) {
         (None, Some(typed)) => Err(SceneError::at(
             typed.span(),
-            "key interface.range_of_attraction: it says nothing without a work_of_adhesion; give both",
+            "key interface.range_of_attraction: it needs a work_of_adhesion; give both",
         )),
         (work, range) => Ok(work.map(|work| AdhesionRequest {
             work_j_per_m2: work.j_per_m2,

@@ -25,7 +25,7 @@ pub(super) fn resolve_loads(
         }
     };
     if let Some(twice) = resolved.iter().enumerate().find(|(i, load)| resolved[..*i].contains(load)) {
-        let message = format!("key loads.pressures: {} stands twice; keep one", twice.1.label);
+        let message = format!("key loads.pressures: {} occurs twice; keep one", twice.1.label);
         return Err(SceneError::at(raw.span(), message));
     }
     if resolved.is_empty() {

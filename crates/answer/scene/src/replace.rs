@@ -99,7 +99,7 @@ impl fmt::Display for ReplaceError {
                 write!(f, "{name}: the scene has {count} such sections, and they are counted from 0")
             }
             ReplaceError::NoValue { name } => {
-                write!(f, "{name} is no single value in this scene; set it in the text")
+                write!(f, "{name} is not a single value in this scene; set it in the text")
             }
             ReplaceError::Scene(error) => error.fmt(f),
         }

@@ -186,7 +186,7 @@ pub(super) fn poisson_ratio(key: &str, raw: &Spanned<RawProperty>) -> Result<Unc
 
 fn with_unit<T: Property>(typed: TypedSpread<'_>) -> Result<Uncertain<T>, String> {
     let si = |text: &str| text.parse::<T>().map_err(|error| error.to_string())?.si();
-    let told = |error: SpreadError| error.to_string();
+    let in_words = |error: SpreadError| error.to_string();
     match typed {
         TypedSpread::PlusMinus { value: text, uncertainty } => {
             let value: T = text.parse().map_err(|error: QuantityError| error.to_string())?;
@@ -199,17 +199,17 @@ fn with_unit<T: Property>(typed: TypedSpread<'_>) -> Result<Uncertain<T>, String
                     .map_err(|error| error.to_string())?
                     .map_or(Ok(0.0), |uncertainty| uncertainty.si())?,
             };
-            Ok(Uncertain { value, spread: Spread::log_normal(median, uncertainty).map_err(told)? })
+            Ok(Uncertain { value, spread: Spread::log_normal(median, uncertainty).map_err(in_words)? })
         }
         TypedSpread::Interval { from, to } => {
-            let (centre, spread) = Spread::log_normal_within(si(from)?, si(to)?).map_err(told)?;
+            let (centre, spread) = Spread::log_normal_within(si(from)?, si(to)?).map_err(in_words)?;
             Ok(Uncertain { value: T::of_si(centre), spread })
         }
     }
 }
 
 fn without_unit(typed: TypedSpread<'_>) -> Result<Uncertain<f64>, String> {
-    let told = |error: SpreadError| error.to_string();
+    let in_words = |error: SpreadError| error.to_string();
     match typed {
         TypedSpread::PlusMinus { value, uncertainty } => {
             let median = ratio(value)?;
@@ -217,11 +217,11 @@ fn without_unit(typed: TypedSpread<'_>) -> Result<Uncertain<f64>, String> {
                 Some(share) => share * median,
                 None => ratio(uncertainty)?,
             };
-            let spread = Spread::poisson_ratio(median, uncertainty).map_err(told)?;
+            let spread = Spread::poisson_ratio(median, uncertainty).map_err(in_words)?;
             Ok(Uncertain { value: median, spread })
         }
         TypedSpread::Interval { from, to } => {
-            let (value, spread) = Spread::poisson_ratio_within(ratio(from)?, ratio(to)?).map_err(told)?;
+            let (value, spread) = Spread::poisson_ratio_within(ratio(from)?, ratio(to)?).map_err(in_words)?;
             Ok(Uncertain { value, spread })
         }
     }
@@ -229,7 +229,7 @@ fn without_unit(typed: TypedSpread<'_>) -> Result<Uncertain<f64>, String> {
 
 /// A number without a unit.
 fn ratio(text: &str) -> Result<f64, String> {
-    text.trim().parse().map_err(|_| format!("'{text}' is no number, such as 0.3"))
+    text.trim().parse().map_err(|_| format!("expected a number such as 0.3, found '{text}'"))
 }
 
 /// A share, typed in percent only.

@@ -80,7 +80,7 @@ pub enum SurfaceError {
 impl SurfaceError {
     /// The error of a file that cannot be read as a spectrum, by what it holds instead.
     fn unread(name: String, bytes: &[u8], error: ReadError) -> Self {
-        // Texts and workbooks hold anything. A number up to 0 is no wavelength and no spectrum.
+        // Texts and workbooks hold anything. A number up to 0 is neither a wavelength nor a spectrum.
         let is_certain = |format: &ScanFormat| *format != ScanFormat::Workbook;
         let may_be_heights = || match error {
             ReadError::NoHeader { .. } => has_number_up_to_0(bytes),

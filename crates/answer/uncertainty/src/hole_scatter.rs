@@ -10,7 +10,7 @@ use crate::spectrum_ends::{End, PowerLaw};
 /// evenly over 0 to 1.
 const UNKNOWN_SLOPE: f64 = 0.577_350_269_189_625_8;
 
-/// Smallest standard deviation of ln C that is no rounding.
+/// Smallest standard deviation of ln C that is not rounding.
 const MIN_SD: f64 = 1e-6;
 
 /// The holes of a spectrum, each with what its neighbours leave open.

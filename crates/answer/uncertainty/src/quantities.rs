@@ -77,7 +77,7 @@ impl<'p> Quantities<'p> {
             }
             let ln_values: Vec<f64> = drawn.iter().filter_map(|draw| draw.as_ref()?[at]).collect();
             let found = match best.as_ref().and_then(|best| best[at]) {
-                // Leaks scatter over decades to one side, and their mirror image is no interval.
+                // Leaks scatter over decades to one side, and their mirror image is not an interval.
                 Some(best) => percentiles_about(best, &ln_values, level),
                 None => interval(&ln_values, level),
             };

@@ -78,7 +78,7 @@ impl SurfaceScatter {
         self.parts.iter().map(|part| &part.source)
     }
 
-    /// The source of a surface that is no sum.
+    /// The source of a surface that is not a sum.
     pub fn single_source(&self) -> Option<&SpectrumSource> {
         match &self.parts[..] {
             [part] => Some(&part.source),

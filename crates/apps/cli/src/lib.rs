@@ -39,7 +39,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
             Ok(()) => ExitCode::SUCCESS,
             // A result that is in place is not interrupted.
             Err(_) if interruption::is_asked_for() && tables::staging::has_published() => ExitCode::SUCCESS,
-            // A program that is ended often loses its input as well, which is no fault of the input.
+            // A program that is ended often loses its input as well, which is not the fault of the input.
             Err(_) if interruption::is_asked_for() => failure::Failure::Interrupted.report(),
             Err(failure) => failure.report(),
         },

@@ -10,7 +10,7 @@ const MOST_LETTERS_OF_LINE: usize = 4000;
 /// Most lines of a message.
 const MOST_LINES: usize = 10_000;
 
-/// Says a line on stderr; nobody listening is no failure. Control characters, which names and files may hold, are replaced.
+/// Says a line on stderr; a missing listener is not a failure. Control characters, which names and files may hold, are replaced.
 pub fn say(line: &str) {
     let bounded = line.split('\n').map(|line| shortened(line, MOST_LETTERS_OF_LINE));
     let bounded: Vec<_> = bounded.take(MOST_LINES).collect();

@@ -41,7 +41,7 @@ impl MapHeights {
         Self::thinned([columns, rows], aspect, scan.heights_m().flatten(), |at| scan.height_m(at))
     }
 
-    /// Takes every few points of heights that are pressed; `None` if they are no numbers.
+    /// Takes every few points of heights that are pressed; `None` if they are not numbers.
     pub(crate) fn of_relief(relief: &Relief) -> Option<Self> {
         let heights_m = &relief.heights_m;
         let aspect = relief.length_y_m / relief.length_x_m;

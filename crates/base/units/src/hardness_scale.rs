@@ -51,7 +51,7 @@ impl HardnessScale {
         match self {
             HardnessScale::Vickers => {}
             HardnessScale::Brinell => {
-                // A number <= 0 is no hardness on any scale; report that first.
+                // A number <= 0 is not a hardness on any scale; report that first.
                 HARDNESS.positive(text, scaled(number, UnitScale::ONE))?;
                 within(BRINELL, "Brinell's number")?;
             }

@@ -225,7 +225,7 @@ impl JacksonGreen {
     }
 
     /// True if the contact at this interference lies within the results that the law was fitted to: a/R <= 0.41 and
-    /// Sy/E* <= 0.01. Always true on Hertz's branch, which is no fit.
+    /// Sy/E* <= 0.01. Always true on Hertz's branch, which is not a fit.
     #[must_use]
     pub fn in_fitted_range(&self, interference_m: f64) -> bool {
         self.is_elastic(interference_m)

@@ -52,7 +52,7 @@ impl fmt::Display for EnergyFactor {
     }
 }
 
-/// Text that is no energy factor.
+/// Text that is not an energy factor.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum EnergyFactorError {

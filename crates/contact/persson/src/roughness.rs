@@ -58,7 +58,7 @@ pub struct RoughnessSample {
 
 impl Roughness {
     /// Creates the roughness from samples that go from long to short wavelengths. `beyond` are samples at shorter
-    /// wavelengths (\[m\], \[m^3\]); they are no cutoffs but count where the surface is cut off.
+    /// wavelengths (\[m\], \[m^3\]); they are not cutoffs but count where the surface is cut off.
     #[must_use]
     pub fn new(samples: &[RoughnessSample], beyond: &[(f64, f64)], band: Band) -> Self {
         let mut of_spectrum: Vec<SpectrumSample> = samples

@@ -19,7 +19,7 @@ pub struct ElementsCase {
     pub map: SmallMap,
     /// True if it repeats itself.
     pub periodic: bool,
-    /// Ratio of displacements and length \[m\] of a body that is softer or stiffer under long waves, if it is no half-space.
+    /// Ratio of displacements and length \[m\] of a body that is softer or stiffer under long waves, if it is not a half-space.
     pub layer: Option<(f64, f64)>,
     /// Contact modulus \[Pa\].
     pub contact_modulus_pa: f64,

@@ -534,7 +534,7 @@ fn stiffness_is_the_slope(
     }
 }
 
-/// Checks that a layer of the material of its base is no layer.
+/// Checks that a layer of the material of its base has no effect.
 fn trivial_layer(coating: Coating, trial: &mut Trial<PerssonCase>) {
     let case = trial.case;
     let base = Some((case.youngs_modulus_pa, case.poisson_ratio));

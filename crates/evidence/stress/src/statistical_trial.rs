@@ -298,7 +298,7 @@ fn sound<C: Debug>(question: Question, state: &ContactState, trial: &mut Trial<C
 fn tabulated(contact: &StatisticalContact, separation_m: f64, trial: &mut Trial<StatisticalCase>) {
     let case = trial.case;
     const FINEST: f64 = 1e-13;
-    /// Estimates are no bounds: one state in some ten thousand errs by more.
+    /// Estimates are not bounds: one state in some ten thousand errs by more.
     const CAUTION: f64 = 3.0;
     let width = trial.draw.one_of(&[-1.0, 1.0]) * trial.draw.decades(-2.0, 2.0);
     let end_m = separation_m + width * case.sigma_s_m;

@@ -15,7 +15,7 @@ pub struct ScansInFolders {
     pub requests: Vec<ScanRequest>,
     /// Index of the request that each comes from.
     pub origins: Vec<usize>,
-    /// Files of the folders that are no scans.
+    /// Files of the folders that are not scans.
     pub skipped: Vec<String>,
 }
 

@@ -337,7 +337,7 @@ fn are_independent<const N: usize>(mut products: [[f64; N]; N], points: usize) -
     let squares: [f64; N] = std::array::from_fn(|term| products[term][term]);
     for term in 0..N {
         let above = products[term];
-        // NaN is no distance either.
+        // NaN is not a distance either.
         let is_distance = above[term] > rounding * squares[term];
         if !is_distance {
             return false;

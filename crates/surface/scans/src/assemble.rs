@@ -109,7 +109,7 @@ pub(crate) fn assembled(
     })
 }
 
-/// Returns the conversion of values to m; none where they are in m, or are no lengths.
+/// Returns the conversion of values to m; none where they are in m, or are not lengths.
 fn to_m(quantity: &Quantity) -> Option<Box<dyn Fn(f64) -> f64>> {
     match *quantity {
         Quantity::Heights(Some(unit)) | Quantity::OtherLength(unit) if unit != LengthUnit::METRE => {

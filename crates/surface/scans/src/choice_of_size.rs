@@ -16,13 +16,13 @@ pub(crate) fn size(
     {
         notes.push(format!("the size {wanted} asked for replaces that of the file, {stated}"));
     }
-    let told = options.size.or(stated).or_else(|| options.metadata_size());
-    if let (Some(told), Some(unused)) = (told, options.fallback_size)
-        && told != unused
+    let known = options.size.or(stated).or_else(|| options.metadata_size());
+    if let (Some(known), Some(unused)) = (known, options.fallback_size)
+        && known != unused
     {
-        notes.push(format!("ignoring the size {unused}, because {told} is known"));
+        notes.push(format!("ignoring the size {unused}, because {known} is known"));
     }
-    told.or(options.fallback_size)
+    known.or(options.fallback_size)
 }
 
 /// Refuses a size asked for where every point has its position.

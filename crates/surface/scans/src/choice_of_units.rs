@@ -30,15 +30,15 @@ impl Units {
                     "the unit {wanted} of {what} asked for replaces that of the file, {stated}"
                 ));
             }
-            let told = wanted.or(stated).or_else(|| metadata.and_then(|metadata| metadata.unit));
-            if let (Some(told), Some(unused)) = (told, options.fallback_unit)
-                && told != unused
+            let known = wanted.or(stated).or_else(|| metadata.and_then(|metadata| metadata.unit));
+            if let (Some(known), Some(unused)) = (known, options.fallback_unit)
+                && known != unused
             {
                 notes.push(format!(
-                    "the unit {unused} given is not used for {what}: they are told to be in {told}"
+                    "the unit {unused} given is not used for {what}: they are known to be in {known}"
                 ));
             }
-            told.or(options.fallback_unit)
+            known.or(options.fallback_unit)
         };
         let lateral_unit = counting("lengths", options.unit, lateral);
         let height_unit = counting("heights", options.height_unit(), height);

@@ -97,9 +97,9 @@ pub enum ScanReadError {
         /// Names of the channels of the file.
         channels: Vec<String>,
     },
-    /// A channel asked for whose values are no lengths.
+    /// A channel asked for whose values are not lengths.
     #[error(
-        "reading {format}: channel '{channel}' has values {}, which are no heights; there {} with heights",
+        "reading {format}: channel '{channel}' has values {}, which are not heights; there {} with heights",
         in_unit(.unit), list(.channels)
     )]
     NoHeights {
@@ -144,9 +144,9 @@ pub enum ScanReadError {
         /// Place in the file.
         place: FilePlace,
     },
-    /// Bytes that are no text.
+    /// Bytes that are not text.
     #[error(
-        "line {line}: byte {offset} of the file is 0x{byte:02x}, which is no text; save the scan as text in UTF-8"
+        "line {line}: byte {offset} of the file is 0x{byte:02x}, which is not text; save the scan as text in UTF-8"
     )]
     NotText {
         /// Line.
@@ -159,8 +159,8 @@ pub enum ScanReadError {
     /// No line of numbers.
     #[error("reading text: the file holds no line of numbers, it must hold at least 2")]
     NoRows,
-    /// A field that is no number.
-    #[error("line {line}: column {column} is '{text}', which is no number; correct it or remove the line")]
+    /// A field that is not a number.
+    #[error("line {line}: column {column} is '{text}', which is not a number; correct it or remove the line")]
     NotANumber {
         /// Line.
         line: usize,
@@ -256,7 +256,7 @@ pub enum ScanReadError {
         rows: usize,
     },
     /// A grid point with two heights.
-    #[error("line {line}: the point x = {x}, y = {y} stands in line {first_line} already; keep one")]
+    #[error("line {line}: the point x = {x}, y = {y} is already in line {first_line}; keep one")]
     RepeatedPoint {
         /// Line of the repetition.
         line: usize,

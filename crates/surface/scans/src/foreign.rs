@@ -8,7 +8,7 @@ use memchr::memmem;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum ForeignFile {
-    /// A picture in this format, whose colours are no heights.
+    /// A picture in this format, whose colours are not heights.
     Picture(&'static str),
     /// A page for printing.
     Pdf,

@@ -60,7 +60,7 @@ pub enum ScanError {
         /// Number found.
         found: usize,
     },
-    /// A spacing that is no length, or an absurd one.
+    /// A spacing that is not a length, or an absurd one.
     #[error(
         "building a scan: the {what} is {}, it must be above 0 and within 1e-60 to 1e60 m; check the size of the scan and its unit",
         length(*.value)
@@ -83,8 +83,8 @@ pub enum ScanError {
         /// Place of the first of them.
         place: String,
     },
-    /// A height that is no finite number.
-    #[error("building a scan: the height of {place} is no finite number; leave the point out")]
+    /// A height that is not a finite number.
+    #[error("building a scan: the height of {place} is not a finite number; leave the point out")]
     UndefinedHeight {
         /// Place of the point or field.
         place: String,
@@ -413,7 +413,7 @@ mod tests {
         );
         assert_eq!(
             message(HeightMap::new(2, 1.0, 1.0, vec![0.0, 0.0, 0.0, f64::NAN]).unwrap_err()),
-            "building a scan: the height of row 2, column 2 is no finite number; leave the point out"
+            "building a scan: the height of row 2, column 2 is not a finite number; leave the point out"
         );
         assert!(HeightMap::new(2, 1.0, 1.0, vec![0.0; 5]).is_err());
         assert_eq!(

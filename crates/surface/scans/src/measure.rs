@@ -7,7 +7,7 @@ use std::fmt;
 pub enum Measure {
     /// Heights of the surface.
     Height,
-    /// Lengths that are no heights of the surface: a deflection, an amplitude, an error signal.
+    /// Lengths that are not heights of the surface: a deflection, an amplitude, an error signal.
     Length,
     /// Anything else, such as a phase, in the unit that the file gives.
     Other(String),

@@ -38,7 +38,7 @@ pub fn read_scans(bytes: &[u8], name: &str, options: &ScanOptions) -> Result<Vec
 }
 
 /// Visits every channel of heights of a file, with `all_channels` every channel. Only one of them is in memory at a
-/// time. Values that are no lengths keep the unit of their channel, see [`ScanFile::measure`]. Of a container, the
+/// time. Values that are not lengths keep the unit of their channel, see [`ScanFile::measure`]. Of a container, the
 /// scans are visited.
 ///
 /// # Errors

@@ -41,7 +41,7 @@ pub(crate) fn read_unpacked(
     if file.measure == Measure::Length {
         let channel = file.channel.as_deref().unwrap_or(UNNAMED);
         file.notes.push(format!(
-            "channel '{channel}' holds lengths that are no heights of the surface: they are read as asked for"
+            "channel '{channel}' holds lengths that are not heights of the surface: they are read as asked for"
         ));
     }
     Ok(file)

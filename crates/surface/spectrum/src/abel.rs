@@ -141,7 +141,7 @@ struct Panel {
     end: f64,
     at_start: f64,
     exponent: f64,
-    /// For q below this, the panel is no wider in ln p than its distance from q.
+    /// For q below this, the panel is not wider in ln p than its distance from q.
     nearest_far: f64,
     /// Nodes p and weights f(p) dp of the Gauss rule in ln p, valid for every q below `nearest_far`.
     nodes: [(f64, f64); NODES],

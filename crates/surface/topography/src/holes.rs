@@ -137,7 +137,7 @@ mod tests {
     fn missing_points_connect_along_rows_and_columns_but_not_across_corners() {
         assert_eq!(holes(&["#.", ".#"]), [[0], [1]]);
         assert_eq!(holes(&["#.#", "###", "..."]), [[0, 1, 2, 3, 4]]);
-        // A long run touches several below and above; the end of a row is no neighbour of the next one's start.
+        // A long run touches several below and above; the end of a row is not a neighbour of the next one's start.
         assert_eq!(
             holes(&["#####", "#.#.#", ".#...", "##..#"]),
             [vec![0, 1, 2, 3, 4, 5, 6, 7], vec![8, 9, 10], vec![11]]

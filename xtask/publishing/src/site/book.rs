@@ -121,7 +121,7 @@ fn pages(folder: &Path) -> std::io::Result<Vec<PathBuf>> {
     Ok(found)
 }
 
-/// Sends links to files that are no pages of the site to the repository.
+/// Sends links to files that are not pages of the site to the repository.
 fn with_links(text: &str, page: &Path, source: &Path, root: &Path, repository: &str) -> String {
     let folder = page.strip_prefix(source).ok().and_then(Path::parent).unwrap_or(Path::new(""));
     let mut out = String::with_capacity(text.len());

@@ -9,7 +9,7 @@ use crate::curve_names::in_full;
 use crate::listing::number_word;
 use crate::uncertainty_words::describe_group;
 
-/// A ratio this close to 1 is no change.
+/// A ratio this close to 1 is not a change.
 const NO_CHANGE: f64 = 0.005;
 
 /// A relative standard error this small is rounding.

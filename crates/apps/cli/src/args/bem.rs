@@ -14,7 +14,7 @@ use units::{Force, ForcePerLength, Length, Pressure, PressureRange, WorkOfAdhesi
 
 use super::groups::{BodiesArgs, FigureArg, ReadingArgs};
 use super::parsers::one_of;
-use super::scans::{MapTreatmentArgs, UntoldArgs};
+use super::scans::{FileDefaults, MapTreatmentArgs};
 
 /// A surface, how it is pressed, and what is written.
 #[derive(Debug, ClapArgs)]
@@ -103,7 +103,7 @@ pub(crate) struct MapArgs {
     #[arg(long, value_parser = one_of::<Detrend, _>(Detrend::ALL))]
     pub detrend: Option<Detrend>,
     #[command(flatten)]
-    pub untold: UntoldArgs,
+    pub defaults: FileDefaults,
     #[command(flatten)]
     pub treatment: MapTreatmentArgs,
 }
@@ -114,9 +114,9 @@ impl MapArgs {
         [
             ("boundary", self.boundary.is_some()),
             ("detrend", self.detrend.is_some()),
-            ("unit", self.untold.unit.is_some()),
-            ("size", self.untold.size.is_some()),
-            ("channel", self.untold.channel.is_some()),
+            ("unit", self.defaults.unit.is_some()),
+            ("size", self.defaults.size.is_some()),
+            ("channel", self.defaults.channel.is_some()),
             ("missing_points", self.treatment.gaps.is_some()),
             ("direction", self.treatment.direction.is_some()),
         ]

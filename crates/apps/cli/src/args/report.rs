@@ -7,7 +7,7 @@ use measurements::ScanRequest;
 use questions::BodyText;
 
 use super::groups::NamedMaterialArgs;
-use super::scans::UntoldArgs;
+use super::scans::FileDefaults;
 
 /// Scans or a spectrum, the bodies and the loads. Quantities are checked as a scene checks them, so that they may carry
 /// uncertainties.
@@ -58,7 +58,7 @@ pub(crate) struct ReportArgs {
     #[arg(long, value_name = "NU", allow_hyphen_values = true)]
     pub counterface_poisson_ratio: Option<String>,
     #[command(flatten)]
-    pub untold: UntoldArgs,
+    pub defaults: FileDefaults,
 }
 
 impl ReportArgs {

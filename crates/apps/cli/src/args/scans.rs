@@ -23,7 +23,7 @@ pub(crate) struct ScanArgs {
     #[arg(long)]
     pub all_channels: bool,
     #[command(flatten)]
-    pub untold: UntoldArgs,
+    pub defaults: FileDefaults,
     /// Draw the heights: maps in colours with their gaps grey, the middle line, the histogram; of several channels, FILE-2, FILE-3 and so on
     #[arg(long, value_name = "FILE.svg|FILE.png")]
     pub figure: Option<Picture>,
@@ -36,7 +36,7 @@ pub(crate) struct RoughnessArgs {
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<ScanRequest>,
     #[command(flatten)]
-    pub untold: UntoldArgs,
+    pub defaults: FileDefaults,
     /// Form that is subtracted first
     #[arg(long, value_parser = one_of::<FormRemoval, _>(FormRemoval::ALL), default_value_t)]
     pub form: FormRemoval,
@@ -59,9 +59,9 @@ pub(crate) struct RoughnessArgs {
     pub scales: bool,
 }
 
-/// Options for everything that a file may leave open.
+/// Values for files that state none of their own.
 #[derive(Debug, ClapArgs)]
-pub(crate) struct UntoldArgs {
+pub(crate) struct FileDefaults {
     /// Unit of lengths and heights where neither the file nor metadata beside it tell
     #[arg(long, value_name = "UNIT")]
     pub unit: Option<LengthUnit>,
@@ -73,9 +73,9 @@ pub(crate) struct UntoldArgs {
     pub channel: Option<String>,
 }
 
-impl UntoldArgs {
-    /// A file with what is said for all of them where it says nothing itself.
-    pub fn told_of(&self, file: &ScanRequest) -> ScanRequest {
+impl FileDefaults {
+    /// Returns a file with these values wherever it has none of its own.
+    pub fn complete(&self, file: &ScanRequest) -> ScanRequest {
         ScanRequest {
             unit: file.unit.or(self.unit),
             channel: file.channel.clone().or_else(|| self.channel.clone()),
@@ -98,8 +98,8 @@ pub(crate) struct MapTreatmentArgs {
 }
 
 impl MapTreatmentArgs {
-    /// A file with what is said for all of them where it says nothing itself.
-    pub fn told_of(&self, file: ScanRequest) -> ScanRequest {
+    /// Returns a file with these values wherever it has none of its own.
+    pub fn complete(&self, file: ScanRequest) -> ScanRequest {
         ScanRequest { gaps: file.gaps.or(self.gaps), direction: file.direction.or(self.direction), ..file }
     }
 }
@@ -132,7 +132,7 @@ pub(crate) struct ScansArgs {
     #[arg(long, value_name = "L|auto", allow_hyphen_values = true)]
     pub tip_radius: Option<TipRadius>,
     #[command(flatten)]
-    pub untold: UntoldArgs,
+    pub defaults: FileDefaults,
     #[command(flatten)]
     pub maps: MapTreatmentArgs,
     /// Destination of the table; the same as --output
@@ -151,8 +151,8 @@ pub(crate) struct ScansArgs {
 }
 
 impl ScansArgs {
-    /// A file with what is said for all of them where it says nothing itself.
+    /// Returns a file with these values wherever it has none of its own.
     pub fn with_common_options(&self, file: &ScanRequest) -> ScanRequest {
-        self.maps.told_of(self.untold.told_of(file))
+        self.maps.complete(self.defaults.complete(file))
     }
 }

@@ -184,7 +184,7 @@ fn write(
 
 /// Map or spectrum of the file, and comments on where it comes from.
 fn load(args: &BemArgs, context: &Context<'_>) -> Result<(Measured, Vec<String>), Failure> {
-    let request = args.map.treatment.told_of(args.map.untold.told_of(&args.surface));
+    let request = args.map.treatment.complete(args.map.defaults.complete(&args.surface));
     let options = MeasuredOptions {
         kind: args.kind,
         spectrum: reading_options(&args.reading),

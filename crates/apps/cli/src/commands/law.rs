@@ -15,7 +15,7 @@ use crate::timings::Timings;
 pub(super) fn run(args: &LawArgs, context: &Context<'_>) -> Result<(), Failure> {
     if context.shared.format() == Format::Json {
         return Err(Failure::input(
-            "--format json has no bearing on `law`, which writes what --dialect says; leave it out",
+            "--format json does not affect `law`, which writes what --dialect says; leave it out",
         ));
     }
     let question = args.question();

@@ -69,7 +69,7 @@ fn of_rows(input: &Place, args: &PerssonArgs, context: &Context<'_>) -> Result<(
     let hardness_pa = args.material.bodies.indentation_hardness.map(|hardness| hardness.pa);
     if args.model == Some(Deformation::Elastic) && hardness_pa.is_some() {
         return Err(Failure::input(
-            "--indentation-hardness has no bearing on --model elastic, which does not yield; leave it out",
+            "--indentation-hardness does not affect --model elastic, which does not yield; leave it out",
         ));
     }
     for LoadInput { pressure, label } in &args.loads.pressures {

@@ -17,7 +17,7 @@ use crate::output::{Place, publish};
 use crate::timings::Timings;
 
 pub(super) fn run(args: &RoughnessArgs, context: &Context<'_>) -> Result<(), Failure> {
-    let requests: Vec<_> = args.files.iter().map(|file| args.untold.told_of(file)).collect();
+    let requests: Vec<_> = args.files.iter().map(|file| args.defaults.complete(file)).collect();
     let folder = Folder::current(context.targets(None)?);
     let requests = psd::scans_in_folders(&requests, &folder)?;
     let timings = Timings::start();
@@ -28,8 +28,8 @@ pub(super) fn run(args: &RoughnessArgs, context: &Context<'_>) -> Result<(), Fai
     };
     if args.scales {
         let found = ScalesOfFiles::read(&requests, &folder, &evaluation);
-        let told = Told { table: found.table(), for_people: None, notes: found.notes() };
-        return write(told, found.unreadable, timings, context);
+        let results = Readable { table: found.table(), for_people: None, notes: found.notes() };
+        return write(results, found.unreadable, timings, context);
     }
     let settings = RoughnessSettings {
         evaluation,
@@ -37,12 +37,12 @@ pub(super) fn run(args: &RoughnessArgs, context: &Context<'_>) -> Result<(), Fai
         conventions: args.convention,
     };
     let found = RoughnessOfFiles::read(&requests, &folder, &settings);
-    let told = Told { table: found.table(), for_people: Some(found.describe()), notes: found.notes() };
-    write(told, found.unreadable, timings, context)
+    let results = Readable { table: found.table(), for_people: Some(found.describe()), notes: found.notes() };
+    write(results, found.unreadable, timings, context)
 }
 
 /// Results of the readable files.
-struct Told {
+struct Readable {
     table: Table,
     /// The results on a terminal; the table if absent.
     for_people: Option<String>,
@@ -50,7 +50,7 @@ struct Told {
 }
 
 fn write(
-    told: Told,
+    results: Readable,
     unreadable: Vec<TopographyError>,
     mut timings: Timings,
     context: &Context<'_>,
@@ -59,17 +59,17 @@ fn write(
     let shared = &context.shared;
     let is_plain = shared.output == Place::Standard && shared.format.is_none() && shared.provenance.is_none();
     let mut files = StagedFiles::default();
-    match told.for_people.filter(|_| is_plain && std::io::stdout().is_terminal()) {
+    match results.for_people.filter(|_| is_plain && std::io::stdout().is_terminal()) {
         Some(text) => shared.output.stage(&mut files, |out| out.write_all(text.as_bytes()))?,
         None => {
             let comments = [program(context.typed)];
             context.stage_blocks(&mut files, &shared.output, context.wanted(&comments), |out| {
-                Ok(out.block(&told.table)?)
+                Ok(out.block(&results.table)?)
             })?;
         }
     }
     publish(files)?;
-    say_notes(told.notes);
+    say_notes(results.notes);
     timings.lap("writing");
     timings.report(shared.timings);
     // Rows of readable files are written before the first unreadable file ends the command.

@@ -243,7 +243,7 @@ fn refuse_idle_options(args: &RunArgs, scene: &Scene) -> Result<(), Failure> {
     match overrides(args)?.first_unused(scene) {
         None => Ok(()),
         Some(option) => Err(Failure::Input(format!(
-            "--{} has no bearing on {}: none of its curves and figures depends on it; leave it out",
+            "--{} does not affect {}: none of its curves and figures depends on it; leave it out",
             option.replace('_', "-"),
             args.scene
         ))),

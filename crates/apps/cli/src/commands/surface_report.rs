@@ -94,7 +94,7 @@ fn question(args: &ReportArgs, context: &Context<'_>) -> Result<ReportQuestion, 
 
 /// The files as scans, or the one file as a spectrum.
 fn surface(args: &ReportArgs, context: &Context<'_>) -> Result<ReportSurface, Failure> {
-    let requests: Vec<ScanRequest> = args.files.iter().map(|file| args.untold.told_of(file)).collect();
+    let requests: Vec<ScanRequest> = args.files.iter().map(|file| args.defaults.complete(file)).collect();
     for ScanRequest { path, .. } in requests.iter().filter(|request| is_a_path(&request.path)) {
         std::fs::metadata(path)
             .map_err(|error| Failure::reading(path, &explained(error, Path::new(path))))?;
@@ -173,7 +173,7 @@ fn ask_for(question: &mut ReportQuestion, at: usize, option: ScanOption) -> bool
         _ => return false,
     };
     let Some(value) = ask(&format!("{subject} in {}", scan.path), example) else { return false };
-    // An answer that is no value is asked for again.
+    // An answer that is not a value is asked for again.
     match scan.with_option(key, &value) {
         Ok(changed) => *scan = changed,
         Err(error) => say(&error.to_string()),

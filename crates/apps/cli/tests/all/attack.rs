@@ -103,7 +103,7 @@ fn hostile_names_in_scans_are_text_everywhere() {
         let spectrum =
             bench.run(&["psd", "b.txt:unit=um", "--output", "c.csv", "--figure", "c.svg", "--provenance"]);
         assert_harmless(&spectrum);
-        // A file with control characters is no text.
+        // A file with control characters is not text.
         if hostile.contains(char::is_control) {
             assert_eq!(spectrum.status, 2, "{}", spectrum.stderr);
             continue;

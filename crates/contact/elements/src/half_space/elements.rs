@@ -48,7 +48,7 @@ impl Elements {
         Self::new(grid, true, heights_m, 1.0, || operators::periodic(&grid))
     }
 
-    /// Lays out the elements of [`periodic`](Self::periodic) on a body that is no half-space, such as a layer on a base: a wave
+    /// Lays out the elements of [`periodic`](Self::periodic) on a body that is not a half-space, such as a layer on a base: a wave
     /// of pressure of the wave vector q displaces it by `relative_displacement(|q|)` times as much as the half-space, above 0,
     /// with |q| in rad/m. Displacements have a mean of 0 here too, so gaps leave out what uniform pressure displaces.
     ///
@@ -205,13 +205,13 @@ impl Elements {
         progress: &dyn Progress,
     ) -> Result<Outcome, HalfSpaceError> {
         let problem = Problem { heights: &self.heights, held, cap: cap.unwrap_or(f64::INFINITY), tolerance };
-        let mut told = ReportedProgress { tolerance, first: None, steps: 0 };
+        let mut reported = ReportedProgress { tolerance, first: None, steps: 0 };
         let outcome = descend(&problem, &mut self.operators, &mut self.state, |residual| {
-            progress.advance(told.steps_after(residual));
+            progress.advance(reported.steps_after(residual));
             !progress.is_cancelled()
         });
         let outcome = outcome.ok_or(HalfSpaceError::Cancelled)?;
-        progress.advance(PROGRESS_STEPS - told.steps);
+        progress.advance(PROGRESS_STEPS - reported.steps);
         Ok(outcome)
     }
 

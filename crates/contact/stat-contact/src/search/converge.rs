@@ -121,7 +121,7 @@ impl Search<'_, '_> {
         if missing <= rounding { 0.0 } else { missing }
     }
 
-    /// Possible displacement of the solution by the quadratures; `None` if it is no small part of a cell.
+    /// Possible displacement of the solution by the quadratures; `None` if it is not a small part of a cell.
     pub fn leeway(&mut self, CellSolution { cell, u }: CellSolution) -> Option<f64> {
         // Few quadratures err by more than four times their tolerance.
         const CAUTION: f64 = 4.0;

@@ -53,7 +53,7 @@ pub enum ScanAxis {
 pub(crate) enum Quantity {
     /// Heights of the surface, in a unit that the file may leave open.
     Heights(Option<LengthUnit>),
-    /// Lengths that are no heights: deflection, amplitude, error.
+    /// Lengths that are not heights: deflection, amplitude, error.
     OtherLength(LengthUnit),
     /// Anything else: phase, current, friction; with its unit as the file writes it.
     Other(String),

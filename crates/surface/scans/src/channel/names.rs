@@ -23,7 +23,7 @@ pub(crate) fn is_named_after_height(name: &str) -> bool {
     WORDS.iter().any(|word| name.contains(word)) || name == "z"
 }
 
-/// Returns true if a name is that of a signal that may be given as a length but is no height of the surface.
+/// Returns true if a name is that of a signal that may be given as a length but is not a height of the surface.
 pub(crate) fn is_named_after_signal(name: &str) -> bool {
     let is_height = is_named_after_height(name);
     let name = name.to_lowercase().replace([' ', '_', '-'], "");

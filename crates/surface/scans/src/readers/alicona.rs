@@ -114,7 +114,7 @@ impl Tags<'_> {
         self.tags.iter().find(|tag| tag.key == key)
     }
 
-    /// The number in a tag, which may be missing; some writers leave what is no number.
+    /// The number in a tag, which may be missing; some writers leave what is not a number.
     fn number(&self, key: &str) -> Result<Option<f64>, ScanReadError> {
         let Some(tag) = self.get(key) else { return Ok(None) };
         tag.value.parse().map(Some).map_err(|_| bad(&self.cursor, tag, "a number"))

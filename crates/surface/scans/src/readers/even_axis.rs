@@ -95,7 +95,7 @@ mod tests {
         assert_eq!(even_spacing(&rounded, 1e-7), None);
         let cut_off: Vec<f64> = (0..1000).map(|i| (f64::from(i) * 99.56).floor() / 1e6).collect();
         assert!(even_spacing(&cut_off, 1e-6).is_some());
-        // Whole numbers that are not evenly spaced are no rounded thirds.
+        // Whole numbers that are not evenly spaced are not rounded thirds.
         assert_eq!(even_spacing(&[0.0, 1.0, 3.0, 4.0], 1.0), None);
         assert_eq!(even_spacing(&[0.0, 1.0, 2.0, 3.0], 1.0), Some(1.0));
         assert_eq!(even_spacing(&[1.0], 1.0), None);

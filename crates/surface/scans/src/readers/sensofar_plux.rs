@@ -58,7 +58,7 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
     Ok(channels)
 }
 
-/// Points without a height are stored as what is no number.
+/// Points without a height are stored as what is not a number.
 fn raster<'b>(
     archive: &mut Archive,
     layer: Node,

@@ -73,7 +73,7 @@ fn a_unit_in_the_name_of_the_lengths_is_theirs_alone() {
     let options = ScanOptions { fallback_unit: "nm".parse().ok(), ..ScanOptions::default() };
     let scan = read_one(b"X_(microns),y1\n0.5,2.25\n1.0,2.5\n", &options).unwrap();
     assert_eq!((spacings_m(&scan.scan).0, heights_m(&scan.scan)[0]), (0.5e-6, 2.25e-9));
-    assert_eq!(scan.notes, ["the unit nm given is not used for lengths: they are told to be in µm"]);
+    assert_eq!(scan.notes, ["the unit nm given is not used for lengths: they are known to be in µm"]);
 }
 
 #[test]
@@ -146,7 +146,7 @@ fn points_must_fill_a_grid() {
         refused("0 0 1\n1.0 0 1\n3.5 0 1\n0 1 1\n1 1 1\n3.5 1 1\n"),
         NotAGrid { line: 2, axis: 'x', position: 1.0, count: 3 }
     );
-    // Whole numbers are no rounded multiples of 1.5.
+    // Whole numbers are not rounded multiples of 1.5.
     refused!(
         refused("0 0 1\n1 0 1\n3 0 1\n0 1 1\n1 1 1\n3 1 1\n"),
         NotAGrid { line: 2, axis: 'x', position: 1.0, count: 3 }

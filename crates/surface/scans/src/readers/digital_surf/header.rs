@@ -156,7 +156,7 @@ impl Header {
     }
 }
 
-/// Objects whose numbers are no heights over an even line or map.
+/// Objects whose numbers are not heights over an even line or map.
 fn refuse_kind(kind: u16, offset: usize) -> Result<(), ScanReadError> {
     let found = match kind {
         6 | 9 => "a disc in polar coordinates",

@@ -97,7 +97,7 @@ fn lateral(header: &Header, notes: &mut Vec<String>) -> Lateral {
         let found = LengthUnit::parse_instrument(unit).map(|unit| unit.to_m(spacing.abs()));
         let found = found.and_then(numbers::positive);
         if found.is_none() {
-            notes.push(format!("the spacing {spacing} '{unit}' of points in the file is no length above 0"));
+            notes.push(format!("the spacing {spacing} '{unit}' of points in the file is not above 0"));
         }
         found
     };

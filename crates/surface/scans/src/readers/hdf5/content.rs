@@ -96,7 +96,7 @@ impl Entry {
         lengths.map(|&length| usize::try_from(length).unwrap_or(usize::MAX)).collect()
     }
 
-    /// The type of its numbers; none of what is no real number.
+    /// The type of its numbers; none if it is not a real number.
     pub(super) fn number(&self) -> Option<(NumberType, ByteOrder)> {
         let (number, order) = match *self.dataset.dtype() {
             Datatype::FloatingPoint { size: 4, byte_order } => (NumberType::F32, byte_order),

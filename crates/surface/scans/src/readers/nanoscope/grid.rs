@@ -115,7 +115,7 @@ fn version(header: &Header) -> u32 {
 /// The size of the image along x and y.
 ///
 /// Newer versions give the slow axis of the scan apart, and rightly only there. Older ones give it beside the fast
-/// axis, or leave it to the aspect ratio. Of a scan that is no square and was stopped early, both are those of all its
+/// axis, or leave it to the aspect ratio. Of a scan that is not square and was stopped early, both are those of all its
 /// lines.
 fn size_m(
     header: &Header,

@@ -36,7 +36,7 @@ impl<'h> Image<'h> {
         }
     }
 
-    /// Deflections and errors may be in nm as well, but are no heights.
+    /// Deflections and errors may be in nm as well, but are not heights.
     pub(crate) fn is_named_after_height(&self) -> bool {
         is_named_after_height(&self.name())
     }
@@ -49,7 +49,7 @@ impl<'h> Image<'h> {
         shortened(lines.collect(), MOST_TEXT)
     }
 
-    /// The unit of what is no length, as the sensitivity names it; that of the full scale where there is none.
+    /// The unit of what is not a length, as the sensitivity names it; that of the full scale where there is none.
     pub(crate) fn unit(&self) -> String {
         let scaled = |value: Value| Scaled::parse(&value.text);
         let full_scale = self.z_scale().ok().and_then(scaled);

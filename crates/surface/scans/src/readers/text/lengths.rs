@@ -11,7 +11,7 @@ pub(super) struct Length {
     pub(super) unit: Option<LengthUnit>,
 }
 
-/// A number with or without a unit; none for what is no number, the key of something else.
+/// A number with or without a unit; none for what is not a number, the key of something else.
 pub(super) fn length(text: &str, line: usize) -> Result<Option<Length>, ScanReadError> {
     let unit_at = text.find(|c: char| !c.is_ascii_digit() && !"+-.,eE".contains(c)).unwrap_or(text.len());
     let (number, name) = text.split_at(unit_at);

@@ -37,7 +37,7 @@ pub(crate) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ScanReadError> {
 }
 
 /// The characters of UTF-16 text behind its byte order mark, as the spreadsheets of some instruments are saved; none
-/// where there is no such mark. What is no character is put in as one that no number has.
+/// where there is no such mark. What is not a character becomes one that no number contains.
 fn decode_utf16(bytes: &[u8]) -> Option<String> {
     let to_unit = match bytes.first_chunk()? {
         [0xff, 0xfe] => u16::from_le_bytes,

@@ -172,10 +172,10 @@ fn length_unit(unit: &str) -> Option<LengthUnit> {
 fn probe(tree: &Tree) -> Option<Probe> {
     let setting = |name: &str| tree.text(&format!("{SETTINGS}{name}"));
     let is_stylus = |text: &str| text.to_lowercase().contains("stylus");
-    let told = [setting("InstrumentType"), setting("MeasMode"), tree.text("/MetaData/MeasMode")];
-    let mut told = told.into_iter().flatten().peekable();
-    told.peek()?;
-    Some(if told.any(is_stylus) { Probe::Tip } else { Probe::Microscope })
+    let texts = [setting("InstrumentType"), setting("MeasMode"), tree.text("/MetaData/MeasMode")];
+    let mut texts = texts.into_iter().flatten().peekable();
+    texts.peek()?;
+    Some(if texts.any(is_stylus) { Probe::Tip } else { Probe::Microscope })
 }
 
 /// The stylus is described as `Radius: 2 µm`.

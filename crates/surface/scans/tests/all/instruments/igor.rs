@@ -178,7 +178,7 @@ fn lengths_that_are_no_heights_are_read_with_a_note_where_they_are_asked_for() {
     let options = ScanOptions { channel: Some("AmplitudeTrace".to_owned()), ..ScanOptions::default() };
     let [amplitude] = read_scans(&Wave::scan().bytes(), "scan", &options).unwrap().try_into().unwrap();
     assert_eq!(amplitude.measure, Measure::Length);
-    let note = "channel 'AmplitudeTrace' holds lengths that are no heights of the surface: they are read as asked for";
+    let note = "channel 'AmplitudeTrace' holds lengths that are not heights of the surface: they are read as asked for";
     assert!(amplitude.notes.iter().any(|told| told == note), "{:?}", amplitude.notes);
 }
 

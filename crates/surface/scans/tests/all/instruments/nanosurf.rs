@@ -28,7 +28,7 @@ const SIGNED_16: &str = "SaveMode=Binary\r\nSaveBits=16\r\nSaveSign=Signed\r\nSa
 const UNSIGNED_8: &str = "SaveMode=Binary\r\nSaveBits=8\r\nSaveSign=Unsigned\r\nSaveOrder=Intel";
 const SIGNED_32: &str = "SaveMode=Binary\r\nSaveBits=32\r\nSaveSign=Signed\r\nSaveOrder=Motorola";
 
-/// A place without a channel, a signal that is no height, and heights of either direction.
+/// A place without a channel, a signal that is not a height, and heights of either direction.
 fn scan() -> Vec<u8> {
     let mut numbers: Vec<u8> = [1i16, 2, 3, -4].iter().flat_map(|value| value.to_le_bytes()).collect();
     numbers.extend([0, 64, 128, 255]);
