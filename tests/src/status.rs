@@ -71,7 +71,8 @@ pub fn page() -> io::Result<String> {
     let _ = write!(
         page,
         "\n## Formats of scans\n\n{} kinds of files, each also packed by gzip or ZIP: {}.\n\
-         [instruments.md](../guide/instruments.md#the-formats) says what is read of each, and how it was tested.\n",
+         [instruments.md](../guide/instruments.md#the-formats) says what is read of each, and [formats.md](formats.md) \
+         how it was tested.\n",
         formats.len(),
         formats.join(", ")
     );
