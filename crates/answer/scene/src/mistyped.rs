@@ -1,4 +1,4 @@
-//! Values that are no TOML, as people type them: without quotes, with a decimal comma, with the backslashes of a path.
+//! Common mistakes in TOML values: missing quotes, a decimal comma, the backslashes of a path.
 
 use std::ops::Range;
 

@@ -16,7 +16,7 @@ use super::scene_text::SceneText;
 use super::spelling::meant;
 use study::body_properties::BodyProperty;
 
-/// Names that stand for a key of another name, as functions and options have them.
+/// Other names of keys, those of functions and options.
 const OTHER_NAMES: [(&str, [&str; 2]); 2] =
     [("cutoff", ["cutoffs", "shortest_wavelength"]), ("pressure", ["loads", "pressures"])];
 
@@ -72,7 +72,7 @@ pub enum ReplaceError {
         /// Number of sections there are.
         count: usize,
     },
-    /// The key is a section of its own, or stands in one that is none.
+    /// The key is a section, or its parent is not a section.
     NoValue {
         /// The name.
         name: String,

@@ -33,7 +33,7 @@ pub(crate) struct Areas {
     load_at: Vec<usize>,
     sampling: Sampling,
     /// The prepared spectrum of the scene, for draws that keep it.
-    own_ground: PreparedSpectrum,
+    prepared: PreparedSpectrum,
 }
 
 /// The areas of a draw.
@@ -71,7 +71,7 @@ impl Areas {
             curve_at: curves.index_of,
             load_at: loads.index_of,
             sampling: scene.sampling,
-            own_ground: PreparedSpectrum::from_results(results),
+            prepared: PreparedSpectrum::from_results(results),
         }
     }
 
@@ -154,11 +154,11 @@ impl Areas {
         let curves = curves.into_iter().map(at_cutoffs).collect();
         let states_per_decade = NonZeroU32::new(STATES_PER_DECADE);
         let needs = Needs { curves, states_per_decade, ..self.needs.clone() };
-        let psd_of_plan = psd.unwrap_or(self.own_ground.psd());
+        let psd_of_plan = psd.unwrap_or(self.prepared.psd());
         let plan = Plan { psd: psd_of_plan, sampling: self.sampling, needs };
         match psd {
             Some(_) => plan.compute().ok(),
-            None => plan.compute_on(self.own_ground.clone(), &Unobserved).ok(),
+            None => plan.compute_on(self.prepared.clone(), &Unobserved).ok(),
         }
     }
 }

@@ -78,7 +78,7 @@ impl Targets {
     ///
     /// # Errors
     /// [`Failure::Input`] that names the place, the option and its file.
-    pub fn spare_place(&self, input: &Place) -> Result<(), Failure> {
+    pub fn refuse_replacing(&self, input: &Place) -> Result<(), Failure> {
         let (name, spared) = match input {
             Place::Standard => ("standard input".to_owned(), self.spare_standard_input()),
             Place::File(path) => (path.display().to_string(), self.spare(path)),

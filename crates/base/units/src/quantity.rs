@@ -200,7 +200,7 @@ impl Pressure {
     /// Parses a pressure that a minus sign in front makes a pull.
     ///
     /// # Errors
-    /// Those of parsing a pressure; zero is refused.
+    /// The errors of parsing a pressure; zero is refused.
     pub fn parse_signed(text: &str) -> Result<Self, QuantityError> {
         match text
             .trim_start()

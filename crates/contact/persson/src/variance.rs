@@ -16,7 +16,7 @@ const SLOPE_ERROR: f64 = 0.1;
 
 /// Spectrum that a cutoff applies to.
 ///
-/// That of the surface is the default of areas, gaps and stiffnesses, because it is nearer to boundary elements: on twenty
+/// The surface is the default of areas, gaps and stiffnesses, because it is nearer to boundary elements: on twenty
 /// spectra under five loads areas by the waves of profiles are 0.58 to 0.96 of theirs (rms 32 %), those by the waves of the
 /// surface 0.66 to 0.97 (24 %), and stiffnesses 0.52 to 1.29 and 0.79 to 1.11 (`docs/develop/trials.md`). With Nayak's alpha areas are
 /// 10 and 3.2 % off (`docs/develop/trials.md`).

@@ -144,7 +144,7 @@ fn steep(evidence: &Evidence, cuts: &[Vec<Cut>]) -> String {
     let too_steep = |cut: &&Cut| spread_pa(evidence, cut) > SMALL_SLOPE_PRESSURE * modulus_pa;
     match cuts.first().and_then(|cuts| cuts.iter().find(too_steep).zip(cuts.last())) {
         Some((first, last)) => format!(
-            "s exceeds E*/10 from {} down and ends at {} E*: slopes that no half-space knows",
+            "s exceeds E*/10 from {} down and ends at {} E*: slopes too steep for a half-space",
             length(first.wavelength_m),
             three_digits(0.5 * last.rms_gradient)
         ),

@@ -14,7 +14,7 @@ use topography::{Detrend, Preparation, Window, map_line_spectrum};
 /// the same format. Prints iterations, operators and the largest memory in bytes.
 ///
 /// # Errors
-/// Those of arguments, files, and the solver.
+/// The errors of arguments, files, and the solver.
 pub fn press(arguments: &[String]) -> Result<(), Box<dyn Error>> {
     let [heights, pressures, pressure, tolerance, times] = arguments else {
         return Err("usage: press HEIGHTS PRESSURES PRESSURE TOLERANCE TIMES".into());
@@ -48,7 +48,7 @@ pub fn press(arguments: &[String]) -> Result<(), Box<dyn Error>> {
 /// Writes the first channel of FILE less its least-squares plane, in m, and its spectrum line by line without a window, in m³.
 ///
 /// # Errors
-/// Those of arguments and files.
+/// The errors of arguments and files.
 pub fn scan(arguments: &[String]) -> Result<(), Box<dyn Error>> {
     let [file, heights, spectrum] = arguments else { return Err("usage: scan FILE HEIGHTS SPECTRUM".into()) };
     let name = Path::new(file).file_name().unwrap_or_default().to_string_lossy();

@@ -72,7 +72,7 @@ pub fn sensitivities(
 /// Computes the sensitivities and counts the work.
 ///
 /// # Errors
-/// Those of [`sensitivities`].
+/// The errors of [`sensitivities`].
 pub fn sensitivities_with_work(
     scene: &Scene,
     results: &Results,

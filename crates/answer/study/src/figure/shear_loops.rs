@@ -24,7 +24,7 @@ impl ShearLoop {
     /// interface under any nominal pressure \[Pa/m\].
     ///
     /// # Errors
-    /// Those of `stiffness`.
+    /// The errors of `stiffness`.
     pub fn new<E>(
         pair: &ShearedPair,
         label: &str,

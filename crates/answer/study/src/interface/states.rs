@@ -112,7 +112,7 @@ impl<'a> InterfaceStates<'a> {
     /// The friction under a load for a given area fraction.
     ///
     /// # Errors
-    /// Those of [`value`](Self::value).
+    /// The errors of [`value`](Self::value).
     pub fn friction(
         &self,
         quantity: Quantity,

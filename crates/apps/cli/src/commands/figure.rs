@@ -32,7 +32,7 @@ pub(super) fn run(args: &FigureFilesArgs, context: &Context<'_>) -> Result<(), F
         // A folder that is still to be made holds nothing to spare.
         if args.out.is_dir() { targets.with_file("--out", file.path()) } else { Ok(targets) }
     })?;
-    targets.spare_place(&Place::File(path))?;
+    targets.refuse_replacing(&Place::File(path))?;
     folder.spare_from(&targets)?;
     timings.lap("reading");
     let watching = Watching::new(timings);

@@ -89,7 +89,7 @@ fn requests(args: &ScansArgs, targets: &Targets) -> Result<Vec<ScanRequest>, Fai
 
 /// The scans of a list, their files relative to it.
 fn listed(list: &Place, targets: &Targets) -> Result<Vec<ScanRequest>, Failure> {
-    targets.spare_place(list)?;
+    targets.refuse_replacing(list)?;
     let table = open_table(list)?.whole()?;
     let requests = requests_of_list(&list.to_string(), &table).map_err(Failure::input)?;
     let folder = match list {

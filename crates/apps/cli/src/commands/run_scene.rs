@@ -185,7 +185,7 @@ fn read(args: &RunArgs, folder: &Path, context: &Context<'_>) -> Result<Scene, F
     if writes_files {
         output::check_writable(folder)?;
     }
-    targets.spare_place(&args.scene)?;
+    targets.refuse_replacing(&args.scene)?;
     let (name, files) = match &args.scene {
         Place::Standard => ("standard input".to_owned(), Folder::current(targets)),
         Place::File(path) => (path.display().to_string(), Folder::of(path, targets)),
@@ -205,7 +205,7 @@ fn read(args: &RunArgs, folder: &Path, context: &Context<'_>) -> Result<Scene, F
         context.targets(None)?.with_files("--out", &products)?;
         let replaced = output::replaced_files(&written, folder, Layout::Flat)?;
         let results = Targets::default().with_files("--out", &replaced)?;
-        results.spare_place(&args.scene)?;
+        results.refuse_replacing(&args.scene)?;
         files.spare_from(&results)?;
     }
     refuse_idle_options(args, &scene)?;
