@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from truearea import _native
-from truearea._choices import Band, EnergyFactor, GapModel, HardnessFormula, InterferenceLaw, Normalisation, Phases
+from truearea._choices import GapModel
 from truearea._curves import Pressures
 from truearea._grammar import AnyMaterial, AnySurface, material_of, surface_of
-from truearea._material import Quantity
 from truearea._notes import noted
+from truearea._options import GapAndSurfaceOptions, with_options
 from truearea._picture import Drawn, Trace, Picture
 from truearea._results import FloatArray, Table
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
 
 class Gaps(Drawn, Table):
     """A surface under loads, with its whole spectrum."""
@@ -28,28 +34,15 @@ class Gaps(Drawn, Table):
         return Picture(self._title, "nominal_pressure_pa", "mean_gap_m", (line,), marker="o")
 
 
+@with_options(GapAndSurfaceOptions)
 def gap(
     surface: AnySurface,
     material: AnyMaterial,
     *,
     pressure: Pressures,
     model: GapModel = "persson",
-    gamma: EnergyFactor | None = None,
-    band: Band | None = None,
-    strain_gradient: bool = False,
-    hardness_formula: HardnessFormula | None = None,
-    interference_law: InterferenceLaw | None = None,
-    normalisation: Normalisation | None = None,
     tolerance: float | None = None,
-    cutoff: Quantity | None = None,
-    scales_per_decade: int | None = None,
-    grid: int | None = None,
-    realisations: int | None = None,
-    seed: int | None = None,
-    longest: Quantity | None = None,
-    shortest: Quantity | None = None,
-    side: Quantity | None = None,
-    phases: Phases | None = None,
+    **options: Unpack[GapAndSurfaceOptions],
 ) -> Gaps:
     """Computes mean gap and stiffness of two rough surfaces under loads.
 
@@ -59,36 +52,8 @@ def gap(
 
     Parameters
     ----------
-    surface : Spectrum, Scan, sequence of scans, or path of a spectrum
-        The roughness.
-    material : Material or str
-        The bodies in contact, or the name of a material of the table.
-    pressure : float, str, or sequence of them
-        Nominal pressures, in Pa or as text such as ``"5 MPa"`` or ``"1e-3 H"``.
     model : {"persson", "persson-plastic", "hertz", "ep-sphere", "elastic-sine", "ep-sine", "bgt", "bem"}
         What makes the gap; ``"bem"`` is boundary elements on random surfaces.
-    gamma : float or "fitted", optional
-        Elastic energy factor of Persson's theory, above 0 and at most 1, 0.45 where left out; or the form fitted to boundary
-        elements.
-    band : {"1d", "2d"}, optional
-        Waves that a cutoff ends in Persson's theory: those of the surface, ``"2d"``, as where left out and nearer to boundary
-        elements, or those of profiles.
-    strain_gradient : bool, default False
-        Let the strength grow at small depths, with the material's ``strain_gradient_length``.
-    hardness_formula : {"2005", "cosine"}, optional
-        The form of the hardness of spheres that yield.
-    interference_law : str, optional
-        What ties pressure to interference of elastic sinusoids.
-    normalisation : {"parseval", "as-printed"}, optional
-        The factor of the moments of statistical models.
-    tolerance : float, optional
-        Relative tolerance of statistical states, above 0 and at most 0.01; 1e-12 where left out.
-    cutoff : float or str, optional
-        The shortest wavelength that takes part.
-    scales_per_decade : int, optional
-        Resample to so many wavelengths a decade.
-    grid, realisations, seed, longest, shortest, side, phases : optional
-        Random surfaces of ``model="bem"``, as :func:`boundary_elements` has them.
 
     Returns
     -------
@@ -113,6 +78,6 @@ def gap(
     >>> bool(gaps.stiffness_pa_per_m[1] > gaps.stiffness_pa_per_m[0])
     True
     """
-    arguments = locals()
+    arguments = {"pressure": pressure, "model": model, "tolerance": tolerance, **options}
     answer = _native.gaps(surface_of(surface), material_of(material), arguments)
     return Gaps._of(answer.columns, noted(answer.notes), axis="load")

@@ -1,0 +1,159 @@
+"""Arguments that several calls share: each is typed and documented here, once."""
+
+from __future__ import annotations
+
+import functools
+import inspect
+import re
+from collections.abc import Callable
+from difflib import get_close_matches
+from typing import TYPE_CHECKING, Any, TypedDict, TypeVar, cast
+
+if TYPE_CHECKING:
+    from truearea._choices import Band, EnergyFactor, HardnessFormula, InterferenceLaw, Normalisation, Phases
+    from truearea._material import Quantity
+
+Call = TypeVar("Call", bound=Callable[..., Any])
+
+
+class Sampling(TypedDict, total=False):
+    """Scales of the spectrum that take part."""
+
+    cutoff: Quantity | None
+    scales_per_decade: int | None
+
+
+class Asperities(TypedDict, total=False):
+    """How an asperity deforms."""
+
+    strain_gradient: bool | None
+    hardness_formula: HardnessFormula | None
+    interference_law: InterferenceLaw | None
+
+
+class MeanGap(TypedDict, total=False):
+    """The mean gap of Persson's theory."""
+
+    gamma: EnergyFactor | None
+    band: Band | None
+
+
+class RandomSurfaces(TypedDict, total=False):
+    """Random surfaces with a spectrum, for boundary elements."""
+
+    grid: int | None
+    realisations: int | None
+    seed: int | None
+    longest: Quantity | None
+    shortest: Quantity | None
+    side: Quantity | None
+    phases: Phases | None
+
+
+class PerssonOptions(Sampling, MeanGap):
+    """Options of Persson's theory."""
+
+
+class StatisticalOptions(Sampling, Asperities, total=False):
+    """Options of statistical models."""
+
+    normalisation: Normalisation | None
+
+
+class GapOptions(StatisticalOptions, MeanGap):
+    """Options of models with a mean gap."""
+
+
+class GapAndSurfaceOptions(GapOptions, RandomSurfaces):
+    """Options of models with a mean gap, and of random surfaces for boundary elements."""
+
+
+_ENTRIES = """\
+surface : Spectrum, Scan, sequence of scans, or path of a spectrum
+    The roughness.
+material : Material or str
+    The bodies in contact, or the name of a material of the table.
+pressure : float, str, or sequence of them
+    Nominal pressures, in Pa or as text such as ``"5 MPa"`` or ``"1e-3 H"``.
+gamma : float or "fitted", optional
+    Elastic energy factor of the mean gap in Persson's theory, above 0 and at most 1 (Almqvist et al. 2011), 0.45 where left
+    out; or the form fitted to boundary elements.
+band : {"1d", "2d"}, optional
+    The spectrum that a cutoff ends in Persson's theory: that of the surface, ``"2d"``, as where left out and nearer to boundary
+    elements, or that of profiles.
+strain_gradient : bool, default False
+    Let the strength grow at small depths, with the material's ``strain_gradient_length``.
+hardness_formula : {"2005", "cosine"}, optional
+    The form of the hardness of spheres that yield.
+interference_law : {"rostami-jackson", "bem"}, optional
+    The relation between pressure and interference of elastic sinusoids.
+normalisation : {"parseval", "as-printed"}, optional
+    The factor of the moments of statistical models: 1/pi, with which m0 is the mean square height; or 1, as Jackson & Jacobs
+    print it.
+amplitude : {"eq5", "parseval"}, optional
+    How the amplitude of a scale is made from the spectrum: by Eq. 5 of Jackson & Jacobs where left out.
+tolerance : float, default 1e-12
+    Relative tolerance of statistical states, above 0 and at most 0.01.
+cutoff : float or str, optional
+    The shortest wavelength that takes part, in m or as text such as ``"5 nm"``.
+scales_per_decade : int, optional
+    Resample to so many wavelengths a decade, as sampled where left out; areas of ``stacked`` depend on it.
+grid : int, default 512
+    Points of a side of random surfaces, a power of two.
+realisations : int, default 8
+    How many random surfaces have the spectrum.
+seed : int, default 1
+    The seed of their phases.
+longest, shortest : float or str, optional
+    The longest and the shortest wavelength of random surfaces; where left out, that of the spectrum for the shortest, and as
+    long as the grid holds for the longest.
+side : float or str, optional
+    Length of a side of random surfaces.
+phases : {"fixed-modulus", "gaussian"}, optional
+    What is random: phases alone, or moduli as well.
+"""
+
+
+def with_options(*groups: Any) -> Callable[[Call], Call]:
+    """Makes the options of some groups arguments of a function that takes them as ``**options``.
+
+    They appear in its signature, a name that is not among them is a TypeError, and its docstring gains the shared entries.
+    """
+
+    def decorate(call: Call) -> Call:
+        signature = inspect.signature(call)
+        options = dict.fromkeys(name for group in groups for name in group.__annotations__)
+        named = [one for one in signature.parameters.values() if one.kind is not inspect.Parameter.VAR_KEYWORD]
+        named += [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None) for name in options]
+        known = {one.name for one in named}
+
+        @functools.wraps(call)
+        def checked(*given: Any, **arguments: Any) -> Any:
+            for unknown in arguments.keys() - known:
+                near = "".join(f"; did you mean {name}?" for name in get_close_matches(unknown, known, 1))
+                raise TypeError(f"{call.__name__}() takes no argument {unknown}{near}")
+            return call(*given, **arguments)
+
+        checked.__doc__ = completed(call.__doc__ or "", [one.name for one in named])
+        vars(checked)["__signature__"] = signature.replace(parameters=named)
+        return cast(Call, checked)
+
+    return decorate
+
+
+def completed(docstring: str, arguments: list[str]) -> str:
+    """Adds the shared entries of arguments that a docstring does not describe itself, in the order of the arguments."""
+    head, title, rest = inspect.cleandoc(docstring).partition("Parameters\n----------\n")
+    own, end, rest = rest.partition("\n\n")
+    # The entries of this function stand before those that it shares.
+    entries = {name: entry for text in (_ENTRIES, own) for entry in _split(text) for name in _names(entry)}
+    listed = dict.fromkeys(entries[name] for name in arguments if name in entries)
+    return head + title + "\n".join(listed) + end + rest
+
+
+def _split(entries: str) -> list[str]:
+    return re.split(r"\n(?! )", entries.strip("\n"))
+
+
+def _names(entry: str) -> list[str]:
+    return entry.partition(" :")[0].split(", ")
