@@ -125,8 +125,8 @@ impl<'py> Arguments<'py> {
             }
             if given.is_instance_of::<PyDict>() || !given.hasattr("__getitem__")? {
                 let what = type_name(given);
-                let told = format!("it has no order, being {what}; give a list or an array");
-                return Err(of_argument(name, told));
+                let problem = format!("it has no order, being {what}; give a list or an array");
+                return Err(of_argument(name, problem));
             }
             let each = given.try_iter()?.enumerate();
             each.map(|(at, given)| one(&format!("{name}[{at}]"), &given?)).collect()
@@ -242,9 +242,9 @@ pub fn length_m(argument: &str, given: &Given<'_>) -> PyResult<f64> {
 
 /// A number within its bound.
 pub fn checked(argument: &str, bound: units::Bound, number: f64) -> PyResult<f64> {
-    let told =
+    let refused =
         |error: units::OutOfBounds| input(format!("{argument} is {number}; it must be {}", error.bound));
-    bound.check("", number).map_err(told)
+    bound.check("", number).map_err(refused)
 }
 
 /// Numbers in a unit: those of a quantity of pint, astropy or unyt converted to it, anything else as it is.
@@ -275,13 +275,13 @@ pub fn si_number(argument: &str, unit: &str, given: &Given<'_>) -> PyResult<f64>
         "Pa" => text.parse().map(|Modulus { pa }| pa),
         "m**2" => text.parse().map(|Area { m2 }| m2),
         "1/m**2" => {
-            let told =
-                || of_argument(argument, format!("'{text}' is no number per area, such as '1e12 1/m2'"));
-            return per_area(text).ok_or_else(told);
+            let refused =
+                || of_argument(argument, format!("'{text}' is not a number per area, such as '1e12 1/m2'"));
+            return per_area(text).ok_or_else(refused);
         }
         _ => {
             let number = text.trim().parse().ok().filter(|number: &f64| number.is_finite());
-            return number.ok_or_else(|| of_argument(argument, format!("'{text}' is no number")));
+            return number.ok_or_else(|| of_argument(argument, format!("'{text}' is not a number")));
         }
     };
     parsed.map_err(|error: QuantityError| of_argument(argument, error))

@@ -1,20 +1,22 @@
 //! Contact against cutoff, and gaps under loads.
 
+use std::collections::BTreeMap;
+
 use pyo3::prelude::*;
 use questions::{CurveQuestion, GapModel, GapQuestion, TangentialQuestion};
 use study::models::{self, Framework};
 use units::SignedLength;
 
 use crate::answer::{PyAnswer, refused};
-use crate::arguments::{Arguments, choice, load, number, quantity, text, tolerance};
+use crate::arguments::{Arguments, choice, load, named, number, quantity, text, tolerance};
 use crate::errors::of_argument;
 use crate::material::PyMaterial;
 use crate::surface::PySurface;
 use crate::work::carry_out;
 
-/// Result of a curve: its columns block after block, the pressures of the blocks \[Pa\], absent for separations, and u_0 \[m\]
-/// and p_00 \[Pa\] of light loads.
-type Curve = (PyAnswer, Vec<Option<f64>>, Option<(f64, f64)>);
+/// Result of a curve: its columns block after block, the pressures of the blocks \[Pa\], absent for separations, and numbers by
+/// their names: those of the law of light loads that Persson's theory has.
+type Curve = (PyAnswer, Vec<Option<f64>>, BTreeMap<&'static str, f64>);
 
 /// The name of boundary elements among models.
 const ELEMENTS: &str = "bem";
@@ -29,11 +31,7 @@ pub fn curve(
     material: &PyMaterial,
     arguments: Arguments<'_>,
 ) -> PyResult<Curve> {
-    let framework = match framework {
-        "stacked" => Framework::Stacked,
-        "statistical" => Framework::Statistical,
-        _ => Framework::Persson,
-    };
+    let framework = named("framework", framework)?;
     let name = arguments.required("model", text)?;
     let options = arguments.model_options()?;
     let separations = arguments.several("separation", quantity::<SignedLength>)?.unwrap_or_default();
@@ -54,11 +52,16 @@ pub fn curve(
         let prepared = question.on(&surface.surface)?;
         let stream = prepared.stream()?;
         let light = stream.light_loads().map(|light| (light.decay_length_m, light.reference_pressure_pa));
+        let (u0_m, p00_pa) = light.unwrap_or((f64::NAN, f64::NAN));
+        let numbers = match framework {
+            Framework::Persson => BTreeMap::from([("u0_m", u0_m), ("p00_pa", p00_pa)]),
+            _ => BTreeMap::new(),
+        };
         let found = stream.whole(progress)?;
-        Ok((found.table, [stream.notes(), found.notes].concat(), prepared.pressures_pa(), light))
+        Ok((found.table, [stream.notes(), found.notes].concat(), prepared.pressures_pa(), numbers))
     })?;
-    let (table, notes, pressures_pa, light) = answered.map_err(refused)?;
-    Ok((PyAnswer::new(py, &table, notes)?, pressures_pa, light))
+    let (table, notes, pressures_pa, numbers) = answered.map_err(refused)?;
+    Ok((PyAnswer::new(py, &table, notes)?, pressures_pa, numbers))
 }
 
 /// Mean gap, stiffness and area under each of the pressures.

@@ -94,17 +94,29 @@ impl PyFoundLaw {
     }
 
     /// The law in the words of a code; conductances have neither name nor form.
-    fn to_text(&self, dialect: &str, units: &str, name: &str, form: &str) -> PyResult<String> {
+    fn to_text(
+        &self,
+        dialect: &str,
+        units: &str,
+        name: Option<&str>,
+        form: Option<&str>,
+    ) -> PyResult<String> {
         let (dialect, units): (Dialect, UnitSystem) = (named("dialect", dialect)?, named("units", units)?);
         let (law, exponential, model) = match &self.found {
             Found::Pressure { law, exponential, model } => (law, exponential, *model),
             Found::Conductance(table) => {
+                if let Some((given, _)) =
+                    [("name", name), ("form", form)].iter().find(|(_, given)| given.is_some())
+                {
+                    return Err(of_argument(given, "it is for a law of pressure; leave it out"));
+                }
                 return table.to_text(dialect, units, &self.provenance).map_err(input);
             }
         };
-        let name = Heading::checked_name(name).map_err(|error| of_argument("name", error))?;
+        let name = Heading::checked_name(name.unwrap_or(Heading::NAME))
+            .map_err(|error| of_argument("name", error))?;
         let heading = Heading { provenance: self.provenance.clone(), name: name.to_owned() };
-        let text = match named::<LawForm>("form", form)? {
+        let text = match form.map(|form| named("form", form)).transpose()?.unwrap_or(LawForm::Table) {
             LawForm::Table => dialect.table(law, units, &heading, &[]),
             LawForm::Exponential => {
                 let none = || refused(QuestionError::NoExponentialLaw(model));
@@ -141,8 +153,10 @@ fn conductance_table(found: &ConductanceTable) -> Table {
 fn question(material: &PyMaterial, arguments: &Arguments<'_>) -> PyResult<(LawTableQuestion, f64)> {
     let [from, to] = <[_; 2]>::try_from(arguments.pressures()?).map_err(|given| {
         let count = given.len();
-        let told = format!("a law goes from one pressure to another, and this is {count} of them; give two");
-        of_argument("pressure", told)
+        of_argument(
+            "pressure",
+            format!("a law goes from one pressure to another, and this is {count} of them; give two"),
+        )
     })?;
     let correlations: Vec<&str> = PlasticCorrelation::ALL.iter().map(|one| one.name()).collect();
     let by = gap_model(material, arguments, &correlations)?;

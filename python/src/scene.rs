@@ -285,7 +285,7 @@ fn refuse_idle(overrides: &Overrides, scene: &Scene, name: &str) -> PyResult<()>
     match overrides.first_unused(scene) {
         None => Ok(()),
         Some(argument) => Err(input(format!(
-            "{argument} has no bearing on {name}: none of its curves and figures depends on it; leave it out"
+            "{argument} has no effect on {name}: none of its curves and figures depends on it; leave it out"
         ))),
     }
 }

@@ -102,7 +102,7 @@ impl PySurface {
                 normalisation: arguments.get("normalisation", choice)?.unwrap_or_default(),
             },
             "amplitudes" => SpectrumQuantity::Amplitude {
-                definition: arguments.get("definition", choice)?.unwrap_or_default(),
+                definition: arguments.get("amplitude", choice)?.unwrap_or_default(),
             },
             _ => SpectrumQuantity::Fit {
                 from_m: arguments.get("longest", length_m)?,

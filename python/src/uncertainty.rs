@@ -69,7 +69,7 @@ fn models(names: &[String]) -> PyResult<Vec<&'static ModelEntry>> {
     }
     let entry = |(at, name): (usize, &String)| {
         if names[..at].contains(name) {
-            return Err(input(format!("model[{at}] is {name}, which stands twice; keep one")));
+            return Err(input(format!("model[{at}] is {name}, which is given twice; keep one")));
         }
         any_model(name)
     };

@@ -48,7 +48,7 @@ def test_the_law_is_that_of_the_gap_and_keeps_its_tolerance(law: ta.ContactLaw) 
     straight = np.interp(overclosure_m, law.overclosure_m, law.pressure_pa)
     assert 1e-4 < np.max(np.abs(straight / between - 1.0)) <= 0.01
     assert 0.0 < law.interpolation_error <= 0.01
-    finer = ta.law(uncd, DIAMOND, from_pressure="10 kPa", to_pressure="10 MPa", tolerance=1e-3)
+    finer = ta.law(uncd, DIAMOND, pressure=RANGE, tolerance=1e-3)
     assert len(finer.pressure_pa) > 2 * len(law.pressure_pa)
 
 
@@ -116,8 +116,6 @@ def test_a_file_is_written_whole_or_not_at_all(law: ta.ContactLaw, tmp_path: Pat
     ("changes", "told"),
     [
         ({"pressure": None}, "pressure two"),
-        ({"pressure": None, "from_pressure": "1 kPa"}, "pressure two"),
-        ({"from_pressure": "1 kPa"}, "pressure from_pressure to_pressure"),
         ({"pressure": "1 MPa"}, "pressure: 1"),
         ({"pressure": [1e4, 1e5, 1e6]}, "pressure: 3"),
         ({"pressure": ("10 MPa", "10 kPa")}, "pressure smaller"),

@@ -70,7 +70,7 @@ def test_slopes_down_to_each_wavelength_are_those_of_the_command_line(tmp_path: 
     assert np.isnan(found.rms_gradient_spectrum).all() and np.isfinite(found.rms_gradient_heights).any()
     assert any("no spectrum" in note for note in found.notes)
     for idle in ({"ratio_height": "1 nm"}, {"convention": "all"}):
-        with refused_naming("scales", "no bearing"):
+        with refused_naming("scales", "no effect"):
             ta.roughness(heights_m(), ("1 um", "0.75 um"), scales=True, **idle)  # type: ignore[call-overload]  # pyright: ignore[reportCallIssue, reportArgumentType]
 
 

@@ -38,7 +38,7 @@ def test_amplitudes_and_fit_are_those_of_the_command_line(command_line: Callable
     spectrum = ta.read_psd(MEASURED)
     for definition in ("eq5", "parseval"):
         crates = command_line("amplitude", MEASURED, "--amplitude", definition)
-        found = spectrum.amplitudes(definition=definition)
+        found = spectrum.amplitudes(amplitude=definition)
         assert all(np.array_equal(found[name], numbers(crates, name)) for name in crates)
     crates = command_line("fit", MEASURED)
     found_fit = spectrum.fit()

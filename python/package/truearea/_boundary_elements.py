@@ -466,7 +466,7 @@ def _checked_kind(arguments: dict[str, Any]) -> Literal["flat", "ball", "adhesio
 def _refuse(arguments: dict[str, Any], idle: dict[str, Any], what: str) -> None:
     for name, left_out in idle.items():
         if arguments[name] is not left_out:
-            raise InputError(f"{name} has no bearing on {what}; leave it out")
+            raise InputError(f"{name} has no effect on {what}; leave it out")
 
 
 def _maps(surface: Any, size: Any, periodic: bool) -> tuple[FloatArray, list[Any], bool]:
@@ -486,7 +486,7 @@ def _maps(surface: Any, size: Any, periodic: bool) -> tuple[FloatArray, list[Any
     if own is None and size is None:
         raise InputError("size is needed: the lengths (lx, ly) of the map, in m or as text")
     if own is not None and size is not None:
-        raise InputError(f"size has no bearing on a {type(surface).__name__}, which knows its own; leave it out")
+        raise InputError(f"size has no effect on a {type(surface).__name__}, which knows its own; leave it out")
     heights = _heights(given)
     return heights, lengths_of("surface", "size", size if own is None else own, heights.shape[-2:]), repeats
 

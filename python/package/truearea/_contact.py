@@ -195,7 +195,7 @@ def _rows(
 def _refuse_idle(model: str, names: tuple[str, ...], idle: tuple[Any, ...]) -> None:
     others = _OF_SPHERES if names == _OF_SUMMITS else _OF_SUMMITS
     named = next(name for name, value in zip(others, idle) if value is not None)
-    raise InputError(f"{named} has no bearing on model {model}, which takes {', '.join(names)}; leave it out")
+    raise InputError(f"{named} has no effect on model {model}, which takes {', '.join(names)}; leave it out")
 
 
 def _of_population(population: Any, names: tuple[str, ...], given: tuple[Any, ...]) -> tuple[Any, ...]:

@@ -5,28 +5,15 @@ from __future__ import annotations
 import errno
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, TypedDict, overload
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, overload
 
 from truearea import _native
-from truearea._choices import (
-    Band,
-    ConductanceModel,
-    Dialect,
-    EnergyFactor,
-    Gas,
-    HardnessFormula,
-    InterferenceLaw,
-    LawForm,
-    LawModel,
-    LawQuantity,
-    Normalisation,
-    UnitSystem,
-)
+from truearea._choices import ConductanceModel, Dialect, Gas, LawForm, LawModel, LawQuantity, UnitSystem
 from truearea._curves import Pressures
 from truearea._grammar import AnyMaterial, AnySurface, material_of, spectrum_of
 from truearea._material import Quantity
-from truearea._native import InputError
 from truearea._notes import noted
+from truearea._options import GapOptions, with_options
 from truearea._picture import Drawn, Trace, Picture
 from truearea._results import FloatArray, Table
 from truearea._spectrum import Spectrum
@@ -35,39 +22,31 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
 
-class ContactLaw(Drawn, Table):
-    """Pressure against overclosure, straight between its points; pressure 0 at overclosure 0."""
+class _FiniteElementTable(Drawn, Table):
+    """Rows for finite elements, straight lines between them."""
 
-    _title = "contact law"
+    _drawn: ClassVar[tuple[str, str]]
     __slots__ = ("_native", "_recipe")
     pressure_pa: FloatArray
-    overclosure_m: FloatArray
-    mean_gap_m: FloatArray
-    area_fraction: FloatArray
 
     _native: _native.FoundLaw
     _recipe: tuple[Spectrum, AnyMaterial, dict[str, Any]]
 
     def _picture(self) -> Picture:
-        line = Trace(self.overclosure_m, self.pressure_pa)
-        return Picture(self._title, "overclosure_m", "pressure_pa", (line,), marker=".")
-
-    @property
-    def cut_pressure_pa(self) -> float:
-        """The nominal pressure [Pa] at the gap of the first point, where the law is cut off and its pressure set to 0."""
-        cut_pressure_pa = self._native.cut_pressure_pa
-        assert cut_pressure_pa is not None
-        return cut_pressure_pa
+        x, y = self._drawn
+        return Picture(self._title, x, y, (Trace(self[x], self[y]),), marker=".")
 
     @property
     def interpolation_error(self) -> float:
-        """The largest relative error of the pressure that was met halfway between two points."""
+        """The largest relative error of the pressure, or of the conductance, that was met halfway between two points."""
         return self._native.interpolation_error
 
     def to_text(
-        self, dialect: Dialect, *, units: UnitSystem = "SI", name: str = "ROUGH", form: LawForm = "table"
+        self, dialect: Dialect, *, units: UnitSystem = "SI", name: str | None = None, form: LawForm | None = None
     ) -> str:
-        """The law in the words of a code, with a comment in front that says where it comes from.
+        """The table in the words of a code, with a comment in front that says where it comes from.
+
+        A conductance is a card that follows the mechanical law of the same surface interaction.
 
         Parameters
         ----------
@@ -75,10 +54,11 @@ class ContactLaw(Drawn, Table):
             Who is to read it.
         units : {"SI", "N-mm", "uN-um", "lbf-in"}
             The units of the finite element model.
-        name : str, default "ROUGH"
-            The name of the surface interaction.
-        form : {"table", "exponential"}
-            For CalculiX: the table, or the exponential law of light loads that Persson's theory has.
+        name : str, optional
+            The name of the surface interaction of a mechanical law; ROUGH where left out.
+        form : {"table", "exponential"}, optional
+            Of a mechanical law for CalculiX: the table, as where left out, or the exponential law of light loads that Persson's
+            theory has.
 
         Returns
         -------
@@ -106,119 +86,82 @@ class ContactLaw(Drawn, Table):
         dialect: Dialect,
         *,
         units: UnitSystem = "SI",
-        name: str = "ROUGH",
-        form: LawForm = "table",
+        name: str | None = None,
+        form: LawForm | None = None,
     ) -> None:
-        """Write :meth:`to_text` into a file: aside, and then renamed, so that the file is never there in part."""
-        _write(Path(path), self.to_text(dialect, units=units, name=name, form=form))
+        """Writes :meth:`to_text` into a file: aside, and then renamed, so that the file is never there in part."""
+        folder = Path(path).parent
+        if not folder.is_dir():
+            raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), os.fspath(folder))
+        text = self.to_text(dialect, units=units, name=name, form=form)
+        _native.write_files(os.fspath(folder), {Path(path).name: text.encode()})
 
     def __reduce__(self) -> tuple[Any, ...]:
+        # A law is pickled as what it was made from, since its text takes more than its numbers.
         return (_made_again, self._recipe)
 
 
-class _Conductance(Drawn, Table):
-    """Conductance per nominal area against nominal pressure, straight between its points."""
+class ContactLaw(_FiniteElementTable):
+    """Pressure against overclosure, straight between its points; pressure 0 at overclosure 0."""
 
-    __slots__ = ("_native", "_recipe")
-    pressure_pa: FloatArray
-
-    _native: _native.FoundLaw
-    _recipe: tuple[Spectrum, AnyMaterial, dict[str, Any]]
+    _title = "contact law"
+    _drawn = ("overclosure_m", "pressure_pa")
+    __slots__ = ()
+    overclosure_m: FloatArray
+    mean_gap_m: FloatArray
+    area_fraction: FloatArray
 
     @property
-    def interpolation_error(self) -> float:
-        """The largest relative error of the conductance that was met halfway between two points."""
-        return self._native.interpolation_error
-
-    def to_text(self, dialect: Dialect, *, units: UnitSystem = "SI") -> str:
-        """The table in the words of a code: a card that follows the mechanical law of the same surface interaction.
-
-        Parameters
-        ----------
-        dialect : {"abaqus", "calculix", "csv"}
-            Who is to read it.
-        units : {"SI", "N-mm", "uN-um", "lbf-in"}
-            The units of the finite element model.
-
-        Returns
-        -------
-        str
-
-        Raises
-        ------
-        InputError
-            For more rows than the code has room for.
-        """
-        return self._native.to_text(dialect, units, "", "")
-
-    def write(self, path: str | os.PathLike[str], dialect: Dialect, *, units: UnitSystem = "SI") -> None:
-        """Write :meth:`to_text` into a file: aside, and then renamed, so that the file is never there in part."""
-        _write(Path(path), self.to_text(dialect, units=units))
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return (_made_again, self._recipe)
+    def cut_pressure_pa(self) -> float:
+        """The nominal pressure [Pa] at the gap of the first point, where the law is cut off and its pressure set to 0."""
+        cut_pressure_pa = self._native.cut_pressure_pa
+        assert cut_pressure_pa is not None
+        return cut_pressure_pa
 
 
-class HeatConductance(_Conductance):
+class HeatConductance(_FiniteElementTable):
     """Thermal conductance of spots and gas against nominal pressure; at no pressure that of the gas alone."""
 
     _title = "thermal conductance"
+    _drawn = ("pressure_pa", "conductance_w_per_m2_k")
     __slots__ = ()
     conductance_w_per_m2_k: FloatArray
     contact_w_per_m2_k: FloatArray
     gas_w_per_m2_k: FloatArray
 
-    def _picture(self) -> Picture:
-        line = Trace(self.pressure_pa, self.conductance_w_per_m2_k)
-        return Picture(self._title, "pressure_pa", "conductance_w_per_m2_k", (line,), marker=".")
 
-
-class CurrentConductance(_Conductance):
+class CurrentConductance(_FiniteElementTable):
     """Electrical conductance against nominal pressure; 0 at no pressure."""
 
     _title = "electrical conductance"
+    _drawn = ("pressure_pa", "conductance_s_per_m2")
     __slots__ = ()
     conductance_s_per_m2: FloatArray
 
-    def _picture(self) -> Picture:
-        line = Trace(self.pressure_pa, self.conductance_s_per_m2)
-        return Picture(self._title, "pressure_pa", "conductance_s_per_m2", (line,), marker=".")
+
+class LawOptions(GapOptions, total=False):
+    """Options of every law."""
+
+    tolerance: float
 
 
-if TYPE_CHECKING:
+class HeatOptions(LawOptions, total=False):
+    """Options of thermal conductances."""
 
-    class _Shared(TypedDict, total=False):
-        """Arguments by name that every table takes."""
+    thermal_conductivity: Quantity | None
+    counterface_thermal_conductivity: Quantity | None
+    gas: Gas | None
+    gas_temperature: float | None
+    gas_pressure: Quantity | None
+    gas_conductivity: Quantity | None
+    gas_parameter: Quantity | None
 
-        pressure: Pressures | None
-        from_pressure: Quantity | None
-        to_pressure: Quantity | None
-        tolerance: float
-        gamma: EnergyFactor | None
-        band: Band | None
-        strain_gradient: bool
-        hardness_formula: HardnessFormula | None
-        interference_law: InterferenceLaw | None
-        normalisation: Normalisation | None
-        cutoff: Quantity | None
-        scales_per_decade: int | None
 
-    class _OfHeat(_Shared, total=False):
-        """Arguments by name of thermal conductances."""
+class CurrentOptions(LawOptions, total=False):
+    """Options of electrical conductances."""
 
-        thermal_conductivity: Quantity | None
-        counterface_thermal_conductivity: Quantity | None
-        gas: Gas | None
-        gas_temperature: float | None
-        gas_pressure: Quantity | None
-        gas_conductivity: Quantity | None
-        gas_parameter: Quantity | None
-
-    class _OfCurrent(_Shared, total=False):
-        """Arguments by name of electrical conductances."""
-
-        resistivity: Quantity | None
-        counterface_resistivity: Quantity | None
+    resistivity: Quantity | None
+    counterface_resistivity: Quantity | None
 
 
 @overload
@@ -226,55 +169,40 @@ def law(
     surface: AnySurface,
     material: AnyMaterial,
     *,
+    pressure: Pressures,
     quantity: Literal["pressure"] = "pressure",
     model: LawModel = "persson",
-    **options: Unpack[_Shared],
+    **options: Unpack[LawOptions],
 ) -> ContactLaw: ...
 @overload
 def law(
     surface: AnySurface,
     material: AnyMaterial,
     *,
+    pressure: Pressures,
     quantity: Literal["heat"],
     model: ConductanceModel = "persson",
-    **options: Unpack[_OfHeat],
+    **options: Unpack[HeatOptions],
 ) -> HeatConductance: ...
 @overload
 def law(
     surface: AnySurface,
     material: AnyMaterial,
     *,
+    pressure: Pressures,
     quantity: Literal["current"],
     model: ConductanceModel = "persson",
-    **options: Unpack[_OfCurrent],
+    **options: Unpack[CurrentOptions],
 ) -> CurrentConductance: ...
+@with_options(HeatOptions, CurrentOptions)
 def law(
     surface: AnySurface,
     material: AnyMaterial,
     *,
-    pressure: Pressures | None = None,
-    from_pressure: Quantity | None = None,
-    to_pressure: Quantity | None = None,
+    pressure: Pressures,
     quantity: LawQuantity = "pressure",
     model: ConductanceModel = "persson",
-    tolerance: float = 0.01,
-    gamma: EnergyFactor | None = None,
-    band: Band | None = None,
-    strain_gradient: bool = False,
-    hardness_formula: HardnessFormula | None = None,
-    interference_law: InterferenceLaw | None = None,
-    normalisation: Normalisation | None = None,
-    cutoff: Quantity | None = None,
-    scales_per_decade: int | None = None,
-    thermal_conductivity: Quantity | None = None,
-    counterface_thermal_conductivity: Quantity | None = None,
-    resistivity: Quantity | None = None,
-    counterface_resistivity: Quantity | None = None,
-    gas: Gas | None = None,
-    gas_temperature: float | None = None,
-    gas_pressure: Quantity | None = None,
-    gas_conductivity: Quantity | None = None,
-    gas_parameter: Quantity | None = None,
+    **options: Any,
 ) -> ContactLaw | HeatConductance | CurrentConductance:
     """Nominal pressure against overclosure between two pressures, or conductance against pressure, for finite elements.
 
@@ -286,14 +214,8 @@ def law(
 
     Parameters
     ----------
-    surface : Spectrum, Scan, sequence of scans, or path of a spectrum
-        The roughness.
-    material : Material or str
-        The bodies in contact, or the name of a material of the table.
     pressure : two of float or str
         The least and the largest nominal pressure of interest, in Pa or as text.
-    from_pressure, to_pressure : float or str
-        The same, one by one.
     quantity : {"pressure", "heat", "current"}
         Pressure over overclosure, or the conductance of heat or current over pressure.
     model : {"persson", "persson-plastic", "hertz", "ep-sphere", "elastic-sine", "ep-sine", "bgt"}
@@ -301,8 +223,6 @@ def law(
     tolerance : float, default 0.01
         The largest relative error of the pressure, or of the conductance, on the straight lines between the points, from
         1e-5 to 0.5.
-    gamma, band, strain_gradient, hardness_formula, interference_law, normalisation, cutoff, scales_per_decade : optional
-        As :func:`gap` has them.
     thermal_conductivity, counterface_thermal_conductivity : float or str, optional
         Those of the bodies, for heat, in W/(m K) or as text; of named materials those of the table where left out.
     resistivity, counterface_resistivity : float or str, optional
@@ -339,20 +259,8 @@ def law(
     >>> heat.to_text("abaqus").count("*GAP CONDUCTANCE, PRESSURE")
     1
     """
-    arguments = locals()
-    arguments["pressure"] = _range(pressure, from_pressure, to_pressure)
-    del arguments["surface"], arguments["material"]
+    arguments = {"tolerance": 0.01, "pressure": pressure, "quantity": quantity, "model": model, **options}
     return _made_again(spectrum_of(surface), material, arguments)
-
-
-def _range(pressure: Any, from_pressure: Quantity | None, to_pressure: Quantity | None) -> Any:
-    """The pressures from which and to which a law goes."""
-    ends = (from_pressure, to_pressure)
-    if pressure is not None and ends != (None, None):
-        raise InputError("pressure and from_pressure or to_pressure are both given; give one or the other")
-    if pressure is None and None in ends:
-        raise InputError("pressure is needed: two of them, from which and to which the law goes")
-    return ends if pressure is None else pressure
 
 
 _TABLES: dict[str, type[ContactLaw | HeatConductance | CurrentConductance]] = {
@@ -369,13 +277,5 @@ def _made_again(
     table = _TABLES.get(arguments["quantity"], ContactLaw)
     found = table._of(answer.columns, noted(answer.notes), axis="point")
     found._native = native
-    # A law is pickled as what it was made from, since its text takes more than its numbers.
     found._recipe = (spectrum, material, arguments)
     return found
-
-
-def _write(path: Path, text: str) -> None:
-    """Writes a file aside and puts it into its place; the folder has to be there."""
-    if not path.parent.is_dir():
-        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), os.fspath(path.parent))
-    _native.write_files(os.fspath(path.parent), {path.name: text.encode()})

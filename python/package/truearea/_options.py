@@ -143,12 +143,12 @@ def with_options(*groups: Any) -> Callable[[Call], Call]:
 
 def completed(docstring: str, arguments: list[str]) -> str:
     """Adds the shared entries of arguments that a docstring does not describe itself, in the order of the arguments."""
-    head, title, rest = inspect.cleandoc(docstring).partition("Parameters\n----------\n")
-    own, end, rest = rest.partition("\n\n")
-    # The entries of this function stand before those that it shares.
-    entries = {name: entry for text in (_ENTRIES, own) for entry in _split(text) for name in _names(entry)}
+    head, *sections = re.split(r"\n\n(?=[A-Z][a-z]+\n---)", inspect.cleandoc(docstring))
+    title, *own = sections.pop(0).split("\n", 2)[::2] if sections and sections[0].startswith("Parameters") else ["Parameters"]
+    # The entries of this function replace those that it would share.
+    entries = {name: entry for text in (_ENTRIES, *own) for entry in _split(text) for name in _names(entry)}
     listed = dict.fromkeys(entries[name] for name in arguments if name in entries)
-    return head + title + "\n".join(listed) + end + rest
+    return "\n\n".join([head, "\n".join([title, "-" * len(title), *listed]), *sections])
 
 
 def _split(entries: str) -> list[str]:

@@ -5,25 +5,24 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-from truearea import _native
 from truearea._arrays import doubles
-from truearea._choices import AmplitudeDefinition, Band, Correction, EnergyFactor, PerssonModel
-from truearea._curves import Curve, Pressures, _curve
-from truearea._grammar import AnyMaterial, AnySurface, material_of, surface_of
-from truearea._material import Quantity
+from truearea._choices import AmplitudeDefinition, Correction, PerssonModel
+from truearea._curves import Curve, Pressures
+from truearea._grammar import AnyMaterial, AnySurface
 from truearea._native import InputError
+from truearea._options import PerssonOptions, with_options
 from truearea._results import AnyArray, FloatArray
 
 if TYPE_CHECKING:
     import pandas as pd
+    from typing_extensions import Unpack
 
 
 class PerssonCurve(Curve):
     """Contact by Persson's theory along the cutoff, and the law u = u0 ln(p00/p), K = p/u0 of light loads."""
 
     _title = "Persson's theory against cutoff"
+    _shared = ("wavelength_m", "rms_gradient", "band")
     __slots__ = ()
     elastic_area_fraction: FloatArray
     plastic_area_fraction: FloatArray
@@ -36,6 +35,7 @@ class PerssonCurve(Curve):
     band: AnyArray
 
 
+@with_options(PerssonOptions)
 def persson(
     surface: AnySurface,
     material: AnyMaterial,
@@ -43,13 +43,10 @@ def persson(
     pressure: Pressures,
     model: PerssonModel = "persson",
     correction: Correction | None = None,
-    gamma: EnergyFactor = 0.45,
-    band: Band = "2d",
     hardness_law: str | Mapping[str, Any] | pd.DataFrame | None = None,
     strain_gradient: bool = False,
     amplitude: AmplitudeDefinition = "eq5",
-    cutoff: Quantity | None = None,
-    scales_per_decade: int | None = None,
+    **options: Unpack[PerssonOptions],
 ) -> PerssonCurve:
     """Contact area, mean gap and stiffness against cutoff by Persson's theory (Persson 2001, 2007; Yang & Persson 2008).
 
@@ -58,33 +55,16 @@ def persson(
 
     Parameters
     ----------
-    surface : Spectrum, Scan, sequence of scans, or path of a spectrum
-        The roughness.
-    material : Material or str
-        The bodies in contact, or the name of a material of the table.
-    pressure : float, str, or sequence of them
-        Nominal pressures, in Pa or as text such as ``"5 MPa"`` or ``"1e-3 H"``.
     model : {"persson", "persson-plastic"}
         Whether the contact flows, at the indentation hardness.
     correction : {"wang-muser", "yang-persson", "algebraic", "algebraic-nayak"}, optional
         A corrected form of the elastic theory, fitted to simulations.
-    gamma : float or "fitted", default 0.45
-        Elastic energy factor of the mean gap, above 0 and at most 1 (Almqvist et al. 2011), or the form fitted to boundary
-        elements.
-    band : {"1d", "2d"}
-        What is cut off at a wavelength: the spectrum of profiles, or that of the surface.
     hardness_law : str, or mapping of arrays, optional
         How the hardness grows towards short wavelengths: ``"power:0.2"``, with the wavevector to that power; ``"nix-gao"``,
         with the amplitudes of scales and the material's ``strain_gradient_length``; or a table as measured, with the columns
         ``contact_size_m`` and ``hardness_pa``, as a dict or a data frame has them.
     strain_gradient : bool, default False
         The same as ``hardness_law="nix-gao"``.
-    amplitude : str, optional
-        How the amplitude of a scale is made from the spectrum (Eq. 5 by default).
-    cutoff : float or str, optional
-        The shortest wavelength that takes part.
-    scales_per_decade : int, optional
-        Resample to so many wavelengths a decade.
 
     Returns
     -------
@@ -110,15 +90,16 @@ def persson(
     >>> bool(1e-9 < curve.u0_m < 1e-6)
     True
     """
-    arguments = locals()
-    if not (hardness_law is None or isinstance(hardness_law, str)):
-        arguments["hardness_law"] = _table(hardness_law)
-    answer, pressures_pa, light = _native.curve("persson", surface_of(surface), material_of(material), arguments)
-    blocks = PerssonCurve._along(answer, pressures_pa, ("wavelength_m", "rms_gradient", "band"), model)
-    u0_m, p00_pa = (np.nan, np.nan) if light is None else light
-    arrays = dict(blocks) | {"u0_m": np.asarray(u0_m), "p00_pa": np.asarray(p00_pa)}
-    axes = {name: blocks.axes(name) for name in blocks} | {"u0_m": (), "p00_pa": ()}
-    return _curve(PerssonCurve, arrays, axes, blocks.notes, model)
+    arguments = {
+        "pressure": pressure,
+        "model": model,
+        "correction": correction,
+        "hardness_law": hardness_law if hardness_law is None or isinstance(hardness_law, str) else _table(hardness_law),
+        "strain_gradient": strain_gradient,
+        "amplitude": amplitude,
+        **options,
+    }
+    return PerssonCurve._found("persson", surface, material, arguments)
 
 
 def _table(given: Mapping[str, Any] | pd.DataFrame) -> tuple[FloatArray, FloatArray]:

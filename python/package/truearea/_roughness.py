@@ -147,7 +147,7 @@ def roughness(
         "scales": scales,
     }
     if scales and (ratio_height is not None or convention != "usual"):
-        raise InputError("ratio_height and convention have no bearing on scales; leave them out")
+        raise InputError("ratio_height and convention have no effect on scales; leave them out")
     if isinstance(surface, (str, os.PathLike)):
         surface, size = read_scan(surface, unit=unit, channel=channel, size=size), None
     elif unit is not None or channel is not None:

@@ -24,12 +24,14 @@ from truearea._choices import (
 from truearea._material import Quantity
 from truearea._native import InputError
 from truearea._notes import noted, notes_of
+from truearea._options import Sampling, with_options
 from truearea._picture import Drawn, Trace, Picture
 from truearea._results import AnyArray, FloatArray, Table, notes_html, rows_html
 
 if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
+    from typing_extensions import Unpack
 
 
 class Moments(Drawn, Table):
@@ -279,23 +281,9 @@ class Spectrum(Drawn):
         columns = _native.scans_of(self._native)
         return None if columns is None else Scans._of(columns)
 
-    def moments(
-        self,
-        *,
-        normalisation: Normalisation = "parseval",
-        cutoff: Quantity | None = None,
-        scales_per_decade: int | None = None,
-    ) -> Moments:
+    @with_options(Sampling)
+    def moments(self, *, normalisation: Normalisation = "parseval", **options: Unpack[Sampling]) -> Moments:
         """Spectral moments and McCool's asperity parameters for every cutoff (Jackson & Jacobs, Eqs. 1, 3, 4).
-
-        Parameters
-        ----------
-        normalisation : {"parseval", "as-printed"}
-            The factor of the integrals: 1/pi, with which m0 is the mean square height; or 1, as the paper prints it.
-        cutoff : float or str, optional
-            The shortest wavelength that takes part, in m or as text such as ``"5 nm"``.
-        scales_per_decade : int, optional
-            Resample to so many wavelengths a decade; as sampled where left out.
 
         Returns
         -------
@@ -310,26 +298,18 @@ class Spectrum(Drawn):
         >>> float(moments.m2[-1]) ** 0.5
         0.389...
         """
-        arguments = locals()
-        answer = self._native.quantity("moments", arguments)
+        answer = self._native.quantity("moments", {"normalisation": normalisation, **options})
         return Moments._of(answer.columns, noted(answer.notes))
 
-    def amplitudes(
-        self,
-        *,
-        definition: AmplitudeDefinition = "eq5",
-        cutoff: Quantity | None = None,
-        scales_per_decade: int | None = None,
-    ) -> Amplitudes:
+    @with_options(Sampling)
+    def amplitudes(self, *, amplitude: AmplitudeDefinition = "eq5", **options: Unpack[Sampling]) -> Amplitudes:
         """Amplitude [m] and aspect ratio of every scale (Jackson & Jacobs, Eq. 5)."""
-        arguments = locals()
-        answer = self._native.quantity("amplitudes", arguments)
+        answer = self._native.quantity("amplitudes", {"amplitude": amplitude, **options})
         return Amplitudes._of(answer.columns, noted(answer.notes))
 
     def fit(self, *, longest: Quantity | None = None, shortest: Quantity | None = None) -> Fit:
         """Hurst exponent and roll-off of the spectrum between two wavelengths, by least squares in logarithms."""
-        arguments = locals()
-        answer = self._native.quantity("fit", arguments)
+        answer = self._native.quantity("fit", {"longest": longest, "shortest": shortest})
         return Fit._of(answer.columns, noted(answer.notes))
 
     def against(self, other: Spectrum) -> Spectrum:

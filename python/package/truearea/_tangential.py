@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from truearea import _native
-from truearea._choices import Band, EnergyFactor, InterferenceLaw, Normalisation, Phases, ShearedModel
+from truearea._choices import ShearedModel
 from truearea._curves import Pressures
 from truearea._grammar import AnyMaterial, AnySurface, material_of, surface_of
-from truearea._material import Quantity
 from truearea._notes import noted
+from truearea._options import GapAndSurfaceOptions, with_options
 from truearea._picture import Drawn, Trace, Picture, load_label
 from truearea._results import FloatArray, Table
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
 
 class Sheared(Drawn, Table):
     """Displacement, stiffness, slip and loss of a surface under tangential stresses."""
@@ -36,6 +42,7 @@ class Sheared(Drawn, Table):
         return Picture(self._title, "displacement_m", "tangential_stress_pa", lines, marker=".")
 
 
+@with_options(GapAndSurfaceOptions)
 def tangential(
     surface: AnySurface,
     material: AnyMaterial,
@@ -44,40 +51,20 @@ def tangential(
     pressure: Pressures,
     tangential_stress: Pressures | None = None,
     model: ShearedModel = "persson",
-    gamma: EnergyFactor | None = None,
-    band: Band | None = None,
-    interference_law: InterferenceLaw | None = None,
-    normalisation: Normalisation | None = None,
-    cutoff: Quantity | None = None,
-    scales_per_decade: int | None = None,
-    grid: int | None = None,
-    realisations: int | None = None,
-    seed: int | None = None,
-    longest: Quantity | None = None,
-    shortest: Quantity | None = None,
-    side: Quantity | None = None,
-    phases: Phases | None = None,
+    **options: Unpack[GapAndSurfaceOptions],
 ) -> Sheared:
-    """Shear a surface under a constant normal load, with Coulomb friction at every point (Ciavarella 1998; Jaeger 1998).
+    """Shears a surface under a constant normal load, with Coulomb friction at every point (Ciavarella 1998; Jaeger 1998).
 
     Parameters
     ----------
-    spectrum : Spectrum
-        The roughness.
-    material : Material
-        The bodies in contact, elastic.
+    material : Material or str
+        The bodies in contact, elastic, or the name of a material of the table.
     friction : float
         Coefficient of friction, above 0.
-    pressure : float, str, or sequence of them
-        Nominal pressures, in Pa or as text such as ``"5 MPa"``.
     tangential_stress : float, str, or sequence of them, optional
         Tangential stresses on the nominal area; shares from 1 to 99 % of that at which everything slides where left out.
     model : {"persson", "hertz", "elastic-sine", "bgt", "bem"}
-        What makes the normal law.
-    gamma, band, interference_law, normalisation, cutoff, scales_per_decade : optional
-        As for :func:`gap`.
-    grid, realisations, seed, longest, shortest, side, phases : optional
-        Random surfaces of ``model="bem"``, as :func:`boundary_elements` has them.
+        What makes the normal law; ``"bem"`` is boundary elements on random surfaces.
 
     Returns
     -------
@@ -100,6 +87,12 @@ def tangential(
     >>> bool(0.0 < sheared.displacement_m[0] < sheared.displacement_m[1])
     True
     """
-    arguments = locals()
+    arguments = {
+        "friction": friction,
+        "pressure": pressure,
+        "tangential_stress": tangential_stress,
+        "model": model,
+        **options,
+    }
     answer = _native.tangential(surface_of(surface), material_of(material), arguments)
     return Sheared._of(answer.columns, noted(answer.notes))
