@@ -1,5 +1,5 @@
-//! The core of truearea for Python: arguments become the core's types, and its tables arrays. What a call means, and what it
-//! yields, is told in the Python modules beside this crate.
+//! The core of truearea for Python: arguments become the core's types, and its tables arrays. The Python
+//! modules beside this crate document each call and its result.
 
 mod answer;
 mod arguments;

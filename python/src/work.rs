@@ -14,7 +14,7 @@ use crate::threads::with_threads;
 /// Longest wait of Ctrl-C and progress for the interpreter.
 const PATIENCE: Duration = Duration::from_millis(50);
 
-/// Callable that is told the name of the steps at hand, how many are done, and of how many.
+/// Callable that receives the name of the current steps, the number done, and their total.
 pub type Observer<'py> = Bound<'py, PyAny>;
 
 /// Steps done of some work, and the request to end it.

@@ -355,7 +355,7 @@ def test_the_material_may_come_second_as_in_all_other_functions() -> None:
 
 def test_the_signature_shows_the_order_of_all_other_functions() -> None:
     shown = inspect.signature(ta.boundary_elements).parameters
-    assert list(shown)[:4] == ["surface", "material", "pressure", "mean_gap"]
+    assert list(shown)[:4] == ["surface", "material", "pressure", "size"]
     kinds = {parameter.kind for parameter in list(shown.values())[2:]}
     assert kinds == {inspect.Parameter.KEYWORD_ONLY}
     assert {"saturation", "tolerance", "grid", "ball_radius", "force", "progress"} <= set(shown)

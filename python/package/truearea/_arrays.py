@@ -31,10 +31,10 @@ def lengths_of(argument: str, of_size: str, size: Any, shape: tuple[int, ...]) -
 
 
 def doubles(argument: str, given: Any, unit: str = "") -> FloatArray:
-    """An array of doubles, the same memory where it is one already; quantities, and text with a unit, are converted to that given.
+    """Returns an array of doubles, not copied if it is one already; quantities, and text with a unit, are converted to ``unit``.
 
-    Whole numbers, single precision and the other order of bytes are converted; dates, booleans, complex numbers and what else
-    is no number are refused, and so are masked arrays with gaps.
+    Whole numbers, single precision and the other order of bytes are converted. Dates, booleans, complex numbers, anything else
+    that is not a number, and masked arrays with gaps are refused.
     """
     if type(given) is float:
         return np.array(given)

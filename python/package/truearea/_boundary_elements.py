@@ -12,12 +12,13 @@ import numpy.typing as npt
 from truearea import _native
 from truearea._adhesion import AdhesiveContact, PullOff, adhesive_result
 from truearea._arrays import doubles, lengths_of
-from truearea._choices import Branch, Detrend, Phases
+from truearea._choices import Branch, Detrend
 from truearea._curves import Pressures
 from truearea._grammar import AnyMaterial, material_of, spectrum_of
 from truearea._material import Quantity
 from truearea._native import InputError
 from truearea._notes import noted
+from truearea._options import RandomSurfaces, with_options
 from truearea._picture import Drawn, Picture, Trace
 from truearea._progress import Line, Progress, observer_of
 from truearea._results import AnyArray, FloatArray, Result, Table
@@ -157,35 +158,40 @@ class PressedBall(Result):
     residual: FloatArray
 
 
-if TYPE_CHECKING:
+class ElementsOptions(RandomSurfaces, total=False):
+    """Options of boundary elements."""
 
-    class _Shared(TypedDict, total=False):
-        """Arguments by name that everything takes."""
+    detrend: Detrend | None
+    tolerance: float
+    progress: Progress
 
-        detrend: Detrend | None
-        tolerance: float
-        grid: int | None
-        realisations: int | None
-        seed: int | None
-        longest: Quantity | None
-        shortest: Quantity | None
-        side: Quantity | None
-        phases: Phases | None
-        progress: Progress
 
-    class _OfFlats(_Shared, total=False):
-        """Arguments by name of flats, whether they attract the surface or not."""
+class RepeatedOptions(ElementsOptions, total=False):
+    """Options of surfaces that may repeat themselves."""
 
-        periodic: bool | None
-        per_realisation: bool
+    periodic: bool | None
+    per_realisation: bool
 
-    class _Options(_OfFlats, total=False):
-        """Arguments by name of flats that do not attract the surface."""
 
-        mean_gap: Pressures | None
-        indentation: Pressures | None
-        fields: bool
-        patches: bool
+class FlatOptions(RepeatedOptions, total=False):
+    """Options of flats that do not attract the surface."""
+
+    mean_gap: Pressures | None
+    indentation: Pressures | None
+    saturation: Quantity | None
+    fields: bool
+    patches: bool
+
+
+class BodyOptions(TypedDict, total=False):
+    """Options of balls, and of surfaces that attract each other."""
+
+    ball_radius: Quantity | None
+    force: Quantity | None
+    work_of_adhesion: Quantity | None
+    adhesion_range: Quantity | None
+    branch: Branch | None
+    pull_off: bool
 
 
 @overload
@@ -195,8 +201,7 @@ def boundary_elements(
     *,
     pressure: Pressures | None = None,
     size: Size | None = None,
-    saturation: Quantity | None = None,
-    **options: Unpack[_Options],
+    **options: Unpack[FlatOptions],
 ) -> Pressed: ...
 
 
@@ -208,7 +213,7 @@ def boundary_elements(
     ball_radius: Quantity,
     force: Quantity,
     size: Size | None = None,
-    **options: Unpack[_Shared],
+    **options: Unpack[ElementsOptions],
 ) -> PressedBall: ...
 
 
@@ -222,7 +227,7 @@ def boundary_elements(
     pressure: Pressures,
     branch: Branch = "apart",
     size: Size | None = None,
-    **options: Unpack[_OfFlats],
+    **options: Unpack[RepeatedOptions],
 ) -> AdhesiveContact: ...
 
 
@@ -235,39 +240,18 @@ def boundary_elements(
     adhesion_range: Quantity,
     pull_off: Literal[True],
     size: Size | None = None,
-    **options: Unpack[_OfFlats],
+    **options: Unpack[RepeatedOptions],
 ) -> PullOff: ...
 
 
+@with_options(FlatOptions, BodyOptions)
 def boundary_elements(
     surface: Any,
     material: AnyMaterial,
     *,
     pressure: Pressures | None = None,
-    mean_gap: Pressures | None = None,
-    indentation: Pressures | None = None,
     size: Size | None = None,
-    saturation: Quantity | None = None,
-    periodic: bool | None = None,
-    detrend: Detrend | None = None,
-    tolerance: float = 1e-6,
-    fields: bool = False,
-    grid: int | None = None,
-    realisations: int | None = None,
-    seed: int | None = None,
-    longest: Quantity | None = None,
-    shortest: Quantity | None = None,
-    side: Quantity | None = None,
-    phases: Phases | None = None,
-    per_realisation: bool = False,
-    progress: Progress = False,
-    ball_radius: Quantity | None = None,
-    force: Quantity | None = None,
-    work_of_adhesion: Quantity | None = None,
-    adhesion_range: Quantity | None = None,
-    branch: Branch | None = None,
-    pull_off: bool = False,
-    patches: bool = False,
+    **options: Any,
 ) -> Pressed | PressedBall | AdhesiveContact | PullOff:
     """Press heights, or random surfaces of a spectrum, into a half-space that is elastic, flows at a hardness, or attracts them.
 
@@ -307,21 +291,8 @@ def boundary_elements(
         in contact below the saturation, weighted with their pressures and divided by the rms height: an exact solution has 0.
     fields : bool, default False
         Give pressure and gap of every point as well.
-    grid : int, default 512
-        Points along each side of a random surface, from 16 to 16384.
-    realisations : int, default 8
-        How many surfaces are made of the spectrum.
-    seed : int, default 1
-        The seed of their phases.
-    longest, shortest : float or str, optional
-        The longest and the shortest wavelength of the surfaces; where left out, that of the spectrum for the shortest, and as
-        long as the grid holds for the longest.
-    side : float or str, optional
-        Length of a side.
-    phases : {"fixed-modulus", "gaussian"}, optional
-        What is random: phases alone, or moduli as well.
     per_realisation : bool, default False
-        Tell of each random surface instead of their mean.
+        Return every surface, not the mean.
     progress : bool or callable, default False
         True shows a line on stderr; a callable receives the steps done and their number.
     ball_radius : float or str, optional
@@ -395,13 +366,13 @@ def boundary_elements(
     >>> bool(np.allclose(held.nominal_pressure_pa, [1e7, 1e9], rtol=1e-4))
     True
     """
-    arguments = locals()
-    kind = _checked_kind(arguments)
+    arguments = {"pressure": pressure, "size": size, "tolerance": 1e-6, **options}
+    kind, periodic = _checked_kind(arguments), arguments.get("periodic")
     core = material_of(material)
     if isinstance(surface, (str, os.PathLike)):
         surface = spectrum_of(surface)
     line = Line()
-    observer = observer_of(progress, line)
+    observer = observer_of(options.get("progress", False), line)
     several = ""
     try:
         if isinstance(surface, Spectrum):
@@ -443,29 +414,29 @@ _OF_FLATS: dict[str, Any] = (
 
 def _checked_kind(arguments: dict[str, Any]) -> Literal["flat", "ball", "adhesion"]:
     """Checks the arguments for the body that is pressed on: those without effect are refused, and those that it needs are present."""
-    if arguments["ball_radius"] is not None:
+    if arguments.get("ball_radius") is not None:
         _refuse(arguments, _OF_FLATS, "a ball")
         return "ball"
     _refuse(arguments, _OF_BALLS, "a flat, only on a ball; give ball_radius")
-    if arguments["work_of_adhesion"] is None:
+    if arguments.get("work_of_adhesion") is None:
         _refuse(arguments, _OF_ADHESION, "surfaces that do not attract each other; give work_of_adhesion")
-        given = [name for name in _LOADS if arguments[name] is not None]
+        given = [name for name in _LOADS if arguments.get(name) is not None]
         if len(given) != 1:
             raise InputError(f"{' and '.join(given) or 'none'} of pressure, mean_gap and indentation is given; give one")
         return "flat"
     _refuse(arguments, _OF_PLAIN_FLATS, "surfaces that attract each other")
-    if arguments["adhesion_range"] is None:
+    if arguments.get("adhesion_range") is None:
         raise InputError('adhesion_range is needed beside work_of_adhesion, such as "2 nm"')
-    if arguments["pull_off"]:
+    if arguments.get("pull_off"):
         _refuse(arguments, {"pressure": None, "branch": None}, "surfaces that are pulled apart")
-    elif arguments["pressure"] is None:
+    elif arguments.get("pressure") is None:
         raise InputError("pressure is needed, or pull_off=True in its place")
     return "adhesion"
 
 
 def _refuse(arguments: dict[str, Any], idle: dict[str, Any], what: str) -> None:
     for name, left_out in idle.items():
-        if arguments[name] is not left_out:
+        if arguments.get(name, left_out) is not left_out:
             raise InputError(f"{name} has no effect on {what}; leave it out")
 
 

@@ -13,18 +13,16 @@ StatisticalModel = Literal["hertz", "ep-sphere", "elastic-sine", "ep-sine", "bgt
 PerssonModel = Literal["persson", "persson-plastic"]
 """Persson's theory for bodies that do not yield, and that do."""
 
-LawModel = Literal["persson", "persson-plastic", "hertz", "ep-sphere", "elastic-sine", "ep-sine", "bgt"]
+LawModel = Literal[PerssonModel, StatisticalModel]
 """Models with a distance between the surfaces."""
 
-GapModel = Literal["persson", "persson-plastic", "hertz", "ep-sphere", "elastic-sine", "ep-sine", "bgt", "bem"]
+GapModel = Literal[LawModel, "bem"]
 """Models with a distance between the surfaces, and boundary elements."""
 
 ShearedModel = Literal["persson", "hertz", "elastic-sine", "bgt", "bem"]
 """Models with a distance between the surfaces that do not yield."""
 
-CurveModel = Literal[
-    "elastic-plastic", "elastic", "hertz", "ep-sphere", "elastic-sine", "ep-sine", "bgt", "persson", "persson-plastic"
-]
+CurveModel = Literal[StackedModel, StatisticalModel, PerssonModel]
 """Models with an area."""
 
 Band = Literal["1d", "2d"]
@@ -96,17 +94,7 @@ Gas = Literal["air", "nitrogen", "helium", "argon", "hydrogen"]
 ConductanceCorrelation = Literal["cooper-mikic-yovanovich", "yovanovich"]
 """Correlations of conductances for flowed peaks."""
 
-ConductanceModel = Literal[
-    "persson",
-    "persson-plastic",
-    "hertz",
-    "ep-sphere",
-    "elastic-sine",
-    "ep-sine",
-    "bgt",
-    "cooper-mikic-yovanovich",
-    "yovanovich",
-]
+ConductanceModel = Literal[LawModel, ConductanceCorrelation]
 """Models of conductances."""
 
 Form = Literal["none", "plane", "second-order"]

@@ -15,6 +15,7 @@ from truearea._grammar import named_material
 from truearea._material import Material
 from truearea._native import InputError
 from truearea._notes import Note, noted
+from truearea._options import documented
 from truearea._results import FloatArray, Result
 
 
@@ -50,6 +51,7 @@ class ContactStates(Result):
 _NO_AXES: dict[str, tuple[str, ...]] = dict.fromkeys(ContactStates.__annotations__, ())
 
 
+@documented
 def contact(
     population: Mapping[str, Any] | None = None,
     material: Material | str | Sequence[Material | str] | npt.NDArray[np.object_] | None = None,
@@ -93,14 +95,6 @@ def contact(
         Nominal pressures [Pa]; text such as ``"5 MPa"`` or ``"1e-3 H"``, of the one material.
     separation : array_like of float, or str
         Separations [m] from the mean of the asperity heights, in place of pressures.
-    strain_gradient : bool, default False
-        Let the strength grow at small depths, with the material's ``strain_gradient_length``.
-    hardness_formula : {"2005", "cosine"}, optional
-        The form of the hardness of spheres that yield.
-    interference_law : str, optional
-        What ties pressure to interference of elastic sinusoids.
-    tolerance : float, default 1e-12
-        Relative tolerance of pressure and area, above 0 and at most 0.01.
     errors : {"raise", "nan"}
         Of numbers that cannot be used, end with the first, or leave their rows NaN and count them in ``notes``.
 

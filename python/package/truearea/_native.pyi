@@ -1,4 +1,4 @@
-"""The core, as the Python modules beside it call it. What arguments mean is told there."""
+"""The core, as the Python modules beside it call it; they document the arguments."""
 
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Final, TypedDict, final

@@ -68,7 +68,54 @@ class GapAndSurfaceOptions(GapOptions, RandomSurfaces):
     """Options of models with a mean gap, and of random surfaces for boundary elements."""
 
 
-_ENTRIES = """\
+def with_options(*groups: Any) -> Callable[[Call], Call]:
+    """Makes the options of some groups arguments of a function that takes them as ``**options``.
+
+    They appear in its signature and its docstring, and a name that is not among them is a TypeError.
+    """
+
+    def decorate(call: Call) -> Call:
+        signature = inspect.signature(call)
+        options = dict.fromkeys(name for group in groups for name in group.__annotations__)
+        named = [one for one in signature.parameters.values() if one.kind is not inspect.Parameter.VAR_KEYWORD]
+        named += [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None) for name in options]
+        known = frozenset(one.name for one in named)
+
+        @functools.wraps(call)
+        def checked(*given: Any, **arguments: Any) -> Any:
+            if not known.issuperset(arguments):
+                unknown = min(arguments.keys() - known)
+                near = "".join(f"; did you mean {name}?" for name in get_close_matches(unknown, known, 1))
+                raise TypeError(f"{call.__name__}() takes no argument {unknown}{near}")
+            return call(*given, **arguments)
+
+        vars(checked)["__signature__"] = signature.replace(parameters=named)
+        return documented(cast(Call, checked))
+
+    return decorate
+
+
+def documented(call: Call) -> Call:
+    """Adds the shared entries of its arguments to the docstring of a function."""
+    call.__doc__ = completed(call.__doc__ or "", list(inspect.signature(call).parameters))
+    return call
+
+
+def completed(docstring: str, arguments: list[str]) -> str:
+    """Adds the shared entries of arguments that a docstring does not describe itself, in the order of the arguments."""
+    head, *sections = re.split(r"\n\n(?=[A-Z][a-z]+\n---)", inspect.cleandoc(docstring))
+    own = sections.pop(0).split("\n", 2)[2] if sections and sections[0].startswith("Parameters") else ""
+    entries = _ENTRIES | _entries(own)
+    listed = dict.fromkeys(entries[name] for name in arguments if name in entries)
+    return "\n\n".join([head, "\n".join(["Parameters", "----------", *listed]), *sections])
+
+
+def _entries(text: str) -> dict[str, str]:
+    """The entries of a section, by the names of the arguments that each describes."""
+    return {name: entry for entry in re.split(r"\n(?! )", text) for name in entry.partition(" :")[0].split(", ")}
+
+
+_ENTRIES = _entries("""\
 surface : Spectrum, Scan, sequence of scans, or path of a spectrum
     The roughness.
 material : Material or str
@@ -99,61 +146,15 @@ cutoff : float or str, optional
 scales_per_decade : int, optional
     Resample to so many wavelengths a decade, as sampled where left out; areas of ``stacked`` depend on it.
 grid : int, default 512
-    Points of a side of random surfaces, a power of two.
+    Points along each side of a random surface, from 16 to 16384.
 realisations : int, default 8
-    How many random surfaces have the spectrum.
+    How many surfaces are made of the spectrum.
 seed : int, default 1
     The seed of their phases.
 longest, shortest : float or str, optional
-    The longest and the shortest wavelength of random surfaces; where left out, that of the spectrum for the shortest, and as
+    The longest and the shortest wavelength of the surfaces; where left out, that of the spectrum for the shortest, and as
     long as the grid holds for the longest.
 side : float or str, optional
-    Length of a side of random surfaces.
+    Length of a side of the surfaces.
 phases : {"fixed-modulus", "gaussian"}, optional
-    What is random: phases alone, or moduli as well.
-"""
-
-
-def with_options(*groups: Any) -> Callable[[Call], Call]:
-    """Makes the options of some groups arguments of a function that takes them as ``**options``.
-
-    They appear in its signature, a name that is not among them is a TypeError, and its docstring gains the shared entries.
-    """
-
-    def decorate(call: Call) -> Call:
-        signature = inspect.signature(call)
-        options = dict.fromkeys(name for group in groups for name in group.__annotations__)
-        named = [one for one in signature.parameters.values() if one.kind is not inspect.Parameter.VAR_KEYWORD]
-        named += [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None) for name in options]
-        known = {one.name for one in named}
-
-        @functools.wraps(call)
-        def checked(*given: Any, **arguments: Any) -> Any:
-            for unknown in arguments.keys() - known:
-                near = "".join(f"; did you mean {name}?" for name in get_close_matches(unknown, known, 1))
-                raise TypeError(f"{call.__name__}() takes no argument {unknown}{near}")
-            return call(*given, **arguments)
-
-        checked.__doc__ = completed(call.__doc__ or "", [one.name for one in named])
-        vars(checked)["__signature__"] = signature.replace(parameters=named)
-        return cast(Call, checked)
-
-    return decorate
-
-
-def completed(docstring: str, arguments: list[str]) -> str:
-    """Adds the shared entries of arguments that a docstring does not describe itself, in the order of the arguments."""
-    head, *sections = re.split(r"\n\n(?=[A-Z][a-z]+\n---)", inspect.cleandoc(docstring))
-    title, *own = sections.pop(0).split("\n", 2)[::2] if sections and sections[0].startswith("Parameters") else ["Parameters"]
-    # The entries of this function replace those that it would share.
-    entries = {name: entry for text in (_ENTRIES, *own) for entry in _split(text) for name in _names(entry)}
-    listed = dict.fromkeys(entries[name] for name in arguments if name in entries)
-    return "\n\n".join([head, "\n".join([title, "-" * len(title), *listed]), *sections])
-
-
-def _split(entries: str) -> list[str]:
-    return re.split(r"\n(?! )", entries.strip("\n"))
-
-
-def _names(entry: str) -> list[str]:
-    return entry.partition(" :")[0].split(", ")
+    What is random: phases alone, or moduli as well.""")

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class Trace(NamedTuple):
-    """Points in order, the model that their colour is of, and the place of their load among others; None is no label."""
+    """Points in order, with the model that sets their colour and the place of their load; a label of None is not drawn."""
 
     x: FloatArray
     y: FloatArray

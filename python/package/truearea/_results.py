@@ -54,7 +54,7 @@ class Result(dict[str, AnyArray]):
 
     A result is a dictionary that cannot be changed, from names to arrays, and each array is an attribute as well. ``np.asarray``
     makes a structured array of it, and ``pandas.DataFrame`` a frame where all arrays have one axis. Names end in the unit: ``pressure_pa``,
-    ``density_per_m2``. Where there is no number, there is NaN, as in data frames.
+    ``density_per_m2``. A missing number is NaN, as in data frames.
 
     Attributes
     ----------

@@ -271,7 +271,7 @@ def scan_channels(
     size: Quantity | None = None,
     all_channels: bool = False,
 ) -> ScanChannels:
-    """Tell what is in a file of an instrument: a row for each channel of heights, as ``truearea scan`` does.
+    """Lists the contents of a file of an instrument: a row for each channel of heights, as ``truearea scan`` does.
 
     Parameters
     ----------

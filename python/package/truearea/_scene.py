@@ -185,7 +185,7 @@ class Scene:
         cutoff : float or str, optional
             The shortest wavelength that takes part [m].
         counterface : Material, optional
-            What presses on the rough body, in place of the scene's own. Its elastic constants alone count.
+            The body that presses on the rough one, in place of the scene's own. Only its elastic constants are used.
 
         Returns
         -------
