@@ -4,6 +4,8 @@
 use std::collections::BTreeMap;
 
 use asperity::Hardness;
+use chacha20::ChaCha8Rng;
+use chacha20::rand_core::{Rng, SeedableRng};
 use interface::finite_elements::{Dialect, UnitSystem};
 use measurements::Conventions;
 use numerics::parallel::Unobserved;
@@ -14,8 +16,6 @@ use questions::{
     BodyInput, BranchChoice, CurveQuestion, GapModel, GapQuestion, LawForm, LawQuantity, LawQuestion,
     LoadInput, MaterialInput, NamedGas, PlasticCorrelation, PreparedCurve, QuestionError, SamplingInput,
 };
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
 use roughness::FormRemoval;
 use scene::{Overrides, Scene, Template};
 use serde_json::{Map, Value, json};

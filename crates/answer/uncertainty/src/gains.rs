@@ -1,6 +1,6 @@
 //! The gain and slope of every instrument: the uncertainty of their calibrations, reduced by overlaps.
 
-use rand_chacha::rand_core::Rng;
+use chacha20::rand_core::Rng;
 use rand_distr::{Distribution, StandardNormal};
 
 use crate::results::InstrumentInput;

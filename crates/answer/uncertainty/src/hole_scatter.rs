@@ -1,6 +1,6 @@
 //! The scatter of a spectrum inside its holes, where nothing was measured.
 
-use rand_chacha::rand_core::Rng;
+use chacha20::rand_core::Rng;
 use rand_distr::{Distribution, StandardNormal};
 use spectrum::{Hole, ProfilePsd};
 

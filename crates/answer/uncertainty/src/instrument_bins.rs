@@ -7,7 +7,7 @@
 //! The scatter of single lines by their Fourier bins is not drawn in this way: its distribution is known (chi-squared),
 //! and it is independent from bin to bin. Only the scatter between places beyond it is.
 
-use rand_chacha::rand_core::Rng;
+use chacha20::rand_core::Rng;
 use rand_distr::{ChiSquared, Distribution, StandardNormal};
 use statrs::function::gamma::digamma;
 

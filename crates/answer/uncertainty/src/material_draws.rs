@@ -1,7 +1,7 @@
 //! Draws of the material within its uncertainties.
 
 use asperity::{ElasticBody, MaterialPair, NixGao};
-use rand_chacha::rand_core::Rng;
+use chacha20::rand_core::Rng;
 use rand_distr::{Beta, Distribution, StandardNormal, StandardUniform};
 use scene::Scene;
 use study::bodies::Body;

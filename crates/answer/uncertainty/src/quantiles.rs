@@ -199,8 +199,8 @@ fn at_rank(sorted: &[f64], rank: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use rand_chacha::ChaCha8Rng;
-    use rand_chacha::rand_core::SeedableRng;
+    use chacha20::ChaCha8Rng;
+    use chacha20::rand_core::SeedableRng;
     use rand_distr::{Distribution, StandardNormal};
 
     use super::{area_interval_about, interval, mirrored, percentiles_about};

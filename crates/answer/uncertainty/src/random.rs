@@ -1,8 +1,8 @@
 //! Random numbers of draws. Every group and draw has a stream of its own, so that draws do not depend on their order or
 //! on the number of threads, and one group can be redrawn while the others stay.
 
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::SeedableRng;
+use chacha20::ChaCha8Rng;
+use chacha20::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 
 use crate::group::Group;

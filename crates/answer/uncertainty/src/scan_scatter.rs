@@ -3,8 +3,8 @@
 //! A scan j of an instrument i at the bin k is taken to be ln C_ijk = mu_k + a_i + b_i ln(q_k/q_i) + s_ijk + e_ijk + w_ik: gain and
 //! slope of the instrument, the place, the scatter of its own Fourier bins, and the excess that window and trend add.
 
+use chacha20::rand_core::Rng;
 use measurements::CompositeOfFiles;
-use rand_chacha::rand_core::Rng;
 use spectrum::ProfilePsd;
 use topography::Average;
 

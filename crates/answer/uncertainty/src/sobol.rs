@@ -126,8 +126,8 @@ fn standard_error(influences: impl Iterator<Item = f64>, draws: usize) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use rand_chacha::ChaCha8Rng;
-    use rand_chacha::rand_core::{Rng, SeedableRng};
+    use chacha20::ChaCha8Rng;
+    use chacha20::rand_core::{Rng, SeedableRng};
     use rand_distr::{Distribution, StandardNormal};
 
     use super::{MIN_DRAWS, indices};

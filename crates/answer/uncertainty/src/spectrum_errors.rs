@@ -1,6 +1,6 @@
 //! Draws of a spectrum from a file with standard errors.
 
-use rand_chacha::rand_core::Rng;
+use chacha20::rand_core::Rng;
 use rand_distr::{Distribution, StandardNormal};
 use spectrum::ProfilePsd;
 

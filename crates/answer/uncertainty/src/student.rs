@@ -1,6 +1,6 @@
 //! Draws from Student's t distribution for several numbers of values at once.
 
-use rand_chacha::rand_core::Rng;
+use chacha20::rand_core::Rng;
 use rand_distr::{Distribution, StandardNormal};
 
 /// Factors that turn normal deviates into deviates of Student's t. The factors for all numbers of values are drawn together,

@@ -1,6 +1,6 @@
 //! The uncertain surface of a scene: scans, standard errors and holes, of one surface or a sum of two.
 
-use rand_chacha::ChaCha8Rng;
+use chacha20::ChaCha8Rng;
 use spectrum::{ProfilePsd, superpose};
 use study::surface::Surface;
 

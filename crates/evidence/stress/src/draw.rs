@@ -1,7 +1,7 @@
 //! Random numbers, with a separate stream for every state.
 
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
+use chacha20::ChaCha8Rng;
+use chacha20::rand_core::{Rng, SeedableRng};
 
 /// Random stream of one state: it depends on seed and number alone, not on earlier draws or on the thread.
 #[derive(Debug, Clone)]

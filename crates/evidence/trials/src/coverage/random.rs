@@ -1,7 +1,7 @@
 //! Random numbers, with a separate stream for everything that is drawn.
 
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::SeedableRng;
+use chacha20::ChaCha8Rng;
+use chacha20::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 
 /// Normal numbers of mean 0 and variance 1.

@@ -1,7 +1,7 @@
 //! Random numbers of the waves of a periodic box.
 
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
+use chacha20::ChaCha8Rng;
+use chacha20::rand_core::{Rng, SeedableRng};
 
 /// Words of 32 bits per wave: two numbers of 64 bits.
 const WORDS: u128 = 4;
@@ -11,7 +11,7 @@ const WORDS: u128 = 4;
 /// [`AreaSpectrum::surface`](crate::random_surfaces::AreaSpectrum::surface) documents the scheme: key and nonce of the ChaCha8 stream,
 /// and the words of each wave.
 pub(crate) struct Draws {
-    of_realisation: ChaCha8Rng,
+    key: [u8; 32],
 }
 
 /// The two random numbers of a wave, both in [0, 1).
@@ -27,12 +27,12 @@ impl Draws {
         let mut key = *b"________________truearea surface";
         key[..8].copy_from_slice(&seed.to_le_bytes());
         key[8..16].copy_from_slice(&realisation.to_le_bytes());
-        Self { of_realisation: ChaCha8Rng::from_seed(key) }
+        Self { key }
     }
 
     /// Yields the draws of row n, starting at wave m.
     pub(crate) fn row(&self, n: i64, m: usize) -> impl Iterator<Item = Draw> {
-        let mut words = self.of_realisation.clone();
+        let mut words = ChaCha8Rng::from_seed(self.key);
         words.set_stream(if n >= 0 { 2 * n.unsigned_abs() } else { 2 * n.unsigned_abs() - 1 });
         words.set_word_pos(WORDS * m as u128);
         std::iter::repeat_with(move || Draw { turn: unit(words.next_u64()), share: unit(words.next_u64()) })
