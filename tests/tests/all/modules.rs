@@ -42,6 +42,20 @@ fn a_cycle_of_three_modules_is_found_through_a_name_that_the_root_exports() {
     assert_eq!(cycles_of(&source.imports()), [["a", "b", "c", "a"]]);
 }
 
+#[test]
+fn programs_hold_no_tests_since_most_are_built_without() {
+    for file in crate_folders().iter().flat_map(|folder| rust_files(&folder.join("src"))) {
+        let is_program =
+            file.ends_with("src/main.rs") || file.parent().is_some_and(|at| at.ends_with("src/bin"));
+        let text = std::fs::read_to_string(&file).unwrap();
+        assert!(
+            !is_program || !text.contains("#[test]"),
+            "{}: move its tests to the library",
+            file.display()
+        );
+    }
+}
+
 /// The folders of all crates: those of every floor, those of chores and `tests`.
 fn crate_folders() -> Vec<PathBuf> {
     let inside = |folder: PathBuf| std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
