@@ -4,7 +4,7 @@ use chacha20::ChaCha8Rng;
 use chacha20::rand_core::{Rng, SeedableRng};
 
 /// Random stream of one state: it depends on seed and number alone, not on earlier draws or on the thread.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct Draw(ChaCha8Rng);
 
 impl Draw {

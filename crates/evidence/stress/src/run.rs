@@ -144,7 +144,7 @@ fn try_case<C: Case>(group: Group, seed: u64, index: u64, tally: &mut Tally, cat
     one(group.name, index, (&case, reach), draw, tally, catch, C::test);
 }
 
-/// Tests one state of a family; with `catch` a panic becomes a broken promise with its inputs.
+/// Tests one state of a family; with `catch` a panic becomes a broken promise with its inputs, and draws nothing.
 fn one<C: Debug>(
     family: &'static str,
     index: u64,
@@ -158,10 +158,10 @@ fn one<C: Debug>(
         return Trial::new(tally, family, index, case, draw).run(test);
     }
     let mut own = Tally::default();
-    let trial = Trial::new(&mut own, family, index, case, draw.clone());
+    let trial = Trial::new(&mut own, family, index, case, draw);
     if catch_unwind(AssertUnwindSafe(|| trial.run(test))).is_err() {
         own = Tally::default();
-        Trial::new(&mut own, family, index, case, draw).hold("no panic", false);
+        Trial::new(&mut own, family, index, case, Draw::new(0, index)).hold("no panic", false);
     }
     *tally = std::mem::take(tally).joined(own);
 }
