@@ -2,6 +2,7 @@
 
 import ast
 import re
+import runpy
 import sys
 from pathlib import Path
 
@@ -25,6 +26,27 @@ def definitions() -> dict[str, ast.AST]:
     return found
 
 
+def options(node: ast.FunctionDef) -> list[ast.arg]:
+    """Returns the options of the groups that a function takes by its decorator."""
+
+    def fields(group: ast.expr) -> list[ast.arg]:
+        found = known[group.id] if group.id in known else ast.ClassDef(bases=[], body=[])
+        own = [ast.arg(field.target.id, field.annotation) for field in found.body if isinstance(field, ast.AnnAssign)]
+        return [field for base in found.bases for field in fields(base)] + own
+
+    groups = [group for decorator in node.decorator_list if isinstance(decorator, ast.Call) for group in decorator.args]
+    return list({field.arg: field for group in groups for field in fields(group)}.values())
+
+
+def docstring(node: ast.FunctionDef) -> str:
+    """Returns a docstring with the entries of the arguments that it shares with other functions."""
+    text = ast.get_docstring(node) or ""
+    if not any("documented" in ast.unparse(one) or "with_options" in ast.unparse(one) for one in node.decorator_list):
+        return text
+    arguments = [*node.args.args, *node.args.kwonlyargs, *options(node)]
+    return completed(text, [argument.arg for argument in arguments])
+
+
 def signature(node: ast.FunctionDef, name: str) -> str:
     arguments = node.args
     keyword = zip(arguments.kwonlyargs, arguments.kw_defaults)
@@ -38,6 +60,7 @@ def signature(node: ast.FunctionDef, name: str) -> str:
     elif arguments.kwonlyargs:
         listed.append("*")
     listed += [typed(argument, default) for argument, default in keyword]
+    listed += [typed(option, ast.Constant(None)) for option in options(node)]
     listed = [entry for entry in listed if entry not in ("self", "cls")]
     result = f" -> {ast.unparse(node.returns)}" if node.returns else ""
     line = f"{name}({', '.join(listed)}){result}"
@@ -82,6 +105,7 @@ def markdown(docstring: str) -> str:
 
 
 known = definitions()
+completed = runpy.run_path(str(package / "_options.py"))["completed"]
 print("# Python\n\nEvery public name of the package `truearea`, from its signatures and docstrings.")
 functions_first = sorted(public_names(), key=lambda name: isinstance(known.get(name), ast.ClassDef))
 for name in functions_first:
@@ -91,10 +115,11 @@ for name in functions_first:
     print(f"\n## {name}\n")
     if isinstance(node, ast.FunctionDef):
         print(f"```python\n{signature(node, name)}\n```\n")
-    if documented := ast.get_docstring(node):
-        print(markdown(documented))
+    text = docstring(node) if isinstance(node, ast.FunctionDef) else ast.get_docstring(node)
+    if text:
+        print(markdown(text))
     if isinstance(node, ast.ClassDef):
         for member in node.body:
             if isinstance(member, ast.FunctionDef) and not member.name.startswith("_"):
                 print(f"\n### {name}.{member.name}\n\n```python\n{signature(member, member.name)}\n```\n")
-                print(markdown(ast.get_docstring(member) or ""))
+                print(markdown(docstring(member)))
