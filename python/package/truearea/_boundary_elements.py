@@ -18,7 +18,7 @@ from truearea._grammar import AnyMaterial, material_of, spectrum_of
 from truearea._material import Quantity
 from truearea._native import InputError
 from truearea._notes import noted
-from truearea._options import RandomSurfaces, with_options
+from truearea._options import RandomSurfaces, Unpack, with_options
 from truearea._picture import Drawn, Picture, Trace
 from truearea._progress import Line, Progress, observer_of
 from truearea._results import AnyArray, FloatArray, Result, Table
@@ -28,7 +28,6 @@ from truearea._topography import heights_and_size, is_topography
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from typing_extensions import Unpack
 
 
 Size = Union[Quantity, "tuple[Quantity, Quantity]"]

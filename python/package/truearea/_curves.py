@@ -12,12 +12,12 @@ from truearea._choices import AmplitudeDefinition, StackedModel, StatisticalMode
 from truearea._grammar import AnyMaterial, AnySurface, material_of, surface_of
 from truearea._material import Quantity
 from truearea._notes import noted
-from truearea._options import Sampling, StatisticalOptions, with_options
+from truearea._options import Sampling, StatisticalOptions, Unpack, with_options
 from truearea._picture import Drawn, Picture, lines_by_load
 from truearea._results import AnyArray, FloatArray, Result
 
 if TYPE_CHECKING:
-    from typing_extensions import Self, Unpack
+    from typing_extensions import Self
 
 Pressures = Union[Quantity, npt.ArrayLike]
 """One pressure or several, in Pa or as text."""
@@ -121,11 +121,6 @@ def stacked(
         ``nominal_pressure_pa`` (loads,); ``wavelength_m`` and ``amplitude_m`` (cutoffs,); ``area_fraction``,
         ``real_pressure_pa``, ``regime`` and others (loads, cutoffs).
 
-    Raises
-    ------
-    InputError
-        With argument, value and bound.
-
     Examples
     --------
     >>> import truearea as ta
@@ -170,11 +165,6 @@ def statistical(
     StatisticalCurve
         ``nominal_pressure_pa`` (loads,), NaN for separations; ``wavelength_m``, ``radius_m``, ``density_per_m2``, ``sigma_s_m``
         (cutoffs,); ``area_fraction``, ``pressure_pa``, ``separation_m`` and others (loads, cutoffs).
-
-    Raises
-    ------
-    InputError
-        With argument, value and bound.
 
     Examples
     --------

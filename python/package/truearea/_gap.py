@@ -2,20 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from truearea import _native
 from truearea._choices import GapModel
 from truearea._curves import Pressures
 from truearea._grammar import AnyMaterial, AnySurface, material_of, surface_of
 from truearea._notes import noted
-from truearea._options import GapAndSurfaceOptions, with_options
+from truearea._options import GapAndSurfaceOptions, Unpack, with_options
 from truearea._picture import Drawn, Trace, Picture
 from truearea._results import FloatArray, Table
-
-if TYPE_CHECKING:
-    from typing_extensions import Unpack
-
 
 class Gaps(Drawn, Table):
     """A surface under loads, with its whole spectrum."""
@@ -61,11 +55,6 @@ def gap(
         A row a load: ``nominal_pressure_pa``, ``area_fraction``, ``mean_gap_m``, ``stiffness_pa_per_m`` (K = -dp/du, never by
         differences), and ``u0_m``, ``p00_pa`` of the law u = u0 ln(p00/p) that Persson's theory follows at light loads. NaN where
         the model has none.
-
-    Raises
-    ------
-    InputError
-        With argument, value and bound, and for arguments that the model has no use for.
 
     Examples
     --------

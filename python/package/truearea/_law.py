@@ -5,7 +5,7 @@ from __future__ import annotations
 import errno
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, overload
+from typing import Any, ClassVar, Literal, overload
 
 from truearea import _native
 from truearea._choices import ConductanceModel, Dialect, Gas, LawForm, LawModel, LawQuantity, UnitSystem
@@ -13,14 +13,10 @@ from truearea._curves import Pressures
 from truearea._grammar import AnyMaterial, AnySurface, material_of, spectrum_of
 from truearea._material import Quantity
 from truearea._notes import noted
-from truearea._options import GapOptions, with_options
+from truearea._options import GapOptions, Unpack, with_options
 from truearea._picture import Drawn, Trace, Picture
 from truearea._results import FloatArray, Table
 from truearea._spectrum import Spectrum
-
-if TYPE_CHECKING:
-    from typing_extensions import Unpack
-
 
 class _FiniteElementTable(Drawn, Table):
     """Rows for finite elements, straight lines between them."""

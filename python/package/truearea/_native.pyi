@@ -51,45 +51,6 @@ class _ScanFacts(TypedDict):
     spacing_m: list[float]
     positions_m: list[float] | None
 
-__all__ = [
-    "METADATA_FILES",
-    "VERSION",
-    "Answer",
-    "FoundLaw",
-    "InputError",
-    "Material",
-    "Scan",
-    "Scene",
-    "Surface",
-    "axis_label",
-    "channels_of",
-    "composite",
-    "contact_states",
-    "curve",
-    "figure_svg",
-    "gaps",
-    "in_metres",
-    "materials_table",
-    "model_style",
-    "models_table",
-    "pressure_in_words",
-    "press_heights",
-    "press_spectrum",
-    "pressures_picture",
-    "scans_of",
-    "scene_template",
-    "scene_text",
-    "scene_with_keys",
-    "set_threads",
-    "si_number",
-    "tables_of_runs",
-    "tangential",
-    "threads",
-    "uncertainty_of",
-    "without_unit",
-    "write_files",
-]
-
 VERSION: Final[str]
 METADATA_FILES: Final[list[str]]
 

@@ -10,8 +10,13 @@ from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any, TypedDict, TypeVar, cast
 
 if TYPE_CHECKING:
+    from typing_extensions import Unpack as Unpack
+
     from truearea._choices import Band, EnergyFactor, HardnessFormula, InterferenceLaw, Normalisation, Phases
     from truearea._material import Quantity
+else:
+    # Checkers alone unpack dictionaries of options.
+    Unpack = dict
 
 Call = TypeVar("Call", bound=Callable[..., Any])
 
@@ -107,6 +112,8 @@ def completed(docstring: str, arguments: list[str]) -> str:
     own = sections.pop(0).split("\n", 2)[2] if sections and sections[0].startswith("Parameters") else ""
     entries = _ENTRIES | _entries(own)
     listed = dict.fromkeys(entries[name] for name in arguments if name in entries)
+    if not any(section.startswith("Raises") for section in sections):
+        sections.insert(-1, _RAISES)
     return "\n\n".join([head, "\n".join(["Parameters", "----------", *listed]), *sections])
 
 
@@ -114,6 +121,12 @@ def _entries(text: str) -> dict[str, str]:
     """The entries of a section, by the names of the arguments that each describes."""
     return {name: entry for entry in re.split(r"\n(?! )", text) for name in entry.partition(" :")[0].split(", ")}
 
+
+_RAISES = """\
+Raises
+------
+InputError
+    With argument, value and bound; also for options without effect."""
 
 _ENTRIES = _entries("""\
 surface : Spectrum, Scan, sequence of scans, or path of a spectrum

@@ -10,12 +10,11 @@ from truearea._choices import AmplitudeDefinition, Correction, PerssonModel
 from truearea._curves import Curve, Pressures
 from truearea._grammar import AnyMaterial, AnySurface
 from truearea._native import InputError
-from truearea._options import PerssonOptions, with_options
+from truearea._options import PerssonOptions, Unpack, with_options
 from truearea._results import AnyArray, FloatArray
 
 if TYPE_CHECKING:
     import pandas as pd
-    from typing_extensions import Unpack
 
 
 class PerssonCurve(Curve):

@@ -24,14 +24,13 @@ from truearea._choices import (
 from truearea._material import Quantity
 from truearea._native import InputError
 from truearea._notes import noted, notes_of
-from truearea._options import Sampling, with_options
+from truearea._options import Sampling, Unpack, with_options
 from truearea._picture import Drawn, Trace, Picture
 from truearea._results import AnyArray, FloatArray, Table, notes_html, rows_html
 
 if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
-    from typing_extensions import Unpack
 
 
 class Moments(Drawn, Table):

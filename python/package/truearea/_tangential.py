@@ -2,20 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from truearea import _native
 from truearea._choices import ShearedModel
 from truearea._curves import Pressures
 from truearea._grammar import AnyMaterial, AnySurface, material_of, surface_of
 from truearea._notes import noted
-from truearea._options import GapAndSurfaceOptions, with_options
+from truearea._options import GapAndSurfaceOptions, Unpack, with_options
 from truearea._picture import Drawn, Trace, Picture, load_label
 from truearea._results import FloatArray, Table
-
-if TYPE_CHECKING:
-    from typing_extensions import Unpack
-
 
 class Sheared(Drawn, Table):
     """Displacement, stiffness, slip and loss of a surface under tangential stresses."""
@@ -72,11 +66,6 @@ def tangential(
         A row for each pressure and stress: ``nominal_pressure_pa``, ``tangential_stress_pa``, ``share_of_sliding``,
         ``displacement_m``, ``initial_stiffness_pa_per_m``, ``tangent_stiffness_pa_per_m``, ``dissipation_j_per_m2`` (of a cycle
         between q and -q), ``damping_ratio``, ``area_fraction``, ``stuck_area_fraction``; NaN where everything slides.
-
-    Raises
-    ------
-    InputError
-        With argument, value and bound, and for models that yield.
 
     Examples
     --------
