@@ -26,7 +26,11 @@ _Numbers = Union[npt.ArrayLike, str, Sequence[str]]
 
 
 class ContactStates(Result):
-    """States of contact, each array of the shape to which the arguments broadcast."""
+    """States of contact, each array of the shape to which the arguments broadcast.
+
+    ``ln_pressure`` is the logarithm of Pa; ``separation_m`` is NaN where the pressure is beyond complete contact;
+    ``error_estimate`` is relative, of pressure and area, and numerical only.
+    """
 
     _title = "states of contact"
     __slots__ = ()
@@ -97,13 +101,6 @@ def contact(
         Separations [m] from the mean of the asperity heights, in place of pressures.
     errors : {"raise", "nan"}
         Of numbers that cannot be used, end with the first, or leave their rows NaN and count them in ``notes``.
-
-    Returns
-    -------
-    ContactStates
-        ``separation_m``, ``pressure_pa``, ``area_fraction``, ``ln_pressure`` (of Pa), ``ln_area_fraction``,
-        ``stiffness_pa_per_m``, ``error_estimate`` (relative, of pressure and area, numerical only), ``out_of_range_load_share``.
-        ``separation_m`` is NaN where the pressure is beyond complete contact.
 
     Raises
     ------

@@ -67,7 +67,7 @@ class Curve(Drawn, Result):
 
 
 class StackedCurve(Curve):
-    """Archard's stack along the cutoff."""
+    """Archard's stack along the cutoff, under each of some loads."""
 
     _title = "stacked model against cutoff"
     _shared = ("wavelength_m", "amplitude_m")
@@ -80,7 +80,10 @@ class StackedCurve(Curve):
 
 
 class StatisticalCurve(Curve):
-    """A statistical model along the cutoff. The longest wavelength has no asperities yet, and no numbers."""
+    """A statistical model along the cutoff. The longest wavelength has no asperities yet, and no numbers.
+
+    ``nominal_pressure_pa`` is NaN for separations.
+    """
 
     _title = "statistical model against cutoff"
     _shared = ("wavelength_m", "radius_m", "density_per_m2", "sigma_s_m")
@@ -114,12 +117,6 @@ def stacked(
     ----------
     model : {"elastic-plastic", "elastic"}
         Whether scales yield.
-
-    Returns
-    -------
-    StackedCurve
-        ``nominal_pressure_pa`` (loads,); ``wavelength_m`` and ``amplitude_m`` (cutoffs,); ``area_fraction``,
-        ``real_pressure_pa``, ``regime`` and others (loads, cutoffs).
 
     Examples
     --------
@@ -159,12 +156,6 @@ def statistical(
         How an asperity answers.
     separation : float, str, or sequence of them
         Separations, in m or as text, besides pressures or in place of them.
-
-    Returns
-    -------
-    StatisticalCurve
-        ``nominal_pressure_pa`` (loads,), NaN for separations; ``wavelength_m``, ``radius_m``, ``density_per_m2``, ``sigma_s_m``
-        (cutoffs,); ``area_fraction``, ``pressure_pa``, ``separation_m`` and others (loads, cutoffs).
 
     Examples
     --------

@@ -12,7 +12,11 @@ from truearea._picture import Drawn, Trace, Picture
 from truearea._results import FloatArray, Table
 
 class Gaps(Drawn, Table):
-    """A surface under loads, with its whole spectrum."""
+    """Mean gap and stiffness of a surface with its whole spectrum, a row for each load; NaN where a model has none.
+
+    The stiffness is K = -dp/du, never by differences; u0 and p00 are those of u = u0 ln(p00/p), which Persson's theory follows at
+    light loads.
+    """
 
     _title = "mean gap and stiffness"
     __slots__ = ()
@@ -48,13 +52,6 @@ def gap(
     ----------
     model : {"persson", "persson-plastic", "hertz", "ep-sphere", "elastic-sine", "ep-sine", "bgt", "bem"}
         What makes the gap; ``"bem"`` is boundary elements on random surfaces.
-
-    Returns
-    -------
-    Gaps
-        A row a load: ``nominal_pressure_pa``, ``area_fraction``, ``mean_gap_m``, ``stiffness_pa_per_m`` (K = -dp/du, never by
-        differences), and ``u0_m``, ``p00_pa`` of the law u = u0 ln(p00/p) that Persson's theory follows at light loads. NaN where
-        the model has none.
 
     Examples
     --------

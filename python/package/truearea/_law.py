@@ -116,7 +116,7 @@ class ContactLaw(_FiniteElementTable):
 
 
 class HeatConductance(_FiniteElementTable):
-    """Thermal conductance of spots and gas against nominal pressure; at no pressure that of the gas alone."""
+    """Thermal conductance of spots and gas against nominal pressure, straight between its points; at no pressure that of the gas."""
 
     _title = "thermal conductance"
     _drawn = ("pressure_pa", "conductance_w_per_m2_k")
@@ -231,12 +231,6 @@ def law(
         That of the named gas, in Pa or as text; 1 atm where left out.
     gas_conductivity, gas_parameter : float or str, optional
         Of any other gas: its conductivity, and M in m, by which temperature jumps lengthen every gap; both or neither.
-
-    Returns
-    -------
-    ContactLaw, HeatConductance or CurrentConductance
-        A row a point: ``pressure_pa``, and ``overclosure_m``, ``mean_gap_m``, ``area_fraction``, or
-        ``conductance_w_per_m2_k``, ``contact_w_per_m2_k``, ``gas_w_per_m2_k``, or ``conductance_s_per_m2``.
 
     Raises
     ------

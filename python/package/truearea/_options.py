@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import inspect
 import re
+import textwrap
 from collections.abc import Callable
 from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any, TypedDict, TypeVar, cast
@@ -101,32 +102,44 @@ def with_options(*groups: Any) -> Callable[[Call], Call]:
 
 
 def documented(call: Call) -> Call:
-    """Adds the shared entries of its arguments to the docstring of a function."""
-    call.__doc__ = completed(call.__doc__ or "", list(inspect.signature(call).parameters))
+    """Adds to the docstring of a function the shared entries of its arguments, and those of the classes that it returns."""
+    arguments = list(inspect.signature(call).parameters)
+    known = inspect.unwrap(call).__globals__
+    results = {name: known[name] for name in call.__annotations__["return"].split(" | ")}
+    returns = [result_entry(name, kind.__doc__ or "", _arrays(kind)) for name, kind in results.items()]
+    call.__doc__ = completed(call.__doc__ or "", arguments, returns)
     return call
 
 
-def completed(docstring: str, arguments: list[str]) -> str:
-    """Adds the shared entries of arguments that a docstring does not describe itself, in the order of the arguments."""
+def _arrays(result: type) -> list[str]:
+    """Names of the arrays that a class of results declares."""
+    declared = [inspect.get_annotations(base) for base in reversed(inspect.getmro(result))]
+    return [name for annotations in declared for name, kind in annotations.items() if str(kind).endswith("Array")]
+
+
+def result_entry(result: str, docstring: str, arrays: list[str]) -> str:
+    """Describes a result by the docstring of its class and the names of its arrays."""
+    listed = textwrap.fill("Arrays: " + ", ".join(f"``{name}``" for name in arrays), 124)
+    return "\n".join([result, textwrap.indent(f"{inspect.cleandoc(docstring)}\n\n{listed}", "    ")])
+
+
+def completed(docstring: str, arguments: list[str], returns: list[str]) -> str:
+    """Adds the sections and entries that a docstring does not have itself, entries in the order of the arguments."""
     head, *sections = re.split(r"\n\n(?=[A-Z][a-z]+\n---)", inspect.cleandoc(docstring))
-    own = sections.pop(0).split("\n", 2)[2] if sections and sections[0].startswith("Parameters") else ""
-    entries = _ENTRIES | _entries(own)
-    listed = dict.fromkeys(entries[name] for name in arguments if name in entries)
-    if not any(section.startswith("Raises") for section in sections):
-        sections.insert(-1, _RAISES)
-    return "\n\n".join([head, "\n".join(["Parameters", "----------", *listed]), *sections])
+    own = {title: entries for title, _, entries in (section.split("\n", 2) for section in sections)}
+    entries = _ENTRIES | _entries(own.pop("Parameters", ""))
+    shared = {
+        "Parameters": "\n".join(dict.fromkeys(entries[name] for name in arguments if name in entries)),
+        "Returns": "\n".join(returns),
+        "Raises": "InputError\n    With argument, value and bound; also for options without effect.",
+    }
+    return "\n\n".join([head, *(f"{title}\n{'-' * len(title)}\n{text}" for title, text in (shared | own).items())])
 
 
 def _entries(text: str) -> dict[str, str]:
     """The entries of a section, by the names of the arguments that each describes."""
     return {name: entry for entry in re.split(r"\n(?! )", text) for name in entry.partition(" :")[0].split(", ")}
 
-
-_RAISES = """\
-Raises
-------
-InputError
-    With argument, value and bound; also for options without effect."""
 
 _ENTRIES = _entries("""\
 surface : Spectrum, Scan, sequence of scans, or path of a spectrum

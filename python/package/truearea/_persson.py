@@ -18,7 +18,10 @@ if TYPE_CHECKING:
 
 
 class PerssonCurve(Curve):
-    """Contact by Persson's theory along the cutoff, and the law u = u0 ln(p00/p), K = p/u0 of light loads."""
+    """Contact by Persson's theory along the cutoff, and the law u = u0 ln(p00/p), K = p/u0 of light loads.
+
+    Gap and stiffness are NaN where more than 3 % of the contact is plastic, u0 and p00 where the cutoff leaves no roughness.
+    """
 
     _title = "Persson's theory against cutoff"
     _shared = ("wavelength_m", "rms_gradient", "band")
@@ -64,14 +67,6 @@ def persson(
         ``contact_size_m`` and ``hardness_pa``, as a dict or a data frame has them.
     strain_gradient : bool, default False
         The same as ``hardness_law="nix-gao"``.
-
-    Returns
-    -------
-    PerssonCurve
-        ``nominal_pressure_pa`` (loads,); ``wavelength_m``, ``rms_gradient`` and ``band`` (cutoffs,); ``area_fraction``,
-        ``elastic_area_fraction``, ``plastic_area_fraction``, ``real_pressure_pa``, ``mean_gap_m`` and ``stiffness_pa_per_m``
-        (loads, cutoffs), the last two NaN where more than 3 % of the contact is plastic; ``u0_m`` and ``p00_pa`` without axes,
-        NaN where the cutoff leaves no roughness.
 
     Raises
     ------

@@ -284,12 +284,6 @@ class Spectrum(Drawn):
     def moments(self, *, normalisation: Normalisation = "parseval", **options: Unpack[Sampling]) -> Moments:
         """Spectral moments and McCool's asperity parameters for every cutoff (Jackson & Jacobs, Eqs. 1, 3, 4).
 
-        Returns
-        -------
-        Moments
-            ``wavelength_m``, ``m0_m2``, ``m2``, ``m4_per_m2``, ``radius_m``, ``density_per_m2``, ``sigma_s_m``, ``offset_m``,
-            ``nayak_alpha``: a row for each wavelength.
-
         Examples
         --------
         >>> import truearea as ta

@@ -12,7 +12,10 @@ from truearea._picture import Drawn, Trace, Picture, load_label
 from truearea._results import FloatArray, Table
 
 class Sheared(Drawn, Table):
-    """Displacement, stiffness, slip and loss of a surface under tangential stresses."""
+    """Displacement, stiffness, slip and loss, a row for each pressure and tangential stress; NaN where everything slides.
+
+    The dissipation is that of a cycle between q and -q.
+    """
 
     _title = "tangential loads"
     __slots__ = ()
@@ -59,13 +62,6 @@ def tangential(
         Tangential stresses on the nominal area; shares from 1 to 99 % of that at which everything slides where left out.
     model : {"persson", "hertz", "elastic-sine", "bgt", "bem"}
         What makes the normal law; ``"bem"`` is boundary elements on random surfaces.
-
-    Returns
-    -------
-    Sheared
-        A row for each pressure and stress: ``nominal_pressure_pa``, ``tangential_stress_pa``, ``share_of_sliding``,
-        ``displacement_m``, ``initial_stiffness_pa_per_m``, ``tangent_stiffness_pa_per_m``, ``dissipation_j_per_m2`` (of a cycle
-        between q and -q), ``damping_ratio``, ``area_fraction``, ``stuck_area_fraction``; NaN where everything slides.
 
     Examples
     --------

@@ -26,25 +26,35 @@ def definitions() -> dict[str, ast.AST]:
     return found
 
 
+def fields(name: str) -> list[ast.arg]:
+    """Returns the fields that a class of the package and its bases declare."""
+    if name not in known:
+        return []
+    own = [ast.arg(field.target.id, field.annotation) for field in known[name].body if isinstance(field, ast.AnnAssign)]
+    return [field for base in known[name].bases for field in fields(ast.unparse(base))] + own
+
+
 def options(node: ast.FunctionDef) -> list[ast.arg]:
     """Returns the options of the groups that a function takes by its decorator."""
-
-    def fields(group: ast.expr) -> list[ast.arg]:
-        found = known[group.id] if group.id in known else ast.ClassDef(bases=[], body=[])
-        own = [ast.arg(field.target.id, field.annotation) for field in found.body if isinstance(field, ast.AnnAssign)]
-        return [field for base in found.bases for field in fields(base)] + own
-
     groups = [group for decorator in node.decorator_list if isinstance(decorator, ast.Call) for group in decorator.args]
-    return list({field.arg: field for group in groups for field in fields(group)}.values())
+    return list({field.arg: field for group in groups for field in fields(group.id)}.values())
 
 
 def docstring(node: ast.FunctionDef) -> str:
-    """Returns a docstring with the entries of the arguments that it shares with other functions."""
+    """Returns a docstring with the entries that it shares with other functions, and those of its results."""
     text = ast.get_docstring(node) or ""
     if not any("documented" in ast.unparse(one) or "with_options" in ast.unparse(one) for one in node.decorator_list):
         return text
     arguments = [*node.args.args, *node.args.kwonlyargs, *options(node)]
-    return completed(text, [argument.arg for argument in arguments])
+    results = [
+        shared["result_entry"](
+            result,
+            ast.get_docstring(known[result]),
+            [field.arg for field in fields(result) if ast.unparse(field.annotation).endswith("Array")],
+        )
+        for result in ast.unparse(node.returns).split(" | ")
+    ]
+    return shared["completed"](text, [argument.arg for argument in arguments], results)
 
 
 def signature(node: ast.FunctionDef, name: str) -> str:
@@ -105,7 +115,7 @@ def markdown(docstring: str) -> str:
 
 
 known = definitions()
-completed = runpy.run_path(str(package / "_options.py"))["completed"]
+shared = runpy.run_path(str(package / "_options.py"))
 print("# Python\n\nEvery public name of the package `truearea`, from its signatures and docstrings.")
 functions_first = sorted(public_names(), key=lambda name: isinstance(known.get(name), ast.ClassDef))
 for name in functions_first:
