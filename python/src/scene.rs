@@ -10,8 +10,8 @@ use std::sync::{Mutex, PoisonError};
 use findings::answer::SceneAnswer;
 use pyo3::exceptions::{PyFileNotFoundError, PyOSError};
 use pyo3::prelude::*;
-use pyo3::types::{IntoPyDict, PyDict};
-use questions::{ReportSurface, RunError, RunOptions, SamplingInput, run_scene};
+use pyo3::types::{IntoPyDict, PyBytes, PyDict, PyMapping};
+use questions::{ReportSurface, RunError, RunOptions, run_scene};
 use report::chart::palette::ModelStyle;
 use report::conclusion_words::{SummaryEnd, short_summary};
 use report::curve_names::short_name;
@@ -20,7 +20,10 @@ use report::dry_run::dry_run;
 use report::products::{Product, SceneProducts};
 use report::run_stamp::RunStamp;
 use scene::file_names::{JUDGE_TABLES, REPORT_TABLES, UNCERTAINTY_TABLES};
-use scene::{Overrides, ReplaceError, Scene, SceneError, SceneProblem, SceneText, Template, with_keys};
+use scene::{
+    Overrides, ReplaceError, Scene, SceneError, SceneProblem, SceneText, Template, si_unit, with_keys,
+    with_si_unit,
+};
 use study::Files;
 use study::figure::CurveLook;
 use study::plan::PlanError;
@@ -29,10 +32,9 @@ use tables::staging::StagedFiles;
 use tables::staging::reading::bytes_of;
 use toml::Value;
 
-use crate::answer::{columns, refused as questions_refused, words};
-use crate::arguments::{Arguments, Given, choice, named, quantity, wrong_type};
+use crate::answer::{columns, words};
+use crate::arguments::{Given, named, number, without_unit, wrong_type};
 use crate::errors::{input, of_argument};
-use crate::material::counterface;
 use crate::surface::PySurface;
 use crate::work::{Observer, carry_out, held, light};
 
@@ -90,15 +92,13 @@ impl PyScene {
         name: String,
         folder: Option<PathBuf>,
         files: Read,
-        overrides: Arguments<'_>,
         surface: Option<&PySurface>,
     ) -> PyResult<Self> {
         let surface = surface.map(|surface| surface.surface.clone());
-        let overrides = Overrides { surface, ..read_overrides(&overrides)? };
+        let overrides = Overrides { surface, ..Overrides::default() };
         let files = Remembering { folder, read: Mutex::new(files) };
         let scene = light(py, || Scene::parse(text, &files, &overrides));
         let scene = scene.map_err(|error| refused(&error, text, &name))?;
-        refuse_idle(&overrides, &scene, &name)?;
         Ok(PyScene { scene, name, files: files.read.into_inner().unwrap_or_else(PoisonError::into_inner) })
     }
 
@@ -207,12 +207,12 @@ pub fn scene_with_keys(text: &str, name: &str, changes: &Bound<'_, PyDict>) -> P
     })
 }
 
-/// The text of a scene from its sections, in the order that they have. Files become its surface: one spectrum, or scans, each
+/// The text of a scene from those of its sections that are given, in their order. Files become its surface: one spectrum, or scans, each
 /// perhaps with what its file leaves open, as on the command line.
 #[pyfunction]
 pub fn scene_text(sections: &Bound<'_, PyDict>, files: Option<Vec<String>>) -> PyResult<String> {
     let mut text = SceneText::default();
-    for (key, value) in sections.iter() {
+    for (key, value) in sections.iter().filter(|(_, value)| !value.is_none()) {
         let key: String = key.extract()?;
         let set = match files.as_ref().filter(|_| key == "surface") {
             Some(files) => {
@@ -262,59 +262,36 @@ fn refused(error: &SceneError, text: &str, name: &str) -> PyErr {
     }
 }
 
-fn read_overrides(arguments: &Arguments<'_>) -> PyResult<Overrides> {
-    let counterface = counterface(arguments)?.and_then(|other| other.get().input.body());
-    let counterface = counterface.map(|body| body.body("counterface_poisson_ratio")).transpose();
-    Ok(Overrides {
-        normalisation: arguments.get("normalisation", choice)?,
-        amplitude: arguments.get("amplitude", choice)?,
-        scales_per_decade: arguments.sampling()?.scales_per_decade,
-        hardness: arguments.hardness_form()?,
-        strength_cap: arguments.get("strength_cap", quantity)?,
-        cutoff: arguments.get("cutoff", quantity)?,
-        counterface: counterface.map_err(questions_refused)?,
-        ..Overrides::default()
-    })
+/// A value as the key at a place takes it.
+fn value_of(place: &str, given: &Given<'_>) -> PyResult<Value> {
+    typed(place, si_unit(place).unwrap_or_default(), given).map(|value| with_si_unit(place, value))
 }
 
-/// Refuses arguments that nothing in the scene has a use for.
-fn refuse_idle(overrides: &Overrides, scene: &Scene, name: &str) -> PyResult<()> {
-    let cutoff_m = overrides.cutoff.map(|cutoff| cutoff.m);
-    let sampling = SamplingInput { cutoff_m, ..SamplingInput::default() };
-    sampling.check(&scene.surface).map_err(questions_refused)?;
-    match overrides.first_unused(scene) {
-        None => Ok(()),
-        Some(argument) => Err(input(format!(
-            "{argument} has no effect on {name}: none of its curves and figures depends on it; leave it out"
-        ))),
-    }
-}
-
-/// A value that can be typed in a scene.
-#[derive(FromPyObject)]
-enum Typed<'py> {
-    Text(String),
-    Truth(bool),
-    Whole(i64),
-    Number(f64),
-    List(Vec<Given<'py>>),
-    Table(BTreeMap<String, Given<'py>>),
-}
-
-/// A value as it is typed in a scene.
-fn value_of(key: &str, given: &Given<'_>) -> PyResult<Value> {
+/// Text, numbers and truths, and lists and tables of them; quantities become numbers in a unit.
+fn typed(place: &str, unit: &str, given: &Given<'_>) -> PyResult<Value> {
     const NEEDED: &str = "text, a number, true or false, or a list or dictionary of them is needed";
-    Ok(match given.extract().map_err(|_| wrong_type(key, NEEDED, given))? {
-        Typed::Text(text) => Value::String(text),
-        Typed::Truth(truth) => Value::Boolean(truth),
-        Typed::Whole(number) => Value::Integer(number),
-        Typed::Number(number) => Value::Float(number),
-        Typed::List(values) => {
-            Value::Array(values.iter().map(|value| value_of(key, value)).collect::<PyResult<_>>()?)
-        }
-        Typed::Table(table) => {
-            let keys = table.into_iter().map(|(inner, value)| Ok((inner, value_of(key, &value)?)));
-            Value::Table(keys.collect::<PyResult<_>>()?)
-        }
-    })
+    if let Ok(table) = given.cast::<PyMapping>() {
+        let keys = table.items()?.extract::<Vec<(String, Given<'_>)>>()?.into_iter();
+        let keys = keys.map(|(key, value)| {
+            let value = value_of(&format!("{place}.{key}"), &value)?;
+            Ok((key, value))
+        });
+        return keys.collect::<PyResult<_>>().map(Value::Table);
+    }
+    let bare = without_unit(place, unit, given)?;
+    if let Ok(text) = bare.extract() {
+        return Ok(Value::String(text));
+    }
+    if let Ok(truth) = bare.extract() {
+        return Ok(Value::Boolean(truth));
+    }
+    if let Ok(whole) = bare.extract() {
+        return Ok(Value::Integer(whole));
+    }
+    if bare.len().is_ok() && bare.hasattr("__getitem__")? && !bare.is_instance_of::<PyBytes>() {
+        let each = bare.try_iter()?.enumerate();
+        let each = each.map(|(at, one)| typed(&format!("{place}[{at}]"), unit, &one?));
+        return each.collect::<PyResult<_>>().map(Value::Array);
+    }
+    number(place, &bare).map(Value::Float).map_err(|_| wrong_type(place, NEEDED, given))
 }

@@ -168,28 +168,10 @@ class Material:
 
     def _section(self) -> dict[str, Any]:
         """The keys of the body in a scene, without the counterface and the cap of its strength, which have sections of their own."""
-        units = {
-            "youngs_modulus": "Pa",
-            "poisson_ratio": "",
-            "yield_strength": "Pa",
-            "indentation_hardness": "Pa",
-            "strain_gradient_length": "m",
-        }
-        section: dict[str, Any] = {} if self.name is None else {"name": self.name}
-        section.update(self._keys(units))
-        layer = self._keys({"layer_thickness": "m", "layer_youngs_modulus": "Pa", "layer_poisson_ratio": "", "layer_base": ""})
-        if layer:
-            section["layer"] = {key.removeprefix("layer_"): value for key, value in layer.items()}
-        return section
-
-    def _keys(self, units: dict[str, str]) -> dict[str, Any]:
-        """The arguments that are given, as a scene has them, by their names with their units."""
-        keys = {}
-        for key, unit in units.items():
-            given = _native.without_unit(key, unit, self._given[key]) if unit else self._given[key]
-            if given is not None:
-                keys[key] = given if isinstance(given, str) or not unit else f"{float(given)!r} {unit}"
-        return keys
+        given = {key: value for key, value in self._given.items() if value is not None}
+        layer = {key.removeprefix("layer_"): value for key, value in given.items() if key.startswith("layer_")}
+        section = {key: value for key, value in given.items() if not key.startswith(("layer_", "counterface", "strength_cap"))}
+        return section | ({"layer": layer} if layer else {})
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (_material, (self._given,))

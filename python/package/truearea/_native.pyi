@@ -181,7 +181,6 @@ class Scene:
         name: str,
         folder: str | None,
         files: Mapping[str, bytes],
-        overrides: _Arguments,
         surface: Surface | None,
     ) -> Scene: ...
     @property

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Mapping
+from dataclasses import dataclass
 from datetime import datetime, timezone
 from html import escape
 from pathlib import Path
@@ -13,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from truearea import _native
-from truearea._choices import AmplitudeDefinition, HardnessFormula, Normalisation, Template
+from truearea._choices import Template
 from truearea._material import Material, Quantity
 from truearea._native import InputError
 from truearea._notes import Note, notes_of
@@ -24,8 +25,6 @@ from truearea._scene_sections import (
     Body,
     body_section,
     curve_tables,
-    elastic_section,
-    pressure_list,
     surface_of_scene,
 )
 from truearea._spectrum import Spectrum
@@ -105,7 +104,7 @@ class Scene:
     __slots__ = ("_native", "_recipe")
 
     _native: _native.Scene
-    _recipe: tuple[str, str, str | None, dict[str, bytes], dict[str, Any], Spectrum | None]
+    _recipe: tuple[str, str, str, dict[str, bytes], Spectrum | None]
 
     def __init__(
         self,
@@ -131,7 +130,9 @@ class Scene:
         others: dict[str, Any] = dict(options or {})
         if isinstance(material, Material):
             if counterface is None and material.counterface is not None:
-                counterface = elastic_section(material.counterface)
+                # Its elastic constants alone count.
+                other = material.counterface._native.facts
+                counterface = {"youngs_modulus": other["youngs_modulus_pa"], "poisson_ratio": other["poisson_ratio"]}
             cap = material._given["strength_cap"]
             if cap is not None and "strength_cap" not in others:
                 others["strength_cap"] = cap
@@ -140,7 +141,7 @@ class Scene:
             "surface": rough.section(),
             "material": body_section("material", material),
             "counterface": None if counterface is None else body_section("counterface", counterface),
-            "loads": {"pressures": pressure_list(pressure)},
+            "loads": {"pressures": pressure},
             "cutoffs": None if cutoff is None else {"shortest_wavelength": cutoff},
             "options": others or None,
             "curve": None if isinstance(curves, str) and curves == "all" else curve_tables(curves),
@@ -150,9 +151,8 @@ class Scene:
             "uncertainty": uncertainty,
             "figures": figures,
         }
-        typed = {key: _plain(value) for key, value in sections.items() if value is not None}
         # Files of absolute paths are found from any folder.
-        self._set(_native.scene_text(typed, rough.files), "scene", "", {}, {}, rough.spectrum)
+        self._set(_native.scene_text(sections, rough.files), "scene", "", {}, rough.spectrum)
 
     @classmethod
     def from_toml(
@@ -160,15 +160,8 @@ class Scene:
         path_or_text: str | os.PathLike[str],
         *,
         folder: str | os.PathLike[str] | None = None,
-        normalisation: Normalisation | None = None,
-        amplitude: AmplitudeDefinition | None = None,
-        scales_per_decade: int | None = None,
-        hardness_formula: HardnessFormula | None = None,
-        strength_cap: Quantity | None = None,
-        cutoff: Quantity | None = None,
-        counterface: Material | None = None,
     ) -> Scene:
-        """Read a scene, and the files that it names.
+        """Read a scene, and the files that it names; :meth:`replace` sets other values of its keys.
 
         Parameters
         ----------
@@ -176,16 +169,6 @@ class Scene:
             The path of a scene, or its text: what has line breaks, or neither ends in ``.toml`` nor names a file.
         folder : str or path-like, optional
             Where the files are that it names. Left out, the folder of the scene; of a text, the working folder.
-        normalisation, amplitude, hardness_formula : str, optional
-            Choices of the models, in place of the scene's own, as in its section ``[options]``.
-        scales_per_decade : int, optional
-            Resample the spectrum to so many wavelengths a decade.
-        strength_cap : float or str, optional
-            The most that a growing strength grows to [Pa].
-        cutoff : float or str, optional
-            The shortest wavelength that takes part [m].
-        counterface : Material, optional
-            The body that presses on the rough one, in place of the scene's own. Only its elastic constants are used.
 
         Returns
         -------
@@ -196,8 +179,7 @@ class Scene:
         FileNotFoundError
             Where the scene, or a file that it names, is not there.
         InputError
-            With line, key, value and bound for what is wrong in the scene, drawn below the line itself; and for an argument
-            that nothing in the scene depends on.
+            With line, key, value and bound for what is wrong in the scene, drawn below the line itself.
 
         Examples
         --------
@@ -222,19 +204,7 @@ class Scene:
             text, name, beside = str(path_or_text), "scene", Path()
         else:
             text, name, beside = _text(path.read_bytes(), str(path)), str(path), path.parent
-        if counterface is not None and not isinstance(counterface, Material):
-            raise InputError(f"counterface: a Material is needed, and this is of type {type(counterface).__name__}")
-        overrides = {
-            "normalisation": normalisation,
-            "amplitude": amplitude,
-            "scales_per_decade": scales_per_decade,
-            "hardness_formula": hardness_formula,
-            "strength_cap": strength_cap,
-            "cutoff": cutoff,
-            "counterface": counterface,
-        }
-        below = os.fspath(beside if folder is None else folder)
-        return cls._of(text, name, below, {}, {key: value for key, value in overrides.items() if value is not None})
+        return cls._of(text, name, os.fspath(beside if folder is None else folder), {})
 
     @classmethod
     def template(cls, name: Template) -> Scene:
@@ -252,37 +222,19 @@ class Scene:
         InputError
             For an unknown name, with the known ones.
         """
-        return cls._of(_native.scene_template(name), name, "", {}, {})
+        return cls._of(_native.scene_template(name), name, "", {})
 
     @classmethod
     def _of(
-        cls,
-        text: str,
-        name: str,
-        folder: str | None,
-        files: dict[str, bytes],
-        overrides: dict[str, Any],
-        spectrum: Spectrum | None = None,
+        cls, text: str, name: str, folder: str, files: dict[str, bytes], spectrum: Spectrum | None = None
     ) -> Scene:
         scene = cls.__new__(cls)
-        scene._set(text, name, folder, files, overrides, spectrum)
+        scene._set(text, name, folder, files, spectrum)
         return scene
 
-    def _set(
-        self,
-        text: str,
-        name: str,
-        folder: str | None,
-        files: dict[str, bytes],
-        overrides: dict[str, Any],
-        spectrum: Spectrum | None,
-    ) -> None:
-        given = dict(overrides)
-        if (other := given.get("counterface")) is not None:
-            given["counterface"] = other._native
-        surface = None if spectrum is None else spectrum._native
-        self._native = _native.Scene(text, name, folder, files, given, surface)
-        self._recipe = (text, name, folder, self._native.files, overrides, spectrum)
+    def _set(self, text: str, name: str, folder: str, files: dict[str, bytes], spectrum: Spectrum | None) -> None:
+        self._native = _native.Scene(text, name, folder, files, None if spectrum is None else spectrum._native)
+        self._recipe = (text, name, folder, self._native.files, spectrum)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (Scene._of, self._recipe)
@@ -301,7 +253,7 @@ class Scene:
     def notes(self) -> tuple[str, ...]:
         """Assumptions of reading, doubts, and keys without effect."""
         notes = notes_of(self._native.facts["notes"])
-        spectrum = self._recipe[5]
+        spectrum = self._recipe[4]
         if spectrum is not None and spectrum.scans is not None and files_of(spectrum).heights_m is None:
             loss = "to_toml writes the spectrum with standard errors in place of its scans; intervals are then those of the errors"
             notes += (Note(loss, "note", "scene.scans-in-memory"),)
@@ -334,9 +286,8 @@ class Scene:
         >>> 'youngs_modulus = "200 GPa"' in scene.text
         True
         """
-        text, name, folder, files, overrides, spectrum = self._recipe
-        typed = {key: _plain(value) for key, value in changes.items()}
-        return Scene._of(_native.scene_with_keys(text, name, typed), name, folder, files, overrides, spectrum)
+        text, name, *others = self._recipe
+        return Scene._of(_native.scene_with_keys(text, name, changes), name, *others)
 
     def to_toml(self, path: str | os.PathLike[str] | None = None) -> str:
         """Return the text of the scene, and write it with the files that it names.
@@ -370,7 +321,7 @@ class Scene:
         """
         if path is not None:
             file = Path(path)
-            spectrum = self._recipe[5]
+            spectrum = self._recipe[4]
             beside = {} if spectrum is None else files_of(spectrum).written(spectrum)
             _native.write_files(os.fspath(file.parent), {**beside, file.name: self.text.encode()})
         return self.text
@@ -471,50 +422,24 @@ class Scene:
         )
 
 
+@dataclass(frozen=True, repr=False, eq=False)
 class SceneResults:
-    """Everything that was made of a scene. It is pickled as it is, and needs no scene any more.
+    """Everything that was made of a scene. It is pickled as it is, and needs no scene any more."""
 
-    Attributes
-    ----------
-    title : str
-        What the scene is about.
-    answer : str
-        The summary that the command line prints.
-    tables : dict of str to SceneTable
-        Every table, by the name of its file without ``.csv``.
-    files : dict of str to bytes
-        Every file that the command line would write, by name.
-    notes : tuple of str
-        What reading took for granted, what is doubtful, and the keys that have no effect.
-    styles : dict of str to tuple
-        Short name, colour and dashes (as SVG has them) of every curve in figures.
-    loads : int
-        How many loads there are.
-    """
-
-    __slots__ = ("answer", "files", "loads", "notes", "styles", "tables", "title")
-
-    def __init__(
-        self,
-        title: str,
-        answer: str,
-        tables: Mapping[str, SceneTable],
-        files: Mapping[str, bytes],
-        notes: tuple[str, ...],
-        styles: Mapping[str, tuple[str, str, str]] | None = None,
-        loads: int = 0,
-    ) -> None:
-        self.title = title
-        self.answer = answer
-        self.tables = dict(tables)
-        self.files = dict(files)
-        self.notes = notes
-        self.styles = dict(styles or {})
-        self.loads = loads
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        given = (self.title, self.answer, self.tables, self.files, self.notes, self.styles, self.loads)
-        return (SceneResults, given)
+    title: str
+    """What the scene is about."""
+    answer: str
+    """The summary that the command line prints."""
+    tables: dict[str, SceneTable]
+    """Every table, by the name of its file without ``.csv``."""
+    files: dict[str, bytes]
+    """Every file that the command line would write, by name."""
+    notes: tuple[str, ...]
+    """What reading took for granted, what is doubtful, and the keys that have no effect."""
+    styles: dict[str, tuple[str, str, str]]
+    """Short name, colour and dashes (as SVG has them) of every curve in figures."""
+    loads: int
+    """How many loads there are."""
 
     @property
     def figures(self) -> dict[str, str]:
@@ -603,8 +528,6 @@ class SceneResults:
             return NotImplemented
         return (self.title, self.answer, self.files) == (other.title, other.answer, other.files)
 
-    __hash__ = None  # type: ignore[assignment]
-
     def __repr__(self) -> str:
         figures = ", ".join(self.figures) or "none"
         report = "with a report" if "report.html" in self.files else "no report"
@@ -644,14 +567,3 @@ def _section(given: bool | Mapping[str, Any]) -> Mapping[str, Any] | None:
     if isinstance(given, bool):
         return {} if given else None
     return given
-
-
-def _plain(value: Any) -> Any:
-    """Arrays and numbers of numpy as Python's own, in lists and dictionaries too."""
-    if isinstance(value, (np.ndarray, np.generic)):
-        return value.tolist()
-    if isinstance(value, (list, tuple, range)):
-        return [_plain(one) for one in value]
-    if isinstance(value, Mapping):
-        return {key: _plain(one) for key, one in value.items()}
-    return value

@@ -70,40 +70,6 @@ def body_section(argument: str, body: Body) -> dict[str, Any]:
     raise InputError(f"{argument}: a Material, a name or a dictionary is needed, and this is of type {type(body).__name__}")
 
 
-def elastic_section(body: Material) -> dict[str, Any]:
-    """The elastic constants of a body, all that counts of the counterface of a material."""
-    facts = body._native.facts
-    return {"youngs_modulus": in_unit(facts["youngs_modulus_pa"], "Pa"), "poisson_ratio": facts["poisson_ratio"]}
-
-
-def pressure_list(pressures: Any) -> list[str]:
-    """Nominal pressures as a scene lists them, with their units."""
-    if isinstance(pressures, (set, frozenset, Mapping)):
-        raise InputError(f"pressure: it has no order, being of type {type(pressures).__name__}; give a list")
-    if np.ma.is_masked(pressures):
-        raise InputError("pressure: it has masked values; fill them, or leave them out")
-    if not isinstance(pressures, (list, tuple)):
-        bare = _native.without_unit("pressure", "Pa", pressures)
-        is_one = isinstance(bare, (str, bytes)) or np.ndim(bare) == 0
-        pressures = [bare] if is_one else list(bare)
-    each = enumerate(pressures)
-    return [one if isinstance(one, str) else _pressure(_native.si_number(f"pressure[{at}]", "Pa", one)) for at, one in each]
-
-
-def _pressure(pressure_pa: float) -> str:
-    """A pressure with all its digits, in the largest unit that keeps them, since figures and tables repeat it as it is typed."""
-    for scale, unit in ((1e9, "GPa"), (1e6, "MPa"), (1e3, "kPa")):
-        number = pressure_pa / scale
-        if number >= 1.0 and number * scale == pressure_pa and len(repr(number)) < 8:
-            return f"{repr(number).removesuffix('.0')} {unit}"
-    return in_unit(pressure_pa, "Pa")
-
-
-def in_unit(value: float | None, unit: str) -> str:
-    """A number with its unit, with all its digits."""
-    return f"{value!r} {unit}"
-
-
 def curve_tables(curves: Any) -> list[dict[str, Any]]:
     """Curves by the names of their models, or as sections of a scene."""
     if isinstance(curves, (str, Mapping)):

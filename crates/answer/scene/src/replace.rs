@@ -22,10 +22,12 @@ const OTHER_NAMES: [(&str, [&str; 2]); 2] =
 
 /// The SI units of the keys that are typed with a unit, so that a plain number can be given for them; those of bodies are in
 /// their own table.
-const SI_UNITS: [(&str, &str); 20] = [
+const SI_UNITS: [(&str, &str); 22] = [
     ("surface.rms_height", "m"),
     ("surface.mean_width", "m"),
     ("surface.rolloff_wavelength", "m"),
+    ("material.layer.thickness", "m"),
+    ("material.layer.youngs_modulus", "Pa"),
     ("loads.pressures", "Pa"),
     ("loads.force", "N"),
     ("loads.nominal_area", "m^2"),
@@ -122,7 +124,7 @@ pub fn with_keys<'k>(
     let SceneText(mut document) = SceneText::parse(text).map_err(ReplaceError::Scene)?;
     for (name, value) in changes {
         let place = place(&document, name)?;
-        let value = fitted(&place, value);
+        let value = with_si_unit(&place.join("."), value);
         set(&mut document, &place, &value).ok_or_else(|| ReplaceError::NoValue { name: name.to_owned() })?;
     }
     Ok(document.to_string())
@@ -196,22 +198,24 @@ fn unknown(name: &str) -> ReplaceError {
     ReplaceError::Unknown { name: name.to_owned(), known, meant }
 }
 
-/// The value as its key takes it: numbers with the SI unit of the key, and one pressure as a list of one.
-fn fitted(place: &[String], value: Value) -> Value {
-    let name = place.join(".");
-    let unit = match place {
-        [section, key] if section == "material" || section == "counterface" => {
-            BodyProperty::of_key(key).and_then(BodyProperty::unit)
-        }
-        _ => SI_UNITS.iter().find(|(key, _)| *key == name).map(|(_, unit)| *unit),
-    };
-    let value = match unit {
+/// Returns the SI unit of a key by its place, such as `loads.pressures`, if it is typed with a unit.
+#[must_use]
+pub fn si_unit(place: &str) -> Option<&'static str> {
+    let of_body = place.strip_prefix("material.").or_else(|| place.strip_prefix("counterface."));
+    let of_others = || SI_UNITS.iter().find(|(key, _)| *key == place).map(|(_, unit)| *unit);
+    of_body.and_then(BodyProperty::of_key).map_or_else(of_others, BodyProperty::unit)
+}
+
+/// Returns a value as the key at a place takes it: numbers with the SI unit of the key, and one pressure as a list of one.
+#[must_use]
+pub fn with_si_unit(place: &str, value: Value) -> Value {
+    let value = match si_unit(place) {
         Some(unit) => with_unit(value, unit),
         None => value,
     };
     match value {
         Value::Array(_) => value,
-        one if name == "loads.pressures" => Value::Array(vec![one]),
+        one if place == "loads.pressures" => Value::Array(vec![one]),
         other => other,
     }
 }
@@ -219,8 +223,8 @@ fn fitted(place: &[String], value: Value) -> Value {
 /// Numbers with a unit, in lists and tables too.
 fn with_unit(value: Value, unit: &str) -> Value {
     match value {
-        Value::Integer(number) => Value::String(format!("{number} {unit}")),
-        Value::Float(number) => Value::String(format!("{number} {unit}")),
+        Value::Integer(number) => Value::String(in_full(number as f64, unit)),
+        Value::Float(number) => Value::String(in_full(number, unit)),
         Value::Array(values) => {
             Value::Array(values.into_iter().map(|value| with_unit(value, unit)).collect())
         }
@@ -229,6 +233,16 @@ fn with_unit(value: Value, unit: &str) -> Value {
         }
         other => other,
     }
+}
+
+/// A number with all its digits, a pressure in the largest unit in which these are few: figures repeat what is typed.
+fn in_full(number: f64, unit: &str) -> String {
+    let pressures = [(1e9, "GPa"), (1e6, "MPa"), (1e3, "kPa")].into_iter().filter(|_| unit == "Pa");
+    let short = pressures.into_iter().find_map(|(scale, unit)| {
+        let text = format!("{} {unit}", number / scale);
+        (number >= scale && number / scale * scale == number && text.len() < 10).then_some(text)
+    });
+    short.unwrap_or_else(|| format!("{number} {unit}"))
 }
 
 /// Sets the value at a place; `None` if it is a section, or below a value that is none. A new key is the first of its
@@ -329,7 +343,7 @@ mod tests {
     #[test]
     fn a_new_key_stands_behind_the_head_of_its_section_and_a_new_section_at_the_end() {
         let changed = set(SCENE, "yield_strength", 1e9);
-        assert!(changed.contains("[material]   # steel\nyield_strength = \"1000000000 Pa\"\nyoungs_modulus"));
+        assert!(changed.contains("[material]   # steel\nyield_strength = \"1 GPa\"\nyoungs_modulus"));
         assert!(
             set(SCENE, "cutoff", 1e-8).ends_with("\n[cutoffs]\nshortest_wavelength = \"0.00000001 m\"\n")
         );
@@ -352,16 +366,16 @@ mod tests {
     #[test]
     fn numbers_get_the_unit_of_their_key_in_lists_and_tables_too() {
         let changed = set(SCENE, "pressure", 5e6);
-        assert!(changed.ends_with("[loads]\npressures = [\"5000000 Pa\"]\n"), "{changed}");
+        assert!(changed.ends_with("[loads]\npressures = [\"5 MPa\"]\n"), "{changed}");
         let pressures = Value::Array(vec![1e6.into(), "1e-3 H".into()]);
-        assert!(set(SCENE, "pressures", pressures).ends_with("pressures = [\"1000000 Pa\", \"1e-3 H\"]\n"));
+        assert!(set(SCENE, "pressures", pressures).ends_with("pressures = [\"1 MPa\", \"1e-3 H\"]\n"));
         let mut table = toml::Table::new();
         table.insert("distribution".into(), "uniform".into());
         table.insert("from".into(), 1e9.into());
         table.insert("to".into(), 2e9.into());
         let changed = set(SCENE, "material.youngs_modulus", table);
         assert!(
-            changed.contains("youngs_modulus = { distribution = \"uniform\", from = \"1000000000 Pa\""),
+            changed.contains("youngs_modulus = { distribution = \"uniform\", from = \"1 GPa\""),
             "{changed}"
         );
     }
@@ -407,7 +421,8 @@ mod tests {
     fn the_units_are_those_of_keys_that_there_are() {
         let names = SI_UNITS.iter().map(|(name, _)| *name);
         for name in names.chain(OTHER_NAMES.iter().map(|(name, _)| *name)) {
-            assert!(with_keys("", [(name, Value::from(1.0))]).is_ok(), "{name}");
+            let text = if name.starts_with("material.layer") { "[material.layer]" } else { "" };
+            assert!(with_keys(text, [(name, Value::from(1.0))]).is_ok(), "{name}");
         }
     }
 }
