@@ -50,10 +50,7 @@ impl<'py> Arguments<'py> {
 
     /// An argument that is true or false; false if it is not given.
     pub fn flag(&self, name: &str) -> PyResult<bool> {
-        let flag = |name: &str, given: &Given<'py>| {
-            given.extract().map_err(|_| wrong_type(name, "True or False is needed", given))
-        };
-        Ok(self.get(name, flag)?.unwrap_or_default())
+        Ok(self.get(name, truth)?.unwrap_or_default())
     }
 
     pub fn sampling(&self) -> PyResult<SamplingInput> {
@@ -341,6 +338,11 @@ pub fn count(argument: &str, given: &Given<'_>) -> PyResult<NonZeroU32> {
 pub fn text(argument: &str, given: &Given<'_>) -> PyResult<String> {
     let text = given.cast::<PyString>().map_err(|_| wrong_type(argument, "text is needed", given))?;
     text.extract()
+}
+
+/// True or false.
+pub fn truth(argument: &str, given: &Given<'_>) -> PyResult<bool> {
+    given.extract().map_err(|_| wrong_type(argument, "True or False is needed", given))
 }
 
 /// A choice by its name.

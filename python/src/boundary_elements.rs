@@ -2,15 +2,14 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use elements::{Boundary, ContactField, ElementsError, IndenterShape, Relief};
-use numpy::ndarray::ArrayView2;
-use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray3};
+use elements::{Boundary, ContactField, ElementsError, IndenterShape, Pressing, Relief};
+use numpy::{PyArray1, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
 use questions::{
     AdhesionQuestion, BranchChoice, ElementsLoad, ElementsQuestion, IndenterQuestion, LoadInput,
-    PreparedElements, QuestionError,
+    QuestionError,
 };
 use scans::HeightMap;
 use study::surface::Surface;
@@ -18,8 +17,8 @@ use topography::{Recipe, detrended_m};
 use units::{Force, WorkOfAdhesion};
 
 use crate::answer::{PyAnswer, columns, refused};
-use crate::arguments::{Arguments, Given, choice, length_m, load, load_within, number, quantity};
-use crate::errors::of_argument;
+use crate::arguments::{Arguments, Given, choice, length_m, load, load_within, number, quantity, truth};
+use crate::errors::{input, of_argument};
 use crate::material::PyMaterial;
 use crate::surface::PySurface;
 use crate::work::{Observer, carry_out, held};
@@ -28,126 +27,153 @@ use crate::work::{Observer, carry_out, held};
 /// and numbers of adhesion.
 type Pressed<'py> = (PyAnswer, Bound<'py, PyDict>);
 
-/// Surfaces before they are pressed: maps, or the spectrum of random ones.
-enum Bodies<'a> {
-    Maps(Vec<Relief>),
-    Spectrum(&'a Surface),
+/// Surfaces before they are pressed: the spectrum of random ones; or one map or several of heights \[m\], row by row along x, with
+/// the lengths along x and y, and whether the heights repeat themselves beyond the map, if that is known.
+#[derive(FromPyObject)]
+pub enum Bodies<'py> {
+    Spectrum(Bound<'py, PySurface>),
+    Maps(PyReadonlyArrayDyn<'py, f64>, [Given<'py>; 2], Option<bool>),
 }
 
 impl Bodies<'_> {
-    /// Prepares the surfaces by one of two methods of a question.
+    /// Prepares the surfaces by one of two methods of a question; the edges of maps are those of an argument where none are given.
     fn prepared<P>(
-        self,
+        &self,
+        arguments: &Arguments<'_>,
+        edges: Option<Boundary>,
         on_maps: impl FnOnce(Vec<Relief>) -> Result<P, QuestionError>,
         on: impl FnOnce(&Surface) -> Result<P, QuestionError>,
     ) -> PyResult<P> {
         let prepared = match self {
-            Bodies::Maps(maps) => on_maps(maps),
-            Bodies::Spectrum(surface) => on(surface),
+            Bodies::Spectrum(surface) => {
+                refuse_idle(arguments, ["size", "periodic", "detrend"], "a spectrum, only on heights")?;
+                on(&surface.get().surface)
+            }
+            Bodies::Maps(heights_m, size, repeats) => {
+                let of_random = arguments.random()?.given().map(|(name, _)| name).into_iter();
+                refuse_idle(arguments, of_random.chain(["per_realisation"]), "heights, only on a spectrum")?;
+                on_maps(maps(heights_m, size, *repeats, arguments, edges)?)
+            }
         };
         prepared.map_err(refused)
     }
+
+    /// True for several surfaces of which each is reported.
+    fn are_reported_each(&self, arguments: &Arguments<'_>) -> PyResult<bool> {
+        let are_maps = matches!(self, Bodies::Maps(heights_m, ..) if heights_m.ndim() == 3);
+        Ok(are_maps || arguments.flag("per_realisation")?)
+    }
 }
 
-/// Presses maps of heights \[m\], each row by row along x. `repeats` says whether the heights repeat themselves beyond the
-/// map, and the argument `periodic` whether they are pressed so.
-#[pyfunction]
-pub fn press_heights<'py>(
-    py: Python<'py>,
-    heights_m: PyReadonlyArray3<'py, f64>,
-    size: [Given<'py>; 2],
-    repeats: bool,
-    material: &PyMaterial,
-    arguments: Arguments<'py>,
-    observer: Option<&Observer<'py>>,
-) -> PyResult<Pressed<'py>> {
+/// Refuses arguments that are for the other kind of surface.
+fn refuse_idle<'n>(
+    arguments: &Arguments<'_>,
+    names: impl IntoIterator<Item = &'n str>,
+    kind: &str,
+) -> PyResult<()> {
+    for name in names {
+        let given = arguments.raw(name)?;
+        if !given.is_none() && !matches!(given.extract(), Ok(false)) {
+            return Err(input(format!("{name} has no effect on {kind}; leave it out")));
+        }
+    }
+    Ok(())
+}
+
+fn maps(
+    heights_m: &PyReadonlyArrayDyn<'_, f64>,
+    size: &[Given<'_>; 2],
+    repeats: Option<bool>,
+    arguments: &Arguments<'_>,
+    edges: Option<Boundary>,
+) -> PyResult<Vec<Relief>> {
     let [length_x_m, length_y_m] = [length_m("size[0]", &size[0])?, length_m("size[1]", &size[1])?];
+    let periodic = arguments.get("periodic", truth)?;
     let recipe = Recipe { detrend: arguments.get("detrend", choice)?, ..Recipe::default() };
-    let detrend = recipe.preparation(repeats).detrend;
-    let boundary = if arguments.flag("periodic")? { Boundary::Periodic } else { Boundary::Free };
-    let view = heights_m.as_array();
-    let (_, rows, columns) = view.dim();
+    let detrend = recipe.preparation(repeats.or(periodic).unwrap_or_default()).detrend;
+    let own = if periodic.or(repeats) == Some(true) { Boundary::Periodic } else { Boundary::Free };
+    let [.., rows, columns] = *heights_m.shape() else { return Err(of_argument("surface", "it is no map")) };
     let (x_m, y_m) = (length_x_m / columns as f64, length_y_m / rows as f64);
-    let relief = |map: ArrayView2<'_, f64>| {
-        let map = HeightMap::new(columns, x_m, y_m, map.iter().copied().collect());
+    let heights_m: Vec<f64> = heights_m.as_array().iter().copied().collect();
+    let relief = |heights_m: &[f64]| {
+        let map = HeightMap::new(columns, x_m, y_m, heights_m.to_vec());
         let heights_m = detrended_m(&map.map_err(|error| of_argument("surface", error))?, detrend);
+        let boundary = edges.unwrap_or(own);
         Ok(Relief { rows, columns, length_x_m, length_y_m, heights_m, boundary })
     };
-    let maps = view.outer_iter().map(relief).collect::<PyResult<Vec<_>>>()?;
-    press(py, Bodies::Maps(maps), material, &arguments, observer)
+    heights_m.chunks(rows * columns).map(relief).collect()
 }
 
-/// Presses random surfaces that have a spectrum.
+fn tolerance(arguments: &Arguments<'_>) -> PyResult<f64> {
+    Ok(arguments.get("tolerance", number)?.unwrap_or(Pressing::TOLERANCE))
+}
+
+/// Presses a ball onto a map, or onto random surfaces.
 #[pyfunction]
-pub fn press_spectrum<'py>(
+pub fn press_ball<'py>(
     py: Python<'py>,
-    surface: &PySurface,
+    bodies: Bodies<'py>,
     material: &PyMaterial,
     arguments: Arguments<'py>,
     observer: Option<&Observer<'py>>,
 ) -> PyResult<Pressed<'py>> {
-    press(py, Bodies::Spectrum(&surface.surface), material, &arguments, observer)
+    let question = IndenterQuestion {
+        material: material.input,
+        shape: IndenterShape::Ball,
+        radius_m: arguments.required("radius", length_m)?,
+        force: arguments.required("force", quantity::<Force>)?.n,
+        tolerance: tolerance(&arguments)?,
+        random: arguments.random()?,
+    };
+    if matches!(&bodies, Bodies::Maps(heights_m, ..) if heights_m.ndim() == 3) {
+        return Err(of_argument("surface", "a ball is pressed onto one map; give each by itself"));
+    }
+    let on_map = |mut maps: Vec<Relief>| question.on_map(maps.swap_remove(0));
+    let prepared =
+        bodies.prepared(&arguments, Some(Boundary::Free), on_map, |surface| question.on(surface))?;
+    let answer = PyAnswer::carry_out(py, observer, |watch| prepared.answer(watch))?;
+    Ok((answer.behind(prepared.notes), PyDict::new(py)))
 }
 
-/// Asks the question that the arguments make.
-fn press<'py>(
+/// Presses surfaces that attract each other, or pulls them apart.
+#[pyfunction]
+pub fn press_adhesive<'py>(
     py: Python<'py>,
-    bodies: Bodies<'_>,
+    bodies: Bodies<'py>,
     material: &PyMaterial,
-    arguments: &Arguments<'py>,
+    arguments: Arguments<'py>,
     observer: Option<&Observer<'py>>,
 ) -> PyResult<Pressed<'py>> {
-    let (material, random) = (material.input, arguments.random()?);
-    let tolerance = arguments.required("tolerance", number)?;
-    if let Some(radius_m) = arguments.get("ball_radius", length_m)? {
-        let force = arguments.required("force", quantity::<Force>)?.n;
-        let shape = IndenterShape::Ball;
-        let question = IndenterQuestion { material, shape, radius_m, force, tolerance, random };
-        let prepared = bodies
-            .prepared(|mut maps| question.on_map(maps.swap_remove(0)), |surface| question.on(surface))?;
-        let answer = PyAnswer::carry_out(py, observer, |watch| prepared.answer(watch))?;
-        return Ok((answer.behind(prepared.notes), PyDict::new(py)));
-    }
-    if let Some(WorkOfAdhesion { j_per_m2 }) = arguments.get("work_of_adhesion", quantity)? {
-        let signed = |name: &str, given: &Given<'_>| match given.cast::<PyString>() {
-            Ok(text) => LoadInput::parse_signed(text.to_str()?).map_err(|error| of_argument(name, error)),
-            Err(_) => load_within(name, given, units::Bound::Finite),
-        };
-        let question = AdhesionQuestion {
-            material,
-            pressures: arguments.several("pressure", signed)?.unwrap_or_default(),
-            work_of_adhesion_j_per_m2: j_per_m2,
-            range_m: arguments.required("adhesion_range", length_m)?,
-            branch: arguments.get("branch", choice::<BranchChoice>)?.unwrap_or_default().branch(),
-            pull_off: arguments.flag("pull_off")?,
-            tolerance,
-            per_realisation: arguments.flag("per_realisation")?,
-            random,
-            ..AdhesionQuestion::default()
-        };
-        let prepared = bodies.prepared(|maps| question.on_maps(maps), |surface| question.on(surface))?;
-        let answer =
-            PyAnswer::carry_out(py, observer, |watch| prepared.answer(watch))?.behind(prepared.notes);
-        let beside = PyDict::new(py);
-        beside.set_item("rms_gradient", prepared.surfaces.rms_gradients())?;
-        for note in &answer.notes {
-            if note.code.name().starts_with("adhesion.") {
-                let numbers = note.numbers.iter().filter_map(|(name, _)| Some((name, note.number(name)?)));
-                numbers.into_iter().try_for_each(|(name, number)| beside.set_item(name, number))?;
-            }
-        }
-        return Ok((answer, beside));
-    }
-    let question = ElementsQuestion {
-        material,
-        loads: loads(arguments)?,
-        saturation: arguments.get("saturation", quantity)?,
-        tolerance,
-        random,
-        ..ElementsQuestion::default()
+    let signed = |name: &str, given: &Given<'_>| match given.cast::<PyString>() {
+        Ok(text) => LoadInput::parse_signed(text.to_str()?).map_err(|error| of_argument(name, error)),
+        Err(_) => load_within(name, given, units::Bound::Finite),
     };
-    let prepared = bodies.prepared(|maps| question.on_maps(maps), |surface| question.on(surface))?;
-    press_flat(py, &prepared, arguments, observer)
+    let question = AdhesionQuestion {
+        material: material.input,
+        pressures: arguments.several("pressure", signed)?.unwrap_or_default(),
+        work_of_adhesion_j_per_m2: arguments
+            .required("work_of_adhesion", quantity::<WorkOfAdhesion>)?
+            .j_per_m2,
+        range_m: arguments.required("adhesion_range", length_m)?,
+        branch: arguments.get("branch", choice::<BranchChoice>)?.unwrap_or_default().branch(),
+        pull_off: arguments.flag("pull_off")?,
+        tolerance: tolerance(&arguments)?,
+        per_realisation: bodies.are_reported_each(&arguments)?,
+        random: arguments.random()?,
+        ..AdhesionQuestion::default()
+    };
+    let prepared =
+        bodies.prepared(&arguments, None, |maps| question.on_maps(maps), |surface| question.on(surface))?;
+    let answer = PyAnswer::carry_out(py, observer, |watch| prepared.answer(watch))?.behind(prepared.notes);
+    let beside = PyDict::new(py);
+    beside.set_item("rms_gradient", prepared.surfaces.rms_gradients())?;
+    for note in &answer.notes {
+        if note.code.name().starts_with("adhesion.") {
+            let numbers = note.numbers.iter().filter_map(|(name, _)| Some((name, note.number(name)?)));
+            numbers.into_iter().try_for_each(|(name, number)| beside.set_item(name, number))?;
+        }
+    }
+    Ok((answer, beside))
 }
 
 /// Pressures, mean gaps or indentations, whichever is given.
@@ -161,16 +187,36 @@ fn loads(arguments: &Arguments<'_>) -> PyResult<Vec<ElementsLoad>> {
     let mut loads = arguments.several("pressure", pressure)?.unwrap_or_default();
     loads.extend(mean_gaps.map(|mean_gap_m| ElementsLoad::MeanGap { mean_gap_m }));
     loads.extend(indentations.map(|indentation_m| ElementsLoad::Indentation { indentation_m }));
-    if loads.is_empty() { Err(of_argument("pressure", "give at least one")) } else { Ok(loads) }
+    let names = ["pressure", "mean_gap", "indentation"];
+    let given: Vec<&str> =
+        names.into_iter().filter(|name| arguments.raw(name).is_ok_and(|given| !given.is_none())).collect();
+    match (&given[..], loads.is_empty()) {
+        ([_], false) => Ok(loads),
+        ([name], true) => Err(of_argument(name, "give at least one")),
+        ([], _) => Err(input("none of pressure, mean_gap and indentation is given; give one")),
+        (several, _) => Err(input(format!("{} are given; give one of them", several.join(" and ")))),
+    }
 }
 
 /// Presses every surface under every load.
-fn press_flat<'py>(
+#[pyfunction]
+pub fn press_flat<'py>(
     py: Python<'py>,
-    prepared: &PreparedElements,
-    arguments: &Arguments<'py>,
+    bodies: Bodies<'py>,
+    material: &PyMaterial,
+    arguments: Arguments<'py>,
     observer: Option<&Observer<'py>>,
 ) -> PyResult<Pressed<'py>> {
+    let question = ElementsQuestion {
+        material: material.input,
+        loads: loads(&arguments)?,
+        saturation: arguments.get("saturation", quantity)?,
+        tolerance: tolerance(&arguments)?,
+        random: arguments.random()?,
+        ..ElementsQuestion::default()
+    };
+    let prepared =
+        bodies.prepared(&arguments, None, |maps| question.on_maps(maps), |surface| question.on(surface))?;
     let (surfaces, count) = (&prepared.surfaces, prepared.surfaces.count());
     let [rows, width] = surfaces.points().unwrap_or_default();
     let points = rows * width;
@@ -200,7 +246,7 @@ fn press_flat<'py>(
         prepared.answer(see, watch)
     })?;
     let (loads, notes) = pressed.map_err(|error| refused(error.into()))?;
-    let table = match arguments.flag("per_realisation")? {
+    let table = match bodies.are_reported_each(&arguments)? {
         true => elements::states_table(&loads),
         false => elements::means_table(&loads),
     };

@@ -25,7 +25,7 @@ mod _native {
     use super::{
         answer::PyAnswer,
         arguments::{in_metres, si_number, without_unit},
-        boundary_elements::{press_heights, press_spectrum},
+        boundary_elements::{press_adhesive, press_ball, press_flat},
         contact::contact_states,
         curves::{curve, gaps, tangential},
         errors::InputError,

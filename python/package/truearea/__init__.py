@@ -4,8 +4,8 @@ Arrays in, tables out: see the functions and classes that are listed in ``truear
 quantity has a unit, text such as ``"5 MPa"`` or ``"1e-3 H"`` does as well.
 """
 
-from truearea._adhesion import AdhesiveContact, PullOff
-from truearea._boundary_elements import Patches, Pressed, PressedBall, boundary_elements
+from truearea._adhesion import AdhesiveContact, PullOff, adhesion, pull_off
+from truearea._boundary_elements import Patches, Pressed, PressedBall, ball, boundary_elements
 from truearea._composite import composite
 from truearea._contact import ContactStates, contact
 from truearea._curves import StackedCurve, StatisticalCurve, stacked, statistical
@@ -70,6 +70,8 @@ __all__ = [
     "Table",
     "Uncertainty",
     "__version__",
+    "adhesion",
+    "ball",
     "boundary_elements",
     "composite",
     "contact",
@@ -78,6 +80,7 @@ __all__ = [
     "materials",
     "models",
     "persson",
+    "pull_off",
     "read_psd",
     "read_scan",
     "report",

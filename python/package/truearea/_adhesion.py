@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
 from truearea import _native
+from truearea._boundary_elements import press
+from truearea._choices import Branch
+from truearea._curves import Pressures
+from truearea._grammar import AnyMaterial
+from truearea._material import Quantity
 from truearea._notes import noted
+from truearea._options import FlatOptions, Unpack, with_options
 from truearea._picture import Drawn, Picture, Trace
 from truearea._results import AnyArray, FloatArray, Result
 
@@ -79,33 +84,107 @@ class PullOff(_AdhesiveStates):
         return Picture(self._title, "mean_gap_m", "pull_pa", lines, marker=".", is_linear=True)
 
 
-def adhesive_result(answer: _native.Answer, beside: Mapping[str, Any], several: str) -> AdhesiveContact | PullOff:
-    """The states of a table, and single numbers beside them."""
-    columns = {name: np.asarray(values) for name, values in answer.columns.items()}
-    gradients = np.asarray(beside["rms_gradient"])
-    arrays: dict[str, AnyArray] = {
-        name: np.asarray(value, dtype=np.float64) for name, value in beside.items() if name != "rms_gradient"
+@with_options(FlatOptions)
+def adhesion(
+    surface: Any,
+    material: AnyMaterial,
+    *,
+    pressure: Pressures,
+    work_of_adhesion: Quantity,
+    adhesion_range: Quantity,
+    branch: Branch = "apart",
+    **options: Unpack[FlatOptions],
+) -> AdhesiveContact:
+    """Press surfaces that repeat themselves and attract each other by ``(w / rho) exp(-gap / rho)``.
+
+    Parameters
+    ----------
+    surface, material, tolerance : as for ``boundary_elements``
+        The surfaces, the bodies in contact, and the residual at which the iteration stops.
+    pressure : float, str, or sequence of them
+        Nominal pressures, as for :func:`boundary_elements`; negative ones pull.
+    branch : {"apart", "contact", "both"}, default "apart"
+        History of the load: from first touch, which is usual, from full contact, or both, one behind the other.
+
+    Returns
+    -------
+    AdhesiveContact
+        Along the loads, along the branches where both are followed, and along the maps, or the surfaces with
+        ``per_realisation``: ``area_fraction`` of points without a gap, and less the staircase; ``repulsive_area_fraction`` of
+        those under compression; ``mean_gap_m``, ``mean_attraction_pa``, ``largest_contact_pressure_pa``, ``residual``. Single
+        numbers are: ``fuller_tabor`` and ``pastewka_robbins`` of a spectrum, ``hysteresis_...`` where the branches differ most,
+        ``process_zone_points`` of a grid that is coarse.
+
+    Raises
+    ------
+    InputError
+        With argument, value and bound; and for a map with free edges, or a grid that does not resolve the process zone.
+    """
+    arguments = {
+        "pressure": pressure,
+        "work_of_adhesion": work_of_adhesion,
+        "adhesion_range": adhesion_range,
+        "branch": branch,
+        **options,
     }
-    axes: dict[str, tuple[str, ...]] = dict.fromkeys(arrays, ())
-    arrays["rms_gradient"], axes["rms_gradient"] = (
-        (gradients, ("map",)) if several == "map" else (gradients[0], ())
-    )
-    if "pull_off_pressure_pa" in beside:
-        return PullOff(columns | arrays, dict.fromkeys(columns, ("state",)) | axes, noted(answer.notes))
-    numbers, branch = columns.pop("realisation", None), columns.pop("branch")
-    branches = list(dict.fromkeys(branch.tolist()))
+    answer, beside, several = press(_native.press_adhesive, surface, material, arguments)
+    columns = {name: np.asarray(values) for name, values in answer.columns.items()}
+    numbers, of_states = columns.pop("realisation", None), columns.pop("branch")
+    branches = list(dict.fromkeys(of_states.tolist()))
     surfaces = 1 if numbers is None else int(np.max(numbers, initial=1.0))
     # The core goes through the loads of one branch of one surface after the other.
     shape = (surfaces, len(branches), -1)
     along = {"load": 2, **({"branch": 1} if len(branches) > 1 else {}), **({} if numbers is None else {several: 0})}
     drop = tuple(axis for axis in range(3) if axis not in along.values())
-    states: dict[str, AnyArray] = {}
+    arrays, axes = _beside(beside, several)
     for name, values in columns.items():
         turned = values.reshape(shape).transpose((*along.values(), *drop))
-        states[name] = np.ascontiguousarray(turned.reshape(turned.shape[: len(along)]))
-    of_states: dict[str, tuple[str, ...]] = dict.fromkeys(states, tuple(along))
-    states["nominal_pressure_pa"] = columns["nominal_pressure_pa"].reshape(shape)[0, 0].copy()
-    of_states["nominal_pressure_pa"] = ("load",)
-    states["branch"] = np.array(branches if "branch" in along else branches[0])
-    of_states["branch"] = ("branch",) if "branch" in along else ()
-    return AdhesiveContact(states | arrays, of_states | axes, noted(answer.notes))
+        arrays[name], axes[name] = np.ascontiguousarray(turned.reshape(turned.shape[: len(along)])), tuple(along)
+    arrays["nominal_pressure_pa"] = columns["nominal_pressure_pa"].reshape(shape)[0, 0].copy()
+    axes["nominal_pressure_pa"] = ("load",)
+    arrays["branch"] = np.array(branches if "branch" in along else branches[0])
+    axes["branch"] = ("branch",) if "branch" in along else ()
+    return AdhesiveContact(arrays, axes, noted(answer.notes))
+
+
+@with_options(FlatOptions)
+def pull_off(
+    surface: Any,
+    material: AnyMaterial,
+    *,
+    work_of_adhesion: Quantity,
+    adhesion_range: Quantity,
+    **options: Unpack[FlatOptions],
+) -> PullOff:
+    """Pull surfaces apart that repeat themselves and attract each other, from contact until they part.
+
+    Parameters
+    ----------
+    surface, material, tolerance : as for ``boundary_elements``
+        The surfaces, the bodies in contact, and the residual at which the iteration stops.
+
+    Returns
+    -------
+    PullOff
+        The arrays of :func:`adhesion` along the states of the curve, and ``pull_off_pressure_pa``, ``pull_off_mean_gap_m`` and
+        ``pull_off_area_fraction`` at the largest pull, the mean over the surfaces.
+
+    Raises
+    ------
+    InputError
+        As for :func:`adhesion`.
+    """
+    arguments = {"work_of_adhesion": work_of_adhesion, "adhesion_range": adhesion_range, "pull_off": True, **options}
+    answer, beside, several = press(_native.press_adhesive, surface, material, arguments)
+    columns = {name: np.asarray(values) for name, values in answer.columns.items()}
+    arrays, axes = _beside(beside, several)
+    return PullOff(columns | arrays, dict.fromkeys(columns, ("state",)) | axes, noted(answer.notes))
+
+
+def _beside(beside: dict[str, Any], several: str) -> tuple[dict[str, AnyArray], dict[str, tuple[str, ...]]]:
+    """Single numbers, and the gradient of each map, with their axes."""
+    gradients = np.asarray(beside.pop("rms_gradient"))
+    is_map = several == "map"
+    arrays = {name: np.asarray(value, dtype=np.float64) for name, value in beside.items()}
+    axes: dict[str, tuple[str, ...]] = {**dict.fromkeys(arrays, ()), "rms_gradient": ("map",) if is_map else ()}
+    return {**arrays, "rms_gradient": gradients if is_map else gradients[0]}, axes

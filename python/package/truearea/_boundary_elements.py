@@ -4,23 +4,20 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, Literal, TypedDict, Union, overload
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import numpy.typing as npt
 
 from truearea import _native
-from truearea._adhesion import AdhesiveContact, PullOff, adhesive_result
 from truearea._arrays import doubles, lengths_of
-from truearea._choices import Branch, Detrend
 from truearea._curves import Pressures
 from truearea._grammar import AnyMaterial, material_of, spectrum_of
 from truearea._material import Quantity
 from truearea._native import InputError
 from truearea._notes import noted
-from truearea._options import RandomSurfaces, Unpack, with_options
 from truearea._picture import Drawn, Picture, Trace
-from truearea._progress import Line, Progress, observer_of
+from truearea._options import FlatOptions, PressOptions, Unpack, with_options
+from truearea._progress import observed
 from truearea._results import AnyArray, FloatArray, Result, Table
 from truearea._scan import Scan
 from truearea._spectrum import Spectrum
@@ -28,10 +25,6 @@ from truearea._topography import heights_and_size, is_topography
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-
-Size = Union[Quantity, "tuple[Quantity, Quantity]"]
-"""Lengths along x and y, in m or as text; one of a square map."""
 
 
 class Patches(Table):
@@ -80,20 +73,6 @@ class Pressed(Drawn, Result):
     height_m: FloatArray
     x_m: FloatArray
     y_m: FloatArray
-
-    def __init__(
-        self,
-        arrays: Mapping[str, AnyArray],
-        axes: Mapping[str, tuple[str, ...]],
-        notes: tuple[str, ...] = (),
-        patches: Patches | None = None,
-    ) -> None:
-        super().__init__(arrays, axes, notes)
-        self.patches = patches
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        kind, state = super().__reduce__()
-        return kind, (*state, self.patches)
 
     def _picture(self) -> Picture:
         pressures_pa = np.asarray(self.nominal_pressure_pa)
@@ -157,102 +136,20 @@ class PressedBall(Result):
     residual: FloatArray
 
 
-class ElementsOptions(RandomSurfaces, total=False):
-    """Options of boundary elements."""
-
-    detrend: Detrend | None
-    tolerance: float
-    progress: Progress
-
-
-class RepeatedOptions(ElementsOptions, total=False):
-    """Options of surfaces that may repeat themselves."""
-
-    periodic: bool | None
-    per_realisation: bool
-
-
-class FlatOptions(RepeatedOptions, total=False):
-    """Options of flats that do not attract the surface."""
-
-    mean_gap: Pressures | None
-    indentation: Pressures | None
-    saturation: Quantity | None
-    fields: bool
-    patches: bool
-
-
-class BodyOptions(TypedDict, total=False):
-    """Options of balls, and of surfaces that attract each other."""
-
-    ball_radius: Quantity | None
-    force: Quantity | None
-    work_of_adhesion: Quantity | None
-    adhesion_range: Quantity | None
-    branch: Branch | None
-    pull_off: bool
-
-
-@overload
+@with_options(FlatOptions)
 def boundary_elements(
     surface: Any,
     material: AnyMaterial,
     *,
     pressure: Pressures | None = None,
-    size: Size | None = None,
+    mean_gap: Pressures | None = None,
+    indentation: Pressures | None = None,
+    saturation: Quantity | None = None,
+    fields: bool = False,
+    patches: bool = False,
     **options: Unpack[FlatOptions],
-) -> Pressed: ...
-
-
-@overload
-def boundary_elements(
-    surface: Any,
-    material: AnyMaterial,
-    *,
-    ball_radius: Quantity,
-    force: Quantity,
-    size: Size | None = None,
-    **options: Unpack[ElementsOptions],
-) -> PressedBall: ...
-
-
-@overload
-def boundary_elements(
-    surface: Any,
-    material: AnyMaterial,
-    *,
-    work_of_adhesion: Quantity,
-    adhesion_range: Quantity,
-    pressure: Pressures,
-    branch: Branch = "apart",
-    size: Size | None = None,
-    **options: Unpack[RepeatedOptions],
-) -> AdhesiveContact: ...
-
-
-@overload
-def boundary_elements(
-    surface: Any,
-    material: AnyMaterial,
-    *,
-    work_of_adhesion: Quantity,
-    adhesion_range: Quantity,
-    pull_off: Literal[True],
-    size: Size | None = None,
-    **options: Unpack[RepeatedOptions],
-) -> PullOff: ...
-
-
-@with_options(FlatOptions, BodyOptions)
-def boundary_elements(
-    surface: Any,
-    material: AnyMaterial,
-    *,
-    pressure: Pressures | None = None,
-    size: Size | None = None,
-    **options: Any,
-) -> Pressed | PressedBall | AdhesiveContact | PullOff:
-    """Press heights, or random surfaces of a spectrum, into a half-space that is elastic, flows at a hardness, or attracts them.
+) -> Pressed:
+    """Press heights, or random surfaces of a spectrum, into a half-space that is elastic or flows at a hardness.
 
     Every point of the grid carries a pressure, and equilibrium is found by conjugate directions with the displacements of the
     half-space by fast Fourier transforms. Areas are corrected for the staircase around each spot (Yastrebov, Anciaux & Molinari
@@ -274,40 +171,14 @@ def boundary_elements(
         which is ``mean_gap_m`` less ``mean_plastic_depth_m``.
     indentation : float or str, or sequence of them
         Distances in m by which the bodies approach from where the highest point touches, held in place of pressures.
-    size : float or str, or two of them, optional
-        Lengths (lx, ly) of the map in m or as text, ``columns`` and ``rows`` spacings; one for a square of as many rows as
-        columns. Scans, topographies and spectra know their own.
     saturation : float or str, optional
         The pressure at which the surface flows, an indentation hardness such as ``"3 GPa"`` or ``"1 H"``; elastic throughout
         where left out.
-    periodic : bool, default False
-        What lies beyond the edges of a map: the map again, or an unloaded half-space. Of a scan or topography what it says
-        itself, where left out.
-    detrend : {"plane", "line", "mean"}, optional
-        What is subtracted from heights: by default a plane, from those that repeat themselves the mean.
     tolerance : float, default 1e-6
         The residual at which the iteration stops, above 0 and at most 0.1. The residual is the mean of ``|gap|`` over the points
         in contact below the saturation, weighted with their pressures and divided by the rms height: an exact solution has 0.
     fields : bool, default False
         Give pressure and gap of every point as well.
-    per_realisation : bool, default False
-        Return every surface, not the mean.
-    progress : bool or callable, default False
-        True shows a line on stderr; a callable receives the steps done and their number.
-    ball_radius : float or str, optional
-        Radius in m of a smooth ball that is pressed onto the middle of the surface, whose edges are free, as
-        ``truearea bem --ball-radius`` does.
-    force : float or str, optional
-        Force on the ball, in N or as text such as ``"10 mN"``.
-    work_of_adhesion : float or str, optional
-        Work of adhesion w in J/m² or as text such as ``"50 mJ/m^2"``: the surfaces, which repeat themselves, attract each other,
-        and pressures may be negative.
-    adhesion_range : float or str, optional
-        Range rho in m of the attraction ``(w / rho) exp(-gap / rho)``, which ``work_of_adhesion`` needs.
-    branch : {"apart", "contact", "both"}, optional
-        History of the load with adhesion: from first touch, which is usual, from full contact, or both, one behind the other.
-    pull_off : bool, default False
-        Pull the surfaces apart in place of pressing them.
     patches : bool, default False
         Find the regions that touch without a break, each with its area and perimeter.
 
@@ -323,20 +194,6 @@ def boundary_elements(
         the band of random surfaces. With ``fields``, ``pressure_pa`` and ``gap_m`` of shape (loads, rows, columns), of several
         surfaces (loads, surfaces, rows, columns), ``height_m``, the heights as they were pressed, and ``x_m`` and ``y_m``.
         With ``patches``, its attribute of this name is a table of them.
-    AdhesiveContact
-        With ``work_of_adhesion``, along the loads, along the branches where both are followed, and along the surfaces as above:
-        ``area_fraction`` of points without a gap, and less the staircase; ``repulsive_area_fraction`` of those under compression;
-        ``mean_gap_m``, ``mean_attraction_pa``, ``largest_contact_pressure_pa``, ``residual``. Single numbers are:
-        ``fuller_tabor`` and ``pastewka_robbins`` of a spectrum, ``hysteresis_...`` where the branches differ most,
-        ``process_zone_points`` of a grid that is coarse.
-    PullOff
-        With ``pull_off``, the same along the states of the curve, and ``pull_off_pressure_pa``, ``pull_off_mean_gap_m`` and
-        ``pull_off_area_fraction`` at the largest pull, the mean over the surfaces.
-    PressedBall
-        With ``ball_radius``, along the surfaces: ``real_area_m2`` and its value less the staircase,
-        ``real_area_corrected_m2``; ``effective_radius_m`` and ``peak_mean_pressure_pa`` of the pressure averaged around the axis,
-        beside ``hertz_radius_m`` and ``hertz_pressure_pa`` of a smooth ball; ``force_share``, the share of the force within
-        half of Hertz's radius; ``outermost_contact_m``, ``roughness_number``, ``residual``.
 
     Raises
     ------
@@ -365,85 +222,68 @@ def boundary_elements(
     >>> bool(np.allclose(held.nominal_pressure_pa, [1e7, 1e9], rtol=1e-4))
     True
     """
-    arguments = {"pressure": pressure, "size": size, "tolerance": 1e-6, **options}
-    kind, periodic = _checked_kind(arguments), arguments.get("periodic")
+    arguments = {
+        "pressure": pressure,
+        "mean_gap": mean_gap,
+        "indentation": indentation,
+        "saturation": saturation,
+        "fields": fields,
+        "patches": patches,
+        **options,
+    }
+    return _pressed(*press(_native.press_flat, surface, material, arguments))
+
+
+@with_options(PressOptions)
+def ball(
+    surface: Any, material: AnyMaterial, *, radius: Quantity, force: Quantity, **options: Unpack[PressOptions]
+) -> PressedBall:
+    """Press a smooth ball onto the middle of a rough flat, whose edges are free.
+
+    Parameters
+    ----------
+    surface, material, tolerance : as for ``boundary_elements``
+        One map, or random surfaces, the bodies in contact, and the residual at which the iteration stops.
+    radius : float or str
+        Radius of the ball, in m or as text such as ``"1 mm"``.
+    force : float or str
+        Force on the ball, in N or as text such as ``"10 mN"``.
+
+    Returns
+    -------
+    PressedBall
+        Along the surfaces: ``real_area_m2`` and its value less the staircase, ``real_area_corrected_m2``;
+        ``effective_radius_m`` and ``peak_mean_pressure_pa`` of the pressure averaged around the axis, beside ``hertz_radius_m``
+        and ``hertz_pressure_pa`` of a smooth ball; ``force_share``, the share of the force within half of Hertz's radius;
+        ``outermost_contact_m``, ``roughness_number``, ``residual``.
+
+    Raises
+    ------
+    InputError
+        With argument, value and bound; and where the contact reaches the edges.
+    """
+    answer, _, _ = press(_native.press_ball, surface, material, {"radius": radius, "force": force, **options})
+    columns = {name: np.asarray(values) for name, values in answer.columns.items() if name != "realisation"}
+    return PressedBall(columns, dict.fromkeys(columns, ("surface",)), noted(answer.notes))
+
+
+def press(call: Any, surface: Any, material: AnyMaterial, arguments: dict[str, Any]) -> tuple[_native.Answer, dict[str, Any], str]:
+    """Lets the core press surfaces: its answer, what else is known of the surfaces, and the axis of several of them."""
     core = material_of(material)
     if isinstance(surface, (str, os.PathLike)):
         surface = spectrum_of(surface)
-    line = Line()
-    observer = observer_of(options.get("progress", False), line)
-    several = ""
-    try:
-        if isinstance(surface, Spectrum):
-            _refuse(arguments, _OF_HEIGHTS, "a spectrum, only on heights")
-            several = "surface"
-            answer, beside = _native.press_spectrum(surface._native, core, arguments, observer)
-        else:
-            _refuse(arguments, _OF_SPECTRA, "heights, only on a spectrum")
-            maps, lengths, repeats = _maps(surface, size, bool(periodic))
-            if maps.ndim == 3:
-                several, arguments["per_realisation"] = "map", True
-                if kind == "ball":
-                    raise InputError("ball_radius is pressed onto one map; give each by itself")
-            arguments["periodic"] = kind != "ball" and (repeats if periodic is None else bool(periodic))
-            maps = maps.reshape(-1, *maps.shape[-2:])
-            answer, beside = _native.press_heights(maps, lengths, repeats, core, arguments, observer)
-    finally:
-        line.end()
-    if kind == "adhesion":
-        return adhesive_result(answer, beside, several)
-    if kind == "ball":
-        columns = {name: np.asarray(values) for name, values in answer.columns.items() if name != "realisation"}
-        return PressedBall(columns, dict.fromkeys(columns, ("surface",)), noted(answer.notes))
-    return _pressed(answer, beside, several)
+    maps = None if isinstance(surface, Spectrum) else _maps(surface, arguments.get("size"))
+    with observed(arguments.get("progress")) as observer:
+        answer, beside = call(surface._native if maps is None else maps, core, arguments, observer)
+    return answer, beside, "surface" if maps is None else "map" if maps[0].ndim == 3 else ""
 
 
-_LOADS = ("pressure", "mean_gap", "indentation")
-_OF_HEIGHTS: dict[str, Any] = dict.fromkeys(("size", "periodic", "detrend"))
-_OF_SPECTRA: dict[str, Any] = dict.fromkeys(("grid", "realisations", "seed", "longest", "shortest", "side", "phases")) | {
-    "per_realisation": False
-}
-_OF_BALLS: dict[str, Any] = {"force": None}
-_OF_ADHESION: dict[str, Any] = {"adhesion_range": None, "branch": None, "pull_off": False}
-_OF_PLAIN_FLATS: dict[str, Any] = dict.fromkeys(("mean_gap", "indentation", "saturation")) | {"fields": False, "patches": False}
-_OF_FLATS: dict[str, Any] = (
-    dict.fromkeys(("pressure", "periodic", "work_of_adhesion")) | {"per_realisation": False} | _OF_PLAIN_FLATS | _OF_ADHESION
-)
-
-
-def _checked_kind(arguments: dict[str, Any]) -> Literal["flat", "ball", "adhesion"]:
-    """Checks the arguments for the body that is pressed on: those without effect are refused, and those that it needs are present."""
-    if arguments.get("ball_radius") is not None:
-        _refuse(arguments, _OF_FLATS, "a ball")
-        return "ball"
-    _refuse(arguments, _OF_BALLS, "a flat, only on a ball; give ball_radius")
-    if arguments.get("work_of_adhesion") is None:
-        _refuse(arguments, _OF_ADHESION, "surfaces that do not attract each other; give work_of_adhesion")
-        given = [name for name in _LOADS if arguments.get(name) is not None]
-        if len(given) != 1:
-            raise InputError(f"{' and '.join(given) or 'none'} of pressure, mean_gap and indentation is given; give one")
-        return "flat"
-    _refuse(arguments, _OF_PLAIN_FLATS, "surfaces that attract each other")
-    if arguments.get("adhesion_range") is None:
-        raise InputError('adhesion_range is needed beside work_of_adhesion, such as "2 nm"')
-    if arguments.get("pull_off"):
-        _refuse(arguments, {"pressure": None, "branch": None}, "surfaces that are pulled apart")
-    elif arguments.get("pressure") is None:
-        raise InputError("pressure is needed, or pull_off=True in its place")
-    return "adhesion"
-
-
-def _refuse(arguments: dict[str, Any], idle: dict[str, Any], what: str) -> None:
-    for name, left_out in idle.items():
-        if arguments.get(name, left_out) is not left_out:
-            raise InputError(f"{name} has no effect on {what}; leave it out")
-
-
-def _maps(surface: Any, size: Any, periodic: bool) -> tuple[FloatArray, list[Any], bool]:
-    """Maps of heights, the lengths of each, and whether they repeat themselves: of an array nobody else says it."""
+def _maps(surface: Any, size: Any) -> tuple[FloatArray, list[Any], bool | None]:
+    """Maps of heights, the lengths of each, and whether they repeat themselves; None for an array, which does not say it."""
     own: tuple[float, ...] | None = None
+    repeats: bool | None
     if isinstance(surface, (list, tuple)) and surface and all(isinstance(one, Scan) or is_topography(one) for one in surface):
-        each = [_maps(one, size, periodic) for one in surface]
+        each = [_maps(one, size) for one in surface]
         if any((one.shape, lengths, repeats) != (each[0][0].shape, *each[0][1:]) for one, lengths, repeats in each):
             raise InputError("surface: its maps have to be of one shape, size and kind of edges; press each by itself")
         return np.stack([one for one, _, _ in each]), *each[0][1:]
@@ -452,7 +292,7 @@ def _maps(surface: Any, size: Any, periodic: bool) -> tuple[FloatArray, list[Any
     elif is_topography(surface):
         given, own, repeats = heights_and_size(surface, "surface")
     else:
-        given, repeats = surface, periodic
+        given, repeats = surface, None
     if own is None and size is None:
         raise InputError("size is needed: the lengths (lx, ly) of the map, in m or as text")
     if own is not None and size is not None:
@@ -509,4 +349,4 @@ def _pressed(answer: _native.Answer, beside: Mapping[str, Any], several: str) ->
             count = arrays["height_m"].shape[-1 if axis == "column" else -2]
             arrays[name], axes[name] = np.arange(count) * (length_m / count), (axis,)
     patches = Patches._of(beside["patches"], axis="patch") if "patches" in beside else None
-    return Pressed(arrays, axes, noted(answer.notes), patches)
+    return Pressed(arrays, axes, noted(answer.notes), patches=patches)

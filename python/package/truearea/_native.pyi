@@ -10,8 +10,9 @@ _Floats = npt.NDArray[np.float64]
 _Columns = dict[str, Any]
 _Arguments = Mapping[str, Any]
 _Note = tuple[str, str, str, tuple[list[str], int | None, int | None, str | None]]
+_Bodies = Surface | tuple[_Floats, Sequence[Any], bool | None]
 _Pressed = tuple[Answer, dict[str, Any]]
-_Observer = Callable[[str, int, "int | None"], None]
+_Observer = Callable[[str, int, "int | None"], object]
 
 class _MaterialFacts(TypedDict):
     youngs_modulus_pa: float | None
@@ -96,20 +97,9 @@ def contact_states(
 def curve(
     framework: str, surface: Surface, material: Material, arguments: _Arguments
 ) -> tuple[Answer, list[float | None], dict[str, float]]: ...
-def press_heights(
-    heights_m: _Floats,
-    size: Sequence[Any],
-    repeats: bool,
-    material: Material,
-    arguments: _Arguments,
-    observer: _Observer | None,
-) -> _Pressed: ...
-def press_spectrum(
-    surface: Surface,
-    material: Material,
-    arguments: _Arguments,
-    observer: _Observer | None,
-) -> _Pressed: ...
+def press_flat(bodies: _Bodies, material: Material, arguments: _Arguments, observer: _Observer | None) -> _Pressed: ...
+def press_ball(bodies: _Bodies, material: Material, arguments: _Arguments, observer: _Observer | None) -> _Pressed: ...
+def press_adhesive(bodies: _Bodies, material: Material, arguments: _Arguments, observer: _Observer | None) -> _Pressed: ...
 def materials_table() -> _Columns: ...
 def models_table() -> _Columns: ...
 def model_style(name: str) -> tuple[str, str, str]: ...

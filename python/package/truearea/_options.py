@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING, Any, TypedDict, TypeVar, cast
 if TYPE_CHECKING:
     from typing_extensions import Unpack as Unpack
 
-    from truearea._choices import Band, EnergyFactor, HardnessFormula, InterferenceLaw, Normalisation, Phases
+    from truearea._choices import Band, Detrend, EnergyFactor, HardnessFormula, InterferenceLaw, Normalisation, Phases
     from truearea._material import Quantity
+    from truearea._progress import Progress
 else:
     # Checkers alone unpack dictionaries of options.
     Unpack = dict
@@ -72,6 +73,22 @@ class GapOptions(StatisticalOptions, MeanGap):
 
 class GapAndSurfaceOptions(GapOptions, RandomSurfaces):
     """Options of models with a mean gap, and of random surfaces for boundary elements."""
+
+
+class PressOptions(RandomSurfaces):
+    """A map of heights, or random surfaces, and how boundary elements press them."""
+
+    size: Quantity | tuple[Quantity, Quantity] | None
+    detrend: Detrend | None
+    tolerance: float | None
+    progress: Progress
+
+
+class FlatOptions(PressOptions):
+    """A map or random surfaces under a flat."""
+
+    periodic: bool | None
+    per_realisation: bool
 
 
 def with_options(*groups: Any) -> Callable[[Call], Call]:
@@ -183,4 +200,20 @@ longest, shortest : float or str, optional
 side : float or str, optional
     Length of a side of the surfaces.
 phases : {"fixed-modulus", "gaussian"}, optional
-    What is random: phases alone, or moduli as well.""")
+    What is random: phases alone, or moduli as well.
+size : float or str, or two of them, optional
+    Lengths (lx, ly) of the map in m or as text, ``columns`` and ``rows`` spacings; one for a square of as many rows as columns.
+    Scans, topographies and spectra know their own.
+detrend : {"plane", "line", "mean"}, optional
+    What is subtracted from heights: by default a plane, from those that repeat themselves the mean.
+periodic : bool, default False
+    What lies beyond the edges of a map: the map again, or an unloaded half-space. Of a scan or topography what it says itself,
+    where left out.
+per_realisation : bool, default False
+    Return each random surface instead of their mean.
+work_of_adhesion : float or str
+    Work of adhesion w in J/m² or as text such as ``"50 mJ/m^2"``.
+adhesion_range : float or str
+    Range rho of the attraction, in m or as text such as ``"2 nm"``.
+progress : bool or callable, default False
+    True shows a line on stderr; a callable receives the steps done and their number, None where it is not known.""")

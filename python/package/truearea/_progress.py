@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Union
 
 Watcher = Callable[[int, "int | None"], object]
@@ -13,7 +14,7 @@ Watcher = Callable[[int, "int | None"], object]
 Progress = Union[bool, Watcher]
 """True for a line on stderr, False for nothing, or a callable."""
 
-Observer = Callable[[str, int, "int | None"], None]
+Observer = Callable[[str, int, "int | None"], object]
 
 
 class Line:
@@ -41,17 +42,18 @@ class Line:
             print("\r", end="", file=sys.stderr, flush=True)
 
 
-def observer_of(progress: Progress, line: Line) -> Observer | None:
-    """Returns the observer for a request of progress."""
-    if progress is True:
-        return line
-    if progress is False or progress is None:
-        return None
-    if not callable(progress):
+@contextmanager
+def observed(progress: Progress | None) -> Iterator[Observer | None]:
+    """Gives the observer for a request of progress; its line is gone in the end."""
+    if progress is None or progress is False:
+        yield None
+    elif progress is True:
+        line = Line()
+        try:
+            yield line
+        finally:
+            line.end()
+    elif callable(progress):
+        yield lambda _, done, total: progress(done, total)
+    else:
         raise TypeError(f"progress: give True, False or a callable, not a value of type {type(progress).__name__}")
-    watcher = progress
-
-    def tell(_: str, done: int, total: int | None) -> None:
-        watcher(done, total)
-
-    return tell

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from functools import partial
 from html import escape
 from typing import TYPE_CHECKING, Any, NoReturn
 
@@ -74,6 +75,7 @@ class Result(dict[str, AnyArray]):
         arrays: Mapping[str, AnyArray],
         axes: Mapping[str, tuple[str, ...]],
         notes: tuple[str, ...] = (),
+        **beside: Any,
     ) -> None:
         super().__init__(arrays)
         for array in self.values():
@@ -81,6 +83,8 @@ class Result(dict[str, AnyArray]):
                 array.flags.writeable = False
         self._axes = dict(axes)
         self.notes = tuple(note if isinstance(note, Note) else Note(note) for note in notes)
+        for name, value in beside.items():
+            setattr(self, name, value)
 
     if not TYPE_CHECKING:
         # Types know the arrays of every kind of result, so that a mistyped one is an error to a checker.
@@ -107,7 +111,9 @@ class Result(dict[str, AnyArray]):
         return table if dtype is None else table.astype(dtype)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return (type(self), (dict(self), self._axes, self.notes))
+        slots = (name for kind in type(self).__mro__ for name in vars(kind).get("__slots__", ()))
+        beside = {name: getattr(self, name) for name in slots if name not in Result.__slots__}
+        return (partial(type(self), **beside), (dict(self), self._axes, self.notes))
 
     def __eq__(self, other: object) -> bool:
         if type(other) is not type(self):

@@ -18,7 +18,7 @@ from truearea._choices import Template
 from truearea._material import Material, Quantity
 from truearea._native import InputError
 from truearea._notes import Note, notes_of
-from truearea._progress import Line, Progress, observer_of
+from truearea._progress import Progress, observed
 from truearea._results import AnyArray, Table
 from truearea._scene_files import files_of
 from truearea._scene_sections import (
@@ -376,14 +376,9 @@ class Scene:
         InputError
             If the scene cannot be run.
         """
-        line = Line()
         occasion = (datetime.now(timezone.utc).strftime("%Y-%m-%d %H:%M UTC"), f"Scene.run of {self._recipe[1]}")
-        try:
-            answer, tables, files = self._native.run(
-                report, judge, uncertainty, occasion, observer_of(progress, line)
-            )
-        finally:
-            line.end()
+        with observed(progress) as observer:
+            answer, tables, files = self._native.run(report, judge, uncertainty, occasion, observer)
         return SceneResults(
             self.title,
             answer,
