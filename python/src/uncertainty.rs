@@ -14,7 +14,9 @@ use uncertainty::AreaInterval;
 use units::{Bound as NumberBound, RemarkPlace};
 
 use crate::answer::{Told, columns, in_text, refused, words};
-use crate::arguments::{Arguments, Given, any_model, checked, choice, number, tolerance, without_unit};
+use crate::arguments::{
+    Arguments, Given, any_model, checked, choice, number, tolerance, without_unit, wrong_type,
+};
 use crate::errors::{input, of_argument};
 use crate::material::PyMaterial;
 use crate::surface::PySurface;
@@ -37,21 +39,20 @@ pub fn uncertainty_of<'py>(
     py: Python<'py>,
     surface: &PySurface,
     material: &PyMaterial,
-    names: Vec<String>,
     of_material: Vec<GivenSpread<'py>>,
     arguments: Arguments<'py>,
     observer: Option<&Observer<'py>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let question = UncertaintyQuestion {
-        models: models(&names)?,
+        models: models(&arguments)?,
         options: arguments.model_options()?,
         material: material.input,
         spreads: spreads(&of_material)?,
         pressures: arguments.pressures()?,
         sampling: arguments.sampling()?,
-        normalisation: arguments.get("normalisation", choice)?,
-        amplitude: arguments.get("amplitude", choice)?,
-        tolerance: arguments.required("tolerance", tolerance)?,
+        normalisation: Some(arguments.get("normalisation", choice)?.unwrap_or_default()),
+        amplitude: Some(arguments.get("amplitude", choice)?.unwrap_or_default()),
+        tolerance: arguments.get("tolerance", tolerance)?.unwrap_or_default(),
         choices: choices(&arguments)?,
     };
     let areas = carry_out(py, observer, |watch| question.answer(&surface.surface, watch))?;
@@ -63,17 +64,23 @@ pub fn uncertainty_of<'py>(
 }
 
 /// The models, each once.
-fn models(names: &[String]) -> PyResult<Vec<&'static ModelEntry>> {
-    if names.is_empty() {
+fn models(arguments: &Arguments<'_>) -> PyResult<Vec<&'static ModelEntry>> {
+    let one = |argument: &str, given: &Given<'_>| {
+        let name: String =
+            given.extract().map_err(|_| wrong_type(argument, "the name of a model is needed", given))?;
+        Ok((argument.to_owned(), any_model(&name)?))
+    };
+    let named = arguments.several("model", one)?.unwrap_or_default();
+    if named.is_empty() {
         return Err(of_argument("model", "it is empty; give at least one"));
     }
-    let entry = |(at, name): (usize, &String)| {
-        if names[..at].contains(name) {
-            return Err(input(format!("model[{at}] is {name}, which is given twice; keep one")));
+    let models: Vec<_> = named.iter().map(|(_, entry)| *entry).collect();
+    for (at, (argument, entry)) in named.iter().enumerate() {
+        if models[..at].contains(entry) {
+            return Err(input(format!("{argument} is {}, which is given twice; keep one", entry.name)));
         }
-        any_model(name)
-    };
-    names.iter().enumerate().map(entry).collect()
+    }
+    Ok(models)
 }
 
 /// The numbers of draws.

@@ -38,9 +38,7 @@ def bem(command_line: Callable[..., Columns], *flags: str) -> Columns:
 def test_branches_have_the_digits_of_the_command_line(command_line: Callable[..., Columns], branch: Any) -> None:
     loads = ["--pressure", "20MPa", "--pressure", "50MPa"]
     told = bem(command_line, *FLAGS, *loads, "--branch", branch, "--per-realisation")
-    pressed = ta.boundary_elements(
-        UNCD, GLASS, pressure=["20 MPa", "50 MPa"], branch=branch, per_realisation=True, **RANDOM, **STICKY
-    )
+    pressed = ta.adhesion(UNCD, GLASS, pressure=["20 MPa", "50 MPa"], branch=branch, per_realisation=True, **RANDOM, **STICKY)
     assert pressed.axes("area_fraction") == (("load", "branch", "surface") if branch == "both" else ("load", "surface"))
     for name in ("area_fraction", "repulsive_area_fraction", "mean_gap_m", "mean_attraction_pa", "residual"):
         # Rows go through the loads of each branch of each surface.
@@ -48,7 +46,7 @@ def test_branches_have_the_digits_of_the_command_line(command_line: Callable[...
     assert np.allclose(pressed.nominal_pressure_pa, [2e7, 5e7], rtol=1e-12, atol=0.0)
     assert np.reshape(pressed.branch, -1).tolist() == list(dict.fromkeys(words(told, "branch")))
     means = bem(command_line, *FLAGS, *loads, "--branch", branch)
-    pressed = ta.boundary_elements(UNCD, GLASS, pressure=[2e7, 5e7], branch=branch, **RANDOM, **STICKY)
+    pressed = ta.adhesion(UNCD, GLASS, pressure=[2e7, 5e7], branch=branch, **RANDOM, **STICKY)
     assert np.array_equal(pressed.area_fraction.T.reshape(-1), numbers(means, "area_fraction"))
     assert pressed.pastewka_robbins > 0.0 and pressed.fuller_tabor > 0.0
     assert pickle.loads(pickle.dumps(pressed)) == pressed
@@ -56,7 +54,7 @@ def test_branches_have_the_digits_of_the_command_line(command_line: Callable[...
 
 def test_pull_off_has_the_digits_of_the_command_line_and_its_largest_pull(command_line: Callable[..., Columns]) -> None:
     told = bem(command_line, *FLAGS, "--pull-off")
-    pulled = ta.boundary_elements(UNCD, GLASS, pull_off=True, **RANDOM, **STICKY)
+    pulled = ta.pull_off(UNCD, GLASS, **RANDOM, **STICKY)
     assert isinstance(pulled, ta.PullOff)
     for name in told:
         expected = words(told, name) if name == "branch" else numbers(told, name)
@@ -77,7 +75,7 @@ def test_maps_carry_the_loads_of_another_solver(reference: Callable[[str], Colum
     table = reference("adhesion.csv")
     at = np.array(words(table, "map")) == "a"
     row = {name: numbers(table, name)[at][-1] for name in table if name not in ("map", "start")}
-    pressed = ta.boundary_elements(
+    pressed = ta.adhesion(
         heights_m,
         ta.Material("1 GPa", 0.0),
         pressure=row["pressure_over_e_star"] * 1e9,
@@ -93,11 +91,11 @@ def test_maps_carry_the_loads_of_another_solver(reference: Callable[[str], Colum
 
 def test_maps_are_pressed_side_by_side_and_may_be_pulled() -> None:
     maps = np.stack([wave(), 0.5 * wave()])
-    options: dict[str, Any] = {"size": "2 um", "periodic": True, **STICKY}
-    both = ta.boundary_elements(maps, GLASS, pressure=["50 MPa", "-1 MPa", 0.0], **options)
+    options: dict[str, Any] = {"size": "2 um", "periodic": True, "pressure": ["50 MPa", "-1 MPa", 0.0], **STICKY}
+    both = ta.adhesion(maps, GLASS, **options)
     assert both.axes("area_fraction") == ("load", "map") and both.axes("rms_gradient") == ("map",)
     for at, heights_m in enumerate(maps):
-        alone = ta.boundary_elements(heights_m, GLASS, pressure=["50 MPa", "-1 MPa", 0.0], **options)
+        alone = ta.adhesion(heights_m, GLASS, **options)
         assert np.array_equal(alone.area_fraction, both.area_fraction[:, at])
     assert [note.code for note in both.notes if "metastable" in note.code] == ["adhesion.metastable"]
     assert np.allclose(both.nominal_pressure_pa, [5e7, -1e6, 0.0], rtol=1e-12, atol=0.0)
@@ -119,46 +117,45 @@ def test_patches_are_those_of_the_command_line(command_line: Callable[..., Colum
 
 
 @pytest.mark.parametrize(
-    ("options", "named"),
+    ("call", "options", "named"),
     [
-        ({"work_of_adhesion": "20 J/m^2", "pressure": 1e7}, ["adhesion_range"]),
-        ({"adhesion_range": "1 nm", "pressure": 1e7}, ["adhesion_range", "work_of_adhesion"]),
-        ({"branch": "both", "pressure": 1e7}, ["branch", "work_of_adhesion"]),
-        ({"pull_off": True}, ["pull_off", "work_of_adhesion"]),
-        ({**STICKY}, ["pressure", "pull_off"]),
-        ({**STICKY, "pull_off": True, "pressure": 1e7}, ["pressure", "pulled apart"]),
-        ({**STICKY, "pull_off": True, "branch": "apart"}, ["branch", "pulled apart"]),
-        ({**STICKY, "pressure": 1e7, "saturation": "1 GPa"}, ["saturation"]),
-        ({**STICKY, "pressure": 1e7, "mean_gap": "1 nm"}, ["mean_gap"]),
-        ({**STICKY, "pressure": 1e7, "fields": True}, ["fields"]),
-        ({**STICKY, "pressure": 1e7, "patches": True}, ["patches"]),
-        ({**STICKY, "pressure": 1e7, "branch": "up"}, ["branch", "up", "both"]),
-        ({**STICKY, "pressure": float("nan")}, ["pressure", "NaN"]),
-        ({**STICKY, "pressure": "-10 GPa"}, ["adhesion", "GPa"]),
-        ({"work_of_adhesion": "20 J/m", "adhesion_range": "1 nm", "pressure": 1e7}, ["work_of_adhesion", "20 J/m"]),
-        ({"work_of_adhesion": -1.0, "adhesion_range": "1 nm", "pressure": 1e7}, ["work_of_adhesion", "-1"]),
-        ({"work_of_adhesion": 1.0, "adhesion_range": "50 MPa", "pressure": 1e7}, ["adhesion_range", "50 MPa"]),
+        (ta.adhesion, {"branch": "up"}, ["branch", "up", "both"]),
+        (ta.adhesion, {"pressure": float("nan")}, ["pressure", "NaN"]),
+        (ta.adhesion, {"pressure": "-10 GPa"}, ["adhesion", "GPa"]),
+        (ta.adhesion, {"work_of_adhesion": "20 J/m"}, ["work_of_adhesion", "20 J/m"]),
+        (ta.adhesion, {"work_of_adhesion": -1.0}, ["work_of_adhesion", "-1"]),
+        (ta.adhesion, {"work_of_adhesion": None}, ["work_of_adhesion", "NoneType"]),
+        (ta.adhesion, {"adhesion_range": "50 MPa"}, ["adhesion_range", "50 MPa"]),
         # The process zone falls between two points.
-        ({"work_of_adhesion": 20.0, "adhesion_range": "1 nm", "pressure": 1e7}, ["adhesion", "points"]),
-        ({"ball_radius": "1 mm", "force": "1 mN", "work_of_adhesion": 1.0}, ["work_of_adhesion", "ball"]),
-        ({"ball_radius": "1 mm", "force": "1 mN", "patches": True}, ["patches", "ball"]),
+        (ta.adhesion, {"adhesion_range": "1 nm"}, ["adhesion", "points"]),
+        (ta.adhesion, {"grid": 64}, ["grid", "heights", "spectrum"]),
+        (ta.pull_off, {"pressure": None, "adhesion_range": "50 MPa"}, ["adhesion_range", "50 MPa"]),
     ],
 )
-def test_what_does_not_go_together_is_refused_by_name(options: dict[str, Any], named: list[str]) -> None:
+def test_what_does_not_go_together_is_refused_by_name(call: Any, options: dict[str, Any], named: list[str]) -> None:
+    given = {"size": "2 um", "periodic": True, "pressure": 1e7, **STICKY, **options}
     with refused_naming(*named):
-        ta.boundary_elements(wave(), GLASS, size="2 um", **{"periodic": True} if "ball_radius" not in options else {}, **options)
+        call(wave(), GLASS, **(given if call is ta.adhesion else {name: one for name, one in given.items() if name != "pressure"}))
+
+
+@pytest.mark.parametrize("argument", ["saturation", "mean_gap", "fields", "patches", "radius", "force"])
+def test_a_function_names_an_argument_that_it_has_not(argument: str) -> None:
+    calls: list[Any] = [ta.adhesion, ta.pull_off]
+    for call in calls:
+        with refused_naming(call.__name__, argument, by=TypeError):
+            call(wave(), GLASS, **{argument: 1.0})
 
 
 def test_free_edges_are_refused_with_adhesion() -> None:
     with refused_naming("adhesion", "edges"):
-        ta.boundary_elements(wave(), GLASS, pressure=1e7, size="2 um", **STICKY)
+        ta.adhesion(wave(), GLASS, pressure=1e7, size="2 um", **STICKY)
 
 
 def test_units_of_pint_are_converted() -> None:
     pint = pytest.importorskip("pint")
     units = pint.UnitRegistry()
     options: dict[str, Any] = {"size": "2 um", "periodic": True}
-    given = ta.boundary_elements(
+    given = ta.adhesion(
         wave(),
         GLASS,
         pressure=units.Quantity(50, "MPa"),
@@ -166,7 +163,7 @@ def test_units_of_pint_are_converted() -> None:
         adhesion_range=units.Quantity(100, "nm"),
         **options,
     )
-    assert np.allclose(given.area_fraction, ta.boundary_elements(wave(), GLASS, pressure=5e7, **options, **STICKY).area_fraction)
+    assert np.allclose(given.area_fraction, ta.adhesion(wave(), GLASS, pressure=5e7, **options, **STICKY).area_fraction)
 
 
 def test_notes_have_a_level_and_a_place() -> None:

@@ -350,15 +350,15 @@ def test_the_material_may_come_second_as_in_all_other_functions() -> None:
     spectrum = ta.read_psd("builtin:uncd-measured")
     assert ta.boundary_elements(spectrum, steel, pressure="10 MPa", grid=16, realisations=2).sizes["load"] == 1
     with pytest.raises(TypeError, match="2 positional"):
-        ta.boundary_elements(heights, steel, "10 MPa")  # type: ignore[call-overload]  # pyright: ignore[reportCallIssue, reportArgumentType]
+        ta.boundary_elements(heights, steel, "10 MPa")  # type: ignore[call-arg]  # pyright: ignore[reportCallIssue]
 
 
 def test_the_signature_shows_the_order_of_all_other_functions() -> None:
     shown = inspect.signature(ta.boundary_elements).parameters
-    assert list(shown)[:4] == ["surface", "material", "pressure", "size"]
+    assert list(shown)[:4] == ["surface", "material", "pressure", "mean_gap"]
     kinds = {parameter.kind for parameter in list(shown.values())[2:]}
     assert kinds == {inspect.Parameter.KEYWORD_ONLY}
-    assert {"saturation", "tolerance", "grid", "ball_radius", "force", "progress"} <= set(shown)
+    assert {"saturation", "tolerance", "grid", "periodic", "progress"} <= set(shown)
 
 
 BUMPS = 1e-9 * np.random.default_rng(3).standard_normal((64, 64))
@@ -369,7 +369,7 @@ def test_a_ball_on_a_smooth_flat_is_hertz() -> None:
     radius_m = (0.75 * 1e-3 * 1e-3 / 100e9) ** (1 / 3)
     flat = np.zeros((128, 128))
     flat[0, 0] = -1e-15
-    pressed = ta.boundary_elements(flat, GLASS, ball_radius="1 mm", force="1 mN", size=8 * radius_m, detrend="mean")
+    pressed = ta.ball(flat, GLASS, radius="1 mm", force="1 mN", size=8 * radius_m, detrend="mean")
     assert pressed.hertz_radius_m[0] == pytest.approx(radius_m, rel=1e-9)
     assert pressed.effective_radius_m[0] == pytest.approx(radius_m, rel=0.01)
     assert pressed.hertz_pressure_pa[0] == pytest.approx(1.5e-3 / (np.pi * radius_m**2), rel=1e-9)
@@ -379,14 +379,14 @@ def test_a_ball_on_a_smooth_flat_is_hertz() -> None:
 @pytest.mark.parametrize("kind", ["map", "spectrum"])
 def test_balls_are_pressed_as_the_command_line_presses_them(kind: str, command_line: Callable[..., Columns]) -> None:
     ball = ["--ball-radius", "100um", "--force", "1uN", "--tolerance", "1e-5"]
-    options: dict[str, Any] = {"ball_radius": "100 um", "force": 1e-6, "tolerance": 1e-5}
+    options: dict[str, Any] = {"radius": "100 um", "force": 1e-6, "tolerance": 1e-5}
     if kind == "map":
         file = REFERENCE / "bem_b.nc"
         crates = command_line("bem", str(file), "--youngs-modulus", "100GPa", "--poisson-ratio", "0", *ball)
-        pressed = ta.boundary_elements(ta.read_scan(file), GLASS, **options)
+        pressed = ta.ball(ta.read_scan(file), GLASS, **options)
     else:
         crates = command_line("bem", UNCD, *TYPED, *ball)
-        pressed = ta.boundary_elements(ta.read_psd(UNCD), GLASS, **options, **RANDOM)
+        pressed = ta.ball(ta.read_psd(UNCD), GLASS, **options, **RANDOM)
     assert isinstance(pressed, ta.PressedBall)
     assert set(crates) - set(pressed) == {"realisation"}
     for name in pressed:
@@ -397,28 +397,25 @@ def test_balls_are_pressed_as_the_command_line_presses_them(kind: str, command_l
 @pytest.mark.parametrize(
     ("changes", "told"),
     [
-        ({"pressure": "1 MPa"}, "pressure ball"),
-        ({"saturation": "1 GPa"}, "saturation ball"),
-        ({"periodic": True}, "periodic ball"),
-        ({"fields": True}, "fields ball"),
         ({"force": None}, "force NoneType"),
         ({"force": "1 MPa"}, "force:"),
         ({"force": -1.0}, "force -1;"),
-        ({"ball_radius": None}, "force ball_radius"),
-        ({"ball_radius": "1 N"}, "ball_radius:"),
+        ({"radius": None}, "radius NoneType"),
+        ({"radius": "1 N"}, "radius:"),
+        ({"realisations": 2}, "realisations heights spectrum"),
         ({"force": "1 kN"}, "19.6 500"),
     ],
 )
 def test_balls_that_cannot_be_pressed_are_refused(changes: dict[str, Any], told: str) -> None:
-    given: dict[str, Any] = {"ball_radius": "1 um", "force": "1 nN", "size": "1 um"} | changes
+    given: dict[str, Any] = {"radius": "1 um", "force": "1 nN", "size": "1 um"} | changes
     with refused_naming(*told.split()):
-        ta.boundary_elements(BUMPS, GLASS, **given)
+        ta.ball(BUMPS, GLASS, **given)
 
 
 def test_a_watcher_of_a_ball_does_not_know_the_end() -> None:
     told: list[tuple[int, int | None]] = []
     watch: Any = lambda done, of: told.append((done, of))
-    ta.boundary_elements(BUMPS, GLASS, ball_radius="100 um", force="1 uN", size="10 um", progress=watch)
+    ta.ball(BUMPS, GLASS, radius="100 um", force="1 uN", size="10 um", progress=watch)
     assert told and {of for _, of in told} == {None}
 
 
@@ -437,8 +434,8 @@ def test_several_maps_are_pressed_as_each_by_itself() -> None:
     with ta.threads(1):
         assert ta.boundary_elements(maps, GLASS, **options) == together
     assert ta.threads() == before
-    with refused_naming("ball_radius", "map"):
-        ta.boundary_elements(maps, GLASS, size="1 um", ball_radius="1 mm", force="1 mN")
+    with refused_naming("ball", "map"):
+        ta.ball(maps, GLASS, size="1 um", radius="1 mm", force="1 mN")
 
 
 def test_scans_of_one_size_are_a_stack_of_maps(tmp_path: Path) -> None:
@@ -479,7 +476,7 @@ def test_a_held_distance_takes_the_load_that_leaves_it() -> None:
         ({"mean_gap": -1e-9, "periodic": True}, "mean_gap"),
     ):
         with refused_naming(*words.split()):
-            ta.boundary_elements(wave(), GLASS, size="1 um", **changes)  # type: ignore[arg-type]
+            ta.boundary_elements(wave(), GLASS, size="1 um", **changes)
 
 
 def test_loads_are_given_in_units_of_modulus_and_gradient() -> None:

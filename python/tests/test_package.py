@@ -111,8 +111,8 @@ def test_typos_are_errors_of_types(tmp_path: Path) -> None:
         "ta.gap(u, 'C45', pressure=1.0, model='hertzz')",
         "ta.law(u, 'C45', pressure=(1.0, 2.0)).to_text('abacus')",
         "ta.boundary_elements(u, 'C45', pressure=1.0, phases='random')",
-        "ta.boundary_elements(u, 'C45', pressure=1.0, work_of_adhesion=1.0, adhesion_range=1.0, branch='up')",
-        "ta.boundary_elements(u, 'C45', pull_off=True, work_of_adhesion=1.0, adhesion_range=1.0).pull_off_pa",
+        "ta.adhesion(u, 'C45', pressure=1.0, work_of_adhesion=1.0, adhesion_range=1.0, branch='up')",
+        "ta.pull_off(u, 'C45', work_of_adhesion=1.0, adhesion_range=1.0).pull_off_pa",
         "ta.boundary_elements(u, 'C45', pressure=1.0).area_fractions",
         "ta.uncertainty(u, 'C45', pressure=1.0, model=['hertz', 'persso'])",
         "ta.Spectrum.from_heights([0.0], 1.0, window='han')",
@@ -154,8 +154,8 @@ def test_arrays_of_results_are_those_that_types_declare() -> None:
         ta.contact(radius=1e-6, density=1e12, sigma_s=1e-8, material=steel, model="hertz", pressure=1e6),
         ta.boundary_elements(wave, steel, pressure="5 MPa", size="1 um", fields=True),
         ta.boundary_elements(wave * np.ones((2, 1, 1)), steel, pressure="5 MPa", size="1 um"),
-        ta.boundary_elements(wave, steel, size="1 um", periodic=True, pull_off=True, work_of_adhesion=0.5, adhesion_range="20 nm"),
-        ta.boundary_elements(
+        ta.pull_off(wave, steel, size="1 um", periodic=True, work_of_adhesion=0.5, adhesion_range="20 nm"),
+        ta.adhesion(
             wave, steel, pressure=1e6, size="1 um", periodic=True, branch="both", work_of_adhesion=0.5, adhesion_range="20 nm"
         ),
         ta.uncertainty(spectrum, steel, pressure="5 MPa", model="persson", draws=40, youngs_modulus="5 %"),

@@ -27,7 +27,7 @@ def answers(monkeypatch: pytest.MonkeyPatch) -> list[_native.Answer]:
 
         return kept_call
 
-    for name in ("curve", "gaps", "press_spectrum"):
+    for name in ("curve", "gaps", "press_flat"):
         monkeypatch.setattr(_native, name, keeping(getattr(_native, name)))
     return kept
 

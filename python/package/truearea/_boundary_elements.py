@@ -15,8 +15,8 @@ from truearea._grammar import AnyMaterial, material_of, spectrum_of
 from truearea._material import Quantity
 from truearea._native import InputError
 from truearea._notes import noted
-from truearea._picture import Drawn, Picture, Trace
 from truearea._options import FlatOptions, PressOptions, Unpack, with_options
+from truearea._picture import Drawn, Picture, Trace
 from truearea._progress import observed
 from truearea._results import AnyArray, FloatArray, Result, Table
 from truearea._scan import Scan

@@ -218,7 +218,6 @@ def channels_of(
 def uncertainty_of(
     surface: Surface,
     material: Material,
-    names: Sequence[str],
     of_material: Sequence[tuple[str, Any, Any]],
     arguments: _Arguments,
     observer: _Observer | None,

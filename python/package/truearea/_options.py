@@ -75,7 +75,7 @@ class GapAndSurfaceOptions(GapOptions, RandomSurfaces):
     """Options of models with a mean gap, and of random surfaces for boundary elements."""
 
 
-class PressOptions(RandomSurfaces):
+class PressOptions(RandomSurfaces, total=False):
     """A map of heights, or random surfaces, and how boundary elements press them."""
 
     size: Quantity | tuple[Quantity, Quantity] | None
@@ -84,7 +84,7 @@ class PressOptions(RandomSurfaces):
     progress: Progress
 
 
-class FlatOptions(PressOptions):
+class FlatOptions(PressOptions, total=False):
     """A map or random surfaces under a flat."""
 
     periodic: bool | None

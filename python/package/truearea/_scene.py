@@ -286,8 +286,8 @@ class Scene:
         >>> 'youngs_modulus = "200 GPa"' in scene.text
         True
         """
-        text, name, *others = self._recipe
-        return Scene._of(_native.scene_with_keys(text, name, changes), name, *others)
+        text, name, folder, files, spectrum = self._recipe
+        return Scene._of(_native.scene_with_keys(text, name, changes), name, folder, files, spectrum)
 
     def to_toml(self, path: str | os.PathLike[str] | None = None) -> str:
         """Return the text of the scene, and write it with the files that it names.

@@ -8,7 +8,6 @@ from typing import Any, NamedTuple, Union
 
 import numpy as np
 
-from truearea import _native
 from truearea._composite import composite
 from truearea._material import Material
 from truearea._native import InputError

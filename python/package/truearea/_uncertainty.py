@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Union
+from typing import Any, TypedDict, Union
 
 import numpy as np
 
 from truearea import _native
-from truearea._choices import AmplitudeDefinition, CurveModel, HardnessFormula, InterferenceLaw, Normalisation
+from truearea._choices import AmplitudeDefinition, CurveModel
 from truearea._curves import Pressures
 from truearea._grammar import AnyMaterial, AnySurface, material_of, named_material, surface_of
 from truearea._material import Material, Quantity
 from truearea._native import InputError
 from truearea._notes import noted
+from truearea._options import StatisticalOptions, Unpack, with_options
 from truearea._picture import Band, Drawn, Trace, Picture, load_label
-from truearea._progress import Line, Progress, observer_of
+from truearea._progress import Progress, observed
 from truearea._results import AnyArray, FloatArray, Result, Table
 
 Models = Union[CurveModel, Sequence[CurveModel]]
@@ -107,19 +108,27 @@ class Uncertainty(Drawn, Result):
         edges = tuple(Trace(band.x, edge, None, band.model) for band in bands for edge in (band.low, band.high))
         return Picture(self._title, "wavelength_m", "area_fraction", edges, bands)
 
-    def _with(self, draws: int, shares: Shares, advice: Advice, bands: Bands) -> Uncertainty:
-        self.draws, self.shares, self.advice, self.bands = draws, shares, advice, bands
-        return self
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        tables = (self.draws, self.shares, self.advice, self.bands)
-        return (_uncertainty, (dict(self), self._axes, self.notes, tables))
+class _Spreads(TypedDict, total=False):
+    """Standard uncertainties of what a material was given."""
+
+    youngs_modulus: Quantity | None
+    poisson_ratio: Quantity | None
+    yield_strength: Quantity | None
+    indentation_hardness: Quantity | None
+    strain_gradient_length: Quantity | None
+    counterface_youngs_modulus: Quantity | None
+    counterface_poisson_ratio: Quantity | None
 
 
-def _uncertainty(arrays: Any, axes: Any, notes: Any, tables: Any) -> Uncertainty:
-    return Uncertainty(arrays, axes, notes)._with(*tables)
+class UncertaintyOptions(StatisticalOptions, _Spreads, total=False):
+    """Options of models, and uncertainties of the material."""
+
+    amplitude: AmplitudeDefinition | None
+    tolerance: float | None
 
 
+@with_options(UncertaintyOptions)
 def uncertainty(
     surface: AnySurface,
     material: AnyMaterial,
@@ -130,22 +139,8 @@ def uncertainty(
     seed: int = 1,
     level: float = 0.95,
     shares_draws: int | None = None,
-    youngs_modulus: Quantity | None = None,
-    poisson_ratio: Quantity | None = None,
-    yield_strength: Quantity | None = None,
-    indentation_hardness: Quantity | None = None,
-    strain_gradient_length: Quantity | None = None,
-    counterface_youngs_modulus: Quantity | None = None,
-    counterface_poisson_ratio: Quantity | None = None,
-    strain_gradient: bool = False,
-    hardness_formula: HardnessFormula | None = None,
-    interference_law: InterferenceLaw | None = None,
-    normalisation: Normalisation = "parseval",
-    amplitude: AmplitudeDefinition = "eq5",
-    tolerance: float = 1e-12,
-    cutoff: Quantity | None = None,
-    scales_per_decade: int | None = None,
     progress: Progress = False,
+    **options: Unpack[UncertaintyOptions],
 ) -> Uncertainty:
     """Coverage intervals of the area, from draws of scans, instruments and material; where they come from; what to measure next.
 
@@ -157,10 +152,6 @@ def uncertainty(
     surface : Spectrum, Scan, sequence of scans, or path of a spectrum
         Of ``composite``, whose scans are drawn from; of ``read_psd`` or numbers, with standard errors; or scans, as for
         ``composite``.
-    material : Material or str
-        The bodies in contact, or the name of a material of the table.
-    pressure : float, str, or sequence of them
-        Nominal pressures, in Pa or as text such as ``"5 MPa"`` or ``"1e-3 H"``.
     model : str, or sequence of str
         ``"elastic"``, ``"elastic-plastic"``, ``"hertz"``, ``"ep-sphere"``, ``"elastic-sine"``, ``"ep-sine"``, ``"bgt"``,
         ``"persson"``, ``"persson-plastic"``.
@@ -175,10 +166,6 @@ def uncertainty(
         mistaken for a share. Of strength and hardness one.
     counterface_youngs_modulus, counterface_poisson_ratio : float or str, optional
         The same of the counterface.
-    strain_gradient, hardness_formula, interference_law, normalisation, amplitude, tolerance, cutoff, scales_per_decade : optional
-        As for ``stacked`` and ``statistical``.
-    progress : bool or callable, default False
-        True for a line on stderr; or what is called with the steps done, and None.
 
     Returns
     -------
@@ -203,29 +190,21 @@ def uncertainty(
     >>> list(found.shares.group) == ["strength"]
     True
     """
-    arguments = locals()
     body = named_material(material) if isinstance(material, str) else material
-    names = [model] if isinstance(model, str) else model
-    if not isinstance(names, (list, tuple)) or any(not isinstance(name, str) for name in names):
-        raise InputError("model: the name of one is needed, or a list of names")
     core, surface_core = material_of(body), surface_of(surface)
-    spreads = _spreads(
-        body,
-        {
-            "youngs_modulus": youngs_modulus,
-            "poisson_ratio": poisson_ratio,
-            "yield_strength": yield_strength,
-            "indentation_hardness": indentation_hardness,
-            "strain_gradient_length": strain_gradient_length,
-            "counterface_youngs_modulus": counterface_youngs_modulus,
-            "counterface_poisson_ratio": counterface_poisson_ratio,
-        },
-    )
-    line = Line()
-    try:
-        found = _native.uncertainty_of(surface_core, core, names, spreads, arguments, observer_of(progress, line))
-    finally:
-        line.end()
+    given = {name: options.get(name) for name in _Spreads.__annotations__}
+    spreads = [(name, _value(body, name), spread) for name, spread in given.items() if spread is not None]
+    arguments = {
+        "pressure": pressure,
+        "model": model,
+        "draws": draws,
+        "seed": seed,
+        "level": level,
+        "shares_draws": shares_draws,
+        **options,
+    }
+    with observed(progress) as observer:
+        found = _native.uncertainty_of(surface_core, core, spreads, arguments, observer)
     is_one = isinstance(model, str)
     arrays: dict[str, AnyArray] = {"nominal_pressure_pa": np.asarray(found["nominal_pressure_pa"])}
     axes: dict[str, tuple[str, ...]] = {"nominal_pressure_pa": ("load",)}
@@ -234,14 +213,15 @@ def uncertainty(
     for name, array in found["arrays"].items():
         arrays[name] = array[:, 0].copy() if is_one else array
         axes[name] = ("load",) if is_one else ("load", "model")
-    tables = (Shares._of(found["shares"]), Advice._of(found["advice"]), Bands._of(found["bands"]))
-    return Uncertainty(arrays, axes, noted(found["notes"]))._with(found["draws"], *tables)
-
-
-def _spreads(material: Material, uncertainties: dict[str, Any]) -> list[tuple[str, Any, Any]]:
-    """The standard uncertainties that are given, each with what it is of and its value."""
-    given = {name: spread for name, spread in uncertainties.items() if spread is not None}
-    return [(name, _value(material, name), spread) for name, spread in given.items()]
+    return Uncertainty(
+        arrays,
+        axes,
+        noted(found["notes"]),
+        draws=found["draws"],
+        shares=Shares._of(found["shares"]),
+        advice=Advice._of(found["advice"]),
+        bands=Bands._of(found["bands"]),
+    )
 
 
 def _value(material: Material, name: str) -> Any:
