@@ -5,11 +5,12 @@ from __future__ import annotations
 import sys
 
 from truearea import _native
+from truearea._options import documented
 from truearea._results import AnyArray, FloatArray, Table
 
 
 class Materials(Table):
-    """The materials that are known by name. A property is empty where its source has none."""
+    """The materials that are known by name, properties as text with their units, empty where the source has none."""
 
     _title = "materials"
     __slots__ = ()
@@ -25,7 +26,7 @@ class Materials(Table):
 
 
 class Models(Table):
-    """The models, each with its names, its options and its publication."""
+    """The models: ``model`` as it is typed, other names, options and publication."""
 
     _title = "models"
     __slots__ = ()
@@ -37,13 +38,9 @@ class Models(Table):
     citation: AnyArray
 
 
+@documented
 def materials() -> Materials:
     """List the materials that ``Material("NAME")`` knows, with the source of each.
-
-    Returns
-    -------
-    Materials
-        A row for each material: ``name``, ``aliases``, properties as text with their units, ``sources``.
 
     Examples
     --------
@@ -55,13 +52,9 @@ def materials() -> Materials:
     return Materials._of(_native.materials_table())
 
 
+@documented
 def models() -> Models:
     """List the models, with their options and citations.
-
-    Returns
-    -------
-    Models
-        A row for each model: ``model`` as it is typed, ``short_name``, ``full_name``, ``framework``, ``options``, ``citation``.
 
     Examples
     --------

@@ -145,11 +145,11 @@ def completed(docstring: str, arguments: list[str], returns: list[str]) -> str:
     head, *sections = re.split(r"\n\n(?=[A-Z][a-z]+\n---)", inspect.cleandoc(docstring))
     own = {title: entries for title, _, entries in (section.split("\n", 2) for section in sections)}
     entries = _ENTRIES | _entries(own.pop("Parameters", ""))
-    shared = {
-        "Parameters": "\n".join(dict.fromkeys(entries[name] for name in arguments if name in entries)),
-        "Returns": "\n".join(returns),
-        "Raises": "InputError\n    With argument, value and bound; also for options without effect.",
-    }
+    shared = {"Returns": "\n".join(returns)}
+    if arguments:
+        parameters = "\n".join(dict.fromkeys(entries[name] for name in arguments if name in entries))
+        raises = "InputError\n    With argument, value and bound; also for options without effect."
+        shared = {"Parameters": parameters, **shared, "Raises": raises}
     return "\n\n".join([head, *(f"{title}\n{'-' * len(title)}\n{text}" for title, text in (shared | own).items())])
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Literal, overload
+from typing import Any, Literal, TypedDict, overload
 
 from truearea import _native
 from truearea._choices import Conventions, Form
@@ -11,12 +11,16 @@ from truearea._composite import heights_of
 from truearea._material import Quantity
 from truearea._native import InputError
 from truearea._notes import noted
+from truearea._options import Unpack, with_options
 from truearea._results import AnyArray, FloatArray, Table
 from truearea._scan import Scan, read_scan
 
 
 class Roughness(Table):
-    """Roughness parameters, a row for each."""
+    """Roughness parameters, a row for each, lengths in um.
+
+    A symbol gives the value of its parameter: ``found["Sq"]``.
+    """
 
     _title = "roughness parameters"
     __slots__ = ()
@@ -38,7 +42,10 @@ class Roughness(Table):
 
 
 class RoughnessScales(Table):
-    """Rms gradient and curvature of all roughness down to each wavelength, from the spectrum and from differences of heights."""
+    """Rms gradient and curvature of all roughness down to each wavelength, from the spectrum and from differences of heights.
+
+    Wavelengths go from long to short. NaN where one has no value, and of the spectrum where points have no height.
+    """
 
     _title = "slopes and curvatures down to each wavelength"
     __slots__ = ()
@@ -51,44 +58,39 @@ class RoughnessScales(Table):
     rms_curvature_heights_per_m: FloatArray
 
 
+class RoughnessOptions(TypedDict, total=False):
+    """Options of parameters, and of gradients and curvatures."""
+
+    unit: str | None
+    channel: str | None
+    form: Form | None
+    filter: Quantity | None
+    short_filter: Quantity | None
+
+
 @overload
 def roughness(
     surface: Any,
     size: Any = None,
     *,
-    unit: str | None = None,
-    channel: str | None = None,
-    form: Form | None = None,
-    filter: Quantity | None = None,
-    short_filter: Quantity | None = None,
     ratio_height: Quantity | None = None,
-    convention: Conventions = "usual",
+    convention: Conventions | None = None,
     scales: Literal[False] = False,
+    **options: Unpack[RoughnessOptions],
 ) -> Roughness: ...
 @overload
 def roughness(
-    surface: Any,
-    size: Any = None,
-    *,
-    unit: str | None = None,
-    channel: str | None = None,
-    form: Form | None = None,
-    filter: Quantity | None = None,
-    short_filter: Quantity | None = None,
-    scales: Literal[True],
+    surface: Any, size: Any = None, *, scales: Literal[True], **options: Unpack[RoughnessOptions]
 ) -> RoughnessScales: ...
+@with_options(RoughnessOptions)
 def roughness(
     surface: Any,
     size: Any = None,
     *,
-    unit: str | None = None,
-    channel: str | None = None,
-    form: Form | None = None,
-    filter: Quantity | None = None,
-    short_filter: Quantity | None = None,
     ratio_height: Quantity | None = None,
-    convention: Conventions = "usual",
+    convention: Conventions | None = None,
     scales: bool = False,
+    **options: Any,
 ) -> Roughness | RoughnessScales:
     """Roughness parameters of a map (ISO 25178-2) or a profile (ISO 21920-2), as ``truearea roughness`` has them.
 
@@ -106,21 +108,11 @@ def roughness(
         Cut-off wavelengths of the Gaussian filters of ISO 16610 that remove longer and shorter waves, in m or as text.
     ratio_height : float or str, optional
         The height above the mean at which the material ratio is taken; 0 where left out.
-    convention : {"usual", "all"}, default "usual"
-        One row for each parameter, or also those of other conventions in use.
+    convention : {"usual", "all"}, optional
+        One row for each parameter, as where left out, or also those of other conventions in use.
     scales : bool, default False
         In place of the parameters the rms gradient and curvature of all roughness down to each wavelength, as
         ``truearea roughness --scales`` has them.
-
-    Returns
-    -------
-    Roughness
-        ``file``, ``channel``, ``parameter``, ``value``, ``unit``, ``convention``. Lengths are in um. A symbol gives the value of its
-        parameter: ``found["Sq"]``.
-    RoughnessScales
-        With ``scales``: ``file``, ``channel``, ``wavelength_m`` from long to short, ``rms_gradient_spectrum``,
-        ``rms_gradient_heights``, ``rms_curvature_spectrum_per_m``, ``rms_curvature_heights_per_m``; NaN where a wavelength has no
-        value, and of the spectrum where points have no height.
 
     Raises
     ------
@@ -138,16 +130,9 @@ def roughness(
     >>> round(found["Rq"], 6)
     0.007071
     """
-    arguments = {
-        "form": form,
-        "filter": filter,
-        "short_filter": short_filter,
-        "ratio_height": ratio_height,
-        "convention": convention,
-        "scales": scales,
-    }
-    if scales and (ratio_height is not None or convention != "usual"):
+    if scales and (ratio_height is not None or convention is not None):
         raise InputError("ratio_height and convention have no effect on scales; leave them out")
+    unit, channel = options.pop("unit", None), options.pop("channel", None)
     if isinstance(surface, (str, os.PathLike)):
         surface, size = read_scan(surface, unit=unit, channel=channel, size=size), None
     elif unit is not None or channel is not None:
@@ -158,5 +143,6 @@ def roughness(
         native = surface._native
     else:
         native = _native.Scan.of_heights(heights_of("surface", "size", "heights", surface, size, None))
-    columns, notes = native.roughness({key: value for key, value in arguments.items() if value is not None})
+    arguments = {"ratio_height": ratio_height, "convention": convention, "scales": scales, **options}
+    columns, notes = native.roughness(arguments)
     return (RoughnessScales if scales else Roughness)._of(columns, noted(notes))
