@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import inspect
 import os
+import re
 import subprocess
 import sys
 import threading
@@ -11,6 +13,7 @@ from pathlib import Path
 from typing import Any, get_args
 
 import numpy as np
+import pytest
 
 import truearea as ta
 from support import refused_naming
@@ -32,6 +35,21 @@ def test_importing_brings_no_more_than_numpy_and_itself() -> None:
 def test_all_that_is_exported_is_there_and_documented() -> None:
     for name in ta.__all__:
         assert name == "__version__" or getattr(ta, name).__doc__, name
+
+
+def test_every_argument_of_a_function_is_documented() -> None:
+    for name in ta.__all__:
+        function = getattr(ta, name)
+        if inspect.isfunction(function):
+            entries = inspect.getdoc(function) or ""
+            arguments = [argument for argument in inspect.signature(function).parameters if argument != "count"]
+            assert all(re.search(rf"^(\w+, )*{argument}(, \w+)* :", entries, re.MULTILINE) for argument in arguments), name
+
+
+def test_an_unknown_option_is_refused_with_the_nearest_name() -> None:
+    other: Any = {"gama": 0.5}
+    with pytest.raises(TypeError, match="gap.* gama; did you mean gamma?"):
+        ta.gap("builtin:uncd-measured", "C45", pressure=1.0, **other)
 
 
 def test_the_module_prints_versions() -> None:
