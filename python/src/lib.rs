@@ -34,7 +34,7 @@ mod _native {
         names::{materials_table, models_table, pressure_in_words},
         picture::{axis_label, figure_svg, model_style, pressures_picture},
         scans::{PyScan, channels_of, composite, scans_of},
-        scene::{PyScene, scene_template, scene_text, scene_with_keys, tables_of_runs, write_files},
+        scene::{PyScene, scene_template, scene_text, scene_with_keys, write_files},
         surface::PySurface,
         threads::{set_threads, threads},
         uncertainty::uncertainty_of,

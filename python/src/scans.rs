@@ -10,7 +10,7 @@ use measurements::{
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
-use pyo3::types::{PyDict, PyString};
+use pyo3::types::{PyDict, PyString, PyTuple};
 use report::chart::maps::HeightsPicture;
 use report::scan_words;
 use report::scans_table::scans_columns;
@@ -94,20 +94,22 @@ impl PyScan {
     #[getter]
     fn facts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let (file, scan) = (&self.scan, &self.scan.scan);
-        let along =
-            |(x_m, y_m): (f64, Option<f64>)| -> Vec<f64> { std::iter::once(x_m).chain(y_m).collect() };
+        let along = |(x_m, y_m): (f64, Option<f64>)| {
+            PyTuple::new(py, std::iter::once(x_m).chain(y_m).collect::<Vec<f64>>())
+        };
         let facts = PyDict::new(py);
         facts.set_item("sha256", &self.sha256)?;
         facts.set_item("name", &file.name)?;
         facts.set_item("format", file.format.to_string())?;
         facts.set_item("channel", &file.channel)?;
-        facts.set_item("channels", &file.channels)?;
-        facts.set_item("notes", &file.notes)?;
+        facts.set_item("channels", PyTuple::new(py, &file.channels)?)?;
+        facts.set_item("notes", PyTuple::new(py, &file.notes)?)?;
         facts.set_item("is_periodic", file.is_periodic)?;
         facts.set_item("tip_radius_m", file.tip_radius_m)?;
-        facts.set_item("size_m", along(scan.size_m()))?;
-        facts.set_item("spacing_m", along(scan.spacing_m()))?;
-        facts.set_item("positions_m", scan.positions_m())?;
+        facts.set_item("size_m", along(scan.size_m())?)?;
+        facts.set_item("spacing_m", along(scan.spacing_m())?)?;
+        let positions_m = scan.positions_m().map(|positions_m| PyArray1::from_slice(py, positions_m));
+        facts.set_item("positions_m", positions_m)?;
         Ok(facts)
     }
 

@@ -19,7 +19,6 @@ use report::details::details;
 use report::dry_run::dry_run;
 use report::products::{Product, SceneProducts};
 use report::run_stamp::RunStamp;
-use scene::file_names::{JUDGE_TABLES, REPORT_TABLES, UNCERTAINTY_TABLES};
 use scene::{
     Overrides, ReplaceError, Scene, SceneError, SceneProblem, SceneText, Template, si_unit, with_keys,
     with_si_unit,
@@ -229,12 +228,6 @@ pub fn scene_text(sections: &Bound<'_, PyDict>, files: Option<Vec<String>>) -> P
     Ok(text.to_string())
 }
 
-/// The tables that a run makes of a scene where it makes a report, where it is judged, and where draws are made.
-#[pyfunction]
-pub fn tables_of_runs() -> [Vec<&'static str>; 3] {
-    [REPORT_TABLES.to_vec(), JUDGE_TABLES.to_vec(), UNCERTAINTY_TABLES.to_vec()]
-}
-
 /// Writes files into a folder, all of them or none.
 #[pyfunction]
 pub fn write_files(py: Python<'_>, folder: PathBuf, files: Read) -> PyResult<()> {
@@ -263,7 +256,7 @@ fn refused(error: &SceneError, text: &str, name: &str) -> PyErr {
 }
 
 /// A value as the key at a place takes it.
-fn value_of(place: &str, given: &Given<'_>) -> PyResult<Value> {
+pub fn value_of(place: &str, given: &Given<'_>) -> PyResult<Value> {
     typed(place, si_unit(place).unwrap_or_default(), given).map(|value| with_si_unit(place, value))
 }
 

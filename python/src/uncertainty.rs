@@ -3,22 +3,22 @@
 use numpy::ToPyArray;
 use numpy::ndarray::Array2;
 use pyo3::prelude::*;
-use pyo3::types::{IntoPyDict, PyDict, PyString};
+use pyo3::types::{IntoPyDict, PyDict};
 use questions::{QuestionError, UncertainAreas, UncertaintyQuestion};
 use report::{advice_words, uncertainty_words};
-use scene::{UncertainProperty, UncertaintySettings};
+use scene::{UncertainProperty, UncertaintySettings, si_unit};
 use study::material_spreads::MaterialSpreads;
 use study::models::ModelEntry;
 use study::spread::Spread;
+use toml::Value;
 use uncertainty::AreaInterval;
 use units::{Bound as NumberBound, RemarkPlace};
 
 use crate::answer::{Told, columns, in_text, refused, words};
-use crate::arguments::{
-    Arguments, Given, any_model, checked, choice, number, tolerance, without_unit, wrong_type,
-};
+use crate::arguments::{Arguments, Given, any_model, checked, choice, number, tolerance, wrong_type};
 use crate::errors::{input, of_argument};
 use crate::material::PyMaterial;
+use crate::scene::value_of;
 use crate::surface::PySurface;
 use crate::work::{Observer, carry_out};
 
@@ -111,14 +111,14 @@ fn spreads(given: &[GivenSpread<'_>]) -> PyResult<MaterialSpreads> {
     let mut spreads = MaterialSpreads::default();
     let mut of_strength: Option<&str> = None;
     for (argument, value, uncertainty) in given {
-        let (property, unit, into) = match argument.as_str() {
-            "youngs_modulus" => (YoungsModulus, "Pa", &mut spreads.youngs_modulus),
-            "poisson_ratio" => (PoissonRatio, "", &mut spreads.poisson_ratio),
-            "counterface_youngs_modulus" => (YoungsModulus, "Pa", &mut spreads.counterface_youngs_modulus),
-            "counterface_poisson_ratio" => (PoissonRatio, "", &mut spreads.counterface_poisson_ratio),
-            "yield_strength" => (YieldStrength, "Pa", &mut spreads.strength),
-            "indentation_hardness" => (IndentationHardness, "Pa", &mut spreads.strength),
-            _ => (StrainGradientLength, "m", &mut spreads.strain_gradient_length),
+        let (property, into) = match argument.as_str() {
+            "youngs_modulus" => (YoungsModulus, &mut spreads.youngs_modulus),
+            "poisson_ratio" => (PoissonRatio, &mut spreads.poisson_ratio),
+            "counterface_youngs_modulus" => (YoungsModulus, &mut spreads.counterface_youngs_modulus),
+            "counterface_poisson_ratio" => (PoissonRatio, &mut spreads.counterface_poisson_ratio),
+            "yield_strength" => (YieldStrength, &mut spreads.strength),
+            "indentation_hardness" => (IndentationHardness, &mut spreads.strength),
+            _ => (StrainGradientLength, &mut spreads.strain_gradient_length),
         };
         let is_strength = matches!(property, YieldStrength | IndentationHardness);
         if let Some(other) = of_strength.filter(|_| is_strength) {
@@ -132,8 +132,9 @@ fn spreads(given: &[GivenSpread<'_>]) -> PyResult<MaterialSpreads> {
                 "{argument} has a standard uncertainty and no value; give the material one"
             )));
         }
-        refuse_bare_share(argument, uncertainty, unit)?;
-        let (value, uncertainty) = (typed(argument, value, unit)?, typed(argument, uncertainty, unit)?);
+        let place = format!("material.{}", argument.trim_start_matches("counterface_"));
+        refuse_bare_share(argument, uncertainty, si_unit(&place).unwrap_or_default())?;
+        let (value, uncertainty) = (typed(&place, value)?, typed(&place, uncertainty)?);
         let spread = property.spread(&value, without_sign(&uncertainty));
         *into = spread.map_err(|error| of_argument(argument, error))?;
         if is_strength {
@@ -160,14 +161,11 @@ fn refuse_bare_share(argument: &str, given: &Given<'_>, unit: &str) -> PyResult<
 }
 
 /// A quantity as it is typed in a scene.
-fn typed(argument: &str, given: &Given<'_>, unit: &str) -> PyResult<String> {
-    match given.cast::<PyString>() {
-        Ok(text) => Ok(text.to_string()),
-        Err(_) => {
-            let bare = without_unit(argument, unit, given)?;
-            Ok(format!("{} {unit}", number(argument, &bare)?).trim_end().to_owned())
-        }
-    }
+fn typed(place: &str, given: &Given<'_>) -> PyResult<String> {
+    Ok(match value_of(place, given)? {
+        Value::String(text) => text,
+        value => value.to_string(),
+    })
 }
 
 /// An uncertainty without the sign that a scene has before it.

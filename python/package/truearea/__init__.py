@@ -17,11 +17,10 @@ from truearea._native import InputError, set_threads
 from truearea._names import Materials, Models, materials, models, show_versions
 from truearea._notes import Caution, Note, Place
 from truearea._persson import PerssonCurve, persson
-from truearea._report import report
 from truearea._results import Result, Table
 from truearea._roughness import Roughness, RoughnessScales, roughness
 from truearea._scan import Scan, ScanChannels, read_scan, scan_channels
-from truearea._scene import Scene, SceneResults, SceneTable
+from truearea._scene import Scene, SceneResults, SceneTable, report
 from truearea._spectrum import Amplitudes, Fit, Moments, Samples, Scans, Spectrum, read_psd
 from truearea._sweep import sweep
 from truearea._tangential import Sheared, tangential

@@ -38,7 +38,12 @@ class _AdhesiveStates(Drawn, Result):
 
 
 class AdhesiveContact(_AdhesiveStates):
-    """Surfaces that attract each other under loads, along the loads, along the branches where both are followed, and along the surfaces."""
+    """Surfaces that attract each other, along the loads, along the branches where both are followed, and along the maps or surfaces.
+
+    The area fraction counts points without a gap, and corrected is less the staircase; the repulsive one counts those under
+    compression. Single numbers are ``fuller_tabor`` and ``pastewka_robbins`` of a spectrum, ``hysteresis_...`` where the branches
+    differ most, and ``process_zone_points`` of a grid that is coarse.
+    """
 
     _title = "boundary elements with adhesion"
     __slots__ = ()
@@ -61,7 +66,10 @@ class AdhesiveContact(_AdhesiveStates):
 
 
 class PullOff(_AdhesiveStates):
-    """Surfaces that are pulled apart step by step, along the states; ``realisation`` counts the surfaces where there are several."""
+    """Surfaces that are pulled apart step by step, along the states; ``realisation`` counts the surfaces where there are several.
+
+    ``pull_off_...`` are those at the largest pull, the mean over the surfaces.
+    """
 
     _title = "pull-off"
     __slots__ = ()
@@ -95,7 +103,7 @@ def adhesion(
     branch: Branch = "apart",
     **options: Unpack[FlatOptions],
 ) -> AdhesiveContact:
-    """Press surfaces that repeat themselves and attract each other by ``(w / rho) exp(-gap / rho)``.
+    """Press surfaces that repeat themselves and attract each other by ``(w / rho) exp(-gap / rho)``, on a grid that resolves the process zone.
 
     Parameters
     ----------
@@ -105,20 +113,6 @@ def adhesion(
         Nominal pressures, as for :func:`boundary_elements`; negative ones pull.
     branch : {"apart", "contact", "both"}, default "apart"
         History of the load: from first touch, which is usual, from full contact, or both, one behind the other.
-
-    Returns
-    -------
-    AdhesiveContact
-        Along the loads, along the branches where both are followed, and along the maps, or the surfaces with
-        ``per_realisation``: ``area_fraction`` of points without a gap, and less the staircase; ``repulsive_area_fraction`` of
-        those under compression; ``mean_gap_m``, ``mean_attraction_pa``, ``largest_contact_pressure_pa``, ``residual``. Single
-        numbers are: ``fuller_tabor`` and ``pastewka_robbins`` of a spectrum, ``hysteresis_...`` where the branches differ most,
-        ``process_zone_points`` of a grid that is coarse.
-
-    Raises
-    ------
-    InputError
-        With argument, value and bound; and for a map with free edges, or a grid that does not resolve the process zone.
     """
     arguments = {
         "pressure": pressure,
@@ -162,17 +156,6 @@ def pull_off(
     ----------
     surface, material, tolerance : as for ``boundary_elements``
         The surfaces, the bodies in contact, and the residual at which the iteration stops.
-
-    Returns
-    -------
-    PullOff
-        The arrays of :func:`adhesion` along the states of the curve, and ``pull_off_pressure_pa``, ``pull_off_mean_gap_m`` and
-        ``pull_off_area_fraction`` at the largest pull, the mean over the surfaces.
-
-    Raises
-    ------
-    InputError
-        As for :func:`adhesion`.
     """
     arguments = {"work_of_adhesion": work_of_adhesion, "adhesion_range": adhesion_range, "pull_off": True, **options}
     answer, beside, several = press(_native.press_adhesive, surface, material, arguments)

@@ -43,6 +43,13 @@ class Patches(Table):
 class Pressed(Drawn, Result):
     """Surfaces pressed by boundary elements: of random surfaces the mean, or each of them.
 
+    Arrays go along the loads, along the maps where there are several, and with ``per_realisation`` along the surfaces. The area
+    fraction counts points; corrected, it is less the staircase; extrapolated, it is what a finer grid would show, with its
+    standard error over the surfaces. ``open_along_x`` and ``open_along_y`` are the share of the surfaces that an open way crosses;
+    ``rms_gradient`` is by differences of neighbours of a map, or of the band of random surfaces. Only with ``fields`` there are
+    pressures and gaps of shape (loads, rows, columns), of several surfaces (loads, surfaces, rows, columns), the heights as they
+    were pressed, and ``x_m`` and ``y_m``.
+
     Attributes
     ----------
     patches : Patches or None
@@ -119,7 +126,11 @@ class Pressed(Drawn, Result):
 
 
 class PressedBall(Result):
-    """A smooth ball pressed onto rough flats by boundary elements, along the flats."""
+    """A smooth ball pressed onto rough flats by boundary elements, along the flats.
+
+    Effective radius and peak pressure are those of the pressure averaged around the axis, beside Hertz's of a smooth ball; the force
+    share is that within half of Hertz's radius; the corrected area is less the staircase.
+    """
 
     _title = "ball on a rough flat"
     __slots__ = ()
@@ -182,19 +193,6 @@ def boundary_elements(
     patches : bool, default False
         Find the regions that touch without a break, each with its area and perimeter.
 
-    Returns
-    -------
-    Pressed
-        Along the loads, along the maps where there are several, and with ``per_realisation`` along the surfaces:
-        ``nominal_pressure_pa``, ``area_fraction`` counts points,
-        ``area_fraction_corrected`` is less the staircase, ``area_fraction_extrapolated`` is what a finer grid would show, with
-        its ``standard_error`` over the surfaces; ``plastic_area_fraction``, ``mean_gap_m``, ``mean_plastic_depth_m``,
-        ``largest_pressure_pa``, ``stiffness_pa_per_m``; ``open_along_x`` and ``open_along_y``, the share of the surfaces that an
-        open way crosses; ``iterations``, ``residual``; ``rms_gradient`` of each map, by differences of neighbours, or of
-        the band of random surfaces. With ``fields``, ``pressure_pa`` and ``gap_m`` of shape (loads, rows, columns), of several
-        surfaces (loads, surfaces, rows, columns), ``height_m``, the heights as they were pressed, and ``x_m`` and ``y_m``.
-        With ``patches``, its attribute of this name is a table of them.
-
     Raises
     ------
     InputError
@@ -248,19 +246,6 @@ def ball(
         Radius of the ball, in m or as text such as ``"1 mm"``.
     force : float or str
         Force on the ball, in N or as text such as ``"10 mN"``.
-
-    Returns
-    -------
-    PressedBall
-        Along the surfaces: ``real_area_m2`` and its value less the staircase, ``real_area_corrected_m2``;
-        ``effective_radius_m`` and ``peak_mean_pressure_pa`` of the pressure averaged around the axis, beside ``hertz_radius_m``
-        and ``hertz_pressure_pa`` of a smooth ball; ``force_share``, the share of the force within half of Hertz's radius;
-        ``outermost_contact_m``, ``roughness_number``, ``residual``.
-
-    Raises
-    ------
-    InputError
-        With argument, value and bound; and where the contact reaches the edges.
     """
     answer, _, _ = press(_native.press_ball, surface, material, {"radius": radius, "force": force, **options})
     columns = {name: np.asarray(values) for name, values in answer.columns.items() if name != "realisation"}

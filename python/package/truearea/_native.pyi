@@ -39,19 +39,6 @@ class _SceneFacts(TypedDict):
     notes: list[_Note]
     styles: dict[str, tuple[str, str, str]]
 
-class _ScanFacts(TypedDict):
-    sha256: str
-    name: str
-    format: str
-    channel: str | None
-    channels: list[str]
-    notes: list[str]
-    is_periodic: bool
-    tip_radius_m: float | None
-    size_m: list[float]
-    spacing_m: list[float]
-    positions_m: list[float] | None
-
 VERSION: Final[str]
 METADATA_FILES: Final[list[str]]
 
@@ -161,7 +148,6 @@ class Surface:
 def scene_text(sections: Mapping[str, Any], files: Sequence[str] | None) -> str: ...
 def scene_template(name: str) -> str: ...
 def scene_with_keys(text: str, name: str, changes: Mapping[str, Any]) -> str: ...
-def tables_of_runs() -> list[list[str]]: ...
 def write_files(folder: str, files: Mapping[str, bytes]) -> None: ...
 @final
 class Scene:
@@ -195,7 +181,7 @@ class Scan:
     @staticmethod
     def of_file(name: str, files: Mapping[str, bytes], options: Mapping[str, tuple[str, Any]]) -> Scan: ...
     @property
-    def facts(self) -> _ScanFacts:
+    def facts(self) -> dict[str, Any]:
         """Facts that the file tells of its scan."""
 
     def heights(self) -> tuple[_Floats, npt.NDArray[np.bool_] | None]: ...

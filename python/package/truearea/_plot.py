@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from truearea import _native
-from truearea._results import FloatArray
+from truearea._results import FloatArray, needed
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -17,10 +17,7 @@ HOLE_COLOUR = "0.85"
 
 def axes_of(ax: Axes | None) -> Axes:
     """The axes to draw in, new ones where none are given."""
-    try:
-        import matplotlib.pyplot as plt
-    except ModuleNotFoundError:
-        raise ImportError("plot needs Matplotlib, which is not here: pip install truearea[plot]") from None
+    plt = needed("matplotlib.pyplot", "plot", "plot")
     return plt.subplots(layout="constrained")[1] if ax is None else ax
 
 

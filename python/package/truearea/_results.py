@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from functools import partial
 from html import escape
-from typing import TYPE_CHECKING, Any, NoReturn
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, Generic, NoReturn, TypeVar, cast
 
 import numpy as np
 import numpy.typing as npt
@@ -40,6 +41,33 @@ _UNITS = {
     "_n": "N",
     "_m": "m",
 }
+
+
+def needed(module: str, call: str, extra: str) -> Any:
+    """Imports a module that a call needs and the package does not; the extra brings it."""
+    try:
+        return import_module(module)
+    except ImportError as error:
+        raise ImportError(f"{call} needs {module}, which is not installed: pip install truearea[{extra}]") from error
+
+
+T = TypeVar("T")
+
+
+class Fact(Generic[T]):
+    """An attribute that the core knows: it is read from the facts of an object, under its name."""
+
+    def __init__(self, docstring: str) -> None:
+        self.__doc__ = docstring
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self._name = name
+
+    def __get__(self, instance: Any, owner: type | None = None) -> T:
+        return cast(T, self if instance is None else instance._facts[self._name])
+
+    def __set__(self, instance: Any, value: T) -> NoReturn:
+        raise AttributeError(f"{self._name} of a {type(instance).__name__} cannot be set")
 
 
 def unit_of(name: str) -> str:
@@ -172,11 +200,7 @@ class Result(dict[str, AnyArray]):
         pandas.DataFrame
             With the notes in ``attrs["notes"]``.
         """
-        try:
-            import pandas as pd
-        except ModuleNotFoundError:
-            raise ImportError("to_pandas needs pandas, which is not installed: pip install truearea[pandas]") from None
-
+        pd = needed("pandas", "to_pandas", "pandas")
         sizes = self.sizes
         shape = tuple(sizes.values())
         columns = {name: _spread(array, self._axes[name], sizes).reshape(-1) for name, array in self.items()}
@@ -194,11 +218,7 @@ class Result(dict[str, AnyArray]):
         xarray.Dataset
             With the notes in ``attrs["notes"]``.
         """
-        try:
-            import xarray as xr
-        except ModuleNotFoundError:
-            raise ImportError("to_xarray needs xarray, which is not installed: pip install truearea[xarray]") from None
-
+        xr = needed("xarray", "to_xarray", "xarray")
         variables = {name: (self._axes[name], array, _attributes(name)) for name, array in self.items()}
         coordinates = [name for name in self if len(self._axes[name]) == 1 and self._is_coordinate(name)]
         data = xr.Dataset(variables, attrs={"notes": list(self.notes)}).set_coords(coordinates)

@@ -12,7 +12,7 @@ import numpy as np
 from truearea import _native
 from truearea._choices import Direction, Gaps
 from truearea._material import Quantity
-from truearea._results import AnyArray, FloatArray, Table, notes_html, rows_html
+from truearea._results import AnyArray, Fact, FloatArray, Table, notes_html, rows_html
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -79,61 +79,17 @@ class Scan:
             self._heights = heights_m if gaps is None else np.ma.masked_array(heights_m, mask=gaps)
         return self._heights
 
-    @property
-    def size_m(self) -> tuple[float, ...]:
-        """Size [m]: (lx, ly) of a map, (lx,) of a line; so many spacings as there are points."""
-        return tuple(self._facts["size_m"])
-
-    @property
-    def spacing_m(self) -> tuple[float, ...]:
-        """Distances [m] of neighbouring points along x and, of a map, along y; the mean where they are uneven."""
-        return tuple(self._facts["spacing_m"])
-
-    @property
-    def positions_m(self) -> FloatArray | None:
-        """Positions [m] of the points of an unevenly spaced line; None of any other scan."""
-        positions = self._facts["positions_m"]
-        return None if positions is None else np.asarray(positions)
-
-    @property
-    def name(self) -> str:
-        """The name of the measurement, from its file or the metadata beside it."""
-        return self._facts["name"]
-
-    @property
-    def format(self) -> str:
-        """The format of its file."""
-        return self._facts["format"]
-
-    @property
-    def channel(self) -> str | None:
-        """The channel that was read, where the file names it."""
-        return self._facts["channel"]
-
-    @property
-    def channels(self) -> tuple[str, ...]:
-        """The channels with heights that the file offers."""
-        return tuple(self._facts["channels"])
-
-    @property
-    def is_periodic(self) -> bool:
-        """True if the file says that the heights are periodic."""
-        return self._facts["is_periodic"]
-
-    @property
-    def tip_radius_m(self) -> float | None:
-        """The radius [m] of the tip, where the file says it."""
-        return self._facts["tip_radius_m"]
-
-    @property
-    def sha256(self) -> str:
-        """The SHA-256 of the file, in hexadecimal digits."""
-        return self._facts["sha256"]
-
-    @property
-    def notes(self) -> tuple[str, ...]:
-        """Assumptions of reading."""
-        return tuple(self._facts["notes"])
+    size_m = Fact[tuple[float, ...]]("Size [m]: (lx, ly) of a map, (lx,) of a line; so many spacings as there are points.")
+    spacing_m = Fact[tuple[float, ...]]("Distances [m] of neighbouring points along x and y; the mean where they are uneven.")
+    positions_m = Fact["FloatArray | None"]("Positions [m] of the points of an unevenly spaced line; None of any other scan.")
+    name = Fact[str]("The name of the measurement, from its file or the metadata beside it.")
+    format = Fact[str]("The format of its file.")
+    channel = Fact["str | None"]("The channel that was read, where the file names it.")
+    channels = Fact[tuple[str, ...]]("The channels with heights that the file offers.")
+    is_periodic = Fact[bool]("True if the file says that the heights are periodic.")
+    tip_radius_m = Fact["float | None"]("The radius [m] of the tip, where the file says it.")
+    sha256 = Fact[str]("The SHA-256 of the file, in hexadecimal digits.")
+    notes = Fact[tuple[str, ...]]("Assumptions of reading.")
 
     def plot(self, ax: Axes | None = None) -> Axes:
         """Draw the heights: a map in colours with its gaps in grey, or a profile.

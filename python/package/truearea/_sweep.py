@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 import math
 import os
 import threading
@@ -13,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from truearea._native import InputError
-from truearea._results import AnyArray
+from truearea._results import AnyArray, needed
 from truearea._scene import Scene
 from truearea._threads import one_thread
 
@@ -71,7 +70,7 @@ def sweep(
     if to is None:
         if client is not None:
             raise InputError("client needs a folder: give to, into which its workers write")
-        return _needed("pandas").concat([rows.frame(part) for part in range(rows.parts)], ignore_index=True)
+        return needed("pandas", "sweep", "cluster").concat([rows.frame(part) for part in range(rows.parts)], ignore_index=True)
     folder = Path(to)
     folder.mkdir(parents=True, exist_ok=True)
     left = rows.missing_from(folder)
@@ -98,13 +97,14 @@ class _Rows:
         if not isinstance(swept, Scene) and not callable(swept):
             raise InputError(f"give a Scene or a function to sweep, not a value of type {type(swept).__name__}")
         self.lengths = [len(column) for column in self.axes.values()]
+        self.count = math.prod(self.lengths)
         self.size = _ROWS_PER_VECTORISED_PART if vectorised else _ROWS_PER_PART
-        self.parts = -(-math.prod(self.lengths) // self.size)
+        self.parts = math.ceil(self.count / self.size)
 
     def given(self, part: int) -> dict[str, AnyArray]:
         """Returns the values of the rows of a part."""
-        stop = min((part + 1) * self.size, math.prod(self.lengths))
-        places = np.unravel_index(np.arange(part * self.size, stop), self.lengths)
+        rows = np.arange(part * self.size, min((part + 1) * self.size, self.count))
+        places = np.unravel_index(rows, self.lengths)
         return {name: column[at] for (name, column), at in zip(self.axes.items(), places)}
 
     def frame(self, part: int) -> Any:
@@ -115,7 +115,7 @@ class _Rows:
         if hidden := [name for name in found if name in given]:
             raise InputError(f"{hidden[0]} is the name of an axis and of a result; rename one of them")
         shown = {name: np.repeat(_shown(column), counts) for name, column in given.items()}
-        return _needed("pandas").DataFrame({**shown, **found})
+        return needed("pandas", "sweep", "cluster").DataFrame({**shown, **found})
 
     def write(self, part: int, folder: Path) -> None:
         """Writes a part under another name and renames it, so that its file is whole or absent."""
@@ -134,7 +134,7 @@ class _Rows:
         return [part for part, file in enumerate(files) if not self._is_written(file, part)]
 
     def _is_written(self, file: Path, part: int) -> bool:
-        pandas, arrow = _needed("pandas"), _needed("pyarrow")
+        pandas, arrow = (needed(module, "sweep", "cluster") for module in ("pandas", "pyarrow"))
         try:
             there = pandas.read_parquet(file)
         except (OSError, ValueError, arrow.ArrowException):
@@ -151,12 +151,10 @@ class _Rows:
         found = self.swept(**given)  # type: ignore[operator]
         if not isinstance(found, Mapping):
             raise InputError(f"a vectorised function returns a mapping of arrays, not a value of type {type(found).__name__}")
-        columns = {}
-        for name, values in found.items():
-            if np.shape(values) not in ((), (count,)):
-                raise InputError(f"{name} has the shape {np.shape(values)}; {count} rows need ({count},) or a single value")
-            columns[name] = np.broadcast_to(values, (count,))
-        return columns, 1
+        if wrong := [name for name, values in found.items() if np.shape(values) not in ((), (count,))]:
+            shape = np.shape(found[wrong[0]])
+            raise InputError(f"{wrong[0]} has the shape {shape}; {count} rows need ({count},) or a single value")
+        return {name: np.broadcast_to(values, (count,)) for name, values in found.items()}, 1
 
     def _row_by_row(self, given: dict[str, AnyArray]) -> tuple[dict[str, AnyArray], list[int]]:
         each = [self._row(dict(zip(given, values))) for values in zip(*(column.tolist() for column in given.values()))]
@@ -196,10 +194,3 @@ def _shown(column: AnyArray) -> AnyArray:
     if column.dtype.kind != "O":
         return column
     return np.array([value if isinstance(value, str) else repr(value) for value in column], dtype=object)
-
-
-def _needed(module: str) -> Any:
-    try:
-        return importlib.import_module(module)
-    except ImportError as error:
-        raise ImportError(f"sweep needs {module}, which is not installed: pip install truearea[cluster]") from error

@@ -20,43 +20,8 @@ def is_topography(given: Any) -> bool:
 def heights_and_size(topography: Any, argument: str = "heights") -> tuple[FloatArray, tuple[float, ...], bool]:
     """Heights [m], size [m], and whether the surface repeats itself, of a SurfaceTopography-like object.
 
-    Such objects number heights by (x, y); here they are (rows, columns), x along the rows, as everywhere in this package. The
-    object's own array is never written to.
-
-    Parameters
-    ----------
-    topography : object
-        With ``heights()``, ``physical_sizes``, ``unit`` and optionally ``is_periodic``.
-    argument : str
-        What it is called in messages.
-
-    Returns
-    -------
-    heights_m : array, shape (rows, columns) or (points,)
-        Masked where the object's heights are.
-    size_m : tuple of float
-        (lx, ly) of a map, (lx,) of a line.
-    is_periodic : bool
-
-    Raises
-    ------
-    InputError
-        Where it has no unit or size, or unevenly spaced points.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> from truearea._topography import heights_and_size
-    >>> class Scan:
-    ...     unit, physical_sizes, is_periodic = "µm", (2.0, 1.0), True
-    ...     def heights(self):
-    ...         return np.array([[0.0, 0.5], [1.0, 1.5], [2.0, 2.5]])
-    >>> heights_m, size_m, is_periodic = heights_and_size(Scan())
-    >>> heights_m
-    array([[0.0e+00, 1.0e-06, 2.0e-06],
-           [5.0e-07, 1.5e-06, 2.5e-06]])
-    >>> size_m
-    (2e-06, 1e-06)
+    Such objects number heights by (x, y); here they are (rows, columns), x along the rows, as everywhere in this package, and masked
+    where the object's are. The object's own array is never written to; ``argument`` is what messages call it.
     """
     if not is_topography(topography):
         kind = type(topography).__name__

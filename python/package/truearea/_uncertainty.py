@@ -68,6 +68,9 @@ class Bands(Table):
 class Uncertainty(Drawn, Result):
     """Areas with their coverage intervals: arrays of shape (loads,), of several models (loads, models).
 
+    The area fraction is that without uncertainty; the Monte Carlo error is that of the ends of the interval, as a share of
+    ln(high/low). NaN where a model has no area in too many draws. Notes say what the intervals rest on.
+
     Attributes
     ----------
     draws : int
@@ -166,13 +169,6 @@ def uncertainty(
         mistaken for a share. Of strength and hardness one.
     counterface_youngs_modulus, counterface_poisson_ratio : float or str, optional
         The same of the counterface.
-
-    Returns
-    -------
-    Uncertainty
-        ``area_fraction`` (plain), ``median``, ``low``, ``high``, ``low_68``, ``high_68``, ``ln_area_sd`` and
-        ``monte_carlo_error`` (of the interval's ends, as a share of ln(high/low)), with tables ``shares``, ``advice`` and
-        ``bands``. NaN where a model has no area in too many draws. ``notes`` say what the intervals rest on.
 
     Raises
     ------

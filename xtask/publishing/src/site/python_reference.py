@@ -133,3 +133,5 @@ for name in functions_first:
             if isinstance(member, ast.FunctionDef) and not member.name.startswith("_"):
                 print(f"\n### {name}.{member.name}\n\n```python\n{signature(member, member.name)}\n```\n")
                 print(markdown(docstring(member)))
+            elif isinstance(member, ast.Assign) and ast.unparse(member.value).startswith("Fact["):
+                print(f"\n### {name}.{member.targets[0].id}\n\n{prose(ast.literal_eval(member.value.args[0]))}")
