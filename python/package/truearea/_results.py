@@ -200,11 +200,11 @@ class Result(dict[str, AnyArray]):
         pandas.DataFrame
             With the notes in ``attrs["notes"]``.
         """
-        pd = needed("pandas", "to_pandas", "pandas")
+        pandas = needed("pandas", "to_pandas", "pandas")
         sizes = self.sizes
         shape = tuple(sizes.values())
         columns = {name: _spread(array, self._axes[name], sizes).reshape(-1) for name, array in self.items()}
-        frame = pd.DataFrame(columns, index=None if shape else [0])
+        frame: pd.DataFrame = pandas.DataFrame(columns, index=None if shape else [0])
         frame.attrs["notes"] = list(self.notes)
         return frame
 
@@ -218,10 +218,10 @@ class Result(dict[str, AnyArray]):
         xarray.Dataset
             With the notes in ``attrs["notes"]``.
         """
-        xr = needed("xarray", "to_xarray", "xarray")
+        xarray = needed("xarray", "to_xarray", "xarray")
         variables = {name: (self._axes[name], array, _attributes(name)) for name, array in self.items()}
         coordinates = [name for name in self if len(self._axes[name]) == 1 and self._is_coordinate(name)]
-        data = xr.Dataset(variables, attrs={"notes": list(self.notes)}).set_coords(coordinates)
+        data: xr.Dataset = xarray.Dataset(variables, attrs={"notes": list(self.notes)}).set_coords(coordinates)
         for name in coordinates:
             data = data.set_xindex(name)
         return data

@@ -20,13 +20,7 @@ from truearea._native import InputError
 from truearea._notes import Note, notes_of
 from truearea._progress import Progress, observed
 from truearea._results import AnyArray, Table
-from truearea._scene_files import files_of
-from truearea._scene_sections import (
-    Body,
-    body_section,
-    curve_tables,
-    surface_of_scene,
-)
+from truearea._scene_parts import Body, body_section, curve_tables, files_of, surface_of_scene
 from truearea._spectrum import Spectrum
 
 if TYPE_CHECKING:
@@ -126,7 +120,7 @@ class Scene:
     ) -> None:
         if pressure is None:
             raise InputError("pressure is needed")
-        rough = surface_of_scene(surface, size)
+        paths, spectrum = surface_of_scene(surface, size)
         others: dict[str, Any] = dict(options or {})
         if isinstance(material, Material):
             if counterface is None and material.counterface is not None:
@@ -138,7 +132,7 @@ class Scene:
                 others["strength_cap"] = cap
         sections = {
             "title": title,
-            "surface": rough.section(),
+            "surface": {} if spectrum is None else files_of(spectrum).section,
             "material": body_section("material", material),
             "counterface": None if counterface is None else body_section("counterface", counterface),
             "loads": {"pressures": pressure},
@@ -152,7 +146,7 @@ class Scene:
             "figures": figures,
         }
         # Files of absolute paths are found from any folder.
-        self._set(_native.scene_text(sections, rough.files), "scene", "", {}, rough.spectrum)
+        self._set(_native.scene_text(sections, paths), "scene", "", {}, spectrum)
 
     @classmethod
     def from_toml(

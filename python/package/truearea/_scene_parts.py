@@ -1,17 +1,25 @@
-"""The files of a scene whose surface is in memory: its scans, so that intervals have their scatter, or else its spectrum."""
+"""Parts of a scene from objects: its surface with the files that hold it, its bodies and its curves."""
 
 from __future__ import annotations
 
 import io
 import os
-from typing import Any, NamedTuple
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple, Union
 
 import numpy as np
 
 from truearea import _native
 from truearea._composite import Heights, Part, _of_parts
+from truearea._grammar import spectrum_of
+from truearea._material import Material
+from truearea._native import InputError
 from truearea._scan import File, Options, Scan
 from truearea._spectrum import Spectrum
+from truearea._topography import is_topography
+
+Body = Union[Material, str, Mapping[str, Any]]
+"""A body: a material, a name of the table, or keys of a scene, where values may be uncertain (``"210 GPa +- 5 GPa"``)."""
 
 SPECTRUM_FILE = "surface.csv"
 """The file that holds the spectrum of a surface in memory, where its scene is written."""
@@ -81,3 +89,35 @@ def _scan(part: Part, said: Options, name: str) -> dict[str, Any] | None:
             value = f"{_native.si_number(argument, 'm', value)!r} m"
         keys["shortest_wavelength" if key == "shortest" else key] = value
     return keys
+
+
+def surface_of_scene(surface: Any, size: Any) -> tuple[list[str] | None, Spectrum | None]:
+    """The files of a surface, paths that mean the same in any folder; or the spectrum of any other surface."""
+    if isinstance(surface, np.ndarray) or (is_topography(surface) and not isinstance(surface, Scan)):
+        return None, Spectrum.from_heights(surface, size=size)
+    if size is not None:
+        raise InputError("size is that of an array of heights; leave it out")
+    given = surface if isinstance(surface, Sequence) and not isinstance(surface, str) else [surface]
+    if given and all(isinstance(one, (str, os.PathLike)) for one in given):
+        paths = [os.fspath(one) for one in given]
+        # Options of a scan may follow its path.
+        return [path if path.startswith("builtin:") else os.path.abspath(path) for path in paths], None
+    return None, spectrum_of(surface)
+
+
+def body_section(argument: str, body: Body) -> dict[str, Any]:
+    """The keys of a body."""
+    if isinstance(body, Material):
+        return body._section()
+    if isinstance(body, str):
+        return {"name": body}
+    if isinstance(body, Mapping):
+        return dict(body)
+    raise InputError(f"{argument}: a Material, a name or a dictionary is needed, and this is of type {type(body).__name__}")
+
+
+def curve_tables(curves: Any) -> list[dict[str, Any]]:
+    """Curves by the names of their models, or as sections of a scene."""
+    if isinstance(curves, (str, Mapping)):
+        curves = [curves]
+    return [dict(curve) if isinstance(curve, Mapping) else {"model": str(curve)} for curve in curves]
