@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyTuple};
 use questions::{SpectrumQuantity, SpectrumQuestion};
 use report::{chart, spectrum_words};
 use spectrum::{Convention, Psd, ReadOption, ReadOptions};
@@ -83,15 +83,15 @@ impl PySurface {
         let errors_m3 = psd.standard_errors_m3().map(|errors_m3| {
             PyArray1::from_iter(py, errors_m3.iter().map(|error_m3| error_m3.unwrap_or(f64::NAN)))
         });
-        let holes = self.surface.holes().iter();
+        let holes_m = self.surface.holes().iter().map(|hole| (hole.longest_m, hole.shortest_m));
         let facts = PyDict::new(py);
         facts.set_item("name", name)?;
         facts.set_item("wavelengths_m", PyArray1::from_slice(py, psd.wavelengths_m()))?;
         facts.set_item("c1d_m3", PyArray1::from_slice(py, psd.c1d_m3()))?;
-        facts.set_item("standard_errors_m3", errors_m3)?;
-        facts.set_item("holes_m", holes.map(|hole| (hole.longest_m, hole.shortest_m)).collect::<Vec<_>>())?;
+        facts.set_item("c1d_se_m3", errors_m3)?;
+        facts.set_item("holes_m", PyTuple::new(py, holes_m.collect::<Vec<_>>())?)?;
         facts.set_item("notes", notes(&self.surface))?;
-        facts.set_item("remarks", remarks)?;
+        facts.set_item("remarks", PyTuple::new(py, remarks)?)?;
         Ok(facts)
     }
 

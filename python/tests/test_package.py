@@ -43,7 +43,7 @@ def test_every_argument_of_a_function_is_documented() -> None:
         if inspect.isfunction(function):
             entries = inspect.getdoc(function) or ""
             arguments = [argument for argument in inspect.signature(function).parameters if argument != "count"]
-            assert all(re.search(rf"^(\w+, )*{argument}(, \w+)* :", entries, re.MULTILINE) for argument in arguments), name
+            assert all(re.search(rf"^(\w+, )*{argument}(, \w+)*( :|$)", entries, re.MULTILINE) for argument in arguments), name
 
 
 def test_an_unknown_option_is_refused_with_the_nearest_name() -> None:

@@ -7,7 +7,7 @@ from typing import Any, Union
 import numpy as np
 
 from truearea import _native
-from truearea._results import rows_html
+from truearea._results import Fact, rows_html
 
 Quantity = Union[float, str, "np.floating[Any]", "np.integer[Any]"]
 """A number in SI units, or text with a unit, such as ``"210 GPa"``."""
@@ -103,44 +103,21 @@ class Material:
         other = None if counterface is None else counterface._native
         self._native: _native.Material = _native.Material({**self._given, "counterface": other})
 
-    @property
-    def youngs_modulus(self) -> Quantity | None:
-        """E of the rough body, as given; of a named material in Pa. None where the base of a layer is rigid."""
-        modulus: Quantity | None = self._given["youngs_modulus"]
-        return self._native.facts["youngs_modulus_pa"] if modulus is None else modulus
+    name = Fact["str | None"]("The name of the material in the table; None where it was made without one.")
+    youngs_modulus = Fact["Quantity | None"](
+        "E of the rough body, as given; of a named material in Pa. None where the base of a layer is rigid."
+    )
+    poisson_ratio = Fact["float | None"]("Poisson's ratio of the rough body. None where the base of a layer is rigid.")
+    counterface = Fact["Material | None"]("The body that presses on the rough one; None if it is rigid.")
+    composite_modulus_pa = Fact[float]("E* = 1 / ((1 - nu1²)/E1 + (1 - nu2²)/E2) [Pa].")
+    indentation_hardness_pa = Fact["float | None"]("H [Pa], where it or the strength is known.")
+    yield_strength_pa = Fact["float | None"]("S0 [Pa], where it or the hardness is known.")
 
     @property
-    def name(self) -> str | None:
-        """The name of the material in the table; None where it was made without one."""
-        name: str | None = self._given["name"]
-        return name
-
-    @property
-    def poisson_ratio(self) -> float | None:
-        """Poisson's ratio of the rough body. None where the base of a layer is rigid."""
-        ratio: float | None = self._given["poisson_ratio"]
-        return self._native.facts["poisson_ratio"] if ratio is None else ratio
-
-    @property
-    def counterface(self) -> Material | None:
-        """The body that presses on the rough one; None if it is rigid."""
-        other: Material | None = self._given["counterface"]
-        return other
-
-    @property
-    def composite_modulus_pa(self) -> float:
-        """E* = 1 / ((1 - nu1²)/E1 + (1 - nu2²)/E2) [Pa]."""
-        return self._native.facts["composite_modulus_pa"]
-
-    @property
-    def indentation_hardness_pa(self) -> float | None:
-        """H [Pa], where it or the strength is known."""
-        return self._native.facts["indentation_hardness_pa"]
-
-    @property
-    def yield_strength_pa(self) -> float | None:
-        """S0 [Pa], where it or the hardness is known."""
-        return self._native.facts["yield_strength_pa"]
+    def _facts(self) -> dict[str, Any]:
+        """What the core knows, and what was given in its place."""
+        elastic = {name: self._given[name] for name in ("youngs_modulus", "poisson_ratio") if self._given[name] is not None}
+        return self._native.facts | {name: self._given[name] for name in ("name", "counterface")} | elastic
 
     def replace(self, **changes: Any) -> Material:
         """Returns this material with some arguments changed.
@@ -177,16 +154,16 @@ class Material:
         return (_material, (self._given,))
 
     def __eq__(self, other: object) -> bool:
-        return self._native.facts["identity"] == other._native.facts["identity"] if isinstance(other, Material) else NotImplemented
+        return self._facts["identity"] == other._facts["identity"] if isinstance(other, Material) else NotImplemented
 
     def __hash__(self) -> int:
-        return hash(self._native.facts["identity"])
+        return hash(self._facts["identity"])
 
     def __repr__(self) -> str:
-        return f"Material({self._native.facts['description']})"
+        return f"Material({self._facts['description']})"
 
     def _repr_html_(self) -> str:
-        return rows_html(dict(self._native.facts["properties"]))
+        return rows_html(dict(self._facts["properties"]))
 
 
 def _material(given: dict[str, Any]) -> Material:

@@ -14,25 +14,6 @@ _Bodies = Surface | tuple[_Floats, Sequence[Any], bool | None]
 _Pressed = tuple[Answer, dict[str, Any]]
 _Observer = Callable[[str, int, "int | None"], object]
 
-class _MaterialFacts(TypedDict):
-    youngs_modulus_pa: float | None
-    poisson_ratio: float | None
-    composite_modulus_pa: float
-    indentation_hardness_pa: float | None
-    yield_strength_pa: float | None
-    identity: str
-    description: str
-    properties: list[tuple[str, str]]
-
-class _SurfaceFacts(TypedDict):
-    name: str
-    wavelengths_m: _Floats
-    c1d_m3: _Floats
-    standard_errors_m3: _Floats | None
-    holes_m: list[tuple[float, float]]
-    notes: list[_Note]
-    remarks: list[str]
-
 class _SceneFacts(TypedDict):
     title: str
     loads: int
@@ -120,7 +101,7 @@ class Material:
     @staticmethod
     def is_name(text: str) -> bool: ...
     @property
-    def facts(self) -> _MaterialFacts:
+    def facts(self) -> dict[str, Any]:
         """Properties of the material; the identity is equal for equal materials."""
 
     def pressure_pa(self, argument: str, pressure: Any) -> float: ...
@@ -139,7 +120,7 @@ class Surface:
     def of_file(name: str, bytes: bytes | None, arguments: _Arguments) -> Surface: ...
     def against(self, other: Surface) -> Surface: ...
     @property
-    def facts(self) -> _SurfaceFacts: ...
+    def facts(self) -> dict[str, Any]: ...
     def quantity(self, quantity: str, arguments: _Arguments) -> Answer: ...
     def between(self, arguments: _Arguments) -> Surface: ...
     def csv(self) -> bytes: ...

@@ -23,10 +23,10 @@ from truearea._choices import (
 )
 from truearea._material import Quantity
 from truearea._native import InputError
-from truearea._notes import noted, notes_of
+from truearea._notes import Note, noted, notes_of
 from truearea._options import Sampling, Unpack, with_options
 from truearea._picture import Drawn, Trace, Picture
-from truearea._results import AnyArray, FloatArray, Table, notes_html, rows_html
+from truearea._results import AnyArray, Fact, FloatArray, Table, notes_html, rows_html
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -167,7 +167,11 @@ class Spectrum(Drawn):
         self._set(native, (Spectrum, (q, c, errors), {"convention": convention, "name": name}))
 
     def _set(self, native: _native.Surface, recipe: tuple[Any, tuple[Any, ...], dict[str, Any]]) -> None:
-        self._native, self._facts = native, native.facts
+        self._native, facts = native, native.facts
+        for array in facts.values():
+            if isinstance(array, np.ndarray):
+                array.flags.writeable = False
+        self._facts = facts | {"notes": notes_of(facts["notes"])}
         # A spectrum is pickled as what it was made from, so that it comes back bit for bit.
         self._recipe = recipe
 
@@ -238,41 +242,18 @@ class Spectrum(Drawn):
         of_all = {"detrend": detrend, "window": window, "bins_per_decade": bins_per_decade}
         return spectrum_of_heights(h, size, periodic, said, of_all, name)
 
-    @property
-    def name(self) -> str:
-        """The name of the spectrum."""
-        return self._facts["name"]
-
-    @property
-    def wavelengths_m(self) -> FloatArray:
-        """Wavelengths [m], from long to short."""
-        return self._facts["wavelengths_m"].copy()
+    name = Fact[str]("The name of the spectrum.")
+    wavelengths_m = Fact[FloatArray]("Wavelengths [m], from long to short.")
+    c1d_m3 = Fact[FloatArray]("C1D [m³], one value for each wavelength.")
+    c1d_se_m3 = Fact["FloatArray | None"]("Standard errors of C1D [m³], NaN where one is not known; None where none is.")
+    holes_m = Fact[tuple[tuple[float, float], ...]]("Bands without samples: their wavelengths [m] at the long and the short end.")
+    notes = Fact[tuple[Note, ...]]("Assumptions of reading, and doubts.")
+    remarks = Fact[tuple[str, ...]]("The comments of its file: origin, licence; or the scans that it is made of.")
 
     @property
     def wavevectors_rad_per_m(self) -> FloatArray:
         """Wavevectors q = 2 pi/wavelength [rad/m], from small to large."""
-        return 2.0 * np.pi / self._facts["wavelengths_m"]
-
-    @property
-    def c1d_m3(self) -> FloatArray:
-        """C1D [m³], one value for each wavelength."""
-        return self._facts["c1d_m3"].copy()
-
-    @property
-    def c1d_se_m3(self) -> FloatArray | None:
-        """Standard errors of C1D [m³], NaN where one is not known; None where none is."""
-        errors_m3 = self._facts["standard_errors_m3"]
-        return None if errors_m3 is None else errors_m3.copy()
-
-    @property
-    def notes(self) -> tuple[str, ...]:
-        """Assumptions of reading, and doubts."""
-        return notes_of(self._facts["notes"])
-
-    @property
-    def remarks(self) -> tuple[str, ...]:
-        """The comments of its file: origin, licence; or the scans that it is made of."""
-        return tuple(self._facts["remarks"])
+        return 2.0 * np.pi / self.wavelengths_m
 
     @property
     def scans(self) -> Scans | None:
@@ -308,11 +289,6 @@ class Spectrum(Drawn):
     def against(self, other: Spectrum) -> Spectrum:
         """The sum of two surfaces that know nothing of each other."""
         return Spectrum._of(self._native.against(other._native), Spectrum.against, self, other)
-
-    @property
-    def holes_m(self) -> list[tuple[float, float]]:
-        """The bands without samples: their wavelengths [m] at the long and at the short end."""
-        return self._facts["holes_m"]
 
     def table(self) -> Samples:
         """The samples as a table, a row for each wavelength, from long to short.
@@ -402,10 +378,10 @@ class Spectrum(Drawn):
         return (_made_again, self._recipe)
 
     def __len__(self) -> int:
-        return len(self._facts["wavelengths_m"])
+        return len(self.wavelengths_m)
 
     def __repr__(self) -> str:
-        wavelengths = self._facts["wavelengths_m"]
+        wavelengths = self.wavelengths_m
         return (
             f"Spectrum({self.name!r}, {len(wavelengths)} samples from {wavelengths[0]:.4g} m "
             f"to {wavelengths[-1]:.4g} m)"
