@@ -467,14 +467,15 @@ def test_a_held_distance_takes_the_load_that_leaves_it() -> None:
     np.testing.assert_allclose(gap.nominal_pressure_pa, 2e8, rtol=1e-5)
     random = ta.boundary_elements(UNCD, GLASS, mean_gap="0.1 nm", grid=32, realisations=3, per_realisation=True)
     assert random.axes("nominal_pressure_pa") == ("load", "surface") and np.ptp(random.nominal_pressure_pa) > 0.0
-    for changes, words in (
+    refused: list[tuple[dict[str, Any], str]] = [
         ({"mean_gap": "1 um", "periodic": True}, "mean gap"),
         ({"mean_gap": "1 nm"}, "indentation"),
         ({"indentation": "1 um", "periodic": True}, "indentation"),
         ({"mean_gap": "1 nm", "pressure": 1e7, "periodic": True}, "pressure mean_gap"),
         ({}, "pressure mean_gap indentation"),
         ({"mean_gap": -1e-9, "periodic": True}, "mean_gap"),
-    ):
+    ]
+    for changes, words in refused:
         with refused_naming(*words.split()):
             ta.boundary_elements(wave(), GLASS, size="1 um", **changes)
 

@@ -97,7 +97,7 @@ def surface_of_scene(surface: Any, size: Any) -> tuple[list[str] | None, Spectru
         return None, Spectrum.from_heights(surface, size=size)
     if size is not None:
         raise InputError("size is that of an array of heights; leave it out")
-    given = surface if isinstance(surface, Sequence) and not isinstance(surface, str) else [surface]
+    given: Sequence[Any] = surface if isinstance(surface, Sequence) and not isinstance(surface, str) else [surface]
     if given and all(isinstance(one, (str, os.PathLike)) for one in given):
         paths = [os.fspath(one) for one in given]
         # Options of a scan may follow its path.
