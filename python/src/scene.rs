@@ -53,16 +53,16 @@ type Tables<'py> = Bound<'py, PyDict>;
 
 /// Files below a folder, each read once and kept, so that the scene can be made again where the folder is not.
 struct Remembering {
-    folder: Option<PathBuf>,
+    folder: PathBuf,
     read: Mutex<Read>,
 }
 
 impl Remembering {
-    /// Reads a file unless it is kept; none if there is no folder, or the path is not wanted.
+    /// Reads a file unless it is kept; none if its path is not wanted.
     fn kept(&self, name: &str, is_wanted: fn(&Path) -> bool) -> io::Result<Option<Vec<u8>>> {
         let mut read = held(&self.read);
-        let path = self.folder.as_ref().filter(|_| !read.contains_key(name)).map(|folder| folder.join(name));
-        if let Some(path) = path.filter(|path| is_wanted(path)) {
+        let path = self.folder.join(name);
+        if !read.contains_key(name) && is_wanted(&path) {
             read.insert(name.to_owned(), bytes_of(&path)?);
         }
         Ok(read.get(name).cloned())
@@ -89,7 +89,7 @@ impl PyScene {
         py: Python<'_>,
         text: &str,
         name: String,
-        folder: Option<PathBuf>,
+        folder: PathBuf,
         files: Read,
         surface: Option<&PySurface>,
     ) -> PyResult<Self> {
@@ -215,7 +215,7 @@ pub fn scene_text(sections: &Bound<'_, PyDict>, files: Option<Vec<String>>) -> P
         let key: String = key.extract()?;
         let set = match files.as_ref().filter(|_| key == "surface") {
             Some(files) => {
-                let here = Remembering { folder: Some(PathBuf::new()), read: Mutex::default() };
+                let here = Remembering { folder: PathBuf::new(), read: Mutex::default() };
                 let request = |text: &String| text.parse().map_err(|error| of_argument(&key, error));
                 let requests = files.iter().map(request).collect::<PyResult<_>>()?;
                 let surface = ReportSurface::of_files(requests, &here);

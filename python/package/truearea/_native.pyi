@@ -136,7 +136,7 @@ class Scene:
         cls,
         text: str,
         name: str,
-        folder: str | None,
+        folder: str,
         files: Mapping[str, bytes],
         surface: Surface | None,
     ) -> Scene: ...

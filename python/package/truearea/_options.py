@@ -81,14 +81,14 @@ class PressOptions(RandomSurfaces, total=False):
     size: Quantity | tuple[Quantity, Quantity] | None
     detrend: Detrend | None
     tolerance: float | None
-    progress: Progress
+    progress: Progress | None
 
 
 class FlatOptions(PressOptions, total=False):
     """A map or random surfaces under a flat."""
 
     periodic: bool | None
-    per_realisation: bool
+    per_realisation: bool | None
 
 
 def with_options(*groups: Any) -> Callable[[Call], Call]:

@@ -575,8 +575,8 @@ def report(
 
     Parameters
     ----------
-    surface, material, pressure, counterface, title, size
-        As for :class:`Scene`. Paths may say of their scan what its file leaves open: ``"trace.txt:unit=um"``.
+    surface, material, pressure, counterface, title, size : as for ``Scene``
+        The roughness, the two bodies, the loads, and the title. Paths may say of their scan what its file leaves open: ``"trace.txt:unit=um"``.
     seal : bool, default False
         Ask from which pressure on the contact seals.
     strength_cap : float or str, optional
