@@ -126,7 +126,7 @@ class Scene:
             if counterface is None and material.counterface is not None:
                 # Its elastic constants alone count.
                 other = material.counterface._native.facts
-                counterface = {"youngs_modulus": other["youngs_modulus_pa"], "poisson_ratio": other["poisson_ratio"]}
+                counterface = {"youngs_modulus": other["youngs_modulus"], "poisson_ratio": other["poisson_ratio"]}
             cap = material._given["strength_cap"]
             if cap is not None and "strength_cap" not in others:
                 others["strength_cap"] = cap
