@@ -19,6 +19,7 @@ import truearea as ta
 from support import refused_naming
 from truearea import _choices
 from truearea._choices import GapModel, LawModel, ShearedModel
+from truearea._results import unit_of
 
 
 def test_importing_brings_no_more_than_numpy_and_itself() -> None:
@@ -108,6 +109,12 @@ def test_types_of_names_are_those_that_the_crates_know(of_crates: Callable[[str]
     for shear in get_args(ShearedModel):
         if shear != "bem":
             assert ta.tangential(spectrum, steel, friction=0.3, pressure="10 MPa", model=shear).sizes
+
+
+def test_units_are_those_that_names_end_in() -> None:
+    units = {"conductance_s_per_m2": "S/m²", "density_per_m2": "1/m²", "rms_curvature_heights_per_m": "1/m", "stiffness_pa_per_m": "Pa/m"}
+    units |= {"wavevector_rad_per_m": "rad/m", "mean_gap_m": "m", "area_fraction": "", "ln_pressure_pa": ""}
+    assert {name: unit_of(name) for name in units} == units
 
 
 def test_typos_are_errors_of_types(tmp_path: Path) -> None:
