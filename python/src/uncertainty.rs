@@ -6,7 +6,8 @@ use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
 use questions::{QuestionError, UncertainAreas, UncertaintyQuestion};
 use report::{advice_words, uncertainty_words};
-use scene::{UncertainProperty, UncertaintySettings, si_unit};
+use scene::{UncertaintySettings, spread_of};
+use study::body_properties::BodyProperty;
 use study::material_spreads::MaterialSpreads;
 use study::models::ModelEntry;
 use study::spread::Spread;
@@ -104,23 +105,21 @@ fn choices(arguments: &Arguments<'_>) -> PyResult<UncertaintySettings> {
 
 /// Reads the uncertainties of the material.
 fn spreads(given: &[GivenSpread<'_>]) -> PyResult<MaterialSpreads> {
-    use UncertainProperty::{
-        IndentationHardness, PoissonRatio, StrainGradientLength, YieldStrength, YoungsModulus,
-    };
-
     let mut spreads = MaterialSpreads::default();
     let mut of_strength: Option<&str> = None;
     for (argument, value, uncertainty) in given {
-        let (property, into) = match argument.as_str() {
-            "youngs_modulus" => (YoungsModulus, &mut spreads.youngs_modulus),
-            "poisson_ratio" => (PoissonRatio, &mut spreads.poisson_ratio),
-            "counterface_youngs_modulus" => (YoungsModulus, &mut spreads.counterface_youngs_modulus),
-            "counterface_poisson_ratio" => (PoissonRatio, &mut spreads.counterface_poisson_ratio),
-            "yield_strength" => (YieldStrength, &mut spreads.strength),
-            "indentation_hardness" => (IndentationHardness, &mut spreads.strength),
-            _ => (StrainGradientLength, &mut spreads.strain_gradient_length),
+        let key = argument.trim_start_matches("counterface_");
+        let property =
+            BodyProperty::of_key(key).ok_or_else(|| of_argument(argument, "it has no uncertainty"))?;
+        let is_strength = matches!(property, BodyProperty::YieldStrength | BodyProperty::IndentationHardness);
+        let into = match argument.as_str() {
+            "youngs_modulus" => &mut spreads.youngs_modulus,
+            "poisson_ratio" => &mut spreads.poisson_ratio,
+            "counterface_youngs_modulus" => &mut spreads.counterface_youngs_modulus,
+            "counterface_poisson_ratio" => &mut spreads.counterface_poisson_ratio,
+            _ if is_strength => &mut spreads.strength,
+            _ => &mut spreads.strain_gradient_length,
         };
-        let is_strength = matches!(property, YieldStrength | IndentationHardness);
         if let Some(other) = of_strength.filter(|_| is_strength) {
             return Err(input(format!(
                 "{other} and {argument} both have a standard uncertainty, and the hardness is three times the strength; keep \
@@ -132,10 +131,10 @@ fn spreads(given: &[GivenSpread<'_>]) -> PyResult<MaterialSpreads> {
                 "{argument} has a standard uncertainty and no value; give the material one"
             )));
         }
-        let place = format!("material.{}", argument.trim_start_matches("counterface_"));
-        refuse_bare_share(argument, uncertainty, si_unit(&place).unwrap_or_default())?;
+        refuse_bare_share(argument, uncertainty, property.unit().unwrap_or_default())?;
+        let place = format!("material.{key}");
         let (value, uncertainty) = (typed(&place, value)?, typed(&place, uncertainty)?);
-        let spread = property.spread(&value, without_sign(&uncertainty));
+        let spread = spread_of(property, &value, without_sign(&uncertainty));
         *into = spread.map_err(|error| of_argument(argument, error))?;
         if is_strength {
             of_strength = Some(argument);

@@ -38,7 +38,7 @@ pub use replace::{ReplaceError, si_unit, with_keys, with_si_unit};
 pub use resolve::Overrides;
 pub use scene_text::SceneText;
 pub use template::Template;
-pub use uncertain::UncertainProperty;
+pub use uncertain::spread_of;
 pub use uncertainty::UncertaintySettings;
 
 use measurements::{Files, NoFiles};

@@ -213,11 +213,8 @@ pub fn with_si_unit(place: &str, value: Value) -> Value {
         Some(unit) => with_unit(value, unit),
         None => value,
     };
-    match value {
-        Value::Array(_) => value,
-        one if place == "loads.pressures" => Value::Array(vec![one]),
-        other => other,
-    }
+    let is_one_pressure = place == "loads.pressures" && !value.is_array();
+    if is_one_pressure { Value::Array(vec![value]) } else { value }
 }
 
 /// Numbers with a unit, in lists and tables too.

@@ -12,6 +12,7 @@ use units::{
 use super::error::{SceneError, SceneProblem};
 use super::raw::{Distribution, RawDistribution, RawProperty, RawQuantity};
 use super::values::{text_of, value_error};
+use study::body_properties::BodyProperty;
 use study::material::MaterialError;
 use study::spread::{Spread, SpreadError};
 
@@ -87,36 +88,22 @@ impl Property for Length {
     }
 }
 
-/// A property of a material that may be uncertain.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum UncertainProperty {
-    /// Young's modulus.
-    YoungsModulus,
-    /// Poisson's ratio.
-    PoissonRatio,
-    /// The yield strength.
-    YieldStrength,
-    /// The indentation hardness.
-    IndentationHardness,
-    /// The strain-gradient length.
-    StrainGradientLength,
-}
-
-impl UncertainProperty {
-    /// Returns the spread of a value with a standard uncertainty, typed as in a scene on either side of `+-`. Returns
-    /// `None` if the uncertainty is zero.
-    ///
-    /// # Errors
-    /// A message if the value or the uncertainty is invalid.
-    pub fn spread(self, value: &str, uncertainty: &str) -> Result<Option<Spread>, String> {
-        let typed = TypedSpread::PlusMinus { value: value.trim(), uncertainty: uncertainty.trim() };
-        match self {
-            Self::YoungsModulus => with_unit::<Modulus>(typed).map(|known| known.spread),
-            Self::PoissonRatio => without_unit(typed).map(|known| known.spread),
-            Self::YieldStrength => with_unit::<Pressure>(typed).map(|known| known.spread),
-            Self::IndentationHardness => with_unit::<IndentationHardness>(typed).map(|known| known.spread),
-            Self::StrainGradientLength => with_unit::<Length>(typed).map(|known| known.spread),
+/// Returns the spread of a property with a standard uncertainty, typed as in a scene on either side of `+-`. Returns `None` if
+/// the uncertainty is zero.
+///
+/// # Errors
+/// A message if the value or the uncertainty is invalid, or if the property has no uncertainty.
+pub fn spread_of(property: BodyProperty, value: &str, uncertainty: &str) -> Result<Option<Spread>, String> {
+    let typed = TypedSpread::PlusMinus { value: value.trim(), uncertainty: uncertainty.trim() };
+    match property {
+        BodyProperty::YoungsModulus => with_unit::<Modulus>(typed).map(|known| known.spread),
+        BodyProperty::PoissonRatio => without_unit(typed).map(|known| known.spread),
+        BodyProperty::YieldStrength => with_unit::<Pressure>(typed).map(|known| known.spread),
+        BodyProperty::IndentationHardness => {
+            with_unit::<IndentationHardness>(typed).map(|known| known.spread)
         }
+        BodyProperty::StrainGradientLength => with_unit::<Length>(typed).map(|known| known.spread),
+        other => Err(format!("{} is taken without an uncertainty", other.key())),
     }
 }
 
@@ -318,17 +305,17 @@ mod tests {
 
     #[test]
     fn what_stands_beside_a_value_is_what_stands_behind_it_in_a_scene() {
-        let modulus = |uncertainty| UncertainProperty::YoungsModulus.spread("210 GPa", uncertainty);
+        let modulus = |uncertainty| spread_of(BodyProperty::YoungsModulus, "210 GPa", uncertainty);
         assert_eq!(modulus("5 GPa"), Ok(Spread::log_normal(210e9, 5e9).unwrap()));
         assert_eq!(modulus(" 5 % "), Ok(Spread::log_normal(210e9, 0.05 * 210e9).unwrap()));
         assert_eq!(modulus("0 GPa"), Ok(None));
         assert!(modulus("5").unwrap_err().contains("unit"), "{:?}", modulus("5"));
-        let ratio = UncertainProperty::PoissonRatio.spread("0.3", "0.02");
+        let ratio = spread_of(BodyProperty::PoissonRatio, "0.3", "0.02");
         assert_eq!(ratio, Ok(Spread::poisson_ratio(0.3, 0.02).unwrap()));
-        let hardness = UncertainProperty::IndentationHardness.spread("300 HV", "10 HV").unwrap().unwrap();
+        let hardness = spread_of(BodyProperty::IndentationHardness, "300 HV", "10 HV").unwrap().unwrap();
         assert!((hardness.standard_uncertainty() / hardness.centre() - 1.0 / 30.0).abs() < 1e-12);
-        let strength = UncertainProperty::YieldStrength.spread("0.3 H", "10 %");
+        let strength = spread_of(BodyProperty::YieldStrength, "0.3 H", "10 %");
         assert!(strength.unwrap_err().contains("cannot be given in H"));
-        assert!(UncertainProperty::StrainGradientLength.spread("1 um", "0.1 um").unwrap().is_some());
+        assert!(spread_of(BodyProperty::StrainGradientLength, "1 um", "0.1 um").unwrap().is_some());
     }
 }
