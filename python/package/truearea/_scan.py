@@ -12,6 +12,7 @@ import numpy as np
 from truearea import _native
 from truearea._choices import Direction, Gaps
 from truearea._material import Quantity
+from truearea._options import documented
 from truearea._results import AnyArray, Fact, FloatArray, Table, notes_html, rows_html
 
 if TYPE_CHECKING:
@@ -219,6 +220,7 @@ def read_scan(
     return Scan._of(file_of(path), given(options))
 
 
+@documented
 def scan_channels(
     path: AnyPath,
     *,
@@ -237,12 +239,6 @@ def scan_channels(
         As for ``read_scan``.
     all_channels : bool, default False
         Every channel, whatever it measures.
-
-    Returns
-    -------
-    ScanChannels
-        ``file``, ``format``, ``channel``, ``points_x``, ``points_y``, ``size_x_m``, ``size_y_m``, ``rms_height_m``,
-        ``peak_to_valley_m``, ``gaps``, ``rms_slope_x``, ``rms_slope_y``, ``note``.
 
     Raises
     ------
