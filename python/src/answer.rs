@@ -105,12 +105,12 @@ type Place = (Vec<String>, Option<usize>, Option<usize>, Option<String>);
 /// Remarks in words; checks that were passed are left out.
 pub fn words(remarks: &[Remark]) -> Vec<Told> {
     let shown = remarks.iter().filter(|remark| remark.level != RemarkLevel::Passed);
-    let told = shown.map(|remark| {
+    let notes = shown.map(|remark| {
         let doubt = if remark.level == RemarkLevel::Caution { "warning: " } else { "" };
         let text = format!("{doubt}{}", remark.words(&Keywords));
         (text, remark.level.name(), remark.code_name(), in_keywords((*remark.place).clone()))
     });
-    told.collect()
+    notes.collect()
 }
 
 /// A note that is text already, with the code of its kind.

@@ -92,7 +92,9 @@ fn maps(
     let recipe = Recipe { detrend: arguments.get("detrend", choice)?, ..Recipe::default() };
     let detrend = recipe.preparation(repeats.or(periodic).unwrap_or_default()).detrend;
     let own = if periodic.or(repeats) == Some(true) { Boundary::Periodic } else { Boundary::Free };
-    let [.., rows, columns] = *heights_m.shape() else { return Err(of_argument("surface", "it is no map")) };
+    let [.., rows, columns] = *heights_m.shape() else {
+        return Err(of_argument("surface", "a map of rows and columns is needed"));
+    };
     let (x_m, y_m) = (length_x_m / columns as f64, length_y_m / rows as f64);
     let heights_m: Vec<f64> = heights_m.as_array().iter().copied().collect();
     let relief = |heights_m: &[f64]| {
@@ -277,8 +279,8 @@ pub fn press_flat<'py>(
 fn zeros(shape: &[usize]) -> PyResult<Vec<f64>> {
     let length = shape.iter().try_fold(1, |length: usize, axis| length.checked_mul(*axis));
     let (mut zeros, length) = (Vec::new(), length.unwrap_or(usize::MAX));
-    let told = |_| PyMemoryError::new_err(format!("no room for fields of shape {shape:?}"));
-    zeros.try_reserve_exact(length).map_err(told)?;
+    let no_room = |_| PyMemoryError::new_err(format!("no room for fields of shape {shape:?}"));
+    zeros.try_reserve_exact(length).map_err(no_room)?;
     zeros.resize(length, 0.0);
     Ok(zeros)
 }

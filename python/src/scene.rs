@@ -162,8 +162,8 @@ impl PyScene {
             Ok((format!("{short}\n{}", details(&evidence, conclusions)), tables, files))
         })?;
         let (answer, tables, files) = made.map_err(|error: RunError| self.failed(error))?;
-        let told = |(name, table, origin)| Ok((name, (columns(py, &table)?, origin)));
-        let tables: Vec<(String, _)> = tables.into_iter().map(told).collect::<PyResult<_>>()?;
+        let converted = |(name, table, origin)| Ok((name, (columns(py, &table)?, origin)));
+        let tables: Vec<(String, _)> = tables.into_iter().map(converted).collect::<PyResult<_>>()?;
         Ok((answer, tables.into_py_dict(py)?, files.into_py_dict(py)?))
     }
 

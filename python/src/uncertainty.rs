@@ -201,15 +201,15 @@ fn told_of<'py>(py: Python<'py>, areas: &UncertainAreas) -> PyResult<Bound<'py, 
             said.push(note);
         }
     }
-    let told = PyDict::new(py);
+    let result = PyDict::new(py);
     let pressures_pa: Vec<f64> = needs.loads.iter().map(|load| load.nominal_pressure_pa()).collect();
-    told.set_item("nominal_pressure_pa", pressures_pa)?;
-    told.set_item("model", needs.curves.iter().map(|curve| curve.name.as_str()).collect::<Vec<_>>())?;
-    told.set_item("arrays", arrays.into_py_dict(py)?)?;
-    told.set_item("shares", columns(py, &found.indices_table(needs))?)?;
-    told.set_item("advice", columns(py, &found.advice_table(needs).with_text("in_words", in_words))?)?;
-    told.set_item("bands", columns(py, &found.bands_table(needs))?)?;
-    told.set_item("draws", found.draws)?;
-    told.set_item("notes", said)?;
-    Ok(told)
+    result.set_item("nominal_pressure_pa", pressures_pa)?;
+    result.set_item("model", needs.curves.iter().map(|curve| curve.name.as_str()).collect::<Vec<_>>())?;
+    result.set_item("arrays", arrays.into_py_dict(py)?)?;
+    result.set_item("shares", columns(py, &found.indices_table(needs))?)?;
+    result.set_item("advice", columns(py, &found.advice_table(needs).with_text("in_words", in_words))?)?;
+    result.set_item("bands", columns(py, &found.bands_table(needs))?)?;
+    result.set_item("draws", found.draws)?;
+    result.set_item("notes", said)?;
+    Ok(result)
 }
