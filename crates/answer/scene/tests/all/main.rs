@@ -8,4 +8,5 @@ mod material_spreads;
 mod outcomes;
 mod roughness;
 mod scenes;
+mod si_units;
 mod uncertainty;
