@@ -96,7 +96,10 @@ fn maps(
         return Err(of_argument("surface", "a map of rows and columns is needed"));
     };
     let (x_m, y_m) = (length_x_m / columns as f64, length_y_m / rows as f64);
-    let heights_m: Vec<f64> = heights_m.as_array().iter().copied().collect();
+    let heights_m = heights_m.as_array();
+    // In C order, without a copy of arrays that have it.
+    let heights_m = heights_m.as_standard_layout();
+    let heights_m = heights_m.as_slice().expect("an array in C order is a slice");
     let relief = |heights_m: &[f64]| {
         let map = HeightMap::new(columns, x_m, y_m, heights_m.to_vec());
         let heights_m = detrended_m(&map.map_err(|error| of_argument("surface", error))?, detrend);
