@@ -44,7 +44,6 @@ mod moments;
 mod power_law;
 mod profile;
 mod psd;
-#[cfg(feature = "random-surfaces")]
 pub mod random_surfaces;
 mod read;
 mod roughness_parameters;

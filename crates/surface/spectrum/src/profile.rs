@@ -1,10 +1,13 @@
 //! The spectrum of line profiles, the input of moments, amplitudes and fits.
 
+use std::f64::consts::TAU;
 use std::num::NonZeroU32;
+use std::sync::Arc;
 
 use serde::Serialize;
 
 use crate::interval::{Interval, Sample, ln_ratio};
+use crate::random_surfaces::AreaSpectrum;
 use crate::samples::{PsdError, check_samples, falls};
 
 /// A sampled one-dimensional power spectrum C1D in m^3, sigma^2 = (1/pi) Int_0^inf C1D dq, which is a power
@@ -19,6 +22,12 @@ pub struct ProfilePsd {
     c1d_m3: Vec<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     standard_errors_m3: Option<Vec<Option<f64>>>,
+    /// The spectrum of the surface, if it is known and not this one.
+    #[serde(skip)]
+    surface: Option<Arc<AreaSpectrum>>,
+    /// Samples below the cutoff (\[m\], \[m^3\]), which hold waves of the surface above it no less.
+    #[serde(skip)]
+    beyond: Vec<(f64, f64)>,
 }
 
 impl ProfilePsd {
@@ -37,7 +46,40 @@ impl ProfilePsd {
 
     /// Makes a spectrum from samples that are valid already.
     pub(crate) fn from_samples(wavelengths_m: Vec<f64>, c1d_m3: Vec<f64>) -> Self {
-        Self { wavelengths_m, c1d_m3, standard_errors_m3: None }
+        Self { wavelengths_m, c1d_m3, standard_errors_m3: None, surface: None, beyond: Vec::new() }
+    }
+
+    /// States the spectrum of the surface whose profiles these are, so that it is not computed from them.
+    pub(crate) fn with_surface(self, surface: AreaSpectrum) -> Self {
+        Self { surface: Some(Arc::new(surface)), ..self }
+    }
+
+    /// The spectrum of the surface, if it is known: that of a table of areas.
+    pub fn surface(&self) -> Option<&AreaSpectrum> {
+        self.surface.as_deref()
+    }
+
+    /// Samples below the cutoff, as wavelengths \[m\] and C1D \[m^3\], from long to short wavelengths.
+    pub(crate) fn beyond_the_cutoff(&self) -> &[(f64, f64)] {
+        &self.beyond
+    }
+
+    /// Replaces the values of C1D \[m^3\]. If the surface is known, its spectrum changes by the same factors.
+    ///
+    /// # Errors
+    /// [`PsdError`] for another number of values, or one out of its range.
+    pub fn with_values(&self, c1d_m3: Vec<f64>) -> Result<Self, PsdError> {
+        let changed = Self::new(self.wavelengths_m.clone(), c1d_m3)?;
+        let factor = |q_rad_per_m: f64| {
+            let within = self.shortest_wavelength_m()..=self.longest_wavelength_m();
+            let wavelength_m = (TAU / q_rad_per_m).clamp(*within.start(), *within.end());
+            changed
+                .value_at(wavelength_m)
+                .zip(self.value_at(wavelength_m))
+                .map_or(1.0, |(new, old)| new / old)
+        };
+        let surface = self.surface.as_ref().map(|surface| Arc::new(surface.weighted(factor)));
+        Ok(Self { surface, beyond: self.beyond.clone(), ..changed })
     }
 
     /// Replaces the standard errors, one per value.
@@ -111,17 +153,26 @@ impl ProfilePsd {
         }
         wavelengths_m.push(shortest_m);
         c1d_m3.push(self.c1d_m3[self.len() - 1]);
-        Self::from_samples(wavelengths_m, c1d_m3)
+        Self { surface: self.surface.clone(), ..Self::from_samples(wavelengths_m, c1d_m3) }
     }
 
     /// Keeps the samples at wavelengths from the cutoff \[m\] up; `None` if none are left or the cutoff is NaN.
+    ///
+    /// The cutoff is one of the surface: the others still count in the conversion to its spectrum.
     pub fn truncated_at(&self, cutoff_wavelength_m: f64) -> Option<Self> {
         let kept = self.wavelengths_m.partition_point(|&sampled| sampled >= cutoff_wavelength_m);
         (kept > 0).then(|| Self {
             wavelengths_m: self.wavelengths_m[..kept].to_vec(),
             c1d_m3: self.c1d_m3[..kept].to_vec(),
             standard_errors_m3: self.standard_errors_m3.as_ref().map(|errors| errors[..kept].to_vec()),
+            surface: self.surface.clone(),
+            beyond: self.samples().skip(kept).chain(self.beyond.iter().copied()).collect(),
         })
+    }
+
+    /// Yields wavelengths \[m\] and C1D \[m^3\].
+    pub(crate) fn samples(&self) -> impl Iterator<Item = (f64, f64)> {
+        self.wavelengths_m.iter().copied().zip(self.c1d_m3.iter().copied())
     }
 
     /// The intervals between neighbouring samples, from long to short wavelengths.

@@ -5,6 +5,7 @@ use serde::Serialize;
 use crate::abel::{area_of_profile, profile_of_area};
 use crate::convention::{Convention, ConversionError};
 use crate::profile::ProfilePsd;
+use crate::random_surfaces::AreaSpectrum;
 use crate::samples::{PsdError, check_samples, falls, is_density};
 
 /// A sampled power spectrum in a stated convention: at least two wavelengths from long to short without repeats, and as
@@ -111,13 +112,20 @@ impl Psd {
         Ok(Self::from_samples(wavelengths_m, values, other))
     }
 
-    /// Converts the spectrum to C1D, the input of all other computations.
+    /// Converts the spectrum to C1D, the input of moments, amplitudes and fits. An area spectrum stays the spectrum of the surface
+    /// for all that takes the waves of a surface.
     ///
     /// # Errors
     /// [`ConversionError`] for an area convention, as in [`Psd::to`].
     pub fn profile(&self) -> Result<ProfilePsd, ConversionError> {
         let c1d = self.to(Convention::C1D)?;
-        Ok(ProfilePsd::from_samples(c1d.wavelengths_m, c1d.values).with_standard_errors(c1d.standard_errors))
+        let profile = ProfilePsd::from_samples(c1d.wavelengths_m, c1d.values);
+        let surface =
+            if self.convention.metre_power() == 4 { AreaSpectrum::from_psd(self).ok() } else { None };
+        Ok(match surface {
+            Some(surface) => profile.with_surface(surface),
+            None => profile.with_standard_errors(c1d.standard_errors),
+        })
     }
 
     /// Wavelengths in m, from long to short.

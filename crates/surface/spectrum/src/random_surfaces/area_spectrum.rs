@@ -30,16 +30,21 @@ pub struct AreaSpectrum {
 
 impl AreaSpectrum {
     /// Converts the spectrum of profiles to that of their surface, Ciso(q) = -2 Int_q^inf C1D'(p) (p^2 - q^2)^(-1/2) dp
-    /// (the inverse of Jacobs, Junge & Pastewka 2017, Surf. Topogr.: Metrol. Prop. 5:013001, Eq. 2.17).
+    /// (the inverse of Jacobs, Junge & Pastewka 2017, Surf. Topogr.: Metrol. Prop. 5:013001, Eq. 2.17). A surface that is
+    /// known, as that of a table of areas, is taken as it is.
     ///
-    /// C1D is continued above its last sample with its last slope (level if it rises there), because profiles of a
-    /// surface have no sharp cutoff; Ciso covers the wavevectors of the samples. Noise that would make Ciso negative is
-    /// smoothed or clipped, see [`AreaSpectrum::conversion`].
+    /// C1D is continued above its last sample with its last slope (at least as steep as 1/q), because profiles of a surface have
+    /// no sharp cutoff; Ciso covers the wavevectors of the samples, and between two it has their heights and gradient. Rises of
+    /// C1D that would make Ciso negative are levelled, see [`AreaSpectrum::conversion`].
     ///
     /// # Errors
-    /// [`RandomSurfaceError::TooFewSamples`] for a single sample; [`RandomSurfaceError::EmptyBand`] for a spectrum that falls
-    /// nowhere, which no surface has.
+    /// [`RandomSurfaceError::TooFewSamples`] for a single sample; [`RandomSurfaceError::EmptyBand`] if a known surface lacks the
+    /// band.
     pub fn from_profile(profile: &ProfilePsd) -> Result<Self, RandomSurfaceError> {
+        if let Some(surface) = profile.surface() {
+            let (longest_m, shortest_m) = (profile.longest_wavelength_m(), profile.shortest_wavelength_m());
+            return surface.cut(longest_m.min(surface.longest_m), shortest_m.max(surface.shortest_m));
+        }
         let (pieces, conversion) = conversion::of_profile(profile)?;
         let (longest_m, shortest_m) = (profile.longest_wavelength_m(), profile.shortest_wavelength_m());
         Self::from_pieces(pieces, longest_m, shortest_m, conversion)
@@ -165,6 +170,22 @@ impl AreaSpectrum {
         self.mean_square(3)
     }
 
+    /// Mean square gradients of the waves down to each of some wavelengths \[m\], which run from long to short.
+    #[must_use]
+    pub fn mean_square_gradients(&self, wavelengths_m: &[f64]) -> Vec<f64> {
+        let (mut pieces, mut sum) = (self.pieces.iter().peekable(), 0.0);
+        let down_to = |wavelength_m: &f64| {
+            // The rounding of a wavevector must not cut a piece that ends with it.
+            let last = TAU / wavelength_m * (1.0 + ROUNDING);
+            while let Some(piece) = pieces.next_if(|piece| piece.end_rad_per_m <= last) {
+                sum += piece.integral(3);
+            }
+            let part = pieces.peek().and_then(|piece| piece.between(0.0, TAU / wavelength_m));
+            (sum + part.map_or(0.0, |part| part.integral(3))) / TAU
+        };
+        wavelengths_m.iter().map(down_to).collect()
+    }
+
     /// Mean square of the Laplacian \[1/m^2\], (1/2 pi) Int q^5 Ciso dq.
     #[must_use]
     pub fn mean_square_laplacian_per_m2(&self) -> f64 {
@@ -202,7 +223,7 @@ impl AreaSpectrum {
             let (wavelength_m, shortest_m) = (wavelengths_m[row], self.shortest_m);
             return Err(RandomSurfaceError::NoWaves { wavelength_m, shortest_m });
         }
-        Ok(ProfilePsd::new(wavelengths_m.to_vec(), c1d_m3)?)
+        Ok(ProfilePsd::new(wavelengths_m.to_vec(), c1d_m3)?.with_surface(self.clone()))
     }
 
     /// Wavelengths \[m\] for sampling [`AreaSpectrum::profile`]: `per_decade` per decade, starting at `longest_m` if

@@ -36,21 +36,28 @@
 mod area_spectrum;
 mod conversion;
 mod error;
+#[cfg(feature = "random-surfaces")]
 mod fourier;
 mod grading;
 mod grid_band;
+#[cfg(feature = "random-surfaces")]
 mod map_waves;
+#[cfg(feature = "random-surfaces")]
 mod modes;
 mod monotone;
 mod self_affine;
 mod surface;
+#[cfg(feature = "random-surfaces")]
 mod synthesis;
 
 pub use area_spectrum::AreaSpectrum;
 pub use conversion::Conversion;
 pub use error::RandomSurfaceError;
 pub use grid_band::GridBand;
+#[cfg(feature = "random-surfaces")]
 pub use map_waves::MapWaves;
 pub use self_affine::{SelfAffine, Size};
+#[cfg(feature = "random-surfaces")]
 pub use surface::RandomSurface;
+#[cfg(feature = "random-surfaces")]
 pub use synthesis::{Phases, Synthesis};

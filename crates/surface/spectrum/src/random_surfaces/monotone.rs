@@ -1,9 +1,17 @@
 //! Isotonic regression.
 
+/// A run of values, of the same level in the non-rising sequence nearest to them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Pool {
+    pub start: usize,
+    pub end: usize,
+    pub level: f64,
+}
+
 /// Finds the non-rising sequence nearest to `values` in the weighted sum of squares by pooling adjacent violators into
 /// their weighted mean (Barlow, Bartholomew, Bremner & Brunk 1972, section 1.2). It keeps the weighted sum. Weights are
 /// positive.
-pub(crate) fn not_rising(values: &[f64], weights: &[f64]) -> Vec<f64> {
+pub(crate) fn not_rising(values: &[f64], weights: &[f64]) -> Vec<Pool> {
     let mut pools: Vec<(f64, f64, usize)> = Vec::new();
     for (&value, &weight) in values.iter().zip(weights) {
         let (mut mean, mut weight, mut count) = (value, weight, 1);
@@ -14,12 +22,20 @@ pub(crate) fn not_rising(values: &[f64], weights: &[f64]) -> Vec<f64> {
         }
         pools.push((mean, weight, count));
     }
-    pools.into_iter().flat_map(|(mean, _, count)| std::iter::repeat_n(mean, count)).collect()
+    let mut end = 0;
+    let pool = |(level, _, members)| {
+        end += members;
+        Pool { start: end - members, end, level }
+    };
+    pools.into_iter().map(pool).collect()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    fn not_rising(values: &[f64], weights: &[f64]) -> Vec<f64> {
+        let pools = super::not_rising(values, weights);
+        pools.iter().flat_map(|pool| std::iter::repeat_n(pool.level, pool.end - pool.start)).collect()
+    }
 
     #[test]
     fn falling_values_are_kept_and_rising_ones_pooled() {
