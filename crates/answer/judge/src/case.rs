@@ -272,6 +272,11 @@ impl<'s> Case<'s> {
         0.5 * (area(0.25) / area(0.75)).ln().abs()
     }
 
+    /// The relative standard error of areas on the whole band from its end, where C1D holds waves beyond it.
+    pub fn error_of_spectrum_end(&self) -> f64 {
+        self.waves.as_ref().map_or(0.0, |waves| waves.surface().conversion().end_error)
+    }
+
     /// The elastic mean real pressure \[Pa\] under each of these loads, with all waves down to a wavelength \[m\].
     pub fn elastic_pressures_at(&self, loads: &[usize], wavelength_m: f64) -> Vec<(usize, f64)> {
         let waves = self.closed_form(wavelength_m);

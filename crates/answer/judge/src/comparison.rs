@@ -109,7 +109,8 @@ impl Comparisons<'_> {
         } else {
             case.seam(&layout.forms[window], reference, load)
         };
-        Ok(area.carried_over(seam).at_least(case.least_area(reference, load)))
+        let carried_over = area.carried_over(seam).with_error(case.error_of_spectrum_end());
+        Ok(carried_over.at_least(case.least_area(reference, load)))
     }
 
     /// The area that elements give for a cell of the layout, or the reason why there is none.

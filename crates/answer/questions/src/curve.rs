@@ -2,6 +2,7 @@
 
 use findings::doubts::{self, RealPressures};
 use numerics::parallel::Progress;
+use persson::Band;
 use persson::separation::LightLoads;
 use scene::Scene;
 use serde::{Deserialize, Serialize};
@@ -318,6 +319,9 @@ impl CurveStream<'_> {
             notes.push(Remark::new(RemarkCode::FirstRowIsEmpty));
         }
         if let Some(PerssonSurface { roughness, separation, .. }) = &self.surface {
+            if model.persson().is_some_and(|theory| theory.band == Band::Surface) {
+                notes.extend(doubts::of_surface(self.stream.psd()));
+            }
             let correction = model.persson().and_then(|theory| theory.correction);
             let of_correction = correction.map(|correction| remarks_on_correction(correction, roughness));
             notes.extend(of_correction.into_iter().flatten());

@@ -286,15 +286,10 @@ pub(crate) fn random_surfaces(
 ) -> Result<(RandomSurfaces, Vec<Remark>), QuestionError> {
     pressing.check().map_err(ElementsError::from)?;
     let named = |error| QuestionError::RandomSurfaces { surface: surface.name.clone(), error };
-    let area = match &surface.of_area {
-        Some(psd) => AreaSpectrum::from_psd(psd),
-        None => AreaSpectrum::from_profile(&surface.psd),
-    };
-    let area = area.map_err(named)?;
+    let area = AreaSpectrum::from_profile(&surface.psd).map_err(named)?;
     let (random, grid) = random.choices().surfaces(&area).map_err(named)?;
-    let as_it_is = surface.of_area.iter().map(|_| Remark::new(RemarkCode::AreaSpectrumAsItIs));
-    let made = remarks_on_surfaces(&area, &random, &grid, pressing.contact_modulus_pa);
-    Ok((random, as_it_is.chain(made).collect()))
+    let remarks = remarks_on_surfaces(&area, &random, &grid, pressing.contact_modulus_pa);
+    Ok((random, remarks))
 }
 
 /// Remarks on surfaces made of a spectrum.
@@ -328,12 +323,7 @@ fn remarks_on_surfaces(
     if !left_out.is_empty() {
         remarks.push(Remark::new(RemarkCode::WavesLeftOut).with("where", left_out.join(" and ")));
     }
-    let conversion = spectrum.conversion();
-    if conversion.smoothed {
-        remarks.push(Remark::new(RemarkCode::SpectrumSmoothed).with("share", conversion.negative_share));
-    } else if conversion.clipped_share > 1e-6 {
-        remarks.push(Remark::new(RemarkCode::SpectrumClipped).with("share", conversion.clipped_share));
-    }
+    remarks.extend(doubts::of_conversion(spectrum.conversion()));
     if 0.5 * gradient > SMALL_SLOPE_PRESSURE {
         let steep = Remark::new(RemarkCode::SteepWaves).with("pressure_over_modulus", 0.5 * gradient);
         remarks.push(steep.with("bound", SMALL_SLOPE_PRESSURE));

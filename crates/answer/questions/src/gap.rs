@@ -4,12 +4,12 @@ use elements::{PressedLoad, Pressing, Surfaces};
 use findings::doubts;
 use interface::finite_elements::{ContactLaw, ExponentialLaw};
 use numerics::parallel::Progress;
-use persson::variance::Band;
+use persson::Band;
 use serde::{Deserialize, Serialize};
 use spectrum::Normalisation;
 use study::gap_law::{GapChoices, GapLaw, GapState};
 use study::material::Material;
-use study::models::{Choice, ModelEntry, ModelOptions};
+use study::models::{Choice, Framework, ModelEntry, ModelOptions};
 use study::plan::{Needs, Plan, PlanError, Tolerance};
 use study::result_tables;
 use study::surface::Surface;
@@ -182,7 +182,11 @@ impl GapModel {
         let surface_notes = surface.notes.iter().cloned();
         let of_model = self.model.and_then(|entry| remark_on_model(material, entry));
         let of_spectrum = doubts::of_spectrum(&surface.psd).into_iter();
-        too_fine.into_iter().chain(doubt).chain(surface_notes).chain(of_model).chain(of_spectrum).collect()
+        let cuts_surface = self.options.band.unwrap_or_default() == Band::Surface
+            && self.model.is_some_and(|entry| entry.framework == Framework::Persson);
+        let of_surface = cuts_surface.then(|| doubts::of_surface(&surface.psd)).into_iter().flatten();
+        let notes = too_fine.into_iter().chain(doubt).chain(surface_notes).chain(of_model);
+        notes.chain(of_spectrum).chain(of_surface).collect()
     }
 }
 

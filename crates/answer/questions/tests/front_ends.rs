@@ -9,9 +9,9 @@ use chacha20::rand_core::{Rng, SeedableRng};
 use interface::finite_elements::{Dialect, UnitSystem};
 use measurements::Conventions;
 use numerics::parallel::Unobserved;
+use persson::Band;
 use persson::EnergyFactor;
 use persson::corrections::Correction;
-use persson::variance::Band;
 use questions::{
     BodyInput, BranchChoice, CurveQuestion, GapModel, GapQuestion, LawForm, LawQuantity, LawQuestion,
     LoadInput, MaterialInput, NamedGas, PlasticCorrelation, PreparedCurve, QuestionError, SamplingInput,

@@ -42,7 +42,7 @@ pub use uncertain::spread_of;
 pub use uncertainty::UncertaintySettings;
 
 use measurements::{Files, NoFiles};
-use persson::variance::Band;
+use persson::Band;
 use study::bodies::Bodies;
 use study::choices_in_words;
 use study::figure::Figure;

@@ -8,8 +8,8 @@ use std::sync::LazyLock;
 
 use ::interface::gas::NamedGas;
 use measurements::{Instrument, SlopeUncertainty, TipRadius, ZCalibration};
+use persson::Band;
 use persson::EnergyFactor;
-use persson::variance::Band;
 
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{Error, IntoDeserializer, MapAccess, SeqAccess, Unexpected, Visitor};

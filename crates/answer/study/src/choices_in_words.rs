@@ -1,8 +1,8 @@
 //! Descriptions of the choices that the models leave open: each setting, and its source.
 
 use asperity::Hardness;
+use persson::Band;
 use persson::corrections::Correction;
-use persson::variance::Band;
 use spectrum::{AmplitudeDefinition, Normalisation};
 use stat_contact::InterferenceLaw;
 

@@ -5,9 +5,9 @@
 
 use interface::finite_elements::{ContactLaw, ExponentialLaw, LawPoint, SamplingError};
 use numerics::parallel::Progress;
+use persson::Band;
 use persson::Roughness;
 use persson::separation::{LightLoads, SeparationLaw};
-use persson::variance::Band;
 use spectrum::Normalisation;
 
 use crate::models::{CurveModel, LoadedSurface};
@@ -122,7 +122,7 @@ impl GapLaw {
     }
 }
 
-/// Builds the roughness that Persson's theory takes from a computed plan, including the part that the cutoff left out.
+/// Builds the roughness that Persson's theory takes from a computed plan.
 #[must_use]
 pub fn roughness(plan: &Plan<'_>, results: &Results, band: Band) -> Roughness {
     plan.roughness(&results.psd, &results.moments, &results.scales, band)

@@ -1,9 +1,9 @@
 //! The options of models as one plain struct, in which an option that was not given is absent.
 
 use asperity::Hardness;
+use persson::Band;
 use persson::EnergyFactor;
 use persson::corrections::Correction;
-use persson::variance::Band;
 use serde::de::MapAccess;
 use serde::{Deserialize, Serialize};
 use stat_contact::InterferenceLaw;

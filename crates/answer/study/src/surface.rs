@@ -138,8 +138,6 @@ pub struct Surface {
     pub name: String,
     /// The spectrum in the working convention.
     pub psd: ProfilePsd,
-    /// The spectrum as given, if it is the spectrum of an area.
-    pub of_area: Option<Psd>,
     /// The comment lines of the file: origin, licence, description.
     pub remarks: Vec<String>,
     /// Assumptions made in reading, and doubts.
@@ -190,11 +188,10 @@ impl Surface {
     /// # Errors
     /// [`SurfaceError::Conversion`] if its convention cannot be converted to that of a profile.
     pub fn of_psd(name: String, psd: Psd) -> Result<Self, SurfaceError> {
-        let of_area = psd.convention().factor_to(Convention::Ciso).is_ok().then(|| psd.clone());
         let psd = psd.profile().map_err(|error| SurfaceError::Conversion { name: name.clone(), error })?;
         let holes = psd.holes();
         let notes = Hole::remark(RemarkCode::Holes, &holes).into_iter().collect();
-        Ok(Surface { of_area, notes, holes, ..Self::plain(name, psd) })
+        Ok(Surface { notes, holes, ..Self::plain(name, psd) })
     }
 
     /// A spectrum with a name, of which nothing else is known.
@@ -202,7 +199,6 @@ impl Surface {
         Surface {
             name,
             psd,
-            of_area: None,
             remarks: Vec::new(),
             notes: Vec::new(),
             made_from: None,
@@ -306,17 +302,10 @@ impl Surface {
         if let Some(errors_m3) = self.psd.standard_errors_m3() {
             psd = psd.with_standard_errors(kept.iter().map(|at| errors_m3[*at]).collect())?;
         }
-        let psd = psd.profile().expect("a spectrum of profiles needs no conversion");
+        let psd =
+            psd.profile().expect("a spectrum of profiles needs no conversion").with_surface_of(&self.psd);
         let holes = psd.holes();
-        Ok(Surface {
-            psd,
-            of_area: None,
-            made_from: None,
-            roughness: None,
-            parts: None,
-            holes,
-            ..self.clone()
-        })
+        Ok(Surface { psd, made_from: None, roughness: None, parts: None, holes, ..self.clone() })
     }
 
     /// Makes a table that reads back as this spectrum: of a composite that of [`CompositeOfFiles::table`], of others the columns

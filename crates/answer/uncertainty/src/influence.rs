@@ -41,7 +41,7 @@ impl Influence {
             }
             let factor = |of: &usize| if of == part { STEP.exp() } else { 1.0 };
             let values = psd.c1d_m3().iter().zip(&part_of).map(|(c1d_m3, of)| c1d_m3 * factor(of)).collect();
-            let psd = ProfilePsd::new(psd.wavelengths_m().to_vec(), values).ok()?;
+            let psd = psd.with_values(values).ok()?;
             let found = areas.at_the_end(Some(&psd), areas.distinct_curves().to_vec());
             progress.advance(1);
             Some(found)

@@ -67,7 +67,7 @@ impl ErrorsOfSpectrum {
     /// The spectrum with these deviations.
     pub fn psd(&self, deviations: &[f64]) -> Option<ProfilePsd> {
         let moved = self.psd.c1d_m3().iter().zip(deviations).map(|(c1d_m3, off)| c1d_m3 * off.exp());
-        ProfilePsd::new(self.psd.wavelengths_m().to_vec(), moved.collect()).ok()
+        self.psd.with_values(moved.collect()).ok()
     }
 
     /// The spectrum as it is.

@@ -225,8 +225,6 @@ remark_codes! {
         "the Hurst exponent {hurst_exponent#} lies outside 0 to 1: the surface is not self-affine";
 
     // Boundary elements.
-    AreaSpectrumAsItIs "area-spectrum-as-it-is" Note
-        "surfaces are made of the spectrum of areas as it is, without the Abel integral and all of its samples";
     RandomSurfaces "random-surfaces.made-surfaces" Note
         "{surfaces|surface} of {points} x {points} points over {side_m}, with waves from {longest_m} to {shortest_m}: {points_per_shortest} \
          points for the shortest, {lengths} lengths of the longest";
@@ -234,11 +232,12 @@ remark_codes! {
         "each surface has the rms gradient of the band, h' = {gradient}, so that E* h' = {reduced_modulus_pa}";
     WavesLeftOut "random-surfaces.made-surfaces" Note
         "waves of the spectrum {where} are left out";
-    SpectrumSmoothed "random-surfaces.made-surfaces" Note
-        "the spectrum rises where that of profiles cannot ({share%} of the roughness came out negative); it was smoothed to the nearest one \
-         that never rises";
-    SpectrumClipped "random-surfaces.made-surfaces" Note
-        "{share%} of the roughness came out negative, which profiles of a surface cannot have, and was left out";
+    SpectrumLevelled "spectrum.levelled" Note
+        "the spectrum of profiles rises where that of no isotropic surface does; for the surface it was levelled there, which moves \
+         {share%} of its roughness and keeps height and slope";
+    SpectrumEnd "spectrum.end" Note
+        "the end of the spectrum of profiles holds waves beyond it, which its last slope leaves uncertain: the rms gradient of the surface \
+         is known to {error%}";
     SteepWaves "random-surfaces.made-surfaces" Note
         "doubtful: these slopes take {pressure_over_modulus} E* to flatten, and a linear-elastic half-space needs small slopes (up to {bound} \
          E*)";

@@ -234,7 +234,6 @@ impl CappedHardness {
 mod tests {
     use super::*;
     use crate::roughness::RoughnessSample;
-    use crate::variance::Band;
 
     fn roughness(amplitudes_m: [f64; 4]) -> Roughness {
         let sample = |(i, amplitude_m): (usize, &f64)| RoughnessSample {
@@ -244,7 +243,7 @@ mod tests {
             amplitude_m: *amplitude_m,
         };
         let samples: Vec<RoughnessSample> = amplitudes_m.iter().enumerate().map(sample).collect();
-        Roughness::new(&samples, &[], Band::Profile)
+        Roughness::new(&samples, None)
     }
 
     fn along(growth: HardnessGrowth) -> Result<Vec<f64>, HardnessError> {

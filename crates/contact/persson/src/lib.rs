@@ -1,7 +1,7 @@
 #![doc = include_str!("../README.md")]
 //!
 //! Modules by subject:
-//! * [`variance`]: roughness up to a cutoff, by the spectrum of profiles or of the surface; [`Roughness`] holds it.
+//! * [`Roughness`]: mean square gradients up to each cutoff, of the spectrum of profiles or of the surface ([`Band`]).
 //! * [`elastic`]: area and stress of the elastic theory.
 //! * [`constant_hardness`]: area and stress up to a hardness.
 //! * [`growing_hardness`]: a hardness that grows towards short wavelengths, along a [`HardnessPath`];
@@ -13,6 +13,7 @@
 #![deny(missing_docs)]
 
 mod areas;
+mod band;
 pub mod constant_hardness;
 mod contact_energy;
 pub mod corrections;
@@ -28,9 +29,9 @@ pub mod sealing;
 pub mod separation;
 mod stress_profile;
 mod stretch;
-pub mod variance;
 
 pub use areas::ContactAreas;
+pub use band::Band;
 pub use energy::{EnergyFactor, EnergyFactorError};
 pub use hardness_path::{HardnessKnot, HardnessPath};
 pub use model::{Cut, PerssonModel};

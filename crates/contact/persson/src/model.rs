@@ -198,7 +198,6 @@ mod tests {
 
     use super::*;
     use crate::roughness::RoughnessSample;
-    use crate::variance::Band;
 
     /// C1D ~ q^-2.6 over two decades, h' = 1 at its end.
     fn roughness() -> Roughness {
@@ -208,7 +207,7 @@ mod tests {
             let moments = [moment(q, -1.6), moment(q, 0.4), moment(q, 2.4)];
             RoughnessSample { wavelength_m: TAU / q, c1d_m3: q.powf(-2.6), moments, amplitude_m: 1.0 / q }
         };
-        Roughness::new(&(0..=20).map(sample).collect::<Vec<_>>(), &[], Band::Profile)
+        Roughness::new(&(0..=20).map(sample).collect::<Vec<_>>(), None)
     }
 
     fn plastic(growth: HardnessGrowth) -> PerssonModel {
@@ -267,7 +266,7 @@ mod tests {
         ] {
             let last = model.areas_at_last(&roughness(), 0.01).unwrap();
             assert_eq!(last.as_ref(), model.areas(&roughness(), 0.01).unwrap().last(), "{model:?}");
-            let nothing = Roughness::new(&[], &[], Band::Surface);
+            let nothing = Roughness::new(&[], None);
             if !matches!(&model, PerssonModel::ElasticPlastic { hardness, .. }
                 if !matches!(hardness.growth(), HardnessGrowth::Constant { .. }))
             {

@@ -6,7 +6,6 @@ use asperity::LayerCompliance;
 
 use crate::layered::mean_square_stiffening;
 use crate::stretch::share_of_power_law;
-use crate::variance::{Band, MeanSquareGradients, SpectrumSample, spectral_exponents};
 
 /// Samples of a spectrum, from long to short wavelengths, with the derived quantities that the theory needs.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,9 +24,6 @@ pub struct Place {
     pub wavevector_rad_per_m: f64,
     /// Mean square gradient h'^2 of the surface up to q.
     pub mean_square_gradient: f64,
-    /// Mean square gradient of the waves between the first place and q, which gap and stiffness take: if the surface is cut, more
-    /// than `mean_square_gradient` by what its profiles show beyond the first place.
-    pub mean_square_gradient_from_first: f64,
     /// Moments m0 \[m^2\], m2 and m4 \[1/m^2\] of profiles up to q.
     pub moments: [f64; 3],
     /// Nayak's alpha = m0 m4/m2^2 of profiles up to q; infinite at the first place.
@@ -38,9 +34,8 @@ pub struct Place {
     pub variance_exponent: f64,
     /// Exponent e of dh'^2/dq ~ q^(e-1) between here and the next place; on a layer V has another one.
     gradient_exponent: f64,
-    /// Mean square gradients up to q and from the first place on, each wave times (E*(q)/E*)^2: what V is made of. On a
-    /// half-space they are the plain ones.
-    stiffened_gradients: [f64; 2],
+    /// Mean square gradient up to q, each wave times (E*(q)/E*)^2: what V is made of. On a half-space it is the plain one.
+    stiffened_gradient: f64,
 }
 
 /// Sample of a spectrum with the moments of the roughness above its wavelength.
@@ -57,38 +52,33 @@ pub struct RoughnessSample {
 }
 
 impl Roughness {
-    /// Creates the roughness from samples that go from long to short wavelengths. `beyond` are samples at shorter
-    /// wavelengths (\[m\], \[m^3\]); they are not cutoffs but count where the surface is cut off.
+    /// Creates the roughness from samples that go from long to short wavelengths. If a cutoff cuts the surface, `of_surface` are
+    /// the mean square gradients of its waves from the first sample to each of them; otherwise those of profiles count, 2 m2.
+    ///
+    /// # Panics
+    /// If there are fewer gradients than samples.
     #[must_use]
-    pub fn new(samples: &[RoughnessSample], beyond: &[(f64, f64)], band: Band) -> Self {
-        let mut of_spectrum: Vec<SpectrumSample> = samples
-            .iter()
-            .map(|sample| SpectrumSample {
+    pub fn new(samples: &[RoughnessSample], of_surface: Option<&[f64]>) -> Self {
+        let exponent = |pair: &[RoughnessSample]| {
+            (pair[1].c1d_m3 / pair[0].c1d_m3).ln() / (pair[0].wavelength_m / pair[1].wavelength_m).ln()
+        };
+        let exponents: Vec<f64> = samples.windows(2).map(exponent).collect();
+        let gradient_exponent =
+            |at: usize| exponents.get(at).or(exponents.last()).map_or(3.0, |exponent| 3.0 + exponent);
+        let place = |(at, sample): (usize, &RoughnessSample)| {
+            let mean_square_gradient =
+                of_surface.map_or(2.0 * sample.moments[1], |mean_squares| mean_squares[at]);
+            Place {
+                wavelength_m: sample.wavelength_m,
                 wavevector_rad_per_m: TAU / sample.wavelength_m,
-                c1d_m3: sample.c1d_m3,
-                mean_square_slope: sample.moments[1],
-            })
-            .collect();
-        let last_slope = of_spectrum.last().map_or(0.0, |last| last.mean_square_slope);
-        of_spectrum.extend(beyond.iter().map(|&(wavelength_m, c1d_m3)| SpectrumSample {
-            wavevector_rad_per_m: TAU / wavelength_m,
-            c1d_m3,
-            mean_square_slope: last_slope,
-        }));
-        let MeanSquareGradients { up_to, from_first } = MeanSquareGradients::of(&of_spectrum, band);
-        let exponents = spectral_exponents(&of_spectrum);
-        let gradient_exponent = |at: usize| exponents.get(at).map_or(3.0, |exponent| 3.0 + exponent);
-        let place = |(at, sample): (usize, &RoughnessSample)| Place {
-            wavelength_m: sample.wavelength_m,
-            wavevector_rad_per_m: TAU / sample.wavelength_m,
-            mean_square_gradient: up_to[at],
-            mean_square_gradient_from_first: from_first[at],
-            moments: sample.moments,
-            alpha: nayak(sample.moments),
-            amplitude_m: sample.amplitude_m,
-            variance_exponent: gradient_exponent(at),
-            gradient_exponent: gradient_exponent(at),
-            stiffened_gradients: [up_to[at], from_first[at]],
+                mean_square_gradient,
+                moments: sample.moments,
+                alpha: nayak(sample.moments),
+                amplitude_m: sample.amplitude_m,
+                variance_exponent: gradient_exponent(at),
+                gradient_exponent: gradient_exponent(at),
+                stiffened_gradient: mean_square_gradient,
+            }
         };
         Roughness { places: samples.iter().enumerate().map(place).collect(), layer: None }
     }
@@ -97,18 +87,14 @@ impl Roughness {
     /// dV = E*(q)^2 dh'^2/4 and mean gap and stiffness take dv/(q E*(q)). Gradients and moments stay those of the surface.
     #[must_use]
     pub fn on_layer(mut self, layer: LayerCompliance) -> Self {
-        let mut stiffened = [0.0; 2];
+        let mut stiffened = 0.0;
         for at in 1..self.places.len() {
             let (start, end) = (self.places[at - 1], self.places[at]);
             let wavevectors = [start, end].map(|place| place.wavevector_rad_per_m);
             let (mean_square, grown) = mean_square_stiffening(&layer, wavevectors, start.gradient_exponent);
             self.places[at - 1].variance_exponent = start.gradient_exponent + grown;
-            let rises = [
-                end.mean_square_gradient - start.mean_square_gradient,
-                end.mean_square_gradient_from_first - start.mean_square_gradient_from_first,
-            ];
-            stiffened = [0, 1].map(|which| stiffened[which] + mean_square * rises[which]);
-            self.places[at].stiffened_gradients = stiffened;
+            stiffened += mean_square * (end.mean_square_gradient - start.mean_square_gradient);
+            self.places[at].stiffened_gradient = stiffened;
         }
         self.layer = Some(layer);
         self
@@ -166,12 +152,6 @@ impl Place {
     /// \[Pa\]; on a layer each wave counts with E*(q).
     #[must_use]
     pub fn variance_pa2(&self, contact_modulus_pa: f64) -> f64 {
-        0.25 * contact_modulus_pa * contact_modulus_pa * self.stiffened_gradients[0]
-    }
-
-    /// Variance \[Pa^2\] of the pressure that flattens the waves between the first place and this one, for gap and stiffness.
-    #[must_use]
-    pub fn variance_from_first_pa2(&self, contact_modulus_pa: f64) -> f64 {
-        0.25 * contact_modulus_pa * contact_modulus_pa * self.stiffened_gradients[1]
+        0.25 * contact_modulus_pa * contact_modulus_pa * self.stiffened_gradient
     }
 }

@@ -114,8 +114,7 @@ impl SealingLaw {
     pub fn tight_pressure_pa(&self) -> f64 {
         self.roughness.places().last().map_or(0.0, |last| {
             let flattened = flattened(self.correction, self.threshold.argument(), last.alpha);
-            (last.variance_from_first_pa2(self.contact_modulus_pa) / flattened.variance_over_square_pressure)
-                .sqrt()
+            (last.variance_pa2(self.contact_modulus_pa) / flattened.variance_over_square_pressure).sqrt()
         })
     }
 

@@ -30,7 +30,7 @@ impl SeparationKnot {
     pub fn along(roughness: &Roughness, contact_modulus_pa: f64) -> Vec<Self> {
         let knot = |place: &Place| SeparationKnot {
             wavevector_rad_per_m: place.wavevector_rad_per_m,
-            variance_pa2: place.variance_from_first_pa2(contact_modulus_pa),
+            variance_pa2: place.variance_pa2(contact_modulus_pa),
             variance_exponent: place.variance_exponent,
         };
         roughness.places().iter().map(knot).collect()

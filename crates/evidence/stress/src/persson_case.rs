@@ -4,12 +4,13 @@ use std::f64::consts::PI;
 
 use asperity::{AsperityError, ElasticBody, Layer, MaterialPair};
 use bilby::AdaptiveIntegrator;
+use persson::Band;
 use persson::corrections::Correction;
 use persson::hardness_laws::{CappedHardness, HardnessError, HardnessGrowth, HardnessTable};
 use persson::sealing::{PercolationThreshold, SealingLaw};
 use persson::separation::SeparationLaw;
-use persson::variance::Band;
 use persson::{ContactAreas, Cut, EnergyFactor, PerssonModel, Place, Roughness, RoughnessSample};
+use spectrum::random_surfaces::AreaSpectrum;
 use spectrum::{AmplitudeDefinition, Normalisation, ProfilePsd, amplitudes, cumulative_moments};
 
 use crate::drawn_spectrum::drawn_spectrum;
@@ -210,7 +211,12 @@ fn roughness(psd: &ProfilePsd, band: Band) -> Roughness {
             amplitude_m: scale.amplitude_m,
         })
         .collect();
-    Roughness::new(&samples, &[], band)
+    let of_surface = || {
+        let surface = AreaSpectrum::from_profile(psd).ok()?;
+        Some(surface.mean_square_gradients(psd.wavelengths_m()))
+    };
+    let of_surface = if band == Band::Surface { of_surface() } else { None };
+    Roughness::new(&samples, of_surface.as_deref())
 }
 
 impl Case for PerssonCase {
@@ -497,7 +503,7 @@ fn light_load(prepared: &Prepared, correction: Option<Correction>, trial: &mut T
             trial.hold("numbers of light loads", sizes && (0.0..=1.0).contains(&share));
             let first = prepared.roughness.places().iter();
             let least_pa = first
-                .map(|place| place.variance_from_first_pa2(prepared.contact_modulus_pa).sqrt())
+                .map(|place| place.variance_pa2(prepared.contact_modulus_pa).sqrt())
                 .find(|spread_pa| *spread_pa > 0.0);
             // Below every spread the whole law is that of light loads.
             let light_pa = 1e-6 * least_pa.unwrap_or(0.0);

@@ -226,7 +226,7 @@ fn of_area(profile: &ProfilePsd, trial: &mut Trial<SpectraCase>) {
         trial.bound("gradient of the area is twice the slope of profiles", (0.5 * ratio - 1.0).abs(), 1e-12);
     }
     let conversion = area.conversion();
-    let shares = [conversion.negative_share, conversion.clipped_share];
+    let shares = [conversion.levelled_share];
     trial.hold("shares of the conversion in [0, 1]", shares.iter().all(|share| (0.0..=1.0).contains(share)));
     let middle_m = (area.longest_m() * area.shortest_m()).sqrt();
     trial.hold("density of the area at least 0", area.ciso_m4(std::f64::consts::TAU / middle_m) >= 0.0);

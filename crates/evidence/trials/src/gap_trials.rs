@@ -5,9 +5,9 @@ use std::ops::RangeInclusive;
 
 use elements::{ElementsError, ImposedLoad, PressedLoad, Pressing, press};
 use numerics::parallel::Unobserved;
+use persson::Band;
 use persson::EnergyFactor;
 use persson::separation::LIGHT_CONTACT;
-use persson::variance::Band;
 use serde::{Deserialize, Serialize};
 use spectrum::random_surfaces::AreaSpectrum;
 use spectrum::{Normalisation, ProfilePsd};

@@ -51,6 +51,7 @@ mod samples;
 mod self_affine;
 mod self_affine_fit;
 mod superpose;
+mod surface_waves;
 
 pub use abel::AbelIntegral;
 pub use amplitude::{AmplitudeDefinition, amplitudes};

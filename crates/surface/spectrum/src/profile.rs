@@ -7,8 +7,8 @@ use std::sync::Arc;
 use serde::Serialize;
 
 use crate::interval::{Interval, Sample, ln_ratio};
-use crate::random_surfaces::AreaSpectrum;
 use crate::samples::{PsdError, check_samples, falls};
+use crate::surface_waves::SurfaceWaves;
 
 /// A sampled one-dimensional power spectrum C1D in m^3, sigma^2 = (1/pi) Int_0^inf C1D dq, which is a power
 /// law of the wavevector between neighbouring samples (a straight line in log-log axes).
@@ -22,9 +22,9 @@ pub struct ProfilePsd {
     c1d_m3: Vec<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     standard_errors_m3: Option<Vec<Option<f64>>>,
-    /// The spectrum of the surface, if it is known and not this one.
+    /// The waves of the surface, if they are known.
     #[serde(skip)]
-    surface: Option<Arc<AreaSpectrum>>,
+    surface: Option<Arc<SurfaceWaves>>,
     /// Samples below the cutoff (\[m\], \[m^3\]), which hold waves of the surface above it no less.
     #[serde(skip)]
     beyond: Vec<(f64, f64)>,
@@ -49,14 +49,20 @@ impl ProfilePsd {
         Self { wavelengths_m, c1d_m3, standard_errors_m3: None, surface: None, beyond: Vec::new() }
     }
 
-    /// States the spectrum of the surface whose profiles these are, so that it is not computed from them.
-    pub(crate) fn with_surface(self, surface: AreaSpectrum) -> Self {
+    /// States the waves of the surface whose profiles these are, so that they are not computed from them.
+    pub(crate) fn with_surface(self, surface: SurfaceWaves) -> Self {
         Self { surface: Some(Arc::new(surface)), ..self }
     }
 
-    /// The spectrum of the surface, if it is known: that of a table of areas.
-    pub fn surface(&self) -> Option<&AreaSpectrum> {
+    /// The waves of the surface, if they are known: those of a table of areas.
+    pub(crate) fn surface(&self) -> Option<&SurfaceWaves> {
         self.surface.as_deref()
+    }
+
+    /// Takes over what is known of the surface from a spectrum of the same surface over a wider band.
+    #[must_use]
+    pub fn with_surface_of(self, wider: &Self) -> Self {
+        Self { surface: wider.surface.clone(), ..self }
     }
 
     /// Samples below the cutoff, as wavelengths \[m\] and C1D \[m^3\], from long to short wavelengths.

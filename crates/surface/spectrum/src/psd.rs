@@ -1,12 +1,15 @@
 //! A sampled power spectrum in any convention.
 
+use std::f64::consts::TAU;
+
 use serde::Serialize;
 
 use crate::abel::{area_of_profile, profile_of_area};
 use crate::convention::{Convention, ConversionError};
+use crate::power_law::PowerLaw;
 use crate::profile::ProfilePsd;
-use crate::random_surfaces::AreaSpectrum;
 use crate::samples::{PsdError, check_samples, falls, is_density};
+use crate::surface_waves::SurfaceWaves;
 
 /// A sampled power spectrum in a stated convention: at least two wavelengths from long to short without repeats, and as
 /// many values, all finite and above 0. Standard errors of the values are optional.
@@ -120,11 +123,21 @@ impl Psd {
     pub fn profile(&self) -> Result<ProfilePsd, ConversionError> {
         let c1d = self.to(Convention::C1D)?;
         let profile = ProfilePsd::from_samples(c1d.wavelengths_m, c1d.values);
-        let surface =
-            if self.convention.metre_power() == 4 { AreaSpectrum::from_psd(self).ok() } else { None };
-        Ok(match surface {
+        Ok(match self.surface() {
             Some(surface) => profile.with_surface(surface),
             None => profile.with_standard_errors(c1d.standard_errors),
+        })
+    }
+
+    /// The waves of the surface, if the spectrum is that of an area: power laws between its samples.
+    pub(crate) fn surface(&self) -> Option<SurfaceWaves> {
+        // A factor exists only among conventions of areas, or among those of profiles.
+        let factor = self.convention.factor_to(Convention::Ciso).ok()?;
+        let sample = |at: usize| (TAU / self.wavelengths_m[at], factor * self.values[at]);
+        Some(SurfaceWaves {
+            pieces: (1..self.len()).map(|end| PowerLaw::through(sample(end - 1), sample(end))).collect(),
+            longest_m: self.wavelengths_m[0],
+            shortest_m: self.wavelengths_m[self.len() - 1],
         })
     }
 

@@ -2,6 +2,7 @@
 
 mod real_pressure;
 
+use spectrum::random_surfaces::{AreaSpectrum, Conversion};
 use spectrum::{AmplitudeDefinition, Normalisation, ProfilePsd, amplitudes, cumulative_moments};
 
 use crate::answer::SceneAnswer;
@@ -20,6 +21,9 @@ const HARD_RATIO: f64 = 0.35;
 
 /// The slope and the aspect ratio above which the units of a spectrum are probably mistaken.
 const STEEP: f64 = 1.0;
+/// Share of the roughness moved by levelling, and error of the rms gradient from the end of the spectrum, that are worth a note.
+const LEAST_LEVELLED: f64 = 1e-3;
+const LEAST_END_ERROR: f64 = 0.01;
 /// The rms slope from which a mistaken unit of heights is more likely than any surface.
 const FAR_TOO_STEEP: f64 = 30.0;
 
@@ -27,6 +31,7 @@ const FAR_TOO_STEEP: f64 = 30.0;
 #[must_use]
 pub fn of_scene(scene: &Scene, answer: &SceneAnswer) -> Vec<Remark> {
     let mut doubts = of_spectrum(&scene.surface.psd);
+    doubts.extend(of_surface(&scene.surface.psd));
     doubts.extend(scene.material.iter().filter_map(of_material));
     doubts.extend(of_loads(&scene.needs.loads, scene.hardness_pa()));
     let mut pressures = RealPressures::new(scene.hardness_pa());
@@ -44,7 +49,13 @@ pub fn of_scene(scene: &Scene, answer: &SceneAnswer) -> Vec<Remark> {
 /// Returns true for a doubt about what was typed, false for one about the area of a model.
 #[must_use]
 pub fn is_about_inputs(doubt: &Remark) -> bool {
-    !matches!(doubt.code, RemarkCode::RealAboveHardness | RemarkCode::RealAboveThirdModulus)
+    !matches!(
+        doubt.code,
+        RemarkCode::RealAboveHardness
+            | RemarkCode::RealAboveThirdModulus
+            | RemarkCode::SpectrumLevelled
+            | RemarkCode::SpectrumEnd
+    )
 }
 
 /// Doubts about the slopes of a spectrum. A mistaken unit shows here.
@@ -64,6 +75,23 @@ pub fn of_spectrum(psd: &ProfilePsd) -> Vec<Remark> {
             .with("aspect_ratio", aspect_ratio)
     });
     surface.into_iter().chain(scale).collect()
+}
+
+/// Remarks on the surface that a spectrum of profiles is converted to.
+#[must_use]
+pub fn of_surface(psd: &ProfilePsd) -> Vec<Remark> {
+    AreaSpectrum::from_profile(psd).map_or_else(|_| Vec::new(), |surface| of_conversion(surface.conversion()))
+}
+
+/// Remarks on the conversion of a spectrum of profiles to that of the surface.
+#[must_use]
+pub fn of_conversion(conversion: Conversion) -> Vec<Remark> {
+    let Conversion { levelled_share, end_error, .. } = conversion;
+    let levelled = (levelled_share > LEAST_LEVELLED)
+        .then(|| Remark::new(RemarkCode::SpectrumLevelled).with("share", levelled_share));
+    let end =
+        (end_error > LEAST_END_ERROR).then(|| Remark::new(RemarkCode::SpectrumEnd).with("error", end_error));
+    levelled.into_iter().chain(end).collect()
 }
 
 /// The doubt about the rms slope of a surface.

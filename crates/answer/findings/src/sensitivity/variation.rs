@@ -3,8 +3,8 @@
 use std::num::NonZeroU32;
 
 use asperity::{Hardness, NixGao};
+use persson::Band;
 use persson::corrections::Correction;
-use persson::variance::Band;
 use spectrum::{AmplitudeDefinition, Normalisation};
 use stat_contact::InterferenceLaw;
 use units::display::pressure;

@@ -2,7 +2,7 @@
 
 use interface::conductance::{ELECTRON_MEAN_FREE_PATH_M, MOST_PLASTIC_SHARE, PressureRatio};
 use interface::tangential::NOTICEABLE_MISMATCH;
-use persson::variance::Band;
+use persson::Band;
 use questions::remarks_on_separation;
 use scene::Scene;
 use study::interface::InterfaceStates;

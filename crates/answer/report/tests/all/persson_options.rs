@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use findings::sensitivity::sensitivities;
 use judge::{JudgePlan, Verdict};
+use persson::Band;
 use persson::EnergyFactor;
 use persson::corrections::Correction;
-use persson::variance::Band;
 use report::curve_names::in_full;
 use scene::{Overrides, Scene};
 use study::gap_law::{GapChoices, GapLaw};

@@ -4,9 +4,9 @@ use interface::adhesion::{FullerTabor, PastewkaRobbins, StickyContact};
 use interface::conductance::{Conductivities, Resistivities};
 use interface::gas::GapGas;
 use interface::leak::SealedJoint;
+use persson::Band;
 use persson::EnergyFactor;
 use persson::sealing::PercolationThreshold;
-use persson::variance::Band;
 use spectrum::{AsperityParameters, Moments};
 use units::OutOfBounds;
 

@@ -8,12 +8,12 @@ use ::interface::friction::SlidingContact;
 use ::interface::leak::Constriction;
 use ::interface::tangential::{ShearedContact, ShearedPair};
 use asperity::MaterialPair;
+use persson::Band;
 use persson::corrections::Correction;
 use persson::sealing::{MagnifiedContact, SealingLaw};
 use persson::separation::{
     LIGHT_CONTACT, LIGHT_CONTACT_STIFFNESS, LightLoads, Separation, SeparationKnot, SeparationLaw,
 };
-use persson::variance::Band;
 use persson::{Roughness, constant_hardness, elastic};
 use spectrum::{Moments, Normalisation};
 

@@ -191,9 +191,9 @@ impl<'de> Deserialize<'de> for &'static ModelEntry {
 
 #[cfg(test)]
 mod tests {
+    use ::persson::Band;
     use ::persson::EnergyFactor;
     use ::persson::corrections::Correction;
-    use ::persson::variance::Band;
     use asperity::{ElasticBody, Hardness, MaterialPair, NixGao};
     use stat_contact::InterferenceLaw;
     use units::Pressure;

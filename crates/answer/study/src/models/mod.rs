@@ -12,9 +12,9 @@ pub(crate) mod statistical;
 use std::ops::Range;
 use std::sync::LazyLock;
 
+use ::persson::Band;
 use ::persson::Cut;
 use ::persson::corrections::Correction;
-use ::persson::variance::Band;
 use asperity::{Hardness, MaterialPair, NixGao};
 use serde::Serialize;
 use spectrum::Normalisation;

@@ -4,9 +4,9 @@ use asperity::{MaterialPair, NixGao};
 use persson::corrections::Correction;
 use persson::hardness_laws::{CappedHardness, HardnessError, HardnessGrowth};
 use persson::separation::SeparationLaw;
-use persson::variance::Band;
-use persson::{Cut, EnergyFactor, PerssonModel, Roughness, RoughnessSample};
+use persson::{Band, Cut, EnergyFactor, PerssonModel, Roughness, RoughnessSample};
 use serde::Serialize;
+use spectrum::random_surfaces::AreaSpectrum;
 use spectrum::{Moments, Normalisation, ProfilePsd};
 use stacked_contact::Scale;
 use tables::Table;
@@ -354,14 +354,13 @@ pub(super) fn point(cut: &Cut) -> [f64; 3] {
 }
 
 /// A spectrum with the moments, of a normalisation, that it has from the second wavelength on, and the amplitudes of its
-/// scales; without amplitudes no hardness can follow them. `beyond` are the samples \[m\], \[m^3\] that a cutoff has left out.
+/// scales; without amplitudes no hardness can follow them.
 #[must_use]
 pub(crate) fn roughness<'m>(
     psd: &ProfilePsd,
     moments: impl Iterator<Item = &'m Moments>,
     normalisation: Normalisation,
     scales: &[Scale],
-    beyond: &[(f64, f64)],
     band: Band,
 ) -> Roughness {
     let parseval = Normalisation::Parseval.factor() / normalisation.factor();
@@ -377,7 +376,14 @@ pub(crate) fn roughness<'m>(
             RoughnessSample { wavelength_m, c1d_m3, moments, amplitude_m }
         })
         .collect();
-    Roughness::new(&samples, beyond, band)
+    // A single sample has no waves.
+    let of_surface = || {
+        let surface = AreaSpectrum::from_profile(psd).ok();
+        let gradients = surface.map(|surface| surface.mean_square_gradients(psd.wavelengths_m()));
+        gradients.unwrap_or_else(|| vec![0.0; psd.len()])
+    };
+    let of_surface = (band == Band::Surface).then(of_surface);
+    Roughness::new(&samples, of_surface.as_deref())
 }
 
 #[cfg(test)]

@@ -1,9 +1,9 @@
 //! States of surfaces under a load, with their mean gaps.
 
 use asperity::AsperityError;
+use persson::Band;
 use persson::EnergyFactor;
 use persson::hardness_laws::HardnessError;
-use persson::variance::Band;
 
 use super::tolerance::Tolerance;
 

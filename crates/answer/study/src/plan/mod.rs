@@ -32,9 +32,9 @@ pub use stream::{Part, Stream};
 pub use tolerance::Tolerance;
 pub use work::Work;
 
+use persson::Band;
 use persson::Roughness;
 use persson::hardness_laws::HardnessError;
-use persson::variance::Band;
 use spectrum::{AsperityParameters, Moments, ProfilePsd};
 use stacked_contact::Scale;
 
@@ -51,8 +51,7 @@ pub struct Plan<'p> {
 }
 
 impl Plan<'_> {
-    /// Builds the roughness that Persson's theory takes from a sampled spectrum with its moments and amplitudes, including the
-    /// part that the cutoff left out.
+    /// Builds the roughness that Persson's theory takes from a sampled spectrum with its moments and amplitudes.
     pub(crate) fn roughness(
         &self,
         psd: &ProfilePsd,
@@ -62,7 +61,7 @@ impl Plan<'_> {
     ) -> Roughness {
         let normalisation = self.needs.moments.unwrap_or_default();
         let moments = moments.iter().map(|(moments, _)| moments);
-        roughness(psd, moments, normalisation, scales, &self.beyond(psd, band), band)
+        roughness(psd, moments, normalisation, scales, band)
     }
 
     /// Returns the surface of a model with its whole prepared spectrum, or nothing for a theory other than Persson's.

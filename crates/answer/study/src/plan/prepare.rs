@@ -1,6 +1,5 @@
 //! Preparation of a spectrum: its scales that take part, their moments and asperities, their amplitudes.
 
-use persson::variance::Band;
 use spectrum::{
     AmplitudeDefinition, AsperityParameters, Moments, ProfilePsd, amplitudes, cumulative_moments,
     cumulative_moments_to, fit_self_affine,
@@ -55,18 +54,6 @@ impl Plan<'_> {
                 (kept + 1).min(self.psd.len())
             }
         }
-    }
-
-    /// Returns the samples \[m\], \[m^3\] that a cutoff has left out, or none for a band that does not depend on them.
-    #[must_use]
-    pub fn beyond(&self, kept: &ProfilePsd, band: Band) -> Vec<(f64, f64)> {
-        if band == Band::Profile || self.sampling.cutoff_m.is_none() {
-            return Vec::new();
-        }
-        let resampled = self.sampling.scales_per_decade.map(|density| self.psd.resampled(density));
-        let whole = resampled.as_ref().unwrap_or(self.psd);
-        let samples = whole.wavelengths_m().iter().copied().zip(whole.c1d_m3().iter().copied());
-        samples.filter(|(wavelength_m, _)| *wavelength_m < kept.shortest_wavelength_m()).collect()
     }
 
     fn sampled(&self) -> Result<ProfilePsd, PlanError> {

@@ -3,9 +3,9 @@
 use std::num::NonZeroU32;
 
 use asperity::ElasticBody;
+use persson::Band;
 use persson::corrections::Correction;
 use persson::hardness_laws::HardnessTable;
-use persson::variance::Band;
 use persson::{EnergyFactor, PerssonModel};
 use spectrum::{Normalisation, ProfilePsd};
 use study::growth_law::GrowthLaw;

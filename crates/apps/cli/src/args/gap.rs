@@ -3,8 +3,8 @@
 use clap::Args as ClapArgs;
 use clap::builder::TypedValueParser;
 use interface::finite_elements::{ContactLaw, Dialect, Heading, UnitSystem};
+use persson::Band;
 use persson::EnergyFactor;
-use persson::variance::Band;
 use questions::{
     GapModel, GasInput, LawForm, LawQuantity, LawQuestion, LawTableQuestion, LoadInput, NamedGas,
     PlasticCorrelation, TransportInput,

@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 
 use clap::Args as ClapArgs;
+use persson::Band;
 use persson::EnergyFactor;
 use persson::corrections::Correction;
-use persson::variance::Band;
 use study::growth_law::GrowthLaw;
 use study::models::ModelOptions;
 use study::persson_law::Deformation;

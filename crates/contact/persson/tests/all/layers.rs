@@ -5,7 +5,6 @@ use std::f64::consts::{PI, TAU};
 use asperity::{ElasticBody, Layer, MaterialPair};
 use numerics::GaussLegendre;
 use persson::separation::SeparationLaw;
-use persson::variance::Band;
 use persson::{EnergyFactor, PerssonModel, Roughness, RoughnessSample};
 
 const FIRST_RAD_PER_M: f64 = 1e5;
@@ -35,7 +34,7 @@ fn roughness() -> Roughness {
             amplitude_m: 1.0 / q,
         }
     };
-    Roughness::new(&(0..=DECADES * STEPS).map(sample).collect::<Vec<_>>(), &[], Band::Profile)
+    Roughness::new(&(0..=DECADES * STEPS).map(sample).collect::<Vec<_>>(), None)
 }
 
 fn pair(thickness_m: f64, base: Option<ElasticBody>) -> MaterialPair {

@@ -4,7 +4,6 @@ use std::f64::consts::{PI, TAU};
 
 use persson::corrections::Correction;
 use persson::sealing::{PercolationThreshold, SealingLaw};
-use persson::variance::Band;
 use persson::{EnergyFactor, PerssonModel, Roughness, RoughnessSample};
 use proptest::prelude::*;
 
@@ -25,7 +24,7 @@ fn roughness(intervals: u32) -> Roughness {
             amplitude_m: 0.0,
         }
     };
-    Roughness::new(&(0..=intervals).map(sample).collect::<Vec<_>>(), &[], Band::Profile)
+    Roughness::new(&(0..=intervals).map(sample).collect::<Vec<_>>(), None)
 }
 
 fn law(intervals: u32, gamma: f64, correction: Option<Correction>, threshold: f64) -> SealingLaw {
@@ -104,7 +103,7 @@ fn the_pressure_that_closes_it_is_the_theory_s_or_less_where_corrected() {
     });
     samples[1].wavelength_m = 0.01;
     let pressure = |correction| {
-        let roughness = Roughness::new(&samples, &[], Band::Profile);
+        let roughness = Roughness::new(&samples, None);
         SealingLaw::new(&roughness, 1.0, EnergyFactor::ALMQVIST, correction, PercolationThreshold::SIMULATED)
             .tight_pressure_pa()
     };
@@ -129,7 +128,7 @@ fn it_is_tight_from_its_pressure_on() {
 
 #[test]
 fn nothing_rough_is_tight_under_any_load() {
-    let smooth = Roughness::new(&[], &[], Band::Profile);
+    let smooth = Roughness::new(&[], None);
     let law = SealingLaw::new(&smooth, 1.0, EnergyFactor::ALMQVIST, None, PercolationThreshold::default());
     assert_eq!((law.tight_pressure_pa(), law.critical_constriction(1e-9)), (0.0, None));
     assert_eq!(law.contact_at(1.0, 1e-9).area_fraction, 1.0);
@@ -208,7 +207,7 @@ proptest! {
     fn rugged_spectra_have_a_seal_too(
         ln_c1d in prop::collection::vec(-40.0..0.0f64, 2..12), ln_p in -20.0..10.0f64, surface in any::<bool>(),
     ) {
-        let rugged = rugged(&ln_c1d, if surface { Band::Surface } else { Band::Profile });
+        let rugged = rugged(&ln_c1d, surface);
         let pressure_pa = ln_p.exp();
         for correction in forms() {
             let law = SealingLaw::new(&rugged, 1.0, EnergyFactor::ALMQVIST, correction, PercolationThreshold::default());
@@ -228,8 +227,8 @@ proptest! {
     }
 }
 
-/// A spectrum that may rise or fall by decades from one sample to the next.
-fn rugged(ln_c1d: &[f64], band: Band) -> Roughness {
+/// A spectrum that may rise or fall by decades from one sample to the next; a surface has part of the gradients of its profiles.
+fn rugged(ln_c1d: &[f64], is_surface: bool) -> Roughness {
     let mut moments = [0.0; 3];
     let mut samples: Vec<RoughnessSample> = Vec::new();
     for (at, ln_c1d) in ln_c1d.iter().enumerate() {
@@ -249,5 +248,7 @@ fn rugged(ln_c1d: &[f64], band: Band) -> Roughness {
             amplitude_m: 0.0,
         });
     }
-    Roughness::new(&samples, &[], band)
+    let of_surface: Vec<f64> =
+        samples.iter().zip(1..).map(|(sample, at)| sample.moments[1] * (2.0 - 1.0 / f64::from(at))).collect();
+    Roughness::new(&samples, is_surface.then_some(&of_surface[..]))
 }

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use asperity::Hardness;
 use elements::half_space::Control;
-use persson::variance::Band;
+use persson::Band;
 use stress::{
     AdhesionCase, BallCase, Case, Coating, Deformation, Draw, DrawnScan, ElementsCase, Growth, IntervalsCase,
     Kind, LawTablesCase, Material, PerssonCase, Question, Reach, RoughnessCase, Sample, Shape, SmallMap,

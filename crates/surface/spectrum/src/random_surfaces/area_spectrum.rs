@@ -3,7 +3,8 @@
 use std::f64::consts::{PI, TAU};
 use std::num::NonZeroU32;
 
-use crate::{AbelIntegral, Convention, ConversionError, Moments, PowerLaw, ProfilePsd, Psd};
+use crate::surface_waves::SurfaceWaves;
+use crate::{AbelIntegral, Convention, Moments, PowerLaw, ProfilePsd, Psd};
 
 use crate::random_surfaces::conversion::{self, Conversion};
 use crate::random_surfaces::error::RandomSurfaceError;
@@ -12,8 +13,6 @@ use crate::random_surfaces::surface::profile_moments;
 
 /// Relative excess of a band over the spectrum that counts as rounding.
 const ROUNDING: f64 = 1e-9;
-/// Most growth of the wavevector over a piece of a weighted spectrum.
-const MOST_GROWTH: f64 = 1.03;
 
 /// The spectrum Ciso \[m^4\] of an isotropic surface over a band, <h^2> = (1/2 pi) Int q Ciso dq: a power law between
 /// neighbouring wavevectors, and zero outside the band.
@@ -21,10 +20,7 @@ const MOST_GROWTH: f64 = 1.03;
 /// Moments, the spectrum of profiles and surfaces are exact for this piecewise power law.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AreaSpectrum {
-    /// Pieces by rising wavevector, without overlaps; between two that do not touch there is no roughness.
-    pieces: Vec<PowerLaw>,
-    longest_m: f64,
-    shortest_m: f64,
+    waves: SurfaceWaves,
     conversion: Conversion,
 }
 
@@ -41,9 +37,10 @@ impl AreaSpectrum {
     /// [`RandomSurfaceError::TooFewSamples`] for a single sample; [`RandomSurfaceError::EmptyBand`] if a known surface lacks the
     /// band.
     pub fn from_profile(profile: &ProfilePsd) -> Result<Self, RandomSurfaceError> {
-        if let Some(surface) = profile.surface() {
+        if let Some(waves) = profile.surface() {
             let (longest_m, shortest_m) = (profile.longest_wavelength_m(), profile.shortest_wavelength_m());
-            return surface.cut(longest_m.min(surface.longest_m), shortest_m.max(surface.shortest_m));
+            let whole = Self { waves: waves.clone(), conversion: Conversion::default() };
+            return whole.cut(longest_m.min(waves.longest_m), shortest_m.max(waves.shortest_m));
         }
         let (pieces, conversion) = conversion::of_profile(profile)?;
         let (longest_m, shortest_m) = (profile.longest_wavelength_m(), profile.shortest_wavelength_m());
@@ -56,19 +53,12 @@ impl AreaSpectrum {
     /// # Errors
     /// As [`AreaSpectrum::from_profile`].
     pub fn from_psd(psd: &Psd) -> Result<Self, RandomSurfaceError> {
-        // A factor exists only among conventions of areas, or among those of profiles.
-        let factor: Result<f64, ConversionError> = psd.convention().factor_to(Convention::Ciso);
-        let Ok(factor) = factor else {
+        let Some(waves) = psd.surface() else {
             let factor = psd.convention().factor_to(Convention::C1D).unwrap_or(1.0);
             let c1d_m3 = psd.values().iter().map(|value| factor * value).collect();
             return Self::from_profile(&ProfilePsd::new(psd.wavelengths_m().to_vec(), c1d_m3)?);
         };
-        let points = psd.wavelengths_m().iter().zip(psd.values());
-        let points: Vec<(f64, f64)> =
-            points.map(|(wavelength_m, value)| (TAU / wavelength_m, factor * value)).collect();
-        let pieces = points.windows(2).map(|pair| PowerLaw::through(pair[0], pair[1])).collect();
-        let (longest_m, shortest_m) = (psd.wavelengths_m()[0], psd.wavelengths_m()[psd.len() - 1]);
-        Self::from_pieces(pieces, longest_m, shortest_m, Conversion::default())
+        Ok(Self { waves, conversion: Conversion::default() })
     }
 
     /// Builds the spectrum from pieces by rising wavevector within the band, at least one.
@@ -81,7 +71,7 @@ impl AreaSpectrum {
         if pieces.is_empty() {
             return Err(RandomSurfaceError::EmptyBand { longest_m, shortest_m });
         }
-        Ok(Self { pieces, longest_m, shortest_m, conversion })
+        Ok(Self { waves: SurfaceWaves { pieces, longest_m, shortest_m }, conversion })
     }
 
     /// Cuts the spectrum to the band from a longest to a shortest wavelength \[m\]; Ciso is zero outside.
@@ -93,8 +83,10 @@ impl AreaSpectrum {
         if longest_m.is_nan() || shortest_m.is_nan() || longest_m <= shortest_m {
             return Err(RandomSurfaceError::EmptyBand { longest_m, shortest_m });
         }
-        if longest_m > self.longest_m * (1.0 + ROUNDING) || shortest_m < self.shortest_m * (1.0 - ROUNDING) {
-            let (spectrum_longest_m, spectrum_shortest_m) = (self.longest_m, self.shortest_m);
+        if longest_m > self.waves.longest_m * (1.0 + ROUNDING)
+            || shortest_m < self.waves.shortest_m * (1.0 - ROUNDING)
+        {
+            let (spectrum_longest_m, spectrum_shortest_m) = (self.waves.longest_m, self.waves.shortest_m);
             return Err(RandomSurfaceError::BeyondSpectrum {
                 longest_m,
                 shortest_m,
@@ -102,44 +94,33 @@ impl AreaSpectrum {
                 spectrum_shortest_m,
             });
         }
-        let (longest_m, shortest_m) = (longest_m.min(self.longest_m), shortest_m.max(self.shortest_m));
+        let (longest_m, shortest_m) =
+            (longest_m.min(self.waves.longest_m), shortest_m.max(self.waves.shortest_m));
         let (first, last) = (TAU / longest_m, TAU / shortest_m);
-        let pieces = self.pieces.iter().filter_map(|piece| piece.between(first, last)).collect();
+        let pieces = self.waves.pieces.iter().filter_map(|piece| piece.between(first, last)).collect();
         Self::from_pieces(pieces, longest_m, shortest_m, self.conversion)
     }
 
-    /// Multiplies Ciso by a smooth weight above 0, a function of the wavevector \[rad/m\].
-    ///
-    /// Pieces are divided so that the wavevector grows by at most 3 % over each, with power laws between their ends: a weight
-    /// such as q^4 tanh(q)^2 is met within 2e-4.
+    /// Multiplies Ciso by a smooth weight above 0, a function of the wavevector \[rad/m\], such as q^4 tanh(q)^2, within 2e-4.
     #[must_use]
     pub fn weighted(&self, weight: impl Fn(f64) -> f64) -> Self {
-        let value = |piece: &PowerLaw, q_rad_per_m: f64| {
-            (q_rad_per_m, piece.value_at(q_rad_per_m) * weight(q_rad_per_m))
-        };
-        let divided = |piece: &PowerLaw| {
-            let growth = piece.end_rad_per_m / piece.start_rad_per_m;
-            let parts = (growth.ln() / MOST_GROWTH.ln()).ceil().max(1.0);
-            let ends = (0..=parts as usize).map(|at| match at as f64 / parts {
-                1.0 => piece.end_rad_per_m,
-                share => piece.start_rad_per_m * growth.powf(share),
-            });
-            let points: Vec<(f64, f64)> = ends.map(|q_rad_per_m| value(piece, q_rad_per_m)).collect();
-            points.windows(2).map(|pair| PowerLaw::through(pair[0], pair[1])).collect::<Vec<_>>()
-        };
-        Self { pieces: self.pieces.iter().flat_map(divided).collect(), ..*self }
+        Self { waves: self.waves.weighted(weight), conversion: self.conversion }
+    }
+
+    pub(crate) fn waves(&self) -> &SurfaceWaves {
+        &self.waves
     }
 
     /// The longest wavelength of the band \[m\].
     #[must_use]
     pub fn longest_m(&self) -> f64 {
-        self.longest_m
+        self.waves.longest_m
     }
 
     /// The shortest wavelength of the band \[m\].
     #[must_use]
     pub fn shortest_m(&self) -> f64 {
-        self.shortest_m
+        self.waves.shortest_m
     }
 
     /// Smoothing and clipping that noise required in the conversion from profiles.
@@ -151,11 +132,7 @@ impl AreaSpectrum {
     /// Ciso \[m^4\] at a wavevector \[rad/m\].
     #[must_use]
     pub fn ciso_m4(&self, q_rad_per_m: f64) -> f64 {
-        let at = self.pieces.partition_point(|piece| piece.end_rad_per_m < q_rad_per_m);
-        match self.pieces.get(at) {
-            Some(piece) if piece.start_rad_per_m <= q_rad_per_m => piece.value_at(q_rad_per_m),
-            _ => 0.0,
-        }
+        self.waves.piece_at(q_rad_per_m).map_or(0.0, |piece| piece.value_at(q_rad_per_m))
     }
 
     /// Variance of the heights \[m^2\], (1/2 pi) Int q Ciso dq.
@@ -173,7 +150,7 @@ impl AreaSpectrum {
     /// Mean square gradients of the waves down to each of some wavelengths \[m\], which run from long to short.
     #[must_use]
     pub fn mean_square_gradients(&self, wavelengths_m: &[f64]) -> Vec<f64> {
-        let (mut pieces, mut sum) = (self.pieces.iter().peekable(), 0.0);
+        let (mut pieces, mut sum) = (self.waves.pieces.iter().peekable(), 0.0);
         let down_to = |wavelength_m: &f64| {
             // The rounding of a wavevector must not cut a piece that ends with it.
             let last = TAU / wavelength_m * (1.0 + ROUNDING);
@@ -198,7 +175,7 @@ impl AreaSpectrum {
     pub fn moments(&self) -> Moments {
         let mean_squares =
             [self.mean_square_height_m2(), self.mean_square_gradient(), self.mean_square_laplacian_per_m2()];
-        profile_moments(self.shortest_m, mean_squares)
+        profile_moments(self.waves.shortest_m, mean_squares)
     }
 
     /// Computes the spectrum of profiles of the surface, C1D(q) = (1/pi) Int_q^inf p Ciso(p) (p^2 - q^2)^(-1/2) dp
@@ -216,14 +193,14 @@ impl AreaSpectrum {
             exponent: piece.exponent + 1.0,
             ..*piece
         };
-        let integral = AbelIntegral::new(self.pieces.iter().map(integrand));
+        let integral = AbelIntegral::new(self.waves.pieces.iter().map(integrand));
         let c1d_m3: Vec<f64> =
             wavelengths_m.iter().map(|wavelength_m| integral.from(TAU / wavelength_m)).collect();
         if let Some(row) = c1d_m3.iter().position(|&c1d_m3| c1d_m3 == 0.0) {
-            let (wavelength_m, shortest_m) = (wavelengths_m[row], self.shortest_m);
+            let (wavelength_m, shortest_m) = (wavelengths_m[row], self.waves.shortest_m);
             return Err(RandomSurfaceError::NoWaves { wavelength_m, shortest_m });
         }
-        Ok(ProfilePsd::new(wavelengths_m.to_vec(), c1d_m3)?.with_surface(self.clone()))
+        Ok(ProfilePsd::new(wavelengths_m.to_vec(), c1d_m3)?.with_surface(self.waves.clone()))
     }
 
     /// Wavelengths \[m\] for sampling [`AreaSpectrum::profile`]: `per_decade` per decade, starting at `longest_m` if
@@ -234,7 +211,7 @@ impl AreaSpectrum {
     /// missing).
     #[must_use]
     pub fn profile_wavelengths_m(&self, longest_m: f64, per_decade: NonZeroU32) -> Vec<f64> {
-        let (first, last) = (TAU / self.longest_m, TAU / self.shortest_m);
+        let (first, last) = (TAU / self.waves.longest_m, TAU / self.waves.shortest_m);
         let step = 10f64.ln() / f64::from(per_decade.get());
         let mut wavevectors = Vec::new();
         let mut up_to_knot = |from: f64, to: f64| {
@@ -245,7 +222,7 @@ impl AreaSpectrum {
             wavevectors.push(closing_up);
             wavevectors.extend(before_knot(closing_up, to, step));
         };
-        if longest_m > self.longest_m {
+        if longest_m > self.waves.longest_m {
             up_to_knot(TAU / longest_m, first);
         }
         up_to_knot(first, last);
@@ -253,6 +230,6 @@ impl AreaSpectrum {
     }
 
     fn mean_square(&self, k: i32) -> f64 {
-        self.pieces.iter().map(|piece| piece.integral(k)).sum::<f64>() / TAU
+        self.waves.pieces.iter().map(|piece| piece.integral(k)).sum::<f64>() / TAU
     }
 }

@@ -13,7 +13,7 @@
 use std::f64::consts::{LN_10, PI, TAU};
 use std::sync::LazyLock;
 
-use numerics::{GaussLegendre, line_through, zero_in_bracket};
+use numerics::{GaussLegendre, line_through};
 use serde::Serialize;
 
 use crate::interval::ln_ratio;
@@ -44,8 +44,9 @@ const MOST_NEGATIVE: f64 = -0.3;
 const MOST_TILT: f64 = 0.05;
 /// Factor of C1D between a turn and a sample beside it from which on the turn is a corner.
 const SHARP: f64 = std::f64::consts::E;
-/// Most change of the logarithm of q^2 times the piece over a piece of Ciso.
-const STEEPEST_PIECE: f64 = 50.0;
+/// Largest part of the range of ratios of gradient to heights that a power law fits, and the steps of Newton that this takes.
+const MOST_BENT: f64 = 0.9;
+const NEWTON_STEPS: usize = 6;
 
 /// Computes the pieces of Ciso between the first and the last wavevector of a spectrum of profiles.
 pub(crate) fn of_profile(profile: &ProfilePsd) -> Result<(Vec<PowerLaw>, Conversion), RandomSurfaceError> {
@@ -54,8 +55,9 @@ pub(crate) fn of_profile(profile: &ProfilePsd) -> Result<(Vec<PowerLaw>, Convers
     }
     let samples = profile.samples().chain(profile.beyond_the_cutoff().iter().copied());
     let (wavelengths_m, c1d_m3): (Vec<f64>, Vec<f64>) = samples.unzip();
-    let (curve, levelled_share) = Curve::new(&wavelengths_m, c1d_m3).levelled();
-    let roughness = curve.roughness_between_samples();
+    let curve = Curve::new(&wavelengths_m, c1d_m3);
+    let (roughness, levelled_share) = curve.levelled();
+    let roughness = spread(&roughness);
     let pieces = (0..profile.len() - 1).filter_map(|at| {
         let [heights, gradient] = roughness[at];
         piece([curve.q[at], curve.q[at + 1]], curve.steps[at], heights, gradient)
@@ -71,14 +73,86 @@ fn piece([start, end]: [f64; 2], step: f64, heights: f64, gradient: f64) -> Opti
     if gradient <= 0.0 || gradient.is_nan() {
         return None;
     }
-    // With z = (exponent + 3) step, ratios of Int q^3 Ciso to Int q Ciso grow from start^2 to end^2.
-    let growth = |y: f64| if y == 0.0 { 1.0 } else { y.exp_m1() / y };
-    let off = |z: f64| (growth(z + step) / growth(z - step)).ln() - (gradient / heights / start.powi(2)).ln();
-    let is_between = off(-STEEPEST_PIECE) < 0.0 && off(STEEPEST_PIECE) > 0.0;
-    let z = if is_between { zero_in_bracket(-STEEPEST_PIECE, STEEPEST_PIECE, off) } else { 0.0 };
+    // With z = (exponent + 3) step, the ratio of both is start^2 g(z + step)/g(z - step), g(y) = (e^y - 1)/y.
+    let wanted = (gradient / heights / (start * start)).ln() - step;
+    let mut z = 0.0;
+    if wanted.abs() < MOST_BENT * step {
+        for _ in 0..NEWTON_STEPS {
+            let [(high, high_slope), (low, low_slope)] = [z + step, z - step].map(ln_growth);
+            z -= (high - low - step - wanted) / (high_slope - low_slope);
+        }
+    }
     let of_one =
         PowerLaw { start_rad_per_m: start, end_rad_per_m: end, at_start: 1.0, exponent: z / step - 3.0 };
     Some(PowerLaw { at_start: TAU * gradient / of_one.integral(3), ..of_one })
+}
+
+/// Returns ln((e^y - 1)/y) and its derivative.
+fn ln_growth(y: f64) -> (f64, f64) {
+    /// Below this the series is exact to rounding.
+    const SMALL: f64 = 1e-2;
+    if y.abs() < SMALL {
+        let square = y * y;
+        return (0.5 * y + square / 24.0 * (1.0 - square / 120.0), 0.5 + y / 12.0 * (1.0 - square / 60.0));
+    }
+    let grown = y.exp_m1();
+    ((grown / y).ln(), (grown + 1.0) / grown - 1.0 / y)
+}
+
+/// Roughness between neighbouring samples.
+#[derive(Clone, Copy)]
+struct StepRoughness {
+    /// Mean squares of heights and gradient of the waves of the surface there.
+    of_surface: [f64; 2],
+    /// Parts of m0 and m2 of profiles there.
+    of_profiles: [f64; 2],
+}
+
+impl StepRoughness {
+    /// Returns true if the gradient is negative by more than an error of interpolation.
+    fn is_negative(&self) -> bool {
+        self.of_surface[1] < MOST_NEGATIVE * self.of_profiles[1]
+    }
+
+    /// Returns true if a mean square is not above rounding.
+    fn is_missing(&self) -> bool {
+        (0..2).any(|of| self.of_surface[of] <= ROUNDING * self.of_profiles[of])
+    }
+
+    fn plus(self, other: Self) -> Self {
+        let sum = |one: [f64; 2], other: [f64; 2]| [one[0] + other[0], one[1] + other[1]];
+        StepRoughness {
+            of_surface: sum(self.of_surface, other.of_surface),
+            of_profiles: sum(self.of_profiles, other.of_profiles),
+        }
+    }
+}
+
+/// Spreads heights and gradients that interpolation has left negative: neighbours share their sum like the variances of profiles, so
+/// that all are above 0.
+fn spread(steps: &[StepRoughness]) -> Vec<[f64; 2]> {
+    let mut pools: Vec<(StepRoughness, usize)> = Vec::new();
+    for step in steps {
+        let mut last = (*step, 1);
+        while let Some((pool, count)) = pools.pop_if(|(pool, _)| pool.is_missing()) {
+            last = (pool.plus(last.0), count + last.1);
+        }
+        pools.push(last);
+    }
+    while pools.len() > 1 && pools[pools.len() - 1].0.is_missing() {
+        let last = pools.split_off(pools.len() - 1)[0];
+        let end = pools.len() - 1;
+        pools[end] = (pools[end].0.plus(last.0), pools[end].1 + last.1);
+    }
+    let mut steps = steps.iter();
+    let mut spread = Vec::new();
+    for (pool, count) in pools {
+        let part = |of: usize, step: &StepRoughness| {
+            pool.of_surface[of] / pool.of_profiles[of] * step.of_profiles[of]
+        };
+        spread.extend(steps.by_ref().take(count).map(|step| [part(0, step), part(1, step)]));
+    }
+    spread
 }
 
 /// C1D at its samples by rising wavevector, and its monotone cubic in logarithmic axes between them.
@@ -172,46 +246,57 @@ impl Curve {
         if exponents[0] > SHALLOWEST_END { [SHALLOWEST_END, STEEP_END] } else { exponents }
     }
 
-    /// Levels rises of C1D that would need negative roughness, and returns the share of the roughness that this moved.
+    /// Levels rises of C1D that would need negative roughness. Returns the roughness between the samples, and the share of it that
+    /// this moved.
     ///
     /// Rising samples are pooled. A pool is levelled if a negative gradient precedes its end; the others stay, because a narrow peak
     /// of the surface, as turning leaves it, lets C1D rise. A factor a q^b then restores the variances of heights and slopes.
-    fn levelled(self) -> (Self, f64) {
-        let (given, wanted) = (self.clone(), self.profile_moments());
-        let pools = given.rising_pools(wanted);
+    fn levelled(&self) -> (Vec<StepRoughness>, f64) {
+        let given = self.roughness();
+        if !given.iter().any(StepRoughness::is_negative) {
+            return (given, 0.0);
+        }
+        let wanted = self.profile_moments();
+        let pools = self.rising_pools(wanted);
         let mut is_levelled = vec![false; pools.len()];
-        let mut curve = self;
+        let (mut curve, mut roughness) = (self.clone(), given.clone());
         loop {
-            let falls = Falls::new(&curve);
-            let (contents, shares) = (falls.contents(), falls.profile_shares());
-            let mut has_new = false;
-            for (at, [_, of_slopes]) in shares.iter().enumerate() {
-                if contents[at + 1][1] - contents[at][1] < MOST_NEGATIVE * of_slopes {
-                    let next =
-                        pools.iter().zip(&mut is_levelled).find(|(pool, done)| pool.end > at + 1 && !**done);
-                    has_new |= next.is_some();
-                    next.into_iter().for_each(|(_, done)| *done = true);
-                }
-            }
-            if !has_new {
+            let places = roughness.iter().enumerate().filter(|(_, step)| step.is_negative());
+            let next = |at: usize| (0..pools.len()).find(|of| pools[*of].end > at + 1 && !is_levelled[*of]);
+            let found: Vec<usize> = places.filter_map(|(at, _)| next(at)).collect();
+            if found.is_empty() {
                 break;
             }
-            curve.c1d.clone_from(&given.c1d);
+            found.into_iter().for_each(|of| is_levelled[of] = true);
+            curve.c1d.clone_from(&self.c1d);
             for (pool, _) in pools.iter().zip(&is_levelled).filter(|(_, done)| **done) {
                 curve.c1d[pool.start..pool.end].fill(pool.level);
             }
             curve.slopes = curve.slopes();
+            roughness = curve.roughness();
         }
         if !is_levelled.contains(&true) {
             return (given, 0.0);
         }
-        let shares = [&given, &curve].map(|curve| Falls::new(curve).profile_shares());
-        let moved = |[before, after]: [&[f64; 2]; 2]| {
-            (0..2).map(|of| (after[of] - before[of]).abs() / wanted[of]).sum::<f64>()
+        let moved = |of: usize| {
+            let off = given
+                .iter()
+                .zip(&roughness)
+                .map(|(one, other)| (one.of_profiles[of] - other.of_profiles[of]).abs());
+            0.25 * off.sum::<f64>() / wanted[of]
         };
-        let moved: f64 = shares[0].iter().zip(&shares[1]).map(|(before, after)| moved([before, after])).sum();
+        let moved = moved(0) + moved(1);
         curve.restore(wanted);
-        (curve, (0.25 * moved).min(1.0))
+        (curve.roughness(), moved.min(1.0))
+    }
+
+    /// Computes the roughness between neighbouring samples.
+    fn roughness(&self) -> Vec<StepRoughness> {
+        let falls = Falls::new(self);
+        let rise = |pair: &[[f64; 2]]| [pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]];
+        let steps = falls.contents();
+        let steps = steps.windows(2).map(rise).zip(falls.profile_shares());
+        steps.map(|(of_surface, of_profiles)| StepRoughness { of_surface, of_profiles }).collect()
     }
 
     /// Computes m0 and m2 of profiles with power laws between the samples, as moments take them.
@@ -262,40 +347,6 @@ impl Curve {
             self.q.iter().map(|q| (of_m2[0] + tilt * (ln_q(*q) - of_m2[1])).exp()).collect();
         self.c1d.iter_mut().zip(factors).for_each(|(c1d, factor)| *c1d *= factor);
         self.slopes = self.slopes();
-    }
-
-    /// Computes the mean squares of heights and gradient of the waves between neighbouring samples, all above 0.
-    ///
-    /// Where interpolation has left one that is not, it is spread: neighbours share their sum like the variances of profiles.
-    fn roughness_between_samples(&self) -> Vec<[f64; 2]> {
-        let falls = Falls::new(self);
-        let contents = falls.contents();
-        // The rise of heights and gradient over some steps, the variances of profiles there, and the number of steps.
-        type Pooled = ([f64; 2], [f64; 2], usize);
-        let is_missing = |(rise, share, _): &Pooled| (0..2).any(|of| rise[of] <= ROUNDING * share[of]);
-        let joined = |one: Pooled, other: Pooled| -> Pooled {
-            let sum = |one: [f64; 2], other: [f64; 2]| [one[0] + other[0], one[1] + other[1]];
-            (sum(one.0, other.0), sum(one.1, other.1), one.2 + other.2)
-        };
-        let mut pools: Vec<Pooled> = Vec::new();
-        let shares = falls.profile_shares();
-        for (pair, share) in contents.windows(2).zip(&shares) {
-            let mut last = ([pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]], *share, 1);
-            while let Some(pool) = pools.pop_if(|pool| is_missing(pool)) {
-                last = joined(pool, last);
-            }
-            pools.push(last);
-        }
-        while let Some(last) = pools.pop_if(|pool| is_missing(pool)) {
-            let Some(pool) = pools.pop() else { return vec![[0.0; 2]; self.steps.len()] };
-            pools.push(joined(pool, last));
-        }
-        let mut shares = shares.into_iter();
-        let spread = pools.into_iter().flat_map(|(rise, of_pool, count)| {
-            let part = move |share: [f64; 2]| [0, 1].map(|of| rise[of] / of_pool[of] * share[of]);
-            shares.by_ref().take(count).map(part).collect::<Vec<_>>()
-        });
-        spread.collect()
     }
 
     /// Change of the mean square gradient if C1D went on beyond its end with the other exponent.

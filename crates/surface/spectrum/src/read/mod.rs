@@ -201,8 +201,8 @@ fn area_note(psd: &Psd) -> Option<String> {
     let convention = psd.convention();
     (convention.metre_power() == 4).then(|| {
         format!(
-            "the spectrum is that of an area ({convention}); the Abel integral over its samples converts it to C1D for an \
-             isotropic surface without roughness beyond them: its last values are low, and the last one keeps the rms gradient{}",
+            "the spectrum is that of an area ({convention}): the waves of a surface are taken from it as it is. Moments, stacks and \
+             asperities take C1D, by the Abel integral over its samples for an isotropic surface without roughness beyond them{}",
             if psd.standard_errors().is_some() { "; standard errors are lost" } else { "" }
         )
     })

@@ -289,9 +289,9 @@ fn tables_of_persson_tell_their_convention() {
             file.notes,
             [
                 "column 'C (m^4)' is read as Persson's C, sigma^2 = 2 pi Int q C dq",
-                "the spectrum is that of an area (persson); the Abel integral over its samples converts it to C1D \
-                 for an isotropic surface without roughness beyond them: its last values are low, and the last one keeps \
-                 the rms gradient"
+                "the spectrum is that of an area (persson): the waves of a surface are taken from it as it is. Moments, stacks \
+                 and asperities take C1D, by the Abel integral over its samples for an isotropic surface without roughness \
+                 beyond them"
             ]
         );
         assert_eq!(file.psd.profile().unwrap().len(), 3);
@@ -299,6 +299,6 @@ fn tables_of_persson_tell_their_convention() {
     let with_errors = default("q_per_m,Ciso_m4,Ciso_se_m4\n1,2,1\n2,3,1\n4,5,1\n");
     assert_eq!(with_errors.psd.standard_errors(), Some(&[Some(1.0); 3][..]));
     let of_area = with_errors.notes.last().unwrap();
-    assert!(of_area.ends_with("keeps the rms gradient; standard errors are lost"), "{of_area}");
+    assert!(of_area.ends_with("without roughness beyond them; standard errors are lost"), "{of_area}");
     assert_eq!(with_errors.psd.profile().unwrap().standard_errors_m3(), None);
 }
