@@ -17,8 +17,8 @@ pub struct Superposition {
 /// Adds the spectra of two uncorrelated surfaces: C = C_a + C_b where both are measured, elsewhere the one that is.
 ///
 /// The sum is sampled at the wavelengths of either, each spectrum being a power law between its own samples. If one
-/// ends inside the band of the other, the sum falls to the other's value between two neighbouring samples. If the surface of one is
-/// known, that of the sum is.
+/// ends inside the band of the other, the sum falls to the other's value between two neighbouring samples. The waves
+/// of the two surfaces add.
 pub fn superpose(a: &ProfilePsd, b: &ProfilePsd) -> Superposition {
     let mut wavelengths_m = [a.wavelengths_m(), b.wavelengths_m()].concat();
     wavelengths_m.sort_by(|a, b| b.total_cmp(a));
@@ -30,10 +30,9 @@ pub fn superpose(a: &ProfilePsd, b: &ProfilePsd) -> Superposition {
     let shortest_m = a.shortest_wavelength_m().max(b.shortest_wavelength_m());
     let psd = ProfilePsd::from_samples(wavelengths_m, c1d_m3);
     let surface = |psd: &ProfilePsd| AreaSpectrum::from_profile(psd).ok();
-    let is_known = [a, b].iter().any(|psd| psd.surface().is_some());
-    let surfaces = if is_known { surface(a).zip(surface(b)) } else { None };
     Superposition {
-        psd: match surfaces {
+        // The waves add, and no step of the sum needs to be converted.
+        psd: match surface(a).zip(surface(b)) {
             Some((of_a, of_b)) => psd.with_surface(of_a.waves().plus(of_b.waves())),
             None => psd,
         },

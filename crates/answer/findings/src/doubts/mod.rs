@@ -31,7 +31,6 @@ const FAR_TOO_STEEP: f64 = 30.0;
 #[must_use]
 pub fn of_scene(scene: &Scene, answer: &SceneAnswer) -> Vec<Remark> {
     let mut doubts = of_spectrum(&scene.surface.psd);
-    doubts.extend(of_surface(&scene.surface.psd));
     doubts.extend(scene.material.iter().filter_map(of_material));
     doubts.extend(of_loads(&scene.needs.loads, scene.hardness_pa()));
     let mut pressures = RealPressures::new(scene.hardness_pa());
@@ -49,13 +48,7 @@ pub fn of_scene(scene: &Scene, answer: &SceneAnswer) -> Vec<Remark> {
 /// Returns true for a doubt about what was typed, false for one about the area of a model.
 #[must_use]
 pub fn is_about_inputs(doubt: &Remark) -> bool {
-    !matches!(
-        doubt.code,
-        RemarkCode::RealAboveHardness
-            | RemarkCode::RealAboveThirdModulus
-            | RemarkCode::SpectrumLevelled
-            | RemarkCode::SpectrumEnd
-    )
+    !matches!(doubt.code, RemarkCode::RealAboveHardness | RemarkCode::RealAboveThirdModulus)
 }
 
 /// Doubts about the slopes of a spectrum. A mistaken unit shows here.

@@ -17,7 +17,7 @@ use crate::{conclusion_words, interface_words, uncertainty_words, verdict_words}
 pub fn details(evidence: &Evidence<'_>, conclusions: &Conclusions) -> String {
     let Evidence { scene, results, answer, judgement, uncertainty } = *evidence;
     let mut notes: Vec<String> = conclusions.cautions.iter().map(conclusion_words::caution_words).collect();
-    let doubts = doubts::of_scene(scene, answer);
+    let doubts = [doubts::of_scene(scene, answer), doubts::of_surface(&scene.surface.psd)].concat();
     let doubts = doubts.iter().map(conclusion_words::caution_words);
     notes.extend(doubts.filter(|doubt| !notes.contains(doubt)).collect::<Vec<_>>());
     for (curve, result) in scene.needs.curves.iter().zip(&results.curves) {

@@ -44,6 +44,8 @@ const MOST_NEGATIVE: f64 = -0.3;
 const MOST_TILT: f64 = 0.05;
 /// Factor of C1D between a turn and a sample beside it from which on the turn is a corner.
 const SHARP: f64 = std::f64::consts::E;
+/// Step in ln q, about a quarter of a decade, from which on neighbouring samples are joined by a power law.
+const WIDE: f64 = 0.6;
 /// Largest part of the range of ratios of gradient to heights that a power law fits, and the steps of Newton that this takes.
 const MOST_BENT: f64 = 0.9;
 const NEWTON_STEPS: usize = 6;
@@ -62,8 +64,9 @@ pub(crate) fn of_profile(profile: &ProfilePsd) -> Result<(Vec<PowerLaw>, Convers
         let [heights, gradient] = roughness[at];
         piece([curve.q[at], curve.q[at + 1]], curve.steps[at], heights, gradient)
     });
-    let gradient: f64 = roughness.iter().map(|[_, gradient]| gradient).sum();
-    let conversion = Conversion { levelled_share, end_error: curve.uncertain_gradient() / gradient };
+    let last = profile.len() - 1;
+    let gradient: f64 = roughness[..last].iter().map(|[_, gradient]| gradient).sum();
+    let conversion = Conversion { levelled_share, end_error: curve.uncertain_gradient(last) / gradient };
     Ok((pieces.collect(), conversion))
 }
 
@@ -184,7 +187,8 @@ impl Curve {
     }
 
     /// Computes the slopes of the monotone piecewise cubic (Fritsch & Butland 1984, SIAM J. Sci. Stat. Comput. 5:300) at both ends of
-    /// each step. Steps beside a turn by more than a factor of [`SHARP`] stay power laws: a round turn would be broader.
+    /// each step. Steps beside a turn by more than a factor of [`SHARP`] stay power laws, because a round turn would be broader, and so
+    /// do those wider than [`WIDE`], of which no samples show a bend.
     fn slopes(&self) -> Vec<[f64; 2]> {
         let (steps, secants) = (&self.steps, self.secants());
         // The parabola through the last three samples, without a turn between the last two.
@@ -212,7 +216,8 @@ impl Curve {
             let slope = if is_turn(at) { 0.0 } else { slope };
             (slopes[at][1], slopes[at + 1][0]) = (slope, slope);
         }
-        let is_straight = |at: &usize| is_corner(*at) || at.checked_sub(1).is_some_and(is_corner);
+        let is_straight =
+            |at: &usize| steps[*at] > WIDE || is_corner(*at) || at.checked_sub(1).is_some_and(is_corner);
         (0..=last).filter(is_straight).for_each(|at| slopes[at] = [secants[at]; 2]);
         slopes
     }
@@ -349,15 +354,16 @@ impl Curve {
         self.slopes = self.slopes();
     }
 
-    /// Change of the mean square gradient if C1D went on beyond its end with the other exponent.
-    fn uncertain_gradient(&self) -> f64 {
+    /// Change of the mean square gradient up to a sample if C1D went on beyond its end with the other exponent.
+    fn uncertain_gradient(&self, at: usize) -> f64 {
         let last = self.q.len() - 1;
         let of_end = self.ends.map(|exponent| {
+            // A level from that sample to the end holds none of the waves up to it.
             let end = Curve {
-                q: vec![self.q[last]],
-                steps: Vec::new(),
-                c1d: vec![self.c1d[last]],
-                slopes: Vec::new(),
+                q: if at == last { vec![self.q[last]] } else { vec![self.q[at], self.q[last]] },
+                steps: if at == last { Vec::new() } else { vec![(self.q[last] / self.q[at]).ln()] },
+                c1d: vec![self.c1d[last]; 2],
+                slopes: vec![[0.0; 2]],
                 ends: [exponent; 2],
             };
             Falls::new(&end).contents()[0][1]
