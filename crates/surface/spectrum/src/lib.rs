@@ -25,7 +25,7 @@
 //! * [`Superposition`]: the composite spectrum of two rough surfaces;
 //! * [`PowerLaw`] and [`AbelIntegral`]: pieces of a function of the wavevector, and the integral that joins line and
 //!   area spectra;
-//! * [`random_surfaces`], behind a feature: the spectrum of an area, and random surfaces that have it;
+//! * [`random_surfaces`]: the spectrum of an area and, behind a feature, random surfaces that have it;
 //! * [`PsdFile`]: a [`Psd`] as read from text, JSON or a workbook, with the comments and the assumptions made.
 //!
 //! Not here: paths, printing, threads. The crate `scans` reads heights and `topography` computes their spectra.
