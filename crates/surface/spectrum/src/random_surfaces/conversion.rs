@@ -539,12 +539,12 @@ impl Falls {
 static SERIES: LazyLock<[[f64; TERMS]; 2]> = LazyLock::new(|| {
     // The coefficient of (c/p)^(2k) in the root is the one before it times (k - 3/2)/k.
     let mut of_root = -0.5;
-    let mut series = [[0.0; TERMS]; 2];
-    for place in 0..TERMS {
+    let [mut heights, mut gradient] = [[0.0; TERMS]; 2];
+    for (place, (of_heights, of_gradient)) in heights.iter_mut().zip(&mut gradient).enumerate() {
         let k = place as f64 + 2.0;
-        series[0][place] = -of_root;
-        series[1][place] = -of_root * (k - 1.0) / k;
+        *of_heights = -of_root;
+        *of_gradient = -of_root * (k - 1.0) / k;
         of_root *= (k - 1.5) / k;
     }
-    series
+    [heights, gradient]
 });

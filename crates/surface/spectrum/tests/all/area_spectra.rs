@@ -238,8 +238,11 @@ fn rolling_off(q_0: f64, a: f64, ratio_of_gammas: f64) -> impl Fn(f64) -> [f64; 
     }
 }
 
+/// C1D and Ciso against the wavevector.
+type Pair<'p> = &'p dyn Fn(f64) -> [f64; 2];
+
 /// Samples C1D between two wavevectors, converts it, and returns h' at each of the samples over that of Ciso.
-fn gradients_over_true(pair: &dyn Fn(f64) -> [f64; 2], band: [f64; 2], per_decade: u32) -> Vec<f64> {
+fn gradients_over_true(pair: Pair<'_>, band: [f64; 2], per_decade: u32) -> Vec<f64> {
     let ln_band = (band[1] / band[0]).ln();
     let steps = (f64::from(per_decade) * ln_band / 10f64.ln()).round();
     let q = |at: f64| band[0] * (ln_band * at / steps).exp();
@@ -289,7 +292,7 @@ fn gradients_up_to_every_sample_are_those_of_closed_forms() {
         let bell = (-0.5 * q * q).exp();
         [bell + 1e-3 * c, std::f64::consts::TAU.sqrt() * bell + 1e-3 * d]
     };
-    let pairs: [(&dyn Fn(f64) -> [f64; 2], [f64; 2]); 4] = [
+    let pairs: [(Pair<'_>, [f64; 2]); 4] = [
         (&level_then_steep, [4e4, 1.8e9]),
         (&exponential, [0.05, 50.0]),
         (&bifractal, [0.1, 1e4]),
