@@ -258,6 +258,14 @@ impl<'s> Case<'s> {
         (forms.own.area_fraction(pressure_pa, bound_pa), self.nominal_pressure_pa(load) / pressure_pa)
     }
 
+    /// The step from the area of elements on a window under a heavier mean pressure \[Pa\] to their area under a load.
+    pub fn down_to_load(&self, forms: &WindowForms, reference: Reference, load: usize, from_pa: f64) -> Seam {
+        let bound_pa = self.saturation_pa(reference, forms.band.middle_m());
+        let to_pa = self.pressure_pa(forms, reference, load);
+        let area = |pressure_pa: f64| forms.own.area_fraction(pressure_pa, bound_pa);
+        Seam::down(area(to_pa) / area(from_pa), from_pa / to_pa)
+    }
+
     /// The relative standard error of elements on a window whose hardness grows, since they have only that of the window's
     /// middle: half of what the closed form moves between the hardnesses a quarter of the window to either side.
     pub fn error_of_hardness(&self, forms: &WindowForms, reference: Reference, load: usize) -> f64 {

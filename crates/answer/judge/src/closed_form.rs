@@ -2,7 +2,6 @@
 
 use persson::corrections::{Correction, algebraic_variance_pa2};
 use persson::{constant_hardness, elastic};
-use spectrum::Moments;
 
 use crate::waves::Waves;
 
@@ -29,11 +28,11 @@ pub(crate) struct ClosedForm {
 impl ClosedForm {
     /// The closed form of these waves.
     pub fn new(waves: &Waves, composite_modulus_pa: f64) -> Self {
-        let Moments { m0_m2, m2, m4_per_m2, .. } = waves.flattened_alike().moments();
+        let m2 = waves.flattened_alike().moments().m2;
         let variance_pa2 = 0.5 * m2 * composite_modulus_pa.powi(2);
         ClosedForm {
             variance_pa2,
-            alpha: m0_m2 * m4_per_m2 / (m2 * m2),
+            alpha: waves.alpha(),
             exponent_of_stiffness: waves.exponent_of_stiffness(),
         }
     }

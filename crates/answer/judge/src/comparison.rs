@@ -116,15 +116,20 @@ impl Comparisons<'_> {
     /// The area that elements give for a cell of the layout, or the reason why there is none.
     fn area_on_window(&self, cell: Cell) -> Result<ElementArea, RemarkCode> {
         let Comparisons { case, layout, solutions } = self;
-        let solved = match layout.planned(cell) {
-            PlannedPress::Solve(press) => solutions.of_presses[press]?,
-            PlannedPress::Flows { share } => Solved::between(share),
+        let (reference, forms) = (case.references[cell.body], &layout.forms[cell.window]);
+        let (solved, down) = match layout.planned(cell) {
+            PlannedPress::Solve(press) => (solutions.of_presses[press]?, Seam::NONE),
+            PlannedPress::CarryDown(press) => {
+                let down = case.down_to_load(forms, reference, cell.load, layout.presses[press].pressure_pa);
+                (solutions.of_presses[press]?, down)
+            }
+            PlannedPress::Flows { share } => (Solved::between(share), Seam::NONE),
             PlannedPress::TooLight => return Err(RemarkCode::TooLight),
             PlannedPress::LoadNotChosen => return Err(RemarkCode::LoadNotChosen),
         };
-        let reference = case.references[cell.body];
-        let of_hardness = case.error_of_hardness(&layout.forms[cell.window], reference, cell.load);
-        Ok(ElementArea::new(solved.area_fraction, solved.standard_error).with_error(of_hardness))
+        let of_hardness = case.error_of_hardness(forms, reference, cell.load);
+        let area = ElementArea::new(solved.area_fraction, solved.standard_error);
+        Ok(area.carried_over(down).with_error(of_hardness))
     }
 
     /// Combines the outcomes of every curve under every load into its verdict.

@@ -6,7 +6,7 @@ use serde::Serialize;
 use crate::body::Reference;
 use crate::case::{Case, WindowForms};
 use crate::waves::Waves;
-use crate::window::{Window, bands, decades_held};
+use crate::window::{Window, bands, decades_held, points_per_shortest};
 
 /// The number of surfaces in each window, if the budget allows and no other is given.
 const DEFAULT_REALISATIONS: usize = 4;
@@ -62,12 +62,15 @@ pub(crate) struct Cell {
 pub(crate) enum PlannedPress {
     /// Elements solve it: the index of the press.
     Solve(usize),
+    /// Too few points of the last window would touch. Elements solve the lightest pressure under which enough do, by the index of
+    /// the press, and the closed form carries the area down to the load.
+    CarryDown(usize),
     /// The whole contact yields: the area is between p/H and 1.
     Flows {
         /// Mean pressure over hardness.
         share: f64,
     },
-    /// Too few points of the grid would touch.
+    /// Too few points of another window would touch.
     TooLight,
     /// The budget leaves this load out.
     LoadNotChosen,
@@ -125,7 +128,8 @@ impl Layout {
     }
 
     fn new(grid: usize, realisations: usize, loads: &[usize], case: &Case<'_>, waves: &Waves) -> Self {
-        let bands = bands(case.band(), decades_held(grid));
+        let points_per_shortest = points_per_shortest(waves, case.band(), grid);
+        let bands = bands(case.band(), decades_held(grid, points_per_shortest));
         // Noise may leave a band of the surface without waves.
         let windows: Vec<Window> =
             bands.iter().filter_map(|band| Window::new(waves, *band, grid).ok()).collect();
@@ -212,8 +216,10 @@ impl Layout {
         let scatters = |window: &usize| {
             let is_partial = |(body, load): (usize, usize)| {
                 let reference = case.references[body];
-                matches!(self.planned(Cell { body, window: *window, load }), PlannedPress::Solve(_))
-                    && case.area_and_share(&self.forms[*window], reference, load).0 < NEARLY_FLAT
+                matches!(
+                    self.planned(Cell { body, window: *window, load }),
+                    PlannedPress::Solve(_) | PlannedPress::CarryDown(_)
+                ) && case.area_and_share(&self.forms[*window], reference, load).0 < NEARLY_FLAT
             };
             let bodies = 0..case.references.len();
             bodies.flat_map(|body| self.loads.iter().map(move |&load| (body, load))).any(is_partial)
@@ -270,17 +276,30 @@ impl Layout {
         if let Some(share) = share.filter(|share| *share > FLOWING) {
             return PlannedPress::Flows { share: share.min(1.0) };
         }
-        let over_gradient = pressure_pa / (case.composite_modulus_pa * flattening_gradient);
-        if SLOPE_OF_AREA * over_gradient * self.windows[window].grid_points() <= MIN_POINTS {
-            return PlannedPress::TooLight;
+        let flattens_pa = case.composite_modulus_pa * flattening_gradient;
+        // A surface that flows touches over p/H at least.
+        let area_per_pa = (SLOPE_OF_AREA / flattens_pa).max(saturation_pa.map_or(0.0, f64::recip));
+        let least_pa = MIN_POINTS / (area_per_pa * self.windows[window].grid_points());
+        if pressure_pa > least_pa {
+            PlannedPress::Solve(self.press(Press { window, pressure_pa, saturation_pa }))
+        } else if self.is_last(window) {
+            PlannedPress::CarryDown(self.press(Press { window, pressure_pa: least_pa, saturation_pa }))
+        } else {
+            PlannedPress::TooLight
         }
-        let is_same = |press: &Press| {
-            press.window == window && press.saturation_pa == saturation_pa && press.has_pressure(pressure_pa)
+    }
+
+    /// The place of a press, which is added unless there is one so near that they share a solution.
+    fn press(&mut self, press: Press) -> usize {
+        let is_same = |other: &Press| {
+            other.window == press.window
+                && other.saturation_pa == press.saturation_pa
+                && other.has_pressure(press.pressure_pa)
         };
-        PlannedPress::Solve(self.presses.iter().position(is_same).unwrap_or_else(|| {
-            self.presses.push(Press { window, pressure_pa, saturation_pa });
+        self.presses.iter().position(is_same).unwrap_or_else(|| {
+            self.presses.push(press);
             self.presses.len() - 1
-        }))
+        })
     }
 
     /// Operator applications times grid points of all presses.

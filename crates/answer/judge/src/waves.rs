@@ -1,6 +1,7 @@
 //! The waves of a surface, and the pressure that flattens them on half-spaces or on a layer.
 
 use asperity::LayerCompliance;
+use spectrum::Moments;
 use spectrum::random_surfaces::{AreaSpectrum, RandomSurface, RandomSurfaceError, Synthesis};
 
 /// Factor by which wavevectors are raised for the exponent of the stiffness.
@@ -61,6 +62,12 @@ impl Waves {
     /// half-spaces it is that of the surface.
     pub fn flattening_gradient(&self) -> f64 {
         self.flattened_alike().mean_square_gradient().sqrt()
+    }
+
+    /// Nayak's m0 m4/m2^2 of [`flattened_alike`](Self::flattened_alike).
+    pub fn alpha(&self) -> f64 {
+        let Moments { m0_m2, m2, m4_per_m2, .. } = self.flattened_alike().moments();
+        m0_m2 * m4_per_m2 / (m2 * m2)
     }
 
     /// The flattening gradient over the gradient of the surface: 1 on half-spaces.

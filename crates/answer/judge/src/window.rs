@@ -9,6 +9,10 @@ use crate::waves::Waves;
 const STEP_DECADES: f64 = 0.5;
 /// Points of the grid on the shortest wavelength.
 pub(crate) const POINTS_PER_SHORTEST: f64 = 4.0;
+/// Those on surfaces of one range of waves: with four, elements find 9 % too much area on a white band under light loads.
+const POINTS_PER_SHORTEST_OF_ONE_RANGE: f64 = 8.0;
+/// Nayak's alpha of the last window below which a surface counts as one range of waves.
+const ALPHA_OF_ONE_RANGE: f64 = 4.0;
 /// The side of the box over the longest wavelength.
 pub(crate) const LENGTHS_IN_BOX: f64 = 2.0;
 /// Decades by which the spectrum of profiles extends beyond the longest wave of the surface: profiles see long waves where
@@ -50,9 +54,20 @@ pub(crate) struct Window {
     pub points: usize,
 }
 
+/// Points of a grid with `grid` points along a side on the shortest wavelength of a surface: more if the waves of the last window
+/// are of one range.
+pub(crate) fn points_per_shortest(waves: &Waves, whole: Band, grid: usize) -> f64 {
+    let longest_m = whole.shortest_m * 10f64.powf(decades_held(grid, POINTS_PER_SHORTEST));
+    let last = waves.cut(longest_m.min(whole.longest_m), whole.shortest_m);
+    match last.is_ok_and(|last| last.alpha() < ALPHA_OF_ONE_RANGE) {
+        true => POINTS_PER_SHORTEST_OF_ONE_RANGE,
+        false => POINTS_PER_SHORTEST,
+    }
+}
+
 /// The decades of wavelength that a grid with `grid` points along a side holds.
-pub(crate) fn decades_held(grid: usize) -> f64 {
-    (grid as f64 / (POINTS_PER_SHORTEST * LENGTHS_IN_BOX)).log10()
+pub(crate) fn decades_held(grid: usize, points_per_shortest: f64) -> f64 {
+    (grid as f64 / (points_per_shortest * LENGTHS_IN_BOX)).log10()
 }
 
 /// The bands of the windows, from long to short wavelengths; one where the grid holds the whole band.
@@ -82,8 +97,8 @@ impl Window {
     /// The window prolonged towards longer waves, as far as a grid with `points` along each side holds it and the whole band
     /// of the surface has waves.
     pub fn prolonged(&self, whole: &Waves, longest_m: f64, points: usize) -> Result<Self, JudgeError> {
-        let Band { shortest_m, .. } = self.band;
-        let held_m = shortest_m * 10f64.powf(decades_held(points));
+        let Band { shortest_m, longest_m: held_m } = self.band;
+        let held_m = held_m * points as f64 / self.points as f64;
         Window::new(whole, Band { longest_m: held_m.min(longest_m), shortest_m }, points)
     }
 
@@ -153,6 +168,6 @@ mod tests {
     fn a_short_spectrum_is_one_window() {
         let whole = Band { longest_m: 1e-6, shortest_m: 1e-7 };
         assert_eq!(bands(whole, 1.0), [whole]);
-        assert_eq!(decades_held(256), 32f64.log10());
+        assert_eq!(decades_held(256, 4.0), 32f64.log10());
     }
 }
