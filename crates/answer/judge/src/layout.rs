@@ -20,6 +20,8 @@ const SAME_PRESSURE: f64 = 0.01;
 const FLOWING: f64 = 0.98;
 /// With fewer points in contact the grid says little about the area.
 const MIN_POINTS: f64 = 200.0;
+/// Points that touch under the load from which an area is carried down: with fewer, surfaces scatter more than the closed form errs.
+const POINTS_TO_CARRY: f64 = 2000.0;
 /// The fewest surfaces that have a scatter.
 const MIN_REALISATIONS: usize = 2;
 /// From so many windows on that may scatter, pairs of surfaces know their scatter as well together as four surfaces do alone.
@@ -62,8 +64,8 @@ pub(crate) struct Cell {
 pub(crate) enum PlannedPress {
     /// Elements solve it: the index of the press.
     Solve(usize),
-    /// Too few points of the last window would touch. Elements solve the lightest pressure under which enough do, by the index of
-    /// the press, and the closed form carries the area down to the load.
+    /// Few points of the last window would touch. Elements solve a pressure under which enough do, by the index of the press, and the
+    /// closed form carries the area down to the load.
     CarryDown(usize),
     /// The whole contact yields: the area is between p/H and 1.
     Flows {
@@ -279,11 +281,12 @@ impl Layout {
         let flattens_pa = case.composite_modulus_pa * flattening_gradient;
         // A surface that flows touches over p/H at least.
         let area_per_pa = (SLOPE_OF_AREA / flattens_pa).max(saturation_pa.map_or(0.0, f64::recip));
-        let least_pa = MIN_POINTS / (area_per_pa * self.windows[window].grid_points());
-        if pressure_pa > least_pa {
+        let pressure_of = |points: f64| points / (area_per_pa * self.windows[window].grid_points());
+        let enough_pa = pressure_of(POINTS_TO_CARRY);
+        if self.is_last(window) && pressure_pa < enough_pa {
+            PlannedPress::CarryDown(self.press(Press { window, pressure_pa: enough_pa, saturation_pa }))
+        } else if pressure_pa > pressure_of(MIN_POINTS) {
             PlannedPress::Solve(self.press(Press { window, pressure_pa, saturation_pa }))
-        } else if self.is_last(window) {
-            PlannedPress::CarryDown(self.press(Press { window, pressure_pa: least_pa, saturation_pa }))
         } else {
             PlannedPress::TooLight
         }
