@@ -54,7 +54,7 @@ pub enum Reference {
         /// The hardness \[Pa\].
         hardness_pa: f64,
     },
-    /// Bodies that flow at a hardness that grows at small scales: on each window at that of its middle wavelength.
+    /// Bodies that flow at a hardness that grows at small scales: nothing is pressed for them, and their area has a range alone.
     Growing,
 }
 

@@ -134,7 +134,9 @@ impl<'s> Case<'s> {
         let of_curves: Vec<Reference> = self.all().map(|at| self.reference_of_curve(at)).collect();
         let of_material = (0..self.loads()).flat_map(|load| self.references_of_material(load));
         let mut references: Vec<Reference> = Vec::new();
-        for reference in of_curves.iter().copied().chain(of_material) {
+        let needed = of_curves.iter().copied().chain(of_material);
+        for reference in needed.flat_map(|reference| [Some(reference), self.softer_than(reference)]).flatten()
+        {
             if !references.contains(&reference) {
                 references.push(reference);
             }
@@ -164,17 +166,20 @@ impl<'s> Case<'s> {
         match (yielding.hardness_grows, yielding.above_growing) {
             (false, _) => vec![constant],
             (true, None) => vec![Reference::Elastic, constant],
-            (true, Some(_)) => vec![Reference::Growing, constant],
+            (true, Some(_)) => vec![Reference::Growing],
         }
     }
 
-    /// The place in `references` of the bodies that are as soft as one can be whose hardness grows: those with the material's
-    /// constant hardness.
-    pub fn softer_body(&self, body: usize) -> Option<usize> {
+    /// The bodies as soft as bodies can be whose hardness grows: those with the material's constant hardness.
+    fn softer_than(&self, reference: Reference) -> Option<Reference> {
         let hardness_pa = self.scene.material.and_then(|material| material.hardness_pa())?;
-        let constant = Reference::Yielding { hardness_pa };
-        let grows = self.references[body] == Reference::Growing;
-        self.references.iter().position(|other| grows && *other == constant)
+        (reference == Reference::Growing).then_some(Reference::Yielding { hardness_pa })
+    }
+
+    /// The place in `references` of the bodies with the constant hardness, for a body whose hardness grows.
+    pub fn constant_body(&self, body: usize) -> Option<usize> {
+        let constant = self.softer_than(self.references[body])?;
+        self.references.iter().position(|other| *other == constant)
     }
 
     /// The bound \[Pa\] on the pressure of a body's elements on the waves about a wavelength \[m\]; `None` for an elastic body.
@@ -264,20 +269,6 @@ impl<'s> Case<'s> {
         let to_pa = self.pressure_pa(forms, reference, load);
         let area = |pressure_pa: f64| forms.own.area_fraction(pressure_pa, bound_pa);
         Seam::down(area(to_pa) / area(from_pa), from_pa / to_pa)
-    }
-
-    /// The relative standard error of elements on a window whose hardness grows, since they have only that of the window's
-    /// middle: half of what the closed form moves between the hardnesses a quarter of the window to either side.
-    pub fn error_of_hardness(&self, forms: &WindowForms, reference: Reference, load: usize) -> f64 {
-        if reference != Reference::Growing {
-            return 0.0;
-        }
-        let pressure_pa = self.pressure_pa(forms, reference, load);
-        let area = |place: f64| {
-            let bound_pa = self.saturation_pa(reference, forms.band.within_m(place));
-            forms.own.area_fraction(pressure_pa, bound_pa)
-        };
-        0.5 * (area(0.25) / area(0.75)).ln().abs()
     }
 
     /// The relative standard error of areas on the whole band from its end, where C1D holds waves beyond it.

@@ -14,7 +14,7 @@ use crate::model_areas::{self, WindowProfiles};
 use crate::seam::Seam;
 use crate::solve::{Solutions, Solved};
 use crate::verdict::{ERRORS_GIVEN, Verdict, WorstWindow};
-use crate::verdicts::{CurveVerdict, ElementArea, ReferenceArea, WindowOutcome};
+use crate::verdicts::{AreaRange, CurveVerdict, ElementArea, ReferenceArea, WindowOutcome};
 use crate::window::{Band, Window};
 use crate::yielding::Yielding;
 
@@ -49,6 +49,7 @@ impl Comparisons<'_> {
                         let cell = Cell { body, window: index, load: at.load };
                         self.area_on_window(cell).map_err(Remark::new)
                     }),
+                    range: None,
                 };
                 outcomes.push(comparison.outcome(case));
             }
@@ -71,6 +72,7 @@ impl Comparisons<'_> {
                 area_fraction: case.final_area(at),
                 elements: comparable(case, at)
                     .and_then(|()| self.area_of_whole_band(case.body(at), at.load).map_err(Remark::new)),
+                range: self.range_of_growing(case.body(at), at.load),
             };
             WindowOutcome { is_whole_band: true, ..comparison.outcome(case) }
         };
@@ -85,21 +87,29 @@ impl Comparisons<'_> {
                 load,
                 reference: *reference,
                 elements: self.area_of_whole_band(body, load).ok(),
+                range: self.range_of_whole_band(body, load),
             })
         };
         loads.flat_map(of_load).collect()
     }
 
-    /// The area of elements on the whole band. That of bodies whose hardness grows may be as large as with the constant
-    /// hardness.
-    fn area_of_whole_band(&self, body: usize, load: usize) -> Result<ElementArea, RemarkCode> {
-        let area = self.area_at_one_hardness(body, load)?;
-        let softer = self.case.softer_body(body).and_then(|body| self.area_at_one_hardness(body, load).ok());
-        Ok(softer.map_or(area, |softer| area.reaching(softer.high())))
+    /// The range of the area of elements on the whole band.
+    fn range_of_whole_band(&self, body: usize, load: usize) -> Option<AreaRange> {
+        let of_elements = || self.area_of_whole_band(body, load).ok().map(ElementArea::range);
+        self.range_of_growing(body, load).or_else(of_elements)
+    }
+
+    /// The range of the area of bodies whose hardness grows: from the load over the hardness at the shortest wave to the area with the
+    /// constant hardness. A limit on pressures has no scale, so elements do not say which hardness of this range to take.
+    fn range_of_growing(&self, body: usize, load: usize) -> Option<AreaRange> {
+        let constant = self.case.constant_body(body)?;
+        let high = self.area_of_whole_band(constant, load).ok()?.high();
+        let low = self.case.least_area(self.case.references[body], load);
+        Some(AreaRange { low: low.min(high), high })
     }
 
     /// The area of elements on the whole band: as pressed, or that of the last window carried over by the closed form.
-    fn area_at_one_hardness(&self, body: usize, load: usize) -> Result<ElementArea, RemarkCode> {
+    fn area_of_whole_band(&self, body: usize, load: usize) -> Result<ElementArea, RemarkCode> {
         let Comparisons { case, layout, .. } = self;
         let Some(window) = layout.windows.len().checked_sub(1) else { return Err(RemarkCode::NoSurface) };
         let area = self.area_on_window(Cell { body, window, load })?;
@@ -126,15 +136,19 @@ impl Comparisons<'_> {
             PlannedPress::Flows { share } => (Solved::between(share), Seam::NONE),
             PlannedPress::TooLight => return Err(RemarkCode::TooLight),
             PlannedPress::LoadNotChosen => return Err(RemarkCode::LoadNotChosen),
+            PlannedPress::HasRange => return Err(RemarkCode::BetweenHardnesses),
         };
-        let of_hardness = case.error_of_hardness(forms, reference, cell.load);
-        let area = ElementArea::new(solved.area_fraction, solved.standard_error);
-        Ok(area.carried_over(down).with_error(of_hardness))
+        Ok(ElementArea::new(solved.area_fraction, solved.standard_error).carried_over(down))
     }
 
     /// Combines the outcomes of every curve under every load into its verdict.
     pub fn verdicts(&self, windows: &[WindowOutcome], whole_band: &[WindowOutcome]) -> Vec<CurveVerdict> {
-        whole_band.iter().map(|whole| curve_verdict(self.case, whole, windows)).collect()
+        let verdict = |whole: &WindowOutcome| {
+            let body = self.case.body(CurveAtLoad { curve: whole.curve, load: whole.load });
+            let range = self.range_of_growing(body, whole.load).or(whole.elements.map(ElementArea::range));
+            CurveVerdict { range, ..curve_verdict(self.case, whole, windows) }
+        };
+        whole_band.iter().map(verdict).collect()
     }
 }
 
@@ -198,6 +212,8 @@ struct Comparison {
     area_fraction: Option<f64>,
     /// Area fraction of the elements, or the reason why there is none.
     elements: Result<ElementArea, Remark>,
+    /// Range of the area of bodies whose hardness grows.
+    range: Option<AreaRange>,
 }
 
 impl Comparison {
@@ -208,11 +224,12 @@ impl Comparison {
         let broken = case
             .broken_assumption(self.at)
             .filter(|(begins_m, _)| *begins_m >= band.shortest_m * (1.0 - 1e-9));
-        let (verdict, reason) = match (broken, area_fraction, &self.elements) {
-            (Some((_, broken)), _, _) => (Verdict::OutOfRange, broken.clone()),
-            (None, _, Err(reason)) => (Verdict::NotJudged, reason.clone()),
-            (None, None, Ok(_)) => (Verdict::NotJudged, Remark::new(RemarkCode::NoArea)),
-            (None, Some(area_fraction), Ok(elements)) => Self::compared(area_fraction, *elements),
+        let (verdict, reason) = match (broken, area_fraction, self.range, &self.elements) {
+            (Some((_, broken)), ..) => (Verdict::OutOfRange, broken.clone()),
+            (None, Some(area_fraction), Some(range), _) => Self::held_against(area_fraction, range),
+            (None, _, _, Err(reason)) => (Verdict::NotJudged, reason.clone()),
+            (None, None, _, Ok(_)) => (Verdict::NotJudged, Remark::new(RemarkCode::NoArea)),
+            (None, Some(area_fraction), None, Ok(elements)) => Self::compared(area_fraction, *elements),
         };
         let elements = self.elements.as_ref().ok().copied();
         WindowOutcome {
@@ -232,14 +249,19 @@ impl Comparison {
         }
     }
 
+    /// Nothing is judged within a range, and outside it what lies beyond its ends by more than agreement allows.
+    fn held_against(area_fraction: f64, AreaRange { low, high }: AreaRange) -> (Verdict, Remark) {
+        let ratio = area_fraction / area_fraction.clamp(low, high);
+        match Verdict::from_ratio(ratio, 0.0) {
+            Verdict::Agrees => (Verdict::NotJudged, Remark::new(RemarkCode::BetweenHardnesses)),
+            verdict => (verdict, Remark::new(RemarkCode::BeyondHardnesses).with("ratio", ratio)),
+        }
+    }
+
     fn compared(area_fraction: f64, elements: ElementArea) -> (Verdict, Remark) {
         let ratio = area_fraction / elements.area_fraction;
-        match Verdict::from_ratio(ratio, elements.relative_error()) {
-            Verdict::TooLarge if elements.may_reach(area_fraction) => {
-                (Verdict::NotJudged, Remark::new(RemarkCode::BetweenHardnesses).with("ratio", ratio))
-            }
-            verdict => (verdict, Remark::new(RemarkCode::ComparedAreas).with("ratio", ratio)),
-        }
+        let verdict = Verdict::from_ratio(ratio, elements.relative_error());
+        (verdict, Remark::new(RemarkCode::ComparedAreas).with("ratio", ratio))
     }
 }
 
@@ -269,6 +291,7 @@ fn curve_verdict(case: &Case<'_>, whole: &WindowOutcome, windows: &[WindowOutcom
         area_fraction: whole.area_fraction,
         reference: case.reference(at),
         elements: whole.elements,
+        range: None,
         verdict: whole.verdict,
         reason,
         worst_window,
@@ -293,6 +316,7 @@ pub(crate) fn without_elements(case: &Case<'_>, reason: RemarkCode) -> Judgement
             area_fraction: case.final_area(at),
             reference: case.reference(at),
             elements: None,
+            range: None,
             verdict: if broken.is_some() { Verdict::OutOfRange } else { Verdict::NotJudged },
             reason: broken.map(|(_, remark)| remark.clone()).unwrap_or_else(|| Remark::new(reason)),
             worst_window: None,

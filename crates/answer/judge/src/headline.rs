@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::body::Reference;
-use crate::verdicts::{CurveVerdict, ElementArea, ReferenceArea};
+use crate::verdicts::{AreaRange, CurveVerdict, ElementArea, ReferenceArea};
 use crate::yielding::Yielding;
 
 /// The area of a load, to be said first.
@@ -13,7 +13,7 @@ pub struct Headline {
     pub load: usize,
     /// The source of the number.
     pub basis: Basis,
-    /// The best estimate of the area fraction; `None` if only models give it.
+    /// The best estimate of the area fraction; `None` if only models give it, or the hardness grows.
     pub area_fraction: Option<f64>,
     /// The least area fraction that the judge cannot exclude.
     pub low: f64,
@@ -54,9 +54,7 @@ impl Headline {
     pub(crate) fn new(yielding: &Yielding, areas: &[ReferenceArea], curves: &[CurveVerdict]) -> Option<Self> {
         let load = yielding.load;
         let area = |is_wanted: fn(Reference) -> bool| {
-            areas
-                .iter()
-                .find(|area| area.load == load && is_wanted(area.reference) && area.elements.is_some())
+            areas.iter().find(|area| area.load == load && is_wanted(area.reference) && area.range.is_some())
         };
         let elastic = area(|reference| reference == Reference::Elastic);
         let flowing = area(|reference| matches!(reference, Reference::Yielding { .. }));
@@ -76,7 +74,7 @@ impl Headline {
     }
 
     fn from_elements(area: &ReferenceArea, curves: &[CurveVerdict]) -> Option<Self> {
-        let elements = area.elements?;
+        let AreaRange { low, high } = area.range?;
         let off = |curve: &CurveVerdict| curve.ratio().map_or(f64::INFINITY, |ratio| ratio.ln().abs());
         let candidates = curves
             .iter()
@@ -84,9 +82,9 @@ impl Headline {
         Some(Headline {
             load: area.load,
             basis: Basis::Elements(area.reference),
-            area_fraction: Some(elements.area_fraction),
-            low: elements.low(),
-            high: elements.high(),
+            area_fraction: area.elements.map(|elements| elements.area_fraction),
+            low,
+            high,
             otherwise: None,
             best_curve: candidates.min_by(|a, b| off(a).total_cmp(&off(b))).map(|curve| curve.curve),
         })

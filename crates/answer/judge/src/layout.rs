@@ -76,6 +76,8 @@ pub(crate) enum PlannedPress {
     TooLight,
     /// The budget leaves this load out.
     LoadNotChosen,
+    /// The hardness grows, so that the area has a range alone.
+    HasRange,
 }
 
 /// Everything that will be pressed.
@@ -269,6 +271,9 @@ impl Layout {
     fn plan(&mut self, reference: Reference, window: usize, load: usize, case: &Case<'_>) -> PlannedPress {
         if !self.loads.contains(&load) {
             return PlannedPress::LoadNotChosen;
+        }
+        if reference == Reference::Growing {
+            return PlannedPress::HasRange;
         }
         let flattening_gradient = self.windows[window].flattening_gradient;
         let forms = &self.forms[window];

@@ -34,5 +34,5 @@ pub use layout::Extent;
 pub use maps::MapVerdict;
 pub use scene::JudgeSettings;
 pub use verdict::{AGREEMENT, ERRORS_GIVEN, Verdict, WorstWindow};
-pub use verdicts::{CurveVerdict, ElementArea, ReferenceArea, WindowOutcome};
+pub use verdicts::{AreaRange, CurveVerdict, ElementArea, ReferenceArea, WindowOutcome};
 pub use yielding::Yielding;

@@ -47,8 +47,8 @@ impl Judgement {
                 rows().map(|row| needs.loads[row.load].nominal_pressure_pa()),
             )
             .with_numbers("area_fraction", found(|row| row.area_fraction))
-            .with_numbers("judged_low", found(|row| Some(row.elements?.low())))
-            .with_numbers("judged_high", found(|row| Some(row.elements?.high())))
+            .with_numbers("judged_low", found(|row| Some(row.range?.low)))
+            .with_numbers("judged_high", found(|row| Some(row.range?.high)))
             .with_numbers("ratio_to_judge", found(CurveVerdict::ratio))
             .with_text("verdict", rows().map(|row| row.verdict.name().to_owned()))
             .with_text("reason", rows().map(|row| row.reason.words(&SceneKeys)))

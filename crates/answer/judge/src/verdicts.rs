@@ -47,15 +47,21 @@ pub struct ElementArea {
     /// The area that cannot be less: the nominal pressure over that at which elements flow; 0 of elastic elements.
     #[serde(skip)]
     least: f64,
-    /// The largest area of bodies that are no harder, if the hardness is not known better.
-    #[serde(skip)]
-    reach: f64,
+}
+
+/// A range of areas.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct AreaRange {
+    /// The least area fraction.
+    pub low: f64,
+    /// The largest area fraction.
+    pub high: f64,
 }
 
 impl ElementArea {
     /// Takes an area fraction and its standard error.
     pub(crate) fn new(area_fraction: f64, standard_error: f64) -> Self {
-        ElementArea { area_fraction, standard_error, least: 0.0, reach: 0.0 }
+        ElementArea { area_fraction, standard_error, least: 0.0 }
     }
 
     /// Bounds the area from below.
@@ -63,20 +69,10 @@ impl ElementArea {
         ElementArea { area_fraction: self.area_fraction.max(least), least, ..self }
     }
 
-    /// Extends the range upwards to an area.
-    pub(crate) fn reaching(self, reach: f64) -> Self {
-        ElementArea { reach, ..self }
-    }
-
     /// Adds an independent relative standard error.
     pub(crate) fn with_error(self, relative_error: f64) -> Self {
         let standard_error = self.standard_error.hypot(relative_error * self.area_fraction);
         ElementArea { standard_error, ..self }
-    }
-
-    /// True for an area beyond the errors of these elements, but not beyond that of softer bodies to which the range reaches.
-    pub(crate) fn may_reach(self, area_fraction: f64) -> bool {
-        area_fraction <= self.reach
     }
 
     /// The area less two standard errors; at least a tenth of the area, since an area is positive, and at least what a contact
@@ -88,10 +84,16 @@ impl ElementArea {
             .max(self.least)
     }
 
-    /// The area with two standard errors, at most 1; for a hardness that grows, at least that with the constant hardness.
+    /// The area with two standard errors, at most 1.
     #[must_use]
     pub fn high(self) -> f64 {
-        (self.area_fraction + ERRORS_GIVEN * self.standard_error).max(self.reach).min(1.0)
+        (self.area_fraction + ERRORS_GIVEN * self.standard_error).min(1.0)
+    }
+
+    /// The range from [`low`](Self::low) to [`high`](Self::high).
+    #[must_use]
+    pub fn range(self) -> AreaRange {
+        AreaRange { low: self.low(), high: self.high() }
     }
 
     /// The area of the surface, from that on a window.
@@ -138,8 +140,10 @@ pub struct CurveVerdict {
     pub area_fraction: Option<f64>,
     /// The bodies of the elements that the curve is compared with.
     pub reference: Reference,
-    /// The area of these elements with the whole band, if it is known.
+    /// The area of these elements with the whole band, if it is known; that of bodies whose hardness grows has a range alone.
     pub elements: Option<ElementArea>,
+    /// The range of that area.
+    pub range: Option<AreaRange>,
     /// The verdict on the area at the shortest wavelength.
     pub verdict: Verdict,
     /// The reason for the verdict.
@@ -173,6 +177,8 @@ pub struct ReferenceArea {
     pub load: usize,
     /// The bodies that were pressed.
     pub reference: Reference,
-    /// The area, if it was found.
+    /// The area, if it was found; that of bodies whose hardness grows has a range alone.
     pub elements: Option<ElementArea>,
+    /// Its range, if it was found.
+    pub range: Option<AreaRange>,
 }

@@ -228,7 +228,7 @@ fn a_hardness_law_of_its_own_is_not_judged_unless_it_never_matters() {
 }
 
 #[test]
-fn a_hardness_that_hardly_grows_gives_the_area_of_the_constant_one() {
+fn a_hardness_that_grows_gives_the_range_from_its_own_area_to_that_of_the_constant_one() {
     let curves = ["model = \"persson-plastic\"\nstrain_gradient = true", "model = \"persson-plastic\""];
     let scene = scene(
         2.2,
@@ -237,11 +237,15 @@ fn a_hardness_that_hardly_grows_gives_the_area_of_the_constant_one() {
         &curves,
     );
     let (_, judgement) = judged(&scene, &coarse(48, 2));
-    let [growing, constant] = [0, 1].map(|curve| judgement.curves[curve].elements.unwrap());
-    assert_eq!(judgement.curves[0].reference, Reference::Growing);
-    assert!((growing.area_fraction / constant.area_fraction - 1.0).abs() < 1e-4, "{growing:?} {constant:?}");
-    assert!((growing.relative_error() / constant.relative_error() - 1.0).abs() < 1e-3);
-    assert!(growing.high() >= constant.high());
+    let [growing, constant] = [0, 1].map(|curve| judgement.curves[curve].range.unwrap());
+    assert_eq!((judgement.curves[0].reference, judgement.curves[0].elements), (Reference::Growing, None));
+    assert_eq!(growing.high, constant.high);
+    assert!(
+        (growing.low / 0.1 - 1.0).abs() < 1e-4 && growing.low <= constant.low,
+        "{growing:?} {constant:?}"
+    );
+    let headline = judgement.headline(0).unwrap();
+    assert_eq!((headline.area_fraction, headline.low, headline.high), (None, growing.low, growing.high));
 }
 
 #[test]
@@ -255,9 +259,8 @@ fn a_curve_between_the_growing_and_the_constant_hardness_is_not_judged() {
     let (_, judgement) = judged(&scene, &coarse(48, 2));
     let mut between = 0;
     for curve in &judgement.curves {
-        let elements = curve.elements.unwrap();
-        let is_between =
-            curve.ratio().unwrap() > 4.0 / 3.0 && curve.area_fraction.unwrap() <= elements.high();
+        let (range, area_fraction) = (curve.range.unwrap(), curve.area_fraction.unwrap());
+        let is_between = area_fraction * 4.0 / 3.0 > range.low && area_fraction < range.high * 4.0 / 3.0;
         assert_eq!(curve.reason.code == RemarkCode::BetweenHardnesses, is_between, "{curve:?}");
         between += usize::from(is_between);
     }

@@ -380,7 +380,10 @@ remark_codes! {
     OwnHardnessLaw "judge.strength-grows" Note
         "yields from {wavelength_m} on by a hardness law of its own, which boundary elements do not have";
     BetweenHardnesses "judge.between-hardnesses" Note
-        "{ratio} times the area of boundary elements whose hardness grows; no more than of those with the constant hardness";
+        "within the range from the load over the hardness at the shortest wavelength to boundary elements with the constant hardness";
+    BeyondHardnesses "judge.beyond-hardnesses" Note
+        "{ratio} times the nearer end of the range from the load over the hardness at the shortest wavelength to boundary elements with \
+         the constant hardness";
     TooLight "judge.too-light" Note "too few grid points would touch";
     LoadNotChosen "judge.load-not-chosen" Note "the budget leaves this load out; raise {--judge.budget}";
     NoArea "judge.no-area" Note "the curve has no area here";

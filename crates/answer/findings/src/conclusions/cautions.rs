@@ -82,7 +82,7 @@ pub(crate) fn cautions(
             .with("shortest_m", found.shortest_m)
     }));
     cautions.extend(doubts::of_scene(scene, answer).into_iter().filter(doubts::is_about_inputs));
-    cautions.extend(hardness_decides(evidence, loads));
+    cautions.extend(hardness_decides(loads));
     if !loads.is_empty() && loads.iter().all(|load| is_of_models(load.area.source)) {
         cautions.push(new(RemarkCode::NotJudged));
     }
@@ -143,16 +143,13 @@ fn is_of_models(source: Source) -> bool {
     matches!(source, Source::Model { .. } | Source::Models)
 }
 
-/// The caution on hardness at small scales: if it moves the area beyond its range, or if elements with the constant hardness have
-/// an area beyond what counts as agreement with those whose hardness grows.
-pub(crate) fn hardness_decides(evidence: &Evidence<'_>, loads: &[LoadConclusion]) -> Option<Remark> {
+/// The caution on hardness at small scales: if it moves the area beyond its range, or if that of a hardness that grows is wider than
+/// what counts as agreement.
+pub(crate) fn hardness_decides(loads: &[LoadConclusion]) -> Option<Remark> {
     let apart = |load: &LoadConclusion| match load.otherwise {
         Some(other) => Some(other.ratio),
         None if load.area.source == Source::Elements(Reference::Growing) => {
-            let areas = evidence.judgement?.references.iter().filter(|area| area.load == load.load);
-            let constant = areas.filter(|area| matches!(area.reference, Reference::Yielding { .. }));
-            let constant = constant.filter_map(|area| area.elements).next()?;
-            let ratio = constant.area_fraction / load.area.area_fraction?;
+            let ratio = load.area.high / load.area.low;
             (ratio > AGREEMENT).then_some(ratio)
         }
         None => None,

@@ -59,7 +59,7 @@ pub enum NextStep {
 pub(crate) fn next_steps(evidence: &Evidence<'_>, loads: &[LoadConclusion]) -> Vec<NextStep> {
     let mut steps: Vec<NextStep> =
         evidence.scene.surface.holes().iter().copied().map(NextStep::CloseHole).collect();
-    if super::cautions::hardness_decides(evidence, loads).is_some() {
+    if super::cautions::hardness_decides(loads).is_some() {
         steps.push(NextStep::HardnessAtSmallDepth);
     }
     steps.extend(from_draws(evidence, loads));
