@@ -76,6 +76,8 @@ impl<'py> Arguments<'py> {
         Ok(ModelOptions {
             strain_gradient: self.flag("strain_gradient")?,
             hardness: self.hardness_form()?,
+            flattening: self.get("flattening", choice)?,
+            elastic_plastic_area: self.get("elastic_plastic_area", choice)?,
             interference_law: self.get("interference_law", choice)?,
             correction: self.get("correction", choice)?,
             band: self.get("band", choice)?,

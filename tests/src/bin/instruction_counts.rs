@@ -36,17 +36,27 @@ const PIECES: [Piece; 29] = [
     ("sinusoid-elastic", sinusoid_elastic),
     ("sinusoid-elastic-plastic", sinusoid_elastic_plastic),
     ("stack-elastic", || stack(StackedModel::Elastic { pair: pair() })),
-    ("stack-elastic-plastic", || stack(StackedModel::ElasticPlastic { pair: pair(), strength: strength() })),
+    ("stack-elastic-plastic", || {
+        stack(StackedModel::ElasticPlastic { pair: pair(), strength: strength(), area: Default::default() })
+    }),
     ("stack-strain-gradient", || {
-        stack(StackedModel::ElasticPlastic { pair: pair(), strength: growing_strength() })
+        stack(StackedModel::ElasticPlastic {
+            pair: pair(),
+            strength: growing_strength(),
+            area: Default::default(),
+        })
     }),
     ("pair-hertz", pair_hertz),
     ("states-hertz", || states(AsperityLaw::Hertz)),
     ("states-ep-sphere", || {
-        states(AsperityLaw::EpSphere { strength: strength(), hardness: Hardness::default() })
+        states(AsperityLaw::EpSphere { strength: strength(), hardness: Hardness::default(), held_from: None })
     }),
     ("states-ep-sphere-strain-gradient", || {
-        states(AsperityLaw::EpSphere { strength: growing_strength(), hardness: Hardness::default() })
+        states(AsperityLaw::EpSphere {
+            strength: growing_strength(),
+            hardness: Hardness::default(),
+            held_from: None,
+        })
     }),
     ("states-elastic-sine", || {
         states(AsperityLaw::ElasticSine { interference: InterferenceLaw::RostamiJackson })

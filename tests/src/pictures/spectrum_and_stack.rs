@@ -89,7 +89,11 @@ pub(super) fn area() -> Picture {
         ["wavelength of the scale = shortest included (m)", "area / nominal area, aspect ratio B"],
         vec![
             line("area, elastic", 0, areas(&StackedModel::Elastic { pair }, &psd)),
-            line("area, elastic-plastic", 1, areas(&StackedModel::ElasticPlastic { pair, strength }, &psd)),
+            line(
+                "area, elastic-plastic",
+                1,
+                areas(&StackedModel::ElasticPlastic { pair, strength, area: Default::default() }, &psd),
+            ),
             line("aspect ratio B = Δ/λ", 2, aspect_ratios),
         ],
     )
@@ -116,9 +120,9 @@ pub(super) fn strain_gradient() -> Picture {
     let (psd, pair, strength) = uncd();
     let gradient = |length_m: f64| {
         let strength = strength.with_strain_gradient(length_m).expect("a length within its bounds");
-        areas(&StackedModel::ElasticPlastic { pair, strength }, &psd)
+        areas(&StackedModel::ElasticPlastic { pair, strength, area: Default::default() }, &psd)
     };
-    let constant = areas(&StackedModel::ElasticPlastic { pair, strength }, &psd);
+    let constant = areas(&StackedModel::ElasticPlastic { pair, strength, area: Default::default() }, &psd);
     picture(
         "strain-gradient",
         ["Stacked area with a strength that grows at small depths", UNCD],

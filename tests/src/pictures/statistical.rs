@@ -17,7 +17,7 @@ fn contacts() -> [(&'static str, StatisticalContact); 4] {
     let interference = InterferenceLaw::default();
     let laws = [
         ("hertz", AsperityLaw::Hertz),
-        ("ep-sphere", AsperityLaw::EpSphere { strength, hardness: Hardness::default() }),
+        ("ep-sphere", AsperityLaw::EpSphere { strength, hardness: Hardness::default(), held_from: None }),
         ("elastic-sine", AsperityLaw::ElasticSine { interference }),
         ("ep-sine", AsperityLaw::EpSine { strength }),
     ];

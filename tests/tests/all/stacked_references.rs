@@ -29,10 +29,10 @@ fn model(table: &ReferenceTable, row: usize) -> StackedModel {
     let strength = NixGao::constant(number("yield_strength_pa")).unwrap();
     match (table.text("model")[row], table.text("strain_gradient_length_m")[row]) {
         ("elastic", _) => StackedModel::Elastic { pair },
-        ("elastic-plastic", "") => StackedModel::ElasticPlastic { pair, strength },
+        ("elastic-plastic", "") => StackedModel::ElasticPlastic { pair, strength, area: Default::default() },
         ("elastic-plastic", length_m) => {
             let strength = strength.with_strain_gradient(length_m.parse().unwrap()).unwrap();
-            StackedModel::ElasticPlastic { pair, strength }
+            StackedModel::ElasticPlastic { pair, strength, area: Default::default() }
         }
         (other, _) => panic!("no model {other}"),
     }

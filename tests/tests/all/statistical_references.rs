@@ -13,7 +13,7 @@ fn state(table: &ReferenceTable, row: usize) -> ContactState {
     };
     let law = match table.text("model")[row] {
         "hertz" => AsperityLaw::Hertz,
-        "ep-sphere" => AsperityLaw::EpSphere { strength, hardness: Hardness::default() },
+        "ep-sphere" => AsperityLaw::EpSphere { strength, hardness: Hardness::default(), held_from: None },
         "elastic-sine" => AsperityLaw::ElasticSine { interference: InterferenceLaw::default() },
         "ep-sine" => AsperityLaw::EpSine { strength },
         other => panic!("no table has a law {other}"),

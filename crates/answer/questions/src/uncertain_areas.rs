@@ -96,6 +96,8 @@ impl UncertaintyQuestion {
             let options = ModelOptions {
                 strain_gradient: self.options.strain_gradient && has(Choice::StrainGradient),
                 hardness: self.options.hardness.filter(|_| has(Choice::Hardness)),
+                flattening: self.options.flattening.filter(|_| has(Choice::Flattening)),
+                elastic_plastic_area: self.options.elastic_plastic_area.filter(|_| has(Choice::YieldingArea)),
                 interference_law: self.options.interference_law.filter(|_| has(Choice::Interference)),
                 ..ModelOptions::default()
             };

@@ -89,6 +89,16 @@ fn random(dice: &mut Dice) -> (CurveQuestion, String) {
             .hardness
             .map_or(String::new(), |form| format!("hardness_formula = \"{}\"\n", form.name()));
     }
+    if entry.has(Choice::Flattening) {
+        options.flattening = dice.perhaps(stat_contact::Flattening::ALL);
+        of_curve += &options.flattening.map_or(String::new(), |held| format!("flattening = \"{held}\"\n"));
+    }
+    if entry.has(Choice::YieldingArea) {
+        options.elastic_plastic_area = dice.perhaps(stacked_contact::YieldingAreaLaw::ALL);
+        of_curve += &options
+            .elastic_plastic_area
+            .map_or(String::new(), |law| format!("elastic_plastic_area = \"{law}\"\n"));
+    }
     if entry.has(Choice::Interference) {
         options.interference_law = dice.perhaps(stat_contact::InterferenceLaw::ALL);
         of_curve +=
@@ -215,6 +225,7 @@ fn every_name_of_a_choice_is_unique() {
     }
     add!(
         "HardnessFormula": Hardness, "Band": Band, "Correction": Correction, "InterferenceLaw": InterferenceLaw,
+        "Flattening": stat_contact::Flattening, "YieldingAreaLaw": stacked_contact::YieldingAreaLaw,
         "Normalisation": Normalisation, "AmplitudeDefinition": AmplitudeDefinition, "Convention": Convention,
         "Abscissa": Abscissa, "Detrend": Detrend, "Window": Window, "Average": Average, "Gaps": GapTreatment,
         "Direction": Direction, "Phases": Phases, "Dialect": Dialect, "UnitSystem": UnitSystem, "LawForm": LawForm,

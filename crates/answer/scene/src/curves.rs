@@ -35,6 +35,8 @@ pub(super) fn resolve_curves(
         ignored.push(own.ignored_by(entry));
         let with_those_of_the_scene = ModelOptions {
             hardness: options.hardness,
+            flattening: own.flattening.or(options.flattening),
+            elastic_plastic_area: own.elastic_plastic_area.or(options.elastic_plastic_area),
             interference_law: own.interference_law.or(options.interference_law),
             ..own.clone()
         };
@@ -57,20 +59,20 @@ pub(super) fn resolve_curves(
 /// left out. Models with a strength that may grow, and with a correction that is nearer to boundary elements, come in both
 /// forms.
 pub(super) fn curves_that_apply(material: &Material, options: &ModelOptions) -> Vec<Curve> {
-    let plain = ModelOptions { hardness: options.hardness, ..ModelOptions::default() };
     let mut curves: Vec<Curve> = Vec::new();
     for entry in MODELS.iter() {
-        let mut forms = vec![ModelOptions { interference_law: options.interference_law, ..plain.clone() }];
+        let mut forms = vec![options.clone()];
         // Persson's theory with a hardness that grows takes longer than all other models together.
         if entry.has(Choice::StrainGradient) && entry.framework != Framework::Persson {
             forms.push(ModelOptions { strain_gradient: true, ..forms[0].clone() });
         }
         if entry.has(Choice::Correction) {
-            forms.push(ModelOptions { correction: Some(Correction::AlgebraicNayak), ..plain.clone() });
+            forms.push(ModelOptions { correction: Some(Correction::AlgebraicNayak), ..options.clone() });
         }
-        for own in forms {
-            let Ok(model) = entry.build(material, &own) else { continue };
-            let own = ModelOptions { hardness: None, interference_law: None, ..own };
+        for form in forms {
+            let Ok(model) = entry.build(material, &form) else { continue };
+            let ModelOptions { strain_gradient, correction, .. } = form;
+            let own = ModelOptions { strain_gradient, correction, ..ModelOptions::default() };
             curves.push(Curve { name: entry.curve_name(&own), model, cutoffs: Cutoffs::default() });
         }
     }

@@ -16,7 +16,8 @@ use serde::de::{Error, IntoDeserializer, MapAccess, SeqAccess, Unexpected, Visit
 use serde::{Deserialize, Deserializer};
 use serde_spanned::Spanned;
 use spectrum::{Abscissa, AmplitudeDefinition, Convention, Normalisation};
-use stat_contact::InterferenceLaw;
+use stacked_contact::YieldingAreaLaw;
+use stat_contact::{Flattening, InterferenceLaw};
 use topography::{Average, Detrend, Direction, GapTreatment, Window};
 
 use super::error::SceneError;
@@ -305,6 +306,8 @@ pub(super) struct RawOptions {
     pub hardness_formula: Option<asperity::Hardness>,
     pub strength_cap: Option<Typed<Pressure>>,
     pub interference_law: Option<InterferenceLaw>,
+    pub flattening: Option<Flattening>,
+    pub elastic_plastic_area: Option<YieldingAreaLaw>,
     pub tolerance: Option<Spanned<f64>>,
 }
 

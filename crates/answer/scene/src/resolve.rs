@@ -105,6 +105,8 @@ pub(super) fn resolve(
         options.scales_per_decade.as_ref().map(|raw| count("options.scales_per_decade", raw)).transpose()?;
     let law_options = ModelOptions {
         hardness: overrides.hardness.or(options.hardness_formula),
+        flattening: options.flattening,
+        elastic_plastic_area: options.elastic_plastic_area,
         interference_law: options.interference_law,
         ..ModelOptions::default()
     };

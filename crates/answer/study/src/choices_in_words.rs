@@ -4,7 +4,8 @@ use asperity::Hardness;
 use persson::Band;
 use persson::corrections::Correction;
 use spectrum::{AmplitudeDefinition, Normalisation};
-use stat_contact::InterferenceLaw;
+use stacked_contact::YieldingAreaLaw;
+use stat_contact::{Flattening, InterferenceLaw};
 
 use crate::growth_law::GrowthLaw;
 
@@ -33,6 +34,24 @@ pub fn hardness(choice: Hardness) -> &'static str {
         Hardness::JacksonGreen2005 => "Jackson & Green 2005",
         Hardness::Cosine => "cosine form, 2.84 - 0.92 [1 - cos(πa/R)]",
         other => other.name(),
+    }
+}
+
+/// Names the quantities of flattened spheres that no longer grow.
+#[must_use]
+pub fn flattening(choice: Flattening) -> &'static str {
+    match choice {
+        Flattening::Area => "area held at a = R, force unlimited",
+        Flattening::AreaAndForce => "area and force held from a = 0.41 R",
+    }
+}
+
+/// Names the area of a scale of a stack that yields.
+#[must_use]
+pub fn yielding_area(choice: YieldingAreaLaw) -> &'static str {
+    match choice {
+        YieldingAreaLaw::Blended => "plastic power law blended into complete contact, limited to 1",
+        YieldingAreaLaw::ElasticShape => "elastic area at p/p*_ep",
     }
 }
 

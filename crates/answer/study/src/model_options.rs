@@ -6,7 +6,8 @@ use persson::EnergyFactor;
 use persson::corrections::Correction;
 use serde::de::MapAccess;
 use serde::{Deserialize, Serialize};
-use stat_contact::InterferenceLaw;
+use stacked_contact::YieldingAreaLaw;
+use stat_contact::{Flattening, InterferenceLaw};
 
 use crate::choices_in_words;
 use crate::growth_law::GrowthLaw;
@@ -22,6 +23,11 @@ pub enum Choice {
     StrainGradient,
     /// The form of the hardness of spheres.
     Hardness,
+    /// The quantities of flattened spheres that no longer grow.
+    Flattening,
+    /// The area of a scale of a stack that yields.
+    #[serde(rename = "elastic_plastic_area")]
+    YieldingArea,
     /// The law between pressure and interference of an elastic sinusoid.
     #[serde(rename = "interference_law")]
     Interference,
@@ -44,6 +50,12 @@ pub struct ModelOptions {
     /// The form of the hardness of spheres.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hardness: Option<Hardness>,
+    /// The quantities of flattened spheres that no longer grow.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub flattening: Option<Flattening>,
+    /// The area of scales of a stack that yield.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub elastic_plastic_area: Option<YieldingAreaLaw>,
     /// The interference law of elastic sinusoids.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub interference_law: Option<InterferenceLaw>,
@@ -74,8 +86,10 @@ pub struct Setting {
 
 impl Choice {
     /// The choices that a curve of a scene may make, in the order of its keys.
-    pub const OF_CURVES: [Choice; 6] = [
+    pub const OF_CURVES: [Choice; 8] = [
         Choice::StrainGradient,
+        Choice::Flattening,
+        Choice::YieldingArea,
         Choice::Interference,
         Choice::Correction,
         Choice::Band,
@@ -90,6 +104,8 @@ impl Choice {
             Choice::Strength => "yield_strength",
             Choice::StrainGradient => "strain_gradient",
             Choice::Hardness => "hardness_formula",
+            Choice::Flattening => "flattening",
+            Choice::YieldingArea => "elastic_plastic_area",
             Choice::Interference => "interference_law",
             Choice::Correction => "correction",
             Choice::Band => "band",
@@ -119,6 +135,8 @@ impl ModelOptions {
                 words: choices_in_words::hardness_law(law),
             })
         });
+        let flattening = self.flattening.filter(|flattening| *flattening != Flattening::default());
+        let yielding = self.elastic_plastic_area.filter(|law| *law != YieldingAreaLaw::default());
         let interference = self.interference_law.filter(|law| *law != InterferenceLaw::default());
         let band = self.band.filter(|band| *band != Band::default());
         let gamma = self.gamma.filter(|gamma| *gamma != EnergyFactor::default());
@@ -132,6 +150,18 @@ impl ModelOptions {
         let settings = [
             (Choice::StrainGradient, gradient),
             (Choice::HardnessLaw, growth),
+            (
+                Choice::Flattening,
+                flattening.map(|held| Setting {
+                    name: format!("flattening-{held}"),
+                    short: format!("{held} held"),
+                    words: choices_in_words::flattening(held).to_owned(),
+                }),
+            ),
+            (
+                Choice::YieldingArea,
+                yielding.map(|law| named(law.to_string(), choices_in_words::yielding_area(law))),
+            ),
             (
                 Choice::Interference,
                 interference.map(|law| named(law.to_string(), choices_in_words::interference(law))),
@@ -170,6 +200,8 @@ impl ModelOptions {
             Choice::Strength => {}
             Choice::StrainGradient => self.strain_gradient = values.next_value()?,
             Choice::Hardness => self.hardness = values.next_value()?,
+            Choice::Flattening => self.flattening = values.next_value()?,
+            Choice::YieldingArea => self.elastic_plastic_area = values.next_value()?,
             Choice::Interference => self.interference_law = values.next_value()?,
             Choice::Correction => self.correction = values.next_value()?,
             Choice::Band => self.band = values.next_value()?,
@@ -184,6 +216,8 @@ impl ModelOptions {
         let given = [
             (self.strain_gradient, Choice::StrainGradient),
             (self.hardness.is_some(), Choice::Hardness),
+            (self.flattening.is_some(), Choice::Flattening),
+            (self.elastic_plastic_area.is_some(), Choice::YieldingArea),
             (self.interference_law.is_some(), Choice::Interference),
             (self.correction.is_some(), Choice::Correction),
             (self.band.is_some(), Choice::Band),

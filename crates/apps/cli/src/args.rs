@@ -26,7 +26,8 @@ use std::path::PathBuf;
 
 use clap::{Args as ClapArgs, Parser, Subcommand};
 use clap_complete::Shell;
-use stat_contact::InterferenceLaw;
+use stacked_contact::YieldingAreaLaw;
+use stat_contact::{Flattening, InterferenceLaw};
 
 use crate::output::Place;
 use parsers::{model_of, one_of, parse_place, parse_poisson_ratio, parse_tolerance};
@@ -452,6 +453,10 @@ pub(crate) struct StackedArgs {
     pub sampling: SamplingArgs,
     #[command(flatten)]
     pub amplitude: AmplitudeArg,
+    /// Area of a scale that yields: blended, the published fit limited to 1, which is the default, or elastic-shape, the
+    /// elastic area at p/p*_ep
+    #[arg(long, value_parser = one_of::<YieldingAreaLaw, _>(YieldingAreaLaw::ALL))]
+    pub elastic_plastic_area: Option<YieldingAreaLaw>,
     /// Append the columns pressure_in_pa and yield_strength_pa
     #[arg(long)]
     pub details: bool,
@@ -492,13 +497,18 @@ pub(crate) struct StatisticalArgs {
     /// default, or boundary-element solutions
     #[arg(long, value_parser = one_of::<InterferenceLaw, _>(InterferenceLaw::ALL))]
     pub interference_law: Option<InterferenceLaw>,
+    /// Quantities of a flattened sphere (ep-sphere) that no longer grow: area-and-force, from a contact radius of 0.41 R
+    /// on, which is the default, or area, from R on
+    #[arg(long, value_parser = one_of::<Flattening, _>(Flattening::ALL))]
+    pub flattening: Option<Flattening>,
     #[command(flatten)]
     pub sampling: SamplingArgs,
     #[command(flatten)]
     pub normalisation: NormalisationArg,
     #[command(flatten)]
     pub hardness: HardnessFormulaArg,
-    /// Append error_estimate, evaluations, out_of_range_load_share, ln_pressure_pa and ln_area_fraction
+    /// Append error_estimate, evaluations, out_of_range_load_share, ln_pressure_pa, ln_area_fraction and
+    /// flattened_share
     #[arg(long)]
     pub details: bool,
     #[command(flatten)]
@@ -512,6 +522,7 @@ impl StatisticalArgs {
             strain_gradient: self.material.strain_gradient_length.is_some(),
             hardness: self.hardness.hardness_formula,
             interference_law: self.interference_law,
+            flattening: self.flattening,
             ..ModelOptions::default()
         }
     }

@@ -174,6 +174,11 @@ remark_codes! {
         "{narrow} of {all|row}: alpha = m0 m4/m2^2 is {alphas}, below the 1.5 that every surface reaches: no summits, no result";
     IncompleteStates "counts.curve-counts" Note
         "{states} of {all|state}: beyond complete contact of every asperity, area fraction 1, no separation";
+    FlattenedStates "counts.curve-counts" Note
+        "{states} of {all|state}: more load than all asperities carry once flattened: the area is that of all of them, the real one is \
+         at least as large; no separation";
+    FlattenedAsperities "counts.curve-counts" Note
+        "up to {share%} of the touching asperities are flattened: their area and force are held";
     ClampedStates "counts.curve-counts" Note
         "{states} of {all|state}: more contact area than there is nominal area, held at an area fraction of 1";
     StatesOutOfRange "counts.curve-counts" Note
@@ -188,6 +193,9 @@ remark_codes! {
     BeyondCompleteContact "rows.beyond-complete-contact" Note
         "{row}: {pressure_pa#} Pa is beyond complete contact of every asperity: area fraction 1, no separation; pressures below \
          {highest_pressure_pa#} Pa have one";
+    BeyondFlattened "rows.beyond-flattened" Note
+        "{row}: {pressure_pa#} Pa is more than all asperities carry once flattened, {highest_pressure_pa#} Pa: the area is that of all \
+         of them, the real one is at least as large; no separation";
     RowsWithoutAsperities "rows.without-asperities" Note
         "{rows} of {all} rows have no asperities: their results are empty";
     BadRows "rows.bad" Error

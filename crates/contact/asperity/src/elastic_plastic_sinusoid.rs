@@ -60,6 +60,12 @@ impl ElasticPlasticSinusoid {
         self.elastic
     }
 
+    /// Returns the elastic sinusoid that is in complete contact at p*_ep: its area is the elastic one at p/p*_ep.
+    #[must_use]
+    pub fn softened(&self) -> ElasticSinusoid {
+        ElasticSinusoid::complete_at(self.complete_contact_pressure_pa())
+    }
+
     /// Critical aspect ratio B_c = sqrt(2) Sy/(3 pi E*) exp(2 (nu + 1)/3): the von Mises stress under a harmonic
     /// pressure reaches the strength just at complete contact.
     #[must_use]

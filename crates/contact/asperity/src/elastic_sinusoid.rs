@@ -39,6 +39,11 @@ impl ElasticSinusoid {
         }
     }
 
+    /// Creates a sinusoid from the mean pressure > 0 \[Pa\] of its complete contact.
+    pub(crate) fn complete_at(complete_contact_pressure_pa: f64) -> Self {
+        ElasticSinusoid { complete_contact_pressure_pa }
+    }
+
     /// Mean pressure p* = sqrt(2) pi E* B \[Pa\] at which the surfaces touch everywhere.
     #[must_use]
     pub fn complete_contact_pressure_pa(&self) -> f64 {

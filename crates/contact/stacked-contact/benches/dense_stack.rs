@@ -19,8 +19,11 @@ fn main() {
     let gradient = strength.with_strain_gradient(5e-6).expect("diamond");
     for (name, model) in [
         ("elastic", StackedModel::Elastic { pair }),
-        ("elastic-plastic", StackedModel::ElasticPlastic { pair, strength }),
-        ("elastic-plastic, strain gradient", StackedModel::ElasticPlastic { pair, strength: gradient }),
+        ("elastic-plastic", StackedModel::ElasticPlastic { pair, strength, area: Default::default() }),
+        (
+            "elastic-plastic, strain gradient",
+            StackedModel::ElasticPlastic { pair, strength: gradient, area: Default::default() },
+        ),
     ] {
         if let Some(limit_pa) = largest_full_contact_pressure_pa(&model, scales.iter().copied()) {
             let reached = final_pressure_pa(&model, LOADS_PA[1], &scales) / limit_pa;

@@ -2,7 +2,7 @@
 
 use asperity::{ElasticPlasticSinusoid, ElasticSinusoid};
 
-use crate::{Level, Scale, StackedModel};
+use crate::{Level, Scale, StackedModel, YieldingAreaLaw};
 
 /// Largest pressure \[Pa\] at which one of the scales is in complete contact. The real pressure never exceeds it and
 /// tends to it as the spectrum is sampled more densely, so the area tends to load over this pressure (or to the whole
@@ -45,13 +45,15 @@ fn largest_full_contact(
     for (index, (scale, strength_pa)) in scales.into_iter().enumerate() {
         let known_pa = largest.map_or(0.0, |(_, pressure_pa)| pressure_pa);
         let pressure_pa = match (model, strength_pa) {
-            (StackedModel::ElasticPlastic { pair, .. }, Some(strength_pa)) => {
+            (StackedModel::ElasticPlastic { pair, area, .. }, Some(strength_pa)) => {
                 let sinusoid = ElasticPlasticSinusoid::new(pair, scale.aspect_ratio(), strength_pa);
-                // The pressure at which the fit is complete has to be searched for, and lies below this one.
-                if sinusoid.complete_contact_pressure_pa() <= known_pa {
-                    continue;
+                // The pressure at which the blended fit is complete has to be searched for, and lies below this one.
+                let complete_pa = sinusoid.complete_contact_pressure_pa();
+                match area {
+                    _ if complete_pa <= known_pa => continue,
+                    YieldingAreaLaw::Blended => sinusoid.flattening_pressure_pa(),
+                    YieldingAreaLaw::ElasticShape => complete_pa,
                 }
-                sinusoid.flattening_pressure_pa()
             }
             (StackedModel::Elastic { pair } | StackedModel::ElasticPlastic { pair, .. }, _) => {
                 ElasticSinusoid::new(pair, scale.aspect_ratio()).complete_contact_pressure_pa()
@@ -83,7 +85,10 @@ mod tests {
     fn the_real_pressure_stays_below_the_limit_and_nears_it_as_scales_get_denser() {
         let pair = MaterialPair::against_rigid(ElasticBody::new(463e9, 0.2).unwrap());
         let strength = NixGao::constant(1.8e9).unwrap();
-        for model in [StackedModel::Elastic { pair }, StackedModel::ElasticPlastic { pair, strength }] {
+        for model in [
+            StackedModel::Elastic { pair },
+            StackedModel::ElasticPlastic { pair, strength, area: Default::default() },
+        ] {
             let share = |per_decade| {
                 let limit = largest_full_contact_pressure_pa(&model, scales(per_decade)).unwrap();
                 levels(&model, 1e6, scales(per_decade)).last().unwrap().real_pressure_pa / limit
@@ -98,7 +103,7 @@ mod tests {
     fn no_limit_is_claimed_where_the_strength_depends_on_depth() {
         let pair = MaterialPair::against_rigid(ElasticBody::new(463e9, 0.2).unwrap());
         let strength = NixGao::constant(1.8e9).unwrap().with_strain_gradient(5e-6).unwrap();
-        let model = StackedModel::ElasticPlastic { pair, strength };
+        let model = StackedModel::ElasticPlastic { pair, strength, area: Default::default() };
         assert_eq!(largest_full_contact_pressure_pa(&model, scales(10)), None);
         assert_eq!(largest_full_contact_pressure_pa(&StackedModel::Elastic { pair }, []), None);
     }
@@ -110,8 +115,9 @@ mod tests {
         let gradient = strength.with_strain_gradient(5e-6).unwrap();
         for model in [
             StackedModel::Elastic { pair },
-            StackedModel::ElasticPlastic { pair, strength },
-            StackedModel::ElasticPlastic { pair, strength: gradient },
+            StackedModel::ElasticPlastic { pair, strength, area: Default::default() },
+            StackedModel::ElasticPlastic { pair, strength, area: YieldingAreaLaw::ElasticShape },
+            StackedModel::ElasticPlastic { pair, strength: gradient, area: Default::default() },
         ] {
             let curve: Vec<Level> = levels(&model, 1e6, scales(10)).collect();
             let (level, pressure_pa) = setting_level(&model, &curve).unwrap();

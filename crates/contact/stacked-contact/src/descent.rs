@@ -9,7 +9,7 @@
 
 use asperity::{ElasticPlasticSinusoid, ElasticSinusoid, NixGao, YieldingArea};
 
-use crate::{Level, Regime, Scale, StackedModel};
+use crate::{Level, Regime, Scale, StackedModel, YieldingAreaLaw};
 
 /// Aspect ratio over the critical one up to which a steeper scale of the same strength takes more pressure to
 /// flatten. Beyond r = 4600 (nu = -1) to 5200 (nu = 1/2) it takes less, because the fitted area overshoots.
@@ -71,7 +71,7 @@ impl<'m> Descent<'m> {
         let pressure_in_pa = self.pressure_pa;
         let (yield_strength_pa, aspect_ratio_over_critical) = match self.model {
             StackedModel::Elastic { .. } => (None, None),
-            StackedModel::ElasticPlastic { pair, strength } => {
+            StackedModel::ElasticPlastic { pair, strength, .. } => {
                 let strength_pa = strength.at_depth_pa(self.depth_above_m);
                 let sinusoid = ElasticPlasticSinusoid::new(pair, step.aspect_ratio, strength_pa);
                 (Some(strength_pa), Some(sinusoid.aspect_ratio_over_critical()))
@@ -101,11 +101,11 @@ impl<'m> Descent<'m> {
                 let sinusoid = ElasticSinusoid::new(pair, step.aspect_ratio);
                 (sinusoid.area_fraction(self.pressure_pa), Regime::Elastic)
             }
-            StackedModel::ElasticPlastic { pair, strength } => {
+            StackedModel::ElasticPlastic { pair, strength, area } => {
                 let strength_pa = strength.at_depth_pa(self.depth_above_m);
                 let sinusoid = ElasticPlasticSinusoid::new(pair, step.aspect_ratio, strength_pa);
                 let yields = sinusoid.yields_at(self.pressure_pa);
-                let area_fraction = self.press_sinusoid(&sinusoid, strength, step);
+                let area_fraction = self.press_sinusoid(&sinusoid, strength, *area, step);
                 (area_fraction, if yields { Regime::Plastic } else { Regime::Elastic })
             }
         };
@@ -129,14 +129,19 @@ impl<'m> Descent<'m> {
         &mut self,
         sinusoid: &ElasticPlasticSinusoid,
         strength: &NixGao,
+        area: YieldingAreaLaw,
         step: &mut Step,
     ) -> f64 {
+        let has_elastic_shape = area == YieldingAreaLaw::ElasticShape && sinusoid.yields_at(self.pressure_pa);
+        let elastic_shape = || sinusoid.softened().area_fraction(self.pressure_pa);
         if strength.strain_gradient_length_m().is_some() {
-            let (area_fraction, deformation) = sinusoid.area_and_deformation(self.pressure_pa);
+            let (blended, deformation) = sinusoid.area_and_deformation(self.pressure_pa);
             self.depth_above_m = step.scale.amplitude_m * deformation;
-            return area_fraction;
+            return if has_elastic_shape { elastic_shape() } else { blended };
         }
-        let area_fraction = if sinusoid.yields_at(self.pressure_pa) {
+        let area_fraction = if has_elastic_shape {
+            elastic_shape()
+        } else if sinusoid.yields_at(self.pressure_pa) {
             step.yielding_area.get_or_insert_with(|| sinusoid.yielding_area()).fraction_at(self.pressure_pa)
         } else {
             sinusoid.elastic().area_fraction(self.pressure_pa)

@@ -55,16 +55,25 @@ impl<'s> FinalLevels<'s> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Regime, levels};
+    use crate::{Regime, YieldingAreaLaw, levels};
     use asperity::{ElasticBody, MaterialPair, NixGao};
 
-    fn models() -> [StackedModel; 4] {
+    fn models() -> [StackedModel; 6] {
         let pair = MaterialPair::against_rigid(ElasticBody::new(463e9, 0.2).unwrap());
         let strength = NixGao::constant(1.8e9).unwrap();
         let gradient = strength.with_strain_gradient(5e-6).unwrap();
         let capped = strength.with_strain_gradient(1e-9).unwrap().with_cap(4e9).unwrap();
-        let plastic = |strength| StackedModel::ElasticPlastic { pair, strength };
-        [StackedModel::Elastic { pair }, plastic(strength), plastic(gradient), plastic(capped)]
+        let plastic = |strength| StackedModel::ElasticPlastic { pair, strength, area: Default::default() };
+        let shape =
+            |strength| StackedModel::ElasticPlastic { pair, strength, area: YieldingAreaLaw::ElasticShape };
+        [
+            StackedModel::Elastic { pair },
+            plastic(strength),
+            plastic(gradient),
+            plastic(capped),
+            shape(strength),
+            shape(gradient),
+        ]
     }
 
     /// Scales whose aspect ratio peaks at 0.04 at 100 nm, and falls to a tenth of that at 1 nm.

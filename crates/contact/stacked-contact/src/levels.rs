@@ -40,7 +40,7 @@ pub fn levels_under_loads(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Regime;
+    use crate::{Regime, YieldingAreaLaw};
     use asperity::{ElasticBody, MaterialPair, NixGao};
 
     fn pair() -> MaterialPair {
@@ -56,13 +56,23 @@ mod tests {
         })
     }
 
-    fn models() -> [StackedModel; 3] {
+    fn models() -> [StackedModel; 5] {
         let constant = NixGao::constant(1.8e9).unwrap();
         let gradient = constant.with_strain_gradient(5e-6).unwrap();
         [
             StackedModel::Elastic { pair: pair() },
-            StackedModel::ElasticPlastic { pair: pair(), strength: constant },
-            StackedModel::ElasticPlastic { pair: pair(), strength: gradient },
+            StackedModel::ElasticPlastic { pair: pair(), strength: constant, area: Default::default() },
+            StackedModel::ElasticPlastic { pair: pair(), strength: gradient, area: Default::default() },
+            StackedModel::ElasticPlastic {
+                pair: pair(),
+                strength: constant,
+                area: YieldingAreaLaw::ElasticShape,
+            },
+            StackedModel::ElasticPlastic {
+                pair: pair(),
+                strength: gradient,
+                area: YieldingAreaLaw::ElasticShape,
+            },
         ]
     }
 
@@ -122,7 +132,7 @@ mod tests {
     #[test]
     fn plastic_flow_enlarges_the_area_and_a_growing_strength_takes_it_back() {
         let last = |model| levels(&model, 5.4e6, scales()).last().unwrap().area_fraction;
-        let [elastic, plastic, gradient] = models().map(last);
+        let [elastic, plastic, gradient, ..] = models().map(last);
         assert!(plastic > gradient && gradient >= elastic, "{plastic} > {gradient} >= {elastic}");
     }
 
@@ -140,7 +150,7 @@ mod tests {
             let scaled = |factor: f64| {
                 let pair = MaterialPair::against_rigid(ElasticBody::new(463e9 * factor, 0.2).unwrap());
                 let strength = NixGao::constant(1.8e9 * factor).unwrap();
-                let model = StackedModel::ElasticPlastic { pair, strength };
+                let model = StackedModel::ElasticPlastic { pair, strength, area: Default::default() };
                 levels(&model, pressure_pa * factor, scales()).last().unwrap()
             };
             let (one, other) = (scaled(1.0), scaled(factor));

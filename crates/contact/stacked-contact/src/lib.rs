@@ -26,5 +26,5 @@ pub use dense_limit::{largest_full_contact_pressure_pa, setting_level};
 pub use final_level::{FinalLevel, FinalLevels};
 pub use level::{Level, Regime};
 pub use levels::{levels, levels_under_loads};
-pub use model::StackedModel;
+pub use model::{StackedModel, YieldingAreaLaw};
 pub use units::Scale;

@@ -1,6 +1,7 @@
 //! Deformation law of the scales of a stack.
 
 use asperity::{MaterialPair, NixGao};
+use units::named;
 
 /// Law that every scale follows (`docs/theory/models.md`, section 4).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,8 +18,27 @@ pub enum StackedModel {
         pair: MaterialPair,
         /// Strength of that body.
         strength: NixGao,
+        /// Area of a scale that yields.
+        area: YieldingAreaLaw,
     },
 }
+
+/// Area fraction of a scale that yields, over its pressure; the published sources leave it open
+/// (`docs/theory/models.md`, section 2.4).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum YieldingAreaLaw {
+    /// The plastic power law blended into the limit of complete contact, and limited to 1.
+    #[default]
+    Blended,
+    /// The elastic area at p/p*_ep, which reaches 1 at p*_ep and not before.
+    ElasticShape,
+}
+
+named!(YieldingAreaLaw, "area law", {
+    Blended => "blended",
+    ElasticShape => "elastic-shape",
+});
 
 impl StackedModel {
     /// The bodies in contact.

@@ -172,7 +172,7 @@ fn case(kind: usize, random: &mut Random) -> Case {
     }
     let law = match kind {
         0 => AsperityLaw::Hertz,
-        1 | 4 => AsperityLaw::EpSphere { strength, hardness: Hardness::default() },
+        1 | 4 => AsperityLaw::EpSphere { strength, hardness: Hardness::default(), held_from: None },
         2 => AsperityLaw::ElasticSine { interference: InterferenceLaw::RostamiJackson },
         6 => AsperityLaw::ElasticSine { interference: InterferenceLaw::Bem },
         _ => AsperityLaw::EpSine { strength },

@@ -126,13 +126,17 @@ fn curves() -> Vec<(&'static str, AsperityLaw, Vec<StateRequest>)> {
     };
     vec![
         ("hertz", AsperityLaw::Hertz, cutoffs()),
-        ("ep-sphere", AsperityLaw::EpSphere { strength, hardness }, cutoffs()),
+        ("ep-sphere", AsperityLaw::EpSphere { strength, hardness, held_from: None }, cutoffs()),
         ("elastic-sine", AsperityLaw::ElasticSine { interference }, cutoffs()),
         ("ep-sine", AsperityLaw::EpSine { strength }, cutoffs()),
-        ("ep-sphere-gradient", AsperityLaw::EpSphere { strength: gradient, hardness }, cutoffs()),
+        (
+            "ep-sphere-gradient",
+            AsperityLaw::EpSphere { strength: gradient, hardness, held_from: None },
+            cutoffs(),
+        ),
         ("ep-sine-gradient", AsperityLaw::EpSine { strength: gradient }, cutoffs()),
         ("hertz-loads", AsperityLaw::Hertz, loads()),
-        ("ep-sphere-loads", AsperityLaw::EpSphere { strength, hardness }, loads()),
+        ("ep-sphere-loads", AsperityLaw::EpSphere { strength, hardness, held_from: None }, loads()),
     ]
 }
 

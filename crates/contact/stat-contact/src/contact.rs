@@ -51,8 +51,8 @@ impl StatisticalContact {
     /// largest is taken.
     ///
     /// A neighbouring state as `start` saves a few evaluations and changes nothing else. For a pressure that no
-    /// separation carries (see [`highest_pressure_pa`](Self::highest_pressure_pa)) the state is complete contact: no
-    /// separation, and area fraction 1.
+    /// separation carries (see [`highest_pressure_pa`](Self::highest_pressure_pa)) the state has no separation, the reason
+    /// why, and the area fraction 1 of complete contact or that of all flattened asperities.
     ///
     /// # Errors
     /// [`AsperityError`] unless the pressure is positive and at most 1e60 Pa.
@@ -98,7 +98,8 @@ impl StatisticalContact {
     }
 
     /// Pressure \[Pa\] below which every pressure is carried at some separation: complete contact of every sinusoid,
-    /// or the highest pressure of sinusoids that soften with depth. Infinite for spheres.
+    /// the highest pressure of sinusoids that soften with depth, or all spheres flattened. Infinite for spheres whose
+    /// force is not held.
     #[must_use]
     pub fn highest_pressure_pa(&self) -> f64 {
         self.sweep(Precision::FINEST).highest_pressure_pa()

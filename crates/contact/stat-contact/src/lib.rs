@@ -3,7 +3,8 @@
 //! Main types:
 //! * [`Population`]: radius, density and height spread of the asperities, three plain numbers.
 //! * [`NayakSummits`]: the summits of a Gaussian surface, of every curvature that it has.
-//! * [`AsperityLaw`]: the response of one asperity, with its strength, hardness and [`InterferenceLaw`].
+//! * [`AsperityLaw`]: the response of one asperity, with its strength, hardness, [`Flattening`] and
+//!   [`InterferenceLaw`].
 //! * [`StatisticalContact`]: population and law under a material; computes states at a separation or at a pressure.
 //! * [`LinearLaw`]: area in proportion to the load, as a yardstick for elastic areas.
 //! * [`Sweep`]: many states of one population and material, which share work.
@@ -27,12 +28,12 @@ mod summits;
 mod sweep;
 mod table;
 
-pub use asperities::{AsperityLaw, InterferenceLaw};
+pub use asperities::{AsperityLaw, Flattening, InterferenceLaw};
 pub use condition::Condition;
 pub use contact::StatisticalContact;
 pub use linear_law::LinearLaw;
 pub use population::Population;
-pub use state::ContactState;
+pub use state::{ContactState, NoSeparation};
 pub use summits::nayak::NayakSummits;
 pub use sweep::Sweep;
 pub use table::StateTable;

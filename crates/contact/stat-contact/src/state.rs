@@ -2,8 +2,10 @@
 
 use approx::{AbsDiffEq, RelativeEq};
 
-use crate::asperities::answers::Response;
-use crate::gaussian::density::{log_reference_density, reference_density};
+use units::named;
+
+use crate::asperities::answers::{Asperities, Response};
+use crate::gaussian::density::{log_reference_density, reference_density, tail};
 
 /// State of a population in contact with a flat.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
@@ -12,6 +14,8 @@ pub struct ContactState {
     /// Separation d \[m\] of the flat from the mean of the asperity heights or, for summits, from the mean plane of
     /// the surface; negative below it. `None` if no separation carries the pressure.
     pub separation_m: Option<f64>,
+    /// Reason why no separation carries the pressure.
+    pub no_separation: Option<NoSeparation>,
     /// Pressure over the nominal area \[Pa\]; zero if it is below the smallest double, see `ln_pressure_pa`.
     pub pressure_pa: f64,
     /// Real over nominal area of contact, in \[0, 1\]; zero if it is below the smallest double.
@@ -28,12 +32,31 @@ pub struct ContactState {
     /// Share of the load, in \[0, 1\], carried by asperities outside the range their law was fitted in: those that
     /// yield with Sy/E* > 0.01 or a/R > 0.41 (spheres) or r > 100 (sinusoids); 0 for elastic laws.
     pub out_of_range_load_share: f64,
+    /// Share of the touching asperities, in \[0, 1\], that are flattened and carry no more than they do; `None` for laws
+    /// that hold no force.
+    pub flattened_share: Option<f64>,
     /// True if the sum of the areas exceeds the nominal area by more than its error, and was limited to it.
     pub clamped: bool,
     /// Separation over which the pressure would fall by a factor e at the current slope \[m\]: -p/(dp/dd).
     #[serde(skip)]
     pub(crate) decay_length_m: Option<f64>,
 }
+
+/// Reason why no separation carries a pressure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum NoSeparation {
+    /// It is beyond complete contact of every asperity: the area fraction is 1.
+    CompleteContact,
+    /// It is more than all flattened asperities carry: the area is that of all of them, and the real one is at least
+    /// as large.
+    AllFlattened,
+}
+
+named!(NoSeparation, "reason", {
+    CompleteContact => "complete-contact",
+    AllFlattened => "all-flattened",
+});
 
 impl ContactState {
     /// Stiffness K = -dp/dd over the nominal area \[Pa/m\]. The separation enters the integral over the heights by
@@ -70,6 +93,7 @@ impl ContactState {
         let area_fraction = Product::new(integrals.area_fraction, scale, log_density);
         ContactState {
             separation_m: None,
+            no_separation: None,
             pressure_pa: pressure.value,
             area_fraction: area_fraction.value.min(1.0),
             ln_pressure_pa: pressure.logarithm,
@@ -77,6 +101,7 @@ impl ContactState {
             error_estimate: integrals.relative_error,
             evaluations: 0,
             out_of_range_load_share: integrals.out_of_range_load_share,
+            flattened_share: None,
             clamped: area_fraction.logarithm > integrals.relative_error,
             decay_length_m: Some(sigma_s_m / mean_height),
         }
@@ -91,6 +116,7 @@ impl ContactState {
         const EVALUATIONS: usize = 3;
         ContactState {
             separation_m: Some(separation_m),
+            no_separation: None,
             pressure_pa: response.pressure_pa,
             area_fraction: response.area_fraction.min(1.0),
             ln_pressure_pa: response.pressure_pa.ln(),
@@ -98,25 +124,45 @@ impl ContactState {
             error_estimate: ROUNDING + neglected,
             evaluations: EVALUATIONS,
             out_of_range_load_share: 0.0,
+            flattened_share: None,
             clamped: response.area_fraction > 1.0,
             decay_length_m: None,
         }
     }
 
-    /// Complete contact under a pressure \[Pa\] that no separation carries.
-    pub(crate) fn complete(pressure_pa: f64) -> Self {
+    /// State under a pressure \[Pa\] that no separation carries: complete contact, or all asperities flattened with
+    /// less area than the nominal one.
+    pub(crate) fn beyond(asperities: &dyn Asperities, pressure_pa: f64) -> Self {
+        let flattened = asperities.flattened_from_m().and(asperities.saturation());
+        let area_fraction = flattened.map_or(1.0, |(_, response)| response.area_fraction.min(1.0));
+        let is_complete = area_fraction == 1.0;
         ContactState {
             separation_m: None,
+            no_separation: Some(match is_complete {
+                true => NoSeparation::CompleteContact,
+                false => NoSeparation::AllFlattened,
+            }),
             pressure_pa,
-            area_fraction: 1.0,
+            area_fraction,
             ln_pressure_pa: pressure_pa.ln(),
-            ln_area_fraction: 0.0,
+            ln_area_fraction: area_fraction.ln(),
             error_estimate: 0.0,
             evaluations: 0,
-            out_of_range_load_share: 0.0,
+            out_of_range_load_share: if is_complete { 0.0 } else { 1.0 },
+            flattened_share: flattened.map(|_| 1.0),
             clamped: false,
             decay_length_m: None,
         }
+    }
+
+    /// Returns this state, of a separation, with the share of flattened asperities.
+    #[inline]
+    pub(crate) fn with_flattened_share(self, asperities: &dyn Asperities, sigma_s_m: f64) -> Self {
+        let share = |separation_m: f64| {
+            let (u, from) = (separation_m / sigma_s_m, asperities.flattened_from_m()? / sigma_s_m);
+            Some((tail(u, from) / tail(u, 0.0)).min(1.0))
+        };
+        ContactState { flattened_share: self.separation_m.map_or(self.flattened_share, share), ..self }
     }
 
     /// Largest deviation between the quantities of two states, each relative to the larger: pressure and area (also

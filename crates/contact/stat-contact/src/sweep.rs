@@ -72,8 +72,13 @@ impl<'a> Sweep<'a> {
     /// The errors of [`StatisticalContact::at_separation`](crate::StatisticalContact::at_separation).
     pub fn at_separation(&mut self, separation_m: f64) -> Result<ContactState, AsperityError> {
         let separation_m = Self::SEPARATION_M.check("separation in m", separation_m)?;
+        let state = self.state_at_separation(separation_m);
+        Ok(state.with_flattened_share(self.frames.asperities, self.frames.sigma_s_m))
+    }
+
+    fn state_at_separation(&mut self, separation_m: f64) -> ContactState {
         if let Some(state) = self.far_below().at_separation(separation_m) {
-            return Ok(state);
+            return state;
         }
         let sigma_s_m = self.frames.sigma_s_m;
         let u = separation_m / sigma_s_m;
@@ -82,7 +87,7 @@ impl<'a> Sweep<'a> {
         self.near = Some(Neighbour { u, sums: Some(sums) });
         let state = ContactState::at_separation(&integrals, separation_m, sigma_s_m);
         let evaluations = self.frames.evaluations() - spent;
-        Ok(ContactState { evaluations, ..state })
+        ContactState { evaluations, ..state }
     }
 
     /// Returns the state that carries a pressure \[Pa\] over the nominal area.
@@ -92,22 +97,28 @@ impl<'a> Sweep<'a> {
     pub fn at_pressure(&mut self, pressure_pa: f64) -> Result<ContactState, AsperityError> {
         let pressure_pa = Bound::Positive.check("pressure in Pa", pressure_pa)?;
         let pressure_pa = Self::PRESSURE_PA.check("pressure in Pa", pressure_pa)?;
+        let state = self.state_at_pressure(pressure_pa);
+        Ok(state.with_flattened_share(self.frames.asperities, self.frames.sigma_s_m))
+    }
+
+    fn state_at_pressure(&mut self, pressure_pa: f64) -> ContactState {
+        let beyond = ContactState::beyond(self.frames.asperities, pressure_pa);
         let asked = |state| ContactState { pressure_pa, ln_pressure_pa: pressure_pa.ln(), ..state };
         if pressure_pa >= self.frames.asperities.highest_response_pa() {
-            return Ok(ContactState::complete(pressure_pa));
+            return beyond;
         }
         let far_below = self.far_below();
         // If the highest pressure is carried far below, no nearer separation carries more.
         if far_below.highest_pressure_pa().is_some_and(|highest_pa| pressure_pa > highest_pa) {
-            return Ok(ContactState::complete(pressure_pa));
+            return beyond;
         }
         if let Some(separation_m) = far_below.separation_m(pressure_pa.ln()) {
-            return Ok(asked(far_below.state(separation_m)));
+            return asked(far_below.state(separation_m));
         }
         let (near, spent) = (self.near, self.frames.evaluations());
         let answer = Search { frames: &mut self.frames, pressure_pa }.largest(near);
         let Some(Answer { found: CellSolution { cell, u }, missed_by }) = answer else {
-            return Ok(ContactState::complete(pressure_pa));
+            return beyond;
         };
         let evaluations = self.frames.evaluations() - spent;
         let sigma_s_m = self.frames.sigma_s_m;
@@ -116,7 +127,7 @@ impl<'a> Sweep<'a> {
         let state = ContactState::of(&integrals, 0.0, sigma_s_m);
         let error_estimate = state.error_estimate + missed_by;
         let separation_m = Some(u * sigma_s_m);
-        Ok(asked(ContactState { separation_m, error_estimate, evaluations, ..state }))
+        asked(ContactState { separation_m, error_estimate, evaluations, ..state })
     }
 
     /// Pressure \[Pa\] below which every pressure is carried at some separation.

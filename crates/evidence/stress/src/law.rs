@@ -56,7 +56,9 @@ impl Response {
         let (strength, hardness) = (self.strength, self.hardness);
         match self.kind {
             Kind::Hertz => AsperityLaw::Hertz,
-            Kind::EpSphere | Kind::GradientSphere => AsperityLaw::EpSphere { strength, hardness },
+            Kind::EpSphere | Kind::GradientSphere => {
+                AsperityLaw::EpSphere { strength, hardness, held_from: None }
+            }
             Kind::ElasticSine => AsperityLaw::ElasticSine { interference: InterferenceLaw::RostamiJackson },
             Kind::BemSine => AsperityLaw::ElasticSine { interference: InterferenceLaw::Bem },
             Kind::EpSine | Kind::GradientSine => AsperityLaw::EpSine { strength },

@@ -61,7 +61,7 @@ impl State {
         };
         let law = match self.model.as_str() {
             "hertz" => AsperityLaw::Hertz,
-            "ep-sphere" => AsperityLaw::EpSphere { strength, hardness: Hardness::default() },
+            "ep-sphere" => AsperityLaw::EpSphere { strength, hardness: Hardness::default(), held_from: None },
             "elastic-sine" => AsperityLaw::ElasticSine { interference: InterferenceLaw::RostamiJackson },
             "ep-sine" => AsperityLaw::EpSine { strength },
             other => unreachable!("the table has no law {other}"),

@@ -2,7 +2,7 @@
 
 use asperity::{Bound, ElasticBody};
 use numerics::parallel::Progress;
-use stat_contact::{Condition, ContactState, Sweep};
+use stat_contact::{Condition, ContactState, NoSeparation, Sweep};
 use tables::{Cell, Cells, InputTable, Refusal, Row};
 use units::{Pressure, Remark, RemarkCode};
 
@@ -204,7 +204,7 @@ impl RowByRow for Populations {
             }
         }
         self.set_results(block, &asked, &states);
-        Ok(beyond_complete_contact(block, &asked, &states))
+        Ok(without_separation(block, &asked, &states))
     }
 
     fn notes(&self) -> Vec<Remark> {
@@ -245,7 +245,7 @@ fn missing_cell(error: &MaterialError) -> String {
     format!("column {column}: the cell is empty; {error}")
 }
 
-fn beyond_complete_contact(
+fn without_separation(
     input: &InputTable,
     asked: &[Option<RowRequest>],
     states: &[Option<ContactState>],
@@ -254,11 +254,14 @@ fn beyond_complete_contact(
     rows.filter_map(|(row, (asked, state))| {
         let (asked, state) = (asked.as_ref()?, state.as_ref()?);
         let Pressable::Contact(contact) = &asked.contact else { return None };
-        state.separation_m.is_none().then(|| {
-            Remark::new(RemarkCode::BeyondCompleteContact)
-                .with("row", input.row_name(row))
-                .with("pressure_pa", state.pressure_pa)
-                .with("highest_pressure_pa", contact.highest_pressure_pa())
+        state.no_separation.map(|reason| {
+            Remark::new(match reason {
+                NoSeparation::CompleteContact => RemarkCode::BeyondCompleteContact,
+                NoSeparation::AllFlattened => RemarkCode::BeyondFlattened,
+            })
+            .with("row", input.row_name(row))
+            .with("pressure_pa", state.pressure_pa)
+            .with("highest_pressure_pa", contact.highest_pressure_pa())
         })
     })
     .collect()

@@ -1,15 +1,19 @@
 //! Counts of states, and of spectra without summits, that deserve a note.
 
-use stat_contact::ContactState;
+use stat_contact::{ContactState, NoSeparation};
 use units::{Remark, RemarkCode, number};
 
 /// Counts of states that are limited by a bound, or rest on asperities outside the range of their law.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct StateCounts {
     /// All states.
     pub all: usize,
     /// States beyond complete contact of every asperity.
     pub incomplete: usize,
+    /// States with more load than all asperities carry once flattened.
+    pub flattened: usize,
+    /// Largest share of flattened asperities among the touching ones, over the other states.
+    pub flattened_share: f64,
     /// States with more contact area than nominal area.
     pub clamped: usize,
     /// States with most of their load on asperities outside the range of their law.
@@ -20,20 +24,31 @@ impl StateCounts {
     /// Remarks on those states, a kind each.
     #[must_use]
     pub fn remarks(&self) -> Vec<Remark> {
+        // Below this share flattened asperities do not show.
+        const VISIBLE_SHARE: f64 = 0.01;
         let kinds = [
             (RemarkCode::IncompleteStates, self.incomplete),
+            (RemarkCode::FlattenedStates, self.flattened),
             (RemarkCode::ClampedStates, self.clamped),
             (RemarkCode::StatesOutOfRange, self.out_of_range),
         ];
         let found = kinds.into_iter().filter(|(_, states)| *states > 0);
-        found.map(|(code, states)| Remark::new(code).with("states", states).with("all", self.all)).collect()
+        let counted =
+            found.map(|(code, states)| Remark::new(code).with("states", states).with("all", self.all));
+        let flattened = (self.flattened_share > VISIBLE_SHARE)
+            .then(|| Remark::new(RemarkCode::FlattenedAsperities).with("share", self.flattened_share));
+        counted.chain(flattened).collect()
     }
 
     /// Counts states.
     pub fn add<'s>(&mut self, states: impl IntoIterator<Item = &'s ContactState>) {
         for state in states {
             self.all += 1;
-            self.incomplete += usize::from(state.separation_m.is_none());
+            match state.no_separation {
+                Some(NoSeparation::CompleteContact) => self.incomplete += 1,
+                Some(NoSeparation::AllFlattened) => self.flattened += 1,
+                None => self.flattened_share = self.flattened_share.max(state.flattened_share.unwrap_or(0.0)),
+            }
             self.clamped += usize::from(state.clamped);
             self.out_of_range += usize::from(state.out_of_range_load_share > 0.5);
         }
@@ -44,6 +59,8 @@ impl std::ops::AddAssign for StateCounts {
     fn add_assign(&mut self, other: Self) {
         self.all += other.all;
         self.incomplete += other.incomplete;
+        self.flattened += other.flattened;
+        self.flattened_share = self.flattened_share.max(other.flattened_share);
         self.clamped += other.clamped;
         self.out_of_range += other.out_of_range;
     }

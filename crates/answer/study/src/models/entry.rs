@@ -195,7 +195,8 @@ mod tests {
     use ::persson::EnergyFactor;
     use ::persson::corrections::Correction;
     use asperity::{ElasticBody, Hardness, MaterialPair, NixGao};
-    use stat_contact::InterferenceLaw;
+    use stacked_contact::YieldingAreaLaw;
+    use stat_contact::{Flattening, InterferenceLaw};
     use units::Pressure;
 
     use super::*;
@@ -228,6 +229,23 @@ mod tests {
             );
             let bem = model.with_interference(InterferenceLaw::Bem);
             assert_eq!(bem.is_some(), entry.has(Choice::Interference), "{entry}");
+            for (options, choice) in [
+                (
+                    ModelOptions { flattening: Some(Flattening::Area), ..Default::default() },
+                    Choice::Flattening,
+                ),
+                (
+                    ModelOptions {
+                        elastic_plastic_area: Some(YieldingAreaLaw::ElasticShape),
+                        ..Default::default()
+                    },
+                    Choice::YieldingArea,
+                ),
+            ] {
+                let other = entry.build(&strong, &options).unwrap();
+                assert_eq!(other != model, entry.has(choice), "{entry}");
+                assert_eq!(other.options() == options, entry.has(choice), "{entry}");
+            }
             let growing = ModelOptions { strain_gradient: true, ..ModelOptions::default() };
             let grows = entry.build(&strong, &growing).unwrap() != model;
             assert_eq!(grows, entry.has(Choice::StrainGradient), "{entry}");
@@ -247,6 +265,8 @@ mod tests {
         let all = ModelOptions {
             strain_gradient: true,
             hardness: Some(Hardness::default()),
+            flattening: Some(Flattening::Area),
+            elastic_plastic_area: Some(YieldingAreaLaw::ElasticShape),
             interference_law: Some(InterferenceLaw::Bem),
             correction: Some(Correction::AlgebraicNayak),
             band: Some(Band::Profile),
@@ -254,7 +274,7 @@ mod tests {
             hardness_law: Some(GrowthLaw::Power(0.5)),
         };
         assert_eq!(ModelOptions::default().given().count(), 0);
-        assert_eq!(all.given().count(), 7);
+        assert_eq!(all.given().count(), 9);
         let entry = |name: &str| MODELS.iter().find(|entry| entry.name == name).unwrap();
         for entry in MODELS.iter() {
             let reasons = all.ignored_by(entry);

@@ -231,7 +231,7 @@ impl CurveModel {
     #[must_use]
     pub fn options(&self) -> ModelOptions {
         let own = match &self.theory {
-            Theory::Stacked(_) => ModelOptions::default(),
+            Theory::Stacked(model) => stacked::options(model),
             Theory::Statistical(model) => model.options(),
             Theory::Persson(model) => model.options(),
         };

@@ -1,10 +1,10 @@
 //! Archard's stack of scales.
 
 use asperity::MaterialPair;
-use stacked_contact::{FinalLevels, Level, Scale, StackedModel, levels_under_loads};
+use stacked_contact::{FinalLevels, Level, Scale, StackedModel, YieldingAreaLaw, levels_under_loads};
 use tables::Table;
 
-use super::{Choice, CurveResult, Framework, Job, ModelEntry, Theory};
+use super::{Choice, CurveResult, Framework, Job, ModelEntry, ModelOptions, Theory};
 use crate::plan::error::PlanError;
 use crate::plan::prepared_spectrum::Cutoffs;
 use crate::plan::work::Work;
@@ -32,11 +32,12 @@ pub(super) const MODELS: &[ModelEntry] = &[
         citation: "Archard (1957), Proc. R. Soc. A 243:190; Krithivasan & Jackson (2007), Tribol. Lett. 27:31",
         aliases: &[],
         framework: Framework::Stacked,
-        choices: &[Choice::Strength, Choice::StrainGradient],
+        choices: &[Choice::Strength, Choice::StrainGradient, Choice::YieldingArea],
         takes_moments: false,
         build: |material, options| {
             let strength = material.strength(options.strain_gradient)?;
-            Ok(Theory::Stacked(StackedModel::ElasticPlastic { pair: material.pair, strength }))
+            let area = options.elastic_plastic_area.unwrap_or_default();
+            Ok(Theory::Stacked(StackedModel::ElasticPlastic { pair: material.pair, strength, area }))
         },
     },
 ];
@@ -45,8 +46,20 @@ pub(super) const MODELS: &[ModelEntry] = &[
 pub(super) fn with_pair(model: &StackedModel, pair: MaterialPair) -> Theory {
     Theory::Stacked(match *model {
         StackedModel::Elastic { .. } => StackedModel::Elastic { pair },
-        StackedModel::ElasticPlastic { strength, .. } => StackedModel::ElasticPlastic { pair, strength },
+        StackedModel::ElasticPlastic { strength, area, .. } => {
+            StackedModel::ElasticPlastic { pair, strength, area }
+        }
     })
+}
+
+/// Returns the options of a stack that differ from their defaults, but for the strain gradient.
+pub(super) fn options(model: &StackedModel) -> ModelOptions {
+    let area = match model {
+        StackedModel::Elastic { .. } => None,
+        StackedModel::ElasticPlastic { area, .. } => Some(*area),
+    };
+    let elastic_plastic_area = area.filter(|law| *law != YieldingAreaLaw::default());
+    ModelOptions { elastic_plastic_area, ..ModelOptions::default() }
 }
 
 /// Computes a block of levels for every nominal pressure \[Pa\].

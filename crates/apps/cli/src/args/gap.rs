@@ -9,7 +9,7 @@ use questions::{
     GapModel, GasInput, LawForm, LawQuantity, LawQuestion, LawTableQuestion, LoadInput, NamedGas,
     PlasticCorrelation, TransportInput,
 };
-use stat_contact::InterferenceLaw;
+use stat_contact::{Flattening, InterferenceLaw};
 use study::models::{self, ModelEntry, ModelOptions};
 use study::plan::Tolerance;
 use units::{Length, Pressure, Resistivity, Temperature, ThermalConductivity};
@@ -68,6 +68,10 @@ pub(crate) struct GapChoiceArgs {
     /// default, or boundary-element solutions
     #[arg(long, value_parser = one_of::<InterferenceLaw, _>(InterferenceLaw::ALL))]
     pub interference_law: Option<InterferenceLaw>,
+    /// Quantities of a flattened sphere (ep-sphere) that no longer grow: area-and-force, from a contact radius of 0.41 R
+    /// on, which is the default, or area, from R on
+    #[arg(long, value_parser = one_of::<Flattening, _>(Flattening::ALL))]
+    pub flattening: Option<Flattening>,
     #[command(flatten)]
     pub hardness: HardnessFormulaArg,
     #[command(flatten)]
@@ -88,6 +92,7 @@ impl GapChoiceArgs {
                 strain_gradient: model.is_some_and(|entry| material.strain_gradient_in(entry)),
                 hardness: self.hardness.hardness_formula,
                 interference_law: self.interference_law,
+                flattening: self.flattening,
                 band: self.band,
                 gamma: self.gamma,
                 ..ModelOptions::default()

@@ -15,7 +15,11 @@ pub(super) fn run(args: &StackedArgs, context: &Context<'_>) -> Result<(), Failu
     let question = CurveQuestion {
         model: Some(args.model),
         name: Some("stacked".to_owned()),
-        options: ModelOptions { strain_gradient, ..ModelOptions::default() },
+        options: ModelOptions {
+            strain_gradient,
+            elastic_plastic_area: args.elastic_plastic_area,
+            ..ModelOptions::default()
+        },
         material,
         pressures: args.loads.pressures.clone(),
         pressure_ranges: args.loads.pressure_ranges.clone(),

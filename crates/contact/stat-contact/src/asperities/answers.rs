@@ -60,6 +60,11 @@ pub(crate) trait Asperities: std::fmt::Debug + Send + Sync {
         None
     }
 
+    /// Interference \[m\] from which on an asperity is flattened and carries no more, if that is not complete contact.
+    fn flattened_from_m(&self) -> Option<f64> {
+        None
+    }
+
     /// Interference \[m\] of the strongest kink, if one stands out: complete contact.
     fn strongest_kink_m(&self) -> Option<f64> {
         self.saturation().map(|(from_m, _)| from_m)

@@ -6,7 +6,7 @@ use asperity::{
     FITTED_CONTACT_RADIUS_OVER_RADIUS, FITTED_STRENGTH_OVER_MODULUS, Hardness, Hertz, JacksonGreen,
     MaterialPair, NixGao, YIELD_INTERFERENCE_RATIO,
 };
-use numerics::zero_in_bracket;
+use numerics::{minimum_in_bracket, zero_in_bracket};
 
 use super::answers::{Asperities, Course, Hertzian, Response};
 use super::one_by_one::hertzian;
@@ -26,6 +26,14 @@ pub(crate) struct ElasticPlasticSpheres {
     /// Law below the onset: that of an infinite strength.
     elastic: JacksonGreen,
     onset_m: f64,
+    held: Option<Held>,
+}
+
+/// Force and area that no longer grow with the interference.
+#[derive(Debug, Clone, Copy)]
+struct Held {
+    from_m: f64,
+    response: Response,
 }
 
 impl ElasticPlasticSpheres {
@@ -49,7 +57,65 @@ impl ElasticPlasticSpheres {
             macroscopic,
             elastic: of_strength(f64::INFINITY),
             onset_m: grown_onset_m.min(capped_onset_m),
+            held: None,
         }
+    }
+
+    /// Returns these spheres with force and area held from a contact radius on, given over the sphere radius in
+    /// (0, 1\], or from a smaller interference beyond which the force would fall.
+    pub fn held_from(self, radius_share: f64) -> Self {
+        let at_share_m = self.interference_of_area_share_m(radius_share * radius_share, f64::INFINITY);
+        let mut from_m = self.top_before_dip_m().map_or(at_share_m, |top_m| top_m.min(at_share_m));
+        let mut response = self.at_interference(from_m);
+        if from_m >= self.onset_m {
+            // A step down at the onset that the force never makes good.
+            let force_n = self.elastic.force_n(self.onset_m);
+            if self.density_per_m2 * force_n >= response.pressure_pa {
+                from_m = self.onset_m;
+                let area_m2 = self.elastic.area_m2(from_m);
+                response = Response {
+                    pressure_pa: self.density_per_m2 * force_n,
+                    area_fraction: self.density_per_m2 * area_m2,
+                };
+            }
+        }
+        ElasticPlasticSpheres { held: Some(Held { from_m, response }), ..self }
+    }
+
+    /// Interference \[m\] of the largest force before a dip.
+    fn top_before_dip_m(&self) -> Option<f64> {
+        // 0.618^40 of the bracket, some 1e-8, is where a maximum loses its digits.
+        const GOLDEN_STEPS: usize = 40;
+        let [from_m, below_m, _] = self.fall_m()?;
+        let lost = |log_m: f64| -self.at_depth(log_m.exp()).force_n(log_m.exp());
+        Some(minimum_in_bracket(from_m.ln(), below_m.ln(), GOLDEN_STEPS, lost).exp())
+    }
+
+    /// Interferences \[m\] just before the force begins to fall smoothly, just after, and where it rises again, if it
+    /// falls.
+    fn fall_m(&self) -> Option<[f64; 3]> {
+        // Number of interferences at which the force is sampled, evenly in the logarithm: dips are a tenth of them or
+        // wider.
+        const SAMPLES: usize = 48;
+        // Below this share of the cross-section the hardness is still that of the flat.
+        const SMALLEST_SHARE: f64 = 1e-2;
+        if self.is_known_to_rise() {
+            return None;
+        }
+        let [low_m, high_m] =
+            [SMALLEST_SHARE, 1.0].map(|share| self.interference_of_area_share_m(share, f64::INFINITY));
+        // Just beside the onset, on its plastic side.
+        let low_m = low_m.max(self.onset_m) * (1.0 + 1e-12);
+        if low_m >= high_m || !high_m.is_finite() {
+            return None;
+        }
+        let step = (high_m / low_m).ln() / (SAMPLES - 1) as f64;
+        let at_m = |i: usize| low_m * (step * i as f64).exp();
+        let forces_n: Vec<f64> = (0..SAMPLES).map(at_m).map(|w_m| self.at_depth(w_m).force_n(w_m)).collect();
+        let falls = |pair: &[f64]| pair[1] < pair[0];
+        let first = forces_n.windows(2).position(falls)?;
+        let last = forces_n.windows(2).rposition(falls)?;
+        Some([at_m(first.saturating_sub(1)), at_m(first + 1), at_m(last + 2)])
     }
 
     /// Law of the strength at a depth \[m\].
@@ -104,6 +170,19 @@ impl ElasticPlasticSpheres {
             && strongest_pa < RISES_BELOW * self.modulus_pa()
     }
 
+    /// Pressures \[Pa\] at interferences \[m\] on any side of the breaks, without the hold.
+    fn unheld_pressures(&self, interferences_m: &[f64], pressures_pa: &mut [f64]) {
+        if self.strength.strain_gradient_length_m().is_none() {
+            self.macroscopic.forces_n(interferences_m, pressures_pa);
+            pressures_pa.iter_mut().for_each(|force_n| *force_n *= self.density_per_m2);
+            return;
+        }
+        for (&w, pressure_pa) in interferences_m.iter().zip(pressures_pa) {
+            let sphere = if w < self.onset_m { self.elastic } else { self.at_depth(w) };
+            *pressure_pa = self.density_per_m2 * sphere.force_n(w);
+        }
+    }
+
     fn modulus_pa(&self) -> f64 {
         self.pair.composite_modulus_pa()
     }
@@ -111,6 +190,9 @@ impl ElasticPlasticSpheres {
 
 impl Asperities for ElasticPlasticSpheres {
     fn at_interference(&self, interference_m: f64) -> Response {
+        if let Some(held) = self.held.filter(|held| interference_m >= held.from_m) {
+            return held.response;
+        }
         // Below the onset any strength will do; computing that of the depth would double the cost of a node there.
         let sphere = if interference_m < self.onset_m { self.elastic } else { self.at_depth(interference_m) };
         let (force_n, area_m2) = sphere.force_and_area(interference_m);
@@ -147,29 +229,38 @@ impl Asperities for ElasticPlasticSpheres {
     }
 
     fn pressures_at_interferences(&self, interferences_m: &[f64], pressures_pa: &mut [f64]) {
-        if self.strength.strain_gradient_length_m().is_none() {
-            self.macroscopic.forces_n(interferences_m, pressures_pa);
-            pressures_pa.iter_mut().for_each(|force_n| *force_n *= self.density_per_m2);
-            return;
-        }
-        for (&w, pressure_pa) in interferences_m.iter().zip(pressures_pa) {
-            let sphere = if w < self.onset_m { self.elastic } else { self.at_depth(w) };
-            *pressure_pa = self.density_per_m2 * sphere.force_n(w);
+        self.unheld_pressures(interferences_m, pressures_pa);
+        if let Some(Held { from_m, response }) = self.held {
+            let held = interferences_m.iter().zip(pressures_pa).filter(|(w, _)| **w >= from_m);
+            held.for_each(|(_, pressure_pa)| *pressure_pa = response.pressure_pa);
         }
     }
 
     fn hertzian(&self) -> Option<Hertzian> {
         let sphere = Hertz::new(&self.pair, self.radius_m);
-        Some(hertzian(&sphere, self.density_per_m2, self.onset_m.min(self.radius_m)))
+        let held_m = self.held.map_or(self.radius_m, |held| held.from_m);
+        Some(hertzian(&sphere, self.density_per_m2, self.onset_m.min(held_m)))
+    }
+
+    fn flattened_from_m(&self) -> Option<f64> {
+        self.held.map(|held| held.from_m)
+    }
+
+    fn saturation(&self) -> Option<(f64, Response)> {
+        self.held.map(|held| (held.from_m, held.response))
     }
 
     fn pieces(&self, _low_m: f64, high_m: f64) -> Vec<Piece<'_>> {
         let mut breaks_m = vec![0.0];
-        if self.onset_m.min(self.radius_m) < high_m {
+        if self.held.is_some() {
+            breaks_m.push(self.onset_m);
+        } else if self.onset_m.min(self.radius_m) < high_m {
             breaks_m.extend([self.onset_m, self.interference_of_area_share_m(1.0, high_m)]);
         }
         breaks_m.extend(self.strength.cap_depth_m().filter(|&depth_m| depth_m > self.onset_m));
-        breaks_m.push(f64::INFINITY);
+        let end_m = self.held.map_or(f64::INFINITY, |held| held.from_m);
+        breaks_m.retain(|break_m| *break_m < end_m);
+        breaks_m.push(end_m);
         breaks_m.sort_by(f64::total_cmp);
         pieces_between(&breaks_m, |_| Chart::Interference)
     }
@@ -190,6 +281,9 @@ impl Asperities for ElasticPlasticSpheres {
     }
 
     fn course(&self, sigma_s_m: f64) -> Course {
+        if self.held.is_some_and(|held| held.from_m <= self.onset_m) {
+            return Course::Rises;
+        }
         // The published force steps at the departure from Hertz, down where nu is large or Sy nears E*. The density
         // spreads the step dF over sigma_s, and it turns p(d) only where 0.4 dF exceeds the rise 1.5 F sigma_s/w.
         let law = self.at_depth(self.onset_m);
@@ -202,27 +296,9 @@ impl Asperities for ElasticPlasticSpheres {
     }
 
     fn dip_m(&self) -> Option<[f64; 2]> {
-        // Number of interferences at which the force is sampled, evenly in the logarithm: dips are a tenth of them or
-        // wider.
-        const SAMPLES: usize = 48;
-        // Below this share of the cross-section the hardness is still that of the flat.
-        const SMALLEST_SHARE: f64 = 1e-2;
-        if self.is_known_to_rise() {
+        if self.held.is_some() {
             return None;
         }
-        let [low_m, high_m] =
-            [SMALLEST_SHARE, 1.0].map(|share| self.interference_of_area_share_m(share, f64::INFINITY));
-        // Just beside the onset, on its plastic side.
-        let low_m = low_m.max(self.onset_m) * (1.0 + 1e-12);
-        if low_m >= high_m || !high_m.is_finite() {
-            return None;
-        }
-        let step = (high_m / low_m).ln() / (SAMPLES - 1) as f64;
-        let at_m = |i: usize| low_m * (step * i as f64).exp();
-        let forces_n: Vec<f64> = (0..SAMPLES).map(at_m).map(|w_m| self.at_depth(w_m).force_n(w_m)).collect();
-        let falls = |pair: &[f64]| pair[1] < pair[0];
-        let first = forces_n.windows(2).position(falls)?;
-        let last = forces_n.windows(2).rposition(falls)?;
-        Some([at_m(first.saturating_sub(1)), at_m(last + 2)])
+        self.fall_m().map(|[from_m, _, to_m]| [from_m, to_m])
     }
 }

@@ -38,6 +38,9 @@ pub enum AsperityLaw {
         strength: NixGao,
         /// Decrease of the hardness as the contact grows.
         hardness: Hardness,
+        /// Contact radius over sphere radius, in (0, 1\], from which on force and area no longer grow
+        /// ([`Flattening::held_from`]); `None` if the force grows without bound.
+        held_from: Option<f64>,
     },
     /// The elastic sinusoid of Johnson, Greenwood & Higginson (1985; section 2.3), with the density and the curvature
     /// of the population (Jackson & Jacobs, Eqs. 6 and 7).
@@ -71,7 +74,9 @@ impl AsperityLaw {
     #[must_use]
     pub fn with_hardness(self, hardness: Hardness) -> Option<Self> {
         match self {
-            AsperityLaw::EpSphere { strength, .. } => Some(AsperityLaw::EpSphere { strength, hardness }),
+            AsperityLaw::EpSphere { strength, held_from, .. } => {
+                Some(AsperityLaw::EpSphere { strength, hardness, held_from })
+            }
             _ => None,
         }
     }
@@ -97,8 +102,12 @@ impl AsperityLaw {
     pub(crate) fn asperities(self, pair: &MaterialPair, population: &Population) -> Box<dyn Asperities> {
         match self {
             AsperityLaw::Hertz => elastic_spheres(pair, population),
-            AsperityLaw::EpSphere { strength, hardness } => {
-                Box::new(ElasticPlasticSpheres::new(pair, population, strength, hardness))
+            AsperityLaw::EpSphere { strength, hardness, held_from } => {
+                let spheres = ElasticPlasticSpheres::new(pair, population, strength, hardness);
+                Box::new(match held_from {
+                    Some(radius_share) => spheres.held_from(radius_share),
+                    None => spheres,
+                })
             }
             AsperityLaw::ElasticSine { interference: InterferenceLaw::RostamiJackson } => {
                 Box::new(ElasticSines::new(pair, population))
@@ -126,6 +135,35 @@ pub enum InterferenceLaw {
     Bem,
 }
 
+/// Quantity of a flattened sphere that no longer grows (`docs/theory/models.md`, section 3.1).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Flattening {
+    /// The area alone, at the cross-section pi R^2 (Jackson & Jacobs): the mean pressure grows without bound.
+    Area,
+    /// Area and force, from the contact radius [`Flattening::HELD_FROM`] R on.
+    #[default]
+    AreaAndForce,
+}
+
+named!(Flattening, "flattening", {
+    Area => "area",
+    AreaAndForce => "area-and-force",
+});
+
+impl Flattening {
+    /// Contact radius over sphere radius from which area and force are held: the end of the finite-element results
+    /// that the law was fitted to. Of five radii tried against elements that flow (`docs/guide/which-model.md`) it
+    /// is the nearest of those within the fit and beyond.
+    pub const HELD_FROM: f64 = asperity::FITTED_CONTACT_RADIUS_OVER_RADIUS;
+
+    /// Contact radius over sphere radius from which on force and area are held; `None` if the force is not.
+    #[must_use]
+    pub fn held_from(self) -> Option<f64> {
+        (self == Flattening::AreaAndForce).then_some(Self::HELD_FROM)
+    }
+}
+
 named!(InterferenceLaw, "interference law", {
     RostamiJackson => "rostami-jackson",
     Bem => "bem",
@@ -146,9 +184,10 @@ mod tests {
     #[test]
     fn a_yielding_law_takes_another_strength_and_keeps_its_other_options() {
         let [soft, hard] = [1e9, 2e9].map(|strength_pa| NixGao::constant(strength_pa).unwrap());
-        let law = AsperityLaw::EpSphere { strength: soft, hardness: Hardness::Cosine };
+        let (hardness, held_from) = (Hardness::Cosine, Some(0.5));
+        let law = AsperityLaw::EpSphere { strength: soft, hardness, held_from };
         let harder = law.with_strength(hard).unwrap();
-        assert_eq!(harder, AsperityLaw::EpSphere { strength: hard, hardness: Hardness::Cosine });
+        assert_eq!(harder, AsperityLaw::EpSphere { strength: hard, hardness, held_from });
         assert_eq!((law.strength(), harder.strength()), (Some(soft), Some(hard)));
         assert_eq!((AsperityLaw::Hertz.strength(), AsperityLaw::Hertz.with_strength(hard)), (None, None));
     }
@@ -175,7 +214,8 @@ mod tests {
             InterferenceLaw::ALL.iter().map(|&interference| AsperityLaw::ElasticSine { interference });
         let plastic = [constant, growing].into_iter().flat_map(|strength| {
             let spheres = [Hardness::JacksonGreen2005, Hardness::Cosine];
-            let spheres = spheres.map(|hardness| AsperityLaw::EpSphere { strength, hardness });
+            let spheres =
+                spheres.map(|hardness| AsperityLaw::EpSphere { strength, hardness, held_from: None });
             spheres.into_iter().chain([AsperityLaw::EpSine { strength }])
         });
         for law in elastic.chain(plastic).chain([AsperityLaw::Hertz]) {

@@ -62,7 +62,7 @@ impl<'a> StateTable<'a> {
             evaluations: 0,
         };
         let [first, second] = ends.map(|end| table.separation_of(end));
-        // More than complete contact has no separation. A closed form needs no polynomials.
+        // More than the asperities carry has no separation. A closed form needs no polynomials.
         if let (Some(first_m), Some(second_m)) = (first?, second?)
             && first_m.min(second_m) > -FAR * sigma_s_m
             && !frames.have_closed_form()
@@ -75,7 +75,7 @@ impl<'a> StateTable<'a> {
         Ok(table)
     }
 
-    /// Separation \[m\] of a condition; `None` beyond complete contact.
+    /// Separation \[m\] of a condition; `None` if none carries it.
     fn separation_of(&mut self, condition: Condition) -> Result<Option<f64>, AsperityError> {
         match condition {
             Condition::Separation(separation_m) => {
@@ -164,7 +164,8 @@ impl<'a> StateTable<'a> {
         let Some(piece) = self.pieces.get(at).filter(|piece| piece.from_x <= x) else {
             return self.alone().at_separation(separation_m);
         };
-        Ok(ContactState::at_separation(&piece.integrals(x, u), separation_m, self.sigma_s_m))
+        let state = ContactState::at_separation(&piece.integrals(x, u), separation_m, self.sigma_s_m);
+        Ok(state.with_flattened_share(self.asperities, self.sigma_s_m))
     }
 
     /// Returns the state at the largest separation that carries a pressure \[Pa\] over the nominal area.
@@ -185,6 +186,8 @@ impl<'a> StateTable<'a> {
         let x = piece.coordinate_of(ln_pressure_pa);
         let u = separation(x);
         let state = ContactState::of(&piece.integrals(x, u), 0.0, self.sigma_s_m);
-        Ok(ContactState { separation_m: Some(u * self.sigma_s_m), pressure_pa, ln_pressure_pa, ..state })
+        let state =
+            ContactState { separation_m: Some(u * self.sigma_s_m), pressure_pa, ln_pressure_pa, ..state };
+        Ok(state.with_flattened_share(self.asperities, self.sigma_s_m))
     }
 }

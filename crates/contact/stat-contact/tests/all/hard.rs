@@ -91,7 +91,7 @@ fn a_load_inside_the_upward_step_of_the_force_is_found() {
     let pair = MaterialPair::against_rigid(ElasticBody::new(553372164246.9137, -0.433998672525858).unwrap());
     let strength = NixGao::constant(3622739742.092883).unwrap();
     let population = Population::new(6.079833933072042e-5, 9433997128577.81, 4.692731816388255e-12).unwrap();
-    let law = AsperityLaw::EpSphere { strength, hardness: Hardness::JacksonGreen2005 };
+    let law = AsperityLaw::EpSphere { strength, hardness: Hardness::JacksonGreen2005, held_from: None };
     assert_found_from_any_start(&pair, &population, &law, 45226120943.106514);
 }
 

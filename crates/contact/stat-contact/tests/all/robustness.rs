@@ -29,8 +29,16 @@ fn strength() -> impl Strategy<Value = NixGao> {
 fn law() -> impl Strategy<Value = AsperityLaw> {
     prop_oneof![
         Just(AsperityLaw::Hertz),
-        (strength(), prop_oneof![Just(Hardness::JacksonGreen2005), Just(Hardness::Cosine)])
-            .prop_map(|(strength, hardness)| AsperityLaw::EpSphere { strength, hardness }),
+        (
+            strength(),
+            prop_oneof![Just(Hardness::JacksonGreen2005), Just(Hardness::Cosine)],
+            prop::option::of(0.02..1.0f64)
+        )
+            .prop_map(|(strength, hardness, held_from)| AsperityLaw::EpSphere {
+                strength,
+                hardness,
+                held_from
+            }),
         Just(AsperityLaw::ElasticSine { interference: InterferenceLaw::RostamiJackson }),
         Just(AsperityLaw::ElasticSine { interference: InterferenceLaw::Bem }),
         strength().prop_map(|strength| AsperityLaw::EpSine { strength }),
@@ -60,6 +68,8 @@ fn assert_sound(state: &ContactState) {
     assert!(state.error_estimate >= 0.0, "{state:?}");
     assert!((0.0..=1.0).contains(&state.out_of_range_load_share), "{state:?}");
     assert!(state.separation_m.is_none_or(f64::is_finite), "{state:?}");
+    assert_eq!(state.separation_m.is_none(), state.no_separation.is_some(), "{state:?}");
+    assert!(state.flattened_share.is_none_or(|share| (0.0..=1.0).contains(&share)), "{state:?}");
 }
 
 proptest! {

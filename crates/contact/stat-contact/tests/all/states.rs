@@ -1,8 +1,10 @@
 //! Limits, closed forms, scalings and costs.
 
+use std::f64::consts::PI;
+
 use approx::relative_eq;
 use asperity::{ElasticBody, Hardness, MaterialPair, NixGao};
-use stat_contact::{AsperityLaw, InterferenceLaw, Population, StatisticalContact};
+use stat_contact::{AsperityLaw, Flattening, InterferenceLaw, NoSeparation, Population, StatisticalContact};
 
 const SIGMA_M: f64 = 5e-9;
 
@@ -18,16 +20,18 @@ fn hardening() -> NixGao {
     strength().with_strain_gradient(5e-6).unwrap()
 }
 
-fn laws() -> [AsperityLaw; 7] {
+fn laws() -> [AsperityLaw; 9] {
     let hardness = Hardness::default();
     [
         AsperityLaw::Hertz,
-        AsperityLaw::EpSphere { strength: strength(), hardness },
-        AsperityLaw::EpSphere { strength: hardening(), hardness },
+        AsperityLaw::EpSphere { strength: strength(), hardness, held_from: None },
+        AsperityLaw::EpSphere { strength: hardening(), hardness, held_from: None },
         AsperityLaw::ElasticSine { interference: InterferenceLaw::RostamiJackson },
         AsperityLaw::ElasticSine { interference: InterferenceLaw::Bem },
         AsperityLaw::EpSine { strength: strength() },
         AsperityLaw::EpSine { strength: hardening() },
+        AsperityLaw::EpSphere { strength: strength(), hardness, held_from: Some(Flattening::HELD_FROM) },
+        AsperityLaw::EpSphere { strength: hardening(), hardness, held_from: Some(Flattening::HELD_FROM) },
     ]
 }
 
@@ -133,9 +137,54 @@ fn beyond_complete_contact_there_is_no_separation() {
             continue;
         }
         let beyond = contact.at_pressure(1.0001 * highest_pa, 1e-8, None).unwrap();
-        assert_eq!((beyond.separation_m, beyond.area_fraction), (None, 1.0), "{law:?}");
+        // 3e13 spheres per square metre of 40 nm, each with the area pi (0.41 R)^2.
+        let held = matches!(law, AsperityLaw::EpSphere { .. });
+        let area_fraction = if held { 3e13 * PI * (0.41f64 * 40e-9).powi(2) } else { 1.0 };
+        let reason = if held { NoSeparation::AllFlattened } else { NoSeparation::CompleteContact };
+        assert_eq!((beyond.separation_m, beyond.no_separation), (None, Some(reason)), "{law:?}");
+        assert!((beyond.area_fraction / area_fraction - 1.0).abs() < 1e-12, "{law:?}");
         let below = contact.at_pressure(0.9999 * highest_pa, 1e-8, None).unwrap();
-        assert!(below.separation_m.is_some() && below.area_fraction > 0.9, "{law:?}");
+        assert!(below.separation_m.is_some() && below.area_fraction > 0.9 * area_fraction, "{law:?}");
+    }
+}
+
+#[test]
+fn flattened_spheres_carry_what_they_carried_and_their_share_is_counted() {
+    let [_, free, hard, .., held, hard_held] = laws().map(|law| contact(&law));
+    for (free, held) in [(free, held), (hard, hard_held)] {
+        let shares = [9.0, 3.0, 0.0, -3.0, -30.0].map(|u| {
+            let [unlimited, state] =
+                [&free, &held].map(|contact| contact.at_separation(u * SIGMA_M, 1e-12).unwrap());
+            let share = state.flattened_share.unwrap();
+            assert_eq!(unlimited.flattened_share, None);
+            assert!(state.pressure_pa <= unlimited.pressure_pa * (1.0 + 1e-11), "u = {u}");
+            let same = (state.pressure_pa / unlimited.pressure_pa - 1.0).abs() < 1e-9;
+            assert_eq!(same, share < 1e-9, "u = {u}: {state:?} {unlimited:?}");
+            share
+        });
+        assert!(shares.is_sorted() && shares[4] > 1.0 - 1e-12, "{shares:?}");
+    }
+}
+
+#[test]
+fn a_held_force_never_falls_even_where_the_law_steps_down_or_dips() {
+    // Strong and incompressible spheres: the published force steps down at the onset, and dips by the cosine.
+    let pair = MaterialPair::against_rigid(ElasticBody::new(1e11, 0.5).unwrap());
+    for strength_pa in [1e8, 5e9, 2e10, 1e11] {
+        for hardness in Hardness::ALL {
+            let strength = NixGao::constant(strength_pa).unwrap().with_strain_gradient(1e-7).unwrap();
+            let law = AsperityLaw::EpSphere { strength, hardness, held_from: Some(1.0) };
+            let contact = StatisticalContact::new(&pair, &Population::new(1e-6, 1e9, 1e-12).unwrap(), &law);
+            let pressures = (0..200).map(|at| {
+                contact.at_separation(-1e-9 * 10f64.powf(f64::from(at) / 50.0), 1e-6).unwrap().pressure_pa
+            });
+            let highest_pa = pressures.fold(0.0, |highest: f64, pressure_pa| {
+                // A step at the onset that the force makes good before it is held remains.
+                assert!(pressure_pa > 0.8 * highest, "{hardness:?} {strength_pa}: {pressure_pa} {highest}");
+                highest.max(pressure_pa)
+            });
+            assert!(highest_pa <= contact.highest_pressure_pa() * (1.0 + 1e-9), "{hardness:?} {strength_pa}");
+        }
     }
 }
 
@@ -144,7 +193,7 @@ fn where_the_force_steps_down_the_largest_separation_is_found() {
     // Incompressible spheres far larger than the spread: the force drops by 3.4 % at the onset of plastic flow.
     let pair = MaterialPair::against_rigid(ElasticBody::new(1e11, 0.5).unwrap());
     let strength = NixGao::constant(1e9).unwrap();
-    let law = AsperityLaw::EpSphere { strength, hardness: Hardness::default() };
+    let law = AsperityLaw::EpSphere { strength, hardness: Hardness::default(), held_from: None };
     let population = Population::new(1e-2, 1e8, 1e-9).unwrap();
     let contact = StatisticalContact::new(&pair, &population, &law);
     let pressure = |u: f64| contact.at_separation(u * 1e-9, 1e-10).unwrap().pressure_pa;

@@ -70,7 +70,11 @@ fn laws() -> Vec<AsperityLaw> {
     let mut laws = vec![AsperityLaw::Hertz];
     laws.extend(InterferenceLaw::ALL.iter().map(|&interference| AsperityLaw::ElasticSine { interference }));
     for strength in [strength, growing] {
-        laws.extend(Hardness::ALL.iter().map(|&hardness| AsperityLaw::EpSphere { strength, hardness }));
+        laws.extend(Hardness::ALL.iter().map(|&hardness| AsperityLaw::EpSphere {
+            strength,
+            hardness,
+            held_from: None,
+        }));
         laws.push(AsperityLaw::EpSine { strength });
     }
     laws

@@ -14,7 +14,7 @@ fn contacts() -> Vec<StatisticalContact> {
     let pair = MaterialPair::against_rigid(ElasticBody::new(1e11, 0.5).unwrap());
     let large = Population::new(1e-2, 1e8, SIGMA_M).unwrap();
     let strength = NixGao::constant(1e9).unwrap();
-    let soft = AsperityLaw::EpSphere { strength, hardness: Hardness::default() };
+    let soft = AsperityLaw::EpSphere { strength, hardness: Hardness::default(), held_from: None };
     let stepping = StatisticalContact::new(&pair, &large, &soft);
     contacts_of_diamond(SIGMA_M).into_iter().chain([stepping]).collect()
 }
@@ -115,7 +115,7 @@ proptest! {
     #[test]
     fn whatever_is_asked_before_changes_no_digit(
         decades in (-12.0..0.0f64, 0.0..26.0f64, -12.0..-2.0f64, 6.0..11.0f64, -3.0..12.0f64),
-        law in 0..4,
+        law in 0..5,
         asked in prop::collection::vec((prop::bool::ANY, -8.0..12.0f64), 2..20),
     ) {
         let [radius_m, density_per_m2, sigma_s_m, strength_pa, scale_pa] =
@@ -124,7 +124,8 @@ proptest! {
         let strength = NixGao::constant(strength_pa).unwrap();
         let law = match law {
             0 => AsperityLaw::Hertz,
-            1 => AsperityLaw::EpSphere { strength, hardness: Hardness::default() },
+            1 => AsperityLaw::EpSphere { strength, hardness: Hardness::default(), held_from: None },
+            4 => AsperityLaw::EpSphere { strength, hardness: Hardness::default(), held_from: Some(0.41) },
             2 => AsperityLaw::ElasticSine { interference: InterferenceLaw::RostamiJackson },
             _ => AsperityLaw::EpSine { strength },
         };

@@ -10,7 +10,8 @@ use ordered_float::OrderedFloat;
 use serde::Serialize;
 use spectrum::AsperityParameters;
 use stat_contact::{
-    AsperityLaw, Condition, ContactState, InterferenceLaw, NayakSummits, Population, StatisticalContact,
+    AsperityLaw, Condition, ContactState, Flattening, InterferenceLaw, NayakSummits, Population,
+    StatisticalContact,
 };
 use tables::Table;
 
@@ -42,12 +43,13 @@ pub(super) const MODELS: &[ModelEntry] = &[
         citation: "Jackson & Green (2005), J. Tribol. 127:343",
         aliases: &["jacksongreen"],
         framework: Framework::Statistical,
-        choices: &[Choice::Strength, Choice::StrainGradient, Choice::Hardness],
+        choices: &[Choice::Strength, Choice::StrainGradient, Choice::Hardness, Choice::Flattening],
         takes_moments: false,
         build: |material, options| {
             let strength = material.strength(options.strain_gradient)?;
             let hardness = options.hardness.unwrap_or_default();
-            Ok(statistical(material, Some(AsperityLaw::EpSphere { strength, hardness })))
+            let held_from = options.flattening.unwrap_or_default().held_from();
+            Ok(statistical(material, Some(AsperityLaw::EpSphere { strength, hardness, held_from })))
         },
     },
     ModelEntry {
@@ -178,15 +180,22 @@ impl Statistical {
 
     /// Returns the options that differ from their defaults, but for the strain gradient.
     pub(super) fn options(&self) -> ModelOptions {
-        let (hardness, interference_law) = match self.law {
-            Some(AsperityLaw::EpSphere { hardness, .. }) => (Some(hardness), None),
-            Some(AsperityLaw::ElasticSine { interference }) => (None, Some(interference)),
-            _ => (None, None),
-        };
-        ModelOptions {
-            hardness: hardness.filter(|form| *form != Hardness::default()),
-            interference_law: interference_law.filter(|law| *law != InterferenceLaw::default()),
-            ..ModelOptions::default()
+        let default = ModelOptions::default();
+        match self.law {
+            Some(AsperityLaw::EpSphere { hardness, held_from, .. }) => {
+                let flattening =
+                    if held_from.is_some() { Flattening::AreaAndForce } else { Flattening::Area };
+                ModelOptions {
+                    hardness: Some(hardness).filter(|form| *form != Hardness::default()),
+                    flattening: Some(flattening).filter(|held| *held != Flattening::default()),
+                    ..default
+                }
+            }
+            Some(AsperityLaw::ElasticSine { interference }) => ModelOptions {
+                interference_law: Some(interference).filter(|law| *law != InterferenceLaw::default()),
+                ..default
+            },
+            _ => default,
         }
     }
 
@@ -281,12 +290,13 @@ impl CutoffState {
 type StateColumn = (&'static str, fn(&ContactState) -> Option<f64>);
 
 /// Columns of a statistical state on how it was found, and its logarithms.
-pub const STATE_DETAILS: [StateColumn; 5] = [
+pub const STATE_DETAILS: [StateColumn; 6] = [
     ("error_estimate", |state| Some(state.error_estimate)),
     ("evaluations", |state| Some(state.evaluations as f64)),
     ("out_of_range_load_share", |state| Some(state.out_of_range_load_share)),
     ("ln_pressure_pa", |state| Some(state.ln_pressure_pa)),
     ("ln_area_fraction", |state| Some(state.ln_area_fraction)),
+    ("flattened_share", |state| state.flattened_share),
 ];
 
 /// Returns states as a table, with `details` of how each was found.

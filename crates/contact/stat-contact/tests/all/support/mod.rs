@@ -23,8 +23,8 @@ pub fn contacts_of_diamond(sigma_s_m: f64) -> [StatisticalContact; 7] {
     let hardness = Hardness::default();
     let laws = [
         AsperityLaw::Hertz,
-        AsperityLaw::EpSphere { strength, hardness },
-        AsperityLaw::EpSphere { strength: hardening, hardness },
+        AsperityLaw::EpSphere { strength, hardness, held_from: None },
+        AsperityLaw::EpSphere { strength: hardening, hardness, held_from: None },
         AsperityLaw::ElasticSine { interference: InterferenceLaw::RostamiJackson },
         AsperityLaw::ElasticSine { interference: InterferenceLaw::Bem },
         AsperityLaw::EpSine { strength },
@@ -43,7 +43,7 @@ pub fn rows(table: &str) -> impl Iterator<Item = Row> {
         let strength = if gradient { constant.with_strain_gradient(number(4)).unwrap() } else { constant };
         let law = match cells[0] {
             "hertz" => AsperityLaw::Hertz,
-            "ep-sphere" => AsperityLaw::EpSphere { strength, hardness: Hardness::default() },
+            "ep-sphere" => AsperityLaw::EpSphere { strength, hardness: Hardness::default(), held_from: None },
             "elastic-sine" => AsperityLaw::ElasticSine { interference: InterferenceLaw::default() },
             "ep-sine" => AsperityLaw::EpSine { strength },
             other => panic!("no table has a law {other}"),
