@@ -3,9 +3,10 @@
 use std::error::Error;
 
 use findings::features::Point;
-use scene::{Scene, Template};
+use measurements::NoFiles;
+use scene::{Overrides, Scene, Template};
 use stacked_contact::{Level, StackedModel};
-use stat_contact::ContactState;
+use stat_contact::{ContactState, NoSeparation};
 use study::plan::Results;
 
 /// Name of a curve of the paper, as in the scenes.
@@ -34,8 +35,49 @@ pub(crate) const PLASTIC_AND_ELASTIC: [(Name, Name); 3] =
 pub(crate) const GRADIENT_AND_PLAIN: [(Name, Name); 3] =
     [(PLASTIC_GRADIENT, PLASTIC), (SPHERE_GRADIENT, SPHERE), (SINE_GRADIENT, SINE)];
 
+/// A reading of the paper's text: how the program fills what the text leaves open.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reading {
+    /// The reading of the paper's scenes.
+    Program,
+    /// The force of a flattened sphere is held with its area.
+    ForceHeld,
+    /// The moments have the factor 1, as printed in Eq. (1).
+    AsPrinted,
+    /// Both of these.
+    ForceHeldAsPrinted,
+    /// The area of a scale that yields is the elastic one at p/p*_ep.
+    ElasticShape,
+}
+
+units::named!(Reading, "reading", {
+    Program => "program",
+    ForceHeld => "force held",
+    AsPrinted => "moments as printed",
+    ForceHeldAsPrinted => "force held, moments as printed",
+    ElasticShape => "elastic shape of yielding scales",
+});
+
+impl Reading {
+    /// Options of a scene, in place of the line of the paper's scenes.
+    fn options(self) -> &'static str {
+        match self {
+            Reading::Program => OWN_OPTION,
+            Reading::ForceHeld => "flattening = \"area-and-force\"",
+            Reading::AsPrinted => "flattening = \"area\"\nnormalisation = \"as-printed\"",
+            Reading::ForceHeldAsPrinted => "flattening = \"area-and-force\"\nnormalisation = \"as-printed\"",
+            Reading::ElasticShape => "flattening = \"area\"\nelastic_plastic_area = \"elastic-shape\"",
+        }
+    }
+}
+
+/// Line of the paper's scenes that other readings replace.
+const OWN_OPTION: &str = "flattening = \"area\"";
+
 /// Scene of the paper with its results.
 pub struct Evidence {
+    /// Reading of the paper's text.
+    pub reading: Reading,
     /// Template of the scene, which names its spectrum.
     pub template: Template,
     /// Scene as parsed.
@@ -50,9 +92,18 @@ impl Evidence {
     /// # Errors
     /// The error of the scene or its plan.
     pub fn compute(template: Template) -> Result<Self, Box<dyn Error>> {
-        let scene = Scene::builtin(template)?;
+        Self::read_as(Reading::Program, template)
+    }
+
+    /// Computes a scene that comes with the program in a reading of the paper.
+    ///
+    /// # Errors
+    /// The error of the scene or its plan.
+    pub fn read_as(reading: Reading, template: Template) -> Result<Self, Box<dyn Error>> {
+        let text = template.text().replace(OWN_OPTION, reading.options());
+        let scene = Scene::parse(&text, &NoFiles, &Overrides::default())?;
         let results = scene.plan().compute()?;
-        Ok(Evidence { template, scene, results })
+        Ok(Evidence { reading, template, scene, results })
     }
 
     /// True if the spectrum was reconstructed from numbers that the paper prints.
@@ -80,16 +131,33 @@ impl Evidence {
         self.scene.hardness_pa().expect("the paper's material has a strength")
     }
 
-    /// Area over cutoff, for every load.
+    /// Area over cutoff, for every load that the asperities carry at every cutoff.
     pub(crate) fn areas(&self, name: Name) -> Vec<Vec<Point>> {
-        let result = &self.results.curves[self.index(name)];
-        (0..self.scene.needs.loads.len()).map(|load| result.area_fractions(load)).collect()
+        self.areas_of([name]).into_iter().map(|[curve]| curve).collect()
     }
 
-    /// Area at the shortest cutoff, for every load.
-    pub(crate) fn final_areas(&self, name: Name) -> Vec<f64> {
-        let last = |curve: &Vec<Point>| curve.last().expect("the paper's curves have areas at every load").1;
-        self.areas(name).iter().map(last).collect()
+    /// Areas over cutoff of several curves, for every load that the asperities of all of them carry at every cutoff.
+    pub(crate) fn areas_of<const N: usize>(&self, names: [Name; N]) -> Vec<[Vec<Point>; N]> {
+        let carried = (0..self.scene.needs.loads.len()).filter(|&load| {
+            names.iter().all(|name| {
+                let states = self.results.curves[self.index(*name)].statistical();
+                let rows = states.map_or(&[][..], |blocks| &blocks[load][..]);
+                rows.iter().filter_map(|row| row.contact).all(|(_, state)| is_carried(&state))
+            })
+        });
+        let curve = |name, load| self.results.curves[self.index(name)].area_fractions(load);
+        carried.map(|load| names.map(|name| curve(name, load))).collect()
+    }
+
+    /// Loads \[Pa\] and areas at the shortest cutoff, for every load that has a state there.
+    pub(crate) fn final_areas(&self, name: Name) -> Vec<Point> {
+        let result = &self.results.curves[self.index(name)];
+        let at_end = |(load, load_pa): (usize, f64)| {
+            let last = result.statistical().and_then(|blocks| blocks[load].last()?.contact);
+            let (_, area) = *result.area_fractions(load).last()?;
+            last.is_none_or(|(_, state)| is_carried(&state)).then_some((load_pa, area))
+        };
+        self.loads_pa().into_iter().enumerate().filter_map(at_end).collect()
     }
 
     /// Stacked curve: its model, and its levels for every load.
@@ -123,4 +191,9 @@ impl Evidence {
         let index = curves.iter().position(|curve| curve.name == name.0);
         index.unwrap_or_else(|| panic!("the paper's scenes have a curve {}", name.0))
     }
+}
+
+/// True unless a pressure is more than all asperities carry once flattened.
+pub(crate) fn is_carried(state: &ContactState) -> bool {
+    state.no_separation != Some(NoSeparation::AllFlattened)
 }

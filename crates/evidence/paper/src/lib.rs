@@ -16,7 +16,8 @@
 //! * [`Evidence`]: a scene of the paper with its results;
 //! * [`ledger`]: a [`Row`] per statement, with a [`Finding`] per spectrum: a value computed from the curves, a verdict, and
 //!   one honest sentence;
-//! * [`table`]: the same for `claims.csv`;
+//! * [`parts`]: what each statement says, thing by thing, with a mark for every [`Reading`] of the text;
+//! * [`table`] and [`parts_table`]: both for `claims.csv` and `parts.csv`;
 //! * [`other_models`]: what models that the paper does not have say of its surface, outside the ledger's counts;
 //! * [`opening`]: both as the opening of a report.
 //!
@@ -30,8 +31,8 @@ mod ledger;
 mod other_models;
 mod section;
 
-pub use claims::ledger;
-pub use evidence::Evidence;
-pub use ledger::{Finding, Row, Statement, Verdict, table};
+pub use claims::{ledger, parts};
+pub use evidence::{Evidence, Reading};
+pub use ledger::{Finding, Part, Row, Statement, UNKNOWN, Verdict, parts_table, parts_that_hold, table};
 pub use other_models::{OtherModel, other_models, other_models_table};
 pub use section::opening;

@@ -10,7 +10,7 @@ use findings::answer::SceneAnswer;
 use findings::conclusions::Conclusions;
 use findings::sensitivity::{Sensitivity, sensitivities};
 use judge::{JudgePlan, Judgement};
-use paper::{Evidence, Verdict};
+use paper::{Evidence, Part, Reading, Verdict};
 use report::page::Report;
 use report::products::SceneProducts;
 use report::run_stamp::RunStamp;
@@ -51,6 +51,9 @@ fn reproduce(folder: &Path) -> Result<(), Box<dyn Error>> {
     let evidence = SCENES.into_iter().map(Evidence::compute).collect::<Result<Vec<_>, _>>()?;
     let found = evidence.iter().map(Found::about).collect::<Result<Vec<_>, _>>()?;
     let ledger = paper::ledger(&evidence);
+    let of_readings = Reading::ALL.iter().flat_map(|reading| SCENES.map(|scene| (*reading, scene)));
+    let of_readings = of_readings.map(|(reading, scene)| Evidence::read_as(reading, scene));
+    let parts = paper::parts(&of_readings.collect::<Result<Vec<_>, _>>()?);
     let computing = start.elapsed();
     let run_stamp = RunStamp::default();
     let of_scenes: Vec<findings::conclusions::Evidence<'_>> =
@@ -76,13 +79,13 @@ fn reproduce(folder: &Path) -> Result<(), Box<dyn Error>> {
         files.publish()?;
         println!("{}: {} files in {}", evidence.scene.title, names.len(), folder.display());
     }
-    let parts = evidence.iter().zip(&products);
+    let of_scenes = evidence.iter().zip(&products);
     let report = Report {
         title: "Real contact area of ultrananocrystalline diamond",
-        scenes: parts
+        scenes: of_scenes
             .filter_map(|(evidence, products)| products.report(label(evidence.template.name())))
             .collect(),
-        opening: Some(paper::opening(&ledger, &paper::other_models(&evidence)?, label)),
+        opening: Some(paper::opening(&ledger, &parts, &paper::other_models(&evidence)?, label)),
         run_stamp: &run_stamp,
         repeat: "cargo xtask reproduce, which also writes every number of every figure as a table.",
     };
@@ -93,6 +96,11 @@ fn reproduce(folder: &Path) -> Result<(), Box<dyn Error>> {
     paper::table(&ledger).write(Format::Csv, &[], &mut table)?;
     write_file(&claims, table)?;
     println!("{}: {}", claims.display(), verdicts(&ledger));
+    let readings = folder.join("parts.csv");
+    let mut table = Vec::new();
+    paper::parts_table(&parts).write(Format::Csv, &[], &mut table)?;
+    write_file(&readings, table)?;
+    println!("{}: {}", readings.display(), parts_that_hold(&parts));
     println!("the report: {}", page.display());
     say_time("computed in", computing);
     say_time("done in", start.elapsed());
@@ -155,6 +163,16 @@ fn verdicts(ledger: &[paper::Row]) -> String {
         )
     };
     spectra.iter().map(count).collect::<Vec<_>>().join("; ")
+}
+
+/// The number of parts that hold on each spectrum in the program's reading, and in any.
+fn parts_that_hold(parts: &[Part]) -> String {
+    let count = |scene: &Template| {
+        let held = |reading| paper::parts_that_hold(parts, scene.name(), reading);
+        let (own, any) = (held(Some(Reading::Program)), held(None));
+        format!("{} {own} of {} parts hold in the program's reading, {any} in any", scene.name(), parts.len())
+    };
+    SCENES.iter().map(count).collect::<Vec<_>>().join("; ")
 }
 
 fn say_time(what: &str, time: Duration) {

@@ -4,7 +4,8 @@ use maud::{Markup, html};
 use report::page::table;
 use units::display::typeset;
 
-use crate::ledger::{Row, Statement, Verdict};
+use crate::evidence::Reading;
+use crate::ledger::{Part, Row, Statement, UNKNOWN, Verdict, parts_that_hold};
 use crate::other_models::OtherModel;
 
 impl Verdict {
@@ -25,10 +26,10 @@ impl Verdict {
     }
 }
 
-/// Returns the ledger as the opening of a report: a square for every statement and spectrum, and, folded, its check and its
-/// findings, with other models below. `label` returns the name of a spectrum in print.
+/// Returns the ledger as the opening of a report: for every spectrum and reading a square for each part of a statement, and,
+/// folded, its check and its findings, with other models below. `label` returns the name of a spectrum in print.
 #[must_use]
-pub fn opening(rows: &[Row], others: &[OtherModel], label: fn(&str) -> &str) -> Markup {
+pub fn opening(rows: &[Row], parts: &[Part], others: &[OtherModel], label: fn(&str) -> &str) -> Markup {
     let mut spectra: Vec<&str> = Vec::new();
     for (spectrum, _) in rows.iter().flat_map(|row| &row.findings) {
         if !spectra.contains(spectrum) {
@@ -38,28 +39,36 @@ pub fn opening(rows: &[Row], others: &[OtherModel], label: fn(&str) -> &str) -> 
     html! {
         section.screen id="ledger" {
             h2 { "Statements of the paper" }
-            @for spectrum in &spectra { (squares(rows, spectrum, label(spectrum))) }
+            @for spectrum in &spectra {
+                h3 { (label(spectrum)) ": " (counts(rows, spectrum)) }
+                @for reading in Reading::ALL { (squares(parts, spectrum, Some(*reading))) }
+                (squares(parts, spectrum, None))
+            }
             details.folded {
                 summary { h3 { "Each statement, how it is checked, and what was found" } }
                 @for row in rows { (folded(row, &spectra, label)) }
+                h3 { "What cannot be known" }
+                ul { @for unknown in UNKNOWN { li { (typeset(unknown)) } } }
                 @if !others.is_empty() { (other_models(others, &spectra, label)) }
             }
         }
     }
 }
 
-/// A square for each statement on a spectrum, linked to what was found.
-fn squares(rows: &[Row], spectrum: &str, label: &str) -> Markup {
+/// A square for each part of a statement on a spectrum in a reading, or in any, linked to the statement.
+fn squares(parts: &[Part], spectrum: &str, reading: Option<Reading>) -> Markup {
+    let name = reading.map_or("any reading", Reading::name);
+    let count = parts_that_hold(parts, spectrum, reading);
     html! {
         div.squares {
-            p { strong { (label) } " " span { (counts(rows, spectrum)) } }
+            p { strong { (name) } " " span { (count) " of " (parts.len()) " parts hold." } }
             ol {
-                @for Row { statement, findings } in rows {
-                    @for (_, finding) in findings.iter().filter(|(of, _)| *of == spectrum) {
+                @for part in parts {
+                    @if let Some(verdict) = part.mark(spectrum, reading) {
                         li {
-                            a class={ "cell " (finding.verdict.class()) } href=(anchor(statement)) {
-                                (statement.number) " " (finding.verdict.symbol())
-                                span.reason { (finding.verdict.name()) ": " (typeset(statement.statement)) }
+                            a class={ "cell " (verdict.class()) } href=(anchor(&part.statement)) {
+                                (part.label) " " (verdict.symbol())
+                                span.reason { (verdict.name()) ": " (typeset(part.words)) }
                             }
                         }
                     }

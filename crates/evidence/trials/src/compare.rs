@@ -7,22 +7,41 @@ use serde::de::DeserializeOwned;
 use tables::staging::write_file;
 use trials::TrialError;
 use trials::elements::{self, ElementsRow};
+use trials::flattening_trials;
 use trials::gap_trials::{self, GapRow};
 use trials::judge_spectra::{JudgeTrial, Set};
 use trials::judge_trials::JudgedRow;
 use trials::judge_truth::TruthRow;
 use trials::layer_trials;
-use trials::programme::programme;
+use trials::programme::{SpectrumTrial, programme};
 use trials::{judge_spectra, judge_trials, pressing, ratios, sections};
 
 use crate::Outcome;
 
 /// Compares every model with boundary elements: `docs/guide/which-model.md`.
 pub(crate) fn models(anew: bool) -> Outcome {
-    let csv = checkout("docs/develop/trials/elements.csv");
+    let rows = pressed(&programme(), "docs/develop/trials/elements.csv", anew)?;
+    let ratios = ratios::rows(&rows)?;
+    store(&ratios, &checkout("docs/develop/trials/ratios.csv"))?;
+    rewrite("docs/guide/which-model.md", |page| sections::written(page, &rows, &ratios))
+}
+
+/// Compares spheres that flatten with elements that flow: `docs/develop/trials.md`.
+pub(crate) fn flattening(anew: bool) -> Outcome {
+    let trials = [Set::Calibration, Set::Report].map(flattening_trials::trials).concat();
+    let rows = pressed(&trials, "docs/develop/trials/flattening.csv", anew)?;
+    rewrite("docs/develop/trials.md", |page| flattening_trials::written(page, &rows))
+}
+
+/// Returns the rows of trials, of which it presses those that a table lacks.
+fn pressed(
+    trials: &[SpectrumTrial],
+    csv: &str,
+    anew: bool,
+) -> Result<Vec<ElementsRow>, Box<dyn std::error::Error>> {
+    let csv = checkout(csv);
     let old: Vec<ElementsRow> = stored(&csv, anew)?;
     let mut rows: Vec<ElementsRow> = Vec::new();
-    let trials = programme();
     for (at, trial) in trials.iter().enumerate() {
         if let Some(known) = elements::known(&old, trial) {
             rows.extend(known);
@@ -34,9 +53,7 @@ pub(crate) fn models(anew: bool) -> Outcome {
         store(&rows.iter().chain(rest).copied().collect::<Vec<_>>(), &csv)?;
     }
     store(&rows, &csv)?;
-    let ratios = ratios::rows(&rows)?;
-    store(&ratios, &checkout("docs/develop/trials/ratios.csv"))?;
-    rewrite("docs/guide/which-model.md", |page| sections::written(page, &rows, &ratios))
+    Ok(rows)
 }
 
 /// Compares mean gap and stiffness of Persson's theory with boundary elements: `docs/develop/trials.md`.

@@ -9,7 +9,7 @@ use trials::coverage::{CELLS, TAILS_HEADER, tails, tails_rows};
 use uncertainty::UncertaintySettings;
 
 const HELP: &str = "\
-cargo xtask trials models|judge|layers|gaps [--anew]
+cargo xtask trials models|judge|layers|gaps|flattening [--anew]
         compares with boundary elements and rewrites tables of docs; presses missing surfaces only, --anew all
 cargo xtask trials coverage [--studies N] [--draws N] [--seed S] [--cell N]... [--first N]
         runs N synthetic studies (400) in each of nine cells, with so many draws (1000), and prints how often intervals hold
@@ -83,6 +83,7 @@ fn named(name: &std::ffi::OsStr) -> Option<Trials> {
         "judge" => comparison(compare::judge),
         "layers" => comparison(compare::layers),
         "gaps" => comparison(compare::gaps),
+        "flattening" => comparison(compare::flattening),
         "coverage" => Some(Trials::Coverage(Coverage {
             studies: 400,
             first: 0,

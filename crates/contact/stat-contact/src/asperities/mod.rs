@@ -153,8 +153,8 @@ named!(Flattening, "flattening", {
 
 impl Flattening {
     /// Contact radius over sphere radius from which area and force are held: the end of the finite-element results
-    /// that the law was fitted to. Of five radii tried against elements that flow (`docs/guide/which-model.md`) it
-    /// is the nearest of those within the fit and beyond.
+    /// that the law was fitted to. Of the radii from there on it is the nearest to elements that flow; smaller ones are
+    /// nearer still, but give up a part of the fit and carry fewer loads (`docs/develop/trials.md`).
     pub const HELD_FROM: f64 = asperity::FITTED_CONTACT_RADIUS_OVER_RADIUS;
 
     /// Contact radius over sphere radius from which on force and area are held; `None` if the force is not.

@@ -9,7 +9,7 @@ use units::display::{length, three_digits};
 
 use super::spectrum::PRINTED_WAVELENGTH_M;
 use super::{LEVEL, VISIBLE, final_slopes, furthest_from_one, highest, lengths, lowest, numbers};
-use crate::evidence::{ALL, ELASTIC, Evidence, HERTZ, PLASTIC, SINE, SINE_ELASTIC, SPHERE};
+use crate::evidence::{ALL, ELASTIC, Evidence, HERTZ, PLASTIC, SINE, SINE_ELASTIC, SPHERE, is_carried};
 use crate::ledger::{Finding, Statement, verdict};
 
 pub(super) const STACK_CONVERGES: Statement = Statement {
@@ -37,6 +37,7 @@ pub(super) const STACK_CONVERGES: Statement = Statement {
                 length(evidence.shortest_m())
             ),
             verdict: verdict(certain && near && same),
+            parts: Vec::new(),
             remark: match (certain, near && same) {
                 (true, true) => {
                     "It converges there under every load; the two models differ by a sample or two, and both wavelengths follow \
@@ -59,11 +60,7 @@ pub(super) const PROPORTIONAL_TO_LOAD: Statement = Statement {
               Reproduced if all lie within 0.05 of 1.",
     unit: "exponent furthest from 1",
     check: |evidence| {
-        let loads_pa = evidence.loads_pa();
-        let exponent = |name| {
-            let points: Vec<Point> = loads_pa.iter().copied().zip(evidence.final_areas(name)).collect();
-            log_slope(&points).unwrap_or(f64::NAN)
-        };
+        let exponent = |name| log_slope(&evidence.final_areas(name)).unwrap_or(f64::NAN);
         let exponents: Vec<f64> = ALL.iter().map(|name| exponent(*name)).collect();
         let off: Vec<String> = ALL
             .iter()
@@ -80,6 +77,7 @@ pub(super) const PROPORTIONAL_TO_LOAD: Statement = Statement {
                 three_digits(exponent(PLASTIC))
             ),
             verdict: verdict(holds),
+            parts: Vec::new(),
             remark: if holds {
                 "Every model is proportional within a few per cent over three decades of load.".to_owned()
             } else {
@@ -120,6 +118,7 @@ pub(super) const ELASTIC_DECADES: Statement = Statement {
                 numbers(decades.iter().copied())
             ),
             verdict: verdict(holds),
+            parts: Vec::new(),
             remark: if holds {
                 "With a Hurst exponent near one half the slope grows as the root of the wavevector, and the area falls with it."
             } else {
@@ -141,10 +140,12 @@ pub(super) const SPHERES_LEVEL_OFF: Statement = Statement {
     unit: "largest ratio between cutoffs",
     check: |evidence| {
         let spread = spread(evidence);
-        let Shape { dips, plateaus, slopes } = Shape::new(&evidence.areas(SPHERE));
+        let curves = evidence.areas(SPHERE);
+        let Shape { dips, plateaus, slopes } = Shape::new(&curves);
         let one_curve = spread < 2.0;
         let dips_there = dips.iter().flatten().any(|dip| (0.3e-6..=3e-6).contains(&dip.wavelength_m));
-        let level = plateaus.len() == evidence.loads_pa().len()
+        let level = !curves.is_empty()
+            && plateaus.len() == curves.len()
             && plateaus
                 .iter()
                 .all(|plateau| plateau.decades() >= 0.5 && (30e-9..=300e-9).contains(&plateau.longest_m));
@@ -167,6 +168,7 @@ pub(super) const SPHERES_LEVEL_OFF: Statement = Statement {
             ),
             verdict: verdict(parts.iter().all(|(holds, _)| *holds)),
             remark: which_parts(&parts),
+            parts: parts.to_vec(),
         }
     },
 };
@@ -190,6 +192,7 @@ pub(super) const NEVER_LEVEL: Statement = Statement {
                 numbers(all[2].iter().copied())
             ),
             verdict: verdict(least > 0.1),
+            parts: Vec::new(),
             remark: if least > 0.1 {
                 "All three still fall at the shortest wavelength, so what they give there is the end of the data."
             } else {
@@ -216,9 +219,8 @@ pub(super) const STEEPEST_SCALE_DECIDES: Statement = Statement {
         let limit_pa = largest_full_contact_pressure_pa(&model, scales).unwrap_or(f64::NAN);
         let shares: Vec<f64> = evidence
             .final_areas(ELASTIC)
-            .iter()
-            .zip(evidence.loads_pa())
-            .map(|(area, load_pa)| area * limit_pa / load_pa)
+            .into_iter()
+            .map(|(load_pa, area)| area * limit_pa / load_pa)
             .collect();
         let together = found.iter().all(|found| (steepest_m / found.wavelength_m).ln().abs() <= 1.5f64.ln());
         let certain = found.iter().all(|found| found.converged);
@@ -232,6 +234,7 @@ pub(super) const STEEPEST_SCALE_DECIDES: Statement = Statement {
                 numbers(shares.iter().copied())
             ),
             verdict: verdict(together && certain && close),
+            parts: Vec::new(),
             remark: match (together && close, certain) {
                 (true, true) => "Both hold: Jackson's limit of dense sampling is reached within the sampling's own effect.",
                 (true, false) => "Both hold, but the spectrum ends too soon below that scale to speak of convergence.",
@@ -258,10 +261,15 @@ pub(super) const LAST_FALL: Statement = Statement {
         };
         let ratios: Vec<Option<f64>> = curves.iter().zip(&dips).map(ratio).collect();
         let known: Vec<f64> = ratios.iter().copied().flatten().collect();
-        let above = known.len() == ratios.len() && known.iter().all(|ratio| *ratio > 1.0);
+        let above =
+            !known.is_empty() && known.len() == ratios.len() && known.iter().all(|ratio| *ratio > 1.0);
         let found = converged(&curves, 0.01);
         let same = found.windows(2).all(|two| two[0] == two[1]);
         let certain = found.iter().all(|found| found.converged);
+        let parts = [
+            (above, "the last area above the dip"),
+            (same && certain, "one wavelength of convergence for every load"),
+        ];
         // Without a dip, compare with the lowest area of the curve.
         let value = if known.is_empty() {
             lowest(curves.iter().filter_map(|curve| {
@@ -280,10 +288,8 @@ pub(super) const LAST_FALL: Statement = Statement {
                 if certain { "" } else { ", which is the end of the spectrum and no convergence" }
             ),
             verdict: verdict(above && same && certain),
-            remark: which_parts(&[
-                (above, "the last area above the dip"),
-                (same && certain, "one wavelength of convergence for every load"),
-            ]),
+            remark: which_parts(&parts),
+            parts: parts.to_vec(),
         }
     },
 };
@@ -322,11 +328,12 @@ pub(super) fn converged(curves: &[Vec<Point>], tolerance: f64) -> Vec<Convergenc
 fn spread(evidence: &Evidence) -> f64 {
     let sweeps = evidence.sweeps(SPHERE);
     let loads = sweeps.iter().map(|(_, _, states)| states.len()).min().unwrap_or(0);
+    let carried = |load: &usize| sweeps.iter().all(|(_, _, states)| is_carried(&states[*load]));
     let ratio = |load: usize| {
         let areas = || sweeps.iter().map(|(_, _, states)| states[load].area_fraction);
         highest(areas()) / lowest(areas())
     };
-    highest((0..loads).map(ratio))
+    highest((0..loads).filter(carried).map(ratio))
 }
 
 fn describe_dips(dips: &[Vec<Dip>]) -> String {

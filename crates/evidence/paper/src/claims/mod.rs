@@ -9,37 +9,44 @@ use findings::features::Point;
 use units::display::{length, three_digits};
 
 use crate::evidence::Evidence;
-use crate::ledger::{Row, Statement};
+use crate::ledger::{Part, Row, Statement};
+
+/// The statements in the order of the ledger.
+const STATEMENTS: [Statement; 20] = [
+    spectrum::LARGEST_ASPECT_RATIO,
+    spectrum::COURSE_OF_ASPECT_RATIO,
+    spectrum::MOMENTS,
+    area::STACK_CONVERGES,
+    plasticity::CONVERGED_PRESSURE,
+    area::PROPORTIONAL_TO_LOAD,
+    area::ELASTIC_DECADES,
+    area::SPHERES_LEVEL_OFF,
+    plasticity::PLASTIC_ABOVE_ELASTIC,
+    area::NEVER_LEVEL,
+    strength::STACK_RETURNS_TO_ELASTIC,
+    strength::STATISTICAL_STAY_PLASTIC,
+    strength::STRENGTH_AT_DEPTH,
+    spectrum::SLOPE,
+    plasticity::BEYOND_HARDNESS,
+    strength::LOWERS_AREA,
+    strength::STACK_CONVERGES,
+    strength::SPHERES_LEVEL_OFF,
+    area::STEEPEST_SCALE_DECIDES,
+    area::LAST_FALL,
+];
+
+/// Returns the parts of all statements, with a mark for each spectrum and reading in `evidence`.
+pub fn parts(evidence: &[Evidence]) -> Vec<Part> {
+    STATEMENTS.into_iter().flat_map(|statement| Part::of(statement, evidence)).collect()
+}
 
 /// Returns a row per statement, with a finding for each of the spectra in `evidence`.
 pub fn ledger(evidence: &[Evidence]) -> Vec<Row> {
-    let statements: [Statement; 20] = [
-        spectrum::LARGEST_ASPECT_RATIO,
-        spectrum::COURSE_OF_ASPECT_RATIO,
-        spectrum::MOMENTS,
-        area::STACK_CONVERGES,
-        plasticity::CONVERGED_PRESSURE,
-        area::PROPORTIONAL_TO_LOAD,
-        area::ELASTIC_DECADES,
-        area::SPHERES_LEVEL_OFF,
-        plasticity::PLASTIC_ABOVE_ELASTIC,
-        area::NEVER_LEVEL,
-        strength::STACK_RETURNS_TO_ELASTIC,
-        strength::STATISTICAL_STAY_PLASTIC,
-        strength::STRENGTH_AT_DEPTH,
-        spectrum::SLOPE,
-        plasticity::BEYOND_HARDNESS,
-        strength::LOWERS_AREA,
-        strength::STACK_CONVERGES,
-        strength::SPHERES_LEVEL_OFF,
-        area::STEEPEST_SCALE_DECIDES,
-        area::LAST_FALL,
-    ];
     let row = |statement: Statement| {
         let finding = |scene: &Evidence| (scene.template.name(), (statement.check)(scene));
         Row { statement, findings: evidence.iter().map(finding).collect() }
     };
-    statements.into_iter().map(row).collect()
+    STATEMENTS.into_iter().map(row).collect()
 }
 
 /// Smallest factor between values of a printed curve that the eye can distinguish.

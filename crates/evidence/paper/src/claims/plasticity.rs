@@ -33,6 +33,7 @@ pub(super) const CONVERGED_PRESSURE: Statement = Statement {
                 three_digits(2.0 * complete)
             ),
             verdict: verdict(holds),
+            parts: Vec::new(),
             remark: "The area law exceeds complete contact and is held at it, so scales flatten at about half of p*_ep; p*_ep and \
                      twice that are given beside it, and nothing is tuned towards 8 H."
                 .to_owned(),
@@ -52,8 +53,8 @@ pub(super) const PLASTIC_ABOVE_ELASTIC: Statement = Statement {
         let mut all_part = true;
         for (plastic, elastic) in PLASTIC_AND_ELASTIC {
             let mut own = Vec::new();
-            for (plastic, elastic) in evidence.areas(plastic).iter().zip(evidence.areas(elastic)) {
-                let ratios = ratio(plastic, &elastic);
+            for [plastic, elastic] in evidence.areas_of([plastic, elastic]) {
+                let ratios = ratio(&plastic, &elastic);
                 finals.extend(ratios.last().map(|(_, ratio)| *ratio));
                 let above = ratios.iter().rev().take_while(|(_, ratio)| *ratio > 1.01).last();
                 all_part &= above.is_some();
@@ -76,6 +77,7 @@ pub(super) const PLASTIC_ABOVE_ELASTIC: Statement = Statement {
                 numbers(finals)
             ),
             verdict: verdict(all_part && within),
+            parts: Vec::new(),
             remark: match (all_part, within) {
                 (true, true) => "All three part in that range and end above.",
                 (true, false) => "All three end above the elastic ones, but not all part within 1 to 10 um.",
@@ -101,6 +103,7 @@ pub(super) const BEYOND_HARDNESS: Statement = Statement {
             value: least,
             found: format!("in H: {}", pressures.iter().map(list).collect::<Vec<_>>().join(", ")),
             verdict: verdict(least > 1.0),
+            parts: Vec::new(),
             remark: if least > 1.0 {
                 "Every model ends above the hardness: neighbouring scales carry each other, or the strength has grown."
             } else {
@@ -114,12 +117,11 @@ pub(super) const BEYOND_HARDNESS: Statement = Statement {
 /// Load over final area in units of the hardness, for every load.
 pub(super) fn real_pressures(evidence: &Evidence, name: Name) -> Vec<f64> {
     let hardness_pa = evidence.hardness_pa();
-    let areas = evidence.final_areas(name).into_iter().zip(evidence.loads_pa());
-    areas.map(|(area, load_pa)| load_pa / area / hardness_pa).collect()
+    evidence.final_areas(name).into_iter().map(|(load_pa, area)| load_pa / area / hardness_pa).collect()
 }
 
 /// Cutoff from which two families of curves agree within 1 % down to the end, at every load; `None` if they do not.
 pub(super) fn agreement(evidence: &Evidence, one: Name, other: Name) -> Vec<Option<f64>> {
-    let pairs = evidence.areas(one).into_iter().zip(evidence.areas(other));
-    pairs.map(|(one, other)| agrees_from(&ratio(&one, &other), 0.01)).collect()
+    let pairs = evidence.areas_of([one, other]).into_iter();
+    pairs.map(|[one, other]| agrees_from(&ratio(&one, &other), 0.01)).collect()
 }

@@ -28,6 +28,7 @@ pub(super) const LARGEST_ASPECT_RATIO: Statement = Statement {
             value: largest,
             found: format!("B = {largest:.4} at {}", length(wavelength_m)),
             verdict: if evidence.is_reconstruction() { Verdict::ByConstruction } else { verdict(agrees) },
+            parts: Vec::new(),
             remark: if evidence.is_reconstruction() {
                 "The reconstruction is pinned to these two numbers, so their return tests nothing.".to_owned()
             } else if wavelength_m == evidence.shortest_m() {
@@ -68,6 +69,7 @@ pub(super) const COURSE_OF_ASPECT_RATIO: Statement = Statement {
                 three_digits(rms)
             ),
             verdict: verdict(constant && straight),
+            parts: Vec::new(),
             remark: match (constant, straight) {
                 (true, true) => "Level below and straight above, as stated.",
                 (true, false) => {
@@ -103,6 +105,7 @@ pub(super) const MOMENTS: Statement = Statement {
                 three_digits(m4)
             ),
             verdict: verdict(holds),
+            parts: Vec::new(),
             remark: if holds {
                 "The order is that of the powers of q, whatever self-affine spectrum is taken.".to_owned()
             } else {
@@ -139,6 +142,7 @@ pub(super) const SLOPE: Statement = Statement {
             value: own,
             found,
             verdict: verdict(agrees),
+            parts: Vec::new(),
             remark: if agrees {
                 "The factor 1/pi, which Parseval's theorem asks for, keeps the published slope; Eq. (1) as printed does not."
             } else {

@@ -20,9 +20,9 @@ pub(super) const STACK_RETURNS_TO_ELASTIC: Statement = Statement {
               at every load.",
     unit: "last ratio furthest from 1",
     check: |evidence| {
-        let pairs = evidence.areas(PLASTIC_GRADIENT).into_iter().zip(evidence.areas(ELASTIC));
+        let pairs = evidence.areas_of([PLASTIC_GRADIENT, ELASTIC]).into_iter();
         let ratios: Vec<Vec<(f64, f64)>> =
-            pairs.map(|(gradient, elastic)| ratio(&gradient, &elastic)).collect();
+            pairs.map(|[gradient, elastic]| ratio(&gradient, &elastic)).collect();
         let finals: Vec<f64> =
             ratios.iter().filter_map(|ratio| ratio.last()).map(|(_, ratio)| *ratio).collect();
         let returns = agreement(evidence, PLASTIC_GRADIENT, ELASTIC).iter().all(Option::is_some);
@@ -37,6 +37,7 @@ pub(super) const STACK_RETURNS_TO_ELASTIC: Statement = Statement {
                 levels.iter().flatten().count()
             ),
             verdict: verdict(returns),
+            parts: Vec::new(),
             remark: match (returns, yielding) {
                 (true, 0) => {
                     "It is the elastic area throughout: no scale yields at these loads, so there is nothing to return from."
@@ -66,6 +67,7 @@ pub(super) const STATISTICAL_STAY_PLASTIC: Statement = Statement {
             value: nearest.unwrap_or(f64::NAN),
             found: format!("spheres {}, sinusoids {}", numbers(spheres.iter().copied()), numbers(sines.iter().copied())),
             verdict: verdict(differ),
+            parts: Vec::new(),
             remark: match (differ, below) {
                 (true, true) => {
                     "They differ, but some lie below the elastic area: the sphere's law is used far beyond the strengths it was \
@@ -107,6 +109,7 @@ pub(super) const STRENGTH_AT_DEPTH: Statement = Statement {
                 range(met, pressure)
             ),
             verdict: verdict(holds),
+            parts: Vec::new(),
             remark: if holds {
                 "Formula and stack agree with the printed strengths in order of magnitude."
             } else {
@@ -144,6 +147,7 @@ pub(super) const LOWERS_AREA: Statement = Statement {
                 if raised.is_empty() { "nowhere".to_owned() } else { raised.join(", ") }
             ),
             verdict: verdict(largest < 1.0),
+            parts: Vec::new(),
             remark: match (largest < 1.0, raised.is_empty()) {
                 (true, true) => "It does, at every cutoff.",
                 (true, false) => "It does at the last cutoff, though not at every longer one, where the published laws step down.",
@@ -173,6 +177,7 @@ pub(super) const STACK_CONVERGES: Statement = Statement {
                 length(evidence.shortest_m())
             ),
             verdict: verdict(certain && within),
+            parts: Vec::new(),
             remark: match (certain, within) {
                 (true, true) => "It converges there, at every load, as the elastic stack does.",
                 (true, false) => "It converges elsewhere.",
@@ -194,7 +199,8 @@ pub(super) const SPHERES_LEVEL_OFF: Statement = Statement {
     check: |evidence| {
         let curves = evidence.areas(SPHERE_GRADIENT);
         let plateaus: Vec<Plateau> = curves.iter().filter_map(|curve| level_part(curve)).collect();
-        let level = plateaus.len() == evidence.loads_pa().len()
+        let level = !curves.is_empty()
+            && plateaus.len() == curves.len()
             && plateaus.iter().all(|plateau| {
                 plateau.decades() >= 0.5 && plateau.longest_m >= 0.1e-6 && plateau.shortest_m <= 0.1e-6
             });
@@ -202,8 +208,8 @@ pub(super) const SPHERES_LEVEL_OFF: Statement = Statement {
         let from_m = if reaches { 1e-9 } else { 10.0 * evidence.shortest_m() };
         let slopes: Vec<f64> = curves.iter().filter_map(|curve| slope_below(curve, from_m)).collect();
         let falls = reaches && lowest(slopes.iter().copied()) > 0.1;
-        let mut remark =
-            which_parts(&[(level, "the level part near 0.1 um"), (falls, "the fall below 1 nm")]);
+        let parts = [(level, "the level part near 0.1 um"), (falls, "the fall below 1 nm")];
+        let mut remark = which_parts(&parts);
         if !reaches {
             remark += &format!(" The spectrum ends at {}, before 1 nm.", length(evidence.shortest_m()));
         }
@@ -217,6 +223,7 @@ pub(super) const SPHERES_LEVEL_OFF: Statement = Statement {
                 length(from_m)
             ),
             verdict: verdict(level && falls),
+            parts: parts.to_vec(),
             remark,
         }
     },
@@ -224,13 +231,13 @@ pub(super) const SPHERES_LEVEL_OFF: Statement = Statement {
 
 /// Ratio of two families of curves at the last cutoff, for every load.
 fn final_ratios(evidence: &Evidence, numerator: Name, denominator: Name) -> Vec<f64> {
-    let finals = evidence.final_areas(numerator).into_iter().zip(evidence.final_areas(denominator));
-    finals.map(|(above, below)| above / below).collect()
+    let pairs = evidence.areas_of([numerator, denominator]).into_iter();
+    pairs.filter_map(|[above, below]| Some(above.last()?.1 / below.last()?.1)).collect()
 }
 
 /// Cutoffs \[m\], at any load, at which the strain gradient raises the area.
 fn raised_cutoffs_m(evidence: &Evidence, gradient: Name, plain: Name) -> Vec<f64> {
-    let pairs = evidence.areas(gradient).into_iter().zip(evidence.areas(plain));
-    let raised = pairs.flat_map(|(gradient, plain)| ratio(&gradient, &plain));
+    let pairs = evidence.areas_of([gradient, plain]).into_iter();
+    let raised = pairs.flat_map(|[gradient, plain]| ratio(&gradient, &plain));
     raised.filter(|(_, ratio)| *ratio > 1.001).map(|(wavelength_m, _)| wavelength_m).collect()
 }
