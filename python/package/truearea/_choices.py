@@ -37,6 +37,12 @@ Correction = Literal["wang-muser", "yang-persson", "algebraic", "algebraic-nayak
 HardnessFormula = Literal["2005", "cosine"]
 """Forms of the hardness of spheres that yield."""
 
+Flattening = Literal["area", "area-and-force"]
+"""Quantities of flattened spheres that no longer grow."""
+
+YieldingAreaLaw = Literal["blended", "elastic-shape"]
+"""Areas of scales of a stack that yield."""
+
 InterferenceLaw = Literal["rostami-jackson", "bem"]
 """Laws of pressure against interference of elastic sinusoids."""
 

@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from truearea import _native
 from truearea._arrays import doubles
-from truearea._choices import HardnessFormula, InterferenceLaw, StatisticalModel
+from truearea._choices import Flattening, HardnessFormula, InterferenceLaw, StatisticalModel
 from truearea._grammar import named_material
 from truearea._material import Material
 from truearea._native import InputError
@@ -28,7 +28,8 @@ _Numbers = Union[npt.ArrayLike, str, Sequence[str]]
 class ContactStates(Result):
     """States of contact, each array of the shape to which the arguments broadcast.
 
-    ``ln_pressure`` is the logarithm of Pa; ``separation_m`` is NaN where the pressure is beyond complete contact;
+    ``ln_pressure`` is the logarithm of Pa; ``separation_m`` is NaN where the pressure is beyond complete contact,
+    or beyond what all flattened spheres carry: the area is then theirs, and ``notes`` say so;
     ``error_estimate`` is relative, of pressure and area, and numerical only.
     """
 
@@ -71,6 +72,7 @@ def contact(
     separation: _Numbers | None = None,
     strain_gradient: bool = False,
     hardness_formula: HardnessFormula | None = None,
+    flattening: Flattening | None = None,
     interference_law: InterferenceLaw | None = None,
     tolerance: float = 1e-12,
     errors: Literal["raise", "nan"] = "raise",
@@ -146,8 +148,8 @@ def contact(
     options: dict[str, Any] = {"model": model, "tolerance": tolerance, "errors": errors}
     if strain_gradient is not False:
         options["strain_gradient"] = strain_gradient
-    if hardness_formula is not None or interference_law is not None:
-        options |= {"hardness_formula": hardness_formula, "interference_law": interference_law}
+    if hardness_formula is not None or flattening is not None or interference_law is not None:
+        options |= {"hardness_formula": hardness_formula, "flattening": flattening, "interference_law": interference_law}
     answer = _native.contact_states(rows, condition, natives, which, options)
     if not shape:
         # Of one state the arrays are plain doubles, as ufuncs have it.

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from truearea import _native
-from truearea._choices import AmplitudeDefinition, StackedModel, StatisticalModel
+from truearea._choices import AmplitudeDefinition, StackedModel, StatisticalModel, YieldingAreaLaw
 from truearea._grammar import AnyMaterial, AnySurface, material_of, surface_of
 from truearea._material import Quantity
 from truearea._notes import noted
@@ -98,6 +98,7 @@ class StatisticalCurve(Curve):
     out_of_range_load_share: FloatArray
     ln_pressure_pa: FloatArray
     ln_area_fraction: FloatArray
+    flattened_share: FloatArray
 
 
 @with_options(Sampling)
@@ -108,6 +109,7 @@ def stacked(
     pressure: Pressures,
     model: StackedModel = "elastic-plastic",
     strain_gradient: bool = False,
+    elastic_plastic_area: YieldingAreaLaw | None = None,
     amplitude: AmplitudeDefinition = "eq5",
     **options: Unpack[Sampling],
 ) -> StackedCurve:
@@ -131,6 +133,7 @@ def stacked(
         "pressure": pressure,
         "model": model,
         "strain_gradient": strain_gradient,
+        "elastic_plastic_area": elastic_plastic_area,
         "amplitude": amplitude,
         **options,
     }

@@ -13,7 +13,16 @@ from typing import TYPE_CHECKING, Any, TypedDict, TypeVar, cast
 if TYPE_CHECKING:
     from typing_extensions import Unpack as Unpack
 
-    from truearea._choices import Band, Detrend, EnergyFactor, HardnessFormula, InterferenceLaw, Normalisation, Phases
+    from truearea._choices import (
+        Band,
+        Detrend,
+        EnergyFactor,
+        Flattening,
+        HardnessFormula,
+        InterferenceLaw,
+        Normalisation,
+        Phases,
+    )
     from truearea._material import Quantity
     from truearea._progress import Progress
 else:
@@ -35,6 +44,7 @@ class Asperities(TypedDict, total=False):
 
     strain_gradient: bool | None
     hardness_formula: HardnessFormula | None
+    flattening: Flattening | None
     interference_law: InterferenceLaw | None
 
 
@@ -175,6 +185,11 @@ strain_gradient : bool, default False
     Let the strength grow at small depths, with the material's ``strain_gradient_length``.
 hardness_formula : {"2005", "cosine"}, optional
     The form of the hardness of spheres that yield.
+flattening : {"area-and-force", "area"}, optional
+    The quantities of flattened spheres that no longer grow: both from a contact radius of 0.41 R on, as where left out, or the
+    area from R on.
+elastic_plastic_area : {"blended", "elastic-shape"}, optional
+    The area of a scale of a stack that yields: the published fit limited to 1, as where left out, or the elastic area at p/p*_ep.
 interference_law : {"rostami-jackson", "bem"}, optional
     The relation between pressure and interference of elastic sinusoids.
 normalisation : {"parseval", "as-printed"}, optional

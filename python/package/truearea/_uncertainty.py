@@ -8,7 +8,7 @@ from typing import Any, TypedDict, Union
 import numpy as np
 
 from truearea import _native
-from truearea._choices import AmplitudeDefinition, CurveModel
+from truearea._choices import AmplitudeDefinition, CurveModel, YieldingAreaLaw
 from truearea._curves import Pressures
 from truearea._grammar import AnyMaterial, AnySurface, material_of, named_material, surface_of
 from truearea._material import Material, Quantity
@@ -127,6 +127,7 @@ class _Spreads(TypedDict, total=False):
 class UncertaintyOptions(StatisticalOptions, _Spreads, total=False):
     """Options of models, and uncertainties of the material."""
 
+    elastic_plastic_area: YieldingAreaLaw | None
     amplitude: AmplitudeDefinition | None
     tolerance: float | None
 

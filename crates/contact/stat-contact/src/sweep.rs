@@ -102,15 +102,16 @@ impl<'a> Sweep<'a> {
     }
 
     fn state_at_pressure(&mut self, pressure_pa: f64) -> ContactState {
-        let beyond = ContactState::beyond(self.frames.asperities, pressure_pa);
+        let asperities = self.frames.asperities;
+        let beyond = || ContactState::beyond(asperities, pressure_pa);
         let asked = |state| ContactState { pressure_pa, ln_pressure_pa: pressure_pa.ln(), ..state };
         if pressure_pa >= self.frames.asperities.highest_response_pa() {
-            return beyond;
+            return beyond();
         }
         let far_below = self.far_below();
         // If the highest pressure is carried far below, no nearer separation carries more.
         if far_below.highest_pressure_pa().is_some_and(|highest_pa| pressure_pa > highest_pa) {
-            return beyond;
+            return beyond();
         }
         if let Some(separation_m) = far_below.separation_m(pressure_pa.ln()) {
             return asked(far_below.state(separation_m));
@@ -118,7 +119,7 @@ impl<'a> Sweep<'a> {
         let (near, spent) = (self.near, self.frames.evaluations());
         let answer = Search { frames: &mut self.frames, pressure_pa }.largest(near);
         let Some(Answer { found: CellSolution { cell, u }, missed_by }) = answer else {
-            return beyond;
+            return beyond();
         };
         let evaluations = self.frames.evaluations() - spent;
         let sigma_s_m = self.frames.sigma_s_m;

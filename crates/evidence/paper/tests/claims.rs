@@ -1,7 +1,91 @@
 //! The ledger as a whole: complete, computed, and not tuned.
 
-use paper::{Evidence, Row, Verdict, ledger, other_models, other_models_table, table};
+use asperity::{Hardness, NixGao};
+use paper::{
+    Evidence, Part, Reading, Row, Verdict, ledger, other_models, other_models_table, parts, parts_table,
+    parts_that_hold, table,
+};
 use scene::Template;
+use stat_contact::{AsperityLaw, Population, StatisticalContact};
+
+const SPECTRA: [Template; 2] = [Template::UncdReconstructed, Template::UncdMeasured];
+
+fn read_as(reading: Reading) -> [Evidence; 2] {
+    SPECTRA.map(|template| Evidence::read_as(reading, template).expect("a scene that comes with the program"))
+}
+
+/// Labels of the parts of statements 6, 8, 15, 18 and 20 that hold on a spectrum.
+fn held(parts: &[Part], template: Template, reading: Reading) -> Vec<&str> {
+    let of_spheres = parts.iter().filter(|part| [6, 8, 15, 18, 20].contains(&part.statement.number));
+    let holds = |part: &&Part| part.mark(template.name(), Some(reading)) == Some(Verdict::Reproduced);
+    of_spheres.filter(holds).map(|part| part.label.as_str()).collect()
+}
+
+/// Parts, real pressures, spreads and wavelengths of an own integration of the paper's models, in Python (check of the
+/// physics in round 4): flattened spheres held at pi R^2, and with their force from a = 0.41 R on.
+#[test]
+fn readings_hold_the_parts_and_numbers_that_an_independent_integration_gives() {
+    let program = read_as(Reading::Program);
+    let force_held = read_as(Reading::ForceHeld);
+    let number = |evidence: &[Evidence], statement: usize| {
+        ledger(evidence)[statement - 1].findings.iter().map(|(_, found)| found.value).collect::<Vec<_>>()
+    };
+    let near = |values: &[f64], expected: [f64; 2]| {
+        assert!(
+            values.iter().zip(expected).all(|(value, expected)| (value / expected - 1.0).abs() < 0.005),
+            "{values:?}"
+        );
+    };
+    near(&number(&force_held, 15)[..1], [0.697, f64::NAN]);
+    near(&number(&force_held, 8)[..1], [1.02, f64::NAN]);
+    near(&number(&program, 5), [1.87, 1.61]);
+    let elastic_shape = read_as(Reading::ElasticShape);
+    near(&number(&elastic_shape, 5), [3.73, 2.78]);
+    near(&number(&program, 4)[..1], [8.95e-9, f64::NAN]);
+    near(&number(&elastic_shape, 4)[..1], [5.65e-9, f64::NAN]);
+
+    let all: Vec<Evidence> = program.into_iter().chain(force_held).chain(elastic_shape).collect();
+    let parts = parts(&all);
+    let [reconstructed, measured] = SPECTRA;
+    assert_eq!(held(&parts, reconstructed, Reading::Program), ["8b", "8d", "15", "18b"]);
+    assert_eq!(held(&parts, measured, Reading::Program), ["8b", "8d", "15", "18a"]);
+    assert_eq!(held(&parts, reconstructed, Reading::ForceHeld), ["6", "8a", "8b", "8c", "20a"]);
+    assert_eq!(held(&parts, measured, Reading::ForceHeld), ["6", "8a", "8b", "20a"]);
+    assert_eq!((parts.len(), parts_table(&parts).rows()), (25, 50));
+    let count = |reading| SPECTRA.map(|template| parts_that_hold(&parts, template.name(), reading));
+    assert_eq!(count(Some(Reading::Program)), [16, 11]);
+    assert!(count(None).iter().zip(count(Some(Reading::Program))).all(|(any, own)| *any > own));
+}
+
+/// Pressures that all flattened spheres carry at the last cutoff, of the same integration.
+#[test]
+fn flattened_spheres_carry_what_an_independent_integration_gives() {
+    let capacity = |template, hardness, radius_share, growing: bool| {
+        let evidence = Evidence::compute(template).unwrap();
+        let spheres = evidence.scene.needs.curves.iter().position(|curve| curve.name == "ep-sphere").unwrap();
+        let states = evidence.results.curves[spheres].statistical().unwrap();
+        let (asperities, _) = states[0].last().unwrap().contact.unwrap();
+        let population =
+            Population::new(asperities.radius_m, asperities.density_per_m2, asperities.sigma_s_m).unwrap();
+        let constant = NixGao::constant(1.8e9).unwrap();
+        let strength = if growing { constant.with_strain_gradient(5e-6).unwrap() } else { constant };
+        let law = AsperityLaw::EpSphere { strength, hardness, held_from: Some(radius_share) };
+        let pair = evidence.scene.material.unwrap().pair;
+        StatisticalContact::new(&pair, &population, &law).highest_pressure_pa() / 5.4e9
+    };
+    let [reconstructed, measured] = SPECTRA;
+    let published = Hardness::JacksonGreen2005;
+    for (found, expected) in [
+        (capacity(reconstructed, published, 1.0, false), 0.0175),
+        (capacity(reconstructed, published, 1.0, true), 37.8),
+        (capacity(measured, published, 1.0, false), 0.122),
+        (capacity(reconstructed, Hardness::Cosine, 1.0, false), 0.0111),
+        (capacity(reconstructed, published, 0.41, false), 0.0047),
+        (capacity(reconstructed, published, 0.41, true), 15.5),
+    ] {
+        assert!((found / expected - 1.0).abs() < 0.01, "{found} for {expected}");
+    }
+}
 
 fn rows() -> Vec<Row> {
     let evidence = [Template::UncdReconstructed, Template::UncdMeasured]
