@@ -215,7 +215,7 @@ impl RowByRow for Populations {
         let narrow = narrow.remark(all);
         let assumed = rows_of(RemarkCode::AssumedStrengths, assumed, counts.all);
         // Rows beyond complete contact have remarks of their own.
-        let of_states = StateCounts { incomplete: 0, ..counts }.remarks();
+        let of_states = StateCounts { incomplete: 0, flattened: 0, ..counts }.remarks();
         without.into_iter().chain(narrow).chain(assumed).chain(of_states).collect()
     }
 }

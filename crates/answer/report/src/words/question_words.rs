@@ -63,7 +63,7 @@ pub fn error(error: &QuestionError, spelling: &dyn Spelling) -> String {
         }
         QuestionError::NoStiffness { pressure_pa } => {
             format!(
-                "the model has no stiffness under {}; press harder, or take persson or bem",
+                "the model has no stiffness under {}; choose another pressure, or take persson or bem",
                 pressure(*pressure_pa)
             )
         }

@@ -15,7 +15,7 @@ pub struct GapState {
     /// Real over nominal area of contact.
     pub area_fraction: f64,
     /// Mean gap \[m\]; none where the model has none: with more than 3 % of the contact plastic in Persson's theory, and beyond
-    /// complete contact.
+    /// complete contact or what all flattened spheres carry.
     pub mean_gap_m: Option<f64>,
     /// K = -dp/du \[Pa/m\]; none where there is no gap.
     pub stiffness_pa_per_m: Option<f64>,
