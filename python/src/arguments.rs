@@ -135,7 +135,7 @@ impl<'py> Arguments<'py> {
 
 /// Returns true for the name of an argument that is an option of models.
 fn is_option(name: &Bound<'_, PyString>) -> bool {
-    let mut of_models = Choice::OF_CURVES.into_iter().chain([Choice::Hardness]).map(Choice::key);
+    let mut of_models = Choice::OF_CURVES.into_iter().chain(Choice::OF_SCENES).map(Choice::key);
     name.to_str().is_ok_and(|name| of_models.any(|key| key == name))
 }
 

@@ -91,11 +91,11 @@ fn random(dice: &mut Dice) -> (CurveQuestion, String) {
     }
     if entry.has(Choice::Flattening) {
         options.flattening = dice.perhaps(stat_contact::Flattening::ALL);
-        of_curve += &options.flattening.map_or(String::new(), |held| format!("flattening = \"{held}\"\n"));
+        of_options += &options.flattening.map_or(String::new(), |held| format!("flattening = \"{held}\"\n"));
     }
     if entry.has(Choice::YieldingArea) {
         options.elastic_plastic_area = dice.perhaps(stacked_contact::YieldingAreaLaw::ALL);
-        of_curve += &options
+        of_options += &options
             .elastic_plastic_area
             .map_or(String::new(), |law| format!("elastic_plastic_area = \"{law}\"\n"));
     }

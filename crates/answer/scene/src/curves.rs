@@ -35,8 +35,8 @@ pub(super) fn resolve_curves(
         ignored.push(own.ignored_by(entry));
         let with_those_of_the_scene = ModelOptions {
             hardness: options.hardness,
-            flattening: own.flattening.or(options.flattening),
-            elastic_plastic_area: own.elastic_plastic_area.or(options.elastic_plastic_area),
+            flattening: options.flattening,
+            elastic_plastic_area: options.elastic_plastic_area,
             interference_law: own.interference_law.or(options.interference_law),
             ..own.clone()
         };

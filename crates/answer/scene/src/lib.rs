@@ -135,6 +135,15 @@ impl Scene {
             of_laws.extend(curve.model.hardness().map(|hardness| {
                 named("hardness of spheres", hardness.name(), choices_in_words::hardness(hardness))
             }));
+            let options = curve.model.options();
+            of_laws.extend(
+                options.flattening.map(|held| {
+                    named("flattening of spheres", held.name(), choices_in_words::flattening(held))
+                }),
+            );
+            of_laws.extend(options.elastic_plastic_area.map(|law| {
+                named("area of yielding scales", law.name(), choices_in_words::yielding_area(law))
+            }));
             of_laws.extend(curve.model.interference().map(|law| {
                 named("interference law of sinusoids", law.name(), choices_in_words::interference(law))
             }));

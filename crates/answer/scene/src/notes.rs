@@ -98,14 +98,20 @@ fn options(raw: &RawScene, scene: &Scene, overrides: &Overrides) -> UnusedKeys {
     if overrides.strength_cap.is_none() && !grows {
         unused.push(one("strength_cap", RemarkCode::NoCurveUsesIt));
     }
-    for choice in [Choice::Flattening, Choice::YieldingArea, Choice::Interference] {
-        let curves = raw.curve.iter().map(|curve| curve.get_ref());
-        let mut takers = curves.filter(|curve| curve.model.is_some_and(|model| model.has(choice)));
+    for choice in [Choice::Flattening, Choice::YieldingArea] {
         if !has(choice) {
             unused.push(one(choice.key(), RemarkCode::NoCurveUsesIt));
-        } else if takers.all(|curve| curve.options.given().any(|given| given == choice)) {
-            unused.push(one(choice.key(), RemarkCode::EveryCurveHasItsOwn));
         }
+    }
+    let mut sinusoids = raw
+        .curve
+        .iter()
+        .map(|curve| curve.get_ref())
+        .filter(|curve| curve.model.is_some_and(|model| model.has(Choice::Interference)));
+    if !has(Choice::Interference) {
+        unused.push(one("interference_law", RemarkCode::NoCurveUsesIt));
+    } else if sinusoids.all(|curve| curve.options.interference_law.is_some()) {
+        unused.push(one("interference_law", RemarkCode::EveryCurveHasItsOwn));
     }
     if needs.curves.iter().all(|curve| curve.model.statistical().is_none()) {
         unused.push(one("tolerance", RemarkCode::NoCurveUsesIt));

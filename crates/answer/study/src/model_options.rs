@@ -86,16 +86,17 @@ pub struct Setting {
 
 impl Choice {
     /// The choices that a curve of a scene may make, in the order of its keys.
-    pub const OF_CURVES: [Choice; 8] = [
+    pub const OF_CURVES: [Choice; 6] = [
         Choice::StrainGradient,
-        Choice::Flattening,
-        Choice::YieldingArea,
         Choice::Interference,
         Choice::Correction,
         Choice::Band,
         Choice::Gamma,
         Choice::HardnessLaw,
     ];
+
+    /// The choices that a whole scene makes for all curves that have them.
+    pub const OF_SCENES: [Choice; 3] = [Choice::Hardness, Choice::Flattening, Choice::YieldingArea];
 
     /// Returns the key of the choice in scenes and columns, e.g. `interference_law`.
     #[must_use]
@@ -116,8 +117,8 @@ impl Choice {
 }
 
 impl ModelOptions {
-    /// Returns the settings that differ from the defaults of a model which has some of the choices. The form of the hardness
-    /// of spheres is one of a whole scene and is left out.
+    /// Returns the settings that differ from the defaults of a model which has some of the choices. Those of a whole
+    /// scene are left out.
     #[must_use]
     pub fn settings(&self, has: impl Fn(Choice) -> bool) -> Vec<Setting> {
         let growth = self.hardness_law.as_ref().filter(|_| has(Choice::HardnessLaw));
@@ -135,8 +136,6 @@ impl ModelOptions {
                 words: choices_in_words::hardness_law(law),
             })
         });
-        let flattening = self.flattening.filter(|flattening| *flattening != Flattening::default());
-        let yielding = self.elastic_plastic_area.filter(|law| *law != YieldingAreaLaw::default());
         let interference = self.interference_law.filter(|law| *law != InterferenceLaw::default());
         let band = self.band.filter(|band| *band != Band::default());
         let gamma = self.gamma.filter(|gamma| *gamma != EnergyFactor::default());
@@ -150,18 +149,6 @@ impl ModelOptions {
         let settings = [
             (Choice::StrainGradient, gradient),
             (Choice::HardnessLaw, growth),
-            (
-                Choice::Flattening,
-                flattening.map(|held| Setting {
-                    name: format!("flattening-{held}"),
-                    short: format!("{held} held"),
-                    words: choices_in_words::flattening(held).to_owned(),
-                }),
-            ),
-            (
-                Choice::YieldingArea,
-                yielding.map(|law| named(law.to_string(), choices_in_words::yielding_area(law))),
-            ),
             (
                 Choice::Interference,
                 interference.map(|law| named(law.to_string(), choices_in_words::interference(law))),

@@ -132,27 +132,15 @@ impl Part {
     }
 }
 
-/// Returns the readings of `marks` as a table: `part, spectrum, words`, and a column for every reading.
+/// Returns the marks as a table: `part, spectrum, reading, words, verdict`.
 pub fn parts_table(parts: &[Part]) -> Table {
-    let spectra = |part: &Part| {
-        let mut spectra: Vec<&'static str> = part.marks.iter().map(|(spectrum, ..)| *spectrum).collect();
-        spectra.sort_unstable();
-        spectra.dedup();
-        spectra
-    };
-    let rows: Vec<(&Part, &str)> = parts
-        .iter()
-        .flat_map(|part| spectra(part).into_iter().map(move |spectrum| (part, spectrum)))
-        .collect();
-    let table = Table::default()
-        .with_text("part", rows.iter().map(|(part, _)| part.label.clone()))
-        .with_words("spectrum", rows.iter().map(|(_, spectrum)| *spectrum))
-        .with_words("words", rows.iter().map(|(part, _)| part.words));
-    Reading::ALL.iter().fold(table, |table, reading| {
-        let mark =
-            |(part, spectrum): &(&Part, &str)| part.mark(spectrum, Some(*reading)).map_or("", Verdict::name);
-        table.with_words(reading.name(), rows.iter().map(mark))
-    })
+    let each = || parts.iter().flat_map(|part| part.marks.iter().map(move |mark| (part, mark)));
+    Table::default()
+        .with_text("part", each().map(|(part, _)| part.label.clone()))
+        .with_words("spectrum", each().map(|(_, (spectrum, ..))| *spectrum))
+        .with_words("reading", each().map(|(_, (_, reading, _))| reading.name()))
+        .with_words("words", each().map(|(part, _)| part.words))
+        .with_words("verdict", each().map(|(.., (.., verdict))| verdict.name()))
 }
 
 /// Counts the parts that hold on a spectrum in a reading, or in any.

@@ -127,7 +127,11 @@ fn a_stack_that_settles_is_told_with_its_decisive_scales() {
 fn a_spectrum_that_ends_too_soon_leaves_every_area_unsettled() {
     let bench = Bench::new();
     bench.write("psd.csv", settling_psd(25, 2.4));
-    bench.write("s.toml", format!("title = \"t\"\n[surface]\npsd = \"psd.csv\"\n{BODY}"));
+    // Spheres that are held flatten at the hardness, and their area no longer depends on the end of the spectrum.
+    bench.write(
+        "s.toml",
+        format!("title = \"t\"\n[options]\nflattening = \"area\"\n[surface]\npsd = \"psd.csv\"\n{BODY}"),
+    );
     bench.run(&["run", "s.toml"]).ok();
     let scales = bench.read("s-results/report-scales.csv");
     assert!(column(&scales, "settled").iter().all(|settled| *settled == "no"), "{scales}");

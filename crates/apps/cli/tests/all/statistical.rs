@@ -45,7 +45,8 @@ fn details_hold_error_evaluations_and_logarithms() {
     let far = SPHERES.replace("5.02477e-08", "1.2e-6");
     let out =
         bench.run_with_input(&["statistical", "--input", "-", "--details"], &table(&[SPHERES, &far])).ok();
-    let details = "error_estimate,evaluations,out_of_range_load_share,ln_pressure_pa,ln_area_fraction";
+    let details =
+        "error_estimate,evaluations,out_of_range_load_share,ln_pressure_pa,ln_area_fraction,flattened_share";
     assert!(out.lines().next().unwrap().ends_with(&format!("area_fraction,{details}")));
     let (pressures, logs) = (numbers(&out, "pressure_pa"), numbers(&out, "ln_pressure_pa"));
     assert!((pressures[0].ln() - logs[0]).abs() < 1e-13);

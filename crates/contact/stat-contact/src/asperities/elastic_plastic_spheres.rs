@@ -62,24 +62,25 @@ impl ElasticPlasticSpheres {
     }
 
     /// Returns these spheres with force and area held from a contact radius on, given over the sphere radius in
-    /// (0, 1\], or from a smaller interference beyond which the force would fall.
+    /// (0, 1\], or from a smaller interference if the force there is never reached again.
     pub fn held_from(self, radius_share: f64) -> Self {
         let at_share_m = self.interference_of_area_share_m(radius_share * radius_share, f64::INFINITY);
-        let mut from_m = self.top_before_dip_m().map_or(at_share_m, |top_m| top_m.min(at_share_m));
-        let mut response = self.at_interference(from_m);
-        if from_m >= self.onset_m {
-            // A step down at the onset that the force never makes good.
-            let force_n = self.elastic.force_n(self.onset_m);
-            if self.density_per_m2 * force_n >= response.pressure_pa {
-                from_m = self.onset_m;
-                let area_m2 = self.elastic.area_m2(from_m);
-                response = Response {
-                    pressure_pa: self.density_per_m2 * force_n,
-                    area_fraction: self.density_per_m2 * area_m2,
-                };
-            }
-        }
-        ElasticPlasticSpheres { held: Some(Held { from_m, response }), ..self }
+        let at = |from_m: f64| Held { from_m, response: self.at_interference(from_m) };
+        let before_step = || {
+            let (force_n, area_m2) = self.elastic.force_and_area(self.onset_m);
+            let response = Response {
+                pressure_pa: self.density_per_m2 * force_n,
+                area_fraction: self.density_per_m2 * area_m2,
+            };
+            Held { from_m: self.onset_m, response }
+        };
+        let before_dip = self.top_before_dip_m().map(at);
+        let before_step = (self.onset_m < at_share_m).then(before_step);
+        let earlier = before_dip.into_iter().chain(before_step).filter(|held| held.from_m < at_share_m);
+        let higher = |one: Held, other: Held| {
+            if other.response.pressure_pa >= one.response.pressure_pa { other } else { one }
+        };
+        ElasticPlasticSpheres { held: Some(earlier.fold(at(at_share_m), higher)), ..self }
     }
 
     /// Interference \[m\] of the largest force before a dip.
@@ -296,9 +297,8 @@ impl Asperities for ElasticPlasticSpheres {
     }
 
     fn dip_m(&self) -> Option<[f64; 2]> {
-        if self.held.is_some() {
-            return None;
-        }
-        self.fall_m().map(|[from_m, _, to_m]| [from_m, to_m])
+        let end_m = self.held.map_or(f64::INFINITY, |held| held.from_m);
+        let [from_m, _, to_m] = self.fall_m()?;
+        (from_m < end_m).then(|| [from_m, to_m.min(end_m)])
     }
 }
