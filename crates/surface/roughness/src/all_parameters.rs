@@ -9,6 +9,9 @@ use crate::parameter::{Parameter, ParameterValue};
 use crate::relief::ScaleLimitedSurface;
 use crate::slopes::{Differences, Triangles, developed_area_excess, rms_gradient};
 
+/// The convention of a core with [a twin](Core::has_twin).
+const TWINS: &str = "the first of two windows that are equally flat (ISO 21920-2)";
+
 /// Computes all parameters of prepared heights, and the material ratio at `height_m` above the mean.
 ///
 /// Further conventions of a parameter follow it, with [`Parameter::is_first`] false.
@@ -83,7 +86,8 @@ fn autocorrelation(relief: &ScaleLimitedSurface) -> Vec<Parameter> {
 fn material_ratio(relief: &ScaleLimitedSurface, is_map: bool, height_m: f64) -> Vec<Parameter> {
     use ParameterValue::{LengthM, Share, VolumeM};
     let curve = MaterialRatioCurve::new(relief);
-    let Core { depth_m, peaks_m, valleys_m, peak_share, valley_share } = curve.core();
+    let Core { depth_m, peaks_m, valleys_m, peak_share, valley_share, has_twin } = curve.core();
+    let of_core = |name, value| Parameter::new(name, value).by(if has_twin { TWINS } else { "" });
     let [ratio, core, peaks, valleys, from, to] = match is_map {
         true => ["Smr", "Sk", "Spk", "Svk", "Smr1", "Smr2"],
         false => ["Rmr", "Rk", "Rpk", "Rvk", "Rmr1", "Rmr2"],
@@ -94,11 +98,11 @@ fn material_ratio(relief: &ScaleLimitedSurface, is_map: bool, height_m: f64) -> 
     };
     let mut found = vec![
         Parameter::new(ratio, Share(curve.share_at_or_above(height_m))).by(at),
-        Parameter::new(core, LengthM(depth_m)),
-        Parameter::new(peaks, LengthM(peaks_m)),
-        Parameter::new(valleys, LengthM(valleys_m)),
-        Parameter::new(from, Share(peak_share)),
-        Parameter::new(to, Share(valley_share)),
+        of_core(core, LengthM(depth_m)),
+        of_core(peaks, LengthM(peaks_m)),
+        of_core(valleys, LengthM(valleys_m)),
+        of_core(from, Share(peak_share)),
+        of_core(to, Share(valley_share)),
     ];
     if is_map {
         let (peak, void) = (curve.material_m(0.1), curve.void_m(0.8));

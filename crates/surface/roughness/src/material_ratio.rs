@@ -5,6 +5,10 @@ use crate::relief::ScaleLimitedSurface;
 /// Share of the heights in the window that the core line is fitted to.
 const WINDOW: f64 = 0.4;
 
+/// Relative difference of falls below which two windows are equally flat, for a reader and for rounding.
+const TIE: f64 = 1e-3;
+const ROUNDING: f64 = 1e-13;
+
 /// Height over the share of heights at or above it, linear between the sorted heights: the k-th highest of N stands at
 /// k/(N - 1).
 #[derive(Clone, Debug)]
@@ -26,6 +30,16 @@ pub struct Core {
     pub peak_share: f64,
     /// Smr2: share of heights above the valleys.
     pub valley_share: f64,
+    /// True if a window apart from the one that was taken, the first, is as flat: a wave of sines has one at its peaks and one in its
+    /// valleys.
+    pub has_twin: bool,
+}
+
+/// The flattest window of the curve, between two ratios.
+struct Flattest {
+    from: f64,
+    to: f64,
+    has_twin: bool,
 }
 
 impl MaterialRatioCurve {
@@ -67,7 +81,7 @@ impl MaterialRatioCurve {
     /// Fits the core: the flattest 40 % of the curve, the first on ties, and the least-squares line in it.
     #[must_use]
     pub fn core(&self) -> Core {
-        let (from, to) = self.flattest();
+        let Flattest { from, to, has_twin } = self.flattest();
         let (level_m, slope_m) = self.line(from, to);
         let middle = 0.5 * (from + to);
         let (upper_m, lower_m) = (level_m - slope_m * middle, level_m + slope_m * (1.0 - middle));
@@ -82,23 +96,26 @@ impl MaterialRatioCurve {
             valleys_m: mean_depth_m(valleys_m, 1.0 - valley_share),
             peak_share,
             valley_share,
+            has_twin,
         }
     }
 
-    /// Finds the window with the smallest fall. The fall is linear between the places where an end meets a point.
-    fn flattest(&self) -> (f64, f64) {
+    /// Finds the first window with the smallest fall. The fall is linear between the places where an end meets a point.
+    fn flattest(&self) -> Flattest {
         let last = self.last();
         let starts = (0..self.heights_m.len()).map(|point| point as f64 / last);
         let ends = (0..self.heights_m.len()).map(|point| point as f64 / last - WINDOW);
         let fall_m = |from: f64| self.height_m(from) - self.height_m(from + WINDOW);
-        let mut best = (f64::INFINITY, 0.0);
-        for from in starts.chain(ends).filter(|from| (0.0..=1.0 - WINDOW).contains(from)) {
-            let fall_m = fall_m(from);
-            if fall_m < best.0 || (fall_m == best.0 && from < best.1) {
-                best = (fall_m, from);
-            }
-        }
-        (best.1, best.1 + WINDOW)
+        let froms = starts.chain(ends).filter(|from| (0.0..=1.0 - WINDOW).contains(from));
+        let falls: Vec<(f64, f64)> = froms.map(|from| (from, fall_m(from))).collect();
+        let least_m = falls.iter().map(|(_, fall_m)| *fall_m).fold(f64::INFINITY, f64::min);
+        let flat = |tie: f64| {
+            let is_flat = move |fall_m: f64| fall_m <= least_m * (1.0 + tie);
+            falls.iter().filter(move |(_, fall_m)| is_flat(*fall_m)).map(|(from, _)| *from)
+        };
+        let first = flat(ROUNDING).fold(f64::INFINITY, f64::min);
+        let has_twin = flat(TIE).any(|from| (from - first).abs() >= WINDOW);
+        Flattest { from: first, to: first + WINDOW, has_twin }
     }
 
     /// Fits the least-squares line to the curve between two ratios; its height \[m\] in the middle, and its slope \[m\].
@@ -173,6 +190,8 @@ impl MaterialRatioCurve {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::TAU;
+
     use approx::assert_relative_eq;
     use scans::{Scan, UniformLineScan};
     use statrs::distribution::{ContinuousCDF, Normal};
@@ -194,7 +213,8 @@ mod tests {
         let heights =
             (0..points).map(|i| normal.inverse_cdf((f64::from(i) + 0.5) / f64::from(points))).collect();
         let curve = curve(heights);
-        let Core { depth_m, peaks_m, valleys_m, peak_share, valley_share } = curve.core();
+        let Core { depth_m, peaks_m, valleys_m, peak_share, valley_share, has_twin } = curve.core();
+        assert!(!has_twin);
         // Integrals of the normal distribution.
         for (found, expected) in [
             (depth_m, 2.573_956),
@@ -220,11 +240,21 @@ mod tests {
     #[test]
     fn a_ramp_is_all_core_and_a_flat_line_has_none() {
         let ramp = curve((0..101).map(|i| f64::from(i) * 1e-8).collect());
-        let Core { depth_m, peaks_m, valleys_m, peak_share, valley_share } = ramp.core();
+        let Core { depth_m, peaks_m, valleys_m, peak_share, valley_share, .. } = ramp.core();
         assert_relative_eq!(depth_m, 1e-6, max_relative = 1e-12);
         assert!(peaks_m.abs() < 1e-15 && valleys_m.abs() < 1e-15, "{peaks_m} {valleys_m}");
         assert!(peak_share < 1e-12 && valley_share > 1.0 - 1e-12);
         let flat = curve(vec![1e-9; 10]).core();
         assert_eq!((flat.depth_m, flat.peaks_m, flat.valleys_m), (0.0, 0.0, 0.0));
+    }
+
+    #[test]
+    fn a_sine_has_a_core_at_its_peaks_and_as_flat_a_twin_in_its_valleys() {
+        let points = 4000;
+        let sine = (0..points).map(|i| (TAU * (f64::from(i) + 0.5) / f64::from(points)).sin());
+        let Core { peaks_m, valleys_m, has_twin, .. } = curve(sine.collect()).core();
+        assert!(has_twin);
+        assert!(peaks_m < 1e-3, "{peaks_m}");
+        assert_relative_eq!(valleys_m, 0.4437, max_relative = 1e-3);
     }
 }
