@@ -300,11 +300,25 @@ impl<'s> Case<'s> {
     fn elastic_pressures(&self, load: usize) -> Vec<(f64, f64)> {
         let nominal_pa = self.nominal_pressure_pa(load);
         let elastic = |moments: &Moments| {
-            let rms_pa =
-                self.composite_modulus_pa * (0.5 * moments.m2).sqrt() * self.stiffening(moments.wavelength_m);
-            (moments.wavelength_m, nominal_pa / persson::elastic::area_fraction(nominal_pa, rms_pa))
+            let real_pa =
+                nominal_pa / persson::elastic::area_fraction(nominal_pa, self.flattening_rms_pa(moments));
+            (moments.wavelength_m, real_pa)
         };
         self.moments.iter().map(elastic).collect()
+    }
+
+    /// The rms pressure \[Pa\] of full contact with all waves of these moments.
+    fn flattening_rms_pa(&self, moments: &Moments) -> f64 {
+        self.composite_modulus_pa * (0.5 * moments.m2).sqrt() * self.stiffening(moments.wavelength_m)
+    }
+
+    /// The area of Persson's contact that flows at the constant hardness over that of an elastic one, over the whole band.
+    fn flowing_over_elastic(&self, load: usize) -> Option<f64> {
+        let hardness_pa = self.scene.material?.hardness_pa()?;
+        let (nominal_pa, rms_pa) =
+            (self.nominal_pressure_pa(load), self.flattening_rms_pa(self.moments.last()?));
+        let flowing = persson::constant_hardness::areas(nominal_pa, rms_pa, hardness_pa).contact();
+        Some(flowing / persson::elastic::area_fraction(nominal_pa, rms_pa))
     }
 
     /// The rms pressure of full contact with all waves down to a wavelength \[m\] over that on half-spaces of E*.
@@ -327,7 +341,8 @@ impl<'s> Case<'s> {
 
     pub fn yielding(&self, load: usize) -> Yielding {
         let elastic = self.elastic_pressures(load);
-        Yielding::new(load, &elastic, self.constant_hardness.as_ref(), self.growing_hardness.as_ref())
+        let [constant, growing] = [&self.constant_hardness, &self.growing_hardness].map(Option::as_ref);
+        Yielding::new(load, &elastic, constant, growing, self.flowing_over_elastic(load))
     }
 
     /// The wavelength \[m\] from which on slopes are too steep for a half-space.

@@ -65,7 +65,7 @@ impl Headline {
             (Some(_), true, Some(_)) => growing,
         };
         let Some(own) = own else { return Self::from_range(load, curves) };
-        let headline = Self::from_elements(own, curves)?;
+        let headline = Self::from_elements(own, curves)?.with_peaks_that_flow(yielding);
         let may_be_softer = own.reference == Reference::Elastic && yielding.above_constant.is_some();
         let otherwise = flowing.filter(|_| may_be_softer).and_then(Otherwise::new);
         let moves =
@@ -88,6 +88,13 @@ impl Headline {
             otherwise: None,
             best_curve: candidates.min_by(|a, b| off(a).total_cmp(&off(b))).map(|curve| curve.curve),
         })
+    }
+
+    /// Extends the range by what peaks of the pressure add that flow though no scale yields on average.
+    fn with_peaks_that_flow(self, yielding: &Yielding) -> Self {
+        let factor =
+            yielding.flowing_over_elastic.filter(|_| yielding.above_constant.is_none()).unwrap_or(1.0);
+        Headline { high: (self.high * factor.max(1.0)).min(1.0), ..self }
     }
 
     fn from_range(load: usize, curves: &[CurveVerdict]) -> Option<Self> {

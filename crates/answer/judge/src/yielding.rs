@@ -15,8 +15,9 @@ pub struct Yielding {
     pub above_constant: Option<AboveHardness>,
     /// The first scale whose pressure exceeds a hardness that grows at small scales, if there is one.
     pub above_growing: Option<AboveHardness>,
-    /// True if the material yields.
-    pub has_hardness: bool,
+    /// The area of a contact that flows at the constant hardness over that of an elastic one, by Persson's theory on the whole band;
+    /// `None` if the material has no hardness. Peaks of the pressure flow before the mean reaches the hardness.
+    pub flowing_over_elastic: Option<f64>,
     /// True if its hardness grows at small scales.
     pub hardness_grows: bool,
 }
@@ -28,6 +29,7 @@ impl Yielding {
         elastic: &[(f64, f64)],
         constant: Option<&HardnessOfScales>,
         growing: Option<&HardnessOfScales>,
+        flowing_over_elastic: Option<f64>,
     ) -> Self {
         let above = |hardness: Option<&HardnessOfScales>| hardness?.first_above(elastic.iter().copied());
         Yielding {
@@ -35,7 +37,7 @@ impl Yielding {
             elastic_pressure_pa: elastic.last().map_or(0.0, |(_, pressure_pa)| *pressure_pa),
             above_constant: above(constant),
             above_growing: above(growing),
-            has_hardness: constant.is_some(),
+            flowing_over_elastic,
             hardness_grows: growing.is_some(),
         }
     }

@@ -6,6 +6,9 @@ use units::display::{counted, length, pressure, three_digits};
 
 use crate::listing::at_loads;
 
+/// The least growth of the area by peaks of the pressure that flow which is worth a word.
+const FELT: f64 = 1.005;
+
 /// The notes below the verdicts: on yielding, maps, steep slopes, and the surfaces that were pressed.
 pub(crate) fn about_elements(judgement: &Judgement, scene: &Scene) -> Vec<String> {
     let mut sentences = yields(judgement, scene);
@@ -18,7 +21,7 @@ pub(crate) fn about_elements(judgement: &Judgement, scene: &Scene) -> Vec<String
 /// The yielding of the contact: the pressure of an elastic contact against the hardness.
 fn yields(judgement: &Judgement, scene: &Scene) -> Vec<String> {
     let mut groups: Vec<(Option<String>, Vec<usize>)> = Vec::new();
-    for yielding in judgement.yielding.iter().filter(|yielding| yielding.has_hardness) {
+    for yielding in judgement.yielding.iter().filter(|yielding| yielding.flowing_over_elastic.is_some()) {
         let growing = match (yielding.hardness_grows, yielding.above_growing) {
             (false, _) => "",
             (true, None) => "; a hardness that grows at small scales as the material's does is not exceeded",
@@ -38,12 +41,19 @@ fn yields(judgement: &Judgement, scene: &Scene) -> Vec<String> {
             None => groups.push((above, vec![yielding.load])),
         }
     }
-    let sentence = |(above, loads): (Option<String>, Vec<usize>)| match above {
-        Some(above) => format!("The contact yields {}: {above}.", at_loads(scene, &loads)),
-        None => format!(
-            "Nothing yields: {} the mean pressure of an elastic contact stays below the hardness at every scale.",
-            at_loads(scene, &loads)
-        ),
+    let ratio = |load: &usize| judgement.yielding[*load].flowing_over_elastic.unwrap_or(1.0);
+    let sentence = |(above, loads): (Option<String>, Vec<usize>)| {
+        let (at, ratio) = (at_loads(scene, &loads), loads.iter().map(ratio).fold(1.0, f64::max));
+        let below = "the mean pressure of an elastic contact stays below the hardness at every scale";
+        match above {
+            Some(above) => format!("The contact yields {at}: {above}."),
+            None if ratio < FELT => format!("Nothing yields: {at} {below}."),
+            None => format!(
+                "Only peaks of the pressure yield: {at} {below}. By Persson's theory they make the area up to {} times that of elastic \
+                 elements, to which the range reaches.",
+                three_digits(ratio)
+            ),
+        }
     };
     groups.into_iter().map(sentence).collect()
 }
