@@ -255,6 +255,6 @@ mod tests {
         let Core { peaks_m, valleys_m, has_twin, .. } = curve(sine.collect()).core();
         assert!(has_twin);
         assert!(peaks_m < 1e-3, "{peaks_m}");
-        assert_relative_eq!(valleys_m, 0.4437, max_relative = 1e-3);
+        assert_relative_eq!(valleys_m, 0.443_918, max_relative = 1e-3);
     }
 }
