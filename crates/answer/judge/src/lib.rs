@@ -35,4 +35,5 @@ pub use maps::MapVerdict;
 pub use scene::JudgeSettings;
 pub use verdict::{AGREEMENT, ERRORS_GIVEN, Verdict, WorstWindow};
 pub use verdicts::{AreaRange, CurveVerdict, ElementArea, ReferenceArea, WindowOutcome};
+pub use waves::exponent_of_stiffness;
 pub use yielding::Yielding;

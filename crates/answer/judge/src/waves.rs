@@ -1,11 +1,18 @@
 //! The waves of a surface, and the pressure that flattens them on half-spaces or on a layer.
 
 use asperity::LayerCompliance;
-use spectrum::Moments;
 use spectrum::random_surfaces::{AreaSpectrum, RandomSurface, RandomSurfaceError, Synthesis};
+use spectrum::{Moments, ProfilePsd};
 
 /// Factor by which wavevectors are raised for the exponent of the stiffness.
 const STEP: f64 = 1.01;
+
+/// Returns the exponent n of the modulus E*(q) ~ q^n of a layer, averaged over the variance of the pressure of full contact on
+/// a surface: -1 on a bed of springs. `None` for a spectrum that no surface has.
+#[must_use]
+pub fn exponent_of_stiffness(psd: &ProfilePsd, layer: &LayerCompliance) -> Option<f64> {
+    Some(Waves::new(AreaSpectrum::from_profile(psd).ok()?, Some(layer)).exponent_of_stiffness())
+}
 
 /// The waves of a surface between bodies one of which may be a layer.
 #[derive(Debug, Clone, PartialEq)]

@@ -87,7 +87,7 @@ impl CurveQuestion {
         self.sampling.check(surface)?;
         let mut notes = Vec::new();
         notes.extend(tolerance.remark());
-        notes.extend(remark_on_model(&material, entry));
+        notes.extend(remark_on_model(&material, entry, &surface.psd));
         notes.extend(doubts::of_material(&material));
         notes.extend(surface.notes.iter().cloned());
         Ok(PreparedCurve {
@@ -199,7 +199,8 @@ impl<'s> PreparedCurve<'s> {
         let tolerance = scene.needs.tolerance;
         let has_states = curve.model.takes_separations();
         let mut notes: Vec<Remark> = tolerance.remark().filter(|_| has_states).into_iter().collect();
-        notes.extend(material.and_then(|material| remark_on_model(material, curve.model.entry())));
+        let of_model = |material| remark_on_model(material, curve.model.entry(), &scene.surface.psd);
+        notes.extend(material.and_then(of_model));
         notes.extend(material.and_then(doubts::of_material));
         notes.extend(scene.surface.notes.iter().cloned());
         let needs =

@@ -180,7 +180,7 @@ impl GapModel {
         let too_fine = self.tolerance.and_then(Tolerance::remark);
         let doubt = doubts::of_material(material);
         let surface_notes = surface.notes.iter().cloned();
-        let of_model = self.model.and_then(|entry| remark_on_model(material, entry));
+        let of_model = self.model.and_then(|entry| remark_on_model(material, entry, &surface.psd));
         let of_spectrum = doubts::of_spectrum(&surface.psd).into_iter();
         let cuts_surface = self.options.band.unwrap_or_default() == Band::Surface
             && self.model.is_some_and(|entry| entry.framework == Framework::Persson);

@@ -1,5 +1,6 @@
 //! Remarks that answers share.
 
+use findings::doubts;
 use persson::Roughness;
 use persson::corrections::Correction;
 use persson::separation::LightLoads;
@@ -43,9 +44,9 @@ pub(crate) fn remark_on_places(areas: &[f64]) -> Remark {
 
 /// The remark on asperities that yield at H/3 because no strength is given (Persson's theory takes H itself), or on a layer, which
 /// no model but that theory takes.
-pub(crate) fn remark_on_model(material: &Material, model: &ModelEntry) -> Option<Remark> {
+pub(crate) fn remark_on_model(material: &Material, model: &ModelEntry, psd: &ProfilePsd) -> Option<Remark> {
     if material.pair.layer().is_some() {
-        return Some(Remark::new(RemarkCode::ModulusOfLayer));
+        return doubts::of_layer(material, psd);
     }
     let takes_strength = model.has(Choice::Strength) && !model.framework.takes_hardness();
     let strength_pa = material.assumed_yield_strength_pa().filter(|_| takes_strength)?;

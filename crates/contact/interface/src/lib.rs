@@ -5,7 +5,7 @@
 //!   spot, and the effects that none of them includes;
 //! * [`finite_elements`]: contact and conductance laws as finite element codes read them;
 //! * [`gas`]: heat through the gas in the gaps, and its gas parameter;
-//! * [`leak`]: the leak rate of a seal, to an order of magnitude;
+//! * [`leak`]: the range of the leak rate of a seal;
 //! * [`friction`]: friction of a contact of known area;
 //! * [`tangential`]: displacement, slip and energy lost under a tangential load;
 //! * [`adhesion`]: Fuller & Tabor's parameter, and the left side of Pastewka & Robbins' criterion.

@@ -139,9 +139,22 @@ impl SealingLaw {
         Some(self.with_argument(wavevector_rad_per_m, pressure_pa, self.threshold.argument()))
     }
 
+    /// Share in contact with all waves under a nominal pressure p > 0 \[Pa\]; 1 without roughness.
+    #[must_use]
+    pub fn area_fraction(&self, pressure_pa: f64) -> f64 {
+        let last = self.roughness.places().last();
+        last.map_or(1.0, |last| libm::erf(self.argument(last.wavevector_rad_per_m, pressure_pa)))
+    }
+
     /// Contact with the waves up to a wavevector within the spectrum \[rad/m\] under a nominal pressure p > 0 \[Pa\].
     #[must_use]
     pub fn contact_at(&self, wavevector_rad_per_m: f64, pressure_pa: f64) -> MagnifiedContact {
+        let argument = self.argument(wavevector_rad_per_m, pressure_pa);
+        self.with_argument(wavevector_rad_per_m, pressure_pa, argument)
+    }
+
+    /// The x of A = erf(x) with the waves up to a wavevector.
+    fn argument(&self, wavevector_rad_per_m: f64, pressure_pa: f64) -> f64 {
         let variance_pa2 = self.separation.variance_pa2(wavevector_rad_per_m);
         let effective_pa2 = match self.correction {
             None => variance_pa2,
@@ -154,7 +167,7 @@ impl SealingLaw {
                     .unwrap_or(variance_pa2)
             }
         };
-        self.with_argument(wavevector_rad_per_m, pressure_pa, pressure_pa / (2.0 * effective_pa2).sqrt())
+        pressure_pa / (2.0 * effective_pa2).sqrt()
     }
 
     /// Excess of V/p^2 over the value that leaves the threshold in contact.

@@ -23,7 +23,10 @@ pub fn trust_left(caution: &Remark) -> Trust {
     };
     match caution.code {
         RemarkCode::TooFewScales => Trust::None,
-        RemarkCode::InstrumentsDisagree | RemarkCode::HardnessDecides | RemarkCode::NotJudged => Trust::Poor,
+        RemarkCode::InstrumentsDisagree
+        | RemarkCode::HardnessDecides
+        | RemarkCode::NotJudged
+        | RemarkCode::ThinLayer => Trust::Poor,
         RemarkCode::NotMeasured if is_wide() => Trust::Poor,
         code if is_doubt(code) => Trust::Poor,
         _ => Trust::Fair,
@@ -86,9 +89,10 @@ pub(crate) fn cautions(
     if !loads.is_empty() && loads.iter().all(|load| is_of_models(load.area.source)) {
         cautions.push(new(RemarkCode::NotJudged));
     }
-    let has_layer = scene.material.as_ref().is_some_and(|material| material.pair.layer().is_some());
+    let of_layer =
+        scene.material.as_ref().and_then(|material| doubts::of_layer(material, &scene.surface.psd));
     let from_curves = loads.is_empty() || loads.iter().any(|load| is_of_models(load.area.source));
-    cautions.extend((has_layer && from_curves).then(|| new(RemarkCode::ModulusOfLayer)));
+    cautions.extend(of_layer.filter(|_| from_curves));
     cautions.extend(scene.surface.holes().iter().map(|hole| {
         let remark = new(RemarkCode::NotMeasured).with("longest_m", hole.longest_m);
         remark.with("shortest_m", hole.shortest_m)

@@ -21,6 +21,9 @@ const HARD_RATIO: f64 = 0.35;
 
 /// The slope and the aspect ratio above which the units of a spectrum are probably mistaken.
 const STEEP: f64 = 1.0;
+/// Exponent of the modulus of a layer below which boundary elements find more than 1.2 times the area of Persson's theory, beside
+/// that on half-spaces.
+const THIN_LAYER: f64 = -0.25;
 /// Share of the roughness moved by levelling, and error of the rms gradient from the end of the spectrum, that are worth a note.
 const LEAST_LEVELLED: f64 = 1e-3;
 const LEAST_END_ERROR: f64 = 0.01;
@@ -85,6 +88,15 @@ pub fn of_conversion(conversion: Conversion) -> Vec<Remark> {
     let end =
         (end_error > LEAST_END_ERROR).then(|| Remark::new(RemarkCode::SpectrumEnd).with("error", end_error));
     levelled.into_iter().chain(end).collect()
+}
+
+/// The remark on a layer, which Persson's theory takes by its modulus at each wavelength.
+#[must_use]
+pub fn of_layer(material: &Material, psd: &ProfilePsd) -> Option<Remark> {
+    let exponent = judge::exponent_of_stiffness(psd, &material.pair.layer_compliance()?)?;
+    let is_thin = exponent < THIN_LAYER;
+    let code = if is_thin { RemarkCode::ThinLayer } else { RemarkCode::ModulusOfLayer };
+    Some(Remark::new(code).with("exponent", exponent))
 }
 
 /// The doubt about the rms slope of a surface.

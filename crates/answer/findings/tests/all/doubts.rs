@@ -97,3 +97,34 @@ fn nothing_is_doubted_where_physics_has_nothing_against_it() {
         []
     );
 }
+
+#[test]
+fn a_layer_is_thin_by_the_power_of_its_modulus() {
+    let of_layer = |thickness: &str, ratio: f64, base: &str| {
+        let text = format!(
+            "[surface]\npsd = \"builtin:uncd-measured\"\n[material]\nyoungs_modulus = \"210 GPa\"\npoisson_ratio = 0.3\n\
+             [material.layer]\nthickness = \"{thickness}\"\nyoungs_modulus = \"3 GPa\"\npoisson_ratio = {ratio}\n\
+             base = \"{base}\"\n[loads]\npressures = [\"1 MPa\"]\n[[curve]]\nmodel = \"persson\"\n"
+        );
+        let text = match base {
+            "rigid" => text.replace("youngs_modulus = \"210 GPa\"\npoisson_ratio = 0.3\n", ""),
+            _ => text,
+        };
+        let scene = Scene::parse(&text, &NoFiles, &Overrides::default()).unwrap();
+        let found = doubts::of_layer(scene.material.as_ref().unwrap(), &scene.surface.psd).unwrap();
+        (found.code, found.number("exponent").unwrap())
+    };
+    for (thickness, ratio, base, code, expected) in [
+        ("1 mm", 0.4, "rigid", RemarkCode::ModulusOfLayer, 0.0),
+        ("0.1 nm", 0.4, "rigid", RemarkCode::ThinLayer, -1.0),
+        ("0.1 nm", 0.5, "rigid", RemarkCode::ThinLayer, -3.0),
+        // So thin that the waves feel the base alone.
+        ("0.001 nm", 0.4, "material", RemarkCode::ModulusOfLayer, 0.0),
+    ] {
+        let (found, exponent) = of_layer(thickness, ratio, base);
+        assert!(
+            found == code && (exponent - expected).abs() < 0.05,
+            "{thickness} {ratio} {base}: {exponent}"
+        );
+    }
+}

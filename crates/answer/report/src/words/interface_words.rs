@@ -182,10 +182,14 @@ fn of_the_seal(
 ) -> Vec<String> {
     let threshold = seal.threshold.area_fraction();
     let mut notes = vec![format!(
-        "channels close when {} of the area touches; the area of the seal comes from a fit to boundary elements, not from the curves, \
-         and the leak rate is an order of magnitude",
+        "channels close when {} of the area touches; the area of the seal comes from a fit to boundary elements, not from the curves",
         percent(threshold)
     )];
+    notes.extend(seal.joint.map(|_| {
+        "the leak rate is a range, a fifteenth to a half of what the last channel alone lets through, to one and a half above 30 % \
+         contact: there lie flows solved through gaps of boundary elements"
+            .to_owned()
+    }));
     let tight = Slot { quantity: Quantity::TightPressure, load: None, curve: None };
     let tight_pa = states.value(tight).ok().flatten();
     let flows_pa = scene.hardness_pa().map(|hardness_pa| threshold * hardness_pa);

@@ -244,7 +244,7 @@ fn check_seal(scene: &Scene, conclusions: &Conclusions, states: &InterfaceStates
     for (loads, is_closed) in [(&seal.closed_under, true), (&seal.open_under, false)] {
         for &load in loads {
             assert_eq!(scene.needs.loads[load].nominal_pressure_pa() >= closes_pa, is_closed);
-            let slot = Slot { quantity: Quantity::LeakRate, load: Some(load), curve: None };
+            let slot = Slot { quantity: Quantity::LeakRateHigh, load: Some(load), curve: None };
             let leak = states.value(slot).ok().flatten();
             let leaks = leak.is_some_and(|leak_m3_per_s| leak_m3_per_s > 0.0);
             assert_eq!(leaks, !is_closed, "{leak:?} under load {load}: {seal:?}");

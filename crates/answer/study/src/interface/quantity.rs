@@ -30,8 +30,10 @@ pub enum Quantity {
     ChannelWavelength,
     /// The height of that place \[m\].
     ChannelHeight,
-    /// Leak rate, to an order of magnitude \[m^3/s\].
-    LeakRate,
+    /// Low end of the leak rate \[m^3/s\].
+    LeakRateLow,
+    /// High end of the leak rate \[m^3/s\].
+    LeakRateHigh,
     /// The nominal pressure that closes the last channel \[Pa\].
     TightPressure,
     /// Friction per nominal area \[Pa\].
@@ -91,7 +93,8 @@ impl Quantity {
             Quantity::ElectricalResistance => "electrical_resistance_ohm",
             Quantity::ChannelWavelength => "channel_wavelength_m",
             Quantity::ChannelHeight => "channel_height_m",
-            Quantity::LeakRate => "leak_rate_m3_per_s",
+            Quantity::LeakRateLow => "leak_rate_low_m3_per_s",
+            Quantity::LeakRateHigh => "leak_rate_high_m3_per_s",
             Quantity::TightPressure => "tight_pressure_pa",
             Quantity::FrictionStress => "friction_stress_pa",
             Quantity::FrictionCoefficient => "friction_coefficient",
@@ -139,7 +142,8 @@ impl Quantity {
             Quantity::ElectricalResistance => "electrical resistance",
             Quantity::ChannelWavelength => "wavelength of the last channel",
             Quantity::ChannelHeight => "height of the last channel",
-            Quantity::LeakRate => "leak rate, an order of magnitude",
+            Quantity::LeakRateLow => "leak rate, at least",
+            Quantity::LeakRateHigh => "leak rate, at most",
             Quantity::TightPressure => "pressure that makes it tight",
             Quantity::FrictionStress => "friction per nominal area",
             Quantity::FrictionCoefficient => "coefficient of friction",
@@ -171,7 +175,7 @@ impl Quantity {
             Quantity::ThermalResistance => "K/W",
             Quantity::ElectricalConductance => "S/m²",
             Quantity::ElectricalResistance => "Ω",
-            Quantity::LeakRate => "m³/s",
+            Quantity::LeakRateLow | Quantity::LeakRateHigh => "m³/s",
             Quantity::TightPressure | Quantity::FrictionStress => "Pa",
             Quantity::FrictionCoefficient
             | Quantity::StuckAreaFraction

@@ -149,7 +149,8 @@ impl InterfaceRequest {
         }
         if let Some(seal) = &self.seal {
             quantities.extend([Quantity::ChannelWavelength, Quantity::ChannelHeight]);
-            quantities.extend(seal.joint.map(|_| Quantity::LeakRate));
+            let rates = seal.joint.map(|_| [Quantity::LeakRateLow, Quantity::LeakRateHigh]);
+            quantities.extend(rates.into_iter().flatten());
         }
         if self.shear.is_some() {
             quantities.extend(Quantity::OF_SHEAR);

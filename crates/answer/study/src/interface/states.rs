@@ -5,7 +5,7 @@ use std::cell::OnceCell;
 use ::interface::OutOfBounds;
 use ::interface::conductance::{CutSurface, PlasticCorrelation, PressureRatio, RelativeStiffness, Spot};
 use ::interface::friction::SlidingContact;
-use ::interface::leak::Constriction;
+use ::interface::leak::{Constriction, LeakRate};
 use ::interface::tangential::{ShearedContact, ShearedPair};
 use asperity::MaterialPair;
 use persson::Band;
@@ -265,7 +265,8 @@ impl<'a> InterfaceStates<'a> {
             }
             Quantity::ChannelWavelength => Ok(self.constriction(load).map(|seen| seen.wavelength_m())),
             Quantity::ChannelHeight => Ok(self.constriction(load).and_then(|seen| seen.opening_gap_m)),
-            Quantity::LeakRate => self.leak(load),
+            Quantity::LeakRateLow => Ok(self.leak(load)?.map(|rate| rate.low_m3_per_s)),
+            Quantity::LeakRateHigh => Ok(self.leak(load)?.map(|rate| rate.high_m3_per_s)),
             Quantity::FrictionStress | Quantity::FrictionCoefficient => {
                 let area = slot.curve.and_then(|curve| {
                     let curve = self.inputs.results.curves.get(curve)?;
@@ -369,11 +370,12 @@ impl<'a> InterfaceStates<'a> {
         Ok(Some(correlation.conductance_w_per_m2_k(conductivities, &self.surface()?, ratio)))
     }
 
-    fn leak(&self, load: usize) -> Result<Option<f64>, InterfaceError> {
-        let joint = self.request.seal.and_then(|seal| seal.joint);
+    fn leak(&self, load: usize) -> Result<Option<LeakRate>, InterfaceError> {
+        let joint = self.request.seal.and_then(|seal| seal.joint).zip(self.sealing.as_ref());
         let height_m = self.constriction(load).and_then(|seen| seen.opening_gap_m);
-        let (Some(joint), Some(height_m)) = (joint, height_m) else { return Ok(None) };
-        Ok(Some(joint.leak_rate(Constriction::new(height_m)?).m3_per_s()))
+        let (Some((joint, sealing)), Some(height_m)) = (joint, height_m) else { return Ok(None) };
+        let area_fraction = sealing.area_fraction(self.pressure_pa(load));
+        Ok(Some(joint.leak_rate(Constriction::new(height_m)?, area_fraction)))
     }
 
     fn surface(&self) -> Result<CutSurface, InterfaceError> {
