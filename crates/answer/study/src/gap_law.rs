@@ -40,7 +40,7 @@ impl GapLaw {
         let parseval = Normalisation::Parseval.factor() / normalisation.factor();
         let rms_height_m = parseval.sqrt() * moments.rms_height_m();
         let prepared = PreparedSpectrum::from_results(results);
-        let surface = model.surface(&prepared, || roughness(plan, results, choices.band), choices)?;
+        let surface = model.surface(&prepared, || plan.roughness(&prepared, choices.band), choices)?;
         let surface = surface.ok_or(GapError::NoDistances(model.entry().name))?;
         Ok(GapLaw { surface, rms_height_m, band: choices.band })
     }
@@ -125,7 +125,7 @@ impl GapLaw {
 /// Builds the roughness that Persson's theory takes from a computed plan.
 #[must_use]
 pub fn roughness(plan: &Plan<'_>, results: &Results, band: Band) -> Roughness {
-    plan.roughness(&results.psd, &results.moments, &results.scales, band)
+    plan.roughness(&PreparedSpectrum::from_results(results), band)
 }
 
 #[cfg(test)]

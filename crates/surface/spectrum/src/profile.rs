@@ -2,12 +2,11 @@
 
 use std::f64::consts::TAU;
 use std::num::NonZeroU32;
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 use serde::Serialize;
 
 use crate::interval::{Interval, Sample, ln_ratio};
-use crate::random_surfaces::{AreaSpectrum, RandomSurfaceError};
 use crate::samples::{PsdError, check_samples, falls};
 use crate::surface_waves::SurfaceWaves;
 
@@ -29,18 +28,6 @@ pub struct ProfilePsd {
     /// Samples below the cutoff (\[m\], \[m^3\]), which hold waves of the surface above it no less.
     #[serde(skip)]
     beyond: Vec<(f64, f64)>,
-    #[serde(skip)]
-    converted: Converted,
-}
-
-/// The surface that was computed from a spectrum, once for all its copies; the same spectrum with and without it is equal.
-#[derive(Clone, Debug, Default)]
-struct Converted(Arc<OnceLock<Result<AreaSpectrum, RandomSurfaceError>>>);
-
-impl PartialEq for Converted {
-    fn eq(&self, _: &Self) -> bool {
-        true
-    }
 }
 
 impl ProfilePsd {
@@ -59,19 +46,12 @@ impl ProfilePsd {
 
     /// Makes a spectrum from samples that are valid already.
     pub(crate) fn from_samples(wavelengths_m: Vec<f64>, c1d_m3: Vec<f64>) -> Self {
-        Self {
-            wavelengths_m,
-            c1d_m3,
-            standard_errors_m3: None,
-            surface: None,
-            beyond: Vec::new(),
-            converted: Converted::default(),
-        }
+        Self { wavelengths_m, c1d_m3, standard_errors_m3: None, surface: None, beyond: Vec::new() }
     }
 
     /// States the waves of the surface whose profiles these are, so that they are not computed from them.
     pub(crate) fn with_surface(self, surface: SurfaceWaves) -> Self {
-        Self { surface: Some(Arc::new(surface)), converted: Converted::default(), ..self }
+        Self { surface: Some(Arc::new(surface)), ..self }
     }
 
     /// The waves of the surface, if they are known: those of a table of areas.
@@ -82,15 +62,7 @@ impl ProfilePsd {
     /// Takes over what is known of the surface from a spectrum of the same surface over a wider band.
     #[must_use]
     pub fn with_surface_of(self, wider: &Self) -> Self {
-        Self { surface: wider.surface.clone(), converted: Converted::default(), ..self }
-    }
-
-    /// The surface, computed at the first call.
-    pub(crate) fn converted(
-        &self,
-        compute: impl FnOnce() -> Result<AreaSpectrum, RandomSurfaceError>,
-    ) -> Result<AreaSpectrum, RandomSurfaceError> {
-        self.converted.0.get_or_init(compute).clone()
+        Self { surface: wider.surface.clone(), ..self }
     }
 
     /// Samples below the cutoff, as wavelengths \[m\] and C1D \[m^3\], from long to short wavelengths.
@@ -201,7 +173,6 @@ impl ProfilePsd {
             standard_errors_m3: self.standard_errors_m3.as_ref().map(|errors| errors[..kept].to_vec()),
             surface: self.surface.clone(),
             beyond: self.samples().skip(kept).chain(self.beyond.iter().copied()).collect(),
-            converted: Converted::default(),
         })
     }
 

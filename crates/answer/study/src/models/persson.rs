@@ -6,9 +6,7 @@ use persson::hardness_laws::{CappedHardness, HardnessError, HardnessGrowth};
 use persson::separation::SeparationLaw;
 use persson::{Band, Cut, EnergyFactor, PerssonModel, Roughness, RoughnessSample};
 use serde::Serialize;
-use spectrum::random_surfaces::AreaSpectrum;
-use spectrum::{Moments, Normalisation, ProfilePsd};
-use stacked_contact::Scale;
+use spectrum::Normalisation;
 use tables::Table;
 
 use super::{Choice, CurveResult, Framework, Job, ModelEntry, Theory};
@@ -18,7 +16,7 @@ use crate::material::{Material, MaterialError, NeededFor};
 use crate::model_options::ModelOptions;
 use crate::plan::error::PlanError;
 use crate::plan::gap::{GapError, GapState};
-use crate::plan::prepared_spectrum::Cutoffs;
+use crate::plan::prepared_spectrum::{Cutoffs, PreparedSpectrum};
 use crate::plan::work::Work;
 
 /// The forms of the theory.
@@ -353,18 +351,13 @@ pub(super) fn point(cut: &Cut) -> [f64; 3] {
     [cut.wavelength_m, cut.areas.contact(), cut.real_pressure_pa]
 }
 
-/// A spectrum with the moments, of a normalisation, that it has from the second wavelength on, and the amplitudes of its
+/// The roughness of a spectrum with the moments, of a normalisation, that it has from the second wavelength on, and the amplitudes of its
 /// scales; without amplitudes no hardness can follow them.
 #[must_use]
-pub(crate) fn roughness<'m>(
-    psd: &ProfilePsd,
-    moments: impl Iterator<Item = &'m Moments>,
-    normalisation: Normalisation,
-    scales: &[Scale],
-    band: Band,
-) -> Roughness {
+pub(crate) fn roughness(prepared: &PreparedSpectrum, normalisation: Normalisation, band: Band) -> Roughness {
+    let PreparedSpectrum { psd, moments, scales, .. } = prepared;
     let parseval = Normalisation::Parseval.factor() / normalisation.factor();
-    let moments = moments.map(|m| [m.m0_m2, m.m2, m.m4_per_m2].map(|moment| parseval * moment));
+    let moments = moments.iter().map(|(m, _)| [m.m0_m2, m.m2, m.m4_per_m2].map(|moment| parseval * moment));
     let samples: Vec<RoughnessSample> = psd
         .wavelengths_m()
         .iter()
@@ -376,14 +369,7 @@ pub(crate) fn roughness<'m>(
             RoughnessSample { wavelength_m, c1d_m3, moments, amplitude_m }
         })
         .collect();
-    // A single sample has no waves.
-    let of_surface = || {
-        let surface = AreaSpectrum::from_profile(psd).ok();
-        let gradients = surface.map(|surface| surface.mean_square_gradients(psd.wavelengths_m()));
-        gradients.unwrap_or_else(|| vec![0.0; psd.len()])
-    };
-    let of_surface = (band == Band::Surface).then(of_surface);
-    Roughness::new(&samples, of_surface.as_deref())
+    Roughness::new(&samples, (band == Band::Surface).then(|| prepared.gradients_of_surface()))
 }
 
 #[cfg(test)]

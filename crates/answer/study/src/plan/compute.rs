@@ -75,8 +75,7 @@ impl Plan<'_> {
         conditions: &[Condition],
         places: Range<usize>,
     ) -> Result<(CurveResult, Work), PlanError> {
-        let PreparedSpectrum { psd, moments, scales, .. } = prepared;
-        let roughness = |band| self.roughness(psd, moments, scales, band);
+        let roughness = |band| self.roughness(prepared, band);
         let job = Job { prepared, cutoffs, run: self.run(progress), roughness: &roughness };
         model.blocks(&job, conditions, places)
     }

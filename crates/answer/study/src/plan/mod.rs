@@ -35,8 +35,7 @@ pub use work::Work;
 use persson::Band;
 use persson::Roughness;
 use persson::hardness_laws::HardnessError;
-use spectrum::{AsperityParameters, Moments, ProfilePsd};
-use stacked_contact::Scale;
+use spectrum::ProfilePsd;
 
 use crate::models::persson::roughness;
 
@@ -51,17 +50,9 @@ pub struct Plan<'p> {
 }
 
 impl Plan<'_> {
-    /// Builds the roughness that Persson's theory takes from a sampled spectrum with its moments and amplitudes.
-    pub(crate) fn roughness(
-        &self,
-        psd: &ProfilePsd,
-        moments: &[(Moments, Option<AsperityParameters>)],
-        scales: &[Scale],
-        band: Band,
-    ) -> Roughness {
-        let normalisation = self.needs.moments.unwrap_or_default();
-        let moments = moments.iter().map(|(moments, _)| moments);
-        roughness(psd, moments, normalisation, scales, band)
+    /// Builds the roughness that Persson's theory takes from a prepared spectrum.
+    pub(crate) fn roughness(&self, prepared: &PreparedSpectrum, band: Band) -> Roughness {
+        roughness(prepared, self.needs.moments.unwrap_or_default(), band)
     }
 
     /// Returns the surface of a model with its whole prepared spectrum, or nothing for a theory other than Persson's.
@@ -74,9 +65,7 @@ impl Plan<'_> {
         prepared: &PreparedSpectrum,
     ) -> Result<Option<PerssonSurface>, HardnessError> {
         let Some(theory) = model.persson() else { return Ok(None) };
-        let PreparedSpectrum { psd, moments, scales, .. } = prepared;
-        let roughness = self.roughness(psd, moments, scales, theory.band);
-        theory.surface(roughness, theory.energy_factor).map(Some)
+        theory.surface(self.roughness(prepared, theory.band), theory.energy_factor).map(Some)
     }
 }
 

@@ -1,5 +1,7 @@
 //! Preparation of a spectrum: its scales that take part, their moments and asperities, their amplitudes.
 
+use std::sync::Arc;
+
 use spectrum::{
     AmplitudeDefinition, AsperityParameters, Moments, ProfilePsd, amplitudes, cumulative_moments,
     cumulative_moments_to, fit_self_affine,
@@ -36,7 +38,8 @@ impl Plan<'_> {
             ..Work::default()
         };
         let sweep_cutoffs = self.sweep_cutoffs(&sampled, &moments, &mut work);
-        Ok(PreparedSpectrum { psd: kept.unwrap_or(sampled), moments, scales, fit, sweep_cutoffs, work })
+        let (psd, gradients) = (kept.unwrap_or(sampled), Arc::default());
+        Ok(PreparedSpectrum { psd, moments, scales, fit, sweep_cutoffs, work, gradients })
     }
 
     /// Returns an upper bound of the number of scales that take part.

@@ -1,8 +1,10 @@
 //! The basis of curves: the scales of the spectrum that take part, their moments and asperities, their amplitudes.
 
 use std::ops::Range;
+use std::sync::{Arc, OnceLock};
 
 use serde::{Deserialize, Serialize};
+use spectrum::random_surfaces::AreaSpectrum;
 use spectrum::{AsperityParameters, Moments, ProfilePsd, SelfAffineFit};
 use stacked_contact::Scale;
 
@@ -19,6 +21,21 @@ pub struct PreparedSpectrum {
     /// The cutoff of each sweep.
     pub(crate) sweep_cutoffs: Vec<Cutoff>,
     pub(crate) work: Work,
+    /// What [`PreparedSpectrum::gradients_of_surface`] returns, once for all copies.
+    pub(crate) gradients: Arc<OnceLock<Vec<f64>>>,
+}
+
+impl PreparedSpectrum {
+    /// The mean square gradient of the waves of the surface down to each wavelength, computed at the first call.
+    pub(crate) fn gradients_of_surface(&self) -> &[f64] {
+        let wavelengths_m = self.psd.wavelengths_m();
+        let gradients = |surface: AreaSpectrum| surface.mean_square_gradients(wavelengths_m);
+        // A single sample has no waves.
+        let compute = || {
+            AreaSpectrum::from_profile(&self.psd).map_or_else(|_| vec![0.0; wavelengths_m.len()], gradients)
+        };
+        self.gradients.get_or_init(compute)
+    }
 }
 
 /// The cutoffs at which a curve is needed.

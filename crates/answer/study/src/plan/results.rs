@@ -1,5 +1,7 @@
 //! Results of a plan.
 
+use std::sync::Arc;
+
 use serde::Serialize;
 use spectrum::{AsperityParameters, Moments, ProfilePsd, SelfAffineFit};
 use stacked_contact::Scale;
@@ -46,6 +48,7 @@ impl PreparedSpectrum {
             fit: None,
             sweep_cutoffs: Vec::new(),
             work: Work::default(),
+            gradients: Arc::default(),
         }
     }
 }

@@ -37,15 +37,14 @@ impl AreaSpectrum {
     /// [`RandomSurfaceError::TooFewSamples`] for a single sample; [`RandomSurfaceError::EmptyBand`] if a known surface lacks the
     /// band.
     pub fn from_profile(profile: &ProfilePsd) -> Result<Self, RandomSurfaceError> {
-        profile.converted(|| {
+        if let Some(waves) = profile.surface() {
             let (longest_m, shortest_m) = (profile.longest_wavelength_m(), profile.shortest_wavelength_m());
-            if let Some(waves) = profile.surface() {
-                let whole = Self { waves: waves.clone(), conversion: Conversion::default() };
-                return whole.cut(longest_m.min(waves.longest_m), shortest_m.max(waves.shortest_m));
-            }
-            let (pieces, conversion) = conversion::of_profile(profile)?;
-            Self::from_pieces(pieces, longest_m, shortest_m, conversion)
-        })
+            let whole = Self { waves: waves.clone(), conversion: Conversion::default() };
+            return whole.cut(longest_m.min(waves.longest_m), shortest_m.max(waves.shortest_m));
+        }
+        let (pieces, conversion) = conversion::of_profile(profile)?;
+        let (longest_m, shortest_m) = (profile.longest_wavelength_m(), profile.shortest_wavelength_m());
+        Self::from_pieces(pieces, longest_m, shortest_m, conversion)
     }
 
     /// Builds the spectrum from samples in any convention. Samples of areas are joined by power laws; samples of
