@@ -116,6 +116,11 @@ impl Choice {
     }
 }
 
+/// Returns a choice that differs from its default.
+pub(crate) fn unless_default<T: Default + PartialEq>(choice: T) -> Option<T> {
+    Some(choice).filter(|choice| *choice != T::default())
+}
+
 impl ModelOptions {
     /// Returns the settings that differ from the defaults of a model which has some of the choices. Those of a whole
     /// scene are left out.

@@ -63,17 +63,10 @@ mod tests {
         let strength = NixGao::constant(1.8e9).unwrap();
         let gradient = strength.with_strain_gradient(5e-6).unwrap();
         let capped = strength.with_strain_gradient(1e-9).unwrap().with_cap(4e9).unwrap();
-        let plastic = |strength| StackedModel::ElasticPlastic { pair, strength, area: Default::default() };
-        let shape =
-            |strength| StackedModel::ElasticPlastic { pair, strength, area: YieldingAreaLaw::ElasticShape };
-        [
-            StackedModel::Elastic { pair },
-            plastic(strength),
-            plastic(gradient),
-            plastic(capped),
-            shape(strength),
-            shape(gradient),
-        ]
+        let yielding = |area| move |strength| StackedModel::ElasticPlastic { pair, strength, area };
+        let [a, b, c] = [strength, gradient, capped].map(yielding(YieldingAreaLaw::Blended));
+        let [d, e] = [strength, gradient].map(yielding(YieldingAreaLaw::ElasticShape));
+        [StackedModel::Elastic { pair }, a, b, c, d, e]
     }
 
     /// Scales whose aspect ratio peaks at 0.04 at 100 nm, and falls to a tenth of that at 1 nm.

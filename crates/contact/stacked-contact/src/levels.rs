@@ -59,21 +59,10 @@ mod tests {
     fn models() -> [StackedModel; 5] {
         let constant = NixGao::constant(1.8e9).unwrap();
         let gradient = constant.with_strain_gradient(5e-6).unwrap();
-        [
-            StackedModel::Elastic { pair: pair() },
-            StackedModel::ElasticPlastic { pair: pair(), strength: constant, area: Default::default() },
-            StackedModel::ElasticPlastic { pair: pair(), strength: gradient, area: Default::default() },
-            StackedModel::ElasticPlastic {
-                pair: pair(),
-                strength: constant,
-                area: YieldingAreaLaw::ElasticShape,
-            },
-            StackedModel::ElasticPlastic {
-                pair: pair(),
-                strength: gradient,
-                area: YieldingAreaLaw::ElasticShape,
-            },
-        ]
+        let yielding = |strength, area| StackedModel::ElasticPlastic { pair: pair(), strength, area };
+        let of = |area| [constant, gradient].map(|strength| yielding(strength, area));
+        let [[blended, growing], shapes] = [YieldingAreaLaw::Blended, YieldingAreaLaw::ElasticShape].map(of);
+        [StackedModel::Elastic { pair: pair() }, blended, growing, shapes[0], shapes[1]]
     }
 
     #[test]

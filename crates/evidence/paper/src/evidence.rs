@@ -35,44 +35,41 @@ pub(crate) const PLASTIC_AND_ELASTIC: [(Name, Name); 3] =
 pub(crate) const GRADIENT_AND_PLAIN: [(Name, Name); 3] =
     [(PLASTIC_GRADIENT, PLASTIC), (SPHERE_GRADIENT, SPHERE), (SINE_GRADIENT, SINE)];
 
-/// A reading of the paper's text: how the program fills what the text leaves open.
+/// Reading of the paper's text: options of a scene that fill what the text leaves open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Reading {
-    /// The reading of the paper's scenes.
-    Program,
-    /// The force of a flattened sphere is held with its area.
-    ForceHeld,
-    /// The moments have the factor 1, as printed in Eq. (1).
-    AsPrinted,
-    /// Both of these.
-    ForceHeldAsPrinted,
-    /// The area of a scale that yields is the elastic one at p/p*_ep.
-    ElasticShape,
+pub struct Reading {
+    /// Name in tables.
+    pub name: &'static str,
+    /// Lines that replace the one of the paper's scenes.
+    options: &'static str,
 }
-
-units::named!(Reading, "reading", {
-    Program => "program",
-    ForceHeld => "force held",
-    AsPrinted => "moments as printed",
-    ForceHeldAsPrinted => "force held, moments as printed",
-    ElasticShape => "elastic shape of yielding scales",
-});
 
 impl Reading {
-    /// Options of a scene, in place of the line of the paper's scenes.
-    fn options(self) -> &'static str {
-        match self {
-            Reading::Program => OWN_OPTION,
-            Reading::ForceHeld => "flattening = \"area-and-force\"",
-            Reading::AsPrinted => "flattening = \"area\"\nnormalisation = \"as-printed\"",
-            Reading::ForceHeldAsPrinted => "flattening = \"area-and-force\"\nnormalisation = \"as-printed\"",
-            Reading::ElasticShape => "flattening = \"area\"\nelastic_plastic_area = \"elastic-shape\"",
-        }
-    }
+    /// The reading of the paper's scenes.
+    pub const PROGRAM: Reading = Reading { name: "program", options: "flattening = \"area\"" };
+    /// The force of a flattened sphere is held with its area.
+    pub const FORCE_HELD: Reading =
+        Reading { name: "force held", options: "flattening = \"area-and-force\"" };
+    /// The area of a scale that yields is the elastic one at p/p*_ep.
+    pub const ELASTIC_SHAPE: Reading = Reading {
+        name: "elastic shape of yielding scales",
+        options: "flattening = \"area\"\nelastic_plastic_area = \"elastic-shape\"",
+    };
+    /// All readings, among them those with the factor 1 of the moments that Eq. (1) prints.
+    pub const ALL: [Reading; 5] = [
+        Self::PROGRAM,
+        Self::FORCE_HELD,
+        Reading {
+            name: "moments as printed",
+            options: "flattening = \"area\"\nnormalisation = \"as-printed\"",
+        },
+        Reading {
+            name: "force held, moments as printed",
+            options: "flattening = \"area-and-force\"\nnormalisation = \"as-printed\"",
+        },
+        Self::ELASTIC_SHAPE,
+    ];
 }
-
-/// Line of the paper's scenes that other readings replace.
-const OWN_OPTION: &str = "flattening = \"area\"";
 
 /// Scene of the paper with its results.
 pub struct Evidence {
@@ -92,7 +89,7 @@ impl Evidence {
     /// # Errors
     /// The error of the scene or its plan.
     pub fn compute(template: Template) -> Result<Self, Box<dyn Error>> {
-        Self::read_as(Reading::Program, template)
+        Self::read_as(Reading::PROGRAM, template)
     }
 
     /// Computes a scene that comes with the program in a reading of the paper.
@@ -100,7 +97,7 @@ impl Evidence {
     /// # Errors
     /// The error of the scene or its plan.
     pub fn read_as(reading: Reading, template: Template) -> Result<Self, Box<dyn Error>> {
-        let text = template.text().replace(OWN_OPTION, reading.options());
+        let text = template.text().replace(Reading::PROGRAM.options, reading.options);
         let scene = Scene::parse(&text, &NoFiles, &Overrides::default())?;
         let results = scene.plan().compute()?;
         Ok(Evidence { reading, template, scene, results })

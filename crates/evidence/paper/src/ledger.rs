@@ -56,6 +56,33 @@ pub struct Finding {
     pub remark: String,
 }
 
+impl Finding {
+    /// Creates the finding on a statement that says one thing.
+    pub(crate) fn new(value: f64, found: String, verdict: Verdict, remark: impl Into<String>) -> Self {
+        Finding { value, found, verdict, parts: Vec::new(), remark: remark.into() }
+    }
+
+    /// Creates the finding on a statement that holds if all of its parts do.
+    pub(crate) fn of_parts(value: f64, found: String, parts: &[(bool, &'static str)]) -> Self {
+        let all = verdict(parts.iter().all(|(holds, _)| *holds));
+        Finding { value, found, verdict: all, parts: parts.to_vec(), remark: which_parts(parts) }
+    }
+}
+
+/// Lists the parts of a statement that hold and those that do not.
+fn which_parts(parts: &[(bool, &str)]) -> String {
+    let names = |wanted: bool| {
+        let chosen: Vec<&str> =
+            parts.iter().filter(|(holds, _)| *holds == wanted).map(|(_, name)| *name).collect();
+        chosen.join(", ")
+    };
+    match (names(true), names(false)) {
+        (all, none) if none.is_empty() => format!("Found: {all}."),
+        (none, all) if none.is_empty() => format!("Not found: {all}."),
+        (some, others) => format!("Found: {some}. Not found: {others}."),
+    }
+}
+
 /// Row of the ledger: a statement, and a finding for every spectrum.
 #[derive(Debug, Clone)]
 pub struct Row {
@@ -101,23 +128,18 @@ impl Part {
     /// Returns the parts of a statement, checked on every spectrum in every reading.
     pub(crate) fn of(statement: Statement, evidence: &[Evidence]) -> Vec<Part> {
         let mut parts: Vec<Part> = Vec::new();
-        for (at, of_scene) in evidence.iter().enumerate() {
+        for of_scene in evidence {
             let found = (statement.check)(of_scene);
-            let marks: Vec<(Verdict, &'static str)> = match found.parts.is_empty() {
-                true => vec![(found.verdict, statement.statement)],
-                false => found.parts.iter().map(|&(holds, words)| (verdict(holds), words)).collect(),
-            };
-            if at == 0 {
-                let letter = |place| if marks.len() > 1 { &"abcdef"[place..=place] } else { "" };
-                parts.extend(marks.iter().enumerate().map(|(place, &(_, words))| Part {
-                    statement,
-                    label: format!("{}{}", statement.number, letter(place)),
-                    words,
-                    marks: Vec::new(),
-                }));
-            }
-            for (part, (mark, _)) in parts.iter_mut().zip(marks) {
-                part.marks.push((of_scene.template.name(), of_scene.reading, mark));
+            let whole = [(found.verdict, statement.statement)];
+            let of_parts = found.parts.iter().map(|&(holds, words)| (verdict(holds), words));
+            let marks = whole.into_iter().filter(|_| found.parts.is_empty()).chain(of_parts);
+            for (at, (mark, words)) in marks.enumerate() {
+                if at == parts.len() {
+                    let letter = if found.parts.is_empty() { "" } else { &"abcdef"[at..=at] };
+                    let label = format!("{}{letter}", statement.number);
+                    parts.push(Part { statement, label, words, marks: Vec::new() });
+                }
+                parts[at].marks.push((of_scene.template.name(), of_scene.reading, mark));
             }
         }
         parts
@@ -138,7 +160,7 @@ pub fn parts_table(parts: &[Part]) -> Table {
     Table::default()
         .with_text("part", each().map(|(part, _)| part.label.clone()))
         .with_words("spectrum", each().map(|(_, (spectrum, ..))| *spectrum))
-        .with_words("reading", each().map(|(_, (_, reading, _))| reading.name()))
+        .with_words("reading", each().map(|(_, (_, reading, _))| reading.name))
         .with_words("words", each().map(|(part, _)| part.words))
         .with_words("verdict", each().map(|(.., (.., verdict))| verdict.name()))
 }

@@ -51,7 +51,7 @@ fn reproduce(folder: &Path) -> Result<(), Box<dyn Error>> {
     let evidence = SCENES.into_iter().map(Evidence::compute).collect::<Result<Vec<_>, _>>()?;
     let found = evidence.iter().map(Found::about).collect::<Result<Vec<_>, _>>()?;
     let ledger = paper::ledger(&evidence);
-    let of_readings = Reading::ALL.iter().flat_map(|reading| SCENES.map(|scene| (*reading, scene)));
+    let of_readings = Reading::ALL.into_iter().flat_map(|reading| SCENES.map(|scene| (reading, scene)));
     let of_readings = of_readings.map(|(reading, scene)| Evidence::read_as(reading, scene));
     let parts = paper::parts(&of_readings.collect::<Result<Vec<_>, _>>()?);
     let computing = start.elapsed();
@@ -169,7 +169,7 @@ fn verdicts(ledger: &[paper::Row]) -> String {
 fn parts_that_hold(parts: &[Part]) -> String {
     let count = |scene: &Template| {
         let held = |reading| paper::parts_that_hold(parts, scene.name(), reading);
-        let (own, any) = (held(Some(Reading::Program)), held(None));
+        let (own, any) = (held(Some(Reading::PROGRAM)), held(None));
         format!("{} {own} of {} parts hold in the program's reading, {any} in any", scene.name(), parts.len())
     };
     SCENES.iter().map(count).collect::<Vec<_>>().join("; ")

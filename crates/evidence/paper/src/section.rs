@@ -41,7 +41,7 @@ pub fn opening(rows: &[Row], parts: &[Part], others: &[OtherModel], label: fn(&s
             h2 { "Statements of the paper" }
             @for spectrum in &spectra {
                 h3 { (label(spectrum)) ": " (counts(rows, spectrum)) }
-                @for reading in Reading::ALL { (squares(parts, spectrum, Some(*reading))) }
+                @for reading in Reading::ALL { (squares(parts, spectrum, Some(reading))) }
                 (squares(parts, spectrum, None))
             }
             details.folded {
@@ -57,7 +57,7 @@ pub fn opening(rows: &[Row], parts: &[Part], others: &[OtherModel], label: fn(&s
 
 /// A square for each part of a statement on a spectrum in a reading, or in any, linked to the statement.
 fn squares(parts: &[Part], spectrum: &str, reading: Option<Reading>) -> Markup {
-    let name = reading.map_or("any reading", Reading::name);
+    let name = reading.map_or("any reading", |reading| reading.name);
     let count = parts_that_hold(parts, spectrum, reading);
     html! {
         div.squares {

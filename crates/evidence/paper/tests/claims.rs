@@ -25,8 +25,8 @@ fn held(parts: &[Part], template: Template, reading: Reading) -> Vec<&str> {
 /// physics in round 4): flattened spheres held at pi R^2, and with their force from a = 0.41 R on.
 #[test]
 fn readings_hold_the_parts_and_numbers_that_an_independent_integration_gives() {
-    let program = read_as(Reading::Program);
-    let force_held = read_as(Reading::ForceHeld);
+    let program = read_as(Reading::PROGRAM);
+    let force_held = read_as(Reading::FORCE_HELD);
     let number = |evidence: &[Evidence], statement: usize| {
         ledger(evidence)[statement - 1].findings.iter().map(|(_, found)| found.value).collect::<Vec<_>>()
     };
@@ -41,7 +41,7 @@ fn readings_hold_the_parts_and_numbers_that_an_independent_integration_gives() {
     let pressures = &ledger(&force_held)[14].findings[0].1.found;
     assert!(pressures.contains("ep-sphere-strain-gradient 15.5,"), "{pressures}");
     near(&number(&program, 5), [1.87, 1.61]);
-    let elastic_shape = read_as(Reading::ElasticShape);
+    let elastic_shape = read_as(Reading::ELASTIC_SHAPE);
     near(&number(&elastic_shape, 5), [3.73, 2.78]);
     near(&number(&program, 4)[..1], [8.95e-9, f64::NAN]);
     near(&number(&elastic_shape, 4)[..1], [5.65e-9, f64::NAN]);
@@ -49,14 +49,14 @@ fn readings_hold_the_parts_and_numbers_that_an_independent_integration_gives() {
     let all: Vec<Evidence> = program.into_iter().chain(force_held).chain(elastic_shape).collect();
     let parts = parts(&all);
     let [reconstructed, measured] = SPECTRA;
-    assert_eq!(held(&parts, reconstructed, Reading::Program), ["8b", "8d", "15", "18b"]);
-    assert_eq!(held(&parts, measured, Reading::Program), ["8b", "8d", "15", "18a"]);
-    assert_eq!(held(&parts, reconstructed, Reading::ForceHeld), ["6", "8a", "8b", "8c", "20a"]);
-    assert_eq!(held(&parts, measured, Reading::ForceHeld), ["6", "8a", "8b", "20a"]);
+    assert_eq!(held(&parts, reconstructed, Reading::PROGRAM), ["8b", "8d", "15", "18b"]);
+    assert_eq!(held(&parts, measured, Reading::PROGRAM), ["8b", "8d", "15", "18a"]);
+    assert_eq!(held(&parts, reconstructed, Reading::FORCE_HELD), ["6", "8a", "8b", "8c", "20a"]);
+    assert_eq!(held(&parts, measured, Reading::FORCE_HELD), ["6", "8a", "8b", "20a"]);
     assert_eq!((parts.len(), parts_table(&parts).rows()), (25, 150));
     let count = |reading| SPECTRA.map(|template| parts_that_hold(&parts, template.name(), reading));
-    assert_eq!(count(Some(Reading::Program)), [16, 11]);
-    assert!(count(None).iter().zip(count(Some(Reading::Program))).all(|(any, own)| *any > own));
+    assert_eq!(count(Some(Reading::PROGRAM)), [16, 11]);
+    assert!(count(None).iter().zip(count(Some(Reading::PROGRAM))).all(|(any, own)| *any > own));
 }
 
 /// Pressures that all flattened spheres carry at the last cutoff, of the same integration.

@@ -106,7 +106,7 @@ fn a_seal_has_a_channel_until_it_is_tight() {
     assert!(tight_pa > 1e6, "{tight_pa}");
     let height_m = under_the_load(&states, Quantity::ChannelHeight).unwrap();
     let rate = 100.0 * height_m.powi(3) * 1e5 / (12.0 * 1e-3);
-    for (quantity, share) in [(Quantity::LeakRateLow, 1.0 / 15.0), (Quantity::LeakRateHigh, 0.5)] {
+    for (quantity, share) in [(Quantity::LeakRateLow, 0.25), (Quantity::LeakRateHigh, 1.0)] {
         let found = under_the_load(&states, quantity).unwrap();
         assert!((found / (share * rate) - 1.0).abs() < 1e-12, "{quantity:?}");
     }

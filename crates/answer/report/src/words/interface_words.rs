@@ -186,8 +186,8 @@ fn of_the_seal(
         percent(threshold)
     )];
     notes.extend(seal.joint.map(|_| {
-        "the leak rate is a range, a fifteenth to a half of what the last channel alone lets through, to one and a half above 30 % \
-         contact: there lie flows solved through gaps of boundary elements"
+        "the leak rate is a range, in which lie flows solved through gaps of boundary elements: a twentieth to a half of what the last \
+         channel alone lets through, a quarter to all below 5 % contact, and a fiftieth to four times above 30 %"
             .to_owned()
     }));
     let tight = Slot { quantity: Quantity::TightPressure, load: None, curve: None };

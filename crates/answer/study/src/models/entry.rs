@@ -229,19 +229,10 @@ mod tests {
             );
             let bem = model.with_interference(InterferenceLaw::Bem);
             assert_eq!(bem.is_some(), entry.has(Choice::Interference), "{entry}");
-            for (options, choice) in [
-                (
-                    ModelOptions { flattening: Some(Flattening::Area), ..Default::default() },
-                    Choice::Flattening,
-                ),
-                (
-                    ModelOptions {
-                        elastic_plastic_area: Some(YieldingAreaLaw::ElasticShape),
-                        ..Default::default()
-                    },
-                    Choice::YieldingArea,
-                ),
-            ] {
+            let [mut flattened, mut shaped] = [ModelOptions::default(), ModelOptions::default()];
+            flattened.flattening = Some(Flattening::Area);
+            shaped.elastic_plastic_area = Some(YieldingAreaLaw::ElasticShape);
+            for (options, choice) in [(flattened, Choice::Flattening), (shaped, Choice::YieldingArea)] {
                 let other = entry.build(&strong, &options).unwrap();
                 assert_eq!(other != model, entry.has(choice), "{entry}");
                 assert_eq!(other.options() == options, entry.has(choice), "{entry}");

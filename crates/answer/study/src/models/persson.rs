@@ -13,7 +13,7 @@ use super::{Choice, CurveResult, Framework, Job, ModelEntry, Theory};
 use crate::growth_law::GrowthLaw;
 use crate::hardness_and_strength::HARDNESS_OVER_STRENGTH;
 use crate::material::{Material, MaterialError, NeededFor};
-use crate::model_options::ModelOptions;
+use crate::model_options::{ModelOptions, unless_default};
 use crate::plan::error::PlanError;
 use crate::plan::gap::{GapError, GapState};
 use crate::plan::prepared_spectrum::{Cutoffs, PreparedSpectrum};
@@ -95,8 +95,8 @@ impl Persson {
         let Persson { band, energy_factor, .. } = *self;
         ModelOptions {
             correction: self.correction,
-            band: (band != Band::default()).then_some(band),
-            gamma: (energy_factor != EnergyFactor::default()).then_some(energy_factor),
+            band: unless_default(band),
+            gamma: unless_default(energy_factor),
             hardness_law: self.growth().cloned(),
             ..ModelOptions::default()
         }

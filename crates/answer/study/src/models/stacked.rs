@@ -1,10 +1,11 @@
 //! Archard's stack of scales.
 
 use asperity::MaterialPair;
-use stacked_contact::{FinalLevels, Level, Scale, StackedModel, YieldingAreaLaw, levels_under_loads};
+use stacked_contact::{FinalLevels, Level, Scale, StackedModel, levels_under_loads};
 use tables::Table;
 
 use super::{Choice, CurveResult, Framework, Job, ModelEntry, ModelOptions, Theory};
+use crate::model_options::unless_default;
 use crate::plan::error::PlanError;
 use crate::plan::prepared_spectrum::Cutoffs;
 use crate::plan::work::Work;
@@ -54,12 +55,11 @@ pub(super) fn with_pair(model: &StackedModel, pair: MaterialPair) -> Theory {
 
 /// Returns the options of a stack that differ from their defaults, but for the strain gradient.
 pub(super) fn options(model: &StackedModel) -> ModelOptions {
-    let area = match model {
-        StackedModel::Elastic { .. } => None,
-        StackedModel::ElasticPlastic { area, .. } => Some(*area),
-    };
-    let elastic_plastic_area = area.filter(|law| *law != YieldingAreaLaw::default());
-    ModelOptions { elastic_plastic_area, ..ModelOptions::default() }
+    let mut options = ModelOptions::default();
+    if let StackedModel::ElasticPlastic { area, .. } = model {
+        options.elastic_plastic_area = unless_default(*area);
+    }
+    options
 }
 
 /// Computes a block of levels for every nominal pressure \[Pa\].

@@ -65,22 +65,16 @@ impl ElasticPlasticSpheres {
     /// (0, 1\], or from a smaller interference if the force there is never reached again.
     pub fn held_from(self, radius_share: f64) -> Self {
         let at_share_m = self.interference_of_area_share_m(radius_share * radius_share, f64::INFINITY);
-        let at = |from_m: f64| Held { from_m, response: self.at_interference(from_m) };
-        let before_step = || {
-            let (force_n, area_m2) = self.elastic.force_and_area(self.onset_m);
-            let response = Response {
-                pressure_pa: self.density_per_m2 * force_n,
-                area_fraction: self.density_per_m2 * area_m2,
-            };
-            Held { from_m: self.onset_m, response }
-        };
-        let before_dip = self.top_before_dip_m().map(at);
-        let before_step = (self.onset_m < at_share_m).then(before_step);
-        let earlier = before_dip.into_iter().chain(before_step).filter(|held| held.from_m < at_share_m);
-        let higher = |one: Held, other: Held| {
+        let held =
+            |sphere: JacksonGreen, from_m: f64| Held { from_m, response: self.response(sphere, from_m) };
+        let at = |from_m: f64| held(self.sphere_at(from_m), from_m);
+        // The force steps at the onset, and may dip behind it.
+        let earlier = [Some(held(self.elastic, self.onset_m)), self.top_before_dip_m().map(at)];
+        let earlier = earlier.into_iter().flatten().filter(|held| held.from_m < at_share_m);
+        let highest = earlier.fold(at(at_share_m), |one, other| {
             if other.response.pressure_pa >= one.response.pressure_pa { other } else { one }
-        };
-        ElasticPlasticSpheres { held: Some(earlier.fold(at(at_share_m), higher)), ..self }
+        });
+        ElasticPlasticSpheres { held: Some(highest), ..self }
     }
 
     /// Interference \[m\] of the largest force before a dip.
@@ -171,17 +165,17 @@ impl ElasticPlasticSpheres {
             && strongest_pa < RISES_BELOW * self.modulus_pa()
     }
 
-    /// Pressures \[Pa\] at interferences \[m\] on any side of the breaks, without the hold.
-    fn unheld_pressures(&self, interferences_m: &[f64], pressures_pa: &mut [f64]) {
-        if self.strength.strain_gradient_length_m().is_none() {
-            self.macroscopic.forces_n(interferences_m, pressures_pa);
-            pressures_pa.iter_mut().for_each(|force_n| *force_n *= self.density_per_m2);
-            return;
-        }
-        for (&w, pressure_pa) in interferences_m.iter().zip(pressures_pa) {
-            let sphere = if w < self.onset_m { self.elastic } else { self.at_depth(w) };
-            *pressure_pa = self.density_per_m2 * sphere.force_n(w);
-        }
+    /// Law at an interference \[m\]. Below the onset any strength will do; computing that of the depth would double the
+    /// cost of a node there.
+    #[inline(always)]
+    fn sphere_at(&self, interference_m: f64) -> JacksonGreen {
+        if interference_m < self.onset_m { self.elastic } else { self.at_depth(interference_m) }
+    }
+
+    #[inline(always)]
+    fn response(&self, sphere: JacksonGreen, interference_m: f64) -> Response {
+        let (force_n, area_m2) = sphere.force_and_area(interference_m);
+        Response { pressure_pa: self.density_per_m2 * force_n, area_fraction: self.density_per_m2 * area_m2 }
     }
 
     fn modulus_pa(&self) -> f64 {
@@ -194,10 +188,7 @@ impl Asperities for ElasticPlasticSpheres {
         if let Some(held) = self.held.filter(|held| interference_m >= held.from_m) {
             return held.response;
         }
-        // Below the onset any strength will do; computing that of the depth would double the cost of a node there.
-        let sphere = if interference_m < self.onset_m { self.elastic } else { self.at_depth(interference_m) };
-        let (force_n, area_m2) = sphere.force_and_area(interference_m);
-        Response { pressure_pa: self.density_per_m2 * force_n, area_fraction: self.density_per_m2 * area_m2 }
+        self.response(self.sphere_at(interference_m), interference_m)
     }
 
     fn at_interferences(
@@ -230,10 +221,15 @@ impl Asperities for ElasticPlasticSpheres {
     }
 
     fn pressures_at_interferences(&self, interferences_m: &[f64], pressures_pa: &mut [f64]) {
-        self.unheld_pressures(interferences_m, pressures_pa);
-        if let Some(Held { from_m, response }) = self.held {
-            let held = interferences_m.iter().zip(pressures_pa).filter(|(w, _)| **w >= from_m);
-            held.for_each(|(_, pressure_pa)| *pressure_pa = response.pressure_pa);
+        if self.strength.strain_gradient_length_m().is_none() {
+            self.macroscopic.forces_n(interferences_m, pressures_pa);
+        } else {
+            let forces = pressures_pa.iter_mut().zip(interferences_m);
+            forces.for_each(|(force_n, &w)| *force_n = self.sphere_at(w).force_n(w));
+        }
+        for (&w, pressure_pa) in interferences_m.iter().zip(pressures_pa) {
+            let held = self.held.filter(|held| w >= held.from_m);
+            *pressure_pa = held.map_or(self.density_per_m2 * *pressure_pa, |held| held.response.pressure_pa);
         }
     }
 

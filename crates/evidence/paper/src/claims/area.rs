@@ -26,9 +26,9 @@ pub(super) const STACK_CONVERGES: Statement = Statement {
         let near = both().all(|found| (found.wavelength_m / PRINTED_WAVELENGTH_M).log2().abs() <= 1.0);
         let same = [&elastic, &plastic].iter().all(|found| found.windows(2).all(|two| two[0] == two[1]));
         let list = |found: &[Convergence]| lengths(found.iter().map(|found| found.wavelength_m));
-        Finding {
-            value: plastic[0].wavelength_m,
-            found: format!(
+        Finding::new(
+            plastic[0].wavelength_m,
+            format!(
                 "elastic {} (1 %) and {} (0.1 %), elastic-plastic {} and {}; the spectrum ends at {}",
                 list(&elastic),
                 list(&at(ELASTIC, 0.001)),
@@ -36,9 +36,8 @@ pub(super) const STACK_CONVERGES: Statement = Statement {
                 list(&at(PLASTIC, 0.001)),
                 length(evidence.shortest_m())
             ),
-            verdict: verdict(certain && near && same),
-            parts: Vec::new(),
-            remark: match (certain, near && same) {
+            verdict(certain && near && same),
+            match (certain, near && same) {
                 (true, true) => {
                     "It converges there under every load; the two models differ by a sample or two, and both wavelengths follow \
                      the largest aspect ratio."
@@ -49,7 +48,7 @@ pub(super) const STACK_CONVERGES: Statement = Statement {
                 }
             }
             .to_owned(),
-        }
+        )
     },
 };
 
@@ -69,21 +68,20 @@ pub(super) const PROPORTIONAL_TO_LOAD: Statement = Statement {
             .map(|(name, exponent)| format!("{} ({})", name.0, three_digits(*exponent)))
             .collect();
         let holds = exponents.iter().all(|exponent| (exponent - 1.0).abs() <= 0.05);
-        Finding {
-            value: furthest_from_one(&exponents),
-            found: format!(
+        Finding::new(
+            furthest_from_one(&exponents),
+            format!(
                 "exponents {} over nine models; {} for the stacked elastic-plastic one",
                 numbers(exponents),
                 three_digits(exponent(PLASTIC))
             ),
-            verdict: verdict(holds),
-            parts: Vec::new(),
-            remark: if holds {
+            verdict(holds),
+            if holds {
                 "Every model is proportional within a few per cent over three decades of load.".to_owned()
             } else {
                 format!("All models are proportional but {}.", off.join(", "))
             },
-        }
+        )
     },
 };
 
@@ -109,23 +107,22 @@ pub(super) const ELASTIC_DECADES: Statement = Statement {
         decades.sort_by(f64::total_cmp);
         let median = decades.get(decades.len() / 2).copied().unwrap_or(f64::NAN);
         let holds = (0.75..=1.25).contains(&median);
-        Finding {
-            value: median,
-            found: format!(
+        Finding::new(
+            median,
+            format!(
                 "{} decades in the median of {} loads, {} over all of them",
                 three_digits(median),
                 decades.len(),
                 numbers(decades.iter().copied())
             ),
-            verdict: verdict(holds),
-            parts: Vec::new(),
-            remark: if holds {
+            verdict(holds),
+            if holds {
                 "With a Hurst exponent near one half the slope grows as the root of the wavevector, and the area falls with it."
             } else {
                 "The fall follows the growth of the slope with the cutoff, which is another one in this spectrum."
             }
             .to_owned(),
-        }
+        )
     },
 };
 
@@ -156,9 +153,9 @@ pub(super) const SPHERES_LEVEL_OFF: Statement = Statement {
             (level, "the level part from about 100 nm"),
             (falls, "the last fall"),
         ];
-        Finding {
-            value: spread,
-            found: format!(
+        Finding::of_parts(
+            spread,
+            format!(
                 "areas differ up to {} times between the cutoffs; {}; level from {} down to {}; last exponent {}",
                 three_digits(spread),
                 describe_dips(&dips),
@@ -166,10 +163,8 @@ pub(super) const SPHERES_LEVEL_OFF: Statement = Statement {
                 lengths(plateaus.iter().map(|plateau| plateau.shortest_m)),
                 numbers(slopes)
             ),
-            verdict: verdict(parts.iter().all(|(holds, _)| *holds)),
-            remark: which_parts(&parts),
-            parts: parts.to_vec(),
-        }
+            &parts,
+        )
     },
 };
 
@@ -183,23 +178,22 @@ pub(super) const NEVER_LEVEL: Statement = Statement {
         let slopes = |name| final_slopes(&evidence.areas(name));
         let all = [HERTZ, SINE_ELASTIC, SINE].map(slopes);
         let least = lowest(all.iter().flatten().copied());
-        Finding {
-            value: least,
-            found: format!(
+        Finding::new(
+            least,
+            format!(
                 "hertz {}, elastic-sine {}, ep-sine {}",
                 numbers(all[0].iter().copied()),
                 numbers(all[1].iter().copied()),
                 numbers(all[2].iter().copied())
             ),
-            verdict: verdict(least > 0.1),
-            parts: Vec::new(),
-            remark: if least > 0.1 {
+            verdict(least > 0.1),
+            if least > 0.1 {
                 "All three still fall at the shortest wavelength, so what they give there is the end of the data."
             } else {
                 "One of them is all but level over the last decade."
             }
             .to_owned(),
-        }
+        )
     },
 };
 
@@ -225,23 +219,22 @@ pub(super) const STEEPEST_SCALE_DECIDES: Statement = Statement {
         let together = found.iter().all(|found| (steepest_m / found.wavelength_m).ln().abs() <= 1.5f64.ln());
         let certain = found.iter().all(|found| found.converged);
         let close = shares.iter().all(|share| (share - 1.0).abs() <= 0.05);
-        Finding {
-            value: furthest_from_one(&shares),
-            found: format!(
+        Finding::new(
+            furthest_from_one(&shares),
+            format!(
                 "steepest scale {}, convergence {}; area {} times load / max p*",
                 length(steepest_m),
                 lengths(found.iter().map(|found| found.wavelength_m)),
                 numbers(shares.iter().copied())
             ),
-            verdict: verdict(together && certain && close),
-            parts: Vec::new(),
-            remark: match (together && close, certain) {
+            verdict(together && certain && close),
+            match (together && close, certain) {
                 (true, true) => "Both hold: Jackson's limit of dense sampling is reached within the sampling's own effect.",
                 (true, false) => "Both hold, but the spectrum ends too soon below that scale to speak of convergence.",
                 (false, _) => "The steepest scale and the convergence of the area, or its limit, lie apart in this spectrum.",
             }
             .to_owned(),
-        }
+        )
     },
 };
 
@@ -278,19 +271,17 @@ pub(super) const LAST_FALL: Statement = Statement {
         } else {
             lowest(known.iter().copied())
         };
-        Finding {
+        Finding::of_parts(
             value,
-            found: format!(
+            format!(
                 "{}; last area over the lowest dip {}; within 1 % from {} on{}",
                 describe_dips(&dips),
                 if known.is_empty() { "absent".to_owned() } else { numbers(known) },
                 lengths(found.iter().map(|found| found.wavelength_m)),
                 if certain { "" } else { ", which is the end of the spectrum and no convergence" }
             ),
-            verdict: verdict(above && same && certain),
-            remark: which_parts(&parts),
-            parts: parts.to_vec(),
-        }
+            &parts,
+        )
     },
 };
 
@@ -348,20 +339,6 @@ fn describe_dips(dips: &[Vec<Dip>]) -> String {
         numbers(all().map(|dip| dip.depth)),
         dips.len()
     )
-}
-
-/// Lists the parts of a statement that hold and those that do not.
-pub(super) fn which_parts(parts: &[(bool, &str)]) -> String {
-    let names = |wanted: bool| {
-        let chosen: Vec<&str> =
-            parts.iter().filter(|(holds, _)| *holds == wanted).map(|(_, name)| *name).collect();
-        chosen.join(", ")
-    };
-    match (names(true), names(false)) {
-        (all, none) if none.is_empty() => format!("Found: {all}."),
-        (none, all) if none.is_empty() => format!("Not found: {all}."),
-        (some, others) => format!("Found: {some}. Not found: {others}."),
-    }
 }
 
 /// Part of a curve below a wavelength, and its slope.

@@ -24,20 +24,19 @@ pub(super) const CONVERGED_PRESSURE: Statement = Statement {
         let sinusoid = ElasticPlasticSinusoid::new(model.pair(), aspect_ratio, strength_pa);
         let complete = sinusoid.complete_contact_pressure_pa() / evidence.hardness_pa();
         let holds = pressures.iter().all(|pressure| (6.0..=10.0).contains(pressure));
-        Finding {
-            value: pressures[0],
-            found: format!(
+        Finding::new(
+            pressures[0],
+            format!(
                 "{} H; p*_ep of the setting scale {} H, twice that {} H",
                 numbers(pressures),
                 three_digits(complete),
                 three_digits(2.0 * complete)
             ),
-            verdict: verdict(holds),
-            parts: Vec::new(),
-            remark: "The area law exceeds complete contact and is held at it, so scales flatten at about half of p*_ep; p*_ep and \
+            verdict(holds),
+            "The area law exceeds complete contact and is held at it, so scales flatten at about half of p*_ep; p*_ep and \
                      twice that are given beside it, and nothing is tuned towards 8 H."
                 .to_owned(),
-        }
+        )
     },
 };
 
@@ -68,23 +67,22 @@ pub(super) const PLASTIC_ABOVE_ELASTIC: Statement = Statement {
             format!("{} {at}", name.0)
         };
         let least = lowest(finals.iter().copied());
-        Finding {
-            value: least,
-            found: format!(
+        Finding::new(
+            least,
+            format!(
                 "above for good from: {}; ratio at {}: {}",
                 partings.iter().map(list).collect::<Vec<_>>().join(", "),
                 length(evidence.shortest_m()),
                 numbers(finals)
             ),
-            verdict: verdict(all_part && within),
-            parts: Vec::new(),
-            remark: match (all_part, within) {
+            verdict(all_part && within),
+            match (all_part, within) {
                 (true, true) => "All three part in that range and end above.",
                 (true, false) => "All three end above the elastic ones, but not all part within 1 to 10 um.",
                 (false, _) => "Not all of them end above the elastic ones.",
             }
             .to_owned(),
-        }
+        )
     },
 };
 
@@ -99,18 +97,17 @@ pub(super) const BEYOND_HARDNESS: Statement = Statement {
         let least = lowest(pressures.iter().flat_map(|(_, pressures)| pressures.iter().copied()));
         let list =
             |(name, pressures): &(&str, Vec<f64>)| format!("{name} {}", numbers(pressures.iter().copied()));
-        Finding {
-            value: least,
-            found: format!("in H: {}", pressures.iter().map(list).collect::<Vec<_>>().join(", ")),
-            verdict: verdict(least > 1.0),
-            parts: Vec::new(),
-            remark: if least > 1.0 {
+        Finding::new(
+            least,
+            format!("in H: {}", pressures.iter().map(list).collect::<Vec<_>>().join(", ")),
+            verdict(least > 1.0),
+            if least > 1.0 {
                 "Every model ends above the hardness: neighbouring scales carry each other, or the strength has grown."
             } else {
                 "Some models end below the hardness on this spectrum."
             }
             .to_owned(),
-        }
+        )
     },
 };
 

@@ -24,12 +24,11 @@ pub(super) const LARGEST_ASPECT_RATIO: Statement = Statement {
         let &(wavelength_m, largest) = curve.iter().max_by(|a, b| a.1.total_cmp(&b.1)).expect("scales");
         let near = (wavelength_m / PRINTED_WAVELENGTH_M).log10().abs() <= 0.1;
         let agrees = near && (largest - PRINTED_ASPECT_RATIO).abs() <= 0.00005;
-        Finding {
-            value: largest,
-            found: format!("B = {largest:.4} at {}", length(wavelength_m)),
-            verdict: if evidence.is_reconstruction() { Verdict::ByConstruction } else { verdict(agrees) },
-            parts: Vec::new(),
-            remark: if evidence.is_reconstruction() {
+        Finding::new(
+            largest,
+            format!("B = {largest:.4} at {}", length(wavelength_m)),
+            if evidence.is_reconstruction() { Verdict::ByConstruction } else { verdict(agrees) },
+            if evidence.is_reconstruction() {
                 "The reconstruction is pinned to these two numbers, so their return tests nothing.".to_owned()
             } else if wavelength_m == evidence.shortest_m() {
                 "B still grows at the end of this spectrum, so its largest value is not in it.".to_owned()
@@ -40,7 +39,7 @@ pub(super) const LARGEST_ASPECT_RATIO: Statement = Statement {
                     three_digits(largest / PRINTED_ASPECT_RATIO)
                 )
             },
-        }
+        )
     },
 };
 
@@ -60,17 +59,16 @@ pub(super) const COURSE_OF_ASPECT_RATIO: Statement = Statement {
         let rms = (offsets.iter().map(|o| (o - mean).powi(2)).sum::<f64>() / offsets.len() as f64).sqrt();
         let (constant, straight) = (level.abs() <= 0.15, rms <= 0.1);
         let local = numbers(log_slopes(above).into_iter().map(|(_, slope)| slope));
-        Finding {
-            value: level,
-            found: format!(
+        Finding::new(
+            level,
+            format!(
                 "exponent {} below 10 nm; {} above, rms {} decades off the line, local exponents {local}",
                 three_digits(level),
                 three_digits(slope),
                 three_digits(rms)
             ),
-            verdict: verdict(constant && straight),
-            parts: Vec::new(),
-            remark: match (constant, straight) {
+            verdict(constant && straight),
+            match (constant, straight) {
                 (true, true) => "Level below and straight above, as stated.",
                 (true, false) => {
                     "Level below 10 nm as stated; above it the slope changes with the wavelength, so no single straight line \
@@ -80,7 +78,7 @@ pub(super) const COURSE_OF_ASPECT_RATIO: Statement = Statement {
                 (false, false) => "Neither level below 10 nm nor one straight line above it.",
             }
             .to_owned(),
-        }
+        )
     },
 };
 
@@ -96,22 +94,21 @@ pub(super) const MOMENTS: Statement = Statement {
         let orders = |of: fn(&Moments) -> f64| (of(&last) / of(&first)).log10();
         let (m0, m2, m4) = (orders(|m| m.m0_m2), orders(|m| m.m2), orders(|m| m.m4_per_m2));
         let holds = m0 < m2 && m2 < m4 && m2 > 3.0;
-        Finding {
-            value: m4,
-            found: format!(
+        Finding::new(
+            m4,
+            format!(
                 "m0 changes by {}, m2 by {} and m4 by {} orders of magnitude",
                 three_digits(m0),
                 three_digits(m2),
                 three_digits(m4)
             ),
-            verdict: verdict(holds),
-            parts: Vec::new(),
-            remark: if holds {
+            verdict(holds),
+            if holds {
                 "The order is that of the powers of q, whatever self-affine spectrum is taken.".to_owned()
             } else {
                 "The order is as stated, but this spectrum is too short for three orders of m2.".to_owned()
             },
-        }
+        )
     },
 };
 
@@ -138,18 +135,17 @@ pub(super) const SLOPE: Statement = Statement {
             );
         }
         let agrees = (own - 50.0).abs() <= 5.0 && (own - 50.0).abs() < (printed - 50.0).abs();
-        Finding {
-            value: own,
+        Finding::new(
+            own,
             found,
-            verdict: verdict(agrees),
-            parts: Vec::new(),
-            remark: if agrees {
+            verdict(agrees),
+            if agrees {
                 "The factor 1/pi, which Parseval's theorem asks for, keeps the published slope; Eq. (1) as printed does not."
             } else {
                 "This spectrum ends before the scales that make the slope; the factor of Eq. (1) cannot be told from it."
             }
             .to_owned(),
-        }
+        )
     },
 };
 

@@ -4,7 +4,7 @@ use findings::features::{Plateau, ratio};
 use stacked_contact::{Level, Regime};
 use units::display::{length, pressure};
 
-use super::area::{converged, level_part, slope_below, which_parts};
+use super::area::{converged, level_part, slope_below};
 use super::plasticity::agreement;
 use super::{furthest_from_one, highest, lengths, lowest, numbers, range};
 use crate::evidence::{
@@ -28,17 +28,16 @@ pub(super) const STACK_RETURNS_TO_ELASTIC: Statement = Statement {
         let returns = agreement(evidence, PLASTIC_GRADIENT, ELASTIC).iter().all(Option::is_some);
         let (_, levels) = evidence.stack(PLASTIC_GRADIENT);
         let yielding = levels.iter().flatten().filter(|level| level.regime == Regime::Plastic).count();
-        Finding {
-            value: furthest_from_one(&finals),
-            found: format!(
+        Finding::new(
+            furthest_from_one(&finals),
+            format!(
                 "ratio {} at the end, {} over all cutoffs; {yielding} of {} levels yield",
                 numbers(finals),
                 numbers(ratios.iter().flatten().map(|(_, ratio)| *ratio)),
                 levels.iter().flatten().count()
             ),
-            verdict: verdict(returns),
-            parts: Vec::new(),
-            remark: match (returns, yielding) {
+            verdict(returns),
+            match (returns, yielding) {
                 (true, 0) => {
                     "It is the elastic area throughout: no scale yields at these loads, so there is nothing to return from."
                 }
@@ -46,7 +45,7 @@ pub(super) const STACK_RETURNS_TO_ELASTIC: Statement = Statement {
                 (false, _) => "It does not come back to the elastic area within this spectrum.",
             }
             .to_owned(),
-        }
+        )
     },
 };
 
@@ -63,12 +62,11 @@ pub(super) const STATISTICAL_STAY_PLASTIC: Statement = Statement {
         let nearest = both().min_by(|a, b| (a - 1.0).abs().total_cmp(&(b - 1.0).abs()));
         let differ = both().all(|ratio| (ratio - 1.0).abs() > 0.1);
         let below = both().any(|ratio| ratio < 1.0);
-        Finding {
-            value: nearest.unwrap_or(f64::NAN),
-            found: format!("spheres {}, sinusoids {}", numbers(spheres.iter().copied()), numbers(sines.iter().copied())),
-            verdict: verdict(differ),
-            parts: Vec::new(),
-            remark: match (differ, below) {
+        Finding::new(
+            nearest.unwrap_or(f64::NAN),
+            format!("spheres {}, sinusoids {}", numbers(spheres.iter().copied()), numbers(sines.iter().copied())),
+            verdict(differ),
+            match (differ, below) {
                 (true, true) => {
                     "They differ, but some lie below the elastic area: the sphere's law is used far beyond the strengths it was \
                      fitted to."
@@ -77,7 +75,7 @@ pub(super) const STATISTICAL_STAY_PLASTIC: Statement = Statement {
                 (false, _) => "Some of them come within 10 % of the elastic area.",
             }
             .to_owned(),
-        }
+        )
     },
 };
 
@@ -100,24 +98,23 @@ pub(super) const STRENGTH_AT_DEPTH: Statement = Statement {
         let least_pa = lowest(met.iter().copied());
         let formula = (30e9..=60e9).contains(&shallow_pa) && (20e9..=40e9).contains(&deep_pa);
         let holds = formula && least_pa <= 60e9;
-        Finding {
-            value: shallow_pa,
-            found: format!(
+        Finding::new(
+            shallow_pa,
+            format!(
                 "Eq. (8): {} at 3 nm, {} at 20 nm; the scales of the stack meet {}",
                 pressure(shallow_pa),
                 pressure(deep_pa),
                 range(met, pressure)
             ),
-            verdict: verdict(holds),
-            parts: Vec::new(),
-            remark: if holds {
+            verdict(holds),
+            if holds {
                 "Formula and stack agree with the printed strengths in order of magnitude."
             } else {
                 "Eq. (8) gives the printed strengths only at somewhat larger depths, and the shallow deformation of the scales \
                  makes them stronger still in the stack."
             }
             .to_owned(),
-        }
+        )
     },
 };
 
@@ -137,24 +134,23 @@ pub(super) const LOWERS_AREA: Statement = Statement {
                 (!cutoffs_m.is_empty()).then(|| format!("{} at {}", gradient.0, lengths(cutoffs_m)))
             })
             .collect();
-        Finding {
-            value: largest,
-            found: format!(
+        Finding::new(
+            largest,
+            format!(
                 "stack {}, spheres {}, sinusoids {}; raised by more than 0.1 %: {}",
                 numbers(finals[0].iter().copied()),
                 numbers(finals[1].iter().copied()),
                 numbers(finals[2].iter().copied()),
                 if raised.is_empty() { "nowhere".to_owned() } else { raised.join(", ") }
             ),
-            verdict: verdict(largest < 1.0),
-            parts: Vec::new(),
-            remark: match (largest < 1.0, raised.is_empty()) {
+            verdict(largest < 1.0),
+            match (largest < 1.0, raised.is_empty()) {
                 (true, true) => "It does, at every cutoff.",
                 (true, false) => "It does at the last cutoff, though not at every longer one, where the published laws step down.",
                 (false, _) => "Not in every model.",
             }
             .to_owned(),
-        }
+        )
     },
 };
 
@@ -168,17 +164,16 @@ pub(super) const STACK_CONVERGES: Statement = Statement {
         let found = converged(&curves, 0.01);
         let certain = found.iter().all(|found| found.converged);
         let within = found.iter().all(|found| (1e-9..=10e-9).contains(&found.wavelength_m));
-        Finding {
-            value: found[0].wavelength_m,
-            found: format!(
+        Finding::new(
+            found[0].wavelength_m,
+            format!(
                 "{} (1 %), {} (0.1 %); the spectrum ends at {}",
                 lengths(found.iter().map(|found| found.wavelength_m)),
                 lengths(converged(&curves, 0.001).iter().map(|found| found.wavelength_m)),
                 length(evidence.shortest_m())
             ),
-            verdict: verdict(certain && within),
-            parts: Vec::new(),
-            remark: match (certain, within) {
+            verdict(certain && within),
+            match (certain, within) {
                 (true, true) => "It converges there, at every load, as the elastic stack does.",
                 (true, false) => "It converges elsewhere.",
                 (false, _) => {
@@ -186,7 +181,7 @@ pub(super) const STACK_CONVERGES: Statement = Statement {
                 }
             }
             .to_owned(),
-        }
+        )
     },
 };
 
@@ -209,23 +204,22 @@ pub(super) const SPHERES_LEVEL_OFF: Statement = Statement {
         let slopes: Vec<f64> = curves.iter().filter_map(|curve| slope_below(curve, from_m)).collect();
         let falls = reaches && lowest(slopes.iter().copied()) > 0.1;
         let parts = [(level, "the level part near 0.1 um"), (falls, "the fall below 1 nm")];
-        let mut remark = which_parts(&parts);
-        if !reaches {
-            remark += &format!(" The spectrum ends at {}, before 1 nm.", length(evidence.shortest_m()));
-        }
-        Finding {
-            value: lowest(slopes.iter().copied()),
-            found: format!(
+        let mut finding = Finding::of_parts(
+            lowest(slopes.iter().copied()),
+            format!(
                 "level from {} down to {}; exponent {} below {}",
                 lengths(plateaus.iter().map(|plateau| plateau.longest_m)),
                 lengths(plateaus.iter().map(|plateau| plateau.shortest_m)),
                 numbers(slopes.iter().copied()),
                 length(from_m)
             ),
-            verdict: verdict(level && falls),
-            parts: parts.to_vec(),
-            remark,
+            &parts,
+        );
+        if !reaches {
+            finding.remark +=
+                &format!(" The spectrum ends at {}, before 1 nm.", length(evidence.shortest_m()));
         }
+        finding
     },
 };
 

@@ -5,19 +5,19 @@ pub(crate) mod states;
 use std::num::NonZeroU32;
 use std::ops::Range;
 
-use asperity::{AsperityError, Hardness, MaterialPair};
+use asperity::{AsperityError, MaterialPair};
 use ordered_float::OrderedFloat;
 use serde::Serialize;
 use spectrum::AsperityParameters;
 use stat_contact::{
-    AsperityLaw, Condition, ContactState, Flattening, InterferenceLaw, NayakSummits, Population,
-    StatisticalContact,
+    AsperityLaw, Condition, ContactState, Flattening, NayakSummits, Population, StatisticalContact,
 };
 use tables::Table;
 
 use self::states::States;
 use super::{Choice, CurveResult, Framework, Job, ModelEntry, ModelOptions, Theory};
 use crate::material::Material;
+use crate::model_options::unless_default;
 use crate::plan::error::PlanError;
 use crate::plan::gap::{GapError, GapState};
 use crate::plan::prepared_spectrum::{Cutoff, Cutoffs, PreparedSpectrum, Roughness};
@@ -180,23 +180,18 @@ impl Statistical {
 
     /// Returns the options that differ from their defaults, but for the strain gradient.
     pub(super) fn options(&self) -> ModelOptions {
-        let default = ModelOptions::default();
+        let mut options = ModelOptions::default();
         match self.law {
             Some(AsperityLaw::EpSphere { hardness, held_from, .. }) => {
-                let flattening =
-                    if held_from.is_some() { Flattening::AreaAndForce } else { Flattening::Area };
-                ModelOptions {
-                    hardness: Some(hardness).filter(|form| *form != Hardness::default()),
-                    flattening: Some(flattening).filter(|held| *held != Flattening::default()),
-                    ..default
-                }
+                options.hardness = unless_default(hardness);
+                options.flattening = held_from.is_none().then_some(Flattening::Area);
             }
-            Some(AsperityLaw::ElasticSine { interference }) => ModelOptions {
-                interference_law: Some(interference).filter(|law| *law != InterferenceLaw::default()),
-                ..default
-            },
-            _ => default,
+            Some(AsperityLaw::ElasticSine { interference }) => {
+                options.interference_law = unless_default(interference);
+            }
+            _ => {}
         }
+        options
     }
 
     /// Checks that every cutoff can be pressed.
