@@ -2,8 +2,6 @@
 
 use approx::{AbsDiffEq, RelativeEq};
 
-use units::named;
-
 use crate::asperities::answers::{Asperities, Response};
 use crate::gaussian::density::{log_reference_density, reference_density, tail};
 
@@ -14,8 +12,6 @@ pub struct ContactState {
     /// Separation d \[m\] of the flat from the mean of the asperity heights or, for summits, from the mean plane of
     /// the surface; negative below it. `None` if no separation carries the pressure.
     pub separation_m: Option<f64>,
-    /// Reason why no separation carries the pressure.
-    pub no_separation: Option<NoSeparation>,
     /// Pressure over the nominal area \[Pa\]; zero if it is below the smallest double, see `ln_pressure_pa`.
     pub pressure_pa: f64,
     /// Real over nominal area of contact, in \[0, 1\]; zero if it is below the smallest double.
@@ -43,8 +39,7 @@ pub struct ContactState {
 }
 
 /// Reason why no separation carries a pressure.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NoSeparation {
     /// It is beyond complete contact of every asperity: the area fraction is 1.
     CompleteContact,
@@ -53,12 +48,15 @@ pub enum NoSeparation {
     AllFlattened,
 }
 
-named!(NoSeparation, "reason", {
-    CompleteContact => "complete-contact",
-    AllFlattened => "all-flattened",
-});
-
 impl ContactState {
+    /// Returns the reason why no separation carries the pressure; `None` if one does.
+    #[must_use]
+    pub fn no_separation(&self) -> Option<NoSeparation> {
+        let is_complete = self.area_fraction == 1.0;
+        let reason = if is_complete { NoSeparation::CompleteContact } else { NoSeparation::AllFlattened };
+        self.separation_m.is_none().then_some(reason)
+    }
+
     /// Stiffness K = -dp/dd over the nominal area \[Pa/m\]. The separation enters the integral over the heights by
     /// their density alone, g'(z) = -z g(z)/sigma_s^2, so that K = p z/sigma_s^2, with z the mean height of the
     /// asperities at the flat, weighted by their load. No force is differentiated: kinks cost nothing, and where a
@@ -93,7 +91,6 @@ impl ContactState {
         let area_fraction = Product::new(integrals.area_fraction, scale, log_density);
         ContactState {
             separation_m: None,
-            no_separation: None,
             pressure_pa: pressure.value,
             area_fraction: area_fraction.value.min(1.0),
             ln_pressure_pa: pressure.logarithm,
@@ -116,7 +113,6 @@ impl ContactState {
         const EVALUATIONS: usize = 3;
         ContactState {
             separation_m: Some(separation_m),
-            no_separation: None,
             pressure_pa: response.pressure_pa,
             area_fraction: response.area_fraction.min(1.0),
             ln_pressure_pa: response.pressure_pa.ln(),
@@ -135,20 +131,15 @@ impl ContactState {
     pub(crate) fn beyond(asperities: &dyn Asperities, pressure_pa: f64) -> Self {
         let flattened = asperities.flattened_from_m().and(asperities.saturation());
         let area_fraction = flattened.map_or(1.0, |(_, response)| response.area_fraction.min(1.0));
-        let is_complete = area_fraction == 1.0;
         ContactState {
             separation_m: None,
-            no_separation: Some(match is_complete {
-                true => NoSeparation::CompleteContact,
-                false => NoSeparation::AllFlattened,
-            }),
             pressure_pa,
             area_fraction,
             ln_pressure_pa: pressure_pa.ln(),
             ln_area_fraction: area_fraction.ln(),
             error_estimate: 0.0,
             evaluations: 0,
-            out_of_range_load_share: if is_complete { 0.0 } else { 1.0 },
+            out_of_range_load_share: if area_fraction == 1.0 { 0.0 } else { 1.0 },
             flattened_share: flattened.map(|_| 1.0),
             clamped: false,
             decay_length_m: None,

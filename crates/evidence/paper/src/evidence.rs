@@ -192,5 +192,5 @@ impl Evidence {
 
 /// True unless a pressure is more than all asperities carry once flattened.
 pub(crate) fn is_carried(state: &ContactState) -> bool {
-    state.no_separation != Some(NoSeparation::AllFlattened)
+    state.no_separation() != Some(NoSeparation::AllFlattened)
 }

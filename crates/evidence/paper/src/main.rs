@@ -91,16 +91,15 @@ fn reproduce(folder: &Path) -> Result<(), Box<dyn Error>> {
     };
     let page = folder.join("report.html");
     write_file(&page, report.html())?;
-    let claims = folder.join("claims.csv");
-    let mut table = Vec::new();
-    paper::table(&ledger).write(Format::Csv, &[], &mut table)?;
-    write_file(&claims, table)?;
-    println!("{}: {}", claims.display(), verdicts(&ledger));
-    let readings = folder.join("parts.csv");
-    let mut table = Vec::new();
-    paper::parts_table(&parts).write(Format::Csv, &[], &mut table)?;
-    write_file(&readings, table)?;
-    println!("{}: {}", readings.display(), parts_that_hold(&parts));
+    for (name, table, counts) in [
+        ("claims.csv", paper::table(&ledger), verdicts(&ledger)),
+        ("parts.csv", paper::parts_table(&parts), parts_that_hold(&parts)),
+    ] {
+        let (file, mut text) = (folder.join(name), Vec::new());
+        table.write(Format::Csv, &[], &mut text)?;
+        write_file(&file, text)?;
+        println!("{}: {counts}", file.display());
+    }
     println!("the report: {}", page.display());
     say_time("computed in", computing);
     say_time("done in", start.elapsed());

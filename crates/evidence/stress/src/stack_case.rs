@@ -27,11 +27,8 @@ impl StackCase {
     pub fn model(&self) -> Result<StackedModel, AsperityError> {
         let pair = self.material.pair()?;
         Ok(if self.plastic {
-            StackedModel::ElasticPlastic {
-                pair,
-                strength: self.material.strength()?,
-                area: Default::default(),
-            }
+            let strength = self.material.strength()?;
+            StackedModel::ElasticPlastic { pair, strength, area: Default::default() }
         } else {
             StackedModel::Elastic { pair }
         })

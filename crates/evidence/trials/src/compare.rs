@@ -1,5 +1,6 @@
 //! Comparisons with boundary elements: each presses what its table lacks, and rewrites the table and sections of its page.
 
+use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
@@ -34,11 +35,7 @@ pub(crate) fn flattening(anew: bool) -> Outcome {
 }
 
 /// Returns the rows of trials, of which it presses those that a table lacks.
-fn pressed(
-    trials: &[SpectrumTrial],
-    csv: &str,
-    anew: bool,
-) -> Result<Vec<ElementsRow>, Box<dyn std::error::Error>> {
+fn pressed(trials: &[SpectrumTrial], csv: &str, anew: bool) -> Result<Vec<ElementsRow>, Box<dyn Error>> {
     let csv = checkout(csv);
     let old: Vec<ElementsRow> = stored(&csv, anew)?;
     let mut rows: Vec<ElementsRow> = Vec::new();
@@ -117,7 +114,7 @@ pub(crate) fn layers(anew: bool) -> Outcome {
 }
 
 /// Reads a table; empty if it is missing or to be made anew.
-fn stored<R: DeserializeOwned>(csv: &Path, anew: bool) -> Result<Vec<R>, Box<dyn std::error::Error>> {
+fn stored<R: DeserializeOwned>(csv: &Path, anew: bool) -> Result<Vec<R>, Box<dyn Error>> {
     if anew || !csv.exists() { Ok(Vec::new()) } else { Ok(elements::read(&std::fs::read(csv)?[..])?) }
 }
 

@@ -37,12 +37,13 @@ pub fn trials(set: Set) -> Vec<SpectrumTrial> {
             ([0.3, 0.5, 0.7, 0.9], [[4, 4, 30], [4, 14, 32], [2, 2, 28], [2, 5, 32], [6, 6, 32], [3, 9, 32]])
         }
     };
-    let load = |spread: f64, load: f64| TrialLoad {
-        pressure_over_gradient: load / (2.0 * spread),
-        spread_over_hardness: Some(spread),
+    let of_spread = |spread: f64| {
+        LOADS.map(|load| TrialLoad {
+            pressure_over_gradient: load / (2.0 * spread),
+            spread_over_hardness: Some(spread),
+        })
     };
-    let loads: Vec<TrialLoad> =
-        SPREADS.iter().flat_map(|&spread| LOADS.map(|pressure| load(spread, pressure))).collect();
+    let loads = SPREADS.map(of_spread).concat();
     let bands = waves.into_iter().flat_map(|waves| {
         let [first_wave, rolloff_wave, last_wave] = waves.map(f64::from);
         hurst_exponents.map(|hurst_exponent| WaveBand { hurst_exponent, first_wave, rolloff_wave, last_wave })
@@ -85,12 +86,11 @@ pub fn ratios_and_flattened(
     spread: f64,
 ) -> Result<[Vec<f64>; 2], TrialError> {
     let [mut ratios, mut flattened] = [Vec::new(), Vec::new()];
-    for (number, trial) in trials(set).iter().enumerate() {
-        let (strength, surface) = (STRENGTHS[number % STRENGTHS.len()], trial.band.spectrum()?);
+    for (trial, strength) in trials(set).iter().zip(STRENGTHS.into_iter().cycle()) {
+        let (surface, steeper) = (trial.band.spectrum()?, 6.0 * spread * strength / RMS_GRADIENT);
         let of_trial = rows.iter().filter(|row| row.band() == trial.band);
         for row in of_trial.filter(|row| row.spread_over_hardness == Some(spread)) {
             let load = 2.0 * spread * row.pressure_over_gradient;
-            let steeper = 6.0 * spread * strength / RMS_GRADIENT;
             let state = press(&surface, steeper, strength, load, held_from)?;
             if state.separation_m.is_some() {
                 ratios.push(state.area_fraction / row.area_fraction);
@@ -146,23 +146,18 @@ pub fn written(page: &str, rows: &[ElementsRow]) -> Result<String, TrialError> {
         let mut cells = vec![spectra.to_owned(), held];
         for spread in SPREADS {
             let [ratios, flattened] = ratios_and_flattened(rows, set, held_from, spread)?;
-            let at = |share: usize| ratios.get((ratios.len() - 1) * share / 2).copied().unwrap_or(f64::NAN);
-            let [least, median, most] = [0, 1, 2].map(|share| three_digits(at(share)));
-            let mut cell = format!("{median} ({least} to {most}; {} loads)", ratios.len());
-            if held_from == Flattening::default().held_from() {
-                let share = flattened.get(flattened.len() / 2).copied().unwrap_or(f64::NAN);
-                cell += &format!(", {:.1} % flattened", 100.0 * share);
-            }
-            cells.push(cell);
+            let [least, median, most] =
+                [0, 1, 2].map(|share| three_digits(ratios[(ratios.len() - 1) * share / 2]));
+            let share = flattened.get(flattened.len() / 2);
+            let share = share.map_or(String::new(), |share| format!(", {:.1} % flattened", 100.0 * share));
+            cells.push(format!("{median} ({least} to {most}; {} loads){share}", ratios.len()));
         }
         Ok(cells)
     };
-    let sets = [Set::Calibration, Set::Report].into_iter();
-    let lines = sets.flat_map(|set| HELD_FROM.map(|held_from| line(set, held_from)));
+    let sets = [Set::Calibration, Set::Report];
+    let lines = sets.iter().flat_map(|set| HELD_FROM.map(|held_from| line(*set, held_from)));
     let lines = lines.collect::<Result<Vec<_>, TrialError>>()?;
-    let headings = SPREADS.map(|spread| format!("s/H = {}", three_digits(spread)));
-    let columns: Vec<&str> =
-        ["spectra", "held"].into_iter().chain(headings.iter().map(String::as_str)).collect();
+    let columns = ["spectra", "held", "s/H = 1.4", "s/H = 4", "s/H = 12", "s/H = 40", "s/H = 80"];
     let carried = ordinary_loads_with_a_state()?;
     let count = format!("Of the 300 loads of 100 ordinary scenes, {carried} have a state.");
     with_section(page, "flattening", &format!("{}\n\n{count}\n", table(&columns, &lines).trim_end()))

@@ -254,7 +254,7 @@ fn without_separation(
     rows.filter_map(|(row, (asked, state))| {
         let (asked, state) = (asked.as_ref()?, state.as_ref()?);
         let Pressable::Contact(contact) = &asked.contact else { return None };
-        state.no_separation.map(|reason| {
+        state.no_separation().map(|reason| {
             Remark::new(match reason {
                 NoSeparation::CompleteContact => RemarkCode::BeyondCompleteContact,
                 NoSeparation::AllFlattened => RemarkCode::BeyondFlattened,

@@ -44,7 +44,7 @@ impl StateCounts {
     pub fn add<'s>(&mut self, states: impl IntoIterator<Item = &'s ContactState>) {
         for state in states {
             self.all += 1;
-            match state.no_separation {
+            match state.no_separation() {
                 Some(NoSeparation::CompleteContact) => self.incomplete += 1,
                 Some(NoSeparation::AllFlattened) => self.flattened += 1,
                 None => self.flattened_share = self.flattened_share.max(state.flattened_share.unwrap_or(0.0)),

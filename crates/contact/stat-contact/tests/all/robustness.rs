@@ -69,7 +69,7 @@ fn assert_sound(state: &ContactState) {
     assert!(state.error_estimate >= 0.0, "{state:?}");
     assert!((0.0..=1.0).contains(&state.out_of_range_load_share), "{state:?}");
     assert!(state.separation_m.is_none_or(f64::is_finite), "{state:?}");
-    assert_eq!(state.separation_m.is_none(), state.no_separation.is_some(), "{state:?}");
+    assert_eq!(state.separation_m.is_none(), state.no_separation().is_some(), "{state:?}");
     assert!(state.flattened_share.is_none_or(|share| (0.0..=1.0).contains(&share)), "{state:?}");
 }
 

@@ -141,7 +141,7 @@ fn beyond_complete_contact_there_is_no_separation() {
         let held = matches!(law, AsperityLaw::EpSphere { .. });
         let area_fraction = if held { 3e13 * PI * (0.41f64 * 40e-9).powi(2) } else { 1.0 };
         let reason = if held { NoSeparation::AllFlattened } else { NoSeparation::CompleteContact };
-        assert_eq!((beyond.separation_m, beyond.no_separation), (None, Some(reason)), "{law:?}");
+        assert_eq!((beyond.separation_m, beyond.no_separation()), (None, Some(reason)), "{law:?}");
         assert!((beyond.area_fraction / area_fraction - 1.0).abs() < 1e-12, "{law:?}");
         let below = contact.at_pressure(0.9999 * highest_pa, 1e-8, None).unwrap();
         assert!(below.separation_m.is_some() && below.area_fraction > 0.9 * area_fraction, "{law:?}");
