@@ -66,7 +66,7 @@ pub(crate) fn of_profile(profile: &ProfilePsd) -> Result<(Vec<PowerLaw>, Convers
     });
     let last = profile.len() - 1;
     let gradient: f64 = roughness[..last].iter().map(|[_, gradient]| gradient).sum();
-    let conversion = Conversion { levelled_share, end_error: curve.uncertain_gradient(last) / gradient };
+    let conversion = Conversion { levelled_share, end_error: curve.uncertain_gradient() / gradient };
     Ok((pieces.collect(), conversion))
 }
 
@@ -354,18 +354,12 @@ impl Curve {
         self.slopes = self.slopes();
     }
 
-    /// Change of the mean square gradient up to a sample if C1D went on beyond its end with the other exponent.
-    fn uncertain_gradient(&self, at: usize) -> f64 {
+    /// Change of the mean square gradient if C1D went on beyond its end with the other exponent.
+    fn uncertain_gradient(&self) -> f64 {
         let last = self.q.len() - 1;
         let of_end = self.ends.map(|exponent| {
-            // A level from that sample to the end holds none of the waves up to it.
-            let end = Curve {
-                q: if at == last { vec![self.q[last]] } else { vec![self.q[at], self.q[last]] },
-                steps: if at == last { Vec::new() } else { vec![(self.q[last] / self.q[at]).ln()] },
-                c1d: vec![self.c1d[last]; 2],
-                slopes: vec![[0.0; 2]],
-                ends: [exponent; 2],
-            };
+            let (q, c1d) = (vec![self.q[last]], vec![self.c1d[last]]);
+            let end = Curve { q, steps: Vec::new(), c1d, slopes: Vec::new(), ends: [exponent; 2] };
             Falls::new(&end).contents()[0][1]
         });
         (of_end[1] - of_end[0]).abs()
