@@ -55,18 +55,20 @@ impl HoleScatter {
         if self.0.is_empty() {
             return Some(psd);
         }
-        let mut samples: Vec<(f64, f64)> =
-            psd.wavelengths_m().iter().copied().zip(psd.c1d_m3().iter().copied()).collect();
+        let samples = psd.wavelengths_m().iter().zip(psd.c1d_m3());
+        let mut samples: Vec<(f64, f64, f64)> = samples.map(|(&at, &value)| (at, value, value)).collect();
         for open in &self.0 {
             let shift = ln_shift(open);
-            let short = samples.partition_point(|(wavelength_m, _)| *wavelength_m > open.hole.shortest_m);
-            let [.., (long_m, long_m3)] = samples[..short] else { continue };
-            let Some(&(short_m, short_m3)) = samples.get(short) else { continue };
-            let middle = ((long_m * short_m).sqrt(), (long_m3 * short_m3).sqrt() * shift.exp());
-            samples.insert(short, middle);
+            let short = samples.partition_point(|(wavelength_m, ..)| *wavelength_m > open.hole.shortest_m);
+            let [.., (long_m, long_m3, _)] = samples[..short] else { continue };
+            let Some(&(short_m, short_m3, _)) = samples.get(short) else { continue };
+            let straight_m3 = (long_m3 * short_m3).sqrt();
+            samples.insert(short, ((long_m * short_m).sqrt(), straight_m3, straight_m3 * shift.exp()));
         }
-        let (wavelengths_m, c1d_m3) = samples.into_iter().unzip();
-        ProfilePsd::new(wavelengths_m, c1d_m3).ok()
+        let column = |of: fn(&(f64, f64, f64)) -> f64| samples.iter().map(of).collect();
+        // A known surface, as that of a table of areas, changes by the same factors.
+        let bridged = ProfilePsd::new(column(|at| at.0), column(|at| at.1)).ok()?.with_surface_of(&psd);
+        bridged.with_values(column(|at| at.2)).ok()
     }
 }
 
@@ -134,5 +136,22 @@ mod tests {
         let bridged = open.bridged(psd).unwrap();
         assert_eq!(bridged.len(), 3);
         assert!((bridged.c1d_m3()[1] / 10f64.powf(-21.5) - 1.0).abs() < 1e-12);
+    }
+
+    /// A table of areas was converted anew from C1D, and lost waves at its end.
+    #[test]
+    fn holes_of_a_known_surface_leave_its_other_waves_as_they_are() {
+        use spectrum::random_surfaces::AreaSpectrum;
+        use spectrum::{Convention, Psd};
+        let wavelengths_m: Vec<f64> =
+            [0, 1, 2, 3, 8, 9, 10].iter().map(|&at| 10f64.powf(-5.0 - 0.1 * f64::from(at))).collect();
+        let values = wavelengths_m.iter().map(|m| (m / 1e-5).powi(3)).collect();
+        let psd = Psd::new(wavelengths_m.clone(), values, Convention::Ciso).unwrap().profile().unwrap();
+        let hole = Hole { longest_m: wavelengths_m[3], shortest_m: wavelengths_m[4] };
+        let drawn = HoleScatter(vec![OpenHole { hole, ln_c1d_sd: 0.0 }]).bridged(psd.clone()).unwrap();
+        assert_eq!(drawn.len(), 8);
+        let [given, found] =
+            [&psd, &drawn].map(|psd| AreaSpectrum::from_profile(psd).unwrap().mean_square_gradient());
+        assert!((found / given - 1.0).abs() < 1e-9, "{found} {given}");
     }
 }
