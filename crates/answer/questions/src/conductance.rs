@@ -362,6 +362,9 @@ impl FoundConductance {
                 three_digits(gas.conductivity_w_per_m_k()),
                 length(gas.parameter_m())
             ));
+            if let Spots::Analogy { law, .. } = &self.spots {
+                lines.extend(gas.caution(law.rms_height_m()).map(str::to_owned));
+            }
         }
         lines
     }

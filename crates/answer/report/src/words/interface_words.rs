@@ -57,6 +57,8 @@ pub(crate) fn notes(
             length(ELECTRON_MEAN_FREE_PATH_M)
         ));
     }
+    let caution = asked.gas.as_ref().and_then(|gas| gas.caution(states.rms_height_m()));
+    notes.extend(caution.map(str::to_owned));
     if asked.conductivities.is_some() && scene.hardness_pa().is_some() {
         notes.extend(of_flowed_peaks(states, scene));
     }
