@@ -5,6 +5,7 @@ use findings::doubts;
 use interface::finite_elements::{ContactLaw, ExponentialLaw};
 use numerics::parallel::Progress;
 use persson::Band;
+use persson::separation::LIGHT_CONTACT;
 use serde::{Deserialize, Serialize};
 use spectrum::Normalisation;
 use study::gap_law::{GapChoices, GapLaw, GapState};
@@ -237,7 +238,7 @@ impl GapQuestion {
             }
             Ok(law.at(pressure_pa)?)
         })?;
-        notes.extend(remarks_on_gap_law(&law, pressures_pa.iter().copied().fold(f64::INFINITY, f64::min)));
+        notes.extend(remarks_on_gap_law(&law, &pressures_pa));
         let rms_height_m = law.light_loads().is_none().then(|| law.rms_height_m());
         notes.extend(remarks_on_gaps(&states, rms_height_m));
         let table = result_tables::gaps(&states, law.light_loads().as_ref());
@@ -307,7 +308,7 @@ impl LawQuestion {
         let range_pa = self.range_pa(&material)?;
         let mut notes = self.by.notes(&material, surface);
         let law = self.by.law(entry, &material, surface, progress)?;
-        notes.extend(remarks_on_gap_law(&law, range_pa[0]));
+        notes.extend(remarks_on_gap_law(&law, &range_pa));
         Ok(FoundLaw { model: entry, law, range_pa, notes })
     }
 
@@ -318,11 +319,18 @@ impl LawQuestion {
     }
 }
 
-/// Makes remarks on loads for which gap and stiffness of a law mean little, and for which the law of light loads holds; `least_pa`
-/// is the least load.
+/// Makes remarks on loads for which gap and stiffness of a law mean little, and for which the law of light loads holds; `pressures_pa`
+/// are the loads.
 #[must_use]
-pub fn remarks_on_gap_law(law: &GapLaw, least_pa: f64) -> Vec<Remark> {
-    let (Some(light), Some(roughness)) = (law.light_loads(), law.roughness()) else { return Vec::new() };
+pub fn remarks_on_gap_law(law: &GapLaw, pressures_pa: &[f64]) -> Vec<Remark> {
+    let least_pa = pressures_pa.iter().copied().fold(f64::INFINITY, f64::min);
+    let (Some(light), Some(roughness)) = (law.light_loads(), law.roughness()) else {
+        // Asperities push each other down from light loads on, which their laws leave out.
+        let most_pa = pressures_pa.iter().copied().fold(0.0, f64::max);
+        let is_light = law.at(most_pa).is_ok_and(|state| state.area_fraction <= LIGHT_CONTACT);
+        let remark = || Remark::new(RemarkCode::BeyondLightLoads).with("area", LIGHT_CONTACT);
+        return (!is_light).then(remark).into_iter().collect();
+    };
     let mut remarks = remarks_on_separation(&light, roughness, law.rms_height_m(), least_pa);
     if law.band() == Some(Band::Profile) {
         remarks.push(Remark::new(RemarkCode::WavesOfProfiles).on("band"));

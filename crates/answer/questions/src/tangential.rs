@@ -193,9 +193,8 @@ impl TangentialQuestion {
         Ok(match self.by.model {
             Some(entry) => {
                 let law = self.by.law(entry, material, surface, progress)?;
-                let least_pa =
-                    self.loads(material)?.iter().fold(f64::INFINITY, |least, load| least.min(load.0));
-                notes.extend(remarks_on_gap_law(&law, least_pa));
+                let pressures_pa: Vec<f64> = self.loads(material)?.iter().map(|load| load.0).collect();
+                notes.extend(remarks_on_gap_law(&law, &pressures_pa));
                 (NormalLaw::Model(law), notes)
             }
             None => {

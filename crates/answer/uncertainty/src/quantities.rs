@@ -82,9 +82,9 @@ impl<'p> Quantities<'p> {
                 None => interval(&ln_values, level),
             };
             let is_known = ln_values.len() as f64 >= MIN_SHARE_WITH_VALUE * draws as f64;
-            let largest = slot.load.map_or(1.0, |load| plain.largest_stiffness_over_theory(load));
+            let factor = slot.load.map_or(1.0, |load| plain.light_contact_factor(load));
             let found = found.filter(|_| is_known).map(|found| QuantityInterval::new(*slot, value, &found));
-            found.map(|found| found.with_stiffness_up_to(largest))
+            found.map(|found| found.with_stiffness_within(factor))
         };
         let open = |(at, slot): (usize, &Slot)| {
             let is_open = |draw: &&Vec<Option<f64>>| draw[at].is_some();
@@ -157,15 +157,15 @@ impl QuantityInterval {
         }
     }
 
-    /// The interval with the error of the theory at light loads, whose stiffness may be up to `factor` times as large. Both
-    /// errors are independent: their logarithms add as squares.
-    fn with_stiffness_up_to(self, factor: f64) -> Self {
-        let widened = |end: f64| ((end / self.median).ln().hypot(factor.ln())).exp();
-        match self.slot.quantity.power_of_stiffness() {
-            1 => QuantityInterval { high: self.median * widened(self.high), ..self },
-            -1 => QuantityInterval { low: self.median / widened(self.low), ..self },
-            _ => self,
+    /// The interval with the error of a stiffness that may be `factor` times as large or as small. Both errors are independent:
+    /// their logarithms add as squares.
+    fn with_stiffness_within(self, factor: f64) -> Self {
+        if !self.slot.quantity.follows_stiffness() {
+            return self;
         }
+        let widened = |end: f64| ((end / self.median).ln().hypot(factor.ln())).exp();
+        let [low, high] = [self.median / widened(self.low), self.median * widened(self.high)];
+        QuantityInterval { low, high, ..self }
     }
 
     fn in_proportion(slot: Slot, value: f64, area: &AreaInterval) -> Self {

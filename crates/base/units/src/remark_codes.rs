@@ -222,7 +222,11 @@ remark_codes! {
         "gap and stiffness use the waves of profiles, which makes the stiffness of a surface with a roll-off 17 to 51 % lower than \
          boundary elements give; use {--band=2d} for the waves of the surface";
     LightLoads "light-loads" Note
-        "below {up_to_pa} the logarithmic law u = u0 ln(p00/p), K = p/u0 is within {share%} of the pressure";
+        "below {up_to_pa} the logarithmic law u = u0 ln(p00/p), K = p/u0 is within {share%} of the pressure of the theory without the tail \
+         of the heights";
+    BeyondLightLoads "beyond-light-loads" Note
+        "more than {area%} of the area touches: asperities push each other down, which this model ignores; boundary elements find gaps of \
+         another size and 0.5 to 12 times its stiffness; use {--model=persson}";
     FewTouch "gaps.gap-counts" Note
         "at {loads} of {all} loads the mean gap exceeds {few_touch} rms heights: only a few asperities of a finite sample touch";
     NegativeGaps "gaps.gap-counts" Note

@@ -12,6 +12,7 @@ use crate::stretch::share_of_power_law;
 pub struct Roughness {
     places: Vec<Place>,
     layer: Option<LayerCompliance>,
+    is_of_surface: bool,
 }
 
 /// Roughness up to one cutoff.
@@ -80,7 +81,11 @@ impl Roughness {
                 stiffened_gradient: mean_square_gradient,
             }
         };
-        Roughness { places: samples.iter().enumerate().map(place).collect(), layer: None }
+        Roughness {
+            places: samples.iter().enumerate().map(place).collect(),
+            layer: None,
+            is_of_surface: of_surface.is_some(),
+        }
     }
 
     /// Returns the roughness between bodies one of which is a layer: flattening a wave takes E*(q) in place of E*, so that
@@ -103,6 +108,11 @@ impl Roughness {
     /// Displacement of a layer under waves, if one of the bodies is a layer.
     pub(crate) fn layer(&self) -> Option<LayerCompliance> {
         self.layer
+    }
+
+    /// Returns true if a cutoff cuts the surface, false if it cuts the spectrum of profiles.
+    pub(crate) fn is_of_surface(&self) -> bool {
+        self.is_of_surface
     }
 
     /// Cutoffs, from long to short wavelengths.

@@ -108,20 +108,20 @@ impl Quantity {
         }
     }
 
-    /// The power of the stiffness that it goes with, by Barber's analogy; 0 if the stiffness does not enter.
+    /// Returns true if it follows the stiffness, some by Barber's analogy.
     #[must_use]
-    pub fn power_of_stiffness(self) -> i32 {
-        match self {
+    pub fn follows_stiffness(self) -> bool {
+        matches!(
+            self,
             Quantity::Stiffness
-            | Quantity::ThermalConductance
-            | Quantity::ElectricalConductance
-            | Quantity::TangentialStiffness => 1,
-            Quantity::ThermalResistance
-            | Quantity::ElectricalResistance
-            | Quantity::TangentialDisplacement
-            | Quantity::TangentialDissipation => -1,
-            _ => 0,
-        }
+                | Quantity::ThermalConductance
+                | Quantity::ThermalResistance
+                | Quantity::ElectricalConductance
+                | Quantity::ElectricalResistance
+                | Quantity::TangentialStiffness
+                | Quantity::TangentialDisplacement
+                | Quantity::TangentialDissipation
+        )
     }
 
     /// Its name in sentences.

@@ -11,9 +11,7 @@ use asperity::MaterialPair;
 use persson::Band;
 use persson::corrections::Correction;
 use persson::sealing::{MagnifiedContact, SealingLaw};
-use persson::separation::{
-    LIGHT_CONTACT, LIGHT_CONTACT_STIFFNESS, LightLoads, Separation, SeparationKnot, SeparationLaw,
-};
+use persson::separation::{LIGHT_CONTACT, LIGHT_CONTACT_STIFFNESS, LightLoads, Separation, SeparationLaw};
 use persson::{Roughness, constant_hardness, elastic};
 use spectrum::{Moments, Normalisation};
 
@@ -71,8 +69,7 @@ impl<'a> InterfaceStates<'a> {
         let whole = by_parseval(last, inputs.normalisation);
         let roughness = gap_law::roughness(plan, results, request.band);
         let modulus_pa = inputs.pair.composite_modulus_pa();
-        let knots = SeparationKnot::along(&roughness, modulus_pa);
-        let separation = SeparationLaw::new(&knots, modulus_pa, request.energy_factor);
+        let separation = SeparationLaw::from_roughness(&roughness, modulus_pa, request.energy_factor);
         let sealing = request.seal.map(|seal| {
             let correction = Some(CORRECTION_OF_SEALS);
             SealingLaw::new(&roughness, modulus_pa, request.energy_factor, correction, seal.threshold)
@@ -160,10 +157,10 @@ impl<'a> InterfaceStates<'a> {
         Ok(self.surface()?.mean_absolute_slope())
     }
 
-    /// The largest factor by which the stiffness under a load exceeds that of the theory, which is too small where little
-    /// touches; 1 elsewhere, and with the waves of profiles, whose error a note states.
+    /// The largest factor between the stiffness under a load and the true one, either way, where little touches; 1 elsewhere, and with
+    /// the waves of profiles, whose error a note states.
     #[must_use]
-    pub fn largest_stiffness_over_theory(&self, load: usize) -> f64 {
+    pub fn light_contact_factor(&self, load: usize) -> f64 {
         let Some(area_fraction) = self.elastic_area_fraction(self.pressure_pa(load)) else { return 1.0 };
         match self.request.band {
             Band::Surface if area_fraction < LIGHT_CONTACT => LIGHT_CONTACT_STIFFNESS,

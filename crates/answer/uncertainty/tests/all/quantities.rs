@@ -30,18 +30,17 @@ fn found(modulus: &str) -> Uncertainty {
 fn conductance_under_a_light_load_falls_with_the_modulus() {
     let found = found("100 GPa +- 1 GPa");
     let interval = |quantity, curve| found.quantity(Slot { quantity, load: Some(0), curve }).unwrap();
-    // K/E* = p/(E* u0), and ln p00/E* moves the gap by u0 alone.
-    let conductance = interval(Quantity::ThermalConductance, None);
-    let [below, above] = [conductance.low, conductance.high].map(|end| (end / conductance.median).ln());
-    assert!((below / (-1.96 * 0.01) - 1.0).abs() < 0.05, "{conductance:?}");
-    assert!((conductance.median / conductance.value - 1.0).abs() < 1e-3, "{conductance:?}");
-    // The theory is too compliant under light loads.
+    // K hardly depends on the modulus, so that K/E* falls with it, and the theory is less certain under light loads.
     let of_theory = LIGHT_CONTACT_STIFFNESS.ln();
-    assert!((above / of_theory.hypot(1.96 * 0.01) - 1.0).abs() < 0.01, "{conductance:?}");
-    // K itself does not depend on the modulus then.
-    let stiffness = interval(Quantity::Stiffness, None);
-    let [below, above] = [stiffness.low, stiffness.high].map(|end| (end / stiffness.median).ln());
-    assert!(below.abs() < 1e-3 && (above / of_theory - 1.0).abs() < 1e-3, "{stiffness:?}");
+    let expected =
+        [(Quantity::ThermalConductance, of_theory.hypot(1.96 * 0.01)), (Quantity::Stiffness, of_theory)];
+    for (quantity, expected) in expected {
+        let found = interval(quantity, None);
+        for ratio in [found.median / found.low, found.high / found.median] {
+            assert!((ratio.ln() / expected - 1.0).abs() < 0.01, "{found:?}");
+        }
+        assert!((found.median / found.value - 1.0).abs() < 1e-3, "{found:?}");
+    }
     // Friction is in proportion to the area.
     let (friction, area) = (interval(Quantity::FrictionStress, Some(0)), &found.areas[0]);
     for (found, expected) in

@@ -76,7 +76,7 @@ fn gap_and_law_take_a_layer_by_the_theory() {
     for column in ["area_fraction", "mean_gap_m", "stiffness_pa_per_m"] {
         assert!((under(column, &thick) / under(column, &SAME) - 1.0).abs() < 1e-3, "{column}");
     }
-    assert!(under("stiffness_pa_per_m", &thin) > 1.5 * under("stiffness_pa_per_m", &SAME));
+    assert!(under("stiffness_pa_per_m", &thin) > 1.4 * under("stiffness_pa_per_m", &SAME));
     let law =
         [&["law"], &spectrum[..], &["--dialect", "abaqus", "--pressure-range", "1kPa:1MPa"], &LAYER, &RIGID];
     bench.run(&law.concat()).ok();
