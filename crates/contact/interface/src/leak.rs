@@ -17,12 +17,6 @@ pub struct SealedJoint {
     viscosity_pa_s: f64,
 }
 
-/// Narrowest place of the last channel, of the height u_c.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
-pub struct Constriction {
-    height_m: f64,
-}
-
 /// Range of volumes per time \[m^3/s\] that holds solved flows through the gaps of boundary elements.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct LeakRate {
@@ -62,30 +56,17 @@ impl SealedJoint {
         self.pressure_drop_pa
     }
 
-    /// Computes the range of the leak rate, shares of Q = (L_y/L_x) u_c^3 dp/(12 eta), where `area_fraction` of the joint is in
-    /// contact.
-    #[must_use]
-    pub fn leak_rate(&self, constriction: Constriction, area_fraction: f64) -> LeakRate {
-        let conductance_m3 = self.breadth_over_length * constriction.height_m.powi(3) / 12.0;
-        let of_formula = conductance_m3 * self.pressure_drop_pa / self.viscosity_pa_s;
-        let (_, [low, high]) = SHARES[SHARES.partition_point(|(up_to, _)| *up_to < area_fraction)];
-        LeakRate { low_m3_per_s: low * of_formula, high_m3_per_s: high * of_formula }
-    }
-}
-
-impl Constriction {
-    /// Creates a constriction of a height u_c \[m\].
+    /// Computes the range of the leak rate, shares of Q = (L_y/L_x) u_c^3 dp/(12 eta), of a constriction of the height u_c
+    /// \[m\] where `area_fraction` of the joint is in contact.
     ///
     /// # Errors
-    /// [`OutOfBounds`] unless it is positive and within thirty decades of 1.
-    pub fn new(height_m: f64) -> Result<Self, OutOfBounds> {
-        Ok(Constriction { height_m: Bound::Magnitude.check("height of the constriction in m", height_m)? })
-    }
-
-    /// Height u_c \[m\].
-    #[must_use]
-    pub fn height_m(self) -> f64 {
-        self.height_m
+    /// [`OutOfBounds`] unless the height is positive and within thirty decades of 1.
+    pub fn leak_rate(&self, height_m: f64, area_fraction: f64) -> Result<LeakRate, OutOfBounds> {
+        let height_m = Bound::Magnitude.check("height of the constriction in m", height_m)?;
+        let conductance_m3 = self.breadth_over_length * height_m.powi(3) / 12.0;
+        let of_formula = conductance_m3 * self.pressure_drop_pa / self.viscosity_pa_s;
+        let (_, [low, high]) = SHARES[SHARES.partition_point(|(up_to, _)| *up_to < area_fraction)];
+        Ok(LeakRate { low_m3_per_s: low * of_formula, high_m3_per_s: high * of_formula })
     }
 }
 
@@ -96,7 +77,7 @@ mod tests {
     #[test]
     fn the_range_of_rates_goes_with_the_cube_of_the_gap() {
         let joint = SealedJoint::new(0.1, 1e-3, 1e5, 1e-3).unwrap();
-        let rate = |height_m: f64, area: f64| joint.leak_rate(Constriction::new(height_m).unwrap(), area);
+        let rate = |height_m: f64, area: f64| joint.leak_rate(height_m, area).unwrap();
         // (0.1/1e-3) (1e-7)^3 1e5/(12 1e-3) = 8.33e-13 m^3/s.
         let formula = 1e-11 / 12.0;
         for (area, low, high) in [(0.01, 0.25, 1.0), (0.06, 0.05, 0.5), (0.29, 0.05, 0.5), (0.31, 0.02, 4.0)]
@@ -112,10 +93,10 @@ mod tests {
     fn extremes_are_finite() {
         for (wide, narrow) in [(1e30, 1e-30), (1e-30, 1e30)] {
             let joint = SealedJoint::new(wide, narrow, wide, narrow).unwrap();
-            let LeakRate { low_m3_per_s, high_m3_per_s } =
-                joint.leak_rate(Constriction::new(wide).unwrap(), 0.1);
+            let LeakRate { low_m3_per_s, high_m3_per_s } = joint.leak_rate(wide, 0.1).unwrap();
             assert!(low_m3_per_s > 0.0 && high_m3_per_s.is_finite());
         }
-        assert!(Constriction::new(0.0).is_err() && SealedJoint::new(0.1, 1e-3, 1e5, -1.0).is_err());
+        let joint = SealedJoint::new(0.1, 1e-3, 1e5, 1e-3).unwrap();
+        assert!(joint.leak_rate(0.0, 0.1).is_err() && SealedJoint::new(0.1, 1e-3, 1e5, -1.0).is_err());
     }
 }

@@ -5,7 +5,7 @@ use std::cell::OnceCell;
 use ::interface::OutOfBounds;
 use ::interface::conductance::{CutSurface, PlasticCorrelation, PressureRatio, RelativeStiffness, Spot};
 use ::interface::friction::SlidingContact;
-use ::interface::leak::{Constriction, LeakRate};
+use ::interface::leak::LeakRate;
 use ::interface::tangential::{ShearedContact, ShearedPair};
 use asperity::MaterialPair;
 use persson::Band;
@@ -372,7 +372,7 @@ impl<'a> InterfaceStates<'a> {
         let height_m = self.constriction(load).and_then(|seen| seen.opening_gap_m);
         let (Some((joint, sealing)), Some(height_m)) = (joint, height_m) else { return Ok(None) };
         let area_fraction = sealing.area_fraction(self.pressure_pa(load));
-        Ok(Some(joint.leak_rate(Constriction::new(height_m)?, area_fraction)))
+        joint.leak_rate(height_m, area_fraction).map(Some)
     }
 
     fn surface(&self) -> Result<CutSurface, InterfaceError> {
