@@ -1,33 +1,32 @@
-//! Line and area spectra of an isotropic surface: the Abel pair between C1D and Ciso.
+//! The spectrum of the profiles of a surface, C1D(q) = (1/pi) Int_q^inf p Ciso(p) (p^2 - q^2)^(-1/2) dp (Jacobs, Junge &
+//! Pastewka 2017, Surf. Topogr.: Metrol. Prop. 5:013001). The way back is
+//! [`AreaSpectrum::from_profile`](crate::random_surfaces::AreaSpectrum::from_profile).
 //!
-//! C1D(q) = (1/pi) Int_q^inf p Ciso(p) (p^2 - q^2)^(-1/2) dp,
-//! Ciso(q) = -2 Int_q^inf C1D'(p) (p^2 - q^2)^(-1/2) dp
-//!
-//! (Jacobs, Junge & Pastewka 2017, Surf. Topogr.: Metrol. Prop. 5:013001, for the first; the second is its inverse
-//! for sigma^2 = (1/pi) Int C1D dq = (1/2 pi) Int q Ciso dq.) As everywhere in this crate, a spectrum is a power law
-//! between neighbouring samples and zero outside them. A C1D that ends above zero falls there in a step, whose
-//! derivative adds 2 C1D(q_max) (q_max^2 - q^2)^(-1/2) to Ciso; with it the variance of the band is the same in both
-//! spectra.
-//!
-//! At the last sample Ciso is infinite, so it ends one sample earlier. C1D falls to zero there; its last sample is the end of a
-//! power law such that the rms gradient of the surface is kept.
+//! As everywhere in this crate, a spectrum is a power law between neighbouring samples and zero outside them. C1D then falls to
+//! zero at the last sample; its value there is the end of a power law such that the rms gradient of the surface is kept.
 
 use std::sync::LazyLock;
 
 use numerics::{GaussLegendre, zero_in_bracket};
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use crate::interval::{Interval, Sample, ln_ratio};
 use crate::power_law::PowerLaw;
 
 /// Computes C1D \[m^3\] from Ciso \[m^4\]; wavelengths \[m\] from long to short.
 ///
-/// Relative error below 1e-12 for the piecewise power law, except the last sample, which keeps the gradient. The work grows as the square of the number of samples.
+/// Relative error below 1e-12 for the piecewise power law, except the last sample, which keeps the gradient. The work grows as the
+/// square of the number of samples.
 pub(crate) fn profile_of_area(wavelengths_m: &[f64], ciso_m4: &[f64]) -> Vec<f64> {
-    let panels = panels(wavelengths_m, ciso_m4, |ciso, q, exponent| (q * ciso / PI, exponent + 1.0));
-    let c1d_at = |q: f64| panels.iter().map(|panel| panel.integral(q)).sum::<f64>();
-    let mut c1d_m3: Vec<f64> = starts(wavelengths_m).map(c1d_at).collect();
+    // p Ciso/pi is a power law where Ciso is one.
+    let sample = |at: usize| (TAU / wavelengths_m[at], 2.0 * ciso_m4[at] / wavelengths_m[at]);
+    let pieces = (1..ciso_m4.len()).map(|end| PowerLaw::through(sample(end - 1), sample(end)));
+    let integral = AbelIntegral::new(pieces);
+    let c1d_at = |q: f64| integral.from(q);
+    let last = wavelengths_m.len() - 1;
+    let mut c1d_m3: Vec<f64> =
+        wavelengths_m[..last].iter().map(|wavelength_m| c1d_at(TAU / wavelength_m)).collect();
     c1d_m3.push(last_of_profile(wavelengths_m, &c1d_m3, c1d_at));
     c1d_m3
 }
@@ -67,21 +66,6 @@ fn second_moment(wavelengths_m: &[f64], values: &[f64], power: i32) -> f64 {
     (1..values.len()).map(|at| Interval::new(sample(at - 1), sample(at)).integral(power)).sum()
 }
 
-/// Computes Ciso \[m^4\] at all wavelengths but the last from C1D \[m^3\]; wavelengths \[m\] from long to short.
-///
-/// Values are not positive where C1D rises too steeply for a profile of an isotropic surface. Accuracy and work are
-/// those of [`profile_of_area`] unless a rise of C1D cancels a fall.
-pub(crate) fn area_of_profile(wavelengths_m: &[f64], c1d_m3: &[f64]) -> Vec<f64> {
-    let panels =
-        panels(wavelengths_m, c1d_m3, |c1d, q, exponent| (-2.0 * exponent * c1d / q, exponent - 1.0));
-    let last = wavelengths_m.len() - 1;
-    let (end, step) = (TAU / wavelengths_m[last], 2.0 * c1d_m3[last]);
-    let at_end = |q: f64| step / ((end - q) * (end + q)).sqrt();
-    starts(wavelengths_m)
-        .map(|q| at_end(q) + panels.iter().map(|panel| panel.integral(q)).sum::<f64>())
-        .collect()
-}
-
 /// The Abel integral Int_q^inf f(p) (p^2 - q^2)^(-1/2) dp of a function f that is a power law of the wavevector on each
 /// of its pieces and zero elsewhere.
 ///
@@ -108,29 +92,6 @@ impl AbelIntegral {
     pub fn from(&self, q_rad_per_m: f64) -> f64 {
         self.panels.iter().map(|panel| panel.integral(q_rad_per_m)).sum()
     }
-}
-
-/// Yields the wavevectors of all samples but the last.
-fn starts(wavelengths_m: &[f64]) -> impl Iterator<Item = f64> {
-    wavelengths_m[..wavelengths_m.len() - 1].iter().map(|wavelength_m| TAU / wavelength_m)
-}
-
-/// Cuts the spectrum into panels. From value, wavevector and exponent of the spectrum at the start of an interval,
-/// `integrand` computes the factor of (p^2 - q^2)^(-1/2) and its exponent.
-fn panels(
-    wavelengths_m: &[f64],
-    values: &[f64],
-    integrand: impl Fn(f64, f64, f64) -> (f64, f64),
-) -> Vec<Panel> {
-    let mut panels = Vec::new();
-    for end in 1..values.len() {
-        let ln_q_ratio = ln_ratio(wavelengths_m[end - 1], wavelengths_m[end]);
-        let exponent = ln_ratio(values[end], values[end - 1]) / ln_q_ratio;
-        let (q, next_q) = (TAU / wavelengths_m[end - 1], TAU / wavelengths_m[end]);
-        let (at_start, exponent) = integrand(values[end - 1], q, exponent);
-        panels.extend(Panel::cut(q, next_q, ln_q_ratio, at_start, exponent));
-    }
-    panels
 }
 
 /// A piece of an integrand f(p) (p^2 - q^2)^(-1/2) in which f = f_0 (p/p_0)^b changes by at most a factor of e^4 and p
@@ -230,6 +191,8 @@ fn gauss_nodes<const N: usize>(rule: &GaussLegendre, from: f64, to: f64) -> [(f6
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::PI;
+
     use approx::assert_relative_eq;
 
     use super::*;
@@ -258,16 +221,11 @@ mod tests {
     }
 
     #[test]
-    fn both_transforms_of_three_samples_agree_with_those_of_forty_digits() {
-        let wavelengths_m = [TAU, TAU / 3.0, TAU / 10.0];
-        let values = [5.0, 0.4, 0.001];
-        let expect = |found: Vec<f64>, expected: [f64; 2]| {
-            for (found, expected) in found.into_iter().zip(expected) {
-                assert_relative_eq!(found, expected, max_relative = 1e-12, epsilon = 0.0);
-            }
-        };
-        expect(profile_of_area(&wavelengths_m, &values), [1.892_643_938_129_05, 0.254_668_360_435_247_6]);
-        expect(area_of_profile(&wavelengths_m, &values), [17.134_014_238_038_123, 0.709_303_961_071_742_2]);
+    fn the_profile_of_three_samples_agrees_with_that_of_forty_digits() {
+        let found = profile_of_area(&[TAU, TAU / 3.0, TAU / 10.0], &[5.0, 0.4, 0.001]);
+        for (found, expected) in found.into_iter().zip([1.892_643_938_129_05, 0.254_668_360_435_247_6]) {
+            assert_relative_eq!(found, expected, max_relative = 1e-12, epsilon = 0.0);
+        }
     }
 
     #[test]
@@ -325,9 +283,6 @@ mod tests {
         let wavelengths_m = [TAU / 0.5, TAU, TAU / 1.9, TAU / 2.0];
         for (c1d, q) in profile_of_area(&wavelengths_m, &[1.0; 4]).into_iter().zip([0.5f64, 1.0, 1.9]) {
             assert_relative_eq!(c1d, (4.0 - q * q).sqrt() / PI, max_relative = 1e-13, epsilon = 0.0);
-        }
-        for (ciso, q) in area_of_profile(&wavelengths_m, &[1.0; 4]).into_iter().zip([0.5f64, 1.0, 1.9]) {
-            assert_relative_eq!(ciso, 2.0 / (4.0 - q * q).sqrt(), max_relative = 1e-13, epsilon = 0.0);
         }
     }
 }

@@ -40,8 +40,7 @@ named!(Convention, "convention", {
 pub enum ConversionError {
     /// No pointwise factor exists between line and area spectra.
     #[error(
-        "no factor converts values of a spectrum from {from} (m^{}) to {to} (m^{}); convert the whole spectrum by the \
-         Abel integral",
+        "no factor converts values of a spectrum from {from} (m^{}) to {to} (m^{}); convert the whole spectrum",
         from.metre_power(), to.metre_power()
     )]
     NoFactor {
@@ -50,36 +49,26 @@ pub enum ConversionError {
         /// The requested convention.
         to: Convention,
     },
-    /// Fewer than three samples for the Abel integral, which drops the last.
-    #[error(
-        "converting a spectrum from {from} (m^{}) to {to} (m^{}): {samples} samples; give at least 3 (the Abel integral \
-         drops the last)",
-        from.metre_power(), to.metre_power()
-    )]
+    /// Fewer than three samples for the Abel integral.
+    #[error("converting a spectrum from {from} (m^4) to c1d (m^3): {samples} samples; give at least 3")]
     TooFewSamples {
         /// The convention of the data.
         from: Convention,
-        /// The requested convention.
-        to: Convention,
         /// Number of samples.
         samples: usize,
     },
-    /// The Abel integral is not positive or not finite: no isotropic surface has a C1D that rises so steeply with the
-    /// wavevector, and numbers near the limits of doubles overflow.
+    /// A value near the limits of doubles.
     #[error(
-        "converting a spectrum from {from} (m^{}) to {to} (m^{}): the Abel integral is {} at {}; smooth the spectrum, \
-         or cut it where it stops falling with the wavevector",
-        from.metre_power(), to.metre_power(), three_digits(*.value), length(*.wavelength_m)
+        "converting a spectrum from {from} (m^4) to c1d (m^3): {} at {} is not a density; check the units of the spectrum",
+        three_digits(*.c1d_m3), length(*.wavelength_m)
     )]
-    NotPositive {
+    OutOfRange {
         /// The convention of the data.
         from: Convention,
-        /// The requested convention.
-        to: Convention,
         /// Wavelength in m.
         wavelength_m: f64,
-        /// The integral, in the unit of the reference convention (C1D in m^3 or Ciso in m^4).
-        value: f64,
+        /// The value of C1D \[m^3\].
+        c1d_m3: f64,
     },
 }
 
@@ -95,7 +84,7 @@ impl Convention {
     /// Returns the dimensionless factor that converts values of this convention to `to`.
     ///
     /// # Errors
-    /// [`ConversionError::NoFactor`] between a profile and an area convention; [`crate::Psd::to`] converts those.
+    /// [`ConversionError::NoFactor`] between a profile and an area convention.
     pub fn factor_to(self, to: Self) -> Result<f64, ConversionError> {
         if self == to {
             Ok(1.0)
@@ -141,8 +130,7 @@ mod tests {
         let error = Convention::Ciso.factor_to(Convention::C1D).unwrap_err();
         assert_eq!(
             error.to_string(),
-            "no factor converts values of a spectrum from ciso (m^4) to c1d (m^3); convert the whole spectrum by the \
-             Abel integral"
+            "no factor converts values of a spectrum from ciso (m^4) to c1d (m^3); convert the whole spectrum"
         );
         for &from in Convention::ALL {
             for &to in Convention::ALL {

@@ -29,7 +29,7 @@
 //! * [`PsdFile`]: a [`Psd`] as read from text, JSON or a workbook, with the comments and the assumptions made.
 //!
 //! Not here: paths, printing, threads. The crate `scans` reads heights and `topography` computes their spectra.
-//! Conversions between one- and two-dimensional spectra use the Abel integral over the samples and nothing beyond them.
+//! [`Psd::profile`] takes the profiles of a surface from its spectrum, [`random_surfaces::AreaSpectrum`] the surface from its profiles.
 
 mod abel;
 mod amplitude;

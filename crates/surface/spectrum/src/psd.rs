@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use serde::Serialize;
 
-use crate::abel::{area_of_profile, profile_of_area};
+use crate::abel::profile_of_area;
 use crate::convention::{Convention, ConversionError};
 use crate::power_law::PowerLaw;
 use crate::profile::ProfilePsd;
@@ -67,21 +67,12 @@ impl Psd {
         Self { standard_errors: errors.iter().any(Option::is_some).then_some(errors), ..self }
     }
 
-    /// Converts the spectrum to another convention.
-    ///
-    /// Among profile conventions, and among area conventions, values and standard errors are multiplied by a factor.
-    /// Between the two, the Abel integral over the piecewise power law is used, zero outside the samples and for an
-    /// isotropic surface. An area spectrum of profiles ends one sample earlier; a profile of an area ends with a sample that keeps
-    /// the gradient. The last values depend on the end of the band as much as on the surface. Standard errors are lost, because files do not state how those of neighbouring samples are
-    /// correlated.
+    /// Converts the spectrum to another convention of profiles, or of areas, by a factor.
     ///
     /// # Errors
-    /// From a profile to an area convention or back: [`ConversionError::TooFewSamples`] for 2 samples,
-    /// [`ConversionError::NotPositive`] if C1D rises so steeply that no isotropic surface has it.
+    /// [`ConversionError::NoFactor`] between profiles and areas: see [`Psd::profile`], and
+    /// [`AreaSpectrum::from_psd`](crate::random_surfaces::AreaSpectrum::from_psd).
     pub fn to(&self, convention: Convention) -> Result<Self, ConversionError> {
-        if self.convention.metre_power() != convention.metre_power() {
-            return self.transformed()?.to(convention);
-        }
         let factor = self.convention.factor_to(convention)?;
         let values = self.values.iter().map(|value| value * factor).collect();
         let scaled = |error: &Option<f64>| error.map(|error| error * factor);
@@ -89,44 +80,28 @@ impl Psd {
         Ok(Self { wavelengths_m: self.wavelengths_m.clone(), values, convention, standard_errors })
     }
 
-    /// Applies the Abel transform: profiles become Ciso, areas C1D.
-    fn transformed(&self) -> Result<Self, ConversionError> {
-        let (reference, other) = match self.convention.metre_power() {
-            4 => (Convention::Ciso, Convention::C1D),
-            _ => (Convention::C1D, Convention::Ciso),
-        };
-        let (from, samples) = (self.convention, self.len());
-        if samples < 3 {
-            return Err(ConversionError::TooFewSamples { from, to: other, samples });
-        }
-        let Self { mut wavelengths_m, values, .. } = self.to(reference)?;
-        let values = match other {
-            Convention::C1D => profile_of_area(&wavelengths_m, &values),
-            _ => {
-                let ciso_m4 = area_of_profile(&wavelengths_m, &values);
-                wavelengths_m.pop();
-                ciso_m4
-            }
-        };
-        if let Some(row) = values.iter().position(|&value| !is_density(value)) {
-            let (wavelength_m, value) = (wavelengths_m[row], values[row]);
-            return Err(ConversionError::NotPositive { from, to: other, wavelength_m, value });
-        }
-        Ok(Self::from_samples(wavelengths_m, values, other))
-    }
-
     /// Converts the spectrum to C1D, the input of moments, amplitudes and fits. An area spectrum stays the spectrum of the surface
-    /// for all that takes the waves of a surface.
+    /// for all that takes the waves of a surface; its C1D ends with a sample that keeps the gradient, and has no standard errors,
+    /// because files do not state how those of neighbouring samples are correlated.
     ///
     /// # Errors
-    /// [`ConversionError`] for an area convention, as in [`Psd::to`].
+    /// Of an area convention [`ConversionError::TooFewSamples`] for 2 samples, and [`ConversionError::OutOfRange`].
     pub fn profile(&self) -> Result<ProfilePsd, ConversionError> {
-        let c1d = self.to(Convention::C1D)?;
-        let profile = ProfilePsd::from_samples(c1d.wavelengths_m, c1d.values);
-        Ok(match self.surface() {
-            Some(surface) => profile.with_surface(surface),
-            None => profile.with_standard_errors(c1d.standard_errors),
-        })
+        let (from, samples) = (self.convention, self.len());
+        let Some(surface) = self.surface() else {
+            let Self { wavelengths_m, values, standard_errors, .. } = self.to(Convention::C1D)?;
+            return Ok(ProfilePsd::from_samples(wavelengths_m, values).with_standard_errors(standard_errors));
+        };
+        if samples < 3 {
+            return Err(ConversionError::TooFewSamples { from, samples });
+        }
+        let Self { wavelengths_m, values, .. } = self.to(Convention::Ciso)?;
+        let c1d_m3 = profile_of_area(&wavelengths_m, &values);
+        if let Some(row) = c1d_m3.iter().position(|&value| !is_density(value)) {
+            let (wavelength_m, c1d_m3) = (wavelengths_m[row], c1d_m3[row]);
+            return Err(ConversionError::OutOfRange { from, wavelength_m, c1d_m3 });
+        }
+        Ok(ProfilePsd::from_samples(wavelengths_m, c1d_m3).with_surface(surface))
     }
 
     /// The waves of the surface, if the spectrum is that of an area: power laws between its samples.
@@ -228,8 +203,7 @@ mod tests {
         assert_eq!(area.to(Convention::Ciso).unwrap().values(), [12.0 * PI * PI, 16.0 * PI * PI]);
         assert_eq!(
             ProfilePsd::try_from(&area).unwrap_err().to_string(),
-            "converting a spectrum from persson (m^4) to c1d (m^3): 2 samples; give at least 3 (the Abel integral drops \
-             the last)"
+            "converting a spectrum from persson (m^4) to c1d (m^3): 2 samples; give at least 3"
         );
     }
 
