@@ -288,12 +288,13 @@ impl<'s> Case<'s> {
 
     /// The step from the area of elements on a window to that of the surface, with all waves down to the end of the window.
     pub fn seam(&self, forms: &WindowForms, reference: Reference, load: usize) -> Seam {
-        let Some(all) = forms.all else { return Seam::NONE };
+        let (Some(longer), Some(all)) = (forms.longer, forms.all) else { return Seam::NONE };
         let bound_pa = self.saturation_pa(reference, forms.band.middle_m());
         let (on_window, by_share) = self.area_and_share(forms, reference, load);
         let by_closed_form = all.area_fraction(self.nominal_pressure_pa(load), bound_pa) / on_window;
         let on_layer = seam::error_on_layer(all.exponent_of_stiffness());
-        Seam::new(by_share, by_closed_form, bound_pa.is_some()).with_error(on_layer)
+        let light = seam::error_of_light_load(self.nominal_pressure_pa(load) / longer.gradient_pa());
+        Seam::new(by_share, by_closed_form, bound_pa.is_some()).with_error(on_layer).with_error(light)
     }
 
     /// The mean real pressure \[Pa\] of Persson's elastic contact against cutoff \[m\].

@@ -42,6 +42,11 @@ impl ClosedForm {
         self.exponent_of_stiffness
     }
 
+    /// Twice the rms pressure \[Pa\] of full contact: E* h' on half-spaces.
+    pub fn gradient_pa(self) -> f64 {
+        2.0 * self.variance_pa2.sqrt()
+    }
+
     /// The area fraction under a mean pressure \[Pa\]; elastic, or plastic at one hardness \[Pa\].
     pub fn area_fraction(self, pressure_pa: f64, hardness_pa: Option<f64>) -> f64 {
         let ClosedForm { variance_pa2, alpha, exponent_of_stiffness } = self;

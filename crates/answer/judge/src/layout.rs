@@ -135,8 +135,10 @@ impl Layout {
         let points_per_shortest = points_per_shortest(waves, case.band(), grid);
         let bands = bands(case.band(), decades_held(grid, points_per_shortest));
         // Noise may leave a band of the surface without waves.
-        let windows: Vec<Window> =
-            bands.iter().filter_map(|band| Window::new(waves, *band, grid).ok()).collect();
+        let windows: Vec<Window> = bands
+            .iter()
+            .filter_map(|band| Window::new(waves, *band, grid, points_per_shortest).ok())
+            .collect();
         let mut layout = Layout {
             left_out: bands.len() - windows.len(),
             grid,

@@ -14,6 +14,15 @@ const ERROR_PER_EXPONENT: f64 = 0.15;
 /// over 1.3 decades scatter by 4 %, of which the closed form knows a part.
 const ERROR_PER_DECADE: f64 = 0.03;
 
+/// The lightest load p/(E* h') of the elements that the closed form was fitted to (docs/guide/which-model.md).
+const LIGHTEST_TRIED: f64 = 0.003;
+
+/// The relative standard error of a seam under a load p/(E* h') of the longer waves: below the lightest load that was tried their
+/// closed form carries the area down.
+pub(crate) fn error_of_light_load(pressure_over_gradient: f64) -> f64 {
+    ERROR_PER_DECADE * (LIGHTEST_TRIED / pressure_over_gradient).log10().max(0.0)
+}
+
 /// The relative standard error of a seam between waves whose stiffness on a layer goes as q^n with the wavenumber q; 0 on
 /// half-spaces.
 pub(crate) fn error_on_layer(exponent: f64) -> f64 {
@@ -66,5 +75,7 @@ mod tests {
         assert_eq!(seam.relative_error, LEAST_ERROR);
         assert_eq!(seam.with_error(error_on_layer(0.0)), seam);
         assert_eq!(error_on_layer(-3.0), ERROR_PER_EXPONENT);
+        assert_eq!(error_of_light_load(0.02), 0.0);
+        assert!((error_of_light_load(3e-5) - 2.0 * ERROR_PER_DECADE).abs() < 1e-12);
     }
 }

@@ -104,7 +104,7 @@ fn pressed(
     if presses.is_empty() || progress.is_cancelled() {
         return Ok(outcome);
     }
-    let box_m = window.box_m();
+    let box_m = window.box_m;
     // Every window has surfaces of its own.
     let seed = seed.wrapping_add((task.window as u64) << 32);
     let synthesis = Synthesis::square(window.points, box_m, seed, Phases::FixedModulus);

@@ -13,7 +13,7 @@ pub(crate) const POINTS_PER_SHORTEST: f64 = 4.0;
 const POINTS_PER_SHORTEST_OF_ONE_RANGE: f64 = 8.0;
 /// Nayak's alpha of the last window below which a surface counts as one range of waves.
 const ALPHA_OF_ONE_RANGE: f64 = 4.0;
-/// The side of the box over the longest wavelength.
+/// The least side of the box over the longest wavelength.
 pub(crate) const LENGTHS_IN_BOX: f64 = 2.0;
 /// Decades by which the spectrum of profiles extends beyond the longest wave of the surface: profiles see long waves where
 /// the surface has none. Less than a hundredth of their variance lies farther out.
@@ -31,14 +31,9 @@ pub(crate) struct Band {
 }
 
 impl Band {
-    /// The wavelength \[m\] at a share of the band's decades, from 0 at the longest wave to 1 at the shortest.
-    pub fn within_m(self, share: f64) -> f64 {
-        self.longest_m * (self.shortest_m / self.longest_m).powf(share)
-    }
-
     /// The wavelength \[m\] in the middle of the band's decades.
     pub fn middle_m(self) -> f64 {
-        self.within_m(0.5)
+        (self.longest_m * self.shortest_m).sqrt()
     }
 }
 
@@ -52,6 +47,9 @@ pub(crate) struct Window {
     pub flattening_gradient: f64,
     /// Points along each side of its grid.
     pub points: usize,
+    /// The side \[m\] of the box in which it is pressed: longer where the grid has more points than the band needs, since light loads
+    /// rest on few summits of the longest waves.
+    pub box_m: f64,
 }
 
 /// Points of a grid with `grid` points along a side on the shortest wavelength of a surface: more if the waves of the last window
@@ -87,11 +85,12 @@ pub(crate) fn bands(whole: Band, decades: f64) -> Vec<Band> {
 }
 
 impl Window {
-    /// Cuts the surface to a band, to be pressed on a grid with `points` along each side.
-    pub fn new(whole: &Waves, band: Band, points: usize) -> Result<Self, JudgeError> {
+    /// Cuts the surface to a band, to be pressed on a grid with `points` along each side, `per_shortest` of them on the shortest wave.
+    pub fn new(whole: &Waves, band: Band, points: usize, per_shortest: f64) -> Result<Self, JudgeError> {
         let waves = whole.cut(band.longest_m, band.shortest_m)?;
         let flattening_gradient = waves.flattening_gradient();
-        Ok(Window { band, waves, flattening_gradient, points })
+        let box_m = (points as f64 / per_shortest * band.shortest_m).max(LENGTHS_IN_BOX * band.longest_m);
+        Ok(Window { band, waves, flattening_gradient, points, box_m })
     }
 
     /// The window prolonged towards longer waves, as far as a grid with `points` along each side holds it and the whole band
@@ -99,17 +98,13 @@ impl Window {
     pub fn prolonged(&self, whole: &Waves, longest_m: f64, points: usize) -> Result<Self, JudgeError> {
         let Band { shortest_m, longest_m: held_m } = self.band;
         let held_m = held_m * points as f64 / self.points as f64;
-        Window::new(whole, Band { longest_m: held_m.min(longest_m), shortest_m }, points)
+        let per_shortest = self.points as f64 * shortest_m / self.box_m;
+        Window::new(whole, Band { longest_m: held_m.min(longest_m), shortest_m }, points, per_shortest)
     }
 
     /// The number of points of its grid.
     pub fn grid_points(&self) -> f64 {
         (self.points * self.points) as f64
-    }
-
-    /// The side \[m\] of the box in which the window is pressed.
-    pub fn box_m(&self) -> f64 {
-        LENGTHS_IN_BOX * self.band.longest_m
     }
 
     /// The spectrum of the window's profiles, dense enough for its moments.

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use findings::conclusions::{Conclusions, Evidence, LoadConclusion, NextStep, Source, trust_left};
+use findings::conclusions::{Conclusions, Evidence, LoadConclusion, ModelCell, NextStep, Source, trust_left};
 use interface::conductance::MOST_PLASTIC_SHARE;
 use judge::{AGREEMENT, CurveVerdict, Judgement, Verdict};
 use questions::{RunOptions, SceneOutcome, Unwatched, run_scene};
@@ -185,10 +185,13 @@ fn check_models(load: &LoadConclusion, judgement: &Judgement, scene: &Scene) {
     match load.best_model {
         Some(best) => {
             assert_eq!(best.verdict, Verdict::Agrees);
-            let is_best = |row: &&CurveVerdict| (row.curve, row.load) == (best.curve, load.load);
-            assert!(judgement.curves.iter().find(is_best).is_some_and(CurveVerdict::holds));
-            let leading = load.references[0].models.iter().filter(|cell| cell.verdict == Verdict::Agrees);
-            assert!(leading.clone().all(|cell| distance(best.ratio) <= distance(cell.ratio)));
+            let holds = |cell: &&ModelCell| {
+                let is_same = |row: &&CurveVerdict| (row.curve, row.load) == (cell.curve, load.load);
+                judgement.curves.iter().find(is_same).is_some_and(CurveVerdict::holds)
+            };
+            assert!(holds(&&best));
+            let mut leading = load.references[0].models.iter().filter(holds);
+            assert!(leading.all(|cell| distance(best.ratio) <= distance(cell.ratio)));
         }
         None => {
             let leading = load.references.first().map(|group| group.reference);
