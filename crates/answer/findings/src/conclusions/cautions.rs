@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::doubts;
 use interface::adhesion::{FullerTabor, PastewkaRobbins};
 use interface::conductance::MOST_PLASTIC_SHARE;
-use judge::{AGREEMENT, Reference};
+use judge::Reference;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use study::interface::InterfaceStates;
 use study::interface::{Quantity, Slot};
@@ -147,18 +147,9 @@ fn is_of_models(source: Source) -> bool {
     matches!(source, Source::Model { .. } | Source::Models)
 }
 
-/// The caution on hardness at small scales: if it moves the area beyond its range, or if that of a hardness that grows is wider than
-/// what counts as agreement.
+/// The caution that the hardness at small scales decides, with the largest factor of any load.
 pub(crate) fn hardness_decides(loads: &[LoadConclusion]) -> Option<Remark> {
-    let apart = |load: &LoadConclusion| match load.otherwise {
-        Some(other) => Some(other.ratio),
-        None if load.area.source == Source::Elements(Reference::Growing) => {
-            let ratio = load.area.high / load.area.low;
-            (ratio > AGREEMENT).then_some(ratio)
-        }
-        None => None,
-    };
-    let ratio = loads.iter().filter_map(apart).reduce(f64::max)?;
+    let ratio = loads.iter().filter_map(LoadConclusion::factor_of_hardness).reduce(f64::max)?;
     Some(Remark::new(RemarkCode::HardnessDecides).with("ratio", ratio))
 }
 

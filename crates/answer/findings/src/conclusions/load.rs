@@ -1,6 +1,8 @@
 //! The conclusion for one load: the area, its range, and how the models compare.
 
-use judge::{Basis, CurveVerdict, ElementArea, Headline, Judgement, Reference, Verdict};
+use judge::{
+    AGREEMENT, AreaRange, Basis, CurveVerdict, ElementArea, Headline, Judgement, Reference, Verdict,
+};
 use serde::Serialize;
 
 use super::evidence::Evidence;
@@ -76,8 +78,10 @@ pub struct OtherHardness {
 pub struct ReferenceGroup {
     /// The bodies that the elements press.
     pub reference: Reference,
-    /// The area fraction of the elements; `None` if they were not pressed.
+    /// The area fraction of the elements; `None` if they were not pressed, or have a range alone.
     pub area_fraction: Option<f64>,
+    /// The range of that area; `None` if they were not pressed.
+    pub range: Option<AreaRange>,
     /// The models, the nearest to the elements first.
     pub models: Vec<ModelCell>,
 }
@@ -134,6 +138,17 @@ impl LoadConclusion {
             tally: Tally::count(&references, leading_reference(headline)),
             references,
         })
+    }
+
+    /// Returns the factor between the areas with a constant hardness and with one that grows at small scales, if it decides: if it
+    /// leaves the range, or if only a range is known that is wider than what counts as agreement.
+    #[must_use]
+    pub fn factor_of_hardness(&self) -> Option<f64> {
+        let of_range = || {
+            let ratio = self.area.high / self.area.low;
+            (self.area.source == Source::Elements(Reference::Growing) && ratio > AGREEMENT).then_some(ratio)
+        };
+        self.otherwise.map(|other| other.ratio).or_else(of_range)
     }
 
     /// Returns the curve whose area stands for the elements where these have none, as along the cutoff: the best model, or
@@ -270,6 +285,7 @@ fn groups(judgement: &Judgement, load: usize) -> Vec<ReferenceGroup> {
                 groups.push(ReferenceGroup {
                     reference: verdict.reference,
                     area_fraction: of_group.and_then(|area| Some(area.elements?.area_fraction)),
+                    range: of_group.and_then(|area| area.range),
                     models: vec![cell],
                 });
             }

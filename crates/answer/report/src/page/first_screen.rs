@@ -44,7 +44,7 @@ pub(super) fn first_screen(report: &SceneReport<'_>, at: usize, several: bool) -
                 div class={ "cards " (load_class(load)) } {
                     (best_estimate(report, load))
                     (decides(report, load))
-                    (before_quoting(conclusions, load.otherwise.is_some()))
+                    (before_quoting(conclusions, load.factor_of_hardness().is_some()))
                 }
             }
             (interface_strip(report))
@@ -126,6 +126,7 @@ pub(super) fn best_estimate(report: &SceneReport<'_>, load: &LoadConclusion) -> 
     let heading = match (area.source, load.otherwise) {
         (Source::Model { .. } | Source::Models, _) => "Not checked",
         (_, Some(_)) => "✓ Best estimate – if the hardness grows at small scales",
+        (Source::Elements(Reference::Growing), None) => "✓ Range – the hardness at small scales is not known",
         _ => "✓ Best estimate",
     };
     let inputs = if area.includes_inputs { ", inputs included" } else { "" };
@@ -157,6 +158,16 @@ pub(super) fn decides(report: &SceneReport<'_>, load: &LoadConclusion) -> Markup
                 h3 { (capital(&condition(&other))) }
                 p.number { (share(other.area_fraction)) " touches" }
                 p { (three_digits(other.ratio)) " times as much. Settle it by nano-indentation at the depth of the roughness." }
+            }
+        };
+    }
+    if let Some(factor) = load.factor_of_hardness() {
+        return html! {
+            section.card {
+                h3 { "What decides the answer" }
+                p.number { "the hardness" }
+                p { "A constant one gives " (three_digits(factor)) " times the area of one that grows at small scales. Settle it by \
+                     nano-indentation at the depth of the roughness." }
             }
         };
     }
@@ -260,6 +271,11 @@ fn group(load: &LoadConclusion, reference: Reference) -> Option<&ReferenceGroup>
     load.references.iter().find(|group| group.reference == reference)
 }
 
+/// The area of the elements of a group, or its range where that is all.
+pub(super) fn area_words(group: &ReferenceGroup) -> Option<String> {
+    group.area_fraction.map(share).or_else(|| group.range.map(|range| share_range(range.low, range.high)))
+}
+
 /// The curves of a group, in the order of the load in the middle.
 fn curves_of(reference: Reference, loads: &[LoadConclusion]) -> Vec<usize> {
     let middle = loads.get(loads.len() / 2).and_then(|load| group(load, reference));
@@ -277,7 +293,7 @@ pub(super) fn reference_words(reference: Reference) -> &'static str {
     match reference {
         Reference::Elastic => "elastic elements",
         Reference::Yielding { .. } => "elements that yield",
-        Reference::Growing => "elements whose hardness grows",
+        Reference::Growing => "the range of a hardness that grows",
     }
 }
 
@@ -285,8 +301,8 @@ fn group_heading(reference: Reference, loads: &[LoadConclusion]) -> Markup {
     html! {
         "against " (reference_words(reference))
         @for load in loads {
-            @if let Some(area) = group(load, reference).and_then(|group| group.area_fraction) {
-                span class=(load_class(load)) { ": " (share(area)) " at " (typeset(&load.label)) }
+            @if let Some(area) = group(load, reference).and_then(area_words) {
+                span class=(load_class(load)) { ": " (area) " at " (typeset(&load.label)) }
             }
         }
     }

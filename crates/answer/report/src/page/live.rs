@@ -126,7 +126,7 @@ impl LiveScreen {
         let mut models: Vec<LiveModel> = Vec::new();
         for group in &load.references {
             let of_elements =
-                group.area_fraction.map_or_else(String::new, |area| format!(": {}", share(area)));
+                first_screen::area_words(group).map_or_else(String::new, |area| format!(": {area}"));
             let reference =
                 format!("against {}{of_elements}", first_screen::reference_words(group.reference));
             models.extend(group.models.iter().map(|cell| {
@@ -147,7 +147,7 @@ impl LiveScreen {
         let rest: Vec<LiveModel> =
             (0..scene.needs.curves.len()).filter(|curve| is_new(&models, *curve)).map(plain).collect();
         models.extend(rest);
-        let says_hardness = load.otherwise.is_some();
+        let says_hardness = load.factor_of_hardness().is_some();
         Some(LiveScreen {
             load: load.label.clone(),
             nominal_pressure_pa: load.nominal_pressure_pa,

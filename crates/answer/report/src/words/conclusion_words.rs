@@ -139,18 +139,15 @@ fn estimate_line(area: &AreaEstimate) -> String {
 /// The source of an area: `boundary elements, yielding at 6.9 GPa`.
 pub(crate) fn source_words(source: Source) -> String {
     match source {
-        Source::Elements(reference) => format!("boundary elements, {}", reference_words(reference)),
+        Source::Elements(Reference::Elastic) => "boundary elements, elastic".to_owned(),
+        Source::Elements(Reference::Yielding { hardness_pa }) => {
+            format!("boundary elements, yielding at {}", pressure(hardness_pa))
+        }
+        Source::Elements(Reference::Growing) => {
+            "the range from a hardness that grows at small scales to a constant one".to_owned()
+        }
         Source::Model { .. } => "one model, not compared with boundary elements".to_owned(),
         Source::Models => "the range of the models, not compared with boundary elements".to_owned(),
-    }
-}
-
-/// `elastic` or `yielding at 6.9 GPa`.
-pub(crate) fn reference_words(reference: Reference) -> String {
-    match reference {
-        Reference::Elastic => "elastic".to_owned(),
-        Reference::Yielding { hardness_pa } => format!("yielding at {}", pressure(hardness_pa)),
-        Reference::Growing => "yielding at a hardness that grows at small scales".to_owned(),
     }
 }
 

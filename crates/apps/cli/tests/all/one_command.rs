@@ -129,6 +129,49 @@ fn a_scene_without_curves_runs_every_model_and_the_judge_may_add_the_others() {
 }
 
 #[test]
+fn a_hardness_that_grows_has_a_range_alone_in_summary_page_table_and_answer() {
+    let bench = Bench::new();
+    let row = |at: u32| {
+        let wavelength = 10f64.powf(-f64::from(at) / 20.0);
+        format!("{:e},{:e}\n", 1e-7 * wavelength, 1e-26 * wavelength.powf(2.6))
+    };
+    let rows: String = (0..=20).map(row).collect();
+    bench.write("s.csv", format!("wavelength_m,C1D_m3\n{rows}"));
+    let scene = "[surface]\npsd = \"s.csv\"\n[material]\nyoungs_modulus = \"200 GPa\"\npoisson_ratio = 0.3\n\
+                 yield_strength = \"300 MPa\"\nstrain_gradient_length = \"1 nm\"\n[loads]\npressures = [\"100 MPa\"]\n";
+    let summary = bench.write("g.toml", scene).run(&["run", "g.toml"]).ok();
+    let touches = summary.lines().find(|line| line.contains("Touches")).unwrap();
+    let words = "the range from a hardness that grows at small scales to a constant one";
+    assert!(touches.contains(" to ") && touches.contains(words), "{summary}");
+    assert!(summary.contains("Next      measure the hardness by indentation"), "{summary}");
+    let page = bench.read("g-results/report.html");
+    assert!(page.contains("✓ Range") && page.contains(words) && !page.contains("✓ Best estimate"));
+    let answer = answer(&bench, "g-results");
+    let load = &answer["loads"][0];
+    assert!(load["area"]["area_fraction"].is_null() && load["best_model"].is_null(), "{load}");
+    let group = &load["references"][0];
+    assert_eq!(
+        (&group["range"]["low"], &group["range"]["high"]),
+        (&load["area"]["low"], &load["area"]["high"])
+    );
+    let models = group["models"].as_array().unwrap();
+    assert!(!models.is_empty() && models.iter().all(|model| model["ratio"].is_null()), "{group}");
+    // The load over three times the strength is the least area with the constant hardness.
+    let [low, high] = ["low", "high"].map(|end| group["range"][end].as_f64().unwrap());
+    assert!(low < 100.0 / 900.0 && 100.0 / 900.0 <= high, "{group}");
+    let table = bench.read("g-results/report-models.csv");
+    let growing: Vec<&str> = table.lines().filter(|line| line.contains(",growing,")).collect();
+    assert_eq!(growing.len(), models.len());
+    for line in growing {
+        let cells: Vec<&str> = line.split(',').collect();
+        assert!(
+            (cells[3].parse::<f64>().unwrap() / low - 1.0).abs() < 1e-12 && cells[5].is_empty(),
+            "{line}"
+        );
+    }
+}
+
+#[test]
 fn summary_page_and_answer_agree_on_every_shipped_scene() {
     let bench = Bench::new();
     for name in ["uncd-measured", "gasket", "electrical-contact", "bolted-joint", "contact-challenge"] {
