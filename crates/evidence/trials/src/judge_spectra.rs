@@ -91,8 +91,14 @@ impl JudgeTrial {
     pub(crate) fn width(&self) -> f64 {
         match self.kind {
             Kind::FarApart => 128.0,
+            Kind::Flat => 32.0,
             _ => 64.0,
         }
+    }
+
+    /// Points of the truth's grid on the shortest wavelength, as the judge has them: the error of the grid is that of both.
+    pub(crate) fn points_per_shortest(&self) -> f64 {
+        if self.kind == Kind::Flat { 8.0 } else { 4.0 }
     }
 
     /// Four numbers between 0 and 1 that spread evenly over the trials.

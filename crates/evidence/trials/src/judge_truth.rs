@@ -16,8 +16,6 @@ pub(crate) const TRUTH_ERROR: f64 = 0.02;
 /// Side of the box over the longest wavelength. In a box of two the load rests on a handful of summits, which touch more than
 /// those of an infinite surface do.
 const LENGTHS_IN_BOX: f64 = 4.0;
-/// Points of the grid on the shortest wavelength, as the judge has them: the error of the grid is that of both.
-const POINTS_PER_SHORTEST: f64 = 4.0;
 /// Surfaces that are pressed before the error is looked at again.
 const BATCH: usize = 4;
 /// The most batches of surfaces.
@@ -116,7 +114,7 @@ impl JudgeTrial {
     ) -> Result<Surfaces, TrialError> {
         let longest_m = self.width() * SHORTEST_M;
         let choices = RandomChoices {
-            points: (POINTS_PER_SHORTEST * lengths_in_box * self.width()) as usize,
+            points: (self.points_per_shortest() * lengths_in_box * self.width()) as usize,
             realisations,
             seed,
             longest_m: Some(longest_m),
