@@ -39,6 +39,21 @@ fn an_elastic_curve_follows_the_error_function_and_carries_the_load() {
     assert_eq!(column(&table, "stiffness_pa_per_m")[0], "");
 }
 
+/// The first cutoffs of the measured spectrum had no gradient and touched everywhere, with steps behind.
+#[test]
+fn the_gradient_of_the_surface_rises_at_every_cutoff_of_both_diamonds() {
+    let bench = Bench::new();
+    let body = ["--youngs-modulus", "463GPa", "--poisson-ratio", "0.2"];
+    for spectrum in ["builtin:uncd-measured", "builtin:uncd-reconstructed"] {
+        let call = ["persson", spectrum, "--model", "elastic", "--pressure", "100kPa"];
+        let table = bench.run(&[&call[..], &body].concat()).ok();
+        let [areas, gradients] = ["area_fraction", "rms_gradient"].map(|name| numbers(&table, name));
+        assert!(gradients.windows(2).all(|pair| pair[0] < pair[1]), "{spectrum}: {gradients:?}");
+        // The longest waves of the other one, of centimetres, lie flat.
+        assert!(spectrum.ends_with("reconstructed") || areas[1] < 0.9, "{spectrum}: {areas:?}");
+    }
+}
+
 #[test]
 fn several_loads_stand_in_blocks_of_a_table_with_their_pressure_first() {
     let bench = Bench::new();
