@@ -10,7 +10,7 @@ use trials::TrialError;
 use trials::elements::{self, ElementsRow};
 use trials::flattening_trials;
 use trials::gap_trials::{self, GapRow};
-use trials::judge_spectra::{JudgeTrial, Set};
+use trials::judge_spectra::Set;
 use trials::judge_trials::JudgedRow;
 use trials::judge_truth::TruthRow;
 use trials::layer_trials;
@@ -59,19 +59,12 @@ pub(crate) fn gaps(anew: bool) -> Outcome {
     let pressed: Vec<GapRow> = stored(&csv, anew)?;
     let trials = gap_trials::trials();
     let mut rows: Vec<GapRow> = Vec::new();
-    let mut missing: Vec<&JudgeTrial> = Vec::new();
     for trial in &trials {
         let of_trial = pressed.iter().filter(|row| row.number == trial.number).copied();
-        let of_trial: Vec<GapRow> = of_trial.collect();
-        rows.extend(gap_trials::beside_theory(trial, &of_trial)?);
-        missing.extend(of_trial.is_empty().then_some(trial));
+        rows.extend(gap_trials::completed(trial, of_trial.collect())?);
+        let rest = pressed.iter().filter(|row| rows.iter().all(|done| done.number != row.number));
+        store(&rows.iter().chain(rest).copied().collect::<Vec<_>>(), &csv)?;
     }
-    for trial in missing {
-        println!("pressing spectrum {}: {:?}", trial.number, trial.kind);
-        rows.extend(gap_trials::rows_of(trial, &gap_trials::LOADS)?);
-        store(&rows, &csv)?;
-    }
-    rows.sort_by_key(|row| trials.iter().position(|trial| trial.number == row.number));
     store(&rows, &csv)?;
     rewrite("docs/develop/trials.md", |page| gap_trials::written(page, &rows))
 }
