@@ -252,8 +252,8 @@ remark_codes! {
         "the spectrum of profiles rises where that of no isotropic surface does; for the surface it was levelled there, which moves \
          {share%} of its roughness and keeps height and slope";
     SpectrumEnd "spectrum.end" Note
-        "the end of the spectrum of profiles holds waves beyond it, which its last slope leaves uncertain: the rms gradient of the surface \
-         is known to {error%}";
+        "the end of the spectrum of profiles holds waves beyond it, known from its last slope alone: the rms gradient of the surface \
+         is uncertain by {error%}";
     SteepWaves "random-surfaces.made-surfaces" Note
         "doubtful: these slopes take {pressure_over_modulus} E* to flatten, and a linear-elastic half-space needs small slopes (up to {bound} \
          E*)";
