@@ -277,7 +277,7 @@ fn paper() -> Work {
 }
 
 /// A scene of one body under one load, said so many times: every repeat has another name and needs nothing new.
-fn repeated(times: usize) -> Scene {
+fn repeated(times: usize, surface: &str) -> Scene {
     let curves: String =
         (0..times).map(|at| format!("[[curve]]\nmodel = \"persson\"\nname = \"c{at}\"\n")).collect();
     let figures: String = (0..times)
@@ -286,7 +286,7 @@ fn repeated(times: usize) -> Scene {
     // "1 MPa", "10e-1 MPa", "100e-2 MPa": one load.
     let loads: Vec<String> = (0..times).map(|at| format!("\"1{}e-{at} MPa\"", "0".repeat(at))).collect();
     let text = format!(
-        "[surface]\npsd = \"builtin:uncd-measured\"\n\
+        "[surface]\n{surface}\n\
          [material]\nyoungs_modulus = \"463 GPa +- 20 GPa\"\npoisson_ratio = 0.2\n\
          [loads]\npressures = [{}]\n[judge]\ngrid = 48\nrealisations = 2\n[uncertainty]\ndraws = 100\n\
          {curves}{figures}",
@@ -297,7 +297,7 @@ fn repeated(times: usize) -> Scene {
 
 /// The verdicts on a scene that is said so many times.
 fn judge(times: usize) -> Work {
-    let scene = repeated(times);
+    let scene = repeated(times, "psd = \"builtin:uncd-measured\"");
     let results = scene.plan().compute().expect("a sound scene");
     let settings = scene.judge.unwrap_or_default();
     Box::new(move || {
@@ -305,13 +305,13 @@ fn judge(times: usize) -> Work {
     })
 }
 
-/// The intervals of a scene that is said so many times.
+/// The intervals of a scene that is said so many times, whose spectrum and modulus are uncertain.
 fn draws(times: usize) -> Work {
-    let scene = repeated(times);
+    let scene = repeated(times, "rms_height = \"20 nm\"\nrms_slope = 0.1\nmean_width = \"1 um\"");
     let results = scene.plan().compute().expect("a sound scene");
     let settings = scene.uncertainty.unwrap_or_default();
     Box::new(move || {
-        let plan = UncertaintyPlan::new(&scene, &results, &settings).expect("an uncertain modulus");
+        let plan = UncertaintyPlan::new(&scene, &results, &settings).expect("uncertain inputs");
         black_box(plan.run(&Unobserved).expect("a sound scene"));
     })
 }

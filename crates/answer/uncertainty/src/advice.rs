@@ -77,7 +77,12 @@ impl Adviser<'_> {
         }
         let light = LightDraw::all(self.inputs, &influence);
         let of_area = |area: usize| self.of_area(area, &psd, &influence, &light, &prolongations);
-        ((0..self.areas.count()).filter_map(of_area).collect(), work, plans)
+        let at_its_place = |(area, advice): (usize, Option<Advice>)| {
+            let (curve, load) = self.areas.curve_and_load(area);
+            Some(Advice { curve, load, ..advice? })
+        };
+        let found = self.areas.map_distinct(of_area).into_iter().enumerate();
+        (found.filter_map(at_its_place).collect(), work, plans)
     }
 
     fn of_area(
@@ -88,7 +93,7 @@ impl Adviser<'_> {
         light: &[LightDraw],
         prolongations: &[Option<Drawn>; 2],
     ) -> Option<Advice> {
-        let (curve, load) = (area / self.areas.loads(), area % self.areas.loads());
+        let (curve, load) = self.areas.curve_and_load(area);
         let width = self.width(&self.drawn.of(area))?;
         if width == 0.0 {
             return None;

@@ -95,6 +95,20 @@ impl Areas {
         (self.curve_at[curve], self.load_at[load])
     }
 
+    /// The curve and the load of an area of a draw.
+    pub fn curve_and_load(&self, area: usize) -> (usize, usize) {
+        (area / self.loads(), area % self.loads())
+    }
+
+    /// Maps all areas of a draw, once for those of one place.
+    pub fn map_distinct<T: Clone + Send>(&self, map: impl Fn(usize) -> T + Sync) -> Vec<T> {
+        let place = |area: usize| {
+            let (curve, load) = self.curve_and_load(area);
+            self.place(curve, load)
+        };
+        map_distinct(self.count(), place, map)
+    }
+
     /// Hands a value of each curve and load that differ out to all curves and loads of the scene, curve by curve.
     fn handed_out<T: Clone>(&self, values: &[Vec<T>]) -> Vec<Vec<T>> {
         let of_curve =
@@ -134,12 +148,11 @@ impl Areas {
         DrawnAreas { ln_areas: vec![None; self.count()], work: Work::default() }
     }
 
-    /// The areas along the cutoff, at a few cutoffs per decade: for every curve and load, points of cutoff \[m\] and
-    /// area fraction.
+    /// The areas along the cutoff, at a few cutoffs per decade: for every curve and load that differ ([`Areas::place`]), points of
+    /// cutoff \[m\] and area fraction.
     pub fn along(&self, psd: Option<&ProfilePsd>, curves: Vec<Curve>) -> Option<(Vec<Vec<Points>>, Work)> {
         let results = self.results(psd, curves, Cutoffs::Every)?;
-        let points = self.of_all(&results, |curve, load| curve.area_fractions(load));
-        Some((self.handed_out(&points), results.work))
+        Some((self.of_all(&results, |curve, load| curve.area_fractions(load)), results.work))
     }
 
     /// Takes a value of each curve and load that differ.
@@ -161,4 +174,15 @@ impl Areas {
             None => plan.compute_on(self.prepared.clone(), &Unobserved).ok(),
         }
     }
+}
+
+/// Maps the numbers below `count`, once for those of one place: curves and loads may repeat under other names.
+pub(crate) fn map_distinct<T: Clone + Send>(
+    count: usize,
+    place: impl Fn(usize) -> (usize, usize),
+    map: impl Fn(usize) -> T + Sync,
+) -> Vec<T> {
+    let distinct = Distinct::by_key(0..count, |&at| place(at));
+    let found = numerics::parallel::map(&distinct.items, |&at| map(at));
+    distinct.index_of.into_iter().map(|at| found[at].clone()).collect()
 }

@@ -70,7 +70,7 @@ pub(crate) fn all(
     found
 }
 
-/// The areas of a draw along the cutoff: for every curve and load.
+/// The areas of a draw along the cutoff: for every curve and load that differ.
 pub(crate) type Along = Vec<Vec<Points>>;
 
 /// Computes the areas of the first draws along the cutoff; draws out of the range of the models are left out.

@@ -2,11 +2,11 @@
 
 use scene::{Scene, UncertaintySettings};
 use study::Progress;
-use study::plan::{Cutoffs, Distinct, PlanError, Results, Work};
+use study::plan::{Cutoffs, PlanError, Results, Work};
 use units::{Remark, RemarkCode};
 
 use crate::advice::{Adviser, MIN_SCANS};
-use crate::areas::{Areas, Points};
+use crate::areas::{Areas, Points, map_distinct};
 use crate::bands::{self, band};
 use crate::draws::{self, Along, Drawn};
 use crate::group::Indices;
@@ -172,16 +172,12 @@ impl<'p> UncertaintyPlan<'p> {
             Some(psd) => self.areas.at_the_end(psd.as_ref(), self.areas.distinct_curves().to_vec()),
             None => self.areas.nothing(),
         };
-        let place = |area: usize| {
-            let (curve, load) = self.curve_and_load(area);
-            self.areas.place(curve, load)
-        };
         let interval = |area: usize| self.interval(area, drawn, best.ln_areas[area], indices);
         let at_its_place = |area: usize, interval: AreaInterval| {
-            let (curve, load) = self.curve_and_load(area);
+            let (curve, load) = self.areas.curve_and_load(area);
             AreaInterval { curve, load, ..interval }
         };
-        let found = map_distinct(self.areas.count(), place, interval).into_iter().enumerate();
+        let found = self.areas.map_distinct(interval).into_iter().enumerate();
         (found.filter_map(|(area, found)| Some(at_its_place(area, found?))).collect(), best.work)
     }
 
@@ -229,16 +225,12 @@ impl<'p> UncertaintyPlan<'p> {
             self.areas.place(curve, load)
         };
         let band = |at: usize| {
-            let (curve, load) = places[at];
-            let draws: Vec<&Points> = along.iter().map(|draw| &draw[curve][load]).collect();
-            band(curve, load, &draws, &best[curve][load], self.settings.level)
+            let ((curve, load), (own_curve, own_load)) = (places[at], place(at));
+            let draws: Vec<&Points> = along.iter().map(|draw| &draw[own_curve][own_load]).collect();
+            band(curve, load, &draws, &best[own_curve][own_load], self.settings.level)
         };
         let found = map_distinct(places.len(), place, band).into_iter().zip(&places);
         found.filter_map(|(found, &(curve, load))| Some(AreaBand { curve, load, ..found? })).collect()
-    }
-
-    fn curve_and_load(&self, area: usize) -> (usize, usize) {
-        (area / self.areas.loads(), area % self.areas.loads())
     }
 
     fn interval(
@@ -260,7 +252,7 @@ impl<'p> UncertaintyPlan<'p> {
         };
         let found = at_level(self.settings.level)?;
         let within = at_level(ONE_STANDARD_UNCERTAINTY)?;
-        let (curve, load) = self.curve_and_load(area);
+        let (curve, load) = self.areas.curve_and_load(area);
         Some(AreaInterval {
             curve,
             load,
@@ -301,17 +293,6 @@ impl<'p> UncertaintyPlan<'p> {
             }
         }
     }
-}
-
-/// Maps the numbers below `count`, once for those of one place: curves and loads may repeat under other names.
-fn map_distinct<T: Clone + Send>(
-    count: usize,
-    place: impl Fn(usize) -> (usize, usize),
-    map: impl Fn(usize) -> T + Sync,
-) -> Vec<T> {
-    let distinct = Distinct::by_key(0..count, |&at| place(at));
-    let found = numerics::parallel::map(&distinct.items, |&at| map(at));
-    distinct.index_of.into_iter().map(|at| found[at].clone()).collect()
 }
 
 /// The standard deviation of draws about their mean, from their distances from their median: of equal draws it is 0.
