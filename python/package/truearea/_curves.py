@@ -167,7 +167,7 @@ def statistical(
     >>> diamond = ta.Material("444.5 GPa", 0.2, indentation_hardness="54 GPa")
     >>> curve = ta.statistical(uncd, diamond, pressure="1e-3 H", model="ep-sphere")
     >>> curve.area_fraction[0, -1]
-    np.float64(0.00049...)
+    np.float64(0.00217...)
     """
     arguments = {"model": model, "pressure": pressure, "separation": separation, "tolerance": tolerance, **options}
     return StatisticalCurve._found("statistical", surface, material, arguments)
