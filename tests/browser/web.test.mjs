@@ -403,8 +403,16 @@ test("a quantity that is none gets a message in place, and the next one an answe
 
 test("cancel ends the elements and leaves the closed forms", async () => {
   const { page, context } = await open();
+  // Elements may end sooner than a test can point at the button, so the page presses it once it appears.
+  await hook(page, "cancel").evaluate((button) => {
+    const shown = new MutationObserver(() => {
+      if (button.hidden) return;
+      shown.disconnect();
+      button.click();
+    });
+    shown.observe(button, { attributes: true });
+  });
   await example(page, "uncd-reconstructed");
-  await hook(page, "cancel").click();
   await until(page, "done");
   assert.match(await hook(page, "status").innerText(), /Cancelled/);
   assert.equal(await page.locator('[data-testid^="verdict-"]:not([data-value=""])').count(), 0);
