@@ -85,7 +85,7 @@ impl Psd {
     /// because files do not state how those of neighbouring samples are correlated.
     ///
     /// # Errors
-    /// Of an area convention [`ConversionError::TooFewSamples`] for 2 samples, and [`ConversionError::OutOfRange`].
+    /// [`ConversionError::TooFewSamples`] for 2 samples of an area convention, [`ConversionError::OutOfRange`] for densities beyond doubles.
     pub fn profile(&self) -> Result<ProfilePsd, ConversionError> {
         let (from, samples) = (self.convention, self.len());
         let Some(surface) = self.surface() else {

@@ -21,7 +21,7 @@ pub struct PreparedSpectrum {
     /// The cutoff of each sweep.
     pub(crate) sweep_cutoffs: Vec<Cutoff>,
     pub(crate) work: Work,
-    /// What [`PreparedSpectrum::gradients_of_surface`] returns, once for all copies.
+    /// The result of [`PreparedSpectrum::gradients_of_surface`], computed once for all copies.
     pub(crate) gradients: Arc<OnceLock<Vec<f64>>>,
 }
 
