@@ -246,20 +246,52 @@ pub fn checked(argument: &str, bound: units::Bound, number: f64) -> PyResult<f64
     bound.check("", number).map_err(refused)
 }
 
-/// Numbers in a unit: those of a quantity of pint, astropy or unyt converted to it, anything else as it is.
+/// Numbers in a unit: those of a quantity of pint, astropy or unyt, or of a `DataArray` that says its own, converted to it;
+/// anything else as it is.
 #[pyfunction]
 pub fn without_unit<'py>(argument: &str, unit: &str, given: &Given<'py>) -> PyResult<Given<'py>> {
     // pint's and astropy's, and unyt's.
     for method in ["m_as", "to_value"] {
         if given.hasattr(method)? {
             let converted = given.call_method1(method, (unit,));
+            // Wavevectors of some count radians.
+            let converted = converted.or_else(|error| match unit {
+                "1/m" => given.call_method1(method, ("rad/m",)),
+                _ => Err(error),
+            });
             return converted.map_err(|error| {
                 let unit = if unit.is_empty() { "a plain number" } else { unit };
                 of_argument(argument, format!("cannot be converted to {unit}: {}", error.value(given.py())))
             });
         }
     }
+    if given.hasattr("dims")? && given.hasattr("attrs")? {
+        let data = given.getattr("data")?;
+        let bare = without_unit(argument, unit, &data)?;
+        let units = given.getattr("attrs")?.call_method1("get", ("units",))?;
+        if !bare.is(&data) || units.is_none() {
+            return Ok(bare);
+        }
+        let factor = si_factor(argument, unit, &text("the attribute units", &units)?)?;
+        return if factor == 1.0 { Ok(bare) } else { bare.mul(factor) };
+    }
     Ok(given.clone())
+}
+
+/// The number of SI units in a unit that an attribute names.
+fn si_factor(argument: &str, unit: &str, named: &str) -> PyResult<f64> {
+    let plain = |text: &str| {
+        let text = text.replace("rad/", "1/").replace(['*', '^', ' '], "");
+        text.replace('²', "2").replace('³', "3").replace('⁴', "4")
+    };
+    if plain(named) == plain(unit) || (unit.is_empty() && ["1", "dimensionless"].contains(&named)) {
+        return Ok(1.0);
+    }
+    let number = format!("1 {}", named.replace("rad/", "1/").replace("**", "^"));
+    si_number_of_text(argument, unit, &number).map_err(|_| {
+        let needed = if unit.is_empty() { "a plain number" } else { unit };
+        of_argument(argument, format!("its attribute units is '{named}', and {needed} is needed; convert it"))
+    })
 }
 
 /// The number in SI units of text with a unit, or of anything else that is one number: in m, Pa, m², 1/m², or without a unit.
@@ -268,30 +300,43 @@ pub fn si_number(argument: &str, unit: &str, given: &Given<'_>) -> PyResult<f64>
     let Ok(text) = given.cast::<PyString>() else {
         return bare_number(argument, &without_unit(argument, unit, given)?);
     };
-    let text = text.to_str()?;
+    si_number_of_text(argument, unit, text.to_str()?)
+}
+
+fn si_number_of_text(argument: &str, unit: &str, text: &str) -> PyResult<f64> {
     let parsed = match unit {
         "m" => text.parse().map(|SignedLength { m }| m),
         "Pa" => text.parse().map(|Modulus { pa }| pa),
         "m**2" => text.parse().map(|Area { m2 }| m2),
-        "1/m**2" => {
-            let refused =
-                || of_argument(argument, format!("'{text}' is not a number per area, such as '1e12 1/m2'"));
-            return per_area(text).ok_or_else(refused);
+        "N" => text.parse().map(|Force { n }| n),
+        "J/m**2" => text.parse().map(|WorkOfAdhesion { j_per_m2 }| j_per_m2),
+        "W/(m*K)" => text.parse().map(|ThermalConductivity { w_per_m_k }| w_per_m_k),
+        "ohm*m" => text.parse().map(|Resistivity { ohm_m }| ohm_m),
+        "1/m" | "1/m**2" => {
+            let refused = || {
+                of_argument(argument, format!("'{text}' is not a number in {unit}, such as '1e12 {unit}'"))
+            };
+            let si = |of: &str| match unit {
+                "1/m" => of.parse().ok().map(|Length { m }| m),
+                _ => of.parse().ok().map(|Area { m2 }| m2),
+            };
+            return per(text, si).ok_or_else(refused);
         }
-        _ => {
+        "" => {
             let number = text.trim().parse().ok().filter(|number: &f64| number.is_finite());
             return number.ok_or_else(|| of_argument(argument, format!("'{text}' is not a number")));
         }
+        _ => return Err(of_argument(argument, format!("numbers in {unit} are needed, and this is text"))),
     };
     parsed.map_err(|error: QuantityError| of_argument(argument, error))
 }
 
-/// A density such as `1e12 1/m2` or `0.5 /um2`.
-fn per_area(text: &str) -> Option<f64> {
-    let (number, area) = text.rsplit_once('/')?;
+/// A number per unit such as `1e12 1/m2` or `0.5 /um2`, with the size of one of the unit.
+fn per(text: &str, si: impl Fn(&str) -> Option<f64>) -> Option<f64> {
+    let (number, of) = text.rsplit_once('/')?;
     let number = number.trim_end();
     let number: f64 = number.strip_suffix(" 1").unwrap_or(number).trim().parse().ok()?;
-    format!("1 {area}").parse::<Area>().ok().map(|area| number / area.m2)
+    si(&format!("1 {of}")).map(|size| number / size)
 }
 
 /// Lengths in m, of lengths in a unit, each rounded once; a new array in C order.
@@ -343,6 +388,7 @@ pub fn text(argument: &str, given: &Given<'_>) -> PyResult<String> {
 }
 
 /// True or false.
+#[pyfunction]
 pub fn truth(argument: &str, given: &Given<'_>) -> PyResult<bool> {
     given.extract().map_err(|_| wrong_type(argument, "True or False is needed", given))
 }

@@ -24,7 +24,7 @@ mod _native {
     #[pymodule_export]
     use super::{
         answer::PyAnswer,
-        arguments::{in_metres, si_number, without_unit},
+        arguments::{in_metres, si_number, truth, without_unit},
         boundary_elements::{press_adhesive, press_ball, press_flat},
         contact::contact_states,
         curves::{curve, gaps, tangential},

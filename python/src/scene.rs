@@ -32,7 +32,7 @@ use tables::staging::reading::bytes_of;
 use toml::Value;
 
 use crate::answer::{columns, words};
-use crate::arguments::{Given, named, number, without_unit, wrong_type};
+use crate::arguments::{Arguments, Given, named, number, truth, without_unit, wrong_type};
 use crate::errors::{input, of_argument};
 use crate::surface::PySurface;
 use crate::work::{Observer, carry_out, held, light};
@@ -134,15 +134,15 @@ impl PyScene {
     fn run<'py>(
         &self,
         py: Python<'py>,
-        report: bool,
-        judge: Option<bool>,
-        uncertainty: Option<bool>,
+        arguments: Arguments<'py>,
         stamp: (Option<String>, Option<String>),
         observer: Option<&Observer<'py>>,
     ) -> PyResult<(String, Tables<'py>, Bound<'py, PyDict>)> {
         let run_stamp = &RunStamp { date: stamp.0, command: stamp.1 };
+        let (judge, uncertainty) = (arguments.get("judge", truth)?, arguments.get("uncertainty", truth)?);
+        let options = RunOptions { report: arguments.flag("report")?, judge, uncertainty };
         let made = carry_out(py, observer, |watch| {
-            let outcome = run_scene(&self.scene, RunOptions { report, judge, uncertainty }, watch)?;
+            let outcome = run_scene(&self.scene, options, watch)?;
             let (evidence, conclusions) = (outcome.evidence(&self.scene), &outcome.conclusions);
             let sensitivities = outcome.sensitivities.as_deref();
             let products = SceneProducts { evidence, conclusions, sensitivities, run_stamp };

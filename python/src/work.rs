@@ -3,13 +3,13 @@
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Mutex, MutexGuard, PoisonError};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use numerics::parallel::Progress;
 use pyo3::prelude::*;
 use questions::Phase;
 
-use crate::threads::with_threads;
+use crate::threads::{threads, with_threads};
 
 /// Longest wait of Ctrl-C and progress for the interpreter.
 const PATIENCE: Duration = Duration::from_millis(50);
@@ -24,18 +24,31 @@ pub struct Watch {
     phase: Mutex<(&'static str, Option<usize>)>,
     done: AtomicUsize,
     is_ended: AtomicBool,
+    /// Of work on the thread that calls: the time of the last look, the observer, and what ended the work.
+    on_caller: Option<Mutex<(Instant, Option<Py<PyAny>>, PyResult<()>)>>,
 }
 
 impl Watch {
     fn new() -> Self {
         let (done, is_ended) = (AtomicUsize::new(0), AtomicBool::new(false));
-        Watch { phase: Mutex::new(("steps", None)), done, is_ended }
+        Watch { phase: Mutex::new(("steps", None)), done, is_ended, on_caller: None }
     }
 
     /// Begins to count steps by their name and number.
     pub fn begin(&self, steps: &'static str, number: Option<usize>) {
         *held(&self.phase) = (steps, number);
         self.done.store(0, Ordering::Relaxed);
+    }
+
+    /// Looks now and then, if the work is on the thread that calls.
+    fn look_at_times(&self) {
+        let Some(mut kept) = self.on_caller.as_ref().map(held) else { return };
+        let (last, observer, ended) = &mut *kept;
+        if last.elapsed() >= PATIENCE && ended.is_ok() {
+            *ended = Python::attach(|py| self.look(py, observer.as_ref().map(|observer| observer.bind(py))));
+            self.is_ended.store(ended.is_err(), Ordering::Relaxed);
+            *last = Instant::now();
+        }
     }
 
     /// Looks for Ctrl-C, and calls the observer.
@@ -50,9 +63,11 @@ impl Watch {
 impl Progress for &Watch {
     fn advance(&self, steps: usize) {
         self.done.fetch_add(steps, Ordering::Relaxed);
+        self.look_at_times();
     }
 
     fn is_cancelled(&self) -> bool {
+        self.look_at_times();
         self.is_ended.load(Ordering::Relaxed)
     }
 }
@@ -64,8 +79,8 @@ impl questions::Watch for &Watch {
     }
 }
 
-/// Runs `work` on a thread beside this one, which keeps looking for Ctrl-C and calls the observer now and then and at the end.
-/// Without the feature `threads` it runs on this thread, the only one that there is.
+/// Runs `work`, keeps looking for Ctrl-C, and calls the observer now and then and at the end. Work of one thread is done on this
+/// one, any other on threads beside it.
 ///
 /// # Errors
 /// KeyboardInterrupt, or what the observer raises; the work has ended by then.
@@ -74,11 +89,15 @@ pub fn carry_out<T: Send>(
     observer: Option<&Observer<'_>>,
     work: impl FnOnce(&&Watch) -> T + Send,
 ) -> PyResult<T> {
-    let watch = &Watch::new();
-    if cfg!(not(feature = "threads")) {
-        let made = light(py, || work(&watch));
-        return watch.look(py, observer).map(|()| made);
+    if threads() == 1 {
+        let kept = Mutex::new((Instant::now(), observer.map(|observer| observer.clone().unbind()), Ok(())));
+        let watch = Watch { on_caller: Some(kept), ..Watch::new() };
+        let made = light(py, || work(&&watch));
+        let Watch { on_caller: kept, .. } = &watch;
+        let ended = kept.as_ref().map_or(Ok(()), |kept| std::mem::replace(&mut held(kept).2, Ok(())));
+        return ended.and_then(|()| watch.look(py, observer)).map(|()| made);
     }
+    let watch = &Watch::new();
     let (begun, finish) = channel::<()>();
     let finish = Mutex::new(finish);
     std::thread::scope(|scope| {

@@ -246,11 +246,17 @@ def test_notes_are_data_and_cautions_warn_where_the_package_is_called() -> None:
     doubts = {note.code: note for note in curve.notes if note.level == "caution"}
     assert set(doubts) == {"doubt.softer-than-its-ratio", "doubt.real-above-third-modulus"}
     assert "210 Pa" in doubts["doubt.softer-than-its-ratio"]
-    with warnings.catch_warnings(record=True) as further:
-        warnings.simplefilter("always")
-        for pressure in (2e6, 3e6, 4e6):
-            ta.persson(spectrum, soft, pressure=pressure)
-    assert len(further) == 2, "a kind of caution is told once for each line"
+    for filter, count in (("always", 6), ("default", 4), ("once", 4)):
+        with warnings.catch_warnings(record=True) as further:
+            warnings.simplefilter(filter, ta.Caution)  # type: ignore[arg-type]
+            for pressure in (2e6, 3e6, 4e6):
+                ta.persson(spectrum, soft, pressure=pressure)
+        assert len(further) == count, filter
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", ta.Caution)
+        for pressure in (2e6, 2e6):
+            with pytest.raises(ta.Caution):
+                ta.persson(spectrum, soft, pressure=pressure)
     again = pickle.loads(pickle.dumps(curve)).notes
     assert again == curve.notes and [note.code for note in again] == [note.code for note in curve.notes]
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numbers
+from collections.abc import Mapping, Set
 from typing import Any
 
 import numpy as np
@@ -17,7 +18,7 @@ def lengths_of(argument: str, of_size: str, size: Any, shape: tuple[int, ...]) -
         raise InputError(
             f"{argument}: a map of two axes, (rows, columns), or a line of one is needed, and this has {len(shape)}"
         )
-    lengths = [size] if isinstance(size, str) or np.ndim(size) == 0 else list(size)
+    lengths = [size] if (several := each(size)) is None else several
     if len(lengths) == 1 and len(shape) == 2:
         if shape[0] != shape[1]:
             raise InputError(
@@ -30,8 +31,31 @@ def lengths_of(argument: str, of_size: str, size: Any, shape: tuple[int, ...]) -
     return lengths
 
 
+def each(given: Any) -> list[Any] | None:
+    """The elements of anything that has some, quantities among them; None of one thing, which text is."""
+    try:
+        return None if isinstance(given, (str, bytes, Set, Mapping)) else list(given)
+    except TypeError:
+        return None
+
+
+_ROWS, _COLUMNS = {"y", "row", "rows"}, {"x", "column", "columns"}
+
+
+def metres(argument: str, given: Any) -> FloatArray:
+    """Heights [m], with y before x as the last axes: those of a DataArray are turned by their names."""
+    dims = getattr(given, "dims", ())
+    if len(dims) > 1:
+        across, along = ([dim for dim in dims if str(dim).removesuffix("_m") in names] for names in (_ROWS, _COLUMNS))
+        if len(across) == len(along) == 1:
+            given = given.transpose(..., across[0], along[0])
+        elif not all(str(dim).startswith("dim_") for dim in dims[-2:]):
+            raise InputError(f"{argument}: which of its dims {dims} are rows? rename them to y and x")
+    return doubles(argument, given, "m")
+
+
 def doubles(argument: str, given: Any, unit: str = "") -> FloatArray:
-    """Returns an array of doubles, not copied if it is one already; quantities, and text with a unit, are converted to ``unit``.
+    """Returns an array of doubles, not copied if it is one already; quantities, DataArrays and text are converted to ``unit``.
 
     Whole numbers, single precision and the other order of bytes are converted. Dates, booleans, complex numbers, anything else
     that is not a number, and masked arrays with gaps are refused.
@@ -42,15 +66,16 @@ def doubles(argument: str, given: Any, unit: str = "") -> FloatArray:
         raise InputError(f"{argument}: {np.count_nonzero(np.ma.getmaskarray(given))} of {np.size(given)} numbers are masked; fill them")
     if type(given) is not np.ndarray:
         given = _bare(argument, given, unit)
-    elif given.dtype.kind in "UT":
-        texts = _bare(argument, given.reshape(-1).tolist(), unit)
-        return np.array(texts, dtype=np.float64).reshape(given.shape)
+    elif given.dtype.kind in "UTO" and given.size:
+        bare = np.empty(given.size, dtype=object)
+        bare[:] = _bare(argument, given.reshape(-1).tolist(), unit)
+        given = bare.reshape(given.shape)
     try:
         array = np.asarray(given)
-    except ValueError as error:
+        if array.dtype.kind == "O" and array.size and all(map(_is_real, array.flat)):
+            array = array.astype(np.float64)
+    except (ValueError, OverflowError) as error:
         raise InputError(f"{argument}: it cannot become an array: {error}") from None
-    if array.dtype.kind == "O" and array.size and all(map(_is_real, array.flat)):
-        array = array.astype(np.float64)
     if array.dtype.kind not in "fiu":
         kind = "empty" if array.size == 0 else f"of type {array.dtype}"
         if array.size == 0 and array.dtype.kind == "O":

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from truearea import _native
-from truearea._arrays import doubles, lengths_of
+from truearea._arrays import lengths_of, metres
 from truearea._curves import Pressures
 from truearea._grammar import AnyMaterial, material_of, spectrum_of
 from truearea._material import Quantity
@@ -291,7 +291,7 @@ def _heights(given: Any) -> FloatArray:
     masked = int(np.count_nonzero(np.ma.getmaskarray(given))) if isinstance(given, np.ma.MaskedArray) else 0
     if masked:
         raise InputError(f"surface: {masked} of {np.size(given)} heights are masked; fill them before the map is pressed")
-    heights = doubles("surface", given, "m")
+    heights = metres("surface", given)
     if heights.ndim not in (2, 3):
         raise InputError(f"surface: a map of rows and columns is needed, or several, and this has {heights.ndim} axes")
     if not heights.size:

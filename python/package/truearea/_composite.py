@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from truearea import _native
-from truearea._arrays import doubles, lengths_of
+from truearea._arrays import each, lengths_of, metres
 from truearea._choices import Average, Detrend, Direction, Gaps, Window
 from truearea._material import Quantity
 from truearea._native import InputError
@@ -35,6 +35,11 @@ class Heights(NamedTuple):
     gaps: npt.NDArray[np.bool_] | None
     size: tuple[str, list[Any]]
     is_periodic: bool
+
+    def kept(self) -> Heights:
+        """Arrays of its own, for pickling: what their owner writes into his later does not count."""
+        gaps = None if self.gaps is None else self.gaps.copy()
+        return self._replace(heights_m=self.heights_m.copy(), gaps=gaps)
 
 
 Part = Union[File, Scan, Heights]
@@ -110,10 +115,6 @@ def composite(
     InputError
         With the scan, and place, value and bound where they are to blame.
 
-    Notes
-    -----
-    Arrays are kept for pickling and not copied: do not write to them while the spectrum may be pickled.
-
     Examples
     --------
     >>> import numpy as np
@@ -162,7 +163,7 @@ def spectrum_of_heights(
             raise InputError("h is a Scan, which has its size and whether it is periodic; leave out size and periodic")
         part = heights
     else:
-        part = heights_of("h", "size", name, heights, size, periodic)
+        part = heights_of("h", "size", name, heights, size, periodic).kept()
     said: Options = {key: (key, value) for key, value in options.items() if value is not None}
     return _of_parts([part], [said], of_all, name, "")
 
@@ -193,10 +194,10 @@ def _part(argument: str, given: Any) -> Part:
     if isinstance(given, Scan):
         return given
     if is_topography(given):
-        return heights_of(argument, argument, argument, given, None, None)
+        return heights_of(argument, argument, argument, given, None, None).kept()
     if isinstance(given, tuple) and len(given) == 2:
         heights, size = given
-        return heights_of(argument, f"{argument}[1]", argument, heights, size, None)
+        return heights_of(argument, f"{argument}[1]", argument, heights, size, None).kept()
     raise InputError(
         f"{argument}: a path, a Scan, a pair (heights, size) or a topography is needed, and this is of type "
         f"{type(given).__name__}"
@@ -212,9 +213,10 @@ def heights_of(argument: str, of_size: str, name: str, given: Any, size: Any, pe
     elif size is None:
         raise InputError(f"{of_size} is needed: (lx, ly), or one length of a line or a square map")
     gaps = np.ma.getmaskarray(given) if np.ma.is_masked(given) else None
-    heights_m = doubles(argument, np.ma.getdata(given) if np.ma.isMaskedArray(given) else given, "m")
+    heights_m = metres(argument, np.ma.getdata(given) if np.ma.isMaskedArray(given) else given)
     lengths = lengths_of(argument, of_size, size, heights_m.shape)
-    return Heights(argument, name, heights_m, gaps, (of_size, lengths), bool(periodic))
+    is_periodic = periodic is not None and _native.truth("periodic", periodic)
+    return Heights(argument, name, heights_m, gaps, (of_size, lengths), is_periodic)
 
 
 def _name(parts: list[Part]) -> str:
@@ -224,7 +226,7 @@ def _name(parts: list[Part]) -> str:
 
 def _is_common(value: Any) -> bool:
     """Returns True for a value that holds for all scans; text is one value."""
-    return value is not None and (isinstance(value, str) or not isinstance(value, (Sequence, np.ndarray)))
+    return value is not None and each(value) is None
 
 
 def _say(options: list[Options], parts: list[Part], argument: str, value: Any) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence, Set
-from typing import Any, Literal, Union, cast
+from typing import TYPE_CHECKING, Any, Literal, Union, cast
 
 import numpy as np
 import numpy.typing as npt
@@ -18,6 +18,8 @@ from truearea._notes import Note, noted
 from truearea._options import documented
 from truearea._results import FloatArray, Result
 
+if TYPE_CHECKING:
+    import pandas as pd
 
 _COLUMNS = {"radius": "radius_m", "density": "density_per_m2", "sigma_s": "sigma_s_m", "m0": "m0_m2", "m2": "m2", "m4": "m4_per_m2"}
 """Their names in tables such as :class:`truearea.Moments`."""
@@ -58,7 +60,7 @@ _NO_AXES: dict[str, tuple[str, ...]] = dict.fromkeys(ContactStates.__annotations
 
 @documented
 def contact(
-    population: Mapping[str, Any] | None = None,
+    population: Mapping[Any, Any] | pd.DataFrame | None = None,
     material: Material | str | Sequence[Material | str] | npt.NDArray[np.object_] | None = None,
     *,
     model: StatisticalModel,
@@ -84,7 +86,7 @@ def contact(
 
     Parameters
     ----------
-    population : mapping, optional
+    population : mapping or data frame, optional
         The asperities: ``spectrum.moments()``, or ``radius``, ``density`` and ``sigma_s`` or the moments, with or without their
         units in the names. What is given by name counts before it.
     material : Material or str, or sequence or array of them
@@ -171,6 +173,11 @@ def _rows(
     names: tuple[str, ...], given: tuple[Any, ...], condition: str, at: Any, material: Any
 ) -> tuple[tuple[FloatArray, ...], list[_native.Material], npt.NDArray[np.int64] | None, tuple[int, ...]]:
     """Arrays of one shape, the materials, which of them each row has, and the shape."""
+    if others := [dims for dims in (getattr(value, "dims", ()) for value in (*given, at)) if dims]:
+        longest = max(others, key=len)
+        if any(longest[len(longest) - len(dims) :] != dims for dims in others):
+            named = " and ".join(map(str, dict.fromkeys(others)))
+            raise InputError(f"DataArrays of the dims {named} are given, and arrays broadcast by place; give those of xarray.broadcast")
     materials = _materials(material)
     natives = [one._native for one in materials.reshape(-1)]
     arrays = [doubles(name, value, unit) for name, value, unit in zip(names, given, _UNITS[names])]
@@ -193,9 +200,9 @@ def _refuse_idle(model: str, names: tuple[str, ...], idle: tuple[Any, ...]) -> N
 
 def _of_population(population: Any, names: tuple[str, ...], given: tuple[Any, ...]) -> tuple[Any, ...]:
     """The parameters of a population under their own names or those of tables; what is given besides counts before it."""
-    if not isinstance(population, Mapping):
+    if not hasattr(population, "get"):
         raise InputError(
-            f"population: a mapping of {', '.join(names)} or the moments of a spectrum are needed, and this is of type "
+            f"population: a mapping or a data frame of {', '.join(names)} or the moments of a spectrum are needed, and this is of type "
             f"{type(population).__name__}"
         )
     of_table = (population.get(name, population.get(_COLUMNS[name])) for name in names)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import os
+from copy import deepcopy
 from pathlib import Path
 from typing import Any, ClassVar, Literal, overload
 
@@ -249,7 +250,7 @@ def law(
     >>> heat.to_text("abaqus").count("*GAP CONDUCTANCE, PRESSURE")
     1
     """
-    arguments = {"tolerance": 0.01, "pressure": pressure, "quantity": quantity, "model": model, **options}
+    arguments = {"tolerance": 0.01, "pressure": deepcopy(pressure), "quantity": quantity, "model": model, **options}
     return _made_again(spectrum_of(surface), material, arguments)
 
 

@@ -34,8 +34,11 @@ def set_threads(count: int) -> None:
 def threads() -> int:
     """Returns the number of threads."""
 
+def truth(argument: str, given: Any) -> bool:
+    """True or False; anything else is refused."""
+
 def without_unit(argument: str, unit: str, given: Any) -> Any:
-    """Numbers in a unit, of a quantity of pint, astropy or unyt; anything else as it is."""
+    """Numbers in a unit, of a quantity of pint, astropy or unyt, or a DataArray; anything else as it is."""
 
 def si_number(argument: str, unit: str, given: Any) -> float:
     """The number in m, Pa, m², 1/m² or without a unit of text with a unit, or of anything else that is one number."""
@@ -149,9 +152,7 @@ class Scene:
     def explain(self) -> str: ...
     def run(
         self,
-        report: bool,
-        judge: bool | None,
-        uncertainty: bool | None,
+        arguments: _Arguments,
         stamp: tuple[str | None, str | None],
         observer: _Observer | None,
     ) -> tuple[str, dict[str, tuple[_Columns, list[str]]], dict[str, bytes]]: ...

@@ -5,7 +5,6 @@ from __future__ import annotations
 import sys
 import warnings
 from collections.abc import Iterable
-from types import FrameType
 from typing import Any, NamedTuple, cast
 
 from truearea._choices import NoteLevel
@@ -15,7 +14,7 @@ _NativeNote = tuple[str, str, str, tuple[list[str], "int | None", "int | None", 
 
 
 class Caution(UserWarning):
-    """A note that changes what to conclude from a result; each place that calls is warned once of each kind."""
+    """A note that changes what to conclude from a result; the filters of ``warnings`` decide how often it is shown."""
 
 
 class Place(NamedTuple):
@@ -86,29 +85,18 @@ def notes_of(native: Iterable[_NativeNote]) -> tuple[Note, ...]:
     )
 
 
-_WARNED: set[tuple[str, int, str]] = set()
-"""Places that were warned, each with the code of the note: the same kind is not repeated for other values."""
-
-
 def noted(native: Iterable[_NativeNote]) -> tuple[Note, ...]:
     """Notes on the result of a call, whose cautions become warnings at the place that called the package."""
     notes = notes_of(native)
-    if not notes:
-        return notes
-    cautions = [note for note in notes if note.level == "caution"]
-    if cautions:
-        frame, level = _outside()
-        for note in cautions:
-            place = (frame.f_code.co_filename, frame.f_lineno, note.code)
-            if place not in _WARNED:
-                _WARNED.add(place)
-                warnings.warn(str(note), Caution, stacklevel=level)
+    for note in notes:
+        if note.level == "caution":
+            warnings.warn(note.removeprefix("warning: "), Caution, stacklevel=_outside())
     return notes
 
 
-def _outside() -> tuple[FrameType, int]:
-    """The frame that called the package, and how far it is above the caller of this function."""
+def _outside() -> int:
+    """How far the frame that called the package is above the caller of this function."""
     frame, level = sys._getframe(1), 1
     while frame.f_back is not None and frame.f_globals.get("__name__", "").partition(".")[0] == "truearea":
         frame, level = frame.f_back, level + 1
-    return frame, level
+    return level

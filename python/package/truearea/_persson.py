@@ -99,7 +99,8 @@ def persson(
 def _table(given: Mapping[str, Any] | pd.DataFrame) -> tuple[FloatArray, FloatArray]:
     """Sizes of contacts and their hardnesses."""
     try:
-        found = [doubles(f"hardness_law[{name!r}]", given[name]) for name in ("contact_size_m", "hardness_pa")]
+        columns = {"contact_size_m": "m", "hardness_pa": "Pa"}
+        found = [doubles(f"hardness_law[{name!r}]", given[name], unit) for name, unit in columns.items()]
     except (KeyError, TypeError, IndexError):
         raise InputError(
             "hardness_law: 'power:N' or 'nix-gao' is needed, or a mapping with the columns contact_size_m and hardness_pa"

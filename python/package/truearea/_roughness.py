@@ -130,7 +130,7 @@ def roughness(
     >>> round(found["Rq"], 6)
     0.007071
     """
-    if scales and (ratio_height is not None or convention is not None):
+    if _native.truth("scales", scales) and (ratio_height is not None or convention is not None):
         raise InputError("ratio_height and convention have no effect on scales; leave them out")
     unit, channel = options.pop("unit", None), options.pop("channel", None)
     if isinstance(surface, (str, os.PathLike)):

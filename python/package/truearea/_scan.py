@@ -249,7 +249,7 @@ def scan_channels(
     """
     file = file_of(path)
     options = given({"unit": unit, "channel": channel, "size": size})
-    return ScanChannels._of(_native.channels_of(file.name, file.files, options, all_channels))
+    return ScanChannels._of(_native.channels_of(file.name, file.files, options, _native.truth("all_channels", all_channels)))
 
 
 def file_of(path: AnyPath) -> File:

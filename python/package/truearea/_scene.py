@@ -139,8 +139,8 @@ class Scene:
             "cutoffs": None if cutoff is None else {"shortest_wavelength": cutoff},
             "options": others or None,
             "curve": None if isinstance(curves, str) and curves == "all" else curve_tables(curves),
-            "interface": _section(interface),
-            "seal": _section(seal),
+            "interface": _section("interface", interface),
+            "seal": _section("seal", seal),
             "judge": judge,
             "uncertainty": uncertainty,
             "figures": figures,
@@ -371,8 +371,9 @@ class Scene:
             If the scene cannot be run.
         """
         occasion = (datetime.now(timezone.utc).strftime("%Y-%m-%d %H:%M UTC"), f"Scene.run of {self._recipe[1]}")
+        flags = {"report": report, "judge": judge, "uncertainty": uncertainty}
         with observed(progress) as observer:
-            answer, tables, files = self._native.run(report, judge, uncertainty, occasion, observer)
+            answer, tables, files = self._native.run(flags, occasion, observer)
         return SceneResults(
             self.title,
             answer,
@@ -551,11 +552,11 @@ def _text(content: bytes, name: str) -> str:
         raise InputError(f"{name}, line {line}: not UTF-8 text; save the scene as UTF-8") from None
 
 
-def _section(given: bool | Mapping[str, Any]) -> Mapping[str, Any] | None:
+def _section(name: str, given: bool | Mapping[str, Any]) -> Mapping[str, Any] | None:
     """Returns the keys of a section that may be empty."""
-    if isinstance(given, bool):
-        return {} if given else None
-    return given
+    if isinstance(given, Mapping):
+        return given
+    return {} if _native.truth(name, given) else None
 
 
 def report(

@@ -154,11 +154,12 @@ class Spectrum(Drawn):
         convention: Convention = "c1d",
         name: str = "spectrum",
     ) -> None:
-        q = _column("wavevectors", wavevectors)
+        q = _column("wavevectors", wavevectors, "1/m")
         if bad := [value for value in q if not (np.isfinite(value) and value > 0.0)]:
             raise InputError(f"wavevectors: {bad[0]} is given; they must be finite and greater than 0")
-        c = _column("c1d", c1d)
-        errors = None if c1d_se is None else _column("c1d_se", c1d_se)
+        unit = "m**4" if convention in ("ciso", "persson") else "m**3"
+        c = _column("c1d", c1d, unit)
+        errors = None if c1d_se is None else _column("c1d_se", c1d_se, unit)
         if errors is not None and q.shape == c.shape == errors.shape:
             # The core takes standard errors from long wavelengths on.
             order = np.argsort(q)
@@ -222,10 +223,6 @@ class Spectrum(Drawn):
         ------
         InputError
             For shapes and sizes that do not fit, heights that are not finite and not masked, and heights that are flat.
-
-        Notes
-        -----
-        An array of doubles is copied once, for the transform; it is kept for pickling as it is, so do not write to it meanwhile.
 
         Examples
         --------
@@ -462,8 +459,8 @@ def _spectrum_of_file(name: str, content: bytes | None, options: dict[str, str |
     return Spectrum._of(native, _spectrum_of_file, name, content, options)
 
 
-def _column(argument: str, given: Any) -> FloatArray:
-    array = np.ascontiguousarray(doubles(argument, given))
+def _column(argument: str, given: Any, unit: str) -> FloatArray:
+    array = np.array(doubles(argument, given, unit), order="C")
     if array.ndim != 1:
         raise InputError(f"{argument}: an array of one axis is needed, and this has {array.ndim}")
     return array

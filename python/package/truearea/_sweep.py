@@ -11,10 +11,11 @@ from typing import Any
 
 import numpy as np
 
+from truearea import _native
 from truearea._native import InputError
 from truearea._results import AnyArray, needed
 from truearea._scene import Scene
-from truearea._threads import one_thread
+from truearea._threads import within
 
 _ROWS_PER_PART = 2**8
 _ROWS_PER_VECTORISED_PART = 2**17
@@ -91,7 +92,7 @@ class _Rows:
             raise InputError("axes: give a mapping from names to values, with at least one name")
         self.axes = {name: _column(name, values) for name, values in axes.items()}
         self.swept = swept
-        self.vectorised = vectorised
+        self.vectorised = vectorised = _native.truth("vectorised", vectorised)
         if vectorised and isinstance(swept, Scene):
             raise InputError("vectorised is for functions; a scene is computed row by row")
         if not isinstance(swept, Scene) and not callable(swept):
@@ -110,7 +111,7 @@ class _Rows:
     def frame(self, part: int) -> Any:
         """Computes the rows of a part, with the values of the axes in front."""
         given = self.given(part)
-        with one_thread():
+        with within(1):
             found, counts = self._block(given) if self.vectorised else self._row_by_row(given)
         if hidden := [name for name in found if name in given]:
             raise InputError(f"{hidden[0]} is the name of an axis and of a result; rename one of them")
@@ -179,7 +180,7 @@ class _Rows:
 def _column(name: str, values: Any) -> AnyArray:
     if isinstance(values, (str, bytes, Mapping)) or not isinstance(values, Iterable):
         raise InputError(f"axes[{name!r}]: give a list or an array of values, not a value of type {type(values).__name__}")
-    if hasattr(values, "to_value"):
+    if hasattr(values, "to_value") or getattr(values, "attrs", {}).get("units"):
         raise InputError(f"axes[{name!r}]: give numbers in SI units, or text with a unit, in place of an array with a unit")
     values = values if isinstance(values, np.ndarray) else list(values)
     is_plain = isinstance(values, np.ndarray) or all(isinstance(value, (bool, int, float, np.number)) for value in values)

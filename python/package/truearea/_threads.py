@@ -10,7 +10,8 @@ from typing import overload
 from truearea import _native
 
 _lock = threading.Lock()
-_tasks = 0
+_blocks: dict[object, int] = {}
+"""The numbers of the blocks that are open, in any thread; the latest counts."""
 _before = 1
 
 
@@ -28,32 +29,23 @@ def threads(count: int | None = None) -> int | AbstractContextManager[None]:
     ...     ta.threads()
     2
     """
-    return _native.threads() if count is None else _while_within(count)
+    return _native.threads() if count is None else within(count)
 
 
 @contextmanager
-def _while_within(count: int) -> Iterator[None]:
-    before = _native.threads()
-    _native.set_threads(count)
-    try:
-        yield
-    finally:
-        _native.set_threads(before)
-
-
-@contextmanager
-def one_thread() -> Iterator[None]:
-    """Work takes one thread; what was set before comes back with the end of the last task."""
-    global _tasks, _before
+def within(count: int) -> Iterator[None]:
+    """Work takes so many threads; what was set before comes back with the end of the last block of any thread."""
+    global _before
+    block = object()
     with _lock:
-        if _tasks == 0:
-            _before = _native.threads()
-            _native.set_threads(1)
-        _tasks += 1
+        before = _native.threads()
+        _native.set_threads(count)
+        if not _blocks:
+            _before = before
+        _blocks[block] = count
     try:
         yield
     finally:
         with _lock:
-            _tasks -= 1
-            if _tasks == 0:
-                _native.set_threads(_before)
+            del _blocks[block]
+            _native.set_threads(next(reversed(_blocks.values()), _before))
