@@ -13,7 +13,7 @@ use study::models::ModelEntry;
 use tables::Table;
 use units::{Remark, Resistivity, ThermalConductivity};
 
-use crate::answer::{PyAnswer, refused};
+use crate::answer::{Keywords, PyAnswer, refused};
 use crate::arguments::{Arguments, checked, choice, length_m, named, number, quantity, text};
 use crate::curves::gap_model;
 use crate::errors::{input, of_argument};
@@ -61,7 +61,7 @@ impl PyFoundLaw {
         let law = carry_out(py, None, |watch| match question.answer(&surface.surface, watch)? {
             LawAnswer::Pressure(found) => {
                 let (law, model) = (found.sampled(tolerance, watch)?, found.model);
-                provenance.push(format!("{}: {}", model.full_name, model.citation));
+                provenance.extend(found.description(&Keywords));
                 let exponential = found.exponential().ok();
                 Ok(PyFoundLaw {
                     table: law_table(&law),
@@ -74,7 +74,7 @@ impl PyFoundLaw {
             }
             LawAnswer::Conductance(found) => {
                 let table = found.sampled(tolerance, watch)?;
-                provenance.extend(found.description());
+                provenance.extend(found.description(&Keywords));
                 Ok(PyFoundLaw {
                     table: conductance_table(&table),
                     provenance,

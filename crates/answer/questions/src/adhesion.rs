@@ -5,6 +5,7 @@ use elements::half_space::{Adhesion, GOOD_RESOLUTION};
 use elements::{
     AdhesivePressing, AdhesiveState, Branch, Pressing, Relief, Surfaces, adhesive_means, adhesive_table,
 };
+use findings::doubts::{self, PressedBodies};
 use interface::adhesion::{FullerTabor, PastewkaRobbins};
 use numerics::parallel::Progress;
 use serde::{Deserialize, Serialize};
@@ -140,7 +141,8 @@ impl AdhesionQuestion {
         if points < GOOD_RESOLUTION {
             notes.push(Remark::new(RemarkCode::ProcessZoneCoarse).with("process_zone_points", points));
         }
-        Ok(Prepared { surfaces, notes, pressing: (pressing, self.clone()) })
+        let hardness_pa = self.material.material()?.hardness_pa();
+        Ok(Prepared { surfaces, notes, pressing: (pressing, self.clone()), hardness_pa })
     }
 
     fn pressing(&self) -> Result<AdhesivePressing, QuestionError> {
@@ -203,6 +205,12 @@ impl PreparedAdhesion {
         if states.iter().any(|state| state.numbers.nominal_pressure_pa < 0.0) {
             notes.push(Remark::new(RemarkCode::Metastable));
         }
+        let bodies = PressedBodies::of_elements(pressing.contact_modulus_pa, self.hardness_pa);
+        let areas: Vec<_> = means
+            .iter()
+            .map(|mean| (mean.numbers.nominal_pressure_pa, mean.numbers.area_fraction_corrected))
+            .collect();
+        notes.extend(doubts::of_contact(&bodies, &areas));
         let rows = if question.per_realisation { &states } else { &means };
         Ok(Answer {
             table: adhesive_table(rows, question.per_realisation),

@@ -18,8 +18,9 @@ use study::models::{Choice, ModelEntry};
 use study::plan::{Needs, Plan, PlanError};
 use study::surface::Surface;
 use units::display::{length, pressure, three_digits};
-use units::{OutOfBounds, Remark, RemarkCode, Resistivity, ThermalConductivity, named};
+use units::{OutOfBounds, Remark, RemarkCode, Resistivity, Spelling, ThermalConductivity, named};
 
+use crate::gap::cautions;
 use crate::loads::nominal_pressure;
 use crate::option::{first_given, not_of_model};
 use crate::{FoundLaw, LawForm, LawQuestion, QuestionError};
@@ -192,7 +193,10 @@ impl LawTableQuestion {
                 (spots, by.notes(&material, surface))
             }
             None => {
-                let FoundLaw { model, law, notes, .. } = self.law.answer(surface, progress)?;
+                let FoundLaw { model, law, mut notes, .. } = self.law.answer(surface, progress)?;
+                for note in notes.iter_mut().filter(|note| note.code == RemarkCode::RealAboveHardness) {
+                    note.numbers.push(("model", PlasticCorrelation::Yovanovich.name().into()));
+                }
                 let modulus_pa = material.pair.composite_modulus_pa();
                 (Spots::Analogy { model, law: Box::new(law), modulus_pa }, notes)
             }
@@ -328,9 +332,9 @@ impl FoundConductance {
         Ok(ConductancePoint { pressure_pa, contact_si, gas_si })
     }
 
-    /// Describes formulas and inputs in lines, for the comments of a file.
+    /// Describes formulas, inputs and every caution in lines, for the comments of a file.
     #[must_use]
-    pub fn description(&self) -> Vec<String> {
+    pub fn description(&self, spelling: &dyn Spelling) -> Vec<String> {
         let mean = self.conductivities.harmonic_mean_w_per_m_k();
         let (symbol, mean) = match self.flow {
             Flow::Heat => ("h", format!("k_s = {} W/(m K)", three_digits(mean))),
@@ -354,6 +358,7 @@ impl FoundConductance {
                 pressure(*hardness_pa)
             )],
         };
+        lines.extend(cautions(&self.notes, spelling));
         lines.extend(self.caution());
         if let Some(gas) = &self.gas {
             lines.push(format!(

@@ -249,7 +249,8 @@ impl<'s> PreparedCurve<'s> {
         Remarks {
             curve: self.curve(),
             counts: CurveCounts::default(),
-            pressures: RealPressures::new(self.hardness_pa),
+            pressures: RealPressures::new(self.hardness_pa)
+                .with_remedy(self.curve().model.entry().yielding().map(|model| ("model", model))),
         }
     }
 

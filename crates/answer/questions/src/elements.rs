@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use findings::doubts;
+use findings::doubts::{self, PressedBodies};
 use spectrum::random_surfaces::{AreaSpectrum, GridBand, Phases};
 
 use elements::{
@@ -146,6 +146,8 @@ pub struct Prepared<P> {
     /// Notes on the surfaces and on the material.
     pub notes: Vec<Remark>,
     pub(crate) pressing: P,
+    /// Hardness of the body that yields \[Pa\], if one is known.
+    pub(crate) hardness_pa: Option<f64>,
 }
 
 /// Surfaces ready to be pressed by a flat.
@@ -198,7 +200,8 @@ impl ElementsQuestion {
         let mut notes = notes_on_spectrum(&material, surface);
         let (random, made) = random_surfaces(surface, &self.random, &pressing)?;
         notes.extend(made);
-        Ok(Prepared { surfaces: Surfaces::Random(random), notes, pressing })
+        let hardness_pa = material.hardness_pa();
+        Ok(Prepared { surfaces: Surfaces::Random(random), notes, pressing, hardness_pa })
     }
 
     /// Prepares maps as measured.
@@ -208,7 +211,8 @@ impl ElementsQuestion {
     pub fn on_maps(&self, maps: Vec<Relief>) -> Result<PreparedElements, QuestionError> {
         let (material, pressing) = self.pressing()?;
         let notes = notes_on_maps(&material, &maps);
-        Ok(Prepared { surfaces: Surfaces::Maps(maps), notes, pressing })
+        let hardness_pa = material.hardness_pa();
+        Ok(Prepared { surfaces: Surfaces::Maps(maps), notes, pressing, hardness_pa })
     }
 
     fn pressing(&self) -> Result<(Material, Pressing), QuestionError> {
@@ -253,7 +257,8 @@ impl PreparedElements {
         progress: &dyn Progress,
     ) -> Result<(Vec<PressedLoad>, Vec<Remark>), E> {
         let pressed = elements::press(&self.surfaces, &self.pressing, see, progress)?;
-        let notes = remarks_on_pressed(&pressed);
+        let notes =
+            remarks_on_pressed(&pressed, &self.pressing, self.hardness_pa, Some(("saturation", "1H")));
         Ok((pressed, notes))
     }
 }
@@ -331,8 +336,14 @@ fn remarks_on_surfaces(
     remarks
 }
 
-/// Remarks on pressed surfaces: grids too coarse, residuals held by rounding, and closed paths.
-pub(crate) fn remarks_on_pressed(loads: &[PressedLoad]) -> Vec<Remark> {
+/// Remarks on pressed surfaces: grids too coarse, residuals held by rounding, closed paths, and pressures above the hardness \[Pa\]
+/// of surfaces that do not yield, with the remedy.
+pub(crate) fn remarks_on_pressed(
+    loads: &[PressedLoad],
+    pressing: &Pressing,
+    hardness_pa: Option<f64>,
+    remedy: Option<(&'static str, &'static str)>,
+) -> Vec<Remark> {
     let at = |code, is_found: &dyn Fn(&PressedLoad) -> bool| {
         let found: Vec<&PressedLoad> = loads.iter().filter(|load| is_found(load)).collect();
         let labels: Vec<String> = found.iter().map(|load| pressure(load.nominal_pressure_pa)).collect();
@@ -347,7 +358,13 @@ pub(crate) fn remarks_on_pressed(loads: &[PressedLoad]) -> Vec<Remark> {
         load.states.iter().any(|state| state.numbers.ending == elements::half_space::Ending::Rounding)
     };
     let rounded = at(RemarkCode::RoundedResidual, &is_rounded);
-    coarse.into_iter().chain(rounded).chain(closed_paths(loads)).collect()
+    let hardness_pa = hardness_pa.filter(|_| pressing.saturation_pa.is_none());
+    let bodies =
+        PressedBodies { remedy, ..PressedBodies::of_elements(pressing.contact_modulus_pa, hardness_pa) };
+    let areas: Vec<_> =
+        loads.iter().map(|load| (load.nominal_pressure_pa, load.mean().best_area_fraction())).collect();
+    let doubts = doubts::of_contact(&bodies, &areas);
+    coarse.into_iter().chain(rounded).chain(closed_paths(loads)).chain(doubts).collect()
 }
 
 /// The loads at which contact closes the paths from edge to edge; `None` if every surface is open in both directions.

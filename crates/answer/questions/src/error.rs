@@ -3,6 +3,7 @@
 use elements::{AdhesiveError, ElementsError, IndenterError};
 use interface::conductance::PlasticCorrelation;
 use interface::finite_elements::SamplingError;
+use interface::tangential::ShearError;
 use persson::hardness_laws::HardnessError;
 use study::gap_law::GapError;
 use study::interface::GasError;
@@ -109,6 +110,12 @@ pub enum QuestionError {
         /// The pressure \[Pa\].
         pressure_pa: f64,
     },
+    /// The stiffness of the normal law falls with the pressure.
+    #[error("the stiffness falls on the way to {pressure_pa} Pa")]
+    FallingStiffness {
+        /// The pressure \[Pa\].
+        pressure_pa: f64,
+    },
     /// No input of the uncertainty analysis is uncertain.
     #[error("nothing of the surface or the material is known to scatter")]
     NothingScatters,
@@ -168,5 +175,14 @@ impl From<GasError> for QuestionError {
 impl From<Box<Remark>> for QuestionError {
     fn from(unused: Box<Remark>) -> Self {
         QuestionError::Unused(unused)
+    }
+}
+
+impl From<ShearError<QuestionError>> for QuestionError {
+    fn from(error: ShearError<QuestionError>) -> Self {
+        match error {
+            ShearError::Stiffness(error) => error,
+            ShearError::FallingStiffness { pressure_pa } => QuestionError::FallingStiffness { pressure_pa },
+        }
     }
 }

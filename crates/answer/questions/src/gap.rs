@@ -1,7 +1,7 @@
 //! Mean gap and stiffness under loads, and laws made from them.
 
 use elements::{PressedLoad, Pressing, Surfaces};
-use findings::doubts;
+use findings::doubts::{self, PressedBodies};
 use interface::finite_elements::{ContactLaw, ExponentialLaw};
 use numerics::parallel::Progress;
 use persson::Band;
@@ -14,7 +14,7 @@ use study::models::{Choice, Framework, ModelEntry, ModelOptions};
 use study::plan::{Needs, Plan, PlanError, Tolerance};
 use study::result_tables;
 use study::surface::Surface;
-use units::{Pressure, PressureRange, Remark, RemarkCode};
+use units::{Pressure, PressureRange, Remark, RemarkCode, RemarkLevel, Spelling};
 
 use crate::choices;
 use crate::elements::{RandomInput, random_surfaces, remarks_on_pressed};
@@ -103,6 +103,13 @@ pub struct FoundLaw {
 }
 
 impl FoundLaw {
+    /// Describes the model and every caution in lines, for the comments of a file.
+    #[must_use]
+    pub fn description(&self, spelling: &dyn Spelling) -> Vec<String> {
+        let model = format!("{}: {}", self.model.full_name, self.model.citation);
+        std::iter::once(model).chain(cautions(&self.notes, spelling)).collect()
+    }
+
     /// The law of light loads in the form that finite element codes take.
     ///
     /// # Errors
@@ -176,6 +183,26 @@ impl GapModel {
         Ok(GapLaw::of(&model, &plan, &results, &choices)?)
     }
 
+    /// Doubts about states of a law; `remedy` is a model that yields.
+    pub(crate) fn doubts(
+        &self,
+        entry: &ModelEntry,
+        material: &Material,
+        states: &[GapState],
+        remedy: Option<&'static str>,
+    ) -> Vec<Remark> {
+        let areas: Vec<_> =
+            states.iter().map(|state| (state.nominal_pressure_pa, state.area_fraction)).collect();
+        let grows = self.options.strain_gradient || self.options.hardness_law.is_some();
+        let bodies = PressedBodies {
+            name: entry.full_name,
+            modulus_pa: material.pair.composite_modulus_pa(),
+            hardness_pa: material.hardness_pa().filter(|_| !grows),
+            remedy: remedy.filter(|_| !entry.has(Choice::Strength)).map(|model| ("model", model)),
+        };
+        doubts::of_contact(&bodies, &areas)
+    }
+
     /// Notes known before anything is computed.
     pub(crate) fn notes(&self, material: &Material, surface: &Surface) -> Vec<Remark> {
         let too_fine = self.tolerance.and_then(Tolerance::remark);
@@ -213,7 +240,7 @@ impl GapQuestion {
             return Ok(0);
         }
         let (material, pressures_pa) = self.loads()?;
-        let pressing = elastic(&material, pressures_pa);
+        let pressing = yielding(&material, pressures_pa);
         let (random, _) = random_surfaces(surface, &self.random, &pressing)?;
         Ok(elements::progress_steps(&Surfaces::Random(random), &pressing))
     }
@@ -227,7 +254,8 @@ impl GapQuestion {
         let (material, pressures_pa) = self.loads()?;
         let mut notes = self.by.notes(&material, surface);
         let Some(entry) = self.by.model else {
-            let (states, found) = self.by_elements(&material, pressures_pa, surface, progress)?;
+            let pressing = yielding(&material, pressures_pa);
+            let (states, found) = self.by_elements(&material, &pressing, surface, progress)?;
             notes.extend(found);
             return Ok(Answer { table: result_tables::gaps(&states, None), notes, figure: None });
         };
@@ -239,6 +267,7 @@ impl GapQuestion {
             Ok(law.at(pressure_pa)?)
         })?;
         notes.extend(remarks_on_gap_law(&law, &pressures_pa));
+        notes.extend(self.by.doubts(entry, &material, &states, Some("bem")));
         let rms_height_m = law.light_loads().is_none().then(|| law.rms_height_m());
         notes.extend(remarks_on_gaps(&states, rms_height_m));
         let table = result_tables::gaps(&states, law.light_loads().as_ref());
@@ -251,40 +280,41 @@ impl GapQuestion {
         Ok((material, pressures_pa))
     }
 
-    /// Presses random surfaces under the loads of this question.
+    /// Presses random surfaces, which do not yield, under the loads of this question.
     pub(crate) fn states_of_elements(
         &self,
         surface: &Surface,
         progress: &dyn Progress,
     ) -> Result<(Vec<GapState>, Vec<Remark>), QuestionError> {
         let (material, pressures_pa) = self.loads()?;
-        self.by_elements(&material, pressures_pa, surface, progress)
+        let pressing = Pressing { saturation_pa: None, ..yielding(&material, pressures_pa) };
+        self.by_elements(&material, &pressing, surface, progress)
     }
 
-    /// The mean of random surfaces under elastic boundary elements.
+    /// The mean of random surfaces under boundary elements.
     fn by_elements(
         &self,
         material: &Material,
-        pressures_pa: Vec<f64>,
+        pressing: &Pressing,
         surface: &Surface,
         progress: &dyn Progress,
     ) -> Result<(Vec<GapState>, Vec<Remark>), QuestionError> {
-        let pressing = elastic(material, pressures_pa);
-        let (random, mut notes) = random_surfaces(surface, &self.random, &pressing)?;
+        let (random, mut notes) = random_surfaces(surface, &self.random, pressing)?;
         let rms_height_m = random.band.mean_square_height_m2().sqrt();
         let surfaces = Surfaces::Random(random);
-        let pressed = elements::press::<QuestionError>(&surfaces, &pressing, |_| Ok(()), progress)?;
+        let pressed = elements::press::<QuestionError>(&surfaces, pressing, |_| Ok(()), progress)?;
         let states = states_of_elements(&pressed);
-        notes.extend(remarks_on_pressed(&pressed));
+        notes.extend(remarks_on_pressed(&pressed, pressing, material.hardness_pa(), None));
         notes.extend(remarks_on_gaps(&states, Some(rms_height_m)));
         Ok((states, notes))
     }
 }
 
-/// Loads on an elastic material.
-fn elastic(material: &Material, pressures_pa: Vec<f64>) -> Pressing {
+/// Loads on a material that yields at its hardness, if it has one.
+fn yielding(material: &Material, pressures_pa: Vec<f64>) -> Pressing {
     let loads = pressures_pa.into_iter().map(elements::ImposedLoad::PressurePa).collect();
-    Pressing { loads, stiffness: true, ..Pressing::between(&material.pair) }
+    let saturation_pa = material.hardness_pa();
+    Pressing { loads, stiffness: true, saturation_pa, ..Pressing::between(&material.pair) }
 }
 
 impl LawQuestion {
@@ -309,6 +339,8 @@ impl LawQuestion {
         let mut notes = self.by.notes(&material, surface);
         let law = self.by.law(entry, &material, surface, progress)?;
         notes.extend(remarks_on_gap_law(&law, &range_pa));
+        let states: Vec<GapState> = range_pa.iter().filter_map(|&end_pa| law.at(end_pa).ok()).collect();
+        notes.extend(self.by.doubts(entry, &material, &states, None));
         Ok(FoundLaw { model: entry, law, range_pa, notes })
     }
 
@@ -317,6 +349,12 @@ impl LawQuestion {
             [self.from, self.to].map(|end| nominal_pressure("pressure_range", None, end, material));
         Ok([from?.pa(), to?.pa()])
     }
+}
+
+/// Words the cautions among notes in lines, for the comments of a file.
+pub(crate) fn cautions(notes: &[Remark], spelling: &dyn Spelling) -> Vec<String> {
+    let cautions = notes.iter().filter(|note| note.level == RemarkLevel::Caution);
+    cautions.map(|note| format!("Caution: {}.", note.words(spelling))).collect()
 }
 
 /// Makes remarks on loads for which gap and stiffness of a law mean little, and for which the law of light loads holds; `pressures_pa`

@@ -4,6 +4,7 @@ use elements::{
     Boundary, Indenter, IndenterPressing, IndenterShape, IndenterState, Pressing, Relief, Surfaces,
     indenter_table,
 };
+use findings::doubts::{self, PressedBodies};
 use numerics::parallel::Progress;
 use serde::{Deserialize, Serialize};
 use study::material::Material;
@@ -91,10 +92,11 @@ impl IndenterQuestion {
     }
 
     fn prepared(&self, surfaces: Surfaces, notes: Vec<Remark>) -> Result<PreparedIndenter, QuestionError> {
-        let contact_modulus_pa = self.material()?.pair.composite_modulus_pa();
+        let material = self.material()?;
+        let contact_modulus_pa = material.pair.composite_modulus_pa();
         let indenter = Indenter { shape: self.shape, radius_m: self.radius_m, force: self.force };
         let pressing = (indenter, IndenterPressing { contact_modulus_pa, tolerance: self.tolerance });
-        Ok(Prepared { surfaces, notes, pressing })
+        Ok(Prepared { surfaces, notes, pressing, hardness_pa: material.hardness_pa() })
     }
 }
 
@@ -115,6 +117,9 @@ impl PreparedIndenter {
         let mut notes = states.first().map(IndenterState::remarks).unwrap_or_default();
         let areas: Vec<f64> = states.iter().map(|state| state.real_area).collect();
         notes.push(remark_on_places(&areas));
+        let bodies = PressedBodies::of_elements(pressing.contact_modulus_pa, self.hardness_pa);
+        let area = areas.iter().sum::<f64>() / areas.len() as f64;
+        notes.extend(doubts::of_indenter(&bodies, indenter.force / area));
         Ok(Answer { table: indenter_table(shape, &states), notes, figure })
     }
 }

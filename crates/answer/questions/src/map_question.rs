@@ -60,7 +60,8 @@ impl MapQuestion {
         };
         pressing.check()?;
         let notes = doubts::of_slope(self.relief.rms_slope()).into_iter().collect();
-        Ok(Prepared { surfaces: Surfaces::Maps(vec![self.relief.clone()]), notes, pressing })
+        let surfaces = Surfaces::Maps(vec![self.relief.clone()]);
+        Ok(Prepared { surfaces, notes, pressing, hardness_pa: self.saturation_pa })
     }
 }
 

@@ -136,7 +136,7 @@ impl TangentialQuestion {
             }
             let stiffness = |pressure_pa| normal.at(pressure_pa).map(|(stiffness, _)| stiffness);
             let share = load.share(pair);
-            ShearLoop::new(pair, &load.label, load.pressure_pa, share, CYCLE_STEPS, stiffness)
+            Ok(ShearLoop::new(pair, &load.label, load.pressure_pa, share, CYCLE_STEPS, stiffness)?)
         })?;
         shear_loops(&loops).ok_or(QuestionError::NoLoop)
     }
@@ -195,6 +195,8 @@ impl TangentialQuestion {
                 let law = self.by.law(entry, material, surface, progress)?;
                 let pressures_pa: Vec<f64> = self.loads(material)?.iter().map(|load| load.0).collect();
                 notes.extend(remarks_on_gap_law(&law, &pressures_pa));
+                let states = pressures_pa.iter().filter_map(|&pressure_pa| law.at(pressure_pa).ok());
+                notes.extend(self.by.doubts(entry, material, &states.collect::<Vec<_>>(), None));
                 (NormalLaw::Model(law), notes)
             }
             None => {

@@ -149,11 +149,11 @@ remark_codes! {
     NominalAboveHardness "doubt.nominal-above-hardness" Caution
         "the load {load} is {in_hardnesses} times the hardness H = {hardness_pa}: the body yields as a whole[ (and {others|more load})]";
     RealAboveHardness "doubt.real-above-hardness" Caution
-        "{curve} at {load} has a real pressure of {in_hardnesses} H, above the hardness H = {hardness_pa}[ (and {other_curves|more \
-         curve})]";
+        "the real pressure of {curve} at {load} is {in_hardnesses} H, above the hardness H = {hardness_pa}[ (and of {other_curves|more \
+         curve})]: the contact yields, and more touches than elastic models say[; use {@model}][; add {--saturation=@saturation}]";
     RealAboveThirdModulus "doubt.real-above-third-modulus" Caution
-        "{curve} at {load} has a real pressure of {pressure_pa}, above E*/3 = {bound_pa}: beyond linear elasticity[ (and {other_curves|more \
-         curve})]";
+        "the real pressure of {curve} at {load} is {pressure_pa}, above E*/3 = {bound_pa}: beyond linear elasticity[ (and of \
+         {other_curves|more curve})]";
 
     // Models and their rows.
     AssumedStrength "assumed-strength" Note
@@ -311,7 +311,7 @@ remark_codes! {
         "{option} limits a strength that grows at small depths, and without {--strain_gradient_length} none does; leave it out, or give that \
          length";
     ElasticElements "scene-note" Note
-        "{option} does not affect {@model}, which is elastic and takes its waves by {--longest} and {--shortest}; leave it out";
+        "{option} does not affect {@model}, whose hardness does not grow and whose waves go from {--longest} to {--shortest}; leave it out";
     OfHalfSpaces "scene-note" Note
         "{option} does not affect {contact}, which are computed for half-spaces alone; leave it out";
     RigidBase "scene-note" Note

@@ -18,7 +18,24 @@ pub const NOTICEABLE_MISMATCH: f64 = 0.1;
 /// Widest part of ln p that one rule of nodes covers.
 const WIDEST_PART: f64 = 0.7;
 
+/// Relative fall of the stiffness, on the way to a larger pressure, that solvers leave.
+const STIFFNESS_ERROR: f64 = 1e-3;
+
 static RULE: LazyLock<GaussLegendre> = LazyLock::new(|| GaussLegendre::new(10));
+
+/// Why a contact has no tangential response.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ShearError<E> {
+    /// The normal law has no stiffness.
+    #[error(transparent)]
+    Stiffness(#[from] E),
+    /// The stiffness of the normal law falls with the pressure, as that of no elastic contact does: cycles would gain energy.
+    #[error("the stiffness falls on the way to {pressure_pa} Pa")]
+    FallingStiffness {
+        /// The pressure \[Pa\].
+        pressure_pa: f64,
+    },
+}
 
 /// An elastic body: its shear modulus \[Pa\] and Poisson's ratio.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
@@ -123,15 +140,26 @@ impl ShearedPair {
     /// d = f eta Int dp/K, W = 4 f^2 eta Int (p + p* - 2 s) ds/K(s).
     ///
     /// # Errors
-    /// Errors of `stiffness_pa_per_m`.
+    /// [`ShearError`] with errors of `stiffness_pa_per_m`, and for a stiffness that falls between p* and p.
     pub fn respond<E>(
         &self,
         pressure_pa: f64,
         share: f64,
         mut stiffness_pa_per_m: impl FnMut(f64) -> Result<f64, E>,
-    ) -> Result<ShearedContact, E> {
+    ) -> Result<ShearedContact, ShearError<E>> {
+        let initial_pa_per_m = stiffness_pa_per_m(pressure_pa)?;
+        let mut least_pa_per_m = initial_pa_per_m;
+        // Pressures fall from p on, and stiffnesses with them.
+        let mut falling = |at_pa: f64| {
+            let found_pa_per_m = stiffness_pa_per_m(at_pa)?;
+            if found_pa_per_m > least_pa_per_m * (1.0 + STIFFNESS_ERROR) {
+                return Err(ShearError::FallingStiffness { pressure_pa });
+            }
+            least_pa_per_m = least_pa_per_m.min(found_pa_per_m);
+            Ok(found_pa_per_m)
+        };
         let (mut approach_m, mut loss) = (0.0, 0.0);
-        each_part(pressure_pa, [0.0, extent(share)], &mut stiffness_pa_per_m, |below, part_m| {
+        each_part(pressure_pa, [0.0, extent(share)], &mut falling, |below, part_m| {
             // s = p e^-below; p + p* - 2 s = p (2 [1 - e^-below] - share), without cancellation.
             let slipped = -(-below).exp_m1();
             approach_m += part_m;
@@ -139,13 +167,16 @@ impl ShearedPair {
         })?;
         let stuck_pressure_pa = pressure_pa * (1.0 - share);
         let displacement_m = self.friction * self.compliance_ratio * approach_m;
+        // Within the error of a constant stiffness the loss may come out below 0.
+        let loss = f64::max(loss, 0.0);
         let dissipation_j_per_m2 = 4.0 * self.friction * self.friction * self.compliance_ratio * loss;
         let stress_pa = share * self.friction * pressure_pa;
+        let tangent_pa_per_m = falling(stuck_pressure_pa)?.min(initial_pa_per_m);
         Ok(ShearedContact {
             stuck_pressure_pa,
             displacement_m,
-            initial_stiffness_pa_per_m: stiffness_pa_per_m(pressure_pa)? / self.compliance_ratio,
-            tangent_stiffness_pa_per_m: stiffness_pa_per_m(stuck_pressure_pa)? / self.compliance_ratio,
+            initial_stiffness_pa_per_m: initial_pa_per_m / self.compliance_ratio,
+            tangent_stiffness_pa_per_m: tangent_pa_per_m / self.compliance_ratio,
             dissipation_j_per_m2,
             damping_ratio: dissipation_j_per_m2 / (2.0 * PI * stress_pa * displacement_m),
         })
@@ -332,6 +363,18 @@ mod tests {
 
     #[test]
     fn errors_of_the_normal_law_are_passed_on() {
-        assert_eq!(equal(0.3, 0.3).respond(1e6, 0.5, |_| Err("none")), Err("none"));
+        let failed = equal(0.3, 0.3).respond(1e6, 0.5, |_| Err::<f64, _>("none"));
+        assert_eq!(failed, Err(ShearError::Stiffness("none")));
+    }
+
+    #[test]
+    fn a_stiffness_that_falls_with_the_pressure_is_refused() {
+        for share in SHARES {
+            let softens = |at_pa: f64| Ok::<f64, ()>(1e12 * (1e6 / at_pa));
+            let refused = equal(0.3, 0.3).respond(1e6, share, softens);
+            assert_eq!(refused, Err(ShearError::FallingStiffness { pressure_pa: 1e6 }), "{share}");
+            let constant = equal(0.3, 0.3).respond(1e6, share, |_| Ok::<f64, ()>(1e12)).unwrap();
+            assert!(constant.dissipation_j_per_m2 >= 0.0 && constant.damping_ratio < 1e-12, "{constant:?}");
+        }
     }
 }

@@ -9,7 +9,7 @@ use interface::conductance::{
 };
 use interface::gas::{GapGas, NamedGas, plastic_separation_m};
 use interface::leak::SealedJoint;
-use interface::tangential::{ShearedBody, ShearedContact, ShearedPair};
+use interface::tangential::{ShearError, ShearedBody, ShearedContact, ShearedPair};
 
 use crate::tally::{Case, Refused, Trial};
 use crate::{Draw, Reach};
@@ -214,28 +214,35 @@ fn sheared(trial: &mut Trial<InterfacesCase>) -> Result<(), OutOfBounds> {
     interface::Bound::Magnitude.check("pressure", case.pressure_pa)?;
     interface::Bound::Magnitude.check("length", case.length_m)?;
     let (f, eta, p, x) = (pair.friction(), pair.compliance_ratio(), case.pressure_pa, case.share);
-    let exponential = pair.respond(p, x, |at_pa| Ok::<f64, OutOfBounds>(at_pa / case.length_m))?;
+    let exponential = pair.respond(p, x, |at_pa| Ok::<f64, OutOfBounds>(at_pa / case.length_m));
     let displacement_m = -f * eta * case.length_m * (-x).ln_1p();
     let loss = f * f * eta * case.length_m * p * (-8.0 * x - (8.0 - 4.0 * x) * (-x).ln_1p());
-    loop_of(&exponential, [displacement_m, loss], trial);
+    loop_of(exponential, [displacement_m, loss], trial)?;
     // Sphere: u = length (p/modulus)^(2/3).
     let approach_m = |at_pa: f64| case.length_m * (at_pa / case.modulus_pa).cbrt().powi(2);
     let stiffness = |at_pa: f64| 1.5 * at_pa / approach_m(at_pa);
-    let sphere = pair.respond(p, x, |at_pa| Ok::<f64, OutOfBounds>(stiffness(at_pa)))?;
+    let sphere = pair.respond(p, x, |at_pa| Ok::<f64, OutOfBounds>(stiffness(at_pa)));
     // (1 - x)^(2/3) and (1 - x)^(5/3), both less 1, without cancellation.
     let [two, five] = [2.0 / 3.0, 5.0 / 3.0].map(|power: f64| (power * (-x).ln_1p()).exp_m1());
     let displacement_m = -f * eta * approach_m(p) * two;
     let loss = f * f * eta * approach_m(p) * p * (-4.0 * x * two - 8.0 * x - 4.8 * five);
-    loop_of(&sphere, [displacement_m, loss], trial);
-    Ok(())
+    loop_of(sphere, [displacement_m, loss], trial)
 }
 
 fn loop_of(
-    contact: &ShearedContact,
+    contact: Result<ShearedContact, ShearError<OutOfBounds>>,
     [displacement_m, loss_j_per_m2]: [f64; 2],
     trial: &mut Trial<InterfacesCase>,
-) {
+) -> Result<(), OutOfBounds> {
     let case = trial.case;
+    let contact = match contact {
+        Ok(contact) => contact,
+        Err(ShearError::Stiffness(error)) => return Err(error),
+        Err(ShearError::FallingStiffness { .. }) => {
+            trial.hold("stiffness rises with the pressure", false);
+            return Ok(());
+        }
+    };
     let numbers = [
         contact.displacement_m,
         contact.initial_stiffness_pa_per_m,
@@ -247,7 +254,7 @@ fn loop_of(
     trial.hold("loop finite, at least 0", numbers.iter().all(|number| *number >= 0.0 && number.is_finite()));
     trial.bound("damping at most 2/pi", contact.damping_ratio, 2.0 / PI * (1.0 + 1e-9));
     if trial.reach == Reach::Edge {
-        return;
+        return Ok(());
     }
     let off = (contact.displacement_m / displacement_m - 1.0).abs();
     trial.bound("displacement by the closed form", off, 1e-9);
@@ -257,4 +264,5 @@ fn loop_of(
     }
     let softer = contact.tangent_stiffness_pa_per_m / contact.initial_stiffness_pa_per_m;
     trial.bound("slip softens", softer, 1.0 + 1e-12);
+    Ok(())
 }

@@ -2,11 +2,16 @@
 
 use study::plan::{Curve, CurveResult, NominalPressure};
 use study::validity::MODULUS_OVER_LARGEST_PRESSURE;
+use units::display::pressure;
 use units::{Remark, RemarkCode};
 
-/// Gathers the real pressures of curves, which may come part by part.
+/// Relative rounding of a real pressure, so that a contact that flows everywhere bears its hardness.
+const ROUNDING: f64 = 1e-9;
+
+/// Gathers the real pressures of contacts, which may come part by part.
 pub struct RealPressures {
     hardness_pa: Option<f64>,
+    remedy: Option<(&'static str, &'static str)>,
     above_hardness: Above,
     above_third_modulus: Above,
     third_modulus_pa: f64,
@@ -25,23 +30,43 @@ impl RealPressures {
     pub fn new(hardness_pa: Option<f64>) -> Self {
         RealPressures {
             hardness_pa,
+            remedy: None,
             above_hardness: Above::default(),
             above_third_modulus: Above::default(),
             third_modulus_pa: f64::INFINITY,
         }
     }
 
+    /// Names what counts the yielding: `model` or `saturation`, and its value.
+    #[must_use]
+    pub fn with_remedy(self, remedy: Option<(&'static str, &'static str)>) -> Self {
+        RealPressures { remedy, ..self }
+    }
+
     /// Adds the real pressure \[Pa\] of a curve under a load with this label.
     pub fn add(&mut self, curve: &Curve, pressure_pa: f64, label: impl Fn() -> String) {
-        let third_modulus_pa = curve.model.pair().composite_modulus_pa() / MODULUS_OVER_LARGEST_PRESSURE;
-        self.third_modulus_pa = self.third_modulus_pa.min(third_modulus_pa);
         // A strength that grows at small depths bears more than the hardness of the bulk.
         let hardness_pa = self.hardness_pa.filter(|_| !curve.model.strength_grows());
-        if hardness_pa.is_some_and(|hardness_pa| pressure_pa > hardness_pa) {
-            self.above_hardness.add(curve, pressure_pa, &label);
+        let modulus_pa = curve.model.pair().composite_modulus_pa();
+        self.add_contact(&curve.name, hardness_pa, modulus_pa, pressure_pa, label);
+    }
+
+    /// Adds the real pressure \[Pa\] of a contact of this hardness and composite modulus \[Pa\] under a load with this label.
+    fn add_contact(
+        &mut self,
+        name: &str,
+        hardness_pa: Option<f64>,
+        modulus_pa: f64,
+        pressure_pa: f64,
+        label: impl Fn() -> String,
+    ) {
+        let third_modulus_pa = modulus_pa / MODULUS_OVER_LARGEST_PRESSURE;
+        self.third_modulus_pa = self.third_modulus_pa.min(third_modulus_pa);
+        if hardness_pa.is_some_and(|hardness_pa| pressure_pa > hardness_pa * (1.0 + ROUNDING)) {
+            self.above_hardness.add(name, pressure_pa, &label);
         }
         if pressure_pa > third_modulus_pa {
-            self.above_third_modulus.add(curve, pressure_pa, &label);
+            self.above_third_modulus.add(name, pressure_pa, &label);
         }
     }
 
@@ -62,7 +87,9 @@ impl RealPressures {
     pub fn doubts(self) -> Vec<Remark> {
         let of_hardness = self.above_hardness.remark(RemarkCode::RealAboveHardness).zip(self.hardness_pa);
         let of_hardness = of_hardness.map(|((pressure_pa, remark), hardness_pa)| {
-            remark.with("hardness_pa", hardness_pa).with("in_hardnesses", pressure_pa / hardness_pa)
+            let remark =
+                remark.with("hardness_pa", hardness_pa).with("in_hardnesses", pressure_pa / hardness_pa);
+            self.remedy.into_iter().fold(remark, |remark, (name, value)| remark.with(name, value))
         });
         let of_modulus = self.above_third_modulus.remark(RemarkCode::RealAboveThirdModulus);
         let of_modulus = of_modulus.map(|(_, remark)| remark.with("bound_pa", self.third_modulus_pa));
@@ -70,13 +97,57 @@ impl RealPressures {
     }
 }
 
+/// What presses, and what it may bear, for [`of_contact`].
+pub struct PressedBodies<'n> {
+    /// Name of the model or the method.
+    pub name: &'n str,
+    /// Composite modulus E* \[Pa\].
+    pub modulus_pa: f64,
+    /// Hardness \[Pa\]; `None` if nothing is known to yield, or if it grows at small scales.
+    pub hardness_pa: Option<f64>,
+    /// What counts the yielding: `model` or `saturation`, and its value.
+    pub remedy: Option<(&'static str, &'static str)>,
+}
+
+impl PressedBodies<'static> {
+    /// Bodies that boundary elements press elastically; the hardness \[Pa\] is `None` if they yield.
+    #[must_use]
+    pub fn of_elements(modulus_pa: f64, hardness_pa: Option<f64>) -> Self {
+        PressedBodies { name: "boundary elements", modulus_pa, hardness_pa, remedy: None }
+    }
+}
+
+/// The doubts about a contact under nominal pressures \[Pa\], each with the share in contact. Every command that presses something asks
+/// here, or gathers its [`RealPressures`] part by part.
+#[must_use]
+pub fn of_contact(bodies: &PressedBodies<'_>, loads: &[(f64, f64)]) -> Vec<Remark> {
+    let PressedBodies { name, modulus_pa, hardness_pa, remedy } = *bodies;
+    let mut real = RealPressures::new(hardness_pa).with_remedy(remedy);
+    for (pressure_pa, area_fraction) in loads.iter().filter(|(_, area_fraction)| *area_fraction > 0.0) {
+        let real_pa = pressure_pa / area_fraction;
+        real.add_contact(name, hardness_pa, modulus_pa, real_pa, || pressure(*pressure_pa));
+    }
+    let nominal = loads.iter().filter_map(|(pressure_pa, _)| NominalPressure::new(*pressure_pa).ok());
+    let nominal = super::of_pressures(nominal.map(|nominal| (nominal, None)), hardness_pa);
+    nominal.into_iter().chain(real.doubts()).collect()
+}
+
+/// The doubts about a force on the real area of an indenter, a pressure \[Pa\] together.
+#[must_use]
+pub fn of_indenter(bodies: &PressedBodies<'_>, real_pa: f64) -> Vec<Remark> {
+    let PressedBodies { name, modulus_pa, hardness_pa, remedy } = *bodies;
+    let mut real = RealPressures::new(hardness_pa).with_remedy(remedy);
+    real.add_contact(name, hardness_pa, modulus_pa, real_pa, || "this force".to_owned());
+    real.doubts()
+}
+
 impl Above {
-    fn add(&mut self, curve: &Curve, pressure_pa: f64, label: &impl Fn() -> String) {
+    fn add(&mut self, name: &str, pressure_pa: f64, label: &impl Fn() -> String) {
         if self.highest.as_ref().is_none_or(|(highest_pa, ..)| pressure_pa > *highest_pa) {
-            self.highest = Some((pressure_pa, curve.name.clone(), label()));
+            self.highest = Some((pressure_pa, name.to_owned(), label()));
         }
-        if !self.curves.contains(&curve.name) {
-            self.curves.push(curve.name.clone());
+        if !self.curves.iter().any(|other| other == name) {
+            self.curves.push(name.to_owned());
         }
     }
 

@@ -67,6 +67,11 @@ pub fn error(error: &QuestionError, spelling: &dyn Spelling) -> String {
                 pressure(*pressure_pa)
             )
         }
+        QuestionError::FallingStiffness { pressure_pa } => format!(
+            "the stiffness of the model falls on the way to {}, which no elastic contact does; lower {}, or take persson or bem",
+            pressure(*pressure_pa),
+            name("pressure")
+        ),
         QuestionError::Value { option, error } => format!("{}: {error}", name(option)),
         QuestionError::SaturationWithoutHardness => format!(
             "{} is given in H, and the material has no hardness: add {} or {}",

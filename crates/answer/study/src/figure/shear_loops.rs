@@ -1,6 +1,6 @@
 //! Loops of the tangential stress over the tangential displacement.
 
-use ::interface::tangential::{ShearCycle, ShearedPair};
+use ::interface::tangential::{ShearCycle, ShearError, ShearedPair};
 use units::display::energy_per_area;
 
 use super::{Axis, FigureData, Series, Shows};
@@ -24,7 +24,7 @@ impl ShearLoop {
     /// interface under any nominal pressure \[Pa/m\].
     ///
     /// # Errors
-    /// The errors of `stiffness`.
+    /// [`ShearError`] with the errors of `stiffness`.
     pub fn new<E>(
         pair: &ShearedPair,
         label: &str,
@@ -32,7 +32,7 @@ impl ShearLoop {
         share: f64,
         steps: usize,
         stiffness: impl Fn(f64) -> Result<f64, E>,
-    ) -> Result<Self, E> {
+    ) -> Result<Self, ShearError<E>> {
         Ok(ShearLoop {
             label: label.to_owned(),
             dissipation_j_per_m2: pair.respond(pressure_pa, share, &stiffness)?.dissipation_j_per_m2,

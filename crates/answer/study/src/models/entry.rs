@@ -98,6 +98,13 @@ impl ModelEntry {
         self.choices.contains(&choice)
     }
 
+    /// Returns the first model of its framework that yields, by name; `None` if this one does.
+    #[must_use]
+    pub fn yielding(&self) -> Option<&'static str> {
+        let yielding = |entry: &&ModelEntry| entry.has(Choice::Strength);
+        of_framework(self.framework).find(yielding).map(|entry| entry.name).filter(|_| !yielding(&self))
+    }
+
     /// Returns the name of a curve that is given none: the model's, followed by the options that differ from its defaults.
     #[must_use]
     pub fn curve_name(&self, options: &ModelOptions) -> String {

@@ -28,7 +28,7 @@ pub(super) fn run(args: &LawArgs, context: &Context<'_>) -> Result<(), Failure> 
     let text = match question.answer(&surface, &progress)? {
         LawAnswer::Pressure(found) => {
             progress.aside(|| say_all(&found.notes, &Flags));
-            origin.push(format!("{}: {}", found.model.full_name, found.model.citation));
+            origin.extend(found.description(&Flags));
             let name = args.name.as_deref().unwrap_or(Heading::NAME).to_owned();
             let heading = Heading { provenance: origin, name };
             match args.form.unwrap_or(LawForm::Table) {
@@ -43,7 +43,7 @@ pub(super) fn run(args: &LawArgs, context: &Context<'_>) -> Result<(), Failure> 
         }
         LawAnswer::Conductance(found) => {
             progress.aside(|| say_all(&found.notes, &Flags));
-            origin.extend(found.description());
+            origin.extend(found.description(&Flags));
             found.sampled(args.error, &progress)?.to_text(args.dialect, args.units, &origin)?
         }
     };

@@ -37,6 +37,20 @@ fn rows(table: &str) -> Vec<[f64; 2]> {
 }
 
 #[test]
+fn elements_of_a_material_with_a_hardness_yield_in_gap_as_in_bem() {
+    let bench = Bench::new();
+    let waves = ["builtin:uncd-measured", "--grid", "32", "--realisations", "1", "--shortest", "1um"];
+    let soft = ["--indentation-hardness", "2GPa", "--pressure", "1GPa"];
+    let pressed = |command: &str, more: &[&str]| {
+        let table = bench.run(&[&[command], &waves[..], &soft, &DIAMOND, more].concat()).ok();
+        ["mean_gap_m", "stiffness_pa_per_m"].map(|name| column(&table, name)[0].to_owned())
+    };
+    let yielding = pressed("gap", &["--model", "bem"]);
+    assert_eq!(yielding, pressed("bem", &["--saturation", "1H"]));
+    assert_ne!(yielding, pressed("bem", &[]));
+}
+
+#[test]
 fn the_gap_of_perssons_theory_agrees_with_references() {
     // gamma, p, u and K by independent quadratures; then u0 and p00.
     let bench = power_law();
@@ -205,6 +219,18 @@ fn a_sheared_surface_follows_its_normal_law() {
         let closed = f * f * u0 * p * (-8.0 * share - (8.0 - 4.0 * share) * (-share).ln_1p());
         assert!((lost / closed - 1.0).abs() < 0.02, "{share}: {lost} {closed}");
     }
+}
+
+#[test]
+fn an_asperity_model_whose_stiffness_falls_with_the_load_is_not_sheared() {
+    let bench = Bench::new();
+    let sheared = |pressure: &str| {
+        let call = ["tangential", "builtin:uncd-measured", "--model", "elastic-sine", "--material", "PTFE"];
+        let load = ["--friction", "0.2", "--tangential-stress", "5MPa", "--pressure", pressure];
+        bench.run(&[&call[..], &load].concat())
+    };
+    sheared("30MPa").ok();
+    sheared("250MPa").refused_naming(&["stiffness", "250 MPa", "--pressure"]);
 }
 
 #[test]
