@@ -30,12 +30,15 @@ const BRINELL: Bound = Bound::LeftOpen { above: 0.0, at_most: 650.0 };
 const ROCKWELL_C: Bound = Bound::Within { at_least: 20.0, at_most: 68.0 };
 
 impl HardnessScale {
-    /// Parses the name of a scale.
+    /// Parses the name of a scale, behind which ISO 6507 and ISO 6506 write the test: `HV 1`, `HV30/20`, `HBW 10/3000`.
     pub(crate) fn parse(unit: &str) -> Option<Self> {
-        match unit {
-            "HV" => Some(HardnessScale::Vickers),
-            "HBW" | "HB" => Some(HardnessScale::Brinell),
-            "HRC" => Some(HardnessScale::RockwellC),
+        let (name, test) = unit.split_at(unit.find(|c: char| c.is_ascii_digit()).unwrap_or(unit.len()));
+        let is_number = |text: &str| text.parse().is_ok_and(|number: f64| number > 0.0);
+        let is_test = test.is_empty() || test.split('/').all(is_number);
+        match name.trim_end() {
+            "HV" if is_test => Some(HardnessScale::Vickers),
+            "HBW" | "HB" if is_test => Some(HardnessScale::Brinell),
+            "HRC" if test.is_empty() => Some(HardnessScale::RockwellC),
             _ => None,
         }
     }

@@ -298,6 +298,18 @@ mod tests {
         assert_eq!(pascals("3 GPa"), Ok(3e9));
         assert_eq!(pascals("300 HV"), Ok(2_941_995_000.0));
         assert_eq!(pascals("0.1HV"), Ok(980_665.0));
+        for (text, vickers) in [
+            ("120 HV 1", 120.0),
+            ("640 HV30", 640.0),
+            ("640 HV 30/20", 640.0),
+            ("200 HBW 10/3000", 200.0),
+            ("350HBW5/750/15", 350.0),
+        ] {
+            assert_eq!(pascals(text).map(|pa| (pa / 9.80665e6 * 1e9).round()), Ok(vickers * 1e9), "{text}");
+        }
+        for text in ["120 HV 0", "120 HV x", "120 HV 1/", "60 HRC 1", "90 HRB"] {
+            assert!(matches!(pascals(text), Err(QuantityError::WrongUnit { .. })), "{text}");
+        }
         assert_eq!(
             pascals("1 H").unwrap_err().to_string(),
             "'1 H' has the unit 'H'; a hardness needs one of Pa, hPa, kPa, bar, MPa, GPa, TPa, psi, ksi, HV, HBW, HRC"

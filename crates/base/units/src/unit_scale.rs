@@ -25,6 +25,16 @@ impl UnitScale {
         Self { multiple, divisor: 1, decimal_exponent }
     }
 
+    /// Multiplies the unit by another.
+    #[must_use]
+    pub const fn times(self, other: Self) -> Self {
+        Self {
+            multiple: self.multiple.saturating_mul(other.multiple),
+            divisor: self.divisor.saturating_mul(other.divisor),
+            decimal_exponent: self.decimal_exponent.saturating_add(other.decimal_exponent),
+        }
+    }
+
     /// Raises the unit to a small whole power of either sign.
     #[must_use]
     pub const fn to_the(self, power: i32) -> Self {

@@ -410,7 +410,11 @@ impl ReadError {
             column: column.to_owned(),
             unit: unit.to_owned(),
             quantity: format!("spectrum ({convention})"),
-            accepted: LengthUnit::ALL.map(|unit| format!("{}^{power}", unit.ascii())).join(", "),
+            accepted: format!(
+                "{}, or a product such as nm^2 {}",
+                LengthUnit::ALL.map(|unit| format!("{}^{power}", unit.ascii())).join(", "),
+                if power == 3 { "mm" } else { "mm^2" }
+            ),
         }
     }
 }

@@ -4,12 +4,14 @@ use std::num::IntErrorKind;
 
 use units::{LengthUnit, UnitScale};
 
-/// A unit that is a power of a unit of length.
+/// A unit that is a power of a unit of length, or a product of two.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Unit {
     /// Power of metres, such as 1, -1, 3 or 4.
     pub(crate) metre_power: i32,
     length: LengthUnit,
+    /// The second factor with its power, as in nm^2 mm.
+    by: Option<(LengthUnit, i32)>,
     /// True if radians are stated, as in rad/m.
     pub(crate) angular: bool,
 }
@@ -17,21 +19,45 @@ pub(crate) struct Unit {
 impl Unit {
     /// Returns the SI unit with this power of metres.
     pub(crate) const fn si(metre_power: i32) -> Self {
-        Self { metre_power, length: LengthUnit::METRE, angular: false }
+        Self { metre_power, length: LengthUnit::METRE, by: None, angular: false }
     }
 
     /// Size in SI units.
     pub(crate) const fn scale(self) -> UnitScale {
-        self.length.scale().to_the(self.metre_power)
+        match self.by {
+            None => self.length.scale().to_the(self.metre_power),
+            Some((by, power)) => {
+                self.length.scale().to_the(self.metre_power - power).times(by.scale().to_the(power))
+            }
+        }
     }
 
     /// Returns true if both units have the same size, ignoring radians.
     pub(crate) fn is_same_size(self, other: Self) -> bool {
-        (self.metre_power, self.length) == (other.metre_power, other.length)
+        (self.metre_power, self.scale()) == (other.metre_power, other.scale())
     }
 
-    /// Parses a unit as headers write it: `nm`, `1/µm`, `µm⁻¹`, `um^-1`, `rad/m`, `rad_per_m`, `m3`, `nm^3`, `µm³`.
+    /// Parses a unit as headers write it: `nm`, `1/µm`, `µm⁻¹`, `um^-1`, `rad/m`, `rad_per_m`, `m3`, `nm^3`, `µm³`, `nm² mm`,
+    /// `nm^2/mm^-1`.
     pub(crate) fn parse(text: &str) -> Option<Self> {
+        Self::power(text).or_else(|| Self::product(text.trim()))
+    }
+
+    /// Parses two factors, as in `nm^2 mm`.
+    fn product(text: &str) -> Option<Self> {
+        let (first, second) = text.split_at(text.find([' ', '*', '·', '/'])?);
+        let sign = if second.contains('/') && !second.contains("(1/") { -1 } else { 1 };
+        let first = Self::power(first)?;
+        let second = second.trim_start_matches([' ', '*', '·', '/', '(']).trim_start_matches("1/");
+        let second = second.trim_end_matches(')');
+        let second = Self::power(second).filter(|_| !second.contains([' ', '*', '·']))?;
+        let power = second.metre_power.saturating_mul(sign);
+        let metre_power = first.metre_power.saturating_add(power);
+        Some(Self { metre_power, by: Some((second.length, power)), ..first })
+            .filter(|_| !first.angular && !second.angular)
+    }
+
+    fn power(text: &str) -> Option<Self> {
         let text = plain(text);
         let (text, angular) = match text.strip_prefix("rad") {
             Some(rest) => (rest, true),
@@ -55,13 +81,16 @@ impl Unit {
         if angular && metre_power != -1 {
             return None;
         }
-        Some(Self { metre_power, length: LengthUnit::parse_any_case(metre)?, angular })
+        Some(Self { metre_power, length: LengthUnit::parse_any_case(metre)?, by: None, angular })
     }
 }
 
 impl std::fmt::Display for Unit {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let metre = self.length.ascii();
+        if let Some((by, power)) = self.by {
+            return write!(f, "{metre}^{} {}^{power}", self.metre_power - power, by.ascii());
+        }
         match self.metre_power {
             1 => f.write_str(metre),
             -1 if self.angular => write!(f, "rad/{metre}"),
@@ -80,6 +109,7 @@ fn plain(text: &str) -> String {
             'µ' | 'μ' => plain.push('u'),
             '⁻' | '−' => plain.push('-'),
             '¹' => plain.push('1'),
+            '²' => plain.push('2'),
             '³' => plain.push('3'),
             '⁴' => plain.push('4'),
             other => plain.push(other),
@@ -138,6 +168,13 @@ mod tests {
             ("um^4", unit(4, -24)),
             ("microns", unit(1, -6)),
             ("uin", Some((1, UnitScale::decimal(254, -10)))),
+            ("nm^2 mm", unit(3, -21)),
+            ("nm² mm", unit(3, -21)),
+            ("nm²·mm²", unit(4, -24)),
+            ("mm nm^2", unit(3, -21)),
+            ("nm2*um", unit(3, -24)),
+            ("nm^2/mm^-1", unit(3, -21)),
+            ("nm^2 / (1/mm)", unit(3, -21)),
             ("inch^3", Some((3, UnitScale::decimal(16_387_064, -12)))),
         ] {
             let unit = Unit::parse(text).filter(|unit| !unit.angular);
@@ -150,7 +187,23 @@ mod tests {
 
     #[test]
     fn only_powers_of_metres_are_units() {
-        for text in ["", "furlong", "Hz", "rad", "rad_m", "m^", "m^x", "3", "1/", "nmm", "m3m", "kg"] {
+        for text in [
+            "",
+            "furlong",
+            "Hz",
+            "rad",
+            "rad_m",
+            "m^",
+            "m^x",
+            "3",
+            "1/",
+            "nmm",
+            "m3m",
+            "kg",
+            "nm^2 kg",
+            "nm^2 rad/mm",
+            "m m m",
+        ] {
             assert_eq!(Unit::parse(text), None, "{text}");
         }
     }
