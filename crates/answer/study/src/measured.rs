@@ -40,6 +40,8 @@ pub struct MeasuredOptions {
     pub spectrum: ReadOptions,
     /// The recipe, including the trend to subtract from heights.
     pub recipe: Recipe,
+    /// True if heights repeat themselves, whatever the file says.
+    pub repeats: bool,
 }
 
 impl Measured {
@@ -66,7 +68,7 @@ impl Measured {
             return Surface::load(name, files, &options.spectrum)
                 .map(|found| Self::Spectrum(Box::new(found)));
         }
-        let found = MapOfFile::read(request, &bytes, files, &options.recipe);
+        let found = MapOfFile::read(request, &bytes, files, &options.recipe, options.repeats);
         match (found, options.kind) {
             (Ok(map), _) => Ok(Self::Map(Box::new(map))),
             // A text that is neither may have been meant as either.

@@ -87,7 +87,9 @@ pub enum ScanProblem {
     #[error("the file holds {0} scans, and boundary elements press one map; choose it by its channel")]
     NotOneSurface(usize),
     /// Boundary elements are given a line scan.
-    #[error("boundary elements cannot press a line scan; compute its spectrum and give that")]
+    #[error(
+        "boundary elements press a line only if it repeats itself: choose the boundary periodic, or give its spectrum"
+    )]
     LineIsNoSurface,
     /// An areal spectrum was requested of no scan or of several.
     #[error("the file holds {0} scans, and an areal spectrum needs one map; choose it by its channel")]

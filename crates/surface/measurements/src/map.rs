@@ -1,6 +1,6 @@
 //! The detrended heights of one map, for boundary elements.
 
-use scans::HeightMap;
+use scans::{HeightMap, Scan, ScanError};
 use topography::{Direction, Recipe, detrended_m};
 use units::{Remark, RemarkCode};
 
@@ -25,7 +25,8 @@ pub struct MapOfFile {
 }
 
 impl MapOfFile {
-    /// Reads the one map in the bytes of a file and subtracts the trend, as for its spectrum.
+    /// Reads the one map in the bytes of a file and subtracts the trend, as for its spectrum. With `repeats` the map is taken to repeat
+    /// itself, as if the file said so; then a line is a surface that does not change across it, and becomes two equal rows.
     ///
     /// # Errors
     /// [`TopographyError`] if the file holds no map, several, or one with too many missing points.
@@ -34,20 +35,34 @@ impl MapOfFile {
         bytes: &[u8],
         files: &dyn Files,
         recipe: &Recipe,
+        repeats: bool,
     ) -> Result<Self, TopographyError> {
         let Loaded { scans, sha256 } = load_heights(request, bytes, files)?;
         let recipe = &request.recipe(recipe);
         let file = only_scan(request, scans, recipe.gaps, ScanProblem::NotOneSurface)?;
-        let map = map_in(request, &file, ScanProblem::LineIsNoSurface)?;
+        let broken = |error: ScanError| {
+            TopographyError::for_file(&request.path, ScanProblem::Format(Box::new(error.into())))
+        };
+        let repeats = repeats || file.is_periodic;
+        let two_rows = match &file.scan {
+            Scan::UniformLine(line) if repeats => {
+                let (heights_m, spacing_m) = (line.heights_m(), line.spacing_m());
+                let map = HeightMap::new(heights_m.len(), spacing_m, spacing_m, heights_m.repeat(2));
+                Some(map.map_err(broken)?)
+            }
+            _ => None,
+        };
+        let map = match &two_rows {
+            Some(map) => map,
+            None => map_in(request, &file, ScanProblem::LineIsNoSurface)?,
+        };
         // Contact has no direction, but line-by-line detrending and pictures do.
         let turned = (recipe.direction == Direction::Y).then(|| map.turned());
         let map = turned.as_ref().unwrap_or(map);
-        let detrend = recipe.preparation(file.is_periodic).detrend;
+        let detrend = recipe.preparation(repeats).detrend;
         let rest_m = detrended_m(map, detrend);
         let map =
-            HeightMap::new(map.columns(), map.spacing_x_m(), map.spacing_y_m(), rest_m).map_err(|error| {
-                TopographyError::for_file(&request.path, ScanProblem::Format(Box::new(error.into())))
-            })?;
+            HeightMap::new(map.columns(), map.spacing_x_m(), map.spacing_y_m(), rest_m).map_err(broken)?;
         let provenance = format!(
             "map: {} ({}){}, SHA-256 {sha256}, detrend {detrend}",
             request.path,
@@ -58,9 +73,11 @@ impl MapOfFile {
             "direction both makes two spectra of a map but one surface, which is pressed as scanned"
                 .to_owned()
         });
+        let of_line =
+            two_rows.map(|_| "the line is pressed as a surface that does not change across it".to_owned());
         let of_map =
             |note| Remark::new(RemarkCode::ScanReading).about([file.name.as_str()]).with("text", note);
-        let remarks = file.notes.iter().cloned().chain(pressed_once).map(of_map).collect();
+        let remarks = file.notes.iter().cloned().chain(pressed_once).chain(of_line).map(of_map).collect();
         Ok(MapOfFile { map, is_periodic: file.is_periodic, provenance, remarks })
     }
 }

@@ -189,6 +189,7 @@ fn load(args: &BemArgs, context: &Context<'_>) -> Result<(Measured, Vec<String>)
         kind: args.kind,
         spectrum: reading_options(&args.reading),
         recipe: Recipe { detrend: args.map.detrend, ..Recipe::default() },
+        repeats: args.map.boundary == Some(Boundary::Periodic),
     };
     let targets = context.targets(args.figure.figure.as_ref())?;
     let targets = targets.with_files("--patches", args.patches.as_slice())?;

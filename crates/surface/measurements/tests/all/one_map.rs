@@ -28,7 +28,7 @@ fn areal(text: &str, options: &str) -> Result<Vec<String>, TopographyError> {
 
 fn pressed(text: &str, options: &str) -> Result<MapOfFile, TopographyError> {
     let request: ScanRequest = format!("scan.txt{options}").parse().unwrap();
-    MapOfFile::read(&request, text.as_bytes(), &files(text), &Recipe::default())
+    MapOfFile::read(&request, text.as_bytes(), &files(text), &Recipe::default(), false)
 }
 
 #[test]
