@@ -90,7 +90,7 @@ fn maps(
     let [length_x_m, length_y_m] = [length_m("size[0]", &size[0])?, length_m("size[1]", &size[1])?];
     let periodic = arguments.get("periodic", truth)?;
     let recipe = Recipe { detrend: arguments.get("detrend", choice)?, ..Recipe::default() };
-    let detrend = recipe.preparation(repeats.or(periodic).unwrap_or_default()).detrend;
+    let detrend = recipe.preparation([repeats, periodic].contains(&Some(true))).detrend;
     let own = if periodic.or(repeats) == Some(true) { Boundary::Periodic } else { Boundary::Free };
     let [.., rows, columns] = *heights_m.shape() else {
         return Err(of_argument("surface", "a map of rows and columns is needed"));
@@ -101,9 +101,17 @@ fn maps(
     let heights_m = heights_m.as_standard_layout();
     let heights_m = heights_m.as_slice().expect("an array in C order is a slice");
     let relief = |heights_m: &[f64]| {
-        let map = HeightMap::new(columns, x_m, y_m, heights_m.to_vec());
-        let heights_m = detrended_m(&map.map_err(|error| of_argument("surface", error))?, detrend);
         let boundary = edges.unwrap_or(own);
+        if rows == 1 && boundary == Boundary::Free {
+            return Err(of_argument(
+                "surface",
+                "one row is a line, which is pressed only with periodic=True",
+            ));
+        }
+        // A line is detrended as two equal rows.
+        let map = HeightMap::new(columns, x_m, y_m, heights_m.repeat(if rows == 1 { 2 } else { 1 }));
+        let mut heights_m = detrended_m(&map.map_err(|error| of_argument("surface", error))?, detrend);
+        heights_m.truncate(rows * columns);
         Ok(Relief { rows, columns, length_x_m, length_y_m, heights_m, boundary })
     };
     heights_m.chunks(rows * columns).map(relief).collect()

@@ -31,7 +31,7 @@ mod _native {
         errors::InputError,
         law::PyFoundLaw,
         material::PyMaterial,
-        names::{materials_table, models_table, pressure_in_words},
+        names::{materials_table, models_table, pressure_in_words, way_out},
         picture::{axis_label, figure_svg, model_style, pressures_picture},
         scans::{PyScan, channels_of, composite, scans_of},
         scene::{PyScene, scene_template, scene_text, scene_with_keys, write_files},

@@ -30,6 +30,12 @@ pub fn materials_table(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
     columns(py, &table)
 }
 
+/// Returns what to do in place of an argument that no call has.
+#[pyfunction]
+pub fn way_out(name: &str) -> Option<&'static str> {
+    study::way_out(name)
+}
+
 /// The models, with the options that they take.
 #[pyfunction]
 pub fn models_table(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {

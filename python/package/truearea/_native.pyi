@@ -34,6 +34,7 @@ def set_threads(count: int) -> None:
 def threads() -> int:
     """Returns the number of threads."""
 
+def way_out(name: str) -> str | None: ...
 def truth(argument: str, given: Any) -> bool:
     """True or False; anything else is refused."""
 

@@ -10,6 +10,8 @@ from collections.abc import Callable
 from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any, TypedDict, TypeVar, cast
 
+from truearea import _native
+
 if TYPE_CHECKING:
     from typing_extensions import Unpack as Unpack
 
@@ -119,7 +121,8 @@ def with_options(*groups: Any) -> Callable[[Call], Call]:
             if not known.issuperset(arguments):
                 unknown = min(arguments.keys() - known)
                 near = "".join(f"; did you mean {name}?" for name in get_close_matches(unknown, known, 1))
-                raise TypeError(f"{call.__name__}() takes no argument {unknown}{near}")
+                instead = _native.way_out(unknown) if unknown != "work_of_adhesion" or call.__name__ == "ball" else None
+                raise TypeError(f"{call.__name__}() takes no argument {unknown}{f': {instead}' if instead else near}")
             return call(*given, **arguments)
 
         vars(checked)["__signature__"] = signature.replace(parameters=named)

@@ -6,8 +6,8 @@ use findings::doubts::{self, PressedBodies};
 use spectrum::random_surfaces::{AreaSpectrum, GridBand, Phases};
 
 use elements::{
-    Approach, ContactField, ElementsError, ImposedLoad, PressedLoad, Pressing, RandomChoices, RandomSurfaces,
-    Relief, Surfaces,
+    Approach, Boundary, ContactField, ElementsError, ImposedLoad, PressedLoad, Pressing, RandomChoices,
+    RandomSurfaces, Relief, Surfaces,
 };
 use numerics::parallel::Progress;
 use serde::{Deserialize, Serialize};
@@ -210,7 +210,10 @@ impl ElementsQuestion {
     /// [`QuestionError`]; choices of random surfaces mean nothing for maps.
     pub fn on_maps(&self, maps: Vec<Relief>) -> Result<PreparedElements, QuestionError> {
         let (material, pressing) = self.pressing()?;
-        let notes = notes_on_maps(&material, &maps);
+        let mut notes = notes_on_maps(&material, &maps);
+        if maps.iter().any(|map| map.boundary == Boundary::Free) {
+            notes.push(Remark::new(RemarkCode::StiffnessOfPunch));
+        }
         let hardness_pa = material.hardness_pa();
         Ok(Prepared { surfaces: Surfaces::Maps(maps), notes, pressing, hardness_pa })
     }
@@ -364,7 +367,13 @@ pub(crate) fn remarks_on_pressed(
     let areas: Vec<_> =
         loads.iter().map(|load| (load.nominal_pressure_pa, load.mean().best_area_fraction())).collect();
     let doubts = doubts::of_contact(&bodies, &areas);
-    coarse.into_iter().chain(rounded).chain(closed_paths(loads)).chain(doubts).collect()
+    let is_unloaded = |pair: &[PressedLoad]| {
+        let [before, after] = pair else { return false };
+        after.nominal_pressure_pa < before.nominal_pressure_pa && before.mean().plastic_area_fraction > 0.0
+    };
+    let unloading = loads.windows(2).any(is_unloaded).then(|| Remark::new(RemarkCode::Unloading));
+    let of_loads = coarse.into_iter().chain(rounded).chain(closed_paths(loads));
+    of_loads.chain(unloading).chain(doubts).collect()
 }
 
 /// The loads at which contact closes the paths from edge to edge; `None` if every surface is open in both directions.

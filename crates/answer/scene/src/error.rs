@@ -160,6 +160,9 @@ impl fmt::Display for SceneProblem {
             SceneProblem::Material(error @ MaterialError::HardnessOffStrength(_)) => {
                 write!(f, "{error}: leave out indentation_hardness or yield_strength in [material]")
             }
+            SceneProblem::UnknownKey { key, .. } if let Some(instead) = study::way_out(key) => {
+                write!(f, "unknown key `{key}`: {instead}")
+            }
             SceneProblem::UnknownKey { key, known, meant } => {
                 write!(f, "unknown key `{key}`{} the keys here are {}", hint(meant), known.join(", "))
             }

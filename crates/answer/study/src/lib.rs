@@ -24,7 +24,9 @@ pub mod spread;
 pub mod student;
 pub mod surface;
 pub mod validity;
+mod way_out;
 
 pub use measurements::{self, Files, NoFiles};
 pub use models::persson as persson_law;
 pub use numerics::parallel::{Progress, Unobserved};
+pub use way_out::way_out;

@@ -49,7 +49,9 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
                 let message = format!("'{word}' is not UTF-8, and names of files must be; rename the file");
                 return failure::Failure::Input(message).report();
             }
-            if let Some(message) = suggestion::for_file(&error, &args) {
+            if let Some(message) =
+                suggestion::for_file(&error, &args).or_else(|| suggestion::in_place_of(&error))
+            {
                 return failure::Failure::Input(message).report();
             }
             // Printing help is not an error; a closed pipe is ignored.

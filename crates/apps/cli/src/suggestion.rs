@@ -3,7 +3,7 @@
 use std::ffi::OsString;
 use std::path::Path;
 
-use clap::error::ErrorKind;
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 
 /// The answer if nothing is typed behind the program's name.
 pub(crate) const FIRST_WORDS: &str = "\
@@ -35,6 +35,24 @@ pub(crate) fn for_file(error: &clap::Error, line: &[OsString]) -> Option<String>
     let given = std::iter::once(path).chain(rest).map(|word| format!(" {}", quoted(word)));
     let line: String = given.chain(missing).collect();
     Some(format!("{kind} needs a command; type `truearea report{line}`"))
+}
+
+/// Returns what to do in place of options that exist nowhere, or not together.
+pub(crate) fn in_place_of(error: &clap::Error) -> Option<String> {
+    let named = |kind| match error.get(kind) {
+        Some(ContextValue::String(name)) => name.split(' ').next(),
+        _ => None,
+    };
+    let (given, beside) = (named(ContextKind::InvalidArg)?, named(ContextKind::PriorArg));
+    match error.kind() {
+        ErrorKind::UnknownArgument => study::way_out(given).map(|instead| format!("{given}: {instead}")),
+        ErrorKind::ArgumentConflict => {
+            let has = |name| [Some(given), beside].contains(&Some(name));
+            let ball = has("--ball-radius") && (has("--work-of-adhesion") || has("--adhesion-range"));
+            study::way_out("work_of_adhesion").filter(|_| ball).map(str::to_owned)
+        }
+        _ => None,
+    }
 }
 
 /// The word as a shell takes it if it has spaces.

@@ -137,11 +137,11 @@ remark_codes! {
 
     // Values that are physically implausible.
     SteepSurface "doubt.steep-surface" Caution
-        "the rms slope of the surface is {rms_slope}, above 1: check the units of the spectrum";
+        "the rms slope of the surface is {rms_slope}, above 1: check the units of heights and lengths";
     FarTooSteepSurface "doubt.steep-surface" Caution
         "the rms slope of the surface is {rms_slope}, 1000 times too high: nm and µm mixed up?";
     SteepScale "doubt.steep-scale" Caution
-        "the scale at {wavelength_m} is {aspect_ratio} times as high as it is long: check the units of the spectrum";
+        "the scale at {wavelength_m} is {aspect_ratio} times as high as it is long: check the units of heights and lengths";
     StrongerThanSolids "doubt.stronger-than-solids" Caution
         "the yield strength {yield_strength_pa} exceeds E/10 = {bound_pa}, about the most that a solid bears: is the modulus in GPa?";
     SofterThanItsRatio "doubt.softer-than-its-ratio" Caution
@@ -257,6 +257,11 @@ remark_codes! {
     SteepWaves "random-surfaces.made-surfaces" Note
         "doubtful: these slopes take {pressure_over_modulus} E* to flatten, and a linear-elastic half-space needs small slopes (up to {bound} \
          E*)";
+    StiffnessOfPunch "pressed" Note
+        "the edges are free: stiffness_pa_per_m is that of the map and of the half-space around it, as of a punch as large as the map";
+    Unloading "pressed" Caution
+        "a load follows a larger one: each presses the surface as it was before it yielded, so this is no unloading; for that press \
+         heights + min(gap, 0) of {--fields} without {--saturation}";
     CoarseForSpots "pressed" Note
         "at {loads} the grid is too coarse for the contact spots, and the area is not extrapolated to finer grids; use more points for the \
          shortest wavelength";

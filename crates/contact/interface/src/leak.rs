@@ -9,6 +9,11 @@
 
 use units::{Bound, OutOfBounds};
 
+/// Viscosity \[Pa s\] between those of gases, at most 3e-5 in common ones at room temperature, and of liquids, at least 2e-4.
+const MOST_VISCOUS_GAS_PA_S: f64 = 8e-5;
+/// Pressure of the atmosphere \[Pa\].
+const ATMOSPHERE_PA: f64 = 1e5;
+
 /// Joint, pressure drop and fluid.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct SealedJoint {
@@ -56,6 +61,14 @@ impl SealedJoint {
         self.pressure_drop_pa
     }
 
+    /// Returns how many times the volume at the mean pressure a gas leaves with into the atmosphere, 1 + dp/(2 p); `None` if the
+    /// viscosity is that of a liquid.
+    #[must_use]
+    pub fn gas_expansion(&self) -> Option<f64> {
+        let is_gas = self.viscosity_pa_s < MOST_VISCOUS_GAS_PA_S;
+        is_gas.then_some(1.0 + 0.5 * self.pressure_drop_pa / ATMOSPHERE_PA)
+    }
+
     /// Computes the range of the leak rate, shares of Q = (L_y/L_x) u_c^3 dp/(12 eta), of a constriction of the height u_c
     /// \[m\] where `area_fraction` of the joint is in contact.
     ///
@@ -87,6 +100,13 @@ mod tests {
             assert!((high_m3_per_s / (formula * high) - 1.0).abs() < 1e-14, "{area}");
         }
         assert!((rate(2e-7, 0.1).low_m3_per_s / rate(1e-7, 0.1).low_m3_per_s - 8.0).abs() < 1e-13);
+    }
+
+    #[test]
+    fn a_gas_expands_and_a_liquid_does_not() {
+        let joint = |viscosity_pa_s| SealedJoint::new(0.1, 1e-3, 5e5, viscosity_pa_s).unwrap();
+        assert_eq!(joint(1.8e-5).gas_expansion(), Some(3.5));
+        assert_eq!(joint(1e-3).gas_expansion(), None);
     }
 
     #[test]

@@ -192,6 +192,13 @@ fn of_the_seal(
          channel alone lets through, a quarter to all below 5 % contact, and a fiftieth to four times above 30 %"
             .to_owned()
     }));
+    notes.extend(seal.joint.and_then(|joint| joint.gas_expansion()).map(|times| {
+        format!(
+            "the viscosity is that of a gas, which expands: the leak rate is the volume at the mean of both pressures, and {} times as much \
+             leaves into an atmosphere of 1 bar",
+            three_digits(times)
+        )
+    }));
     let tight = Slot { quantity: Quantity::TightPressure, load: None, curve: None };
     let tight_pa = states.value(tight).ok().flatten();
     let flows_pa = scene.hardness_pa().map(|hardness_pa| threshold * hardness_pa);

@@ -44,6 +44,78 @@ const SURFACES: [&str; 9] =
     ["ciso.csv", "--grid", "256", "--box", "1m", "--longest", "125mm", "--shortest", "15.625mm"];
 
 #[test]
+fn heights_that_repeat_themselves_lose_their_mean_and_no_plane() {
+    let bench = with_waves(64, 8);
+    let pressed = |detrend: &[&str]| {
+        let call = call(&[&WAVES[..WAVES.len() - 1], detrend, &["--pressure", "100MPa"]]);
+        numbers(&bench.run(&call).ok(), "largest_pressure_pa")[0]
+    };
+    assert_eq!(pressed(&[]), pressed(&["--detrend=mean"]));
+    assert_ne!(pressed(&[]), pressed(&["--detrend=plane"]));
+}
+
+#[test]
+fn a_line_is_pressed_as_a_surface_that_does_not_change_across_it() {
+    let load = ["--pressure", "100MPa"];
+    let line = with_waves(64, 1);
+    let [of_line, of_rows] = [&line, &with_waves(64, 4)].map(|bench| bench.run(&call(&[&WAVES, &load])).ok());
+    for name in ["area_fraction", "mean_gap_m", "stiffness_pa_per_m"] {
+        let [line, rows] = [&of_line, &of_rows].map(|table| numbers(table, name)[0]);
+        assert!((line / rows - 1.0).abs() < 1e-9, "{name}: {line} {rows}");
+    }
+    line.run(&call(&[&["waves.txt", "--unit", "um", "--size", "1um"], &load])).refused_naming(&["periodic"]);
+}
+
+#[test]
+fn a_smaller_load_behind_a_larger_one_that_yielded_is_no_unloading() {
+    let bench = with_waves(64, 8);
+    let said = |pressures: [&str; 2], saturation: &[&str]| {
+        let loads = ["--pressure", pressures[0], "--pressure", pressures[1]];
+        let ran = bench.run(&call(&[&WAVES, &loads, saturation]));
+        assert_eq!(ran.status, 0, "{}", ran.stderr);
+        ran.stderr.contains("unloading")
+    };
+    let yields = ["--saturation", "300MPa"];
+    assert!(said(["200MPa", "100MPa"], &yields));
+    assert!(!said(["100MPa", "200MPa"], &yields) && !said(["200MPa", "100MPa"], &[]));
+}
+
+#[test]
+fn what_is_not_computed_is_refused_with_the_way_out() {
+    let bench = with_spectrum();
+    let ball = [
+        "--ball-radius",
+        "1mm",
+        "--force",
+        "1N",
+        "--work-of-adhesion",
+        "50mJ/m^2",
+        "--adhesion-range",
+        "1nm",
+    ];
+    bench.run(&call(&[&["ciso.csv"], &ball])).refused_naming(&["parabola"]);
+    bench.run(&call(&[&["ciso.csv"], &["--unload", "1MPa"]])).refused_naming(&["--unload", "saturation"]);
+    bench.run(&call(&[&["ciso.csv"], &["--temperature", "400K"]])).refused_naming(&["at that temperature"]);
+    let scene = "[surface]\npsd = \"ciso.csv\"\n[material]\nyoungs_modulus = \"1 GPa\"\npoisson_ratio = 0\ntemperature = \"400 K\"\n";
+    bench.write("hot.toml", scene).run(&["run", "hot.toml"]).refused_naming(&[
+        "temperature",
+        "hot.toml",
+        "6",
+    ]);
+}
+
+#[test]
+fn the_stiffness_of_free_edges_says_that_it_holds_the_half_space_around_the_map() {
+    let bench = with_waves(64, 8);
+    let said = |boundary: &str| {
+        let ran = bench.run(&call(&[&WAVES[..5], &["--boundary", boundary, "--pressure", "10MPa"]]));
+        assert_eq!(ran.status, 0, "{}", ran.stderr);
+        ran.stderr.contains("stiffness_pa_per_m")
+    };
+    assert!(said("free") && !said("periodic"));
+}
+
+#[test]
 fn waves_touch_as_westergaard_says() {
     let bench = with_waves(64, 8);
     // p* = pi E* amplitude/wavelength.
