@@ -105,17 +105,17 @@ type Place = (Vec<String>, Option<usize>, Option<usize>, Option<String>);
 /// Remarks in words; checks that were passed are left out.
 pub fn words(remarks: &[Remark]) -> Vec<Told> {
     let shown = remarks.iter().filter(|remark| remark.level != RemarkLevel::Passed);
-    let notes = shown.map(|remark| {
-        let doubt = if remark.level == RemarkLevel::Caution { "warning: " } else { "" };
-        let text = format!("{doubt}{}", remark.words(&Keywords));
-        (text, remark.level.name(), remark.code_name(), in_keywords((*remark.place).clone()))
-    });
-    notes.collect()
+    let in_words = |remark: &Remark| {
+        let (text, code) = (remark.words(&Keywords), remark.code_name());
+        in_text(text, code, remark.level, (*remark.place).clone())
+    };
+    shown.map(in_words).collect()
 }
 
-/// A note that is text already, with the code of its kind.
-pub fn in_text(text: String, code: &str, place: RemarkPlace) -> Told {
-    (text, RemarkLevel::Note.name(), code.to_owned(), in_keywords(place))
+/// A note in words, with the code of its kind.
+pub fn in_text(text: String, code: String, level: RemarkLevel, place: RemarkPlace) -> Told {
+    let doubt = if level == RemarkLevel::Caution { "warning: " } else { "" };
+    (format!("{doubt}{text}"), level.name(), code, in_keywords(place))
 }
 
 fn in_keywords(place: RemarkPlace) -> Place {

@@ -76,6 +76,7 @@ impl PyMaterial {
     fn facts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let facts = PyDict::new(py);
         facts.set_item("youngs_modulus", self.input.youngs_modulus_pa)?;
+        facts.set_item("youngs_modulus_pa", self.input.youngs_modulus_pa)?;
         facts.set_item("poisson_ratio", self.input.poisson_ratio)?;
         facts.set_item("composite_modulus_pa", self.material.pair.composite_modulus_pa())?;
         facts.set_item("indentation_hardness_pa", self.material.hardness_pa())?;

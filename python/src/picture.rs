@@ -12,7 +12,7 @@ use crate::arguments::any_model;
 use crate::errors::of_argument;
 
 /// Columns that are drawn, and the labels of their axes.
-const AXES: [(&str, &str); 16] = [
+const AXES: [(&str, &str); 17] = [
     ("wavelength_m", "shortest wavelength (m)"),
     ("scale_m", "wavelength (m)"),
     ("nominal_pressure_pa", "nominal pressure (Pa)"),
@@ -28,6 +28,7 @@ const AXES: [(&str, &str); 16] = [
     ("conductance_s_per_m2", "electrical conductance (S/m²)"),
     ("moments", "moments over their final values"),
     ("c1d_m3", "power spectral density C1D (m³)"),
+    ("rms_gradient", "rms gradient"),
     ("share", "share of the variance of ln A"),
 ];
 
@@ -48,8 +49,8 @@ fn axis(column: &str) -> PyResult<Axis> {
 /// A line: abscissas, ordinates, its label, the model that it belongs to, and the place of its condition.
 type Line = (Vec<f64>, Vec<f64>, String, String, Option<usize>);
 
-/// A band: abscissas, lower and upper ordinates, and its label.
-type Interval = (Vec<f64>, Vec<f64>, Vec<f64>, String);
+/// A band: abscissas, lower and upper ordinates, its label, and the model that it belongs to.
+type Interval = (Vec<f64>, Vec<f64>, Vec<f64>, String, String);
 
 /// A figure as SVG; logarithmic axes have no place for what is not above 0.
 #[pyfunction]
@@ -63,15 +64,20 @@ pub fn figure_svg(
     is_linear: bool,
 ) -> PyResult<String> {
     let (x, y) = (axis(x)?, axis(y)?);
+    let mut models: Vec<String> = lines.iter().map(|line| line.3.clone()).collect();
+    models.dedup();
+    let place = |model: &str| models.iter().position(|other| other == model).unwrap_or_default();
     let series = lines.into_iter().enumerate().map(|(at, (xs, ys, label, model, condition_index))| {
-        let look = MODELS.iter().find(|entry| entry.name == model).map(look);
-        let curve = look.map_or_else(String::new, |look| look.model.to_owned());
+        let entry = MODELS.iter().find(|entry| entry.name == model);
+        let (look, curve) = (entry.map(look), entry.map_or("", |entry| entry.short_name).to_owned());
         let points = xs.into_iter().zip(ys).collect();
-        Series { curve, look, condition_index, ..Series::under(&label, at, points) }
+        let curve_index = place(&model);
+        Series { curve, curve_index, look, condition_index, ..Series::under(&label, at, points) }
     });
-    let bands = bands.into_iter().map(|(xs, lows, highs, label)| {
+    let bands = bands.into_iter().map(|(xs, lows, highs, label, model)| {
         let points = xs.into_iter().zip(lows.into_iter().zip(highs).map(|(low, high)| [low, high]));
-        FigureBand { label, kind: BandKind::Interval, load: None, curve_index: 0, points: points.collect() }
+        let curve_index = place(&model);
+        FigureBand { label, kind: BandKind::Interval, load: None, curve_index, points: points.collect() }
     });
     let shows = if y.column == "area_fraction" { Shows::Area } else { Shows::Psd };
     let figure = FigureData {

@@ -18,7 +18,7 @@ use roughness::Evaluation;
 use scans::{MissingPoints, ScanFile, ScanOption, ScanSize};
 use study::surface::{Surface, SurfaceError};
 use topography::Recipe;
-use units::{RemarkPlace, SignedLength};
+use units::{RemarkLevel, RemarkPlace, SignedLength};
 
 use crate::answer::{Told, columns, in_text};
 use crate::arguments::{Arguments, Given, choice, count, length_m, number, quantity, text};
@@ -138,7 +138,8 @@ impl PyScan {
         });
         let (table, notes) = found.map_err(|error| refused(&error, ""))?;
         let place = RemarkPlace { files: vec![self.request.path.clone()], ..RemarkPlace::default() };
-        let notes = notes.into_iter().map(|text| in_text(text, "missing-points", place.clone()));
+        let code = || "missing-points".to_owned();
+        let notes = notes.into_iter().map(|text| in_text(text, code(), RemarkLevel::Note, place.clone()));
         Ok((columns(py, &table)?, notes.collect()))
     }
 

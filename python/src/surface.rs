@@ -7,10 +7,8 @@ use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::{PyDict, PyTuple};
 use questions::{SpectrumQuantity, SpectrumQuestion};
-use report::{chart, spectrum_words};
+use report::spectrum_words;
 use spectrum::{Convention, Psd, ReadOption, ReadOptions};
-use study::figure::{Figure, Shows};
-use study::plan::{Needs, Plan, PlanError, Sampling};
 use study::surface::{Surface, SurfaceError};
 use tables::Format;
 
@@ -125,19 +123,6 @@ impl PySurface {
         let written = self.surface.table().write(Format::Csv, &self.surface.remarks, &mut bytes);
         written.expect("memory takes everything");
         bytes
-    }
-
-    /// The spectrum drawn.
-    fn svg(&self, py: Python<'_>) -> PyResult<String> {
-        light(py, || {
-            let needs = Needs::default();
-            let (psd, sampling) = (&self.surface.psd, Sampling::default());
-            let results = Plan { psd, sampling, needs: needs.clone() }.compute()?;
-            let figure = Figure { shows: Shows::Psd, ..Figure::area_of_all(Vec::new()) };
-            let data = figure.data(&results, &needs, None).with_holes(self.surface.holes());
-            Ok(chart::svg(&data, &self.surface.name, &report::provenance::of_surface(&self.surface)))
-        })
-        .map_err(|error: PlanError| input(error))
     }
 }
 

@@ -195,7 +195,7 @@ fn told_of<'py>(py: Python<'py>, areas: &UncertainAreas) -> PyResult<Bound<'py, 
     let in_words = steps.map(|step| advice_words::in_a_line(found, step));
     let of_draws = uncertainty_words::sentences(found).into_iter();
     let mut said: Vec<Told> =
-        of_draws.map(|text| in_text(text, "uncertainty", RemarkPlace::default())).collect();
+        of_draws.map(|(text, code, level)| in_text(text, code, level, RemarkPlace::default())).collect();
     for note in words(&areas.notes()) {
         if said.iter().all(|(text, ..)| *text != note.0) {
             said.push(note);

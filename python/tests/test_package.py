@@ -35,7 +35,7 @@ def test_importing_brings_no_more_than_numpy_and_itself() -> None:
 
 def test_all_that_is_exported_is_there_and_documented() -> None:
     for name in ta.__all__:
-        assert name == "__version__" or getattr(ta, name).__doc__, name
+        assert name in ("__version__", *vars(ta.choices)) or getattr(ta, name).__doc__, name
 
 
 def test_every_argument_of_a_function_is_documented() -> None:
@@ -125,6 +125,8 @@ def test_typos_are_errors_of_types(tmp_path: Path) -> None:
         "ta.gap(u, 'C45', pressure=1.0, model='bem').mean_gap_m",
         "ta.Scene.template('gasket').scales().any_column_of_a_scene",
         "ta.contact({'radius': 1.0}, ta.Material('C45'), model='hertz', pressure='1 MPa').area_fraction",
+        "each: list[ta.StackedModel] = ['elastic', 'elastic-plastic']; [ta.stacked(u, 'C45', pressure=[1e6, '5 MPa'], model=model) for model in each]",
+        "detrend: ta.choices.Detrend = 'mean'; ta.boundary_elements(u, 'C45', pressure=1.0, size=['1 um', 2e-6], detrend=detrend)",
     ]
     bad = [
         "ta.persson(u, 'C45', pressure=1.0).area_fractoin",

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import pickle
+import re
 import sys
 from pathlib import Path
+from typing import Any
 
 import matplotlib
 import numpy as np
 import pytest
 
 import truearea as ta
+from truearea._choices import CurveModel
 from truearea._plot import style_of
 
 matplotlib.use("Agg")
@@ -24,9 +27,10 @@ def test_a_spectrum_is_drawn_with_its_holes() -> None:
     assert len(spectrum.holes_m) == 1
     ax = spectrum.plot()
     assert ax.lines[0].get_label() == "mine" and len(ax.patches) == 1
-    assert np.array_equal(np.asarray(ax.lines[0].get_ydata()), spectrum.c1d_m3)
+    drawn = np.asarray(ax.lines[0].get_ydata())
+    assert np.array_equal(drawn[~np.isnan(drawn)], spectrum.c1d_m3) and np.isnan(drawn[20])
     other = ta.read_psd("builtin:uncd-measured")
-    assert other.plot(ax) is ax and len(ax.lines) == 2 and ax.xaxis_inverted()
+    assert other.plot(ax) is ax and len(ax.lines) == 2 and not ax.xaxis_inverted()
     plt.close("all")
 
 
@@ -80,6 +84,60 @@ def test_gaps_laws_scans_maps_and_intervals_are_drawn(tmp_path: Path) -> None:
     composite = ta.composite([(heights_m, "1 um"), (heights_m[::-1] * 1.1, "1 um"), (heights_m.T, "1 um")])
     found = ta.uncertainty(composite, steel, pressure="5 MPa", model=["persson", "hertz"])
     assert len(found.plot().collections) == 2
+    scales = ta.roughness(heights_m, "1 um", scales=True)
+    assert np.array_equal(np.asarray(scales.plot().lines[0].get_ydata()), scales.rms_gradient_spectrum, equal_nan=True)
+    plt.close("all")
+
+
+def test_pictures_side_by_side_share_no_id_and_tell_models_and_loads_apart(tmp_path: Path) -> None:
+    import matplotlib.pyplot as plt
+
+    diamond = ta.Material("463 GPa", 0.2, yield_strength="1.8 GPa")
+    spectrum = ta.read_psd("builtin:uncd-measured")
+    heights_m = 1e-9 * np.random.default_rng(1).standard_normal((32, 32)).cumsum(1)
+    np.save(tmp_path / "map.npy", heights_m)
+    np.save(tmp_path / "line.npy", heights_m[0])
+    models: tuple[CurveModel, ...] = ("elastic-plastic", "persson", "hertz")
+    loads = ["5.4 MPa", "54 MPa"]
+    found = ta.uncertainty(spectrum, diamond, pressure=loads, model=models, draws=50, youngs_modulus="5 %")
+    shown: list[Any] = [found, spectrum, ta.persson(spectrum, diamond, pressure=loads), ta.roughness(heights_m, "1 um", scales=True)]
+    shown += [ta.read_scan(tmp_path / name, unit="m", size="1 um") for name in ("map.npy", "line.npy")]
+    shown += [ta.boundary_elements(heights_m, diamond, pressure=loads, size="1 um", fields=fields) for fields in (True, False)]
+    page = "".join(one._repr_html_() for one in [*shown, *shown])
+    ids = re.findall(r"\sid=[\"']([^\"']*)", page)
+    assert page.count("<svg") == 2 * len(shown) and len(set(ids)) == len(ids)
+    colours = [style_of(model)["color"] for model in models]
+    bands = re.findall(r'class="band"[^>]*fill="(#\w+)"', found._repr_html_())
+    assert sorted(bands) == sorted(2 * colours)
+    ax = found.plot()
+    faces = [tuple(np.ravel(band.get_facecolor())) for band in ax.collections]
+    assert len(set(faces)) == 6 and len({face[:3] for face in faces}) == 3
+    assert len({(line.get_color(), line.get_alpha()) for line in ax.lines}) == 6
+    assert len(set(ax.get_legend_handles_labels()[1])) == 6
+    plt.close("all")
+
+
+def test_axes_have_units_of_a_few_digits_and_lines_have_names() -> None:
+    import matplotlib.pyplot as plt
+
+    spectrum, steel = ta.read_psd("builtin:uncd-measured"), ta.Material("100Cr6")
+    heights_m = 1e-9 * np.random.default_rng(1).standard_normal((3, 32, 32)).cumsum(2)
+    maps = ta.boundary_elements(heights_m, steel, pressure=["1 MPa", "50 MPa"], size="1 um")
+    held = ta.statistical(spectrum, steel, model="hertz", separation=["10 nm", "60 nm"])
+    gaps = [ta.gap(spectrum, steel, pressure=[1e6, 1e7], model=model) for model in ("persson", "hertz")]
+    ax = gaps[0].plot()
+    gaps[1].plot(ax)
+    plt.gcf().draw_without_rendering()
+    ticks = [tick.get_text() for axis in (ax.xaxis, ax.yaxis) for tick in axis.get_ticklabels() + axis.get_ticklabels(minor=True)]
+    assert {"MPa", "nm"} <= {text.split()[-1] for text in ticks if text} <= {"kPa", "MPa", "nm"}
+    assert ax.get_xlabel() == "nominal pressure" and ax.get_legend_handles_labels()[1] == [style_of(m)["label"] for m in ("persson", "hertz")]
+    assert pickle.loads(pickle.dumps(gaps[0])).model == "persson"
+    assert maps.plot().get_legend_handles_labels()[1] == ["map 1", "map 2", "map 3"]
+    drawn = held.plot()
+    assert [label.split(", ")[-1] for label in drawn.get_legend_handles_labels()[1]] == ["separation 10 nm", "separation 60 nm"]
+    assert min(np.nanmin(np.asarray(line.get_ydata(), dtype=float)) for line in drawn.lines) >= 1e-12
+    fields = ta.boundary_elements(heights_m[0], steel, pressure=["1 MPa", "50 MPa"], size="1 um", fields=True)
+    assert fields.plot().get_title() == "at 50 MPa"
     plt.close("all")
 
 

@@ -87,7 +87,7 @@ def test_workers_write_the_files_that_one_process_writes(client: Any, tmp_path: 
     axes = {"a": range(40), "b": np.arange(20.0)}
     alone = ta.sweep(product, axes, tmp_path / "alone")
     together = ta.sweep(product, axes, tmp_path / "together", client=client)
-    assert content(alone) == content(together) and len(content(alone)) == 4
+    assert content(alone) == content(together) and len(content(alone)) == 8
     pd.testing.assert_frame_equal(pd.read_parquet(alone), ta.sweep(product, axes))
 
 
@@ -98,7 +98,7 @@ import truearea as ta
 
 # Parts small enough to be killed between two of them.
 import truearea._sweep
-truearea._sweep._ROWS_PER_VECTORISED_PART = 4096
+truearea._sweep._ROWS_PER_VECTORISED_PART = (4096, 4096)
 
 def states(sample, pressure):
     time.sleep(0.05)
@@ -159,9 +159,9 @@ def test_only_missing_and_damaged_parts_are_computed(tmp_path: Path) -> None:
     whole = part.read_bytes()
     for damaged in [b"", whole[:400], whole[:-9], bytes(500)]:
         part.write_bytes(damaged)
-        assert again() == 256
+        assert again() == 75
     part.unlink()
-    assert again() == 256
+    assert again() == 75
 
 
 @pytest.mark.parametrize(
@@ -176,6 +176,27 @@ def test_a_folder_of_other_axes_is_refused(tmp_path: Path, axes: dict[str, Any])
     (tmp_path / "mine.parquet").write_bytes(b"")
     with refused_naming("mine.parquet", "folder"):
         ta.sweep(lambda a: a, {"a": [1.0, 2.0, 3.0]}, tmp_path)
+
+
+def test_a_data_frame_has_its_own_rows() -> None:
+    frame = pd.DataFrame({"a": [1.0, 2.0, 3.0], "b": [4.0, 5.0, 6.0]}, index=[7, 8, 9])
+    assert ta.sweep(lambda a, b: a * b, frame)["value"].tolist() == [4.0, 10.0, 18.0]
+    assert ta.sweep(lambda a, b: {"value": a * b}, frame, vectorised=True)["value"].tolist() == [4.0, 10.0, 18.0]
+
+
+def test_rows_are_divided_for_workers_and_bounded(tmp_path: Path) -> None:
+    ta.sweep(lambda a: {"b": a}, {"a": np.arange(100_000)}, tmp_path, vectorised=True)
+    assert len(list(tmp_path.glob("part-*.parquet"))) == 8
+    with refused_naming("axes", "1e+10", "rows"):
+        ta.sweep(lambda a, b: a, {"a": range(100_000), "b": range(100_000)})
+
+
+def test_an_error_of_a_function_names_its_row() -> None:
+    with pytest.raises(ZeroDivisionError) as caught:
+        ta.sweep(lambda a: 1.0 / a, {"a": [1.0, 0.0]})
+    assert sys.version_info < (3, 11) or caught.value.__notes__ == ["in the row a = 0.0"]
+    with refused_naming("a = 1", "None"):
+        ta.sweep(lambda a: None, {"a": [1]})
 
 
 GASKET = ta.Scene.template("gasket")

@@ -19,6 +19,7 @@ import pandas as pd
 import pint
 import pytest
 import unyt  # type: ignore[import-untyped]
+import xarray as xr
 from astropy import units as astropy_units  # type: ignore[import-untyped]
 
 import truearea as ta
@@ -266,3 +267,40 @@ def test_a_mistyped_name_is_met_with_the_names_that_it_resembles() -> None:
         ta.Material("100Cr7")
     with pytest.raises(ta.InputError, match="210 GPa"):
         ta.Material("210 GPA", 0.3)
+
+
+def test_notes_of_intervals_say_how_serious_they_are() -> None:
+    rng = np.random.default_rng(1)
+    maps = [(factor * 1e-9 * rng.standard_normal((64, 64)).cumsum(1), "1 um") for factor in (1.0, 6.0)]
+    spectrum = ta.composite(maps, instrument=["first", "second"], tip_radius="5 nm")
+    notes = ta.uncertainty(spectrum, STEEL, pressure=1e6, model="elastic", draws=40).notes
+    levels = {note.code: note.level for note in notes}
+    assert levels["few-scans"] == "caution" and levels["uncertainty.draws"] == "note"
+    assert levels["uncertainty.calibration"] == "note" and levels["uncertainty.overlap"] == "caution"
+
+
+def test_datasets_with_notes_are_written_as_netcdf(tmp_path: Path) -> None:
+    curve = ta.stacked(UNCD, ta.Material("463 GPa", 0.2, yield_strength="1.8 GPa"), pressure=["5.4 MPa", "54 MPa"])
+    data = curve.to_xarray()
+    assert data.attrs["notes"].splitlines() == list(curve.notes) != []
+    data.to_netcdf(tmp_path / "curve.nc", engine="scipy")
+    assert xr.open_dataset(tmp_path / "curve.nc", engine="scipy").attrs["notes"] == data.attrs["notes"]
+
+
+def test_what_is_read_again_is_equal(tmp_path: Path) -> None:
+    np.save(tmp_path / "map.npy", WAVE)
+    scan = ta.read_scan(tmp_path / "map.npy", unit="m", size="1 um")
+    assert pickle.loads(pickle.dumps(scan)) == scan == ta.read_scan(tmp_path / "map.npy", unit="m", size="1 um")
+    assert scan != ta.read_scan(tmp_path / "map.npy", unit="m", size="2 um") and len({scan, scan}) == 1
+    UNCD.write(tmp_path / "uncd.csv")
+    again = ta.read_psd(tmp_path / "uncd.csv")
+    assert again == UNCD and hash(again) == hash(UNCD) and again.name != UNCD.name
+    assert np.asarray(UNCD)["c1d_m3"].tolist() == UNCD.c1d_m3.tolist()
+
+
+def test_what_is_offered_can_be_called() -> None:
+    curve = ta.stacked(UNCD, STEEL, pressure=1e6)
+    assert {"area_fraction", "to_pandas", "items"} <= set(dir(curve))
+    assert not {"clear", "pop", "popitem", "setdefault", "update"} & set(dir(curve))
+    assert (STEEL.youngs_modulus, STEEL.youngs_modulus_pa) == ("210 GPa", 210e9)
+    assert "rigid" in repr(STEEL) and "C45" in repr(ta.Material("100Cr6", counterface=ta.Material("C45")))

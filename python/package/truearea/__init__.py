@@ -6,6 +6,8 @@ quantity has a unit, text such as ``"5 MPa"`` or ``"1e-3 H"`` does as well.
 
 from truearea._adhesion import AdhesiveContact, PullOff, adhesion, pull_off
 from truearea._boundary_elements import Patches, Pressed, PressedBall, ball, boundary_elements
+from truearea import _choices as choices
+from truearea._choices import CurveModel, GapModel, LawModel, PerssonModel, ShearedModel, StackedModel, StatisticalModel
 from truearea._composite import composite
 from truearea._contact import ContactStates, contact
 from truearea._curves import StackedCurve, StatisticalCurve, stacked, statistical
@@ -36,10 +38,13 @@ __all__ = [
     "ContactLaw",
     "ContactStates",
     "CurrentConductance",
+    "CurveModel",
     "Fit",
+    "GapModel",
     "Gaps",
     "HeatConductance",
     "InputError",
+    "LawModel",
     "Material",
     "Materials",
     "Models",
@@ -47,6 +52,7 @@ __all__ = [
     "Note",
     "Patches",
     "PerssonCurve",
+    "PerssonModel",
     "Place",
     "Pressed",
     "PressedBall",
@@ -63,15 +69,19 @@ __all__ = [
     "SceneTable",
     "Shares",
     "Sheared",
+    "ShearedModel",
     "Spectrum",
     "StackedCurve",
+    "StackedModel",
     "StatisticalCurve",
+    "StatisticalModel",
     "Table",
     "Uncertainty",
     "__version__",
     "adhesion",
     "ball",
     "boundary_elements",
+    "choices",
     "composite",
     "contact",
     "gap",

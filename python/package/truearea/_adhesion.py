@@ -57,7 +57,7 @@ class AdhesiveContact(_AdhesiveStates):
         by_branch = areas.reshape(len(areas), len(branches), -1)
         labels = branches if len(branches) > 1 else [""]
         lines = tuple(
-            Trace(self.nominal_pressure_pa, by_branch[:, at, surface], label, condition=at)
+            Trace(self.nominal_pressure_pa, by_branch[:, at, surface], label if surface == 0 else "", condition=at)
             for at, label in enumerate(labels)
             for surface in range(by_branch.shape[2])
         )

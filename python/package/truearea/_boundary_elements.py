@@ -16,7 +16,7 @@ from truearea._material import Quantity
 from truearea._native import InputError
 from truearea._notes import noted
 from truearea._options import FlatOptions, PressOptions, Unpack, with_options
-from truearea._picture import Drawn, Picture, Trace
+from truearea._picture import Drawn, Picture, Trace, load_label
 from truearea._progress import observed
 from truearea._results import AnyArray, FloatArray, Result, Table
 from truearea._scan import Scan
@@ -86,7 +86,9 @@ class Pressed(Drawn, Result):
         areas = np.asarray(self.area_fraction_corrected)
         areas = areas.reshape(len(areas), -1)
         loads_pa = np.broadcast_to(pressures_pa.reshape(len(areas), -1), areas.shape)
-        lines = tuple(Trace(loads_pa[:, at], areas[:, at]) for at in range(areas.shape[1]))
+        kind = self._axes["area_fraction"][-1] if areas.shape[1] > 1 else ""
+        labels = [f"{kind} {at + 1}" if kind else "" for at in range(areas.shape[1])]
+        lines = tuple(Trace(loads_pa[:, at], areas[:, at], label, condition=at) for at, label in enumerate(labels))
         return Picture(self._title, "nominal_pressure_pa", "area_fraction", lines, marker="o")
 
     def _last_map(self) -> tuple[FloatArray, float, list[float]]:
@@ -95,25 +97,15 @@ class Pressed(Drawn, Result):
         size_m = [float(self[name][1]) * len(self[name]) if len(self[name]) > 1 else 1.0 for name in ("x_m", "y_m")]
         return maps.reshape(-1, *maps.shape[-2:])[-1], float(np.reshape(self.nominal_pressure_pa, -1)[-1]), size_m
 
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the pressures of the last map, white where nothing touches; without fields the area against the load.
-
-        Parameters
-        ----------
-        ax : matplotlib.axes.Axes, optional
-            The axes to draw in; new ones where left out.
-
-        Returns
-        -------
-        matplotlib.axes.Axes
-        """
+    def _draw(self, ax: Axes) -> Axes:
         if "pressure_pa" not in self:
-            return super().plot(ax)
-        from truearea._plot import axes_of, draw_map
+            return super()._draw(ax)
+        from truearea._plot import draw_map
 
-        pressures_pa, _, size_m = self._last_map()
+        pressures_pa, nominal_pressure_pa, size_m = self._last_map()
         touching_pa = np.where(pressures_pa > 0.0, pressures_pa, np.nan)
-        return draw_map(axes_of(ax), touching_pa, tuple(size_m), "pressure (Pa)", "white")
+        ax.set_title(f"at {load_label(nominal_pressure_pa)}")
+        return draw_map(ax, touching_pa, tuple(size_m), "pressure", "Pa", "white")
 
     def _drawing(self) -> str:
         if "pressure_pa" not in self:

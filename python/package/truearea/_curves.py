@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, ClassVar, Union
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -13,13 +14,19 @@ from truearea._grammar import AnyMaterial, AnySurface, material_of, surface_of
 from truearea._material import Quantity
 from truearea._notes import noted
 from truearea._options import Sampling, StatisticalOptions, Unpack, with_options
-from truearea._picture import Drawn, Picture, lines_by_load
+from truearea._picture import Drawn, Picture, Trace, load_label
 from truearea._results import AnyArray, FloatArray, Result
 
 if TYPE_CHECKING:
     from typing_extensions import Self
 
-Pressures = Union[Quantity, npt.ArrayLike]
+class HasArray(Protocol):
+    """An array, or what becomes one: a series, a DataArray, a tensor."""
+
+    def __array__(self) -> npt.NDArray[Any]: ...
+
+
+Pressures = Union[Quantity, Sequence[Quantity], HasArray]
 """One pressure or several, in Pa or as text."""
 
 
@@ -43,11 +50,12 @@ class Curve(Drawn, Result):
     model: str
 
     def _picture(self) -> Picture:
-        lines = lines_by_load(self.wavelength_m, self.area_fraction, self.nominal_pressure_pa, self.model)
-        return Picture(self._title, "wavelength_m", "area_fraction", lines)
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return (*super().__reduce__(), (None, {"model": self.model}))
+        separations_m = self.get("separation_m", np.full((len(self.nominal_pressure_pa), 1), np.nan))[:, -1]
+        loads = enumerate(zip(self.nominal_pressure_pa, separations_m))
+        # Less is no area that anybody meets.
+        areas = np.where(self.area_fraction < 1e-12, np.nan, self.area_fraction)
+        lines = (Trace(self.wavelength_m, areas[at], load_label(*load), self.model, at) for at, load in loads)
+        return Picture(self._title, "wavelength_m", "area_fraction", tuple(lines))
 
     @classmethod
     def _found(cls, framework: str, surface: AnySurface, material: AnyMaterial, arguments: dict[str, Any]) -> Self:

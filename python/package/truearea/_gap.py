@@ -19,7 +19,8 @@ class Gaps(Drawn, Table):
     """
 
     _title = "mean gap and stiffness"
-    __slots__ = ()
+    __slots__ = ("model",)
+    model: str
     nominal_pressure_pa: FloatArray
     area_fraction: FloatArray
     mean_gap_m: FloatArray
@@ -28,7 +29,7 @@ class Gaps(Drawn, Table):
     p00_pa: FloatArray
 
     def _picture(self) -> Picture:
-        line = Trace(self.nominal_pressure_pa, self.mean_gap_m)
+        line = Trace(self.nominal_pressure_pa, self.mean_gap_m, model=self.model)
         return Picture(self._title, "nominal_pressure_pa", "mean_gap_m", (line,), marker="o")
 
 
@@ -66,4 +67,4 @@ def gap(
     """
     arguments = {"pressure": pressure, "model": model, "tolerance": tolerance, **options}
     answer = _native.gaps(surface_of(surface), material_of(material), arguments)
-    return Gaps._of(answer.columns, noted(answer.notes), axis="load")
+    return Gaps._of(answer.columns, noted(answer.notes), axis="load", model=model)

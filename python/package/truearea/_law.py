@@ -31,7 +31,7 @@ class _FiniteElementTable(Drawn, Table):
 
     def _picture(self) -> Picture:
         x, y = self._drawn
-        return Picture(self._title, x, y, (Trace(self[x], self[y]),), marker=".")
+        return Picture(self._title, x, y, (Trace(self[x], self[y], model=self._recipe[2]["model"]),), marker=".")
 
     @property
     def interpolation_error(self) -> float:

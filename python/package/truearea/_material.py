@@ -57,7 +57,7 @@ class Material:
     >>> round(steel.composite_modulus_pa / 1e9, 1)
     230.8
     >>> steel
-    Material(E = 210000000000 Pa, nu = 0.3, E* = 230769230769.2308 Pa, S0 = 1000000000 Pa)
+    Material(E = 210000000000 Pa, nu = 0.3, E* = 230769230769.2308 Pa, S0 = 1000000000 Pa, rigid counterface)
     >>> ta.Material("100Cr6", counterface=ta.Material("C45")).youngs_modulus
     210000000000.0
     """
@@ -109,6 +109,7 @@ class Material:
     )
     poisson_ratio = Fact["float | None"]("Poisson's ratio of the rough body. None where the base of a layer is rigid.")
     counterface = Fact["Material | None"]("The body that presses on the rough one; None if it is rigid.")
+    youngs_modulus_pa = Fact["float | None"]("E of the rough body [Pa]; None where the base of a layer is rigid.")
     composite_modulus_pa = Fact[float]("E* = 1 / ((1 - nu1²)/E1 + (1 - nu2²)/E2) [Pa].")
     indentation_hardness_pa = Fact["float | None"]("H [Pa], where it or the strength is known.")
     yield_strength_pa = Fact["float | None"]("S0 [Pa], where it or the hardness is known.")
@@ -160,7 +161,8 @@ class Material:
         return hash(self._facts["identity"])
 
     def __repr__(self) -> str:
-        return f"Material({self._facts['description']})"
+        other = "rigid counterface" if self.counterface is None else f"counterface = {self.counterface.name or 'elastic'}"
+        return f"Material({self._facts['description']}, {other})"
 
     def _repr_html_(self) -> str:
         return rows_html(dict(self._facts["properties"]))

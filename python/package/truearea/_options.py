@@ -6,13 +6,15 @@ import functools
 import inspect
 import re
 import textwrap
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any, TypedDict, TypeVar, cast
 
 from truearea import _native
 
 if TYPE_CHECKING:
+    import numpy.typing as npt
+
     from typing_extensions import Unpack as Unpack
 
     from truearea._choices import (
@@ -90,7 +92,7 @@ class GapAndSurfaceOptions(GapOptions, RandomSurfaces):
 class PressOptions(RandomSurfaces, total=False):
     """A map of heights, or random surfaces, and how boundary elements press them."""
 
-    size: Quantity | tuple[Quantity, Quantity] | None
+    size: Quantity | Sequence[Quantity] | npt.NDArray[Any] | None
     detrend: Detrend | None
     tolerance: float | None
     progress: Progress | None

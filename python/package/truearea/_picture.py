@@ -14,11 +14,11 @@ if TYPE_CHECKING:
 
 
 class Trace(NamedTuple):
-    """Points in order, with the model that sets their colour and the place of their load; a label of None is not drawn."""
+    """Points in order, with the model that sets their colour and the place of their load."""
 
     x: FloatArray
     y: FloatArray
-    label: str | None = ""
+    label: str = ""
     model: str = ""
     condition: int | None = None
 
@@ -29,8 +29,8 @@ class Band(NamedTuple):
     x: FloatArray
     low: FloatArray
     high: FloatArray
-    label: str = ""
     model: str = ""
+    condition: int | None = None
 
 
 class Picture(NamedTuple):
@@ -48,8 +48,8 @@ class Picture(NamedTuple):
 
     def svg(self) -> str:
         """The picture as the core draws it."""
-        lines = [(_column(of.x), _column(of.y), of.label or "", of.model, of.condition) for of in self.lines]
-        bands = [(_column(of.x), _column(of.low), _column(of.high), of.label) for of in self.bands]
+        lines = [(_column(of.x), _column(of.y), of.label, of.model, of.condition) for of in self.lines]
+        bands = [(_column(of.x), _column(of.low), _column(of.high), _INTERVAL, of.model) for of in self.bands]
         return _native.figure_svg(self.title, self.x, self.y, lines, bands, list(self.holes), self.is_linear)
 
     def draw(self, ax: Axes) -> Axes:
@@ -60,19 +60,22 @@ class Picture(NamedTuple):
         for first, last in self.holes:
             ax.axvspan(first, last, color=HOLE_COLOUR, linewidth=0)
         loads = 1 + max((line.condition or 0 for line in self.lines), default=0)
+        # The lower the load, the paler are line and band.
+        shades = [1.0 - 0.6 * (loads - 1 - at) / loads for at in range(loads)]
         for line in self.lines:
             style = style_of(line.model) if line.model else {}
-            parts = (style.get("label", ""), line.label)
-            label = "_" if line.label is None else ", ".join(part for part in parts if part)
-            # The lower the load, the paler the line.
-            shade = 1.0 - 0.6 * (loads - 1 - (line.condition or 0)) / loads
-            ax.plot(line.x, line.y, **{**style, "label": label, "alpha": shade, "marker": self.marker or None})
+            label = ", ".join(part for part in (style.get("label", ""), line.label) if part)
+            x, y = np.asarray(line.x), np.asarray(line.y)
+            for shortest, longest in self.holes:
+                ends = 1 + np.flatnonzero((x[:-1] >= longest) & (x[1:] <= shortest))
+                x, y = np.insert(x, ends, np.nan), np.insert(y, ends, np.nan)
+            look = {"label": label, "alpha": shades[line.condition or 0], "marker": self.marker or None}
+            ax.plot(x, y, **{**style, **look})
         for band in self.bands:
-            style = style_of(band.model) if band.model else {}
-            label = ", ".join(part for part in (style.get("label", ""), band.label) if part)
-            ax.fill_between(band.x, band.low, band.high, color=style.get("color"), alpha=0.3, label=label)
-        is_several = len(self.lines) + len(self.bands) > 1 or any(line.label for line in self.lines)
-        if is_several and ax.get_legend_handles_labels()[0]:
+            colour = style_of(band.model)["color"] if band.model else None
+            ax.fill_between(band.x, band.low, band.high, color=colour, alpha=0.3 * shades[band.condition or 0], linewidth=0)
+        drawn = ax.get_legend_handles_labels()[0]
+        if len(drawn) > 1 or any(line.label for line in self.lines):
             ax.legend(loc="best", fontsize="small")
         return ax
 
@@ -89,8 +92,11 @@ class Drawn:
     def _picture(self) -> Picture:
         raise NotImplementedError
 
+    def _draw(self, ax: Axes) -> Axes:
+        return self._picture().draw(ax)
+
     def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw it over logarithmic axes, in the colours and with the names of reports.
+        """Draw it in the colours and with the names of reports: a map of heights or of the last pressures point by point.
 
         Parameters
         ----------
@@ -108,19 +114,15 @@ class Drawn:
         """
         from truearea._plot import axes_of
 
-        return self._picture().draw(axes_of(ax))
+        return self._draw(axes_of(ax))
 
     def _drawing(self) -> str:
         return self._picture().svg()
 
 
-def load_label(pressure_pa: float) -> str:
-    """A nominal pressure in words."""
-    return "a separation" if np.isnan(pressure_pa) else _native.pressure_in_words(pressure_pa)
+_INTERVAL = "interval"
 
 
-def lines_by_load(x: AnyArray, ys: AnyArray, pressures_pa: AnyArray, model: str = "") -> tuple[Trace, ...]:
-    """A line for each load, along an abscissa that they share."""
-    return tuple(
-        Trace(x, ys[at], load_label(float(pressure_pa)), model, at) for at, pressure_pa in enumerate(pressures_pa)
-    )
+def load_label(pressure_pa: float, separation_m: float = np.nan) -> str:
+    """A nominal pressure in words, or the separation that is held in its place."""
+    return f"separation {1e9 * separation_m:.3g} nm" if np.isnan(pressure_pa) else _native.pressure_in_words(pressure_pa)

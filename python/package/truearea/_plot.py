@@ -22,27 +22,44 @@ def axes_of(ax: Axes | None) -> Axes:
 
 
 def set_axes(ax: Axes, x: str, y: str, scale: str = "log") -> None:
-    """Axes for two columns, long wavelengths on the left."""
+    """Axes for two columns, with lengths and pressures in units of a few digits and areas in percent."""
+    from matplotlib.ticker import EngFormatter, LogFormatterSciNotation
+
+    class Minor(LogFormatterSciNotation):
+        """Labels that ticks have in short decades, in the words of the others."""
+
+        def __call__(self, value: float, pos: Any = None) -> str:
+            return str(self.axis.get_major_formatter()(value)) if super().__call__(value, pos) else ""  # type: ignore[union-attr]
+
     ax.set_xscale(scale)
     ax.set_yscale(scale)
-    ax.set_xlabel(_native.axis_label(x))
-    ax.set_ylabel(_native.axis_label(y))
-    if x in ("wavelength_m", "scale_m") and not ax.xaxis_inverted():
-        ax.invert_xaxis()
+    for axis, column in ((ax.xaxis, x), (ax.yaxis, y)):
+        label, _, unit = _native.axis_label(column).removesuffix(")").partition(" (")
+        if unit in ("m", "Pa"):
+            axis.set_major_formatter(EngFormatter(unit))
+        elif column == "area_fraction":
+            axis.set_major_formatter(lambda share, _: f"{100.0 * share:.3g} %")
+        else:
+            label = _native.axis_label(column)
+        if scale == "log" and unit in ("m", "Pa", ""):
+            axis.set_minor_formatter(Minor())
+        axis.set_label_text(label)
 
 
 def draw_map(
-    ax: Axes, values: FloatArray, size_m: tuple[float, ...] | None, label: str, colour_of_none: str
+    ax: Axes, values: FloatArray, size_m: tuple[float, ...], label: str, unit: str, colour_of_none: str
 ) -> Axes:
     """Draw values point by point, the first row at the top as instruments show it, with a scale beside them."""
     import matplotlib as mpl
+    from matplotlib.ticker import EngFormatter
 
     colours = mpl.colormaps["viridis"].with_extremes(bad=colour_of_none)
-    extent = None if size_m is None else (0.0, size_m[0], size_m[-1], 0.0)
+    extent = (0.0, size_m[0], size_m[-1], 0.0)
     picture = ax.imshow(values, cmap=colours, origin="upper", extent=extent, interpolation="nearest")
-    ax.set_xlabel("x (points)" if size_m is None else "x (m)")
-    ax.set_ylabel("y (points)" if size_m is None else "y (m)")
-    ax.get_figure().colorbar(picture, ax=ax, label=label)  # type: ignore[union-attr]
+    for axis, name in ((ax.xaxis, "x"), (ax.yaxis, "y")):
+        axis.set_major_formatter(EngFormatter("m"))
+        axis.set_label_text(name)
+    ax.get_figure().colorbar(picture, ax=ax, label=label, format=EngFormatter(unit))  # type: ignore[union-attr]
     return ax
 
 
@@ -61,7 +78,7 @@ def draw_answer(ax: Axes, shortest_m: float, area: Mapping[str, Any]) -> None:
 
 def style_of(model: str) -> dict[str, Any]:
     """Label, colour and dashes of a model, as keywords of Matplotlib."""
-    return style_from(*_native.model_style(model))
+    return style_from(*_native.model_style(model)) if model in _native.models_table()["model"] else {"label": model}
 
 
 def style_from(short_name: str, colour: str, dash: str) -> dict[str, Any]:

@@ -130,7 +130,7 @@ class Result(dict[str, AnyArray]):
     __setitem__ = __delitem__ = __ior__ = clear = pop = popitem = setdefault = update = _refuse  # pyright: ignore[reportAssignmentType]
 
     def __dir__(self) -> list[str]:
-        return [*super().__dir__(), *self]
+        return [*(name for name in super().__dir__() if getattr(Result, name, None) is not Result._refuse), *self]
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> AnyArray:
         """A structured array along all axes, with a field for each array."""
@@ -172,7 +172,7 @@ class Result(dict[str, AnyArray]):
             for name, array in self.items()
         )
         return (
-            f"<div>{self._drawing()}<b>{escape(self._title)}</b> ({escape(sizes)})"
+            f"<div><div>{self._drawing()}</div><b>{escape(self._title)}</b> ({escape(sizes)})"
             "<table><thead><tr><th>array</th><th>axes</th><th>unit</th><th>values</th></tr></thead>"
             f"<tbody>{rows}</tbody></table>{notes_html(self.notes)}</div>"
         )
@@ -218,12 +218,12 @@ class Result(dict[str, AnyArray]):
         Returns
         -------
         xarray.Dataset
-            With the notes in ``attrs["notes"]``.
+            With the notes in ``attrs["notes"]``, a line each.
         """
         xarray = needed("xarray", "to_xarray", "xarray")
         variables = {name: (self._axes[name], array, _attributes(name)) for name, array in self.items()}
         coordinates = [name for name in self if len(self._axes[name]) == 1 and self._is_coordinate(name)]
-        data: xr.Dataset = xarray.Dataset(variables, attrs={"notes": list(self.notes)}).set_coords(coordinates)
+        data: xr.Dataset = xarray.Dataset(variables, attrs={"notes": "\n".join(self.notes)}).set_coords(coordinates)
         for name in coordinates:
             data = data.set_xindex(name)
         return data
@@ -294,6 +294,6 @@ class Table(Result):
     __slots__ = ()
 
     @classmethod
-    def _of(cls, columns: Mapping[str, Any], notes: tuple[str, ...] = (), axis: str = "row") -> Self:
+    def _of(cls, columns: Mapping[str, Any], notes: tuple[str, ...] = (), axis: str = "row", **beside: Any) -> Self:
         arrays = {name: np.asarray(values) for name, values in columns.items()}
-        return cls(arrays, {name: (axis,) for name in arrays}, notes)
+        return cls(arrays, {name: (axis,) for name in arrays}, notes, **beside)

@@ -12,6 +12,7 @@ from truearea._material import Quantity
 from truearea._native import InputError
 from truearea._notes import noted
 from truearea._options import Unpack, with_options
+from truearea._picture import Drawn, Picture, Trace
 from truearea._results import AnyArray, FloatArray, Table
 from truearea._scan import Scan, read_scan
 
@@ -41,7 +42,7 @@ class Roughness(Table):
         return float(super().__getitem__("value")[rows[0]])
 
 
-class RoughnessScales(Table):
+class RoughnessScales(Drawn, Table):
     """Rms gradient and curvature of all roughness down to each wavelength, from the spectrum and from differences of heights.
 
     Wavelengths go from long to short. NaN where one has no value, and of the spectrum where points have no height.
@@ -56,6 +57,11 @@ class RoughnessScales(Table):
     rms_gradient_heights: FloatArray
     rms_curvature_spectrum_per_m: FloatArray
     rms_curvature_heights_per_m: FloatArray
+
+    def _picture(self) -> Picture:
+        each = {"from the spectrum": self.rms_gradient_spectrum, "from the heights": self.rms_gradient_heights}
+        lines = (Trace(self.wavelength_m, y, label, condition=at) for at, (label, y) in enumerate(each.items()))
+        return Picture(self._title, "wavelength_m", "rms_gradient", tuple(lines))
 
 
 class RoughnessOptions(TypedDict, total=False):

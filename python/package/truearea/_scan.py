@@ -13,6 +13,7 @@ from truearea import _native
 from truearea._choices import Direction, Gaps
 from truearea._material import Quantity
 from truearea._options import documented
+from truearea._picture import Drawn
 from truearea._results import AnyArray, Fact, FloatArray, Table, notes_html, rows_html
 
 if TYPE_CHECKING:
@@ -51,7 +52,7 @@ class File(NamedTuple):
     files: dict[str, bytes]
 
 
-class Scan:
+class Scan(Drawn):
     """Heights along a line or of a map, with the metadata of their file. ``read_scan`` makes one."""
 
     __slots__ = ("_facts", "_heights", "_native", "_recipe")
@@ -92,33 +93,20 @@ class Scan:
     sha256 = Fact[str]("The SHA-256 of the file, in hexadecimal digits.")
     notes = Fact[tuple[str, ...]]("Assumptions of reading.")
 
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the heights: a map in colours with its gaps in grey, or a profile.
+    def _draw(self, ax: Axes) -> Axes:
+        from matplotlib.ticker import EngFormatter
 
-        Parameters
-        ----------
-        ax : matplotlib.axes.Axes, optional
-            The axes to draw in; new ones where left out.
+        from truearea._plot import draw_map
 
-        Returns
-        -------
-        matplotlib.axes.Axes
-
-        Raises
-        ------
-        ImportError
-            Without Matplotlib; ``pip install truearea[plot]`` adds it.
-        """
-        from truearea._plot import axes_of, draw_map
-
-        ax = axes_of(ax)
-        heights_m = np.asarray(self)
+        heights_m = np.asarray(self) - np.nanmin(self)
+        label = "height above the lowest point"
         if heights_m.ndim == 2:
-            return draw_map(ax, heights_m, self.size_m, "height (m)", "0.6")
+            return draw_map(ax, heights_m, self.size_m, label, "m", "0.6")
         along_m = np.arange(heights_m.size) * self.spacing_m[0] if self.positions_m is None else self.positions_m
         ax.plot(along_m, heights_m, linewidth=0.8, label=self.name)
-        ax.set_xlabel("x (m)")
-        ax.set_ylabel("height (m)")
+        for axis, name in ((ax.xaxis, "position"), (ax.yaxis, label)):
+            axis.set_major_formatter(EngFormatter("m"))
+            axis.set_label_text(name)
         return ax
 
     def summary(self) -> ScanChannels:
@@ -133,6 +121,12 @@ class Scan:
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (Scan._of, self._recipe)
+
+    def __eq__(self, other: object) -> bool:
+        return self._recipe == other._recipe if isinstance(other, Scan) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self.sha256)
 
     def __repr__(self) -> str:
         points = " x ".join(str(count) for count in self.heights_m.shape)

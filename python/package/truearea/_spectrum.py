@@ -355,7 +355,6 @@ class Spectrum(Drawn):
         return Spectrum._of(native, Spectrum.between, self, longest, shortest)
 
     def _picture(self) -> Picture:
-        # From long to short wavelengths, as the samples are.
         line = Trace(self.wavelengths_m, self.c1d_m3, self.name)
         holes = tuple((shortest_m, longest_m) for longest_m, shortest_m in self.holes_m)
         return Picture("power spectrum", "scale_m", "c1d_m3", (line,), holes=holes)
@@ -366,10 +365,14 @@ class Spectrum(Drawn):
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Spectrum):
             return NotImplemented
-        return self.name == other.name and self.table() == other.table()
+        return self.table() == other.table()
 
     def __hash__(self) -> int:
-        return hash((self.name, self.c1d_m3.tobytes()))
+        return hash(self.c1d_m3.tobytes())
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> AnyArray:
+        """The samples as a structured array, see :meth:`table`."""
+        return self.table().__array__(dtype, copy)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (_made_again, self._recipe)
@@ -393,7 +396,7 @@ class Spectrum(Drawn):
             "rms slope": f"{moments['m2'][-1] ** 0.5:.4g}",
             "holes": str(len(self.holes_m)),
         }
-        return f"<div>{self._native.svg()}{rows_html(rows)}{notes_html(self.notes)}</div>"
+        return f"<div>{self._drawing()}{rows_html(rows)}{notes_html(self.notes)}</div>"
 
 
 def _made_again(maker: Any, given: tuple[Any, ...], options: dict[str, Any]) -> Spectrum:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 import os
 import threading
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -17,13 +18,18 @@ from truearea._results import AnyArray, needed
 from truearea._scene import Scene
 from truearea._threads import within
 
-_ROWS_PER_PART = 2**8
-_ROWS_PER_VECTORISED_PART = 2**17
+if TYPE_CHECKING:
+    import pandas as pd
+
+# The least and the most rows of a part, and of one of a vectorised function.
+_ROWS_PER_PART = (2**4, 2**8)
+_ROWS_PER_VECTORISED_PART = (2**12, 2**17)
+_LEAST_PARTS, _MOST_PARTS = 8, 10**5
 
 
 def sweep(
     swept: Scene | Callable[..., Any],
-    axes: Mapping[str, Any],
+    axes: Mapping[str, Any] | pd.DataFrame,
     to: str | os.PathLike[str] | None = None,
     client: Any = None,
     vectorised: bool = False,
@@ -35,10 +41,10 @@ def sweep(
     swept : Scene or callable
         A scene, whose keys are set as by :meth:`Scene.replace`; its rows are the final area of every curve under every load. Or a
         function of one keyword for each axis, which returns a mapping of single values, or one number.
-    axes : mapping of str to array_like
-        The values of each name. Every combination is a row, and the last name changes fastest.
+    axes : mapping of str to array_like, or data frame
+        The values of each name. Every combination is a row, and the last name changes fastest; a data frame has its own rows.
     to : str or path-like, optional
-        A folder, which receives a Parquet file for each part of the rows (256 rows, or 131,072 of a vectorised function). A sweep
+        A folder, which receives a Parquet file for each part of the rows (up to 256, or 131,072 of a vectorised function). A sweep
         that was killed continues when it is started again: a part whose file is whole is skipped. The files do not know the
         function: give a changed function, or changed files of a scene, a new folder.
     client : distributed.Client, optional
@@ -87,25 +93,32 @@ def sweep(
 class _Rows:
     """The rows of a product of axes, in parts of one size."""
 
-    def __init__(self, swept: Scene | Callable[..., Any], axes: Mapping[str, Any], vectorised: bool) -> None:
-        if not isinstance(axes, Mapping) or not axes:
-            raise InputError("axes: give a mapping from names to values, with at least one name")
-        self.axes = {name: _column(name, values) for name, values in axes.items()}
+    def __init__(self, swept: Scene | Callable[..., Any], axes: Any, vectorised: bool) -> None:
+        columns = getattr(axes, "columns", None)
+        is_frame = columns is not None
+        names = list(axes if columns is None else columns) if is_frame or isinstance(axes, Mapping) else []
+        if not names:
+            raise InputError("axes: give a mapping from names to values, or a data frame, with at least one name")
+        self.axes = {name: _column(name, axes[name]) for name in names}
         self.swept = swept
         self.vectorised = vectorised = _native.truth("vectorised", vectorised)
         if vectorised and isinstance(swept, Scene):
             raise InputError("vectorised is for functions; a scene is computed row by row")
         if not isinstance(swept, Scene) and not callable(swept):
             raise InputError(f"give a Scene or a function to sweep, not a value of type {type(swept).__name__}")
-        self.lengths = [len(column) for column in self.axes.values()]
+        # A data frame has one axis.
+        self.lengths = [len(column) for column in self.axes.values()][: 1 if is_frame else None]
         self.count = math.prod(self.lengths)
-        self.size = _ROWS_PER_VECTORISED_PART if vectorised else _ROWS_PER_PART
+        least, most = _ROWS_PER_VECTORISED_PART if vectorised else _ROWS_PER_PART
+        self.size = min(most, max(least, math.ceil(self.count / _LEAST_PARTS)))
         self.parts = math.ceil(self.count / self.size)
+        if self.parts > _MOST_PARTS:
+            raise InputError(f"axes: {self.count:.3g} rows are given, and a sweep takes up to {_MOST_PARTS * self.size:.3g}; divide it")
 
     def given(self, part: int) -> dict[str, AnyArray]:
         """Returns the values of the rows of a part."""
         rows = np.arange(part * self.size, min((part + 1) * self.size, self.count))
-        places = np.unravel_index(rows, self.lengths)
+        places = itertools.cycle(np.unravel_index(rows, self.lengths))
         return {name: column[at] for (name, column), at in zip(self.axes.items(), places)}
 
     def frame(self, part: int) -> Any:
@@ -169,9 +182,16 @@ class _Rows:
             if isinstance(self.swept, Scene):
                 return dict(self.swept.replace(**given).scales())
             found = self.swept(**given)
-        except InputError as error:
-            raise InputError(f"{', '.join(f'{name} = {value}' for name, value in given.items())}: {error}") from None
-        found = found if isinstance(found, Mapping) else {"value": found}
+            found = found if isinstance(found, Mapping) else {"value": found}
+            if missing := [name for name, value in found.items() if value is None]:
+                raise InputError(f"the function returns None as {missing[0]}")
+        except Exception as error:
+            row = ", ".join(f"{name} = {value}" for name, value in given.items())
+            if isinstance(error, InputError):
+                raise InputError(f"{row}: {error}") from None
+            if hasattr(error, "add_note"):
+                error.add_note(f"in the row {row}")
+            raise
         if wide := [name for name, value in found.items() if np.size(value) != 1]:
             raise InputError(f"{wide[0]} has the shape {np.shape(found[wide[0]])}; a row needs a single value")
         return {str(name): np.reshape(np.asarray(value), 1) for name, value in found.items()}

@@ -18,7 +18,8 @@ class Sheared(Drawn, Table):
     """
 
     _title = "tangential loads"
-    __slots__ = ()
+    __slots__ = ("model",)
+    model: str
     nominal_pressure_pa: FloatArray
     tangential_stress_pa: FloatArray
     share_of_sliding: FloatArray
@@ -33,7 +34,7 @@ class Sheared(Drawn, Table):
     def _picture(self) -> Picture:
         rows = {pressure_pa: self.nominal_pressure_pa == pressure_pa for pressure_pa in self.nominal_pressure_pa}
         lines = tuple(
-            Trace(self.displacement_m[at], self.tangential_stress_pa[at], load_label(pressure_pa), condition=place)
+            Trace(self.displacement_m[at], self.tangential_stress_pa[at], load_label(pressure_pa), self.model, place)
             for place, (pressure_pa, at) in enumerate(rows.items())
         )
         return Picture(self._title, "displacement_m", "tangential_stress_pa", lines, marker=".")
@@ -80,4 +81,4 @@ def tangential(
         **options,
     }
     answer = _native.tangential(surface_of(surface), material_of(material), arguments)
-    return Sheared._of(answer.columns, noted(answer.notes))
+    return Sheared._of(answer.columns, noted(answer.notes), model=model)

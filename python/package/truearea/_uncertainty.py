@@ -54,13 +54,15 @@ class Advice(Table):
 
 
 class Bands(Table):
-    """Intervals of the area along the cutoff."""
+    """Intervals of the area along the cutoff, with the area without uncertainty and the median of the draws."""
 
     _title = "intervals along the cutoff"
     __slots__ = ()
     curve: AnyArray
     nominal_pressure_pa: FloatArray
     wavelength_m: FloatArray
+    area_fraction: FloatArray
+    median: FloatArray
     low: FloatArray
     high: FloatArray
 
@@ -102,14 +104,13 @@ class Uncertainty(Drawn, Result):
 
     def _picture(self) -> Picture:
         of_all = self.bands
-        drawn = dict.fromkeys(zip(of_all.curve, of_all.nominal_pressure_pa))
-        rows = {key: (of_all.curve == key[0]) & (of_all.nominal_pressure_pa == key[1]) for key in drawn}
-        bands = tuple(
-            Band(of_all.wavelength_m[at], of_all.low[at], of_all.high[at], load_label(pressure_pa), str(model))
-            for (model, pressure_pa), at in rows.items()
-        )
-        edges = tuple(Trace(band.x, edge, None, band.model) for band in bands for edge in (band.low, band.high))
-        return Picture(self._title, "wavelength_m", "area_fraction", edges, bands)
+        lines, bands, loads_pa = [], [], list(self.nominal_pressure_pa)
+        for model, pressure_pa in dict.fromkeys(zip(of_all.curve, of_all.nominal_pressure_pa)):
+            at = (of_all.curve == model) & (of_all.nominal_pressure_pa == pressure_pa)
+            x, load = of_all.wavelength_m[at], loads_pa.index(pressure_pa)
+            lines.append(Trace(x, of_all.median[at], load_label(pressure_pa), str(model), load))
+            bands.append(Band(x, of_all.low[at], of_all.high[at], str(model), load))
+        return Picture(self._title, "wavelength_m", "area_fraction", tuple(lines), tuple(bands))
 
 
 class _Spreads(TypedDict, total=False):

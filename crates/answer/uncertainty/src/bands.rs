@@ -24,7 +24,8 @@ pub(crate) fn band(
         let ln_areas: Vec<f64> = draws.iter().map(at).collect::<Option<_>>()?;
         let found = area_interval_about(best.ln(), &ln_areas, level)?;
         let is_told = found.low.value.is_finite() && found.high.value.is_finite();
-        is_told.then(|| BandPoint { wavelength_m, low: found.low.value.exp(), high: found.high.value.exp() })
+        let [low, median, high] = [found.low, found.median, found.high].map(|quantile| quantile.value.exp());
+        is_told.then_some(BandPoint { wavelength_m, area_fraction: best, median, low, high })
     };
     let points: Vec<BandPoint> = best.iter().filter_map(point).collect();
     (!points.is_empty()).then_some(AreaBand { curve, load, points })

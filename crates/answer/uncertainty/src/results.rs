@@ -200,7 +200,11 @@ pub struct AreaBand {
 pub struct BandPoint {
     /// The cutoff \[m\].
     pub wavelength_m: f64,
-    /// The lower end, an area fraction.
+    /// The area fraction without uncertainty.
+    pub area_fraction: f64,
+    /// The median of the draws, as the ends an area fraction.
+    pub median: f64,
+    /// The lower end.
     pub low: f64,
     /// The upper end.
     pub high: f64,

@@ -123,6 +123,8 @@ impl Uncertainty {
         let found = |of: fn(&BandPoint) -> f64| rows.iter().map(move |(_, point)| of(point));
         of_loads(needs, rows.iter().map(|(band, _)| (band.curve, band.load)))
             .with_numbers("wavelength_m", found(|point| point.wavelength_m))
+            .with_numbers("area_fraction", found(|point| point.area_fraction))
+            .with_numbers("median", found(|point| point.median))
             .with_numbers("low", found(|point| point.low))
             .with_numbers("high", found(|point| point.high))
     }

@@ -34,7 +34,7 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
         (intervals(report, uncertainty, "The model nearest to the elements.", is_nearest))
         details.folded {
             summary { h3 { "Every model, and the inputs of the draws" } }
-            @for text in uncertainty_words::sentences(uncertainty) { p { (typeset(&text)) } }
+            @for (text, ..) in uncertainty_words::sentences(uncertainty) { p { (typeset(&text)) } }
             (intervals(report, uncertainty, EVERY_AREA, |_| true))
             @if let Some(advice) = advice { (decades(report, advice)) }
             @if !uncertainty.instruments.is_empty() { (instruments(uncertainty)) }

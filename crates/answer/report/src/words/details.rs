@@ -26,7 +26,8 @@ pub fn details(evidence: &Evidence<'_>, conclusions: &Conclusions) -> String {
         notes.extend(of_rows.map(|note| format!("{}: {note}.", curve.name)));
     }
     notes.extend(judgement.into_iter().flat_map(|judgement| verdict_words::about_elements(judgement, scene)));
-    notes.extend(uncertainty.into_iter().flat_map(uncertainty_words::sentences));
+    let of_draws = uncertainty.into_iter().flat_map(uncertainty_words::sentences);
+    notes.extend(of_draws.map(|(text, ..)| text));
     if let Some(states) = scene.interface_states(results) {
         let of_interface = interface_words::notes(&states, scene, uncertainty);
         notes.extend(of_interface.iter().map(|note| format!("{}.", capital(note))));

@@ -4,8 +4,8 @@ use uncertainty::{
     AreaInterval, Group, InstrumentInput, InstrumentName, OverlapMisfit, Resampled, SpectrumErrors,
     Uncertainty,
 };
-use units::SceneKeys;
 use units::display::{counted, length, percent, three_digits};
+use units::{RemarkLevel, SceneKeys};
 
 use crate::listing::{capital, listed, number_word, share_range};
 
@@ -39,18 +39,26 @@ fn varies(area: &AreaInterval) -> bool {
     area.ln_area_sd > 0.0
 }
 
-/// The basis of the intervals: draws, guesses, overlaps of instruments, and assumptions.
+/// The basis of the intervals: draws, guesses, overlaps of instruments, and assumptions; each with its code and weight.
 #[must_use]
-pub fn sentences(uncertainty: &Uncertainty) -> Vec<String> {
-    let mut sentences = vec![drawn_inputs(uncertainty)];
+pub fn sentences(uncertainty: &Uncertainty) -> Vec<(String, String, RemarkLevel)> {
+    let note = |kind: &str, text: String| (text, format!("uncertainty.{kind}"), RemarkLevel::Note);
+    let mut sentences = vec![note("draws", drawn_inputs(uncertainty))];
     if uncertainty.ended_early {
-        sentences.push(format!("{}.", capital(&ended_early(uncertainty))));
+        let (text, code, _) = note("ended-early", format!("{}.", capital(&ended_early(uncertainty))));
+        sentences.push((text, code, RemarkLevel::Caution));
     }
-    sentences.extend(uncertainty.guesses.iter().map(|guess| guess.words(&SceneKeys)));
-    sentences.extend(uncertainty.overlaps.iter().filter_map(|overlap| misfit(uncertainty, overlap)));
-    sentences.extend(uncertainty.spectrum_errors.iter().map(errors_of_spectrum));
-    sentences.extend(assumed_calibrations(&uncertainty.instruments));
-    sentences.extend(guessed_instruments(&uncertainty.instruments));
+    let guesses = uncertainty.guesses.iter();
+    sentences.extend(guesses.map(|guess| (guess.words(&SceneKeys), guess.code_name(), guess.level)));
+    for overlap in &uncertainty.overlaps {
+        let is_expected = is_as_expected(overlap);
+        let level = if is_expected { RemarkLevel::Note } else { RemarkLevel::Caution };
+        let found = misfit(uncertainty, overlap).map(|text| (text, "uncertainty.overlap".to_owned(), level));
+        sentences.extend(found);
+    }
+    sentences.extend(uncertainty.spectrum_errors.iter().map(|of| note("spectrum", errors_of_spectrum(of))));
+    sentences.extend(assumed_calibrations(&uncertainty.instruments).map(|text| note("calibration", text)));
+    sentences.extend(guessed_instruments(&uncertainty.instruments).map(|text| note("instruments", text)));
     sentences
 }
 
@@ -128,12 +136,14 @@ fn misfit(uncertainty: &Uncertainty, overlap: &OverlapMisfit) -> Option<String> 
         false => "more than scatter and calibration explain",
     };
     Some(format!(
-        "{} and {} differ by a factor {} from {} to {}, where both measure (standard uncertainty: a factor {}): {found}.",
+        "{} and {} differ by a factor {} {}, where both measure (standard uncertainty: a factor {}): {found}.",
         first.name.text(),
         second.name.text(),
         three_digits(overlap.misfit.abs().exp()),
-        length(overlap.longest_m),
-        length(overlap.shortest_m),
+        match overlap.longest_m == overlap.shortest_m {
+            true => format!("at {}", length(overlap.longest_m)),
+            false => format!("from {} to {}", length(overlap.longest_m), length(overlap.shortest_m)),
+        },
         three_digits(overlap.expected.exp())
     ))
 }

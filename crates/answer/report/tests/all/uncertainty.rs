@@ -178,7 +178,8 @@ impl Study {
     fn band(&self, curve: usize, load: usize) -> AreaBand {
         let point = |(wavelength_m, area): (f64, f64)| {
             let width = 0.35 * (1.0 - wavelength_m.log10() / -5.0).abs().min(1.0) + 0.05;
-            BandPoint { wavelength_m, low: area * (-width).exp(), high: area * width.exp() }
+            let (low, high) = (area * (-width).exp(), area * width.exp());
+            BandPoint { wavelength_m, area_fraction: area, median: area, low, high }
         };
         let points = self.results.curves[curve].area_fractions(load).into_iter().map(point).collect();
         AreaBand { curve, load, points }

@@ -131,13 +131,19 @@ fn every_index_stands_beside_its_error() {
 #[test]
 fn bands_have_a_row_for_each_cutoff() {
     let mut found = found();
-    let point = |wavelength_m: f64| BandPoint { wavelength_m, low: 0.1, high: 0.2 };
+    let point = |wavelength_m: f64| BandPoint {
+        wavelength_m,
+        area_fraction: 0.15,
+        median: 0.14,
+        low: 0.1,
+        high: 0.2,
+    };
     found.bands = vec![AreaBand { curve: 0, load: 1, points: vec![point(1e-6), point(1e-7)] }];
     assert_eq!(
         text(&found.bands_table(&scene().needs)),
-        "curve,nominal_pressure_pa,wavelength_m,low,high\n\
-         elastic,5000000,1e-6,0.1,0.2\n\
-         elastic,5000000,1e-7,0.1,0.2\n"
+        "curve,nominal_pressure_pa,wavelength_m,area_fraction,median,low,high\n\
+         elastic,5000000,1e-6,0.15,0.14,0.1,0.2\n\
+         elastic,5000000,1e-7,0.15,0.14,0.1,0.2\n"
     );
 }
 
