@@ -5,6 +5,7 @@ mod asperity_references;
 mod boundary_element_references;
 mod contact_challenge;
 mod documentation;
+mod generated;
 mod golden;
 mod instrument_samples;
 mod layer_references;
