@@ -231,7 +231,7 @@ def test_results_are_pickled_and_framed() -> None:
         ([[1.0, 2.0], [3.0]], 1e-6, {}, "surface: array"),
         (wave().astype(complex), 1e-6, {}, "surface: complex128"),
         (np.empty((0, 0)), 1e-6, {}, "surface: no heights"),
-        (wave()[:1], (1e-6, 1e-6), {}, "surface: rows"),
+        (wave()[:1], (1e-6, 1e-6), {}, "surface: row periodic"),
         (1e40 * wave(), 1e-6, {}, "height"),
         (wave(), None, {}, "size (lx, ly)"),
         (wave(16, 32), 1e-6, {}, "size 16 32"),

@@ -494,7 +494,7 @@ class SceneResults:
         for answer in self.conclusions.get("loads", []):
             if answer["load"] == load and ends_m:
                 draw_answer(ax, min(ends_m), answer["area"])
-        ax.legend(loc="lower left", fontsize="small")
+        ax.legend(loc="upper left", fontsize="small")
         return ax
 
     def write(self, folder: str | os.PathLike[str]) -> list[str]:
