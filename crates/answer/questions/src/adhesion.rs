@@ -16,7 +16,7 @@ use units::display::three_digits;
 use units::{Pressure, PressureRange, Remark, RemarkCode};
 
 use crate::adhesion_figure;
-use crate::elements::{Prepared, RandomInput, notes_on_maps, notes_on_spectrum, random_surfaces};
+use crate::elements::{ELEMENTS, Prepared, RandomInput, notes_on_maps, notes_on_spectrum, random_surfaces};
 use crate::loads::{LoadInput, nominal_pressure, pressures_pa};
 use crate::{Answer, MaterialInput, QuestionError};
 
@@ -205,7 +205,8 @@ impl PreparedAdhesion {
         if states.iter().any(|state| state.numbers.nominal_pressure_pa < 0.0) {
             notes.push(Remark::new(RemarkCode::Metastable));
         }
-        let bodies = PressedBodies::of_elements(pressing.contact_modulus_pa, self.hardness_pa);
+        let (modulus_pa, hardness_pa) = (pressing.contact_modulus_pa, self.hardness_pa);
+        let bodies = PressedBodies { name: ELEMENTS, modulus_pa, hardness_pa, remedy: None };
         let areas: Vec<_> = means
             .iter()
             .map(|mean| (mean.numbers.nominal_pressure_pa, mean.numbers.area_fraction_corrected))

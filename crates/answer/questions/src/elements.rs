@@ -40,6 +40,9 @@ pub struct RandomInput {
     pub phases: Option<Phases>,
 }
 
+/// Name of the method in doubts.
+pub(crate) const ELEMENTS: &str = "boundary elements";
+
 /// A surface pressed by boundary elements.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
@@ -362,8 +365,8 @@ pub(crate) fn remarks_on_pressed(
     };
     let rounded = at(RemarkCode::RoundedResidual, &is_rounded);
     let hardness_pa = hardness_pa.filter(|_| pressing.saturation_pa.is_none());
-    let bodies =
-        PressedBodies { remedy, ..PressedBodies::of_elements(pressing.contact_modulus_pa, hardness_pa) };
+    let modulus_pa = pressing.contact_modulus_pa;
+    let bodies = PressedBodies { name: ELEMENTS, modulus_pa, hardness_pa, remedy };
     let areas: Vec<_> =
         loads.iter().map(|load| (load.nominal_pressure_pa, load.mean().best_area_fraction())).collect();
     let doubts = doubts::of_contact(&bodies, &areas);

@@ -4,7 +4,7 @@ use elements::{
     Boundary, Indenter, IndenterPressing, IndenterShape, IndenterState, Pressing, Relief, Surfaces,
     indenter_table,
 };
-use findings::doubts::{self, PressedBodies};
+use findings::doubts::RealPressures;
 use numerics::parallel::Progress;
 use serde::{Deserialize, Serialize};
 use study::material::Material;
@@ -12,7 +12,7 @@ use study::surface::Surface;
 use units::{Remark, RemarkCode};
 
 use crate::ball_figure::averaged_pressure;
-use crate::elements::{Prepared, RandomInput, notes_on_map, notes_on_spectrum, random_surfaces};
+use crate::elements::{ELEMENTS, Prepared, RandomInput, notes_on_map, notes_on_spectrum, random_surfaces};
 use crate::note::remark_on_places;
 use crate::{Answer, MaterialInput, QuestionError};
 
@@ -117,9 +117,11 @@ impl PreparedIndenter {
         let mut notes = states.first().map(IndenterState::remarks).unwrap_or_default();
         let areas: Vec<f64> = states.iter().map(|state| state.real_area).collect();
         notes.push(remark_on_places(&areas));
-        let bodies = PressedBodies::of_elements(pressing.contact_modulus_pa, self.hardness_pa);
-        let area = areas.iter().sum::<f64>() / areas.len() as f64;
-        notes.extend(doubts::of_indenter(&bodies, indenter.force / area));
+        let mut pressures = RealPressures::new(self.hardness_pa);
+        let real_pa = indenter.force * areas.len() as f64 / areas.iter().sum::<f64>();
+        let label = || "this force".to_owned();
+        pressures.add_contact(ELEMENTS, self.hardness_pa, pressing.contact_modulus_pa, real_pa, label);
+        notes.extend(pressures.doubts());
         Ok(Answer { table: indenter_table(shape, &states), notes, figure })
     }
 }

@@ -52,7 +52,7 @@ impl RealPressures {
     }
 
     /// Adds the real pressure \[Pa\] of a contact of this hardness and composite modulus \[Pa\] under a load with this label.
-    fn add_contact(
+    pub fn add_contact(
         &mut self,
         name: &str,
         hardness_pa: Option<f64>,
@@ -97,10 +97,10 @@ impl RealPressures {
     }
 }
 
-/// What presses, and what it may bear, for [`of_contact`].
-pub struct PressedBodies<'n> {
+/// What presses, and what it may bear.
+pub struct PressedBodies {
     /// Name of the model or the method.
-    pub name: &'n str,
+    pub name: &'static str,
     /// Composite modulus E* \[Pa\].
     pub modulus_pa: f64,
     /// Hardness \[Pa\]; `None` if nothing is known to yield, or if it grows at small scales.
@@ -109,18 +109,10 @@ pub struct PressedBodies<'n> {
     pub remedy: Option<(&'static str, &'static str)>,
 }
 
-impl PressedBodies<'static> {
-    /// Bodies that boundary elements press elastically; the hardness \[Pa\] is `None` if they yield.
-    #[must_use]
-    pub fn of_elements(modulus_pa: f64, hardness_pa: Option<f64>) -> Self {
-        PressedBodies { name: "boundary elements", modulus_pa, hardness_pa, remedy: None }
-    }
-}
-
 /// The doubts about a contact under nominal pressures \[Pa\], each with the share in contact. Every command that presses something asks
 /// here, or gathers its [`RealPressures`] part by part.
 #[must_use]
-pub fn of_contact(bodies: &PressedBodies<'_>, loads: &[(f64, f64)]) -> Vec<Remark> {
+pub fn of_contact(bodies: &PressedBodies, loads: &[(f64, f64)]) -> Vec<Remark> {
     let PressedBodies { name, modulus_pa, hardness_pa, remedy } = *bodies;
     let mut real = RealPressures::new(hardness_pa).with_remedy(remedy);
     for (pressure_pa, area_fraction) in loads.iter().filter(|(_, area_fraction)| *area_fraction > 0.0) {
@@ -130,15 +122,6 @@ pub fn of_contact(bodies: &PressedBodies<'_>, loads: &[(f64, f64)]) -> Vec<Remar
     let nominal = loads.iter().filter_map(|(pressure_pa, _)| NominalPressure::new(*pressure_pa).ok());
     let nominal = super::of_pressures(nominal.map(|nominal| (nominal, None)), hardness_pa);
     nominal.into_iter().chain(real.doubts()).collect()
-}
-
-/// The doubts about a force on the real area of an indenter, a pressure \[Pa\] together.
-#[must_use]
-pub fn of_indenter(bodies: &PressedBodies<'_>, real_pa: f64) -> Vec<Remark> {
-    let PressedBodies { name, modulus_pa, hardness_pa, remedy } = *bodies;
-    let mut real = RealPressures::new(hardness_pa).with_remedy(remedy);
-    real.add_contact(name, hardness_pa, modulus_pa, real_pa, || "this force".to_owned());
-    real.doubts()
 }
 
 impl Above {
