@@ -63,7 +63,8 @@ impl Unit {
             Some(rest) => (rest, true),
             None => (text.as_str(), false),
         };
-        let text = text.trim_start_matches(['*', '·', '_']);
+        let cycles = ["cycles", "cycle", "cyc"].iter().find_map(|word| text.strip_prefix(word));
+        let text = cycles.unwrap_or(text).trim_start_matches(['*', '·', '_']);
         let (text, sign) = match ["1/", "/", "1_per_", "per_", "1per", "per"]
             .iter()
             .find_map(|per| text.strip_prefix(per))
@@ -78,7 +79,7 @@ impl Unit {
             digits => whole(digits)?,
         };
         let metre_power = power.saturating_mul(sign);
-        if angular && metre_power != -1 {
+        if (angular || cycles.is_some()) && metre_power != -1 {
             return None;
         }
         Some(Self { metre_power, length: LengthUnit::parse_any_case(metre)?, by: None, angular })
@@ -159,6 +160,8 @@ mod tests {
             ("um^-1", unit(-1, 6)),
             ("per_nm", unit(-1, 9)),
             ("1 / nm", unit(-1, 9)),
+            ("cycles/mm", unit(-1, 3)),
+            ("cyc per mm", unit(-1, 3)),
             ("m3", unit(3, 0)),
             ("m^3", unit(3, 0)),
             ("µm³", unit(3, -18)),
@@ -200,7 +203,7 @@ mod tests {
             "nmm",
             "m3m",
             "kg",
-            "nm^2 kg",
+            "cycles", "cycles mm", "nm^2 kg",
             "nm^2 rad/mm",
             "m m m",
         ] {
