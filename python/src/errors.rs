@@ -4,6 +4,7 @@ use std::fmt::Display;
 
 use pyo3::exceptions::PyValueError;
 use pyo3::{PyErr, create_exception};
+use units::printable::message;
 
 create_exception!(
     truearea,
@@ -14,7 +15,7 @@ create_exception!(
 
 /// An error of what was given, in its own words.
 pub fn input(error: impl Display) -> PyErr {
-    InputError::new_err(error.to_string())
+    InputError::new_err(message(&error.to_string()))
 }
 
 /// An error of one argument, headed by its name.

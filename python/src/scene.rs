@@ -250,7 +250,7 @@ pub fn write_files(py: Python<'_>, folder: PathBuf, files: Read) -> PyResult<()>
 fn refused(error: &SceneError, text: &str, name: &str) -> PyErr {
     let drawn = report::scene_errors::drawn(error, text, name);
     match &error.problem {
-        SceneProblem::Surface(surface) if surface.is_missing_file() => PyFileNotFoundError::new_err(drawn),
+        SceneProblem::Surface(surface) if surface.is_missing_file() => PyFileNotFoundError::new_err(message(&drawn)),
         _ => input(drawn),
     }
 }

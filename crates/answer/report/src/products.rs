@@ -24,6 +24,7 @@ use study::plan::{Cutoffs, Results};
 use study::result_tables;
 use tables::{Format, Table};
 use uncertainty::{QuantityInterval, Uncertainty};
+use units::printable::printable;
 
 /// The name of the report page.
 pub const REPORT: &str = "report.html";
@@ -253,7 +254,7 @@ impl Product<'_> {
     pub fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
         match self {
             Product::Table { table, origin } => table.write(format, origin, out),
-            Product::Text(text) => out.write_all(text.as_bytes()),
+            Product::Text(text) => out.write_all(printable(text).as_bytes()),
         }
     }
 }

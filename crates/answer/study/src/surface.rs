@@ -1,5 +1,6 @@
 //! The surface that a scene or a command names: its spectrum, and information from its file.
 
+use std::collections::BTreeSet;
 use std::io;
 
 use data::SPECTRA;
@@ -11,7 +12,7 @@ use spectrum::{
 };
 use tables::Table;
 use topography::Recipe;
-use units::printable::shown_path;
+use units::printable::{short_paths, shown_path};
 use units::{Remark, RemarkCode};
 
 use crate::given_roughness::GivenRoughness;
@@ -218,7 +219,9 @@ impl Surface {
         files: &dyn Files,
         recipe: &Recipe,
     ) -> Result<Self, SurfaceError> {
-        let names: Vec<&str> = requests.iter().map(|request| request.path.as_str()).collect();
+        let paths = || requests.iter().map(|request| request.path.as_str());
+        let short = short_paths(paths());
+        let names: Vec<&str> = paths().map(|path| short[path].as_str()).collect();
         let found = ScansInFolders::find(requests, files)?;
         let composite = CompositeOfFiles::read(&found.requests, files, recipe).map_err(|error| {
             let request = error.request.map(|request| found.origins[request]);
@@ -281,7 +284,13 @@ impl Surface {
             None => Remark::new(RemarkCode::NothingShared),
         });
         let remarks = [&self, &other].into_iter().flat_map(Surface::named_remarks).collect();
-        let name = format!("{} against {}", self.name, other.name);
+        let path = |of: &'_ Surface| match &of.sources[..] {
+            [one] => one.name.clone(),
+            _ => of.name.clone(),
+        };
+        let paths = [path(&self), path(&other)];
+        let short = short_paths(paths.iter().map(String::as_str));
+        let name = paths.map(|path| short[&path].clone()).join(" against ");
         let sources = [&self.sources[..], &other.sources[..]].concat();
         let parts = Some(Box::new([self, other]));
         Surface { remarks, notes, sources, parts, holes, ..Self::plain(name, sum.psd) }
@@ -333,6 +342,22 @@ impl Surface {
             Some(parts) => parts.iter().flat_map(Surface::each).collect(),
             None => vec![self],
         }
+    }
+
+    /// Returns the names of the files behind this surface, as given.
+    #[must_use]
+    pub fn files(&self) -> BTreeSet<&str> {
+        let scans = self.each().into_iter().filter_map(|surface| surface.made_from.as_ref());
+        let scans = scans.flat_map(|scans| scans.sources.iter().map(|source| source.file.as_str()));
+        scans.chain(self.sources.iter().map(|source| source.name.as_str())).collect()
+    }
+
+    /// Returns the text of a scene with file names in place of the paths of these files.
+    #[must_use]
+    pub fn without_folders(&self, scene: &str) -> String {
+        let mut names: Vec<(String, String)> = short_paths(self.files()).into_iter().collect();
+        names.sort_by_key(|(path, _)| std::cmp::Reverse(path.len()));
+        names.iter().fold(scene.to_owned(), |text, (path, name)| text.replace(path, name))
     }
 
     fn has(&self, hole: &Hole) -> bool {

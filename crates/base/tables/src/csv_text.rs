@@ -136,7 +136,10 @@ fn write_records(
 
 /// Puts an apostrophe before a text that a spreadsheet would run as a formula; numbers stay as they are.
 fn without_formula(text: &str) -> Cow<'_, str> {
-    match text.starts_with(['=', '+', '-', '@', '\t', '\r']) && text.trim().parse::<f64>().is_err() {
+    let is_name =
+        text.starts_with('-') && text.contains(char::is_alphabetic) && !text.contains(['(', '|', '!']);
+    let may_run = text.starts_with(['=', '+', '-', '@', '\t', '\r']) && !is_name;
+    match may_run && text.trim().parse::<f64>().is_err() {
         true => Cow::Owned(format!("'{text}")),
         false => Cow::Borrowed(text),
     }
@@ -169,10 +172,10 @@ mod tests {
 
     #[test]
     fn texts_that_spreadsheets_run_are_marked_and_numbers_are_not() {
-        for formula in ["=1+1", "+cmd", "-2+3", "@SUM(A1)", "\t=1"] {
+        for formula in ["=1+1", "+cmd", "-2+3", "-cmd|x!A0", "@SUM(A1)", "\t=1"] {
             assert_eq!(without_formula(formula), format!("'{formula}"));
         }
-        for harmless in ["-1.5e-9", "+3", "scan.txt", "", "a=b"] {
+        for harmless in ["-1.5e-9", "-5C.txt", "+3", "scan.txt", "", "a=b"] {
             assert_eq!(without_formula(harmless), harmless);
         }
     }

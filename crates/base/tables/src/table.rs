@@ -2,6 +2,7 @@
 
 use serde_json::value::RawValue;
 use units::number;
+use units::printable::printable;
 
 /// A table as columns of equal length.
 #[derive(Debug, Clone, Default)]
@@ -100,9 +101,12 @@ impl Table {
         self
     }
 
-    /// Appends a column of text.
+    /// Appends a column of text, which may come from a file: what terminals would obey is replaced.
     pub fn with_text(mut self, name: &str, texts: impl IntoIterator<Item = String>) -> Self {
-        self.append(name, Cells::Typed(texts.into_iter().map(Cell::Field).collect()));
+        self.append(
+            name,
+            Cells::Typed(texts.into_iter().map(|text| Cell::Field(printable(&text).into_owned())).collect()),
+        );
         self
     }
 

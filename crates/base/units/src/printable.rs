@@ -1,6 +1,13 @@
 //! Text from files made safe to print: without characters that terminals obey or markup forbids, and of bounded length.
 
 use std::borrow::Cow;
+use std::collections::{BTreeSet, HashMap};
+
+/// Most letters of a line of a message.
+const MOST_LETTERS_OF_LINE: usize = 2000;
+
+/// Most lines of a message.
+const MOST_LINES: usize = 10_000;
 
 /// Most letters of a list of names in one message.
 const MOST_LETTERS_OF_LIST: usize = 400;
@@ -30,20 +37,41 @@ fn replaced(text: &str, is_refused: impl Fn(char) -> bool) -> Cow<'_, str> {
 
 /// Returns true for characters that terminals obey, that reorder the text around them, or that XML forbids.
 fn is_obeyed(c: char) -> bool {
-    let reorders = matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
-    c.is_control() || reorders || matches!(c, '\u{fffe}' | '\u{ffff}')
+    let reorders =
+        matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    c.is_control() || reorders || matches!(c, '\u{2028}' | '\u{2029}' | '\u{fffe}' | '\u{ffff}')
 }
 
-/// Returns the name that provenance quotes for a path: the file name of an absolute path, which would tell of folders on
-/// the machine, and any other path as it is.
+/// Returns the name that provenance quotes for a path: its last part, since the others tell of folders on the machine.
 #[must_use]
 pub fn shown_path(path: &str) -> &str {
-    let drive = path.as_bytes().get(1) == Some(&b':') && path.as_bytes()[0].is_ascii_alphabetic();
-    let is_absolute = path.starts_with(['/', '\\']) || (drive && path[2..].starts_with(['/', '\\']));
     match path.trim_end_matches(['/', '\\']).rsplit(['/', '\\']).next() {
-        Some(name) if is_absolute && !name.is_empty() => name,
+        Some(name) if !name.is_empty() => name,
         _ => path,
     }
+}
+
+/// Returns the shortest end of each path that tells it apart from the others: the file name alone, but where two files of
+/// different folders share one.
+#[must_use]
+pub fn short_paths<'p>(paths: impl IntoIterator<Item = &'p str>) -> HashMap<String, String> {
+    let mut left: Vec<&str> = paths.into_iter().collect::<BTreeSet<_>>().into_iter().collect();
+    let mut short = HashMap::new();
+    for parts in 0.. {
+        let end = |path: &'p str| {
+            let start = path.rmatch_indices(['/', '\\']).nth(parts);
+            start.map_or(path, |(at, _)| &path[at + 1..])
+        };
+        let mut counts: HashMap<&str, usize> = HashMap::new();
+        left.iter().for_each(|path| *counts.entry(end(path)).or_default() += 1);
+        let (done, longer) = left.into_iter().partition(|path| counts[end(path)] == 1 || end(path) == *path);
+        left = longer;
+        short.extend(Vec::into_iter(done).map(|path: &str| (path.to_owned(), end(path).to_owned())));
+        if left.is_empty() {
+            break;
+        }
+    }
+    short
 }
 
 /// Shortens a text to at most `most` letters; the end of a shortened text is `...`.
@@ -56,6 +84,13 @@ pub fn shortened(text: &str, most: usize) -> Cow<'_, str> {
             Cow::Owned(format!("{}...", &text[..end]))
         }
     }
+}
+
+/// Returns a message as people read it: printable, and of bounded length, as what files and arguments hold may be long.
+#[must_use]
+pub fn message(text: &str) -> String {
+    let bounded = text.split('\n').map(|line| shortened(line, MOST_LETTERS_OF_LINE));
+    printable(&bounded.take(MOST_LINES).collect::<Vec<_>>().join("\n")).into_owned()
 }
 
 /// Lists names for a message, such as `'a', 'b' and 3 more` with `quote` of `'`: as many as fit on a few lines of text,
@@ -95,19 +130,27 @@ mod tests {
     }
 
     #[test]
-    fn absolute_paths_are_shown_as_file_names() {
+    fn paths_are_shown_as_file_names() {
         for (path, shown) in [
             ("/home/someone/a.txt", "a.txt"),
             ("C:\\lab\\a.txt", "a.txt"),
             ("\\\\server\\a.txt", "a.txt"),
             ("/data/", "data/"),
             ("/", "/"),
-            ("scans/a.txt", "scans/a.txt"),
-            ("../a.txt", "../a.txt"),
+            ("scans/a.txt", "a.txt"),
+            ("../a.txt", "a.txt"),
             ("builtin:uncd-measured", "builtin:uncd-measured"),
         ] {
             assert_eq!(shown_path(path).trim_end_matches('/'), shown.trim_end_matches('/'));
         }
+    }
+
+    #[test]
+    fn paths_are_as_short_as_they_differ() {
+        let paths = ["a/t.txt", "b/t.txt", "/x/a/u.txt", "t.txt", "c/d/v", "e/d/v", "c/d/v"];
+        let short = short_paths(paths);
+        let expected = ["a/t.txt", "b/t.txt", "u.txt", "t.txt", "c/d/v", "e/d/v", "c/d/v"];
+        assert_eq!(paths.map(|path| short[path].as_str()), expected);
     }
 
     #[test]

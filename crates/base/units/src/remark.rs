@@ -4,6 +4,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use crate::display::{counted, length, percent, pressure, three_digits};
 use crate::number;
+use crate::printable::printable;
 pub use crate::remark_codes::{RemarkCode, RemarkLevel};
 
 /// Place that a remark is about, as far as it is known.
@@ -189,7 +190,7 @@ impl Remark {
     fn filled(&self, template: &str, spelling: &dyn Spelling) -> String {
         let filled = self.fill(template, spelling, false);
         debug_assert!(filled.is_some(), "a value of {self:?} is missing");
-        filled.unwrap_or_else(|| template.to_owned())
+        printable(filled.as_deref().unwrap_or(template)).into_owned()
     }
 
     /// Fills the values into a template; `None` if one is missing. Parts in brackets are left out without theirs, and with a count

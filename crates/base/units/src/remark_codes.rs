@@ -384,6 +384,8 @@ remark_codes! {
     FewScans "few-scans" Caution
         "Treat the range as a guess: {scans~(instrument) scan} cannot show how much the surface varies."
         short "{scans~(instrument) scan} only";
+    OneInstrument "one-instrument" Caution
+        "{scans} scans count as those of one instrument: {instrument}; name their instruments if there are several.";
     DrawsWithoutArea "draws-without-area" Caution
         "Treat the range as a guess: {draws} of {of|draw} leave the range of a model and do not count.";
     FewDraws "few-draws" Caution "Treat the range as a guess: it rests on {draws|draw} only.";

@@ -37,8 +37,8 @@ fn of(report: &SceneReport<'_>) -> Markup {
             blockquote { @for remark in &surface.remarks { p { (with_links(remark)) } } }
         }
         @for note in &surface.notes { p { (sentence(&note.words(&SceneKeys))) } }
-        p { "The scene, as typed:" }
-        pre tabindex="0" { code { (report.scene.text.trim_end()) } }
+        p { "The scene, its files without folders:" }
+        pre tabindex="0" { code { (surface.without_folders(report.scene.text.trim_end())) } }
     }
 }
 
