@@ -4,6 +4,8 @@
 //! Without an argument it prints the names of the pieces. With one it does that piece twice: first to initialise what
 //! is built at its first use, then inside [`counted`], where valgrind counts.
 
+use std::collections::BTreeMap;
+use std::convert::Infallible;
 use std::hint::black_box;
 use std::process::ExitCode;
 
@@ -12,6 +14,7 @@ use asperity::{
 };
 use elements::half_space::{Elements, Grid, Loading};
 use judge::JudgePlan;
+use measurements::{CompositeOfFiles, RoughnessOfFiles, RoughnessSettings, ScanRequest, read_channels};
 use numerics::parallel::Unobserved;
 use scans::{HeightMap, ScanOptions};
 use scene::{Overrides, Scene, Template};
@@ -21,7 +24,7 @@ use spectrum::{
 use stacked_contact::{Scale, StackedModel, levels};
 use stat_contact::{AsperityLaw, InterferenceLaw, Population, StatisticalContact};
 use study::NoFiles;
-use topography::{Preparation, areal_spectrum, map_line_spectrum};
+use topography::{Preparation, Recipe, areal_spectrum, map_line_spectrum};
 use uncertainty::UncertaintyPlan;
 
 /// Work that is counted.
@@ -30,7 +33,7 @@ type Work = Box<dyn Fn()>;
 /// Name and preparation of a piece of work.
 type Piece = (&'static str, fn() -> Work);
 
-const PIECES: [Piece; 29] = [
+const PIECES: [Piece; 31] = [
     ("sphere", || sphere(Hardness::JacksonGreen2005)),
     ("sphere-cosine-hardness", || sphere(Hardness::Cosine)),
     ("sinusoid-elastic", sinusoid_elastic),
@@ -78,6 +81,8 @@ const PIECES: [Piece; 29] = [
     ("draws-tenfold", || draws(10)),
     ("reader", || reader(1)),
     ("reader-tenfold", || reader(10)),
+    ("files", || files(10, 100)),
+    ("files-tenfold", || files(1, 1000)),
 ];
 
 fn main() -> ExitCode {
@@ -347,5 +352,40 @@ fn reader(maps: usize) -> Work {
     let file = [b"GWYP".to_vec(), object("GwyContainer", &all)].concat();
     Box::new(move || {
         black_box(scans::read_scans(&file, "maps.gwy", &ScanOptions::default()).expect("a sound file"));
+    })
+}
+
+/// Sets of texts, a thousand files together: as `scan`, `roughness`, `psd` and the draws of `report` take them.
+fn files(sets: usize, files: usize) -> Work {
+    let heights = |file: usize| -> String {
+        let height = |at: usize| ((at * at * (7 * file + 13)) % 997) as f64 / 997.0;
+        (0..64).map(|at| format!("{at} {}\n", height(at))).collect()
+    };
+    let names: Vec<String> = (0..files).map(|file| format!("{file}.txt")).collect();
+    let texts: BTreeMap<String, Vec<u8>> =
+        names.iter().enumerate().map(|(file, name)| (name.clone(), heights(file).into_bytes())).collect();
+    let typed = |name: &String| format!("{name}:unit=um").parse::<ScanRequest>().expect("a request");
+    let requests: Vec<ScanRequest> = names.iter().map(typed).collect();
+    let listed: Vec<String> =
+        names.iter().map(|name| format!("{{ file = \"{name}\", unit = \"um\" }}")).collect();
+    let text = format!(
+        "[surface]\nscans = [{}]\n[material]\nyoungs_modulus = \"463 GPa\"\npoisson_ratio = 0.2\n\
+         [loads]\npressures = [\"1 MPa\"]\n[[curve]]\nmodel = \"persson\"\n[uncertainty]\ndraws = 20\n",
+        listed.join(", ")
+    );
+    Box::new(move || {
+        for _ in 0..sets {
+            let visit = |_: &ScanRequest, _: &_| Ok::<(), Infallible>(());
+            black_box(read_channels(&requests, &texts, false, visit).expect("sound files").table());
+            black_box(RoughnessOfFiles::read(&requests, &texts, &RoughnessSettings::default()).table());
+            let composite =
+                CompositeOfFiles::read(&requests, &texts, &Recipe::default()).expect("sound files");
+            black_box((composite.provenance(), composite.spectrum.remarks(), composite.series_table()));
+            let scene = Scene::parse(&text, &texts, &Overrides::default()).expect("a sound scene");
+            let results = scene.plan().compute().expect("a sound scene");
+            let settings = scene.uncertainty.unwrap_or_default();
+            let plan = UncertaintyPlan::new(&scene, &results, &settings).expect("uncertain inputs");
+            black_box(plan.run(&Unobserved).expect("a sound scene"));
+        }
     })
 }

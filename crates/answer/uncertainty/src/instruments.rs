@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::{LN_10, TAU};
 
+use indexmap::IndexMap;
 use measurements::CompositeOfFiles;
 use topography::{Average, CompositeBin, ScanBin, ScanSpectrum};
 
@@ -16,20 +17,25 @@ pub const ASSUMED_Z_CALIBRATION: f64 = 0.03;
 /// The distance over which the scatter between places is compared with that of Fourier bins \[decades\].
 const POOLED_DECADES: f64 = 0.5;
 
-/// The instruments of a composite in the order of their first scans, and their descriptions.
+/// Most instruments that are told apart; the cost grows with the fourth power of their number.
+const MOST_INSTRUMENTS: usize = 10;
+
+/// The instruments of a composite in the order of their first scans, and their descriptions. Beyond
+/// [`MOST_INSTRUMENTS`], all further ones count as one, which widens the range.
 pub(crate) fn instruments(scans: &CompositeOfFiles) -> (Vec<InstrumentBins>, Vec<InstrumentInput>) {
-    let names: Vec<&str> = scans.sources.iter().map(|source| source.instrument.name.as_str()).collect();
-    let mut distinct: Vec<&str> = Vec::new();
-    for name in &names {
-        if !distinct.contains(name) {
-            distinct.push(name);
-        }
+    let mut own: IndexMap<&str, Vec<usize>> = IndexMap::new();
+    for (scan, source) in scans.sources.iter().enumerate() {
+        own.entry(source.instrument.name.as_str()).or_default().push(scan);
+    }
+    let mut own: Vec<Vec<usize>> = own.into_values().collect();
+    if own.len() > MOST_INSTRUMENTS {
+        let further = own.split_off(MOST_INSTRUMENTS - 1).concat();
+        own.push(further);
     }
     let places = scans.spectrum.places();
     let offsets = offsets_of_scans(scans);
-    let own = |name: &str| (0..names.len()).filter(|&scan| names[scan] == name).collect::<Vec<_>>();
     let of_instruments: Vec<OwnScans<'_>> =
-        distinct.iter().map(|name| OwnScans::new(scans, &own(name), &places, &offsets)).collect();
+        own.iter().map(|own| OwnScans::new(scans, own, &places, &offsets)).collect();
     let mut bins: Vec<InstrumentBins> = of_instruments.iter().map(OwnScans::in_bins).collect();
     lend_place_scatter(&mut bins, &of_instruments);
     let descriptions = of_instruments.iter().zip(&bins).map(|(own, bins)| own.description(bins)).collect();
@@ -253,12 +259,21 @@ impl<'s> OwnScans<'s> {
 
     fn description(&self, bins: &InstrumentBins) -> InstrumentInput {
         let instruments = || self.own.iter().map(|&scan| &self.scans.sources[scan].instrument);
-        let name = self.scans.sources[self.own[0]].instrument.name.clone();
-        let z_calibration = instruments().find_map(|instrument| instrument.z_calibration);
+        let files = || self.own.iter().map(|&scan| self.scans.sources[scan].file.as_str());
+        let are_texts = instruments().all(|instrument| instrument.layout.is_some());
+        let names: BTreeSet<&str> = instruments().map(|instrument| instrument.name.as_str()).collect();
+        let name = match names.len() {
+            1 => self.scans.sources[self.own[0]].instrument.name.clone(),
+            count => format!("{count} further instruments"),
+        };
+        let is_shared = names.len() > 1 || are_texts && files().any(|file| Some(file) != files().next());
+        let largest = |a: f64, b: f64| a.max(b);
+        let z_calibration = instruments().filter_map(|instrument| instrument.z_calibration).reduce(largest);
         let mut reached = self.reached().map(|bin| bin.wavelength_m);
         let longest_m = reached.next().unwrap_or_default();
         InstrumentInput {
             name: match instruments().all(|instrument| instrument.is_guessed) {
+                _ if is_shared => InstrumentName::Shared(name),
                 true => InstrumentName::Guessed(name),
                 false => InstrumentName::Given(name),
             },
@@ -270,7 +285,7 @@ impl<'s> OwnScans<'s> {
             },
             z_calibration: z_calibration.unwrap_or(ASSUMED_Z_CALIBRATION),
             z_calibration_is_assumed: z_calibration.is_none(),
-            slope_uncertainty: instruments().find_map(|found| found.slope_uncertainty).unwrap_or(0.0),
+            slope_uncertainty: instruments().filter_map(|found| found.slope_uncertainty).fold(0.0, f64::max),
             gain: [0.0; 2],
             band_m: [longest_m, reached.last().unwrap_or(longest_m)],
         }

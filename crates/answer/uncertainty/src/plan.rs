@@ -13,7 +13,7 @@ use crate::group::Indices;
 use crate::inputs::Inputs;
 use crate::quantiles::{area_interval_about, interval};
 use crate::quantities::{Quantities, QuantityDraws};
-use crate::results::{AreaBand, AreaInterval, Uncertainty};
+use crate::results::{AreaBand, AreaInterval, InstrumentName, Uncertainty};
 use crate::shares::Design;
 use crate::surface_scatter::{DrawOf, SpectrumSource};
 
@@ -279,6 +279,11 @@ impl<'p> UncertaintyPlan<'p> {
                         (places < MIN_SCANS).then(|| few.with("scans", places))
                     });
                     found.guesses.extend(few);
+                    found.guesses.extend(scans.descriptions.iter().filter_map(|instrument| {
+                        let InstrumentName::Shared(name) = &instrument.name else { return None };
+                        let shared = Remark::new(RemarkCode::OneInstrument).with("instrument", name.as_str());
+                        Some(shared.with("scans", instrument.scans))
+                    }));
                     found.instruments.extend(scans.descriptions.iter().cloned());
                     found.overlaps.extend(scans.overlaps.iter().cloned().map(|mut overlap| {
                         overlap.instruments = overlap.instruments.map(|instrument| first + instrument);

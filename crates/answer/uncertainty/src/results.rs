@@ -104,6 +104,8 @@ pub enum InstrumentName {
     Given(String),
     /// Guessed from the format and the maker in the file.
     Guessed(String),
+    /// Assumed of texts of one length and spacing, or of all instruments beyond the first ones.
+    Shared(String),
 }
 
 impl InstrumentName {
@@ -111,7 +113,9 @@ impl InstrumentName {
     #[must_use]
     pub fn text(&self) -> &str {
         match self {
-            InstrumentName::Given(name) | InstrumentName::Guessed(name) => name,
+            InstrumentName::Given(name) | InstrumentName::Guessed(name) | InstrumentName::Shared(name) => {
+                name
+            }
         }
     }
 }

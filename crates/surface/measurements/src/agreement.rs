@@ -1,5 +1,7 @@
 //! Scans of one instrument share its calibration, so their options about it must agree.
 
+use std::collections::HashMap;
+
 use crate::error::{ScanProblem, TopographyError};
 use crate::instrument::InstrumentOfScan;
 
@@ -20,19 +22,15 @@ pub(crate) fn check(scans: &[InstrumentUse<'_>]) -> Result<(), TopographyError> 
         ("z-calibration", |instrument| instrument.z_calibration),
         ("slope uncertainty", |instrument| instrument.slope_uncertainty),
     ];
-    for (at, scan) in scans.iter().enumerate() {
+    let mut stated = HashMap::new();
+    for scan in scans {
         let name = &scan.instrument.name;
-        let before = || scans[..at].iter().filter(|other| other.instrument.name == *name);
         for (what, value_of) in properties {
             let Some(here) = value_of(scan.instrument) else { continue };
-            let Some((other, there)) = before().find_map(|other| Some((other, value_of(other.instrument)?)))
-            else {
-                continue;
-            };
+            let (other, there) = *stated.entry((name, what)).or_insert((scan.path, here));
             if here != there {
-                let other = other.path.to_owned();
-                let problem =
-                    ScanProblem::InstrumentDisagrees { instrument: name.clone(), what, here, there, other };
+                let (name, other) = (name.clone(), other.to_owned());
+                let problem = ScanProblem::InstrumentDisagrees { instrument: name, what, here, there, other };
                 let error = TopographyError::for_file(scan.path, problem);
                 return Err(TopographyError { request: Some(scan.request), ..error });
             }

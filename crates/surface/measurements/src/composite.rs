@@ -1,11 +1,13 @@
 //! The composite spectrum of the scans in files, with its provenance.
 
+use std::collections::{BTreeSet, HashMap};
+
 use numerics::parallel::{Progress, Unobserved};
 use scans::{HeightMap, Scan, ScanAxis, ScanFile};
 use tables::Table;
 use topography::{CompositeSpectrum, Detrend, ScanSpectrum, TransformError, without_gaps};
 use units::number;
-use units::printable::shown_path;
+use units::printable::short_paths;
 
 use crate::agreement::{self, InstrumentUse};
 use crate::error::{ScanProblem, TopographyError};
@@ -146,6 +148,7 @@ impl CompositeOfFiles {
             maps.extend(of_file.maps);
             sketches.extend(of_file.sketches);
         }
+        name_instruments_of_texts(&mut sources);
         let uses: Vec<InstrumentUse<'_>> = sources
             .iter()
             .zip(&request_of)
@@ -156,7 +159,6 @@ impl CompositeOfFiles {
             })
             .collect();
         agreement::check(&uses)?;
-        shorten_instruments(&mut sources);
         let spectrum = CompositeSpectrum::new(scans, recipe)
             .map_err(|error| TopographyError::for_all(ScanProblem::Transform { scan: None, error }))?;
         Ok(CompositeOfFiles { spectrum, sources, maps, sketches })
@@ -167,6 +169,7 @@ impl CompositeOfFiles {
     pub fn provenance(&self) -> Vec<String> {
         let (scans, recipe) = (&self.spectrum.scans, self.spectrum.recipe.describe());
         let mut lines = vec![format!("composite of {} scans; {recipe}", scans.len())];
+        let names = short_paths(self.sources.iter().map(|source| source.file.as_str()));
         for (scan, source) in scans.iter().zip(&self.sources) {
             let channel =
                 scan.channel.as_ref().map_or(String::new(), |channel| format!(", channel {channel}"));
@@ -177,7 +180,7 @@ impl CompositeOfFiles {
             };
             lines.push(format!(
                 "scan: {} ({}{channel}{along}), SHA-256 {}, detrend {}, window {}, used down to {} m",
-                shown_path(&source.file),
+                names[&source.file],
                 scan.format,
                 source.sha256,
                 scan.preparation.detrend,
@@ -189,14 +192,22 @@ impl CompositeOfFiles {
     }
 }
 
-/// Names instruments that are known by the path of their file by its last part alone, where no other has that name.
-fn shorten_instruments(sources: &mut [ScanSource]) {
-    let short = |name: &str| name.rsplit(['/', '\\']).next().unwrap_or_default().to_owned();
-    let names: Vec<String> = sources.iter().map(|source| source.instrument.name.clone()).collect();
-    for source in sources.iter_mut().filter(|source| source.instrument.name == source.file) {
-        let own = short(&source.file);
-        if names.iter().all(|name| *name == source.file || short(name) != own) {
-            source.instrument.name = own;
+/// Names the instruments that wrote plain texts: files of one length and spacing are taken to share one, and any other
+/// file has one of its own. The maker of a format names the others.
+fn name_instruments_of_texts(sources: &mut [ScanSource]) {
+    let mut files: HashMap<String, BTreeSet<String>> = HashMap::new();
+    for source in sources.iter() {
+        if let Some(layout) = &source.instrument.layout {
+            files.entry(layout.clone()).or_default().insert(source.file.clone());
+        }
+    }
+    let names = short_paths(sources.iter().map(|source| source.file.as_str()));
+    for source in sources {
+        if let Some(layout) = &source.instrument.layout {
+            source.instrument.name = match files[layout].len() {
+                1 => names[&source.file].clone(),
+                _ => format!("text of {layout}"),
+            };
         }
     }
 }

@@ -1,8 +1,8 @@
 //! The composite spectrum of several scans, and comparisons between them.
 
-use std::collections::{BTreeSet, HashMap, HashSet};
-use std::iter;
+use std::collections::{BTreeMap, HashMap, HashSet};
 
+use indexmap::IndexMap;
 use scans::ScanAxis;
 use spectrum::{Convention, Hole, Psd};
 use units::display::{length, three_digits};
@@ -142,13 +142,10 @@ impl CompositeSpectrum {
     /// repeated data.
     #[must_use]
     pub fn places(&self) -> Vec<usize> {
-        let mut places: Vec<usize> = Vec::new();
-        for at in 0..self.scans.len() {
-            let repeats = self.repeated.iter().find(|(_, second)| *second == at).map(|(first, _)| *first);
-            let is_second_axis = self.both_directions().any(|(_, y)| y == at);
-            let same_as = repeats.or(is_second_axis.then(|| at - 1));
-            places.push(same_as.map_or(at, |other| places[other]));
-        }
+        let mut places: Vec<usize> = (0..self.scans.len()).collect();
+        self.both_directions().for_each(|(x, y)| places[y] = x);
+        self.repeated.iter().for_each(|&(first, second)| places[second] = first);
+        (0..places.len()).for_each(|at| places[at] = places[places[at]]);
         places
     }
 
@@ -184,26 +181,23 @@ impl CompositeSpectrum {
 
     /// Remarks on single scans; scans of which the same holds share a remark.
     fn scan_remarks(&self, names: &[String]) -> Vec<Remark> {
-        let mut gathered: Vec<(Remark, Vec<String>)> = Vec::new();
+        let mut gathered: IndexMap<String, (Remark, Vec<String>)> = IndexMap::new();
         for (scan, name) in self.scans.iter().zip(names) {
             for remark in scan.remarks() {
-                match gathered.iter_mut().find(|(other, _)| *other == remark) {
-                    Some((_, names)) => names.push(name.clone()),
-                    None => gathered.push((remark, vec![name.clone()])),
-                }
+                let same = gathered.entry(format!("{remark:?}")).or_insert((remark, Vec::new()));
+                same.1.push(name.clone());
             }
         }
-        gathered.into_iter().map(|(remark, names)| remark.about(names)).collect()
+        gathered.into_values().map(|(remark, names)| remark.about(names)).collect()
     }
 
     /// Remarks on scans that hold the same data, one for each group of them.
     fn same_data(&self, names: &[String]) -> Vec<Remark> {
-        let repeats_of = |first: usize| {
-            let repeats = self.repeated.iter().filter(move |(of, _)| *of == first).map(|(_, scan)| *scan);
-            iter::once(first).chain(repeats).map(|scan| names[scan].clone())
-        };
-        let firsts: BTreeSet<usize> = self.repeated.iter().map(|(first, _)| *first).collect();
-        firsts.into_iter().map(|first| Remark::new(RemarkCode::SameData).about(repeats_of(first))).collect()
+        let mut alike: BTreeMap<usize, Vec<String>> = BTreeMap::new();
+        for &(first, repeat) in &self.repeated {
+            alike.entry(first).or_insert_with(|| vec![names[first].clone()]).push(names[repeat].clone());
+        }
+        alike.into_values().map(|names| Remark::new(RemarkCode::SameData).about(names)).collect()
     }
 
     /// Remarks on each pair of scans that overlap or, of many pairs, on those that differ most and on all others together.
@@ -278,11 +272,17 @@ fn remark_on_directions(names: [String; 2], ratios: &[DirectionRatio], fast: Opt
 
 /// Finds scans with the data of an earlier one, as indices (earlier, later).
 fn repeated(scans: &[ScanSpectrum]) -> Vec<(usize, usize)> {
-    let of_an_earlier = |second: usize| {
-        let first = (0..second).find(|&first| scans[first].spectrum == scans[second].spectrum)?;
-        Some((first, second))
-    };
-    (1..scans.len()).filter_map(of_an_earlier).collect()
+    let mut firsts: HashMap<Vec<u64>, Vec<usize>> = HashMap::new();
+    let mut repeated = Vec::new();
+    for (second, scan) in scans.iter().enumerate() {
+        let alike =
+            firsts.entry(scan.spectrum.c1d_m3().iter().map(|c1d_m3| c1d_m3.to_bits()).collect()).or_default();
+        match alike.iter().find(|&&first| scans[first].spectrum == scan.spectrum) {
+            Some(&first) => repeated.push((first, second)),
+            None => alike.push(second),
+        }
+    }
+    repeated
 }
 
 #[cfg(test)]

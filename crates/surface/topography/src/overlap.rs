@@ -1,5 +1,6 @@
 //! Comparison of spectra in the bins that they share.
 
+use std::collections::BTreeMap;
 use std::num::NonZeroU32;
 
 use serde::Serialize;
@@ -24,7 +25,8 @@ pub struct Overlap {
     pub ratio: f64,
 }
 
-/// Compares every pair of measurements that share a bin, in the order of the list.
+/// Compares every pair of measurements that share a bin, in the order of the list. Of more than [`MOST_COMPARED`]
+/// measurements, those that lie highest and lowest against the mean are compared, as differ most.
 ///
 /// Samples are averaged inside the bins arithmetically, as in [`composite`](crate::composite()).
 pub fn overlaps(measurements: &[ProfilePsd], bins_per_decade: NonZeroU32) -> Vec<Overlap> {
@@ -32,10 +34,11 @@ pub fn overlaps(measurements: &[ProfilePsd], bins_per_decade: NonZeroU32) -> Vec
         .iter()
         .map(|measurement| log_bins(measurement, bins_per_decade, BinMean::Arithmetic))
         .collect();
+    let compared = extremes(&binned);
     let mut overlaps = Vec::new();
-    for (first, bins) in binned.iter().enumerate() {
-        for (second, others) in binned.iter().enumerate().skip(first + 1) {
-            let shared = shared_bins(bins, others);
+    for (at, &first) in compared.iter().enumerate() {
+        for &second in &compared[at + 1..] {
+            let shared = shared_bins(&binned[first], &binned[second]);
             if let (Some(longest), Some(shortest)) = (shared.first(), shared.last()) {
                 overlaps.push(Overlap {
                     first,
@@ -49,6 +52,28 @@ pub fn overlaps(measurements: &[ProfilePsd], bins_per_decade: NonZeroU32) -> Vec
         }
     }
     overlaps
+}
+
+/// Most measurements of which every pair is compared; the number of pairs grows with the square.
+const MOST_COMPARED: usize = 20;
+
+/// Indices of the measurements to compare, in the order of the list.
+fn extremes(binned: &[Vec<Bin>]) -> Vec<usize> {
+    let mut compared: Vec<usize> = (0..binned.len()).collect();
+    if compared.len() > MOST_COMPARED {
+        let mut sums: BTreeMap<i64, [f64; 2]> = BTreeMap::new();
+        for bin in binned.iter().flatten() {
+            let sum = sums.entry(bin.index).or_default();
+            *sum = [sum[0] + bin.c1d_m3.ln(), sum[1] + 1.0];
+        }
+        let above = |bin: &Bin| bin.c1d_m3.ln() - sums[&bin.index][0] / sums[&bin.index][1];
+        let mean = |bins: &Vec<Bin>| bins.iter().map(above).sum::<f64>() / bins.len().max(1) as f64;
+        let heights: Vec<f64> = binned.iter().map(mean).collect();
+        compared.sort_by(|a, b| heights[*a].total_cmp(&heights[*b]));
+        compared.drain(MOST_COMPARED / 2..binned.len() - MOST_COMPARED / 2);
+        compared.sort_unstable();
+    }
+    compared
 }
 
 /// Units of heights that people mix up, with the factor between them.

@@ -110,7 +110,11 @@ pub(crate) fn cautions(
         cautions.push(new(code).with("models", models));
     }
     let guesses = uncertainty.into_iter().flat_map(|found| &found.guesses);
-    cautions.extend(guesses.filter(|guess| guess.code == RemarkCode::FewScans).cloned());
+    cautions.extend(
+        guesses
+            .filter(|guess| matches!(guess.code, RemarkCode::FewScans | RemarkCode::OneInstrument))
+            .cloned(),
+    );
     let may_yield = loads.iter().filter(|load| load.area.source != Source::Elements(Reference::Elastic));
     let shares = may_yield.filter_map(|load| states?.plastic_share(load.load));
     let yielded = shares.filter(|share| *share > MOST_PLASTIC_SHARE);

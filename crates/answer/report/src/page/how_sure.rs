@@ -164,7 +164,7 @@ fn instrument_row(instrument: &InstrumentInput) -> Markup {
 }
 
 fn is_guessed(instrument: &InstrumentInput) -> bool {
-    matches!(instrument.name, InstrumentName::Guessed(_))
+    !matches!(instrument.name, InstrumentName::Given(_))
 }
 
 /// The overlaps of instruments.

@@ -180,7 +180,7 @@ fn assumed_calibrations(instruments: &[InstrumentInput]) -> Option<String> {
 fn guessed_instruments(instruments: &[InstrumentInput]) -> Option<String> {
     let guessed: Vec<String> = instruments
         .iter()
-        .filter(|instrument| matches!(instrument.name, InstrumentName::Guessed(_)))
+        .filter(|instrument| !matches!(instrument.name, InstrumentName::Given(_)))
         .map(|instrument| format!("{} ({})", instrument.name.text(), counted(instrument.scans, "scan")))
         .collect();
     let names: Vec<&str> = guessed.iter().map(String::as_str).collect();

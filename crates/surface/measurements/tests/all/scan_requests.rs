@@ -154,7 +154,7 @@ fn scans_of_one_instrument_must_agree_on_it() {
         [",instrument=AFM,z-calibration=3 %", ",instrument=AFM,z-calibration=0.03"],
         [",instrument=AFM,z-calibration=3 %", ",instrument=AFM"],
         [",instrument=AFM,z-calibration=3 %", ",instrument=stylus,z-calibration=1 %"],
-        // Nothing says that two text files are of one instrument.
+        // Text files of two calibrations are not of one instrument.
         [",z-calibration=3 %", ",z-calibration=1 %"],
     ] {
         assert!(read(agree).is_ok(), "{agree:?}");
