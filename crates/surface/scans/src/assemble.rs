@@ -14,9 +14,13 @@ use crate::options::ScanOptions;
 use crate::raster::Decoded;
 use crate::scan_size::ScanSize;
 use units::LengthUnit;
+use units::display::length;
 
 /// Relative difference of the sizes in metadata and file above which a note says so.
 const SIZE_AGREEMENT: f64 = 1e-4;
+
+/// Relative difference of the stated size and that of the points above which a note says so.
+const STATED_AGREEMENT: f64 = 0.01;
 
 /// Name of a channel without one, where a channel is asked for.
 pub(crate) const UNNAMED: &str = "unnamed";
@@ -84,6 +88,7 @@ pub(crate) fn assembled(
         decoded.values.iter_mut().for_each(|value| *value = height_to_m(*value));
     }
     let scan = scan(format, columns, decoded, lateral, options, &mut notes)?;
+    notes.extend(stated_note(&scan, channel.stated_m, columns));
     let metadata = options.metadata.as_ref();
     if options.size.is_none() {
         notes.extend(metadata.and_then(|metadata| size_note(&scan, metadata.size()?)));
@@ -186,6 +191,23 @@ fn uneven_line(
     };
     let line = NonuniformLineScan::new(measured(positions_m), measured(decoded.values))?;
     Ok(Scan::NonuniformLine(line).into())
+}
+
+/// Tells of a stated size that is not that of the points in the file, as where it is cut off. Points times spacing and
+/// the distance of the ends differ by one spacing.
+fn stated_note(scan: &MeasuredScan, stated_m: [Option<f64>; 2], columns: usize) -> Option<String> {
+    let (x_m, y_m) = scan.size_m();
+    let rows = scan.heights_m().len() / columns.max(1);
+    let axes = [("long", Some(x_m), columns), ("wide", y_m, rows)].into_iter().zip(stated_m);
+    let differs = |((_, found_m, points), stated_m): ((&str, Option<f64>, usize), Option<f64>)| {
+        let (found_m, stated_m) = found_m.zip(stated_m)?;
+        let tolerance = STATED_AGREEMENT + 1.5 / points as f64;
+        ((found_m / stated_m - 1.0).abs() > tolerance).then_some((found_m, stated_m))
+    };
+    axes.filter_map(|axis| Some((axis.0.0, differs(axis)?))).next().map(|(what, (found_m, stated_m))| {
+        let [found, stated] = [found_m, stated_m].map(length);
+        format!("the header states that the scan is {stated} {what}, its points are {found} {what}; is the file cut off?")
+    })
 }
 
 /// Tells of a size in the metadata that is not that of the file.

@@ -25,6 +25,8 @@ pub(crate) struct Channel<'b> {
     pub(crate) name: Option<String>,
     pub(crate) quantity: Quantity,
     pub(crate) lateral: Lateral,
+    /// Size in m along x and y that the file states beside the places of its points.
+    pub(crate) stated_m: [Option<f64>; 2],
     pub(crate) samples: Samples<'b>,
     pub(crate) units: UnitsBy,
     /// Axis of the map along which the instrument scanned its lines, where the file states it.
@@ -122,6 +124,7 @@ impl<'b> Channel<'b> {
                 length => length,
             },
             lateral,
+            stated_m: [None; 2],
             samples,
             units,
             fast_axis: None,
@@ -165,6 +168,7 @@ impl<'b> Channel<'b> {
             name: self.name,
             quantity: self.quantity,
             lateral: self.lateral,
+            stated_m: self.stated_m,
             samples,
             units: self.units,
             fast_axis: self.fast_axis,

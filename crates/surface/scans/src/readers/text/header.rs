@@ -1,7 +1,7 @@
 //! Header of a text file: sizes, spacings, units, the channel.
 
 use super::columns::Columns;
-use super::keys::{Key, key_and_value};
+use super::keys::{Key, extent_in_table, key_and_value};
 use super::lengths::{Length, bad_field, length, stylus_radius_m, trailing_unit, unit};
 use super::style::{FORMAT, is_comment};
 use crate::choice_of_units::Units;
@@ -17,6 +17,8 @@ pub(crate) struct Header {
     /// Along x and y.
     sizes: [Option<Length>; 2],
     spacings: [Option<Length>; 2],
+    /// Sizes that stand in a table above the points: they are compared, but make no matrix.
+    tabled_sizes: [Option<Length>; 2],
     lateral_unit: Option<LengthUnit>,
     value_unit: Option<LengthUnit>,
     /// Factor that takes values to their unit.
@@ -63,6 +65,13 @@ impl Header {
                 None if !is_below => {
                     header.set_conversion(line, number)?;
                     header.set_columns(line, columns);
+                    match extent_in_table(line) {
+                        Some((Key::Size(axis), value)) => {
+                            header.tabled_sizes[axis] = length(value, number).ok().flatten();
+                        }
+                        Some((key, value)) => header.set(key, value, number)?,
+                        None => {}
+                    }
                 }
                 _ => {}
             }
@@ -275,6 +284,14 @@ impl Header {
 
     fn stated(&self, key: Key) -> Option<usize> {
         self.counts.iter().find(|count| count.key == key).map(|count| count.stated)
+    }
+
+    /// The stated sizes in m beside the places of the points; a matrix has its places from its size.
+    pub(crate) fn stated_m(&self, is_matrix: bool) -> [Option<f64>; 2] {
+        [0, 1].map(|axis| {
+            let size = self.tabled_sizes[axis].or(self.sizes[axis].filter(|_| !is_matrix))?;
+            Some(size.unit.or(self.lateral_unit)?.to_m(size.value))
+        })
     }
 
     /// The size of so many columns and rows, or of a line of so many columns.

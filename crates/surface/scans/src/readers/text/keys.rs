@@ -130,6 +130,15 @@ pub(super) fn key_and_value(line: &str) -> Option<(Key, &str)> {
     Some((*key, value.trim()))
 }
 
+/// A key of the extent of the points with what follows it behind a comma, a semicolon or a tab, as tables have it.
+pub(super) fn extent_in_table(line: &str) -> Option<(Key, &str)> {
+    let (name, value) = line.split_once([',', ';', '\t'])?;
+    let (key, _) = key_and_value(&format!("{name}:"))?;
+    let value = value.trim().trim_end_matches([',', ';', '\t', ' ']);
+    let is_extent = matches!(key, Key::Size(_) | Key::Points | Key::Count(_));
+    (is_extent && value.starts_with(|c: char| c.is_ascii_digit())).then_some((key, value))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

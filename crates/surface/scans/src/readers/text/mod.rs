@@ -80,8 +80,10 @@ pub(super) fn channel_of_text<'b>(text: &str, options: &ScanOptions) -> Result<C
     };
     let samples = Samples::Decoded { columns: found.columns, decoded: found.heights_m };
     let quantity = Quantity::Heights(Some(LengthUnit::METRE));
+    let stated_m = header.stated_m(matches!(found.lateral, Lateral::Size(_)));
     let channel = Channel::new(header.channel(), quantity, found.lateral, samples);
     Ok(Channel {
+        stated_m,
         units: UnitsBy::Reader,
         probe: header.stylus_radius_m().map(|_| Probe::Tip),
         tip_radius_m: header.stylus_radius_m(),
