@@ -441,6 +441,15 @@ test("a link holds the whole state but the files", async () => {
   await other.context.close();
 });
 
+test("a damaged link starts an empty page and says so", async () => {
+  for (const state of ['{"files":5}', '{"files":[null]}', '{"files":{"a":1}}', '{"material":"steel"}', '{"drawn":[1]}', "[null]", '{"example":']) {
+    const { page, context } = await open({}, `#${encodeURIComponent(state)}`);
+    await page.waitForFunction(() => document.body.textContent.includes("The link is damaged"));
+    assert.ok(!(await page.textContent("body")).includes("could not start"), state);
+    await context.close();
+  }
+});
+
 test("report, scene and figures are downloaded", async () => {
   const { page, context } = await open();
   await example(page, "gasket");

@@ -471,6 +471,7 @@ function keepLink() {
 
 function fromLink() {
   const found = parsedLink(location.hash);
+  if (found === null) say("error", "The link is damaged. The page starts empty: drop files, or take an example.");
   if (!found) return;
   state.example = found.example ?? null;
   state.files = (found.files ?? []).map((/** @type {any} */ file) => ({ name: String(file.name), bytes: 0, options: file.options ?? {}, kind: "scan", file: null, sight: null }));
