@@ -24,6 +24,7 @@ pub mod reading;
 mod temporaries;
 mod unfinished;
 
+use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
@@ -101,6 +102,11 @@ impl StagedFiles {
         Ok(())
     }
 
+    /// The targets of the staged files, without links, and the files that hold their contents until then.
+    pub fn targets(&self) -> impl Iterator<Item = (&Path, &Path)> {
+        self.0.iter().map(|staged| (staged.target.as_path(), staged.aside.path()))
+    }
+
     /// Renames every staged file into place. If one fails, the targets before it are restored.
     ///
     /// # Errors
@@ -138,7 +144,8 @@ impl StagedFiles {
 }
 
 /// Returns the path without links. The file need not exist, but then its folder has to.
-fn resolve(path: &Path) -> PathBuf {
+#[must_use]
+pub fn resolve(path: &Path) -> PathBuf {
     let absolute = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
     let in_folder = || Some(absolute.parent()?.canonicalize().ok()?.join(absolute.file_name()?));
     path.canonicalize().ok().or_else(in_folder).unwrap_or_else(|| path.to_owned())
@@ -147,7 +154,7 @@ fn resolve(path: &Path) -> PathBuf {
 /// A target with its new file; dropping this value deletes the old one.
 struct Replaced {
     target: PathBuf,
-    old: Option<NamedTempFile<()>>,
+    old: Option<NamedTempFile<Option<File>>>,
 }
 
 impl Replaced {
@@ -167,7 +174,7 @@ fn replace(
     target: &Path,
     keep_old: bool,
     locked: &mut temporaries::Locked,
-) -> io::Result<Option<NamedTempFile<()>>> {
+) -> io::Result<Option<NamedTempFile<Option<File>>>> {
     let existing = target.metadata().ok();
     let old = match &existing {
         Some(existing) if existing.is_file() && keep_old => Some(temporaries::second_name(target)?),
@@ -187,8 +194,8 @@ fn replace(
     Ok(old)
 }
 
-fn put_back(old: NamedTempFile<()>, target: &Path) -> io::Result<()> {
-    old.persist(target).map_err(|error| error.error)
+fn put_back(old: NamedTempFile<Option<File>>, target: &Path) -> io::Result<()> {
+    old.persist(target).map(drop).map_err(|error| error.error)
 }
 
 /// Writes one file, whole or not at all.
@@ -277,6 +284,21 @@ mod tests {
         let published = staged(folder.path(), &["a", "b"]).publish().unwrap();
         assert!(published.unfinished.is_empty());
         assert_eq!(names(folder.path()), ["a", "b"]);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn the_next_publication_removes_what_a_killed_run_left_and_nothing_that_is_held() {
+        let folder = tempfile::tempdir().unwrap();
+        let abandoned = folder.path().join(".truearea-tmp-killed");
+        std::fs::write(&abandoned, "half").unwrap();
+        let held = staged(folder.path(), &["later"]);
+        let (_, aside) = held.targets().next().unwrap();
+        let aside = aside.to_owned();
+        staged(folder.path(), &["a"]).publish().unwrap();
+        assert!(!abandoned.exists() && aside.exists());
+        held.publish().unwrap();
+        assert_eq!(names(folder.path()), ["a", "later"]);
     }
 
     #[test]

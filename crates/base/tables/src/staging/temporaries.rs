@@ -15,6 +15,9 @@ static PATHS: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 /// True once files were published. Written under the lock, and a static for the same reason.
 static PUBLISHED: AtomicBool = AtomicBool::new(false);
 
+/// Beginning of the names of temporary files.
+const PREFIX: &str = ".truearea-tmp-";
+
 /// Lock under which temporary files are created, renamed and removed.
 pub(crate) type Locked = MutexGuard<'static, BTreeSet<PathBuf>>;
 
@@ -62,9 +65,19 @@ impl Temporary {
     /// Creates an empty temporary file in the folder of `target`.
     pub(crate) fn beside(target: &Path) -> io::Result<Self> {
         let mut paths = lock();
-        let file = builder().tempfile_in(folder_of(target))?;
-        paths.insert(file.path().to_owned());
-        Ok(Temporary { file: Some(file) })
+        loop {
+            let file = builder().tempfile_in(folder_of(target))?;
+            hold(file.as_file());
+            // Another run may have taken it for one of a killed run before it was held.
+            if file.path().exists() {
+                paths.insert(file.path().to_owned());
+                return Ok(Temporary { file: Some(file) });
+            }
+        }
+    }
+
+    pub(crate) fn path(&self) -> &Path {
+        self.file.as_ref().map_or(Path::new(""), NamedTempFile::path)
     }
 
     pub(crate) fn file(&mut self) -> &mut File {
@@ -98,11 +111,38 @@ impl Drop for Temporary {
 
 /// Gives a file a second name, under which it survives a replacement until the returned value is dropped. File systems
 /// without hard links move the file instead.
-pub(crate) fn second_name(target: &Path) -> io::Result<NamedTempFile<()>> {
-    builder().make_in(folder_of(target), |name| match std::fs::hard_link(target, name) {
-        Err(error) if error.kind() != io::ErrorKind::AlreadyExists => std::fs::rename(target, name),
-        done => done,
+pub(crate) fn second_name(target: &Path) -> io::Result<NamedTempFile<Option<File>>> {
+    let old = File::open(target).ok().inspect(hold);
+    builder().make_in(folder_of(target), |name| {
+        match std::fs::hard_link(target, name) {
+            Err(error) if error.kind() != io::ErrorKind::AlreadyExists => std::fs::rename(target, name),
+            done => done,
+        }?;
+        Ok(old.as_ref().and_then(|old| old.try_clone().ok()))
     })
+}
+
+/// Holds a temporary file as one of a program that runs; the system lets it go when the program ends. Where files that
+/// are held cannot be read, or cannot be held at all, those of killed runs stay.
+fn hold(file: &File) {
+    if cfg!(unix) {
+        let _ = file.lock_shared();
+    }
+}
+
+/// Removes the temporary files in a folder that no running program holds.
+pub(crate) fn remove_abandoned(folder: &Path) {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    for path in entries
+        .filter(|entry| entry.file_name().as_encoded_bytes().starts_with(PREFIX.as_bytes()))
+        .map(|entry| entry.path())
+    {
+        let is_abandoned = |file: &File| cfg!(unix) && file.try_lock().is_ok();
+        // The lock lasts until the file is gone, so that nobody takes it up in between.
+        if let Some(_held) = File::open(&path).ok().filter(is_abandoned) {
+            let _ = std::fs::remove_file(&path);
+        }
+    }
 }
 
 pub(crate) fn folder_of(target: &Path) -> &Path {
@@ -112,6 +152,7 @@ pub(crate) fn folder_of(target: &Path) -> &Path {
 /// Builds temporary files with the permissions of any new file; the default is private to the user.
 fn builder() -> tempfile::Builder<'static, 'static> {
     let mut builder = tempfile::Builder::new();
+    builder.prefix(PREFIX);
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     builder

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use super::temporaries::folder_of;
+use super::temporaries::{folder_of, remove_abandoned};
 
 /// Name of the marker in a folder that gets files.
 const MARKER: &str = ".truearea-unfinished";
@@ -19,6 +19,7 @@ impl Markers {
         let unfinished = folders.iter().filter(|folder| folder.join(MARKER).exists());
         let unfinished: Vec<PathBuf> = unfinished.map(|folder| folder.to_path_buf()).collect();
         let markers: Vec<PathBuf> = folders.iter().map(|folder| folder.join(MARKER)).collect();
+        folders.iter().for_each(|folder| remove_abandoned(folder));
         if are_several {
             // A folder that takes no marker takes no file either, and the first rename tells so.
             let _ = markers.iter().try_for_each(|marker| std::fs::write(marker, ""));
