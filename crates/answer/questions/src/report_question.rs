@@ -122,12 +122,6 @@ impl BodyText {
 }
 
 impl ReportQuestion {
-    /// Returns true for the text of a scene that [`scene_text`](Self::scene_text) gave.
-    #[must_use]
-    pub fn wrote(text: &str) -> bool {
-        text.starts_with(FIRST_LINE)
-    }
-
     /// Returns the text of the scene that gives the report. Without curves it runs all models that apply.
     #[must_use]
     pub fn scene_text(&self) -> String {

@@ -29,7 +29,7 @@ use clap_complete::Shell;
 use stacked_contact::YieldingAreaLaw;
 use stat_contact::{Flattening, InterferenceLaw};
 
-use crate::output::Place;
+use crate::place::Place;
 use parsers::{model_of, one_of, parse_place, parse_poisson_ratio, parse_tolerance};
 use questions::rows::GivenColumn;
 use scene::Template;

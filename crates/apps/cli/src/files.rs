@@ -3,17 +3,16 @@
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
 
 use study::Files;
-use tables::{TableError, TableSource};
+use tables::{InputTable, TableError, TableSource};
 use tempfile::SpooledTempFile;
 
-use crate::failure::Failure;
-use crate::missing_file::{explained, files_in, spelt_as_on_disk};
-use crate::output::Place;
+use crate::inputs::{bytes_at, record};
+use crate::missing_file::{files_in, spelt_as_on_disk};
+use crate::place::Place;
 use crate::targets::Targets;
-use tables::staging::reading::{FileAsOpened, bytes_of, bytes_of_stream, copy_stream, length_of};
+use tables::staging::reading::{FileAsOpened, copy_stream, length_of};
 
 /// Bytes of a stream read more than once that are held in memory; a longer stream goes to a temporary file.
 const MOST_BYTES_HELD: usize = 1 << 24;
@@ -22,13 +21,12 @@ const MOST_BYTES_HELD: usize = 1 << 24;
 pub(crate) struct Folder {
     path: PathBuf,
     targets: Targets,
-    read: Mutex<Vec<PathBuf>>,
 }
 
 impl Folder {
     /// The folder that the program was called in.
     pub fn current(targets: Targets) -> Self {
-        Folder { path: PathBuf::new(), targets, read: Mutex::default() }
+        Folder { path: PathBuf::new(), targets }
     }
 
     /// The folder of a file.
@@ -36,31 +34,19 @@ impl Folder {
         Folder { path: file.parent().unwrap_or(Path::new("")).to_owned(), ..Folder::current(targets) }
     }
 
-    /// Refuses further results that would replace what has been read.
-    ///
-    /// # Errors
-    /// [`Failure::Input`] that names the file read and the result.
-    pub fn spare_from(self, results: &Targets) -> Result<(), Failure> {
-        let read = self.read.into_inner().unwrap_or_else(PoisonError::into_inner);
-        read.iter().try_for_each(|path| {
-            results.spare(path).map_err(|error| Failure::reading(&path.display().to_string(), &error))
-        })
-    }
-
     fn bytes(&self, path: &Path) -> io::Result<Vec<u8>> {
-        let path = &spelt_as_on_disk(path);
-        self.targets.spare(path)?;
-        let bytes = bytes_of(path).map_err(|error| explained(error, path))?;
-        self.read.lock().unwrap_or_else(PoisonError::into_inner).push(path.to_owned());
-        Ok(bytes)
+        let place = Place::File(spelt_as_on_disk(path));
+        let bytes = bytes_at(&place);
+        self.targets.spare(&place)?;
+        bytes
     }
 }
 
 impl Files for Folder {
     fn read(&self, name: &str) -> io::Result<Vec<u8>> {
         if Place::from(name) == Place::Standard {
-            self.targets.spare_standard_input()?;
-            return bytes_of_stream(&mut io::stdin().lock());
+            self.targets.spare(&Place::Standard)?;
+            return bytes_at(&Place::Standard);
         }
         self.bytes(&self.path.join(name))
     }
@@ -76,7 +62,16 @@ impl Files for Folder {
     }
 }
 
-/// The table at a place. A stream is copied aside, since a table is read twice: to check all of it, and to compute.
+/// All of a table that is an input like any other.
+///
+/// # Errors
+/// Errors of [`open_table`], and of its rows.
+pub fn whole_table(place: &Place) -> Result<InputTable, TableError> {
+    record(place);
+    open_table(place)?.whole()
+}
+
+/// The table at a place, which its own result may replace. A stream is copied aside, since a table is read twice: to check all of it, and to compute.
 ///
 /// # Errors
 /// [`TableError`] that names the place, and the line where it has one.

@@ -161,6 +161,9 @@ mod png {
     /// Pixels of SVG in an inch.
     const DOTS_PER_INCH: f32 = 96.0;
 
+    /// Most pixels of a picture, which take some 20 bytes each until they are written.
+    const MOST_PIXELS: u64 = 1 << 25;
+
     const FONT: &str = "DejaVu Sans";
 
     /// The PNG of an SVG document, or what is wrong with that.
@@ -222,8 +225,12 @@ mod png {
         let tree = tree(svg)?;
         let pixels = |length: f32| (length * SCALE).ceil() as u32;
         let (width, height) = (pixels(tree.size().width()), pixels(tree.size().height()));
-        let mut picture = Pixmap::new(width, height)
-            .ok_or_else(|| format!("a picture of {width} by {height} pixels is too large"))?;
+        let is_small = u64::from(width) * u64::from(height) <= MOST_PIXELS;
+        let mut picture = Pixmap::new(width, height).filter(|_| is_small).ok_or_else(|| {
+            format!(
+                "a picture of {width} by {height} pixels is too large; make it smaller, or draw .svg or .pdf"
+            )
+        })?;
         picture.fill(Color::WHITE);
         resvg::render(&tree, Transform::from_scale(SCALE, SCALE), &mut picture.as_mut());
         Ok(picture)

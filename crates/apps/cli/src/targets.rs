@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use same_file::Handle;
 
 use crate::failure::Failure;
-use crate::output::{Place, check_writable};
+use crate::place::Place;
 
 /// The files that a command is about to write.
 #[derive(Debug, Default)]
@@ -23,15 +23,27 @@ struct Target {
 }
 
 impl Targets {
-    /// Adds a place; standard output is never a target.
+    /// Adds a place; standard output is a target where it is redirected into a file.
     ///
     /// # Errors
     /// Errors of [`with_file`](Self::with_file).
     pub fn with(self, option: &'static str, place: &Place) -> Result<Self, Failure> {
         match place {
-            Place::Standard => Ok(self),
+            Place::Standard => {
+                let existing = Handle::stdout().ok().filter(is_file);
+                let mut targets = self;
+                targets.0.push(Target { option, path: PathBuf::from("-"), existing });
+                Ok(targets)
+            }
             Place::File(path) => self.with_file(option, path),
         }
+    }
+
+    /// The files that are about to be put in place, whatever named them.
+    pub fn of<'p>(paths: impl Iterator<Item = &'p Path>) -> Self {
+        let target =
+            |path: &Path| Target { option: "the result", path: path.to_owned(), existing: file(path) };
+        Targets(paths.map(target).collect())
     }
 
     /// Adds files that one option names together.
@@ -79,31 +91,18 @@ impl Targets {
     /// # Errors
     /// [`Failure::Input`] that names the place, the option and its file.
     pub fn refuse_replacing(&self, input: &Place) -> Result<(), Failure> {
-        let (name, spared) = match input {
-            Place::Standard => ("standard input".to_owned(), self.spare_standard_input()),
-            Place::File(path) => (path.display().to_string(), self.spare(path)),
-        };
-        spared.map_err(|error| Failure::reading(&name, &error))
+        self.spare(input).map_err(|error| Failure::reading(&input.name(), &error))
     }
 
     /// Refuses a file that is about to be read and that a target would replace.
     ///
     /// # Errors
     /// An error that names the option and its file.
-    pub fn spare(&self, input: &Path) -> io::Result<()> {
-        self.spare_handle(file(input))
-    }
-
-    /// Refuses standard input that is redirected from a file that a target would replace.
-    ///
-    /// # Errors
-    /// An error that names the option and its file.
-    pub fn spare_standard_input(&self) -> io::Result<()> {
-        let is_file = |handle: &Handle| handle.as_file().metadata().is_ok_and(|found| found.is_file());
-        self.spare_handle(Handle::stdin().ok().filter(is_file))
-    }
-
-    fn spare_handle(&self, input: Option<Handle>) -> io::Result<()> {
+    pub fn spare(&self, input: &Place) -> io::Result<()> {
+        let input = match input {
+            Place::Standard => Handle::stdin().ok().filter(is_file),
+            Place::File(path) => file(path),
+        };
         let replaces = |target: &&Target| input.is_some() && target.existing == input;
         match self.0.iter().find(replaces) {
             None => Ok(()),
@@ -135,6 +134,22 @@ impl Target {
     }
 }
 
+/// Returns true for a stream that is redirected from or into a file.
+fn is_file(handle: &Handle) -> bool {
+    handle.as_file().metadata().is_ok_and(|found| found.is_file())
+}
+
+/// Refuses a folder that could not be made or written to, before anything is computed for it.
+///
+/// # Errors
+/// [`Failure::System`] that names the folder.
+pub fn check_writable(folder: &Path) -> Result<(), Failure> {
+    let there = folder.ancestors().find(|ancestor| ancestor.exists() && !ancestor.as_os_str().is_empty());
+    tempfile::tempfile_in(there.unwrap_or(Path::new(".")))
+        .map(drop)
+        .map_err(|error| Failure::writing(&folder.display().to_string(), &error))
+}
+
 /// Opens a handle of a file that is there; none for a device, a pipe, or nothing at all.
 fn file(path: &Path) -> Option<Handle> {
     if path.is_file() { Handle::from_path(path).ok() } else { None }
@@ -154,9 +169,9 @@ mod tests {
         std::os::unix::fs::symlink(path("data"), path("soft")).unwrap();
         for name in ["data", "hard", "soft"] {
             let targets = Targets::default().with_file("--output", &path(name)).unwrap();
-            let refusal = targets.spare(&path("data")).unwrap_err().to_string();
+            let refusal = targets.spare(&Place::File(path("data"))).unwrap_err().to_string();
             assert!(refusal.starts_with("--output ") && refusal.contains(" would replace it"), "{refusal}");
-            targets.spare(&path("other")).unwrap();
+            targets.spare(&Place::File(path("other"))).unwrap();
             assert!(targets.with_file("--figure", &path("data")).is_err());
         }
     }
@@ -167,6 +182,10 @@ mod tests {
         let new = Targets::default().with_file("--output", &folder.path().join("new")).unwrap();
         assert!(new.with_file("--figure", &folder.path().join("./new")).is_err());
         let device = Targets::default().with_file("--output", Path::new("/dev/null")).unwrap();
-        device.with_file("--figure", Path::new("/dev/null")).unwrap().spare(Path::new("/dev/null")).unwrap();
+        device
+            .with_file("--figure", Path::new("/dev/null"))
+            .unwrap()
+            .spare(&Place::from("/dev/null"))
+            .unwrap();
     }
 }

@@ -12,8 +12,8 @@ use units::{IndentationHardness, Length, Modulus, Pressure, PressureRange};
 
 use super::layer::LayerArgs;
 use super::parsers::{hardness, one_of, parse_count, parse_place, parse_poisson_ratio};
-use crate::output::Place;
 use crate::picture::Picture;
+use crate::place::Place;
 
 /// Form in which provenance quotes absolute paths of the command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -9,7 +9,7 @@ use study::models::{self, Framework, MODELS, ModelEntry};
 use study::plan::Tolerance;
 use units::{QuantityError, TypedSpread, without_comma};
 
-use crate::output::Place;
+use crate::place::Place;
 
 pub(super) fn parse_place(text: &str) -> Result<Place, std::convert::Infallible> {
     Ok(Place::from(text))

@@ -12,7 +12,7 @@ use study::persson_law::Deformation;
 
 use super::parsers::{one_of, parse_place};
 use super::{AmplitudeArg, FigureArg, MaterialArgs, PressureArgs, ReadingArgs, SamplingArgs};
-use crate::output::Place;
+use crate::place::Place;
 
 /// Growth of a hardness towards short wavelengths.
 #[derive(Debug, Clone, PartialEq)]

@@ -10,8 +10,8 @@ use topography::{Average, DEFAULT_BINS_PER_DECADE, Detrend, Direction, GapTreatm
 use units::{Length, SignedLength};
 
 use super::parsers::{one_of, parse_count, parse_place};
-use crate::output::Place;
 use crate::picture::Picture;
+use crate::place::Place;
 
 /// Files of instruments to look into.
 #[derive(Debug, ClapArgs)]

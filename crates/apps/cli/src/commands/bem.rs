@@ -25,8 +25,9 @@ use crate::args::BemArgs;
 use crate::failure::Failure;
 use crate::files::Folder;
 use crate::flags::Flags;
-use crate::output::{Place, publish, stage};
+use crate::output::{publish, stage};
 use crate::picture::png_of_field;
+use crate::place::Place;
 use crate::progress::Progress;
 use crate::timings::Timings;
 

@@ -14,8 +14,10 @@ use super::run_scene::{Watching, failed};
 use crate::args::FigureFilesArgs;
 use crate::failure::Failure;
 use crate::files::Folder;
-use crate::output::{Place, make_folder, publish, stage, utf8};
+use crate::output::{make_folder, stage, utf8};
 use crate::picture::Picture;
+use crate::place::Place;
+use crate::results_folder::ResultsFolder;
 use crate::targets::Targets;
 use crate::timings::Timings;
 
@@ -28,12 +30,12 @@ pub(super) fn run(args: &FigureFilesArgs, context: &Context<'_>) -> Result<(), F
         .choose_figures(&args.choice())
         .map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
     let files = files(&scene, args)?;
-    let targets = files.iter().flatten().try_fold(Targets::default(), |targets, file| {
-        // A folder that is still to be made holds nothing to spare.
-        if args.out.is_dir() { targets.with_file("--out", file.path()) } else { Ok(targets) }
-    })?;
-    targets.refuse_replacing(&Place::File(path))?;
-    folder.spare_from(&targets)?;
+    let below = |file: &FigureFile| {
+        file.path().strip_prefix(&args.out).map(|path| path.to_string_lossy().into_owned())
+    };
+    let names: Vec<String> = files.iter().flatten().filter_map(|file| below(file).ok()).collect();
+    let results = ResultsFolder::open(&args.out, [("", vec![path])]);
+    results.refuse(&names)?;
     timings.lap("reading");
     let watching = Watching::new(timings);
     let outcome = run_scene(&scene, options(&scene), &watching).map_err(failed)?;
@@ -60,7 +62,7 @@ pub(super) fn run(args: &FigureFilesArgs, context: &Context<'_>) -> Result<(), F
             names.push(file.path().display().to_string());
         }
     }
-    publish(staged)?;
+    results.publish(staged)?;
     timings.lap("writing");
     context.shared.output.write(|out| writeln!(out, "{}", names.join("\n")))?;
     timings.report(context.shared.timings);

@@ -19,6 +19,7 @@ mod statistical;
 mod surface_report;
 mod tangential;
 
+use std::path::Path;
 use std::time::{Duration, Instant};
 
 use questions::{Answer, CurveQuestion, QuestionError, SamplingInput};
@@ -38,8 +39,9 @@ use crate::failure::Failure;
 use crate::files::Folder;
 use crate::flags::{Flags, failure};
 use crate::interruption;
-use crate::output::{Place, Stopped, publish, stage};
+use crate::output::{Stopped, publish, stage};
 use crate::picture::Picture;
+use crate::place::Place;
 use crate::progress::Progress;
 use crate::stderr::say;
 use crate::targets::Targets;
@@ -261,8 +263,8 @@ impl Context<'_> {
     }
 }
 
-/// Returns a word of the command with the file name in place of an absolute path, such as `a.txt:unit=um` for
-/// `/data/a.txt:unit=um` and `--out=results` for `--out=/data/results`.
+/// Returns a word of the command with the file name in place of a path, such as `a.txt:unit=um` for
+/// `/data/a.txt:unit=um` and `--out=results` for `--out=/data/results`. A relative path counts if its folder is there.
 fn without_folders(word: &str) -> String {
     let (option, value) = match word.split_once('=') {
         Some((option, value)) if option.starts_with("--") => (format!("{option}="), value),
@@ -271,7 +273,10 @@ fn without_folders(word: &str) -> String {
     // The second character of a path may be the colon behind a drive.
     let end = value.char_indices().skip(2).find(|(_, c)| *c == ':').map_or(value.len(), |(at, _)| at);
     let (path, settings) = value.split_at(end);
-    format!("{option}{}{settings}", shown_path(path))
+    let is_relative =
+        Path::new(path).parent().is_some_and(|folder| folder != Path::new("") && folder.is_dir());
+    let is_absolute = path.starts_with(['/', '\\']) || path.get(1..3) == Some(":\\");
+    format!("{option}{}{settings}", if is_relative || is_absolute { shown_path(path) } else { path })
 }
 
 /// Returns the options for reading a spectrum.
@@ -326,7 +331,7 @@ mod tests {
             ("/data/a.txt:unit=um,channel=a/b", "a.txt:unit=um,channel=a/b"),
             ("--out=/data/results", "--out=results"),
             ("C:\\data\\a.txt:unit=um", "a.txt:unit=um"),
-            ("data/a.txt", "data/a.txt"),
+            ("src/a.txt", "a.txt"),
             ("--x-unit=1/m", "--x-unit=1/m"),
         ] {
             assert_eq!(without_folders(word), quoted);

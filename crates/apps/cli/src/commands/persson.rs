@@ -12,9 +12,9 @@ use super::Context;
 use super::row_by_row::{self, Constants};
 use crate::args::{GrowthArg, PerssonArgs};
 use crate::failure::Failure;
-use crate::files::open_table;
+use crate::files::whole_table;
 use crate::flags::PerssonFlags;
-use crate::output::Place;
+use crate::place::Place;
 
 pub(super) fn run(args: &PerssonArgs, context: &Context<'_>) -> Result<(), Failure> {
     match (&args.psd, args.model, &args.input) {
@@ -57,7 +57,7 @@ fn over_cutoffs(
 }
 
 fn table_of_hardnesses(path: &Path) -> Result<GrowthLaw, Failure> {
-    let table = open_table(&Place::File(path.to_owned()))?.whole()?;
+    let table = whole_table(&Place::File(path.to_owned()))?;
     GrowthLaw::from_table(&table).map_err(|error| Failure::Input(format!("{}: {error}", path.display())))
 }
 

@@ -3,9 +3,10 @@
 use super::{Context, say_all, say_notes};
 use crate::args::ScansArgs;
 use crate::failure::Failure;
-use crate::files::{Folder, open_table};
+use crate::files::{Folder, whole_table};
 use crate::flags::Flags;
-use crate::output::{Place, publish};
+use crate::output::publish;
+use crate::place::Place;
 use crate::progress::Progress;
 use crate::stderr::say;
 use crate::targets::Targets;
@@ -90,7 +91,7 @@ fn requests(args: &ScansArgs, targets: &Targets) -> Result<Vec<ScanRequest>, Fai
 /// The scans of a list, their files relative to it.
 fn listed(list: &Place, targets: &Targets) -> Result<Vec<ScanRequest>, Failure> {
     targets.refuse_replacing(list)?;
-    let table = open_table(list)?.whole()?;
+    let table = whole_table(list)?;
     let requests = requests_of_list(&list.to_string(), &table).map_err(Failure::input)?;
     let folder = match list {
         Place::Standard => None,

@@ -13,7 +13,8 @@ use super::{Context, psd, say_notes};
 use crate::args::RoughnessArgs;
 use crate::failure::Failure;
 use crate::files::Folder;
-use crate::output::{Place, publish};
+use crate::output::publish;
+use crate::place::Place;
 use crate::timings::Timings;
 
 pub(super) fn run(args: &RoughnessArgs, context: &Context<'_>) -> Result<(), Failure> {
@@ -56,6 +57,11 @@ fn write(
     context: &Context<'_>,
 ) -> Result<(), Failure> {
     timings.lap("evaluating");
+    // Rows of readable files are written before the unreadable ones end the command.
+    let refusals: Vec<String> = unreadable.into_iter().map(psd::refusal).collect();
+    if results.table.rows() == 0 && !refusals.is_empty() {
+        return Err(Failure::Input(refusals.join("\n")));
+    }
     let shared = &context.shared;
     let is_plain = shared.output == Place::Standard && shared.format.is_none() && shared.provenance.is_none();
     let mut files = StagedFiles::default();
@@ -72,7 +78,5 @@ fn write(
     say_notes(results.notes);
     timings.lap("writing");
     timings.report(shared.timings);
-    // Rows of readable files are written before the first unreadable file ends the command.
-    let refusals: Vec<String> = unreadable.into_iter().map(psd::refusal).collect();
     if refusals.is_empty() { Ok(()) } else { Err(Failure::Input(refusals.join("\n"))) }
 }

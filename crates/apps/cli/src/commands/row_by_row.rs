@@ -2,11 +2,12 @@
 
 use questions::{LoadInput, MaterialInput, QuestionError};
 
-use super::{Context, say_all};
+use super::{Context, say_all, say_notes};
 use crate::failure::Failure;
 use crate::files::open_table;
 use crate::flags::Flags;
-use crate::output::{Place, Stopped, publish};
+use crate::output::{Stopped, publish_over_input};
+use crate::place::Place;
 use crate::progress::Progress;
 use questions::rows::RowByRow;
 use report::provenance::program;
@@ -82,8 +83,13 @@ pub(super) fn run(
     rows: &mut dyn RowByRow,
     context: &Context<'_>,
 ) -> Result<(), Failure> {
-    // A table may be extended in its own place.
-    context.targets(None)?;
+    // A table may be extended in its own place, but not at its end.
+    if let Err(refusal) = context.targets(None)?.refuse_replacing(input) {
+        match &context.shared.output {
+            Place::Standard => return Err(refusal),
+            Place::File(path) => say_notes([format!("{} is replaced by its extended table", path.display())]),
+        }
+    }
     let mut source = open_table(input)?;
     for (option, column, text) in &constants.0 {
         source
@@ -116,5 +122,5 @@ pub(super) fn run(
         say(rows.notes());
         Ok(())
     })?;
-    publish(files)
+    publish_over_input(files)
 }

@@ -1,10 +1,11 @@
 //! `run`: everything a scene asks for.
 
 use std::cell::RefCell;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-use chrono::{DateTime, Utc};
+use chrono::DateTime;
 
 use super::{Context, say_all, say_notes, say_surface};
 use crate::args::RunArgs;
@@ -12,10 +13,11 @@ use crate::failure::Failure;
 use crate::files::Folder;
 use crate::flags::Flags;
 use crate::interruption::EarlyEnd;
-use crate::output;
-use crate::output::{Layout, Place, make_folder, utf8};
+use crate::output::{make_folder, utf8};
+use crate::place::Place;
 use crate::progress::{Progress, Unseen, UntilEnded};
-use crate::targets::Targets;
+use crate::results_folder::{Layout, ResultsFolder, remove_earlier, write_products};
+use crate::targets::check_writable;
 use crate::timings::Timings;
 use questions::{Phase, RunError, RunOptions, Watch, run_scene};
 use report::conclusion_words::{SummaryEnd, short_summary};
@@ -38,8 +40,7 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     }
     let scene_run = SceneRun {
         scene: &scene,
-        folder: &folder,
-        owns_folder: args.out.is_none(),
+        results: results_folder(args, &scene, &folder),
         layout: Layout::Flat,
         options: options(args),
     };
@@ -58,9 +59,7 @@ fn say_scene(scene: &Scene) {
 /// A scene that is run into a folder.
 pub(super) struct SceneRun<'a> {
     pub scene: &'a Scene,
-    pub folder: &'a Path,
-    /// True for a folder named after the scene: tables of any scene in it are of an earlier run.
-    pub owns_folder: bool,
+    pub results: ResultsFolder<'a>,
     pub layout: Layout,
     pub options: RunOptions,
 }
@@ -68,18 +67,20 @@ pub(super) struct SceneRun<'a> {
 impl SceneRun<'_> {
     /// Runs the scene, writes its files, and prints the summary.
     pub fn run(&self, timings: Timings, context: &Context<'_>) -> Result<(), Failure> {
-        let SceneRun { scene, folder, owns_folder, layout, options } = *self;
+        let SceneRun { scene, ref results, layout, options } = *self;
+        let folder = results.folder;
         if context.shared.verbose {
             say_scene(scene);
         }
         let watching = Watching::new(timings);
         let outcome = run_scene(scene, options, &watching).map_err(failed)?;
         let mut timings = watching.into_timings();
-        let run_stamp = RunStamp { date: Some(now()), command: Some(context.typed.to_owned()) };
+        let run_stamp = RunStamp { date: Some(date()), command: Some(context.typed.to_owned()) };
         make_folder("--out", folder)?;
         let (evidence, conclusions) = (outcome.evidence(scene), &outcome.conclusions);
         let sensitivities = outcome.sensitivities.as_deref();
         let products = SceneProducts { evidence, conclusions, sensitivities, run_stamp: &run_stamp };
+        let earlier: BTreeSet<String> = results.own().into_iter().map(str::to_owned).collect();
         let states = scene.interface_states(&outcome.results);
         let report = folder.join(products::REPORT);
         let report = options.report.then(|| report.display().to_string());
@@ -92,7 +93,12 @@ impl SceneRun<'_> {
             verbose_option: "-v",
         };
         let short = short_summary(conclusions, scene, states.as_ref(), &end);
-        let written = output::write_products(&products, &short, context.shared.format(), folder, layout)?;
+        // The summary beside the report tells of no folder of the machine.
+        let name = folder.file_name().map_or_else(PathBuf::new, PathBuf::from);
+        let beside = name.join(products::REPORT).display().to_string();
+        let beside = SummaryEnd { report: end.report.map(|_| beside.as_str()), ..end };
+        let beside = short_summary(conclusions, scene, states.as_ref(), &beside);
+        let written = write_products(&products, &beside, context.shared.format(), results, layout)?;
         timings.lap("writing");
         let mut text = short;
         if context.shared.verbose {
@@ -104,8 +110,10 @@ impl SceneRun<'_> {
                 written.join(", ")
             );
         }
-        let title = (!owns_folder).then_some(scene.title.as_str());
-        let removed = output::clear_earlier_runs(folder, layout, &written, title)?;
+        if earlier.iter().any(|name| written.contains(name)) {
+            say_notes([format!("replaced the results of an earlier run in {}", folder.display())]);
+        }
+        let removed = remove_earlier(folder, &earlier, &written)?;
         if !removed.is_empty() {
             say_notes([format!(
                 "removed from {}, of an earlier run: {}",
@@ -183,12 +191,13 @@ fn read(args: &RunArgs, folder: &Path, context: &Context<'_>) -> Result<Scene, F
         make_folder("--out", folder)?;
     }
     if writes_files {
-        output::check_writable(folder)?;
+        check_writable(folder)?;
     }
     targets.refuse_replacing(&args.scene)?;
-    let (name, files) = match &args.scene {
-        Place::Standard => ("standard input".to_owned(), Folder::current(targets)),
-        Place::File(path) => (path.display().to_string(), Folder::of(path, targets)),
+    let name = args.scene.name();
+    let files = match &args.scene {
+        Place::Standard => Folder::current(targets),
+        Place::File(path) => Folder::of(path, targets),
     };
     let bytes = args.scene.read()?;
     let text =
@@ -197,19 +206,22 @@ fn read(args: &RunArgs, folder: &Path, context: &Context<'_>) -> Result<Scene, F
         .map_err(|error| Failure::Input(report::scene_errors::drawn(&error, text, &name)))?;
     if writes_files && folder.is_dir() {
         let written = products::file_names(&scene, options(args), context.shared.format());
-        // A folder named after the scene is its own, whatever its title was.
-        if args.out.is_some() {
-            output::refuse_other_scenes(folder, &written, &scene.title)?;
-        }
         let products: Vec<PathBuf> = written.iter().map(|name| folder.join(name)).collect();
         context.targets(None)?.with_files("--out", &products)?;
-        let replaced = output::replaced_files(&written, folder, Layout::Flat)?;
-        let results = Targets::default().with_files("--out", &replaced)?;
-        results.refuse_replacing(&args.scene)?;
-        files.spare_from(&results)?;
+        results_folder(args, &scene, folder).refuse(&written)?;
     }
     refuse_idle_options(args, &scene)?;
     Ok(scene)
+}
+
+/// The folder of results of a scene, known by its file, or by its title and the files behind its surface.
+fn results_folder<'f>(args: &RunArgs, scene: &Scene, folder: &'f Path) -> ResultsFolder<'f> {
+    let (own, beside) = match &args.scene {
+        Place::Standard => (None, Path::new("")),
+        Place::File(path) => (Some(("", vec![path.clone()])), path.parent().unwrap_or(Path::new(""))),
+    };
+    let files = scene.surface.files().into_iter().map(|name| beside.join(name)).collect();
+    ResultsFolder::open(folder, own.into_iter().chain([(scene.title.as_str(), files)]))
 }
 
 /// The failure of a binary file given in place of a scene, such as a scan.
@@ -250,9 +262,11 @@ fn refuse_idle_options(args: &RunArgs, scene: &Scene) -> Result<(), Failure> {
     }
 }
 
-/// The date and time of day, in universal time.
-fn now() -> String {
-    DateTime::<Utc>::from(SystemTime::now()).format("%Y-%m-%d %H:%M UTC").to_string()
+/// The day in universal time, so that runs repeated within it give equal bytes; that of `SOURCE_DATE_EPOCH` where it is set.
+fn date() -> String {
+    let set = std::env::var("SOURCE_DATE_EPOCH").ok().and_then(|seconds| seconds.parse().ok());
+    let at = set.and_then(|seconds| DateTime::from_timestamp(seconds, 0));
+    at.unwrap_or_else(|| SystemTime::now().into()).format("%Y-%m-%d UTC").to_string()
 }
 
 fn default_folder(scene: &Place) -> PathBuf {

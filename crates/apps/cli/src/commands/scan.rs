@@ -14,8 +14,10 @@ use super::{Context, psd};
 use crate::args::ScanArgs;
 use crate::failure::Failure;
 use crate::files::Folder;
-use crate::output::{Place, publish, stage};
+use crate::inputs::spare_inputs;
+use crate::output::{publish, stage};
 use crate::picture::Picture;
+use crate::place::Place;
 use crate::stderr::say;
 use crate::targets::Targets;
 use crate::timings::Timings;
@@ -27,7 +29,7 @@ pub(super) fn run(args: &ScanArgs, context: &Context<'_>) -> Result<(), Failure>
     let mut timings = Timings::start();
     let mut files = StagedFiles::default();
     let mut drawn = Vec::new();
-    let found: Channels = read_channels(&requests, &folder, args.all_channels, |request, file| {
+    let mut found: Channels = read_channels(&requests, &folder, args.all_channels, |request, file| {
         let Some(picture) = &args.figure else { return Ok(()) };
         let picture = picture.with_path(numbered(&picture.path, drawn.len() + 1));
         if stage_heights(&mut files, &picture, file)? {
@@ -37,10 +39,15 @@ pub(super) fn run(args: &ScanArgs, context: &Context<'_>) -> Result<(), Failure>
         Ok::<(), Failure>(())
     })?;
     let pictures: Vec<PathBuf> = drawn.iter().map(|(path, _)| path.clone()).collect();
-    folder.spare_from(&Targets::default().with_files("--figure", &pictures)?)?;
+    spare_inputs(&Targets::default().with_files("--figure", &pictures)?)?;
     timings.lap("reading");
+    let refusals: Vec<String> = std::mem::take(&mut found.unreadable).into_iter().map(psd::refusal).collect();
     let comments = [program(context.typed)];
     let table = found.table();
+    // Rows of readable files are written before the unreadable ones end the command.
+    if table.rows() == 0 && !refusals.is_empty() {
+        return Err(Failure::Input(refusals.join("\n")));
+    }
     let shared = &context.shared;
     let for_people =
         shared.output == Place::Standard && shared.format.is_none() && shared.provenance.is_none();
@@ -57,8 +64,6 @@ pub(super) fn run(args: &ScanArgs, context: &Context<'_>) -> Result<(), Failure>
     }
     timings.lap("writing");
     timings.report(context.shared.timings);
-    // Rows of readable files are written before the first unreadable file ends the command.
-    let refusals: Vec<String> = found.unreadable.into_iter().map(psd::refusal).collect();
     if refusals.is_empty() { Ok(()) } else { Err(Failure::Input(refusals.join("\n"))) }
 }
 

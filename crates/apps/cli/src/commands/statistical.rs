@@ -9,7 +9,7 @@ use super::{Context, say_all};
 use crate::args::StatisticalArgs;
 use crate::failure::Failure;
 use crate::flags::Flags;
-use crate::output::Place;
+use crate::place::Place;
 
 pub(super) fn run(args: &StatisticalArgs, context: &Context<'_>) -> Result<(), Failure> {
     match (&args.psd, &args.input) {

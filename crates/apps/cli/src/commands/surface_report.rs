@@ -11,6 +11,7 @@ use scans::{Mend, ScanOption};
 use scene::{Overrides, Scene, SceneError, SceneProblem};
 use study::materials::named;
 use study::surface::SurfaceError;
+use tables::staging::resolve;
 use units::Pressure;
 
 use super::Context;
@@ -20,21 +21,33 @@ use crate::args::ReportArgs;
 use crate::failure::Failure;
 use crate::files::Folder;
 use crate::missing_file::explained;
-use crate::output::{self, Layout, make_folder};
+use crate::output::make_folder;
+use crate::results_folder::{Layout, ResultsFolder, file_names};
 use crate::stderr::say;
-use crate::targets::Targets;
+use crate::targets::check_writable;
 use crate::timings::Timings;
 
 pub(super) fn run(args: &ReportArgs, context: &Context<'_>) -> Result<(), Failure> {
     let mut timings = Timings::start();
     let folder = args.out.clone().unwrap_or_else(|| default_folder(&args.files));
-    refuse_other_scene(&folder)?;
+    if let Some(file) = args
+        .files
+        .iter()
+        .find(|file| Path::new(&file.path).is_dir() && resolve(Path::new(&file.path)) == resolve(&folder))
+    {
+        return Err(Failure::Input(format!(
+            "--out {}: this folder holds the scans; name another one",
+            file.path
+        )));
+    }
     let mut question = question(args, context)?;
     // Paths in the scene are relative to the folder, so that the scene there repeats the report.
     let made = !folder.exists();
     make_folder("--out", &folder)?;
-    output::check_writable(&folder)?;
-    let scene = scene(&mut question, &folder, context).inspect_err(|_| {
+    check_writable(&folder)?;
+    let paths = args.files.iter().map(|file| PathBuf::from(&file.path)).collect();
+    let results = ResultsFolder::open(&folder, [("", paths)]);
+    let scene = scene(&mut question, &results, context).inspect_err(|_| {
         if made {
             // A folder that is not empty stays.
             let _ = std::fs::remove_dir(&folder);
@@ -42,9 +55,7 @@ pub(super) fn run(args: &ReportArgs, context: &Context<'_>) -> Result<(), Failur
     })?;
     timings.lap("reading");
     let options = OPTIONS;
-    let owns_folder = args.out.is_none();
-    SceneRun { scene: &scene, folder: &folder, owns_folder, layout: Layout::Folders, options }
-        .run(timings, context)?;
+    SceneRun { scene: &scene, results, layout: Layout::Folders, options }.run(timings, context)?;
     if args.open {
         let page = folder.join(REPORT);
         opener::open(&page)
@@ -55,17 +66,6 @@ pub(super) fn run(args: &ReportArgs, context: &Context<'_>) -> Result<(), Failur
 
 /// Everything that a report holds.
 const OPTIONS: RunOptions = RunOptions { report: true, judge: None, uncertainty: None };
-
-/// Refuses a folder whose scene somebody else wrote, which the report would replace.
-fn refuse_other_scene(folder: &Path) -> Result<(), Failure> {
-    match std::fs::read_to_string(folder.join("scene.toml")) {
-        Ok(text) if !ReportQuestion::wrote(&text) => Err(Failure::Input(format!(
-            "--out {}: scene.toml there is not of a report; name another folder",
-            folder.display()
-        ))),
-        _ => Ok(()),
-    }
-}
 
 /// Fills the question from the options, and asks for what is missing if somebody can answer.
 fn question(args: &ReportArgs, context: &Context<'_>) -> Result<ReportQuestion, Failure> {
@@ -104,7 +104,12 @@ fn surface(args: &ReportArgs, context: &Context<'_>) -> Result<ReportSurface, Fa
 }
 
 /// The scene of the question, its files relative to the folder. Asks for what a file does not state.
-fn scene(question: &mut ReportQuestion, folder: &Path, context: &Context<'_>) -> Result<Scene, Failure> {
+fn scene(
+    question: &mut ReportQuestion,
+    results: &ResultsFolder<'_>,
+    context: &Context<'_>,
+) -> Result<Scene, Failure> {
+    let folder = results.folder;
     loop {
         let placed = relative_to(question, folder)?;
         let text = placed.scene_text();
@@ -112,8 +117,7 @@ fn scene(question: &mut ReportQuestion, folder: &Path, context: &Context<'_>) ->
         match Scene::parse(&text, &files, &Overrides::default()) {
             Ok(scene) => {
                 let products = products::file_names(&scene, OPTIONS, context.shared.format());
-                let replaced = output::replaced_files(&products, folder, Layout::Folders)?;
-                files.spare_from(&Targets::default().with_files("--out", &replaced)?)?;
+                results.refuse(&file_names(&products, Layout::Folders))?;
                 return Ok(scene);
             }
             Err(error) => {

@@ -275,10 +275,10 @@ fn provenance_quotes_no_folder_of_the_machine_unless_asked() {
     let scene = SCENE.replace("PSD", &format!("{folder}p.csv").replace('\\', "/"));
     let path = bench.write("s.toml", scene).path("s.toml").display().to_string();
     bench.run(&["run", &path, "--out", &format!("{folder}o")]).ok();
-    // The scene itself is quoted as typed.
-    let page = bench.read("o/report.html");
-    assert_eq!(page.matches(folder.trim_end_matches('/')).count(), 1, "{page}");
-    assert!(!bench.read("o/elastic.csv").contains(&folder));
+    for file in std::fs::read_dir(bench.path("o")).unwrap() {
+        let text = std::fs::read_to_string(file.unwrap().path()).unwrap();
+        assert!(!text.contains(folder.trim_end_matches('/')), "{text}");
+    }
 }
 
 #[test]
@@ -421,8 +421,9 @@ fn run_together(rounds: u32, programs: usize) {
                 assert_eq!(rows(&text), rows(expected), "{name}");
             }
         }
+        // The record of the files.
         let hidden = std::fs::read_dir(bench.path(&out)).unwrap().count() - whole.len();
-        assert_eq!(hidden, 0);
+        assert_eq!(hidden, 1);
     }
 }
 

@@ -5,8 +5,15 @@ use serde_json::Value;
 
 /// Ten lines of a rough trace: abscissa and height in micrometres.
 fn trace() -> String {
+    trace_of(0.4)
+}
+
+/// The trace with heights of this factor.
+fn trace_of(factor: f64) -> String {
     let height = |at: f64| (0.7 * at).sin() + 0.3 * (5.1 * at + 1.0).sin() + 0.1 * (23.0 * at).sin();
-    (0..2000).map(|at| format!("{} {}\n", 0.1 * f64::from(at), 0.4 * height(0.1 * f64::from(at)))).collect()
+    (0..2000)
+        .map(|at| format!("{} {}\n", 0.1 * f64::from(at), factor * height(0.1 * f64::from(at))))
+        .collect()
 }
 
 fn answer(bench: &Bench, folder: &str) -> Value {
@@ -93,16 +100,122 @@ fn no_file_that_is_read_or_that_somebody_else_wrote_is_replaced_or_removed() {
         ])
     };
     std::fs::create_dir_all(bench.path("r/data")).unwrap();
-    for name in ["r/data/spectrum.csv", "r/data/elastic.csv"] {
-        bench.write(name, table.clone());
-        report(name, "r").refused_naming(&[name, "--out"]);
-        assert_eq!(bench.read(name), table);
-        std::fs::remove_file(bench.path(name)).unwrap();
-    }
+    bench.write("r/data/elastic.csv", table.clone());
+    report("r/data/elastic.csv", "r").refused_naming(&["r/data/elastic.csv", "--out"]);
+    assert_eq!(bench.read("r/data/elastic.csv"), table);
+    std::fs::remove_file(bench.path("r/data/elastic.csv")).unwrap();
+    // A table that no report writes or wrote.
+    bench.write("r/data/spectrum.csv", table.clone());
+    report("r/data/spectrum.csv", "r").ok();
+    assert_eq!(bench.read("r/data/spectrum.csv"), table);
     std::fs::create_dir(bench.path("own")).unwrap();
     bench.write("own/scene.toml", "mine");
     report("builtin:uncd-measured", "own").refused_naming(&["own", "scene.toml"]);
     assert_eq!(bench.read("own/scene.toml"), "mine");
+}
+
+#[test]
+fn a_report_replaces_its_own_files_alone_and_as_it_wrote_them() {
+    let bench = Bench::new();
+    for folder in ["a", "b", "mine"] {
+        std::fs::create_dir(bench.path(folder)).unwrap();
+    }
+    let trace = trace();
+    bench.write("a/trace.txt", &trace).write("b/trace.txt", trace_of(0.5));
+    let report = |file: &str, more: &[&str]| {
+        let call = ["report", file, "--unit", "um", "--material", "gold", "--pressure", "1MPa"];
+        bench.run(&[&call[..], more].concat())
+    };
+    report("a/trace.txt", &[]).ok();
+    report("a/trace.txt", &[]).ok_remarking(&["replaced", "trace-report"]);
+    let answer = bench.read("trace-report/answer.json");
+    report("b/trace.txt", &[]).refused_naming(&["trace-report", "other files", "--out"]);
+    assert_eq!(bench.read("trace-report/answer.json"), answer);
+    for edited in [
+        "scene.toml",
+        "summary.txt",
+        "report.html",
+        "answer.json",
+        "data/elastic.csv",
+        "figures/area-fraction.py",
+    ] {
+        let path = format!("trace-report/{edited}");
+        let own = bench.read(&path);
+        let text = format!("{own}\n# my notes");
+        bench.write(&path, &text);
+        report("a/trace.txt", &[]).refused_naming(&[edited]);
+        assert_eq!(bench.read(&path), text);
+        bench.write(&path, own);
+        let foreign = format!("mine/{edited}");
+        std::fs::create_dir_all(bench.path(&foreign).parent().unwrap()).unwrap();
+        bench.write(&foreign, "mine");
+        report("a/trace.txt", &["--out", "mine"]).refused_naming(&[edited]);
+        assert_eq!(bench.read(&foreign), "mine");
+        std::fs::remove_file(bench.path(&foreign)).unwrap();
+    }
+    report("a/trace.txt", &[]).ok();
+}
+
+#[test]
+fn no_file_of_a_report_but_its_scene_names_a_folder_of_its_scans() {
+    let bench = Bench::new();
+    for (folder, factor) in [("secret/a", 0.4), ("secret/b", 0.5)] {
+        std::fs::create_dir_all(bench.path(folder)).unwrap();
+        bench.write(&format!("{folder}/trace.txt"), trace_of(factor));
+        bench.write(&format!("{folder}/other.txt"), trace_of(2.0 * factor));
+    }
+    let absolute = bench.path("secret/a/other.txt").display().to_string();
+    let call = [
+        "report",
+        "secret/a/trace.txt",
+        "secret/b/trace.txt",
+        &absolute,
+        "--unit",
+        "um",
+        "--material",
+        "gold",
+    ];
+    bench.run(&[&call[..], &["--pressure", "1MPa", "--out", "out"]].concat()).ok();
+    let mut folders = vec![bench.path("out")];
+    let mut read = 0;
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+                continue;
+            }
+            let text = String::from_utf8_lossy(&std::fs::read(&path).unwrap()).into_owned();
+            read += 1;
+            assert!(path.ends_with("scene.toml") || !text.contains("secret"), "{path:?}");
+        }
+    }
+    assert!(read > 10);
+    // Names that two files share have as many folders as tell them apart.
+    let page = bench.read("out/report.html");
+    assert!(page.contains("a/trace.txt") && page.contains("b/trace.txt") && !page.contains("a/other.txt"));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_report_reads_a_stream_once_and_refuses_its_own_folder() {
+    let bench = Bench::new();
+    let options = ["--unit", "um", "--material", "gold", "--pressure", "1MPa", "--out"];
+    let call = |file: &'static str| [&["report", file][..], &options, &["out"]].concat();
+    for file in ["-", "/dev/stdin"] {
+        bench.run_with_input(&call(file), &trace()).ok();
+        std::fs::remove_dir_all(bench.path("out")).unwrap();
+    }
+    std::fs::create_dir(bench.path("d")).unwrap();
+    bench.write("d/trace.txt", trace());
+    for out in ["d", "./d", "d/../d"] {
+        bench.run(&[&["report", "d"][..], &options, &[out]].concat()).refused_naming(&["--out", "d"]);
+    }
+    let fifo = bench.path("fifo");
+    assert!(std::process::Command::new("mkfifo").arg(&fifo).status().unwrap().success());
+    let writer = std::thread::spawn(move || std::fs::write(fifo, trace()).unwrap());
+    bench.run(&call("fifo")).ok();
+    writer.join().unwrap();
 }
 
 #[test]

@@ -54,6 +54,7 @@ fn a_scene_writes_a_table_per_curve_and_a_table_and_picture_per_figure() {
     assert_eq!(
         files,
         [
+            ".truearea-files",
             "answer.json",
             "area-fraction.csv",
             "area-fraction.svg",
