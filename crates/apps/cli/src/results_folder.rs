@@ -9,7 +9,7 @@ use scene::Scene;
 use sha2::{Digest, Sha256};
 use study::figure::PictureFormat;
 use tables::Format;
-use tables::staging::{StagedFiles, resolve, write_file};
+use tables::staging::{StagedFiles, resolve};
 
 use crate::failure::Failure;
 use crate::inputs::spare_inputs;
@@ -100,11 +100,11 @@ impl<'f> ResultsFolder<'f> {
         Ok(())
     }
 
-    /// Publishes files in the folder, and records them before, so that an end in between leaves no file unknown.
+    /// Publishes files in the folder, the record of them first, so that an end in between leaves no file unknown.
     ///
     /// # Errors
-    /// Errors of [`publish`]; [`Failure::System`] if the record cannot be written.
-    pub fn publish(&self, files: StagedFiles) -> Result<(), Failure> {
+    /// Errors of [`stage`] and [`publish`].
+    pub fn publish(&self, mut files: StagedFiles) -> Result<(), Failure> {
         let from = resolve(self.folder);
         // Another run may have written here in the meantime.
         let now = ResultsFolder::open(self.folder, []);
@@ -121,8 +121,8 @@ impl<'f> ResultsFolder<'f> {
         let own = known.iter().map(|(digest, name)| (digest.as_str(), name.as_str()));
         let lines: String = inputs.chain(own).map(|(digest, name)| format!("{digest}  {name}\n")).collect();
         let record = self.folder.join(RECORD);
-        write_file(&record, format!("{HEADING}\n{lines}"))
-            .map_err(|error| Failure::writing(&record.display().to_string(), &error))?;
+        stage(&mut files, &record, |out| out.write_all(format!("{HEADING}\n{lines}").as_bytes()))?;
+        files.last_first();
         publish(files)
     }
 

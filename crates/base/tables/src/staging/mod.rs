@@ -102,6 +102,11 @@ impl StagedFiles {
         Ok(())
     }
 
+    /// Makes the last staged file the first to be renamed into place.
+    pub fn last_first(&mut self) {
+        self.0.rotate_right(1);
+    }
+
     /// The targets of the staged files, without links, and the files that hold their contents until then.
     pub fn targets(&self) -> impl Iterator<Item = (&Path, &Path)> {
         self.0.iter().map(|staged| (staged.target.as_path(), staged.aside.path()))
