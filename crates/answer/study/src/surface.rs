@@ -12,7 +12,7 @@ use spectrum::{
 };
 use tables::Table;
 use topography::Recipe;
-use units::printable::{short_paths, shown_path};
+use units::printable::{hexadecimal, short_paths, shown_path};
 use units::{Remark, RemarkCode};
 
 use crate::given_roughness::GivenRoughness;
@@ -180,7 +180,7 @@ impl Surface {
         }
         surface.notes.splice(..0, notes);
         surface.sources =
-            vec![SourceFile { name: name.to_owned(), sha256: format!("{:x}", Sha256::digest(&bytes)) }];
+            vec![SourceFile { name: name.to_owned(), sha256: hexadecimal(Sha256::digest(&bytes)) }];
         Ok(surface)
     }
 

@@ -16,7 +16,7 @@ use crate::inputs::spare_inputs;
 use crate::output::{make_folder, publish, stage};
 use crate::picture::Picture;
 use crate::targets::Targets;
-use units::printable::printable;
+use units::printable::{hexadecimal, printable};
 
 /// Name of the record.
 const RECORD: &str = ".truearea-files";
@@ -132,7 +132,7 @@ impl<'f> ResultsFolder<'f> {
 }
 
 fn digest(bytes: &[u8]) -> String {
-    format!("{:x}", Sha256::digest(bytes))
+    hexadecimal(Sha256::digest(bytes))
 }
 
 /// The folders that the files of a scene go to.

@@ -74,6 +74,12 @@ pub fn short_paths<'p>(paths: impl IntoIterator<Item = &'p str>) -> HashMap<Stri
     short
 }
 
+/// Writes bytes in hexadecimal digits.
+#[must_use]
+pub fn hexadecimal(bytes: impl AsRef<[u8]>) -> String {
+    bytes.as_ref().iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
 /// Shortens a text to at most `most` letters; the end of a shortened text is `...`.
 #[must_use]
 pub fn shortened(text: &str, most: usize) -> Cow<'_, str> {

@@ -5,6 +5,7 @@ use scans::{
 };
 use sha2::{Digest, Sha256};
 use spectrum::{ReadOptions, read_psd};
+use units::printable::hexadecimal;
 
 use crate::error::{ScanProblem, TopographyError};
 use crate::files::{Files, file_name};
@@ -49,7 +50,7 @@ impl Loaded {
             }
         }
         hash.update(&block);
-        Loaded { sha256: format!("{:x}", hash.finalize()), scans: vec![scan] }
+        Loaded { sha256: hexadecimal(hash.finalize()), scans: vec![scan] }
     }
 }
 
@@ -133,7 +134,7 @@ pub(crate) fn load_heights(
 ) -> Result<Loaded, TopographyError> {
     let scans = read_scans(bytes, file_name(&request.path), &options(request, files)?)
         .map_err(|error| TopographyError::for_file(&request.path, ScanProblem::Format(Box::new(error))))?;
-    Ok(Loaded { scans, sha256: format!("{:x}", Sha256::digest(bytes)) })
+    Ok(Loaded { scans, sha256: hexadecimal(Sha256::digest(bytes)) })
 }
 
 /// Collects reading options: the file and its metadata have priority, the request fills in the rest.
