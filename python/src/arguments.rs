@@ -398,6 +398,16 @@ pub fn choice<T: FromStr<Err = UnknownName>>(argument: &str, given: &Given<'_>) 
     named(argument, &text(argument, given)?)
 }
 
+/// A choice by its name, one of which has another name elsewhere.
+pub fn choice_or<T: FromStr<Err = UnknownName>>(
+    [other, name]: [&str; 2],
+) -> impl Fn(&str, &Given<'_>) -> PyResult<T> {
+    move |argument, given| {
+        let typed = text(argument, given)?;
+        named(argument, if typed == other { name } else { &typed })
+    }
+}
+
 /// Parses a named choice.
 pub fn named<T: FromStr<Err = UnknownName>>(argument: &str, name: &str) -> PyResult<T> {
     name.parse().map_err(|error| of_argument(argument, error))

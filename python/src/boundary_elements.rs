@@ -17,7 +17,9 @@ use topography::{Recipe, detrended_m};
 use units::{Force, WorkOfAdhesion};
 
 use crate::answer::{PyAnswer, columns, refused};
-use crate::arguments::{Arguments, Given, choice, length_m, load, load_within, number, quantity, truth};
+use crate::arguments::{
+    Arguments, Given, choice, choice_or, length_m, load, load_within, number, quantity, truth,
+};
 use crate::errors::{input, of_argument};
 use crate::material::PyMaterial;
 use crate::surface::PySurface;
@@ -89,7 +91,8 @@ fn maps(
 ) -> PyResult<Vec<Relief>> {
     let [length_x_m, length_y_m] = [length_m("size[0]", &size[0])?, length_m("size[1]", &size[1])?];
     let periodic = arguments.get("periodic", truth)?;
-    let recipe = Recipe { detrend: arguments.get("detrend", choice)?, ..Recipe::default() };
+    let recipe =
+        Recipe { detrend: arguments.get("detrend", choice_or(["none", "mean"]))?, ..Recipe::default() };
     let detrend = recipe.preparation([repeats, periodic].contains(&Some(true))).detrend;
     let own = if periodic.or(repeats) == Some(true) { Boundary::Periodic } else { Boundary::Free };
     let [.., rows, columns] = *heights_m.shape() else {

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::convert::Infallible;
 
+use findings::doubts::of_spacing;
 use measurements::{
     Channels, CompositeOfFiles, Loaded, RequestError, RoughnessOfFiles, RoughnessSettings, ScalesOfFiles,
     ScanInput, ScanProblem, ScanRequest, TipRadius, TopographyError, read_channels,
@@ -20,8 +21,8 @@ use study::surface::{Surface, SurfaceError};
 use topography::Recipe;
 use units::{RemarkLevel, RemarkPlace, SignedLength};
 
-use crate::answer::{Told, columns, in_text};
-use crate::arguments::{Arguments, Given, choice, count, length_m, number, quantity, text};
+use crate::answer::{Keywords, Told, columns, in_text};
+use crate::arguments::{Arguments, Given, choice, choice_or, count, length_m, number, quantity, text};
 use crate::errors::{input, of_argument};
 use crate::surface::PySurface;
 use crate::work::{carry_out, light};
@@ -120,7 +121,7 @@ impl PyScan {
         arguments: Arguments<'py>,
     ) -> PyResult<(Bound<'py, PyDict>, Vec<Told>)> {
         let evaluation = Evaluation {
-            form: arguments.get("form", choice)?.unwrap_or_default(),
+            form: arguments.get("form", choice_or(["mean", "none"]))?.unwrap_or_default(),
             longest_m: arguments.get("filter", length_m)?,
             shortest_m: arguments.get("short_filter", length_m)?,
         };
@@ -138,9 +139,10 @@ impl PyScan {
         });
         let (table, notes) = found.map_err(|error| refused(&error, ""))?;
         let place = RemarkPlace { files: vec![self.request.path.clone()], ..RemarkPlace::default() };
-        let code = || "missing-points".to_owned();
-        let notes = notes.into_iter().map(|text| in_text(text, code(), RemarkLevel::Note, place.clone()));
-        Ok((columns(py, &table)?, notes.collect()))
+        let of_reading = self.scan.notes.iter().map(|text| (text.clone(), "surface.scans.scan"));
+        let notes = of_reading.chain(notes.into_iter().map(|text| (text, "missing-points")));
+        let note = |(text, code): (_, &str)| in_text(text, code.to_owned(), RemarkLevel::Note, place.clone());
+        Ok((columns(py, &table)?, notes.map(note).collect()))
     }
 
     /// Heights, 0 in gaps, and which points are gaps, where there are any.
@@ -199,6 +201,9 @@ impl Heights<'_> {
         };
         let mut scan = scan.map_err(|error| of_argument(&argument, error))?;
         scan.is_periodic = is_periodic;
+        if let (x_m, Some(y_m)) = scan.scan.spacing_m() {
+            scan.notes.extend(of_spacing([x_m, y_m]).map(|note| note.words(&Keywords)));
+        }
         Ok(light(py, || Loaded::from_heights(scan)))
     }
 }
@@ -298,7 +303,7 @@ fn recipe_of(arguments: &Arguments<'_>) -> PyResult<Recipe> {
     })?;
     let usual = Recipe::default();
     Ok(Recipe {
-        detrend: arguments.get("detrend", choice)?,
+        detrend: arguments.get("detrend", choice_or(["none", "mean"]))?,
         window: arguments.get("window", choice)?,
         average: arguments.get("average", choice)?.unwrap_or(usual.average),
         bins_per_decade: arguments.get("bins_per_decade", count)?.unwrap_or(usual.bins_per_decade),

@@ -30,6 +30,7 @@ use tables::Format;
 use tables::staging::StagedFiles;
 use tables::staging::reading::bytes_of;
 use toml::Value;
+use units::printable::message;
 
 use crate::answer::{columns, words};
 use crate::arguments::{Arguments, Given, named, number, truth, without_unit, wrong_type};
@@ -250,7 +251,9 @@ pub fn write_files(py: Python<'_>, folder: PathBuf, files: Read) -> PyResult<()>
 fn refused(error: &SceneError, text: &str, name: &str) -> PyErr {
     let drawn = report::scene_errors::drawn(error, text, name);
     match &error.problem {
-        SceneProblem::Surface(surface) if surface.is_missing_file() => PyFileNotFoundError::new_err(message(&drawn)),
+        SceneProblem::Surface(surface) if surface.is_missing_file() => {
+            PyFileNotFoundError::new_err(message(&drawn))
+        }
         _ => input(drawn),
     }
 }

@@ -268,3 +268,42 @@ def test_one_thread_is_the_one_that_calls() -> None:
 
         with pytest.raises(RuntimeError, match="stop"):
             ta.boundary_elements(UNCD, STEEL, pressure="5 MPa", grid=256, realisations=64, progress=stop)
+
+
+def test_points_that_lie_unevenly_are_noted() -> None:
+    """The sign of lengths that are swapped."""
+    swapped = ("1 um", "2 um")
+    calls: list[Callable[[Any], Any]] = [
+        lambda size: ta.boundary_elements(HEIGHTS, STEEL, pressure=1e8, size=size),
+        lambda size: ta.ball(HEIGHTS, STEEL, radius="1 um", force="1 uN", size=size),
+        lambda size: ta.roughness(HEIGHTS, size),
+        lambda size: ta.roughness(HEIGHTS, size, scales=True),
+        lambda size: ta.Spectrum.from_heights(HEIGHTS, size=size),
+        lambda size: ta.composite([(HEIGHTS, size)]),
+    ]
+    for call in calls:
+        assert any("15.6 nm apart along x and 62.5 nm along y" in note for note in call(swapped).notes)
+        assert not any("apart along x" in note for note in call(SIZE).notes)
+
+
+def test_heights_of_simulations_have_no_tip() -> None:
+    codes = [
+        {note.code for note in ta.composite([(HEIGHTS, SIZE), (HEIGHTS[::-1], SIZE)], tip_radius=tip).notes}
+        for tip in (None, "none", ["none", "none"], ["none", None])
+    ]
+    unknown = "surface.scans.scan.tip-unknown"
+    assert [unknown in found for found in codes] == [True, False, False, True]
+    untouched = ta.Spectrum.from_heights(HEIGHTS, size=SIZE, tip_radius="none")
+    np.testing.assert_array_equal(untouched.c1d_m3, ta.Spectrum.from_heights(HEIGHTS, size=SIZE).c1d_m3)
+
+
+def test_trends_and_forms_share_their_words() -> None:
+    for trend in ("mean", "plane"):
+        ta.Spectrum.from_heights(HEIGHTS, size=SIZE, detrend=trend)
+        ta.roughness(HEIGHTS, SIZE, form=trend)
+    means = [ta.roughness(HEIGHTS, SIZE, form=form) for form in ("mean", "none")]
+    assert means[0] == means[1]
+    pressed = [ta.boundary_elements(HEIGHTS, STEEL, pressure=1e8, size=SIZE, detrend=trend) for trend in ("mean", "none")]
+    assert pressed[0] == pressed[1]
+    with refused_naming("form", "cubic", "second-order"):
+        ta.roughness(HEIGHTS, SIZE, form="cubic")  # type: ignore[call-overload]

@@ -64,8 +64,8 @@ Convention = Literal["c1d", "w1", "frequency", "ciso", "persson"]
 Abscissa = Literal["wavelength", "wavevector", "frequency"]
 """Quantities of the first column of a spectrum."""
 
-Detrend = Literal["mean", "line", "plane"]
-"""Trends that are subtracted from heights."""
+Detrend = Literal["none", "mean", "line", "plane"]
+"""Trends that are subtracted from heights; none and the mean are one."""
 
 Window = Literal["hann", "none"]
 """Windows of the transform."""
@@ -103,8 +103,8 @@ ConductanceCorrelation = Literal["cooper-mikic-yovanovich", "yovanovich"]
 ConductanceModel = Literal[LawModel, ConductanceCorrelation]
 """Models of conductances."""
 
-Form = Literal["none", "plane", "second-order"]
-"""Forms that are removed before roughness parameters are taken."""
+Form = Literal["none", "mean", "plane", "second-order"]
+"""Forms that are removed before roughness parameters are taken; none and the mean are one."""
 
 Conventions = Literal["usual", "all"]
 """Conventions of roughness parameters."""

@@ -74,8 +74,8 @@ def composite(
         Each a path, a ``Scan``, a pair ``(heights, size)`` of an array in m and its size as in ``Spectrum.from_heights``, or an
         object of SurfaceTopography.
     tip_radius : float or str, optional
-        Radius of the tip, in m or as text, or ``"auto"`` for what a file speaks of. One value counts for scans whose files tell
-        no other; those of a list count before the files.
+        Radius of the tip, in m or as text, ``"auto"`` for what a file speaks of, or ``"none"`` for heights that no tip touched.
+        One value counts for scans whose files tell no other; those of a list count before the files.
     shortest : float or str, optional
         The shortest wavelength that is trusted.
     instrument : str, optional
@@ -91,7 +91,7 @@ def composite(
         Along which axis of maps spectra are taken: rows where left out.
     unit, channel, size : optional
         What files do not say themselves, as for ``read_scan``.
-    detrend : {"plane", "line", "mean"}, optional
+    detrend : {"plane", "line", "mean", "none"}, optional
         What is subtracted; the mean of periodic heights, else a plane, where left out.
     window : {"hann", "none"}, optional
         None for periodic heights, else Hann, where left out.

@@ -224,7 +224,7 @@ phases : {"fixed-modulus", "gaussian"}, optional
 size : float or str, or two of them, optional
     Lengths (lx, ly) of the map in m or as text, ``columns`` and ``rows`` spacings; one for a square of as many rows as columns.
     Scans, topographies and spectra know their own.
-detrend : {"plane", "line", "mean"}, optional
+detrend : {"plane", "line", "mean", "none"}, optional
     What is subtracted from heights: by default a plane, from those that repeat themselves the mean.
 periodic : bool, default False
     What lies beyond the edges of a map: the map again, or an unloaded half-space. Of a scan or topography what it says itself,

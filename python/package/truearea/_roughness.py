@@ -108,7 +108,7 @@ def roughness(
         Lengths (lx, ly) of an array; of a file, the length along its lines where it gives none.
     unit, channel : str, optional
         Of a file, as for :func:`read_scan`.
-    form : {"plane", "none", "second-order"}, optional
+    form : {"plane", "mean", "none", "second-order"}, optional
         The form that is subtracted first; a plane or line where left out.
     filter, short_filter : float or str, optional
         Cut-off wavelengths of the Gaussian filters of ISO 16610 that remove longer and shorter waves, in m or as text.

@@ -285,8 +285,11 @@ pub(crate) fn notes_on_maps(material: &Material, maps: &[Relief]) -> Vec<Remark>
 
 /// Notes on a material and on a map of its surface.
 pub(crate) fn notes_on_map(material: &Material, relief: &Relief) -> Vec<Remark> {
+    let Relief { rows, columns, length_x_m, length_y_m, .. } = relief;
+    let spacing = [length_x_m / *columns as f64, length_y_m / *rows as f64];
+    let of_spacing = doubts::of_spacing(spacing).filter(|_| *rows > 1);
     let doubts = doubts::of_material(material).into_iter().chain(doubts::of_slope(relief.rms_slope()));
-    doubts.collect()
+    doubts.chain(of_spacing).collect()
 }
 
 /// Random surfaces with the spectrum in the band that the grid holds.

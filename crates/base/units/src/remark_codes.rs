@@ -80,32 +80,32 @@ remark_codes! {
     // The spectra of scans.
     ScanReading "surface.scans.scan" Note "{files}: {text}";
     Band "surface.scans.scan" Passed "{files}: used from {longest_m} down to {shortest_m} ({end})";
-    TipUnknown "surface.scans.scan" Caution
+    TipUnknown "surface.scans.scan.tip-unknown" Caution
         "{files}: tip radius unknown, used down to {shortest_m}; {scan:tip_radius=@sharp_tip}";
     TipIndicated "surface.scans.scan.tip-indication" Note
         "{files}: [the sharpest peaks have a radius of {sharpest_peak_radius_m}, which the tip does not exceed unless they are noise; ]to \
          be trusted: {trusted}";
-    TipFromText "surface.scans.scan" Note "{files}: tip radius {radius_m} from the metadata ('{text}')";
-    TipInText "surface.scans.scan" Note
+    TipFromText "surface.scans.scan.tip-in-text" Note "{files}: tip radius {radius_m} from the metadata ('{text}')";
+    TipInText "surface.scans.scan.tip-in-text" Note
         "{files}: the metadata mention a tip radius of {radius_m} ('{text}'); tip radius auto uses it";
     NoiseFloor "surface.scans.scan.noise-floor" Caution
         "{files}: the spectrum is level at {c1d_m3} m³ at its short end: noise of the instrument, which sets in at {wavelength_m}; trust \
          only longer wavelengths";
     ParsevalHolds "surface.scans.scan" Passed "{files}: Parseval: relative error below {bound}";
-    ParsevalFails "surface.scans.scan" Caution
+    ParsevalFails "surface.scans.scan.parseval" Caution
         "{files}: Parseval: the spectrum holds {share%} of the variance of the heights";
-    VarianceOfTrace "surface.scans.scan" Caution
+    VarianceOfTrace "surface.scans.scan.parseval" Caution
         "{files}: the spectrum holds {share%} of the variance of the trace, the rest lies below the distance of its points";
-    WideGap "surface.scans.scan" Caution
+    WideGap "surface.scans.scan.gaps" Caution
         "{files}: missing points over {over_median} times the usual spacing are bridged by a straight line";
-    NarrowGaps "surface.scans.scan" Passed
+    NarrowGaps "surface.scans.scan.gaps" Passed
         "{files}: no run of missing points is wider than {over_median} times the usual spacing";
-    SlopesCompared "surface.scans.scan" Caution
+    SlopesCompared "surface.scans.scan.slopes" Caution
         "{files}: rms slope {real} from neighbouring points, {spectral} from the spectrum ({difference})";
-    CurvaturesCompared "surface.scans.scan" Caution
+    CurvaturesCompared "surface.scans.scan.curvatures" Caution
         "{files}: rms curvature {real} 1/m from neighbouring points, {spectral} 1/m from the spectrum ({difference})";
-    SlopesAlike "surface.scans.scan" Passed "{files}: rms slope {along} along the lines, {across} across them";
-    SlopesDiffer "surface.scans.scan" Caution
+    SlopesAlike "surface.scans.scan.lines" Passed "{files}: rms slope {along} along the lines, {across} across them";
+    SlopesDiffer "surface.scans.scan.lines" Caution
         "{files}: rms slope {along} along the lines, {across} across them; they differ by {bound}x or more: lines are offset against each \
          other, or the surface has a direction; the spectrum is that along the lines";
     FundamentalAbsent "surface.scans.scan.absent" Passed "{files}: the mode of the full length is absent";
@@ -136,6 +136,7 @@ remark_codes! {
         "nothing was measured {holes}: the spectrum there is a straight line in logarithms from end to end";
 
     // Values that are physically implausible.
+    UnevenSpacing "doubt.uneven-spacing" Note "points are {x_m} apart along x and {y_m} along y";
     SteepSurface "doubt.steep-surface" Caution
         "the rms slope of the surface is {rms_slope}, above 1: check the units of heights and lengths";
     FarTooSteepSurface "doubt.steep-surface" Caution

@@ -41,7 +41,7 @@ pub struct ScanRequest {
 /// The radius of a tip: given, or taken from the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum TipRadius {
-    /// A given radius \[m\].
+    /// A given radius \[m\]; 0 if no tip touched the heights.
     Known(f64),
     /// The radius that the file or its metadata states, in a field or in free text.
     Auto,
@@ -53,10 +53,10 @@ impl FromStr for TipRadius {
     fn from_str(text: &str) -> Result<Self, String> {
         match text.trim() {
             "auto" => Ok(Self::Auto),
-            length => length
-                .parse::<Length>()
-                .map(|length| Self::Known(length.m))
-                .map_err(|error| format!("{error}; or write auto for the radius that the file states")),
+            "none" => Ok(Self::Known(0.0)),
+            length => length.parse::<Length>().map(|length| Self::Known(length.m)).map_err(|error| {
+                format!("{error}; or write auto for that of the file, none for heights that no tip touched")
+            }),
         }
     }
 }

@@ -10,7 +10,7 @@ use scans::Scan;
 /// Limits of the reliable band that the user gives.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BandLimits {
-    /// Radius of the tip \[m\], if one touched the surface.
+    /// Radius of the tip \[m\], if it is known; 0 if none touched the surface.
     pub tip_radius_m: Option<f64>,
     /// Shortest reliable wavelength \[m\].
     pub shortest_m: Option<f64>,
@@ -36,7 +36,7 @@ impl ReliableBand {
     /// # Errors
     /// [`TransformError::BadLimit`] for a radius or wavelength that is not finite and above 0.
     pub fn new(scan: &Scan, limits: BandLimits) -> Result<Self, TransformError> {
-        refuse_bad("tip radius", limits.tip_radius_m)?;
+        refuse_bad("tip radius", limits.tip_radius_m.filter(|radius_m| *radius_m != 0.0))?;
         refuse_bad("shortest wavelength", limits.shortest_m)?;
         let sampling_m = 2.0
             * match Lines::from_scan(scan) {

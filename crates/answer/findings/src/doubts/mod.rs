@@ -99,6 +99,14 @@ pub fn of_layer(material: &Material, psd: &ProfilePsd) -> Option<Remark> {
     Some(Remark::new(code).with("exponent", exponent))
 }
 
+/// The note on points that lie further apart along one axis, as those of a size with swapped lengths do.
+#[must_use]
+pub fn of_spacing([x_m, y_m]: [f64; 2]) -> Option<Remark> {
+    const EVEN: f64 = 0.01;
+    let is_uneven = (x_m / y_m - 1.0).abs() > EVEN;
+    is_uneven.then(|| Remark::new(RemarkCode::UnevenSpacing).with("x_m", x_m).with("y_m", y_m))
+}
+
 /// The doubt about the rms slope of a surface.
 #[must_use]
 pub fn of_slope(rms_slope: f64) -> Option<Remark> {
