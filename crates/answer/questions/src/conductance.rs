@@ -23,7 +23,13 @@ use units::{OutOfBounds, Remark, RemarkCode, Resistivity, Spelling, ThermalCondu
 use crate::gap::cautions;
 use crate::loads::nominal_pressure;
 use crate::option::{first_given, not_of_model};
-use crate::{FoundLaw, LawForm, LawQuestion, QuestionError};
+use crate::{FoundLaw, LawForm, LawQuestion, MaterialInput, QuestionError};
+
+/// Young's modulus \[Pa\] in place of one that is not used: above all hardnesses.
+const NEARLY_RIGID_PA: f64 = 1e13;
+
+/// Poisson's ratio of a body of which none is known.
+const USUAL_POISSON_RATIO: f64 = 0.3;
 
 /// Quantity that a law has over the nominal pressure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -151,7 +157,7 @@ impl LawTableQuestion {
         let of_gas = self.gas.options().into_iter().filter(|_| flow == Flow::Current);
         let given = of_law.into_iter().chain(self.transport.foreign(Some(flow))).chain(of_gas);
         first_given(given, self.no_option_of_quantity())?;
-        let material = self.law.by.material.material()?;
+        let material = self.material()?;
         match self.correlation {
             Some(correlation) => {
                 self.check_correlation(correlation)?;
@@ -173,7 +179,7 @@ impl LawTableQuestion {
         let Some(flow) = self.flow() else {
             return self.law.answer(surface, progress).map(LawAnswer::Pressure);
         };
-        let material = self.law.by.material.material()?;
+        let material = self.material()?;
         let range_pa = self.law.range_pa(&material)?;
         let (spots, notes) = match self.correlation {
             Some(correlation) => {
@@ -209,6 +215,21 @@ impl LawTableQuestion {
             conductivities: self.transport.conductivities(flow)?,
             gas: self.gas(&material)?,
         }))
+    }
+
+    /// The material; a correlation takes half-spaces, and of their elastic constants none but the Poisson's ratios that tell which
+    /// body is softer.
+    fn material(&self) -> Result<Material, QuestionError> {
+        let material = self.law.by.material;
+        if self.correlation.is_none() {
+            return material.material();
+        }
+        let rigid = MaterialInput {
+            youngs_modulus_pa: material.youngs_modulus_pa.or(Some(NEARLY_RIGID_PA)),
+            poisson_ratio: material.poisson_ratio.or(Some(USUAL_POISSON_RATIO)),
+            ..material
+        };
+        rigid.of_half_spaces("correlations of conductances")
     }
 
     /// The gas, if there is one.

@@ -115,12 +115,17 @@ impl CurveQuestion {
             ("normalisation", self.normalisation.is_some() && !framework.takes_normalisation()),
             ("tolerance", self.tolerance.is_some() && !framework.has_states()),
             ("separation", !self.separations_m.is_empty() && !framework.has_states()),
-            ("amplitude", self.amplitude.is_some() && !framework.takes_amplitude()),
         ];
         first_given(of_other_frameworks, not_of_model(entry.name))?;
         let material = self.material.material()?;
         let tolerance = self.tolerance.unwrap_or_default();
         let model = entry.build(&material, &self.options)?;
+        let needs_amplitudes = model.needs_amplitudes();
+        let reason =
+            not_of_model(entry.name).with("models", "scales of a stack and hardnesses that grow by nix-gao");
+        // Python gives the default.
+        let is_chosen = self.amplitude.is_some_and(|definition| definition != AmplitudeDefinition::default());
+        first_given([("amplitude", is_chosen && !needs_amplitudes)], reason)?;
         let (loads, load_ranges) = resolved(&self.pressures, &self.pressure_ranges, &material)?;
         if loads.is_empty() && load_ranges.is_empty() && self.separations_m.is_empty() {
             return Err(QuestionError::Missing(match framework.has_states() {
@@ -130,7 +135,7 @@ impl CurveQuestion {
         }
         let mut needs = Needs {
             moments: framework.normalisation(self.normalisation),
-            amplitudes: framework.takes_amplitude().then(|| self.amplitude.unwrap_or_default()),
+            amplitudes: needs_amplitudes.then(|| self.amplitude.unwrap_or_default()),
             curves: vec![Curve {
                 name: self.name.clone().unwrap_or_else(|| entry.curve_name(&self.options)),
                 model,

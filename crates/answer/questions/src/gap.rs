@@ -110,12 +110,21 @@ impl FoundLaw {
         std::iter::once(model).chain(cautions(&self.notes, spelling)).collect()
     }
 
-    /// The law of light loads in the form that finite element codes take.
+    /// The law of light loads in the form that finite element codes take, and a remark if it is off by more than a share of the
+    /// pressure in the range.
     ///
     /// # Errors
     /// [`QuestionError::NoExponentialLaw`] if the model is not Persson's theory.
-    pub fn exponential(&self) -> Result<ExponentialLaw, QuestionError> {
-        self.law.exponential(LIGHT_LOADS_SHARE).ok_or(QuestionError::NoExponentialLaw(self.model))
+    pub fn exponential(&self, share: f64) -> Result<(ExponentialLaw, Option<Remark>), QuestionError> {
+        ContactLaw::TOLERANCES
+            .check("error of the law", share)
+            .map_err(|error| QuestionError::Value { option: "error", error })?;
+        let law = self.law.exponential(share).ok_or(QuestionError::NoExponentialLaw(self.model))?;
+        let remark = Remark::new(RemarkCode::BeyondExponentialLaw)
+            .with("share", share)
+            .with("up_to_pa", law.holds_up_to_pa)
+            .with("to_pa", self.range_pa[1]);
+        Ok((law, (law.holds_up_to_pa < self.range_pa[1]).then_some(remark)))
     }
 
     /// Samples the law between its pressures, straight within a relative `tolerance` of the pressure. `progress` advances once

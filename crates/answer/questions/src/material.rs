@@ -7,7 +7,7 @@ use study::body_properties::BodyProperty;
 use study::hardness_and_strength::HardnessAndStrength;
 use study::material::{GivenMaterial, Material, MaterialError};
 use study::materials::TabledMaterial;
-use study::models::{Choice, ModelEntry, ModelOptions};
+use study::models::ModelOptions;
 use units::{IndentationHardness, Modulus, Pressure, Remark, RemarkCode};
 
 use crate::{LayerInput, QuestionError};
@@ -99,12 +99,6 @@ impl MaterialInput {
             true => self,
             false => MaterialInput { strain_gradient_length_m: None, strength_cap: None, ..self },
         }
-    }
-
-    /// True if the strength of a model grows as soon as the material has the length for it.
-    #[must_use]
-    pub fn strain_gradient_in(&self, entry: &ModelEntry) -> bool {
-        self.strain_gradient_length_m.is_some() && entry.has(Choice::StrainGradient)
     }
 
     /// The elastic constants of the rough body, if both are given.

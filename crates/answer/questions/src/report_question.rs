@@ -55,7 +55,10 @@ impl ReportSurface {
     pub fn of_files(requests: Vec<ScanRequest>, files: &dyn Files) -> Result<Self, SurfaceError> {
         if let [request] = &requests[..] {
             match Surface::load(&request.path, files, &ReadOptions::default()) {
-                Ok(_) => return Ok(ReportSurface::Psd(request.path.clone())),
+                Ok(_) => {
+                    request.check_takes(&[])?;
+                    return Ok(ReportSurface::Psd(request.path.clone()));
+                }
                 Err(error @ SurfaceError::NoSuchBuiltin { .. }) => return Err(error),
                 Err(_) => {}
             }

@@ -327,7 +327,8 @@ fn every_option_that_a_model_ignores_is_found_and_none_that_it_heeds() {
             "{entry}"
         );
         assert_eq!(asked(&|question| question.separations_m = vec![1e-9]), !statistical, "{entry}");
-        assert_eq!(asked(&|question| question.amplitude = Some(Default::default())), statistical, "{entry}");
+        let is_refused = asked(&|question| question.amplitude = Some(AmplitudeDefinition::Parseval));
+        assert_eq!(is_refused, !of(Framework::Stacked), "{entry}: no hardness grows by nix-gao");
         let cap = |question: &mut CurveQuestion| {
             question.material.strength_cap = Some(Pressure::Pascals(3e9));
         };

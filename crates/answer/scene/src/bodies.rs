@@ -47,6 +47,8 @@ pub(super) struct UncertainCounterface {
     strength: KnownStrength,
     transport: Transport,
     from_table: Option<FromTable>,
+    /// Place of the strain-gradient length in the scene.
+    length: Option<Range<usize>>,
 }
 
 impl UncertainCounterface {
@@ -86,13 +88,13 @@ pub(super) fn resolve_material(
         Softer::between((&of_rough.hardness_and_strength, own.body), counterface)
     });
     let flows = softer.map_or(Body::Rough, |softer| softer.flows);
-    let flowing = match flows {
+    let (flowing, length_of_the_other) = match flows {
         Body::Counterface => {
-            refuse_length_of_the_harder(&keys, &counterface.strength)?;
-            counterface.strength
+            (counterface.strength, keys.get(BodyProperty::StrainGradientLength).map(Spanned::span))
         }
-        Body::Rough => of_rough,
+        Body::Rough => (of_rough, counterface.length),
     };
+    refuse_length_of_the_harder(length_of_the_other, flows)?;
     let (counterface_body, counterface_youngs_modulus, counterface_poisson_ratio) = match counterface.elastic
     {
         Some(known) => (Some(known.body), known.youngs_modulus, known.poisson_ratio),
@@ -163,15 +165,17 @@ fn refuse_constants_of_rigid_base(keys: &BodyKeys) -> Result<(), SceneError> {
 }
 
 /// Refuses a strain-gradient length of the harder body: only that of the body that yields has an effect.
-fn refuse_length_of_the_harder(rough: &BodyKeys, counterface: &KnownStrength) -> Result<(), SceneError> {
-    match (rough.get(BodyProperty::StrainGradientLength), counterface.length) {
-        (Some(length), None) => {
-            let message = "key material.strain_gradient_length: the counterface is the softer and flows, and this is a length of \
-                           the other body; give counterface.strain_gradient_length instead";
-            Err(SceneError::at(length.span(), message))
-        }
-        _ => Ok(()),
-    }
+fn refuse_length_of_the_harder(length: Option<Range<usize>>, flows: Body) -> Result<(), SceneError> {
+    let Some(span) = length else { return Ok(()) };
+    let [yields, other] = match flows {
+        Body::Counterface => ["counterface", "material"],
+        Body::Rough => ["material", "counterface"],
+    };
+    let message = format!(
+        "key {other}.strain_gradient_length: the {yields} is the body that yields, and this is a length of the other; give \
+         {yields}.strain_gradient_length instead"
+    );
+    Err(SceneError::at(span, message))
 }
 
 /// Resolves the body that presses on the rough body. It is rigid if no elastic constants are given.
@@ -199,7 +203,8 @@ pub(super) fn resolve_counterface(raw: &Spanned<RawCounterface>) -> Result<Uncer
             return Err(SceneError::at(raw.span(), message));
         }
     };
-    Ok(UncertainCounterface { elastic, strength, transport, from_table: keys.from_table })
+    let length = keys.get(BodyProperty::StrainGradientLength).map(Spanned::span);
+    Ok(UncertainCounterface { elastic, strength, transport, from_table: keys.from_table, length })
 }
 
 /// The hardness, the strength and its length, as far as they are given.

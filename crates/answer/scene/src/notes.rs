@@ -25,10 +25,19 @@ pub(super) fn notes(
     sections.push(("cutoffs", None, cutoffs(scene, overrides)));
     sections.push(("options", None, options(raw, scene, overrides)));
     sections.push(("judge", None, judge(scene, overrides)));
-    sections.push(("uncertainty", None, uncertainty(scene, overrides)));
+    if let Some(reason) = no_uncertainty(scene, overrides) {
+        sections.push(("uncertainty", None, all(&["level", "draws", "seed", "shares_draws"], reason)));
+        let counterface = raw.counterface.as_ref().and_then(|raw| raw.get_ref().surface.as_ref());
+        let surfaces = [("surface.scans", Some(&raw.surface)), ("counterface.surface.scans", counterface)];
+        for (section, surface) in surfaces {
+            let scans = surface.map_or(0, |surface| surface.get_ref().scans.len());
+            let of_scan = || all(&["instrument", "z_calibration", "slope_uncertainty"], reason);
+            sections.extend((0..scans).map(|at| (section, Some(at), of_scan())));
+        }
+    }
     let note = |section: &str, at: Option<usize>, remark: Remark| {
         let key = remark.place.option.as_deref()?;
-        let found = document.get(section)?;
+        let found = section.split('.').try_fold(document.as_item(), |item, part| item.get(part))?;
         let table = at.map_or(Some(found), |at| found.get(at))?.as_table_like()?;
         let (name, _) = table.get_key_value(key)?;
         let line = 1 + text[..name.span()?.start].matches('\n').count();
@@ -131,13 +140,13 @@ fn judge(scene: &Scene, overrides: &Overrides) -> UnusedKeys {
     all(&["grid", "realisations", "seed", "budget"], reason)
 }
 
-fn uncertainty(scene: &Scene, overrides: &Overrides) -> UnusedKeys {
-    let reason = match scene.uncertainty {
-        _ if overrides.no_uncertainty => return Vec::new(),
-        Some(uncertainty) if uncertainty.off => RemarkCode::UncertaintyIsOff,
-        _ if scene.needs.curves.is_empty() => RemarkCode::NoCurveUsesIt,
-        _ if !scene.scatters() => RemarkCode::NothingScatters,
-        _ => return Vec::new(),
-    };
-    all(&["level", "draws", "seed", "shares_draws"], reason)
+/// The reason that nothing is drawn, unless that was asked for from outside.
+fn no_uncertainty(scene: &Scene, overrides: &Overrides) -> Option<RemarkCode> {
+    match scene.uncertainty {
+        _ if overrides.no_uncertainty => None,
+        Some(uncertainty) if uncertainty.off => Some(RemarkCode::UncertaintyIsOff),
+        _ if scene.needs.curves.is_empty() => Some(RemarkCode::NoCurveUsesIt),
+        _ if !scene.scatters() => Some(RemarkCode::NothingScatters),
+        _ => None,
+    }
 }

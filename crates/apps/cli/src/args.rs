@@ -18,6 +18,7 @@ pub(crate) use groups::{
     NormalisationArg, PressureArgs, PsdArgs, QuotedPaths, ReadingArgs, SamplingArgs, SharedArgs,
     StrengthCapArg,
 };
+pub(crate) use layer::LayerArgs;
 pub(crate) use persson::{GrowthArg, PerssonArgs};
 pub(crate) use report::ReportArgs;
 pub(crate) use scans::{RoughnessArgs, ScanArgs, ScansArgs};
@@ -475,10 +476,10 @@ pub(crate) struct StatisticalArgs {
     #[command(flatten)]
     pub reading: ReadingArgs,
     /// A table of populations instead, CSV or JSON: a path, or - for standard input
-    #[arg(long, value_name = "PATH", value_parser = parse_place, conflicts_with_all = ["normalisation", "pressure_ranges", "figure"], conflicts_with_all = ReadingArgs::OPTIONS, conflicts_with_all = SamplingArgs::OPTIONS)]
+    #[arg(long, value_name = "PATH", value_parser = parse_place, conflicts_with_all = ["normalisation", "pressure_ranges", "figure"], conflicts_with_all = LayerArgs::OPTIONS, conflicts_with_all = ReadingArgs::OPTIONS, conflicts_with_all = SamplingArgs::OPTIONS)]
     pub input: Option<Place>,
     /// Column of the table to use as input where both are filled; the other is recomputed
-    #[arg(long, value_parser = one_of::<GivenColumn, _>(GivenColumn::ALL), requires = "input")]
+    #[arg(long, value_parser = one_of::<GivenColumn, _>(GivenColumn::ALL), requires = "input", conflicts_with = "psd")]
     pub given: Option<GivenColumn>,
     /// The law of one asperity
     #[arg(long, value_parser = model_of(Framework::Statistical))]

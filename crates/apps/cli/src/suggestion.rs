@@ -41,6 +41,7 @@ pub(crate) fn for_file(error: &clap::Error, line: &[OsString]) -> Option<String>
 pub(crate) fn in_place_of(error: &clap::Error) -> Option<String> {
     let named = |kind| match error.get(kind) {
         Some(ContextValue::String(name)) => name.split(' ').next(),
+        Some(ContextValue::Strings(names)) => names.first()?.split(' ').next(),
         _ => None,
     };
     let (given, beside) = (named(ContextKind::InvalidArg)?, named(ContextKind::PriorArg));

@@ -89,6 +89,12 @@ impl InputTable {
         self.table.column(column).is_some() || self.constants.iter().any(|(name, _)| *name == column)
     }
 
+    /// Returns true if a cell of the column is filled, or if it is given for all rows.
+    #[must_use]
+    pub fn is_filled(&self, column: &str) -> bool {
+        (0..self.row_names.len()).any(|row| !self.text(column, row).trim().is_empty())
+    }
+
     /// Text of a cell, or the value given for all rows; empty if there is no such column.
     fn text(&self, column: &str, row: usize) -> Cow<'_, str> {
         let constant = || self.constants.iter().find(|(name, _)| *name == column);

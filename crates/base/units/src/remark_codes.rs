@@ -225,6 +225,9 @@ remark_codes! {
     LightLoads "light-loads" Note
         "below {up_to_pa} the logarithmic law u = u0 ln(p00/p), K = p/u0 is within {share%} of the pressure of the theory without the tail \
          of the heights";
+    BeyondExponentialLaw "beyond-exponential-law" Caution
+        "the exponential law is within {share%} up to {up_to_pa}, and {--pressure_range} goes to {to_pa}; use a table, or give a larger \
+         {--error}";
     BeyondLightLoads "beyond-light-loads" Note
         "more than {area%} of the area touches: asperities push each other down, which this model ignores; boundary elements find gaps of \
          another size and 0.5 to 12 times its stiffness; use {--model=persson}";
@@ -328,6 +331,8 @@ remark_codes! {
     Replaced "scene-note" Note "{option} has no effect beside {--@other}; leave one of them out";
     FigureShowsSomethingElse "scene-note" Note "{option} has no effect on what this figure shows";
     NoCurveUsesIt "scene-note" Note "{option} has no effect: no curve depends on it";
+    NoRowUsesIt "scene-note" Note "{option} has no effect: no row of the table depends on it; leave it out";
+    UnusedColumn "unused-column" Note "column {column} has no effect: no row of the table depends on it";
     EveryCurveHasItsOwn "scene-note" Note "{option} has no effect: every curve that it applies to sets its own";
     NothingNeedsIt "scene-note" Note "{option} has no effect: no curve and no figure needs it";
     CutoffBelowData "scene-note" Note "{option} has no effect: the spectrum ends above it, at {shortest_m}";

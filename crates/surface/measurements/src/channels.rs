@@ -141,6 +141,7 @@ fn channels_of(
     see: &mut dyn FnMut(&ScanFile),
 ) -> Result<Vec<Row>, TopographyError> {
     let blame = |problem| TopographyError::for_file(&request.path, problem);
+    request.check_takes(&ScanRequest::OF_HEIGHTS)?;
     let bytes = bytes_of_scans(request, files)?;
     let options = options(request, files)?;
     let (mut rows, mut first_error, mut is_any_read) = (Vec::new(), None, false);

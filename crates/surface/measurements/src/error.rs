@@ -86,6 +86,9 @@ pub enum ScanProblem {
     /// Boundary elements are given no scan or several.
     #[error("the file holds {0} scans, and boundary elements press one map; choose it by its channel")]
     NotOneSurface(usize),
+    /// An option of the file that nothing depends on here.
+    #[error("option {0} has no effect here; leave it out")]
+    UnusedOption(&'static str),
     /// Boundary elements are given a line scan.
     #[error(
         "boundary elements press a line only if it repeats itself: choose the boundary periodic, or give its spectrum"

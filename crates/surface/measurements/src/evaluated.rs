@@ -19,6 +19,8 @@ pub(crate) struct EvaluatedScan<T> {
     pub channel: String,
     /// Number of points without a height.
     pub missing: usize,
+    /// Assumptions made on reading.
+    read: Vec<String>,
     pub found: T,
 }
 
@@ -36,6 +38,7 @@ impl<T> EvaluatedScan<T> {
             file: request.path.clone(),
             channel: channel(request, scan),
             missing: relief.missing(),
+            read: scan.notes.clone(),
             found: of(&relief),
         })
     }
@@ -48,7 +51,8 @@ impl<T> EvaluatedScan<T> {
     ) -> (Vec<Self>, Vec<TopographyError>) {
         let (mut scans, mut unreadable) = (Vec::new(), Vec::new());
         for request in requests {
-            let evaluated = load(request, files).and_then(|loaded| {
+            let loaded = request.check_takes(&ScanRequest::OF_HEIGHTS).and_then(|()| load(request, files));
+            let evaluated = loaded.and_then(|loaded| {
                 loaded.scans.iter().map(|scan| of(request, scan)).collect::<Result<Vec<_>, _>>()
             });
             match evaluated {
@@ -65,6 +69,11 @@ impl<T> EvaluatedScan<T> {
             "" => self.file.clone(),
             channel => format!("{}, {channel}", self.file),
         }
+    }
+
+    /// Lists the assumptions made on reading.
+    pub fn notes(&self) -> impl Iterator<Item = String> {
+        self.read.iter().map(|note| format!("{}: {note}", self.title()))
     }
 
     /// Says how many points have no height, if any.

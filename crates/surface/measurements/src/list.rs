@@ -4,20 +4,10 @@ use tables::{InputTable, Refusal, Row};
 
 use crate::request::{RequestError, ScanRequest};
 
-/// Columns of a list and the scan options in them; the column `file` holds the file.
-const COLUMNS: [(&str, &str); 11] = [
-    ("unit", "unit"),
-    ("channel", "channel"),
-    ("size", "size"),
-    ("tip_radius", "tip-radius"),
-    ("shortest", "shortest"),
-    ("gaps", "gaps"),
-    ("direction", "direction"),
-    ("detrend", "detrend"),
-    ("instrument", "instrument"),
-    ("z_calibration", "z-calibration"),
-    ("slope_uncertainty", "slope-uncertainty"),
-];
+/// Columns of a list, each with the scan option in it; the column `file` holds the file.
+fn columns() -> impl Iterator<Item = (String, &'static str)> {
+    ScanRequest::OPTIONS.into_iter().map(|option| (option.replace('-', "_"), option))
+}
 
 /// Errors of reading a list of scans.
 #[derive(Debug, thiserror::Error)]
@@ -53,7 +43,7 @@ pub enum ListError {
 /// # Errors
 /// [`ListError`] with line, column and value where they apply.
 pub fn requests_of_list(name: &str, list: &InputTable) -> Result<Vec<ScanRequest>, ListError> {
-    let is_known = |column: &str| column == "file" || COLUMNS.iter().any(|(known, _)| *known == column);
+    let is_known = |column: &str| column == "file" || columns().any(|(known, _)| known == column);
     if let Some((column, _)) = list.table.columns().find(|(column, _)| !is_known(column)) {
         return Err(ListError::UnknownColumn { list: name.to_owned(), column: column.to_owned() });
     }
@@ -67,8 +57,8 @@ fn request(row: &Row<'_>) -> Result<ScanRequest, String> {
         return Err("column file: the cell is empty; enter a file".to_owned());
     }
     let mut request = ScanRequest { path, ..ScanRequest::default() };
-    for (column, option) in COLUMNS {
-        let cell = row.text(column);
+    for (column, option) in columns() {
+        let cell = row.text(&column);
         let value = cell.trim();
         if !value.is_empty() {
             request.set(option, value).map_err(|error| match error {

@@ -37,6 +37,7 @@ impl MapOfFile {
         recipe: &Recipe,
         repeats: bool,
     ) -> Result<Self, TopographyError> {
+        request.check_takes(&ScanRequest::OF_MAPS)?;
         let Loaded { scans, sha256 } = load_heights(request, bytes, files)?;
         let recipe = &request.recipe(recipe);
         let file = only_scan(request, scans, recipe.gaps, ScanProblem::NotOneSurface)?;

@@ -6,6 +6,7 @@ use topography::{BandLimits, Detrend, Direction, GapTreatment, Recipe};
 use units::{Length, LengthUnit};
 
 use crate::calibration::{Instrument, SlopeUncertainty, ZCalibration};
+use crate::error::{ScanProblem, TopographyError};
 
 /// A scan file with options for what the file does not state.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -73,6 +74,54 @@ impl TipRadius {
 }
 
 impl ScanRequest {
+    /// All options, as the command line names them; in lists and scenes they have underscores.
+    pub const OPTIONS: [&'static str; 11] = [
+        "unit",
+        "channel",
+        "size",
+        "tip-radius",
+        "shortest",
+        "gaps",
+        "direction",
+        "detrend",
+        "instrument",
+        "z-calibration",
+        "slope-uncertainty",
+    ];
+
+    /// Options of a scan that is read for its heights alone.
+    pub(crate) const OF_HEIGHTS: [&str; 3] = ["unit", "channel", "size"];
+
+    /// Options of a map that is pressed.
+    pub(crate) const OF_MAPS: [&str; 6] = ["unit", "channel", "size", "gaps", "direction", "detrend"];
+
+    /// Refuses the first option that is given and not among these.
+    ///
+    /// # Errors
+    /// [`TopographyError`] with the file and the option.
+    pub fn check_takes(&self, options: &[&str]) -> Result<(), TopographyError> {
+        let given = [
+            self.unit.is_some(),
+            self.channel.is_some(),
+            self.size_m.is_some(),
+            self.tip_radius.is_some(),
+            self.shortest_m.is_some(),
+            self.gaps.is_some(),
+            self.direction.is_some(),
+            self.detrend.is_some(),
+            self.instrument.is_some(),
+            self.z_calibration.is_some(),
+            self.slope_uncertainty.is_some(),
+        ];
+        let is_idle = |(option, is_given): &(&'static str, bool)| *is_given && !options.contains(option);
+        match Self::OPTIONS.into_iter().zip(given).find(is_idle) {
+            None => Ok(()),
+            Some((option, _)) => {
+                Err(TopographyError::for_file(&self.path, ScanProblem::UnusedOption(option)))
+            }
+        }
+    }
+
     /// Limits of the reliable band that the request gives.
     pub(crate) fn limits(&self) -> BandLimits {
         BandLimits { tip_radius_m: self.tip_radius.and_then(TipRadius::known_m), shortest_m: self.shortest_m }

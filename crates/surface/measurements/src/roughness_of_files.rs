@@ -97,7 +97,7 @@ impl RoughnessOfFiles {
     /// Lists what a reader should know of the surfaces, a sentence each without a full stop.
     #[must_use]
     pub fn notes(&self) -> Vec<String> {
-        self.scans.iter().filter_map(EvaluatedScan::left_out).collect()
+        self.scans.iter().flat_map(|scan| scan.notes().chain(scan.left_out())).collect()
     }
 }
 

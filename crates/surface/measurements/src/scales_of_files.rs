@@ -66,8 +66,11 @@ impl ScalesOfFiles {
     /// Lists what a reader should know of the scans, a sentence each without a full stop. With points missing there is no spectrum.
     #[must_use]
     pub fn notes(&self) -> Vec<String> {
-        let incomplete = self.scans.iter().filter_map(EvaluatedScan::left_out);
-        incomplete.map(|note| format!("{note}, and no spectrum")).collect()
+        let of = |scan: &EvaluatedScan<_>| {
+            let incomplete = scan.left_out().map(|note| format!("{note}, and no spectrum"));
+            scan.notes().chain(incomplete).collect::<Vec<_>>()
+        };
+        self.scans.iter().flat_map(of).collect()
     }
 }
 

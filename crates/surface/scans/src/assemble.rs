@@ -79,6 +79,10 @@ pub(crate) fn assembled(
         (UnitsBy::Format, _) => {
             refuse_unit(format, options)?;
             notes.extend(own_scale_note(options));
+            let unused = options.fallback_unit;
+            notes.extend(
+                unused.map(|unit| format!("the unit {unit} given is not used: the file has its own")),
+            );
             to_m(&quantity)
         }
         (UnitsBy::Reader, _) => to_m(&quantity),
@@ -137,6 +141,9 @@ fn scan(
     let stated = match lateral {
         Lateral::Positions(positions_m) => {
             refuse_size(format, FilePlace::File, options)?;
+            let unused = options.fallback_size;
+            notes
+                .extend(unused.map(|size| format!("ignoring the size {size}: every point has its position")));
             return uneven_line(positions_m, decoded, notes);
         }
         Lateral::Unknown => None,

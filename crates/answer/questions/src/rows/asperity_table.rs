@@ -4,7 +4,9 @@ use asperity::{Bound, ElasticBody, ElasticPlasticSinusoid, Hardness, Hertz, Jack
 use numerics::parallel::Progress;
 use tables::{Cells, InputTable, Refusal};
 
-use super::strength_columns::{INDENTATION_HARDNESS, YIELD_STRENGTH, assumed_strengths, yield_strengths_pa};
+use super::strength_columns::{
+    INDENTATION_HARDNESS, STRAIN_GRADIENT_LENGTH, YIELD_STRENGTH, assumed_strengths, yield_strengths_pa,
+};
 use super::{RowByRow, RowsError, rows_of};
 use units::{Remark, RemarkCode};
 
@@ -185,7 +187,7 @@ impl Asperities {
 }
 
 impl RowByRow for Asperities {
-    fn check(&self, block: &InputTable) -> Result<(), Refusal> {
+    fn check(&mut self, block: &InputTable) -> Result<(), Refusal> {
         self.law.check(block)
     }
 
@@ -194,6 +196,10 @@ impl RowByRow for Asperities {
         self.assumed += assumed_strengths(block);
         self.rows += block.table.rows();
         Ok(Vec::new())
+    }
+
+    fn unused(&self) -> Vec<&'static str> {
+        vec![STRAIN_GRADIENT_LENGTH]
     }
 
     fn notes(&self) -> Vec<Remark> {

@@ -85,7 +85,7 @@ impl RowRequest {
 }
 
 impl RowByRow for Flattened {
-    fn check(&self, block: &InputTable) -> Result<(), Refusal> {
+    fn check(&mut self, block: &InputTable) -> Result<(), Refusal> {
         self.asked(block).map(|_| ())
     }
 
@@ -111,6 +111,10 @@ impl RowByRow for Flattened {
         set("elastic_area_fraction", |areas| areas.elastic);
         set("plastic_area_fraction", |areas| areas.plastic);
         Ok(Vec::new())
+    }
+
+    fn unused(&self) -> Vec<&'static str> {
+        if self.yields == Some(false) { vec!["hardness_pa", "hardness_growth"] } else { Vec::new() }
     }
 
     fn notes(&self) -> Vec<Remark> {

@@ -26,7 +26,7 @@ pub trait RowByRow {
     ///
     /// # Errors
     /// [`Refusal`] of the bad rows, with line, column, value and bound.
-    fn check(&self, block: &InputTable) -> Result<(), Refusal>;
+    fn check(&mut self, block: &InputTable) -> Result<(), Refusal>;
 
     /// Sets the computed columns of checked rows, and returns the notes on single rows. `progress` advances once for
     /// each row that takes long.
@@ -34,6 +34,14 @@ pub trait RowByRow {
     /// # Errors
     /// [`RowsError`], of rows that have not been checked, or where `progress` is cancelled.
     fn fill_in(&mut self, block: &mut InputTable, progress: &dyn Progress) -> Result<Vec<Remark>, RowsError>;
+
+    /// The columns of strengths that no row checked so far depends on.
+    fn unused(&self) -> Vec<&'static str>;
+
+    /// The first option for all rows that none checked so far depends on.
+    fn unused_option(&self) -> Option<&'static str> {
+        None
+    }
 
     /// The notes on all rows so far.
     fn notes(&self) -> Vec<Remark>;

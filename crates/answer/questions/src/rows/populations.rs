@@ -7,7 +7,9 @@ use tables::{Cell, Cells, InputTable, Refusal, Row};
 use units::{Pressure, Remark, RemarkCode};
 
 use super::contact_states::{RowRoughness, StatesFound};
-use super::strength_columns::{INDENTATION_HARDNESS, YIELD_STRENGTH, hardness_and_strength};
+use super::strength_columns::{
+    INDENTATION_HARDNESS, STRAIN_GRADIENT_LENGTH, YIELD_STRENGTH, hardness_and_strength,
+};
 use super::{RowByRow, RowsError, StateCounts, rows_of};
 use study::body_properties::BodyProperty;
 use study::hardness_and_strength::HardnessAndStrength;
@@ -45,6 +47,10 @@ pub struct Populations {
     /// True to append columns on how each state was found.
     pub details: bool,
     found: StatesFound,
+    /// The models of the rows checked so far, each once.
+    models: Vec<&'static ModelEntry>,
+    /// True if the strength grows in a row checked so far.
+    grows: bool,
 }
 
 /// A row of the table: a population and the condition of its state.
@@ -53,6 +59,8 @@ struct RowRequest {
     at: Condition,
     /// True if a third of the hardness is used as the yield strength.
     strength_is_assumed: bool,
+    entry: &'static ModelEntry,
+    grows: bool,
 }
 
 const REQUIRED_COLUMNS: [&str; 3] = ["model", "youngs_modulus_pa", "poisson_ratio"];
@@ -68,9 +76,12 @@ impl Populations {
             .map_err(|error| format!("column model: {error}"))?;
         let material = self.material(row, entry.has(Choice::Strength))?;
         let strength_is_assumed = material.assumed_yield_strength_pa().is_some();
+        let grows = material.strain_gradient_length_m().is_some();
         let contact = self.contact(row, entry, &material)?;
         contact
-            .map(|contact| Ok(RowRequest { contact, at: self.condition(row)?, strength_is_assumed }))
+            .map(|contact| {
+                Ok(RowRequest { contact, at: self.condition(row)?, strength_is_assumed, entry, grows })
+            })
             .transpose()
     }
 
@@ -82,7 +93,7 @@ impl Populations {
         material: &Material,
     ) -> Result<Option<Pressable>, String> {
         let strain_gradient =
-            entry.has(Choice::Strength) && !row.text("strain_gradient_length_m").trim().is_empty();
+            entry.has(Choice::Strength) && !row.text(STRAIN_GRADIENT_LENGTH).trim().is_empty();
         let model = entry.build(material, &ModelOptions { strain_gradient, ..self.options.clone() });
         let model = model.map_err(|error| missing_cell(&error))?;
         let columns = RowRoughness::columns(entry);
@@ -109,7 +120,7 @@ impl Populations {
                 HardnessAndStrength::default()
             },
             strength_cap: self.strength_cap,
-            strain_gradient_length_m: optional("strain_gradient_length_m")?,
+            strain_gradient_length_m: optional(STRAIN_GRADIENT_LENGTH)?,
             ..GivenMaterial::new(body)
         }))
     }
@@ -172,8 +183,28 @@ impl Populations {
 }
 
 impl RowByRow for Populations {
-    fn check(&self, block: &InputTable) -> Result<(), Refusal> {
-        self.asked(block).map(|_| ())
+    fn check(&mut self, block: &InputTable) -> Result<(), Refusal> {
+        for asked in self.asked(block)?.into_iter().flatten() {
+            self.grows |= asked.grows;
+            if !self.models.contains(&asked.entry) {
+                self.models.push(asked.entry);
+            }
+        }
+        Ok(())
+    }
+
+    fn unused(&self) -> Vec<&'static str> {
+        let strengths = [YIELD_STRENGTH, INDENTATION_HARDNESS, STRAIN_GRADIENT_LENGTH];
+        let is_used = self.models.is_empty() || self.models.iter().any(|entry| entry.has(Choice::Strength));
+        strengths.into_iter().filter(|_| !is_used).collect()
+    }
+
+    fn unused_option(&self) -> Option<&'static str> {
+        let is_used = |choice| self.models.iter().any(|entry| entry.has(choice));
+        let choice =
+            self.options.given().find(|choice| *choice != Choice::StrainGradient && !is_used(*choice));
+        let cap = self.strength_cap.filter(|_| !self.grows).map(|_| "strength_cap");
+        choice.map(Choice::key).or(cap).filter(|_| !self.models.is_empty())
     }
 
     fn fill_in(&mut self, block: &mut InputTable, progress: &dyn Progress) -> Result<Vec<Remark>, RowsError> {
@@ -240,7 +271,7 @@ fn missing_cell(error: &MaterialError) -> String {
     let column = match needed_for.property() {
         BodyProperty::IndentationHardness => INDENTATION_HARDNESS,
         BodyProperty::YieldStrength => YIELD_STRENGTH,
-        _ => "strain_gradient_length_m",
+        _ => STRAIN_GRADIENT_LENGTH,
     };
     format!("column {column}: the cell is empty; {error}")
 }

@@ -11,6 +11,9 @@ pub(crate) const YIELD_STRENGTH: &str = "yield_strength_pa";
 /// The column of the hardness H, in place of the strength or beside it.
 pub(crate) const INDENTATION_HARDNESS: &str = "indentation_hardness_pa";
 
+/// The column of the length below which the strength grows.
+pub(crate) const STRAIN_GRADIENT_LENGTH: &str = "strain_gradient_length_m";
+
 /// The hardness and the strength of a row, as far as its cells are filled.
 pub(crate) fn hardness_and_strength(row: &Row<'_>, bound: Bound) -> Result<HardnessAndStrength, String> {
     let hardness = row.optional_number(INDENTATION_HARDNESS, bound)?.map(|pa| IndentationHardness { pa });

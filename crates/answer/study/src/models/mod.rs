@@ -79,12 +79,6 @@ impl Framework {
         self == Framework::Statistical
     }
 
-    /// Returns true if the definition of the amplitude of a scale matters.
-    #[must_use]
-    pub fn takes_amplitude(self) -> bool {
-        self != Framework::Statistical
-    }
-
     /// Returns true if every row is a state that is solved for: within a tolerance, and at a separation as well as under a
     /// load.
     #[must_use]

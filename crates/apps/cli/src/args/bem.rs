@@ -16,6 +16,11 @@ use super::groups::{BodiesArgs, FigureArg, ReadingArgs};
 use super::parsers::one_of;
 use super::scans::{FileDefaults, MapTreatmentArgs};
 
+/// Options that count no adhesion. clap demands no required option that conflicts with a given one, so that each option of
+/// adhesion conflicts with these itself.
+const NOT_ADHESIVE: [&str; 7] =
+    ["saturation", "ball_radius", "force", "cylinder_radius", "force_per_length", "fields", "patches"];
+
 /// A surface, how it is pressed, and what is written.
 #[derive(Debug, ClapArgs)]
 #[command(group = clap::ArgGroup::new("pressed").required(true).multiple(true).args(["pressures", "pressure_ranges", "ball_radius", "cylinder_radius", "pull_off"]))]
@@ -35,26 +40,26 @@ pub(crate) struct BemArgs {
     #[arg(long, value_name = "L", requires = "force", allow_hyphen_values = true, conflicts_with_all = ["pressures", "pressure_ranges", "saturation", "per_realisation", "fields", "patches", "boundary"])]
     pub ball_radius: Option<Length>,
     /// Force on the ball, such as 1N
-    #[arg(long, value_name = "F", requires = "ball_radius", allow_hyphen_values = true, conflicts_with_all = ["pressures", "pressure_ranges"])]
+    #[arg(long, value_name = "F", requires = "ball_radius", allow_hyphen_values = true, conflicts_with_all = ["pressures", "pressure_ranges", "cylinder_radius", "force_per_length"])]
     pub force: Option<Force>,
     /// Radius of a smooth cylinder along y that is pressed onto the middle of the surface, which repeats itself; with
     /// --force-per-length, in place of pressures
     #[arg(long, value_name = "L", requires = "force_per_length", allow_hyphen_values = true, conflicts_with_all = ["pressures", "pressure_ranges", "ball_radius", "saturation", "per_realisation", "fields", "patches", "figure", "boundary"])]
     pub cylinder_radius: Option<Length>,
     /// Force per length of the cylinder, such as 10N/mm
-    #[arg(long, value_name = "F", requires = "cylinder_radius", allow_hyphen_values = true, conflicts_with_all = ["pressures", "pressure_ranges"])]
+    #[arg(long, value_name = "F", requires = "cylinder_radius", allow_hyphen_values = true, conflicts_with_all = ["pressures", "pressure_ranges", "ball_radius"])]
     pub force_per_length: Option<ForcePerLength>,
     /// Work of adhesion w of the two surfaces, such as 50mJ/m^2; pressures may then be negative
-    #[arg(long, value_name = "W", requires = "adhesion_range", allow_hyphen_values = true, conflicts_with_all = ["saturation", "ball_radius", "cylinder_radius", "fields", "patches"])]
+    #[arg(long, value_name = "W", requires = "adhesion_range", allow_hyphen_values = true, conflicts_with_all = NOT_ADHESIVE)]
     pub work_of_adhesion: Option<WorkOfAdhesion>,
     /// Range rho of the attraction (w/rho) exp(-gap/rho), such as 2nm
-    #[arg(long, value_name = "L", requires = "work_of_adhesion", allow_hyphen_values = true)]
+    #[arg(long, value_name = "L", requires = "work_of_adhesion", allow_hyphen_values = true, conflicts_with_all = NOT_ADHESIVE)]
     pub adhesion_range: Option<Length>,
     /// History of the load with adhesion: apart, from first touch (where not given), contact, from full contact, or both
-    #[arg(long, value_name = "BRANCH", requires = "work_of_adhesion", value_parser = one_of::<BranchChoice, _>(BranchChoice::ALL))]
+    #[arg(long, value_name = "BRANCH", requires = "work_of_adhesion", conflicts_with_all = NOT_ADHESIVE, value_parser = one_of::<BranchChoice, _>(BranchChoice::ALL))]
     pub branch: Option<BranchChoice>,
     /// Pull the surfaces apart in place of pressing them, and report the largest pull that they bear
-    #[arg(long, requires = "work_of_adhesion", conflicts_with_all = ["pressures", "pressure_ranges", "branch"])]
+    #[arg(long, requires = "work_of_adhesion", conflicts_with_all = ["pressures", "pressure_ranges", "branch", "per_realisation"], conflicts_with_all = NOT_ADHESIVE)]
     pub pull_off: bool,
     /// The largest residual, sum p|g| over sum p h_rms, above 0 and at most 0.1
     #[arg(long, value_name = "T", default_value_t = elements::Pressing::TOLERANCE, allow_hyphen_values = true)]
@@ -106,6 +111,26 @@ pub(crate) struct MapArgs {
     pub defaults: FileDefaults,
     #[command(flatten)]
     pub treatment: MapTreatmentArgs,
+}
+
+impl BemArgs {
+    /// The first property of strength that a given saturation or a pull leaves without use, with the option that does.
+    pub fn idle_strength(&self) -> Option<(&'static str, &'static str)> {
+        let is_in_pascals = |pressure: &Pressure| pressure.pascals(None).is_some();
+        let in_pascals = self.loads.pressures.iter().map(|load| &load.pressure).all(is_in_pascals)
+            && self.loads.pressure_ranges.iter().all(|range| is_in_pascals(&range.from));
+        let other = match (self.pull_off, &self.saturation) {
+            (true, _) => "pull_off",
+            (false, Some(saturation)) if is_in_pascals(saturation) && in_pascals => "saturation",
+            _ => return None,
+        };
+        let bodies = &self.material;
+        let given = [
+            ("indentation_hardness", bodies.indentation_hardness.is_some()),
+            ("yield_strength", bodies.yield_strength.is_some()),
+        ];
+        given.into_iter().find(|(_, is_given)| *is_given).map(|(option, _)| (option, other))
+    }
 }
 
 impl MapArgs {

@@ -89,7 +89,7 @@ impl GapChoiceArgs {
         GapModel {
             model,
             options: ModelOptions {
-                strain_gradient: model.is_some_and(|entry| material.strain_gradient_in(entry)),
+                strain_gradient: material.strain_gradient_length_m.is_some(),
                 hardness: self.hardness.hardness_formula,
                 interference_law: self.interference_law,
                 flattening: self.flattening,

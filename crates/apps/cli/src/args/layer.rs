@@ -26,14 +26,18 @@ pub(crate) struct LayerArgs {
 }
 
 impl LayerArgs {
+    /// All of them.
+    pub const OPTIONS: [&str; 4] =
+        ["layer_thickness", "layer_youngs_modulus", "layer_poisson_ratio", "layer_base"];
+
     /// The layer as questions take it, if any part of it is given.
     pub fn input(&self) -> Option<LayerInput> {
-        LayerInput {
+        let layer = LayerInput {
             thickness_m: self.layer_thickness.map(|thickness| thickness.m),
             youngs_modulus_pa: self.layer_youngs_modulus.map(|modulus| modulus.pa),
             poisson_ratio: self.layer_poisson_ratio,
             base: self.layer_base.unwrap_or_default(),
-        }
-        .given()
+        };
+        if self.layer_base.is_some() { Some(layer) } else { layer.given() }
     }
 }

@@ -11,7 +11,7 @@ use study::models::ModelOptions;
 use study::persson_law::Deformation;
 
 use super::parsers::{one_of, parse_place};
-use super::{AmplitudeArg, FigureArg, MaterialArgs, PressureArgs, ReadingArgs, SamplingArgs};
+use super::{AmplitudeArg, FigureArg, LayerArgs, MaterialArgs, PressureArgs, ReadingArgs, SamplingArgs};
 use crate::place::Place;
 
 /// Growth of a hardness towards short wavelengths.
@@ -24,7 +24,7 @@ pub(crate) enum GrowthArg {
 }
 
 /// Options that rows do not take, besides those for reading and sampling a spectrum: a row has a pressure and a hardness alone.
-const OF_SPECTRA: [&str; 19] = [
+const OF_SPECTRA: [&str; 16] = [
     "figure",
     "amplitude",
     "correction",
@@ -40,10 +40,7 @@ const OF_SPECTRA: [&str; 19] = [
     "strain_gradient_length",
     "strength_cap",
     "counterface_youngs_modulus",
-    "layer_thickness",
-    "layer_youngs_modulus",
-    "layer_poisson_ratio",
-    "layer_base",
+    "counterface_poisson_ratio",
 ];
 
 #[derive(Debug, ClapArgs)]
@@ -57,7 +54,7 @@ pub(crate) struct PerssonArgs {
     #[command(flatten)]
     pub reading: ReadingArgs,
     /// A table of pressures instead, CSV or JSON: a path, or - for standard input
-    #[arg(long, value_name = "PATH", value_parser = parse_place, conflicts_with_all = OF_SPECTRA, conflicts_with_all = ReadingArgs::OPTIONS, conflicts_with_all = SamplingArgs::OPTIONS)]
+    #[arg(long, value_name = "PATH", value_parser = parse_place, conflicts_with_all = OF_SPECTRA, conflicts_with_all = LayerArgs::OPTIONS, conflicts_with_all = ReadingArgs::OPTIONS, conflicts_with_all = SamplingArgs::OPTIONS)]
     pub input: Option<Place>,
     /// Deformation of the surface; where left out, rows with a hardness yield and the others do not
     #[arg(long, value_parser = one_of::<Deformation, _>(Deformation::ALL))]

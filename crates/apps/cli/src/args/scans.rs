@@ -10,6 +10,7 @@ use topography::{Average, DEFAULT_BINS_PER_DECADE, Detrend, Direction, GapTreatm
 use units::{Length, SignedLength};
 
 use super::parsers::{one_of, parse_count, parse_place};
+use crate::failure::Failure;
 use crate::picture::Picture;
 use crate::place::Place;
 
@@ -20,7 +21,7 @@ pub(crate) struct ScanArgs {
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<ScanRequest>,
     /// Every channel, whatever it measures: amplitude, phase, error, friction as well
-    #[arg(long)]
+    #[arg(long, conflicts_with = "channel")]
     pub all_channels: bool,
     #[command(flatten)]
     pub defaults: FileDefaults,
@@ -73,9 +74,30 @@ pub(crate) struct FileDefaults {
     pub channel: Option<String>,
 }
 
+/// An option for all files, whether it is given, and whether a file has its own.
+type ForAll = (&'static str, bool, fn(&ScanRequest) -> bool);
+
+/// Refuses an option for all files where each has its own.
+fn refuse_replaced(files: &[ScanRequest], options: &[ForAll]) -> Result<(), Failure> {
+    let is_idle = |(_, is_given, has_own): &&ForAll| *is_given && files.iter().all(has_own);
+    options.iter().find(is_idle).map_or(Ok(()), |(option, ..)| {
+        Err(Failure::Input(format!("{option} has no effect: every file has its own; leave one of them out")))
+    })
+}
+
 impl FileDefaults {
-    /// Returns a file with these values wherever it has none of its own.
-    pub fn complete(&self, file: &ScanRequest) -> ScanRequest {
+    /// Returns files with these values wherever they have none of their own.
+    pub fn complete_all(&self, files: &[ScanRequest]) -> Result<Vec<ScanRequest>, Failure> {
+        let options: [ForAll; 3] = [
+            ("--unit", self.unit.is_some(), |file| file.unit.is_some()),
+            ("--size", self.size.is_some(), |file| file.size_m.is_some()),
+            ("--channel", self.channel.is_some(), |file| file.channel.is_some()),
+        ];
+        refuse_replaced(files, &options)?;
+        Ok(files.iter().map(|file| self.complete(file)).collect())
+    }
+
+    fn complete(&self, file: &ScanRequest) -> ScanRequest {
         ScanRequest {
             unit: file.unit.or(self.unit),
             channel: file.channel.clone().or_else(|| self.channel.clone()),
@@ -98,9 +120,19 @@ pub(crate) struct MapTreatmentArgs {
 }
 
 impl MapTreatmentArgs {
-    /// Returns a file with these values wherever it has none of its own.
-    pub fn complete(&self, file: ScanRequest) -> ScanRequest {
-        ScanRequest { gaps: file.gaps.or(self.gaps), direction: file.direction.or(self.direction), ..file }
+    /// Returns files with these values wherever they have none of their own.
+    pub fn complete_all(&self, files: Vec<ScanRequest>) -> Result<Vec<ScanRequest>, Failure> {
+        let options: [ForAll; 2] = [
+            ("--gaps", self.gaps.is_some(), |file| file.gaps.is_some()),
+            ("--direction", self.direction.is_some(), |file| file.direction.is_some()),
+        ];
+        refuse_replaced(&files, &options)?;
+        let complete = |file: ScanRequest| ScanRequest {
+            gaps: file.gaps.or(self.gaps),
+            direction: file.direction.or(self.direction),
+            ..file
+        };
+        Ok(files.into_iter().map(complete).collect())
     }
 }
 
@@ -146,13 +178,18 @@ pub(crate) struct ScansArgs {
     #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf")]
     pub figure: Option<Picture>,
     /// The two-dimensional spectrum of one map instead, averaged radially: wavelength_m, wavevector_rad_per_m, Ciso_m4, modes
-    #[arg(long, conflicts_with_all = ["per_scan", "figure", "average"])]
+    #[arg(long, conflicts_with_all = ["per_scan", "figure", "average", "bins_per_decade"])]
     pub areal: bool,
 }
 
 impl ScansArgs {
-    /// Returns a file with these values wherever it has none of its own.
-    pub fn with_common_options(&self, file: &ScanRequest) -> ScanRequest {
-        self.maps.complete(self.defaults.complete(file))
+    /// Returns files with these values wherever they have none of their own.
+    pub fn with_common_options(&self, files: &[ScanRequest]) -> Result<Vec<ScanRequest>, Failure> {
+        let options: [ForAll; 2] = [
+            ("--detrend", self.detrend.is_some(), |file| file.detrend.is_some()),
+            ("--tip-radius", self.tip_radius.is_some(), |file| file.tip_radius.is_some()),
+        ];
+        refuse_replaced(files, &options)?;
+        self.maps.complete_all(self.defaults.complete_all(files)?)
     }
 }

@@ -32,6 +32,10 @@ use crate::progress::Progress;
 use crate::timings::Timings;
 
 pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> {
+    if let Some((option, other)) = args.idle_strength() {
+        let remark = Remark::new(RemarkCode::Replaced).with("other", other);
+        return Err(Failure::Input(remark.on(option).words(&Flags)));
+    }
     if let Some((radius, force)) = args.ball_radius.zip(args.force) {
         return press_indenter(args, IndenterShape::Ball, (radius.m, force.n), context);
     }
@@ -185,7 +189,8 @@ fn write(
 
 /// Map or spectrum of the file, and comments on where it comes from.
 fn load(args: &BemArgs, context: &Context<'_>) -> Result<(Measured, Vec<String>), Failure> {
-    let request = args.map.treatment.complete(args.map.defaults.complete(&args.surface));
+    let files = args.map.defaults.complete_all(std::slice::from_ref(&args.surface))?;
+    let requests = args.map.treatment.complete_all(files)?;
     let options = MeasuredOptions {
         kind: args.kind,
         spectrum: reading_options(&args.reading),
@@ -195,7 +200,7 @@ fn load(args: &BemArgs, context: &Context<'_>) -> Result<(Measured, Vec<String>)
     let targets = context.targets(args.figure.figure.as_ref())?;
     let targets = targets.with_files("--patches", args.patches.as_slice())?;
     let folder = Folder::current(targets);
-    let found = Measured::load(&request, &folder, &options).map_err(|error| match error {
+    let found = Measured::load(&requests[0], &folder, &options).map_err(|error| match error {
         SurfaceError::Scans(error) => psd::refused(error),
         error => Failure::input(error),
     })?;
@@ -209,6 +214,7 @@ fn load(args: &BemArgs, context: &Context<'_>) -> Result<(Measured, Vec<String>)
         }
         Measured::Spectrum(surface) => {
             refuse_foreign(Kind::Spectrum, args.map.given())?;
+            args.surface.check_takes(&[]).map_err(psd::refused)?;
             comments.extend(report::provenance::of_surface(surface));
         }
     }

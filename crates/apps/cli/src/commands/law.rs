@@ -4,6 +4,8 @@ use interface::finite_elements::Heading;
 use questions::{LawAnswer, LawForm};
 use report::provenance::provenance;
 use tables::Format;
+use units::display::pressure;
+use units::{Remark, RemarkCode};
 
 use super::{Context, say_all};
 use crate::args::LawArgs;
@@ -20,6 +22,18 @@ pub(super) fn run(args: &LawArgs, context: &Context<'_>) -> Result<(), Failure> 
     }
     let question = args.question();
     question.check()?;
+    if let Some(correlation) = question.correlation {
+        let bodies = &args.choices.material.bodies;
+        let constants = [
+            ("youngs_modulus", bodies.youngs_modulus.is_some()),
+            ("poisson_ratio", bodies.poisson_ratio.is_some()),
+            ("counterface_youngs_modulus", bodies.counterface.counterface_youngs_modulus.is_some()),
+        ];
+        if let Some((option, _)) = constants.into_iter().find(|(_, is_given)| *is_given) {
+            let remark = Remark::new(RemarkCode::NoSuchOption).with("model", correlation.name());
+            return Err(Failure::Input(remark.on(option).words(&Flags)));
+        }
+    }
     let mut timings = Timings::start();
     let surface = context.load(&args.psd.psd, &args.psd.reading, None)?;
     timings.lap("reading");
@@ -30,14 +44,19 @@ pub(super) fn run(args: &LawArgs, context: &Context<'_>) -> Result<(), Failure> 
             progress.aside(|| say_all(&found.notes, &Flags));
             origin.extend(found.description(&Flags));
             let name = args.name.as_deref().unwrap_or(Heading::NAME).to_owned();
-            let heading = Heading { provenance: origin, name };
+            let mut heading = Heading { provenance: origin, name };
             match args.form.unwrap_or(LawForm::Table) {
                 LawForm::Table => {
                     let sampled = found.sampled(args.error, &progress)?;
                     args.dialect.table(&sampled, args.units, &heading, &[])?
                 }
                 LawForm::Exponential => {
-                    args.dialect.exponential(&found.exponential()?, args.units, &heading)?
+                    let (law, remark) = found.exponential(args.error)?;
+                    let [from, to] = found.range_pa.map(pressure);
+                    heading.provenance.push(format!("pressures of interest: {from} to {to}"));
+                    let text = args.dialect.exponential(&law, args.units, &heading)?;
+                    progress.aside(|| say_all(remark.as_slice(), &Flags));
+                    text
                 }
             }
         }

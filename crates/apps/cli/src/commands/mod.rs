@@ -62,6 +62,7 @@ pub fn run(args: Args, typed: &[String]) -> Result<(), Failure> {
             "--provenance writes comment lines, which JSON does not have; leave it out, or take --format csv",
         ));
     }
+    refuse_idle_options(&args.command, &context.shared)?;
     match args.command {
         Command::Asperity(args) => one_asperity::run(&args.law, &context),
         Command::Moments(args) => spectrum_tables::moments(&args, &context),
@@ -87,6 +88,27 @@ pub fn run(args: Args, typed: &[String]) -> Result<(), Failure> {
             context.shared.output.write(|out| out.write_all(template.text().as_bytes()))
         }
     }
+}
+
+/// Refuses options of every command that one has no use for.
+fn refuse_idle_options(command: &Command, shared: &SharedArgs) -> Result<(), Failure> {
+    let (name, takes_no_time) = match command {
+        Command::Scene { .. } => ("scene", true),
+        Command::Completions { .. } => ("completions", true),
+        Command::Man(_) => ("man", true),
+        Command::Figure(_) => ("figure", false),
+        _ => return Ok(()),
+    };
+    let given = [
+        ("--format", shared.format.is_some()),
+        ("--provenance", shared.provenance.is_some()),
+        ("--timings", shared.timings && takes_no_time),
+    ];
+    given.into_iter().find(|(_, is_given)| *is_given).map_or(Ok(()), |(option, _)| {
+        Err(Failure::Input(format!(
+            "{option} does not affect `{name}`, which computes no table; leave it out"
+        )))
+    })
 }
 
 /// The options of every command, and how it was called.

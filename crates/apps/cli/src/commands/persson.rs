@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
+use questions::CurveQuestion;
 use questions::rows::Flattened;
-use questions::{CurveQuestion, LoadInput};
 use study::growth_law::GrowthLaw;
 use study::models::{self, Framework, ModelOptions};
 use study::persson_law::Deformation;
@@ -41,7 +41,7 @@ fn over_cutoffs(
         model: Some(model),
         name: Some("persson".to_owned()),
         options: ModelOptions {
-            strain_gradient: material.strain_gradient_in(model),
+            strain_gradient: material.strain_gradient_length_m.is_some(),
             hardness_law: hardness_law.transpose()?,
             ..args.options()
         },
@@ -67,20 +67,8 @@ fn of_rows(input: &Place, args: &PerssonArgs, context: &Context<'_>) -> Result<(
         return Err(Failure::input("the rows of a table take one --pressure"));
     }
     let hardness_pa = args.material.bodies.indentation_hardness.map(|hardness| hardness.pa);
-    if args.model == Some(Deformation::Elastic) && hardness_pa.is_some() {
-        return Err(Failure::input(
-            "--indentation-hardness does not affect --model elastic, which does not yield; leave it out",
-        ));
-    }
-    for LoadInput { pressure, label } in &args.loads.pressures {
-        let pressure_pa = pressure.pascals(hardness_pa).ok_or_else(|| {
-            Failure::Input(format!(
-                "--pressure {label}: a pressure in H needs the hardness: give --indentation-hardness"
-            ))
-        })?;
-        constants.add_number("--pressure", "pressure_pa", Some(pressure_pa));
-    }
-    constants.add_number("--indentation-hardness", "hardness_pa", hardness_pa);
+    constants.add_pressure(&args.loads.pressures, hardness_pa)?;
+    constants.add_number("indentation_hardness", "hardness_pa", hardness_pa);
     let yields = args.model.map(|model| model == Deformation::ElasticPlastic);
     row_by_row::run(input, &constants, &mut Flattened::new(yields), context)
 }

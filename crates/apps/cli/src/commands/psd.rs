@@ -41,6 +41,7 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
         .with("--out", args.out.as_ref().unwrap_or(&Place::Standard))?;
     let requests = requests(args, &targets)?;
     let folder = Folder::current(targets);
+    let mut timings = Timings::start();
     let requests = scans_in_folders(&requests, &folder)?;
     if args.areal {
         let [request] = &requests[..] else {
@@ -54,9 +55,11 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
         let mut files = StagedFiles::default();
         let comments = [program(context.typed), found.provenance];
         context.stage_blocks(&mut files, output, &comments, |out| Ok(out.block(&found.table)?))?;
-        return publish(files);
+        publish(files)?;
+        timings.lap("reading, transforming and writing");
+        timings.report(context.shared.timings);
+        return Ok(());
     }
-    let mut timings = Timings::start();
     let progress = Progress::towards(STEPS_PER_FILE * requests.len(), "steps of reading and transforming");
     let found = CompositeOfFiles::read_spectrum(&requests, &folder, &recipe, &progress).map_err(refused)?;
     drop(progress);
@@ -85,7 +88,7 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
 /// The scans that were typed, and behind them those of the list; what is said for all counts where they say nothing.
 fn requests(args: &ScansArgs, targets: &Targets) -> Result<Vec<ScanRequest>, Failure> {
     let listed = args.list.as_ref().map_or_else(|| Ok(Vec::new()), |list| listed(list, targets))?;
-    Ok(args.files.iter().chain(&listed).map(|file| args.with_common_options(file)).collect())
+    args.with_common_options(&[&args.files[..], &listed].concat())
 }
 
 /// The scans of a list, their files relative to it.

@@ -18,7 +18,7 @@ use crate::place::Place;
 use crate::timings::Timings;
 
 pub(super) fn run(args: &RoughnessArgs, context: &Context<'_>) -> Result<(), Failure> {
-    let requests: Vec<_> = args.files.iter().map(|file| args.defaults.complete(file)).collect();
+    let requests = args.defaults.complete_all(&args.files)?;
     let folder = Folder::current(context.targets(None)?);
     let requests = psd::scans_in_folders(&requests, &folder)?;
     let timings = Timings::start();

@@ -9,25 +9,37 @@ use crate::flags::Flags;
 use crate::output::{Stopped, publish_over_input};
 use crate::place::Place;
 use crate::progress::Progress;
+use crate::timings::Timings;
 use questions::rows::RowByRow;
 use report::provenance::program;
 use study::Progress as _;
 use study::material::{MaterialError, NeededFor};
 use tables::staging::StagedFiles;
 use tables::{Refusal, TableError};
-use units::Remark;
+use units::{Remark, RemarkCode, Spelling};
 
 /// Rows that are in memory together.
 const BLOCK: usize = 1 << 12;
 
-/// Values that options give to every row: the option, the column that it stands for, and its cell.
+/// Values that options give to every row.
 #[derive(Debug, Default)]
-pub(super) struct Constants(Vec<(&'static str, &'static str, String)>);
+pub(super) struct Constants {
+    /// The option, the column that it stands for, and its cell.
+    values: Vec<(&'static str, &'static str, String)>,
+    /// True if a pressure is in units of the hardness.
+    in_hardnesses: bool,
+}
 
 impl Constants {
+    /// The first option that gives one of these columns, unless a pressure is in units of it.
+    fn first_of(&self, columns: &[&str]) -> Option<&'static str> {
+        let is_one = |(_, column, _): &&(&str, &str, String)| columns.contains(column) && !self.in_hardnesses;
+        self.values.iter().find(is_one).map(|(option, ..)| *option)
+    }
+
     /// Gives every row a text.
     pub fn add(&mut self, option: &'static str, column: &'static str, text: impl Into<String>) {
-        self.0.push((option, column, text.into()));
+        self.values.push((option, column, text.into()));
     }
 
     /// Gives every row a number, to its last digit.
@@ -40,8 +52,8 @@ impl Constants {
     /// The elastic constants of the rough body.
     pub fn add_elastic(&mut self, material: &MaterialInput) -> Result<(), Failure> {
         material.body().map(|body| body.body("poisson_ratio")).transpose()?;
-        self.add_number("--youngs-modulus", "youngs_modulus_pa", material.youngs_modulus_pa);
-        self.add_number("--poisson-ratio", "poisson_ratio", material.poisson_ratio);
+        self.add_number("youngs_modulus", "youngs_modulus_pa", material.youngs_modulus_pa);
+        self.add_number("poisson_ratio", "poisson_ratio", material.poisson_ratio);
         Ok(())
     }
 
@@ -56,9 +68,9 @@ impl Constants {
                 "the counterface is the softer body, and rows take the strength of the rough one; exchange --material and --on",
             ));
         }
-        self.add_number("--yield-strength", "yield_strength_pa", strength_pa);
+        self.add_number("yield_strength", "yield_strength_pa", strength_pa);
         let hardness_pa = material.indentation_hardness_pa;
-        self.add_number("--indentation-hardness", "indentation_hardness_pa", hardness_pa);
+        self.add_number("indentation_hardness", "indentation_hardness_pa", hardness_pa);
         Ok(())
     }
 
@@ -70,7 +82,8 @@ impl Constants {
                 label: Some(label.clone()),
                 error: MaterialError::Missing(NeededFor::PressureInHardnesses),
             })?;
-            self.add_number("--pressure", "pressure_pa", Some(pressure_pa));
+            self.in_hardnesses |= pressure.pascals(None).is_none();
+            self.add_number("pressure", "pressure_pa", Some(pressure_pa));
         }
         Ok(())
     }
@@ -90,20 +103,33 @@ pub(super) fn run(
             Place::File(path) => say_notes([format!("{} is replaced by its extended table", path.display())]),
         }
     }
+    let mut timings = Timings::start();
     let mut source = open_table(input)?;
-    for (option, column, text) in &constants.0 {
-        source
-            .set_constant(column, text.clone())
-            .map_err(|error| Failure::Input(format!("{error}: leave {option} out, or the column")))?;
+    for (option, column, text) in &constants.values {
+        source.set_constant(column, text.clone()).map_err(|error| {
+            Failure::Input(format!("{error}: leave {} out, or the column", Flags.option(option)))
+        })?;
     }
     let mut count = 0;
     let mut refusal = Refusal::default();
+    let mut filled: Vec<&str> = Vec::new();
     source.blocks(BLOCK, |block| {
         count += block.table.rows();
         refusal.extend(rows.check(&block).err().unwrap_or_default());
+        let is_new = |column: &&str| block.is_filled(column) && !filled.contains(column);
+        let new: Vec<_> = rows.unused().into_iter().filter(is_new).collect();
+        filled.extend(new);
         Ok::<(), TableError>(())
     })?;
     refusal.into_result()?;
+    let unused: Vec<_> = rows.unused().into_iter().filter(|column| filled.contains(column)).collect();
+    if let Some(option) = constants.first_of(&unused).or_else(|| rows.unused_option()) {
+        return Err(Failure::Input(Remark::new(RemarkCode::NoRowUsesIt).on(option).words(&Flags)));
+    }
+    for column in unused {
+        say_all(&[Remark::new(RemarkCode::UnusedColumn).with("column", column)], &Flags);
+    }
+    timings.lap("checking");
     let progress = Progress::towards(count, "rows");
     let mut comments = context.wanted(&[program(context.typed)]).to_vec();
     // Comment lines that came with the table stay with it.
@@ -122,5 +148,8 @@ pub(super) fn run(
         say(rows.notes());
         Ok(())
     })?;
-    publish_over_input(files)
+    publish_over_input(files)?;
+    timings.lap("computing and writing");
+    timings.report(context.shared.timings);
+    Ok(())
 }

@@ -23,7 +23,7 @@ use crate::targets::Targets;
 use crate::timings::Timings;
 
 pub(super) fn run(args: &ScanArgs, context: &Context<'_>) -> Result<(), Failure> {
-    let requests: Vec<_> = args.files.iter().map(|file| args.defaults.complete(file)).collect();
+    let requests = args.defaults.complete_all(&args.files)?;
     let folder = Folder::current(context.targets(args.figure.as_ref())?);
     let requests = psd::scans_in_folders(&requests, &folder)?;
     let mut timings = Timings::start();

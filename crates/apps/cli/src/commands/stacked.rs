@@ -10,7 +10,7 @@ use crate::flags::Flags;
 
 pub(super) fn run(args: &StackedArgs, context: &Context<'_>) -> Result<(), Failure> {
     let material = args.material.input();
-    let strain_gradient = material.strain_gradient_in(args.model);
+    let strain_gradient = material.strain_gradient_length_m.is_some();
     let figure = args.figure.figure.as_ref();
     let question = CurveQuestion {
         model: Some(args.model),

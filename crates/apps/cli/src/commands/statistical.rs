@@ -2,7 +2,6 @@
 
 use questions::CurveQuestion;
 use questions::rows::Populations;
-use study::models::ModelOptions;
 
 use super::row_by_row::{self, Constants};
 use super::{Context, say_all};
@@ -21,11 +20,10 @@ pub(super) fn run(args: &StatisticalArgs, context: &Context<'_>) -> Result<(), F
 
 fn over_cutoffs(psd: &str, args: &StatisticalArgs, context: &Context<'_>) -> Result<(), Failure> {
     let material = args.material.input();
-    let strain_gradient = args.model.is_some_and(|model| material.strain_gradient_in(model));
     let figure = args.figure.figure.as_ref();
     let question = CurveQuestion {
         model: args.model,
-        options: ModelOptions { strain_gradient, ..args.options() },
+        options: args.options(),
         material,
         pressures: args.loads.pressures.clone(),
         pressure_ranges: args.loads.pressure_ranges.clone(),
@@ -53,18 +51,18 @@ fn of_rows(input: &Place, args: &StatisticalArgs, context: &Context<'_>) -> Resu
     rows.details = args.details;
     let mut constants = Constants::default();
     if let Some(model) = args.model {
-        constants.add("--model", "model", model.name);
+        constants.add("model", "model", model.name);
     }
     constants.add_elastic(&material)?;
     constants.add_strength(&material)?;
     let length_m = material.strain_gradient_length_m;
-    constants.add_number("--strain-gradient-length", "strain_gradient_length_m", length_m);
+    constants.add_number("strain_gradient_length", "strain_gradient_length_m", length_m);
     if args.loads.pressures.len() + args.separations.len() > 1 {
         return Err(Failure::input("the rows of a table take one --pressure or one --separation"));
     }
     constants.add_pressure(&args.loads.pressures, material.hardness_and_strength()?.hardness_pa())?;
     for separation in &args.separations {
-        constants.add_number("--separation", "separation_m", Some(separation.m));
+        constants.add_number("separation", "separation_m", Some(separation.m));
     }
     row_by_row::run(input, &constants, &mut rows, context)
 }

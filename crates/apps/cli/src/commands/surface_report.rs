@@ -94,7 +94,7 @@ fn question(args: &ReportArgs, context: &Context<'_>) -> Result<ReportQuestion, 
 
 /// The files as scans, or the one file as a spectrum.
 fn surface(args: &ReportArgs, context: &Context<'_>) -> Result<ReportSurface, Failure> {
-    let requests: Vec<ScanRequest> = args.files.iter().map(|file| args.defaults.complete(file)).collect();
+    let requests = args.defaults.complete_all(&args.files)?;
     for ScanRequest { path, .. } in requests.iter().filter(|request| is_a_path(&request.path)) {
         std::fs::metadata(path)
             .map_err(|error| Failure::reading(path, &explained(error, Path::new(path))))?;
