@@ -413,3 +413,38 @@ def test_composites_that_do_not_do_are_told(tmp_path: Path) -> None:
     for scans, options, words in refusals:
         with refused_naming(*words.split()):
             ta.composite(scans, **options)
+
+
+def test_what_terminals_obey_leaves_no_file(tmp_path: Path) -> None:
+    """A hostile name of a channel is text in tables, pages and messages, and no argument makes them long."""
+    obeyed = "\x1b]0;owned\x07\x1b[2J\u202e"
+    text = f"""fileType      Image
+version       PicoView 0x10c04
+comment       a
+xPixels       3
+yPixels       2
+xLength       3.0e-006
+yLength       1.0e-006
+  more        bufferLabel
+bufferLabel   a{obeyed}
+bufferRange   3.2768e+000
+bufferUnit    um
+trace         Trace
+data          ASCII
+1
+2
+3
+4
+5
+-6
+"""
+    path = tmp_path / "a.mi"
+    path.write_text(text, encoding="utf-8")
+    channels = ta.scan_channels(path)
+    shown = [repr(channels), channels._repr_html_()]
+    for channel in ("x", f"x{obeyed}", "x" * 20_000):
+        with pytest.raises(ta.InputError) as refused:
+            ta.read_scan(path, channel=channel)
+        shown.append(str(refused.value))
+        assert len(str(refused.value)) < 5_000
+    assert not any(letter in text for text in shown for letter in obeyed if not letter.isprintable()), shown

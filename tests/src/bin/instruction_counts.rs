@@ -81,8 +81,8 @@ const PIECES: [Piece; 31] = [
     ("draws-tenfold", || draws(10)),
     ("reader", || reader(1)),
     ("reader-tenfold", || reader(10)),
-    ("files", || files(10, 100)),
-    ("files-tenfold", || files(1, 1000)),
+    ("files", || files(10, 20)),
+    ("files-tenfold", || files(1, 200)),
 ];
 
 fn main() -> ExitCode {
@@ -355,7 +355,7 @@ fn reader(maps: usize) -> Work {
     })
 }
 
-/// Sets of texts, a thousand files together: as `scan`, `roughness`, `psd` and the draws of `report` take them.
+/// Sets of texts, two hundred files together: as `scan`, `roughness`, `psd` and the draws of `report` take them.
 fn files(sets: usize, files: usize) -> Work {
     let heights = |file: usize| -> String {
         let height = |at: usize| ((at * at * (7 * file + 13)) % 997) as f64 / 997.0;

@@ -174,7 +174,13 @@ mod png {
     /// The PDF of an SVG document, in its size in print and with its letters as text.
     pub(super) fn pdf(svg: &str) -> Result<Vec<u8>, String> {
         let size = PageOptions { dpi: DOTS_PER_INCH };
-        svg2pdf::to_pdf(&tree(svg)?, ConversionOptions::default(), size).map_err(|error| error.to_string())
+        let pdf = svg2pdf::to_pdf(&tree(svg)?, ConversionOptions::default(), size)
+            .map_err(|error| error.to_string())?;
+        // The library lists resources in the order of a hash, which differs from run to run.
+        let mut lines: Vec<&[u8]> = pdf.split(|byte| *byte == b'\n').collect();
+        let is_resource = |line: &&[u8]| line.trim_ascii_start().starts_with(b"/") && line.ends_with(b" 0 R");
+        lines.chunk_by_mut(|a, b| is_resource(a) && is_resource(b)).for_each(<[_]>::sort_unstable);
+        Ok(lines.join(&b'\n'))
     }
 
     /// The PNG of a field: its points over its frame.

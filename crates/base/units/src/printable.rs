@@ -152,14 +152,6 @@ mod tests {
     }
 
     #[test]
-    fn paths_are_as_short_as_they_differ() {
-        let paths = ["a/t.txt", "b/t.txt", "/x/a/u.txt", "t.txt", "c/d/v", "e/d/v", "c/d/v"];
-        let short = short_paths(paths);
-        let expected = ["a/t.txt", "b/t.txt", "u.txt", "t.txt", "c/d/v", "e/d/v", "c/d/v"];
-        assert_eq!(paths.map(|path| short[path].as_str()), expected);
-    }
-
-    #[test]
     fn lists_are_whole_if_short_and_bounded_if_long() {
         assert_eq!(listed(["a", "b"], "'"), "'a', 'b'");
         assert_eq!(listed(Vec::<String>::new(), "'"), "");

@@ -204,17 +204,16 @@ fn uneven_line(
 /// the distance of the ends differ by one spacing.
 fn stated_note(scan: &MeasuredScan, stated_m: [Option<f64>; 2], columns: usize) -> Option<String> {
     let (x_m, y_m) = scan.size_m();
-    let rows = scan.heights_m().len() / columns.max(1);
-    let axes = [("long", Some(x_m), columns), ("wide", y_m, rows)].into_iter().zip(stated_m);
-    let differs = |((_, found_m, points), stated_m): ((&str, Option<f64>, usize), Option<f64>)| {
+    let note = |what: &str, found_m: Option<f64>, stated_m: Option<f64>, points: usize| {
         let (found_m, stated_m) = found_m.zip(stated_m)?;
-        let tolerance = STATED_AGREEMENT + 1.5 / points as f64;
-        ((found_m / stated_m - 1.0).abs() > tolerance).then_some((found_m, stated_m))
-    };
-    axes.filter_map(|axis| Some((axis.0.0, differs(axis)?))).next().map(|(what, (found_m, stated_m))| {
+        let differs = (found_m / stated_m - 1.0).abs() > STATED_AGREEMENT + 1.5 / points as f64;
         let [found, stated] = [found_m, stated_m].map(length);
-        format!("the header states that the scan is {stated} {what}, its points are {found} {what}; is the file cut off?")
-    })
+        differs.then(|| {
+            format!("the header says {stated} {what}, the points are {found} {what}; is the file cut off?")
+        })
+    };
+    let rows = scan.heights_m().len() / columns.max(1);
+    note("long", Some(x_m), stated_m[0], columns).or_else(|| note("wide", y_m, stated_m[1], rows))
 }
 
 /// Tells of a size in the metadata that is not that of the file.

@@ -17,6 +17,7 @@ const POINTS_PER_INCH: f64 = 72.0;
 const TEMPLATE: &str = r##"# Draws the figure with matplotlib from the table of its name: python @NAME@.py [FILE.pdf]
 # Edit a copy: the program replaces this file when it writes the figure again.
 import @READER@
+import os
 import sys
 from pathlib import Path
 
@@ -56,6 +57,7 @@ axes.set(xscale="@XSCALE@", yscale="@YSCALE@", xlabel=@XLABEL@, ylabel=@YLABEL@,
 handles = {label: handle for handle, label in zip(*axes.get_legend_handles_labels())}
 if 0 < len(handles) <= @MOST@:
     figure.legend(handles.values(), handles.keys(), loc="outside lower left", frameon=False)
+os.environ.setdefault("SOURCE_DATE_EPOCH", "0")  # equal runs give equal files
 figure.savefig(sys.argv[1], dpi=300) if len(sys.argv) > 1 else plt.show()
 "##;
 

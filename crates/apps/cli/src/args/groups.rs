@@ -15,7 +15,7 @@ use super::parsers::{hardness, one_of, parse_count, parse_place, parse_poisson_r
 use crate::picture::Picture;
 use crate::place::Place;
 
-/// Form in which provenance quotes absolute paths of the command.
+/// Form in which provenance quotes the paths of the command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum QuotedPaths {
     /// The file name alone.
@@ -36,7 +36,7 @@ pub(crate) struct SharedArgs {
     /// Destination of the table, or of the text of `run` and `scene`: a path, or - for standard output
     #[arg(long, value_name = "PATH", default_value = "-", value_parser = parse_place, global = true)]
     pub output: Place,
-    /// Begin CSV tables with comment lines that tell where they come from; those of `psd` and `run` always do. They quote file names alone for absolute paths; --provenance=full quotes the paths
+    /// Begin CSV tables with comment lines that tell where they come from; those of `psd` and `run` always do. They quote file names without folders; --provenance=full quotes the paths
     #[arg(
         long,
         value_name = "PATHS",

@@ -264,3 +264,101 @@ fn a_table_replaced_by_its_own_extension_is_named() {
     ran.ok_remarking(&["t.csv", "replaced"]);
     assert!(bench.read("t.csv").starts_with(LAWS.lines().next().unwrap()));
 }
+
+#[cfg(unix)]
+#[test]
+fn what_a_killed_run_left_is_removed_and_what_another_run_holds_is_not() {
+    use tables::staging::StagedFiles;
+    let bench = Bench::new();
+    bench.write(".truearea-tmp-killed", "half");
+    let mut held = StagedFiles::default();
+    held.stage(&bench.path("later"), |out| out.write_all(b"whole")).unwrap();
+    bench.run(&["moments", "builtin:uncd-measured", "--output", "m.csv"]).ok();
+    assert!(!bench.path(".truearea-tmp-killed").exists());
+    held.publish().unwrap();
+    assert_eq!(bench.files(), ["later", "m.csv"]);
+}
+
+#[test]
+fn equal_runs_give_equal_bytes() {
+    let bench = Bench::new();
+    bench.write("in2", content("trace"));
+    bench.write("s.toml", SCENE.replace("[\"svg\", \"py\"]", "[\"svg\", \"py\", \"pdf\", \"png\"]"));
+    let run = || {
+        bench.run_with_env(&["run", "s.toml", "--out", "o"], "SOURCE_DATE_EPOCH", "0").ok();
+        let files = files_below(&bench.path("o")).into_iter();
+        files.map(|path| (path.clone(), std::fs::read(path).unwrap())).collect::<BTreeMap<_, _>>()
+    };
+    let first = run();
+    std::thread::sleep(std::time::Duration::from_millis(1100));
+    let second = run();
+    assert!(first.len() > 5 && first.keys().eq(second.keys()));
+    assert!(first.iter().all(|(path, bytes)| second[path] == *bytes));
+}
+
+#[test]
+fn a_picture_that_is_too_large_is_refused() {
+    let bench = Bench::new();
+    bench.write("in2", content("trace")).write("s.toml", SCENE);
+    let call = ["figure", "s.toml", "--picture", "png", "--width", "1000mm"];
+    bench.run(&call).refused_naming(&["f.png", "too large", ".svg"]);
+    assert!(!bench.path("f.png").exists());
+}
+
+#[test]
+fn names_of_files_have_as_many_folders_as_tell_them_apart() {
+    let paths = ["a/t.txt", "b/t.txt", "/x/a/u.txt", "t.txt", "c/d/v", "e/d/v", "c/d/v"];
+    let short = units::printable::short_paths(paths);
+    let expected = ["a/t.txt", "b/t.txt", "u.txt", "t.txt", "c/d/v", "e/d/v", "c/d/v"];
+    assert_eq!(paths.map(|path| short[path].as_str()), expected);
+}
+
+/// The memory and the time of many files are linear by `cargo xtask instructions`; here they have one instrument.
+#[test]
+fn texts_of_one_length_and_spacing_share_an_instrument_and_the_report_says_so() {
+    let bench = Bench::new();
+    let names: Vec<String> = (0..12).map(|at| format!("t{at}.txt")).collect();
+    for (at, name) in names.iter().enumerate() {
+        let height = |i: usize| ((i * i * (7 * at + 13)) % 997) as f64 / 100.0;
+        bench.write(name, (0..64).map(|i| format!("{i} {}\n", height(i))).collect::<String>());
+    }
+    bench.write("longer.txt", content("trace") + "64 1\n65 2\n");
+    let options = ["--unit", "nm", "--material", "gold", "--pressure", "1MPa", "--out", "o"];
+    let call: Vec<&str> = ["report"]
+        .into_iter()
+        .chain(names.iter().map(String::as_str))
+        .chain(["longer.txt"])
+        .chain(options)
+        .collect();
+    bench.run(&call).ok();
+    let answer = bench.read("o/answer.json");
+    assert!(
+        answer.contains("\"one-instrument\"") && answer.contains("text of 64 points, 1 nm apart"),
+        "{answer}"
+    );
+    assert!(bench.read("o/report.html").contains("longer.txt (guessed)"));
+}
+
+#[test]
+fn a_header_with_another_length_than_the_points_is_noted() {
+    let bench = Bench::new();
+    let rows =
+        |count: usize| (0..count).map(|at| format!("{:.1},0.{at},,\n", at as f64 * 0.5)).collect::<String>();
+    let text = |header: &str, count| {
+        format!("Scan Parameters\n{header}\nScan Data\nLateral um,Raw Micrometer,\n{}", rows(count))
+    };
+    for (header, is_noted) in [
+        ("Length,50.0 um", false),
+        ("Length,50.0 um,", false),
+        ("Length,250.0 um", true),
+        ("Length: 250 um", true),
+        ("Length: 20 um", true),
+    ] {
+        bench.write("t.csv", text(header, 100));
+        assert_eq!(bench.run(&["scan", "t.csv"]).ok().contains("the header says"), is_noted, "{header}");
+    }
+    bench
+        .write("t.csv", text("Number of points,400", 100))
+        .run(&["scan", "t.csv"])
+        .refused_naming(&["400", "100"]);
+}

@@ -291,21 +291,6 @@ mod tests {
         assert_eq!(names(folder.path()), ["a", "b"]);
     }
 
-    #[cfg(unix)]
-    #[test]
-    fn the_next_publication_removes_what_a_killed_run_left_and_nothing_that_is_held() {
-        let folder = tempfile::tempdir().unwrap();
-        let abandoned = folder.path().join(".truearea-tmp-killed");
-        std::fs::write(&abandoned, "half").unwrap();
-        let held = staged(folder.path(), &["later"]);
-        let (_, aside) = held.targets().next().unwrap();
-        let aside = aside.to_owned();
-        staged(folder.path(), &["a"]).publish().unwrap();
-        assert!(!abandoned.exists() && aside.exists());
-        held.publish().unwrap();
-        assert_eq!(names(folder.path()), ["a", "later"]);
-    }
-
     #[test]
     fn where_one_file_cannot_be_published_none_is() {
         let folder = tempfile::tempdir().unwrap();

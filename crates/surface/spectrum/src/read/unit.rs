@@ -203,7 +203,9 @@ mod tests {
             "nmm",
             "m3m",
             "kg",
-            "cycles", "cycles mm", "nm^2 kg",
+            "cycles",
+            "cycles mm",
+            "nm^2 kg",
             "nm^2 rad/mm",
             "m m m",
         ] {
