@@ -133,13 +133,15 @@ fn scene(
 
 /// The question with its paths relative to a folder.
 fn relative_to(question: &ReportQuestion, folder: &Path) -> Result<ReportQuestion, Failure> {
-    let from = std::path::absolute(folder)
-        .map_err(|error| Failure::writing(&folder.display().to_string(), &error))?;
+    let from =
+        folder.canonicalize().map_err(|error| Failure::writing(&folder.display().to_string(), &error))?;
     let relative = |path: &str| -> String {
         if !is_a_path(path) {
             return path.to_owned();
         }
+        // The file may be a link, whose own name is the one that people know.
         let to = std::path::absolute(path).ok();
+        let to = to.and_then(|to| Some(to.parent()?.canonicalize().ok()?.join(to.file_name()?)));
         let found = to.and_then(|to| pathdiff::diff_paths(to, &from));
         found.map_or_else(|| path.to_owned(), |path| path.to_string_lossy().into_owned())
     };

@@ -211,6 +211,10 @@ fn a_report_reads_a_stream_once_and_refuses_its_own_folder() {
     for out in ["d", "./d", "d/../d"] {
         bench.run(&[&["report", "d"][..], &options, &[out]].concat()).refused_naming(&["--out", "d"]);
     }
+    // A folder may be spelled through its parent.
+    std::fs::create_dir(bench.path("e")).unwrap();
+    bench.run(&[&["report", "d"][..], &options, &["e/../out"]].concat()).ok();
+    std::fs::remove_dir_all(bench.path("out")).unwrap();
     let fifo = bench.path("fifo");
     assert!(std::process::Command::new("mkfifo").arg(&fifo).status().unwrap().success());
     let writer = std::thread::spawn(move || std::fs::write(fifo, trace()).unwrap());
