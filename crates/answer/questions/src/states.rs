@@ -52,14 +52,13 @@ impl StatesQuestion {
         found: &StatesFound,
         all: usize,
     ) -> Vec<Remark> {
-        let StatesFound { counts, narrow, assumed_strengths: rows, bad, first_bad, .. } = *found;
+        let StatesFound { counts, narrow, bad, first_bad, .. } = *found;
         let doubt = materials.find_map(doubts::of_material);
         let bad = rows_of(RemarkCode::BadRows, bad, all).map(|mut remark| {
             remark.place.row = first_bad;
             remark
         });
-        let assumed = rows_of(RemarkCode::AssumedStrengths, rows, all);
         let counts = CurveCounts { states: counts, narrow, ..CurveCounts::default() };
-        doubt.into_iter().chain(bad).chain(assumed).chain(counts.remarks()).collect()
+        doubt.into_iter().chain(bad).chain(found.of_strength(all)).chain(counts.remarks()).collect()
     }
 }

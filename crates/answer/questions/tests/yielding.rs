@@ -4,12 +4,14 @@ use std::collections::BTreeMap;
 
 use elements::IndenterShape;
 use numerics::parallel::Unobserved;
+use questions::rows::{RowRoughness, StateRequest};
 use questions::{
     AdhesionQuestion, CurveQuestion, ElementsLoad, ElementsQuestion, GapModel, GapQuestion, IndenterQuestion,
     LawAnswer, LawQuantity, LawQuestion, LawTableQuestion, LoadInput, MaterialInput, QuestionError,
-    RandomInput, TangentialQuestion, TransportInput,
+    RandomInput, StatesQuestion, TangentialQuestion, TransportInput,
 };
 use spectrum::ReadOptions;
+use stat_contact::Condition;
 use study::models::{Choice, Framework, MODELS, ModelEntry};
 use study::surface::Surface;
 use units::{Pressure, PressureRange, Remark, RemarkCode, SceneKeys};
@@ -180,4 +182,28 @@ fn no_question_doubts_a_contact_below_its_hardness() {
         let notes = notes.unwrap_or_else(|error| panic!("{question}: {error}"));
         assert!(notes.iter().all(|note| note.code != RemarkCode::RealAboveHardness), "{question}: {notes:?}");
     }
+}
+
+#[test]
+fn rows_of_populations_count_pressures_above_the_hardness() {
+    let counted = |model: &str, hardness_pa: f64| {
+        let material = silver(hardness_pa).material().unwrap();
+        let entry = MODELS.iter().find(|entry| entry.name == model).unwrap();
+        let question = StatesQuestion { model: Some(entry), ..StatesQuestion::default() };
+        let asked = |row: usize| StateRequest {
+            material: &material,
+            // Sharper asperities press harder.
+            roughness: RowRoughness([10f64.powi(-3 - row as i32), 1e12, 1e-8]),
+            at: Condition::Pressure(1e3),
+        };
+        let (_, found) = question.states().unwrap().compute(8, asked, &Unobserved).unwrap();
+        let notes = question.notes_on(std::iter::once(&material), &found, 8);
+        let note = notes.iter().find(|note| note.code == RemarkCode::RowsAboveHardness);
+        assert_eq!(note.is_some(), found.above_hardness > 0);
+        found.above_hardness
+    };
+    assert_eq!(counted("hertz", 1e15), 0);
+    assert_eq!(counted("hertz", 1e6), 8);
+    assert!((1..8).contains(&counted("hertz", 2e9)));
+    assert!(counted("ep-sphere", SILVER_PA) < counted("hertz", SILVER_PA));
 }

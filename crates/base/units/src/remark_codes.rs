@@ -207,6 +207,8 @@ remark_codes! {
         "{rows} of {all} rows have input that is missing or out of bounds: their results are NaN";
     AssumedStrengths "rows.assumed-strengths" Note
         "{rows} of {all} rows have a hardness and no yield strength: S0 = H/3 is used";
+    RowsAboveHardness "doubt.real-above-hardness" Caution
+        "{rows} of {all} rows have a real pressure above the hardness: the contact yields, and more touches than elastic models say";
     FlowingRows "rows.flowing-everywhere" Note
         "{rows} of {all} rows: the pressure is not below the hardness; everything touches and flows";
     RowsOutOfRange "rows.beyond-range" Note "{rows} of {all} rows lie beyond {range}";

@@ -12,7 +12,7 @@ use study::plan::{Load, NominalPressure};
 use study::validity::MODULUS_OVER_IDEAL_STRENGTH;
 use units::{Remark, RemarkCode};
 
-pub use real_pressure::{PressedBodies, RealPressures, of_contact};
+pub use real_pressure::{PressedBodies, ROUNDING, RealPressures, of_contact};
 
 /// Moduli \[Pa\] of metals and ceramics typed without their prefix, or with mega for giga; with the factor left out.
 const MISTYPED_MODULI: [(std::ops::Range<f64>, f64); 2] = [(0.0..1e3, 1e9), (10e6..1e9, 1e3)];

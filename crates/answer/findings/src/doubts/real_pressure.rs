@@ -6,7 +6,7 @@ use units::display::pressure;
 use units::{Remark, RemarkCode};
 
 /// Relative rounding of a real pressure, so that a contact that flows everywhere bears its hardness.
-const ROUNDING: f64 = 1e-9;
+pub const ROUNDING: f64 = 1e-9;
 
 /// Gathers the real pressures of contacts, which may come part by part.
 pub struct RealPressures {

@@ -2,13 +2,15 @@
 
 use std::sync::{Mutex, PoisonError};
 
+use findings::doubts::ROUNDING;
 use numerics::parallel::{Progress, fill_blocks};
 use stat_contact::{Condition, ContactState};
 use study::material::{Material, MaterialError};
-use study::models::{ModelEntry, ModelOptions, Pressable};
+use study::models::{Choice, ModelEntry, ModelOptions, Pressable};
 use study::plan::Tolerance;
+use units::{Remark, RemarkCode};
 
-use super::{NarrowSpectra, RowsError, StateCounts};
+use super::{NarrowSpectra, RowsError, StateCounts, rows_of};
 
 /// The number of states that are computed one after the other and share work.
 const BLOCK: usize = 1024;
@@ -81,6 +83,8 @@ pub struct StatesFound {
     pub narrow: NarrowSpectra,
     /// The number of rows that use a third of the hardness as the strength.
     pub assumed_strengths: usize,
+    /// The number of rows whose real pressure exceeds a hardness that does not grow.
+    pub above_hardness: usize,
     /// The number of rows left without results because their request cannot be met.
     pub bad: usize,
     /// The first such row, counted from 0.
@@ -128,7 +132,10 @@ impl ContactStates {
         let (mut found, mut row) = (StatesFound::default(), 0);
         for run in requests.chunk_by(StateRequest::presses_the_same_as) {
             let pressed = self.contact(&run[0]);
-            let assumes = pressed.is_ok() && run[0].material.assumed_yield_strength_pa().is_some();
+            let is_plastic = self.entry.has(Choice::Strength);
+            let assumes =
+                is_plastic && pressed.is_ok() && run[0].material.assumed_yield_strength_pa().is_some();
+            let hardness_pa = run[0].material.hardness_pa().filter(|_| !self.options.strain_gradient);
             let mut sweep = match &pressed {
                 Ok(Pressable::Contact(contact)) => Some(contact.sweep(self.tolerance.value())),
                 _ => None,
@@ -147,6 +154,7 @@ impl ContactStates {
                 match state {
                     Ok(state) => {
                         found.counts.add(&state);
+                        found.above_hardness += usize::from(is_above(state.as_ref(), hardness_pa));
                         set(&mut columns, row, state.as_ref());
                     }
                     Err(_) if self.skips_bad_rows => {
@@ -186,11 +194,24 @@ fn set(columns: &mut [&mut [f64]; 8], row: usize, state: Option<&ContactState>) 
     }
 }
 
+/// Returns true if the real pressure of a state exceeds the hardness \[Pa\].
+pub(super) fn is_above(state: Option<&ContactState>, hardness_pa: Option<f64>) -> bool {
+    let real_pa = state.map(|state| state.pressure_pa / state.area_fraction);
+    real_pa.zip(hardness_pa).is_some_and(|(real_pa, hardness_pa)| real_pa > hardness_pa * (1.0 + ROUNDING))
+}
+
 impl StatesFound {
+    /// Makes the remarks on strengths that were assumed, and on pressures above the hardness, of so many rows.
+    pub(crate) fn of_strength(&self, all: usize) -> impl Iterator<Item = Remark> {
+        let assumed = rows_of(RemarkCode::AssumedStrengths, self.assumed_strengths, all);
+        assumed.into_iter().chain(rows_of(RemarkCode::RowsAboveHardness, self.above_hardness, all))
+    }
+
     fn add(&mut self, other: &StatesFound) {
         self.counts += other.counts;
         self.narrow += other.narrow;
         self.assumed_strengths += other.assumed_strengths;
+        self.above_hardness += other.above_hardness;
         self.bad += other.bad;
         self.first_bad = self.first_bad.into_iter().chain(other.first_bad).min();
         self.without_asperities += other.without_asperities;

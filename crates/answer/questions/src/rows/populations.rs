@@ -6,13 +6,12 @@ use stat_contact::{Condition, ContactState, NoSeparation, Sweep};
 use tables::{Cell, Cells, InputTable, Refusal, Row};
 use units::{Pressure, Remark, RemarkCode};
 
-use super::contact_states::{RowRoughness, StatesFound};
+use super::contact_states::{RowRoughness, StatesFound, is_above};
 use super::strength_columns::{
     INDENTATION_HARDNESS, STRAIN_GRADIENT_LENGTH, YIELD_STRENGTH, hardness_and_strength,
 };
 use super::{RowByRow, RowsError, StateCounts, rows_of};
 use study::body_properties::BodyProperty;
-use study::hardness_and_strength::HardnessAndStrength;
 use study::material::{GivenMaterial, Material, MaterialError};
 use study::models::{self, Choice, Framework, ModelEntry, ModelOptions, Pressable, Statistical};
 use study::plan::{NominalPressure, Tolerance};
@@ -61,6 +60,8 @@ struct RowRequest {
     strength_is_assumed: bool,
     entry: &'static ModelEntry,
     grows: bool,
+    /// Hardness \[Pa\], if one is known and does not grow.
+    hardness_pa: Option<f64>,
 }
 
 const REQUIRED_COLUMNS: [&str; 3] = ["model", "youngs_modulus_pa", "poisson_ratio"];
@@ -74,13 +75,16 @@ impl Populations {
     fn read(&self, row: &Row<'_>) -> Result<Option<RowRequest>, String> {
         let entry = models::named(Framework::Statistical, row.text("model").trim())
             .map_err(|error| format!("column model: {error}"))?;
-        let material = self.material(row, entry.has(Choice::Strength))?;
-        let strength_is_assumed = material.assumed_yield_strength_pa().is_some();
+        let is_plastic = entry.has(Choice::Strength);
+        let material = self.material(row, is_plastic)?;
+        let strength_is_assumed = is_plastic && material.assumed_yield_strength_pa().is_some();
         let grows = material.strain_gradient_length_m().is_some();
+        let hardness_pa = material.hardness_pa().filter(|_| !grows);
         let contact = self.contact(row, entry, &material)?;
         contact
             .map(|contact| {
-                Ok(RowRequest { contact, at: self.condition(row)?, strength_is_assumed, entry, grows })
+                let at = self.condition(row)?;
+                Ok(RowRequest { contact, at, strength_is_assumed, entry, grows, hardness_pa })
             })
             .transpose()
     }
@@ -114,11 +118,7 @@ impl Populations {
         let body = ElasticBody::new(modulus_pa, poisson_ratio).map_err(|error| error.to_string())?;
         Ok(Material::new(GivenMaterial {
             counterface: self.counterface,
-            hardness_and_strength: if strong {
-                hardness_and_strength(row, Bound::Magnitude)?
-            } else {
-                HardnessAndStrength::default()
-            },
+            hardness_and_strength: hardness_and_strength(row, Bound::Magnitude)?,
             strength_cap: self.strength_cap,
             strain_gradient_length_m: optional(STRAIN_GRADIENT_LENGTH)?,
             ..GivenMaterial::new(body)
@@ -224,12 +224,13 @@ impl RowByRow for Populations {
         let states = numerics::parallel::try_map(&asked, state)?;
         let found = &mut self.found;
         found.counts.add(states.iter().flatten());
-        for asked in &asked {
+        for (asked, state) in asked.iter().zip(&states) {
             let Some(asked) = asked else {
                 found.without_asperities += 1;
                 continue;
             };
             found.assumed_strengths += usize::from(asked.strength_is_assumed);
+            found.above_hardness += usize::from(is_above(state.as_ref(), asked.hardness_pa));
             if let Pressable::TooNarrow { alpha } = asked.contact {
                 found.narrow.add(alpha);
             }
@@ -239,15 +240,13 @@ impl RowByRow for Populations {
     }
 
     fn notes(&self) -> Vec<Remark> {
-        let StatesFound { counts, narrow, assumed_strengths: assumed, without_asperities: rows, .. } =
-            self.found;
+        let StatesFound { counts, narrow, without_asperities: rows, .. } = self.found;
         let all = rows + narrow.count + counts.all;
         let without = rows_of(RemarkCode::RowsWithoutAsperities, rows, all);
         let narrow = narrow.remark(all);
-        let assumed = rows_of(RemarkCode::AssumedStrengths, assumed, counts.all);
         // Rows beyond complete contact have remarks of their own.
         let of_states = StateCounts { incomplete: 0, flattened: 0, ..counts }.remarks();
-        without.into_iter().chain(narrow).chain(assumed).chain(of_states).collect()
+        without.into_iter().chain(narrow).chain(self.found.of_strength(counts.all)).chain(of_states).collect()
     }
 }
 
