@@ -39,7 +39,7 @@ def blocks(page: Path) -> list[tuple[str, str]]:
 def test_the_examples_of_a_page_run_and_print_what_it_shows(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     known: dict[str, Any] = {"__name__": "__page__"}
-    before = ""
+    before, printed = "", io.StringIO()
     for language, text in blocks(page):
         if language == "python":
             printed = io.StringIO()
