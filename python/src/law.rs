@@ -62,7 +62,7 @@ impl PyFoundLaw {
             LawAnswer::Pressure(found) => {
                 let (law, model) = (found.sampled(tolerance, watch)?, found.model);
                 provenance.extend(found.description(&Keywords));
-                let exponential = found.exponential().ok();
+                let exponential = found.exponential(tolerance).ok().map(|(law, _)| law);
                 Ok(PyFoundLaw {
                     table: law_table(&law),
                     provenance,

@@ -86,8 +86,7 @@ class Pressed(Drawn, Result):
         areas = np.asarray(self.area_fraction_corrected)
         areas = areas.reshape(len(areas), -1)
         loads_pa = np.broadcast_to(pressures_pa.reshape(len(areas), -1), areas.shape)
-        kind = self._axes["area_fraction"][-1] if areas.shape[1] > 1 else ""
-        labels = [f"{kind} {at + 1}" if kind else "" for at in range(areas.shape[1])]
+        labels = [f"{self._axes['area_fraction'][-1]} {at + 1}" for at in range(areas.shape[1])] if areas.shape[1] > 1 else [""]
         lines = tuple(Trace(loads_pa[:, at], areas[:, at], label, condition=at) for at, label in enumerate(labels))
         return Picture(self._title, "nominal_pressure_pa", "area_fraction", lines, marker="o")
 

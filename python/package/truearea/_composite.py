@@ -38,8 +38,7 @@ class Heights(NamedTuple):
 
     def kept(self) -> Heights:
         """Arrays of its own, for pickling: what their owner writes into his later does not count."""
-        gaps = None if self.gaps is None else self.gaps.copy()
-        return self._replace(heights_m=self.heights_m.copy(), gaps=gaps)
+        return self._replace(heights_m=self.heights_m.copy(), gaps=None if self.gaps is None else self.gaps.copy())
 
 
 Part = Union[File, Scan, Heights]

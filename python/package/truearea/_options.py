@@ -14,7 +14,6 @@ from truearea import _native
 
 if TYPE_CHECKING:
     import numpy.typing as npt
-
     from typing_extensions import Unpack as Unpack
 
     from truearea._choices import (

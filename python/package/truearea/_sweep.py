@@ -94,8 +94,7 @@ class _Rows:
     """The rows of a product of axes, in parts of one size."""
 
     def __init__(self, swept: Scene | Callable[..., Any], axes: Any, vectorised: bool) -> None:
-        columns = getattr(axes, "columns", None)
-        is_frame = columns is not None
+        is_frame = (columns := getattr(axes, "columns", None)) is not None
         names = list(axes if columns is None else columns) if is_frame or isinstance(axes, Mapping) else []
         if not names:
             raise InputError("axes: give a mapping from names to values, or a data frame, with at least one name")
