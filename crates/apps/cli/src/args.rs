@@ -21,7 +21,7 @@ pub(crate) use groups::{
 pub(crate) use layer::LayerArgs;
 pub(crate) use persson::{GrowthArg, PerssonArgs};
 pub(crate) use report::ReportArgs;
-pub(crate) use scans::{RoughnessArgs, ScanArgs, ScansArgs};
+pub(crate) use scans::{RoughnessArgs, ScanArgs, ScansArgs, refuse_replaced};
 
 use std::path::PathBuf;
 

@@ -2,7 +2,7 @@
 
 use questions::QuestionError;
 use report::question_words;
-use units::Spelling;
+use units::{Remark, Spelling};
 
 use crate::failure::Failure;
 
@@ -44,6 +44,17 @@ impl Spelling for PerssonFlags {
 
     fn model(&self, name: &str) -> String {
         Flags.model(if name == "persson" { "elastic" } else { "elastic-plastic" })
+    }
+}
+
+/// Refuses the first option of a list that is given, for the reason in a remark.
+pub(crate) fn refuse_first(
+    options: impl IntoIterator<Item = (&'static str, bool)>,
+    reason: Remark,
+) -> Result<(), Failure> {
+    match options.into_iter().find(|(_, is_given)| *is_given) {
+        None => Ok(()),
+        Some((option, _)) => Err(Failure::Input(reason.on(option).words(&Flags))),
     }
 }
 

@@ -333,6 +333,8 @@ remark_codes! {
     Replaced "scene-note" Note "{option} has no effect beside {--@other}; leave one of them out";
     FigureShowsSomethingElse "scene-note" Note "{option} has no effect on what this figure shows";
     NoCurveUsesIt "scene-note" Note "{option} has no effect: no curve depends on it";
+    OtherCommand "scene-note" Note "{option} does not affect `{command}`, which computes no table; leave it out";
+    EveryFileHasItsOwn "scene-note" Note "{option} has no effect: every file has its own; leave one of them out";
     NoRowUsesIt "scene-note" Note "{option} has no effect: no row of the table depends on it; leave it out";
     UnusedColumn "unused-column" Note "column {column} has no effect: no row of the table depends on it";
     EveryCurveHasItsOwn "scene-note" Note "{option} has no effect: every curve that it applies to sets its own";

@@ -6,7 +6,7 @@ use crate::request::{RequestError, ScanRequest};
 
 /// Columns of a list, each with the scan option in it; the column `file` holds the file.
 fn columns() -> impl Iterator<Item = (String, &'static str)> {
-    ScanRequest::OPTIONS.into_iter().map(|option| (option.replace('-', "_"), option))
+    ScanRequest::OPTIONS.into_iter().map(|(option, _)| (option.replace('-', "_"), option))
 }
 
 /// Errors of reading a list of scans.

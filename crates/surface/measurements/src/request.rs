@@ -74,19 +74,19 @@ impl TipRadius {
 }
 
 impl ScanRequest {
-    /// All options, as the command line names them; in lists and scenes they have underscores.
-    pub const OPTIONS: [&'static str; 11] = [
-        "unit",
-        "channel",
-        "size",
-        "tip-radius",
-        "shortest",
-        "gaps",
-        "direction",
-        "detrend",
-        "instrument",
-        "z-calibration",
-        "slope-uncertainty",
+    /// All options, as the command line names them, and whether a request gives each; in lists and scenes they have underscores.
+    pub const OPTIONS: [(&'static str, fn(&Self) -> bool); 11] = [
+        ("unit", |request| request.unit.is_some()),
+        ("channel", |request| request.channel.is_some()),
+        ("size", |request| request.size_m.is_some()),
+        ("tip-radius", |request| request.tip_radius.is_some()),
+        ("shortest", |request| request.shortest_m.is_some()),
+        ("gaps", |request| request.gaps.is_some()),
+        ("direction", |request| request.direction.is_some()),
+        ("detrend", |request| request.detrend.is_some()),
+        ("instrument", |request| request.instrument.is_some()),
+        ("z-calibration", |request| request.z_calibration.is_some()),
+        ("slope-uncertainty", |request| request.slope_uncertainty.is_some()),
     ];
 
     /// Options of a scan that is read for its heights alone.
@@ -100,26 +100,10 @@ impl ScanRequest {
     /// # Errors
     /// [`TopographyError`] with the file and the option.
     pub fn check_takes(&self, options: &[&str]) -> Result<(), TopographyError> {
-        let given = [
-            self.unit.is_some(),
-            self.channel.is_some(),
-            self.size_m.is_some(),
-            self.tip_radius.is_some(),
-            self.shortest_m.is_some(),
-            self.gaps.is_some(),
-            self.direction.is_some(),
-            self.detrend.is_some(),
-            self.instrument.is_some(),
-            self.z_calibration.is_some(),
-            self.slope_uncertainty.is_some(),
-        ];
-        let is_idle = |(option, is_given): &(&'static str, bool)| *is_given && !options.contains(option);
-        match Self::OPTIONS.into_iter().zip(given).find(is_idle) {
-            None => Ok(()),
-            Some((option, _)) => {
-                Err(TopographyError::for_file(&self.path, ScanProblem::UnusedOption(option)))
-            }
-        }
+        let idle = Self::OPTIONS.into_iter().find(|(option, given)| given(self) && !options.contains(option));
+        idle.map_or(Ok(()), |(option, _)| {
+            Err(TopographyError::for_file(&self.path, ScanProblem::UnusedOption(option)))
+        })
     }
 
     /// Limits of the reliable band that the request gives.

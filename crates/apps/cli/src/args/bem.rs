@@ -114,22 +114,13 @@ pub(crate) struct MapArgs {
 }
 
 impl BemArgs {
-    /// The first property of strength that a given saturation or a pull leaves without use, with the option that does.
-    pub fn idle_strength(&self) -> Option<(&'static str, &'static str)> {
-        let is_in_pascals = |pressure: &Pressure| pressure.pascals(None).is_some();
-        let in_pascals = self.loads.pressures.iter().map(|load| &load.pressure).all(is_in_pascals)
-            && self.loads.pressure_ranges.iter().all(|range| is_in_pascals(&range.from));
-        let other = match (self.pull_off, &self.saturation) {
-            (true, _) => "pull_off",
-            (false, Some(saturation)) if is_in_pascals(saturation) && in_pascals => "saturation",
-            _ => return None,
-        };
-        let bodies = &self.material;
-        let given = [
-            ("indentation_hardness", bodies.indentation_hardness.is_some()),
-            ("yield_strength", bodies.yield_strength.is_some()),
-        ];
-        given.into_iter().find(|(_, is_given)| *is_given).map(|(option, _)| (option, other))
+    /// The option that leaves a strength without use: a pull, or a saturation in pascals where no pressure is in hardnesses.
+    pub fn leaves_strength_unused(&self) -> Option<&'static str> {
+        let loads = self.loads.pressures.iter().map(|load| &load.pressure);
+        let mut all =
+            loads.chain(self.loads.pressure_ranges.iter().map(|range| &range.from)).chain(&self.saturation);
+        let is_saturated = self.saturation.is_some() && all.all(|pressure| pressure.pascals(None).is_some());
+        if self.pull_off { Some("pull_off") } else { is_saturated.then_some("saturation") }
     }
 }
 

@@ -248,6 +248,12 @@ impl CounterfaceArgs {
 }
 
 impl BodiesArgs {
+    /// The properties of strength, and whether each is given.
+    pub fn given_strengths(&self) -> [(&'static str, bool); 2] {
+        let (hardness, strength) = (self.indentation_hardness.is_some(), self.yield_strength.is_some());
+        [("indentation_hardness", hardness), ("yield_strength", strength)]
+    }
+
     /// The material as questions take it.
     pub fn input(&self) -> MaterialInput {
         self.named.fill(MaterialInput {

@@ -7,10 +7,11 @@ use measurements::{Conventions, ScanRequest, TipRadius};
 use roughness::FormRemoval;
 use scans::LengthUnit;
 use topography::{Average, DEFAULT_BINS_PER_DECADE, Detrend, Direction, GapTreatment, Window};
-use units::{Length, SignedLength};
+use units::{Length, Remark, RemarkCode, SignedLength, Spelling};
 
 use super::parsers::{one_of, parse_count, parse_place};
 use crate::failure::Failure;
+use crate::flags::{Flags, refuse_first};
 use crate::picture::Picture;
 use crate::place::Place;
 
@@ -74,30 +75,29 @@ pub(crate) struct FileDefaults {
     pub channel: Option<String>,
 }
 
-/// An option for all files, whether it is given, and whether a file has its own.
-type ForAll = (&'static str, bool, fn(&ScanRequest) -> bool);
-
 /// Refuses an option for all files where each has its own.
-fn refuse_replaced(files: &[ScanRequest], options: &[ForAll]) -> Result<(), Failure> {
-    let is_idle = |(_, is_given, has_own): &&ForAll| *is_given && files.iter().all(has_own);
-    options.iter().find(is_idle).map_or(Ok(()), |(option, ..)| {
-        Err(Failure::Input(format!("{option} has no effect: every file has its own; leave one of them out")))
-    })
+pub(crate) fn refuse_replaced(
+    files: &[ScanRequest],
+    options: impl IntoIterator<Item = (&'static str, bool)>,
+) -> Result<(), Failure> {
+    let is_own = |option: &str| {
+        let own = ScanRequest::OPTIONS.into_iter().find(|(own, _)| Flags.option(own) == Flags.option(option));
+        own.is_some_and(|(_, given)| files.iter().all(given))
+    };
+    let idle = options.into_iter().map(|(option, is_given)| (option, is_given && is_own(option)));
+    refuse_first(idle, Remark::new(RemarkCode::EveryFileHasItsOwn))
 }
 
 impl FileDefaults {
     /// Returns files with these values wherever they have none of their own.
     pub fn complete_all(&self, files: &[ScanRequest]) -> Result<Vec<ScanRequest>, Failure> {
-        let options: [ForAll; 3] = [
-            ("--unit", self.unit.is_some(), |file| file.unit.is_some()),
-            ("--size", self.size.is_some(), |file| file.size_m.is_some()),
-            ("--channel", self.channel.is_some(), |file| file.channel.is_some()),
-        ];
-        refuse_replaced(files, &options)?;
+        let (unit, size) = (self.unit.is_some(), self.size.is_some());
+        refuse_replaced(files, [("unit", unit), ("size", size), ("channel", self.channel.is_some())])?;
         Ok(files.iter().map(|file| self.complete(file)).collect())
     }
 
-    fn complete(&self, file: &ScanRequest) -> ScanRequest {
+    /// Returns a file with these values wherever it has none of its own.
+    pub fn complete(&self, file: &ScanRequest) -> ScanRequest {
         ScanRequest {
             unit: file.unit.or(self.unit),
             channel: file.channel.clone().or_else(|| self.channel.clone()),
@@ -120,19 +120,9 @@ pub(crate) struct MapTreatmentArgs {
 }
 
 impl MapTreatmentArgs {
-    /// Returns files with these values wherever they have none of their own.
-    pub fn complete_all(&self, files: Vec<ScanRequest>) -> Result<Vec<ScanRequest>, Failure> {
-        let options: [ForAll; 2] = [
-            ("--gaps", self.gaps.is_some(), |file| file.gaps.is_some()),
-            ("--direction", self.direction.is_some(), |file| file.direction.is_some()),
-        ];
-        refuse_replaced(&files, &options)?;
-        let complete = |file: ScanRequest| ScanRequest {
-            gaps: file.gaps.or(self.gaps),
-            direction: file.direction.or(self.direction),
-            ..file
-        };
-        Ok(files.into_iter().map(complete).collect())
+    /// Returns a file with these values wherever it has none of its own.
+    pub fn complete(&self, file: ScanRequest) -> ScanRequest {
+        ScanRequest { gaps: file.gaps.or(self.gaps), direction: file.direction.or(self.direction), ..file }
     }
 }
 
@@ -185,11 +175,12 @@ pub(crate) struct ScansArgs {
 impl ScansArgs {
     /// Returns files with these values wherever they have none of their own.
     pub fn with_common_options(&self, files: &[ScanRequest]) -> Result<Vec<ScanRequest>, Failure> {
-        let options: [ForAll; 2] = [
-            ("--detrend", self.detrend.is_some(), |file| file.detrend.is_some()),
-            ("--tip-radius", self.tip_radius.is_some(), |file| file.tip_radius.is_some()),
-        ];
-        refuse_replaced(files, &options)?;
-        self.maps.complete_all(self.defaults.complete_all(files)?)
+        let (detrend, gaps) = (self.detrend.is_some(), self.maps.gaps.is_some());
+        let (direction, radius) = (self.maps.direction.is_some(), self.tip_radius.is_some());
+        let options =
+            [("detrend", detrend), ("gaps", gaps), ("direction", direction), ("tip_radius", radius)];
+        refuse_replaced(files, options)?;
+        let files = self.defaults.complete_all(files)?;
+        Ok(files.into_iter().map(|file| self.maps.complete(file)).collect())
     }
 }

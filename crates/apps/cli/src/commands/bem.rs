@@ -21,10 +21,10 @@ use topography::Recipe;
 use units::{Length, Remark, RemarkCode, WorkOfAdhesion};
 
 use super::{Context, psd, reading_options, say_all};
-use crate::args::BemArgs;
+use crate::args::{BemArgs, refuse_replaced};
 use crate::failure::Failure;
 use crate::files::Folder;
-use crate::flags::Flags;
+use crate::flags::{Flags, refuse_first};
 use crate::output::{publish, stage};
 use crate::picture::png_of_field;
 use crate::place::Place;
@@ -32,9 +32,9 @@ use crate::progress::Progress;
 use crate::timings::Timings;
 
 pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> {
-    if let Some((option, other)) = args.idle_strength() {
-        let remark = Remark::new(RemarkCode::Replaced).with("other", other);
-        return Err(Failure::Input(remark.on(option).words(&Flags)));
+    if let Some(other) = args.leaves_strength_unused() {
+        let strengths = args.material.given_strengths();
+        refuse_first(strengths, Remark::new(RemarkCode::Replaced).with("other", other))?;
     }
     if let Some((radius, force)) = args.ball_radius.zip(args.force) {
         return press_indenter(args, IndenterShape::Ball, (radius.m, force.n), context);
@@ -189,18 +189,19 @@ fn write(
 
 /// Map or spectrum of the file, and comments on where it comes from.
 fn load(args: &BemArgs, context: &Context<'_>) -> Result<(Measured, Vec<String>), Failure> {
-    let files = args.map.defaults.complete_all(std::slice::from_ref(&args.surface))?;
-    let requests = args.map.treatment.complete_all(files)?;
+    refuse_replaced(std::slice::from_ref(&args.surface), args.map.given())?;
+    let request = args.map.treatment.complete(args.map.defaults.complete(&args.surface));
     let options = MeasuredOptions {
         kind: args.kind,
         spectrum: reading_options(&args.reading),
         recipe: Recipe { detrend: args.map.detrend, ..Recipe::default() },
         repeats: args.map.boundary == Some(Boundary::Periodic),
     };
+    let foreign = |kind: Kind| Remark::new(RemarkCode::OtherKindOfFile).with("kind", kind.to_string());
     let targets = context.targets(args.figure.figure.as_ref())?;
     let targets = targets.with_files("--patches", args.patches.as_slice())?;
     let folder = Folder::current(targets);
-    let found = Measured::load(&requests[0], &folder, &options).map_err(|error| match error {
+    let found = Measured::load(&request, &folder, &options).map_err(|error| match error {
         SurfaceError::Scans(error) => psd::refused(error),
         error => Failure::input(error),
     })?;
@@ -208,12 +209,12 @@ fn load(args: &BemArgs, context: &Context<'_>) -> Result<(Measured, Vec<String>)
     match &found {
         Measured::Map(map) => {
             let is_read = ("reading", reading_options(&args.reading) != ReadOptions::default());
-            refuse_foreign(Kind::Scan, args.random.input().given().into_iter().chain([is_read]))?;
+            refuse_first(args.random.input().given().into_iter().chain([is_read]), foreign(Kind::Scan))?;
             say_all(&map.remarks, &Flags);
             comments.push(map.provenance.clone());
         }
         Measured::Spectrum(surface) => {
-            refuse_foreign(Kind::Spectrum, args.map.given())?;
+            refuse_first(args.map.given(), foreign(Kind::Spectrum))?;
             args.surface.check_takes(&[]).map_err(psd::refused)?;
             comments.extend(report::provenance::of_surface(surface));
         }
@@ -240,17 +241,6 @@ fn prepare<P>(
         comments.push(elements_words::random_surfaces(random));
     }
     Ok((prepared, comments))
-}
-
-/// Refuses options that mean something for the other kind of file.
-fn refuse_foreign(kind: Kind, given: impl IntoIterator<Item = (&'static str, bool)>) -> Result<(), Failure> {
-    match given.into_iter().find(|(_, is_given)| *is_given) {
-        None => Ok(()),
-        Some((option, _)) => {
-            let remark = Remark::new(RemarkCode::OtherKindOfFile).with("kind", kind.to_string());
-            Err(Failure::Input(remark.on(option).words(&Flags)))
-        }
-    }
 }
 
 /// A map as it is pressed, with the edges that its file states unless others are chosen.

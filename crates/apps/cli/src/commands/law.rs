@@ -10,7 +10,7 @@ use units::{Remark, RemarkCode};
 use super::{Context, say_all};
 use crate::args::LawArgs;
 use crate::failure::Failure;
-use crate::flags::Flags;
+use crate::flags::{Flags, refuse_first};
 use crate::progress::Progress;
 use crate::timings::Timings;
 
@@ -24,15 +24,11 @@ pub(super) fn run(args: &LawArgs, context: &Context<'_>) -> Result<(), Failure> 
     question.check()?;
     if let Some(correlation) = question.correlation {
         let bodies = &args.choices.material.bodies;
-        let constants = [
-            ("youngs_modulus", bodies.youngs_modulus.is_some()),
-            ("poisson_ratio", bodies.poisson_ratio.is_some()),
-            ("counterface_youngs_modulus", bodies.counterface.counterface_youngs_modulus.is_some()),
-        ];
-        if let Some((option, _)) = constants.into_iter().find(|(_, is_given)| *is_given) {
-            let remark = Remark::new(RemarkCode::NoSuchOption).with("model", correlation.name());
-            return Err(Failure::Input(remark.on(option).words(&Flags)));
-        }
+        let (modulus, ratio) = (bodies.youngs_modulus.is_some(), bodies.poisson_ratio.is_some());
+        let other = bodies.counterface.counterface_youngs_modulus.is_some();
+        let constants =
+            [("youngs_modulus", modulus), ("poisson_ratio", ratio), ("counterface_youngs_modulus", other)];
+        refuse_first(constants, Remark::new(RemarkCode::NoSuchOption).with("model", correlation.name()))?;
     }
     let mut timings = Timings::start();
     let surface = context.load(&args.psd.psd, &args.psd.reading, None)?;

@@ -32,12 +32,12 @@ use study::surface::{Surface, SurfaceError};
 use tables::staging::StagedFiles;
 use tables::{Format, Table, TableWriter};
 use units::printable::shown_path;
-use units::{Remark, RemarkLevel, Spelling};
+use units::{Remark, RemarkCode, RemarkLevel, Spelling};
 
 use crate::args::{Args, Command, PsdArgs, QuotedPaths, ReadingArgs, SharedArgs};
 use crate::failure::Failure;
 use crate::files::Folder;
-use crate::flags::{Flags, failure};
+use crate::flags::{Flags, failure, refuse_first};
 use crate::interruption;
 use crate::output::{Stopped, publish, stage};
 use crate::picture::Picture;
@@ -99,16 +99,10 @@ fn refuse_idle_options(command: &Command, shared: &SharedArgs) -> Result<(), Fai
         Command::Figure(_) => ("figure", false),
         _ => return Ok(()),
     };
-    let given = [
-        ("--format", shared.format.is_some()),
-        ("--provenance", shared.provenance.is_some()),
-        ("--timings", shared.timings && takes_no_time),
-    ];
-    given.into_iter().find(|(_, is_given)| *is_given).map_or(Ok(()), |(option, _)| {
-        Err(Failure::Input(format!(
-            "{option} does not affect `{name}`, which computes no table; leave it out"
-        )))
-    })
+    let SharedArgs { format, provenance, timings, .. } = shared;
+    let times = *timings && takes_no_time;
+    let given = [("format", format.is_some()), ("provenance", provenance.is_some()), ("timings", times)];
+    refuse_first(given, Remark::new(RemarkCode::OtherCommand).with("command", name))
 }
 
 /// The options of every command, and how it was called.

@@ -9,6 +9,7 @@ mod conductance;
 mod documentation;
 mod gap;
 mod help;
+mod idle;
 mod inputs;
 mod instruments;
 mod layers;

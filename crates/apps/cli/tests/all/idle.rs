@@ -1,0 +1,503 @@
+//! Nothing typed is passed over in silence: in every context, each option, each key behind the name of a file, each column of
+//! a table and each key of a scene changes what comes out, is named as without effect, or is refused by name.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+use clap::{Arg, ArgAction, CommandFactory};
+
+use crate::support::Bench;
+
+/// Options that change nothing by right, each with words of the contexts in which, and its reason.
+const IDLE_BY_RIGHT: &[(&str, &str, &str)] = &[
+    ("", "material", "a name gives only what is not given by itself"),
+    ("", "on", "likewise for the counterface"),
+    ("", "verbose", "run and report alone have more to say"),
+    ("", "provenance", "psd, law, run and report always say where their results come from"),
+    ("", "open", "shows the report, which no test does"),
+    ("", "gaps", "a scan without missing points has nothing to treat"),
+    ("", "all_channels", "a file of one channel has no other"),
+    ("", "no_judge", "a scene that is not judged has nothing to skip"),
+    ("", "no_uncertainty", "a scene in which nothing is drawn has nothing to skip"),
+    ("", "tolerance", "closed forms, and solutions of few points, are as exact as they can be"),
+    (
+        "",
+        "indentation_hardness",
+        "a hardness is compared with pressures, and far above all of them changes nothing",
+    ),
+    ("", "yield_strength", "likewise"),
+    ("", "gamma", "where all flows there is no gap"),
+    ("--form exponential", "strain_gradient_length", "light loads are those of the elastic theory"),
+];
+
+/// Bodies: elastic, yielding by each property, growing, named, against another body, under a layer.
+const BODIES: &[&str] = &[
+    "--youngs-modulus 200GPa --poisson-ratio 0.3",
+    "--youngs-modulus 200GPa --poisson-ratio 0.3 --indentation-hardness 300MPa",
+    "--youngs-modulus 200GPa --poisson-ratio 0.3 --yield-strength 100MPa --strain-gradient-length 1um",
+    "--material silver --on gold",
+    "--youngs-modulus 200GPa --poisson-ratio 0.3 --counterface-youngs-modulus 70GPa --counterface-poisson-ratio 0.2",
+    "--youngs-modulus 200GPa --poisson-ratio 0.3 --layer-thickness 5um --layer-youngs-modulus 20GPa --layer-poisson-ratio 0.4",
+    "--layer-thickness 5um --layer-youngs-modulus 20GPa --layer-poisson-ratio 0.4 --layer-base rigid",
+];
+
+/// Commands with the words that they need, and alternatives of which each context takes one; `*` stands for every value of the
+/// option before it.
+type Walk = (&'static str, &'static str, &'static [&'static [&'static str]]);
+
+const WALKS: &[Walk] = &[
+    ("moments", "psd.csv", &[]),
+    ("amplitude", "psd.csv", &[]),
+    ("fit", "psd.csv", &[&["", "--from 8um --to 200nm"]]),
+    ("stacked", "psd.csv --pressure 50MPa", &[&["--model *"], BODIES]),
+    (
+        "statistical",
+        "psd.csv --tolerance 1e-6",
+        &[&["--model *"], BODIES, &["--pressure 50MPa", "--separation 10nm"]],
+    ),
+    ("statistical", "--input rows.csv --tolerance 1e-6", &[&["--model *"], BODIES, &["--pressure 50MPa"]]),
+    ("statistical", "--input full.csv --tolerance 1e-6", &[&["", "--given pressure"]]),
+    (
+        "persson",
+        "psd.csv --pressure 50MPa",
+        &[
+            &["--model *"],
+            BODIES,
+            &["", "--hardness-law power:0.2", "--hardness-law nix-gao", "--correction algebraic-nayak"],
+        ],
+    ),
+    ("persson", "--input flat.csv", &[&["", "--model *"], &["", "--indentation-hardness 300MPa"]]),
+    ("persson", "--input hard.csv", &[&["", "--model *"]]),
+    ("gap", "psd.csv --pressure 50MPa", &[&["--model *"], BODIES]),
+    ("tangential", "psd.csv --pressure 50MPa --friction 0.3", &[&["--model *"], BODIES]),
+    (
+        "law",
+        "psd.csv --pressure-range 1MPa:50MPa --error 0.1",
+        &[
+            &["--model *"],
+            BODIES,
+            &[
+                "",
+                "--form exponential",
+                "--quantity heat --thermal-conductivity 20W/(mK) --counterface-thermal-conductivity 40W/(mK)",
+                "--quantity heat --thermal-conductivity 20W/(mK) --counterface-thermal-conductivity 40W/(mK) --gas air",
+                "--quantity current --resistivity 2e-8ohmm --counterface-resistivity 3e-8ohmm",
+            ],
+            &["--dialect calculix"],
+        ],
+    ),
+    ("bem", "psd.csv --grid 32 --realisations 1 --shortest 2um", &[BODIES, PRESSED]),
+    ("bem", "map.txt --unit um --size 10um", &[BODIES, PRESSED]),
+    ("scan", "trace.txt:unit=um", &[]),
+    ("scan", "named.txt map.txt:unit=um,size=10um", &[&["", "--figure f.svg"]]),
+    ("scan", "two.gsf", &[&["", "--channel a"]]),
+    ("roughness", "trace.txt:unit=um", &[&["", "--scales"]]),
+    ("roughness", "named.txt", &[&["", "--scales"]]),
+    ("roughness", "map.txt --unit um --size 10um", &[&["", "--scales"]]),
+    ("psd", "trace.txt:unit=um", &[&["", "--per-scan"]]),
+    ("psd", "named.txt", &[]),
+    ("psd", "--list list.csv", &[]),
+    ("psd", "map.txt --unit um --size 10um", &[&["", "--areal"]]),
+    ("report", "psd.csv --material silver --pressure 50MPa --out o", &[]),
+    ("report", "trace.txt:unit=um --material silver --pressure 50MPa --out o", &[]),
+    ("report", "map.txt:unit=um,size=10um --material silver --pressure 50MPa --out o", &[]),
+    ("run", "scene.toml --out o", &[&["--no-report", "--dry-run"]]),
+    ("figure", "scene.toml --out o", &[&["", "--picture *"]]),
+    ("scene", "new", &[]),
+    ("completions", "bash", &[]),
+    ("man", "--out o", &[]),
+    ("asperity sphere", "--input spheres.csv", &[]),
+    ("asperity sinusoid", "--input sinusoids.csv", &[]),
+    ("asperity sinusoid-interference", "--input pressed.csv", &[]),
+];
+
+/// Random surfaces that take no time.
+const GRID: &str = "--grid 32 --realisations 1 --shortest 2um";
+
+/// Ways to press a surface by elements.
+const PRESSED: &[&str] = &[
+    "--pressure 50MPa",
+    "--pressure 50MPa --saturation 200MPa",
+    "--ball-radius 1mm --force 1mN",
+    "--cylinder-radius 1mm --force-per-length 10N/m",
+    "--work-of-adhesion 50mJ/m^2 --adhesion-range 1um --pressure 50MPa",
+    "--work-of-adhesion 50mJ/m^2 --adhesion-range 1um --pull-off",
+];
+
+/// Two values of each option that matter, by its name or else by the name of its value.
+const VALUES: &[(&str, [&str; 2])] = &[
+    ("input", ["rows.csv", "hard.csv"]),
+    ("list", ["list.csv", "other.csv"]),
+    ("output", ["out.csv", "out.csv"]),
+    ("figure", ["g.svg", "h.svg"]),
+    ("out", ["elsewhere", "elsewhere"]),
+    ("material", ["silver", "gold"]),
+    ("on", ["silver", "gold"]),
+    ("column", ["C1D_m3", "wavelength_m"]),
+    ("series", ["a", "b"]),
+    ("subject", ["a", "b"]),
+    ("x_unit", ["um", "nm"]),
+    ("psd_unit", ["um^3", "nm^3"]),
+    ("channel", ["a", "b"]),
+    ("unit", ["nm", "mm"]),
+    ("youngs_modulus", ["70GPa", "300GPa"]),
+    ("counterface_youngs_modulus", ["70GPa", "300GPa"]),
+    ("layer_youngs_modulus", ["2GPa", "300GPa"]),
+    ("yield_strength", ["20MPa", "150MPa"]),
+    ("indentation_hardness", ["60MPa", "450MPa"]),
+    ("strength_cap", ["120MPa", "250MPa"]),
+    ("saturation", ["100MPa", "300MPa"]),
+    ("pressures", ["20MPa", "80MPa"]),
+    ("pressure", ["20MPa", "80MPa"]),
+    ("pressure_ranges", ["10MPa:60MPa:2", "1MPa:60MPa:2"]),
+    ("pressure_range", ["2MPa:40MPa", "1MPa:10MPa"]),
+    ("gas_pressure", ["10kPa", "1MPa"]),
+    ("gas", ["air", "helium"]),
+    ("gas_temperature", ["400K", "500K"]),
+    ("hardness_law", ["power:0.3", "nix-gao"]),
+    ("gamma", ["0.6", "fitted"]),
+    ("tolerance", ["1e-3", "1e-5"]),
+    ("error", ["0.02", "0.2"]),
+    ("friction", ["0.2", "0.5"]),
+    ("stresses", ["1MPa", "3MPa"]),
+    ("name", ["ONE", "TWO"]),
+    ("title", ["one", "two"]),
+    ("separations", ["5nm", "20nm"]),
+    ("scales_per_decade", ["7", "13"]),
+    ("bins_per_decade", ["3", "5"]),
+    ("grid", ["64", "48"]),
+    ("realisations", ["2", "3"]),
+    ("seed", ["5", "7"]),
+    ("side", ["20um", "30um"]),
+    ("size", ["7um", "20um"]),
+    ("tip_radius", ["3um", "10um"]),
+    ("filter", ["3um", "1um"]),
+    ("short_filter", ["200nm", "1um"]),
+    ("ratio_height", ["10nm", "-10nm"]),
+    ("strain_gradient_length", ["300nm", "5um"]),
+    ("layer_thickness", ["1um", "3um"]),
+    ("ball_radius", ["2mm", "500um"]),
+    ("cylinder_radius", ["2mm", "500um"]),
+    ("adhesion_range", ["500nm", "2um"]),
+    ("gas_parameter", ["100nm", "1um"]),
+    ("cutoff", ["500nm", "2um"]),
+    ("shortest", ["3um", "2500nm"]),
+    ("longest", ["9um", "7um"]),
+    ("from", ["5um", "4um"]),
+    ("to", ["300nm", "500nm"]),
+    ("width", ["85mm", "60mm"]),
+    ("font_size", ["7", "12"]),
+    ("only", ["area", "moments"]),
+    ("models", ["elastic", "persson"]),
+    ("loads", ["10 MPa", "100 MPa"]),
+    ("thermal_conductivity", ["10W/(mK)", "300W/(mK)"]),
+    ("counterface_thermal_conductivity", ["10W/(mK)", "300W/(mK)"]),
+    ("gas_conductivity", ["0.1W/(mK)", "0.2W/(mK)"]),
+    ("resistivity", ["1e-8ohmm", "1e-7ohmm"]),
+    ("counterface_resistivity", ["1e-8ohmm", "1e-7ohmm"]),
+    ("force", ["2mN", "500uN"]),
+    ("force_per_length", ["20N/m", "5N/m"]),
+    ("work_of_adhesion", ["20mJ/m^2", "80mJ/m^2"]),
+    ("fields", ["fields", "fields"]),
+    ("patches", ["patches.csv", "patches.csv"]),
+    ("poisson_ratio", ["0.1", "0.45"]),
+    ("counterface_poisson_ratio", ["0.1", "0.45"]),
+    ("layer_poisson_ratio", ["0.1", "0.45"]),
+];
+
+/// Heights [um] of points `step` apart, of many wavelengths.
+fn height(x: f64) -> f64 {
+    (1..40)
+        .map(|n| {
+            0.05 / f64::from(n * n) * (f64::from(n) * 0.7 * x + f64::from(n * n)).sin() * f64::from(n).sqrt()
+        })
+        .sum()
+}
+
+/// A folder with a file of every kind.
+fn bench() -> Bench {
+    let bench = Bench::new();
+    let psd: String = (0..24)
+        .map(|at| {
+            let wavelength = 1e-5 * 10f64.powf(-f64::from(at) / 12.0);
+            format!("{wavelength:e},{:e}\n", 4e-21 * (wavelength / 1e-5f64).powf(2.6))
+        })
+        .collect();
+    bench.write("psd.csv", format!("wavelength_m,C1D_m3\n{psd}"));
+    let trace: String =
+        (0..512).map(|at| format!("{} {}\n", f64::from(at) * 0.1, height(f64::from(at) * 0.1))).collect();
+    bench.write("named.txt", format!("x (um), z (um)\n{}", trace.replace(' ', ", ")));
+    bench.write("trace.txt", trace);
+    let row = |y: i32| {
+        (0..32)
+            .map(|x| height(f64::from(x) * 0.3 + f64::from(y) * 1.7).to_string())
+            .collect::<Vec<_>>()
+            .join(" ")
+    };
+    bench.write("map.txt", (0..32).map(|y| row(y) + "\n").collect::<String>());
+    bench.write("list.csv", "file,unit\ntrace.txt,um\n").write("other.csv", "file,unit\ntrace.txt,nm\n");
+    bench.write("two.gsf", "nothing");
+    bench.write(
+        "rows.csv",
+        "radius_m,density_per_m2,sigma_s_m,m0_m2,m2,m4_per_m2\n1e-6,1e12,1e-8,1e-15,1e-3,1e10\n",
+    );
+    bench.write(
+        "full.csv",
+        "model,youngs_modulus_pa,poisson_ratio,yield_strength_pa,strain_gradient_length_m,radius_m,density_per_m2,sigma_s_m,separation_m,pressure_pa\n\
+         hertz,2e11,0.3,,,1e-6,1e12,1e-8,1e-8,\nep-sphere,2e11,0.3,1e8,1e-6,1e-6,1e12,1e-8,,1e7\n",
+    );
+    bench.write("flat.csv", "pressure_pa,rms_pressure_pa\n1e7,1e9\n");
+    bench.write("hard.csv", "pressure_pa,rms_pressure_pa,hardness_pa,hardness_growth\n1e7,1e9,3e8,0.1\n");
+    bench.write(
+        "spheres.csv",
+        "youngs_modulus_pa,poisson_ratio,yield_strength_pa,radius_m,interference_m\n2e11,0.3,1e8,1e-6,1e-8\n",
+    );
+    bench.write(
+        "sinusoids.csv",
+        "youngs_modulus_pa,poisson_ratio,yield_strength_pa,aspect_ratio,pressure_pa\n2e11,0.3,1e8,0.01,1e7\n",
+    );
+    bench.write(
+        "pressed.csv",
+        "youngs_modulus_pa,poisson_ratio,yield_strength_pa,wavelength_m,aspect_ratio,interference_m\n2e11,0.3,1e8,1e-6,0.01,1e-9\n",
+    );
+    bench.write(
+        "scene.toml",
+        "[surface]\npsd = \"psd.csv\"\n[material]\nyoungs_modulus = \"200 GPa\"\npoisson_ratio = 0.3\nyield_strength = \"100 MPa\"\n\
+         [loads]\npressures = [\"10 MPa\", \"100 MPa\"]\n[[curve]]\nmodel = \"elastic\"\n[[curve]]\nmodel = \"persson\"\n\
+         [[figure]]\nname = \"area\"\nshows = \"area\"\n[[figure]]\nname = \"moments\"\nshows = \"moments\"\n",
+    );
+    bench
+}
+
+/// What a command printed and wrote.
+#[derive(Debug, Clone, PartialEq)]
+struct Outcome {
+    status: i32,
+    printed: String,
+    files: BTreeMap<String, Vec<u8>>,
+    said: String,
+}
+
+/// Runs a command and takes the files that it writes away.
+fn outcome(bench: &Bench, inputs: &BTreeSet<String>, words: &[String]) -> Outcome {
+    let ran = bench.run(&words.iter().map(String::as_str).collect::<Vec<_>>());
+    let mut files = BTreeMap::new();
+    for name in bench.files().into_iter().filter(|name| !inputs.contains(name)) {
+        take(&bench.path(&name), &name, &mut files);
+    }
+    // The command is quoted in comments, which run over several lines in the input of finite element programs.
+    let without_blanks = |text: &str| text.split([' ', '*']).collect::<String>();
+    let typed = without_blanks(&words.join(" "));
+    let plain = |text: &str| without_blanks(&text.replace("\n**", "")).replace(&typed, "");
+    for bytes in files.values_mut() {
+        if let Ok(text) = std::str::from_utf8(bytes) {
+            *bytes = plain(text).into_bytes();
+        }
+    }
+    Outcome { status: ran.status, printed: plain(&ran.stdout), files, said: ran.stderr }
+}
+
+fn take(path: &Path, name: &str, files: &mut BTreeMap<String, Vec<u8>>) {
+    if path.is_dir() {
+        for entry in std::fs::read_dir(path).unwrap() {
+            let entry = entry.unwrap();
+            take(&entry.path(), &format!("{name}/{}", entry.file_name().to_string_lossy()), files);
+        }
+        std::fs::remove_dir(path).unwrap();
+    } else {
+        files.insert(name.to_owned(), std::fs::read(path).unwrap());
+        std::fs::remove_file(path).unwrap();
+    }
+}
+
+/// A command by its words, with its options and those of every command.
+fn command(words: &str) -> clap::Command {
+    let mut found = cli::args::Args::command();
+    found.build();
+    for word in words.split(' ') {
+        found = found.find_subcommand(word).unwrap_or_else(|| panic!("no command {word}")).clone();
+    }
+    found
+}
+
+fn split(words: &str) -> Vec<String> {
+    words.split_whitespace().map(str::to_owned).collect()
+}
+
+fn options(command: &clap::Command) -> Vec<Arg> {
+    let told =
+        |arg: &&Arg| matches!(arg.get_action(), ArgAction::Set | ArgAction::Append | ArgAction::SetTrue);
+    command.get_arguments().filter(|arg| arg.get_long().is_some()).filter(told).cloned().collect()
+}
+
+fn flag(arg: &Arg) -> String {
+    format!("--{}", arg.get_long().unwrap())
+}
+
+fn is_flag(arg: &Arg) -> bool {
+    matches!(arg.get_action(), ArgAction::SetTrue)
+}
+
+/// The values that an option is walked with.
+fn values(arg: &Arg) -> Vec<String> {
+    let possible: Vec<String> =
+        arg.get_possible_values().iter().map(|value| value.get_name().to_owned()).collect();
+    if is_flag(arg) {
+        return vec![String::new()];
+    }
+    if !possible.is_empty() {
+        return possible;
+    }
+    let id = arg.get_id().as_str();
+    let found = VALUES.iter().find(|(name, _)| *name == id);
+    let (_, values) = found.unwrap_or_else(|| panic!("give two values of --{id} that matter"));
+    values.map(str::to_owned).to_vec()
+}
+
+/// The words with an option set: in place of its value, or behind them.
+fn with(words: &[String], arg: &Arg, value: &str) -> Vec<String> {
+    let mut words = words.to_vec();
+    let flag = flag(arg);
+    let at = words.iter().position(|word| *word == flag);
+    match at {
+        _ if is_flag(arg) => words.push(flag),
+        Some(at) if !matches!(arg.get_action(), ArgAction::Append) => value.clone_into(&mut words[at + 1]),
+        _ => words.push(format!("{flag}={value}")),
+    }
+    words
+}
+
+/// All contexts: each command with one of each of its alternatives.
+fn contexts() -> Vec<(&'static str, Vec<String>)> {
+    let mut all = Vec::new();
+    for (name, words, alternatives) in WALKS {
+        let of_command = options(&command(name));
+        let mut contexts = vec![split(words)];
+        for alternative in *alternatives {
+            let mut choices = Vec::new();
+            for choice in *alternative {
+                match choice.strip_suffix(" *") {
+                    None => choices.push(split(choice)),
+                    Some(option) => {
+                        let arg = of_command.iter().find(|arg| flag(arg) == option).unwrap();
+                        choices.extend(values(arg).into_iter().map(|value| {
+                            let more = if value == "bem" { split(GRID) } else { Vec::new() };
+                            [vec![option.to_owned(), value], more].concat()
+                        }));
+                    }
+                }
+            }
+            contexts = contexts
+                .iter()
+                .flat_map(|context| choices.iter().map(move |choice| [&context[..], choice].concat()))
+                .collect();
+        }
+        all.extend(contexts.into_iter().map(|context| (*name, [split(name), context].concat())));
+    }
+    all
+}
+
+/// The first option that a refusal asks for and that is not given.
+fn asked_for<'a>(said: &str, words: &[String], options: &'a [Arg]) -> Option<&'a Arg> {
+    let named =
+        said.split(|c: char| !(c.is_alphanumeric() || c == '-')).filter(|word| word.starts_with("--"));
+    let is_given = |flag: &str| words.iter().any(|word| word.split('=').next() == Some(flag));
+    let mut new = named.filter(|flag| !is_given(flag));
+    new.find_map(|flag_named| options.iter().find(|option| flag(option) == flag_named))
+}
+
+/// Walks one option in one context. What it cannot do without is given as well, in the usual outcome too where that is possible.
+/// Returns true if it changes nothing.
+fn is_silent(
+    bench: &Bench,
+    inputs: &BTreeSet<String>,
+    words: &[String],
+    arg: &Arg,
+    options: &[Arg],
+    usual: &Outcome,
+) -> bool {
+    let (mut words, mut usual) = (words.to_vec(), Some(usual.clone()));
+    let mut seen: Vec<Outcome> = Vec::new();
+    let values = values(arg);
+    let mut at = 0;
+    while at < values.len() {
+        let typed = with(&words, arg, &values[at]);
+        let found = outcome(bench, inputs, &typed);
+        let more = if found.status == 2 && words.len() < 30 && !found.said.contains(&flag(arg)) {
+            asked_for(&found.said, &typed, options)
+        } else {
+            None
+        };
+        if let Some(more) = more {
+            words = with(&words, more, &self::values(more)[0]);
+            usual = Some(outcome(bench, inputs, &words)).filter(|usual| usual.status == 0);
+            (seen, at) = (Vec::new(), 0);
+            continue;
+        }
+        if found.status != 0
+            || usual.as_ref().is_some_and(|usual| *usual != found)
+            || seen.iter().any(|other| *other != found)
+        {
+            return false;
+        }
+        seen.push(found);
+        at += 1;
+    }
+    usual.is_some() || seen.len() > 1
+}
+
+#[test]
+fn every_option_of_every_command_changes_something_or_is_named() {
+    // A seventh of the contexts; all take minutes.
+    walk(7, 900);
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn every_option_in_every_context_changes_something_or_is_named() {
+    walk(1, 5000);
+}
+
+/// Walks every option in one of so many contexts.
+fn walk(step: usize, least_options: usize) {
+    let contexts: Vec<_> = contexts().into_iter().step_by(step).collect();
+    let (next, walked) = (AtomicUsize::new(0), AtomicUsize::new(0));
+    let silent = Mutex::new(Vec::new());
+    let of_context = |bench: &Bench, inputs: &BTreeSet<String>, name: &str, words: &[String]| {
+        let usual = outcome(bench, inputs, words);
+        let (options, typed) = (options(&command(name)), words.join(" "));
+        // A context that is refused is none.
+        for arg in options.iter().filter(|_| usual.status == 0) {
+            let is_right = |(context, option, _): &(&str, &str, &str)| {
+                typed.contains(context) && *option == arg.get_id().as_str()
+            };
+            if IDLE_BY_RIGHT.iter().any(is_right) {
+                continue;
+            }
+            walked.fetch_add(1, Ordering::Relaxed);
+            if is_silent(bench, inputs, words, arg, &options, &usual) {
+                silent
+                    .lock()
+                    .unwrap_or_else(PoisonError::into_inner)
+                    .push(format!("{} of {typed}", flag(arg)));
+            }
+        }
+    };
+    std::thread::scope(|scope| {
+        for _ in 0..2 {
+            scope.spawn(|| {
+                let bench = bench();
+                let inputs: BTreeSet<String> = bench.files().into_iter().collect();
+                while let Some((name, words)) = contexts.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    of_context(&bench, &inputs, name, words);
+                }
+            });
+        }
+    });
+    let silent = silent.into_inner().unwrap_or_else(PoisonError::into_inner);
+    assert!(silent.is_empty(), "{}", silent.join("\n"));
+    let walked = walked.into_inner();
+    assert!(walked > least_options, "{walked} options");
+}
