@@ -10,6 +10,7 @@ mod files;
 mod flags;
 mod inputs;
 mod interruption;
+mod memory;
 mod missing_file;
 pub mod output;
 mod picture;

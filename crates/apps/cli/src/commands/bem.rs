@@ -25,6 +25,7 @@ use crate::args::{BemArgs, refuse_replaced};
 use crate::failure::Failure;
 use crate::files::Folder;
 use crate::flags::{Flags, refuse_first};
+use crate::memory;
 use crate::output::{publish, stage};
 use crate::picture::png_of_field;
 use crate::place::Place;
@@ -36,6 +37,7 @@ pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> 
         let strengths = args.material.given_strengths();
         refuse_first(strengths, Remark::new(RemarkCode::Replaced).with("other", other))?;
     }
+    memory::refuse_beyond(args.random.grid)?;
     if let Some((radius, force)) = args.ball_radius.zip(args.force) {
         return press_indenter(args, IndenterShape::Ball, (radius.m, force.n), context);
     }

@@ -6,6 +6,7 @@ use study::surface::Surface;
 use super::Context;
 use crate::args::GapArgs;
 use crate::failure::Failure;
+use crate::memory;
 
 pub(super) fn run(args: &GapArgs, context: &Context<'_>) -> Result<(), Failure> {
     let question = GapQuestion {
@@ -15,6 +16,7 @@ pub(super) fn run(args: &GapArgs, context: &Context<'_>) -> Result<(), Failure> 
         random: args.random.input(),
     };
     question.check()?;
+    memory::refuse_beyond(args.random.grid)?;
     let steps = |surface: &Surface| question.steps(surface);
     context.answer(&args.psd, &question.by.sampling, None, steps, |surface, progress| {
         question.answer(surface, progress)

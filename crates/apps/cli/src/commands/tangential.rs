@@ -6,6 +6,7 @@ use study::surface::Surface;
 use super::Context;
 use crate::args::TangentialArgs;
 use crate::failure::Failure;
+use crate::memory;
 
 pub(super) fn run(args: &TangentialArgs, context: &Context<'_>) -> Result<(), Failure> {
     let question = TangentialQuestion {
@@ -18,6 +19,7 @@ pub(super) fn run(args: &TangentialArgs, context: &Context<'_>) -> Result<(), Fa
         figure: args.figure.figure.is_some(),
     };
     question.check()?;
+    memory::refuse_beyond(args.random.grid)?;
     let (figure, steps) = (args.figure.figure.as_ref(), |surface: &Surface| question.steps(surface));
     context.answer(&args.psd, &question.by.sampling, figure, steps, |surface, progress| {
         question.answer(surface, progress)

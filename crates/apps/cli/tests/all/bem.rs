@@ -104,6 +104,24 @@ fn what_is_not_computed_is_refused_with_the_way_out() {
     ]);
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn a_grid_that_does_not_fit_into_memory_is_refused_with_one_that_does() {
+    let bench = with_spectrum();
+    let script = format!(
+        "ulimit -v 2000000; {} bem ciso.csv --grid 16384 --pressure 1MPa --youngs-modulus 1GPa --poisson-ratio 0",
+        env!("CARGO_BIN_EXE_truearea")
+    );
+    let ran = std::process::Command::new("bash")
+        .args(["-c", &script])
+        .current_dir(bench.path(""))
+        .output()
+        .unwrap();
+    let said = String::from_utf8(ran.stderr).unwrap();
+    assert_eq!(ran.status.code(), Some(2), "{said}");
+    assert!(said.contains("26.8 GB") && said.contains("use at most"), "{said}");
+}
+
 #[test]
 fn the_stiffness_of_free_edges_says_that_it_holds_the_half_space_around_the_map() {
     let bench = with_waves(64, 8);
