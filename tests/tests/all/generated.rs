@@ -390,7 +390,7 @@ fn run(draws: &mut Draws, faults: &mut Faults) -> bool {
     let each = products.each::<()>(Format::Csv, |name, product| {
         match product {
             Product::Table { table, .. } => faults.table(name, table),
-            Product::Text(found) => faults.text(name, &found),
+            Product::Text(found) => faults.text(name, found),
         }
         Ok(())
     });

@@ -123,7 +123,7 @@ remark_codes! {
     MixedUnits "surface.scans.overlap" Caution
         "{first} and {second}: heights differ {factor} times where they overlap; {units} mixed up?";
     OtherOverlaps "surface.scans.other-overlaps" Note
-        "{pairs} more pairs of scans overlap; their spectra have ratios of {lowest} to {highest}";
+        "{pairs} more pairs of overlapping scans were compared; their spectra have ratios of {lowest} to {highest}";
     Directions "surface.scans.directions" Note
         "{second} over {first}: {ratios}[; {fast} is the fast axis of the scan]";
     DirectionsDiffer "surface.scans.directions" Caution

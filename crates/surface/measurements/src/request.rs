@@ -73,9 +73,12 @@ impl TipRadius {
     }
 }
 
+/// An option, and whether a request gives it.
+type RequestOption = (&'static str, fn(&ScanRequest) -> bool);
+
 impl ScanRequest {
     /// All options, as the command line names them, and whether a request gives each; in lists and scenes they have underscores.
-    pub const OPTIONS: [(&'static str, fn(&Self) -> bool); 11] = [
+    pub const OPTIONS: [RequestOption; 11] = [
         ("unit", |request| request.unit.is_some()),
         ("channel", |request| request.channel.is_some()),
         ("size", |request| request.size_m.is_some()),

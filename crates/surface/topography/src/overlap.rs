@@ -25,8 +25,8 @@ pub struct Overlap {
     pub ratio: f64,
 }
 
-/// Compares every pair of measurements that share a bin, in the order of the list. Of more than [`MOST_COMPARED`]
-/// measurements, those that lie highest and lowest against the mean are compared, as differ most.
+/// Compares every pair of measurements that share a bin, in the order of the list. Of more than
+/// 20 measurements, those that lie highest and lowest against the mean are compared, as differ most.
 ///
 /// Samples are averaged inside the bins arithmetically, as in [`composite`](crate::composite()).
 pub fn overlaps(measurements: &[ProfilePsd], bins_per_decade: NonZeroU32) -> Vec<Overlap> {
