@@ -263,8 +263,13 @@ impl PreparedElements {
         progress: &dyn Progress,
     ) -> Result<(Vec<PressedLoad>, Vec<Remark>), E> {
         let pressed = elements::press(&self.surfaces, &self.pressing, see, progress)?;
-        let notes =
-            remarks_on_pressed(&pressed, &self.pressing, self.hardness_pa, Some(("saturation", "1H")));
+        let Pressing { contact_modulus_pa: modulus_pa, saturation_pa, .. } = self.pressing;
+        let hardness_pa = self.hardness_pa.filter(|_| saturation_pa.is_none());
+        let remedy = Some(("saturation", "1H"));
+        let bodies = PressedBodies { name: ELEMENTS, modulus_pa, hardness_pa, remedy };
+        let area = |load: &PressedLoad| (load.nominal_pressure_pa, load.mean().best_area_fraction());
+        let areas: Vec<_> = pressed.iter().map(area).collect();
+        let notes = [remarks_on_pressed(&pressed), doubts::of_contact(&bodies, &areas)].concat();
         Ok((pressed, notes))
     }
 }
@@ -345,14 +350,8 @@ fn remarks_on_surfaces(
     remarks
 }
 
-/// Remarks on pressed surfaces: grids too coarse, residuals held by rounding, closed paths, and pressures above the hardness \[Pa\]
-/// of surfaces that do not yield, with the remedy.
-pub(crate) fn remarks_on_pressed(
-    loads: &[PressedLoad],
-    pressing: &Pressing,
-    hardness_pa: Option<f64>,
-    remedy: Option<(&'static str, &'static str)>,
-) -> Vec<Remark> {
+/// Remarks on pressed surfaces: grids too coarse, residuals held by rounding, closed paths, and smaller loads that unload nothing.
+pub(crate) fn remarks_on_pressed(loads: &[PressedLoad]) -> Vec<Remark> {
     let at = |code, is_found: &dyn Fn(&PressedLoad) -> bool| {
         let found: Vec<&PressedLoad> = loads.iter().filter(|load| is_found(load)).collect();
         let labels: Vec<String> = found.iter().map(|load| pressure(load.nominal_pressure_pa)).collect();
@@ -367,19 +366,13 @@ pub(crate) fn remarks_on_pressed(
         load.states.iter().any(|state| state.numbers.ending == elements::half_space::Ending::Rounding)
     };
     let rounded = at(RemarkCode::RoundedResidual, &is_rounded);
-    let hardness_pa = hardness_pa.filter(|_| pressing.saturation_pa.is_none());
-    let modulus_pa = pressing.contact_modulus_pa;
-    let bodies = PressedBodies { name: ELEMENTS, modulus_pa, hardness_pa, remedy };
-    let areas: Vec<_> =
-        loads.iter().map(|load| (load.nominal_pressure_pa, load.mean().best_area_fraction())).collect();
-    let doubts = doubts::of_contact(&bodies, &areas);
     let is_unloaded = |pair: &[PressedLoad]| {
         let [before, after] = pair else { return false };
         after.nominal_pressure_pa < before.nominal_pressure_pa && before.mean().plastic_area_fraction > 0.0
     };
     let unloading = loads.windows(2).any(is_unloaded).then(|| Remark::new(RemarkCode::Unloading));
     let of_loads = coarse.into_iter().chain(rounded).chain(closed_paths(loads));
-    of_loads.chain(unloading).chain(doubts).collect()
+    of_loads.chain(unloading).collect()
 }
 
 /// The loads at which contact closes the paths from edge to edge; `None` if every surface is open in both directions.

@@ -17,7 +17,7 @@ use study::surface::Surface;
 use units::{Pressure, PressureRange, Remark, RemarkCode, RemarkLevel, Spelling};
 
 use crate::choices;
-use crate::elements::{RandomInput, random_surfaces, remarks_on_pressed};
+use crate::elements::{ELEMENTS, RandomInput, random_surfaces, remarks_on_pressed};
 use crate::loads::{LoadInput, nominal_pressure, pressures_pa};
 use crate::note::{FEW_TOUCH, remark_on_model, remarks_on_separation};
 use crate::option::{first_given, not_of_model};
@@ -192,24 +192,23 @@ impl GapModel {
         Ok(GapLaw::of(&model, &plan, &results, &choices)?)
     }
 
-    /// Doubts about states of a law; `remedy` is a model that yields.
+    /// Doubts about pressures \[Pa\] with their shares in contact, by a law or by elements that do not yield; `remedy` is a model that
+    /// yields.
     pub(crate) fn doubts(
         &self,
-        entry: &ModelEntry,
         material: &Material,
-        states: &[GapState],
+        areas: impl Iterator<Item = (f64, f64)>,
         remedy: Option<&'static str>,
     ) -> Vec<Remark> {
-        let areas: Vec<_> =
-            states.iter().map(|state| (state.nominal_pressure_pa, state.area_fraction)).collect();
         let grows = self.options.strain_gradient || self.options.hardness_law.is_some();
+        let yields = self.model.is_some_and(|entry| entry.has(Choice::Strength));
         let bodies = PressedBodies {
-            name: entry.full_name,
+            name: self.model.map_or(ELEMENTS, |entry| entry.full_name),
             modulus_pa: material.pair.composite_modulus_pa(),
             hardness_pa: material.hardness_pa().filter(|_| !grows),
-            remedy: remedy.filter(|_| !entry.has(Choice::Strength)).map(|model| ("model", model)),
+            remedy: remedy.filter(|_| !yields).map(|model| ("model", model)),
         };
-        doubts::of_contact(&bodies, &areas)
+        doubts::of_contact(&bodies, &areas.collect::<Vec<_>>())
     }
 
     /// Notes known before anything is computed.
@@ -264,7 +263,7 @@ impl GapQuestion {
         let mut notes = self.by.notes(&material, surface);
         let Some(entry) = self.by.model else {
             let pressing = yielding(&material, pressures_pa);
-            let (states, found) = self.by_elements(&material, &pressing, surface, progress)?;
+            let (states, found) = self.by_elements(&pressing, surface, progress)?;
             notes.extend(found);
             return Ok(Answer { table: result_tables::gaps(&states, None), notes, figure: None });
         };
@@ -276,7 +275,8 @@ impl GapQuestion {
             Ok(law.at(pressure_pa)?)
         })?;
         notes.extend(remarks_on_gap_law(&law, &pressures_pa));
-        notes.extend(self.by.doubts(entry, &material, &states, Some("bem")));
+        let areas = states.iter().map(|state| (state.nominal_pressure_pa, state.area_fraction));
+        notes.extend(self.by.doubts(&material, areas, Some("bem")));
         let rms_height_m = law.light_loads().is_none().then(|| law.rms_height_m());
         notes.extend(remarks_on_gaps(&states, rms_height_m));
         let table = result_tables::gaps(&states, law.light_loads().as_ref());
@@ -297,13 +297,12 @@ impl GapQuestion {
     ) -> Result<(Vec<GapState>, Vec<Remark>), QuestionError> {
         let (material, pressures_pa) = self.loads()?;
         let pressing = Pressing { saturation_pa: None, ..yielding(&material, pressures_pa) };
-        self.by_elements(&material, &pressing, surface, progress)
+        self.by_elements(&pressing, surface, progress)
     }
 
     /// The mean of random surfaces under boundary elements.
     fn by_elements(
         &self,
-        material: &Material,
         pressing: &Pressing,
         surface: &Surface,
         progress: &dyn Progress,
@@ -313,7 +312,7 @@ impl GapQuestion {
         let surfaces = Surfaces::Random(random);
         let pressed = elements::press::<QuestionError>(&surfaces, pressing, |_| Ok(()), progress)?;
         let states = states_of_elements(&pressed);
-        notes.extend(remarks_on_pressed(&pressed, pressing, material.hardness_pa(), None));
+        notes.extend(remarks_on_pressed(&pressed));
         notes.extend(remarks_on_gaps(&states, Some(rms_height_m)));
         Ok((states, notes))
     }
@@ -348,8 +347,8 @@ impl LawQuestion {
         let mut notes = self.by.notes(&material, surface);
         let law = self.by.law(entry, &material, surface, progress)?;
         notes.extend(remarks_on_gap_law(&law, &range_pa));
-        let states: Vec<GapState> = range_pa.iter().filter_map(|&end_pa| law.at(end_pa).ok()).collect();
-        notes.extend(self.by.doubts(entry, &material, &states, None));
+        let area = |&end_pa: &f64| Some((end_pa, law.at(end_pa).ok()?.area_fraction));
+        notes.extend(self.by.doubts(&material, range_pa.iter().filter_map(area), None));
         Ok(FoundLaw { model: entry, law, range_pa, notes })
     }
 

@@ -102,6 +102,9 @@ impl TangentialQuestion {
         let material = self.by.material.of_half_spaces("tangential loads")?;
         let pair = self.pair(&material)?;
         let (normal, mut notes) = self.normal_law(&material, surface, progress)?;
+        let pressures_pa = pressures_pa(&self.pressures, &self.pressure_ranges, &material)?;
+        let area = |&pressure_pa: &f64| Some((pressure_pa, normal.at(pressure_pa).ok()?.1));
+        notes.extend(self.by.doubts(&material, pressures_pa.iter().filter_map(area), None));
         let rows = numerics::parallel::try_map(&self.loads(&material)?, |&(pressure_pa, stress_pa)| {
             if progress.is_cancelled() {
                 return Err(QuestionError::Plan(PlanError::Cancelled));
@@ -195,8 +198,6 @@ impl TangentialQuestion {
                 let law = self.by.law(entry, material, surface, progress)?;
                 let pressures_pa: Vec<f64> = self.loads(material)?.iter().map(|load| load.0).collect();
                 notes.extend(remarks_on_gap_law(&law, &pressures_pa));
-                let states = pressures_pa.iter().filter_map(|&pressure_pa| law.at(pressure_pa).ok());
-                notes.extend(self.by.doubts(entry, material, &states.collect::<Vec<_>>(), None));
                 (NormalLaw::Model(law), notes)
             }
             None => {
