@@ -206,12 +206,12 @@ impl PreparedAdhesion {
             notes.push(Remark::new(RemarkCode::Metastable));
         }
         let (modulus_pa, hardness_pa) = (pressing.contact_modulus_pa, self.hardness_pa);
-        let bodies = PressedBodies { name: ELEMENTS, modulus_pa, hardness_pa, remedy: None };
+        let bodies = PressedBodies { name: ELEMENTS, modulus_pa, hardness_pa, is_elastic: true };
         let areas: Vec<_> = means
             .iter()
             .map(|mean| (mean.numbers.nominal_pressure_pa, mean.numbers.area_fraction_corrected))
             .collect();
-        notes.extend(doubts::of_contact(&bodies, &areas));
+        notes.extend(doubts::of_contact(&bodies, None, &areas));
         let rows = if question.per_realisation { &states } else { &means };
         Ok(Answer {
             table: adhesive_table(rows, question.per_realisation),

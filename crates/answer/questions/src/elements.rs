@@ -265,11 +265,12 @@ impl PreparedElements {
         let pressed = elements::press(&self.surfaces, &self.pressing, see, progress)?;
         let Pressing { contact_modulus_pa: modulus_pa, saturation_pa, .. } = self.pressing;
         let hardness_pa = self.hardness_pa.filter(|_| saturation_pa.is_none());
-        let remedy = Some(("saturation", "1H"));
-        let bodies = PressedBodies { name: ELEMENTS, modulus_pa, hardness_pa, remedy };
+        let bodies = PressedBodies { name: ELEMENTS, modulus_pa, hardness_pa, is_elastic: true };
         let area = |load: &PressedLoad| (load.nominal_pressure_pa, load.mean().best_area_fraction());
         let areas: Vec<_> = pressed.iter().map(area).collect();
-        let notes = [remarks_on_pressed(&pressed), doubts::of_contact(&bodies, &areas)].concat();
+        let notes =
+            [remarks_on_pressed(&pressed), doubts::of_contact(&bodies, Some(("saturation", "1H")), &areas)]
+                .concat();
         Ok((pressed, notes))
     }
 }

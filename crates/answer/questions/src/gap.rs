@@ -201,14 +201,13 @@ impl GapModel {
         remedy: Option<&'static str>,
     ) -> Vec<Remark> {
         let grows = self.options.strain_gradient || self.options.hardness_law.is_some();
-        let yields = self.model.is_some_and(|entry| entry.has(Choice::Strength));
         let bodies = PressedBodies {
             name: self.model.map_or(ELEMENTS, |entry| entry.full_name),
             modulus_pa: material.pair.composite_modulus_pa(),
             hardness_pa: material.hardness_pa().filter(|_| !grows),
-            remedy: remedy.filter(|_| !yields).map(|model| ("model", model)),
+            is_elastic: !self.model.is_some_and(|entry| entry.has(Choice::Strength)),
         };
-        doubts::of_contact(&bodies, &areas.collect::<Vec<_>>())
+        doubts::of_contact(&bodies, remedy.map(|model| ("model", model)), &areas.collect::<Vec<_>>())
     }
 
     /// Notes known before anything is computed.

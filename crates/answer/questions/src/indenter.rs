@@ -4,7 +4,7 @@ use elements::{
     Boundary, Indenter, IndenterPressing, IndenterShape, IndenterState, Pressing, Relief, Surfaces,
     indenter_table,
 };
-use findings::doubts::RealPressures;
+use findings::doubts::{PressedBodies, RealPressures};
 use numerics::parallel::Progress;
 use serde::{Deserialize, Serialize};
 use study::material::Material;
@@ -119,8 +119,9 @@ impl PreparedIndenter {
         notes.push(remark_on_places(&areas));
         let mut pressures = RealPressures::new(self.hardness_pa);
         let real_pa = indenter.force * areas.len() as f64 / areas.iter().sum::<f64>();
-        let label = || "this force".to_owned();
-        pressures.add_contact(ELEMENTS, self.hardness_pa, pressing.contact_modulus_pa, real_pa, label);
+        let (modulus_pa, hardness_pa) = (pressing.contact_modulus_pa, self.hardness_pa);
+        let bodies = PressedBodies { name: ELEMENTS, modulus_pa, hardness_pa, is_elastic: true };
+        pressures.add_contact(&bodies, real_pa, || "this force".to_owned());
         notes.extend(pressures.doubts());
         Ok(Answer { table: indenter_table(shape, &states), notes, figure })
     }

@@ -151,7 +151,7 @@ remark_codes! {
         "the load {load} is {in_hardnesses} times the hardness H = {hardness_pa}: the body yields as a whole[ (and {others|more load})]";
     RealAboveHardness "doubt.real-above-hardness" Caution
         "the real pressure of {curve} at {load} is {in_hardnesses} H, above the hardness H = {hardness_pa}[ (and of {other_curves|more \
-         curve})]: the contact yields, and more touches than elastic models say[; use {@model}][; add {--saturation=@saturation}]";
+         curve})][: the contact yields, and more touches than {elastic}][; use {@model}][; add {--saturation=@saturation}]";
     RealAboveThirdModulus "doubt.real-above-third-modulus" Caution
         "the real pressure of {curve} at {load} is {pressure_pa}, above E*/3 = {bound_pa}: beyond linear elasticity[ (and of \
          {other_curves|more curve})]";
@@ -208,7 +208,7 @@ remark_codes! {
     AssumedStrengths "rows.assumed-strengths" Note
         "{rows} of {all} rows have a hardness and no yield strength: S0 = H/3 is used";
     RowsAboveHardness "doubt.real-above-hardness" Caution
-        "{rows} of {all} rows have a real pressure above the hardness: the contact yields, and more touches than elastic models say";
+        "{rows} of {all} rows of elastic models have a real pressure above the hardness: the contact yields, and more touches than they say";
     FlowingRows "rows.flowing-everywhere" Note
         "{rows} of {all} rows: the pressure is not below the hardness; everything touches and flows";
     RowsOutOfRange "rows.beyond-range" Note "{rows} of {all} rows lie beyond {range}";

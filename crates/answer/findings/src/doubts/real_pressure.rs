@@ -1,5 +1,6 @@
 //! Real pressures above what asperities bear.
 
+use study::models::Choice;
 use study::plan::{Curve, CurveResult, NominalPressure};
 use study::validity::MODULUS_OVER_LARGEST_PRESSURE;
 use units::display::pressure;
@@ -20,7 +21,7 @@ pub struct RealPressures {
 /// The real pressures above one bound.
 #[derive(Default)]
 struct Above {
-    highest: Option<(f64, String, String)>,
+    highest: Option<(f64, Remark)>,
     curves: Vec<String>,
 }
 
@@ -48,25 +49,20 @@ impl RealPressures {
         // A strength that grows at small depths bears more than the hardness of the bulk.
         let hardness_pa = self.hardness_pa.filter(|_| !curve.model.strength_grows());
         let modulus_pa = curve.model.pair().composite_modulus_pa();
-        self.add_contact(&curve.name, hardness_pa, modulus_pa, pressure_pa, label);
+        let is_elastic = !curve.model.entry().has(Choice::Strength);
+        let bodies = PressedBodies { name: &curve.name, modulus_pa, hardness_pa, is_elastic };
+        self.add_contact(&bodies, pressure_pa, label);
     }
 
-    /// Adds the real pressure \[Pa\] of a contact of this hardness and composite modulus \[Pa\] under a load with this label.
-    pub fn add_contact(
-        &mut self,
-        name: &str,
-        hardness_pa: Option<f64>,
-        modulus_pa: f64,
-        pressure_pa: f64,
-        label: impl Fn() -> String,
-    ) {
-        let third_modulus_pa = modulus_pa / MODULUS_OVER_LARGEST_PRESSURE;
+    /// Adds the real pressure \[Pa\] of a contact under a load with this label.
+    pub fn add_contact(&mut self, bodies: &PressedBodies<'_>, pressure_pa: f64, label: impl Fn() -> String) {
+        let third_modulus_pa = bodies.modulus_pa / MODULUS_OVER_LARGEST_PRESSURE;
         self.third_modulus_pa = self.third_modulus_pa.min(third_modulus_pa);
-        if hardness_pa.is_some_and(|hardness_pa| pressure_pa > hardness_pa * (1.0 + ROUNDING)) {
-            self.above_hardness.add(name, pressure_pa, &label);
+        if bodies.hardness_pa.is_some_and(|hardness_pa| pressure_pa > hardness_pa * (1.0 + ROUNDING)) {
+            self.above_hardness.add(RemarkCode::RealAboveHardness, bodies, pressure_pa, &label);
         }
         if pressure_pa > third_modulus_pa {
-            self.above_third_modulus.add(name, pressure_pa, &label);
+            self.above_third_modulus.add(RemarkCode::RealAboveThirdModulus, bodies, pressure_pa, &label);
         }
     }
 
@@ -85,60 +81,71 @@ impl RealPressures {
     /// The doubts about the pressures added so far.
     #[must_use]
     pub fn doubts(self) -> Vec<Remark> {
-        let of_hardness = self.above_hardness.remark(RemarkCode::RealAboveHardness).zip(self.hardness_pa);
+        let of_hardness = self.above_hardness.remark().zip(self.hardness_pa);
         let of_hardness = of_hardness.map(|((pressure_pa, remark), hardness_pa)| {
             let remark =
                 remark.with("hardness_pa", hardness_pa).with("in_hardnesses", pressure_pa / hardness_pa);
             self.remedy.into_iter().fold(remark, |remark, (name, value)| remark.with(name, value))
         });
-        let of_modulus = self.above_third_modulus.remark(RemarkCode::RealAboveThirdModulus);
+        let of_modulus = self.above_third_modulus.remark();
         let of_modulus = of_modulus.map(|(_, remark)| remark.with("bound_pa", self.third_modulus_pa));
         of_hardness.into_iter().chain(of_modulus).collect()
     }
 }
 
 /// What presses, and what it may bear.
-pub struct PressedBodies {
+pub struct PressedBodies<'n> {
     /// Name of the model or the method.
-    pub name: &'static str,
+    pub name: &'n str,
     /// Composite modulus E* \[Pa\].
     pub modulus_pa: f64,
     /// Hardness \[Pa\]; `None` if nothing is known to yield, or if it grows at small scales.
     pub hardness_pa: Option<f64>,
-    /// What counts the yielding: `model` or `saturation`, and its value.
-    pub remedy: Option<(&'static str, &'static str)>,
+    /// True if the model does not count the yielding.
+    pub is_elastic: bool,
 }
 
 /// The doubts about a contact under nominal pressures \[Pa\], each with the share in contact. Every command that presses something asks
-/// here, or gathers its [`RealPressures`] part by part.
+/// here, or gathers its [`RealPressures`] part by part. A `remedy` is what counts the yielding: `model` or `saturation`, and its value.
 #[must_use]
-pub fn of_contact(bodies: &PressedBodies, loads: &[(f64, f64)]) -> Vec<Remark> {
-    let PressedBodies { name, modulus_pa, hardness_pa, remedy } = *bodies;
-    let mut real = RealPressures::new(hardness_pa).with_remedy(remedy);
+pub fn of_contact(
+    bodies: &PressedBodies<'_>,
+    remedy: Option<(&'static str, &'static str)>,
+    loads: &[(f64, f64)],
+) -> Vec<Remark> {
+    let mut real = RealPressures::new(bodies.hardness_pa).with_remedy(remedy.filter(|_| bodies.is_elastic));
     for (pressure_pa, area_fraction) in loads.iter().filter(|(_, area_fraction)| *area_fraction > 0.0) {
         let real_pa = pressure_pa / area_fraction;
-        real.add_contact(name, hardness_pa, modulus_pa, real_pa, || pressure(*pressure_pa));
+        real.add_contact(bodies, real_pa, || pressure(*pressure_pa));
     }
     let nominal = loads.iter().filter_map(|(pressure_pa, _)| NominalPressure::new(*pressure_pa).ok());
-    let nominal = super::of_pressures(nominal.map(|nominal| (nominal, None)), hardness_pa);
+    let nominal = super::of_pressures(nominal.map(|nominal| (nominal, None)), bodies.hardness_pa);
     nominal.into_iter().chain(real.doubts()).collect()
 }
 
 impl Above {
-    fn add(&mut self, name: &str, pressure_pa: f64, label: &impl Fn() -> String) {
-        if self.highest.as_ref().is_none_or(|(highest_pa, ..)| pressure_pa > *highest_pa) {
-            self.highest = Some((pressure_pa, name.to_owned(), label()));
+    fn add(
+        &mut self,
+        code: RemarkCode,
+        bodies: &PressedBodies<'_>,
+        pressure_pa: f64,
+        label: &impl Fn() -> String,
+    ) {
+        if self.highest.as_ref().is_none_or(|(highest_pa, _)| pressure_pa > *highest_pa) {
+            let remark = Remark::new(code).with("curve", bodies.name).with("load", label());
+            let remark = remark.with("pressure_pa", pressure_pa);
+            let elastic = bodies.is_elastic.then_some("this elastic model says");
+            let remark = elastic.into_iter().fold(remark, |remark, model| remark.with("elastic", model));
+            self.highest = Some((pressure_pa, remark));
         }
-        if !self.curves.iter().any(|other| other == name) {
-            self.curves.push(name.to_owned());
+        if !self.curves.iter().any(|other| other == bodies.name) {
+            self.curves.push(bodies.name.to_owned());
         }
     }
 
     /// Returns the highest pressure \[Pa\], and the remark on it.
-    fn remark(self, code: RemarkCode) -> Option<(f64, Remark)> {
+    fn remark(self) -> Option<(f64, Remark)> {
         let other_curves = self.curves.len().saturating_sub(1);
-        let (pressure_pa, curve, load) = self.highest?;
-        let remark = Remark::new(code).with("curve", curve).with("load", load);
-        Some((pressure_pa, remark.with("pressure_pa", pressure_pa).with("other_curves", other_curves)))
+        self.highest.map(|(pressure_pa, remark)| (pressure_pa, remark.with("other_curves", other_curves)))
     }
 }

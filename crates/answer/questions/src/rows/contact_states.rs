@@ -83,7 +83,7 @@ pub struct StatesFound {
     pub narrow: NarrowSpectra,
     /// The number of rows that use a third of the hardness as the strength.
     pub assumed_strengths: usize,
-    /// The number of rows whose real pressure exceeds a hardness that does not grow.
+    /// The number of rows of an elastic model whose real pressure exceeds the hardness.
     pub above_hardness: usize,
     /// The number of rows left without results because their request cannot be met.
     pub bad: usize,
@@ -131,11 +131,11 @@ impl ContactStates {
         let requests: Vec<StateRequest<'m>> = (0..columns[0].len()).map(|row| asked(first + row)).collect();
         let (mut found, mut row) = (StatesFound::default(), 0);
         for run in requests.chunk_by(StateRequest::presses_the_same_as) {
-            let pressed = self.contact(&run[0]);
             let is_plastic = self.entry.has(Choice::Strength);
+            let pressed = self.contact(&run[0]);
             let assumes =
                 is_plastic && pressed.is_ok() && run[0].material.assumed_yield_strength_pa().is_some();
-            let hardness_pa = run[0].material.hardness_pa().filter(|_| !self.options.strain_gradient);
+            let hardness_pa = run[0].material.hardness_pa().filter(|_| !is_plastic);
             let mut sweep = match &pressed {
                 Ok(Pressable::Contact(contact)) => Some(contact.sweep(self.tolerance.value())),
                 _ => None,

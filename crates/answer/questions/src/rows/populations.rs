@@ -60,7 +60,7 @@ struct RowRequest {
     strength_is_assumed: bool,
     entry: &'static ModelEntry,
     grows: bool,
-    /// Hardness \[Pa\], if one is known and does not grow.
+    /// Hardness \[Pa\] that an elastic model does not count, if one is known.
     hardness_pa: Option<f64>,
 }
 
@@ -79,7 +79,7 @@ impl Populations {
         let material = self.material(row, is_plastic)?;
         let strength_is_assumed = is_plastic && material.assumed_yield_strength_pa().is_some();
         let grows = material.strain_gradient_length_m().is_some();
-        let hardness_pa = material.hardness_pa().filter(|_| !grows);
+        let hardness_pa = material.hardness_pa().filter(|_| !is_plastic);
         let contact = self.contact(row, entry, &material)?;
         contact
             .map(|contact| {
