@@ -239,7 +239,7 @@ fn many_scans_are_compared_in_one_sentence() {
     }
     let list: String = (0..12).map(|at| format!("{at}.txt,um\n")).collect();
     let ran = bench.write("list.csv", format!("file,unit\n{list}")).run(&["psd", "--list", "list.csv"]);
-    assert_eq!(ran.remarks(&["more pairs of scans"]).len(), 1, "{}", ran.stderr);
+    assert_eq!(ran.remarks(&["more pairs of overlapping scans"]).len(), 1, "{}", ran.stderr);
     assert_eq!(ran.remarks(&[" over "]).len(), 10, "{}", ran.stderr);
     ran.ok();
 }
