@@ -151,6 +151,15 @@ impl LawTableQuestion {
             }
             let given = self.transport.foreign(None).chain(self.gas.options());
             first_given(given, self.no_option_of_quantity())?;
+            if self.form == Some(LawForm::Exponential) {
+                // Light loads are those of the elastic theory.
+                let material = &self.law.by.material;
+                let of_strength = [
+                    ("strain_gradient_length", material.strain_gradient_length_m.is_some()),
+                    ("strength_cap", material.strength_cap.is_some()),
+                ];
+                first_given(of_strength, Remark::new(RemarkCode::Replaced).with("other", "form"))?;
+            }
             return self.law.check();
         };
         let of_law = [("form", self.form.is_some()), ("name", self.name.is_some())];

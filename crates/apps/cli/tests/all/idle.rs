@@ -33,7 +33,6 @@ const IDLE_BY_RIGHT: &[(&str, &str, &str)] = &[
         "the model needs it, and light loads are those of the elastic theory",
     ),
     ("--form exponential", "indentation_hardness", "likewise"),
-    ("--form exponential", "strain_gradient_length", "light loads are those of the elastic theory"),
 ];
 
 /// Bodies: elastic, yielding by each property, growing, named, against another body, under a layer.
