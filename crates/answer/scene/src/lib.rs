@@ -34,7 +34,7 @@ pub use error::{SceneError, SceneProblem};
 pub use figure_style::FigureChoice;
 pub use file_content::FileContent;
 pub use judge::JudgeSettings;
-pub use replace::{ReplaceError, keys_by_section, si_unit, with_keys, with_si_unit};
+pub use replace::{ReplaceError, si_unit, with_keys, with_si_unit};
 pub use resolve::Overrides;
 pub use scene_text::SceneText;
 pub use template::Template;

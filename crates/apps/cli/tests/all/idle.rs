@@ -1,5 +1,5 @@
-//! Nothing typed is passed over in silence: in every context, each option, each key behind the name of a file, each column of
-//! a table and each key of a scene changes what comes out, is named as without effect, or is refused by name.
+//! No option is passed over in silence: in every context, each changes what comes out, is named as without effect, or is refused
+//! by name. Keys of scenes and of files, and columns of tables, are not walked yet.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
