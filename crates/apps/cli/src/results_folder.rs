@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::ffi::OsStr;
+use std::fs::File;
 use std::path::{Path, PathBuf};
 
 use report::products::{ANSWER, SceneProducts};
@@ -79,11 +80,13 @@ impl<'f> ResultsFolder<'f> {
     /// [`Failure::Input`] that names the file.
     pub fn refuse(&self, names: &[String]) -> Result<(), Failure> {
         let folder = self.folder.display();
-        let own = self.own();
+        let _alone = self.alone();
+        let now = ResultsFolder::open(self.folder, []);
+        let own = now.own();
         let in_folder = |name: &&str| self.folder.join(name);
         let names = names.iter().map(String::as_str).chain([RECORD]);
         let names = || names.clone().filter(|name| self.folder.join(name).exists());
-        let is_record = |name: &str| name == RECORD && self.is_record;
+        let is_record = |name: &str| name == RECORD && now.is_record;
         let touched: Vec<PathBuf> =
             names().chain(own.iter().copied()).collect::<BTreeSet<_>>().iter().map(in_folder).collect();
         spare_inputs(&Targets::default().with_files("--out", &touched)?)?;
@@ -92,7 +95,7 @@ impl<'f> ResultsFolder<'f> {
                 "--out {folder}: {name} there is not as truearea wrote it; rename it, or name another folder"
             )));
         }
-        if !own.is_empty() && self.earlier.is_disjoint(&self.identities) {
+        if !own.is_empty() && now.earlier.is_disjoint(&self.identities) {
             return Err(Failure::Input(format!(
                 "--out {folder}: the results there are of other files; name another folder, or delete it"
             )));
@@ -106,6 +109,7 @@ impl<'f> ResultsFolder<'f> {
     /// Errors of [`stage`] and [`publish`].
     pub fn publish(&self, mut files: StagedFiles) -> Result<(), Failure> {
         let from = resolve(self.folder);
+        let _alone = self.alone();
         // Another run may have written here in the meantime.
         let now = ResultsFolder::open(self.folder, []);
         let mut known: BTreeSet<(String, String)> =
@@ -124,6 +128,12 @@ impl<'f> ResultsFolder<'f> {
         stage(&mut files, &record, |out| out.write_all(format!("{HEADING}\n{lines}").as_bytes()))?;
         files.last_first();
         publish(files)
+    }
+
+    /// Locks the folder until the value is dropped, where the system locks folders, so that record and files belong together.
+    fn alone(&self) -> Option<File> {
+        let folder = File::open(self.folder).ok()?;
+        folder.lock().ok().map(|()| folder)
     }
 
     fn digest_of(&self, name: &str) -> Option<String> {
