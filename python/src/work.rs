@@ -17,6 +17,9 @@ const PATIENCE: Duration = Duration::from_millis(50);
 /// Callable that receives the name of the current steps, the number done, and their total.
 pub type Observer<'py> = Bound<'py, PyAny>;
 
+/// Time of the last look, observer, and what ended the work.
+type OnCaller = (Instant, Option<Py<PyAny>>, PyResult<()>);
+
 /// Steps done of some work, and the request to end it.
 #[derive(Debug)]
 pub struct Watch {
@@ -24,8 +27,8 @@ pub struct Watch {
     phase: Mutex<(&'static str, Option<usize>)>,
     done: AtomicUsize,
     is_ended: AtomicBool,
-    /// Of work on the thread that calls: the time of the last look, the observer, and what ended the work.
-    on_caller: Option<Mutex<(Instant, Option<Py<PyAny>>, PyResult<()>)>>,
+    /// State of work on the thread that calls.
+    on_caller: Option<Mutex<OnCaller>>,
 }
 
 impl Watch {
