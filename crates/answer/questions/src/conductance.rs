@@ -209,7 +209,9 @@ impl LawTableQuestion {
             }
             None => {
                 let FoundLaw { model, law, mut notes, .. } = self.law.answer(surface, progress)?;
-                for note in notes.iter_mut().filter(|note| note.code == RemarkCode::RealAboveHardness) {
+                let is_elastic = !model.has(Choice::Strength);
+                let is_above = |note: &&mut Remark| note.code == RemarkCode::RealAboveHardness && is_elastic;
+                for note in notes.iter_mut().filter(is_above) {
                     note.numbers.push(("model", PlasticCorrelation::Yovanovich.name().into()));
                 }
                 let modulus_pa = material.pair.composite_modulus_pa();

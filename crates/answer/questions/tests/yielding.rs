@@ -50,7 +50,7 @@ fn gap_model(model: Option<&'static ModelEntry>, hardness_pa: f64) -> GapModel {
     GapModel { model, material: silver(hardness_pa), ..GapModel::default() }
 }
 
-/// What each question says about a material of a hardness \[Pa\], with the name of the question.
+/// Asks every question of a material of a hardness \[Pa\], and returns its notes with its name.
 fn said(hardness_pa: f64) -> Vec<(String, Result<Vec<Remark>, QuestionError>)> {
     let (surface, material) = (surface(), silver(hardness_pa));
     let mut said = Vec::new();

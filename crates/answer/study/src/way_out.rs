@@ -1,4 +1,4 @@
-//! What people ask for that is not computed, and what to do instead.
+//! Options and keys that people try and that are not computed, with the way out.
 
 const WAYS_OUT: [(&[&str], &str); 3] = [
     (

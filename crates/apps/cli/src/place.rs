@@ -27,7 +27,7 @@ impl std::fmt::Display for Place {
 }
 
 impl Place {
-    /// Its name in messages.
+    /// Returns the name of a source in messages.
     pub fn name(&self) -> String {
         match self {
             Place::Standard => "standard input".to_owned(),

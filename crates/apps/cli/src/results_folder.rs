@@ -37,7 +37,7 @@ pub(crate) struct ResultsFolder<'f> {
     is_record: bool,
     /// SHA-256 of what tells results apart: a title, and the paths of inputs seen from the folder.
     identities: BTreeSet<String>,
-    /// Those of earlier results.
+    /// Identities of the results that the record lists.
     earlier: BTreeSet<String>,
     /// SHA-256 and name of each file as it was written.
     written: BTreeSet<(String, String)>,

@@ -93,7 +93,7 @@ impl RealPressures {
     }
 }
 
-/// What presses, and what it may bear.
+/// Bodies pressed by a model or a method, and the pressure that they may bear.
 pub struct PressedBodies<'n> {
     /// Name of the model or the method.
     pub name: &'n str,

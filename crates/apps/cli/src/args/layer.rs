@@ -26,7 +26,7 @@ pub(crate) struct LayerArgs {
 }
 
 impl LayerArgs {
-    /// All of them.
+    /// All options of a layer.
     pub const OPTIONS: [&str; 4] =
         ["layer_thickness", "layer_youngs_modulus", "layer_poisson_ratio", "layer_base"];
 

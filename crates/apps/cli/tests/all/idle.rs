@@ -276,7 +276,7 @@ fn bench() -> Bench {
     bench
 }
 
-/// What a command printed and wrote.
+/// Output of a command: what it printed, and the files that it wrote.
 #[derive(Debug, Clone, PartialEq)]
 struct Outcome {
     status: i32,
@@ -460,7 +460,7 @@ fn every_option_of_every_command_changes_something_or_is_named() {
 }
 
 #[test]
-#[ignore = "takes minutes"]
+#[ignore = "takes minutes: .ci/slow runs it"]
 fn every_option_in_every_context_changes_something_or_is_named() {
     walk(1, 5000);
 }

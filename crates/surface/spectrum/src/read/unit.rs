@@ -46,10 +46,9 @@ impl Unit {
     /// Parses two factors, as in `nm^2 mm`.
     fn product(text: &str) -> Option<Self> {
         let (first, second) = text.split_at(text.find([' ', '*', '·', '/'])?);
-        let sign = if second.contains('/') && !second.contains("(1/") { -1 } else { 1 };
+        let sign = if second.trim_start().starts_with('/') { -1 } else { 1 };
         let first = Self::power(first)?;
-        let second = second.trim_start_matches([' ', '*', '·', '/', '(']).trim_start_matches("1/");
-        let second = second.trim_end_matches(')');
+        let second = second.trim_start_matches([' ', '*', '·', '/', '(']).trim_end_matches(')');
         let second = Self::power(second).filter(|_| !second.contains([' ', '*', '·']))?;
         let power = second.metre_power.saturating_mul(sign);
         let metre_power = first.metre_power.saturating_add(power);
@@ -178,6 +177,8 @@ mod tests {
             ("nm2*um", unit(3, -24)),
             ("nm^2/mm^-1", unit(3, -21)),
             ("nm^2 / (1/mm)", unit(3, -21)),
+            ("nm^2 * (1/mm)", unit(1, -15)),
+            ("nm^2/mm", unit(1, -15)),
             ("inch^3", Some((3, UnitScale::decimal(16_387_064, -12)))),
         ] {
             let unit = Unit::parse(text).filter(|unit| !unit.angular);
