@@ -14,9 +14,8 @@ pub(crate) use bem::BemArgs;
 pub(crate) use figure_files::FigureFilesArgs;
 pub(crate) use gap::{GapArgs, LawArgs, TangentialArgs};
 pub(crate) use groups::{
-    AmplitudeArg, CounterfaceArgs, FigureArg, HardnessFormulaArg, MaterialArgs, NamedMaterialArgs,
-    NormalisationArg, PressureArgs, PsdArgs, QuotedPaths, ReadingArgs, SamplingArgs, SharedArgs,
-    StrengthCapArg,
+    AmplitudeArg, BodiesArgs, CounterfaceArgs, FigureArg, HardnessFormulaArg, MaterialArgs, NormalisationArg,
+    PressureArgs, PsdArgs, QuotedPaths, ReadingArgs, SamplingArgs, SharedArgs, StrengthCapArg,
 };
 pub(crate) use layer::LayerArgs;
 pub(crate) use persson::{GrowthArg, PerssonArgs};
@@ -31,12 +30,12 @@ use stacked_contact::YieldingAreaLaw;
 use stat_contact::{Flattening, InterferenceLaw};
 
 use crate::place::Place;
-use parsers::{model_of, one_of, parse_place, parse_poisson_ratio, parse_tolerance};
+use parsers::{model_of, one_of, parse_place, parse_tolerance};
 use questions::rows::GivenColumn;
 use scene::Template;
 use study::models::{Framework, ModelEntry, ModelOptions};
 use study::plan::Tolerance;
-use units::{IndentationHardness, Length, Modulus, Pressure, SignedLength};
+use units::{Length, SignedLength};
 
 /// Real contact area of two rough surfaces, and the scales of roughness that decide it.
 ///
@@ -364,7 +363,8 @@ pub(crate) enum AsperityLaw {
     #[command(after_help = "\
 Input columns: youngs_modulus_pa, poisson_ratio, yield_strength_pa (or, three
 times that, indentation_hardness_pa), radius_m, interference_m. Results: hertz_force_n, hertz_area_m2, jackson_green_force_n,
-jackson_green_area_m2, jackson_green_force_cosine_hardness_n.
+jackson_green_area_m2, jackson_green_force_cosine_hardness_n. What every row has may be
+an option in place of a column.
 
 Example:
   truearea asperity sphere --input spheres.csv")]
@@ -374,7 +374,8 @@ Example:
 Input columns: youngs_modulus_pa, poisson_ratio, yield_strength_pa (or, three
 times that, indentation_hardness_pa), aspect_ratio, pressure_pa. Results: complete_contact_pressure_elastic_pa,
 area_fraction_elastic, critical_aspect_ratio, complete_contact_pressure_ep_pa,
-area_fraction_ep, mean_gap_over_amplitude.
+area_fraction_ep, mean_gap_over_amplitude. What every row has may be
+an option in place of a column.
 
 Example:
   truearea asperity sinusoid --input sinusoids.csv")]
@@ -383,7 +384,8 @@ Example:
     #[command(after_help = "\
 Input columns: youngs_modulus_pa, poisson_ratio, yield_strength_pa (or, three
 times that, indentation_hardness_pa), wavelength_m, aspect_ratio, interference_m. Results: pressure_elastic_pa,
-area_fraction_elastic, pressure_ep_pa, area_fraction_ep.
+area_fraction_elastic, pressure_ep_pa, area_fraction_ep. What every row has may be
+an option in place of a column.
 
 Example:
   truearea asperity sinusoid-interference --input sinusoids.csv --output sinusoids.csv")]
@@ -395,23 +397,8 @@ pub(crate) struct TableArgs {
     /// The table to extend, CSV or JSON: a path, or - for standard input
     #[arg(long, value_name = "PATH", default_value = "-", value_parser = parse_place)]
     pub input: Place,
-    /// Young's modulus of every row, in place of the column youngs_modulus_pa
-    #[arg(long, value_name = "P", allow_hyphen_values = true)]
-    pub youngs_modulus: Option<Modulus>,
-    /// Poisson's ratio of every row, in (-1, 0.5], in place of the column poisson_ratio
-    #[arg(long, value_name = "NU", value_parser = parse_poisson_ratio, allow_hyphen_values = true)]
-    pub poisson_ratio: Option<f64>,
-    /// Yield strength of every row, in place of the column yield_strength_pa
-    #[arg(long, value_name = "P", allow_hyphen_values = true)]
-    pub yield_strength: Option<Pressure>,
-    /// Indentation hardness of every row, a pressure or a Vickers number, in place of the column indentation_hardness_pa;
-    /// where a row has no yield strength, a third of it
-    #[arg(long, value_name = "P", allow_hyphen_values = true)]
-    pub indentation_hardness: Option<IndentationHardness>,
     #[command(flatten)]
-    pub counterface: CounterfaceArgs,
-    #[command(flatten)]
-    pub named: NamedMaterialArgs,
+    pub bodies: BodiesArgs,
 }
 
 #[derive(Debug, ClapArgs)]

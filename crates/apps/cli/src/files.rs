@@ -11,7 +11,6 @@ use tempfile::SpooledTempFile;
 use crate::inputs::{bytes_at, record};
 use crate::missing_file::{files_in, spelt_as_on_disk};
 use crate::place::Place;
-use crate::targets::Targets;
 use tables::staging::reading::{FileAsOpened, copy_stream, length_of};
 
 /// Bytes of a stream read more than once that are held in memory; a longer stream goes to a temporary file.
@@ -20,40 +19,31 @@ const MOST_BYTES_HELD: usize = 1 << 24;
 /// Files by their paths relative to a folder, none of which a result may replace; `-` is standard input.
 pub(crate) struct Folder {
     path: PathBuf,
-    targets: Targets,
 }
 
 impl Folder {
     /// The folder that the program was called in.
-    pub fn current(targets: Targets) -> Self {
-        Folder { path: PathBuf::new(), targets }
+    pub fn current() -> Self {
+        Folder { path: PathBuf::new() }
     }
 
     /// The folder of a file.
-    pub fn of(file: &Path, targets: Targets) -> Self {
-        Folder { path: file.parent().unwrap_or(Path::new("")).to_owned(), ..Folder::current(targets) }
-    }
-
-    fn bytes(&self, path: &Path) -> io::Result<Vec<u8>> {
-        let place = Place::File(spelt_as_on_disk(path));
-        let bytes = bytes_at(&place);
-        self.targets.spare(&place)?;
-        bytes
+    pub fn of(file: &Path) -> Self {
+        Folder { path: file.parent().unwrap_or(Path::new("")).to_owned() }
     }
 }
 
 impl Files for Folder {
     fn read(&self, name: &str) -> io::Result<Vec<u8>> {
-        if Place::from(name) == Place::Standard {
-            self.targets.spare(&Place::Standard)?;
-            return bytes_at(&Place::Standard);
-        }
-        self.bytes(&self.path.join(name))
+        bytes_at(&match Place::from(name) {
+            Place::Standard => Place::Standard,
+            Place::File(name) => Place::File(spelt_as_on_disk(&self.path.join(name))),
+        })
     }
 
     fn read_beside(&self, name: &str, sibling: &str) -> io::Result<Option<Vec<u8>>> {
         let beside = self.path.join(name).with_file_name(sibling);
-        if beside.is_file() { self.bytes(&beside).map(Some) } else { Ok(None) }
+        beside.is_file().then(|| bytes_at(&Place::File(beside))).transpose()
     }
 
     fn list(&self, name: &str) -> io::Result<Option<Vec<String>>> {
@@ -67,7 +57,7 @@ impl Files for Folder {
 /// # Errors
 /// Errors of [`open_table`], and of its rows.
 pub fn whole_table(place: &Place) -> Result<InputTable, TableError> {
-    record(place);
+    record(place).map_err(|error| TableError::Reading { table: place.name(), error })?;
     open_table(place)?.whole()
 }
 
@@ -76,10 +66,7 @@ pub fn whole_table(place: &Place) -> Result<InputTable, TableError> {
 /// # Errors
 /// [`TableError`] that names the place, and the line where it has one.
 pub fn open_table(place: &Place) -> Result<TableSource, TableError> {
-    let name = match place {
-        Place::Standard => "standard input".to_owned(),
-        Place::File(path) => path.display().to_string(),
-    };
+    let name = place.name();
     let reading = |error| TableError::Reading { table: name.clone(), error };
     let stream: &mut dyn Read = match place {
         Place::Standard => &mut io::stdin().lock(),

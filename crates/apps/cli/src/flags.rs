@@ -14,14 +14,13 @@ pub(crate) struct PerssonFlags;
 
 impl Spelling for Flags {
     fn option(&self, option: &str) -> String {
-        let name = match option {
-            "missing_points" => "gaps",
-            "reading" => return "an option for reading spectra".to_owned(),
-            "side" => "box",
-            "strain_gradient" => "strain-gradient-length",
-            option => return format!("--{}", option.replace('_', "-")),
-        };
-        format!("--{name}")
+        match option {
+            "missing_points" => "--gaps".to_owned(),
+            "reading" => "an option for reading spectra".to_owned(),
+            "side" => "--box".to_owned(),
+            "strain_gradient" => "--strain-gradient-length".to_owned(),
+            option => format!("--{}", option.replace('_', "-")),
+        }
     }
 
     fn with_value(&self, option: &str, value: &str) -> String {

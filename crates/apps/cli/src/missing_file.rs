@@ -4,6 +4,8 @@ use std::ffi::OsStr;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use tables::staging::folder_of;
+
 /// Least similarity of a file that may be meant, from 0 to 1.
 const ALIKE: f64 = 0.9;
 
@@ -21,7 +23,7 @@ pub(crate) fn explained(error: io::Error, path: &Path) -> io::Error {
 /// The file beside a missing one that has the most similar name.
 fn similar_file(path: &Path) -> Option<String> {
     let wanted = path.file_name()?.to_str()?.to_lowercase();
-    let names = files_in(path.parent().unwrap_or(Path::new(""))).ok()?;
+    let names = files_in(folder_of(path)).ok()?;
     let likeness = |name: &String| strsim::jaro_winkler(&wanted, &name.to_lowercase());
     let found = names.into_iter().max_by(|a, b| likeness(a).total_cmp(&likeness(b)))?;
     (likeness(&found) >= ALIKE).then(|| path.with_file_name(found).display().to_string())
@@ -30,13 +32,11 @@ fn similar_file(path: &Path) -> Option<String> {
 /// Returns the path of the one file whose name reads like this one where its bytes that are not UTF-8 are replaced, as
 /// [`files_in`] lists it; else the path itself.
 pub(crate) fn spelt_as_on_disk(path: &Path) -> PathBuf {
-    let (Some(name), Some(folder)) = (path.file_name().and_then(OsStr::to_str), path.parent()) else {
-        return path.to_owned();
-    };
+    let Some(name) = path.file_name().and_then(OsStr::to_str) else { return path.to_owned() };
     if !name.contains(char::REPLACEMENT_CHARACTER) || path.exists() {
         return path.to_owned();
     }
-    let listed = std::fs::read_dir(if folder.as_os_str().is_empty() { Path::new(".") } else { folder });
+    let listed = std::fs::read_dir(folder_of(path));
     let mut alike =
         listed.into_iter().flatten().flatten().filter(|entry| entry.file_name().to_string_lossy() == name);
     match (alike.next(), alike.next()) {

@@ -3,7 +3,7 @@
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
-use tables::staging::StagedFiles;
+use tables::staging::{NewFolder, StagedFiles};
 
 use crate::failure::Failure;
 use crate::inputs::{bytes_at, spare_inputs};
@@ -12,8 +12,6 @@ use crate::place::Place;
 use crate::stderr::say;
 use crate::targets::Targets;
 use crate::terminal::standard_output;
-use study::plan::PlanError;
-use tables::TableError;
 
 impl Place {
     /// All bytes that stand there.
@@ -57,7 +55,7 @@ impl Place {
     ) -> Result<(), Failure> {
         match self {
             Place::Standard => {
-                spare_inputs(&Targets::default().with("--output", self)?)?;
+                spare_inputs(&Targets::named("--output", [Place::Standard])?)?;
                 let mut stdout = BufWriter::new(standard_output());
                 written(write, &mut stdout).map_err(|stopped| stopped.writing("standard output"))
             }
@@ -108,20 +106,8 @@ impl From<io::Error> for Stopped {
     }
 }
 
-impl From<Failure> for Stopped {
-    fn from(failure: Failure) -> Self {
-        Stopped::Failed(failure)
-    }
-}
-
-impl From<TableError> for Stopped {
-    fn from(error: TableError) -> Self {
-        Stopped::Failed(Failure::input(error))
-    }
-}
-
-impl From<PlanError> for Stopped {
-    fn from(error: PlanError) -> Self {
+impl<E: Into<Failure>> From<E> for Stopped {
+    fn from(error: E) -> Self {
         Stopped::Failed(error.into())
     }
 }
@@ -169,15 +155,23 @@ pub fn utf8<'b>(bytes: &'b [u8], source: &str, what: &str) -> Result<&'b str, Fa
 /// Makes the folder that `option` names, where there is none.
 ///
 /// # Errors
-/// [`Failure::Input`] where a file has its name; [`Failure::System`] that names the folder.
+/// Errors of [`new_folder`].
 pub fn make_folder(option: &str, folder: &Path) -> Result<(), Failure> {
+    new_folder(option, folder).map(|made| made.map(NewFolder::keep).unwrap_or_default())
+}
+
+/// Makes the folder that `option` names, where there is none; it goes again where nothing comes to lie in it.
+///
+/// # Errors
+/// [`Failure::Input`] where a file has its name; [`Failure::System`] that names the folder.
+pub fn new_folder(option: &str, folder: &Path) -> Result<Option<NewFolder>, Failure> {
     if folder.is_file() {
         return Err(Failure::Input(format!(
             "{option} {}: results go into a folder, and this is a file; name a folder",
             folder.display()
         )));
     }
-    std::fs::create_dir_all(folder).map_err(|error| Failure::writing(&folder.display().to_string(), &error))
+    NewFolder::make(folder).map_err(|error| Failure::writing(&folder.display().to_string(), &error))
 }
 
 #[cfg(test)]

@@ -5,6 +5,8 @@ use std::str::FromStr;
 
 use report::chart::maps::FieldPicture;
 
+use crate::place::Place;
+
 /// A file for a picture, in the format that its name ends in.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Picture {
@@ -82,6 +84,11 @@ impl FromStr for Picture {
 }
 
 impl Picture {
+    /// The place of the file.
+    pub fn place(&self) -> Place {
+        Place::File(self.path.clone())
+    }
+
     /// Returns a picture of this format in another file.
     pub fn with_path(&self, path: PathBuf) -> Self {
         Picture { path, format: self.format }

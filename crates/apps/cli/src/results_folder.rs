@@ -16,6 +16,7 @@ use crate::failure::Failure;
 use crate::inputs::spare_inputs;
 use crate::output::{make_folder, publish, stage};
 use crate::picture::Picture;
+use crate::place::Place;
 use crate::targets::Targets;
 use units::printable::{hexadecimal, printable};
 
@@ -83,13 +84,12 @@ impl<'f> ResultsFolder<'f> {
         let _alone = self.alone();
         let now = ResultsFolder::open(self.folder, []);
         let own = now.own();
-        let in_folder = |name: &&str| self.folder.join(name);
+        let in_folder = |name| Place::File(self.folder.join(name));
         let names = names.iter().map(String::as_str).chain([RECORD]);
         let names = || names.clone().filter(|name| self.folder.join(name).exists());
         let is_record = |name: &str| name == RECORD && now.is_record;
-        let touched: Vec<PathBuf> =
-            names().chain(own.iter().copied()).collect::<BTreeSet<_>>().iter().map(in_folder).collect();
-        spare_inputs(&Targets::default().with_files("--out", &touched)?)?;
+        let touched = names().chain(own.iter().copied()).collect::<BTreeSet<_>>();
+        spare_inputs(&Targets::named("--out", touched.into_iter().map(in_folder))?)?;
         if let Some(name) = names().find(|name| !own.contains(name) && !is_record(name)) {
             return Err(Failure::Input(format!(
                 "--out {folder}: {name} there is not as truearea wrote it; rename it, or name another folder"

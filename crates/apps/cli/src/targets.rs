@@ -4,12 +4,13 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use same_file::Handle;
+use tables::staging::folder_of;
 
 use crate::failure::Failure;
 use crate::place::Place;
 
 /// The files that a command is about to write.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(crate) struct Targets(Vec<Target>);
 
 /// A file that is about to be written.
@@ -23,20 +24,16 @@ struct Target {
 }
 
 impl Targets {
-    /// Adds a place; standard output is a target where it is redirected into a file.
+    /// No files.
+    pub const NONE: Self = Targets(Vec::new());
+
+    /// The places that one option names.
     ///
     /// # Errors
-    /// Errors of [`with_file`](Self::with_file).
-    pub fn with(self, option: &'static str, place: &Place) -> Result<Self, Failure> {
-        match place {
-            Place::Standard => {
-                let existing = Handle::stdout().ok().filter(is_file);
-                let mut targets = self;
-                targets.0.push(Target { option, path: PathBuf::from("-"), existing });
-                Ok(targets)
-            }
-            Place::File(path) => self.with_file(option, path),
-        }
+    /// Errors of [`add`](Self::add).
+    pub fn named(option: &'static str, places: impl IntoIterator<Item = Place>) -> Result<Self, Failure> {
+        let mut targets = Self::NONE;
+        targets.add(option, places).map(|()| targets)
     }
 
     /// The files that are about to be put in place, whatever named them.
@@ -46,52 +43,54 @@ impl Targets {
         Targets(paths.map(target).collect())
     }
 
-    /// Adds files that one option names together.
-    ///
-    /// # Errors
-    /// Errors of [`with_file`](Self::with_file).
-    pub fn with_files(self, option: &'static str, paths: &[PathBuf]) -> Result<Self, Failure> {
-        paths.iter().try_fold(self, |targets, path| targets.with_file(option, path))
-    }
-
-    /// Adds a file.
+    /// Adds the places that an option names; standard output is a target where it is redirected into a file.
     ///
     /// # Errors
     /// [`Failure::Input`] where a folder stands there or another target is the same file; [`Failure::System`] where its
     /// folder is not there.
-    pub fn with_file(mut self, option: &'static str, path: &Path) -> Result<Self, Failure> {
+    pub fn add(
+        &mut self,
+        option: &'static str,
+        places: impl IntoIterator<Item = Place>,
+    ) -> Result<(), Failure> {
+        for place in places {
+            match place {
+                Place::Standard => {
+                    let existing = Handle::stdout().ok().filter(is_file);
+                    self.0.push(Target { option, path: PathBuf::from("-"), existing });
+                }
+                Place::File(path) => self.add_file(option, path)?,
+            }
+        }
+        Ok(())
+    }
+
+    fn add_file(&mut self, option: &'static str, path: PathBuf) -> Result<(), Failure> {
         if path.is_dir() {
             return Err(Failure::Input(format!(
                 "{option} {}: this is a folder; name a file in it",
                 path.display()
             )));
         }
-        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let folder = folder_of(&path);
         folder.metadata().map_err(|error| Failure::writing(&path.display().to_string(), &error))?;
         // A device or a pipe is written to, and any other target is replaced by a new file in its folder.
         let is_new_folder = self.0.last().is_none_or(|last| last.path.parent() != path.parent());
         if is_new_folder && (path.is_file() || !path.exists()) {
             check_writable(folder)?;
         }
-        let target = Target { option, path: path.to_owned(), existing: file(path) };
+        let existing = file(&path);
+        let target = Target { option, path, existing };
         if let Some(other) = self.0.iter().find(|other| other.is(&target)) {
             return Err(Failure::Input(format!(
                 "{} {} and {option} {} are the same file; name two",
                 other.option,
                 other.path.display(),
-                path.display()
+                target.path.display()
             )));
         }
         self.0.push(target);
-        Ok(self)
-    }
-
-    /// Refuses a place that is about to be read and that a target would replace.
-    ///
-    /// # Errors
-    /// [`Failure::Input`] that names the place, the option and its file.
-    pub fn refuse_replacing(&self, input: &Place) -> Result<(), Failure> {
-        self.spare(input).map_err(|error| Failure::reading(&input.name(), &error))
+        Ok(())
     }
 
     /// Refuses a file that is about to be read and that a target would replace.
@@ -159,6 +158,10 @@ fn file(path: &Path) -> Option<Handle> {
 mod tests {
     use super::*;
 
+    fn with(mut targets: Targets, option: &'static str, path: &Path) -> Result<Targets, Failure> {
+        targets.add(option, [Place::File(path.to_owned())]).map(|()| targets)
+    }
+
     #[test]
     fn a_file_is_known_under_all_its_names() {
         let folder = tempfile::tempdir().unwrap();
@@ -168,24 +171,21 @@ mod tests {
         std::fs::hard_link(path("data"), path("hard")).unwrap();
         std::os::unix::fs::symlink(path("data"), path("soft")).unwrap();
         for name in ["data", "hard", "soft"] {
-            let targets = Targets::default().with_file("--output", &path(name)).unwrap();
+            let targets = with(Targets::NONE, "--output", &path(name)).unwrap();
             let refusal = targets.spare(&Place::File(path("data"))).unwrap_err().to_string();
             assert!(refusal.starts_with("--output ") && refusal.contains(" would replace it"), "{refusal}");
             targets.spare(&Place::File(path("other"))).unwrap();
-            assert!(targets.with_file("--figure", &path("data")).is_err());
+            assert!(with(targets, "--figure", &path("data")).is_err());
         }
     }
 
     #[test]
     fn two_results_need_two_files_but_may_share_a_device() {
         let folder = tempfile::tempdir().unwrap();
-        let new = Targets::default().with_file("--output", &folder.path().join("new")).unwrap();
-        assert!(new.with_file("--figure", &folder.path().join("./new")).is_err());
-        let device = Targets::default().with_file("--output", Path::new("/dev/null")).unwrap();
-        device
-            .with_file("--figure", Path::new("/dev/null"))
-            .unwrap()
-            .spare(&Place::from("/dev/null"))
-            .unwrap();
+        let new = with(Targets::NONE, "--output", &folder.path().join("new")).unwrap();
+        assert!(with(new, "--figure", &folder.path().join("./new")).is_err());
+        let device = with(Targets::NONE, "--output", Path::new("/dev/null")).unwrap();
+        let two = with(device, "--figure", Path::new("/dev/null")).unwrap();
+        two.spare(&Place::from("/dev/null")).unwrap();
     }
 }

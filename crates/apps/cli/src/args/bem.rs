@@ -6,13 +6,14 @@ use std::path::PathBuf;
 use clap::Args as ClapArgs;
 use elements::{Boundary, RandomChoices};
 use measurements::ScanRequest;
-use questions::{BranchChoice, LoadInput, RandomInput};
+use questions::{BranchChoice, LoadInput, MaterialInput, RandomInput};
 use spectrum::random_surfaces::Phases;
 use study::measured::Kind;
 use topography::Detrend;
 use units::{Force, ForcePerLength, Length, Pressure, PressureRange, WorkOfAdhesion};
 
 use super::groups::{BodiesArgs, FigureArg, ReadingArgs};
+use super::layer::LayerArgs;
 use super::parsers::one_of;
 use super::scans::{FileDefaults, MapTreatmentArgs};
 
@@ -78,6 +79,8 @@ pub(crate) struct BemArgs {
     #[command(flatten)]
     pub material: BodiesArgs,
     #[command(flatten)]
+    pub layer: LayerArgs,
+    #[command(flatten)]
     pub map: MapArgs,
     #[command(flatten)]
     pub random: RandomArgs,
@@ -114,6 +117,11 @@ pub(crate) struct MapArgs {
 }
 
 impl BemArgs {
+    /// The material as questions take it.
+    pub fn material(&self) -> MaterialInput {
+        MaterialInput { layer: self.layer.input(), ..self.material.input() }
+    }
+
     /// The option that leaves a strength without use: a pull, or a saturation in pascals where no pressure is in hardnesses.
     pub fn leaves_strength_unused(&self) -> Option<&'static str> {
         let loads = self.loads.pressures.iter().map(|load| &load.pressure);

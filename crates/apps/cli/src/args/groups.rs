@@ -11,7 +11,7 @@ use tables::Format;
 use units::{IndentationHardness, Length, Modulus, Pressure, PressureRange};
 
 use super::layer::LayerArgs;
-use super::parsers::{hardness, one_of, parse_count, parse_place, parse_poisson_ratio};
+use super::parsers::{one_of, parse_count, parse_place, parse_poisson_ratio};
 use crate::picture::Picture;
 use crate::place::Place;
 
@@ -160,7 +160,7 @@ pub(crate) struct AmplitudeArg {
 pub(crate) struct HardnessFormulaArg {
     /// Hardness of the sphere in the model ep-sphere: 2005, that of Jackson & Green 2005, or cosine, the cosine form
     /// 2.84 - 0.92 [1 - cos(pi a/R)]
-    #[arg(long, value_parser = hardness())]
+    #[arg(long, value_parser = one_of::<Hardness, _>(Hardness::ALL))]
     pub hardness_formula: Option<Hardness>,
 }
 
@@ -194,14 +194,7 @@ pub(crate) struct NamedMaterialArgs {
     pub on: Option<TabledMaterial>,
 }
 
-impl NamedMaterialArgs {
-    /// The material with its missing properties from the table.
-    pub fn fill(&self, given: MaterialInput) -> MaterialInput {
-        given.filled_from(self.material.as_ref(), self.on.as_ref())
-    }
-}
-
-/// The bodies in contact, as far as every theory and boundary elements take them.
+/// The bodies in contact, as far as every model takes them.
 #[derive(Debug, Clone, ClapArgs)]
 pub(crate) struct BodiesArgs {
     #[command(flatten)]
@@ -221,8 +214,6 @@ pub(crate) struct BodiesArgs {
     pub indentation_hardness: Option<IndentationHardness>,
     #[command(flatten)]
     pub counterface: CounterfaceArgs,
-    #[command(flatten)]
-    pub layer: LayerArgs,
 }
 
 /// The bodies in contact, and the growth of their strength.
@@ -230,6 +221,8 @@ pub(crate) struct BodiesArgs {
 pub(crate) struct MaterialArgs {
     #[command(flatten)]
     pub bodies: BodiesArgs,
+    #[command(flatten)]
+    pub layer: LayerArgs,
     /// Let the strength grow where the deformation is shallower than this length (Nix & Gao)
     #[arg(long, value_name = "L", allow_hyphen_values = true)]
     pub strain_gradient_length: Option<Length>,
@@ -256,15 +249,15 @@ impl BodiesArgs {
 
     /// The material as questions take it.
     pub fn input(&self) -> MaterialInput {
-        self.named.fill(MaterialInput {
+        let given = MaterialInput {
             youngs_modulus_pa: self.youngs_modulus.map(|modulus| modulus.pa),
             poisson_ratio: self.poisson_ratio,
             yield_strength: self.yield_strength,
             indentation_hardness_pa: self.indentation_hardness.map(|hardness| hardness.pa),
             counterface: self.counterface.input(),
-            layer: self.layer.input(),
             ..MaterialInput::default()
-        })
+        };
+        given.filled_from(self.named.material.as_ref(), self.named.on.as_ref())
     }
 }
 
@@ -274,6 +267,7 @@ impl MaterialArgs {
         MaterialInput {
             strain_gradient_length_m: self.strain_gradient_length.map(|length| length.m),
             strength_cap: self.strength_cap.strength_cap,
+            layer: self.layer.input(),
             ..self.bodies.input()
         }
     }

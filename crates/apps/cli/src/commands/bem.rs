@@ -16,17 +16,18 @@ use report::{elements_figure, elements_words};
 use spectrum::ReadOptions;
 use study::measured::{Kind, Measured, MeasuredOptions};
 use study::surface::{Surface, SurfaceError};
-use tables::staging::{NewFolder, StagedFiles};
+use tables::staging::{NewFolder, StagedFiles, folder_of};
 use topography::Recipe;
 use units::{Length, Remark, RemarkCode, WorkOfAdhesion};
 
-use super::{Context, psd, reading_options, say_all};
+use super::{Context, announce_figure, psd, reading_options, say_all};
 use crate::args::{BemArgs, refuse_replaced};
 use crate::failure::Failure;
 use crate::files::Folder;
 use crate::flags::{Flags, refuse_first};
+use crate::inputs::announce;
 use crate::memory;
-use crate::output::{publish, stage};
+use crate::output::{new_folder, stage};
 use crate::picture::png_of_field;
 use crate::place::Place;
 use crate::progress::Progress;
@@ -48,7 +49,7 @@ pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> 
         return press_adhesive(args, work, range, context);
     }
     let question = ElementsQuestion {
-        material: args.material.input(),
+        material: args.material(),
         loads: args.loads.pressures.clone().into_iter().map(ElementsLoad::Pressure).collect(),
         pressure_ranges: args.loads.pressure_ranges.clone(),
         saturation: args.saturation,
@@ -86,21 +87,13 @@ pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> 
         let figure = elements_figure::area_against_load(&pressed);
         context.stage_picture(&mut files, picture, &figure, &args.surface.path, &comments)?;
     }
-    context.stage_blocks(&mut files, &context.shared.output, context.wanted(&comments), |out| {
-        Ok(out.block(&table)?)
-    })?;
+    context.stage_table(&mut files, &context.shared.output, context.wanted(&comments), &table)?;
     if let Some(path) = &args.patches {
         let table = elements::patches_table(patches.into_inner().unwrap_or_else(PoisonError::into_inner));
         let place = Place::File(path.clone());
-        context.stage_blocks(&mut files, &place, context.wanted(&comments), |out| Ok(out.block(&table)?))?;
+        context.stage_table(&mut files, &place, context.wanted(&comments), &table)?;
     }
-    publish(files)?;
-    if let Some(fields) = fields {
-        fields.keep();
-    }
-    timings.lap("writing");
-    timings.report(context.shared.timings);
-    Ok(())
+    context.finish(files, timings)
 }
 
 impl From<ElementsError> for Failure {
@@ -120,7 +113,7 @@ fn press_indenter(
     context: &Context<'_>,
 ) -> Result<(), Failure> {
     let question = IndenterQuestion {
-        material: args.material.input(),
+        material: args.material(),
         shape,
         radius_m,
         force,
@@ -144,7 +137,7 @@ fn press_adhesive(
     context: &Context<'_>,
 ) -> Result<(), Failure> {
     let question = AdhesionQuestion {
-        material: args.material.input(),
+        material: args.material(),
         pressures: args.loads.pressures.clone(),
         pressure_ranges: args.loads.pressure_ranges.clone(),
         work_of_adhesion_j_per_m2: work.j_per_m2,
@@ -176,17 +169,7 @@ fn write(
     let answer = answer(&progress)?;
     drop(progress);
     timings.lap("pressing");
-    say_all(&answer.notes, &Flags);
-    let mut files = StagedFiles::default();
-    let (picture, figure) = (args.figure.figure.as_ref(), answer.figure.as_ref());
-    context.stage_figure(&mut files, picture, figure, &args.surface.path, comments)?;
-    context.stage_blocks(&mut files, &context.shared.output, context.wanted(comments), |out| {
-        Ok(out.block(&answer.table)?)
-    })?;
-    publish(files)?;
-    timings.lap("writing");
-    timings.report(context.shared.timings);
-    Ok(())
+    context.publish_answer(&answer, &args.surface.path, comments, args.figure.figure.as_ref(), timings)
 }
 
 /// Map or spectrum of the file, and comments on where it comes from.
@@ -200,10 +183,9 @@ fn load(args: &BemArgs, context: &Context<'_>) -> Result<(Measured, Vec<String>)
         repeats: args.map.boundary == Some(Boundary::Periodic),
     };
     let foreign = |kind: Kind| Remark::new(RemarkCode::OtherKindOfFile).with("kind", kind.to_string());
-    let targets = context.targets(args.figure.figure.as_ref())?;
-    let targets = targets.with_files("--patches", args.patches.as_slice())?;
-    let folder = Folder::current(targets);
-    let found = Measured::load(&request, &folder, &options).map_err(|error| match error {
+    announce_figure(args.figure.figure.as_ref())?;
+    announce("--patches", args.patches.clone().map(Place::File))?;
+    let found = Measured::load(&request, &Folder::current(), &options).map_err(|error| match error {
         SurfaceError::Scans(error) => psd::refused(error),
         error => Failure::input(error),
     })?;
@@ -255,31 +237,23 @@ fn of_file(file: &MapOfFile, boundary: Option<Boundary>) -> Relief {
 struct FieldFiles {
     folder: PathBuf,
     /// The folder where it was made for them, which goes again where nothing comes of it.
-    made: Option<NewFolder>,
+    _made: Option<NewFolder>,
 }
 
 impl FieldFiles {
     fn new(folder: &Path, args: &BemArgs) -> Result<Self, Failure> {
-        let name = folder.display();
-        if folder.is_file() {
-            return Err(Failure::Input(format!(
-                "--fields {name}: results go into a folder, and this is a file; name a folder"
-            )));
-        }
         // A link and the file that it leads to may lie in two folders.
         let surface = Path::new(&args.surface.path);
         let names = [Some(surface.to_owned()), surface.canonicalize().ok()];
-        let lies_in_folder = |file: &PathBuf| {
-            let parent = file.parent().filter(|parent| !parent.as_os_str().is_empty());
-            folder.canonicalize().ok() == parent.unwrap_or(Path::new(".")).canonicalize().ok()
-        };
+        let lies_in_folder =
+            |file: &PathBuf| folder.canonicalize().ok() == folder_of(file).canonicalize().ok();
         if surface.is_file() && names.iter().flatten().any(lies_in_folder) {
             return Err(Failure::Input(format!(
-                "--fields {name}: the surface is a file of this folder, and results might replace it; name another folder"
+                "--fields {}: the surface is a file of this folder, and results might replace it; name another folder",
+                folder.display()
             )));
         }
-        let made = NewFolder::make(folder).map_err(|error| Failure::writing(&name.to_string(), &error))?;
-        Ok(FieldFiles { folder: folder.to_owned(), made })
+        Ok(FieldFiles { folder: folder.to_owned(), _made: new_folder("--fields", folder)? })
     }
 
     /// Writes one surface under one load aside: `load-1-surface-1.nc`, and two pictures.
@@ -300,12 +274,5 @@ impl FieldFiles {
             stage(&mut files, &self.folder.join(name), |out| out.write_all(&bytes))?;
         }
         Ok(())
-    }
-
-    /// The folder stays, with what is in it.
-    fn keep(self) {
-        if let Some(made) = self.made {
-            made.keep();
-        }
     }
 }

@@ -8,7 +8,6 @@ use crate::args::Args;
 use crate::failure::Failure;
 
 pub(super) fn run(shell: Shell, context: &Context<'_>) -> Result<(), Failure> {
-    context.targets(None)?;
     // The generator panics where it cannot write, on a closed pipe for one: it writes to memory.
     let mut script = Vec::new();
     generate(shell, &mut Args::command(), "truearea", &mut script);

@@ -10,22 +10,19 @@ use tables::Format;
 use tables::staging::StagedFiles;
 
 use super::Context;
-use super::run_scene::{Watching, failed};
+use super::run_scene::{Watching, failed, read_scene};
 use crate::args::FigureFilesArgs;
 use crate::failure::Failure;
-use crate::files::Folder;
-use crate::output::{make_folder, stage, utf8};
+use crate::output::{make_folder, stage};
 use crate::picture::Picture;
 use crate::place::Place;
 use crate::results_folder::ResultsFolder;
-use crate::targets::Targets;
 use crate::timings::Timings;
 
 pub(super) fn run(args: &FigureFilesArgs, context: &Context<'_>) -> Result<(), Failure> {
     let mut timings = Timings::start();
     let path = scene_file(&args.scene)?;
-    let folder = Folder::of(&path, Targets::default());
-    let mut scene = read(&path, &folder)?;
+    let mut scene = read_scene(&Place::File(path.clone()), &Overrides::default())?;
     scene
         .choose_figures(&args.choice())
         .map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
@@ -77,14 +74,6 @@ fn scene_file(given: &Path) -> Result<PathBuf, Failure> {
         true => Err(Failure::Input(format!("{}: no scene.toml here; name the scene file", given.display()))),
         false => Ok(given.to_owned()),
     }
-}
-
-fn read(path: &Path, folder: &Folder) -> Result<Scene, Failure> {
-    let name = path.display().to_string();
-    let bytes = Place::File(path.to_owned()).read()?;
-    let text = utf8(&bytes, &name, "scene")?;
-    Scene::parse(text, folder, &Overrides::default())
-        .map_err(|error| Failure::Input(report::scene_errors::drawn(&error, text, &name)))
 }
 
 /// A file of a figure.

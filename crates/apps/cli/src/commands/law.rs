@@ -64,8 +64,7 @@ pub(super) fn run(args: &LawArgs, context: &Context<'_>) -> Result<(), Failure> 
     };
     drop(progress);
     timings.lap("computing");
-    context.targets(None)?;
-    context.shared.output.write(|out| out.write_all(text.as_bytes()))?;
+    context.print(&text)?;
     timings.lap("writing");
     timings.report(context.shared.timings);
     Ok(())

@@ -13,7 +13,6 @@ use crate::output::{make_folder, publish, stage};
 use tables::staging::StagedFiles;
 
 pub(super) fn run(args: &ManArgs, context: &Context<'_>) -> Result<(), Failure> {
-    context.targets(None)?;
     make_folder("--out", &args.out)?;
     let mut program = Args::command().disable_help_subcommand(true);
     program.build();
@@ -25,8 +24,7 @@ pub(super) fn run(args: &ManArgs, context: &Context<'_>) -> Result<(), Failure> 
         names.push(page.man.get_filename());
     }
     publish(files)?;
-    let said = format!("{} pages in {}: {}\n", names.len(), args.out.display(), names.join(", "));
-    context.shared.output.write(|out| out.write_all(said.as_bytes()))
+    context.print(&format!("{} pages in {}: {}\n", names.len(), args.out.display(), names.join(", ")))
 }
 
 /// A command, and all below it.

@@ -9,6 +9,7 @@ mod man_pages;
 mod one_asperity;
 mod persson;
 mod psd;
+mod readable;
 mod roughness;
 mod row_by_row;
 mod run_scene;
@@ -27,7 +28,6 @@ use report::provenance::provenance;
 use report::{chart, spectrum_words};
 use spectrum::{ReadOption, ReadOptions};
 use study::figure::FigureData;
-use study::plan::Sampling;
 use study::surface::{Surface, SurfaceError};
 use tables::staging::StagedFiles;
 use tables::{Format, Table, TableWriter};
@@ -38,13 +38,13 @@ use crate::args::{Args, Command, PsdArgs, QuotedPaths, ReadingArgs, SharedArgs};
 use crate::failure::Failure;
 use crate::files::Folder;
 use crate::flags::{Flags, failure, refuse_first};
+use crate::inputs::announce;
 use crate::interruption;
 use crate::output::{Stopped, publish, stage};
 use crate::picture::Picture;
 use crate::place::Place;
 use crate::progress::Progress;
 use crate::stderr::say;
-use crate::targets::Targets;
 use crate::timings::Timings;
 
 /// The file that a figure goes to, if there is one.
@@ -63,6 +63,7 @@ pub fn run(args: Args, typed: &[String]) -> Result<(), Failure> {
         ));
     }
     refuse_idle_options(&args.command, &context.shared)?;
+    announce("--output", [context.shared.output.clone()])?;
     match args.command {
         Command::Asperity(args) => one_asperity::run(&args.law, &context),
         Command::Moments(args) => spectrum_tables::moments(&args, &context),
@@ -83,10 +84,7 @@ pub fn run(args: Args, typed: &[String]) -> Result<(), Failure> {
         Command::Run(args) => run_scene::run(&args, &context),
         Command::Completions { shell } => completions::run(shell, &context),
         Command::Man(args) => man_pages::run(&args, &context),
-        Command::Scene { template } => {
-            context.targets(None)?;
-            context.shared.output.write(|out| out.write_all(template.text().as_bytes()))
-        }
+        Command::Scene { template } => context.print(template.text()),
     }
 }
 
@@ -128,25 +126,28 @@ impl Context<'_> {
         let answer = answer(&surface, &progress)?;
         drop(progress);
         timings.lap("computing");
-        self.publish_answer(&answer, &surface, sampling.sampling(), figure, timings)
+        let comments = provenance(self.typed, &surface, sampling.sampling());
+        self.publish_answer(&answer, &surface.name, &comments, figure, timings)
     }
 
     /// Says the notes of an answer, and writes its table and its figure.
     fn publish_answer(
         &self,
         answer: &Answer,
-        surface: &Surface,
-        sampling: Sampling,
+        subject: &str,
+        comments: &[String],
         figure: Figure<'_>,
-        mut timings: Timings,
+        timings: Timings,
     ) -> Result<(), Failure> {
         say_all(&answer.notes, &Flags);
-        let comments = provenance(self.typed, surface, sampling);
         let mut files = StagedFiles::default();
-        self.stage_figure(&mut files, figure, answer.figure.as_ref(), &surface.name, &comments)?;
-        self.stage_blocks(&mut files, &self.shared.output, self.wanted(&comments), |out| {
-            Ok(out.block(&answer.table)?)
-        })?;
+        self.stage_figure(&mut files, figure, answer.figure.as_ref(), subject, comments)?;
+        self.stage_table(&mut files, &self.shared.output, self.wanted(comments), &answer.table)?;
+        self.finish(files, timings)
+    }
+
+    /// Puts the results in place, and says how long everything took.
+    fn finish(&self, files: StagedFiles, mut timings: Timings) -> Result<(), Failure> {
         publish(files)?;
         timings.lap("writing");
         timings.report(self.shared.timings);
@@ -200,9 +201,8 @@ impl Context<'_> {
 
     /// Reads a spectrum.
     fn load(&self, psd: &str, reading: &ReadingArgs, figure: Figure<'_>) -> Result<Surface, Failure> {
-        let options = reading_options(reading);
-        let targets = self.targets(figure)?;
-        Surface::load(psd, &Folder::current(targets), &options).map_err(|error| match error {
+        announce_figure(figure)?;
+        Surface::load(psd, &Folder::current(), &reading_options(reading)).map_err(|error| match error {
             SurfaceError::Scan { ref name, .. } => {
                 Failure::Input(format!("{error}; use `truearea psd {name}`"))
             }
@@ -214,13 +214,9 @@ impl Context<'_> {
         })
     }
 
-    /// The files that results go to.
-    fn targets(&self, picture: Option<&Picture>) -> Result<Targets, Failure> {
-        let targets = Targets::default().with("--output", &self.shared.output)?;
-        match picture {
-            Some(picture) => targets.with_file("--figure", &picture.path),
-            None => Ok(targets),
-        }
+    /// Writes a text in place of a table.
+    fn print(&self, text: &str) -> Result<(), Failure> {
+        self.shared.output.write(|out| out.write_all(text.as_bytes()))
     }
 
     /// Draws a figure, if there is one and a file for it.
@@ -255,6 +251,17 @@ impl Context<'_> {
     /// Lines that tell where a table comes from, if they are asked for.
     fn wanted<'c>(&self, provenance: &'c [String]) -> &'c [String] {
         if self.shared.provenance.is_some() { provenance } else { &[] }
+    }
+
+    /// Writes a table, comment lines first.
+    fn stage_table(
+        &self,
+        files: &mut StagedFiles,
+        output: &Place,
+        comments: &[String],
+        table: &Table,
+    ) -> Result<(), Failure> {
+        self.stage_blocks(files, output, comments, |out| Ok(out.block(table)?))
     }
 
     /// Writes a table block by block, comment lines first.
@@ -293,6 +300,11 @@ fn without_folders(word: &str) -> String {
         Path::new(path).parent().is_some_and(|folder| folder != Path::new("") && folder.is_dir());
     let is_absolute = path.starts_with(['/', '\\']) || path.get(1..3) == Some(":\\");
     format!("{option}{}{settings}", if is_relative || is_absolute { shown_path(path) } else { path })
+}
+
+/// Announces the file of a figure.
+fn announce_figure(figure: Figure<'_>) -> Result<(), Failure> {
+    announce("--figure", figure.map(Picture::place))
 }
 
 /// Returns the options for reading a spectrum.

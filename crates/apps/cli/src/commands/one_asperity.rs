@@ -1,8 +1,6 @@
 //! `asperity`: the contact law of one asperity, row by row of a table.
 
 use super::Context;
-use questions::MaterialInput;
-
 use super::row_by_row::{self, Constants};
 use crate::args::AsperityLaw;
 use crate::failure::Failure;
@@ -16,14 +14,7 @@ pub(super) fn run(law: &AsperityLaw, context: &Context<'_>) -> Result<(), Failur
         AsperityLaw::SinusoidInterference(args) => (AsperityTable::SinusoidInterference, args),
     };
     let mut constants = Constants::default();
-    let material = args.named.fill(MaterialInput {
-        youngs_modulus_pa: args.youngs_modulus.map(|modulus| modulus.pa),
-        poisson_ratio: args.poisson_ratio,
-        yield_strength: args.yield_strength,
-        indentation_hardness_pa: args.indentation_hardness.map(|hardness| hardness.pa),
-        counterface: args.counterface.input(),
-        ..MaterialInput::default()
-    });
+    let material = args.bodies.input();
     constants.add_elastic(&material)?;
     constants.add_strength(&material)?;
     row_by_row::run(&args.input, &constants, &mut Asperities::new(law, material.counterface()?), context)

@@ -1,15 +1,14 @@
 //! `psd`: from scans to their composite spectrum.
 
-use super::{Context, say_all, say_notes};
+use super::{Context, announce_figure, say_all, say_notes};
 use crate::args::ScansArgs;
 use crate::failure::Failure;
 use crate::files::{Folder, whole_table};
 use crate::flags::Flags;
-use crate::output::publish;
+use crate::inputs::announce;
 use crate::place::Place;
 use crate::progress::Progress;
 use crate::stderr::say;
-use crate::targets::Targets;
 use crate::timings::Timings;
 use measurements::{
     CompositeOfFiles, STEPS_PER_FILE, ScanProblem, ScanRequest, ScansInFolders, TipRadius, TopographyError,
@@ -36,11 +35,10 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
         ..Recipe::default()
     };
     let output = args.out.as_ref().unwrap_or(&context.shared.output);
-    let targets = context
-        .targets(args.figure.as_ref())?
-        .with("--out", args.out.as_ref().unwrap_or(&Place::Standard))?;
-    let requests = requests(args, &targets)?;
-    let folder = Folder::current(targets);
+    announce_figure(args.figure.as_ref())?;
+    announce("--out", args.out.clone())?;
+    let requests = requests(args)?;
+    let folder = Folder::current();
     let mut timings = Timings::start();
     let requests = scans_in_folders(&requests, &folder)?;
     if args.areal {
@@ -54,11 +52,9 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
         say_all(&found.remarks, &Flags);
         let mut files = StagedFiles::default();
         let comments = [program(context.typed), found.provenance];
-        context.stage_blocks(&mut files, output, &comments, |out| Ok(out.block(&found.table)?))?;
-        publish(files)?;
-        timings.lap("reading, transforming and writing");
-        timings.report(context.shared.timings);
-        return Ok(());
+        context.stage_table(&mut files, output, &comments, &found.table)?;
+        timings.lap("reading and transforming");
+        return context.finish(files, timings);
     }
     let progress = Progress::towards(STEPS_PER_FILE * requests.len(), "steps of reading and transforming");
     let found = CompositeOfFiles::read_spectrum(&requests, &folder, &recipe, &progress).map_err(refused)?;
@@ -78,22 +74,18 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
         context.stage_picture(&mut files, picture, &composite_figure(&found, "psd"), &subject, &comments)?;
     }
     // Later commands tell from them what the composite is made of.
-    context.stage_blocks(&mut files, output, &comments, |out| Ok(out.block(&table)?))?;
-    publish(files)?;
-    timings.lap("writing");
-    timings.report(context.shared.timings);
-    Ok(())
+    context.stage_table(&mut files, output, &comments, &table)?;
+    context.finish(files, timings)
 }
 
 /// The scans that were typed, and behind them those of the list; what is said for all counts where they say nothing.
-fn requests(args: &ScansArgs, targets: &Targets) -> Result<Vec<ScanRequest>, Failure> {
-    let listed = args.list.as_ref().map_or_else(|| Ok(Vec::new()), |list| listed(list, targets))?;
+fn requests(args: &ScansArgs) -> Result<Vec<ScanRequest>, Failure> {
+    let listed = args.list.as_ref().map(listed).transpose()?.unwrap_or_default();
     args.with_common_options(&[&args.files[..], &listed].concat())
 }
 
 /// The scans of a list, their files relative to it.
-fn listed(list: &Place, targets: &Targets) -> Result<Vec<ScanRequest>, Failure> {
-    targets.refuse_replacing(list)?;
+fn listed(list: &Place) -> Result<Vec<ScanRequest>, Failure> {
     let table = whole_table(list)?;
     let requests = requests_of_list(&list.to_string(), &table).map_err(Failure::input)?;
     let folder = match list {

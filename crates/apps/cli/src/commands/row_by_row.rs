@@ -6,6 +6,7 @@ use super::{Context, say_all, say_notes};
 use crate::failure::Failure;
 use crate::files::open_table;
 use crate::flags::Flags;
+use crate::inputs::refuse_replaced;
 use crate::output::{Stopped, publish_over_input};
 use crate::place::Place;
 use crate::progress::Progress;
@@ -97,9 +98,9 @@ pub(super) fn run(
     context: &Context<'_>,
 ) -> Result<(), Failure> {
     // A table may be extended in its own place, but not at its end.
-    if let Err(refusal) = context.targets(None)?.refuse_replacing(input) {
+    if let Err(refusal) = refuse_replaced(input) {
         match &context.shared.output {
-            Place::Standard => return Err(refusal),
+            Place::Standard => return Err(Failure::reading(&input.name(), &refusal)),
             Place::File(path) => say_notes([format!("{} is replaced by its extended table", path.display())]),
         }
     }

@@ -12,6 +12,7 @@ use crate::args::RunArgs;
 use crate::failure::Failure;
 use crate::files::Folder;
 use crate::flags::Flags;
+use crate::inputs::announce;
 use crate::interruption::EarlyEnd;
 use crate::output::{make_folder, utf8};
 use crate::place::Place;
@@ -36,7 +37,7 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     timings.lap("reading");
     if args.dry_run {
         say_scene(&scene);
-        return print(&dry_run(&scene), context);
+        return context.print(&dry_run(&scene));
     }
     let scene_run = SceneRun {
         scene: &scene,
@@ -121,7 +122,7 @@ impl SceneRun<'_> {
                 removed.join(", ")
             )]);
         }
-        print(&text, context)?;
+        context.print(&text)?;
         timings.report(context.shared.timings);
         match outcome.uncertainty.as_ref().filter(|found| found.ended_early) {
             None => Ok(()),
@@ -185,7 +186,6 @@ impl Watch for Watching {
 /// Reads the scene and its files, and refuses what is wrong with the call: results that would replace one of them, and
 /// options that say nothing.
 fn read(args: &RunArgs, folder: &Path, context: &Context<'_>) -> Result<Scene, Failure> {
-    let targets = context.targets(None)?;
     let writes_files = !args.dry_run;
     if writes_files && folder.is_file() {
         make_folder("--out", folder)?;
@@ -193,25 +193,28 @@ fn read(args: &RunArgs, folder: &Path, context: &Context<'_>) -> Result<Scene, F
     if writes_files {
         check_writable(folder)?;
     }
-    targets.refuse_replacing(&args.scene)?;
-    let name = args.scene.name();
-    let files = match &args.scene {
-        Place::Standard => Folder::current(targets),
-        Place::File(path) => Folder::of(path, targets),
-    };
-    let bytes = args.scene.read()?;
-    let text =
-        utf8(&bytes, &name, "scene").map_err(|failure| not_a_scene(&bytes, &name).unwrap_or(failure))?;
-    let scene = Scene::parse(text, &files, &overrides(args)?)
-        .map_err(|error| Failure::Input(report::scene_errors::drawn(&error, text, &name)))?;
+    let scene = read_scene(&args.scene, &overrides(args)?)?;
     if writes_files && folder.is_dir() {
         let written = products::file_names(&scene, options(args), context.shared.format());
-        let products: Vec<PathBuf> = written.iter().map(|name| folder.join(name)).collect();
-        context.targets(None)?.with_files("--out", &products)?;
+        announce("--out", written.iter().map(|name| Place::File(folder.join(name))))?;
         results_folder(args, &scene, folder).refuse(&written)?;
     }
     refuse_idle_options(args, &scene)?;
     Ok(scene)
+}
+
+/// Reads a scene, and the files beside it.
+pub(super) fn read_scene(place: &Place, overrides: &Overrides) -> Result<Scene, Failure> {
+    let name = place.name();
+    let files = match place {
+        Place::Standard => Folder::current(),
+        Place::File(path) => Folder::of(path),
+    };
+    let bytes = place.read()?;
+    let text =
+        utf8(&bytes, &name, "scene").map_err(|failure| not_a_scene(&bytes, &name).unwrap_or(failure))?;
+    Scene::parse(text, &files, overrides)
+        .map_err(|error| Failure::Input(report::scene_errors::drawn(&error, text, &name)))
 }
 
 /// The folder of results of a scene, known by its file, or by its title and the files behind its surface.
@@ -275,8 +278,4 @@ fn default_folder(scene: &Place) -> PathBuf {
         Place::File(path) => path.file_stem(),
     };
     PathBuf::from(format!("{}-results", stem.map_or("scene".into(), |stem| stem.to_string_lossy())))
-}
-
-fn print(text: &str, context: &Context<'_>) -> Result<(), Failure> {
-    context.shared.output.write(|out| out.write_all(text.as_bytes()))
 }

@@ -21,7 +21,7 @@ use crate::args::ReportArgs;
 use crate::failure::Failure;
 use crate::files::Folder;
 use crate::missing_file::explained;
-use crate::output::make_folder;
+use crate::output::new_folder;
 use crate::results_folder::{Layout, ResultsFolder, file_names};
 use crate::stderr::say;
 use crate::targets::check_writable;
@@ -40,19 +40,13 @@ pub(super) fn run(args: &ReportArgs, context: &Context<'_>) -> Result<(), Failur
             file.path
         )));
     }
-    let mut question = question(args, context)?;
+    let mut question = question(args)?;
     // Paths in the scene are relative to the folder, so that the scene there repeats the report.
-    let made = !folder.exists();
-    make_folder("--out", &folder)?;
+    let _made = new_folder("--out", &folder)?;
     check_writable(&folder)?;
     let paths = args.files.iter().map(|file| PathBuf::from(&file.path)).collect();
     let results = ResultsFolder::open(&folder, [("", paths)]);
-    let scene = scene(&mut question, &results, context).inspect_err(|_| {
-        if made {
-            // A folder that is not empty stays.
-            let _ = std::fs::remove_dir(&folder);
-        }
-    })?;
+    let scene = scene(&mut question, &results, context)?;
     timings.lap("reading");
     let options = OPTIONS;
     SceneRun { scene: &scene, results, layout: Layout::Folders, options }.run(timings, context)?;
@@ -68,8 +62,8 @@ pub(super) fn run(args: &ReportArgs, context: &Context<'_>) -> Result<(), Failur
 const OPTIONS: RunOptions = RunOptions { report: true, judge: None, uncertainty: None };
 
 /// Fills the question from the options, and asks for what is missing if somebody can answer.
-fn question(args: &ReportArgs, context: &Context<'_>) -> Result<ReportQuestion, Failure> {
-    let surface = surface(args, context)?;
+fn question(args: &ReportArgs) -> Result<ReportQuestion, Failure> {
+    let surface = surface(args)?;
     let mut material = args.material();
     if material.is_empty() {
         let option = "--material \"steel 100Cr6\"";
@@ -93,14 +87,13 @@ fn question(args: &ReportArgs, context: &Context<'_>) -> Result<ReportQuestion, 
 }
 
 /// The files as scans, or the one file as a spectrum.
-fn surface(args: &ReportArgs, context: &Context<'_>) -> Result<ReportSurface, Failure> {
+fn surface(args: &ReportArgs) -> Result<ReportSurface, Failure> {
     let requests = args.defaults.complete_all(&args.files)?;
     for ScanRequest { path, .. } in requests.iter().filter(|request| is_a_path(&request.path)) {
         std::fs::metadata(path)
             .map_err(|error| Failure::reading(path, &explained(error, Path::new(path))))?;
     }
-    let files = Folder::current(context.targets(None)?);
-    ReportSurface::of_files(requests, &files).map_err(Failure::input)
+    ReportSurface::of_files(requests, &Folder::current()).map_err(Failure::input)
 }
 
 /// The scene of the question, its files relative to the folder. Asks for what a file does not state.
@@ -113,7 +106,7 @@ fn scene(
     loop {
         let placed = relative_to(question, folder)?;
         let text = placed.scene_text();
-        let files = Folder::of(&folder.join("scene.toml"), context.targets(None)?);
+        let files = Folder::of(&folder.join("scene.toml"));
         match Scene::parse(&text, &files, &Overrides::default()) {
             Ok(scene) => {
                 let products = products::file_names(&scene, OPTIONS, context.shared.format());

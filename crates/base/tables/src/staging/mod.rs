@@ -32,7 +32,7 @@ use tempfile::NamedTempFile;
 
 pub use new_folder::NewFolder;
 use temporaries::Temporary;
-pub use temporaries::{Removed, has_published, remove_temporaries};
+pub use temporaries::{Removed, folder_of, has_published, remove_temporaries};
 use unfinished::Markers;
 
 /// Findings of a publication.

@@ -145,7 +145,9 @@ pub(crate) fn remove_abandoned(folder: &Path) {
     }
 }
 
-pub(crate) fn folder_of(target: &Path) -> &Path {
+/// Returns the folder of a file by its path, `.` of a name alone.
+#[must_use]
+pub fn folder_of(target: &Path) -> &Path {
     target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
