@@ -6,7 +6,7 @@ use elements::{
     AdhesivePressing, AdhesiveState, Branch, Pressing, Relief, Surfaces, adhesive_means, adhesive_table,
 };
 use findings::doubts::{self, PressedBodies};
-use interface::adhesion::{FullerTabor, PastewkaRobbins};
+use interface::adhesion::{NOT_STICKY_ABOVE, StickyContact};
 use numerics::parallel::Progress;
 use serde::{Deserialize, Serialize};
 use spectrum::random_surfaces::AreaSpectrum;
@@ -173,8 +173,8 @@ impl AdhesionQuestion {
         let left_side = adhesion.pastewka_robbins(&moments, contact_modulus_pa).ok().flatten()?;
         let remark = Remark::new(RemarkCode::AdhesionIndicators)
             .with("pastewka_robbins", left_side)
-            .with("sticky_below", three_digits(PastewkaRobbins::LIMIT))
-            .with("not_sticky_above", three_digits(FullerTabor::NOT_STICKY_ABOVE));
+            .with("sticky_below", three_digits(StickyContact::LIMIT))
+            .with("not_sticky_above", three_digits(NOT_STICKY_ABOVE));
         Some(match adhesion.fuller_tabor(&moments, contact_modulus_pa).ok().flatten() {
             Some(theta) => remark.with("fuller_tabor", theta),
             None => remark,

@@ -2,41 +2,26 @@
 
 use units::{Bound, OutOfBounds};
 
-/// Adhesion parameter of Fuller & Tabor (1975), Proc. R. Soc. A 345:327, for the summits of a surface with a cutoff:
-/// theta = E* sigma_s^(3/2)/(sqrt(R) w).
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
-pub struct FullerTabor {
-    theta: f64,
-}
+/// Value of [`fuller_tabor`] above which the surfaces in their experiments did not stick (approximate).
+pub const NOT_STICKY_ABOVE: f64 = 10.0;
 
-impl FullerTabor {
-    /// Value above which the surfaces in their experiments did not stick (approximate).
-    pub const NOT_STICKY_ABOVE: f64 = 10.0;
-
-    /// Creates the parameter from a contact modulus E* \[Pa\], the standard deviation sigma_s of the summits' heights
-    /// \[m\], the mean radius R of the summits \[m\] and the work of adhesion w \[J/m^2\].
-    ///
-    /// # Errors
-    /// [`OutOfBounds`] unless all are positive and within thirty decades of 1.
-    pub fn new(
-        contact_modulus_pa: f64,
-        summit_deviation_m: f64,
-        summit_radius_m: f64,
-        work_of_adhesion_j_per_m2: f64,
-    ) -> Result<Self, OutOfBounds> {
-        let modulus_pa = Bound::Magnitude.check("contact modulus in Pa", contact_modulus_pa)?;
-        let deviation_m = Bound::Magnitude.check("deviation of summit heights in m", summit_deviation_m)?;
-        let radius_m = Bound::Magnitude.check("summit radius in m", summit_radius_m)?;
-        let work_j_per_m2 = work(work_of_adhesion_j_per_m2)?;
-        let theta = modulus_pa * deviation_m * (deviation_m / radius_m).sqrt() / work_j_per_m2;
-        Ok(FullerTabor { theta })
-    }
-
-    /// Adhesion parameter theta.
-    #[must_use]
-    pub fn theta(self) -> f64 {
-        self.theta
-    }
+/// Returns the adhesion parameter of Fuller & Tabor (1975), Proc. R. Soc. A 345:327, for the summits of a surface with a
+/// cutoff: theta = E* sigma_s^(3/2)/(sqrt(R) w), from a contact modulus E* \[Pa\], the standard deviation sigma_s of the
+/// summits' heights \[m\], the mean radius R of the summits \[m\] and the work of adhesion w \[J/m^2\].
+///
+/// # Errors
+/// [`OutOfBounds`] unless all are positive and within thirty decades of 1.
+pub fn fuller_tabor(
+    contact_modulus_pa: f64,
+    summit_deviation_m: f64,
+    summit_radius_m: f64,
+    work_of_adhesion_j_per_m2: f64,
+) -> Result<f64, OutOfBounds> {
+    let modulus_pa = Bound::Magnitude.check("contact modulus in Pa", contact_modulus_pa)?;
+    let deviation_m = Bound::Magnitude.check("deviation of summit heights in m", summit_deviation_m)?;
+    let radius_m = Bound::Magnitude.check("summit radius in m", summit_radius_m)?;
+    let work_j_per_m2 = work(work_of_adhesion_j_per_m2)?;
+    Ok(modulus_pa * deviation_m * (deviation_m / radius_m).sqrt() / work_j_per_m2)
 }
 
 /// Criterion of Pastewka & Robbins (2014), Proc. Natl. Acad. Sci. 111:3298, for a surface with a cutoff. The surface
@@ -48,12 +33,6 @@ impl FullerTabor {
 /// width over which its slope reaches h'), dr the range of the attraction, and kappa the coefficient of A/A_0 = kappa
 /// p/(E* h') without adhesion. Its constants are quoted at second hand, and it is contested (Ciavarella 2016,
 /// arXiv:1602.02555): report the left side beside the limit.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
-pub struct PastewkaRobbins {
-    left_side: f64,
-}
-
-/// Inputs of the criterion: the surface, and the attraction across the gap.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StickyContact {
     /// Rms gradient h' of the surface.
@@ -66,38 +45,32 @@ pub struct StickyContact {
     pub work_of_adhesion_j_per_m2: f64,
     /// Range of the attraction dr \[m\].
     pub range_m: f64,
-    /// Coefficient kappa, usually [`PastewkaRobbins::USUAL_KAPPA`].
+    /// Coefficient kappa, usually [`StickyContact::USUAL_KAPPA`].
     pub kappa: f64,
 }
 
-impl PastewkaRobbins {
+impl StickyContact {
     /// Limit pi (3/16)^(2/3) of the left side; a sticky surface is below it.
     pub const LIMIT: f64 = 1.029_162_738_875_667_7;
 
     /// Coefficient kappa of A/A_0 = kappa p/(E* h') at light loads.
     pub const USUAL_KAPPA: f64 = 2.0;
 
-    /// Creates the criterion of a contact.
+    /// Returns the left side of the criterion.
     ///
     /// # Errors
     /// [`OutOfBounds`] unless all inputs are positive and within thirty decades of 1.
-    pub fn new(contact: &StickyContact) -> Result<Self, OutOfBounds> {
-        let gradient = Bound::Magnitude.check("rms gradient", contact.rms_gradient)?;
-        let laplacian_per_m = Bound::Magnitude.check("rms Laplacian in 1/m", contact.rms_laplacian_per_m)?;
-        let modulus_pa = Bound::Magnitude.check("contact modulus in Pa", contact.contact_modulus_pa)?;
-        let range_m = Bound::Magnitude.check("range of the attraction in m", contact.range_m)?;
-        let kappa = Bound::Magnitude.check("kappa of area over load", contact.kappa)?;
-        let adhesion_length_m = work(contact.work_of_adhesion_j_per_m2)? / modulus_pa;
+    pub fn left_side(&self) -> Result<f64, OutOfBounds> {
+        let gradient = Bound::Magnitude.check("rms gradient", self.rms_gradient)?;
+        let laplacian_per_m = Bound::Magnitude.check("rms Laplacian in 1/m", self.rms_laplacian_per_m)?;
+        let modulus_pa = Bound::Magnitude.check("contact modulus in Pa", self.contact_modulus_pa)?;
+        let range_m = Bound::Magnitude.check("range of the attraction in m", self.range_m)?;
+        let kappa = Bound::Magnitude.check("kappa of area over load", self.kappa)?;
+        let adhesion_length_m = work(self.work_of_adhesion_j_per_m2)? / modulus_pa;
         let repulsive_width_m = 4.0 * gradient / laplacian_per_m;
         let strength = gradient * range_m / (kappa * adhesion_length_m);
         let shape = libm::cbrt(gradient * repulsive_width_m / (4.0 * range_m));
-        Ok(PastewkaRobbins { left_side: strength * shape * shape })
-    }
-
-    /// Left side of the criterion.
-    #[must_use]
-    pub fn left_side(self) -> f64 {
-        self.left_side
+        Ok(strength * shape * shape)
     }
 }
 
@@ -112,11 +85,11 @@ mod tests {
     #[test]
     fn theta_is_the_summits_own_parameter() {
         // 1e6 Pa (1e-6 m)^1.5/(sqrt(1e-4 m) 0.05 J/m^2).
-        let theta = FullerTabor::new(1e6, 1e-6, 1e-4, 0.05).unwrap().theta();
+        let theta = fuller_tabor(1e6, 1e-6, 1e-4, 0.05).unwrap();
         assert!((theta / 2.0 - 1.0).abs() < 1e-14, "{theta}");
-        let rougher = FullerTabor::new(1e6, 4e-6, 1e-4, 0.05).unwrap().theta();
+        let rougher = fuller_tabor(1e6, 4e-6, 1e-4, 0.05).unwrap();
         assert!((rougher / theta - 8.0).abs() < 1e-13);
-        assert!(FullerTabor::new(1e6, 1e-6, 1e-4, 0.0).is_err());
+        assert!(fuller_tabor(1e6, 1e-6, 1e-4, 0.0).is_err());
     }
 
     #[test]
@@ -127,9 +100,9 @@ mod tests {
             contact_modulus_pa: 1e9,
             work_of_adhesion_j_per_m2: 0.05,
             range_m: 0.5e-9,
-            kappa: PastewkaRobbins::USUAL_KAPPA,
+            kappa: StickyContact::USUAL_KAPPA,
         };
-        let left = |contact: &StickyContact| PastewkaRobbins::new(contact).unwrap().left_side();
+        let left = |contact: &StickyContact| contact.left_side().unwrap();
         // h' dr/(kappa l_a) = 0.1 0.5e-9/(2 5e-11) = 0.5; h' d_rep/(4 dr) = 0.1 4e-9/2e-9 = 0.2.
         assert!((left(&contact) / (0.5 * 0.2f64.powf(2.0 / 3.0)) - 1.0).abs() < 1e-14);
         let power = |changed: StickyContact| (left(&changed) / left(&contact)).ln() / 2f64.ln();
@@ -137,13 +110,13 @@ mod tests {
         assert!((power(StickyContact { range_m: 1e-9, ..contact }) - 1.0 / 3.0).abs() < 1e-13);
         let more_work = StickyContact { work_of_adhesion_j_per_m2: 0.1, ..contact };
         assert!((power(more_work) + 1.0).abs() < 1e-13);
-        let error = PastewkaRobbins::new(&StickyContact { kappa: 0.0, ..contact }).unwrap_err();
+        let error = StickyContact { kappa: 0.0, ..contact }.left_side().unwrap_err();
         assert!(error.to_string().contains("kappa"), "{error}");
     }
 
     #[test]
     fn the_limit_agrees_with_its_formula() {
         let limit = std::f64::consts::PI * (3.0f64 / 16.0).powf(2.0 / 3.0);
-        assert!((PastewkaRobbins::LIMIT / limit - 1.0).abs() < 1e-15, "{limit:.17}");
+        assert!((StickyContact::LIMIT / limit - 1.0).abs() < 1e-15, "{limit:.17}");
     }
 }

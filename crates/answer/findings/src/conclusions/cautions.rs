@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::doubts;
-use interface::adhesion::{FullerTabor, PastewkaRobbins};
+use interface::adhesion::{NOT_STICKY_ABOVE, StickyContact};
 use interface::conductance::MOST_PLASTIC_SHARE;
 use judge::Reference;
 use serde::ser::{Serialize, SerializeMap, Serializer};
@@ -138,13 +138,13 @@ fn stickiness(states: &InterfaceStates<'_>) -> Option<Remark> {
     let value = |quantity| states.value(Slot { quantity, load: None, curve: None }).ok().flatten();
     if let Some(left_side) = value(Quantity::PastewkaRobbins) {
         let remark = Remark::new(RemarkCode::StickyByPastewka).with("indicator", "pastewka-robbins");
-        let remark = remark.with("left_side", left_side).with("limit", PastewkaRobbins::LIMIT);
-        return (left_side < PastewkaRobbins::LIMIT).then_some(remark);
+        let remark = remark.with("left_side", left_side).with("limit", StickyContact::LIMIT);
+        return (left_side < StickyContact::LIMIT).then_some(remark);
     }
     let theta = value(Quantity::FullerTabor)?;
     let remark = Remark::new(RemarkCode::StickyByFuller).with("indicator", "fuller-tabor");
-    let remark = remark.with("theta", theta).with("limit", FullerTabor::NOT_STICKY_ABOVE);
-    (theta <= FullerTabor::NOT_STICKY_ABOVE).then_some(remark)
+    let remark = remark.with("theta", theta).with("limit", NOT_STICKY_ABOVE);
+    (theta <= NOT_STICKY_ABOVE).then_some(remark)
 }
 
 fn is_of_models(source: Source) -> bool {

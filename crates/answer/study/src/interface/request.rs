@@ -1,6 +1,6 @@
 //! Requests of a scene for the quantities of its interface.
 
-use interface::adhesion::{FullerTabor, PastewkaRobbins, StickyContact};
+use interface::adhesion::{StickyContact, fuller_tabor};
 use interface::conductance::{Conductivities, Resistivities};
 use interface::gas::GapGas;
 use interface::leak::SealedJoint;
@@ -69,8 +69,7 @@ impl AdhesionRequest {
     ) -> Result<Option<f64>, OutOfBounds> {
         let Some(summits) = AsperityParameters::from_moments(moments) else { return Ok(None) };
         let AsperityParameters { sigma_s_m, radius_m, .. } = summits;
-        let parameter = FullerTabor::new(contact_modulus_pa, sigma_s_m, radius_m, self.work_j_per_m2)?;
-        Ok(Some(parameter.theta()))
+        fuller_tabor(contact_modulus_pa, sigma_s_m, radius_m, self.work_j_per_m2).map(Some)
     }
 
     /// Returns the left side of the criterion of Pastewka & Robbins likewise; `None` without a range.
@@ -89,9 +88,9 @@ impl AdhesionRequest {
             contact_modulus_pa,
             work_of_adhesion_j_per_m2: self.work_j_per_m2,
             range_m,
-            kappa: PastewkaRobbins::USUAL_KAPPA,
+            kappa: StickyContact::USUAL_KAPPA,
         };
-        Ok(Some(PastewkaRobbins::new(&contact)?.left_side()))
+        contact.left_side().map(Some)
     }
 }
 
