@@ -60,12 +60,7 @@ impl<'py> Arguments<'py> {
 
     /// The form of the hardness of spheres.
     pub fn hardness_form(&self) -> PyResult<Option<Hardness>> {
-        let form = |argument: &str, given: &Given<'py>| {
-            let name = text(argument, given)?;
-            let found = Hardness::ALL.into_iter().find(|hardness| hardness.name() == name);
-            found.ok_or_else(|| none_of(argument, &name, Hardness::ALL.map(Hardness::name)))
-        };
-        self.get("hardness_formula", form)
+        self.get("hardness_formula", choice)
     }
 
     pub fn model_options(&self) -> PyResult<ModelOptions> {

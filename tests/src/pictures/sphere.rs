@@ -11,7 +11,7 @@ pub(super) fn force_and_area() -> Picture {
     let pair = steel();
     let hertz = Hertz::new(&pair, RADIUS_M);
     let green = |hardness| JacksonGreen::new(&pair, RADIUS_M, 1e9, hardness);
-    let [published, cosine] = Hardness::ALL.map(green);
+    let [published, cosine] = [Hardness::JacksonGreen2005, Hardness::Cosine].map(green);
     let first_yield_m = published.critical_interference_m();
     let over_first_yield = |law: &dyn Fn(f64) -> f64| {
         let breaks = published.breaks().map(|b| asperity::Break { at: b.at / first_yield_m, ..b });

@@ -84,7 +84,7 @@ fn random(dice: &mut Dice) -> (CurveQuestion, String) {
         of_curve += "strain_gradient = true\n";
     }
     if entry.has(Choice::Hardness) {
-        options.hardness = dice.perhaps(&asperity::Hardness::ALL);
+        options.hardness = dice.perhaps(asperity::Hardness::ALL);
         of_options += &options
             .hardness
             .map_or(String::new(), |form| format!("hardness_formula = \"{}\"\n", form.name()));

@@ -27,19 +27,9 @@ pub enum Hardness {
     Cosine,
 }
 
+units::named!(Hardness, "hardness formula", { JacksonGreen2005 => "2005", Cosine => "cosine" });
+
 impl Hardness {
-    /// Both forms.
-    pub const ALL: [Hardness; 2] = [Hardness::JacksonGreen2005, Hardness::Cosine];
-
-    /// Name that users type.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Hardness::JacksonGreen2005 => "2005",
-            Hardness::Cosine => "cosine",
-        }
-    }
-
     /// Ratio H_G/Sy at ln(A/(pi R^2)) <= 0, which is twice the logarithm of a/R.
     fn over_strength(self, log_area_share: f64) -> f64 {
         match self {
@@ -441,7 +431,7 @@ mod tests {
     #[test]
     fn many_interferences_have_the_digits_of_each() {
         let pair = MaterialPair::against_rigid(ElasticBody::new(1e11, 0.3).unwrap());
-        for hardness in Hardness::ALL {
+        for &hardness in Hardness::ALL {
             for strength_pa in [1e4, 1e8, 1e9, 1e10, 5e12, f64::INFINITY] {
                 let law = JacksonGreen::new(&pair, 1e-6, strength_pa, hardness);
                 let breaks: Vec<f64> = law.breaks().map(|b| b.at).collect();

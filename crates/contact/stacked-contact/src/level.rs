@@ -13,17 +13,7 @@ pub enum Regime {
     Flattened,
 }
 
-impl Regime {
-    /// Name of the regime in tables.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Regime::Elastic => "elastic",
-            Regime::Plastic => "plastic",
-            Regime::Flattened => "flattened",
-        }
-    }
-}
+units::named!(Regime, "regime", { Elastic => "elastic", Plastic => "plastic", Flattened => "flattened" });
 
 /// Contact after one more scale of roughness has been taken into account.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]

@@ -47,7 +47,7 @@ impl Case for AsperityCase {
             share if share < 0.08 && reach == Reach::Edge => draw.edge(),
             _ => draw.one_of(&[light, light, middle, heavy]),
         };
-        let hardness = draw.one_of(&Hardness::ALL);
+        let hardness = draw.one_of(Hardness::ALL);
         (AsperityCase { material, hardness, radius_m, aspect_ratio, load }, reach)
     }
 

@@ -95,7 +95,7 @@ impl StatisticalCase {
         let mut case = StatisticalCase {
             kind,
             material,
-            hardness: draw.one_of(&Hardness::ALL),
+            hardness: draw.one_of(Hardness::ALL),
             radius_m,
             density_per_m2,
             sigma_s_m,

@@ -48,7 +48,7 @@ pub(super) fn variations(scene: &Scene) -> Vec<Variation> {
             .filter(|density| scene.sampling.scales_per_decade != Some(*density))
             .map(Variation::ScalesPerDecade),
     );
-    variations.extend(Hardness::ALL.map(Variation::Hardness));
+    variations.extend(Hardness::ALL.iter().copied().map(Variation::Hardness));
     variations.extend(InterferenceLaw::ALL.iter().copied().map(Variation::Interference));
     let usual_cap_pa = scene
         .material

@@ -3,7 +3,6 @@
 use std::ffi::OsStr;
 use std::num::NonZeroU32;
 
-use asperity::Hardness;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use study::models::{self, Framework, MODELS, ModelEntry};
 use study::plan::Tolerance;
@@ -36,12 +35,6 @@ pub(super) fn parse_poisson_ratio(text: &str) -> Result<f64, String> {
 pub(super) fn parse_tolerance(text: &str) -> Result<Tolerance, String> {
     let tolerance = text.parse().map_err(|_| format!("'{text}' is not a number"))?;
     Tolerance::new(tolerance).map_err(|error| error.to_string())
-}
-
-pub(super) fn hardness() -> impl TypedValueParser<Value = Hardness> {
-    PossibleValuesParser::new(Hardness::ALL.map(Hardness::name)).try_map(|name| {
-        Hardness::ALL.into_iter().find(|hardness| hardness.name() == name).ok_or("an unknown hardness")
-    })
 }
 
 /// A parser of the names of a framework's models.

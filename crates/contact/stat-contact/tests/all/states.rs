@@ -171,7 +171,7 @@ fn a_held_force_is_the_largest_even_where_the_law_steps_down_or_dips() {
     // Strong and incompressible spheres: the published force steps down at the onset, and dips by the cosine.
     let pair = MaterialPair::against_rigid(ElasticBody::new(1e11, 0.5).unwrap());
     for strength_pa in [1e8, 5e9, 2e10, 1e11] {
-        for hardness in Hardness::ALL {
+        for &hardness in Hardness::ALL {
             let strength = NixGao::constant(strength_pa).unwrap().with_strain_gradient(1e-7).unwrap();
             let law = AsperityLaw::EpSphere { strength, hardness, held_from: Some(1.0) };
             let contact = StatisticalContact::new(&pair, &Population::new(1e-6, 1e9, 1e-12).unwrap(), &law);

@@ -108,7 +108,7 @@ fn statistical_states_keep_every_promise() {
         let case = StatisticalCase {
             kind: row.text("law").parse().unwrap(),
             material,
-            hardness: Hardness::ALL.into_iter().find(hardness).unwrap(),
+            hardness: Hardness::ALL.iter().copied().find(hardness).unwrap(),
             radius_m: row.number("radius_m"),
             density_per_m2: row.number("density_per_m2"),
             sigma_s_m: row.number("sigma_s_m"),

@@ -9,16 +9,7 @@ pub enum Shape {
     Map,
 }
 
-impl Shape {
-    /// Returns the name.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Shape::Line => "line",
-            Shape::Map => "map",
-        }
-    }
-}
+units::named!(Shape, "shape", { Line => "line", Map => "map" });
 
 /// Instrument without noise, whose only uncertainty is its height scale. It shows no waves shorter than two of its
 /// points, so that nothing is aliased.

@@ -29,17 +29,11 @@ pub enum Form {
     Hump,
 }
 
-impl Form {
-    /// Returns the name.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Form::RolloffInside => "roll-off inside",
-            Form::RolloffOutside => "roll-off outside",
-            Form::Hump => "hump",
-        }
-    }
-}
+units::named!(Form, "form", {
+    RolloffInside => "roll-off inside",
+    RolloffOutside => "roll-off outside",
+    Hump => "hump",
+});
 
 /// Surface of a known spectrum.
 #[derive(Debug, Clone)]
