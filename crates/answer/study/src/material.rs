@@ -15,20 +15,11 @@ use units::number;
 pub struct Material {
     /// The rough body and its counterface.
     pub pair: MaterialPair,
-    /// The counterface, where it is not rigid.
-    counterface: Option<ElasticBody>,
-    /// The body that flows, whose strength this is.
-    flows: Body,
-    /// The hardness H and the strength S0; not needed by elastic models.
-    hardness_and_strength: HardnessAndStrength,
-    /// The cap of its growth.
-    strength_cap: Option<Pressure>,
-    /// h* \[m\]; needed by models with a strain gradient.
-    strain_gradient_length_m: Option<f64>,
+    given: GivenMaterial,
 }
 
 /// The properties that a material is made from, as given.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GivenMaterial {
     /// The rough body; its layer where it has one.
     pub body: ElasticBody,
@@ -139,14 +130,7 @@ pub enum MaterialError {
 impl Material {
     /// The material that was given.
     pub fn new(given: GivenMaterial) -> Self {
-        Material {
-            pair: given.flows.pair(given.body, given.counterface).bonded(given.layer),
-            counterface: given.counterface,
-            flows: given.flows,
-            hardness_and_strength: given.hardness_and_strength,
-            strength_cap: given.strength_cap,
-            strain_gradient_length_m: given.strain_gradient_length_m,
-        }
+        Material { pair: given.flows.pair(given.body, given.counterface).bonded(given.layer), given }
     }
 
     /// Returns the material itself if its modulus is not below its strength.
@@ -166,44 +150,44 @@ impl Material {
     /// The counterface, where it is not rigid.
     #[must_use]
     pub fn counterface(&self) -> Option<ElasticBody> {
-        self.counterface
+        self.given.counterface
     }
 
     /// The body that flows where the pressure is high enough.
     #[must_use]
     pub fn flows(&self) -> Body {
-        self.flows
+        self.given.flows
     }
 
     /// The yield strength S0 \[Pa\], where there is one: as given, or else a third of the hardness.
     #[must_use]
     pub fn yield_strength_pa(&self) -> Option<f64> {
-        self.hardness_and_strength.yield_strength_pa()
+        self.given.hardness_and_strength.yield_strength_pa()
     }
 
     /// The yield strength S0 = H/3 \[Pa\] that laws take where only the hardness was given.
     #[must_use]
     pub fn assumed_yield_strength_pa(&self) -> Option<f64> {
-        self.hardness_and_strength.assumed_yield_strength_pa()
+        self.given.hardness_and_strength.assumed_yield_strength_pa()
     }
 
     /// The indentation hardness H \[Pa\], a unit for pressures (Jackson & Jacobs), where there is one: as given, or else
     /// 3 S0.
     #[must_use]
     pub fn hardness_pa(&self) -> Option<f64> {
-        self.hardness_and_strength.hardness_pa()
+        self.given.hardness_and_strength.hardness_pa()
     }
 
     /// The cap \[Pa\] of the strength's growth, where there is one.
     #[must_use]
     pub fn strength_cap_pa(&self) -> Option<f64> {
-        self.strength_cap.and_then(|cap| cap.pascals(self.hardness_pa()))
+        self.given.strength_cap.and_then(|cap| cap.pascals(self.hardness_pa()))
     }
 
     /// The strain-gradient length h* \[m\], where there is one.
     #[must_use]
     pub fn strain_gradient_length_m(&self) -> Option<f64> {
-        self.strain_gradient_length_m
+        self.given.strain_gradient_length_m
     }
 
     /// The material in a line, in SI units, for the record; what presses on the body shows in E*.
@@ -227,9 +211,9 @@ impl Material {
             None => add("S0", self.yield_strength_pa(), "Pa"),
             assumed => add("S0 = H/3", assumed, "Pa"),
         }
-        add("H", self.hardness_and_strength.given_hardness_pa(), "Pa");
+        add("H", self.given.hardness_and_strength.given_hardness_pa(), "Pa");
         add("strength cap", self.strength_cap_pa(), "Pa");
-        add("h*", self.strain_gradient_length_m, "m");
+        add("h*", self.given.strain_gradient_length_m, "m");
         text
     }
 
@@ -243,7 +227,7 @@ impl Material {
         properties.extend(self.pair.layer().map(|layer| {
             ("layer of this material", format!("{} on a {}", length(layer.thickness_m()), base(&layer)))
         }));
-        match self.counterface {
+        match self.given.counterface {
             Some(counterface) => properties.extend([
                 ("Young’s modulus of the counterface", pressure(counterface.youngs_modulus_pa())),
                 ("Poisson’s ratio of the counterface", number(counterface.poisson_ratio())),
@@ -257,7 +241,7 @@ impl Material {
             None => "yield strength S₀",
             Some(_) => "yield strength S₀, none given and H/3 assumed",
         };
-        let hardness = match self.hardness_and_strength.given_hardness_pa() {
+        let hardness = match self.given.hardness_and_strength.given_hardness_pa() {
             None => "hardness H = 3 S₀",
             Some(_) => "indentation hardness H",
         };
@@ -265,7 +249,9 @@ impl Material {
         properties.extend(self.hardness_pa().map(|hardness_pa| (hardness, pressure(hardness_pa))));
         properties.extend(cap_pa.map(|cap_pa| ("upper limit of the yield strength", pressure(cap_pa))));
         properties.extend(
-            self.strain_gradient_length_m.map(|length_m| ("strain-gradient length h*", length(length_m))),
+            self.given
+                .strain_gradient_length_m
+                .map(|length_m| ("strain-gradient length h*", length(length_m))),
         );
         properties
     }
@@ -287,11 +273,11 @@ impl Material {
     /// # Errors
     /// [`MaterialError`] where the material lacks what that takes, or what it has is out of bounds.
     pub fn strength(&self, strain_gradient: bool) -> Result<NixGao, MaterialError> {
-        if self.hardness_and_strength.strength_is_in_hardnesses() {
+        if self.given.hardness_and_strength.strength_is_in_hardnesses() {
             return Err(MaterialError::StrengthInHardnesses);
         }
         let strength_pa = self.yield_strength_pa().ok_or(MaterialError::Missing(NeededFor::Yielding))?;
-        let length_m = match (strain_gradient, self.strain_gradient_length_m) {
+        let length_m = match (strain_gradient, self.given.strain_gradient_length_m) {
             (false, _) => None,
             (true, Some(length_m)) => Some(length_m),
             (true, None) => return Err(MaterialError::Missing(NeededFor::StrainGradient)),
