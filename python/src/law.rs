@@ -68,7 +68,7 @@ impl PyFoundLaw {
                     provenance,
                     notes: found.notes,
                     cut_pressure_pa: Some(law.cut().pressure_pa),
-                    interpolation_error: law.interpolation_error(),
+                    interpolation_error: law.interpolation_error,
                     found: Found::Pressure { law, exponential, model },
                 })
             }
@@ -80,7 +80,7 @@ impl PyFoundLaw {
                     provenance,
                     notes: found.notes,
                     cut_pressure_pa: None,
-                    interpolation_error: table.interpolation_error(),
+                    interpolation_error: table.interpolation_error,
                     found: Found::Conductance(table),
                 })
             }
@@ -132,15 +132,15 @@ fn law_table(law: &ContactLaw) -> Table {
     Table::default()
         .with_numbers("pressure_pa", pressures_pa)
         .with_numbers("overclosure_m", overclosures_m)
-        .with_numbers("mean_gap_m", law.points().iter().map(|point| point.mean_gap_m))
-        .with_numbers("area_fraction", law.points().iter().map(|point| point.area_fraction))
+        .with_numbers("mean_gap_m", law.points.iter().map(|point| point.mean_gap_m))
+        .with_numbers("area_fraction", law.points.iter().map(|point| point.area_fraction))
 }
 
 fn conductance_table(found: &ConductanceTable) -> Table {
-    let points = found.points();
+    let points = &found.points;
     let total = points.iter().map(|point| point.total_si());
     let table = Table::default().with_numbers("pressure_pa", points.iter().map(|point| point.pressure_pa));
-    match found.flow() {
+    match found.flow {
         Flow::Heat => table
             .with_numbers("conductance_w_per_m2_k", total)
             .with_numbers("contact_w_per_m2_k", points.iter().map(|point| point.contact_si))

@@ -244,7 +244,7 @@ fn ask(draws: &mut Draws, faults: &mut Faults) -> bool {
                 LawAnswer::Pressure(law) => (
                     &law.notes,
                     law.sampled(0.01, &Unobserved).map(|law| {
-                        law.points().iter().all(|point| {
+                        law.points.iter().all(|point| {
                             point.pressure_pa >= 0.0
                                 && point.mean_gap_m.is_finite()
                                 && point.area_fraction <= 1.0
@@ -255,7 +255,7 @@ fn ask(draws: &mut Draws, faults: &mut Faults) -> bool {
                     &law.notes,
                     law.sampled(0.01, &Unobserved).map(|table| {
                         table
-                            .points()
+                            .points
                             .iter()
                             .all(|point| point.contact_si >= 0.0 && point.total_si().is_finite())
                     }),

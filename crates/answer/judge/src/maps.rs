@@ -138,14 +138,14 @@ fn area_fraction(
     if progress.is_cancelled() {
         return Ok(None);
     }
-    let (rows, columns) = (surface.points_y(), surface.points_x());
-    let grid = Grid::new(rows, columns, surface.length_x_m(), surface.length_y_m())?;
+    let (rows, columns) = (surface.points_y, surface.points_x);
+    let grid = Grid::new(rows, columns, surface.length_x_m, surface.length_y_m)?;
     let loading = Loading {
         contact_modulus_pa: pressing.case.composite_modulus_pa,
         nominal_pressure_pa,
         saturation_pa: None,
         tolerance: TOLERANCE,
     };
-    let contact = pressing.case.elements(grid, surface.heights_m())?.press(&loading, progress)?;
+    let contact = pressing.case.elements(grid, &surface.heights_m)?.press(&loading, progress)?;
     Ok(Some(contact.numbers.area_fraction_corrected))
 }

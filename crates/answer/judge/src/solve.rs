@@ -114,7 +114,7 @@ fn pressed(
         return Ok(outcome);
     };
     let grid = Grid::new(window.points, window.points, box_m, box_m)?;
-    let mut elements = case.elements(grid, surface.heights_m())?;
+    let mut elements = case.elements(grid, &surface.heights_m)?;
     let mut found: Vec<SurfaceSolution> = Vec::new();
     for at in from_high_bounds(presses) {
         if progress.is_cancelled() {

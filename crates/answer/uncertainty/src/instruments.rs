@@ -142,7 +142,7 @@ impl<'s> OwnScans<'s> {
     /// The only map of the instrument, if its parts can represent places.
     fn only_map(&self) -> Option<&'s ScanSpectrum> {
         let only = &self.scans.spectrum.scans[self.own[0]];
-        (self.places.len() == 1 && !only.spectrum.parts_m3().is_empty()).then_some(only)
+        (self.places.len() == 1 && !only.spectrum.parts_m3.is_empty()).then_some(only)
     }
 
     fn in_bins(&self) -> InstrumentBins {
@@ -154,7 +154,7 @@ impl<'s> OwnScans<'s> {
             .map(|((scans, bin), offsets)| self.bin(scans, bin, middle, *offsets))
             .collect();
         self.split_scatter(&mut bins);
-        let units = self.only_map().map_or(self.places.len(), |map| map.spectrum.parts_m3().len());
+        let units = self.only_map().map_or(self.places.len(), |map| map.spectrum.parts_m3.len());
         InstrumentBins { units, place_sd: 0.0, is_one_place: self.places.len() == 1, bins }
     }
 

@@ -114,11 +114,11 @@ impl RandomSurfaces {
         let factor = (self.band.mean_square_gradient() / surface.mean_square_gradient()).sqrt();
         let surface = surface.scaled(factor);
         Ok(Relief {
-            rows: surface.points_y(),
-            columns: surface.points_x(),
-            length_x_m: surface.length_x_m(),
-            length_y_m: surface.length_y_m(),
-            heights_m: surface.into_heights_m(),
+            rows: surface.points_y,
+            columns: surface.points_x,
+            length_x_m: surface.length_x_m,
+            length_y_m: surface.length_y_m,
+            heights_m: surface.heights_m,
             boundary: Boundary::Periodic,
         })
     }

@@ -122,18 +122,14 @@ impl Case for LawTablesCase {
                 return Err(Refused);
             }
         };
-        let points = law.points();
+        let points = &law.points;
         trial.hold("pressures rise", points.is_sorted_by(|low, high| low.pressure_pa < high.pressure_pa));
         trial.hold("gaps fall", points.is_sorted_by(|low, high| low.mean_gap_m > high.mean_gap_m));
         let ends = points.len() > 2 && points[1].pressure_pa == case.range_pa[0];
         trial.hold("range of the table", ends && points[points.len() - 1].pressure_pa == case.range_pa[1]);
         trial.bound("number of points", points.len() as f64, 1e5);
         if case.is_smooth() {
-            trial.bound(
-                "interpolation error within the tolerance",
-                law.interpolation_error(),
-                case.tolerance,
-            );
+            trial.bound("interpolation error within the tolerance", law.interpolation_error, case.tolerance);
         }
         for point in &points[1..] {
             let back_pa = law.pressure_pa(law.overclosure_m(point.mean_gap_m));
@@ -187,7 +183,7 @@ fn texts(law: &ContactLaw, trial: &mut Trial<LawTablesCase>) {
             }
         };
         let rows = numbers(&text);
-        trial.hold("a line for each point", rows.len() == law.points().len());
+        trial.hold("a line for each point", rows.len() == law.points.len());
         let wanted: Vec<(f64, f64)> = law.rows(case.units).collect();
         let largest = wanted.iter().fold(0.0f64, |most, row| most.max(row.1.abs()));
         let off = rows.iter().zip(&wanted).map(|(read, (pressure, overclosure))| {
@@ -228,9 +224,9 @@ fn conductance(trial: &mut Trial<LawTablesCase>) {
             return;
         }
     };
-    let points = table.points();
+    let points = &table.points;
     trial.hold("pressures of conductances rise", points.is_sorted_by(|a, b| a.pressure_pa < b.pressure_pa));
-    trial.bound("conductance within its tolerance, halfway", table.interpolation_error(), case.tolerance);
+    trial.bound("conductance within its tolerance, halfway", table.interpolation_error, case.tolerance);
     let share = trial.draw.between(0.0, 1.0);
     let pressure_pa = case.range_pa[0] * (case.range_pa[1] / case.range_pa[0]).powf(share);
     let off = (table.conductance_si(pressure_pa) / at(pressure_pa).total_si() - 1.0).abs();

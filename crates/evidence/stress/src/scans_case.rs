@@ -70,19 +70,18 @@ impl Case for ScansCase {
         trial.hold("missing points have no value", same);
         filled_within(&file.scan, trial);
         let spectrum = line_spectrum(&file.scan, case.preparation);
-        let densities = spectrum.c1d_m3();
+        let densities = &spectrum.c1d_m3;
         if trial.reach != Reach::Edge {
             trial.hold(
                 "densities finite, at least 0",
                 densities.iter().all(|value| *value >= 0.0 && value.is_finite()),
             );
             let share = spectrum.parseval_share();
-            let is_even = spectrum.spacing_m().is_some();
+            let is_even = spectrum.spacing_m.is_some();
             let largest_m =
                 case.scan.heights_m.iter().fold(0.0f64, |most, height_m| most.max(height_m.abs()));
             // A variance that rounding left has no digits.
-            if is_even && spectrum.variance_m2() > 1e-280 && spectrum.variance_m2().sqrt() > 1e-7 * largest_m
-            {
+            if is_even && spectrum.variance_m2 > 1e-280 && spectrum.variance_m2.sqrt() > 1e-7 * largest_m {
                 trial.bound("Parseval", (share - 1.0).abs(), 1e-9);
             }
         } else {
@@ -90,7 +89,7 @@ impl Case for ScansCase {
         }
         if let Scan::Map(map) = &file.scan {
             let areal = areal_spectrum(map, case.preparation);
-            let sound = areal.bins().iter().all(|bin| bin.ciso_m4() >= 0.0);
+            let sound = areal.bins.iter().all(|bin| bin.ciso_m4() >= 0.0);
             trial.hold("densities of the area no NaN, at least 0", sound);
         }
         whole_way(file, trial);
@@ -180,11 +179,11 @@ fn scaled(densities: &[f64], trial: &mut Trial<ScansCase>) {
     };
     let spectrum = line_spectrum(&file.scan, other.preparation);
     let largest = densities.iter().copied().fold(0.0, f64::max);
-    if !(1e-250..1e250).contains(&largest) || spectrum.c1d_m3().len() != densities.len() {
-        trial.hold("units do not matter", spectrum.c1d_m3().len() == densities.len());
+    if !(1e-250..1e250).contains(&largest) || spectrum.c1d_m3.len() != densities.len() {
+        trial.hold("units do not matter", spectrum.c1d_m3.len() == densities.len());
         return;
     }
-    let off = spectrum.c1d_m3().iter().zip(densities);
+    let off = spectrum.c1d_m3.iter().zip(densities);
     let off = off.map(|(there, here)| (there / (length * height * height) - here).abs()).fold(0.0, f64::max);
     trial.bound("units do not matter", off / largest, 1e-10);
 }

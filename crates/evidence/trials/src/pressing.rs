@@ -89,8 +89,8 @@ fn surface(spectrum: &AreaSpectrum, grid: usize, number: u64) -> Result<RandomSu
 }
 
 fn elements(surface: &RandomSurface) -> Result<Elements, TrialError> {
-    let grid = Grid::new(surface.points_y(), surface.points_x(), surface.length_x_m(), surface.length_y_m())?;
-    Ok(Elements::periodic(grid, surface.heights_m())?)
+    let grid = Grid::new(surface.points_y, surface.points_x, surface.length_x_m, surface.length_y_m)?;
+    Ok(Elements::periodic(grid, &surface.heights_m)?)
 }
 
 fn press_elements(elements: &mut Elements, load: &TrialLoad) -> Result<Contact, TrialError> {

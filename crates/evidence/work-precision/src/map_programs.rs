@@ -57,7 +57,7 @@ pub fn scan(arguments: &[String]) -> Result<(), Box<dyn Error>> {
     let Scan::Map(map) = first.scan.complete()? else { return Err("the file is not a map".into()) };
     let preparation = Preparation { detrend: Detrend::Plane, window: Window::None };
     write(heights, map.heights_m())?;
-    write(spectrum, map_line_spectrum(&map, preparation).c1d_m3())?;
+    write(spectrum, &map_line_spectrum(&map, preparation).c1d_m3)?;
     println!("{} {}", map.columns(), map.rows());
     Ok(())
 }

@@ -293,7 +293,7 @@ impl CompositeOfFiles {
         for (scan, name) in found.scans.iter().zip(found.series_names()) {
             let reliable = scan.reliable.wavelengths_m().iter().zip(scan.reliable.c1d_m3());
             rows.extend(reliable.map(|(wavelength_m, c1d_m3)| (name.clone(), *wavelength_m, *c1d_m3, None)));
-            let whole = scan.spectrum.wavelengths_m().zip(scan.spectrum.c1d_m3());
+            let whole = scan.spectrum.wavelengths_m().zip(&scan.spectrum.c1d_m3);
             rows.extend(whole.filter(|(_, c1d_m3)| **c1d_m3 > 0.0).map(|(wavelength_m, c1d_m3)| {
                 (format!("{name} (incl. unreliable data)"), wavelength_m, *c1d_m3, None)
             }));

@@ -109,7 +109,7 @@ impl Waves {
             let found = areal_spectrum(map, preparation);
             let [length_x_m, length_y_m] = found.sizes_m();
             let area_m2 = length_x_m * length_y_m;
-            let waves = found.bins().iter().skip(found.flagged_bins()).map(|bin| Wave {
+            let waves = found.bins.iter().skip(found.flagged_bins).map(|bin| Wave {
                 wavenumber_rad_per_m: bin.wavevector_rad_per_m,
                 slope: bin.slope_sum_m2 / area_m2,
                 curvature_per_m2: bin.curvature_sum / area_m2,
@@ -122,7 +122,7 @@ impl Waves {
         }
         let found = line_spectrum(&scan, preparation);
         let bins = found.wavevectors_rad_per_m().zip(found.mean_squares_m2());
-        let waves = bins.skip(found.flagged_bins()).map(|(wavenumber_rad_per_m, square_m2)| {
+        let waves = bins.skip(found.flagged_bins).map(|(wavenumber_rad_per_m, square_m2)| {
             let slope = wavenumber_rad_per_m.powi(2) * square_m2;
             Wave { wavenumber_rad_per_m, slope, curvature_per_m2: wavenumber_rad_per_m.powi(2) * slope }
         });

@@ -166,7 +166,7 @@ fn fundamental_m3(scan: &Scan, detrend: Detrend) -> f64 {
         Lines::Even(rows) => fundamental_of_rows(&rows, detrend),
         Lines::Uneven(line) => {
             let preparation = Preparation { detrend, window: Window::None };
-            nonuniform_line_spectrum_to(line, preparation, 1).c1d_m3()[0]
+            nonuniform_line_spectrum_to(line, preparation, 1).c1d_m3[0]
         }
     }
 }

@@ -276,7 +276,7 @@ fn repeated(scans: &[ScanSpectrum]) -> Vec<(usize, usize)> {
     let mut repeated = Vec::new();
     for (second, scan) in scans.iter().enumerate() {
         let alike =
-            firsts.entry(scan.spectrum.c1d_m3().iter().map(|c1d_m3| c1d_m3.to_bits()).collect()).or_default();
+            firsts.entry(scan.spectrum.c1d_m3.iter().map(|c1d_m3| c1d_m3.to_bits()).collect()).or_default();
         match alike.iter().find(|&&first| scans[first].spectrum == scan.spectrum) {
             Some(&first) => repeated.push((first, second)),
             None => alike.push(second),

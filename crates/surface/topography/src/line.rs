@@ -15,17 +15,26 @@ use spectrum::ProfilePsd;
 /// q = 0 is left out, so (1/pi) Sum C1D dq is the variance of the prepared heights about their mean. For an even number
 /// of evenly spaced points the last bin, at their Nyquist wavevector, counts half.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct LineSpectrum {
-    pub(crate) length_m: f64,
-    pub(crate) spacing_m: Option<f64>,
-    pub(crate) c1d_m3: Vec<f64>,
+    /// Length L of the period in m; the first bin is at q = 2 pi/L.
+    pub length_m: f64,
+    /// Distance of neighbouring points \[m\]; `None` if it is uneven.
+    pub spacing_m: Option<f64>,
+    /// Values \[m^3\] from the bin n = 1 on; 0 for a wavelength that the lines do not contain.
+    pub c1d_m3: Vec<f64>,
     pub(crate) ends_at_nyquist: bool,
-    pub(crate) variance_m2: f64,
-    pub(crate) lines: usize,
-    pub(crate) flagged_bins: usize,
-    /// Spectra of parts of the map \[m^3\].
+    /// Variance of the prepared heights in real space \[m^2\]: detrended, windowed, each line about its own mean.
+    pub variance_m2: f64,
+    /// Number of averaged lines: one, or the rows of the map.
+    pub lines: usize,
+    /// Number of first bins that do not show the spectrum of the surface, see
+    /// [`Preparation::flagged_bins`](crate::Preparation::flagged_bins).
+    pub flagged_bins: usize,
+    /// Spectra \[m^3\] of parts of a map at the same wavevectors, each part a group of neighbouring lines; empty for a
+    /// single line or few.
     #[serde(skip)]
-    pub(crate) parts: Vec<Vec<f64>>,
+    pub parts_m3: Vec<Vec<f64>>,
     /// Independent lines of the first bins, see [`LineSpectrum::independent_lines`]; empty for a single line.
     #[serde(skip)]
     pub(crate) independent: Vec<f64>,
@@ -50,21 +59,6 @@ pub struct RmsDerivatives {
 }
 
 impl LineSpectrum {
-    /// Length L of the period in m; the first bin is at q = 2 pi/L.
-    pub fn length_m(&self) -> f64 {
-        self.length_m
-    }
-
-    /// Distance of neighbouring points \[m\]; `None` if it is uneven.
-    pub fn spacing_m(&self) -> Option<f64> {
-        self.spacing_m
-    }
-
-    /// Values \[m^3\] from the bin n = 1 on; 0 for a wavelength that the lines do not contain.
-    pub fn c1d_m3(&self) -> &[f64] {
-        &self.c1d_m3
-    }
-
     /// Wavevector of each value \[rad/m\].
     pub fn wavevectors_rad_per_m(&self) -> impl ExactSizeIterator<Item = f64> + '_ {
         (0..self.c1d_m3.len()).map(|bin| TAU * (bin + 1) as f64 / self.length_m)
@@ -73,11 +67,6 @@ impl LineSpectrum {
     /// Wavelength of each value \[m\], from long to short.
     pub fn wavelengths_m(&self) -> impl ExactSizeIterator<Item = f64> + '_ {
         (0..self.c1d_m3.len()).map(|bin| self.length_m / (bin + 1) as f64)
-    }
-
-    /// Number of averaged lines: one, or the rows of the map.
-    pub fn lines(&self) -> usize {
-        self.lines
     }
 
     /// Equivalent number of independent lines in bin n >= 1, from 1 to [`lines`](Self::lines): neighbouring lines of a
@@ -90,23 +79,6 @@ impl LineSpectrum {
             (None, None) => 1.0,
         };
         measured.clamp(1.0, all.max(1.0))
-    }
-
-    /// Spectra \[m^3\] of parts of a map at the same wavevectors, each part a group of neighbouring lines; empty for a
-    /// single line or few.
-    pub fn parts_m3(&self) -> &[Vec<f64>] {
-        &self.parts
-    }
-
-    /// Number of first bins that do not show the spectrum of the surface, see
-    /// [`Preparation::flagged_bins`](crate::Preparation::flagged_bins).
-    pub fn flagged_bins(&self) -> usize {
-        self.flagged_bins
-    }
-
-    /// Variance of the prepared heights in real space \[m^2\]: detrended, windowed, each line about its own mean.
-    pub fn variance_m2(&self) -> f64 {
-        self.variance_m2
     }
 
     /// Variance from the spectrum, (1/pi) Sum C1D dq \[m^2\].
@@ -201,7 +173,7 @@ impl LineSpectrum {
             variance_m2: variances_m2 / lines as f64,
             lines,
             flagged_bins,
-            parts: Vec::new(),
+            parts_m3: Vec::new(),
             independent: Vec::new(),
         }
     }

@@ -112,10 +112,11 @@ impl<'a> MapLines<'a> {
         };
         let rows_of_part = |part| (0..lines).filter(|&row| self.part_of(row) == part).count();
         let several = parts_m2.into_iter().enumerate().filter(|_| self.parts() > 1);
-        let parts = several.map(|(part, power_m2)| spectrum(rows_of_part(part), power_m2).c1d_m3).collect();
+        let parts_m3 =
+            several.map(|(part, power_m2)| spectrum(rows_of_part(part), power_m2).c1d_m3).collect();
         let first_bins_m: Vec<&[Complex<f64>]> = sums.iter().map(|sums| &sums.first_bins_m[..]).collect();
         let independent = independent_lines(&first_bins_m.concat(), FIRST_BINS.min(points / 2));
-        LineSpectrum { parts, independent, ..spectrum(lines, power_m2) }
+        LineSpectrum { parts_m3, independent, ..spectrum(lines, power_m2) }
     }
 }
 

@@ -60,7 +60,7 @@ impl MapSpectrum {
     #[must_use]
     pub fn modes_at(&self, wavelength_m: f64) -> Option<u64> {
         let q = std::f64::consts::TAU / wavelength_m;
-        let bins = self.spectrum.bins().iter();
+        let bins = self.spectrum.bins.iter();
         bins.map(|bin| (bin.wavevector_rad_per_m, bin.modes))
             .find(|(wavevector, _)| (wavevector / q - 1.0).abs() < 1e-9)
             .map(|(_, modes)| modes)

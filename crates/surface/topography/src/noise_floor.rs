@@ -43,10 +43,10 @@ const ROUNDS: usize = 4;
 /// wavevector, and this power law ends well below the level even with aliasing. A spectrum that is level everywhere may
 /// be a roll-off or noise; one that falls to its end, as of interpolated heights, has no floor.
 pub(crate) fn noise_floor(spectrum: &LineSpectrum) -> Option<NoiseFloor> {
-    let nyquist_rad_per_m = PI / spectrum.spacing_m()?;
+    let nyquist_rad_per_m = PI / spectrum.spacing_m?;
     let q_and_c1d = || {
-        let all = spectrum.wavevectors_rad_per_m().zip(spectrum.c1d_m3().iter().copied());
-        all.skip(spectrum.flagged_bins())
+        let all = spectrum.wavevectors_rad_per_m().zip(spectrum.c1d_m3.iter().copied());
+        all.skip(spectrum.flagged_bins)
     };
     let within = |from: f64, to: f64| -> Vec<f64> {
         let range = from * nyquist_rad_per_m..to * nyquist_rad_per_m;
@@ -54,7 +54,7 @@ pub(crate) fn noise_floor(spectrum: &LineSpectrum) -> Option<NoiseFloor> {
     };
     // The Nyquist wavevector is left out: its amplitudes are real numbers and scatter more.
     let halves = [within(0.5, 0.5 * SQRT_2), within(0.5 * SQRT_2, 1.0 - 1e-9)];
-    if !is_level(&halves, spectrum.lines()) {
+    if !is_level(&halves, spectrum.lines) {
         return None;
     }
     let last_octave = within(0.5, 1.0 - 1e-9);

@@ -61,7 +61,7 @@ pub fn nonuniform_line_spectrum_to(
         variance_m2: profile.variance_m2(preparation.window, transform(0).re / profile.length_m),
         lines: 1,
         flagged_bins: preparation.flagged_bins(),
-        parts: Vec::new(),
+        parts_m3: Vec::new(),
         independent: Vec::new(),
     }
 }

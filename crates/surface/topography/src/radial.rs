@@ -16,12 +16,17 @@ use spectrum::{Convention, Psd};
 /// smaller Nyquist wavevector of the two directions: they belong to the variance, not to the spectrum. Rings are wider
 /// if sides or pixels differ so much that there would be more than a million.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct ArealSpectrum {
     pub(crate) sizes_m: [f64; 2],
-    pub(crate) nyquist_rad_per_m: f64,
-    pub(crate) bins: Vec<RadialBin>,
-    pub(crate) variance_m2: f64,
-    pub(crate) flagged_bins: usize,
+    /// Smaller of the Nyquist wavevectors of the two directions \[rad/m\]; rings beyond it are incomplete.
+    pub nyquist_rad_per_m: f64,
+    /// The rings that hold a mode, from long to short wavelengths.
+    pub bins: Vec<RadialBin>,
+    /// Variance in m^2 of the prepared heights about their mean, in real space.
+    pub variance_m2: f64,
+    /// Number of first rings that do not show the spectrum of the surface.
+    pub flagged_bins: usize,
 }
 
 /// The modes of a ring, those at q and at -q both counted.
@@ -49,29 +54,9 @@ impl RadialBin {
 }
 
 impl ArealSpectrum {
-    /// The rings that hold a mode, from long to short wavelengths.
-    pub fn bins(&self) -> &[RadialBin] {
-        &self.bins
-    }
-
     /// Sizes Lx and Ly of the period in m.
     pub fn sizes_m(&self) -> [f64; 2] {
         self.sizes_m
-    }
-
-    /// Smaller of the Nyquist wavevectors of the two directions \[rad/m\]; rings beyond it are incomplete.
-    pub fn nyquist_rad_per_m(&self) -> f64 {
-        self.nyquist_rad_per_m
-    }
-
-    /// Number of first rings that do not show the spectrum of the surface.
-    pub fn flagged_bins(&self) -> usize {
-        self.flagged_bins
-    }
-
-    /// Variance in m^2 of the prepared heights about their mean, in real space.
-    pub fn variance_m2(&self) -> f64 {
-        self.variance_m2
     }
 
     /// Variance from the spectrum, Sum C2D/(Lx Ly) over all modes but q = 0 \[m^2\].

@@ -50,7 +50,7 @@ impl ScanSpectrum {
             let lines = samples.iter().map(|&n| spectrum.independent_lines(n)).sum::<f64>() / count;
             bin.degrees_of_freedom = Some(degrees_of_freedom(samples.len(), lines, self.preparation.window));
             let mean = |c1d_m3: &Vec<f64>| samples.iter().map(|&n| c1d_m3[n - 1]).sum::<f64>() / count;
-            bin.parts_m3 = spectrum.parts_m3().iter().map(mean).collect();
+            bin.parts_m3 = spectrum.parts_m3.iter().map(mean).collect();
         }
         bins
     }
@@ -58,7 +58,7 @@ impl ScanSpectrum {
     /// Lists for every bin the numbers n >= 1 of its reliable samples.
     pub(crate) fn samples_of(&self, bins: &[ScanBin], bins_per_decade: NonZeroU32) -> Vec<Vec<usize>> {
         let mut samples = vec![Vec::new(); bins.len()];
-        let length_m = self.spectrum.length_m();
+        let length_m = self.spectrum.length_m;
         for &wavelength_m in self.reliable.wavelengths_m() {
             let index = bin_index(std::f64::consts::TAU / wavelength_m, bins_per_decade);
             if let Ok(at) = bins.binary_search_by_key(&index, |bin| bin.index) {

@@ -163,7 +163,7 @@ fn refuse_flat(scan: &Scan, spectrum: &LineSpectrum) -> Result<(), TransformErro
         Lines::Even(rows) => rows.heights_m,
         Lines::Uneven(line) => line.heights_m(),
     };
-    let variance_m2 = spectrum.variance_m2();
+    let variance_m2 = spectrum.variance_m2;
     if !variance_m2.is_finite() {
         return Err(TransformError::BeyondNumbers);
     }

@@ -28,7 +28,7 @@ impl ScanSpectrum {
         if self.preparation.window == Window::None {
             return vec![0.0; bins.len()];
         }
-        let length_m = self.spectrum.length_m();
+        let length_m = self.spectrum.length_m;
         let seen = SeenWaves::new(self, |waves| c1d_m3(TAU * waves / length_m));
         let of_bin = |samples: Vec<usize>| {
             if samples.iter().all(|&n| n > LAST_BIN) {
@@ -60,9 +60,10 @@ impl SeenWaves {
     fn new(scan: &ScanSpectrum, c1d_m3: impl Fn(f64) -> f64) -> Self {
         let count = ((LAST_BIN as f64 + REACH) / STEP) as i32;
         let exponent = (c1d_m3(1.0) / c1d_m3(2.0)).log2();
-        let aspect = scan.spectrum.spacing_m().map_or(0.0, |spacing_m| {
-            (scan.spectrum.lines() - 1) as f64 * spacing_m / scan.spectrum.length_m()
-        });
+        let aspect = scan
+            .spectrum
+            .spacing_m
+            .map_or(0.0, |spacing_m| (scan.spectrum.lines - 1) as f64 * spacing_m / scan.spectrum.length_m);
         let wave = |at: i32| {
             let number = (f64::from(at) + 0.5) * STEP;
             let shared = match scan.preparation.detrend {

@@ -242,7 +242,7 @@ fn line(psd: &ProfilePsd) -> Line {
 
 /// The whole spectrum of a scan, trusted or not, in bins.
 fn whole(scan: &ScanSpectrum) -> Line {
-    let samples = scan.spectrum.wavelengths_m().zip(scan.spectrum.c1d_m3().iter().copied());
+    let samples = scan.spectrum.wavelengths_m().zip(scan.spectrum.c1d_m3.iter().copied());
     let (wavelengths_m, c1d_m3) = samples.filter(|(_, c1d_m3)| *c1d_m3 > 0.0).unzip();
     ProfilePsd::new(wavelengths_m, c1d_m3).map_or_else(
         |_| Vec::new(),

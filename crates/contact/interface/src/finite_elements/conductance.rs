@@ -43,11 +43,15 @@ impl ConductancePoint {
 
 /// Conductance per nominal area against pressure, linear between its points.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct ConductanceTable {
-    pub(crate) flow: Flow,
+    /// Flow of the table.
+    pub flow: Flow,
     /// Points by rising pressure; the first pressure is 0.
-    pub(crate) points: Vec<ConductancePoint>,
-    pub(crate) interpolation_error: f64,
+    pub points: Vec<ConductancePoint>,
+    /// Largest relative error of the conductance found halfway between two points of a sampled table, from the first
+    /// pressure above 0 on; 0 for a table from given points.
+    pub interpolation_error: f64,
 }
 
 /// Reason why a table of conductances cannot be made or written.
@@ -94,25 +98,6 @@ impl ConductanceTable {
             table.push(*point);
         }
         Ok(Self { flow, points: table, interpolation_error: 0.0 })
-    }
-
-    /// Flow of the table.
-    #[must_use]
-    pub fn flow(&self) -> Flow {
-        self.flow
-    }
-
-    /// Points by rising pressure; the first pressure is 0.
-    #[must_use]
-    pub fn points(&self) -> &[ConductancePoint] {
-        &self.points
-    }
-
-    /// Largest relative error of the conductance found halfway between two points of a sampled table, from the first
-    /// pressure above 0 on; 0 for a table from given points.
-    #[must_use]
-    pub fn interpolation_error(&self) -> f64 {
-        self.interpolation_error
     }
 
     /// Conductance at a pressure \[Pa\] in the SI unit of the flow, as codes read the table: linear between points,

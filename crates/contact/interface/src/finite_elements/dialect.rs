@@ -54,7 +54,7 @@ impl Dialect {
         let mut text = self.commented(&heading.of_table(law, units, of_code(self, law, units)));
         text += &interaction(heading, "TABULAR");
         let mut before: Option<f64> = None;
-        for ((pressure, overclosure), point) in law.rows(units).zip(law.points()) {
+        for ((pressure, overclosure), point) in law.rows(units).zip(&law.points) {
             let row = [field(pressure), field(overclosure)];
             // Uses the overclosure as the code reads it.
             let overclosure = row[1].parse().unwrap_or(overclosure);
@@ -71,7 +71,7 @@ impl Dialect {
             before = Some(overclosure);
             text += &format!("{}, {}\n", row[0], row[1]);
         }
-        let rows = law.points().len();
+        let rows = law.points.len();
         if self == Dialect::Calculix && rows > Self::MOST_CALCULIX_ROWS {
             let most = Self::MOST_CALCULIX_ROWS;
             return Err(ContactLawError::TooManyRows { code: self.name(), rows, most });
@@ -120,7 +120,7 @@ fn csv(
     heading: &Heading,
     columns: &[Column],
 ) -> Result<String, ContactLawError> {
-    let rows = law.points().len();
+    let rows = law.points.len();
     if let Some(column) = columns.iter().find(|column| column.values.len() != rows) {
         let (name, values) = (column.name.clone(), column.values.len());
         return Err(ContactLawError::ColumnLength { name, values, rows });
@@ -130,7 +130,7 @@ fn csv(
     text += &format!("pressure_{pressure},overclosure_{length},mean_gap_{length},area_fraction");
     columns.iter().for_each(|column| text += &format!(",{}", column.name));
     text.push('\n');
-    for (at, ((pressure, overclosure), point)) in law.rows(units).zip(law.points()).enumerate() {
+    for (at, ((pressure, overclosure), point)) in law.rows(units).zip(&law.points).enumerate() {
         let cells = [pressure, overclosure, units.length(point.mean_gap_m), point.area_fraction];
         text += &cells.map(number).join(",");
         for column in columns {
@@ -147,7 +147,7 @@ const NODE_TO_SURFACE: &str = "Take it with *CONTACT PAIR, TYPE=NODE TO SURFACE:
 
 /// Describes how a code reads the table.
 fn of_code(dialect: Dialect, law: &ContactLaw, units: UnitSystem) -> Vec<String> {
-    let last_pa = law.points().last().map_or(0.0, |point| point.pressure_pa);
+    let last_pa = law.points.last().map_or(0.0, |point| point.pressure_pa);
     let last = format!("{} {}", number(units.pressure(last_pa)), units.pressure_symbol());
     match dialect {
         Dialect::Csv => Vec::new(),

@@ -34,7 +34,7 @@ impl Heading {
 
     /// All comment lines in front of a table, without comment signs; `of_code` describes how the code reads it.
     pub(crate) fn of_table(&self, law: &ContactLaw, units: UnitSystem, of_code: Vec<String>) -> Vec<String> {
-        let [first, last] = [1, law.points().len() - 1].map(|at| law.points()[at].pressure_pa);
+        let [first, last] = [1, law.points.len() - 1].map(|at| law.points[at].pressure_pa);
         let (pressure, length) = (units.pressure_symbol(), units.length_symbol());
         let cut = law.cut();
         let mut sentences = vec![
@@ -43,8 +43,8 @@ impl Heading {
                  lines between them, which are off by at most {} % of the pressure.",
                 number(units.pressure(first)),
                 number(units.pressure(last)),
-                law.points().len(),
-                number(100.0 * law.tolerance())
+                law.points.len(),
+                number(100.0 * law.tolerance)
             ),
             self.of_units(units),
             NOMINAL.to_owned(),

@@ -19,31 +19,17 @@ pub struct LawPoint {
 /// first touch: the pressure at larger gaps is cut off. The second point has the smallest requested pressure and the
 /// first one 1/e of it, so that an exponential law ends in its tangent.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct ContactLaw {
-    pub(crate) points: Vec<LawPoint>,
-    pub(crate) tolerance: f64,
-    pub(crate) interpolation_error: f64,
+    /// Points by rising pressure, at least three; the law is cut off at the first.
+    pub points: Vec<LawPoint>,
+    /// Requested relative error of the pressure.
+    pub tolerance: f64,
+    /// Largest relative error of the pressure found halfway between two points, from the second on.
+    pub interpolation_error: f64,
 }
 
 impl ContactLaw {
-    /// Points by rising pressure, at least three; the law is cut off at the first.
-    #[must_use]
-    pub fn points(&self) -> &[LawPoint] {
-        &self.points
-    }
-
-    /// Requested relative error of the pressure.
-    #[must_use]
-    pub fn tolerance(&self) -> f64 {
-        self.tolerance
-    }
-
-    /// Largest relative error of the pressure found halfway between two points, from the second on.
-    #[must_use]
-    pub fn interpolation_error(&self) -> f64 {
-        self.interpolation_error
-    }
-
     /// Point at which the law is cut off: its mean gap has the overclosure 0, and no pressure.
     #[must_use]
     pub fn cut(&self) -> LawPoint {

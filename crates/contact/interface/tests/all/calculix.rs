@@ -101,7 +101,7 @@ fn a_punch_on_a_block_is_carried_by_the_law() {
         let most_pa = 1e6 * said.pressures_mpa.iter().copied().fold(0.0, f64::max);
         println!(
             "{} rows, {seen} states up to {most_pa:e} Pa: gap off by {worst_gap:e}, pressure of the table by {worst_pressure:e}",
-            law.points().len()
+            law.points.len()
         );
         assert!(seen > 50 && most_pa > 0.05 * to_pa, "{seen} states up to {most_pa:e} Pa");
         // Seven digits are printed.

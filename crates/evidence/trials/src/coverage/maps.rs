@@ -53,7 +53,7 @@ impl MapMaker {
         let side = PERIODS * self.points;
         let synthesis = Synthesis::square(side, side as f64 * self.spacing_m, seed, Phases::Gaussian);
         let periodic = self.fine.surface(&synthesis, number)?;
-        let rows = periodic.heights_m().chunks_exact(side).take(self.points);
+        let rows = periodic.heights_m.chunks_exact(side).take(self.points);
         let mut heights_m: Vec<f64> = rows.flat_map(|row| row[..self.points].iter().copied()).collect();
         for wave in &self.long {
             let amplitude_m =

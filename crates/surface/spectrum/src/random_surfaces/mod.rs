@@ -16,7 +16,7 @@
 //! let window = area.cut(20e-6, 2e-6)?;
 //! let synthesis = Synthesis::square(160, 40e-6, 1, Phases::FixedModulus);
 //! let surface = window.surface(&synthesis, 0)?;
-//! assert_eq!(surface.heights_m().len(), 160 * 160);
+//! assert_eq!(surface.heights_m.len(), 160 * 160);
 //!
 //! // The grid sums over discrete waves; the spectrum is an integral.
 //! let own = surface.mean_square_gradient() / window.mean_square_gradient();

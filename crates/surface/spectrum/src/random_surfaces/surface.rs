@@ -4,13 +4,21 @@ use crate::Moments;
 
 /// Heights of zero mean on a periodic grid, row by row along x, with the moments of their waves.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct RandomSurface {
-    pub(crate) points_x: usize,
-    pub(crate) points_y: usize,
-    pub(crate) length_x_m: f64,
-    pub(crate) length_y_m: f64,
-    pub(crate) heights_m: Vec<f64>,
-    pub(crate) moments: Moments,
+    /// Points along x, the columns.
+    pub points_x: usize,
+    /// Points along y, the rows.
+    pub points_y: usize,
+    /// Length along x \[m\].
+    pub length_x_m: f64,
+    /// Length along y \[m\].
+    pub length_y_m: f64,
+    /// Heights \[m\]; column x and row y are at index y * points_x + x.
+    pub heights_m: Vec<f64>,
+    /// Moments of the profiles, averaged over all directions, as a sum over the waves of this surface. They do not
+    /// depend on the grid.
+    pub moments: Moments,
 }
 
 /// Moments of the profiles of an isotropic surface down to a shortest wavelength \[m\], from the mean squares of its heights,
@@ -21,49 +29,6 @@ pub(crate) fn profile_moments(wavelength_m: f64, [m0_m2, gradient, laplacian_per
 }
 
 impl RandomSurface {
-    /// Points along x, the columns.
-    #[must_use]
-    pub fn points_x(&self) -> usize {
-        self.points_x
-    }
-
-    /// Points along y, the rows.
-    #[must_use]
-    pub fn points_y(&self) -> usize {
-        self.points_y
-    }
-
-    /// Length along x \[m\].
-    #[must_use]
-    pub fn length_x_m(&self) -> f64 {
-        self.length_x_m
-    }
-
-    /// Length along y \[m\].
-    #[must_use]
-    pub fn length_y_m(&self) -> f64 {
-        self.length_y_m
-    }
-
-    /// Heights \[m\]; column x and row y are at index y * points_x + x.
-    #[must_use]
-    pub fn heights_m(&self) -> &[f64] {
-        &self.heights_m
-    }
-
-    /// Returns the heights alone.
-    #[must_use]
-    pub fn into_heights_m(self) -> Vec<f64> {
-        self.heights_m
-    }
-
-    /// Moments of the profiles, averaged over all directions, as a sum over the waves of this surface. They do not
-    /// depend on the grid.
-    #[must_use]
-    pub fn moments(&self) -> Moments {
-        self.moments
-    }
-
     /// Mean square gradient, as a sum over the waves of this surface.
     #[must_use]
     pub fn mean_square_gradient(&self) -> f64 {

@@ -39,7 +39,7 @@ fn nayaks_parameter_of_every_surface_of_the_judges_table_is_reproduced() {
         // Surfaces of fixed amplitudes are told by the integral, those of random ones by the sum over the waves of the box.
         let moments = match &row[13] {
             "fixed-amplitude" => area.moments(),
-            _ => made(&area, 128, Phases::FixedModulus, 0).moments(),
+            _ => made(&area, 128, Phases::FixedModulus, 0).moments,
         };
         let alpha = moments.m0_m2 * moments.m4_per_m2 / (moments.m2 * moments.m2);
         let last_place = if &row[13] == "fixed-amplitude" { 0.05 } else { 0.005 };
@@ -54,8 +54,8 @@ fn variance_and_slope_are_exact_for_each_surface_and_near_those_of_the_band() {
     let area = self_affine(4.0, 8.0, 30.0, 0.8);
     for realisation in 0..3 {
         let surface = made(&area, 128, Phases::FixedModulus, realisation);
-        let own = surface.moments();
-        let heights = surface.heights_m();
+        let own = surface.moments;
+        let heights = &surface.heights_m;
         assert_relative_eq!(mean_square(heights.iter().copied()), own.m0_m2, max_relative = 1e-12);
         assert!(heights.iter().sum::<f64>().abs() < 1e-13 * own.rms_height_m() * heights.len() as f64);
         assert_relative_eq!(own.m0_m2, area.mean_square_height_m2(), max_relative = 0.03);
@@ -65,7 +65,7 @@ fn variance_and_slope_are_exact_for_each_surface_and_near_those_of_the_band() {
     // Central differences of a fine grid see the spectral slope up to the square of the step.
     let area = self_affine(1.0, 2.0, 6.0, 0.8);
     let fine = made(&area, 512, Phases::FixedModulus, 5);
-    let (n, h) = (512, fine.heights_m());
+    let (n, h) = (512, &fine.heights_m);
     let differences = (0..n * n).map(|at| {
         let (row, column) = (at / n, at % n);
         let along_x = h[row * n + (column + 1) % n] - h[row * n + (column + n - 1) % n];
@@ -83,12 +83,12 @@ fn a_surface_is_the_same_on_every_grid_that_holds_it() {
         for points in [32, 36, 50] {
             let (coarse, fine) = (made(&area, points, phases, 2), made(&area, 2 * points, phases, 2));
             let every_second = fine.every_second_point().unwrap();
-            let largest = coarse.heights_m().iter().fold(0.0, |most: f64, height| most.max(height.abs()));
-            for (a, b) in coarse.heights_m().iter().zip(every_second.heights_m()) {
+            let largest = coarse.heights_m.iter().fold(0.0, |most: f64, height| most.max(height.abs()));
+            for (a, b) in coarse.heights_m.iter().zip(every_second.heights_m) {
                 assert!((a - b).abs() < 1e-13 * largest);
             }
-            assert_eq!(coarse.moments(), fine.moments());
-            assert_eq!((every_second.points_x(), every_second.length_x_m()), (points, 1.0));
+            assert_eq!(coarse.moments, fine.moments);
+            assert_eq!((every_second.points_x, every_second.length_x_m), (points, 1.0));
         }
         assert_eq!(made(&area, 33, phases, 2).every_second_point(), None);
     }
@@ -106,19 +106,19 @@ fn sides_may_differ_and_points_may_be_odd() {
         phases: Phases::Gaussian,
     };
     let surface = area.surface(&synthesis, 4).unwrap();
-    assert_eq!(surface.heights_m().len(), 75 * 31);
+    assert_eq!(surface.heights_m.len(), 75 * 31);
     assert_relative_eq!(
-        mean_square(surface.heights_m().iter().copied()),
-        surface.moments().m0_m2,
+        mean_square(surface.heights_m.iter().copied()),
+        surface.moments.m0_m2,
         max_relative = 1e-12
     );
 }
 
 /// The amplitude of a wave of a surface, with its phase in turns: (2/N^2) sum of h exp(-i q x).
 fn wave(surface: &RandomSurface, m: i64, n: i64) -> (f64, f64) {
-    let (columns, rows) = (surface.points_x(), surface.points_y());
+    let (columns, rows) = (surface.points_x, surface.points_y);
     let (mut re, mut im) = (0.0, 0.0);
-    for (at, height_m) in surface.heights_m().iter().enumerate() {
+    for (at, height_m) in surface.heights_m.iter().enumerate() {
         let turns = m as f64 * (at % columns) as f64 / columns as f64
             + n as f64 * (at / columns) as f64 / rows as f64;
         re += height_m * (TAU * turns).cos();
@@ -154,17 +154,17 @@ fn phases_and_moduli_are_those_that_another_program_draws() {
 #[test]
 fn gaussian_surfaces_scatter_about_the_band_and_its_curvature_is_that_of_gauss() {
     let area = self_affine(2.0, 4.0, 12.0, 0.8);
-    let expected = made(&area, 32, Phases::FixedModulus, 0).moments().m0_m2;
+    let expected = made(&area, 32, Phases::FixedModulus, 0).moments.m0_m2;
     let surfaces: Vec<RandomSurface> =
         (0..400).map(|realisation| made(&area, 32, Phases::Gaussian, realisation)).collect();
-    let variances: Vec<f64> = surfaces.iter().map(|surface| surface.moments().m0_m2).collect();
+    let variances: Vec<f64> = surfaces.iter().map(|surface| surface.moments.m0_m2).collect();
     let mean = variances.iter().sum::<f64>() / 400.0;
     let scatter = (mean_square(variances.iter().map(|v| v - mean)) / 400.0).sqrt();
     assert!(
         (mean - expected).abs() < 3.0 * scatter && scatter < 0.02 * expected,
         "{mean} {expected} {scatter}"
     );
-    let heights = surfaces.iter().flat_map(|surface| surface.heights_m().iter().copied());
+    let heights = surfaces.iter().flat_map(|surface| surface.heights_m.iter().copied());
     let fourth = heights.map(|h| (h * h / mean).powi(2)).sum::<f64>() / (400.0 * 1024.0);
     assert_relative_eq!(fourth, 3.0, max_relative = 0.05);
 }
@@ -179,13 +179,13 @@ fn seeds_and_realisations_make_different_surfaces_and_the_same_ones_again() {
     let all = [of(3, 1), of(3, 2), of(1, 3), of(2, 3)];
     for (i, a) in all.iter().enumerate() {
         for b in &all[..i] {
-            let product: f64 = a.heights_m().iter().zip(b.heights_m()).map(|(a, b)| a * b).sum();
-            assert!(product.abs() < 0.5 * 1024.0 * a.moments().m0_m2);
+            let product: f64 = a.heights_m.iter().zip(&b.heights_m).map(|(a, b)| a * b).sum();
+            assert!(product.abs() < 0.5 * 1024.0 * a.moments.m0_m2);
         }
     }
     let scaled = of(3, 1).scaled(2.0);
     assert_eq!(scaled.mean_square_gradient(), 4.0 * all[0].mean_square_gradient());
-    assert_eq!(scaled.heights_m()[7], 2.0 * all[0].heights_m()[7]);
+    assert_eq!(scaled.heights_m[7], 2.0 * all[0].heights_m[7]);
 }
 
 #[test]

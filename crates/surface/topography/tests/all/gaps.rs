@@ -196,7 +196,7 @@ fn lines_cut_from_a_map_have_the_spectrum_of_the_map_where_nothing_is_cut() {
     let upper = spectrum(map_with_gaps(64, 39, [1.0, 2.0], rough, |_, _| false), Direction::X);
     let left = spectrum(map_with_gaps(63, 40, [1.0, 2.0], rough, |_, _| false), Direction::Y);
     for (found, expected) in found.iter().zip(upper.iter().chain(&left)) {
-        assert_eq!(found.spectrum.c1d_m3(), expected.spectrum.c1d_m3());
+        assert_eq!(found.spectrum.c1d_m3, expected.spectrum.c1d_m3);
         assert_eq!(found.checks.real_slope, expected.checks.real_slope);
     }
     assert_eq!(found[0].checks.slope_across, Some(found[1].checks.real_slope));

@@ -23,7 +23,7 @@ fn map(hurst_exponent: f64, roll_off_m: f64, shortest_m: f64, coarsening: usize,
     })
     .expect("a sound surface");
     let synthesis = Synthesis::square(points, length_m, seed, Phases::FixedModulus);
-    let heights_m = spectrum.surface(&synthesis, 0).expect("a surface").into_heights_m();
+    let heights_m = spectrum.surface(&synthesis, 0).expect("a surface").heights_m;
     let rows = heights_m.chunks_exact(points).step_by(coarsening).take(256);
     rows.flat_map(|row| row.iter().step_by(coarsening).copied()).collect()
 }

@@ -57,7 +57,7 @@ pub fn surface(points: usize, hurst_exponent: f64, seed: u64) -> Vec<f64> {
     })
     .expect("a sound surface");
     let synthesis = Synthesis::square(whole, length_m, seed, Phases::FixedModulus);
-    let heights_m = spectrum.surface(&synthesis, 0).expect("a surface").into_heights_m();
+    let heights_m = spectrum.surface(&synthesis, 0).expect("a surface").heights_m;
     heights_m.chunks_exact(whole).take(points).flat_map(|row| row[..points].iter().copied()).collect()
 }
 
