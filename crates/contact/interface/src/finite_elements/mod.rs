@@ -13,7 +13,7 @@
 //!     Ok::<_, Infallible>(Some(LawPoint { pressure_pa, mean_gap_m, area_fraction: pressure_pa / 2e9 }))
 //! };
 //! let law = ContactLaw::sample([10e3, 10e6], ContactLaw::TOLERANCE, at)?;
-//! assert!(law.points().len() < 40);
+//! assert!(law.points.len() < 40);
 //! // A pressure of 1 MPa at its overclosure, within 1 %.
 //! let overclosure_m = law.overclosure_m(0.5e-6 * 400f64.ln());
 //! assert!((law.pressure_pa(overclosure_m) / 1e6 - 1.0).abs() < 0.01);
