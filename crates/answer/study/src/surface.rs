@@ -7,8 +7,8 @@ use data::SPECTRA;
 use scans::{ForeignFile, ScanFormat};
 use sha2::{Digest, Sha256};
 use spectrum::{
-    Convention, ConversionError, Hole, ProfilePsd, Psd, PsdError, PsdFile, ReadError, ReadOptions, read_psd,
-    superpose,
+    Convention, ConversionError, Hole, LineProblem, ProfilePsd, Psd, PsdError, PsdFile, ReadError,
+    ReadOptions, read_psd, superpose,
 };
 use tables::Table;
 use topography::Recipe;
@@ -84,7 +84,7 @@ impl SurfaceError {
         // Texts and workbooks hold anything. A number up to 0 is neither a wavelength nor a spectrum.
         let is_certain = |format: &ScanFormat| *format != ScanFormat::Workbook;
         let may_be_heights = || match error {
-            ReadError::NoHeader { .. } => has_number_up_to_0(bytes),
+            ReadError::AtLine { problem: LineProblem::NoHeader, .. } => has_number_up_to_0(bytes),
             _ => error.names_no_spectrum(),
         };
         let found = ScanFormat::recognise(bytes).filter(is_certain).or_else(|| {

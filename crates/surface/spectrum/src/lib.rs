@@ -63,8 +63,9 @@ pub use power_law::PowerLaw;
 pub use profile::ProfilePsd;
 pub use psd::Psd;
 pub use read::{
-    Abscissa, Encoding, Field, JsonError, PsdFile, ReadError, ReadMend, ReadOption, ReadOptions, SeriesError,
-    SeriesName, UnitError, Wanted, WorkbookError, is_psd, read_psd, series_names,
+    Abscissa, Encoding, Field, FieldProblem, JsonError, LineProblem, PsdFile, ReadError, ReadMend,
+    ReadOption, ReadOptions, SeriesError, SeriesName, UnitError, Wanted, WorkbookError, is_psd, read_psd,
+    series_names,
 };
 pub use roughness_parameters::{
     HURST_UNCERTAINTY, LONGEST_OVER_ROLLOFF, ROLLOFF_UNCERTAINTY_FACTOR, RoughnessError, RoughnessParameters,

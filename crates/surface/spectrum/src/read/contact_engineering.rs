@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::read::error::ReadError;
+use crate::read::error::{LineProblem, ReadError};
 use crate::read::lines::comment;
 use crate::read::series::{ColumnKind, Columns, Row, Series, SeriesName};
 
@@ -121,7 +121,7 @@ impl NameColumns {
 /// Groups the rows of a table with a header by the series they name, in the order of their first rows.
 ///
 /// # Errors
-/// [`ReadError::Ragged`] for a row of another length in a table of series, where names could come from the wrong
+/// [`LineProblem::Ragged`] for a row of another length in a table of series, where names could come from the wrong
 /// column.
 pub(crate) fn grouped(names: Vec<String>, line: usize, rows: Vec<Row>) -> Result<Vec<Series>, ReadError> {
     let name_columns = NameColumns::find(&names);
@@ -134,7 +134,7 @@ pub(crate) fn grouped(names: Vec<String>, line: usize, rows: Vec<Row>) -> Result
     for row in rows {
         let (found, expected) = (row.fields.len(), names.len());
         if found != expected {
-            return Err(ReadError::Ragged { line: row.line, found, first_line: line, expected });
+            return Err(LineProblem::Ragged { found, first_line: line, expected }.at(row.line));
         }
         let name = name_columns.name(&row);
         let place = *places.entry(name).or_insert_with_key(|name| {

@@ -1,7 +1,7 @@
 //! Choice of the columns of the spectrum and its standard errors, with unit and convention.
 
 use crate::convention::Convention;
-use crate::read::error::{ReadError, SPECTRUM};
+use crate::read::error::{LineProblem, ReadError, SPECTRUM};
 use crate::read::header::{Abscissa, DensityName, Heading, Quantity, trailing_unit};
 use crate::read::layout::{DensityColumn, ErrorColumn};
 use crate::read::names::Header;
@@ -44,10 +44,10 @@ impl Header<'_> {
             [first, second, ..] if first.name == second.name => {
                 Err(self.duplicate(SPECTRUM, first.column.index, second.column.index))
             }
-            several => Err(ReadError::SeveralDensities {
-                line: self.line,
-                found: several.iter().map(|candidate| self.names[candidate.column.index].clone()).collect(),
-            }),
+            several => {
+                let found = several.iter().map(|candidate| self.names[candidate.column.index].clone());
+                Err(LineProblem::SeveralDensities { found: found.collect() }.at(self.line))
+            }
         }
     }
 
@@ -61,11 +61,10 @@ impl Header<'_> {
             found = matching(|name, column| name.to_lowercase() == column.to_lowercase());
         }
         match found[..] {
-            [] => Err(ReadError::UnknownColumn {
-                line: self.line,
-                column: column.to_owned(),
-                found: self.names.to_vec(),
-            }),
+            [] => {
+                let (column, found) = (column.to_owned(), self.names.to_vec());
+                Err(LineProblem::UnknownColumn { column, found }.at(self.line))
+            }
             [index] => match Heading::parse(&self.names[index]) {
                 Some(Heading { quantity: Quantity::Density(name), unit }) => {
                     self.recognised_density(index, name, unit, abscissa)
@@ -95,12 +94,12 @@ impl Header<'_> {
             (None, DensityName::Psd | DensityName::C2d)
                 if parsed.is_some_and(|unit| unit.metre_power == 4) =>
             {
-                return Err(ReadError::AmbiguousDensity { line, column: column.clone() });
+                return Err(LineProblem::AmbiguousDensity(column.clone()).at(line));
             }
             (None, DensityName::C2d) if parsed.is_some_and(|unit| unit.metre_power == 3) => {
-                return Err(ReadError::TwoDimensionalInCubicMetres { line, column: column.clone() });
+                return Err(LineProblem::TwoDimensionalInCubicMetres(column.clone()).at(line));
             }
-            (None, DensityName::C2d) => return Err(ReadError::NoConvention { line, column: column.clone() }),
+            (None, DensityName::C2d) => return Err(LineProblem::NoConvention(column.clone()).at(line)),
             (None, DensityName::Psd) if abscissa == Abscissa::Frequency => Convention::Frequency,
             (None, DensityName::Psd) => Convention::C1D,
         };
@@ -109,7 +108,7 @@ impl Header<'_> {
             None => si,
             Some(text) => parsed
                 .filter(|unit| unit.metre_power == si.metre_power)
-                .ok_or_else(|| ReadError::bad_density_unit(line, column, text, convention))?,
+                .ok_or_else(|| LineProblem::bad_density_unit(column, text, convention).at(line))?,
         };
         let scale = unit.scale();
         Ok(Candidate { name: Some(name), column: DensityColumn { index, scale, convention } })
@@ -118,13 +117,13 @@ impl Header<'_> {
     fn unrecognised_density(&self, index: usize) -> Result<Candidate, ReadError> {
         let (line, column) = (self.line, &self.names[index]);
         let Some(convention) = self.options.convention else {
-            return Err(ReadError::NoConvention { line, column: column.clone() });
+            return Err(LineProblem::NoConvention(column.clone()).at(line));
         };
         let given = self.units.psd.map(|given| given.unit);
         let unit = trailing_unit(column).or(given).unwrap_or(Unit::si(convention.metre_power()));
         if unit.metre_power != convention.metre_power() {
             let unit = format!("m^{}", unit.metre_power);
-            return Err(ReadError::bad_density_unit(line, column, &unit, convention));
+            return Err(LineProblem::bad_density_unit(column, &unit, convention).at(line));
         }
         let scale = unit.scale();
         Ok(Candidate { name: None, column: DensityColumn { index, scale, convention } })

@@ -8,7 +8,7 @@ use units::printable::listed;
 use crate::convention::Convention;
 use crate::read::header::{Abscissa, Heading};
 use crate::read::json::JsonError;
-use crate::read::mend::{ReadMend, ReadOption};
+use crate::read::mend::{ReadMend, ReadOption, Wanted};
 use crate::read::options::UnitError;
 use crate::read::select::SeriesError;
 use crate::read::workbook::WorkbookError;
@@ -58,39 +58,9 @@ pub enum ReadError {
     /// The input cannot be read.
     #[error("reading the spectrum: {0}")]
     Io(#[from] std::io::Error),
-    /// The file is not UTF-8 text.
-    #[error(
-        "line {line}: byte {offset} of the file is 0x{byte:02x}, which is {encoding}; save the spectrum as CSV or text in UTF-8"
-    )]
-    NotText {
-        /// Line.
-        line: usize,
-        /// Position of the byte in the file, from 1.
-        offset: usize,
-        /// The byte.
-        byte: u8,
-        /// The probable encoding.
-        encoding: Encoding,
-    },
     /// The file has only comments and empty lines.
     #[error("reading the spectrum: the file holds no rows; give at least 2")]
     Empty,
-    /// Numbers without a header.
-    #[error("line {line}: the file has no header that names its two columns")]
-    NoHeader {
-        /// Line of the first row.
-        line: usize,
-    },
-    /// Numbers without a header, but not in two columns.
-    #[error(
-        "line {line}: a file without a header needs 2 columns but has {columns}; name them in a first row"
-    )]
-    HeaderlessColumns {
-        /// Line of the first row.
-        line: usize,
-        /// Number of columns.
-        columns: usize,
-    },
     /// The choice of the series fails or is missing.
     #[error(transparent)]
     Series(#[from] SeriesError),
@@ -111,11 +81,44 @@ pub enum ReadError {
         /// The error in the sheet.
         error: Box<ReadError>,
     },
-    /// No column for a quantity.
-    #[error("line {line}: no column holds the {quantity} ({accepted}); the columns are {}", list(.found))]
-    MissingColumn {
-        /// Line of the header.
+    /// An error in a line.
+    #[error("line {line}: {problem}")]
+    AtLine {
+        /// Line; the last line read if rows are missing.
         line: usize,
+        /// The problem.
+        problem: LineProblem,
+    },
+}
+
+/// Problem of a line.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum LineProblem {
+    /// The file is not UTF-8 text.
+    #[error(
+        "byte {offset} of the file is 0x{byte:02x}, which is {encoding}; save the spectrum as CSV or text in UTF-8"
+    )]
+    NotText {
+        /// Position of the byte in the file, from 1.
+        offset: usize,
+        /// The byte.
+        byte: u8,
+        /// The probable encoding.
+        encoding: Encoding,
+    },
+    /// Numbers without a header.
+    #[error("the file has no header that names its two columns")]
+    NoHeader,
+    /// Numbers without a header, but not in two columns.
+    #[error("a file without a header needs 2 columns but has {columns}; name them in a first row")]
+    HeaderlessColumns {
+        /// Number of columns.
+        columns: usize,
+    },
+    /// No column for a quantity.
+    #[error("no column holds the {quantity} ({accepted}); the columns are {}", list(.found))]
+    MissingColumn {
         /// The missing quantity.
         quantity: &'static str,
         /// Accepted names.
@@ -124,20 +127,16 @@ pub enum ReadError {
         found: Vec<String>,
     },
     /// No column of the requested name.
-    #[error("line {line}: there is no column '{column}'; the columns are {}", list(.found))]
+    #[error("there is no column '{column}'; the columns are {}", list(.found))]
     UnknownColumn {
-        /// Line of the header.
-        line: usize,
         /// The requested name.
         column: String,
         /// The columns there are.
         found: Vec<String>,
     },
     /// Two columns for the same quantity.
-    #[error("line {line}: duplicate column: '{first}' and '{second}' both hold the {quantity}; keep one")]
+    #[error("duplicate column: '{first}' and '{second}' both hold the {quantity}; keep one")]
     DuplicateColumn {
-        /// Line of the header.
-        line: usize,
         /// The quantity.
         quantity: &'static str,
         /// One column.
@@ -146,20 +145,14 @@ pub enum ReadError {
         second: String,
     },
     /// Several spectra, none with precedence.
-    #[error("line {line}: several columns hold a spectrum: {}", list(.found))]
+    #[error("several columns hold a spectrum: {}", list(.found))]
     SeveralDensities {
-        /// Line of the header.
-        line: usize,
         /// The columns.
         found: Vec<String>,
     },
     /// A unit that is unknown or of the wrong dimension.
-    #[error(
-        "line {line}: column '{column}' is in '{unit}', but the {quantity} is read in {accepted}; rename the column"
-    )]
+    #[error("column '{column}' is in '{unit}', but the {quantity} is read in {accepted}; rename the column")]
     BadUnit {
-        /// Line of the header.
-        line: usize,
         /// Column.
         column: String,
         /// The text in the place of the unit.
@@ -170,45 +163,23 @@ pub enum ReadError {
         accepted: String,
     },
     /// A spectrum in m^4, which two conventions share.
-    #[error("line {line}: column '{column}' is a spectrum in m^4, which two conventions share")]
-    AmbiguousDensity {
-        /// Line of the header.
-        line: usize,
-        /// Column.
-        column: String,
-    },
+    #[error("column '{0}' is a spectrum in m^4, which two conventions share")]
+    AmbiguousDensity(String),
     /// A wavenumber, which some count in radians and others in cycles per length.
-    #[error("line {line}: wavenumber in radians or cycles")]
-    AmbiguousWavenumber {
-        /// Line of the header.
-        line: usize,
-        /// Column.
-        column: String,
-    },
+    #[error("wavenumber in radians or cycles")]
+    AmbiguousWavenumber(String),
     /// A column called two-dimensional with the unit of profiles.
-    #[error("line {line}: '{column}' is 2D by name, 1D by unit")]
-    TwoDimensionalInCubicMetres {
-        /// Line of the header.
-        line: usize,
-        /// Column.
-        column: String,
-    },
+    #[error("'{0}' is 2D by name, 1D by unit")]
+    TwoDimensionalInCubicMetres(String),
     /// A column whose name does not state a convention.
-    #[error("line {line}: column '{column}' does not state its convention")]
-    NoConvention {
-        /// Line of the header.
-        line: usize,
-        /// Column.
-        column: String,
-    },
+    #[error("column '{0}' does not state its convention")]
+    NoConvention(String),
     /// A row of another length than the header or the first row.
     #[error(
-        "line {line}: {}, but {expected} in line {first_line}; give every row the same columns",
+        "{}, but {expected} in line {first_line}; give every row the same columns",
         counted(*.found, "field")
     )]
     Ragged {
-        /// Line.
-        line: usize,
         /// Number of fields.
         found: usize,
         /// Line of the header or the first row.
@@ -217,71 +188,24 @@ pub enum ReadError {
         expected: usize,
     },
     /// An empty field.
-    #[error("line {line}: column '{column}' is empty; enter a number above 0 or remove the row")]
-    EmptyField {
-        /// Line.
-        line: usize,
-        /// Column.
-        column: String,
-    },
-    /// A field that is not a number.
-    #[error(
-        "line {line}: column '{column}' is '{text}', not a number; write it like 1.5e-9, with a point, or \
-         remove the row"
-    )]
-    NotANumber {
-        /// Line.
-        line: usize,
+    #[error("column '{0}' is empty; enter a number above 0 or remove the row")]
+    EmptyField(String),
+    /// A field whose text is no number for its column.
+    #[error("column '{column}' is '{text}'{problem}")]
+    BadField {
         /// Column.
         column: String,
         /// The field.
         text: String,
-    },
-    /// A number that is NaN, infinite, zero or negative.
-    #[error(
-        "line {line}: column '{column}' is '{text}'; it must be finite and above 0: correct it or remove the row"
-    )]
-    OutOfRange {
-        /// Line.
-        line: usize,
-        /// Column.
-        column: String,
-        /// The field.
-        text: String,
-    },
-    /// A positive number that no surface has: a wavelength beyond thirty decades from 1 m, a density beyond ninety from 1 m^3
-    /// or m^4.
-    #[error(
-        "line {line}: column '{column}' is '{text}', which no surface has; check its unit, correct it or remove the row"
-    )]
-    Absurd {
-        /// Line.
-        line: usize,
-        /// Column.
-        column: String,
-        /// The field.
-        text: String,
-    },
-    /// A standard error that is infinite or negative.
-    #[error(
-        "line {line}: column '{column}' is '{text}'; it must be finite and at least 0: correct it, or leave it empty"
-    )]
-    BadStandardError {
-        /// Line.
-        line: usize,
-        /// Column.
-        column: String,
-        /// The field.
-        text: String,
+        /// The problem.
+        problem: FieldProblem,
     },
     /// Two abscissae that contradict each other.
     #[error(
-        "line {line}: {first} and {second}, wavelengths in the ratio {ratio}, which must be 1 within 0.001{hint}; \
+        "{first} and {second}, wavelengths in the ratio {ratio}, which must be 1 within 0.001{hint}; \
          correct the row or remove a column"
     )]
     Inconsistent {
-        /// Line.
-        line: usize,
         /// The field with precedence.
         first: Box<Field>,
         /// The field that contradicts it.
@@ -293,25 +217,40 @@ pub enum ReadError {
     },
     /// A repeated wavelength.
     #[error(
-        "line {line}: the wavelength {} is already in line {first_line}; keep one row for each wavelength, and one series (such as '1D PSD along x') in a file",
+        "the wavelength {} is already in line {first_line}; keep one row for each wavelength, and one series (such as '1D PSD along x') in a file",
         length(*.wavelength_m)
     )]
     RepeatedWavelength {
-        /// Line of the repetition.
-        line: usize,
         /// Line of the first occurrence.
         first_line: usize,
         /// The wavelength in m.
         wavelength_m: f64,
     },
     /// Fewer than two rows.
-    #[error("line {line}: the file holds {}; give at least 2", counted(*.rows, "row"))]
+    #[error("the file holds {}; give at least 2", counted(*.rows, "row"))]
     TooFewRows {
-        /// Last line read.
-        line: usize,
         /// Number of rows.
         rows: usize,
     },
+}
+
+/// Problem of a field.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum FieldProblem {
+    /// A field that is not a number.
+    #[error(", not a number; write it like 1.5e-9, with a point, or remove the row")]
+    NotANumber,
+    /// A number that is NaN, infinite, zero or negative.
+    #[error("; it must be finite and above 0: correct it or remove the row")]
+    OutOfRange,
+    /// A positive number that no surface has: a wavelength beyond thirty decades from 1 m, a density beyond ninety from 1 m^3
+    /// or m^4.
+    #[error(", which no surface has; check its unit, correct it or remove the row")]
+    Absurd,
+    /// A standard error that is infinite or negative.
+    #[error("; it must be finite and at least 0: correct it, or leave it empty")]
+    BadStandardError,
 }
 
 /// A field of a row.
@@ -337,27 +276,7 @@ impl ReadError {
             Self::Unit(ref error) => error.line(),
             Self::Json(ref error) => error.line(),
             Self::InSheet { ref error, .. } => error.line(),
-            Self::NotText { line, .. }
-            | Self::NoHeader { line }
-            | Self::HeaderlessColumns { line, .. }
-            | Self::MissingColumn { line, .. }
-            | Self::UnknownColumn { line, .. }
-            | Self::DuplicateColumn { line, .. }
-            | Self::SeveralDensities { line, .. }
-            | Self::BadUnit { line, .. }
-            | Self::AmbiguousDensity { line, .. }
-            | Self::AmbiguousWavenumber { line, .. }
-            | Self::TwoDimensionalInCubicMetres { line, .. }
-            | Self::NoConvention { line, .. }
-            | Self::Ragged { line, .. }
-            | Self::EmptyField { line, .. }
-            | Self::NotANumber { line, .. }
-            | Self::OutOfRange { line, .. }
-            | Self::Absurd { line, .. }
-            | Self::BadStandardError { line, .. }
-            | Self::Inconsistent { line, .. }
-            | Self::RepeatedWavelength { line, .. }
-            | Self::TooFewRows { line, .. } => Some(line),
+            Self::AtLine { line, .. } => Some(line),
         }
     }
 
@@ -365,8 +284,13 @@ impl ReadError {
     #[must_use]
     pub fn names_no_spectrum(&self) -> bool {
         match self {
-            Self::MissingColumn { found, .. } => found.iter().all(|name| Heading::parse(name).is_none()),
-            Self::NoHeader { .. } | Self::HeaderlessColumns { .. } => true,
+            Self::AtLine { problem, .. } => match problem {
+                LineProblem::MissingColumn { found, .. } => {
+                    found.iter().all(|name| Heading::parse(name).is_none())
+                }
+                LineProblem::NoHeader | LineProblem::HeaderlessColumns { .. } => true,
+                _ => false,
+            },
             Self::Workbook(error) => {
                 matches!(error, WorkbookError::NoTable { .. } | WorkbookError::NotBuiltIn)
             }
@@ -377,36 +301,48 @@ impl ReadError {
     /// The option that fixes the error, if one does.
     #[must_use]
     pub fn mend(&self) -> Option<ReadMend> {
-        let convention = || ReadOption::Convention.one_of(Convention::ALL);
         match self {
-            Self::NoHeader { .. } => {
-                Some(ReadMend::Give(vec![ReadOption::X.one_of(Abscissa::ALL), convention()]))
-            }
-            Self::SeveralDensities { .. } | Self::MissingColumn { quantity: SPECTRUM, .. } => {
-                Some(ReadMend::Give(vec![ReadOption::Column.name_in_file()]))
-            }
-            Self::AmbiguousDensity { .. } => Some(ReadMend::Give(vec![
-                ReadOption::Convention.one_of([Convention::Ciso, Convention::Persson]),
-            ])),
-            Self::TwoDimensionalInCubicMetres { .. } => {
-                Some(ReadMend::Give(vec![ReadOption::Convention.one_of([Convention::C1D, Convention::W1])]))
-            }
-            Self::AmbiguousWavenumber { .. } => {
-                Some(ReadMend::Give(vec![ReadOption::X.one_of([Abscissa::Wavevector, Abscissa::Frequency])]))
-            }
-            Self::NoConvention { .. } => Some(ReadMend::Give(vec![convention()])),
+            Self::AtLine { problem, .. } => problem.mend().map(ReadMend::Give),
             Self::Series(error) => error.mend(),
             Self::Unit(error) => Some(error.mend()),
             Self::InSheet { error, .. } => error.mend(),
             _ => None,
         }
     }
+}
+
+impl LineProblem {
+    /// Puts the problem into a line.
+    pub(crate) fn at(self, line: usize) -> ReadError {
+        ReadError::AtLine { line, problem: self }
+    }
+
+    /// The options that fix it.
+    fn mend(&self) -> Option<Vec<Wanted>> {
+        let convention = || ReadOption::Convention.one_of(Convention::ALL);
+        Some(match self {
+            Self::NoHeader => vec![ReadOption::X.one_of(Abscissa::ALL), convention()],
+            Self::SeveralDensities { .. } | Self::MissingColumn { quantity: SPECTRUM, .. } => {
+                vec![ReadOption::Column.name_in_file()]
+            }
+            Self::AmbiguousDensity(_) => {
+                vec![ReadOption::Convention.one_of([Convention::Ciso, Convention::Persson])]
+            }
+            Self::TwoDimensionalInCubicMetres(_) => {
+                vec![ReadOption::Convention.one_of([Convention::C1D, Convention::W1])]
+            }
+            Self::AmbiguousWavenumber(_) => {
+                vec![ReadOption::X.one_of([Abscissa::Wavevector, Abscissa::Frequency])]
+            }
+            Self::NoConvention(_) => vec![convention()],
+            _ => return None,
+        })
+    }
 
     /// Makes the error of a unit that does not fit the spectrum of a convention.
-    pub(crate) fn bad_density_unit(line: usize, column: &str, unit: &str, convention: Convention) -> Self {
+    pub(crate) fn bad_density_unit(column: &str, unit: &str, convention: Convention) -> Self {
         let power = convention.metre_power();
         Self::BadUnit {
-            line,
             column: column.to_owned(),
             unit: unit.to_owned(),
             quantity: format!("spectrum ({convention})"),

@@ -6,14 +6,14 @@
 
 use csv::StringRecord;
 
-use crate::read::error::ReadError;
+use crate::read::error::{LineProblem, ReadError};
 use crate::read::lines::is_number;
 use crate::read::series::{ColumnKind, Columns, Row, Series, SeriesName};
 
 /// Reads the curves of an export; `None` for a file that does not begin like one.
 ///
 /// # Errors
-/// [`ReadError::Ragged`] for a row of another length than the units, whose numbers cannot be assigned to curves.
+/// [`LineProblem::Ragged`] for a row of another length than the units, whose numbers cannot be assigned to curves.
 pub(crate) fn series(text: &str) -> Result<Option<Vec<Series>>, ReadError> {
     let mut blocks: Vec<Block> = Vec::new();
     let mut heading: Vec<String> = Vec::new();
@@ -107,7 +107,7 @@ impl Block {
         };
         if fields.len() != self.columns {
             let (found, expected) = (fields.len(), self.columns);
-            return Err(ReadError::Ragged { line, found, first_line: self.line, expected });
+            return Err(LineProblem::Ragged { found, first_line: self.line, expected }.at(line));
         }
         for (curve, series) in self.curves.iter_mut().enumerate() {
             let (x, y) = places(self.is_merged, curve);

@@ -1,6 +1,6 @@
 //! Decoding of text and classification of its lines.
 
-use crate::read::error::{Encoding, ReadError};
+use crate::read::error::{Encoding, LineProblem, ReadError};
 
 /// Decodes a file: checks that it is UTF-8 without zero bytes, which mark binary files, and removes its byte-order
 /// mark.
@@ -10,12 +10,9 @@ pub(crate) fn decode(bytes: &[u8]) -> Result<&str, ReadError> {
         Err(error) => ("", Some(error.valid_up_to())),
     };
     let Some(end) = end else { return Ok(text.strip_prefix('\u{feff}').unwrap_or(text)) };
-    Err(ReadError::NotText {
-        line: 1 + bytes[..end].iter().filter(|&&byte| byte == b'\n').count(),
-        offset: end + 1,
-        byte: bytes[end],
-        encoding: Encoding::guess(bytes),
-    })
+    let line = 1 + bytes[..end].iter().filter(|&&byte| byte == b'\n').count();
+    let encoding = Encoding::guess(bytes);
+    Err(LineProblem::NotText { offset: end + 1, byte: bytes[end], encoding }.at(line))
 }
 
 /// Returns the text of a comment line, without `#` and surrounding blanks.

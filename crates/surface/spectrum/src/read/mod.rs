@@ -20,7 +20,7 @@ mod table;
 mod unit;
 mod workbook;
 
-pub use error::{Encoding, Field, ReadError};
+pub use error::{Encoding, Field, FieldProblem, LineProblem, ReadError};
 pub use header::Abscissa;
 pub use json::JsonError;
 pub use mend::{ReadMend, ReadOption, Wanted};

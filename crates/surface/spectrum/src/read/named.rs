@@ -3,7 +3,7 @@
 use units::LengthUnit;
 
 use crate::read::density::Candidate;
-use crate::read::error::ReadError;
+use crate::read::error::{LineProblem, ReadError};
 use crate::read::header::{Abscissa, Heading, Quantity};
 use crate::read::layout::{AbscissaColumn, DensityColumn, Layout};
 use crate::read::names::Header;
@@ -89,7 +89,7 @@ impl Header<'_> {
             && is_open(only)
         {
             let column = self.names[only.index].clone();
-            return Err(ReadError::AmbiguousWavenumber { line: self.line, column });
+            return Err(LineProblem::AmbiguousWavenumber(column).at(self.line));
         }
         columns.retain(|column| !is_open(column));
         Ok(())
@@ -109,13 +109,13 @@ impl Header<'_> {
     fn abscissa_unit(&self, index: usize, quantity: Abscissa, unit: Option<&str>) -> Result<Unit, ReadError> {
         let given = self.units.x.filter(|given| quantity.fits(given.unit));
         let Some(text) = unit else { return Ok(given.map_or(quantity.si(), |given| given.unit)) };
-        Unit::parse(text).filter(|&unit| quantity.fits(unit)).ok_or_else(|| ReadError::BadUnit {
-            line: self.line,
+        let bad = || LineProblem::BadUnit {
             column: self.names[index].clone(),
             unit: text.to_owned(),
             quantity: quantity.name().to_owned(),
             accepted: accepted_units(quantity),
-        })
+        };
+        Unit::parse(text).filter(|&unit| quantity.fits(unit)).ok_or_else(|| bad().at(self.line))
     }
 
     fn refuse_other_units(&self, abscissa: AbscissaColumn, density: DensityColumn) -> Result<(), ReadError> {

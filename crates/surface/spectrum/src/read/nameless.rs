@@ -1,7 +1,7 @@
 //! Columns without names, assigned by the caller's options and units.
 
 use crate::convention::Convention;
-use crate::read::error::ReadError;
+use crate::read::error::{LineProblem, ReadError};
 use crate::read::header::Abscissa;
 use crate::read::layout::{AbscissaColumn, DensityColumn, ErrorColumn, Layout};
 use crate::read::options::{GivenUnit, GivenUnits, ReadOptions, UnitError};
@@ -19,7 +19,9 @@ pub(crate) fn nameless(
 ) -> Result<Layout, ReadError> {
     let (line, count) = (columns.line, columns.names.len());
     if let Some(column) = &options.column {
-        return Err(ReadError::UnknownColumn { line, column: column.clone(), found: columns.names.clone() });
+        return Err(
+            LineProblem::UnknownColumn { column: column.clone(), found: columns.names.clone() }.at(line)
+        );
     }
     let is_json = columns.kind != ColumnKind::Numbered;
     if is_json && (units.x.is_none() || units.psd.is_none()) {
@@ -33,10 +35,10 @@ pub(crate) fn nameless(
         units.psd.map(|given| convention_in(given.unit.metre_power, given.text, quantity, &mut assumed))
     });
     let (Some(quantity), Some(convention)) = (quantity, convention) else {
-        return Err(ReadError::NoHeader { line });
+        return Err(LineProblem::NoHeader.at(line));
     };
     if count != 2 && !is_json {
-        return Err(ReadError::HeaderlessColumns { line, columns: count });
+        return Err(LineProblem::HeaderlessColumns { columns: count }.at(line));
     }
     notes.append(&mut assumed);
     match (units.x, units.psd) {

@@ -1,6 +1,6 @@
 //! The names of the columns of a series.
 
-use crate::read::error::ReadError;
+use crate::read::error::{LineProblem, ReadError};
 use crate::read::header::{Heading, trailing_unit};
 use crate::read::options::{GivenUnits, ReadOptions};
 use crate::read::unit::Unit;
@@ -28,11 +28,11 @@ impl Header<'_> {
     }
 
     pub(crate) fn missing_column(&self, quantity: &'static str, accepted: &'static str) -> ReadError {
-        ReadError::MissingColumn { line: self.line, quantity, accepted, found: self.names.to_vec() }
+        LineProblem::MissingColumn { quantity, accepted, found: self.names.to_vec() }.at(self.line)
     }
 
     pub(crate) fn duplicate(&self, quantity: &'static str, first: usize, second: usize) -> ReadError {
         let (first, second) = (self.names[first].clone(), self.names[second].clone());
-        ReadError::DuplicateColumn { line: self.line, quantity, first, second }
+        LineProblem::DuplicateColumn { quantity, first, second }.at(self.line)
     }
 }

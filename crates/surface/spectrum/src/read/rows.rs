@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::read::error::{Field, ReadError};
+use crate::read::error::{Field, FieldProblem, LineProblem, ReadError};
 use crate::read::header::Abscissa;
 use crate::read::layout::{AbscissaColumn, Layout};
 use crate::read::series::{ColumnKind, Row, Series};
@@ -34,7 +34,7 @@ pub(crate) fn samples(series: &Series, layout: &Layout) -> Result<(Vec<Sample>, 
         }
     }
     if samples.len() < 2 {
-        return Err(ReadError::TooFewRows { line: series.last_line(), rows: samples.len() });
+        return Err(LineProblem::TooFewRows { rows: samples.len() }.at(series.last_line()));
     }
     refuse_repeated_wavelengths(&mut samples)?;
     Ok((samples, missing))
@@ -47,11 +47,10 @@ fn refuse_repeated_wavelengths(rows: &mut [Sample]) -> Result<(), ReadError> {
     let repeated = rows.windows(2).filter(|pair| !falls(pair[0].wavelength_m, pair[1].wavelength_m));
     match repeated.min_by_key(|pair| pair[1].line) {
         None => Ok(()),
-        Some(pair) => Err(ReadError::RepeatedWavelength {
-            line: pair[1].line,
-            first_line: pair[0].line,
-            wavelength_m: pair[1].wavelength_m,
-        }),
+        Some(pair) => {
+            let (first_line, wavelength_m) = (pair[0].line, pair[1].wavelength_m);
+            Err(LineProblem::RepeatedWavelength { first_line, wavelength_m }.at(pair[1].line))
+        }
     }
 }
 
@@ -71,7 +70,7 @@ impl Fields<'_> {
         if found == expected {
             Ok(())
         } else {
-            Err(ReadError::Ragged { line: self.row.line, found, first_line, expected })
+            Err(LineProblem::Ragged { found, first_line, expected }.at(self.row.line))
         }
     }
 
@@ -106,11 +105,7 @@ impl Fields<'_> {
         if error.is_finite() && error >= 0.0 {
             return Ok(Some(error));
         }
-        Err(ReadError::BadStandardError {
-            line: self.row.line,
-            column: self.name(column.index),
-            text: self.text(column.index).to_owned(),
-        })
+        Err(self.bad(column.index, FieldProblem::BadStandardError))
     }
 
     fn wavelength_m(&self, column: &AbscissaColumn) -> Result<f64, ReadError> {
@@ -129,49 +124,36 @@ impl Fields<'_> {
         let text = self.text(index);
         match scale.read(text) {
             Some(value) => Ok(value),
-            None if text.is_empty() => {
-                Err(ReadError::EmptyField { line: self.row.line, column: self.name(index) })
-            }
-            None => Err(ReadError::NotANumber {
-                line: self.row.line,
-                column: self.name(index),
-                text: text.to_owned(),
-            }),
+            None if text.is_empty() => Err(LineProblem::EmptyField(self.name(index)).at(self.row.line)),
+            None => Err(self.bad(index, FieldProblem::NotANumber)),
         }
     }
 
     fn in_range(&self, index: usize, value: f64) -> Result<f64, ReadError> {
-        if value.is_finite() && value > 0.0 {
-            return Ok(value);
-        }
-        Err(ReadError::OutOfRange {
-            line: self.row.line,
-            column: self.name(index),
-            text: self.text(index).to_owned(),
-        })
+        let is_admitted = value.is_finite() && value > 0.0;
+        if is_admitted { Ok(value) } else { Err(self.bad(index, FieldProblem::OutOfRange)) }
     }
 
     /// Refuses a positive number that is too small or too large for any spectrum.
     fn of_a_surface(&self, index: usize, is_admitted: bool) -> Result<(), ReadError> {
-        if is_admitted {
-            return Ok(());
-        }
-        Err(ReadError::Absurd {
-            line: self.row.line,
-            column: self.name(index),
-            text: self.text(index).to_owned(),
-        })
+        if is_admitted { Ok(()) } else { Err(self.bad(index, FieldProblem::Absurd)) }
+    }
+
+    /// Makes the error of a field.
+    fn bad(&self, index: usize, problem: FieldProblem) -> ReadError {
+        let (column, text) = (self.name(index), self.text(index).to_owned());
+        LineProblem::BadField { column, text, problem }.at(self.row.line)
     }
 
     fn inconsistent(&self, first: &AbscissaColumn, second: &AbscissaColumn, ratio: f64) -> ReadError {
         let field = |index| Box::new(Field { column: self.name(index), text: self.text(index).to_owned() });
-        ReadError::Inconsistent {
-            line: self.row.line,
+        let problem = LineProblem::Inconsistent {
             first: field(first.index),
             second: field(second.index),
             ratio: six_digits(ratio),
             hint: two_pi_hint(second.quantity, ratio),
-        }
+        };
+        problem.at(self.row.line)
     }
 
     fn text(&self, index: usize) -> &str {

@@ -1,6 +1,6 @@
 //! Options that a caller can set to mend an error, as data.
 
-use spectrum::{Abscissa, ReadError, ReadMend, ReadOption, ReadOptions, Wanted, read_psd};
+use spectrum::{Abscissa, LineProblem, ReadError, ReadMend, ReadOption, ReadOptions, Wanted, read_psd};
 
 fn mend(text: &str, options: &ReadOptions) -> Option<ReadMend> {
     let error = read_psd(text.as_bytes(), options).unwrap_err();
@@ -77,7 +77,10 @@ fn a_wavenumber_and_a_bare_wavevector_may_count_cycles() {
     let tau = std::f64::consts::TAU;
     let open = "wavenumber (1/m),C1D (m^3)\n1,2\n2,1\n";
     let error = read(open, None).unwrap_err();
-    assert!(matches!(error, ReadError::AmbiguousWavenumber { line: 1, .. }), "{error}");
+    assert!(
+        matches!(error, ReadError::AtLine { line: 1, problem: LineProblem::AmbiguousWavenumber(_) }),
+        "{error}"
+    );
     assert_eq!(error.mend(), Some(ReadMend::Give(vec![wanted(ReadOption::X, &["wavevector", "frequency"])])));
     assert_eq!(longest_m(open, Some(Abscissa::Wavevector)), tau);
     assert_eq!(longest_m(open, Some(Abscissa::Frequency)), 1.0);
@@ -95,9 +98,13 @@ fn a_wavenumber_and_a_bare_wavevector_may_count_cycles() {
 fn a_two_dimensional_spectrum_does_not_tell_its_convention() {
     let read = |text: &str| read_psd(text.as_bytes(), &ReadOptions::default()).unwrap_err();
     let cubic = read("q_rad_per_m,C2D (m^3)\n1,2\n2,1\n");
-    assert!(matches!(cubic, ReadError::TwoDimensionalInCubicMetres { .. }), "{cubic}");
+    assert!(
+        matches!(cubic, ReadError::AtLine { line: 1, problem: LineProblem::TwoDimensionalInCubicMetres(_) }),
+        "{cubic}"
+    );
     assert_eq!(cubic.mend(), Some(ReadMend::Give(vec![wanted(ReadOption::Convention, &["c1d", "w1"])])));
-    assert!(matches!(read("q_rad_per_m,C2D (m^4)\n1,2\n2,1\n"), ReadError::AmbiguousDensity { .. }));
+    let quartic = read("q_rad_per_m,C2D (m^4)\n1,2\n2,1\n");
+    assert!(matches!(quartic, ReadError::AtLine { line: 1, problem: LineProblem::AmbiguousDensity(_) }));
     let options = ReadOptions { convention: Some(spectrum::Convention::C1D), ..ReadOptions::default() };
     assert!(read_psd(&b"q_rad_per_m,C2D (m^3)\n1,2\n2,1\n"[..], &options).is_ok());
 }
