@@ -2,7 +2,7 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use elements::{Boundary, ContactField, ElementsError, IndenterShape, Pressing, Relief};
+use elements::{Boundary, ContactField, ElementsError, IndenterShape, Relief};
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
@@ -120,10 +120,6 @@ fn maps(
     heights_m.chunks(rows * columns).map(relief).collect()
 }
 
-fn tolerance(arguments: &Arguments<'_>) -> PyResult<f64> {
-    Ok(arguments.get("tolerance", number)?.unwrap_or(Pressing::TOLERANCE))
-}
-
 /// Presses a ball onto a map, or onto random surfaces.
 #[pyfunction]
 pub fn press_ball<'py>(
@@ -138,7 +134,7 @@ pub fn press_ball<'py>(
         shape: IndenterShape::Ball,
         radius_m: arguments.required("radius", length_m)?,
         force: arguments.required("force", quantity::<Force>)?.n,
-        tolerance: tolerance(&arguments)?,
+        tolerance: arguments.get("tolerance", number)?,
         random: arguments.random()?,
     };
     if matches!(&bodies, Bodies::Maps(heights_m, ..) if heights_m.ndim() == 3) {
@@ -171,9 +167,9 @@ pub fn press_adhesive<'py>(
             .required("work_of_adhesion", quantity::<WorkOfAdhesion>)?
             .j_per_m2,
         range_m: arguments.required("adhesion_range", length_m)?,
-        branch: arguments.get("branch", choice::<BranchChoice>)?.unwrap_or_default().branch(),
+        branch: arguments.get("branch", choice::<BranchChoice>)?.unwrap_or_default(),
         pull_off: arguments.flag("pull_off")?,
-        tolerance: tolerance(&arguments)?,
+        tolerance: arguments.get("tolerance", number)?,
         per_realisation: bodies.are_reported_each(&arguments)?,
         random: arguments.random()?,
         ..AdhesionQuestion::default()
@@ -227,7 +223,7 @@ pub fn press_flat<'py>(
         material: material.input,
         loads: loads(&arguments)?,
         saturation: arguments.get("saturation", quantity)?,
-        tolerance: tolerance(&arguments)?,
+        tolerance: arguments.get("tolerance", number)?,
         random: arguments.random()?,
         ..ElementsQuestion::default()
     };

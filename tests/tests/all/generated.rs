@@ -292,7 +292,7 @@ fn ask(draws: &mut Draws, faults: &mut Faults) -> bool {
                 range_m: draws.decades(-10.0, -7.0),
                 pull_off: false,
                 random,
-                tolerance: 1e-3,
+                tolerance: Some(1e-3),
                 ..AdhesionQuestion::default()
             };
             question.on(&surface).and_then(|prepared| prepared.answer(&Unobserved))

@@ -39,19 +39,17 @@ pub enum BranchChoice {
 units::named!(BranchChoice, "branch", { Apart => "apart", Contact => "contact", Both => "both" });
 
 impl BranchChoice {
-    /// Returns the branch that is followed; none for both.
-    #[must_use]
-    pub fn branch(self) -> Option<Branch> {
+    fn branches(self) -> Vec<Branch> {
         match self {
-            BranchChoice::Apart => Some(Branch::Apart),
-            BranchChoice::Contact => Some(Branch::Contact),
-            BranchChoice::Both => None,
+            BranchChoice::Apart => vec![Branch::Apart],
+            BranchChoice::Contact => vec![Branch::Contact],
+            BranchChoice::Both => vec![Branch::Apart, Branch::Contact],
         }
     }
 }
 
 /// A surface that attracts what presses on it.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct AdhesionQuestion {
     /// Bodies in contact; the roughness is that of both.
@@ -64,33 +62,16 @@ pub struct AdhesionQuestion {
     pub work_of_adhesion_j_per_m2: f64,
     /// Range rho of the attraction (w/rho) exp(-g/rho) \[m\].
     pub range_m: f64,
-    /// The branch that is followed; both if absent.
-    pub branch: Option<Branch>,
+    /// The branches that are followed.
+    pub branch: BranchChoice,
     /// True to pull the surfaces apart in place of loads.
     pub pull_off: bool,
-    /// Largest residual, above 0 and at most 0.1.
-    pub tolerance: f64,
+    /// Largest residual, above 0 and at most 0.1; [`Pressing::TOLERANCE`] if absent.
+    pub tolerance: Option<f64>,
     /// A row for each surface instead of their mean.
     pub per_realisation: bool,
     /// Random surfaces, for a spectrum.
     pub random: RandomInput,
-}
-
-impl Default for AdhesionQuestion {
-    fn default() -> Self {
-        AdhesionQuestion {
-            material: MaterialInput::default(),
-            pressures: Vec::new(),
-            pressure_ranges: Vec::new(),
-            work_of_adhesion_j_per_m2: 0.0,
-            range_m: 0.0,
-            branch: Some(Branch::Apart),
-            pull_off: false,
-            tolerance: Pressing::TOLERANCE,
-            per_realisation: false,
-            random: RandomInput::default(),
-        }
-    }
 }
 
 /// Adhesive surfaces ready to be pressed, or to be pulled apart as the question asks.
@@ -160,8 +141,8 @@ impl AdhesionQuestion {
             contact_modulus_pa: material.pair.composite_modulus_pa(),
             adhesion: Adhesion { work_j_per_m2: self.work_of_adhesion_j_per_m2, range_m: self.range_m },
             pressures_pa: loads_pa,
-            branches: self.branch.map_or_else(|| vec![Branch::Apart, Branch::Contact], |branch| vec![branch]),
-            tolerance: self.tolerance,
+            branches: self.branch.branches(),
+            tolerance: self.tolerance.unwrap_or(Pressing::TOLERANCE),
         })
     }
 

@@ -44,7 +44,7 @@ pub struct RandomInput {
 pub(crate) const ELEMENTS: &str = "boundary elements";
 
 /// A surface pressed by boundary elements.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct ElementsQuestion {
     /// The bodies in contact.
@@ -55,23 +55,10 @@ pub struct ElementsQuestion {
     pub pressure_ranges: Vec<PressureRange>,
     /// The pressure at which the surface yields; elastic throughout if absent.
     pub saturation: Option<Pressure>,
-    /// The largest residual, above 0 and at most 0.1.
-    pub tolerance: f64,
+    /// The largest residual, above 0 and at most 0.1; [`Pressing::TOLERANCE`] if absent.
+    pub tolerance: Option<f64>,
     /// Random surfaces, for a spectrum.
     pub random: RandomInput,
-}
-
-impl Default for ElementsQuestion {
-    fn default() -> Self {
-        ElementsQuestion {
-            material: MaterialInput::default(),
-            loads: Vec::new(),
-            pressure_ranges: Vec::new(),
-            saturation: None,
-            tolerance: Pressing::TOLERANCE,
-            random: RandomInput::default(),
-        }
-    }
 }
 
 /// Load that elements are pressed by, or a distance that they are pressed to.
@@ -231,7 +218,7 @@ impl ElementsQuestion {
         let pressing = Pressing {
             loads: loads.into_iter().chain(ranges.into_iter().map(ImposedLoad::PressurePa)).collect(),
             saturation_pa: saturation_pa.transpose()?,
-            tolerance: self.tolerance,
+            tolerance: self.tolerance.unwrap_or(Pressing::TOLERANCE),
             stiffness: true,
             ..Pressing::between(&material.pair)
         };

@@ -17,7 +17,7 @@ use crate::note::remark_on_places;
 use crate::{Answer, MaterialInput, QuestionError};
 
 /// A smooth indenter under a force on a rough flat.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct IndenterQuestion {
     /// Bodies in contact; the roughness is that of both.
@@ -28,23 +28,10 @@ pub struct IndenterQuestion {
     pub radius_m: f64,
     /// Force on it \[N\]; force per length \[N/m\] on a cylinder.
     pub force: f64,
-    /// Largest residual, above 0 and at most 0.1.
-    pub tolerance: f64,
+    /// Largest residual, above 0 and at most 0.1; [`Pressing::TOLERANCE`] if absent.
+    pub tolerance: Option<f64>,
     /// Random surfaces, for a spectrum.
     pub random: RandomInput,
-}
-
-impl Default for IndenterQuestion {
-    fn default() -> Self {
-        IndenterQuestion {
-            material: MaterialInput::default(),
-            shape: IndenterShape::default(),
-            radius_m: 0.0,
-            force: 0.0,
-            tolerance: Pressing::TOLERANCE,
-            random: RandomInput::default(),
-        }
-    }
 }
 
 /// Flats ready for the indenter.
@@ -95,7 +82,8 @@ impl IndenterQuestion {
         let material = self.material()?;
         let contact_modulus_pa = material.pair.composite_modulus_pa();
         let indenter = Indenter { shape: self.shape, radius_m: self.radius_m, force: self.force };
-        let pressing = (indenter, IndenterPressing { contact_modulus_pa, tolerance: self.tolerance });
+        let tolerance = self.tolerance.unwrap_or(Pressing::TOLERANCE);
+        let pressing = (indenter, IndenterPressing { contact_modulus_pa, tolerance });
         Ok(Prepared { surfaces, notes, pressing, hardness_pa: material.hardness_pa() })
     }
 }

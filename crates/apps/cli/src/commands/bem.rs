@@ -53,7 +53,7 @@ pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> 
         loads: args.loads.pressures.clone().into_iter().map(ElementsLoad::Pressure).collect(),
         pressure_ranges: args.loads.pressure_ranges.clone(),
         saturation: args.saturation,
-        tolerance: args.tolerance,
+        tolerance: Some(args.tolerance),
         random: args.random.input(),
     };
     question.check()?;
@@ -117,7 +117,7 @@ fn press_indenter(
         shape,
         radius_m,
         force,
-        tolerance: args.tolerance,
+        tolerance: Some(args.tolerance),
         random: args.random.input(),
     };
     question.check()?;
@@ -142,9 +142,9 @@ fn press_adhesive(
         pressure_ranges: args.loads.pressure_ranges.clone(),
         work_of_adhesion_j_per_m2: work.j_per_m2,
         range_m: range.m,
-        branch: args.branch.unwrap_or_default().branch(),
+        branch: args.branch.unwrap_or_default(),
         pull_off: args.pull_off,
-        tolerance: args.tolerance,
+        tolerance: Some(args.tolerance),
         per_realisation: args.per_realisation,
         random: args.random.input(),
     };
