@@ -348,7 +348,7 @@ fn composite(scans: &[&str], texts: &[(&str, String)], recipe: &Recipe) -> Vec<[
         texts.iter().map(|(name, text)| ((*name).to_owned(), text.clone().into_bytes())).collect();
     let requests: Vec<ScanRequest> = scans.iter().map(|scan| scan.parse().unwrap()).collect();
     let found = CompositeOfFiles::read(&requests, &files, recipe).unwrap_or_else(|error| panic!("{error}"));
-    let bins = found.spectrum.composite.bins();
+    let bins = &found.spectrum.composite.bins;
     bins.iter().map(|bin| [bin.wavelength_m, bin.c1d_m3]).collect()
 }
 

@@ -273,7 +273,7 @@ impl<'s> Case<'s> {
 
     /// The relative standard error of areas on the whole band from its end, where C1D holds waves beyond it.
     pub fn error_of_spectrum_end(&self) -> f64 {
-        self.waves.as_ref().map_or(0.0, |waves| waves.surface().conversion().end_error)
+        self.waves.as_ref().map_or(0.0, |waves| waves.surface.conversion().end_error)
     }
 
     /// The elastic mean real pressure \[Pa\] under each of these loads, with all waves down to a wavelength \[m\].
@@ -292,7 +292,7 @@ impl<'s> Case<'s> {
         let bound_pa = self.saturation_pa(reference, forms.band.middle_m());
         let (on_window, by_share) = self.area_and_share(forms, reference, load);
         let by_closed_form = all.area_fraction(self.nominal_pressure_pa(load), bound_pa) / on_window;
-        let on_layer = seam::error_on_layer(all.exponent_of_stiffness());
+        let on_layer = seam::error_on_layer(all.exponent_of_stiffness);
         let light = seam::error_of_light_load(self.nominal_pressure_pa(load) / longer.gradient_pa());
         Seam::new(by_share, by_closed_form, bound_pa.is_some()).with_error(on_layer).with_error(light)
     }

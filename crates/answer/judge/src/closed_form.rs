@@ -21,8 +21,8 @@ pub(crate) struct ClosedForm {
     variance_pa2: f64,
     /// Nayak's m0 m4/m2^2.
     alpha: f64,
-    /// The exponent n.
-    exponent_of_stiffness: f64,
+    /// The exponent n of E*(q) ~ q^n: 0 on half-spaces.
+    pub exponent_of_stiffness: f64,
 }
 
 impl ClosedForm {
@@ -35,11 +35,6 @@ impl ClosedForm {
             alpha: waves.alpha(),
             exponent_of_stiffness: waves.exponent_of_stiffness(),
         }
-    }
-
-    /// The exponent n of E*(q) ~ q^n: 0 on half-spaces.
-    pub fn exponent_of_stiffness(self) -> f64 {
-        self.exponent_of_stiffness
     }
 
     /// Twice the rms pressure \[Pa\] of full contact: E* h' on half-spaces.

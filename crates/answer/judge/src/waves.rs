@@ -17,7 +17,8 @@ pub fn exponent_of_stiffness(psd: &ProfilePsd, layer: &LayerCompliance) -> Optio
 /// The waves of a surface between bodies one of which may be a layer.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Waves {
-    surface: AreaSpectrum,
+    /// The spectrum of the surface itself.
+    pub surface: AreaSpectrum,
     on_layer: Option<OnLayer>,
 }
 
@@ -53,11 +54,6 @@ impl Waves {
             surface: cut(&self.surface)?,
             on_layer: self.on_layer.as_ref().map(on_layer).transpose()?,
         })
-    }
-
-    /// The spectrum of the surface itself.
-    pub fn surface(&self) -> &AreaSpectrum {
-        &self.surface
     }
 
     /// The spectrum of the surface that half-spaces of the modulus E* flatten by the same pressures.

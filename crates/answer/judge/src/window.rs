@@ -131,7 +131,7 @@ impl Window {
         }
         // Noise may leave a surface no waves at its short end; there its profiles have no spectrum.
         loop {
-            match self.waves.surface().profile(&wavelengths_m) {
+            match self.waves.surface.profile(&wavelengths_m) {
                 Err(_) if wavelengths_m.len() > MIN_SCALES => wavelengths_m.truncate(wavelengths_m.len() - 1),
                 found => return Ok(found?),
             }

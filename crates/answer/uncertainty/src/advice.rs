@@ -232,7 +232,7 @@ impl Adviser<'_> {
                 return self.areas.nothing();
             }
             let of = DrawOf::all(draw);
-            let slope = law.slope + law.standard_error * self.inputs.streams().deviate_beside(draw);
+            let slope = law.slope + law.standard_error * self.inputs.streams.deviate_beside(draw);
             let longer = self.inputs.psd(of).flatten().and_then(|drawn| prolonged(&drawn, end, slope));
             let found = match longer {
                 Some(longer) => {
@@ -247,10 +247,10 @@ impl Adviser<'_> {
     }
 
     fn settling(&self, curve: usize, load: usize, psd: &ProfilePsd) -> Settling {
-        let followed = self.areas.curves()[curve].cutoffs == Cutoffs::Every;
+        let followed = self.areas.curves[curve].cutoffs == Cutoffs::Every;
         let points = self.results.curves[curve].area_fractions(load);
         let settled = convergence(&points, SETTLED_WITHIN).is_some_and(|found| found.converged);
-        let entry = self.areas.curves()[curve].model.entry();
+        let entry = self.areas.curves[curve].model.entry();
         let steep = if entry.takes_asperities() { STEEP_FOR_RADII } else { STEEP_FOR_SLOPES };
         match PowerLaw::at(End::Short, psd) {
             _ if followed && settled => Settling::HasSettled,

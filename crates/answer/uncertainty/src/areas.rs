@@ -27,7 +27,7 @@ pub(crate) struct Areas {
     /// The curves and loads that differ; names and repetitions need nothing new in a draw.
     needs: Needs,
     /// The curves of the scene, and the place of each among those that differ.
-    curves: Vec<Curve>,
+    pub curves: Vec<Curve>,
     curve_at: Vec<usize>,
     /// The place of each load of the scene among those that differ.
     load_at: Vec<usize>,
@@ -75,11 +75,6 @@ impl Areas {
         }
     }
 
-    /// The curves of the scene.
-    pub fn curves(&self) -> &[Curve] {
-        &self.curves
-    }
-
     /// The curves that differ, which draws compute.
     pub fn distinct_curves(&self) -> &[Curve] {
         &self.needs.curves
@@ -123,7 +118,7 @@ impl Areas {
 
     /// The number of areas of a draw.
     pub fn count(&self) -> usize {
-        self.curves().len() * self.loads()
+        self.curves.len() * self.loads()
     }
 
     /// The final areas of a spectrum (the scene's own if `None`) and of the curves that differ, with these bodies. A model

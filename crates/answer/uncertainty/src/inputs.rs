@@ -14,7 +14,8 @@ use crate::surface_scatter::{DrawOf, SurfaceScatter};
 pub(crate) struct Inputs {
     pub surface: SurfaceScatter,
     material: Option<MaterialDraws>,
-    streams: Streams,
+    /// The random numbers.
+    pub streams: Streams,
     /// The groups that scatter.
     pub groups: Vec<Group>,
 }
@@ -40,11 +41,6 @@ impl Inputs {
         let groups: Vec<Group> = Group::ALL.iter().copied().filter(scatters).collect();
         let inputs = Inputs { surface, material, streams: Streams::new(seed), groups };
         (scene.scatters() && !inputs.groups.is_empty()).then_some(inputs)
-    }
-
-    /// The random numbers.
-    pub fn streams(&self) -> Streams {
-        self.streams
     }
 
     /// True if the surface is uncertain.

@@ -54,12 +54,12 @@ struct Offsets {
 /// The offsets of every scan in its bins. The surface is taken to have a smooth spectrum through the composite.
 fn offsets_of_scans(scans: &CompositeOfFiles) -> Vec<BTreeMap<i64, Offsets>> {
     let found = &scans.spectrum;
-    let surface = SmoothSpectrum::through(found.composite.bins());
+    let surface = SmoothSpectrum::through(&found.composite.bins);
     let c1d_m3 = |q_rad_per_m: f64| surface.c1d_m3(TAU / q_rad_per_m);
     let indices: BTreeSet<i64> = found.in_bins.iter().flatten().map(|bin| bin.index).collect();
     let wavelengths_m: BTreeMap<i64, f64> = indices
         .into_iter()
-        .zip(found.composite.bins())
+        .zip(&found.composite.bins)
         .map(|(index, bin)| (index, bin.wavelength_m))
         .collect();
     let of_scan = |(scan, bins): (&ScanSpectrum, &Vec<ScanBin>)| {
@@ -136,7 +136,7 @@ impl<'s> OwnScans<'s> {
     }
 
     fn bins(&self) -> &'s [CompositeBin] {
-        self.scans.spectrum.composite.bins()
+        &self.scans.spectrum.composite.bins
     }
 
     /// The only map of the instrument, if its parts can represent places.

@@ -37,7 +37,7 @@ pub(crate) struct Contributions {
 impl LightDraw {
     /// Draws an uncertain surface.
     pub fn all(inputs: &Inputs, influence: &Influence) -> Vec<LightDraw> {
-        let streams = inputs.streams();
+        let streams = inputs.streams;
         let draws = 0..LIGHT_DRAWS as u64;
         match inputs.surface.single_source() {
             Some(SpectrumSource::Scans(scans)) => {

@@ -53,7 +53,7 @@ impl<'p> UncertaintyPlan<'p> {
             last.filter(|(wavelength_m, _)| *wavelength_m == shortest_m)
                 .map(|(_, area_fraction)| area_fraction)
         };
-        let area_fractions: Vec<Option<f64>> = (0..areas.curves().len())
+        let area_fractions: Vec<Option<f64>> = (0..areas.curves.len())
             .flat_map(|curve| (0..areas.loads()).map(move |load| last(curve, load)))
             .collect();
         let has_areas = area_fractions.iter().any(Option::is_some);
@@ -198,7 +198,7 @@ impl<'p> UncertaintyPlan<'p> {
     }
 
     fn follows_any(&self) -> bool {
-        self.areas.curves().iter().any(|curve| curve.cutoffs == Cutoffs::Every)
+        self.areas.curves.iter().any(|curve| curve.cutoffs == Cutoffs::Every)
     }
 
     fn draws_of_bands(&self) -> usize {
@@ -217,7 +217,7 @@ impl<'p> UncertaintyPlan<'p> {
 
     fn bands(&self, along: &[Along], best: &Along) -> Vec<AreaBand> {
         let followed =
-            (0..self.areas.curves().len()).filter(|&at| self.areas.curves()[at].cutoffs == Cutoffs::Every);
+            (0..self.areas.curves.len()).filter(|&at| self.areas.curves[at].cutoffs == Cutoffs::Every);
         let places: Vec<(usize, usize)> =
             followed.flat_map(|curve| (0..self.areas.loads()).map(move |load| (curve, load))).collect();
         let place = |at: usize| {

@@ -35,7 +35,7 @@ pub(crate) struct ScanScatter {
 impl ScanScatter {
     pub fn from_scans(scans: &CompositeOfFiles) -> Self {
         let (instruments, mut descriptions) = instruments(scans);
-        let bins = scans.spectrum.composite.bins();
+        let bins = &scans.spectrum.composite.bins;
         let priors: Vec<Prior> = descriptions.iter().map(Prior::new).collect();
         let found = overlaps(&instruments, &priors, bins);
         let gains = Gains::new(&priors, &found.observations);

@@ -57,7 +57,8 @@ impl Place {
             Place::Standard => {
                 spare_inputs(&Targets::named("--output", [Place::Standard])?)?;
                 let mut stdout = BufWriter::new(standard_output());
-                written(write, &mut stdout).map_err(|stopped| stopped.writing("standard output"))
+                let written = write(&mut stdout).map_err(Into::into).and_then(|()| Ok(stdout.flush()?));
+                written.map_err(|stopped: Stopped| stopped.writing("standard output"))
             }
             Place::File(path) => stage(files, path, write),
         }
@@ -130,14 +131,6 @@ pub(crate) fn stage<E: Into<Stopped>>(
     files
         .stage(path, |out| write(out).map_err(Into::<Stopped>::into))
         .map_err(|stopped| stopped.writing(&path.display().to_string()))
-}
-
-fn written<E: Into<Stopped>>(
-    write: impl FnOnce(&mut dyn Write) -> Result<(), E>,
-    out: &mut impl Write,
-) -> Result<(), Stopped> {
-    write(out).map_err(Into::into)?;
-    out.flush().map_err(Into::into)
 }
 
 /// Returns the bytes read from `source` as text, without a byte-order mark; `what` names the expected content.

@@ -75,8 +75,7 @@ struct ClosingArea {
 
 impl TriedSurface {
     fn new(surface: &RandomSurface) -> Result<Self, Box<dyn std::error::Error>> {
-        let grid =
-            Grid::new(surface.points_y, surface.points_x, surface.length_x_m, surface.length_y_m)?;
+        let grid = Grid::new(surface.points_y, surface.points_x, surface.length_x_m, surface.length_y_m)?;
         Ok(TriedSurface { elements: Elements::periodic(grid, &surface.heights_m)?, known: Vec::new() })
     }
 

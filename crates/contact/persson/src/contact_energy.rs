@@ -26,7 +26,7 @@ const SIZE: usize = 15;
 pub(crate) struct ContactEnergy {
     factor: EnergyFactor,
     /// Limit of G(x) + g ln(x) as x vanishes.
-    constant: f64,
+    pub constant: f64,
     /// Coefficients of (n + 1) (1 - g) (erf(x)/x)^n exp(-x^2) by powers of x^2.
     series: [f64; TERMS],
     steps: Vec<Step>,
@@ -68,11 +68,6 @@ impl ContactEnergy {
     /// Factor g.
     pub(crate) fn light(&self) -> f64 {
         self.factor.light
-    }
-
-    /// Limit of G(x) + g ln(x) as x vanishes.
-    pub(crate) fn constant(&self) -> f64 {
-        self.constant
     }
 
     /// Computes D(x).

@@ -250,7 +250,7 @@ impl SeparationLaw {
         let g = self.energy.light();
         Some(LightLoads {
             decay_length_m: g * self.factor() * sum,
-            reference_pressure_pa: (logarithms / sum + self.energy.constant() / g).exp(),
+            reference_pressure_pa: (logarithms / sum + self.energy.constant / g).exp(),
             share_of_first_decade: (in_first_decade / sum).min(1.0),
         })
     }

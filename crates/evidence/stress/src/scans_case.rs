@@ -147,7 +147,7 @@ fn whole_way(file: ScanFile<Scan>, trial: &mut Trial<ScansCase>) {
         Err(error) => trial.hold("one spectrum makes a composite", is_known(&error)),
         Ok(composite) => {
             let _ = composite.remarks();
-            let bins = composite.composite.bins();
+            let bins = &composite.composite.bins;
             trial.hold(
                 "bins finite, above 0",
                 bins.iter().all(|bin| bin.c1d_m3 > 0.0 && bin.c1d_m3.is_finite()),

@@ -272,7 +272,7 @@ impl CompositeOfFiles {
     /// wavevector_rad_per_m, C1D_m3, C1D_se_m3, measurements, degrees_of_freedom`.
     #[must_use]
     pub fn table(&self) -> Table {
-        let bins = self.spectrum.composite.bins();
+        let bins = &self.spectrum.composite.bins;
         Table::default()
             .with_numbers("wavelength_m", bins.iter().map(|bin| bin.wavelength_m))
             .with_numbers("wavevector_rad_per_m", bins.iter().map(|bin| wavevector(bin.wavelength_m)))
@@ -298,7 +298,7 @@ impl CompositeOfFiles {
                 (format!("{name} (incl. unreliable data)"), wavelength_m, *c1d_m3, None)
             }));
         }
-        let bins = found.composite.bins().iter();
+        let bins = found.composite.bins.iter();
         rows.extend(
             bins.map(|bin| ("composite".to_owned(), bin.wavelength_m, bin.c1d_m3, bin.standard_error_m3)),
         );

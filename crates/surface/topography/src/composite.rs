@@ -37,8 +37,10 @@ impl Default for CompositeOptions {
 
 /// A composite spectrum, from long to short wavelengths; bins that no measurement reaches are left out.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Composite {
-    bins: Vec<CompositeBin>,
+    /// The bins, from long to short wavelengths.
+    pub bins: Vec<CompositeBin>,
 }
 
 /// One bin of a composite, 10^(j/N) <= q < 10^((j + 1)/N) in rad/m.
@@ -161,11 +163,6 @@ impl Gathered {
 }
 
 impl Composite {
-    /// The bins, from long to short wavelengths.
-    pub fn bins(&self) -> &[CompositeBin] {
-        &self.bins
-    }
-
     /// Returns the spectrum with each bin at its sampled wavelength, not at its centre. At the long end of a scan a bin
     /// holds one sample, up to 12 % of the wavelength off the centre, where a steep spectrum differs by a third.
     pub fn profile(&self) -> ProfilePsd {

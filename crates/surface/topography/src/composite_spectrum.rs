@@ -76,7 +76,7 @@ impl CompositeSpectrum {
     /// # Errors
     /// [`TransformError`] if its values are not valid for a spectrum.
     pub fn psd(&self) -> Result<Psd, TransformError> {
-        let bins = self.composite.bins();
+        let bins = &self.composite.bins;
         let wavelengths_m = bins.iter().map(|bin| bin.wavelength_m).collect();
         let values = bins.iter().map(|bin| bin.c1d_m3).collect();
         let errors = bins.iter().map(|bin| bin.standard_error_m3).collect();

@@ -112,11 +112,7 @@ fn lines_keep_the_tolerance_with_few_rows() {
     };
     for (tolerance, most) in [(0.01, 40), (1e-4, 200)] {
         let table = sampled(tolerance);
-        assert!(
-            table.points.len() < most && table.points[1].pressure_pa == 1e4,
-            "{}",
-            table.points.len()
-        );
+        assert!(table.points.len() < most && table.points[1].pressure_pa == 1e4, "{}", table.points.len());
         assert_eq!(table.points[0], ConductancePoint { pressure_pa: 0.0, contact_si: 0.0, gas_si: 1e8 });
         assert_eq!(table.points.last().unwrap().pressure_pa, 1e8);
         for at in 0..=1000 {

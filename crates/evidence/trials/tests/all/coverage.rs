@@ -101,7 +101,7 @@ fn biases(hurst_exponent: f64, scans: [u32; 2], studies: usize, band_m: [f64; 2]
         let ratios = AVERAGES.map(|average| -> Vec<f64> {
             let recipe = Recipe { average, ..measured.recipe };
             let composite = CompositeSpectrum::new(measured.scans.clone(), &recipe).unwrap().composite;
-            let bins = composite.bins().iter().zip(known.c1d_m3());
+            let bins = composite.bins.iter().zip(known.c1d_m3());
             let here = bins.filter(|(bin, _)| (band_m[0]..band_m[1]).contains(&bin.wavelength_m));
             here.map(|(bin, known_m3)| bin.c1d_m3 / known_m3).collect()
         });
@@ -151,7 +151,7 @@ fn the_known_composite_has_the_bins_of_the_measured_one() {
     let laboratory = Laboratory::new(0.95, 1).unwrap();
     let measured = laboratory.study(0, &[2, 2]).unwrap().composite().unwrap();
     let known = known_composite(&laboratory.surface, &measured).unwrap();
-    let wavelengths_m: Vec<f64> = measured.composite.bins().iter().map(|bin| bin.wavelength_m).collect();
+    let wavelengths_m: Vec<f64> = measured.composite.bins.iter().map(|bin| bin.wavelength_m).collect();
     assert_eq!(known.wavelengths_m(), wavelengths_m);
 }
 

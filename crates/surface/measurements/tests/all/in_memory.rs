@@ -52,12 +52,12 @@ fn heights() -> ScanFile {
 fn what_is_in_memory_makes_the_composite_of_its_file() {
     let of_file = CompositeOfFiles::read(&[request()], &files(), &Recipe::default()).unwrap();
     let read_before = in_memory(Loaded::read(&request(), &files()).unwrap());
-    assert_eq!(read_before.spectrum.composite.bins(), of_file.spectrum.composite.bins());
+    assert_eq!(read_before.spectrum.composite.bins, of_file.spectrum.composite.bins);
     assert_eq!(read_before.sources, of_file.sources);
     assert_eq!(read_before.provenance(), of_file.provenance());
 
     let from_heights = in_memory(Loaded::from_heights(heights()));
-    assert_eq!(from_heights.spectrum.composite.bins(), of_file.spectrum.composite.bins());
+    assert_eq!(from_heights.spectrum.composite.bins, of_file.spectrum.composite.bins);
     assert_eq!(from_heights.sources[0].instrument, of_file.sources[0].instrument);
     assert_ne!(from_heights.sources[0].sha256, of_file.sources[0].sha256);
     assert!(from_heights.provenance()[1].starts_with("scan: scan.txt (memory), SHA-256 "));

@@ -38,16 +38,16 @@ fn overlapping_measurements_join_to_the_spectrum_of_the_surface() {
     let instruments =
         [(1024, 64e-9, 1), (512, 8e-9, 2), (512, 1e-9, 3)].map(|(n, a, seed)| measurement(n, a, seed).2);
     let joined = composite(&instruments, &CompositeOptions::default()).unwrap();
-    let reached: Vec<usize> = joined.bins().iter().map(|bin| bin.measurements).collect();
+    let reached: Vec<usize> = joined.bins.iter().map(|bin| bin.measurements).collect();
     assert_eq!((reached[0], reached.iter().max(), reached[reached.len() - 1]), (1, Some(&3), 1));
-    for bin in joined.bins().iter().skip(3) {
+    for bin in joined.bins.iter().skip(3) {
         assert!((bin.wavelength_m / bin.centre_m).ln().abs() <= 0.05 * 10f64.ln() + 1e-12);
         assert_eq!(bin.standard_error_m3.is_some(), bin.measurements > 1);
         let error = (bin.c1d_m3 / self_affine_c1d_m3(TAU / bin.wavelength_m)).ln();
         assert!(error.abs() < 0.6, "{:e}: {error}", bin.wavelength_m);
     }
     let profile = joined.profile();
-    assert_eq!(profile.len(), joined.bins().len());
+    assert_eq!(profile.len(), joined.bins.len());
     // The last bin, a tenth of a decade wide, holds the finest sampling of 2 nm.
     assert!(
         profile.longest_wavelength_m() > 20e-6 && profile.shortest_wavelength_m() < 2e-9 * 10f64.powf(0.1)
@@ -68,7 +68,7 @@ fn bins_begin_at_powers_of_ten_and_their_means_are_the_ones_asked_for() {
     let second = profile(&[(q(5.5), 5.0), (q(7.5), 8.0)]);
     let mut options = CompositeOptions::default();
     let joined = composite(&[first.clone(), second.clone()], &options).unwrap();
-    let bins = joined.bins();
+    let bins = joined.bins;
     assert_eq!(bins.iter().map(|bin| bin.measurements).collect::<Vec<_>>(), [1, 1, 2]);
     assert_relative_eq!(bins[0].centre_m, q(5.5), max_relative = 1e-14);
     assert_relative_eq!(bins[1].centre_m, q(6.5), max_relative = 1e-14);
@@ -80,9 +80,9 @@ fn bins_begin_at_powers_of_ten_and_their_means_are_the_ones_asked_for() {
 
     options = CompositeOptions { inside: BinMean::Geometric, across: BinMean::Arithmetic, ..options };
     let joined = composite(&[first.clone(), second], &options).unwrap();
-    assert_relative_eq!(joined.bins()[1].c1d_m3, 3.0, max_relative = 1e-14);
-    assert_relative_eq!(joined.bins()[2].c1d_m3, 5.0, max_relative = 1e-14);
-    assert_relative_eq!(joined.bins()[2].standard_error_m3.unwrap(), 3.0, max_relative = 1e-14);
+    assert_relative_eq!(joined.bins[1].c1d_m3, 3.0, max_relative = 1e-14);
+    assert_relative_eq!(joined.bins[2].c1d_m3, 5.0, max_relative = 1e-14);
+    assert_relative_eq!(joined.bins[2].standard_error_m3.unwrap(), 3.0, max_relative = 1e-14);
     assert_eq!(composite(&[], &options), Err(TransformError::NoMeasurements));
     assert_eq!(log_binned(&first, ten(), BinMean::Arithmetic).c1d_m3(), [5.0, 2.0]);
 }
@@ -91,7 +91,7 @@ fn bins_begin_at_powers_of_ten_and_their_means_are_the_ones_asked_for() {
 fn the_same_data_twice_scatter_like_one_measurement() {
     let (one, other) = (profile(&[(1e-5, 1.0), (1e-6, 1.0)]), profile(&[(1e-5, 4.0), (1e-6, 4.0)]));
     let error = |measurements: &[ProfilePsd]| {
-        let bin = composite(measurements, &CompositeOptions::default()).unwrap().bins()[0];
+        let bin = composite(measurements, &CompositeOptions::default()).unwrap().bins[0];
         (bin.measurements, bin.standard_error_m3)
     };
     assert_eq!(error(&[one.clone(), one.clone()]), (2, None));

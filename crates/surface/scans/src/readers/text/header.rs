@@ -13,13 +13,14 @@ use units::LengthUnit;
 /// Contents of the lines before the first numbers.
 #[derive(Default)]
 pub(crate) struct Header {
-    channel: Option<String>,
+    /// The channel of the file, where it has a name.
+    pub channel: Option<String>,
     /// Along x and y.
     sizes: [Option<Length>; 2],
     spacings: [Option<Length>; 2],
     /// Sizes that stand in a table above the points: they are compared, but make no matrix.
     tabled_sizes: [Option<Length>; 2],
-    lateral_unit: Option<LengthUnit>,
+    pub lateral_unit: Option<LengthUnit>,
     value_unit: Option<LengthUnit>,
     /// Factor that takes values to their unit.
     value_factor: Option<f64>,
@@ -28,11 +29,11 @@ pub(crate) struct Header {
     /// Units in the names of the columns; empty where no line names them.
     column_units: Vec<Option<LengthUnit>>,
     /// True if a line names the last column as flags of valid points.
-    has_validity: bool,
+    pub has_validity: bool,
     /// True if a line names the first column as a count of the points.
-    has_index: bool,
+    pub has_index: bool,
     /// Radius of the stylus in m, where a line gives it.
-    stylus_radius_m: Option<f64>,
+    pub stylus_radius_m: Option<f64>,
     /// The lines that hold no field known here.
     free_text: String,
 }
@@ -184,26 +185,6 @@ impl Header {
         }
     }
 
-    /// The channel of the file, where it has a name.
-    pub(crate) fn channel(&self) -> Option<String> {
-        self.channel.clone()
-    }
-
-    /// Returns true if the last column flags valid points.
-    pub(crate) fn has_validity(&self) -> bool {
-        self.has_validity
-    }
-
-    /// Returns true if the first column counts the points, by its name.
-    pub(crate) fn has_index(&self) -> bool {
-        self.has_index
-    }
-
-    /// Radius of the stylus in m.
-    pub(crate) fn stylus_radius_m(&self) -> Option<f64> {
-        self.stylus_radius_m
-    }
-
     /// Returns the lines of the header beside the fields known here.
     pub(crate) fn free_text(&self) -> &str {
         self.free_text.trim_end()
@@ -212,10 +193,6 @@ impl Header {
     /// Returns true if the header gives both sizes of a map.
     pub(crate) fn is_matrix(&self) -> bool {
         self.sizes.iter().all(Option::is_some)
-    }
-
-    pub(crate) fn lateral_unit(&self) -> Option<LengthUnit> {
-        self.lateral_unit
     }
 
     /// The unit of the heights of a map, and what its numbers are multiplied by to be in it.

@@ -66,7 +66,7 @@ pub(super) fn channel_of_text<'b>(text: &str, options: &ScanOptions) -> Result<C
             let roles = Roles { position: 0, height: 1, validity: None };
             profile::read(text, &columns, roles, &header, options, &mut notes)?
         }
-        3 if header.has_validity() => {
+        3 if header.has_validity => {
             let roles = Roles { position: 0, height: 1, validity: Some(2) };
             profile::read(text, &columns, roles, &header, options, &mut notes)?
         }
@@ -81,12 +81,12 @@ pub(super) fn channel_of_text<'b>(text: &str, options: &ScanOptions) -> Result<C
     let samples = Samples::Decoded { columns: found.columns, decoded: found.heights_m };
     let quantity = Quantity::Heights(Some(LengthUnit::METRE));
     let stated_m = header.stated_m(matches!(found.lateral, Lateral::Size(_)));
-    let channel = Channel::new(header.channel(), quantity, found.lateral, samples);
+    let channel = Channel::new(header.channel.clone(), quantity, found.lateral, samples);
     Ok(Channel {
         stated_m,
         units: UnitsBy::Reader,
-        probe: header.stylus_radius_m().map(|_| Probe::Tip),
-        tip_radius_m: header.stylus_radius_m(),
+        probe: header.stylus_radius_m.map(|_| Probe::Tip),
+        tip_radius_m: header.stylus_radius_m,
         free_text: header.free_text().to_owned(),
         notes,
         ..channel
@@ -105,7 +105,7 @@ fn counts_points(columns: &Columns, header: &Header) -> bool {
     let second: Vec<f64> = columns.column(1).collect();
     columns.rows() > 2
         && rises_by_one(columns.column(0).collect())
-        && (header.has_index() || second.is_sorted_by(|a, b| a < b) || second.is_sorted_by(|a, b| a > b))
+        && (header.has_index || second.is_sorted_by(|a, b| a < b) || second.is_sorted_by(|a, b| a > b))
 }
 
 /// Heights row after row, or along a line.
@@ -118,7 +118,7 @@ fn matrix(
 ) -> Result<Found, ScanReadError> {
     let Columns { count, mut values, .. } = columns;
     let (height_unit, factor) = header.map_heights();
-    let units = Units::choose(options, header.lateral_unit(), height_unit, notes);
+    let units = Units::choose(options, header.lateral_unit, height_unit, notes);
     let to_m = units.height_to_m(FORMAT)?;
     let points = values.values.len();
     let (columns, rows) = if is_map { (count, points / count) } else { (points, 0) };
