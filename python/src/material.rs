@@ -62,6 +62,8 @@ impl PyMaterial {
             strain_gradient_length_m: arguments.get("strain_gradient_length", length_m)?,
             strength_cap: arguments.get("strength_cap", quantity)?,
             counterface: other.and_then(|other| other.input.body()),
+            counterface_yield_strength: other.and_then(|other| other.input.yield_strength),
+            counterface_indentation_hardness_pa: other.and_then(|other| other.input.indentation_hardness_pa),
             ..MaterialInput::default()
         };
         let input = input.filled_from(named.as_ref(), None);
@@ -112,9 +114,20 @@ impl PyMaterial {
 pub fn counterface<'py>(arguments: &Arguments<'py>) -> PyResult<Option<Bound<'py, PyMaterial>>> {
     arguments.get("counterface", |name, other| {
         let other = other.cast::<PyMaterial>()?;
-        match other.get().input.layer {
+        let MaterialInput { layer, counterface, strain_gradient_length_m, strength_cap, .. } =
+            other.get().input;
+        let of_rough_body = [
+            ("layer", layer.is_some()),
+            ("counterface", counterface.is_some()),
+            ("strain_gradient_length", strain_gradient_length_m.is_some()),
+            ("strength_cap", strength_cap.is_some()),
+        ];
+        match of_rough_body.into_iter().find(|(_, is_given)| *is_given) {
             None => Ok(other.clone()),
-            Some(_) => Err(of_argument(name, "it has a layer, which only the rough body may have")),
+            Some((given, _)) => Err(of_argument(
+                name,
+                format!("it has a {given}, which only the rough body may have; leave it out"),
+            )),
         }
     })
 }

@@ -63,7 +63,10 @@ def test_materials_are_known_by_name() -> None:
     assert steel.name == "100Cr6" and steel.youngs_modulus == 210e9 and steel.poisson_ratio == 0.3
     assert steel.indentation_hardness_pa is not None
     assert pickle.loads(pickle.dumps(steel)) == steel
-    assert steel.replace(yield_strength="1 GPa").indentation_hardness_pa == 3e9
+    # The softer of two bodies flows.
+    assert steel.replace(yield_strength="100 MPa").indentation_hardness_pa == 3e8
+    soft_pa = ta.Material("C45").indentation_hardness_pa
+    assert steel.replace(yield_strength="1 GPa").indentation_hardness_pa == soft_pa
     assert steel.replace(youngs_modulus="200 GPa").youngs_modulus == "200 GPa"
     assert ta.Material("210 GPa", 0.3).name is None
 
@@ -112,3 +115,36 @@ def test_a_layer_is_part_of_the_material() -> None:
         ta.Material("1 GPa", 0.3, counterface=same)
     with pytest.raises(ta.InputError, match="layer"):
         ta.stacked("builtin:uncd-measured", same, model="elastic", pressure="1 MPa")
+
+
+def test_the_softer_of_two_bodies_flows_and_it_is_said_which() -> None:
+    hard, soft = ta.Material(200e9, 0.3, indentation_hardness="6 GPa"), ta.Material(70e9, 0.3, indentation_hardness="300 MPa")
+    spectrum = ta.read_psd("builtin:uncd-measured")
+    for rough, counterface, body in ((hard, soft, "the counterface flows"), (soft, hard, "the rough body flows")):
+        pair = rough.replace(counterface=counterface)
+        assert pair.indentation_hardness_pa == 3e8
+        notes = [
+            ta.stacked(spectrum, pair, pressure="1 MPa").notes,
+            ta.gap(spectrum, pair, pressure="1 MPa").notes,
+            ta.boundary_elements(spectrum, pair, pressure="1 MPa", grid=32, realisations=1).notes,
+            ta.contact(material=pair, model="hertz", radius=1e-6, density=1e12, sigma_s=1e-8, pressure=1e6).notes,
+        ]
+        for each in notes:
+            [note] = [note for note in each if note.code == "body-that-flows"]
+            assert body in note and "300 MPa" in note and "6 GPa" in note
+        scene = ta.Scene(spectrum, pair, pressure="1 MPa", curves=["elastic-plastic"])
+        assert "300 MPa" in scene.text and "6 GPa" in scene.text
+    alone = ta.stacked(spectrum, hard, pressure="1 MPa")
+    assert not [note for note in alone.notes if note.code == "body-that-flows"]
+
+
+def test_a_counterface_has_no_property_without_effect() -> None:
+    idle: list[dict[str, Any]] = [
+        {"strain_gradient_length": "1 um"},
+        {"strength_cap": "2 GPa"},
+        {"counterface": ta.Material(70e9, 0.3)},
+        {"layer_thickness": "1 um", "layer_youngs_modulus": "1 GPa", "layer_poisson_ratio": 0.3},
+    ]
+    for given in idle:
+        with refused_naming("counterface"):
+            ta.Material(200e9, 0.3, counterface=ta.Material(70e9, 0.3, yield_strength="1 GPa", **given))

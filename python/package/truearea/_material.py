@@ -34,7 +34,7 @@ class Material:
     strength_cap : float or str, optional
         The most that the strength grows to, in Pa or as a multiple of the hardness, such as ``"1 H"``.
     counterface : Material, optional
-        The body that presses on the rough one; rigid by default. Only its elastic constants are used.
+        The body that presses on the rough one; rigid by default. Of two bodies with a hardness the softer flows.
     layer_thickness : float or str, optional
         Thickness in m of an elastic layer bonded to the rough body, which then carries the roughness; strength and hardness are
         those of the layer. Boundary elements and Persson's theory take layers.
@@ -111,8 +111,8 @@ class Material:
     counterface = Fact["Material | None"]("The body that presses on the rough one; None if it is rigid.")
     youngs_modulus_pa = Fact["float | None"]("E of the rough body [Pa]; None where the base of a layer is rigid.")
     composite_modulus_pa = Fact[float]("E* = 1 / ((1 - nu1²)/E1 + (1 - nu2²)/E2) [Pa].")
-    indentation_hardness_pa = Fact["float | None"]("H [Pa], where it or the strength is known.")
-    yield_strength_pa = Fact["float | None"]("S0 [Pa], where it or the hardness is known.")
+    indentation_hardness_pa = Fact["float | None"]("H [Pa] of the body that flows, where it or the strength is known.")
+    yield_strength_pa = Fact["float | None"]("S0 [Pa] of the body that flows, where it or the hardness is known.")
 
     @property
     def _facts(self) -> dict[str, Any]:

@@ -123,10 +123,7 @@ class Scene:
         paths, spectrum = surface_of_scene(surface, size)
         others: dict[str, Any] = dict(options or {})
         if isinstance(material, Material):
-            if counterface is None and material.counterface is not None:
-                # Its elastic constants alone count.
-                other = material.counterface._native.facts
-                counterface = {"youngs_modulus": other["youngs_modulus"], "poisson_ratio": other["poisson_ratio"]}
+            counterface = material.counterface if counterface is None else counterface
             cap = material._given["strength_cap"]
             if cap is not None and "strength_cap" not in others:
                 others["strength_cap"] = cap

@@ -88,7 +88,7 @@ impl CurveQuestion {
         let mut notes = Vec::new();
         notes.extend(tolerance.remark());
         notes.extend(remark_on_model(&material, entry, &surface.psd));
-        notes.extend(doubts::of_material(&material));
+        notes.extend(doubts::of_bodies(&material));
         notes.extend(surface.notes.iter().cloned());
         Ok(PreparedCurve {
             plan: Plan { psd: &surface.psd, sampling: self.sampling.sampling(), needs },
@@ -206,7 +206,7 @@ impl<'s> PreparedCurve<'s> {
         let mut notes: Vec<Remark> = tolerance.remark().filter(|_| has_states).into_iter().collect();
         let of_model = |material| remark_on_model(material, curve.model.entry(), &scene.surface.psd);
         notes.extend(material.and_then(of_model));
-        notes.extend(material.and_then(doubts::of_material));
+        notes.extend(material.into_iter().flat_map(doubts::of_bodies));
         notes.extend(scene.surface.notes.iter().cloned());
         let needs =
             Needs { curves: vec![curve], sweeps: Vec::new(), fit_band_m: None, ..scene.needs.clone() };

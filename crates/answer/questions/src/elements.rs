@@ -264,7 +264,7 @@ impl PreparedElements {
 
 /// Notes on a material and on the spectrum of its surfaces.
 pub(crate) fn notes_on_spectrum(material: &Material, surface: &Surface) -> Vec<Remark> {
-    let of_material = doubts::of_material(material).into_iter();
+    let of_material = doubts::of_bodies(material).into_iter();
     let of_surface = surface.notes.iter().cloned();
     let of_spectrum = doubts::of_spectrum(&surface.psd).into_iter();
     of_material.chain(of_surface).chain(of_spectrum).collect()
@@ -281,7 +281,7 @@ pub(crate) fn notes_on_map(material: &Material, relief: &Relief) -> Vec<Remark> 
     let Relief { rows, columns, length_x_m, length_y_m, .. } = relief;
     let spacing = [length_x_m / *columns as f64, length_y_m / *rows as f64];
     let of_spacing = doubts::of_spacing(spacing).filter(|_| *rows > 1);
-    let doubts = doubts::of_material(material).into_iter().chain(doubts::of_slope(relief.rms_slope()));
+    let doubts = doubts::of_bodies(material).into_iter().chain(doubts::of_slope(relief.rms_slope()));
     doubts.chain(of_spacing).collect()
 }
 

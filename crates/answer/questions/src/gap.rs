@@ -213,7 +213,7 @@ impl GapModel {
     /// Notes known before anything is computed.
     pub(crate) fn notes(&self, material: &Material, surface: &Surface) -> Vec<Remark> {
         let too_fine = self.tolerance.and_then(Tolerance::remark);
-        let doubt = doubts::of_material(material);
+        let doubt = doubts::of_bodies(material);
         let surface_notes = surface.notes.iter().cloned();
         let of_model = self.model.and_then(|entry| remark_on_model(material, entry, &surface.psd));
         let of_spectrum = doubts::of_spectrum(&surface.psd).into_iter();

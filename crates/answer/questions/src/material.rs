@@ -85,8 +85,11 @@ impl MaterialInput {
             let elastic = elastic
                 .map(|(youngs_modulus_pa, poisson_ratio)| BodyInput { youngs_modulus_pa, poisson_ratio });
             filled.counterface = self.counterface.or(elastic);
-            (filled.counterface_yield_strength, filled.counterface_indentation_hardness_pa) =
-                strength(counterface);
+            if self.counterface_yield_strength.is_none() && self.counterface_indentation_hardness_pa.is_none()
+            {
+                (filled.counterface_yield_strength, filled.counterface_indentation_hardness_pa) =
+                    strength(counterface);
+            }
         }
         filled
     }
@@ -132,20 +135,19 @@ impl MaterialInput {
             Some(layer) => Some(layer.body()?),
             None => self.body().map(|body| body.body("poisson_ratio")).transpose()?,
         };
-        let flows = body.map(|body| self.yielding(body)).transpose()?;
-        Ok(flows.is_some_and(|(flows, _)| flows == Body::Counterface))
+        let softer = body.map(|body| self.yielding(body)).transpose()?.and_then(|(softer, _)| softer);
+        Ok(softer.is_some_and(|softer| softer.flows == Body::Counterface))
     }
 
-    /// The body that yields, with its hardness and strength.
-    fn yielding(&self, rough: ElasticBody) -> Result<(Body, HardnessAndStrength), QuestionError> {
+    /// The body that yields, if the counterface has a strength, and the hardness and strength that count.
+    fn yielding(&self, rough: ElasticBody) -> Result<(Option<Softer>, HardnessAndStrength), QuestionError> {
         let own = self.hardness_and_strength()?;
-        let Some(counterface) = self.counterface()? else { return Ok((Body::Rough, own)) };
+        let Some(counterface) = self.counterface()? else { return Ok((None, own)) };
         let other =
             hardness_and_strength(self.counterface_indentation_hardness_pa, self.counterface_yield_strength)?;
-        Ok(match Softer::between((&own, rough), (&other, counterface)) {
-            Some(Softer { flows: Body::Counterface, .. }) => (Body::Counterface, other),
-            _ => (Body::Rough, own),
-        })
+        let softer = Softer::between((&own, rough), (&other, counterface));
+        let is_other = softer.is_some_and(|softer| softer.flows == Body::Counterface);
+        Ok((softer, if is_other { other } else { own }))
     }
 
     /// The material of a contact that is computed for half-spaces alone.
@@ -170,11 +172,11 @@ impl MaterialInput {
         let layer =
             self.layer.map(|layer| layer.on(self.youngs_modulus_pa, self.poisson_ratio)).transpose()?;
         let body = layer.map_or_else(|| self.half_space(), |layer| Ok(layer.body()))?;
-        let (flows, hardness_and_strength) = self.yielding(body)?;
+        let (softer, hardness_and_strength) = self.yielding(body)?;
         Ok(Material::new(GivenMaterial {
             layer,
             counterface: self.counterface()?,
-            flows,
+            softer,
             hardness_and_strength,
             strength_cap: self.strength_cap,
             strain_gradient_length_m: self.strain_gradient_length_m,

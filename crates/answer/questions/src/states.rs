@@ -48,12 +48,12 @@ impl StatesQuestion {
     #[must_use]
     pub fn notes_on<'m>(
         &self,
-        mut materials: impl Iterator<Item = &'m Material>,
+        materials: impl Iterator<Item = &'m Material>,
         found: &StatesFound,
         all: usize,
     ) -> Vec<Remark> {
         let StatesFound { counts, narrow, bad, first_bad, .. } = *found;
-        let doubt = materials.find_map(doubts::of_material);
+        let doubt = materials.map(doubts::of_bodies).find(|notes| !notes.is_empty()).unwrap_or_default();
         let bad = rows_of(RemarkCode::BadRows, bad, all).map(|mut remark| {
             remark.place.row = first_bad;
             remark

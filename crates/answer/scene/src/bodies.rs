@@ -108,7 +108,7 @@ pub(super) fn resolve_material(
         body: own.body,
         layer,
         counterface: counterface_body,
-        flows,
+        softer,
         hardness_and_strength: flowing.hardness_and_strength,
         strength_cap,
         strain_gradient_length_m: flowing.length.map(|length| length.m),
@@ -128,7 +128,6 @@ pub(super) fn resolve_material(
         counterface_transport: counterface.transport,
         from_table: keys.from_table,
         counterface_from_table: counterface.from_table,
-        softer,
     };
     Ok((material, spreads, bodies))
 }

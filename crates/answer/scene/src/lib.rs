@@ -43,7 +43,7 @@ pub use uncertainty::UncertaintySettings;
 
 use measurements::{Files, NoFiles};
 use persson::Band;
-use study::bodies::Bodies;
+use study::bodies::{Bodies, Softer};
 use study::choices_in_words;
 use study::figure::Figure;
 use study::interface::{InterfaceInputs, InterfaceRequest, InterfaceStates};
@@ -110,7 +110,7 @@ impl Scene {
     /// Describes the choices that the numbers of the scene depend on, besides the spectrum.
     pub fn choices(&self) -> Vec<String> {
         let mut choices: Vec<String> = self.material.iter().map(Material::describe).collect();
-        choices.extend(self.bodies.describe(&self.spreads));
+        choices.extend(self.bodies.describe(self.softer(), &self.spreads));
         choices.extend(self.spreads.describe());
         choices.extend(self.model_choices());
         choices
@@ -174,6 +174,11 @@ impl Scene {
     /// Returns the hardness H = 3 S0 \[Pa\] of the material, if it has a strength.
     pub fn hardness_pa(&self) -> Option<f64> {
         self.material?.hardness_pa()
+    }
+
+    /// The body that flows of two with a strength.
+    pub fn softer(&self) -> Option<Softer> {
+        self.material?.softer()
     }
 
     /// Returns true if anything in the scene scatters: scans between places, a spectrum with standard errors or holes, or

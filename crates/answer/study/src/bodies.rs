@@ -3,8 +3,9 @@
 
 use asperity::{ElasticBody, MaterialPair};
 use units::display::pressure;
+use units::{Remark, RemarkCode};
 
-use crate::hardness_and_strength::HardnessAndStrength;
+use crate::hardness_and_strength::{HARDNESS_OVER_STRENGTH, HardnessAndStrength};
 use crate::material_spreads::MaterialSpreads;
 
 /// One of the two bodies in contact.
@@ -109,21 +110,19 @@ pub struct Bodies {
     pub from_table: Option<FromTable>,
     /// Values of the counterface filled from the table of materials.
     pub counterface_from_table: Option<FromTable>,
-    /// The body that yields; absent if the counterface has no strength, because then only the rough body yields.
-    pub softer: Option<Softer>,
 }
 
 impl Bodies {
     /// Returns a line for each fact that a scene does not state itself: values from the table, and the body that
     /// yields.
     #[must_use]
-    pub fn describe(&self, spreads: &MaterialSpreads) -> Vec<String> {
+    pub fn describe(&self, softer: Option<Softer>, spreads: &MaterialSpreads) -> Vec<String> {
         let filled = [(Body::Rough, &self.from_table), (Body::Counterface, &self.counterface_from_table)];
         let mut lines: Vec<String> = filled
             .into_iter()
             .filter_map(|(body, from_table)| from_table.as_ref().and_then(|from_table| from_table.line(body)))
             .collect();
-        lines.extend(self.softer.map(|softer| softer.line(spreads.strength.is_some())));
+        lines.extend(softer.map(|softer| softer.line(spreads.strength.is_some())));
         lines
     }
 }
@@ -138,6 +137,12 @@ impl FromTable {
 }
 
 impl Softer {
+    /// The note on whose hardness is used.
+    #[must_use]
+    pub fn remark(&self) -> Remark {
+        Remark::new(RemarkCode::BodyThatFlows).with("flows", self.line(false))
+    }
+
     fn line(&self, is_uncertain: bool) -> String {
         let Softer { flows, yield_strength_pa, other_pa } = *self;
         let other = match flows {
@@ -145,26 +150,27 @@ impl Softer {
             Body::Counterface => Body::Rough,
         };
         let (flows, other) = (flows.words(), other.words());
+        let hardness = |strength_pa: f64| pressure(HARDNESS_OVER_STRENGTH * strength_pa);
         let decided = if is_uncertain { "; medians decide, in every draw" } else { "" };
         match other_pa {
             Some(other_pa) if other_pa == yield_strength_pa => {
-                format!(
-                    "both bodies have a yield strength of {}, and {flows} flows{decided}",
-                    pressure(other_pa)
-                )
+                format!("both bodies have a hardness of {}, and {flows} flows{decided}", hardness(other_pa))
             }
             Some(other_pa) if other_pa < yield_strength_pa => format!(
-                "{flows} flows: its yield strength is {}, that of {other} {}, but Poisson's ratio lets {flows} yield at \
-                 the lower contact pressure{decided}",
-                pressure(yield_strength_pa),
-                pressure(other_pa)
+                "{flows} flows: its hardness is {}, that of {other} {}, but Poisson's ratio lets {flows} yield at the lower contact \
+                 pressure{decided}",
+                hardness(yield_strength_pa),
+                hardness(other_pa)
             ),
             Some(other_pa) => format!(
-                "{flows} flows, which is the softer: its yield strength is {}, that of {other} {}{decided}",
-                pressure(yield_strength_pa),
-                pressure(other_pa)
+                "{flows} flows, which is the softer: its hardness is {}, that of {other} {}{decided}",
+                hardness(yield_strength_pa),
+                hardness(other_pa)
             ),
-            None => format!("{flows} flows: {other} was given no strength and is taken not to yield"),
+            None => format!(
+                "{flows} flows, at a hardness of {}: {other} was given no strength and is taken not to yield",
+                hardness(yield_strength_pa)
+            ),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use asperity::{AsperityError, ElasticBody, Layer, MaterialPair, NixGao};
 
-use crate::bodies::Body;
+use crate::bodies::{Body, Softer};
 use crate::body_properties::BodyProperty;
 use crate::hardness_and_strength::{HardnessAndStrength, HardnessOffStrength};
 use crate::load::NominalPressure;
@@ -27,8 +27,8 @@ pub struct GivenMaterial {
     pub layer: Option<Layer>,
     /// The body that presses on the rough one; rigid if absent.
     pub counterface: Option<ElasticBody>,
-    /// The body that flows; the properties below are its own. A rigid counterface never does.
-    pub flows: Body,
+    /// The body that flows, if the counterface has a strength; the properties below are its own.
+    pub softer: Option<Softer>,
     /// Its indentation hardness H and its yield strength S0.
     pub hardness_and_strength: HardnessAndStrength,
     /// The cap of its growth.
@@ -45,7 +45,7 @@ impl GivenMaterial {
             body,
             layer: None,
             counterface: None,
-            flows: Body::Rough,
+            softer: None,
             hardness_and_strength: HardnessAndStrength::default(),
             strength_cap: None,
             strain_gradient_length_m: None,
@@ -130,7 +130,8 @@ pub enum MaterialError {
 impl Material {
     /// The material that was given.
     pub fn new(given: GivenMaterial) -> Self {
-        Material { pair: given.flows.pair(given.body, given.counterface).bonded(given.layer), given }
+        let flows = given.softer.map_or(Body::Rough, |softer| softer.flows);
+        Material { pair: flows.pair(given.body, given.counterface).bonded(given.layer), given }
     }
 
     /// Returns the material itself if its modulus is not below its strength.
@@ -156,7 +157,13 @@ impl Material {
     /// The body that flows where the pressure is high enough.
     #[must_use]
     pub fn flows(&self) -> Body {
-        self.given.flows
+        self.given.softer.map_or(Body::Rough, |softer| softer.flows)
+    }
+
+    /// The body that flows of two with a strength.
+    #[must_use]
+    pub fn softer(&self) -> Option<Softer> {
+        self.given.softer
     }
 
     /// The yield strength S0 \[Pa\], where there is one: as given, or else a third of the hardness.

@@ -147,6 +147,7 @@ remark_codes! {
         "the yield strength {yield_strength_pa} exceeds E/10 = {bound_pa}, about the most that a solid bears: is the modulus in GPa?";
     SofterThanItsRatio "doubt.softer-than-its-ratio" Caution
         "E = {youngs_modulus_pa} is unusually soft for Poisson's ratio {poisson_ratio}; did you mean {probable_pa}?";
+    BodyThatFlows "body-that-flows" Note "{flows}";
     NominalAboveHardness "doubt.nominal-above-hardness" Caution
         "the load {load} is {in_hardnesses} times the hardness H = {hardness_pa}: the body yields as a whole[ (and {others|more load})]";
     RealAboveHardness "doubt.real-above-hardness" Caution
@@ -330,6 +331,7 @@ remark_codes! {
     OtherKindOfFile "scene-note" Note
         "{option} does not affect a {kind}; leave it out, or say what the file is with {--as}";
     OtherQuantity "scene-note" Note "{option} does not affect {--quantity=@quantity}; leave it out";
+    OtherDialect "scene-note" Note "{option} does not affect {--dialect=@dialect}; leave it out";
     Replaced "scene-note" Note "{option} has no effect beside {--@other}; leave one of them out";
     FigureShowsSomethingElse "scene-note" Note "{option} has no effect on what this figure shows";
     NoCurveUsesIt "scene-note" Note "{option} has no effect: no curve depends on it";
@@ -342,6 +344,7 @@ remark_codes! {
     CutoffBelowData "scene-note" Note "{option} has no effect: the spectrum ends above it, at {shortest_m}";
     JudgeIsOff "scene-note" Note "{option} has no effect: the judge is off";
     UncertaintyIsOff "scene-note" Note "{option} has no effect: the uncertainty analysis is off";
+    OneInputScatters "scene-note" Note "{option} has no effect: one input scatters, and the interval is its share alone; leave it out";
     NothingScatters "scene-note" Note
         "{option} has no effect: nothing in this scene is uncertain (several scans, standard errors or +-)";
 

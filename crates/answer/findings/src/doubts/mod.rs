@@ -117,6 +117,12 @@ pub fn of_slope(rms_slope: f64) -> Option<Remark> {
     (rms_slope > STEEP).then(|| Remark::new(code).with("rms_slope", rms_slope))
 }
 
+/// The doubt about a material, and the note on whose hardness is used where both bodies have one.
+#[must_use]
+pub fn of_bodies(material: &Material) -> Vec<Remark> {
+    of_material(material).into_iter().chain(material.softer().map(|softer| softer.remark())).collect()
+}
+
 /// The doubt about a material that is stronger than solids are, or as soft as one whose prefix is mistaken.
 #[must_use]
 pub fn of_material(material: &Material) -> Option<Remark> {

@@ -26,7 +26,7 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
         @if !properties.is_empty() {
             dl.pairs { @for (name, value) in &properties { div { dt { (name) } dd { (value) } } } }
         }
-        @for line in scene.bodies.describe(&scene.spreads) { p { (sentence(&line)) } }
+        @for line in scene.bodies.describe(scene.softer(), &scene.spreads) { p { (sentence(&line)) } }
         @if !choices.is_empty() { ul { @for choice in &choices { li { (choice) } } } }
         @if !curves.is_empty() {
             ul {

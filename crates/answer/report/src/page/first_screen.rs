@@ -136,7 +136,7 @@ pub(super) fn best_estimate(report: &SceneReport<'_>, load: &LoadConclusion) -> 
             p.number { (number) " touches" }
             p {
                 @if area.area_fraction.is_some() && area.low < area.high { (share_range(area.low, area.high)) " by " }
-                (source_words(area.source)) (inputs) "."
+                (source_words(area.source, report.scene)) (inputs) "."
                 @if let Some(best) = &load.best_model {
                     " Nearest model: " (report.short_curve(best.curve))
                     @if let Some(area_fraction) = best.area_fraction { ", " (share(area_fraction)) }

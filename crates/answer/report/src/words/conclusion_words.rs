@@ -55,7 +55,7 @@ pub fn short_summary(
     states: Option<&InterfaceStates<'_>>,
     end: &SummaryEnd<'_>,
 ) -> String {
-    let mut rows: Vec<(&str, String)> = touching_rows(conclusions);
+    let mut rows: Vec<(&str, String)> = touching_rows(conclusions, scene);
     if rows.is_empty() {
         rows.push(("Touches", "no area was computed: the scene has no curve with an area".to_owned()));
     }
@@ -104,13 +104,13 @@ fn heading(conclusions: &Conclusions, scene: &Scene) -> String {
     parts.join(" · ")
 }
 
-fn touching_rows(conclusions: &Conclusions) -> Vec<(&'static str, String)> {
+fn touching_rows(conclusions: &Conclusions, scene: &Scene) -> Vec<(&'static str, String)> {
     let several = conclusions.loads.len() > 1;
     let width = conclusions.loads.iter().map(|load| load.label.chars().count()).max().unwrap_or(0);
     let mut rows = Vec::new();
     for load in conclusions.loads.iter().take(LOADS_SHOWN) {
         let at = if several { format!("at {:<width$}  ", load.label) } else { String::new() };
-        rows.push(("Touches", format!("{at}{}", estimate_line(&load.area))));
+        rows.push(("Touches", format!("{at}{}", estimate_line(&load.area, scene))));
     }
     let others = conclusions.loads.len().saturating_sub(LOADS_SHOWN);
     if let (Some((_, last)), 1..) = (rows.last_mut(), others) {
@@ -125,19 +125,26 @@ fn touching_rows(conclusions: &Conclusions) -> Vec<(&'static str, String)> {
 }
 
 /// `0.18 %   0.14 to 0.22 %   boundary elements, yielding at 6.9 GPa`.
-fn estimate_line(area: &AreaEstimate) -> String {
+fn estimate_line(area: &AreaEstimate, scene: &Scene) -> String {
+    let source = source_words(area.source, scene);
     let range = share_range(area.low, area.high);
     match area.area_fraction {
         Some(area_fraction) if area.low < area.high => {
-            format!("{:<9} {range:<19} {}", share(area_fraction), source_words(area.source))
+            format!("{:<9} {range:<19} {source}", share(area_fraction))
         }
-        Some(area_fraction) => format!("{:<9} {}", share(area_fraction), source_words(area.source)),
-        None => format!("{range:<9} {}", source_words(area.source)),
+        Some(area_fraction) => format!("{:<9} {source}", share(area_fraction)),
+        None => format!("{range:<9} {source}"),
     }
 }
 
-/// The source of an area: `boundary elements, yielding at 6.9 GPa`.
-pub(crate) fn source_words(source: Source) -> String {
+/// The source of an area: `boundary elements, yielding at 6.9 GPa`, with whose hardness it has where both bodies have one.
+pub(crate) fn source_words(source: Source, scene: &Scene) -> String {
+    let whose = scene.softer().filter(|_| source != Source::Elements(Reference::Elastic));
+    let whose = whose.map_or_else(String::new, |softer| format!("; hardness of {}", softer.flows.words()));
+    method_words(source) + &whose
+}
+
+fn method_words(source: Source) -> String {
     match source {
         Source::Elements(Reference::Elastic) => "boundary elements, elastic".to_owned(),
         Source::Elements(Reference::Yielding { hardness_pa }) => {

@@ -35,7 +35,8 @@ pub fn details(evidence: &Evidence<'_>, conclusions: &Conclusions) -> String {
     notes.push(format!("{}.", sampling(results)));
     let properties = scene.material.as_ref().map(Material::properties).unwrap_or_default();
     let properties: Vec<String> = properties.iter().map(|(name, value)| format!("{name} {value}")).collect();
-    let inputs = std::iter::once(properties.join(", ")).chain(scene.bodies.describe(&scene.spreads));
+    let inputs =
+        std::iter::once(properties.join(", ")).chain(scene.bodies.describe(scene.softer(), &scene.spreads));
     let inputs = inputs.chain(scene.model_choices()).filter(|line| !line.is_empty());
     notes.extend(inputs.map(|line| format!("{}.", capital(&line))));
     // Names of curves are hyphenated and stay whole.

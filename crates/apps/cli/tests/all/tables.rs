@@ -166,6 +166,31 @@ fn bodies_are_taken_by_name_in_every_command_and_the_softer_one_yields() {
 }
 
 #[test]
+fn whose_hardness_was_used_is_on_the_screen() {
+    let bench = Bench::new();
+    let bodies = "--material silver --on gold --pressure 50MPa";
+    for call in [
+        "stacked builtin:uncd-measured --model elastic-plastic",
+        "gap builtin:uncd-measured --model persson",
+        "bem builtin:uncd-measured --shortest 5um --grid 32 --realisations 1",
+    ] {
+        let said = bench.run(&format!("{call} {bodies}").split(' ').collect::<Vec<_>>()).stderr;
+        crate::support::assert_names(&said, &["the counterface flows", "216 MPa", "251 MPa"]);
+    }
+    let scene = bench.run(&[
+        "report",
+        "builtin:uncd-measured",
+        "--material",
+        "silver",
+        "--on",
+        "gold",
+        "--pressure",
+        "50MPa",
+    ]);
+    crate::support::assert_names(&scene.ok(), &["216 MPa", "hardness of the counterface"]);
+}
+
+#[test]
 fn texts_that_a_spreadsheet_would_run_are_quoted_in_csv_alone() {
     let bench = Bench::new();
     let rows = SPHERES
