@@ -49,9 +49,14 @@ impl<'p> UncertaintyPlan<'p> {
         let areas = Areas::new(scene, results);
         let shortest_m = results.psd.shortest_wavelength_m();
         let last = |curve: usize, load| {
+            // Moments end at the cutoff itself, other models at the last sample before it.
+            let cutoff_m =
+                scene.sampling.cutoff_m.filter(|_| scene.needs.curves[curve].model.takes_separations());
             let last = results.curves[curve].area_fractions(load).last().copied();
-            last.filter(|(wavelength_m, _)| *wavelength_m == shortest_m)
-                .map(|(_, area_fraction)| area_fraction)
+            last.filter(|(wavelength_m, _)| {
+                (*wavelength_m / cutoff_m.unwrap_or(shortest_m) - 1.0).abs() < 1e-9
+            })
+            .map(|(_, area_fraction)| area_fraction)
         };
         let area_fractions: Vec<Option<f64>> = (0..areas.curves.len())
             .flat_map(|curve| (0..areas.loads()).map(move |load| last(curve, load)))
