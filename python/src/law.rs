@@ -11,7 +11,7 @@ use questions::{
 use report::provenance::provenance;
 use study::models::ModelEntry;
 use tables::Table;
-use units::{Remark, Resistivity, ThermalConductivity};
+use units::{Remark, RemarkCode, Resistivity, ThermalConductivity};
 
 use crate::answer::{Keywords, PyAnswer, refused};
 use crate::arguments::{Arguments, checked, choice, length_m, named, number, quantity, text};
@@ -113,6 +113,10 @@ impl PyFoundLaw {
                 return table.to_text(dialect, units, &self.provenance).map_err(input);
             }
         };
+        if name.is_some() && dialect == Dialect::Csv {
+            let unused = Remark::new(RemarkCode::OtherDialect).with("dialect", dialect.name()).on("name");
+            return Err(refused(QuestionError::Unused(Box::new(unused))));
+        }
         let name = Heading::checked_name(name.unwrap_or(Heading::NAME))
             .map_err(|error| of_argument("name", error))?;
         let heading = Heading { provenance: self.provenance.clone(), name: name.to_owned() };

@@ -51,11 +51,21 @@ pub fn uncertainty_of<'py>(
         spreads: spreads(&of_material)?,
         pressures: arguments.pressures()?,
         sampling: arguments.sampling()?,
-        normalisation: Some(arguments.get("normalisation", choice)?.unwrap_or_default()),
-        amplitude: Some(arguments.get("amplitude", choice)?.unwrap_or_default()),
-        tolerance: arguments.get("tolerance", tolerance)?.unwrap_or_default(),
+        normalisation: arguments.get("normalisation", choice)?,
+        amplitude: arguments.get("amplitude", choice)?,
+        tolerance: arguments.get("tolerance", tolerance)?,
         choices: choices(&arguments)?,
     };
+    let of_strength =
+        of_material.iter().find(|(name, ..)| ["yield_strength", "indentation_hardness"].contains(&&**name));
+    if let Some((name, ..)) = of_strength
+        && question.material.counterface_yields().map_err(refused)?
+    {
+        return Err(of_argument(
+            name,
+            "it is that of the rough body, and the counterface, which is softer, flows; leave it out",
+        ));
+    }
     let areas = carry_out(py, observer, |watch| question.answer(&surface.surface, watch))?;
     let areas = areas.map_err(|error| match error {
         QuestionError::NothingScatters => input(NOTHING_SCATTERS),

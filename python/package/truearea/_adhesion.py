@@ -13,7 +13,7 @@ from truearea._curves import Pressures
 from truearea._grammar import AnyMaterial
 from truearea._material import Quantity
 from truearea._notes import noted
-from truearea._options import FlatOptions, Unpack, with_options
+from truearea._options import FlatOptions, PressOptions, Unpack, with_options
 from truearea._picture import Drawn, Picture, Trace
 from truearea._results import AnyArray, FloatArray, Result
 
@@ -141,14 +141,15 @@ def adhesion(
     return AdhesiveContact(arrays, axes, noted(answer.notes))
 
 
-@with_options(FlatOptions)
+@with_options(PressOptions)
 def pull_off(
     surface: Any,
     material: AnyMaterial,
     *,
     work_of_adhesion: Quantity,
     adhesion_range: Quantity,
-    **options: Unpack[FlatOptions],
+    periodic: bool | None = None,
+    **options: Unpack[PressOptions],
 ) -> PullOff:
     """Pull surfaces apart that repeat themselves and attract each other, from contact until they part.
 
@@ -158,6 +159,7 @@ def pull_off(
         The surfaces, the bodies in contact, and the residual at which the iteration stops.
     """
     arguments = {"work_of_adhesion": work_of_adhesion, "adhesion_range": adhesion_range, "pull_off": True, **options}
+    arguments["periodic"] = periodic
     answer, beside, several = press(_native.press_adhesive, surface, material, arguments)
     columns = {name: np.asarray(values) for name, values in answer.columns.items()}
     arrays, axes = _beside(beside, several)

@@ -4,7 +4,7 @@ use interface::conductance::{
     Conductivities, CutSurface, ELECTRON_MEAN_FREE_PATH_M, PlasticCorrelation, PressureRatio,
     RelativeStiffness,
 };
-use interface::finite_elements::{ConductancePoint, ConductanceTable, Flow, SamplingError};
+use interface::finite_elements::{ConductancePoint, ConductanceTable, Dialect, Flow, SamplingError};
 use interface::gas::{GapGas, plastic_separation_m};
 use numerics::parallel::Progress;
 use serde::{Deserialize, Serialize};
@@ -78,6 +78,9 @@ pub struct LawTableQuestion {
     pub form: Option<LawForm>,
     /// Name of the surface interaction of the mechanical law.
     pub name: Option<String>,
+    /// Code that reads the law, where it is known.
+    #[serde(skip)]
+    pub dialect: Option<Dialect>,
 }
 
 /// Answer to a [`LawTableQuestion`].
@@ -146,6 +149,10 @@ impl LawTableQuestion {
     /// [`QuestionError`] with the first of them.
     pub fn check(&self) -> Result<(), QuestionError> {
         let Some(flow) = self.flow() else {
+            if self.dialect == Some(Dialect::Csv) {
+                let reason = Remark::new(RemarkCode::OtherDialect).with("dialect", Dialect::Csv.name());
+                first_given([("name", self.name.is_some())], reason)?;
+            }
             if let Some(correlation) = self.correlation {
                 return Err(QuestionError::ConductanceOnly(correlation));
             }

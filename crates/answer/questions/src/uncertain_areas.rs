@@ -9,8 +9,9 @@ use study::models::{Choice, ModelEntry, ModelOptions};
 use study::plan::{Curve, Needs, Results, Tolerance};
 use study::surface::Surface;
 use uncertainty::{Uncertainty, UncertaintyPlan, scattering_groups};
-use units::Remark;
+use units::{Remark, RemarkCode};
 
+use crate::option::{first_given, not_of_model};
 use crate::{CurveQuestion, LoadInput, MaterialInput, PreparedCurve, QuestionError, SamplingInput};
 
 /// Areas of some models under some loads, with their coverage intervals from draws of scans, instruments and material.
@@ -32,8 +33,8 @@ pub struct UncertaintyQuestion {
     pub normalisation: Option<Normalisation>,
     /// Definition of amplitudes, for the models that take them.
     pub amplitude: Option<AmplitudeDefinition>,
-    /// Relative tolerance of statistical states.
-    pub tolerance: Tolerance,
+    /// Relative tolerance of statistical states, for the models that have them.
+    pub tolerance: Option<Tolerance>,
     /// Settings of the draws.
     pub choices: UncertaintySettings,
 }
@@ -59,9 +60,15 @@ impl UncertaintyQuestion {
         progress: &dyn Progress,
     ) -> Result<UncertainAreas, QuestionError> {
         let scene = self.scene(surface)?;
-        if scattering_groups(&scene).is_empty() {
+        let scattering = scattering_groups(&scene).len();
+        if scattering == 0 {
             return Err(QuestionError::NothingScatters);
         }
+        let has_design = self.choices.shares_draws.is_some();
+        first_given(
+            [("shares_draws", has_design && scattering == 1)],
+            Remark::new(RemarkCode::OneInputScatters),
+        )?;
         let results = scene.plan().compute_observed(progress)?;
         let plan = UncertaintyPlan::new(&scene, &results, &self.choices);
         let uncertainty = plan.ok_or(QuestionError::NothingToDraw)?.run(progress)?;
@@ -89,7 +96,7 @@ impl UncertaintyQuestion {
     }
 
     fn needs(&self) -> Result<Needs, QuestionError> {
-        let mut needs = Needs { tolerance: self.tolerance, ..Needs::default() };
+        let mut needs = Needs { tolerance: self.tolerance.unwrap_or_default(), ..Needs::default() };
         for entry in &self.models {
             // A choice that no model has is refused by the first.
             let has = |choice| entry.has(choice) || !self.models.iter().any(|entry| entry.has(choice));
@@ -114,8 +121,17 @@ impl UncertaintyQuestion {
             needs.loads = of_curve.loads;
         }
         let any = |needed: fn(&Curve) -> bool| needs.curves.iter().any(needed);
-        let moments = self.normalisation.filter(|_| any(|curve| curve.model.needs_moments()));
-        let amplitudes = self.amplitude.filter(|_| any(|curve| curve.model.needs_amplitudes()));
+        let (has_moments, has_amplitudes) =
+            (any(|curve| curve.model.needs_moments()), any(|curve| curve.model.needs_amplitudes()));
+        let takes_normalisation = self.models.iter().any(|entry| entry.framework.takes_normalisation());
+        let ignored = [
+            ("normalisation", self.normalisation.is_some() && !takes_normalisation),
+            ("amplitude", self.amplitude.is_some() && !has_amplitudes),
+            ("tolerance", self.tolerance.is_some() && !any(|curve| curve.model.takes_separations())),
+        ];
+        first_given(ignored, not_of_model(self.models[0].name))?;
+        let moments = has_moments.then(|| self.normalisation.unwrap_or_default());
+        let amplitudes = has_amplitudes.then(|| self.amplitude.unwrap_or_default());
         Ok(Needs { moments, amplitudes, ..needs })
     }
 }

@@ -97,6 +97,9 @@ pub enum ScanReadError {
         /// Names of the channels of the file.
         channels: Vec<String>,
     },
+    /// A measurement asked for of a file that holds one.
+    #[error("choosing measurement '{0}': the file is no container of measurements")]
+    OneMeasurement(String),
     /// A channel asked for whose values are not lengths.
     #[error(
         "reading {format}: channel '{channel}' has values {}, which are not heights; there {} with heights",
@@ -338,6 +341,7 @@ impl ScanReadError {
                 }))
             }
             Self::NoHeights { channels, .. } if !channels.is_empty() => Some(Mend::Give(ScanOption::Channel)),
+            Self::OneMeasurement(_) => Some(Mend::LeaveOut(ScanOption::Measurement)),
             Self::UnitIsFixed { .. } => Some(Mend::LeaveOut(ScanOption::Unit)),
             Self::SizeIsFixed { .. } => Some(Mend::LeaveOut(ScanOption::Size)),
             Self::Measurement { source, .. } => source.mend(),

@@ -20,6 +20,11 @@ const BEGINNING: u64 = 1 << 20;
 /// A ZIP file that a reader knows is one of its own, and is left as it is.
 pub(crate) fn unpacked<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Cow<'b, [u8]>, ScanReadError> {
     let bound = options.unpacked_bound();
+    if let Some(wanted) =
+        options.measurement.as_ref().filter(|_| !is_container(bytes) && !is_zip_of_files(bytes))
+    {
+        return Err(ScanReadError::OneMeasurement(wanted.clone()));
+    }
     if is_gzip(bytes) {
         let found = gunzipped(bytes, bound)?;
         if found.len() as u64 > bound {

@@ -273,6 +273,7 @@ impl LawArgs {
             gas: self.gas.input(),
             form: self.form,
             name: self.name.clone(),
+            dialect: Some(self.dialect),
         };
         question.filled_from(named.material.as_ref(), named.on.as_ref())
     }

@@ -91,6 +91,11 @@ const WALKS: &[Walk] = &[
             &["--dialect calculix"],
         ],
     ),
+    (
+        "law",
+        "psd.csv --pressure-range 1MPa:50MPa --error 0.1 --model hertz --material silver",
+        &[&["--dialect *"]],
+    ),
     ("bem", "psd.csv --grid 32 --realisations 1 --shortest 2um", &[BODIES, PRESSED]),
     ("bem", "map.txt --unit um --size 10um", &[BODIES, PRESSED]),
     ("scan", "trace.txt:unit=um", &[]),

@@ -54,7 +54,7 @@ pub enum HalfSpaceError {
     },
     /// A surface of finite size has no mean gap that could be held.
     #[error(
-        "pressing boundary elements: a mean gap is held between a surface that repeats itself and the half-space; give an \
+        "pressing boundary elements: a mean gap needs a periodic surface that faces the half-space; give an \
          indentation"
     )]
     NoMeanGap,

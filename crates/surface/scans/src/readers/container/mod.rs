@@ -84,7 +84,7 @@ fn measurement(
         source: Box::new(source),
     };
     let original = entry.original.clone().map(|path| {
-        let options = ScanOptions { metadata: Some(entry.clone()), ..options.clone() };
+        let options = ScanOptions { metadata: Some(entry.clone()), measurement: None, ..options.clone() };
         data_file(archive, folder, &path, &options).map_err(|error| failed(&path, error))
     });
     let Some(path) = squeezed else {
@@ -109,7 +109,8 @@ fn measurement(
     };
     // The processed copy has its scale applied, its one channel chosen, its units written down.
     let processed = MeasurementMetadata { height_scale: None, data_source: None, ..entry.clone() };
-    let options = ScanOptions { metadata: Some(processed), channel: None, ..options.clone() };
+    let options =
+        ScanOptions { metadata: Some(processed), measurement: None, channel: None, ..options.clone() };
     let mut scan = data_file(archive, folder, &path, &options).map_err(|error| failed(&path, error))?;
     scan.notes.push(reason);
     Ok(scan)
