@@ -184,7 +184,7 @@ def test_results_are_mappings_frames_datasets_and_pickles() -> None:
     found = hertz(pressure=[1e6, 2e6])
     assert list(found)[:3] == ["separation_m", "pressure_pa", "area_fraction"] and len(found) == 8
     frame = found.to_pandas()
-    assert frame.shape == (2, 8) and frame["area_fraction"].tolist() == found.area_fraction.tolist()
+    assert frame.shape == (2, 11) and frame["area_fraction"].tolist() == found.area_fraction.tolist()
     data = found.to_xarray()
     assert data["pressure_pa"].attrs["units"] == "Pa" and data["area_fraction"].dims == ("state",)
     again = pickle.loads(pickle.dumps(found))
@@ -265,3 +265,22 @@ def test_states_of_the_summits_follow_the_reference(reference: Callable[[str], C
     found = ta.contact(model="bgt", material=steel, m0=m0, m2=m2, m4=m4, separation=separation * m0**0.5)
     # Beyond the nominal area the model is held at it.
     assert np.max(np.abs(found.area_fraction / np.minimum(numbers(table, "bgt_area"), 1.0) - 1.0)) < 1e-9
+
+
+def test_frames_of_states_have_the_populations_and_the_index() -> None:
+    pandas = pytest.importorskip("pandas")
+    frame = pandas.DataFrame({"radius": [1e-6, 2e-6], "density": 1e12, "sigma_s": 1e-8}, index=["a", "b"])
+    states = ta.contact(frame, ta.Material(70e9, 0.3), model="hertz", pressure=frame["radius"] * 1e12)
+    frame["radius"] = 0.0
+    for found in (states, pickle.loads(pickle.dumps(states))):
+        shown = found.to_pandas()
+        assert list(shown.index) == ["a", "b"] and list(shown.radius_m) == [1e-6, 2e-6]
+        assert list(shown.pressure_pa) == [1e6, 2e6] and list(shown.columns[:3]) == ["radius_m", "density_per_m2", "sigma_s_m"]
+    summits = ta.contact(m0=1e-15, m2=1e-3, m4=1e10, material=ta.Material(70e9, 0.3), model="bgt", pressure=1e5)
+    assert summits.to_pandas().m4_per_m2.tolist() == [1e10]
+
+
+def test_a_population_that_is_not_used_is_refused() -> None:
+    spheres: dict[str, float] = {"radius": 1e-6, "density": 1e12, "sigma_s": 1e-8}
+    with refused_naming("population"):
+        ta.contact(spheres, ta.Material(70e9, 0.3), model="hertz", pressure=1e6, **spheres)  # type: ignore[arg-type]

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import csv
 import pickle
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -126,3 +128,13 @@ def test_a_logarithm_has_no_unit() -> None:
     spheres = ta.statistical(ta.read_psd(UNCD), DIAMOND, model="hertz", pressure=1e6)
     units = spheres.to_xarray()
     assert (units["ln_pressure_pa"].attrs["units"], units["pressure_pa"].attrs["units"]) == ("", "Pa")
+
+
+def test_curves_are_written_as_tables(tmp_path: Path) -> None:
+    curve = ta.persson(ta.read_psd("builtin:uncd-measured"), ta.Material("463 GPa", 0.2), pressure=["1 MPa", "2 MPa"])
+    curve.write(tmp_path / "curve.csv")
+    with open(tmp_path / "curve.csv", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    assert list(rows[0]) == list(curve.to_pandas().columns) and len(rows) == 2 * len(curve.wavelength_m)
+    assert [float(row["area_fraction"]) for row in rows] == curve.area_fraction.reshape(-1).tolist()
+    assert [row["stiffness_pa_per_m"] == "" for row in rows] == np.isnan(curve.stiffness_pa_per_m.reshape(-1)).tolist()

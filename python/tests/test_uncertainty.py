@@ -224,3 +224,51 @@ def test_ctrl_c_ends_the_draws() -> None:
         quick(draws=1_000_000, model=["elastic-plastic", "ep-sine"])
     presser.join()
     assert time.monotonic() - begun < 20.0
+
+
+def test_one_model_of_several_is_drawn() -> None:
+    pytest.importorskip("matplotlib").use("agg")
+    spectrum = ta.read_psd("builtin:uncd-measured")
+    models: list[ta.CurveModel] = ["elastic", "persson"]
+    found = ta.uncertainty(spectrum, ta.Material("210 GPa", 0.3), pressure=["1 MPa", "2 MPa"], model=models, draws=20, youngs_modulus="5 %")
+    both, one = found.plot(), found.plot(model="persson")
+    assert (len(both.lines), len(one.lines)) == (4, 2)
+    drawn = np.asarray(one.lines[0].get_ydata())
+    assert np.array_equal(drawn, found.bands.median[found.bands.curve == "persson"][: drawn.size])
+    with refused_naming("model", "hertz"):
+        found.plot(model="hertz")
+
+
+def test_options_that_no_model_has_are_refused() -> None:
+    spectrum = ta.read_psd("builtin:uncd-measured")
+    given: dict[str, dict[str, Any]] = {
+        "normalisation": {"normalisation": "as-printed"},
+        "tolerance": {"tolerance": 1e-3},
+        "amplitude": {"amplitude": "parseval", "model": "hertz"},
+        "shares_draws": {"shares_draws": 80},
+    }
+    usual: dict[str, Any] = {"pressure": "1 MPa", "model": "elastic", "draws": 20, "youngs_modulus": "5 %"}
+    for name, options in given.items():
+        with refused_naming(name):
+            ta.uncertainty(spectrum, ta.Material("210 GPa", 0.3), **(usual | options))
+    # The counterface flows, and the strength of the rough body does not count.
+    silver = ta.Material("silver", counterface=ta.Material("gold"))
+    with refused_naming("indentation_hardness"):
+        ta.uncertainty(spectrum, silver, **(usual | {"model": "elastic-plastic", "indentation_hardness": "5 %"}))
+
+
+def test_advice_is_shown_with_its_model() -> None:
+    maps = [(1e-9 * np.random.default_rng(seed).standard_normal((32, 32)).cumsum(1), "1 um") for seed in range(2)]
+    models: list[ta.CurveModel] = ["elastic", "persson"]
+    found = ta.uncertainty(ta.composite(maps, instrument="AFM"), ta.Material("210 GPa", 0.3), pressure="1 MPa", model=models, draws=20)
+    shown = found.advice._repr_html_()
+    assert found.advice.in_words[0] in shown and all(f"{model} at 1 MPa" in shown for model in models)
+
+
+def test_a_cutoff_between_samples_leaves_statistical_models_an_area() -> None:
+    spectrum, steel = ta.read_psd("builtin:uncd-measured"), ta.Material("210 GPa", 0.3)
+    for model in ("hertz", "bgt"):
+        given: Any = {"pressure": "1 MPa", "model": model, "cutoff": "200 nm"}
+        found = ta.uncertainty(spectrum, steel, draws=100, youngs_modulus="1 %", **given)
+        area = ta.statistical(spectrum, steel, **given).area_fraction[0, -1]
+        assert found.area_fraction[0] == pytest.approx(area, rel=1e-12) and found.low[0] < area < found.high[0]

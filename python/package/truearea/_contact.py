@@ -16,6 +16,7 @@ from truearea._material import Material
 from truearea._native import InputError
 from truearea._notes import Note, noted
 from truearea._options import documented
+from truearea._picture import Drawn, Picture, Trace
 from truearea._results import FloatArray, Result
 
 if TYPE_CHECKING:
@@ -24,11 +25,14 @@ if TYPE_CHECKING:
 _COLUMNS = {"radius": "radius_m", "density": "density_per_m2", "sigma_s": "sigma_s_m", "m0": "m0_m2", "m2": "m2", "m4": "m4_per_m2"}
 """Their names in tables such as :class:`truearea.Moments`."""
 
+_Given = tuple[tuple[str, ...], tuple[Any, ...], Any]
+"""Names and numbers of populations, and the index of the rows."""
+
 _Numbers = Union[npt.ArrayLike, str, Sequence[str]]
 
 
-class ContactStates(Result):
-    """States of contact, each array of the shape to which the arguments broadcast.
+class ContactStates(Drawn, Result):
+    """States of contact, each array of the shape to which the arguments broadcast. Frames have the populations and the index as well.
 
     ``ln_pressure`` is the logarithm of Pa; ``separation_m`` is NaN where the pressure is beyond complete contact,
     or beyond what all flattened spheres carry: the area is then theirs, and ``notes`` say so;
@@ -36,7 +40,7 @@ class ContactStates(Result):
     """
 
     _title = "states of contact"
-    __slots__ = ()
+    __slots__ = ("_given",)
     separation_m: FloatArray
     pressure_pa: FloatArray
     area_fraction: FloatArray
@@ -47,12 +51,25 @@ class ContactStates(Result):
     out_of_range_load_share: FloatArray
 
     @classmethod
-    def _of_doubles(cls, arrays: dict[str, Any], notes: tuple[Note, ...]) -> ContactStates:
+    def _of_doubles(cls, arrays: dict[str, Any], notes: tuple[Note, ...], given: _Given) -> ContactStates:
         """One state, made without looking for arrays among its numbers."""
         state = cls.__new__(cls)
         dict.__init__(state, arrays)
-        state._axes, state.notes = _NO_AXES, notes
+        state._axes, state.notes, state._given = _NO_AXES, notes, given
         return state
+
+    def to_pandas(self) -> pd.DataFrame:
+        frame, (names, rows, index) = super().to_pandas(), self._given
+        for place, (name, values) in enumerate(zip(names, rows)):
+            frame.insert(place, _COLUMNS[name], np.reshape(values, -1))
+        return frame if index is None or len(index) != len(frame) else frame.set_index(index)
+
+    def _picture(self) -> Picture:
+        line = Trace(np.reshape(self.pressure_pa, -1), np.reshape(self.area_fraction, -1))
+        return Picture(self._title, "nominal_pressure_pa", "area_fraction", (line,), marker="o")
+
+    def _drawing(self) -> str:
+        return super()._drawing() if np.size(self.pressure_pa) > 1 else ""
 
 
 _NO_AXES: dict[str, tuple[str, ...]] = dict.fromkeys(ContactStates.__annotations__, ())
@@ -125,6 +142,7 @@ def contact(
     """
     names: tuple[str, ...]
     given: tuple[Any, ...]
+    index = next((one.index for one in (population, radius, density, sigma_s, m0, m2, m4, pressure, separation) if hasattr(one, "iloc")), None)
     if model == "bgt":
         names, given, idle = _OF_SUMMITS, (m0, m2, m4), (radius, density, sigma_s)
     else:
@@ -132,6 +150,8 @@ def contact(
     if not (idle[0] is None and idle[1] is None and idle[2] is None):
         _refuse_idle(model, names, idle)
     if population is not None:
+        if all(value is not None for value in given):
+            raise InputError(f"population has no effect beside {', '.join(names)}; leave it out")
         given = _of_population(population, names, given)
     if given[0] is None or given[1] is None or given[2] is None:
         raise InputError(f"{next(name for name, value in zip(names, given) if value is None)} is needed for model {model}")
@@ -155,10 +175,13 @@ def contact(
     answer = _native.contact_states(rows, condition, natives, which, options)
     if not shape:
         # Of one state the arrays are plain doubles, as ufuncs have it.
-        return ContactStates._of_doubles(dict(zip(_NO_AXES, answer.columns["state"])), noted(answer.notes))
+        state = dict(zip(_NO_AXES, answer.columns["state"]))
+        return ContactStates._of_doubles(state, noted(answer.notes), (names, rows[:3], index))
+    # What the owner of an array writes into it later does not count; one number for all rows is no array of his.
+    own = tuple(row.copy() if any(row.strides) else row for row in rows[:3])
     axes = ("state",) if len(shape) == 1 else tuple(f"axis_{axis}" for axis in range(len(shape)))
     columns = {name: column.reshape(shape) for name, column in answer.columns.items()}
-    return ContactStates(columns, dict.fromkeys(columns, axes), noted(answer.notes))
+    return ContactStates(columns, dict.fromkeys(columns, axes), noted(answer.notes), _given=(names, own, index))
 
 
 _FLOATS = {float, np.float64}

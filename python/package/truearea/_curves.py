@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import csv
+import io
+import os
 from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Union
 
 import numpy as np
@@ -56,6 +60,14 @@ class Curve(Drawn, Result):
         areas = np.where(self.area_fraction < 1e-12, np.nan, self.area_fraction)
         lines = (Trace(self.wavelength_m, areas[at], load_label(*load), self.model, at) for at, load in loads)
         return Picture(self._title, "wavelength_m", "area_fraction", tuple(lines))
+
+    def write(self, path: str | os.PathLike[str]) -> None:
+        """Write the rows, load after load, as CSV; an existing file is replaced."""
+        file, rows = Path(path), np.asarray(self).reshape(-1)
+        text = io.StringIO()
+        cells = (["" if cell != cell else cell for cell in row] for row in rows.tolist())
+        csv.writer(text, lineterminator="\n").writerows([rows.dtype.names or (), *cells])
+        _native.write_files(os.fspath(file.parent), {file.name: text.getvalue().encode()})
 
     @classmethod
     def _found(cls, framework: str, surface: AnySurface, material: AnyMaterial, arguments: dict[str, Any]) -> Self:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, TypedDict, Union
+from typing import TYPE_CHECKING, Any, TypedDict, Union
 
 import numpy as np
 
@@ -17,7 +17,10 @@ from truearea._notes import noted
 from truearea._options import StatisticalOptions, Unpack, with_options
 from truearea._picture import Band, Drawn, Trace, Picture, load_label
 from truearea._progress import Progress, observed
-from truearea._results import AnyArray, FloatArray, Result, Table
+from truearea._results import AnyArray, FloatArray, Result, Table, rows_html
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 Models = Union[CurveModel, Sequence[CurveModel]]
 
@@ -51,6 +54,13 @@ class Advice(Table):
     width_ratio: FloatArray
     area_ratio: FloatArray
     in_words: AnyArray
+
+    def _repr_html_(self) -> str:
+        rows = zip(self.curve, self.nominal_pressure_pa, self.rank, self.in_words)
+        if not len(self.curve):
+            return super()._repr_html_()
+        best = [(f"{curve} at {load_label(pressure_pa)}", str(words)) for curve, pressure_pa, rank, words in rows if rank == 1]
+        return f"<div><b>{self._title}, first of each</b>{rows_html(dict(best))}</div>"
 
 
 class Bands(Table):
@@ -102,14 +112,32 @@ class Uncertainty(Drawn, Result):
     advice: Advice
     bands: Bands
 
-    def _picture(self) -> Picture:
+    def plot(self, ax: Axes | None = None, *, model: CurveModel | None = None) -> Axes:
+        """Draw the bands along the cutoff, of all models or of one.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            The axes to draw in; new ones where left out.
+        model : str, optional
+            The model that is drawn, one of those asked for.
+        """
+        from truearea._plot import axes_of
+
+        if model is not None and model not in self.bands.curve:
+            raise InputError(f"model: {model!r} is not drawn; give one of {', '.join(dict.fromkeys(self.bands.curve))}")
+        return self._picture(model).draw(axes_of(ax))
+
+    def _picture(self, model: CurveModel | None = None) -> Picture:
         of_all = self.bands
         lines, bands, loads_pa = [], [], list(self.nominal_pressure_pa)
-        for model, pressure_pa in dict.fromkeys(zip(of_all.curve, of_all.nominal_pressure_pa)):
-            at = (of_all.curve == model) & (of_all.nominal_pressure_pa == pressure_pa)
+        for name, pressure_pa in dict.fromkeys(zip(of_all.curve, of_all.nominal_pressure_pa)):
+            if model not in (None, name):
+                continue
+            at = (of_all.curve == name) & (of_all.nominal_pressure_pa == pressure_pa)
             x, load = of_all.wavelength_m[at], loads_pa.index(pressure_pa)
-            lines.append(Trace(x, of_all.median[at], load_label(pressure_pa), str(model), load))
-            bands.append(Band(x, of_all.low[at], of_all.high[at], str(model), load))
+            lines.append(Trace(x, of_all.median[at], load_label(pressure_pa), str(name), load))
+            bands.append(Band(x, of_all.low[at], of_all.high[at], str(name), load))
         return Picture(self._title, "wavelength_m", "area_fraction", tuple(lines), tuple(bands))
 
 
