@@ -137,10 +137,11 @@ impl FromTable {
 }
 
 impl Softer {
-    /// The note on whose hardness is used.
+    /// The note on whose hardness is used, if the other body has another one.
     #[must_use]
-    pub fn remark(&self) -> Remark {
-        Remark::new(RemarkCode::BodyThatFlows).with("flows", self.line(false))
+    pub fn remark(&self) -> Option<Remark> {
+        let is_tie = self.other_pa == Some(self.yield_strength_pa);
+        (!is_tie).then(|| Remark::new(RemarkCode::BodyThatFlows).with("flows", self.line(false)))
     }
 
     fn line(&self, is_uncertain: bool) -> String {

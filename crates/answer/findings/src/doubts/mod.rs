@@ -120,7 +120,7 @@ pub fn of_slope(rms_slope: f64) -> Option<Remark> {
 /// The doubt about a material, and the note on whose hardness is used where both bodies have one.
 #[must_use]
 pub fn of_bodies(material: &Material) -> Vec<Remark> {
-    of_material(material).into_iter().chain(material.softer().map(|softer| softer.remark())).collect()
+    of_material(material).into_iter().chain(material.softer().and_then(|softer| softer.remark())).collect()
 }
 
 /// The doubt about a material that is stronger than solids are, or as soft as one whose prefix is mistaken.

@@ -139,7 +139,9 @@ fn estimate_line(area: &AreaEstimate, scene: &Scene) -> String {
 
 /// The source of an area: `boundary elements, yielding at 6.9 GPa`, with whose hardness it has where both bodies have one.
 pub(crate) fn source_words(source: Source, scene: &Scene) -> String {
-    let whose = scene.softer().filter(|_| source != Source::Elements(Reference::Elastic));
+    let whose = scene
+        .softer()
+        .filter(|softer| source != Source::Elements(Reference::Elastic) && softer.remark().is_some());
     let whose = whose.map_or_else(String::new, |softer| format!("; hardness of {}", softer.flows.words()));
     method_words(source) + &whose
 }
