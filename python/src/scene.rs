@@ -159,7 +159,7 @@ impl PyScene {
             });
             let states = self.scene.interface_states(&outcome.results);
             let end = SummaryEnd { report: None, warnings: 0, notes: 0, verbose_option: "" };
-            let short = short_summary(conclusions, &self.scene, states.as_ref(), &end);
+            let short = short_summary(conclusions, &self.scene, &end);
             Ok((format!("{short}\n{}", details(&evidence, conclusions)), tables, files))
         })?;
         let (answer, tables, files) = made.map_err(|error: RunError| self.failed(error))?;

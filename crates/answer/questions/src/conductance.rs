@@ -2,7 +2,7 @@
 
 use interface::conductance::{
     Conductivities, CutSurface, ELECTRON_MEAN_FREE_PATH_M, PlasticCorrelation, PressureRatio,
-    RelativeStiffness,
+    RelativeStiffness, Resistivities,
 };
 use interface::finite_elements::{ConductancePoint, ConductanceTable, Dialect, Flow, SamplingError};
 use interface::gas::{GapGas, plastic_separation_m};
@@ -313,7 +313,7 @@ impl TransportInput {
         let (option, own, other) = (own.0, needed(own)?, needed(other)?);
         let made = match flow {
             Flow::Heat => Conductivities::new(own, other),
-            Flow::Current => Conductivities::new(1.0 / own, 1.0 / other),
+            Flow::Current => Resistivities::new(own, other).map(|both| both.conductivities()),
         };
         made.map_err(|error| QuestionError::Value { option, error })
     }

@@ -13,12 +13,6 @@ use units::{Remark, RemarkCode};
 /// Above so many rms heights only the highest summits of a finite sample touch.
 pub(crate) const FEW_TOUCH: f64 = 3.0;
 
-/// The share of u0 that the first decade of wavevectors may have if the spectrum has no roll-off.
-const MOST_OF_FIRST_DECADE: f64 = 0.3;
-
-/// From this exponent of dV/dq = q^(e-1) on, C1D falls more slowly than q^-0.5: a roll-off.
-const FLAT: f64 = 2.5;
-
 /// Makes the remark on number and range of the scales of a spectrum.
 #[must_use]
 pub fn remark_on_sampling(psd: &ProfilePsd) -> Remark {
@@ -83,13 +77,9 @@ pub fn remarks_on_separation(
     rms_height_m: f64,
     least_pa: f64,
 ) -> Vec<Remark> {
-    let places = roughness.places();
-    let decade = places.first().map_or(0.0, |place| 10.0 * place.wavevector_rad_per_m);
-    let mut in_decade = places.iter().take_while(|place| place.wavevector_rad_per_m < decade);
-    let rolls_off = in_decade.any(|place| place.variance_exponent > FLAT);
-    let share = light.share_of_first_decade;
-    let no_rolloff = (share > MOST_OF_FIRST_DECADE && !rolls_off)
-        .then(|| Remark::new(RemarkCode::NoRollOff).with("share_of_first_decade", share));
+    let no_rolloff = light.lacks_roll_off(roughness).then(|| {
+        Remark::new(RemarkCode::NoRollOff).with("share_of_first_decade", light.share_of_first_decade)
+    });
     let limit_pa = light.reference_pressure_pa * (-FEW_TOUCH * rms_height_m / light.decay_length_m).exp();
     let few_touch = (least_pa < limit_pa).then(|| {
         Remark::new(RemarkCode::FewTouchBelow).with("limit_pa", limit_pa).with("few_touch", FEW_TOUCH)

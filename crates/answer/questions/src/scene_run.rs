@@ -1,7 +1,7 @@
 //! Runs a scene from its plan to all of its results, in the same order for every front end.
 
+use conclusions::{Conclusions, Evidence};
 use findings::answer::SceneAnswer;
-use findings::conclusions::{Conclusions, Evidence};
 use findings::sensitivity::{Sensitivity, sensitivities};
 use judge::{JudgeError, JudgePlan, Judgement};
 use scene::Scene;

@@ -15,4 +15,4 @@ pub use words::{
     advice_words, conclusion_words, curve_names, details, dry_run, elements_words, provenance,
     question_words, scan_words, scans_table, spectrum_words, uncertainty_words,
 };
-use words::{interface_words, listing, verdict_words, yardstick_words};
+use words::{cause_words, interface_words, listing, verdict_words, yardstick_words};

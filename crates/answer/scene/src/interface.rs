@@ -12,7 +12,8 @@ use super::loads::nominal_pressure;
 use super::raw::{RawInterface, RawScene, RawSeal, given};
 use super::values::value_error;
 use study::bodies::{Bodies, Transport};
-use study::interface::{AdhesionRequest, InterfaceRequest, Seal, Shear, ShearLoad};
+use study::body_properties::BodyProperty;
+use study::interface::{AdhesionRequest, Asks, InterfaceRequest, Seal, Shear, ShearLoad};
 use study::material::Material;
 use study::plan::NominalPressure;
 
@@ -54,7 +55,28 @@ pub(super) fn resolve_interface(
         shear_strength_pa: shear_strength.map(NominalPressure::pa),
         adhesion: resolve_adhesion(own)?,
         shear: resolve_shear(own, material)?,
+        asks: asks(raw, nominal_area_m2.is_some()),
     }))
+}
+
+/// Tells what a scene asks for: heat and current by conductivities and resistivities that it types itself, by a gas, or by a nominal
+/// area without any other question; and all that the bodies allow by a section on the interface without a question of its own.
+fn asks(raw: &RawScene, has_nominal_area: bool) -> Asks {
+    let types = |property: BodyProperty| {
+        let by_rough = raw.material.as_ref().is_some_and(|body| body.get_ref().types(property));
+        by_rough || raw.counterface.as_ref().is_some_and(|body| body.get_ref().types(property))
+    };
+    let names_gas = |own: &RawInterface| own.gas.is_some() || own.gas_conductivity.is_some();
+    let is_open = raw.interface.as_ref().is_some_and(RawInterface::has_no_question);
+    let of_area = has_nominal_area && raw.interface.is_none() && raw.seal.is_none();
+    Asks {
+        gap: is_open,
+        heat: is_open
+            || of_area
+            || types(BodyProperty::ThermalConductivity)
+            || raw.interface.as_ref().is_some_and(names_gas),
+        current: is_open || of_area || types(BodyProperty::Resistivity),
+    }
 }
 
 /// Resolves a tangential load: a coefficient of friction, with either a stress or its share of friction times pressure.

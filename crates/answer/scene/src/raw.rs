@@ -121,6 +121,13 @@ pub(super) struct RawBody<const IS_COUNTERFACE: bool> {
     pub surface: Option<Spanned<RawSurface>>,
 }
 
+impl<const IS_COUNTERFACE: bool> RawBody<IS_COUNTERFACE> {
+    /// Tells whether the scene types a property itself.
+    pub fn types(&self, property: BodyProperty) -> bool {
+        self.properties.iter().any(|(given, _)| *given == property)
+    }
+}
+
 /// A layer bonded to the rough body.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "a section [material.layer]")]
@@ -351,6 +358,20 @@ pub(super) struct RawInterface {
     pub friction: Option<Spanned<f64>>,
     pub tangential_stress: Option<Typed<Pressure>>,
     pub share_of_sliding: Option<Spanned<f64>>,
+}
+
+impl RawInterface {
+    /// Tells whether the section says nothing but how gap and stiffness are computed.
+    pub fn has_no_question(&self) -> bool {
+        let asks = [
+            self.shear_strength.is_some(),
+            self.work_of_adhesion.is_some(),
+            self.gas.is_some(),
+            self.gas_conductivity.is_some(),
+            self.friction.is_some(),
+        ];
+        !asks.contains(&true)
+    }
 }
 
 #[derive(Debug, Default, Deserialize)]

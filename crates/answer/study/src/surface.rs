@@ -266,6 +266,13 @@ impl Surface {
         &self.holes
     }
 
+    /// Returns true if the spectrum, or that of one of two surfaces, is made of roughness parameters.
+    #[must_use]
+    pub fn is_assumed(&self) -> bool {
+        self.roughness.is_some()
+            || self.parts.as_ref().is_some_and(|parts| parts.iter().any(Self::is_assumed))
+    }
+
     /// Adds the spectrum of another, uncorrelated surface. Where only one of the two has a spectrum, the sum is that
     /// one.
     pub fn against(self, other: Surface) -> Self {

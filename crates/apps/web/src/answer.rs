@@ -1,7 +1,7 @@
 //! The desk: a scene that is open, and its answer in closed forms at every move of a slider.
 
+use conclusions::{Conclusions, Evidence};
 use findings::answer::SceneAnswer;
-use findings::conclusions::{Conclusions, Evidence};
 use measurements::Files;
 use questions::{BodyText, retune};
 use report::page::{LiveScreen, SpectrumCurve};

@@ -349,6 +349,9 @@ remark_codes! {
         "{option} has no effect: nothing in this scene is uncertain (several scans, standard errors or +-)";
 
     // What to know before quoting an area.
+    FluidParts "fluid-parts-bodies" Caution
+        "The fluid drops by {fluid_pressure_pa}, and the bodies press with {pressure_pa} only: the fluid parts them."
+        short "the fluid parts the bodies";
     TooFewScales "too-few-scales" Caution
         "The spectrum is too short to tell how much touches: it has {scales|scale}."
         short "the spectrum has only {scales|scale}";
@@ -379,7 +382,7 @@ remark_codes! {
         "Below {from_m} slopes are too steep for every method used here, boundary elements included."
         short "slopes too steep below {from_m}";
     GapOfYieldingContact "gap-of-yielding-contact" Caution
-        "{share%} of the contact yields, but gap and stiffness assume it does not: order of magnitude only."
+        "{share%} of the contact yields, but leaks and tangential loads assume it does not: order of magnitude only."
         short "{share%} of the contact yields";
     StickyByPastewka "sticky" Caution
         "Adhesion may change the area, and no area here counts it: Pastewka & Robbins' criterion is {left_side}, and surfaces stick below \

@@ -72,6 +72,25 @@ pub struct LightLoads {
     pub share_of_first_decade: f64,
 }
 
+/// The share of u_0 that the first decade of wavevectors may have if the spectrum has no roll-off.
+const MOST_OF_FIRST_DECADE: f64 = 0.3;
+
+/// From this exponent of dV/dq = q^(e-1) on, C1D falls more slowly than q^-0.5: a roll-off.
+const FLAT: f64 = 2.5;
+
+impl LightLoads {
+    /// Returns true if the waves that a spectrum begins with decide gap and stiffness, and do not roll off: longer waves, which were not
+    /// measured, would change both.
+    #[must_use]
+    pub fn lacks_roll_off(&self, roughness: &Roughness) -> bool {
+        let places = roughness.places();
+        let decade = places.first().map_or(0.0, |place| 10.0 * place.wavevector_rad_per_m);
+        let mut in_decade = places.iter().take_while(|place| place.wavevector_rad_per_m < decade);
+        self.share_of_first_decade > MOST_OF_FIRST_DECADE
+            && !in_decade.any(|place| place.variance_exponent > FLAT)
+    }
+}
+
 /// Separation for one elastic energy factor g and one spectrum, whose knots have rising wavevector and variance.
 #[derive(Debug, Clone)]
 pub struct SeparationLaw {

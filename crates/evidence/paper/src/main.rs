@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
+use conclusions::Conclusions;
 use findings::answer::SceneAnswer;
-use findings::conclusions::Conclusions;
 use findings::sensitivity::{Sensitivity, sensitivities};
 use judge::{JudgePlan, Judgement};
 use paper::{Evidence, Part, Reading, Verdict};
@@ -56,7 +56,7 @@ fn reproduce(folder: &Path) -> Result<(), Box<dyn Error>> {
     let parts = paper::parts(&of_readings.collect::<Result<Vec<_>, _>>()?);
     let computing = start.elapsed();
     let run_stamp = RunStamp::default();
-    let of_scenes: Vec<findings::conclusions::Evidence<'_>> =
+    let of_scenes: Vec<conclusions::Evidence<'_>> =
         evidence.iter().zip(&found).map(|(evidence, found)| found.beside(evidence)).collect();
     let conclusions: Vec<Conclusions> = of_scenes.iter().map(Conclusions::new).collect();
     let products: Vec<SceneProducts<'_>> = of_scenes
@@ -133,8 +133,8 @@ impl Found {
         })
     }
 
-    fn beside<'a>(&'a self, evidence: &'a Evidence) -> findings::conclusions::Evidence<'a> {
-        findings::conclusions::Evidence {
+    fn beside<'a>(&'a self, evidence: &'a Evidence) -> conclusions::Evidence<'a> {
+        conclusions::Evidence {
             scene: &evidence.scene,
             results: &evidence.results,
             answer: &self.answer,

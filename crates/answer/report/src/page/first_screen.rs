@@ -4,7 +4,7 @@
 
 use std::fmt::Write;
 
-use findings::conclusions::{Conclusions, LoadConclusion, ModelCell, ReferenceGroup, Source};
+use conclusions::{Answer, Conclusions, ModelCell, ReferenceGroup, Source};
 use judge::{AGREEMENT, Reference, Verdict};
 use maud::{Markup, PreEscaped, html};
 use study::figure::CurveLook;
@@ -13,11 +13,12 @@ use units::{Remark, RemarkCode, SceneKeys};
 
 use super::SceneReport;
 use super::area_curve;
+use crate::cause_words::{cause_in_short, cause_words};
 use crate::chart::palette::{ModelStyle, variables};
 use crate::conclusion_words::{
-    caution_words, condition, next_words, quantity_rows, rough_body, seal_words, source_words,
+    answers_under, caution_words, condition, foremost_step, rough_body, source_words,
 };
-use crate::listing::{capital, decade_name, share, share_range};
+use crate::listing::{capital, share, share_range};
 
 /// The most cautions on the first screen.
 const CAUTIONS_SHOWN: usize = 3;
@@ -43,11 +44,11 @@ pub(super) fn first_screen(report: &SceneReport<'_>, at: usize, several: bool) -
             @for load in &conclusions.loads {
                 div class={ "cards " (load_class(load)) } {
                     (best_estimate(report, load))
-                    (decides(report, load))
+                    (decides(load))
                     (before_quoting(conclusions, load.factor_of_hardness().is_some()))
                 }
             }
-            (interface_strip(report))
+            @for load in &conclusions.loads { (interface_strip(report, load)) }
             div.below {
                 @if conclusions.loads.iter().any(|load| !load.references.is_empty()) { (matrix(report, at, &styles)) }
                 div.chart {
@@ -65,7 +66,7 @@ pub(super) fn first_screen(report: &SceneReport<'_>, at: usize, several: bool) -
     }
 }
 
-fn load_class(load: &LoadConclusion) -> String {
+fn load_class(load: &Answer) -> String {
     format!("l{}", load.load)
 }
 
@@ -120,7 +121,7 @@ fn input(kind: &str, id: &str, name: &str, is_checked: bool) -> Markup {
     PreEscaped(format!("<input type=\"{kind}\" id=\"{id}\" name=\"{name}\"{checked} />"))
 }
 
-pub(super) fn best_estimate(report: &SceneReport<'_>, load: &LoadConclusion) -> Markup {
+pub(super) fn best_estimate(report: &SceneReport<'_>, load: &Answer) -> Markup {
     let area = &load.area;
     let number = area.area_fraction.map_or_else(|| share_range(area.low, area.high), share);
     let heading = match (area.source, load.otherwise) {
@@ -147,48 +148,27 @@ pub(super) fn best_estimate(report: &SceneReport<'_>, load: &LoadConclusion) -> 
     }
 }
 
-/// The share of the area from which on everything touches.
-const FULL: f64 = 0.999;
+/// The heading of what an answer hangs on.
+const HANGS_ON: &str = "What decides the answer";
 
-/// The assumption that decides the answer, or else the scales that do.
-pub(super) fn decides(report: &SceneReport<'_>, load: &LoadConclusion) -> Markup {
-    if let Some(other) = load.otherwise {
-        return html! {
-            section.card {
-                h3 { (capital(&condition(&other))) }
-                p.number { (share(other.area_fraction)) " touches" }
-                p { (three_digits(other.ratio)) " times as much. Settle it by nano-indentation at the depth of the roughness." }
-            }
-        };
-    }
-    if let Some(factor) = load.factor_of_hardness() {
-        return html! {
-            section.card {
-                h3 { "What decides the answer" }
-                p.number { "the hardness" }
-                p { "A constant one gives " (three_digits(factor)) " times the area of one that grows at small scales. Settle it by \
-                     nano-indentation at the depth of the roughness." }
-            }
-        };
-    }
-    let decisive = load.nearest_curve().and_then(|curve| {
-        let answer = report.answer.curves[curve][load.load].as_ref()?;
-        let decade = answer.decisive_decade()?;
-        Some((decade_name(decade, &report.results.psd), decade.share, answer.real_pressure_pa))
-    });
+/// What the answer hangs on.
+pub(super) fn decides(load: &Answer) -> Markup {
+    let (heading, number, words) = match (load.otherwise, load.cause) {
+        (Some(other), _) => (
+            capital(&condition(&other)),
+            Some(format!("{} touches", share(other.area_fraction))),
+            format!(
+                "{} times as much. Settle it by nano-indentation at the depth of the roughness.",
+                three_digits(other.ratio)
+            ),
+        ),
+        (None, cause) => (HANGS_ON.to_owned(), cause_in_short(cause), cause_words(cause)),
+    };
     html! {
         section.card {
-            h3 { "What decides the answer" }
-            @match decisive {
-                Some((name, decided, _)) => {
-                    p.number { (format!("{:.0} %", 100.0 * decided)) }
-                    p { "of the answer is decided by roughness from " (name) "." }
-                }
-                None if load.area.area_fraction.is_some_and(|area| area >= FULL) => {
-                    p { "The pressure flattens all of the roughness: no scale is left to decide." }
-                }
-                None => p { "The scales that decide are not known: no curve was followed along the cutoff." }
-            }
+            h3 { (heading) }
+            @if let Some(number) = number { p.number { (number) } }
+            p { (typeset(&words)) }
         }
     }
 }
@@ -205,21 +185,17 @@ pub(super) fn before_quoting(conclusions: &Conclusions, says_hardness: bool) -> 
                     @for caution in conclusions.cautions.iter().filter(is_shown).take(CAUTIONS_SHOWN) { li { (typeset(&caution_words(caution))) } }
                 }
             }
-            @if let Some(step) = conclusions.next.first() { p.next { strong { "Next: " } (typeset(&next_words(step))) "." } }
+            p.next { strong { "Next: " } (typeset(&foremost_step(conclusions))) "." }
         }
     }
 }
 
-/// The seal, the gap, heat and current in one line, where the scene asks for them.
-pub(super) fn interface_strip(report: &SceneReport<'_>) -> Markup {
-    let conclusions = report.conclusions;
-    let mut rows: Vec<(&str, String)> =
-        conclusions.seal.iter().map(|seal| ("Seals?", seal_words(seal, report.scene))).collect();
-    let states = report.scene.interface_states(report.results);
-    rows.extend(states.iter().flat_map(|states| quantity_rows(conclusions, states)));
+/// What the scene asks besides the area, under a load.
+pub(super) fn interface_strip(report: &SceneReport<'_>, load: &Answer) -> Markup {
+    let rows = answers_under(report.conclusions, load);
     html! {
         @if !rows.is_empty() {
-            dl.strip { @for (name, words) in &rows { div { dt { (name) } dd { (typeset(words)) } } } }
+            dl.strip.(load_class(load)) { @for (name, words) in &rows { div { dt { (name) } dd { (typeset(words)) } } } }
         }
     }
 }
@@ -253,7 +229,7 @@ fn matrix(report: &SceneReport<'_>, at: usize, styles: &[ModelStyle]) -> Markup 
                 }
             }
             p.legend {
-                span.agrees { "✓ within 4/3" } " " span.large { "▲ too large" } " " span.small { "▼ too small" } " "
+                span.agrees { "✓ within 4/3, error included" } " " span.large { "▲ too large" } " " span.small { "▼ too small" } " "
                 span.invalid { "⊘ outside its assumptions" } " tick a model to draw it; point at a cell for its reason"
             }
         }
@@ -262,12 +238,12 @@ fn matrix(report: &SceneReport<'_>, at: usize, styles: &[ModelStyle]) -> Markup 
 
 /// The elements that models are compared with under the middle load, those of its estimate first. A model whose strength grows may
 /// have others under other loads.
-fn references(loads: &[LoadConclusion]) -> Vec<Reference> {
+fn references(loads: &[Answer]) -> Vec<Reference> {
     let middle = loads.get(loads.len() / 2);
     middle.map_or_else(Vec::new, |load| load.references.iter().map(|group| group.reference).collect())
 }
 
-fn group(load: &LoadConclusion, reference: Reference) -> Option<&ReferenceGroup> {
+fn group(load: &Answer, reference: Reference) -> Option<&ReferenceGroup> {
     load.references.iter().find(|group| group.reference == reference)
 }
 
@@ -277,13 +253,13 @@ pub(super) fn area_words(group: &ReferenceGroup) -> Option<String> {
 }
 
 /// The curves of a group, in the order of the load in the middle.
-fn curves_of(reference: Reference, loads: &[LoadConclusion]) -> Vec<usize> {
+fn curves_of(reference: Reference, loads: &[Answer]) -> Vec<usize> {
     let middle = loads.get(loads.len() / 2).and_then(|load| group(load, reference));
     middle.map_or_else(Vec::new, |group| group.models.iter().map(|cell| cell.curve).collect())
 }
 
 /// The models whose lines are drawn before anybody ticks one: the nearest of each group.
-pub(super) fn drawn_at_first(loads: &[LoadConclusion]) -> Vec<usize> {
+pub(super) fn drawn_at_first(loads: &[Answer]) -> Vec<usize> {
     let Some(load) = loads.get(loads.len() / 2) else { return Vec::new() };
     let nearest = load.references.iter().filter_map(|group| group.models.first()).map(|cell| cell.curve);
     nearest.chain(load.best_model.map(|cell| cell.curve)).collect()
@@ -297,7 +273,7 @@ pub(super) fn reference_words(reference: Reference) -> &'static str {
     }
 }
 
-fn group_heading(reference: Reference, loads: &[LoadConclusion]) -> Markup {
+fn group_heading(reference: Reference, loads: &[Answer]) -> Markup {
     html! {
         "against " (reference_words(reference))
         @for load in loads {
@@ -308,7 +284,7 @@ fn group_heading(reference: Reference, loads: &[LoadConclusion]) -> Markup {
     }
 }
 
-fn cell(report: &SceneReport<'_>, load: &LoadConclusion, reference: Reference, curve: usize) -> Markup {
+fn cell(report: &SceneReport<'_>, load: &Answer, reference: Reference, curve: usize) -> Markup {
     let models = |group: &'_ ReferenceGroup| group.models.iter().find(|cell| cell.curve == curve).copied();
     let found = load.references.iter().find_map(|group| Some((group.reference, models(group)?)));
     let Some((own, found)) = found else { return html! { td {} } };

@@ -1,6 +1,6 @@
 //! The first screen of one load in parts, for a page that stays open while its conditions change.
 
-use findings::conclusions::{Conclusions, Evidence};
+use conclusions::{Conclusions, Evidence};
 use serde::Serialize;
 use study::figure::CurveLook;
 use units::display::{share, three_digits, typeset};
@@ -156,9 +156,9 @@ impl LiveScreen {
             low: Some(load.area.low),
             high: Some(load.area.high),
             best: first_screen::best_estimate(&report, load).into_string(),
-            decides: first_screen::decides(&report, load).into_string(),
+            decides: first_screen::decides(load).into_string(),
             cautions: first_screen::before_quoting(conclusions, says_hardness).into_string(),
-            interface: first_screen::interface_strip(&report).into_string(),
+            interface: first_screen::interface_strip(&report, load).into_string(),
             figure: curve.as_ref().map(|curve| curve.figure(&styles).into_string()),
             reading: curve.as_ref().map(AreaCurve::reading),
             models,

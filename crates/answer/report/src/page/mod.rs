@@ -36,8 +36,8 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use crate::curve_names::{in_full, short_name};
 use crate::listing::capital;
 use crate::run_stamp::RunStamp;
+use conclusions::{Answer, Conclusions, Evidence};
 use findings::answer::{LoadAnswer, SceneAnswer};
-use findings::conclusions::{Conclusions, Evidence, LoadConclusion};
 use findings::sensitivity::Sensitivity;
 use scene::Scene;
 use study::figure::FigureData;
@@ -244,7 +244,7 @@ impl SceneReport<'_> {
     }
 
     /// The conclusion for the load in the middle, which gists are about.
-    fn middle(&self) -> Option<&LoadConclusion> {
+    fn middle(&self) -> Option<&Answer> {
         let loads = &self.conclusions.loads;
         loads.get(loads.len() / 2)
     }

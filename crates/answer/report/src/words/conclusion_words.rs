@@ -2,17 +2,17 @@
 
 use std::fmt::Write;
 
-use findings::conclusions::{
-    AreaEstimate, Conclusions, LoadConclusion, ModelCell, NextStep, OtherHardness, SealConclusion,
-    ShearConclusion, Source,
+use conclusions::{
+    Answer, AreaEstimate, AskedValue, Conclusions, ModelCell, NextStep, OtherHardness, PeakState,
+    SealVerdict, ShearConclusion, Source,
 };
 use judge::{Reference, Verdict};
 use scene::Scene;
-use study::interface::InterfaceStates;
-use study::interface::{Quantity, Slot};
+use study::interface::Quantity;
 use units::display::{counted, energy_per_area, length, percent, pressure, three_digits};
-use units::{Remark, RemarkCode, SceneKeys};
+use units::{Remark, SceneKeys};
 
+use crate::cause_words::cause_line;
 use crate::curve_names::short_name;
 use crate::interface_words;
 use crate::listing::{capital, listed, number_word, share, share_range};
@@ -24,15 +24,10 @@ const MAX_LINES: usize = 12;
 const LOADS_SHOWN: usize = 3;
 /// The most cautions after the trust in a summary.
 const CAUTIONS_SHOWN: usize = 2;
+/// The share of the high end of a leak rate below which its low end is left out.
+const NEGLIGIBLE: f64 = 1e-3;
 /// The most models that a summary names.
 const MODELS_SHOWN: usize = 2;
-/// The quantities of the interface that a summary shows, and their headings.
-const QUANTITIES: [(Quantity, &str); 3] = [
-    (Quantity::MeanGap, "Gap"),
-    (Quantity::ThermalConductance, "Heat"),
-    (Quantity::ElectricalConductance, "Current"),
-];
-
 /// The end of a summary, which only a front end knows.
 #[derive(Debug, Clone, Copy)]
 pub struct SummaryEnd<'a> {
@@ -49,25 +44,21 @@ pub struct SummaryEnd<'a> {
 /// Returns the summary of a scene in at most twelve lines: what touches, the seal and the gap, the models, the trust and
 /// its reason, and what to measure next.
 #[must_use]
-pub fn short_summary(
-    conclusions: &Conclusions,
-    scene: &Scene,
-    states: Option<&InterfaceStates<'_>>,
-    end: &SummaryEnd<'_>,
-) -> String {
+pub fn short_summary(conclusions: &Conclusions, scene: &Scene, end: &SummaryEnd<'_>) -> String {
     let mut rows: Vec<(&str, String)> = touching_rows(conclusions, scene);
     if rows.is_empty() {
         rows.push(("Touches", "no area was computed: the scene has no curve with an area".to_owned()));
     }
-    rows.extend(conclusions.seal.as_ref().map(|seal| ("Seals?", seal_words(seal, scene))));
-    rows.extend(states.into_iter().flat_map(|states| quantity_rows(conclusions, states)));
+    rows.extend(seal_words(conclusions).map(|words| ("Seals?", words)));
+    rows.extend(middle(conclusions).into_iter().flat_map(|load| asked_rows(conclusions, load)));
+    rows.extend(middle(conclusions).and_then(|load| cause_line(load.cause)).map(|words| ("Hangs on", words)));
     rows.extend(
         middle(conclusions).and_then(|load| models_words(load, scene)).map(|words| ("Models", words)),
     );
     if !conclusions.loads.is_empty() {
         rows.push(("Trust", trust_words(conclusions)));
     }
-    rows.extend(conclusions.next.first().map(|step| ("Next", next_words(step))));
+    rows.push(("Next", foremost_step(conclusions)));
     if let Some(report) = end.report {
         rows.push(("Report", report_words(report, end)));
     }
@@ -165,47 +156,99 @@ pub(crate) fn condition(other: &OtherHardness) -> String {
     format!("if the hardness is {} at every scale", pressure(other.hardness_pa))
 }
 
-/// The seal in words: `NO   closes near 2.9 GPa as the contact yields, 290 times the load`.
-pub(crate) fn seal_words(seal: &SealConclusion, scene: &Scene) -> String {
-    let loads = &scene.needs.loads;
-    let labels = |loads_at: &[usize]| {
-        listed(&loads_at.iter().map(|load| loads[*load].label.as_str()).collect::<Vec<_>>())
-    };
-    let state = match (&seal.closed_under[..], &seal.open_under[..]) {
-        ([], _) => "NO".to_owned(),
-        (_, []) => "YES".to_owned(),
-        (closed, open) => format!("YES at {}, NO at {}", labels(closed), labels(open)),
-    };
-    let Some(closing) = seal.closes else { return format!("{state}; no pressure closes it") };
-    let how = if closing.by_yielding { " as the contact yields" } else { "" };
-    let times = match (&seal.open_under[..], loads.len()) {
-        ([load], 1) => {
-            let ratio = closing.nominal_pressure_pa / loads[*load].nominal_pressure_pa();
-            format!(", {} times the load", three_digits(ratio))
+/// The seal in words, of all loads: `NO at 0.1 and 0.2 MPa, LIKELY at 0.5 MPa (open in 25 % of draws); closes at ...`.
+fn seal_words(conclusions: &Conclusions) -> Option<String> {
+    let several = conclusions.loads.len() > 1;
+    let mut groups: Vec<([String; 2], Vec<&str>)> = Vec::new();
+    for load in &conclusions.loads {
+        let words = verdict_words(load)?;
+        match groups.last_mut().filter(|(of_last, _)| *of_last == words) {
+            Some((_, labels)) => labels.push(&load.label),
+            None => groups.push((words, vec![&load.label])),
         }
-        _ => String::new(),
+    }
+    let in_words = |([verdict, behind], labels): &([String; 2], Vec<&str>)| {
+        let at = if several { format!(" at {}", listed(labels)) } else { String::new() };
+        format!("{verdict}{at}{behind}")
     };
-    format!("{state}; closes near {}{how}{times}", pressure(closing.nominal_pressure_pa))
+    let verdicts: Vec<String> = groups.iter().map(in_words).collect();
+    (!verdicts.is_empty()).then(|| format!("{}; {}", verdicts.join(", "), closing_words(conclusions)))
 }
 
-/// The quantities of the interface under the middle load.
-pub(crate) fn quantity_rows(
-    conclusions: &Conclusions,
-    states: &InterfaceStates<'_>,
-) -> Vec<(&'static str, String)> {
-    let Some(load) = middle(conclusions) else { return Vec::new() };
-    let is_guess =
-        conclusions.cautions.iter().any(|caution| caution.code == RemarkCode::GapOfYieldingContact);
-    let remark = if is_guess { "; order of magnitude, since the contact yields" } else { "" };
-    let at = if conclusions.loads.len() > 1 { format!(" at {}", load.label) } else { String::new() };
-    let row = |(quantity, heading): (Quantity, &'static str)| {
-        let slot = Slot { quantity, load: Some(load.load), curve: None };
-        let value = states.slots().contains(&slot).then(|| states.value(slot).ok().flatten()).flatten()?;
-        Some((heading, format!("{}{at}{remark}", interface_words::value(quantity, value))))
+/// The verdict on a seal under a load, and what is behind it: `LIKELY`, ` (open in 25 % of draws)`.
+fn verdict_words(load: &Answer) -> Option<[String; 2]> {
+    let seal = load.seal?;
+    let verdict = match seal.verdict {
+        SealVerdict::Tight => "YES",
+        SealVerdict::LikelyTight => "LIKELY",
+        SealVerdict::LikelyOpen => "UNLIKELY",
+        SealVerdict::Open => "NO",
     };
+    let is_open = matches!(seal.verdict, SealVerdict::LikelyTight | SealVerdict::LikelyOpen);
+    let share = seal.open_share.filter(|_| is_open);
+    Some([
+        verdict.to_owned(),
+        share.map_or_else(String::new, |share| format!(" (open in {} of draws)", percent(share))),
+    ])
+}
+
+/// The pressure that closes a seal: `closes at 336 kPa, 141 to 862 kPa`.
+fn closing_words(conclusions: &Conclusions) -> String {
+    let Some(closing) = conclusions.seal.and_then(|seal| seal.closes) else {
+        return "no pressure closes it".to_owned();
+    };
+    let how = if closing.by_yielding { " as the contact yields" } else { "" };
+    let range = interface_words::range(Quantity::TightPressure, closing.low, closing.high);
+    let range = range.map_or_else(String::new, |range| format!(", {range}"));
+    format!("closes at {}{range}{how}", pressure(closing.nominal_pressure_pa))
+}
+
+/// What a scene asks under a load besides the area, a row each: the seal, its leak, and the quantities of the interface.
+pub(crate) fn answers_under(conclusions: &Conclusions, load: &Answer) -> Vec<(&'static str, String)> {
+    let seal = verdict_words(load)
+        .map(|words| ("Seals?", format!("{}{}; {}", words[0], words[1], closing_words(conclusions))));
+    seal.into_iter().chain(asked_rows(conclusions, load)).collect()
+}
+
+/// The rows of a load but for the seal's verdict.
+fn asked_rows(conclusions: &Conclusions, load: &Answer) -> Vec<(&'static str, String)> {
+    let at = if conclusions.loads.len() > 1 { format!(" at {}", load.label) } else { String::new() };
+    let leak = load.seal.and_then(|seal| seal.leak_rate_m3_per_s);
+    let leak = leak.map(|[low, high]| {
+        let rate = Quantity::LeakRateHigh;
+        let range = interface_words::range(rate, low, high).filter(|_| low > NEGLIGIBLE * high);
+        let words = range.unwrap_or_else(|| format!("at most {}", interface_words::value(rate, high)));
+        ("Leaks", format!("{words}{at}"))
+    });
+    let asked = load.asked.iter().map(|asked| (asked_heading(asked.quantity), asked_words(asked, &at)));
     let shear = conclusions.shear.iter().find(|shear| shear.load == load.load);
-    let shear = shear.map(|shear| ("Shear", format!("{}{at}{remark}", shear_words(shear))));
-    QUANTITIES.into_iter().filter_map(row).chain(shear).collect()
+    let shear = shear.map(|shear| ("Shear", format!("{}{at}", shear_words(shear))));
+    leak.into_iter().chain(asked).chain(shear).collect()
+}
+
+fn asked_heading(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::MeanGap | Quantity::FlowedGap => "Gap",
+        Quantity::Stiffness => "Stiffness",
+        Quantity::FrictionCoefficient => "Friction",
+        Quantity::ElectricalConductance
+        | Quantity::FlowedElectricalConductance
+        | Quantity::ElectricalResistance => "Current",
+        _ => "Heat",
+    }
+}
+
+/// `838 W/(m² K) at 1 MPa, 630 to 1100 W/(m² K); part of the peaks has flowed`.
+fn asked_words(asked: &AskedValue, at: &str) -> String {
+    let range = interface_words::range(asked.quantity, asked.low, asked.high);
+    let state = match asked.state {
+        Some(PeakState::Partly) => "; from elastic to flowed peaks",
+        Some(PeakState::Flowed) => "; the peaks have flowed",
+        Some(PeakState::Elastic) | None => "",
+    };
+    let value = asked.value.map(|value| interface_words::value(asked.quantity, value));
+    let words: Vec<String> = value.map(|value| format!("{value}{at}")).into_iter().chain(range).collect();
+    format!("{}{state}", words.join(", "))
 }
 
 /// The response to a tangential load: `2.1 nm, 310 µJ/m² lost per cycle (50 % of sliding)`.
@@ -221,12 +264,12 @@ fn shear_words(shear: &ShearConclusion) -> String {
 }
 
 /// The load in the middle, for which a summary compares models.
-fn middle(conclusions: &Conclusions) -> Option<&LoadConclusion> {
+fn middle(conclusions: &Conclusions) -> Option<&Answer> {
     conclusions.loads.get(conclusions.loads.len() / 2)
 }
 
 /// The models that agree, by name, and the number of the others.
-fn models_words(load: &LoadConclusion, scene: &Scene) -> Option<String> {
+fn models_words(load: &Answer, scene: &Scene) -> Option<String> {
     let cells: &[ModelCell] = &load.references.first()?.models;
     let agreeing: Vec<String> = cells
         .iter()
@@ -287,14 +330,32 @@ pub fn caution_words(caution: &Remark) -> String {
     if words.ends_with('.') { words } else { format!("{}.", capital(&words)) }
 }
 
-/// A measurement in words: `three more AFM scans at other places (range shrinks to 70 %)`.
+/// What to measure next, in words.
+pub(crate) fn foremost_step(conclusions: &Conclusions) -> String {
+    match conclusions.next.first() {
+        Some(step) => next_words(step),
+        None => "no measurement would narrow the range by a tenth".to_owned(),
+    }
+}
+
+/// A measurement in words: `three more AFM scans at other places (the range becomes 0.7 as wide)`.
 #[must_use]
 pub fn next_words(step: &NextStep) -> String {
     let shrinks = |width_ratio: &f64| match *width_ratio < 0.05 {
         true => "(nearly closes the range)".to_owned(),
-        false => format!("(range shrinks to {})", percent(*width_ratio)),
+        false => format!("(the range becomes {} as wide)", three_digits(*width_ratio)),
     };
     match step {
+        NextStep::Surface => "scan the surface: its spectrum is made of a few numbers".to_owned(),
+        NextStep::Adhesion => "press it with its adhesion: truearea bem --work-of-adhesion".to_owned(),
+        NextStep::MoreScales => "scan a wider and a finer field: the spectrum has too few scales".to_owned(),
+        NextStep::Hardness => {
+            "measure the hardness by indentation: the area is in inverse proportion to it".to_owned()
+        }
+        NextStep::SecondScan => "a second scan, at another place".to_owned(),
+        NextStep::WiderScan { from_m } => {
+            format!("a scan wider than {}: longer waves decide gap, heat and leaks", length(*from_m))
+        }
         NextStep::CloseHole(hole) => {
             format!("measure between {} and {}", length(hole.longest_m), length(hole.shortest_m))
         }

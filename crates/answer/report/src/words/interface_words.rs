@@ -31,15 +31,17 @@ pub(crate) fn value(quantity: Quantity, value: f64) -> String {
 /// Both ends of an interval: `2.1 um to 2.5 um`; `None` if no uncertain input changes the value.
 pub(crate) fn ends(slot: Slot, uncertainty: &Uncertainty) -> Option<String> {
     let found = uncertainty.quantity(slot).filter(|interval| interval.low < interval.high)?;
-    let unit = slot.quantity.unit();
-    Some(match unit {
-        "m" | "Pa" | "J/m²" | "" => {
-            format!("{} to {}", value(slot.quantity, found.low), value(slot.quantity, found.high))
-        }
-        _ => format!("{} to {} {unit}", three_digits(found.low), three_digits(found.high))
-            .trim_end()
-            .to_owned(),
-    })
+    range(slot.quantity, found.low, found.high)
+}
+
+/// A range with its unit: `2.1 um to 2.5 um`, `1.1 to 1.4 S/m²`; `None` if both ends print alike.
+pub(crate) fn range(quantity: Quantity, low: f64, high: f64) -> Option<String> {
+    let [from, to] = [low, high].map(|end| value(quantity, end));
+    let from = match quantity.unit() {
+        "m" | "Pa" | "J/m²" | "" => from.as_str(),
+        unit => from.trim_end_matches(unit).trim_end(),
+    };
+    (low < high && value(quantity, low) != to).then(|| format!("{from} to {to}"))
 }
 
 /// Limits of the numbers, a sentence each.
@@ -199,18 +201,6 @@ fn of_the_seal(
             three_digits(times)
         )
     }));
-    let tight = Slot { quantity: Quantity::TightPressure, load: None, curve: None };
-    let tight_pa = states.value(tight).ok().flatten();
-    let flows_pa = scene.hardness_pa().map(|hardness_pa| threshold * hardness_pa);
-    if let (Some(tight_pa), Some(flows_pa)) = (tight_pa, flows_pa)
-        && flows_pa < tight_pa
-    {
-        notes.push(format!(
-            "the seal is computed as elastic; if the softer body yields, the seal is tight from about {} on, {threshold} times its \
-             hardness",
-            pressure(flows_pa)
-        ));
-    }
     let sometimes = loads_where(scene, |load| {
         let share = uncertainty?.share_open(load).filter(|share| *share > 0.0 && *share < 1.0)?;
         Some(format!(" ({})", percent(share)))
@@ -230,13 +220,6 @@ fn of_the_seal(
             "at {loads} the last channel is as wide as the longest wave of the spectrum, {}: wider channels may decide",
             length(longest_m)
         )
-    }));
-    let parted = loads_where(scene, |load| {
-        let drop_pa = seal.joint?.pressure_drop_pa();
-        alone(drop_pa >= scene.needs.loads[load].nominal_pressure_pa())
-    });
-    notes.extend(parted.map(|loads| {
-        format!("at {loads} the fluid pressure is not below the contact pressure and would part the bodies")
     }));
     notes
 }

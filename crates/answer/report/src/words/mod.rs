@@ -1,6 +1,7 @@
 //! All texts: sentences, notes and text tables, made from results as data.
 
 pub mod advice_words;
+pub(crate) mod cause_words;
 pub mod conclusion_words;
 pub(crate) mod curve_counts;
 pub mod curve_names;

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use conclusions::{Conclusions, Evidence, NextStep};
 use findings::answer::SceneAnswer;
-use findings::conclusions::{Conclusions, Evidence, NextStep};
 use findings::sensitivity::{Sensitivity, sensitivities};
 use questions::RunOptions;
 use report::details::details;

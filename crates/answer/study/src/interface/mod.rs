@@ -9,7 +9,7 @@ mod table;
 
 pub use gas::{GasError, GasInput};
 pub use quantity::{Quantity, Slot};
-pub use request::{AdhesionRequest, InterfaceRequest, Seal};
+pub use request::{AdhesionRequest, Asks, InterfaceRequest, Seal};
 pub use shear::{Shear, ShearLoad, sheared_pair};
 pub use states::{InterfaceError, InterfaceInputs, InterfaceStates};
 pub use table::slots_table;

@@ -16,6 +16,13 @@ pub enum Quantity {
     YovanovichConductance,
     /// Thermal conductance per nominal area by the correlation of Cooper, Mikic & Yovanovich \[W/(m^2 K)\].
     CooperMikicYovanovichConductance,
+    /// Distance Y of the mean planes where peaks have flowed at the hardness \[m\].
+    FlowedGap,
+    /// Thermal conductance of flowed peaks, by Yovanovich's correlation, and of the gas in their gap per nominal area
+    /// \[W/(m^2 K)\].
+    FlowedConductanceWithGas,
+    /// Electrical conductance per nominal area by Yovanovich's correlation for peaks that have flowed \[S/m^2\].
+    FlowedElectricalConductance,
     /// Thermal conductance of the gas in the gaps per nominal area \[W/(m^2 K)\].
     GasConductance,
     /// Thermal conductance of spots, by Barber's analogy, and gas per nominal area \[W/(m^2 K)\].
@@ -34,7 +41,7 @@ pub enum Quantity {
     LeakRateLow,
     /// High end of the leak rate \[m^3/s\].
     LeakRateHigh,
-    /// The nominal pressure that closes the last channel \[Pa\].
+    /// The nominal pressure that closes the last channel, elastically or as the bodies flow \[Pa\].
     TightPressure,
     /// Friction per nominal area \[Pa\].
     FrictionStress,
@@ -86,6 +93,9 @@ impl Quantity {
             Quantity::ThermalConductance => "thermal_conductance_w_per_m2_k",
             Quantity::YovanovichConductance => "yovanovich_conductance_w_per_m2_k",
             Quantity::CooperMikicYovanovichConductance => "cooper_mikic_yovanovich_conductance_w_per_m2_k",
+            Quantity::FlowedGap => "flowed_gap_m",
+            Quantity::FlowedConductanceWithGas => "flowed_conductance_with_gas_w_per_m2_k",
+            Quantity::FlowedElectricalConductance => "flowed_electrical_conductance_s_per_m2",
             Quantity::GasConductance => "gas_conductance_w_per_m2_k",
             Quantity::ThermalConductanceWithGas => "thermal_conductance_with_gas_w_per_m2_k",
             Quantity::ThermalResistance => "thermal_resistance_k_per_w",
@@ -115,6 +125,7 @@ impl Quantity {
             self,
             Quantity::Stiffness
                 | Quantity::ThermalConductance
+                | Quantity::ThermalConductanceWithGas
                 | Quantity::ThermalResistance
                 | Quantity::ElectricalConductance
                 | Quantity::ElectricalResistance
@@ -135,6 +146,9 @@ impl Quantity {
             Quantity::CooperMikicYovanovichConductance => {
                 "thermal conductance of flowed peaks (Cooper, Mikic & Yovanovich)"
             }
+            Quantity::FlowedGap => "distance of the mean planes of flowed peaks",
+            Quantity::FlowedConductanceWithGas => "thermal conductance of flowed peaks and gas",
+            Quantity::FlowedElectricalConductance => "electrical conductance of flowed peaks (Yovanovich)",
             Quantity::GasConductance => "thermal conductance of the gas in the gaps",
             Quantity::ThermalConductanceWithGas => "thermal conductance of spots and gas",
             Quantity::ThermalResistance => "thermal resistance",
@@ -162,6 +176,7 @@ impl Quantity {
     pub fn unit(self) -> &'static str {
         match self {
             Quantity::MeanGap
+            | Quantity::FlowedGap
             | Quantity::ChannelWavelength
             | Quantity::ChannelHeight
             | Quantity::TangentialDisplacement => "m",
@@ -170,10 +185,11 @@ impl Quantity {
             Quantity::ThermalConductance
             | Quantity::YovanovichConductance
             | Quantity::CooperMikicYovanovichConductance
+            | Quantity::FlowedConductanceWithGas
             | Quantity::GasConductance
             | Quantity::ThermalConductanceWithGas => "W/(m² K)",
             Quantity::ThermalResistance => "K/W",
-            Quantity::ElectricalConductance => "S/m²",
+            Quantity::ElectricalConductance | Quantity::FlowedElectricalConductance => "S/m²",
             Quantity::ElectricalResistance => "Ω",
             Quantity::LeakRateLow | Quantity::LeakRateHigh => "m³/s",
             Quantity::TightPressure | Quantity::FrictionStress => "Pa",

@@ -37,6 +37,19 @@ pub struct InterfaceRequest {
     pub adhesion: Option<AdhesionRequest>,
     /// The tangential load, and the friction that it meets.
     pub shear: Option<Shear>,
+    /// What the scene asks for, of all that its bodies allow.
+    pub asks: Asks,
+}
+
+/// The questions of a scene that its inputs alone do not tell, since bodies of a table bring conductivities with them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Asks {
+    /// True for mean gap and stiffness.
+    pub gap: bool,
+    /// True for heat.
+    pub heat: bool,
+    /// True for current.
+    pub current: bool,
 }
 
 /// A contact as a seal.
@@ -95,6 +108,12 @@ impl AdhesionRequest {
 }
 
 impl InterfaceRequest {
+    /// Tells whether the fluid of a seal presses as much as the bodies do, at a nominal pressure \[Pa\], and would part them.
+    #[must_use]
+    pub fn parts_bodies(&self, pressure_pa: f64) -> bool {
+        self.seal.and_then(|seal| seal.joint).is_some_and(|joint| joint.pressure_drop_pa() >= pressure_pa)
+    }
+
     /// Lists all requested quantities, under every load and of every curve, whether or not they will have a value.
     #[must_use]
     pub fn slots(&self, loads: usize, curves: usize, has_hardness: bool) -> Vec<Slot> {
@@ -130,12 +149,14 @@ impl InterfaceRequest {
     fn of_each_load(&self, has_hardness: bool) -> Vec<Quantity> {
         let has_area = self.nominal_area_m2.is_some();
         let mut quantities = vec![Quantity::MeanGap, Quantity::Stiffness];
+        quantities.extend(has_hardness.then_some(Quantity::FlowedGap));
         if self.conductivities.is_some() {
             quantities.push(Quantity::ThermalConductance);
             quantities.extend(has_area.then_some(Quantity::ThermalResistance));
             if has_hardness {
                 quantities
                     .extend([Quantity::YovanovichConductance, Quantity::CooperMikicYovanovichConductance]);
+                quantities.extend(self.gas.map(|_| Quantity::FlowedConductanceWithGas));
             }
         }
         if self.gas.is_some() {
@@ -145,6 +166,7 @@ impl InterfaceRequest {
         if self.resistivities.is_some() {
             quantities.push(Quantity::ElectricalConductance);
             quantities.extend(has_area.then_some(Quantity::ElectricalResistance));
+            quantities.extend(has_hardness.then_some(Quantity::FlowedElectricalConductance));
         }
         if let Some(seal) = &self.seal {
             quantities.extend([Quantity::ChannelWavelength, Quantity::ChannelHeight]);

@@ -5,6 +5,7 @@ use std::cell::OnceCell;
 use ::interface::OutOfBounds;
 use ::interface::conductance::{CutSurface, PlasticCorrelation, PressureRatio, RelativeStiffness, Spot};
 use ::interface::friction::SlidingContact;
+use ::interface::gas::plastic_separation_m;
 use ::interface::leak::LeakRate;
 use ::interface::tangential::{ShearedContact, ShearedPair};
 use asperity::MaterialPair;
@@ -137,6 +138,12 @@ impl<'a> InterfaceStates<'a> {
         self.separation.light_loads()
     }
 
+    /// Returns true if longer waves than the spectrum has would change gap and stiffness.
+    #[must_use]
+    pub fn lacks_roll_off(&self) -> bool {
+        self.light_loads().is_some_and(|light| light.lacks_roll_off(&self.roughness))
+    }
+
     /// Gap and stiffness under any nominal pressure > 0 \[Pa\].
     #[must_use]
     pub fn separation_under(&self, pressure_pa: f64) -> Separation {
@@ -183,6 +190,12 @@ impl<'a> InterfaceStates<'a> {
     #[must_use]
     pub fn closed_by_yielding_from_pa(&self) -> Option<f64> {
         Some(self.request.seal?.threshold.area_fraction() * self.inputs.hardness_pa?)
+    }
+
+    /// The nominal pressure \[Pa\] that closes a seal, elastically or as its bodies flow; `None` without a seal.
+    fn tight_pressure_pa(&self) -> Option<f64> {
+        let elastic_pa = self.sealing.as_ref()?.tight_pressure_pa();
+        Some(self.closed_by_yielding_from_pa().map_or(elastic_pa, |from_pa| from_pa.min(elastic_pa)))
     }
 
     /// P/H under a load, with the range of the correlations for flowed peaks; `None` without a hardness.
@@ -232,7 +245,7 @@ impl<'a> InterfaceStates<'a> {
 
     fn of_all_loads(&self, quantity: Quantity) -> Result<Option<f64>, InterfaceError> {
         match (quantity, &self.request.adhesion) {
-            (Quantity::TightPressure, _) => Ok(self.sealing.as_ref().map(SealingLaw::tight_pressure_pa)),
+            (Quantity::TightPressure, _) => Ok(self.tight_pressure_pa()),
             (Quantity::FullerTabor, Some(adhesion)) => {
                 adhesion.fuller_tabor(&self.moments, self.modulus_pa())
             }
@@ -252,10 +265,18 @@ impl<'a> InterfaceStates<'a> {
             Quantity::CooperMikicYovanovichConductance => {
                 self.flowed(load, PlasticCorrelation::CooperMikicYovanovich)
             }
-            Quantity::GasConductance => self.gas(load),
+            Quantity::FlowedGap => Ok(self.flowed_gap_m(load)?.filter(|gap_m| *gap_m > 0.0)),
+            Quantity::FlowedConductanceWithGas => {
+                let of_spots = self.flowed(load, PlasticCorrelation::Yovanovich)?;
+                // Where everything touches no gap is left.
+                let of_gas = self.flowed_gap_m(load)?.and_then(|gap_m| self.gas_over(gap_m));
+                Ok(of_spots.map(|of_spots| of_spots + of_gas.unwrap_or(0.0)))
+            }
+            Quantity::FlowedElectricalConductance => self.flowed_current(load),
+            Quantity::GasConductance => Ok(self.gas(load)),
             Quantity::ThermalConductanceWithGas => {
                 let of_spots = self.heat(load, Quantity::ThermalConductance)?;
-                Ok(of_spots.zip(self.gas(load)?).map(|(of_spots, of_gas)| of_spots + of_gas))
+                Ok(of_spots.zip(self.gas(load)).map(|(of_spots, of_gas)| of_spots + of_gas))
             }
             Quantity::ElectricalConductance | Quantity::ElectricalResistance => {
                 self.current(load, slot.quantity)
@@ -339,11 +360,21 @@ impl<'a> InterfaceStates<'a> {
     }
 
     /// Conductance of the gas over the gaps of the elastic theory, taken as Gaussian about their mean.
-    fn gas(&self, load: usize) -> Result<Option<f64>, InterfaceError> {
+    fn gas(&self, load: usize) -> Option<f64> {
+        self.gas_over(self.separation(load).mean_gap_m)
+    }
+
+    /// Conductance of the gas over Gaussian gaps about a distance of the mean planes \[m\].
+    fn gas_over(&self, gap_m: f64) -> Option<f64> {
         let rms_height_m = self.moments.rms_height_m();
-        let gap_m = self.separation(load).mean_gap_m;
-        let of_gas = self.request.gas.filter(|_| rms_height_m > 0.0 && gap_m.is_finite());
-        Ok(of_gas.map(|gas| gas.conductance_w_per_m2_k(gap_m, rms_height_m)))
+        let of_gas = self.request.gas.filter(|_| rms_height_m > 0.0 && gap_m.is_finite())?;
+        Some(of_gas.conductance_w_per_m2_k(gap_m, rms_height_m))
+    }
+
+    /// Distance of the mean planes of peaks that have flowed \[m\]; `None` without a hardness, and where everything touches.
+    fn flowed_gap_m(&self, load: usize) -> Result<Option<f64>, InterfaceError> {
+        let ratio = self.pressure_ratio(load)?;
+        Ok(ratio.and_then(|ratio| plastic_separation_m(self.moments.rms_height_m(), ratio)))
     }
 
     fn current(&self, load: usize, quantity: Quantity) -> Result<Option<f64>, InterfaceError> {
@@ -365,6 +396,16 @@ impl<'a> InterfaceStates<'a> {
             return Ok(None);
         };
         Ok(Some(correlation.conductance_w_per_m2_k(conductivities, &self.surface()?, ratio)))
+    }
+
+    fn flowed_current(&self, load: usize) -> Result<Option<f64>, InterfaceError> {
+        let (Some(resistivities), Some(ratio)) = (&self.request.resistivities, self.pressure_ratio(load)?)
+        else {
+            return Ok(None);
+        };
+        let conductivities = resistivities.conductivities();
+        let correlation = PlasticCorrelation::Yovanovich;
+        Ok(Some(correlation.conductance_w_per_m2_k(&conductivities, &self.surface()?, ratio)))
     }
 
     fn leak(&self, load: usize) -> Result<Option<LeakRate>, InterfaceError> {

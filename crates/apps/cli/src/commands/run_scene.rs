@@ -82,7 +82,6 @@ impl SceneRun<'_> {
         let sensitivities = outcome.sensitivities.as_deref();
         let products = SceneProducts { evidence, conclusions, sensitivities, run_stamp: &run_stamp };
         let earlier: BTreeSet<String> = results.own().into_iter().map(str::to_owned).collect();
-        let states = scene.interface_states(&outcome.results);
         let report = folder.join(products::REPORT);
         let report = options.report.then(|| report.display().to_string());
         let noted = [RemarkLevel::Caution, RemarkLevel::Note]
@@ -93,12 +92,12 @@ impl SceneRun<'_> {
             notes: noted[1] + scene.notes.len(),
             verbose_option: "-v",
         };
-        let short = short_summary(conclusions, scene, states.as_ref(), &end);
+        let short = short_summary(conclusions, scene, &end);
         // The summary beside the report tells of no folder of the machine.
         let name = folder.file_name().map_or_else(PathBuf::new, PathBuf::from);
         let beside = name.join(products::REPORT).display().to_string();
         let beside = SummaryEnd { report: end.report.map(|_| beside.as_str()), ..end };
-        let beside = short_summary(conclusions, scene, states.as_ref(), &beside);
+        let beside = short_summary(conclusions, scene, &beside);
         let written = write_products(&products, &beside, context.shared.format(), results, layout)?;
         timings.lap("writing");
         let mut text = short;

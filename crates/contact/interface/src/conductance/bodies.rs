@@ -46,6 +46,12 @@ impl Resistivities {
         Ok(Resistivities { first_ohm_m: check(first_ohm_m)?, second_ohm_m: check(second_ohm_m)? })
     }
 
+    /// Returns conductivities 1/rho, with which laws of heat are laws of current, in S/m for W/(m K).
+    #[must_use]
+    pub fn conductivities(&self) -> Conductivities {
+        Conductivities { first_w_per_m_k: 1.0 / self.first_ohm_m, second_w_per_m_k: 1.0 / self.second_ohm_m }
+    }
+
     /// Sum of the resistivities rho1 + rho2 \[ohm m\].
     #[must_use]
     pub fn sum_ohm_m(&self) -> f64 {

@@ -5,18 +5,22 @@
 //! Findings, verdicts and intervals each see a part of the results. [`Conclusions::new`] joins them once from the [`Evidence`], so that
 //! the summary on a terminal, the report and `answer.json` cannot contradict each other.
 
+mod asked;
+mod cause;
 mod cautions;
 mod evidence;
-mod load;
+mod load_answer;
 mod next;
 mod seal;
 mod shear;
 
+pub use asked::{AskedValue, PeakState};
+pub use cause::Cause;
 pub use cautions::trust_left;
 pub use evidence::{Evidence, Trust};
-pub use load::{AreaEstimate, LoadConclusion, ModelCell, OtherHardness, ReferenceGroup, Source, Tally};
+pub use load_answer::{Answer, AreaEstimate, ModelCell, OtherHardness, ReferenceGroup, Source, Tally};
 pub use next::NextStep;
-pub use seal::{SealClosing, SealConclusion};
+pub use seal::{SealClosing, SealConclusion, SealUnderLoad, SealVerdict};
 pub use shear::ShearConclusion;
 
 use serde::Serialize;
@@ -28,13 +32,13 @@ pub struct Conclusions {
     /// The title of the scene.
     pub title: String,
     /// The conclusion for every load that has an area, in the order of the scene.
-    pub loads: Vec<LoadConclusion>,
+    pub loads: Vec<Answer>,
     /// The limits of these numbers, the most serious first.
     #[serde(serialize_with = "cautions::serialize")]
     pub cautions: Vec<Remark>,
     /// The trust that they leave.
     pub trust: Trust,
-    /// The seal, if the scene has one.
+    /// The seal, if the scene has one; each load has its verdict.
     pub seal: Option<SealConclusion>,
     /// The response to the tangential load under every load; empty without one.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -49,15 +53,16 @@ impl Conclusions {
     pub fn new(evidence: &Evidence<'_>) -> Self {
         let scene = evidence.scene;
         let states = scene.interface_states(evidence.results);
-        let loads: Vec<LoadConclusion> =
-            (0..scene.needs.loads.len()).filter_map(|load| LoadConclusion::new(evidence, load)).collect();
+        let loads: Vec<Answer> = (0..scene.needs.loads.len())
+            .filter_map(|load| Answer::new(evidence, states.as_ref(), load))
+            .collect();
         let cautions = cautions::cautions(evidence, &loads, states.as_ref());
         Conclusions {
             title: scene.title.clone(),
             trust: cautions.iter().map(trust_left).min().unwrap_or(Trust::Good),
-            seal: states.as_ref().and_then(|states| SealConclusion::new(scene, states)),
+            seal: states.as_ref().and_then(|states| SealConclusion::new(states, evidence.uncertainty)),
             shear: states.as_ref().map(ShearConclusion::of_loads).unwrap_or_default(),
-            next: next::next_steps(evidence, &loads),
+            next: next::next_steps(evidence, &loads, &cautions, states.as_ref()),
             loads,
             cautions,
         }

@@ -6,7 +6,7 @@ use serde::Serialize;
 use study::plan::Results;
 use uncertainty::Uncertainty;
 
-use crate::answer::SceneAnswer;
+use findings::answer::SceneAnswer;
 
 /// The inputs of conclusions: a scene and what was found about it.
 #[derive(Clone, Copy)]

@@ -4,12 +4,18 @@ use judge::{
     AGREEMENT, AreaRange, Basis, CurveVerdict, ElementArea, Headline, Judgement, Reference, Verdict,
 };
 use serde::Serialize;
+use study::models::Choice;
 
+use study::interface::InterfaceStates;
+
+use super::asked::{AskedValue, Questions};
+use super::cause::Cause;
 use super::evidence::Evidence;
+use super::seal::SealUnderLoad;
 
 /// The conclusion for a load.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct LoadConclusion {
+pub struct Answer {
     /// The load, by index.
     pub load: usize,
     /// The load as typed.
@@ -18,6 +24,8 @@ pub struct LoadConclusion {
     pub nominal_pressure_pa: f64,
     /// The area that touches.
     pub area: AreaEstimate,
+    /// What that area hangs on.
+    pub cause: Cause,
     /// The area if the hardness does not grow at small scales, if that lies outside the range.
     pub otherwise: Option<OtherHardness>,
     /// The closed form nearest to the elements, among those that agree with them; a cell of `references`.
@@ -26,6 +34,10 @@ pub struct LoadConclusion {
     pub references: Vec<ReferenceGroup>,
     /// The number of models by verdict.
     pub tally: Tally,
+    /// The seal under this load, if the scene has one.
+    pub seal: Option<SealUnderLoad>,
+    /// What the scene asks of its interface besides.
+    pub asked: Vec<AskedValue>,
 }
 
 /// The area that touches, as a share of the nominal area.
@@ -114,9 +126,14 @@ pub struct Tally {
     pub of_other_elements: usize,
 }
 
-impl LoadConclusion {
+impl Answer {
     /// Draws the conclusion for a load; `None` if no curve has an area under it.
-    pub(crate) fn new(evidence: &Evidence<'_>, load: usize) -> Option<Self> {
+    pub(crate) fn new(
+        evidence: &Evidence<'_>,
+        states: Option<&InterfaceStates<'_>>,
+        load: usize,
+    ) -> Option<Self> {
+        let uncertainty = evidence.uncertainty;
         let given = &evidence.scene.needs.loads[load];
         let headline = evidence.judgement.and_then(|judgement| judgement.headline(load));
         let references = evidence.judgement.map_or_else(Vec::new, |judgement| groups(judgement, load));
@@ -128,16 +145,23 @@ impl LoadConclusion {
             Some(headline) => AreaEstimate::from_headline(evidence, headline),
             None => AreaEstimate::from_models(evidence, load)?,
         };
-        Some(LoadConclusion {
+        let mut found = Answer {
+            area,
+            cause: Cause::Unknown,
             load,
             label: given.label.clone(),
             nominal_pressure_pa: given.nominal_pressure_pa(),
             otherwise: headline.and_then(|headline| OtherHardness::new(headline, &area)),
-            area,
             best_model,
             tally: Tally::count(&references, leading_reference(headline)),
             references,
-        })
+            seal: states.and_then(|states| SealUnderLoad::new(states, uncertainty, load)),
+            asked: states.map_or_else(Vec::new, |states| {
+                Questions { states, uncertainty, load, area: &area }.answers()
+            }),
+        };
+        found.cause = Cause::new(evidence, &found);
+        Some(found)
     }
 
     /// Returns the factor between the areas with a constant hardness and with one that grows at small scales, if it decides: if it
@@ -208,8 +232,12 @@ impl AreaEstimate {
             Source::Model { curve } => Some(curve),
             _ => best,
         };
-        let curves = own.into_iter().chain(0..evidence.scene.needs.curves.len());
-        let Some(interval) = curves.filter_map(|curve| uncertainty.interval(curve, load)).next() else {
+        let curves = &evidence.scene.needs.curves;
+        // The interval of a model that does not yield says nothing of bodies that do.
+        let yields = matches!(self.source, Source::Elements(Reference::Yielding { .. }));
+        let is_alike = |curve: &usize| !yields || curves[*curve].model.entry().has(Choice::Strength);
+        let alike = own.into_iter().chain((0..curves.len()).filter(is_alike));
+        let Some(interval) = alike.filter_map(|curve| uncertainty.interval(curve, load)).next() else {
             return self;
         };
         let wider = |end: f64, of_inputs: f64| -> f64 {
@@ -222,7 +250,12 @@ impl AreaEstimate {
             if interval.low < interval.area_fraction { wider(self.low, interval.low) } else { self.low };
         let high =
             if interval.high > interval.area_fraction { wider(self.high, interval.high) } else { self.high };
-        AreaEstimate { low, high: high.min(1.0), includes_inputs: true, ..self }
+        AreaEstimate {
+            low: low.min(self.low),
+            high: high.clamp(self.high, 1.0),
+            includes_inputs: true,
+            ..self
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::doubts;
+use findings::doubts;
 use interface::adhesion::{NOT_STICKY_ABOVE, StickyContact};
 use interface::conductance::MOST_PLASTIC_SHARE;
 use judge::Reference;
@@ -11,8 +11,9 @@ use study::interface::InterfaceStates;
 use study::interface::{Quantity, Slot};
 use units::{Remark, RemarkCode};
 
+use super::cause::Cause;
 use super::evidence::{Evidence, Trust};
-use super::load::{LoadConclusion, Source};
+use super::load_answer::{Answer, Source};
 
 /// Returns the trust that a caution leaves.
 #[must_use]
@@ -26,6 +27,8 @@ pub fn trust_left(caution: &Remark) -> Trust {
         RemarkCode::InstrumentsDisagree
         | RemarkCode::HardnessDecides
         | RemarkCode::NotJudged
+        | RemarkCode::StickyByPastewka
+        | RemarkCode::StickyByFuller
         | RemarkCode::ThinLayer => Trust::Poor,
         RemarkCode::NotMeasured if is_wide() => Trust::Poor,
         code if is_doubt(code) => Trust::Poor,
@@ -69,12 +72,13 @@ impl Serialize for InAnswer<'_> {
 /// Lists the cautions, the most serious first.
 pub(crate) fn cautions(
     evidence: &Evidence<'_>,
-    loads: &[LoadConclusion],
+    loads: &[Answer],
     states: Option<&InterfaceStates<'_>>,
 ) -> Vec<Remark> {
     let Evidence { scene, answer, judgement, uncertainty, .. } = *evidence;
     let mut cautions = Vec::new();
     let new = Remark::new;
+    cautions.extend(states.and_then(|states| fluid_parts(loads, states)));
     let too_few = |scales: usize| new(RemarkCode::TooFewScales).with("scales", scales);
     cautions.extend(answer.too_few_scales.map(too_few));
     cautions.extend(answer.instruments_disagree.as_ref().map(|found| {
@@ -97,11 +101,11 @@ pub(crate) fn cautions(
         let remark = new(RemarkCode::NotMeasured).with("longest_m", hole.longest_m);
         remark.with("shortest_m", hole.shortest_m)
     }));
-    cautions.extend(upper_bound(evidence, loads));
+    let on_roughness = loads.iter().any(|load| !matches!(load.cause, Cause::Hardness { .. }));
+    cautions.extend(upper_bound(evidence, loads).filter(|_| on_roughness));
     let steep_from_m = judgement.and_then(|judgement| judgement.steep_from_m);
     cautions.extend(steep_from_m.map(|from_m| new(RemarkCode::TooSteep).with("from_m", from_m)));
-    let none_agrees =
-        |load: &LoadConclusion| load.tally.agree == 0 && load.tally.off + load.tally.not_valid > 0;
+    let none_agrees = |load: &Answer| load.tally.agree == 0 && load.tally.off + load.tally.not_valid > 0;
     if !loads.is_empty() && loads.iter().all(none_agrees) {
         // Models of other bodies than those of the estimate may agree with their own elements.
         let others = loads.iter().map(|load| load.tally.of_other_elements).min().unwrap_or(0);
@@ -115,8 +119,11 @@ pub(crate) fn cautions(
             .filter(|guess| matches!(guess.code, RemarkCode::FewScans | RemarkCode::OneInstrument))
             .cloned(),
     );
+    let is_elastic = |states: &&InterfaceStates<'_>| {
+        states.request().shear.is_some() || states.request().seal.is_some_and(|seal| seal.joint.is_some())
+    };
     let may_yield = loads.iter().filter(|load| load.area.source != Source::Elements(Reference::Elastic));
-    let shares = may_yield.filter_map(|load| states?.plastic_share(load.load));
+    let shares = may_yield.filter_map(|load| states.filter(is_elastic)?.plastic_share(load.load));
     let yielded = shares.filter(|share| *share > MOST_PLASTIC_SHARE);
     let largest = yielded.reduce(f64::max);
     cautions.extend(largest.map(|share| new(RemarkCode::GapOfYieldingContact).with("share", share)));
@@ -130,6 +137,14 @@ pub(crate) fn cautions(
         }),
     );
     cautions
+}
+
+/// The caution on a fluid that presses more than the bodies do, under the lightest such load.
+fn fluid_parts(loads: &[Answer], states: &InterfaceStates<'_>) -> Option<Remark> {
+    let joint = states.request().seal?.joint?;
+    let parted = loads.iter().find(|load| states.request().parts_bodies(load.nominal_pressure_pa))?;
+    let remark = Remark::new(RemarkCode::FluidParts).with("fluid_pressure_pa", joint.pressure_drop_pa());
+    Some(remark.with("pressure_pa", parted.nominal_pressure_pa))
 }
 
 /// The indicator that finds the surface sticky: Pastewka & Robbins' criterion, or without a range of the attraction Fuller &
@@ -152,14 +167,14 @@ fn is_of_models(source: Source) -> bool {
 }
 
 /// The caution that the hardness at small scales decides, with the largest factor of any load.
-pub(crate) fn hardness_decides(loads: &[LoadConclusion]) -> Option<Remark> {
-    let ratio = loads.iter().filter_map(LoadConclusion::factor_of_hardness).reduce(f64::max)?;
+pub(crate) fn hardness_decides(loads: &[Answer]) -> Option<Remark> {
+    let ratio = loads.iter().filter_map(Answer::factor_of_hardness).reduce(f64::max)?;
     Some(Remark::new(RemarkCode::HardnessDecides).with("ratio", ratio))
 }
 
 /// The caution that the area is still falling at the end of the spectrum, for any load.
-fn upper_bound(evidence: &Evidence<'_>, loads: &[LoadConclusion]) -> Option<Remark> {
-    let falls = |load: &LoadConclusion| {
+fn upper_bound(evidence: &Evidence<'_>, loads: &[Answer]) -> Option<Remark> {
+    let falls = |load: &Answer| {
         let followed =
             |curve: usize| evidence.answer.curves[curve][load.load].as_ref().filter(|answer| answer.followed);
         let nearest = load.nearest_curve().and_then(followed);

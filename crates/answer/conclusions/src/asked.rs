@@ -1,0 +1,189 @@
+//! What a scene asks of its interface besides the area and the seal: for each question one value with one range, in the state that the
+//! peaks of the roughness are in.
+
+use interface::conductance::MOST_PLASTIC_SHARE;
+use interface::friction::SlidingContact;
+use judge::Reference;
+use serde::Serialize;
+use study::interface::{InterfaceStates, Quantity, Slot};
+use uncertainty::Uncertainty;
+
+use super::load_answer::{AreaEstimate, Source};
+
+/// The share of the contact that has flowed from which on all of it counts as flowed.
+const FLOWED_SHARE: f64 = 0.9;
+
+/// The factor, either way, within which stiffnesses of Persson's theory hold boundary elements of nine in ten spectra.
+const STIFFNESS_WITHIN: f64 = 1.25;
+
+/// The same of gaps.
+const GAP_WITHIN: f64 = 1.15;
+
+/// The factor, either way, within which a correlation for flowed peaks is taken to hold: measured conductances of conforming faces
+/// scatter by as much about it where the hardness is that of a large indentation.
+const CORRELATION_WITHIN: f64 = 1.73;
+
+/// The state of the peaks under a load.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PeakState {
+    /// Less than 3 % of the contact has flowed.
+    Elastic,
+    /// Part of it has, or how much depends on a hardness that is not known.
+    Partly,
+    /// More than 90 % has.
+    Flowed,
+}
+
+/// A quantity that a scene asks for, under a load.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct AskedValue {
+    /// The quantity; its name tells the unit.
+    pub quantity: Quantity,
+    /// The best estimate; `None` if only its range is known.
+    pub value: Option<f64>,
+    /// The low end of its range: uncertain inputs, the error of the theory, and all states that the peaks may be in.
+    pub low: f64,
+    /// The high end.
+    pub high: f64,
+    /// The state of the peaks that it is for; `None` if it does not depend on that.
+    pub state: Option<PeakState>,
+}
+
+/// The same quantity by the theory of elastic peaks and by that of flowed ones.
+struct ByState {
+    elastic: Quantity,
+    flowed: Option<Quantity>,
+    elastic_within: f64,
+}
+
+/// The questions of a scene under one of its loads, and what answers them.
+pub(crate) struct Questions<'a> {
+    pub states: &'a InterfaceStates<'a>,
+    pub uncertainty: Option<&'a Uncertainty>,
+    pub load: usize,
+    pub area: &'a AreaEstimate,
+}
+
+impl PeakState {
+    /// Finds the state under a load whose area has a source.
+    pub(crate) fn new(states: &InterfaceStates<'_>, load: usize, source: Source) -> Self {
+        let share = states.plastic_share(load).unwrap_or(0.0);
+        match source {
+            _ if share <= MOST_PLASTIC_SHARE => PeakState::Elastic,
+            Source::Elements(Reference::Growing) => PeakState::Partly,
+            _ if share <= FLOWED_SHARE => PeakState::Partly,
+            _ => PeakState::Flowed,
+        }
+    }
+}
+
+impl Questions<'_> {
+    /// Answers all of them.
+    pub fn answers(&self) -> Vec<AskedValue> {
+        let request = self.states.request();
+        let mut found = Vec::new();
+        if request.asks.gap {
+            let gap = ByState {
+                elastic: Quantity::MeanGap,
+                flowed: Some(Quantity::FlowedGap),
+                elastic_within: GAP_WITHIN,
+            };
+            found.extend(self.by_state(&gap));
+            found.extend(self.within(Quantity::Stiffness, STIFFNESS_WITHIN).map(|[value, low, high]| {
+                AskedValue { quantity: Quantity::Stiffness, value: Some(value), low, high, state: None }
+            }));
+        }
+        if request.asks.heat {
+            let heat = self.by_state(&ByState::heat(request.conductivities.is_some(), request.gas.is_some()));
+            let of_area = Quantity::ThermalResistance;
+            let conducts = request.conductivities.is_some();
+            found.extend(heat.map(|heat| if conducts { self.of_nominal_area(heat, of_area) } else { heat }));
+        }
+        if request.asks.current {
+            let current = ByState {
+                elastic: Quantity::ElectricalConductance,
+                flowed: Some(Quantity::FlowedElectricalConductance),
+                elastic_within: STIFFNESS_WITHIN,
+            };
+            let current = self.by_state(&current);
+            found
+                .extend(current.map(|current| self.of_nominal_area(current, Quantity::ElectricalResistance)));
+        }
+        found.extend(self.friction());
+        found
+    }
+
+    /// A value with the range of the state that the peaks are in; of partly flowed ones, from elastic to flowed.
+    fn by_state(&self, quantities: &ByState) -> Option<AskedValue> {
+        let elastic = || self.within(quantities.elastic, quantities.elastic_within);
+        let flowed = || self.within(quantities.flowed?, CORRELATION_WITHIN);
+        let state = PeakState::new(self.states, self.load, self.area.source);
+        let (quantity, state, [value, low, high]) = match (state, elastic(), flowed()) {
+            (PeakState::Flowed, _, Some(flowed)) => (quantities.flowed?, PeakState::Flowed, flowed),
+            (PeakState::Partly, Some([value, low, high]), Some([flowed, ..])) => {
+                (quantities.elastic, PeakState::Partly, [value, low.min(flowed), high.max(flowed)])
+            }
+            (state, elastic, None) => (quantities.elastic, state, elastic?),
+            (_, None, Some(flowed)) => (quantities.flowed?, PeakState::Flowed, flowed),
+            (PeakState::Elastic, Some(elastic), _) => (quantities.elastic, PeakState::Elastic, elastic),
+        };
+        Some(AskedValue { quantity, value: Some(value), low, high, state: Some(state) })
+    }
+
+    /// A value with its range: the interval of uncertain inputs and the factor of the theory, whose logarithms add as squares.
+    fn within(&self, quantity: Quantity, factor: f64) -> Option<[f64; 3]> {
+        let slot = Slot { quantity, load: Some(self.load), curve: None };
+        let value = self.states.value(slot).ok().flatten()?;
+        let interval = self.uncertainty.and_then(|found| found.quantity(slot));
+        // Intervals of stiffnesses under light loads contain their error.
+        let contained = quantity.follows_stiffness() && self.states.light_contact_factor(self.load) > 1.0;
+        let factor = if contained && interval.is_some() { 1.0 } else { factor };
+        let [below, above] = interval
+            .map_or([1.0, 1.0], |found| [(value / found.low).max(1.0), (found.high / value).max(1.0)]);
+        let wider = |ratio: f64| ratio.ln().hypot(factor.ln()).exp();
+        Some([value, value / wider(below), value * wider(above)])
+    }
+
+    /// The resistance of the nominal area in place of a conductance per area, where that area is known.
+    fn of_nominal_area(&self, conductance: AskedValue, resistance: Quantity) -> AskedValue {
+        let Some(area_m2) = self.states.request().nominal_area_m2 else { return conductance };
+        let inverse = |per_area: f64| 1.0 / (per_area * area_m2);
+        AskedValue {
+            quantity: resistance,
+            value: conductance.value.map(inverse),
+            low: inverse(conductance.high),
+            high: inverse(conductance.low),
+            ..conductance
+        }
+    }
+
+    /// The coefficient of friction of the area that touches.
+    fn friction(&self) -> Option<AskedValue> {
+        let shear_strength_pa = self.states.request().shear_strength_pa?;
+        let pressure_pa = self.states.inputs().pressures[self.load].pa();
+        let coefficient = |area_fraction: f64| {
+            let sliding = SlidingContact::new(shear_strength_pa, area_fraction, pressure_pa);
+            sliding.ok().map(|sliding| sliding.friction_coefficient())
+        };
+        Some(AskedValue {
+            quantity: Quantity::FrictionCoefficient,
+            value: self.area.area_fraction.and_then(coefficient),
+            low: coefficient(self.area.low)?,
+            high: coefficient(self.area.high)?,
+            state: None,
+        })
+    }
+}
+
+impl ByState {
+    /// Heat through spots, where both bodies conduct, and through gas, where there is some.
+    fn heat(conducts: bool, has_gas: bool) -> Self {
+        let (elastic, flowed) = match (conducts, has_gas) {
+            (true, true) => (Quantity::ThermalConductanceWithGas, Some(Quantity::FlowedConductanceWithGas)),
+            (true, false) => (Quantity::ThermalConductance, Some(Quantity::YovanovichConductance)),
+            (false, _) => (Quantity::GasConductance, None),
+        };
+        ByState { elastic, flowed, elastic_within: STIFFNESS_WITHIN }
+    }
+}

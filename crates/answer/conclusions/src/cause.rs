@@ -1,0 +1,158 @@
+//! What the area of a load hangs on: the hardness, the roughness of some scales, both, or nothing.
+
+use findings::features::DecadeShare;
+use judge::Reference;
+use serde::Serialize;
+use study::models::Choice;
+
+use super::evidence::Evidence;
+use super::load_answer::{Answer, Source};
+
+/// The share of the nominal area from which on everything touches.
+const FULL: f64 = 0.999;
+
+/// An area of at most this times the load over the hardness hangs on the hardness alone.
+const FLOWED: f64 = 1.1;
+
+/// An area of at least this times that of elastic bodies, or of at most its inverse, hangs on the hardness as well.
+const ELASTIC: f64 = 1.03;
+
+/// What an area hangs on.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case", tag = "hangs_on")]
+pub enum Cause {
+    /// Whether the hardness grows at small scales.
+    GrowthOfHardness {
+        /// The area with a constant hardness over that with one that grows.
+        ratio: f64,
+    },
+    /// The hardness: the area is the load over it, and roughness does not matter.
+    Hardness {
+        /// The hardness \[Pa\].
+        hardness_pa: f64,
+    },
+    /// The roughness of a decade of wavelengths.
+    Roughness {
+        /// The decade that decides most.
+        decade: DecadeShare,
+    },
+    /// The hardness, and the roughness of a decade of wavelengths.
+    HardnessAndRoughness {
+        /// The hardness \[Pa\].
+        hardness_pa: f64,
+        /// The decade that decides most.
+        decade: DecadeShare,
+    },
+    /// Nothing: everything touches.
+    FullContact,
+    /// Unknown: no curve that agrees with boundary elements was followed along the cutoff.
+    Unknown,
+}
+
+impl Cause {
+    /// Finds the cause of the area that is concluded for a load. What elements say goes before what a model says.
+    pub(crate) fn new(evidence: &Evidence<'_>, load: &Answer) -> Self {
+        if let Some(ratio) = load.factor_of_hardness() {
+            return Cause::GrowthOfHardness { ratio };
+        }
+        let flowing = Flowing::new(evidence, load);
+        Self::of(load.area.area_fraction.unwrap_or(load.area.high), flowing, decisive(evidence, load))
+    }
+
+    fn of(area_fraction: f64, flowing: Option<Flowing>, decade: Option<DecadeShare>) -> Self {
+        if area_fraction >= FULL {
+            return Cause::FullContact;
+        }
+        match (flowing, decade) {
+            (Some(Flowing { hardness_pa, least, .. }), _) if area_fraction <= FLOWED * least => {
+                Cause::Hardness { hardness_pa }
+            }
+            (Some(Flowing { hardness_pa, elastic, .. }), Some(decade))
+                if elastic.is_some_and(|elastic| area_fraction > ELASTIC * elastic) =>
+            {
+                Cause::HardnessAndRoughness { hardness_pa, decade }
+            }
+            (_, Some(decade)) => Cause::Roughness { decade },
+            (_, None) => Cause::Unknown,
+        }
+    }
+}
+
+/// A contact that flows at a hardness.
+#[derive(Debug, Clone, Copy)]
+struct Flowing {
+    hardness_pa: f64,
+    /// The least area fraction, the load over the hardness.
+    least: f64,
+    /// The area fraction of elastic bodies, if elements of such bodies were pressed.
+    elastic: Option<f64>,
+}
+
+impl Flowing {
+    /// The contact of the estimate, if its bodies flow.
+    fn new(evidence: &Evidence<'_>, load: &Answer) -> Option<Self> {
+        let hardness_pa = match load.area.source {
+            Source::Elements(Reference::Yielding { hardness_pa }) => hardness_pa,
+            Source::Model { curve } => {
+                let flows = evidence.scene.needs.curves[curve].model.entry().has(Choice::Strength);
+                evidence.scene.hardness_pa().filter(|_| flows)?
+            }
+            _ => return None,
+        };
+        let elastic = load.references.iter().find(|group| group.reference == Reference::Elastic);
+        Some(Flowing {
+            hardness_pa,
+            least: load.nominal_pressure_pa / hardness_pa,
+            elastic: elastic.and_then(|group| group.area_fraction),
+        })
+    }
+}
+
+/// The decade that decides most by the curve that agrees with the elements, or by the only one.
+fn decisive(evidence: &Evidence<'_>, load: &Answer) -> Option<DecadeShare> {
+    let curve = match load.area.source {
+        Source::Model { curve } => curve,
+        Source::Models => load.nearest_curve()?,
+        Source::Elements(_) => load.best_model?.curve,
+    };
+    let decade = *evidence.answer.curves[curve][load.load].as_ref()?.decisive_decade()?;
+    let psd = &evidence.results.psd;
+    Some(DecadeShare {
+        longest_m: decade.longest_m.min(psd.longest_wavelength_m()),
+        shortest_m: decade.shortest_m.max(psd.shortest_wavelength_m()),
+        ..decade
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const DECADE: DecadeShare = DecadeShare { longest_m: 1e-4, shortest_m: 1e-5, share: 0.6, measured: true };
+
+    fn flowing(elastic: Option<f64>) -> Option<Flowing> {
+        Some(Flowing { hardness_pa: 1e9, least: 0.02, elastic })
+    }
+
+    #[test]
+    fn an_area_of_the_load_over_the_hardness_hangs_on_nothing_else() {
+        let cause = |area_fraction| Cause::of(area_fraction, flowing(Some(0.01)), Some(DECADE));
+        assert_eq!(cause(0.02), Cause::Hardness { hardness_pa: 1e9 });
+        assert_eq!(cause(0.022), Cause::Hardness { hardness_pa: 1e9 });
+        assert_eq!(cause(0.0221), Cause::HardnessAndRoughness { hardness_pa: 1e9, decade: DECADE });
+    }
+
+    #[test]
+    fn an_area_of_elastic_bodies_hangs_on_roughness() {
+        assert_eq!(Cause::of(0.05, None, Some(DECADE)), Cause::Roughness { decade: DECADE });
+        assert_eq!(Cause::of(0.05, flowing(Some(0.049)), Some(DECADE)), Cause::Roughness { decade: DECADE });
+        assert_eq!(Cause::of(0.05, flowing(None), Some(DECADE)), Cause::Roughness { decade: DECADE });
+        assert_eq!(Cause::of(0.05, flowing(None), None), Cause::Unknown);
+    }
+
+    #[test]
+    fn full_contact_has_no_cause() {
+        assert_eq!(Cause::of(0.999, None, Some(DECADE)), Cause::FullContact);
+        assert_eq!(Cause::of(1.0, flowing(None), None), Cause::FullContact);
+    }
+}

@@ -1,0 +1,184 @@
+//! Measurements that would narrow the answer.
+
+use std::mem::discriminant;
+
+use serde::Serialize;
+use spectrum::Hole;
+use study::interface::InterfaceStates;
+use uncertainty::{Advice, Group, Settling, Step, StepKind};
+use units::{Remark, RemarkCode};
+
+use super::cause::Cause;
+use super::evidence::Evidence;
+use super::load_answer::Answer;
+
+/// A step that narrows the interval by less than this share is not worth a measurement.
+const WORTHWHILE: f64 = 0.9;
+
+/// The most steps.
+const MAX_STEPS: usize = 3;
+
+/// A measurement that would narrow the answer.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case", tag = "measure")]
+#[non_exhaustive]
+pub enum NextStep {
+    /// The surface itself, whose spectrum is made of roughness parameters.
+    Surface,
+    /// Adhesion, which no area counts, by boundary elements that attract each other.
+    Adhesion,
+    /// More scales, since the spectrum has too few.
+    MoreScales,
+    /// The spectrum where it was not measured.
+    CloseHole(Hole),
+    /// The hardness that the area is in inverse proportion to.
+    Hardness,
+    /// The hardness at the depth of the small scales.
+    HardnessAtSmallDepth,
+    /// A scan at a second place.
+    SecondScan,
+    /// Longer waves, whose heights decide the gap and what follows from it.
+    WiderScan {
+        /// The longest wavelength of the spectrum \[m\].
+        from_m: f64,
+    },
+    /// More places with one instrument.
+    MoreScans {
+        /// The instrument.
+        instrument: String,
+        /// The number of further scans.
+        added: usize,
+        /// The width of the interval afterwards, as a share of that now.
+        width_ratio: f64,
+    },
+    /// The height scale of an instrument.
+    HeightScale {
+        /// The instrument.
+        instrument: String,
+        /// The width of the interval afterwards, as a share of that now.
+        width_ratio: f64,
+    },
+    /// Properties of the bodies.
+    Material {
+        /// The properties.
+        group: Group,
+        /// The width of the interval afterwards, as a share of that now.
+        width_ratio: f64,
+    },
+    /// Waves beyond an end of the spectrum.
+    Wavelengths {
+        /// The wavelength to reach \[m\].
+        to_m: f64,
+        /// The area to be expected, as a share of that now.
+        area_ratio: f64,
+    },
+}
+
+/// A step, and by how much it narrows the answer: the width of its range afterwards, as a share of that now.
+struct Ranked(f64, NextStep);
+
+/// Lists up to [`MAX_STEPS`] steps: what an answer cannot do without, then what narrows it, the most useful first.
+pub(crate) fn next_steps(
+    evidence: &Evidence<'_>,
+    loads: &[Answer],
+    cautions: &[Remark],
+    states: Option<&InterfaceStates<'_>>,
+) -> Vec<NextStep> {
+    let Some(load) = loads.get(loads.len() / 2) else { return Vec::new() };
+    let warned = |codes: &[RemarkCode]| cautions.iter().find(|caution| codes.contains(&caution.code));
+    let surface = &evidence.scene.surface;
+    let mut steps = Vec::new();
+    steps.extend(surface.is_assumed().then_some(NextStep::Surface));
+    let sticks = warned(&[RemarkCode::StickyByPastewka, RemarkCode::StickyByFuller]);
+    steps.extend(sticks.map(|_| NextStep::Adhesion));
+    steps.extend(warned(&[RemarkCode::TooFewScales]).map(|_| NextStep::MoreScales));
+    let mut ranked = from_draws(evidence, load);
+    let draws_strength = ranked
+        .iter()
+        .any(|Ranked(_, step)| matches!(step, NextStep::Material { group: Group::Strength, .. }));
+    let hangs_on_hardness = matches!(load.cause, Cause::Hardness { .. });
+    if hangs_on_hardness && !draws_strength {
+        ranked.push(Ranked(0.0, NextStep::Hardness));
+    }
+    if !hangs_on_hardness && load.cause != Cause::FullContact {
+        let width_ratio = width_without_holes(evidence, load).unwrap_or(0.0);
+        let of_use = |_: &&Hole| width_ratio < WORTHWHILE;
+        let holes = surface.holes().iter().filter(of_use);
+        ranked.extend(holes.map(|hole| Ranked(width_ratio, NextStep::CloseHole(*hole))));
+    }
+    ranked
+        .extend(load.factor_of_hardness().map(|factor| Ranked(1.0 / factor, NextStep::HardnessAtSmallDepth)));
+    ranked.sort_by(|a, b| a.0.total_cmp(&b.0));
+    steps.extend(ranked.into_iter().map(|Ranked(_, step)| step));
+    let ends_early = |states: &&InterfaceStates<'_>| hangs_on_long_waves(states) && states.lacks_roll_off();
+    let from_m = surface.psd.longest_wavelength_m();
+    steps.extend(states.filter(ends_early).map(|_| NextStep::WiderScan { from_m }));
+    let adds_scans = steps.iter().any(|step| matches!(step, NextStep::MoreScans { .. }));
+    let few = warned(&[RemarkCode::FewScans]).filter(|_| !adds_scans && !hangs_on_hardness);
+    steps.extend(few.map(|_| NextStep::SecondScan));
+    steps.truncate(MAX_STEPS);
+    steps
+}
+
+/// Tells whether a scene asks for what the heights of the longest waves decide.
+fn hangs_on_long_waves(states: &InterfaceStates<'_>) -> bool {
+    let request = states.request();
+    request.seal.is_some() || request.asks.gap || request.asks.heat || request.asks.current
+}
+
+/// The width of the interval without the error of holes, as a share of that now; `None` without draws of them.
+fn width_without_holes(evidence: &Evidence<'_>, load: &Answer) -> Option<f64> {
+    let steps = &advice(evidence, load)?.steps;
+    let closed = StepKind::KnownExactly { group: Group::Holes };
+    steps.iter().find(|step| step.kind == closed).map(|step| step.width_ratio)
+}
+
+/// The advice for the curve that stands for the elements, or without a verdict for any.
+fn advice<'a>(evidence: &Evidence<'a>, load: &Answer) -> Option<&'a Advice> {
+    let uncertainty = evidence.uncertainty?;
+    match load.nearest_curve() {
+        Some(curve) => uncertainty.advice_for(curve, load.load),
+        None => uncertainty.advice.iter().find(|advice| advice.load == load.load),
+    }
+}
+
+/// The steps that the draws advise, each kind once.
+fn from_draws(evidence: &Evidence<'_>, load: &Answer) -> Vec<Ranked> {
+    let Some((uncertainty, advice)) = evidence.uncertainty.zip(advice(evidence, load)) else {
+        return Vec::new();
+    };
+    let settles = matches!(advice.settling, Settling::WillSettle { .. });
+    let name = |at: usize| {
+        let instrument = uncertainty.instruments.get(at);
+        instrument.map_or_else(String::new, |instrument| instrument.name.text().to_owned())
+    };
+    let mut found: Vec<Ranked> = Vec::new();
+    for step in &advice.steps {
+        let Step { width_ratio, area_ratio, .. } = *step;
+        let narrows = width_ratio < WORTHWHILE;
+        let next = match &step.kind {
+            StepKind::MoreScans { instrument, added } if narrows => {
+                NextStep::MoreScans { instrument: name(*instrument), added: *added, width_ratio }
+            }
+            StepKind::Calibration { instrument } if narrows => {
+                NextStep::HeightScale { instrument: name(*instrument), width_ratio }
+            }
+            // Holes are named one by one.
+            StepKind::KnownExactly { group: Group::Holes } => continue,
+            StepKind::KnownExactly { group } if narrows => NextStep::Material { group: *group, width_ratio },
+            StepKind::ShorterWavelengths { to_m } if settles && area_ratio < WORTHWHILE => {
+                NextStep::Wavelengths { to_m: *to_m, area_ratio }
+            }
+            StepKind::LongerWavelengths { to_m } if narrows => {
+                NextStep::Wavelengths { to_m: *to_m, area_ratio }
+            }
+            _ => continue,
+        };
+        // Of one kind only the strongest step is of use.
+        let is_same = |other: &Ranked| discriminant(&other.1) == discriminant(&next);
+        if !found.iter().any(is_same) {
+            found.push(Ranked(width_ratio.min(area_ratio), next));
+        }
+    }
+    found
+}

@@ -1,0 +1,134 @@
+//! The seal: the pressure that closes it, and whether it is closed under each load.
+
+use serde::Serialize;
+use study::interface::InterfaceStates;
+use study::interface::{Quantity, Slot};
+use uncertainty::Uncertainty;
+
+/// What holds of a seal under every load.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct SealConclusion {
+    /// The pressure that closes it; `None` if no pressure does.
+    pub closes: Option<SealClosing>,
+}
+
+/// The pressure that closes a seal.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct SealClosing {
+    /// The nominal pressure \[Pa\].
+    pub nominal_pressure_pa: f64,
+    /// The low end of its interval \[Pa\]; the pressure itself where no input is uncertain.
+    pub low: f64,
+    /// The high end \[Pa\].
+    pub high: f64,
+    /// True if the contact flows before it would close elastically.
+    pub by_yielding: bool,
+}
+
+/// A seal under a load.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct SealUnderLoad {
+    /// The verdict.
+    pub verdict: SealVerdict,
+    /// The share of draws in which a channel is open; `None` without draws.
+    pub open_share: Option<f64>,
+    /// The leak rate \[m^3/s\], low and high end; `None` where the seal is tight, or without the inputs of a rate.
+    pub leak_rate_m3_per_s: Option<[f64; 2]>,
+}
+
+/// The answer to "does it seal?", by the interval of the pressure that closes the last channel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SealVerdict {
+    /// The load is above the whole interval.
+    Tight,
+    /// The load is in the interval, at or above the best estimate.
+    LikelyTight,
+    /// The load is in the interval, below the best estimate.
+    LikelyOpen,
+    /// The load is below the whole interval, or the fluid parts the bodies.
+    Open,
+}
+
+impl SealConclusion {
+    /// Draws the conclusion; `None` if the scene has no seal.
+    pub(crate) fn new(states: &InterfaceStates<'_>, uncertainty: Option<&Uncertainty>) -> Option<Self> {
+        states.request().seal.map(|_| SealConclusion { closes: SealClosing::new(states, uncertainty) })
+    }
+}
+
+impl SealClosing {
+    /// Finds the pressure; `None` if none closes the seal.
+    pub(crate) fn new(states: &InterfaceStates<'_>, uncertainty: Option<&Uncertainty>) -> Option<Self> {
+        let tight = Slot { quantity: Quantity::TightPressure, load: None, curve: None };
+        let nominal_pressure_pa = states.value(tight).ok().flatten()?;
+        let interval = uncertainty.and_then(|found| found.quantity(tight));
+        Some(SealClosing {
+            nominal_pressure_pa,
+            low: interval.map_or(nominal_pressure_pa, |found| found.low.min(nominal_pressure_pa)),
+            high: interval.map_or(nominal_pressure_pa, |found| found.high.max(nominal_pressure_pa)),
+            by_yielding: states.closed_by_yielding_from_pa() == Some(nominal_pressure_pa),
+        })
+    }
+}
+
+impl SealUnderLoad {
+    pub(crate) fn new(
+        states: &InterfaceStates<'_>,
+        uncertainty: Option<&Uncertainty>,
+        load: usize,
+    ) -> Option<Self> {
+        let pressure_pa = states.inputs().pressures[load].pa();
+        states.request().seal?;
+        let closing = SealClosing::new(states, uncertainty);
+        let rate = |quantity| {
+            let slot = Slot { quantity, load: Some(load), curve: None };
+            let value = states.value(slot).ok().flatten()?;
+            let interval = uncertainty.and_then(|found| found.quantity(slot));
+            Some(interval.map_or([value, value], |found| [found.low.min(value), found.high.max(value)]))
+        };
+        let [low, high] = [Quantity::LeakRateLow, Quantity::LeakRateHigh].map(rate);
+        Some(SealUnderLoad {
+            verdict: match states.request().parts_bodies(pressure_pa) {
+                true => SealVerdict::Open,
+                false => closing.map_or(SealVerdict::Open, |closing| SealVerdict::new(pressure_pa, &closing)),
+            },
+            open_share: uncertainty.and_then(|found| found.share_open(load)),
+            leak_rate_m3_per_s: low.zip(high).map(|(low, high)| [low[0], high[1]]),
+        })
+    }
+}
+
+impl SealVerdict {
+    fn new(pressure_pa: f64, closing: &SealClosing) -> Self {
+        match pressure_pa {
+            _ if pressure_pa < closing.low => SealVerdict::Open,
+            _ if pressure_pa < closing.nominal_pressure_pa => SealVerdict::LikelyOpen,
+            _ if pressure_pa < closing.high => SealVerdict::LikelyTight,
+            _ => SealVerdict::Tight,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_seal_is_certain_outside_the_interval_alone() {
+        let closing = SealClosing { nominal_pressure_pa: 3e5, low: 1.4e5, high: 8.6e5, by_yielding: false };
+        for (pressure_pa, expected) in [
+            (1.3e5, SealVerdict::Open),
+            (1.4e5, SealVerdict::LikelyOpen),
+            (2.9e5, SealVerdict::LikelyOpen),
+            (3e5, SealVerdict::LikelyTight),
+            (8.5e5, SealVerdict::LikelyTight),
+            (8.6e5, SealVerdict::Tight),
+        ] {
+            assert_eq!(SealVerdict::new(pressure_pa, &closing), expected, "{pressure_pa}");
+        }
+        let known = SealClosing { low: 3e5, high: 3e5, ..closing };
+        assert_eq!(SealVerdict::new(2.9e5, &known), SealVerdict::Open);
+        assert_eq!(SealVerdict::new(3e5, &known), SealVerdict::Tight);
+    }
+}

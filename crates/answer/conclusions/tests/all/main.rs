@@ -1,0 +1,5 @@
+//! The tests of this crate from outside, in one program: linking takes longer than running them.
+
+mod drawn_scenes;
+mod relations;
+mod stickiness;
