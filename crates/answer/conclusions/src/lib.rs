@@ -18,7 +18,9 @@ pub use asked::{AskedValue, PeakState};
 pub use cause::Cause;
 pub use cautions::trust_left;
 pub use evidence::{Evidence, Trust};
-pub use load_answer::{Answer, AreaEstimate, ModelCell, OtherHardness, ReferenceGroup, Source, Tally};
+pub use load_answer::{
+    Answer, AreaEstimate, ModelCell, OfInputs, OtherHardness, ReferenceGroup, Source, Tally,
+};
 pub use next::NextStep;
 pub use seal::{SealClosing, SealConclusion, SealUnderLoad, SealVerdict};
 pub use shear::ShearConclusion;

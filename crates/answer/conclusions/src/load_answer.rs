@@ -51,8 +51,19 @@ pub struct AreaEstimate {
     pub high: f64,
     /// The source.
     pub source: Source,
-    /// True if the range takes in the uncertainty of scans, instruments and materials.
-    pub includes_inputs: bool,
+    /// The factor between the ends that the elements, or the models, leave.
+    pub factor_of_elements: f64,
+    /// What uncertain scans, instruments and materials add; `None` without draws.
+    pub of_inputs: Option<OfInputs>,
+}
+
+/// The part of a range that uncertain inputs make.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct OfInputs {
+    /// The curve whose interval it is, by index.
+    pub curve: usize,
+    /// The high end of that interval over its low end.
+    pub factor: f64,
 }
 
 /// The source of an area.
@@ -203,7 +214,8 @@ impl AreaEstimate {
             low: headline.low,
             high: headline.high,
             source,
-            includes_inputs: false,
+            factor_of_elements: headline.high / headline.low,
+            of_inputs: None,
         };
         plain.widened(evidence, headline.load, headline.best_curve)
     }
@@ -220,7 +232,8 @@ impl AreaEstimate {
             (Some(curve), None) => (Source::Model { curve }, Some(low)),
             _ => (Source::Models, None),
         };
-        let plain = AreaEstimate { area_fraction, low, high, source, includes_inputs: false };
+        let factor_of_elements = high / low;
+        let plain = AreaEstimate { area_fraction, low, high, source, factor_of_elements, of_inputs: None };
         Some(plain.widened(evidence, load, None))
     }
 
@@ -253,7 +266,7 @@ impl AreaEstimate {
         AreaEstimate {
             low: low.min(self.low),
             high: high.clamp(self.high, 1.0),
-            includes_inputs: true,
+            of_inputs: Some(OfInputs { curve: interval.curve, factor: interval.high / interval.low }),
             ..self
         }
     }

@@ -24,7 +24,9 @@ const MIN_POINTS: f64 = 200.0;
 /// The pressure over E* h' at which nearly all of a map touches.
 const NEARLY_FULL: f64 = 1.0;
 /// The least difference between a map and its twins that counts.
-const LEAST_DIFFERENCE: f64 = 0.05;
+const LEAST_DIFFERENCE: f64 = 0.15;
+/// Standard errors of its twins by which a map differs from them.
+const ERRORS_APART: f64 = 3.0;
 
 /// The area of a measured map under a load, and that of Gaussian surfaces with the same waves.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -57,7 +59,8 @@ impl MapVerdict {
     /// True if the map touches otherwise than its twins: its heights are not Gaussian, which no spectrum shows.
     #[must_use]
     pub fn differs(&self) -> bool {
-        (self.ratio() - 1.0).abs() > self.ratio_error().max(LEAST_DIFFERENCE)
+        let apart = ERRORS_APART * self.twins.relative_error() * self.ratio();
+        (self.ratio() - 1.0).abs() > apart.max(LEAST_DIFFERENCE)
     }
 }
 

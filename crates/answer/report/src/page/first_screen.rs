@@ -16,7 +16,7 @@ use super::area_curve;
 use crate::cause_words::{cause_in_short, cause_words};
 use crate::chart::palette::{ModelStyle, variables};
 use crate::conclusion_words::{
-    answers_under, caution_words, condition, foremost_step, rough_body, source_words,
+    answers_under, caution_words, condition, foremost_step, parts_of_range, rough_body, source_words,
 };
 use crate::listing::{capital, share, share_range};
 
@@ -130,14 +130,14 @@ pub(super) fn best_estimate(report: &SceneReport<'_>, load: &Answer) -> Markup {
         (Source::Elements(Reference::Growing), None) => "✓ Range – the hardness at small scales is not known",
         _ => "✓ Best estimate",
     };
-    let inputs = if area.includes_inputs { ", inputs included" } else { "" };
     html! {
         section.card.best {
             h3 { (heading) }
             p.number { (number) " touches" }
             p {
                 @if area.area_fraction.is_some() && area.low < area.high { (share_range(area.low, area.high)) " by " }
-                (source_words(area.source, report.scene)) (inputs) "."
+                (source_words(area.source, report.scene)) "."
+                @if let Some(parts) = parts_of_range(load, report.evidence.uncertainty) { " " (parts) "." }
                 @if let Some(best) = &load.best_model {
                     " Nearest model: " (report.short_curve(best.curve))
                     @if let Some(area_fraction) = best.area_fraction { ", " (share(area_fraction)) }

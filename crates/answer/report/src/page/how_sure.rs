@@ -5,6 +5,7 @@ use maud::{Markup, PreEscaped, html};
 use super::{SceneReport, Section, gists, per_scene, row_group, share_cell, table};
 use crate::advice_words::{foremost_advice, subject};
 use crate::chart;
+use crate::listing::share_range;
 use crate::uncertainty_words::{self, level};
 use uncertainty::{
     Advice, AreaInterval, DecadeOfVariance, Group, InstrumentInput, InstrumentName, OverlapMisfit, Resampled,
@@ -16,9 +17,8 @@ pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
     let body = per_scene(scenes, of)?;
     let gist = gists(scenes, |scene| {
         let load = scene.middle()?;
-        let interval =
-            uncertainty_words::interval(scene.evidence.uncertainty?, load.nearest_curve()?, load.load)?;
-        Some(format!("{interval}, at {}", load.label))
+        scene.evidence.uncertainty?;
+        Some(format!("{}, at {}", share_range(load.area.low, load.area.high), load.label))
     });
     Some(Section { id: "how-sure", title: "How sure", gist, body })
 }

@@ -3,12 +3,13 @@
 use std::fmt::Write;
 
 use conclusions::{
-    Answer, AreaEstimate, AskedValue, Conclusions, ModelCell, NextStep, OtherHardness, PeakState,
+    Answer, AreaEstimate, AskedValue, Conclusions, ModelCell, NextStep, OfInputs, OtherHardness, PeakState,
     SealVerdict, ShearConclusion, Source,
 };
 use judge::{Reference, Verdict};
 use scene::Scene;
 use study::interface::Quantity;
+use uncertainty::Uncertainty;
 use units::display::{counted, energy_per_area, length, percent, pressure, three_digits};
 use units::{Remark, SceneKeys};
 
@@ -149,6 +150,25 @@ fn method_words(source: Source) -> String {
         Source::Model { .. } => "one model, not compared with boundary elements".to_owned(),
         Source::Models => "the range of the models, not compared with boundary elements".to_owned(),
     }
+}
+
+/// Tells what a range consists of: `Highest over lowest: 1.1 from the elements and 1.3 from the inputs, mostly from the strength`.
+pub(crate) fn parts_of_range(load: &Answer, uncertainty: Option<&Uncertainty>) -> Option<String> {
+    let area = &load.area;
+    let OfInputs { curve, factor } = area.of_inputs?;
+    let from = if is_of_models(area.source) { "models" } else { "elements" };
+    let interval = uncertainty.and_then(|found| Some((found, found.interval(curve, load.load)?)));
+    let mostly = interval.and_then(|(found, interval)| uncertainty_words::carried_by(found, interval));
+    Some(format!(
+        "Highest over lowest: {} from the {from} and {} from uncertain inputs{}",
+        three_digits(area.factor_of_elements),
+        three_digits(factor),
+        mostly.map_or_else(String::new, |mostly| format!(", {mostly}"))
+    ))
+}
+
+fn is_of_models(source: Source) -> bool {
+    matches!(source, Source::Model { .. } | Source::Models)
 }
 
 /// `if the hardness is 5.4 GPa at every scale`.
@@ -292,13 +312,22 @@ fn models_words(load: &Answer, scene: &Scene) -> Option<String> {
         (load.tally.off, "off"),
         (load.tally.not_valid, "not valid"),
         (load.tally.not_judged, "not judged"),
-        (load.tally.of_other_elements, "of another hardness"),
+        (load.tally.of_other_elements, other_bodies(load)),
     ] {
         if count > 0 {
             parts.push(format!("{words}: {count}"));
         }
     }
     Some(parts.join("   "))
+}
+
+/// Names the models that are compared with elements of other bodies than those of the estimate.
+fn other_bodies(load: &Answer) -> &'static str {
+    match load.area.source {
+        Source::Elements(Reference::Elastic) => "that yield, not needed",
+        Source::Elements(_) => "of another hardness, or of none",
+        _ => "of other bodies",
+    }
 }
 
 fn trust_words(conclusions: &Conclusions) -> String {

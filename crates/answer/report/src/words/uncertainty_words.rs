@@ -7,23 +7,13 @@ use uncertainty::{
 use units::display::{counted, length, percent, three_digits};
 use units::{RemarkLevel, SceneKeys};
 
-use crate::listing::{capital, listed, number_word, share_range};
+use crate::listing::{capital, listed, number_word};
 
 /// The share above which an input carries most of the interval.
 const MAJORITY: f64 = 0.5;
 
 /// The largest misfit, in standard uncertainties, that is as expected.
 const EXPECTED: f64 = 2.0;
-
-/// `95 % interval 0.11 to 0.24 %, mostly from the scatter of three AFM scans`.
-pub(crate) fn interval(uncertainty: &Uncertainty, curve: usize, load: usize) -> Option<String> {
-    let area = uncertainty.interval(curve, load)?;
-    if !varies(area) {
-        return Some("no uncertain input changes it".to_owned());
-    }
-    let from = carried_by(uncertainty, area).map_or_else(String::new, |from| format!(", {from}"));
-    Some(format!("{} interval {}{from}", level(uncertainty), share_range(area.low, area.high)))
-}
 
 /// `95 %`, the probability that intervals cover.
 pub(crate) fn level(uncertainty: &Uncertainty) -> String {
@@ -33,10 +23,6 @@ pub(crate) fn level(uncertainty: &Uncertainty) -> String {
 /// `0.0011 to 0.0024`, both ends of an interval.
 pub(crate) fn ends(area: &AreaInterval) -> String {
     format!("{} to {}", three_digits(area.low), three_digits(area.high))
-}
-
-fn varies(area: &AreaInterval) -> bool {
-    area.ln_area_sd > 0.0
 }
 
 /// The basis of the intervals: draws, guesses, overlaps of instruments, and assumptions; each with its code and weight.
@@ -189,7 +175,7 @@ fn guessed_instruments(instruments: &[InstrumentInput]) -> Option<String> {
 }
 
 /// The source of the interval, if its share is known well enough: `mostly from the scatter of three AFM scans`.
-fn carried_by(uncertainty: &Uncertainty, area: &AreaInterval) -> Option<String> {
+pub(crate) fn carried_by(uncertainty: &Uncertainty, area: &AreaInterval) -> Option<String> {
     if let [only] = uncertainty.groups[..] {
         return Some(format!("from {}", source(uncertainty, area, only)));
     }
