@@ -308,7 +308,6 @@ fn recipe_of(arguments: &Arguments<'_>) -> PyResult<Recipe> {
         average: arguments.get("average", choice)?.unwrap_or(usual.average),
         bins_per_decade: arguments.get("bins_per_decade", count)?.unwrap_or(usual.bins_per_decade),
         tip_radius_m: tip_radius.and_then(TipRadius::known_m),
-        tip_radius_auto: tip_radius == Some(TipRadius::Auto),
         ..usual
     })
 }

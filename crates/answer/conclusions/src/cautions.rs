@@ -6,9 +6,11 @@ use findings::doubts;
 use interface::adhesion::{NOT_STICKY_ABOVE, StickyContact};
 use interface::conductance::MOST_PLASTIC_SHARE;
 use judge::Reference;
+use scene::Scene;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use study::interface::InterfaceStates;
 use study::interface::{Quantity, Slot};
+use uncertainty::MIN_SCANS;
 use units::{Remark, RemarkCode};
 
 use super::cause::Cause;
@@ -113,12 +115,15 @@ pub(crate) fn cautions(
         let code = if models == 1 { RemarkCode::TheModelDisagrees } else { RemarkCode::NoModelAgrees };
         cautions.push(new(code).with("models", models));
     }
+    cautions.extend(scene.surface.is_assumed().then(|| new(RemarkCode::MadeOfNumbers)));
+    cautions.extend(unknown_tip(scene));
     let guesses = uncertainty.into_iter().flat_map(|found| &found.guesses);
     cautions.extend(
         guesses
             .filter(|guess| matches!(guess.code, RemarkCode::FewScans | RemarkCode::OneInstrument))
             .cloned(),
     );
+    cautions.extend(few_places(scene).filter(|_| uncertainty.is_none()));
     let is_elastic = |states: &&InterfaceStates<'_>| {
         states.request().shear.is_some() || states.request().seal.is_some_and(|seal| seal.joint.is_some())
     };
@@ -137,6 +142,25 @@ pub(crate) fn cautions(
         }),
     );
     cautions
+}
+
+/// The unknown tip that may show at the longest wavelengths.
+fn unknown_tip(scene: &Scene) -> Option<Remark> {
+    let below_m = |note: &&Remark| note.number("may_show_below_m").unwrap_or(0.0);
+    let unknown = scene.surface.notes.iter().filter(|note| note.code == RemarkCode::TipUnknown);
+    unknown.filter(|note| below_m(note) > 0.0).max_by(|a, b| below_m(a).total_cmp(&below_m(b))).cloned()
+}
+
+/// The caution on a surface that was scanned at one or two places, where nothing is drawn that would tell.
+fn few_places(scene: &Scene) -> Option<Remark> {
+    let parts = scene.surface.each();
+    let scans = parts.iter().filter_map(|part| part.made_from.as_ref());
+    let places = scans.map(|scans| scans.spectrum.place_count()).min()?;
+    (places < MIN_SCANS).then(|| {
+        Remark::new(RemarkCode::FewScans)
+            .with("scans", places)
+            .with("instrument", scene.surface.name.as_str())
+    })
 }
 
 /// The caution on a fluid that presses more than the bodies do, under the lightest such load.

@@ -35,6 +35,11 @@ pub enum NextStep {
     Hardness,
     /// The hardness at the depth of the small scales.
     HardnessAtSmallDepth,
+    /// The radius of the tip of a scan.
+    TipRadius {
+        /// The scan.
+        scan: String,
+    },
     /// A scan at a second place.
     SecondScan,
     /// Longer waves, whose heights decide the gap and what follows from it.
@@ -110,6 +115,9 @@ pub(crate) fn next_steps(
         .extend(load.factor_of_hardness().map(|factor| Ranked(1.0 / factor, NextStep::HardnessAtSmallDepth)));
     ranked.sort_by(|a, b| a.0.total_cmp(&b.0));
     steps.extend(ranked.into_iter().map(|Ranked(_, step)| step));
+    let tip = warned(&[RemarkCode::TipUnknown]).filter(|_| !hangs_on_hardness);
+    let scan = tip.and_then(|tip| tip.place.files.first());
+    steps.extend(scan.map(|scan| NextStep::TipRadius { scan: scan.clone() }));
     let ends_early = |states: &&InterfaceStates<'_>| hangs_on_long_waves(states) && states.lacks_roll_off();
     let from_m = surface.psd.longest_wavelength_m();
     steps.extend(states.filter(ends_early).map(|_| NextStep::WiderScan { from_m }));

@@ -27,7 +27,7 @@ const PROLONGED_DRAWS: usize = 64;
 const ADDED_SCANS: [usize; 3] = [1, 3, 10];
 
 /// The fewest scans whose interval is not a guess.
-pub(crate) const MIN_SCANS: usize = 3;
+pub const MIN_SCANS: usize = 3;
 
 /// The mean square slope has a limit where the spectrum falls more steeply than this.
 const STEEP_FOR_SLOPES: f64 = -3.0;

@@ -29,6 +29,7 @@ mod student;
 mod surface_scatter;
 mod tables;
 
+pub use advice::MIN_SCANS;
 pub use group::{Group, Index, Indices};
 pub use inputs::scattering_groups;
 pub use instruments::ASSUMED_Z_CALIBRATION;

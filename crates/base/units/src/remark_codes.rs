@@ -81,13 +81,13 @@ remark_codes! {
     ScanReading "surface.scans.scan" Note "{files}: {text}";
     Band "surface.scans.scan" Passed "{files}: used from {longest_m} down to {shortest_m} ({end})";
     TipUnknown "surface.scans.scan.tip-unknown" Caution
-        "{files}: tip radius unknown, used down to {shortest_m}; {scan:tip_radius=@sharp_tip}";
+        "{files}: tip radius unknown, used down to {shortest_m}[; below about {may_show_below_m} it may show the tip]; \
+         {scan:tip_radius=@sharp_tip}, or none if no tip matters"
+        short "tip unknown[: below about {may_show_below_m} scans may show it]";
     TipIndicated "surface.scans.scan.tip-indication" Note
         "{files}: [the sharpest peaks have a radius of {sharpest_peak_radius_m}, which the tip does not exceed unless they are noise; ]to \
          be trusted: {trusted}";
     TipFromText "surface.scans.scan.tip-in-text" Note "{files}: tip radius {radius_m} from the metadata ('{text}')";
-    TipInText "surface.scans.scan.tip-in-text" Note
-        "{files}: the metadata mention a tip radius of {radius_m} ('{text}'); tip radius auto uses it";
     NoiseFloor "surface.scans.scan.noise-floor" Caution
         "{files}: the spectrum is level at {c1d_m3} m³ at its short end: noise of the instrument, which sets in at {wavelength_m}; trust \
          only longer wavelengths";
@@ -372,6 +372,9 @@ remark_codes! {
     TheModelDisagrees "no-model-agrees" Caution
         "The model does not agree with these boundary elements: quote the elements."
         short "no model agrees with boundary elements";
+    MadeOfNumbers "made-of-numbers" Caution
+        "The spectrum was made from an rms height and an rms slope, not measured."
+        short "spectrum made from a few numbers";
     NotMeasured "not-measured" Caution
         "Nothing was measured from {longest_m} to {shortest_m}: the spectrum there is a guess."
         short "nothing measured from {longest_m} to {shortest_m}";

@@ -58,7 +58,9 @@ impl Loaded {
 pub(crate) fn load(request: &ScanRequest, files: &dyn Files) -> Result<Loaded, TopographyError> {
     let loaded = load_heights(request, &bytes_of_scans(request, files)?, files)?;
     let is_optical = |scan: &ScanFile| scan.probe == Some(Probe::Microscope);
-    if request.tip_radius.and_then(TipRadius::known_m).is_some() && loaded.scans.iter().any(is_optical) {
+    if request.tip_radius.and_then(TipRadius::known_m).is_some_and(|radius_m| radius_m > 0.0)
+        && loaded.scans.iter().any(is_optical)
+    {
         return Err(TopographyError::for_file(&request.path, ScanProblem::NoTip));
     }
     Ok(loaded)

@@ -44,7 +44,7 @@ pub struct ScanRequest {
 pub enum TipRadius {
     /// A given radius \[m\]; 0 if no tip touched the heights.
     Known(f64),
-    /// The radius that the file or its metadata states, in a field or in free text.
+    /// The radius that the file or its metadata states, in a field or in free text; so it is where none is given.
     Auto,
 }
 
@@ -120,7 +120,6 @@ impl ScanRequest {
             gaps: self.gaps.unwrap_or(for_all.gaps),
             direction: self.direction.unwrap_or(for_all.direction),
             detrend: self.detrend.or(for_all.detrend),
-            tip_radius_auto: for_all.tip_radius_auto || self.tip_radius == Some(TipRadius::Auto),
             ..*for_all
         }
     }

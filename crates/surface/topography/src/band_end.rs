@@ -8,7 +8,7 @@ use crate::recipe::Recipe;
 use crate::remark::BandEnd;
 use crate::tip::may_have_a_tip;
 use crate::tip_indication::{TipIndication, usual_tip_radii_m};
-use crate::tip_words::proposed_tip;
+use crate::tip_words::{TipWords, proposed_tip};
 use crate::{BandLimits, ReliableBand, TransformError};
 
 /// The band of a scan, the limit that ends it, and remarks on the tip.
@@ -34,7 +34,7 @@ pub(crate) fn band_of(
         None if limits.shortest_m.is_none() && may_have_a_tip(file) => BandEnd::PixelsWithoutTip,
         _ => BandEnd::Pixels,
     };
-    let tip_remarks = tip_remarks(file, given, recipe, (&band, end));
+    let tip_remarks = tip_remarks(file, given, (&band, end));
     Ok(FoundBand { band, end, tip_remarks })
 }
 
@@ -42,7 +42,6 @@ pub(crate) fn band_of(
 fn tip_remarks(
     file: &ScanFile<Scan>,
     given: BandLimits,
-    recipe: &Recipe,
     (band, end): (&ReliableBand, BandEnd),
 ) -> Vec<Remark> {
     if given.tip_radius_m.or(file.tip_radius_m).is_some() {
@@ -52,16 +51,19 @@ fn tip_remarks(
     let mut remarks = Vec::new();
     if end == BandEnd::PixelsWithoutTip {
         let sharp_tip = length(usual_tip_radii_m(band.shortest_m)[0]).replace('µ', "u");
-        remarks.push(
-            Remark::new(RemarkCode::TipUnknown)
-                .with("shortest_m", band.shortest_m)
-                .with("sharp_tip", sharp_tip),
-        );
-        remarks.push(TipIndication::from_scan(&file.scan, band.shortest_m).remark());
+        let indication = TipIndication::from_scan(&file.scan, band.shortest_m);
+        let unknown = Remark::new(RemarkCode::TipUnknown).with("shortest_m", band.shortest_m);
+        let unknown = unknown.with("sharp_tip", sharp_tip);
+        remarks.push(match indication.may_show_below_m() {
+            Some(below_m) => unknown.with("may_show_below_m", below_m),
+            None => unknown,
+        });
+        remarks.push(indication.remark());
     }
-    let code = if recipe.tip_radius_auto { RemarkCode::TipFromText } else { RemarkCode::TipInText };
-    remarks.extend(
-        words.map(|words| Remark::new(code).with("radius_m", words.radius_m).with("text", words.text)),
-    );
+    let from_text = |words: TipWords| {
+        let remark = Remark::new(RemarkCode::TipFromText).with("radius_m", words.radius_m);
+        remark.with("text", words.text)
+    };
+    remarks.extend(words.map(from_text));
     remarks
 }

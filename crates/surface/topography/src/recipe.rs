@@ -25,8 +25,6 @@ pub struct Recipe {
     pub bins_per_decade: NonZeroU32,
     /// Tip radius \[m\] of scans without their own.
     pub tip_radius_m: Option<f64>,
-    /// True to use a tip radius from the free text of a file; the largest one counts.
-    pub tip_radius_auto: bool,
     /// Treatment of missing points.
     pub gaps: GapTreatment,
     /// Axis along which the lines of maps run.
@@ -41,7 +39,6 @@ impl Default for Recipe {
             average: Average::default(),
             bins_per_decade: DEFAULT_BINS_PER_DECADE,
             tip_radius_m: None,
-            tip_radius_auto: false,
             gaps: GapTreatment::default(),
             direction: Direction::default(),
         }
@@ -61,13 +58,12 @@ impl Recipe {
 
     /// Returns the limits of the band of a scan.
     ///
-    /// The tip radius is the `given` one, else that of the file, else with `tip_radius_auto` that of its free text,
-    /// else that of the recipe. The shortest wavelength is the longer of the given one and the resolution of the file.
+    /// The tip radius is the `given` one, else that of the file, else the largest of its free text, else that of the recipe. The shortest wavelength is the longer of the given one and the resolution of the file.
     #[must_use]
     pub fn limits<S>(&self, given: BandLimits, file: &ScanFile<S>) -> BandLimits {
         let in_words = || {
-            let is_wanted = self.tip_radius_auto && may_have_a_tip(file);
-            is_wanted.then(|| proposed_tip(&file.free_text)).flatten().map(|words| words.radius_m)
+            let words = may_have_a_tip(file).then(|| proposed_tip(&file.free_text)).flatten();
+            words.map(|words| words.radius_m)
         };
         BandLimits {
             tip_radius_m: given.tip_radius_m.or(file.tip_radius_m).or_else(in_words).or(self.tip_radius_m),
@@ -85,9 +81,6 @@ impl Recipe {
             self.average.name(),
             self.bins_per_decade
         );
-        if self.tip_radius_auto {
-            line += ", tip radius: auto";
-        }
         if self.gaps != GapTreatment::default() {
             line += &format!(", gaps: {}", self.gaps);
         }

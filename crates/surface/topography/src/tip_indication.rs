@@ -76,6 +76,11 @@ impl TipIndication {
         }
     }
 
+    /// Returns the wavelength \[m\] below which a usual tip would show: the common one, or else the blunt one; `None` if neither would.
+    pub(crate) fn may_show_below_m(&self) -> Option<f64> {
+        self.trusted.iter().skip(1).find_map(|trusted| trusted.shortest_m)
+    }
+
     /// Finds the indication of a scan that is used down to a wavelength \[m\].
     #[must_use]
     pub fn from_scan(scan: &Scan, shortest_m: f64) -> Self {

@@ -381,6 +381,7 @@ pub fn next_words(step: &NextStep) -> String {
         NextStep::Hardness => {
             "measure the hardness by indentation: the area is in inverse proportion to it".to_owned()
         }
+        NextStep::TipRadius { scan } => format!("find out the radius of the tip of {scan}"),
         NextStep::SecondScan => "a second scan, at another place".to_owned(),
         NextStep::WiderScan { from_m } => {
             format!("a scan wider than {}: longer waves decide gap, heat and leaks", length(*from_m))

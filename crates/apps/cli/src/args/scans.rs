@@ -149,9 +149,9 @@ pub(crate) struct ScansArgs {
     /// Logarithmic bins per decade of wavevectors
     #[arg(long, value_name = "N", value_parser = parse_count, default_value_t = DEFAULT_BINS_PER_DECADE)]
     pub bins_per_decade: NonZeroU32,
-    /// Radius of the tip, for every scan that has no other: wavelengths that it cannot follow are left out; auto takes what a
-    /// file or the metadata beside it speak of
-    #[arg(long, value_name = "L|auto", allow_hyphen_values = true)]
+    /// Radius of the tip, for every scan that has no other: wavelengths that it cannot follow are left out; none if no tip
+    /// matters, auto (the default) for what a file or the metadata beside it speak of
+    #[arg(long, value_name = "L|auto|none", allow_hyphen_values = true)]
     pub tip_radius: Option<TipRadius>,
     #[command(flatten)]
     pub defaults: FileDefaults,

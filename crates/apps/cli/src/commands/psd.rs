@@ -31,7 +31,6 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
         average: args.average,
         bins_per_decade: args.bins_per_decade,
         tip_radius_m: args.tip_radius.and_then(TipRadius::known_m),
-        tip_radius_auto: args.tip_radius == Some(TipRadius::Auto),
         ..Recipe::default()
     };
     let output = args.out.as_ref().unwrap_or(&context.shared.output);

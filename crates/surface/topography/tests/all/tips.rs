@@ -8,7 +8,7 @@ use topography::{
     BandEnd, BandLimits, GapTreatment, Recipe, ScanSpectrum, TipIndication, sharpest_peak_radius_m,
     tip_cutoff_m, without_gaps,
 };
-use units::{Remark, RemarkCode, SceneKeys};
+use units::RemarkCode;
 
 /// Round peaks of this radius beside each other, with dents between them as sharp as points allow.
 fn peaks(radius_m: f64) -> Scan {
@@ -26,12 +26,8 @@ fn whole(scan: Scan, free_text: &str) -> ScanFile<Scan> {
     file
 }
 
-fn spectrum(file: ScanFile<Scan>, given_m: Option<f64>, tip_radius_auto: bool) -> ScanSpectrum {
-    let recipe = Recipe {
-        tip_radius_auto,
-        tip_radius_m: Some(1e-12).filter(|_| tip_radius_auto),
-        ..Recipe::default()
-    };
+fn spectrum(file: ScanFile<Scan>, given_m: Option<f64>) -> ScanSpectrum {
+    let recipe = Recipe { tip_radius_m: Some(1e-12), ..Recipe::default() };
     ScanSpectrum::new(file, BandLimits { tip_radius_m: given_m, shortest_m: None }, &recipe)
         .expect("a spectrum")
 }
@@ -39,39 +35,43 @@ fn spectrum(file: ScanFile<Scan>, given_m: Option<f64>, tip_radius_auto: bool) -
 const WORDS: &str = "Initial tip radii - 17 nm. \nFinal tip radii - 60 nm (assuming, no TEM image).";
 
 #[test]
-fn a_radius_in_words_is_used_where_that_is_asked_for_and_told_where_not() {
-    let used = spectrum(whole(peaks(30e-9), WORDS), None, true);
+fn a_radius_in_words_is_used_and_told() {
+    let used = spectrum(whole(peaks(30e-9), WORDS), None);
     assert_eq!(used.band.tip_m, tip_cutoff_m(&peaks(30e-9), 60e-9));
     assert!(matches!(used.band_end, BandEnd::Tip { radius_m } if (radius_m - 60e-9).abs() < 1e-20));
-    assert!(
-        matches!(&used.tip_remarks[..], [Remark { code: RemarkCode::TipFromText, .. }]),
-        "{:?}",
-        used.tip_remarks
-    );
+    let [told] = &used.tip_remarks[..] else { panic!("{:?}", used.tip_remarks) };
+    assert_eq!((told.code, told.number("radius_m")), (RemarkCode::TipFromText, Some(60e-9)));
+}
 
-    let told = spectrum(whole(peaks(30e-9), WORDS), None, false);
-    assert_eq!(told.band_end, BandEnd::PixelsWithoutTip);
-    let codes: Vec<RemarkCode> = told.tip_remarks.iter().map(|remark| remark.code).collect();
-    assert_eq!(codes, [RemarkCode::TipUnknown, RemarkCode::TipIndicated, RemarkCode::TipInText]);
-    assert_eq!(
-        told.tip_remarks[2].clone().about(["scan"]).words(&SceneKeys),
-        "scan: the metadata mention a tip radius of 60 nm ('Final tip radii - 60 nm (assuming, no TEM i'); tip radius auto uses it"
-    );
+#[test]
+fn an_unknown_tip_states_the_wavelength_below_which_it_may_show() {
+    let unknown = |scan: Scan| {
+        let file = whole(scan, "");
+        let limits = BandLimits { tip_radius_m: None, shortest_m: None };
+        let found = ScanSpectrum::new(file, limits, &Recipe::default()).expect("a spectrum");
+        let codes: Vec<RemarkCode> = found.tip_remarks.iter().map(|remark| remark.code).collect();
+        assert_eq!(codes, [RemarkCode::TipUnknown, RemarkCode::TipIndicated]);
+        found.tip_remarks[0].number("may_show_below_m")
+    };
+    let below_m = unknown(peaks(30e-9)).expect("peaks of 30 nm, and tips of 20 and 100 nm");
+    let [common_m, blunt_m] = [20e-9, 100e-9].map(|radius_m| tip_cutoff_m(&peaks(30e-9), radius_m));
+    assert!((0.8..1.25).contains(&(below_m / common_m.or(blunt_m).unwrap())), "{below_m}");
+    assert_eq!(unknown(peaks(10e-6)), None);
 }
 
 #[test]
 fn what_is_given_and_what_a_field_says_count_before_words() {
     let radius_of = |found: &ScanSpectrum| found.band.tip_m;
-    let given = spectrum(whole(peaks(30e-9), WORDS), Some(80e-9), true);
+    let given = spectrum(whole(peaks(30e-9), WORDS), Some(80e-9));
     assert_eq!(radius_of(&given), tip_cutoff_m(&peaks(30e-9), 80e-9));
     assert!(given.tip_remarks.is_empty());
     let mut file = whole(peaks(30e-9), WORDS);
     file.tip_radius_m = Some(90e-9);
-    assert_eq!(radius_of(&spectrum(file, None, true)), tip_cutoff_m(&peaks(30e-9), 90e-9));
+    assert_eq!(radius_of(&spectrum(file, None)), tip_cutoff_m(&peaks(30e-9), 90e-9));
     // A microscope has no tip, whatever its comments say.
     let mut file = whole(peaks(30e-9), WORDS);
     file.probe = Some(Probe::Microscope);
-    assert!(spectrum(file, None, false).tip_remarks.is_empty());
+    assert!(spectrum(file, None).tip_remarks.is_empty());
 }
 
 #[test]
