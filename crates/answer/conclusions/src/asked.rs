@@ -71,7 +71,7 @@ impl PeakState {
         let share = states.plastic_share(load).unwrap_or(0.0);
         match source {
             _ if share <= MOST_PLASTIC_SHARE => PeakState::Elastic,
-            Source::Elements(Reference::Growing) => PeakState::Partly,
+            Source::Elements(Reference::Growing | Reference::Elastic) => PeakState::Partly,
             _ if share <= FLOWED_SHARE => PeakState::Partly,
             _ => PeakState::Flowed,
         }
