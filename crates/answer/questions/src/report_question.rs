@@ -24,6 +24,8 @@ pub struct ReportQuestion {
     pub material: BodyText,
     /// The counterface; rigid if absent.
     pub counterface: Option<BodyText>,
+    /// The roughness of the counterface; smooth if absent.
+    pub counterface_surface: Option<ReportSurface>,
     /// The nominal pressures.
     pub pressures: Vec<String>,
     /// Upper limit of the depth-dependent yield strength.
@@ -145,6 +147,9 @@ impl ReportQuestion {
         if let Some(counterface) = &self.counterface {
             counterface.write("counterface", text)?;
         }
+        if let Some(surface) = &self.counterface_surface {
+            text.set("counterface.surface", surface)?;
+        }
         text.set("loads", &BTreeMap::from([("pressures", &self.pressures)]))?;
         if let Some(cap) = &self.strength_cap {
             text.set("options", &BTreeMap::from([("strength_cap", cap)]))?;
@@ -245,6 +250,25 @@ mod tests {
         assert_eq!(scan["file"].as_str(), Some(name));
         assert_eq!(scan["tip_radius"].as_str(), Some("2e-6 m"));
         assert_eq!(parsed["loads"]["pressures"].as_array().map(Vec::len), Some(2));
+    }
+
+    #[test]
+    fn a_second_face_is_the_surface_of_the_counterface() {
+        let face = ReportSurface::Psd("builtin:contact-challenge".to_owned());
+        for counterface in
+            [None, Some(BodyText { name: Some("steel C45".to_owned()), ..BodyText::default() })]
+        {
+            let own = ReportQuestion { counterface, ..question() };
+            let both = ReportQuestion { counterface_surface: Some(face.clone()), ..own.clone() };
+            let [own, both] = [own, both].map(|question| {
+                Scene::parse(&question.scene_text(), &study::NoFiles, &Overrides::default()).unwrap()
+            });
+            assert_eq!(own.bodies, both.bodies);
+            assert!(own.surface.parts.is_none());
+            let faces = both.surface.parts.unwrap();
+            assert_eq!(faces[0].psd, own.surface.psd);
+            assert_eq!(faces[1].name, "builtin:contact-challenge");
+        }
     }
 
     #[test]

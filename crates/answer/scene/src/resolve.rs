@@ -32,6 +32,8 @@ use units::{Length, Pressure, Remark};
 pub struct Overrides {
     /// Surface in memory, whose files the scene names for its readers and which are not read.
     pub surface: Option<Surface>,
+    /// Surface of the counterface in memory, likewise.
+    pub counterface_surface: Option<Surface>,
     /// Normalisation of the moments.
     pub normalisation: Option<Normalisation>,
     /// Definition of the amplitude.
@@ -159,9 +161,11 @@ pub(super) fn resolve(
         Some(surface) => surface.clone(),
         None => resolve_surface("surface", &raw.surface, files)?,
     };
-    let surface = match raw.counterface.as_ref().and_then(|raw| raw.get_ref().surface.as_ref()) {
-        Some(other) => own.against(resolve_surface("counterface.surface", other, files)?),
-        None => own,
+    let other = raw.counterface.as_ref().and_then(|raw| raw.get_ref().surface.as_ref());
+    let surface = match (&overrides.counterface_surface, other) {
+        (Some(other), Some(_)) => own.against(other.clone()),
+        (None, Some(other)) => own.against(resolve_surface("counterface.surface", other, files)?),
+        (_, None) => own,
     };
     let scene = Scene {
         text: text.to_owned(),

@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::Serialize;
 use toml_edit::ser::{Error, ValueSerializer};
-use toml_edit::{DocumentMut, Item, TomlError};
+use toml_edit::{DocumentMut, Item, Table, TomlError};
 
 use super::error::{SceneError, SceneProblem};
 
@@ -30,16 +30,16 @@ impl SceneText {
     /// [`Error`] for a value that TOML cannot hold.
     pub fn set(&mut self, place: &str, value: &(impl Serialize + ?Sized)) -> Result<(), Error> {
         let item = Item::Value(value.serialize(ValueSerializer::new())?);
-        if let Some((section, key)) = place.split_once('.') {
-            self.0[section][key] = item;
-            return Ok(());
+        let (section, key) =
+            place.split_once('.').map_or((place, None), |(section, key)| (section, Some(key)));
+        if let Some(key) = key {
+            let mut implied = Table::new();
+            implied.set_implicit(true);
+            let section = self.0.entry(section).or_insert(Item::Table(implied));
+            section[key] = if section.is_table() { as_section(item) } else { item };
+        } else {
+            self.0.insert(section, as_section(item));
         }
-        let mut item = item.into_table().map_or_else(|item| item, Item::Table);
-        item = item.into_array_of_tables().map_or_else(|item| item, Item::ArrayOfTables);
-        if let Item::Table(section) = &mut item {
-            section.iter_mut().for_each(|(_, value)| spread(value));
-        }
-        self.0.insert(place, item);
         Ok(())
     }
 
@@ -80,6 +80,16 @@ impl fmt::Display for SceneText {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.0.fmt(f)
     }
+}
+
+/// A section of a table in braces, and a list of sections of a list of them; any other value as it is.
+fn as_section(value: Item) -> Item {
+    let mut item = value.into_table().map_or_else(|item| item, Item::Table);
+    item = item.into_array_of_tables().map_or_else(|item| item, Item::ArrayOfTables);
+    if let Item::Table(section) = &mut item {
+        section.iter_mut().for_each(|(_, value)| spread(value));
+    }
+    item
 }
 
 /// Gives each table in a list a line of its own.

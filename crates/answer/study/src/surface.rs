@@ -20,6 +20,9 @@ use measurements::{
     CompositeOfFiles, Files, ScanProblem, ScanRequest, ScansInFolders, TopographyError, heights_in,
 };
 
+/// Columns of the two faces in the table of a sum: spectrum and standard errors.
+const FACES: [[&str; 2]; 2] = [["C1D_face_1_m3", "C1D_face_1_se_m3"], ["C1D_face_2_m3", "C1D_face_2_se_m3"]];
+
 /// The built-in spectrum that is a reconstruction.
 const RECONSTRUCTION: &str = "builtin:uncd-reconstructed";
 
@@ -123,6 +126,26 @@ fn has_number_up_to_0(bytes: &[u8]) -> bool {
     text.split(is_separator).any(|word| word.parse::<f64>().is_ok_and(|number| number <= 0.0))
 }
 
+/// Splits the table of a sum into those of its two faces; `None` for any other file.
+fn faces_of_sum(bytes: &[u8]) -> Option<[String; 2]> {
+    let lines = std::str::from_utf8(bytes).ok()?.lines().filter(|line| !line.starts_with('#'));
+    let mut rows = lines.map(|line| line.split(',').collect::<Vec<_>>());
+    let header = rows.next()?;
+    let column = |name: &str| header.iter().position(|column| *column == name);
+    let columns = FACES.map(|names| Some([column("wavelength_m")?, column(names[0])?, column(names[1])?]));
+    let [Some(own), Some(other)] = columns else { return None };
+    let mut faces = [own, other].map(|columns| (columns, "wavelength_m,C1D_m3,C1D_se_m3\n".to_owned()));
+    for row in rows {
+        for (columns, text) in &mut faces {
+            let cells = columns.map(|column| row.get(column).copied().unwrap_or_default());
+            if !cells[1].is_empty() {
+                *text += &(cells.join(",") + "\n");
+            }
+        }
+    }
+    Some(faces.map(|(_, text)| text))
+}
+
 /// A file that a surface was read from.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SourceFile {
@@ -170,9 +193,17 @@ impl Surface {
         } else {
             files.read(name).map_err(|error| SurfaceError::Reading { name: name.to_owned(), error })?
         };
-        let PsdFile { psd, comments, notes } = read_psd(&bytes[..], options)
-            .map_err(|error| SurfaceError::unread(name.to_owned(), &bytes, error))?;
-        let mut surface = Self::of_psd(shown_path(name).to_owned(), psd)?;
+        let read = |bytes: &[u8]| {
+            let unread = |error| SurfaceError::unread(name.to_owned(), bytes, error);
+            let PsdFile { psd, comments, notes } = read_psd(bytes, options).map_err(unread)?;
+            Ok::<_, SurfaceError>((Self::of_psd(shown_path(name).to_owned(), psd)?, comments, notes))
+        };
+        let (mut surface, comments, notes) = read(&bytes)?;
+        if let Some([own, other]) = faces_of_sum(&bytes).filter(|_| *options == ReadOptions::default()) {
+            // The waves of two faces add, which their sum alone does not tell.
+            let both = read(own.as_bytes())?.0.against(read(other.as_bytes())?.0);
+            surface = Surface { name: surface.name, ..both };
+        }
         surface.remarks = comments;
         let mut notes: Vec<Remark> = notes.into_iter().map(reading).collect();
         if name == RECONSTRUCTION {
@@ -325,7 +356,7 @@ impl Surface {
     }
 
     /// Makes a table that reads back as this spectrum: of a composite that of [`CompositeOfFiles::table`], of others the columns
-    /// `wavelength_m, wavevector_rad_per_m, C1D_m3, C1D_se_m3`.
+    /// `wavelength_m, wavevector_rad_per_m, C1D_m3, C1D_se_m3`; of a sum those of its faces as well.
     #[must_use]
     pub fn table(&self) -> Table {
         if let Some(scans) = &self.made_from {
@@ -336,10 +367,18 @@ impl Surface {
             .with_numbers("wavelength_m", wavelengths_m.iter().copied())
             .with_numbers("wavevector_rad_per_m", wavelengths_m.iter().map(|m| std::f64::consts::TAU / m))
             .with_numbers("C1D_m3", self.psd.c1d_m3().iter().copied());
-        match self.psd.standard_errors_m3() {
+        let table = match self.psd.standard_errors_m3() {
             Some(errors_m3) => table.with_numbers("C1D_se_m3", errors_m3.iter().copied()),
             None => table,
-        }
+        };
+        self.parts.iter().flat_map(|faces| faces.iter().zip(FACES)).fold(table, |table, (face, names)| {
+            let own_m = face.psd.wavelengths_m();
+            let at = |wavelength_m: &f64| own_m.binary_search_by(|own_m| wavelength_m.total_cmp(own_m)).ok();
+            let value = |wavelength_m| at(wavelength_m).map(|at| face.psd.c1d_m3()[at]);
+            let error = |wavelength_m| face.psd.standard_errors_m3()?[at(wavelength_m)?];
+            let table = table.with_numbers(names[0], wavelengths_m.iter().map(value));
+            table.with_numbers(names[1], wavelengths_m.iter().map(error))
+        })
     }
 
     /// The surfaces that it is the sum of, or itself.

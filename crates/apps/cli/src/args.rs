@@ -14,8 +14,9 @@ pub(crate) use bem::BemArgs;
 pub(crate) use figure_files::FigureFilesArgs;
 pub(crate) use gap::{GapArgs, LawArgs, TangentialArgs};
 pub(crate) use groups::{
-    AmplitudeArg, BodiesArgs, CounterfaceArgs, FigureArg, HardnessFormulaArg, MaterialArgs, NormalisationArg,
-    PressureArgs, PsdArgs, QuotedPaths, ReadingArgs, SamplingArgs, SharedArgs, StrengthCapArg,
+    AmplitudeArg, BodiesArgs, CounterfaceArgs, CounterfaceSurfaceArgs, FigureArg, HardnessFormulaArg,
+    MaterialArgs, NormalisationArg, PressureArgs, PsdArgs, QuotedPaths, ReadingArgs, SamplingArgs,
+    SharedArgs, StrengthCapArg,
 };
 pub(crate) use layer::LayerArgs;
 pub(crate) use persson::{GrowthArg, PerssonArgs};
@@ -30,6 +31,7 @@ use stacked_contact::YieldingAreaLaw;
 use stat_contact::{Flattening, InterferenceLaw};
 
 use crate::place::Place;
+use measurements::ScanRequest;
 use parsers::{model_of, one_of, parse_place, parse_tolerance};
 use questions::rows::GivenColumn;
 use scene::Template;
@@ -265,11 +267,13 @@ else from --unit and --size. Options of a single file follow it after a colon.
 Columns: wavelength_m, wavevector_rad_per_m, C1D_m3, C1D_se_m3 (standard error
 where several scans share a bin), measurements; a row per bin from long to
 short. Every other command takes this table. Which wavelengths of each scan are
-used, and what is doubtful, is said on standard error.
+used, and what is doubtful, is said on standard error. A sum of two faces has
+the columns C1D_face_1_m3 and C1D_face_2_m3 besides.
 
 Examples:
   truearea psd map.001 trace.asc:unit=nm,shortest=5nm stylus.txt --out psd.csv
   truearea psd --list scans.csv --out psd.csv
+  truearea psd ring.txt:unit=um face.txt:unit=um --sum --out both.csv
   truearea psd map.001 --areal --out ciso.csv")]
     Psd(ScansArgs),
     /// Fit a self-affine spectrum: Hurst exponent and roll-off
@@ -289,9 +293,14 @@ says how much touches, how sure that is, and what to measure next. The folder
 holds report.html, scene.toml (which repeats it), summary.txt, answer.json,
 figures and data.
 
+All files in front are scans of one rough face; the other is smooth unless its
+own scans follow --counterface-scans, or its spectrum --counterface-psd.
+
 Examples:
-  truearea report trace1.txt trace2.txt:unit=um --material 100Cr6 \\
-      --on 100Cr6 --pressure 10MPa --seal
+  truearea report ring.txt:unit=um --material 100Cr6 --on 100Cr6 \\
+      --pressure 10MPa --seal
+  truearea report ring.txt:unit=um --counterface-scans face.txt:unit=um \\
+      --material 100Cr6 --on 100Cr6 --pressure 10MPa --seal
   truearea report builtin:uncd-measured --material diamond --pressure 5.4MPa")]
     Report(Box<ReportArgs>),
     /// Run a scene: tables, figures and a summary
@@ -456,14 +465,14 @@ pub(crate) struct StackedArgs {
 #[command(group = clap::ArgGroup::new("source").required(true).args(["psd", "input"]))]
 #[command(group = clap::ArgGroup::new("pressed").multiple(true).args(["pressures", "pressure_ranges", "separations"]))]
 pub(crate) struct StatisticalArgs {
-    /// The power spectrum: a file, - for standard input, or builtin:uncd-measured,
-    /// builtin:uncd-reconstructed or builtin:contact-challenge
-    #[arg(requires = "model", requires = "pressed")]
-    pub psd: Option<String>,
+    /// The power spectrum: a file, - for standard input, builtin:uncd-measured, builtin:uncd-reconstructed or
+    /// builtin:contact-challenge; or scans of one face, each perhaps with options of its own: FILE:unit=um
+    #[arg(requires = "model", requires = "pressed", value_name = "PSD")]
+    pub psd: Vec<ScanRequest>,
     #[command(flatten)]
     pub reading: ReadingArgs,
     /// A table of populations instead, CSV or JSON: a path, or - for standard input
-    #[arg(long, value_name = "PATH", value_parser = parse_place, conflicts_with_all = ["normalisation", "pressure_ranges", "figure"], conflicts_with_all = LayerArgs::OPTIONS, conflicts_with_all = ReadingArgs::OPTIONS, conflicts_with_all = SamplingArgs::OPTIONS)]
+    #[arg(long, value_name = "PATH", value_parser = parse_place, conflicts_with_all = ["normalisation", "pressure_ranges", "figure"], conflicts_with_all = LayerArgs::OPTIONS, conflicts_with_all = ReadingArgs::OPTIONS, conflicts_with_all = CounterfaceSurfaceArgs::OPTIONS, conflicts_with_all = SamplingArgs::OPTIONS)]
     pub input: Option<Place>,
     /// Column of the table to use as input where both are filled; the other is recomputed
     #[arg(long, value_parser = one_of::<GivenColumn, _>(GivenColumn::ALL), requires = "input", conflicts_with = "psd")]

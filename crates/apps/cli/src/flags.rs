@@ -18,6 +18,7 @@ impl Spelling for Flags {
             "missing_points" => "--gaps".to_owned(),
             "reading" => "an option for reading spectra".to_owned(),
             "side" => "--box".to_owned(),
+            "counterface_surface" => "--counterface-scans".to_owned(),
             "strain_gradient" => "--strain-gradient-length".to_owned(),
             option => format!("--{}", option.replace('_', "-")),
         }

@@ -80,7 +80,15 @@ pub trait Spelling {
 /// Keys of a scene, as `interference_law`.
 pub struct SceneKeys;
 
-impl Spelling for SceneKeys {}
+impl Spelling for SceneKeys {
+    fn option(&self, option: &str) -> String {
+        // Reports are read by users of every front end.
+        option.replace(
+            "counterface_surface",
+            "the counterface's surface (--counterface-scans, [counterface.surface])",
+        )
+    }
+}
 
 impl From<f64> for RemarkValue {
     fn from(number: f64) -> Self {

@@ -119,7 +119,8 @@ remark_codes! {
          {shortest_m}]";
     OverlapDiffers "surface.scans.overlap" Caution
         "{first} over {second}: {ratio} in the [one bin they share, at {wavelength_m}][mean of {bins} shared bins from {longest_m} to \
-         {shortest_m}]; they differ by more than {bound}x: check units, height scales and places";
+         {shortest_m}]; they differ by more than {bound}x: check units, height scales and places; two faces? \
+         give one as {--counterface_surface}";
     MixedUnits "surface.scans.overlap" Caution
         "{first} and {second}: heights differ {factor} times where they overlap; {units} mixed up?";
     OtherOverlaps "surface.scans.other-overlaps" Note
@@ -357,7 +358,7 @@ remark_codes! {
         short "the spectrum has only {scales|scale}";
     InstrumentsDisagree "instruments-disagree" Caution
         "{elided first} has {ratio} times the spectrum of {elided second} from {longest_m} to {shortest_m}, where both measure: check units, \
-         height scales and places, or leave one out."
+         height scales and places, or leave one out. Two faces? Give one as {--counterface_surface}."
         short "{elided first} and {elided second} do not show the same surface";
     HardnessDecides "hardness-decides" Caution
         "Whether the hardness grows at small scales moves the area by a factor {ratio}: measure it by indentation at the depth of the \

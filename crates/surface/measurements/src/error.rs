@@ -32,7 +32,7 @@ pub enum ScanProblem {
         line: usize,
     },
     /// The file holds a spectrum, which needs no transform.
-    #[error("this file holds a power spectrum, not heights; give a scan, or a command that takes a PSD")]
+    #[error("this file holds a power spectrum, not heights")]
     HoldsASpectrum,
     /// No file in the folder is a scan.
     #[error("no file in this folder is a scan; name a scan")]

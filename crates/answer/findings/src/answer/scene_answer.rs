@@ -85,8 +85,8 @@ impl SceneAnswer {
     /// Extracts the answer from the results of a scene.
     pub fn from_results(scene: &Scene, results: &Results) -> Self {
         let needs = &scene.needs;
-        let scans = scene.surface.made_from.as_ref();
-        let instruments_disagree = scans.and_then(|scans| scans.spectrum.instruments_disagree());
+        let mut faces = scene.surface.each().into_iter().filter_map(|face| face.made_from.as_ref());
+        let instruments_disagree = faces.find_map(|scans| scans.spectrum.instruments_disagree());
         let wavelengths_m = results.psd.wavelengths_m();
         let decades = (wavelengths_m[0] / wavelengths_m[wavelengths_m.len() - 1]).log10();
         let enough = wavelengths_m.len() >= MIN_SCALES && decades >= MIN_DECADES;

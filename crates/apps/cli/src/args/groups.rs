@@ -4,6 +4,7 @@ use std::num::NonZeroU32;
 
 use asperity::Hardness;
 use clap::Args as ClapArgs;
+use measurements::ScanRequest;
 use questions::{BodyInput, LoadInput, MaterialInput, SamplingInput};
 use spectrum::{Abscissa, AmplitudeDefinition, Convention, Normalisation};
 use study::materials::{TabledMaterial, named};
@@ -62,17 +63,29 @@ impl SharedArgs {
     }
 }
 
-/// A spectrum and how to read it.
+/// A surface, and how to read its spectrum.
 #[derive(Debug, Clone, ClapArgs)]
 pub(crate) struct PsdArgs {
-    /// The power spectrum: a file, - for standard input, or builtin:uncd-measured,
-    /// builtin:uncd-reconstructed or builtin:contact-challenge
-    pub psd: String,
+    /// The power spectrum: a file, - for standard input, builtin:uncd-measured, builtin:uncd-reconstructed or
+    /// builtin:contact-challenge; or scans of one face, each perhaps with options of its own: FILE:unit=um
+    #[arg(required = true, value_name = "PSD")]
+    pub psd: Vec<ScanRequest>,
     #[command(flatten)]
     pub reading: ReadingArgs,
 }
 
-/// Options for everything that the header of a spectrum may leave open.
+/// The roughness of the counterface.
+#[derive(Debug, Clone, ClapArgs)]
+pub(crate) struct CounterfaceSurfaceArgs {
+    /// Scans of the other face, if that is rough as well: its spectrum is added. Each takes options of its own, FILE:unit=um
+    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with = "counterface_psd")]
+    pub counterface_scans: Vec<ScanRequest>,
+    /// Power spectrum of the other face, if that is rough as well: it is added
+    #[arg(long, value_name = "FILE")]
+    pub counterface_psd: Option<ScanRequest>,
+}
+
+/// Options for everything that the header of a spectrum may leave open, and the spectrum of the other face.
 #[derive(Debug, Clone, ClapArgs)]
 pub(crate) struct ReadingArgs {
     /// The column that holds the spectrum, where several could
@@ -96,11 +109,23 @@ pub(crate) struct ReadingArgs {
     /// Unit of the spectrum where the file states none, e.g. um^3
     #[arg(long, value_name = "UNIT")]
     pub psd_unit: Option<String>,
+    #[command(flatten)]
+    pub other: CounterfaceSurfaceArgs,
 }
 
 impl ReadingArgs {
     /// All of them.
     pub const OPTIONS: [&str; 7] = ["column", "x", "convention", "series", "subject", "x_unit", "psd_unit"];
+}
+
+impl CounterfaceSurfaceArgs {
+    /// All of them.
+    pub const OPTIONS: [&str; 2] = ["counterface_scans", "counterface_psd"];
+
+    /// Returns the files of the other face; none if it is smooth.
+    pub fn files(&self) -> Vec<ScanRequest> {
+        [&self.counterface_scans, self.counterface_psd.as_slice()].concat()
+    }
 }
 
 /// Nominal pressures, one by one and as ranges.

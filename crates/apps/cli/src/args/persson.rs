@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args as ClapArgs;
+use measurements::ScanRequest;
 use persson::Band;
 use persson::EnergyFactor;
 use persson::corrections::Correction;
@@ -11,7 +12,10 @@ use study::models::ModelOptions;
 use study::persson_law::Deformation;
 
 use super::parsers::{one_of, parse_place};
-use super::{AmplitudeArg, FigureArg, LayerArgs, MaterialArgs, PressureArgs, ReadingArgs, SamplingArgs};
+use super::{
+    AmplitudeArg, CounterfaceSurfaceArgs, FigureArg, LayerArgs, MaterialArgs, PressureArgs, ReadingArgs,
+    SamplingArgs,
+};
 use crate::place::Place;
 
 /// Growth of a hardness towards short wavelengths.
@@ -47,14 +51,14 @@ const OF_SPECTRA: [&str; 16] = [
 #[command(group = clap::ArgGroup::new("source").required(true).args(["psd", "input"]))]
 #[command(group = clap::ArgGroup::new("pressed").multiple(true).args(["pressures", "pressure_ranges"]))]
 pub(crate) struct PerssonArgs {
-    /// The power spectrum: a file, - for standard input, or builtin:uncd-measured,
-    /// builtin:uncd-reconstructed or builtin:contact-challenge
-    #[arg(requires = "model", requires = "pressed")]
-    pub psd: Option<String>,
+    /// The power spectrum: a file, - for standard input, builtin:uncd-measured, builtin:uncd-reconstructed or
+    /// builtin:contact-challenge; or scans of one face, each perhaps with options of its own: FILE:unit=um
+    #[arg(requires = "model", requires = "pressed", value_name = "PSD")]
+    pub psd: Vec<ScanRequest>,
     #[command(flatten)]
     pub reading: ReadingArgs,
     /// A table of pressures instead, CSV or JSON: a path, or - for standard input
-    #[arg(long, value_name = "PATH", value_parser = parse_place, conflicts_with_all = OF_SPECTRA, conflicts_with_all = LayerArgs::OPTIONS, conflicts_with_all = ReadingArgs::OPTIONS, conflicts_with_all = SamplingArgs::OPTIONS)]
+    #[arg(long, value_name = "PATH", value_parser = parse_place, conflicts_with_all = OF_SPECTRA, conflicts_with_all = LayerArgs::OPTIONS, conflicts_with_all = ReadingArgs::OPTIONS, conflicts_with_all = CounterfaceSurfaceArgs::OPTIONS, conflicts_with_all = SamplingArgs::OPTIONS)]
     pub input: Option<Place>,
     /// Deformation of the surface; where left out, rows with a hardness yield and the others do not
     #[arg(long, value_parser = one_of::<Deformation, _>(Deformation::ALL))]

@@ -6,16 +6,18 @@ use clap::Args as ClapArgs;
 use measurements::ScanRequest;
 use questions::BodyText;
 
-use super::groups::NamedMaterialArgs;
+use super::groups::{CounterfaceSurfaceArgs, NamedMaterialArgs};
 use super::scans::FileDefaults;
 
 /// Scans or a spectrum, the bodies and the loads. Quantities are checked as a scene checks them, so that they may carry
 /// uncertainties.
 #[derive(Debug, ClapArgs)]
 pub(crate) struct ReportArgs {
-    /// Scans of any format, or one power spectrum; a scan takes options of its own: FILE:unit=um,tip-radius=2um
+    /// Scans of one face in any format, or its power spectrum; a scan takes options of its own: FILE:unit=um,tip-radius=2um
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<ScanRequest>,
+    #[command(flatten)]
+    pub other: CounterfaceSurfaceArgs,
     #[command(flatten)]
     pub named: NamedMaterialArgs,
     /// Nominal pressure, as 10MPa or 1e-3H; repeatable

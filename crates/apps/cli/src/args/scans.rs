@@ -9,6 +9,7 @@ use scans::LengthUnit;
 use topography::{Average, DEFAULT_BINS_PER_DECADE, Detrend, Direction, GapTreatment, Window};
 use units::{Length, Remark, RemarkCode, SignedLength, Spelling};
 
+use super::groups::CounterfaceSurfaceArgs;
 use super::parsers::{one_of, parse_count, parse_place};
 use crate::failure::Failure;
 use crate::flags::{Flags, refuse_first};
@@ -133,6 +134,11 @@ pub(crate) struct ScansArgs {
     /// FILE:unit=nm,channel=Height,size=1um,tip-radius=20nm,shortest=46nm,gaps=lines,direction=y
     #[arg(required_unless_present = "list", value_name = "FILE")]
     pub files: Vec<ScanRequest>,
+    /// Add the spectra of two independent faces, a file each: a scan or a spectrum. Without it, all files are scans of one face
+    #[arg(long, conflicts_with_all = ["list", "per_scan", "figure", "areal"], conflicts_with_all = CounterfaceSurfaceArgs::OPTIONS)]
+    pub sum: bool,
+    #[command(flatten)]
+    pub other: CounterfaceSurfaceArgs,
     /// A table of more scans: columns file, unit, channel, size, tip_radius, shortest, gaps, direction, detrend, all
     /// but file optional; files are relative to it
     #[arg(long, value_name = "PATH", value_parser = parse_place)]
@@ -162,13 +168,13 @@ pub(crate) struct ScansArgs {
     pub out: Option<Place>,
     /// Write every scan's spectrum under its name in the column series, whole as NAME (incl. unreliable data), and the
     /// composite last
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = CounterfaceSurfaceArgs::OPTIONS)]
     pub per_scan: bool,
     /// Draw the spectra and their composite
-    #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf")]
+    #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", conflicts_with_all = CounterfaceSurfaceArgs::OPTIONS)]
     pub figure: Option<Picture>,
     /// The two-dimensional spectrum of one map instead, averaged radially: wavelength_m, wavevector_rad_per_m, Ciso_m4, modes
-    #[arg(long, conflicts_with_all = ["per_scan", "figure", "average", "bins_per_decade"])]
+    #[arg(long, conflicts_with_all = ["per_scan", "figure", "average", "bins_per_decade"], conflicts_with_all = CounterfaceSurfaceArgs::OPTIONS)]
     pub areal: bool,
 }
 

@@ -20,7 +20,7 @@ use tables::staging::{NewFolder, StagedFiles, folder_of};
 use topography::Recipe;
 use units::{Length, Remark, RemarkCode, WorkOfAdhesion};
 
-use super::{Context, announce_figure, psd, reading_options, say_all};
+use super::{Context, FaceReader, announce_figure, psd, reading_options, say_all};
 use crate::args::{BemArgs, refuse_replaced};
 use crate::failure::Failure;
 use crate::files::Folder;
@@ -189,6 +189,19 @@ fn load(args: &BemArgs, context: &Context<'_>) -> Result<(Measured, Vec<String>)
         SurfaceError::Scans(error) => psd::refused(error),
         error => Failure::input(error),
     })?;
+    let folder = Folder::current();
+    let reader = FaceReader { folder: &folder, options: options.spectrum, recipe: options.recipe };
+    let other = reader.counterface(&args.reading.other)?;
+    let found = match (found, other) {
+        (found, None) => found,
+        (Measured::Spectrum(own), Some(other)) => Measured::Spectrum(Box::new(own.against(other))),
+        (Measured::Map(_), Some(other)) => {
+            let (own, other) = (&args.surface.path, &other.name);
+            return Err(Failure::Input(format!(
+                "--counterface-*: spectra add, and {own} is pressed as it is; press `truearea psd {own} {other} --sum`"
+            )));
+        }
+    };
     let mut comments = vec![program(context.typed)];
     match &found {
         Measured::Map(map) => {

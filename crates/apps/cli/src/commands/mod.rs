@@ -23,6 +23,7 @@ mod tangential;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+use measurements::ScanRequest;
 use questions::{Answer, CurveQuestion, QuestionError, SamplingInput};
 use report::provenance::provenance;
 use report::{chart, spectrum_words};
@@ -31,10 +32,11 @@ use study::figure::FigureData;
 use study::surface::{Surface, SurfaceError};
 use tables::staging::StagedFiles;
 use tables::{Format, Table, TableWriter};
+use topography::Recipe;
 use units::printable::shown_path;
 use units::{Remark, RemarkCode, RemarkLevel, Spelling};
 
-use crate::args::{Args, Command, PsdArgs, QuotedPaths, ReadingArgs, SharedArgs};
+use crate::args::{Args, Command, CounterfaceSurfaceArgs, PsdArgs, QuotedPaths, ReadingArgs, SharedArgs};
 use crate::failure::Failure;
 use crate::files::Folder;
 use crate::flags::{Flags, failure, refuse_first};
@@ -158,7 +160,7 @@ impl Context<'_> {
     fn curve(
         &self,
         question: &CurveQuestion,
-        psd: &str,
+        psd: &[ScanRequest],
         reading: &ReadingArgs,
         figure: Figure<'_>,
         spelling: &dyn Spelling,
@@ -199,19 +201,23 @@ impl Context<'_> {
         Ok(())
     }
 
-    /// Reads a spectrum.
-    fn load(&self, psd: &str, reading: &ReadingArgs, figure: Figure<'_>) -> Result<Surface, Failure> {
+    /// Reads the spectrum of a face, or makes it from scans, and adds that of the other face if there is one.
+    fn load(
+        &self,
+        files: &[ScanRequest],
+        reading: &ReadingArgs,
+        figure: Figure<'_>,
+    ) -> Result<Surface, Failure> {
         announce_figure(figure)?;
-        Surface::load(psd, &Folder::current(), &reading_options(reading)).map_err(|error| match error {
-            SurfaceError::Scan { ref name, .. } => {
-                Failure::Input(format!("{error}; use `truearea psd {name}`"))
-            }
-            SurfaceError::Spectrum { error: ref reading, .. } => {
-                let mend = reading.mend().map(|mend| spectrum_words::mend(&mend, flag_of));
-                Failure::Input(format!("{error}{}", mend.unwrap_or_default()))
-            }
-            error => Failure::input(error),
-        })
+        let folder = Folder::current();
+        let reader =
+            FaceReader { folder: &folder, options: reading_options(reading), recipe: Recipe::default() };
+        let (own, other) = (reader.face(files)?, reader.counterface(&reading.other)?);
+        let of_scans = |face: &Surface| face.made_from.is_some();
+        if reader.options != ReadOptions::default() && of_scans(&own) && other.as_ref().is_none_or(of_scans) {
+            return Err(Failure::input("options for reading a spectrum do not affect scans; leave them out"));
+        }
+        Ok(other.into_iter().fold(own, Surface::against))
     }
 
     /// Writes a text in place of a table.
@@ -305,6 +311,56 @@ fn without_folders(word: &str) -> String {
 /// Announces the file of a figure.
 fn announce_figure(figure: Figure<'_>) -> Result<(), Failure> {
     announce("--figure", figure.map(Picture::place))
+}
+
+/// Reads faces: files of a folder, spectra by these options and scans by this recipe.
+struct FaceReader<'f> {
+    folder: &'f Folder,
+    options: ReadOptions,
+    recipe: Recipe,
+}
+
+impl FaceReader<'_> {
+    /// Reads one file as a spectrum if it holds one, and otherwise all files as scans of one face.
+    fn face(&self, files: &[ScanRequest]) -> Result<Surface, Failure> {
+        if let [file] = files
+            && !Path::new(&file.path).is_dir()
+        {
+            match (Surface::load(&file.path, self.folder, &self.options), file.check_takes(&[])) {
+                (Ok(surface), takes) => return takes.map(|()| surface).map_err(psd::refused),
+                // Options of a scan say that it is one.
+                (Err(SurfaceError::Scan { .. }), _) | (Err(SurfaceError::Spectrum { .. }), Err(_)) => {}
+                (Err(error), _) => return Err(unread(error)),
+            }
+        }
+        Surface::from_scans(files, self.folder, &self.recipe).map_err(unread)
+    }
+
+    /// Reads the other face, if there is one: scans or a spectrum, as its option says.
+    fn counterface(&self, other: &CounterfaceSurfaceArgs) -> Result<Option<Surface>, Failure> {
+        let surface = match &other.counterface_psd {
+            Some(psd) => Surface::load(&psd.path, self.folder, &self.options)
+                .and_then(|surface| Ok(psd.check_takes(&[]).map(|()| surface)?)),
+            None if other.counterface_scans.is_empty() => return Ok(None),
+            None => Surface::from_scans(&other.counterface_scans, self.folder, &self.recipe),
+        };
+        surface.map(Some).map_err(unread)
+    }
+}
+
+/// Words why a surface cannot be read, and what mends it.
+fn unread(error: SurfaceError) -> Failure {
+    match error {
+        SurfaceError::Scans(error) => psd::refused(error),
+        SurfaceError::Scan { ref name, .. } => {
+            Failure::Input(format!("{error}; use --counterface-scans {name}"))
+        }
+        SurfaceError::Spectrum { error: ref reading, .. } => {
+            let mend = reading.mend().map(|mend| spectrum_words::mend(&mend, flag_of));
+            Failure::Input(format!("{error}{}", mend.unwrap_or_default()))
+        }
+        error => Failure::input(error),
+    }
 }
 
 /// Returns the options for reading a spectrum.

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use measurements::ScanRequest;
 use questions::CurveQuestion;
 use questions::rows::Flattened;
 use study::growth_law::GrowthLaw;
@@ -17,15 +18,15 @@ use crate::flags::PerssonFlags;
 use crate::place::Place;
 
 pub(super) fn run(args: &PerssonArgs, context: &Context<'_>) -> Result<(), Failure> {
-    match (&args.psd, args.model, &args.input) {
-        (Some(psd), Some(model), _) => over_cutoffs(psd, model, args, context),
-        (None, _, Some(input)) => of_rows(input, args, context),
+    match (&args.psd[..], args.model, &args.input) {
+        (psd @ [_, ..], Some(model), _) => over_cutoffs(psd, model, args, context),
+        ([], _, Some(input)) => of_rows(input, args, context),
         _ => Err(Failure::input("give a spectrum with --model, or a table with --input")),
     }
 }
 
 fn over_cutoffs(
-    psd: &str,
+    psd: &[ScanRequest],
     deformation: Deformation,
     args: &PerssonArgs,
     context: &Context<'_>,

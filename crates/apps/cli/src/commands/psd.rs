@@ -1,7 +1,9 @@
-//! `psd`: from scans to their composite spectrum.
+//! `psd`: from scans to their composite spectrum, and the sum of two faces.
 
-use super::{Context, announce_figure, say_all, say_notes};
-use crate::args::ScansArgs;
+use std::slice;
+
+use super::{Context, FaceReader, announce_figure, say_all, say_notes};
+use crate::args::{CounterfaceSurfaceArgs, ScansArgs};
 use crate::failure::Failure;
 use crate::files::{Folder, whole_table};
 use crate::flags::Flags;
@@ -14,14 +16,17 @@ use measurements::{
     CompositeOfFiles, STEPS_PER_FILE, ScanProblem, ScanRequest, ScansInFolders, TipRadius, TopographyError,
     areal_spectrum, requests_of_list,
 };
-use report::provenance::program;
+use report::provenance::{of_surface, program};
 use report::scan_words;
 use report::scans_table::scans_table;
 use scans::{Mend, ScanOption};
+use spectrum::ReadOptions;
 use study::figure::composite_figure;
+use study::surface::Surface;
 use tables::staging::StagedFiles;
 use topography::Recipe;
 use units::RemarkCode;
+use units::display::counted;
 
 pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure> {
     refuse_two_outputs(args, context)?;
@@ -36,11 +41,19 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
     let output = args.out.as_ref().unwrap_or(&context.shared.output);
     announce_figure(args.figure.as_ref())?;
     announce("--out", args.out.clone())?;
-    let requests = requests(args)?;
+    let (requests, counterface_scans) = requests(args)?;
     let folder = Folder::current();
     let mut timings = Timings::start();
-    let requests = scans_in_folders(&requests, &folder)?;
-    if args.areal {
+    let at_once = if args.sum || !args.other.files().is_empty() {
+        let other = CounterfaceSurfaceArgs { counterface_scans, ..args.other.clone() };
+        let reader = FaceReader { folder: &folder, options: ReadOptions::default(), recipe };
+        let both = both_faces(args.sum, &requests, &other, &reader)?;
+        for scans in both.each().into_iter().filter_map(|face| face.made_from.as_ref()) {
+            say_lines(&scans_table(&scans.spectrum));
+        }
+        Some((both.notes.clone(), of_surface(&both), both.table()))
+    } else if args.areal {
+        let requests = scans_in_folders(&requests, &folder)?;
         let [request] = &requests[..] else {
             return Err(Failure::Input(format!(
                 "--areal takes one map, and {} files are given",
@@ -48,13 +61,19 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
             )));
         };
         let found = areal_spectrum(request, &folder, &recipe).map_err(refused)?;
-        say_all(&found.remarks, &Flags);
+        Some((found.remarks, vec![found.provenance], found.table))
+    } else {
+        None
+    };
+    if let Some((remarks, provenance, table)) = at_once {
+        say_all(&remarks, &Flags);
         let mut files = StagedFiles::default();
-        let comments = [program(context.typed), found.provenance];
-        context.stage_table(&mut files, output, &comments, &found.table)?;
+        let comments = [vec![program(context.typed)], provenance].concat();
+        context.stage_table(&mut files, output, &comments, &table)?;
         timings.lap("reading and transforming");
         return context.finish(files, timings);
     }
+    let requests = scans_in_folders(&requests, &folder)?;
     let progress = Progress::towards(STEPS_PER_FILE * requests.len(), "steps of reading and transforming");
     let found = CompositeOfFiles::read_spectrum(&requests, &folder, &recipe, &progress).map_err(refused)?;
     drop(progress);
@@ -77,10 +96,35 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
     context.finish(files, timings)
 }
 
-/// The scans that were typed, and behind them those of the list; what is said for all counts where they say nothing.
-fn requests(args: &ScansArgs) -> Result<Vec<ScanRequest>, Failure> {
+/// The sum of two faces: of two files, or of files and those of the other face.
+fn both_faces(
+    is_sum: bool,
+    files: &[ScanRequest],
+    other: &CounterfaceSurfaceArgs,
+    reader: &FaceReader<'_>,
+) -> Result<Surface, Failure> {
+    let (own, other) = match files {
+        files if !is_sum => (files, reader.counterface(other)?),
+        [_, other] => (&files[..1], Some(reader.face(slice::from_ref(other))?)),
+        files => {
+            let given = counted(files.len(), "file");
+            let way_out = "of several scans, write psd A1 A2 --counterface-scans B1 B2";
+            return Err(Failure::Input(format!(
+                "--sum adds two files, one for each face, not {given}; {way_out}"
+            )));
+        }
+    };
+    Ok(other.into_iter().fold(reader.face(own)?, Surface::against))
+}
+
+/// The scans that were typed, and behind them those of the list; and those of the other face. What is said for all counts where
+/// they say nothing.
+fn requests(args: &ScansArgs) -> Result<(Vec<ScanRequest>, Vec<ScanRequest>), Failure> {
     let listed = args.list.as_ref().map(listed).transpose()?.unwrap_or_default();
-    args.with_common_options(&[&args.files[..], &listed].concat())
+    let own = [&args.files[..], &listed].concat();
+    let mut all = args.with_common_options(&[&own[..], &args.other.counterface_scans].concat())?;
+    let other = all.split_off(own.len());
+    Ok((all, other))
 }
 
 /// The scans of a list, their files relative to it.
@@ -117,6 +161,11 @@ pub(super) fn refusal(error: TopographyError) -> String {
     });
     let mend = match (&error.problem, &error.file, error.mend()) {
         (ScanProblem::IsAScene, Some(file), _) => format!("; try `truearea run {file}`"),
+        (ScanProblem::HoldsASpectrum, Some(file), _) => {
+            format!(
+                "; give a scan, or a command that takes a PSD, the other face's as --counterface-psd {file}"
+            )
+        }
         (_, Some(file), Some(Mend::Give(wanted))) => {
             option(wanted).map_or_else(String::new, |typed| format!("; write {file}:{typed}"))
         }

@@ -247,7 +247,7 @@ fn overrides(args: &RunArgs) -> Result<Overrides, Failure> {
             .transpose()?,
         no_judge: args.no_judge,
         no_uncertainty: args.no_uncertainty,
-        surface: None,
+        ..Overrides::default()
     })
 }
 

@@ -1,5 +1,6 @@
 //! `statistical`: populations of asperities, from a spectrum or row by row of a table.
 
+use measurements::ScanRequest;
 use questions::CurveQuestion;
 use questions::rows::Populations;
 
@@ -11,14 +12,14 @@ use crate::flags::Flags;
 use crate::place::Place;
 
 pub(super) fn run(args: &StatisticalArgs, context: &Context<'_>) -> Result<(), Failure> {
-    match (&args.psd, &args.input) {
-        (Some(psd), _) => over_cutoffs(psd, args, context),
-        (None, Some(input)) => of_rows(input, args, context),
-        (None, None) => Err(Failure::input("give a spectrum, or a table with --input")),
+    match (&args.psd[..], &args.input) {
+        (psd @ [_, ..], _) => over_cutoffs(psd, args, context),
+        ([], Some(input)) => of_rows(input, args, context),
+        ([], None) => Err(Failure::input("give a spectrum, or a table with --input")),
     }
 }
 
-fn over_cutoffs(psd: &str, args: &StatisticalArgs, context: &Context<'_>) -> Result<(), Failure> {
+fn over_cutoffs(psd: &[ScanRequest], args: &StatisticalArgs, context: &Context<'_>) -> Result<(), Failure> {
     let material = args.material.input();
     let figure = args.figure.figure.as_ref();
     let question = CurveQuestion {

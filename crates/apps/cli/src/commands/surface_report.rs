@@ -15,7 +15,7 @@ use tables::staging::resolve;
 use units::Pressure;
 
 use super::Context;
-use super::psd::refusal;
+use super::psd::{refusal, refused};
 use super::run_scene::SceneRun;
 use crate::args::ReportArgs;
 use crate::failure::Failure;
@@ -30,8 +30,8 @@ use crate::timings::Timings;
 pub(super) fn run(args: &ReportArgs, context: &Context<'_>) -> Result<(), Failure> {
     let mut timings = Timings::start();
     let folder = args.out.clone().unwrap_or_else(|| default_folder(&args.files));
-    if let Some(file) = args
-        .files
+    let all = [&args.files[..], &args.other.files()].concat();
+    if let Some(file) = all
         .iter()
         .find(|file| Path::new(&file.path).is_dir() && resolve(Path::new(&file.path)) == resolve(&folder))
     {
@@ -44,7 +44,7 @@ pub(super) fn run(args: &ReportArgs, context: &Context<'_>) -> Result<(), Failur
     // Paths in the scene are relative to the folder, so that the scene there repeats the report.
     let _made = new_folder("--out", &folder)?;
     check_writable(&folder)?;
-    let paths = args.files.iter().map(|file| PathBuf::from(&file.path)).collect();
+    let paths = all.iter().map(|file| PathBuf::from(&file.path)).collect();
     let results = ResultsFolder::open(&folder, [("", paths)]);
     let scene = scene(&mut question, &results, context)?;
     timings.lap("reading");
@@ -63,7 +63,7 @@ const OPTIONS: RunOptions = RunOptions { report: true, judge: None, uncertainty:
 
 /// Fills the question from the options, and asks for what is missing if somebody can answer.
 fn question(args: &ReportArgs) -> Result<ReportQuestion, Failure> {
-    let surface = surface(args)?;
+    let (surface, counterface_surface) = faces(args)?;
     let mut material = args.material();
     if material.is_empty() {
         let option = "--material \"steel 100Cr6\"";
@@ -76,24 +76,38 @@ fn question(args: &ReportArgs) -> Result<ReportQuestion, Failure> {
     let counterface = Some(args.counterface()).filter(|body| !body.is_empty());
     let pressures = pressures.iter().map(|pressure| spaced(pressure)).collect();
     Ok(ReportQuestion {
-        title: Some(args.title.clone().unwrap_or_else(|| default_title(&args.files))),
+        title: Some(args.title.clone().unwrap_or_else(|| match &args.other.files()[..] {
+            [] => default_title(&args.files),
+            other => format!("{} against {}", default_title(&args.files), default_title(other)),
+        })),
         surface,
         material,
         counterface,
+        counterface_surface,
         pressures,
         strength_cap: args.strength_cap.clone(),
         seal: args.seal,
     })
 }
 
-/// The files as scans, or the one file as a spectrum.
-fn surface(args: &ReportArgs) -> Result<ReportSurface, Failure> {
-    let requests = args.defaults.complete_all(&args.files)?;
-    for ScanRequest { path, .. } in requests.iter().filter(|request| is_a_path(&request.path)) {
+/// The files as scans, or the one file as a spectrum; and those of the other face.
+fn faces(args: &ReportArgs) -> Result<(ReportSurface, Option<ReportSurface>), Failure> {
+    let mut requests =
+        args.defaults.complete_all(&[&args.files[..], &args.other.counterface_scans].concat())?;
+    let psd = args.other.counterface_psd.as_ref();
+    for ScanRequest { path, .. } in requests.iter().chain(psd).filter(|request| is_a_path(&request.path)) {
         std::fs::metadata(path)
             .map_err(|error| Failure::reading(path, &explained(error, Path::new(path))))?;
     }
-    ReportSurface::of_files(requests, &Folder::current()).map_err(Failure::input)
+    let scans = requests.split_off(args.files.len());
+    let other = match psd {
+        Some(psd) => {
+            psd.check_takes(&[]).map_err(refused)?;
+            Some(ReportSurface::Psd(psd.path.clone()))
+        }
+        None => (!scans.is_empty()).then_some(ReportSurface::Scans(scans)),
+    };
+    Ok((ReportSurface::of_files(requests, &Folder::current()).map_err(Failure::input)?, other))
 }
 
 /// The scene of the question, its files relative to the folder. Asks for what a file does not state.
@@ -114,9 +128,10 @@ fn scene(
                 return Ok(scene);
             }
             Err(error) => {
-                let answered = missing(&error).is_some_and(|(at, option)| ask_for(question, at, option));
+                let answered =
+                    missing(&error, &text, question).is_some_and(|(scan, option)| ask_for(scan, option));
                 if !answered {
-                    let typed = |file: &str| as_typed(file, &question.surface, &placed.surface);
+                    let typed = |file: &str| as_typed(file, question, &placed);
                     return Err(Failure::Input(worded(error, &text, typed)));
                 }
             }
@@ -138,13 +153,14 @@ fn relative_to(question: &ReportQuestion, folder: &Path) -> Result<ReportQuestio
         let found = to.and_then(|to| pathdiff::diff_paths(to, &from));
         found.map_or_else(|| path.to_owned(), |path| path.to_string_lossy().into_owned())
     };
-    let surface = match &question.surface {
+    let placed = |surface: &ReportSurface| match surface {
         ReportSurface::Psd(path) => ReportSurface::Psd(relative(path)),
         ReportSurface::Scans(scans) => ReportSurface::Scans(
             scans.iter().map(|scan| ScanRequest { path: relative(&scan.path), ..scan.clone() }).collect(),
         ),
     };
-    Ok(ReportQuestion { surface, ..question.clone() })
+    let counterface_surface = question.counterface_surface.as_ref().map(placed);
+    Ok(ReportQuestion { surface: placed(&question.surface), counterface_surface, ..question.clone() })
 }
 
 /// Returns true unless the name is that of a built-in spectrum or of standard input.
@@ -153,19 +169,28 @@ fn is_a_path(name: &str) -> bool {
 }
 
 /// The scan whose file lacks something, and the option that gives it.
-fn missing(error: &SceneError) -> Option<(usize, ScanOption)> {
+fn missing<'q>(
+    error: &SceneError,
+    text: &str,
+    question: &'q mut ReportQuestion,
+) -> Option<(&'q mut ScanRequest, ScanOption)> {
     let SceneProblem::Surface(surface) = &error.problem else { return None };
-    let SurfaceError::Scans(error) = &**surface else { return None };
-    match error.mend()? {
-        Mend::Give(option) => Some((error.request.unwrap_or(0), option)),
-        Mend::LeaveOut(_) => None,
+    let SurfaceError::Scans(found) = &**surface else { return None };
+    let other = question.counterface_surface.as_mut().zip(text.find("[counterface.surface]"));
+    let face = match other {
+        Some((face, at)) if error.span.as_ref().is_some_and(|span| span.start > at) => face,
+        _ => &mut question.surface,
+    };
+    match (found.mend()?, face) {
+        (Mend::Give(option), ReportSurface::Scans(scans)) => {
+            Some((scans.get_mut(found.request.unwrap_or(0))?, option))
+        }
+        _ => None,
     }
 }
 
 /// Asks for an option of a scan on a terminal; returns true if it was given.
-fn ask_for(question: &mut ReportQuestion, at: usize, option: ScanOption) -> bool {
-    let ReportSurface::Scans(scans) = &mut question.surface else { return false };
-    let Some(scan) = scans.get_mut(at) else { return false };
+fn ask_for(scan: &mut ScanRequest, option: ScanOption) -> bool {
     let (key, subject, example) = match option {
         ScanOption::Unit => ("unit", "unit of heights", "um"),
         ScanOption::Size => ("size", "size along the scan lines", "100 um"),
@@ -212,13 +237,18 @@ fn ask(subject: &str, example: &str) -> Option<String> {
 }
 
 /// The path of a file in the scene as it was typed.
-fn as_typed(file: &str, typed: &ReportSurface, placed: &ReportSurface) -> String {
-    let (ReportSurface::Scans(typed), ReportSurface::Scans(placed)) = (typed, placed) else {
-        return file.to_owned();
+fn as_typed(file: &str, typed: &ReportQuestion, placed: &ReportQuestion) -> String {
+    let paths = |question: &ReportQuestion| -> Vec<String> {
+        let faces = [Some(&question.surface), question.counterface_surface.as_ref()].into_iter().flatten();
+        let paths = faces.flat_map(|face| match face {
+            ReportSurface::Scans(scans) => scans.iter().map(|scan| scan.path.clone()).collect(),
+            ReportSurface::Psd(path) => vec![path.clone()],
+        });
+        paths.collect()
     };
-    let mut pairs = typed.iter().zip(placed);
-    let found =
-        pairs.find_map(|(typed, placed)| Some(format!("{}{}", typed.path, file.strip_prefix(&placed.path)?)));
+    let (typed, placed) = (paths(typed), paths(placed));
+    let mut pairs = typed.iter().zip(&placed);
+    let found = pairs.find_map(|(typed, placed)| Some(format!("{typed}{}", file.strip_prefix(&placed[..])?)));
     found.unwrap_or_else(|| file.to_owned())
 }
 
@@ -227,7 +257,18 @@ fn worded(error: SceneError, text: &str, as_typed: impl Fn(&str) -> String) -> S
     let SceneProblem::Surface(surface) = error.problem else {
         return report::scene_errors::drawn(&error, text, "the options of `report`");
     };
-    let SurfaceError::Scans(error) = *surface else { return surface.to_string() };
+    let error = match *surface {
+        SurfaceError::Scans(error) => error,
+        // Only the other face is called a spectrum unseen.
+        SurfaceError::Scan { name, format } => {
+            let name = as_typed(&name);
+            return format!(
+                "{}; use --counterface-scans {name}",
+                SurfaceError::Scan { name: name.clone(), format }
+            );
+        }
+        other => return other.to_string(),
+    };
     let file = error.file.as_deref().map(as_typed);
     match error.problem {
         ScanProblem::Reading(error) => format!("reading {}: {error}", file.unwrap_or_default()),

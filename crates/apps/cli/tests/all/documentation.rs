@@ -106,7 +106,8 @@ fn bench_with_inputs() -> Bench {
         "pressure_pa,rms_pressure_pa,hardness_pa,hardness_growth\n54e6,5.4e9,5.4e9,0.5\n",
     );
     let rows = (0..4000).map(|i| format!("{i} {}\n", 0.01 * f64::from(i * i % 97)));
-    bench.write("trace.txt", rows.collect::<String>());
+    let face = (0..4000).map(|i| format!("{i} {}\n", 0.002 * f64::from(i * i % 89)));
+    bench.write("trace.txt", rows.collect::<String>()).write("face.txt", face.collect::<String>());
     std::fs::create_dir_all(bench.path("data/scenes")).unwrap();
     for (name, scene) in scenes() {
         bench.write(&format!("data/scenes/{name}.toml"), scene);

@@ -19,7 +19,7 @@ const SCENE: &str = "[surface]\nscans = [{ file = \"in2\", unit = \"nm\" }]\n[ma
                      [[figure]]\nname = \"f\"\nshows = \"area\"\nformat = [\"svg\", \"py\"]\n[judge]\noff = true\n[uncertainty]\noff = true\n";
 
 /// Options whose files are read. Every other option with a file is taken to write.
-const READ: [&str; 3] = ["list", "input", "hardness-law"];
+const READ: [&str; 5] = ["list", "input", "hardness-law", "counterface-scans", "counterface-psd"];
 
 /// Words in the name of the value of an option with a file or a folder.
 const FILES: [&str; 4] = ["PATH", "FILE", "DIR", "FOLDER"];
@@ -43,6 +43,7 @@ fn calls() -> Vec<String> {
         "persson --input in@rows".to_owned(),
         format!("persson in@psd --model elastic-plastic{pressed} --hardness-law in2@hardness"),
         format!("gap in@psd --model persson{pressed}"),
+        format!("gap in@psd --model persson{pressed} --counterface-scans in2@trace:unit=nm"),
         format!("tangential in@psd --model persson --friction 0.3{pressed}"),
         format!("law in@psd --model persson --dialect csv --pressure-range 1MPa:10MPa{BODIES}"),
         format!("bem in@map --unit nm --size 1um{pressed}"),
@@ -53,6 +54,7 @@ fn calls() -> Vec<String> {
         format!("roughness in@trace in2@trace --scales{scan}"),
         format!("psd in@trace in2@trace{scan}"),
         format!("psd in@map --size 1um{scan} --areal"),
+        format!("psd in@trace{scan} --counterface-psd in2@psd"),
         "psd --list in@list in2@trace:unit=nm".to_owned(),
         format!("report in@trace in2@trace{scan} --material gold --pressure 1MPa"),
         "run in@scene in2@trace".to_owned(),

@@ -7,6 +7,7 @@ mod columns;
 mod conductance;
 #[cfg(unix)]
 mod documentation;
+mod faces;
 mod gap;
 mod help;
 mod idle;
