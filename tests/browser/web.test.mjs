@@ -98,8 +98,39 @@ function traces() {
   return { "a.csv": of(1e-6, 1), "b.csv": of(5e-7, 2), "c.csv": of(1e-7, 3) };
 }
 
-const drop = (page, files) =>
-  hook(page, "file-input").setInputFiles(Object.entries(files).map(([name, content]) => ({ name, mimeType: "text/plain", buffer: Buffer.from(content) })));
+const drop = (page, files, input = "file-input") =>
+  hook(page, input).setInputFiles(Object.entries(files).map(([name, content]) => ({ name, mimeType: "text/plain", buffer: Buffer.from(content) })));
+
+test("the other face: the numbers of the command line, and back without it", async () => {
+  const { page, context, complaints } = await open();
+  const { "a.csv": ring, "b.csv": face } = traces();
+  await hook(page, "material-select").selectOption("steel C45");
+  await drop(page, { "face.csv": face }, "other-file-input");
+  await until(page, "idle");
+  assert.match(await hook(page, "status").textContent(), /first face/);
+  await drop(page, { "ring.csv": ring });
+  await until(page, "done");
+  const both = await areas(page);
+  const { folder } = run(
+    ["report", "ring.csv", "--counterface-scans", "face.csv", "--material", "steel C45", "--pressure", "10MPa", "--out", "made"],
+    { "ring.csv": ring, "face.csv": face },
+  );
+  for (const [name, area] of Object.entries(both)) {
+    const expected = rows(readFileSync(join(folder, "made/data", `${name}.csv`), "utf8")).at(-1);
+    near(area, Number(expected.area_fraction), `${name} of two faces`);
+  }
+  const fragment = new URL(page.url()).hash;
+  assert.match(decodeURIComponent(fragment), /"face.csv","options":{},"is_counterface":true/);
+  // One name for two files would be one file to the core.
+  await drop(page, { "ring.csv": face }, "other-file-input");
+  await until(page, "error");
+  assert.match(await page.textContent("#error"), /rename one of them/);
+  await page.getByRole("button", { name: "Remove face.csv" }).click();
+  await until(page, "done");
+  assert.notDeepEqual(await areas(page), both);
+  assert.deepEqual(complaints, []);
+  await context.close();
+});
 
 test("both diamond spectra, all models, four loads: the numbers of the command line", async () => {
   const { page, context, requests, complaints } = await open();

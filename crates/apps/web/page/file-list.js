@@ -35,7 +35,10 @@ const unfolded = new Set();
 
 export function showFiles() {
   const kept = document.activeElement?.id ?? "";
-  by("file-list").replaceChildren(...state.files.map(fileItem));
+  const items = state.files.map(fileItem);
+  for (const [list, isOther] of /** @type {[string, boolean][]} */ ([["file-list", false], ["other-file-list", true]])) {
+    by(list).replaceChildren(...items.filter((_, at) => state.files[at].is_counterface === isOther));
+  }
   if (kept) document.getElementById(kept)?.focus();
 }
 
@@ -52,7 +55,7 @@ function fileItem(/** @type {PageFile} */ file, /** @type {number} */ at) {
     state.files.splice(state.files.indexOf(file), 1);
     showFiles();
     onChange();
-    input("files").focus();
+    input(file.is_counterface ? "files-other" : "files").focus();
   });
   head.append(name, remove);
   item.append(head);

@@ -17,7 +17,7 @@ const isTruth = (value) => typeof value === "boolean";
 /** @type {(check: Check) => Check} */
 const isTableOf = (check) => (value) => typeof value === "object" && value !== null && !Array.isArray(value) && Object.values(value).every(check);
 /** @type {Check} */
-const isFile = (value) => isTableOf(() => true)(value) && isText(value.name) && (value.options === undefined || isTableOf(isText)(value.options));
+const isFile = (value) => isTableOf(() => true)(value) && isText(value.name) && (value.is_counterface === undefined || isTruth(value.is_counterface)) && (value.options === undefined || isTableOf(isText)(value.options));
 
 /**
  * What each key of a state holds.

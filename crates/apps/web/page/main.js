@@ -44,7 +44,7 @@ const bench = () => (state.files.some((file) => file.bytes >= LARGE_BYTES) ? des
 
 // ---- State -----------------------------------------------------------------------------------------------------------
 
-const hasSurface = () => state.example !== null || state.files.some((file) => file.kind !== "other" && !file.sight?.refusal);
+const hasSurface = () => state.example !== null || state.files.some((file) => !file.is_counterface && file.kind !== "other" && !file.sight?.refusal);
 
 /** A file lacks what only a person knows. */
 const lacking = () => state.files.find((file) => file.sight?.refusal?.option);
@@ -183,6 +183,7 @@ function showNothing() {
   opened = null;
   screen_ = null;
   if (one) say("idle", `${one.name} needs its ${one.sight.refusal.option}: fill it in beside the file.`);
+  else if (state.files.length > 0 && state.files.every((file) => file.is_counterface)) say("idle", "Drop a scan of the first face as well.");
   else if (state.files.length > 0) say("error", "None of these files can be used: see the messages beside them.");
   else say("idle", "Drop a scan or take an example.");
 }
@@ -250,20 +251,31 @@ function fill(/** @type {HTMLElement} */ element, /** @type {string} */ markup) 
 
 // ---- Files ------------------------------------------------------------------------------------------------------------
 
-async function take(/** @type {import("./files.js").Named[]} */ found) {
+async function take(/** @type {import("./files.js").Named[]} */ found, isCounterface = false) {
   if (found.length === 0) return;
-  if (state.example !== null) {
+  // The core knows files by their names.
+  const differs = (/** @type {File} */ one, /** @type {File} */ other) => one.size !== other.size || one.lastModified !== other.lastModified;
+  const isTaken = (/** @type {import("./files.js").Named} */ { name, file }) => state.files.some((one) => one.name === name && one.is_counterface !== isCounterface && one.file && differs(one.file, file));
+  const taken = found.find(isTaken);
+  if (taken) {
+    showError(`Both faces have a file ${taken.name}, and they differ: rename one of them.`);
+    say("error", "No answer: see the message.");
+    return;
+  }
+  if (state.example !== null && !isCounterface) {
     state.example = null;
     select("example").value = "";
     state.material = null;
     state.counterface = null;
   }
-  state.material ??= { name: select("material").value || choices.materials[0].name };
-  state.counterface ??= {};
+  if (state.example === null) {
+    state.material ??= { name: select("material").value || choices.materials[0].name };
+    state.counterface ??= {};
+  }
   for (const { name, file } of found) {
-    const known = state.files.find((one) => one.name === name);
+    const known = state.files.find((one) => one.name === name && one.is_counterface === isCounterface);
     if (known) Object.assign(known, { file, bytes: file.size, sight: null });
-    else state.files.push({ name, bytes: file.size, options: {}, kind: "scan", file, sight: null });
+    else state.files.push({ name, bytes: file.size, options: {}, kind: "scan", is_counterface: isCounterface, file, sight: null });
   }
   opened = null;
   await lookAtFiles();
@@ -283,7 +295,7 @@ async function lookAtFiles() {
     if (file.sight !== null || !file.file) continue;
     say("working", `Reading ${file.name} …`);
     try {
-      file.sight = await viewer.ask("look", { name: file.name, bytes: file.bytes, options: file.options, kind: file.kind });
+      file.sight = await viewer.ask("look", { name: file.name, bytes: file.bytes, options: file.options, kind: file.kind, is_counterface: file.is_counterface });
       file.kind = file.sight.kind;
       if (file.sight.wants_all_formats && useAllFormats()) {
         say("working", "Loading the readers of all formats …");
@@ -302,7 +314,7 @@ async function lookAtFiles() {
     showFiles();
   }
   if (!viewer.isBusy) viewer.end();
-  if (state.files.some((file) => file.kind === "scene") && state.files.every((file) => Object.keys(file.options).length === 0)) {
+  if (state.files.some((file) => file.kind === "scene" && !file.is_counterface) && state.files.every((file) => Object.keys(file.options).length === 0)) {
     // A scene brings its own bodies and loads.
     state.material = null;
     state.counterface = null;
@@ -390,26 +402,30 @@ function listen() {
     keepLink();
     changed();
   });
-  input("files").addEventListener("change", () => {
-    const found = chosen(/** @type {FileList} */ (input("files").files));
-    input("files").value = "";
-    take(found);
-  });
+  for (const [id, isOther] of /** @type {[string, boolean][]} */ ([["files", false], ["files-other", true]])) {
+    input(id).addEventListener("change", () => {
+      const found = chosen(/** @type {FileList} */ (input(id).files));
+      input(id).value = "";
+      take(found, isOther);
+    });
+  }
   by("controls").addEventListener("submit", (event) => event.preventDefault());
-  const drop = by("drop");
+  const [drop, other] = [by("drop"), by("drop-other")];
+  const isOther = (/** @type {DragEvent} */ event) => other.contains(/** @type {Node} */ (event.target));
   for (const kind of ["dragenter", "dragover"]) {
     document.addEventListener(kind, (event) => {
       event.preventDefault();
-      drop.classList.add("over");
+      drop.classList.toggle("over", !isOther(/** @type {DragEvent} */ (event)));
+      other.classList.toggle("over", isOther(/** @type {DragEvent} */ (event)));
     });
   }
   document.addEventListener("dragleave", (event) => {
-    if (event.relatedTarget === null) drop.classList.remove("over");
+    if (event.relatedTarget === null) [drop, other].forEach((zone) => zone.classList.remove("over"));
   });
   document.addEventListener("drop", async (event) => {
     event.preventDefault();
-    drop.classList.remove("over");
-    if (event.dataTransfer) take(await dropped(event.dataTransfer));
+    [drop, other].forEach((zone) => zone.classList.remove("over"));
+    if (event.dataTransfer) take(await dropped(event.dataTransfer), isOther(event));
   });
   by("cancel").addEventListener("click", () => {
     stopBench();
@@ -466,7 +482,7 @@ async function makeReport() {
 // ---- Link -------------------------------------------------------------------------------------------------------------
 
 function keepLink() {
-  history.replaceState(null, "", stateLink({ ...request(), files: state.files.map(({ name, options }) => ({ name, options })), drawn: state.drawn }));
+  history.replaceState(null, "", stateLink({ ...request(), files: state.files.map(({ name, options, is_counterface }) => ({ name, options, is_counterface })), drawn: state.drawn }));
 }
 
 function fromLink() {
@@ -474,7 +490,7 @@ function fromLink() {
   if (found === null) say("error", "The link is damaged. The page starts empty: drop files, or take an example.");
   if (!found) return;
   state.example = found.example ?? null;
-  state.files = (found.files ?? []).map((/** @type {any} */ file) => ({ name: String(file.name), bytes: 0, options: file.options ?? {}, kind: "scan", file: null, sight: null }));
+  state.files = (found.files ?? []).map((/** @type {any} */ file) => ({ name: String(file.name), bytes: 0, options: file.options ?? {}, kind: "scan", is_counterface: file.is_counterface === true, file: null, sight: null }));
   state.material = found.material ?? null;
   state.counterface = found.counterface ?? null;
   state.pressure = found.pressure ?? null;
@@ -488,7 +504,7 @@ function fromLink() {
   if (state.material) fillBody("material", { ...state.material });
   if (state.counterface) fillBody("counterface", { ...state.counterface });
   showFiles();
-  if (state.example) changed();
+  if (state.example && state.files.length === 0) changed();
   else if (state.files.length > 0) say("idle", `The link was made with ${state.files.map((file) => file.name).join(", ")}: drop these files again.`);
 }
 

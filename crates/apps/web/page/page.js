@@ -1,7 +1,7 @@
 // The state of the page, and its elements.
 
 /** @typedef {Record<string, string | null>} Body */
-/** @typedef {{ name: string, bytes: number, options: Record<string, string>, kind: string, file: File | null, sight: any }} PageFile */
+/** @typedef {{ name: string, bytes: number, options: Record<string, string>, kind: string, is_counterface: boolean, file: File | null, sight: any }} PageFile */
 
 export const state = {
   /** @type {string | null} */ example: null,
@@ -16,7 +16,7 @@ export const state = {
 
 /** The request of the state, as the core reads it. */
 export function request() {
-  const files = state.example ? [] : state.files.map(({ name, bytes, options, kind }) => ({ name, bytes, options, kind }));
+  const files = state.files.map(({ name, bytes, options, kind, is_counterface }) => ({ name, bytes, options, kind, is_counterface }));
   return {
     example: state.example,
     files,

@@ -68,6 +68,10 @@ pub struct PageNote {
 struct BesideFiles;
 
 impl Spelling for BesideFiles {
+    fn option(&self, option: &str) -> String {
+        option.replace("counterface_surface", "the other face")
+    }
+
     fn of_scan(&self, _: &str, value: &str) -> String {
         format!("fill it in beside the file, such as {value}")
     }
@@ -127,6 +131,7 @@ impl Desk {
         let (material, counterface, _) = stated(&text);
         let wavelengths_m = psd.wavelengths_m().to_vec();
         let made_from = scene.surface.made_from.as_ref();
+        let of_faces = scene.surface.each().into_iter().filter_map(|face| face.made_from.as_ref());
         let page_note = |note: &Remark| PageNote {
             is_warning: note.level == RemarkLevel::Caution,
             text: note.words(&BesideFiles),
@@ -144,7 +149,7 @@ impl Desk {
             spectrum: SpectrumCurve::new(&scene.surface),
             maps: made_from
                 .map_or_else(Vec::new, |scans| scans.maps.iter().map(|map| map.name.clone()).collect()),
-            scans: made_from.map_or_else(String::new, |scans| scans_table::scans_table(&scans.spectrum)),
+            scans: of_faces.map(|scans| scans_table::scans_table(&scans.spectrum)).collect(),
             notes,
         };
         self.open = Some((fixed, text, scene));

@@ -43,6 +43,8 @@ pub struct FileRequest {
     pub options: BTreeMap<String, String>,
     /// Its kind.
     pub kind: FileKind,
+    /// True for a file of the other face.
+    pub is_counterface: bool,
 }
 
 /// The kind of a file, by its content.
@@ -130,7 +132,7 @@ impl Request {
     /// Returns the text of the scene without the conditions that sliders change. With `in_full` a scene of the user's
     /// own keeps its figures, which take long.
     pub(crate) fn scene_text(&self, files: &dyn Files, in_full: bool) -> Result<String, Refusal> {
-        let scene_file = self.files.iter().find(|file| file.kind == FileKind::Scene);
+        let scene_file = self.files.iter().find(|file| file.kind == FileKind::Scene && !file.is_counterface);
         let text = match (&self.example, scene_file) {
             (Some(key), _) => example::scene_text(key)
                 .ok_or_else(|| Refusal::new(format!("there is no example called {key}")))?,
@@ -162,25 +164,40 @@ impl Request {
                 Some(body) => body.write(section, &mut scene).map_err(Refusal::new)?,
             }
         }
+        if let Some(surface) = self.face(true)? {
+            scene.set("counterface.surface", &surface).map_err(Refusal::new)?;
+        }
         if self.seal && !scene.has("seal") {
             scene.set("seal", &BTreeMap::<String, String>::new()).map_err(Refusal::new)?;
         }
         Ok(scene.to_string())
     }
 
+    /// The surface of the files of a face; `None` for a counterface without files.
+    fn face(&self, is_counterface: bool) -> Result<Option<ReportSurface>, Refusal> {
+        let of_face = || self.files.iter().filter(|file| file.is_counterface == is_counterface);
+        let usable: Vec<&FileRequest> = of_face().filter(|file| file.kind != FileKind::Other).collect();
+        match usable[..] {
+            [] if is_counterface && of_face().next().is_none() => Ok(None),
+            [] => {
+                let of = if is_counterface { " of the other face" } else { "" };
+                Err(Refusal::new(format!("no file{of} holds heights or a spectrum; drop a scan")))
+            }
+            [one] if one.kind == FileKind::Spectrum => Ok(Some(ReportSurface::Psd(one.name.clone()))),
+            _ => Ok(Some(ReportSurface::Scans(
+                usable.iter().map(|file| file.scan()).collect::<Result<_, _>>()?,
+            ))),
+        }
+    }
+
     /// The question about scans or a spectrum.
     fn question(&self) -> Result<ReportQuestion, Refusal> {
-        let usable: Vec<&FileRequest> =
-            self.files.iter().filter(|file| file.kind != FileKind::Other).collect();
-        let surface = match usable[..] {
-            [] => return Err(Refusal::new("no file holds heights or a spectrum; drop a scan")),
-            [one] if one.kind == FileKind::Spectrum => ReportSurface::Psd(one.name.clone()),
-            _ => ReportSurface::Scans(usable.iter().map(|file| file.scan()).collect::<Result<_, _>>()?),
-        };
+        let mut own = self.files.iter().filter(|file| file.kind != FileKind::Other && !file.is_counterface);
         let counterface = self.counterface.clone().filter(|body| !body.is_empty());
         Ok(ReportQuestion {
-            title: usable.first().map(|file| file.name.clone()),
-            surface,
+            title: own.next().map(|file| file.name.clone()),
+            surface: self.face(false)?.unwrap_or_default(),
+            counterface_surface: self.face(true)?,
             material: self.material.clone().unwrap_or_default(),
             counterface,
             pressures: vec![self.pressure.clone().unwrap_or_else(|| "10 MPa".to_owned())],

@@ -13,7 +13,12 @@ fn example(key: &str) -> Request {
 }
 
 fn trace(header: &str) -> Vec<u8> {
-    let height = |at: usize| 1e-7 * ((at as f64 / 9.0).sin() + 0.3 * (at as f64 * 1.7).sin());
+    trace_of(header, 1e-7)
+}
+
+/// A trace of an amplitude [m].
+fn trace_of(header: &str, amplitude_m: f64) -> Vec<u8> {
+    let height = |at: usize| amplitude_m * ((at as f64 / 9.0).sin() + 0.3 * (at as f64 * 1.7).sin());
     let rows: String = (0..512).map(|at| format!("{},{}\n", at as f64 * 1e-6, height(at))).collect();
     format!("{header}\n{rows}").into_bytes()
 }
@@ -74,6 +79,69 @@ fn scans_are_seen_and_answered() {
     let lines = opened.spectrum.reading.lines;
     assert_eq!(lines.len(), 2, "the scan and the whole");
     assert!(opened.spectrum.figure.contains("ends at 2 pixels"), "{}", opened.spectrum.figure);
+}
+
+#[test]
+fn the_other_face_is_that_of_a_scene_with_both() {
+    let files = Files::from([
+        ("ring.csv".to_owned(), trace("x (m),z (m)")),
+        ("face.csv".to_owned(), trace_of("x (m),z (m)", 1e-8)),
+        (
+            "both.toml".to_owned(),
+            b"[surface]\nscans = [\"ring.csv\"]\n[material]\nname = \"steel C45\"\n[counterface.surface]\nscans = [\"face.csv\"]\n\
+              [loads]\npressures = [\"10 MPa\"]\n[interface]\n[seal]\n"
+                .to_vec(),
+        ),
+    ]);
+    let face = FileRequest { is_counterface: true, ..file("face.csv") };
+    let steel = Some(BodyText { name: Some("steel C45".to_owned()), ..BodyText::default() });
+    let answer = |request: &Request| Desk::default().answer(request, &files);
+    let areas = |request: &Request| -> Vec<Option<f64>> {
+        answer(request).unwrap().screen.unwrap().models.iter().map(|model| model.area_fraction).collect()
+    };
+    let own = Request { files: vec![file("ring.csv")], material: steel, seal: true, ..Request::default() };
+    let both = Request { files: vec![file("ring.csv"), face.clone()], ..own.clone() };
+    let scene = Request {
+        files: vec![FileRequest { kind: FileKind::Scene, ..file("both.toml") }],
+        ..Request::default()
+    };
+    assert_eq!(areas(&both), areas(&scene));
+    assert_ne!(areas(&both), areas(&own));
+    let [of_both, of_scene] =
+        [&both, &scene].map(|request| answer(request).unwrap().screen.unwrap().interface);
+    assert_eq!(of_both, of_scene);
+    let reply = answer(&both).unwrap();
+    assert!(reply.scene.contains("[counterface.surface]"), "{}", reply.scene);
+    let opened = reply.opened.unwrap();
+    assert!(["ring.csv", "face.csv"].iter().all(|name| opened.scans.contains(name)), "{}", opened.scans);
+    // An example and a scene take another face as well.
+    let with_face =
+        |request: Request| Request { files: [&request.files[..], &[face.clone()]].concat(), ..request };
+    assert_ne!(areas(&with_face(example("uncd-measured"))), areas(&example("uncd-measured")));
+    assert_eq!(areas(&with_face(scene.clone())), areas(&scene));
+    // What is no face is refused by its name.
+    let other = |kind| FileRequest { kind, is_counterface: true, ..file("both.toml") };
+    let refused =
+        |file| answer(&Request { files: vec![own.files[0].clone(), file], ..own.clone() }).unwrap_err();
+    assert_eq!(refused(other(FileKind::Scene)).file.as_deref(), Some("both.toml"));
+    assert!(refused(other(FileKind::Other)).message.contains("other face"));
+    let alone = Request { files: vec![face.clone()], ..own.clone() };
+    assert!(answer(&alone).is_err());
+}
+
+#[test]
+fn scans_of_two_faces_are_asked_for_the_other_face() {
+    let files = Files::from([
+        ("ring.csv".to_owned(), trace("x (m),z (m)")),
+        ("face.csv".to_owned(), trace_of("x (m),z (m)", 1e-8)),
+    ]);
+    let request = Request {
+        files: vec![file("ring.csv"), file("face.csv")],
+        material: Some(BodyText { name: Some("steel C45".to_owned()), ..BodyText::default() }),
+        ..Request::default()
+    };
+    let notes = Desk::default().answer(&request, &files).unwrap().opened.unwrap().notes;
+    assert!(notes.iter().any(|note| note.is_warning && note.text.contains("the other face")));
 }
 
 /// A map of 48 x 32 points in um, as text with a header of Gwyddion.
