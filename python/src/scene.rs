@@ -83,7 +83,7 @@ impl Files for Remembering {
 
 #[pymethods]
 impl PyScene {
-    /// The scene of a text. Files come from those given, or else from below the folder; a surface in memory counts before the
+    /// The scene of a text. Files come from those given, or else from below the folder; the two faces in memory count before the
     /// files of the scene's own.
     #[new]
     fn new(
@@ -92,10 +92,11 @@ impl PyScene {
         name: String,
         folder: PathBuf,
         files: Read,
-        surface: Option<&PySurface>,
+        faces: [Option<PyRef<'_, PySurface>>; 2],
     ) -> PyResult<Self> {
-        let surface = surface.map(|surface| surface.surface.clone());
-        let overrides = Overrides { surface, ..Overrides::default() };
+        let [surface, counterface_surface] =
+            faces.map(|face| face.map(|face| face.surface.clone()));
+        let overrides = Overrides { surface, counterface_surface, ..Overrides::default() };
         let files = Remembering { folder, read: Mutex::new(files) };
         let scene = light(py, || Scene::parse(text, &files, &overrides));
         let scene = scene.map_err(|error| refused(&error, text, &name))?;
@@ -207,20 +208,24 @@ pub fn scene_with_keys(text: &str, name: &str, changes: &Bound<'_, PyDict>) -> P
     })
 }
 
-/// The text of a scene from those of its sections that are given, in their order. Files become its surface: one spectrum, or scans, each
-/// perhaps with what its file leaves open, as on the command line.
+/// The text of a scene from those of its sections that are given, in their order. Files become the surface of the section they are
+/// given for: one spectrum, or scans, each perhaps with what its file leaves open, as on the command line.
 #[pyfunction]
-pub fn scene_text(sections: &Bound<'_, PyDict>, files: Option<Vec<String>>) -> PyResult<String> {
+pub fn scene_text(
+    sections: &Bound<'_, PyDict>,
+    files: BTreeMap<String, Option<Vec<String>>>,
+) -> PyResult<String> {
     let mut text = SceneText::default();
     for (key, value) in sections.iter().filter(|(_, value)| !value.is_none()) {
         let key: String = key.extract()?;
-        let set = match files.as_ref().filter(|_| key == "surface") {
+        let set = match files.get(&key).and_then(Option::as_ref) {
             Some(files) => {
                 let here = Remembering { folder: PathBuf::new(), read: Mutex::default() };
-                let request = |text: &String| text.parse().map_err(|error| of_argument(&key, error));
+                let argument = key.replace('.', "_");
+                let request = |text: &String| text.parse().map_err(|error| of_argument(&argument, error));
                 let requests = files.iter().map(request).collect::<PyResult<_>>()?;
                 let surface = ReportSurface::of_files(requests, &here);
-                text.set(&key, &surface.map_err(|error| of_argument(&key, error))?)
+                text.set(&key, &surface.map_err(|error| of_argument(&argument, error))?)
             }
             None => text.set(&key, &value_of(&key, &value)?),
         };

@@ -11,7 +11,7 @@ import numpy as np
 from truearea import _native
 from truearea._arrays import lengths_of, metres
 from truearea._curves import Pressures
-from truearea._grammar import AnyMaterial, material_of, spectrum_of
+from truearea._grammar import AnyMaterial, faces_of, material_of
 from truearea._material import Quantity
 from truearea._native import InputError
 from truearea._notes import noted
@@ -246,8 +246,12 @@ def ball(
 def press(call: Any, surface: Any, material: AnyMaterial, arguments: dict[str, Any]) -> tuple[_native.Answer, dict[str, Any], str]:
     """Lets the core press surfaces: its answer, what else is known of the surfaces, and the axis of several of them."""
     core = material_of(material)
-    if isinstance(surface, (str, os.PathLike)):
-        surface = spectrum_of(surface)
+    if isinstance(surface, (str, os.PathLike, Spectrum)):
+        surface = faces_of(surface, arguments)
+    elif arguments.pop("counterface_surface", None) is not None:
+        raise InputError(
+            "counterface_surface: spectra add, and a map is pressed as it is; press Spectrum.from_heights(h, size) and this"
+        )
     maps = None if isinstance(surface, Spectrum) else _maps(surface, arguments.get("size"))
     with observed(arguments.get("progress")) as observer:
         answer, beside = call(surface._native if maps is None else maps, core, arguments, observer)

@@ -17,7 +17,7 @@ from truearea._choices import AmplitudeDefinition, StackedModel, StatisticalMode
 from truearea._grammar import AnyMaterial, AnySurface, material_of, surface_of
 from truearea._material import Quantity
 from truearea._notes import noted
-from truearea._options import Sampling, StatisticalOptions, Unpack, with_options
+from truearea._options import StackedOptions, StatisticalOptions, Unpack, with_options
 from truearea._picture import Drawn, Picture, Trace, load_label
 from truearea._results import AnyArray, FloatArray, Result
 
@@ -72,7 +72,7 @@ class Curve(Drawn, Result):
     @classmethod
     def _found(cls, framework: str, surface: AnySurface, material: AnyMaterial, arguments: dict[str, Any]) -> Self:
         """The curve of a model, whose columns come load after load, and its numbers without axes."""
-        answer, pressures_pa, numbers = _native.curve(framework, surface_of(surface), material_of(material), arguments)
+        answer, pressures_pa, numbers = _native.curve(framework, surface_of(surface, arguments), material_of(material), arguments)
         arrays: dict[str, AnyArray] = {"nominal_pressure_pa": np.array(pressures_pa, dtype=np.float64)}
         axes: dict[str, tuple[str, ...]] = {"nominal_pressure_pa": ("load",)}
         for name, values in answer.columns.items():
@@ -121,7 +121,7 @@ class StatisticalCurve(Curve):
     flattened_share: FloatArray
 
 
-@with_options(Sampling)
+@with_options(StackedOptions)
 def stacked(
     surface: AnySurface,
     material: AnyMaterial,
@@ -131,7 +131,7 @@ def stacked(
     strain_gradient: bool = False,
     elastic_plastic_area: YieldingAreaLaw | None = None,
     amplitude: AmplitudeDefinition = "eq5",
-    **options: Unpack[Sampling],
+    **options: Unpack[StackedOptions],
 ) -> StackedCurve:
     """Contact area against cutoff by Archard's stack of scales (Jackson & Streator 2006; Jackson & Jacobs).
 

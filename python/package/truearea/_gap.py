@@ -66,5 +66,5 @@ def gap(
     True
     """
     arguments = {"pressure": pressure, "model": model, "tolerance": tolerance, **options}
-    answer = _native.gaps(surface_of(surface), material_of(material), arguments)
+    answer = _native.gaps(surface_of(surface, arguments), material_of(material), arguments)
     return Gaps._of(answer.columns, noted(answer.notes), axis="load", model=model)

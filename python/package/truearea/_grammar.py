@@ -20,7 +20,7 @@ AnyMaterial = Union[Material, str]
 """A material, or the name of one, see :func:`truearea.materials`."""
 
 
-def spectrum_of(surface: Any) -> Spectrum:
+def spectrum_of(surface: Any, argument: str = "surface") -> Spectrum:
     """The spectrum of a surface."""
     if isinstance(surface, Spectrum):
         return surface
@@ -31,14 +31,20 @@ def spectrum_of(surface: Any) -> Spectrum:
 
         return composite(list(surface) if isinstance(surface, (list, tuple)) else [surface])
     raise InputError(
-        "surface: a Spectrum, the path of one, a Scan or a list of scans is needed, and this is of type "
+        f"{argument}: a Spectrum, the path of one, a Scan or a list of scans is needed, and this is of type "
         f"{type(surface).__name__}; heights of an array need their size: Spectrum.from_heights(h, size)"
     )
 
 
-def surface_of(surface: Any) -> _native.Surface:
-    """The core's spectrum of a surface."""
-    return spectrum_of(surface)._native
+def faces_of(surface: Any, arguments: dict[str, Any]) -> Spectrum:
+    """The spectrum of a surface, and that of the counterface added, which is taken out of the arguments."""
+    other = arguments.pop("counterface_surface", None)
+    return spectrum_of(surface) if other is None else spectrum_of(surface).against(spectrum_of(other, "counterface_surface"))
+
+
+def surface_of(surface: Any, arguments: dict[str, Any]) -> _native.Surface:
+    """The core's spectrum of both faces."""
+    return faces_of(surface, arguments)._native
 
 
 def named_material(name: str) -> Material:

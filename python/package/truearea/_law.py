@@ -11,7 +11,7 @@ from typing import Any, ClassVar, Literal, overload
 from truearea import _native
 from truearea._choices import ConductanceModel, Dialect, Gas, LawForm, LawModel, LawQuantity, UnitSystem
 from truearea._curves import Pressures
-from truearea._grammar import AnyMaterial, AnySurface, material_of, spectrum_of
+from truearea._grammar import AnyMaterial, AnySurface, faces_of, material_of
 from truearea._material import Quantity
 from truearea._notes import noted
 from truearea._options import GapOptions, Unpack, with_options
@@ -251,7 +251,7 @@ def law(
     1
     """
     arguments = {"tolerance": 0.01, "pressure": deepcopy(pressure), "quantity": quantity, "model": model, **options}
-    return _made_again(spectrum_of(surface), material, arguments)
+    return _made_again(faces_of(surface, arguments), material, arguments)
 
 
 _TABLES: dict[str, type[ContactLaw | HeatConductance | CurrentConductance]] = {

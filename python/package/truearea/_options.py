@@ -26,6 +26,7 @@ if TYPE_CHECKING:
         Normalisation,
         Phases,
     )
+    from truearea._grammar import AnySurface
     from truearea._material import Quantity
     from truearea._progress import Progress
 else:
@@ -33,6 +34,12 @@ else:
     Unpack = dict
 
 Call = TypeVar("Call", bound=Callable[..., Any])
+
+
+class TwoFaces(TypedDict, total=False):
+    """The roughness of the other face."""
+
+    counterface_surface: AnySurface | None
 
 
 class Sampling(TypedDict, total=False):
@@ -70,11 +77,15 @@ class RandomSurfaces(TypedDict, total=False):
     phases: Phases | None
 
 
-class PerssonOptions(Sampling, MeanGap):
+class StackedOptions(TwoFaces, Sampling):
+    """Options of stacks."""
+
+
+class PerssonOptions(TwoFaces, Sampling, MeanGap):
     """Options of Persson's theory."""
 
 
-class StatisticalOptions(Sampling, Asperities, total=False):
+class StatisticalOptions(TwoFaces, Sampling, Asperities, total=False):
     """Options of statistical models."""
 
     normalisation: Normalisation | None
@@ -88,7 +99,7 @@ class GapAndSurfaceOptions(GapOptions, RandomSurfaces):
     """Options of models with a mean gap, and of random surfaces for boundary elements."""
 
 
-class PressOptions(RandomSurfaces, total=False):
+class PressOptions(TwoFaces, RandomSurfaces, total=False):
     """A map of heights, or random surfaces, and how boundary elements press them."""
 
     size: Quantity | Sequence[Quantity] | npt.NDArray[Any] | None
@@ -175,6 +186,8 @@ def _entries(text: str) -> dict[str, str]:
 _ENTRIES = _entries("""\
 surface : Spectrum, Scan, sequence of scans, or path of a spectrum
     The roughness.
+counterface_surface : as ``surface``, optional
+    The roughness of the other face, whose spectrum is added; smooth where left out.
 material : Material or str
     The bodies in contact, or the name of a material of the table.
 pressure : float, str, or sequence of them

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from datetime import datetime, timezone
 from html import escape
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
 
@@ -20,11 +20,14 @@ from truearea._native import InputError
 from truearea._notes import Note, notes_of
 from truearea._progress import Progress, observed
 from truearea._results import AnyArray, Table
-from truearea._scene_parts import Body, body_section, curve_tables, files_of, surface_of_scene
+from truearea._scene_parts import COUNTERFACE, Body, body_section, curve_tables, files_of, surface_of_scene
 from truearea._spectrum import Spectrum
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
+_Faces = tuple[Union[Spectrum, None], Union[Spectrum, None]]
+"""The two faces of a scene, where they are in memory."""
 
 
 class SceneTable(Table):
@@ -58,6 +61,8 @@ class Scene:
         Nominal pressures, in Pa or as text such as ``"5 MPa"`` or ``"1e-3 H"``.
     counterface : Material, str or mapping, optional
         What presses on the rough body; left out, the counterface of ``material``, or a rigid one.
+    counterface_surface : Spectrum, Scan, array_like, path, or sequence of paths or scans, optional
+        The roughness of the counterface, as ``surface``; left out, it is smooth. The spectra of the two faces are added.
     curves : "all", or sequence of str or mapping, default "all"
         Models by name, see :func:`models`, or sections of a scene with their options; ``"all"`` are those that apply.
     interface : bool or mapping, default False
@@ -71,7 +76,7 @@ class Scene:
     title : str, optional
         What the scene is about; the name of the surface where left out.
     size : float, str or pair of them, optional
-        Size of an array of heights, as in ``Spectrum.from_heights``.
+        Size of arrays of heights, as in ``Spectrum.from_heights``.
 
     Raises
     ------
@@ -98,7 +103,7 @@ class Scene:
     __slots__ = ("_native", "_recipe")
 
     _native: _native.Scene
-    _recipe: tuple[str, str, str, dict[str, bytes], Spectrum | None]
+    _recipe: tuple[str, str, str, dict[str, bytes], _Faces]
 
     def __init__(
         self,
@@ -107,6 +112,7 @@ class Scene:
         *,
         pressure: Any,
         counterface: Body | None = None,
+        counterface_surface: Any = None,
         curves: Any = "all",
         interface: bool | Mapping[str, Any] = False,
         seal: bool | Mapping[str, Any] = False,
@@ -120,7 +126,13 @@ class Scene:
     ) -> None:
         if pressure is None:
             raise InputError("pressure is needed")
-        paths, spectrum = surface_of_scene(surface, size)
+        # One size serves whichever faces are arrays.
+        are_arrays = [isinstance(face, np.ndarray) for face in (surface, counterface_surface)]
+        paths, spectrum = surface_of_scene(surface, size if are_arrays != [False, True] else None)
+        other_paths: list[str] | None = None
+        other_spectrum: Spectrum | None = None
+        if counterface_surface is not None:
+            other_paths, other_spectrum = surface_of_scene(counterface_surface, size if are_arrays[1] else None)
         others: dict[str, Any] = dict(options or {})
         if isinstance(material, Material):
             counterface = material.counterface if counterface is None else counterface
@@ -132,6 +144,11 @@ class Scene:
             "surface": {} if spectrum is None else files_of(spectrum).section,
             "material": body_section("material", material),
             "counterface": None if counterface is None else body_section("counterface", counterface),
+            "counterface.surface": None
+            if counterface_surface is None
+            else {}
+            if other_spectrum is None
+            else files_of(other_spectrum, COUNTERFACE).section,
             "loads": {"pressures": pressure},
             "cutoffs": None if cutoff is None else {"shortest_wavelength": cutoff},
             "options": others or None,
@@ -143,7 +160,8 @@ class Scene:
             "figures": figures,
         }
         # Files of absolute paths are found from any folder.
-        self._set(_native.scene_text(sections, paths), "scene", "", {}, spectrum)
+        text = _native.scene_text(sections, {"surface": paths, "counterface.surface": other_paths})
+        self._set(text, "scene", "", {}, (spectrum, other_spectrum))
 
     @classmethod
     def from_toml(
@@ -217,15 +235,20 @@ class Scene:
 
     @classmethod
     def _of(
-        cls, text: str, name: str, folder: str, files: dict[str, bytes], spectrum: Spectrum | None = None
+        cls, text: str, name: str, folder: str, files: dict[str, bytes], faces: _Faces = (None, None)
     ) -> Scene:
         scene = cls.__new__(cls)
-        scene._set(text, name, folder, files, spectrum)
+        scene._set(text, name, folder, files, faces)
         return scene
 
-    def _set(self, text: str, name: str, folder: str, files: dict[str, bytes], spectrum: Spectrum | None) -> None:
-        self._native = _native.Scene(text, name, folder, files, None if spectrum is None else spectrum._native)
-        self._recipe = (text, name, folder, self._native.files, spectrum)
+    def _set(self, text: str, name: str, folder: str, files: dict[str, bytes], faces: _Faces) -> None:
+        natives = [None if face is None else face._native for face in faces]
+        self._native = _native.Scene(text, name, folder, files, natives)
+        self._recipe = (text, name, folder, self._native.files, faces)
+
+    def _faces_in_memory(self) -> list[tuple[Spectrum, str]]:
+        """The spectra of the faces that no file holds, and what begins the names of their files."""
+        return [(face, prefix) for face, prefix in zip(self._recipe[4], ("", COUNTERFACE)) if face is not None]
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (Scene._of, self._recipe)
@@ -244,8 +267,7 @@ class Scene:
     def notes(self) -> tuple[str, ...]:
         """Assumptions of reading, doubts, and keys without effect."""
         notes = notes_of(self._native.facts["notes"])
-        spectrum = self._recipe[4]
-        if spectrum is not None and spectrum.scans is not None and files_of(spectrum).heights_m is None:
+        if any(face.scans is not None and files_of(face, prefix).heights_m is None for face, prefix in self._faces_in_memory()):
             loss = "to_toml writes the spectrum with standard errors in place of its scans; intervals are then those of the errors"
             notes += (Note(loss, "note", "scene.scans-in-memory"),)
         return notes
@@ -277,8 +299,8 @@ class Scene:
         >>> 'youngs_modulus = "200 GPa"' in scene.text
         True
         """
-        text, name, folder, files, spectrum = self._recipe
-        return Scene._of(_native.scene_with_keys(text, name, changes), name, folder, files, spectrum)
+        text, name, folder, files, faces = self._recipe
+        return Scene._of(_native.scene_with_keys(text, name, changes), name, folder, files, faces)
 
     def to_toml(self, path: str | os.PathLike[str] | None = None) -> str:
         """Return the text of the scene, and write it with the files that it names.
@@ -312,8 +334,9 @@ class Scene:
         """
         if path is not None:
             file = Path(path)
-            spectrum = self._recipe[4]
-            beside = {} if spectrum is None else files_of(spectrum).written(spectrum)
+            beside: dict[str, bytes] = {}
+            for face, prefix in self._faces_in_memory():
+                beside |= files_of(face, prefix).written(face)
             _native.write_files(os.fspath(file.parent), {**beside, file.name: self.text.encode()})
         return self.text
 
@@ -562,6 +585,7 @@ def report(
     *,
     pressure: Any,
     counterface: Body | None = None,
+    counterface_surface: Any = None,
     seal: bool = False,
     strength_cap: Quantity | None = None,
     title: str | None = None,
@@ -573,8 +597,8 @@ def report(
 
     Parameters
     ----------
-    surface, material, pressure, counterface, title, size : as for ``Scene``
-        The roughness, the two bodies, the loads, and the title. Paths may say of their scan what its file leaves open: ``"trace.txt:unit=um"``.
+    surface, material, pressure, counterface, counterface_surface, title, size : as for ``Scene``
+        The roughness of one face or both, the two bodies, the loads, and the title. Paths may say of their scan what its file leaves open: ``"trace.txt:unit=um"``.
     seal : bool, default False
         Ask from which pressure on the contact seals.
     strength_cap : float or str, optional
@@ -608,6 +632,7 @@ def report(
         material,
         pressure=pressure,
         counterface=counterface,
+        counterface_surface=counterface_surface,
         interface=True,
         seal=seal,
         options=None if strength_cap is None else {"strength_cap": strength_cap},

@@ -24,6 +24,9 @@ Body = Union[Material, str, Mapping[str, Any]]
 SPECTRUM_FILE = "surface.csv"
 """The file that holds the spectrum of a surface in memory, where its scene is written."""
 
+COUNTERFACE = "counterface-"
+"""What begins the names of the files of the counterface."""
+
 
 class SurfaceFiles(NamedTuple):
     """The keys of ``[surface]``, and the arrays of heights [m] that its files hold; None for the file of the spectrum."""
@@ -34,7 +37,7 @@ class SurfaceFiles(NamedTuple):
     def written(self, spectrum: Spectrum) -> dict[str, bytes]:
         """The files, by name."""
         if self.heights_m is None:
-            return {SPECTRUM_FILE: spectrum._native.csv()}
+            return {self.section["psd"]: spectrum._native.csv()}
         files = {}
         for name, heights_m in self.heights_m.items():
             content = io.BytesIO()
@@ -43,7 +46,7 @@ class SurfaceFiles(NamedTuple):
         return files
 
 
-def files_of(spectrum: Spectrum) -> SurfaceFiles:
+def files_of(spectrum: Spectrum, prefix: str = "") -> SurfaceFiles:
     """The scans of a composite, where files can hold all that is known of them; else the spectrum with its standard errors."""
     maker, given, _ = spectrum._recipe
     if maker is _of_parts:
@@ -51,7 +54,7 @@ def files_of(spectrum: Spectrum) -> SurfaceFiles:
         tip_radius = of_all.get("tip_radius")
         scans, arrays = [], {}
         for at, (part, said) in enumerate(zip(parts, options)):
-            name = f"scan-{at + 1}.npy"
+            name = f"{prefix}scan-{at + 1}.npy"
             scan = _scan(part, {"tip_radius": ("tip_radius", tip_radius), **said}, name)
             if scan is None:
                 break
@@ -61,7 +64,7 @@ def files_of(spectrum: Spectrum) -> SurfaceFiles:
         else:
             recipe = {key: value for key, value in of_all.items() if value is not None and key != "tip_radius"}
             return SurfaceFiles({"scans": scans, **recipe}, arrays)
-    return SurfaceFiles({"psd": SPECTRUM_FILE}, None)
+    return SurfaceFiles({"psd": prefix + SPECTRUM_FILE}, None)
 
 
 def _scan(part: Part, said: Options, name: str) -> dict[str, Any] | None:

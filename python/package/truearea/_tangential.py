@@ -80,5 +80,5 @@ def tangential(
         "model": model,
         **options,
     }
-    answer = _native.tangential(surface_of(surface), material_of(material), arguments)
+    answer = _native.tangential(surface_of(surface, arguments), material_of(material), arguments)
     return Sheared._of(answer.columns, noted(answer.notes), model=model)

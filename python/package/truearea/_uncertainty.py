@@ -217,7 +217,7 @@ def uncertainty(
     True
     """
     body = named_material(material) if isinstance(material, str) else material
-    core, surface_core = material_of(body), surface_of(surface)
+    core, surface_core = material_of(body), surface_of(surface, options)  # type: ignore[arg-type]
     given = {name: options.get(name) for name in _Spreads.__annotations__}
     spreads = [(name, _value(body, name), spread) for name, spread in given.items() if spread is not None]
     arguments = {
