@@ -195,7 +195,11 @@ impl Request {
         let mut own = self.files.iter().filter(|file| file.kind != FileKind::Other && !file.is_counterface);
         let counterface = self.counterface.clone().filter(|body| !body.is_empty());
         Ok(ReportQuestion {
-            title: own.next().map(|file| file.name.clone()),
+            // Of two faces the scene is called after both.
+            title: own
+                .next()
+                .map(|file| file.name.clone())
+                .filter(|_| !self.files.iter().any(|file| file.is_counterface)),
             surface: self.face(false)?.unwrap_or_default(),
             counterface_surface: self.face(true)?,
             material: self.material.clone().unwrap_or_default(),

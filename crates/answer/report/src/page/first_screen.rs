@@ -93,6 +93,7 @@ pub(super) fn bodies(report: &SceneReport<'_>) -> Option<String> {
     let scene = report.scene;
     let material = scene.material.as_ref()?;
     let other = match material.counterface() {
+        None if scene.surface.parts.is_some() => "a rigid face",
         None => "a rigid flat",
         Some(_) => &scene.bodies.counterface_from_table.as_ref()?.name,
     };

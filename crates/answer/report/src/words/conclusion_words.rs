@@ -87,6 +87,9 @@ fn heading(conclusions: &Conclusions, scene: &Scene) -> String {
     let is_rigid = scene.material.as_ref().is_some_and(|material| material.counterface().is_none());
     parts.extend(match (rough_body(scene), counterface) {
         (Some(rough), Some(counterface)) => Some(format!("{rough} on {counterface}")),
+        (Some(rough), None) if is_rigid && scene.surface.parts.is_some() => {
+            Some(format!("{rough} on a rigid face"))
+        }
         (Some(rough), None) if is_rigid => Some(format!("{rough} on a rigid flat")),
         _ => None,
     });
