@@ -115,8 +115,10 @@ fn the_other_face_is_that_of_a_scene_with_both() {
     let opened = reply.opened.unwrap();
     assert!(["ring.csv", "face.csv"].iter().all(|name| opened.scans.contains(name)), "{}", opened.scans);
     // An example and a scene take another face as well.
-    let with_face =
-        |request: Request| Request { files: [&request.files[..], &[face.clone()]].concat(), ..request };
+    let with_face = |request: Request| Request {
+        files: [&request.files[..], std::slice::from_ref(&face)].concat(),
+        ..request
+    };
     assert_ne!(areas(&with_face(example("uncd-measured"))), areas(&example("uncd-measured")));
     assert_eq!(areas(&with_face(scene.clone())), areas(&scene));
     // What is no face is refused by its name.
