@@ -158,7 +158,6 @@ impl PyScene {
                 }
                 Ok::<(), Infallible>(())
             });
-            let states = self.scene.interface_states(&outcome.results);
             let end = SummaryEnd { report: None, warnings: 0, notes: 0, verbose_option: "" };
             let short = short_summary(conclusions, &self.scene, &end);
             Ok((format!("{short}\n{}", details(&evidence, conclusions)), tables, files))

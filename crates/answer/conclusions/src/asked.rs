@@ -8,7 +8,7 @@ use serde::Serialize;
 use study::interface::{InterfaceStates, Quantity, Slot};
 use uncertainty::Uncertainty;
 
-use super::load_answer::{AreaEstimate, Source};
+use super::area::{AreaEstimate, Source};
 
 /// The share of the contact that has flowed from which on all of it counts as flowed.
 const FLOWED_SHARE: f64 = 0.9;

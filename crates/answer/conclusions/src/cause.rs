@@ -5,8 +5,9 @@ use judge::Reference;
 use serde::Serialize;
 use study::models::Choice;
 
+use super::area::Source;
+use super::estimate::Estimate;
 use super::evidence::Evidence;
-use super::load_answer::{Answer, Source};
 
 /// The share of the nominal area from which on everything touches.
 const FULL: f64 = 0.999;
@@ -51,7 +52,7 @@ pub enum Cause {
 
 impl Cause {
     /// Finds the cause of the area that is concluded for a load. What elements say goes before what a model says.
-    pub(crate) fn new(evidence: &Evidence<'_>, load: &Answer) -> Self {
+    pub(crate) fn new(evidence: &Evidence<'_>, load: &Estimate<'_>) -> Self {
         if let Some(ratio) = load.factor_of_hardness() {
             return Cause::GrowthOfHardness { ratio };
         }
@@ -90,7 +91,7 @@ struct Flowing {
 
 impl Flowing {
     /// The contact of the estimate, if its bodies flow.
-    fn new(evidence: &Evidence<'_>, load: &Answer) -> Option<Self> {
+    fn new(evidence: &Evidence<'_>, load: &Estimate<'_>) -> Option<Self> {
         let hardness_pa = match load.area.source {
             Source::Elements(Reference::Yielding { hardness_pa }) => hardness_pa,
             Source::Model { curve } => {
@@ -109,7 +110,7 @@ impl Flowing {
 }
 
 /// The decade that decides most by the curve that agrees with the elements, or by the only one.
-fn decisive(evidence: &Evidence<'_>, load: &Answer) -> Option<DecadeShare> {
+fn decisive(evidence: &Evidence<'_>, load: &Estimate<'_>) -> Option<DecadeShare> {
     let curve = match load.area.source {
         Source::Model { curve } => curve,
         Source::Models => load.nearest_curve()?,

@@ -13,9 +13,10 @@ use study::interface::{Quantity, Slot};
 use uncertainty::MIN_SCANS;
 use units::{Remark, RemarkCode};
 
+use super::area::Source;
 use super::cause::Cause;
 use super::evidence::{Evidence, Trust};
-use super::load_answer::{Answer, Source};
+use super::load_answer::AnswerUnderLoad;
 
 /// Returns the trust that a caution leaves.
 #[must_use]
@@ -74,7 +75,7 @@ impl Serialize for InAnswer<'_> {
 /// Lists the cautions, the most serious first.
 pub(crate) fn cautions(
     evidence: &Evidence<'_>,
-    loads: &[Answer],
+    loads: &[AnswerUnderLoad],
     states: Option<&InterfaceStates<'_>>,
 ) -> Vec<Remark> {
     let Evidence { scene, answer, judgement, uncertainty, .. } = *evidence;
@@ -107,7 +108,8 @@ pub(crate) fn cautions(
     cautions.extend(upper_bound(evidence, loads).filter(|_| on_roughness));
     let steep_from_m = judgement.and_then(|judgement| judgement.steep_from_m);
     cautions.extend(steep_from_m.map(|from_m| new(RemarkCode::TooSteep).with("from_m", from_m)));
-    let none_agrees = |load: &Answer| load.tally.agree == 0 && load.tally.off + load.tally.not_valid > 0;
+    let none_agrees =
+        |load: &AnswerUnderLoad| load.tally.agree == 0 && load.tally.off + load.tally.not_valid > 0;
     if !loads.is_empty() && loads.iter().all(none_agrees) {
         // Models of other bodies than those of the estimate may agree with their own elements.
         let others = loads.iter().map(|load| load.tally.of_other_elements).min().unwrap_or(0);
@@ -164,7 +166,7 @@ fn few_places(scene: &Scene) -> Option<Remark> {
 }
 
 /// The caution on a fluid that presses more than the bodies do, under the lightest such load.
-fn fluid_parts(loads: &[Answer], states: &InterfaceStates<'_>) -> Option<Remark> {
+fn fluid_parts(loads: &[AnswerUnderLoad], states: &InterfaceStates<'_>) -> Option<Remark> {
     let joint = states.request().seal?.joint?;
     let parted = loads.iter().find(|load| states.request().parts_bodies(load.nominal_pressure_pa))?;
     let remark = Remark::new(RemarkCode::FluidParts).with("fluid_pressure_pa", joint.pressure_drop_pa());
@@ -191,14 +193,14 @@ fn is_of_models(source: Source) -> bool {
 }
 
 /// The caution that the hardness at small scales decides, with the largest factor of any load.
-pub(crate) fn hardness_decides(loads: &[Answer]) -> Option<Remark> {
-    let ratio = loads.iter().filter_map(Answer::factor_of_hardness).reduce(f64::max)?;
+pub(crate) fn hardness_decides(loads: &[AnswerUnderLoad]) -> Option<Remark> {
+    let ratio = loads.iter().filter_map(AnswerUnderLoad::factor_of_hardness).reduce(f64::max)?;
     Some(Remark::new(RemarkCode::HardnessDecides).with("ratio", ratio))
 }
 
 /// The caution that the area is still falling at the end of the spectrum, for any load.
-fn upper_bound(evidence: &Evidence<'_>, loads: &[Answer]) -> Option<Remark> {
-    let falls = |load: &Answer| {
+fn upper_bound(evidence: &Evidence<'_>, loads: &[AnswerUnderLoad]) -> Option<Remark> {
+    let falls = |load: &AnswerUnderLoad| {
         let followed =
             |curve: usize| evidence.answer.curves[curve][load.load].as_ref().filter(|answer| answer.followed);
         let nearest = load.nearest_curve().and_then(followed);

@@ -5,22 +5,26 @@
 //! Findings, verdicts and intervals each see a part of the results. [`Conclusions::new`] joins them once from the [`Evidence`], so that
 //! the summary on a terminal, the report and `answer.json` cannot contradict each other.
 
+mod area;
 mod asked;
 mod cause;
 mod cautions;
+mod compared_models;
+mod estimate;
 mod evidence;
 mod load_answer;
 mod next;
 mod seal;
 mod shear;
 
+pub use area::{AreaEstimate, OfInputs, Source};
 pub use asked::{AskedValue, PeakState};
 pub use cause::Cause;
 pub use cautions::trust_left;
+pub use compared_models::{ModelCell, ReferenceGroup, Tally};
+pub use estimate::OtherHardness;
 pub use evidence::{Evidence, Trust};
-pub use load_answer::{
-    Answer, AreaEstimate, ModelCell, OfInputs, OtherHardness, ReferenceGroup, Source, Tally,
-};
+pub use load_answer::AnswerUnderLoad;
 pub use next::NextStep;
 pub use seal::{SealClosing, SealConclusion, SealUnderLoad, SealVerdict};
 pub use shear::ShearConclusion;
@@ -34,7 +38,7 @@ pub struct Conclusions {
     /// The title of the scene.
     pub title: String,
     /// The conclusion for every load that has an area, in the order of the scene.
-    pub loads: Vec<Answer>,
+    pub loads: Vec<AnswerUnderLoad>,
     /// The limits of these numbers, the most serious first.
     #[serde(serialize_with = "cautions::serialize")]
     pub cautions: Vec<Remark>,
@@ -55,8 +59,8 @@ impl Conclusions {
     pub fn new(evidence: &Evidence<'_>) -> Self {
         let scene = evidence.scene;
         let states = scene.interface_states(evidence.results);
-        let loads: Vec<Answer> = (0..scene.needs.loads.len())
-            .filter_map(|load| Answer::new(evidence, states.as_ref(), load))
+        let loads: Vec<AnswerUnderLoad> = (0..scene.needs.loads.len())
+            .filter_map(|load| AnswerUnderLoad::new(evidence, states.as_ref(), load))
             .collect();
         let cautions = cautions::cautions(evidence, &loads, states.as_ref());
         Conclusions {

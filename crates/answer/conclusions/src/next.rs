@@ -10,7 +10,7 @@ use units::{Remark, RemarkCode};
 
 use super::cause::Cause;
 use super::evidence::Evidence;
-use super::load_answer::Answer;
+use super::load_answer::AnswerUnderLoad;
 
 /// A step that narrows the interval by less than this share is not worth a measurement.
 const WORTHWHILE: f64 = 0.9;
@@ -85,7 +85,7 @@ struct Ranked(f64, NextStep);
 /// Lists up to [`MAX_STEPS`] steps: what an answer cannot do without, then what narrows it, the most useful first.
 pub(crate) fn next_steps(
     evidence: &Evidence<'_>,
-    loads: &[Answer],
+    loads: &[AnswerUnderLoad],
     cautions: &[Remark],
     states: Option<&InterfaceStates<'_>>,
 ) -> Vec<NextStep> {
@@ -135,14 +135,14 @@ fn hangs_on_long_waves(states: &InterfaceStates<'_>) -> bool {
 }
 
 /// The width of the interval without the error of holes, as a share of that now; `None` without draws of them.
-fn width_without_holes(evidence: &Evidence<'_>, load: &Answer) -> Option<f64> {
+fn width_without_holes(evidence: &Evidence<'_>, load: &AnswerUnderLoad) -> Option<f64> {
     let steps = &advice(evidence, load)?.steps;
     let closed = StepKind::KnownExactly { group: Group::Holes };
     steps.iter().find(|step| step.kind == closed).map(|step| step.width_ratio)
 }
 
 /// The advice for the curve that stands for the elements, or without a verdict for any.
-fn advice<'a>(evidence: &Evidence<'a>, load: &Answer) -> Option<&'a Advice> {
+fn advice<'a>(evidence: &Evidence<'a>, load: &AnswerUnderLoad) -> Option<&'a Advice> {
     let uncertainty = evidence.uncertainty?;
     match load.nearest_curve() {
         Some(curve) => uncertainty.advice_for(curve, load.load),
@@ -151,7 +151,7 @@ fn advice<'a>(evidence: &Evidence<'a>, load: &Answer) -> Option<&'a Advice> {
 }
 
 /// The steps that the draws advise, each kind once.
-fn from_draws(evidence: &Evidence<'_>, load: &Answer) -> Vec<Ranked> {
+fn from_draws(evidence: &Evidence<'_>, load: &AnswerUnderLoad) -> Vec<Ranked> {
     let Some((uncertainty, advice)) = evidence.uncertainty.zip(advice(evidence, load)) else {
         return Vec::new();
     };

@@ -60,7 +60,7 @@ pub(super) fn resolve_interface(
 }
 
 /// Tells what a scene asks for: heat and current by conductivities and resistivities that it types itself, by a gas, or by a nominal
-/// area without any other question; and all that the bodies allow by a section on the interface without a question of its own.
+/// area without any other question; gap and stiffness by a section on the interface without a question of its own.
 fn asks(raw: &RawScene, has_nominal_area: bool) -> Asks {
     let types = |property: BodyProperty| {
         let by_rough = raw.material.as_ref().is_some_and(|body| body.get_ref().types(property));
@@ -68,14 +68,14 @@ fn asks(raw: &RawScene, has_nominal_area: bool) -> Asks {
     };
     let names_gas = |own: &RawInterface| own.gas.is_some() || own.gas_conductivity.is_some();
     let is_open = raw.interface.as_ref().is_some_and(RawInterface::has_no_question);
-    let of_area = has_nominal_area && raw.interface.is_none() && raw.seal.is_none();
+    let asks_else = raw.interface.as_ref().is_some_and(|own| !own.has_no_question()) || raw.seal.is_some();
+    let of_area = has_nominal_area && !asks_else;
     Asks {
         gap: is_open,
-        heat: is_open
-            || of_area
+        heat: of_area
             || types(BodyProperty::ThermalConductivity)
             || raw.interface.as_ref().is_some_and(names_gas),
-        current: is_open || of_area || types(BodyProperty::Resistivity),
+        current: of_area || types(BodyProperty::Resistivity),
     }
 }
 

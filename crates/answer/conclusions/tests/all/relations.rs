@@ -2,7 +2,8 @@
 //! the next measurement with the widths, ticks with their rule, and what was asked with what is shown.
 
 use conclusions::{
-    Answer, AskedValue, Cause, Conclusions, ModelCell, NextStep, PeakState, SealVerdict, Source, trust_left,
+    AnswerUnderLoad, AskedValue, Cause, Conclusions, ModelCell, NextStep, PeakState, SealVerdict, Source,
+    trust_left,
 };
 use judge::{AGREEMENT, CurveVerdict, Reference, Verdict};
 use study::interface::{InterfaceStates, Quantity, Slot};
@@ -95,7 +96,7 @@ fn check(answered: &Answered, seen: &mut Seen) {
 }
 
 /// The one range holds the estimate and the range of the elements.
-fn check_range(answered: &Answered, load: &Answer, seen: &mut Seen) {
+fn check_range(answered: &Answered, load: &AnswerUnderLoad, seen: &mut Seen) {
     let area = &load.area;
     assert!(0.0 < area.low && area.low <= area.high && area.high <= 1.0, "{area:?}");
     let headline = answered.judgement.as_ref().and_then(|judgement| judgement.headline(load.load));
@@ -112,7 +113,7 @@ fn check_range(answered: &Answered, load: &Answer, seen: &mut Seen) {
 }
 
 /// A tick says that a model is within a factor of 4/3 of its elements, their error included.
-fn check_ticks(answered: &Answered, load: &Answer, seen: &mut Seen) {
+fn check_ticks(answered: &Answered, load: &AnswerUnderLoad, seen: &mut Seen) {
     let judgement = answered.judgement.as_ref().unwrap();
     let row_of = |cell: &ModelCell| {
         let is_same = |row: &&CurveVerdict| (row.curve, row.load) == (cell.curve, load.load);
@@ -145,7 +146,7 @@ fn check_ticks(answered: &Answered, load: &Answer, seen: &mut Seen) {
 }
 
 /// A cause is the hardness where the area is the load over it, and roughness where nothing flows.
-fn check_cause(answered: &Answered, load: &Answer, seen: &mut Seen) {
+fn check_cause(answered: &Answered, load: &AnswerUnderLoad, seen: &mut Seen) {
     let hardness_pa = match load.area.source {
         Source::Elements(Reference::Yielding { hardness_pa }) => Some(hardness_pa),
         Source::Model { curve } => {
@@ -188,7 +189,7 @@ fn check_cause(answered: &Answered, load: &Answer, seen: &mut Seen) {
 fn check_seal(
     answered: &Answered,
     conclusions: &Conclusions,
-    load: &Answer,
+    load: &AnswerUnderLoad,
     states: &InterfaceStates<'_>,
     seen: &mut Seen,
 ) {
@@ -228,15 +229,15 @@ fn check_seal(
 }
 
 /// What the text of a scene asks is shown, nothing else is, and each number is that of the state of the peaks.
-fn check_asked(answered: &Answered, load: &Answer, states: &InterfaceStates<'_>, seen: &mut Seen) {
+fn check_asked(answered: &Answered, load: &AnswerUnderLoad, states: &InterfaceStates<'_>, seen: &mut Seen) {
     let text = &answered.text;
     let has = |key: &str| text.contains(key);
     let is_open = has("[interface]") && !has("gas =") && !has("shear_strength");
-    let of_area = has("nominal_area") && !has("[interface]") && !has("[seal]");
+    let of_area = has("nominal_area") && !has("gas =") && !has("shear_strength") && !has("[seal]");
     let request = states.request();
     let conducts = request.conductivities.is_some();
-    let asks_heat = is_open || of_area || has("thermal_conductivity") || has("gas =");
-    let asks_current = is_open || of_area || has("resistivity");
+    let asks_heat = of_area || has("thermal_conductivity") || has("gas =");
+    let asks_current = of_area || has("resistivity");
     let shown = |wanted: &[Quantity]| load.asked.iter().any(|asked| wanted.contains(&asked.quantity));
     let heat = [
         Quantity::ThermalConductance,
@@ -277,7 +278,7 @@ fn check_asked(answered: &Answered, load: &Answer, states: &InterfaceStates<'_>,
 
 fn check_state(
     answered: &Answered,
-    load: &Answer,
+    load: &AnswerUnderLoad,
     states: &InterfaceStates<'_>,
     asked: &AskedValue,
     seen: &mut Seen,

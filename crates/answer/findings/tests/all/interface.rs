@@ -182,7 +182,7 @@ fn what_was_not_asked_for_is_not_there() {
     let (scene, results) = carried_out(&format!("{plain}[interface]\n"));
     let slots = scene.interface_states(&results).unwrap().slots();
     let quantities: Vec<Quantity> = slots.iter().map(|slot| slot.quantity).collect();
-    assert_eq!(quantities, [Quantity::MeanGap, Quantity::Stiffness]);
+    assert_eq!(quantities, [Quantity::MeanGap, Quantity::Stiffness, Quantity::FlowedGap]);
 }
 
 #[test]

@@ -4,7 +4,7 @@
 
 use std::fmt::Write;
 
-use conclusions::{Answer, Conclusions, ModelCell, ReferenceGroup, Source};
+use conclusions::{AnswerUnderLoad, Conclusions, ModelCell, ReferenceGroup, Source};
 use judge::{AGREEMENT, Reference, Verdict};
 use maud::{Markup, PreEscaped, html};
 use study::figure::CurveLook;
@@ -66,7 +66,7 @@ pub(super) fn first_screen(report: &SceneReport<'_>, at: usize, several: bool) -
     }
 }
 
-fn load_class(load: &Answer) -> String {
+fn load_class(load: &AnswerUnderLoad) -> String {
     format!("l{}", load.load)
 }
 
@@ -122,7 +122,7 @@ fn input(kind: &str, id: &str, name: &str, is_checked: bool) -> Markup {
     PreEscaped(format!("<input type=\"{kind}\" id=\"{id}\" name=\"{name}\"{checked} />"))
 }
 
-pub(super) fn best_estimate(report: &SceneReport<'_>, load: &Answer) -> Markup {
+pub(super) fn best_estimate(report: &SceneReport<'_>, load: &AnswerUnderLoad) -> Markup {
     let area = &load.area;
     let number = area.area_fraction.map_or_else(|| share_range(area.low, area.high), share);
     let heading = match (area.source, load.otherwise) {
@@ -153,7 +153,7 @@ pub(super) fn best_estimate(report: &SceneReport<'_>, load: &Answer) -> Markup {
 const HANGS_ON: &str = "What decides the answer";
 
 /// What the answer hangs on.
-pub(super) fn decides(load: &Answer) -> Markup {
+pub(super) fn decides(load: &AnswerUnderLoad) -> Markup {
     let (heading, number, words) = match (load.otherwise, load.cause) {
         (Some(other), _) => (
             capital(&condition(&other)),
@@ -192,7 +192,7 @@ pub(super) fn before_quoting(conclusions: &Conclusions, says_hardness: bool) -> 
 }
 
 /// What the scene asks besides the area, under a load.
-pub(super) fn interface_strip(report: &SceneReport<'_>, load: &Answer) -> Markup {
+pub(super) fn interface_strip(report: &SceneReport<'_>, load: &AnswerUnderLoad) -> Markup {
     let rows = answers_under(report.conclusions, load);
     html! {
         @if !rows.is_empty() {
@@ -239,12 +239,12 @@ fn matrix(report: &SceneReport<'_>, at: usize, styles: &[ModelStyle]) -> Markup 
 
 /// The elements that models are compared with under the middle load, those of its estimate first. A model whose strength grows may
 /// have others under other loads.
-fn references(loads: &[Answer]) -> Vec<Reference> {
+fn references(loads: &[AnswerUnderLoad]) -> Vec<Reference> {
     let middle = loads.get(loads.len() / 2);
     middle.map_or_else(Vec::new, |load| load.references.iter().map(|group| group.reference).collect())
 }
 
-fn group(load: &Answer, reference: Reference) -> Option<&ReferenceGroup> {
+fn group(load: &AnswerUnderLoad, reference: Reference) -> Option<&ReferenceGroup> {
     load.references.iter().find(|group| group.reference == reference)
 }
 
@@ -254,13 +254,13 @@ pub(super) fn area_words(group: &ReferenceGroup) -> Option<String> {
 }
 
 /// The curves of a group, in the order of the load in the middle.
-fn curves_of(reference: Reference, loads: &[Answer]) -> Vec<usize> {
+fn curves_of(reference: Reference, loads: &[AnswerUnderLoad]) -> Vec<usize> {
     let middle = loads.get(loads.len() / 2).and_then(|load| group(load, reference));
     middle.map_or_else(Vec::new, |group| group.models.iter().map(|cell| cell.curve).collect())
 }
 
 /// The models whose lines are drawn before anybody ticks one: the nearest of each group.
-pub(super) fn drawn_at_first(loads: &[Answer]) -> Vec<usize> {
+pub(super) fn drawn_at_first(loads: &[AnswerUnderLoad]) -> Vec<usize> {
     let Some(load) = loads.get(loads.len() / 2) else { return Vec::new() };
     let nearest = load.references.iter().filter_map(|group| group.models.first()).map(|cell| cell.curve);
     nearest.chain(load.best_model.map(|cell| cell.curve)).collect()
@@ -274,7 +274,7 @@ pub(super) fn reference_words(reference: Reference) -> &'static str {
     }
 }
 
-fn group_heading(reference: Reference, loads: &[Answer]) -> Markup {
+fn group_heading(reference: Reference, loads: &[AnswerUnderLoad]) -> Markup {
     html! {
         "against " (reference_words(reference))
         @for load in loads {
@@ -285,7 +285,7 @@ fn group_heading(reference: Reference, loads: &[Answer]) -> Markup {
     }
 }
 
-fn cell(report: &SceneReport<'_>, load: &Answer, reference: Reference, curve: usize) -> Markup {
+fn cell(report: &SceneReport<'_>, load: &AnswerUnderLoad, reference: Reference, curve: usize) -> Markup {
     let models = |group: &'_ ReferenceGroup| group.models.iter().find(|cell| cell.curve == curve).copied();
     let found = load.references.iter().find_map(|group| Some((group.reference, models(group)?)));
     let Some((own, found)) = found else { return html! { td {} } };

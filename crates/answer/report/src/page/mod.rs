@@ -36,7 +36,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use crate::curve_names::{in_full, short_name};
 use crate::listing::capital;
 use crate::run_stamp::RunStamp;
-use conclusions::{Answer, Conclusions, Evidence};
+use conclusions::{AnswerUnderLoad, Conclusions, Evidence};
 use findings::answer::{LoadAnswer, SceneAnswer};
 use findings::sensitivity::Sensitivity;
 use scene::Scene;
@@ -244,7 +244,7 @@ impl SceneReport<'_> {
     }
 
     /// The conclusion for the load in the middle, which gists are about.
-    fn middle(&self) -> Option<&Answer> {
+    fn middle(&self) -> Option<&AnswerUnderLoad> {
         let loads = &self.conclusions.loads;
         loads.get(loads.len() / 2)
     }

@@ -1,6 +1,6 @@
 //! The advice on what to measure next, in words.
 
-use conclusions::{Answer, Conclusions, Evidence};
+use conclusions::{AnswerUnderLoad, Conclusions, Evidence};
 use scene::Scene;
 use uncertainty::{Advice, Settling, Step, StepKind, Uncertainty};
 use units::display::{length, three_digits};
@@ -18,7 +18,7 @@ const NO_ERROR: f64 = 1e-9;
 /// The advice for the curve that stands for the answer, under the first load that has some; or else the first advice.
 pub(crate) fn foremost_advice<'a>(evidence: &Evidence<'a>, conclusions: &Conclusions) -> Option<&'a Advice> {
     let uncertainty = evidence.uncertainty?;
-    let of_load = |load: &Answer| uncertainty.advice_for(load.nearest_curve()?, load.load);
+    let of_load = |load: &AnswerUnderLoad| uncertainty.advice_for(load.nearest_curve()?, load.load);
     conclusions.loads.iter().find_map(of_load).or_else(|| uncertainty.advice.first())
 }
 

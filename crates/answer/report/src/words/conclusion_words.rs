@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use conclusions::{
-    Answer, AreaEstimate, AskedValue, Conclusions, ModelCell, NextStep, OfInputs, OtherHardness, PeakState,
-    SealVerdict, ShearConclusion, Source,
+    AnswerUnderLoad, AreaEstimate, AskedValue, Conclusions, ModelCell, NextStep, OfInputs, OtherHardness,
+    PeakState, SealVerdict, ShearConclusion, Source,
 };
 use judge::{Reference, Verdict};
 use scene::Scene;
@@ -156,7 +156,7 @@ fn method_words(source: Source) -> String {
 }
 
 /// Tells what a range consists of: `Highest over lowest: 1.1 from the elements and 1.3 from the inputs, mostly from the strength`.
-pub(crate) fn parts_of_range(load: &Answer, uncertainty: Option<&Uncertainty>) -> Option<String> {
+pub(crate) fn parts_of_range(load: &AnswerUnderLoad, uncertainty: Option<&Uncertainty>) -> Option<String> {
     let area = &load.area;
     let OfInputs { curve, factor } = area.of_inputs?;
     let from = if is_of_models(area.source) { "models" } else { "elements" };
@@ -199,7 +199,7 @@ fn seal_words(conclusions: &Conclusions) -> Option<String> {
 }
 
 /// The verdict on a seal under a load, and what is behind it: `LIKELY`, ` (open in 25 % of draws)`.
-fn verdict_words(load: &Answer) -> Option<[String; 2]> {
+fn verdict_words(load: &AnswerUnderLoad) -> Option<[String; 2]> {
     let seal = load.seal?;
     let verdict = match seal.verdict {
         SealVerdict::Tight => "YES",
@@ -227,14 +227,17 @@ fn closing_words(conclusions: &Conclusions) -> String {
 }
 
 /// What a scene asks under a load besides the area, a row each: the seal, its leak, and the quantities of the interface.
-pub(crate) fn answers_under(conclusions: &Conclusions, load: &Answer) -> Vec<(&'static str, String)> {
+pub(crate) fn answers_under(
+    conclusions: &Conclusions,
+    load: &AnswerUnderLoad,
+) -> Vec<(&'static str, String)> {
     let seal = verdict_words(load)
         .map(|words| ("Seals?", format!("{}{}; {}", words[0], words[1], closing_words(conclusions))));
     seal.into_iter().chain(asked_rows(conclusions, load)).collect()
 }
 
 /// The rows of a load but for the seal's verdict.
-fn asked_rows(conclusions: &Conclusions, load: &Answer) -> Vec<(&'static str, String)> {
+fn asked_rows(conclusions: &Conclusions, load: &AnswerUnderLoad) -> Vec<(&'static str, String)> {
     let at = if conclusions.loads.len() > 1 { format!(" at {}", load.label) } else { String::new() };
     let leak = load.seal.and_then(|seal| seal.leak_rate_m3_per_s);
     let leak = leak.map(|[low, high]| {
@@ -287,12 +290,12 @@ fn shear_words(shear: &ShearConclusion) -> String {
 }
 
 /// The load in the middle, for which a summary compares models.
-fn middle(conclusions: &Conclusions) -> Option<&Answer> {
+fn middle(conclusions: &Conclusions) -> Option<&AnswerUnderLoad> {
     conclusions.loads.get(conclusions.loads.len() / 2)
 }
 
 /// The models that agree, by name, and the number of the others.
-fn models_words(load: &Answer, scene: &Scene) -> Option<String> {
+fn models_words(load: &AnswerUnderLoad, scene: &Scene) -> Option<String> {
     let cells: &[ModelCell] = &load.references.first()?.models;
     let agreeing: Vec<String> = cells
         .iter()
@@ -325,7 +328,7 @@ fn models_words(load: &Answer, scene: &Scene) -> Option<String> {
 }
 
 /// Names the models that are compared with elements of other bodies than those of the estimate.
-fn other_bodies(load: &Answer) -> &'static str {
+fn other_bodies(load: &AnswerUnderLoad) -> &'static str {
     match load.area.source {
         Source::Elements(Reference::Elastic) => "that yield, not needed",
         Source::Elements(_) => "of another hardness, or of none",

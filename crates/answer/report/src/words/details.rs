@@ -1,6 +1,6 @@
 //! The table and the notes behind a summary.
 
-use conclusions::{Answer, Conclusions, Evidence};
+use conclusions::{AnswerUnderLoad, Conclusions, Evidence};
 use findings::answer::LoadAnswer;
 use findings::doubts;
 use scene::Scene;
@@ -91,7 +91,7 @@ fn settled(answer: &LoadAnswer) -> String {
 }
 
 /// The verdict on a curve, with its area over that of the elements.
-fn verdict(load: &Answer, curve: usize) -> String {
+fn verdict(load: &AnswerUnderLoad, curve: usize) -> String {
     let mut cells = load.references.iter().flat_map(|group| &group.models);
     cells.find(|cell| cell.curve == curve).map_or_else(String::new, |cell| {
         let ratio = cell.ratio.map_or_else(String::new, |ratio| format!(" (×{})", three_digits(ratio)));

@@ -79,6 +79,7 @@ fn a_scene_of_one_s_own_has_a_report_with_every_figure_and_section() {
         [
             "decades",
             "surfaces",
+            "measure-next",
             "all-numbers",
             "verdict",
             "key-numbers",
