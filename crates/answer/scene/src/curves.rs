@@ -32,7 +32,8 @@ pub(super) fn resolve_curves(
             return Err(SceneError::at(spanned.span(), "a curve needs a section [material]"));
         };
         let own = own_options(curve, files)?;
-        ignored.push(own.ignored_by(entry));
+        // A growth that is turned off is ignored as one that is on; notes are made on keys that are typed.
+        ignored.push(ModelOptions { strain_gradient: true, ..own.clone() }.ignored_by(entry));
         let with_those_of_the_scene = ModelOptions {
             hardness: options.hardness,
             flattening: options.flattening,

@@ -34,7 +34,7 @@ pub use error::{SceneError, SceneProblem};
 pub use figure_style::FigureChoice;
 pub use file_content::FileContent;
 pub use judge::JudgeSettings;
-pub use replace::{ReplaceError, si_unit, with_keys, with_si_unit};
+pub use replace::{ReplaceError, keys_by_section, si_unit, with_keys, with_si_unit};
 pub use resolve::Overrides;
 pub use scene_text::SceneText;
 pub use template::Template;
@@ -49,7 +49,7 @@ use study::figure::Figure;
 use study::interface::{InterfaceInputs, InterfaceRequest, InterfaceStates};
 use study::material::Material;
 use study::material_spreads::MaterialSpreads;
-use study::plan::{Needs, Plan, Results, Sampling};
+use study::plan::{Curve, Needs, Plan, Results, Sampling};
 use study::surface::Surface;
 use units::{Remark, number};
 
@@ -195,6 +195,14 @@ impl Scene {
             || parts.iter().any(has_errors)
             || !self.surface.holes().is_empty()
             || !self.spreads.is_empty()
+    }
+
+    /// Returns true if a result depends on the normalisation of moments that the scene chooses.
+    pub(crate) fn takes_normalisation(&self) -> bool {
+        let takes_it = |curve: &Curve| curve.model.entry().framework.takes_normalisation();
+        self.interface.is_some()
+            || self.needs.curves.iter().any(takes_it)
+            || self.figures.iter().any(|figure| figure.shows.needs_moments())
     }
 
     /// Returns the plan that computes the scene.

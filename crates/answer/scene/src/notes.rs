@@ -4,6 +4,7 @@ use toml_edit::Document;
 
 use super::raw::RawScene;
 use super::{Overrides, Scene};
+use study::bodies::Transport;
 use study::figure::{Figure, Shows};
 use study::models::Choice;
 use units::{Remark, RemarkCode, RemarkPlace};
@@ -20,13 +21,18 @@ pub(super) fn notes(
     let Ok(document) = Document::parse(text) else { return Vec::new() };
     let mut sections = Vec::new();
     sections.extend(ignored.iter().enumerate().map(|(at, options)| ("curve", Some(at), options.clone())));
+    sections.push(("material", None, alone(&scene.bodies.counterface_transport)));
+    sections.push(("counterface", None, alone(&scene.bodies.transport)));
     sections.push(("loads", None, loads(scene)));
     sections.extend(scene.figures.iter().enumerate().map(|(at, figure)| ("figure", Some(at), shown(figure))));
     sections.push(("cutoffs", None, cutoffs(scene, overrides)));
     sections.push(("options", None, options(raw, scene, overrides)));
-    sections.push(("judge", None, judge(scene, overrides)));
-    if let Some(reason) = no_uncertainty(scene, overrides) {
-        sections.push(("uncertainty", None, all(&["level", "draws", "seed", "shares_draws"], reason)));
+    sections.push(("judge", None, judge(scene)));
+    if let Some(reason) = no_uncertainty(scene) {
+        // A section that turns the analysis off has an effect.
+        let keys = ["level", "draws", "seed", "shares_draws", "off"];
+        let turns_off = reason == RemarkCode::UncertaintyIsOff;
+        sections.push(("uncertainty", None, all(&keys[..keys.len() - usize::from(turns_off)], reason)));
         let counterface = raw.counterface.as_ref().and_then(|raw| raw.get_ref().surface.as_ref());
         let surfaces = [("surface.scans", Some(&raw.surface)), ("counterface.surface.scans", counterface)];
         for (section, surface) in surfaces {
@@ -95,7 +101,7 @@ fn options(raw: &RawScene, scene: &Scene, overrides: &Overrides) -> UnusedKeys {
     let has = |choice| needs.curves.iter().any(|curve| curve.model.entry().has(choice));
     let grows = needs.curves.iter().any(|curve| curve.model.strength_grows());
     let mut unused = Vec::new();
-    if needs.moments.is_none() && overrides.normalisation.is_none() {
+    if !scene.takes_normalisation() && overrides.normalisation.is_none() {
         unused.push(one("normalisation", RemarkCode::NothingNeedsIt));
     }
     if needs.amplitudes.is_none() && overrides.amplitude.is_none() {
@@ -130,20 +136,28 @@ fn options(raw: &RawScene, scene: &Scene, overrides: &Overrides) -> UnusedKeys {
     unused
 }
 
-fn judge(scene: &Scene, overrides: &Overrides) -> UnusedKeys {
-    let reason = match scene.judge {
-        _ if overrides.no_judge => return Vec::new(),
-        Some(judge) if judge.off => RemarkCode::JudgeIsOff,
-        _ if scene.needs.curves.is_empty() => RemarkCode::NoCurveUsesIt,
-        _ => return Vec::new(),
-    };
-    all(&["grid", "realisations", "seed", "budget"], reason)
+fn judge(scene: &Scene) -> UnusedKeys {
+    let keys = ["grid", "realisations", "seed", "budget", "all_models", "off"];
+    match scene.judge {
+        _ if scene.needs.curves.is_empty() => all(&keys, RemarkCode::NoCurveUsesIt),
+        Some(judge) if judge.off => all(&keys[..4], RemarkCode::JudgeIsOff),
+        _ => Vec::new(),
+    }
 }
 
-/// The reason that nothing is drawn, unless that was asked for from outside.
-fn no_uncertainty(scene: &Scene, overrides: &Overrides) -> Option<RemarkCode> {
+/// Transport properties of a body whose counterpart has none.
+fn alone(other: &Transport) -> UnusedKeys {
+    let missing = [
+        ("thermal_conductivity", other.thermal_conductivity_w_per_m_k.is_none()),
+        ("resistivity", other.resistivity_ohm_m.is_none()),
+    ];
+    let missing = missing.into_iter().filter(|(_, is_missing)| *is_missing);
+    missing.map(|(key, _)| one(key, RemarkCode::OnlyOneBodyHasIt)).collect()
+}
+
+/// The reason that nothing is drawn.
+fn no_uncertainty(scene: &Scene) -> Option<RemarkCode> {
     match scene.uncertainty {
-        _ if overrides.no_uncertainty => None,
         Some(uncertainty) if uncertainty.off => Some(RemarkCode::UncertaintyIsOff),
         _ if scene.needs.curves.is_empty() => Some(RemarkCode::NoCurveUsesIt),
         _ if !scene.scatters() => Some(RemarkCode::NothingScatters),

@@ -8,8 +8,8 @@ use toml_edit::{DocumentMut, Item, Key, Table};
 
 use super::error::SceneError;
 use super::raw::{
-    RawCounterface, RawCurve, RawCutoffs, RawFigure, RawFigureDefaults, RawInterface, RawJudge, RawLoads,
-    RawMaterial, RawOptions, RawSeal, RawSurface, RawUncertainty,
+    RawCounterface, RawCurve, RawCutoffs, RawFigure, RawFigureDefaults, RawInterface, RawJudge, RawLayer,
+    RawLoads, RawMaterial, RawOptions, RawScanKeys, RawSeal, RawSurface, RawUncertainty,
 };
 use super::reader::keys;
 use super::scene_text::SceneText;
@@ -307,6 +307,14 @@ const SECTIONS: [(&str, Keys); 11] = [
 
 /// The sections that may occur several times, and their keys.
 const REPEATED: [(&str, Keys); 2] = [("curve", keys::<RawCurve>), ("figure", keys::<RawFigure>)];
+
+/// Returns the keys of every section, each under its name; of scans and of a layer as well.
+#[must_use]
+pub fn keys_by_section() -> Vec<(&'static str, Vec<String>)> {
+    let nested: [(&str, Keys); 2] =
+        [("surface.scans.0", keys::<RawScanKeys>), ("material.layer", keys::<RawLayer>)];
+    SECTIONS.iter().chain(&REPEATED).chain(&nested).map(|(section, keys)| (*section, keys())).collect()
+}
 
 fn keys_of(sections: &[(&str, Keys)], section: &str) -> Option<Vec<String>> {
     sections.iter().find(|(name, _)| *name == section).map(|(_, keys)| keys())

@@ -12,11 +12,11 @@ use super::error::SceneError;
 use super::figures::resolve_figures;
 use super::file_names;
 use super::interface::resolve_interface;
-use super::judge::{JudgeSettings, resolve_judge};
+use super::judge::resolve_judge;
 use super::loads::{nominal_area_m2, resolve_loads};
 use super::raw::{RawScene, given};
 use super::surfaces::resolve_surface;
-use super::uncertainty::{UncertaintySettings, resolve_uncertainty};
+use super::uncertainty::resolve_uncertainty;
 use super::values::{count, tolerance};
 use measurements::Files;
 use study::bodies::Bodies;
@@ -48,10 +48,6 @@ pub struct Overrides {
     pub cutoff: Option<Length>,
     /// Counterface.
     pub counterface: Option<ElasticBody>,
-    /// True to skip the judgement by boundary elements.
-    pub no_judge: bool,
-    /// True to skip the uncertainty analysis.
-    pub no_uncertainty: bool,
 }
 
 impl Overrides {
@@ -61,7 +57,7 @@ impl Overrides {
         let any_curve =
             |has: fn(&CurveModel) -> bool| scene.needs.curves.iter().any(|curve| has(&curve.model));
         let idle = [
-            ("normalisation", self.normalisation.is_some(), scene.needs.moments.is_some()),
+            ("normalisation", self.normalisation.is_some(), scene.takes_normalisation()),
             ("amplitude", self.amplitude.is_some(), scene.needs.amplitudes.is_some()),
             ("hardness_formula", self.hardness.is_some(), any_curve(has_spheres_that_yield)),
             ("strength_cap", self.strength_cap.is_some(), any_curve(has_growing_strength)),
@@ -189,14 +185,8 @@ pub(super) fn resolve(
             ..Needs::default()
         },
         figures,
-        judge: match overrides.no_judge {
-            true => Some(JudgeSettings { off: true, ..JudgeSettings::default() }),
-            false => judge,
-        },
-        uncertainty: match overrides.no_uncertainty {
-            true => Some(UncertaintySettings { off: true, ..UncertaintySettings::default() }),
-            false => uncertainty,
-        },
+        judge,
+        uncertainty,
         interface,
         notes: Vec::new(),
     };

@@ -113,7 +113,7 @@ asperities yet: its cells are empty.
 
 With --input, a table with the columns model (one of those of --model),
 youngs_modulus_pa, poisson_ratio, yield_strength_pa or, three times that,
-indentation_hardness_pa, strain_gradient_length_m (empty for none), radius_m, density_per_m2, sigma_s_m, and of separation_m and
+indentation_hardness_pa, strain_gradient_length_m (empty for none), radius_m, density_per_m2, sigma_s_m (of bgt m0_m2, m2, m4_per_m2), and of separation_m and
 pressure_pa exactly one in each row; the other one and area_fraction are filled
 in. What is the same in every row may be given as an option instead of a
 column. Rows without asperities, as the first one of `moments`, have empty
@@ -547,6 +547,9 @@ pub(crate) struct RunArgs {
     /// The folder for tables and figures, made where absent; else SCENE-results in the current folder
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Print every note and number that the summary leaves out
+    #[arg(short, long)]
+    pub verbose: bool,
     /// Leave out report.html, its tables, and the sensitivities, which only it needs
     #[arg(long)]
     pub no_report: bool,
@@ -557,7 +560,7 @@ pub(crate) struct RunArgs {
     #[arg(long)]
     pub no_uncertainty: bool,
     /// Print the steps that the run would take, and compute nothing
-    #[arg(long, conflicts_with_all = ["no_report", "out"])]
+    #[arg(long, conflicts_with_all = ["no_report", "out", "verbose", "no_judge", "counterface_youngs_modulus"])]
     pub dry_run: bool,
     #[command(flatten)]
     pub sampling: SamplingArgs,

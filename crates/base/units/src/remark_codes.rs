@@ -50,6 +50,12 @@ macro_rules! remark_codes {
                 self.name().starts_with("surface.scans")
             }
 
+            /// Returns true if a remark names an option, a key or a column without effect.
+            #[must_use]
+            pub fn is_on_idle_input(self) -> bool {
+                matches!(self.name(), "scene-note" | "unused-column" | "surface.scans.idle-option")
+            }
+
             pub(crate) const fn words(self) -> &'static str {
                 match self { $(Self::$variant => $words),+ }
             }
@@ -79,6 +85,7 @@ remark_codes! {
 
     // The spectra of scans.
     ScanReading "surface.scans.scan" Note "{files}: {text}";
+    ScanOptionIgnored "surface.scans.idle-option" Note "{files}: {text}";
     Band "surface.scans.scan" Passed "{files}: used from {longest_m} down to {shortest_m} ({end})";
     TipUnknown "surface.scans.scan.tip-unknown" Caution
         "{files}: tip radius unknown, used down to {shortest_m}[; below about {may_show_below_m} it may show the tip]; \
@@ -339,8 +346,9 @@ remark_codes! {
     OtherCommand "scene-note" Note "{option} does not affect `{command}`, which computes no table; leave it out";
     EveryFileHasItsOwn "scene-note" Note "{option} has no effect: every file has its own; leave one of them out";
     NoRowUsesIt "scene-note" Note "{option} has no effect: no row of the table depends on it; leave it out";
-    UnusedColumn "unused-column" Note "column {column} has no effect: no row of the table depends on it";
+    UnusedColumn "unused-column" Note "no row of the table depends on {columns}: without effect";
     EveryCurveHasItsOwn "scene-note" Note "{option} has no effect: every curve that it applies to sets its own";
+    OnlyOneBodyHasIt "scene-note" Note "{option} has no effect: the other body has none";
     NothingNeedsIt "scene-note" Note "{option} has no effect: no curve and no figure needs it";
     CutoffBelowData "scene-note" Note "{option} has no effect: the spectrum ends above it, at {shortest_m}";
     JudgeIsOff "scene-note" Note "{option} has no effect: the judge is off";

@@ -32,7 +32,7 @@ pub fn areal_spectrum(
     recipe: &Recipe,
 ) -> Result<ArealTable, TopographyError> {
     let recipe = &request.recipe(recipe);
-    if recipe.direction != Direction::X {
+    if recipe.direction != Direction::X || request.direction.is_some() {
         let problem = ScanProblem::AreaHasNoDirection(recipe.direction);
         return Err(TopographyError::for_file(&request.path, problem));
     }

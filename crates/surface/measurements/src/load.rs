@@ -1,7 +1,7 @@
 //! Reading of heights from a file and the metadata beside it.
 
 use scans::{
-    LengthUnit, MeasurementMetadata, Probe, ScanFile, ScanFormat, ScanOptions, ScanSize, read_scans,
+    IGNORED, LengthUnit, MeasurementMetadata, Probe, ScanFile, ScanFormat, ScanOptions, ScanSize, read_scans,
 };
 use sha2::{Digest, Sha256};
 use spectrum::{ReadOptions, read_psd};
@@ -134,8 +134,11 @@ pub(crate) fn load_heights(
     bytes: &[u8],
     files: &dyn Files,
 ) -> Result<Loaded, TopographyError> {
-    let scans = read_scans(bytes, file_name(&request.path), &options(request, files)?)
+    let mut scans = read_scans(bytes, file_name(&request.path), &options(request, files)?)
         .map_err(|error| TopographyError::for_file(&request.path, ScanProblem::Format(Box::new(error))))?;
+    if request.gaps.is_some() && scans.iter().all(|scan| scan.scan.missing_points().is_empty()) {
+        scans.iter_mut().for_each(|scan| scan.notes.push(format!("{IGNORED}gaps: no point is missing")));
+    }
     Ok(Loaded { scans, sha256: hexadecimal(Sha256::digest(bytes)) })
 }
 

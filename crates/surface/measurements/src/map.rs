@@ -1,8 +1,8 @@
 //! The detrended heights of one map, for boundary elements.
 
 use scans::{HeightMap, Scan, ScanError};
-use topography::{Direction, Recipe, detrended_m};
-use units::{Remark, RemarkCode};
+use topography::{Direction, Recipe, detrended_m, readings};
+use units::Remark;
 
 use crate::error::{ScanProblem, TopographyError};
 use crate::files::Files;
@@ -76,9 +76,9 @@ impl MapOfFile {
         });
         let of_line =
             two_rows.map(|_| "the line is pressed as a surface that does not change across it".to_owned());
-        let of_map =
-            |note| Remark::new(RemarkCode::ScanReading).about([file.name.as_str()]).with("text", note);
-        let remarks = file.notes.iter().cloned().chain(pressed_once).chain(of_line).map(of_map).collect();
+        let notes: Vec<String> = file.notes.iter().cloned().chain(pressed_once).chain(of_line).collect();
+        let of_map = |note: Remark| note.about([file.name.as_str()]);
+        let remarks = readings(&notes).into_iter().map(of_map).collect();
         Ok(MapOfFile { map, is_periodic: file.is_periodic, provenance, remarks })
     }
 }

@@ -95,6 +95,10 @@ impl ScanRequest {
     /// Options of a scan that is read for its heights alone.
     pub(crate) const OF_HEIGHTS: [&str; 3] = ["unit", "channel", "size"];
 
+    /// Options of a spectrum without its uncertainty.
+    pub const OF_SPECTRA: [&str; 8] =
+        ["unit", "channel", "size", "tip-radius", "shortest", "gaps", "direction", "detrend"];
+
     /// Options of a map that is pressed.
     pub(crate) const OF_MAPS: [&str; 6] = ["unit", "channel", "size", "gaps", "direction", "detrend"];
 

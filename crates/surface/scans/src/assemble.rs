@@ -10,7 +10,7 @@ use crate::format::ScanFormat;
 use crate::heights::{HeightMap, NonuniformLineScan, Scan, UniformLineScan};
 use crate::measured::MeasuredScan;
 use crate::metadata::MeasurementMetadata;
-use crate::options::ScanOptions;
+use crate::options::{IGNORED, ScanOptions};
 use crate::raster::Decoded;
 use crate::scan_size::ScanSize;
 use units::LengthUnit;
@@ -80,9 +80,7 @@ pub(crate) fn assembled(
             refuse_unit(format, options)?;
             notes.extend(own_scale_note(options));
             let unused = options.fallback_unit;
-            notes.extend(
-                unused.map(|unit| format!("the unit {unit} given is not used: the file has its own")),
-            );
+            notes.extend(unused.map(|unit| format!("{IGNORED}the unit {unit}: the file has its own")));
             to_m(&quantity)
         }
         (UnitsBy::Reader, _) => to_m(&quantity),
@@ -143,7 +141,7 @@ fn scan(
             refuse_size(format, FilePlace::File, options)?;
             let unused = options.fallback_size;
             notes
-                .extend(unused.map(|size| format!("ignoring the size {size}: every point has its position")));
+                .extend(unused.map(|size| format!("{IGNORED}the size {size}: every point has its position")));
             return uneven_line(positions_m, decoded, notes);
         }
         Lateral::Unknown => None,

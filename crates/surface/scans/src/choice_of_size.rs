@@ -2,7 +2,7 @@
 
 use crate::error::{FilePlace, ScanReadError};
 use crate::format::ScanFormat;
-use crate::options::ScanOptions;
+use crate::options::{IGNORED, ScanOptions};
 use crate::scan_size::ScanSize;
 
 /// The size that counts: that of the options, else of the file, else of the metadata, else that to fall back on.
@@ -20,7 +20,7 @@ pub(crate) fn size(
     if let (Some(known), Some(unused)) = (known, options.fallback_size)
         && known != unused
     {
-        notes.push(format!("ignoring the size {unused}, because {known} is known"));
+        notes.push(format!("{IGNORED}the size {unused}: {known} is known"));
     }
     known.or(options.fallback_size)
 }

@@ -2,7 +2,7 @@
 
 use crate::error::ScanReadError;
 use crate::format::ScanFormat;
-use crate::options::ScanOptions;
+use crate::options::{IGNORED, ScanOptions};
 use units::LengthUnit;
 
 /// Units of a file whose numbers carry none of their own: those of the options, else of the file, else of the metadata,
@@ -34,9 +34,7 @@ impl Units {
             if let (Some(known), Some(unused)) = (known, options.fallback_unit)
                 && known != unused
             {
-                notes.push(format!(
-                    "the unit {unused} given is not used for {what}: they are known to be in {known}"
-                ));
+                notes.push(format!("{IGNORED}the unit {unused} of {what}: they are known to be in {known}"));
             }
             known.or(options.fallback_unit)
         };

@@ -55,7 +55,7 @@ pub use measure::Measure;
 pub use measured::MeasuredScan;
 pub use metadata::{MeasurementMetadata, Probe};
 pub use missing_points::MissingPoints;
-pub use options::ScanOptions;
+pub use options::{IGNORED, ScanOptions};
 pub use read::{read_scans, visit_channels};
 #[cfg(feature = "container")]
 pub use readers::container::read_metadata;

@@ -4,6 +4,9 @@ use crate::metadata::MeasurementMetadata;
 use crate::scan_size::ScanSize;
 use units::LengthUnit;
 
+/// Beginning of the notes on options that a file has no use for.
+pub const IGNORED: &str = "ignoring ";
+
 /// Facts about a scan that the caller knows.
 ///
 /// An option overrides the file, with a note where they differ. The file overrides the metadata, and both override the

@@ -1,6 +1,6 @@
 //! Axis of a map along which its spectrum is taken.
 
-use scans::{Scan, ScanAxis, ScanFile};
+use scans::{IGNORED, Scan, ScanAxis, ScanFile};
 use serde::{Deserialize, Serialize};
 
 use crate::cut_lines::LEAST_POINTS;
@@ -50,8 +50,7 @@ pub(crate) fn turned(mut file: ScanFile<Scan>) -> Result<ScanFile<Scan>, Transfo
             lines.into_across().ok_or(TransformError::NoLines { axis: ScanAxis::Y, least: LEAST_POINTS })?,
         ),
         line => {
-            file.notes
-                .push("a line has one direction; its spectrum is along the line, not along y".to_owned());
+            file.notes.push(format!("{IGNORED}the direction y: the spectrum of a line is along it"));
             line
         }
     };

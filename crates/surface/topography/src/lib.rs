@@ -71,7 +71,7 @@ pub use radial::{ArealSpectrum, RadialBin};
 pub use recipe::{Average, DEFAULT_BINS_PER_DECADE, Recipe};
 pub use remark::{BandEnd, FundamentalMode};
 pub use scan_bins::ScanBin;
-pub use scan_spectrum::{ScanSpectrum, line_spectrum};
+pub use scan_spectrum::{ScanSpectrum, line_spectrum, readings};
 pub use tip::tip_cutoff_m;
 pub use tip_indication::{TipIndication, TrustedDownTo, sharpest_peak_radius_m, usual_tip_radii_m};
 pub use tip_words::{TipWords, proposed_tip, tip_words};

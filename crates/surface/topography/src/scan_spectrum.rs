@@ -152,9 +152,14 @@ impl ScanSpectrum {
     }
 }
 
-/// Remarks on the assumptions of a reader.
-pub(crate) fn readings(notes: &[String]) -> Vec<Remark> {
-    notes.iter().map(|note| Remark::new(RemarkCode::ScanReading).with("text", note.as_str())).collect()
+/// Returns remarks on the assumptions of a reader, and on options that a scan has no use for.
+#[must_use]
+pub fn readings(notes: &[String]) -> Vec<Remark> {
+    let code = |note: &str| match note.starts_with(scans::IGNORED) {
+        true => RemarkCode::ScanOptionIgnored,
+        false => RemarkCode::ScanReading,
+    };
+    notes.iter().map(|note| Remark::new(code(note)).with("text", note.as_str())).collect()
 }
 
 /// Refuses heights that detrending reduces to rounding, and those whose squares overflow.

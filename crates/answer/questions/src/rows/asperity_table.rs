@@ -174,32 +174,44 @@ pub struct Asperities {
     rows: usize,
     /// The number of rows beyond the range of the law.
     beyond: usize,
-    /// The number of rows with a hardness and no yield strength.
+    /// The number of rows checked with a hardness and no yield strength.
     assumed: usize,
+    /// The number of rows checked with a yield strength.
+    given: usize,
 }
 
 impl Asperities {
     /// Asperities under a law, against a counterface, or a rigid one if `None`.
     #[must_use]
     pub fn new(law: AsperityTable, counterface: Option<ElasticBody>) -> Self {
-        Asperities { law, counterface, rows: 0, beyond: 0, assumed: 0 }
+        Asperities { law, counterface, rows: 0, beyond: 0, assumed: 0, given: 0 }
     }
 }
 
 impl RowByRow for Asperities {
     fn check(&mut self, block: &InputTable) -> Result<(), Refusal> {
+        let assumed = assumed_strengths(block);
+        self.assumed += assumed;
+        self.given += block.table.rows() - assumed;
         self.law.check(block)
     }
 
     fn fill_in(&mut self, block: &mut InputTable, _: &dyn Progress) -> Result<Vec<Remark>, RowsError> {
         self.beyond += self.law.set_results(block, self.counterface)?;
-        self.assumed += assumed_strengths(block);
         self.rows += block.table.rows();
         Ok(Vec::new())
     }
 
-    fn unused(&self) -> Vec<&'static str> {
-        vec![STRAIN_GRADIENT_LENGTH]
+    fn knows(&self, column: &str) -> bool {
+        [YIELD_STRENGTH, INDENTATION_HARDNESS, STRAIN_GRADIENT_LENGTH].contains(&column)
+    }
+
+    fn depends_on(&self, column: &str) -> bool {
+        match column {
+            YIELD_STRENGTH => self.given > 0,
+            INDENTATION_HARDNESS => self.assumed > 0,
+            _ => column != STRAIN_GRADIENT_LENGTH,
+        }
     }
 
     fn notes(&self) -> Vec<Remark> {

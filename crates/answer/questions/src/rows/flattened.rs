@@ -12,6 +12,8 @@ use super::{RowByRow, RowsError, rows_of};
 #[derive(Debug, Default)]
 pub struct Flattened {
     yields: Option<bool>,
+    /// True if a row checked so far has a hardness that counts.
+    any_yields: bool,
     rows: usize,
     flowing: usize,
 }
@@ -86,7 +88,8 @@ impl RowRequest {
 
 impl RowByRow for Flattened {
     fn check(&mut self, block: &InputTable) -> Result<(), Refusal> {
-        self.asked(block).map(|_| ())
+        self.any_yields |= self.asked(block)?.iter().any(|asked| asked.hardness.is_some());
+        Ok(())
     }
 
     fn fill_in(&mut self, block: &mut InputTable, progress: &dyn Progress) -> Result<Vec<Remark>, RowsError> {
@@ -113,8 +116,12 @@ impl RowByRow for Flattened {
         Ok(Vec::new())
     }
 
-    fn unused(&self) -> Vec<&'static str> {
-        if self.yields == Some(false) { vec!["hardness_pa", "hardness_growth"] } else { Vec::new() }
+    fn knows(&self, column: &str) -> bool {
+        ["hardness_pa", "hardness_growth"].contains(&column)
+    }
+
+    fn depends_on(&self, column: &str) -> bool {
+        REQUIRED_COLUMNS.contains(&column) || self.any_yields
     }
 
     fn notes(&self) -> Vec<Remark> {

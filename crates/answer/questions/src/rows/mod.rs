@@ -20,6 +20,30 @@ use study::material::MaterialError;
 use tables::{InputTable, Refusal};
 use units::{Remark, RemarkCode};
 
+/// The input columns of all tables, those of populations first.
+pub const INPUT_COLUMNS: [&str; 20] = [
+    "model",
+    "youngs_modulus_pa",
+    "poisson_ratio",
+    strength_columns::YIELD_STRENGTH,
+    strength_columns::INDENTATION_HARDNESS,
+    strength_columns::STRAIN_GRADIENT_LENGTH,
+    "radius_m",
+    "density_per_m2",
+    "sigma_s_m",
+    "m0_m2",
+    "m2",
+    "m4_per_m2",
+    "separation_m",
+    "pressure_pa",
+    "rms_pressure_pa",
+    "hardness_pa",
+    "hardness_growth",
+    "interference_m",
+    "wavelength_m",
+    "aspect_ratio",
+];
+
 /// A computation on the rows of a table.
 pub trait RowByRow {
     /// Checks rows: those that pass are computed without an error.
@@ -35,8 +59,16 @@ pub trait RowByRow {
     /// [`RowsError`], of rows that have not been checked, or where `progress` is cancelled.
     fn fill_in(&mut self, block: &mut InputTable, progress: &dyn Progress) -> Result<Vec<Remark>, RowsError>;
 
-    /// The columns of strengths that no row checked so far depends on.
-    fn unused(&self) -> Vec<&'static str>;
+    /// Returns true if tables of this kind may have an input column; those of other kinds pass as labels.
+    fn knows(&self, column: &str) -> bool;
+
+    /// Returns true if a row checked so far depends on an input column.
+    fn depends_on(&self, column: &str) -> bool;
+
+    /// The input columns of tables of this kind that no row checked so far depends on.
+    fn unused(&self) -> Vec<&'static str> {
+        INPUT_COLUMNS.into_iter().filter(|column| self.knows(column) && !self.depends_on(column)).collect()
+    }
 
     /// The first option for all rows that none checked so far depends on.
     fn unused_option(&self) -> Option<&'static str> {

@@ -10,7 +10,7 @@ use super::contact_states::{RowRoughness, StatesFound, is_above};
 use super::strength_columns::{
     INDENTATION_HARDNESS, STRAIN_GRADIENT_LENGTH, YIELD_STRENGTH, hardness_and_strength,
 };
-use super::{RowByRow, RowsError, StateCounts, rows_of};
+use super::{INPUT_COLUMNS, RowByRow, RowsError, StateCounts, rows_of};
 use study::body_properties::BodyProperty;
 use study::material::{GivenMaterial, Material, MaterialError};
 use study::models::{self, Choice, Framework, ModelEntry, ModelOptions, Pressable, Statistical};
@@ -50,6 +50,8 @@ pub struct Populations {
     models: Vec<&'static ModelEntry>,
     /// True if the strength grows in a row checked so far.
     grows: bool,
+    /// True if a row checked so far gives its separation, its pressure.
+    given_columns: [bool; 2],
 }
 
 /// A row of the table: a population and the condition of its state.
@@ -186,6 +188,7 @@ impl RowByRow for Populations {
     fn check(&mut self, block: &InputTable) -> Result<(), Refusal> {
         for asked in self.asked(block)?.into_iter().flatten() {
             self.grows |= asked.grows;
+            self.given_columns[usize::from(matches!(asked.at, Condition::Pressure(_)))] = true;
             if !self.models.contains(&asked.entry) {
                 self.models.push(asked.entry);
             }
@@ -193,10 +196,22 @@ impl RowByRow for Populations {
         Ok(())
     }
 
-    fn unused(&self) -> Vec<&'static str> {
-        let strengths = [YIELD_STRENGTH, INDENTATION_HARDNESS, STRAIN_GRADIENT_LENGTH];
-        let is_used = self.models.is_empty() || self.models.iter().any(|entry| entry.has(Choice::Strength));
-        strengths.into_iter().filter(|_| !is_used).collect()
+    fn knows(&self, column: &str) -> bool {
+        INPUT_COLUMNS[..14].contains(&column)
+    }
+
+    fn depends_on(&self, column: &str) -> bool {
+        match column {
+            YIELD_STRENGTH | INDENTATION_HARDNESS | STRAIN_GRADIENT_LENGTH => {
+                self.models.iter().any(|entry| entry.has(Choice::Strength))
+            }
+            "separation_m" => self.given_columns[0],
+            "pressure_pa" => self.given_columns[1],
+            _ => {
+                let takes = |entry: &&ModelEntry| RowRoughness::columns(entry).contains(&column);
+                REQUIRED_COLUMNS.contains(&column) || self.models.iter().any(takes)
+            }
+        }
     }
 
     fn unused_option(&self) -> Option<&'static str> {

@@ -71,17 +71,12 @@ fn unknown_keys_and_wrong_kinds_are_told_with_what_was_meant() {
 }
 
 #[test]
-fn keys_beside_a_judge_that_is_off_are_noted_and_an_option_puts_it_off() {
+fn keys_beside_a_judge_that_is_off_are_noted() {
     let section = "[judge]\ngrid = 64\noff = true\n";
     let scene = parsed(section).unwrap();
     assert_eq!(scene.notes.iter().map(|note| note.code).collect::<Vec<_>>(), [RemarkCode::JudgeIsOff]);
     assert_eq!(scene.notes[0].place.key.as_deref(), Some("judge.grid"));
     assert!(scene.judge.unwrap().off);
-    let no_judge = Overrides { no_judge: true, ..Overrides::default() };
-    for section in ["", "[judge]\ngrid = 64\n", section] {
-        let scene = parsed_with(section, &no_judge).unwrap();
-        assert!(scene.judge.unwrap().off && scene.notes.is_empty(), "{section}");
-    }
 }
 
 #[test]

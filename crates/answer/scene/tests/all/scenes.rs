@@ -40,8 +40,9 @@ fn keys_of_curves_that_have_no_effect_are_noted_with_their_lines() {
     let used = "[[curve]]\nmodel = \"ep-sphere\"\nstrain_gradient = true\n\
                 [[curve]]\nmodel = \"elastic-sine\"\ninterference_law = \"bem\"\n";
     assert_eq!(notes(used), []);
-    // It says what is so anyway.
-    assert_eq!(notes("[[curve]]\nmodel = \"hertz\"\nstrain_gradient = false\n"), []);
+    // A growth that is turned off says nothing of a model without one.
+    let off = notes("[[curve]]\nmodel = \"hertz\"\nstrain_gradient = false\n");
+    assert_eq!(off, [("curve.strain_gradient".to_owned(), 12, RemarkCode::NeverYields)]);
 }
 
 #[test]

@@ -85,17 +85,12 @@ fn unknown_keys_and_wrong_kinds_are_told_with_what_was_meant() {
 }
 
 #[test]
-fn keys_beside_draws_that_are_off_are_noted_and_an_option_puts_them_off() {
+fn keys_beside_draws_that_are_off_are_noted() {
     let section = "[uncertainty]\ndraws = 64\noff = true\n";
     let scene = parsed(section).unwrap();
     assert_eq!(scene.notes.iter().map(|note| note.code).collect::<Vec<_>>(), [RemarkCode::UncertaintyIsOff]);
     assert_eq!(scene.notes[0].place.key.as_deref(), Some("uncertainty.draws"));
     assert!(scene.uncertainty.unwrap().off);
-    let overrides = Overrides { no_uncertainty: true, ..Overrides::default() };
-    for section in ["", "[uncertainty]\ndraws = 64\n", section] {
-        let scene = parsed_with(WITH_ERRORS, section, &overrides).unwrap();
-        assert!(scene.uncertainty.unwrap().off && scene.notes.is_empty(), "{section}");
-    }
 }
 
 #[test]

@@ -48,9 +48,6 @@ pub(crate) struct SharedArgs {
         global = true
     )]
     pub provenance: Option<QuotedPaths>,
-    /// Print every note and number that the summary of `run` and `report` leaves out
-    #[arg(short, long, global = true)]
-    pub verbose: bool,
     /// Say on standard error how long reading, computing and writing took
     #[arg(long, global = true)]
     pub timings: bool,

@@ -32,6 +32,9 @@ pub(crate) struct ReportArgs {
     /// The folder for the report, its scene, figures and data; else FILE-report in the current folder
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Print every note and number that the summary leaves out
+    #[arg(short, long)]
+    pub verbose: bool,
     /// Title of the report
     #[arg(long, value_name = "TEXT")]
     pub title: Option<String>,

@@ -97,6 +97,7 @@ fn refuse_idle_options(command: &Command, shared: &SharedArgs) -> Result<(), Fai
         Command::Completions { .. } => ("completions", true),
         Command::Man(_) => ("man", true),
         Command::Figure(_) => ("figure", false),
+        Command::Run(args) if args.dry_run => ("run --dry-run", true),
         _ => return Ok(()),
     };
     let SharedArgs { format, provenance, timings, .. } = shared;
@@ -391,11 +392,6 @@ fn say_all(remarks: &[Remark], spelling: &dyn Spelling) {
         };
         say(&format!("{kind}: {}", remark.words(spelling)));
     }
-}
-
-/// Says on stderr what a reader has to know about a spectrum.
-fn say_surface(surface: &Surface) {
-    say_all(&surface.notes, &Flags);
 }
 
 /// Says notes on stderr.

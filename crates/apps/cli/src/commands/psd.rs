@@ -44,6 +44,8 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
     let (requests, counterface_scans) = requests(args)?;
     let folder = Folder::current();
     let mut timings = Timings::start();
+    let of_spectra = |request: &ScanRequest| request.check_takes(&ScanRequest::OF_SPECTRA);
+    requests.iter().chain(&counterface_scans).try_for_each(of_spectra).map_err(refused)?;
     let at_once = if args.sum || !args.other.files().is_empty() {
         let other = CounterfaceSurfaceArgs { counterface_scans, ..args.other.clone() };
         let reader = FaceReader { folder: &folder, options: ReadOptions::default(), recipe };

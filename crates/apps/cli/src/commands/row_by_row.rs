@@ -127,8 +127,8 @@ pub(super) fn run(
     if let Some(option) = constants.first_of(&unused).or_else(|| rows.unused_option()) {
         return Err(Failure::Input(Remark::new(RemarkCode::NoRowUsesIt).on(option).words(&Flags)));
     }
-    for column in unused {
-        say_all(&[Remark::new(RemarkCode::UnusedColumn).with("column", column)], &Flags);
+    if !unused.is_empty() {
+        say_all(&[Remark::new(RemarkCode::UnusedColumn).with("columns", unused.join(", "))], &Flags);
     }
     timings.lap("checking");
     let progress = Progress::towards(count, "rows");

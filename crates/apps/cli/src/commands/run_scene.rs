@@ -7,7 +7,7 @@ use std::time::SystemTime;
 
 use chrono::DateTime;
 
-use super::{Context, say_all, say_notes, say_surface};
+use super::{Context, say_all, say_notes};
 use crate::args::RunArgs;
 use crate::failure::Failure;
 use crate::files::Folder;
@@ -28,7 +28,7 @@ use report::products::{self, SceneProducts};
 use report::run_stamp::RunStamp;
 use report::uncertainty_words;
 use scene::{FileContent, Overrides, Scene, SceneError, SceneProblem};
-use units::RemarkLevel;
+use units::{Remark, RemarkCode, RemarkLevel};
 
 pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> {
     let mut timings = Timings::start();
@@ -36,7 +36,7 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     let scene = read(args, &folder, context)?;
     timings.lap("reading");
     if args.dry_run {
-        say_scene(&scene);
+        say_scene(&scene, true);
         return context.print(&dry_run(&scene));
     }
     let scene_run = SceneRun {
@@ -44,6 +44,7 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
         results: results_folder(args, &scene, &folder),
         layout: Layout::Flat,
         options: options(args),
+        verbose: args.verbose,
     };
     scene_run.run(timings, context).map_err(|error| match error {
         Failure::Input(message) => Failure::Input(format!("{}: {message}", args.scene)),
@@ -51,10 +52,13 @@ pub(super) fn run(args: &RunArgs, context: &Context<'_>) -> Result<(), Failure> 
     })
 }
 
-/// Says the notes on a scene before anything of it is computed.
-fn say_scene(scene: &Scene) {
-    say_surface(&scene.surface);
-    say_all(&scene.notes, &Flags);
+/// Says the notes on a scene before anything of it is computed: all, or those on keys without effect alone.
+fn say_scene(scene: &Scene, all: bool) {
+    for note in
+        scene.surface.notes.iter().chain(&scene.notes).filter(|note| all || note.code.is_on_idle_input())
+    {
+        say_all(std::slice::from_ref(note), &Flags);
+    }
 }
 
 /// A scene that is run into a folder.
@@ -63,16 +67,16 @@ pub(super) struct SceneRun<'a> {
     pub results: ResultsFolder<'a>,
     pub layout: Layout,
     pub options: RunOptions,
+    /// True to print what the summary leaves out.
+    pub verbose: bool,
 }
 
 impl SceneRun<'_> {
     /// Runs the scene, writes its files, and prints the summary.
     pub fn run(&self, timings: Timings, context: &Context<'_>) -> Result<(), Failure> {
-        let SceneRun { scene, ref results, layout, options } = *self;
+        let SceneRun { scene, ref results, layout, options, verbose } = *self;
         let folder = results.folder;
-        if context.shared.verbose {
-            say_scene(scene);
-        }
+        say_scene(scene, verbose);
         let watching = Watching::new(timings);
         let outcome = run_scene(scene, options, &watching).map_err(failed)?;
         let mut timings = watching.into_timings();
@@ -84,12 +88,13 @@ impl SceneRun<'_> {
         let earlier: BTreeSet<String> = results.own().into_iter().map(str::to_owned).collect();
         let report = folder.join(products::REPORT);
         let report = options.report.then(|| report.display().to_string());
+        let left_out = || scene.surface.notes.iter().filter(|note| !note.code.is_on_idle_input());
         let noted = [RemarkLevel::Caution, RemarkLevel::Note]
-            .map(|level| scene.surface.notes.iter().filter(|note| note.level == level).count());
+            .map(|level| left_out().filter(|note| note.level == level).count());
         let end = SummaryEnd {
             report: report.as_deref(),
             warnings: noted[0],
-            notes: noted[1] + scene.notes.len(),
+            notes: noted[1],
             verbose_option: "-v",
         };
         let short = short_summary(conclusions, scene, &end);
@@ -101,7 +106,7 @@ impl SceneRun<'_> {
         let written = write_products(&products, &beside, context.shared.format(), results, layout)?;
         timings.lap("writing");
         let mut text = short;
-        if context.shared.verbose {
+        if verbose {
             text += &format!(
                 "\n{}\n{} files in {}: {}\n",
                 details(&evidence, conclusions),
@@ -192,7 +197,8 @@ fn read(args: &RunArgs, folder: &Path, context: &Context<'_>) -> Result<Scene, F
     if writes_files {
         check_writable(folder)?;
     }
-    let scene = read_scene(&args.scene, &overrides(args)?)?;
+    let mut scene = read_scene(&args.scene, &overrides(args)?)?;
+    skip(args, &mut scene);
     if writes_files && folder.is_dir() {
         let written = products::file_names(&scene, options(args), context.shared.format());
         announce("--out", written.iter().map(|name| Place::File(folder.join(name))))?;
@@ -214,6 +220,24 @@ pub(super) fn read_scene(place: &Place, overrides: &Overrides) -> Result<Scene, 
         utf8(&bytes, &name, "scene").map_err(|failure| not_a_scene(&bytes, &name).unwrap_or(failure))?;
     Scene::parse(text, &files, overrides)
         .map_err(|error| Failure::Input(report::scene_errors::drawn(&error, text, &name)))
+}
+
+/// Turns off the analyses that options skip, and names an option that finds nothing to skip.
+fn skip(args: &RunArgs, scene: &mut Scene) {
+    let is_drawn = if scene.scatters() { RemarkCode::UncertaintyIsOff } else { RemarkCode::NothingScatters };
+    let skipped = [
+        ("no_judge", args.no_judge, options(args).is_judged(scene), RemarkCode::JudgeIsOff),
+        ("no_uncertainty", args.no_uncertainty, options(args).is_drawn(scene), is_drawn),
+    ];
+    for (option, _, _, code) in skipped.into_iter().filter(|(_, given, wanted, _)| *given && !wanted) {
+        say_all(&[Remark::new(code).on(option)], &Flags);
+    }
+    if args.no_judge {
+        scene.judge.get_or_insert_default().off = true;
+    }
+    if args.no_uncertainty {
+        scene.uncertainty.get_or_insert_default().off = true;
+    }
 }
 
 /// The folder of results of a scene, known by its file, or by its title and the files behind its surface.
@@ -245,8 +269,6 @@ fn overrides(args: &RunArgs) -> Result<Overrides, Failure> {
             .input()
             .map(|body| body.body("counterface_poisson_ratio"))
             .transpose()?,
-        no_judge: args.no_judge,
-        no_uncertainty: args.no_uncertainty,
         ..Overrides::default()
     })
 }

@@ -49,7 +49,8 @@ pub(super) fn run(args: &ReportArgs, context: &Context<'_>) -> Result<(), Failur
     let scene = scene(&mut question, &results, context)?;
     timings.lap("reading");
     let options = OPTIONS;
-    SceneRun { scene: &scene, results, layout: Layout::Folders, options }.run(timings, context)?;
+    let verbose = args.verbose;
+    SceneRun { scene: &scene, results, layout: Layout::Folders, options, verbose }.run(timings, context)?;
     if args.open {
         let page = folder.join(REPORT);
         opener::open(&page)

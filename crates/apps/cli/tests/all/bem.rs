@@ -422,3 +422,14 @@ fn adhesive_waves_are_pressed_and_pulled() {
     let strongest = loads.iter().copied().fold(0.0, f64::min);
     assert!(strongest < 0.0 && *loads.last().unwrap() > 0.25 * strongest, "{loads:?}");
 }
+
+#[test]
+fn keys_that_change_no_pressed_map_are_refused_by_name() {
+    let bench = with_waves(32, 32);
+    for key in
+        ["shortest=0.5um", "tip-radius=2um", "instrument=AFM", "z-calibration=2%", "slope-uncertainty=0.1"]
+    {
+        let map = format!("waves.txt:unit=um,size=1um,{key}");
+        bench.run(&call(&[&[&map, "--pressure", "1MPa"]])).refused_naming(&[key.split('=').next().unwrap()]);
+    }
+}

@@ -67,7 +67,7 @@ fn map(missing: usize, offset: f64) -> String {
 }
 
 /// A workbook of Excel with a profile in mm and um, and notes on a sheet before it.
-fn workbook() -> Vec<u8> {
+pub fn workbook() -> Vec<u8> {
     let cell = |place: String, value: String| format!(r#"<c r="{place}"><v>{value}</v></c>"#);
     let text =
         |place: &str, text: &str| format!(r#"<c r="{place}" t="inlineStr"><is><t>{text}</t></is></c>"#);

@@ -222,3 +222,30 @@ fn a_figure_is_drawn_of_what_the_table_holds() {
     of_diamond(&bench, &[&PLASTIC, &options]).ok();
     assert!(bench.read("area.svg").contains("persson"));
 }
+
+#[test]
+fn columns_that_no_row_depends_on_are_named_in_one_note_and_the_table_passes() {
+    let bench = Bench::new();
+    let ran = bench.run_with_input(&["persson", "--input", "-", "--model", "elastic"], ROWS);
+    assert_eq!(ran.remarks(&["note: ", "hardness_pa", "hardness_growth"]).len(), 1, "{}", ran.stderr);
+    let table = ran.ok();
+    assert!(numbers(&table, "plastic_area_fraction").iter().all(|share| *share == 0.0), "{table}");
+    assert_eq!(column(&table, "hardness_growth")[3], "0.25");
+    let sphere = "youngs_modulus_pa,poisson_ratio,yield_strength_pa,strain_gradient_length_m,radius_m,interference_m\n\
+                  2e11,0.3,1e8,1e-6,1e-6,1e-8\n";
+    let ran = bench.run_with_input(&["asperity", "sphere"], sphere);
+    assert_eq!(ran.remarks(&["note: ", "strain_gradient_length_m"]).len(), 1, "{}", ran.stderr);
+    assert!(numbers(&ran.ok(), "jackson_green_force_n")[0] > 0.0);
+}
+
+#[test]
+fn an_amplitude_without_a_hardness_that_grows_by_it_is_refused() {
+    let bench = Bench::new();
+    let run =
+        |more: &[&str]| of_diamond(&bench, &[&["--pressure", "5.4MPa", "--amplitude", "parseval"], more]);
+    let power = [&PLASTIC[..], &["--hardness-law", "power:0.2"]].concat();
+    for more in [&ELASTIC[..], &PLASTIC, &power] {
+        run(more).refused_naming(&["--amplitude"]);
+    }
+    run(&[&PLASTIC[..], &["--hardness-law", "nix-gao", "--strain-gradient-length", "300nm"]].concat()).ok();
+}

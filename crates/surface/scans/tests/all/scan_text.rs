@@ -73,7 +73,7 @@ fn a_unit_in_the_name_of_the_lengths_is_theirs_alone() {
     let options = ScanOptions { fallback_unit: "nm".parse().ok(), ..ScanOptions::default() };
     let scan = read_one(b"X_(microns),y1\n0.5,2.25\n1.0,2.5\n", &options).unwrap();
     assert_eq!((spacings_m(&scan.scan).0, heights_m(&scan.scan)[0]), (0.5e-6, 2.25e-9));
-    assert_eq!(scan.notes, ["the unit nm given is not used for lengths: they are known to be in µm"]);
+    assert_eq!(scan.notes, ["ignoring the unit nm of lengths: they are known to be in µm"]);
 }
 
 #[test]

@@ -210,6 +210,6 @@ fn a_line_has_no_other_direction_and_says_so() {
         let file = without_gaps(file_of(Scan::UniformLine(line.clone()).into()), recipe.gaps).unwrap();
         let found = ScanSpectrum::per_direction(file, BandLimits::default(), &recipe).unwrap();
         assert_eq!(found.len(), 1);
-        assert_eq!(found[0].notes, ["a line has one direction; its spectrum is along the line, not along y"]);
+        assert_eq!(found[0].notes, ["ignoring the direction y: the spectrum of a line is along it"]);
     }
 }

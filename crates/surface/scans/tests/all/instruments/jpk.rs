@@ -1,6 +1,6 @@
 //! Image scans of JPK Instruments.
 
-use scans::{Measure, Probe, ScanAxis, ScanOptions, read_scans};
+use scans::{IGNORED, LengthUnit, Measure, Probe, ScanAxis, ScanFile, ScanOptions, read_scans};
 
 use super::tiff_file::{Tag, tiff};
 use super::{Sample, assert_holds, channels, heights};
@@ -83,6 +83,19 @@ fn channels_are_scaled_by_their_default_slot() {
     assert_eq!(measures, [Measure::Height, Measure::Length, Measure::Height, phase]);
     assert_eq!((all[0].probe, all[0].fast_axis), (Some(Probe::Tip), Some(ScanAxis::X)));
     assert_eq!(all[0].free_text, "PEG on mica\ntip radius 10 nm\n");
+}
+
+#[test]
+fn a_unit_is_noted_since_the_file_has_its_own() {
+    let read = |fallback_unit| {
+        let options = ScanOptions { fallback_unit, ..ScanOptions::default() };
+        read_scans(&scan("LinearScaling"), "scan", &options).unwrap().remove(0)
+    };
+    let is_noted =
+        |file: &ScanFile| file.notes.iter().any(|note| note.starts_with(IGNORED) && note.contains("unit nm"));
+    let nanometre = read("nm".parse::<LengthUnit>().ok());
+    assert!(is_noted(&nanometre) && !is_noted(&read(None)), "{:?}", nanometre.notes);
+    assert_eq!(nanometre.scan, read(None).scan);
 }
 
 #[test]

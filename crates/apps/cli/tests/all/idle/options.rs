@@ -1,26 +1,20 @@
-//! No option is passed over in silence: in every context, each changes what comes out, is named as without effect, or is refused
-//! by name. Keys of scenes and of files, and columns of tables, are not walked yet.
+//! The options of every command, as clap knows them.
 
-use std::collections::{BTreeMap, BTreeSet};
-use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
 
 use clap::{Arg, ArgAction, CommandFactory};
 
-use crate::support::Bench;
+use super::walk::{Folder, Outcome, in_every, split};
 
 /// Options that change nothing by right, each with words of the contexts in which, and its reason.
 const IDLE_BY_RIGHT: &[(&str, &str, &str)] = &[
-    ("", "material", "a name gives only what is not given by itself"),
-    ("", "on", "likewise for the counterface"),
-    ("", "verbose", "run and report alone have more to say"),
-    ("", "provenance", "psd, law, run and report always say where their results come from"),
-    ("", "open", "shows the report, which no test does"),
-    ("", "gaps", "a scan without missing points has nothing to treat"),
-    ("", "all_channels", "a file of one channel has no other"),
-    ("", "no_judge", "a scene that is not judged has nothing to skip"),
-    ("", "no_uncertainty", "a scene in which nothing is drawn has nothing to skip"),
+    ("report", "open", "shows the report, which no test does"),
+    ("--youngs-modulus 200GPa", "material", "a name gives only what is not given by itself"),
+    ("--layer-base rigid", "material", "likewise of the body below a layer"),
+    ("--counterface-youngs-modulus", "on", "likewise for the counterface"),
+    ("--no-report", "provenance", "the report alone quotes the command"),
+    ("scan in/trace.txt", "all_channels", "a file of one channel has no other"),
+    ("scan in/named.txt", "all_channels", "likewise"),
     ("50MPa --model hertz", "tolerance", "its integrals have a closed form"),
     ("50MPa --model bgt", "tolerance", "likewise"),
     ("1e-6 --model hertz", "tolerance", "likewise"),
@@ -77,7 +71,7 @@ const WALKS: &[Walk] = &[
     ("tangential", "psd.csv --pressure 50MPa --friction 0.3", &[&["--model *"], BODIES]),
     (
         "law",
-        "psd.csv --pressure-range 1MPa:50MPa --error 0.1",
+        "in/psd.csv --pressure-range 1MPa:50MPa --error 0.1",
         &[
             &["--model *"],
             BODIES,
@@ -98,26 +92,28 @@ const WALKS: &[Walk] = &[
     ),
     ("bem", "psd.csv --grid 32 --realisations 1 --shortest 2um", &[BODIES, PRESSED]),
     ("bem", "map.txt --unit um --size 10um", &[BODIES, PRESSED]),
-    ("scan", "trace.txt:unit=um", &[]),
-    ("scan", "named.txt map.txt:unit=um,size=10um", &[&["", "--figure f.svg"]]),
-    ("scan", "two.gsf", &[&["", "--channel a"]]),
+    ("scan", "in/trace.txt:unit=um", &[]),
+    ("scan", "in/named.txt map.txt:unit=um,size=10um", &[&["", "--figure f.svg"]]),
+    ("scan", "two.001", &[&["", "--channel Phase"]]),
     ("roughness", "trace.txt:unit=um", &[&["", "--scales"]]),
     ("roughness", "named.txt", &[&["", "--scales"]]),
     ("roughness", "map.txt --unit um --size 10um", &[&["", "--scales"]]),
-    ("psd", "trace.txt:unit=um", &[&["", "--per-scan"]]),
-    ("psd", "named.txt", &[]),
-    ("psd", "named.txt psd.csv --sum", &[]),
+    ("psd", "in/trace.txt:unit=um", &[&["", "--per-scan"]]),
+    ("psd", "in/named.txt", &[]),
+    ("psd", "in/named.txt in/psd.csv --sum", &[]),
     (
         "gap",
-        "trace.txt:unit=um --model persson --pressure 50MPa --youngs-modulus 200GPa --poisson-ratio 0.3",
+        "in/trace.txt:unit=um --model persson --pressure 50MPa --youngs-modulus 200GPa --poisson-ratio 0.3",
         &[],
     ),
-    ("psd", "--list list.csv", &[]),
-    ("psd", "map.txt --unit um --size 10um", &[&["", "--areal"]]),
-    ("report", "psd.csv --material silver --pressure 50MPa --out o", &[]),
-    ("report", "trace.txt:unit=um --material silver --pressure 50MPa --out o", &[]),
-    ("report", "map.txt:unit=um,size=10um --material silver --pressure 50MPa --out o", &[]),
-    ("run", "scene.toml --out o", &[&["--no-report", "--dry-run"]]),
+    ("psd", "--list in/list.csv", &[]),
+    ("psd", "in/map.txt --unit um --size 10um", &[&["", "--areal"]]),
+    ("psd", "in/holed.txt", &[&["", "--areal"]]),
+    ("report", "in/psd.csv --material silver --pressure 50MPa --out o", &[]),
+    ("report", "in/trace.txt:unit=um --material silver --pressure 50MPa --out o", &[]),
+    ("report", "in/map.txt:unit=um,size=10um --material silver --pressure 50MPa --out o", &[]),
+    ("run", "in/scene.toml --out o", &[&["", "--no-report"]]),
+    ("run", "in/scene.toml --dry-run", &[]),
     ("figure", "scene.toml --out o", &[&["", "--picture *"]]),
     ("scene", "new", &[]),
     ("completions", "bash", &[]),
@@ -223,113 +219,6 @@ const VALUES: &[(&str, [&str; 2])] = &[
     ("layer_poisson_ratio", ["0.1", "0.45"]),
 ];
 
-/// Heights [um] of points `step` apart, of many wavelengths.
-fn height(x: f64) -> f64 {
-    (1..40)
-        .map(|n| {
-            0.05 / f64::from(n * n) * (f64::from(n) * 0.7 * x + f64::from(n * n)).sin() * f64::from(n).sqrt()
-        })
-        .sum()
-}
-
-/// A folder with a file of every kind.
-fn bench() -> Bench {
-    let bench = Bench::new();
-    let psd: String = (0..24)
-        .map(|at| {
-            let wavelength = 1e-5 * 10f64.powf(-f64::from(at) / 12.0);
-            // Resampling changes a spectrum with noise, and not a power law.
-            let noise = 1.0 + 0.4 * (2.3 * f64::from(at * at)).sin();
-            format!("{wavelength:e},{:e}\n", 4e-21 * noise * (wavelength / 1e-5f64).powf(2.6))
-        })
-        .collect();
-    bench.write("psd.csv", format!("wavelength_m,C1D_m3\n{psd}"));
-    let trace: String =
-        (0..512).map(|at| format!("{} {}\n", f64::from(at) * 0.1, height(f64::from(at) * 0.1))).collect();
-    bench.write("named.txt", format!("x (um), z (um)\n{}", trace.replace(' ', ", ")));
-    bench.write("trace.txt", trace);
-    let row = |y: i32| {
-        (0..32)
-            .map(|x| height(f64::from(x) * 0.3 + f64::from(y) * 1.7).to_string())
-            .collect::<Vec<_>>()
-            .join(" ")
-    };
-    bench.write("map.txt", (0..32).map(|y| row(y) + "\n").collect::<String>());
-    bench.write("list.csv", "file,unit\ntrace.txt,um\n").write("other.csv", "file,unit\ntrace.txt,nm\n");
-    bench.write("two.gsf", "nothing");
-    bench.write(
-        "rows.csv",
-        "radius_m,density_per_m2,sigma_s_m,m0_m2,m2,m4_per_m2\n1e-6,1e12,1e-8,1e-15,1e-3,1e10\n",
-    );
-    bench.write(
-        "full.csv",
-        "model,youngs_modulus_pa,poisson_ratio,yield_strength_pa,strain_gradient_length_m,radius_m,density_per_m2,sigma_s_m,separation_m,pressure_pa\n\
-         hertz,2e11,0.3,,,1e-6,1e12,1e-8,1e-8,\nep-sphere,2e11,0.3,1e8,1e-6,1e-6,1e12,1e-8,,1e7\n",
-    );
-    bench.write("flat.csv", "pressure_pa,rms_pressure_pa\n1e7,1e9\n");
-    bench.write("hard.csv", "pressure_pa,rms_pressure_pa,hardness_pa,hardness_growth\n1e7,1e9,3e8,0.1\n");
-    bench.write(
-        "spheres.csv",
-        "youngs_modulus_pa,poisson_ratio,yield_strength_pa,radius_m,interference_m\n2e11,0.3,1e8,1e-6,1e-8\n",
-    );
-    bench.write(
-        "sinusoids.csv",
-        "youngs_modulus_pa,poisson_ratio,yield_strength_pa,aspect_ratio,pressure_pa\n2e11,0.3,1e8,0.01,1e7\n",
-    );
-    bench.write(
-        "pressed.csv",
-        "youngs_modulus_pa,poisson_ratio,yield_strength_pa,wavelength_m,aspect_ratio,interference_m\n2e11,0.3,1e8,1e-6,0.01,1e-9\n",
-    );
-    bench.write(
-        "scene.toml",
-        "[surface]\npsd = \"psd.csv\"\n[material]\nyoungs_modulus = \"200 GPa\"\npoisson_ratio = 0.3\nyield_strength = \"100 MPa\"\n\
-         [loads]\npressures = [\"10 MPa\", \"100 MPa\"]\n[[curve]]\nmodel = \"elastic\"\n[[curve]]\nmodel = \"persson\"\n\
-         [[figure]]\nname = \"area\"\nshows = \"area\"\n[[figure]]\nname = \"moments\"\nshows = \"moments\"\n",
-    );
-    bench
-}
-
-/// Output of a command: what it printed, and the files that it wrote.
-#[derive(Debug, Clone, PartialEq)]
-struct Outcome {
-    status: i32,
-    printed: String,
-    files: BTreeMap<String, Vec<u8>>,
-    said: String,
-}
-
-/// Runs a command and takes the files that it writes away.
-fn outcome(bench: &Bench, inputs: &BTreeSet<String>, words: &[String]) -> Outcome {
-    let ran = bench.run(&words.iter().map(String::as_str).collect::<Vec<_>>());
-    let mut files = BTreeMap::new();
-    for name in bench.files().into_iter().filter(|name| !inputs.contains(name)) {
-        take(&bench.path(&name), &name, &mut files);
-    }
-    // The command is quoted in comments, which run over several lines in the input of finite element programs.
-    let without_blanks = |text: &str| text.split([' ', '*']).collect::<String>();
-    let typed = without_blanks(&words.join(" "));
-    let plain = |text: &str| without_blanks(&text.replace("\n**", "")).replace(&typed, "");
-    for bytes in files.values_mut() {
-        if let Ok(text) = std::str::from_utf8(bytes) {
-            *bytes = plain(text).into_bytes();
-        }
-    }
-    Outcome { status: ran.status, printed: plain(&ran.stdout), files, said: ran.stderr }
-}
-
-fn take(path: &Path, name: &str, files: &mut BTreeMap<String, Vec<u8>>) {
-    if path.is_dir() {
-        for entry in std::fs::read_dir(path).unwrap() {
-            let entry = entry.unwrap();
-            take(&entry.path(), &format!("{name}/{}", entry.file_name().to_string_lossy()), files);
-        }
-        std::fs::remove_dir(path).unwrap();
-    } else {
-        files.insert(name.to_owned(), std::fs::read(path).unwrap());
-        std::fs::remove_file(path).unwrap();
-    }
-}
-
 /// A command by its words, with its options and those of every command.
 fn command(words: &str) -> clap::Command {
     let mut found = cli::args::Args::command();
@@ -338,10 +227,6 @@ fn command(words: &str) -> clap::Command {
         found = found.find_subcommand(word).unwrap_or_else(|| panic!("no command {word}")).clone();
     }
     found
-}
-
-fn split(words: &str) -> Vec<String> {
-    words.split_whitespace().map(str::to_owned).collect()
 }
 
 fn options(command: &clap::Command) -> Vec<Arg> {
@@ -428,21 +313,14 @@ fn asked_for<'a>(said: &str, words: &[String], options: &'a [Arg]) -> Option<&'a
 
 /// Walks one option in one context. What it cannot do without is given as well, in the usual outcome too where that is possible.
 /// Returns true if it changes nothing.
-fn is_silent(
-    bench: &Bench,
-    inputs: &BTreeSet<String>,
-    words: &[String],
-    arg: &Arg,
-    options: &[Arg],
-    usual: &Outcome,
-) -> bool {
+fn is_silent(folder: &Folder, words: &[String], arg: &Arg, options: &[Arg], usual: &Outcome) -> bool {
     let (mut words, mut usual) = (words.to_vec(), Some(usual.clone()));
     let mut seen: Vec<Outcome> = Vec::new();
     let values = values(arg);
     let mut at = 0;
     while at < values.len() {
         let typed = with(&words, arg, &values[at]);
-        let found = outcome(bench, inputs, &typed);
+        let found = folder.run(&typed);
         let more = if found.status == 2 && words.len() < 30 && !found.said.contains(&flag(arg)) {
             asked_for(&found.said, &typed, options)
         } else {
@@ -450,7 +328,7 @@ fn is_silent(
         };
         if let Some(more) = more {
             words = with(&words, more, &self::values(more)[0]);
-            usual = Some(outcome(bench, inputs, &words)).filter(|usual| usual.status == 0);
+            usual = Some(folder.run(&words)).filter(|usual| usual.status == 0);
             (seen, at) = (Vec::new(), 0);
             continue;
         }
@@ -481,40 +359,21 @@ fn every_option_in_every_context_changes_something_or_is_named() {
 /// Walks every option in one of so many contexts.
 fn walk(step: usize, least_options: usize) {
     let contexts: Vec<_> = contexts().into_iter().step_by(step).collect();
-    let (next, walked) = (AtomicUsize::new(0), AtomicUsize::new(0));
-    let silent = Mutex::new(Vec::new());
-    let of_context = |bench: &Bench, inputs: &BTreeSet<String>, name: &str, words: &[String]| {
-        let usual = outcome(bench, inputs, words);
-        let (options, typed) = (options(&command(name)), words.join(" "));
+    let walked = AtomicUsize::new(0);
+    let silent = in_every(&contexts, |folder, (name, words)| {
+        let (usual, typed) = (folder.run(words), words.join(" "));
         // A context that is refused is none.
-        for arg in options.iter().filter(|_| usual.status == 0) {
-            let is_right = |(context, option, _): &(&str, &str, &str)| {
-                typed.contains(context) && *option == arg.get_id().as_str()
-            };
-            if IDLE_BY_RIGHT.iter().any(is_right) {
-                continue;
-            }
+        let options = if usual.status == 0 { options(&command(name)) } else { Vec::new() };
+        let is_right = |arg: &&Arg| {
+            let mut entries = IDLE_BY_RIGHT.iter();
+            !entries.any(|(context, option, _)| typed.contains(context) && *option == arg.get_id().as_str())
+        };
+        let found = options.iter().filter(is_right).filter(|arg| {
             walked.fetch_add(1, Ordering::Relaxed);
-            if is_silent(bench, inputs, words, arg, &options, &usual) {
-                silent
-                    .lock()
-                    .unwrap_or_else(PoisonError::into_inner)
-                    .push(format!("{} of {typed}", flag(arg)));
-            }
-        }
-    };
-    std::thread::scope(|scope| {
-        for _ in 0..2 {
-            scope.spawn(|| {
-                let bench = bench();
-                let inputs: BTreeSet<String> = bench.files().into_iter().collect();
-                while let Some((name, words)) = contexts.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    of_context(&bench, &inputs, name, words);
-                }
-            });
-        }
+            is_silent(folder, words, arg, &options, &usual)
+        });
+        found.map(|arg| format!("{} of {typed}", flag(arg))).collect()
     });
-    let silent = silent.into_inner().unwrap_or_else(PoisonError::into_inner);
     assert!(silent.is_empty(), "{}", silent.join("\n"));
     let walked = walked.into_inner();
     assert!(walked > least_options, "{walked} options");
