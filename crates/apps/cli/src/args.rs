@@ -560,7 +560,7 @@ pub(crate) struct RunArgs {
     #[arg(long)]
     pub no_uncertainty: bool,
     /// Print the steps that the run would take, and compute nothing
-    #[arg(long, conflicts_with_all = ["no_report", "out", "verbose", "no_judge", "counterface_youngs_modulus"])]
+    #[arg(long, conflicts_with_all = ["no_report", "out", "verbose", "no_judge", "counterface_youngs_modulus", "counterface_poisson_ratio"])]
     pub dry_run: bool,
     #[command(flatten)]
     pub sampling: SamplingArgs,
