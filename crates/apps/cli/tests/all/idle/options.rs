@@ -87,7 +87,7 @@ const WALKS: &[Walk] = &[
     ),
     (
         "law",
-        "psd.csv --pressure-range 1MPa:50MPa --error 0.1 --model hertz --material silver",
+        "in/psd.csv --pressure-range 1MPa:50MPa --error 0.1 --model hertz --material silver",
         &[&["--dialect *"]],
     ),
     ("bem", "psd.csv --grid 32 --realisations 1 --shortest 2um", &[BODIES, PRESSED]),
