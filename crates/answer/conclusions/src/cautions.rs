@@ -148,9 +148,11 @@ pub(crate) fn cautions(
 
 /// The unknown tip that may show at the longest wavelengths.
 fn unknown_tip(scene: &Scene) -> Option<Remark> {
-    let below_m = |note: &&Remark| note.number("may_show_below_m").unwrap_or(0.0);
-    let unknown = scene.surface.notes.iter().filter(|note| note.code == RemarkCode::TipUnknown);
-    unknown.filter(|note| below_m(note) > 0.0).max_by(|a, b| below_m(a).total_cmp(&below_m(b))).cloned()
+    let notes = scene.surface.notes.iter().filter(|note| note.code == RemarkCode::TipIndicated);
+    let shows = notes.filter_map(|note| Some((note, note.number("may_show_below_m")?)));
+    let (note, below_m) = shows.max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let remark = Remark::new(RemarkCode::TipMayShow).about(note.place.files.clone());
+    Some(remark.with("may_show_below_m", below_m))
 }
 
 /// The caution on a surface that was scanned at one or two places, where nothing is drawn that would tell.

@@ -115,7 +115,7 @@ pub(crate) fn next_steps(
         .extend(load.factor_of_hardness().map(|factor| Ranked(1.0 / factor, NextStep::HardnessAtSmallDepth)));
     ranked.sort_by(|a, b| a.0.total_cmp(&b.0));
     steps.extend(ranked.into_iter().map(|Ranked(_, step)| step));
-    let tip = warned(&[RemarkCode::TipUnknown]).filter(|_| !hangs_on_hardness);
+    let tip = warned(&[RemarkCode::TipMayShow]).filter(|_| !hangs_on_hardness);
     let scan = tip.and_then(|tip| tip.place.files.first());
     steps.extend(scan.map(|scan| NextStep::TipRadius { scan: scan.clone() }));
     let ends_early = |states: &&InterfaceStates<'_>| hangs_on_long_waves(states) && states.lacks_roll_off();

@@ -335,9 +335,13 @@ mod tests {
 
     #[test]
     fn conductivities_and_resistivities_have_units_of_their_own() {
-        for (text, expected) in
-            [("46 W/(m K)", 46.0), ("46 W/m/K", 46.0), ("0.46 W/(cm K)", 46.0), ("25 mW/mK", 0.025)]
-        {
+        for (text, expected) in [
+            ("46 W/(m K)", 46.0),
+            ("46 W/m/K", 46.0),
+            ("46W/(mK)", 46.0),
+            ("0.46 W/(cm K)", 46.0),
+            ("25 mW/mK", 0.025),
+        ] {
             assert_eq!(text.parse::<ThermalConductivity>().unwrap().w_per_m_k, expected, "{text}");
         }
         for (text, expected) in [

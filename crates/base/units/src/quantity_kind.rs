@@ -79,7 +79,7 @@ pub(crate) const FORCE: Kind = Kind {
 pub(crate) const THERMAL_CONDUCTIVITY: Kind = Kind {
     what: "thermal conductivity",
     units: Units::Listed(&[
-        (&["W/(m K)", "W/(m*K)", "W/(m·K)", "W/m/K", "W/mK", "W/m K", "W m^-1 K^-1"], ten(0)),
+        (&["W/(m K)", "W/(mK)", "W/(m*K)", "W/(m·K)", "W/m/K", "W/mK", "W/m K", "W m^-1 K^-1"], ten(0)),
         (&["mW/(m K)", "mW/(m*K)", "mW/(m·K)", "mW/m/K", "mW/mK"], ten(-3)),
         (&["W/(cm K)", "W/(cm*K)", "W/(cm·K)", "W/cm/K", "W/cmK"], ten(2)),
     ]),

@@ -88,9 +88,7 @@ remark_codes! {
     ScanOptionIgnored "surface.scans.idle-option" Note "{files}: {text}";
     Band "surface.scans.scan" Passed "{files}: used from {longest_m} down to {shortest_m} ({end})";
     TipUnknown "surface.scans.scan.tip-unknown" Caution
-        "{files}: tip radius unknown, used down to {shortest_m}[; below about {may_show_below_m} it may show the tip]; \
-         {scan:tip_radius=@sharp_tip}, or none if no tip matters"
-        short "tip unknown[: below about {may_show_below_m} scans may show it]";
+        "{files}: tip radius unknown, used down to {shortest_m}; {scan:tip_radius=@sharp_tip}, or none if no tip matters";
     TipIndicated "surface.scans.scan.tip-indication" Note
         "{files}: [the sharpest peaks have a radius of {sharpest_peak_radius_m}, which the tip does not exceed unless they are noise; ]to \
          be trusted: {trusted}";
@@ -381,6 +379,9 @@ remark_codes! {
     TheModelDisagrees "no-model-agrees" Caution
         "The model does not agree with these boundary elements: quote the elements."
         short "no model agrees with boundary elements";
+    TipMayShow "tip-unknown" Caution
+        "{files}: the radius of the tip is unknown, and below about {may_show_below_m} the scan may show the tip."
+        short "tip unknown, which may show below {may_show_below_m}";
     MadeOfNumbers "made-of-numbers" Caution
         "The spectrum was made from an rms height and an rms slope, not measured."
         short "spectrum made from a few numbers";

@@ -52,13 +52,16 @@ fn tip_remarks(
     if end == BandEnd::PixelsWithoutTip {
         let sharp_tip = length(usual_tip_radii_m(band.shortest_m)[0]).replace('µ', "u");
         let indication = TipIndication::from_scan(&file.scan, band.shortest_m);
-        let unknown = Remark::new(RemarkCode::TipUnknown).with("shortest_m", band.shortest_m);
-        let unknown = unknown.with("sharp_tip", sharp_tip);
+        remarks.push(
+            Remark::new(RemarkCode::TipUnknown)
+                .with("shortest_m", band.shortest_m)
+                .with("sharp_tip", sharp_tip),
+        );
+        let remark = indication.remark();
         remarks.push(match indication.may_show_below_m() {
-            Some(below_m) => unknown.with("may_show_below_m", below_m),
-            None => unknown,
+            Some(below_m) => remark.with("may_show_below_m", below_m),
+            None => remark,
         });
-        remarks.push(indication.remark());
     }
     let from_text = |words: TipWords| {
         let remark = Remark::new(RemarkCode::TipFromText).with("radius_m", words.radius_m);

@@ -2,9 +2,7 @@
 
 use conclusions::Cause;
 use findings::features::DecadeShare;
-use units::display::{percent, pressure, three_digits};
-
-use crate::listing::span;
+use units::display::{length, percent, pressure, three_digits};
 
 /// Names the cause in a word or two; `None` where words alone tell it.
 pub(crate) fn cause_in_short(cause: Cause) -> Option<String> {
@@ -66,5 +64,6 @@ pub(crate) fn cause_line(cause: Cause) -> Option<String> {
 }
 
 fn scales(decade: &DecadeShare) -> String {
-    span(decade.longest_m, decade.shortest_m, decade.measured)
+    let measured = if decade.measured { "" } else { ", not measured" };
+    format!("{} to {}{measured}", length(decade.longest_m), length(decade.shortest_m))
 }

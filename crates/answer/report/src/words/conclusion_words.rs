@@ -58,8 +58,8 @@ pub fn short_summary(conclusions: &Conclusions, scene: &Scene, end: &SummaryEnd<
     );
     if !conclusions.loads.is_empty() {
         rows.push(("Trust", trust_words(conclusions)));
+        rows.push(("Next", foremost_step(conclusions)));
     }
-    rows.push(("Next", foremost_step(conclusions)));
     if let Some(report) = end.report {
         rows.push(("Report", report_words(report, end)));
     }

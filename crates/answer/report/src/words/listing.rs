@@ -53,13 +53,8 @@ pub(crate) fn capital(text: &str) -> String {
 pub(crate) fn decade_name(decade: &DecadeShare, psd: &ProfilePsd) -> String {
     let begins_m = decade.longest_m.min(psd.longest_wavelength_m());
     let ends_m = decade.shortest_m.max(psd.shortest_wavelength_m());
-    span(begins_m, ends_m, decade.measured)
-}
-
-/// Wavelengths from a long to a short one \[m\]: `1 mm to 100 um, not measured`.
-pub(crate) fn span(longest_m: f64, shortest_m: f64, is_measured: bool) -> String {
-    let measured = if is_measured { "" } else { ", not measured" };
-    format!("{} to {}{measured}", unbroken(longest_m), unbroken(shortest_m))
+    let measured = if decade.measured { "" } else { ", not measured" };
+    format!("{} to {}{measured}", unbroken(begins_m), unbroken(ends_m))
 }
 
 /// A length without a line break.

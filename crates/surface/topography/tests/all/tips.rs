@@ -51,7 +51,7 @@ fn an_unknown_tip_states_the_wavelength_below_which_it_may_show() {
         let found = ScanSpectrum::new(file, limits, &Recipe::default()).expect("a spectrum");
         let codes: Vec<RemarkCode> = found.tip_remarks.iter().map(|remark| remark.code).collect();
         assert_eq!(codes, [RemarkCode::TipUnknown, RemarkCode::TipIndicated]);
-        found.tip_remarks[0].number("may_show_below_m")
+        found.tip_remarks[1].number("may_show_below_m")
     };
     let below_m = unknown(peaks(30e-9)).expect("peaks of 30 nm, and tips of 20 and 100 nm");
     let [common_m, blunt_m] = [20e-9, 100e-9].map(|radius_m| tip_cutoff_m(&peaks(30e-9), radius_m));
