@@ -1,6 +1,5 @@
-//! The conclusions of a scene, as data: for each load the area that touches, its range, the condition that it depends on, and the
-//! models beside boundary elements; for all loads the seal, the limits of these numbers, the trust that they leave, and what to
-//! measure next.
+//! The one answer of each load of a scene, as data: the area that touches with its range, what the area hangs on, the models, the seal,
+//! what was asked besides, cautions and trust, and what to measure next.
 //!
 //! Findings, verdicts and intervals each see a part of the results. [`Conclusions::new`] joins them once from the [`Evidence`], so that
 //! the summary on a terminal, the report and `answer.json` cannot contradict each other.
