@@ -308,6 +308,7 @@ def _axes() -> Any:
 # Two values of each argument that matter, by the names of callable and argument or that of the argument; types have the words.
 VALUES: dict[str, list[Any]] = {
     "surface": [ta.Spectrum(2 * np.pi / WAVELENGTHS, C1D * (WAVELENGTHS / 1e-5) ** power) for power in (0.3, 0.6)],
+    "counterface_surface": [ta.Spectrum(2 * np.pi / WAVELENGTHS, factor * C1D) for factor in (0.5, 2.0)],
     "surface of heights": [2 * MAP, 3 * MAP],
     "surface of a file": ["trace.txt", "named.txt"],
     "h": [2 * MAP, TRACE],

@@ -127,7 +127,7 @@ def test_bad_rows_may_be_nan() -> None:
 
 def test_results_are_arrays_and_frames() -> None:
     found = ta.contact(model="hertz", material=STEEL, pressure=[1e6, 2e6], **POPULATION)
-    pd.testing.assert_frame_equal(pd.DataFrame(found), found.to_pandas())
+    pd.testing.assert_frame_equal(pd.DataFrame(found), found.to_pandas()[list(found)])
     array = np.asarray(found)
     assert array.shape == (2,) and array.dtype.names == tuple(found)
     np.testing.assert_array_equal(array["pressure_pa"], found.pressure_pa)
