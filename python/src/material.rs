@@ -64,7 +64,6 @@ impl PyMaterial {
             counterface: other.and_then(|other| other.input.body()),
             counterface_yield_strength: other.and_then(|other| other.input.yield_strength),
             counterface_indentation_hardness_pa: other.and_then(|other| other.input.indentation_hardness_pa),
-            ..MaterialInput::default()
         };
         let input = input.filled_from(named.as_ref(), None);
         let material = input.material().map_err(refused)?;
