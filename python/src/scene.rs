@@ -94,8 +94,7 @@ impl PyScene {
         files: Read,
         faces: [Option<PyRef<'_, PySurface>>; 2],
     ) -> PyResult<Self> {
-        let [surface, counterface_surface] =
-            faces.map(|face| face.map(|face| face.surface.clone()));
+        let [surface, counterface_surface] = faces.map(|face| face.map(|face| face.surface.clone()));
         let overrides = Overrides { surface, counterface_surface, ..Overrides::default() };
         let files = Remembering { folder, read: Mutex::new(files) };
         let scene = light(py, || Scene::parse(text, &files, &overrides));

@@ -301,7 +301,8 @@ fn walk(step: usize) -> usize {
             walked.fetch_add(usize::from(!found.is_empty()), Ordering::Relaxed);
             let key = place.rsplit('.').next().unwrap();
             let names = |said: &str| {
-                said.contains(key) || (!section.is_empty() && said.contains(&format!("[{section}]")))
+                let list = section.split('.').next().unwrap_or_default();
+                said.contains(key) || (!section.is_empty() && said.contains(&format!("[{list}]")))
             };
             if !found.is_empty() && found.iter().all(|found| found.status != 0 && !names(&found.said)) {
                 silent.push(format!("UNNAMED {place}: {} in {scene}", found[0].said));
