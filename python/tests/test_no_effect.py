@@ -17,15 +17,15 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
-import matplotlib as mpl
-import matplotlib.axes
-import matplotlib.figure
+import matplotlib
 import numpy as np
 import pytest
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 import truearea as ta
 
-mpl.use("agg")
+matplotlib.use("agg")
 
 # The calls walk every pair of context and argument where this is set, and else one in so many.
 STEP = 1 if os.environ.get("TRUEAREA_EVERY_CALL") else 11
@@ -301,7 +301,7 @@ def walks() -> Walks:
 
 
 def _axes() -> Any:
-    figure = mpl.figure.Figure()
+    figure = Figure()
     return figure.subplots(2, 2)
 
 
@@ -579,7 +579,7 @@ def seen(found: Any) -> Any:
         return repr(found), found._repr_html_()
     if isinstance(found, ta.Note):
         return str(found), found.level, found.code, found.place
-    if isinstance(found, mpl.axes.Axes):
+    if isinstance(found, Axes):
         return found.get_position().bounds, [np.asarray(line.get_xydata()).tobytes() for line in found.lines], found.get_title()
     if isinstance(found, contextlib.AbstractContextManager):
         with found:

@@ -253,8 +253,9 @@ def test_options_that_no_model_has_are_refused() -> None:
             ta.uncertainty(spectrum, ta.Material("210 GPa", 0.3), **(usual | options))
     # The counterface flows, and the strength of the rough body does not count.
     silver = ta.Material("silver", counterface=ta.Material("gold"))
+    spread: dict[str, Any] = {**usual, "model": "elastic-plastic", "indentation_hardness": "5 %"}
     with refused_naming("indentation_hardness"):
-        ta.uncertainty(spectrum, silver, **(usual | {"model": "elastic-plastic", "indentation_hardness": "5 %"}))
+        ta.uncertainty(spectrum, silver, **spread)
 
 
 def test_advice_is_shown_with_its_model() -> None:

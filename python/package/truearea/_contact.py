@@ -55,11 +55,13 @@ class ContactStates(Drawn, Result):
         """One state, made without looking for arrays among its numbers."""
         state = cls.__new__(cls)
         dict.__init__(state, arrays)
-        state._axes, state.notes, state._given = _NO_AXES, notes, given
+        state._axes, state.notes = _NO_AXES, notes
+        state._given = given  # type: ignore[attr-defined]
         return state
 
     def to_pandas(self) -> pd.DataFrame:
-        frame, (names, rows, index) = super().to_pandas(), self._given
+        frame = super().to_pandas()
+        names, rows, index = self._given  # type: ignore[attr-defined]
         for place, (name, values) in enumerate(zip(names, rows)):
             frame.insert(place, _COLUMNS[name], np.reshape(values, -1))
         return frame if index is None or len(index) != len(frame) else frame.set_index(index)
@@ -142,7 +144,8 @@ def contact(
     """
     names: tuple[str, ...]
     given: tuple[Any, ...]
-    index = next((one.index for one in (population, radius, density, sigma_s, m0, m2, m4, pressure, separation) if hasattr(one, "iloc")), None)
+    columns_given: tuple[Any, ...] = (population, radius, density, sigma_s, m0, m2, m4, pressure, separation)
+    index = next((one.index for one in columns_given if hasattr(one, "iloc")), None)
     if model == "bgt":
         names, given, idle = _OF_SUMMITS, (m0, m2, m4), (radius, density, sigma_s)
     else:
