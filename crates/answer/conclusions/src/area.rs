@@ -19,7 +19,7 @@ pub struct AreaEstimate {
     pub source: Source,
     /// The factor between the ends that the elements, or the models, leave.
     pub factor_of_elements: f64,
-    /// What uncertain scans, instruments and materials add; `None` without draws.
+    /// The part of uncertain scans, instruments and materials; `None` without draws.
     pub of_inputs: Option<OfInputs>,
 }
 
@@ -45,6 +45,14 @@ pub enum Source {
     },
     /// The range of the models, which nothing was compared with.
     Models,
+}
+
+impl Source {
+    /// Returns true if no elements were pressed, so that models alone give the area.
+    #[must_use]
+    pub fn is_of_models(self) -> bool {
+        matches!(self, Source::Model { .. } | Source::Models)
+    }
 }
 
 impl AreaEstimate {

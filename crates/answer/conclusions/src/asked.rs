@@ -1,5 +1,5 @@
-//! What a scene asks of its interface besides the area and the seal: for each question one value with one range, in the state that the
-//! peaks of the roughness are in.
+//! Answers to what a scene asks of its interface besides the area and the seal: one value with one range for each, in the state that
+//! the peaks of the roughness are in.
 
 use interface::conductance::MOST_PLASTIC_SHARE;
 use interface::friction::SlidingContact;
@@ -16,7 +16,7 @@ const FLOWED_SHARE: f64 = 0.9;
 /// The factor, either way, within which stiffnesses of Persson's theory hold boundary elements of nine in ten spectra.
 const STIFFNESS_WITHIN: f64 = 1.25;
 
-/// The same of gaps.
+/// The factor, either way, within which its gaps do.
 const GAP_WITHIN: f64 = 1.15;
 
 /// The factor, either way, within which a correlation for flowed peaks is taken to hold: measured conductances of conforming faces
@@ -50,7 +50,7 @@ pub struct AskedValue {
     pub state: Option<PeakState>,
 }
 
-/// The same quantity by the theory of elastic peaks and by that of flowed ones.
+/// A quantity by the theory of elastic peaks and by that of flowed ones.
 struct ByState {
     elastic: Quantity,
     flowed: Option<Quantity>,

@@ -1,4 +1,4 @@
-//! What the area of a load hangs on: the hardness, the roughness of some scales, both, or nothing.
+//! Causes of the area of a load: the hardness, the roughness of some scales, both, or nothing.
 
 use findings::features::DecadeShare;
 use judge::Reference;
@@ -18,11 +18,11 @@ const FLOWED: f64 = 1.1;
 /// An area of at least this times that of elastic bodies, or of at most its inverse, hangs on the hardness as well.
 const ELASTIC: f64 = 1.03;
 
-/// What an area hangs on.
+/// A cause that an area hangs on.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case", tag = "hangs_on")]
 pub enum Cause {
-    /// Whether the hardness grows at small scales.
+    /// The growth of the hardness at small scales, which is open.
     GrowthOfHardness {
         /// The area with a constant hardness over that with one that grows.
         ratio: f64,

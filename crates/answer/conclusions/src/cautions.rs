@@ -93,12 +93,12 @@ pub(crate) fn cautions(
     }));
     cautions.extend(doubts::of_scene(scene, answer).into_iter().filter(doubts::is_about_inputs));
     cautions.extend(hardness_decides(loads));
-    if !loads.is_empty() && loads.iter().all(|load| is_of_models(load.area.source)) {
+    if !loads.is_empty() && loads.iter().all(|load| load.area.source.is_of_models()) {
         cautions.push(new(RemarkCode::NotJudged));
     }
     let of_layer =
         scene.material.as_ref().and_then(|material| doubts::of_layer(material, &scene.surface.psd));
-    let from_curves = loads.is_empty() || loads.iter().any(|load| is_of_models(load.area.source));
+    let from_curves = loads.is_empty() || loads.iter().any(|load| load.area.source.is_of_models());
     cautions.extend(of_layer.filter(|_| from_curves));
     cautions.extend(scene.surface.holes().iter().map(|hole| {
         let remark = new(RemarkCode::NotMeasured).with("longest_m", hole.longest_m);
@@ -188,10 +188,6 @@ fn stickiness(states: &InterfaceStates<'_>) -> Option<Remark> {
     let remark = Remark::new(RemarkCode::StickyByFuller).with("indicator", "fuller-tabor");
     let remark = remark.with("theta", theta).with("limit", NOT_STICKY_ABOVE);
     (theta <= NOT_STICKY_ABOVE).then_some(remark)
-}
-
-fn is_of_models(source: Source) -> bool {
-    matches!(source, Source::Model { .. } | Source::Models)
 }
 
 /// The caution that the hardness at small scales decides, with the largest factor of any load.

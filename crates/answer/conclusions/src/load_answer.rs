@@ -22,7 +22,7 @@ pub struct AnswerUnderLoad {
     pub nominal_pressure_pa: f64,
     /// The area that touches.
     pub area: AreaEstimate,
-    /// What that area hangs on.
+    /// The cause that the area hangs on.
     pub cause: Cause,
     /// The area if the hardness does not grow at small scales, if that lies outside the range.
     pub otherwise: Option<OtherHardness>,
@@ -34,7 +34,7 @@ pub struct AnswerUnderLoad {
     pub tally: Tally,
     /// The seal under this load, if the scene has one.
     pub seal: Option<SealUnderLoad>,
-    /// What the scene asks of its interface besides.
+    /// The quantities of the interface that the scene asks for.
     pub asked: Vec<AskedValue>,
 }
 

@@ -5,7 +5,7 @@ use study::interface::InterfaceStates;
 use study::interface::{Quantity, Slot};
 use uncertainty::Uncertainty;
 
-/// What holds of a seal under every load.
+/// The conclusion on a seal that holds under every load.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct SealConclusion {
     /// The pressure that closes it; `None` if no pressure does.

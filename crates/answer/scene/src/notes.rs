@@ -5,6 +5,7 @@ use toml_edit::Document;
 use super::raw::RawScene;
 use super::{Overrides, Scene};
 use study::bodies::Transport;
+use study::body_properties::BodyProperty;
 use study::figure::{Figure, Shows};
 use study::models::Choice;
 use units::{Remark, RemarkCode, RemarkPlace};
@@ -23,6 +24,8 @@ pub(super) fn notes(
     sections.extend(ignored.iter().enumerate().map(|(at, options)| ("curve", Some(at), options.clone())));
     sections.push(("material", None, alone(&scene.bodies.counterface_transport)));
     sections.push(("counterface", None, alone(&scene.bodies.transport)));
+    sections.extend(["material", "counterface"].map(|section| (section, None, growth_of_nothing(scene))));
+    sections.push(("counterface", None, of_nothing_pressed(scene)));
     sections.push(("loads", None, loads(scene)));
     sections.extend(scene.figures.iter().enumerate().map(|(at, figure)| ("figure", Some(at), shown(figure))));
     sections.push(("cutoffs", None, cutoffs(scene, overrides)));
@@ -143,6 +146,21 @@ fn judge(scene: &Scene) -> UnusedKeys {
         Some(judge) if judge.off => all(&keys[..4], RemarkCode::JudgeIsOff),
         _ => Vec::new(),
     }
+}
+
+/// The length of a growth that no body has, since none yields.
+fn growth_of_nothing(scene: &Scene) -> UnusedKeys {
+    let yields = scene.material.as_ref().is_none_or(|material| material.yield_strength_pa().is_some());
+    if yields { Vec::new() } else { all(&["strain_gradient_length"], RemarkCode::NoBodyYields) }
+}
+
+/// Keys of a counterface where there is no body to press it on.
+fn of_nothing_pressed(scene: &Scene) -> UnusedKeys {
+    if scene.material.is_some() {
+        return Vec::new();
+    }
+    let properties = BodyProperty::ALL.map(BodyProperty::key);
+    ["name"].into_iter().chain(properties).map(|key| one(key, RemarkCode::NoCurveUsesIt)).collect()
 }
 
 /// Transport properties of a body whose counterpart has none.

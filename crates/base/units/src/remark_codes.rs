@@ -352,6 +352,7 @@ remark_codes! {
     JudgeIsOff "scene-note" Note "{option} has no effect: the judge is off";
     UncertaintyIsOff "scene-note" Note "{option} has no effect: the uncertainty analysis is off";
     OneInputScatters "scene-note" Note "{option} has no effect: one input scatters, and the interval is its share alone; leave it out";
+    NoBodyYields "scene-note" Note "{option} has no effect: neither body has a strength or a hardness";
     NothingScatters "scene-note" Note
         "{option} has no effect: nothing in this scene is uncertain (several scans, standard errors or +-)";
 

@@ -40,7 +40,7 @@ const LOADS: [&str; 4] = [
     "force = \"20 N\"\nnominal_area = \"4 mm^2\"",
 ];
 
-/// What is asked besides the area.
+/// Questions besides the area.
 const QUESTIONS: [&str; 6] = [
     "",
     "[interface]",

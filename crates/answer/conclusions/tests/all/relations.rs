@@ -228,7 +228,7 @@ fn check_seal(
     }
 }
 
-/// What the text of a scene asks is shown, nothing else is, and each number is that of the state of the peaks.
+/// Checks that the scene's questions are answered, no others are, and each number is that of the state of the peaks.
 fn check_asked(answered: &Answered, load: &AnswerUnderLoad, states: &InterfaceStates<'_>, seen: &mut Seen) {
     let text = &answered.text;
     let has = |key: &str| text.contains(key);

@@ -152,7 +152,7 @@ pub(super) fn best_estimate(report: &SceneReport<'_>, load: &AnswerUnderLoad) ->
 /// The heading of what an answer hangs on.
 const HANGS_ON: &str = "What decides the answer";
 
-/// What the answer hangs on.
+/// Makes the card of the cause that the answer hangs on.
 pub(super) fn decides(load: &AnswerUnderLoad) -> Markup {
     let (heading, number, words) = match (load.otherwise, load.cause) {
         (Some(other), _) => (
@@ -191,7 +191,7 @@ pub(super) fn before_quoting(conclusions: &Conclusions, says_hardness: bool) -> 
     }
 }
 
-/// What the scene asks besides the area, under a load.
+/// Makes the line of the answers besides the area, under a load.
 pub(super) fn interface_strip(report: &SceneReport<'_>, load: &AnswerUnderLoad) -> Markup {
     let rows = answers_under(report.conclusions, load);
     html! {

@@ -1,4 +1,4 @@
-//! What an answer hangs on, in words.
+//! Causes that an answer hangs on, in words.
 
 use conclusions::Cause;
 use findings::features::DecadeShare;

@@ -159,7 +159,7 @@ fn method_words(source: Source) -> String {
 pub(crate) fn parts_of_range(load: &AnswerUnderLoad, uncertainty: Option<&Uncertainty>) -> Option<String> {
     let area = &load.area;
     let OfInputs { curve, factor } = area.of_inputs?;
-    let from = if is_of_models(area.source) { "models" } else { "elements" };
+    let from = if area.source.is_of_models() { "models" } else { "elements" };
     let interval = uncertainty.and_then(|found| Some((found, found.interval(curve, load.load)?)));
     let mostly = interval.and_then(|(found, interval)| uncertainty_words::carried_by(found, interval));
     Some(format!(
@@ -168,10 +168,6 @@ pub(crate) fn parts_of_range(load: &AnswerUnderLoad, uncertainty: Option<&Uncert
         three_digits(factor),
         mostly.map_or_else(String::new, |mostly| format!(", {mostly}"))
     ))
-}
-
-fn is_of_models(source: Source) -> bool {
-    matches!(source, Source::Model { .. } | Source::Models)
 }
 
 /// `if the hardness is 5.4 GPa at every scale`.
@@ -226,7 +222,7 @@ fn closing_words(conclusions: &Conclusions) -> String {
     format!("closes at {}{range}{how}", pressure(closing.nominal_pressure_pa))
 }
 
-/// What a scene asks under a load besides the area, a row each: the seal, its leak, and the quantities of the interface.
+/// Lists the answers of a load besides the area, a row each: the seal, its leak, and the quantities of the interface.
 pub(crate) fn answers_under(
     conclusions: &Conclusions,
     load: &AnswerUnderLoad,
@@ -365,7 +361,7 @@ pub fn caution_words(caution: &Remark) -> String {
     if words.ends_with('.') { words } else { format!("{}.", capital(&words)) }
 }
 
-/// What to measure next, in words.
+/// Words the most useful measurement.
 pub(crate) fn foremost_step(conclusions: &Conclusions) -> String {
     match conclusions.next.first() {
         Some(step) => next_words(step),

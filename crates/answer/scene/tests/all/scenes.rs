@@ -28,6 +28,22 @@ fn notes(sections: &str) -> Vec<(String, usize, RemarkCode)> {
 }
 
 #[test]
+fn keys_of_bodies_without_a_use_are_noted() {
+    let keys = |text: &str| {
+        let scene = parsed(text).unwrap();
+        let key = |note: Remark| Some((note.place.key?, note.code));
+        scene.notes.into_iter().filter_map(key).collect::<Vec<_>>()
+    };
+    let elastic = STEEL.replace("yield_strength = \"1 GPa\"\n", "");
+    let growth = ("material.strain_gradient_length".to_owned(), RemarkCode::NoBodyYields);
+    assert_eq!(keys(&format!("{elastic}{HERTZ}")), [growth]);
+    assert_eq!(keys(&format!("{STEEL}{HERTZ}")), []);
+    let spectrum = "[surface]\npsd = \"builtin:uncd-measured\"\n[counterface]\nname = \"gold\"\n\
+                    [[figure]]\nname = \"psd\"\nshows = \"psd\"\n";
+    assert_eq!(keys(spectrum), [("counterface.name".to_owned(), RemarkCode::NoCurveUsesIt)]);
+}
+
+#[test]
 fn keys_of_curves_that_have_no_effect_are_noted_with_their_lines() {
     let idle = "[[curve]]\nmodel = \"hertz\"\nstrain_gradient = true\ninterference_law = \"bem\"\n";
     assert_eq!(

@@ -37,7 +37,7 @@ pub struct InterfaceRequest {
     pub adhesion: Option<AdhesionRequest>,
     /// The tangential load, and the friction that it meets.
     pub shear: Option<Shear>,
-    /// What the scene asks for, of all that its bodies allow.
+    /// The questions of the scene, of all that its bodies allow.
     pub asks: Asks,
 }
 
