@@ -81,7 +81,7 @@ impl PySurface {
         let errors_m3 = psd.standard_errors_m3().map(|errors_m3| {
             PyArray1::from_iter(py, errors_m3.iter().map(|error_m3| error_m3.unwrap_or(f64::NAN)))
         });
-        let holes_m = self.surface.holes().iter().map(|hole| (hole.longest_m, hole.shortest_m));
+        let holes_m = self.surface.holes.iter().map(|hole| (hole.longest_m, hole.shortest_m));
         let facts = PyDict::new(py);
         facts.set_item("name", name)?;
         facts.set_item("wavelengths_m", PyArray1::from_slice(py, psd.wavelengths_m()))?;

@@ -105,7 +105,7 @@ impl AreaEstimate {
         let curves = &evidence.scene.needs.curves;
         // The interval of a model that does not yield says nothing of bodies that do.
         let yields = matches!(self.source, Source::Elements(Reference::Yielding { .. }));
-        let is_alike = |curve: &usize| !yields || curves[*curve].model.entry().has(Choice::Strength);
+        let is_alike = |curve: &usize| !yields || curves[*curve].model.entry.has(Choice::Strength);
         let alike = own.into_iter().chain((0..curves.len()).filter(is_alike));
         let Some(interval) = alike.filter_map(|curve| uncertainty.interval(curve, load)).next() else {
             return self;

@@ -81,7 +81,7 @@ impl PeakState {
 impl Questions<'_> {
     /// Answers all of them.
     pub fn answers(&self) -> Vec<AskedValue> {
-        let request = self.states.request();
+        let request = self.states.request;
         let mut found = Vec::new();
         if request.asks.gap {
             let gap = ByState {
@@ -147,7 +147,7 @@ impl Questions<'_> {
 
     /// The resistance of the nominal area in place of a conductance per area, where that area is known.
     fn of_nominal_area(&self, conductance: AskedValue, resistance: Quantity) -> AskedValue {
-        let Some(area_m2) = self.states.request().nominal_area_m2 else { return conductance };
+        let Some(area_m2) = self.states.request.nominal_area_m2 else { return conductance };
         let inverse = |per_area: f64| 1.0 / (per_area * area_m2);
         AskedValue {
             quantity: resistance,
@@ -160,8 +160,8 @@ impl Questions<'_> {
 
     /// The coefficient of friction of the area that touches.
     fn friction(&self) -> Option<AskedValue> {
-        let shear_strength_pa = self.states.request().shear_strength_pa?;
-        let pressure_pa = self.states.inputs().pressures[self.load].pa();
+        let shear_strength_pa = self.states.request.shear_strength_pa?;
+        let pressure_pa = self.states.inputs.pressures[self.load].pa();
         let coefficient = |area_fraction: f64| {
             let sliding = SlidingContact::new(shear_strength_pa, area_fraction, pressure_pa);
             sliding.ok().map(|sliding| sliding.friction_coefficient())

@@ -95,7 +95,7 @@ impl Flowing {
         let hardness_pa = match load.area.source {
             Source::Elements(Reference::Yielding { hardness_pa }) => hardness_pa,
             Source::Model { curve } => {
-                let flows = evidence.scene.needs.curves[curve].model.entry().has(Choice::Strength);
+                let flows = evidence.scene.needs.curves[curve].model.entry.has(Choice::Strength);
                 evidence.scene.hardness_pa().filter(|_| flows)?
             }
             _ => return None,

@@ -100,7 +100,7 @@ pub(crate) fn cautions(
         scene.material.as_ref().and_then(|material| doubts::of_layer(material, &scene.surface.psd));
     let from_curves = loads.is_empty() || loads.iter().any(|load| load.area.source.is_of_models());
     cautions.extend(of_layer.filter(|_| from_curves));
-    cautions.extend(scene.surface.holes().iter().map(|hole| {
+    cautions.extend(scene.surface.holes.iter().map(|hole| {
         let remark = new(RemarkCode::NotMeasured).with("longest_m", hole.longest_m);
         remark.with("shortest_m", hole.shortest_m)
     }));
@@ -127,7 +127,7 @@ pub(crate) fn cautions(
     );
     cautions.extend(few_places(scene).filter(|_| uncertainty.is_none()));
     let is_elastic = |states: &&InterfaceStates<'_>| {
-        states.request().shear.is_some() || states.request().seal.is_some_and(|seal| seal.joint.is_some())
+        states.request.shear.is_some() || states.request.seal.is_some_and(|seal| seal.joint.is_some())
     };
     let may_yield = loads.iter().filter(|load| load.area.source != Source::Elements(Reference::Elastic));
     let shares = may_yield.filter_map(|load| states.filter(is_elastic)?.plastic_share(load.load));
@@ -169,8 +169,8 @@ fn few_places(scene: &Scene) -> Option<Remark> {
 
 /// The caution on a fluid that presses more than the bodies do, under the lightest such load.
 fn fluid_parts(loads: &[AnswerUnderLoad], states: &InterfaceStates<'_>) -> Option<Remark> {
-    let joint = states.request().seal?.joint?;
-    let parted = loads.iter().find(|load| states.request().parts_bodies(load.nominal_pressure_pa))?;
+    let joint = states.request.seal?.joint?;
+    let parted = loads.iter().find(|load| states.request.parts_bodies(load.nominal_pressure_pa))?;
     let remark = Remark::new(RemarkCode::FluidParts).with("fluid_pressure_pa", joint.pressure_drop_pa());
     Some(remark.with("pressure_pa", parted.nominal_pressure_pa))
 }

@@ -108,7 +108,7 @@ pub(crate) fn next_steps(
     if !hangs_on_hardness && load.cause != Cause::FullContact {
         let width_ratio = width_without_holes(evidence, load).unwrap_or(0.0);
         let of_use = |_: &&Hole| width_ratio < WORTHWHILE;
-        let holes = surface.holes().iter().filter(of_use);
+        let holes = surface.holes.iter().filter(of_use);
         ranked.extend(holes.map(|hole| Ranked(width_ratio, NextStep::CloseHole(*hole))));
     }
     ranked
@@ -130,7 +130,7 @@ pub(crate) fn next_steps(
 
 /// Tells whether a scene asks for what the heights of the longest waves decide.
 fn hangs_on_long_waves(states: &InterfaceStates<'_>) -> bool {
-    let request = states.request();
+    let request = states.request;
     request.seal.is_some() || request.asks.gap || request.asks.heat || request.asks.current
 }
 

@@ -53,7 +53,7 @@ pub enum SealVerdict {
 impl SealConclusion {
     /// Draws the conclusion; `None` if the scene has no seal.
     pub(crate) fn new(states: &InterfaceStates<'_>, uncertainty: Option<&Uncertainty>) -> Option<Self> {
-        states.request().seal.map(|_| SealConclusion { closes: SealClosing::new(states, uncertainty) })
+        states.request.seal.map(|_| SealConclusion { closes: SealClosing::new(states, uncertainty) })
     }
 }
 
@@ -78,8 +78,8 @@ impl SealUnderLoad {
         uncertainty: Option<&Uncertainty>,
         load: usize,
     ) -> Option<Self> {
-        let pressure_pa = states.inputs().pressures[load].pa();
-        states.request().seal?;
+        let pressure_pa = states.inputs.pressures[load].pa();
+        states.request.seal?;
         let closing = SealClosing::new(states, uncertainty);
         let rate = |quantity| {
             let slot = Slot { quantity, load: Some(load), curve: None };
@@ -89,7 +89,7 @@ impl SealUnderLoad {
         };
         let [low, high] = [Quantity::LeakRateLow, Quantity::LeakRateHigh].map(rate);
         Some(SealUnderLoad {
-            verdict: match states.request().parts_bodies(pressure_pa) {
+            verdict: match states.request.parts_bodies(pressure_pa) {
                 true => SealVerdict::Open,
                 false => closing.map_or(SealVerdict::Open, |closing| SealVerdict::new(pressure_pa, &closing)),
             },

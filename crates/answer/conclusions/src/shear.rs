@@ -26,7 +26,7 @@ pub struct ShearConclusion {
 impl ShearConclusion {
     /// Draws the conclusions for all loads; none without a tangential load.
     pub(crate) fn of_loads(states: &InterfaceStates<'_>) -> Vec<Self> {
-        let Some(shear) = states.request().shear else { return Vec::new() };
+        let Some(shear) = states.request.shear else { return Vec::new() };
         let under = |(load, pressure_pa): (usize, f64)| {
             let value =
                 |quantity| states.value(Slot { quantity, load: Some(load), curve: None }).ok().flatten();
@@ -40,6 +40,6 @@ impl ShearConclusion {
                 damping_ratio: value(Quantity::DampingRatio),
             }
         };
-        states.inputs().pressures.iter().map(|pressure| pressure.pa()).enumerate().map(under).collect()
+        states.inputs.pressures.iter().map(|pressure| pressure.pa()).enumerate().map(under).collect()
     }
 }

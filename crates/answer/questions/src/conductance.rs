@@ -356,7 +356,7 @@ impl FoundConductance {
                 };
                 let relative = RelativeStiffness::new(stiffness, *modulus_pa).map_err(out_of_range)?;
                 let contact_si = relative.thermal_conductance_w_per_m2_k(&self.conductivities);
-                let gas = self.gas.map(|gas| gas.conductance_w_per_m2_k(mean_gap_m, law.rms_height_m()));
+                let gas = self.gas.map(|gas| gas.conductance_w_per_m2_k(mean_gap_m, law.rms_height_m));
                 (contact_si, gas.unwrap_or(0.0))
             }
             Spots::Correlation { correlation, surface, hardness_pa, .. } => {
@@ -407,7 +407,7 @@ impl FoundConductance {
                 length(gas.parameter_m())
             ));
             if let Spots::Analogy { law, .. } = &self.spots {
-                lines.extend(gas.caution(law.rms_height_m()).map(str::to_owned));
+                lines.extend(gas.caution(law.rms_height_m).map(str::to_owned));
             }
         }
         lines

@@ -204,7 +204,7 @@ impl<'s> PreparedCurve<'s> {
         let tolerance = scene.needs.tolerance;
         let has_states = curve.model.takes_separations();
         let mut notes: Vec<Remark> = tolerance.remark().filter(|_| has_states).into_iter().collect();
-        let of_model = |material| remark_on_model(material, curve.model.entry(), &scene.surface.psd);
+        let of_model = |material| remark_on_model(material, curve.model.entry, &scene.surface.psd);
         notes.extend(material.and_then(of_model));
         notes.extend(material.into_iter().flat_map(doubts::of_bodies));
         notes.extend(scene.surface.notes.iter().cloned());
@@ -255,7 +255,7 @@ impl<'s> PreparedCurve<'s> {
             curve: self.curve(),
             counts: CurveCounts::default(),
             pressures: RealPressures::new(self.hardness_pa)
-                .with_remedy(self.curve().model.entry().yielding().map(|model| ("model", model))),
+                .with_remedy(self.curve().model.entry.yielding().map(|model| ("model", model))),
         }
     }
 
@@ -265,7 +265,7 @@ impl<'s> PreparedCurve<'s> {
     /// [`QuestionError::Plan`].
     pub fn stream(&self) -> Result<CurveStream<'_>, QuestionError> {
         let stream = self.plan.stream()?;
-        let surface = self.plan.persson_surface(&self.curve().model, stream.prepared())?;
+        let surface = self.plan.persson_surface(&self.curve().model, &stream.prepared)?;
         if let Some(surface) = &surface {
             check_loads(surface, &self.plan.needs)?;
         }
@@ -333,7 +333,7 @@ impl CurveStream<'_> {
             let of_correction = correction.map(|correction| remarks_on_correction(correction, roughness));
             notes.extend(of_correction.into_iter().flatten());
             let least_pa = plan.needs.pressures().map(NominalPressure::pa).fold(f64::INFINITY, f64::min);
-            let moments = self.stream.prepared().moments().last();
+            let moments = self.stream.prepared.moments.last();
             let parseval = Normalisation::Parseval.factor() / self.prepared.normalisation().factor();
             let rms_height_m = moments.map_or(0.0, |(moments, _)| parseval.sqrt() * moments.rms_height_m());
             let light = separation.light_loads();

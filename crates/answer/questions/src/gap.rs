@@ -276,7 +276,7 @@ impl GapQuestion {
         notes.extend(remarks_on_gap_law(&law, &pressures_pa));
         let areas = states.iter().map(|state| (state.nominal_pressure_pa, state.area_fraction));
         notes.extend(self.by.doubts(&material, areas, Some("bem")));
-        let rms_height_m = law.light_loads().is_none().then(|| law.rms_height_m());
+        let rms_height_m = law.light_loads().is_none().then(|| law.rms_height_m);
         notes.extend(remarks_on_gaps(&states, rms_height_m));
         let table = result_tables::gaps(&states, law.light_loads().as_ref());
         Ok(Answer { table, notes, figure: None })
@@ -376,7 +376,7 @@ pub fn remarks_on_gap_law(law: &GapLaw, pressures_pa: &[f64]) -> Vec<Remark> {
         let remark = || Remark::new(RemarkCode::BeyondLightLoads).with("area", LIGHT_CONTACT);
         return (!is_light).then(remark).into_iter().collect();
     };
-    let mut remarks = remarks_on_separation(&light, roughness, law.rms_height_m(), least_pa);
+    let mut remarks = remarks_on_separation(&light, roughness, law.rms_height_m, least_pa);
     if law.band() == Some(Band::Profile) {
         remarks.push(Remark::new(RemarkCode::WavesOfProfiles).on("band"));
     }

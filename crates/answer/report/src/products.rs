@@ -104,7 +104,7 @@ fn data(scene: &Scene, results: &Results, figure: &Figure, uncertainty: Option<&
         Some(uncertainty) => with_intervals(data, figure, scene, uncertainty),
         None => data,
     };
-    let data = data.with_holes(scene.surface.holes());
+    let data = data.with_holes(&scene.surface.holes);
     match &scene.surface.made_from {
         Some(scans) if figure.shows == Shows::Psd => over_scans(scans, data),
         _ => data,

@@ -165,9 +165,9 @@ pub(super) fn curves_of_models(
             (0..curves.len()).filter(|&at| is_meant(&curves[at], name)).collect()
         };
         let meant = [
-            all(|curve, name| curve.model.entry().name == name),
+            all(|curve, name| curve.model.entry.name == name),
             all(|curve, name| curve.name == name),
-            all(|curve, name| curve.model.entry().answers_to(name)),
+            all(|curve, name| curve.model.entry.answers_to(name)),
         ];
         match meant.into_iter().find(|meant| !meant.is_empty()) {
             Some(meant) => found.extend(meant),

@@ -143,7 +143,7 @@ fn load_sweeps(
 ) -> Result<Vec<LoadSweep>, SceneError> {
     let figure = spanned.get_ref();
     if let Some(&other) = drawn.iter().find(|&&curve| curves[curve].model.statistical().is_none()) {
-        let (name, framework) = (&curves[other].name, curves[other].model.entry().framework);
+        let (name, framework) = (&curves[other].name, curves[other].model.entry.framework);
         let message = format!(
             "area-against-load draws statistical curves only, and {name:?} is {framework}; list curves = [...]"
         );

@@ -193,13 +193,13 @@ impl Scene {
         };
         places.sum::<usize>() >= least_places
             || parts.iter().any(has_errors)
-            || !self.surface.holes().is_empty()
+            || !self.surface.holes.is_empty()
             || !self.spreads.is_empty()
     }
 
     /// Returns true if a result depends on the normalisation of moments that the scene chooses.
     pub(crate) fn takes_normalisation(&self) -> bool {
-        let takes_it = |curve: &Curve| curve.model.entry().framework.takes_normalisation();
+        let takes_it = |curve: &Curve| curve.model.entry.framework.takes_normalisation();
         self.interface.is_some()
             || self.needs.curves.iter().any(takes_it)
             || self.figures.iter().any(|figure| figure.shows.needs_moments())

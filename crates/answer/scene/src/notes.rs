@@ -101,7 +101,7 @@ fn cutoffs(scene: &Scene, overrides: &Overrides) -> UnusedKeys {
 
 fn options(raw: &RawScene, scene: &Scene, overrides: &Overrides) -> UnusedKeys {
     let needs = &scene.needs;
-    let has = |choice| needs.curves.iter().any(|curve| curve.model.entry().has(choice));
+    let has = |choice| needs.curves.iter().any(|curve| curve.model.entry.has(choice));
     let grows = needs.curves.iter().any(|curve| curve.model.strength_grows());
     let mut unused = Vec::new();
     if !scene.takes_normalisation() && overrides.normalisation.is_none() {

@@ -67,7 +67,7 @@ impl Overrides {
 }
 
 fn has_spheres_that_yield(model: &CurveModel) -> bool {
-    model.entry().has(Choice::Hardness)
+    model.entry.has(Choice::Hardness)
 }
 
 fn has_growing_strength(model: &CurveModel) -> bool {

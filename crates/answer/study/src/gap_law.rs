@@ -18,7 +18,8 @@ use crate::plan::{Plan, PreparedSpectrum, Results};
 #[derive(Debug)]
 pub struct GapLaw {
     surface: LoadedSurface,
-    rms_height_m: f64,
+    /// Rms height of the surface \[m\].
+    pub rms_height_m: f64,
     /// The band that a cutoff lets through in Persson's theory.
     band: Band,
 }
@@ -41,7 +42,7 @@ impl GapLaw {
         let rms_height_m = parseval.sqrt() * moments.rms_height_m();
         let prepared = PreparedSpectrum::from_results(results);
         let surface = model.surface(&prepared, || plan.roughness(&prepared, choices.band), choices)?;
-        let surface = surface.ok_or(GapError::NoDistances(model.entry().name))?;
+        let surface = surface.ok_or(GapError::NoDistances(model.entry.name))?;
         Ok(GapLaw { surface, rms_height_m, band: choices.band })
     }
 
@@ -109,12 +110,6 @@ impl GapLaw {
     #[must_use]
     pub fn roughness(&self) -> Option<&Roughness> {
         self.surface.persson().map(|surface| &surface.roughness)
-    }
-
-    /// Rms height of the surface \[m\].
-    #[must_use]
-    pub fn rms_height_m(&self) -> f64 {
-        self.rms_height_m
     }
 
     fn separation(&self) -> Option<&SeparationLaw> {
@@ -216,7 +211,7 @@ mod tests {
         let most_pa = law.light_load_limit_pa(0.01).unwrap();
         assert!(most_pa < light.reference_pressure_pa && law.roughness().is_some());
         assert_eq!(law_of("hertz", &psd).unwrap().light_loads(), None);
-        assert!((law.rms_height_m() / law_of("bgt", &psd).unwrap().rms_height_m() - 1.0).abs() < 1e-15);
+        assert!((law.rms_height_m / law_of("bgt", &psd).unwrap().rms_height_m - 1.0).abs() < 1e-15);
     }
 
     #[test]

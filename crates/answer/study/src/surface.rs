@@ -174,8 +174,10 @@ pub struct Surface {
     pub sources: Vec<SourceFile>,
     /// The two surfaces, if this is the sum of two.
     pub parts: Option<Box<[Surface; 2]>>,
-    /// See [`Surface::holes`].
-    holes: Vec<Hole>,
+    /// The wavelengths that were not measured, from long to short. There neighbouring samples of the spectrum
+    /// are a factor of [`spectrum::HOLE_FACTOR`] or more apart. For the sum of two surfaces, these are the holes of
+    /// either.
+    pub holes: Vec<Hole>,
 }
 
 impl Surface {
@@ -287,14 +289,6 @@ impl Surface {
         let psd = given.profile.psd();
         let psd = psd.profile().map_err(|error| SurfaceError::Conversion { name: name.clone(), error })?;
         Ok(Surface { notes: vec![given.remark()], roughness: Some(given), ..Self::plain(name, psd) })
-    }
-
-    /// Returns the wavelengths that were not measured, from long to short. There neighbouring samples of the spectrum
-    /// are a factor of [`spectrum::HOLE_FACTOR`] or more apart. For the sum of two surfaces, these are the holes of
-    /// either.
-    #[must_use]
-    pub fn holes(&self) -> &[Hole] {
-        &self.holes
     }
 
     /// Returns true if the spectrum, or that of one of two surfaces, is made of roughness parameters.

@@ -250,7 +250,7 @@ impl Adviser<'_> {
         let followed = self.areas.curves[curve].cutoffs == Cutoffs::Every;
         let points = self.results.curves[curve].area_fractions(load);
         let settled = convergence(&points, SETTLED_WITHIN).is_some_and(|found| found.converged);
-        let entry = self.areas.curves[curve].model.entry();
+        let entry = self.areas.curves[curve].model.entry;
         let steep = if entry.takes_asperities() { STEEP_FOR_RADII } else { STEEP_FOR_SLOPES };
         match PowerLaw::at(End::Short, psd) {
             _ if followed && settled => Settling::HasSettled,
@@ -266,7 +266,7 @@ impl Adviser<'_> {
 /// The spectrum of a single uncertain surface.
 fn single(surface: &SurfaceScatter) -> Option<ProfilePsd> {
     match surface.single_source()? {
-        SpectrumSource::Scans(scans) => scans.psd(scans.centre()),
+        SpectrumSource::Scans(scans) => scans.psd(&scans.ln_c1d),
         SpectrumSource::Errors(errors) => Some(errors.centre().clone()),
         SpectrumSource::Certain(..) => None,
     }

@@ -162,7 +162,7 @@ impl Areas {
         let curves = curves.into_iter().map(at_cutoffs).collect();
         let states_per_decade = NonZeroU32::new(STATES_PER_DECADE);
         let needs = Needs { curves, states_per_decade, ..self.needs.clone() };
-        let psd_of_plan = psd.unwrap_or(self.prepared.psd());
+        let psd_of_plan = psd.unwrap_or(&self.prepared.psd);
         let plan = Plan { psd: psd_of_plan, sampling: self.sampling, needs };
         match psd {
             Some(_) => plan.compute().ok(),

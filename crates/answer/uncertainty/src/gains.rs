@@ -39,7 +39,8 @@ pub(crate) struct Gains {
     priors: Vec<Prior>,
     /// Each overlap, and the change of every parameter by it.
     updates: Vec<(Observation, Vec<f64>)>,
-    mean: Vec<[f64; 2]>,
+    /// The mean gain and slope of each instrument.
+    pub mean: Vec<[f64; 2]>,
     /// The variances of the gains after all overlaps.
     variances: Vec<f64>,
 }
@@ -71,11 +72,6 @@ impl Gains {
             Gains { priors: priors.to_vec(), updates, mean: vec![[0.0; 2]; priors.len()], variances };
         gains.mean = gains.conditioned(vec![0.0; size], |_| 0.0);
         gains
-    }
-
-    /// The mean gain and slope of each instrument.
-    pub fn mean(&self) -> &[[f64; 2]] {
-        &self.mean
     }
 
     /// Mean and standard uncertainty of the gain of an instrument.

@@ -22,7 +22,8 @@ const MAX_DEVIATION: f64 = 10.0;
 #[derive(Debug)]
 pub(crate) struct ScanScatter {
     wavelengths_m: Vec<f64>,
-    ln_c1d: Vec<f64>,
+    /// The logarithm of C of the composite as it is.
+    pub ln_c1d: Vec<f64>,
     average: Average,
     instruments: Vec<InstrumentBins>,
     gains: Gains,
@@ -53,11 +54,6 @@ impl ScanScatter {
         }
     }
 
-    /// ln C of the composite as it is.
-    pub fn centre(&self) -> &[f64] {
-        &self.ln_c1d
-    }
-
     /// True if any of its scans scatter.
     pub fn scatters(&self) -> bool {
         self.instruments.iter().any(InstrumentBins::scatters)
@@ -81,7 +77,7 @@ impl ScanScatter {
     /// ln C of the best estimates: scans without deviations and excess, and the mean gains after all overlaps.
     pub fn best(&self) -> Vec<f64> {
         let no_places = vec![vec![0.0; self.ln_c1d.len()]; self.instruments.len()];
-        self.composed(&no_places, &self.of_gains(self.gains.mean()))
+        self.composed(&no_places, &self.of_gains(&self.gains.mean))
     }
 
     /// The median number of places of an instrument in the bins that it reaches.

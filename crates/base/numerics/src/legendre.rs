@@ -8,8 +8,10 @@ use std::f64::consts::PI;
 /// their own size. Both figures hold up to 40 nodes, against values of 40 digits.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GaussLegendre {
-    nodes: Vec<f64>,
-    weights: Vec<f64>,
+    /// The zeros of P_n in ascending order.
+    pub nodes: Vec<f64>,
+    /// The weights, one per node; their sum is 2.
+    pub weights: Vec<f64>,
 }
 
 impl GaussLegendre {
@@ -29,18 +31,6 @@ impl GaussLegendre {
             .collect();
         let weights = nodes.iter().map(|&x| christoffel_number(x, count)).collect();
         GaussLegendre { nodes, weights }
-    }
-
-    /// The zeros of P_n in ascending order.
-    #[must_use]
-    pub fn nodes(&self) -> &[f64] {
-        &self.nodes
-    }
-
-    /// The weights, one per node; their sum is 2.
-    #[must_use]
-    pub fn weights(&self) -> &[f64] {
-        &self.weights
     }
 
     /// Returns (node, weight) pairs scaled to the interval \[from, to\].
@@ -124,7 +114,7 @@ mod tests {
     fn a_rule_of_n_nodes_integrates_polynomials_below_degree_2n() {
         for size in 1..=40 {
             let rule = GaussLegendre::new(size);
-            assert_eq!(rule.nodes().len(), size);
+            assert_eq!(rule.nodes.len(), size);
             for degree in 0..2 * size {
                 let terms = rule.over(-1.0, 1.0).map(|(x, weight)| weight * x.powi(degree as i32));
                 let sum: f64 = terms.sum();
@@ -138,7 +128,7 @@ mod tests {
     fn the_outermost_weights_keep_their_relative_accuracy() {
         // Outermost node and weight of the 40-point rule to 20 digits.
         let rule = GaussLegendre::new(40);
-        let (x, weight) = (rule.nodes()[39], rule.weights()[39]);
+        let (x, weight) = (rule.nodes[39], rule.weights[39]);
         assert!((x - 0.998_237_709_710_559_2).abs() < 3e-16, "{x:e}");
         assert!((weight / 0.004_521_277_098_533_191 - 1.0).abs() < 3e-13, "{weight:e}");
     }

@@ -39,9 +39,9 @@ impl ElasticPlasticSinusoid {
     pub fn new(pair: &MaterialPair, aspect_ratio: f64, yield_strength_pa: f64) -> Self {
         debug_assert!(aspect_ratio > 0.0 && yield_strength_pa > 0.0);
         let slope_pa = pair.composite_modulus_pa() * aspect_ratio;
-        let yield_pressure_pa = pair.spherical_yield_coefficient() * yield_strength_pa;
+        let yield_pressure_pa = pair.spherical_yield_coefficient * yield_strength_pa;
         let critical_aspect_ratio =
-            pair.sinusoidal_yield_coefficient() * (yield_strength_pa / pair.composite_modulus_pa());
+            pair.sinusoidal_yield_coefficient * (yield_strength_pa / pair.composite_modulus_pa());
         let aspect_ratio_over_critical = (aspect_ratio / critical_aspect_ratio).min(LARGEST_RATIO);
         ElasticPlasticSinusoid {
             elastic: ElasticSinusoid::new(pair, aspect_ratio),
@@ -49,8 +49,8 @@ impl ElasticPlasticSinusoid {
             aspect_ratio_over_critical,
             // (C Sy/2)^3/(6 pi (E* B)^2), arranged so that no power over- or underflows.
             critical_pressure_pa: yield_pressure_pa * (yield_pressure_pa / slope_pa).powi(2) / (48.0 * PI),
-            slope_over_yield_slope: pair.sinusoidal_yield_coefficient() * aspect_ratio_over_critical,
-            log_yield_coefficient: pair.log_spherical_yield_coefficient(),
+            slope_over_yield_slope: pair.sinusoidal_yield_coefficient * aspect_ratio_over_critical,
+            log_yield_coefficient: pair.log_spherical_yield_coefficient,
         }
     }
 

@@ -79,7 +79,7 @@ impl JacksonGreen {
     #[must_use]
     pub fn new(pair: &MaterialPair, radius_m: f64, yield_strength_pa: f64, hardness: Hardness) -> Self {
         debug_assert!(radius_m > 0.0 && yield_strength_pa > 0.0);
-        let yield_pressure_pa = pair.spherical_yield_coefficient() * yield_strength_pa;
+        let yield_pressure_pa = pair.spherical_yield_coefficient * yield_strength_pa;
         let strength_over_modulus = yield_strength_pa / pair.composite_modulus_pa();
         let critical_slope = PI * yield_pressure_pa / (2.0 * pair.composite_modulus_pa());
         JacksonGreen {

@@ -15,12 +15,16 @@ pub struct MaterialPair {
     layer: Option<Layer>,
     yielding_body: ElasticBody,
     composite_modulus_pa: f64,
+    /// Coefficient C = 1.295 exp(0.736 nu) of the body that yields ([`ElasticBody::spherical_yield_coefficient`]).
     #[serde(skip)]
-    spherical_yield_coefficient: f64,
+    pub(crate) spherical_yield_coefficient: f64,
+    /// Ln C.
     #[serde(skip)]
-    log_spherical_yield_coefficient: f64,
+    pub(crate) log_spherical_yield_coefficient: f64,
+    /// Coefficient E* B_c/Sy = sqrt(2)/(3 pi) exp(2 (nu + 1)/3), with B_c the aspect ratio at which a sinusoid first
+    /// yields before complete contact (Krithivasan & Jackson 2007).
     #[serde(skip)]
-    sinusoidal_yield_coefficient: f64,
+    pub(crate) sinusoidal_yield_coefficient: f64,
 }
 
 impl MaterialPair {
@@ -109,22 +113,6 @@ impl MaterialPair {
     pub fn composite_modulus_pa(&self) -> f64 {
         self.composite_modulus_pa
     }
-
-    /// Coefficient C = 1.295 exp(0.736 nu) of the body that yields ([`ElasticBody::spherical_yield_coefficient`]).
-    pub(crate) fn spherical_yield_coefficient(&self) -> f64 {
-        self.spherical_yield_coefficient
-    }
-
-    /// ln C.
-    pub(crate) fn log_spherical_yield_coefficient(&self) -> f64 {
-        self.log_spherical_yield_coefficient
-    }
-
-    /// Coefficient E* B_c/Sy = sqrt(2)/(3 pi) exp(2 (nu + 1)/3), with B_c the aspect ratio at which a sinusoid first
-    /// yields before complete contact (Krithivasan & Jackson 2007).
-    pub(crate) fn sinusoidal_yield_coefficient(&self) -> f64 {
-        self.sinusoidal_yield_coefficient
-    }
 }
 
 /// Composite modulus E* \[Pa\] of two elastic bodies.
@@ -157,8 +145,8 @@ mod tests {
         let [glass, gold] = [(73e9, 0.17), (78e9, 0.44)].map(|(e, nu)| ElasticBody::new(e, nu).unwrap());
         let (flows, exchanged) =
             (MaterialPair::against_yielding(glass, gold), MaterialPair::against(gold, glass));
-        assert_eq!(flows.spherical_yield_coefficient(), exchanged.spherical_yield_coefficient());
-        assert_eq!(flows.sinusoidal_yield_coefficient(), exchanged.sinusoidal_yield_coefficient());
+        assert_eq!(flows.spherical_yield_coefficient, exchanged.spherical_yield_coefficient);
+        assert_eq!(flows.sinusoidal_yield_coefficient, exchanged.sinusoidal_yield_coefficient);
         assert_eq!(flows.composite_modulus_pa(), exchanged.composite_modulus_pa());
         assert_eq!((flows.body(), flows.yielding_body()), (glass, gold));
     }

@@ -62,7 +62,7 @@ pub fn areas_along(path: &HardnessPath, pressure_pa: f64, variances_pa2: &[f64])
     let mut march = StressMarch::new(pressure_pa);
     let mut areas = Vec::with_capacity(variances_pa2.len());
     let mut asked = variances_pa2.iter().peekable();
-    let pieces = path.pieces();
+    let pieces = &path.pieces;
     for (at, piece) in pieces.iter().enumerate() {
         let next = pieces.get(at + 1);
         let end_pa2 = next.map_or(f64::INFINITY, |next| next.from_variance_pa2);

@@ -6,7 +6,7 @@ use asperity::elementary;
 /// power law, a hardness whose square grows in proportion to V, and a constant hardness all have this form.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HardnessPath {
-    pieces: Vec<Piece>,
+    pub(crate) pieces: Vec<Piece>,
 }
 
 /// Piece of a path, up to the start of the next.
@@ -117,10 +117,6 @@ impl HardnessPath {
     /// Place of the piece on which a variance lies, of two that meet there the later one.
     fn piece_at(&self, variance_pa2: f64) -> usize {
         self.pieces.partition_point(|piece| piece.from_variance_pa2 <= variance_pa2).saturating_sub(1)
-    }
-
-    pub(crate) fn pieces(&self) -> &[Piece] {
-        &self.pieces
     }
 }
 

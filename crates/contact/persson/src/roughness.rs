@@ -11,8 +11,10 @@ use crate::stretch::share_of_power_law;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Roughness {
     places: Vec<Place>,
-    layer: Option<LayerCompliance>,
-    is_of_surface: bool,
+    /// Displacement of a layer under waves, if one of the bodies is a layer.
+    pub(crate) layer: Option<LayerCompliance>,
+    /// True if a cutoff cuts the surface, false if it cuts the spectrum of profiles.
+    pub(crate) is_of_surface: bool,
 }
 
 /// Roughness up to one cutoff.
@@ -103,16 +105,6 @@ impl Roughness {
         }
         self.layer = Some(layer);
         self
-    }
-
-    /// Displacement of a layer under waves, if one of the bodies is a layer.
-    pub(crate) fn layer(&self) -> Option<LayerCompliance> {
-        self.layer
-    }
-
-    /// Returns true if a cutoff cuts the surface, false if it cuts the spectrum of profiles.
-    pub(crate) fn is_of_surface(&self) -> bool {
-        self.is_of_surface
     }
 
     /// Cutoffs, from long to short wavelengths.

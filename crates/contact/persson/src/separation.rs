@@ -139,8 +139,8 @@ impl SeparationLaw {
     ) -> Self {
         let knots = SeparationKnot::along(roughness, contact_modulus_pa);
         let law = Self::new(&knots, contact_modulus_pa, energy_factor);
-        let law = SeparationLaw { layer: roughness.layer(), ..law };
-        let tails = if roughness.is_of_surface() { law.tails() } else { Vec::new() };
+        let law = SeparationLaw { layer: roughness.layer, ..law };
+        let tails = if roughness.is_of_surface { law.tails() } else { Vec::new() };
         SeparationLaw { tails, ..law }
     }
 

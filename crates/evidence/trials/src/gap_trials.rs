@@ -124,7 +124,7 @@ impl Theory {
 
     /// Puts the theory beside the elements of a row.
     fn beside(&self, elements: &GapRow) -> Result<GapRow, TrialError> {
-        let rms_height_m = self.surface.rms_height_m();
+        let rms_height_m = self.surface.rms_height_m;
         let gap_m = elements.gap_over_rms_height * rms_height_m;
         let stiffness_pa_per_m = elements.relative_stiffness * CONTACT_MODULUS_PA / rms_height_m;
         let nominal_pressure_pa = pressure_pa(elements.pressure_over_gradient);
@@ -200,7 +200,7 @@ pub fn rows_under(trial: &JudgeTrial, loads: &[f64]) -> Result<Vec<GapRow>, Tria
             break;
         }
     }
-    let rms_height_m = theory.surface.rms_height_m();
+    let rms_height_m = theory.surface.rms_height_m;
     let row = |(pressure_over_gradient, load): (&f64, &PressedLoad)| {
         let (gap_m, gap_error) = mean(load.states.iter().map(|state| state.numbers.mean_gap_m));
         let (stiffness_pa_per_m, stiffness_error) =

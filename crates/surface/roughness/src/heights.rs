@@ -88,7 +88,7 @@ impl HeightParameters {
         let extent =
             if relief.points().1.is_some() { EvaluatedExtent::Areal } else { EvaluatedExtent::Profile };
         let heights_m = || relief.heights_m().flatten();
-        let found = Self::from_heights(extent, relief.largest_given_m(), relief.missing(), heights_m);
+        let found = Self::from_heights(extent, relief.largest_given_m, relief.missing(), heights_m);
         let mean_section_height_m =
             (extent == EvaluatedExtent::Profile).then(|| mean_section_height_m(relief)).flatten();
         Self { mean_section_height_m, ..found }
@@ -181,7 +181,7 @@ pub(crate) fn section_means_m(relief: &ScaleLimitedSurface) -> Option<[f64; 2]> 
 /// Iterates over the heights \[m\] of a profile with their sections of equal length.
 fn in_sections(relief: &ScaleLimitedSurface) -> impl Iterator<Item = (usize, f64)> + '_ {
     let points = relief.points().0;
-    let share = move |index: usize| match relief.positions_m() {
+    let share = move |index: usize| match &relief.positions_m {
         Some(positions_m) => {
             (positions_m[index] - positions_m[0]) / (positions_m[points - 1] - positions_m[0])
         }

@@ -79,12 +79,14 @@ pub struct ScaleLimitedSurface {
     columns: usize,
     rows: Option<usize>,
     spacing_m: (f64, Option<f64>),
-    positions_m: Option<Vec<f64>>,
+    /// Positions \[m\] of unevenly spaced points.
+    pub(crate) positions_m: Option<Vec<f64>>,
     /// Heights \[m\]; 0 where none was measured.
     heights_m: Vec<f64>,
     /// Points that have a height; all of them if there is no list.
     measured: Option<Vec<bool>>,
-    largest_given_m: f64,
+    /// Largest absolute height \[m\] as measured, which bounds the rounding of all others.
+    pub(crate) largest_given_m: f64,
 }
 
 impl ScaleLimitedSurface {
@@ -155,11 +157,6 @@ impl ScaleLimitedSurface {
         (0..self.heights_m.len()).map(|index| self.height_m(index))
     }
 
-    /// Positions \[m\] of unevenly spaced points.
-    pub(crate) fn positions_m(&self) -> Option<&[f64]> {
-        self.positions_m.as_deref()
-    }
-
     /// Height \[m\] of a point, if it has one.
     pub(crate) fn height_m(&self, index: usize) -> Option<f64> {
         self.has_height(index).then(|| self.heights_m[index])
@@ -168,11 +165,6 @@ impl ScaleLimitedSurface {
     /// Heights \[m\] with 0 for missing points, and a list of the points that have one unless all do.
     pub(crate) fn parts(&self) -> (&[f64], Option<&[bool]>) {
         (&self.heights_m, self.measured.as_deref())
-    }
-
-    /// Largest absolute height \[m\] as measured, which bounds the rounding of all others.
-    pub(crate) fn largest_given_m(&self) -> f64 {
-        self.largest_given_m
     }
 
     fn has_height(&self, index: usize) -> bool {

@@ -107,7 +107,7 @@ impl Waves {
         let scan = scan(relief)?;
         if let Scan::Map(map) = &scan {
             let found = areal_spectrum(map, preparation);
-            let [length_x_m, length_y_m] = found.sizes_m();
+            let [length_x_m, length_y_m] = found.sizes_m;
             let area_m2 = length_x_m * length_y_m;
             let waves = found.bins.iter().skip(found.flagged_bins).map(|bin| Wave {
                 wavenumber_rad_per_m: bin.wavevector_rad_per_m,
@@ -151,9 +151,9 @@ fn scan(relief: &ScaleLimitedSurface) -> Option<Scan> {
     }
     let heights_m = heights_m.to_vec();
     let (spacing_x_m, spacing_y_m) = relief.spacing_m();
-    match (relief.positions_m(), spacing_y_m) {
+    match (&relief.positions_m, spacing_y_m) {
         (Some(positions_m), _) => {
-            NonuniformLineScan::new(positions_m.to_vec(), heights_m).ok().map(Scan::NonuniformLine)
+            NonuniformLineScan::new(positions_m.clone(), heights_m).ok().map(Scan::NonuniformLine)
         }
         (None, None) => UniformLineScan::new(spacing_x_m, heights_m).ok().map(Scan::UniformLine),
         (None, Some(spacing_y_m)) => {

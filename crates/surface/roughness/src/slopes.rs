@@ -57,8 +57,8 @@ impl Differences {
 /// out. None where no difference is left, and for uneven profiles but between neighbours.
 #[must_use]
 pub fn rms_gradient(relief: &ScaleLimitedSurface, differences: Differences) -> Option<f64> {
-    if let Some(positions_m) = relief.positions_m() {
-        return (differences == Differences::Neighbours).then(|| rms_of_uneven(relief, positions_m))?;
+    if let Some(positions_m) = &relief.positions_m {
+        return (differences == Differences::Neighbours).then(|| rms_of_uneven(relief, &positions_m))?;
     }
     let stencil = differences.stencil();
     let (spacing_x_m, spacing_y_m) = relief.spacing_m();
@@ -91,7 +91,7 @@ fn along_axes(
     mean_square: impl Fn(&Lines<'_>, isize) -> Option<f64>,
     power: i32,
 ) -> Option<[f64; 2]> {
-    if relief.positions_m().is_some() {
+    if relief.positions_m.is_some() {
         return None;
     }
     let of_axis = |lines: &Lines<'_>, points: usize, spacing_m: f64| {

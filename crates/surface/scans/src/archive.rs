@@ -45,15 +45,15 @@ impl<'b> Archive<'b> {
 
     /// Unpacks an entry. The sizes in the directory are not trusted: unpacking stops at the bound.
     pub(crate) fn read(&mut self, path: &str) -> Result<Vec<u8>, ScanReadError> {
-        let bound = self.room.left();
+        let bound = self.room.left;
         self.read_at_most(path, bound)
     }
 
     /// Unpacks an entry that may not be larger than the bound.
     pub(crate) fn read_at_most(&mut self, path: &str, bound: u64) -> Result<Vec<u8>, ScanReadError> {
         let what = format!("'{path}'");
-        let bound = bound.min(self.room.left());
-        let shown = if bound == self.room.left() { self.room.bound() } else { bound };
+        let bound = bound.min(self.room.left);
+        let shown = if bound == self.room.left { self.room.bound } else { bound };
         let too_large = |what: String| ScanReadError::ArchiveTooLarge { what, bound: shown, unit: "bytes" };
         let entry = self.zip.by_name(path).map_err(|error| failure(&what, &error))?;
         if entry.size() > bound {

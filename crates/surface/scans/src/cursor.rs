@@ -16,8 +16,8 @@ pub(crate) enum ByteOrder {
 pub(crate) struct Cursor<'b> {
     format: ScanFormat,
     bytes: &'b [u8],
-    at: usize,
-    order: ByteOrder,
+    pub(crate) at: usize,
+    pub(crate) order: ByteOrder,
 }
 
 macro_rules! numbers {
@@ -42,14 +42,6 @@ impl<'b> Cursor<'b> {
     /// Moves to another byte, which may lie beyond the end of the file: the next field then is truncated.
     pub(crate) fn at(self, offset: usize) -> Self {
         Self { at: offset, ..self }
-    }
-
-    pub(crate) fn offset(&self) -> usize {
-        self.at
-    }
-
-    pub(crate) fn order(&self) -> ByteOrder {
-        self.order
     }
 
     /// Returns the rest of the file.

@@ -7,7 +7,7 @@ use units::display::length;
 #[derive(Clone, Debug, PartialEq)]
 pub struct UniformLineScan {
     spacing_m: f64,
-    heights_m: Vec<f64>,
+    pub(crate) heights_m: Vec<f64>,
 }
 
 /// Heights at uneven positions along a line: at least two, all within 1e30 m, the positions strictly rising.
@@ -23,7 +23,7 @@ pub struct HeightMap {
     columns: usize,
     spacing_x_m: f64,
     spacing_y_m: f64,
-    heights_m: Vec<f64>,
+    pub(crate) heights_m: Vec<f64>,
 }
 
 /// Parallel lines of equally many evenly spaced points: what is left of a map or a line without the points that have no
@@ -146,10 +146,6 @@ impl UniformLineScan {
         &self.heights_m
     }
 
-    pub(crate) fn into_heights_m(self) -> Vec<f64> {
-        self.heights_m
-    }
-
     /// Length of the scan in m: that of its period, one spacing more than from the first to the last point.
     pub fn length_m(&self) -> f64 {
         self.spacing_m * self.heights_m.len() as f64
@@ -256,10 +252,6 @@ impl HeightMap {
     #[inline]
     pub fn heights_m(&self) -> &[f64] {
         &self.heights_m
-    }
-
-    pub(crate) fn into_heights_m(self) -> Vec<f64> {
-        self.heights_m
     }
 
     /// The middle of the map, at most so many points along each side, two at least.

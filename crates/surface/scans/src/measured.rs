@@ -128,11 +128,11 @@ impl MeasuredScan {
         };
         Ok(match self.scan {
             Scan::UniformLine(line) => {
-                Scan::UniformLine(UniformLineScan::new(line.spacing_m(), put(line.into_heights_m()))?)
+                Scan::UniformLine(UniformLineScan::new(line.spacing_m(), put(line.heights_m))?)
             }
             Scan::Map(map) => {
                 let (columns, x_m, y_m) = (map.columns(), map.spacing_x_m(), map.spacing_y_m());
-                Scan::Map(HeightMap::new(columns, x_m, y_m, put(map.into_heights_m()))?)
+                Scan::Map(HeightMap::new(columns, x_m, y_m, put(map.heights_m))?)
             }
             whole @ (Scan::NonuniformLine(_) | Scan::Lines(_)) => whole,
         })

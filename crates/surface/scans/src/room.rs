@@ -4,23 +4,15 @@ use crate::error::ScanReadError;
 
 /// The bytes that may be unpacked of a file, and how many of them are left.
 pub(crate) struct Room {
-    bound: u64,
-    left: u64,
+    /// The bound for all parts together.
+    pub(crate) bound: u64,
+    /// The bytes left.
+    pub(crate) left: u64,
 }
 
 impl Room {
     pub(crate) fn new(bound: u64) -> Self {
         Self { bound, left: bound }
-    }
-
-    /// The bound for all parts together.
-    pub(crate) fn bound(&self) -> u64 {
-        self.bound
-    }
-
-    /// Returns the bytes left.
-    pub(crate) fn left(&self) -> u64 {
-        self.left
     }
 
     /// Takes what a part needs, before it is unpacked.

@@ -22,12 +22,13 @@ pub struct ProfilePsd {
     c1d_m3: Vec<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     standard_errors_m3: Option<Vec<Option<f64>>>,
-    /// The waves of the surface, if they are known.
+    /// The waves of the surface, if they are known: those of a table of areas.
     #[serde(skip)]
-    surface: Option<Arc<SurfaceWaves>>,
-    /// Samples below the cutoff (\[m\], \[m^3\]), which hold waves of the surface above it no less.
+    pub(crate) surface: Option<Arc<SurfaceWaves>>,
+    /// Samples below the cutoff (\[m\], \[m^3\]), from long to short wavelengths: they hold waves of the surface above it no
+    /// less.
     #[serde(skip)]
-    beyond: Vec<(f64, f64)>,
+    pub(crate) beyond: Vec<(f64, f64)>,
 }
 
 impl ProfilePsd {
@@ -54,20 +55,10 @@ impl ProfilePsd {
         Self { surface: Some(Arc::new(surface)), ..self }
     }
 
-    /// The waves of the surface, if they are known: those of a table of areas.
-    pub(crate) fn surface(&self) -> Option<&SurfaceWaves> {
-        self.surface.as_deref()
-    }
-
     /// Takes over what is known of the surface from a spectrum of the same surface over a wider band.
     #[must_use]
     pub fn with_surface_of(self, wider: &Self) -> Self {
         Self { surface: wider.surface.clone(), ..self }
-    }
-
-    /// Samples below the cutoff, as wavelengths \[m\] and C1D \[m^3\], from long to short wavelengths.
-    pub(crate) fn beyond_the_cutoff(&self) -> &[(f64, f64)] {
-        &self.beyond
     }
 
     /// Replaces the values of C1D \[m^3\]. If the surface is known, its spectrum changes by the same factors.

@@ -33,7 +33,7 @@ pub fn superpose(a: &ProfilePsd, b: &ProfilePsd) -> Superposition {
     Superposition {
         // The waves add, and no step of the sum needs to be converted.
         psd: match surface(a).zip(surface(b)) {
-            Some((of_a, of_b)) => psd.with_surface(of_a.waves().plus(of_b.waves())),
+            Some((of_a, of_b)) => psd.with_surface(of_a.waves.plus(&of_b.waves)),
             None => psd,
         },
         shared_m: (longest_m >= shortest_m).then_some([longest_m, shortest_m]),

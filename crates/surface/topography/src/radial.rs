@@ -18,7 +18,8 @@ use spectrum::{Convention, Psd};
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct ArealSpectrum {
-    pub(crate) sizes_m: [f64; 2],
+    /// Sizes Lx and Ly of the period in m.
+    pub sizes_m: [f64; 2],
     /// Smaller of the Nyquist wavevectors of the two directions \[rad/m\]; rings beyond it are incomplete.
     pub nyquist_rad_per_m: f64,
     /// The rings that hold a mode, from long to short wavelengths.
@@ -54,11 +55,6 @@ impl RadialBin {
 }
 
 impl ArealSpectrum {
-    /// Sizes Lx and Ly of the period in m.
-    pub fn sizes_m(&self) -> [f64; 2] {
-        self.sizes_m
-    }
-
     /// Variance from the spectrum, Sum C2D/(Lx Ly) over all modes but q = 0 \[m^2\].
     pub fn spectral_variance_m2(&self) -> f64 {
         let sums_m4: Vec<f64> = self.bins.iter().map(|bin| bin.sum_m4).collect();

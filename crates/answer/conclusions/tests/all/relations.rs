@@ -150,7 +150,7 @@ fn check_cause(answered: &Answered, load: &AnswerUnderLoad, seen: &mut Seen) {
     let hardness_pa = match load.area.source {
         Source::Elements(Reference::Yielding { hardness_pa }) => Some(hardness_pa),
         Source::Model { curve } => {
-            let flows = answered.scene.needs.curves[curve].model.entry().has(Choice::Strength);
+            let flows = answered.scene.needs.curves[curve].model.entry.has(Choice::Strength);
             answered.scene.hardness_pa().filter(|_| flows)
         }
         _ => None,
@@ -193,7 +193,7 @@ fn check_seal(
     states: &InterfaceStates<'_>,
     seen: &mut Seen,
 ) {
-    assert_eq!(load.seal.is_some(), states.request().seal.is_some());
+    assert_eq!(load.seal.is_some(), states.request.seal.is_some());
     let Some(seal) = load.seal else { return };
     let closing = conclusions.seal.unwrap().closes.unwrap();
     let best_pa = closing.nominal_pressure_pa;
@@ -202,7 +202,7 @@ fn check_seal(
     assert_eq!(closing.by_yielding, flows_pa == Some(best_pa));
     assert!(flows_pa.is_none_or(|flows_pa| best_pa <= flows_pa));
     let pressure_pa = load.nominal_pressure_pa;
-    let is_parted = states.request().parts_bodies(pressure_pa);
+    let is_parted = states.request.parts_bodies(pressure_pa);
     let first = conclusions.cautions.first().map(|caution| caution.code);
     if is_parted {
         assert_eq!((seal.verdict, first), (SealVerdict::Open, Some(RemarkCode::FluidParts)));
@@ -218,7 +218,7 @@ fn check_seal(
     assert_eq!(seal.verdict, expected);
     assert_eq!(seal.open_share.is_some(), answered.uncertainty.is_some());
     assert!(seal.open_share.is_none_or(|share| (0.0..=1.0).contains(&share)));
-    let has_rate = states.request().seal.unwrap().joint.is_some();
+    let has_rate = states.request.seal.unwrap().joint.is_some();
     let is_open = pressure_pa < best_pa;
     assert_eq!(seal.leak_rate_m3_per_s.is_some(), has_rate && is_open, "{seal:?}");
     match seal.verdict {
@@ -234,7 +234,7 @@ fn check_asked(answered: &Answered, load: &AnswerUnderLoad, states: &InterfaceSt
     let has = |key: &str| text.contains(key);
     let is_open = has("[interface]") && !has("gas =") && !has("shear_strength");
     let of_area = has("nominal_area") && !has("gas =") && !has("shear_strength") && !has("[seal]");
-    let request = states.request();
+    let request = states.request;
     let conducts = request.conductivities.is_some();
     let asks_heat = of_area || has("thermal_conductivity") || has("gas =");
     let asks_current = of_area || has("resistivity");
@@ -289,7 +289,7 @@ fn check_state(
         let slot = Slot { quantity, load: Some(load.load), curve: None };
         states.value(slot).ok().flatten()
     };
-    let per_area = states.request().nominal_area_m2.unwrap_or(1.0);
+    let per_area = states.request.nominal_area_m2.unwrap_or(1.0);
     match state {
         PeakState::Elastic => {
             assert!(share <= 0.03);
@@ -305,7 +305,7 @@ fn check_state(
                 Quantity::ElectricalResistance => {
                     value(Quantity::FlowedElectricalConductance).map(|found| 1.0 / (found * per_area))
                 }
-                Quantity::ThermalResistance => value(match states.request().gas {
+                Quantity::ThermalResistance => value(match states.request.gas {
                     Some(_) => Quantity::FlowedConductanceWithGas,
                     None => Quantity::YovanovichConductance,
                 })

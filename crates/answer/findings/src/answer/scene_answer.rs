@@ -94,7 +94,7 @@ impl SceneAnswer {
         let of_curve = |(curve, result): (&Curve, &CurveResult)| {
             let of_load = |(block, load): (usize, &Load)| {
                 let answer = LoadAnswer::new(curve, result, block, load.nominal_pressure_pa(), can_settle)?;
-                Some(answer.of_spectrum_with(scene.surface.holes()))
+                Some(answer.of_spectrum_with(&scene.surface.holes))
             };
             needs.loads.iter().enumerate().map(of_load).collect()
         };

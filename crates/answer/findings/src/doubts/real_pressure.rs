@@ -49,7 +49,7 @@ impl RealPressures {
         // A strength that grows at small depths bears more than the hardness of the bulk.
         let hardness_pa = self.hardness_pa.filter(|_| !curve.model.strength_grows());
         let modulus_pa = curve.model.pair().composite_modulus_pa();
-        let is_elastic = !curve.model.entry().has(Choice::Strength);
+        let is_elastic = !curve.model.entry.has(Choice::Strength);
         let bodies = PressedBodies { name: &curve.name, modulus_pa, hardness_pa, is_elastic };
         self.add_contact(&bodies, pressure_pa, label);
     }

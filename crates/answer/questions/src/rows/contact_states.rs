@@ -42,7 +42,7 @@ impl RowRoughness {
     /// The roughness columns of a model.
     #[must_use]
     pub fn columns(entry: &ModelEntry) -> [&'static str; 3] {
-        if entry.takes_moments() { Self::MOMENTS } else { Self::ASPERITIES }
+        if entry.takes_moments { Self::MOMENTS } else { Self::ASPERITIES }
     }
 }
 

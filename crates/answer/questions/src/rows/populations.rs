@@ -271,7 +271,7 @@ fn required_columns(block: &InputTable) -> Result<Vec<&'static str>, Refusal> {
         // An unknown model is reported with its row.
         Ok(models::named(Framework::Statistical, row.text("model").trim()).ok())
     })?;
-    let takes_moments = |model: &Option<&ModelEntry>| model.is_some_and(ModelEntry::takes_moments);
+    let takes_moments = |model: &Option<&ModelEntry>| model.is_some_and(|entry| entry.takes_moments);
     let any_moments = models.iter().any(takes_moments);
     let any_asperities = models.is_empty() || !models.iter().all(takes_moments);
     let asperities = any_asperities.then_some(RowRoughness::ASPERITIES);

@@ -58,7 +58,7 @@ impl<'r, 's> AreaCurve<'r, 's> {
     /// Takes the curves of a load, with an axis from one wavelength \[m\] to another; `None` if no curve was followed.
     pub fn new(report: &'r SceneReport<'s>, load: usize, band_m: [f64; 2]) -> Option<Self> {
         let holes_m =
-            report.scene.surface.holes().iter().map(|hole| (hole.shortest_m, hole.longest_m)).collect();
+            report.scene.surface.holes.iter().map(|hole| (hole.shortest_m, hole.longest_m)).collect();
         let curves: Vec<(usize, Vec<(f64, f64)>)> = report
             .answers()
             .filter(|(_, answers)| answers.iter().any(|(at, answer)| *at == load && answer.followed))

@@ -31,7 +31,7 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
         @if !curves.is_empty() {
             ul {
                 @for curve in curves {
-                    li { (in_full(curve)) " (" code { (curve.name) } "): " (model_in_words(&curve.model)) ". " (curve.model.entry().citation) }
+                    li { (in_full(curve)) " (" code { (curve.name) } "): " (model_in_words(&curve.model)) ". " (curve.model.entry.citation) }
                 }
             }
         }

@@ -86,8 +86,7 @@ impl<'s> Drawing<'s> {
                 trusted: line(&log_binned(&spectrum.reliable, DEFAULT_BINS_PER_DECADE, BinMean::Arithmetic)),
             })
             .collect();
-        let holes =
-            surface.holes().iter().map(|hole| (TAU / hole.longest_m, TAU / hole.shortest_m)).collect();
+        let holes = surface.holes.iter().map(|hole| (TAU / hole.longest_m, TAU / hole.shortest_m)).collect();
         let points =
             || scans.iter().flat_map(|scan| scan.whole.iter().chain(&scan.trusted)).chain(&composite);
         let range = |of: fn(&(f64, f64)) -> f64, room: f64| {

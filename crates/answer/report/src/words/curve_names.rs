@@ -20,16 +20,16 @@ pub fn short_name(curve: &Curve) -> String {
 /// The model of a curve with its authors and its choices in words.
 #[must_use]
 pub fn model_in_words(model: &CurveModel) -> String {
-    let settings = model.options().settings(|choice| model.entry().has(choice));
+    let settings = model.options().settings(|choice| model.entry.has(choice));
     let words = settings.iter().map(|setting| setting.words.as_str());
-    std::iter::once(model.entry().full_name).chain(words).collect::<Vec<_>>().join(", ")
+    std::iter::once(model.entry.full_name).chain(words).collect::<Vec<_>>().join(", ")
 }
 
 /// The short name of a model, with the choices that differ from the plain one.
 fn model_in_short(model: &CurveModel) -> String {
-    let settings = model.options().settings(|choice| model.entry().has(choice));
+    let settings = model.options().settings(|choice| model.entry.has(choice));
     let choices = settings.iter().map(|setting| setting.short.as_str());
-    std::iter::once(model.entry().short_name).chain(choices).collect::<Vec<_>>().join(", ")
+    std::iter::once(model.entry.short_name).chain(choices).collect::<Vec<_>>().join(", ")
 }
 
 /// A figure of areas whose legend has the curves' names in print.
@@ -49,7 +49,7 @@ pub fn with_printed_names(figure: FigureData, curves: &[Curve]) -> FigureData {
 
 /// The default name of a curve with this model in a scene.
 fn key(model: &CurveModel) -> String {
-    model.entry().curve_name(&model.options())
+    model.entry.curve_name(&model.options())
 }
 
 #[cfg(test)]

@@ -56,7 +56,7 @@ pub fn dry_run(scene: &Scene) -> String {
         },
     );
     for &framework in Framework::ALL {
-        let is_its = |curve: &Curve| curve.model.entry().framework == framework;
+        let is_its = |curve: &Curve| curve.model.entry.framework == framework;
         if !needs.curves.iter().any(is_its) {
             row("skipped", format!("{framework} model: no curve asks for it"));
         }

@@ -50,7 +50,7 @@ pub(crate) fn notes(
     scene: &Scene,
     uncertainty: Option<&Uncertainty>,
 ) -> Vec<String> {
-    let asked = states.request();
+    let asked = states.request;
     let mut notes = of_the_gap(states, scene);
     if asked.conductivities.is_some() || asked.resistivities.is_some() {
         notes.push(format!(
@@ -107,10 +107,10 @@ fn of_the_gap(states: &InterfaceStates<'_>, scene: &Scene) -> Vec<String> {
     let least_pa = loads.iter().map(|load| load.nominal_pressure_pa()).fold(f64::INFINITY, f64::min);
     let light = states.light_loads();
     let mut notes = light.map_or_else(Vec::new, |light| {
-        let remarks = remarks_on_separation(&light, states.roughness(), states.rms_height_m(), least_pa);
+        let remarks = remarks_on_separation(&light, &states.roughness, states.rms_height_m(), least_pa);
         remarks.iter().map(|remark| remark.words(&SceneKeys)).collect()
     });
-    if states.request().band == Band::Profile {
+    if states.request.band == Band::Profile {
         notes.push(Remark::new(RemarkCode::WavesOfProfiles).words(&SceneKeys));
     }
     let plastic = loads_where(scene, |load| {
@@ -142,7 +142,7 @@ fn of_flowed_peaks(states: &InterfaceStates<'_>, scene: &Scene) -> Vec<String> {
         format!(
             "the correlations for flowed peaks use the mean absolute slope at {}, {}: both grow with every shorter wavelength, \
              unlike Barber’s analogy",
-            length(states.inputs().results.psd.shortest_wavelength_m()),
+            length(states.inputs.results.psd.shortest_wavelength_m()),
             three_digits(slope)
         )
     });
@@ -210,7 +210,7 @@ fn of_the_seal(
             "a channel is open in some draws only at {loads}; its intervals rest on these draws, and are left out below 90 %"
         )
     }));
-    let longest_m = states.inputs().results.psd.longest_wavelength_m();
+    let longest_m = states.inputs.results.psd.longest_wavelength_m();
     let at_the_end = loads_where(scene, |load| {
         let slot = Slot { quantity: Quantity::ChannelWavelength, load: Some(load), curve: None };
         alone(states.value(slot).ok().flatten()? > 0.5 * longest_m)

@@ -35,7 +35,7 @@ impl CurveLook {
         let mut looks: Vec<Self> = Vec::with_capacity(curves.len());
         let mut repeats = 0;
         for curve in curves {
-            let (model, variant) = (curve.model.entry().name, Variant::of(&curve.model));
+            let (model, variant) = (curve.model.entry.name, Variant::of(&curve.model));
             let is_repeated = looks.iter().any(|look| (look.model, look.variant) == (model, variant));
             repeats += usize::from(is_repeated);
             looks.push(CurveLook { model, variant, repeat: if is_repeated { repeats } else { 0 } });

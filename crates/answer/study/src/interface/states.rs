@@ -44,11 +44,14 @@ pub struct InterfaceInputs<'r> {
 /// The requested quantities of an interface, computed when they are read.
 #[derive(Debug)]
 pub struct InterfaceStates<'a> {
-    request: &'a InterfaceRequest,
-    inputs: InterfaceInputs<'a>,
+    /// The requested quantities.
+    pub request: &'a InterfaceRequest,
+    /// The inputs.
+    pub inputs: InterfaceInputs<'a>,
     /// The moments of the whole spectrum, by Parseval's theorem.
     moments: Moments,
-    roughness: Roughness,
+    /// The spectrum as the theory takes it.
+    pub roughness: Roughness,
     separation: SeparationLaw,
     /// The separation under every load, once it is read.
     separations: Vec<OnceCell<Separation>>,
@@ -124,12 +127,6 @@ impl<'a> InterfaceStates<'a> {
             Quantity::FrictionCoefficient => Some(sliding.friction_coefficient()),
             _ => None,
         })
-    }
-
-    /// The spectrum as the theory takes it.
-    #[must_use]
-    pub fn roughness(&self) -> &Roughness {
-        &self.roughness
     }
 
     /// The asymptotic law of light loads.
@@ -229,18 +226,6 @@ impl<'a> InterfaceStates<'a> {
         let (pair, share) = (self.sheared_pair().ok().flatten()?, self.sticking_share(load)?);
         let stiffness = |pressure_pa| self.finite_stiffness_pa_per_m(pressure_pa).ok_or(());
         ShearLoop::new(&pair, label, self.pressure_pa(load), share, steps, stiffness).ok()
-    }
-
-    /// The requested quantities.
-    #[must_use]
-    pub fn request(&self) -> &InterfaceRequest {
-        self.request
-    }
-
-    /// The inputs.
-    #[must_use]
-    pub fn inputs(&self) -> &InterfaceInputs<'a> {
-        &self.inputs
     }
 
     fn of_all_loads(&self, quantity: Quantity) -> Result<Option<f64>, InterfaceError> {

@@ -27,7 +27,7 @@ pub struct ModelEntry {
     pub framework: Framework,
     pub(super) choices: &'static [Choice],
     /// True if the model takes the moments of a surface, rather than the asperities that they make.
-    pub(super) takes_moments: bool,
+    pub takes_moments: bool,
     pub(super) build: fn(&Material, &ModelOptions) -> Result<Theory, MaterialError>,
 }
 
@@ -78,12 +78,6 @@ impl ModelEntry {
             return Err(MaterialError::LayerUnknown { model: self.name });
         }
         Ok(CurveModel { entry: self, theory: (self.build)(material, options)? })
-    }
-
-    /// Returns true if it takes the moments of a surface, rather than the asperities that they make.
-    #[must_use]
-    pub fn takes_moments(&self) -> bool {
-        self.takes_moments
     }
 
     /// Returns true if it takes asperities of one curvature, McCool's.
@@ -223,7 +217,7 @@ mod tests {
         let strong = material(Some("1.8 GPa".parse().unwrap()));
         for entry in MODELS.iter() {
             let model = entry.build(&strong, &ModelOptions::default()).unwrap();
-            assert_eq!(model.entry(), entry);
+            assert_eq!(model.entry, entry);
             let built = entry.build(&material(None), &ModelOptions::default());
             assert_eq!(built.is_err(), entry.has(Choice::Strength), "{entry}");
             assert!(built.err().is_none_or(|error| error == MaterialError::Missing(NeededFor::Yielding)));
@@ -250,7 +244,7 @@ mod tests {
             assert_eq!(named(entry.framework, entry.name).unwrap(), entry);
             let other = MaterialPair::against_rigid(ElasticBody::new(70e9, 0.33).unwrap());
             let moved = model.with_pair(other);
-            assert_eq!((moved.pair(), moved.strength(), moved.entry()), (other, model.strength(), entry));
+            assert_eq!((moved.pair(), moved.strength(), moved.entry), (other, model.strength(), entry));
             assert_eq!(moved.with_pair(model.pair()), model);
         }
     }

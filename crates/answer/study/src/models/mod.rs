@@ -117,8 +117,10 @@ pub enum Theory {
 /// A model of a material: an entry of the table of models with its theory.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CurveModel {
-    entry: &'static ModelEntry,
-    theory: Theory,
+    /// The entry of the model in the table of models.
+    pub entry: &'static ModelEntry,
+    /// The theory with its law.
+    pub theory: Theory,
 }
 
 /// A curve to be computed: the cutoffs of its model on a prepared spectrum.
@@ -131,18 +133,6 @@ pub(crate) struct Job<'j> {
 }
 
 impl CurveModel {
-    /// Returns the entry of the model in the table of models.
-    #[must_use]
-    pub fn entry(&self) -> &'static ModelEntry {
-        self.entry
-    }
-
-    /// Returns the theory with its law.
-    #[must_use]
-    pub fn theory(&self) -> &Theory {
-        &self.theory
-    }
-
     /// Returns the stack, or nothing for another theory.
     #[must_use]
     pub fn stacked(&self) -> Option<&StackedModel> {
@@ -187,7 +177,7 @@ impl CurveModel {
         match &self.theory {
             Theory::Stacked(model) => model.strength(),
             Theory::Statistical(model) => model.law?.strength(),
-            Theory::Persson(model) => Some(model.plastic.as_ref()?.strength()),
+            Theory::Persson(model) => Some(model.plastic.as_ref()?.strength),
         }
     }
 
@@ -206,7 +196,7 @@ impl CurveModel {
     #[must_use]
     pub fn hardness_pa(&self) -> Option<f64> {
         match &self.theory {
-            Theory::Persson(model) => Some(model.plastic.as_ref()?.hardness_pa()),
+            Theory::Persson(model) => Some(model.plastic.as_ref()?.hardness_pa),
             _ => Some(HARDNESS_OVER_STRENGTH * self.strength()?.macroscopic_strength_pa()),
         }
     }

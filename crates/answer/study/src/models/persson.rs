@@ -179,14 +179,14 @@ impl Deformation {
 /// A hardness with its growth towards short wavelengths, and the strength of the same body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlasticLaw {
-    /// The strength, with the strain-gradient length where the hardness grows as Nix & Gao have it.
-    strength: NixGao,
+    /// The strength of the body that yields, with the strain-gradient length where the hardness grows as Nix & Gao have it.
+    pub strength: NixGao,
     /// The hardness \[Pa\] at long wavelengths.
-    hardness_pa: f64,
+    pub hardness_pa: f64,
     /// H/S0: 3, except for the deviation that a given pair may have.
     hardness_over_strength: f64,
     /// The law of a hardness that grows without a strain gradient.
-    growth: Option<GrowthLaw>,
+    pub growth: Option<GrowthLaw>,
 }
 
 impl PlasticLaw {
@@ -219,24 +219,6 @@ impl PlasticLaw {
             None => HARDNESS_OVER_STRENGTH,
         };
         Ok(PlasticLaw { strength, hardness_pa, hardness_over_strength, growth })
-    }
-
-    /// Returns the strength of the body that yields.
-    #[must_use]
-    pub fn strength(&self) -> NixGao {
-        self.strength
-    }
-
-    /// Returns the hardness \[Pa\] at long wavelengths.
-    #[must_use]
-    pub fn hardness_pa(&self) -> f64 {
-        self.hardness_pa
-    }
-
-    /// Returns the law of a hardness that grows without a strain gradient.
-    #[must_use]
-    pub fn growth(&self) -> Option<&GrowthLaw> {
-        self.growth.as_ref()
     }
 
     fn with_strength(&self, strength: NixGao) -> Self {

@@ -14,9 +14,12 @@ use super::work::Work;
 /// normalisation and amplitude can reuse it.
 #[derive(Debug, Clone)]
 pub struct PreparedSpectrum {
-    pub(crate) psd: ProfilePsd,
-    pub(crate) moments: Vec<(Moments, Option<AsperityParameters>)>,
-    pub(crate) scales: Vec<Scale>,
+    /// The spectrum as sampled.
+    pub psd: ProfilePsd,
+    /// Moments, and asperity parameters where needed, from the second wavelength on.
+    pub moments: Vec<(Moments, Option<AsperityParameters>)>,
+    /// Amplitudes, from long to short wavelengths.
+    pub scales: Vec<Scale>,
     pub(crate) fit: Option<SelfAffineFit>,
     /// The cutoff of each sweep.
     pub(crate) sweep_cutoffs: Vec<Cutoff>,
@@ -70,24 +73,6 @@ impl Roughness {
 }
 
 impl PreparedSpectrum {
-    /// The spectrum as sampled.
-    #[must_use]
-    pub fn psd(&self) -> &ProfilePsd {
-        &self.psd
-    }
-
-    /// Moments, and asperity parameters where needed, from the second wavelength on.
-    #[must_use]
-    pub fn moments(&self) -> &[(Moments, Option<AsperityParameters>)] {
-        &self.moments
-    }
-
-    /// Amplitudes, from long to short wavelengths.
-    #[must_use]
-    pub fn scales(&self) -> &[Scale] {
-        &self.scales
-    }
-
     /// Returns the number of cutoffs at which a statistical curve is needed.
     pub(crate) fn cutoff_count(&self, wanted: Cutoffs) -> usize {
         match wanted {

@@ -13,7 +13,8 @@ const PART: usize = 1 << 14;
 /// The curves of a plan, to be computed part by part in the order of their rows.
 pub struct Stream<'p> {
     plan: &'p Plan<'p>,
-    prepared: PreparedSpectrum,
+    /// The prepared spectrum that the curves use.
+    pub prepared: PreparedSpectrum,
 }
 
 /// Some rows of a curve: whole blocks, or a piece of one.
@@ -43,12 +44,6 @@ impl Stream<'_> {
     #[must_use]
     pub fn psd(&self) -> &ProfilePsd {
         &self.prepared.psd
-    }
-
-    /// Returns the prepared spectrum that the curves use.
-    #[must_use]
-    pub fn prepared(&self) -> &PreparedSpectrum {
-        &self.prepared
     }
 
     /// Returns an upper bound of the number of rows of a curve.

@@ -128,7 +128,7 @@ fn models_follow_the_material_and_a_cap_is_never_below_the_strength() {
     for drawn in draws(&scene).take(1000) {
         for curve in &scene.needs.curves {
             let model: CurveModel = drawn.apply(&curve.model);
-            assert_eq!((model.pair(), model.entry()), (drawn.pair, curve.model.entry()));
+            assert_eq!((model.pair(), model.entry), (drawn.pair, curve.model.entry));
             let (Some(plain), Some(strength)) = (curve.model.strength(), model.strength()) else {
                 assert!(curve.model.strength().is_none() && model.strength().is_none());
                 continue;

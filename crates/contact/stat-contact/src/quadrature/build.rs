@@ -226,10 +226,10 @@ impl<'a> Builder<'a, '_> {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
         let scale = half * self.interference_per_slope(variable);
         let rows = self.scratch.rows(rule.count());
-        for (v, x) in rows.coordinates.iter_mut().zip(rule.gauss.nodes()) {
+        for (v, x) in rows.coordinates.iter_mut().zip(&rule.gauss.nodes) {
             *v = middle + half * x;
         }
-        let weights = rule.gauss.weights().iter().map(|weight| scale * weight);
+        let weights = rule.gauss.weights.iter().map(|weight| scale * weight);
         let nodes = self.evaluate(variable, rule.count(), weights);
         self.panels.list.push(Panel { variable, from, to, halvings, rule: Some(rule), nodes });
     }

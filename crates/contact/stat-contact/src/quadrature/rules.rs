@@ -154,15 +154,15 @@ impl Rule {
             })
         };
         Rule {
-            probes: gauss.nodes().chunks(LANES).map(probes).collect(),
-            polynomials: gauss.nodes().iter().copied().flat_map(scaled).collect(),
+            probes: gauss.nodes.chunks(LANES).map(probes).collect(),
+            polynomials: gauss.nodes.iter().copied().flat_map(scaled).collect(),
             gauss,
         }
     }
 
     /// Number of nodes.
     pub fn count(&self) -> usize {
-        self.gauss.nodes().len()
+        self.gauss.nodes.len()
     }
 
     /// The [`probes`](Self::probes) at one node.

@@ -47,7 +47,8 @@ pub struct StateTable<'a> {
     pieces: Vec<Piece>,
     /// True if every pressure of the table has one separation, which is in the table; found when first asked.
     has_one_separation: OnceLock<bool>,
-    evaluations: usize,
+    /// Number of evaluations of the law of one asperity that the polynomials have cost.
+    pub evaluations: usize,
 }
 
 impl<'a> StateTable<'a> {
@@ -134,12 +135,6 @@ impl<'a> StateTable<'a> {
     /// Computes a state without the table.
     fn alone(&self) -> Sweep<'a> {
         Sweep::on(Frames::new(self.asperities, self.sigma_s_m, self.precision))
-    }
-
-    /// Number of evaluations of the law of one asperity that the polynomials have cost.
-    #[must_use]
-    pub fn evaluations(&self) -> usize {
-        self.evaluations
     }
 
     /// Returns the state at a pressure or a separation.

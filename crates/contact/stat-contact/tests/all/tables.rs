@@ -98,7 +98,7 @@ fn a_table_costs_as_much_as_some_states() {
         };
         for (tolerance, states) in [(1e-3, 25.0), (1e-6, 50.0), (1e-10, 125.0)] {
             let table = contact.table(ends, tolerance).unwrap();
-            let cost = table.evaluations() as f64 / single(tolerance);
+            let cost = table.evaluations as f64 / single(tolerance);
             assert!(cost < states, "{contact:?} at {tolerance}: as much as {cost} states");
             let state = table.at_separation(0.3 * SIGMA_M).unwrap();
             assert_eq!(state.evaluations, 0);

@@ -73,14 +73,14 @@ fn tags(cursor: &mut Cursor) -> Result<Vec<Tag>, ScanReadError> {
 }
 
 fn tag(cursor: &mut Cursor, expected: Option<&str>) -> Result<Tag, ScanReadError> {
-    let start = cursor.offset();
+    let start = cursor.at;
     let key = cursor.text(20, "the key of a tag")?;
     if let Some(expected) = expected.filter(|expected| *expected != key) {
         return Err(cursor.bad(start, "the key of a tag", &format!("'{key}'"), &format!("'{expected}'")));
     }
-    let offset = cursor.offset();
+    let offset = cursor.at;
     let value = cursor.text(30, "the value of a tag")?;
-    let end = cursor.offset();
+    let end = cursor.at;
     if cursor.take(2, "the end of a tag")? != b"\r\n" {
         return Err(cursor.bad(end, "the end of a tag", "another", "a line break"));
     }

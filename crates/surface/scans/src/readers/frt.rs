@@ -130,13 +130,13 @@ fn blocks(bytes: &[u8]) -> Result<Vec<Block<'_>>, ScanReadError> {
 /// The images of a list, without the copy of the topography that has a block of its own.
 fn list_images<'b>(list: &Block<'b>, images: &mut Vec<Image<'b>>) -> Result<(), ScanReadError> {
     let mut cursor = list.cursor;
-    let end = cursor.offset().saturating_add(list.size);
+    let end = cursor.at.saturating_add(list.size);
     cursor.skip(8, "the list of images")?;
-    while cursor.offset() + 16 < end {
+    while cursor.at + 16 < end {
         let kind = cursor.u32("the kind of an image")?;
         let mut grid = cursor;
         cursor.skip(12, "the number of points of an image")?;
-        let image = Image::read(kind, &mut grid, cursor, end - cursor.offset())?;
+        let image = Image::read(kind, &mut grid, cursor, end - cursor.at)?;
         cursor.skip(image.data.len(), "an image")?;
         if !images.iter().any(|other| other.data == image.data && other.columns == image.columns) {
             images.push(image);
@@ -158,13 +158,13 @@ struct Image<'b> {
 impl<'b> Image<'b> {
     fn read(kind: u32, grid: &mut Cursor, mut data: Cursor<'b>, size: usize) -> Result<Self, ScanReadError> {
         let (columns, rows) = (grid.count("the number of columns")?, grid.count("the number of rows")?);
-        let at = grid.offset();
+        let at = grid.at;
         let number = match grid.u32("the bits of a height")? {
             16 => NumberType::U16,
             32 => NumberType::I32,
             other => return Err(grid.bad(at, "the bits of a height", &other.to_string(), "16 or 32")),
         };
-        let offset = data.offset();
+        let offset = data.at;
         let needed = columns.saturating_mul(rows).saturating_mul(number.bytes());
         if needed > size {
             let bound = format!("at least the {needed} bytes of {columns} x {rows} points");

@@ -82,7 +82,7 @@ fn images(bytes: &[u8]) -> Result<Vec<Channel<'_>>, ScanReadError> {
     let conditions = place(CONDITIONS, "the place of the conditions")?;
     let mut pixel = start.at(conditions.saturating_add(PIXEL_OFFSET));
     let mut length_m = |what: &str| {
-        let offset = pixel.offset();
+        let offset = pixel.at;
         match pixel.u32(what)? {
             0 => Err(pixel.bad(offset, what, "0", "above 0")),
             length_pm => Ok(LengthUnit::PICOMETRE.to_m(f64::from(length_pm))),
@@ -111,14 +111,14 @@ fn images(bytes: &[u8]) -> Result<Vec<Channel<'_>>, ScanReadError> {
 /// An image: its size, a palette, its numbers.
 fn raster(mut cursor: Cursor<'_>, scale: f64) -> Result<Raster<'_>, ScanReadError> {
     let (columns, rows) = (cursor.count("the number of columns")?, cursor.count("the number of rows")?);
-    let at = cursor.offset();
+    let at = cursor.at;
     let number = match cursor.u32("the bits of a number")? {
         8 => NumberType::U8,
         16 => NumberType::U16,
         32 => NumberType::U32,
         other => return Err(cursor.bad(at, "the bits of a number", &other.to_string(), "8, 16 or 32")),
     };
-    let at = cursor.offset();
+    let at = cursor.at;
     let compression = cursor.u32("the compression")?;
     if compression != 0 {
         return Err(ScanReadError::Unsupported {
@@ -132,5 +132,5 @@ fn raster(mut cursor: Cursor<'_>, scale: f64) -> Result<Raster<'_>, ScanReadErro
     let size = columns.saturating_mul(rows).saturating_mul(number.bytes());
     let data = cursor.rest();
     let data = data.get(..size).unwrap_or(data);
-    Ok(Raster { scale, ..Raster::new(number, columns, rows, data, cursor.offset()) })
+    Ok(Raster { scale, ..Raster::new(number, columns, rows, data, cursor.at) })
 }

@@ -64,7 +64,7 @@ impl Profile {
         }
         let points = cursor.at(POINTS).count("the number of points")?;
         let mut cursor = cursor.at(TEXTS);
-        let count_offset = cursor.offset();
+        let count_offset = cursor.at;
         let count = cursor.u32("the number of texts")?;
         if count > MOST_TEXTS {
             let bound = format!("at most {MOST_TEXTS}");
@@ -81,7 +81,7 @@ impl Profile {
             };
             texts.iter().find_map(value)
         };
-        let start = points_start(file, cursor.offset())?;
+        let start = points_start(file, cursor.at)?;
         let mut numbers = Numbers { file, points, offset: start };
         let positions = numbers.next(NumberType::F64)?;
         if let Some(point) = positions.missing.indices().next() {

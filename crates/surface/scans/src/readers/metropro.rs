@@ -107,7 +107,7 @@ fn header(bytes: &[u8]) -> Result<Header, ScanReadError> {
 }
 
 fn phases(mut cursor: Cursor) -> Result<f64, ScanReadError> {
-    let offset = cursor.offset();
+    let offset = cursor.at;
     let resolution = cursor.i16("the resolution of phases")?;
     let phases = usize::try_from(resolution).ok().and_then(|index| PHASES.get(index)).copied();
     phases.ok_or_else(|| cursor.bad(offset, "the resolution of phases", &resolution.to_string(), "0, 1 or 2"))

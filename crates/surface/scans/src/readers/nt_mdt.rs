@@ -57,7 +57,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     let mut channels = Vec::new();
     let mut frame = file.at(FIRST_FRAME);
     for _ in 0..=last {
-        let start = frame.offset();
+        let start = frame.at;
         let size = frame.u32("the size of a frame")? as usize;
         let kind = frame.u16("the kind of a frame")?;
         if size < FRAME_HEADER_BYTES {
@@ -109,7 +109,7 @@ fn scanned<'b>(
     mut cursor: Cursor<'b>,
     size: usize,
 ) -> Result<Option<Channel<'b>>, ScanReadError> {
-    let start = cursor.offset();
+    let start = cursor.at;
     let own = bytes.get(..start.saturating_add(size)).unwrap_or(bytes);
     cursor.skip(FRAME_HEADER_BYTES - 2, "the header of a frame")?;
     let variables_bytes = usize::from(cursor.u16("the size of the variables of a frame")?);
@@ -131,7 +131,7 @@ fn scanned<'b>(
         // Without a step the numbers are those of the converter.
         scale: if z.step.is_finite() && z.step != 0.0 { z.step } else { 1.0 },
         zero: if z.origin.is_finite() { z.origin } else { 0.0 },
-        ..Raster::within(NumberType::I16, columns, rows, own, mode.offset())
+        ..Raster::within(NumberType::I16, columns, rows, own, mode.at)
     };
     let name = SIGNALS.get(signal).map_or_else(|| format!("signal {signal}"), |name| (*name).to_owned());
     let quantity = Quantity::named(&name, other_unit(z.unit), length_unit(z.unit));

@@ -100,7 +100,7 @@ impl Array {
             2 | 3 => cursor.count("the length of the header")?,
             _ => return Err(cursor.bad(MAGIC.len(), "the version", &version.to_string(), "1, 2 or 3")),
         };
-        let at = cursor.offset();
+        let at = cursor.at;
         if length > LONGEST_HEADER {
             let bound = format!("at most {LONGEST_HEADER}");
             return Err(cursor.bad(at, "the length of the header", &length.to_string(), &bound));
@@ -132,7 +132,7 @@ impl Array {
             is_fortran: entry("fortran_order").ok_or_else(|| missing("fortran_order"))?.starts_with("True"),
             shape,
             described,
-            data: cursor.offset(),
+            data: cursor.at,
         })
     }
 

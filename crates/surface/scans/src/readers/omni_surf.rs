@@ -33,7 +33,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     let x_m = spacing_m(&mut cursor, "the distance of columns")?;
     let y_m = spacing_m(&mut cursor, "the distance of rows")?;
     cursor.skip(16, "the origin")?;
-    let raster = Raster::within(NumberType::F32, columns, rows, bytes, cursor.offset());
+    let raster = Raster::within(NumberType::F32, columns, rows, bytes, cursor.at);
     let raster = Raster { missing: MissingMark::AtMost(MISSING), ..raster };
     let lateral = Lateral::Spacing { x_m, y_m: (rows > 1).then_some(y_m) };
     let quantity = Quantity::Heights(Some(LengthUnit::MICROMETRE));
@@ -49,7 +49,7 @@ fn text(cursor: &mut Cursor, what: &str) -> Result<String, ScanReadError> {
 
 /// A distance in µm.
 fn spacing_m(cursor: &mut Cursor, what: &str) -> Result<f64, ScanReadError> {
-    let offset = cursor.offset();
+    let offset = cursor.at;
     let spacing = cursor.f64(what)?;
     let spacing_m = LengthUnit::MICROMETRE.to_m(spacing);
     match spacing_m.is_finite() && spacing_m > 0.0 {

@@ -84,7 +84,7 @@ struct Header {
 
 impl Header {
     fn read(mut cursor: Cursor, is_typed: bool) -> Result<Self, ScanReadError> {
-        let start = cursor.offset();
+        let start = cursor.at;
         let kind = cursor.u32("the kind of the image")?;
         // Images of spectroscopy have a map beside their curves.
         if ![0, 2].contains(&kind) {
@@ -116,7 +116,7 @@ impl Header {
 }
 
 fn number_type(cursor: &mut Cursor) -> Result<NumberType, ScanReadError> {
-    let offset = cursor.offset();
+    let offset = cursor.at;
     Ok(match cursor.u32("the type of the numbers")? {
         0 => NumberType::I16,
         1 => NumberType::I32,

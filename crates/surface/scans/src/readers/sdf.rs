@@ -48,7 +48,7 @@ fn binary(bytes: &[u8]) -> Result<Vec<Channel<'_>>, ScanReadError> {
     let mut cursor = Cursor::new(FORMAT, bytes, ByteOrder::Little).at(VERSION_BYTES);
     cursor.skip(10 + 12 + 12, "the maker and the dates")?;
     let mut count = |what: &str| {
-        let offset = cursor.offset();
+        let offset = cursor.at;
         let count = if is_wide { cursor.u32(what)? } else { u32::from(cursor.u16(what)?) };
         let found = usize::try_from(count).ok().filter(|&count| count > 0);
         found.ok_or_else(|| cursor.bad(offset, what, &count.to_string(), "a whole number above 0"))
@@ -67,11 +67,11 @@ fn binary(bytes: &[u8]) -> Result<Vec<Channel<'_>>, ScanReadError> {
         data_type: cursor.u8("DataType")?.into(),
         check_type: cursor.u8("CheckType")?.into(),
     };
-    let number = header.number(FilePlace::Byte(cursor.offset() as u64 - 2))?;
+    let number = header.number(FilePlace::Byte(cursor.at as u64 - 2))?;
     let size = points.saturating_mul(profiles).saturating_mul(number.bytes());
     let has_extra =
         bytes.starts_with(b"bISO-1.0") && cursor.rest().len() == size.saturating_add(EXTRA_HEADER_BYTES);
-    let offset = cursor.offset() + if has_extra { EXTRA_HEADER_BYTES } else { 0 };
+    let offset = cursor.at + if has_extra { EXTRA_HEADER_BYTES } else { 0 };
     let raster = Raster {
         scale: header.height_scale_m,
         missing: header.missing(number, is_wide),

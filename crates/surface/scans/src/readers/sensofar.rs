@@ -91,7 +91,7 @@ fn header(cursor: &mut Cursor) -> Result<Header, ScanReadError> {
 }
 
 fn kind(cursor: &mut Cursor) -> Result<Kind, ScanReadError> {
-    let offset = cursor.offset();
+    let offset = cursor.at;
     match cursor.u32("the type of the measurement")? {
         0 => Ok(Kind::Image),
         1 | 2 => Ok(Kind::Profiles),
@@ -113,16 +113,16 @@ fn layer_channels<'b>(
     layer: usize,
     most_profiles: usize,
 ) -> Result<Vec<Channel<'b>>, ScanReadError> {
-    let start = cursor.offset();
+    let start = cursor.at;
     let rows = cursor.count("the number of rows")?;
     let columns = cursor.count("the number of columns")?;
-    let (points_bytes, offset) = (cursor.rest(), cursor.offset());
+    let (points_bytes, offset) = (cursor.rest(), cursor.at);
     let raster = Raster::new(NumberType::F32, columns, rows, points_bytes, offset);
     let raster = Raster { missing: MissingMark::Equal(MISSING), ..raster };
     let points = columns.checked_mul(rows);
     // The extreme values follow, then three bytes a point of each picture.
     let size = points.and_then(|points| points.checked_mul(4 + 3 * header.pictures)?.checked_add(8));
-    *cursor = cursor.at(cursor.offset().saturating_add(size.unwrap_or(usize::MAX)));
+    *cursor = cursor.at(cursor.at.saturating_add(size.unwrap_or(usize::MAX)));
     if rows == 1 || matches!(header.kind, Kind::Image | Kind::Topography) {
         return Ok(vec![channel(header, format!("layer{layer}"), raster)]);
     }

@@ -163,7 +163,7 @@ fn raster<'b>(block: &Block<'b>, scale: f64) -> Result<Raster<'b>, ScanReadError
             ));
         }
     };
-    let offset = block.offset + cursor.offset();
+    let offset = block.offset + cursor.at;
     let raster = Raster::new(number, columns, rows, cursor.rest(), offset);
     Ok(Raster { order: Order::ColumnsFromBottom, scale, missing, ..raster })
 }

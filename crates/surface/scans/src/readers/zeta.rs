@@ -36,7 +36,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     let comment_bytes = cursor.u32("the length of the comment")? as usize;
     cursor.skip(84, "the name of the recipe")?;
     let comment = latin1(cursor.take(comment_bytes, "the comment")?);
-    let raster = Raster::within(NumberType::U16, columns, rows, bytes, cursor.offset());
+    let raster = Raster::within(NumberType::U16, columns, rows, bytes, cursor.at);
     let raster = Raster { scale, ..raster };
     let lateral = Lateral::Spacing { x_m, y_m: (rows > 1).then_some(y_m) };
     let quantity = Quantity::Heights(Some(LengthUnit::METRE));
@@ -49,7 +49,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
 
 /// A length in µm, above 0.
 fn step_m(cursor: &mut Cursor, what: &str) -> Result<f64, ScanReadError> {
-    let offset = cursor.offset();
+    let offset = cursor.at;
     let step = cursor.f32(what)?;
     match step.is_finite() && step > 0.0 {
         true => Ok(LengthUnit::MICROMETRE.to_m(f64::from(step))),

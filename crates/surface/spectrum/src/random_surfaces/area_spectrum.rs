@@ -20,7 +20,7 @@ const ROUNDING: f64 = 1e-9;
 /// Moments, the spectrum of profiles and surfaces are exact for this piecewise power law.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AreaSpectrum {
-    waves: SurfaceWaves,
+    pub(crate) waves: SurfaceWaves,
     conversion: Conversion,
 }
 
@@ -37,7 +37,7 @@ impl AreaSpectrum {
     /// [`RandomSurfaceError::TooFewSamples`] for a single sample; [`RandomSurfaceError::EmptyBand`] if a known surface lacks the
     /// band.
     pub fn from_profile(profile: &ProfilePsd) -> Result<Self, RandomSurfaceError> {
-        if let Some(waves) = profile.surface() {
+        if let Some(waves) = profile.surface.as_deref() {
             let (longest_m, shortest_m) = (profile.longest_wavelength_m(), profile.shortest_wavelength_m());
             let whole = Self { waves: waves.clone(), conversion: Conversion::default() };
             return whole.cut(longest_m.min(waves.longest_m), shortest_m.max(waves.shortest_m));
@@ -105,10 +105,6 @@ impl AreaSpectrum {
     #[must_use]
     pub fn weighted(&self, weight: impl Fn(f64) -> f64) -> Self {
         Self { waves: self.waves.weighted(weight), conversion: self.conversion }
-    }
-
-    pub(crate) fn waves(&self) -> &SurfaceWaves {
-        &self.waves
     }
 
     /// The longest wavelength of the band \[m\].

@@ -55,7 +55,7 @@ pub(crate) fn of_profile(profile: &ProfilePsd) -> Result<(Vec<PowerLaw>, Convers
     if profile.len() < 2 {
         return Err(RandomSurfaceError::TooFewSamples { samples: profile.len() });
     }
-    let samples = profile.samples().chain(profile.beyond_the_cutoff().iter().copied());
+    let samples = profile.samples().chain(profile.beyond.iter().copied());
     let (wavelengths_m, c1d_m3): (Vec<f64>, Vec<f64>) = samples.unzip();
     let curve = Curve::new(&wavelengths_m, c1d_m3);
     let (roughness, levelled_share) = curve.levelled();

@@ -74,7 +74,7 @@ fn unpacked(
     }
     let mut counts = Vec::new();
     for (length, packed) in lengths {
-        let offset = cursor.offset();
+        let offset = cursor.at;
         let left = expected - counts.len();
         if length > left {
             let bound = format!("at most the {left} bytes that the points leave");

@@ -71,7 +71,7 @@ impl Header {
         let mut cursor = Cursor::new(FORMAT, bytes, order).at(offset + 14);
         let objects = cursor.u16("the number of objects")?;
         cursor.skip(2, "the version")?;
-        let kind_offset = cursor.offset();
+        let kind_offset = cursor.at;
         let kind = cursor.u16("the type of the object")?;
         refuse_kind(kind, kind_offset)?;
         cursor.skip(60, "the names of object and operator")?;
@@ -80,7 +80,7 @@ impl Header {
         cursor.skip(2, "the range")?;
         let has_special_points = cursor.u16("the mark of special points")? == 1;
         cursor.skip(10, "the resolution")?;
-        let bits_offset = cursor.offset();
+        let bits_offset = cursor.at;
         let bits = cursor.u16("the bits of a point")?;
         if ![16, 32].contains(&bits) {
             return Err(cursor.bad(bits_offset, "the bits of a point", &bits.to_string(), "16 or 32"));
@@ -91,7 +91,7 @@ impl Header {
         let rows = cursor.count("the number of lines")?;
         cursor.skip(4, "the number of points")?;
         let spacings = [cursor.f32("the spacing along x")?, cursor.f32("the spacing along y")?];
-        let scale_offset = cursor.offset();
+        let scale_offset = cursor.at;
         let scale = cursor.f32("the height of a count")?;
         if !scale.is_finite() {
             let field = "the height of a count";
@@ -137,7 +137,7 @@ impl Header {
             inversion,
             packed_bytes,
             comment,
-            data: cursor.offset(),
+            data: cursor.at,
         })
     }
 

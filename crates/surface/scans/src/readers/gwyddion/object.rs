@@ -75,9 +75,9 @@ impl<'b> Object<'b> {
     fn read(cursor: &mut Cursor<'b>, bytes: &'b [u8]) -> Result<Self, ScanReadError> {
         let class = cursor.zero_terminated("the name of an object")?;
         let size = cursor.u32("the size of an object")? as usize;
-        let start = cursor.offset();
+        let start = cursor.at;
         cursor.skip(size, &format!("the object '{}'", latin1(class)))?;
-        let own = bytes.get(..cursor.offset()).unwrap_or_default();
+        let own = bytes.get(..cursor.at).unwrap_or_default();
         let components = Cursor::new(FORMAT, own, ByteOrder::Little).at(start);
         Ok(Self { class, layout: Layout::NameFirst, components })
     }
@@ -108,7 +108,7 @@ impl<'b> Object<'b> {
     }
 
     fn component(&self, cursor: &mut Cursor<'b>) -> Result<Component<'b>, ScanReadError> {
-        let offset = cursor.offset();
+        let offset = cursor.at;
         let (name, kind) = match self.layout {
             Layout::NameFirst => {
                 let name = cursor.zero_terminated("the name of a component")?;
@@ -154,7 +154,7 @@ impl<'b> Object<'b> {
                 }
                 Value::Objects(objects)
             }
-            _ => return Err(unknown_type(cursor.offset() - 1, &format!("'{}'", kind.escape_ascii()))),
+            _ => return Err(unknown_type(cursor.at - 1, &format!("'{}'", kind.escape_ascii()))),
         })
     }
 
@@ -173,7 +173,7 @@ pub(super) fn utf8(bytes: &[u8]) -> String {
 /// Returns the bytes and the number of the elements of an array, all of which are there.
 fn array(cursor: &mut Cursor, bytes_each: usize) -> Result<(usize, usize), ScanReadError> {
     let count = cursor.u32("the length of an array")? as usize;
-    let offset = cursor.offset();
+    let offset = cursor.at;
     cursor.skip(count.saturating_mul(bytes_each), "an array")?;
     Ok((offset, count))
 }

@@ -97,7 +97,7 @@ impl Wave {
         let label_bytes = sizes(&mut cursor, "the size of the labels of a dimension")?;
         let start = header_bytes(5).unwrap_or_default() - WAVE_BYTES;
         let mut cursor = cursor.at(start + 16);
-        let type_offset = cursor.offset();
+        let type_offset = cursor.at;
         let type_code = cursor.u16("the type of the numbers")?;
         let mut wave = Self { type_code, type_offset, ..Self::default() };
         cursor.skip(10, "reserved bytes")?;
@@ -136,7 +136,7 @@ impl Wave {
         let note_bytes = if version == 1 { 0 } else { size(&mut cursor, "the size of the note")? };
         let start = header_bytes(version).unwrap_or_default() - OLD_WAVE_BYTES;
         let mut cursor = cursor.at(start);
-        let type_offset = cursor.offset();
+        let type_offset = cursor.at;
         let type_code = cursor.u16("the type of the numbers")?;
         let mut wave = Self { type_code, type_offset, ..Self::default() };
         cursor.skip(4, "reserved bytes")?;
@@ -219,7 +219,7 @@ impl Wave {
 
 /// A size or count of four bytes.
 fn size(cursor: &mut Cursor, what: &str) -> Result<usize, ScanReadError> {
-    let offset = cursor.offset();
+    let offset = cursor.at;
     let size = cursor.i32(what)?;
     usize::try_from(size).map_err(|_| cursor.bad(offset, what, &size.to_string(), "at least 0"))
 }

@@ -32,7 +32,7 @@ impl<'b> Entry<'b> {
     pub(super) fn after(&self, bytes: usize, what: &str) -> Result<Self, ScanReadError> {
         let mut cursor = self.cursor();
         cursor.skip(bytes, what)?;
-        Ok(Self { offset: cursor.offset(), ..*self })
+        Ok(Self { offset: cursor.at, ..*self })
     }
 
     /// The entry that a path of tags leads to, of each tag the first; none where one of them is missing.
@@ -86,9 +86,9 @@ impl<'b> Entry<'b> {
         let tag = cursor.u16("the tag of an entry")?;
         let length = cursor.u64("the length of an entry")?;
         let length = usize::try_from(length).unwrap_or(usize::MAX);
-        let offset = cursor.offset();
+        let offset = cursor.at;
         cursor.skip(length, "an entry")?;
-        Ok((tag, Self { stream: self.stream, offset, end: cursor.offset() }))
+        Ok((tag, Self { stream: self.stream, offset, end: cursor.at }))
     }
 
     pub(super) fn u32(&self, what: &str) -> Result<u32, ScanReadError> {

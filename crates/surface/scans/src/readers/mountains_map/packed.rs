@@ -50,7 +50,7 @@ pub(super) fn array(
     room.take(total, || "an array".to_owned())?;
     let mut blocks = Vec::new();
     while !cursor.rest().is_empty() {
-        let offset = cursor.offset();
+        let offset = cursor.at;
         let first = cursor.u64("the first element of a block")?;
         let elements = cursor.u32("the number of elements of a block")? as usize;
         let packed_bytes = cursor.u32("the packed length of a block")? as usize;

@@ -24,7 +24,7 @@ impl<'b> Cursor<'b> {
     }
 
     pub(crate) fn offset(&self) -> u64 {
-        self.fields.offset() as u64
+        self.fields.at as u64
     }
 
     pub(crate) fn u32(&mut self, what: &str) -> Result<u32, ScanReadError> {

@@ -70,7 +70,7 @@ impl<'b> Page<'b> {
         }
         let (bytes, offset) = self.strips(left)?;
         let raster = Raster::new(number, columns, rows, bytes, offset);
-        Ok(Raster { byte_order: self.file.order(), ..raster })
+        Ok(Raster { byte_order: self.file.order, ..raster })
     }
 
     /// The bytes of the image, which may stand in several strips, and where the first is. Strips that do not follow

@@ -49,7 +49,7 @@ impl<'b> Tiff<'b> {
         let mut pages: Vec<Page> = Vec::new();
         let mut tags = 0;
         loop {
-            let offset = cursor.offset();
+            let offset = cursor.at;
             let place = cursor.u32("the place of a page")? as usize;
             if place == 0 {
                 return Ok(Self { pages });
@@ -93,7 +93,7 @@ impl<'b> Page<'b> {
             };
             let length = count.saturating_mul(bytes_each);
             // Values of up to four bytes stand where the place of others does.
-            let inside = cursor.offset();
+            let inside = cursor.at;
             let place = cursor.u32("the value of a tag")? as usize;
             let offset = if length <= 4 { inside } else { place };
             let bytes = file.at(offset).take(length, &format!("the value of tag {number}"))?;
@@ -127,7 +127,7 @@ impl<'b> Page<'b> {
         let mut cursor = self.file.at(tag.offset);
         let (kind, end) = (tag.kind, tag.offset + tag.bytes.len());
         std::iter::from_fn(move || {
-            if cursor.offset() >= end {
+            if cursor.at >= end {
                 return None;
             }
             let what = "a number";

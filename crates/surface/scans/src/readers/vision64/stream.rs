@@ -86,9 +86,9 @@ impl Tree {
             return Err(cursor.bad(start, "the depth of nested values", &depth.to_string(), &bound));
         }
         while !cursor.rest().is_empty() {
-            let name_offset = cursor.offset();
+            let name_offset = cursor.at;
             let name = name(&mut cursor)?;
-            let offset = cursor.offset();
+            let offset = cursor.at;
             let kind = cursor.u8("the type of a value")?;
             if kind == END {
                 break;
@@ -100,7 +100,7 @@ impl Tree {
             let path = format!("{parent}/{name}");
             if CONTAINERS.contains(&kind) {
                 let length = length(&mut cursor)?;
-                let start = cursor.offset();
+                let start = cursor.at;
                 cursor.skip(length, &format!("the values of '{path}'"))?;
                 let within = bytes.get(..start.saturating_add(length)).unwrap_or(bytes);
                 self.take_items(within, start, &path, depth + 1)?;
@@ -158,7 +158,7 @@ fn value(cursor: &mut Cursor, kind: u8, offset: usize) -> Result<Option<Value>, 
         0x40 => {
             name(cursor)?;
             let length = length(cursor)?;
-            let offset = cursor.offset();
+            let offset = cursor.at;
             cursor.skip(length, "an array of numbers")?;
             Ok(Some(Value::Numbers { offset, length }))
         }
@@ -197,12 +197,12 @@ fn quantity(cursor: &mut Cursor) -> Result<Value, ScanReadError> {
 /// The numbers of rows and columns, then the points row after row.
 fn matrix(cursor: &mut Cursor) -> Result<Value, ScanReadError> {
     let length = length(cursor)?;
-    let start = cursor.offset();
+    let start = cursor.at;
     let mut within = *cursor;
     cursor.skip(length, "a matrix")?;
     let rows = within.count("the number of rows")?;
     let columns = within.count("the number of columns")?;
-    let offset = within.offset();
+    let offset = within.at;
     Ok(Value::Matrix { columns, rows, offset, length: length.saturating_sub(offset - start) })
 }
 
@@ -215,7 +215,7 @@ fn name(cursor: &mut Cursor) -> Result<String, ScanReadError> {
 /// A length behind the number of its bytes.
 fn length(cursor: &mut Cursor) -> Result<usize, ScanReadError> {
     const WHAT: &str = "a length";
-    let offset = cursor.offset();
+    let offset = cursor.at;
     match cursor.u8(WHAT)? {
         1 => Ok(usize::from(cursor.u8(WHAT)?)),
         2 => Ok(usize::from(cursor.u16(WHAT)?)),
