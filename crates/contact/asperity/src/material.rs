@@ -18,7 +18,7 @@ pub struct MaterialPair {
     /// Coefficient C = 1.295 exp(0.736 nu) of the body that yields ([`ElasticBody::spherical_yield_coefficient`]).
     #[serde(skip)]
     pub(crate) spherical_yield_coefficient: f64,
-    /// Ln C.
+    /// The logarithm of C.
     #[serde(skip)]
     pub(crate) log_spherical_yield_coefficient: f64,
     /// Coefficient E* B_c/Sy = sqrt(2)/(3 pi) exp(2 (nu + 1)/3), with B_c the aspect ratio at which a sinusoid first

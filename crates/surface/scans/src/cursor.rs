@@ -105,13 +105,7 @@ impl<'b> Cursor<'b> {
 
     /// The error of a field that holds what it must not.
     pub(crate) fn bad(&self, offset: usize, field: &str, value: &str, bound: &str) -> ScanReadError {
-        ScanReadError::BadField {
-            format: self.format,
-            place: FilePlace::Byte(offset as u64),
-            field: field.to_owned(),
-            value: value.to_owned(),
-            bound: bound.to_owned(),
-            mend: "the file is damaged or of a variant that is not known: export it again",
-        }
+        let mend = "the file is damaged or of a variant that is not known: export it again";
+        self.format.bad(FilePlace::Byte(offset as u64), field, value, bound, mend)
     }
 }

@@ -327,6 +327,42 @@ pub(crate) fn quoted(text: &str) -> String {
     format!("'{}'", text.chars().take(MOST).collect::<String>())
 }
 
+/// Errors of the fields of a file.
+impl ScanFormat {
+    /// The error of a field that is missing.
+    pub(crate) fn missing(
+        self,
+        place: FilePlace,
+        field: impl Into<String>,
+        mend: &'static str,
+    ) -> ScanReadError {
+        ScanReadError::MissingField { format: self, place, field: field.into(), mend }
+    }
+
+    /// The error of a field with a value that cannot be.
+    pub(crate) fn bad(
+        self,
+        place: FilePlace,
+        field: impl Into<String>,
+        value: impl Into<String>,
+        bound: impl Into<String>,
+        mend: &'static str,
+    ) -> ScanReadError {
+        let (field, value, bound) = (field.into(), value.into(), bound.into());
+        ScanReadError::BadField { format: self, place, field, value, bound, mend }
+    }
+
+    /// The error of a variant of the format that is not read.
+    pub(crate) fn unsupported(
+        self,
+        place: FilePlace,
+        found: impl Into<String>,
+        mend: &'static str,
+    ) -> ScanReadError {
+        ScanReadError::Unsupported { format: self, place, found: found.into(), mend }
+    }
+}
+
 impl ScanReadError {
     /// Returns the option that mends the error, if one does.
     #[must_use]

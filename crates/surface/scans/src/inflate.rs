@@ -16,13 +16,14 @@ pub(crate) struct StreamPlace {
 /// Unpacks a stream that must hold exactly so many bytes. Memory grows with what is unpacked, not with what is
 /// promised.
 pub(crate) fn inflated(place: &StreamPlace, packed: &[u8], length: usize) -> Result<Vec<u8>, ScanReadError> {
-    let bad = |value: String| ScanReadError::BadField {
-        format: place.format,
-        place: FilePlace::Byte(place.offset as u64),
-        field: "the packed data".to_owned(),
-        value,
-        bound: format!("a zlib stream of {length} bytes"),
-        mend: "the file is damaged: export it again",
+    let bad = |value: String| {
+        place.format.bad(
+            FilePlace::Byte(place.offset as u64),
+            "the packed data",
+            value,
+            format!("a zlib stream of {length} bytes"),
+            "the file is damaged: export it again",
+        )
     };
     let mut unpacked = Vec::new();
     // One byte more shows a stream that is too long.

@@ -215,12 +215,11 @@ pub(crate) fn refuse_many(format: ScanFormat, channels: usize) -> Result<(), Sca
     if channels <= MOST_CHANNELS {
         return Ok(());
     }
-    Err(ScanReadError::BadField {
-        format,
-        place: FilePlace::File,
-        field: "the number of channels".to_owned(),
-        value: format!("at least {channels}"),
-        bound: format!("at most {MOST_CHANNELS}"),
-        mend: "the file is damaged, or has to be exported in parts",
-    })
+    Err(format.bad(
+        FilePlace::File,
+        "the number of channels",
+        format!("at least {channels}"),
+        format!("at most {MOST_CHANNELS}"),
+        "the file is damaged, or has to be exported in parts",
+    ))
 }

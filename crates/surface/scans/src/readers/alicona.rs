@@ -121,11 +121,9 @@ impl Tags<'_> {
     }
 
     fn count(&self, key: &str) -> Result<usize, ScanReadError> {
-        let tag = self.get(key).ok_or_else(|| ScanReadError::MissingField {
-            format: FORMAT,
-            place: FilePlace::File,
-            field: format!("tag '{key}'"),
-            mend: "export the file again with its depth image",
+        let tag = self.get(key).ok_or_else(|| {
+            let mend = "export the file again with its depth image";
+            FORMAT.missing(FilePlace::File, format!("tag '{key}'"), mend)
         })?;
         numbers::count(&tag.value).ok_or_else(|| bad(&self.cursor, tag, "a whole number above 0"))
     }

@@ -101,11 +101,8 @@ impl Header {
     }
 
     fn count(&self, key: &str) -> Result<usize, ScanReadError> {
-        let value = self.get(key).ok_or_else(|| ScanReadError::MissingField {
-            format: FORMAT,
-            place: FilePlace::File,
-            field: format!("'{key}' in the header"),
-            mend: "export the file again",
+        let value = self.get(key).ok_or_else(|| {
+            FORMAT.missing(FilePlace::File, format!("'{key}' in the header"), "export the file again")
         })?;
         numbers::count(value).ok_or_else(|| bad(key, value, "a whole number above 0"))
     }
@@ -116,14 +113,8 @@ impl Header {
 }
 
 fn bad(key: &str, value: &str, bound: &str) -> ScanReadError {
-    ScanReadError::BadField {
-        format: FORMAT,
-        place: FilePlace::File,
-        field: format!("'{key}' in the header"),
-        value: quoted(value),
-        bound: bound.to_owned(),
-        mend: "export the file again",
-    }
+    let mend = "export the file again";
+    FORMAT.bad(FilePlace::File, format!("'{key}' in the header"), quoted(value), bound, mend)
 }
 
 fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {

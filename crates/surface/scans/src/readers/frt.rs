@@ -63,11 +63,9 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     let blocks = blocks(bytes)?;
     let find = |id: u16, what: &str| {
         let found = blocks.iter().find(|block| block.id == id).map(|block| block.cursor);
-        found.ok_or_else(|| ScanReadError::MissingField {
-            format: FORMAT,
-            place: FilePlace::File,
-            field: format!("block 0x{id:02x}, {what}"),
-            mend: "the file holds no heights, or is damaged: export it again",
+        found.ok_or_else(|| {
+            let mend = "the file holds no heights, or is damaged: export it again";
+            FORMAT.missing(FilePlace::File, format!("block 0x{id:02x}, {what}"), mend)
         })
     };
     let mut size = find(block::SIZE, "the size")?;

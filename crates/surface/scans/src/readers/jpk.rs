@@ -97,12 +97,11 @@ fn raster<'b>(page: &Page<'b>, slot: Option<u16>, left: &mut usize) -> Result<Ra
     let slot = slot.ok_or_else(|| missing("slot for the values of the channel, tag 32897"))?;
     let scaling = page.text(slot + SLOT_SCALING).unwrap_or_default();
     if scaling != "LinearScaling" {
-        return Err(ScanReadError::Unsupported {
-            format: FORMAT,
-            place: FilePlace::File,
-            found: format!("a channel with the scaling '{scaling}'"),
-            mend: "choose a linear calibration of the channel and save it again",
-        });
+        return Err(FORMAT.unsupported(
+            FilePlace::File,
+            format!("a channel with the scaling '{scaling}'"),
+            "choose a linear calibration of the channel and save it again",
+        ));
     }
     let scale = page.number(slot + SLOT_MULTIPLIER).filter(|scale| scale.is_finite());
     let scale = scale.ok_or_else(|| missing("multiplier of the channel"))?;
@@ -113,6 +112,5 @@ fn raster<'b>(page: &Page<'b>, slot: Option<u16>, left: &mut usize) -> Result<Ra
 }
 
 fn missing(field: &str) -> ScanReadError {
-    let mend = "export the file again";
-    ScanReadError::MissingField { format: FORMAT, place: FilePlace::File, field: field.to_owned(), mend }
+    FORMAT.missing(FilePlace::File, field, "export the file again")
 }

@@ -67,12 +67,7 @@ fn packed<'b>(bytes: &[u8], options: &ScanOptions) -> Result<Vec<Channel<'b>>, S
 
 #[cfg(not(feature = "archives"))]
 fn packed<'b>(_: &[u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
-    Err(ScanReadError::Unsupported {
-        format: FORMAT,
-        place: FilePlace::File,
-        found: "a packed file".to_owned(),
-        mend: "build with the feature 'archives'",
-    })
+    Err(FORMAT.unsupported(FilePlace::File, "a packed file", "build with the feature 'archives'"))
 }
 
 fn images(bytes: &[u8]) -> Result<Vec<Channel<'_>>, ScanReadError> {
@@ -121,12 +116,11 @@ fn raster(mut cursor: Cursor<'_>, scale: f64) -> Result<Raster<'_>, ScanReadErro
     let at = cursor.at;
     let compression = cursor.u32("the compression")?;
     if compression != 0 {
-        return Err(ScanReadError::Unsupported {
-            format: FORMAT,
-            place: FilePlace::Byte(at as u64),
-            found: format!("compression {compression}"),
-            mend: "export it without compression",
-        });
+        return Err(FORMAT.unsupported(
+            FilePlace::Byte(at as u64),
+            format!("compression {compression}"),
+            "export it without compression",
+        ));
     }
     cursor.skip(12 + PALETTE_BYTES, "the palette")?;
     let size = columns.saturating_mul(rows).saturating_mul(number.bytes());

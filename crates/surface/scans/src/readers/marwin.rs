@@ -126,11 +126,9 @@ fn points_start(file: &[u8], texts_end: usize) -> Result<usize, ScanReadError> {
     for mark in MARKS {
         let rest = file.get(at..).unwrap_or_default();
         let found = rest.windows(mark.len()).position(|part| part == mark);
-        at += found.ok_or_else(|| ScanReadError::MissingField {
-            format: FORMAT,
-            place: FilePlace::Byte(at as u64),
-            field: format!("section '{}'", mark.escape_ascii()),
-            mend: "the file is damaged or of a variant that is not known: export it again",
+        at += found.ok_or_else(|| {
+            let mend = "the file is damaged or of a variant that is not known: export it again";
+            FORMAT.missing(FilePlace::Byte(at as u64), format!("section '{}'", mark.escape_ascii()), mend)
         })?;
     }
     Ok(at.saturating_add(MARK_TO_POINTS))

@@ -77,12 +77,11 @@ fn header(bytes: &[u8]) -> Result<Header, ScanReadError> {
     let columns = usize::from(size.u16("the number of columns")?);
     let rows = usize::from(size.u16("the number of rows")?);
     if columns == 0 || rows == 0 {
-        return Err(ScanReadError::MissingField {
-            format: FORMAT,
-            place: FilePlace::Byte(68),
-            field: format!("phase data ({columns} x {rows} points)"),
-            mend: "save the file with its phases, not with intensities alone",
-        });
+        return Err(FORMAT.missing(
+            FilePlace::Byte(68),
+            format!("phase data ({columns} x {rows} points)"),
+            "save the file with its phases, not with intensities alone",
+        ));
     }
     let comment = at(80).text(82, "the comment")?;
     let mut optics = at(164);

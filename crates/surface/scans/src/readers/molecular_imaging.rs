@@ -46,12 +46,8 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     let header = Header::read(bytes)?;
     let kind = get(&header.scan, "fileType").unwrap_or_default();
     if kind != "Image" {
-        return Err(ScanReadError::Unsupported {
-            format: FORMAT,
-            place: FilePlace::Byte(0),
-            found: format!("a file of type '{kind}'"),
-            mend: "export an image of heights",
-        });
+        let mend = "export an image of heights";
+        return Err(FORMAT.unsupported(FilePlace::Byte(0), format!("a file of type '{kind}'"), mend));
     }
     let columns = count(&header.scan, "xPixels")?;
     let rows = count(&header.scan, "yPixels")?;
@@ -107,12 +103,8 @@ impl Header {
             }
             header.channels.last_mut().unwrap_or(&mut header.scan).push((key, value));
         }
-        Err(ScanReadError::MissingField {
-            format: FORMAT,
-            place: FilePlace::Byte(head.len() as u64),
-            field: "line 'data' before it".to_owned(),
-            mend: "the file is cut off: export it again",
-        })
+        let mend = "the file is cut off: export it again";
+        Err(FORMAT.missing(FilePlace::Byte(head.len() as u64), "line 'data' before it", mend))
     }
 }
 
@@ -121,11 +113,8 @@ fn get<'e>(entries: &'e Entries, key: &str) -> Option<&'e str> {
 }
 
 fn require<'e>(entries: &'e Entries, key: &str) -> Result<&'e str, ScanReadError> {
-    get(entries, key).ok_or_else(|| ScanReadError::MissingField {
-        format: FORMAT,
-        place: FilePlace::File,
-        field: format!("'{key}' in the header"),
-        mend: "export the file again",
+    get(entries, key).ok_or_else(|| {
+        FORMAT.missing(FilePlace::File, format!("'{key}' in the header"), "export the file again")
     })
 }
 
@@ -141,14 +130,8 @@ fn range(entries: &Entries) -> Result<f64, ScanReadError> {
 }
 
 fn bad(field: &str, value: &str, bound: &str) -> ScanReadError {
-    ScanReadError::BadField {
-        format: FORMAT,
-        place: FilePlace::File,
-        field: format!("'{field}'"),
-        value: quoted(value),
-        bound: bound.to_owned(),
-        mend: "the header is damaged: export the file again",
-    }
+    let mend = "the header is damaged: export the file again";
+    FORMAT.bad(FilePlace::File, format!("'{field}'"), quoted(value), bound, mend)
 }
 
 /// The numbers of a channel from a file of text; nothing is set aside for those that are not there.

@@ -114,11 +114,12 @@ impl Stored {
         bytes: &'b [u8],
         offset: Option<usize>,
     ) -> Result<Raster<'b>, ScanReadError> {
-        let offset = offset.ok_or_else(|| ScanReadError::Unsupported {
-            format: FORMAT,
-            place: FilePlace::Element(format!("[{section}]")),
-            found: "a channel behind one of unknown size".to_owned(),
-            mend: "export this channel alone",
+        let offset = offset.ok_or_else(|| {
+            FORMAT.unsupported(
+                FilePlace::Element(format!("[{section}]")),
+                "a channel behind one of unknown size",
+                "export this channel alone",
+            )
         })?;
         let range = header.number(section, "Dim2Range")?;
         let lowest =

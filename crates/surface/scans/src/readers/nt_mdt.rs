@@ -70,12 +70,8 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
         frame = file.at(start.saturating_add(size));
     }
     if channels.is_empty() {
-        return Err(ScanReadError::Unsupported {
-            format: FORMAT,
-            place: FilePlace::File,
-            found: "a file without a frame of a scanned image".to_owned(),
-            mend: "export an image of heights",
-        });
+        let mend = "export an image of heights";
+        return Err(FORMAT.unsupported(FilePlace::File, "a file without a frame of a scanned image", mend));
     }
     Ok(channels)
 }

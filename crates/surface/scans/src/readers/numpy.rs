@@ -106,11 +106,9 @@ impl Array {
             return Err(cursor.bad(at, "the length of the header", &length.to_string(), &bound));
         }
         let header = String::from_utf8_lossy(cursor.take(length, "the header")?).into_owned();
-        let missing = |field: &str| ScanReadError::MissingField {
-            format: FORMAT,
-            place: FilePlace::Byte(at as u64),
-            field: format!("entry '{field}' in the header"),
-            mend: "save the array again",
+        let missing = |field: &str| {
+            let mend = "save the array again";
+            FORMAT.missing(FilePlace::Byte(at as u64), format!("entry '{field}' in the header"), mend)
         };
         let entry = |key: &str| {
             let (_, rest) = header.split_once(&format!("'{key}'"))?;
@@ -151,12 +149,11 @@ impl Array {
             Some(numbers) => Ok(numbers),
         };
         let samples = match found {
-            Err(found) => Samples::Unreadable(Box::new(ScanReadError::Unsupported {
-                format: FORMAT,
-                place: FilePlace::File,
+            Err(found) => Samples::Unreadable(Box::new(FORMAT.unsupported(
+                FilePlace::File,
                 found,
-                mend: "save one line or map of real numbers",
-            })),
+                "save one line or map of real numbers",
+            ))),
             Ok((number, byte_order)) => {
                 let order = if self.is_fortran { Order::ColumnsFromTop } else { Order::RowsFromTop };
                 let raster = Raster::new(number, columns, rows, data, self.data);

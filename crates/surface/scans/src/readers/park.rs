@@ -34,13 +34,7 @@ fn recognises(bytes: &[u8]) -> bool {
 
 fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
     let Some(page) = first_page(FORMAT, bytes) else {
-        let field = "page of tags".to_owned();
-        return Err(ScanReadError::MissingField {
-            format: FORMAT,
-            place: FilePlace::File,
-            field,
-            mend: "export it again",
-        });
+        return Err(FORMAT.missing(FilePlace::File, "page of tags", "export it again"));
     };
     let (own, offset) = page.bytes(HEADER_TAG)?;
     // The header is little-endian (Intel); places in errors are those in the file.

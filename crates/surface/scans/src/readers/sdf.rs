@@ -146,11 +146,8 @@ struct Fields<'t>(Vec<(usize, &'t str, &'t str)>);
 impl Fields<'_> {
     fn get(&self, name: &str) -> Result<(usize, &str), ScanReadError> {
         let found = self.0.iter().find(|(_, found, _)| found.eq_ignore_ascii_case(name));
-        found.map(|&(line, _, value)| (line, value)).ok_or_else(|| ScanReadError::MissingField {
-            format: FORMAT,
-            place: FilePlace::File,
-            field: format!("line '{name}' in the header"),
-            mend: "export the file again",
+        found.map(|&(line, _, value)| (line, value)).ok_or_else(|| {
+            FORMAT.missing(FilePlace::File, format!("line '{name}' in the header"), "export the file again")
         })
     }
 
@@ -174,12 +171,8 @@ impl Fields<'_> {
 impl Header {
     fn number(&self, place: FilePlace) -> Result<NumberType, ScanReadError> {
         if self.compression != 0 {
-            return Err(ScanReadError::Unsupported {
-                format: FORMAT,
-                place,
-                found: format!("compression {}", self.compression),
-                mend: "export it without compression",
-            });
+            let mend = "export it without compression";
+            return Err(FORMAT.unsupported(place, format!("compression {}", self.compression), mend));
         }
         Ok(match self.data_type {
             0 => NumberType::U8,
@@ -234,13 +227,6 @@ fn free_text(trailer: &[u8]) -> String {
 }
 
 fn bad(place: FilePlace, field: &str, value: &str, bound: String) -> ScanReadError {
-    let value = value.chars().take(60).collect();
-    ScanReadError::BadField {
-        format: FORMAT,
-        place,
-        field: field.to_owned(),
-        value,
-        bound,
-        mend: "export the file again",
-    }
+    let value: String = value.chars().take(60).collect();
+    FORMAT.bad(place, field, value, bound, "export the file again")
 }

@@ -44,12 +44,11 @@ impl Sections {
                 section.entry(key.trim().to_owned()).or_insert_with(|| value.trim().to_owned());
             }
         }
-        Err(ScanReadError::MissingField {
-            format,
-            place: FilePlace::Byte(head.len() as u64),
-            field: format!("'{}' before it, which ends the header", latin1(mark)),
-            mend: "the file is cut off: export it again",
-        })
+        Err(format.missing(
+            FilePlace::Byte(head.len() as u64),
+            format!("'{}' before it, which ends the header", latin1(mark)),
+            "the file is cut off: export it again",
+        ))
     }
 
     pub(super) fn get(&self, section: &str, key: &str) -> Option<&str> {
@@ -63,11 +62,9 @@ impl Sections {
     }
 
     pub(super) fn require(&self, section: &str, key: &str) -> Result<&str, ScanReadError> {
-        self.get(section, key).ok_or_else(|| ScanReadError::MissingField {
-            format: self.format,
-            place: FilePlace::Element(format!("[{section}]")),
-            field: format!("'{key}'"),
-            mend: "export the file again",
+        self.get(section, key).ok_or_else(|| {
+            let mend = "export the file again";
+            self.format.missing(FilePlace::Element(format!("[{section}]")), format!("'{key}'"), mend)
         })
     }
 
@@ -84,13 +81,12 @@ impl Sections {
     }
 
     pub(super) fn bad(&self, section: &str, key: &str, value: &str, bound: &str) -> ScanReadError {
-        ScanReadError::BadField {
-            format: self.format,
-            place: FilePlace::Element(format!("[{section}]")),
-            field: format!("'{key}'"),
-            value: quoted(value),
-            bound: bound.to_owned(),
-            mend: "the header is damaged: export the file again",
-        }
+        self.format.bad(
+            FilePlace::Element(format!("[{section}]")),
+            format!("'{key}'"),
+            quoted(value),
+            bound,
+            "the header is damaged: export the file again",
+        )
     }
 }

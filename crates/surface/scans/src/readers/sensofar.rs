@@ -97,12 +97,11 @@ fn kind(cursor: &mut Cursor) -> Result<Kind, ScanReadError> {
         1 | 2 => Ok(Kind::Profiles),
         3 => Ok(Kind::Topography),
         5 => Ok(Kind::Thicknesses),
-        other => Err(ScanReadError::Unsupported {
-            format: FORMAT,
-            place: FilePlace::Byte(offset as u64),
-            found: format!("a measurement of type {other}"),
-            mend: "export a topography or a profile",
-        }),
+        other => Err(FORMAT.unsupported(
+            FilePlace::Byte(offset as u64),
+            format!("a measurement of type {other}"),
+            "export a topography or a profile",
+        )),
     }
 }
 

@@ -96,13 +96,14 @@ fn free_text(root: Node) -> String {
 
 fn count(parent: Node, name: &str) -> Result<usize, ScanReadError> {
     let text = child_text(parent, name).ok_or_else(|| missing(parent.tag_name().name(), name))?;
-    numbers::count(text).ok_or_else(|| ScanReadError::BadField {
-        format: FORMAT,
-        place: FilePlace::Element(format!("{}/{name}", parent.tag_name().name())),
-        field: "the text".to_owned(),
-        value: quoted(text),
-        bound: "a whole number above 0".to_owned(),
-        mend: "export the file again",
+    numbers::count(text).ok_or_else(|| {
+        FORMAT.bad(
+            FilePlace::Element(format!("{}/{name}", parent.tag_name().name())),
+            "the text",
+            quoted(text),
+            "a whole number above 0",
+            "export the file again",
+        )
     })
 }
 
@@ -115,10 +116,6 @@ fn child_text<'a>(parent: Node<'a, '_>, name: &str) -> Option<&'a str> {
 }
 
 fn missing(parent: &str, name: &str) -> ScanReadError {
-    ScanReadError::MissingField {
-        format: FORMAT,
-        place: FilePlace::Element(parent.to_owned()),
-        field: format!("element '{name}'"),
-        mend: "export the file again",
-    }
+    let mend = "export the file again";
+    FORMAT.missing(FilePlace::Element(parent.to_owned()), format!("element '{name}'"), mend)
 }

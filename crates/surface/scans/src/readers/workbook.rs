@@ -274,12 +274,5 @@ fn damaged(error: XlsxError) -> ScanReadError {
 }
 
 fn bad(field: &str, value: &str, bound: &str) -> ScanReadError {
-    ScanReadError::BadField {
-        format: FORMAT,
-        place: FilePlace::Element(DATA.to_owned()),
-        field: field.to_owned(),
-        value: value.to_owned(),
-        bound: bound.to_owned(),
-        mend: "export the measurement again",
-    }
+    FORMAT.bad(FilePlace::Element(DATA.to_owned()), field, value, bound, "export the measurement again")
 }

@@ -51,12 +51,8 @@ fn refuse_other_kinds(bytes: &[u8]) -> Result<(), ScanReadError> {
     if line == "SxM Image file" {
         return Ok(());
     }
-    Err(ScanReadError::Unsupported {
-        format: FORMAT,
-        place: FilePlace::Line(2),
-        found: format!("a file of kind {}", quoted(&line)),
-        mend: "export an image of heights",
-    })
+    let mend = "export an image of heights";
+    Err(FORMAT.unsupported(FilePlace::Line(2), format!("a file of kind {}", quoted(&line)), mend))
 }
 
 /// A number with its unit.

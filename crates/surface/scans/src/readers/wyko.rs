@@ -84,12 +84,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
 }
 
 fn no_wavelength() -> ScanReadError {
-    ScanReadError::MissingField {
-        format: FORMAT,
-        place: FilePlace::File,
-        field: "block 'Wavelength', which scales the heights".to_owned(),
-        mend: "export the file again",
-    }
+    FORMAT.missing(FilePlace::File, "block 'Wavelength', which scales the heights", "export the file again")
 }
 
 /// The blocks that are not empty, in the order of the file.

@@ -50,11 +50,12 @@ pub fn read_metadata(text: &str, file: &str) -> Result<Vec<MeasurementMetadata>,
 
 fn list<'v>(value: &'v Value, name: &str, path: &str) -> Result<&'v [Value], ScanReadError> {
     let list = value.get(name).and_then(Value::as_array);
-    list.map(Vec::as_slice).ok_or_else(|| ScanReadError::MissingField {
-        format: ScanFormat::Container,
-        place: if path.is_empty() { FilePlace::File } else { FilePlace::Element(path.to_owned()) },
-        field: format!("list '{name}'"),
-        mend: "download the container again",
+    list.map(Vec::as_slice).ok_or_else(|| {
+        ScanFormat::Container.missing(
+            if path.is_empty() { FilePlace::File } else { FilePlace::Element(path.to_owned()) },
+            format!("list '{name}'"),
+            "download the container again",
+        )
     })
 }
 
@@ -118,13 +119,12 @@ impl Entry<'_> {
     }
 
     fn bad(&self, field: &str, value: &Value, bound: &str) -> ScanReadError {
-        ScanReadError::BadField {
-            format: ScanFormat::Container,
-            place: FilePlace::Element(self.path.clone()),
-            field: format!("'{field}'"),
-            value: value.to_string().chars().take(60).collect(),
-            bound: bound.to_owned(),
-            mend: "correct it, or download the container again",
-        }
+        ScanFormat::Container.bad(
+            FilePlace::Element(self.path.clone()),
+            format!("'{field}'"),
+            value.to_string().chars().take(60).collect::<String>(),
+            bound,
+            "correct it, or download the container again",
+        )
     }
 }

@@ -88,11 +88,12 @@ fn measurement(
         data_file(archive, folder, &path, &options).map_err(|error| failed(&path, error))
     });
     let Some(path) = squeezed else {
-        let nothing = || ScanReadError::MissingField {
-            format: ScanFormat::Container,
-            place: FilePlace::Element("datafile".to_owned()),
-            field: "path 'original' or 'squeezed-netcdf'".to_owned(),
-            mend: "download the container again",
+        let nothing = || {
+            ScanFormat::Container.missing(
+                FilePlace::Element("datafile".to_owned()),
+                "path 'original' or 'squeezed-netcdf'",
+                "download the container again",
+            )
         };
         return original.unwrap_or_else(|| Err(failed("", nothing())));
     };

@@ -88,10 +88,6 @@ fn unpacked(
 
 #[cfg(not(feature = "archives"))]
 fn unpacked(header: &Header, _: &Raster, _: &[u8], _: &mut Room) -> Result<Vec<u8>, ScanReadError> {
-    Err(ScanReadError::Unsupported {
-        format: FORMAT,
-        place: crate::error::FilePlace::Byte(header.data as u64),
-        found: "packed data".to_owned(),
-        mend: "build with the feature 'archives', or export the file without compression",
-    })
+    let mend = "build with the feature 'archives', or export the file without compression";
+    Err(FORMAT.unsupported(crate::error::FilePlace::Byte(header.data as u64), "packed data", mend))
 }

@@ -165,12 +165,7 @@ fn refuse_kind(kind: u16, offset: usize) -> Result<(), ScanReadError> {
         20 | 21 => "a spectrum",
         _ => return Ok(()),
     };
-    Err(ScanReadError::Unsupported {
-        format: FORMAT,
-        place: FilePlace::Byte(offset as u64),
-        found: found.to_owned(),
-        mend: "export a surface or a profile",
-    })
+    Err(FORMAT.unsupported(FilePlace::Byte(offset as u64), found, "export a surface or a profile"))
 }
 
 /// Old files write the micro sign with its byte in the code page of MS-DOS.

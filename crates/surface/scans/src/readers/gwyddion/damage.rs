@@ -8,22 +8,10 @@ pub(super) const MEND: &str = "the file is damaged: save it again from Gwyddion"
 /// An object under a key of the file lacks a component.
 pub(super) fn missing(key: &str, name: &str) -> ScanReadError {
     let place = FilePlace::Element(key.to_owned());
-    ScanReadError::MissingField {
-        format: ScanFormat::Gwyddion,
-        place,
-        field: format!("component '{name}'"),
-        mend: MEND,
-    }
+    ScanFormat::Gwyddion.missing(place, format!("component '{name}'"), MEND)
 }
 
 /// Something under a key of the file is not what it must be.
 pub(super) fn bad(key: &str, field: &str, value: &str, bound: String) -> ScanReadError {
-    ScanReadError::BadField {
-        format: ScanFormat::Gwyddion,
-        place: FilePlace::Element(key.to_owned()),
-        field: field.to_owned(),
-        value: value.to_owned(),
-        bound,
-        mend: MEND,
-    }
+    ScanFormat::Gwyddion.bad(FilePlace::Element(key.to_owned()), field, value, bound, MEND)
 }

@@ -79,12 +79,11 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
         graph::add_lines(&mut channels, graph, &format!("{GRAPHS}{number}"), bytes)?;
     }
     if channels.is_empty() {
-        return Err(ScanReadError::Unsupported {
-            format: FORMAT,
-            place: FilePlace::File,
-            found: "a file without any image or profile, such as one of volume data".to_owned(),
-            mend: "save an image of heights, or a graph of heights over a length",
-        });
+        return Err(FORMAT.unsupported(
+            FilePlace::File,
+            "a file without any image or profile, such as one of volume data",
+            "save an image of heights, or a graph of heights over a length",
+        ));
     }
     Ok(channels)
 }

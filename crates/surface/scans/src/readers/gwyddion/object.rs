@@ -197,12 +197,11 @@ fn letter_of(number: u32) -> Option<u8> {
 }
 
 fn unknown_type(offset: usize, found: &str) -> ScanReadError {
-    ScanReadError::BadField {
-        format: FORMAT,
-        place: FilePlace::Byte(offset as u64),
-        field: "the type of a component".to_owned(),
-        value: found.to_owned(),
-        bound: "one of the letters b, c, i, q, d, s, o, C, I, Q, D, S, O".to_owned(),
-        mend: MEND,
-    }
+    FORMAT.bad(
+        FilePlace::Byte(offset as u64),
+        "the type of a component",
+        found,
+        "one of the letters b, c, i, q, d, s, o, C, I, Q, D, S, O",
+        MEND,
+    )
 }

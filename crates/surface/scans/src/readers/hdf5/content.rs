@@ -138,14 +138,13 @@ impl Entry {
     }
 
     pub(super) fn bad(&self, field: &str, value: &str, bound: &str) -> ScanReadError {
-        ScanReadError::BadField {
-            format: FORMAT,
-            place: FilePlace::Element(self.path.clone()),
-            field: field.to_owned(),
-            value: value.chars().take(60).collect(),
-            bound: bound.to_owned(),
-            mend: "export the file again",
-        }
+        FORMAT.bad(
+            FilePlace::Element(self.path.clone()),
+            field,
+            value.chars().take(60).collect::<String>(),
+            bound,
+            "export the file again",
+        )
     }
 }
 

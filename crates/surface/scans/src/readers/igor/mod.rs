@@ -70,8 +70,7 @@ fn is_table(wave: &Wave) -> bool {
 }
 
 fn unsupported(found: String) -> ScanReadError {
-    let mend = "save an image of heights";
-    ScanReadError::Unsupported { format: FORMAT, place: FilePlace::File, found, mend }
+    FORMAT.unsupported(FilePlace::File, found, "save an image of heights")
 }
 
 fn channel<'b>(

@@ -70,14 +70,8 @@ fn header_bytes(version: u16) -> Option<usize> {
 impl Wave {
     pub(super) fn read(bytes: &[u8]) -> Result<Self, ScanReadError> {
         let Some((version, order)) = version(bytes) else {
-            let place = FilePlace::File;
-            let found = "a file whose headers do not have the sum that they should".to_owned();
-            return Err(ScanReadError::Unsupported {
-                format: FORMAT,
-                place,
-                found,
-                mend: "save the wave again from Igor",
-            });
+            let found = "a file whose headers do not have the sum that they should";
+            return Err(FORMAT.unsupported(FilePlace::File, found, "save the wave again from Igor"));
         };
         let cursor = Cursor::new(FORMAT, bytes, order).at(2);
         let mut wave = if version == 5 { Self::read_5(cursor)? } else { Self::read_old(cursor, version)? };

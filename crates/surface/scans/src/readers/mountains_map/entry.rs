@@ -49,11 +49,12 @@ impl<'b> Entry<'b> {
 
     /// Returns an entry that must be there.
     pub(super) fn required(&self, path: &[u16]) -> Result<Self, ScanReadError> {
-        self.optional(path)?.ok_or_else(|| ScanReadError::MissingField {
-            format: FORMAT,
-            place: FilePlace::Byte(self.offset as u64),
-            field: format!("entry {path:x?} in this part of the document"),
-            mend: "export the surface from MountainsMap as SUR or X3P",
+        self.optional(path)?.ok_or_else(|| {
+            FORMAT.missing(
+                FilePlace::Byte(self.offset as u64),
+                format!("entry {path:x?} in this part of the document"),
+                "export the surface from MountainsMap as SUR or X3P",
+            )
         })
     }
 

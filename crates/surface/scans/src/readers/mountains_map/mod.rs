@@ -57,25 +57,22 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
         }
     }
     if channels.is_empty() {
-        return Err(ScanReadError::Unsupported {
-            format: FORMAT,
-            place: FilePlace::File,
-            found: "a document without a measured surface".to_owned(),
-            mend: "export the surface or profile from MountainsMap as SUR, PRO or X3P",
-        });
+        let mend = "export the surface or profile from MountainsMap as SUR, PRO or X3P";
+        return Err(FORMAT.unsupported(FilePlace::File, "a document without a measured surface", mend));
     }
     Ok(channels)
 }
 
 /// The stream of the document.
 fn contents(bytes: &[u8]) -> Result<Vec<u8>, ScanReadError> {
-    let bad = |error: std::io::Error| ScanReadError::BadField {
-        format: FORMAT,
-        place: FilePlace::File,
-        field: "the compound file".to_owned(),
-        value: error.to_string(),
-        bound: format!("one with a stream '{STREAM}'"),
-        mend: "save the document again",
+    let bad = |error: std::io::Error| {
+        FORMAT.bad(
+            FilePlace::File,
+            "the compound file",
+            error.to_string(),
+            format!("one with a stream '{STREAM}'"),
+            "save the document again",
+        )
     };
     let mut file = cfb::CompoundFile::open(std::io::Cursor::new(bytes)).map_err(bad)?;
     let stream = file.open_stream(STREAM).map_err(bad)?;

@@ -53,12 +53,8 @@ impl<'b> Header<'b> {
             header.take(line, offset as u64)?;
             offset = header.end;
         }
-        Err(ScanReadError::MissingField {
-            format: FORMAT,
-            place: FilePlace::Byte(head.len() as u64),
-            field: "line '\\*File list end' before it".to_owned(),
-            mend: "the file is cut off: export it again",
-        })
+        let mend = "the file is cut off: export it again";
+        Err(FORMAT.missing(FilePlace::Byte(head.len() as u64), "line '\\*File list end' before it", mend))
     }
 
     fn take(&mut self, line: &'b [u8], offset: u64) -> Result<(), ScanReadError> {
@@ -80,14 +76,13 @@ impl<'b> Header<'b> {
                 section.entries.push((key, value, offset));
                 Ok(())
             }
-            _ => Err(ScanReadError::BadField {
-                format: FORMAT,
-                place: FilePlace::Byte(offset),
-                field: "the line".to_owned(),
-                value: format!("'{}'", line[..line.len().min(40)].escape_ascii()),
-                bound: "a line of the header, which begins with a backslash".to_owned(),
-                mend: "the file is damaged: export it again",
-            }),
+            _ => Err(FORMAT.bad(
+                FilePlace::Byte(offset),
+                "the line",
+                format!("'{}'", line[..line.len().min(40)].escape_ascii()),
+                "a line of the header, which begins with a backslash",
+                "the file is damaged: export it again",
+            )),
         }
     }
 
@@ -137,11 +132,9 @@ impl Section<'_> {
     }
 
     pub(crate) fn require(&self, key: &'static str) -> Result<Value, ScanReadError> {
-        self.get(key).ok_or_else(|| ScanReadError::MissingField {
-            format: FORMAT,
-            place: FilePlace::Byte(self.offset),
-            field: format!("'{key}' in this section"),
-            mend: "export the file again with a newer version of the software",
+        self.get(key).ok_or_else(|| {
+            let mend = "export the file again with a newer version of the software";
+            FORMAT.missing(FilePlace::Byte(self.offset), format!("'{key}' in this section"), mend)
         })
     }
 
@@ -157,13 +150,7 @@ impl Value {
     }
 
     pub(crate) fn bad(&self, bound: &str) -> ScanReadError {
-        ScanReadError::BadField {
-            format: FORMAT,
-            place: FilePlace::Byte(self.offset),
-            field: format!("'{}'", self.key),
-            value: quoted(&self.text),
-            bound: bound.to_owned(),
-            mend: "the header is damaged: export the file again",
-        }
+        let mend = "the header is damaged: export the file again";
+        FORMAT.bad(FilePlace::Byte(self.offset), format!("'{}'", self.key), quoted(&self.text), bound, mend)
     }
 }

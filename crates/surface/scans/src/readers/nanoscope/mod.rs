@@ -68,12 +68,7 @@ fn channel<'b>(image: &Image<'_>, bytes: &'b [u8]) -> Channel<'b> {
 /// Force curves and unevenly spaced profiles have image sections that hold no map.
 fn refuse_other_modes(header: &Header) -> Result<(), ScanReadError> {
     let refuse = |offset: u64, found: &str| {
-        Err(ScanReadError::Unsupported {
-            format: FORMAT,
-            place: FilePlace::Byte(offset),
-            found: found.to_owned(),
-            mend: "export an image of heights",
-        })
+        Err(FORMAT.unsupported(FilePlace::Byte(offset), found, "export an image of heights"))
     };
     let mode = header.any("Operating mode");
     if let Some(mode) = mode.as_ref().filter(|mode| mode.text == "Force") {

@@ -80,12 +80,5 @@ impl<'b> Cursor<'b> {
 }
 
 pub(crate) fn bad(offset: u64, field: &str, value: &str, bound: &str) -> ScanReadError {
-    ScanReadError::BadField {
-        format: FORMAT,
-        place: FilePlace::Byte(offset),
-        field: field.to_owned(),
-        value: value.to_owned(),
-        bound: bound.to_owned(),
-        mend: "the file is damaged: write it again",
-    }
+    FORMAT.bad(FilePlace::Byte(offset), field, value, bound, "the file is damaged: write it again")
 }

@@ -99,14 +99,13 @@ impl Layout {
             (["y", "x"], [_, x]) if x.length > 0 => Ok(Self::Rows(x.length)),
             (["x"], _) => Ok(Self::Line),
             (["n"], _) => Ok(Self::Points),
-            _ => Err(ScanReadError::BadField {
-                format: FORMAT,
-                place: FilePlace::Byte(heights.offset),
-                field: "the list of dimensions of 'heights'".to_owned(),
-                value: file.dimensions_of(heights),
-                bound: "x and y (both above 0), x, or n".to_owned(),
-                mend: "name them as contact.engineering does",
-            }),
+            _ => Err(FORMAT.bad(
+                FilePlace::Byte(heights.offset),
+                "the list of dimensions of 'heights'",
+                file.dimensions_of(heights),
+                "x and y (both above 0), x, or n",
+                "name them as contact.engineering does",
+            )),
         }
     }
 }
@@ -128,14 +127,13 @@ fn units(
     if let Some((x, y)) = x.zip(y)
         && x != y
     {
-        return Err(ScanReadError::BadField {
-            format: FORMAT,
-            place: FilePlace::File,
-            field: "the unit of 'y'".to_owned(),
-            value: y.to_string(),
-            bound: format!("that of 'x', {x}"),
-            mend: "write both in one unit",
-        });
+        return Err(FORMAT.bad(
+            FilePlace::File,
+            "the unit of 'y'",
+            y.to_string(),
+            format!("that of 'x', {x}"),
+            "write both in one unit",
+        ));
     }
     Ok(Units::choose(options, x.or(y), height.or(x), notes))
 }
@@ -156,11 +154,9 @@ fn size(file: &Classic, is_map: bool, units: &Units) -> Result<Lateral, ScanRead
 }
 
 fn positions(file: &Classic, units: &Units) -> Result<Lateral, ScanReadError> {
-    let x = file.variable("x").ok_or_else(|| ScanReadError::MissingField {
-        format: FORMAT,
-        place: FilePlace::File,
-        field: "variable 'x' with the positions of the points".to_owned(),
-        mend: "export the line again",
+    let x = file.variable("x").ok_or_else(|| {
+        let mend = "export the line again";
+        FORMAT.missing(FilePlace::File, "variable 'x' with the positions of the points", mend)
     })?;
     let to_m = units.length_to_m(FORMAT)?;
     Ok(Lateral::Positions(file.values(x)?.into_iter().map(to_m).collect()))
@@ -170,14 +166,13 @@ fn positions(file: &Classic, units: &Units) -> Result<Lateral, ScanReadError> {
 fn mask(file: &Classic, heights: &Variable) -> Result<Option<Vec<f64>>, ScanReadError> {
     let Some(mask) = file.variable("mask") else { return Ok(None) };
     if mask.dimensions != heights.dimensions {
-        return Err(ScanReadError::BadField {
-            format: FORMAT,
-            place: FilePlace::Byte(mask.offset),
-            field: "the list of dimensions of 'mask'".to_owned(),
-            value: file.dimensions_of(mask),
-            bound: format!("that of 'heights', {}", file.dimensions_of(heights)),
-            mend: "write both over the same dimensions",
-        });
+        return Err(FORMAT.bad(
+            FilePlace::Byte(mask.offset),
+            "the list of dimensions of 'mask'",
+            file.dimensions_of(mask),
+            format!("that of 'heights', {}", file.dimensions_of(heights)),
+            "write both over the same dimensions",
+        ));
     }
     file.values(mask).map(Some)
 }

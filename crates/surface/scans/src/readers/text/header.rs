@@ -243,14 +243,13 @@ impl Header {
                 _ => "points",
             };
             if found < stated {
-                return Err(ScanReadError::BadField {
-                    format: FORMAT,
-                    place: FilePlace::Line(line),
-                    field: format!("the number of {what} in the file"),
-                    value: found.to_string(),
-                    bound: format!("{stated}, as stated here"),
-                    mend: "the file is cut off: export it again, or correct the header",
-                });
+                return Err(FORMAT.bad(
+                    FilePlace::Line(line),
+                    format!("the number of {what} in the file"),
+                    found.to_string(),
+                    format!("{stated}, as stated here"),
+                    "the file is cut off: export it again, or correct the header",
+                ));
             }
             if found > stated {
                 notes.push(format!("line {line} states {stated} {what}, the file holds {found}"));
@@ -297,12 +296,8 @@ impl Header {
 }
 
 fn second_channel(line: usize) -> ScanReadError {
-    ScanReadError::Unsupported {
-        format: FORMAT,
-        place: FilePlace::Line(line),
-        found: "a second channel in one file".to_owned(),
-        mend: "export each channel to a file of its own",
-    }
+    let mend = "export each channel to a file of its own";
+    FORMAT.unsupported(FilePlace::Line(line), "a second channel in one file", mend)
 }
 
 #[cfg(test)]

@@ -31,14 +31,8 @@ pub(super) fn unit(text: &str, line: usize) -> Result<LengthUnit, ScanReadError>
 }
 
 pub(super) fn bad_field(line: usize, field: &str, value: &str, bound: String) -> ScanReadError {
-    ScanReadError::BadField {
-        format: FORMAT,
-        place: FilePlace::Line(line),
-        field: field.to_owned(),
-        value: format!("'{}'", shortened(value)),
-        bound,
-        mend: "export a channel of heights, or correct the header",
-    }
+    let mend = "export a channel of heights, or correct the header";
+    FORMAT.bad(FilePlace::Line(line), field, format!("'{}'", shortened(value)), bound, mend)
 }
 
 /// The radius in a line on the stylus, as Dektak exports write it: `Stylus,Radius: 2.5 µm`.

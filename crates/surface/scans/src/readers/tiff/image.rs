@@ -116,13 +116,7 @@ impl<'b> Page<'b> {
     }
 
     fn bad(&self, field: &str, value: &str, bound: &str) -> ScanReadError {
-        ScanReadError::BadField {
-            format: self.format,
-            place: FilePlace::File,
-            field: field.to_owned(),
-            value: value.to_owned(),
-            bound: bound.to_owned(),
-            mend: "export the file again without packing its data",
-        }
+        let mend = "export the file again without packing its data";
+        self.format.bad(FilePlace::File, field, value, bound, mend)
     }
 }

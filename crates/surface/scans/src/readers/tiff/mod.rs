@@ -147,12 +147,7 @@ impl<'b> Page<'b> {
     }
 
     fn missing(&self, tag: u16) -> ScanReadError {
-        ScanReadError::MissingField {
-            format: self.format,
-            place: FilePlace::File,
-            field: format!("tag {tag}"),
-            mend: "export the file again",
-        }
+        self.format.missing(FilePlace::File, format!("tag {tag}"), "export the file again")
     }
 }
 

@@ -149,12 +149,7 @@ fn map<'b>(bytes: &'b [u8], tree: &Tree, group: &str) -> Result<Raster<'b>, Scan
 }
 
 fn missing(field: String) -> ScanReadError {
-    ScanReadError::MissingField {
-        format: FORMAT,
-        place: FilePlace::File,
-        field,
-        mend: "export the file again",
-    }
+    FORMAT.missing(FilePlace::File, field, "export the file again")
 }
 
 /// The extent is the distance of the first from the last point.

@@ -73,13 +73,14 @@ impl Description {
         fields: [Option<Coordinate>; 3],
         points: &[Option<Vec<f64>>],
     ) -> Result<Data, ScanReadError> {
-        let bad = |field: &str, value: String, bound: String| ScanReadError::BadField {
-            format: FORMAT,
-            place: FilePlace::Element("Record3/DataList".to_owned()),
-            field: field.to_owned(),
-            value,
-            bound,
-            mend: "export the file again",
+        let bad = |field: &str, value: String, bound: String| {
+            FORMAT.bad(
+                FilePlace::Element("Record3/DataList".to_owned()),
+                field,
+                value,
+                bound,
+                "export the file again",
+            )
         };
         if Some(points.len()) != self.columns.checked_mul(self.rows) {
             let bound = format!("{} x {}, as the dimensions say", self.columns, self.rows);

@@ -53,12 +53,11 @@ impl Description {
             "PRF" => Layout::Profile,
             "PCL" => Layout::Cloud,
             other => {
-                return Err(ScanReadError::Unsupported {
-                    format: FORMAT,
-                    place: FilePlace::Element(feature.path),
-                    found: format!("the feature type '{other}'"),
-                    mend: "export a surface (SUR) or a profile (PRF)",
-                });
+                return Err(FORMAT.unsupported(
+                    FilePlace::Element(feature.path),
+                    format!("the feature type '{other}'"),
+                    "export a surface (SUR) or a profile (PRF)",
+                ));
             }
         };
         let x = axes.child("CX")?.axis()?;
@@ -131,11 +130,9 @@ fn points(record: &Element) -> Result<Points, ScanReadError> {
         });
         return Ok(Points::Listed(listed.collect::<Result<_, _>>()?));
     }
-    let link = record.child("DataLink").map_err(|_| ScanReadError::MissingField {
-        format: FORMAT,
-        place: FilePlace::Element("Record3".to_owned()),
-        field: "element 'DataLink' or 'DataList'".to_owned(),
-        mend: "export the file again",
+    let link = record.child("DataLink").map_err(|_| {
+        let mend = "export the file again";
+        FORMAT.missing(FilePlace::Element("Record3".to_owned()), "element 'DataLink' or 'DataList'", mend)
     })?;
     let valid = link.child("ValidPointsLink").ok().filter(|link| !link.text().is_empty());
     Ok(Points::Binary {

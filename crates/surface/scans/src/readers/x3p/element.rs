@@ -18,15 +18,12 @@ impl<'a, 'd> Element<'a, 'd> {
     pub(super) fn child(&self, name: &str) -> Result<Self, ScanReadError> {
         let path = if self.path.is_empty() { name.to_owned() } else { format!("{}/{name}", self.path) };
         let node = self.node.children().find(|node| node.is_element() && node.tag_name().name() == name);
-        let missing = || ScanReadError::MissingField {
-            format: FORMAT,
-            place: FilePlace::Element(if self.path.is_empty() {
-                INDEX.to_owned()
-            } else {
-                self.path.clone()
-            }),
-            field: format!("element '{name}'"),
-            mend: "export the file again",
+        let missing = || {
+            FORMAT.missing(
+                FilePlace::Element(if self.path.is_empty() { INDEX.to_owned() } else { self.path.clone() }),
+                format!("element '{name}'"),
+                "export the file again",
+            )
         };
         Ok(Self { node: node.ok_or_else(missing)?, path })
     }
@@ -89,13 +86,6 @@ impl<'a, 'd> Element<'a, 'd> {
     }
 
     pub(super) fn bad(&self, bound: &str, mend: &'static str) -> ScanReadError {
-        ScanReadError::BadField {
-            format: FORMAT,
-            place: FilePlace::Element(self.path.clone()),
-            field: "the text".to_owned(),
-            value: quoted(self.text()),
-            bound: bound.to_owned(),
-            mend,
-        }
+        FORMAT.bad(FilePlace::Element(self.path.clone()), "the text", quoted(self.text()), bound, mend)
     }
 }

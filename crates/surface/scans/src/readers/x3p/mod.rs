@@ -57,11 +57,12 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
 
 /// Points with positions of their own, which must lie on an even grid; grid points without any are missing.
 fn on_grid(description: &Description, data: Data) -> Result<(usize, Lateral, Decoded), ScanReadError> {
-    let no_grid = || ScanReadError::Unsupported {
-        format: FORMAT,
-        place: FilePlace::Element("Record1/FeatureType".to_owned()),
-        found: "points that lie on no even grid, one at each of its points".to_owned(),
-        mend: "export a surface (SUR) on a regular grid",
+    let no_grid = || {
+        FORMAT.unsupported(
+            FilePlace::Element("Record1/FeatureType".to_owned()),
+            "points that lie on no even grid, one at each of its points",
+            "export a surface (SUR) on a regular grid",
+        )
     };
     // The matrix tells the place of a point along an axis without positions.
     let along = |given: Vec<f64>, axis: ScanAxis, place: fn(usize, usize) -> usize| match axis {
