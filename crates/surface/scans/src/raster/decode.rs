@@ -7,6 +7,48 @@ use crate::error::ScanReadError;
 use crate::format::ScanFormat;
 use crate::missing_points::MissingPoints;
 
+impl NumberType {
+    /// Appends so many numbers that are `stride` bytes apart, each times a factor and plus a summand.
+    pub(crate) fn read(
+        self,
+        byte_order: ByteOrder,
+        bytes: &[u8],
+        [stride, count]: [usize; 2],
+        line: [f64; 2],
+        values: &mut Vec<f64>,
+    ) {
+        let row = StoredRow { bytes, stride, first: 0, step: 1, columns: count };
+        self.reader(byte_order)(&row, line, values);
+    }
+
+    fn reader(self, byte_order: ByteOrder) -> ReadRow {
+        macro_rules! reader {
+            ($number:expr) => {
+                |row, line, values| read_row(row, line, values, $number)
+            };
+            ($type:ty, $finished:expr) => {
+                match byte_order {
+                    ByteOrder::Little => reader!(|bytes| $finished(<$type>::from_le_bytes(bytes))),
+                    ByteOrder::Big => reader!(|bytes| $finished(<$type>::from_be_bytes(bytes))),
+                }
+            };
+        }
+        match self {
+            Self::I8 => reader!(i8, f64::from),
+            Self::U8 => reader!(u8, f64::from),
+            Self::I16 => reader!(i16, f64::from),
+            Self::U16 => reader!(u16, f64::from),
+            Self::I32 => reader!(i32, f64::from),
+            Self::U32 => reader!(u32, f64::from),
+            Self::I64 => reader!(i64, |number| number as f64),
+            Self::U64 => reader!(u64, |number| number as f64),
+            Self::F16 => reader!(u16, half),
+            Self::F32 => reader!(f32, f64::from),
+            Self::F64 => reader!(f64, f64::from),
+        }
+    }
+}
+
 impl Raster<'_> {
     /// The values.
     ///
@@ -18,31 +60,7 @@ impl Raster<'_> {
         if self.columns == 0 || self.rows == 0 {
             return Ok(Decoded::default());
         }
-        macro_rules! reader {
-            ($number:expr) => {
-                |row, line, values| read_row(row, line, values, $number)
-            };
-            ($type:ty, $finished:expr) => {
-                match self.byte_order {
-                    ByteOrder::Little => reader!(|bytes| $finished(<$type>::from_le_bytes(bytes))),
-                    ByteOrder::Big => reader!(|bytes| $finished(<$type>::from_be_bytes(bytes))),
-                }
-            };
-        }
-        let read: ReadRow = match self.number {
-            NumberType::I8 => reader!(i8, f64::from),
-            NumberType::U8 => reader!(u8, f64::from),
-            NumberType::I16 => reader!(i16, f64::from),
-            NumberType::U16 => reader!(u16, f64::from),
-            NumberType::I32 => reader!(i32, f64::from),
-            NumberType::U32 => reader!(u32, f64::from),
-            NumberType::I64 => reader!(i64, |number| number as f64),
-            NumberType::U64 => reader!(u64, |number| number as f64),
-            NumberType::F16 => reader!(u16, half),
-            NumberType::F32 => reader!(f32, f64::from),
-            NumberType::F64 => reader!(f64, f64::from),
-        };
-        let decoded = self.decoded(read);
+        let decoded = self.decoded(self.number.reader(self.byte_order));
         Ok(if self.is_mirrored { mirrored(decoded, self.columns) } else { decoded })
     }
 

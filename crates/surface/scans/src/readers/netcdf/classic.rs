@@ -8,7 +8,7 @@ use std::borrow::Cow;
 use units::printable::listed;
 
 use super::cursor::{Cursor, FORMAT, bad};
-use super::kind::Kind;
+use super::kind::{Kind, default_fill, read_into};
 use crate::error::{ScanReadError, quoted};
 
 const DIMENSIONS: u32 = 10;
@@ -99,18 +99,14 @@ impl<'b> Classic<'b> {
     /// All values of a variable, the last dimension fastest, scaled as its attributes say; fill values, those of the
     /// format where no attribute gives one, are NaN.
     pub(crate) fn values(&self, variable: &Variable) -> Result<Vec<f64>, ScanReadError> {
-        if variable.kind == Kind::Char {
-            return Err(bad(
-                variable.offset,
-                &format!("the type of '{}'", variable.name),
-                "text",
-                "a number",
-            ));
-        }
+        let Kind::Number(stored) = variable.kind else {
+            let field = format!("the type of '{}'", variable.name);
+            return Err(bad(variable.offset, &field, "text", "a number"));
+        };
         let number = |name| variable.attribute(name).and_then(Attribute::number);
         let scale = number("scale_factor").unwrap_or(1.0);
         let shift = number("add_offset").unwrap_or(0.0);
-        let fills = [number("_FillValue").or(variable.kind.default_fill()), number("missing_value")];
+        let fills = [number("_FillValue").or(default_fill(stored)), number("missing_value")];
         let scaled = |raw: f64| if fills.contains(&Some(raw)) { f64::NAN } else { raw * scale + shift };
         let records =
             if self.is_record(variable) { self.dimensions[variable.dimensions[0]].length } else { 1 };
@@ -126,8 +122,9 @@ impl<'b> Classic<'b> {
         };
         for record in 0..records {
             let block = block(record).ok_or_else(|| self.truncated(variable, records))?;
-            variable.kind.read_into(block, &mut values, scaled);
+            read_into(&mut values, stored, block);
         }
+        values.iter_mut().for_each(|value| *value = scaled(*value));
         Ok(values)
     }
 
@@ -215,14 +212,15 @@ impl<'b> Variable<'b> {
 impl Attribute<'_> {
     /// The text, without zero bytes at its end.
     pub(crate) fn text(&self) -> Option<String> {
-        let is_text = self.kind == Kind::Char;
-        is_text.then(|| String::from_utf8_lossy(self.raw).trim_end_matches('\0').to_owned())
+        (self.kind == Kind::Text).then(|| String::from_utf8_lossy(self.raw).trim_end_matches('\0').to_owned())
     }
 
     /// The first number.
     pub(crate) fn number(&self) -> Option<f64> {
-        let raw = self.raw.get(..self.kind.size()).filter(|_| self.kind != Kind::Char)?;
-        self.kind.number(raw)
+        let Kind::Number(stored) = self.kind else { return None };
+        let mut first = Vec::new();
+        read_into(&mut first, stored, self.raw.get(..stored.bytes())?);
+        first.pop()
     }
 
     pub(crate) fn bad(&self, name: &str, bound: &str) -> ScanReadError {

@@ -4,6 +4,7 @@ use super::FORMAT;
 use super::axis::Coordinate;
 use super::description::{Description, Points};
 use crate::archive::Archive;
+use crate::cursor::ByteOrder;
 use crate::error::{FilePlace, ScanReadError};
 use crate::raster::{Decoded, Raster};
 
@@ -32,7 +33,7 @@ impl Description {
         valid: Option<&str>,
     ) -> Result<Data, ScanReadError> {
         let points = self.columns.checked_mul(self.rows);
-        let size: usize = fields.iter().flatten().map(|field| field.kind.size()).sum();
+        let size: usize = fields.iter().flatten().map(|field| field.number.bytes()).sum();
         let bytes = archive.read(path)?;
         let needed = points.and_then(|points| points.checked_mul(size));
         let bytes = needed.and_then(|needed| bytes.get(..needed)).ok_or_else(|| {
@@ -48,24 +49,27 @@ impl Description {
         let is_valid =
             |index: usize| bits.as_ref().is_none_or(|bits| bits[index / 8] >> (index % 8) & 1 == 1);
         if let ([None, None, Some(z)], None) = (fields, &bits) {
-            let raster = Raster::new(z.kind.number_type(), self.columns, self.rows, bytes, 0);
+            let raster = Raster::new(z.number, self.columns, self.rows, bytes, 0);
             let raster = Raster { scale: z.increment, zero: z.offset, ..raster };
             return Ok(Data { z_m: raster.decode(FORMAT)?, ..Data::default() });
         }
-        let mut data = Data::default();
-        for (index, point) in bytes.chunks_exact(size).enumerate() {
-            let mut rest = point;
-            let mut next = |field: Coordinate| {
-                let (raw, behind) = rest.split_at(field.kind.size().min(rest.len()));
-                rest = behind;
-                field.length_m(field.kind.number(raw))
-            };
-            data.x_m.extend(fields[0].map(&mut next));
-            data.y_m.extend(fields[1].map(&mut next));
-            let z_m = next(self.z);
-            data.z_m.push(is_valid(index).then_some(z_m));
+        let mut start = 0;
+        let [x_m, y_m, values] = fields.map(|field| {
+            let mut values_m = Vec::new();
+            if let Some(Coordinate { number, increment, offset }) = field {
+                let places = [size, bytes.len() / size];
+                number.read(ByteOrder::Little, &bytes[start..], places, [increment, offset], &mut values_m);
+                start += number.bytes();
+            }
+            values_m
+        });
+        let mut z_m = Decoded { values, ..Decoded::default() };
+        for index in 0..z_m.values.len() {
+            if !(is_valid(index) && z_m.values[index].is_finite()) {
+                z_m.set_missing(index);
+            }
         }
-        Ok(data)
+        Ok(Data { x_m, y_m, z_m })
     }
 
     fn listed(
@@ -74,13 +78,8 @@ impl Description {
         points: &[Option<Vec<f64>>],
     ) -> Result<Data, ScanReadError> {
         let bad = |field: &str, value: String, bound: String| {
-            FORMAT.bad(
-                FilePlace::Element("Record3/DataList".to_owned()),
-                field,
-                value,
-                bound,
-                "export the file again",
-            )
+            let mend = "export the file again";
+            FORMAT.bad(FilePlace::Element("Record3/DataList".to_owned()), field, value, bound, mend)
         };
         if Some(points.len()) != self.columns.checked_mul(self.rows) {
             let bound = format!("{} x {}, as the dimensions say", self.columns, self.rows);

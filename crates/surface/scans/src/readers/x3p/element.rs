@@ -2,11 +2,12 @@
 
 use roxmltree::Node;
 
-use super::axis::{Coordinate, Kind, ScanAxis};
+use super::axis::{Coordinate, ScanAxis};
 use super::{FORMAT, INDEX};
 use crate::archive::leads_outside;
 use crate::error::{FilePlace, ScanReadError, quoted};
 use crate::numbers;
+use crate::raster::NumberType;
 
 /// An element with its path, for messages.
 pub(super) struct Element<'a, 'd> {
@@ -65,11 +66,11 @@ impl<'a, 'd> Element<'a, 'd> {
     /// The type and scale of an axis whose values are in the data.
     pub(super) fn coordinate(&self) -> Result<Coordinate, ScanReadError> {
         let kind = self.child("DataType")?;
-        let kind = match kind.text() {
-            "I" => Kind::I16,
-            "L" => Kind::I32,
-            "F" => Kind::F32,
-            "D" => Kind::F64,
+        let stored = match kind.text() {
+            "I" => NumberType::I16,
+            "L" => NumberType::I32,
+            "F" => NumberType::F32,
+            "D" => NumberType::F64,
             _ => return Err(kind.bad("I, L, F or D", "export the file again")),
         };
         let number = |name: &str| self.child(name).ok().map(|child| child.number()).transpose();
@@ -77,7 +78,7 @@ impl<'a, 'd> Element<'a, 'd> {
         if increment == 0.0 {
             return Err(self.child("Increment")?.bad("other than 0", "export the file again"));
         }
-        Ok(Coordinate { kind, increment, offset: number("Offset")?.unwrap_or(0.0) })
+        Ok(Coordinate { number: stored, increment, offset: number("Offset")?.unwrap_or(0.0) })
     }
 
     pub(super) fn path_inside(&self) -> Result<String, ScanReadError> {
