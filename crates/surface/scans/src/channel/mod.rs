@@ -155,31 +155,6 @@ impl<'b> Channel<'b> {
     pub(crate) fn is_heights(&self) -> bool {
         matches!(self.quantity, Quantity::Heights(_))
     }
-
-    /// Copies borrowed bytes, for files that are unpacked to be read.
-    #[cfg(feature = "archives")]
-    pub(crate) fn into_owned<'o>(self) -> Channel<'o> {
-        let samples = match self.samples {
-            Samples::Raster(raster) => Samples::Raster(raster.into_owned()),
-            Samples::Decoded { columns, decoded } => Samples::Decoded { columns, decoded },
-            Samples::Unreadable(error) => Samples::Unreadable(error),
-        };
-        Channel {
-            name: self.name,
-            quantity: self.quantity,
-            lateral: self.lateral,
-            stated_m: self.stated_m,
-            samples,
-            units: self.units,
-            fast_axis: self.fast_axis,
-            is_periodic: self.is_periodic,
-            probe: self.probe,
-            tip_radius_m: self.tip_radius_m,
-            resolution_m: self.resolution_m,
-            free_text: self.free_text,
-            notes: self.notes,
-        }
-    }
 }
 
 impl Lateral {

@@ -163,31 +163,6 @@ impl<'b> Raster<'b> {
         Self::new(number, columns, rows, file.get(offset..).unwrap_or_default(), offset)
     }
 
-    /// Copies borrowed bytes.
-    #[cfg(feature = "archives")]
-    pub(crate) fn into_owned<'o>(self) -> Raster<'o> {
-        Raster {
-            columns: self.columns,
-            rows: self.rows,
-            number: self.number,
-            byte_order: self.byte_order,
-            order: self.order,
-            is_mirrored: self.is_mirrored,
-            bytes: Cow::Owned(self.bytes.into_owned()),
-            offset: self.offset,
-            stride: self.stride,
-            scale: self.scale,
-            zero: self.zero,
-            missing: match self.missing {
-                MissingMark::None => MissingMark::None,
-                MissingMark::Equal(mark) => MissingMark::Equal(mark),
-                MissingMark::AtLeast(mark) => MissingMark::AtLeast(mark),
-                MissingMark::AtMost(mark) => MissingMark::AtMost(mark),
-                MissingMark::Flagged(flags) => MissingMark::Flagged(Cow::Owned(flags.into_owned())),
-            },
-        }
-    }
-
     /// Refuses numbers that are not all there, before any memory is set aside for them.
     pub(crate) fn check(&self, format: ScanFormat) -> Result<(), ScanReadError> {
         let points = self.columns.checked_mul(self.rows);

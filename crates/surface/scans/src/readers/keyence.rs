@@ -1,6 +1,8 @@
 //! Keyence laser scanning microscopes, `.vk4` and its predecessor `.vk3`, and `.vk6` and `.vk7`, which pack a `.vk4`;
 //! as a report of Sandia National Laboratories on the format describes it. Little-endian, lengths in pm.
 
+use std::borrow::Cow;
+
 use memchr::memmem;
 
 use crate::channel::{Channel, Lateral, Quantity};
@@ -45,7 +47,10 @@ fn is_packed(bytes: &[u8]) -> bool {
 }
 
 fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
-    if is_packed(bytes) { packed(bytes, options) } else { images(bytes) }
+    if is_packed(bytes) {
+        return packed(bytes, options);
+    }
+    images(bytes, &mut |numbers| Ok(Cow::Borrowed(numbers)))
 }
 
 #[cfg(feature = "archives")]
@@ -53,16 +58,10 @@ fn packed<'b>(bytes: &[u8], options: &ScanOptions) -> Result<Vec<Channel<'b>>, S
     let content = crate::archive::Archive::open(bytes, options.unpacked_bound())?.read("Vk4File")?;
     // Images that do not overlap take no more than what they were packed in.
     let mut room = crate::room::Room::new(content.len() as u64);
-    let own = |channel: Channel| {
-        let size = if let crate::channel::Samples::Raster(raster) = &channel.samples {
-            raster.bytes.len() as u64
-        } else {
-            0
-        };
-        room.take(size, || "images that overlap".to_owned())?;
-        Ok(channel.into_owned())
-    };
-    images(&content)?.into_iter().map(own).collect()
+    images(&content, &mut |numbers| {
+        room.take(numbers.len() as u64, || "images that overlap".to_owned())?;
+        Ok(Cow::Owned(numbers.to_vec()))
+    })
 }
 
 #[cfg(not(feature = "archives"))]
@@ -70,7 +69,10 @@ fn packed<'b>(_: &[u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadErr
     Err(FORMAT.unsupported(FilePlace::File, "a packed file", "build with the feature 'archives'"))
 }
 
-fn images(bytes: &[u8]) -> Result<Vec<Channel<'_>>, ScanReadError> {
+/// Keeps the numbers of an image beyond the content of the file.
+type Keep<'k, 'c, 'b> = &'k mut dyn FnMut(&'c [u8]) -> Result<Cow<'b, [u8]>, ScanReadError>;
+
+fn images<'c, 'b>(bytes: &'c [u8], keep: Keep<'_, 'c, 'b>) -> Result<Vec<Channel<'b>>, ScanReadError> {
     let start = Cursor::new(FORMAT, bytes, ByteOrder::Little);
     let place =
         |entry: usize, what: &str| start.at(TABLE_OFFSET + 4 * entry).u32(what).map(|place| place as usize);
@@ -91,7 +93,7 @@ fn images(bytes: &[u8]) -> Result<Vec<Channel<'_>>, ScanReadError> {
         if at == 0 {
             continue;
         }
-        let samples = raster(start.at(at), if is_height { unit_m } else { 1.0 }).into();
+        let samples = raster(start.at(at), if is_height { unit_m } else { 1.0 }, keep).into();
         let quantity = match is_height {
             true => Quantity::Heights(Some(LengthUnit::METRE)),
             false => Quantity::Other(String::new()),
@@ -104,7 +106,11 @@ fn images(bytes: &[u8]) -> Result<Vec<Channel<'_>>, ScanReadError> {
 }
 
 /// An image: its size, a palette, its numbers.
-fn raster(mut cursor: Cursor<'_>, scale: f64) -> Result<Raster<'_>, ScanReadError> {
+fn raster<'c, 'b>(
+    mut cursor: Cursor<'c>,
+    scale: f64,
+    keep: Keep<'_, 'c, 'b>,
+) -> Result<Raster<'b>, ScanReadError> {
     let (columns, rows) = (cursor.count("the number of columns")?, cursor.count("the number of rows")?);
     let at = cursor.at;
     let number = match cursor.u32("the bits of a number")? {
@@ -126,5 +132,5 @@ fn raster(mut cursor: Cursor<'_>, scale: f64) -> Result<Raster<'_>, ScanReadErro
     let size = columns.saturating_mul(rows).saturating_mul(number.bytes());
     let data = cursor.rest();
     let data = data.get(..size).unwrap_or(data);
-    Ok(Raster { scale, ..Raster::new(number, columns, rows, data, cursor.at) })
+    Ok(Raster { scale, ..Raster::new(number, columns, rows, keep(data)?, cursor.at) })
 }
