@@ -47,10 +47,7 @@ impl Case for AdhesionCase {
     fn draw(draw: &mut Draw) -> (Self, Reach) {
         let reach = Reach::draw(draw);
         let map = SmallMap::draw(draw, reach);
-        let contact_modulus_pa = match reach {
-            Reach::Usual => draw.decades(6.0, 12.0),
-            _ => reach.number(draw, 0.0, 14.0),
-        };
+        let contact_modulus_pa = reach.modulus_pa(draw);
         let spacing_m = (map.length_x_m / map.columns as f64).max(map.length_y_m / map.rows as f64);
         let range_m = map.rms_m().max(f64::MIN_POSITIVE) * reach.number(draw, -2.0, 2.0);
         // E* rho^2/w over the spacing.

@@ -110,24 +110,14 @@ fn elastic(pair: &MaterialPair, trial: &mut Trial<AsperityCase>) {
             law.mean_gap_over_amplitude(p_pa),
             law.deformation_over_amplitude(p_pa),
         ];
-        sinusoid(
-            ["elastic sinusoid: area in [0, 1]", "elastic sinusoid: gap and deformation make one"],
-            state,
-            0.0,
-            trial,
-        );
+        let promises = ["elastic sinusoid: area in [0, 1]", "elastic sinusoid: gap and deformation make one"];
+        sinusoid(promises, state, 0.0, trial);
         if trial.reach != Reach::Edge {
             let back_pa = law.pressure_at_interference_pa(state[2]);
             inverse("elastic sinusoid: p -> h -> p", p_pa.min(full_pa), back_pa, state[2], trial);
         }
     }
-    interference(
-        "elastic sinusoid: p(w) in [0, p*]",
-        case.load,
-        full_pa,
-        |w| law.pressure_at_interference_pa(w),
-        trial,
-    );
+    interference("elastic sinusoid: p(w) in [0, p*]", full_pa, |w| law.pressure_at_interference_pa(w), trial);
 }
 
 fn boundary_elements(pair: &MaterialPair, trial: &mut Trial<AsperityCase>) {
@@ -137,24 +127,14 @@ fn boundary_elements(pair: &MaterialPair, trial: &mut Trial<AsperityCase>) {
     for p_pa in pressures_pa(case.load * full_pa, law.breaks()) {
         let deformation = law.deformation_over_amplitude(p_pa);
         let state = [law.area_fraction(p_pa), 1.0 - deformation, deformation];
-        sinusoid(
-            ["bem sinusoid: area in [0, 1]", "bem sinusoid: gap and deformation make one"],
-            state,
-            0.0,
-            trial,
-        );
+        let promises = ["bem sinusoid: area in [0, 1]", "bem sinusoid: gap and deformation make one"];
+        sinusoid(promises, state, 0.0, trial);
         if trial.reach != Reach::Edge {
             let back_pa = law.pressure_at_interference_pa(deformation);
             inverse("bem sinusoid: p -> h -> p", p_pa.min(full_pa), back_pa, deformation, trial);
         }
     }
-    interference(
-        "bem sinusoid: p(w) in [0, p*]",
-        case.load,
-        full_pa,
-        |w| law.pressure_at_interference_pa(w),
-        trial,
-    );
+    interference("bem sinusoid: p(w) in [0, p*]", full_pa, |w| law.pressure_at_interference_pa(w), trial);
 }
 
 fn elastic_plastic(pair: &MaterialPair, strength_pa: f64, trial: &mut Trial<AsperityCase>) {
@@ -174,12 +154,8 @@ fn elastic_plastic(pair: &MaterialPair, strength_pa: f64, trial: &mut Trial<Aspe
             .filter(|beside_pa| law.yields_at(*beside_pa) == law.yields_at(p_pa))
             .map(|beside_pa| (law.deformation_over_amplitude(beside_pa) - state[2]).abs());
         let last_place = steps.fold(0.0, f64::max);
-        sinusoid(
-            ["ep-sinusoid: area in [0, 1]", "ep-sinusoid: gap and deformation make one"],
-            state,
-            2.0 * last_place,
-            trial,
-        );
+        let promises = ["ep-sinusoid: area in [0, 1]", "ep-sinusoid: gap and deformation make one"];
+        sinusoid(promises, state, 2.0 * last_place, trial);
         if trial.reach == Reach::Edge {
             continue;
         }
@@ -192,7 +168,6 @@ fn elastic_plastic(pair: &MaterialPair, strength_pa: f64, trial: &mut Trial<Aspe
     if law.aspect_ratio_over_critical().is_finite() {
         interference(
             "ep-sinusoid: p(w) in [0, p*_ep]",
-            case.load,
             full_pa,
             |w| law.pressure_at_interference_pa(w),
             trial,
@@ -235,11 +210,11 @@ fn inverse(promise: &'static str, there: f64, back: f64, deformation: f64, trial
 /// The pressure at an interference over amplitude rises, up to that of complete contact.
 fn interference(
     promise: &'static str,
-    w: f64,
     full_pa: f64,
     pressure_at: impl Fn(f64) -> f64,
     trial: &mut Trial<AsperityCase>,
 ) {
+    let w = trial.case.load;
     let [here_pa, beyond_pa] = [pressure_at(w), pressure_at(w * (1.0 + 1e-3))];
     let rises = here_pa <= beyond_pa * (1.0 + ROUNDING);
     trial.hold(promise, (0.0..=full_pa * (1.0 + ROUNDING)).contains(&here_pa) && rises);

@@ -55,10 +55,7 @@ impl Case for BallCase {
         if draw.chance(0.3) {
             map.heights_m.fill(0.0);
         }
-        let contact_modulus_pa = match reach {
-            Reach::Usual => draw.decades(6.0, 12.0),
-            _ => reach.number(draw, 0.0, 14.0),
-        };
+        let contact_modulus_pa = reach.modulus_pa(draw);
         let side_m = map.length_x_m.min(map.length_y_m);
         let contact_m = side_m * draw.decades(-1.5, -0.3);
         let radius_m = contact_m * reach.number(draw, 0.5, 5.0);

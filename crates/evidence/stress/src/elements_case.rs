@@ -67,10 +67,7 @@ impl Case for ElementsCase {
     fn draw(draw: &mut Draw) -> (Self, Reach) {
         let reach = Reach::draw(draw);
         let map = SmallMap::draw(draw, reach);
-        let contact_modulus_pa = match reach {
-            Reach::Usual => draw.decades(6.0, 12.0),
-            _ => reach.number(draw, 0.0, 14.0),
-        };
+        let contact_modulus_pa = reach.modulus_pa(draw);
         let periodic = draw.chance(0.75);
         let layer_m = map.length_x_m * draw.decades(-2.0, 1.0);
         let layer = (periodic && draw.chance(0.15)).then_some((draw.decades(-2.0, 2.0), layer_m));

@@ -29,6 +29,11 @@ impl Reach {
         let number = draw.decades(low, high);
         if self == Reach::Edge && draw.chance(SHARE) { draw.edge() } else { number }
     }
+
+    /// Draws a modulus \[Pa\].
+    pub(crate) fn modulus_pa(self, draw: &mut Draw) -> f64 {
+        if self == Reach::Usual { draw.decades(6.0, 12.0) } else { self.number(draw, 0.0, 14.0) }
+    }
 }
 
 /// Material pair and its strength, in SI units; printed, it is a literal that recreates it to the last bit.

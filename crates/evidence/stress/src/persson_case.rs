@@ -222,10 +222,7 @@ fn roughness(psd: &ProfilePsd, band: Band) -> Roughness {
 impl Case for PerssonCase {
     fn draw(draw: &mut Draw) -> (Self, Reach) {
         let reach = Reach::draw(draw);
-        let youngs_modulus_pa = match reach {
-            Reach::Usual => draw.decades(6.0, 12.0),
-            _ => reach.number(draw, 0.0, 14.0),
-        };
+        let youngs_modulus_pa = reach.modulus_pa(draw);
         let ordinary = draw.between(0.0, 0.5);
         let poisson_ratio = draw.one_of(&[ordinary, ordinary, 0.0, 0.5]);
         let spectrum = drawn_spectrum(draw, reach);
