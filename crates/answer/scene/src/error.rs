@@ -9,7 +9,8 @@ use study::material::MaterialError;
 use study::surface::SurfaceError;
 
 /// Error in a scene, with its place in the text.
-#[derive(Debug)]
+#[derive(Debug, thiserror::Error)]
+#[error("{problem}")]
 pub struct SceneError {
     /// The error itself.
     pub problem: SceneProblem,
@@ -136,14 +137,6 @@ impl SceneError {
         Some(1 + before.matches('\n').count())
     }
 }
-
-impl fmt::Display for SceneError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.problem.fmt(f)
-    }
-}
-
-impl std::error::Error for SceneError {}
 
 impl fmt::Display for SceneProblem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

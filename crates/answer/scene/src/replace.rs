@@ -1,7 +1,6 @@
 //! The text of a scene with some of its keys set anew. All else of it, comments too, stays as it was typed.
 
 use std::cmp::Ordering;
-use std::fmt;
 
 use toml::Value;
 use toml_edit::{DocumentMut, Item, Key, Table};
@@ -48,10 +47,11 @@ const SI_UNITS: [(&str, &str); 22] = [
 ];
 
 /// A key that cannot be set anew.
-#[derive(Debug)]
+#[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReplaceError {
     /// No section has such a key, or there is no such section.
+    #[error("{name}: a scene has no such key{} it may be {}", hint(meant), known.join(", "))]
     Unknown {
         /// The name.
         name: String,
@@ -61,6 +61,7 @@ pub enum ReplaceError {
         meant: Option<String>,
     },
     /// Several sections have such a key.
+    #[error("{name} may be {}; name the one that is meant", places.join(" or "))]
     Ambiguous {
         /// The name.
         name: String,
@@ -68,6 +69,7 @@ pub enum ReplaceError {
         places: Vec<String>,
     },
     /// There are not so many sections of a kind.
+    #[error("{name}: the scene has {count} such sections, and they are counted from 0")]
     TooFew {
         /// The name.
         name: String,
@@ -75,40 +77,15 @@ pub enum ReplaceError {
         count: usize,
     },
     /// The key is a section, or its parent is not a section.
+    #[error("{name} is not a single value in this scene; set it in the text")]
     NoValue {
         /// The name.
         name: String,
     },
     /// The text is not a valid scene after the replacement.
+    #[error(transparent)]
     Scene(SceneError),
 }
-
-impl fmt::Display for ReplaceError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            ReplaceError::Unknown { name, known, meant } => {
-                write!(f, "{name}: a scene has no such key")?;
-                match meant {
-                    Some(meant) => write!(f, ", did you mean {meant}?")?,
-                    None => f.write_str(";")?,
-                }
-                write!(f, " it may be {}", known.join(", "))
-            }
-            ReplaceError::Ambiguous { name, places } => {
-                write!(f, "{name} may be {}; name the one that is meant", places.join(" or "))
-            }
-            ReplaceError::TooFew { name, count } => {
-                write!(f, "{name}: the scene has {count} such sections, and they are counted from 0")
-            }
-            ReplaceError::NoValue { name } => {
-                write!(f, "{name} is not a single value in this scene; set it in the text")
-            }
-            ReplaceError::Scene(error) => error.fmt(f),
-        }
-    }
-}
-
-impl std::error::Error for ReplaceError {}
 
 /// Returns the text of a scene with keys set to values. A name is `section.key`, or a key alone where one section has it: of
 /// those that have it in the text, or where none does, of those in the text that may have it. `cutoff` and `pressure` are
@@ -128,6 +105,11 @@ pub fn with_keys<'k>(
         set(&mut document, &place, &value).ok_or_else(|| ReplaceError::NoValue { name: name.to_owned() })?;
     }
     Ok(document.to_string())
+}
+
+/// Suggests a similar name, or returns the semicolon that separates the clauses if there is none.
+fn hint(meant: &Option<String>) -> String {
+    meant.as_ref().map_or_else(|| ";".to_owned(), |meant| format!(", did you mean {meant}?"))
 }
 
 /// Returns the place of a name, part by part.

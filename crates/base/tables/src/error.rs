@@ -1,6 +1,5 @@
 //! Errors of input tables.
 
-use std::fmt;
 use std::io;
 
 use units::OutOfBounds;
@@ -89,7 +88,9 @@ pub enum TableError {
 }
 
 /// Problems with columns and cells: the first ten, and the number of further ones.
-#[derive(Debug, Default, Clone, PartialEq, Eq)]
+#[derive(Debug, Default, Clone, PartialEq, Eq, thiserror::Error)]
+// Aligns the lines behind the word `error: `.
+#[error("{}", self.lines().join("\n       "))]
 pub struct Refusal {
     listed: Vec<String>,
     more: usize,
@@ -140,12 +141,3 @@ impl Refusal {
         self.listed.iter().cloned().chain(more).collect()
     }
 }
-
-impl fmt::Display for Refusal {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        // Aligns the lines behind the word `error: `.
-        f.write_str(&self.lines().join("\n       "))
-    }
-}
-
-impl std::error::Error for Refusal {}
