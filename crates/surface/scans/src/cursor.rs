@@ -68,7 +68,7 @@ impl<'b> Cursor<'b> {
         let count = self.u32(what)?;
         match usize::try_from(count) {
             Ok(count) if count > 0 => Ok(count),
-            _ => Err(self.bad(offset, what, &count.to_string(), "a whole number above 0")),
+            _ => Err(self.bad(offset, what, count, "a whole number above 0")),
         }
     }
 
@@ -104,7 +104,7 @@ impl<'b> Cursor<'b> {
     }
 
     /// The error of a field that holds what it must not.
-    pub(crate) fn bad(&self, offset: usize, field: &str, value: &str, bound: &str) -> ScanReadError {
+    pub(crate) fn bad(&self, offset: usize, field: &str, value: impl ToString, bound: &str) -> ScanReadError {
         let mend = "the file is damaged or of a variant that is not known: export it again";
         self.format.bad(FilePlace::Byte(offset as u64), field, value, bound, mend)
     }

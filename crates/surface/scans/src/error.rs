@@ -344,11 +344,11 @@ impl ScanFormat {
         self,
         place: FilePlace,
         field: impl Into<String>,
-        value: impl Into<String>,
+        value: impl ToString,
         bound: impl Into<String>,
         mend: &'static str,
     ) -> ScanReadError {
-        let (field, value, bound) = (field.into(), value.into(), bound.into());
+        let (field, value, bound) = (field.into(), value.to_string(), bound.into());
         ScanReadError::BadField { format: self, place, field, value, bound, mend }
     }
 

@@ -61,6 +61,11 @@ pub(crate) enum Quantity {
     Other(String),
 }
 
+impl Quantity {
+    /// Heights in m.
+    pub(crate) const HEIGHTS_IN_M: Self = Self::Heights(Some(LengthUnit::METRE));
+}
+
 /// Source of the units of a channel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum UnitsBy {
@@ -101,12 +106,7 @@ pub(crate) enum Samples<'b> {
 impl<'b> Channel<'b> {
     /// A channel of heights of a format that fixes all units.
     pub(crate) fn heights_in_m(name: impl Into<String>, size: ScanSize, raster: Raster<'b>) -> Self {
-        Self::new(
-            Some(name.into()),
-            Quantity::Heights(Some(LengthUnit::METRE)),
-            Lateral::Size(size),
-            Samples::Raster(raster),
-        )
+        Self::new(Some(name.into()), Quantity::HEIGHTS_IN_M, Lateral::Size(size), Samples::Raster(raster))
     }
 
     /// Creates a channel without further facts; its units are fixed where it has any.

@@ -12,7 +12,6 @@ use crate::numbers;
 use crate::options::ScanOptions;
 use crate::raster::{MissingMark, NumberType, Raster};
 use crate::readers::Reader;
-use units::LengthUnit;
 
 const FORMAT: ScanFormat = ScanFormat::Alicona;
 const MAGIC: &[u8] = b"AliconaImaging\0\r\n";
@@ -51,11 +50,10 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
         columns.checked_mul(NumberType::F32.bytes()).and_then(|row| row.checked_next_multiple_of(ROW_BYTES));
     let raster = Raster::within(NumberType::F32, columns, rows, bytes, offset);
     let raster = Raster { stride, missing: missing(&tags)?, ..raster };
-    let quantity = Quantity::Heights(Some(LengthUnit::METRE));
     Ok(vec![Channel {
         probe: Some(Probe::Microscope),
         free_text: comment,
-        ..Channel::new(None, quantity, lateral(&tags)?, Samples::Raster(raster))
+        ..Channel::new(None, Quantity::HEIGHTS_IN_M, lateral(&tags)?, Samples::Raster(raster))
     }])
 }
 

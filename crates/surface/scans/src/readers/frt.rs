@@ -160,13 +160,13 @@ impl<'b> Image<'b> {
         let number = match grid.u32("the bits of a height")? {
             16 => NumberType::U16,
             32 => NumberType::I32,
-            other => return Err(grid.bad(at, "the bits of a height", &other.to_string(), "16 or 32")),
+            other => return Err(grid.bad(at, "the bits of a height", other, "16 or 32")),
         };
         let offset = data.at;
         let needed = columns.saturating_mul(rows).saturating_mul(number.bytes());
         if needed > size {
             let bound = format!("at least the {needed} bytes of {columns} x {rows} points");
-            return Err(data.bad(offset, "the size of the block", &size.to_string(), &bound));
+            return Err(data.bad(offset, "the size of the block", size, &bound));
         }
         Ok(Self { kind, columns, rows, number, data: data.take(needed, "an image")?, offset })
     }
@@ -193,7 +193,7 @@ impl<'b> Image<'b> {
             ..Raster::new(self.number, self.columns, self.rows, self.data, self.offset)
         };
         let quantity = match self.height_name() {
-            Some("Topography" | "AFM") => Quantity::Heights(Some(LengthUnit::METRE)),
+            Some("Topography" | "AFM") => Quantity::HEIGHTS_IN_M,
             Some(_) => Quantity::OtherLength(LengthUnit::METRE),
             None => Quantity::Other(String::new()),
         };

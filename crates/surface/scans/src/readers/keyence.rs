@@ -95,7 +95,7 @@ fn images<'c, 'b>(bytes: &'c [u8], keep: Keep<'_, 'c, 'b>) -> Result<Vec<Channel
         }
         let samples = raster(start.at(at), if is_height { unit_m } else { 1.0 }, keep).into();
         let quantity = match is_height {
-            true => Quantity::Heights(Some(LengthUnit::METRE)),
+            true => Quantity::HEIGHTS_IN_M,
             false => Quantity::Other(String::new()),
         };
         let lateral = Lateral::Spacing { x_m, y_m: Some(y_m) };
@@ -117,7 +117,7 @@ fn raster<'c, 'b>(
         8 => NumberType::U8,
         16 => NumberType::U16,
         32 => NumberType::U32,
-        other => return Err(cursor.bad(at, "the bits of a number", &other.to_string(), "8, 16 or 32")),
+        other => return Err(cursor.bad(at, "the bits of a number", other, "8, 16 or 32")),
     };
     let at = cursor.at;
     let compression = cursor.u32("the compression")?;

@@ -68,7 +68,7 @@ impl Profile {
         let count = cursor.u32("the number of texts")?;
         if count > MOST_TEXTS {
             let bound = format!("at most {MOST_TEXTS}");
-            return Err(cursor.bad(count_offset, "the number of texts", &count.to_string(), &bound));
+            return Err(cursor.bad(count_offset, "the number of texts", count, &bound));
         }
         let mut texts = Vec::new();
         for _ in 0..count {
@@ -109,13 +109,12 @@ impl Profile {
 
     fn channel<'b>(self, name: &str) -> Channel<'b> {
         let MeasuredLine { lateral, samples, notes } = MeasuredLine::new(self.positions_m, self.heights_m);
-        let quantity = Quantity::Heights(Some(LengthUnit::METRE));
         Channel {
             probe: Some(Probe::Tip),
             tip_radius_m: self.tip_radius_m,
             free_text: self.comment,
             notes,
-            ..Channel::new(Some(name.to_owned()), quantity, lateral, samples)
+            ..Channel::new(Some(name.to_owned()), Quantity::HEIGHTS_IN_M, lateral, samples)
         }
     }
 }

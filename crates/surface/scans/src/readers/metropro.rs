@@ -11,7 +11,6 @@ use crate::metadata::Probe;
 use crate::options::ScanOptions;
 use crate::raster::{MissingMark, NumberType, Raster};
 use crate::readers::Reader;
-use units::LengthUnit;
 
 const FORMAT: ScanFormat = ScanFormat::MetroPro;
 /// Magic numbers of headers of format 1, 2 and 3.
@@ -56,11 +55,10 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
         false => Lateral::Unknown,
     };
     let texts = header.texts.into_iter().filter(|text| !text.is_empty());
-    let quantity = Quantity::Heights(Some(LengthUnit::METRE));
     Ok(vec![Channel {
         probe: Some(Probe::Microscope),
         free_text: texts.collect::<Vec<_>>().join("\n"),
-        ..Channel::new(None, quantity, lateral, Samples::Raster(raster))
+        ..Channel::new(None, Quantity::HEIGHTS_IN_M, lateral, Samples::Raster(raster))
     }])
 }
 
@@ -70,7 +68,7 @@ fn header(bytes: &[u8]) -> Result<Header, ScanReadError> {
     let header_bytes = at(6).u32("the length of the header")? as usize;
     if header_bytes < SHORTEST_HEADER {
         let bound = format!("at least {SHORTEST_HEADER}");
-        return Err(start.bad(6, "the length of the header", &header_bytes.to_string(), &bound));
+        return Err(start.bad(6, "the length of the header", header_bytes, &bound));
     }
     let intensity_bytes = at(60).u32("the length of the intensities")? as usize;
     let mut size = at(68);
@@ -109,5 +107,5 @@ fn phases(mut cursor: Cursor) -> Result<f64, ScanReadError> {
     let offset = cursor.at;
     let resolution = cursor.i16("the resolution of phases")?;
     let phases = usize::try_from(resolution).ok().and_then(|index| PHASES.get(index)).copied();
-    phases.ok_or_else(|| cursor.bad(offset, "the resolution of phases", &resolution.to_string(), "0, 1 or 2"))
+    phases.ok_or_else(|| cursor.bad(offset, "the resolution of phases", resolution, "0, 1 or 2"))
 }

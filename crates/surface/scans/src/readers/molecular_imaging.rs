@@ -51,8 +51,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     }
     let columns = count(&header.scan, "xPixels")?;
     let rows = count(&header.scan, "yPixels")?;
-    let points =
-        columns.checked_mul(rows).ok_or_else(|| bad("xPixels", &columns.to_string(), "a smaller number"))?;
+    let points = columns.checked_mul(rows).ok_or_else(|| bad("xPixels", columns, "a smaller number"))?;
     let binary = match header.data.as_str() {
         "BINARY" | "" => Some((NumberType::I16, FULL_16)),
         "BINARY_32" => Some((NumberType::I32, FULL_32)),
@@ -129,9 +128,9 @@ fn range(entries: &Entries) -> Result<f64, ScanReadError> {
     numbers::finite(text).ok_or_else(|| bad("bufferRange", text, "a number"))
 }
 
-fn bad(field: &str, value: &str, bound: &str) -> ScanReadError {
+fn bad(field: &str, value: impl ToString, bound: &str) -> ScanReadError {
     let mend = "the header is damaged: export the file again";
-    FORMAT.bad(FilePlace::File, format!("'{field}'"), quoted(value), bound, mend)
+    FORMAT.bad(FilePlace::File, format!("'{field}'"), quoted(&value.to_string()), bound, mend)
 }
 
 /// The numbers of a channel from a file of text; nothing is set aside for those that are not there.

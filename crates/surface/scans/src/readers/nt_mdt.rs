@@ -62,7 +62,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
         let kind = frame.u16("the kind of a frame")?;
         if size < FRAME_HEADER_BYTES {
             let bound = format!("at least {FRAME_HEADER_BYTES}");
-            return Err(file.bad(start, "the size of a frame", &size.to_string(), &bound));
+            return Err(file.bad(start, "the size of a frame", size, &bound));
         }
         if kind == SCANNED {
             channels.extend(scanned(bytes, file.at(start), size)?);

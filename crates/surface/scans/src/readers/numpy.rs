@@ -98,12 +98,12 @@ impl Array {
         let length = match version {
             1 => usize::from(cursor.u16("the length of the header")?),
             2 | 3 => cursor.count("the length of the header")?,
-            _ => return Err(cursor.bad(MAGIC.len(), "the version", &version.to_string(), "1, 2 or 3")),
+            _ => return Err(cursor.bad(MAGIC.len(), "the version", version, "1, 2 or 3")),
         };
         let at = cursor.at;
         if length > LONGEST_HEADER {
             let bound = format!("at most {LONGEST_HEADER}");
-            return Err(cursor.bad(at, "the length of the header", &length.to_string(), &bound));
+            return Err(cursor.bad(at, "the length of the header", length, &bound));
         }
         let header = String::from_utf8_lossy(cursor.take(length, "the header")?).into_owned();
         let missing = |field: &str| {

@@ -54,6 +54,6 @@ fn spacing_m(cursor: &mut Cursor, what: &str) -> Result<f64, ScanReadError> {
     let spacing_m = LengthUnit::MICROMETRE.to_m(spacing);
     match spacing_m.is_finite() && spacing_m > 0.0 {
         true => Ok(spacing_m),
-        false => Err(cursor.bad(offset, what, &spacing.to_string(), "a number above 0")),
+        false => Err(cursor.bad(offset, what, spacing, "a number above 0")),
     }
 }

@@ -82,12 +82,7 @@ impl Header {
         let kind = cursor.u32("the kind of the image")?;
         // Images of spectroscopy have a map beside their curves.
         if ![0, 2].contains(&kind) {
-            return Err(cursor.bad(
-                start,
-                "the kind of the image",
-                &kind.to_string(),
-                "0 or 2: profiles are not read",
-            ));
+            return Err(cursor.bad(start, "the kind of the image", kind, "0 or 2: profiles are not read"));
         }
         let name = utf16(cursor.take(64, "the name of the signal")?);
         cursor.skip(16 + 8 + 4 + 4, "the mode of the scan")?;
@@ -115,6 +110,6 @@ fn number_type(cursor: &mut Cursor) -> Result<NumberType, ScanReadError> {
         0 => NumberType::I16,
         1 => NumberType::I32,
         2 => NumberType::F32,
-        other => return Err(cursor.bad(offset, "the type of the numbers", &other.to_string(), "0, 1 or 2")),
+        other => return Err(cursor.bad(offset, "the type of the numbers", other, "0, 1 or 2")),
     })
 }

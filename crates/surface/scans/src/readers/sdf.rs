@@ -9,7 +9,6 @@ use crate::numbers;
 use crate::options::ScanOptions;
 use crate::raster::{Decoded, MissingMark, NumberType, Raster};
 use crate::readers::Reader;
-use units::LengthUnit;
 
 const FORMAT: ScanFormat = ScanFormat::Sdf;
 const VERSIONS: [&[u8]; 4] = [b"ISO-1.0", b"ISO-2.0", b"BCR-1.0", b"BCR-0.0"];
@@ -51,7 +50,7 @@ fn binary(bytes: &[u8]) -> Result<Vec<Channel<'_>>, ScanReadError> {
         let offset = cursor.at;
         let count = if is_wide { cursor.u32(what)? } else { u32::from(cursor.u16(what)?) };
         let found = usize::try_from(count).ok().filter(|&count| count > 0);
-        found.ok_or_else(|| cursor.bad(offset, what, &count.to_string(), "a whole number above 0"))
+        found.ok_or_else(|| cursor.bad(offset, what, count, "a whole number above 0"))
     };
     let (points, profiles) = (count("NumPoints")?, count("NumProfiles")?);
     let header = Header {
@@ -90,12 +89,7 @@ fn text(bytes: &[u8]) -> Result<Vec<Channel<'_>>, ScanReadError> {
     // Without the asterisk, a number in the last place may have lost digits.
     if trailer.is_none() && !data.ends_with(char::is_whitespace) {
         let last = data.split_whitespace().last().unwrap_or_default();
-        return Err(bad(
-            FilePlace::Line(text.lines().count()),
-            "the last height",
-            last,
-            "followed by '*'".to_owned(),
-        ));
+        return Err(bad(FilePlace::Line(text.lines().count()), "the last height", last, "followed by '*'"));
     }
     let trailer = trailer.unwrap_or_default().trim_end_matches(['*', '\r', '\n', ' ']);
     let mut fields = Fields::default();
@@ -123,7 +117,7 @@ fn text(bytes: &[u8]) -> Result<Vec<Channel<'_>>, ScanReadError> {
         for word in line.split_whitespace() {
             let value = if word.eq_ignore_ascii_case("bad") { Some(f64::NAN) } else { word.parse().ok() };
             let value = value.ok_or_else(|| {
-                bad(FilePlace::Line(first_line + index), "a height", word, "a number or BAD".to_owned())
+                bad(FilePlace::Line(first_line + index), "a height", word, "a number or BAD")
             })?;
             let is_missing = matches!(missing, MissingMark::Equal(mark) if value == mark);
             decoded.push((!is_missing).then_some(value * header.height_scale_m));
@@ -133,7 +127,7 @@ fn text(bytes: &[u8]) -> Result<Vec<Channel<'_>>, ScanReadError> {
     if Some(decoded.values.len()) != expected {
         let bound = format!("{} x {}, NumPoints and NumProfiles", header.points, header.profiles);
         let found = decoded.values.len().to_string();
-        return Err(bad(FilePlace::Line(first_line), "the number of heights", &found, bound));
+        return Err(bad(FilePlace::Line(first_line), "the number of heights", &found, &bound));
     }
     let samples = Samples::Decoded { columns: header.points, decoded };
     header.channel(samples, trailer.trim().to_owned())
@@ -157,14 +151,12 @@ impl Fields<'_> {
 
     fn number(&self, name: &str) -> Result<f64, ScanReadError> {
         let (line, value) = self.get(name)?;
-        numbers::finite(value)
-            .ok_or_else(|| bad(FilePlace::Line(line), name, value, "a finite number".to_owned()))
+        numbers::finite(value).ok_or_else(|| bad(FilePlace::Line(line), name, value, "a finite number"))
     }
 
     fn count(&self, name: &str) -> Result<usize, ScanReadError> {
         let (line, value) = self.get(name)?;
-        numbers::count(value)
-            .ok_or_else(|| bad(FilePlace::Line(line), name, value, "a whole number above 0".to_owned()))
+        numbers::count(value).ok_or_else(|| bad(FilePlace::Line(line), name, value, "a whole number above 0"))
     }
 }
 
@@ -183,7 +175,7 @@ impl Header {
             5 => NumberType::I16,
             6 => NumberType::I32,
             7 => NumberType::F64,
-            other => return Err(bad(place, "DataType", &other.to_string(), "from 0 to 7".to_owned())),
+            other => return Err(bad(place, "DataType", other, "from 0 to 7")),
         })
     }
 
@@ -209,8 +201,7 @@ impl Header {
     ) -> Result<Vec<Channel<'b>>, ScanReadError> {
         let y_m = (self.profiles > 1).then_some(self.spacing_y_m);
         let lateral = Lateral::Spacing { x_m: self.spacing_x_m, y_m };
-        let quantity = Quantity::Heights(Some(LengthUnit::METRE));
-        let mut channel = Channel::new(None, quantity, lateral, samples);
+        let mut channel = Channel::new(None, Quantity::HEIGHTS_IN_M, lateral, samples);
         channel.free_text = free_text;
         if self.check_type != 0 {
             channel
@@ -226,7 +217,7 @@ fn free_text(trailer: &[u8]) -> String {
     if is_text { latin1(trailer) } else { String::new() }
 }
 
-fn bad(place: FilePlace, field: &str, value: &str, bound: String) -> ScanReadError {
-    let value: String = value.chars().take(60).collect();
+fn bad(place: FilePlace, field: &str, value: impl ToString, bound: &str) -> ScanReadError {
+    let value: String = value.to_string().chars().take(60).collect();
     FORMAT.bad(place, field, value, bound, "export the file again")
 }

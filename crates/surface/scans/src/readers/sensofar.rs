@@ -127,7 +127,7 @@ fn layer_channels<'b>(
     }
     if rows > most_profiles {
         let bound = format!("at most {most_profiles}");
-        return Err(cursor.bad(start, "the number of profiles", &rows.to_string(), &bound));
+        return Err(cursor.bad(start, "the number of profiles", rows, &bound));
     }
     raster.check(FORMAT)?;
     let row_bytes = columns * NumberType::F32.bytes();

@@ -154,7 +154,7 @@ fn channel_of_tester<'b>(
     let (positions, heights): (Vec<f64>, Vec<Option<f64>>) =
         profile.points.into_values().filter_map(|(position, height)| Some((position?, height))).unzip();
     if let Some(pair) = positions.windows(2).find(|pair| pair[0] >= pair[1]) {
-        return Err(bad("a position", &pair[1].to_string(), &format!("above the one before, {}", pair[0])));
+        return Err(bad("a position", pair[1], &format!("above the one before, {}", pair[0])));
     }
     let range = positions.last().zip(positions.first()).map_or(0.0, |(last, first)| last - first);
     let lateral = match even_spacing(&positions, ROUNDING * range / positions.len().max(1) as f64) {
@@ -163,7 +163,7 @@ fn channel_of_tester<'b>(
     };
     let decoded: Decoded = heights.into_iter().map(|height| height.map(&height_to_m)).collect();
     let samples = Samples::Decoded { columns: decoded.values.len(), decoded };
-    let channel = Channel::new(None, Quantity::Heights(Some(LengthUnit::METRE)), lateral, samples);
+    let channel = Channel::new(None, Quantity::HEIGHTS_IN_M, lateral, samples);
     let free_text = conditions.text;
     Ok(Channel { units: UnitsBy::Reader, probe: Some(Probe::Tip), free_text, notes, ..channel })
 }
@@ -273,6 +273,6 @@ fn damaged(error: XlsxError) -> ScanReadError {
     ScanReadError::Zip { what: "the workbook".to_owned(), problem: error.to_string() }
 }
 
-fn bad(field: &str, value: &str, bound: &str) -> ScanReadError {
+fn bad(field: &str, value: impl ToString, bound: &str) -> ScanReadError {
     FORMAT.bad(FilePlace::Element(DATA.to_owned()), field, value, bound, "export the measurement again")
 }

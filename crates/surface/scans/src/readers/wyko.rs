@@ -97,7 +97,7 @@ fn blocks(bytes: &[u8]) -> Result<Vec<Block<'_>>, ScanReadError> {
         .filter(|entries| directory.length.is_multiple_of(ENTRY_BYTES) && *entries <= MOST_BLOCKS);
     let entries = entries.ok_or_else(|| {
         let bound = format!("a multiple of {ENTRY_BYTES}, for at least 1 and at most {MOST_BLOCKS} blocks");
-        cursor.bad(length_offset, "the length of the directory", &directory.length.to_string(), &bound)
+        cursor.bad(length_offset, "the length of the directory", directory.length, &bound)
     })?;
     let mut blocks = Vec::new();
     let mut offset = DIRECTORY.saturating_add(directory.length);
@@ -150,12 +150,7 @@ fn raster<'b>(block: &Block<'b>, scale: f64) -> Result<Raster<'b>, ScanReadError
         4 => (NumberType::F32, MissingMark::AtLeast(MISSING_F32)),
         other => {
             let offset = block.offset + 4;
-            return Err(cursor.bad(
-                offset,
-                "the number of bytes of a point",
-                &other.to_string(),
-                "1, 2 or 4",
-            ));
+            return Err(cursor.bad(offset, "the number of bytes of a point", other, "1, 2 or 4"));
         }
     };
     let offset = block.offset + cursor.at;

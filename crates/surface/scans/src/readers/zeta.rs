@@ -39,11 +39,10 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     let raster = Raster::within(NumberType::U16, columns, rows, bytes, cursor.at);
     let raster = Raster { scale, ..raster };
     let lateral = Lateral::Spacing { x_m, y_m: (rows > 1).then_some(y_m) };
-    let quantity = Quantity::Heights(Some(LengthUnit::METRE));
     Ok(vec![Channel {
         probe: Some(Probe::Microscope),
         free_text: comment,
-        ..Channel::new(None, quantity, lateral, Samples::Raster(raster))
+        ..Channel::new(None, Quantity::HEIGHTS_IN_M, lateral, Samples::Raster(raster))
     }])
 }
 
@@ -53,6 +52,6 @@ fn step_m(cursor: &mut Cursor, what: &str) -> Result<f64, ScanReadError> {
     let step = cursor.f32(what)?;
     match step.is_finite() && step > 0.0 {
         true => Ok(LengthUnit::MICROMETRE.to_m(f64::from(step))),
-        false => Err(cursor.bad(offset, what, &step.to_string(), "a number above 0")),
+        false => Err(cursor.bad(offset, what, step, "a number above 0")),
     }
 }

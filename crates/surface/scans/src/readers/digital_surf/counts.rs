@@ -78,7 +78,7 @@ fn unpacked(
         let left = expected - counts.len();
         if length > left {
             let bound = format!("at most the {left} bytes that the points leave");
-            return Err(cursor.bad(offset, "the length of a stream", &length.to_string(), &bound));
+            return Err(cursor.bad(offset, "the length of a stream", length, &bound));
         }
         let packed = cursor.take(packed, "a packed stream")?;
         counts.extend(inflated(&StreamPlace { format: FORMAT, offset }, packed, length)?);

@@ -83,7 +83,7 @@ impl Header {
         let bits_offset = cursor.at;
         let bits = cursor.u16("the bits of a point")?;
         if ![16, 32].contains(&bits) {
-            return Err(cursor.bad(bits_offset, "the bits of a point", &bits.to_string(), "16 or 32"));
+            return Err(cursor.bad(bits_offset, "the bits of a point", bits, "16 or 32"));
         }
         let lowest_count = cursor.i32("the lowest count")?;
         cursor.skip(4, "the highest count")?;
@@ -95,7 +95,7 @@ impl Header {
         let scale = cursor.f32("the height of a count")?;
         if !scale.is_finite() {
             let field = "the height of a count";
-            return Err(cursor.bad(scale_offset, field, &scale.to_string(), "a finite number"));
+            return Err(cursor.bad(scale_offset, field, scale, "a finite number"));
         }
         cursor.skip(32, "the names of the lateral axes")?;
         let axis = cursor.text(16, "the name of the axis of heights")?;

@@ -113,7 +113,7 @@ fn lateral(header: &Header, notes: &mut Vec<String>) -> Lateral {
 
 fn unreadable<'b>(error: ScanReadError) -> Channel<'b> {
     let samples = Samples::Unreadable(Box::new(error));
-    Channel::new(None, Quantity::Heights(Some(LengthUnit::METRE)), Lateral::Unknown, samples)
+    Channel::new(None, Quantity::HEIGHTS_IN_M, Lateral::Unknown, samples)
 }
 
 /// Tells objects apart that have the same axis or none.

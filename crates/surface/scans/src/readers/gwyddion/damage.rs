@@ -12,6 +12,6 @@ pub(super) fn missing(key: &str, name: &str) -> ScanReadError {
 }
 
 /// Something under a key of the file is not what it must be.
-pub(super) fn bad(key: &str, field: &str, value: &str, bound: String) -> ScanReadError {
+pub(super) fn bad(key: &str, field: &str, value: impl ToString, bound: impl Into<String>) -> ScanReadError {
     ScanFormat::Gwyddion.bad(FilePlace::Element(key.to_owned()), field, value, bound, MEND)
 }

@@ -73,7 +73,5 @@ impl<'b> Field<'b> {
 fn points(key: &str, name: &str, found: Option<i64>) -> Result<usize, ScanReadError> {
     let found = found.ok_or_else(|| missing(key, name))?;
     let count = usize::try_from(found).ok().filter(|&count| count > 0);
-    count.ok_or_else(|| {
-        bad(key, &format!("'{name}'"), &found.to_string(), "a whole number above 0".to_owned())
-    })
+    count.ok_or_else(|| bad(key, &format!("'{name}'"), found, "a whole number above 0"))
 }

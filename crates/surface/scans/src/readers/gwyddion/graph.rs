@@ -69,8 +69,8 @@ pub(super) fn add_lines<'b>(
 }
 
 fn unreadable<'b>(name: &str, error: ScanReadError) -> Channel<'b> {
-    let quantity = Quantity::Heights(Some(LengthUnit::METRE));
-    Channel::new(Some(name.to_owned()), quantity, Lateral::Unknown, Samples::Unreadable(Box::new(error)))
+    let samples = Samples::Unreadable(Box::new(error));
+    Channel::new(Some(name.to_owned()), Quantity::HEIGHTS_IN_M, Lateral::Unknown, samples)
 }
 
 /// A curve as its components describe it.

@@ -118,8 +118,7 @@ fn channel<'b>(number: u32, data: Object<'b>, entry: &Entry<'b>, bytes: &'b [u8]
             Channel { notes, ..Channel::new(name, quantity, lateral, samples) }
         }
         Err(error) => {
-            let quantity = Quantity::Heights(Some(LengthUnit::METRE));
-            Channel::new(name, quantity, Lateral::Unknown, Samples::Unreadable(Box::new(error)))
+            Channel::new(name, Quantity::HEIGHTS_IN_M, Lateral::Unknown, Samples::Unreadable(Box::new(error)))
         }
     };
     Channel { free_text, ..channel }

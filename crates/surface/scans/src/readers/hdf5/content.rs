@@ -54,7 +54,7 @@ impl Content {
             [] => (1, 1),
             [columns] => (columns, 1),
             [rows, columns] => (columns, rows),
-            _ => return Err(entry.bad("the number of axes", &entry.axes().len().to_string(), "1 or 2")),
+            _ => return Err(entry.bad("the number of axes", entry.axes().len(), "1 or 2")),
         };
         let Some((number, byte_order)) = entry.number() else {
             return Err(entry.bad("the type", &format!("{:?}", entry.dataset.dtype()), "a real number"));
@@ -137,11 +137,11 @@ impl Entry {
         attribute.read_string().ok().or_else(|| attribute.read_strings().ok()?.into_iter().next())
     }
 
-    pub(super) fn bad(&self, field: &str, value: &str, bound: &str) -> ScanReadError {
+    pub(super) fn bad(&self, field: &str, value: impl ToString, bound: &str) -> ScanReadError {
         FORMAT.bad(
             FilePlace::Element(self.path.clone()),
             field,
-            value.chars().take(60).collect::<String>(),
+            value.to_string().chars().take(60).collect::<String>(),
             bound,
             "export the file again",
         )

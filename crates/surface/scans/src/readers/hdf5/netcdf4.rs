@@ -61,7 +61,7 @@ pub(super) fn channels<'b>(
         let masked = turned(content.raster(mask)?, order).decode(FORMAT)?.values;
         if masked.len() != decoded.values.len() {
             let bound = format!("{}, that of 'heights'", decoded.values.len());
-            return Err(content.entries[mask].bad("the number of points", &masked.len().to_string(), &bound));
+            return Err(content.entries[mask].bad("the number of points", masked.len(), &bound));
         }
         let covered = masked.iter().enumerate().filter(|(_, mask)| **mask != 0.0);
         covered.for_each(|(index, _)| decoded.set_missing(index));
@@ -74,9 +74,8 @@ pub(super) fn channels<'b>(
         }
         _ => Lateral::Unknown,
     };
-    let quantity = Quantity::Heights(Some(LengthUnit::METRE));
     let samples = Samples::Decoded { columns, decoded };
-    let channel = Channel::new(Some("heights".to_owned()), quantity, lateral, samples);
+    let channel = Channel::new(Some("heights".to_owned()), Quantity::HEIGHTS_IN_M, lateral, samples);
     Ok(vec![Channel { units: UnitsBy::Reader, is_periodic: periodic, notes, ..channel }])
 }
 

@@ -184,12 +184,7 @@ impl Wave {
             code => {
                 let bound = "2, 4, 8, 16, 32 or 128, with 64 added where there is no sign: texts and complex numbers are no \
                              heights";
-                return Err(cursor.bad(
-                    self.type_offset,
-                    "the type of the numbers",
-                    &code.to_string(),
-                    bound,
-                ));
+                return Err(cursor.bad(self.type_offset, "the type of the numbers", code, bound));
             }
         })
     }
@@ -215,7 +210,7 @@ impl Wave {
 fn size(cursor: &mut Cursor, what: &str) -> Result<usize, ScanReadError> {
     let offset = cursor.at;
     let size = cursor.i32(what)?;
-    usize::try_from(size).map_err(|_| cursor.bad(offset, what, &size.to_string(), "at least 0"))
+    usize::try_from(size).map_err(|_| cursor.bad(offset, what, size, "at least 0"))
 }
 
 fn sizes(cursor: &mut Cursor, what: &str) -> Result<[usize; DIMENSIONS], ScanReadError> {

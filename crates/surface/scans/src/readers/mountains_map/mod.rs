@@ -107,7 +107,7 @@ fn surface<'b>(object: &Entry, room: &mut Room) -> Result<Option<Channel<'b>>, S
         Err(error) => Samples::Unreadable(Box::new(error)),
     };
     let quantity = match z.is_length {
-        true => Quantity::Heights(Some(LengthUnit::METRE)),
+        true => Quantity::HEIGHTS_IN_M,
         false => Quantity::Other(z.unit),
     };
     let lateral = Lateral::spacings(x.spacing_m(), y.spacing_m(), y.points);

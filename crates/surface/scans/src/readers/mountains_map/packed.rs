@@ -33,19 +33,14 @@ pub(super) fn array(
     let found = count.u32("the number of elements of an array")?;
     if usize::try_from(found) != Ok(elements) {
         let field = "the number of elements of an array";
-        return Err(cursor.bad(
-            count.offset,
-            field,
-            &found.to_string(),
-            &format!("that of its points, {elements}"),
-        ));
+        return Err(cursor.bad(count.offset, field, found, &format!("that of its points, {elements}")));
     }
     let total = cursor.u64("the length of an array")?;
     let is_total =
         |bytes: &&usize| elements.checked_mul(**bytes).and_then(|all| u64::try_from(all).ok()) == Some(total);
     let element_bytes = *element_bytes.iter().find(is_total).ok_or_else(|| {
         let bound = format!("{elements} elements of {element_bytes:?} bytes");
-        cursor.bad(data.offset, "the length of an array", &total.to_string(), &bound)
+        cursor.bad(data.offset, "the length of an array", total, &bound)
     })?;
     room.take(total, || "an array".to_owned())?;
     let mut blocks = Vec::new();

@@ -34,7 +34,7 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
 fn channel<'b>(image: &Image<'_>, bytes: &'b [u8]) -> Channel<'b> {
     let label = Some(image.label());
     let quantity = match (image.is_named_after_height(), image.scale_m_per_count()) {
-        (true, _) => Quantity::Heights(Some(LengthUnit::METRE)),
+        (true, _) => Quantity::HEIGHTS_IN_M,
         (false, Ok(_)) => Quantity::OtherLength(LengthUnit::METRE),
         (false, Err(_)) => Quantity::Other(image.unit()),
     };

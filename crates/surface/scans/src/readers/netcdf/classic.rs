@@ -54,7 +54,7 @@ impl<'b> Classic<'b> {
     pub(crate) fn read(bytes: &'b [u8]) -> Result<Self, ScanReadError> {
         let version = bytes.get(3).copied().unwrap_or(0);
         if ![1, 2, 5].contains(&version) {
-            return Err(bad(3, "the version", &version.to_string(), "1, 2 or 5"));
+            return Err(bad(3, "the version", version, "1, 2 or 5"));
         }
         let mut cursor = Cursor::new(bytes, 4, version == 5);
         let offset = cursor.offset();
@@ -181,14 +181,14 @@ fn variable<'b>(cursor: &mut Cursor<'b>, version: u8, known: usize) -> Result<Va
     let count = cursor.count("the dimensions of a variable")?;
     if count > MOST_AXES {
         let field = format!("the number of dimensions of '{name}'");
-        return Err(bad(count_offset, &field, &count.to_string(), &format!("at most {MOST_AXES}")));
+        return Err(bad(count_offset, &field, count, &format!("at most {MOST_AXES}")));
     }
     for _ in 0..count {
         let offset = cursor.offset();
         let index = cursor.count("a dimension of a variable")?;
         if index >= known {
             let bound = format!("below {known}, the number of dimensions");
-            return Err(bad(offset, &format!("a dimension of '{name}'"), &index.to_string(), &bound));
+            return Err(bad(offset, &format!("a dimension of '{name}'"), index, &bound));
         }
         dimensions.push(index);
     }

@@ -39,8 +39,7 @@ impl<'b> Cursor<'b> {
     pub(crate) fn count(&mut self, what: &str) -> Result<usize, ScanReadError> {
         let offset = self.offset();
         let count = if self.is_cdf5 { self.u64(what)? } else { u64::from(self.u32(what)?) };
-        usize::try_from(count)
-            .map_err(|_| bad(offset, what, &count.to_string(), &format!("at most {}", usize::MAX)))
+        usize::try_from(count).map_err(|_| bad(offset, what, count, &format!("at most {}", usize::MAX)))
     }
 
     /// The number of entries of a list that begins with `tag`. Each takes four bytes or more, so that no list is longer
@@ -50,17 +49,12 @@ impl<'b> Cursor<'b> {
         let found = self.u32(what)?;
         let count = self.count(what)?;
         if found != tag && (found, count) != (0, 0) {
-            return Err(bad(
-                offset,
-                &format!("the tag of {what}"),
-                &found.to_string(),
-                &format!("{tag}, or 0 twice"),
-            ));
+            return Err(bad(offset, &format!("the tag of {what}"), found, &format!("{tag}, or 0 twice")));
         }
         let most = MOST_ENTRIES.min(self.fields.rest().len() / 4);
         if count > most {
             let bound = format!("at most {most}, as many as a list, and the rest of the file, can hold");
-            return Err(bad(offset + 4, &format!("the number of {what}"), &count.to_string(), &bound));
+            return Err(bad(offset + 4, &format!("the number of {what}"), count, &bound));
         }
         Ok(count)
     }
@@ -79,6 +73,6 @@ impl<'b> Cursor<'b> {
     }
 }
 
-pub(crate) fn bad(offset: u64, field: &str, value: &str, bound: &str) -> ScanReadError {
+pub(crate) fn bad(offset: u64, field: &str, value: impl ToString, bound: &str) -> ScanReadError {
     FORMAT.bad(FilePlace::Byte(offset), field, value, bound, "the file is damaged: write it again")
 }

@@ -27,7 +27,7 @@ impl Kind {
             9 => NumberType::U32,
             10 => NumberType::I64,
             11 => NumberType::U64,
-            other => return Err(bad(offset, "a type", &other.to_string(), "between 1 and 11")),
+            other => return Err(bad(offset, "a type", other, "between 1 and 11")),
         }))
     }
 

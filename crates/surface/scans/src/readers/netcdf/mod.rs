@@ -77,7 +77,6 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
     };
     let info = instrument(&file);
     let length_m = |name: &str| info.as_ref().and_then(|info| instrument_length_m(info, name));
-    let quantity = Quantity::Heights(Some(LengthUnit::METRE));
     let samples = Samples::Decoded { columns, decoded };
     Ok(vec![Channel {
         units: UnitsBy::Reader,
@@ -86,7 +85,7 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
         tip_radius_m: length_m("tip_radius"),
         resolution_m: length_m("resolution"),
         notes,
-        ..Channel::new(Some("heights".to_owned()), quantity, lateral, samples)
+        ..Channel::new(Some("heights".to_owned()), Quantity::HEIGHTS_IN_M, lateral, samples)
     }])
 }
 

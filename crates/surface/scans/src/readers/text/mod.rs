@@ -21,7 +21,6 @@ use columns::Columns;
 use header::Header;
 use profile::Roles;
 use style::FORMAT;
-use units::LengthUnit;
 
 pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels };
 
@@ -79,9 +78,8 @@ pub(super) fn channel_of_text<'b>(text: &str, options: &ScanOptions) -> Result<C
         _ => matrix(columns, true, &header, options, &mut notes)?,
     };
     let samples = Samples::Decoded { columns: found.columns, decoded: found.heights_m };
-    let quantity = Quantity::Heights(Some(LengthUnit::METRE));
     let stated_m = header.stated_m(matches!(found.lateral, Lateral::Size(_)));
-    let channel = Channel::new(header.channel.clone(), quantity, found.lateral, samples);
+    let channel = Channel::new(header.channel.clone(), Quantity::HEIGHTS_IN_M, found.lateral, samples);
     Ok(Channel {
         stated_m,
         units: UnitsBy::Reader,

@@ -91,7 +91,7 @@ impl<'b> Page<'b> {
         }
         *left = left.checked_sub(total).ok_or_else(|| {
             let bound = format!("{left}, what the strips of the pages before leave of the size of the file");
-            self.bad("the size of the strips", &total.to_string(), &bound)
+            self.bad("the size of the strips", total, &bound)
         })?;
         let mut bytes = Vec::with_capacity(total);
         for (offset, length) in strips() {
@@ -104,7 +104,7 @@ impl<'b> Page<'b> {
         let found = self.tags.get(&tag).ok_or_else(|| self.missing(tag))?;
         if found.bytes.len() > LARGEST_STRIP_TABLE {
             let bound = format!("at most {LARGEST_STRIP_TABLE}");
-            return Err(self.bad(&format!("the size of tag {tag}"), &found.bytes.len().to_string(), &bound));
+            return Err(self.bad(&format!("the size of tag {tag}"), found.bytes.len(), &bound));
         }
         self.require(tag)
     }
@@ -115,7 +115,7 @@ impl<'b> Page<'b> {
         Ok(self.numbers(found).map(|number| number as usize).collect())
     }
 
-    fn bad(&self, field: &str, value: &str, bound: &str) -> ScanReadError {
+    fn bad(&self, field: &str, value: impl ToString, bound: &str) -> ScanReadError {
         let mend = "export the file again without packing its data";
         self.format.bad(FilePlace::File, field, value, bound, mend)
     }

@@ -125,7 +125,7 @@ fn profile<'b>(bytes: &'b [u8], tree: &Tree, group: &str) -> Result<Raster<'b>, 
         Some(points) if points != held as f64 => {
             let cursor = Cursor::new(FORMAT, bytes, ByteOrder::Little);
             let bound = format!("the {held} of its array");
-            return Err(cursor.bad(offset, &format!("'{group}/NumPoints'"), &points.to_string(), &bound));
+            return Err(cursor.bad(offset, &format!("'{group}/NumPoints'"), points, &bound));
         }
         _ => held,
     };
@@ -143,7 +143,7 @@ fn map<'b>(bytes: &'b [u8], tree: &Tree, group: &str) -> Result<Raster<'b>, Scan
     let number = number.ok_or_else(|| {
         let bound = format!("the {columns} x {rows} points of 4 or 8 bytes");
         let cursor = Cursor::new(FORMAT, bytes, ByteOrder::Little);
-        cursor.bad(offset, &format!("the length of '{group}/Matrix'"), &length.to_string(), &bound)
+        cursor.bad(offset, &format!("the length of '{group}/Matrix'"), length, &bound)
     })?;
     Ok(Raster::within(number, columns, rows, bytes, offset))
 }

@@ -83,7 +83,7 @@ impl Tree {
         let mut cursor = Cursor::new(FORMAT, bytes, ByteOrder::Little).at(start);
         if depth > DEEPEST {
             let bound = format!("at most {DEEPEST}");
-            return Err(cursor.bad(start, "the depth of nested values", &depth.to_string(), &bound));
+            return Err(cursor.bad(start, "the depth of nested values", depth, &bound));
         }
         while !cursor.rest().is_empty() {
             let name_offset = cursor.at;
@@ -95,7 +95,7 @@ impl Tree {
             }
             if parent.len() + name.len() >= LONGEST_PATH {
                 let bound = format!("below {LONGEST_PATH} with those of the values around it");
-                return Err(cursor.bad(name_offset, "the length of a name", &name.len().to_string(), &bound));
+                return Err(cursor.bad(name_offset, "the length of a name", name.len(), &bound));
             }
             let path = format!("{parent}/{name}");
             if CONTAINERS.contains(&kind) {
@@ -220,7 +220,7 @@ fn length(cursor: &mut Cursor) -> Result<usize, ScanReadError> {
         1 => Ok(usize::from(cursor.u8(WHAT)?)),
         2 => Ok(usize::from(cursor.u16(WHAT)?)),
         4 => Ok(cursor.u32(WHAT)? as usize),
-        other => Err(cursor.bad(offset, "the number of bytes of a length", &other.to_string(), "1, 2 or 4")),
+        other => Err(cursor.bad(offset, "the number of bytes of a length", other, "1, 2 or 4")),
     }
 }
 

@@ -17,7 +17,6 @@ use crate::readers::even_axis::{ScanAxis as EvenAxis, points_of_grid};
 use axis::ScanAxis;
 use data::Data;
 use description::{Description, Layout};
-use units::LengthUnit;
 
 const FORMAT: ScanFormat = ScanFormat::X3p;
 const INDEX: &str = "main.xml";
@@ -49,10 +48,9 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
         }
         (Layout::Surface | Layout::Cloud, ..) => on_grid(&description, data)?,
     };
-    let quantity = Quantity::Heights(Some(LengthUnit::METRE));
     let samples = Samples::Decoded { columns, decoded };
     let Description { probe, free_text, .. } = description;
-    Ok(vec![Channel { probe, free_text, ..Channel::new(None, quantity, lateral, samples) }])
+    Ok(vec![Channel { probe, free_text, ..Channel::new(None, Quantity::HEIGHTS_IN_M, lateral, samples) }])
 }
 
 /// Points with positions of their own, which must lie on an even grid; grid points without any are missing.
