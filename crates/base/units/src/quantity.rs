@@ -13,12 +13,48 @@ use crate::quantity_kind::{
 };
 use crate::unit_scale::UnitScale;
 
-/// A length > 0.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Length {
-    /// In metres.
-    pub m: f64,
+/// Defines quantities that are positive values of one kind, each with the unit of its value.
+macro_rules! positive {
+    ($($(#[$doc:meta])* $type:ident { $field:ident: $unit:literal } of $kind:ident,)+) => {
+        $($(#[$doc])*
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct $type {
+            #[doc = $unit]
+            pub $field: f64,
+        }
+
+        impl FromStr for $type {
+            type Err = QuantityError;
+
+            fn from_str(text: &str) -> Result<Self, QuantityError> {
+                Ok($type { $field: $kind.parse(text)? })
+            }
+        })+
+    };
 }
+
+positive!(
+    /// A length > 0.
+    Length { m: "In metres." } of LENGTH,
+    /// A force > 0.
+    Force { n: "In newtons." } of FORCE,
+    /// A force per length > 0.
+    ForcePerLength { n_per_m: "In newtons per metre." } of FORCE_PER_LENGTH,
+    /// An area > 0.
+    Area { m2: "In square metres." } of AREA,
+    /// A modulus > 0.
+    Modulus { pa: "In pascals." } of MODULUS,
+    /// An absolute temperature > 0.
+    Temperature { k: "In kelvins." } of TEMPERATURE,
+    /// A thermal conductivity > 0.
+    ThermalConductivity { w_per_m_k: "In watts per metre and kelvin." } of THERMAL_CONDUCTIVITY,
+    /// An electrical resistivity > 0.
+    Resistivity { ohm_m: "In ohm metres." } of RESISTIVITY,
+    /// A dynamic viscosity > 0.
+    Viscosity { pa_s: "In pascal seconds." } of VISCOSITY,
+    /// A work of adhesion > 0.
+    WorkOfAdhesion { j_per_m2: "In joules per square metre." } of WORK_OF_ADHESION,
+);
 
 /// A length of either sign, or zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,75 +63,12 @@ pub struct SignedLength {
     pub m: f64,
 }
 
-/// A force > 0.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Force {
-    /// In newtons.
-    pub n: f64,
-}
-
-/// An area > 0.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Area {
-    /// In square metres.
-    pub m2: f64,
-}
-
-/// A modulus > 0.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Modulus {
-    /// In pascals.
-    pub pa: f64,
-}
-
 /// An indentation hardness > 0: a pressure or a Vickers, Brinell or Rockwell C number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct IndentationHardness {
     /// In pascals. A Vickers or Brinell number is the load over the area of the indent itself, 9.80665 MPa for 1 HV
     /// (ISO 6507) or 1 HBW (ISO 6506); a Rockwell C number is first converted to a Vickers number.
     pub pa: f64,
-}
-
-/// A thermal conductivity > 0.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ThermalConductivity {
-    /// In watts per metre and kelvin.
-    pub w_per_m_k: f64,
-}
-
-/// An electrical resistivity > 0.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Resistivity {
-    /// In ohm metres.
-    pub ohm_m: f64,
-}
-
-/// A dynamic viscosity > 0.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Viscosity {
-    /// In pascal seconds.
-    pub pa_s: f64,
-}
-
-/// A force per length > 0.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ForcePerLength {
-    /// In newtons per metre.
-    pub n_per_m: f64,
-}
-
-/// An absolute temperature > 0.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Temperature {
-    /// In kelvins.
-    pub k: f64,
-}
-
-/// A work of adhesion > 0.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct WorkOfAdhesion {
-    /// In joules per square metre.
-    pub j_per_m2: f64,
 }
 
 impl IndentationHardness {
@@ -143,32 +116,6 @@ impl Pressure {
         }
     }
 }
-
-/// Implements `FromStr` for quantities that are positive values of one kind.
-macro_rules! positive {
-    ($($type:ident { $field:ident } of $kind:ident),+ $(,)?) => {
-        $(impl FromStr for $type {
-            type Err = QuantityError;
-
-            fn from_str(text: &str) -> Result<Self, QuantityError> {
-                Ok($type { $field: $kind.parse(text)? })
-            }
-        })+
-    };
-}
-
-positive!(
-    Length { m } of LENGTH,
-    Force { n } of FORCE,
-    ForcePerLength { n_per_m } of FORCE_PER_LENGTH,
-    Area { m2 } of AREA,
-    Modulus { pa } of MODULUS,
-    Temperature { k } of TEMPERATURE,
-    ThermalConductivity { w_per_m_k } of THERMAL_CONDUCTIVITY,
-    Resistivity { ohm_m } of RESISTIVITY,
-    Viscosity { pa_s } of VISCOSITY,
-    WorkOfAdhesion { j_per_m2 } of WORK_OF_ADHESION,
-);
 
 impl FromStr for SignedLength {
     type Err = QuantityError;
