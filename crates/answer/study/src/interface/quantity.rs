@@ -2,65 +2,101 @@
 
 use serde::Serialize;
 
-/// A quantity of an interface; all are > 0.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Quantity {
+/// Defines the quantities, each with its name in tables, its name in sentences, and its unit.
+macro_rules! quantities {
+    ($($(#[$doc:meta])* $quantity:ident = $key:literal, $words:literal, $unit:literal;)+) => {
+        /// A quantity of an interface; all are > 0.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+        #[serde(rename_all = "kebab-case")]
+        pub enum Quantity {
+            $($(#[$doc])* $quantity,)+
+        }
+
+        impl Quantity {
+            /// Its name in tables, with its unit.
+            #[must_use]
+            pub fn key(self) -> &'static str {
+                match self { $(Self::$quantity => $key,)+ }
+            }
+
+            /// Its name in sentences.
+            #[must_use]
+            pub fn words(self) -> &'static str {
+                match self { $(Self::$quantity => $words,)+ }
+            }
+
+            /// Its unit, empty of a number.
+            #[must_use]
+            pub fn unit(self) -> &'static str {
+                match self { $(Self::$quantity => $unit,)+ }
+            }
+        }
+    };
+}
+
+quantities! {
     /// Mean separation of the mean planes \[m\].
-    MeanGap,
+    MeanGap = "mean_gap_m", "mean gap", "m";
     /// Stiffness K = -dp/du per nominal area \[Pa/m\].
-    Stiffness,
+    Stiffness = "stiffness_pa_per_m", "stiffness", "Pa/m";
     /// Thermal conductance per nominal area by Barber's analogy \[W/(m^2 K)\].
-    ThermalConductance,
+    ThermalConductance = "thermal_conductance_w_per_m2_k", "thermal conductance", "W/(m² K)";
     /// Thermal conductance per nominal area by Yovanovich's correlation for peaks that have flowed \[W/(m^2 K)\].
-    YovanovichConductance,
+    YovanovichConductance =
+        "yovanovich_conductance_w_per_m2_k", "thermal conductance of flowed peaks (Yovanovich)", "W/(m² K)";
     /// Thermal conductance per nominal area by the correlation of Cooper, Mikic & Yovanovich \[W/(m^2 K)\].
-    CooperMikicYovanovichConductance,
+    CooperMikicYovanovichConductance =
+        "cooper_mikic_yovanovich_conductance_w_per_m2_k",
+        "thermal conductance of flowed peaks (Cooper, Mikic & Yovanovich)", "W/(m² K)";
     /// Distance Y of the mean planes where peaks have flowed at the hardness \[m\].
-    FlowedGap,
+    FlowedGap = "flowed_gap_m", "distance of the mean planes of flowed peaks", "m";
     /// Thermal conductance of flowed peaks, by Yovanovich's correlation, and of the gas in their gap per nominal area
     /// \[W/(m^2 K)\].
-    FlowedConductanceWithGas,
+    FlowedConductanceWithGas =
+        "flowed_conductance_with_gas_w_per_m2_k", "thermal conductance of flowed peaks and gas", "W/(m² K)";
     /// Electrical conductance per nominal area by Yovanovich's correlation for peaks that have flowed \[S/m^2\].
-    FlowedElectricalConductance,
+    FlowedElectricalConductance =
+        "flowed_electrical_conductance_s_per_m2",
+        "electrical conductance of flowed peaks (Yovanovich)", "S/m²";
     /// Thermal conductance of the gas in the gaps per nominal area \[W/(m^2 K)\].
-    GasConductance,
+    GasConductance = "gas_conductance_w_per_m2_k", "thermal conductance of the gas in the gaps", "W/(m² K)";
     /// Thermal conductance of spots, by Barber's analogy, and gas per nominal area \[W/(m^2 K)\].
-    ThermalConductanceWithGas,
+    ThermalConductanceWithGas =
+        "thermal_conductance_with_gas_w_per_m2_k", "thermal conductance of spots and gas", "W/(m² K)";
     /// Thermal resistance of the nominal area \[K/W\].
-    ThermalResistance,
+    ThermalResistance = "thermal_resistance_k_per_w", "thermal resistance", "K/W";
     /// Electrical conductance per nominal area by Barber's analogy \[S/m^2\].
-    ElectricalConductance,
+    ElectricalConductance = "electrical_conductance_s_per_m2", "electrical conductance", "S/m²";
     /// Electrical resistance of the nominal area \[ohm\].
-    ElectricalResistance,
+    ElectricalResistance = "electrical_resistance_ohm", "electrical resistance", "Ω";
     /// The wavelength at which the last channel is narrowest \[m\].
-    ChannelWavelength,
+    ChannelWavelength = "channel_wavelength_m", "wavelength of the last channel", "m";
     /// The height of that place \[m\].
-    ChannelHeight,
+    ChannelHeight = "channel_height_m", "height of the last channel", "m";
     /// Low end of the leak rate \[m^3/s\].
-    LeakRateLow,
+    LeakRateLow = "leak_rate_low_m3_per_s", "leak rate, at least", "m³/s";
     /// High end of the leak rate \[m^3/s\].
-    LeakRateHigh,
+    LeakRateHigh = "leak_rate_high_m3_per_s", "leak rate, at most", "m³/s";
     /// The nominal pressure that closes the last channel, elastically or as the bodies flow \[Pa\].
-    TightPressure,
+    TightPressure = "tight_pressure_pa", "pressure that makes it tight", "Pa";
     /// Friction per nominal area \[Pa\].
-    FrictionStress,
+    FrictionStress = "friction_stress_pa", "friction per nominal area", "Pa";
     /// Friction over load.
-    FrictionCoefficient,
+    FrictionCoefficient = "friction_coefficient", "coefficient of friction", "";
     /// Tangential stiffness dq/dd at no tangential load, per nominal area \[Pa/m\].
-    TangentialStiffness,
+    TangentialStiffness = "tangential_stiffness_pa_per_m", "tangential stiffness before any slip", "Pa/m";
     /// Tangential displacement d on first loading \[m\].
-    TangentialDisplacement,
+    TangentialDisplacement = "tangential_displacement_m", "tangential displacement", "m";
     /// Share of the nominal area that sticks under the tangential load.
-    StuckAreaFraction,
+    StuckAreaFraction = "stuck_area_fraction", "share of the nominal area that sticks", "";
     /// Energy lost in a cycle of the tangential load between both signs, per nominal area \[J/m^2\].
-    TangentialDissipation,
+    TangentialDissipation = "tangential_dissipation_j_per_m2", "energy lost per tangential cycle", "J/m²";
     /// Equivalent viscous damping ratio of that cycle, W/(2 pi q d).
-    DampingRatio,
+    DampingRatio = "damping_ratio", "equivalent damping ratio", "";
     /// The adhesion parameter of Fuller & Tabor.
-    FullerTabor,
+    FullerTabor = "fuller_tabor", "adhesion parameter of Fuller & Tabor", "";
     /// The left side of the criterion of Pastewka & Robbins.
-    PastewkaRobbins,
+    PastewkaRobbins = "pastewka_robbins", "left side of Pastewka & Robbins’ criterion, sticky below 1.03", "";
 }
 
 /// A place for a quantity: under a load, of a curve.
@@ -84,40 +120,6 @@ impl Quantity {
         Quantity::DampingRatio,
     ];
 
-    /// Its name in tables, with its unit.
-    #[must_use]
-    pub fn key(self) -> &'static str {
-        match self {
-            Quantity::MeanGap => "mean_gap_m",
-            Quantity::Stiffness => "stiffness_pa_per_m",
-            Quantity::ThermalConductance => "thermal_conductance_w_per_m2_k",
-            Quantity::YovanovichConductance => "yovanovich_conductance_w_per_m2_k",
-            Quantity::CooperMikicYovanovichConductance => "cooper_mikic_yovanovich_conductance_w_per_m2_k",
-            Quantity::FlowedGap => "flowed_gap_m",
-            Quantity::FlowedConductanceWithGas => "flowed_conductance_with_gas_w_per_m2_k",
-            Quantity::FlowedElectricalConductance => "flowed_electrical_conductance_s_per_m2",
-            Quantity::GasConductance => "gas_conductance_w_per_m2_k",
-            Quantity::ThermalConductanceWithGas => "thermal_conductance_with_gas_w_per_m2_k",
-            Quantity::ThermalResistance => "thermal_resistance_k_per_w",
-            Quantity::ElectricalConductance => "electrical_conductance_s_per_m2",
-            Quantity::ElectricalResistance => "electrical_resistance_ohm",
-            Quantity::ChannelWavelength => "channel_wavelength_m",
-            Quantity::ChannelHeight => "channel_height_m",
-            Quantity::LeakRateLow => "leak_rate_low_m3_per_s",
-            Quantity::LeakRateHigh => "leak_rate_high_m3_per_s",
-            Quantity::TightPressure => "tight_pressure_pa",
-            Quantity::FrictionStress => "friction_stress_pa",
-            Quantity::FrictionCoefficient => "friction_coefficient",
-            Quantity::TangentialStiffness => "tangential_stiffness_pa_per_m",
-            Quantity::TangentialDisplacement => "tangential_displacement_m",
-            Quantity::StuckAreaFraction => "stuck_area_fraction",
-            Quantity::TangentialDissipation => "tangential_dissipation_j_per_m2",
-            Quantity::DampingRatio => "damping_ratio",
-            Quantity::FullerTabor => "fuller_tabor",
-            Quantity::PastewkaRobbins => "pastewka_robbins",
-        }
-    }
-
     /// Returns true if it follows the stiffness, some by Barber's analogy.
     #[must_use]
     pub fn follows_stiffness(self) -> bool {
@@ -133,71 +135,5 @@ impl Quantity {
                 | Quantity::TangentialDisplacement
                 | Quantity::TangentialDissipation
         )
-    }
-
-    /// Its name in sentences.
-    #[must_use]
-    pub fn words(self) -> &'static str {
-        match self {
-            Quantity::MeanGap => "mean gap",
-            Quantity::Stiffness => "stiffness",
-            Quantity::ThermalConductance => "thermal conductance",
-            Quantity::YovanovichConductance => "thermal conductance of flowed peaks (Yovanovich)",
-            Quantity::CooperMikicYovanovichConductance => {
-                "thermal conductance of flowed peaks (Cooper, Mikic & Yovanovich)"
-            }
-            Quantity::FlowedGap => "distance of the mean planes of flowed peaks",
-            Quantity::FlowedConductanceWithGas => "thermal conductance of flowed peaks and gas",
-            Quantity::FlowedElectricalConductance => "electrical conductance of flowed peaks (Yovanovich)",
-            Quantity::GasConductance => "thermal conductance of the gas in the gaps",
-            Quantity::ThermalConductanceWithGas => "thermal conductance of spots and gas",
-            Quantity::ThermalResistance => "thermal resistance",
-            Quantity::ElectricalConductance => "electrical conductance",
-            Quantity::ElectricalResistance => "electrical resistance",
-            Quantity::ChannelWavelength => "wavelength of the last channel",
-            Quantity::ChannelHeight => "height of the last channel",
-            Quantity::LeakRateLow => "leak rate, at least",
-            Quantity::LeakRateHigh => "leak rate, at most",
-            Quantity::TightPressure => "pressure that makes it tight",
-            Quantity::FrictionStress => "friction per nominal area",
-            Quantity::FrictionCoefficient => "coefficient of friction",
-            Quantity::TangentialStiffness => "tangential stiffness before any slip",
-            Quantity::TangentialDisplacement => "tangential displacement",
-            Quantity::StuckAreaFraction => "share of the nominal area that sticks",
-            Quantity::TangentialDissipation => "energy lost per tangential cycle",
-            Quantity::DampingRatio => "equivalent damping ratio",
-            Quantity::FullerTabor => "adhesion parameter of Fuller & Tabor",
-            Quantity::PastewkaRobbins => "left side of Pastewka & Robbins’ criterion, sticky below 1.03",
-        }
-    }
-
-    /// Its unit, empty of a number.
-    #[must_use]
-    pub fn unit(self) -> &'static str {
-        match self {
-            Quantity::MeanGap
-            | Quantity::FlowedGap
-            | Quantity::ChannelWavelength
-            | Quantity::ChannelHeight
-            | Quantity::TangentialDisplacement => "m",
-            Quantity::Stiffness | Quantity::TangentialStiffness => "Pa/m",
-            Quantity::TangentialDissipation => "J/m²",
-            Quantity::ThermalConductance
-            | Quantity::YovanovichConductance
-            | Quantity::CooperMikicYovanovichConductance
-            | Quantity::FlowedConductanceWithGas
-            | Quantity::GasConductance
-            | Quantity::ThermalConductanceWithGas => "W/(m² K)",
-            Quantity::ThermalResistance => "K/W",
-            Quantity::ElectricalConductance | Quantity::FlowedElectricalConductance => "S/m²",
-            Quantity::ElectricalResistance => "Ω",
-            Quantity::LeakRateLow | Quantity::LeakRateHigh => "m³/s",
-            Quantity::TightPressure | Quantity::FrictionStress => "Pa",
-            Quantity::FrictionCoefficient
-            | Quantity::StuckAreaFraction
-            | Quantity::DampingRatio
-            | Quantity::FullerTabor
-            | Quantity::PastewkaRobbins => "",
-        }
     }
 }
