@@ -24,57 +24,45 @@ named!(UnitSystem, "system of units", {
 });
 
 impl UnitSystem {
+    /// Units of length in metres and of pressure in pascals, and the symbols of those of length, force and pressure.
+    const fn units(self) -> (f64, f64, [&'static str; 3]) {
+        match self {
+            UnitSystem::Si => (1.0, 1.0, ["m", "N", "Pa"]),
+            UnitSystem::Millimetres => (1e-3, 1e6, ["mm", "N", "MPa"]),
+            UnitSystem::Micrometres => (1e-6, 1e6, ["um", "uN", "MPa"]),
+            // 0.45359237 kg under 9.80665 m/s^2 on the square of 0.0254 m.
+            UnitSystem::Inches => (0.0254, 0.453_592_37 * 9.806_65 / (0.0254 * 0.0254), ["in", "lbf", "psi"]),
+        }
+    }
+
     /// Unit of length in metres.
     #[must_use]
     pub const fn length_m(self) -> f64 {
-        match self {
-            UnitSystem::Si => 1.0,
-            UnitSystem::Millimetres => 1e-3,
-            UnitSystem::Micrometres => 1e-6,
-            UnitSystem::Inches => 0.0254,
-        }
+        self.units().0
     }
 
     /// Unit of pressure in pascals.
     #[must_use]
     pub const fn pressure_pa(self) -> f64 {
-        match self {
-            UnitSystem::Si => 1.0,
-            UnitSystem::Millimetres | UnitSystem::Micrometres => 1e6,
-            // 0.45359237 kg under 9.80665 m/s^2 on the square of 0.0254 m.
-            UnitSystem::Inches => 0.453_592_37 * 9.806_65 / (0.0254 * 0.0254),
-        }
+        self.units().1
     }
 
     /// Symbol of the unit of length.
     #[must_use]
     pub const fn length_symbol(self) -> &'static str {
-        match self {
-            UnitSystem::Si => "m",
-            UnitSystem::Millimetres => "mm",
-            UnitSystem::Micrometres => "um",
-            UnitSystem::Inches => "in",
-        }
+        self.units().2[0]
     }
 
     /// Symbol of the unit of force.
     #[must_use]
     pub const fn force_symbol(self) -> &'static str {
-        match self {
-            UnitSystem::Si | UnitSystem::Millimetres => "N",
-            UnitSystem::Micrometres => "uN",
-            UnitSystem::Inches => "lbf",
-        }
+        self.units().2[1]
     }
 
     /// Symbol of the unit of pressure.
     #[must_use]
     pub const fn pressure_symbol(self) -> &'static str {
-        match self {
-            UnitSystem::Si => "Pa",
-            UnitSystem::Millimetres | UnitSystem::Micrometres => "MPa",
-            UnitSystem::Inches => "psi",
-        }
+        self.units().2[2]
     }
 
     /// Converts a length \[m\] to these units.
