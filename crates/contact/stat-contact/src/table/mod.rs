@@ -34,7 +34,7 @@ use piece::{Piece, coordinate, separation};
 /// let state = table.at_pressure(50e6)?;
 /// let single = contact.at_pressure(50e6, 1e-10, None)?;
 /// assert!((state.area_fraction / single.area_fraction - 1.0).abs() <= state.error_estimate);
-/// assert!(state.evaluations == 0 && table.evaluations() > 0);
+/// assert!(state.evaluations == 0 && table.evaluations > 0);
 /// # Ok::<(), asperity::AsperityError>(())
 /// ```
 #[must_use]
