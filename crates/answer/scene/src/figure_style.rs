@@ -12,7 +12,7 @@ use super::error::SceneError;
 use super::loads::nominal_pressure;
 use super::raw::{RawFigure, RawFigureDefaults, RawQuantity, RawScene, Typed};
 use super::spelling::meant;
-use super::values::{text_of, value_error};
+use super::values::{number, text_of, value_error};
 
 const WIDTH_MM: Bound = Bound::Within { at_least: 30.0, at_most: 1000.0 };
 const FONT_SIZE_PT: Bound = Bound::Within { at_least: 3.0, at_most: 40.0 };
@@ -147,10 +147,7 @@ pub(super) fn width_mm(raw: Option<&Typed<Length>>) -> Result<Option<f64>, Scene
 }
 
 pub(super) fn font_size_pt(raw: Option<&Spanned<f64>>) -> Result<Option<f64>, SceneError> {
-    let Some(raw) = raw else { return Ok(None) };
-    let checked = FONT_SIZE_PT.check("the size in points", *raw.get_ref());
-    let error = |error| value_error("figure.font_size", &raw.get_ref().to_string(), raw.span(), error);
-    checked.map(Some).map_err(error)
+    raw.map(|raw| number("figure.font_size", "the size in points", raw, FONT_SIZE_PT)).transpose()
 }
 
 /// The curves of some models, by index. A model is named by its key, by the name of a curve, or as people call it.

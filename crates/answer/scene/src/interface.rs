@@ -10,7 +10,7 @@ use super::error::SceneError;
 use super::gas::resolve_gas;
 use super::loads::nominal_pressure;
 use super::raw::{RawInterface, RawScene, RawSeal, given};
-use super::values::value_error;
+use super::values::{number, value_error};
 use study::bodies::{Bodies, Transport};
 use study::body_properties::BodyProperty;
 use study::interface::{AdhesionRequest, Asks, InterfaceRequest, Seal, Shear, ShearLoad};
@@ -81,12 +81,6 @@ fn asks(raw: &RawScene, has_nominal_area: bool) -> Asks {
 
 /// Resolves a tangential load: a coefficient of friction, with either a stress or its share of friction times pressure.
 fn resolve_shear(raw: &RawInterface, material: Option<&Material>) -> Result<Option<Shear>, SceneError> {
-    let within = |key: &str, bound: Bound, quantity, typed: &Spanned<f64>| {
-        let value = *typed.get_ref();
-        bound
-            .check(quantity, value)
-            .map_err(|error| value_error(key, &value.to_string(), typed.span(), error))
-    };
     let load = match (&raw.tangential_stress, &raw.share_of_sliding) {
         (Some(_), Some(share)) => {
             let message = "key interface.share_of_sliding: it and tangential_stress both give the tangential load; \
@@ -99,14 +93,15 @@ fn resolve_shear(raw: &RawInterface, material: Option<&Material>) -> Result<Opti
         }
         (None, Some(typed)) => {
             let key = "interface.share_of_sliding";
-            let share = within(key, Bound::Between { above: 0.0, below: 1.0 }, "share of sliding", typed)?;
+            let below_one = Bound::Between { above: 0.0, below: 1.0 };
+            let share = number(key, "share of sliding", typed, below_one)?;
             Some((typed.span(), "share_of_sliding", ShearLoad::ShareOfSliding(share)))
         }
         (None, None) => None,
     };
     match (&raw.friction, load) {
         (Some(typed), Some((_, _, load))) => {
-            let friction = within("interface.friction", Bound::Magnitude, "coefficient of friction", typed)?;
+            let friction = number("interface.friction", "coefficient of friction", typed, Bound::Magnitude)?;
             Ok(Some(Shear { friction, load }))
         }
         (Some(typed), None) => Err(SceneError::at(

@@ -1,11 +1,10 @@
 //! Settings of the judgement by boundary elements: typed values, checked against their bounds.
 
-use serde_spanned::Spanned;
 use units::Bound;
 
 use super::error::SceneError;
 use super::raw::RawJudge;
-use super::values::{value_error, whole_number};
+use super::values::{number, whole_number};
 
 /// Points per side of a judge's surface: below, no scale has room beside another; above, one does not fit in memory with its
 /// transforms.
@@ -38,18 +37,13 @@ impl Default for JudgeSettings {
 }
 
 pub(super) fn resolve_judge(raw: &RawJudge) -> Result<JudgeSettings, SceneError> {
-    let whole = |key, quantity, raw: &Option<Spanned<i64>>, bound| {
-        raw.as_ref().map(|raw| whole_number(key, quantity, raw, bound)).transpose()
-    };
-    let grid = whole("judge.grid", "the number of points per side", &raw.grid, GRID)?;
+    let grid = whole_number("judge.grid", "the number of points per side", &raw.grid, GRID)?;
     let realisations =
-        whole("judge.realisations", "the number of surfaces", &raw.realisations, REALISATIONS)?;
-    let seed = whole("judge.seed", "the seed", &raw.seed, Bound::AtLeast(0.0))?;
-    let budget = raw.budget.as_ref().map(|raw| {
-        let value = *raw.get_ref();
-        let checked = Bound::Positive.check("the number of operators times points", value);
-        checked.map_err(|error| value_error("judge.budget", &value.to_string(), raw.span(), error))
-    });
+        whole_number("judge.realisations", "the number of surfaces", &raw.realisations, REALISATIONS)?;
+    let seed = whole_number("judge.seed", "the seed", &raw.seed, Bound::AtLeast(0.0))?;
+    let operators = "the number of operators times points";
+    let budget = raw.budget.as_ref();
+    let budget = budget.map(|budget| number("judge.budget", operators, budget, Bound::Positive));
     let usual = JudgeSettings::default();
     Ok(JudgeSettings {
         grid: grid.map(|points| points as usize),

@@ -1,12 +1,11 @@
 //! Settings of the uncertainty analysis: typed values, checked against their bounds.
 
 use serde::Serialize;
-use serde_spanned::Spanned;
 use units::Bound;
 
 use super::error::SceneError;
 use super::raw::RawUncertainty;
-use super::values::{value_error, whole_number};
+use super::values::{number, whole_number};
 
 /// Settings of the uncertainty analysis.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -44,22 +43,18 @@ impl UncertaintySettings {
 }
 
 pub(super) fn resolve_uncertainty(raw: &RawUncertainty) -> Result<UncertaintySettings, SceneError> {
-    let whole = |key, quantity, raw: &Option<Spanned<i64>>, bound| {
-        raw.as_ref().map(|raw| whole_number(key, quantity, raw, bound)).transpose()
-    };
-    let draws = whole("uncertainty.draws", "the number of draws", &raw.draws, UncertaintySettings::DRAWS)?;
-    let seed = whole("uncertainty.seed", "the seed", &raw.seed, Bound::AtLeast(0.0))?;
-    let shares_draws = whole(
+    let draws =
+        whole_number("uncertainty.draws", "the number of draws", &raw.draws, UncertaintySettings::DRAWS)?;
+    let seed = whole_number("uncertainty.seed", "the seed", &raw.seed, Bound::AtLeast(0.0))?;
+    let shares_draws = whole_number(
         "uncertainty.shares_draws",
         "the number of draws for shares",
         &raw.shares_draws,
         UncertaintySettings::SHARES_DRAWS,
     )?;
-    let level = raw.level.as_ref().map(|raw| {
-        let value = *raw.get_ref();
-        let checked = UncertaintySettings::LEVEL.check("the probability that an interval covers", value);
-        checked.map_err(|error| value_error("uncertainty.level", &value.to_string(), raw.span(), error))
-    });
+    let covers = "the probability that an interval covers";
+    let level = raw.level.as_ref();
+    let level = level.map(|level| number("uncertainty.level", covers, level, UncertaintySettings::LEVEL));
     let usual = UncertaintySettings::default();
     Ok(UncertaintySettings {
         level: level.transpose()?.unwrap_or(usual.level),

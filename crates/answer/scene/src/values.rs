@@ -46,17 +46,28 @@ pub(super) fn count(key: &str, raw: &Spanned<i64>) -> Result<NonZeroU32, SceneEr
     })
 }
 
-/// A whole number within a bound that admits none below 0.
+/// A number within a bound.
+pub(super) fn number(
+    key: &str,
+    quantity: &'static str,
+    raw: &Spanned<f64>,
+    bound: Bound,
+) -> Result<f64, SceneError> {
+    let checked = bound.check(quantity, *raw.get_ref());
+    checked.map_err(|error| value_error(key, &raw.get_ref().to_string(), raw.span(), error))
+}
+
+/// A whole number within a bound that admits none below 0, if it is given.
 pub(super) fn whole_number(
     key: &str,
     quantity: &'static str,
-    raw: &Spanned<i64>,
+    raw: &Option<Spanned<i64>>,
     bound: Bound,
-) -> Result<u64, SceneError> {
-    let value = *raw.get_ref();
-    let checked = bound.check(quantity, value as f64);
-    checked.map_err(|error| value_error(key, &value.to_string(), raw.span(), error))?;
-    Ok(value.unsigned_abs())
+) -> Result<Option<u64>, SceneError> {
+    let Some(raw) = raw else { return Ok(None) };
+    let checked = bound.check(quantity, *raw.get_ref() as f64);
+    checked.map_err(|error| value_error(key, &raw.get_ref().to_string(), raw.span(), error))?;
+    Ok(Some(raw.get_ref().unsigned_abs()))
 }
 
 /// The names of curves and figures become those of files.
