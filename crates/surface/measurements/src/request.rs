@@ -1,5 +1,6 @@
 //! Requests for scans: a file and its options.
 
+use std::fmt::Display;
 use std::str::FromStr;
 
 use topography::{BandLimits, Detrend, Direction, GapTreatment, Recipe};
@@ -209,33 +210,21 @@ impl ScanRequest {
             key: key.to_owned(),
             problem,
         };
-        let length_m =
-            || value.parse::<Length>().map(|length| length.m).map_err(|error| bad(error.to_string()));
         match key.replace('_', "-").as_str() {
-            "unit" => self.unit = Some(value.parse::<LengthUnit>().map_err(|error| bad(error.to_string()))?),
+            "unit" => self.unit = Some(parsed(value).map_err(bad)?),
             "channel" => self.channel = Some(value.to_owned()),
-            "size" => self.size_m = Some(length_m()?),
-            "tip-radius" => self.tip_radius = Some(value.parse().map_err(bad)?),
-            "shortest" | "shortest-wavelength" => self.shortest_m = Some(length_m()?),
-            "gaps" => {
-                self.gaps = Some(value.parse::<GapTreatment>().map_err(|error| bad(error.to_string()))?);
+            "size" => self.size_m = Some(parsed::<Length>(value).map_err(bad)?.m),
+            "tip-radius" => self.tip_radius = Some(parsed(value).map_err(bad)?),
+            "shortest" | "shortest-wavelength" => {
+                self.shortest_m = Some(parsed::<Length>(value).map_err(bad)?.m);
             }
-            "direction" => {
-                self.direction = Some(value.parse::<Direction>().map_err(|error| bad(error.to_string()))?);
-            }
-            "detrend" => {
-                self.detrend = Some(value.parse::<Detrend>().map_err(|error| bad(error.to_string()))?);
-            }
-            "instrument" => {
-                let Instrument(name) = value.parse().map_err(bad)?;
-                self.instrument = Some(name);
-            }
-            "z-calibration" => {
-                let ZCalibration { share } = value.parse().map_err(bad)?;
-                self.z_calibration = Some(share);
-            }
+            "gaps" => self.gaps = Some(parsed(value).map_err(bad)?),
+            "direction" => self.direction = Some(parsed(value).map_err(bad)?),
+            "detrend" => self.detrend = Some(parsed(value).map_err(bad)?),
+            "instrument" => self.instrument = Some(parsed::<Instrument>(value).map_err(bad)?.0),
+            "z-calibration" => self.z_calibration = Some(parsed::<ZCalibration>(value).map_err(bad)?.share),
             "slope-uncertainty" => {
-                let SlopeUncertainty { standard_uncertainty } = value.parse().map_err(bad)?;
+                let SlopeUncertainty { standard_uncertainty } = parsed(value).map_err(bad)?;
                 self.slope_uncertainty = Some(standard_uncertainty);
             }
             _ => {
@@ -244,4 +233,9 @@ impl ScanRequest {
         }
         Ok(())
     }
+}
+
+/// Parses a value, and words the error.
+fn parsed<T: FromStr<Err: Display>>(value: &str) -> Result<T, String> {
+    value.parse().map_err(|error: T::Err| error.to_string())
 }
