@@ -276,7 +276,7 @@ impl GapQuestion {
         notes.extend(remarks_on_gap_law(&law, &pressures_pa));
         let areas = states.iter().map(|state| (state.nominal_pressure_pa, state.area_fraction));
         notes.extend(self.by.doubts(&material, areas, Some("bem")));
-        let rms_height_m = law.light_loads().is_none().then(|| law.rms_height_m);
+        let rms_height_m = law.light_loads().is_none().then_some(law.rms_height_m);
         notes.extend(remarks_on_gaps(&states, rms_height_m));
         let table = result_tables::gaps(&states, law.light_loads().as_ref());
         Ok(Answer { table, notes, figure: None })

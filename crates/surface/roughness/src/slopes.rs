@@ -58,7 +58,7 @@ impl Differences {
 #[must_use]
 pub fn rms_gradient(relief: &ScaleLimitedSurface, differences: Differences) -> Option<f64> {
     if let Some(positions_m) = &relief.positions_m {
-        return (differences == Differences::Neighbours).then(|| rms_of_uneven(relief, &positions_m))?;
+        return (differences == Differences::Neighbours).then(|| rms_of_uneven(relief, positions_m))?;
     }
     let stencil = differences.stencil();
     let (spacing_x_m, spacing_y_m) = relief.spacing_m();

@@ -74,7 +74,7 @@ fn tag(cursor: &mut Cursor, expected: Option<&str>) -> Result<Tag, ScanReadError
     let start = cursor.at;
     let key = cursor.text(20, "the key of a tag")?;
     if let Some(expected) = expected.filter(|expected| *expected != key) {
-        return Err(cursor.bad(start, "the key of a tag", &format!("'{key}'"), &format!("'{expected}'")));
+        return Err(cursor.bad(start, "the key of a tag", format!("'{key}'"), &format!("'{expected}'")));
     }
     let offset = cursor.at;
     let value = cursor.text(30, "the value of a tag")?;
@@ -128,5 +128,5 @@ impl Tags<'_> {
 }
 
 fn bad(cursor: &Cursor, tag: &Tag, bound: &str) -> ScanReadError {
-    cursor.bad(tag.offset, &format!("'{}'", tag.key), &format!("'{}'", tag.value), bound)
+    cursor.bad(tag.offset, &format!("'{}'", tag.key), format!("'{}'", tag.value), bound)
 }

@@ -111,7 +111,7 @@ fn blocks(bytes: &[u8]) -> Result<Vec<Block<'_>>, ScanReadError> {
     let is_wide = match version.as_str() {
         "1.00" => false,
         "1.01" => true,
-        _ => return Err(cursor.bad(MAGIC.len(), "the version", &format!("'{version}'"), "1.00 or 1.01")),
+        _ => return Err(cursor.bad(MAGIC.len(), "the version", format!("'{version}'"), "1.00 or 1.01")),
     };
     let count = cursor.u16("the number of blocks")?;
     let mut blocks = Vec::new();

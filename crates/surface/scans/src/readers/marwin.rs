@@ -86,7 +86,7 @@ impl Profile {
         let positions = numbers.next(NumberType::F64)?;
         if let Some(point) = positions.missing.indices().next() {
             let (field, bound) = ("a position", "a finite number");
-            return Err(cursor.bad(start, field, &format!("no number at point {}", point + 1), bound));
+            return Err(cursor.bad(start, field, format!("no number at point {}", point + 1), bound));
         }
         // Across the profile, where nothing changes.
         numbers.next(NumberType::F64)?;

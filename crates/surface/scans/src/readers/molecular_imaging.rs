@@ -144,12 +144,12 @@ fn text_numbers<'b>(
         let number = std::str::from_utf8(word).ok().and_then(|word| word.parse().ok());
         numbers.push(number.ok_or_else(|| {
             let field = format!("number {} of channel {}", numbers.len() + 1, channel + 1);
-            bad(&field, &latin1(word), "a number")
+            bad(&field, latin1(word), "a number")
         })?);
     }
     if numbers.len() < points {
         let field = format!("channel {}", channel + 1);
-        return Err(bad(&field, &format!("{} numbers", numbers.len()), &format!("{points} numbers")));
+        return Err(bad(&field, format!("{} numbers", numbers.len()), &format!("{points} numbers")));
     }
     Ok(numbers)
 }

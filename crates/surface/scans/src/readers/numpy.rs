@@ -119,7 +119,7 @@ impl Array {
         let lengths = shape.split(',').map(str::trim).filter(|length| !length.is_empty());
         let lengths: Result<Vec<usize>, _> = lengths.map(str::parse).collect();
         let bad_shape =
-            || cursor.bad(at, "the shape", &format!("({shape})"), "whole numbers whose product is one");
+            || cursor.bad(at, "the shape", format!("({shape})"), "whole numbers whose product is one");
         let shape = lengths.map_err(|_| bad_shape())?;
         shape.iter().try_fold(1usize, |points, &length| points.checked_mul(length)).ok_or_else(bad_shape)?;
         let described = entry("descr").ok_or_else(|| missing("descr"))?;

@@ -47,7 +47,7 @@ impl<'b> Field<'b> {
         let (offset, count) = values.ok_or_else(|| missing(key, "data"))?;
         if columns.checked_mul(rows) != Some(count) {
             let bound = format!("an array of the {columns} x {rows} values of 'xres' and 'yres'");
-            return Err(bad(key, "'data'", &format!("an array of {count} values"), bound));
+            return Err(bad(key, "'data'", format!("an array of {count} values"), bound));
         }
         let raster = Raster::within(NumberType::F64, columns, rows, bytes, offset);
         Ok(Self { size, lateral_unit, value_unit, raster })

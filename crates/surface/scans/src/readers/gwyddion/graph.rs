@@ -118,7 +118,7 @@ impl Curve {
         let (y_offset, heights) = self.y.ok_or_else(|| missing(key, "ydata"))?;
         if heights != points {
             let bound = format!("an array of {points} values, as 'xdata' is");
-            return Err(bad(key, "'ydata'", &format!("an array of {heights} values"), bound));
+            return Err(bad(key, "'ydata'", format!("an array of {heights} values"), bound));
         }
         let array = |offset| Raster::within(NumberType::F64, points, 1, bytes, offset).decode(FORMAT);
         let positions: Decoded = array(x_offset)?;

@@ -57,7 +57,7 @@ impl Content {
             _ => return Err(entry.bad("the number of axes", entry.axes().len(), "1 or 2")),
         };
         let Some((number, byte_order)) = entry.number() else {
-            return Err(entry.bad("the type", &format!("{:?}", entry.dataset.dtype()), "a real number"));
+            return Err(entry.bad("the type", format!("{:?}", entry.dataset.dtype()), "a real number"));
         };
         let size = entry.dataset.raw_byte_len().map_err(failure)?;
         self.room.take(size as u64, || format!("'{}'", entry.path))?;

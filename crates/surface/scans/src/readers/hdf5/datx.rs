@@ -32,7 +32,7 @@ fn channel<'b>(content: &mut Content, at: usize) -> Result<Channel<'b>, ScanRead
     let lateral = Lateral::Spacing { x_m: x_m?, y_m: Some(y_m?) };
     let name = entry.text_of("Unit").unwrap_or_default();
     let unit = LengthUnit::parse_instrument(&name).ok_or_else(|| {
-        entry.bad("the unit", &format!("'{name}'"), &format!("one of {}", LengthUnit::accepted()))
+        entry.bad("the unit", format!("'{name}'"), &format!("one of {}", LengthUnit::accepted()))
     })?;
     let missing = entry.number_of("No Data").map_or(MissingMark::None, MissingMark::Equal);
     let samples = Samples::Raster(Raster { missing, ..raster });

@@ -27,7 +27,7 @@ pub(super) fn channels<'b>(
             Some(unit) => Ok(Some(unit)),
             None => Err(entry.bad(
                 "attribute 'unit'",
-                &format!("'{name}'"),
+                format!("'{name}'"),
                 &format!("one of {}", LengthUnit::accepted()),
             )),
         },

@@ -33,7 +33,7 @@ impl<'b> Page<'b> {
         if or(COMPRESSION, 1)? != 1 {
             return Err(self.bad(
                 "the packing of the image",
-                &first(COMPRESSION)?.to_string(),
+                first(COMPRESSION)?.to_string(),
                 "1, which is none",
             ));
         }
@@ -64,7 +64,7 @@ impl<'b> Page<'b> {
         if columns == 0 || rows == 0 {
             return Err(self.bad(
                 "the size of the image",
-                &format!("{columns} x {rows} points"),
+                format!("{columns} x {rows} points"),
                 "at least one point",
             ));
         }

@@ -57,7 +57,7 @@ impl<'b> Tiff<'b> {
             // Pages may point back at each other.
             if tags > MOST_TAGS || pages.len() == MOST_PAGES {
                 let bound = format!("one of at most {MOST_PAGES} with at most {MOST_TAGS} tags in all");
-                return Err(cursor.bad(offset, "the page", &format!("page {}", pages.len() + 1), &bound));
+                return Err(cursor.bad(offset, "the page", format!("page {}", pages.len() + 1), &bound));
             }
             cursor = file.at(place);
             let page = Page::read(format, file, &mut cursor)?;

@@ -173,7 +173,7 @@ fn value(cursor: &mut Cursor, kind: u8, offset: usize) -> Result<Option<Value>, 
             matrix(cursor).map(Some)
         }
         other => {
-            Err(cursor.bad(offset, "the type of a value", &format!("0x{other:02x}"), "one that is known"))
+            Err(cursor.bad(offset, "the type of a value", format!("0x{other:02x}"), "one that is known"))
         }
     }
 }
