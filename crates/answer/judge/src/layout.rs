@@ -288,8 +288,9 @@ impl Layout {
         let flattens_pa = case.composite_modulus_pa * flattening_gradient;
         // A surface that flows touches over p/H at least.
         let area_per_pa = (SLOPE_OF_AREA / flattens_pa).max(saturation_pa.map_or(0.0, f64::recip));
-        let pressure_of = |points: f64| points / (area_per_pa * self.windows[window].grid_points());
-        let enough_pa = pressure_of(POINTS_TO_CARRY);
+        let grid_points = self.windows[window].grid_points();
+        let pressure_of = |points: f64| points / (area_per_pa * grid_points);
+        let enough_pa = pressure_of(POINTS_TO_CARRY.min(FLOWING * grid_points));
         if self.is_last(window) && pressure_pa < enough_pa {
             PlannedPress::CarryDown(self.press(Press { window, pressure_pa: enough_pa, saturation_pa }))
         } else if pressure_pa > pressure_of(MIN_POINTS) {

@@ -135,6 +135,16 @@ fn an_area_is_carried_down_to_a_light_load() {
 }
 
 #[test]
+fn an_area_that_flows_is_carried_down_from_below_the_hardness_on_a_coarse_grid() {
+    let curves = ["model = \"persson-plastic\""];
+    let scene = scene(0.9, "yield_strength = \"100 MPa\"", "\"10 MPa\"", &curves);
+    let elements = |grid: usize| judged(&scene, &coarse(grid, 4)).1.curves[0].elements.unwrap();
+    let (carried, pressed) = (elements(32), elements(192));
+    let ratio = carried.area_fraction / pressed.area_fraction;
+    assert!((ratio - 1.0).abs() < 2.0 * carried.relative_error(), "{ratio} {carried:?}");
+}
+
+#[test]
 fn a_white_band_has_eight_points_a_wave_and_its_true_area() {
     let windows = |scene: &Scene| judged(scene, &coarse(64, 2)).1.extent.unwrap().windows;
     let load = format!("\"{} Pa\"", 0.01 * 0.05 * 200e9 / (1.0 - 0.3f64.powi(2)));
