@@ -31,7 +31,6 @@ matplotlib.use("agg")
 STEP = 1 if os.environ.get("TRUEAREA_EVERY_CALL") else 11
 
 IDLE_BY_RIGHT: tuple[tuple[str, str, str], ...] = (
-    ("nix-gao", "strain_gradient", "says the same"),
     ("hertz", "tolerance", "its integrals have a closed form"),
     ("bgt", "tolerance", "likewise"),
     ("persson-plastic, growing", "seed", "all flows: neither the surface nor the elastic constants count"),

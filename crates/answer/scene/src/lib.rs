@@ -187,12 +187,8 @@ impl Scene {
         let parts = self.surface.each();
         let places = parts.iter().filter_map(|part| Some(part.made_from.as_ref()?.spectrum.place_count()));
         let least_places = if self.uncertainty.is_some() { 1 } else { 2 };
-        let has_errors = |part: &&Surface| {
-            let errors_m3 = part.psd.standard_errors_m3().unwrap_or_default();
-            part.made_from.is_none() && errors_m3.iter().flatten().any(|error_m3| *error_m3 > 0.0)
-        };
         places.sum::<usize>() >= least_places
-            || parts.iter().any(has_errors)
+            || parts.iter().any(|part| part.scatters_by_errors())
             || !self.surface.holes.is_empty()
             || !self.spreads.is_empty()
     }
@@ -200,8 +196,7 @@ impl Scene {
     /// Returns true if a result depends on the normalisation of moments that the scene chooses.
     pub(crate) fn takes_normalisation(&self) -> bool {
         let takes_it = |curve: &Curve| curve.model.entry.framework.takes_normalisation();
-        self.interface.is_some()
-            || self.needs.curves.iter().any(takes_it)
+        self.needs.curves.iter().any(takes_it)
             || self.figures.iter().any(|figure| figure.shows.needs_moments())
     }
 

@@ -1,13 +1,14 @@
 //! Remarks on keys of a scene that have no effect on its results. Such keys are reported, not refused.
 
-use toml_edit::Document;
+use toml_edit::{Document, Item};
 
 use super::raw::RawScene;
 use super::{Overrides, Scene};
-use study::bodies::Transport;
+use study::bodies::{Body, Transport};
 use study::body_properties::BodyProperty;
 use study::figure::{Figure, Shows};
 use study::models::Choice;
+use study::surface::Surface;
 use units::{Remark, RemarkCode, RemarkPlace};
 
 /// Returns the notes on a scene in the order of its sections. Keys that are overridden from outside get no note.
@@ -24,13 +25,18 @@ pub(super) fn notes(
     sections.extend(ignored.iter().enumerate().map(|(at, options)| ("curve", Some(at), options.clone())));
     sections.push(("material", None, alone(&scene.bodies.counterface_transport)));
     sections.push(("counterface", None, alone(&scene.bodies.transport)));
+    let softer = scene.softer().filter(|softer| softer.remark().is_some());
+    let harder = softer.map(|softer| if softer.flows == Body::Rough { "counterface" } else { "material" });
+    let strengths = || all(&["yield_strength", "indentation_hardness"], RemarkCode::OtherBodyYields);
+    sections.extend(harder.map(|section| (section, None, strengths())));
     sections.extend(["material", "counterface"].map(|section| (section, None, growth_of_nothing(scene))));
     sections.push(("counterface", None, of_nothing_pressed(scene)));
     sections.push(("loads", None, loads(scene)));
     sections.extend(scene.figures.iter().enumerate().map(|(at, figure)| ("figure", Some(at), shown(figure))));
+    sections.push(("figures", None, of_all_figures(document.get("figure"), scene)));
     sections.push(("cutoffs", None, cutoffs(scene, overrides)));
     sections.push(("options", None, options(raw, scene, overrides)));
-    sections.push(("judge", None, judge(scene)));
+    sections.push(("judge", None, judge(raw, scene)));
     if let Some(reason) = no_uncertainty(scene) {
         // A section that turns the analysis off has an effect.
         let keys = ["level", "draws", "seed", "shares_draws", "off"];
@@ -43,6 +49,8 @@ pub(super) fn notes(
             let of_scan = || all(&["instrument", "z_calibration", "slope_uncertainty"], reason);
             sections.extend((0..scans).map(|at| (section, Some(at), of_scan())));
         }
+    } else if one_scatters(scene) {
+        sections.push(("uncertainty", None, all(&["shares_draws"], RemarkCode::OneInputScatters)));
     }
     let note = |section: &str, at: Option<usize>, remark: Remark| {
         let key = remark.place.option.as_deref()?;
@@ -90,6 +98,21 @@ fn shown(figure: &Figure) -> UnusedKeys {
     all(unused, RemarkCode::FigureShowsSomethingElse)
 }
 
+/// Settings of all figures that none takes, or that each sets itself. `figures` are those of the text.
+fn of_all_figures(figures: Option<&Item>, scene: &Scene) -> UnusedKeys {
+    let has_own = |at: usize, key| figures.and_then(|all| all.get(at)?.get(key)).is_some();
+    let takes = |key, shows: Shows| match key {
+        "models" => shows.draws_areas(),
+        "loads" => shows == Shows::Area,
+        _ => true,
+    };
+    let is_taken = |key| {
+        scene.figures.iter().enumerate().any(|(at, figure)| takes(key, figure.shows) && !has_own(at, key))
+    };
+    let keys = ["title", "models", "loads", "width", "format", "font_size"].into_iter();
+    keys.filter(|key| !is_taken(*key)).map(|key| one(key, RemarkCode::NothingNeedsIt)).collect()
+}
+
 fn cutoffs(scene: &Scene, overrides: &Overrides) -> UnusedKeys {
     let shortest_m = scene.surface.psd.shortest_wavelength_m();
     let below = scene.sampling.cutoff_m.is_some_and(|cutoff_m| cutoff_m < shortest_m);
@@ -102,20 +125,8 @@ fn cutoffs(scene: &Scene, overrides: &Overrides) -> UnusedKeys {
 fn options(raw: &RawScene, scene: &Scene, overrides: &Overrides) -> UnusedKeys {
     let needs = &scene.needs;
     let has = |choice| needs.curves.iter().any(|curve| curve.model.entry.has(choice));
-    let grows = needs.curves.iter().any(|curve| curve.model.strength_grows());
-    let mut unused = Vec::new();
-    if !scene.takes_normalisation() && overrides.normalisation.is_none() {
-        unused.push(one("normalisation", RemarkCode::NothingNeedsIt));
-    }
-    if needs.amplitudes.is_none() && overrides.amplitude.is_none() {
-        unused.push(one("amplitude", RemarkCode::NothingNeedsIt));
-    }
-    if overrides.hardness.is_none() && !has(Choice::Hardness) {
-        unused.extend(all(&["hardness_formula"], RemarkCode::NoCurveUsesIt));
-    }
-    if overrides.strength_cap.is_none() && !grows {
-        unused.push(one("strength_cap", RemarkCode::NoCurveUsesIt));
-    }
+    let idle = overrides.uses(scene).into_iter().filter(|(_, is_given, is_used, _)| !is_given && !is_used);
+    let mut unused: UnusedKeys = idle.map(|(key, .., code)| one(key, code)).collect();
     for choice in [Choice::Flattening, Choice::YieldingArea] {
         if !has(choice) {
             unused.push(one(choice.key(), RemarkCode::NoCurveUsesIt));
@@ -139,19 +150,26 @@ fn options(raw: &RawScene, scene: &Scene, overrides: &Overrides) -> UnusedKeys {
     unused
 }
 
-fn judge(scene: &Scene) -> UnusedKeys {
-    let keys = ["grid", "realisations", "seed", "budget", "all_models", "off"];
-    match scene.judge {
-        _ if scene.needs.curves.is_empty() => all(&keys, RemarkCode::NoCurveUsesIt),
-        Some(judge) if judge.off => all(&keys[..4], RemarkCode::JudgeIsOff),
-        _ => Vec::new(),
+fn judge(raw: &RawScene, scene: &Scene) -> UnusedKeys {
+    let keys = ["grid", "realisations", "seed", "budget", "off", "all_models"];
+    if scene.needs.curves.is_empty() {
+        return all(&keys, RemarkCode::NoCurveUsesIt);
     }
+    let is_off = scene.judge.is_some_and(|judge| judge.off);
+    let runs_all = raw.curve.is_empty() && raw.figure.is_empty();
+    let idle =
+        [(is_off, &keys[..4], RemarkCode::JudgeIsOff), (runs_all, &keys[5..], RemarkCode::AllModelsRun)];
+    idle.into_iter().filter(|(is_idle, ..)| *is_idle).flat_map(|(_, keys, code)| all(keys, code)).collect()
 }
 
-/// The length of a growth that no body has, since none yields.
+/// The length of a growth that no body has, since none yields, or that neither curves nor elements take.
 fn growth_of_nothing(scene: &Scene) -> UnusedKeys {
     let yields = scene.material.as_ref().is_none_or(|material| material.yield_strength_pa().is_some());
-    if yields { Vec::new() } else { all(&["strain_gradient_length"], RemarkCode::NoBodyYields) }
+    let grows = scene.needs.curves.iter().any(|curve| curve.model.strength_grows());
+    let is_used = grows || !scene.judge.is_some_and(|judge| judge.off);
+    let reasons = [(yields, RemarkCode::NoBodyYields), (is_used, RemarkCode::NoCurveUsesIt)];
+    let reason = reasons.into_iter().find(|(has_use, _)| !has_use);
+    reason.map_or_else(Vec::new, |(_, code)| all(&["strain_gradient_length"], code))
 }
 
 /// Keys of a counterface where there is no body to press it on.
@@ -181,4 +199,17 @@ fn no_uncertainty(scene: &Scene) -> Option<RemarkCode> {
         _ if !scene.scatters() => Some(RemarkCode::NothingScatters),
         _ => None,
     }
+}
+
+/// Returns true if only one input scatters; scans do by their places and by their calibration.
+fn one_scatters(scene: &Scene) -> bool {
+    let (surface, spreads) = (&scene.surface, &scene.spreads);
+    let inputs = [
+        surface.each().into_iter().any(Surface::scatters_by_errors),
+        !surface.holes.is_empty(),
+        !spreads.elastic_are_exact(),
+        spreads.strength.is_some() || spreads.strain_gradient_length.is_some(),
+    ];
+    let is_scanned = surface.each().iter().any(|part| part.made_from.is_some());
+    !is_scanned && inputs.into_iter().filter(|scatters| *scatters).count() == 1
 }

@@ -25,7 +25,7 @@ use study::material_spreads::MaterialSpreads;
 use study::models::{Choice, CurveModel, ModelOptions};
 use study::plan::{Curve, Needs, Sampling};
 use study::surface::Surface;
-use units::{Length, Pressure, Remark};
+use units::{Length, Pressure, Remark, RemarkCode};
 
 /// Options given outside the scene, which count more than the scene's own.
 #[derive(Debug, Clone, Default)]
@@ -54,24 +54,22 @@ impl Overrides {
     /// Returns the name of the first override that a scene ignores, if any. Cutoff and counterface are not checked.
     #[must_use]
     pub fn first_unused(&self, scene: &Scene) -> Option<&'static str> {
-        let any_curve =
-            |has: fn(&CurveModel) -> bool| scene.needs.curves.iter().any(|curve| has(&curve.model));
-        let idle = [
-            ("normalisation", self.normalisation.is_some(), scene.takes_normalisation()),
-            ("amplitude", self.amplitude.is_some(), scene.needs.amplitudes.is_some()),
-            ("hardness_formula", self.hardness.is_some(), any_curve(has_spheres_that_yield)),
-            ("strength_cap", self.strength_cap.is_some(), any_curve(has_growing_strength)),
-        ];
-        idle.into_iter().find(|(_, given, used)| *given && !used).map(|(name, ..)| name)
+        let unused = self.uses(scene).into_iter().find(|(_, is_given, is_used, _)| *is_given && !is_used);
+        unused.map(|(name, ..)| name)
     }
-}
 
-fn has_spheres_that_yield(model: &CurveModel) -> bool {
-    model.entry.has(Choice::Hardness)
-}
-
-fn has_growing_strength(model: &CurveModel) -> bool {
-    model.strength_grows()
+    /// Options by name, whether they are given here and used in a scene, and the reason if they are not used.
+    pub(super) fn uses(&self, scene: &Scene) -> [(&'static str, bool, bool, RemarkCode); 4] {
+        use RemarkCode::{NoCurveUsesIt, NothingNeedsIt};
+        let any = |has: fn(&CurveModel) -> bool| scene.needs.curves.iter().any(|curve| has(&curve.model));
+        let yields = any(|model| model.entry.has(Choice::Hardness));
+        [
+            ("normalisation", self.normalisation.is_some(), scene.takes_normalisation(), NothingNeedsIt),
+            ("amplitude", self.amplitude.is_some(), scene.needs.amplitudes.is_some(), NothingNeedsIt),
+            ("hardness_formula", self.hardness.is_some(), yields, NoCurveUsesIt),
+            ("strength_cap", self.strength_cap.is_some(), any(CurveModel::strength_grows), NoCurveUsesIt),
+        ]
+    }
 }
 
 /// Returns the scene without its notes, and the options that the model of each curve ignores.
@@ -82,10 +80,7 @@ pub(super) fn resolve(
     overrides: &Overrides,
 ) -> Result<(Scene, Vec<Vec<Remark>>), SceneError> {
     let options = &raw.options;
-    let strength_cap = match overrides.strength_cap {
-        Some(cap) => Some(cap),
-        None => given(&options.strength_cap),
-    };
+    let strength_cap = overrides.strength_cap.or_else(|| given(&options.strength_cap));
     let counterface = match (overrides.counterface, &raw.counterface) {
         (Some(body), _) => UncertainCounterface::exactly(body),
         (None, Some(raw)) => resolve_counterface(raw)?,

@@ -384,6 +384,13 @@ impl Surface {
         }
     }
 
+    /// Returns true if its spectrum has standard errors and is not made from scans.
+    #[must_use]
+    pub fn scatters_by_errors(&self) -> bool {
+        let errors_m3 = self.psd.standard_errors_m3().unwrap_or_default();
+        self.made_from.is_none() && errors_m3.iter().flatten().any(|error_m3| *error_m3 > 0.0)
+    }
+
     /// Returns the names of the files behind this surface, as given.
     #[must_use]
     pub fn files(&self) -> BTreeSet<&str> {

@@ -346,10 +346,12 @@ remark_codes! {
     NoRowUsesIt "scene-note" Note "{option} has no effect: no row of the table depends on it; leave it out";
     UnusedColumn "unused-column" Note "no row of the table depends on {columns}: without effect";
     EveryCurveHasItsOwn "scene-note" Note "{option} has no effect: every curve that it applies to sets its own";
+    OtherBodyYields "scene-note" Note "{option} only decides which body yields: it is the other one";
     OnlyOneBodyHasIt "scene-note" Note "{option} has no effect: the other body has none";
     NothingNeedsIt "scene-note" Note "{option} has no effect: no curve and no figure needs it";
     CutoffBelowData "scene-note" Note "{option} has no effect: the spectrum ends above it, at {shortest_m}";
     JudgeIsOff "scene-note" Note "{option} has no effect: the judge is off";
+    AllModelsRun "scene-note" Note "{option} has no effect: all models run where no curve and no figure is listed";
     UncertaintyIsOff "scene-note" Note "{option} has no effect: the uncertainty analysis is off";
     OneInputScatters "scene-note" Note "{option} has no effect: one input scatters, and the interval is its share alone; leave it out";
     NoBodyYields "scene-note" Note "{option} has no effect: neither body has a strength or a hardness";

@@ -38,6 +38,17 @@ fn keys_of_bodies_without_a_use_are_noted() {
     let growth = ("material.strain_gradient_length".to_owned(), RemarkCode::NoBodyYields);
     assert_eq!(keys(&format!("{elastic}{HERTZ}")), [growth]);
     assert_eq!(keys(&format!("{STEEL}{HERTZ}")), []);
+    // The strength of the body that does not flow, whichever it is.
+    let against = |strength: &str| {
+        format!("{STEEL}{HERTZ}[counterface]\nyoungs_modulus = \"210 GPa\"\npoisson_ratio = 0.3\n{strength}")
+    };
+    let harder = |key: &str| (key.to_owned(), RemarkCode::OtherBodyYields);
+    let of_counterface = against("indentation_hardness = \"6 GPa\"\n");
+    assert_eq!(keys(&of_counterface), [harder("counterface.indentation_hardness")]);
+    assert_eq!(keys(&against("indentation_hardness = \"3 GPa\"\n")), []);
+    let of_material =
+        against("yield_strength = \"100 MPa\"\n").replace("strain_gradient_length = \"5 um\"\n", "");
+    assert_eq!(keys(&of_material), [harder("material.yield_strength")]);
     let spectrum = "[surface]\npsd = \"builtin:uncd-measured\"\n[counterface]\nname = \"gold\"\n\
                     [[figure]]\nname = \"psd\"\nshows = \"psd\"\n";
     assert_eq!(keys(spectrum), [("counterface.name".to_owned(), RemarkCode::NoCurveUsesIt)]);
@@ -56,6 +67,13 @@ fn keys_of_curves_that_have_no_effect_are_noted_with_their_lines() {
     let used = "[[curve]]\nmodel = \"ep-sphere\"\nstrain_gradient = true\n\
                 [[curve]]\nmodel = \"elastic-sine\"\ninterference_law = \"bem\"\n";
     assert_eq!(notes(used), []);
+    for beside in ["nix-gao", "power:0.2"] {
+        let growing = notes(&format!(
+            "[[curve]]\nmodel = \"persson-plastic\"\nhardness_law = \"{beside}\"\nstrain_gradient = true\n"
+        ));
+        let code = if beside == "nix-gao" { RemarkCode::Replaced } else { RemarkCode::OtherHardnessLaw };
+        assert_eq!(growing, [("curve.strain_gradient".to_owned(), 13, code)]);
+    }
     // A growth that is turned off says nothing of a model without one.
     let off = notes("[[curve]]\nmodel = \"hertz\"\nstrain_gradient = false\n");
     assert_eq!(off, [("curve.strain_gradient".to_owned(), 12, RemarkCode::NeverYields)]);
@@ -69,6 +87,16 @@ fn keys_of_figures_that_have_no_effect_are_noted() {
     let keys: Vec<&str> = found.iter().map(|(key, ..)| key.as_str()).collect();
     assert_eq!(keys, ["figure.curves", "figure.loads", "figure.cutoff_multiples"]);
     assert!(found.iter().all(|(.., reason)| *reason == RemarkCode::FigureShowsSomethingElse));
+    // Settings of all figures, where no figure takes them, or each has its own.
+    let area = "[[figure]]\nname = \"g\"\nshows = \"area\"\nwidth = \"80 mm\"\nmodels = [\"hertz\"]\n";
+    let settings = "[figures]\nmodels = [\"hertz\"]\nloads = [\"1 MPa\"]\nwidth = \"60 mm\"\n";
+    let idle = |figures: &str| -> Vec<String> {
+        let found = notes(&format!("{HERTZ}{figures}{settings}"));
+        found.into_iter().filter_map(|(key, ..)| Some(key.strip_prefix("figures.")?.to_owned())).collect()
+    };
+    assert_eq!(idle(figure), ["models", "loads"]);
+    assert_eq!(idle(area), ["models", "width"]);
+    assert_eq!(idle(&format!("{figure}{area}")), ["models"]);
     let drawn = figure.replace("\"psd\"", "\"area-against-load\"");
     assert_eq!(notes(&format!("{HERTZ}{drawn}")), []);
 }
@@ -130,9 +158,25 @@ fn options_and_cutoffs_that_have_no_effect_are_noted() {
             "options.interference_law"
         ]
     );
+    // Friction and gaps take moments by Parseval's theorem, whatever their normalisation.
+    let theory = "[[curve]]\nmodel = \"persson\"\n[interface]\nshear_strength = \"1 MPa\"\n";
+    assert!(keys(theory).contains(&"options.normalisation".to_owned()));
     let every = "[[curve]]\nmodel = \"ep-sphere\"\nstrain_gradient = true\n[[curve]]\nmodel = \"elastic-sine\"\n\
                  [[curve]]\nmodel = \"elastic\"\n";
     assert_eq!(keys(every), ["cutoffs.shortest_wavelength"]);
+}
+
+#[test]
+fn draws_for_the_shares_of_one_uncertain_input_are_noted() {
+    let idle = |hardness: &str, modulus: &str| {
+        let text = STEEL.replace("\"1 GPa\"", hardness).replace("\"210 GPa\"", modulus);
+        let scene = parsed(&format!("{text}{HERTZ}[uncertainty]\nshares_draws = 64\n")).unwrap();
+        scene.notes.into_iter().map(|note| note.code).collect::<Vec<_>>()
+    };
+    assert_eq!(idle("\"1 GPa\"", "\"210 GPa\""), [RemarkCode::NothingScatters]);
+    assert_eq!(idle("\"1 GPa +- 10 %\"", "\"210 GPa\""), [RemarkCode::OneInputScatters]);
+    assert_eq!(idle("\"1 GPa\"", "\"210 GPa +- 10 GPa\""), [RemarkCode::OneInputScatters]);
+    assert_eq!(idle("\"1 GPa +- 10 %\"", "\"210 GPa +- 10 GPa\""), []);
 }
 
 #[test]
@@ -148,7 +192,10 @@ fn scenes_that_come_with_the_program_have_no_idle_keys() {
     // That of a new scene names a file of one's own.
     for template in scene::Template::ALL.iter().filter(|template| **template != scene::Template::New) {
         let scene = Scene::builtin(*template).unwrap();
-        assert_eq!((scene.notes, scene.sampling), (Vec::new(), Sampling::default()));
+        // Scenes of two metals give the strength of both, of which one flows.
+        let is_idle = |note: &Remark| note.code != RemarkCode::OtherBodyYields;
+        assert!(!scene.notes.iter().any(is_idle), "{:?}", scene.notes);
+        assert_eq!(scene.sampling, Sampling::default());
     }
 }
 

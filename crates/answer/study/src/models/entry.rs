@@ -143,15 +143,14 @@ impl ModelOptions {
     fn reason_to_ignore(&self, choice: Choice, entry: &ModelEntry) -> Option<RemarkCode> {
         let yields = entry.has(Choice::Strength);
         let is_of_framework = || of_framework(entry.framework).any(|other| other.has(choice));
-        let other_law = || self.hardness_law.as_ref().is_some_and(|law| *law != GrowthLaw::NixGao);
-        match choice {
-            Choice::StrainGradient if entry.has(Choice::HardnessLaw) && other_law() => {
-                Some(RemarkCode::OtherHardnessLaw)
-            }
-            choice if entry.has(choice) => None,
-            Choice::StrainGradient if !yields => Some(RemarkCode::NeverYields),
-            Choice::HardnessLaw if !yields && is_of_framework() => Some(RemarkCode::NeverYields),
-            Choice::Correction if yields && is_of_framework() => Some(RemarkCode::CorrectionsAreElastic),
+        let law = self.hardness_law.as_ref().filter(|_| entry.has(Choice::HardnessLaw));
+        match (choice, law) {
+            (Choice::StrainGradient, Some(GrowthLaw::NixGao)) => Some(RemarkCode::Replaced),
+            (Choice::StrainGradient, Some(_)) => Some(RemarkCode::OtherHardnessLaw),
+            (choice, _) if entry.has(choice) => None,
+            (Choice::StrainGradient, _) if !yields => Some(RemarkCode::NeverYields),
+            (Choice::HardnessLaw, _) if !yields && is_of_framework() => Some(RemarkCode::NeverYields),
+            (Choice::Correction, _) if yields && is_of_framework() => Some(RemarkCode::CorrectionsAreElastic),
             _ => Some(RemarkCode::NoSuchOption),
         }
     }
@@ -163,10 +162,10 @@ fn remark_on_ignored(choice: Choice, code: RemarkCode, entry: &ModelEntry) -> Re
     let others = of_framework(entry.framework).filter(|other| other.has(choice));
     let others: Vec<&str> = others.map(|other| other.name).collect();
     // A law of the hardness is an option of one theory, whose models a front end may call otherwise.
-    if others.is_empty() || choice == Choice::HardnessLaw {
-        remark
-    } else {
-        remark.with("models", others.join(", "))
+    match code {
+        RemarkCode::Replaced => remark.with("other", Choice::HardnessLaw.key()),
+        _ if others.is_empty() || choice == Choice::HardnessLaw => remark,
+        _ => remark.with("models", others.join(", ")),
     }
 }
 
@@ -286,7 +285,8 @@ mod tests {
         }
         let nix_gao = ModelOptions { hardness_law: Some(GrowthLaw::NixGao), ..all.clone() };
         let ignored = nix_gao.ignored_by(entry("persson-plastic"));
-        assert!(ignored.iter().all(|ignored| ignored.place.option.as_deref() != Some("strain_gradient")));
+        let of_growth = ignored.iter().find(|one| one.place.option.as_deref() == Some("strain_gradient"));
+        assert_eq!(of_growth.map(|one| one.code), Some(RemarkCode::Replaced));
         let cap = |options: &ModelOptions, name: &str| {
             options.ignored_strength_cap(entry(name)).map(|cap| cap.code)
         };

@@ -37,13 +37,15 @@ fn over_cutoffs(
         GrowthArg::Law(law) => Ok(law.clone()),
         GrowthArg::Table(path) => table_of_hardnesses(path),
     });
+    let hardness_law = hardness_law.transpose()?;
+    let has_length = material.strain_gradient_length_m.is_some();
     let figure = args.figure.figure.as_ref();
     let question = CurveQuestion {
         model: Some(model),
         name: Some("persson".to_owned()),
         options: ModelOptions {
-            strain_gradient: material.strain_gradient_length_m.is_some(),
-            hardness_law: hardness_law.transpose()?,
+            strain_gradient: has_length && hardness_law != Some(GrowthLaw::NixGao),
+            hardness_law,
             ..args.options()
         },
         material,
