@@ -1,6 +1,6 @@
 //! The area that touches under a load, with its one range.
 
-use judge::{Basis, Headline, Reference};
+use judge::{Basis, Headline, PressedSurface, Reference};
 use serde::Serialize;
 use study::models::Choice;
 
@@ -17,6 +17,8 @@ pub struct AreaEstimate {
     pub high: f64,
     /// The source.
     pub source: Source,
+    /// The surface of its elements.
+    pub surface: PressedSurface,
     /// The factor between the ends that the elements, or the models, leave.
     pub factor_of_elements: f64,
     /// The part of uncertain scans, instruments and materials; `None` without draws.
@@ -71,6 +73,7 @@ impl AreaEstimate {
             low: headline.low,
             high: headline.high,
             source,
+            surface: headline.surface,
             factor_of_elements: headline.high / headline.low,
             of_inputs: None,
         };
@@ -90,7 +93,9 @@ impl AreaEstimate {
             _ => (Source::Models, None),
         };
         let factor_of_elements = high / low;
-        let plain = AreaEstimate { area_fraction, low, high, source, factor_of_elements, of_inputs: None };
+        let surface = PressedSurface::Gaussian;
+        let plain =
+            AreaEstimate { area_fraction, low, high, source, surface, factor_of_elements, of_inputs: None };
         Some(plain.widened(evidence, load, None))
     }
 

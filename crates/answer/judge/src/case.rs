@@ -276,14 +276,11 @@ impl<'s> Case<'s> {
         self.waves.as_ref().map_or(0.0, |waves| waves.surface.conversion().end_error)
     }
 
-    /// The elastic mean real pressure \[Pa\] under each of these loads, with all waves down to a wavelength \[m\].
-    pub fn elastic_pressures_at(&self, loads: &[usize], wavelength_m: f64) -> Vec<(usize, f64)> {
+    /// The mean real pressure \[Pa\] under a load of bodies whose pressure is bounded, with all waves down to a wavelength \[m\].
+    pub fn pressure_at_pa(&self, wavelength_m: f64, bound_pa: Option<f64>, load: usize) -> f64 {
+        let nominal_pa = self.nominal_pressure_pa(load);
         let waves = self.closed_form(wavelength_m);
-        let pressure_pa = |&load: &usize| {
-            let nominal_pa = self.nominal_pressure_pa(load);
-            (load, nominal_pa / waves.map_or(1.0, |waves| waves.area_fraction(nominal_pa, None)))
-        };
-        loads.iter().map(pressure_pa).collect()
+        nominal_pa / waves.map_or(1.0, |waves| waves.area_fraction(nominal_pa, bound_pa))
     }
 
     /// The step from the area of elements on a window to that of the surface, with all waves down to the end of the window.

@@ -10,11 +10,13 @@ use crate::case::Case;
 use crate::headline::Headline;
 use crate::judgement::Judgement;
 use crate::layout::{Cell, Extent, Layout, PlannedPress};
+use crate::maps::MapVerdict;
 use crate::model_areas::{self, WindowProfiles};
 use crate::seam::Seam;
 use crate::solve::{Solutions, Solved};
+use crate::standing_maps::StandingArea;
 use crate::verdict::{ERRORS_GIVEN, Verdict, WorstWindow};
-use crate::verdicts::{AreaRange, CurveVerdict, ElementArea, ReferenceArea, WindowOutcome};
+use crate::verdicts::{AreaRange, CurveVerdict, ElementArea, PressedSurface, ReferenceArea, WindowOutcome};
 use crate::window::{Band, Window};
 use crate::yielding::Yielding;
 
@@ -23,6 +25,8 @@ pub(crate) struct Comparisons<'c> {
     pub case: &'c Case<'c>,
     pub layout: &'c Layout,
     pub solutions: &'c Solutions,
+    /// The areas of maps that stand for the surface.
+    pub maps: &'c [StandingArea],
 }
 
 impl Comparisons<'_> {
@@ -87,6 +91,7 @@ impl Comparisons<'_> {
                 load,
                 reference: *reference,
                 elements: self.area_of_whole_band(body, load).ok(),
+                surface: self.area_of_maps(body, load).map_or(PressedSurface::Gaussian, |_| PressedSurface::Measured),
                 range: self.range_of_whole_band(body, load),
             })
         };
@@ -108,9 +113,17 @@ impl Comparisons<'_> {
         Some(AreaRange { low: low.min(high), high })
     }
 
-    /// The area of elements on the whole band: as pressed, or that of the last window carried over by the closed form.
+    /// The area of the maps that stand for the surface, if there are any.
+    fn area_of_maps(&self, body: usize, load: usize) -> Option<ElementArea> {
+        self.maps.iter().find(|area| (area.body, area.load) == (body, load)).map(|area| area.elements)
+    }
+
+    /// The area of elements on the whole band: that of maps, or as pressed, or that of the last window carried over by the closed form.
     fn area_of_whole_band(&self, body: usize, load: usize) -> Result<ElementArea, RemarkCode> {
         let Comparisons { case, layout, .. } = self;
+        if let Some(area) = self.area_of_maps(body, load) {
+            return Ok(area.at_least(case.least_area(case.references[body], load)));
+        }
         let Some(window) = layout.windows.len().checked_sub(1) else { return Err(RemarkCode::NoSurface) };
         let area = self.area_on_window(Cell { body, window, load })?;
         let reference = case.references[body];
@@ -125,7 +138,7 @@ impl Comparisons<'_> {
 
     /// The area that elements give for a cell of the layout, or the reason why there is none.
     fn area_on_window(&self, cell: Cell) -> Result<ElementArea, RemarkCode> {
-        let Comparisons { case, layout, solutions } = self;
+        let Comparisons { case, layout, solutions, .. } = self;
         let (reference, forms) = (case.references[cell.body], &layout.forms[cell.window]);
         let (solved, down) = match layout.planned(cell) {
             PlannedPress::Solve(press) => (solutions.of_presses[press]?, Seam::NONE),
@@ -324,27 +337,28 @@ pub(crate) fn without_elements(case: &Case<'_>, reason: RemarkCode) -> Judgement
             windows: 0,
         }
     };
-    conclude(case, None, Vec::new(), case.all().map(verdict).collect(), Vec::new())
+    conclude(case, None, Vec::new(), case.all().map(verdict).collect(), Vec::new(), Vec::new())
 }
 
-/// Adds to the verdicts what follows from them and from the case; the maps are left empty.
+/// Adds to the verdicts what follows from them and from the case.
 pub(crate) fn conclude(
     case: &Case<'_>,
     extent: Option<Extent>,
     windows: Vec<WindowOutcome>,
     curves: Vec<CurveVerdict>,
     references: Vec<ReferenceArea>,
+    maps: Vec<MapVerdict>,
 ) -> Judgement {
     let yielding: Vec<Yielding> = (0..case.loads()).map(|load| case.yielding(load)).collect();
     let headlines =
-        yielding.iter().filter_map(|yielding| Headline::new(yielding, &references, &curves)).collect();
+        yielding.iter().filter_map(|yielding| Headline::new(yielding, &references, &curves, &maps)).collect();
     Judgement {
         extent,
         windows,
         curves,
         references,
         headlines,
-        maps: Vec::new(),
+        maps,
         yielding,
         steep_from_m: case.steep_from_m(),
         rms_gradient: case.rms_gradient(),

@@ -3,7 +3,8 @@
 use serde::Serialize;
 
 use crate::body::Reference;
-use crate::verdicts::{AreaRange, CurveVerdict, ElementArea, ReferenceArea};
+use crate::maps::MapVerdict;
+use crate::verdicts::{AreaRange, CurveVerdict, ElementArea, PressedSurface, ReferenceArea};
 use crate::yielding::Yielding;
 
 /// The area of a load, to be said first.
@@ -21,6 +22,8 @@ pub struct Headline {
     pub high: f64,
     /// The area under another assumption on the hardness, if that moves it beyond the range.
     pub otherwise: Option<Otherwise>,
+    /// The surface of these elements.
+    pub surface: PressedSurface,
     /// The curve nearest to the elements of the headline, among those that agree on the whole band and on most windows.
     pub best_curve: Option<usize>,
 }
@@ -51,7 +54,12 @@ pub struct Otherwise {
 
 impl Headline {
     /// The headline of a load; `None` if there are no elements and no curve has an area under it.
-    pub(crate) fn new(yielding: &Yielding, areas: &[ReferenceArea], curves: &[CurveVerdict]) -> Option<Self> {
+    pub(crate) fn new(
+        yielding: &Yielding,
+        areas: &[ReferenceArea],
+        curves: &[CurveVerdict],
+        maps: &[MapVerdict],
+    ) -> Option<Self> {
         let load = yielding.load;
         let area = |is_wanted: fn(Reference) -> bool| {
             areas.iter().find(|area| area.load == load && is_wanted(area.reference) && area.range.is_some())
@@ -65,7 +73,7 @@ impl Headline {
             (Some(_), true, Some(_)) => growing,
         };
         let Some(own) = own else { return Self::from_range(load, curves) };
-        let headline = Self::from_elements(own, curves)?.with_peaks_that_flow(yielding);
+        let headline = Self::from_elements(own, curves)?.with_peaks_that_flow(yielding).with_maps(maps);
         let may_be_softer = own.reference == Reference::Elastic && yielding.above_constant.is_some();
         let otherwise = flowing.filter(|_| may_be_softer).and_then(Otherwise::new);
         let moves =
@@ -86,6 +94,7 @@ impl Headline {
             low,
             high,
             otherwise: None,
+            surface: area.surface,
             best_curve: candidates.min_by(|a, b| off(a).total_cmp(&off(b))).map(|curve| curve.curve),
         })
     }
@@ -95,6 +104,17 @@ impl Headline {
         let factor =
             yielding.flowing_over_elastic.filter(|_| yielding.above_constant.is_none()).unwrap_or(1.0);
         Headline { high: (self.high * factor.max(1.0)).min(1.0), ..self }
+    }
+
+    /// Extends the range of Gaussian surfaces by the ratios of maps that touch otherwise, under this load or, if none was pressed
+    /// under it, under any.
+    fn with_maps(self, maps: &[MapVerdict]) -> Self {
+        let is_own = |map: &&MapVerdict| map.load == self.load;
+        let all = !maps.iter().any(|map| is_own(&map));
+        let ratios = maps.iter().filter(|map| map.differs() && (all || is_own(map))).map(MapVerdict::ratio);
+        let ratios = ratios.filter(|_| self.surface == PressedSurface::Gaussian);
+        let (least, most) = ratios.fold((1.0f64, 1.0f64), |(least, most), ratio| (least.min(ratio), most.max(ratio)));
+        Headline { low: self.low * least, high: (self.high * most).min(1.0), ..self }
     }
 
     fn from_range(load: usize, curves: &[CurveVerdict]) -> Option<Self> {
@@ -111,6 +131,7 @@ impl Headline {
             low: least.1,
             high: most.1,
             otherwise: None,
+            surface: PressedSurface::Gaussian,
             best_curve: None,
         })
     }

@@ -12,6 +12,7 @@ use crate::judgement::Judgement;
 use crate::layout::Layout;
 use crate::maps::{MapPressing, MapVerdict, compare_maps};
 use crate::solve::solve;
+use crate::standing_maps::press_standing_maps;
 
 /// The surfaces and pressures that the judge will solve for a scene. The budget fixes them before anything is solved.
 pub struct JudgePlan<'s> {
@@ -47,7 +48,8 @@ impl<'s> JudgePlan<'s> {
         };
         let solutions = solve(layout, &self.case, self.settings.seed, progress)?;
         let maps = self.maps(layout, progress)?;
-        let comparisons = Comparisons { case: &self.case, layout, solutions: &solutions };
+        let standing = press_standing_maps(&self.case, &layout.loads, self.settings.budget, progress)?;
+        let comparisons = Comparisons { case: &self.case, layout, solutions: &solutions, maps: &standing };
         let mut windows = comparisons.on_windows()?;
         let whole_band = comparisons.on_whole_band();
         let curves = comparisons.verdicts(&windows, &whole_band);
@@ -55,10 +57,7 @@ impl<'s> JudgePlan<'s> {
             windows.extend(whole_band);
         }
         let extent = layout.extent(&self.settings, solutions.spent);
-        Ok(Judgement {
-            maps,
-            ..conclude(&self.case, Some(extent), windows, curves, comparisons.references())
-        })
+        Ok(conclude(&self.case, Some(extent), windows, curves, comparisons.references(), maps))
     }
 
     /// Compares the measured maps behind the spectrum with Gaussian surfaces of their waves.

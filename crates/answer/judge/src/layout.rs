@@ -12,14 +12,14 @@ use crate::window::{Window, bands, decades_held, points_per_shortest};
 const DEFAULT_REALISATIONS: usize = 4;
 
 /// Grids that are tried, from fine to coarse: their sides have small factors, which fast Fourier transforms like.
-const GRIDS: [usize; 10] = [1024, 768, 512, 384, 256, 192, 128, 96, 64, 48];
+pub(crate) const GRIDS: [usize; 10] = [1024, 768, 512, 384, 256, 192, 128, 96, 64, 48];
 
 /// Pressures that differ by less than this share a solution.
 const SAME_PRESSURE: f64 = 0.01;
 /// Above this share of the hardness the whole contact yields: the area fraction lies between p/H and 1.
-const FLOWING: f64 = 0.98;
+pub(crate) const FLOWING: f64 = 0.98;
 /// With fewer points in contact the grid says little about the area.
-const MIN_POINTS: f64 = 200.0;
+pub(crate) const MIN_POINTS: f64 = 200.0;
 /// Points that touch under the load from which an area is carried down: with fewer, surfaces scatter more than the closed form errs.
 const POINTS_TO_CARRY: f64 = 2000.0;
 /// The fewest surfaces that have a scatter.
@@ -343,7 +343,7 @@ impl Layout {
 
 /// The operator applications of a solution on a grid: a line through the largest counts measured for windows of Hurst
 /// exponents 0.5 and 0.8, elastic and saturated, from light loads to full contact, at the judge's tolerance.
-fn operators(grid: usize) -> f64 {
+pub(crate) fn operators(grid: usize) -> f64 {
     20.0 * (grid as f64 / 64.0).powf(0.3)
 }
 

@@ -1,26 +1,24 @@
 //! Measured maps pressed by boundary elements, compared with Gaussian surfaces that have the same waves. The difference
 //! is the effect of everything that a spectrum omits.
 
-use elements::half_space::{Grid, Loading};
+use elements::half_space::{ContactNumbers, Grid, Loading};
 use measurements::MapPatch;
 use numerics::parallel::Progress;
 use serde::Serialize;
 use spectrum::random_surfaces::{MapWaves, RandomSurface};
-use topography::{Detrend, detrended_m};
 
 use crate::JudgeError;
 use crate::case::Case;
+use crate::layout::MIN_POINTS;
 use crate::solve::{Solved, TOLERANCE};
 use crate::verdict::ERRORS_GIVEN;
 use crate::verdicts::ElementArea;
 use crate::window::POINTS_PER_SHORTEST;
 
 /// The most maps that are pressed.
-const MAX_MAPS: usize = 3;
+pub(crate) const MAX_MAPS: usize = 3;
 /// Gaussian surfaces beside each map.
 const TWINS: u64 = 4;
-/// With fewer points in contact a map says little.
-const MIN_POINTS: f64 = 200.0;
 /// The pressure over E* h' at which nearly all of a map touches.
 const NEARLY_FULL: f64 = 1.0;
 /// The least difference between a map and its twins that counts.
@@ -90,23 +88,14 @@ fn compare_map(
     pressing: &MapPressing<'_>,
     progress: &dyn Progress,
 ) -> Result<Vec<MapVerdict>, JudgeError> {
-    let map = patch.map.middle(pressing.grid);
-    let is_whole = map == patch.map;
-    let lengths_m = [map.columns() as f64 * map.spacing_x_m(), map.rows() as f64 * map.spacing_y_m()];
-    let heights_m = detrended_m(&map, Detrend::Plane);
-    let waves = MapWaves::new(
-        &heights_m,
-        map.columns(),
-        lengths_m,
-        patch.is_periodic && is_whole,
-        POINTS_PER_SHORTEST,
-    );
+    let waves = waves(&patch.middle(pressing.grid), POINTS_PER_SHORTEST);
     let surface = waves.surface();
     let gradient_pa = pressing.case.composite_modulus_pa * surface.mean_square_gradient().sqrt();
-    let points = (map.columns() * map.rows()) as f64;
+    let points = surface.heights_m.len() as f64;
     let mut found: Vec<MapVerdict> = Vec::new();
-    let shortest_side_m = lengths_m[0].min(lengths_m[1]);
-    for (load, pressure_pa) in pressing.case.elastic_pressures_at(pressing.loads, shortest_side_m) {
+    let shortest_side_m = surface.length_x_m.min(surface.length_y_m);
+    for &load in pressing.loads {
+        let pressure_pa = pressing.case.pressure_at_pa(shortest_side_m, None, load);
         let pressure_over_gradient = pressure_pa / gradient_pa;
         let known = |of: &MapVerdict| (of.pressure_over_gradient / pressure_over_gradient - 1.0).abs() < 0.01;
         let says_something = 2.0 * pressure_over_gradient * points > MIN_POINTS
@@ -115,7 +104,10 @@ fn compare_map(
         if !says_something {
             continue;
         }
-        let area = |surface: &RandomSurface| area_fraction(surface, pressure_pa, pressing, progress);
+        let press = Press { case: pressing.case, pressure_pa, saturation_pa: None };
+        let area = |surface: &RandomSurface| {
+            Ok::<_, JudgeError>(press.on(surface, progress)?.map(|found| found.area_fraction_corrected))
+        };
         let Some(area_fraction) = area(&surface)? else { return Ok(found) };
         let twins = (0..TWINS).map(|at| area(&waves.twin(pressing.seed, at)));
         let Some(twins) = twins.collect::<Result<Option<Vec<f64>>, JudgeError>>()? else { return Ok(found) };
@@ -132,23 +124,33 @@ fn compare_map(
     Ok(found)
 }
 
-fn area_fraction(
-    surface: &RandomSurface,
-    nominal_pressure_pa: f64,
-    pressing: &MapPressing<'_>,
-    progress: &dyn Progress,
-) -> Result<Option<f64>, JudgeError> {
-    if progress.is_cancelled() {
-        return Ok(None);
+/// Returns the waves of a map that have at least so many points.
+pub(crate) fn waves(patch: &MapPatch, least_points: f64) -> MapWaves {
+    MapWaves::new(&patch.heights_m(), patch.map.columns(), patch.sides_m(), patch.is_periodic, least_points)
+}
+
+/// A mean pressure on a surface that is pressed as it is.
+pub(crate) struct Press<'p> {
+    pub case: &'p Case<'p>,
+    pub pressure_pa: f64,
+    /// The bound \[Pa\] on the pressure of every point.
+    pub saturation_pa: Option<f64>,
+}
+
+impl Press<'_> {
+    /// Presses a surface; `None` if the work is cancelled.
+    pub fn on(&self, surface: &RandomSurface, progress: &dyn Progress) -> Result<Option<ContactNumbers>, JudgeError> {
+        if progress.is_cancelled() {
+            return Ok(None);
+        }
+        let (rows, columns) = (surface.points_y, surface.points_x);
+        let grid = Grid::new(rows, columns, surface.length_x_m, surface.length_y_m)?;
+        let loading = Loading {
+            contact_modulus_pa: self.case.composite_modulus_pa,
+            nominal_pressure_pa: self.pressure_pa,
+            saturation_pa: self.saturation_pa,
+            tolerance: TOLERANCE,
+        };
+        Ok(Some(self.case.elements(grid, &surface.heights_m)?.press(&loading, progress)?.numbers))
     }
-    let (rows, columns) = (surface.points_y, surface.points_x);
-    let grid = Grid::new(rows, columns, surface.length_x_m, surface.length_y_m)?;
-    let loading = Loading {
-        contact_modulus_pa: pressing.case.composite_modulus_pa,
-        nominal_pressure_pa,
-        saturation_pa: None,
-        tolerance: TOLERANCE,
-    };
-    let contact = pressing.case.elements(grid, &surface.heights_m)?.press(&loading, progress)?;
-    Ok(Some(contact.numbers.area_fraction_corrected))
 }

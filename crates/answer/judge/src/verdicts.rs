@@ -170,6 +170,16 @@ impl CurveVerdict {
     }
 }
 
+/// The surface that boundary elements press for the whole band.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PressedSurface {
+    /// Gaussian surfaces of the spectrum.
+    Gaussian,
+    /// The measured maps, which hold nearly all slopes of the band.
+    Measured,
+}
+
 /// The area of boundary elements with the whole band under a load.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ReferenceArea {
@@ -181,4 +191,6 @@ pub struct ReferenceArea {
     pub elements: Option<ElementArea>,
     /// Its range, if it was found.
     pub range: Option<AreaRange>,
+    /// The surface that was pressed.
+    pub surface: PressedSurface,
 }

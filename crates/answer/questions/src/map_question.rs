@@ -5,9 +5,11 @@ use findings::doubts;
 use scans::HeightMap;
 use scene::Scene;
 use serde::{Deserialize, Serialize};
-use topography::detrended_m;
 
 use crate::{Prepared, PreparedElements};
+
+/// The most points along a side, so that a page answers within a second.
+const MOST_POINTS: usize = 256;
 
 /// A map of a scene between the bodies of the scene: all that boundary elements need, so that it can be pressed elsewhere.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -29,13 +31,13 @@ impl MapQuestion {
     /// repeat themselves, which a layer needs.
     #[must_use]
     pub fn from_scene(scene: &Scene, map: usize) -> Option<Self> {
-        let patch = scene.surface.made_from.as_ref()?.maps.get(map)?;
+        let patch = scene.surface.made_from.as_ref()?.maps.get(map)?.middle(MOST_POINTS);
         let material = scene.material.as_ref().filter(|material| material.pair.layer().is_none())?;
         let boundary = if patch.is_periodic { Boundary::Periodic } else { Boundary::Free };
         Some(MapQuestion {
             name: patch.name.clone(),
             points_of_whole: patch.points_of_whole,
-            relief: relief(&patch.map, detrended_m(&patch.map, patch.detrend), boundary),
+            relief: relief(&patch.map, patch.heights_m(), boundary),
             contact_modulus_pa: material.pair.composite_modulus_pa(),
             saturation_pa: material.hardness_pa(),
         })

@@ -3,9 +3,9 @@
 use std::collections::{BTreeSet, HashMap};
 
 use numerics::parallel::{Progress, Unobserved};
-use scans::{HeightMap, Scan, ScanAxis, ScanFile};
+use scans::ScanAxis;
 use tables::Table;
-use topography::{CompositeSpectrum, Detrend, ScanSpectrum, TransformError, without_gaps};
+use topography::{CompositeSpectrum, ScanSpectrum, TransformError, without_gaps};
 use units::number;
 use units::printable::short_paths;
 
@@ -14,6 +14,7 @@ use crate::error::{ScanProblem, TopographyError};
 use crate::files::Files;
 use crate::instrument::InstrumentOfScan;
 use crate::load::{Loaded, load};
+use crate::map_patch::MapPatch;
 use crate::request::ScanRequest;
 use crate::sketch::ScanSketch;
 use topography::Recipe;
@@ -31,21 +32,6 @@ pub struct CompositeOfFiles {
     pub sketches: Vec<ScanSketch>,
 }
 
-/// The middle of a map, for boundary elements.
-#[derive(Debug, Clone, PartialEq)]
-pub struct MapPatch {
-    /// The name of the measurement.
-    pub name: String,
-    /// Heights as measured.
-    pub map: HeightMap,
-    /// True if opposite edges match; false for a part of a periodic map.
-    pub is_periodic: bool,
-    /// Points of the whole map along x and along y.
-    pub points_of_whole: [usize; 2],
-    /// The trend to subtract from the heights, as for the spectrum.
-    pub detrend: Detrend,
-}
-
 /// Input of a composite: a file or scans in memory.
 #[derive(Debug, Clone)]
 pub enum ScanInput {
@@ -59,21 +45,11 @@ pub enum ScanInput {
 pub const STEPS_PER_FILE: usize = 2;
 
 /// Largest number of points along a side of a patch, for the boundary elements of the judge.
-const MOST_POINTS: usize = 256;
-
-impl MapPatch {
-    fn from_file(file: &ScanFile<Scan>, recipe: &Recipe) -> Option<Self> {
-        let Scan::Map(map) = &file.scan else { return None };
-        let whole = map.columns() <= MOST_POINTS && map.rows() <= MOST_POINTS;
-        Some(MapPatch {
-            name: file.name.clone(),
-            map: map.middle(MOST_POINTS),
-            is_periodic: file.is_periodic && whole,
-            points_of_whole: [map.columns(), map.rows()],
-            detrend: recipe.preparation(file.is_periodic).detrend,
-        })
-    }
-}
+const MOST_POINTS: usize = 1024;
+/// That among more than [`FEW_FILES`] files, so that patches of many maps take little memory.
+const MOST_POINTS_OF_MANY: usize = 256;
+/// Files that may all be maps to press.
+const FEW_FILES: usize = 3;
 
 /// The origin of a scan.
 #[derive(Debug, Clone, PartialEq)]
@@ -135,7 +111,8 @@ impl CompositeOfFiles {
         wanted: Sketches,
         progress: &dyn Progress,
     ) -> Result<Self, TopographyError> {
-        let transform = |input| transform_input(input, files, recipe, wanted, progress);
+        let most_points = if inputs.len() > FEW_FILES { MOST_POINTS_OF_MANY } else { MOST_POINTS };
+        let transform = |input| transform_input(input, files, recipe, (wanted, most_points), progress);
         let of_files = numerics::parallel::map_owned(inputs, transform);
         let (mut scans, mut maps, mut sketches) = (Vec::new(), Vec::new(), Vec::new());
         let mut sources: Vec<ScanSource> = Vec::new();
@@ -232,7 +209,7 @@ fn transform_input(
     input: ScanInput,
     files: &dyn Files,
     recipe: &Recipe,
-    wanted: Sketches,
+    (wanted, most_points): (Sketches, usize),
     progress: &dyn Progress,
 ) -> Result<FileSpectra, TopographyError> {
     let (request, Loaded { scans, sha256 }) = match input {
@@ -257,7 +234,7 @@ fn transform_input(
         }
         let scan = without_gaps(scan, recipe.gaps).map_err(blame)?;
         let instrument = InstrumentOfScan::new(request, &scan);
-        found.maps.extend(MapPatch::from_file(&scan, &recipe));
+        found.maps.extend(MapPatch::from_file(&scan, &recipe, most_points));
         let spectra = ScanSpectrum::per_direction(scan, request.limits(), &recipe).map_err(blame)?;
         let source = ScanSource { file: request.path.clone(), sha256: sha256.clone(), instrument };
         found.sources.extend(spectra.iter().map(|_| source.clone()));

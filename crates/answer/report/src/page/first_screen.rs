@@ -137,7 +137,7 @@ pub(super) fn best_estimate(report: &SceneReport<'_>, load: &AnswerUnderLoad) ->
             p.number { (number) " touches" }
             p {
                 @if area.area_fraction.is_some() && area.low < area.high { (share_range(area.low, area.high)) " by " }
-                (source_words(area.source, report.scene)) "."
+                (source_words(area, report.scene)) "."
                 @if let Some(parts) = parts_of_range(load, report.evidence.uncertainty) { " " (parts) "." }
                 @if let Some(best) = &load.best_model {
                     " Nearest model: " (report.short_curve(best.curve))

@@ -6,7 +6,7 @@ use conclusions::{
     AnswerUnderLoad, AreaEstimate, AskedValue, Conclusions, ModelCell, NextStep, OfInputs, OtherHardness,
     PeakState, SealVerdict, ShearConclusion, Source,
 };
-use judge::{Reference, Verdict};
+use judge::{PressedSurface, Reference, Verdict};
 use scene::Scene;
 use study::interface::Quantity;
 use uncertainty::Uncertainty;
@@ -121,7 +121,7 @@ fn touching_rows(conclusions: &Conclusions, scene: &Scene) -> Vec<(&'static str,
 
 /// `0.18 %   0.14 to 0.22 %   boundary elements, yielding at 6.9 GPa`.
 fn estimate_line(area: &AreaEstimate, scene: &Scene) -> String {
-    let source = source_words(area.source, scene);
+    let source = source_words(area, scene);
     let range = share_range(area.low, area.high);
     match area.area_fraction {
         Some(area_fraction) if area.low < area.high => {
@@ -133,19 +133,23 @@ fn estimate_line(area: &AreaEstimate, scene: &Scene) -> String {
 }
 
 /// The source of an area: `boundary elements, yielding at 6.9 GPa`, with whose hardness it has where both bodies have one.
-pub(crate) fn source_words(source: Source, scene: &Scene) -> String {
+pub(crate) fn source_words(area: &AreaEstimate, scene: &Scene) -> String {
     let whose = scene
         .softer()
-        .filter(|softer| source != Source::Elements(Reference::Elastic) && softer.remark().is_some());
+        .filter(|softer| area.source != Source::Elements(Reference::Elastic) && softer.remark().is_some());
     let whose = whose.map_or_else(String::new, |softer| format!("; hardness of {}", softer.flows.words()));
-    method_words(source) + &whose
+    method_words(area) + &whose
 }
 
-fn method_words(source: Source) -> String {
-    match source {
-        Source::Elements(Reference::Elastic) => "boundary elements, elastic".to_owned(),
+fn method_words(area: &AreaEstimate) -> String {
+    let elements = match area.surface {
+        PressedSurface::Gaussian => "boundary elements",
+        PressedSurface::Measured => "boundary elements on the scanned map",
+    };
+    match area.source {
+        Source::Elements(Reference::Elastic) => format!("{elements}, elastic"),
         Source::Elements(Reference::Yielding { hardness_pa }) => {
-            format!("boundary elements, yielding at {}", pressure(hardness_pa))
+            format!("{elements}, yielding at {}", pressure(hardness_pa))
         }
         Source::Elements(Reference::Growing) => {
             "the range from a hardness that grows at small scales to a constant one".to_owned()

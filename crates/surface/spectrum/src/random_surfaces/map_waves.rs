@@ -67,6 +67,16 @@ impl MapWaves {
         MapWaves { points_x, points_y, length_x_m, length_y_m, waves, shortest_m }
     }
 
+    /// Keeps waves within a band of wavelengths \[m\].
+    #[must_use]
+    pub fn within(mut self, longest_m: f64, shortest_m: f64) -> Self {
+        let [x_m, y_m] = [self.length_x_m, self.length_y_m];
+        let length_m = |m: usize, n: i64| (m as f64 / x_m).hypot(n as f64 / y_m).recip();
+        let band_m = (1.0 - 1e-9) * shortest_m..=(1.0 + 1e-9) * longest_m;
+        self.waves.retain(|(m, n, _)| band_m.contains(&length_m(*m, *n)));
+        self
+    }
+
     /// Returns the map as the sum of its kept waves.
     #[must_use]
     pub fn surface(&self) -> RandomSurface {

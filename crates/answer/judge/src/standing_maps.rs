@@ -1,0 +1,113 @@
+//! Maps that stand for the whole surface: pressed as they were scanned, they have the area that a spectrum only estimates.
+
+use measurements::MapPatch;
+use numerics::parallel::{NestedProgress, Progress};
+use spectrum::random_surfaces::RandomSurface;
+
+use crate::JudgeError;
+use crate::body::Reference;
+use crate::case::Case;
+use crate::layout::{FLOWING, GRIDS, MIN_POINTS, operators};
+use crate::maps::{MAX_MAPS, Press, waves};
+use crate::solve::Solved;
+use crate::verdicts::ElementArea;
+
+/// The least share of the band's mean-square gradient that a map holds to stand for the surface.
+const LEAST_SHARE: f64 = 0.95;
+/// Points on a wave that a map just does not resolve along a diagonal: all its waves have more.
+const ALL_WAVES: f64 = std::f64::consts::SQRT_2;
+/// A spectrum that ends at so many points on its shortest wave, or fewer, has all waves of the map.
+const ENDS_WITH_MAP: f64 = 2.5;
+
+/// The area of the maps that stand for the surface, between the bodies of a reference under a load; both by index.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct StandingArea {
+    pub body: usize,
+    pub load: usize,
+    pub elements: ElementArea,
+}
+
+/// Presses the maps that hold nearly all slopes of the band, as finely as the budget allows, between all bodies under these loads.
+pub(crate) fn press_standing_maps(
+    case: &Case<'_>,
+    loads: &[usize],
+    budget: f64,
+    progress: &dyn Progress,
+) -> Result<Vec<StandingArea>, JudgeError> {
+    let maps = case.scene.surface.made_from.as_ref().map_or(&[][..], |scans| &scans.maps);
+    let maps = &maps[..maps.len().min(MAX_MAPS)];
+    let presses = (maps.len() * loads.len() * case.references.len()) as f64;
+    let cost = |points: usize| presses * operators(points) * (points * points) as f64;
+    let Some(points) = GRIDS.into_iter().find(|points| cost(*points) <= budget) else { return Ok(Vec::new()) };
+    let surfaces: Vec<RandomSurface> =
+        maps.iter().map(|map| map.middle(points)).filter(|map| stands(map, case)).map(|map| surface(&map, case)).collect();
+    let bodies = 0..case.references.len();
+    let cells: Vec<(usize, usize)> =
+        bodies.flat_map(|body| loads.iter().map(move |&load| (body, load))).collect();
+    let progress = NestedProgress(progress);
+    let pressed = numerics::parallel::try_map(&cells, |&(body, load)| {
+        let of_maps: Result<Option<Vec<ElementArea>>, JudgeError> =
+            surfaces.iter().map(|surface| area(surface, case, (case.references[body], load), &progress)).collect();
+        let mean = of_maps?.filter(|areas| !areas.is_empty()).map(|areas| mean(&areas));
+        Ok::<_, JudgeError>(mean.map(|elements| StandingArea { body, load, elements }))
+    })?;
+    Ok(pressed.into_iter().flatten().collect())
+}
+
+/// Returns true if the waves of a map hold nearly all slopes of the band.
+fn stands(map: &MapPatch, case: &Case<'_>) -> bool {
+    let [x_m, y_m] = map.sides_m();
+    let square = |wavelength_m: f64| case.rms_pressure_pa(wavelength_m.max(case.band().shortest_m)).powi(2);
+    let shortest_m = 2.0 * map.map.spacing_x_m().max(map.map.spacing_y_m());
+    square(shortest_m) - square(x_m.min(y_m)) >= LEAST_SHARE * square(case.band().shortest_m)
+}
+
+/// Returns a map with the waves of the band that the scene presses.
+fn surface(map: &MapPatch, case: &Case<'_>) -> RandomSurface {
+    let (band, whole) = (case.band(), &case.scene.surface.psd);
+    let waves = waves(map, ALL_WAVES);
+    let spacing_m = map.map.spacing_x_m().max(map.map.spacing_y_m());
+    let shortest_m = if band.shortest_m > ENDS_WITH_MAP * spacing_m { band.shortest_m } else { 0.0 };
+    let is_cut = band.longest_m < (1.0 - 1e-9) * whole.longest_wavelength_m();
+    waves.within(if is_cut { band.longest_m } else { f64::INFINITY }, shortest_m).surface()
+}
+
+/// Presses a map. The area lies between that of its points and that corrected by their perimeter; `None` if that says little.
+fn area(
+    surface: &RandomSurface,
+    case: &Case<'_>,
+    (reference, load): (Reference, usize),
+    progress: &dyn Progress,
+) -> Result<Option<ElementArea>, JudgeError> {
+    let saturation_pa = match reference {
+        Reference::Elastic => None,
+        Reference::Yielding { hardness_pa } => Some(hardness_pa),
+        Reference::Growing => return Ok(None),
+    };
+    let side_m = surface.length_x_m.min(surface.length_y_m);
+    let pressure_pa = case.pressure_at_pa(side_m, saturation_pa, load);
+    if saturation_pa.is_some_and(|bound_pa| pressure_pa > FLOWING * bound_pa) {
+        return Ok(None);
+    }
+    let press = Press { case, pressure_pa, saturation_pa };
+    let Some(found) = press.on(surface, progress)? else { return Ok(None) };
+    let touching = found.area_fraction * surface.heights_m.len() as f64;
+    if touching < MIN_POINTS {
+        return Ok(None);
+    }
+    let least = saturation_pa.map_or(0.0, |bound_pa| pressure_pa / bound_pa);
+    let [corrected, counted] = [found.area_fraction_corrected, found.area_fraction].map(|area| area.max(least));
+    let middle = 0.5 * (corrected + counted);
+    let share = case.nominal_pressure_pa(load) / pressure_pa;
+    // Both ends lie two standard errors from the middle.
+    let between = ElementArea::new(share * middle, 0.25 * share * (counted - corrected));
+    Ok(Some(between))
+}
+
+/// Averages the areas of maps at several places.
+fn mean(areas: &[ElementArea]) -> ElementArea {
+    let values: Vec<f64> = areas.iter().map(|area| area.area_fraction).collect();
+    let Solved { area_fraction, standard_error } = Solved::from_surfaces(&values, None);
+    let between = areas.iter().map(|area| area.relative_error()).sum::<f64>() / areas.len() as f64;
+    ElementArea::new(area_fraction, standard_error).with_error(between)
+}
