@@ -1,6 +1,6 @@
 //! The area that touches under a load, with its one range.
 
-use judge::{Basis, Headline, PressedSurface, Reference};
+use judge::{Basis, Headline, PressedMaps, Reference};
 use serde::Serialize;
 use study::models::Choice;
 
@@ -17,8 +17,8 @@ pub struct AreaEstimate {
     pub high: f64,
     /// The source.
     pub source: Source,
-    /// The surface of its elements.
-    pub surface: PressedSurface,
+    /// The measured maps that were pressed; `None` for Gaussian surfaces of the spectrum.
+    pub maps: Option<PressedMaps>,
     /// The factor between the ends that the elements, or the models, leave.
     pub factor_of_elements: f64,
     /// The part of uncertain scans, instruments and materials; `None` without draws.
@@ -73,7 +73,7 @@ impl AreaEstimate {
             low: headline.low,
             high: headline.high,
             source,
-            surface: headline.surface,
+            maps: headline.maps,
             factor_of_elements: headline.high / headline.low,
             of_inputs: None,
         };
@@ -93,9 +93,8 @@ impl AreaEstimate {
             _ => (Source::Models, None),
         };
         let factor_of_elements = high / low;
-        let surface = PressedSurface::Gaussian;
         let plain =
-            AreaEstimate { area_fraction, low, high, source, surface, factor_of_elements, of_inputs: None };
+            AreaEstimate { area_fraction, low, high, source, maps: None, factor_of_elements, of_inputs: None };
         Some(plain.widened(evidence, load, None))
     }
 

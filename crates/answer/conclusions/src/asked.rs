@@ -19,6 +19,9 @@ const STIFFNESS_WITHIN: f64 = 1.25;
 /// The factor, either way, within which its gaps do.
 const GAP_WITHIN: f64 = 1.15;
 
+/// The factor, either way, within which a measured map that is pressed on its own points has the gap and the stiffness of the surface.
+const MAP_WITHIN: f64 = 1.05;
+
 /// The factor, either way, within which a correlation for flowed peaks is taken to hold: measured conductances of conforming faces
 /// scatter by as much about it where the hardness is that of a large indentation.
 const CORRELATION_WITHIN: f64 = 1.73;
@@ -134,15 +137,33 @@ impl Questions<'_> {
     /// A value with its range: the interval of uncertain inputs and the factor of the theory, whose logarithms add as squares.
     fn within(&self, quantity: Quantity, factor: f64) -> Option<[f64; 3]> {
         let slot = Slot { quantity, load: Some(self.load), curve: None };
-        let value = self.states.value(slot).ok().flatten()?;
+        let of_theory = self.states.value(slot).ok().flatten()?;
+        let of_map = self.of_map(quantity);
+        let value = of_map.map_or(of_theory, |over_theory| over_theory * of_theory);
         let interval = self.uncertainty.and_then(|found| found.quantity(slot));
         // Intervals of stiffnesses under light loads contain their error.
         let contained = quantity.follows_stiffness() && self.states.light_contact_factor(self.load) > 1.0;
-        let factor = if contained && interval.is_some() { 1.0 } else { factor };
+        let factor = match of_map {
+            Some(_) => MAP_WITHIN,
+            None if contained && interval.is_some() => 1.0,
+            None => factor,
+        };
         let [below, above] = interval
-            .map_or([1.0, 1.0], |found| [(value / found.low).max(1.0), (found.high / value).max(1.0)]);
+            .map_or([1.0, 1.0], |found| [(of_theory / found.low).max(1.0), (found.high / of_theory).max(1.0)]);
         let wider = |ratio: f64| ratio.ln().hypot(factor.ln()).exp();
         Some([value, value / wider(below), value * wider(above)])
+    }
+
+    /// A gap, or what follows the stiffness, of the measured map over that of Persson's theory.
+    fn of_map(&self, quantity: Quantity) -> Option<f64> {
+        let maps = self.area.maps?;
+        let (of_map, theory) = match quantity {
+            Quantity::MeanGap => (maps.mean_gap_m, Quantity::MeanGap),
+            _ if quantity.follows_stiffness() => (maps.stiffness_pa_per_m, Quantity::Stiffness),
+            _ => (None, quantity),
+        };
+        let slot = Slot { quantity: theory, load: Some(self.load), curve: None };
+        Some(of_map? / self.states.value(slot).ok().flatten()?)
     }
 
     /// The resistance of the nominal area in place of a conductance per area, where that area is known.

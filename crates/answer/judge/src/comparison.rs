@@ -16,7 +16,7 @@ use crate::seam::Seam;
 use crate::solve::{Solutions, Solved};
 use crate::standing_maps::StandingArea;
 use crate::verdict::{ERRORS_GIVEN, Verdict, WorstWindow};
-use crate::verdicts::{AreaRange, CurveVerdict, ElementArea, PressedSurface, ReferenceArea, WindowOutcome};
+use crate::verdicts::{AreaRange, CurveVerdict, ElementArea, ReferenceArea, WindowOutcome};
 use crate::window::{Band, Window};
 use crate::yielding::Yielding;
 
@@ -91,7 +91,7 @@ impl Comparisons<'_> {
                 load,
                 reference: *reference,
                 elements: self.area_of_whole_band(body, load).ok(),
-                surface: self.area_of_maps(body, load).map_or(PressedSurface::Gaussian, |_| PressedSurface::Measured),
+                maps: self.of_maps(body, load).map(|found| found.maps),
                 range: self.range_of_whole_band(body, load),
             })
         };
@@ -114,15 +114,15 @@ impl Comparisons<'_> {
     }
 
     /// The area of the maps that stand for the surface, if there are any.
-    fn area_of_maps(&self, body: usize, load: usize) -> Option<ElementArea> {
-        self.maps.iter().find(|area| (area.body, area.load) == (body, load)).map(|area| area.elements)
+    fn of_maps(&self, body: usize, load: usize) -> Option<&StandingArea> {
+        self.maps.iter().find(|area| (area.body, area.load) == (body, load))
     }
 
     /// The area of elements on the whole band: that of maps, or as pressed, or that of the last window carried over by the closed form.
     fn area_of_whole_band(&self, body: usize, load: usize) -> Result<ElementArea, RemarkCode> {
         let Comparisons { case, layout, .. } = self;
-        if let Some(area) = self.area_of_maps(body, load) {
-            return Ok(area.at_least(case.least_area(case.references[body], load)));
+        if let Some(area) = self.of_maps(body, load) {
+            return Ok(area.elements.at_least(case.least_area(case.references[body], load)));
         }
         let Some(window) = layout.windows.len().checked_sub(1) else { return Err(RemarkCode::NoSurface) };
         let area = self.area_on_window(Cell { body, window, load })?;

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::body::Reference;
 use crate::maps::MapVerdict;
-use crate::verdicts::{AreaRange, CurveVerdict, ElementArea, PressedSurface, ReferenceArea};
+use crate::verdicts::{AreaRange, CurveVerdict, ElementArea, PressedMaps, ReferenceArea};
 use crate::yielding::Yielding;
 
 /// The area of a load, to be said first.
@@ -22,8 +22,8 @@ pub struct Headline {
     pub high: f64,
     /// The area under another assumption on the hardness, if that moves it beyond the range.
     pub otherwise: Option<Otherwise>,
-    /// The surface of these elements.
-    pub surface: PressedSurface,
+    /// The measured maps that were pressed; `None` for Gaussian surfaces of the spectrum.
+    pub maps: Option<PressedMaps>,
     /// The curve nearest to the elements of the headline, among those that agree on the whole band and on most windows.
     pub best_curve: Option<usize>,
 }
@@ -94,7 +94,7 @@ impl Headline {
             low,
             high,
             otherwise: None,
-            surface: area.surface,
+            maps: area.maps,
             best_curve: candidates.min_by(|a, b| off(a).total_cmp(&off(b))).map(|curve| curve.curve),
         })
     }
@@ -112,7 +112,7 @@ impl Headline {
         let is_own = |map: &&MapVerdict| map.load == self.load;
         let all = !maps.iter().any(|map| is_own(&map));
         let ratios = maps.iter().filter(|map| map.differs() && (all || is_own(map))).map(MapVerdict::ratio);
-        let ratios = ratios.filter(|_| self.surface == PressedSurface::Gaussian);
+        let ratios = ratios.filter(|_| self.maps.is_none());
         let (least, most) = ratios.fold((1.0f64, 1.0f64), |(least, most), ratio| (least.min(ratio), most.max(ratio)));
         Headline { low: self.low * least, high: (self.high * most).min(1.0), ..self }
     }
@@ -131,7 +131,7 @@ impl Headline {
             low: least.1,
             high: most.1,
             otherwise: None,
-            surface: PressedSurface::Gaussian,
+            maps: None,
             best_curve: None,
         })
     }

@@ -35,6 +35,6 @@ pub use layout::Extent;
 pub use maps::MapVerdict;
 pub use scene::JudgeSettings;
 pub use verdict::{AGREEMENT, ERRORS_GIVEN, Verdict, WorstWindow};
-pub use verdicts::{AreaRange, CurveVerdict, ElementArea, PressedSurface, ReferenceArea, WindowOutcome};
+pub use verdicts::{AreaRange, CurveVerdict, ElementArea, PressedMaps, ReferenceArea, WindowOutcome};
 pub use waves::exponent_of_stiffness;
 pub use yielding::Yielding;

@@ -106,7 +106,7 @@ fn compare_map(
         }
         let press = Press { case: pressing.case, pressure_pa, saturation_pa: None };
         let area = |surface: &RandomSurface| {
-            Ok::<_, JudgeError>(press.on(surface, progress)?.map(|found| found.area_fraction_corrected))
+            Ok::<_, JudgeError>(press.on(surface, false, progress)?.map(|(found, _)| found.area_fraction_corrected))
         };
         let Some(area_fraction) = area(&surface)? else { return Ok(found) };
         let twins = (0..TWINS).map(|at| area(&waves.twin(pressing.seed, at)));
@@ -138,8 +138,13 @@ pub(crate) struct Press<'p> {
 }
 
 impl Press<'_> {
-    /// Presses a surface; `None` if the work is cancelled.
-    pub fn on(&self, surface: &RandomSurface, progress: &dyn Progress) -> Result<Option<ContactNumbers>, JudgeError> {
+    /// Presses a surface, and finds its stiffness \[Pa/m\] if that is wanted; `None` if the work is cancelled.
+    pub fn on(
+        &self,
+        surface: &RandomSurface,
+        wants_stiffness: bool,
+        progress: &dyn Progress,
+    ) -> Result<Option<(ContactNumbers, Option<f64>)>, JudgeError> {
         if progress.is_cancelled() {
             return Ok(None);
         }
@@ -151,6 +156,10 @@ impl Press<'_> {
             saturation_pa: self.saturation_pa,
             tolerance: TOLERANCE,
         };
-        Ok(Some(self.case.elements(grid, &surface.heights_m)?.press(&loading, progress)?.numbers))
+        let mut elements = self.case.elements(grid, &surface.heights_m)?;
+        let contact = elements.press(&loading, progress)?;
+        let stiffness = || elements.stiffness_pa_per_m(&contact, loading.contact_modulus_pa, progress);
+        let stiffness_pa_per_m = wants_stiffness.then(stiffness).transpose()?.flatten();
+        Ok(Some((contact.numbers, stiffness_pa_per_m)))
     }
 }

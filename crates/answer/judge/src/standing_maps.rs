@@ -10,7 +10,7 @@ use crate::case::Case;
 use crate::layout::{FLOWING, GRIDS, MIN_POINTS, operators};
 use crate::maps::{MAX_MAPS, Press, waves};
 use crate::solve::Solved;
-use crate::verdicts::ElementArea;
+use crate::verdicts::{ElementArea, PressedMaps};
 
 /// The least share of the band's mean-square gradient that a map holds to stand for the surface.
 const LEAST_SHARE: f64 = 0.95;
@@ -19,12 +19,14 @@ const ALL_WAVES: f64 = std::f64::consts::SQRT_2;
 /// A spectrum that ends at so many points on its shortest wave, or fewer, has all waves of the map.
 const ENDS_WITH_MAP: f64 = 2.5;
 
-/// The area of the maps that stand for the surface, between the bodies of a reference under a load; both by index.
+/// The area of the maps that stand for the surface, with their gap and stiffness, between the bodies of a reference under a load; both
+/// by index.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct StandingArea {
     pub body: usize,
     pub load: usize,
     pub elements: ElementArea,
+    pub maps: PressedMaps,
 }
 
 /// Presses the maps that hold nearly all slopes of the band, as finely as the budget allows, between all bodies under these loads.
@@ -45,11 +47,10 @@ pub(crate) fn press_standing_maps(
     let cells: Vec<(usize, usize)> =
         bodies.flat_map(|body| loads.iter().map(move |&load| (body, load))).collect();
     let progress = NestedProgress(progress);
-    let pressed = numerics::parallel::try_map(&cells, |&(body, load)| {
-        let of_maps: Result<Option<Vec<ElementArea>>, JudgeError> =
-            surfaces.iter().map(|surface| area(surface, case, (case.references[body], load), &progress)).collect();
-        let mean = of_maps?.filter(|areas| !areas.is_empty()).map(|areas| mean(&areas));
-        Ok::<_, JudgeError>(mean.map(|elements| StandingArea { body, load, elements }))
+    let pressed = numerics::parallel::try_map(&cells, |&cell| {
+        let of_maps: Result<Option<Vec<StandingArea>>, JudgeError> =
+            surfaces.iter().map(|surface| press(surface, case, cell, &progress)).collect();
+        Ok::<_, JudgeError>(of_maps?.and_then(|found| mean(&found)))
     })?;
     Ok(pressed.into_iter().flatten().collect())
 }
@@ -73,13 +74,13 @@ fn surface(map: &MapPatch, case: &Case<'_>) -> RandomSurface {
 }
 
 /// Presses a map. The area lies between that of its points and that corrected by their perimeter; `None` if that says little.
-fn area(
+fn press(
     surface: &RandomSurface,
     case: &Case<'_>,
-    (reference, load): (Reference, usize),
+    (body, load): (usize, usize),
     progress: &dyn Progress,
-) -> Result<Option<ElementArea>, JudgeError> {
-    let saturation_pa = match reference {
+) -> Result<Option<StandingArea>, JudgeError> {
+    let saturation_pa = match case.references[body] {
         Reference::Elastic => None,
         Reference::Yielding { hardness_pa } => Some(hardness_pa),
         Reference::Growing => return Ok(None),
@@ -89,25 +90,36 @@ fn area(
     if saturation_pa.is_some_and(|bound_pa| pressure_pa > FLOWING * bound_pa) {
         return Ok(None);
     }
-    let press = Press { case, pressure_pa, saturation_pa };
-    let Some(found) = press.on(surface, progress)? else { return Ok(None) };
-    let touching = found.area_fraction * surface.heights_m.len() as f64;
-    if touching < MIN_POINTS {
+    let is_whole = pressure_pa == case.nominal_pressure_pa(load);
+    let wants_stiffness = is_whole && saturation_pa.is_none() && case.scene.interface.is_some();
+    let pressed = Press { case, pressure_pa, saturation_pa }.on(surface, wants_stiffness, progress)?;
+    let Some((found, stiffness_pa_per_m)) = pressed else { return Ok(None) };
+    if found.area_fraction * (surface.heights_m.len() as f64) < MIN_POINTS {
         return Ok(None);
     }
-    let least = saturation_pa.map_or(0.0, |bound_pa| pressure_pa / bound_pa);
-    let [corrected, counted] = [found.area_fraction_corrected, found.area_fraction].map(|area| area.max(least));
-    let middle = 0.5 * (corrected + counted);
     let share = case.nominal_pressure_pa(load) / pressure_pa;
+    let least = saturation_pa.map_or(0.0, |bound_pa| pressure_pa / bound_pa);
+    let ends = [found.area_fraction_corrected, found.area_fraction].map(|area| share * area.max(least));
     // Both ends lie two standard errors from the middle.
-    let between = ElementArea::new(share * middle, 0.25 * share * (counted - corrected));
-    Ok(Some(between))
+    let elements = ElementArea::new(0.5 * (ends[0] + ends[1]), 0.25 * (ends[1] - ends[0]));
+    let maps = PressedMaps { mean_gap_m: is_whole.then_some(found.mean_gap_m), stiffness_pa_per_m };
+    Ok(Some(StandingArea { body, load, elements, maps }))
 }
 
-/// Averages the areas of maps at several places.
-fn mean(areas: &[ElementArea]) -> ElementArea {
-    let values: Vec<f64> = areas.iter().map(|area| area.area_fraction).collect();
-    let Solved { area_fraction, standard_error } = Solved::from_surfaces(&values, None);
-    let between = areas.iter().map(|area| area.relative_error()).sum::<f64>() / areas.len() as f64;
-    ElementArea::new(area_fraction, standard_error).with_error(between)
+/// Averages maps at several places; `None` without a map.
+fn mean(found: &[StandingArea]) -> Option<StandingArea> {
+    let count = found.len() as f64;
+    let areas: Vec<f64> = found.iter().map(|map| map.elements.area_fraction).collect();
+    let Solved { area_fraction, standard_error } = Solved::from_surfaces(&areas, None);
+    let between = found.iter().map(|map| map.elements.relative_error()).sum::<f64>() / count;
+    let mean_of = |value: fn(&PressedMaps) -> Option<f64>| {
+        let values: Option<Vec<f64>> = found.iter().map(|map| value(&map.maps)).collect();
+        values.map(|values| values.iter().sum::<f64>() / count)
+    };
+    let maps = PressedMaps {
+        mean_gap_m: mean_of(|maps| maps.mean_gap_m),
+        stiffness_pa_per_m: mean_of(|maps| maps.stiffness_pa_per_m),
+    };
+    let elements = ElementArea::new(area_fraction, standard_error).with_error(between);
+    found.first().map(|first| StandingArea { elements, maps, ..*first })
 }

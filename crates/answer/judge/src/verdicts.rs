@@ -170,14 +170,13 @@ impl CurveVerdict {
     }
 }
 
-/// The surface that boundary elements press for the whole band.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum PressedSurface {
-    /// Gaussian surfaces of the spectrum.
-    Gaussian,
-    /// The measured maps, which hold nearly all slopes of the band.
-    Measured,
+/// Gap and stiffness of the measured maps that stand for the surface, where they are whole.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct PressedMaps {
+    /// The mean gap \[m\].
+    pub mean_gap_m: Option<f64>,
+    /// The stiffness \[Pa/m\], of an elastic contact in a scene that asks for the interface.
+    pub stiffness_pa_per_m: Option<f64>,
 }
 
 /// The area of boundary elements with the whole band under a load.
@@ -191,6 +190,6 @@ pub struct ReferenceArea {
     pub elements: Option<ElementArea>,
     /// Its range, if it was found.
     pub range: Option<AreaRange>,
-    /// The surface that was pressed.
-    pub surface: PressedSurface,
+    /// The measured maps that were pressed; `None` for Gaussian surfaces of the spectrum.
+    pub maps: Option<PressedMaps>,
 }

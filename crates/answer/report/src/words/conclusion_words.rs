@@ -6,7 +6,7 @@ use conclusions::{
     AnswerUnderLoad, AreaEstimate, AskedValue, Conclusions, ModelCell, NextStep, OfInputs, OtherHardness,
     PeakState, SealVerdict, ShearConclusion, Source,
 };
-use judge::{PressedSurface, Reference, Verdict};
+use judge::{Reference, Verdict};
 use scene::Scene;
 use study::interface::Quantity;
 use uncertainty::Uncertainty;
@@ -142,9 +142,9 @@ pub(crate) fn source_words(area: &AreaEstimate, scene: &Scene) -> String {
 }
 
 fn method_words(area: &AreaEstimate) -> String {
-    let elements = match area.surface {
-        PressedSurface::Gaussian => "boundary elements",
-        PressedSurface::Measured => "boundary elements on the scanned map",
+    let elements = match area.maps {
+        None => "boundary elements",
+        Some(_) => "boundary elements on the scanned map",
     };
     match area.source {
         Source::Elements(Reference::Elastic) => format!("{elements}, elastic"),
