@@ -93,8 +93,15 @@ impl AreaEstimate {
             _ => (Source::Models, None),
         };
         let factor_of_elements = high / low;
-        let plain =
-            AreaEstimate { area_fraction, low, high, source, maps: None, factor_of_elements, of_inputs: None };
+        let plain = AreaEstimate {
+            area_fraction,
+            low,
+            high,
+            source,
+            maps: None,
+            factor_of_elements,
+            of_inputs: None,
+        };
         Some(plain.widened(evidence, load, None))
     }
 

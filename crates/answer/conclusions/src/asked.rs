@@ -148,8 +148,9 @@ impl Questions<'_> {
             None if contained && interval.is_some() => 1.0,
             None => factor,
         };
-        let [below, above] = interval
-            .map_or([1.0, 1.0], |found| [(of_theory / found.low).max(1.0), (found.high / of_theory).max(1.0)]);
+        let [below, above] = interval.map_or([1.0, 1.0], |found| {
+            [(of_theory / found.low).max(1.0), (found.high / of_theory).max(1.0)]
+        });
         let wider = |ratio: f64| ratio.ln().hypot(factor.ln()).exp();
         Some([value, value / wider(below), value * wider(above)])
     }

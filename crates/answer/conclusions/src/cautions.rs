@@ -117,6 +117,14 @@ pub(crate) fn cautions(
         let code = if models == 1 { RemarkCode::TheModelDisagrees } else { RemarkCode::NoModelAgrees };
         cautions.push(new(code).with("models", models));
     }
+    let maps = judgement.into_iter().flat_map(|judgement| &judgement.maps);
+    let farthest =
+        maps.filter(|map| map.differs()).max_by(|a, b| a.ratio().ln().abs().total_cmp(&b.ratio().ln().abs()));
+    cautions.extend(farthest.map(|map| {
+        let code =
+            if map.has_direction() { RemarkCode::SlopesByDirection } else { RemarkCode::NotGaussianMap };
+        new(code).with("map", map.map.as_str()).with("ratio", map.ratio())
+    }));
     cautions.extend(scene.surface.is_assumed().then(|| new(RemarkCode::MadeOfNumbers)));
     cautions.extend(unknown_tip(scene));
     let guesses = uncertainty.into_iter().flat_map(|found| &found.guesses);
@@ -135,14 +143,6 @@ pub(crate) fn cautions(
     let largest = yielded.reduce(f64::max);
     cautions.extend(largest.map(|share| new(RemarkCode::GapOfYieldingContact).with("share", share)));
     cautions.extend(states.and_then(stickiness));
-    let maps = judgement.into_iter().flat_map(|judgement| &judgement.maps);
-    let not_gaussian =
-        maps.filter(|map| map.differs()).max_by(|a, b| a.ratio().ln().abs().total_cmp(&b.ratio().ln().abs()));
-    cautions.extend(
-        not_gaussian.map(|map| {
-            new(RemarkCode::NotGaussianMap).with("map", map.map.as_str()).with("ratio", map.ratio())
-        }),
-    );
     cautions
 }
 

@@ -113,7 +113,8 @@ impl Headline {
         let all = !maps.iter().any(|map| is_own(&map));
         let ratios = maps.iter().filter(|map| map.differs() && (all || is_own(map))).map(MapVerdict::ratio);
         let ratios = ratios.filter(|_| self.maps.is_none());
-        let (least, most) = ratios.fold((1.0f64, 1.0f64), |(least, most), ratio| (least.min(ratio), most.max(ratio)));
+        let (least, most) =
+            ratios.fold((1.0f64, 1.0f64), |(least, most), ratio| (least.min(ratio), most.max(ratio)));
         Headline { low: self.low * least, high: (self.high * most).min(1.0), ..self }
     }
 

@@ -35,9 +35,12 @@ pub struct MapVerdict {
     pub load: usize,
     /// The mean pressure on the map, by the closed form for the longer waves, over E* times the rms gradient of the map.
     pub pressure_over_gradient: f64,
+    /// The rms gradient of the map over that of isotropic surfaces with its spectrum.
+    pub gradient_over_spectrum: f64,
     /// The area fraction of the map.
     pub area_fraction: f64,
-    /// The area fraction of Gaussian surfaces with the amplitudes of its waves and random phases.
+    /// The area fraction of Gaussian surfaces with its spectrum: with the amplitudes of its waves and random phases, as steep as the
+    /// spectrum says in every direction.
     pub twins: ElementArea,
 }
 
@@ -54,7 +57,13 @@ impl MapVerdict {
         ERRORS_GIVEN * self.twins.relative_error() * self.ratio()
     }
 
-    /// True if the map touches otherwise than its twins: its heights are not Gaussian, which no spectrum shows.
+    /// True if its slopes differ by direction so much that areas do.
+    #[must_use]
+    pub fn has_direction(&self) -> bool {
+        self.gradient_over_spectrum.ln().abs() > LEAST_DIFFERENCE.ln_1p()
+    }
+
+    /// True if the map touches otherwise than its twins: its heights are not Gaussian, or its slopes differ by direction.
     #[must_use]
     pub fn differs(&self) -> bool {
         let apart = ERRORS_APART * self.twins.relative_error() * self.ratio();
@@ -104,12 +113,16 @@ fn compare_map(
         if !says_something {
             continue;
         }
-        let press = Press { case: pressing.case, pressure_pa, saturation_pa: None };
-        let area = |surface: &RandomSurface| {
-            Ok::<_, JudgeError>(press.on(surface, false, progress)?.map(|(found, _)| found.area_fraction_corrected))
+        let area = |surface: &RandomSurface, pressure_pa: f64| {
+            let press = Press { case: pressing.case, pressure_pa, saturation_pa: None };
+            Ok::<_, JudgeError>(
+                press.on(surface, false, progress)?.map(|(found, _)| found.area_fraction_corrected),
+            )
         };
-        let Some(area_fraction) = area(&surface)? else { return Ok(found) };
-        let twins = (0..TWINS).map(|at| area(&waves.twin(pressing.seed, at)));
+        let Some(area_fraction) = area(&surface, pressure_pa)? else { return Ok(found) };
+        // Twins as steep as the spectrum says touch as these do under the same pressure over their gradient.
+        let of_twins_pa = patch.gradient_over_spectrum * pressure_pa;
+        let twins = (0..TWINS).map(|at| area(&waves.twin(pressing.seed, at), of_twins_pa));
         let Some(twins) = twins.collect::<Result<Option<Vec<f64>>, JudgeError>>()? else { return Ok(found) };
         let Solved { area_fraction: of_twins, standard_error } = Solved::from_surfaces(&twins, None);
         let twins = ElementArea::new(of_twins, standard_error);
@@ -117,6 +130,7 @@ fn compare_map(
             map: patch.name.clone(),
             load,
             pressure_over_gradient,
+            gradient_over_spectrum: patch.gradient_over_spectrum,
             area_fraction,
             twins,
         });

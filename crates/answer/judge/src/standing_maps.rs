@@ -40,9 +40,15 @@ pub(crate) fn press_standing_maps(
     let maps = &maps[..maps.len().min(MAX_MAPS)];
     let presses = (maps.len() * loads.len() * case.references.len()) as f64;
     let cost = |points: usize| presses * operators(points) * (points * points) as f64;
-    let Some(points) = GRIDS.into_iter().find(|points| cost(*points) <= budget) else { return Ok(Vec::new()) };
-    let surfaces: Vec<RandomSurface> =
-        maps.iter().map(|map| map.middle(points)).filter(|map| stands(map, case)).map(|map| surface(&map, case)).collect();
+    let Some(points) = GRIDS.into_iter().find(|points| cost(*points) <= budget) else {
+        return Ok(Vec::new());
+    };
+    let surfaces: Vec<RandomSurface> = maps
+        .iter()
+        .map(|map| map.middle(points))
+        .filter(|map| stands(map, case))
+        .map(|map| surface(&map, case))
+        .collect();
     let bodies = 0..case.references.len();
     let cells: Vec<(usize, usize)> =
         bodies.flat_map(|body| loads.iter().map(move |&load| (body, load))).collect();
@@ -65,12 +71,10 @@ fn stands(map: &MapPatch, case: &Case<'_>) -> bool {
 
 /// Returns a map with the waves of the band that the scene presses.
 fn surface(map: &MapPatch, case: &Case<'_>) -> RandomSurface {
-    let (band, whole) = (case.band(), &case.scene.surface.psd);
     let waves = waves(map, ALL_WAVES);
     let spacing_m = map.map.spacing_x_m().max(map.map.spacing_y_m());
-    let shortest_m = if band.shortest_m > ENDS_WITH_MAP * spacing_m { band.shortest_m } else { 0.0 };
-    let is_cut = band.longest_m < (1.0 - 1e-9) * whole.longest_wavelength_m();
-    waves.within(if is_cut { band.longest_m } else { f64::INFINITY }, shortest_m).surface()
+    let shortest_m = case.band().shortest_m;
+    if shortest_m > ENDS_WITH_MAP * spacing_m { waves.down_to(shortest_m).surface() } else { waves.surface() }
 }
 
 /// Presses a map. The area lies between that of its points and that corrected by their perimeter; `None` if that says little.

@@ -61,7 +61,13 @@ impl BodyKeys {
             let is_given = self.get(property).is_some() || has_strength && STRENGTHS.contains(&property);
             if let Some(value) = tabled.value(property).filter(|_| !is_given) {
                 keys.push(property.key());
-                let value = RawProperty::Other(value.clone());
+                let uncertainty =
+                    tabled.strength_uncertainty.as_ref().filter(|_| STRENGTHS.contains(&property));
+                let value = match (value.as_str(), uncertainty) {
+                    (Some(strength), Some(uncertainty)) => format!("{strength} +- {uncertainty}").into(),
+                    _ => value.clone(),
+                };
+                let value = RawProperty::Other(value);
                 self.properties.push((property, Spanned::new(name.span(), value)));
             }
         }

@@ -18,6 +18,8 @@ pub struct TabledMaterial {
     pub aliases: Vec<String>,
     /// Its condition, and where each value comes from.
     pub sources: String,
+    /// The relative standard uncertainty of its hardness or strength, as a scene types it after `+-`.
+    pub strength_uncertainty: Option<String>,
     /// Values as a scene types them, with their units, by the keys of [`BodyProperty`].
     #[serde(flatten)]
     values: BTreeMap<String, toml::Value>,

@@ -174,7 +174,8 @@ impl Adviser<'_> {
             }
         }
         for group in [Group::Material, Group::Strength, Group::Holes] {
-            let share = first_order(&self.inputs.groups, &self.indices[area], group);
+            let share =
+                first_order(&self.inputs.groups, &self.indices[area], group).filter(|share| *share > 0.0);
             steps.extend(share.map(|share| Step {
                 kind: StepKind::KnownExactly { group },
                 width_ratio: (1.0 - share.clamp(0.0, 1.0)).sqrt(),

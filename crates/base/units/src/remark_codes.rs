@@ -411,6 +411,9 @@ remark_codes! {
     NotGaussianMap "not-gaussian" Caution
         "{map} touches {ratio} times as much as Gaussian surfaces with its spectrum: its heights are not Gaussian."
         short "heights of {map} are not Gaussian";
+    SlopesByDirection "slopes-by-direction" Caution
+        "{map} touches {ratio} times as much as Gaussian surfaces with its spectrum: its slopes differ by direction."
+        short "slopes of {map} differ by direction";
 
     // Why an interval is a guess.
     FewScans "few-scans" Caution

@@ -1,7 +1,7 @@
 //! The middle of a measured map, for boundary elements.
 
 use scans::{HeightMap, Scan, ScanFile};
-use topography::{Detrend, Recipe, detrended_m};
+use topography::{Detrend, Direction, Recipe, detrended_m};
 
 /// The mean square of the steps across opposite edges over that of the steps between neighbours up to which a map repeats itself.
 /// A map of rough skin that does not has tens or hundreds.
@@ -20,6 +20,9 @@ pub struct MapPatch {
     pub points_of_whole: [usize; 2],
     /// The trend to subtract from the heights, as for the spectrum.
     pub detrend: Detrend,
+    /// The rms gradient over that of isotropic surfaces with its spectrum, which runs along its lines: not 1 where slopes differ by
+    /// direction.
+    pub gradient_over_spectrum: f64,
 }
 
 impl MapPatch {
@@ -27,13 +30,21 @@ impl MapPatch {
     /// itself, whatever its file says, and keeps its tilt.
     pub(crate) fn from_file(file: &ScanFile<Scan>, recipe: &Recipe, most_points: usize) -> Option<Self> {
         let Scan::Map(map) = &file.scan else { return None };
-        let is_periodic = file.is_periodic || repeats(map);
+        let [along_x, along_y] = [steps(map), steps(&map.turned())];
+        let is_periodic = file.is_periodic || (along_x.repeat() && along_y.repeat());
+        let both = 0.5 * (along_x.slope_squared + along_y.slope_squared);
+        let of_spectrum = match recipe.direction {
+            Direction::X => along_x.slope_squared,
+            Direction::Y => along_y.slope_squared,
+            Direction::Both => both,
+        };
         let whole = MapPatch {
             name: file.name.clone(),
             map: map.middle(most_points),
             is_periodic: is_periodic && map.columns().max(map.rows()) <= most_points,
             points_of_whole: [map.columns(), map.rows()],
             detrend: recipe.preparation(is_periodic).detrend,
+            gradient_over_spectrum: if of_spectrum > 0.0 { (both / of_spectrum).sqrt() } else { 1.0 },
         };
         Some(whole)
     }
@@ -59,14 +70,30 @@ impl MapPatch {
     }
 }
 
-/// Returns true if the heights of a map step across its opposite edges as they do between neighbours.
-fn repeats(map: &HeightMap) -> bool {
-    let (rows, columns, heights_m) = (map.rows(), map.columns(), map.heights_m());
-    let along = |count: usize, across: usize, at: fn(usize, usize, usize) -> usize| {
-        let step = |k: usize, i: usize, j: usize| (heights_m[at(i, k, columns)] - heights_m[at(j, k, columns)]).powi(2);
-        let between: f64 = (0..across).flat_map(|k| (1..count).map(move |i| (k, i))).map(|(k, i)| step(k, i - 1, i)).sum();
-        let edges: f64 = (0..across).map(|k| step(k, count - 1, 0)).sum();
-        edges * (count - 1) as f64 <= STEPS_OF_REPEATING * between
-    };
-    along(columns, rows, |x, y, columns| y * columns + x) && along(rows, columns, |y, x, columns| y * columns + x)
+/// Mean squares of the steps along the rows of a map.
+struct Steps {
+    /// Those between neighbours \[m^2\].
+    inside_m2: f64,
+    /// Those across opposite edges \[m^2\].
+    edges_m2: f64,
+    /// The mean square of the slope between neighbours.
+    slope_squared: f64,
+}
+
+impl Steps {
+    fn repeat(&self) -> bool {
+        self.edges_m2 <= STEPS_OF_REPEATING * self.inside_m2
+    }
+}
+
+fn steps(map: &HeightMap) -> Steps {
+    let rows = || map.heights_m().chunks_exact(map.columns());
+    let inside: f64 = rows().flat_map(|row| row.windows(2)).map(|pair| (pair[1] - pair[0]).powi(2)).sum();
+    let edges: f64 = rows().map(|row| (row[0] - row[row.len() - 1]).powi(2)).sum();
+    let inside_m2 = inside / (map.rows() * (map.columns() - 1)) as f64;
+    Steps {
+        inside_m2,
+        edges_m2: edges / map.rows() as f64,
+        slope_squared: inside_m2 / map.spacing_x_m().powi(2),
+    }
 }

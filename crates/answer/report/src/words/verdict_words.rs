@@ -67,10 +67,10 @@ fn phases(judgement: &Judgement, scene: &Scene) -> Vec<String> {
             scene.needs.loads[of.load].label,
             three_digits(of.ratio()),
             three_digits(of.ratio_error()),
-            if of.differs() {
-                "its heights are not Gaussian, which no spectrum shows"
-            } else {
-                "the spectrum is enough"
+            match (of.differs(), of.has_direction()) {
+                (true, true) => "its slopes differ by direction, and its spectrum runs along its lines",
+                (true, false) => "its heights are not Gaussian, which no spectrum shows",
+                (false, _) => "the spectrum is enough",
             }
         )
     };

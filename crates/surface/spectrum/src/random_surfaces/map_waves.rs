@@ -67,13 +67,12 @@ impl MapWaves {
         MapWaves { points_x, points_y, length_x_m, length_y_m, waves, shortest_m }
     }
 
-    /// Keeps waves within a band of wavelengths \[m\].
+    /// Drops waves shorter than a wavelength \[m\].
     #[must_use]
-    pub fn within(mut self, longest_m: f64, shortest_m: f64) -> Self {
+    pub fn down_to(mut self, shortest_m: f64) -> Self {
         let [x_m, y_m] = [self.length_x_m, self.length_y_m];
         let length_m = |m: usize, n: i64| (m as f64 / x_m).hypot(n as f64 / y_m).recip();
-        let band_m = (1.0 - 1e-9) * shortest_m..=(1.0 + 1e-9) * longest_m;
-        self.waves.retain(|(m, n, _)| band_m.contains(&length_m(*m, *n)));
+        self.waves.retain(|(m, n, _)| length_m(*m, *n) >= (1.0 - 1e-9) * shortest_m);
         self
     }
 

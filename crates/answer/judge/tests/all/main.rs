@@ -1,0 +1,4 @@
+//! The judge: scenes of spectra, and measured maps.
+
+mod judgement;
+mod maps;

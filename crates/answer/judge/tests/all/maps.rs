@@ -1,0 +1,204 @@
+//! Measured maps: as the answer, or beside scans that hold more.
+
+use std::f64::consts::TAU;
+
+use elements::half_space::{Elements, Grid, Loading};
+use judge::{Headline, JudgePlan, JudgeSettings, Judgement};
+use numerics::parallel::Unobserved;
+use scene::{Overrides, Scene};
+use study::Files;
+
+const POINTS: usize = 64;
+const SIDE_M: f64 = 6.4e-6;
+const CONTACT_MODULUS_PA: f64 = 100e9;
+const PRESSURE_PA: f64 = 350e6;
+
+/// Files by name: maps, and traces with the waves below them.
+struct Scans(Vec<(&'static str, String)>);
+
+impl Files for Scans {
+    fn read(&self, name: &str) -> std::io::Result<Vec<u8>> {
+        let found = self.0.iter().find(|(known, _)| *known == name);
+        found.map(|(_, text)| text.clone().into_bytes()).ok_or(std::io::ErrorKind::NotFound.into())
+    }
+
+    fn read_beside(&self, _: &str, _: &str) -> std::io::Result<Option<Vec<u8>>> {
+        Ok(None)
+    }
+}
+
+/// A map of waves with random phases, as steep across its rows as `across` times along them.
+fn waves(across: f64) -> Vec<f64> {
+    let mut state = 7u64;
+    let mut random = || {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (state >> 11) as f64 / (1u64 << 53) as f64
+    };
+    let mut heights_m = vec![0.0; POINTS * POINTS];
+    for m in 0..=12i32 {
+        for n in -12..=12i32 {
+            let length = f64::from(m).hypot(f64::from(n) / across);
+            let phase = TAU * random();
+            if length == 0.0 || length > 12.0 || (m == 0 && n < 0) {
+                continue;
+            }
+            let amplitude_m = 12e-9 * length.powf(-1.8);
+            for (at, height_m) in heights_m.iter_mut().enumerate() {
+                let (x, y) = ((at % POINTS) as f64 / POINTS as f64, (at / POINTS) as f64 / POINTS as f64);
+                *height_m += amplitude_m * (TAU * (f64::from(m) * x + f64::from(n) * y) + phase).cos();
+            }
+        }
+    }
+    heights_m
+}
+
+/// The map with its peaks worn off.
+fn worn(heights_m: Vec<f64>) -> Vec<f64> {
+    let mut sorted = heights_m.clone();
+    sorted.sort_by(f64::total_cmp);
+    let plateau_m = sorted[sorted.len() * 4 / 5];
+    heights_m.into_iter().map(|height_m| height_m.min(plateau_m + 0.05 * (height_m - plateau_m))).collect()
+}
+
+fn text(heights_m: &[f64]) -> String {
+    heights_m
+        .chunks(POINTS)
+        .map(|row| row.iter().map(|height_m| format!("{height_m:e} ")).collect::<String>() + "\n")
+        .collect()
+}
+
+/// A trace of shorter waves, `steep` times as steep as the map along its rows.
+fn trace(steep: f64) -> String {
+    let at = |point: usize| 2e-9 * point as f64;
+    let height_m = |x_m: f64| {
+        let waves = (1..=40).map(|n| (f64::from(n), f64::from(n * n % 37)));
+        steep * waves.map(|(n, phase)| 2e-11 * (TAU * (2.0 * n * x_m / 1e-6) + phase).cos()).sum::<f64>()
+    };
+    (0..2000).map(|point| format!("{:e} {:e}\n", at(point), height_m(at(point)))).collect()
+}
+
+fn judged(files: &Scans, surface: &str, rest: &str) -> (Judgement, Headline) {
+    let text = format!(
+        "[surface]\n{surface}\n[material]\nyoungs_modulus = \"100 GPa\"\npoisson_ratio = 0\n{rest}[loads]\npressures = [\"350 MPa\"]\n\
+         [[curve]]\nmodel = \"persson\"\n[[curve]]\nmodel = \"elastic\"\n"
+    );
+    let scene = Scene::parse(&text, files, &Overrides::default()).unwrap_or_else(|error| panic!("{error}"));
+    let results = scene.plan().compute().unwrap();
+    let judgement = JudgePlan::new(&scene, &results, &JudgeSettings::default()).run(&Unobserved).unwrap();
+    let headline = *judgement.headline(0).unwrap();
+    (judgement, headline)
+}
+
+fn map_alone(heights_m: &[f64], more: &str, rest: &str) -> (Judgement, Headline) {
+    let files = Scans(vec![("map.txt", text(heights_m))]);
+    judged(
+        &files,
+        &format!("scans = [{{ file = \"map.txt\", unit = \"m\", size = \"6.4 um\"{more} }}]"),
+        rest,
+    )
+}
+
+/// Corrected and counted area, mean gap \[m\], and stiffness \[Pa/m\].
+fn pressed(heights_m: &[f64], saturation_pa: Option<f64>) -> [f64; 4] {
+    let grid = Grid::new(POINTS, POINTS, SIDE_M, SIDE_M).unwrap();
+    let mut elements = Elements::periodic(grid, heights_m).unwrap();
+    let loading = Loading {
+        contact_modulus_pa: CONTACT_MODULUS_PA,
+        nominal_pressure_pa: PRESSURE_PA,
+        saturation_pa,
+        tolerance: 1e-9,
+    };
+    let contact = elements.press(&loading, &Unobserved).unwrap();
+    let stiffness = elements.stiffness_pa_per_m(&contact, CONTACT_MODULUS_PA, &Unobserved).unwrap().unwrap();
+    let numbers = contact.numbers;
+    [numbers.area_fraction_corrected, numbers.area_fraction, numbers.mean_gap_m, stiffness]
+}
+
+/// Checks that a headline holds the area of a map, narrowly.
+fn assert_holds(headline: &Headline, [corrected, counted, ..]: [f64; 4]) {
+    assert!(
+        headline.maps.is_some() && headline.low < corrected && counted < headline.high,
+        "{headline:?} {corrected} {counted}"
+    );
+    assert!(headline.high / headline.low < 1.3, "{headline:?}");
+    let middle = 0.5 * (corrected + counted);
+    assert!((headline.area_fraction.unwrap() / middle - 1.0).abs() < 0.01, "{headline:?} {middle}");
+}
+
+#[test]
+fn a_map_that_is_the_only_scan_is_the_answer_whatever_its_phases_and_directions() {
+    for heights_m in [waves(1.0), worn(waves(1.0)), waves(3.0)] {
+        let exact = pressed(&heights_m, None);
+        for direction in ["", ", direction = \"y\"", ", direction = \"both\""] {
+            let (judgement, headline) = map_alone(&heights_m, direction, "[interface]\n");
+            assert_holds(&headline, exact);
+            let maps = headline.maps.unwrap();
+            assert!((maps.mean_gap_m.unwrap() / exact[2] - 1.0).abs() < 0.01, "{maps:?} {exact:?}");
+            assert!((maps.stiffness_pa_per_m.unwrap() / exact[3] - 1.0).abs() < 0.02, "{maps:?} {exact:?}");
+            // Models are held against the map.
+            let of_curves =
+                judgement.curves.iter().map(|curve| curve.elements.map(|found| found.area_fraction));
+            assert!(of_curves.into_iter().all(|area| area == headline.area_fraction));
+        }
+    }
+}
+
+#[test]
+fn a_map_tells_a_worn_surface_and_one_with_a_direction_from_a_gaussian_one() {
+    let of = |heights_m: &[f64], direction: &str| map_alone(heights_m, direction, "").0.maps[0].clone();
+    let gaussian = of(&waves(1.0), "");
+    assert!(!gaussian.differs() && !gaussian.has_direction(), "{gaussian:?}");
+    let worn = of(&worn(waves(1.0)), "");
+    assert!(worn.differs() && !worn.has_direction() && worn.ratio() > 1.2, "{worn:?}");
+    // Slopes across rows that are three times as steep: by the spectrum along them more touches, by that across them less.
+    let [along, across] = ["", ", direction = \"y\""].map(|direction| of(&waves(3.0), direction));
+    assert!(along.has_direction() && along.differs() && along.ratio() < 0.8, "{along:?}");
+    assert!(across.has_direction() && across.differs() && across.ratio() > 1.2, "{across:?}");
+    assert!(along.gradient_over_spectrum > 1.5 && across.gradient_over_spectrum < 0.9);
+    // Both have the steps of the same map.
+    let squares = [along, across].map(|map| map.gradient_over_spectrum.powi(-2));
+    assert!((squares[0] + squares[1] - 2.0).abs() < 1e-6, "{squares:?}");
+}
+
+#[test]
+fn a_map_that_yields_is_pressed_with_its_hardness() {
+    let heights_m = worn(waves(1.0));
+    let (_, headline) = map_alone(&heights_m, "", "indentation_hardness = \"700 MPa\"\n");
+    assert_holds(&headline, pressed(&heights_m, Some(700e6)));
+    assert_eq!(headline.maps.unwrap().stiffness_pa_per_m, None);
+    // A surface that flows has the area of the load over the hardness at least, and no map is needed.
+    let (_, flows) = map_alone(&heights_m, "", "indentation_hardness = \"355 MPa\"\n");
+    assert!(flows.maps.is_none() && flows.low >= PRESSURE_PA / 355e6);
+}
+
+#[test]
+fn a_map_is_pressed_with_the_waves_of_the_band_alone() {
+    let heights_m = waves(1.0);
+    let [whole, smooth] = ["", "[cutoffs]\nshortest_wavelength = \"1.6 um\"\n"]
+        .map(|cutoff| map_alone(&heights_m, "", cutoff).1);
+    // Without its short waves a surface touches more.
+    assert!(
+        whole.maps.is_some() && smooth.maps.is_some() && smooth.low > 1.2 * whole.high,
+        "{smooth:?} {whole:?}"
+    );
+}
+
+#[test]
+fn a_map_beside_scans_that_hold_more_of_the_slopes_widens_the_range_by_what_it_differs() {
+    let both = |heights_m: &[f64], steep: f64| {
+        let files = Scans(vec![("map.txt", text(heights_m)), ("trace.txt", trace(steep))]);
+        let scans = "scans = [{ file = \"map.txt\", unit = \"m\", size = \"6.4 um\" }, { file = \"trace.txt\", unit = \"m\" }]";
+        judged(&files, scans, "")
+    };
+    // Traces that are much less steep than the map change nothing.
+    let (_, of_map) = both(&worn(waves(1.0)), 1e-3);
+    assert!(of_map.maps.is_some(), "{of_map:?}");
+    let (judgement, headline) = both(&worn(waves(1.0)), 10.0);
+    let (ratio, range) = (judgement.maps[0].ratio(), judgement.references[0].range.unwrap());
+    assert!(headline.maps.is_none() && judgement.maps[0].differs() && ratio > 1.2, "{headline:?} {ratio}");
+    assert_eq!((headline.low, headline.high), (range.low, (range.high * ratio).min(1.0)));
+    let (judgement, headline) = both(&waves(1.0), 10.0);
+    let range = judgement.references[0].range.unwrap();
+    assert!(!judgement.maps[0].differs());
+    assert_eq!((headline.low, headline.high), (range.low, range.high));
+}
