@@ -23,7 +23,7 @@ pub use cautions::trust_left;
 pub use compared_models::{ModelCell, ReferenceGroup, Tally};
 pub use estimate::OtherHardness;
 pub use evidence::{Evidence, Trust};
-pub use load_answer::AnswerUnderLoad;
+pub use load_answer::{AnswerUnderLoad, foremost};
 pub use next::NextStep;
 pub use seal::{SealClosing, SealConclusion, SealUnderLoad, SealVerdict};
 pub use shear::ShearConclusion;

@@ -38,6 +38,17 @@ pub struct AnswerUnderLoad {
     pub asked: Vec<AskedValue>,
 }
 
+/// Returns the load that stands for all: the one in the middle of those whose area was compared with elements, or of all where none was.
+#[must_use]
+pub fn foremost(loads: &[AnswerUnderLoad]) -> Option<&AnswerUnderLoad> {
+    let mut judged: Vec<&AnswerUnderLoad> =
+        loads.iter().filter(|load| !load.area.source.is_of_models()).collect();
+    if judged.is_empty() {
+        judged = loads.iter().collect();
+    }
+    judged.get(judged.len() / 2).copied()
+}
+
 impl AnswerUnderLoad {
     /// Draws the conclusion for a load; `None` if no curve has an area under it.
     pub(crate) fn new(

@@ -10,7 +10,7 @@ use units::{Remark, RemarkCode};
 
 use super::cause::Cause;
 use super::evidence::Evidence;
-use super::load_answer::AnswerUnderLoad;
+use super::load_answer::{AnswerUnderLoad, foremost};
 
 /// A step that narrows the interval by less than this share is not worth a measurement.
 const WORTHWHILE: f64 = 0.9;
@@ -89,7 +89,7 @@ pub(crate) fn next_steps(
     cautions: &[Remark],
     states: Option<&InterfaceStates<'_>>,
 ) -> Vec<NextStep> {
-    let Some(load) = loads.get(loads.len() / 2) else { return Vec::new() };
+    let Some(load) = foremost(loads) else { return Vec::new() };
     let warned = |codes: &[RemarkCode]| cautions.iter().find(|caution| codes.contains(&caution.code));
     let surface = &evidence.scene.surface;
     let mut steps = Vec::new();

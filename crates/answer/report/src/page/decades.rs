@@ -1,5 +1,6 @@
 //! The decades of wavelengths that decide the area: a strip of shares per curve and load.
 
+use conclusions::foremost;
 use maud::{Markup, html};
 
 use super::{SceneReport, Section, gists, per_scene, row_group, share_cell, table};
@@ -24,7 +25,7 @@ const DECADES_NAMED: usize = 2;
 
 /// `100 µm to 10 µm: 50 % · 10 µm to 1 µm: 24 %`, of the model nearest to the elements.
 fn gist(report: &SceneReport<'_>) -> Option<String> {
-    let load = report.middle()?;
+    let load = foremost(&report.conclusions.loads)?;
     let answer = report.answer.curves[load.nearest_curve()?][load.load].as_ref()?;
     let mut decades: Vec<&DecadeShare> = answer.decades.iter().collect();
     decades.sort_by(|a, b| b.share.total_cmp(&a.share));

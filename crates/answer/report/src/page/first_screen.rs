@@ -4,7 +4,7 @@
 
 use std::fmt::Write;
 
-use conclusions::{AnswerUnderLoad, Conclusions, ModelCell, ReferenceGroup, Source};
+use conclusions::{AnswerUnderLoad, Conclusions, ModelCell, ReferenceGroup, Source, foremost};
 use judge::{AGREEMENT, Reference, Verdict};
 use maud::{Markup, PreEscaped, html};
 use study::figure::CurveLook;
@@ -28,14 +28,13 @@ pub(super) fn first_screen(report: &SceneReport<'_>, at: usize, several: bool) -
     let conclusions = report.conclusions;
     let styles: Vec<ModelStyle> =
         CurveLook::of_curves(&report.scene.needs.curves).into_iter().map(ModelStyle::new).collect();
-    let middle = conclusions.loads.len() / 2;
     html! {
         section.screen id=(format!("s{at}")) aria-label="The answer" {
             style { (PreEscaped(rules(report, at))) }
             div.top {
                 h2 class=[(!several).then_some("unseen")] { @if several { (report.label) } @else { "The answer" } }
                 @if let Some(bodies) = bodies(report) { p.bodies { (bodies) } }
-                @if conclusions.loads.len() > 1 { (chips(conclusions, at, middle)) }
+                @if conclusions.loads.len() > 1 { (chips(conclusions, at)) }
                 @else if let Some(load) = conclusions.loads.first() { p.bodies { "at " (typeset(&load.label)) } }
             }
             @if conclusions.loads.is_empty() {
@@ -103,13 +102,14 @@ pub(super) fn bodies(report: &SceneReport<'_>) -> Option<String> {
     })
 }
 
-fn chips(conclusions: &Conclusions, at: usize, middle: usize) -> Markup {
+fn chips(conclusions: &Conclusions, at: usize) -> Markup {
+    let opens_on = foremost(&conclusions.loads).map(|load| load.load);
     html! {
         fieldset.chips {
             legend { "pressure" }
-            @for (place, load) in conclusions.loads.iter().enumerate() {
+            @for load in &conclusions.loads {
                 @let id = format!("s{at}-l{}", load.load);
-                (input("radio", &id, &format!("s{at}-load"), place == middle))
+                (input("radio", &id, &format!("s{at}-load"), Some(load.load) == opens_on))
                 label for=(id) { (typeset(&load.label)) }
             }
         }
@@ -237,11 +237,11 @@ fn matrix(report: &SceneReport<'_>, at: usize, styles: &[ModelStyle]) -> Markup 
     }
 }
 
-/// The elements that models are compared with under the middle load, those of its estimate first. A model whose strength grows may
+/// The elements that models are compared with under the foremost load, those of its estimate first. A model whose strength grows may
 /// have others under other loads.
 fn references(loads: &[AnswerUnderLoad]) -> Vec<Reference> {
-    let middle = loads.get(loads.len() / 2);
-    middle.map_or_else(Vec::new, |load| load.references.iter().map(|group| group.reference).collect())
+    foremost(loads)
+        .map_or_else(Vec::new, |load| load.references.iter().map(|group| group.reference).collect())
 }
 
 fn group(load: &AnswerUnderLoad, reference: Reference) -> Option<&ReferenceGroup> {
@@ -253,15 +253,15 @@ pub(super) fn area_words(group: &ReferenceGroup) -> Option<String> {
     group.area_fraction.map(share).or_else(|| group.range.map(|range| share_range(range.low, range.high)))
 }
 
-/// The curves of a group, in the order of the load in the middle.
+/// The curves of a group, in the order of the foremost load.
 fn curves_of(reference: Reference, loads: &[AnswerUnderLoad]) -> Vec<usize> {
-    let middle = loads.get(loads.len() / 2).and_then(|load| group(load, reference));
-    middle.map_or_else(Vec::new, |group| group.models.iter().map(|cell| cell.curve).collect())
+    let of_load = foremost(loads).and_then(|load| group(load, reference));
+    of_load.map_or_else(Vec::new, |group| group.models.iter().map(|cell| cell.curve).collect())
 }
 
 /// The models whose lines are drawn before anybody ticks one: the nearest of each group.
 pub(super) fn drawn_at_first(loads: &[AnswerUnderLoad]) -> Vec<usize> {
-    let Some(load) = loads.get(loads.len() / 2) else { return Vec::new() };
+    let Some(load) = foremost(loads) else { return Vec::new() };
     let nearest = load.references.iter().filter_map(|group| group.models.first()).map(|cell| cell.curve);
     nearest.chain(load.best_model.map(|cell| cell.curve)).collect()
 }

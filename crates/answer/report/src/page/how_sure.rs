@@ -1,5 +1,6 @@
 //! The uncertainty of the areas: intervals, their sources, and the inputs of the draws.
 
+use conclusions::foremost;
 use maud::{Markup, PreEscaped, html};
 
 use super::{SceneReport, Section, gists, per_scene, row_group, share_cell, table};
@@ -16,7 +17,7 @@ use units::display::{counted, length, three_digits, typeset, typeset_digits};
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
     let body = per_scene(scenes, of)?;
     let gist = gists(scenes, |scene| {
-        let load = scene.middle()?;
+        let load = foremost(&scene.conclusions.loads)?;
         scene.evidence.uncertainty?;
         Some(format!("{}, at {}", share_range(load.area.low, load.area.high), load.label))
     });

@@ -36,7 +36,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use crate::curve_names::{in_full, short_name};
 use crate::listing::capital;
 use crate::run_stamp::RunStamp;
-use conclusions::{AnswerUnderLoad, Conclusions, Evidence};
+use conclusions::{Conclusions, Evidence};
 use findings::answer::{LoadAnswer, SceneAnswer};
 use findings::sensitivity::Sensitivity;
 use scene::Scene;
@@ -241,12 +241,6 @@ impl SceneReport<'_> {
             [first, .., last] => format!("{} to {}", self.load(*first), self.load(*last)),
             [] => String::new(),
         }
-    }
-
-    /// The conclusion for the load in the middle, which gists are about.
-    fn middle(&self) -> Option<&AnswerUnderLoad> {
-        let loads = &self.conclusions.loads;
-        loads.get(loads.len() / 2)
     }
 
     /// A curve's short name.

@@ -1,5 +1,6 @@
 //! The judgement in words, and the verdict on every curve.
 
+use conclusions::foremost;
 use maud::{Markup, html};
 
 use super::{SceneReport, Section, gists, per_scene, row_group, table};
@@ -12,7 +13,7 @@ use units::display::{typeset, typeset_digits};
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
     let body = per_scene(scenes, of)?;
     let gist = gists(scenes, |scene| {
-        let tally = scene.middle()?.tally;
+        let tally = foremost(&scene.conclusions.loads)?.tally;
         Some(format!("{} agree, {} off, {} not valid", tally.agree, tally.off, tally.not_valid))
     });
     Some(Section { id: "verdict", title: "Verdicts on the models", gist, body })

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use conclusions::{
     AnswerUnderLoad, AreaEstimate, AskedValue, Conclusions, ModelCell, NextStep, OfInputs, OtherHardness,
-    PeakState, SealVerdict, ShearConclusion, Source,
+    PeakState, SealVerdict, ShearConclusion, Source, foremost,
 };
 use judge::{Reference, Verdict};
 use scene::Scene;
@@ -51,10 +51,14 @@ pub fn short_summary(conclusions: &Conclusions, scene: &Scene, end: &SummaryEnd<
         rows.push(("Touches", "no area was computed: the scene has no curve with an area".to_owned()));
     }
     rows.extend(seal_words(conclusions).map(|words| ("Seals?", words)));
-    rows.extend(middle(conclusions).into_iter().flat_map(|load| asked_rows(conclusions, load)));
-    rows.extend(middle(conclusions).and_then(|load| cause_line(load.cause)).map(|words| ("Hangs on", words)));
+    rows.extend(foremost(&conclusions.loads).into_iter().flat_map(|load| asked_rows(conclusions, load)));
     rows.extend(
-        middle(conclusions).and_then(|load| models_words(load, scene)).map(|words| ("Models", words)),
+        foremost(&conclusions.loads).and_then(|load| cause_line(load.cause)).map(|words| ("Hangs on", words)),
+    );
+    rows.extend(
+        foremost(&conclusions.loads)
+            .and_then(|load| models_words(load, scene))
+            .map(|words| ("Models", words)),
     );
     if !conclusions.loads.is_empty() {
         rows.push(("Trust", trust_words(conclusions)));
@@ -111,7 +115,7 @@ fn touching_rows(conclusions: &Conclusions, scene: &Scene) -> Vec<(&'static str,
     if let (Some((_, last)), 1..) = (rows.last_mut(), others) {
         let _ = write!(last, "; {} in the report", counted(others, "more load"));
     }
-    let otherwise = middle(conclusions).and_then(|load| Some((load, load.otherwise?)));
+    let otherwise = foremost(&conclusions.loads).and_then(|load| Some((load, load.otherwise?)));
     rows.extend(otherwise.map(|(load, other)| {
         let at = if several { format!(" at {}", load.label) } else { String::new() };
         ("or", format!("{}{at}, {}", share(other.area_fraction), condition(&other)))
@@ -287,11 +291,6 @@ fn shear_words(shear: &ShearConclusion) -> String {
         }
         None => format!("slides: {share} of friction times pressure"),
     }
-}
-
-/// The load in the middle, for which a summary compares models.
-fn middle(conclusions: &Conclusions) -> Option<&AnswerUnderLoad> {
-    conclusions.loads.get(conclusions.loads.len() / 2)
 }
 
 /// The models that agree, by name, and the number of the others.
