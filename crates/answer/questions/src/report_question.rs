@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use measurements::{Files, ScanRequest, TipRadius};
+use measurements::{Files, ScanRequest};
 use scene::SceneText;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use spectrum::ReadOptions;
@@ -178,16 +178,12 @@ struct ScanSection<'s>(&'s ScanRequest);
 impl Serialize for ScanSection<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let ScanSection(scan) = self;
-        let tip_radius = scan.tip_radius.map(|radius| match radius {
-            TipRadius::Known(radius_m) => metres(radius_m),
-            TipRadius::Auto => "auto".to_owned(),
-        });
         let keys = [
             ("file", Some(scan.path.clone())),
             ("unit", scan.unit.map(|unit| unit.to_string())),
             ("channel", scan.channel.clone()),
             ("size", scan.size_m.map(metres)),
-            ("tip_radius", tip_radius),
+            ("tip_radius", scan.tip_radius.map(|radius| radius.to_string())),
             ("shortest_wavelength", scan.shortest_m.map(metres)),
             ("gaps", scan.gaps.map(|gaps| gaps.to_string())),
             ("direction", scan.direction.map(|direction| direction.to_string())),
@@ -208,6 +204,7 @@ fn metres(length_m: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use measurements::TipRadius;
     use scene::{Overrides, Scene};
 
     fn question() -> ReportQuestion {
@@ -275,12 +272,18 @@ mod tests {
     fn options_of_scans_reach_the_scene() {
         let heights: String = (0..200).map(|at| format!("{} {}\n", at, (at * at) % 7)).collect();
         let files = BTreeMap::from([("line.txt".to_owned(), heights.into_bytes())]);
-        let request: ScanRequest =
-            "line.txt:unit=um,shortest=4um,detrend=mean,instrument=stylus,z-calibration=2%".parse().unwrap();
-        let question = ReportQuestion { surface: ReportSurface::Scans(vec![request]), ..question() };
-        let scene = Scene::parse(&question.scene_text(), &files, &Overrides::default()).unwrap();
+        let of = |request: &str| {
+            let scans = ReportSurface::Scans(vec![request.parse().unwrap()]);
+            let question = ReportQuestion { surface: scans, ..question() };
+            Scene::parse(&question.scene_text(), &files, &Overrides::default()).unwrap()
+        };
+        let scene = of("line.txt:unit=um,shortest=4um,detrend=mean,instrument=stylus,z-calibration=2%");
         assert!(scene.surface.psd.shortest_wavelength_m() >= 3.9e-6);
         let scans = &scene.surface.made_from.unwrap().spectrum.scans;
         assert_eq!(scans[0].preparation.detrend, topography::Detrend::Mean);
+        for (tip, is_unknown) in [("auto", true), ("none", false), ("2um", false)] {
+            let scans = of(&format!("line.txt:unit=um,tip-radius={tip}")).surface.made_from.unwrap().spectrum.scans;
+            assert_eq!(scans[0].tip_remarks.is_empty(), !is_unknown, "{tip}");
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! Requests for scans: a file and its options.
 
-use std::fmt::Display;
+use std::fmt::{self, Display, Formatter};
 use std::str::FromStr;
 
 use topography::{BandLimits, Detrend, Direction, GapTreatment, Recipe};
@@ -59,6 +59,16 @@ impl FromStr for TipRadius {
             length => length.parse::<Length>().map(|length| Self::Known(length.m)).map_err(|error| {
                 format!("{error}; or write auto for that of the file, none for heights that no tip touched")
             }),
+        }
+    }
+}
+
+impl Display for TipRadius {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Auto => f.write_str("auto"),
+            Self::Known(0.0) => f.write_str("none"),
+            Self::Known(radius_m) => write!(f, "{radius_m:e} m"),
         }
     }
 }

@@ -73,7 +73,12 @@ pub struct Answered {
 impl Answered {
     /// Answers a scene; the judge and the draws are left out where the scene switches them off.
     pub fn new(text: &str) -> Self {
-        let scene = Scene::parse(text, &spectra(), &Overrides::default())
+        Self::with_files(text, &spectra())
+    }
+
+    /// Answers a scene on files of its own.
+    pub fn with_files(text: &str, files: &BTreeMap<String, Vec<u8>>) -> Self {
+        let scene = Scene::parse(text, files, &Overrides::default())
             .unwrap_or_else(|error| panic!("{error:?}\n{text}"));
         let results = scene.plan().compute().unwrap_or_else(|error| panic!("{error:?}\n{text}"));
         let answer = SceneAnswer::from_results(&scene, &results);

@@ -1,0 +1,94 @@
+//! Answers of measured maps, and the load that stands for all.
+
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+
+use conclusions::{AskedValue, Trust, foremost};
+use study::interface::{Quantity, Slot};
+use units::RemarkCode;
+
+use crate::drawn_scenes::Answered;
+
+const POINTS: usize = 64;
+
+/// A map of ridges along y, with peaks that are worn off.
+fn map() -> Vec<u8> {
+    let height_m = |x: f64, y: f64| {
+        let wave =
+            |m: f64, n: f64| 40e-9 * m.hypot(n).powf(-1.5) * (TAU * (m * x + n * y) + 7.0 * m * m + n).cos();
+        let waves = (1..=9).flat_map(|m| (-2..=2).map(move |n| (f64::from(m), f64::from(n))));
+        waves.map(|(m, n)| wave(m, n)).sum::<f64>().min(25e-9)
+    };
+    let row = |y: usize| {
+        let at = |point: usize| point as f64 / POINTS as f64;
+        (0..POINTS).map(|x| format!("{:e} ", height_m(at(x), at(y)))).collect::<String>() + "\n"
+    };
+    (0..POINTS).map(row).collect::<String>().into_bytes()
+}
+
+fn answered(rest: &str) -> Answered {
+    let files = BTreeMap::from([("map.txt".to_owned(), map())]);
+    let text = format!(
+        "[surface]\nscans = [{{ file = \"map.txt\", unit = \"m\", size = \"6.4 um\" }}]\n[material]\nyoungs_modulus = \"70 GPa\"\npoisson_ratio = \
+         0.3\nresistivity = \"2e-8 ohm m\"\n[counterface]\nresistivity = \"2e-8 ohm m\"\n[[curve]]\nmodel = \"persson\"\n[judge]\n{rest}"
+    );
+    Answered::with_files(&text, &files)
+}
+
+#[test]
+fn gap_stiffness_and_current_of_a_map_are_its_own() {
+    let answered = answered("[interface]\n[loads]\npressures = [\"100 MPa\"]\n");
+    let conclusions = answered.conclusions();
+    let [load] = &conclusions.loads[..] else { panic!() };
+    let maps = load.area.maps.unwrap();
+    let asked = |quantity: Quantity| -> AskedValue {
+        *load.asked.iter().find(|asked| asked.quantity == quantity).unwrap()
+    };
+    let theory = |quantity: Quantity| {
+        let states = answered.scene.interface_states(&answered.results).unwrap();
+        states.value(Slot { quantity, load: Some(0), curve: None }).unwrap().unwrap()
+    };
+    for (quantity, expected) in [
+        (Quantity::MeanGap, maps.mean_gap_m.unwrap()),
+        (Quantity::Stiffness, maps.stiffness_pa_per_m.unwrap()),
+        (
+            Quantity::ElectricalConductance,
+            theory(Quantity::ElectricalConductance) * maps.stiffness_pa_per_m.unwrap()
+                / theory(Quantity::Stiffness),
+        ),
+    ] {
+        let found = asked(quantity);
+        assert!((found.value.unwrap() / expected - 1.0).abs() < 1e-9, "{found:?} {expected}");
+        assert!(found.low < expected && expected < found.high && found.high < 1.2 * found.low, "{found:?}");
+        assert!((theory(quantity) / expected).ln().abs() > 0.1, "{quantity:?}: the theory knows it as well");
+    }
+}
+
+#[test]
+fn a_map_whose_slopes_differ_by_direction_lowers_trust_and_tells_which_way() {
+    let answered = answered("[loads]\npressures = [\"100 MPa\"]\n");
+    let judgement = answered.judgement.as_ref().unwrap();
+    let conclusions = answered.conclusions();
+    let caution =
+        conclusions.cautions.iter().find(|caution| caution.code == RemarkCode::SlopesByDirection).unwrap();
+    assert_eq!(caution.number("ratio"), Some(judgement.maps[0].ratio()));
+    assert!(
+        conclusions.trust <= Trust::Fair
+            && !conclusions.cautions.iter().any(|other| other.code == RemarkCode::NotGaussianMap)
+    );
+}
+
+#[test]
+fn the_load_that_stands_for_all_was_judged() {
+    let loads = "pressures = [\"10 MPa\", \"20 MPa\", \"30 MPa\"]\n";
+    let of = |rest: &str| answered(&format!("[loads]\n{loads}{rest}")).conclusions();
+    let judged = of("");
+    assert_eq!(foremost(&judged.loads).map(|load| load.load), Some(1));
+    let mut partly = of("");
+    let unjudged = of("[judge]\noff = true\n");
+    assert_eq!(foremost(&unjudged.loads).map(|load| load.load), Some(1));
+    partly.loads[0] = unjudged.loads[0].clone();
+    partly.loads[1] = unjudged.loads[1].clone();
+    assert_eq!(foremost(&partly.loads).map(|load| load.load), Some(2));
+    assert!(foremost(&[]).is_none());
+}
