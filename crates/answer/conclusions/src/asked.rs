@@ -19,6 +19,9 @@ const STIFFNESS_WITHIN: f64 = 1.25;
 /// The factor, either way, within which its gaps do.
 const GAP_WITHIN: f64 = 1.15;
 
+/// The factor, either way, within which gas conducts in a gap that is known.
+const GAS_WITHIN: f64 = 1.25;
+
 /// The factor, either way, within which a measured map that is pressed on its own points has the gap and the stiffness of the surface.
 const MAP_WITHIN: f64 = 1.05;
 
@@ -120,7 +123,7 @@ impl Questions<'_> {
     /// A value with the range of the state that the peaks are in; of partly flowed ones, from elastic to flowed.
     fn by_state(&self, quantities: &ByState) -> Option<AskedValue> {
         let elastic = || self.within(quantities.elastic, quantities.elastic_within);
-        let flowed = || self.within(quantities.flowed?, CORRELATION_WITHIN);
+        let flowed = || self.within(quantities.flowed?, self.correlation_within(quantities.flowed?));
         let state = PeakState::new(self.states, self.load, self.area.source);
         let (quantity, state, [value, low, high]) = match (state, elastic(), flowed()) {
             (PeakState::Flowed, _, Some(flowed)) => (quantities.flowed?, PeakState::Flowed, flowed),
@@ -153,6 +156,19 @@ impl Questions<'_> {
         });
         let wider = |ratio: f64| ratio.ln().hypot(factor.ln()).exp();
         Some([value, value / wider(below), value * wider(above)])
+    }
+
+    /// The factor within which a correlation for flowed peaks holds; the gas beside its spots is known better.
+    fn correlation_within(&self, flowed: Quantity) -> f64 {
+        let value = |quantity| {
+            self.states.value(Slot { quantity, load: Some(self.load), curve: None }).ok().flatten()
+        };
+        let by_spots = match flowed {
+            Quantity::FlowedConductanceWithGas => value(Quantity::YovanovichConductance).zip(value(flowed)),
+            _ => None,
+        };
+        let share = by_spots.map_or(1.0, |(spots, all)| spots / all);
+        share * CORRELATION_WITHIN + (1.0 - share) * GAS_WITHIN
     }
 
     /// A gap, or what follows the stiffness, of the measured map over that of Persson's theory.

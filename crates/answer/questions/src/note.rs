@@ -80,7 +80,7 @@ pub fn remarks_on_separation(
     let no_rolloff = light.lacks_roll_off(roughness).then(|| {
         Remark::new(RemarkCode::NoRollOff).with("share_of_first_decade", light.share_of_first_decade)
     });
-    let limit_pa = light.reference_pressure_pa * (-FEW_TOUCH * rms_height_m / light.decay_length_m).exp();
+    let limit_pa = light.pressure_at_gap_pa(FEW_TOUCH, rms_height_m);
     let few_touch = (least_pa < limit_pa).then(|| {
         Remark::new(RemarkCode::FewTouchBelow).with("limit_pa", limit_pa).with("few_touch", FEW_TOUCH)
     });

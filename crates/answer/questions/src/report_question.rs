@@ -282,7 +282,8 @@ mod tests {
         let scans = &scene.surface.made_from.unwrap().spectrum.scans;
         assert_eq!(scans[0].preparation.detrend, topography::Detrend::Mean);
         for (tip, is_unknown) in [("auto", true), ("none", false), ("2um", false)] {
-            let scans = of(&format!("line.txt:unit=um,tip-radius={tip}")).surface.made_from.unwrap().spectrum.scans;
+            let scans =
+                of(&format!("line.txt:unit=um,tip-radius={tip}")).surface.made_from.unwrap().spectrum.scans;
             assert_eq!(scans[0].tip_remarks.is_empty(), !is_unknown, "{tip}");
         }
     }

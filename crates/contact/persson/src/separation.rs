@@ -70,6 +70,8 @@ pub struct LightLoads {
     /// Share of u_0 that comes from the first decade of wavevectors, in (0, 1\]. If it is large and the spectrum has
     /// no roll-off there, the unmeasured waves below the first wavevector decide u_0.
     pub share_of_first_decade: f64,
+    /// True if separations have the tail of the heights, which this limit leaves out.
+    pub has_tail: bool,
 }
 
 /// The share of u_0 that the first decade of wavevectors may have if the spectrum has no roll-off.
@@ -79,6 +81,14 @@ const MOST_OF_FIRST_DECADE: f64 = 0.3;
 const FLAT: f64 = 2.5;
 
 impl LightLoads {
+    /// Returns the pressure \[Pa\] under which the mean gap is so many rms heights \[m\], with the tail where separations have it.
+    #[must_use]
+    pub fn pressure_at_gap_pa(&self, rms_heights: f64, rms_height_m: f64) -> f64 {
+        let beyond = if self.has_tail { (rms_heights - TAIL_START).max(0.0) } else { 0.0 };
+        let decays = rms_heights * rms_height_m / self.decay_length_m + 0.5 * beyond * beyond;
+        self.reference_pressure_pa * libm::exp(-decays)
+    }
+
     /// Returns true if the waves that a spectrum begins with decide gap and stiffness, and do not roll off: longer waves, which were not
     /// measured, would change both.
     #[must_use]
@@ -271,6 +281,7 @@ impl SeparationLaw {
             decay_length_m: g * self.factor() * sum,
             reference_pressure_pa: (logarithms / sum + self.energy.constant / g).exp(),
             share_of_first_decade: (in_first_decade / sum).min(1.0),
+            has_tail: !self.tails.is_empty(),
         })
     }
 
@@ -519,6 +530,11 @@ mod tests {
         // V ~ q^0.4 has the heights 4 Int dV/(E* q)^2.
         let heights = 4.0 * 1e16 / 1e22 * (0.4 / 1.6) / 1e8 * (1.0 - 100f64.powf(-1.6));
         assert!((tail.mean_square_height_m2 / heights - 1.0).abs() < 1e-9, "{tail:?} {heights}");
+        for law in [&plain, &law] {
+            let pressure_pa = law.light_loads().unwrap().pressure_at_gap_pa(3.0, heights.sqrt());
+            let rms_heights = law.whole(pressure_pa).mean_gap_m / heights.sqrt();
+            assert!((rms_heights / 3.0 - 1.0).abs() < 0.02, "{rms_heights}");
+        }
         let start_m = TAIL_START * heights.sqrt();
         for pressure_pa in [1e-3, 1.0, 1e4, 1e6] {
             let [theory, found] = [&plain, &law].map(|law| law.whole(pressure_pa));

@@ -26,10 +26,10 @@ fn map() -> Vec<u8> {
     (0..POINTS).map(row).collect::<String>().into_bytes()
 }
 
-fn answered(rest: &str) -> Answered {
+fn answered(scan: &str, rest: &str) -> Answered {
     let files = BTreeMap::from([("map.txt".to_owned(), map())]);
     let text = format!(
-        "[surface]\nscans = [{{ file = \"map.txt\", unit = \"m\", size = \"6.4 um\" }}]\n[material]\nyoungs_modulus = \"70 GPa\"\npoisson_ratio = \
+        "[surface]\nscans = [{{ file = \"map.txt\", unit = \"m\", size = \"6.4 um\"{scan} }}]\n[material]\nyoungs_modulus = \"70 GPa\"\npoisson_ratio = \
          0.3\nresistivity = \"2e-8 ohm m\"\n[counterface]\nresistivity = \"2e-8 ohm m\"\n[[curve]]\nmodel = \"persson\"\n[judge]\n{rest}"
     );
     Answered::with_files(&text, &files)
@@ -37,7 +37,7 @@ fn answered(rest: &str) -> Answered {
 
 #[test]
 fn gap_stiffness_and_current_of_a_map_are_its_own() {
-    let answered = answered("[interface]\n[loads]\npressures = [\"100 MPa\"]\n");
+    let answered = answered("", "[interface]\n[loads]\npressures = [\"100 MPa\"]\n");
     let conclusions = answered.conclusions();
     let [load] = &conclusions.loads[..] else { panic!() };
     let maps = load.area.maps.unwrap();
@@ -66,7 +66,7 @@ fn gap_stiffness_and_current_of_a_map_are_its_own() {
 
 #[test]
 fn a_map_whose_slopes_differ_by_direction_lowers_trust_and_tells_which_way() {
-    let answered = answered("[loads]\npressures = [\"100 MPa\"]\n");
+    let answered = answered(", direction = \"y\"", "[loads]\npressures = [\"100 MPa\"]\n");
     let judgement = answered.judgement.as_ref().unwrap();
     let conclusions = answered.conclusions();
     let caution =
@@ -81,11 +81,11 @@ fn a_map_whose_slopes_differ_by_direction_lowers_trust_and_tells_which_way() {
 #[test]
 fn the_load_that_stands_for_all_was_judged() {
     let loads = "pressures = [\"10 MPa\", \"20 MPa\", \"30 MPa\"]\n";
-    let of = |rest: &str| answered(&format!("[loads]\n{loads}{rest}")).conclusions();
+    let of = |rest: &str| answered("", &format!("{rest}[loads]\n{loads}")).conclusions();
     let judged = of("");
     assert_eq!(foremost(&judged.loads).map(|load| load.load), Some(1));
     let mut partly = of("");
-    let unjudged = of("[judge]\noff = true\n");
+    let unjudged = of("off = true\n");
     assert_eq!(foremost(&unjudged.loads).map(|load| load.load), Some(1));
     partly.loads[0] = unjudged.loads[0].clone();
     partly.loads[1] = unjudged.loads[1].clone();

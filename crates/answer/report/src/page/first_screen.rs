@@ -18,7 +18,7 @@ use crate::chart::palette::{ModelStyle, variables};
 use crate::conclusion_words::{
     answers_under, caution_words, condition, foremost_step, parts_of_range, rough_body, source_words,
 };
-use crate::listing::{capital, share, share_range};
+use crate::listing::{capital, share, share_beside, share_range};
 
 /// The most cautions on the first screen.
 const CAUTIONS_SHOWN: usize = 3;
@@ -124,7 +124,11 @@ fn input(kind: &str, id: &str, name: &str, is_checked: bool) -> Markup {
 
 pub(super) fn best_estimate(report: &SceneReport<'_>, load: &AnswerUnderLoad) -> Markup {
     let area = &load.area;
-    let number = area.area_fraction.map_or_else(|| share_range(area.low, area.high), share);
+    let number = match area.area_fraction {
+        Some(area_fraction) if area.low < area.high => share_beside(area_fraction, area.high),
+        Some(area_fraction) => share(area_fraction),
+        None => share_range(area.low, area.high),
+    };
     let heading = match (area.source, load.otherwise) {
         (Source::Model { .. } | Source::Models, _) => "Not checked",
         (_, Some(_)) => "✓ Best estimate – if the hardness grows at small scales",

@@ -16,7 +16,7 @@ use units::{Remark, SceneKeys};
 use crate::cause_words::cause_line;
 use crate::curve_names::short_name;
 use crate::interface_words;
-use crate::listing::{capital, listed, number_word, share, share_range};
+use crate::listing::{capital, listed, number_word, share, share_beside, share_range};
 use crate::uncertainty_words;
 
 /// The most lines of a summary.
@@ -129,7 +129,7 @@ fn estimate_line(area: &AreaEstimate, scene: &Scene) -> String {
     let range = share_range(area.low, area.high);
     match area.area_fraction {
         Some(area_fraction) if area.low < area.high => {
-            format!("{:<9} {range:<19} {source}", share(area_fraction))
+            format!("{:<9} {range:<19} {source}", share_beside(area_fraction, area.high))
         }
         Some(area_fraction) => format!("{:<9} {source}", share(area_fraction)),
         None => format!("{range:<9} {source}"),

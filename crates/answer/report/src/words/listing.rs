@@ -5,7 +5,7 @@ use std::fmt::Write;
 use findings::features::DecadeShare;
 use scene::Scene;
 use spectrum::ProfilePsd;
-use units::display::{length, three_digits};
+use units::display::{length, percent, three_digits};
 
 /// `at every load`, `at 5 MPa`, `at 1e-3 H and 1e-2 H`.
 pub(crate) fn at_loads(scene: &Scene, loads: &[usize]) -> String {
@@ -37,10 +37,18 @@ pub(crate) fn range(values: impl Iterator<Item = f64>, display: impl Fn(f64) -> 
 
 pub(crate) use units::display::{number_word, share};
 
+/// Ranges that end below are in ppm.
+const PPM_BELOW: f64 = 1e-4;
+
 /// `0.12 to 0.18 %`, a range of shares; in ppm below 0.01 %.
 pub(crate) fn share_range(low: f64, high: f64) -> String {
-    let (factor, unit) = if high < 1e-4 { (1e6, "ppm") } else { (100.0, "%") };
+    let (factor, unit) = if high < PPM_BELOW { (1e6, "ppm") } else { (100.0, "%") };
     format!("{} {unit}", range([low, high].into_iter(), |share| three_digits(factor * share)))
+}
+
+/// A share in the unit of the range that stands beside it.
+pub(crate) fn share_beside(share: f64, high: f64) -> String {
+    if high < PPM_BELOW { format!("{} ppm", three_digits(1e6 * share)) } else { percent(share) }
 }
 
 /// The text with a capital at its beginning.
