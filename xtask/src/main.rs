@@ -40,6 +40,8 @@ cargo xtask stress [--states N] [--seed S] [--threads T] [--only I]
 cargo xtask trials models|judge|layers|gaps [--anew]
                                compares models, the judge, the judge on layers, or gaps with boundary elements, and rewrites
                                their tables in docs; presses missing surfaces only, --anew all of them (an hour)
+cargo xtask trials scenes FOLDER [--program PATH] [--anew]
+                               compares reports on the files of a folder with whole bands pressed at once (minutes)
 cargo xtask trials coverage [--studies N] [--draws N] [--seed S] [--cell N]... [--first N]
                                counts how often intervals of the area hold the truth, in studies of known surfaces (minutes)
 cargo xtask work-precision [PART]...

@@ -1,5 +1,6 @@
 //! Comparisons with boundary elements: each presses what its table lacks, and rewrites the table and sections of its page.
 
+use std::collections::BTreeMap;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
@@ -15,6 +16,7 @@ use trials::judge_trials::JudgedRow;
 use trials::judge_truth::TruthRow;
 use trials::layer_trials;
 use trials::programme::{SpectrumTrial, programme};
+use trials::scene_trials::{self, SceneRow};
 use trials::{judge_spectra, judge_trials, pressing, ratios, sections};
 
 use crate::Outcome;
@@ -104,6 +106,28 @@ pub(crate) fn layers(anew: bool) -> Outcome {
     }
     store(&rows, &csv)?;
     rewrite("docs/develop/trials.md", |page| layer_trials::written(page, &rows))
+}
+
+/// Compares reports on the files of a folder by a program with whole bands solved at once: `docs/develop/trials.md`.
+pub(crate) fn scenes(folder: &Path, program: &Path, anew: bool) -> Outcome {
+    let csv = checkout("docs/develop/trials/scenes.csv");
+    let old: Vec<SceneRow> = stored(&csv, anew)?;
+    let mut files = BTreeMap::new();
+    for entry in std::fs::read_dir(folder)? {
+        let path = entry?.path();
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        files.insert(name, std::fs::read(&path)?);
+    }
+    let mut rows: Vec<SceneRow> = Vec::new();
+    for scene in scene_trials::scenes() {
+        let known = old.iter().find(|row| row.scene == scene.scene).cloned();
+        let row = known.map_or_else(|| scene.with_truth(&files), Ok)?;
+        rows.push(row.with_answer(program, folder)?);
+        println!("{:?}", rows.last());
+        let rest = old.iter().filter(|row| rows.iter().all(|done| done.scene != row.scene));
+        store(&rows.iter().chain(rest).cloned().collect::<Vec<_>>(), &csv)?;
+    }
+    rewrite("docs/develop/trials.md", |page| scene_trials::written(page, &rows))
 }
 
 /// Reads a table; empty if it is missing or to be made anew.

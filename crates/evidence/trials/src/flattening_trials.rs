@@ -111,12 +111,11 @@ pub fn ratios_and_flattened(
 /// # Errors
 /// [`TrialError::Page`] if the page lacks the section.
 pub fn written(page: &str, rows: &[ElementsRow]) -> Result<String, TrialError> {
-    let line = |set, held_from: Option<f64>| -> Result<Vec<String>, TrialError> {
-        let spectra = if set == Set::Report { "reported" } else { "chosen" };
+    let line = |held_from: Option<f64>| -> Result<Vec<String>, TrialError> {
         let held = held_from.map_or("area alone".to_owned(), |share| format!("both from {share} R"));
-        let mut cells = vec![spectra.to_owned(), held];
+        let mut cells = vec![held];
         for spread in SPREADS {
-            let [ratios, flattened] = ratios_and_flattened(rows, set, held_from, spread)?;
+            let [ratios, flattened] = ratios_and_flattened(rows, Set::Report, held_from, spread)?;
             let [least, median, most] =
                 [0, 1, 2].map(|share| three_digits(ratios[(ratios.len() - 1) * share / 2]));
             let share = flattened.get(flattened.len() / 2);
@@ -125,9 +124,7 @@ pub fn written(page: &str, rows: &[ElementsRow]) -> Result<String, TrialError> {
         }
         Ok(cells)
     };
-    let sets = [Set::Calibration, Set::Report];
-    let lines = sets.iter().flat_map(|set| HELD_FROM.map(|held_from| line(*set, held_from)));
-    let lines = lines.collect::<Result<Vec<_>, TrialError>>()?;
-    let columns = ["spectra", "held", "s/H = 1.4", "s/H = 4", "s/H = 12", "s/H = 40", "s/H = 80"];
+    let lines = HELD_FROM.into_iter().map(line).collect::<Result<Vec<_>, TrialError>>()?;
+    let columns = ["held", "s/H = 1.4", "s/H = 4", "s/H = 12", "s/H = 40", "s/H = 80"];
     with_section(page, "flattening", &table(&columns, &lines)).map_err(TrialError::Page)
 }

@@ -266,11 +266,9 @@ pub fn written(page: &str, rows: &[GapRow]) -> Result<String, TrialError> {
     for kind in Kind::IN_BOTH_SETS {
         add(kind.name().to_owned(), &|row| moderate(row) && row.kind == kind);
     }
-    for (set, name) in [(Set::Calibration, "chosen"), (Set::Report, "reported")] {
-        for areas in &LIGHT {
-            let name = format!("{name}, A from {} to {}", areas.start(), areas.end());
-            add(name, &|row| row.set() == set && areas.contains(&row.area_fraction));
-        }
+    for areas in &LIGHT {
+        let name = format!("reported, A from {} to {}", areas.start(), areas.end());
+        add(name, &|row| row.set() == Set::Report && areas.contains(&row.area_fraction));
     }
     let headings =
         ["spectra", "states", "K, 2d", "u, 2d", "K, fitted", "u, fitted", "A, 2d", "K, 1d", "u, 1d", "A, 1d"];

@@ -2,6 +2,7 @@
 
 mod compare;
 
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use lexopt::prelude::*;
@@ -11,6 +12,8 @@ use uncertainty::UncertaintySettings;
 const HELP: &str = "\
 cargo xtask trials models|judge|layers|gaps|flattening [--anew]
         compares with boundary elements and rewrites tables of docs; presses missing surfaces only, --anew all
+cargo xtask trials scenes FOLDER [--program PATH] [--anew]
+        compares reports of a program, truearea beside this one, on files of a folder with whole bands pressed at once
 cargo xtask trials coverage [--studies N] [--draws N] [--seed S] [--cell N]... [--first N]
         runs N synthetic studies (400) in each of nine cells, with so many draws (1000), and prints how often intervals hold
         the truth; --cell N runs one cell (again for more), --first N begins with that study
@@ -20,6 +23,7 @@ type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 enum Trials {
     Compare { compare: fn(bool) -> Outcome, anew: bool },
+    Scenes { folder: PathBuf, program: PathBuf, anew: bool },
     Coverage(Coverage),
 }
 
@@ -34,6 +38,7 @@ struct Coverage {
 fn main() -> ExitCode {
     let outcome = match parse() {
         Ok(Some(Trials::Compare { compare, anew })) => compare(anew),
+        Ok(Some(Trials::Scenes { folder, program, anew })) => compare::scenes(&folder, &program, anew),
         Ok(Some(Trials::Coverage(coverage))) => count_held_truths(&coverage),
         Ok(None) => {
             print!("{HELP}");
@@ -63,7 +68,9 @@ fn parse() -> Result<Option<Trials>, lexopt::Error> {
     };
     while let Some(argument) = parser.next()? {
         match (argument, &mut trials) {
-            (Long("anew"), Trials::Compare { anew, .. }) => *anew = true,
+            (Long("anew"), Trials::Compare { anew, .. } | Trials::Scenes { anew, .. }) => *anew = true,
+            (Value(path), Trials::Scenes { folder, .. }) => *folder = path.into(),
+            (Long("program"), Trials::Scenes { program, .. }) => *program = parser.value()?.into(),
             (Long("studies"), Trials::Coverage(coverage)) => coverage.studies = parser.value()?.parse()?,
             (Long("first"), Trials::Coverage(coverage)) => coverage.first = parser.value()?.parse()?,
             (Long("cell"), Trials::Coverage(coverage)) => coverage.cells.push(parser.value()?.parse()?),
@@ -84,6 +91,11 @@ fn named(name: &std::ffi::OsStr) -> Option<Trials> {
         "layers" => comparison(compare::layers),
         "gaps" => comparison(compare::gaps),
         "flattening" => comparison(compare::flattening),
+        "scenes" => Some(Trials::Scenes {
+            folder: PathBuf::from("."),
+            program: std::env::current_exe().ok()?.with_file_name("truearea"),
+            anew: false,
+        }),
         "coverage" => Some(Trials::Coverage(Coverage {
             studies: 400,
             first: 0,

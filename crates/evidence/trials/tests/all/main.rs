@@ -5,4 +5,5 @@ mod coverage;
 mod flattening;
 mod gap_trials;
 mod judge_trials;
+mod scene_trials;
 mod window_excess;
