@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use conclusions::{AskedValue, Trust, foremost};
+use judge::MapVerdict;
 use study::interface::{Quantity, Slot};
 use units::RemarkCode;
 
@@ -26,10 +27,10 @@ fn map() -> Vec<u8> {
     (0..POINTS).map(row).collect::<String>().into_bytes()
 }
 
-fn answered(scan: &str, rest: &str) -> Answered {
+fn answered(rest: &str) -> Answered {
     let files = BTreeMap::from([("map.txt".to_owned(), map())]);
     let text = format!(
-        "[surface]\nscans = [{{ file = \"map.txt\", unit = \"m\", size = \"6.4 um\"{scan} }}]\n[material]\nyoungs_modulus = \"70 GPa\"\npoisson_ratio = \
+        "[surface]\nscans = [{{ file = \"map.txt\", unit = \"m\", size = \"6.4 um\" }}]\n[material]\nyoungs_modulus = \"70 GPa\"\npoisson_ratio = \
          0.3\nresistivity = \"2e-8 ohm m\"\n[counterface]\nresistivity = \"2e-8 ohm m\"\n[[curve]]\nmodel = \"persson\"\n[judge]\n{rest}"
     );
     Answered::with_files(&text, &files)
@@ -37,7 +38,7 @@ fn answered(scan: &str, rest: &str) -> Answered {
 
 #[test]
 fn gap_stiffness_and_current_of_a_map_are_its_own() {
-    let answered = answered("", "[interface]\n[loads]\npressures = [\"100 MPa\"]\n");
+    let answered = answered("[interface]\n[loads]\npressures = [\"100 MPa\"]\n");
     let conclusions = answered.conclusions();
     let [load] = &conclusions.loads[..] else { panic!() };
     let maps = load.area.maps.unwrap();
@@ -65,23 +66,37 @@ fn gap_stiffness_and_current_of_a_map_are_its_own() {
 }
 
 #[test]
-fn a_map_whose_slopes_differ_by_direction_lowers_trust_and_tells_which_way() {
-    let answered = answered(", direction = \"y\"", "[loads]\npressures = [\"100 MPa\"]\n");
-    let judgement = answered.judgement.as_ref().unwrap();
-    let conclusions = answered.conclusions();
-    let caution =
-        conclusions.cautions.iter().find(|caution| caution.code == RemarkCode::SlopesByDirection).unwrap();
-    assert_eq!(caution.number("ratio"), Some(judgement.maps[0].ratio()));
-    assert!(
-        conclusions.trust <= Trust::Fair
-            && !conclusions.cautions.iter().any(|other| other.code == RemarkCode::NotGaussianMap)
-    );
+fn maps_that_touch_otherwise_lower_trust_and_tell_why_and_which_way() {
+    let mut answered = answered("[loads]\npressures = [\"100 MPa\"]\n");
+    let judgement = answered.judgement.as_mut().unwrap();
+    let twins = judgement.references[0].elements.unwrap();
+    let map = |ratio: f64, gradient_over_spectrum: f64| MapVerdict {
+        map: format!("{ratio}"),
+        load: 0,
+        pressure_over_gradient: 0.1,
+        gradient_over_spectrum,
+        area_fraction: ratio * twins.area_fraction,
+        twins,
+    };
+    let mut found = |maps: Vec<MapVerdict>| {
+        answered.judgement.as_mut().unwrap().maps = maps;
+        let conclusions = answered.conclusions();
+        let codes = [RemarkCode::NotGaussianMap, RemarkCode::SlopesByDirection];
+        let caution = conclusions.cautions.iter().find(|caution| codes.contains(&caution.code)).cloned();
+        assert!(caution.is_none() || conclusions.trust <= Trust::Fair);
+        caution.map(|caution| (caution.code, (100.0 * caution.number("ratio").unwrap()).round()))
+    };
+    assert_eq!(found(vec![map(1.05, 2.0), map(0.97, 1.0)]), None);
+    // The map that differs most counts.
+    let both = found(vec![map(2.0, 1.0), map(0.4, 2.0)]);
+    assert_eq!(both, Some((RemarkCode::SlopesByDirection, 40.0)));
+    assert_eq!(found(vec![map(3.0, 1.1), map(0.4, 2.0)]), Some((RemarkCode::NotGaussianMap, 300.0)));
 }
 
 #[test]
 fn the_load_that_stands_for_all_was_judged() {
     let loads = "pressures = [\"10 MPa\", \"20 MPa\", \"30 MPa\"]\n";
-    let of = |rest: &str| answered("", &format!("{rest}[loads]\n{loads}")).conclusions();
+    let of = |rest: &str| answered(&format!("{rest}[loads]\n{loads}")).conclusions();
     let judged = of("");
     assert_eq!(foremost(&judged.loads).map(|load| load.load), Some(1));
     let mut partly = of("");

@@ -21,6 +21,7 @@ const IDLE_BY_RIGHT: &[(&str, &str, &str)] = &[
     ("1e-6 --model bgt", "tolerance", "likewise"),
     ("--cylinder-radius", "tolerance", "few points agree to all printed digits at any tolerance"),
     ("--model elastic-plastic --material silver --on gold", "gamma", "all flows, and there is no gap"),
+    ("50MPa --model elastic-plastic --youngs-modulus 200GPa", "gamma", "likewise"),
     (
         "--form exponential",
         "yield_strength",
