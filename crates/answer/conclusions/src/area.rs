@@ -114,9 +114,15 @@ impl AreaEstimate {
             _ => best,
         };
         let curves = &evidence.scene.needs.curves;
-        // The interval of a model that does not yield says nothing of bodies that do.
-        let yields = matches!(self.source, Source::Elements(Reference::Yielding { .. }));
-        let is_alike = |curve: &usize| !yields || curves[*curve].model.entry.has(Choice::Strength);
+        // The interval of a model that does not yield says nothing of bodies that do, nor that of one that yields of bodies that do not.
+        let is_alike = |curve: &usize| {
+            let yields = curves[*curve].model.entry.has(Choice::Strength);
+            match self.source {
+                Source::Elements(Reference::Yielding { .. }) => yields,
+                Source::Elements(Reference::Elastic) => !yields,
+                _ => true,
+            }
+        };
         let alike = own.into_iter().chain((0..curves.len()).filter(is_alike));
         let Some(interval) = alike.filter_map(|curve| uncertainty.interval(curve, load)).next() else {
             return self;

@@ -73,7 +73,12 @@ fn stands(map: &MapPatch, case: &Case<'_>) -> bool {
 fn surface(map: &MapPatch, case: &Case<'_>) -> RandomSurface {
     let waves = waves(map, ALL_WAVES);
     let spacing_m = map.map.spacing_x_m().max(map.map.spacing_y_m());
-    let shortest_m = case.band().shortest_m;
+    let (surface, end_m) = (&case.scene.surface, case.band().shortest_m);
+    let is_cut = end_m > (1.0 + 1e-9) * surface.psd.shortest_wavelength_m();
+    // The last bin of a composite lies above the shortest wavelength that its scans show.
+    let scans = surface.made_from.iter().flat_map(|made_from| &made_from.spectrum.scans);
+    let shown_m = scans.map(|scan| scan.band.shortest_m).fold(end_m, f64::min);
+    let shortest_m = if is_cut { end_m } else { shown_m };
     if shortest_m > ENDS_WITH_MAP * spacing_m { waves.down_to(shortest_m).surface() } else { waves.surface() }
 }
 
