@@ -171,11 +171,11 @@ impl Questions<'_> {
         share * CORRELATION_WITHIN + (1.0 - share) * GAS_WITHIN
     }
 
-    /// A gap, or what follows the stiffness, of the measured map over that of Persson's theory.
+    /// A gap, or what follows the stiffness, of the measured map over that of the theory.
     fn of_map(&self, quantity: Quantity) -> Option<f64> {
         let maps = self.area.maps?;
         let (of_map, theory) = match quantity {
-            Quantity::MeanGap => (maps.mean_gap_m, Quantity::MeanGap),
+            Quantity::MeanGap | Quantity::FlowedGap => (maps.mean_gap_m, quantity),
             _ if quantity.follows_stiffness() => (maps.stiffness_pa_per_m, Quantity::Stiffness),
             _ => (None, quantity),
         };

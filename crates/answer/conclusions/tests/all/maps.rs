@@ -28,10 +28,15 @@ fn map() -> Vec<u8> {
 }
 
 fn answered(rest: &str) -> Answered {
+    answered_with("[counterface]\n", rest)
+}
+
+/// Answers a map between bodies; `bodies` goes on with the rough one and begins the counterface.
+fn answered_with(bodies: &str, rest: &str) -> Answered {
     let files = BTreeMap::from([("map.txt".to_owned(), map())]);
     let text = format!(
         "[surface]\nscans = [{{ file = \"map.txt\", unit = \"m\", size = \"6.4 um\" }}]\n[material]\nyoungs_modulus = \"70 GPa\"\npoisson_ratio = \
-         0.3\nresistivity = \"2e-8 ohm m\"\n[counterface]\nresistivity = \"2e-8 ohm m\"\n[[curve]]\nmodel = \"persson\"\n[judge]\n{rest}"
+         0.3\nresistivity = \"2e-8 ohm m\"\n{bodies}resistivity = \"2e-8 ohm m\"\n[[curve]]\nmodel = \"persson\"\n[judge]\n{rest}"
     );
     Answered::with_files(&text, &files)
 }
@@ -63,6 +68,17 @@ fn gap_stiffness_and_current_of_a_map_are_its_own() {
         assert!(found.low < expected && expected < found.high && found.high < 1.2 * found.low, "{found:?}");
         assert!((theory(quantity) / expected).ln().abs() > 0.1, "{quantity:?}: the theory knows it as well");
     }
+}
+
+#[test]
+fn the_gap_of_a_map_that_flows_is_its_own() {
+    let yields = "indentation_hardness = \"300 MPa\"\n[counterface]\n";
+    let answered = answered_with(yields, "[interface]\n[loads]\npressures = [\"100 MPa\"]\n");
+    let [load] = &answered.conclusions().loads[..] else { panic!() };
+    let gap = load.asked.iter().find(|asked| asked.quantity == Quantity::FlowedGap).unwrap();
+    let of_map_m = load.area.maps.unwrap().mean_gap_m.unwrap();
+    assert!((gap.value.unwrap() / of_map_m - 1.0).abs() < 1e-9, "{gap:?} {of_map_m}");
+    assert!(gap.high < 1.2 * gap.low, "{gap:?}");
 }
 
 #[test]
