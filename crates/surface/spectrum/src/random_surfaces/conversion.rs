@@ -66,7 +66,8 @@ pub(crate) fn of_profile(profile: &ProfilePsd) -> Result<(Vec<PowerLaw>, Convers
     });
     let last = profile.len() - 1;
     let gradient: f64 = roughness[..last].iter().map(|[_, gradient]| gradient).sum();
-    let conversion = Conversion { levelled_share, end_error: curve.uncertain_gradient() / gradient };
+    let other_end = (1.0 + curve.change_of_other_end(last) / gradient).max(0.0).sqrt();
+    let conversion = Conversion { levelled_share, end_error: (other_end - 1.0).abs() };
     Ok((pieces.collect(), conversion))
 }
 
@@ -354,15 +355,17 @@ impl Curve {
         self.slopes = self.slopes();
     }
 
-    /// Change of the mean square gradient if C1D went on beyond its end with the other exponent.
-    fn uncertain_gradient(&self) -> f64 {
+    /// Change of the mean square gradient of the waves up to a sample if C1D went on beyond its end with the other exponent.
+    fn change_of_other_end(&self, sample: usize) -> f64 {
         let last = self.q.len() - 1;
+        let q = if sample < last { vec![self.q[sample], self.q[last]] } else { vec![self.q[last]] };
+        let steps: Vec<f64> = q.windows(2).map(|pair| ln_ratio(pair[1], pair[0])).collect();
         let of_end = self.ends.map(|exponent| {
-            let (q, c1d) = (vec![self.q[last]], vec![self.c1d[last]]);
-            let end = Curve { q, steps: Vec::new(), c1d, slopes: Vec::new(), ends: [exponent; 2] };
+            let (c1d, slopes) = (vec![self.c1d[last]; q.len()], vec![[0.0; 2]; steps.len()]);
+            let end = Curve { q: q.clone(), steps: steps.clone(), c1d, slopes, ends: [exponent; 2] };
             Falls::new(&end).contents()[0][1]
         });
-        (of_end[1] - of_end[0]).abs()
+        of_end[1] - of_end[0]
     }
 }
 

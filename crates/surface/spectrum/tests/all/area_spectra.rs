@@ -179,6 +179,31 @@ fn spectra_of_areas_are_taken_as_they_are() {
 }
 
 #[test]
+fn the_error_of_the_end_is_what_another_end_changes_the_rms_gradient_by() {
+    // C1D that falls more gently than that of any surface is taken to go on as 1/q, or else as q^-3.
+    let profile = |beyond: Option<i32>| {
+        let last = if beyond.is_some() { 15 } else { 3 };
+        let wavelengths_m: Vec<f64> = (0..=last).map(|i| 1e-3 * 10f64.powf(-f64::from(i) / 3.0)).collect();
+        let c1d_m3 = wavelengths_m.iter().map(|lambda_m| {
+            let shorter = (lambda_m / 1e-4).min(1.0);
+            1e-16 * lambda_m.max(1e-4).sqrt() * beyond.map_or(1.0, |exponent| shorter.powi(exponent))
+        });
+        ProfilePsd::new(wavelengths_m.clone(), c1d_m3.collect()).unwrap()
+    };
+    let cut = |psd: &ProfilePsd, shortest_m: f64| {
+        AreaSpectrum::from_profile(&psd.truncated_at(0.99 * shortest_m).unwrap()).unwrap()
+    };
+    for (shortest_m, least) in [(1e-4, 0.1), (2.154e-4, 0.005)] {
+        let found = cut(&profile(None), shortest_m).conversion().end_error;
+        let [gentle, steep] =
+            [1, 3].map(|exponent| cut(&profile(Some(exponent)), shortest_m).mean_square_gradient());
+        let expected = ((steep / gentle).sqrt() - 1.0).abs();
+        assert!(expected > least);
+        assert_relative_eq!(found, expected, max_relative = 5e-3);
+    }
+}
+
+#[test]
 fn what_is_no_surface_is_refused() {
     let single = ProfilePsd::new(vec![1.0], vec![1.0]).unwrap();
     assert!(matches!(
