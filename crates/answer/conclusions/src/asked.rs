@@ -72,10 +72,11 @@ pub(crate) struct Questions<'a> {
 }
 
 impl PeakState {
-    /// Finds the state under a load whose area has a source.
-    pub(crate) fn new(states: &InterfaceStates<'_>, load: usize, source: Source) -> Self {
-        let share = states.plastic_share(load).unwrap_or(0.0);
-        match source {
+    /// Finds the state under a load: that of the measured maps that were pressed, or else that of the spectrum.
+    pub(crate) fn new(states: &InterfaceStates<'_>, load: usize, area: &AreaEstimate) -> Self {
+        let of_maps = area.maps.and_then(|maps| maps.plastic_share);
+        let share = of_maps.or_else(|| states.plastic_share(load)).unwrap_or(0.0);
+        match area.source {
             _ if share <= MOST_PLASTIC_SHARE => PeakState::Elastic,
             Source::Elements(Reference::Growing | Reference::Elastic) => PeakState::Partly,
             _ if share <= FLOWED_SHARE => PeakState::Partly,
@@ -124,7 +125,7 @@ impl Questions<'_> {
     fn by_state(&self, quantities: &ByState) -> Option<AskedValue> {
         let elastic = || self.within(quantities.elastic, quantities.elastic_within);
         let flowed = || self.within(quantities.flowed?, self.correlation_within(quantities.flowed?));
-        let state = PeakState::new(self.states, self.load, self.area.source);
+        let state = PeakState::new(self.states, self.load, self.area);
         let (quantity, state, [value, low, high]) = match (state, elastic(), flowed()) {
             (PeakState::Flowed, _, Some(flowed)) => (quantities.flowed?, PeakState::Flowed, flowed),
             (PeakState::Partly, Some([value, low, high]), Some([flowed, ..])) => {
@@ -139,11 +140,10 @@ impl Questions<'_> {
 
     /// A value with its range: the interval of uncertain inputs and the factor of the theory, whose logarithms add as squares.
     fn within(&self, quantity: Quantity, factor: f64) -> Option<[f64; 3]> {
-        let slot = Slot { quantity, load: Some(self.load), curve: None };
-        let of_theory = self.states.value(slot).ok().flatten()?;
+        let of_theory = self.by_theory(quantity)?;
         let of_map = self.of_map(quantity);
         let value = of_map.map_or(of_theory, |over_theory| over_theory * of_theory);
-        let interval = self.uncertainty.and_then(|found| found.quantity(slot));
+        let interval = self.uncertainty.and_then(|found| found.quantity(self.slot(quantity)));
         // Intervals of stiffnesses under light loads contain their error.
         let contained = quantity.follows_stiffness() && self.states.light_contact_factor(self.load) > 1.0;
         let factor = match of_map {
@@ -160,11 +160,10 @@ impl Questions<'_> {
 
     /// The factor within which a correlation for flowed peaks holds; the gas beside its spots is known better.
     fn correlation_within(&self, flowed: Quantity) -> f64 {
-        let value = |quantity| {
-            self.states.value(Slot { quantity, load: Some(self.load), curve: None }).ok().flatten()
-        };
         let by_spots = match flowed {
-            Quantity::FlowedConductanceWithGas => value(Quantity::YovanovichConductance).zip(value(flowed)),
+            Quantity::FlowedConductanceWithGas => {
+                self.by_theory(Quantity::YovanovichConductance).zip(self.by_theory(flowed))
+            }
             _ => None,
         };
         let share = by_spots.map_or(1.0, |(spots, all)| spots / all);
@@ -175,12 +174,20 @@ impl Questions<'_> {
     fn of_map(&self, quantity: Quantity) -> Option<f64> {
         let maps = self.area.maps?;
         let (of_map, theory) = match quantity {
-            Quantity::MeanGap | Quantity::FlowedGap => (maps.mean_gap_m, quantity),
+            Quantity::MeanGap => (maps.mean_gap_m, quantity),
+            Quantity::FlowedGap => (maps.mean_gap_m.filter(|_| maps.plastic_share.is_some()), quantity),
             _ if quantity.follows_stiffness() => (maps.stiffness_pa_per_m, Quantity::Stiffness),
             _ => (None, quantity),
         };
-        let slot = Slot { quantity: theory, load: Some(self.load), curve: None };
-        Some(of_map? / self.states.value(slot).ok().flatten()?)
+        Some(of_map? / self.by_theory(theory)?)
+    }
+
+    fn by_theory(&self, quantity: Quantity) -> Option<f64> {
+        self.states.value(self.slot(quantity)).ok().flatten()
+    }
+
+    fn slot(&self, quantity: Quantity) -> Slot {
+        Slot { quantity, load: Some(self.load), curve: None }
     }
 
     /// The resistance of the nominal area in place of a conductance per area, where that area is known.

@@ -111,7 +111,11 @@ fn press(
     let ends = [found.area_fraction_corrected, found.area_fraction].map(|area| share * area.max(least));
     // Both ends lie two standard errors from the middle.
     let elements = ElementArea::new(0.5 * (ends[0] + ends[1]), 0.25 * (ends[1] - ends[0]));
-    let maps = PressedMaps { mean_gap_m: is_whole.then_some(found.mean_gap_m), stiffness_pa_per_m };
+    let maps = PressedMaps {
+        mean_gap_m: is_whole.then_some(found.mean_gap_m),
+        stiffness_pa_per_m,
+        plastic_share: saturation_pa.map(|_| found.plastic_area_fraction / found.area_fraction),
+    };
     Ok(Some(StandingArea { body, load, elements, maps }))
 }
 
@@ -128,6 +132,7 @@ fn mean(found: &[StandingArea]) -> Option<StandingArea> {
     let maps = PressedMaps {
         mean_gap_m: mean_of(|maps| maps.mean_gap_m),
         stiffness_pa_per_m: mean_of(|maps| maps.stiffness_pa_per_m),
+        plastic_share: mean_of(|maps| maps.plastic_share),
     };
     let elements = ElementArea::new(area_fraction, standard_error).with_error(between);
     found.first().map(|first| StandingArea { elements, maps, ..*first })

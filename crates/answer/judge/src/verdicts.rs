@@ -170,13 +170,15 @@ impl CurveVerdict {
     }
 }
 
-/// Gap and stiffness of the measured maps that stand for the surface, where they are whole.
+/// The measured maps that stand for the surface. Their gap and stiffness are known where they bear the whole load.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct PressedMaps {
     /// The mean gap \[m\].
     pub mean_gap_m: Option<f64>,
     /// The stiffness \[Pa/m\], of an elastic contact in a scene that asks for the interface.
     pub stiffness_pa_per_m: Option<f64>,
+    /// The share of the contact that has flowed, of bodies that yield.
+    pub plastic_share: Option<f64>,
 }
 
 /// The area of boundary elements with the whole band under a load.

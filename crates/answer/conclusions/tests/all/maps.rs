@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-use conclusions::{AskedValue, Trust, foremost};
+use conclusions::{AskedValue, PeakState, Trust, foremost};
 use judge::MapVerdict;
 use study::interface::{Quantity, Slot};
 use units::RemarkCode;
@@ -79,6 +79,33 @@ fn the_gap_of_a_map_that_flows_is_its_own() {
     let of_map_m = load.area.maps.unwrap().mean_gap_m.unwrap();
     assert!((gap.value.unwrap() / of_map_m - 1.0).abs() < 1e-9, "{gap:?} {of_map_m}");
     assert!(gap.high < 1.2 * gap.low, "{gap:?}");
+}
+
+#[test]
+fn the_peaks_of_a_map_are_in_the_state_of_its_elements() {
+    let yields = "indentation_hardness = \"300 MPa\"\n[counterface]\n";
+    let mut answered = answered_with(yields, "[interface]\n[loads]\npressures = [\"100 MPa\"]\n");
+    let theory_m = {
+        let states = answered.scene.interface_states(&answered.results).unwrap();
+        assert!(states.plastic_share(0).unwrap() > 0.9);
+        let slot = Slot { quantity: Quantity::FlowedGap, load: Some(0), curve: None };
+        states.value(slot).unwrap().unwrap()
+    };
+    let mut gap = |plastic_share: Option<f64>| -> AskedValue {
+        let headline = &mut answered.judgement.as_mut().unwrap().headlines[0];
+        headline.maps.as_mut().unwrap().plastic_share = plastic_share;
+        let gaps = [Quantity::MeanGap, Quantity::FlowedGap];
+        let [load] = &answered.conclusions().loads[..] else { panic!() };
+        *load.asked.iter().find(|asked| gaps.contains(&asked.quantity)).unwrap()
+    };
+    let state = |gap: AskedValue| (gap.quantity, gap.state);
+    assert_eq!(state(gap(Some(0.029))), (Quantity::MeanGap, Some(PeakState::Elastic)));
+    assert_eq!(state(gap(Some(0.5))), (Quantity::MeanGap, Some(PeakState::Partly)));
+    assert_eq!(state(gap(Some(0.91))), (Quantity::FlowedGap, Some(PeakState::Flowed)));
+    // An elastic map says nothing of peaks that have flowed.
+    let of_spectrum = gap(None);
+    assert_eq!(state(of_spectrum), (Quantity::FlowedGap, Some(PeakState::Flowed)));
+    assert!((of_spectrum.value.unwrap() / theory_m - 1.0).abs() < 1e-9, "{of_spectrum:?} {theory_m}");
 }
 
 #[test]

@@ -98,8 +98,8 @@ fn map_alone(heights_m: &[f64], more: &str, rest: &str) -> (Judgement, Headline)
     )
 }
 
-/// Corrected and counted area, mean gap \[m\], and stiffness \[Pa/m\].
-fn pressed(heights_m: &[f64], saturation_pa: Option<f64>) -> [f64; 4] {
+/// Corrected and counted area, mean gap \[m\], stiffness \[Pa/m\], and the share of the contact that has flowed.
+fn pressed(heights_m: &[f64], saturation_pa: Option<f64>) -> [f64; 5] {
     let grid = Grid::new(POINTS, POINTS, SIDE_M, SIDE_M).unwrap();
     let mut elements = Elements::periodic(grid, heights_m).unwrap();
     let loading = Loading {
@@ -111,11 +111,12 @@ fn pressed(heights_m: &[f64], saturation_pa: Option<f64>) -> [f64; 4] {
     let contact = elements.press(&loading, &Unobserved).unwrap();
     let stiffness = elements.stiffness_pa_per_m(&contact, CONTACT_MODULUS_PA, &Unobserved).unwrap().unwrap();
     let numbers = contact.numbers;
-    [numbers.area_fraction_corrected, numbers.area_fraction, numbers.mean_gap_m, stiffness]
+    let plastic_share = numbers.plastic_area_fraction / numbers.area_fraction;
+    [numbers.area_fraction_corrected, numbers.area_fraction, numbers.mean_gap_m, stiffness, plastic_share]
 }
 
 /// Checks that a headline holds the area of a map, narrowly.
-fn assert_holds(headline: &Headline, [corrected, counted, ..]: [f64; 4]) {
+fn assert_holds(headline: &Headline, [corrected, counted, ..]: [f64; 5]) {
     assert!(
         headline.maps.is_some() && headline.low < corrected && counted < headline.high,
         "{headline:?} {corrected} {counted}"
@@ -135,6 +136,7 @@ fn a_map_that_is_the_only_scan_is_the_answer_whatever_its_phases_and_directions(
             let maps = headline.maps.unwrap();
             assert!((maps.mean_gap_m.unwrap() / exact[2] - 1.0).abs() < 0.01, "{maps:?} {exact:?}");
             assert!((maps.stiffness_pa_per_m.unwrap() / exact[3] - 1.0).abs() < 0.02, "{maps:?} {exact:?}");
+            assert_eq!(maps.plastic_share, None);
             // Models are held against the map.
             let of_curves =
                 judgement.curves.iter().map(|curve| curve.elements.map(|found| found.area_fraction));
@@ -165,8 +167,11 @@ fn a_map_tells_a_worn_surface_and_one_with_a_direction_from_a_gaussian_one() {
 fn a_map_that_yields_is_pressed_with_its_hardness() {
     let heights_m = worn(waves(1.0));
     let (_, headline) = map_alone(&heights_m, "", "indentation_hardness = \"700 MPa\"\n");
-    assert_holds(&headline, pressed(&heights_m, Some(700e6)));
-    assert_eq!(headline.maps.unwrap().stiffness_pa_per_m, None);
+    let exact = pressed(&heights_m, Some(700e6));
+    assert_holds(&headline, exact);
+    let maps = headline.maps.unwrap();
+    assert_eq!(maps.stiffness_pa_per_m, None);
+    assert!((maps.plastic_share.unwrap() - exact[4]).abs() < 0.01 && exact[4] > 0.05, "{maps:?} {exact:?}");
     // A surface that flows has the area of the load over the hardness at least, and no map is needed.
     let (_, flows) = map_alone(&heights_m, "", "indentation_hardness = \"355 MPa\"\n");
     assert!(flows.maps.is_none() && flows.low >= PRESSURE_PA / 355e6);

@@ -119,8 +119,8 @@ fn of_the_gap(states: &InterfaceStates<'_>, scene: &Scene) -> Vec<String> {
     });
     notes.extend(plastic.map(|loads| {
         format!(
-            "the contact yields at {loads}, but gap, stiffness and what follows from them assume that it does not: order of \
-             magnitude only"
+            "the contact yields at {loads}: gap, stiffness and what follows from them for elastic peaks are an order of magnitude \
+             there"
         )
     }));
     let below_atoms = loads_where(scene, |load| {
