@@ -3,6 +3,8 @@
 use judge::{Basis, Headline, PressedMaps, Reference};
 use serde::Serialize;
 use study::models::Choice;
+use study::student::normal_half_width;
+use uncertainty::AreaInterval;
 
 use super::evidence::Evidence;
 
@@ -21,6 +23,8 @@ pub struct AreaEstimate {
     pub maps: Option<PressedMaps>,
     /// The factor between the ends that the elements, or the models, leave.
     pub factor_of_elements: f64,
+    /// The part of that factor that waves beyond the end of the spectrum leave; 1 if they matter to no elements.
+    pub factor_of_spectrum_end: f64,
     /// The part of uncertain scans, instruments and materials; `None` without draws.
     pub of_inputs: Option<OfInputs>,
 }
@@ -28,10 +32,17 @@ pub struct AreaEstimate {
 /// The part of a range that uncertain inputs make.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct OfInputs {
-    /// The curve whose interval it is, by index.
-    pub curve: usize,
+    /// The curve whose interval it is, by index; `None` for that of the hardness alone, where no curve yields as the bodies do.
+    pub curve: Option<usize>,
     /// The high end of that interval over its low end.
     pub factor: f64,
+}
+
+/// The interval of uncertain inputs over the best estimate.
+struct IntervalOfInputs {
+    curve: Option<usize>,
+    low: f64,
+    high: f64,
 }
 
 /// The source of an area.
@@ -68,6 +79,9 @@ impl AreaEstimate {
             Source::Model { .. } => Some(headline.low),
             _ => headline.area_fraction,
         };
+        let is_of_spectrum = headline.maps.is_none() && !source.is_of_models();
+        let judgement = evidence.judgement.filter(|_| is_of_spectrum);
+        let end_error = judgement.map_or(0.0, |judgement| judgement.error_of_spectrum_end);
         let plain = AreaEstimate {
             area_fraction: single,
             low: headline.low,
@@ -75,6 +89,8 @@ impl AreaEstimate {
             source,
             maps: headline.maps,
             factor_of_elements: headline.high / headline.low,
+            // Both ends lie two standard errors from the middle.
+            factor_of_spectrum_end: (4.0 * end_error).exp(),
             of_inputs: None,
         };
         plain.widened(evidence, headline.load, headline.best_curve)
@@ -100,15 +116,41 @@ impl AreaEstimate {
             source,
             maps: None,
             factor_of_elements,
+            factor_of_spectrum_end: 1.0,
             of_inputs: None,
         };
         Some(plain.widened(evidence, load, None))
     }
 
-    /// Widens the range by the interval that uncertain inputs give a curve: that of the best model, or else of any curve
-    /// with an interval. Errors of elements and of inputs are independent, so their logarithms add as squares.
+    /// Widens the range by the interval that uncertain inputs give the area. Errors of elements and of inputs are independent, so their
+    /// logarithms add as squares.
     fn widened(self, evidence: &Evidence<'_>, load: usize, best: Option<usize>) -> Self {
-        let Some(uncertainty) = evidence.uncertainty else { return self };
+        let Some(inputs) = self.interval_of_inputs(evidence, load, best) else { return self };
+        let wider = |end: f64, of_inputs: f64| -> f64 {
+            let centre = self.area_fraction.unwrap_or(end);
+            let ln = (end / centre).ln().hypot(of_inputs.ln());
+            if of_inputs < 1.0 { centre * (-ln).exp() } else { centre * ln.exp() }
+        };
+        // An interval that begins above the area widens nothing downwards.
+        let low = if inputs.low < 1.0 { wider(self.low, inputs.low) } else { self.low };
+        let high = if inputs.high > 1.0 { wider(self.high, inputs.high) } else { self.high };
+        AreaEstimate {
+            low: low.min(self.low),
+            high: high.clamp(self.high, 1.0),
+            of_inputs: Some(OfInputs { curve: inputs.curve, factor: inputs.high / inputs.low }),
+            ..self
+        }
+    }
+
+    /// Finds the interval of the best model, or else of any curve that yields as the bodies do; if there is none, bodies that flow have
+    /// that of the load over their hardness.
+    fn interval_of_inputs(
+        &self,
+        evidence: &Evidence<'_>,
+        load: usize,
+        best: Option<usize>,
+    ) -> Option<IntervalOfInputs> {
+        let uncertainty = evidence.uncertainty?;
         let own = match self.source {
             Source::Model { curve } => Some(curve),
             _ => best,
@@ -124,24 +166,18 @@ impl AreaEstimate {
             }
         };
         let alike = own.into_iter().chain((0..curves.len()).filter(is_alike));
-        let Some(interval) = alike.filter_map(|curve| uncertainty.interval(curve, load)).next() else {
-            return self;
+        let of_curve = alike.filter_map(|curve| uncertainty.interval(curve, load)).next();
+        let over_area = |found: &AreaInterval| IntervalOfInputs {
+            curve: Some(found.curve),
+            low: found.low / found.area_fraction,
+            high: found.high / found.area_fraction,
         };
-        let wider = |end: f64, of_inputs: f64| -> f64 {
-            let centre = self.area_fraction.unwrap_or(end);
-            let ln = (end / centre).ln().hypot((of_inputs / interval.area_fraction).ln());
-            if of_inputs < interval.area_fraction { centre * (-ln).exp() } else { centre * ln.exp() }
+        let of_hardness = || {
+            let flows = matches!(self.source, Source::Elements(Reference::Yielding { .. }));
+            let strength = evidence.scene.spreads.strength.as_ref().filter(|_| flows)?;
+            let half = normal_half_width(uncertainty.settings.level) * strength.standard_uncertainty();
+            Some(IntervalOfInputs { curve: None, low: (-half).exp(), high: half.exp() })
         };
-        // An interval that begins above the area widens nothing downwards.
-        let low =
-            if interval.low < interval.area_fraction { wider(self.low, interval.low) } else { self.low };
-        let high =
-            if interval.high > interval.area_fraction { wider(self.high, interval.high) } else { self.high };
-        AreaEstimate {
-            low: low.min(self.low),
-            high: high.clamp(self.high, 1.0),
-            of_inputs: Some(OfInputs { curve: interval.curve, factor: interval.high / interval.low }),
-            ..self
-        }
+        of_curve.map(over_area).or_else(of_hardness)
     }
 }

@@ -362,5 +362,6 @@ pub(crate) fn conclude(
         yielding,
         steep_from_m: case.steep_from_m(),
         rms_gradient: case.rms_gradient(),
+        error_of_spectrum_end: case.error_of_spectrum_end(),
     }
 }

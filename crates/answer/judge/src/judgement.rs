@@ -30,6 +30,9 @@ pub struct Judgement {
     pub steep_from_m: Option<f64>,
     /// Root mean square of the surface's gradient over the whole band.
     pub rms_gradient: f64,
+    /// The relative standard error of areas of Gaussian surfaces from waves beyond the end of the spectrum, which its last values hold
+    /// too.
+    pub error_of_spectrum_end: f64,
 }
 
 impl Judgement {

@@ -29,12 +29,13 @@ impl RunOptions {
         self.judge.unwrap_or(!off && (self.report || scene.judge.is_some()))
     }
 
-    /// Returns true if the uncertainty analysis runs. By default it does for a report and for a scene with an
-    /// `uncertainty` section, unless that section turns it off. It never runs if nothing in the scene scatters.
+    /// Returns true if the uncertainty analysis runs. By default it does for a report, and for a scene that states an uncertainty or
+    /// has an `uncertainty` section, unless that section turns it off. It never runs if nothing in the scene scatters.
     #[must_use]
     pub fn is_drawn(&self, scene: &Scene) -> bool {
         let off = scene.uncertainty.as_ref().is_some_and(|choices| choices.off);
-        let is_wanted = self.uncertainty.unwrap_or(!off && (self.report || scene.uncertainty.is_some()));
+        let by_scene = scene.uncertainty.is_some() || scene.states_uncertainty();
+        let is_wanted = self.uncertainty.unwrap_or(!off && (self.report || by_scene));
         is_wanted && !scattering_groups(scene).is_empty()
     }
 }

@@ -41,9 +41,10 @@ pub use template::Template;
 pub use uncertain::spread_of;
 pub use uncertainty::UncertaintySettings;
 
-use measurements::{Files, NoFiles};
+use measurements::{Files, InstrumentOfScan, NoFiles};
 use persson::Band;
 use study::bodies::{Bodies, Softer};
+use study::body_properties::BodyProperty;
 use study::choices_in_words;
 use study::figure::Figure;
 use study::interface::{InterfaceInputs, InterfaceRequest, InterfaceStates};
@@ -181,16 +182,30 @@ impl Scene {
         self.material?.softer()
     }
 
-    /// Returns true if anything in the scene scatters: scans between places, a spectrum with standard errors or holes, or
-    /// the material. A single scan counts only if the scene has an `uncertainty` section.
+    /// Returns true if anything in the scene scatters: scans, a spectrum with standard errors or holes, or the material.
     pub fn scatters(&self) -> bool {
         let parts = self.surface.each();
-        let places = parts.iter().filter_map(|part| Some(part.made_from.as_ref()?.spectrum.place_count()));
-        let least_places = if self.uncertainty.is_some() { 1 } else { 2 };
-        places.sum::<usize>() >= least_places
-            || parts.iter().any(|part| part.scatters_by_errors())
+        parts.iter().any(|part| part.made_from.is_some() || part.scatters_by_errors())
             || !self.surface.holes.is_empty()
             || !self.spreads.is_empty()
+    }
+
+    /// Returns true if the scene itself says how an input scatters: an instrument or a calibration of a scan, or `+-` behind a property.
+    pub fn states_uncertainty(&self) -> bool {
+        let parts = self.surface.each();
+        let mut scans =
+            parts.iter().filter_map(|part| part.made_from.as_ref()).flat_map(|scans| &scans.sources);
+        let says = |instrument: &InstrumentOfScan| {
+            !instrument.is_guessed || instrument.z_calibration.or(instrument.slope_uncertainty).is_some()
+        };
+        let tables = [&self.bodies.from_table, &self.bodies.counterface_from_table].into_iter().flatten();
+        let strengths =
+            [BodyProperty::YieldStrength, BodyProperty::IndentationHardness].map(BodyProperty::key);
+        let is_tabled = tables.flat_map(|table| &table.keys).any(|key| strengths.contains(key));
+        scans.any(|scan| says(&scan.instrument))
+            || !self.spreads.elastic_are_exact()
+            || self.spreads.strain_gradient_length.is_some()
+            || self.spreads.strength.is_some() && !is_tabled
     }
 
     /// Returns true if a result depends on the normalisation of moments that the scene chooses.

@@ -2,5 +2,6 @@
 
 mod drawn_scenes;
 mod maps;
+mod ranges;
 mod relations;
 mod stickiness;

@@ -47,6 +47,7 @@ fn gap_stiffness_and_current_of_a_map_are_its_own() {
     let conclusions = answered.conclusions();
     let [load] = &conclusions.loads[..] else { panic!() };
     let maps = load.area.maps.unwrap();
+    assert_eq!(load.area.factor_of_spectrum_end, 1.0);
     let asked = |quantity: Quantity| -> AskedValue {
         *load.asked.iter().find(|asked| asked.quantity == quantity).unwrap()
     };

@@ -1,5 +1,6 @@
 //! Conclusions in words: a summary of at most twelve lines, cautions, and what to measure next.
 
+use std::f64::consts::FRAC_1_SQRT_2;
 use std::fmt::Write;
 
 use conclusions::{
@@ -163,19 +164,35 @@ fn method_words(area: &AreaEstimate) -> String {
     }
 }
 
-/// Tells what a range consists of: `Highest over lowest: 1.1 from the elements and 1.3 from the inputs, mostly from the strength`.
+/// The least factor between the ends of a range that waves beyond the end of a spectrum are named for.
+const LEAST_OF_END: f64 = 1.2;
+
+/// Tells what a range consists of: `Highest over lowest: 1.1 from the elements and 1.3 from uncertain inputs, mostly from the strength`.
 pub(crate) fn parts_of_range(load: &AnswerUnderLoad, uncertainty: Option<&Uncertainty>) -> Option<String> {
     let area = &load.area;
-    let OfInputs { curve, factor } = area.of_inputs?;
+    // Squares of logarithms add.
+    let is_of_end = area.factor_of_spectrum_end.ln()
+        > FRAC_1_SQRT_2 * area.factor_of_elements.ln().max(LEAST_OF_END.ln());
+    if !is_of_end && area.of_inputs.is_none() {
+        return None;
+    }
     let from = if area.source.is_of_models() { "models" } else { "elements" };
-    let interval = uncertainty.and_then(|found| Some((found, found.interval(curve, load.load)?)));
-    let mostly = interval.and_then(|(found, interval)| uncertainty_words::carried_by(found, interval));
-    Some(format!(
-        "Highest over lowest: {} from the {from} and {} from uncertain inputs{}",
-        three_digits(area.factor_of_elements),
-        three_digits(factor),
-        mostly.map_or_else(String::new, |mostly| format!(", {mostly}"))
-    ))
+    let mut parts = format!("Highest over lowest: {} from the {from}", three_digits(area.factor_of_elements));
+    if is_of_end {
+        parts += ", mostly from waves beyond the end of the spectrum,";
+    }
+    if let Some(OfInputs { curve, factor }) = area.of_inputs {
+        let interval = uncertainty
+            .zip(curve)
+            .and_then(|(found, curve)| Some((found, found.interval(curve, load.load)?)));
+        let mostly = match interval {
+            Some((found, interval)) => uncertainty_words::carried_by(found, interval),
+            None => Some("all from the hardness".to_owned()),
+        };
+        parts += &format!(" and {} from uncertain inputs", three_digits(factor));
+        parts.extend(mostly.map(|mostly| format!(", {mostly}")));
+    }
+    Some(parts.trim_end_matches(',').to_owned())
 }
 
 /// `if the hardness is 5.4 GPa at every scale`.

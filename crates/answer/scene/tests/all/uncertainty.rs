@@ -113,3 +113,29 @@ fn the_keys_that_the_template_shows_are_keys_that_there_are() {
     let uncertainty = parsed(&typed).unwrap().uncertainty.unwrap();
     assert!(uncertainty.shares_draws.is_some() && !uncertainty.off);
 }
+
+#[test]
+fn a_scene_states_an_uncertainty_by_its_scans_or_its_material_and_not_by_the_table() {
+    let trace: String = (0..64).map(|at| format!("{at} {}\n", (at * at % 17) as f64 * 1e-3)).collect();
+    let files = BTreeMap::from([("trace.txt".to_owned(), trace.into_bytes())]);
+    let states = |scan: &str, material: &str| {
+        let text = format!(
+            "[surface]\nscans = [{{ file = \"trace.txt\", unit = \"um\"{scan} }}]\n[material]\n{material}\n[loads]\npressures = [\"1 MPa\"]\n\
+             [[curve]]\nmodel = \"hertz\"\n"
+        );
+        Scene::parse(&text, &files, &Overrides::default()).unwrap().states_uncertainty()
+    };
+    assert!(!states("", "name = \"silver\""));
+    for scan in [", instrument = \"one\"", ", z_calibration = \"2 %\"", ", slope_uncertainty = 0.1"] {
+        assert!(states(scan, "name = \"silver\""), "{scan}");
+    }
+    let typed = "poisson_ratio = 0.3\nyoungs_modulus = ";
+    assert!(!states("", &format!("{typed}\"70 GPa\"\nindentation_hardness = \"300 MPa\"")));
+    for material in [
+        "\"70 GPa +- 1 GPa\"",
+        "\"70 GPa\"\nindentation_hardness = \"300 MPa +- 30 MPa\"",
+        "\"70 GPa\"\nyield_strength = \"100 MPa\"\nstrain_gradient_length = \"1 um +- 0.1 um\"",
+    ] {
+        assert!(states("", &format!("{typed}{material}")), "{material}");
+    }
+}
