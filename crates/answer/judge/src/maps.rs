@@ -33,7 +33,8 @@ pub struct MapVerdict {
     pub map: String,
     /// The load, by index: the first of those with the same pressure on the map.
     pub load: usize,
-    /// The mean pressure on the map, by the closed form for the longer waves, over E* times the rms gradient of the map.
+    /// The mean pressure on the map, by the closed form for the longer waves, over E* times the rms gradient of the map; more where few
+    /// points would bear it.
     pub pressure_over_gradient: f64,
     /// The rms gradient of the map over that of isotropic surfaces with its spectrum.
     pub gradient_over_spectrum: f64,
@@ -104,13 +105,12 @@ fn compare_map(
     let mut found: Vec<MapVerdict> = Vec::new();
     let shortest_side_m = surface.length_x_m.min(surface.length_y_m);
     for &load in pressing.loads {
-        let pressure_pa = pressing.case.pressure_at_pa(shortest_side_m, None, load);
+        // A load that few points would bear is pressed as one that enough do.
+        let least_pa = MIN_POINTS / (2.0 * points) * gradient_pa;
+        let pressure_pa = pressing.case.pressure_at_pa(shortest_side_m, None, load).max(least_pa);
         let pressure_over_gradient = pressure_pa / gradient_pa;
         let known = |of: &MapVerdict| (of.pressure_over_gradient / pressure_over_gradient - 1.0).abs() < 0.01;
-        let says_something = 2.0 * pressure_over_gradient * points > MIN_POINTS
-            && pressure_over_gradient < NEARLY_FULL
-            && !found.iter().any(known);
-        if !says_something {
+        if pressure_over_gradient >= NEARLY_FULL || found.iter().any(known) {
             continue;
         }
         let area = |surface: &RandomSurface, pressure_pa: f64| {

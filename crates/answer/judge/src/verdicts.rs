@@ -46,7 +46,7 @@ pub struct ElementArea {
     pub standard_error: f64,
     /// The area that cannot be less: the nominal pressure over that at which elements flow; 0 of elastic elements.
     #[serde(skip)]
-    least: f64,
+    pub(crate) least: f64,
 }
 
 /// A range of areas.
@@ -175,7 +175,7 @@ impl CurveVerdict {
 pub struct PressedMaps {
     /// The mean gap \[m\].
     pub mean_gap_m: Option<f64>,
-    /// The stiffness \[Pa/m\], of an elastic contact in a scene that asks for the interface.
+    /// The stiffness \[Pa/m\], in a scene that asks for the interface.
     pub stiffness_pa_per_m: Option<f64>,
     /// The share of the contact that has flowed, of bodies that yield.
     pub plastic_share: Option<f64>,
