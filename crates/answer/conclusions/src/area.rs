@@ -122,6 +122,13 @@ impl AreaEstimate {
         Some(plain.widened(evidence, load, None))
     }
 
+    /// Returns the width of the range, as a share of that now, if the interval of uncertain inputs becomes so many times as wide.
+    pub(crate) fn width_ratio(&self, of_inputs: f64) -> f64 {
+        let Some(inputs) = self.of_inputs else { return 1.0 };
+        let (elements, inputs) = (self.factor_of_elements.ln(), inputs.factor.ln());
+        elements.hypot(of_inputs * inputs) / elements.hypot(inputs)
+    }
+
     /// Widens the range by the interval that uncertain inputs give the area. Errors of elements and of inputs are independent, so their
     /// logarithms add as squares.
     fn widened(self, evidence: &Evidence<'_>, load: usize, best: Option<usize>) -> Self {

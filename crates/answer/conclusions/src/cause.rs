@@ -51,6 +51,12 @@ pub enum Cause {
 }
 
 impl Cause {
+    /// Returns true if scales of roughness have a part in it.
+    #[must_use]
+    pub fn has_scales(self) -> bool {
+        !matches!(self, Cause::Hardness { .. } | Cause::FullContact | Cause::Unknown)
+    }
+
     /// Finds the cause of the area that is concluded for a load. What elements say goes before what a model says.
     pub(crate) fn new(evidence: &Evidence<'_>, load: &Estimate<'_>) -> Self {
         if let Some(ratio) = load.factor_of_hardness() {

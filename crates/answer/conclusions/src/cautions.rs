@@ -104,6 +104,14 @@ pub(crate) fn cautions(
         let remark = new(RemarkCode::NotMeasured).with("longest_m", hole.longest_m);
         remark.with("shortest_m", hole.shortest_m)
     }));
+    let maps = judgement.into_iter().flat_map(|judgement| &judgement.maps);
+    let farthest =
+        maps.filter(|map| map.differs()).max_by(|a, b| a.ratio().ln().abs().total_cmp(&b.ratio().ln().abs()));
+    cautions.extend(farthest.map(|map| {
+        let code =
+            if map.has_direction() { RemarkCode::SlopesByDirection } else { RemarkCode::NotGaussianMap };
+        new(code).with("map", map.map.as_str()).with("ratio", map.ratio())
+    }));
     let on_roughness = loads.iter().any(|load| !matches!(load.cause, Cause::Hardness { .. }));
     cautions.extend(upper_bound(evidence, loads).filter(|_| on_roughness));
     let steep_from_m = judgement.and_then(|judgement| judgement.steep_from_m);
@@ -117,14 +125,6 @@ pub(crate) fn cautions(
         let code = if models == 1 { RemarkCode::TheModelDisagrees } else { RemarkCode::NoModelAgrees };
         cautions.push(new(code).with("models", models));
     }
-    let maps = judgement.into_iter().flat_map(|judgement| &judgement.maps);
-    let farthest =
-        maps.filter(|map| map.differs()).max_by(|a, b| a.ratio().ln().abs().total_cmp(&b.ratio().ln().abs()));
-    cautions.extend(farthest.map(|map| {
-        let code =
-            if map.has_direction() { RemarkCode::SlopesByDirection } else { RemarkCode::NotGaussianMap };
-        new(code).with("map", map.map.as_str()).with("ratio", map.ratio())
-    }));
     cautions.extend(scene.surface.is_assumed().then(|| new(RemarkCode::MadeOfNumbers)));
     cautions.extend(unknown_tip(scene));
     let guesses = uncertainty.into_iter().flat_map(|found| &found.guesses);
@@ -144,6 +144,13 @@ pub(crate) fn cautions(
     cautions.extend(largest.map(|share| new(RemarkCode::GapOfYieldingContact).with("share", share)));
     cautions.extend(states.and_then(stickiness));
     cautions
+}
+
+/// Returns true if an area changes by more than 1 % on the last tenth of a decade, or on the last step.
+fn still_falls(areas: &[(f64, f64)]) -> bool {
+    let Some((end, before)) = areas.split_last() else { return false };
+    let earlier = before.iter().rev().find(|(wavelength_m, _)| *wavelength_m >= 1.25 * end.0);
+    earlier.or_else(|| before.first()).is_some_and(|(_, area)| area / end.1 > 1.01)
 }
 
 /// The unknown tip that may show at the longest wavelengths.
@@ -199,11 +206,24 @@ pub(crate) fn hardness_decides(loads: &[AnswerUnderLoad]) -> Option<Remark> {
 /// The caution that the area is still falling at the end of the spectrum, for any load.
 fn upper_bound(evidence: &Evidence<'_>, loads: &[AnswerUnderLoad]) -> Option<Remark> {
     let falls = |load: &AnswerUnderLoad| {
-        let followed =
-            |curve: usize| evidence.answer.curves[curve][load.load].as_ref().filter(|answer| answer.followed);
-        let nearest = load.nearest_curve().and_then(followed);
-        let any = || (0..evidence.answer.curves.len()).find_map(followed);
-        nearest.or_else(any).is_some_and(|answer| !answer.settled)
+        let followed = |curve: usize| {
+            let answer = evidence.answer.curves[curve][load.load].as_ref();
+            answer.filter(|answer| answer.followed).map(|answer| {
+                let areas = evidence.results.curves[curve].area_fractions(load.load);
+                !answer.settled && still_falls(&areas)
+            })
+        };
+        let own = match load.area.source {
+            Source::Model { curve } => Some(curve),
+            _ => load.best_model.map(|cell| cell.curve),
+        };
+        // Where no curve agrees with elements, all must fall.
+        let mut all = (0..evidence.answer.curves.len()).filter_map(followed).peekable();
+        match own.and_then(followed) {
+            Some(falls) => falls,
+            None if load.area.source.is_of_models() => all.any(|falls| falls),
+            None => all.peek().is_some() && all.all(|falls| falls),
+        }
     };
     let shortest_m = evidence.results.psd.shortest_wavelength_m();
     loads.iter().any(falls).then(|| Remark::new(RemarkCode::UpperBound).with("shortest_m", shortest_m))

@@ -5,14 +5,14 @@ use std::mem::discriminant;
 use serde::Serialize;
 use spectrum::Hole;
 use study::interface::InterfaceStates;
-use uncertainty::{Advice, Group, Settling, Step, StepKind};
+use uncertainty::{Advice, Group, Settling, StepKind};
 use units::{Remark, RemarkCode};
 
 use super::cause::Cause;
 use super::evidence::Evidence;
 use super::load_answer::{AnswerUnderLoad, foremost};
 
-/// A step that narrows the interval by less than this share is not worth a measurement.
+/// A step that narrows the range by less than this share is not worth a measurement.
 const WORTHWHILE: f64 = 0.9;
 
 /// The most steps.
@@ -53,21 +53,21 @@ pub enum NextStep {
         instrument: String,
         /// The number of further scans.
         added: usize,
-        /// The width of the interval afterwards, as a share of that now.
+        /// The width of the range afterwards, as a share of that now.
         width_ratio: f64,
     },
     /// The height scale of an instrument.
     HeightScale {
         /// The instrument.
         instrument: String,
-        /// The width of the interval afterwards, as a share of that now.
+        /// The width of the range afterwards, as a share of that now.
         width_ratio: f64,
     },
     /// Properties of the bodies.
     Material {
         /// The properties.
         group: Group,
-        /// The width of the interval afterwards, as a share of that now.
+        /// The width of the range afterwards, as a share of that now.
         width_ratio: f64,
     },
     /// Waves beyond an end of the spectrum.
@@ -93,7 +93,9 @@ pub(crate) fn next_steps(
     let warned = |codes: &[RemarkCode]| cautions.iter().find(|caution| codes.contains(&caution.code));
     let surface = &evidence.scene.surface;
     let mut steps = Vec::new();
-    steps.extend(surface.is_assumed().then_some(NextStep::Surface));
+    let hangs_on_hardness = matches!(load.cause, Cause::Hardness { .. });
+    let made_up = surface.is_assumed().then_some(NextStep::Surface);
+    steps.extend(made_up.clone().filter(|_| !hangs_on_hardness));
     let sticks = warned(&[RemarkCode::StickyByPastewka, RemarkCode::StickyByFuller]);
     steps.extend(sticks.map(|_| NextStep::Adhesion));
     steps.extend(warned(&[RemarkCode::TooFewScales]).map(|_| NextStep::MoreScales));
@@ -101,7 +103,6 @@ pub(crate) fn next_steps(
     let draws_strength = ranked
         .iter()
         .any(|Ranked(_, step)| matches!(step, NextStep::Material { group: Group::Strength, .. }));
-    let hangs_on_hardness = matches!(load.cause, Cause::Hardness { .. });
     if hangs_on_hardness && !draws_strength {
         ranked.push(Ranked(0.0, NextStep::Hardness));
     }
@@ -115,6 +116,7 @@ pub(crate) fn next_steps(
         .extend(load.factor_of_hardness().map(|factor| Ranked(1.0 / factor, NextStep::HardnessAtSmallDepth)));
     ranked.sort_by(|a, b| a.0.total_cmp(&b.0));
     steps.extend(ranked.into_iter().map(|Ranked(_, step)| step));
+    steps.extend(made_up.filter(|_| hangs_on_hardness));
     let tip = warned(&[RemarkCode::TipMayShow]).filter(|_| !hangs_on_hardness);
     let scan = tip.and_then(|tip| tip.place.files.first());
     steps.extend(scan.map(|scan| NextStep::TipRadius { scan: scan.clone() }));
@@ -134,20 +136,16 @@ fn hangs_on_long_waves(states: &InterfaceStates<'_>) -> bool {
     request.seal.is_some() || request.asks.gap || request.asks.heat || request.asks.current
 }
 
-/// The width of the interval without the error of holes, as a share of that now; `None` without draws of them.
+/// The width of the range without the error of holes, as a share of that now; `None` without draws of them.
 fn width_without_holes(evidence: &Evidence<'_>, load: &AnswerUnderLoad) -> Option<f64> {
     let steps = &advice(evidence, load)?.steps;
     let closed = StepKind::KnownExactly { group: Group::Holes };
-    steps.iter().find(|step| step.kind == closed).map(|step| step.width_ratio)
+    steps.iter().find(|step| step.kind == closed).map(|step| load.area.width_ratio(step.width_ratio))
 }
 
-/// The advice for the curve that stands for the elements, or without a verdict for any.
+/// The advice for the curve whose interval is in the range.
 fn advice<'a>(evidence: &Evidence<'a>, load: &AnswerUnderLoad) -> Option<&'a Advice> {
-    let uncertainty = evidence.uncertainty?;
-    match load.nearest_curve() {
-        Some(curve) => uncertainty.advice_for(curve, load.load),
-        None => uncertainty.advice.iter().find(|advice| advice.load == load.load),
-    }
+    evidence.uncertainty?.advice_for(load.area.of_inputs?.curve?, load.load)
 }
 
 /// The steps that the draws advise, each kind once.
@@ -162,7 +160,7 @@ fn from_draws(evidence: &Evidence<'_>, load: &AnswerUnderLoad) -> Vec<Ranked> {
     };
     let mut found: Vec<Ranked> = Vec::new();
     for step in &advice.steps {
-        let Step { width_ratio, area_ratio, .. } = *step;
+        let (width_ratio, area_ratio) = (load.area.width_ratio(step.width_ratio), step.area_ratio);
         let narrows = width_ratio < WORTHWHILE;
         let next = match &step.kind {
             StepKind::MoreScans { instrument, added } if narrows => {

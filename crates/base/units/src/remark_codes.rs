@@ -409,10 +409,10 @@ remark_codes! {
          {limit}."
         short "adhesion, which areas leave out";
     NotGaussianMap "not-gaussian" Caution
-        "{map} touches {ratio} times as much as Gaussian surfaces with its spectrum: its heights are not Gaussian."
+        "{map} touches {ratio} times as much as Gaussian surfaces with its spectrum, which the range counts: its heights are not Gaussian."
         short "heights of {map} are not Gaussian";
     SlopesByDirection "slopes-by-direction" Caution
-        "{map} touches {ratio} times as much as Gaussian surfaces with its spectrum: its slopes differ by direction."
+        "{map} touches {ratio} times as much as Gaussian surfaces with its spectrum, which the range counts: its slopes differ by direction."
         short "slopes of {map} differ by direction";
 
     // Why an interval is a guess.

@@ -1,7 +1,10 @@
 //! What the one range of an area consists of.
 
-use conclusions::{AnswerUnderLoad, Source};
+use std::collections::BTreeMap;
+
+use conclusions::{AnswerUnderLoad, NextStep, Source};
 use judge::Reference;
+use units::RemarkCode;
 
 use crate::drawn_scenes::Answered;
 
@@ -55,4 +58,46 @@ fn waves_beyond_the_end_of_a_spectrum_have_their_part_in_ranges_of_elements_alon
     assert!((only(&answered).area.factor_of_spectrum_end.ln() - 0.4).abs() < 1e-12);
     answered.judgement = None;
     assert_eq!(only(&answered).area.factor_of_spectrum_end, 1.0);
+}
+
+#[test]
+fn areas_that_have_settled_are_no_upper_bound_whatever_a_model_says_that_does_not_hold() {
+    let is_upper_bound = |knee_m: f64| {
+        let row = |at: i32| {
+            let wavelength_m = 10f64.powf(-4.0 - 0.1 * f64::from(at));
+            let c1d_m3 = 2e-17 * (wavelength_m / 50e-6).powf(2.6) * (wavelength_m / knee_m).min(1.0).powi(8);
+            format!("{wavelength_m:e},{c1d_m3:e}\n")
+        };
+        let rows: String = (0..=30).map(row).collect();
+        let files =
+            BTreeMap::from([("psd.csv".to_owned(), format!("wavelength_m,C1D_m3\n{rows}").into_bytes())]);
+        let answered = Answered::with_files(
+            &format!(
+                "surface = {{ psd = \"psd.csv\" }}\nmaterial = {{ youngs_modulus = \"200 GPa\", poisson_ratio = 0.3 }}\n[loads]\npressures = \
+                 [\"1 MPa\"]\n[[curve]]\nmodel = \"elastic\"\n[[curve]]\nmodel = \"persson\"\n{SMALL}"
+            ),
+            &files,
+        );
+        answered.conclusions().cautions.iter().any(|caution| caution.code == RemarkCode::UpperBound)
+    };
+    assert!(is_upper_bound(1e-9) && !is_upper_bound(3e-6));
+}
+
+#[test]
+fn a_surface_made_of_numbers_is_scanned_first_unless_the_area_hangs_on_the_hardness() {
+    let next = |material: &str| {
+        let answered = Answered::new(&format!(
+            "surface = {{ rms_height = \"0.3 um\", rms_slope = 0.2, hurst = 0.8, rolloff_wavelength = \"60 um\" }}\n{material}\n[loads]\npressures = \
+             [\"10 MPa\"]\n[[curve]]\nmodel = \"persson-plastic\"\n[[curve]]\nmodel = \"persson\"\n{SMALL}"
+        ));
+        answered.conclusions().next
+    };
+    let yields = |hardness: &str| {
+        next(&format!(
+            "material = {{ youngs_modulus = \"70 GPa\", poisson_ratio = 0.33, indentation_hardness = \"{hardness}\" }}"
+        ))
+    };
+    assert_eq!(yields("90 GPa +- 9 GPa").first(), Some(&NextStep::Surface));
+    let soft = yields("300 MPa +- 30 MPa");
+    assert!(!matches!(soft[0], NextStep::Surface) && soft.contains(&NextStep::Surface), "{soft:?}");
 }

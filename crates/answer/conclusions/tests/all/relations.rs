@@ -3,7 +3,7 @@
 
 use conclusions::{
     AnswerUnderLoad, AskedValue, Cause, Conclusions, ModelCell, NextStep, PeakState, SealVerdict, Source,
-    trust_left,
+    foremost, trust_left,
 };
 use judge::{AGREEMENT, CurveVerdict, Reference, Verdict};
 use study::interface::{InterfaceStates, Quantity, Slot};
@@ -322,7 +322,7 @@ fn check_state(
 
 /// Advice narrows the range by a tenth at least, the most useful first; the strength comes first where the area hangs on it.
 fn check_next(answered: &Answered, conclusions: &Conclusions, seen: &mut Seen) {
-    let middle = &conclusions.loads[conclusions.loads.len() / 2];
+    let middle = foremost(&conclusions.loads).unwrap();
     let widths: Vec<f64> = conclusions
         .next
         .iter()
@@ -334,6 +334,10 @@ fn check_next(answered: &Answered, conclusions: &Conclusions, seen: &mut Seen) {
         })
         .collect();
     assert!(widths.iter().all(|width| *width < 0.9) && widths.is_sorted(), "{widths:?}");
+    // No step narrows what the elements leave.
+    let of_elements = middle.area.factor_of_elements.ln();
+    let whole = of_elements.hypot(middle.area.of_inputs.map_or(0.0, |inputs| inputs.factor.ln()));
+    assert!(widths.iter().all(|width| *width >= of_elements / whole * (1.0 - 1e-9)), "{widths:?} {middle:?}");
     seen.narrowing += widths.len();
     let warns = |code| conclusions.cautions.iter().any(|caution| caution.code == code);
     let has = |wanted: &NextStep| conclusions.next.contains(wanted);

@@ -179,7 +179,8 @@ impl<'r, 's> AreaCurve<'r, 's> {
     fn strip(&self, canvas: &mut Canvas) {
         let (report, load) = (self.report, self.load);
         let mut loads = report.conclusions.loads.iter();
-        let nearest = loads.find(|of| of.load == load).and_then(|of| of.nearest_curve());
+        let own = loads.find(|of| of.load == load && of.cause.has_scales());
+        let nearest = own.and_then(|of| of.nearest_curve());
         let answer = nearest.and_then(|curve| report.answer.curves[curve][load].as_ref());
         let Some(answer) = answer.filter(|answer| !answer.decades.is_empty()) else { return };
         let middle = STRIP_TOP + 0.5 * STRIP_HEIGHT + 4.0;

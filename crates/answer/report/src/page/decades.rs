@@ -23,9 +23,10 @@ pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
 /// The most decades in a gist.
 const DECADES_NAMED: usize = 2;
 
-/// `100 µm to 10 µm: 50 % · 10 µm to 1 µm: 24 %`, of the model nearest to the elements.
+/// `100 µm to 10 µm: 50 % · 10 µm to 1 µm: 24 %`, of the model nearest to the elements, where scales
+/// decide.
 fn gist(report: &SceneReport<'_>) -> Option<String> {
-    let load = foremost(&report.conclusions.loads)?;
+    let load = foremost(&report.conclusions.loads).filter(|load| load.cause.has_scales())?;
     let answer = report.answer.curves[load.nearest_curve()?][load.load].as_ref()?;
     let mut decades: Vec<&DecadeShare> = answer.decades.iter().collect();
     decades.sort_by(|a, b| b.share.total_cmp(&a.share));

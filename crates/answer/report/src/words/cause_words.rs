@@ -23,7 +23,7 @@ pub(crate) fn cause_words(cause: Cause) -> String {
             three_digits(ratio)
         ),
         Cause::Hardness { hardness_pa } => format!(
-            "The area is the load over {}: 10 % harder, 10 % less area. Roughness does not matter.",
+            "The area is the load over {}: 10 % harder, 10 % less area, whatever the roughness.",
             pressure(hardness_pa)
         ),
         Cause::HardnessAndRoughness { hardness_pa, decade } => format!(
@@ -39,8 +39,7 @@ pub(crate) fn cause_words(cause: Cause) -> String {
             "The pressure flattens all of the roughness: no scale is left to decide.".to_owned()
         }
         Cause::Unknown => {
-            "The scales that decide are not known: no curve that agrees was followed along the cutoff."
-                .to_owned()
+            "The scales that decide are not known: no closed form agrees on most of them.".to_owned()
         }
     }
 }

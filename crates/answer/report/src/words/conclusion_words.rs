@@ -9,6 +9,7 @@ use conclusions::{
 };
 use judge::{Reference, Verdict};
 use scene::Scene;
+use study::bodies::Body;
 use study::interface::Quantity;
 use uncertainty::Uncertainty;
 use units::display::{counted, energy_per_area, length, percent, pressure, three_digits};
@@ -142,7 +143,14 @@ pub(crate) fn source_words(area: &AreaEstimate, scene: &Scene) -> String {
     let whose = scene
         .softer()
         .filter(|softer| area.source != Source::Elements(Reference::Elastic) && softer.remark().is_some());
-    let whose = whose.map_or_else(String::new, |softer| format!("; hardness of {}", softer.flows.words()));
+    let name = |flows: Body| {
+        let table = match flows {
+            Body::Rough => &scene.bodies.from_table,
+            Body::Counterface => &scene.bodies.counterface_from_table,
+        };
+        table.as_ref().map_or_else(|| flows.words(), |table| &table.name)
+    };
+    let whose = whose.map_or_else(String::new, |softer| format!("; hardness of {}", name(softer.flows)));
     method_words(area) + &whose
 }
 
@@ -281,6 +289,7 @@ fn asked_heading(quantity: Quantity) -> &'static str {
         Quantity::ElectricalConductance
         | Quantity::FlowedElectricalConductance
         | Quantity::ElectricalResistance => "Current",
+        Quantity::ThermalConductanceWithGas | Quantity::FlowedConductanceWithGas => "Heat, with gas",
         _ => "Heat",
     }
 }

@@ -91,7 +91,7 @@ pub(crate) fn describe_group(group: Group, is_of_scans: bool) -> &'static str {
         Group::Scans => "the standard errors of the spectrum",
         Group::Instruments => "the height scales of instruments",
         Group::Material => "the elastic constants",
-        Group::Strength => "the strength",
+        Group::Strength => "the hardness",
         Group::Holes => "the holes in the spectrum",
     }
 }

@@ -238,7 +238,7 @@ fn what_carries_an_interval_is_told_as_well_as_it_is_known() {
     let unknown = page(&drawn);
     assert!(!unknown.contains("mostly from") && !unknown.contains(" %) from"), "{unknown}");
     drawn.groups = vec![Group::Strength];
-    assert!(page(&drawn).contains(", from the strength"));
+    assert!(page(&drawn).contains(", from the hardness"));
 }
 
 #[test]
@@ -308,7 +308,7 @@ fn figures_of_areas_show_the_intervals() {
 
 #[test]
 fn the_page_has_a_section_on_how_sure_it_is_and_one_on_what_to_measure_next() {
-    let study = Study::new();
+    let study = Study::of(ONE_CURVE);
     let (plain, drawn) = (study.files(None), study.files(Some(&study.drawn())));
     for id in ["how-sure", "measure-next"] {
         let section = format!("id=\"{id}\">");

@@ -187,7 +187,7 @@ fn whose_hardness_was_used_is_on_the_screen() {
         "--pressure",
         "50MPa",
     ]);
-    crate::support::assert_names(&scene.ok(), &["216 MPa", "hardness of the counterface"]);
+    crate::support::assert_names(&scene.ok(), &["216 MPa", "hardness of gold"]);
 }
 
 #[test]
