@@ -4,9 +4,12 @@ use judge::{Basis, Headline, PressedMaps, Reference};
 use serde::Serialize;
 use study::models::Choice;
 use study::student::normal_half_width;
-use uncertainty::AreaInterval;
+use uncertainty::{AreaInterval, Group};
 
 use super::evidence::Evidence;
+
+/// The largest share of scans that is taken out of an interval.
+const MOST_OF_SCANS: f64 = 0.999;
 
 /// The area that touches, as a share of the nominal area.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -36,6 +39,9 @@ pub struct OfInputs {
     pub curve: Option<usize>,
     /// The high end of that interval over its low end.
     pub factor: f64,
+    /// The share of the scatter of scans in the variance of the drawn areas, which is not in the interval if maps were pressed: 0 if none
+    /// were.
+    pub share_of_scans: f64,
 }
 
 /// The interval of uncertain inputs over the best estimate.
@@ -43,6 +49,7 @@ struct IntervalOfInputs {
     curve: Option<usize>,
     low: f64,
     high: f64,
+    share_of_scans: f64,
 }
 
 /// The source of an area.
@@ -126,6 +133,8 @@ impl AreaEstimate {
     pub(crate) fn width_ratio(&self, of_inputs: f64) -> f64 {
         let Some(inputs) = self.of_inputs else { return 1.0 };
         let (elements, inputs) = (self.factor_of_elements.ln(), inputs.factor.ln());
+        let share = self.of_inputs.map_or(0.0, |inputs| inputs.share_of_scans);
+        let of_inputs = ((of_inputs * of_inputs - share) / (1.0 - share)).max(0.0).sqrt();
         elements.hypot(of_inputs * inputs) / elements.hypot(inputs)
     }
 
@@ -144,13 +153,17 @@ impl AreaEstimate {
         AreaEstimate {
             low: low.min(self.low),
             high: high.clamp(self.high, 1.0),
-            of_inputs: Some(OfInputs { curve: inputs.curve, factor: inputs.high / inputs.low }),
+            of_inputs: Some(OfInputs {
+                curve: inputs.curve,
+                factor: inputs.high / inputs.low,
+                share_of_scans: inputs.share_of_scans,
+            }),
             ..self
         }
     }
 
     /// Finds the interval of the best model, or else of any curve that yields as the bodies do; if there is none, bodies that flow have
-    /// that of the load over their hardness.
+    /// that of the load over their hardness. A map that is pressed does not scatter as other places do.
     fn interval_of_inputs(
         &self,
         evidence: &Evidence<'_>,
@@ -174,16 +187,25 @@ impl AreaEstimate {
         };
         let alike = own.into_iter().chain((0..curves.len()).filter(is_alike));
         let of_curve = alike.filter_map(|curve| uncertainty.interval(curve, load)).next();
-        let over_area = |found: &AreaInterval| IntervalOfInputs {
-            curve: Some(found.curve),
-            low: found.low / found.area_fraction,
-            high: found.high / found.area_fraction,
+        let over_area = |found: &AreaInterval| {
+            let of_scans = self.maps.and_then(|_| match uncertainty.groups[..] {
+                [Group::Scans] => Some(1.0),
+                _ => uncertainty.share(found, Group::Scans),
+            });
+            let share_of_scans = of_scans.unwrap_or(0.0).clamp(0.0, MOST_OF_SCANS);
+            let end = |area: f64| (area / found.area_fraction).powf((1.0 - share_of_scans).sqrt());
+            IntervalOfInputs {
+                curve: Some(found.curve),
+                low: end(found.low),
+                high: end(found.high),
+                share_of_scans,
+            }
         };
         let of_hardness = || {
             let flows = matches!(self.source, Source::Elements(Reference::Yielding { .. }));
             let strength = evidence.scene.spreads.strength.as_ref().filter(|_| flows)?;
             let half = normal_half_width(uncertainty.settings.level) * strength.standard_uncertainty();
-            Some(IntervalOfInputs { curve: None, low: (-half).exp(), high: half.exp() })
+            Some(IntervalOfInputs { curve: None, low: (-half).exp(), high: half.exp(), share_of_scans: 0.0 })
         };
         of_curve.map(over_area).or_else(of_hardness)
     }

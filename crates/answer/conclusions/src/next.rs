@@ -163,7 +163,7 @@ fn from_draws(evidence: &Evidence<'_>, load: &AnswerUnderLoad) -> Vec<Ranked> {
         let (width_ratio, area_ratio) = (load.area.width_ratio(step.width_ratio), step.area_ratio);
         let narrows = width_ratio < WORTHWHILE;
         let next = match &step.kind {
-            StepKind::MoreScans { instrument, added } if narrows => {
+            StepKind::MoreScans { instrument, added } if narrows && load.area.maps.is_none() => {
                 NextStep::MoreScans { instrument: name(*instrument), added: *added, width_ratio }
             }
             StepKind::Calibration { instrument } if narrows => {

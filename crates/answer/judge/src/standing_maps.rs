@@ -20,9 +20,7 @@ const ALL_WAVES: f64 = std::f64::consts::SQRT_2;
 const MIN_POINTS: f64 = 20.0;
 /// The relative standard error of maps that do not repeat themselves: areas of three with free edges, or between their mirror images, lie
 /// factors of 1.12 to 1.3 from those of repeated ones.
-const EDGE_ERROR: f64 = 0.06;
-/// Points of a spot under light loads: of so few spots some lie at the edges.
-const POINTS_OF_SPOT: f64 = 4.0;
+const EDGE_ERROR: f64 = 0.08;
 /// A spectrum that ends at so many points on its shortest wave, or fewer, has all waves of the map.
 const ENDS_WITH_MAP: f64 = 2.5;
 
@@ -120,7 +118,9 @@ fn press(
     let ends = [found.area_fraction_corrected, found.area_fraction].map(|area| share * area.max(least));
     // Both ends lie two standard errors from the middle.
     let elements = ElementArea::new(0.5 * (ends[0] + ends[1]), 0.25 * (ends[1] - ends[0]));
-    let of_edges = EDGE_ERROR.hypot((POINTS_OF_SPOT / points).sqrt());
+    // Of few points some lie at the edges. What flows has the area of the load over the hardness there as well.
+    let elastic = 1.0 - (least / found.area_fraction).min(1.0);
+    let of_edges = elastic * EDGE_ERROR.hypot(points.sqrt().recip());
     let elements = if *is_periodic { elements } else { elements.with_error(of_edges) };
     let maps = PressedMaps {
         mean_gap_m: is_whole.then_some(found.mean_gap_m),

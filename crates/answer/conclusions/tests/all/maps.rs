@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-use conclusions::{AskedValue, PeakState, Trust, foremost};
+use conclusions::{AskedValue, NextStep, PeakState, Trust, foremost};
 use judge::MapVerdict;
 use study::interface::{Quantity, Slot};
 use units::RemarkCode;
@@ -107,6 +107,26 @@ fn the_peaks_of_a_map_are_in_the_state_of_its_elements() {
     let of_spectrum = gap(None);
     assert_eq!(state(of_spectrum), (Quantity::FlowedGap, Some(PeakState::Flowed)));
     assert!((of_spectrum.value.unwrap() / theory_m - 1.0).abs() < 1e-9, "{of_spectrum:?} {theory_m}");
+}
+
+#[test]
+fn the_range_of_a_map_leaves_out_what_other_places_would_change() {
+    let draws = "[loads]\npressures = [\"100 MPa\"]\n[uncertainty]\ndraws = 400\nshares_draws = 512\n";
+    let mut answered = answered(draws);
+    let [load] = &answered.conclusions().loads[..] else { panic!() };
+    let of_inputs = load.area.of_inputs.unwrap();
+    let uncertainty = answered.uncertainty.as_ref().unwrap();
+    let interval = uncertainty.interval(0, 0).unwrap();
+    let whole = (interval.high / interval.low).ln();
+    assert!(of_inputs.share_of_scans > 0.3, "{of_inputs:?}");
+    let left = (1.0 - of_inputs.share_of_scans).sqrt() * whole;
+    assert!((of_inputs.factor.ln() / left - 1.0).abs() < 1e-9, "{of_inputs:?} {whole}");
+    assert!(!answered.conclusions().next.iter().any(|step| matches!(step, NextStep::MoreScans { .. })));
+    // Of Gaussian surfaces other places are a part.
+    answered.judgement.as_mut().unwrap().headlines[0].maps = None;
+    let [load] = &answered.conclusions().loads[..] else { panic!() };
+    let of_inputs = load.area.of_inputs.unwrap();
+    assert_eq!((of_inputs.share_of_scans, of_inputs.factor), (0.0, interval.high / interval.low));
 }
 
 #[test]

@@ -202,7 +202,7 @@ fn a_map_whose_edges_do_not_match_has_their_error() {
     let (_, open) = map_alone(&tilted, "", "");
     let width = |headline: &Headline| (headline.high - headline.low) / headline.area_fraction.unwrap();
     assert!(
-        open.maps.is_some() && width(&open) > 4.0 * 0.06 && width(&periodic) < 0.2,
+        open.maps.is_some() && width(&open) > 4.0 * 0.08 && width(&periodic) < 0.2,
         "{periodic:?} {open:?}"
     );
 }

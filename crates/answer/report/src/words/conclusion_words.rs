@@ -172,6 +172,9 @@ fn method_words(area: &AreaEstimate) -> String {
     }
 }
 
+/// The share of scans in an interval from which on it does not tell what leads the rest.
+const SHARE_OF_OTHERS: f64 = 0.3;
+
 /// The least factor between the ends of a range that waves beyond the end of a spectrum are named for.
 const LEAST_OF_END: f64 = 1.2;
 
@@ -189,7 +192,7 @@ pub(crate) fn parts_of_range(load: &AnswerUnderLoad, uncertainty: Option<&Uncert
     if is_of_end {
         parts += ", mostly from waves beyond the end of the spectrum,";
     }
-    if let Some(OfInputs { curve, factor }) = area.of_inputs {
+    if let Some(OfInputs { curve, factor, share_of_scans }) = area.of_inputs {
         let interval = uncertainty
             .zip(curve)
             .and_then(|(found, curve)| Some((found, found.interval(curve, load.load)?)));
@@ -198,7 +201,7 @@ pub(crate) fn parts_of_range(load: &AnswerUnderLoad, uncertainty: Option<&Uncert
             None => Some("all from the hardness".to_owned()),
         };
         parts += &format!(" and {} from uncertain inputs", three_digits(factor));
-        parts.extend(mostly.map(|mostly| format!(", {mostly}")));
+        parts.extend(mostly.filter(|_| share_of_scans < SHARE_OF_OTHERS).map(|mostly| format!(", {mostly}")));
     }
     Some(parts.trim_end_matches(',').to_owned())
 }
