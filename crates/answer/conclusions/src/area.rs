@@ -132,8 +132,8 @@ impl AreaEstimate {
     /// Returns the width of the range, as a share of that now, if the interval of uncertain inputs becomes so many times as wide.
     pub(crate) fn width_ratio(&self, of_inputs: f64) -> f64 {
         let Some(inputs) = self.of_inputs else { return 1.0 };
+        let share = inputs.share_of_scans;
         let (elements, inputs) = (self.factor_of_elements.ln(), inputs.factor.ln());
-        let share = self.of_inputs.map_or(0.0, |inputs| inputs.share_of_scans);
         let of_inputs = ((of_inputs * of_inputs - share) / (1.0 - share)).max(0.0).sqrt();
         elements.hypot(of_inputs * inputs) / elements.hypot(inputs)
     }

@@ -1,4 +1,4 @@
-//! What the one range of an area consists of.
+//! Ranges of areas: their parts, and the steps that narrow them.
 
 use std::collections::BTreeMap;
 

@@ -178,7 +178,7 @@ const SHARE_OF_OTHERS: f64 = 0.3;
 /// The least factor between the ends of a range that waves beyond the end of a spectrum are named for.
 const LEAST_OF_END: f64 = 1.2;
 
-/// Tells what a range consists of: `Highest over lowest: 1.1 from the elements and 1.3 from uncertain inputs, mostly from the strength`.
+/// Tells what a range consists of: `Highest over lowest: 1.1 from the elements and 1.3 from uncertain inputs, mostly from the hardness`.
 pub(crate) fn parts_of_range(load: &AnswerUnderLoad, uncertainty: Option<&Uncertainty>) -> Option<String> {
     let area = &load.area;
     // Squares of logarithms add.
