@@ -231,6 +231,6 @@ impl Scene {
             hardness_pa: material.hardness_pa(),
             pressures: self.needs.loads.iter().map(|load| load.nominal_pressure).collect(),
         };
-        InterfaceStates::new(request, &self.plan(), inputs)
+        InterfaceStates::new(request, inputs)
     }
 }

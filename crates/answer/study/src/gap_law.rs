@@ -10,7 +10,7 @@ use persson::Roughness;
 use persson::separation::{LightLoads, SeparationLaw};
 use spectrum::Normalisation;
 
-use crate::models::{CurveModel, LoadedSurface};
+use crate::models::{self, CurveModel, LoadedSurface};
 pub use crate::plan::gap::{GapChoices, GapError, GapState};
 use crate::plan::{Plan, PreparedSpectrum, Results};
 
@@ -117,10 +117,10 @@ impl GapLaw {
     }
 }
 
-/// Builds the roughness that Persson's theory takes from a computed plan.
+/// Builds the roughness that Persson's theory takes from results and the normalisation of their moments.
 #[must_use]
-pub fn roughness(plan: &Plan<'_>, results: &Results, band: Band) -> Roughness {
-    plan.roughness(&PreparedSpectrum::from_results(results), band)
+pub fn roughness(results: &Results, normalisation: Normalisation, band: Band) -> Roughness {
+    models::persson::roughness(&PreparedSpectrum::from_results(results), normalisation, band)
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! The plan of a scene, computed for draws of its inputs.
 
 use std::num::NonZeroU32;
+use std::sync::OnceLock;
 
 use scene::Scene;
 use study::Unobserved;
@@ -34,6 +35,8 @@ pub(crate) struct Areas {
     sampling: Sampling,
     /// The prepared spectrum of the scene, for draws that keep it.
     prepared: PreparedSpectrum,
+    /// The final areas of the scene itself, for curves that a draw of the bodies does not change.
+    plain: OnceLock<Vec<Vec<Option<f64>>>>,
 }
 
 /// The areas of a draw.
@@ -72,6 +75,7 @@ impl Areas {
             load_at: loads.index_of,
             sampling: scene.sampling,
             prepared: PreparedSpectrum::from_results(results),
+            plain: OnceLock::new(),
         }
     }
 
@@ -124,18 +128,43 @@ impl Areas {
     /// The final areas of a spectrum (the scene's own if `None`) and of the curves that differ, with these bodies. A model
     /// out of its range has no area.
     pub fn at_the_end(&self, psd: Option<&ProfilePsd>, curves: Vec<Curve>) -> DrawnAreas {
-        let found = self.results(psd, curves, Cutoffs::Shortest);
-        let ln_area = |curve: &CurveResult, load| {
-            let (_, area_fraction) = *curve.area_fractions(load).last()?;
-            (area_fraction > 0.0).then(|| area_fraction.ln())
+        let found = match psd {
+            Some(psd) => self.ends_on(psd, curves).map(|(drawn, _)| drawn),
+            None => self.ends_with(curves),
         };
-        match found {
-            Some(results) => DrawnAreas {
-                ln_areas: self.handed_out(&self.of_all(&results, ln_area)).concat(),
-                work: results.work,
-            },
-            None => self.nothing(),
-        }
+        found.unwrap_or_else(|| self.nothing())
+    }
+
+    /// The final areas of a spectrum and of the curves that differ, with the results that they come from.
+    pub fn ends_on(&self, psd: &ProfilePsd, curves: Vec<Curve>) -> Option<(DrawnAreas, Results)> {
+        let results = self.results(Some(psd), curves, Cutoffs::Shortest)?;
+        let ln_areas = self.handed_out(&self.of_all(&results, ln_end)).concat();
+        Some((DrawnAreas { ln_areas, work: results.work }, results))
+    }
+
+    /// The final areas of the scene's own spectrum. Curves that have the scene's own bodies are computed once for all draws.
+    fn ends_with(&self, curves: Vec<Curve>) -> Option<DrawnAreas> {
+        let are_own: Vec<bool> =
+            curves.iter().zip(&self.needs.curves).map(|(curve, own)| curve.model == own.model).collect();
+        let moved = curves.into_iter().zip(&are_own).filter(|(_, is_own)| !**is_own).map(|(curve, _)| curve);
+        let results = self.results(None, moved.collect(), Cutoffs::Shortest)?;
+        let mut of_moved = self.of_all(&results, ln_end).into_iter();
+        let own = are_own.iter().any(|is_own| *is_own).then(|| self.plain());
+        let of_curve = |(at, is_own): (usize, &bool)| match own.filter(|_| *is_own) {
+            Some(own) => own.get(at).cloned(),
+            None => of_moved.next(),
+        };
+        let values: Option<Vec<Vec<Option<f64>>>> = are_own.iter().enumerate().map(of_curve).collect();
+        Some(DrawnAreas { ln_areas: self.handed_out(&values?).concat(), work: results.work })
+    }
+
+    /// ln A of every curve and load that differ, for the scene itself.
+    fn plain(&self) -> &[Vec<Option<f64>>] {
+        let compute = || {
+            let results = self.results(None, self.needs.curves.clone(), Cutoffs::Shortest);
+            results.map(|results| self.of_all(&results, ln_end)).unwrap_or_default()
+        };
+        self.plain.get_or_init(compute)
     }
 
     /// The areas of a draw that has none.
@@ -169,6 +198,12 @@ impl Areas {
             None => plan.compute_on(self.prepared.clone(), &Unobserved).ok(),
         }
     }
+}
+
+/// ln A at the last cutoff of a curve.
+fn ln_end(curve: &CurveResult, load: usize) -> Option<f64> {
+    let (_, area_fraction) = *curve.area_fractions(load).last()?;
+    (area_fraction > 0.0).then(|| area_fraction.ln())
 }
 
 /// Maps the numbers below `count`, once for those of one place: curves and loads may repeat under other names.

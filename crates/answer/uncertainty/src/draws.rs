@@ -5,6 +5,7 @@ use study::plan::Work;
 
 use crate::areas::{Areas, DrawnAreas, Points};
 use crate::inputs::Inputs;
+use crate::quantities::{DrawnQuantities, Quantities};
 use crate::surface_scatter::DrawOf;
 
 /// The number of draws that are computed together, on all threads; draws can be cancelled between blocks.
@@ -15,6 +16,8 @@ const BLOCK: usize = 64;
 pub(crate) struct Drawn {
     /// ln A, draw by draw.
     pub ln_areas: Vec<Vec<Option<f64>>>,
+    /// The quantities of an interface, draw by draw; none where none were asked for.
+    pub quantities: Vec<Option<DrawnQuantities>>,
     /// The work that the draws took.
     pub work: Work,
 }
@@ -25,34 +28,51 @@ impl Drawn {
         self.ln_areas.iter().filter_map(|draw| draw[area]).collect()
     }
 
-    fn add(&mut self, found: DrawnAreas) {
-        self.ln_areas.push(found.ln_areas);
-        self.work += found.work;
+    fn add(&mut self, (areas, quantities): (DrawnAreas, Option<DrawnQuantities>)) {
+        self.ln_areas.push(areas.ln_areas);
+        self.quantities.push(quantities);
+        self.work += areas.work;
     }
 }
 
 impl FromIterator<DrawnAreas> for Drawn {
     fn from_iter<I: IntoIterator<Item = DrawnAreas>>(draws: I) -> Self {
         let mut all = Drawn::default();
-        draws.into_iter().for_each(|draw| all.add(draw));
+        draws.into_iter().for_each(|draw| all.add((draw, None)));
         all
     }
 }
 
-/// Computes the final areas of a draw.
-pub(crate) fn drawn(inputs: &Inputs, areas: &Areas, draw: DrawOf) -> DrawnAreas {
+/// Computes the final areas of a draw, and the quantities of an interface from the same spectrum.
+fn drawn(
+    inputs: &Inputs,
+    areas: &Areas,
+    quantities: Option<&Quantities<'_>>,
+    draw: DrawOf,
+) -> (DrawnAreas, Option<DrawnQuantities>) {
     let curves = inputs.curves(areas.distinct_curves(), draw);
+    let material = inputs.material(draw);
     match inputs.psd(draw) {
-        Some(psd) => areas.at_the_end(psd.as_ref(), curves),
-        None => areas.nothing(),
+        Some(None) => (
+            areas.at_the_end(None, curves),
+            quantities.and_then(|quantities| quantities.with_bodies(material)),
+        ),
+        Some(Some(psd)) => match areas.ends_on(&psd, curves) {
+            Some((found, results)) => {
+                (found, quantities.and_then(|quantities| quantities.of(&results, material)))
+            }
+            None => (areas.nothing(), None),
+        },
+        None => (areas.nothing(), None),
     }
 }
 
-/// Computes the final areas of `count` draws, fewer if cancelled; `which` selects the random numbers of each.
-/// `progress` advances once per draw.
+/// Computes the final areas of `count` draws, and the quantities of an interface, fewer if cancelled; `which` selects the
+/// random numbers of each. `progress` advances once per draw.
 pub(crate) fn all(
     inputs: &Inputs,
     areas: &Areas,
+    quantities: Option<&Quantities<'_>>,
     count: usize,
     which: impl Fn(u64) -> DrawOf + Sync,
     progress: &dyn Progress,
@@ -63,7 +83,7 @@ pub(crate) fn all(
             break;
         }
         let numbers: Vec<u64> = (from..count.min(from + BLOCK)).map(|draw| draw as u64).collect();
-        let block = numerics::parallel::map(&numbers, |&draw| drawn(inputs, areas, which(draw)));
+        let block = numerics::parallel::map(&numbers, |&draw| drawn(inputs, areas, quantities, which(draw)));
         progress.advance(block.len());
         block.into_iter().for_each(|draw| found.add(draw));
     }

@@ -78,8 +78,7 @@ impl<'p> UncertaintyPlan<'p> {
     pub fn steps(&self) -> usize {
         let draws = self.settings.draws;
         let further = self.design().further_draws(draws, self.inputs.groups.len());
-        let of_quantities = if self.quantities.is_some() { draws } else { 0 };
-        draws + of_quantities + self.draws_of_bands() + further + Adviser::steps(&self.inputs)
+        draws + self.draws_of_bands() + further + Adviser::steps(&self.inputs)
     }
 
     /// Runs the analysis. `progress` may end the draws early: the result then rests on the draws made so far, without
@@ -88,7 +87,7 @@ impl<'p> UncertaintyPlan<'p> {
     /// # Errors
     /// [`PlanError::Cancelled`] if fewer than 20 draws were made by then.
     pub fn run(&self, progress: &dyn Progress) -> Result<Uncertainty, PlanError> {
-        let drawn = self.drawn(progress)?;
+        let drawn = self.drawn(self.quantities.as_ref(), progress)?;
         let draws = drawn.ln_areas.len();
         let mut work = drawn.work;
         let mut plans = draws;
@@ -134,7 +133,7 @@ impl<'p> UncertaintyPlan<'p> {
             work,
             plans,
         };
-        let QuantityDraws { intervals, open_channels } = self.quantities_of(draws, &found.areas, progress);
+        let QuantityDraws { intervals, open_channels } = self.quantities_of(&drawn, &found.areas);
         (found.quantities, found.open_channels) = (intervals, open_channels);
         self.describe_inputs(&mut found);
         let beyond_an_end = 0.5 * (1.0 - self.settings.level) * draws as f64;
@@ -157,14 +156,18 @@ impl<'p> UncertaintyPlan<'p> {
     /// # Errors
     /// [`PlanError::Cancelled`] where fewer than 20 draws were made by then.
     pub fn intervals(&self, progress: &dyn Progress) -> Result<Vec<AreaInterval>, PlanError> {
-        let drawn = self.drawn(progress)?;
+        let drawn = self.drawn(None, progress)?;
         Ok(self.intervals_of(&drawn, &[]).0)
     }
 
     /// Makes the draws, fewer if they are cancelled.
-    fn drawn(&self, progress: &dyn Progress) -> Result<Drawn, PlanError> {
+    fn drawn(
+        &self,
+        quantities: Option<&Quantities<'_>>,
+        progress: &dyn Progress,
+    ) -> Result<Drawn, PlanError> {
         let wanted = self.settings.draws;
-        let drawn = draws::all(&self.inputs, &self.areas, wanted, DrawOf::all, progress);
+        let drawn = draws::all(&self.inputs, &self.areas, quantities, wanted, DrawOf::all, progress);
         if drawn.ln_areas.len() < MIN_DRAWS.min(wanted) {
             return Err(PlanError::Cancelled);
         }
@@ -186,10 +189,12 @@ impl<'p> UncertaintyPlan<'p> {
         (found.filter_map(|(area, found)| Some(at_its_place(area, found?))).collect(), best.work)
     }
 
-    fn quantities_of(&self, draws: usize, areas: &[AreaInterval], progress: &dyn Progress) -> QuantityDraws {
+    fn quantities_of(&self, drawn: &Drawn, areas: &[AreaInterval]) -> QuantityDraws {
+        let best = self.inputs.best_psd().flatten();
         let level = self.settings.level;
-        let intervals =
-            |quantities: &Quantities<'_>| quantities.intervals(&self.inputs, draws, level, areas, progress);
+        let intervals = |quantities: &Quantities<'_>| {
+            quantities.intervals(&drawn.quantities, best.as_ref(), level, areas)
+        };
         self.quantities.as_ref().map(intervals).unwrap_or_default()
     }
 

@@ -1,26 +1,26 @@
 //! Draws of the quantities of an interface.
 
 use scene::Scene;
-use study::Progress;
-use study::interface::{InterfaceInputs, InterfaceStates};
-use study::interface::{Quantity, Slot};
+use study::interface::{InterfaceInputs, InterfaceStates, Quantity, Slot};
 use study::plan::{Needs, Plan, Results};
 
 use spectrum::ProfilePsd;
 
-use crate::inputs::Inputs;
 use crate::material_draws::DrawnMaterial;
 use crate::quantiles::{Interval, interval, percentiles_about};
 use crate::results::{AreaInterval, OpenChannel, QuantityInterval};
-use crate::surface_scatter::DrawOf;
 
 /// The requested quantities of an interface, for many spectra and bodies.
 #[derive(Debug)]
 pub(crate) struct Quantities<'p> {
     scene: &'p Scene,
-    results: &'p Results,
+    /// Those of the scene itself.
+    plain: InterfaceStates<'p>,
     slots: Vec<Slot>,
 }
+
+/// ln of every requested quantity in a draw; `None` without a value.
+pub(crate) type DrawnQuantities = Vec<Option<f64>>;
 
 /// The smallest share of draws that must have a value for a quantity to have an interval.
 const MIN_SHARE_WITH_VALUE: f64 = 0.9;
@@ -35,37 +35,24 @@ pub(crate) struct QuantityDraws {
 impl<'p> Quantities<'p> {
     /// The quantities of a scene; `None` if it requests none.
     pub fn from_scene(scene: &'p Scene, results: &'p Results) -> Option<Self> {
-        let slots = scene.interface_states(results)?.slots();
-        Some(Quantities { scene, results, slots })
+        let plain = scene.interface_states(results)?;
+        Some(Quantities { scene, slots: plain.slots(), plain })
     }
 
-    /// Computes the intervals of all quantities with a value from the first `draws` draws, at a level; empty if cancelled. A
-    /// quantity from the area of a curve takes the interval of that area. `progress` advances once per draw.
+    /// Finds the intervals at a level of all quantities with a value, from those of all draws and the best spectrum, if it is
+    /// uncertain. A quantity from the area of a curve takes the interval of that area.
     pub fn intervals(
         &self,
-        inputs: &Inputs,
-        draws: usize,
+        drawn: &[Option<DrawnQuantities>],
+        best: Option<&ProfilePsd>,
         level: f64,
         areas: &[AreaInterval],
-        progress: &dyn Progress,
     ) -> QuantityDraws {
-        let numbers: Vec<u64> = (0..draws as u64).collect();
-        let of_draw = |&number: &u64| {
-            if progress.is_cancelled() {
-                return None;
-            }
-            let found = self.draw(inputs, DrawOf::all(number));
-            progress.advance(1);
-            found
-        };
-        let drawn: Vec<Option<Vec<Option<f64>>>> = numerics::parallel::map(&numbers, of_draw);
-        if progress.is_cancelled() || drawn.iter().all(Option::is_none) {
+        if drawn.iter().all(Option::is_none) {
             return QuantityDraws::default();
         }
-        let best = inputs.surface_scatters().then(|| self.best(inputs)).flatten();
-        let Some(plain) = self.scene.interface_states(self.results) else {
-            return QuantityDraws::default();
-        };
+        let best = best.and_then(|psd| self.of_spectrum(psd));
+        let plain = &self.plain;
         let of_slot = |(at, slot): (usize, &Slot)| {
             let value = plain.value(*slot).ok().flatten()?;
             if let Some(curve) = slot.curve {
@@ -81,13 +68,13 @@ impl<'p> Quantities<'p> {
                 Some(best) => percentiles_about(best, &ln_values, level),
                 None => interval(&ln_values, level),
             };
-            let is_known = ln_values.len() as f64 >= MIN_SHARE_WITH_VALUE * draws as f64;
+            let is_known = ln_values.len() as f64 >= MIN_SHARE_WITH_VALUE * drawn.len() as f64;
             let factor = slot.load.map_or(1.0, |load| plain.light_contact_factor(load));
             let found = found.filter(|_| is_known).map(|found| QuantityInterval::new(*slot, value, &found));
             found.map(|found| found.with_stiffness_within(factor))
         };
         let open = |(at, slot): (usize, &Slot)| {
-            let is_open = |draw: &&Vec<Option<f64>>| draw[at].is_some();
+            let is_open = |draw: &&DrawnQuantities| draw[at].is_some();
             let drawn = || drawn.iter().flatten();
             let is_channel = slot.quantity == Quantity::ChannelWavelength;
             let load = slot.load.filter(|_| is_channel)?;
@@ -100,48 +87,44 @@ impl<'p> Quantities<'p> {
         }
     }
 
-    /// ln of every value in a draw; `None` if the draw is out of the range of spectra.
-    fn draw(&self, inputs: &Inputs, of: DrawOf) -> Option<Vec<Option<f64>>> {
-        let material = inputs.material(of);
-        match inputs.psd(of)? {
-            None => self.ln_values(&self.scene.plan(), self.results, material),
-            Some(psd) => self.of_spectrum(&psd, material),
+    /// ln of every value for the spectrum of the scene and drawn bodies. Bodies of the scene's own elasticity share what does not
+    /// depend on the hardness.
+    pub fn with_bodies(&self, drawn: Option<DrawnMaterial>) -> Option<DrawnQuantities> {
+        let inputs = &self.plain.inputs;
+        match drawn {
+            Some(drawn) if drawn.pair != inputs.pair => self.of(inputs.results, Some(drawn)),
+            _ => Some(self.ln_values(&self.plain.with_hardness(self.hardness_pa(drawn)))),
         }
     }
 
-    /// ln of every value for the best estimates.
-    fn best(&self, inputs: &Inputs) -> Option<Vec<Option<f64>>> {
-        self.of_spectrum(&inputs.best_psd()??, None)
+    /// ln of every value for the results of a spectrum, and drawn bodies.
+    pub fn of(&self, results: &Results, drawn: Option<DrawnMaterial>) -> Option<DrawnQuantities> {
+        let inputs = InterfaceInputs {
+            results,
+            pair: drawn.map_or(self.plain.inputs.pair, |drawn| drawn.pair),
+            hardness_pa: self.hardness_pa(drawn),
+            ..self.plain.inputs.clone()
+        };
+        InterfaceStates::new(self.plain.request, inputs).map(|states| self.ln_values(&states))
     }
 
-    fn ln_values(
-        &self,
-        plan: &Plan<'_>,
-        results: &Results,
-        drawn: Option<DrawnMaterial>,
-    ) -> Option<Vec<Option<f64>>> {
-        let scene = self.scene;
-        let material = scene.material.as_ref()?;
+    fn of_spectrum(&self, psd: &ProfilePsd) -> Option<DrawnQuantities> {
+        let needs = Needs { moments: self.scene.needs.moments, ..Needs::default() };
+        let plan = Plan { psd, sampling: self.scene.sampling, needs };
+        self.of(&plan.compute().ok()?, None)
+    }
+
+    fn hardness_pa(&self, drawn: Option<DrawnMaterial>) -> Option<f64> {
         let over_centre = drawn.map_or(1.0, |drawn| drawn.strength_over_centre);
-        let interface_inputs = InterfaceInputs {
-            results,
-            normalisation: scene.needs.moments?,
-            pair: drawn.map_or(material.pair, |drawn| drawn.pair),
-            hardness_pa: material.hardness_pa().map(|hardness_pa| over_centre * hardness_pa),
-            pressures: scene.needs.loads.iter().map(|load| load.nominal_pressure).collect(),
-        };
-        let states = InterfaceStates::new(scene.interface.as_ref()?, plan, interface_inputs)?;
+        self.plain.inputs.hardness_pa.map(|hardness_pa| over_centre * hardness_pa)
+    }
+
+    fn ln_values(&self, states: &InterfaceStates<'_>) -> DrawnQuantities {
         let ln_value = |slot: &Slot| match slot.curve {
             Some(_) => None,
             None => states.value(*slot).ok().flatten().map(f64::ln),
         };
-        Some(self.slots.iter().map(ln_value).collect())
-    }
-
-    fn of_spectrum(&self, psd: &ProfilePsd, drawn: Option<DrawnMaterial>) -> Option<Vec<Option<f64>>> {
-        let needs = Needs { moments: self.scene.needs.moments, ..Needs::default() };
-        let plan = Plan { psd, sampling: self.scene.sampling, needs };
-        self.ln_values(&plan, &plan.compute().ok()?, drawn)
+        self.slots.iter().map(ln_value).collect()
     }
 }
 

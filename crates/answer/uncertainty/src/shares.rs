@@ -58,14 +58,15 @@ impl Design {
         let (size, known) = (self.size, made.ln_areas.len());
         let missing = (2 * size).saturating_sub(known);
         let mut work = Work::default();
-        let further = draws::all(inputs, areas, missing, |draw| DrawOf::all(known as u64 + draw), progress);
+        let further =
+            draws::all(inputs, areas, None, missing, |draw| DrawOf::all(known as u64 + draw), progress);
         work += further.work;
         let base: Vec<&Vec<Option<f64>>> = made.ln_areas.iter().chain(&further.ln_areas).collect();
         let mut plans = further.ln_areas.len();
         let mut of_groups = Vec::new();
         for &group in groups {
             let mixed = |draw: u64| DrawOf::all(draw).with(group, draw + size as u64);
-            let found = draws::all(inputs, areas, size, mixed, progress);
+            let found = draws::all(inputs, areas, None, size, mixed, progress);
             work += found.work;
             plans += found.ln_areas.len();
             of_groups.push(found);

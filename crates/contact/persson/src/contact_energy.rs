@@ -5,7 +5,7 @@
 //! where erf is 1 to rounding, as the exponential integral.
 
 use std::f64::consts::PI;
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock};
 
 use crate::energy::EnergyFactor;
 
@@ -42,8 +42,18 @@ struct Step {
     beyond_middle: f64,
 }
 
+/// Those of the two named factors, which most laws share.
+static NAMED: LazyLock<[Arc<ContactEnergy>; 2]> =
+    LazyLock::new(|| [EnergyFactor::ALMQVIST, EnergyFactor::FITTED].map(ContactEnergy::new).map(Arc::new));
+
 impl ContactEnergy {
-    pub(crate) fn new(factor: EnergyFactor) -> Self {
+    /// D and G of a factor, tabulated once for a named one.
+    pub(crate) fn of(factor: EnergyFactor) -> Arc<Self> {
+        let named = NAMED.iter().find(|named| named.factor == factor);
+        named.map_or_else(|| Arc::new(Self::new(factor)), Arc::clone)
+    }
+
+    fn new(factor: EnergyFactor) -> Self {
         let mut energy = ContactEnergy { factor, constant: 0.0, series: series(factor), steps: Vec::new() };
         let mut beyond = energy.beyond_steps(STEPS_END);
         for step in (0..STEPS).rev() {

@@ -16,7 +16,7 @@
 //! u_1)^2/2 sigma^2) as well.
 
 use std::f64::consts::PI;
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock};
 
 use asperity::LayerCompliance;
 use numerics::{GaussLegendre, zero_in_bracket};
@@ -104,7 +104,7 @@ impl LightLoads {
 /// Separation for one elastic energy factor g and one spectrum, whose knots have rising wavevector and variance.
 #[derive(Debug, Clone)]
 pub struct SeparationLaw {
-    energy: ContactEnergy,
+    energy: Arc<ContactEnergy>,
     contact_modulus_pa: f64,
     stretches: Vec<Option<Stretch>>,
     layer: Option<LayerCompliance>,
@@ -159,7 +159,7 @@ impl SeparationLaw {
     pub fn new(knots: &[SeparationKnot], contact_modulus_pa: f64, energy_factor: EnergyFactor) -> Self {
         let stretches = knots.windows(2).map(|pair| Stretch::between(&pair[0], &pair[1])).collect();
         SeparationLaw {
-            energy: ContactEnergy::new(energy_factor),
+            energy: ContactEnergy::of(energy_factor),
             contact_modulus_pa,
             stretches,
             layer: None,
@@ -174,10 +174,9 @@ impl SeparationLaw {
         let mut tail = Tail::default();
         let mut tails = vec![tail];
         tails.extend(self.stretches.iter().map(|stretch| {
-            self.over(stretch, 0.0, |_, per_rad_m| tail.decay_length_m += light * per_rad_m);
-            let square = |wavevector_rad_per_m: f64| self.stiffness(wavevector_rad_per_m).powi(2);
-            self.over_waves(stretch, 0.0, square, |v_pa, weight| {
-                tail.mean_square_height_m2 += per_square_pa2 * v_pa * weight;
+            self.over(stretch, 0.0, |v_pa, stiffness_rad_per_m, weight| {
+                tail.decay_length_m += light * (weight / stiffness_rad_per_m);
+                tail.mean_square_height_m2 += per_square_pa2 * v_pa * (weight / stiffness_rad_per_m.powi(2));
             });
             tail
         }));
@@ -205,8 +204,8 @@ impl SeparationLaw {
 
     /// Adds a stretch to the two integrals.
     fn add(&self, stretch: &Option<Stretch>, pressure_pa: f64, gap: &mut f64, compliance: &mut f64) {
-        self.over(stretch, pressure_pa, |v_pa, per_rad_m| {
-            let x = pressure_pa / v_pa;
+        self.over(stretch, pressure_pa, |v_pa, stiffness_rad_per_m, weight| {
+            let (x, per_rad_m) = (pressure_pa / v_pa, weight / stiffness_rad_per_m);
             *gap += per_rad_m * self.energy.beyond(x);
             *compliance += per_rad_m * self.energy.density(x);
         });
@@ -269,12 +268,15 @@ impl SeparationLaw {
         let decade_rad_per_m = 10.0 * first.start_rad_per_m;
         let (mut sum, mut in_first_decade, mut logarithms) = (0.0, 0.0, 0.0);
         for stretch in &self.stretches {
-            self.over(stretch, 0.0, |v_pa, per_rad_m| {
+            self.over(stretch, 0.0, |v_pa, stiffness_rad_per_m, weight| {
+                let per_rad_m = weight / stiffness_rad_per_m;
                 sum += per_rad_m;
                 logarithms += per_rad_m * v_pa.ln();
             });
             let inside = stretch.and_then(|stretch| stretch.up_to(decade_rad_per_m));
-            self.over(&inside, 0.0, |_, per_rad_m| in_first_decade += per_rad_m);
+            self.over(&inside, 0.0, |_, stiffness_rad_per_m, weight| {
+                in_first_decade += weight / stiffness_rad_per_m;
+            });
         }
         let g = self.energy.light();
         Some(LightLoads {
@@ -329,8 +331,8 @@ impl SeparationLaw {
     pub(crate) fn gap_per_variance_left_out_m_per_pa2(&self, pressure_pa: f64) -> f64 {
         let mut sum = 0.0;
         for stretch in &self.stretches {
-            self.over(stretch, pressure_pa, |v_pa, per_rad_m| {
-                let x = pressure_pa / v_pa;
+            self.over(stretch, pressure_pa, |v_pa, stiffness_rad_per_m, weight| {
+                let (x, per_rad_m) = (pressure_pa / v_pa, weight / stiffness_rad_per_m);
                 sum += per_rad_m * (self.energy.beyond(x) - self.energy.density(x)) / (v_pa * v_pa);
             });
         }
@@ -342,25 +344,11 @@ impl SeparationLaw {
         2.0 / (PI.sqrt() * self.contact_modulus_pa)
     }
 
-    /// Calls `term` with v and the weight of dv/q over a stretch, on a layer with that of dv E*/(q E*(q)), for terms that fall
-    /// like exp(-x^2) with x = p/v; without a load p = 0.
-    fn over(&self, stretch: &Option<Stretch>, pressure_pa: f64, term: impl FnMut(f64, f64)) {
-        match self.layer {
-            None => self.over_waves(stretch, pressure_pa, |wavevector_rad_per_m| wavevector_rad_per_m, term),
-            Some(_) => self.over_waves(stretch, pressure_pa, |q_rad_per_m| self.stiffness(q_rad_per_m), term),
-        }
-    }
-
-    /// Calls `term` with v and the weight of dv/`stiffness(q)` over a stretch, in pieces on which v and the wavevector grow by at
-    /// most `MOST_GROWTH`, dV/dln(q) by at most `MOST_CHANGE` or its inverse, and x^2 by at most `MOST_FALL`, and no further than
-    /// x^2 = `SMALLEST` or `NEGLIGIBLE` beyond that of the end.
-    fn over_waves(
-        &self,
-        stretch: &Option<Stretch>,
-        pressure_pa: f64,
-        stiffness: impl Fn(f64) -> f64,
-        mut term: impl FnMut(f64, f64),
-    ) {
+    /// Calls `term` with v, the stiffness q E*(q)/E* and the weight of dv over a stretch, for terms that fall like exp(-x^2) with
+    /// x = p/v; without a load p = 0. v and the wavevector grow by at most `MOST_GROWTH` on a piece, dV/dln(q) by at most
+    /// `MOST_CHANGE` or its inverse, and x^2 by at most `MOST_FALL`; pieces end at x^2 = `SMALLEST` or `NEGLIGIBLE` beyond that of
+    /// the end.
+    fn over(&self, stretch: &Option<Stretch>, pressure_pa: f64, mut term: impl FnMut(f64, f64, f64)) {
         const MOST_GROWTH: f64 = 1.6;
         const MOST_CHANGE: f64 = 8.0;
         const MOST_FALL: f64 = 24.0;
@@ -388,7 +376,7 @@ impl SeparationLaw {
                 break;
             }
             for (v_pa, weight) in RULE.over(start_pa, end_pa) {
-                term(v_pa, weight / stiffness(stretch.wavevector_rad_per_m(v_pa)));
+                term(v_pa, self.stiffness(stretch.wavevector_rad_per_m(v_pa)), weight);
             }
             end_pa = start_pa;
         }
@@ -422,7 +410,7 @@ mod tests {
     #[test]
     fn the_fitted_energy_keeps_gaps_open_under_heavy_loads_and_its_stiffness_is_their_slope() {
         let almqvist = power_law();
-        let fitted = SeparationLaw { energy: ContactEnergy::new(EnergyFactor::FITTED), ..almqvist.clone() };
+        let fitted = SeparationLaw { energy: ContactEnergy::of(EnergyFactor::FITTED), ..almqvist.clone() };
         for pressure_pa in [1e3, 1e6, 3e7, 3e8] {
             let [below, above] =
                 [1.0 - 1e-4, 1.0 + 1e-4].map(|factor| fitted.whole(factor * pressure_pa).mean_gap_m);

@@ -107,7 +107,7 @@ fn of_the_gap(states: &InterfaceStates<'_>, scene: &Scene) -> Vec<String> {
     let least_pa = loads.iter().map(|load| load.nominal_pressure_pa()).fold(f64::INFINITY, f64::min);
     let light = states.light_loads();
     let mut notes = light.map_or_else(Vec::new, |light| {
-        let remarks = remarks_on_separation(&light, &states.roughness, states.rms_height_m(), least_pa);
+        let remarks = remarks_on_separation(&light, states.roughness(), states.rms_height_m(), least_pa);
         remarks.iter().map(|remark| remark.words(&SceneKeys)).collect()
     });
     if states.request.band == Band::Profile {

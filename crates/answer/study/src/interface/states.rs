@@ -1,6 +1,6 @@
 //! The quantities of an interface, from the roughness, the bodies and the loads.
 
-use std::cell::OnceCell;
+use std::sync::{Arc, OnceLock};
 
 use ::interface::OutOfBounds;
 use ::interface::conductance::{CutSurface, PlasticCorrelation, PressureRatio, RelativeStiffness, Spot};
@@ -21,13 +21,13 @@ use super::request::InterfaceRequest;
 use super::shear::sheared_pair;
 use crate::figure::ShearLoop;
 use crate::gap_law;
-use crate::plan::{NominalPressure, Plan, Results};
+use crate::plan::{NominalPressure, Results};
 
 /// A value out of bounds for a quantity.
 pub type InterfaceError = OutOfBounds;
 
 /// The inputs of an interface: results of a plan, bodies and loads.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct InterfaceInputs<'r> {
     /// The results of a plan that has moments.
     pub results: &'r Results,
@@ -48,30 +48,35 @@ pub struct InterfaceStates<'a> {
     pub request: &'a InterfaceRequest,
     /// The inputs.
     pub inputs: InterfaceInputs<'a>,
+    elastic: Arc<ElasticStates>,
+}
+
+/// What does not depend on the hardness.
+#[derive(Debug)]
+struct ElasticStates {
     /// The moments of the whole spectrum, by Parseval's theorem.
     moments: Moments,
-    /// The spectrum as the theory takes it.
-    pub roughness: Roughness,
+    roughness: Roughness,
     separation: SeparationLaw,
     /// The separation under every load, once it is read.
-    separations: Vec<OnceCell<Separation>>,
+    separations: Vec<OnceLock<Separation>>,
     sealing: Option<SealingLaw>,
     /// The response to the tangential load under every load, once it is read; `None` where everything slides.
-    sheared: Vec<OnceCell<Option<ShearedContact>>>,
-    constrictions: Vec<OnceCell<Option<MagnifiedContact>>>,
+    sheared: Vec<OnceLock<Option<ShearedContact>>>,
+    constrictions: Vec<OnceLock<Option<MagnifiedContact>>>,
 }
 
 /// The corrected form of the theory that is nearest to boundary elements.
 const CORRECTION_OF_SEALS: Correction = Correction::AlgebraicNayak;
 
 impl<'a> InterfaceStates<'a> {
-    /// The requested quantities for inputs that are the results of `plan`; `None` if its spectrum has no moments.
+    /// The requested quantities; `None` if the spectrum of the results has no moments.
     #[must_use]
-    pub fn new(request: &'a InterfaceRequest, plan: &Plan<'_>, inputs: InterfaceInputs<'a>) -> Option<Self> {
+    pub fn new(request: &'a InterfaceRequest, inputs: InterfaceInputs<'a>) -> Option<Self> {
         let results = inputs.results;
         let (last, _) = results.moments.last()?;
-        let whole = by_parseval(last, inputs.normalisation);
-        let roughness = gap_law::roughness(plan, results, request.band);
+        let moments = by_parseval(last, inputs.normalisation);
+        let roughness = gap_law::roughness(results, inputs.normalisation, request.band);
         let modulus_pa = inputs.pair.composite_modulus_pa();
         let separation = SeparationLaw::from_roughness(&roughness, modulus_pa, request.energy_factor);
         let sealing = request.seal.map(|seal| {
@@ -79,17 +84,29 @@ impl<'a> InterfaceStates<'a> {
             SealingLaw::new(&roughness, modulus_pa, request.energy_factor, correction, seal.threshold)
         });
         let loads = inputs.pressures.len();
-        Some(InterfaceStates {
-            request,
-            inputs,
-            moments: whole,
+        let elastic = ElasticStates {
+            moments,
             roughness,
             separation,
-            separations: (0..loads).map(|_| OnceCell::new()).collect(),
+            separations: vec![OnceLock::new(); loads],
             sealing,
-            sheared: (0..loads).map(|_| OnceCell::new()).collect(),
-            constrictions: (0..loads).map(|_| OnceCell::new()).collect(),
-        })
+            sheared: vec![OnceLock::new(); loads],
+            constrictions: vec![OnceLock::new(); loads],
+        };
+        Some(InterfaceStates { request, inputs, elastic: Arc::new(elastic) })
+    }
+
+    /// The same quantities with another hardness of the softer body \[Pa\].
+    #[must_use]
+    pub fn with_hardness(&self, hardness_pa: Option<f64>) -> Self {
+        let inputs = InterfaceInputs { hardness_pa, ..self.inputs.clone() };
+        InterfaceStates { request: self.request, inputs, elastic: Arc::clone(&self.elastic) }
+    }
+
+    /// The spectrum as the theory takes it.
+    #[must_use]
+    pub fn roughness(&self) -> &Roughness {
+        &self.elastic.roughness
     }
 
     /// All requested slots.
@@ -132,25 +149,25 @@ impl<'a> InterfaceStates<'a> {
     /// The asymptotic law of light loads.
     #[must_use]
     pub fn light_loads(&self) -> Option<LightLoads> {
-        self.separation.light_loads()
+        self.elastic.separation.light_loads()
     }
 
     /// Returns true if longer waves than the spectrum has would change gap and stiffness.
     #[must_use]
     pub fn lacks_roll_off(&self) -> bool {
-        self.light_loads().is_some_and(|light| light.lacks_roll_off(&self.roughness))
+        self.light_loads().is_some_and(|light| light.lacks_roll_off(&self.elastic.roughness))
     }
 
     /// Gap and stiffness under any nominal pressure > 0 \[Pa\].
     #[must_use]
     pub fn separation_under(&self, pressure_pa: f64) -> Separation {
-        self.separation.whole(pressure_pa)
+        self.elastic.separation.whole(pressure_pa)
     }
 
     /// The rms height \[m\] of the whole spectrum.
     #[must_use]
     pub fn rms_height_m(&self) -> f64 {
-        self.moments.rms_height_m()
+        self.elastic.moments.rms_height_m()
     }
 
     /// The mean absolute slope of profiles, sqrt(2/pi) of the rms slope, at the shortest wavelength.
@@ -176,7 +193,7 @@ impl<'a> InterfaceStates<'a> {
     #[must_use]
     pub fn plastic_share(&self, load: usize) -> Option<f64> {
         let hardness_pa = self.inputs.hardness_pa?;
-        let last = self.roughness.places().last()?;
+        let last = self.elastic.roughness.places().last()?;
         let deviation_pa = last.variance_pa2(self.modulus_pa()).sqrt();
         let areas = constant_hardness::areas(self.pressure_pa(load), deviation_pa, hardness_pa);
         Some(areas.plastic / areas.contact())
@@ -191,7 +208,7 @@ impl<'a> InterfaceStates<'a> {
 
     /// The nominal pressure \[Pa\] that closes a seal, elastically or as its bodies flow; `None` without a seal.
     fn tight_pressure_pa(&self) -> Option<f64> {
-        let elastic_pa = self.sealing.as_ref()?.tight_pressure_pa();
+        let elastic_pa = self.elastic.sealing.as_ref()?.tight_pressure_pa();
         Some(self.closed_by_yielding_from_pa().map_or(elastic_pa, |from_pa| from_pa.min(elastic_pa)))
     }
 
@@ -232,10 +249,10 @@ impl<'a> InterfaceStates<'a> {
         match (quantity, &self.request.adhesion) {
             (Quantity::TightPressure, _) => Ok(self.tight_pressure_pa()),
             (Quantity::FullerTabor, Some(adhesion)) => {
-                adhesion.fuller_tabor(&self.moments, self.modulus_pa())
+                adhesion.fuller_tabor(&self.elastic.moments, self.modulus_pa())
             }
             (Quantity::PastewkaRobbins, Some(adhesion)) => {
-                adhesion.pastewka_robbins(&self.moments, self.modulus_pa())
+                adhesion.pastewka_robbins(&self.elastic.moments, self.modulus_pa())
             }
             _ => Ok(None),
         }
@@ -307,7 +324,7 @@ impl<'a> InterfaceStates<'a> {
             let stiffness = |pressure_pa| self.finite_stiffness_pa_per_m(pressure_pa).ok_or(());
             pair.respond(self.pressure_pa(load), share, stiffness).ok()
         };
-        Ok(*self.sheared[load].get_or_init(respond))
+        Ok(*self.elastic.sheared[load].get_or_init(respond))
     }
 
     fn tangential(&self, load: usize, quantity: Quantity) -> Result<Option<f64>, InterfaceError> {
@@ -351,7 +368,7 @@ impl<'a> InterfaceStates<'a> {
 
     /// Conductance of the gas over Gaussian gaps about a distance of the mean planes \[m\].
     fn gas_over(&self, gap_m: f64) -> Option<f64> {
-        let rms_height_m = self.moments.rms_height_m();
+        let rms_height_m = self.elastic.moments.rms_height_m();
         let of_gas = self.request.gas.filter(|_| rms_height_m > 0.0 && gap_m.is_finite())?;
         Some(of_gas.conductance_w_per_m2_k(gap_m, rms_height_m))
     }
@@ -359,7 +376,7 @@ impl<'a> InterfaceStates<'a> {
     /// Distance of the mean planes of peaks that have flowed \[m\]; `None` without a hardness, and where everything touches.
     fn flowed_gap_m(&self, load: usize) -> Result<Option<f64>, InterfaceError> {
         let ratio = self.pressure_ratio(load)?;
-        Ok(ratio.and_then(|ratio| plastic_separation_m(self.moments.rms_height_m(), ratio)))
+        Ok(ratio.and_then(|ratio| plastic_separation_m(self.elastic.moments.rms_height_m(), ratio)))
     }
 
     fn current(&self, load: usize, quantity: Quantity) -> Result<Option<f64>, InterfaceError> {
@@ -394,7 +411,7 @@ impl<'a> InterfaceStates<'a> {
     }
 
     fn leak(&self, load: usize) -> Result<Option<LeakRate>, InterfaceError> {
-        let joint = self.request.seal.and_then(|seal| seal.joint).zip(self.sealing.as_ref());
+        let joint = self.request.seal.and_then(|seal| seal.joint).zip(self.elastic.sealing.as_ref());
         let height_m = self.constriction(load).and_then(|seen| seen.opening_gap_m);
         let (Some((joint, sealing)), Some(height_m)) = (joint, height_m) else { return Ok(None) };
         let area_fraction = sealing.area_fraction(self.pressure_pa(load));
@@ -402,7 +419,7 @@ impl<'a> InterfaceStates<'a> {
     }
 
     fn surface(&self) -> Result<CutSurface, InterfaceError> {
-        CutSurface::from_rms_slope(self.moments.rms_height_m(), self.moments.rms_slope())
+        CutSurface::from_rms_slope(self.elastic.moments.rms_height_m(), self.elastic.moments.rms_slope())
     }
 
     fn relative_stiffness(&self, load: usize) -> Result<Option<RelativeStiffness>, InterfaceError> {
@@ -415,17 +432,18 @@ impl<'a> InterfaceStates<'a> {
     }
 
     fn finite_stiffness_pa_per_m(&self, pressure_pa: f64) -> Option<f64> {
-        Some(self.separation.whole(pressure_pa).stiffness_pa_per_m).filter(|stiffness| stiffness.is_finite())
+        Some(self.elastic.separation.whole(pressure_pa).stiffness_pa_per_m)
+            .filter(|stiffness| stiffness.is_finite())
     }
 
     /// The share in contact under any pressure \[Pa\] by the elastic theory.
     fn elastic_area_fraction(&self, pressure_pa: f64) -> Option<f64> {
-        let last = self.roughness.places().last()?;
+        let last = self.elastic.roughness.places().last()?;
         Some(elastic::area_fraction(pressure_pa, last.variance_pa2(self.modulus_pa()).sqrt()))
     }
 
     fn separation(&self, load: usize) -> Separation {
-        *self.separations[load].get_or_init(|| self.separation.whole(self.pressure_pa(load)))
+        *self.elastic.separations[load].get_or_init(|| self.elastic.separation.whole(self.pressure_pa(load)))
     }
 
     fn constriction(&self, load: usize) -> Option<MagnifiedContact> {
@@ -433,8 +451,8 @@ impl<'a> InterfaceStates<'a> {
         if self.closed_by_yielding_from_pa().is_some_and(|from_pa| pressure_pa >= from_pa) {
             return None;
         }
-        let find = || self.sealing.as_ref()?.critical_constriction(pressure_pa);
-        *self.constrictions[load].get_or_init(find)
+        let find = || self.elastic.sealing.as_ref()?.critical_constriction(pressure_pa);
+        *self.elastic.constrictions[load].get_or_init(find)
     }
 
     fn pressure_pa(&self, load: usize) -> f64 {

@@ -54,7 +54,7 @@ impl Plan<'_> {
         let curves = inputs.handed_out(rows_of_models, &self.needs.curves);
         let [wanted_levels, wanted_states] = levels_and_states(&curves);
 
-        let PreparedSpectrum { psd, moments, scales, fit, mut work, .. } = prepared;
+        let PreparedSpectrum { psd, moments, scales, fit, mut work, gradients, .. } = prepared;
         work += work_of_curves;
         work += work_of_sweeps;
         work += Work {
@@ -62,7 +62,7 @@ impl Plan<'_> {
             shared_states: wanted_states - computed_states,
             ..Work::default()
         };
-        Ok(Results { psd, moments, scales, fit, curves, sweeps, work })
+        Ok(Results { psd, moments, scales, fit, curves, sweeps, work, gradients })
     }
 
     /// Computes some rows of a model, a block for each condition, and counts the work.

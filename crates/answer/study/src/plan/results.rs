@@ -1,6 +1,6 @@
 //! Results of a plan.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use serde::Serialize;
 use spectrum::{AsperityParameters, Moments, ProfilePsd, SelfAffineFit};
@@ -26,6 +26,9 @@ pub struct Results {
     pub sweeps: Vec<SweepResult>,
     /// Counters of the work done.
     pub work: Work,
+    /// The mean square gradients of the waves of the surface, as the prepared spectrum has them.
+    #[serde(skip)]
+    pub(crate) gradients: Arc<OnceLock<Vec<f64>>>,
 }
 
 /// A curve against load.
@@ -48,7 +51,7 @@ impl PreparedSpectrum {
             fit: None,
             sweep_cutoffs: Vec::new(),
             work: Work::default(),
-            gradients: Arc::default(),
+            gradients: Arc::clone(&results.gradients),
         }
     }
 }

@@ -86,7 +86,8 @@ fn a_curve_of_a_plan_and_its_stream_equal_the_theory_bit_for_bit() {
         let plan = Plan { psd: &psd, sampling, needs };
         let results = plan.compute().unwrap();
 
-        let roughness = gap_law::roughness(&plan, &results, options.band.unwrap_or_default());
+        let roughness =
+            gap_law::roughness(&results, Normalisation::Parseval, options.band.unwrap_or_default());
         let contact_modulus_pa = material.pair.composite_modulus_pa();
         let theory = match *name {
             "persson" => PerssonModel::Elastic { contact_modulus_pa, correction: options.correction },
