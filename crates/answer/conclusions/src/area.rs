@@ -142,14 +142,11 @@ impl AreaEstimate {
     /// logarithms add as squares.
     fn widened(self, evidence: &Evidence<'_>, load: usize, best: Option<usize>) -> Self {
         let Some(inputs) = self.interval_of_inputs(evidence, load, best) else { return self };
-        let wider = |end: f64, of_inputs: f64| -> f64 {
-            let centre = self.area_fraction.unwrap_or(end);
-            let ln = (end / centre).ln().hypot(of_inputs.ln());
-            if of_inputs < 1.0 { centre * (-ln).exp() } else { centre * ln.exp() }
-        };
+        let centre = |end: f64| self.area_fraction.unwrap_or(end);
+        let wider = |end: f64, of_inputs: f64| (end / centre(end)).ln().hypot(of_inputs.ln()).exp();
         // An interval that begins above the area widens nothing downwards.
-        let low = if inputs.low < 1.0 { wider(self.low, inputs.low) } else { self.low };
-        let high = if inputs.high > 1.0 { wider(self.high, inputs.high) } else { self.high };
+        let low = centre(self.low) / wider(self.low, inputs.low.min(1.0));
+        let high = centre(self.high) * wider(self.high, inputs.high.max(1.0));
         AreaEstimate {
             low: low.min(self.low),
             high: high.clamp(self.high, 1.0),

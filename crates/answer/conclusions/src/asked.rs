@@ -4,6 +4,7 @@
 use interface::conductance::MOST_PLASTIC_SHARE;
 use interface::friction::SlidingContact;
 use judge::Reference;
+use persson::separation::STIFFNESS_WITHIN;
 use serde::Serialize;
 use study::interface::{InterfaceStates, Quantity, Slot};
 use uncertainty::Uncertainty;
@@ -13,10 +14,7 @@ use super::area::{AreaEstimate, Source};
 /// The share of the contact that has flowed from which on all of it counts as flowed.
 const FLOWED_SHARE: f64 = 0.9;
 
-/// The factor, either way, within which stiffnesses of Persson's theory hold boundary elements of nine in ten spectra.
-const STIFFNESS_WITHIN: f64 = 1.25;
-
-/// The factor, either way, within which its gaps do.
+/// The factor, either way, within which gaps of Persson's theory hold boundary elements of nine in ten spectra.
 const GAP_WITHIN: f64 = 1.15;
 
 /// The factor, either way, within which gas conducts in a gap that is known.

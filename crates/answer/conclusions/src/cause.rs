@@ -44,6 +44,8 @@ pub enum Cause {
         /// The decade that decides most.
         decade: DecadeShare,
     },
+    /// Adhesion, which no area counts: the surfaces stick.
+    Adhesion,
     /// Nothing: everything touches.
     FullContact,
     /// Unknown: no curve that agrees with boundary elements was followed along the cutoff.
@@ -54,11 +56,14 @@ impl Cause {
     /// Returns true if scales of roughness have a part in it.
     #[must_use]
     pub fn has_scales(self) -> bool {
-        !matches!(self, Cause::Hardness { .. } | Cause::FullContact | Cause::Unknown)
+        !matches!(self, Cause::Hardness { .. } | Cause::Adhesion | Cause::FullContact | Cause::Unknown)
     }
 
     /// Finds the cause of the area that is concluded for a load. What elements say goes before what a model says.
-    pub(crate) fn new(evidence: &Evidence<'_>, load: &Estimate<'_>) -> Self {
+    pub(crate) fn new(evidence: &Evidence<'_>, load: &Estimate<'_>, sticks: bool) -> Self {
+        if sticks {
+            return Cause::Adhesion;
+        }
         if let Some(ratio) = load.factor_of_hardness() {
             return Cause::GrowthOfHardness { ratio };
         }

@@ -8,6 +8,7 @@ use interface::conductance::MOST_PLASTIC_SHARE;
 use judge::Reference;
 use scene::Scene;
 use serde::ser::{Serialize, SerializeMap, Serializer};
+use study::bodies::Body;
 use study::interface::InterfaceStates;
 use study::interface::{Quantity, Slot};
 use uncertainty::MIN_SCANS;
@@ -82,6 +83,7 @@ pub(crate) fn cautions(
     let mut cautions = Vec::new();
     let new = Remark::new;
     cautions.extend(states.and_then(|states| fluid_parts(loads, states)));
+    cautions.extend(states.and_then(stickiness));
     let too_few = |scales: usize| new(RemarkCode::TooFewScales).with("scales", scales);
     cautions.extend(answer.too_few_scales.map(too_few));
     cautions.extend(answer.instruments_disagree.as_ref().map(|found| {
@@ -110,9 +112,12 @@ pub(crate) fn cautions(
     cautions.extend(farthest.map(|map| {
         let code =
             if map.has_direction() { RemarkCode::SlopesByDirection } else { RemarkCode::NotGaussianMap };
-        new(code).with("map", map.map.as_str()).with("ratio", map.ratio())
+        let remark = new(code).with("map", map.map.as_str()).with("ratio", map.ratio());
+        let several = scene.needs.loads.len() > 1;
+        if several { remark.with("load", scene.needs.loads[map.load].label.as_str()) } else { remark }
     }));
-    let on_roughness = loads.iter().any(|load| !matches!(load.cause, Cause::Hardness { .. }));
+    let on_roughness =
+        loads.iter().any(|load| !matches!(load.cause, Cause::Hardness { .. } | Cause::Adhesion));
     cautions.extend(upper_bound(evidence, loads).filter(|_| on_roughness));
     let steep_from_m = judgement.and_then(|judgement| judgement.steep_from_m);
     cautions.extend(steep_from_m.map(|from_m| new(RemarkCode::TooSteep).with("from_m", from_m)));
@@ -125,6 +130,7 @@ pub(crate) fn cautions(
         let code = if models == 1 { RemarkCode::TheModelDisagrees } else { RemarkCode::NoModelAgrees };
         cautions.push(new(code).with("models", models));
     }
+    cautions.extend(softer_without_hardness(scene));
     cautions.extend(scene.surface.is_assumed().then(|| new(RemarkCode::MadeOfNumbers)));
     cautions.extend(unknown_tip(scene));
     let guesses = uncertainty.into_iter().flat_map(|found| &found.guesses);
@@ -142,7 +148,6 @@ pub(crate) fn cautions(
     let yielded = shares.filter(|share| *share > MOST_PLASTIC_SHARE);
     let largest = yielded.reduce(f64::max);
     cautions.extend(largest.map(|share| new(RemarkCode::GapOfYieldingContact).with("share", share)));
-    cautions.extend(states.and_then(stickiness));
     cautions
 }
 
@@ -174,6 +179,23 @@ fn few_places(scene: &Scene) -> Option<Remark> {
     })
 }
 
+/// The caution on a body that is less stiff than the one whose hardness was given, and has none of its own. Rubbers do not flow.
+fn softer_without_hardness(scene: &Scene) -> Option<Remark> {
+    const STIFFEST_RUBBER_PA: f64 = 100e6;
+    let material = scene.material.as_ref()?;
+    let harder = material.softer().filter(|softer| softer.other_pa.is_none())?.flows;
+    let (rough, counterface) = (material.pair.body(), material.counterface()?);
+    let (softer, softer_body, harder_body) = match harder {
+        Body::Rough => (Body::Counterface, counterface, rough),
+        Body::Counterface => (Body::Rough, rough, counterface),
+    };
+    let modulus_pa = softer_body.youngs_modulus_pa();
+    let remark = Remark::new(RemarkCode::SofterWithoutHardness)
+        .with("softer", softer.words())
+        .with("harder", harder.words());
+    (modulus_pa > STIFFEST_RUBBER_PA && modulus_pa < harder_body.youngs_modulus_pa()).then_some(remark)
+}
+
 /// The caution on a fluid that presses more than the bodies do, under the lightest such load.
 fn fluid_parts(loads: &[AnswerUnderLoad], states: &InterfaceStates<'_>) -> Option<Remark> {
     let joint = states.request.seal?.joint?;
@@ -184,7 +206,7 @@ fn fluid_parts(loads: &[AnswerUnderLoad], states: &InterfaceStates<'_>) -> Optio
 
 /// The indicator that finds the surface sticky: Pastewka & Robbins' criterion, or without a range of the attraction Fuller &
 /// Tabor's parameter.
-fn stickiness(states: &InterfaceStates<'_>) -> Option<Remark> {
+pub(crate) fn stickiness(states: &InterfaceStates<'_>) -> Option<Remark> {
     let value = |quantity| states.value(Slot { quantity, load: None, curve: None }).ok().flatten();
     if let Some(left_side) = value(Quantity::PastewkaRobbins) {
         let remark = Remark::new(RemarkCode::StickyByPastewka).with("indicator", "pastewka-robbins");

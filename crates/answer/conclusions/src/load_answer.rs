@@ -6,6 +6,7 @@ use study::interface::InterfaceStates;
 use super::area::AreaEstimate;
 use super::asked::{AskedValue, Questions};
 use super::cause::Cause;
+use super::cautions::stickiness;
 use super::compared_models::{ModelCell, ReferenceGroup, Tally, groups, leading_reference};
 use super::estimate::{Estimate, OtherHardness};
 use super::evidence::Evidence;
@@ -81,7 +82,7 @@ impl AnswerUnderLoad {
             label: given.label.clone(),
             nominal_pressure_pa: estimate.nominal_pressure_pa,
             area,
-            cause: Cause::new(evidence, &estimate),
+            cause: Cause::new(evidence, &estimate, states.and_then(stickiness).is_some()),
             otherwise: estimate.otherwise,
             best_model,
             tally: Tally::count(&references, leading_reference(headline)),

@@ -2,6 +2,7 @@
 
 use asperity::LayerCompliance;
 use elements::half_space::{Elements, Grid, HalfSpaceError};
+use measurements::MapPatch;
 use scene::Scene;
 use spectrum::random_surfaces::AreaSpectrum;
 use spectrum::{Moments, Normalisation, amplitudes, cumulative_moments};
@@ -18,6 +19,9 @@ use crate::seam::{self, Seam};
 use crate::waves::Waves;
 use crate::window::{Band, Window};
 use crate::yielding::Yielding;
+
+/// The most maps that are pressed.
+const MAX_MAPS: usize = 3;
 
 /// The closed forms about a window; those of longer waves are `None` if there are none.
 #[derive(Debug, Clone, Copy)]
@@ -347,6 +351,12 @@ impl<'s> Case<'s> {
     pub fn steep_from_m(&self) -> Option<f64> {
         let is_steep = |moments: &&Moments| (0.5 * moments.m2).sqrt() > SMALL_SLOPE_PRESSURE;
         self.moments.iter().find(is_steep).map(|moments| moments.wavelength_m)
+    }
+
+    /// The first measured maps behind the spectrum, which are pressed.
+    pub fn maps(&self) -> &[MapPatch] {
+        let maps = self.scene.surface.made_from.as_ref().map_or(&[][..], |scans| &scans.maps);
+        &maps[..maps.len().min(MAX_MAPS)]
     }
 
     /// The rms gradient of the surface over the whole band.

@@ -7,7 +7,7 @@ use crate::JudgeError;
 use crate::assumptions::CurveAtLoad;
 use crate::body::Reference;
 use crate::case::Case;
-use crate::headline::Headline;
+use crate::headline::{Basis, Headline};
 use crate::judgement::Judgement;
 use crate::layout::{Cell, Extent, Layout, PlannedPress};
 use crate::maps::MapVerdict;
@@ -93,6 +93,7 @@ impl Comparisons<'_> {
                 elements: self.area_of_whole_band(body, load).ok(),
                 maps: self.of_maps(body, load).map(|found| found.maps),
                 range: self.range_of_whole_band(body, load),
+                of_spectrum: self.of_maps(body, load).and_then(|_| self.area_of_spectrum(body, load).ok()),
             })
         };
         loads.flat_map(of_load).collect()
@@ -118,12 +119,17 @@ impl Comparisons<'_> {
         self.maps.iter().find(|area| (area.body, area.load) == (body, load))
     }
 
-    /// The area of elements on the whole band: that of maps, or as pressed, or that of the last window carried over by the closed form.
+    /// The area of elements on the whole band: that of maps, or of Gaussian surfaces.
     fn area_of_whole_band(&self, body: usize, load: usize) -> Result<ElementArea, RemarkCode> {
-        let Comparisons { case, layout, .. } = self;
-        if let Some(area) = self.of_maps(body, load) {
-            return Ok(area.elements.at_least(case.least_area(case.references[body], load)));
+        match self.of_maps(body, load) {
+            Some(area) => Ok(area.elements.at_least(self.case.least_area(self.case.references[body], load))),
+            None => self.area_of_spectrum(body, load),
         }
+    }
+
+    /// The area of Gaussian surfaces on the whole band: as pressed, or that of the last window carried over by the closed form.
+    fn area_of_spectrum(&self, body: usize, load: usize) -> Result<ElementArea, RemarkCode> {
+        let Comparisons { case, layout, .. } = self;
         let Some(window) = layout.windows.len().checked_sub(1) else { return Err(RemarkCode::NoSurface) };
         let area = self.area_on_window(Cell { body, window, load })?;
         let reference = case.references[body];
@@ -159,7 +165,8 @@ impl Comparisons<'_> {
         let verdict = |whole: &WindowOutcome| {
             let body = self.case.body(CurveAtLoad { curve: whole.curve, load: whole.load });
             let range = self.range_of_growing(body, whole.load).or(whole.elements.map(ElementArea::range));
-            CurveVerdict { range, ..curve_verdict(self.case, whole, windows) }
+            let is_map = self.of_maps(body, whole.load).is_some();
+            CurveVerdict { range, ..curve_verdict(self.case, whole, windows, is_map) }
         };
         whole_band.iter().map(verdict).collect()
     }
@@ -278,8 +285,14 @@ impl Comparison {
     }
 }
 
-/// The verdict on a curve: that of the whole band, with its worst window beside it.
-fn curve_verdict(case: &Case<'_>, whole: &WindowOutcome, windows: &[WindowOutcome]) -> CurveVerdict {
+/// The verdict on a curve: that of the whole band, with its worst window beside it. A model of Gaussian surfaces that agrees with a map
+/// and not with them agrees by accident.
+fn curve_verdict(
+    case: &Case<'_>,
+    whole: &WindowOutcome,
+    windows: &[WindowOutcome],
+    is_map: bool,
+) -> CurveVerdict {
     let at = CurveAtLoad { curve: whole.curve, load: whole.load };
     let compared = || windows.iter().filter(|on| on.is_of(at) && on.ratio_and_error().is_some());
     let worst = compared().max_by(|a, b| badness(a).total_cmp(&badness(b)));
@@ -289,7 +302,20 @@ fn curve_verdict(case: &Case<'_>, whole: &WindowOutcome, windows: &[WindowOutcom
     });
     let agreeing = compared().filter(|on| on.verdict == Verdict::Agrees).count();
     let windows = compared().count();
-    let reason = match (worst_window, whole.reason.clone()) {
+    let found = CurveVerdict {
+        curve: at.curve,
+        load: at.load,
+        area_fraction: whole.area_fraction,
+        reference: case.reference(at),
+        elements: whole.elements,
+        range: None,
+        verdict: whole.verdict,
+        reason: whole.reason.clone(),
+        worst_window,
+        agreeing,
+        windows,
+    };
+    let reason = match (worst_window, found.reason.clone()) {
         (Some(worst), reason) if reason.code == RemarkCode::ComparedAreas => reason
             .with("agreeing", agreeing)
             .with("windows", windows)
@@ -298,18 +324,14 @@ fn curve_verdict(case: &Case<'_>, whole: &WindowOutcome, windows: &[WindowOutcom
             .with("worst_ratio", worst.ratio),
         (_, reason) => reason,
     };
-    CurveVerdict {
-        curve: at.curve,
-        load: at.load,
-        area_fraction: whole.area_fraction,
-        reference: case.reference(at),
-        elements: whole.elements,
-        range: None,
-        verdict: whole.verdict,
-        reason,
-        worst_window,
-        agreeing,
-        windows,
+    let is_accident = is_map && windows > 0 && found.verdict == Verdict::Agrees && !found.holds();
+    match is_accident {
+        true => CurveVerdict {
+            verdict: Verdict::OutOfRange,
+            reason: Remark { code: RemarkCode::AgreesByAccident, ..reason },
+            ..found
+        },
+        false => CurveVerdict { reason, ..found },
     }
 }
 
@@ -340,6 +362,34 @@ pub(crate) fn without_elements(case: &Case<'_>, reason: RemarkCode) -> Judgement
     conclude(case, None, Vec::new(), case.all().map(verdict).collect(), Vec::new(), Vec::new())
 }
 
+/// Holds the maps that are the answer against Gaussian surfaces of their spectrum, under each load.
+fn standing_verdicts(
+    case: &Case<'_>,
+    headlines: &[Headline],
+    references: &[ReferenceArea],
+) -> Vec<MapVerdict> {
+    let maps = case.maps();
+    let names: Vec<&str> = maps.iter().map(|map| map.name.as_str()).collect();
+    let squares = maps.iter().map(|map| map.gradient_over_spectrum.powi(2));
+    let gradient_over_spectrum = (squares.sum::<f64>() / maps.len() as f64).sqrt();
+    let gradient_pa = gradient_over_spectrum * case.composite_modulus_pa * case.rms_gradient();
+    let verdict = |headline: &Headline| {
+        let is_own = |area: &&ReferenceArea| {
+            area.load == headline.load && headline.basis == Basis::Elements(area.reference)
+        };
+        let area = references.iter().find(is_own)?;
+        Some(MapVerdict {
+            map: names.join(", "),
+            load: area.load,
+            pressure_over_gradient: case.nominal_pressure_pa(area.load) / gradient_pa,
+            gradient_over_spectrum,
+            area_fraction: area.elements?.area_fraction,
+            twins: area.of_spectrum?,
+        })
+    };
+    headlines.iter().filter_map(verdict).collect()
+}
+
 /// Adds to the verdicts what follows from them and from the case.
 pub(crate) fn conclude(
     case: &Case<'_>,
@@ -350,8 +400,9 @@ pub(crate) fn conclude(
     maps: Vec<MapVerdict>,
 ) -> Judgement {
     let yielding: Vec<Yielding> = (0..case.loads()).map(|load| case.yielding(load)).collect();
-    let headlines =
+    let headlines: Vec<Headline> =
         yielding.iter().filter_map(|yielding| Headline::new(yielding, &references, &curves, &maps)).collect();
+    let maps = standing_verdicts(case, &headlines, &references).into_iter().chain(maps).collect();
     Judgement {
         extent,
         windows,

@@ -73,6 +73,8 @@ impl Headline {
             (Some(_), true, Some(_)) => growing,
         };
         let Some(own) = own else { return Self::from_range(load, curves) };
+        let is_elastic = yielding.above_constant.is_none();
+        let own = flowing.filter(|flowing| is_elastic && has_peaks_that_flow(own, flowing)).unwrap_or(own);
         let headline = Self::from_elements(own, curves)?.with_peaks_that_flow(yielding).with_maps(maps);
         // Maps that touch less are elastic: what flows touches as much as the load over the hardness, whatever its peaks.
         let least = own.elements.map_or(0.0, |elements| elements.least.min(headline.high));
@@ -104,8 +106,9 @@ impl Headline {
 
     /// Extends the range by what peaks of the pressure add that flow though no scale yields on average.
     fn with_peaks_that_flow(self, yielding: &Yielding) -> Self {
-        let factor =
-            yielding.flowing_over_elastic.filter(|_| yielding.above_constant.is_none()).unwrap_or(1.0);
+        let is_elastic =
+            self.basis == Basis::Elements(Reference::Elastic) && yielding.above_constant.is_none();
+        let factor = yielding.flowing_over_elastic.filter(|_| is_elastic).unwrap_or(1.0);
         Headline { high: (self.high * factor.max(1.0)).min(1.0), ..self }
     }
 
@@ -139,6 +142,13 @@ impl Headline {
             best_curve: None,
         })
     }
+}
+
+/// Tells whether maps have peaks that flow, though no Gaussian surface of their spectrum has: their area with the hardness lies above
+/// the range of the elastic one.
+fn has_peaks_that_flow(elastic: &ReferenceArea, flowing: &ReferenceArea) -> bool {
+    let areas = flowing.elements.zip(elastic.range).filter(|_| flowing.maps.is_some());
+    areas.is_some_and(|(flowing, elastic)| flowing.area_fraction > elastic.high)
 }
 
 impl Otherwise {

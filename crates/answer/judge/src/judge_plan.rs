@@ -47,8 +47,10 @@ impl<'s> JudgePlan<'s> {
             Ok(layout) => layout,
         };
         let solutions = solve(layout, &self.case, self.settings.seed, progress)?;
-        let maps = self.maps(layout, progress)?;
         let standing = press_standing_maps(&self.case, &layout.loads, self.settings.budget, progress)?;
+        let stands = |load: &usize| standing.iter().any(|area| area.load == *load);
+        let rest: Vec<usize> = layout.loads.iter().copied().filter(|load| !stands(load)).collect();
+        let maps = self.maps(layout.grid, &rest, progress)?;
         let comparisons = Comparisons { case: &self.case, layout, solutions: &solutions, maps: &standing };
         let mut windows = comparisons.on_windows()?;
         let whole_band = comparisons.on_whole_band();
@@ -61,15 +63,14 @@ impl<'s> JudgePlan<'s> {
     }
 
     /// Compares the measured maps behind the spectrum with Gaussian surfaces of their waves.
-    fn maps(&self, layout: &Layout, progress: &dyn Progress) -> Result<Vec<MapVerdict>, JudgeError> {
-        let maps = self.case.scene.surface.made_from.as_ref().map_or(&[][..], |scans| &scans.maps);
-        let pressing = MapPressing {
-            case: &self.case,
-            loads: &layout.loads,
-            seed: self.settings.seed,
-            grid: layout.grid,
-        };
-        compare_maps(maps, &pressing, &NestedProgress(progress))
+    fn maps(
+        &self,
+        grid: usize,
+        loads: &[usize],
+        progress: &dyn Progress,
+    ) -> Result<Vec<MapVerdict>, JudgeError> {
+        let pressing = MapPressing { case: &self.case, loads, seed: self.settings.seed, grid };
+        compare_maps(&pressing, &NestedProgress(progress))
     }
 }
 

@@ -15,8 +15,6 @@ use crate::verdict::ERRORS_GIVEN;
 use crate::verdicts::ElementArea;
 use crate::window::POINTS_PER_SHORTEST;
 
-/// The most maps that are pressed.
-pub(crate) const MAX_MAPS: usize = 3;
 /// Gaussian surfaces beside each map.
 const TWINS: u64 = 4;
 /// The pressure over E* h' at which nearly all of a map touches.
@@ -84,12 +82,11 @@ pub(crate) struct MapPressing<'p> {
 
 /// Presses maps and their twins, elastically. Cancelled work is left out.
 pub(crate) fn compare_maps(
-    maps: &[MapPatch],
     pressing: &MapPressing<'_>,
     progress: &dyn Progress,
 ) -> Result<Vec<MapVerdict>, JudgeError> {
-    let first = &maps[..maps.len().min(MAX_MAPS)];
-    let found = numerics::parallel::try_map(first, |patch| compare_map(patch, pressing, progress))?;
+    let found =
+        numerics::parallel::try_map(pressing.case.maps(), |patch| compare_map(patch, pressing, progress))?;
     Ok(found.into_iter().flatten().collect())
 }
 

@@ -8,7 +8,7 @@ use crate::JudgeError;
 use crate::body::Reference;
 use crate::case::Case;
 use crate::layout::{FLOWING, GRIDS, operators};
-use crate::maps::{MAX_MAPS, Press, waves};
+use crate::maps::{Press, waves};
 use crate::solve::Solved;
 use crate::verdicts::{ElementArea, PressedMaps};
 
@@ -41,8 +41,7 @@ pub(crate) fn press_standing_maps(
     budget: f64,
     progress: &dyn Progress,
 ) -> Result<Vec<StandingArea>, JudgeError> {
-    let maps = case.scene.surface.made_from.as_ref().map_or(&[][..], |scans| &scans.maps);
-    let maps = &maps[..maps.len().min(MAX_MAPS)];
+    let maps = case.maps();
     let presses = (maps.len() * loads.len() * case.references.len()) as f64;
     let cost = |points: usize| presses * operators(points) * (points * points) as f64;
     let Some(points) = GRIDS.into_iter().find(|points| cost(*points) <= budget) else {

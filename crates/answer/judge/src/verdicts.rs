@@ -194,4 +194,6 @@ pub struct ReferenceArea {
     pub range: Option<AreaRange>,
     /// The measured maps that were pressed; `None` for Gaussian surfaces of the spectrum.
     pub maps: Option<PressedMaps>,
+    /// The area of Gaussian surfaces of the spectrum, where maps were pressed in their place.
+    pub of_spectrum: Option<ElementArea>,
 }

@@ -43,8 +43,7 @@ pub use uncertainty::UncertaintySettings;
 
 use measurements::{Files, InstrumentOfScan, NoFiles};
 use persson::Band;
-use study::bodies::{Bodies, Softer};
-use study::body_properties::BodyProperty;
+use study::bodies::{Bodies, FromTable, Softer};
 use study::choices_in_words;
 use study::figure::Figure;
 use study::interface::{InterfaceInputs, InterfaceRequest, InterfaceStates};
@@ -198,10 +197,8 @@ impl Scene {
         let says = |instrument: &InstrumentOfScan| {
             !instrument.is_guessed || instrument.z_calibration.or(instrument.slope_uncertainty).is_some()
         };
-        let tables = [&self.bodies.from_table, &self.bodies.counterface_from_table].into_iter().flatten();
-        let strengths =
-            [BodyProperty::YieldStrength, BodyProperty::IndentationHardness].map(BodyProperty::key);
-        let is_tabled = tables.flat_map(|table| &table.keys).any(|key| strengths.contains(key));
+        let mut tables = [&self.bodies.from_table, &self.bodies.counterface_from_table].into_iter().flatten();
+        let is_tabled = tables.any(FromTable::gives_strength);
         scans.any(|scan| says(&scan.instrument))
             || !self.spreads.elastic_are_exact()
             || self.spreads.strain_gradient_length.is_some()

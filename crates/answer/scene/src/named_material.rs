@@ -10,9 +10,6 @@ use study::bodies::FromTable;
 use study::body_properties::BodyProperty;
 use study::materials::{TabledMaterial, UnknownMaterial, named};
 
-/// The properties that give each other: H = 3 S0.
-const STRENGTHS: [BodyProperty; 2] = [BodyProperty::YieldStrength, BodyProperty::IndentationHardness];
-
 /// The keys of a body, as given or from the table.
 pub(super) struct BodyKeys {
     /// Section of the keys.
@@ -42,7 +39,7 @@ impl BodyKeys {
 
     /// Returns true if hardness or strength is given; they give each other.
     pub fn has_strength(&self) -> bool {
-        STRENGTHS.into_iter().any(|property| self.get(property).is_some())
+        BodyProperty::STRENGTHS.into_iter().any(|property| self.get(property).is_some())
     }
 
     /// Returns the key of a property with its section.
@@ -56,13 +53,16 @@ impl BodyKeys {
         let tabled = tabled(name)?;
         // Hardness and strength give each other: one of them given leaves none of them out.
         let has_strength = self.has_strength() || is_base;
-        let mut keys = Vec::new();
+        let mut properties = Vec::new();
         for property in BodyProperty::ALL {
-            let is_given = self.get(property).is_some() || has_strength && STRENGTHS.contains(&property);
+            let is_given =
+                self.get(property).is_some() || has_strength && BodyProperty::STRENGTHS.contains(&property);
             if let Some(value) = tabled.value(property).filter(|_| !is_given) {
-                keys.push(property.key());
-                let uncertainty =
-                    tabled.strength_uncertainty.as_ref().filter(|_| STRENGTHS.contains(&property));
+                properties.push(property);
+                let uncertainty = tabled
+                    .strength_uncertainty
+                    .as_ref()
+                    .filter(|_| BodyProperty::STRENGTHS.contains(&property));
                 let value = match (value.as_str(), uncertainty) {
                     (Some(strength), Some(uncertainty)) => format!("{strength} +- {uncertainty}").into(),
                     _ => value.clone(),
@@ -71,7 +71,7 @@ impl BodyKeys {
                 self.properties.push((property, Spanned::new(name.span(), value)));
             }
         }
-        self.from_table = Some(FromTable { name: tabled.name, keys, sources: tabled.sources });
+        self.from_table = Some(FromTable { name: tabled.name, properties, sources: tabled.sources });
         Ok(self)
     }
 }

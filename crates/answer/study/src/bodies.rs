@@ -5,6 +5,7 @@ use asperity::{ElasticBody, MaterialPair};
 use units::display::pressure;
 use units::{Remark, RemarkCode};
 
+use crate::body_properties::BodyProperty;
 use crate::hardness_and_strength::{HARDNESS_OVER_STRENGTH, HardnessAndStrength};
 use crate::material_spreads::MaterialSpreads;
 
@@ -52,8 +53,8 @@ pub struct Transport {
 pub struct FromTable {
     /// The name in the table.
     pub name: String,
-    /// The missing keys that were filled, in their order in a scene.
-    pub keys: Vec<&'static str>,
+    /// The missing properties that were filled, in the order of their keys in a scene.
+    pub properties: Vec<BodyProperty>,
     /// Sources of the values in the table.
     pub sources: String,
 }
@@ -128,10 +129,19 @@ impl Bodies {
 }
 
 impl FromTable {
+    /// Returns true if the yield strength or the hardness is of the table.
+    #[must_use]
+    pub fn gives_strength(&self) -> bool {
+        BodyProperty::STRENGTHS.iter().any(|strength| self.properties.contains(strength))
+    }
+
     /// Describes the values that were filled; `None` if all were given.
     fn line(&self, body: Body) -> Option<String> {
         let (name, sources) = (&self.name, &self.sources);
-        let filled = (!self.keys.is_empty()).then(|| self.keys.join(", "))?;
+        let filled = (!self.properties.is_empty()).then(|| {
+            let keys: Vec<&str> = self.properties.iter().map(|property| property.key()).collect();
+            keys.join(", ")
+        })?;
         Some(format!("{} is {name}: {filled} from the table of materials ({sources})", body.words()))
     }
 }

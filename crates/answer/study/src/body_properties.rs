@@ -31,6 +31,9 @@ impl BodyProperty {
         BodyProperty::Resistivity,
     ];
 
+    /// Those that give each other, H = 3 S0.
+    pub const STRENGTHS: [BodyProperty; 2] = [BodyProperty::YieldStrength, BodyProperty::IndentationHardness];
+
     /// The key in scenes, the SI unit if it has one, and true if it may be uncertain.
     const fn facts(self) -> (&'static str, Option<&'static str>, bool) {
         match self {

@@ -385,6 +385,9 @@ remark_codes! {
     TipMayShow "tip-unknown" Caution
         "{files}: the radius of the tip is unknown, and below about {may_show_below_m} the scan may show the tip."
         short "tip unknown, which may show below {may_show_below_m}";
+    SofterWithoutHardness "no-hardness" Caution
+        "Give {softer} a hardness or a yield strength: it is less stiff than {harder}, and is taken not to yield."
+        short "{softer} taken not to yield";
     MadeOfNumbers "made-of-numbers" Caution
         "The spectrum was made from an rms height and an rms slope, not measured."
         short "spectrum made from a few numbers";
@@ -401,18 +404,20 @@ remark_codes! {
         "{share%} of the contact yields, but leaks and tangential loads assume it does not: order of magnitude only."
         short "{share%} of the contact yields";
     StickyByPastewka "sticky" Caution
-        "Adhesion may change the area, and no area here counts it: Pastewka & Robbins' criterion is {left_side}, and surfaces stick below \
-         {limit}."
-        short "adhesion, which areas leave out";
+        "The surfaces stick, and no area here counts it: far more may touch. Pastewka & Robbins' criterion is {left_side}, and surfaces \
+         stick below {limit}."
+        short "sticks, which areas leave out";
     StickyByFuller "sticky" Caution
         "Adhesion may change the area, and no area here counts it: Fuller & Tabor's parameter is {theta}, and surfaces did not stick above \
          {limit}."
         short "adhesion, which areas leave out";
     NotGaussianMap "not-gaussian" Caution
-        "{map} touches {ratio} times as much as Gaussian surfaces with its spectrum, which the range counts: its heights are not Gaussian."
+        "{map} touches {ratio} times as much as Gaussian surfaces with its spectrum[ at {load}], which is counted: its heights are not \
+         Gaussian."
         short "heights of {map} are not Gaussian";
     SlopesByDirection "slopes-by-direction" Caution
-        "{map} touches {ratio} times as much as Gaussian surfaces with its spectrum, which the range counts: its slopes differ by direction."
+        "{map} touches {ratio} times as much as Gaussian surfaces with its spectrum[ at {load}], which is counted: its slopes differ by \
+         direction."
         short "slopes of {map} differ by direction";
 
     // Why an interval is a guess.
@@ -431,6 +436,9 @@ remark_codes! {
     ComparedAreas "judge.compared" Note
         "{ratio} times the area of boundary elements[; agrees on {agreeing} of {windows} windows, worst from {longest_m} to {shortest_m}: \
          {worst_ratio} times]";
+    AgreesByAccident "judge.agrees-by-accident" Note
+        "{ratio} times the area of the map, by accident: on Gaussian surfaces, which it is a model of, it agrees on {agreeing} of {windows} \
+         windows, worst from {longest_m} to {shortest_m}: {worst_ratio} times";
     AssumesNoYielding "judge.broken.yields" Note
         "assumes that nothing yields, but from {wavelength_m} on the real pressure, {pressure_pa}, exceeds the hardness, {hardness_pa}";
     UnfittedLaw "judge.broken.unfitted" Note

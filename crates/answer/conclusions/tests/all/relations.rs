@@ -25,6 +25,7 @@ struct Seen {
     by_roughness: usize,
     by_both: usize,
     by_growth: usize,
+    by_adhesion: usize,
     flowed: usize,
     partly: usize,
     elastic: usize,
@@ -52,6 +53,7 @@ fn the_relations_of_an_answer_hold_for_two_hundred_drawn_scenes() {
         total(|seen| seen.by_roughness),
         total(|seen| seen.by_both),
         total(|seen| seen.by_growth),
+        total(|seen| seen.by_adhesion),
         total(|seen| seen.flowed),
         total(|seen| seen.partly),
         total(|seen| seen.elastic),
@@ -159,6 +161,10 @@ fn check_cause(answered: &Answered, load: &AnswerUnderLoad, seen: &mut Seen) {
     let over_least = hardness_pa.map(|hardness_pa| area_fraction * hardness_pa / load.nominal_pressure_pa);
     let is_all_flow = over_least.is_some_and(|ratio| ratio <= 1.1) && area_fraction < 0.999;
     let decides = load.factor_of_hardness().is_some();
+    if load.cause == Cause::Adhesion {
+        seen.by_adhesion += 1;
+        return;
+    }
     assert_eq!(matches!(load.cause, Cause::Hardness { .. }), is_all_flow && !decides, "{load:?}");
     assert_eq!(matches!(load.cause, Cause::GrowthOfHardness { .. }), decides);
     match load.cause {
@@ -181,7 +187,7 @@ fn check_cause(answered: &Answered, load: &AnswerUnderLoad, seen: &mut Seen) {
             }
         }
         Cause::FullContact => assert!(area_fraction >= 0.999),
-        Cause::Unknown => {}
+        Cause::Adhesion | Cause::Unknown => {}
     }
 }
 
@@ -345,6 +351,8 @@ fn check_next(answered: &Answered, conclusions: &Conclusions, seen: &mut Seen) {
     assert_eq!(has(&NextStep::MoreScales), warns(RemarkCode::TooFewScales));
     let sticks = warns(RemarkCode::StickyByPastewka) || warns(RemarkCode::StickyByFuller);
     assert_eq!(has(&NextStep::Adhesion), sticks);
+    assert!(conclusions.loads.iter().all(|load| (load.cause == Cause::Adhesion) == sticks));
+    assert!(!sticks || !warns(RemarkCode::UpperBound));
     let is_blocker =
         |step: &&NextStep| !matches!(step, NextStep::Surface | NextStep::MoreScales | NextStep::Adhesion);
     if matches!(middle.cause, Cause::Hardness { .. }) {

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use elements::half_space::{Elements, Grid, Loading};
-use judge::{Headline, JudgePlan, JudgeSettings, Judgement};
+use judge::{Basis, Headline, JudgePlan, JudgeSettings, Judgement, Reference};
 use numerics::parallel::Unobserved;
 use scene::{Overrides, Scene};
 use study::Files;
@@ -224,6 +224,34 @@ fn a_map_that_yields_is_pressed_with_its_hardness() {
     assert!(flows.maps.is_none() && flows.low >= PRESSURE_PA / 355e6);
 }
 
+/// A map with a few high and narrow peaks.
+fn spiky() -> Vec<f64> {
+    let mut heights_m = waves(1.0);
+    for (row, column) in [(9, 40), (23, 11), (37, 52), (50, 27), (61, 3)] {
+        heights_m[row * POINTS + column] += 120e-9;
+    }
+    heights_m
+}
+
+#[test]
+fn peaks_of_a_map_that_flow_are_counted_where_no_gaussian_surface_of_its_spectrum_would_yield() {
+    let heights_m = spiky();
+    let hardness = "indentation_hardness = \"9 GPa\"\n";
+    let yields = format!("{hardness}[[curve]]\nmodel = \"persson-plastic\"\n");
+    let (judgement, headline) = map_under(20e6, &heights_m, "", &yields);
+    assert!(judgement.yielding[0].above_constant.is_none(), "{:?}", judgement.yielding);
+    let [corrected, counted, ..] = pressed_under(20e6, &heights_m, Some(9e9));
+    let elastic = pressed_under(20e6, &heights_m, None)[1];
+    assert_eq!(headline.basis, Basis::Elements(Reference::Yielding { hardness_pa: 9e9 }));
+    // Waves along diagonals that the points do not resolve are left out.
+    let middle = 0.5 * (corrected + counted);
+    assert!((headline.area_fraction.unwrap() / middle - 1.0).abs() < 0.15, "{headline:?} {middle}");
+    assert!(headline.low > 2.0 * elastic, "{headline:?} {elastic}");
+    // Bodies so hard that no peak flows stay elastic.
+    let (_, hard) = map_under(20e6, &heights_m, "", &yields.replace("9 GPa", "40 GPa"));
+    assert_eq!(hard.basis, Basis::Elements(Reference::Elastic));
+}
+
 #[test]
 fn a_map_is_pressed_with_the_waves_of_the_band_alone() {
     let heights_m = waves(1.0);
@@ -247,7 +275,8 @@ fn a_map_that_touches_less_takes_no_contact_below_the_load_over_its_hardness() {
 
 #[test]
 fn a_light_load_tells_a_worn_surface_by_a_heavier_one() {
-    let (light, _) = map_under(1e6, &worn(waves(1.0)), "", "");
+    let (light, headline) = map_under(1e5, &worn(waves(1.0)), "", "");
+    assert!(headline.maps.is_none(), "{headline:?}");
     assert!(light.maps[0].differs() && light.maps[0].ratio() > 1.2, "{:?}", light.maps);
     assert!(
         2.0 * light.maps[0].pressure_over_gradient * (POINTS * POINTS) as f64 > 199.0,

@@ -4,7 +4,7 @@
 
 use std::fmt::Write;
 
-use conclusions::{AnswerUnderLoad, Conclusions, ModelCell, ReferenceGroup, Source, foremost};
+use conclusions::{AnswerUnderLoad, Cause, Conclusions, ModelCell, ReferenceGroup, Source, foremost};
 use judge::{AGREEMENT, Reference, Verdict};
 use maud::{Markup, PreEscaped, html};
 use study::figure::CurveLook;
@@ -130,6 +130,7 @@ pub(super) fn best_estimate(report: &SceneReport<'_>, load: &AnswerUnderLoad) ->
         None => share_range(area.low, area.high),
     };
     let heading = match (area.source, load.otherwise) {
+        _ if load.cause == Cause::Adhesion => "Without adhesion",
         (Source::Model { .. } | Source::Models, _) => "Not checked",
         (_, Some(_)) => "✓ Best estimate – if the hardness grows at small scales",
         (Source::Elements(Reference::Growing), None) => "✓ Range – the hardness at small scales is not known",
@@ -234,7 +235,7 @@ fn matrix(report: &SceneReport<'_>, at: usize, styles: &[ModelStyle]) -> Markup 
                 }
             }
             p.legend {
-                span.agrees { "✓ within 4/3, error included" } " " span.large { "▲ too large" } " " span.small { "▼ too small" } " "
+                span.agrees { "✓ surely within 4/3" } " " span.large { "▲ too large" } " " span.small { "▼ too small" } " "
                 span.invalid { "⊘ outside its assumptions" } " tick a model to draw it; point at a cell for its reason"
             }
         }

@@ -10,6 +10,7 @@ pub(crate) fn cause_in_short(cause: Cause) -> Option<String> {
         Cause::GrowthOfHardness { .. } | Cause::Hardness { .. } => Some("the hardness".to_owned()),
         Cause::HardnessAndRoughness { .. } => Some("hardness and roughness".to_owned()),
         Cause::Roughness { decade } => Some(percent(decade.share)),
+        Cause::Adhesion => Some("adhesion".to_owned()),
         Cause::FullContact | Cause::Unknown => None,
     }
 }
@@ -35,6 +36,11 @@ pub(crate) fn cause_words(cause: Cause) -> String {
         Cause::Roughness { decade } => {
             format!("of the answer is decided by roughness from {}.", scales(&decade))
         }
+        Cause::Adhesion => {
+            "It holds the surfaces together wherever they come close. Press them with it: `truearea bem \
+                            --work-of-adhesion`."
+                .to_owned()
+        }
         Cause::FullContact => {
             "The pressure flattens all of the roughness: no scale is left to decide.".to_owned()
         }
@@ -57,6 +63,7 @@ pub(crate) fn cause_line(cause: Cause) -> Option<String> {
         Cause::Roughness { decade } => {
             format!("roughness from {}: {}", scales(&decade), percent(decade.share))
         }
+        Cause::Adhesion => "adhesion, which no area here counts".to_owned(),
         Cause::FullContact => "nothing: all of the roughness is flattened".to_owned(),
         Cause::Unknown => return None,
     })

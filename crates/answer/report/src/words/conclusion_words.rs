@@ -190,7 +190,7 @@ pub(crate) fn parts_of_range(load: &AnswerUnderLoad, uncertainty: Option<&Uncert
     let from = if area.source.is_of_models() { "models" } else { "elements" };
     let mut parts = format!("Highest over lowest: {} from the {from}", three_digits(area.factor_of_elements));
     if is_of_end {
-        parts += ", mostly from waves beyond the end of the spectrum,";
+        parts += " (mostly from waves beyond the end of the spectrum)";
     }
     if let Some(OfInputs { curve, factor, share_of_scans }) = area.of_inputs {
         let interval = uncertainty
@@ -203,7 +203,7 @@ pub(crate) fn parts_of_range(load: &AnswerUnderLoad, uncertainty: Option<&Uncert
         parts += &format!(" and {} from uncertain inputs", three_digits(factor));
         parts.extend(mostly.filter(|_| share_of_scans < SHARE_OF_OTHERS).map(|mostly| format!(", {mostly}")));
     }
-    Some(parts.trim_end_matches(',').to_owned())
+    Some(parts)
 }
 
 /// `if the hardness is 5.4 GPa at every scale`.
@@ -410,7 +410,9 @@ pub fn next_words(step: &NextStep) -> String {
     };
     match step {
         NextStep::Surface => "scan the surface: its spectrum is made of a few numbers".to_owned(),
-        NextStep::Adhesion => "press it with its adhesion: truearea bem --work-of-adhesion".to_owned(),
+        NextStep::Adhesion => {
+            "press a map with its adhesion: truearea bem --work-of-adhesion --boundary periodic".to_owned()
+        }
         NextStep::MoreScales => "scan a wider and a finer field: the spectrum has too few scales".to_owned(),
         NextStep::Hardness => {
             "measure the hardness by indentation: the area is in inverse proportion to it".to_owned()

@@ -1,6 +1,6 @@
 //! The judgement in words: yielding, and the elements that were pressed.
 
-use judge::{Extent, Judgement, MapVerdict};
+use judge::{Basis, Extent, Judgement, MapVerdict, Reference};
 use scene::Scene;
 use units::display::{counted, length, pressure, three_digits};
 
@@ -20,7 +20,7 @@ pub(crate) fn about_elements(judgement: &Judgement, scene: &Scene) -> Vec<String
 
 /// The yielding of the contact: the pressure of an elastic contact against the hardness.
 fn yields(judgement: &Judgement, scene: &Scene) -> Vec<String> {
-    let mut groups: Vec<(Option<String>, Vec<usize>)> = Vec::new();
+    let mut groups: Vec<((Option<String>, bool), Vec<usize>)> = Vec::new();
     for yielding in judgement.yielding.iter().filter(|yielding| yielding.flowing_over_elastic.is_some()) {
         let growing = match (yielding.hardness_grows, yielding.above_growing) {
             (false, _) => "",
@@ -36,17 +36,24 @@ fn yields(judgement: &Judgement, scene: &Scene) -> Vec<String> {
                 pressure(above.hardness_pa)
             )
         });
-        match groups.iter_mut().find(|(other, _)| *other == above) {
+        let flows = judgement
+            .headline(yielding.load)
+            .is_some_and(|headline| matches!(headline.basis, Basis::Elements(Reference::Yielding { .. })));
+        let kind = (above, flows);
+        match groups.iter_mut().find(|(other, _)| *other == kind) {
             Some((_, loads)) => loads.push(yielding.load),
-            None => groups.push((above, vec![yielding.load])),
+            None => groups.push((kind, vec![yielding.load])),
         }
     }
     let ratio = |load: &usize| judgement.yielding[*load].flowing_over_elastic.unwrap_or(1.0);
-    let sentence = |(above, loads): (Option<String>, Vec<usize>)| {
+    let sentence = |((above, flows), loads): ((Option<String>, bool), Vec<usize>)| {
         let (at, ratio) = (at_loads(scene, &loads), loads.iter().map(ratio).fold(1.0, f64::max));
         let below = "the mean pressure of an elastic contact stays below the hardness at every scale";
         match above {
             Some(above) => format!("The contact yields {at}: {above}."),
+            None if flows => format!(
+                "Peaks of the map yield: {at} {below}, but peaks of the map bear more, and it touches more as they flow."
+            ),
             None if ratio < FELT => format!("Nothing yields: {at} {below}."),
             None => format!(
                 "Only peaks of the pressure yield: {at} {below}. By Persson's theory they make the area up to {} times that of elastic \

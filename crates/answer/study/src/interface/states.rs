@@ -12,7 +12,7 @@ use asperity::MaterialPair;
 use persson::Band;
 use persson::corrections::Correction;
 use persson::sealing::{MagnifiedContact, SealingLaw};
-use persson::separation::{LIGHT_CONTACT, LIGHT_CONTACT_STIFFNESS, LightLoads, Separation, SeparationLaw};
+use persson::separation::{LIGHT_CONTACT, LightLoads, STIFFNESS_WITHIN, Separation, SeparationLaw};
 use persson::{Roughness, constant_hardness, elastic};
 use spectrum::{Moments, Normalisation};
 
@@ -184,7 +184,7 @@ impl<'a> InterfaceStates<'a> {
     pub fn light_contact_factor(&self, load: usize) -> f64 {
         let Some(area_fraction) = self.elastic_area_fraction(self.pressure_pa(load)) else { return 1.0 };
         match self.request.band {
-            Band::Surface if area_fraction < LIGHT_CONTACT => LIGHT_CONTACT_STIFFNESS,
+            Band::Surface if area_fraction < LIGHT_CONTACT => STIFFNESS_WITHIN,
             _ => 1.0,
         }
     }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use persson::separation::LIGHT_CONTACT_STIFFNESS;
+use persson::separation::STIFFNESS_WITHIN;
 use scene::{Overrides, Scene};
 use study::Unobserved;
 use study::interface::{Quantity, Slot};
@@ -31,7 +31,7 @@ fn conductance_under_a_light_load_falls_with_the_modulus() {
     let found = found("100 GPa +- 1 GPa");
     let interval = |quantity, curve| found.quantity(Slot { quantity, load: Some(0), curve }).unwrap();
     // K hardly depends on the modulus, so that K/E* falls with it, and the theory is less certain under light loads.
-    let of_theory = LIGHT_CONTACT_STIFFNESS.ln();
+    let of_theory = STIFFNESS_WITHIN.ln();
     let expected =
         [(Quantity::ThermalConductance, of_theory.hypot(1.96 * 0.01)), (Quantity::Stiffness, of_theory)];
     for (quantity, expected) in expected {

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use persson::separation::{LIGHT_CONTACT, LIGHT_CONTACT_STIFFNESS};
+use persson::separation::{LIGHT_CONTACT, STIFFNESS_WITHIN};
 use trials::elements;
 use trials::gap_trials::{GapRow, LIGHT_LOADS, rows_under, trials};
 use trials::judge_spectra::{JudgeTrial, Set};
@@ -62,7 +62,7 @@ fn stiffness_and_gap_by_the_waves_of_the_surface_are_near_to_the_elements() {
 fn the_stated_range_of_the_stiffness_under_light_loads_holds_elements_of_nine_in_ten_spectra() {
     let rows = committed();
     let light = |row: &&GapRow| (1e-3..0.01).contains(&row.area_fraction);
-    let range = 1.0 / LIGHT_CONTACT_STIFFNESS..=LIGHT_CONTACT_STIFFNESS;
+    let range = 1.0 / STIFFNESS_WITHIN..=STIFFNESS_WITHIN;
     assert!(range.end() / range.start() <= 1.6);
     let held = |trial: &&JudgeTrial| {
         let mut of_trial = rows.iter().filter(light).filter(|row| row.number == trial.number);

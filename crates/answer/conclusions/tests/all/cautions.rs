@@ -1,0 +1,215 @@
+//! Cautions, the trust that they leave, and their form in `answer.json`.
+
+use conclusions::{Conclusions, Source, Trust, trust_left};
+use judge::{Reference, Verdict};
+use units::{Remark, RemarkCode};
+
+use crate::drawn_scenes::Answered;
+
+/// A scene without draws and with two curves; `judge` is a line of its section.
+fn scene(surface: &str, bodies: &str, judge: &str, rest: &str) -> Answered {
+    Answered::new(&format!(
+        "surface = {{ psd = \"{surface}.csv\" }}\n{bodies}\n[loads]\npressures = [\"10 MPa\", \"30 MPa\"]\n[[curve]]\nmodel = \
+         \"persson\"\n[[curve]]\nmodel = \"elastic\"\n[judge]\n{judge}\n{rest}"
+    ))
+}
+
+const STEEL: &str = "material = { youngs_modulus = \"200 GPa\", poisson_ratio = 0.3 }";
+const SMALL: &str = "grid = 32\nrealisations = 2";
+
+fn caution(conclusions: &Conclusions, code: RemarkCode) -> Option<&Remark> {
+    conclusions.cautions.iter().find(|caution| caution.code == code)
+}
+
+#[test]
+fn each_caution_leaves_a_trust_and_the_lowest_counts() {
+    let hole = |longest_m: f64| {
+        Remark::new(RemarkCode::NotMeasured).with("longest_m", longest_m).with("shortest_m", 1e-7)
+    };
+    for (caution, expected) in [
+        (Remark::new(RemarkCode::TooFewScales), Trust::None),
+        (Remark::new(RemarkCode::InstrumentsDisagree), Trust::Poor),
+        (Remark::new(RemarkCode::HardnessDecides), Trust::Poor),
+        (Remark::new(RemarkCode::NotJudged), Trust::Poor),
+        (Remark::new(RemarkCode::StickyByPastewka), Trust::Poor),
+        (Remark::new(RemarkCode::StickyByFuller), Trust::Poor),
+        (Remark::new(RemarkCode::ThinLayer), Trust::Poor),
+        (Remark::new(RemarkCode::FarTooSteepSurface), Trust::Poor),
+        (hole(1.1e-6), Trust::Poor),
+        (hole(0.9e-6), Trust::Fair),
+        (Remark::new(RemarkCode::NotMeasured), Trust::Fair),
+        (Remark::new(RemarkCode::TooSteep), Trust::Fair),
+        (Remark::new(RemarkCode::FewScans), Trust::Fair),
+        (Remark::new(RemarkCode::MadeOfNumbers), Trust::Fair),
+        (Remark::new(RemarkCode::NotGaussianMap), Trust::Fair),
+    ] {
+        assert_eq!(trust_left(&caution), expected, "{caution:?}");
+    }
+    let names = [Trust::None, Trust::Poor, Trust::Fair, Trust::Good].map(Trust::name);
+    assert_eq!(names, ["none", "poor", "fair", "good"]);
+    assert!(Trust::None < Trust::Poor && Trust::Poor < Trust::Fair && Trust::Fair < Trust::Good);
+}
+
+#[test]
+fn a_judged_area_of_a_whole_spectrum_has_few_cautions_and_each_defect_brings_its_own() {
+    let clean = scene("plain", STEEL, SMALL, "").conclusions();
+    for code in [
+        RemarkCode::NotJudged,
+        RemarkCode::NotMeasured,
+        RemarkCode::TooFewScales,
+        RemarkCode::MadeOfNumbers,
+        RemarkCode::NoModelAgrees,
+        RemarkCode::FewScans,
+        RemarkCode::GapOfYieldingContact,
+    ] {
+        assert!(caution(&clean, code).is_none(), "{code:?}");
+    }
+    let unjudged = scene("plain", STEEL, "off = true", "").conclusions();
+    assert!(caution(&unjudged, RemarkCode::NotJudged).is_some() && unjudged.trust == Trust::Poor);
+    let hole = scene("hole", STEEL, SMALL, "");
+    let (found, expected) = (hole.conclusions(), hole.scene.surface.holes[0]);
+    let hole = caution(&found, RemarkCode::NotMeasured).unwrap();
+    let ends = (hole.number("longest_m"), hole.number("shortest_m"));
+    assert_eq!(ends, (Some(expected.longest_m), Some(expected.shortest_m)));
+    let short = scene("short", STEEL, "off = true", "").conclusions();
+    let scales = caution(&short, RemarkCode::TooFewScales).unwrap().number("scales");
+    assert!(scales.is_some_and(|scales| scales < 6.0) && short.trust == Trust::None, "{scales:?}");
+}
+
+#[test]
+fn models_that_all_miss_the_elements_of_every_load_are_counted() {
+    let mut answered = scene("plain", STEEL, SMALL, "");
+    let mut with = |verdicts: [Verdict; 4]| {
+        let judgement = answered.judgement.as_mut().unwrap();
+        for (row, verdict) in judgement.curves.iter_mut().zip(verdicts) {
+            row.verdict = verdict;
+        }
+        let conclusions = answered.conclusions();
+        let remark = conclusions.cautions.iter().find(|caution| caution.code.name() == "no-model-agrees");
+        let tally = conclusions.loads[0].tally;
+        let counts = [tally.agree, tally.off, tally.not_valid, tally.not_judged, tally.of_other_elements];
+        (remark.map(|remark| (remark.code, remark.number("models"))), counts)
+    };
+    use Verdict::{Agrees, NotJudged, OutOfRange, TooLarge, TooSmall};
+    let both = Some((RemarkCode::NoModelAgrees, Some(2.0)));
+    // Rows run over the loads of one curve, then of the next.
+    assert_eq!(with([TooLarge, TooSmall, TooSmall, TooLarge]), (both, [0, 2, 0, 0, 0]));
+    assert_eq!(with([OutOfRange, OutOfRange, OutOfRange, OutOfRange]), (both, [0, 0, 2, 0, 0]));
+    assert_eq!(with([TooLarge, TooSmall, TooSmall, Agrees]).0, None);
+    assert_eq!(with([NotJudged, NotJudged, NotJudged, NotJudged]), (None, [0, 0, 0, 2, 0]));
+    // A model with elements of its own is no model of this contact.
+    let judgement = answered.judgement.as_mut().unwrap();
+    for (row, verdict) in judgement.curves.iter_mut().zip([TooLarge, TooLarge, Agrees, Agrees]) {
+        row.verdict = verdict;
+        if verdict == Agrees {
+            row.reference = Reference::Yielding { hardness_pa: 1e9 };
+        }
+    }
+    let conclusions = answered.conclusions();
+    let remark = caution(&conclusions, RemarkCode::TheModelDisagrees).unwrap();
+    assert_eq!(remark.number("models"), Some(1.0));
+    let load = &conclusions.loads[0];
+    assert_eq!((load.tally.off, load.tally.agree, load.tally.of_other_elements), (1, 0, 1));
+    assert_eq!(load.references[0].reference, Reference::Elastic);
+}
+
+#[test]
+fn the_nearest_model_comes_first_and_stands_for_the_elements() {
+    let mut answered = scene("plain", STEEL, SMALL, "");
+    for (row, area_over_elements) in
+        answered.judgement.as_mut().unwrap().curves.iter_mut().zip([1.3, 0.5, 0.8, 1.9])
+    {
+        let elements = row.elements.unwrap().area_fraction;
+        row.area_fraction = Some(area_over_elements * elements);
+        row.verdict = Verdict::NotJudged;
+    }
+    answered.judgement.as_mut().unwrap().headlines.iter_mut().for_each(|headline| headline.best_curve = None);
+    let loads = answered.conclusions().loads;
+    let order =
+        |load: usize| loads[load].references[0].models.iter().map(|cell| cell.curve).collect::<Vec<_>>();
+    // 1.3 against 0.8 (1.25 the other way), and 0.5 against 1.9.
+    assert_eq!((order(0), order(1)), (vec![1, 0], vec![1, 0]));
+    assert_eq!((loads[0].nearest_curve(), loads[0].best_model), (Some(1), None));
+    answered.judgement.as_mut().unwrap().headlines[0].best_curve = Some(0);
+    let load = answered.conclusions().loads[0].clone();
+    assert_eq!((load.nearest_curve(), load.best_model.map(|cell| cell.curve)), (Some(0), Some(0)));
+    let group = &load.references[0];
+    let of_elements = answered.judgement.as_ref().unwrap().references[0];
+    assert_eq!(group.area_fraction, of_elements.elements.map(|elements| elements.area_fraction));
+    assert_eq!(group.range, of_elements.range);
+}
+
+#[test]
+fn a_gap_of_peaks_that_flow_is_doubted_where_a_leak_or_a_shear_takes_it() {
+    let soft = "material = { youngs_modulus = \"70 GPa\", poisson_ratio = 0.33, indentation_hardness = \"300 MPa\" }";
+    let share = |bodies: &str, judge: &str, rest: &str| {
+        let answered = scene("plain", bodies, judge, rest);
+        let states = answered.scene.interface_states(&answered.results).unwrap();
+        let largest = states.plastic_share(0).unwrap_or(0.0).max(states.plastic_share(1).unwrap_or(0.0));
+        let found = caution(&answered.conclusions(), RemarkCode::GapOfYieldingContact).cloned();
+        (found.map(|found| found.number("share").unwrap()), largest)
+    };
+    let joint = "[seal]\npressure_drop = \"100 kPa\"\nviscosity = \"1 mPa s\"\nbreadth = \"100 mm\"\nlength = \"2 mm\"";
+    let (found, largest) = share(soft, "off = true", joint);
+    assert!(largest > 0.03 && found == Some(largest), "{found:?} {largest}");
+    let (found, largest) =
+        share(soft, "off = true", "[interface]\ntangential_stress = \"10 kPa\"\nfriction = 0.5");
+    assert_eq!(found, Some(largest));
+    // A seal without a rate, and a gap alone, have their own states; hard bodies do not flow.
+    assert_eq!(share(soft, "off = true", "[seal]").0, None);
+    assert_eq!(share(soft, "off = true", "[interface]").0, None);
+    let hard = soft.replace("300 MPa", "200 GPa");
+    let (found, largest) = share(&hard, "off = true", joint);
+    assert!(largest <= 0.03 && found.is_none());
+}
+
+#[test]
+fn the_fluid_of_a_joint_parts_bodies_under_the_lightest_load_below_its_pressure() {
+    let of = |drop: &str| {
+        let joint = format!(
+            "[seal]\npressure_drop = \"{drop}\"\nviscosity = \"1 mPa s\"\nbreadth = \"100 mm\"\nlength = \"2 mm\""
+        );
+        let conclusions = scene("plain", STEEL, "off = true", &joint).conclusions();
+        let first = conclusions.cautions[0].clone();
+        (first.code == RemarkCode::FluidParts)
+            .then(|| (first.number("fluid_pressure_pa").unwrap(), first.number("pressure_pa").unwrap()))
+    };
+    assert_eq!(of("20 MPa"), Some((20e6, 10e6)));
+    assert_eq!(of("9 MPa"), None);
+}
+
+#[test]
+fn answers_in_json_name_cautions_and_keep_their_data_beside_them() {
+    let mut conclusions = scene("plain", STEEL, "off = true", "").conclusions();
+    let doubt = Remark::new(RemarkCode::FarTooSteepSurface).with("rms_slope", 3.0);
+    let disagree =
+        Remark::new(RemarkCode::InstrumentsDisagree).about(vec!["AFM".to_owned()]).with("ratio", 2.0);
+    conclusions.cautions = vec![doubt, disagree];
+    let json = serde_json::to_value(&conclusions).unwrap();
+    let expected = serde_json::json!([
+        { "caution": "doubt", "steep-surface": { "rms_slope": 3.0 } },
+        { "caution": "instruments-disagree", "names": ["AFM"], "ratio": 2.0 },
+    ]);
+    assert_eq!(json["cautions"], expected);
+}
+
+#[test]
+fn areas_without_elements_are_those_of_their_models() {
+    let [one, two] = ["", "[[curve]]\nmodel = \"elastic\"\n"].map(|further| {
+        let text = format!(
+            "surface = {{ psd = \"plain.csv\" }}\n{STEEL}\n[loads]\npressures = [\"10 MPa\"]\n[judge]\noff = true\n[[curve]]\nmodel = \
+             \"persson\"\n{further}"
+        );
+        let answered = Answered::new(&text);
+        let areas: Vec<f64> =
+            answered.results.curves.iter().map(|curve| curve.area_fractions(0).last().unwrap().1).collect();
+        (answered.conclusions().loads[0].area, areas)
+    });
+    let (area, of_models) = one;
+    assert_eq!((area.source, area.area_fraction), (Source::Model { curve: 0 }, Some(of_models[0])));
+    assert_eq!((area.low, area.high, area.factor_of_elements), (of_models[0], of_models[0], 1.0));
+    let (area, of_models) = two;
+    let (low, high) = (of_models[0].min(of_models[1]), of_models[0].max(of_models[1]));
+    assert_eq!((area.source, area.area_fraction, area.low, area.high), (Source::Models, None, low, high));
+    assert!((area.factor_of_elements - high / low).abs() < 1e-12 && high > 1.1 * low);
+}
