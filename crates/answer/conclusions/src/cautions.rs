@@ -8,7 +8,7 @@ use interface::conductance::MOST_PLASTIC_SHARE;
 use judge::Reference;
 use scene::Scene;
 use serde::ser::{Serialize, SerializeMap, Serializer};
-use study::bodies::Body;
+use study::bodies::{Body, Softer};
 use study::interface::InterfaceStates;
 use study::interface::{Quantity, Slot};
 use uncertainty::MIN_SCANS;
@@ -183,7 +183,11 @@ fn few_places(scene: &Scene) -> Option<Remark> {
 fn softer_without_hardness(scene: &Scene) -> Option<Remark> {
     const STIFFEST_RUBBER_PA: f64 = 100e6;
     let material = scene.material.as_ref()?;
-    let harder = material.softer().filter(|softer| softer.other_pa.is_none())?.flows;
+    let harder = match material.softer() {
+        Some(Softer { other_pa: Some(_), .. }) => return None,
+        Some(softer) => softer.flows,
+        None => material.hardness_pa().map(|_| Body::Rough)?,
+    };
     let (rough, counterface) = (material.pair.body(), material.counterface()?);
     let (softer, softer_body, harder_body) = match harder {
         Body::Rough => (Body::Counterface, counterface, rough),

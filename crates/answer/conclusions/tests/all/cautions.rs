@@ -2,6 +2,7 @@
 
 use conclusions::{Conclusions, Source, Trust, trust_left};
 use judge::{Reference, Verdict};
+use study::bodies::Body;
 use units::{Remark, RemarkCode};
 
 use crate::drawn_scenes::Answered;
@@ -74,6 +75,32 @@ fn a_judged_area_of_a_whole_spectrum_has_few_cautions_and_each_defect_brings_its
     let short = scene("short", STEEL, "off = true", "").conclusions();
     let scales = caution(&short, RemarkCode::TooFewScales).unwrap().number("scales");
     assert!(scales.is_some_and(|scales| scales < 6.0) && short.trust == Trust::None, "{scales:?}");
+}
+
+#[test]
+fn a_body_that_is_less_stiff_and_has_no_hardness_is_a_caution_unless_it_is_a_rubber() {
+    let body = |modulus: &str, hardness: &str| {
+        format!("youngs_modulus = \"{modulus}\"\npoisson_ratio = 0.3\n{hardness}\n")
+    };
+    let hard = "indentation_hardness = \"2 GPa\"";
+    let of = |rough: String, counterface: String| {
+        let bodies = format!("[material]\n{rough}[counterface]\n{counterface}");
+        let conclusions = scene("plain", &bodies, "off = true", "").conclusions();
+        let found = caution(&conclusions, RemarkCode::SofterWithoutHardness)?;
+        Some(found.numbers.clone())
+    };
+    let named = |softer: Body, harder: Body| {
+        Some(vec![("softer", softer.words().into()), ("harder", harder.words().into())])
+    };
+    let [steel, polymer] = ["200 GPa", "500 MPa"];
+    assert_eq!(of(body(steel, hard), body(polymer, "")), named(Body::Counterface, Body::Rough));
+    assert_eq!(of(body(polymer, ""), body(steel, hard)), named(Body::Rough, Body::Counterface));
+    // A hardness of both, of the less stiff one, or of none; a rubber.
+    let soft = "indentation_hardness = \"30 MPa\"";
+    assert_eq!(of(body(steel, hard), body(polymer, soft)), None);
+    assert_eq!(of(body(steel, ""), body(polymer, soft)), None);
+    assert_eq!(of(body(steel, ""), body(polymer, "")), None);
+    assert_eq!(of(body(steel, hard), body("5 MPa", "")), None);
 }
 
 #[test]
