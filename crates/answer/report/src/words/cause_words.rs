@@ -36,11 +36,7 @@ pub(crate) fn cause_words(cause: Cause) -> String {
         Cause::Roughness { decade } => {
             format!("of the answer is decided by roughness from {}.", scales(&decade))
         }
-        Cause::Adhesion => {
-            "It holds the surfaces together wherever they come close. Press them with it: `truearea bem \
-                            --work-of-adhesion`."
-                .to_owned()
-        }
+        Cause::Adhesion => "It holds surfaces together wherever they come close.".to_owned(),
         Cause::FullContact => {
             "The pressure flattens all of the roughness: no scale is left to decide.".to_owned()
         }
