@@ -413,8 +413,6 @@ mod tests {
         for (over, shares) in [(0.985, false), (0.995, true), (1.0, true), (1.005, true), (1.015, false)] {
             assert_eq!(press.has_pressure(2e6 * over), shares, "{over}");
         }
-        assert!(
-            (operators(64) - 20.0).abs() < 1e-12 && ((operators(128) / 20.0).log2() - 0.3).abs() < 1e-12
-        );
+        assert!((operators(64) - 20.0).abs() < 1e-12 && ((operators(128) / 20.0).log2() - 0.3).abs() < 1e-12);
     }
 }
