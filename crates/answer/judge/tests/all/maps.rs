@@ -10,6 +10,8 @@ use spectrum::random_surfaces::MapWaves;
 use study::Files;
 use study::student::widening;
 
+use crate::scenes::coarse;
+
 const POINTS: usize = 64;
 const SIDE_M: f64 = 6.4e-6;
 const CONTACT_MODULUS_PA: f64 = 100e9;
@@ -85,7 +87,7 @@ fn judged(files: &Scans, surface: &str, rest: &str) -> (Judgement, Headline) {
 
 fn judged_under(pressure_pa: f64, files: &Scans, surface: &str, rest: &str) -> (Judgement, Headline) {
     let loads = format!("\"{pressure_pa} Pa\"");
-    let judgement = judged_with(&JudgeSettings::default(), &loads, files, surface, rest);
+    let judgement = judged_with(&coarse(64, 2), &loads, files, surface, rest);
     let headline = *judgement.headline(0).unwrap();
     (judgement, headline)
 }
@@ -122,7 +124,7 @@ fn pressed_under(nominal_pressure_pa: f64, heights_m: &[f64], saturation_pa: Opt
         contact_modulus_pa: CONTACT_MODULUS_PA,
         nominal_pressure_pa,
         saturation_pa,
-        tolerance: 1e-9,
+        tolerance: 1e-6,
     };
     let contact = elements.press(&loading, &Unobserved).unwrap();
     let stiffness = elements.stiffness_pa_per_m(&contact, CONTACT_MODULUS_PA, &Unobserved).unwrap().unwrap();
@@ -292,7 +294,7 @@ fn a_map_is_compared_with_four_surfaces_of_its_waves_under_the_same_pressure_ove
     let files = Scans(vec![("map.txt", text(&heights_m))]);
     let surface = "scans = [{ file = \"map.txt\", unit = \"m\", size = \"6.4 um\" }]";
     let loads = "\"1 TPa\", \"350 MPa\", \"351 MPa\", \"1 MPa\", \"700 MPa\"";
-    let judgement = judged_with(&JudgeSettings::default(), loads, &files, surface, "");
+    let judgement = judged_with(&coarse(64, 2), loads, &files, surface, "");
     let own = MapWaves::new(&heights_m, POINTS, [SIDE_M; 2], true, 4.0);
     let surface = own.surface();
     let gradient_pa = CONTACT_MODULUS_PA * surface.mean_square_gradient().sqrt();
@@ -348,7 +350,7 @@ fn the_error_of_a_map_is_that_of_its_grid_its_perimeter_and_its_edges_and_few_po
     let judged_at = |loads: &str, heights_m: &[f64]| {
         let files = Scans(vec![("map.txt", text(heights_m))]);
         let surface = "scans = [{ file = \"map.txt\", unit = \"m\", size = \"6.4 um\" }]";
-        judged_with(&JudgeSettings::default(), loads, &files, surface, "")
+        judged_with(&coarse(64, 2), loads, &files, surface, "")
     };
     let loads = "\"20 MPa\", \"350 MPa\"";
     for (load, of) in judged_at(loads, &heights_m).references.iter().enumerate() {
