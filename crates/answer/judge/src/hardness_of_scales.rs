@@ -75,4 +75,14 @@ mod tests {
         let above = hardness.first_above([(1e-5, 3.2e9), (1e-6, 6.1e9)].into_iter()).unwrap();
         assert_eq!((above.wavelength_m, above.pressure_pa), (1e-6, 6.1e9));
     }
+
+    #[test]
+    fn a_pressure_equal_to_the_hardness_does_not_exceed_it() {
+        let hardness = HardnessOfScales::new(&NixGao::constant(1e9).unwrap(), &scales());
+        let pressures = |last_pa| [(1e-5, 3e9), (1e-6, last_pa)].into_iter();
+        assert_eq!(hardness.first_above(pressures(3e9)), None);
+        assert_eq!(hardness.first_above(pressures(3.1e9)).unwrap().wavelength_m, 1e-6);
+        // Waves longer than all scales have the hardness of the longest.
+        assert_eq!(hardness.at_pa(1.0), hardness.at_pa(1e-5));
+    }
 }

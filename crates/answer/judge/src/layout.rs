@@ -388,3 +388,31 @@ pub struct Extent {
     /// The cost allowed.
     pub budget: f64,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn loads_are_given_up_from_all_to_the_least_the_middle_and_the_largest_to_the_middle() {
+        let cases: [(&[usize], &[&[usize]]); 5] = [
+            (&[], &[&[]]),
+            (&[0], &[&[0]]),
+            (&[1, 0], &[&[1, 0], &[0]]),
+            (&[2, 0, 1], &[&[2, 0, 1], &[0]]),
+            (&[3, 1, 0, 4, 2], &[&[3, 1, 0, 4, 2], &[3, 0, 2], &[0]]),
+        ];
+        for (loads, choices) in cases {
+            assert_eq!(loads_given_up(loads), choices);
+        }
+    }
+
+    #[test]
+    fn pressures_within_a_hundredth_share_a_solution() {
+        let press = Press { window: 0, pressure_pa: 2e6, saturation_pa: None };
+        for (over, shares) in [(0.985, false), (0.995, true), (1.0, true), (1.005, true), (1.015, false)] {
+            assert_eq!(press.has_pressure(2e6 * over), shares, "{over}");
+        }
+        assert!((operators(64) - 20.0).abs() < 1e-12 && ((operators(128) / 20.0).log2() - 0.3).abs() < 1e-12);
+    }
+}

@@ -174,3 +174,44 @@ impl Press<'_> {
         Ok(Some((contact.numbers, stiffness_pa_per_m)))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A map of this area and these slopes, beside twins of an area of 0.2 with a relative error.
+    fn map(area_fraction: f64, gradient_over_spectrum: f64, relative_error: f64) -> MapVerdict {
+        MapVerdict {
+            map: String::new(),
+            load: 0,
+            pressure_over_gradient: 0.1,
+            gradient_over_spectrum,
+            area_fraction,
+            twins: ElementArea::new(0.2, 0.2 * relative_error),
+        }
+    }
+
+    #[test]
+    fn a_map_differs_beyond_fifteen_percent_and_beyond_three_errors_of_its_twins() {
+        let cases = [
+            (0.2 * 1.14, 0.01, false),
+            (0.2 * 1.16, 0.01, true),
+            (0.2 * 0.86, 0.01, false),
+            (0.2 * 0.84, 0.01, true),
+            // Three errors of 10 % are 0.39 of a ratio of 1.3, and 0.45 of one of 1.5.
+            (0.2 * 1.3, 0.1, false),
+            (0.2 * 1.5, 0.1, true),
+        ];
+        for (area_fraction, error, differs) in cases {
+            let map = map(area_fraction, 1.0, error);
+            assert_eq!(map.differs(), differs, "{map:?}");
+            assert!((map.ratio() / (area_fraction / 0.2) - 1.0).abs() < 1e-12);
+            assert!((map.ratio_error() / (2.0 * error * area_fraction / 0.2) - 1.0).abs() < 1e-12);
+        }
+        for (gradient, has_direction) in
+            [(1.0, false), (1.14, false), (1.16, true), (0.88, false), (0.86, true)]
+        {
+            assert_eq!(map(0.2, gradient, 0.01).has_direction(), has_direction, "{gradient}");
+        }
+    }
+}

@@ -116,4 +116,20 @@ mod tests {
         let full = [AreasOnWindow { window: 0, areas: &[1.0, 0.9995] }];
         assert_eq!(PooledScatter::new(full.into_iter()), None);
     }
+
+    #[test]
+    fn loads_on_a_window_count_as_one_and_larger_areas_scatter_less() {
+        // A deviation d to either side is a relative variance of 2 d^2.
+        let areas = |mean: f64, by: f64| [mean * (1.0 - by), mean * (1.0 + by)];
+        let (light, heavy, other) = (areas(0.2, 0.03), areas(0.6, 0.01), [0.4 * 0.98, 0.4, 0.4 * 1.02]);
+        let presses = [(0, &light[..]), (1, &other[..]), (0, &heavy[..])]
+            .map(|(window, areas)| AreasOnWindow { window, areas });
+        let pooled = PooledScatter::new(presses.into_iter()).unwrap();
+        assert_eq!(pooled.freedom, 3);
+        let of_window = 0.5 * (2.0 * 9e-4 / 0.8 + 2.0 * 1e-4 / 0.4);
+        let variance_over_gap = (of_window + 2.0 * (4e-4 / 0.6)) / 3.0;
+        assert!((pooled.variance_over_gap / variance_over_gap - 1.0).abs() < 1e-9, "{pooled:?}");
+        let error = widening(4) * 0.6 * (0.4 * variance_over_gap / 3.0).sqrt();
+        assert!((pooled.error_of_mean(&[0.6; 3]) / error - 1.0).abs() < 1e-9);
+    }
 }

@@ -216,4 +216,12 @@ mod tests {
         let presses = [press(1.0, Some(3.0)), press(1.0, None), press(2.0, Some(5.0))];
         assert_eq!(from_high_bounds(&presses), [1, 2, 0]);
     }
+
+    #[test]
+    fn an_area_that_may_be_anything_between_a_share_and_all_has_their_middle() {
+        let between = Solved::between(0.7);
+        assert!((between.area_fraction - 0.85).abs() < 1e-15);
+        // The variance of an even distribution is the square of its width over 12.
+        assert!((between.standard_error.powi(2) * 12.0 - 0.09).abs() < 1e-12);
+    }
 }

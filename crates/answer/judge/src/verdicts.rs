@@ -197,3 +197,35 @@ pub struct ReferenceArea {
     /// The area of Gaussian surfaces of the spectrum, where maps were pressed in their place.
     pub of_spectrum: Option<ElementArea>,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn near(found: f64, expected: f64) -> bool {
+        (found / expected - 1.0).abs() < 1e-12
+    }
+
+    #[test]
+    fn an_area_lies_within_two_standard_errors_of_itself_and_between_what_flows_and_all() {
+        // An area of 0.4 with an error of 5 %, and what becomes of it: area, error, low, high.
+        let area = ElementArea::new(0.4, 0.02);
+        let seam = |factor, relative_error| Seam { factor, relative_error };
+        let cases = [
+            (area, [0.4, 0.02, 0.36, 0.44]),
+            (area.with_error(0.12), [0.4, 0.4 * 0.13, 0.4 * 0.74, 0.4 * 1.26]),
+            (area.with_error(0.9), [0.4, 0.4 * (0.05f64.powi(2) + 0.81).sqrt(), 0.04, 1.0]),
+            (area.at_least(0.39), [0.4, 0.02, 0.39, 0.44]),
+            (area.at_least(0.5), [0.5, 0.02, 0.5, 0.54]),
+            (area.carried_over(seam(0.5, 0.12)), [0.2, 0.2 * 0.13, 0.2 * 0.74, 0.2 * 1.26]),
+            (area.carried_over(seam(3.0, 0.0)), [1.0, 0.05, 0.9, 1.0]),
+            (area.carried_over(Seam::NONE), [0.4, 0.02, 0.36, 0.44]),
+        ];
+        for (area, expected) in cases {
+            let AreaRange { low, high } = area.range();
+            let found = [area.area_fraction, area.standard_error, low, high];
+            assert!(found.iter().zip(expected).all(|(found, expected)| near(*found, expected)), "{area:?}");
+            assert!(near(area.relative_error(), expected[1] / expected[0]));
+        }
+    }
+}

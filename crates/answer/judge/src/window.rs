@@ -141,6 +141,11 @@ impl Window {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::PI;
+
+    use spectrum::random_surfaces::AreaSpectrum;
+    use spectrum::{Convention, Psd};
+
     use super::*;
 
     #[test]
@@ -164,5 +169,71 @@ mod tests {
         let whole = Band { longest_m: 1e-6, shortest_m: 1e-7 };
         assert_eq!(bands(whole, 1.0), [whole]);
         assert_eq!(decades_held(256, 4.0), 32f64.log10());
+    }
+
+    /// The waves of an area whose spectrum is the same everywhere from 1 um down to 10 nm.
+    fn white() -> Waves {
+        let wavelengths_m = (0..=20).map(|at| 1e-6 * 10f64.powf(-0.1 * f64::from(at))).collect();
+        let psd = Psd::new(wavelengths_m, vec![1e-36; 21], Convention::Ciso).unwrap();
+        Waves::new(AreaSpectrum::from_psd(&psd).unwrap(), None)
+    }
+
+    #[test]
+    fn a_window_has_a_box_of_two_longest_waves_or_more_and_is_prolonged_as_far_as_more_points_hold() {
+        let near = |found: f64, expected: f64| (found / expected - 1.0).abs() < 1e-9;
+        let band = |longest_m, shortest_m| Band { longest_m, shortest_m };
+        let whole = white();
+        let window = Window::new(&whole, band(1e-7, 2e-8), 64, 4.0).unwrap();
+        assert!(near(window.box_m, 3.2e-7) && window.grid_points() == 4096.0);
+        assert!(near(window.band.middle_m(), 2e-9f64.sqrt() * 1e-3));
+        assert!(near(Window::new(&whole, band(2e-7, 2e-8), 64, 4.0).unwrap().box_m, 4e-7));
+        // A gradient of a spectrum C from q0 to q1 has the mean square C (q1^4 - q0^4)/(8 pi).
+        let fourth = |wavelength_m: f64| (2.0 * PI / wavelength_m).powi(4);
+        let mean_square = 1e-36 * (fourth(2e-8) - fourth(1e-7)) / (8.0 * PI);
+        assert!(near(window.flattening_gradient, mean_square.sqrt()));
+        for (points, longest_m) in [(128, 2e-7), (320, 5e-7), (1024, 6e-7)] {
+            let longer = window.prolonged(&whole, 6e-7, points).unwrap();
+            assert!(near(longer.band.longest_m, longest_m) && longer.band.shortest_m == 2e-8);
+            // The spacing stays that of the window.
+            assert!(near(longer.box_m, 3.2e-7 / 64.0 * points as f64) && longer.points == points);
+        }
+        // One range of waves has twice the points.
+        assert_eq!(points_per_shortest(&whole, band(1e-6, 1e-8), 64), 8.0);
+        let steep: Vec<f64> = (0..=20).map(|at| 1e-36 * 10f64.powf(-0.36 * f64::from(at))).collect();
+        let psd = Psd::new(
+            (0..=20).map(|at| 1e-6 * 10f64.powf(-0.1 * f64::from(at))).collect(),
+            steep,
+            Convention::Ciso,
+        );
+        let steep = Waves::new(AreaSpectrum::from_psd(&psd.unwrap()).unwrap(), None);
+        assert_eq!(points_per_shortest(&steep, band(1e-6, 1e-8), 512), 4.0);
+        assert_eq!(points_per_shortest(&steep, band(1e-6, 1e-8), 24), 8.0);
+        // A white area from q0 to q1 = 10 q0: alpha = 2 (1 - r^2) (1 - r^6)/(1 - r^4)^2.
+        let alpha = whole.cut(1e-7, 1e-8).unwrap().alpha();
+        assert!(near(alpha, 2.0 * 0.99 * (1.0 - 1e-6) / (1.0 - 1e-4f64).powi(2)), "{alpha}");
+    }
+
+    #[test]
+    fn profiles_of_a_window_begin_a_decade_above_it_and_end_near_its_last_wave() {
+        let window = Window::new(&white(), Band { longest_m: 1e-6, shortest_m: 1e-7 }, 64, 4.0).unwrap();
+        let near = |found: f64, expected: f64| (found / expected - 1.0).abs() < 1e-9;
+        let stacked = window.stacked_profile(10.0).unwrap();
+        let fine = window.fine_profile().unwrap();
+        // Two decades, without the last wave, at which the spectrum is 0.
+        for (profile, per_decade, steps) in [(&stacked, 10.0, 20), (&fine, 40.0, 80)] {
+            for (at, wavelength_m) in profile.wavelengths_m()[..steps].iter().enumerate() {
+                assert!(
+                    near(*wavelength_m, 1e-5 * 10f64.powf(-(at as f64) / per_decade)),
+                    "{at} {wavelength_m}"
+                );
+            }
+        }
+        assert_eq!((stacked.len(), fine.len()), (20, 92));
+        // Twelve more halve the distance to it.
+        for (at, wavelength_m) in fine.wavelengths_m()[80..].iter().enumerate() {
+            let beyond = (10f64.powf(0.025) - 1.0) * 0.5f64.powi(at as i32 + 1);
+            assert!(near(*wavelength_m, 1e-7 * (1.0 + beyond)), "{at} {wavelength_m}");
+        }
+        assert_eq!(window.stacked_profile(0.1).unwrap().len(), 2);
     }
 }

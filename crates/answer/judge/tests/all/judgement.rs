@@ -1,54 +1,13 @@
 //! Scenes before the judge.
 
-use std::f64::consts::PI;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use judge::{Basis, JudgePlan, JudgeSettings, Judgement, Reference, Verdict};
-use scene::{Overrides, Scene};
-use study::plan::Results;
-use study::{Files, Progress, Unobserved};
+use scene::Scene;
+use study::{Progress, Unobserved};
 use units::RemarkCode;
 
-/// A spectrum in memory: Hurst exponent 0.8 over some decades from 1 um down, and steep between 0.3 and 0.1 um if it has a step.
-struct SelfAffine {
-    decades: f64,
-    has_step: bool,
-}
-
-impl Files for SelfAffine {
-    fn read(&self, _: &str) -> std::io::Result<Vec<u8>> {
-        let samples = (12.0 * self.decades).round() as usize;
-        let mut text = "wavelength_m,C1D_m3\n".to_owned();
-        for sample in 0..=samples {
-            let wavelength_m = 1e-6 * 10f64.powf(-self.decades * sample as f64 / samples as f64);
-            let below_step = if self.has_step { wavelength_m.clamp(1e-7, 3e-7) / 3e-7 } else { 1.0 };
-            let c1d_m3 = 1e-24 * (wavelength_m / 1e-6).powf(2.6) * below_step.powi(5);
-            text += &format!("{wavelength_m:e},{c1d_m3:e}\n");
-        }
-        Ok(text.into_bytes())
-    }
-
-    fn read_beside(&self, _: &str, _: &str) -> std::io::Result<Option<Vec<u8>>> {
-        Ok(None)
-    }
-}
-
-/// The spectrum of a white area with an rms gradient of 0.05, over some decades from 1 um down.
-struct White(f64);
-
-impl Files for White {
-    fn read(&self, _: &str) -> std::io::Result<Vec<u8>> {
-        let [first, last] = [0.0, self.0].map(|decades| 2e6 * PI * 10f64.powf(decades));
-        let ciso_m4 = 8.0 * PI * 0.05f64.powi(2) / (last.powi(4) - first.powi(4));
-        let row = |at: u32| format!("{:e},{ciso_m4:e}\n", 1e-6 * 10f64.powf(-self.0 * f64::from(at) / 10.0));
-        let rows: String = (0..=10).map(row).collect();
-        Ok(format!("wavelength_m,Ciso_m4\n{rows}").into_bytes())
-    }
-
-    fn read_beside(&self, _: &str, _: &str) -> std::io::Result<Option<Vec<u8>>> {
-        Ok(None)
-    }
-}
+use crate::scenes::{ELASTIC, SelfAffine, White, coarse, judged, layered, scene, scene_on};
 
 #[derive(Default)]
 struct Counted(AtomicUsize);
@@ -68,31 +27,6 @@ impl Progress for Cancelled {
         true
     }
 }
-
-fn scene(decades: f64, material: &str, loads: &str, curves: &[&str]) -> Scene {
-    scene_on(&SelfAffine { decades, has_step: false }, material, loads, curves)
-}
-
-fn scene_on(files: &impl Files, material: &str, loads: &str, curves: &[&str]) -> Scene {
-    let curves: String = curves.iter().map(|curve| format!("[[curve]]\n{curve}\n")).collect();
-    let text = format!(
-        "title = \"s\"\n[surface]\npsd = \"s.csv\"\n[material]\nyoungs_modulus = \"200 GPa\"\npoisson_ratio = 0.3\n{material}\n\
-         [loads]\npressures = [{loads}]\n{curves}"
-    );
-    Scene::parse(&text, files, &Overrides::default()).unwrap()
-}
-
-fn judged(scene: &Scene, settings: &JudgeSettings) -> (Results, Judgement) {
-    let results = scene.plan().compute().unwrap();
-    let judgement = JudgePlan::new(scene, &results, settings).run(&Unobserved).unwrap();
-    (results, judgement)
-}
-
-fn coarse(grid: usize, realisations: usize) -> JudgeSettings {
-    JudgeSettings { grid: Some(grid), realisations: Some(realisations), ..JudgeSettings::default() }
-}
-
-const ELASTIC: [&str; 3] = ["model = \"elastic\"", "model = \"persson\"", "model = \"hertz\""];
 
 #[test]
 fn a_band_that_the_grid_holds_is_solved_whole_and_its_bracket_is_that_of_the_elements() {
@@ -446,17 +380,6 @@ fn a_hundred_pairs_of_seeds_differ_by_their_standard_errors() {
     assert!((90..=99).contains(&within), "{within}");
 }
 
-/// Scene of the spectrum of [`SelfAffine`] on a layer of 200 GPa, whose base is rigid or has these constants.
-fn layered(decades: f64, thickness: &str, constants: &str) -> Scene {
-    let base = if constants.is_empty() { "rigid" } else { "material" };
-    let text = format!(
-        "title = \"s\"\n[surface]\npsd = \"s.csv\"\n[material]\n{constants}\n[material.layer]\nthickness = \"{thickness}\"\n\
-         youngs_modulus = \"200 GPa\"\npoisson_ratio = 0.3\nbase = \"{base}\"\n[judge]\n\
-         [loads]\npressures = [\"300 MPa\"]\n[[curve]]\nmodel = \"persson\"\n"
-    );
-    Scene::parse(&text, &SelfAffine { decades, has_step: false }, &Overrides::default()).unwrap()
-}
-
 #[test]
 fn a_layer_of_the_material_of_its_base_is_judged_as_a_half_space() {
     let steel = "youngs_modulus = \"200 GPa\"\npoisson_ratio = 0.3";
@@ -487,4 +410,116 @@ fn windows_of_a_layer_carry_over_to_the_whole_band() {
         let half_space = judged(&half_space, &coarse(64, 4)).1.references[0].elements.unwrap();
         assert_eq!(windows.area_fraction < half_space.area_fraction, stiffer, "{windows:?} {half_space:?}");
     }
+}
+
+#[test]
+fn a_smaller_budget_leaves_loads_out_and_then_surfaces() {
+    // No area is carried down under loads that are so heavy.
+    let loads = "\"10 GPa\", \"6 GPa\", \"8 GPa\", \"14 GPa\", \"12 GPa\"";
+    let scene = scene(0.4, "", loads, &ELASTIC[1..2]);
+    let results = scene.plan().compute().unwrap();
+    let run = |budget: f64, realisations: Option<usize>| {
+        let settings = JudgeSettings { budget, realisations, grid: Some(48), ..JudgeSettings::default() };
+        JudgePlan::new(&scene, &results, &settings).run(&Unobserved).unwrap()
+    };
+    // Points times operators of a solution.
+    let of_solution = 48.0 * 48.0 * 20.0 * 0.75f64.powf(0.3);
+    let all = run(1e9, Some(4));
+    let windows = all.extent.as_ref().unwrap().windows;
+    let cost = |loads: usize, surfaces: usize| (windows * loads * surfaces) as f64 * of_solution;
+    // From light to heavy the loads are 1, 2, 0, 4, 3.
+    for (loads, surfaces, chosen) in [(5, 4, vec![0, 1, 2, 3, 4]), (3, 4, vec![0, 1, 3]), (1, 4, vec![0])] {
+        let judgement = run(cost(loads, surfaces) * (1.0 + 1e-9), Some(surfaces));
+        let extent = judgement.extent.as_ref().unwrap();
+        assert_eq!((extent.loads, extent.realisations, extent.grid_of_last), (loads, surfaces, 48));
+        assert_eq!(extent.solved, windows * loads);
+        assert!((extent.estimated / cost(loads, surfaces) - 1.0).abs() < 1e-9, "{extent:?}");
+        for curve in &judgement.curves {
+            assert_eq!(curve.elements.is_some(), chosen.contains(&curve.load), "{curve:?}");
+            let code =
+                if curve.elements.is_some() { RemarkCode::ComparedAreas } else { RemarkCode::LoadNotChosen };
+            assert_eq!(curve.reason.code, code);
+        }
+        let less = run(cost(loads, surfaces) * (1.0 - 1e-9), Some(surfaces)).extent;
+        assert!(less.is_none_or(|less| less.loads < loads));
+    }
+    // Four surfaces unless a number is given, and two of the middle load where they are too many.
+    let extents = [1e9, cost(1, 4) * (1.0 - 1e-9), cost(1, 2) * (1.0 + 1e-9)]
+        .map(|budget| run(budget, None).extent.unwrap());
+    assert_eq!(extents.each_ref().map(|of| (of.loads, of.realisations)), [(5, 4), (1, 2), (1, 2)]);
+    assert!(run(cost(1, 2) * (1.0 - 1e-9), None).extent.is_none());
+}
+
+#[test]
+fn models_alone_give_a_range_from_the_least_to_the_most_of_their_areas() {
+    let scene = scene(0.9, "", "\"100 MPa\", \"1 GPa\"", &ELASTIC);
+    let results = scene.plan().compute().unwrap();
+    let settings = JudgeSettings { budget: 1.0, ..JudgeSettings::default() };
+    let judgement = JudgePlan::new(&scene, &results, &settings).run(&Unobserved).unwrap();
+    for load in [0, 1] {
+        let mut areas: Vec<(f64, usize)> = (0..ELASTIC.len())
+            .filter_map(|curve| Some((results.curves[curve].area_fractions(load).last()?.1, curve)))
+            .collect();
+        areas.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let ((low, least), (high, most)) = (areas[0], areas[areas.len() - 1]);
+        let headline = judgement.headline(load).unwrap();
+        assert_eq!((headline.load, headline.basis), (load, Basis::RangeOfModels { least, most }));
+        assert_eq!((headline.low, headline.high, headline.area_fraction), (low, high, None));
+        assert!(low < high);
+    }
+}
+
+#[test]
+fn an_elastic_curve_is_out_of_range_from_the_scale_at_which_its_own_pressure_exceeds_the_hardness() {
+    let scene = scene(2.2, "yield_strength = \"1.5 GPa\"", "\"30 MPa\", \"1 GPa\"", &ELASTIC[..2]);
+    let (results, judgement) = judged(&scene, &coarse(48, 2));
+    let mut beyond = 0;
+    for row in &judgement.curves {
+        let nominal_pa = [30e6, 1e9][row.load];
+        let areas = results.curves[row.curve].area_fractions(row.load);
+        let above = areas.iter().find(|(_, area)| nominal_pa / area > 4.5e9);
+        let broken = (row.reason.code == RemarkCode::AssumesNoYielding).then(|| {
+            assert_eq!(row.verdict, Verdict::OutOfRange);
+            let [wavelength_m, pressure_pa, hardness_pa] =
+                ["wavelength_m", "pressure_pa", "hardness_pa"].map(|key| row.reason.number(key).unwrap());
+            assert!((hardness_pa / 4.5e9 - 1.0).abs() < 1e-12);
+            (wavelength_m, nominal_pa / pressure_pa)
+        });
+        assert_eq!(broken.map(|at| at.0), above.map(|at| at.0), "{row:?}");
+        let Some((above_m, area)) = above else { continue };
+        assert!((broken.unwrap().1 / area - 1.0).abs() < 1e-12);
+        beyond += 1;
+        // It is out of range on windows that hold such waves, and compared on those above.
+        let own = judgement.windows.iter().filter(|on| (on.curve, on.load) == (row.curve, row.load));
+        let holds_them = |shortest_m: f64| shortest_m <= above_m * (1.0 + 1e-6);
+        let mut seen = [false; 2];
+        for on in own.filter(|on| on.elements.is_some() && on.area_fraction.is_some()) {
+            assert_eq!(on.verdict == Verdict::OutOfRange, holds_them(on.shortest_m), "{on:?}");
+            seen[usize::from(holds_them(on.shortest_m))] = true;
+        }
+        assert!(seen[1], "{row:?}");
+    }
+    assert!((1..4).contains(&beyond), "{beyond}");
+}
+
+#[test]
+fn a_law_of_asperities_is_out_of_range_where_a_twentieth_of_the_load_lies_beyond_its_fit() {
+    let curves = ["model = \"ep-sphere\"", "model = \"hertz\""];
+    let scene = scene(0.9, "yield_strength = \"2.5 GPa\"", "\"10 MPa\", \"300 MPa\", \"5 GPa\"", &curves);
+    let results = scene.plan().compute().unwrap();
+    let settings = JudgeSettings { budget: 1.0, ..JudgeSettings::default() };
+    let judgement = JudgePlan::new(&scene, &results, &settings).run(&Unobserved).unwrap();
+    let mut unfitted = 0;
+    for row in judgement.curves.iter().filter(|row| row.curve == 0) {
+        let states = &results.curves[0].statistical().unwrap()[row.load];
+        let share = |at: usize| states[at].contact.map_or(0.0, |found| found.1.out_of_range_load_share);
+        let first = (0..states.len()).find(|at| share(*at) > 0.05);
+        assert_eq!(row.reason.code == RemarkCode::UnfittedLaw, first.is_some(), "{row:?}");
+        if let Some(first) = first {
+            assert_eq!(row.reason.number("wavelength_m"), Some(states[first].wavelength_m));
+            assert_eq!(row.reason.number("load_share"), Some(share(first)));
+            unfitted += 1;
+        }
+    }
+    assert!((1..3).contains(&unfitted), "{unfitted}");
 }

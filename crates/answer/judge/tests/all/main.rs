@@ -2,3 +2,5 @@
 
 mod judgement;
 mod maps;
+mod numbers;
+mod scenes;

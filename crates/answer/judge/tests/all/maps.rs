@@ -6,7 +6,11 @@ use elements::half_space::{Elements, Grid, Loading};
 use judge::{Basis, Headline, JudgePlan, JudgeSettings, Judgement, Reference};
 use numerics::parallel::Unobserved;
 use scene::{Overrides, Scene};
+use spectrum::random_surfaces::MapWaves;
 use study::Files;
+use study::student::widening;
+
+use crate::scenes::coarse;
 
 const POINTS: usize = 64;
 const SIDE_M: f64 = 6.4e-6;
@@ -82,15 +86,20 @@ fn judged(files: &Scans, surface: &str, rest: &str) -> (Judgement, Headline) {
 }
 
 fn judged_under(pressure_pa: f64, files: &Scans, surface: &str, rest: &str) -> (Judgement, Headline) {
+    let loads = format!("\"{pressure_pa} Pa\"");
+    let judgement = judged_with(&coarse(64, 2), &loads, files, surface, rest);
+    let headline = *judgement.headline(0).unwrap();
+    (judgement, headline)
+}
+
+fn judged_with(settings: &JudgeSettings, loads: &str, files: &Scans, surface: &str, rest: &str) -> Judgement {
     let text = format!(
-        "[surface]\n{surface}\n[material]\nyoungs_modulus = \"100 GPa\"\npoisson_ratio = 0\n{rest}[loads]\npressures = [\"{pressure_pa} \
-         Pa\"]\n[[curve]]\nmodel = \"persson\"\n[[curve]]\nmodel = \"elastic\"\n"
+        "[surface]\n{surface}\n[material]\nyoungs_modulus = \"100 GPa\"\npoisson_ratio = 0\n{rest}[loads]\npressures = [{loads}]\n\
+         [[curve]]\nmodel = \"persson\"\n[[curve]]\nmodel = \"elastic\"\n"
     );
     let scene = Scene::parse(&text, files, &Overrides::default()).unwrap_or_else(|error| panic!("{error}"));
     let results = scene.plan().compute().unwrap();
-    let judgement = JudgePlan::new(&scene, &results, &JudgeSettings::default()).run(&Unobserved).unwrap();
-    let headline = *judgement.headline(0).unwrap();
-    (judgement, headline)
+    JudgePlan::new(&scene, &results, settings).run(&Unobserved).unwrap()
 }
 
 fn map_alone(heights_m: &[f64], more: &str, rest: &str) -> (Judgement, Headline) {
@@ -115,7 +124,7 @@ fn pressed_under(nominal_pressure_pa: f64, heights_m: &[f64], saturation_pa: Opt
         contact_modulus_pa: CONTACT_MODULUS_PA,
         nominal_pressure_pa,
         saturation_pa,
-        tolerance: 1e-9,
+        tolerance: 1e-6,
     };
     let contact = elements.press(&loading, &Unobserved).unwrap();
     let stiffness = elements.stiffness_pa_per_m(&contact, CONTACT_MODULUS_PA, &Unobserved).unwrap().unwrap();
@@ -303,4 +312,118 @@ fn a_map_beside_scans_that_hold_more_of_the_slopes_widens_the_range_by_what_it_d
     let range = judgement.references[0].range.unwrap();
     assert!(!judgement.maps[0].differs());
     assert_eq!((headline.low, headline.high), (range.low, range.high));
+}
+
+/// Two maps of 6.4 um.
+const TWO_MAPS: &str = "scans = [{ file = \"a.txt\", unit = \"m\", size = \"6.4 um\" }, { file = \"b.txt\", unit = \"m\", size = \"6.4 um\" }]";
+
+#[test]
+fn a_map_is_compared_with_four_surfaces_of_its_waves_under_the_same_pressure_over_their_gradient() {
+    let heights_m = waves(3.0);
+    let files = Scans(vec![("map.txt", text(&heights_m))]);
+    let surface = "scans = [{ file = \"map.txt\", unit = \"m\", size = \"6.4 um\" }]";
+    let loads = "\"1 TPa\", \"350 MPa\", \"351 MPa\", \"1 MPa\", \"700 MPa\"";
+    let judgement = judged_with(&coarse(64, 2), loads, &files, surface, "");
+    let own = MapWaves::new(&heights_m, POINTS, [SIDE_M; 2], true, 4.0);
+    let surface = own.surface();
+    let gradient_pa = CONTACT_MODULUS_PA * surface.mean_square_gradient().sqrt();
+    // Under the lightest load two hundred points would touch; a load within a hundredth of another, and one that presses the map flat,
+    // have no row.
+    let least_pa = 200.0 / (2.0 * (POINTS * POINTS) as f64) * gradient_pa;
+    let expected = [(3, least_pa), (1, 350e6), (4, 700e6)];
+    assert!(least_pa > 1e6 && least_pa < 340e6, "{least_pa}");
+    assert_eq!(judgement.maps.len(), expected.len(), "{:?}", judgement.maps);
+    for (map, (load, pressure_pa)) in judgement.maps.iter().zip(expected) {
+        assert_eq!((map.load, &map.map[..]), (load, "map.txt"));
+        assert!((map.pressure_over_gradient / (pressure_pa / gradient_pa) - 1.0).abs() < 1e-6, "{map:?}");
+        let area = |heights_m: &[f64], pressure_pa: f64| pressed_under(pressure_pa, heights_m, None)[0];
+        assert!((map.area_fraction / area(&surface.heights_m, pressure_pa) - 1.0).abs() < 1e-3, "{map:?}");
+        let of_twins_pa = map.gradient_over_spectrum * pressure_pa;
+        let areas = [0, 1, 2, 3].map(|at| area(&own.twin(1, at).heights_m, of_twins_pa));
+        let mean = areas.iter().sum::<f64>() / 4.0;
+        let variance = areas.iter().map(|area| (area - mean).powi(2)).sum::<f64>() / 3.0;
+        let error = (widening(4) * (variance / 4.0).sqrt()).hypot(0.015 * mean);
+        assert!((map.twins.area_fraction / mean - 1.0).abs() < 1e-3, "{map:?} {mean}");
+        assert!((map.twins.standard_error / error - 1.0).abs() < 0.02, "{map:?} {error}");
+    }
+}
+
+#[test]
+fn two_maps_have_the_mean_of_their_areas_gaps_stiffnesses_and_flowing_shares() {
+    let maps = [waves(1.0), worn(waves(1.0))];
+    let files = Scans(vec![("a.txt", text(&maps[0])), ("b.txt", text(&maps[1]))]);
+    let rest = "indentation_hardness = \"700 MPa\"\n[interface]\n";
+    let (_, headline) = judged(&files, TWO_MAPS, rest);
+    let [first, second] = maps.map(|heights_m| pressed(&heights_m, Some(700e6)));
+    let mean = |of: fn(&[f64; 5]) -> f64| 0.5 * (of(&first) + of(&second));
+    let found = headline.maps.unwrap();
+    let near = |found: Option<f64>, expected: f64| (found.unwrap() / expected - 1.0).abs() < 5e-3;
+    assert!(near(headline.area_fraction, mean(|of| 0.5 * (of[0] + of[1]))), "{headline:?}");
+    assert!(near(found.mean_gap_m, mean(|of| of[2])) && near(found.stiffness_pa_per_m, mean(|of| of[3])));
+    assert!(near(found.plastic_share, mean(|of| of[4])), "{found:?} {first:?} {second:?}");
+    // Half of what they differ, widened, with the error of the grid and half of what the perimeters take.
+    let areas = [first, second].map(|of| 0.5 * (of[0] + of[1]));
+    let apart = widening(2) * 0.5 * (areas[0] - areas[1]).abs() / (0.5 * (areas[0] + areas[1]));
+    let ends = mean(|of| 0.5 * (of[1] - of[0]) / (of[0] + of[1]));
+    let error = apart.hypot(0.015).hypot(ends);
+    let area = headline.area_fraction.unwrap();
+    assert!(
+        (headline.high / (area * (1.0 + 2.0 * error)).min(1.0) - 1.0).abs() < 0.01,
+        "{headline:?} {error}"
+    );
+}
+
+#[test]
+fn the_error_of_a_map_is_that_of_its_grid_its_perimeter_and_its_edges_and_few_points() {
+    let heights_m = waves(1.0);
+    let judged_at = |loads: &str, heights_m: &[f64]| {
+        let files = Scans(vec![("map.txt", text(heights_m))]);
+        let surface = "scans = [{ file = \"map.txt\", unit = \"m\", size = \"6.4 um\" }]";
+        judged_with(&coarse(64, 2), loads, &files, surface, "")
+    };
+    let loads = "\"20 MPa\", \"350 MPa\"";
+    for (load, of) in judged_at(loads, &heights_m).references.iter().enumerate() {
+        let [corrected, counted, ..] = pressed_under([20e6, 350e6][load], &heights_m, None);
+        let error = ((counted - corrected) / (2.0 * (counted + corrected))).hypot(0.015);
+        let elements = of.elements.unwrap();
+        assert!(
+            of.maps.is_some() && (elements.relative_error() / error - 1.0).abs() < 0.02,
+            "{of:?} {error}"
+        );
+    }
+    let steps = |at: usize| 40e-9 * (2.0 * (at % POINTS) as f64 / POINTS as f64 - 1.0).powi(3);
+    let tilted: Vec<f64> = heights_m.iter().enumerate().map(|(at, height_m)| height_m + steps(at)).collect();
+    for of in &judged_at(loads, &tilted).references {
+        let elements = of.elements.unwrap();
+        let points = elements.area_fraction * (POINTS * POINTS) as f64;
+        let least = 0.08f64.hypot(points.sqrt().recip()).hypot(0.015);
+        let found = elements.relative_error();
+        // Perimeters take a tenth, of which a quarter counts.
+        assert!(of.maps.is_some() && found > least && found < least.hypot(0.12), "{of:?} {least}");
+    }
+}
+
+#[test]
+fn maps_are_pressed_as_finely_as_the_budget_allows() {
+    let heights_m = waves(1.0);
+    let files = Scans(vec![("a.txt", text(&heights_m)), ("b.txt", text(&heights_m))]);
+    // Two maps under two loads; on the coarsest grid with one surface the windows cost less.
+    let whole = 4.0 * 20.0 * (POINTS * POINTS) as f64;
+    let error = |budget: f64| {
+        let settings =
+            JudgeSettings { grid: Some(32), realisations: Some(1), budget, ..JudgeSettings::default() };
+        let judgement = judged_with(&settings, "\"350 MPa\", \"100 MPa\"", &files, TWO_MAPS, "");
+        judgement
+            .references
+            .iter()
+            .map(|of| of.maps.map(|_| of.elements.unwrap().relative_error()))
+            .collect::<Vec<_>>()
+    };
+    // The middle of a map does not repeat itself, and has the error of its edges.
+    assert!(error(whole * (1.0 + 1e-9)).iter().all(|error| error.unwrap() < 0.07), "{:?}", error(whole));
+    let less = error(whole * (1.0 - 1e-9));
+    assert!(less.iter().all(|error| error.is_none_or(|error| error > 0.08)), "{less:?}");
+    let coarsest = 4.0 * 20.0 * 0.75f64.powf(0.3) * 48.0 * 48.0;
+    assert!(error(coarsest * (1.0 - 1e-9)).iter().all(Option::is_none));
+    assert!(error(coarsest * (1.0 + 1e-9)).iter().any(Option::is_some));
 }
