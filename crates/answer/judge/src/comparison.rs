@@ -402,7 +402,9 @@ pub(crate) fn conclude(
     let yielding: Vec<Yielding> = (0..case.loads()).map(|load| case.yielding(load)).collect();
     let headlines: Vec<Headline> =
         yielding.iter().filter_map(|yielding| Headline::new(yielding, &references, &curves, &maps)).collect();
-    let maps = standing_verdicts(case, &headlines, &references).into_iter().chain(maps).collect();
+    let mut maps: Vec<MapVerdict> =
+        standing_verdicts(case, &headlines, &references).into_iter().chain(maps).collect();
+    maps.sort_by_key(|map| map.load);
     Judgement {
         extent,
         windows,

@@ -11,7 +11,7 @@ use scene::{JudgeSettings, Scene};
 use spectrum::random_surfaces::{AreaSpectrum, Phases, Synthesis};
 use spectrum::{Normalisation, cumulative_moments};
 use study::Unobserved;
-use study::plan::Results;
+use study::plan::{Plan, Results};
 use study::student::widening;
 use units::RemarkCode;
 
@@ -451,9 +451,9 @@ fn a_scene_yields_from_the_scale_at_which_an_elastic_contact_exceeds_its_hardnes
 fn slopes_are_steep_from_the_scale_at_which_full_contact_takes_a_tenth_of_the_modulus() {
     let scene = scene_on(&SelfAffine { decades: 2.2, has_step: false }, "", "\"1 GPa\"", &ELASTIC[1..2]);
     let steeper = |factor: f64| {
-        let results = scene.plan().compute().unwrap();
-        let c1d_m3 = results.psd.c1d_m3().iter().map(|value| factor * value).collect();
-        let results = Results { psd: results.psd.with_values(c1d_m3).unwrap(), ..results };
+        let given = &scene.surface.psd;
+        let psd = &given.with_values(given.c1d_m3().iter().map(|value| factor * value).collect()).unwrap();
+        let results = Plan { psd, ..scene.plan() }.compute().unwrap();
         let m2 = cumulative_moments(&results.psd, Normalisation::default());
         let judgement = judge::JudgePlan::new(
             &scene,
