@@ -1,0 +1,6 @@
+//! The tests of this crate from outside, in one program: linking takes longer than running them.
+
+mod common;
+mod rows;
+mod tangential;
+mod yielding;
