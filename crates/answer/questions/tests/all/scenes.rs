@@ -64,8 +64,8 @@ fn inputs_are_drawn_where_one_is_uncertain_unless_the_scene_or_the_user_turns_it
         let [uncertain, exact] = scenes;
         assert_eq!(options(false, None, None).is_drawn(uncertain), by_itself);
         assert_eq!(options(true, None, None).is_drawn(uncertain), in_a_report);
-        assert_eq!(options(false, None, Some(true)).is_drawn(uncertain), true);
-        assert_eq!(options(true, None, Some(false)).is_drawn(uncertain), false);
+        assert!(options(false, None, Some(true)).is_drawn(uncertain));
+        assert!(!options(true, None, Some(false)).is_drawn(uncertain));
         for choice in [None, Some(true)] {
             let scatters = !uncertainty::scattering_groups(exact).is_empty();
             assert_eq!(

@@ -45,6 +45,9 @@ fn law() -> GapLaw {
     law.answer(&surface(), &Unobserved).unwrap().law
 }
 
+/// A number of a row by its pressure \[Pa\] and its share of sliding.
+type OfRow<'o> = &'o dyn Fn(f64, f64) -> f64;
+
 #[test]
 fn every_row_is_the_response_of_the_pair_to_its_share_of_sliding() {
     let pressures_pa = [1e6, 1e7];
@@ -53,12 +56,12 @@ fn every_row_is_the_response_of_the_pair_to_its_share_of_sliding() {
     let stiffness = |pressure_pa: f64| -> Result<f64, QuestionError> {
         Ok(law.at(pressure_pa)?.stiffness_pa_per_m.unwrap())
     };
-    let expected = |of: &dyn Fn(f64, f64) -> f64| -> Vec<f64> {
+    let expected = |of: OfRow| -> Vec<f64> {
         pressures_pa.iter().flat_map(|p| SHARES.map(|share| of(*p, share))).collect()
     };
     let area = |pressure_pa: f64| law.at(pressure_pa).unwrap().area_fraction;
     let response = |p: f64, share: f64| pair.respond(p, share, stiffness).unwrap();
-    let columns: [(&str, &dyn Fn(f64, f64) -> f64); 10] = [
+    let columns: [(&str, OfRow); 10] = [
         ("nominal_pressure_pa", &|p, _| p),
         ("tangential_stress_pa", &|p, share| share * FRICTION * p),
         ("share_of_sliding", &|_, share| share),
