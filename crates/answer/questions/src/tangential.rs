@@ -209,18 +209,22 @@ impl TangentialQuestion {
         })
     }
 
-    /// Loads of boundary elements: from the least pressure that sticks to the largest, evenly in the logarithm.
+    /// Loads of boundary elements: from the least pressure that sticks, or under which all slides, to the largest, evenly in the
+    /// logarithm.
     fn element_loads(&self) -> Result<Vec<LoadInput>, QuestionError> {
         if self.by.model.is_some() {
             return Ok(Vec::new());
         }
         let material = self.by.material.of_half_spaces("tangential loads")?;
         let friction = self.pair(&material)?.friction();
-        let stuck_pa = |(pressure_pa, stress_pa): (f64, f64)| pressure_pa - stress_pa / friction;
+        let needed_pa = |(pressure_pa, stress_pa): (f64, f64)| {
+            let share = stress_pa / (friction * pressure_pa);
+            // A load that slides needs its area alone.
+            if share < 1.0 { pressure_pa * (1.0 - share) } else { pressure_pa }
+        };
         let loads = self.loads(&material)?;
         let most_pa = loads.iter().fold(0.0f64, |most, load| most.max(load.0));
-        let all_stuck = loads.into_iter().map(stuck_pa).filter(|stuck_pa| *stuck_pa > 0.0);
-        let least_pa = all_stuck.fold(most_pa, f64::min);
+        let least_pa = loads.into_iter().map(needed_pa).fold(most_pa, f64::min);
         let decades = (most_pa / least_pa).log10();
         let steps = (ELEMENT_LOADS_PER_DECADE * decades).ceil().max(2.0);
         let load = |step: usize| {
@@ -292,7 +296,11 @@ impl NormalLaw {
                 let after = after.clamp(1, states.len() - 1);
                 let (upper, lower) = (&states[after - 1], &states[after]);
                 let ln = |state: &GapState| state.nominal_pressure_pa.ln();
-                let share = (pressure_pa.ln() - ln(lower)) / (ln(upper) - ln(lower));
+                // All loads are one pressure if it slides.
+                let share = match ln(upper) > ln(lower) {
+                    true => (pressure_pa.ln() - ln(lower)) / (ln(upper) - ln(lower)),
+                    false => 1.0,
+                };
                 let between = |upper: f64, lower: f64| (lower.ln() + share * (upper.ln() - lower.ln())).exp();
                 let of = |state: &GapState| {
                     state

@@ -1,0 +1,11 @@
+//! The tests of this crate from outside, in one program: linking takes longer than running them.
+
+mod bodies;
+mod common;
+mod curves;
+mod elements;
+mod laws;
+mod rows;
+mod scenes;
+mod tangential;
+mod yielding;
