@@ -4,6 +4,7 @@ use scans::{ForeignFile, ScanFormat};
 use scene::{FileContent, Overrides, Scene, SceneError, SceneProblem};
 use study::NoFiles;
 use study::bodies::{Body, Transport};
+use study::body_properties::BodyProperty;
 use study::material::MaterialError;
 
 /// A scene with these sections on its bodies, of elastic-plastic asperities.
@@ -29,7 +30,9 @@ fn a_named_material_fills_the_keys_left_out_and_says_from_where() {
     assert_eq!((body.youngs_modulus_pa(), body.poisson_ratio()), (210e9, 0.29));
     assert_eq!(scene.hardness_pa(), Some(700.0 * 9.80665e6));
     let from_table = scene.bodies.from_table.as_ref().unwrap();
-    assert_eq!(from_table.keys, ["youngs_modulus", "indentation_hardness", "resistivity"]);
+    use BodyProperty::{IndentationHardness, Resistivity, YoungsModulus};
+    assert_eq!(from_table.properties, [YoungsModulus, IndentationHardness, Resistivity]);
+    assert!(from_table.gives_strength());
     let choices = scene.choices();
     let told = choices.iter().find(|line| line.starts_with("the rough body is steel 100Cr6")).unwrap();
     assert!(
@@ -39,7 +42,7 @@ fn a_named_material_fills_the_keys_left_out_and_says_from_where() {
     // Another name of it, and a strength that takes the place of the hardness.
     let own = of_bodies("[material]\nname = \"52100\"\nyield_strength = \"2 GPa\"\n").unwrap();
     assert_eq!((strength_pa(&own), own.hardness_pa()), (2e9, Some(6e9)));
-    assert!(!own.bodies.from_table.unwrap().keys.contains(&"indentation_hardness"));
+    assert!(!own.bodies.from_table.unwrap().gives_strength());
 }
 
 #[test]
