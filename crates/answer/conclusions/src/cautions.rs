@@ -3,14 +3,12 @@
 use std::collections::BTreeMap;
 
 use findings::doubts;
-use interface::adhesion::{NOT_STICKY_ABOVE, StickyContact};
 use interface::conductance::MOST_PLASTIC_SHARE;
 use judge::Reference;
 use scene::Scene;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use study::bodies::{Body, Softer};
 use study::interface::InterfaceStates;
-use study::interface::{Quantity, Slot};
 use uncertainty::MIN_SCANS;
 use units::{Remark, RemarkCode};
 
@@ -18,6 +16,7 @@ use super::area::Source;
 use super::cause::Cause;
 use super::evidence::{Evidence, Trust};
 use super::load_answer::AnswerUnderLoad;
+use super::stickiness::stickiness;
 
 /// Returns the trust that a caution leaves.
 #[must_use]
@@ -206,21 +205,6 @@ fn fluid_parts(loads: &[AnswerUnderLoad], states: &InterfaceStates<'_>) -> Optio
     let parted = loads.iter().find(|load| states.request.parts_bodies(load.nominal_pressure_pa))?;
     let remark = Remark::new(RemarkCode::FluidParts).with("fluid_pressure_pa", joint.pressure_drop_pa());
     Some(remark.with("pressure_pa", parted.nominal_pressure_pa))
-}
-
-/// The indicator that finds the surface sticky: Pastewka & Robbins' criterion, or without a range of the attraction Fuller &
-/// Tabor's parameter.
-pub(crate) fn stickiness(states: &InterfaceStates<'_>) -> Option<Remark> {
-    let value = |quantity| states.value(Slot { quantity, load: None, curve: None }).ok().flatten();
-    if let Some(left_side) = value(Quantity::PastewkaRobbins) {
-        let remark = Remark::new(RemarkCode::StickyByPastewka).with("indicator", "pastewka-robbins");
-        let remark = remark.with("left_side", left_side).with("limit", StickyContact::LIMIT);
-        return (left_side < StickyContact::LIMIT).then_some(remark);
-    }
-    let theta = value(Quantity::FullerTabor)?;
-    let remark = Remark::new(RemarkCode::StickyByFuller).with("indicator", "fuller-tabor");
-    let remark = remark.with("theta", theta).with("limit", NOT_STICKY_ABOVE);
-    (theta <= NOT_STICKY_ABOVE).then_some(remark)
 }
 
 /// The caution that the hardness at small scales decides, with the largest factor of any load.

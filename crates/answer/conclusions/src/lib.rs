@@ -15,6 +15,7 @@ mod load_answer;
 mod next;
 mod seal;
 mod shear;
+mod stickiness;
 
 pub use area::{AreaEstimate, OfInputs, Source};
 pub use asked::{AskedValue, PeakState};

@@ -6,11 +6,11 @@ use study::interface::InterfaceStates;
 use super::area::AreaEstimate;
 use super::asked::{AskedValue, Questions};
 use super::cause::Cause;
-use super::cautions::stickiness;
 use super::compared_models::{ModelCell, ReferenceGroup, Tally, groups, leading_reference};
 use super::estimate::{Estimate, OtherHardness};
 use super::evidence::Evidence;
 use super::seal::SealUnderLoad;
+use super::stickiness::stickiness;
 
 /// The conclusion for a load.
 #[derive(Debug, Clone, PartialEq, Serialize)]

@@ -40,8 +40,16 @@ pub enum NextStep {
         /// The scan.
         scan: String,
     },
+    /// The hardness of a softer body that has none.
+    HardnessOfSofter {
+        /// The body.
+        body: String,
+    },
     /// A scan at a second place.
-    SecondScan,
+    SecondScan {
+        /// The instrument.
+        instrument: String,
+    },
     /// Longer waves, whose heights decide the gap and what follows from it.
     WiderScan {
         /// The longest wavelength of the spectrum \[m\].
@@ -99,6 +107,11 @@ pub(crate) fn next_steps(
     let sticks = warned(&[RemarkCode::StickyByPastewka, RemarkCode::StickyByFuller]);
     steps.extend(sticks.map(|_| NextStep::Adhesion));
     steps.extend(warned(&[RemarkCode::TooFewScales]).map(|_| NextStep::MoreScales));
+    let softer = warned(&[RemarkCode::SofterWithoutHardness]).and_then(|softer| softer.text("softer"));
+    steps.extend(softer.map(|body| NextStep::HardnessOfSofter { body: body.to_owned() }));
+    let tip = warned(&[RemarkCode::TipMayShow]).filter(|_| !hangs_on_hardness);
+    let scan = tip.and_then(|tip| tip.place.files.first());
+    steps.extend(scan.map(|scan| NextStep::TipRadius { scan: scan.clone() }));
     let mut ranked = from_draws(evidence, load);
     let draws_strength = ranked
         .iter()
@@ -117,15 +130,13 @@ pub(crate) fn next_steps(
     ranked.sort_by(|a, b| a.0.total_cmp(&b.0));
     steps.extend(ranked.into_iter().map(|Ranked(_, step)| step));
     steps.extend(made_up.filter(|_| hangs_on_hardness));
-    let tip = warned(&[RemarkCode::TipMayShow]).filter(|_| !hangs_on_hardness);
-    let scan = tip.and_then(|tip| tip.place.files.first());
-    steps.extend(scan.map(|scan| NextStep::TipRadius { scan: scan.clone() }));
     let ends_early = |states: &&InterfaceStates<'_>| hangs_on_long_waves(states) && states.lacks_roll_off();
     let from_m = surface.psd.longest_wavelength_m();
     steps.extend(states.filter(ends_early).map(|_| NextStep::WiderScan { from_m }));
     let adds_scans = steps.iter().any(|step| matches!(step, NextStep::MoreScans { .. }));
     let few = warned(&[RemarkCode::FewScans]).filter(|_| !adds_scans && !hangs_on_hardness);
-    steps.extend(few.map(|_| NextStep::SecondScan));
+    let instrument = few.and_then(|few| few.text("instrument"));
+    steps.extend(instrument.map(|instrument| NextStep::SecondScan { instrument: instrument.to_owned() }));
     steps.truncate(MAX_STEPS);
     steps
 }

@@ -30,11 +30,12 @@ pub struct Interval {
 }
 
 impl Interval {
-    /// The standard error of the length as a share of it; 0 if the draws do not differ. For draws of ln A this is the
+    /// The standard error of the length as a share of it; 0 if the draws differ by rounding alone. For draws of ln A this is the
     /// relative error of ln(high/low), and no end is known less well.
     pub fn relative_error(&self) -> f64 {
+        const ROUNDING: f64 = 1e-12;
         let length = self.high.value - self.low.value;
-        if length > 0.0 { self.length_standard_error / length } else { 0.0 }
+        if length > ROUNDING { self.length_standard_error / length } else { 0.0 }
     }
 }
 
@@ -282,6 +283,8 @@ mod tests {
             );
         }
         assert_eq!(interval(&[], 0.95), None);
+        let rounded: Vec<f64> = (0..100).map(|at| 0.25 + f64::from(at % 2) * f64::EPSILON).collect();
+        assert_eq!(interval(&rounded, 0.95).unwrap().relative_error(), 0.0);
     }
 
     #[test]

@@ -161,6 +161,15 @@ impl Remark {
         }
     }
 
+    /// Returns a text by its name.
+    #[must_use]
+    pub fn text(&self, name: &str) -> Option<&str> {
+        match self.value(name)? {
+            RemarkValue::Text(text) => Some(text),
+            RemarkValue::Number(_) | RemarkValue::Count(_) => None,
+        }
+    }
+
     fn value(&self, name: &str) -> Option<&RemarkValue> {
         self.numbers.iter().find(|(other, _)| *other == name).map(|(_, value)| value)
     }

@@ -2,6 +2,7 @@
 
 use conclusions::{AnswerUnderLoad, NextStep};
 use judge::Otherwise;
+use study::bodies::Body;
 use uncertainty::{Advice, Group, Settling, Step, StepKind};
 use units::{Remark, RemarkCode};
 
@@ -78,7 +79,7 @@ fn instruments_are_named_in_steps_on_scans_and_height_scales() {
     let row = |x: i32| format!("{:e} {:e}\n", f64::from(x) * 1e-6, 1e-7 * (f64::from(x * x) * 0.13).sin());
     let trace: String = (0..512).map(row).collect();
     let files = std::collections::BTreeMap::from([("trace.txt".to_owned(), trace.into_bytes())]);
-    let text = "[surface]\nscans = [{ file = \"trace.txt\", unit = \"m\", instrument = \"AFM\", z_calibration = 0.8 }]\n[material]\nyoungs_modulus = \
+    let text = "[surface]\nscans = [{ file = \"trace.txt\", unit = \"m\", instrument = \"AFM\", tip_radius = \"none\", z_calibration = 0.8 }]\n[material]\nyoungs_modulus = \
                 \"200 GPa\"\npoisson_ratio = 0.3\n[loads]\npressures = [\"10 MPa\", \"30 MPa\"]\n[[curve]]\nmodel = \"persson\"\n[judge]\ngrid = \
                 32\nrealisations = 2\n[uncertainty]\ndraws = 40\nshares_draws = 64\n";
     let mut answered = Answered::with_files(text, &files);
@@ -108,9 +109,10 @@ fn instruments_are_named_in_steps_on_scans_and_height_scales() {
         assert!((width / other_width - 1.0).abs() < 1e-9, "{found:?} {expected:?}");
     }
     // Further scans are advised already; without them a second one is.
-    assert!(!found.contains(&NextStep::SecondScan), "{found:?}");
+    let is_second = |step: &NextStep| *step == NextStep::SecondScan { instrument: "AFM".to_owned() };
+    assert!(!found.iter().any(is_second), "{found:?}");
     let (found, _) = steps(&mut answered, Vec::new(), Settling::Unknown);
-    assert!(found.contains(&NextStep::SecondScan), "{found:?}");
+    assert!(found.iter().any(is_second), "{found:?}");
 }
 
 #[test]
@@ -173,7 +175,19 @@ fn a_tip_of_unknown_radius_is_measured_and_the_scan_that_it_blurs_most_is_named(
     let conclusions = answered.conclusions();
     let tip = conclusions.cautions.iter().find(|caution| caution.code == RemarkCode::TipMayShow).unwrap();
     assert_eq!(tip.number("may_show_below_m"), Some(3e-7));
-    assert!(conclusions.next.contains(&NextStep::TipRadius { scan: "b.txt".to_owned() }));
+    // It goes before what narrows the range.
+    assert_eq!(conclusions.next[0], NextStep::TipRadius { scan: "b.txt".to_owned() });
+}
+
+#[test]
+fn the_hardness_of_a_softer_body_that_has_none_is_found_out_first() {
+    let answered = Answered::new(
+        "surface = { psd = \"plain.csv\" }\nmaterial = { youngs_modulus = \"200 GPa\", poisson_ratio = 0.3, indentation_hardness = \"6 GPa\" \
+         }\ncounterface = { youngs_modulus = \"500 MPa\", poisson_ratio = 0.4 }\n[loads]\npressures = [\"1 MPa\"]\n[[curve]]\nmodel = \
+         \"persson\"\n[judge]\noff = true\n",
+    );
+    let body = Body::Counterface.words().to_owned();
+    assert_eq!(answered.conclusions().next.first(), Some(&NextStep::HardnessOfSofter { body }));
 }
 
 #[test]

@@ -83,7 +83,7 @@ fn intervals_of_inputs_add_to_the_error_of_the_theory_as_squares_of_logarithms_a
 fn correlations_of_flowed_peaks_hold_within_a_factor_of_three_and_gas_beside_them_within_less() {
     let hardness = "indentation_hardness = \"100 MPa\",";
     let plain = scene(hardness, "pressures = [\"20 MPa\"]", "[interface]\n");
-    let with_gas = scene(hardness, "pressures = [\"20 MPa\"]", "[interface]\ngas = \"air\"\n");
+    let with_gas = scene(hardness, "pressures = [\"1 MPa\"]", "[interface]\ngas = \"air\"\n");
     let found = asked(&plain.conclusions().loads[0], Quantity::YovanovichConductance);
     assert_eq!(found.state, Some(PeakState::Flowed));
     assert!(is_near(found.high / found.low, 1.73_f64.powi(2)), "{found:?}");
@@ -91,7 +91,7 @@ fn correlations_of_flowed_peaks_hold_within_a_factor_of_three_and_gas_beside_the
     let spots = value(&with_gas, 0, Quantity::YovanovichConductance)
         / value(&with_gas, 0, Quantity::FlowedConductanceWithGas);
     let within = 1.73 * spots + 1.25 * (1.0 - spots);
-    assert!(spots < 0.99 && is_near(found.high / found.low, within * within), "{found:?} {spots}");
+    assert!(spots < 0.999 && is_near(found.high / found.low, within * within), "{found:?} {spots}");
 }
 
 #[test]

@@ -353,8 +353,10 @@ fn check_next(answered: &Answered, conclusions: &Conclusions, seen: &mut Seen) {
     assert_eq!(has(&NextStep::Adhesion), sticks);
     assert!(conclusions.loads.iter().all(|load| (load.cause == Cause::Adhesion) == sticks));
     assert!(!sticks || !warns(RemarkCode::UpperBound));
-    let is_blocker =
-        |step: &&NextStep| !matches!(step, NextStep::Surface | NextStep::MoreScales | NextStep::Adhesion);
+    let is_blocker = |step: &&NextStep| {
+        use NextStep::{Adhesion, HardnessOfSofter, MoreScales, Surface};
+        !matches!(step, Surface | MoreScales | Adhesion | HardnessOfSofter { .. })
+    };
     if matches!(middle.cause, Cause::Hardness { .. }) {
         let first = conclusions.next.iter().find(is_blocker);
         let is_of_hardness = |step: &NextStep| matches!(step, NextStep::Hardness | NextStep::Material { .. });

@@ -235,7 +235,7 @@ fn matrix(report: &SceneReport<'_>, at: usize, styles: &[ModelStyle]) -> Markup 
                 }
             }
             p.legend {
-                span.agrees { "✓ surely within 4/3" } " " span.large { "▲ too large" } " " span.small { "▼ too small" } " "
+                span.agrees { "✓ within 4/3, less the error" } " " span.large { "▲ too large" } " " span.small { "▼ too small" } " "
                 span.invalid { "⊘ outside its assumptions" } " tick a model to draw it; point at a cell for its reason"
             }
         }

@@ -289,9 +289,8 @@ fn asked_heading(quantity: Quantity) -> &'static str {
         Quantity::MeanGap | Quantity::FlowedGap => "Gap",
         Quantity::Stiffness => "Stiffness",
         Quantity::FrictionCoefficient => "Friction",
-        Quantity::ElectricalConductance
-        | Quantity::FlowedElectricalConductance
-        | Quantity::ElectricalResistance => "Current",
+        Quantity::ElectricalConductance | Quantity::FlowedElectricalConductance => "Current",
+        Quantity::ElectricalResistance => "Resistance",
         Quantity::ThermalConductanceWithGas | Quantity::FlowedConductanceWithGas => "Heat, with gas",
         _ => "Heat",
     }
@@ -418,7 +417,8 @@ pub fn next_words(step: &NextStep) -> String {
             "measure the hardness by indentation: the area is in inverse proportion to it".to_owned()
         }
         NextStep::TipRadius { scan } => format!("find out the radius of the tip of {scan}"),
-        NextStep::SecondScan => "a second scan, at another place".to_owned(),
+        NextStep::HardnessOfSofter { body } => format!("find out the hardness of {body}"),
+        NextStep::SecondScan { instrument } => format!("a second {instrument} scan, at another place"),
         NextStep::WiderScan { from_m } => {
             format!("a scan wider than {}: longer waves decide gap, heat and leaks", length(*from_m))
         }
