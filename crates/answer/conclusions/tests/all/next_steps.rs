@@ -68,7 +68,7 @@ fn shorter_waves_are_advised_where_the_area_will_settle_and_fall_by_a_tenth() {
     let mut answered = elastic("");
     let shorter = |area_ratio| vec![step(StepKind::ShorterWavelengths { to_m: 1e-9 }, 1.0, area_ratio)];
     let will = Settling::WillSettle { slope: -4.0, standard_error: 0.1 };
-    let (found, _) = steps(&mut answered, shorter(0.6), will.clone());
+    let (found, _) = steps(&mut answered, shorter(0.6), will);
     assert_eq!(found, [NextStep::Wavelengths { to_m: 1e-9, area_ratio: 0.6 }]);
     assert_eq!(steps(&mut answered, shorter(0.95), will).0, []);
     assert_eq!(steps(&mut answered, shorter(0.6), Settling::HasSettled).0, []);

@@ -20,7 +20,9 @@ pub(crate) fn about_elements(judgement: &Judgement, scene: &Scene) -> Vec<String
 
 /// The yielding of the contact: the pressure of an elastic contact against the hardness.
 fn yields(judgement: &Judgement, scene: &Scene) -> Vec<String> {
-    let mut groups: Vec<((Option<String>, bool), Vec<usize>)> = Vec::new();
+    // What would have to bear more than the hardness, and whether elements that flow are the answer.
+    type Kind = (Option<String>, bool);
+    let mut groups: Vec<(Kind, Vec<usize>)> = Vec::new();
     for yielding in judgement.yielding.iter().filter(|yielding| yielding.flowing_over_elastic.is_some()) {
         let growing = match (yielding.hardness_grows, yielding.above_growing) {
             (false, _) => "",
@@ -46,7 +48,7 @@ fn yields(judgement: &Judgement, scene: &Scene) -> Vec<String> {
         }
     }
     let ratio = |load: &usize| judgement.yielding[*load].flowing_over_elastic.unwrap_or(1.0);
-    let sentence = |((above, flows), loads): ((Option<String>, bool), Vec<usize>)| {
+    let sentence = |((above, flows), loads): (Kind, Vec<usize>)| {
         let (at, ratio) = (at_loads(scene, &loads), loads.iter().map(ratio).fold(1.0, f64::max));
         let below = "the mean pressure of an elastic contact stays below the hardness at every scale";
         match above {
