@@ -1,6 +1,6 @@
 //! The areas of boundary elements on figures of areas.
 
-use judge::{Judgement, Reference};
+use judge::{Judgement, Reference, ReferenceArea};
 use study::figure::{FigureData, Mark};
 
 const ELASTIC: &str = "boundary elements, elastic";
@@ -16,7 +16,7 @@ pub(crate) fn with_marks(figure: FigureData, judgement: &Judgement, shortest_m: 
 }
 
 /// Returns the areas under a load with two standard errors either way: with the whole surface at its shortest wavelength
-/// \[m\], and on each window, carried over to the surface.
+/// \[m\], and on each window, carried over to the surface; windows of Gaussian surfaces say nothing beside a map.
 pub(crate) fn element_marks(judgement: &Judgement, load: usize, shortest_m: f64) -> Vec<Mark> {
     let whole = judgement
         .references
@@ -26,6 +26,11 @@ pub(crate) fn element_marks(judgement: &Judgement, load: usize, shortest_m: f64)
     let on_windows = judgement.windows.iter().filter(|on| on.load == load && !on.is_whole_band);
     let on_windows = on_windows.filter_map(|on| {
         let reference = judgement.curves.iter().find(|curve| curve.curve == on.curve)?.reference;
+        let is_map =
+            |area: &ReferenceArea| (area.load, area.reference) == (load, reference) && area.maps.is_some();
+        if judgement.references.iter().any(is_map) {
+            return None;
+        }
         Some((reference, on.shortest_m, on.elements_of_whole?))
     });
     let mut drawn: Vec<Reference> = Vec::new();

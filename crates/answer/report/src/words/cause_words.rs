@@ -41,7 +41,7 @@ pub(crate) fn cause_words(cause: Cause) -> String {
             "The pressure flattens all of the roughness: no scale is left to decide.".to_owned()
         }
         Cause::Unknown => {
-            "The scales that decide are not known: no closed form agrees on most of them.".to_owned()
+            "Roughness, and the hardness where peaks flow. Which scales is not known: no closed form agrees on most of them.".to_owned()
         }
     }
 }
