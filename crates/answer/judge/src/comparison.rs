@@ -14,7 +14,7 @@ use crate::maps::MapVerdict;
 use crate::model_areas::{self, WindowProfiles};
 use crate::seam::Seam;
 use crate::solve::{Solutions, Solved};
-use crate::standing_maps::StandingArea;
+use crate::standing_maps::{StandingArea, StandingMaps};
 use crate::verdict::{ERRORS_GIVEN, Verdict, WorstWindow};
 use crate::verdicts::{AreaRange, CurveVerdict, ElementArea, ReferenceArea, WindowOutcome};
 use crate::window::{Band, Window};
@@ -359,7 +359,15 @@ pub(crate) fn without_elements(case: &Case<'_>, reason: RemarkCode) -> Judgement
             windows: 0,
         }
     };
-    conclude(case, None, Vec::new(), case.all().map(verdict).collect(), Vec::new(), Vec::new())
+    conclude(
+        case,
+        None,
+        Vec::new(),
+        case.all().map(verdict).collect(),
+        Vec::new(),
+        Vec::new(),
+        &StandingMaps::default(),
+    )
 }
 
 /// Holds the maps that are the answer against Gaussian surfaces of their spectrum, under each load.
@@ -367,22 +375,19 @@ fn standing_verdicts(
     case: &Case<'_>,
     headlines: &[Headline],
     references: &[ReferenceArea],
+    standing: &StandingMaps,
 ) -> Vec<MapVerdict> {
-    let maps = case.maps();
-    let names: Vec<&str> = maps.iter().map(|map| map.name.as_str()).collect();
-    let squares = maps.iter().map(|map| map.gradient_over_spectrum.powi(2));
-    let gradient_over_spectrum = (squares.sum::<f64>() / maps.len() as f64).sqrt();
-    let gradient_pa = gradient_over_spectrum * case.composite_modulus_pa * case.rms_gradient();
+    let gradient_pa = standing.gradient_over_spectrum * case.composite_modulus_pa * case.rms_gradient();
     let verdict = |headline: &Headline| {
         let is_own = |area: &&ReferenceArea| {
             area.load == headline.load && headline.basis == Basis::Elements(area.reference)
         };
         let area = references.iter().find(is_own)?;
         Some(MapVerdict {
-            map: names.join(", "),
+            map: standing.names.join(", "),
             load: area.load,
             pressure_over_gradient: case.nominal_pressure_pa(area.load) / gradient_pa,
-            gradient_over_spectrum,
+            gradient_over_spectrum: standing.gradient_over_spectrum,
             area_fraction: area.elements?.area_fraction,
             twins: area.of_spectrum?,
         })
@@ -398,12 +403,13 @@ pub(crate) fn conclude(
     curves: Vec<CurveVerdict>,
     references: Vec<ReferenceArea>,
     maps: Vec<MapVerdict>,
+    standing: &StandingMaps,
 ) -> Judgement {
     let yielding: Vec<Yielding> = (0..case.loads()).map(|load| case.yielding(load)).collect();
     let headlines: Vec<Headline> =
         yielding.iter().filter_map(|yielding| Headline::new(yielding, &references, &curves, &maps)).collect();
     let mut maps: Vec<MapVerdict> =
-        standing_verdicts(case, &headlines, &references).into_iter().chain(maps).collect();
+        standing_verdicts(case, &headlines, &references, standing).into_iter().chain(maps).collect();
     maps.sort_by_key(|map| map.load);
     Judgement {
         extent,

@@ -48,10 +48,11 @@ impl<'s> JudgePlan<'s> {
         };
         let solutions = solve(layout, &self.case, self.settings.seed, progress)?;
         let standing = press_standing_maps(&self.case, &layout.loads, self.settings.budget, progress)?;
-        let stands = |load: &usize| standing.iter().any(|area| area.load == *load);
+        let stands = |load: &usize| standing.areas.iter().any(|area| area.load == *load);
         let rest: Vec<usize> = layout.loads.iter().copied().filter(|load| !stands(load)).collect();
         let maps = self.maps(layout.grid, &rest, progress)?;
-        let comparisons = Comparisons { case: &self.case, layout, solutions: &solutions, maps: &standing };
+        let comparisons =
+            Comparisons { case: &self.case, layout, solutions: &solutions, maps: &standing.areas };
         let mut windows = comparisons.on_windows()?;
         let whole_band = comparisons.on_whole_band();
         let curves = comparisons.verdicts(&windows, &whole_band);
@@ -59,7 +60,7 @@ impl<'s> JudgePlan<'s> {
             windows.extend(whole_band);
         }
         let extent = layout.extent(&self.settings, solutions.spent);
-        Ok(conclude(&self.case, Some(extent), windows, curves, comparisons.references(), maps))
+        Ok(conclude(&self.case, Some(extent), windows, curves, comparisons.references(), maps, &standing))
     }
 
     /// Compares the measured maps behind the spectrum with Gaussian surfaces of their waves.

@@ -34,25 +34,34 @@ pub(crate) struct StandingArea {
     pub maps: PressedMaps,
 }
 
+/// The maps that stand for the surface.
+#[derive(Debug, Default)]
+pub(crate) struct StandingMaps {
+    /// Their areas.
+    pub areas: Vec<StandingArea>,
+    /// Their names.
+    pub names: Vec<String>,
+    /// Their rms gradient over that of isotropic surfaces with their spectrum.
+    pub gradient_over_spectrum: f64,
+}
+
 /// Presses the maps that hold nearly all slopes of the band, as finely as the budget allows, between all bodies under these loads.
 pub(crate) fn press_standing_maps(
     case: &Case<'_>,
     loads: &[usize],
     budget: f64,
     progress: &dyn Progress,
-) -> Result<Vec<StandingArea>, JudgeError> {
+) -> Result<StandingMaps, JudgeError> {
     let maps = case.maps();
     let presses = (maps.len() * loads.len() * case.references.len()) as f64;
     let cost = |points: usize| presses * operators(points) * (points * points) as f64;
     let Some(points) = GRIDS.into_iter().find(|points| cost(*points) <= budget) else {
-        return Ok(Vec::new());
+        return Ok(StandingMaps::default());
     };
-    let surfaces: Vec<(RandomSurface, bool)> = maps
-        .iter()
-        .map(|map| map.middle(points))
-        .filter(|map| stands(map, case))
-        .map(|map| (surface(&map, case), map.is_periodic))
-        .collect();
+    let standing: Vec<MapPatch> =
+        maps.iter().map(|map| map.middle(points)).filter(|map| stands(map, case)).collect();
+    let surfaces: Vec<(RandomSurface, bool)> =
+        standing.iter().map(|map| (surface(map, case), map.is_periodic)).collect();
     let bodies = 0..case.references.len();
     let cells: Vec<(usize, usize)> =
         bodies.flat_map(|body| loads.iter().map(move |&load| (body, load))).collect();
@@ -62,7 +71,12 @@ pub(crate) fn press_standing_maps(
             surfaces.iter().map(|surface| press(surface, case, cell, &progress)).collect();
         Ok::<_, JudgeError>(of_maps?.and_then(|found| mean(&found)))
     })?;
-    Ok(pressed.into_iter().flatten().collect())
+    let squares = standing.iter().map(|map| map.gradient_over_spectrum.powi(2));
+    Ok(StandingMaps {
+        areas: pressed.into_iter().flatten().collect(),
+        names: standing.iter().map(|map| map.name.clone()).collect(),
+        gradient_over_spectrum: (squares.sum::<f64>() / standing.len().max(1) as f64).sqrt(),
+    })
 }
 
 /// Returns true if the waves of a map hold nearly all slopes of the band.

@@ -19,7 +19,7 @@ pub enum Verdict {
     TooLarge,
     /// The area is smaller.
     TooSmall,
-    /// An assumption of the curve does not hold.
+    /// An assumption of the curve does not hold, or it agrees with a map and not with Gaussian surfaces, which it is a model of.
     OutOfRange,
     /// No area of elements is available for comparison.
     NotJudged,

@@ -1,4 +1,4 @@
-//! What a scene asks besides the area: values with the errors of theory, map and inputs, in the unit of the question.
+//! Answers to what a scene asks besides the area: values with the errors of theory, map and inputs, in the unit of the question.
 
 use conclusions::{AnswerUnderLoad, AskedValue, PeakState};
 use judge::Reference;

@@ -3,12 +3,13 @@
 use std::f64::consts::TAU;
 
 use elements::half_space::{Elements, Grid, Loading};
-use judge::{Basis, Headline, JudgePlan, JudgeSettings, Judgement, Reference};
+use judge::{Basis, Headline, JudgePlan, JudgeSettings, Judgement, Reference, Verdict};
 use numerics::parallel::Unobserved;
 use scene::{Overrides, Scene};
 use spectrum::random_surfaces::MapWaves;
 use study::Files;
 use study::student::widening;
+use units::RemarkCode;
 
 use crate::scenes::coarse;
 
@@ -308,6 +309,46 @@ fn a_map_that_is_the_answer_is_held_against_gaussian_surfaces_under_each_load() 
     }
     // A surface that is worn touches more than a Gaussian one the lighter the load.
     assert!(judgement.maps[0].ratio() > 1.1 * judgement.maps[1].ratio(), "{:?}", judgement.maps);
+}
+
+#[test]
+fn a_model_that_meets_a_map_and_misses_gaussian_surfaces_agrees_by_accident() {
+    let mut seen = [0, 0];
+    for heights_m in [waves(1.0), worn(waves(1.0)), waves(3.0)] {
+        for pressure_pa in [100e6, 200e6, 350e6, 700e6, 1.2e9, 2e9] {
+            let (judgement, _) = map_under(pressure_pa, &heights_m, "", "");
+            for row in &judgement.curves {
+                let (Some(ratio), Some(elements)) = (row.ratio(), row.elements) else { continue };
+                let meets = Verdict::from_ratio(ratio, elements.relative_error()) == Verdict::Agrees;
+                if judgement.references[0].maps.is_none() || !meets || row.windows == 0 {
+                    continue;
+                }
+                let is_accident = 2 * row.agreeing <= row.windows;
+                seen[usize::from(is_accident)] += 1;
+                let expected = match is_accident {
+                    true => (Verdict::OutOfRange, RemarkCode::AgreesByAccident),
+                    false => (Verdict::Agrees, RemarkCode::ComparedAreas),
+                };
+                assert_eq!((row.verdict, row.reason.code), expected, "{row:?}");
+                assert_eq!(row.reason.number("agreeing"), Some(row.agreeing as f64));
+            }
+        }
+    }
+    assert!(seen.iter().all(|count| *count > 0), "{seen:?}");
+}
+
+#[test]
+fn maps_that_stand_for_the_surface_are_named_alone() {
+    // A map ten times as wide has none of the short waves.
+    let named = |size: &str| {
+        let files = Scans(vec![("a.txt", text(&waves(1.0))), ("b.txt", text(&waves(1.0)))]);
+        let (judgement, headline) =
+            judged(&files, &TWO_MAPS.replacen("b.txt\", unit = \"m\", size = \"6.4", size, 1), "");
+        assert!(headline.maps.is_some(), "{headline:?}");
+        judgement.maps.iter().map(|map| map.map.clone()).collect::<Vec<_>>()
+    };
+    assert_eq!(named("b.txt\", unit = \"m\", size = \"6.4"), ["a.txt, b.txt"]);
+    assert_eq!(named("b.txt\", unit = \"m\", size = \"64"), ["a.txt"]);
 }
 
 #[test]

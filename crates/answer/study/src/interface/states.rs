@@ -51,7 +51,7 @@ pub struct InterfaceStates<'a> {
     elastic: Arc<ElasticStates>,
 }
 
-/// What does not depend on the hardness.
+/// The part that does not depend on the hardness.
 #[derive(Debug)]
 struct ElasticStates {
     /// The moments of the whole spectrum, by Parseval's theorem.
@@ -96,7 +96,7 @@ impl<'a> InterfaceStates<'a> {
         Some(InterfaceStates { request, inputs, elastic: Arc::new(elastic) })
     }
 
-    /// The same quantities with another hardness of the softer body \[Pa\].
+    /// Takes another hardness of the softer body \[Pa\], and shares all else.
     #[must_use]
     pub fn with_hardness(&self, hardness_pa: Option<f64>) -> Self {
         let inputs = InterfaceInputs { hardness_pa, ..self.inputs.clone() };
