@@ -9,6 +9,11 @@ use study::interface::{Quantity, Slot};
 use uncertainty::{Uncertainty, UncertaintyPlan, UncertaintySettings};
 
 fn found(modulus: &str) -> Uncertainty {
+    found_with(modulus, "", "")
+}
+
+/// Draws with further keys of the rough body, and further curves.
+fn found_with(modulus: &str, body: &str, curves: &str) -> Uncertainty {
     let row = |at: i32| {
         let wavelength_m = 10f64.powf(-4.0 - 0.1 * f64::from(at));
         format!("{wavelength_m:e},{:e}\n", 1e-18 * (wavelength_m / 3e-5).min(1.0).powf(2.6))
@@ -16,8 +21,8 @@ fn found(modulus: &str) -> Uncertainty {
     let psd: String = std::iter::once("wavelength_m,C1D_m3\n".to_owned()).chain((0..=20).map(row)).collect();
     let text = format!(
         "surface = {{ psd = \"psd.csv\" }}\nloads = {{ pressures = [\"1 MPa\"] }}\n\
-         [material]\nyoungs_modulus = \"{modulus}\"\npoisson_ratio = 0.3\nthermal_conductivity = \"20 W/(m K)\"\n\
-         [counterface]\nthermal_conductivity = \"20 W/(m K)\"\n[interface]\nshear_strength = \"1 GPa\"\n[[curve]]\nmodel = \"persson\"\n"
+         [material]\nyoungs_modulus = \"{modulus}\"\npoisson_ratio = 0.3\nthermal_conductivity = \"20 W/(m K)\"\n{body}\
+         [counterface]\nthermal_conductivity = \"20 W/(m K)\"\n[interface]\nshear_strength = \"1 GPa\"\n[[curve]]\nmodel = \"persson\"\n{curves}"
     );
     let files = BTreeMap::from([("psd.csv".to_owned(), psd.into_bytes())]);
     let scene = Scene::parse(&text, &files, &Overrides::default()).unwrap();
@@ -48,4 +53,21 @@ fn conductance_under_a_light_load_falls_with_the_modulus() {
     {
         assert!((found / (1e9 * expected) - 1.0).abs() < 1e-12, "{friction:?} {area:?}");
     }
+}
+
+#[test]
+fn draws_of_a_hardness_move_what_flows_alone() {
+    let yields = "[[curve]]\nmodel = \"persson-plastic\"\n";
+    let found = found_with("100 GPa", "indentation_hardness = \"50 MPa +- 5 MPa\"\n", yields);
+    let [elastic, plastic] = [0, 1].map(|curve| found.areas.iter().find(|area| area.curve == curve).unwrap());
+    let is_same = |one: f64, other: f64| (one / other - 1.0).abs() < 1e-12;
+    assert!(is_same(elastic.low, elastic.area_fraction) && is_same(elastic.high, elastic.area_fraction));
+    // The area and the conductance of flowed peaks go as H^-1 and H^-0.95; gap and stiffness do not know of it.
+    let width = 2.0 * 1.96 * 0.1;
+    assert!(((plastic.high / plastic.low).ln() / width - 1.0).abs() < 0.03, "{plastic:?}");
+    let interval = |quantity| found.quantity(Slot { quantity, load: Some(0), curve: None }).unwrap();
+    let flowed = interval(Quantity::YovanovichConductance);
+    assert!(((flowed.high / flowed.low).ln() / (0.95 * width) - 1.0).abs() < 0.03, "{flowed:?}");
+    let gap = interval(Quantity::MeanGap);
+    assert!(is_same(gap.low, gap.value) && is_same(gap.high, gap.value), "{gap:?}");
 }
