@@ -1,8 +1,10 @@
 //! Causes of the area of a load: the hardness, the roughness of some scales, both, or nothing.
 
-use findings::features::DecadeShare;
+use findings::features::{DecadeShare, decade_shares, decisive_decade};
 use judge::Reference;
+use persson::{constant_hardness, elastic};
 use serde::Serialize;
+use study::linear_laws::rms_gradients;
 use study::models::Choice;
 
 use super::area::Source;
@@ -120,20 +122,50 @@ impl Flowing {
     }
 }
 
-/// The decade that decides most by the curve that agrees with the elements, or by the only one.
+/// The decade that decides most: by the curve that agrees with the elements or by the only one, else by Persson's theory of their bodies.
 fn decisive(evidence: &Evidence<'_>, load: &Estimate<'_>) -> Option<DecadeShare> {
     let curve = match load.area.source {
-        Source::Model { curve } => curve,
-        Source::Models => load.nearest_curve()?,
-        Source::Elements(_) => load.best_model?.curve,
+        Source::Model { curve } => Some(curve),
+        Source::Models => Some(load.nearest_curve()?),
+        Source::Elements(_) => load.best_model.map(|cell| cell.curve),
     };
-    let decade = *evidence.answer.curves[curve][load.load].as_ref()?.decisive_decade()?;
+    let of_theory;
+    let shares = match curve {
+        Some(curve) => &evidence.answer.curves[curve][load.load].as_ref()?.decades,
+        None => {
+            of_theory = shares_by_theory(evidence, load)?;
+            &of_theory
+        }
+    };
+    let decade = *decisive_decade(shares)?;
     let psd = &evidence.results.psd;
     Some(DecadeShare {
         longest_m: decade.longest_m.min(psd.longest_wavelength_m()),
         shortest_m: decade.shortest_m.max(psd.shortest_wavelength_m()),
         ..decade
     })
+}
+
+/// The shares of the decades in the area by Persson's theory, whose bodies yield as the elements do; `None` on a layer.
+fn shares_by_theory(evidence: &Evidence<'_>, load: &Estimate<'_>) -> Option<Vec<DecadeShare>> {
+    let Source::Elements(reference) = load.area.source else { return None };
+    let pair = &evidence.scene.material.as_ref()?.pair;
+    let modulus_pa = pair.layer().is_none().then(|| pair.composite_modulus_pa())?;
+    let pressure_pa = load.nominal_pressure_pa;
+    let area_fraction = |rms_gradient: f64| {
+        let spread_pa = 0.5 * modulus_pa * rms_gradient;
+        match reference {
+            Reference::Yielding { hardness_pa } => {
+                constant_hardness::areas(pressure_pa, spread_pa, hardness_pa).contact()
+            }
+            _ => elastic::area_fraction(pressure_pa, spread_pa),
+        }
+    };
+    let gradients = rms_gradients(&evidence.results.psd).into_iter();
+    let areas: Vec<_> =
+        gradients.map(|(wavelength_m, gradient)| (wavelength_m, area_fraction(gradient))).collect();
+    let holes = &evidence.scene.surface.holes;
+    Some(decade_shares(&areas).into_iter().map(|share| share.of_spectrum_with(holes)).collect())
 }
 
 #[cfg(test)]

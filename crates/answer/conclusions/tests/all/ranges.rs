@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use conclusions::{AnswerUnderLoad, NextStep, Source};
+use conclusions::{AnswerUnderLoad, Cause, NextStep, Source};
+use findings::features::DecadeShare;
 use judge::Reference;
 use units::RemarkCode;
 
@@ -61,6 +62,34 @@ fn waves_beyond_the_end_of_a_spectrum_have_their_part_in_ranges_of_elements_alon
 }
 
 #[test]
+fn scales_decide_by_persson_s_theory_where_no_model_agrees() {
+    let of_theory = |bodies: &str, model: &str| {
+        let mut answered = Answered::new(&format!(
+            "surface = {{ psd = \"hole.csv\" }}\nmaterial = {{ {bodies} }}\n[loads]\npressures = [\"10 MPa\"]\n[[curve]]\nmodel = \"{model}\"\n[judge]\ngrid \
+             = 32\nrealisations = 2\n"
+        ));
+        let decades = answered.answer.curves[0][0].as_ref().unwrap().decades.clone();
+        let most = decades.into_iter().max_by(|a, b| a.share.total_cmp(&b.share)).unwrap();
+        let headline = &mut answered.judgement.as_mut().unwrap().headlines[0];
+        headline.best_curve = None;
+        (only(&answered).cause, most)
+    };
+    let is_alike = |found: DecadeShare, most: DecadeShare| {
+        let ends = [(found.longest_m, most.longest_m), (found.shortest_m, most.shortest_m)];
+        found.measured == most.measured
+            && (found.share - most.share).abs() < 0.015
+            && ends.iter().all(|(found_m, most_m)| (found_m / most_m - 1.0).abs() < 0.3)
+    };
+    let (cause, most) = of_theory("youngs_modulus = \"200 GPa\", poisson_ratio = 0.3", "persson");
+    assert!(matches!(cause, Cause::Roughness { decade } if is_alike(decade, most)), "{cause:?} {most:?}");
+    let (cause, most) = of_theory(
+        "youngs_modulus = \"70 GPa\", poisson_ratio = 0.33, indentation_hardness = \"60 GPa\"",
+        "persson-plastic",
+    );
+    assert!(matches!(cause, Cause::Roughness { decade } if is_alike(decade, most)), "{cause:?} {most:?}");
+}
+
+#[test]
 fn areas_that_have_settled_are_no_upper_bound_whatever_a_model_says_that_does_not_hold() {
     let is_upper_bound = |knee_m: f64| {
         let row = |at: i32| {
@@ -78,7 +107,12 @@ fn areas_that_have_settled_are_no_upper_bound_whatever_a_model_says_that_does_no
             ),
             &files,
         );
-        answered.conclusions().cautions.iter().any(|caution| caution.code == RemarkCode::UpperBound)
+        let shortest_m = answered.results.psd.shortest_wavelength_m();
+        let conclusions = answered.conclusions();
+        let is_bound = conclusions.cautions.iter().any(|caution| caution.code == RemarkCode::UpperBound);
+        // A finer scan is advised where, and only where, the area still falls.
+        assert_eq!(conclusions.next.contains(&NextStep::FinerScan { from_m: shortest_m }), is_bound);
+        is_bound
     };
     assert!(is_upper_bound(1e-9) && !is_upper_bound(3e-6));
 }

@@ -156,11 +156,6 @@ impl LoadAnswer {
         }
         self
     }
-
-    /// The decade of wavelengths that decides most.
-    pub fn decisive_decade(&self) -> Option<&DecadeShare> {
-        self.decades.iter().reduce(|most, other| if other.share > most.share { other } else { most })
-    }
 }
 
 impl Disagreement {

@@ -54,6 +54,12 @@ pub fn decade_shares(curve: &[Point]) -> Vec<DecadeShare> {
     shares
 }
 
+/// Finds the decade with the largest share.
+#[must_use]
+pub fn decisive_decade(shares: &[DecadeShare]) -> Option<&DecadeShare> {
+    shares.iter().reduce(|most, other| if other.share > most.share { other } else { most })
+}
+
 /// The power of ten at the short end of the decade that a wavelength \[m\] belongs to. A decade has its long end, to a part
 /// in a million: a spectrum that begins at 1 mm, whatever the rounding, begins in the decade from 1 mm to 100 um.
 fn decade(wavelength_m: f64) -> i32 {
