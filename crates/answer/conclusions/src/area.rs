@@ -207,3 +207,32 @@ impl AreaEstimate {
         of_curve.map(over_area).or_else(of_hardness)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scans_leave_the_share_of_an_interval_that_a_pressed_map_has_not() {
+        let width_ratio = |share_of_scans: f64, of_inputs: f64| {
+            let of_inputs_now = OfInputs { curve: None, factor: 2.0, share_of_scans };
+            let area = AreaEstimate {
+                area_fraction: Some(0.1),
+                low: 0.05,
+                high: 0.2,
+                source: Source::Models,
+                maps: None,
+                factor_of_elements: 1.0,
+                factor_of_spectrum_end: 1.0,
+                of_inputs: Some(of_inputs_now),
+            };
+            area.width_ratio(of_inputs)
+        };
+        // Of a variance of 1, 0.64 is that of scans and 0.36 is left; an interval 0.73 as large in variance keeps 0.09 of that.
+        for (share, of_inputs, expected) in
+            [(0.0, 0.5, 0.5), (0.64, 1.0, 1.0), (0.64, 0.73f64.sqrt(), 0.5), (0.64, 0.1, 0.0)]
+        {
+            assert!((width_ratio(share, of_inputs) - expected).abs() < 1e-12, "{share} {of_inputs}");
+        }
+    }
+}

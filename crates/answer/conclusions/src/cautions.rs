@@ -223,13 +223,9 @@ fn upper_bound(evidence: &Evidence<'_>, loads: &[AnswerUnderLoad]) -> Option<Rem
                 !answer.settled && still_falls(&areas)
             })
         };
-        let own = match load.area.source {
-            Source::Model { curve } => Some(curve),
-            _ => load.best_model.map(|cell| cell.curve),
-        };
         // Where no curve agrees with elements, all must fall.
         let mut all = (0..evidence.answer.curves.len()).filter_map(followed).peekable();
-        match own.and_then(followed) {
+        match load.best_model.and_then(|cell| followed(cell.curve)) {
             Some(falls) => falls,
             None if load.area.source.is_of_models() => all.any(|falls| falls),
             None => all.peek().is_some() && all.all(|falls| falls),

@@ -50,6 +50,11 @@ pub enum NextStep {
         /// The instrument.
         instrument: String,
     },
+    /// Shorter waves, since the area still falls at the end of the spectrum.
+    FinerScan {
+        /// The shortest wavelength of the spectrum \[m\].
+        from_m: f64,
+    },
     /// Longer waves, whose heights decide the gap and what follows from it.
     WiderScan {
         /// The longest wavelength of the spectrum \[m\].
@@ -130,6 +135,10 @@ pub(crate) fn next_steps(
     ranked.sort_by(|a, b| a.0.total_cmp(&b.0));
     steps.extend(ranked.into_iter().map(|Ranked(_, step)| step));
     steps.extend(made_up.filter(|_| hangs_on_hardness));
+    let still_falls = warned(&[RemarkCode::UpperBound]).filter(|_| !hangs_on_hardness);
+    let is_told = shorter_waves_are_told(evidence, load);
+    let shortest_m = surface.psd.shortest_wavelength_m();
+    steps.extend(still_falls.filter(|_| !is_told).map(|_| NextStep::FinerScan { from_m: shortest_m }));
     let ends_early = |states: &&InterfaceStates<'_>| hangs_on_long_waves(states) && states.lacks_roll_off();
     let from_m = surface.psd.longest_wavelength_m();
     steps.extend(states.filter(ends_early).map(|_| NextStep::WiderScan { from_m }));
@@ -145,6 +154,13 @@ pub(crate) fn next_steps(
 fn hangs_on_long_waves(states: &InterfaceStates<'_>) -> bool {
     let request = states.request;
     request.seal.is_some() || request.asks.gap || request.asks.heat || request.asks.current
+}
+
+/// Tells whether the draws say where the area settles: it is a step of theirs already, or not worth one.
+fn shorter_waves_are_told(evidence: &Evidence<'_>, load: &AnswerUnderLoad) -> bool {
+    let will_settle = |advice: &&Advice| matches!(advice.settling, Settling::WillSettle { .. });
+    let steps = advice(evidence, load).filter(will_settle).map(|advice| &advice.steps);
+    steps.into_iter().flatten().any(|step| matches!(step.kind, StepKind::ShorterWavelengths { .. }))
 }
 
 /// The width of the range without the error of holes, as a share of that now; `None` without draws of them.

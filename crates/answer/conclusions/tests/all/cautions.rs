@@ -104,6 +104,31 @@ fn a_body_that_is_less_stiff_and_has_no_hardness_is_a_caution_unless_it_is_a_rub
 }
 
 #[test]
+fn a_surface_scanned_at_fewer_than_three_places_is_a_caution() {
+    let trace = |place: i32| {
+        let row = |x: i32| {
+            format!("{:e} {:e}\n", f64::from(x) * 1e-6, 1e-7 * (f64::from(x * x + place) * 0.13).sin())
+        };
+        (0..512).map(row).collect::<String>().into_bytes()
+    };
+    let of = |places: i32| {
+        let names: Vec<String> = (0..places).map(|place| format!("{place}.txt")).collect();
+        let files = names.iter().cloned().zip((0..places).map(trace)).collect();
+        let scans: String = names
+            .iter()
+            .map(|name| format!("{{ file = \"{name}\", unit = \"m\", tip_radius = \"none\" }},"))
+            .collect();
+        let text = format!(
+            "[surface]\nscans = [{scans}]\n[material]\nyoungs_modulus = \"200 GPa\"\npoisson_ratio = 0.3\n[loads]\npressures = [\"10 \
+             MPa\"]\n[[curve]]\nmodel = \"persson\"\n[judge]\noff = true\n[uncertainty]\noff = true\n"
+        );
+        let conclusions = Answered::with_files(&text, &files).conclusions();
+        caution(&conclusions, RemarkCode::FewScans).map(|few| few.number("scans").unwrap())
+    };
+    assert_eq!([1, 2, 3].map(of), [Some(1.0), Some(2.0), None]);
+}
+
+#[test]
 fn models_that_all_miss_the_elements_of_every_load_are_counted() {
     let mut answered = scene("plain", STEEL, SMALL, "");
     let mut with = |verdicts: [Verdict; 4]| {

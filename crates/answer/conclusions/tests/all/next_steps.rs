@@ -54,6 +54,7 @@ fn steps_are_ranked_by_the_whole_range_and_those_of_less_than_a_tenth_are_left_o
     let [
         NextStep::Wavelengths { to_m, area_ratio: 1.0 },
         NextStep::Material { group: Group::Material, width_ratio },
+        NextStep::FinerScan { .. },
     ] = found[..]
     else {
         panic!("{found:?}")
@@ -71,7 +72,12 @@ fn shorter_waves_are_advised_where_the_area_will_settle_and_fall_by_a_tenth() {
     let (found, _) = steps(&mut answered, shorter(0.6), will);
     assert_eq!(found, [NextStep::Wavelengths { to_m: 1e-9, area_ratio: 0.6 }]);
     assert_eq!(steps(&mut answered, shorter(0.95), will).0, []);
-    assert_eq!(steps(&mut answered, shorter(0.6), Settling::HasSettled).0, []);
+    // Where nobody knows whether the area settles, a finer scan tells.
+    let from_m = answered.results.psd.shortest_wavelength_m();
+    assert_eq!(steps(&mut answered, shorter(0.6), Settling::Unknown).0, [NextStep::FinerScan { from_m }]);
+    // Longer waves narrow by a tenth or are left out.
+    let longer = vec![step(StepKind::LongerWavelengths { to_m: 1e-3 }, 0.99, 0.5)];
+    assert_eq!(steps(&mut answered, longer, will).0, [NextStep::FinerScan { from_m }]);
 }
 
 #[test]
@@ -150,7 +156,8 @@ fn a_hardness_that_may_grow_is_measured_at_small_depth() {
     (elements.area_fraction, elements.standard_error) = (3.0 * headline.high, 0.0);
     headline.otherwise = Some(Otherwise { hardness_pa, elements });
     let (found, load) = steps(&mut answered, Vec::new(), Settling::Unknown);
-    assert_eq!(found, [NextStep::HardnessAtSmallDepth]);
+    let finer = NextStep::FinerScan { from_m: answered.results.psd.shortest_wavelength_m() };
+    assert_eq!(found, [NextStep::HardnessAtSmallDepth, finer.clone()]);
     let (best, other) = (load.area.area_fraction.unwrap(), load.otherwise.unwrap());
     assert_eq!((other.hardness_pa, other.area_fraction), (hardness_pa, elements.area_fraction));
     assert_eq!((other.low, other.high), (elements.area_fraction, elements.area_fraction));
@@ -160,7 +167,7 @@ fn a_hardness_that_may_grow_is_measured_at_small_depth() {
     elements.area_fraction = best;
     answered.judgement.as_mut().unwrap().headlines[1].otherwise = Some(Otherwise { hardness_pa, elements });
     let (found, load) = steps(&mut answered, Vec::new(), Settling::Unknown);
-    assert_eq!((found, load.otherwise, load.factor_of_hardness()), (Vec::new(), None, None));
+    assert_eq!((found, load.otherwise, load.factor_of_hardness()), (vec![finer], None, None));
 }
 
 #[test]

@@ -419,6 +419,9 @@ pub fn next_words(step: &NextStep) -> String {
         NextStep::TipRadius { scan } => format!("find out the radius of the tip of {scan}"),
         NextStep::HardnessOfSofter { body } => format!("find out the hardness of {body}"),
         NextStep::SecondScan { instrument } => format!("a second {instrument} scan, at another place"),
+        NextStep::FinerScan { from_m } => {
+            format!("a scan finer than {}: the area still falls there", length(*from_m))
+        }
         NextStep::WiderScan { from_m } => {
             format!("a scan wider than {}: longer waves decide gap, heat and leaks", length(*from_m))
         }
