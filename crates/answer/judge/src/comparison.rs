@@ -422,5 +422,6 @@ pub(crate) fn conclude(
         steep_from_m: case.steep_from_m(),
         rms_gradient: case.rms_gradient(),
         error_of_spectrum_end: case.error_of_spectrum_end(),
+        surface: None,
     }
 }

@@ -11,6 +11,7 @@ use crate::comparison::{Comparisons, conclude, without_elements};
 use crate::judgement::Judgement;
 use crate::layout::Layout;
 use crate::maps::{MapPressing, MapVerdict, compare_maps};
+use crate::pressed_surface::PressedSurface;
 use crate::solve::solve;
 use crate::standing_maps::press_standing_maps;
 
@@ -60,7 +61,11 @@ impl<'s> JudgePlan<'s> {
             windows.extend(whole_band);
         }
         let extent = layout.extent(&self.settings, solutions.spent);
-        Ok(conclude(&self.case, Some(extent), windows, curves, comparisons.references(), maps, &standing))
+        let references = comparisons.references();
+        let mut judgement = conclude(&self.case, Some(extent), windows, curves, references, maps, &standing);
+        let (headlines, seed) = (&judgement.headlines, self.settings.seed);
+        judgement.surface = PressedSurface::new(&self.case, headlines, standing, seed, progress)?;
+        Ok(judgement)
     }
 
     /// Compares the measured maps behind the spectrum with Gaussian surfaces of their waves.

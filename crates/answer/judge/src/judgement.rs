@@ -5,6 +5,7 @@ use serde::Serialize;
 use crate::headline::Headline;
 use crate::layout::Extent;
 use crate::maps::MapVerdict;
+use crate::pressed_surface::PressedSurface;
 use crate::verdicts::{CurveVerdict, ReferenceArea, WindowOutcome};
 use crate::yielding::Yielding;
 
@@ -33,6 +34,9 @@ pub struct Judgement {
     /// The relative standard error of areas of Gaussian surfaces from waves beyond the end of the spectrum, which its last values hold
     /// too.
     pub error_of_spectrum_end: f64,
+    /// The pressed surface to look at; no part of tables.
+    #[serde(skip)]
+    pub surface: Option<PressedSurface>,
 }
 
 impl Judgement {

@@ -1,7 +1,7 @@
 //! Measured maps pressed by boundary elements, compared with Gaussian surfaces that have the same waves. The difference
 //! is the effect of everything that a spectrum omits.
 
-use elements::half_space::{ContactNumbers, Grid, Loading};
+use elements::half_space::{Contact, Grid, Loading};
 use measurements::MapPatch;
 use numerics::parallel::Progress;
 use serde::Serialize;
@@ -113,7 +113,7 @@ fn compare_map(
         let area = |surface: &RandomSurface, pressure_pa: f64| {
             let press = Press { case: pressing.case, pressure_pa, saturation_pa: None };
             Ok::<_, JudgeError>(
-                press.on(surface, false, progress)?.map(|(found, _)| found.area_fraction_corrected),
+                press.on(surface, false, progress)?.map(|(found, _)| found.numbers.area_fraction_corrected),
             )
         };
         let Some(area_fraction) = area(&surface, pressure_pa)? else { return Ok(found) };
@@ -155,7 +155,7 @@ impl Press<'_> {
         surface: &RandomSurface,
         wants_stiffness: bool,
         progress: &dyn Progress,
-    ) -> Result<Option<(ContactNumbers, Option<f64>)>, JudgeError> {
+    ) -> Result<Option<(Contact, Option<f64>)>, JudgeError> {
         if progress.is_cancelled() {
             return Ok(None);
         }
@@ -171,7 +171,7 @@ impl Press<'_> {
         let contact = elements.press(&loading, progress)?;
         let stiffness = || elements.stiffness_pa_per_m(&contact, loading.contact_modulus_pa, progress);
         let stiffness_pa_per_m = wants_stiffness.then(stiffness).transpose()?.flatten();
-        Ok(Some((contact.numbers, stiffness_pa_per_m)))
+        Ok(Some((contact, stiffness_pa_per_m)))
     }
 }
 

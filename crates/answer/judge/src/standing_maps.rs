@@ -34,6 +34,15 @@ pub(crate) struct StandingArea {
     pub maps: PressedMaps,
 }
 
+/// The contact of a map between the bodies of a reference under a load; both by index.
+#[derive(Debug)]
+pub(crate) struct StandingContact {
+    pub body: usize,
+    pub load: usize,
+    /// True for each point in contact, row by row.
+    pub touching: Vec<bool>,
+}
+
 /// The maps that stand for the surface.
 #[derive(Debug, Default)]
 pub(crate) struct StandingMaps {
@@ -43,6 +52,10 @@ pub(crate) struct StandingMaps {
     pub names: Vec<String>,
     /// Their rms gradient over that of isotropic surfaces with their spectrum.
     pub gradient_over_spectrum: f64,
+    /// The first of them as it was pressed; `None` without one.
+    pub first: Option<RandomSurface>,
+    /// Its contacts.
+    pub contacts: Vec<StandingContact>,
 }
 
 /// Presses the maps that hold nearly all slopes of the band, as finely as the budget allows, between all bodies under these loads.
@@ -67,15 +80,19 @@ pub(crate) fn press_standing_maps(
         bodies.flat_map(|body| loads.iter().map(move |&load| (body, load))).collect();
     let progress = NestedProgress(progress);
     let pressed = numerics::parallel::try_map(&cells, |&cell| {
-        let of_maps: Result<Option<Vec<StandingArea>>, JudgeError> =
+        let of_maps: Result<Option<Vec<(StandingArea, StandingContact)>>, JudgeError> =
             surfaces.iter().map(|surface| press(surface, case, cell, &progress)).collect();
-        Ok::<_, JudgeError>(of_maps?.and_then(|found| mean(&found)))
+        let (areas, contacts): (Vec<_>, Vec<_>) = of_maps?.unwrap_or_default().into_iter().unzip();
+        Ok::<_, JudgeError>(mean(&areas).zip(contacts.into_iter().next()))
     })?;
+    let (areas, contacts) = pressed.into_iter().flatten().unzip();
     let squares = standing.iter().map(|map| map.gradient_over_spectrum.powi(2));
     Ok(StandingMaps {
-        areas: pressed.into_iter().flatten().collect(),
+        areas,
+        contacts,
         names: standing.iter().map(|map| map.name.clone()).collect(),
         gradient_over_spectrum: (squares.sum::<f64>() / standing.len().max(1) as f64).sqrt(),
+        first: surfaces.into_iter().next().map(|(surface, _)| surface),
     })
 }
 
@@ -107,7 +124,7 @@ fn press(
     case: &Case<'_>,
     (body, load): (usize, usize),
     progress: &dyn Progress,
-) -> Result<Option<StandingArea>, JudgeError> {
+) -> Result<Option<(StandingArea, StandingContact)>, JudgeError> {
     let saturation_pa = match case.references[body] {
         Reference::Elastic => None,
         Reference::Yielding { hardness_pa } => Some(hardness_pa),
@@ -121,7 +138,8 @@ fn press(
     let is_whole = pressure_pa == case.nominal_pressure_pa(load);
     let wants_stiffness = is_whole && case.scene.interface.is_some();
     let pressed = Press { case, pressure_pa, saturation_pa }.on(surface, wants_stiffness, progress)?;
-    let Some((found, stiffness_pa_per_m)) = pressed else { return Ok(None) };
+    let Some((contact, stiffness_pa_per_m)) = pressed else { return Ok(None) };
+    let found = contact.numbers;
     let points = found.area_fraction * surface.heights_m.len() as f64;
     if points < MIN_POINTS {
         return Ok(None);
@@ -140,7 +158,8 @@ fn press(
         stiffness_pa_per_m,
         plastic_share: saturation_pa.map(|_| found.plastic_area_fraction / found.area_fraction),
     };
-    Ok(Some(StandingArea { body, load, elements, maps }))
+    let touching = contact.touching();
+    Ok(Some((StandingArea { body, load, elements, maps }, StandingContact { body, load, touching })))
 }
 
 /// Averages maps at several places; `None` without a map.

@@ -3,4 +3,5 @@
 mod judgement;
 mod maps;
 mod numbers;
+mod pressed_surface;
 mod scenes;

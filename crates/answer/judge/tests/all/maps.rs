@@ -165,6 +165,27 @@ fn a_map_that_is_the_only_scan_is_the_answer_whatever_its_phases_and_directions(
 }
 
 #[test]
+fn a_map_that_is_the_answer_is_the_surface_to_look_at() {
+    for (rest, saturation_pa) in [("", None), ("indentation_hardness = \"1.2 GPa\"\n", Some(1.2e9))] {
+        let heights_m = worn(waves(1.0));
+        let (judgement, headline) = map_alone(&heights_m, "", rest);
+        let surface = judgement.surface.unwrap();
+        assert_eq!(
+            (surface.map.as_deref(), surface.columns, surface.shortest_m),
+            (Some("map.txt"), POINTS, None)
+        );
+        let [contact] = &surface.contacts[..] else { panic!() };
+        let [_, counted, ..] = pressed(&heights_m, saturation_pa);
+        assert!((contact.area_fraction() / counted - 1.0).abs() < 0.01, "{counted} {headline:?}");
+        assert!(contact.area_fraction() > headline.area_fraction.unwrap());
+        // The highest points touch.
+        let highest = (0..surface.heights_m.len())
+            .max_by(|a, b| surface.heights_m[*a].total_cmp(&surface.heights_m[*b]));
+        assert!(contact.touching[highest.unwrap()]);
+    }
+}
+
+#[test]
 fn a_map_tells_a_worn_surface_and_one_with_a_direction_from_a_gaussian_one() {
     let of = |heights_m: &[f64], direction: &str| map_alone(heights_m, direction, "").0.maps[0].clone();
     let gaussian = of(&waves(1.0), "");
