@@ -168,10 +168,24 @@ impl Questions<'_> {
         share * CORRELATION_WITHIN + (1.0 - share) * GAS_WITHIN
     }
 
-    /// A gap, or what follows the stiffness, of the measured map over that of the theory.
+    /// A gap, or what follows the stiffness, of the measured map over that of the theory. Displacements go as its inverse, and gas has the
+    /// gap of the map.
     fn of_map(&self, quantity: Quantity) -> Option<f64> {
         let maps = self.area.maps?;
+        let of_gas = || maps.mean_gap_m.and_then(|gap_m| self.states.gas_over(gap_m));
+        let beside_gas =
+            |spots: Quantity| Some(self.of_map(spots).unwrap_or(1.0) * self.by_theory(spots)? + of_gas()?);
         let (of_map, theory) = match quantity {
+            Quantity::GasConductance => (of_gas(), quantity),
+            Quantity::ThermalConductanceWithGas => (beside_gas(Quantity::ThermalConductance), quantity),
+            Quantity::FlowedConductanceWithGas if maps.plastic_share.is_some() => {
+                (beside_gas(Quantity::YovanovichConductance), quantity)
+            }
+            Quantity::ThermalResistance
+            | Quantity::ElectricalResistance
+            | Quantity::TangentialDisplacement => {
+                return self.of_map(Quantity::Stiffness).map(f64::recip);
+            }
             Quantity::MeanGap => (maps.mean_gap_m, quantity),
             Quantity::FlowedGap => (maps.mean_gap_m.filter(|_| maps.plastic_share.is_some()), quantity),
             _ if quantity.follows_stiffness() => (maps.stiffness_pa_per_m, Quantity::Stiffness),

@@ -1,8 +1,7 @@
 //! Causes of the area of a load: the hardness, the roughness of some scales, both, or nothing.
 
-use findings::features::{DecadeShare, decade_shares, decisive_decade};
+use findings::features::{DecadeShare, decisive_decade, slope_shares};
 use judge::Reference;
-use persson::{constant_hardness, elastic};
 use serde::Serialize;
 use study::linear_laws::rms_gradients;
 use study::models::Choice;
@@ -34,23 +33,23 @@ pub enum Cause {
         /// The hardness \[Pa\].
         hardness_pa: f64,
     },
-    /// The roughness of a decade of wavelengths.
+    /// The slopes of the roughness, most of all those of a decade of wavelengths.
     Roughness {
-        /// The decade that decides most.
+        /// The decade, and its share of the mean square slope.
         decade: DecadeShare,
     },
-    /// The hardness, and the roughness of a decade of wavelengths.
+    /// The hardness, and the slopes of the roughness.
     HardnessAndRoughness {
         /// The hardness \[Pa\].
         hardness_pa: f64,
-        /// The decade that decides most.
+        /// The decade, and its share of the mean square slope.
         decade: DecadeShare,
     },
     /// Adhesion, which no area counts: the surfaces stick.
     Adhesion,
     /// Nothing: everything touches.
     FullContact,
-    /// Unknown: no curve that agrees with boundary elements was followed along the cutoff.
+    /// Unknown: the surface has no slopes.
     Unknown,
 }
 
@@ -70,7 +69,7 @@ impl Cause {
             return Cause::GrowthOfHardness { ratio };
         }
         let flowing = Flowing::new(evidence, load);
-        Self::of(load.area.area_fraction.unwrap_or(load.area.high), flowing, decisive(evidence, load))
+        Self::of(load.area.area_fraction.unwrap_or(load.area.high), flowing, steepest(evidence))
     }
 
     fn of(area_fraction: f64, flowing: Option<Flowing>, decade: Option<DecadeShare>) -> Self {
@@ -122,50 +121,16 @@ impl Flowing {
     }
 }
 
-/// The decade that decides most: by the curve that agrees with the elements or by the only one, else by Persson's theory of their bodies.
-fn decisive(evidence: &Evidence<'_>, load: &Estimate<'_>) -> Option<DecadeShare> {
-    let curve = match load.area.source {
-        Source::Model { curve } => Some(curve),
-        Source::Models => Some(load.nearest_curve()?),
-        Source::Elements(_) => load.best_model.map(|cell| cell.curve),
-    };
-    let of_theory;
-    let shares = match curve {
-        Some(curve) => &evidence.answer.curves[curve][load.load].as_ref()?.decades,
-        None => {
-            of_theory = shares_by_theory(evidence, load)?;
-            &of_theory
-        }
-    };
-    let decade = *decisive_decade(shares)?;
+/// The decade with the largest share of the mean square slope, on which the area depends; `None` of a surface without slopes.
+fn steepest(evidence: &Evidence<'_>) -> Option<DecadeShare> {
     let psd = &evidence.results.psd;
+    let shares = slope_shares(&rms_gradients(psd));
+    let decade = decisive_decade(&shares)?.of_spectrum_with(&evidence.scene.surface.holes);
     Some(DecadeShare {
         longest_m: decade.longest_m.min(psd.longest_wavelength_m()),
         shortest_m: decade.shortest_m.max(psd.shortest_wavelength_m()),
         ..decade
     })
-}
-
-/// The shares of the decades in the area by Persson's theory, whose bodies yield as the elements do; `None` on a layer.
-fn shares_by_theory(evidence: &Evidence<'_>, load: &Estimate<'_>) -> Option<Vec<DecadeShare>> {
-    let Source::Elements(reference) = load.area.source else { return None };
-    let pair = &evidence.scene.material.as_ref()?.pair;
-    let modulus_pa = pair.layer().is_none().then(|| pair.composite_modulus_pa())?;
-    let pressure_pa = load.nominal_pressure_pa;
-    let area_fraction = |rms_gradient: f64| {
-        let spread_pa = 0.5 * modulus_pa * rms_gradient;
-        match reference {
-            Reference::Yielding { hardness_pa } => {
-                constant_hardness::areas(pressure_pa, spread_pa, hardness_pa).contact()
-            }
-            _ => elastic::area_fraction(pressure_pa, spread_pa),
-        }
-    };
-    let gradients = rms_gradients(&evidence.results.psd).into_iter();
-    let areas: Vec<_> =
-        gradients.map(|(wavelength_m, gradient)| (wavelength_m, area_fraction(gradient))).collect();
-    let holes = &evidence.scene.surface.holes;
-    Some(decade_shares(&areas).into_iter().map(|share| share.of_spectrum_with(holes)).collect())
 }
 
 #[cfg(test)]

@@ -130,7 +130,7 @@ pub(crate) fn cautions(
         cautions.push(new(code).with("models", models));
     }
     cautions.extend(softer_without_hardness(scene));
-    cautions.extend(scene.surface.is_assumed().then(|| new(RemarkCode::MadeOfNumbers)));
+    cautions.extend(scene.surface.assumed().map(|body| new(RemarkCode::MadeOfNumbers).with("body", body)));
     cautions.extend(unknown_tip(scene));
     let guesses = uncertainty.into_iter().flat_map(|found| &found.guesses);
     cautions.extend(
@@ -147,7 +147,30 @@ pub(crate) fn cautions(
     let yielded = shares.filter(|share| *share > MOST_PLASTIC_SHARE);
     let largest = yielded.reduce(f64::max);
     cautions.extend(largest.map(|share| new(RemarkCode::GapOfYieldingContact).with("share", share)));
+    if !on_roughness && states.is_none_or(|states| !needs_heights(states)) {
+        cautions.retain(|caution| !is_about_roughness(caution.code));
+    }
     cautions
+}
+
+/// Returns true if something is asked that hangs on the heights of the roughness, even where the area does not.
+fn needs_heights(states: &InterfaceStates<'_>) -> bool {
+    let request = states.request;
+    let asks = request.asks;
+    asks.gap || asks.heat || asks.current || request.seal.is_some() || request.shear.is_some()
+}
+
+/// Returns true for cautions on the spectrum, without effect on an area that hangs on the hardness alone.
+fn is_about_roughness(code: RemarkCode) -> bool {
+    matches!(
+        code,
+        RemarkCode::FewScans
+            | RemarkCode::OneInstrument
+            | RemarkCode::TipMayShow
+            | RemarkCode::MadeOfNumbers
+            | RemarkCode::NotMeasured
+            | RemarkCode::TooSteep
+    )
 }
 
 /// Returns true if an area changes by more than 1 % on the last tenth of a decade, or on the last step.

@@ -24,7 +24,6 @@ pub struct OtherHardness {
 /// An estimate under a load, the area under the other assumption on the hardness, and the models.
 #[derive(Clone, Copy)]
 pub(crate) struct Estimate<'a> {
-    pub load: usize,
     pub nominal_pressure_pa: f64,
     pub area: AreaEstimate,
     pub otherwise: Option<OtherHardness>,

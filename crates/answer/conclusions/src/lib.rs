@@ -67,7 +67,10 @@ impl Conclusions {
             title: scene.title.clone(),
             trust: cautions.iter().map(trust_left).min().unwrap_or(Trust::Good),
             seal: states.as_ref().and_then(|states| SealConclusion::new(states, evidence.uncertainty)),
-            shear: states.as_ref().map(ShearConclusion::of_loads).unwrap_or_default(),
+            shear: states
+                .as_ref()
+                .map(|states| ShearConclusion::of_loads(states, &loads))
+                .unwrap_or_default(),
             next: next::next_steps(evidence, &loads, &cautions, states.as_ref()),
             loads,
             cautions,

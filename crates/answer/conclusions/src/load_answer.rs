@@ -70,7 +70,6 @@ impl AnswerUnderLoad {
             None => AreaEstimate::from_models(evidence, load)?,
         };
         let estimate = Estimate {
-            load,
             nominal_pressure_pa: given.nominal_pressure_pa(),
             area,
             otherwise: headline.and_then(|headline| OtherHardness::new(headline, &area)),
@@ -108,7 +107,6 @@ impl AnswerUnderLoad {
 
     fn estimate(&self) -> Estimate<'_> {
         Estimate {
-            load: self.load,
             nominal_pressure_pa: self.nominal_pressure_pa,
             area: self.area,
             otherwise: self.otherwise,

@@ -24,7 +24,10 @@ const MAX_STEPS: usize = 3;
 #[non_exhaustive]
 pub enum NextStep {
     /// The surface itself, whose spectrum is made of roughness parameters.
-    Surface,
+    Surface {
+        /// The body, or both.
+        body: String,
+    },
     /// Adhesion, which no area counts, by boundary elements that attract each other.
     Adhesion,
     /// More scales, since the spectrum has too few.
@@ -107,7 +110,8 @@ pub(crate) fn next_steps(
     let surface = &evidence.scene.surface;
     let mut steps = Vec::new();
     let hangs_on_hardness = matches!(load.cause, Cause::Hardness { .. });
-    let made_up = surface.is_assumed().then_some(NextStep::Surface);
+    let made_up = warned(&[RemarkCode::MadeOfNumbers]).and_then(|caution| caution.text("body"));
+    let made_up = made_up.map(|body| NextStep::Surface { body: body.to_owned() });
     steps.extend(made_up.clone().filter(|_| !hangs_on_hardness));
     let sticks = warned(&[RemarkCode::StickyByPastewka, RemarkCode::StickyByFuller]);
     steps.extend(sticks.map(|_| NextStep::Adhesion));

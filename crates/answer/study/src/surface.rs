@@ -15,6 +15,7 @@ use topography::Recipe;
 use units::printable::{hexadecimal, short_paths, shown_path};
 use units::{Remark, RemarkCode};
 
+use crate::bodies::Body;
 use crate::given_roughness::GivenRoughness;
 use measurements::{
     CompositeOfFiles, Files, ScanProblem, ScanRequest, ScansInFolders, TopographyError, heights_in,
@@ -291,11 +292,17 @@ impl Surface {
         Ok(Surface { notes: vec![given.remark()], roughness: Some(given), ..Self::plain(name, psd) })
     }
 
-    /// Returns true if the spectrum, or that of one of two surfaces, is made of roughness parameters.
+    /// Returns the words for the surface whose spectrum is made of roughness parameters; `None` if all were measured.
     #[must_use]
-    pub fn is_assumed(&self) -> bool {
-        self.roughness.is_some()
-            || self.parts.as_ref().is_some_and(|parts| parts.iter().any(Self::is_assumed))
+    pub fn assumed(&self) -> Option<&'static str> {
+        let is_assumed = |part: &Surface| part.assumed().is_some();
+        match self.parts.as_deref().map(|[rough, counterface]| [rough, counterface].map(is_assumed)) {
+            None => self.roughness.as_ref().map(|_| "the surface"),
+            Some([true, true]) => Some("both surfaces"),
+            Some([true, false]) => Some(Body::Rough.words()),
+            Some([false, true]) => Some(Body::Counterface.words()),
+            Some([false, false]) => None,
+        }
     }
 
     /// Adds the spectrum of another, uncorrelated surface. Where only one of the two has a spectrum, the sum is that

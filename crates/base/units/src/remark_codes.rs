@@ -389,8 +389,8 @@ remark_codes! {
         "Give {softer} a hardness or a yield strength: it is less stiff than {harder}, and is taken not to yield."
         short "{softer} taken not to yield";
     MadeOfNumbers "made-of-numbers" Caution
-        "The spectrum was made from an rms height and an rms slope, not measured."
-        short "spectrum made from a few numbers";
+        "The spectrum of {body} was made from an rms height and an rms slope, not measured."
+        short "spectrum of {body} made from a few numbers";
     NotMeasured "not-measured" Caution
         "Nothing was measured from {longest_m} to {shortest_m}: the spectrum there is a guess."
         short "nothing measured from {longest_m} to {shortest_m}";

@@ -129,6 +129,25 @@ fn a_surface_scanned_at_fewer_than_three_places_is_a_caution() {
 }
 
 #[test]
+fn cautions_on_roughness_are_left_out_where_the_area_hangs_on_the_hardness_and_nothing_else_is_asked() {
+    let of = |hardness: &str, rest: &str| {
+        let text = format!(
+            "surface = {{ rms_height = \"0.3 um\", rms_slope = 0.2, hurst = 0.8, rolloff_wavelength = \"60 um\" }}\nmaterial = {{ youngs_modulus = \"70 \
+             GPa\", poisson_ratio = 0.33, indentation_hardness = \"{hardness}\" }}\n[loads]\npressures = [\"10 MPa\"]\n[[curve]]\nmodel = \
+             \"persson-plastic\"\n[judge]\n{SMALL}\n{rest}"
+        );
+        caution(&Answered::new(&text).conclusions(), RemarkCode::MadeOfNumbers)
+            .map(|made| made.text("body").unwrap().to_owned())
+    };
+    let surface = Some("the surface".to_owned());
+    assert_eq!(of("300 MPa", ""), None);
+    assert_eq!(of("300 MPa", "[interface]\n"), surface);
+    assert_eq!(of("300 MPa", "[seal]\n"), surface);
+    assert_eq!(of("300 MPa", "[interface]\nshear_strength = \"50 MPa\"\n"), None);
+    assert_eq!(of("90 GPa", ""), surface);
+}
+
+#[test]
 fn models_that_all_miss_the_elements_of_every_load_are_counted() {
     let mut answered = scene("plain", STEEL, SMALL, "");
     let mut with = |verdicts: [Verdict; 4]| {

@@ -83,6 +83,37 @@ fn the_gap_of_a_map_that_flows_is_its_own() {
 }
 
 #[test]
+fn gas_and_spots_of_a_map_have_the_gap_and_the_stiffness_of_that_map_each() {
+    let [elastic, yields] = ["", "indentation_hardness = \"300 MPa\"\n"];
+    for (bodies, spots, all) in [
+        (elastic, Quantity::ThermalConductance, Quantity::ThermalConductanceWithGas),
+        (yields, Quantity::YovanovichConductance, Quantity::FlowedConductanceWithGas),
+    ] {
+        let bodies = format!(
+            "{bodies}thermal_conductivity = \"50 W/(m K)\"\n[counterface]\nthermal_conductivity = \"50 W/(m K)\"\n"
+        );
+        let answered =
+            answered_with(&bodies, "[interface]\ngas = \"helium\"\n[loads]\npressures = [\"100 MPa\"]\n");
+        let conclusions = answered.conclusions();
+        let [load] = &conclusions.loads[..] else { panic!() };
+        let maps = load.area.maps.unwrap();
+        let states = answered.scene.interface_states(&answered.results).unwrap();
+        let theory = |quantity: Quantity| {
+            states.value(Slot { quantity, load: Some(0), curve: None }).unwrap().unwrap()
+        };
+        let stiffer = match spots {
+            Quantity::ThermalConductance => maps.stiffness_pa_per_m.unwrap() / theory(Quantity::Stiffness),
+            _ => 1.0,
+        };
+        let of_gas = states.gas_over(maps.mean_gap_m.unwrap()).unwrap();
+        let expected = stiffer * theory(spots) + of_gas;
+        let found = load.asked.iter().find(|asked| asked.quantity == all).unwrap();
+        assert!((found.value.unwrap() / expected - 1.0).abs() < 1e-9, "{found:?} {expected}");
+        assert!(found.low > of_gas / 1.1, "no less than the gas alone: {found:?} {of_gas}");
+    }
+}
+
+#[test]
 fn the_peaks_of_a_map_are_in_the_state_of_its_elements() {
     let yields = "indentation_hardness = \"300 MPa\"\n[counterface]\n";
     let mut answered = answered_with(yields, "[interface]\n[loads]\npressures = [\"100 MPa\"]\n");

@@ -163,6 +163,9 @@ fn a_hardness_that_may_grow_is_measured_at_small_depth() {
     assert_eq!((other.low, other.high), (elements.area_fraction, elements.area_fraction));
     assert!((other.ratio / (elements.area_fraction / best) - 1.0).abs() < 1e-12);
     assert_eq!(load.factor_of_hardness(), Some(other.ratio));
+    let cautions = answered.conclusions().cautions;
+    let decides = cautions.iter().find(|caution| caution.code == RemarkCode::HardnessDecides).unwrap();
+    assert_eq!(decides.number("ratio"), Some(other.ratio));
     // Within the range it decides nothing.
     elements.area_fraction = best;
     answered.judgement.as_mut().unwrap().headlines[1].otherwise = Some(Otherwise { hardness_pa, elements });

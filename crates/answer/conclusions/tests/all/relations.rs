@@ -5,8 +5,10 @@ use conclusions::{
     AnswerUnderLoad, AskedValue, Cause, Conclusions, ModelCell, NextStep, PeakState, SealVerdict, Source,
     foremost, trust_left,
 };
+use findings::features::slope_shares;
 use judge::{AGREEMENT, CurveVerdict, Reference, Verdict};
 use study::interface::{InterfaceStates, Quantity, Slot};
+use study::linear_laws::rms_gradients;
 use study::models::Choice;
 use units::RemarkCode;
 
@@ -171,15 +173,8 @@ fn check_cause(answered: &Answered, load: &AnswerUnderLoad, seen: &mut Seen) {
         Cause::GrowthOfHardness { .. } => seen.by_growth += 1,
         Cause::Hardness { .. } => seen.by_hardness += 1,
         Cause::Roughness { decade } | Cause::HardnessAndRoughness { decade, .. } => {
-            let curve = match load.area.source {
-                Source::Model { curve } => Some(curve),
-                Source::Models => Some(load.nearest_curve().unwrap()),
-                Source::Elements(_) => load.best_model.map(|cell| cell.curve),
-            };
-            if let Some(curve) = curve {
-                let shares = &answered.answer.curves[curve][load.load].as_ref().unwrap().decades;
-                assert!(shares.iter().all(|other| other.share <= decade.share));
-            }
+            let shares = slope_shares(&rms_gradients(&answered.results.psd));
+            assert!(shares.iter().all(|other| other.share <= decade.share));
             let psd = &answered.results.psd;
             assert!(decade.longest_m <= psd.longest_wavelength_m());
             assert!(decade.shortest_m >= psd.shortest_wavelength_m());
@@ -349,7 +344,8 @@ fn check_next(answered: &Answered, conclusions: &Conclusions, seen: &mut Seen) {
     seen.narrowing += widths.len();
     let warns = |code| conclusions.cautions.iter().any(|caution| caution.code == code);
     let has = |wanted: &NextStep| conclusions.next.contains(wanted);
-    assert_eq!(has(&NextStep::Surface), answered.scene.surface.is_assumed());
+    let is_of_surface = |step: &NextStep| matches!(step, NextStep::Surface { .. });
+    assert_eq!(conclusions.next.iter().any(is_of_surface), warns(RemarkCode::MadeOfNumbers));
     assert_eq!(has(&NextStep::MoreScales), warns(RemarkCode::TooFewScales));
     let sticks = warns(RemarkCode::StickyByPastewka) || warns(RemarkCode::StickyByFuller);
     assert_eq!(has(&NextStep::Adhesion), sticks);
@@ -357,7 +353,7 @@ fn check_next(answered: &Answered, conclusions: &Conclusions, seen: &mut Seen) {
     assert!(!sticks || !warns(RemarkCode::UpperBound));
     let is_blocker = |step: &&NextStep| {
         use NextStep::{Adhesion, HardnessOfSofter, MoreScales, Surface};
-        !matches!(step, Surface | MoreScales | Adhesion | HardnessOfSofter { .. })
+        !matches!(step, Surface { .. } | MoreScales | Adhesion | HardnessOfSofter { .. })
     };
     if matches!(middle.cause, Cause::Hardness { .. }) {
         let first = conclusions.next.iter().find(is_blocker);

@@ -12,7 +12,7 @@ mod slope;
 pub use dip::{Dip, dips};
 pub use plateau::{Plateau, widest_plateau};
 pub use ratio::{agrees_from, crossings, parts_at, ratio};
-pub use share::{DecadeShare, decade_shares, decisive_decade};
+pub use share::{DecadeShare, decade_shares, decisive_decade, slope_shares};
 pub use slope::{between, log_slope, log_slopes};
 pub use stacked_contact::{Convergence, convergence};
 

@@ -34,20 +34,34 @@ impl DecadeShare {
 /// From long to short wavelengths, decades without points between others included; empty where the final value is 1 or not
 /// positive, since nothing is decided then.
 pub fn decade_shares(curve: &[Point]) -> Vec<DecadeShare> {
-    let total = curve.last().map_or(0.0, |(_, value)| value.ln());
+    shares_of_rise(curve.iter().map(|(wavelength_m, value)| (*wavelength_m, value.ln())))
+}
+
+/// The share of each decade of wavelengths in the mean square slope, from the rms slope down to each wavelength. Areas of rough bodies
+/// depend on roughness through that slope alone where peaks are pressed together elastically, or flow at one hardness.
+///
+/// From long to short wavelengths, as [`decade_shares`]; empty without slopes.
+pub fn slope_shares(rms_slopes: &[Point]) -> Vec<DecadeShare> {
+    shares_of_rise(rms_slopes.iter().map(|(wavelength_m, rms_slope)| (*wavelength_m, rms_slope * rms_slope)))
+}
+
+/// The share of each decade in the rise of a value from 0 before its first point.
+fn shares_of_rise(curve: impl Iterator<Item = Point> + Clone) -> Vec<DecadeShare> {
+    let total = curve.clone().last().map_or(0.0, |(_, value)| value);
     if total == 0.0 || !total.is_finite() {
         return Vec::new();
     }
     let mut shares: Vec<DecadeShare> = Vec::new();
-    let (mut before, mut next) = (1.0, curve.first().map_or(0, |(wavelength_m, _)| decade(*wavelength_m)));
-    for &(wavelength_m, value) in curve {
+    let (mut before, mut next) =
+        (0.0, curve.clone().next().map_or(0, |(wavelength_m, _)| decade(wavelength_m)));
+    for (wavelength_m, value) in curve {
         while next >= decade(wavelength_m) {
             let (longest_m, shortest_m) = (power_of_ten(next + 1), power_of_ten(next));
             shares.push(DecadeShare { longest_m, shortest_m, share: 0.0, measured: true });
             next -= 1;
         }
         if let Some(last) = shares.last_mut() {
-            last.share += (value / before).ln() / total;
+            last.share += (value - before) / total;
         }
         before = value;
     }
@@ -85,6 +99,18 @@ mod tests {
             assert!((share.share - expected).abs() < 1e-12, "{shares:?}");
         }
         assert!((shares.iter().map(|s| s.share).sum::<f64>() - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn slopes_have_the_share_of_their_squares() {
+        let shares = slope_shares(&[(5e-4, 0.1), (2e-4, 0.2), (3e-6, 0.2), (9e-7, 0.4)]);
+        let found: Vec<(f64, f64)> = shares.iter().map(|share| (share.longest_m, share.share)).collect();
+        for ((longest_m, share), expected) in
+            found.iter().zip([(1e-3, 0.25), (1e-4, 0.0), (1e-5, 0.0), (1e-6, 0.75)])
+        {
+            assert!(*longest_m == expected.0 && (share - expected.1).abs() < 1e-12, "{found:?}");
+        }
+        assert_eq!(slope_shares(&[(1e-3, 0.0)]), []);
     }
 
     #[test]

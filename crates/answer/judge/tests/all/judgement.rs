@@ -190,6 +190,18 @@ fn a_hardness_that_may_grow_leaves_two_areas_side_by_side() {
 }
 
 #[test]
+fn what_yields_while_it_hardens_touches_as_much_as_elastic_bodies_at_least() {
+    for length in ["10 nm", "50 nm", "200 nm"] {
+        let material = format!("yield_strength = \"100 MPa\"\nstrain_gradient_length = \"{length}\"");
+        let scene = scene(2.2, &material, "\"100 MPa\"", &["model = \"elastic\""]);
+        let judgement = judged(&scene, &coarse(64, 3)).1;
+        let elastic = judgement.references.iter().find(|area| area.reference == Reference::Elastic);
+        let least = elastic.and_then(|area| area.range).unwrap().low;
+        assert!(judgement.headline(0).unwrap().low >= least, "{:?} {least}", judgement.headline(0));
+    }
+}
+
+#[test]
 fn what_yields_is_held_against_saturated_elements_and_elastic_curves_are_out_of_range() {
     let curves = ["model = \"elastic\"", "model = \"persson-plastic\"", "model = \"elastic-plastic\""];
     let scene = scene(0.9, "yield_strength = \"300 MPa\"", "\"300 MPa\"", &curves);

@@ -1,4 +1,4 @@
-//! The decades of wavelengths that decide the area: a strip of shares per curve and load.
+//! The decades of wavelengths on which the area is lost: a strip of shares per curve and load.
 
 use conclusions::foremost;
 use maud::{Markup, html};
@@ -17,7 +17,7 @@ pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
         }
         (strips)
     };
-    Some(Section { id: "decades", title: "Which scales decide", gist, body })
+    Some(Section { id: "decades", title: "Where the area is lost", gist, body })
 }
 
 /// The most decades in a gist.

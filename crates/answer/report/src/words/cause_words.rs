@@ -4,17 +4,6 @@ use conclusions::Cause;
 use findings::features::DecadeShare;
 use units::display::{length, percent, pressure, three_digits};
 
-/// Names the cause in a word or two; `None` where words alone tell it.
-pub(crate) fn cause_in_short(cause: Cause) -> Option<String> {
-    match cause {
-        Cause::GrowthOfHardness { .. } | Cause::Hardness { .. } => Some("the hardness".to_owned()),
-        Cause::HardnessAndRoughness { .. } => Some("hardness and roughness".to_owned()),
-        Cause::Roughness { decade } => Some(percent(decade.share)),
-        Cause::Adhesion => Some("adhesion".to_owned()),
-        Cause::FullContact | Cause::Unknown => None,
-    }
-}
-
 /// Describes the cause in a sentence or two.
 pub(crate) fn cause_words(cause: Cause) -> String {
     match cause {
@@ -28,21 +17,23 @@ pub(crate) fn cause_words(cause: Cause) -> String {
             pressure(hardness_pa)
         ),
         Cause::HardnessAndRoughness { hardness_pa, decade } => format!(
-            "Part of the contact flows at {}; of what roughness decides, {} is from {}.",
+            "Part of the contact flows at {}; the rest hangs on the slopes, whose mean square is to {} from {}.",
             pressure(hardness_pa),
             percent(decade.share),
             scales(&decade)
         ),
         Cause::Roughness { decade } => {
-            format!("of the answer is decided by roughness from {}.", scales(&decade))
+            format!(
+                "The slopes: {} of their mean square is from {}. 10 % steeper, up to 10 % less area.",
+                percent(decade.share),
+                scales(&decade)
+            )
         }
         Cause::Adhesion => "It holds surfaces together wherever they come close.".to_owned(),
         Cause::FullContact => {
             "The pressure flattens all of the roughness: no scale is left to decide.".to_owned()
         }
-        Cause::Unknown => {
-            "Roughness, and the hardness where peaks flow. Which scales is not known: no closed form agrees on most of them.".to_owned()
-        }
+        Cause::Unknown => "The hardness, and roughness that the spectrum does not have.".to_owned(),
     }
 }
 
@@ -54,10 +45,10 @@ pub(crate) fn cause_line(cause: Cause) -> Option<String> {
             "the hardness: 10 % harder, 10 % less area, whatever the roughness".to_owned()
         }
         Cause::HardnessAndRoughness { hardness_pa, decade } => {
-            format!("the hardness, {}, and roughness from {}", pressure(hardness_pa), scales(&decade))
+            format!("the hardness, {}, and slopes from {}", pressure(hardness_pa), scales(&decade))
         }
         Cause::Roughness { decade } => {
-            format!("roughness from {}: {}", scales(&decade), percent(decade.share))
+            format!("slopes from {}: {} of their mean square", scales(&decade), percent(decade.share))
         }
         Cause::Adhesion => "adhesion, which no area here counts".to_owned(),
         Cause::FullContact => "nothing: all of the roughness is flattened".to_owned(),

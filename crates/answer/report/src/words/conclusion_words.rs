@@ -4,8 +4,8 @@ use std::f64::consts::FRAC_1_SQRT_2;
 use std::fmt::Write;
 
 use conclusions::{
-    AnswerUnderLoad, AreaEstimate, AskedValue, Conclusions, ModelCell, NextStep, OfInputs, OtherHardness,
-    PeakState, SealVerdict, ShearConclusion, Source, foremost,
+    AnswerUnderLoad, AreaEstimate, AskedValue, Cause, Conclusions, ModelCell, NextStep, OfInputs,
+    OtherHardness, PeakState, SealVerdict, ShearConclusion, Source, foremost,
 };
 use judge::{Reference, Verdict};
 use scene::Scene;
@@ -241,10 +241,13 @@ fn verdict_words(load: &AnswerUnderLoad) -> Option<[String; 2]> {
     };
     let is_open = matches!(seal.verdict, SealVerdict::LikelyTight | SealVerdict::LikelyOpen);
     let share = seal.open_share.filter(|_| is_open);
-    Some([
-        verdict.to_owned(),
-        share.map_or_else(String::new, |share| format!(" (open in {} of draws)", percent(share))),
-    ])
+    let share = share.map_or_else(String::new, |share| format!(" (open in {} of draws)", percent(share)));
+    Some([verdict.to_owned(), format!("{share}{}", without_adhesion(load))])
+}
+
+/// What a theory without adhesion says of surfaces that stick.
+fn without_adhesion(load: &AnswerUnderLoad) -> &'static str {
+    if load.cause == Cause::Adhesion { " without adhesion" } else { "" }
 }
 
 /// The pressure that closes a seal: `closes at 336 kPa, 141 to 862 kPa`.
@@ -271,6 +274,7 @@ pub(crate) fn answers_under(
 /// The rows of a load but for the seal's verdict.
 fn asked_rows(conclusions: &Conclusions, load: &AnswerUnderLoad) -> Vec<(&'static str, String)> {
     let at = if conclusions.loads.len() > 1 { format!(" at {}", load.label) } else { String::new() };
+    let at = format!("{at}{}", without_adhesion(load));
     let leak = load.seal.and_then(|seal| seal.leak_rate_m3_per_s);
     let leak = leak.map(|[low, high]| {
         let rate = Quantity::LeakRateHigh;
@@ -408,10 +412,10 @@ pub fn next_words(step: &NextStep) -> String {
         false => format!("(the range becomes {} as wide)", three_digits(*width_ratio)),
     };
     match step {
-        NextStep::Surface => "scan the surface: its spectrum is made of a few numbers".to_owned(),
-        NextStep::Adhesion => {
-            "press a map with its adhesion: truearea bem --work-of-adhesion --boundary periodic".to_owned()
-        }
+        NextStep::Surface { body } => format!("scan {body}: the spectrum is made of a few numbers"),
+        NextStep::Adhesion => "press a map with its adhesion: truearea bem MAP --work-of-adhesion W --adhesion-range R --boundary periodic \
+                               --detrend plane"
+            .to_owned(),
         NextStep::MoreScales => "scan a wider and a finer field: the spectrum has too few scales".to_owned(),
         NextStep::Hardness => {
             "measure the hardness by indentation: the area is in inverse proportion to it".to_owned()

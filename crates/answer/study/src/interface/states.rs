@@ -366,8 +366,9 @@ impl<'a> InterfaceStates<'a> {
         self.gas_over(self.separation(load).mean_gap_m)
     }
 
-    /// Conductance of the gas over Gaussian gaps about a distance of the mean planes \[m\].
-    fn gas_over(&self, gap_m: f64) -> Option<f64> {
+    /// Returns the conductance \[W/(m^2 K)\] of the gas over Gaussian gaps about a distance of the mean planes \[m\]; `None` in a vacuum.
+    #[must_use]
+    pub fn gas_over(&self, gap_m: f64) -> Option<f64> {
         let rms_height_m = self.elastic.moments.rms_height_m();
         let of_gas = self.request.gas.filter(|_| rms_height_m > 0.0 && gap_m.is_finite())?;
         Some(of_gas.conductance_w_per_m2_k(gap_m, rms_height_m))
