@@ -70,7 +70,13 @@ test("a cell gives its reason on hover and on focus, inside the window", async (
     await cell.hover();
     assert.equal(await reason.isVisible(), true);
     const box = await reason.boundingBox();
-    assert.ok(box.x >= 0 && box.x + box.width <= 1280, JSON.stringify(box));
+    assert.ok(box.x >= 0 && box.x + box.width <= 1280 && box.width >= 300, JSON.stringify(box));
+    // Nothing cuts off its last line.
+    const covers = await reason.evaluate((element) => {
+      const { left, bottom } = element.getBoundingClientRect();
+      return element.contains(document.elementFromPoint(left + 12, bottom - 8));
+    });
+    assert.ok(covers || box.y + box.height > 800, JSON.stringify(box));
     await page.mouse.move(0, 0);
     await cell.focus();
     assert.equal(await reason.isVisible(), true);
@@ -81,7 +87,7 @@ test("a cell gives its reason on hover and on focus, inside the window", async (
 
 test("the first screen holds number, range, condition, verdicts and cautions", async () => {
   const { page, context } = await open(chromium, page_of_diamond);
-  for (const selector of [".card.best", ".card.before", ".card:nth-child(2)", ".matrix", "svg.area"]) {
+  for (const selector of [".card.best", ".card.before", ".card.other", "figure.contact svg", ".range-bar", ".matrix", "svg.area"]) {
     const box = await shown(page, selector).first().boundingBox();
     assert.ok(box && box.y >= 0 && box.y + box.height <= 800, `${selector}: ${JSON.stringify(box)}`);
   }

@@ -230,7 +230,8 @@ function showScreen(/** @type {any} */ found) {
   answer.dataset.value = found.area_fraction === null ? "" : String(found.area_fraction);
   answer.dataset.low = String(found.low);
   answer.dataset.high = String(found.high);
-  fill(by("decides"), found.decides);
+  fill(by("contact"), found.contact ?? "");
+  fill(by("other"), found.other_hardness);
   fill(by("cautions"), found.cautions);
   fill(by("interface"), found.interface);
   fill(by("figure-main"), found.figure ?? "");

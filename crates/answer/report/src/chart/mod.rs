@@ -5,6 +5,7 @@
 //! ([`FigureData`]) are drawn here.
 
 pub(crate) mod canvas;
+pub(crate) mod contact;
 mod ink;
 mod labels;
 mod legend;

@@ -41,6 +41,17 @@ pub(crate) const INTERVAL_OPACITY: f64 = 0.1;
 /// The colour of missing points of a map.
 pub(crate) const MISSING: [u8; 3] = [150; 3];
 
+/// The colour of points in contact, on the greys of a relief.
+pub(crate) const CONTACT: [u8; 3] = [208, 32, 0];
+
+/// The greys of a relief, from its lowest point to its highest.
+const RELIEF: [f64; 2] = [120.0, 245.0];
+
+/// Returns the grey of a share of the range of heights.
+pub(crate) fn relief_grey(share: f64) -> u8 {
+    (RELIEF[0] + share.clamp(0.0, 1.0) * (RELIEF[1] - RELIEF[0])).round() as u8
+}
+
 /// Nine colours of viridis from dark to light, evenly spaced to the eye (Smith & van der Walt 2015, matplotlib).
 const VIRIDIS: [[u8; 3]; 9] = [
     [68, 1, 84],

@@ -4,24 +4,20 @@
 
 use std::fmt::Write;
 
-use conclusions::{AnswerUnderLoad, Cause, Conclusions, ModelCell, ReferenceGroup, Source, foremost};
+use conclusions::{AnswerUnderLoad, Conclusions, ModelCell, ReferenceGroup, foremost};
 use judge::{AGREEMENT, Reference, Verdict};
 use maud::{Markup, PreEscaped, html};
 use study::figure::CurveLook;
+use units::SceneKeys;
 use units::display::{three_digits, typeset};
-use units::{Remark, RemarkCode, SceneKeys};
 
 use super::SceneReport;
 use super::area_curve;
-use crate::cause_words::{cause_in_short, cause_words};
+use super::cards::{before_quoting, best_estimate, interface_strip, other_hardness};
+use super::contact_picture::contact_picture;
 use crate::chart::palette::{ModelStyle, variables};
-use crate::conclusion_words::{
-    answers_under, caution_words, condition, foremost_step, parts_of_range, rough_body, source_words,
-};
-use crate::listing::{capital, share, share_beside, share_range};
-
-/// The most cautions on the first screen.
-const CAUTIONS_SHOWN: usize = 3;
+use crate::conclusion_words::rough_body;
+use crate::listing::{share, share_range};
 
 /// Makes the first screen of a scene; `at` is the number of the scene in the page.
 pub(super) fn first_screen(report: &SceneReport<'_>, at: usize, several: bool) -> Markup {
@@ -40,11 +36,14 @@ pub(super) fn first_screen(report: &SceneReport<'_>, at: usize, several: bool) -
             @if conclusions.loads.is_empty() {
                 div.cards { section.card { h3 { "No area" } p { "The scene has no curve with an area." } } (before_quoting(conclusions, false)) }
             }
-            @for load in &conclusions.loads {
-                div class={ "cards " (load_class(load)) } {
-                    (best_estimate(report, load))
-                    (decides(load))
-                    (before_quoting(conclusions, load.factor_of_hardness().is_some()))
+            div.answer {
+                @if let Some(picture) = contact_picture(report, &conclusions.loads, load_class) { (picture) }
+                @for load in &conclusions.loads {
+                    div class={ "cards " (load_class(load)) } {
+                        (best_estimate(report, load, &styles))
+                        (other_hardness(load))
+                        (before_quoting(conclusions, load.factor_of_hardness().is_some()))
+                    }
                 }
             }
             @for load in &conclusions.loads { (interface_strip(report, load)) }
@@ -65,7 +64,7 @@ pub(super) fn first_screen(report: &SceneReport<'_>, at: usize, several: bool) -
     }
 }
 
-fn load_class(load: &AnswerUnderLoad) -> String {
+pub(super) fn load_class(load: &AnswerUnderLoad) -> String {
     format!("l{}", load.load)
 }
 
@@ -120,90 +119,6 @@ fn chips(conclusions: &Conclusions, at: usize) -> Markup {
 fn input(kind: &str, id: &str, name: &str, is_checked: bool) -> Markup {
     let checked = if is_checked { " checked=\"checked\"" } else { "" };
     PreEscaped(format!("<input type=\"{kind}\" id=\"{id}\" name=\"{name}\"{checked} />"))
-}
-
-pub(super) fn best_estimate(report: &SceneReport<'_>, load: &AnswerUnderLoad) -> Markup {
-    let area = &load.area;
-    let number = match area.area_fraction {
-        Some(area_fraction) if area.low < area.high => share_beside(area_fraction, area.high),
-        Some(area_fraction) => share(area_fraction),
-        None => share_range(area.low, area.high),
-    };
-    let heading = match (area.source, load.otherwise) {
-        _ if load.cause == Cause::Adhesion => "Without adhesion",
-        (Source::Model { .. } | Source::Models, _) => "Not checked",
-        (_, Some(_)) => "✓ Best estimate – if the hardness grows at small scales",
-        (Source::Elements(Reference::Growing), None) => "✓ Range – the hardness at small scales is not known",
-        _ => "✓ Best estimate",
-    };
-    html! {
-        section.card.best {
-            h3 { (heading) }
-            p.number { (number) " touches" }
-            p {
-                @if area.area_fraction.is_some() && area.low < area.high { (share_range(area.low, area.high)) " by " }
-                (source_words(area, report.scene)) "."
-                @if let Some(parts) = parts_of_range(load, report.evidence.uncertainty) { " " (parts) "." }
-                @if let Some(best) = &load.best_model {
-                    " Nearest model: " (report.short_curve(best.curve))
-                    @if let Some(area_fraction) = best.area_fraction { ", " (share(area_fraction)) }
-                    "."
-                }
-            }
-        }
-    }
-}
-
-/// The heading of what an answer hangs on.
-const HANGS_ON: &str = "What decides the answer";
-
-/// Makes the card of the cause that the answer hangs on.
-pub(super) fn decides(load: &AnswerUnderLoad) -> Markup {
-    let (heading, number, words) = match (load.otherwise, load.cause) {
-        (Some(other), _) => (
-            capital(&condition(&other)),
-            Some(format!("{} touches", share(other.area_fraction))),
-            format!(
-                "{} times as much. Settle it by nano-indentation at the depth of the roughness.",
-                three_digits(other.ratio)
-            ),
-        ),
-        (None, cause) => (HANGS_ON.to_owned(), cause_in_short(cause), cause_words(cause)),
-    };
-    html! {
-        section.card {
-            h3 { (heading) }
-            @if let Some(number) = number { p.number { (number) } }
-            p { (typeset(&words)) }
-        }
-    }
-}
-
-/// The cautions; that on the hardness is left out if it has a card of its own.
-pub(super) fn before_quoting(conclusions: &Conclusions, says_hardness: bool) -> Markup {
-    let is_shown = |caution: &&Remark| !(says_hardness && caution.code == RemarkCode::HardnessDecides);
-    html! {
-        section.card.before {
-            h3 { "Before you quote it – trust: " (conclusions.trust.name()) }
-            @if conclusions.cautions.is_empty() { p { "No cautions." } }
-            @else {
-                ol {
-                    @for caution in conclusions.cautions.iter().filter(is_shown).take(CAUTIONS_SHOWN) { li { (typeset(&caution_words(caution))) } }
-                }
-            }
-            p.next { strong { "Next: " } (typeset(&foremost_step(conclusions))) "." }
-        }
-    }
-}
-
-/// Makes the line of the answers besides the area, under a load.
-pub(super) fn interface_strip(report: &SceneReport<'_>, load: &AnswerUnderLoad) -> Markup {
-    let rows = answers_under(report.conclusions, load);
-    html! {
-        @if !rows.is_empty() {
-            dl.strip.(load_class(load)) { @for (name, words) in &rows { div { dt { (name) } dd { (typeset(words)) } } } }
-        }
-    }
 }
 
 /// Every model under every load beside the elements.

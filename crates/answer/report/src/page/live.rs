@@ -1,14 +1,16 @@
 //! The first screen of one load in parts, for a page that stays open while its conditions change.
 
 use conclusions::{Conclusions, Evidence};
+use maud::Markup;
 use serde::Serialize;
 use study::figure::CurveLook;
 use units::display::{share, three_digits, typeset};
 use units::printable::printable;
 
 use super::area_curve::AreaCurve;
+use super::contact_picture::contact_picture;
 use super::reading::Reading;
-use super::{SceneReport, first_screen};
+use super::{SceneReport, cards, first_screen};
 use crate::chart::palette::ModelStyle;
 use crate::curve_names::{model_in_words, short_name};
 
@@ -27,10 +29,12 @@ pub struct LiveScreen {
     pub low: Option<f64>,
     /// The upper end.
     pub high: Option<f64>,
+    /// The picture of the contact, as HTML; absent before elements were pressed.
+    pub contact: Option<String>,
     /// The card of the best estimate, as HTML.
     pub best: String,
-    /// The card of what decides the estimate, as HTML.
-    pub decides: String,
+    /// The card of the other assumption on the hardness, as HTML; empty if that does not matter.
+    pub other_hardness: String,
     /// The card of cautions, as HTML.
     pub cautions: String,
     /// Seal, gap, heat and current, as HTML; empty if the scene asks for none.
@@ -155,10 +159,12 @@ impl LiveScreen {
             area_fraction: load.area.area_fraction,
             low: Some(load.area.low),
             high: Some(load.area.high),
-            best: first_screen::best_estimate(&report, load).into_string(),
-            decides: first_screen::decides(load).into_string(),
-            cautions: first_screen::before_quoting(conclusions, says_hardness).into_string(),
-            interface: first_screen::interface_strip(&report, load).into_string(),
+            contact: contact_picture(&report, std::slice::from_ref(load), |_| String::new())
+                .map(Markup::into_string),
+            best: cards::best_estimate(&report, load, &styles).into_string(),
+            other_hardness: cards::other_hardness(load).into_string(),
+            cautions: cards::before_quoting(conclusions, says_hardness).into_string(),
+            interface: cards::interface_strip(&report, load).into_string(),
             figure: curve.as_ref().map(|curve| curve.figure(&styles).into_string()),
             reading: curve.as_ref().map(AreaCurve::reading),
             models,

@@ -5,7 +5,9 @@
 
 mod all_numbers;
 mod area_curve;
+mod cards;
 mod choices;
+mod contact_picture;
 #[cfg(test)]
 mod contrast;
 mod decades;
@@ -19,6 +21,7 @@ mod meaning;
 mod measure_next;
 mod pressed_map;
 mod provenance;
+mod range_bar;
 mod reading;
 mod sensitivities;
 mod spectrum_curve;
