@@ -105,12 +105,15 @@ impl Comparisons<'_> {
         self.range_of_growing(body, load).or_else(of_elements)
     }
 
-    /// The range of the area of bodies whose hardness grows: from the load over the hardness at the shortest wave to the area with the
-    /// constant hardness. A limit on pressures has no scale, so elements do not say which hardness of this range to take.
+    /// The range of the area of bodies whose hardness grows: from the load over the hardness at the shortest wave, or the area of elastic
+    /// bodies if that is larger, to the area with the constant hardness. A limit on pressures has no scale, so elements do not say which hardness of this range to take.
     fn range_of_growing(&self, body: usize, load: usize) -> Option<AreaRange> {
         let constant = self.case.constant_body(body)?;
         let high = self.area_of_whole_band(constant, load).ok()?.high();
-        let low = self.case.least_area(self.case.references[body], load);
+        let elastic = self.case.references.iter().position(|other| *other == Reference::Elastic);
+        let elastic = elastic.and_then(|elastic| self.area_of_whole_band(elastic, load).ok());
+        let least = self.case.least_area(self.case.references[body], load);
+        let low = elastic.map_or(least, |elastic| elastic.low().max(least));
         Some(AreaRange { low: low.min(high), high })
     }
 

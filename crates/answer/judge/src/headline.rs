@@ -78,12 +78,7 @@ impl Headline {
         let headline = Self::from_elements(own, curves)?.with_peaks_that_flow(yielding).with_maps(maps);
         // Maps that touch less are elastic: what flows touches as much as the load over the hardness, whatever its peaks.
         let least = own.elements.map_or(0.0, |elements| elements.least.min(headline.high));
-        // What yields touches at least as much as what stays elastic.
-        let yields = own.reference != Reference::Elastic;
-        let of_elastic =
-            elastic.and_then(|elastic| elastic.range).filter(|_| yields).map_or(0.0, |range| range.low);
-        let low = headline.low.max(least).max(of_elastic.min(headline.high));
-        let headline = Headline { low, ..headline };
+        let headline = Headline { low: headline.low.max(least), ..headline };
         let may_be_softer = own.reference == Reference::Elastic && yielding.above_constant.is_some();
         let otherwise = flowing.filter(|_| may_be_softer).and_then(Otherwise::new);
         let moves =

@@ -15,8 +15,8 @@ const SIDE_PX: f64 = 208.0;
 /// The most pixels along the longer side of the relief, and of the spots.
 const RELIEF_POINTS: usize = 128;
 const SPOT_POINTS: usize = 320;
-/// Levels of opacity of spots that fill a part of a pixel.
-const LEVELS: usize = 4;
+/// The opacities of pixels without contact, with a part of it, and full of it. A spot smaller than a pixel is seen all the same.
+const OPACITIES: [u8; 3] = [0, 170, 255];
 /// The share of the heights beyond the greys at either end.
 const BEYOND: f64 = 0.005;
 /// Slopes of one standard deviation change the grey by this share of its range.
@@ -140,8 +140,7 @@ fn spots(surface: &PressedSurface, contact: &SeenContact) -> Option<Vec<u8>> {
     let touching = &contact.touching;
     let share = |at: usize| if touching[at] { 1.0 } else { 0.0 };
     let blocks = Blocks::new(touching.len(), surface.columns, SPOT_POINTS, share)?;
-    // A spot smaller than a pixel is seen all the same.
-    let level = |share: &f64| (share * (LEVELS - 1) as f64).ceil() as u8;
+    let level = |share: &f64| u8::from(*share > 0.0) + u8::from(*share == 1.0);
     let pack = |row: &[f64]| -> Vec<u8> {
         let byte = |four: &[f64]| {
             four.iter().enumerate().fold(0, |byte, (at, share)| byte | (level(share) << (6 - 2 * at)))
@@ -149,8 +148,8 @@ fn spots(surface: &PressedSurface, contact: &SeenContact) -> Option<Vec<u8>> {
         row.chunks(4).map(byte).collect()
     };
     let bytes: Vec<u8> = blocks.values.chunks(blocks.columns).flat_map(pack).collect();
-    let opacities = (0..LEVELS).map(|level| (255 * level / (LEVELS - 1)) as u8).collect();
-    blocks.png(&bytes, png::BitDepth::Two, Some((CONTACT.repeat(LEVELS), opacities)))
+    let colours = CONTACT.repeat(OPACITIES.len());
+    blocks.png(&bytes, png::BitDepth::Two, Some((colours, OPACITIES.to_vec())))
 }
 
 #[cfg(test)]

@@ -184,7 +184,7 @@ impl<'r, 's> AreaCurve<'r, 's> {
         let answer = nearest.and_then(|curve| report.answer.curves[curve][load].as_ref());
         let Some(answer) = answer.filter(|answer| !answer.decades.is_empty()) else { return };
         let middle = STRIP_TOP + 0.5 * STRIP_HEIGHT + 4.0;
-        canvas.text((FRAME.left - 5.0, middle), Anchor::End, LETTERS, "decides");
+        canvas.text((FRAME.left - 5.0, middle), Anchor::End, LETTERS, "lost on");
         for decade in &answer.decades {
             let [left, right] =
                 [decade.shortest_m, decade.longest_m].map(|edge_m| canvas.x.px_within(edge_m));
