@@ -94,7 +94,7 @@ fn check(answered: &Answered, seen: &mut Seen) {
             None => assert!(load.seal.is_none() && load.asked.is_empty()),
         }
     }
-    check_next(answered, &conclusions, seen);
+    check_next(&conclusions, seen);
     let left = conclusions.cautions.iter().map(trust_left).min();
     assert!(left.is_none_or(|left| left == conclusions.trust));
 }
@@ -324,7 +324,7 @@ fn check_state(
 }
 
 /// Advice narrows the range by a tenth at least, the most useful first; the strength comes first where the area hangs on it.
-fn check_next(answered: &Answered, conclusions: &Conclusions, seen: &mut Seen) {
+fn check_next(conclusions: &Conclusions, seen: &mut Seen) {
     let middle = foremost(&conclusions.loads).unwrap();
     let widths: Vec<f64> = conclusions
         .next

@@ -34,7 +34,7 @@ impl DecadeShare {
 /// From long to short wavelengths, decades without points between others included; empty where the final value is 1 or not
 /// positive, since nothing is decided then.
 pub fn decade_shares(curve: &[Point]) -> Vec<DecadeShare> {
-    shares_of_rise(curve.iter().map(|(wavelength_m, value)| (*wavelength_m, value.ln())))
+    shares_of_rise(curve.iter().map(|(wavelength_m, value)| (decade(*wavelength_m), value.ln())))
 }
 
 /// The share of each decade of wavelengths in the mean square slope, from the rms slope down to each wavelength. Areas of rough bodies
@@ -42,20 +42,23 @@ pub fn decade_shares(curve: &[Point]) -> Vec<DecadeShare> {
 ///
 /// From long to short wavelengths, as [`decade_shares`]; empty without slopes.
 pub fn slope_shares(rms_slopes: &[Point]) -> Vec<DecadeShare> {
-    shares_of_rise(rms_slopes.iter().map(|(wavelength_m, rms_slope)| (*wavelength_m, rms_slope * rms_slope)))
+    // The slopes down to a power of ten are those of waves above it.
+    let above = |wavelength_m: f64| decade(wavelength_m * (1.0 + 2e-6));
+    shares_of_rise(
+        rms_slopes.iter().map(|(wavelength_m, rms_slope)| (above(*wavelength_m), rms_slope * rms_slope)),
+    )
 }
 
-/// The share of each decade in the rise of a value from 0 before its first point.
-fn shares_of_rise(curve: impl Iterator<Item = Point> + Clone) -> Vec<DecadeShare> {
+/// The share of each decade in the rise of a value from 0 before its first point; of each point the decade and the value.
+fn shares_of_rise(curve: impl Iterator<Item = (i32, f64)> + Clone) -> Vec<DecadeShare> {
     let total = curve.clone().last().map_or(0.0, |(_, value)| value);
     if total == 0.0 || !total.is_finite() {
         return Vec::new();
     }
     let mut shares: Vec<DecadeShare> = Vec::new();
-    let (mut before, mut next) =
-        (0.0, curve.clone().next().map_or(0, |(wavelength_m, _)| decade(wavelength_m)));
-    for (wavelength_m, value) in curve {
-        while next >= decade(wavelength_m) {
+    let (mut before, mut next) = (0.0, curve.clone().next().map_or(0, |(decade, _)| decade));
+    for (decade, value) in curve {
+        while next >= decade {
             let (longest_m, shortest_m) = (power_of_ten(next + 1), power_of_ten(next));
             shares.push(DecadeShare { longest_m, shortest_m, share: 0.0, measured: true });
             next -= 1;
@@ -111,6 +114,9 @@ mod tests {
             assert!(*longest_m == expected.0 && (share - expected.1).abs() < 1e-12, "{found:?}");
         }
         assert_eq!(slope_shares(&[(1e-3, 0.0)]), []);
+        // The last step ends at a power of ten, and belongs to the decade above.
+        let [only] = slope_shares(&[(5e-4, 0.1), (1e-4, 0.2)])[..] else { panic!() };
+        assert_eq!((only.longest_m, only.share), (1e-3, 1.0));
     }
 
     #[test]

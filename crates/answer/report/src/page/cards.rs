@@ -6,9 +6,8 @@ use maud::{Markup, html};
 use units::display::{three_digits, typeset};
 use units::{Remark, RemarkCode};
 
-use super::SceneReport;
-use super::first_screen::load_class;
 use super::range_bar::range_bar;
+use super::{SceneReport, load_class};
 use crate::cause_words::cause_words;
 use crate::chart::palette::ModelStyle;
 use crate::conclusion_words::{

@@ -11,10 +11,10 @@ use study::figure::CurveLook;
 use units::SceneKeys;
 use units::display::{three_digits, typeset};
 
-use super::SceneReport;
 use super::area_curve;
 use super::cards::{before_quoting, best_estimate, interface_strip, other_hardness};
 use super::contact_picture::contact_picture;
+use super::{SceneReport, load_class};
 use crate::chart::palette::{ModelStyle, variables};
 use crate::conclusion_words::rough_body;
 use crate::listing::{share, share_range};
@@ -62,10 +62,6 @@ pub(super) fn first_screen(report: &SceneReport<'_>, at: usize, several: bool) -
             }
         }
     }
-}
-
-pub(super) fn load_class(load: &AnswerUnderLoad) -> String {
-    format!("l{}", load.load)
 }
 
 /// The rules that hide what belongs to other loads, and lines of models whose box is empty. A browser that does not know

@@ -39,7 +39,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use crate::curve_names::{in_full, short_name};
 use crate::listing::capital;
 use crate::run_stamp::RunStamp;
-use conclusions::{Conclusions, Evidence};
+use conclusions::{AnswerUnderLoad, Conclusions, Evidence};
 use findings::answer::{LoadAnswer, SceneAnswer};
 use findings::sensitivity::Sensitivity;
 use scene::Scene;
@@ -148,6 +148,11 @@ impl Report<'_> {
         // Titles, file names and notes may hold control characters, which no page may.
         printable(&page.into_string()).into_owned()
     }
+}
+
+/// Returns the class of what belongs to a load.
+fn load_class(load: &AnswerUnderLoad) -> String {
+    format!("l{}", load.load)
 }
 
 /// The parts of all scenes that have one, each under its label if there are several.
