@@ -18,9 +18,9 @@ const LEAST_SHARE: f64 = 0.95;
 const ALL_WAVES: f64 = std::f64::consts::SQRT_2;
 /// The fewest points in contact that say more of a map than Gaussian surfaces do.
 const MIN_POINTS: f64 = 20.0;
-/// The relative standard error of maps that do not repeat themselves: areas of four with free edges, or between their mirror images, lie
+/// The relative standard error of maps that do not repeat themselves: areas of three with free edges, or between their mirror images, lie
 /// factors of 1.12 to 1.3 from those of repeated ones.
-const EDGE_ERROR: f64 = 0.12;
+const EDGE_ERROR: f64 = 0.08;
 /// A spectrum that ends at so many points on its shortest wave, or fewer, has all waves of the map.
 const ENDS_WITH_MAP: f64 = 2.5;
 
