@@ -60,12 +60,17 @@ const GRADES: [(&str, &str); 14] = [
 
 /// A name that no material of the table has.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("no material is called '{name}'; did you mean {}?", .known.join(", "))]
+#[error("no material is called '{name}'; {}did you mean {}?", rigid(.name), .known.join(", "))]
 pub struct UnknownMaterial {
     /// The name.
     pub name: String,
     /// The names that it may mean: the grades of a material, the names most alike, or else all.
     pub known: Vec<String>,
+}
+
+/// What to do with the name of a body that no material makes.
+fn rigid(name: &str) -> &'static str {
+    if name.eq_ignore_ascii_case("rigid") { "a rigid counterface is one left out; " } else { "" }
 }
 
 /// Finds the material that answers to a name.

@@ -1,6 +1,34 @@
 //! Options and keys that people try and that are not computed, with the way out.
 
-const WAYS_OUT: [(&[&str], &str); 4] = [
+const WAYS_OUT: [(&[&str], &str); 13] = [
+    (
+        &["hardness"],
+        "write --indentation-hardness, or indentation_hardness in [material]: a pressure, 300HV or 60HRC",
+    ),
+    (&["tip_radius", "tip"], "the tip is that of a scan: write FILE:tip-radius=2um"),
+    (&["unit", "size"], "it is that of a scan: write FILE:unit=um,size=10um"),
+    (
+        &["cutoff", "lambda_c"],
+        "a cut-off is --filter of `roughness`, which leaves out longer waves, and --cutoff of `moments`",
+    ),
+    (
+        &["counterface", "against"],
+        "write --on NAME for the material of the counterface, as --on \"NBR 70 Shore A\"",
+    ),
+    (
+        &["pressure_drop", "viscosity", "leak"],
+        "a leak is asked in a scene, whose [seal] takes pressure_drop, viscosity, breadth and length: `truearea scene gasket` writes one",
+    ),
+    (
+        &["rq", "sq", "ra", "sa", "rms_height", "rms_slope"],
+        "roughness numbers go into a scene, as surface = { rms_height = \"0.8 um\", rms_slope = 0.1, mean_width = \"50 um\" }; Rq is \
+         rms_height, about 1.25 Ra",
+    ),
+    (
+        &["conductivity", "resistivity", "thermal_conductivity"],
+        "it is that of a body: write thermal_conductivity or resistivity into [material] and [counterface] of a scene",
+    ),
+    (&["force", "nominal_area", "area"], "write force and nominal_area into [loads] of a scene"),
     (
         &["temperature"],
         "nothing depends on the temperature of the bodies: give their modulus, hardness and conductivities at that temperature",

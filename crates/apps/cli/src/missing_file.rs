@@ -5,6 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use tables::staging::folder_of;
+use units::Pressure;
 
 /// Least similarity of a file that may be meant, from 0 to 1.
 const ALIKE: f64 = 0.9;
@@ -14,10 +15,25 @@ pub(crate) fn explained(error: io::Error, path: &Path) -> io::Error {
     if path.is_dir() {
         return io::Error::new(error.kind(), "this is a folder; name a file in it");
     }
+    if let Some(instead) = no_file(&path.to_string_lossy()) {
+        return io::Error::new(error.kind(), instead);
+    }
     match similar_file(path).filter(|_| error.kind() == io::ErrorKind::NotFound) {
         Some(name) => io::Error::new(error.kind(), format!("there is no such file; did you mean {name}?")),
         None => error,
     }
+}
+
+/// Says what a word is that stands in the place of a file, and what to do.
+fn no_file(word: &str) -> Option<String> {
+    if word.starts_with("http://") || word.starts_with("https://") {
+        return Some("this is an address; download the file first".to_owned());
+    }
+    if let Some(name) = word.strip_prefix("builtin:") {
+        return Some(format!("builtin:{name} is a spectrum, which stands alone; leave out the scans, or it"));
+    }
+    let is_unit = format!("1 {word}").parse::<Pressure>().is_ok();
+    is_unit.then(|| format!("a value with a space needs quotes, as \"10 {word}\""))
 }
 
 /// The file beside a missing one that has the most similar name.

@@ -12,7 +12,7 @@ use crate::chart::canvas::escaped;
 use crate::chart::palette::{ModelStyle, variables};
 use crate::listing::{share, share_range};
 
-const WIDTH_PX: f64 = 200.0;
+const WIDTH_PX: f64 = 190.0;
 const HEIGHT_PX: f64 = 58.0;
 /// The distance of the axis from the upper edge, and of the bar's edges.
 const AXIS_PX: f64 = 40.0;

@@ -97,6 +97,9 @@ fn faces(args: &ReportArgs) -> Result<(ReportSurface, Option<ReportSurface>), Fa
         args.defaults.complete_all(&[&args.files[..], &args.other.counterface_scans].concat())?;
     let psd = args.other.counterface_psd.as_ref();
     for ScanRequest { path, .. } in requests.iter().chain(psd).filter(|request| is_a_path(&request.path)) {
+        if Path::new(path).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")) {
+            return Err(Failure::Input(format!("{path} is a scene; type `truearea run {path}`")));
+        }
         std::fs::metadata(path)
             .map_err(|error| Failure::reading(path, &explained(error, Path::new(path))))?;
     }
