@@ -269,3 +269,24 @@ fn a_report_opens_with_a_figure_of_the_answer_and_shows_the_spectrum_always() {
     let page = report(&bench, &only_loads);
     assert_eq!(page.matches("<figcaption>").count(), 5, "the answer's figure besides the scene's own four");
 }
+
+#[test]
+fn answers_of_surfaces_that_stick_say_that_they_leave_adhesion_out() {
+    let lines = |work: &str| {
+        let bench = Bench::new();
+        let scene = format!(
+            "surface = {{ psd = \"ring.csv\" }}\nmaterial = {{ youngs_modulus = \"5 MPa\", poisson_ratio = 0.49 }}\n[loads]\npressures = [\"10 \
+             kPa\"]\n[[curve]]\nmodel = \"persson\"\n[judge]\noff = true\n[seal]\n[interface]\nwork_of_adhesion = \"{work}\"\nrange_of_attraction = \
+             \"10 nm\"\n"
+        );
+        bench.write("ring.csv", ring());
+        bench.write("s.toml", scene);
+        let said = bench.run(&["run", "s.toml"]).ok();
+        let page = bench.read("s-results/report.html");
+        let count = |text: &str| text.matches("without adhesion").count();
+        (count(&said), count(&page))
+    };
+    let (said, in_page) = lines("100 J/m^2");
+    assert!(said > 0 && in_page > 0, "{said} {in_page}");
+    assert_eq!(lines("0.001 mJ/m^2"), (0, 0));
+}
