@@ -8,7 +8,7 @@ use units::display::{length, percent, pressure, three_digits};
 pub(crate) fn cause_words(cause: Cause) -> String {
     match cause {
         Cause::GrowthOfHardness { ratio } => format!(
-            "A constant one gives {} times the area of one that grows at small scales. Settle it by nano-indentation at the depth of the \
+            "A constant hardness gives {} times the area of one that grows at small scales. Settle it by nano-indentation at the depth of the \
              roughness.",
             three_digits(ratio)
         ),
@@ -17,7 +17,7 @@ pub(crate) fn cause_words(cause: Cause) -> String {
             pressure(hardness_pa)
         ),
         Cause::HardnessAndRoughness { hardness_pa, decade } => format!(
-            "Part of the contact flows at {}; the rest hangs on the slopes, whose mean square is to {} from {}.",
+            "Part of the contact flows at {}; the rest hangs on the slopes: {} of their mean square is from {}.",
             pressure(hardness_pa),
             percent(decade.share),
             scales(&decade)
@@ -29,7 +29,7 @@ pub(crate) fn cause_words(cause: Cause) -> String {
                 scales(&decade)
             )
         }
-        Cause::Adhesion => "It holds surfaces together wherever they come close.".to_owned(),
+        Cause::Adhesion => "Adhesion, which holds surfaces together wherever they come close.".to_owned(),
         Cause::FullContact => {
             "The pressure flattens all of the roughness: no scale is left to decide.".to_owned()
         }
