@@ -13,8 +13,12 @@ use crate::solve::TOLERANCE;
 use crate::standing_maps::{StandingContact, StandingMaps};
 use crate::window::{Window, bands, decades_held, points_per_shortest};
 
-/// Points along each side of a surface that is made to be looked at.
-const POINTS: usize = 256;
+/// Points along each side of a surface that is made to be looked at, under few pressures and under many.
+const POINTS: [usize; 2] = [256, 128];
+/// The most pressures that are few.
+const FEW: usize = 3;
+/// Pressures that differ by less than this share a contact.
+const SAME_PRESSURE: f64 = 0.01;
 
 /// A surface that was pressed as the best estimate of each load has it, to be looked at.
 #[derive(Debug, Clone, PartialEq)]
@@ -88,15 +92,26 @@ impl PressedSurface {
         progress: &dyn Progress,
     ) -> Result<Option<Self>, JudgeError> {
         let Some(waves) = &case.waves else { return Ok(None) };
-        let per_shortest = points_per_shortest(waves, case.band(), POINTS);
-        let band = bands(case.band(), decades_held(POINTS, per_shortest))[0];
+        let is_alike = |a: &(usize, Reference), b: &(usize, Reference)| {
+            let ratio = case.nominal_pressure_pa(a.0) / case.nominal_pressure_pa(b.0);
+            a.1 == b.1 && (ratio - 1.0).abs() < SAME_PRESSURE
+        };
+        let mut distinct: Vec<(usize, Reference)> = Vec::new();
+        for one in pressed {
+            if !distinct.iter().any(|other| is_alike(one, other)) {
+                distinct.push(*one);
+            }
+        }
+        let points = POINTS[usize::from(distinct.len() > FEW)];
+        let per_shortest = points_per_shortest(waves, case.band(), points);
+        let band = bands(case.band(), decades_held(points, per_shortest))[0];
         // Noise may leave the longest waves, or a wave of the box, no roughness.
-        let Ok(window) = Window::new(waves, band, POINTS, per_shortest) else { return Ok(None) };
-        let synthesis = Synthesis::square(POINTS, window.box_m, seed, Phases::FixedModulus);
+        let Ok(window) = Window::new(waves, band, points, per_shortest) else { return Ok(None) };
+        let synthesis = Synthesis::square(points, window.box_m, seed, Phases::FixedModulus);
         let Ok(surface) = window.waves.realised(&synthesis, 0) else { return Ok(None) };
         let forms = case.forms(&window);
         let progress = NestedProgress(progress);
-        let contacts = numerics::parallel::try_map(pressed, |&(load, reference)| {
+        let contacts = numerics::parallel::try_map(&distinct, |&(load, reference)| {
             let nominal_pressure_pa = case.pressure_pa(&forms, reference, load);
             let saturation_pa = case.saturation_pa(reference, band.middle_m());
             let flows = saturation_pa.is_some_and(|bound_pa| nominal_pressure_pa > FLOWING * bound_pa);
@@ -104,7 +119,7 @@ impl PressedSurface {
                 return Ok::<_, JudgeError>(None);
             }
             let mut elements =
-                case.elements(Grid::new(POINTS, POINTS, window.box_m, window.box_m)?, &surface.heights_m)?;
+                case.elements(Grid::new(points, points, window.box_m, window.box_m)?, &surface.heights_m)?;
             let loading = Loading {
                 contact_modulus_pa: case.composite_modulus_pa,
                 nominal_pressure_pa,
@@ -114,9 +129,16 @@ impl PressedSurface {
             let contact = elements.press(&loading, &progress)?;
             Ok(Some(SeenContact { load, touching: contact.touching() }))
         })?;
+        let found: Vec<SeenContact> = contacts.into_iter().flatten().collect();
+        let of_load = |one: &(usize, Reference)| {
+            let alike = distinct.iter().find(|other| is_alike(one, other))?;
+            let contact = found.iter().find(|contact| contact.load == alike.0)?;
+            Some(SeenContact { load: one.0, touching: contact.touching.clone() })
+        };
+        let contacts = pressed.iter().filter_map(of_load).collect();
         let is_cut = band.shortest_m > case.band().shortest_m;
         let shortest_m = is_cut.then_some(band.shortest_m);
-        Ok(Some(Self::new_of(surface, shortest_m, contacts.into_iter().flatten().collect())))
+        Ok(Some(Self::new_of(surface, shortest_m, contacts)))
     }
 
     fn new_of(surface: RandomSurface, shortest_m: Option<f64>, contacts: Vec<SeenContact>) -> Self {

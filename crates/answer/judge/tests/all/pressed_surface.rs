@@ -49,6 +49,18 @@ fn longest_waves_of_a_spectrum_touch_as_elements_say_under_each_load() {
 }
 
 #[test]
+fn equal_pressures_share_a_contact_and_many_loads_have_a_coarser_picture() {
+    let of = |loads: &str| judged(&scene(3.0, "", loads, &ELASTIC[..1]), &coarse(48, 2)).1.surface.unwrap();
+    let same = of("\"400 MPa\", \"401 MPa\", \"402 MPa\", \"403 MPa\"");
+    assert_eq!((same.columns, same.contacts.len()), (256, 4));
+    assert!(same.contacts.iter().all(|contact| contact.touching == same.contacts[0].touching));
+    assert!(same.contacts.iter().map(|contact| contact.load).eq(0..4));
+    let many = of("\"100 MPa\", \"200 MPa\", \"300 MPa\", \"400 MPa\"");
+    assert_eq!((many.columns, many.contacts.len()), (128, 4));
+    assert!(many.contacts.windows(2).all(|pair| pair[0].area_fraction() < pair[1].area_fraction()));
+}
+
+#[test]
 fn a_spectrum_that_the_picture_holds_whole_touches_as_the_best_estimate() {
     let scene = scene(1.0, "", "\"400 MPa\"", &ELASTIC);
     let (_, judgement) = judged(&scene, &coarse(128, 4));
