@@ -68,7 +68,7 @@ pub struct UnknownMaterial {
     pub known: Vec<String>,
 }
 
-/// What to do with the name of a body that no material makes.
+/// Says what to do in place of the name of a rigid body; empty for other names.
 fn rigid(name: &str) -> &'static str {
     if name.eq_ignore_ascii_case("rigid") { "a rigid counterface is one left out; " } else { "" }
 }

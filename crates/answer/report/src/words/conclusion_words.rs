@@ -245,7 +245,7 @@ fn verdict_words(load: &AnswerUnderLoad) -> Option<[String; 2]> {
     Some([verdict.to_owned(), format!("{share}{}", without_adhesion(load))])
 }
 
-/// What a theory without adhesion says of surfaces that stick.
+/// Returns the words for answers of a theory without adhesion, where surfaces stick.
 fn without_adhesion(load: &AnswerUnderLoad) -> &'static str {
     if load.cause == Cause::Adhesion { " without adhesion" } else { "" }
 }
