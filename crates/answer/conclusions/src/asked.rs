@@ -168,8 +168,7 @@ impl Questions<'_> {
         share * CORRELATION_WITHIN + (1.0 - share) * GAS_WITHIN
     }
 
-    /// A gap, or what follows the stiffness, of the measured map over that of the theory. Displacements go as its inverse, and gas has the
-    /// gap of the map.
+    /// A gap, or what follows the stiffness, of the measured map over that of the theory. Gas has the gap of the map.
     fn of_map(&self, quantity: Quantity) -> Option<f64> {
         let maps = self.area.maps?;
         let of_gas = || maps.mean_gap_m.and_then(|gap_m| self.states.gas_over(gap_m));
@@ -180,11 +179,6 @@ impl Questions<'_> {
             Quantity::ThermalConductanceWithGas => (beside_gas(Quantity::ThermalConductance), quantity),
             Quantity::FlowedConductanceWithGas if maps.plastic_share.is_some() => {
                 (beside_gas(Quantity::YovanovichConductance), quantity)
-            }
-            Quantity::ThermalResistance
-            | Quantity::ElectricalResistance
-            | Quantity::TangentialDisplacement => {
-                return self.of_map(Quantity::Stiffness).map(f64::recip);
             }
             Quantity::MeanGap => (maps.mean_gap_m, quantity),
             Quantity::FlowedGap => (maps.mean_gap_m.filter(|_| maps.plastic_share.is_some()), quantity),

@@ -106,7 +106,8 @@ impl Comparisons<'_> {
     }
 
     /// The range of the area of bodies whose hardness grows: from the load over the hardness at the shortest wave, or the area of elastic
-    /// bodies if that is larger, to the area with the constant hardness. A limit on pressures has no scale, so elements do not say which hardness of this range to take.
+    /// bodies if that is larger, to the area with the constant hardness. A limit on pressures has no scale, so elements do not say which
+    /// hardness of this range to take.
     fn range_of_growing(&self, body: usize, load: usize) -> Option<AreaRange> {
         let constant = self.case.constant_body(body)?;
         let high = self.area_of_whole_band(constant, load).ok()?.high();

@@ -15,7 +15,7 @@ const DEFAULT_REALISATIONS: usize = 4;
 pub(crate) const GRIDS: [usize; 10] = [1024, 768, 512, 384, 256, 192, 128, 96, 64, 48];
 
 /// Pressures that differ by less than this share a solution.
-const SAME_PRESSURE: f64 = 0.01;
+pub(crate) const SAME_PRESSURE: f64 = 0.01;
 /// Above this share of the hardness the whole contact yields: the area fraction lies between p/H and 1.
 pub(crate) const FLOWING: f64 = 0.98;
 /// With fewer points in contact the grid says little about the area.

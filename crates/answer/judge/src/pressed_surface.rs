@@ -1,6 +1,5 @@
 //! The pressed surface to look at: heights, and the points that touch under each load.
 
-use elements::half_space::{Grid, Loading};
 use numerics::parallel::{NestedProgress, Progress};
 use spectrum::random_surfaces::{Phases, RandomSurface, Synthesis};
 
@@ -8,8 +7,8 @@ use crate::JudgeError;
 use crate::body::Reference;
 use crate::case::Case;
 use crate::headline::{Basis, Headline};
-use crate::layout::FLOWING;
-use crate::solve::TOLERANCE;
+use crate::layout::{FLOWING, SAME_PRESSURE};
+use crate::maps::Press;
 use crate::standing_maps::{StandingContact, StandingMaps};
 use crate::window::{Window, bands, decades_held, points_per_shortest};
 
@@ -17,8 +16,6 @@ use crate::window::{Window, bands, decades_held, points_per_shortest};
 const POINTS: [usize; 2] = [256, 128];
 /// The most pressures that are few.
 const FEW: usize = 3;
-/// Pressures that differ by less than this share a contact.
-const SAME_PRESSURE: f64 = 0.01;
 
 /// A surface that was pressed as the best estimate of each load has it, to be looked at.
 #[derive(Debug, Clone, PartialEq)]
@@ -111,29 +108,18 @@ impl PressedSurface {
         let Ok(surface) = window.waves.realised(&synthesis, 0) else { return Ok(None) };
         let forms = case.forms(&window);
         let progress = NestedProgress(progress);
-        let contacts = numerics::parallel::try_map(&distinct, |&(load, reference)| {
-            let nominal_pressure_pa = case.pressure_pa(&forms, reference, load);
+        let touching = numerics::parallel::try_map(&distinct, |&(load, reference)| {
+            let pressure_pa = case.pressure_pa(&forms, reference, load);
             let saturation_pa = case.saturation_pa(reference, band.middle_m());
-            let flows = saturation_pa.is_some_and(|bound_pa| nominal_pressure_pa > FLOWING * bound_pa);
-            if flows || progress.is_cancelled() {
+            if saturation_pa.is_some_and(|bound_pa| pressure_pa > FLOWING * bound_pa) {
                 return Ok::<_, JudgeError>(None);
             }
-            let mut elements =
-                case.elements(Grid::new(points, points, window.box_m, window.box_m)?, &surface.heights_m)?;
-            let loading = Loading {
-                contact_modulus_pa: case.composite_modulus_pa,
-                nominal_pressure_pa,
-                saturation_pa,
-                tolerance: TOLERANCE,
-            };
-            let contact = elements.press(&loading, &progress)?;
-            Ok(Some(SeenContact { load, touching: contact.touching() }))
+            let press = Press { case, pressure_pa, saturation_pa };
+            Ok(press.on(&surface, false, &progress)?.map(|(contact, _)| contact.touching()))
         })?;
-        let found: Vec<SeenContact> = contacts.into_iter().flatten().collect();
         let of_load = |one: &(usize, Reference)| {
-            let alike = distinct.iter().find(|other| is_alike(one, other))?;
-            let contact = found.iter().find(|contact| contact.load == alike.0)?;
-            Some(SeenContact { load: one.0, touching: contact.touching.clone() })
+            let alike = distinct.iter().position(|other| is_alike(one, other))?;
+            Some(SeenContact { load: one.0, touching: touching[alike].clone()? })
         };
         let contacts = pressed.iter().filter_map(of_load).collect();
         let is_cut = band.shortest_m > case.band().shortest_m;

@@ -29,9 +29,6 @@ fn no_file(word: &str) -> Option<String> {
     if word.starts_with("http://") || word.starts_with("https://") {
         return Some("this is an address; download the file first".to_owned());
     }
-    if let Some(name) = word.strip_prefix("builtin:") {
-        return Some(format!("builtin:{name} is a spectrum, which stands alone; leave out the scans, or it"));
-    }
     let is_unit = format!("1 {word}").parse::<Pressure>().is_ok();
     is_unit.then(|| format!("a value with a space needs quotes, as \"10 {word}\""))
 }

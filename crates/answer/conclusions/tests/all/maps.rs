@@ -114,6 +114,27 @@ fn gas_and_spots_of_a_map_have_the_gap_and_the_stiffness_of_that_map_each() {
 }
 
 #[test]
+fn the_shear_of_a_map_follows_the_stiffness_of_that_map() {
+    let answered = answered(
+        "[interface]\nfriction = 0.3\ntangential_stress = \"3 MPa\"\n[loads]\npressures = [\"100 MPa\"]\n",
+    );
+    let conclusions = answered.conclusions();
+    let ([load], [shear]) = (&conclusions.loads[..], &conclusions.shear[..]) else { panic!() };
+    let states = answered.scene.interface_states(&answered.results).unwrap();
+    let theory =
+        |quantity: Quantity| states.value(Slot { quantity, load: Some(0), curve: None }).unwrap().unwrap();
+    let stiffer = load.area.maps.unwrap().stiffness_pa_per_m.unwrap() / theory(Quantity::Stiffness);
+    assert!(stiffer.ln().abs() > 0.1, "the theory knows it as well");
+    for (found, quantity, factor) in [
+        (shear.stiffness_pa_per_m, Quantity::TangentialStiffness, stiffer),
+        (shear.displacement_m, Quantity::TangentialDisplacement, 1.0 / stiffer),
+        (shear.dissipation_j_per_m2, Quantity::TangentialDissipation, 1.0 / stiffer),
+    ] {
+        assert!((found.unwrap() / (factor * theory(quantity)) - 1.0).abs() < 1e-12, "{quantity:?}");
+    }
+}
+
+#[test]
 fn the_peaks_of_a_map_are_in_the_state_of_its_elements() {
     let yields = "indentation_hardness = \"300 MPa\"\n[counterface]\n";
     let mut answered = answered_with(yields, "[interface]\n[loads]\npressures = [\"100 MPa\"]\n");

@@ -2,13 +2,12 @@
 
 use std::fmt::Write;
 
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
 use judge::{PressedSurface, SeenContact};
 use units::display::length;
 
-use super::canvas::escaped;
+use super::canvas::{Rect, escaped};
 use super::palette::{CONTACT, relief_grey};
+use super::raster::{Pixels, image, png};
 
 /// The longer side of the picture.
 const SIDE_PX: f64 = 208.0;
@@ -34,16 +33,11 @@ pub(crate) fn picture(
 ) -> Option<String> {
     let scale = SIDE_PX / surface.length_x_m.max(surface.length_y_m);
     let [width, height] = [surface.length_x_m, surface.length_y_m].map(|side_m| (side_m * scale).max(1.0));
-    let image = |png: &[u8], more: &str| {
-        format!(
-            "<image width=\"{width:.1}\" height=\"{height:.1}\" preserveAspectRatio=\"none\"{more} href=\"data:image/png;base64,{}\"/>",
-            STANDARD.encode(png)
-        )
-    };
-    let mut drawn = image(&relief(surface)?, "");
+    let place = || Rect { left: 0.0, top: 0.0, right: width, bottom: height };
+    let mut drawn = image(&relief(surface)?, place(), "");
     for contact in contacts {
         let spots = spots(surface, contact)?;
-        let _ = write!(drawn, "<g class=\"{}\">{}</g>", class_of(contact.load), image(&spots, ""));
+        let _ = write!(drawn, "<g class=\"{}\">{}</g>", class_of(contact.load), image(&spots, place(), ""));
     }
     let bar_m = round_below(LONGEST_BAR * surface.length_x_m);
     let (bar, y) = (bar_m * scale, height - 8.0);
@@ -87,29 +81,8 @@ impl Blocks {
         (points > 0).then(|| Blocks { columns: across, values: (0..across * down).map(mean).collect() })
     }
 
-    fn png(
-        &self,
-        bytes: &[u8],
-        depth: png::BitDepth,
-        palette: Option<(Vec<u8>, Vec<u8>)>,
-    ) -> Option<Vec<u8>> {
-        let mut written = Vec::new();
-        let [columns, rows] = [self.columns, self.values.len() / self.columns].map(u32::try_from);
-        let mut encoder = png::Encoder::new(&mut written, columns.ok()?, rows.ok()?);
-        encoder.set_depth(depth);
-        encoder.set_compression(png::Compression::Best);
-        match palette {
-            None => encoder.set_color(png::ColorType::Grayscale),
-            Some((colours, opacities)) => {
-                encoder.set_color(png::ColorType::Indexed);
-                encoder.set_palette(colours);
-                encoder.set_trns(opacities);
-            }
-        }
-        let mut writer = encoder.write_header().ok()?;
-        writer.write_image_data(bytes).ok()?;
-        writer.finish().ok()?;
-        Some(written)
+    fn png(&self, pixels: Pixels, bytes: &[u8]) -> Option<Vec<u8>> {
+        png([self.columns, self.values.len() / self.columns], pixels, bytes)
     }
 }
 
@@ -132,7 +105,7 @@ fn relief(surface: &PressedSurface) -> Option<Vec<u8>> {
         relief_grey((blocks.values[at] - low_m) / range_m + SHADE * (rise_m(at) / typical_m).clamp(-2.0, 2.0))
     };
     let greys: Vec<u8> = (0..blocks.values.len()).map(grey).collect();
-    blocks.png(&greys, png::BitDepth::Eight, None)
+    blocks.png(Pixels::Greys, &greys)
 }
 
 /// Spots in the colour of contact, clear between them.
@@ -149,7 +122,7 @@ fn spots(surface: &PressedSurface, contact: &SeenContact) -> Option<Vec<u8>> {
     };
     let bytes: Vec<u8> = blocks.values.chunks(blocks.columns).flat_map(pack).collect();
     let colours = CONTACT.repeat(OPACITIES.len());
-    blocks.png(&bytes, png::BitDepth::Two, Some((colours, OPACITIES.to_vec())))
+    blocks.png(Pixels::Indexed { colours, opacities: OPACITIES.to_vec() }, &bytes)
 }
 
 #[cfg(test)]

@@ -4,8 +4,6 @@ use std::fmt::Write;
 use std::iter::once;
 use std::ops::Range;
 
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
 use elements::ContactField;
 use scans::{Measure, MeasuredScan, ScanFile};
 use units::LengthUnit;
@@ -15,6 +13,7 @@ use super::canvas::{Point, Rect, escaped, path};
 use super::palette::{MISSING, map_colour};
 use super::panel::Panel;
 use super::plain_lines;
+use super::raster::{Pixels, image, png};
 
 /// Width of the longer side of a map, and the distances around it.
 const FRAME_PX: f64 = 400.0;
@@ -129,25 +128,10 @@ impl FieldPicture {
     }
 
     /// The points as an image.
-    fn image(&self, Rect { left, top, right, bottom }: Rect, more: &str) -> Option<String> {
-        let data = STANDARD.encode(self.png()?);
-        Some(format!(
-            "<image x=\"{left}\" y=\"{top}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\"{more} href=\"data:image/png;base64,{data}\"/>",
-            right - left,
-            bottom - top
-        ))
-    }
-
-    /// The points as a PNG, a pixel each.
-    fn png(&self) -> Option<Vec<u8>> {
-        let mut bytes = Vec::new();
-        let [columns, rows] = [self.columns, self.colours.len() / self.columns].map(u32::try_from);
-        let mut encoder = png::Encoder::new(&mut bytes, columns.ok()?, rows.ok()?);
-        encoder.set_color(png::ColorType::Rgb);
-        let mut writer = encoder.write_header().ok()?;
-        writer.write_image_data(self.colours.as_flattened()).ok()?;
-        writer.finish().ok()?;
-        Some(bytes)
+    fn image(&self, place: Rect, more: &str) -> Option<String> {
+        let size = [self.columns, self.colours.len() / self.columns];
+        let png = png(size, Pixels::Colours, self.colours.as_flattened())?;
+        Some(image(&png, place, more))
     }
 }
 

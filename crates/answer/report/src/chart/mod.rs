@@ -12,6 +12,7 @@ mod legend;
 pub mod maps;
 pub mod palette;
 pub(crate) mod panel;
+mod raster;
 pub(crate) mod ruler;
 mod script;
 

@@ -96,6 +96,13 @@ fn faces(args: &ReportArgs) -> Result<(ReportSurface, Option<ReportSurface>), Fa
     let mut requests =
         args.defaults.complete_all(&[&args.files[..], &args.other.counterface_scans].concat())?;
     let psd = args.other.counterface_psd.as_ref();
+    let is_a_spectrum = |request: &&ScanRequest| request.path.starts_with("builtin:");
+    if let Some(spectrum) = args.files.iter().find(is_a_spectrum).filter(|_| args.files.len() > 1) {
+        let path = &spectrum.path;
+        return Err(Failure::Input(format!(
+            "{path} is a spectrum, which stands alone; leave out the scans, or it"
+        )));
+    }
     for ScanRequest { path, .. } in requests.iter().chain(psd).filter(|request| is_a_path(&request.path)) {
         if Path::new(path).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")) {
             return Err(Failure::Input(format!("{path} is a scene; type `truearea run {path}`")));
