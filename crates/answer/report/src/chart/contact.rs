@@ -152,12 +152,7 @@ mod tests {
             contacts: Vec::new(),
         };
         let contact = SeenContact { load: 0, touching: touching.clone() };
-        let bytes = spots(&surface, &contact).unwrap();
-        let mut decoder = png::Decoder::new(&bytes[..]);
-        decoder.set_transformations(png::Transformations::EXPAND);
-        let mut reader = decoder.read_info().unwrap();
-        let mut pixels = vec![0; reader.output_buffer_size()];
-        reader.next_frame(&mut pixels).unwrap();
+        let pixels = decoded(&spots(&surface, &contact).unwrap());
         let seen: Vec<bool> = pixels.chunks(4).map(|rgba| rgba[3] == 255).collect();
         assert_eq!(seen, touching);
         let svg = picture(&surface, &[&contact], |load| format!("l{load}"), "a \"map\"").unwrap();
@@ -166,6 +161,54 @@ mod tests {
                 && svg.contains("viewBox=\"0 0 208.0 138.7\"")
                 && svg.contains(">2 µm<")
         );
+        assert_eq!(svg.matches("<image x=\"0\" y=\"0\" width=\"208\" height=\"138.6").count(), 2);
+    }
+
+    /// The bytes of a PNG, colours of a palette with their opacity.
+    fn decoded(png: &[u8]) -> Vec<u8> {
+        let mut decoder = png::Decoder::new(png);
+        decoder.set_transformations(png::Transformations::EXPAND);
+        let mut reader = decoder.read_info().unwrap();
+        let mut pixels = vec![0; reader.output_buffer_size()];
+        reader.next_frame(&mut pixels).unwrap();
+        pixels
+    }
+
+    #[test]
+    fn reliefs_grow_lighter_with_height_and_on_slopes_that_rise_from_the_left() {
+        let greys = |height_m: fn(usize, usize) -> f64| {
+            let surface = PressedSurface {
+                map: None,
+                heights_m: (0..100).map(|at| height_m(at % 10, at / 10)).collect(),
+                columns: 10,
+                length_x_m: 1e-6,
+                length_y_m: 1e-6,
+                shortest_m: None,
+                contacts: Vec::new(),
+            };
+            decoded(&relief(&surface).unwrap())
+        };
+        // Steps along y have no slope along x: nine greys between the ends of the palette, evenly.
+        let steps = greys(|_, y| 3e-9 * y as f64 - 5e-9);
+        let column: Vec<u8> = steps.iter().copied().step_by(10).collect();
+        assert_eq!(column, (0..10).map(|step| relief_grey(f64::from(step) / 9.0)).collect::<Vec<u8>>());
+        assert_eq!([0.0, 0.5, 1.0, 2.0].map(relief_grey), [120, 183, 245, 245]);
+        assert!(steps.chunks(10).all(|row| row.iter().all(|grey| *grey == row[0])));
+        // Of a zigzag about one height, what rises is lighter than flat ground and what falls darker, by a fifth of the palette.
+        let zigzag = greys(|x, y| {
+            if y == 0 {
+                -10e-9
+            } else if y == 9 {
+                10e-9
+            } else {
+                [0.0, 1e-9][x % 2]
+            }
+        });
+        let row = &zigzag[50..60];
+        let typical = (8.0 * 9.0 / 100.0f64).sqrt();
+        for (at, share) in [(0, 0.5), (1, 0.55 + SHADE / typical), (2, 0.5 - SHADE / typical)] {
+            assert_eq!(row[at], relief_grey(share), "{at}");
+        }
     }
 
     #[test]

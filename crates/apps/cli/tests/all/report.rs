@@ -263,6 +263,9 @@ fn a_report_opens_with_a_figure_of_the_answer_and_shows_the_spectrum_always() {
     let [area, spectrum] = &captions[2..] else { panic!("{captions:?}") };
     assert!(area.starts_with("Contact area / nominal area"), "{captions:?}");
     assert!(spectrum.starts_with("Power spectral density"), "{captions:?}");
+    let bars = tree.descendants().filter(|node| node.attribute("class") == Some("range"));
+    let heights: Vec<&str> = bars.filter_map(|node| node.attribute("height")).collect();
+    assert_eq!(heights, ["12"; 2], "a bar of each load");
     let curve = page.find("<svg class=\"area\"").expect("the first screen has the curve");
     assert!(curve < page.find("<details").unwrap());
     let only_loads = STEEL.replace("shows = \"area\"\n", "shows = \"aspect-ratio\"\n");
