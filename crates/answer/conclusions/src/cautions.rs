@@ -35,6 +35,8 @@ pub fn trust_left(caution: &Remark) -> Trust {
         | RemarkCode::ThinLayer => Trust::Poor,
         RemarkCode::NotMeasured if is_wide() => Trust::Poor,
         code if is_doubt(code) => Trust::Poor,
+        // Who has the part sees its lay.
+        RemarkCode::LayUnknown => Trust::Good,
         _ => Trust::Fair,
     }
 }
@@ -130,6 +132,7 @@ pub(crate) fn cautions(
         cautions.push(new(code).with("models", models));
     }
     cautions.extend(softer_without_hardness(scene));
+    cautions.extend(skewed_heights(scene));
     cautions.extend(scene.surface.assumed().map(|body| new(RemarkCode::MadeOfNumbers).with("body", body)));
     cautions.extend(unknown_tip(scene));
     let guesses = uncertainty.into_iter().flat_map(|found| &found.guesses);
@@ -147,6 +150,7 @@ pub(crate) fn cautions(
     let yielded = shares.filter(|share| *share > MOST_PLASTIC_SHARE);
     let largest = yielded.reduce(f64::max);
     cautions.extend(largest.map(|share| new(RemarkCode::GapOfYieldingContact).with("share", share)));
+    cautions.extend(traces_alone(scene).then(|| new(RemarkCode::LayUnknown)));
     if !on_roughness && states.is_none_or(|states| !needs_heights(states)) {
         cautions.retain(|caution| !is_about_roughness(caution.code));
     }
@@ -167,6 +171,8 @@ fn is_about_roughness(code: RemarkCode) -> bool {
         RemarkCode::FewScans
             | RemarkCode::OneInstrument
             | RemarkCode::TipMayShow
+            | RemarkCode::SkewedHeights
+            | RemarkCode::LayUnknown
             | RemarkCode::MadeOfNumbers
             | RemarkCode::NotMeasured
             | RemarkCode::TooSteep
@@ -187,6 +193,22 @@ fn unknown_tip(scene: &Scene) -> Option<Remark> {
     let (note, below_m) = shows.max_by(|a, b| a.1.total_cmp(&b.1))?;
     let remark = Remark::new(RemarkCode::TipMayShow).about(note.place.files.clone());
     Some(remark.with("may_show_below_m", below_m))
+}
+
+/// The caution on the trace whose heights are skewed most. Plateaus between deep valleys are smooth, and high peaks are rough.
+fn skewed_heights(scene: &Scene) -> Option<Remark> {
+    let notes = scene.surface.notes.iter().filter(|note| note.code == RemarkCode::TraceSkewed);
+    let skewed = notes.filter_map(|note| Some((note, note.number("skewness")?)));
+    let (note, skewness) = skewed.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
+    let remark = Remark::new(RemarkCode::SkewedHeights).about(note.place.files.clone());
+    Some(remark.with("skewness", skewness).with("touches", if skewness < 0.0 { "more" } else { "less" }))
+}
+
+/// Returns true if the spectrum of a face comes from traces alone, which are taken as those of a surface without direction.
+fn traces_alone(scene: &Scene) -> bool {
+    let parts = scene.surface.each();
+    let scanned = parts.iter().filter_map(|part| part.made_from.as_ref());
+    scanned.into_iter().any(|scans| scans.spectrum.scans.iter().all(|scan| scan.checks.slope_across.is_none()))
 }
 
 /// The caution on a surface that was scanned at one or two places, where nothing is drawn that would tell.

@@ -113,6 +113,7 @@ remark_codes! {
     SlopesDiffer "surface.scans.scan.lines" Caution
         "{files}: rms slope {along} along the lines, {across} across them; they differ by {bound}x or more: lines are offset against each \
          other, or the surface has a direction; the spectrum is that along the lines";
+    TraceSkewed "surface.scans.scan.skewness" Note "{files}: heights are not Gaussian, Rsk {skewness}";
     FundamentalAbsent "surface.scans.scan.absent" Passed "{files}: the mode of the full length is absent";
     FundamentalKept "surface.scans.scan.kept" Passed
         "{files}: the mode of the full length keeps {share%} of its power; bin {used}";
@@ -419,6 +420,12 @@ remark_codes! {
         "{map} touches {ratio} times as much as Gaussian surfaces with its spectrum[ at {load}], which is counted: its slopes differ by \
          direction."
         short "slopes of {map} differ by direction";
+    SkewedHeights "skewed-heights" Caution
+        "{files}: heights are skewed, Rsk {skewness}, and every method here takes them as Gaussian: {touches} touches than is said."
+        short "skewed heights, {touches} touches than is said";
+    LayUnknown "lay-unknown" Caution
+        "Traces show no lay: a turned or ground face touches more than is said if traced across its lay, and less if along it."
+        short "traces show no lay";
 
     // Why an interval is a guess.
     FewScans "few-scans" Caution

@@ -8,6 +8,7 @@ use units::{Remark, RemarkCode};
 use crate::piecewise::nonuniform_line_spectrum_to;
 use crate::remark::{FundamentalMode, SLOPES_DIFFER};
 use crate::rows::{Lines, Rows};
+use crate::skewness::clear_skewness;
 use crate::sums::dot;
 use crate::{
     DerivativeOf, Detrend, LineSpectrum, Preparation, ScanBoundary, Window, real_space_derivatives,
@@ -48,6 +49,8 @@ pub struct Checks {
     pub real_curvature_per_m: Option<f64>,
     /// Root mean square curvature \[1/m\] from the spectrum.
     pub spectral_curvature_per_m: Option<f64>,
+    /// Skewness Rsk of a trace, where it is clearly not that of Gaussian heights, see [`clear_skewness`].
+    pub skewness: Option<f64>,
     /// State of the mode whose wavelength is the length of the scan.
     pub fundamental: FundamentalMode,
 }
@@ -73,6 +76,7 @@ impl Checks {
             spectral_slope: spectral.map(|spectral| spectral.slope),
             real_curvature_per_m: real.curvature_per_m,
             spectral_curvature_per_m: spectral.and_then(|spectral| spectral.curvature_per_m),
+            skewness: clear_skewness(scan, preparation.detrend),
             fundamental: match fundamental_kept(scan, preparation.detrend) {
                 _ if !spectrum.holds_fundamental() => FundamentalMode::Absent,
                 Some(share) => FundamentalMode::Kept { share, used: preparation.flagged_bins() == 0 },
@@ -98,6 +102,7 @@ impl Checks {
             slopes.map(|found| self.compared(RemarkCode::SlopesCompared, found)),
             curvatures.map(|found| self.compared(RemarkCode::CurvaturesCompared, found)),
             self.slope_across.map(|across| slopes_of_map(self.real_slope, across)),
+            self.skewness.map(|skewness| Remark::new(RemarkCode::TraceSkewed).with("skewness", skewness)),
             Some(self.fundamental.remark()),
         ]
         .into_iter()
@@ -205,6 +210,7 @@ mod tests {
             spectral_slope: Some(0.1),
             real_curvature_per_m: None,
             spectral_curvature_per_m: None,
+            skewness: None,
             fundamental: FundamentalMode::Kept { share: 0.85, used: false },
         };
         let worded = |checks: &Checks| -> Vec<String> {

@@ -123,9 +123,23 @@ fn a_surface_scanned_at_fewer_than_three_places_is_a_caution() {
              MPa\"]\n[[curve]]\nmodel = \"persson\"\n[judge]\noff = true\n[uncertainty]\noff = true\n"
         );
         let conclusions = Answered::with_files(&text, &files).conclusions();
+        assert!(caution(&conclusions, RemarkCode::LayUnknown).is_some());
         caution(&conclusions, RemarkCode::FewScans).map(|few| few.number("scans").unwrap())
     };
     assert_eq!([1, 2, 3].map(of), [Some(1.0), Some(2.0), None]);
+}
+
+#[test]
+fn the_trace_whose_heights_are_skewed_most_is_named_and_maps_show_their_lay() {
+    let skewed = |file: &str, skewness: f64| {
+        Remark::new(RemarkCode::TraceSkewed).about(vec![file.to_owned()]).with("skewness", skewness)
+    };
+    let mut answered = scene("plain", STEEL, "off = true", "");
+    answered.scene.surface.notes = vec![skewed("a.txt", 1.2), skewed("b.txt", -2.2), skewed("c.txt", 1.5)];
+    let conclusions = answered.conclusions();
+    let found = caution(&conclusions, RemarkCode::SkewedHeights).unwrap();
+    assert_eq!((found.place.files.as_slice(), trust_left(found)), (&["b.txt".to_owned()][..], Trust::Fair));
+    assert!(caution(&conclusions, RemarkCode::LayUnknown).is_none());
 }
 
 #[test]

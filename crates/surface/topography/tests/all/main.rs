@@ -3,6 +3,7 @@
 mod gap_bias;
 mod gaps;
 mod noise;
+mod skewness;
 mod tips;
 mod transform_areal;
 mod transform_composite;
