@@ -142,19 +142,27 @@ pub(crate) fn cautions(
             .cloned(),
     );
     cautions.extend(few_places(scene).filter(|_| uncertainty.is_none()));
-    let is_elastic = |states: &&InterfaceStates<'_>| {
-        states.request.shear.is_some() || states.request.seal.is_some_and(|seal| seal.joint.is_some())
-    };
-    let may_yield = loads.iter().filter(|load| load.area.source != Source::Elements(Reference::Elastic));
-    let shares = may_yield.filter_map(|load| states.filter(is_elastic)?.plastic_share(load.load));
-    let yielded = shares.filter(|share| *share > MOST_PLASTIC_SHARE);
-    let largest = yielded.reduce(f64::max);
-    cautions.extend(largest.map(|share| new(RemarkCode::GapOfYieldingContact).with("share", share)));
+    cautions.extend(states.and_then(|states| elastic_formulas(loads, states)));
     cautions.extend(traces_alone(scene).then(|| new(RemarkCode::LayUnknown)));
     if !on_roughness && states.is_none_or(|states| !needs_heights(states)) {
         cautions.retain(|caution| !is_about_roughness(caution.code));
     }
     cautions
+}
+
+/// The caution on what is computed for bodies that do not yield, where more yields than that allows.
+fn elastic_formulas(loads: &[AnswerUnderLoad], states: &InterfaceStates<'_>) -> Option<Remark> {
+    let leaks = states.request.seal.is_some_and(|seal| seal.joint.is_some());
+    let what = match (leaks, states.request.shear.is_some()) {
+        (true, true) => "leaks and tangential loads",
+        (true, false) => "leaks",
+        (false, true) => "tangential loads",
+        (false, false) => return None,
+    };
+    let may_yield = loads.iter().filter(|load| load.area.source != Source::Elements(Reference::Elastic));
+    let shares = may_yield.filter_map(|load| states.plastic_share(load.load));
+    let share = shares.filter(|share| *share > MOST_PLASTIC_SHARE).reduce(f64::max)?;
+    Some(Remark::new(RemarkCode::GapOfYieldingContact).with("share", share).with("what", what))
 }
 
 /// Returns true if something is asked that hangs on the heights of the roughness, even where the area does not.
@@ -208,7 +216,9 @@ fn skewed_heights(scene: &Scene) -> Option<Remark> {
 fn traces_alone(scene: &Scene) -> bool {
     let parts = scene.surface.each();
     let scanned = parts.iter().filter_map(|part| part.made_from.as_ref());
-    scanned.into_iter().any(|scans| scans.spectrum.scans.iter().all(|scan| scan.checks.slope_across.is_none()))
+    scanned
+        .into_iter()
+        .any(|scans| scans.spectrum.scans.iter().all(|scan| scan.checks.slope_across.is_none()))
 }
 
 /// The caution on a surface that was scanned at one or two places, where nothing is drawn that would tell.

@@ -402,7 +402,7 @@ remark_codes! {
         "Below {from_m} slopes are too steep for every method used here, boundary elements included."
         short "slopes too steep below {from_m}";
     GapOfYieldingContact "gap-of-yielding-contact" Caution
-        "{share%} of the contact yields, but leaks and tangential loads assume it does not: order of magnitude only."
+        "{share%} of the contact yields, but {what} assume it does not: order of magnitude only."
         short "{share%} of the contact yields";
     StickyByPastewka "sticky" Caution
         "The surfaces stick, and no area here counts it: far more may touch. Pastewka & Robbins' criterion is {left_side}, and surfaces \

@@ -178,7 +178,8 @@ const SHARE_OF_OTHERS: f64 = 0.3;
 /// The least factor between the ends of a range that waves beyond the end of a spectrum are named for.
 const LEAST_OF_END: f64 = 1.2;
 
-/// Tells what a range consists of: `Highest over lowest: 1.1 from the elements and 1.3 from uncertain inputs, mostly from the hardness`.
+/// Tells what a range consists of: `Highest over lowest: 1.32; 1.1 from the elements alone and 1.3 from uncertain inputs alone, mostly from
+/// the hardness`.
 pub(crate) fn parts_of_range(load: &AnswerUnderLoad, uncertainty: Option<&Uncertainty>) -> Option<String> {
     let area = &load.area;
     // Squares of logarithms add.
@@ -187,8 +188,13 @@ pub(crate) fn parts_of_range(load: &AnswerUnderLoad, uncertainty: Option<&Uncert
     if !is_of_end && area.of_inputs.is_none() {
         return None;
     }
-    let from = if area.source.is_of_models() { "models" } else { "elements" };
-    let mut parts = format!("Highest over lowest: {} from the {from}", three_digits(area.factor_of_elements));
+    let from = match area.source {
+        Source::Elements(Reference::Growing) => "growth of the hardness",
+        Source::Elements(_) => "elements",
+        Source::Model { .. } | Source::Models => "models",
+    };
+    let [whole, of_elements] = [area.high / area.low, area.factor_of_elements].map(three_digits);
+    let mut parts = format!("Highest over lowest: {whole}; {of_elements} from the {from} alone");
     if is_of_end {
         parts += " (mostly from waves beyond the end of the spectrum)";
     }
@@ -200,7 +206,7 @@ pub(crate) fn parts_of_range(load: &AnswerUnderLoad, uncertainty: Option<&Uncert
             Some((found, interval)) => uncertainty_words::carried_by(found, interval),
             None => Some("all from the hardness".to_owned()),
         };
-        parts += &format!(" and {} from uncertain inputs", three_digits(factor));
+        parts += &format!(" and {} from uncertain inputs alone", three_digits(factor));
         parts.extend(mostly.filter(|_| share_of_scans < SHARE_OF_OTHERS).map(|mostly| format!(", {mostly}")));
     }
     Some(parts)
@@ -404,12 +410,12 @@ pub(crate) fn foremost_step(conclusions: &Conclusions) -> String {
     }
 }
 
-/// A measurement in words: `three more AFM scans at other places (the range becomes 0.7 as wide)`.
+/// A measurement in words: `three more AFM scans at other places (the range becomes 0.7 times as wide)`.
 #[must_use]
 pub fn next_words(step: &NextStep) -> String {
     let shrinks = |width_ratio: &f64| match *width_ratio < 0.05 {
         true => "(nearly closes the range)".to_owned(),
-        false => format!("(the range becomes {} as wide)", three_digits(*width_ratio)),
+        false => format!("(the range becomes {} times as wide)", three_digits(*width_ratio)),
     };
     match step {
         NextStep::Surface { body } => format!("scan {body}: the spectrum is made of a few numbers"),
