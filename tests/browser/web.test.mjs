@@ -9,7 +9,7 @@ import { cpus, loadavg, tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { browser, program, trace } from "./pages.mjs";
-import { serve } from "./served.mjs";
+import { folder, serve } from "./served.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
@@ -284,6 +284,47 @@ test("values are read under the pointer and by arrow keys", async () => {
   await page.keyboard.press("Home");
   assert.doesNotMatch(await hook(page, "figure-main-reading").innerText(), /^Persson$/m);
   await context.close();
+});
+
+test("a profile is drawn whole", async () => {
+  const { context, page } = await open();
+  await drop(page, { "trace.csv": trace("x (m),z (m)") });
+  const drawn = page.locator(".profile svg").first();
+  await drawn.waitFor();
+  const found = await drawn.evaluate((svg) => {
+    const [box, figure] = [svg, svg.closest("figure")].map((element) => element.getBoundingClientRect());
+    const shown = svg.viewBox.baseVal;
+    const texts = [...svg.querySelectorAll("text")].map((text) => text.getBoundingClientRect());
+    const isInside = (at) => at.left >= box.left - 1 && at.right <= box.right + 1 && at.top >= box.top - 1 && at.bottom <= box.bottom + 1;
+    return { skew: box.width / box.height / (shown.width / shown.height), fits: box.right <= figure.right + 1 && box.bottom <= figure.bottom + 1, inside: texts.length > 4 && texts.every(isInside) };
+  });
+  assert.ok(Math.abs(found.skew - 1) < 0.02 && found.fits && found.inside, JSON.stringify(found));
+  await context.close();
+});
+
+test("on a phone the answer scrolls into view, and stays where the reader is", async () => {
+  const { context, page } = await open({ viewport: { width: 400, height: 800 } });
+  await example(page, "gasket");
+  const top = () => page.locator("#result").evaluate((result) => result.getBoundingClientRect().top);
+  await page.waitForFunction(() => Math.abs(document.getElementById("result").getBoundingClientRect().top) < 200);
+  await page.evaluate(() => scrollTo(0, 0));
+  await press(page, "2 MPa");
+  assert.ok((await top()) > 400, "a later answer does not scroll");
+  await context.close();
+});
+
+test("opened as a file the page says what it needs, and served it does not", async () => {
+  const context = await chromium.newContext();
+  const page = await context.newPage();
+  await page.goto(`file://${folder}/index.html`);
+  const words = page.locator(".needs-server");
+  await page.waitForFunction(() => getComputedStyle(document.querySelector(".needs-server")).visibility === "visible", null, { timeout: 10_000 });
+  const covered = await words.evaluate((words) => { const box = words.getBoundingClientRect(); return !words.contains(document.elementFromPoint(box.left + 20, box.top + box.height / 2)); });
+  assert.ok(!covered);
+  await context.close();
+  const served = await open();
+  assert.equal(await served.page.locator(".needs-server").isVisible(), false);
+  await served.context.close();
 });
 
 test("a file of a rarer format loads the second core", async () => {

@@ -15,10 +15,12 @@ use crate::golden::{GoldenCurve, TOLERANCE, columns, deviations};
 /// If the page cannot be written.
 pub fn write_differences(curves: &[GoldenCurve]) -> Option<PathBuf> {
     let changed: Vec<&GoldenCurve> = curves.iter().filter(|curve| !curve.is_as_accepted()).collect();
-    let path = committed_file("target/golden-differences.html");
     if changed.is_empty() {
         return None;
     }
+    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| committed_file("target"), PathBuf::from);
+    std::fs::create_dir_all(&target).expect("the target folder is writable");
+    let path = target.join("golden-differences.html");
     let page = page(&changed).into_string();
     tables::staging::write_file(&path, page).expect("the target folder is writable");
     Some(path)

@@ -11,6 +11,8 @@ import { by, input, pressureText, request, select, state } from "./page.js";
 import { followPressure, listenToPress, pressedBytes, showMaps } from "./press.js";
 import { Reader } from "./reading.js";
 
+document.documentElement.dataset.started = "true";
+
 /** How long nothing may change before boundary elements begin [ms]. */
 const PAUSE_MS = 400;
 
@@ -236,6 +238,8 @@ function showScreen(/** @type {any} */ found) {
   fill(by("interface"), found.interface);
   fill(by("figure-main"), found.figure ?? "");
   showModels(found.models, first);
+  // Below the controls, as on a phone, nothing seems to happen.
+  if (first && by("result").getBoundingClientRect().top > innerHeight / 2) by("result").scrollIntoView();
   drawLines();
   areaReader.set(found.reading);
   followPressure(desk, found.nominal_pressure_pa, found.load);
