@@ -128,6 +128,39 @@ test("light and dark pages meet WCAG AA", async () => {
   }
 });
 
+/** Sizes of letters on the screen, and the least contrast of those in figures against the page. */
+const lettersOf = (page) => page.evaluate(() => {
+  const parsed = (colour) => colour.match(/[\d.]+/g).map(Number);
+  const linear = (part) => (part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4);
+  const luminance = (colour) => { const [r, g, b] = parsed(colour).map((part) => linear(part / 255)); return 0.2126 * r + 0.7152 * g + 0.0722 * b; };
+  const paper = luminance(getComputedStyle(document.body).backgroundColor);
+  const contrast = (colour) => { const ink = luminance(colour); return (Math.max(ink, paper) + 0.05) / (Math.min(ink, paper) + 0.05); };
+  const found = [];
+  const walker = document.createTreeWalker(document.querySelector(".screen"), NodeFilter.SHOW_TEXT);
+  while (walker.nextNode()) {
+    const element = walker.currentNode.parentElement;
+    const words = walker.currentNode.textContent.trim();
+    if (!words || element.closest("style, .unseen, title") || !element.checkVisibility({ visibilityProperty: true })) continue;
+    const svg = element.closest("svg");
+    const scale = svg ? element.getScreenCTM().a : 1;
+    const style = getComputedStyle(element);
+    const isOnPage = svg && element.closest(".area, .range-bar") && !element.closest(".share");
+    found.push({ words, px: scale * parseFloat(style.fontSize), contrast: isOnPage ? contrast(style.fill) : 21 });
+  }
+  return found;
+});
+
+test("no letter of the first screen is under 11 px or paler than 4.5 to 1", async () => {
+  for (const [width, colorScheme] of [[1280, "light"], [1280, "dark"], [400, "light"]]) {
+    const { page, context } = await open(chromium, page_of_diamond, { viewport: { width, height: 800 }, colorScheme });
+    const letters = await lettersOf(page);
+    assert.ok(letters.length > 40, `${letters.length} texts`);
+    const faults = letters.filter(({ px, contrast }) => px < 10.95 || contrast < 4.5);
+    assert.deepEqual(faults, [], `${width} ${colorScheme}`);
+    await context.close();
+  }
+});
+
 test("a page asks for nothing, runs nothing and has no script", async () => {
   const { page, context, requests, complaints } = await open(chromium, page_of_diamond);
   await page.getByText("5.4 MPa", { exact: true }).first().click();
@@ -146,6 +179,10 @@ test("printed, the answer takes two pages and the rest is an appendix", async ()
   const pdf = (await page.pdf({ format: "A4", preferCSSPageSize: true })).toString("latin1");
   const pages = pdf.match(/\/Type \/Page\b/g).length;
   assert.ok(pages >= 3 && pages <= 14, `${pages} pages`);
+  await page.emulateMedia({ media: "print" });
+  const loads = await page.locator(".chips input").count();
+  assert.equal(await shown(page, ".printed table tbody tr").count(), loads, "every load");
+  assert.equal(await shown(page, ".legend .hint").count(), 0);
   await page.locator("#all-numbers").evaluate((element) => element.remove());
   const answer = (await page.pdf({ format: "A4", preferCSSPageSize: true })).toString("latin1");
   assert.ok(answer.match(/\/Type \/Page\b/g).length <= 2);

@@ -13,6 +13,7 @@ mod estimate;
 mod evidence;
 mod load_answer;
 mod next;
+mod publications;
 mod seal;
 mod shear;
 mod stickiness;
@@ -26,6 +27,7 @@ pub use estimate::OtherHardness;
 pub use evidence::{Evidence, Trust};
 pub use load_answer::{AnswerUnderLoad, foremost};
 pub use next::NextStep;
+pub use publications::Publication;
 pub use seal::{SealClosing, SealConclusion, SealUnderLoad, SealVerdict};
 pub use shear::ShearConclusion;
 
@@ -51,6 +53,8 @@ pub struct Conclusions {
     pub shear: Vec<ShearConclusion>,
     /// Measurements that would narrow the answer, the most useful first.
     pub next: Vec<NextStep>,
+    /// Publications to cite with the answer.
+    pub publications: Vec<Publication>,
 }
 
 impl Conclusions {
@@ -72,6 +76,7 @@ impl Conclusions {
                 .map(|states| ShearConclusion::of_loads(states, &loads))
                 .unwrap_or_default(),
             next: next::next_steps(evidence, &loads, &cautions, states.as_ref()),
+            publications: publications::publications(evidence, &loads, states.as_ref()),
             loads,
             cautions,
         }

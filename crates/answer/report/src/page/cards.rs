@@ -41,7 +41,7 @@ pub(super) fn best_estimate(
         section.card.best {
             h3 { (heading) }
             div.figures-of-answer {
-                p.number { (number) " " small { "touches" } }
+                p.number { (number) " " small { "touches" } small.printed { " at " (typeset(&load.label)) } }
                 @if area.low < area.high { (range_bar(report, load, styles)) }
             }
             p {

@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use super::{SceneReport, Section, per_scene, sentence};
-use crate::curve_names::{in_full, model_in_words};
+use crate::curve_names::{in_full, in_words_with_publication};
 use study::material::Material;
 use study::plan::Sampling;
 use units::display::length;
@@ -31,7 +31,7 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
         @if !curves.is_empty() {
             ul {
                 @for curve in curves {
-                    li { (in_full(curve)) " (" code { (curve.name) } "): " (model_in_words(&curve.model)) ". " (curve.model.entry.citation) }
+                    li { (in_full(curve)) " (" code { (curve.name) } "): " (in_words_with_publication(&curve.model)) }
                 }
             }
         }

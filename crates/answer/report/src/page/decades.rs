@@ -5,6 +5,7 @@ use maud::{Markup, html};
 
 use super::{SceneReport, Section, gists, per_scene, row_group, share_cell, table};
 use crate::listing::decade_name;
+use findings::answer::LoadAnswer;
 use findings::features::DecadeShare;
 
 pub(super) fn section(scenes: &[SceneReport<'_>]) -> Option<Section> {
@@ -43,8 +44,21 @@ struct Strip {
     percents: Vec<Option<i32>>,
 }
 
+/// The nearest models, and all of them below a fold.
 fn of(report: &SceneReport<'_>) -> Option<Markup> {
-    let answers = || report.answers().flat_map(|(_, loads)| loads);
+    let is_nearest =
+        |curve: usize| report.conclusions.loads.iter().any(|load| load.nearest_curve() == Some(curve));
+    let every = strips_table(report, |_| true)?;
+    let Some(nearest) = strips_table(report, is_nearest) else { return Some(every) };
+    Some(html! {
+        (nearest)
+        details.folded { summary { h3 { "Every model" } } (every) }
+    })
+}
+
+fn strips_table(report: &SceneReport<'_>, is_shown: impl Fn(usize) -> bool) -> Option<Markup> {
+    let shown = || report.answers().filter(|(curve, _)| is_shown(*curve));
+    let answers = || shown().flat_map(|(_, loads)| loads);
     let mut decades: Vec<DecadeShare> =
         answers().flat_map(|(_, answer)| answer.decades.iter().copied()).collect();
     decades.sort_by(|a, b| b.longest_m.total_cmp(&a.longest_m));
@@ -62,27 +76,24 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
         }
     };
     let body = html! {
-        @for (curve, strips) in strips(report, &decades) { (row_group(&report.curve(curve), &strips, cells)) }
+        @for (curve, strips) in shown().map(|(curve, answers)| (curve, strips(answers, &decades))).filter(|(_, strips)| !strips.is_empty()) { (row_group(&report.curve(curve), &strips, cells)) }
     };
     Some(table("Share of each decade of wavelengths, in percent.", &columns, &body))
 }
 
-/// The strips of each curve. Neighbouring loads share a strip if their strips read the same.
-fn strips(report: &SceneReport<'_>, decades: &[DecadeShare]) -> Vec<(usize, Vec<Strip>)> {
-    let of_curve = |(curve, answers): (usize, Vec<(usize, &findings::answer::LoadAnswer)>)| {
-        let mut strips: Vec<Strip> = Vec::new();
-        for (load, answer) in answers.into_iter().filter(|(_, answer)| !answer.decades.is_empty()) {
-            let share = |of: &DecadeShare| {
-                let decade = answer.decades.iter().find(|decade| decade.longest_m == of.longest_m)?;
-                Some((100.0 * decade.share).round() as i32)
-            };
-            let percents: Vec<Option<i32>> = decades.iter().map(share).collect();
-            match strips.last_mut().filter(|strip| strip.percents == percents) {
-                Some(strip) => strip.loads.push(load),
-                None => strips.push(Strip { loads: vec![load], percents }),
-            }
+/// The strips of a curve. Neighbouring loads share a strip if their strips read the same.
+fn strips(answers: Vec<(usize, &LoadAnswer)>, decades: &[DecadeShare]) -> Vec<Strip> {
+    let mut strips: Vec<Strip> = Vec::new();
+    for (load, answer) in answers.into_iter().filter(|(_, answer)| !answer.decades.is_empty()) {
+        let share = |of: &DecadeShare| {
+            let decade = answer.decades.iter().find(|decade| decade.longest_m == of.longest_m)?;
+            Some((100.0 * decade.share).round() as i32)
+        };
+        let percents: Vec<Option<i32>> = decades.iter().map(share).collect();
+        match strips.last_mut().filter(|strip| strip.percents == percents) {
+            Some(strip) => strip.loads.push(load),
+            None => strips.push(Strip { loads: vec![load], percents }),
         }
-        (curve, strips)
-    };
-    report.answers().map(of_curve).filter(|(_, strips)| !strips.is_empty()).collect()
+    }
+    strips
 }

@@ -14,9 +14,10 @@ use units::display::{three_digits, typeset};
 use super::area_curve;
 use super::cards::{before_quoting, best_estimate, interface_strip, other_hardness};
 use super::contact_picture::contact_picture;
-use super::{SceneReport, load_class};
+use super::{SceneReport, load_class, table};
 use crate::chart::palette::{ModelStyle, variables};
-use crate::conclusion_words::rough_body;
+use crate::conclusion_words::{answers_under, rough_body};
+use crate::curve_names::in_words_with_publication;
 use crate::listing::{share, share_range};
 
 /// Makes the first screen of a scene; `at` is the number of the scene in the page.
@@ -47,6 +48,7 @@ pub(super) fn first_screen(report: &SceneReport<'_>, at: usize, several: bool) -
                 }
             }
             @for load in &conclusions.loads { (interface_strip(report, load)) }
+            @if conclusions.loads.len() > 1 { (every_load(report)) }
             div.below {
                 @if conclusions.loads.iter().any(|load| !load.references.is_empty()) { (matrix(report, at, &styles)) }
                 div.chart {
@@ -111,11 +113,41 @@ fn chips(conclusions: &Conclusions, at: usize) -> Markup {
     }
 }
 
+/// The answers under all loads, for paper, where no chip chooses one.
+fn every_load(report: &SceneReport<'_>) -> Markup {
+    let columns = ["pressure", "touches", "range", "nearest model", "besides"];
+    let nearest = |load: &AnswerUnderLoad| load.best_model.map(|best| report.short_curve(best.curve));
+    let besides = |load: &AnswerUnderLoad| {
+        let rows = answers_under(report.conclusions, load).into_iter();
+        typeset(&rows.map(|(name, words)| format!("{name} {words}")).collect::<Vec<_>>().join("; "))
+    };
+    html! {
+        div.printed {
+            (table("The answer under every load.", &columns, &html! {
+                tbody {
+                    @for load in &report.conclusions.loads {
+                        tr {
+                            th scope="row" { (typeset(&load.label)) }
+                            td { (load.area.area_fraction.map_or_else(|| "–".to_owned(), share)) }
+                            td { (share_range(load.area.low, load.area.high)) }
+                            td { (nearest(load).unwrap_or_else(|| "–".to_owned())) }
+                            td.reason { (besides(load)) }
+                        }
+                    }
+                }
+            }))
+        }
+    }
+}
+
 /// A radio button or a box, closed so that the page reads as XML as well.
 fn input(kind: &str, id: &str, name: &str, is_checked: bool) -> Markup {
     let checked = if is_checked { " checked=\"checked\"" } else { "" };
     PreEscaped(format!("<input type=\"{kind}\" id=\"{id}\" name=\"{name}\"{checked} />"))
 }
+
+/// The most loads whose ratios have room for the area beside them; of more it stands below.
+const MOST_BESIDE: usize = 3;
 
 /// Every model under every load beside the elements.
 fn matrix(report: &SceneReport<'_>, at: usize, styles: &[ModelStyle]) -> Markup {
@@ -125,7 +157,7 @@ fn matrix(report: &SceneReport<'_>, at: usize, styles: &[ModelStyle]) -> Markup 
     html! {
         div.matrix {
             h3 { "Which model to believe – area ÷ boundary elements" }
-            div.wide role="region" aria-label="Models against boundary elements" tabindex="0" {
+            div.wide.stacked[loads.len() > MOST_BESIDE] role="region" aria-label="Models against boundary elements" tabindex="0" {
                 table {
                     thead { tr { th scope="col" { "model" } @for load in loads { th scope="col" { (typeset(&load.label)) } } } }
                     @for reference in references {
@@ -136,7 +168,7 @@ fn matrix(report: &SceneReport<'_>, at: usize, styles: &[ModelStyle]) -> Markup 
                                 tr {
                                     th scope="row" {
                                         (input("checkbox", &id, &id, drawn.contains(&curve)))
-                                        label for=(id) { span.key.line style=(variables(styles[curve].colour, styles[curve].dark_colour)) {} (report.short_curve(curve)) }
+                                        label for=(id) title=(in_words_with_publication(&report.scene.needs.curves[curve].model)) { span.key.line style=(variables(styles[curve].colour, styles[curve].dark_colour)) {} (report.short_curve(curve)) }
                                     }
                                     @for load in loads { (cell(report, load, reference, curve)) }
                                 }
@@ -147,7 +179,7 @@ fn matrix(report: &SceneReport<'_>, at: usize, styles: &[ModelStyle]) -> Markup 
             }
             p.legend {
                 span.agrees { "✓ within 4/3, less the error" } " " span.large { "▲ too large" } " " span.small { "▼ too small" } " "
-                span.invalid { "⊘ outside its assumptions" } " tick a model to draw it; point at a cell for its reason"
+                span.invalid { "⊘ outside its assumptions" } " " span.hint { "tick a model to draw it; point at a cell for its reason" }
             }
         }
     }
@@ -212,7 +244,9 @@ fn cell(report: &SceneReport<'_>, load: &AnswerUnderLoad, reference: Reference, 
     }
     html! {
         td class={ "cell " (class) } style={ "--fill:" (format!("{:.2}", fill(&found))) } tabindex="0" {
-            (glyph) @if let Some(ratio) = found.ratio { " ×" (three_digits(ratio)) }
+            (glyph)
+            @if let Some(ratio) = found.ratio { " ×" (three_digits(ratio)) }
+            @if let Some(area) = found.area_fraction { " " small { (share(area)) } }
             @if !reason.is_empty() { span.reason role="tooltip" { strong { (report.short_curve(curve)) ", " (typeset(&load.label)) } " " (typeset(&reason)) } }
         }
     }
@@ -239,6 +273,5 @@ pub(super) fn fill(cell: &ModelCell) -> f64 {
 pub(super) fn reason(report: &SceneReport<'_>, cell: &ModelCell, load: usize) -> String {
     let verdicts = report.evidence.judgement.map_or(&[][..], |judgement| &judgement.curves);
     let verdict = verdicts.iter().find(|verdict| verdict.curve == cell.curve && verdict.load == load);
-    let area = cell.area_fraction.map_or_else(String::new, |area| format!("{}: ", share(area)));
-    verdict.map_or_else(String::new, |verdict| format!("{area}{}", verdict.reason.words(&SceneKeys)))
+    verdict.map_or_else(String::new, |verdict| verdict.reason.words(&SceneKeys))
 }

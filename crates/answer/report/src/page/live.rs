@@ -12,7 +12,7 @@ use super::contact_picture::contact_picture;
 use super::reading::Reading;
 use super::{SceneReport, cards, first_screen};
 use crate::chart::palette::ModelStyle;
-use crate::curve_names::{model_in_words, short_name};
+use crate::curve_names::{in_words_with_publication, short_name};
 
 /// The first screen of one load in parts: HTML and SVG, and the models as data.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -56,7 +56,7 @@ pub struct LiveModel {
     pub key: String,
     /// The short name in print.
     pub name: String,
-    /// The model with its authors and choices.
+    /// The model with its authors, its choices and its publication.
     pub in_words: String,
     /// The area fraction at the shortest wavelength.
     pub area_fraction: Option<f64>,
@@ -113,7 +113,7 @@ impl LiveScreen {
                 curve,
                 key: model.name.clone(),
                 name: printable(&short_name(model)).into_owned(),
-                in_words: model_in_words(&model.model),
+                in_words: in_words_with_publication(&model.model),
                 area_fraction,
                 area: area_fraction.map(share),
                 reference: None,

@@ -25,6 +25,12 @@ pub fn model_in_words(model: &CurveModel) -> String {
     std::iter::once(model.entry.full_name).chain(words).collect::<Vec<_>>().join(", ")
 }
 
+/// The full name of a model with its choices and its publication, for those who know the short one.
+#[must_use]
+pub fn in_words_with_publication(model: &CurveModel) -> String {
+    format!("{}. {}", model_in_words(model), model.entry.citation)
+}
+
 /// The short name of a model, with the choices that differ from the plain one.
 fn model_in_short(model: &CurveModel) -> String {
     let settings = model.options().settings(|choice| model.entry.has(choice));

@@ -4,6 +4,7 @@ mod gas;
 mod quantity;
 mod request;
 mod shear;
+mod sources;
 mod states;
 mod table;
 

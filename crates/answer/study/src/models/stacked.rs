@@ -17,7 +17,7 @@ const LOADS_PER_BLOCK: usize = 8;
 pub(super) const MODELS: &[ModelEntry] = &[
     ModelEntry {
         name: "elastic",
-        short_name: "Stack, elastic",
+        short_name: "Archard, elastic",
         full_name: "Archard stack, elastic (Jackson-Streator)",
         citation: "Archard (1957), Proc. R. Soc. A 243:190; Jackson & Streator (2006), Wear 261:1337",
         aliases: &["archard", "archardstack", "jacksonstreator"],
@@ -28,7 +28,7 @@ pub(super) const MODELS: &[ModelEntry] = &[
     },
     ModelEntry {
         name: "elastic-plastic",
-        short_name: "Stack, elastic-plastic",
+        short_name: "Archard, elastic-plastic",
         full_name: "Archard stack, elastic-plastic (Jackson-Streator)",
         citation: "Archard (1957), Proc. R. Soc. A 243:190; Krithivasan & Jackson (2007), Tribol. Lett. 27:31",
         aliases: &[],

@@ -27,7 +27,7 @@ use crate::plan::work::Work;
 pub(super) const MODELS: &[ModelEntry] = &[
     ModelEntry {
         name: "hertz",
-        short_name: "Spheres, elastic",
+        short_name: "Greenwood & Williamson",
         full_name: "Greenwood-Williamson (Hertz)",
         citation: "Greenwood & Williamson (1966), Proc. R. Soc. A 295:300",
         aliases: &["gw", "gwhertz", "greenwoodwilliamson"],
@@ -38,7 +38,7 @@ pub(super) const MODELS: &[ModelEntry] = &[
     },
     ModelEntry {
         name: "ep-sphere",
-        short_name: "Spheres, elastic-plastic",
+        short_name: "GW spheres, elastic-plastic",
         full_name: "GW, elastic-plastic spheres (Jackson-Green)",
         citation: "Jackson & Green (2005), J. Tribol. 127:343",
         aliases: &["jacksongreen"],
@@ -54,7 +54,7 @@ pub(super) const MODELS: &[ModelEntry] = &[
     },
     ModelEntry {
         name: "elastic-sine",
-        short_name: "Sinusoids, elastic",
+        short_name: "GW sinusoids, elastic",
         full_name: "GW, elastic sinusoids (Rostami-Jackson)",
         citation: "Johnson, Greenwood & Higginson (1985), Int. J. Mech. Sci. 27:383; Jackson & Streator (2006), Wear 261:1337",
         aliases: &["rostamijackson"],
@@ -68,7 +68,7 @@ pub(super) const MODELS: &[ModelEntry] = &[
     },
     ModelEntry {
         name: "ep-sine",
-        short_name: "Sinusoids, elastic-plastic",
+        short_name: "GW sinusoids, elastic-plastic",
         full_name: "GW, elastic-plastic sinusoids (Krithivasan-Jackson)",
         citation: "Krithivasan & Jackson (2007), Tribol. Lett. 27:31; Rostami & Jackson (2013), Proc. IMechE J 227:1376",
         aliases: &["krithivasanjackson"],
@@ -82,7 +82,7 @@ pub(super) const MODELS: &[ModelEntry] = &[
     },
     ModelEntry {
         name: "bgt",
-        short_name: "Summits, elastic",
+        short_name: "Bush-Gibson-Thomas",
         full_name: "elastic summits of every curvature (Bush-Gibson-Thomas)",
         citation: "Bush, Gibson & Thomas (1975), Wear 35:87; Nayak (1971), J. Lubr. Technol. 93:398",
         aliases: &["bushgibsonthomas"],
