@@ -68,12 +68,12 @@ mod tests {
         let scene = Scene::builtin(Template::UncdMeasured).unwrap();
         let mut curves = scene.needs.curves.clone();
         let gradient = curves.iter().find(|curve| curve.name == "ep-sphere-strain-gradient").unwrap();
-        assert_eq!(in_full(gradient), "Spheres, elastic-plastic, hardening");
+        assert_eq!(in_full(gradient), "GW spheres, elastic-plastic, hardening");
         let hertz = curves.iter_mut().find(|curve| curve.name == "hertz").unwrap();
-        assert_eq!(in_full(hertz), "Spheres, elastic");
+        assert_eq!(in_full(hertz), "Greenwood & Williamson");
         assert_eq!(model_in_words(&hertz.model), "Greenwood-Williamson (Hertz)");
         hertz.name = "ring".to_owned();
-        assert_eq!(in_full(hertz), "ring (Spheres, elastic)");
+        assert_eq!(in_full(hertz), "ring (Greenwood & Williamson)");
     }
 
     #[test]

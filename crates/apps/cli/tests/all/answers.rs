@@ -197,7 +197,7 @@ fn models_and_choices_are_told_in_the_words_of_the_field() {
         ],
     );
     let figure = bench.read("s-results/area-fraction.svg");
-    assert_names(&figure, &["Sinusoids, elastic"]);
+    assert_names(&figure, &["GW sinusoids, elastic"]);
 }
 
 #[test]
