@@ -361,4 +361,15 @@ mod tests {
         assert!("5".parse::<Length>().is_err());
         assert!("0 m".parse::<Length>().is_err());
     }
+
+    #[test]
+    fn lists_and_forces_are_no_pressures() {
+        let error = |text: &str| text.parse::<Pressure>().unwrap_err();
+        for list in ["10MPa,20MPa", "10 MPa; 1e-3 H", "1 MPa,"] {
+            let several = matches!(error(list), QuantityError::Several { text } if text == list);
+            assert_eq!(several, !list.ends_with(','), "{list}");
+        }
+        assert!(matches!(error("10N"), QuantityError::Force { text } if text == "10N"));
+        assert!(matches!("10N".parse::<Length>(), Err(QuantityError::WrongUnit { .. })));
+    }
 }

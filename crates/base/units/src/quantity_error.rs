@@ -40,6 +40,21 @@ pub enum QuantityError {
         /// The accepted units.
         units: String,
     },
+    /// A force where a pressure is wanted.
+    #[error(
+        "'{text}' is a force; a pressure is it over the area that bears it, and a scene takes both: force = \"{text}\" and \
+         nominal_area = \"1 cm^2\" in [loads]"
+    )]
+    Force {
+        /// The typed text.
+        text: String,
+    },
+    /// Several values where one is expected.
+    #[error("'{text}' holds several values; repeat the option for each, or write [{}] in a scene", quoted_list(text))]
+    Several {
+        /// The typed text.
+        text: String,
+    },
     /// A unit in the wrong case, such as `mpa`.
     #[error("'{text}' has the unit '{unit}'; write {}", meant.join(" or "))]
     UnitCase {
@@ -111,4 +126,10 @@ pub enum QuantityError {
 /// The indefinite article of a kind of quantity.
 fn article(what: &str) -> &'static str {
     if what.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" }
+}
+
+/// Values between commas or semicolons as a list of TOML.
+fn quoted_list(text: &str) -> String {
+    let values = text.split([',', ';']).map(|value| format!("\"{}\"", value.trim()));
+    values.collect::<Vec<_>>().join(", ")
 }

@@ -243,6 +243,13 @@ impl Kind {
         if TypedSpread::parse(text).is_some() {
             return QuantityError::OneValueWanted { text: text.to_owned(), what: self.what };
         }
+        let is_a_list = text.contains([',', ';']);
+        if is_a_list && text.split([',', ';']).all(|value| split_number(value.trim()).is_some()) {
+            return QuantityError::Several { text: text.to_owned() };
+        }
+        if self.what == PRESSURE.what && FORCE.parse(text).is_ok() {
+            return QuantityError::Force { text: text.to_owned() };
+        }
         let meant = self.in_right_case(text, unit);
         let (text, unit) = (text.to_owned(), unit.to_owned());
         if !meant.is_empty() {
