@@ -101,7 +101,8 @@ pub enum MaterialError {
     /// A modulus below the strength, as no solid has: its prefix is mistaken.
     #[error(
         "Young's modulus {} is below the yield strength {}; did you mean {}?",
-        pressure(*youngs_modulus_pa), pressure(*yield_strength_pa), pressure(1e3 * youngs_modulus_pa)
+        pressure(*youngs_modulus_pa), pressure(*yield_strength_pa),
+        probable(*youngs_modulus_pa, *yield_strength_pa)
     )]
     ModulusBelowStrength {
         /// Young's modulus of the body that yields \[Pa\].
@@ -125,6 +126,17 @@ pub enum MaterialError {
     /// Something is asked for that takes a property which the material was not given.
     #[error("{0}")]
     Missing(NeededFor),
+}
+
+/// Largest Young's modulus of a solid \[Pa\], above that of diamond.
+const STIFFEST_PA: f64 = 1.3e12;
+
+/// The modulus or the strength with the prefix that it probably has: a modulus that is a thousandfold no solid's is right.
+fn probable(youngs_modulus_pa: f64, yield_strength_pa: f64) -> String {
+    match 1e3 * youngs_modulus_pa {
+        stiffer_pa if stiffer_pa <= STIFFEST_PA => format!("E = {}", pressure(stiffer_pa)),
+        _ => format!("a strength of {}", pressure(1e-3 * yield_strength_pa)),
+    }
 }
 
 impl Material {

@@ -231,6 +231,8 @@ fn a_modulus_with_a_mistaken_prefix_is_refused() {
         ),
         "{of_strength}"
     );
+    let of_steel = of_bodies(&format!("{}\"300 GPa\"\n", body.replace("MPa", "GPa"))).unwrap_err();
+    assert!(of_steel.to_string().contains("300 MPa"), "{of_steel}");
     assert!(of_strength.span.is_some() && of_bodies(&format!("{body}\"100 MPa\"\n")).is_ok());
 }
 
