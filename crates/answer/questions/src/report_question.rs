@@ -53,7 +53,7 @@ impl ReportSurface {
     /// Takes one file as a spectrum if it holds one, and otherwise all files as scans.
     ///
     /// # Errors
-    /// [`SurfaceError::NoSuchBuiltin`].
+    /// [`SurfaceError::NoSuchBuiltin`], and [`SurfaceError::Spectrum`] with the line at fault in what is a spectrum by its header.
     pub fn of_files(requests: Vec<ScanRequest>, files: &dyn Files) -> Result<Self, SurfaceError> {
         if let [request] = &requests[..] {
             match Surface::load(&request.path, files, &ReadOptions::default()) {
@@ -62,6 +62,9 @@ impl ReportSurface {
                     return Ok(ReportSurface::Psd(request.path.clone()));
                 }
                 Err(error @ SurfaceError::NoSuchBuiltin { .. }) => return Err(error),
+                Err(SurfaceError::Spectrum { name, error }) if error.is_of_a_spectrum() => {
+                    return Err(SurfaceError::Spectrum { name, error });
+                }
                 Err(_) => {}
             }
         }

@@ -111,7 +111,7 @@ pub(crate) fn bytes_of_scans(request: &ScanRequest, files: &dyn Files) -> Result
     Ok(bytes)
 }
 
-/// Returns true if a file can be read as a spectrum.
+/// Returns true if a file can be read as a spectrum, or names one in its columns.
 ///
 /// Only the first MiB of a large text is tried: spectra are short, and a whole map in text would be parsed for nothing.
 #[must_use]
@@ -125,7 +125,7 @@ pub fn holds_a_spectrum(bytes: &[u8], options: &ReadOptions) -> bool {
         }
         _ => bytes,
     };
-    read_psd(tried, options).is_ok()
+    read_psd(tried, options).map_or_else(|error| error.is_of_a_spectrum(), |_| true)
 }
 
 /// Reads the scans in the bytes of a file that is known to hold heights.

@@ -298,6 +298,23 @@ impl ReadError {
         }
     }
 
+    /// Returns true if the names of the columns are those of a spectrum, whose values or units are at fault.
+    #[must_use]
+    pub fn is_of_a_spectrum(&self) -> bool {
+        match self {
+            Self::AtLine { problem, .. } => !matches!(
+                problem,
+                LineProblem::NotText { .. }
+                    | LineProblem::NoHeader
+                    | LineProblem::HeaderlessColumns { .. }
+                    | LineProblem::MissingColumn { .. }
+                    | LineProblem::UnknownColumn { .. }
+            ),
+            Self::InSheet { error, .. } => error.is_of_a_spectrum(),
+            _ => false,
+        }
+    }
+
     /// The option that fixes the error, if one does.
     #[must_use]
     pub fn mend(&self) -> Option<ReadMend> {

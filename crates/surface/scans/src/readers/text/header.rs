@@ -176,8 +176,10 @@ impl Header {
         let groups: Vec<&str> =
             line.split(['(', '[']).skip(1).filter_map(|rest| rest.split([')', ']']).next()).collect();
         let in_brackets: Vec<_> = groups.iter().map(|group| LengthUnit::parse_instrument(group)).collect();
+        let bare: Vec<_> = names.iter().map(|name| LengthUnit::parse(name)).collect();
+        let are_units = bare.iter().all(Option::is_some);
         let fields: Vec<_> = names.into_iter().map(trailing_unit).collect();
-        for units in [in_brackets, fields] {
+        for units in [in_brackets, if are_units { bare } else { fields }] {
             if units.len() == columns.count && units.iter().any(Option::is_some) {
                 self.column_units = units;
                 return;
@@ -197,7 +199,8 @@ impl Header {
 
     /// The unit of the heights of a map, and what its numbers are multiplied by to be in it.
     pub(crate) fn map_heights(&self) -> (Option<LengthUnit>, f64) {
-        match (self.value_unit, self.to_nanometres) {
+        let of_one_column = self.column_units.first().copied().flatten().filter(|_| self.column_units.len() == 1);
+        match (self.value_unit.or(of_one_column), self.to_nanometres) {
             (None, Some(factor)) => (Some(LengthUnit::NANOMETRE), factor),
             (unit, _) => (unit, self.value_factor.unwrap_or(1.0)),
         }
@@ -316,6 +319,8 @@ mod tests {
         assert_eq!(units("X;Y;valid\n[mm];[mm];[1/0]\n1;2;1"), [Some(mm), Some(mm), None]);
         assert_eq!(units("Lateral um,Raw Micrometer,\n1.0,2.0,"), [Some(um), Some(um)]);
         assert_eq!(units("x_mm\th/nm\n1\t2"), [Some(mm), Some(nm)]);
+        assert_eq!(units("mm\tum\n1\t2"), [Some(mm), Some(um)]);
+        assert_eq!(units("mm\tA\n1\t2"), []);
         assert_eq!(units("Scan of sample A\n1 2"), []);
         assert_eq!(units("X_(microns),y1\n0.5,2.5"), [Some(um), None]);
         assert_eq!(units("x[microns]\ty1\n0.5\t2.5"), [Some(um), None]);

@@ -17,8 +17,11 @@ pub(crate) enum Separator {
     Blanks,
 }
 
-/// Words for a missing point.
-const MISSING: [&str; 10] = ["nan", "inf", "infinity", "infinite", "bad", "na", "n/a", "-", "--", "---"];
+/// Words for a missing point, those of spreadsheets and of the printf of Windows among them.
+const MISSING: [&str; 20] = [
+    "nan", "inf", "infinity", "infinite", "bad", "na", "n/a", "null", "none", "missing", "invalid", "nodata", "no_data", "#n/a",
+    "#num!", "#value!", "#div/0!", "1.#qnan", "1.#ind", "1.#inf",
+];
 
 /// UTF-16 with a byte order mark, UTF-8 with or without one, else Latin-1, in which older instruments write `µ`.
 pub(crate) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ScanReadError> {
@@ -112,7 +115,7 @@ fn is_separator(character: char) -> bool {
 }
 
 pub(crate) fn is_comment(line: &str) -> bool {
-    line.starts_with(['#', '%'])
+    line.starts_with(['#', '%']) && !line.split(is_separator).next().is_some_and(is_missing)
 }
 
 fn is_blank(character: char) -> bool {
@@ -122,7 +125,8 @@ fn is_blank(character: char) -> bool {
 /// Returns true if a field marks a missing point.
 pub(crate) fn is_missing(field: &str) -> bool {
     let word = field.trim_start_matches(['+', '-']);
-    MISSING.iter().any(|missing| missing.eq_ignore_ascii_case(field) || missing.eq_ignore_ascii_case(word))
+    let is_filler = |sign: char| !field.is_empty() && field.chars().all(|c| c == sign);
+    MISSING.iter().any(|missing| missing.eq_ignore_ascii_case(word)) || "-*?".chars().any(is_filler)
 }
 
 /// Returns true if a line consists of numbers, whatever separates them.
@@ -237,6 +241,15 @@ mod tests {
             Separator::recognise("0,0\n0,5"),
             Err(ScanReadError::AmbiguousComma { line: 1, .. })
         ));
+    }
+
+    #[test]
+    fn words_and_fillers_mark_missing_points() {
+        for field in ["***", "*", "-----", "??", "NaN", "-nan", "#N/A", "-1.#IND", "NULL", "missing"] {
+            assert!(is_missing(field), "{field}");
+        }
+        assert!(["", "1", "-1", "*-", "m", "1.#"].iter().all(|field| !is_missing(field)));
+        assert!(is_comment("# N/A") && is_comment("%") && !is_comment("#N/A 1"));
     }
 
     #[test]
