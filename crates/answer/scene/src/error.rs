@@ -169,6 +169,18 @@ impl fmt::Display for SceneProblem {
                 write!(f, "found {found}, expected {wanted}")?;
                 match (found.strip_prefix("string "), found.as_str()) {
                     (Some(text), _) if wanted == "a list in brackets" => write!(f, "; write [{text}]"),
+                    (Some(text), _)
+                        if wanted == "a number"
+                            && text.trim_matches('"').trim_end_matches('\u{b0}').ends_with("deg") =>
+                    {
+                        write!(f, "; a slope is the tangent of its angle: write 0.15 for 8.5 degrees")
+                    }
+                    (Some(_), _) if wanted == "a number" => {
+                        f.write_str("; write it without quotes and without a unit")
+                    }
+                    (None, "sequence") if wanted == "text in quotes" => f.write_str(
+                        "; write one value here, and a section of its own, as [[curve]], for each other one",
+                    ),
                     (None, "map") if wanted == "a list in brackets" => f.write_str(
                         "; write a section that may be repeated in double brackets, as in [[curve]]",
                     ),

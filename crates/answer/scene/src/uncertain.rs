@@ -186,6 +186,9 @@ fn with_unit<T: Property>(typed: TypedSpread<'_>) -> Result<Uncertain<T>, String
                     .map_err(|error| error.to_string())?
                     .map_or(Ok(0.0), |uncertainty| uncertainty.si())?,
             };
+            if uncertainty > median {
+                return Err("the uncertainty exceeds the value; write a smaller one, or an interval, as 100 MPa to 1 GPa".to_owned());
+            }
             Ok(Uncertain { value, spread: Spread::log_normal(median, uncertainty).map_err(in_words)? })
         }
         TypedSpread::Interval { from, to } => {

@@ -21,8 +21,8 @@ const WAYS_OUT: [(&[&str], &str); 13] = [
     ),
     (
         &["rq", "sq", "ra", "sa", "rms_height", "rms_slope"],
-        "roughness numbers go into a scene, as surface = { rms_height = \"0.8 um\", rms_slope = 0.1, mean_width = \"50 um\" }; Rq is \
-         rms_height, about 1.25 Ra",
+        "roughness numbers go into a scene, as surface = { rms_height = \"0.8 um\", rms_slope = 0.1, mean_width = \"50 um\" }; \
+         rms_height is Rq, about 1.25 Ra, so that Ra = 0.8 um makes \"1 um\"",
     ),
     (
         &["conductivity", "resistivity", "thermal_conductivity"],

@@ -18,10 +18,23 @@ pub(crate) fn explained(error: io::Error, path: &Path) -> io::Error {
     if let Some(instead) = no_file(&path.to_string_lossy()) {
         return io::Error::new(error.kind(), instead);
     }
-    match similar_file(path).filter(|_| error.kind() == io::ErrorKind::NotFound) {
-        Some(name) => io::Error::new(error.kind(), format!("there is no such file; did you mean {name}?")),
-        None => error,
+    if error.kind() != io::ErrorKind::NotFound {
+        return error;
     }
+    let instead = match (similar_file(path), files_in(folder_of(path))) {
+        (Some(name), _) => format!("did you mean {name}?"),
+        (None, Ok(names)) if names.is_empty() => "its folder is empty".to_owned(),
+        (None, Ok(names)) => format!("its folder holds {}", first_of(&names)),
+        (None, Err(_)) => format!("there is no folder {} either", folder_of(path).display()),
+    };
+    io::Error::new(error.kind(), format!("there is no such file; {instead}"))
+}
+
+/// The first names of a list.
+fn first_of(names: &[String]) -> String {
+    const SHOWN: usize = 5;
+    let shown = names[..names.len().min(SHOWN)].join(", ");
+    if names.len() > SHOWN { format!("{shown} and {} more", names.len() - SHOWN) } else { shown }
 }
 
 /// Says what a word is that stands in the place of a file, and what to do.

@@ -21,7 +21,12 @@ impl Place {
     pub fn read(&self) -> Result<Vec<u8>, Failure> {
         match self {
             Place::File(path) if path.is_dir() => {
-                let folder = path.display();
+                let (folder, scene) = (path.display(), path.join("scene.toml"));
+                if scene.is_file() {
+                    let message =
+                        format!("{folder}: this is a folder; name the scene in it, {}", scene.display());
+                    return Err(Failure::Input(message));
+                }
                 Err(Failure::Input(format!(
                     "{folder}: this is a folder; name a scene in it, or try `truearea report {folder}`"
                 )))

@@ -3,6 +3,8 @@
 use std::ffi::OsString;
 use std::path::Path;
 
+use scene::Template;
+
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 
 /// The answer if nothing is typed behind the program's name.
@@ -47,6 +49,12 @@ pub(crate) fn in_place_of(error: &clap::Error) -> Option<String> {
     let (given, beside) = (named(ContextKind::InvalidArg)?, named(ContextKind::PriorArg));
     match error.kind() {
         ErrorKind::UnknownArgument => study::way_out(given).map(|instead| format!("{given}: {instead}")),
+        ErrorKind::MissingRequiredArgument if given == "<TEMPLATE>" => {
+            let names = Template::ALL.iter().map(Template::to_string).collect::<Vec<_>>().join(", ");
+            Some(format!(
+                "`scene` needs a template, one of {names}; type `truearea scene new > my-scene.toml`"
+            ))
+        }
         ErrorKind::ArgumentConflict => {
             let has = |name| [Some(given), beside].contains(&Some(name));
             let ball = has("--ball-radius") && (has("--work-of-adhesion") || has("--adhesion-range"));

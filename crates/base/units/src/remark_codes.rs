@@ -53,7 +53,8 @@ macro_rules! remark_codes {
             /// Returns true if a remark names an option, a key or a column without effect.
             #[must_use]
             pub fn is_on_idle_input(self) -> bool {
-                matches!(self.name(), "scene-note" | "unused-column" | "surface.scans.idle-option")
+                let first = ["scene-note", "unused-column", "surface.scans.idle-option", "surface.scans.same-data", "surface.scans.scan.spike"];
+                first.contains(&self.name())
             }
 
             pub(crate) const fn words(self) -> &'static str {
@@ -109,6 +110,10 @@ remark_codes! {
         "{files}: rms slope {real} from neighbouring points, {spectral} from the spectrum ({difference})";
     CurvaturesCompared "surface.scans.scan.curvatures" Caution
         "{files}: rms curvature {real} 1/m from neighbouring points, {spectral} 1/m from the spectrum ({difference})";
+    Spike "surface.scans.scan.spike" Caution
+        "{files}: a height of {height_m}[ in row {row}][ at point {point}] lies {times} times as far off as others do: if it is an error, write \
+         nan in its place"
+        short "{files}: one point lies {times} times as far off as others do";
     SlopesAlike "surface.scans.scan.lines" Passed "{files}: rms slope {along} along the lines, {across} across them";
     SlopesDiffer "surface.scans.scan.lines" Caution
         "{files}: rms slope {along} along the lines, {across} across them; they differ by {bound}x or more: lines are offset against each \
@@ -147,11 +152,11 @@ remark_codes! {
     SteepSurface "doubt.steep-surface" Caution
         "the rms slope of the surface is {rms_slope}, above 1: check the units of heights and lengths";
     FarTooSteepSurface "doubt.steep-surface" Caution
-        "the rms slope of the surface is {rms_slope}, 1000 times too high: nm and µm mixed up?";
+        "the rms slope of the surface is {rms_slope}, 1000 times too high: nm and µm mixed up, or positions in mm? A line `mm um` above the columns of a scan says so";
     SteepScale "doubt.steep-scale" Caution
         "the scale at {wavelength_m} is {aspect_ratio} times as high as it is long: check the units of heights and lengths";
     StrongerThanSolids "doubt.stronger-than-solids" Caution
-        "the yield strength {yield_strength_pa} exceeds E/10 = {bound_pa}, about the most that a solid bears: is the modulus in GPa?";
+        "the yield strength {yield_strength_pa} exceeds E/10 = {bound_pa}, about the most that a solid bears: check the prefixes of both, as MPa and GPa";
     SofterThanItsRatio "doubt.softer-than-its-ratio" Caution
         "E = {youngs_modulus_pa} is unusually soft for Poisson's ratio {poisson_ratio}; did you mean {probable_pa}?";
     BodyThatFlows "body-that-flows" Note "{flows}";
@@ -355,7 +360,7 @@ remark_codes! {
     AllModelsRun "scene-note" Note "{option} has no effect: all models run where no curve and no figure is listed";
     UncertaintyIsOff "scene-note" Note "{option} has no effect: the uncertainty analysis is off";
     OneInputScatters "scene-note" Note "{option} has no effect: one input scatters, and the interval is its share alone; leave it out";
-    NoBodyYields "scene-note" Note "{option} has no effect: neither body has a strength or a hardness";
+    NoBodyYields "scene-note" Note "{option} has no effect: neither body has a strength or a hardness; give yield_strength or indentation_hardness";
     NothingScatters "scene-note" Note
         "{option} has no effect: nothing in this scene is uncertain (several scans, standard errors or +-)";
 

@@ -11,7 +11,7 @@ use units::printable::short_paths;
 
 use crate::agreement::{self, InstrumentUse};
 use crate::error::{ScanProblem, TopographyError};
-use crate::files::Files;
+use crate::files::{Files, file_name};
 use crate::instrument::InstrumentOfScan;
 use crate::load::{Loaded, load};
 use crate::map_patch::MapPatch;
@@ -225,7 +225,7 @@ fn transform_input(
     let mut found =
         FileSpectra { scans: Vec::new(), sources: Vec::new(), maps: Vec::new(), sketches: Vec::new() };
     for scan in scans {
-        let name = (scan.name != request.path).then(|| scan.name.clone());
+        let name = (scan.name != file_name(&request.path)).then(|| scan.name.clone());
         let blame = |error: TransformError| {
             TopographyError::for_file(&request.path, ScanProblem::Transform { scan: name.clone(), error })
         };

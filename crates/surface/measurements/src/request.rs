@@ -4,6 +4,7 @@ use std::fmt::{self, Display, Formatter};
 use std::str::FromStr;
 
 use topography::{BandLimits, Detrend, Direction, GapTreatment, Recipe};
+use units::display::length;
 use units::{Length, LengthUnit};
 
 use crate::calibration::{Instrument, SlopeUncertainty, ZCalibration};
@@ -40,6 +41,9 @@ pub struct ScanRequest {
     pub slope_uncertainty: Option<f64>,
 }
 
+/// Radius \[m\] from which on no tip of an instrument is known: those of contour probes end at half of it.
+const BALL_M: f64 = 1e-3;
+
 /// The radius of a tip: given, or taken from the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum TipRadius {
@@ -56,9 +60,17 @@ impl FromStr for TipRadius {
         match text.trim() {
             "auto" => Ok(Self::Auto),
             "none" => Ok(Self::Known(0.0)),
-            length => length.parse::<Length>().map(|length| Self::Known(length.m)).map_err(|error| {
-                format!("{error}; or write auto for that of the file, none for heights that no tip touched")
-            }),
+            typed => match typed.parse::<Length>() {
+                Ok(radius) if radius.m < BALL_M => Ok(Self::Known(radius.m)),
+                Ok(Length { m }) => Err(format!(
+                    "{typed} is the radius of a ball, not of a tip; did you mean {}? Of a ball give the shortest wavelength that it \
+                     follows, as shortest=1mm",
+                    length(1e-3 * m)
+                )),
+                Err(error) => Err(format!(
+                    "{error}; or write auto for that of the file, none for heights that no tip touched"
+                )),
+            },
         }
     }
 }
@@ -122,6 +134,21 @@ impl ScanRequest {
         idle.map_or(Ok(()), |(option, _)| {
             Err(TopographyError::for_file(&self.path, ScanProblem::UnusedOption(option)))
         })
+    }
+
+    /// The options that say how its heights are read, as the command line takes them: `unit=um,channel=Height`.
+    #[must_use]
+    pub fn options(&self) -> String {
+        let metres = |length_m: f64| format!("{length_m:e}m");
+        let typed = [
+            ("unit", self.unit.map(|unit| unit.ascii().to_owned())),
+            ("channel", self.channel.clone()),
+            ("size", self.size_m.map(metres)),
+            ("tip-radius", self.tip_radius.map(|radius| radius.to_string().replace(' ', ""))),
+            ("shortest", self.shortest_m.map(metres)),
+        ];
+        let typed = typed.into_iter().filter_map(|(key, value)| Some(format!("{key}={}", value?)));
+        typed.collect::<Vec<_>>().join(",")
     }
 
     /// Limits of the reliable band that the request gives.

@@ -9,6 +9,7 @@ use crate::piecewise::nonuniform_line_spectrum_to;
 use crate::remark::{FundamentalMode, SLOPES_DIFFER};
 use crate::rows::{Lines, Rows};
 use crate::skewness::clear_skewness;
+use crate::spike::Spike;
 use crate::sums::dot;
 use crate::{
     DerivativeOf, Detrend, LineSpectrum, Preparation, ScanBoundary, Window, real_space_derivatives,
@@ -51,6 +52,8 @@ pub struct Checks {
     pub spectral_curvature_per_m: Option<f64>,
     /// Skewness Rsk of a trace, where it is clearly not that of Gaussian heights, see [`clear_skewness`].
     pub skewness: Option<f64>,
+    /// A point far off all others, as errors of an instrument leave.
+    pub spike: Option<Spike>,
     /// State of the mode whose wavelength is the length of the scan.
     pub fundamental: FundamentalMode,
 }
@@ -77,6 +80,7 @@ impl Checks {
             real_curvature_per_m: real.curvature_per_m,
             spectral_curvature_per_m: spectral.and_then(|spectral| spectral.curvature_per_m),
             skewness: clear_skewness(scan, preparation.detrend),
+            spike: Spike::find(scan),
             fundamental: match fundamental_kept(scan, preparation.detrend) {
                 _ if !spectrum.holds_fundamental() => FundamentalMode::Absent,
                 Some(share) => FundamentalMode::Kept { share, used: preparation.flagged_bins() == 0 },
@@ -103,6 +107,7 @@ impl Checks {
             curvatures.map(|found| self.compared(RemarkCode::CurvaturesCompared, found)),
             self.slope_across.map(|across| slopes_of_map(self.real_slope, across)),
             self.skewness.map(|skewness| Remark::new(RemarkCode::TraceSkewed).with("skewness", skewness)),
+            self.spike.map(Spike::remark),
             Some(self.fundamental.remark()),
         ]
         .into_iter()
@@ -211,6 +216,7 @@ mod tests {
             real_curvature_per_m: None,
             spectral_curvature_per_m: None,
             skewness: None,
+            spike: None,
             fundamental: FundamentalMode::Kept { share: 0.85, used: false },
         };
         let worded = |checks: &Checks| -> Vec<String> {

@@ -19,8 +19,8 @@ pub enum TransformError {
     },
     /// No bin lies in the reliable band.
     #[error(
-        "the spectrum has no value above 0 between the shortest reliable wavelength, {}, and the longest, {}; use a longer \
-         scan, or a smaller tip radius or limit",
+        "no wave of the scan is reliable: the shortest that it resolves is {}, the longest that fits into it {}; use a longer \
+         scan with more points, or a smaller tip radius or limit",
         length(*.shortest_m), length(*.longest_m)
     )]
     NothingReliable {
@@ -37,8 +37,9 @@ pub enum TransformError {
     BeyondNumbers,
     /// Heights without roughness.
     #[error(
-        "the scan is flat: after detrending its rms height is {rms_m:e} m, within the rounding of heights up to \
-         {largest_m:e} m; check the channel, or export it with more digits"
+        "the scan is flat: after detrending its rms height is {}, within the rounding of heights up to {}; check the channel, or \
+         export it with more digits",
+        length(*.rms_m), length(*.largest_m)
     )]
     Flat {
         /// Root mean square of the detrended heights in m.

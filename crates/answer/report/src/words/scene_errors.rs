@@ -41,6 +41,9 @@ fn is_placeholder(error: &SurfaceError) -> bool {
 fn mended(error: &SceneError, name: &str) -> String {
     let error = match &error.problem {
         SceneProblem::Surface(error) => error,
+        SceneProblem::NotAScene(FileContent::Foreign(_)) if name.ends_with("report.html") => {
+            return "; a report has its scene beside it: name the folder, or scene.toml in it".to_owned();
+        }
         SceneProblem::NotAScene(FileContent::Foreign(kind)) => return format!("; {}", kind.advice()),
         SceneProblem::NotAScene(_) => return format!("; try `truearea report {name}`"),
         _ => return String::new(),

@@ -77,7 +77,8 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
     }
     let requests = scans_in_folders(&requests, &folder)?;
     let progress = Progress::towards(STEPS_PER_FILE * requests.len(), "steps of reading and transforming");
-    let found = CompositeOfFiles::read_spectrum(&requests, &folder, &recipe, &progress).map_err(refused)?;
+    let found = CompositeOfFiles::read_spectrum(&requests, &folder, &recipe, &progress)
+        .map_err(refused_among(&requests))?;
     drop(progress);
     timings.lap("reading and transforming");
     say_lines(&scans_table(&found.spectrum));
@@ -151,8 +152,20 @@ pub(super) fn refused(error: TopographyError) -> Failure {
     Failure::Input(refusal(error))
 }
 
+/// The failure of scans, with all options of the one at fault.
+fn refused_among(requests: &[ScanRequest]) -> impl Fn(TopographyError) -> Failure {
+    |error| Failure::Input(refusal_of(error.request.and_then(|at| requests.get(at)), error))
+}
+
 /// Words an error of scans, with the option that mends it where one does.
 pub(super) fn refusal(error: TopographyError) -> String {
+    refusal_of(None, error)
+}
+
+/// Words an error of a scan, with the option that mends it beside those that it has.
+pub(super) fn refusal_of(request: Option<&ScanRequest>, error: TopographyError) -> String {
+    let given = request.map(|request| format!("{},", request.options())).filter(|given| given.len() > 1);
+    let given = given.unwrap_or_default();
     let [flag, option] = [0, 1].map(|at| {
         move |option| match option {
             ScanOption::Unit => Some(["--unit", "unit=um"][at]),
@@ -168,9 +181,10 @@ pub(super) fn refusal(error: TopographyError) -> String {
                 "; give a scan, or a command that takes a PSD, the other face's as --counterface-psd {file}"
             )
         }
-        (_, Some(file), Some(Mend::Give(wanted))) => {
-            option(wanted).map_or_else(String::new, |typed| format!("; write {file}:{typed}"))
-        }
+        (_, Some(file), Some(Mend::Give(wanted))) => option(wanted).map_or_else(
+            || "; unpack it, and name the scans or their folder".to_owned(),
+            |typed| format!("; write {file}:{given}{typed}"),
+        ),
         (_, _, mend) => mend.map_or_else(String::new, |mend| scan_words::mend(mend, flag)),
     };
     format!("{error}{mend}")

@@ -9,13 +9,14 @@ use questions::{ReportQuestion, ReportSurface, RunOptions};
 use report::products::{self, REPORT};
 use scans::{Mend, ScanOption};
 use scene::{Overrides, Scene, SceneError, SceneProblem};
+use study::body_properties::BodyProperty;
 use study::materials::named;
 use study::surface::SurfaceError;
 use tables::staging::resolve;
 use units::Pressure;
 
 use super::Context;
-use super::psd::{refusal, refused};
+use super::psd::{refusal_of, refused};
 use super::run_scene::SceneRun;
 use crate::args::ReportArgs;
 use crate::failure::Failure;
@@ -70,6 +71,12 @@ fn question(args: &ReportArgs) -> Result<ReportQuestion, Failure> {
         let option = "--material \"steel 100Cr6\"";
         material.name = Some(needed("material of the rough body", "steel 100Cr6", option, named)?);
     }
+    let has_strength = material.yield_strength.is_some() || material.indentation_hardness.is_some();
+    if material.strain_gradient_length.is_some() && !has_strength && material.name.is_none() {
+        return Err(Failure::input(
+            "--strain-gradient-length makes a strength grow; add --yield-strength 500MPa or --indentation-hardness 300HV",
+        ));
+    }
     let mut pressures = args.pressure.clone();
     if pressures.is_empty() {
         pressures.push(needed("nominal pressure", "10 MPa", "--pressure 10MPa", str::parse::<Pressure>)?);
@@ -95,12 +102,16 @@ fn question(args: &ReportArgs) -> Result<ReportQuestion, Failure> {
 fn faces(args: &ReportArgs) -> Result<(ReportSurface, Option<ReportSurface>), Failure> {
     let mut requests =
         args.defaults.complete_all(&[&args.files[..], &args.other.counterface_scans].concat())?;
+    if let Some(twice) = args.files.iter().enumerate().find(|(at, file)| args.files[..*at].contains(file)) {
+        return Err(Failure::Input(format!("{} is given twice; name each scan once", twice.1.path)));
+    }
     let psd = args.other.counterface_psd.as_ref();
     let is_a_spectrum = |request: &&ScanRequest| request.path.starts_with("builtin:");
     if let Some(spectrum) = args.files.iter().find(is_a_spectrum).filter(|_| args.files.len() > 1) {
         let path = &spectrum.path;
         return Err(Failure::Input(format!(
-            "{path} is a spectrum, which stands alone; leave out the scans, or it"
+            "{path} is a spectrum, and the other files are scans: leave it out, or give it to the other face as \
+             --counterface-psd {path}"
         )));
     }
     for ScanRequest { path, .. } in requests.iter().chain(psd).filter(|request| is_a_path(&request.path)) {
@@ -142,8 +153,9 @@ fn scene(
                 let answered =
                     missing(&error, &text, question).is_some_and(|(scan, option)| ask_for(scan, option));
                 if !answered {
+                    let scan = scan_at_fault(&error, &text, question).cloned();
                     let typed = |file: &str| as_typed(file, question, &placed);
-                    return Err(Failure::Input(worded(error, &text, typed)));
+                    return Err(Failure::Input(worded(error, &text, scan.as_ref(), typed)));
                 }
             }
         }
@@ -179,24 +191,42 @@ fn is_a_path(name: &str) -> bool {
     !name.starts_with("builtin:") && name != "-"
 }
 
+/// The error of scans in that of a scene.
+fn of_scans(error: &SceneError) -> Option<&TopographyError> {
+    let SceneProblem::Surface(surface) = &error.problem else { return None };
+    match &**surface {
+        SurfaceError::Scans(found) => Some(found),
+        _ => None,
+    }
+}
+
 /// The scan whose file lacks something, and the option that gives it.
 fn missing<'q>(
     error: &SceneError,
     text: &str,
     question: &'q mut ReportQuestion,
 ) -> Option<(&'q mut ScanRequest, ScanOption)> {
-    let SceneProblem::Surface(surface) = &error.problem else { return None };
-    let SurfaceError::Scans(found) = &**surface else { return None };
+    match of_scans(error)?.mend()? {
+        Mend::Give(option) => Some((scan_at_fault(error, text, question)?, option)),
+        Mend::LeaveOut(_) => None,
+    }
+}
+
+/// The scan that an error is about.
+fn scan_at_fault<'q>(
+    error: &SceneError,
+    text: &str,
+    question: &'q mut ReportQuestion,
+) -> Option<&'q mut ScanRequest> {
+    let found = of_scans(error)?;
     let other = question.counterface_surface.as_mut().zip(text.find("[counterface.surface]"));
     let face = match other {
         Some((face, at)) if error.span.as_ref().is_some_and(|span| span.start > at) => face,
         _ => &mut question.surface,
     };
-    match (found.mend()?, face) {
-        (Mend::Give(option), ReportSurface::Scans(scans)) => {
-            Some((scans.get_mut(found.request.unwrap_or(0))?, option))
-        }
-        _ => None,
+    match face {
+        ReportSurface::Scans(scans) => scans.get_mut(found.request.unwrap_or(0)),
+        ReportSurface::Psd(_) => None,
     }
 }
 
@@ -264,9 +294,14 @@ fn as_typed(file: &str, typed: &ReportQuestion, placed: &ReportQuestion) -> Stri
 }
 
 /// The error of the scene in one line: of scans with the option that mends it, of a value with its key.
-fn worded(error: SceneError, text: &str, as_typed: impl Fn(&str) -> String) -> String {
+fn worded(
+    error: SceneError,
+    text: &str,
+    scan: Option<&ScanRequest>,
+    as_typed: impl Fn(&str) -> String,
+) -> String {
     let SceneProblem::Surface(surface) = error.problem else {
-        return report::scene_errors::drawn(&error, text, "the options of `report`");
+        return underlined(&error, text);
     };
     let error = match *surface {
         SurfaceError::Scans(error) => error,
@@ -283,12 +318,54 @@ fn worded(error: SceneError, text: &str, as_typed: impl Fn(&str) -> String) -> S
     let file = error.file.as_deref().map(as_typed);
     match error.problem {
         ScanProblem::Reading(error) => format!("reading {}: {error}", file.unwrap_or_default()),
-        _ => refusal(TopographyError { file, ..error }),
+        _ => refusal_of(scan, TopographyError { file, ..error }),
     }
 }
 
-/// A quantity with a space before its unit: `10 MPa` of `10MPa`.
+/// The error of a value in the words of options, with the option as typed and a caret below its value.
+fn underlined(error: &SceneError, text: &str) -> String {
+    let span = error.span.clone().unwrap_or_default();
+    let (before, value) = (text.get(..span.start).unwrap_or_default(), text.get(span).unwrap_or_default());
+    let section = value.strip_prefix('[').or_else(|| Some(before.rsplit_once("\n[")?.1));
+    let section = section.and_then(|section| section.split(']').next()).unwrap_or_default();
+    let option = |section: &str, key: &str| match (section, key) {
+        ("loads", _) => "--pressure".to_owned(),
+        ("material", "name") => "--material".to_owned(),
+        ("counterface", "name") => "--on".to_owned(),
+        ("counterface", _) => format!("--counterface-{}", key.replace('_', "-")),
+        _ => format!("--{}", key.replace('_', "-")),
+    };
+    let mut message = match &error.problem {
+        SceneProblem::MissingKey { key } => format!("{key} is missing; add it"),
+        problem => {
+            problem.to_string().replace(" in [material]", "").replace("[counterface] ", "the counterface ")
+        }
+    };
+    if let Some((section, key)) = error.key().and_then(|key| key.split_once('.')) {
+        message = message.replacen(&format!("{section}.{key}:"), &format!("{}:", option(section, key)), 1);
+    }
+    for key in BodyProperty::ALL.map(BodyProperty::key).into_iter().filter(|key| key.contains('_')) {
+        for section in ["material", "counterface"] {
+            message = message.replace(&format!("{section}.{key}"), &option(section, key));
+        }
+        message =
+            message.replace(key, &option(if section == "counterface" { section } else { "material" }, key));
+    }
+    let message = message.strip_prefix("key ").unwrap_or(&message);
+    let key = before.rsplit('\n').next().and_then(|line| line.split_once(" = ")).map(|(key, _)| key);
+    let value = value.trim_matches('"');
+    let Some(key) = key.filter(|_| !value.contains('\n')) else { return message.to_owned() };
+    let typed = if value.contains(' ') { format!("\"{value}\"") } else { value.to_owned() };
+    let option = option(section, key);
+    let (gap, carets) = (" ".repeat(option.len() + 1), "^".repeat(typed.chars().count()));
+    format!("{message}\n  {option} {typed}\n  {gap}{carets}")
+}
+
+/// A quantity with a space before its unit: `10 MPa` of `10MPa`; text that is none stays as typed.
 fn spaced(text: &str) -> String {
+    if text.parse::<Pressure>().is_err() {
+        return text.to_owned();
+    }
     let unit = text.trim_end_matches(|c: char| !c.is_ascii_digit());
     let (number, unit) = text.split_at(unit.len());
     if number.is_empty() || unit.is_empty() || unit.starts_with(' ') {
