@@ -166,26 +166,7 @@ impl fmt::Display for SceneProblem {
                 write!(f, "unknown value `{value}`{} it may be {}", hint(meant), known.join(", "))
             }
             SceneProblem::WrongType { found, wanted } => {
-                write!(f, "found {found}, expected {wanted}")?;
-                match (found.strip_prefix("string "), found.as_str()) {
-                    (Some(text), _) if wanted == "a list in brackets" => write!(f, "; write [{text}]"),
-                    (Some(text), _)
-                        if wanted == "a number"
-                            && text.trim_matches('"').trim_end_matches('\u{b0}').ends_with("deg") =>
-                    {
-                        write!(f, "; a slope is the tangent of its angle: write 0.15 for 8.5 degrees")
-                    }
-                    (Some(_), _) if wanted == "a number" => {
-                        f.write_str("; write it without quotes and without a unit")
-                    }
-                    (None, "sequence") if wanted == "text in quotes" => f.write_str(
-                        "; write one value here, and a section of its own, as [[curve]], for each other one",
-                    ),
-                    (None, "map") if wanted == "a list in brackets" => f.write_str(
-                        "; write a section that may be repeated in double brackets, as in [[curve]]",
-                    ),
-                    _ => Ok(()),
-                }
+                write!(f, "found {found}, expected {wanted}{}", instead(found, wanted))
             }
             SceneProblem::NotAScene(content) => write!(f, "this is {content}, not a scene"),
             SceneProblem::NoQuotes { value, meant } => write!(f, "{value} needs quotes; write \"{meant}\""),
@@ -215,6 +196,37 @@ impl fmt::Display for SceneProblem {
     }
 }
 
+/// What to write in place of a value of another kind than its key takes, in words that follow the error.
+fn instead(found: &str, wanted: &str) -> String {
+    let text = found.strip_prefix("string ").map(|text| text.trim_matches('"'));
+    let share = |text: &str| Some(text.strip_suffix('%')?.trim().parse::<f64>().ok()? / 100.0);
+    let slope = |text: &str| {
+        let degrees = text
+            .strip_suffix("degrees")
+            .or_else(|| text.strip_suffix("deg"))
+            .or_else(|| text.strip_suffix('°'));
+        Some((degrees?.trim().parse::<f64>().ok()?.to_radians().tan() * 1e3).round() / 1e3)
+    };
+    match (text, wanted) {
+        (Some(text), "a list in brackets") => {
+            let values: Vec<&str> =
+                text.split(" to ").flat_map(|part| part.split(',')).map(str::trim).collect();
+            format!("; write [\"{}\"]", values.join("\", \""))
+        }
+        (Some(text), "a number") => match share(text).or_else(|| slope(text)) {
+            Some(number) => format!("; write {number}"),
+            None => "; write it without quotes and unit".to_owned(),
+        },
+        (None, "a list in brackets") if found == "map" => {
+            "; write a section that may be repeated in double brackets, as in [[curve]]".to_owned()
+        }
+        (None, "text in quotes") if found == "sequence" => {
+            "; write one value here, and a section of its own, as [[curve]], for each other one".to_owned()
+        }
+        _ => String::new(),
+    }
+}
+
 /// Suggests a similar name, or returns the semicolon that separates the clauses if there is none.
 fn hint(meant: &Option<String>) -> String {
     meant.as_ref().map_or_else(|| ";".to_owned(), |meant| format!(", did you mean `{meant}`?"))
@@ -241,5 +253,23 @@ impl From<MaterialError> for SceneProblem {
 impl From<SurfaceError> for SceneProblem {
     fn from(error: SurfaceError) -> Self {
         SceneProblem::Surface(Box::new(error))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::instead;
+
+    #[test]
+    fn numbers_and_lists_are_written_as_meant() {
+        for (found, wanted, meant) in [
+            ("string \"8.5 deg\"", "a number", "; write 0.149"),
+            ("string \"30 %\"", "a number", "; write 0.3"),
+            ("string \"1 MPa to 10 MPa\"", "a list in brackets", "; write [\"1 MPa\", \"10 MPa\"]"),
+            ("string \"1 MPa\"", "a list in brackets", "; write [\"1 MPa\"]"),
+            ("string \"a\"", "true or false", ""),
+        ] {
+            assert_eq!(instead(found, wanted), meant, "{found}");
+        }
     }
 }

@@ -54,7 +54,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
                 return failure::Failure::Input(message).report();
             }
             if let Some(message) =
-                suggestion::for_file(&error, &args).or_else(|| suggestion::in_place_of(&error))
+                suggestion::for_file(&error, &args).or_else(|| suggestion::in_place_of(&error, &args))
             {
                 return failure::Failure::Input(message).report();
             }

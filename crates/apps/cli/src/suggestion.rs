@@ -40,7 +40,7 @@ pub(crate) fn for_file(error: &clap::Error, line: &[OsString]) -> Option<String>
 }
 
 /// Returns what to do in place of options that exist nowhere, or not together.
-pub(crate) fn in_place_of(error: &clap::Error) -> Option<String> {
+pub(crate) fn in_place_of(error: &clap::Error, line: &[OsString]) -> Option<String> {
     let named = |kind| match error.get(kind) {
         Some(ContextValue::String(name)) => name.split(' ').next(),
         Some(ContextValue::Strings(names)) => names.first()?.split(' ').next(),
@@ -48,6 +48,9 @@ pub(crate) fn in_place_of(error: &clap::Error) -> Option<String> {
     };
     let (given, beside) = (named(ContextKind::InvalidArg)?, named(ContextKind::PriorArg));
     match error.kind() {
+        ErrorKind::UnknownArgument if let Some(word) = long_with_one_dash(given, line) => {
+            Some(format!("{word}: names of options have two dashes; type -{word}"))
+        }
         ErrorKind::UnknownArgument => study::way_out(given).map(|instead| format!("{given}: {instead}")),
         ErrorKind::MissingRequiredArgument if given == "<TEMPLATE>" => {
             let names = Template::ALL.iter().map(Template::to_string).collect::<Vec<_>>().join(", ");
@@ -62,6 +65,15 @@ pub(crate) fn in_place_of(error: &clap::Error) -> Option<String> {
         }
         _ => None,
     }
+}
+
+/// The word that a letter behind a single dash begins.
+fn long_with_one_dash<'l>(given: &str, line: &'l [OsString]) -> Option<&'l str> {
+    let is_one = |word: &&str| word.starts_with(given) && word.len() > given.len() && !word.starts_with("--");
+    line.iter()
+        .filter_map(|word| word.to_str())
+        .find(is_one)
+        .filter(|_| given.len() == 2 && !given.ends_with(|c: char| c.is_ascii_digit()))
 }
 
 /// The word as a shell takes it if it has spaces.

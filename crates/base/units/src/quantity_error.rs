@@ -1,6 +1,7 @@
 //! Errors of typed quantities.
 
 use crate::bound::OutOfBounds;
+use crate::printable::listed;
 
 /// Errors of parsing a quantity with its unit.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -50,10 +51,15 @@ pub enum QuantityError {
         text: String,
     },
     /// Several values where one is expected.
-    #[error("'{text}' holds several values; repeat the option for each, or write [{}] in a scene", quoted_list(text))]
+    #[error(
+        "'{text}' holds several values; repeat the option for each, or write [{}] in a scene",
+        listed(values, "\"")
+    )]
     Several {
         /// The typed text.
         text: String,
+        /// Each of them.
+        values: Vec<String>,
     },
     /// A unit in the wrong case, such as `mpa`.
     #[error("'{text}' has the unit '{unit}'; write {}", meant.join(" or "))]
@@ -126,10 +132,4 @@ pub enum QuantityError {
 /// The indefinite article of a kind of quantity.
 fn article(what: &str) -> &'static str {
     if what.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" }
-}
-
-/// Values between commas or semicolons as a list of TOML.
-fn quoted_list(text: &str) -> String {
-    let values = text.split([',', ';']).map(|value| format!("\"{}\"", value.trim()));
-    values.collect::<Vec<_>>().join(", ")
 }

@@ -225,6 +225,13 @@ impl Kind {
             self.own_units.iter().filter(|own| own.to_lowercase() == lower).map(|own| (*own).to_owned()),
         );
         meant.retain(|meant| meant != unit);
+        if self.what == TEMPERATURE.what && ["c", "°c", "degc", "celsius"].contains(&lower.as_str()) {
+            return number
+                .parse::<f64>()
+                .map(|celsius| format!("{} K", celsius + 273.15))
+                .into_iter()
+                .collect();
+        }
         let milli = lower == "mpa" && !number.contains(['e', 'E']);
         let mut meant: Vec<String> = meant.into_iter().map(|unit| format!("{number} {unit}")).collect();
         meant.extend(milli.then(|| format!("{number}e-3 Pa")));
@@ -243,9 +250,8 @@ impl Kind {
         if TypedSpread::parse(text).is_some() {
             return QuantityError::OneValueWanted { text: text.to_owned(), what: self.what };
         }
-        let is_a_list = text.contains([',', ';']);
-        if is_a_list && text.split([',', ';']).all(|value| split_number(value.trim()).is_some()) {
-            return QuantityError::Several { text: text.to_owned() };
+        if let Some(values) = several(text) {
+            return QuantityError::Several { text: text.to_owned(), values };
         }
         if self.what == PRESSURE.what && FORCE.parse(text).is_ok() {
             return QuantityError::Force { text: text.to_owned() };
@@ -257,6 +263,22 @@ impl Kind {
         }
         QuantityError::WrongUnit { text, unit, what: self.what, units: self.unit_list() }
     }
+}
+
+/// The values of a list or of both ends of a range, those without a unit in that of the last.
+fn several(text: &str) -> Option<Vec<String>> {
+    let mut parts: Vec<&str> = text.split([',', ';']).collect();
+    if let [range] = parts[..] {
+        // The dash of an exponent separates nothing.
+        let ends = range.rsplit_once(['-', '\u{2013}']).filter(|(from, _)| !from.ends_with(['e', 'E']));
+        parts = ends.map(|(from, to)| vec![from, to])?;
+    }
+    let split: Vec<(&str, &str)> =
+        parts.iter().map(|part| split_number(part.trim())).collect::<Option<_>>()?;
+    let (_, last) = *split.last().filter(|(_, unit)| !unit.is_empty())?;
+    let in_unit =
+        |&(number, unit): &(&str, &str)| format!("{number} {}", if unit.is_empty() { last } else { unit });
+    Some(split.iter().map(in_unit).collect())
 }
 
 /// Splits off the longest prefix that is a decimal number; the rest is trimmed.

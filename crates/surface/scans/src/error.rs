@@ -160,10 +160,14 @@ pub enum ScanReadError {
         byte: u8,
     },
     /// No line of numbers.
-    #[error("reading text: the file holds no line of numbers, it must hold at least 2")]
+    #[error(
+        "reading text: the file holds no line of numbers, it must hold at least 2; write them without quotes and units, as 0.5 1.25"
+    )]
     NoRows,
     /// A field that is not a number.
-    #[error("line {line}: column {column} is '{text}', which is not a number; correct it or remove the line")]
+    #[error(
+        "line {line}: column {column} is '{text}', which is not a number; write numbers as 1000.5, and nan where the point is missing"
+    )]
     NotANumber {
         /// Line.
         line: usize,
@@ -229,7 +233,7 @@ pub enum ScanReadError {
     /// Points that lie on no regular grid.
     #[error(
         "line {line}: {axis} = {position} lies on no grid of {count} evenly spaced values from {first} to {last}; \
-         points of a map must form a regular grid: interpolate them onto one"
+         points of a map must form a regular grid: interpolate them onto one; of several traces make a file each"
     )]
     NotAGrid {
         /// Line.

@@ -258,10 +258,14 @@ fn lengths_of_a_scan_reach_the_scene_of_its_report() {
     assert!((1e-4..4.1e-4).contains(&psd.longest_wavelength_m()), "{}", psd.longest_wavelength_m());
     let of_files = ReportSurface::of_files(vec!["line.txt:unit=um".parse().unwrap()], &files).unwrap();
     assert!(matches!(of_files, ReportSurface::Scans(scans) if scans.len() == 1));
-    for (rows, at) in [("1e-4,1e-20\n1e-5,-1e-23", 3), ("1e-4,1e-20\n1e-4,1e-23", 3), ("1e-4,1e-20\n1e-5", 3)] {
+    for (rows, at) in [("1e-4,1e-20\n1e-5,-1e-23", 3), ("1e-4,1e-20\n1e-4,1e-23", 3), ("1e-4,1e-20\n1e-5", 3)]
+    {
         let text = format!("wavelength_m,C1D_m3\n{rows}\n").into_bytes();
         let files = BTreeMap::from([("psd.csv".to_owned(), text)]);
         let refused = ReportSurface::of_files(vec!["psd.csv".parse().unwrap()], &files).unwrap_err();
-        assert!(matches!(&refused, SurfaceError::Spectrum { error, .. } if error.line() == Some(at)), "{refused}");
+        assert!(
+            matches!(&refused, SurfaceError::Spectrum { error, .. } if error.line() == Some(at)),
+            "{refused}"
+        );
     }
 }

@@ -1,7 +1,7 @@
 //! Scans as text: layouts, separators, decimal commas, headers, and what is refused.
 
 use crate::support::{heights_m, in_unit, measured, missing_points, read_one, refusal, spacings_m};
-use scans::{Mend, Scan, ScanOption, ScanOptions, ScanSize};
+use scans::{FilePlace, Mend, Scan, ScanOption, ScanOptions, ScanReadError, ScanSize};
 
 fn sized(x_m: f64, y_m: Option<f64>) -> ScanOptions {
     ScanOptions { size: Some(ScanSize { x_m, y_m }), ..in_unit("nm") }
@@ -60,7 +60,18 @@ fn units_come_from_the_header_or_the_options() {
     let scan = read_one(b"x [mm];h [um]\n0;1\n1;2\n", &ScanOptions::default()).unwrap().scan;
     assert_eq!((spacings_m(&scan).0, heights_m(&scan)[1]), (1e-3, 2e-6));
     refused!(refusal(b"0 1\n1 2\n", &ScanOptions::default()), NoUnit { what: "heights" });
-    refused!(refusal(b"x (mm) h (V)\n0 1\n1 2\n", &ScanOptions::default()), NoUnit { what: "heights" });
+    for (header, column) in [("x (mm) h (V)", 2), ("t (s) h (um)", 1)] {
+        match refusal(format!("{header}\n0 1\n1 2\n").as_bytes(), &ScanOptions::default()) {
+            ScanReadError::BadField { place: FilePlace::Line(1), field, .. } => {
+                assert_eq!(field, format!("the unit of column {column}"));
+            }
+            other => panic!("{header}: {other}"),
+        }
+    }
+    let scan = read_one(b"mm\tum\n0\t1\n1\t2\n", &ScanOptions::default()).unwrap().scan;
+    assert_eq!((spacings_m(&scan).0, heights_m(&scan)[1]), (1e-3, 2e-6));
+    let scan = read_one(b"Z (um)\n1\n2\n", &ScanOptions { unit: None, ..sized(2e-6, None) }).unwrap().scan;
+    assert_eq!(heights_m(&scan), [1e-6, 2e-6]);
     let options = ScanOptions { height_unit: "nm".parse().ok(), ..in_unit("um") };
     let scan = read_one(b"# Unit: mm\n0 1\n1 2\n", &options).unwrap();
     assert_eq!((spacings_m(&scan.scan).0, heights_m(&scan.scan)[1]), (1e-6, 2e-9));
@@ -124,6 +135,22 @@ fn missing_points_and_broken_rows_are_named_by_their_line() {
     .repeat(100)
         + "\0";
     refused!(refused(&late), NotText { line: 201, offset: 800 });
+}
+
+#[test]
+fn fillers_and_words_are_points_without_a_height() {
+    for filler in ["***", "#N/A", "-----", "missing", "1.#QNAN"] {
+        let profile = format!("0 1\n1 2\n2 {filler}\n3 1\n");
+        assert_eq!(missing_points(profile.as_bytes(), &in_unit("nm")), [2], "{filler}");
+        let column = format!("1\n{filler}\n3\n4\n");
+        assert_eq!(missing_points(column.as_bytes(), &sized(2e-6, None)), [1], "{filler}");
+    }
+}
+
+#[test]
+fn a_profile_with_its_columns_swapped_is_not_to_be_sorted() {
+    let swapped = refusal(b"1 0\n3 1\n2 2\n5 3\n", &in_unit("nm"));
+    assert!(matches!(swapped, ScanReadError::Unsupported { place: FilePlace::Line(3), .. }), "{swapped}");
 }
 
 #[test]

@@ -117,7 +117,7 @@ pub enum LineProblem {
         columns: usize,
     },
     /// No column for a quantity.
-    #[error("no column holds the {quantity} ({accepted}); the columns are {}", list(.found))]
+    #[error("no column holds the {quantity} ({accepted}); the columns are {}{}", list(.found), logarithms(.found))]
     MissingColumn {
         /// The missing quantity.
         quantity: &'static str,
@@ -302,14 +302,14 @@ impl ReadError {
     #[must_use]
     pub fn is_of_a_spectrum(&self) -> bool {
         match self {
-            Self::AtLine { problem, .. } => !matches!(
-                problem,
+            Self::AtLine { problem, .. } => match problem {
+                LineProblem::MissingColumn { found, .. } => !logarithms(found).is_empty(),
                 LineProblem::NotText { .. }
-                    | LineProblem::NoHeader
-                    | LineProblem::HeaderlessColumns { .. }
-                    | LineProblem::MissingColumn { .. }
-                    | LineProblem::UnknownColumn { .. }
-            ),
+                | LineProblem::NoHeader
+                | LineProblem::HeaderlessColumns { .. }
+                | LineProblem::UnknownColumn { .. } => false,
+                _ => true,
+            },
             Self::InSheet { error, .. } => error.is_of_a_spectrum(),
             _ => false,
         }
@@ -370,6 +370,12 @@ impl LineProblem {
             ),
         }
     }
+}
+
+/// The remedy for columns of logarithms; empty if there are none.
+fn logarithms(names: &[String]) -> &'static str {
+    let are_some = names.iter().any(|name| name.trim().to_lowercase().starts_with("log"));
+    if are_some { ": logarithms are not read; write the numbers themselves" } else { "" }
 }
 
 fn list(names: &[String]) -> String {

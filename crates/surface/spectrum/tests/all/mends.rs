@@ -114,10 +114,12 @@ fn a_file_that_names_no_spectrum_may_hold_heights() {
     let names_none =
         |text: &str| read_psd(text.as_bytes(), &ReadOptions::default()).unwrap_err().names_no_spectrum();
     assert!(names_none("X (mm),Z (um)\n1,2\n2,1\n") && names_none("1 2 3\n2 3 4\n"));
-    let is_one = |text: &str| read_psd(text.as_bytes(), &ReadOptions::default()).unwrap_err().is_of_a_spectrum();
+    let is_one =
+        |text: &str| read_psd(text.as_bytes(), &ReadOptions::default()).unwrap_err().is_of_a_spectrum();
     for rows in ["1,2\n2,-1", "1,2\n1,1", "1,2\n2,1e-9x", "1,2\n2,3,4"] {
         assert!(is_one(&format!("wavelength_m,PSD_m3\n{rows}\n")), "{rows}");
     }
+    assert!(is_one("log10 q,log10 C\n4,-18\n5,-21\n"));
     assert!(!is_one("X (mm),Z (um)\n1,2\n2,1\n") && !is_one("lambda_m,height_m\n1,2\n2,3\n"));
     assert!(!names_none("lambda_m,height_m\n1,2\n2,3\n") && !names_none("a,psd_m3\n1,2\n2,3\n"));
 }

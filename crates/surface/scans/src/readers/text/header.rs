@@ -28,6 +28,8 @@ pub(crate) struct Header {
     counts: Vec<StatedCount>,
     /// Units in the names of the columns; empty where no line names them.
     column_units: Vec<Option<LengthUnit>>,
+    /// Line and text of what stands in the place of the unit of a column and is no length, such as `s` and `mV`.
+    foreign_units: Vec<Option<(usize, String)>>,
     /// True if a line names the last column as flags of valid points.
     pub has_validity: bool,
     /// True if a line names the first column as a count of the points.
@@ -65,7 +67,7 @@ impl Header {
                 Some((key, value)) if !is_below => header.set(key, value, number)?,
                 None if !is_below => {
                     header.set_conversion(line, number)?;
-                    header.set_columns(line, columns);
+                    header.set_columns(line, number, columns);
                     match extent_in_table(line) {
                         Some((Key::Size(axis), value)) => {
                             header.tabled_sizes[axis] = length(value, number).ok().flatten();
@@ -165,7 +167,7 @@ impl Header {
 
     /// Takes a line for the names of the columns, or the units below them, where it holds as many words or units as
     /// there are columns.
-    fn set_columns(&mut self, line: &str, columns: &Columns) {
+    fn set_columns(&mut self, line: &str, number: usize, columns: &Columns) {
         self.stylus_radius_m = self.stylus_radius_m.or(stylus_radius_m(line));
         let names = columns.fields_of(line).unwrap_or_default();
         let is_one_of = |name: Option<&&str>, accepted: &[&str]| {
@@ -176,6 +178,11 @@ impl Header {
         let groups: Vec<&str> =
             line.split(['(', '[']).skip(1).filter_map(|rest| rest.split([')', ']']).next()).collect();
         let in_brackets: Vec<_> = groups.iter().map(|group| LengthUnit::parse_instrument(group)).collect();
+        if groups.len() == columns.count {
+            let foreign =
+                |(group, unit): (&&str, &Option<_>)| unit.is_none().then(|| (number, (*group).to_owned()));
+            self.foreign_units = groups.iter().zip(&in_brackets).map(foreign).collect();
+        }
         let bare: Vec<_> = names.iter().map(|name| LengthUnit::parse(name)).collect();
         let are_units = bare.iter().all(Option::is_some);
         let fields: Vec<_> = names.into_iter().map(trailing_unit).collect();
@@ -199,7 +206,8 @@ impl Header {
 
     /// The unit of the heights of a map, and what its numbers are multiplied by to be in it.
     pub(crate) fn map_heights(&self) -> (Option<LengthUnit>, f64) {
-        let of_one_column = self.column_units.first().copied().flatten().filter(|_| self.column_units.len() == 1);
+        let of_one_column =
+            self.column_units.first().copied().flatten().filter(|_| self.column_units.len() == 1);
         match (self.value_unit.or(of_one_column), self.to_nanometres) {
             (None, Some(factor)) => (Some(LengthUnit::NANOMETRE), factor),
             (unit, _) => (unit, self.value_factor.unwrap_or(1.0)),
@@ -209,6 +217,17 @@ impl Header {
     /// Unit of a column of positions, from 0.
     pub(crate) fn column_unit(&self, column: usize) -> Option<LengthUnit> {
         self.column_units.get(column).copied().flatten().or(self.lateral_unit)
+    }
+
+    /// The error of a column, from 0, whose unit is not known: what it is given in, if it is no length.
+    pub(crate) fn no_unit(&self, column: usize, otherwise: ScanReadError) -> ScanReadError {
+        match self.foreign_units.get(column) {
+            Some(Some((line, unit))) => {
+                let field = format!("the unit of column {}", column + 1);
+                bad_field(*line, &field, unit, format!("one of {}", LengthUnit::accepted()))
+            }
+            _ => otherwise,
+        }
     }
 
     /// Unit of the column of heights, from 0.

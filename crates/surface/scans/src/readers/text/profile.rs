@@ -6,7 +6,7 @@ use super::header::Header;
 use super::style::FORMAT;
 use crate::channel::Lateral;
 use crate::choice_of_units::Units;
-use crate::error::ScanReadError;
+use crate::error::{FilePlace, ScanReadError};
 use crate::options::ScanOptions;
 use crate::raster::Decoded;
 use crate::readers::even_axis::evenly_spaced;
@@ -31,8 +31,8 @@ pub(super) fn read(
 ) -> Result<Found, ScanReadError> {
     let Roles { position, height, validity } = roles;
     let units = Units::choose(options, header.column_unit(position), header.height_unit(height), notes);
-    let height_to_m = units.height_to_m(FORMAT)?;
-    let length_to_m = units.length_to_m(FORMAT)?;
+    let height_to_m = units.height_to_m(FORMAT).map_err(|error| header.no_unit(height, error))?;
+    let length_to_m = units.length_to_m(FORMAT).map_err(|error| header.no_unit(position, error))?;
     columns.refuse_missing_points(text, position, height)?;
     let mut rows: Vec<(usize, f64)> =
         columns.measured(position).enumerate().filter_map(|(row, position)| Some((row, position?))).collect();
@@ -54,6 +54,15 @@ pub(super) fn read(
     }
     if let Some(pair) = rows.windows(2).find(|pair| pair[0].1 >= pair[1].1) {
         let line = columns.line_of_row(text, pair[1].0);
+        let heights: Vec<f64> = columns.column(height).collect();
+        if heights.len() > 2 && heights.is_sorted_by(|a, b| a < b) {
+            let mend = "put positions into the first column and heights into the second";
+            return Err(FORMAT.unsupported(
+                FilePlace::Line(line),
+                "a profile with positions in the second column",
+                mend,
+            ));
+        }
         return Err(ScanReadError::PositionsDoNotRise { line, position: pair[1].1, before: pair[0].1 });
     }
     let (first, end) = (rows.first().map_or(0, |row| row.0), rows.last().map_or(0, |row| row.0 + 1));

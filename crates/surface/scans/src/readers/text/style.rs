@@ -19,8 +19,8 @@ pub(crate) enum Separator {
 
 /// Words for a missing point, those of spreadsheets and of the printf of Windows among them.
 const MISSING: [&str; 20] = [
-    "nan", "inf", "infinity", "infinite", "bad", "na", "n/a", "null", "none", "missing", "invalid", "nodata", "no_data", "#n/a",
-    "#num!", "#value!", "#div/0!", "1.#qnan", "1.#ind", "1.#inf",
+    "nan", "inf", "infinity", "infinite", "bad", "na", "n/a", "null", "none", "missing", "invalid", "nodata",
+    "no_data", "#n/a", "#num!", "#value!", "#div/0!", "1.#qnan", "1.#ind", "1.#inf",
 ];
 
 /// UTF-16 with a byte order mark, UTF-8 with or without one, else Latin-1, in which older instruments write `µ`.
