@@ -21,20 +21,20 @@ pub(crate) fn explained(error: io::Error, path: &Path) -> io::Error {
     if error.kind() != io::ErrorKind::NotFound {
         return error;
     }
-    let instead = match (similar_file(path), files_in(folder_of(path))) {
-        (Some(name), _) => format!("did you mean {name}?"),
-        (None, Ok(names)) if names.is_empty() => "its folder is empty".to_owned(),
-        (None, Ok(names)) => format!("its folder holds {}", first_of(&names)),
-        (None, Err(_)) => format!("there is no folder {} either", folder_of(path).display()),
+    let instead = match nearest_files(path) {
+        None => format!("there is no folder {} either", folder_of(path).display()),
+        Some(names) => match &names[..] {
+            [] => "its folder is empty".to_owned(),
+            [(name, likeness), ..] if *likeness >= ALIKE => {
+                format!("did you mean {}?", path.with_file_name(name).display())
+            }
+            names => {
+                let names: Vec<&str> = names.iter().take(3).map(|(name, _)| name.as_str()).collect();
+                format!("the names most alike there are {}", names.join(", "))
+            }
+        },
     };
     io::Error::new(error.kind(), format!("there is no such file; {instead}"))
-}
-
-/// The first names of a list.
-fn first_of(names: &[String]) -> String {
-    const SHOWN: usize = 5;
-    let shown = names[..names.len().min(SHOWN)].join(", ");
-    if names.len() > SHOWN { format!("{shown} and {} more", names.len() - SHOWN) } else { shown }
 }
 
 /// Says what a word is that stands in the place of a file, and what to do.
@@ -46,13 +46,16 @@ fn no_file(word: &str) -> Option<String> {
     is_unit.then(|| format!("a value with a space needs quotes, as \"10 {word}\""))
 }
 
-/// The file beside a missing one that has the most similar name.
-fn similar_file(path: &Path) -> Option<String> {
-    let wanted = path.file_name()?.to_str()?.to_lowercase();
-    let names = files_in(folder_of(path)).ok()?;
-    let likeness = |name: &String| strsim::jaro_winkler(&wanted, &name.to_lowercase());
-    let found = names.into_iter().max_by(|a, b| likeness(a).total_cmp(&likeness(b)))?;
-    (likeness(&found) >= ALIKE).then(|| path.with_file_name(found).display().to_string())
+/// The files beside a missing one, the most alike first, with the likeness of their names; `None` without a folder.
+fn nearest_files(path: &Path) -> Option<Vec<(String, f64)>> {
+    let wanted = path.file_name().unwrap_or_default().to_string_lossy().to_lowercase();
+    let likeness = |name: String| {
+        let likeness = strsim::jaro_winkler(&wanted, &name.to_lowercase());
+        (name, likeness)
+    };
+    let mut names: Vec<_> = files_in(folder_of(path)).ok()?.into_iter().map(likeness).collect();
+    names.sort_by(|a, b| b.1.total_cmp(&a.1));
+    Some(names)
 }
 
 /// Returns the path of the one file whose name reads like this one where its bytes that are not UTF-8 are replaced, as

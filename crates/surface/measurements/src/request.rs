@@ -136,9 +136,8 @@ impl ScanRequest {
         })
     }
 
-    /// The options that say how its heights are read, as the command line takes them: `unit=um,channel=Height`.
-    #[must_use]
-    pub fn options(&self) -> String {
+    /// Its options for the heights and their band, as the command line takes them, each with a comma behind it.
+    pub(crate) fn options(&self) -> String {
         let metres = |length_m: f64| format!("{length_m:e}m");
         let typed = [
             ("unit", self.unit.map(|unit| unit.ascii().to_owned())),
@@ -147,8 +146,7 @@ impl ScanRequest {
             ("tip-radius", self.tip_radius.map(|radius| radius.to_string().replace(' ', ""))),
             ("shortest", self.shortest_m.map(metres)),
         ];
-        let typed = typed.into_iter().filter_map(|(key, value)| Some(format!("{key}={}", value?)));
-        typed.collect::<Vec<_>>().join(",")
+        typed.into_iter().filter_map(|(key, value)| Some(format!("{key}={},", value?))).collect()
     }
 
     /// Limits of the reliable band that the request gives.

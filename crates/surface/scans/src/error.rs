@@ -204,7 +204,7 @@ pub enum ScanReadError {
     },
     /// Decimal commas and decimal points in one file.
     #[error(
-        "line {line}: '{text}' has a decimal {}, line {first_line} a decimal {}; write all decimals with points",
+        "line {line}: '{text}' has a decimal {}, line {first_line} a decimal {}; write all decimals with points, and no separators of thousands",
         mark(*.is_comma), mark(!*.is_comma)
     )]
     MixedDecimals {

@@ -77,8 +77,7 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
     }
     let requests = scans_in_folders(&requests, &folder)?;
     let progress = Progress::towards(STEPS_PER_FILE * requests.len(), "steps of reading and transforming");
-    let found = CompositeOfFiles::read_spectrum(&requests, &folder, &recipe, &progress)
-        .map_err(refused_among(&requests))?;
+    let found = CompositeOfFiles::read_spectrum(&requests, &folder, &recipe, &progress).map_err(refused)?;
     drop(progress);
     timings.lap("reading and transforming");
     say_lines(&scans_table(&found.spectrum));
@@ -152,20 +151,12 @@ pub(super) fn refused(error: TopographyError) -> Failure {
     Failure::Input(refusal(error))
 }
 
-/// The failure of scans, with all options of the one at fault.
-fn refused_among(requests: &[ScanRequest]) -> impl Fn(TopographyError) -> Failure {
-    |error| Failure::Input(refusal_of(error.request.and_then(|at| requests.get(at)), error))
-}
-
 /// Words an error of scans, with the option that mends it where one does.
 pub(super) fn refusal(error: TopographyError) -> String {
-    refusal_of(None, error)
-}
-
-/// Words an error of a scan, with the option that mends it beside those that it has.
-pub(super) fn refusal_of(request: Option<&ScanRequest>, error: TopographyError) -> String {
-    let given = request.map(|request| format!("{},", request.options())).filter(|given| given.len() > 1);
-    let given = given.unwrap_or_default();
+    let given = |typed: &str| -> String {
+        let is_another = |option: &&str| option.split('=').next() != typed.split('=').next();
+        error.options.split_inclusive(',').filter(is_another).collect()
+    };
     let [flag, option] = [0, 1].map(|at| {
         move |option| match option {
             ScanOption::Unit => Some(["--unit", "unit=um"][at]),
@@ -183,7 +174,7 @@ pub(super) fn refusal_of(request: Option<&ScanRequest>, error: TopographyError) 
         }
         (_, Some(file), Some(Mend::Give(wanted))) => option(wanted).map_or_else(
             || "; unpack it, and name the scans or their folder".to_owned(),
-            |typed| format!("; write {file}:{given}{typed}"),
+            |typed| format!("; write {file}:{}{typed}", given(typed)),
         ),
         (_, _, mend) => mend.map_or_else(String::new, |mend| scan_words::mend(mend, flag)),
     };
