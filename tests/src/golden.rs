@@ -69,7 +69,8 @@ fn computed(template: Template) -> (Scene, study::plan::Results) {
 impl GoldenCurve {
     /// Returns the curve as text: a line of column names, then a line per abscissa, with twelve digits.
     pub fn text(&self) -> String {
-        let table = self.data.table();
+        // The linear laws follow from the spectrum, which has lines of its own.
+        let table = FigureData { bands: Vec::new(), ..self.data.clone() }.table();
         let mut lines = vec![table.columns().map(|(name, _)| name.to_owned()).collect::<Vec<_>>().join(",")];
         for row in 0..table.rows() {
             let cell = |cells: &Cells| match cells {

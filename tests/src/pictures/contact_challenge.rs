@@ -38,6 +38,7 @@ pub(super) fn area_over_load() -> Picture {
     let over_load = |pressure_pa: f64, area: f64| area * GRADIENT_PA / pressure_pa;
     let mark = |label: &str, is_ring: bool, pressure_pa: f64, [low, area, high]: [f64; 3]| Mark {
         label: label.to_owned(),
+        column: label.to_owned(),
         is_ring,
         condition_index: None,
         x: pressure_pa / GRADIENT_PA,

@@ -24,8 +24,8 @@ pub(crate) fn pull_off_curve(states: &[AdhesiveState], strongest: &[AdhesiveStat
     let series = surfaces.into_iter().enumerate().map(line).collect();
     let mark = |(at, state): (usize, &AdhesiveState)| {
         let (x, y) = point(state);
-        let condition_index = (!is_one).then_some(at);
-        Mark { label: "pull-off".to_owned(), is_ring: true, condition_index, x, y, low: y, high: y }
+        let (label, condition_index) = ("pull-off".to_owned(), (!is_one).then_some(at));
+        Mark { column: label.clone(), label, is_ring: true, condition_index, x, y, low: y, high: y }
     };
     let figure = FigureData::new("pull-off", Shows::Response, GAP, MEAN_PRESSURE, series).with_linear_axes();
     FigureData {

@@ -5,11 +5,11 @@ use std::io::{self, Write};
 use crate::chart;
 use crate::curve_names::with_printed_names;
 use crate::intervals::with_intervals;
-use crate::judged;
+use crate::judged::with_marks;
 use crate::page::{Report, SceneReport};
 use crate::provenance::provenance;
 use crate::run_stamp::RunStamp;
-use conclusions::{Conclusions, Evidence};
+use conclusions::{AnswerUnderLoad, Conclusions, Evidence};
 use findings::answer::SceneAnswer;
 use findings::sensitivity::Sensitivity;
 use judge::Judgement;
@@ -42,13 +42,18 @@ fn spectrum_figure() -> Figure {
     Figure { name: SPECTRUM_NAME.to_owned(), shows: Shows::Psd, ..Figure::area_of_all(Vec::new()) }
 }
 
-/// Computes the data of the figures of a scene, in their order.
+/// The conclusions on a scene, and what they rest on.
+pub type Found<'a> = (Evidence<'a>, &'a Conclusions);
+
+/// Computes the data of the figures of a scene, in their order, with the elements and intervals that were found.
 pub fn figure_documents<'a>(
     scene: &'a Scene,
     results: &'a Results,
-    uncertainty: Option<&'a Uncertainty>,
+    found: Option<Found<'a>>,
 ) -> impl Iterator<Item = FigureDocuments<'a>> {
-    scene.figures.iter().map(move |figure| FigureDocuments::new(scene, results, figure, uncertainty))
+    let documents =
+        move |figure| FigureDocuments { scene, figure, data: data(scene, results, figure, found) };
+    scene.figures.iter().map(documents)
 }
 
 /// A figure of a scene with its data, to be written in its formats.
@@ -58,16 +63,7 @@ pub struct FigureDocuments<'a> {
     data: FigureData,
 }
 
-impl<'a> FigureDocuments<'a> {
-    fn new(
-        scene: &'a Scene,
-        results: &Results,
-        figure: &'a Figure,
-        uncertainty: Option<&Uncertainty>,
-    ) -> Self {
-        FigureDocuments { scene, figure, data: data(scene, results, figure, uncertainty) }
-    }
-
+impl FigureDocuments<'_> {
     /// Draws the figure as an SVG document.
     #[must_use]
     pub fn svg(&self) -> String {
@@ -97,35 +93,40 @@ impl<'a> FigureDocuments<'a> {
     }
 }
 
-/// The data of a figure, with the intervals of its areas.
-fn data(scene: &Scene, results: &Results, figure: &Figure, uncertainty: Option<&Uncertainty>) -> FigureData {
+/// The data of a figure, with the elements and the intervals of its areas.
+fn data(scene: &Scene, results: &Results, figure: &Figure, found: Option<Found<'_>>) -> FigureData {
+    let mut figure = figure.clone();
+    let judged = found.and_then(|(evidence, conclusions)| Some((evidence.judgement?, conclusions)));
+    if let Some((_, conclusions)) = judged.filter(|_| figure.draws_nearest) {
+        let nearest: Vec<usize> =
+            conclusions.loads.iter().filter_map(AnswerUnderLoad::nearest_curve).collect();
+        if figure.curves.iter().any(|curve| nearest.contains(curve)) {
+            figure.keep_curves(&nearest, &scene.needs);
+        }
+    }
     let data = figure.data(results, &scene.needs, scene.hardness_pa());
-    let data = match uncertainty {
-        Some(uncertainty) => with_intervals(data, figure, scene, uncertainty),
+    let data = match judged {
+        Some((judgement, _)) => with_marks(data, scene, judgement, results.psd.shortest_wavelength_m()),
+        None => data,
+    };
+    let data = match found.and_then(|(evidence, _)| evidence.uncertainty) {
+        Some(uncertainty) => with_intervals(data, &figure, scene, uncertainty),
         None => data,
     };
     let data = data.with_holes(&scene.surface.holes);
     match &scene.surface.made_from {
-        Some(scans) if figure.shows == Shows::Psd => over_scans(scans, data),
+        Some(scans) if data.shows == Shows::Psd => over_scans(scans, data),
         _ => data,
     }
 }
 
 /// The figures of a report: first the area of all curves against the cutoff, unless it has too many lines to be read, then the spectrum, both made where the scene
 /// does not ask for them, then the others.
-fn reported_figures(evidence: &Evidence<'_>) -> Vec<FigureData> {
-    let Evidence { scene, results, .. } = *evidence;
+fn reported_figures(found: Found<'_>) -> Vec<FigureData> {
+    let Evidence { scene, results, .. } = found.0;
     let mut own = scene.figures.clone();
-    let data = |figure: &Figure| data(scene, results, figure, evidence.uncertainty);
-    let finished = |data: FigureData| {
-        let named = with_printed_names(data, &scene.needs.curves);
-        match evidence.judgement {
-            Some(judgement) if named.shows == Shows::Area => {
-                judged::with_marks(named, judgement, results.psd.shortest_wavelength_m())
-            }
-            _ => named,
-        }
-    };
+    let data = |figure: &Figure| data(scene, results, figure, Some(found));
+    let finished = |data: FigureData| with_printed_names(data, &scene.needs.curves);
     let mut figures = Vec::new();
     let followed: Vec<usize> = (0..scene.needs.curves.len())
         .filter(|&at| scene.needs.curves[at].cutoffs == Cutoffs::Every)
@@ -327,7 +328,7 @@ impl<'a> SceneProducts<'a> {
             take_table(INTERFACE_TABLE, "table", &interface_table(&states, scene, evidence.uncertainty))?;
         }
         let figures: Vec<FigureDocuments<'_>> =
-            figure_documents(scene, results, evidence.uncertainty).collect();
+            figure_documents(scene, results, Some((evidence, self.conclusions))).collect();
         for documents in &figures {
             take_table(&documents.figure.name, "figure", &documents.data.table())?;
         }
@@ -365,7 +366,7 @@ impl<'a> SceneProducts<'a> {
             evidence,
             conclusions,
             sensitivities: sensitivities?,
-            figures: reported_figures(&evidence),
+            figures: reported_figures((evidence, conclusions)),
         })
     }
 }

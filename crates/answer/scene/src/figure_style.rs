@@ -70,8 +70,8 @@ impl Scene {
             style.hides_title |= choice.hides_title;
             figure.loads = loads.clone().or(figure.loads.take());
             if let Some(models) = &models {
-                figure.curves.retain(|curve| models.contains(curve));
-                figure.sweeps.retain(|sweep| models.contains(&self.needs.sweeps[*sweep].curve));
+                figure.keep_curves(models, &self.needs);
+                figure.draws_nearest = false;
             }
         }
         let lacks_curves = |figure: &&Figure| figure.shows.draws_areas() && figure.curves.is_empty();

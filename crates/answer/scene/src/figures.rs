@@ -21,6 +21,7 @@ pub(super) fn resolve_figures(
     material: Option<&Material>,
 ) -> Result<(Vec<Figure>, Vec<LoadSweep>), SceneError> {
     let defaults = Defaults::new(raw, curves, loads, material)?;
+    let are_all = raw.curve.is_empty() && defaults.models.is_none();
     let raw = &raw.figure;
     if raw.is_empty() {
         let mut over_cutoffs = followed(curves);
@@ -29,6 +30,7 @@ pub(super) fn resolve_figures(
         let all = || Figure {
             style: defaults.style,
             loads: defaults.loads.clone(),
+            draws_nearest: are_all,
             formats: defaults.formats.clone(),
             ..Figure::area_of_all(over_cutoffs)
         };
@@ -80,7 +82,7 @@ pub(super) fn resolve_figures(
         }
         let first_sweep = sweeps.len();
         if figure.shows == Shows::AreaAgainstLoad {
-            sweeps.extend(load_sweeps(spanned, &drawn, curves, material)?);
+            sweeps.extend(load_sweeps(spanned, &drawn, material)?);
         }
         figures.push(Figure {
             name: name.clone(),
@@ -91,6 +93,7 @@ pub(super) fn resolve_figures(
                 Some(RawFigureLoads::Other(some)) => Some(loads_of(some, loads, material)?),
                 _ => defaults.loads.clone(),
             },
+            draws_nearest: are_all && figure.curves.is_none() && figure.models.is_none(),
             formats: figure.format.as_ref().map_or_else(|| defaults.formats.clone(), |own| formats(own)),
             style: FigureStyle {
                 hides_title: match figure.title.as_ref().map(Spanned::get_ref) {
@@ -138,17 +141,9 @@ fn drawn_curve(name: &Spanned<String>, curves: &[Curve], shows: Shows) -> Result
 fn load_sweeps(
     spanned: &Spanned<RawFigure>,
     drawn: &[usize],
-    curves: &[Curve],
     material: Option<&Material>,
 ) -> Result<Vec<LoadSweep>, SceneError> {
     let figure = spanned.get_ref();
-    if let Some(&other) = drawn.iter().find(|&&curve| curves[curve].model.statistical().is_none()) {
-        let (name, framework) = (&curves[other].name, curves[other].model.entry.framework);
-        let message = format!(
-            "area-against-load draws statistical curves only, and {name:?} is {framework}; list curves = [...]"
-        );
-        return Err(SceneError::at(spanned.span(), message));
-    }
     let Some(RawFigureLoads::Table(range)) = figure.loads.as_ref().map(Spanned::get_ref) else {
         let message = "area-against-load needs loads = { from = \"1e-6 H\", to = \"1 H\", points = 41 }";
         return Err(SceneError::at(spanned.span(), message));

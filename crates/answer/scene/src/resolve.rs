@@ -105,7 +105,9 @@ pub(super) fn resolve(
     };
     let (mut curves, ignored) = resolve_curves(&raw.curve, material.as_ref(), &law_options, files)?;
     let judges_all = raw.judge.as_ref().is_some_and(|judge| judge.all_models);
-    let runs_all = judges_all || (raw.curve.is_empty() && raw.figure.is_empty() && raw.loads.is_some());
+    let asks_for_areas =
+        raw.figure.is_empty() || raw.figure.iter().any(|figure| figure.get_ref().shows.draws_areas());
+    let runs_all = judges_all || (raw.curve.is_empty() && asks_for_areas && raw.loads.is_some());
     if let Some(material) = material.as_ref().filter(|_| runs_all) {
         let others = curves_that_apply(material, &law_options);
         let is_listed = |curve: &Curve| curves.iter().any(|listed| listed.name == curve.name);

@@ -162,8 +162,11 @@ mod png {
     use resvg::usvg::{Options, Tree};
     use svg2pdf::{ConversionOptions, PageOptions};
 
-    /// Pixels of the picture for a pixel of the SVG: 300 dots per inch where a figure is 10 cm wide.
+    /// Pixels of the picture of a map for a pixel of the SVG: 300 dots per inch where it is 10 cm wide.
     const SCALE: f32 = 2.5;
+
+    /// Dots per inch of print of the picture of a figure.
+    const PRINTED_DOTS: f32 = 600.0;
 
     /// Pixels of SVG in an inch.
     const DOTS_PER_INCH: f32 = 96.0;
@@ -175,7 +178,10 @@ mod png {
 
     /// The PNG of an SVG document, or what is wrong with that.
     pub(super) fn of(svg: &str) -> Result<Vec<u8>, String> {
-        drawn(svg)?.encode_png().map_err(|error| error.to_string())
+        let tree = tree(svg)?;
+        // A picture too large for print is drawn as finely as a map.
+        let picture = drawn(&tree, PRINTED_DOTS / DOTS_PER_INCH).or_else(|_| drawn(&tree, SCALE))?;
+        picture.encode_png().map_err(|error| error.to_string())
     }
 
     /// The PDF of an SVG document, in its size in print and with its letters as text.
@@ -192,7 +198,7 @@ mod png {
 
     /// The PNG of a field: its points over its frame.
     pub(super) fn of_field(picture: &FieldPicture) -> Result<Vec<u8>, String> {
-        let mut drawn = drawn(&picture.svg)?;
+        let mut drawn = drawn(&tree(&picture.svg)?, SCALE)?;
         let points = points(picture)?;
         let [left, top, width, height] = picture.place.map(|px| px as f32 * SCALE);
         let (x, y) = (width / points.width() as f32, height / points.height() as f32);
@@ -233,10 +239,9 @@ mod png {
         Tree::from_str(svg, &options).map_err(|error| error.to_string())
     }
 
-    /// An SVG document in pixels.
-    fn drawn(svg: &str) -> Result<Pixmap, String> {
-        let tree = tree(svg)?;
-        let pixels = |length: f32| (length * SCALE).ceil() as u32;
+    /// An SVG document in pixels, some for each of its own.
+    fn drawn(tree: &Tree, scale: f32) -> Result<Pixmap, String> {
+        let pixels = |length: f32| (length * scale).ceil() as u32;
         let (width, height) = (pixels(tree.size().width()), pixels(tree.size().height()));
         let is_small = u64::from(width) * u64::from(height) <= MOST_PIXELS;
         let mut picture = Pixmap::new(width, height).filter(|_| is_small).ok_or_else(|| {
@@ -245,7 +250,7 @@ mod png {
             )
         })?;
         picture.fill(Color::WHITE);
-        resvg::render(&tree, Transform::from_scale(SCALE, SCALE), &mut picture.as_mut());
+        resvg::render(tree, Transform::from_scale(scale, scale), &mut picture.as_mut());
         Ok(picture)
     }
 }

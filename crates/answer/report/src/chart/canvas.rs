@@ -180,8 +180,8 @@ impl Canvas {
                 true => ruler.ticks.iter().map(|(at, _)| ruler.place_px(*at)).collect::<Vec<_>>(),
                 false => ruler.minor_ticks.iter().map(|at| ruler.place_px(*at)).collect(),
             };
-            places(&self.x).iter().for_each(|at| *path += &format!("M{at:.2} {bottom:.2}v{length}"));
-            places(&self.y).iter().for_each(|at| *path += &format!("M{left:.2} {at:.2}h-{length}"));
+            places(&self.x).iter().for_each(|at| *path += &format!("M{at:.2} {bottom:.2}v-{length}"));
+            places(&self.y).iter().for_each(|at| *path += &format!("M{left:.2} {at:.2}h{length}"));
         }
         let _ = writeln!(
             self.svg,

@@ -1,14 +1,12 @@
 //! The look of the lines, marks and bands of a figure: colours by model or condition, dashes by curve.
 
-use std::collections::BTreeSet;
-
 use study::figure::{BandKind, FigureBand, FigureData, Series};
+use units::display::typeset;
 
 use super::palette::{INTERVAL_OPACITY, ModelStyle, NEUTRAL, YARDSTICK_OPACITY, colour, dash, tint};
 
-/// The width of the edges of an interval, thinner than any line of a curve.
-pub(super) const EDGE_PX: f64 = 0.75;
-const LINE_PX: f64 = 1.6;
+/// The width of lines: a point in print, where letters have the size of those of journals.
+const LINE_PX: f64 = 1.5;
 /// The width of a pale line that others lie on.
 const BROAD_PX: f64 = 3.5;
 
@@ -25,12 +23,11 @@ pub(super) struct Ink {
 }
 
 impl Ink {
-    /// Returns the look of a line: that of its model, as broad as its condition, else by condition and curve.
+    /// Returns the look of a line: that of its model, else by condition and curve.
     pub fn new(figure: &FigureData, series: &Series) -> Self {
         if let Some(look) = series.look {
             let ModelStyle { colour, dash, .. } = ModelStyle::new(look);
-            let width_px = condition_width_px(figure, series.condition_index).unwrap_or(LINE_PX);
-            return Ink { dark: colour.to_owned(), colour: colour.to_owned(), width_px, dash };
+            return Ink { dark: colour.to_owned(), colour: colour.to_owned(), width_px: LINE_PX, dash };
         }
         let index = colour_index(figure, series.condition_index);
         let pattern = dash_index(figure, series.curve_index);
@@ -38,23 +35,16 @@ impl Ink {
         let (pale, width_px) = if is_broad { (tint(index), BROAD_PX) } else { (colour(index), LINE_PX) };
         Ink { colour: pale, dark: colour(index), width_px, dash: dash(pattern) }
     }
+}
 
-    /// Returns the look of a band: that of its line, or black for a yardstick among lines of models.
-    pub fn of_band(figure: &FigureData, band: &FigureBand) -> Self {
-        let mut lines = figure.series.iter().filter(|series| series.look.is_some());
-        let line = match band.kind {
-            BandKind::Interval => lines.find(|series| series.curve_index == band.curve_index),
-            BandKind::Yardstick => None,
-        };
-        line.map_or_else(
-            || {
-                let dark = mark_colour(figure, band.load);
-                let dash = dash(dash_index(figure, band.curve_index));
-                Ink { colour: dark.clone(), dark, width_px: EDGE_PX, dash }
-            },
-            |line| Ink::new(figure, line),
-        )
-    }
+/// Returns the colour of a band: that of its line, or black for a yardstick among lines of models.
+pub(super) fn band_colour(figure: &FigureData, band: &FigureBand) -> String {
+    let mut lines = figure.series.iter().filter(|series| series.look.is_some());
+    let line = match band.kind {
+        BandKind::Interval => lines.find(|series| series.curve_index == band.curve_index),
+        BandKind::Yardstick => None,
+    };
+    line.map_or_else(|| mark_colour(figure, band.load), |line| Ink::new(figure, line).dark)
 }
 
 /// Returns the opacity of a band.
@@ -71,22 +61,25 @@ pub(super) fn mark_colour(figure: &FigureData, condition: Option<usize>) -> Stri
     colour(if has_models { NEUTRAL } else { colour_index(figure, condition) })
 }
 
-/// Returns the lines that share a label with the one at an index: those of its colour. Lines of models have one each.
-pub(super) fn label_group(figure: &FigureData, at: usize) -> usize {
-    let series = &figure.series[at];
-    series.look.map_or_else(|| colour_index(figure, series.condition_index), |_| at)
+/// Returns true if labels at lines name models: if all lines are of models, under one condition.
+pub(super) fn labels_name_models(figure: &FigureData) -> bool {
+    let mut series = figure.series.iter();
+    series.all(|line| line.look.is_some() && line.condition_index == figure.series[0].condition_index)
 }
 
-/// Returns the width of the lines of models under a condition, from the narrow first to the broad last; `None` if the
-/// figure has no more than one condition.
-pub(super) fn condition_width_px(figure: &FigureData, condition: Option<usize>) -> Option<f64> {
-    const NARROWEST_PX: f64 = 0.9;
-    const BROADEST_PX: f64 = 2.9;
-    let conditions: BTreeSet<usize> =
-        figure.series.iter().filter_map(|series| series.condition_index).collect();
-    let last = conditions.len().checked_sub(1).filter(|last| *last > 0)?;
-    let place = conditions.iter().position(|one| Some(*one) == condition)?;
-    Some(NARROWEST_PX + (BROADEST_PX - NARROWEST_PX) * place as f64 / last as f64)
+/// Returns the label at a line: its model, or its condition.
+pub(super) fn label(figure: &FigureData, series: &Series) -> String {
+    typeset(if labels_name_models(figure) { &series.curve } else { &series.condition })
+}
+
+/// Returns the lines that share a label with the one at an index: those under its condition.
+pub(super) fn label_group(figure: &FigureData, at: usize) -> usize {
+    let series = &figure.series[at];
+    match (series.look, series.condition_index) {
+        (Some(_), _) if labels_name_models(figure) => at,
+        (Some(_), Some(condition)) => condition,
+        (_, condition) => colour_index(figure, condition),
+    }
 }
 
 /// The colour index of lines under a condition. A line without a condition among others that have some is black, and none

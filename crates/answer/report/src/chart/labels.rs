@@ -5,15 +5,15 @@ use super::canvas::{Rect, text_width_px};
 /// Height of a label's letters, and its distance from lines: from its own group, and from others.
 pub(crate) const SIZE_PX: f64 = 11.0;
 const GAP_PX: f64 = 4.0;
-const BERTH_PX: f64 = 7.0;
+const BERTH_PX: f64 = 4.5;
 /// The distance of a label from the frame.
 const MARGIN_PX: f64 = 2.0;
 
 /// Spacing at which lines are probed; less than a label is high.
 const PROBE_PX: f64 = 3.0;
 
-/// The places of a label along a line: its ends, the last point first, then points on the way.
-const PLACES: [f64; 7] = [1.0, 0.0, 0.75, 0.25, 0.5, 0.875, 0.125];
+/// The places of a label along a line, from its last point to its first, near which lines of areas meet.
+const PLACES: [f64; 7] = [1.0, 0.875, 0.75, 0.5, 0.25, 0.125, 0.0];
 
 /// A line in pixels. The first line of a group with room for it gets the label.
 pub(super) struct Track {
@@ -56,7 +56,7 @@ pub(super) fn place(tracks: &[Track], frame: Rect) -> Vec<Placed> {
         let of_group = || probes.iter().filter(|(group, _)| *group == track.group);
         let found = PLACES.iter().find_map(|&along| {
             of_group()
-                .flat_map(|(_, line)| around(line, along, &track.label))
+                .flat_map(|(_, line)| around(line, along, &track.label, frame.top))
                 .find(|candidate| free(candidate))
         });
         placed.extend(found.map(|place| Placed { text: track.label.clone(), group: track.group, place }));
@@ -64,20 +64,28 @@ pub(super) fn place(tracks: &[Track], frame: Rect) -> Vec<Placed> {
     placed
 }
 
-/// The places around a point of a line: beside it on either side, above and below.
-fn around(line: &[(f64, f64)], along: f64, label: &str) -> Vec<Rect> {
+/// The places around a point of a line: beside it on either side, above and below. Along the upper edge of the frame, lines
+/// of full contact lie on each other.
+fn around(line: &[(f64, f64)], along: f64, label: &str, top: f64) -> Vec<Rect> {
     let Some(last) = line.len().checked_sub(1) else { return Vec::new() };
     let (x, y) = line[(along * last as f64).round() as usize];
+    if y < top + 0.5 {
+        return Vec::new();
+    }
     let (width, half) = (text_width_px(label, SIZE_PX), SIZE_PX / 2.0);
     let at = |left: f64, top: f64| Rect { left, top, right: left + width, bottom: top + SIZE_PX };
     let (above, below) = (y - GAP_PX - SIZE_PX, y + GAP_PX);
     vec![
         at(x - GAP_PX - width, y - half),
         at(x + GAP_PX, y - half),
-        at(x, above),
-        at(x - width, above),
         at(x, below),
         at(x - width, below),
+        at(x, below + BERTH_PX),
+        at(x - width, below + BERTH_PX),
+        at(x, above),
+        at(x - width, above),
+        at(x, above - BERTH_PX),
+        at(x - width, above - BERTH_PX),
         at(x - width / 2.0, above - GAP_PX),
         at(x - width / 2.0, below + GAP_PX),
         at(x + GAP_PX, above),

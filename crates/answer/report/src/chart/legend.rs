@@ -5,12 +5,12 @@ use study::figure::{BandKind, FigureData, Mark, Series};
 use units::display::typeset;
 
 use super::canvas::{Anchor, Canvas, LETTERS_PX, Rect, Stroke, disc, text_width_px, wrapped};
-use super::ink::{EDGE_PX, Ink, condition_width_px, opacity};
+use super::ink::{Ink, labels_name_models, opacity};
 use super::palette::{NEUTRAL, colour, tint};
 
 const ROW_PX: f64 = 18.0;
 /// The length of a sample, long enough to show its dash pattern.
-const SAMPLE_PX: f64 = 34.0;
+const SAMPLE_PX: f64 = 26.0;
 const GAP_PX: f64 = 6.0;
 
 struct Entry<'a> {
@@ -30,7 +30,7 @@ enum Sample {
     Disc {
         is_ring: bool,
     },
-    /// A pale stretch, for bands of any colour; those of intervals have edges.
+    /// A pale stretch, for bands of any colour.
     Band(BandKind),
 }
 
@@ -61,24 +61,29 @@ pub(super) fn append(
     let disc = |mark: &'_ Mark| Sample::Disc { is_ring: mark.is_ring };
     let marks = kinds(figure.marks.iter().map(|mark| (mark.label.as_str(), disc(mark))));
     let bands = kinds(figure.bands.iter().map(|band| (band.label.as_str(), Sample::Band(band.kind))));
-    let groups = [conditions(figure, is_labelled), curves(figure), marks, bands];
-    // A name too long for the place under the axes begins further to the left, and all of them with it.
-    let longest = groups.iter().flatten().map(|entry| entry.width_px(right)).fold(0.0, f64::max);
-    let left = canvas.frame.left.min(right - longest).max(GAP_PX);
-    let mut baseline = height;
-    for group in groups {
-        let mut x = left;
-        for (i, entry) in group.iter().enumerate() {
-            let width = entry.width_px(right);
-            if i == 0 || x + width > right {
-                x = left;
-                baseline += ROW_PX;
-            }
-            let lines = entry.lines(right);
-            draw(canvas, entry, &lines, [x, baseline - GAP_PX]);
-            baseline += ROW_PX * (lines.len() - 1) as f64;
-            x += width;
+    let groups = [conditions(figure, &is_labelled), curves(figure, &is_labelled), marks, bands];
+    let entries: Vec<Entry<'_>> = groups.into_iter().flatten().collect();
+    // Entries of more than a row take the whole width.
+    let is_row = entries.iter().map(|entry| entry.width_px(right)).sum::<f64>() <= right - canvas.frame.left;
+    let left = if is_row { canvas.frame.left } else { GAP_PX };
+    let lowest = height + canvas.frame.bottom - canvas.frame.top;
+    let (mut x, mut baseline) = (f64::INFINITY, height);
+    for (at, entry) in entries.iter().enumerate() {
+        let width = entry.width_px(right);
+        if x + width > right {
+            x = left;
+            baseline += ROW_PX;
         }
+        // A legend is no larger than its plot.
+        if baseline > lowest {
+            let words = format!("and {} more", entries.len() - at);
+            canvas.text((x, baseline - GAP_PX), Anchor::Start, LETTERS_PX, &words);
+            break;
+        }
+        let lines = entry.lines(right);
+        draw(canvas, entry, &lines, [x, baseline - GAP_PX]);
+        baseline += ROW_PX * (lines.len() - 1) as f64;
+        x += width;
     }
     baseline + if baseline > height { GAP_PX } else { 0.0 }
 }
@@ -94,10 +99,6 @@ fn draw(canvas: &mut Canvas, entry: &Entry<'_>, lines: &[String], [x, baseline]:
         Sample::Band(kind) => {
             let place = Rect { left: x, top: y - 4.0, right, bottom: y + 4.0 };
             canvas.rect(place, &format!("fill=\"{colour}\" fill-opacity=\"{}\"", opacity(*kind)));
-            let edges: &[f64] = if *kind == BandKind::Interval { &[place.top, place.bottom] } else { &[] };
-            for edge in edges {
-                canvas.line(&[(x, *edge), (right, *edge)], Stroke { colour, width_px: EDGE_PX, dash: "" });
-            }
         }
         Sample::None => {}
     }
@@ -107,33 +108,37 @@ fn draw(canvas: &mut Canvas, entry: &Entry<'_>, lines: &[String], [x, baseline]:
     }
 }
 
-/// Entries for conditions, with their colours, or, where colours belong to models, with the widths of their lines.
-/// Conditions that labels at all of their lines spell out have none.
-fn conditions(figure: &FigureData, is_labelled: impl Fn(usize) -> bool) -> Vec<Entry<'_>> {
+/// Entries for conditions, with their colours unless these belong to models. Conditions that labels at their lines spell
+/// out have none.
+fn conditions<'a>(figure: &'a FigureData, is_labelled: &impl Fn(usize) -> bool) -> Vec<Entry<'a>> {
+    let labels_name_models = labels_name_models(figure);
     let mut entries: Vec<Entry<'_>> = Vec::new();
     for (at, series) in figure.series.iter().enumerate() {
         let label = series.condition_in_full.as_str();
-        let is_spelt_out = is_labelled(at) && label == typeset(&series.condition);
+        let is_in_full = series.look.is_some() || label == typeset(&series.condition);
+        let is_spelt_out = !labels_name_models && is_labelled(at) && is_in_full;
         if label.is_empty() || is_spelt_out || entries.iter().any(|entry| entry.label == label) {
             continue;
         }
-        let (colour, width_px) = match series.look {
-            Some(_) => (colour(NEUTRAL), condition_width_px(figure, series.condition_index)),
-            None => (Ink::new(figure, series).dark, Some(2.0)),
+        let sample = match series.look {
+            Some(_) => Sample::None,
+            None => Sample::Line { dash: String::new(), width_px: 2.0 },
         };
-        let sample = width_px.map_or(Sample::None, |width_px| Sample::Line { dash: String::new(), width_px });
-        entries.push(Entry { label, colour, sample });
+        entries.push(Entry { label, colour: Ink::new(figure, series).dark, sample });
     }
     entries
 }
 
-/// Entries for the curves: of models always, of others if several share the figure, in grey like their lines in colour.
-fn curves(figure: &FigureData) -> Vec<Entry<'_>> {
+/// Entries for the curves: of models that no label at their line names, of others if several share the figure, in grey
+/// like their lines in colour.
+fn curves<'a>(figure: &'a FigureData, is_labelled: &impl Fn(usize) -> bool) -> Vec<Entry<'a>> {
     let compared = figure.compares_curves();
-    let named = figure.series.iter().filter(|series| !series.curve.is_empty());
+    let labels_name_models = labels_name_models(figure);
+    let named = figure.series.iter().enumerate().filter(|(_, series)| !series.curve.is_empty());
     let mut entries: Vec<Entry<'_>> = Vec::new();
-    for series in named.filter(|series| compared || series.look.is_some()) {
-        if entries.iter().any(|entry| entry.label == series.curve) {
+    for (at, series) in named.filter(|(_, series)| compared || series.look.is_some()) {
+        if (labels_name_models && is_labelled(at)) || entries.iter().any(|entry| entry.label == series.curve)
+        {
             continue;
         }
         let grey = Series { condition_index: None, ..series.clone() };

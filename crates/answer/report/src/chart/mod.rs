@@ -19,14 +19,13 @@ mod script;
 pub use script::script;
 
 use study::figure::{AxisKind, AxisScale, BandKind, FigureBand, FigureData, FigureStyle, Mark, pieces};
-use units::display::typeset;
 
 use canvas::{Anchor, Canvas, LETTERS_PX, MOST_POINTS, Point, Rect, Stroke, path, thinned, wrapped};
-use ink::{EDGE_PX, Ink, label_group, mark_colour, opacity};
+use ink::{Ink, band_colour, label, label_group, mark_colour, opacity};
 use labels::Track;
 use palette::QUIET;
 use panel::Panel;
-use ruler::{Ruler, TickWords};
+use ruler::{Ruler, TickWords, floor_below};
 
 /// Size of a figure, without its title and the legend under it.
 const WIDTH_PX: f64 = 480.0;
@@ -229,9 +228,20 @@ fn rulers(figure: &FigureData, beside: &[&FigureData], width: f64) -> [Ruler; 2]
     let [across, upwards] = MOST_STEPS;
     let x = &mut points.iter().map(|point| point.0);
     let y = &mut points.iter().map(|point| point.1);
+    let x_ruler = ruler(x, figure.x_scale, x_words, &figure.x_label, most, across);
+    let y_ruler = ruler(y, figure.y_scale, y_words, figure.y_label, f64::INFINITY, upwards);
+    let y = points.iter().map(|point| point.1).filter(|y| *y > 0.0);
     [
-        ruler(x, figure.x_scale, x_words, &figure.x_label, most, across),
-        ruler(y, figure.y_scale, y_words, figure.y_label, f64::INFINITY, upwards),
+        if figure.x_scale == AxisScale::Logarithmic {
+            x_ruler.cut_to(points.iter().map(|point| point.0))
+        } else {
+            x_ruler
+        },
+        if y_words == TickWords::Share && figure.y_scale == AxisScale::Logarithmic {
+            y_ruler.cut_to(y.flat_map(|y| [floor_below(y), y]))
+        } else {
+            y_ruler
+        },
     ]
 }
 
@@ -240,7 +250,7 @@ fn rulers(figure: &FigureData, beside: &[&FigureData], width: f64) -> [Ruler; 2]
 fn traces(canvas: &Canvas, figure: &FigureData) -> Vec<Trace> {
     let is_crowded = figure.series.len() > MOST_LABELLED;
     let trace = |(at, series): (usize, &study::figure::Series)| {
-        let label = if is_crowded { String::new() } else { typeset(&series.condition) };
+        let label = if is_crowded { String::new() } else { label(figure, series) };
         let runs =
             figure.pieces(series).into_iter().map(|piece| thinned(places(canvas, &piece), MOST_POINTS));
         let runs = runs.filter(|run| !run.is_empty()).collect();
@@ -268,7 +278,9 @@ fn label_lines(canvas: &mut Canvas, figure: &FigureData, traces: &[Trace]) -> Ve
     let tracks: Vec<Track> = of_lines.chain(figure.marks.iter().map(of_mark)).collect();
     let placed = labels::place(&tracks, canvas.frame);
     for label in &placed {
-        let dark = traces.iter().find(|trace| trace.group == label.group).map_or("", |trace| &trace.ink.dark);
+        let mut inks = traces.iter().filter(|trace| trace.group == label.group).map(|trace| &trace.ink.dark);
+        let first = inks.next().map_or("black", String::as_str);
+        let dark = if inks.all(|other| other == first) { first } else { "black" };
         let place = (label.place.left, label.place.bottom - 0.15 * labels::SIZE_PX);
         let look = format!("font-size=\"{}\" fill=\"{dark}\"", labels::SIZE_PX);
         canvas.styled_text(place, Anchor::Start, &look, &label.text);
@@ -276,10 +288,10 @@ fn label_lines(canvas: &mut Canvas, figure: &FigureData, traces: &[Trace]) -> Ve
     placed.iter().map(|label| label.group).collect()
 }
 
-/// Draws a band as far as it lies inside the frame. An interval has edges in the dash pattern of its line. A yardstick has
-/// none and breaks at holes of the spectrum; an interval does not, since it tells what they leave open.
+/// Draws a band as far as it lies inside the frame. A yardstick breaks at holes of the spectrum; an interval does not,
+/// since it tells what they leave open.
 fn draw_band(canvas: &mut Canvas, figure: &FigureData, band: &FigureBand) {
-    let Ink { dark, dash, .. } = Ink::of_band(figure, band);
+    let dark = band_colour(figure, band);
     let is_interval = band.kind == BandKind::Interval;
     let drawn = if is_interval { vec![band.points.clone()] } else { pieces(&band.points, &figure.gaps) };
     let frame = canvas.frame;
@@ -303,12 +315,6 @@ fn draw_band(canvas: &mut Canvas, figure: &FigureData, band: &FigureBand) {
             "<path class=\"band\" d=\"{}Z\" fill=\"{dark}\" fill-opacity=\"{opacity}\"/>\n",
             path(&outline)
         );
-        if is_interval {
-            let edges: [Vec<Point>; 2] = [edge(0).collect(), edge(1).collect()];
-            edges.iter().for_each(|edge| {
-                canvas.line(edge, Stroke { colour: &dark, width_px: EDGE_PX, dash: &dash });
-            });
-        }
     }
 }
 

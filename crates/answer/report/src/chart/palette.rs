@@ -29,14 +29,14 @@ const FAMILIES: [&[&str]; NEUTRAL] = [
 const OTHER: [&str; 2] = ["#555555", "#bbbbbb"];
 
 /// Greys of grids, lines at zero, subjects, and of stretches without a measurement, which cover a share of what is below.
-pub(crate) const GRID: &str = "#cccccc";
+pub(crate) const GRID: &str = "#eeeeee";
 pub(crate) const ZERO: &str = "#999999";
 pub(crate) const QUIET: &str = "#666666";
 pub(crate) const HOLE: (&str, f64) = ("#808080", 0.15);
 
 /// The opacity of a band to hold lines against, and of an interval, of which several may overlap.
 pub(crate) const YARDSTICK_OPACITY: f64 = 0.18;
-pub(crate) const INTERVAL_OPACITY: f64 = 0.1;
+pub(crate) const INTERVAL_OPACITY: f64 = 0.15;
 
 /// The colour of missing points of a map.
 pub(crate) const MISSING: [u8; 3] = [150; 3];

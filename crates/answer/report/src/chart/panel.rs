@@ -6,7 +6,7 @@ use units::printable::printable;
 
 use super::canvas::escaped;
 
-const FONTS: &str = "DejaVu Sans, Verdana, Liberation Sans, Arial, sans-serif";
+const FONTS: &str = "Helvetica, Arial, Liberation Sans, sans-serif";
 
 /// SVG elements within a rectangle that begins at the origin.
 #[derive(Debug, Clone, PartialEq)]

@@ -71,6 +71,24 @@ impl Ruler {
         }
     }
 
+    /// Returns the axis of decades with its ends a little beyond these values, if it keeps two labelled ticks.
+    pub fn cut_to(self, values: impl Iterator<Item = f64>) -> Self {
+        const ROOM: f64 = 0.02;
+        let Some((low, high)) = range(values.filter(|value| *value > 0.0).map(f64::log10)) else {
+            return self;
+        };
+        let room = ROOM * (high - low);
+        let ends = [self.ends[0].max(low - room), self.ends[1].min(high + room)];
+        let is_inside = |place: f64| (ends[0]..=ends[1]).contains(&place);
+        let ticks: Vec<(f64, String)> =
+            self.ticks.iter().filter(|(place, _)| is_inside(*place)).cloned().collect();
+        if ticks.len() < 2 {
+            return self;
+        }
+        let minor_ticks = self.minor_ticks.iter().copied().filter(|place| is_inside(*place)).collect();
+        Ruler { ends, ticks, minor_ticks, ..self }
+    }
+
     /// Returns a logarithmic axis from one value to another, with a tick at each power of ten or at some of them.
     pub fn tight([least, most]: [f64; 2], words: TickWords) -> Self {
         let (first, last) = ((least.log10() - 1e-9).ceil() as i32, (most.log10() + 1e-9).floor() as i32);
@@ -174,6 +192,11 @@ impl Ruler {
     }
 }
 
+/// Returns where an axis of areas begins that leaves room below the least: at a half or a whole decade.
+pub(crate) fn floor_below(least: f64) -> f64 {
+    10f64.powf((2.0 * (0.6 * least).log10()).floor() / 2.0)
+}
+
 /// The least and the largest value, if there is one.
 fn range(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
     values.fold(None, |ends: Option<(f64, f64)>, value| {
@@ -250,6 +273,10 @@ mod tests {
         assert_eq!((labels(&lengths)[..2].to_vec(), lengths.label.as_str()), (vec!["1 nm", "10 nm"], "size"));
         assert_eq!(labels(&decades([0.02, 1.0], TickWords::Share)), ["1 %", "10 %", "100 %"]);
         assert_eq!(labels(&decades([0.2, 3.0], TickWords::Share)), ["10⁻¹", "10⁰", "10¹"]);
+        let cut = decades([2e-9, 3e-6], TickWords::Length).cut_to([2e-9, 3e-6].into_iter());
+        assert_eq!(labels(&cut), ["10 nm", "100 nm", "1 µm"]);
+        assert!(cut.ends[0] > -8.8 && cut.ends[1] < -5.4, "{:?}", cut.ends);
+        assert_eq!(narrow.clone().cut_to([2.0, 30.0].into_iter()), narrow, "one tick is too few");
     }
 
     #[test]

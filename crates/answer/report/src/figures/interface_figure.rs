@@ -54,7 +54,8 @@ pub(crate) fn gap_against_load(
         let [low, high] = interval.map_or([y, y], |interval| [interval.low, interval.high]);
         let x = scene.needs.loads[load].nominal_pressure_pa();
         let label = "loads of the scene".to_owned();
-        Some(Mark { label, is_ring: false, condition_index: None, x, y, low: low.min(y), high: high.max(y) })
+        let (column, low, high) = (label.clone(), low.min(y), high.max(y));
+        Some(Mark { label, column, is_ring: false, condition_index: None, x, y, low, high })
     };
     let series = [whole, law].into_iter().filter(|line| !line.points.is_empty()).collect();
     Some(FigureData {

@@ -2,7 +2,7 @@
 
 use crate::uncertainty_words::level;
 use scene::Scene;
-use study::figure::{BandKind, Figure, FigureBand, FigureData, Mark, Shows};
+use study::figure::{BandKind, Figure, FigureBand, FigureData, Mark, Series, Shows};
 use uncertainty::{AreaBand, AreaInterval, Uncertainty};
 
 /// Adds coverage intervals to a figure of areas: bands behind the lines against the cutoff, and bars at the loads of
@@ -20,9 +20,9 @@ pub(crate) fn with_intervals(
             let intervals: Vec<FigureBand> = bands.collect();
             FigureData { bands: data.bands.into_iter().chain(intervals).collect(), ..data }
         }
-        Shows::AreaAgainstLoad => {
-            let marks = bars(&data, figure, scene, &label, uncertainty);
-            FigureData { marks: data.marks.into_iter().chain(marks).collect(), ..data }
+        // Bars on the lines would be taken for those of boundary elements.
+        Shows::AreaAgainstLoad if data.marks.is_empty() => {
+            FigureData { marks: bars(&data, figure, scene, &label, uncertainty), ..data }
         }
         _ => data,
     }
@@ -52,19 +52,20 @@ fn bars(
 ) -> Vec<Mark> {
     let ends = figure.sweeps.iter().zip(&data.series).filter_map(|(&sweep, line)| {
         let sweep = scene.needs.sweeps.get(sweep)?;
-        (sweep.cutoff_multiple == 1.0).then_some((sweep.curve, line.condition_index))
+        (sweep.cutoff_multiple == 1.0).then_some((sweep.curve, line))
     });
-    let bar = |area: &AreaInterval, condition_index: Option<usize>| Mark {
+    let bar = |area: &AreaInterval, line: &Series| Mark {
         label: label.to_owned(),
+        column: format!("{} interval", line.column),
         is_ring: false,
-        condition_index,
+        condition_index: line.condition_index,
         x: scene.needs.loads[area.load].nominal_pressure_pa(),
         y: area.area_fraction,
         low: area.low,
         high: area.high,
     };
-    ends.flat_map(|(curve, condition)| {
-        uncertainty.areas.iter().filter(move |area| area.curve == curve).map(move |area| bar(area, condition))
+    ends.flat_map(|(curve, line)| {
+        uncertainty.areas.iter().filter(move |area| area.curve == curve).map(move |area| bar(area, line))
     })
     .filter(|mark| mark.low > 0.0)
     .collect()

@@ -1,17 +1,42 @@
 //! The areas of boundary elements on figures of areas.
 
 use judge::{Judgement, Reference, ReferenceArea};
-use study::figure::{FigureData, Mark};
+use scene::Scene;
+use study::figure::{FigureData, Mark, Shows};
+use study::plan::Load;
 
-const ELASTIC: &str = "boundary elements, elastic";
-const SATURATED: &str = "boundary elements, saturated at the hardness";
+/// The labels of elements, and their columns.
+const ELASTIC: [&str; 2] = ["boundary elements", "elastic elements"];
+const YIELDING: [&str; 2] = ["boundary elements, yielding", "yielding elements"];
 
-/// Adds the areas of boundary elements under the loads that a figure shows.
-pub(crate) fn with_marks(figure: FigureData, judgement: &Judgement, shortest_m: f64) -> FigureData {
-    let mut loads: Vec<usize> = figure.series.iter().filter_map(|series| series.load).collect();
-    loads.sort_unstable();
-    loads.dedup();
-    let marks = loads.into_iter().flat_map(|load| element_marks(judgement, load, shortest_m)).collect();
+/// Adds the areas of boundary elements to a figure of areas: against the cutoff under the loads that it shows, against the
+/// load those of the whole surface.
+pub(crate) fn with_marks(
+    figure: FigureData,
+    scene: &Scene,
+    judgement: &Judgement,
+    shortest_m: f64,
+) -> FigureData {
+    let under = |load: usize| element_marks(judgement, load, shortest_m).into_iter();
+    let loads = scene.needs.loads.iter().enumerate();
+    let marks = match figure.shows {
+        Shows::Area => {
+            let shown = loads.filter(|(at, _)| figure.series.iter().any(|series| series.load == Some(*at)));
+            let named =
+                |mark: Mark, label: &str| Mark { column: format!("{} at {label}", mark.column), ..mark };
+            shown.flat_map(|(at, load)| under(at).map(move |mark| named(mark, &load.label))).collect()
+        }
+        Shows::AreaAgainstLoad => {
+            let of_whole = |at| under(at).filter(|mark| mark.x == shortest_m);
+            let along = |mark, x| Mark { condition_index: None, x, ..mark };
+            let of_load = |(at, load): (usize, &Load)| {
+                let pressure_pa = load.nominal_pressure_pa();
+                of_whole(at).map(move |mark| along(mark, pressure_pa)).collect::<Vec<_>>()
+            };
+            loads.flat_map(of_load).collect()
+        }
+        _ => Vec::new(),
+    };
     FigureData { marks, ..figure }
 }
 
@@ -43,8 +68,8 @@ pub(crate) fn element_marks(judgement: &Judgement, load: usize, shortest_m: f64)
         }
         let is_ring = reference != Reference::Elastic;
         let (y, low, high) = (elements.area_fraction, elements.low(), elements.high());
-        let label = if is_ring { SATURATED } else { ELASTIC }.to_owned();
-        marks.push(Mark { label, is_ring, condition_index: Some(load), x, y, low, high });
+        let [label, column] = if is_ring { YIELDING } else { ELASTIC }.map(str::to_owned);
+        marks.push(Mark { label, column, is_ring, condition_index: Some(load), x, y, low, high });
         drawn.push(reference);
     }
     marks

@@ -9,7 +9,7 @@ use super::SceneReport;
 use super::reading::{Reading, ReadingLine};
 use crate::chart::canvas::{Anchor, Canvas, Point, Rect, Stroke, disc, thinned};
 use crate::chart::palette::{self, ModelStyle, NEUTRAL, variables};
-use crate::chart::ruler::{Ruler, TickWords};
+use crate::chart::ruler::{Ruler, TickWords, floor_below};
 use crate::judged::element_marks;
 use crate::listing::{decade_name, share};
 
@@ -75,7 +75,7 @@ impl<'r, 's> AreaCurve<'r, 's> {
         if curves.is_empty() || least >= 1.0 {
             return None;
         }
-        let floor = 10f64.powf((2.0 * (0.6 * least).log10()).floor() / 2.0);
+        let floor = floor_below(least);
         let x = Ruler::tight(band_m, TickWords::Length);
         let y = Ruler::tight([floor, 1.0], TickWords::Share);
         Some(AreaCurve { report, load, holes_m, curves, marks, floor, axes: Canvas::new(x, y, FRAME) })

@@ -9,6 +9,8 @@ mod table;
 use serde::{Deserialize, Serialize};
 use spectrum::Hole;
 
+use crate::plan::Needs;
+
 pub use curve_look::{CurveLook, Variant};
 pub use of_scans::{composite_figure, over_scans};
 pub use shear_loops::{ShearLoop, shear_loops};
@@ -27,7 +29,7 @@ pub enum Shows {
     AspectRatio,
     /// Contact area against cutoff.
     Area,
-    /// Contact area of statistical curves against nominal pressure, at some cutoffs.
+    /// Contact area against nominal pressure, at some cutoffs.
     AreaAgainstLoad,
     /// A quantity of a contact against another. The answer to a question has such a figure, and no scene asks for it.
     #[serde(skip_deserializing)]
@@ -69,6 +71,8 @@ pub struct Figure {
     pub sweeps: Vec<usize>,
     /// Indices of the loads that it draws; `None` for all.
     pub loads: Option<Vec<usize>>,
+    /// True if nobody chose the curves: of a judged scene, it draws those nearest to boundary elements.
+    pub draws_nearest: bool,
     /// The look of its file.
     pub style: FigureStyle,
     /// The formats of its files; SVG is always one.
@@ -161,7 +165,7 @@ impl Series {
     }
 }
 
-/// An area between two lines, to hold lines against. Only intervals are part of tables.
+/// An area between two lines, to hold lines against.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FigureBand {
     /// The label in the legend.
@@ -220,6 +224,8 @@ pub struct FigureData {
 pub struct Mark {
     /// The label in the legend.
     pub label: String,
+    /// Its column in the table; those of its limits have `low` and `high` after it.
+    pub column: String,
     /// True if it is drawn as a ring rather than a disc.
     pub is_ring: bool,
     /// The place of the condition of the lines that it belongs with, if they have one.
@@ -293,6 +299,7 @@ impl Figure {
             curves,
             sweeps: Vec::new(),
             loads: None,
+            draws_nearest: false,
             style: FigureStyle::default(),
             formats: vec![PictureFormat::Svg],
         }
@@ -301,6 +308,12 @@ impl Figure {
     /// Returns the names of the files of its formats.
     pub fn file_names(&self) -> impl Iterator<Item = String> {
         self.formats.iter().map(|format| format!("{}.{}", self.name, format.extension()))
+    }
+
+    /// Keeps some of the curves, by index, and their sweeps over loads.
+    pub fn keep_curves(&mut self, kept: &[usize], needs: &Needs) {
+        self.curves.retain(|curve| kept.contains(curve));
+        self.sweeps.retain(|sweep| kept.contains(&needs.sweeps[*sweep].curve));
     }
 
     /// Returns true if the figure draws the load at an index.

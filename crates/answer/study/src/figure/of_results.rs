@@ -105,7 +105,7 @@ impl Figure {
                 distinct_m.len() - 1
             });
             let place = self.curves.iter().position(|&curve| curve == asked.curve).unwrap_or(0);
-            let areas = found.states.iter().map(|state| state.area_fraction);
+            let areas = found.area_fractions.iter().copied();
             let points = asked.pressures_pa.iter().copied().zip(areas).collect();
             let line = line(needs, asked.curve, &label, place, index, points);
             Series { condition_in_full: format!("cutoff {label}"), ..line }

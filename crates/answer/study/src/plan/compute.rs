@@ -48,8 +48,7 @@ impl Plan<'_> {
             self.blocks(model, *cutoffs, &prepared, progress, &inputs.conditions_of(model), places)
         })?;
         let (rows_of_models, work_of_curves) = counted(computed);
-        let (sweeps, work_of_sweeps) =
-            sweeps::results(&self.needs, &inputs, &rows_of_models, &prepared, self.run(progress))?;
+        let (sweeps, work_of_sweeps) = sweeps::results(self, &inputs, &rows_of_models, &prepared, progress)?;
         let [computed_levels, computed_states] = levels_and_states(&rows_of_models);
         let curves = inputs.handed_out(rows_of_models, &self.needs.curves);
         let [wanted_levels, wanted_states] = levels_and_states(&curves);

@@ -27,7 +27,7 @@ pub struct Curve {
     pub cutoffs: Cutoffs,
 }
 
-/// A statistical curve against load, at some cutoff.
+/// A curve against load, at some cutoff.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadSweep {
     /// Index of the curve.
@@ -58,7 +58,7 @@ pub struct Needs {
     pub load_ranges: Vec<LoadRange>,
     /// Separations \[m\], of either sign, for statistical curves, in addition to the loads.
     pub separations_m: Vec<f64>,
-    /// Statistical curves against load.
+    /// Curves against load.
     pub sweeps: Vec<LoadSweep>,
     /// Relative tolerance of statistical states.
     pub tolerance: Tolerance,

@@ -36,7 +36,9 @@ pub struct Results {
 pub struct SweepResult {
     /// The cutoff \[m\] of the spectrum whose states these are.
     pub cutoff_m: f64,
-    /// A state per pressure; none where the cutoff leaves no asperities.
+    /// An area per pressure; none where the cutoff leaves no asperities of a statistical curve.
+    pub area_fractions: Vec<f64>,
+    /// The states behind them, of a statistical curve.
     pub states: Vec<ContactState>,
 }
 

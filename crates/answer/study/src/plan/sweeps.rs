@@ -1,17 +1,17 @@
-//! Statistical curves against load. Sweeps of one model over one population share their states, among each other and with
-//! the curves against cutoff.
+//! Curves against load. Statistical sweeps of one model over one population share their states, among each other and with
+//! the curves against cutoff; other models are computed at all cutoffs.
 
 use std::collections::HashMap;
 
+use numerics::parallel::Progress;
 use ordered_float::OrderedFloat;
 use stat_contact::{Condition, ContactState};
 
 use super::distinct::Distinct;
 use super::distinct_inputs::DistinctInputs;
 use super::prepared_spectrum::{Cutoff, PreparedSpectrum, Roughness};
-use super::run::Run;
 use super::work::counted;
-use super::{CurveResult, LoadSweep, Needs, PlanError, SweepResult, Work};
+use super::{CurveResult, Cutoffs, LoadSweep, Needs, Plan, PlanError, SweepResult, Work};
 use crate::models::statistical::Asperities;
 use crate::models::statistical::states::States;
 
@@ -25,14 +25,15 @@ struct Subject {
     asperities: Option<Asperities>,
 }
 
-/// The states of every sweep.
+/// The areas of every sweep, and the states of statistical ones.
 pub(super) fn results(
-    needs: &Needs,
+    plan: &Plan<'_>,
     inputs: &DistinctInputs,
     rows_of_models: &[CurveResult],
     prepared: &PreparedSpectrum,
-    run: Run<'_>,
+    progress: &dyn Progress,
 ) -> Result<(Vec<SweepResult>, Work), PlanError> {
+    let (needs, run) = (&plan.needs, plan.run(progress));
     let of_sweep = |(sweep, cutoff): (&LoadSweep, &Cutoff)| Subject {
         model: inputs.models.index_of[sweep.curve],
         asperities: cutoff.roughness.map(|roughness| Asperities::of(&roughness.asperities)),
@@ -54,16 +55,44 @@ pub(super) fn results(
         let known = states_of_curve(&roughness, inputs, &rows_of_models[subject.model]);
         completed(known, &wanted, &roughness, &States { model, run })
     })?;
-    let (states, work) = counted(computed);
-    let result = |((sweep, cutoff), &subject): ((&LoadSweep, &Cutoff), &usize)| {
-        let state = |&pressure_pa: &f64| states[subject].get(&OrderedFloat(pressure_pa)).copied();
-        SweepResult {
-            cutoff_m: cutoff.wavelength_m,
-            states: sweep.pressures_pa.iter().filter_map(state).collect(),
+    let (states, mut work) = counted(computed);
+    let sweeps: Vec<_> =
+        needs.sweeps.iter().zip(&prepared.sweep_cutoffs).zip(subjects.index_of.iter().copied()).collect();
+    let computed = numerics::parallel::try_map(&sweeps, |&((sweep, cutoff), subject)| {
+        let cutoff_m = cutoff.wavelength_m;
+        if needs.curves[sweep.curve].model.statistical().is_none() {
+            let (area_fractions, work) = areas_of_rows(plan, sweep, cutoff_m, prepared, progress)?;
+            return Ok((SweepResult { cutoff_m, area_fractions, states: Vec::new() }, work));
         }
+        let state = |&pressure_pa: &f64| states[subject].get(&OrderedFloat(pressure_pa)).copied();
+        let states: Vec<ContactState> = sweep.pressures_pa.iter().filter_map(state).collect();
+        let area_fractions = states.iter().map(|state| state.area_fraction).collect();
+        Ok::<_, PlanError>((SweepResult { cutoff_m, area_fractions, states }, Work::default()))
+    })?;
+    let (results, work_of_rows) = counted(computed);
+    work += work_of_rows;
+    Ok((results, work))
+}
+
+/// The areas of a model that has a row for every cutoff, with the waves down to a cutoff \[m\].
+fn areas_of_rows(
+    plan: &Plan<'_>,
+    sweep: &LoadSweep,
+    cutoff_m: f64,
+    prepared: &PreparedSpectrum,
+    progress: &dyn Progress,
+) -> Result<(Vec<f64>, Work), PlanError> {
+    let needs = Needs { areas_alone: true, ..plan.needs.clone() };
+    let areas = Plan { psd: plan.psd, sampling: plan.sampling, needs };
+    let model = &areas.needs.curves[sweep.curve].model;
+    let conditions: Vec<Condition> = sweep.pressures_pa.iter().copied().map(Condition::Pressure).collect();
+    let places = 0..model.rows_per_block(prepared, Cutoffs::Every);
+    let (rows, work) = areas.blocks(model, Cutoffs::Every, prepared, progress, &conditions, places)?;
+    let area = |block: usize| {
+        let within = |(wavelength_m, _): &(f64, f64)| *wavelength_m >= cutoff_m * (1.0 - 1e-9);
+        rows.area_fractions(block).into_iter().take_while(within).last().map_or(1.0, |(_, area)| area)
     };
-    let sweeps = needs.sweeps.iter().zip(&prepared.sweep_cutoffs).zip(&subjects.index_of);
-    Ok((sweeps.map(result).collect(), work))
+    Ok(((0..conditions.len()).map(area).collect(), work))
 }
 
 /// Completes known states by those missing at the wanted pressures \[Pa\].

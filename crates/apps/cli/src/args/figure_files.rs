@@ -34,6 +34,9 @@ pub(crate) struct FigureFilesArgs {
     /// Draw these loads of the scene only
     #[arg(long, value_name = "PRESSURES", value_delimiter = ',')]
     pub loads: Vec<String>,
+    /// Skip the boundary elements
+    #[arg(long)]
+    pub no_judge: bool,
     /// The folder for the files, made where absent
     #[arg(long, value_name = "DIR", default_value = ".")]
     pub out: PathBuf,

@@ -35,12 +35,13 @@ pub(super) fn run(args: &FigureFilesArgs, context: &Context<'_>) -> Result<(), F
     results.refuse(&names)?;
     timings.lap("reading");
     let watching = Watching::new(timings);
-    let outcome = run_scene(&scene, options(&scene), &watching).map_err(failed)?;
+    let outcome = run_scene(&scene, options(&scene, args), &watching).map_err(failed)?;
     let mut timings = watching.into_timings();
     make_folder("--out", &args.out)?;
     let mut staged = StagedFiles::default();
     let mut names = Vec::new();
-    let drawn = products::figure_documents(&scene, &outcome.results, outcome.uncertainty.as_ref());
+    let found = (outcome.evidence(&scene), &outcome.conclusions);
+    let drawn = products::figure_documents(&scene, &outcome.results, Some(found));
     for (files, figure) in files.iter().zip(drawn) {
         let svg = figure.svg();
         for file in files {
@@ -117,9 +118,13 @@ fn files(scene: &Scene, args: &FigureFilesArgs) -> Result<Vec<Vec<FigureFile>>, 
     scene.figures.iter().map(files_of).collect()
 }
 
-/// Figures show no verdicts. They show intervals if they show areas, as those of `run` do.
-fn options(scene: &Scene) -> RunOptions {
-    let of_run = RunOptions { report: true, judge: None, uncertainty: None };
-    let is_drawn = of_run.is_drawn(scene) && scene.figures.iter().any(|figure| figure.shows.draws_areas());
-    RunOptions { report: false, judge: Some(false), uncertainty: Some(is_drawn) }
+/// Figures that show areas show boundary elements and intervals, as those of `run` do.
+fn options(scene: &Scene, args: &FigureFilesArgs) -> RunOptions {
+    let of_run = RunOptions { report: true, judge: args.no_judge.then_some(false), uncertainty: None };
+    let has_areas = scene.figures.iter().any(|figure| figure.shows.draws_areas());
+    RunOptions {
+        report: false,
+        judge: Some(has_areas && of_run.is_judged(scene)),
+        uncertainty: Some(has_areas && of_run.is_drawn(scene)),
+    }
 }

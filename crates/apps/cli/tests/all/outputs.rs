@@ -122,8 +122,8 @@ fn a_picture_is_what_its_name_says() {
             |words: &str| svg.descendants().any(|node| node.text().is_some_and(|text| text.contains(words)));
         assert_eq!(says("separation 50 nm"), call.contains(&"--separation"), "{call:?}");
         assert!(png.starts_with(b"\x89PNG\r\n\x1a\n"), "{call:?}");
-        // 480 pixels wide, at 2.5 for one.
-        assert_eq!(u32::from_be_bytes(png[16..20].try_into().unwrap()), 1200);
+        // 480 pixels of 1/96 inch, at 600 dots per inch.
+        assert_eq!(u32::from_be_bytes(png[16..20].try_into().unwrap()), 3000);
     }
     let call = [contact("stacked", "elastic"), vec!["--figure", "x.gif", "--output", "x.csv"]].concat();
     bench.run(&call).refused_naming(&["--figure", "'x.gif'", ".svg", ".png", ".pdf"]);
@@ -222,6 +222,15 @@ fn figures_of_a_scene_are_drawn_for_print_and_touch_no_other_file() {
         "{svg}"
     );
     assert!(svg.contains("10 MPa") && !svg.contains(">1 MPa") && !svg.contains(">t</text>"), "{svg}");
+    assert!(svg.contains(">boundary elements</text>") && svg.contains(">linear laws</text>"), "{svg}");
+    let fast = ["figure", "report", "--only", "f", "--no-judge", "--picture", "py", "--out", "fast"];
+    bench.run(&fast).ok();
+    assert!(!bench.read("fast/f.csv").contains("elements"));
+    let judged = ["figure", "report", "--only", "f", "--picture", "py", "--out", "judged"];
+    bench.run(&judged).ok();
+    assert!(bench.read("judged/f.csv").contains(",elastic elements at 10 MPa low,"));
+    let script = bench.read("judged/f.py");
+    assert!(script.contains("\"elastic elements at 10 MPa\"") && script.lines().count() <= 40, "{script}");
     let bytes = |name: &str| std::fs::read(bench.path(name)).unwrap();
     assert!(bytes("report/f.png").starts_with(b"\x89PNG"));
     let pdf = bytes("report/f.pdf");
