@@ -236,6 +236,7 @@ function showScreen(/** @type {any} */ found) {
   fill(by("other"), found.other_hardness);
   fill(by("cautions"), found.cautions);
   fill(by("interface"), found.interface);
+  by("figure-title").textContent = found.figure_title ?? "";
   fill(by("figure-main"), found.figure ?? "");
   showModels(found.models, first);
   // Below the controls, as on a phone, nothing seems to happen.

@@ -1,11 +1,13 @@
 //! The area against the cutoff under one load: every model, boundary elements with their errors, and holes of the spectrum.
 
+use conclusions::AnswerUnderLoad;
 use maud::{Markup, PreEscaped, html};
 use study::figure::{Mark, pieces};
-use units::display::length;
+use units::display::{length, typeset};
 use units::printable::printable;
 
 use super::SceneReport;
+use super::range_bar::LINEAR_FROM;
 use super::reading::{Reading, ReadingLine};
 use crate::chart::canvas::{Anchor, Canvas, Point, Rect, Stroke, disc, thinned};
 use crate::chart::palette::{self, ModelStyle, NEUTRAL, variables};
@@ -34,11 +36,12 @@ const KIND_WIDTH: f64 = 110.0;
 /// The most points of a piece of a line.
 const MOST_POINTS: usize = 160;
 
-/// Draws the figure of a load; `None` if no curve was followed along the cutoff.
+/// Draws the figure of a load below its title; `None` if no curve was followed along the cutoff.
 pub(super) fn figure(report: &SceneReport<'_>, load: usize, styles: &[ModelStyle]) -> Option<Markup> {
     let psd = &report.results.psd;
     let band_m = [psd.shortest_wavelength_m(), psd.longest_wavelength_m()];
-    Some(AreaCurve::new(report, load, band_m)?.figure(styles))
+    let curve = AreaCurve::new(report, load, band_m)?;
+    Some(html! { h3 { (typeset(&curve.title())) } (curve.figure(styles)) })
 }
 
 /// The curves of a load on their axes.
@@ -75,10 +78,28 @@ impl<'r, 's> AreaCurve<'r, 's> {
         if curves.is_empty() || least >= 1.0 {
             return None;
         }
-        let floor = floor_below(least);
+        let of_load = report.conclusions.loads.iter().find(|of| of.load == load);
+        let is_linear = of_load.is_some_and(|of| of.area.low > LINEAR_FROM);
         let x = Ruler::tight(band_m, TickWords::Length);
-        let y = Ruler::tight([floor, 1.0], TickWords::Share);
+        let (floor, y) = match is_linear {
+            true => (0.0, Ruler::steps([0.0, 1.0].into_iter(), TickWords::Share, "", 5.0)),
+            false => (floor_below(least), Ruler::tight([floor_below(least), 1.0], TickWords::Share)),
+        };
         Some(AreaCurve { report, load, holes_m, curves, marks, floor, axes: Canvas::new(x, y, FRAME) })
+    }
+
+    /// States what the figure shows: without which waves twice as much would touch, by the model nearest to the elements.
+    pub fn title(&self) -> String {
+        let load = self.report.conclusions.loads.iter().find(|of| of.load == self.load);
+        let nearest = load.and_then(AnswerUnderLoad::nearest_curve);
+        let along = self.curves.iter().find(|(curve, _)| Some(*curve) == nearest);
+        let finding = match along.and_then(|(_, points)| doubled_from_m(points)) {
+            Some(from_m) => {
+                format!("Without waves shorter than {} twice as much would touch", length(from_m))
+            }
+            None => "Contact area as finer roughness is included".to_owned(),
+        };
+        format!("{finding}, at {}", self.report.scene.needs.loads[self.load].label)
     }
 
     /// Draws the figure.
@@ -214,7 +235,32 @@ impl<'r, 's> AreaCurve<'r, 's> {
     }
 }
 
+/// Finds the wavelength \[m\] down to which waves leave twice the area of all, along points from long to short ones; `None` if no such
+/// area is below 1.
+fn doubled_from_m(points: &[(f64, f64)]) -> Option<f64> {
+    let doubled = 2.0 * points.last()?.1;
+    let before = points.iter().rposition(|(_, area)| *area >= doubled)?;
+    let [(longer_m, larger), (shorter_m, smaller)] = [points[before], *points.get(before + 1)?];
+    let part = (larger / doubled).ln() / (larger / smaller).ln();
+    (doubled > 0.0).then(|| longer_m * (shorter_m / longer_m).powf(part))
+}
+
 /// The class of the elements of a curve.
 fn class(curve: usize) -> String {
     format!("m{curve}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_waves_that_halve_the_area_lie_between_points() {
+        // 0.2 on a straight line in logarithms from 0.4 at 4 um to 0.1 at 1 um.
+        let points = [(1e-4, 1.0), (4e-6, 0.4), (1e-6, 0.1)];
+        assert!((doubled_from_m(&points).unwrap() / 2e-6 - 1.0).abs() < 1e-12);
+        assert_eq!(doubled_from_m(&[(1e-4, 1.0), (1e-6, 0.6)]), None);
+        assert_eq!(doubled_from_m(&[(1e-4, 1.0), (1e-6, 0.0)]), None);
+        assert_eq!(doubled_from_m(&[]), None);
+    }
 }

@@ -54,10 +54,7 @@ pub(super) fn first_screen(report: &SceneReport<'_>, at: usize, several: bool) -
                 div.chart {
                     @for load in &conclusions.loads {
                         @if let Some(figure) = area_curve::figure(report, load.load, &styles) {
-                            figure class=(load_class(load)) {
-                                h3 { "Contact area as finer roughness is included, at " (typeset(&load.label)) }
-                                (figure)
-                            }
+                            figure class=(load_class(load)) { (figure) }
                         }
                     }
                 }

@@ -39,6 +39,8 @@ pub struct LiveScreen {
     pub cautions: String,
     /// Seal, gap, heat and current, as HTML; empty if the scene asks for none.
     pub interface: String,
+    /// The title of the figure of the area against the cutoff, which states what it shows.
+    pub figure_title: Option<String>,
     /// The area against the cutoff, as SVG; absent if no curve was followed.
     pub figure: Option<String>,
     /// The values along its lines.
@@ -165,6 +167,7 @@ impl LiveScreen {
             other_hardness: cards::other_hardness(load).into_string(),
             cautions: cards::before_quoting(conclusions, says_hardness).into_string(),
             interface: cards::interface_strip(&report, load).into_string(),
+            figure_title: curve.as_ref().map(|curve| typeset(&curve.title())),
             figure: curve.as_ref().map(|curve| curve.figure(&styles).into_string()),
             reading: curve.as_ref().map(AreaCurve::reading),
             models,

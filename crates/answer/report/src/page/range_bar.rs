@@ -27,7 +27,7 @@ const NEAR: f64 = 5.0;
 /// Room beyond the outermost mark, as a factor.
 const ROOM: f64 = 1.15;
 /// Ranges from this share of the surface on have a linear axis.
-const LINEAR_FROM: f64 = 0.2;
+pub(super) const LINEAR_FROM: f64 = 0.2;
 
 /// The axis of a bar.
 struct Axis {
