@@ -72,14 +72,13 @@ impl Measured {
         match (found, options.kind) {
             (Ok(map), _) => Ok(Self::Map(Box::new(map))),
             // A text that is neither may have been meant as either.
-            (
-                Err(TopographyError { problem: ScanProblem::Format(error), file, request, options: given }),
-                None,
-            ) if std::str::from_utf8(&bytes).is_ok() && !matches!(*error, ScanReadError::Foreign(_)) => {
+            (Err(TopographyError { problem: ScanProblem::Format(error), file, request }), None)
+                if std::str::from_utf8(&bytes).is_ok() && !matches!(*error, ScanReadError::Foreign(_)) =>
+            {
                 let as_spectrum =
                     read_psd(&bytes[..], &options.spectrum).err().map(|error| error.to_string());
                 let problem = ScanProblem::NeitherKind { as_scan: error, as_spectrum };
-                Err(TopographyError { file, request, options: given, problem }.into())
+                Err(TopographyError { file, request, problem }.into())
             }
             (Err(error), _) => Err(error.into()),
         }

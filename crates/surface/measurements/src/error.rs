@@ -14,8 +14,6 @@ pub struct TopographyError {
     pub file: Option<String>,
     /// Index of the request at fault.
     pub request: Option<usize>,
-    /// The options that its request gives, each with a comma behind it: `unit=um,`.
-    pub options: String,
     /// The problem.
     pub problem: ScanProblem,
 }
@@ -132,12 +130,12 @@ impl TopographyError {
 
     /// Blames the scans of one file.
     pub(crate) fn for_file(file: &str, problem: ScanProblem) -> Self {
-        TopographyError { file: Some(file.to_owned()), request: None, options: String::new(), problem }
+        TopographyError { file: Some(file.to_owned()), request: None, problem }
     }
 
     /// Blames all scans together.
     #[must_use]
     pub fn for_all(problem: ScanProblem) -> Self {
-        TopographyError { file: None, request: None, options: String::new(), problem }
+        TopographyError { file: None, request: None, problem }
     }
 }

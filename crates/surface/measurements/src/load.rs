@@ -134,13 +134,8 @@ pub(crate) fn load_heights(
     bytes: &[u8],
     files: &dyn Files,
 ) -> Result<Loaded, TopographyError> {
-    let mut scans =
-        read_scans(bytes, file_name(&request.path), &options(request, files)?).map_err(|error| {
-            TopographyError {
-                options: request.options(),
-                ..TopographyError::for_file(&request.path, ScanProblem::Format(Box::new(error)))
-            }
-        })?;
+    let mut scans = read_scans(bytes, file_name(&request.path), &options(request, files)?)
+        .map_err(|error| TopographyError::for_file(&request.path, ScanProblem::Format(Box::new(error))))?;
     if request.gaps.is_some() && scans.iter().all(|scan| scan.scan.missing_points().is_empty()) {
         scans.iter_mut().for_each(|scan| scan.notes.push(format!("{IGNORED}gaps: no point is missing")));
     }

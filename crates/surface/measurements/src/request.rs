@@ -137,7 +137,8 @@ impl ScanRequest {
     }
 
     /// Its options for the heights and their band, as the command line takes them, each with a comma behind it.
-    pub(crate) fn options(&self) -> String {
+    #[must_use]
+    pub fn options(&self) -> String {
         let metres = |length_m: f64| format!("{length_m:e}m");
         let typed = [
             ("unit", self.unit.map(|unit| unit.ascii().to_owned())),

@@ -77,7 +77,8 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
     }
     let requests = scans_in_folders(&requests, &folder)?;
     let progress = Progress::towards(STEPS_PER_FILE * requests.len(), "steps of reading and transforming");
-    let found = CompositeOfFiles::read_spectrum(&requests, &folder, &recipe, &progress).map_err(refused)?;
+    let found = CompositeOfFiles::read_spectrum(&requests, &folder, &recipe, &progress)
+        .map_err(refused_among(&requests))?;
     drop(progress);
     timings.lap("reading and transforming");
     say_lines(&scans_table(&found.spectrum));
@@ -151,11 +152,22 @@ pub(super) fn refused(error: TopographyError) -> Failure {
     Failure::Input(refusal(error))
 }
 
+/// The failure of scans, with all options of the one at fault.
+fn refused_among(requests: &[ScanRequest]) -> impl Fn(TopographyError) -> Failure {
+    |error| Failure::Input(refusal_of(error.request.and_then(|at| requests.get(at)), error))
+}
+
 /// Words an error of scans, with the option that mends it where one does.
 pub(super) fn refusal(error: TopographyError) -> String {
+    refusal_of(None, error)
+}
+
+/// Words an error of a scan, with the option that mends it beside those that it has.
+pub(super) fn refusal_of(request: Option<&ScanRequest>, error: TopographyError) -> String {
     let given = |typed: &str| -> String {
         let is_another = |option: &&str| option.split('=').next() != typed.split('=').next();
-        error.options.split_inclusive(',').filter(is_another).collect()
+        let options = request.map(ScanRequest::options).unwrap_or_default();
+        options.split_inclusive(',').filter(is_another).collect()
     };
     let [flag, option] = [0, 1].map(|at| {
         move |option| match option {

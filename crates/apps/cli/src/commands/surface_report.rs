@@ -16,7 +16,7 @@ use tables::staging::resolve;
 use units::Pressure;
 
 use super::Context;
-use super::psd::{refusal, refused};
+use super::psd::{refusal_of, refused};
 use super::run_scene::SceneRun;
 use crate::args::ReportArgs;
 use crate::failure::Failure;
@@ -153,8 +153,9 @@ fn scene(
                 let answered =
                     missing(&error, &text, question).is_some_and(|(scan, option)| ask_for(scan, option));
                 if !answered {
+                    let scan = scan_at_fault(&error, &text, question).cloned();
                     let typed = |file: &str| as_typed(file, question, &placed);
-                    return Err(Failure::Input(worded(error, &text, typed)));
+                    return Err(Failure::Input(worded(error, &text, scan.as_ref(), typed)));
                 }
             }
         }
@@ -190,24 +191,42 @@ fn is_a_path(name: &str) -> bool {
     !name.starts_with("builtin:") && name != "-"
 }
 
+/// The error of scans in that of a scene.
+fn of_scans(error: &SceneError) -> Option<&TopographyError> {
+    let SceneProblem::Surface(surface) = &error.problem else { return None };
+    match &**surface {
+        SurfaceError::Scans(found) => Some(found),
+        _ => None,
+    }
+}
+
 /// The scan whose file lacks something, and the option that gives it.
 fn missing<'q>(
     error: &SceneError,
     text: &str,
     question: &'q mut ReportQuestion,
 ) -> Option<(&'q mut ScanRequest, ScanOption)> {
-    let SceneProblem::Surface(surface) = &error.problem else { return None };
-    let SurfaceError::Scans(found) = &**surface else { return None };
+    match of_scans(error)?.mend()? {
+        Mend::Give(option) => Some((scan_at_fault(error, text, question)?, option)),
+        Mend::LeaveOut(_) => None,
+    }
+}
+
+/// The scan that an error is about.
+fn scan_at_fault<'q>(
+    error: &SceneError,
+    text: &str,
+    question: &'q mut ReportQuestion,
+) -> Option<&'q mut ScanRequest> {
+    let found = of_scans(error)?;
     let other = question.counterface_surface.as_mut().zip(text.find("[counterface.surface]"));
     let face = match other {
         Some((face, at)) if error.span.as_ref().is_some_and(|span| span.start > at) => face,
         _ => &mut question.surface,
     };
-    match (found.mend()?, face) {
-        (Mend::Give(option), ReportSurface::Scans(scans)) => {
-            Some((scans.get_mut(found.request.unwrap_or(0))?, option))
-        }
-        _ => None,
+    match face {
+        ReportSurface::Scans(scans) => scans.get_mut(found.request.unwrap_or(0)),
+        ReportSurface::Psd(_) => None,
     }
 }
 
@@ -275,7 +294,12 @@ fn as_typed(file: &str, typed: &ReportQuestion, placed: &ReportQuestion) -> Stri
 }
 
 /// The error of the scene in one line: of scans with the option that mends it, of a value with its key.
-fn worded(error: SceneError, text: &str, as_typed: impl Fn(&str) -> String) -> String {
+fn worded(
+    error: SceneError,
+    text: &str,
+    scan: Option<&ScanRequest>,
+    as_typed: impl Fn(&str) -> String,
+) -> String {
     let SceneProblem::Surface(surface) = error.problem else {
         return underlined(&error, text);
     };
@@ -294,7 +318,7 @@ fn worded(error: SceneError, text: &str, as_typed: impl Fn(&str) -> String) -> S
     let file = error.file.as_deref().map(as_typed);
     match error.problem {
         ScanProblem::Reading(error) => format!("reading {}: {error}", file.unwrap_or_default()),
-        _ => refusal(TopographyError { file, ..error }),
+        _ => refusal_of(scan, TopographyError { file, ..error }),
     }
 }
 
