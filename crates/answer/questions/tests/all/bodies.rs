@@ -9,6 +9,7 @@ use study::growth_law::GrowthLaw;
 use study::layer_base::LayerBase;
 use study::materials;
 use study::models::ModelOptions;
+use study::surface::SurfaceError;
 use units::{Pressure, RemarkCode};
 
 use crate::common::{STEEL_MODULUS_PA, assert_near, hard, missing, steel, unused};
@@ -261,7 +262,7 @@ fn lengths_of_a_scan_reach_the_scene_of_its_report() {
     for (rows, at) in [("1e-4,1e-20\n1e-5,-1e-23", 3), ("1e-4,1e-20\n1e-4,1e-23", 3), ("1e-4,1e-20\n1e-5", 3)]
     {
         let text = format!("wavelength_m,C1D_m3\n{rows}\n").into_bytes();
-        let files = BTreeMap::from([("psd.csv".to_owned(), text)]);
+        let files = std::collections::BTreeMap::from([("psd.csv".to_owned(), text)]);
         let refused = ReportSurface::of_files(vec!["psd.csv".parse().unwrap()], &files).unwrap_err();
         assert!(
             matches!(&refused, SurfaceError::Spectrum { error, .. } if error.line() == Some(at)),

@@ -54,11 +54,7 @@ fn numbered(name: &str) -> String {
 /// The explanation of interval bands, if the figure has some.
 fn intervals(figure: &FigureData) -> &'static str {
     let has_intervals = figure.bands.iter().any(|band| band.kind == BandKind::Interval);
-    if has_intervals {
-        " Bands with edges are coverage intervals, each in the colour and the dash pattern of its line."
-    } else {
-        ""
-    }
+    if has_intervals { " Bands are coverage intervals, each in the colour of its line." } else { "" }
 }
 
 /// The caption of a figure.
