@@ -64,7 +64,7 @@ fn rewrite() -> ExitCode {
     rewrite_readme_picture();
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let status = Command::new(cargo)
-        .args(["test", "--quiet", "--package", "tests", "--test", "golden", "as_accepted"])
+        .args(["test", "--quiet", "--package", "tests", "--test", "all", "golden::"])
         .env("INSTA_UPDATE", "always")
         .status();
     match status {

@@ -44,7 +44,7 @@ fn worn_traces_are_skewed_and_so_are_those_of_uneven_points() {
     assert!((peaks + valleys).abs() < 1e-9, "{peaks}");
 
     // Every second point of one half only: each stands for its length.
-    let kept = |i: &usize| *i < POINTS / 2 || i % 2 == 0;
+    let kept = |i: &usize| *i < POINTS / 2 || i.is_multiple_of(2);
     let positions_m = (0..POINTS).filter(kept).map(|i| SPACING_M * i as f64).collect();
     let heights_m = (0..POINTS).filter(kept).map(|i| worn_m[i]).collect();
     let line = NonuniformLineScan::new(positions_m, heights_m).expect("a line");
