@@ -7,7 +7,7 @@ const WAYS_OUT: [(&[&str], &str); 20] = [
     ),
     (&["--pressure"], "pressures go into the scene: write pressures = [\"10 MPa\"] in [loads]"),
     (
-        &["e", "young", "modulus", "e_modulus"],
+        &["e", "modulus", "e_modulus"],
         "write --youngs-modulus 210GPa, or youngs_modulus in [material] of a scene",
     ),
     (&["friction", "mu", "cof"], "write friction = 0.3 into [interface] of a scene"),

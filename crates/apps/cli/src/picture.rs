@@ -156,6 +156,7 @@ pub(crate) fn png_of_field(_: &FieldPicture) -> Result<Option<Vec<u8>>, PictureE
 mod png {
     use std::sync::Arc;
 
+    use ::png::{ColorType, Encoder, EncodingError, PixelDimensions, Unit};
     use report::chart::maps::FieldPicture;
     use resvg::tiny_skia::{Color, FilterQuality, IntSize, Pixmap, PixmapPaint, Transform};
     use resvg::usvg::fontdb::Database;
@@ -179,9 +180,21 @@ mod png {
     /// The PNG of an SVG document, or what is wrong with that.
     pub(super) fn of(svg: &str) -> Result<Vec<u8>, String> {
         let tree = tree(svg)?;
+        let at = |scale: f32| drawn(&tree, scale).map(|picture| (picture, scale * DOTS_PER_INCH));
         // A picture too large for print is drawn as finely as a map.
-        let picture = drawn(&tree, PRINTED_DOTS / DOTS_PER_INCH).or_else(|_| drawn(&tree, SCALE))?;
-        picture.encode_png().map_err(|error| error.to_string())
+        let (picture, dots_per_inch) = at(PRINTED_DOTS / DOTS_PER_INCH).or_else(|_| at(SCALE))?;
+        encoded(&picture, dots_per_inch).map_err(|error| error.to_string())
+    }
+
+    /// An opaque picture as PNG, with its size in print.
+    fn encoded(picture: &Pixmap, dots_per_inch: f32) -> Result<Vec<u8>, EncodingError> {
+        let mut written = Vec::new();
+        let mut encoder = Encoder::new(&mut written, picture.width(), picture.height());
+        encoder.set_color(ColorType::Rgba);
+        let per_metre = (dots_per_inch / 0.0254).round() as u32;
+        encoder.set_pixel_dims(Some(PixelDimensions { xppu: per_metre, yppu: per_metre, unit: Unit::Meter }));
+        encoder.write_header()?.write_image_data(picture.data())?;
+        Ok(written)
     }
 
     /// The PDF of an SVG document, in its size in print and with its letters as text.

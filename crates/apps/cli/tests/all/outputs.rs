@@ -123,7 +123,11 @@ fn a_picture_is_what_its_name_says() {
         assert_eq!(says("separation 50 nm"), call.contains(&"--separation"), "{call:?}");
         assert!(png.starts_with(b"\x89PNG\r\n\x1a\n"), "{call:?}");
         // 480 pixels of 1/96 inch, at 600 dots per inch.
-        assert_eq!(u32::from_be_bytes(png[16..20].try_into().unwrap()), 3000);
+        let number = |at: usize| u32::from_be_bytes(png[at..at + 4].try_into().unwrap());
+        assert_eq!(number(16), 3000);
+        // 600 dots per inch, in dots per metre.
+        let size = png.windows(4).position(|name| name == b"pHYs").expect("a size in print") + 4;
+        assert_eq!((number(size), number(size + 4), png[size + 8]), (23622, 23622, 1));
     }
     let call = [contact("stacked", "elastic"), vec!["--figure", "x.gif", "--output", "x.csv"]].concat();
     bench.run(&call).refused_naming(&["--figure", "'x.gif'", ".svg", ".png", ".pdf"]);
