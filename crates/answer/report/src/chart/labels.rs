@@ -16,7 +16,7 @@ const PROBE_PX: f64 = 3.0;
 const PLACES: [f64; 7] = [1.0, 0.875, 0.75, 0.5, 0.25, 0.125, 0.0];
 
 /// A line in pixels. The first line of a group with room for it gets the label.
-pub(super) struct Track {
+pub(crate) struct Track {
     /// Its label.
     pub label: String,
     /// Lines that share it share a label.
@@ -27,14 +27,14 @@ pub(super) struct Track {
 
 /// A label and its place.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Placed {
+pub(crate) struct Placed {
     pub text: String,
     pub group: usize,
     pub place: Rect,
 }
 
-/// The labels that find a place inside the frame.
-pub(super) fn place(tracks: &[Track], frame: Rect) -> Vec<Placed> {
+/// The labels in letters of a size that find a place inside the frame.
+pub(crate) fn place(tracks: &[Track], frame: Rect, size_px: f64) -> Vec<Placed> {
     let probes: Vec<(usize, Vec<(f64, f64)>)> =
         tracks.iter().map(|track| (track.group, probed(&track.points))).collect();
     let mut placed: Vec<Placed> = Vec::new();
@@ -56,7 +56,7 @@ pub(super) fn place(tracks: &[Track], frame: Rect) -> Vec<Placed> {
         let of_group = || probes.iter().filter(|(group, _)| *group == track.group);
         let found = PLACES.iter().find_map(|&along| {
             of_group()
-                .flat_map(|(_, line)| around(line, along, &track.label, frame.top))
+                .flat_map(|(_, line)| around(line, along, &track.label, frame.top, size_px))
                 .find(|candidate| free(candidate))
         });
         placed.extend(found.map(|place| Placed { text: track.label.clone(), group: track.group, place }));
@@ -66,15 +66,15 @@ pub(super) fn place(tracks: &[Track], frame: Rect) -> Vec<Placed> {
 
 /// The places around a point of a line: beside it on either side, above and below. Along the upper edge of the frame, lines
 /// of full contact lie on each other.
-fn around(line: &[(f64, f64)], along: f64, label: &str, top: f64) -> Vec<Rect> {
+fn around(line: &[(f64, f64)], along: f64, label: &str, top: f64, size_px: f64) -> Vec<Rect> {
     let Some(last) = line.len().checked_sub(1) else { return Vec::new() };
     let (x, y) = line[(along * last as f64).round() as usize];
     if y < top + 0.5 {
         return Vec::new();
     }
-    let (width, half) = (text_width_px(label, SIZE_PX), SIZE_PX / 2.0);
-    let at = |left: f64, top: f64| Rect { left, top, right: left + width, bottom: top + SIZE_PX };
-    let (above, below) = (y - GAP_PX - SIZE_PX, y + GAP_PX);
+    let (width, half) = (text_width_px(label, size_px), size_px / 2.0);
+    let at = |left: f64, top: f64| Rect { left, top, right: left + width, bottom: top + size_px };
+    let (above, below) = (y - GAP_PX - size_px, y + GAP_PX);
     vec![
         at(x - GAP_PX - width, y - half),
         at(x + GAP_PX, y - half),
@@ -122,7 +122,7 @@ mod tests {
 
     #[test]
     fn lines_apart_are_labelled_beside_their_ends() {
-        let placed = place(&[level(0, 50.0), level(1, 150.0)], FRAME);
+        let placed = place(&[level(0, 50.0), level(1, 150.0)], FRAME, SIZE_PX);
         assert_eq!(placed.iter().map(|label| label.text.as_str()).collect::<Vec<_>>(), ["first", "second"]);
         for (label, y) in placed.iter().zip([50.0, 150.0]) {
             assert!(label.place.right < 60.0 && label.place.top < y && label.place.bottom > y, "{label:?}");
@@ -132,7 +132,7 @@ mod tests {
     #[test]
     fn labels_keep_clear_of_each_other_and_of_other_lines() {
         let tracks = [level(0, 50.0), level(1, 58.0), level(2, 66.0)];
-        let placed = place(&tracks, FRAME);
+        let placed = place(&tracks, FRAME, SIZE_PX);
         for (i, label) in placed.iter().enumerate() {
             assert!(placed[..i].iter().all(|other| !label.place.overlaps(&other.place)));
             let others = tracks.iter().filter(|track| track.group != label.group);
@@ -146,13 +146,13 @@ mod tests {
 
     #[test]
     fn one_label_stands_for_every_line_of_a_group() {
-        assert_eq!(place(&[level(0, 50.0), level(0, 100.0)], FRAME).len(), 1);
+        assert_eq!(place(&[level(0, 50.0), level(0, 100.0)], FRAME, SIZE_PX).len(), 1);
     }
 
     #[test]
     fn a_point_alone_is_labelled_inside_the_frame() {
         let alone = Track { label: "first".to_owned(), group: 0, points: vec![(1.0, 1.0)] };
-        let placed = place(&[alone], FRAME);
+        let placed = place(&[alone], FRAME, SIZE_PX);
         assert!(placed[0].place.within(&FRAME), "{placed:?}");
     }
 }

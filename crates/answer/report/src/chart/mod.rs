@@ -7,7 +7,7 @@
 pub(crate) mod canvas;
 pub(crate) mod contact;
 mod ink;
-mod labels;
+pub(crate) mod labels;
 mod legend;
 pub mod maps;
 pub mod palette;
@@ -276,7 +276,7 @@ fn label_lines(canvas: &mut Canvas, figure: &FigureData, traces: &[Trace]) -> Ve
     };
     let of_lines = traces.iter().flat_map(|trace| trace.runs.iter().map(move |run| track(trace, run)));
     let tracks: Vec<Track> = of_lines.chain(figure.marks.iter().map(of_mark)).collect();
-    let placed = labels::place(&tracks, canvas.frame);
+    let placed = labels::place(&tracks, canvas.frame, labels::SIZE_PX);
     for label in &placed {
         let mut inks = traces.iter().filter(|trace| trace.group == label.group).map(|trace| &trace.ink.dark);
         let first = inks.next().map_or("black", String::as_str);

@@ -1,6 +1,6 @@
 //! The area against the cutoff under one load: every model, boundary elements with their errors, and holes of the spectrum.
 
-use conclusions::AnswerUnderLoad;
+use conclusions::{AnswerUnderLoad, foremost};
 use maud::{Markup, PreEscaped, html};
 use study::figure::{Mark, pieces};
 use units::display::{length, typeset};
@@ -9,7 +9,8 @@ use units::printable::printable;
 use super::SceneReport;
 use super::range_bar::LINEAR_FROM;
 use super::reading::{Reading, ReadingLine};
-use crate::chart::canvas::{Anchor, Canvas, Point, Rect, Stroke, disc, thinned};
+use crate::chart::canvas::{Anchor, Canvas, Point, Rect, Stroke, disc, text_width_px, thinned};
+use crate::chart::labels::{self, Track};
 use crate::chart::palette::{self, ModelStyle, NEUTRAL, variables};
 use crate::chart::ruler::{Ruler, TickWords, floor_below};
 use crate::judged::element_marks;
@@ -29,6 +30,12 @@ const STRIP_TEXT: f64 = 26.0;
 
 /// The size of letters.
 const LETTERS: f64 = 11.0;
+
+/// The size of the names of models, which are bold.
+const NAMES: f64 = 14.0;
+
+/// The most names below each other.
+const MOST_NAMES: u32 = 4;
 
 /// The room for the words beside a disc.
 const KIND_WIDTH: f64 = 110.0;
@@ -221,18 +228,53 @@ impl<'r, 's> AreaCurve<'r, 's> {
         }
     }
 
-    /// Writes the names of the models at the short ends of their lines.
+    /// Writes the names of the models: of the lines that are drawn at first where nothing is in the way, else at their short ends.
     fn names(&self, canvas: &mut Canvas, styles: &[ModelStyle]) {
+        let first = drawn_at_first(&self.report.conclusions.loads);
+        let track = |(curve, points): &(usize, Vec<(f64, f64)>)| Track {
+            label: self.report.short_curve(*curve),
+            group: *curve,
+            points: points.iter().map(|(wavelength_m, area)| self.place(*wavelength_m, *area)).collect(),
+        };
+        let tracks: Vec<Track> =
+            self.curves.iter().filter(|(curve, _)| first.contains(curve)).map(track).collect();
+        let placed = labels::place(&tracks, FRAME, NAMES);
+        let mut taken: Vec<Rect> = placed.iter().map(|label| label.place).collect();
         for (curve, points) in &self.curves {
             let Some((wavelength_m, area)) = points.last() else { continue };
             let (x, y) = self.place(*wavelength_m, *area);
-            let at = (x + 6.0, (y + 14.0).min(FRAME.bottom - 3.0));
+            let name = self.report.short_curve(*curve);
+            let below = |lines: f64| {
+                let bottom = (y + (1.0 + lines) * NAMES).min(FRAME.bottom - 3.0);
+                let left = x + 6.0;
+                Rect { left, top: bottom - NAMES, right: left + text_width_px(&name, NAMES), bottom }
+            };
+            let free = placed.iter().find(|label| label.group == *curve).map(|label| label.place);
+            let place = free.unwrap_or_else(|| {
+                // Names of lines that nobody ticked yet may overlap.
+                let lines = (0..MOST_NAMES).map(f64::from);
+                let is_drawn = first.contains(curve);
+                let mut places = lines
+                    .map(below)
+                    .filter(|place| !is_drawn || !taken.iter().any(|other| place.overlaps(other)));
+                let place = places.next().unwrap_or_else(|| below(0.0));
+                taken.extend(is_drawn.then_some(place));
+                place
+            });
+            let at = (place.left, place.bottom);
             let ModelStyle { colour, dark_colour, .. } = &styles[*curve];
             let look =
                 format!("class=\"{} line name\" style=\"{}\"", class(*curve), variables(colour, dark_colour));
-            canvas.styled_text(at, Anchor::Start, &look, &self.report.short_curve(*curve));
+            canvas.styled_text(at, Anchor::Start, &look, &name);
         }
     }
+}
+
+/// The models whose lines are drawn before anybody ticks one: the nearest of each group.
+pub(super) fn drawn_at_first(loads: &[AnswerUnderLoad]) -> Vec<usize> {
+    let Some(load) = foremost(loads) else { return Vec::new() };
+    let nearest = load.references.iter().filter_map(|group| group.models.first()).map(|cell| cell.curve);
+    nearest.chain(load.best_model.map(|cell| cell.curve)).collect()
 }
 
 /// Finds the wavelength \[m\] down to which waves leave twice the area of all, along points from long to short ones; `None` if no such

@@ -11,7 +11,7 @@ use super::{SceneReport, load_class};
 use crate::cause_words::cause_words;
 use crate::chart::palette::ModelStyle;
 use crate::conclusion_words::{
-    answers_under, caution_words, condition, foremost_step, parts_of_range, source_words,
+    answers_under, caution_words, condition, foremost_step, parts_of_range, source_words, told_once,
 };
 use crate::listing::{capital, share, share_beside, share_range};
 
@@ -83,7 +83,7 @@ pub(super) fn before_quoting(conclusions: &Conclusions, says_hardness: bool) -> 
             @if conclusions.cautions.is_empty() { p { "No cautions." } }
             @else {
                 ol {
-                    @for caution in conclusions.cautions.iter().filter(is_shown).take(CAUTIONS_SHOWN) { li { (typeset(&caution_words(caution))) } }
+                    @for caution in told_once(&conclusions.cautions).filter(is_shown).take(CAUTIONS_SHOWN) { li { (typeset(&caution_words(caution))) } }
                 }
             }
             p.next { strong { "Next: " } (typeset(&foremost_step(conclusions))) "." }

@@ -1,6 +1,6 @@
 //! The pressed surface on the first screen: what touches at the chosen load.
 
-use conclusions::{AnswerUnderLoad, Cause};
+use conclusions::AnswerUnderLoad;
 use judge::{PressedSurface, SeenContact};
 use maud::{Markup, PreEscaped, html};
 use units::display::{length, share, typeset};
@@ -57,11 +57,14 @@ fn caption(surface: &PressedSurface, contact: Option<&SeenContact>, load: &Answe
     let area_fraction = contact.area_fraction();
     let has_enough = area_fraction * contact.touching.len() as f64 >= MIN_POINTS;
     let spots = if has_enough { share(area_fraction) } else { "little".to_owned() };
-    // What flows touches as much with finer waves.
-    let finer = if matches!(load.cause, Cause::Hardness { .. }) { "" } else { "; finer waves leave less" };
+    // The picture is seen before the number, and must not be taken for it.
+    let all = match load.area.area_fraction {
+        Some(all) => format!("with all waves {}", share(all)),
+        None => "finer waves leave less".to_owned(),
+    };
     let shortest = length(shortest_m);
     format!(
-        "A surface with the waves down to {shortest}, pressed at {}: {spots} touches, red{finer}",
+        "A surface with the waves down to {shortest}, pressed at {}: {spots} touches, red; {all}",
         load.label
     )
 }

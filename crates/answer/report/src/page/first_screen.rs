@@ -11,7 +11,7 @@ use study::figure::CurveLook;
 use units::SceneKeys;
 use units::display::{three_digits, typeset};
 
-use super::area_curve;
+use super::area_curve::{self, drawn_at_first};
 use super::cards::{before_quoting, best_estimate, interface_strip, other_hardness};
 use super::contact_picture::contact_picture;
 use super::{SceneReport, load_class, table};
@@ -202,13 +202,6 @@ pub(super) fn area_words(group: &ReferenceGroup) -> Option<String> {
 fn curves_of(reference: Reference, loads: &[AnswerUnderLoad]) -> Vec<usize> {
     let of_load = foremost(loads).and_then(|load| group(load, reference));
     of_load.map_or_else(Vec::new, |group| group.models.iter().map(|cell| cell.curve).collect())
-}
-
-/// The models whose lines are drawn before anybody ticks one: the nearest of each group.
-pub(super) fn drawn_at_first(loads: &[AnswerUnderLoad]) -> Vec<usize> {
-    let Some(load) = foremost(loads) else { return Vec::new() };
-    let nearest = load.references.iter().filter_map(|group| group.models.first()).map(|cell| cell.curve);
-    nearest.chain(load.best_model.map(|cell| cell.curve)).collect()
 }
 
 pub(super) fn reference_words(reference: Reference) -> &'static str {

@@ -7,7 +7,7 @@ use study::figure::CurveLook;
 use units::display::{share, three_digits, typeset};
 use units::printable::printable;
 
-use super::area_curve::AreaCurve;
+use super::area_curve::{AreaCurve, drawn_at_first};
 use super::contact_picture::contact_picture;
 use super::reading::Reading;
 use super::{SceneReport, cards, first_screen};
@@ -106,7 +106,7 @@ impl LiveScreen {
         let psd = &scene.surface.psd;
         let band_m = [psd.shortest_wavelength_m(), psd.longest_wavelength_m()];
         let curve = AreaCurve::new(&report, load.load, band_m);
-        let drawn = first_screen::drawn_at_first(&conclusions.loads);
+        let drawn = drawn_at_first(&conclusions.loads);
         let plain = |curve: usize| {
             let style = &styles[curve];
             let model = &scene.needs.curves[curve];

@@ -64,7 +64,17 @@ impl Axis {
             true => (0..=4).map(|quarter| 0.25 * f64::from(quarter)).collect(),
             false => {
                 let decades = self.low.log10().floor() as i32..=self.high.log10().ceil() as i32;
-                decades.flat_map(|power| [1.0, 2.0, 5.0].map(|step| step * 10f64.powi(power))).collect()
+                let steps = |of: &[f64]| -> Vec<f64> {
+                    decades
+                        .clone()
+                        .flat_map(|power| of.iter().map(move |step| step * 10f64.powi(power)))
+                        .collect()
+                };
+                let round = steps(&[1.0, 2.0, 5.0]);
+                // One number alone tells no scale.
+                let inside =
+                    round.iter().filter(|area_fraction| self.place(**area_fraction).is_some()).count();
+                if inside > 1 { round } else { steps(&[1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0]) }
             }
         };
         let mut ticks: Vec<(f64, f64)> = Vec::new();

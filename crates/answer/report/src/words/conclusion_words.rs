@@ -13,7 +13,7 @@ use study::bodies::Body;
 use study::interface::Quantity;
 use uncertainty::Uncertainty;
 use units::display::{counted, energy_per_area, length, percent, pressure, three_digits};
-use units::{Remark, SceneKeys};
+use units::{Remark, RemarkCode, SceneKeys};
 
 use crate::cause_words::cause_line;
 use crate::curve_names::short_name;
@@ -373,9 +373,17 @@ fn other_bodies(load: &AnswerUnderLoad) -> &'static str {
     }
 }
 
+/// The cautions without the same sentence about the few scans of another instrument.
+pub(crate) fn told_once(cautions: &[Remark]) -> impl Iterator<Item = &Remark> {
+    let first = cautions.iter().position(|caution| caution.code == RemarkCode::FewScans);
+    let is_told =
+        move |(at, caution): &(usize, &Remark)| caution.code != RemarkCode::FewScans || Some(*at) == first;
+    cautions.iter().enumerate().filter(is_told).map(|(_, caution)| caution)
+}
+
 fn trust_words(conclusions: &Conclusions) -> String {
     let reasons: Vec<String> =
-        conclusions.cautions.iter().take(CAUTIONS_SHOWN).map(Remark::in_short).collect();
+        told_once(&conclusions.cautions).take(CAUTIONS_SHOWN).map(Remark::in_short).collect();
     match reasons.is_empty() {
         true => conclusions.trust.name().to_owned(),
         false => format!("{} - {}", conclusions.trust.name(), reasons.join("; ")),
