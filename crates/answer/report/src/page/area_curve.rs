@@ -261,7 +261,7 @@ impl<'r, 's> AreaCurve<'r, 's> {
                 taken.extend(is_drawn.then_some(place));
                 place
             });
-            let at = (place.left, place.bottom);
+            let at = (place.left, place.bottom - 3.0);
             let ModelStyle { colour, dark_colour, .. } = &styles[*curve];
             let look =
                 format!("class=\"{} line name\" style=\"{}\"", class(*curve), variables(colour, dark_colour));
