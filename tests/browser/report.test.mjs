@@ -57,6 +57,24 @@ test("a row draws its model, by mouse and by keyboard", async () => {
   await context.close();
 });
 
+test("names of the lines that are drawn keep apart, inside the figure", async () => {
+  const { page, context } = await open(chromium, page_of_diamond);
+  for (const chip of await page.locator(".chips label").all()) {
+    await chip.click();
+    const names = await shown(page, "svg.area .name").evaluateAll((names) => names.map((name) => {
+      const [box, figure] = [name, name.closest("svg")].map((element) => element.getBoundingClientRect());
+      return { words: name.textContent, left: box.left, right: box.right, top: box.top, bottom: box.bottom, inside: box.left >= figure.left && box.right <= figure.right };
+    }));
+    assert.ok(names.length > 0 && names.every(({ inside }) => inside), JSON.stringify(names));
+    for (const [at, one] of names.entries()) {
+      // Boxes of letters are half as high again as their letters.
+      const meets = (other) => one.left < other.right && other.left < one.right && Math.abs(one.top - other.top) < 0.6 * (one.bottom - one.top);
+      assert.ok(!names.slice(at + 1).some(meets), JSON.stringify(names));
+    }
+  }
+  await context.close();
+});
+
 test("a cell gives its reason on hover and on focus, inside the window", async () => {
   const { page, context } = await open(chromium, page_of_diamond);
   const cells = page.locator(".matrix td.cell:has(.reason)").filter({ visible: true });

@@ -160,8 +160,8 @@ fn elastic_formulas(loads: &[AnswerUnderLoad], states: &InterfaceStates<'_>) -> 
         (false, false) => return None,
     };
     let may_yield = loads.iter().filter(|load| load.area.source != Source::Elements(Reference::Elastic));
-    let shares = may_yield.filter_map(|load| states.plastic_share(load.load));
-    let share = shares.filter(|share| *share > MOST_PLASTIC_SHARE).reduce(f64::max)?;
+    let largest = may_yield.filter_map(|load| states.plastic_share(load.load)).reduce(f64::max);
+    let share = largest.filter(|share| *share > MOST_PLASTIC_SHARE)?;
     Some(Remark::new(RemarkCode::GapOfYieldingContact).with("share", share).with("what", what))
 }
 
@@ -215,10 +215,8 @@ fn skewed_heights(scene: &Scene) -> Option<Remark> {
 /// Returns true if the spectrum of a face comes from traces alone, which are taken as those of a surface without direction.
 fn traces_alone(scene: &Scene) -> bool {
     let parts = scene.surface.each();
-    let scanned = parts.iter().filter_map(|part| part.made_from.as_ref());
-    scanned
-        .into_iter()
-        .any(|scans| scans.spectrum.scans.iter().all(|scan| scan.checks.slope_across.is_none()))
+    let mut scanned = parts.iter().filter_map(|part| part.made_from.as_ref());
+    scanned.any(|scans| scans.spectrum.scans.iter().all(|scan| scan.checks.slope_across.is_none()))
 }
 
 /// The caution on a surface that was scanned at one or two places, where nothing is drawn that would tell.

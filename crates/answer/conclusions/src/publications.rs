@@ -2,6 +2,7 @@
 
 use judge::Reference;
 use serde::Serialize;
+use study::growth_law::GrowthLaw;
 use study::interface::InterfaceStates;
 
 use super::evidence::Evidence;
@@ -18,13 +19,13 @@ const GROWING: &str = "Nix & Gao (1998), J. Mech. Phys. Solids 46:411";
 /// A publication and what it is cited for.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Publication {
-    /// What it is cited for: `boundary elements`, or the name of a curve or of a quantity.
+    /// Name of the curve or the quantity that it is cited for, or `boundary elements`.
     pub used_for: String,
     /// Authors, year and place.
     pub publication: &'static str,
 }
 
-/// Lists the publications of the elements, of the models that were compared or that answer, and of what is asked besides the area.
+/// Lists the publications of the elements, of all models that ran, and of the quantities of the interface.
 pub(crate) fn publications(
     evidence: &Evidence<'_>,
     loads: &[AnswerUnderLoad],
@@ -44,15 +45,15 @@ pub(crate) fn publications(
         add("boundary elements that yield", YIELDING);
     }
     for curve in &evidence.scene.needs.curves {
-        add(&curve.name, curve.model.entry.citation);
-        if curve.model.options().strain_gradient {
+        let model = &curve.model;
+        add(&curve.name, model.entry.citation);
+        // Powers and tables have no publication.
+        if model.strength_grows() && matches!(model.options().hardness_law, None | Some(GrowthLaw::NixGao)) {
             add("strength that grows at small scales", GROWING);
         }
     }
-    for slot in states.iter().flat_map(|states| states.slots()) {
-        if let Some(publication) = slot.quantity.publication() {
-            add(slot.quantity.words(), publication);
-        }
+    for quantity in states.iter().flat_map(|states| states.slots()).map(|slot| slot.quantity) {
+        quantity.publication().into_iter().for_each(|publication| add(quantity.words(), publication));
     }
     found
 }

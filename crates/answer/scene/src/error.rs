@@ -196,7 +196,7 @@ impl fmt::Display for SceneProblem {
     }
 }
 
-/// What to write in place of a value of another kind than its key takes, in words that follow the error.
+/// Words on what to write in place of a value of another kind than its key takes; they follow the error.
 fn instead(found: &str, wanted: &str) -> String {
     let text = found.strip_prefix("string ").map(|text| text.trim_matches('"'));
     let share = |text: &str| Some(text.strip_suffix('%')?.trim().parse::<f64>().ok()? / 100.0);

@@ -315,7 +315,7 @@ Example:
     Run(RunArgs),
     /// Draw the figures of a scene for publication: SVG, PNG or PDF in the width of a column
     #[command(after_help = "\
-Computes the scene again, without boundary elements, and writes a file per
+Computes the scene again, areas with boundary elements, and writes a file per
 figure and format, named after the figure. No other file is touched.
 
 Examples:

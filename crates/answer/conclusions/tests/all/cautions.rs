@@ -138,8 +138,12 @@ fn the_trace_whose_heights_are_skewed_most_is_named_and_maps_show_their_lay() {
     answered.scene.surface.notes = vec![skewed("a.txt", 1.2), skewed("b.txt", -2.2), skewed("c.txt", 1.5)];
     let conclusions = answered.conclusions();
     let found = caution(&conclusions, RemarkCode::SkewedHeights).unwrap();
+    assert_eq!(found.text("touches"), Some("more"));
     assert_eq!((found.place.files.as_slice(), trust_left(found)), (&["b.txt".to_owned()][..], Trust::Fair));
     assert!(caution(&conclusions, RemarkCode::LayUnknown).is_none());
+    answered.scene.surface.notes = vec![skewed("a.txt", 1.2)];
+    let conclusions = answered.conclusions();
+    assert_eq!(caution(&conclusions, RemarkCode::SkewedHeights).unwrap().text("touches"), Some("less"));
 }
 
 #[test]
@@ -232,19 +236,23 @@ fn a_gap_of_peaks_that_flow_is_doubted_where_a_leak_or_a_shear_takes_it() {
         let states = answered.scene.interface_states(&answered.results).unwrap();
         let largest = states.plastic_share(0).unwrap_or(0.0).max(states.plastic_share(1).unwrap_or(0.0));
         let found = caution(&answered.conclusions(), RemarkCode::GapOfYieldingContact).cloned();
-        (found.map(|found| found.number("share").unwrap()), largest)
+        let what = found.as_ref().map(|found| found.text("what").unwrap().to_owned());
+        (found.map(|found| found.number("share").unwrap()), largest, what)
     };
     let joint = "[seal]\npressure_drop = \"100 kPa\"\nviscosity = \"1 mPa s\"\nbreadth = \"100 mm\"\nlength = \"2 mm\"";
-    let (found, largest) = share(soft, "off = true", joint);
+    let (found, largest, what) = share(soft, "off = true", joint);
     assert!(largest > 0.03 && found == Some(largest), "{found:?} {largest}");
-    let (found, largest) =
-        share(soft, "off = true", "[interface]\ntangential_stress = \"10 kPa\"\nfriction = 0.5");
-    assert_eq!(found, Some(largest));
+    assert_eq!(what.as_deref(), Some("leaks"));
+    let shear = "[interface]\ntangential_stress = \"10 kPa\"\nfriction = 0.5\n";
+    let (found, largest, what) = share(soft, "off = true", shear);
+    assert_eq!((found, what.as_deref()), (Some(largest), Some("tangential loads")));
+    let both = share(soft, "off = true", &format!("{shear}{joint}")).2;
+    assert_eq!(both.as_deref(), Some("leaks and tangential loads"));
     // A seal without a rate, and a gap alone, have their own states; hard bodies do not flow.
     assert_eq!(share(soft, "off = true", "[seal]").0, None);
     assert_eq!(share(soft, "off = true", "[interface]").0, None);
     let hard = soft.replace("300 MPa", "200 GPa");
-    let (found, largest) = share(&hard, "off = true", joint);
+    let (found, largest, _) = share(&hard, "off = true", joint);
     assert!(largest <= 0.03 && found.is_none());
 }
 

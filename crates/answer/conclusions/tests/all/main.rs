@@ -4,6 +4,7 @@ mod cautions;
 mod drawn_scenes;
 mod maps;
 mod next_steps;
+mod publications;
 mod questions;
 mod ranges;
 mod relations;

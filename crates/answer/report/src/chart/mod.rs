@@ -231,18 +231,9 @@ fn rulers(figure: &FigureData, beside: &[&FigureData], width: f64) -> [Ruler; 2]
     let x_ruler = ruler(x, figure.x_scale, x_words, &figure.x_label, most, across);
     let y_ruler = ruler(y, figure.y_scale, y_words, figure.y_label, f64::INFINITY, upwards);
     let y = points.iter().map(|point| point.1).filter(|y| *y > 0.0);
-    [
-        if figure.x_scale == AxisScale::Logarithmic {
-            x_ruler.cut_to(points.iter().map(|point| point.0))
-        } else {
-            x_ruler
-        },
-        if y_words == TickWords::Share && figure.y_scale == AxisScale::Logarithmic {
-            y_ruler.cut_to(y.flat_map(|y| [floor_below(y), y]))
-        } else {
-            y_ruler
-        },
-    ]
+    let is_share = y_words == TickWords::Share;
+    let y_ruler = if is_share { y_ruler.cut_to(y.flat_map(|y| [floor_below(y), y])) } else { y_ruler };
+    [x_ruler.cut_to(points.iter().map(|point| point.0)), y_ruler]
 }
 
 /// Returns the lines. Those that coincide have to be seen: solid ones are broad and pale, and dashed ones lie dark on top

@@ -71,10 +71,11 @@ impl Ruler {
         }
     }
 
-    /// Returns the axis of decades with its ends a little beyond these values, if it keeps two labelled ticks.
+    /// Returns an axis of decades with its ends a little beyond these values, if it keeps two labelled ticks; linear ones stay.
     pub fn cut_to(self, values: impl Iterator<Item = f64>) -> Self {
         const ROOM: f64 = 0.02;
-        let Some((low, high)) = range(values.filter(|value| *value > 0.0).map(f64::log10)) else {
+        let inside = values.filter(|value| self.is_logarithmic && *value > 0.0);
+        let Some((low, high)) = range(inside.map(f64::log10)) else {
             return self;
         };
         let room = ROOM * (high - low);

@@ -78,7 +78,11 @@ pub fn script(figure: &FigureData, style: &FigureStyle, provenance: &[String], f
             "LINES" => lines.clone(),
             "BANDS" => bands(figure),
             "MARKS" => marks(figure),
-            "HOLES" => figure.gaps.iter().map(|(from, to)| hole(*from, *to)).collect(),
+            "HOLES" => figure
+                .gaps
+                .iter()
+                .map(|(from, to)| format!("axes.axvspan({from:e}, {to:e}, color=\"0.88\", linewidth=0, zorder=3)  # not measured\n"))
+                .collect(),
             "X" => figure.x.column.to_owned(),
             "SIZE" => size_pt.to_string(),
             "WIDTH" => format!("{:.4}", width_pt / POINTS_PER_INCH),
@@ -173,24 +177,16 @@ fn loops(columns: impl Iterator<Item = (String, String)>) -> String {
     loops.iter().map(|(body, columns)| format!("for column in [{}]:\n{body}", columns.join(", "))).collect()
 }
 
-fn hole(from: f64, to: f64) -> String {
-    format!("axes.axvspan({from:e}, {to:e}, color=\"0.88\", linewidth=0, zorder=3)  # not measured\n")
-}
-
 /// Ticks that spell out lengths and shares.
 fn formats(figure: &FigureData) -> String {
     let mut formats = String::new();
-    if has_lengths(figure) {
+    if figure.x.kind() == AxisKind::Length {
         formats += "axes.xaxis.set_major_formatter(plt.matplotlib.ticker.EngFormatter(\"m\"))\n";
     }
     if figure.shows.draws_areas() {
         formats += "axes.yaxis.set_major_formatter(lambda share, _: f\"{100 * share:g} %\")\n";
     }
     formats
-}
-
-fn has_lengths(figure: &FigureData) -> bool {
-    figure.x.kind() == AxisKind::Length
 }
 
 /// A text as a literal of Python.

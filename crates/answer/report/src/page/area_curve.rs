@@ -100,12 +100,10 @@ impl<'r, 's> AreaCurve<'r, 's> {
         let load = self.report.conclusions.loads.iter().find(|of| of.load == self.load);
         let nearest = load.and_then(AnswerUnderLoad::nearest_curve);
         let along = self.curves.iter().find(|(curve, _)| Some(*curve) == nearest);
-        let finding = match along.and_then(|(_, points)| doubled_from_m(points)) {
-            Some(from_m) => {
-                format!("Without waves shorter than {} twice as much would touch", length(from_m))
-            }
-            None => "Contact area as finer roughness is included".to_owned(),
-        };
+        let finding = along.and_then(|(_, points)| doubled_from_m(points)).map_or_else(
+            || "Contact area as finer roughness is included".to_owned(),
+            |from_m| format!("Without waves shorter than {} twice as much would touch", length(from_m)),
+        );
         format!("{finding}, at {}", self.report.scene.needs.loads[self.load].label)
     }
 
@@ -244,23 +242,16 @@ impl<'r, 's> AreaCurve<'r, 's> {
             let Some((wavelength_m, area)) = points.last() else { continue };
             let (x, y) = self.place(*wavelength_m, *area);
             let name = self.report.short_curve(*curve);
-            let below = |lines: f64| {
-                let bottom = (y + (1.0 + lines) * NAMES).min(FRAME.bottom - 3.0);
-                let left = x + 6.0;
+            let below = |lines: u32| {
+                let (left, bottom) = (x + 6.0, (y + f64::from(1 + lines) * NAMES).min(FRAME.bottom - 3.0));
                 Rect { left, top: bottom - NAMES, right: left + text_width_px(&name, NAMES), bottom }
             };
-            let free = placed.iter().find(|label| label.group == *curve).map(|label| label.place);
-            let place = free.unwrap_or_else(|| {
-                // Names of lines that nobody ticked yet may overlap.
-                let lines = (0..MOST_NAMES).map(f64::from);
-                let is_drawn = first.contains(curve);
-                let mut places = lines
-                    .map(below)
-                    .filter(|place| !is_drawn || !taken.iter().any(|other| place.overlaps(other)));
-                let place = places.next().unwrap_or_else(|| below(0.0));
-                taken.extend(is_drawn.then_some(place));
-                place
-            });
+            // Names of lines that nobody ticked yet may overlap.
+            let is_drawn = first.contains(curve);
+            let is_free = |place: &Rect| !is_drawn || !taken.iter().any(|other| place.overlaps(other));
+            let own = placed.iter().find(|label| label.group == *curve).map(|label| label.place);
+            let place = own.or_else(|| (0..MOST_NAMES).map(below).find(is_free)).unwrap_or_else(|| below(0));
+            taken.extend(is_drawn.then_some(place));
             let at = (place.left, place.bottom - 3.0);
             let ModelStyle { colour, dark_colour, .. } = &styles[*curve];
             let look =
@@ -277,8 +268,8 @@ pub(super) fn drawn_at_first(loads: &[AnswerUnderLoad]) -> Vec<usize> {
     nearest.chain(load.best_model.map(|cell| cell.curve)).collect()
 }
 
-/// Finds the wavelength \[m\] down to which waves leave twice the area of all, along points from long to short ones; `None` if no such
-/// area is below 1.
+/// Finds the wavelength \[m\] down to which waves leave twice the area of all, along points from long to short ones; `None` if nothing or
+/// more than half touches.
 fn doubled_from_m(points: &[(f64, f64)]) -> Option<f64> {
     let doubled = 2.0 * points.last()?.1;
     let before = points.iter().rposition(|(_, area)| *area >= doubled)?;

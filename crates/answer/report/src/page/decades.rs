@@ -49,7 +49,8 @@ fn of(report: &SceneReport<'_>) -> Option<Markup> {
     let is_nearest =
         |curve: usize| report.conclusions.loads.iter().any(|load| load.nearest_curve() == Some(curve));
     let every = strips_table(report, |_| true)?;
-    let Some(nearest) = strips_table(report, is_nearest) else { return Some(every) };
+    let others = report.answers().any(|(curve, _)| !is_nearest(curve));
+    let Some(nearest) = strips_table(report, is_nearest).filter(|_| others) else { return Some(every) };
     Some(html! {
         (nearest)
         details.folded { summary { h3 { "Every model" } } (every) }

@@ -113,7 +113,6 @@ fn chips(conclusions: &Conclusions, at: usize) -> Markup {
 /// The answers under all loads, for paper, where no chip chooses one.
 fn every_load(report: &SceneReport<'_>) -> Markup {
     let columns = ["pressure", "touches", "range", "nearest model", "besides"];
-    let nearest = |load: &AnswerUnderLoad| load.best_model.map(|best| report.short_curve(best.curve));
     let besides = |load: &AnswerUnderLoad| {
         let rows = answers_under(report.conclusions, load).into_iter();
         typeset(&rows.map(|(name, words)| format!("{name} {words}")).collect::<Vec<_>>().join("; "))
@@ -127,7 +126,7 @@ fn every_load(report: &SceneReport<'_>) -> Markup {
                             th scope="row" { (typeset(&load.label)) }
                             td { (load.area.area_fraction.map_or_else(|| "–".to_owned(), share)) }
                             td { (share_range(load.area.low, load.area.high)) }
-                            td { (nearest(load).unwrap_or_else(|| "–".to_owned())) }
+                            td { (load.best_model.map_or_else(|| "–".to_owned(), |best| report.short_curve(best.curve))) }
                             td.reason { (besides(load)) }
                         }
                     }

@@ -64,17 +64,11 @@ impl Axis {
             true => (0..=4).map(|quarter| 0.25 * f64::from(quarter)).collect(),
             false => {
                 let decades = self.low.log10().floor() as i32..=self.high.log10().ceil() as i32;
-                let steps = |of: &[f64]| -> Vec<f64> {
-                    decades
-                        .clone()
-                        .flat_map(|power| of.iter().map(move |step| step * 10f64.powi(power)))
-                        .collect()
-                };
-                let round = steps(&[1.0, 2.0, 5.0]);
-                // One number alone tells no scale.
-                let inside =
-                    round.iter().filter(|area_fraction| self.place(**area_fraction).is_some()).count();
-                if inside > 1 { round } else { steps(&[1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0]) }
+                // One number alone tells no scale: shorter axes than five times may hold one of the roundest only.
+                let is_long = self.high / self.low > 5.0;
+                let round: &[f64] =
+                    if is_long { &[1.0, 2.0, 5.0] } else { &[1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0] };
+                decades.flat_map(|power| round.iter().map(move |step| step * 10f64.powi(power))).collect()
             }
         };
         let mut ticks: Vec<(f64, f64)> = Vec::new();
@@ -197,6 +191,11 @@ mod tests {
 
     #[test]
     fn ticks_are_round_and_have_room() {
+        let narrow = Axis::over(0.0027, 0.0033, &[]).ticks();
+        assert!(
+            narrow.len() > 1 && narrow.iter().any(|(value, _)| (value * 1e3 - 3.0).abs() < 1e-9),
+            "{narrow:?}"
+        );
         let ticks = Axis::over(0.0011, 0.009, &[]).ticks();
         let values: Vec<f64> = ticks.iter().map(|(value, _)| value * 1e3).collect();
         assert!(

@@ -375,10 +375,10 @@ fn other_bodies(load: &AnswerUnderLoad) -> &'static str {
 
 /// The cautions without the same sentence about the few scans of another instrument.
 pub(crate) fn told_once(cautions: &[Remark]) -> impl Iterator<Item = &Remark> {
-    let first = cautions.iter().position(|caution| caution.code == RemarkCode::FewScans);
-    let is_told =
-        move |(at, caution): &(usize, &Remark)| caution.code != RemarkCode::FewScans || Some(*at) == first;
-    cautions.iter().enumerate().filter(is_told).map(|(_, caution)| caution)
+    let is_of_few = |caution: &Remark| caution.code == RemarkCode::FewScans;
+    let first = cautions.iter().position(is_of_few);
+    let told = move |&(at, caution): &(usize, &Remark)| !is_of_few(caution) || Some(at) == first;
+    cautions.iter().enumerate().filter(told).map(|(_, caution)| caution)
 }
 
 fn trust_words(conclusions: &Conclusions) -> String {
@@ -472,5 +472,18 @@ pub fn next_words(step: &NextStep) -> String {
         ),
         NextStep::Wavelengths { to_m, .. } => format!("measure wavelengths to {}", length(*to_m)),
         other => format!("{other:?}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn few_scans_are_told_once_and_all_else_each_time() {
+        let [few, hole] = [RemarkCode::FewScans, RemarkCode::NotMeasured].map(Remark::new);
+        let cautions = [hole.clone(), few.clone().with("scans", 1), hole.clone(), few.with("scans", 2)];
+        let told: Vec<&Remark> = told_once(&cautions).collect();
+        assert_eq!(told, [&cautions[0], &cautions[1], &cautions[2]]);
     }
 }

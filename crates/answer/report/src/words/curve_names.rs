@@ -72,6 +72,11 @@ mod tests {
         let hertz = curves.iter_mut().find(|curve| curve.name == "hertz").unwrap();
         assert_eq!(in_full(hertz), "Greenwood & Williamson");
         assert_eq!(model_in_words(&hertz.model), "Greenwood-Williamson (Hertz)");
+        let cited = in_words_with_publication(&hertz.model);
+        assert_eq!(
+            cited,
+            "Greenwood-Williamson (Hertz). Greenwood & Williamson (1966), Proc. R. Soc. A 295:300"
+        );
         hertz.name = "ring".to_owned();
         assert_eq!(in_full(hertz), "ring (Greenwood & Williamson)");
     }

@@ -39,6 +39,32 @@ fn a_line_is_labelled_with_the_cutoff_whose_values_it_draws() {
 }
 
 #[test]
+fn a_model_without_asperities_has_against_load_what_it_has_along_the_cutoff() {
+    let found = |model: &str| {
+        let scene = scene(&format!(
+            "[loads]\npressures = [\"1 MPa\", \"10 MPa\"]\n[[curve]]\nmodel = \"{model}\"\n[[figure]]\nname = \"f\"\n\
+             shows = \"area-against-load\"\ncutoff_multiples = [1, 10]\n\
+             loads = {{ from = \"1 MPa\", to = \"10 MPa\", points = 2 }}\n"
+        ));
+        scene.plan().compute().unwrap()
+    };
+    for model in ["persson", "elastic"] {
+        let results = found(model);
+        for sweep in &results.sweeps {
+            assert_eq!(sweep.area_fractions.len(), 2);
+            for load in 0..2 {
+                let along = results.curves[0].area_fractions(load);
+                let (_, expected) =
+                    along.iter().rfind(|(wavelength_m, _)| *wavelength_m > 0.999 * sweep.cutoff_m).unwrap();
+                let ratio = sweep.area_fractions[load] / expected;
+                assert!((ratio - 1.0).abs() < 1e-9, "{model} {load}: {ratio}");
+            }
+        }
+        assert!(results.sweeps[0].area_fractions[0] < results.sweeps[1].area_fractions[0]);
+    }
+}
+
+#[test]
 fn cutoffs_that_read_the_same_have_columns_of_their_own() {
     let (_, figure) = against_load("[10, 10.001, 20, 10]", "");
     let table = figure.table();
