@@ -43,6 +43,7 @@ fn each_caution_leaves_a_trust_and_the_lowest_counts() {
         (Remark::new(RemarkCode::FewScans), Trust::Fair),
         (Remark::new(RemarkCode::MadeOfNumbers), Trust::Fair),
         (Remark::new(RemarkCode::NotGaussianMap), Trust::Fair),
+        (Remark::new(RemarkCode::LayUnknown), Trust::Good),
     ] {
         assert_eq!(trust_left(&caution), expected, "{caution:?}");
     }
@@ -154,8 +155,15 @@ fn cautions_on_roughness_are_left_out_where_the_area_hangs_on_the_hardness_and_n
              GPa\", poisson_ratio = 0.33, indentation_hardness = \"{hardness}\" }}\n[loads]\npressures = [\"10 MPa\"]\n[[curve]]\nmodel = \
              \"persson-plastic\"\n[judge]\n{SMALL}\n{rest}"
         );
-        caution(&Answered::new(&text).conclusions(), RemarkCode::MadeOfNumbers)
-            .map(|made| made.text("body").unwrap().to_owned())
+        Answered::new(&text).conclusions()
+    };
+    let softer = of("300 MPa", "[counterface]\nyoungs_modulus = \"30 GPa\"\npoisson_ratio = 0.3\n");
+    let codes: Vec<RemarkCode> = softer.cautions.iter().map(|caution| caution.code).collect();
+    assert_eq!(codes, [RemarkCode::SofterWithoutHardness]);
+    let of = |hardness: &str, rest: &str| {
+        let conclusions = of(hardness, rest);
+        let made = caution(&conclusions, RemarkCode::MadeOfNumbers);
+        made.map(|made| made.text("body").unwrap().to_owned())
     };
     let surface = Some("the surface".to_owned());
     assert_eq!(of("300 MPa", ""), None);
