@@ -310,6 +310,8 @@ test("on a phone the answer scrolls into view, and stays where the reader is", a
   await page.evaluate(() => scrollTo(0, 0));
   await press(page, "2 MPa");
   assert.ok((await top()) > 400, "a later answer does not scroll");
+  await until(page, "done");
+  assert.match(await hook(page, "status").textContent(), /^Done: [^ ]+ % touches at 2 MPa\.$/);
   await context.close();
 });
 

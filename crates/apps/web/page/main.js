@@ -153,7 +153,7 @@ async function judge() {
       if (own !== round) return;
       showScreen(second.screen);
     }
-    say("done", `Done: ${plain(by("answer").querySelector(".number"))} at ${screen_.load}.`);
+    say("done", `Done: ${plain(by("answer").querySelector(".number"))}.`);
   } catch (error) {
     if (error instanceof Cancelled || own !== round) return;
     showError(describe(/** @type {Error} */ (error)));
