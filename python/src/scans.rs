@@ -320,6 +320,8 @@ fn refused(error: &TopographyError, argument: &str) -> PyErr {
     };
     let argument_of = |option| match option {
         ScanOption::Unit => Some("unit"),
+        ScanOption::HeightUnit => Some("height_unit"),
+        ScanOption::Units => Some("unit, and height_unit where they differ"),
         ScanOption::Size => Some("size"),
         ScanOption::Channel => Some("channel"),
         ScanOption::Measurement => Some("measurement"),

@@ -23,7 +23,7 @@ Each = Union[Quantity, Sequence[Union[Quantity, None]], None]
 """One value for all scans, or a list with one, or None, for each."""
 
 # What a file may leave open; it says nothing of heights that are there.
-_OF_FILES = ("unit", "channel", "measurement", "size")
+_OF_FILES = ("unit", "height_unit", "channel", "measurement", "size")
 
 
 class Heights(NamedTuple):
@@ -55,6 +55,7 @@ def composite(
     gaps: Gaps | Sequence[Gaps | None] | None = None,
     direction: Direction | Sequence[Direction | None] | None = None,
     unit: str | Sequence[str | None] | None = None,
+    height_unit: str | Sequence[str | None] | None = None,
     channel: str | Sequence[str | None] | None = None,
     size: Each = None,
     detrend: Detrend | None = None,
@@ -88,7 +89,7 @@ def composite(
         20 %), left out with their lines, or refused.
     direction : {"x", "y", "both"}, optional
         Along which axis of maps spectra are taken: rows where left out.
-    unit, channel, size : optional
+    unit, height_unit, channel, size : optional
         What files do not say themselves, as for ``read_scan``.
     detrend : {"plane", "line", "mean", "none"}, optional
         What is subtracted; the mean of periodic heights, else a plane, where left out.
@@ -144,6 +145,7 @@ def composite(
         "gaps": gaps,
         "direction": direction,
         "unit": unit,
+        "height_unit": height_unit,
         "channel": channel,
         "size": size,
     }

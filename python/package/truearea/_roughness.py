@@ -106,7 +106,7 @@ def roughness(
         Heights: a scan, an array in m with its ``size``, an object of SurfaceTopography, or a file.
     size : float or str, or two of them, optional
         Lengths (lx, ly) of an array; of a file, the length along its lines where it gives none.
-    unit, channel : str, optional
+    unit, height_unit, channel : str, optional
         Of a file, as for :func:`read_scan`.
     form : {"plane", "mean", "none", "second-order"}, optional
         The form that is subtracted first; a plane or line where left out.
@@ -138,11 +138,11 @@ def roughness(
     """
     if _native.truth("scales", scales) and (ratio_height is not None or convention is not None):
         raise InputError("ratio_height and convention have no effect on scales; leave them out")
-    unit, channel = options.pop("unit", None), options.pop("channel", None)
+    of_file = {name: options.pop(name, None) for name in ("unit", "height_unit", "channel")}
     if isinstance(surface, (str, os.PathLike)):
-        surface, size = read_scan(surface, unit=unit, channel=channel, size=size), None
-    elif unit is not None or channel is not None:
-        raise InputError("unit and channel are for files; leave them out")
+        surface, size = read_scan(surface, size=size, **of_file), None
+    elif any(value is not None for value in of_file.values()):
+        raise InputError("unit, height_unit and channel are for files; leave them out")
     if isinstance(surface, Scan):
         if size is not None:
             raise InputError("surface is a Scan, which has its size; leave size out")

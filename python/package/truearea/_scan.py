@@ -150,6 +150,7 @@ def read_scan(
     path: AnyPath,
     *,
     unit: str | None = None,
+    height_unit: str | None = None,
     channel: str | None = None,
     measurement: str | None = None,
     size: Quantity | None = None,
@@ -166,6 +167,8 @@ def read_scan(
         The file. A ``meta.yml`` or ``index.json`` beside it that names it is read as well.
     unit : str, optional
         Unit of lengths and heights, such as ``"nm"``, if neither the file nor the metadata beside it state one.
+    height_unit : str, optional
+        Unit of heights where it is another, such as ``"um"`` beside ``unit="mm"``.
     channel : str, optional
         The channel; the first one of heights where left out.
     measurement : str, optional
@@ -203,6 +206,7 @@ def read_scan(
     """
     options = {
         "unit": unit,
+        "height_unit": height_unit,
         "channel": channel,
         "measurement": measurement,
         "size": size,
@@ -219,6 +223,7 @@ def scan_channels(
     path: AnyPath,
     *,
     unit: str | None = None,
+    height_unit: str | None = None,
     channel: str | None = None,
     size: Quantity | None = None,
     all_channels: bool = False,
@@ -229,7 +234,7 @@ def scan_channels(
     ----------
     path : str or path-like
         The file.
-    unit, channel, size : optional
+    unit, height_unit, channel, size : optional
         As for ``read_scan``.
     all_channels : bool, default False
         Every channel, whatever it measures.
@@ -242,7 +247,7 @@ def scan_channels(
         Where no channel can be read.
     """
     file = file_of(path)
-    options = given({"unit": unit, "channel": channel, "size": size})
+    options = given({"unit": unit, "height_unit": height_unit, "channel": channel, "size": size})
     return ScanChannels._of(_native.channels_of(file.name, file.files, options, _native.truth("all_channels", all_channels)))
 
 

@@ -184,6 +184,7 @@ impl Serialize for ScanSection<'_> {
         let keys = [
             ("file", Some(scan.path.clone())),
             ("unit", scan.unit.map(|unit| unit.to_string())),
+            ("height_unit", scan.height_unit.map(|unit| unit.to_string())),
             ("channel", scan.channel.clone()),
             ("size", scan.size_m.map(metres)),
             ("tip_radius", scan.tip_radius.map(|radius| radius.to_string())),

@@ -93,6 +93,7 @@ pub(super) type RawScan = TableOr<RawScanKeys, String>;
 pub(super) struct RawScanKeys {
     pub file: String,
     pub unit: Option<Typed<LengthUnit>>,
+    pub height_unit: Option<Typed<LengthUnit>>,
     pub channel: Option<String>,
     pub size: Option<Typed<Length>>,
     pub tip_radius: Option<Typed<TipRadius>>,

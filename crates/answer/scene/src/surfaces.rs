@@ -135,6 +135,7 @@ fn request(raw: &RawScan) -> ScanRequest {
     ScanRequest {
         path: raw.file.clone(),
         unit: given(&raw.unit),
+        height_unit: given(&raw.height_unit),
         channel: raw.channel.clone(),
         measurement: None,
         size_m: given(&raw.size).map(|size| size.m),

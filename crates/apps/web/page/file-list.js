@@ -8,6 +8,7 @@ import { by, input, state } from "./page.js";
 /** The options of a scan: their keys, labels and examples. */
 const OPTIONS = [
   ["unit", "Unit", "um"],
+  ["height-unit", "Unit of heights", "um"],
   ["size", "Size along the lines", "100 um"],
   ["tip-radius", "Tip radius", "2 um, or auto"],
   ["shortest", "Shortest wavelength trusted", "1 um"],

@@ -108,7 +108,8 @@ impl Refusal {
 /// The name of a scan's option in the page.
 fn option_name(option: ScanOption) -> Option<&'static str> {
     match option {
-        ScanOption::Unit => Some("unit"),
+        ScanOption::Unit | ScanOption::Units => Some("unit"),
+        ScanOption::HeightUnit => Some("height-unit"),
         ScanOption::Size => Some("size"),
         ScanOption::Channel => Some("channel"),
         _ => None,

@@ -15,7 +15,7 @@ fn columns() -> impl Iterator<Item = (String, &'static str)> {
 pub enum ListError {
     /// A column that is not an option of a scan.
     #[error(
-        "{list}: column {column} is not an option of a scan; use file, unit, channel, size, tip_radius, shortest, gaps, \
+        "{list}: column {column} is not an option of a scan; use file, unit, height_unit, channel, size, tip_radius, shortest, gaps, \
          direction, detrend, instrument, z_calibration or slope_uncertainty"
     )]
     UnknownColumn {
@@ -37,7 +37,7 @@ pub enum ListError {
 
 /// Parses a list of scans; `name` is its name in messages.
 ///
-/// The columns are `file, unit, channel, size, tip_radius, shortest, gaps, direction, detrend, instrument,
+/// The columns are `file, unit, height_unit, channel, size, tip_radius, shortest, gaps, direction, detrend, instrument,
 /// z_calibration, slope_uncertainty`. All but the first are optional; an empty cell leaves the option open.
 ///
 /// # Errors

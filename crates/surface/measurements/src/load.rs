@@ -149,6 +149,7 @@ pub(crate) fn options(request: &ScanRequest, files: &dyn Files) -> Result<ScanOp
         measurement: request.measurement.clone(),
         metadata: metadata_beside(&request.path, files)?,
         fallback_unit: request.unit,
+        fallback_height_unit: request.height_unit,
         fallback_size: request.size_m.map(|x_m| ScanSize { x_m, y_m: None }),
         ..ScanOptions::default()
     })

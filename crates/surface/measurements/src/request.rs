@@ -17,6 +17,9 @@ pub struct ScanRequest {
     pub path: String,
     /// Unit of lengths and heights, used if neither the file nor metadata beside it state one.
     pub unit: Option<LengthUnit>,
+    /// Unit of heights where it is another than that of lengths, used if neither the file nor metadata beside it state
+    /// one.
+    pub height_unit: Option<LengthUnit>,
     /// Channel to read; defaults to the first height channel.
     pub channel: Option<String>,
     /// Name of the measurement to read from a container; defaults to all.
@@ -101,8 +104,9 @@ type RequestOption = (&'static str, fn(&ScanRequest) -> bool);
 
 impl ScanRequest {
     /// All options, as the command line names them, and whether a request gives each; in lists and scenes they have underscores.
-    pub const OPTIONS: [RequestOption; 11] = [
+    pub const OPTIONS: [RequestOption; 12] = [
         ("unit", |request| request.unit.is_some()),
+        ("height-unit", |request| request.height_unit.is_some()),
         ("channel", |request| request.channel.is_some()),
         ("size", |request| request.size_m.is_some()),
         ("tip-radius", |request| request.tip_radius.is_some()),
@@ -116,14 +120,15 @@ impl ScanRequest {
     ];
 
     /// Options of a scan that is read for its heights alone.
-    pub(crate) const OF_HEIGHTS: [&str; 3] = ["unit", "channel", "size"];
+    pub(crate) const OF_HEIGHTS: [&str; 4] = ["unit", "height-unit", "channel", "size"];
 
     /// Options of a spectrum without its uncertainty.
-    pub const OF_SPECTRA: [&str; 8] =
-        ["unit", "channel", "size", "tip-radius", "shortest", "gaps", "direction", "detrend"];
+    pub const OF_SPECTRA: [&str; 9] =
+        ["unit", "height-unit", "channel", "size", "tip-radius", "shortest", "gaps", "direction", "detrend"];
 
     /// Options of a map that is pressed.
-    pub(crate) const OF_MAPS: [&str; 6] = ["unit", "channel", "size", "gaps", "direction", "detrend"];
+    pub(crate) const OF_MAPS: [&str; 7] =
+        ["unit", "height-unit", "channel", "size", "gaps", "direction", "detrend"];
 
     /// Refuses the first option that is given and not among these.
     ///
@@ -142,6 +147,7 @@ impl ScanRequest {
         let metres = |length_m: f64| format!("{length_m:e}m");
         let typed = [
             ("unit", self.unit.map(|unit| unit.ascii().to_owned())),
+            ("height-unit", self.height_unit.map(|unit| unit.ascii().to_owned())),
             ("channel", self.channel.clone()),
             ("size", self.size_m.map(metres)),
             ("tip-radius", self.tip_radius.map(|radius| radius.to_string().replace(' ', ""))),
@@ -171,7 +177,7 @@ impl ScanRequest {
 pub enum RequestError {
     /// An unknown option.
     #[error(
-        "{file}: unknown option '{key}' of a scan; use unit, channel, size, tip-radius, shortest, gaps, direction, detrend, \
+        "{file}: unknown option '{key}' of a scan; use unit, height-unit, channel, size, tip-radius, shortest, gaps, direction, detrend, \
          instrument, z-calibration or slope-uncertainty"
     )]
     UnknownKey {
@@ -248,6 +254,7 @@ impl ScanRequest {
         };
         match key.replace('_', "-").as_str() {
             "unit" => self.unit = Some(parsed(value).map_err(bad)?),
+            "height-unit" => self.height_unit = Some(parsed(value).map_err(bad)?),
             "channel" => self.channel = Some(value.to_owned()),
             "size" => self.size_m = Some(parsed::<Length>(value).map_err(bad)?.m),
             "tip-radius" => self.tip_radius = Some(parsed(value).map_err(bad)?),

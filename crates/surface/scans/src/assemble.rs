@@ -35,7 +35,9 @@ pub(crate) fn chosen<'b>(
     let all: Vec<String> = channels.iter().map(label).collect();
     let (found, wanted) = if let Some(wanted) = &options.channel {
         let exactly = all.iter().position(|name| name == wanted);
-        let found = exactly.or_else(|| all.iter().position(|name| without_bracket(name) == wanted));
+        let found = exactly
+            .or_else(|| all.iter().position(|name| without_bracket(name) == wanted))
+            .or_else(|| all.iter().position(|name| name.strip_prefix("column ") == Some(wanted)));
         (found, format!("channel '{wanted}'"))
     } else if let Some(source) = options.metadata.as_ref().and_then(|metadata| metadata.data_source) {
         let found = (source < all.len()).then_some(source);
@@ -79,7 +81,7 @@ pub(crate) fn assembled(
         (UnitsBy::Format, _) => {
             refuse_unit(format, options)?;
             notes.extend(own_scale_note(options));
-            let unused = options.fallback_unit;
+            let unused = options.fallback_unit.or(options.fallback_height_unit);
             notes.extend(unused.map(|unit| format!("{IGNORED}the unit {unit}: the file has its own")));
             to_m(&quantity)
         }

@@ -1,6 +1,6 @@
 //! Choice of units and scales.
 
-use crate::error::ScanReadError;
+use crate::error::{ScanReadError, Unitless};
 use crate::format::ScanFormat;
 use crate::options::{IGNORED, ScanOptions};
 use units::LengthUnit;
@@ -22,7 +22,7 @@ impl Units {
         notes: &mut Vec<String>,
     ) -> Self {
         let metadata = options.metadata.as_ref();
-        let mut counting = |what: &str, wanted: Option<LengthUnit>, stated: Option<LengthUnit>| {
+        let mut counting = |what: &str, wanted: Option<LengthUnit>, stated: Option<LengthUnit>, fallback| {
             if let (Some(wanted), Some(stated)) = (wanted, stated)
                 && wanted != stated
             {
@@ -31,15 +31,16 @@ impl Units {
                 ));
             }
             let known = wanted.or(stated).or_else(|| metadata.and_then(|metadata| metadata.unit));
-            if let (Some(known), Some(unused)) = (known, options.fallback_unit)
+            if let (Some(known), Some(unused)) = (known, fallback)
                 && known != unused
             {
                 notes.push(format!("{IGNORED}the unit {unused} of {what}: they are known to be in {known}"));
             }
-            known.or(options.fallback_unit)
+            known.or(fallback)
         };
-        let lateral_unit = counting("lengths", options.unit, lateral);
-        let height_unit = counting("heights", options.height_unit(), height);
+        let height_fallback = options.fallback_height_unit.or(options.fallback_unit);
+        let lateral_unit = counting("lengths", options.unit, lateral, options.fallback_unit);
+        let height_unit = counting("heights", options.height_unit(), height, height_fallback);
         let scale = metadata.and_then(|metadata| metadata.height_scale);
         // A file that states the unit of its heights, or a caller who does, leaves nothing to scale.
         let is_stated = height.is_some() || options.height_unit().is_some();
@@ -56,11 +57,20 @@ impl Units {
         Self { lateral: lateral_unit, height: height_unit, height_scale }
     }
 
+    /// Refuses points of which neither positions nor heights have a unit: the two may differ.
+    pub(crate) fn refuse_bare_points(&self, format: ScanFormat) -> Result<(), ScanReadError> {
+        match (self.lateral, self.height) {
+            (None, None) => Err(ScanReadError::NoUnit { format, what: Unitless::LengthsAndHeights }),
+            _ => Ok(()),
+        }
+    }
+
     pub(crate) fn height_to_m(
         &self,
         format: ScanFormat,
     ) -> Result<impl Fn(f64) -> f64 + use<>, ScanReadError> {
-        let unit = self.height.ok_or(ScanReadError::NoUnit { format, what: "heights" })?;
+        let what = if self.lateral.is_some() { Unitless::HeightsAlone } else { Unitless::Heights };
+        let unit = self.height.ok_or(ScanReadError::NoUnit { format, what })?;
         let scale = self.height_scale;
         Ok(move |value| unit.to_m(value * scale))
     }
@@ -69,7 +79,7 @@ impl Units {
         &self,
         format: ScanFormat,
     ) -> Result<impl Fn(f64) -> f64 + use<>, ScanReadError> {
-        let unit = self.lateral.ok_or(ScanReadError::NoUnit { format, what: "lengths" })?;
+        let unit = self.lateral.ok_or(ScanReadError::NoUnit { format, what: Unitless::Lengths })?;
         Ok(move |value| unit.to_m(value))
     }
 }

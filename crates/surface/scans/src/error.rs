@@ -121,7 +121,7 @@ pub enum ScanReadError {
         /// Format of the file.
         format: ScanFormat,
         /// Kind of content.
-        what: &'static str,
+        what: Unitless,
     },
     /// A unit given by option to a format that fixes its own.
     #[error("reading {format}: the format fixes the unit of lengths and heights, and '{unit}' is asked for")]
@@ -216,6 +216,31 @@ pub enum ScanReadError {
         is_comma: bool,
         /// Line of the first decimal mark.
         first_line: usize,
+    },
+    /// A column of a text whose unit is no length, where positions or heights are wanted.
+    #[error(
+        "line {line}: column {column} is {}, which is no length; export positions and heights in units of length",
+        in_unit(.unit)
+    )]
+    NoLength {
+        /// Line of the unit.
+        line: usize,
+        /// Column.
+        column: usize,
+        /// The unit as the file writes it; empty where a name alone says that the column is no length.
+        unit: String,
+    },
+    /// Columns without names, more than one of which may hold positions, or one that is not the first.
+    #[error(
+        "line {line}: column{} {} throughout, as positions do; name the columns in a line above, such as 'x (mm) z (um)', or choose the \
+         column of heights by its number, such as 2",
+        if .columns.len() > 1 { "s" } else { "" }, rising(.columns)
+    )]
+    AmbiguousColumns {
+        /// The first line of numbers.
+        line: usize,
+        /// The columns that rise or fall from row to row.
+        columns: Vec<usize>,
     },
     /// Positions of a profile that neither rise nor fall throughout.
     #[error(
@@ -372,7 +397,11 @@ impl ScanReadError {
     #[must_use]
     pub fn mend(&self) -> Option<Mend> {
         match self {
-            Self::NoUnit { .. } => Some(Mend::Give(ScanOption::Unit)),
+            Self::NoUnit { what, .. } => Some(Mend::Give(match what {
+                Unitless::Lengths | Unitless::Heights => ScanOption::Unit,
+                Unitless::HeightsAlone => ScanOption::HeightUnit,
+                Unitless::LengthsAndHeights => ScanOption::Units,
+            })),
             Self::NoSize { .. } => Some(Mend::Give(ScanOption::Size)),
             Self::NoChannel { format, channels, .. } if !channels.is_empty() => {
                 Some(Mend::Give(match format {
@@ -380,6 +409,7 @@ impl ScanReadError {
                     _ => ScanOption::Channel,
                 }))
             }
+            Self::AmbiguousColumns { .. } => Some(Mend::Give(ScanOption::Channel)),
             Self::NoHeights { channels, .. } if !channels.is_empty() => Some(Mend::Give(ScanOption::Channel)),
             Self::OneMeasurement(_) => Some(Mend::LeaveOut(ScanOption::Measurement)),
             Self::UnitIsFixed { .. } => Some(Mend::LeaveOut(ScanOption::Unit)),
@@ -405,12 +435,40 @@ pub enum Mend {
 pub enum ScanOption {
     /// The unit of lengths and heights.
     Unit,
+    /// The unit of heights, where lengths have theirs.
+    HeightUnit,
+    /// The units of lengths and of heights, which may differ.
+    Units,
     /// The lateral size.
     Size,
     /// The channel of a file.
     Channel,
     /// The measurement of a container.
     Measurement,
+}
+
+/// Numbers of a file that have no unit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Unitless {
+    /// Lengths along the surface.
+    Lengths,
+    /// Heights.
+    Heights,
+    /// Heights beside lengths that have a unit.
+    HeightsAlone,
+    /// Positions and heights, which may be in different units.
+    LengthsAndHeights,
+}
+
+impl fmt::Display for Unitless {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Lengths => "lengths",
+            Self::Heights | Self::HeightsAlone => "heights",
+            Self::LengthsAndHeights => "lengths and heights",
+        })
+    }
 }
 
 /// A place in a file.
@@ -447,6 +505,16 @@ fn list(names: &[String]) -> String {
 
 fn in_unit(unit: &str) -> String {
     if unit.is_empty() { "without a unit of length".to_owned() } else { format!("in {unit}") }
+}
+
+/// `1 and 2 rise or fall`.
+fn rising(columns: &[usize]) -> String {
+    let numbers: Vec<String> = columns.iter().map(ToString::to_string).collect();
+    match numbers.split_last() {
+        Some((last, [])) => format!("{last} rises or falls"),
+        Some((last, before)) => format!("{} and {last} rise or fall", before.join(", ")),
+        None => String::new(),
+    }
 }
 
 fn mark(is_comma: bool) -> &'static str {

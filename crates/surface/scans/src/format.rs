@@ -48,8 +48,10 @@ formats! {
     MountainsMap = "MountainsMap",
     /// Igor binary waves, as Asylum Research writes them: `.ibw`.
     Igor = "Igor",
-    /// Wyko and Vision: `.opd`.
+    /// Wyko and Vision: `.opd`, and their text, `.asc`.
     Wyko = "Wyko",
+    /// Zygo's text of points: `.xyz`.
+    ZygoXyz = "Zygo XYZ",
     /// Bruker Vision64: `.opdx`.
     Vision64 = "Vision64",
     /// Sensofar: `.plu`, `.apx`.

@@ -46,7 +46,7 @@ mod inflate;
 mod unpacked;
 
 pub use channel::ScanAxis;
-pub use error::{FilePlace, Mend, ScanOption, ScanReadError};
+pub use error::{FilePlace, Mend, ScanOption, ScanReadError, Unitless};
 pub use file::ScanFile;
 pub use foreign::ForeignFile;
 pub use format::ScanFormat;

@@ -27,6 +27,8 @@ pub struct ScanOptions {
     pub size: Option<ScanSize>,
     /// Unit of lengths and heights if options, file and metadata have none.
     pub fallback_unit: Option<LengthUnit>,
+    /// Unit of heights in place of `fallback_unit`.
+    pub fallback_height_unit: Option<LengthUnit>,
     /// Size of the scan if options, file and metadata have none.
     pub fallback_size: Option<ScanSize>,
     /// Metadata of a container; see [`read_metadata`](crate::read_metadata) for a `meta.yml` that lies

@@ -50,6 +50,8 @@ fn mended(error: &SceneError, name: &str) -> String {
     };
     let key = |option| match option {
         ScanOption::Unit => Some("unit = \"um\""),
+        ScanOption::HeightUnit => Some("height_unit = \"um\""),
+        ScanOption::Units => Some("unit = \"um\", and height_unit where they differ"),
         ScanOption::Size => Some("size = \"10 um\""),
         ScanOption::Channel => Some("channel = \"...\""),
         _ => None,

@@ -134,11 +134,12 @@ impl BemArgs {
 
 impl MapArgs {
     /// The options of maps, and whether each is given.
-    pub fn given(&self) -> [(&'static str, bool); 7] {
+    pub fn given(&self) -> [(&'static str, bool); 8] {
         [
             ("boundary", self.boundary.is_some()),
             ("detrend", self.detrend.is_some()),
             ("unit", self.defaults.unit.is_some()),
+            ("height_unit", self.defaults.height_unit.is_some()),
             ("size", self.defaults.size.is_some()),
             ("channel", self.defaults.channel.is_some()),
             ("missing_points", self.treatment.gaps.is_some()),

@@ -68,6 +68,9 @@ pub(crate) struct FileDefaults {
     /// Unit of lengths and heights where neither the file nor metadata beside it tell
     #[arg(long, value_name = "UNIT")]
     pub unit: Option<LengthUnit>,
+    /// Unit of heights alone, such as um beside --unit mm
+    #[arg(long, value_name = "UNIT")]
+    pub height_unit: Option<LengthUnit>,
     /// Size along the scan lines where neither the file nor metadata beside it tell
     #[arg(long, value_name = "L", allow_hyphen_values = true)]
     pub size: Option<Length>,
@@ -93,7 +96,9 @@ impl FileDefaults {
     /// Returns files with these values wherever they have none of their own.
     pub fn complete_all(&self, files: &[ScanRequest]) -> Result<Vec<ScanRequest>, Failure> {
         let (unit, size) = (self.unit.is_some(), self.size.is_some());
-        refuse_replaced(files, [("unit", unit), ("size", size), ("channel", self.channel.is_some())])?;
+        let (height_unit, channel) = (self.height_unit.is_some(), self.channel.is_some());
+        let given = [("unit", unit), ("height_unit", height_unit), ("size", size), ("channel", channel)];
+        refuse_replaced(files, given)?;
         Ok(files.iter().map(|file| self.complete(file)).collect())
     }
 
@@ -101,6 +106,7 @@ impl FileDefaults {
     pub fn complete(&self, file: &ScanRequest) -> ScanRequest {
         ScanRequest {
             unit: file.unit.or(self.unit),
+            height_unit: file.height_unit.or(self.height_unit),
             channel: file.channel.clone().or_else(|| self.channel.clone()),
             size_m: file.size_m.or(self.size.map(|size| size.m)),
             ..file.clone()
@@ -139,7 +145,7 @@ pub(crate) struct ScansArgs {
     pub sum: bool,
     #[command(flatten)]
     pub other: CounterfaceSurfaceArgs,
-    /// A table of more scans: columns file, unit, channel, size, tip_radius, shortest, gaps, direction, detrend, all
+    /// A table of more scans: columns file, unit, height_unit, channel, size, tip_radius, shortest, gaps, direction, detrend, all
     /// but file optional; files are relative to it
     #[arg(long, value_name = "PATH", value_parser = parse_place)]
     pub list: Option<Place>,

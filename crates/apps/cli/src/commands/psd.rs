@@ -172,6 +172,10 @@ pub(super) fn refusal_of(request: Option<&ScanRequest>, error: TopographyError) 
     let [flag, option] = [0, 1].map(|at| {
         move |option| match option {
             ScanOption::Unit => Some(["--unit", "unit=um"][at]),
+            ScanOption::HeightUnit => Some(["--height-unit", "height-unit=um"][at]),
+            ScanOption::Units => Some(
+                ["--unit, and --height-unit where they differ", "unit=um, or unit=mm,height-unit=um"][at],
+            ),
             ScanOption::Size => Some(["--size", "size=10um"][at]),
             ScanOption::Channel => Some(["--channel", "channel=NAME"][at]),
             _ => None,

@@ -45,11 +45,13 @@ mod vision64;
 mod workbook;
 mod wsxm;
 mod wyko;
+mod wyko_ascii;
 #[cfg(feature = "x3p")]
 mod x3p;
 #[cfg(any(feature = "archives", feature = "x3p"))]
 mod xml;
 mod zeta;
+mod zygo_xyz;
 
 use crate::channel::Channel;
 use crate::error::ScanReadError;
@@ -102,9 +104,11 @@ pub(crate) const READERS: &[Reader] = &[
     workbook::READER,
     wsxm::READER,
     wyko::READER,
+    wyko_ascii::READER,
     #[cfg(feature = "x3p")]
     x3p::READER,
     zeta::READER,
+    zygo_xyz::READER,
     text::READER,
 ];
 

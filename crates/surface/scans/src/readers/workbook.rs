@@ -20,7 +20,7 @@ use crate::options::ScanOptions;
 use crate::raster::Decoded;
 use crate::readers::Reader;
 use crate::readers::even_axis::even_spacing;
-use crate::readers::text::channel_of_text;
+use crate::readers::text::channels_of_text;
 use units::LengthUnit;
 
 const FORMAT: ScanFormat = ScanFormat::Workbook;
@@ -67,8 +67,17 @@ fn channels_of_sheets<'b>(
     for sheet in names {
         let read = text_of_sheet(workbook, sheet, &mut room)?;
         // A sheet is whole, unlike a text without a line end.
-        match channel_of_text(&(read + "\n"), options) {
-            Ok(channel) => channels.push(Channel { name: channel.name.or(Some(sheet.clone())), ..channel }),
+        match channels_of_text(&(read + "\n"), options) {
+            Ok(found) => {
+                let is_one = found.len() == 1;
+                channels.extend(found.into_iter().map(|channel| Channel {
+                    name: match channel.name {
+                        Some(column) if !is_one => Some(format!("{sheet}: {column}")),
+                        name => name.or(Some(sheet.clone())),
+                    },
+                    ..channel
+                }));
+            }
             Err(ScanReadError::NoRows) => {}
             Err(ScanReadError::NoUnit { what, .. }) => {
                 refused = ScanReadError::NoUnit { format: FORMAT, what }

@@ -15,7 +15,7 @@ use crate::raster::{MissingMark, NumberType, Order, Raster};
 use crate::readers::Reader;
 use units::LengthUnit;
 
-const FORMAT: ScanFormat = ScanFormat::Wyko;
+pub(super) const FORMAT: ScanFormat = ScanFormat::Wyko;
 /// The name of the first block, which lists the others.
 const MAGIC: &[u8] = b"Directory\0";
 /// The directory begins after two bytes.
@@ -25,7 +25,7 @@ const ENTRY_BYTES: usize = 24;
 const MOST_BLOCKS: usize = 10_000;
 
 /// Names of arrays with heights, and of those with intensities.
-const HEIGHTS: [&str; 5] = ["Raw", "RAW_DATA", "RAW DATA", "OPD", "SAMPLE_DATA"];
+pub(super) const HEIGHTS: [&str; 5] = ["Raw", "RAW_DATA", "RAW DATA", "OPD", "SAMPLE_DATA"];
 const INTENSITIES: [&str; 3] = ["Image", "Intensity", "SecArr_0"];
 /// Texts that people write.
 const TEXTS: [&str; 4] = ["Title", "Note", "Comment", "UserNote"];

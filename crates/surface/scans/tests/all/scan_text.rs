@@ -1,7 +1,7 @@
 //! Scans as text: layouts, separators, decimal commas, headers, and what is refused.
 
 use crate::support::{heights_m, in_unit, measured, missing_points, read_one, refusal, spacings_m};
-use scans::{FilePlace, Mend, Scan, ScanOption, ScanOptions, ScanReadError, ScanSize};
+use scans::{Mend, Scan, ScanOption, ScanOptions, ScanReadError, ScanSize, Unitless};
 
 fn sized(x_m: f64, y_m: Option<f64>) -> ScanOptions {
     ScanOptions { size: Some(ScanSize { x_m, y_m }), ..in_unit("nm") }
@@ -59,12 +59,10 @@ fn a_matrix_takes_its_size_from_the_options_before_its_header() {
 fn units_come_from_the_header_or_the_options() {
     let scan = read_one(b"x [mm];h [um]\n0;1\n1;2\n", &ScanOptions::default()).unwrap().scan;
     assert_eq!((spacings_m(&scan).0, heights_m(&scan)[1]), (1e-3, 2e-6));
-    refused!(refusal(b"0 1\n1 2\n", &ScanOptions::default()), NoUnit { what: "heights" });
+    refused!(refusal(b"0 1\n1 2\n", &ScanOptions::default()), NoUnit { what: Unitless::LengthsAndHeights });
     for (header, column) in [("x (mm) h (V)", 2), ("t (s) h (um)", 1)] {
-        match refusal(format!("{header}\n0 1\n1 2\n").as_bytes(), &ScanOptions::default()) {
-            ScanReadError::BadField { place: FilePlace::Line(1), field, .. } => {
-                assert_eq!(field, format!("the unit of column {column}"));
-            }
+        match refusal(format!("{header}\n0 1\n1 2\n").as_bytes(), &in_unit("um")) {
+            ScanReadError::NoLength { line: 1, column: found, .. } => assert_eq!(found, column),
             other => panic!("{header}: {other}"),
         }
     }
@@ -150,7 +148,7 @@ fn fillers_and_words_are_points_without_a_height() {
 #[test]
 fn a_profile_with_its_columns_swapped_is_not_to_be_sorted() {
     let swapped = refusal(b"1 0\n3 1\n2 2\n5 3\n", &in_unit("nm"));
-    assert!(matches!(swapped, ScanReadError::Unsupported { place: FilePlace::Line(3), .. }), "{swapped}");
+    assert!(matches!(swapped, ScanReadError::AmbiguousColumns { line: 1, columns } if columns == [2]));
 }
 
 #[test]
@@ -159,8 +157,8 @@ fn profiles_must_not_turn_back() {
         refusal(b"# traced\n0 1\n2 1\n1.5 2\n3 1\n", &in_unit("nm")),
         PositionsDoNotRise { line: 4, position: 1.5, before: 2.0 }
     );
-    let fallen = read_one(b"2 1\n1 2\n0 3\n", &in_unit("nm")).unwrap();
-    assert_eq!((heights_m(&fallen.scan), fallen.notes.len()), ([3e-9, 2e-9, 1e-9].as_slice(), 1));
+    let fallen = read_one(b"2.5 1\n1.5 3\n0.5 2\n", &in_unit("nm")).unwrap();
+    assert_eq!((heights_m(&fallen.scan), fallen.notes.len()), ([2e-9, 3e-9, 1e-9].as_slice(), 1));
 }
 
 #[test]
@@ -202,7 +200,11 @@ fn constant_heights_are_read() {
 #[test]
 fn errors_tell_which_option_mends_them() {
     let mend = |text: &str, options: &ScanOptions| read_one(text.as_bytes(), options).unwrap_err().mend();
-    assert_eq!(mend("0 1\n1 2\n", &ScanOptions::default()), Some(Mend::Give(ScanOption::Unit)));
+    assert_eq!(mend("0 1\n1 2\n", &ScanOptions::default()), Some(Mend::Give(ScanOption::Units)));
+    assert_eq!(
+        mend("x (mm);z\n0;1\n1;2\n", &ScanOptions::default()),
+        Some(Mend::Give(ScanOption::HeightUnit))
+    );
     assert_eq!(mend("1\n2\n", &in_unit("nm")), Some(Mend::Give(ScanOption::Size)));
     let channel = ScanOptions { channel: Some("Phase".to_owned()), ..in_unit("nm") };
     assert_eq!(mend("# Channel: Height\n0 1\n1 2\n", &channel), Some(Mend::Give(ScanOption::Channel)));

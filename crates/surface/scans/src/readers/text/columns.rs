@@ -2,10 +2,15 @@
 
 use std::ops::Range;
 
+use super::body::Body;
 use super::precision::Precision;
-use super::style::{Separator, is_missing, shortened, whole_rows};
+use super::separator::Separator;
+use super::style::{is_missing, shortened};
 use crate::error::ScanReadError;
 use crate::raster::Decoded;
+
+/// Most columns of a table, all of which may hold positions.
+const NARROW: usize = 16;
 
 /// Rows of numbers of one length.
 pub(crate) struct Columns {
@@ -18,29 +23,29 @@ pub(crate) struct Columns {
     pub(crate) separator: Separator,
     /// The fields of a line that are columns; those outside are empty in every row.
     used: Range<usize>,
-    /// Precision of the first two columns; empty for matrices, which do not need it.
-    printed: [Precision; 2],
+    /// Precision of the columns; of a wide matrix that of the first alone.
+    printed: Vec<Precision>,
 }
 
 impl Columns {
-    pub(crate) fn read(text: &str) -> Result<Self, ScanReadError> {
-        let separator = Separator::recognise(text)?;
-        let (first_line, used) = used_fields(text, separator)?;
+    pub(super) fn read(body: &Body<'_>) -> Result<Self, ScanReadError> {
+        let separator = Separator::recognise(body)?;
+        let (first_line, used) = used_fields(body, separator)?;
         let mut columns = Self {
             count: used.len(),
             values: Decoded::default(),
             first_line,
             separator,
             used: used.clone(),
-            printed: [Precision::default(); 2],
+            printed: vec![Precision::default(); if used.len() <= NARROW { used.len() } else { 1 }],
         };
         let mut decimals = Decimals::default();
         let mut scratch = String::new();
-        for (line, row) in lines(text, separator, used.end) {
+        for (line, row) in lines(body, separator, used.end) {
             for (index, field) in separator.split(row).skip(used.start).take(used.len()).enumerate() {
                 let field = decimals.with_point(field, line, &mut scratch)?;
                 columns.values.push(number(field, line, used.start + index + 1)?);
-                if let (true, Some(printed)) = (columns.count <= 3, columns.printed.get_mut(index)) {
+                if let Some(printed) = columns.printed.get_mut(index) {
                     printed.take(field);
                 }
             }
@@ -55,6 +60,12 @@ impl Columns {
             fields.pop();
         }
         (fields.len() == self.count).then_some(fields)
+    }
+
+    /// The fields of a single column as they are written, with their lines.
+    pub(super) fn as_written<'t>(&self, body: &Body<'t>) -> Vec<(usize, &'t str)> {
+        let field = |row: &'t str| self.separator.split(row).nth(self.used.start).unwrap_or_default();
+        lines(body, self.separator, self.used.end).map(|(line, row)| (line, field(row))).collect()
     }
 
     /// Number of rows.
@@ -74,10 +85,19 @@ impl Columns {
         self.column(index).enumerate().map(at)
     }
 
+    /// Takes away the points of the value that marks missing ones.
+    pub(super) fn mark_missing(&mut self, no_data: f64) {
+        for index in 0..self.values.values.len() {
+            if self.values.values[index] == no_data {
+                self.values.set_missing(index);
+            }
+        }
+    }
+
     /// Refuses rows that have a height but no position in this column.
-    pub(crate) fn refuse_missing_points(
+    pub(super) fn refuse_missing_points(
         &self,
-        text: &str,
+        body: &Body<'_>,
         column: usize,
         height: usize,
     ) -> Result<(), ScanReadError> {
@@ -85,7 +105,7 @@ impl Columns {
         match points.position(|(position, height)| position.is_none() && height.is_some()) {
             None => Ok(()),
             Some(row) => Err(ScanReadError::NotANumber {
-                line: self.line_of_row(text, row),
+                line: self.line_of_row(body, row),
                 column: self.used.start + column + 1,
                 text: "no position".to_owned(),
             }),
@@ -93,15 +113,16 @@ impl Columns {
     }
 
     /// The line of a row, from 0.
-    pub(crate) fn line_of_row(&self, text: &str, row: usize) -> usize {
-        lines(text, self.separator, self.used.end).nth(row).map_or(0, |(line, _)| line)
+    pub(super) fn line_of_row(&self, body: &Body<'_>, row: usize) -> usize {
+        lines(body, self.separator, self.used.end).nth(row).map_or(0, |(line, _)| line)
     }
 
     /// Largest distance of two printed positions of a column from evenly spaced ones: a unit of the last digit, since
     /// instruments round or cut off, and the rounding of the numbers themselves.
     pub(crate) fn rounding(&self, column: usize) -> f64 {
         let largest = self.column(column).fold(0.0, |largest: f64, value| largest.max(value.abs()));
-        self.printed[column].last_digit(largest) * (1.0 + 1e-6) + 4.0 * f64::EPSILON * largest
+        self.printed.get(column).map_or(0.0, |printed| printed.last_digit(largest)) * (1.0 + 1e-6)
+            + 4.0 * f64::EPSILON * largest
     }
 }
 
@@ -109,8 +130,11 @@ impl Columns {
 /// in every line, since instruments open and close lines with separators.
 ///
 /// Every line must have all of them, but for lines of separators alone, which may have fewer.
-fn used_fields(text: &str, separator: Separator) -> Result<(usize, Range<usize>), ScanReadError> {
-    let rows = || whole_rows(text, separator).map(|(line, row)| (line, Extent::measure(separator, row)));
+fn used_fields(body: &Body<'_>, separator: Separator) -> Result<(usize, Range<usize>), ScanReadError> {
+    let rows = || {
+        body.whole_rows(separator == Separator::Tab)
+            .map(|(line, row)| (line, Extent::measure(separator, row)))
+    };
     let (first_line, first) = rows().next().ok_or(ScanReadError::NoRows)?;
     let mut used = first.filled.clone();
     let mut fewest = first.fields;
@@ -160,14 +184,14 @@ impl Extent {
 }
 
 /// The lines of the rows; those of separators alone that are too short for one separate nothing.
-fn lines(text: &str, separator: Separator, fields: usize) -> impl Iterator<Item = (usize, &str)> {
+fn lines<'t>(body: &Body<'t>, separator: Separator, fields: usize) -> impl Iterator<Item = (usize, &'t str)> {
     // A line of numbers has them all, which was looked at: only one that begins with a separator may have too few.
     let is_whole = move |row: &str| {
         let begins_with_number =
             row.starts_with(|first: char| first.is_ascii_digit() || "+-.".contains(first));
         begins_with_number || separator.split(row).count() >= fields
     };
-    whole_rows(text, separator).filter(move |(_, row)| is_whole(row))
+    body.whole_rows(separator == Separator::Tab).filter(move |(_, row)| is_whole(row))
 }
 
 /// Decimal mark of a file, and the line that shows it.
@@ -224,13 +248,14 @@ mod tests {
 
     #[test]
     fn decimals_have_one_mark() {
-        assert_eq!(Columns::read("0,5;1\n1,5;2").unwrap().values.values, [0.5, 1.0, 1.5, 2.0]);
-        let mixed = Columns::read("0,5;1\n1.5;2").map(|columns| columns.count).unwrap_err();
+        let read = |text| Columns::read(&Body::find(text).unwrap());
+        assert_eq!(read("0,5;1\n1,5;2").unwrap().values.values, [0.5, 1.0, 1.5, 2.0]);
+        let mixed = read("0,5;1\n1.5;2").map(|columns| columns.count).unwrap_err();
         let is_found =
             matches!(mixed, ScanReadError::MixedDecimals { line: 2, is_comma: false, first_line: 1, .. });
         assert!(is_found, "{mixed}");
         assert!(matches!(
-            Columns::read("1.234,5;1\n").map(|columns| columns.count),
+            read("1.234,5;1\n").map(|columns| columns.count),
             Err(ScanReadError::NotANumber { line: 1, column: 1, .. })
         ));
     }

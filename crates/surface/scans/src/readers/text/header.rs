@@ -1,9 +1,11 @@
 //! Header of a text file: sizes, spacings, units, the channel.
 
+use super::body::Body;
 use super::columns::Columns;
-use super::keys::{Key, extent_in_table, key_and_value};
-use super::lengths::{Length, bad_field, length, stylus_radius_m, trailing_unit, unit};
-use super::style::{FORMAT, is_comment};
+use super::heads::Heads;
+use super::keys::{Key, key_and_value, key_in_table, names_a_number};
+use super::lengths::{Length, factor, length, numbered_factor, stylus_radius_m, unit};
+use super::style::{FORMAT, is_comment, shortened};
 use crate::choice_of_units::Units;
 use crate::error::{FilePlace, ScanReadError};
 use crate::numbers;
@@ -26,14 +28,12 @@ pub(crate) struct Header {
     value_factor: Option<f64>,
     to_nanometres: Option<f64>,
     counts: Vec<StatedCount>,
-    /// Units in the names of the columns; empty where no line names them.
-    column_units: Vec<Option<LengthUnit>>,
-    /// Line and text of what stands in the place of the unit of a column and is no length, such as `s` and `mV`.
-    foreign_units: Vec<Option<(usize, String)>>,
-    /// True if a line names the last column as flags of valid points.
-    pub has_validity: bool,
-    /// True if a line names the first column as a count of the points.
-    pub has_index: bool,
+    /// The number that marks points without a height.
+    pub no_data: Option<f64>,
+    /// Names and units of the columns.
+    pub heads: Heads,
+    /// Lines of a name and a number that are not used.
+    unread: Vec<String>,
     /// Radius of the stylus in m, where a line gives it.
     pub stylus_radius_m: Option<f64>,
     /// The lines that hold no field known here.
@@ -48,48 +48,55 @@ struct StatedCount {
     line: usize,
 }
 
-/// Names of a column that counts the points.
-const INDEX_NAMES: [&str; 10] = ["index", "idx", "no", "no.", "nr", "nr.", "#", "n", "point", "sample"];
 /// Most bytes of lines that are kept for what a user may have written there.
 const MOST_FREE_TEXT: usize = 4096;
 
 impl Header {
-    pub(crate) fn read(text: &str, columns: &Columns) -> Result<Self, ScanReadError> {
+    pub(super) fn read(body: &Body<'_>, columns: &Columns) -> Result<Self, ScanReadError> {
         let mut header = Self::default();
-        for (index, line) in text.lines().enumerate() {
+        for (index, line) in body.text().lines().enumerate() {
             let (number, is_below) = (index + 1, index + 1 >= columns.first_line);
             if is_below && !is_comment(line.trim_start()) {
                 continue;
             }
             let line = line.trim_matches(|c: char| c.is_whitespace() || "#%\u{feff}".contains(c));
-            match key_and_value(line) {
+            let known = key_and_value(line);
+            match known {
                 Some((Key::Channel, _)) if is_below => return Err(second_channel(number)),
                 Some((key, value)) if !is_below => header.set(key, value, number)?,
-                None if !is_below => {
-                    header.set_conversion(line, number)?;
-                    header.set_columns(line, number, columns);
-                    match extent_in_table(line) {
-                        Some((Key::Size(axis), value)) => {
-                            header.tabled_sizes[axis] = length(value, number).ok().flatten();
-                        }
-                        Some((key, value)) => header.set(key, value, number)?,
-                        None => {}
-                    }
-                }
+                None if !is_below => header.take_line(line, number, columns)?,
                 _ => {}
             }
-            if !line.is_empty()
-                && key_and_value(line).is_none()
-                && header.free_text.len() + line.len() < MOST_FREE_TEXT
-            {
+            if !line.is_empty() && known.is_none() && header.free_text.len() + line.len() < MOST_FREE_TEXT {
                 header.free_text += line;
                 header.free_text.push('\n');
             }
         }
         if header.sizes.iter().all(Option::is_none) {
-            header.set_by_position(text, columns)?;
+            header.set_by_position(body.text(), columns)?;
         }
         Ok(header)
+    }
+
+    /// Takes a line without a key and a colon: a factor, a row of a table of facts, names of columns.
+    fn take_line(&mut self, line: &str, number: usize, columns: &Columns) -> Result<(), ScanReadError> {
+        if self.set_conversion(line, number)? {
+            return Ok(());
+        }
+        if let Some(radius_m) = stylus_radius_m(line) {
+            self.stylus_radius_m.get_or_insert(radius_m);
+            return Ok(());
+        }
+        match key_in_table(line) {
+            Some((Key::Size(axis), value)) => {
+                self.tabled_sizes[axis] = length(value, number).ok().flatten().or(self.tabled_sizes[axis]);
+            }
+            Some((key, value)) => self.set(key, value, number)?,
+            None if self.heads.take_line(line, number, columns) => {}
+            None if names_a_number(line) => self.unread.push(line.to_owned()),
+            None => {}
+        }
+        Ok(())
     }
 
     /// Takes the first four lines for those of an export from Gwyddion in a language that is not known: whatever the
@@ -130,6 +137,17 @@ impl Header {
                 self.lateral_unit.get_or_insert(LengthUnit::NANOMETRE);
             }
             Key::Program => {}
+            Key::NoData => self.no_data = value.replace(',', ".").parse().ok().or(self.no_data),
+            Key::ValueRange => {
+                let name = value.trim_start_matches(|c: char| c.is_ascii_digit() || "+-.,eE ".contains(c));
+                if !name.is_empty() {
+                    self.value_unit = Some(unit(name, line)?);
+                }
+            }
+            Key::Multiplier => {
+                let (number, unit) = factor(value, line)?;
+                (self.value_factor, self.value_unit) = (Some(number), unit.or(self.value_unit));
+            }
             Key::Count(_) | Key::Points => {
                 // A key of another meaning has another kind of value.
                 let stated = value.split_whitespace().next().and_then(numbers::count);
@@ -148,50 +166,17 @@ impl Header {
 
     /// Takes a line for the factor of heights, as exports of some microscopes write it: `height conversion factor (->
     /// m) = 2.5e-7`.
-    fn set_conversion(&mut self, text: &str, line: usize) -> Result<(), ScanReadError> {
+    fn set_conversion(&mut self, text: &str, line: usize) -> Result<bool, ScanReadError> {
         let lower = text.to_lowercase();
         let Some((name, factor)) =
             lower.split_once('=').filter(|(name, _)| name.starts_with("height conversion factor"))
         else {
-            return Ok(());
+            return Ok(false);
         };
         let unit_name = name.split_once("->").map_or("", |(_, unit)| unit.trim().trim_end_matches(')'));
         self.value_unit = Some(unit(unit_name, line)?);
-        let number = factor.trim().parse().ok().filter(|factor: &f64| factor.is_finite() && *factor != 0.0);
-        let bound = || "a finite number other than 0".to_owned();
-        self.value_factor = Some(
-            number.ok_or_else(|| bad_field(line, "the height conversion factor", factor.trim(), bound()))?,
-        );
-        Ok(())
-    }
-
-    /// Takes a line for the names of the columns, or the units below them, where it holds as many words or units as
-    /// there are columns.
-    fn set_columns(&mut self, line: &str, number: usize, columns: &Columns) {
-        self.stylus_radius_m = self.stylus_radius_m.or(stylus_radius_m(line));
-        let names = columns.fields_of(line).unwrap_or_default();
-        let is_one_of = |name: Option<&&str>, accepted: &[&str]| {
-            name.is_some_and(|name| accepted.iter().any(|accepted| accepted.eq_ignore_ascii_case(name)))
-        };
-        self.has_validity |= is_one_of(names.last(), &["valid"]);
-        self.has_index |= is_one_of(names.first(), &INDEX_NAMES);
-        let groups: Vec<&str> =
-            line.split(['(', '[']).skip(1).filter_map(|rest| rest.split([')', ']']).next()).collect();
-        let in_brackets: Vec<_> = groups.iter().map(|group| LengthUnit::parse_instrument(group)).collect();
-        if groups.len() == columns.count {
-            let foreign =
-                |(group, unit): (&&str, &Option<_>)| unit.is_none().then(|| (number, (*group).to_owned()));
-            self.foreign_units = groups.iter().zip(&in_brackets).map(foreign).collect();
-        }
-        let bare: Vec<_> = names.iter().map(|name| LengthUnit::parse(name)).collect();
-        let are_units = bare.iter().all(Option::is_some);
-        let fields: Vec<_> = names.into_iter().map(trailing_unit).collect();
-        for units in [in_brackets, if are_units { bare } else { fields }] {
-            if units.len() == columns.count && units.iter().any(Option::is_some) {
-                self.column_units = units;
-                return;
-            }
-        }
+        self.value_factor = Some(numbered_factor(factor.trim(), line)?);
+        Ok(true)
     }
 
     /// Returns the lines of the header beside the fields known here.
@@ -206,9 +191,7 @@ impl Header {
 
     /// The unit of the heights of a map, and what its numbers are multiplied by to be in it.
     pub(crate) fn map_heights(&self) -> (Option<LengthUnit>, f64) {
-        let of_one_column =
-            self.column_units.first().copied().flatten().filter(|_| self.column_units.len() == 1);
-        match (self.value_unit.or(of_one_column), self.to_nanometres) {
+        match (self.value_unit.or(self.heads.unit(0)), self.to_nanometres) {
             (None, Some(factor)) => (Some(LengthUnit::NANOMETRE), factor),
             (unit, _) => (unit, self.value_factor.unwrap_or(1.0)),
         }
@@ -216,23 +199,37 @@ impl Header {
 
     /// Unit of a column of positions, from 0.
     pub(crate) fn column_unit(&self, column: usize) -> Option<LengthUnit> {
-        self.column_units.get(column).copied().flatten().or(self.lateral_unit)
+        self.heads.unit(column).or(self.lateral_unit)
     }
 
-    /// The error of a column, from 0, whose unit is not known: what it is given in, if it is no length.
-    pub(crate) fn no_unit(&self, column: usize, otherwise: ScanReadError) -> ScanReadError {
-        match self.foreign_units.get(column) {
-            Some(Some((line, unit))) => {
-                let field = format!("the unit of column {}", column + 1);
-                bad_field(*line, &field, unit, format!("one of {}", LengthUnit::accepted()))
+    /// Refuses a column, from 0, whose unit is no length.
+    pub(crate) fn refuse_no_length(&self, column: usize) -> Result<(), ScanReadError> {
+        match self.heads.foreign(column) {
+            Some((line, unit)) => {
+                Err(ScanReadError::NoLength { line, column: column + 1, unit: unit.to_owned() })
             }
-            _ => otherwise,
+            None => Ok(()),
         }
+    }
+
+    /// What a value of a table is multiplied by, as the header states.
+    pub(crate) fn table_factor(&self) -> f64 {
+        self.value_factor.unwrap_or(1.0)
+    }
+
+    /// Names lines of the header with numbers that are not used.
+    pub(crate) fn unread_note(&self) -> Option<String> {
+        const SHOWN: usize = 3;
+        let shown: Vec<String> =
+            self.unread.iter().take(SHOWN).map(|line| format!("'{}'", shortened(line))).collect();
+        let rest = self.unread.len().saturating_sub(SHOWN);
+        let more = if rest > 0 { format!(" and {rest} more") } else { String::new() };
+        (!shown.is_empty()).then(|| format!("not used of the header: {}{more}", shown.join(", ")))
     }
 
     /// Unit of the column of heights, from 0.
     pub(crate) fn height_unit(&self, column: usize) -> Option<LengthUnit> {
-        self.column_units.get(column).copied().flatten().or(self.value_unit)
+        self.heads.unit(column).or(self.value_unit)
     }
 
     /// Compares the numbers of points that the header states with those of the file, and returns what to note.
@@ -327,20 +324,24 @@ mod tests {
     use super::*;
 
     fn header(text: &str) -> Result<Header, ScanReadError> {
-        Header::read(text, &Columns::read(text)?)
+        let body = Body::find(text).ok_or(ScanReadError::NoRows)?;
+        Header::read(&body, &Columns::read(&body)?)
     }
 
     #[test]
     fn units_of_columns_stand_in_their_names() {
-        let units = |text: &str| header(text).unwrap().column_units;
+        let units = |text: &str| {
+            let heads = header(text).unwrap().heads;
+            (0..3).map_while(|column| heads.of(column)).map(|head| head.unit).collect::<Vec<_>>()
+        };
         let (um, nm, mm) = (LengthUnit::MICROMETRE, LengthUnit::NANOMETRE, LengthUnit::MILLIMETRE);
         assert_eq!(units("# x (um)  h [nm]\n1 2"), [Some(um), Some(nm)]);
         assert_eq!(units("X;Y;valid\n[mm];[mm];[1/0]\n1;2;1"), [Some(mm), Some(mm), None]);
         assert_eq!(units("Lateral um,Raw Micrometer,\n1.0,2.0,"), [Some(um), Some(um)]);
         assert_eq!(units("x_mm\th/nm\n1\t2"), [Some(mm), Some(nm)]);
         assert_eq!(units("mm\tum\n1\t2"), [Some(mm), Some(um)]);
-        assert_eq!(units("mm\tA\n1\t2"), []);
-        assert_eq!(units("Scan of sample A\n1 2"), []);
+        assert!(units("mm\tA\n1\t2").iter().all(Option::is_none));
+        assert!(units("Scan of sample A\n1 2").iter().all(Option::is_none));
         assert_eq!(units("X_(microns),y1\n0.5,2.5"), [Some(um), None]);
         assert_eq!(units("x[microns]\ty1\n0.5\t2.5"), [Some(um), None]);
     }
@@ -348,8 +349,9 @@ mod tests {
     #[test]
     fn numbers_of_points_are_those_of_the_header() {
         let checked = |text: &str, is_map| {
-            let columns = Columns::read(text).unwrap();
-            Header::read(text, &columns).unwrap().check_counts(&columns, is_map)
+            let body = Body::find(text).unwrap();
+            let columns = Columns::read(&body).unwrap();
+            Header::read(&body, &columns).unwrap().check_counts(&columns, is_map)
         };
         let map = |header: &str| checked(&format!("{header}\n1 2 3 4\n5 6 7 8"), true);
         for header in [

@@ -1,5 +1,7 @@
 //! Names of header fields, as programs write them.
 
+use units::LengthUnit;
+
 /// A field known here.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Key {
@@ -15,11 +17,17 @@ pub(super) enum Key {
     Points,
     /// The factor from values to nm, which counts where they have no unit.
     ToNanometres,
+    /// The range of heights, which tells their unit.
+    ValueRange,
+    /// The factor of heights, perhaps with their unit.
+    Multiplier,
+    /// The number in the place of heights that are missing.
+    NoData,
     Program,
 }
 
 /// Keys in lower case with blanks for hyphens and underscores. Gwyddion translates those of its exports.
-const KEYS: [(Key, &[&str]); 13] = [
+const KEYS: [(Key, &[&str]); 16] = [
     (Key::Channel, &["channel", "kanál", "kanal", "canal", "canale", "チャネル", "채널", "канал"]),
     (
         Key::Size(0),
@@ -30,6 +38,10 @@ const KEYS: [(Key, &[&str]); 13] = [
             "size x",
             "x range",
             "length",
+            "scan length",
+            "trace length",
+            "profile length",
+            "x amplitude",
             "šířka",
             "breite",
             "anchura",
@@ -49,6 +61,8 @@ const KEYS: [(Key, &[&str]); 13] = [
             "y size",
             "size y",
             "y range",
+            "scan width",
+            "y amplitude",
             "výška",
             "höhe",
             "altura",
@@ -61,9 +75,60 @@ const KEYS: [(Key, &[&str]); 13] = [
     ),
     (
         Key::Spacing(0),
-        &["spacing", "x spacing", "pixel size", "x step", "step", "dx", "scale x", "point spacing"],
+        &[
+            "spacing",
+            "x spacing",
+            "spacing x",
+            "pixel size",
+            "pixel width",
+            "pixel spacing",
+            "x step",
+            "step",
+            "step size",
+            "step width",
+            "dx",
+            "delta x",
+            "scale x",
+            "x scale",
+            "x increment",
+            "increment",
+            "point spacing",
+            "point distance",
+            "data spacing",
+            "sample spacing",
+            "sampling distance",
+            "sampling interval",
+            "sampling step",
+            "sample interval",
+            "measurement step",
+            "measurement interval",
+            "pitch",
+            "x pitch",
+            "cellsize",
+            "cell size",
+            "lateral resolution",
+            "xy calibration",
+            "xy justierung",
+            "xy캘리브레이션",
+        ],
     ),
-    (Key::Spacing(1), &["y spacing", "y step", "dy", "scale y", "line spacing"]),
+    (
+        Key::Spacing(1),
+        &[
+            "y spacing",
+            "spacing y",
+            "pixel height",
+            "y step",
+            "dy",
+            "delta y",
+            "scale y",
+            "y scale",
+            "y increment",
+            "line spacing",
+            "line distance",
+            "y pitch",
+        ],
+    ),
     (
         Key::LateralUnit,
         &["lateral units", "lateral unit", "x unit", "xy unit", "xy units", "unit x", "length unit"],
@@ -75,6 +140,7 @@ const KEYS: [(Key, &[&str]); 13] = [
             "value unit",
             "z unit",
             "z units",
+            "unit z",
             "height unit",
             "height units",
             "unit data",
@@ -88,7 +154,7 @@ const KEYS: [(Key, &[&str]); 13] = [
             "единицы измерения",
         ],
     ),
-    (Key::Unit, &["unit", "units"]),
+    (Key::Unit, &["unit", "units", "einheit"]),
     (
         Key::Count(0),
         &[
@@ -100,11 +166,28 @@ const KEYS: [(Key, &[&str]); 13] = [
             "x points",
             "points per line",
             "nx",
+            "ncols",
+            "horizontal",
+            "horizont.",
+            "가로",
         ],
     ),
     (
         Key::Count(1),
-        &["rows", "number of rows", "num rows", "y pixels", "ypixels", "y points", "number of lines", "ny"],
+        &[
+            "rows",
+            "number of rows",
+            "num rows",
+            "y pixels",
+            "ypixels",
+            "y points",
+            "number of lines",
+            "ny",
+            "nrows",
+            "vertical",
+            "vertikal",
+            "세로",
+        ],
     ),
     (
         Key::Points,
@@ -119,24 +202,80 @@ const KEYS: [(Key, &[&str]); 13] = [
         ],
     ),
     (Key::ToNanometres, &["bit2nm"]),
+    (Key::ValueRange, &["z amplitude", "z range"]),
+    (
+        Key::Multiplier,
+        &[
+            "multiplier",
+            "mult",
+            "height multiplier",
+            "z multiplier",
+            "height factor",
+            "z factor",
+            "height scale",
+            "z scale",
+            "scale z",
+        ],
+    ),
+    (
+        Key::NoData,
+        &[
+            "nodata value",
+            "nodata",
+            "no data value",
+            "no data",
+            "missing value",
+            "missing data",
+            "bad value",
+            "bad data",
+            "invalid value",
+            "invalid data",
+            "fill value",
+            "fillvalue",
+            "undefined value",
+            "dummy value",
+        ],
+    ),
     (Key::Program, &["file format"]),
 ];
 
-/// A recognised key with what follows it.
+/// A recognised key with what follows it behind a colon or an equals sign.
 pub(super) fn key_and_value(line: &str) -> Option<(Key, &str)> {
     let (name, value) = line.split_once([':', '=', '：'])?;
-    let name = name.trim().to_lowercase().replace(['-', '_'], " ");
-    let (key, _) = KEYS.iter().find(|(_, names)| names.contains(&name.as_str()))?;
-    Some((*key, value.trim()))
+    Some((key(name)?, value.trim()))
 }
 
-/// A key of the extent of the points with what follows it behind a comma, a semicolon or a tab, as tables have it.
-pub(super) fn extent_in_table(line: &str) -> Option<(Key, &str)> {
-    let (name, value) = line.split_once([',', ';', '\t'])?;
-    let (key, _) = key_and_value(&format!("{name}:"))?;
-    let value = value.trim().trim_end_matches([',', ';', '\t', ' ']);
-    let is_extent = matches!(key, Key::Size(_) | Key::Points | Key::Count(_));
-    (is_extent && value.starts_with(|c: char| c.is_ascii_digit())).then_some((key, value))
+fn key(name: &str) -> Option<Key> {
+    let name = name.to_lowercase().replace(['-', '_'], " ");
+    let name = name.trim();
+    KEYS.iter().find(|(_, names)| names.contains(&name)).map(|(key, _)| *key)
+}
+
+/// A key of a number or a unit with what follows it behind a comma, a semicolon, a tab or a blank, as tables of facts
+/// have it.
+pub(super) fn key_in_table(line: &str) -> Option<(Key, &str)> {
+    const SEPARATORS: [char; 3] = ['\t', ';', ','];
+    let with_separators = SEPARATORS.into_iter().filter_map(|separator| line.split_once(separator));
+    let blanks = line.match_indices(' ').map(|(at, _)| line.split_at(at));
+    with_separators.chain(blanks).find_map(|(name, value)| {
+        let key = key(name)?;
+        let value = value.trim().trim_end_matches([',', ';', '\t', ' ']);
+        let is_number = value.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
+        let fits = match key {
+            Key::Channel | Key::Program => false,
+            Key::LateralUnit | Key::ValueUnit | Key::Unit => LengthUnit::parse_instrument(value).is_some(),
+            _ => is_number,
+        };
+        fits.then_some((key, value))
+    })
+}
+
+/// Returns true for a name with a number behind it.
+pub(super) fn names_a_number(line: &str) -> bool {
+    let is_separator = |c: char| c.is_whitespace() || ":=,;".contains(c);
+    let is_number = |word: &str| word.replace(',', ".").parse().is_ok_and(f64::is_finite);
+    let mut words = line.split(is_separator).filter(|word| !word.is_empty());
+    words.next().is_some_and(|name| name.starts_with(char::is_alphabetic)) && words.take(4).any(is_number)
 }
 
 #[cfg(test)]

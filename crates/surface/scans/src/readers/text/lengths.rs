@@ -11,16 +11,37 @@ pub(super) struct Length {
     pub(super) unit: Option<LengthUnit>,
 }
 
+/// What spacings are per.
+const PER_POINT: [&str; 6] = ["/pixel", "/px", "/point", "/pt", "/sample", "/cell"];
+
 /// A number with or without a unit; none for what is not a number, the key of something else.
 pub(super) fn length(text: &str, line: usize) -> Result<Option<Length>, ScanReadError> {
     let unit_at = text.find(|c: char| !c.is_ascii_digit() && !"+-.,eE".contains(c)).unwrap_or(text.len());
     let (number, name) = text.split_at(unit_at);
-    let Ok(value) = number.replace(',', ".").parse::<f64>() else { return Ok(None) };
+    let number = number.trim_end_matches(',').replace(',', ".");
+    let Ok(value) = number.parse::<f64>() else { return Ok(None) };
     if !(value.is_finite() && value > 0.0) {
         return Err(bad_field(line, "the length", text, "finite and above 0".to_owned()));
     }
-    let name = name.trim();
+    // Of `0.5 um/pixel` and `138.4,nm`.
+    let name = name.trim_matches(|c: char| c.is_whitespace() || ",;".contains(c));
+    let name = PER_POINT.iter().find_map(|point| name.strip_suffix(point)).unwrap_or(name).trim_end();
     Ok(Some(Length { value, unit: if name.is_empty() { None } else { Some(unit(name, line)?) } }))
+}
+
+/// The factor of heights, and their unit where it follows.
+pub(super) fn factor(text: &str, line: usize) -> Result<(f64, Option<LengthUnit>), ScanReadError> {
+    let (number, rest) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
+    let rest = rest.trim();
+    Ok((numbered_factor(number, line)?, if rest.is_empty() { None } else { Some(unit(rest, line)?) }))
+}
+
+/// A factor, which is finite and not 0.
+pub(super) fn numbered_factor(number: &str, line: usize) -> Result<f64, ScanReadError> {
+    let parsed =
+        number.replace(',', ".").parse().ok().filter(|factor: &f64| factor.is_finite() && *factor != 0.0);
+    let bound = || "a finite number other than 0".to_owned();
+    parsed.ok_or_else(|| bad_field(line, "the factor of heights", number, bound()))
 }
 
 /// A unit of length.

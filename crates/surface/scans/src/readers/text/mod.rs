@@ -1,12 +1,19 @@
 //! Scans as text: profiles, one column of heights, points and matrices.
 
+mod body;
 mod columns;
+mod even_columns;
 mod grid;
 mod header;
+mod heads;
 mod keys;
 mod lengths;
+mod preamble;
 mod precision;
 mod profile;
+mod quotes;
+mod roles;
+mod separator;
 mod style;
 
 use crate::channel::{Channel, Lateral, Quantity, Samples, UnitsBy};
@@ -14,13 +21,21 @@ use crate::choice_of_units::Units;
 use crate::error::ScanReadError;
 use crate::foreign::ForeignFile;
 use crate::metadata::Probe;
+use crate::numbers;
 use crate::options::ScanOptions;
 use crate::raster::Decoded;
 use crate::readers::Reader;
+use crate::scan_size::ScanSize;
+use body::Body;
 use columns::Columns;
+use grid::PointColumns;
 use header::Header;
-use profile::Roles;
+use profile::ProfileColumns;
+use roles::{Layout, Roles};
 use style::FORMAT;
+
+pub(super) use style::decode;
+use units::LengthUnit;
 
 pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels };
 
@@ -45,50 +60,132 @@ struct Found {
 }
 
 fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
-    Ok(vec![channel_of_text(&style::decode(bytes)?, options)?])
+    channels_of_text(quotes::unquoted(style::decode(bytes)?).as_ref(), options)
 }
 
-/// Reads the one channel of a text. Its number of columns decides: 1 heights, 2 a profile `x h`, 3 points `x y h` (or a
-/// profile with a column that counts its points or says which of them count), more a matrix. A header with both sizes
-/// of a map makes any number of columns a matrix.
-pub(super) fn channel_of_text<'b>(text: &str, options: &ScanOptions) -> Result<Channel<'b>, ScanReadError> {
-    let columns = Columns::read(text)?;
-    let header = Header::read(text, &columns)?;
+/// Reads the channels of a text: of a map or a line one, of a table one for each column of heights and of signals.
+pub(super) fn channels_of_text<'b>(
+    text: &str,
+    options: &ScanOptions,
+) -> Result<Vec<Channel<'b>>, ScanReadError> {
+    let body = Body::find(text).ok_or(ScanReadError::NoRows)?;
+    let mut columns = Columns::read(&body)?;
+    let header = Header::read(&body, &columns)?;
+    if let Some(no_data) = header.no_data {
+        columns.mark_missing(no_data);
+    }
     let mut notes = Vec::new();
     if ends_within_a_number(text) {
         notes.push("the last line has no line end; is the file cut off?".to_owned());
     }
-    notes.extend(header.check_counts(&columns, columns.count > 3 || header.is_matrix())?);
-    let found = match columns.count {
-        1 => matrix(columns, false, &header, options, &mut notes)?,
-        2 if !header.is_matrix() => {
-            let roles = Roles { position: 0, height: 1, validity: None };
-            profile::read(text, &columns, roles, &header, options, &mut notes)?
-        }
-        3 if header.has_validity => {
-            let roles = Roles { position: 0, height: 1, validity: Some(2) };
-            profile::read(text, &columns, roles, &header, options, &mut notes)?
-        }
-        3 if !header.is_matrix() && counts_points(&columns, &header) => {
-            notes.push("the first column counts the points: the others are a profile".to_owned());
-            let roles = Roles { position: 1, height: 2, validity: None };
-            profile::read(text, &columns, roles, &header, options, &mut notes)?
-        }
-        3 if !header.is_matrix() => grid::read(text, &columns, &header, options, &mut notes)?,
-        _ => matrix(columns, true, &header, options, &mut notes)?,
+    let length_m = body.preamble.take(columns.count, columns.rows(), &mut notes)?;
+    notes.extend(header.unread_note());
+    let is_map =
+        header.is_matrix() || columns.count > 3 && options.size.is_some_and(|size| size.y_m.is_some());
+    let layout = match columns.count {
+        1 => Layout::Map,
+        _ => roles::decide(&columns, &header.heads, is_map, wanted_column(&columns, options), &mut notes)?,
     };
-    let samples = Samples::Decoded { columns: found.columns, decoded: found.heights_m };
-    let stated_m = header.stated_m(matches!(found.lateral, Lateral::Size(_)));
-    let channel = Channel::new(header.channel.clone(), Quantity::HEIGHTS_IN_M, found.lateral, samples);
-    Ok(Channel {
-        stated_m,
-        units: UnitsBy::Reader,
-        probe: header.stylus_radius_m.map(|_| Probe::Tip),
-        tip_radius_m: header.stylus_radius_m,
-        free_text: header.free_text().to_owned(),
-        notes,
-        ..channel
-    })
+    let is_map = layout == Layout::Map && columns.count > 1;
+    notes.extend(header.check_counts(&columns, is_map)?);
+    let finish = |name: Option<String>, quantity: Quantity, found: Found, mut notes: Vec<String>| {
+        let stated_m = header.stated_m(matches!(found.lateral, Lateral::Size(_)));
+        let samples = Samples::Decoded { columns: found.columns, decoded: found.heights_m };
+        Channel {
+            stated_m,
+            units: UnitsBy::Reader,
+            probe: header.stylus_radius_m.map(|_| Probe::Tip),
+            tip_radius_m: header.stylus_radius_m,
+            free_text: header.free_text().to_owned(),
+            notes: std::mem::take(&mut notes),
+            ..Channel::new(name, quantity, found.lateral, samples)
+        }
+    };
+    match layout {
+        Layout::Map => {
+            if !is_map {
+                preamble::refuse_odd_count(&columns.as_written(&body))?;
+            }
+            header.refuse_no_length(0)?;
+            let found = matrix(columns, is_map, length_m, &header, options, &mut notes)?;
+            Ok(vec![finish(header.channel.clone(), Quantity::HEIGHTS_IN_M, found, notes)])
+        }
+        Layout::Table(table) => {
+            let is_one = table.heights.len() + table.signals.len() == 1;
+            let wanted = wanted_column(&columns, options).is_some();
+            let name = |column: usize| match &header.channel {
+                Some(channel) if table.heights.len() == 1 => Some(channel.clone()),
+                _ if is_one && !wanted && !(options.channel.is_some() && header.heads.is_named(column)) => {
+                    None
+                }
+                _ => Some(header.heads.name(column)),
+            };
+            let mut channels = Vec::new();
+            for &height in &table.heights {
+                let mut notes = notes.clone();
+                let found = of_table(&body, &columns, &table, height, &header, options, &mut notes)?;
+                channels.push(finish(name(height), Quantity::HEIGHTS_IN_M, found, notes));
+            }
+            for &signal in &table.signals {
+                let unit = header.heads.foreign(signal).map_or_else(String::new, |(_, unit)| unit.to_owned());
+                let values: Decoded = columns.measured(signal).collect();
+                let found =
+                    Found { columns: values.values.len(), lateral: Lateral::Unknown, heights_m: values };
+                channels.push(finish(
+                    Some(header.heads.name(signal)),
+                    Quantity::Other(unit),
+                    found,
+                    Vec::new(),
+                ));
+            }
+            Ok(channels)
+        }
+    }
+}
+
+/// The column, from 0, that the caller wants by its number: `column 2` or `2`.
+fn wanted_column(columns: &Columns, options: &ScanOptions) -> Option<usize> {
+    let wanted = options.channel.as_deref()?;
+    let number = wanted.strip_prefix("column ").unwrap_or(wanted);
+    numbers::count(number).filter(|number| *number <= columns.count).map(|number| number - 1)
+}
+
+/// A column of heights over the positions of its table.
+fn of_table(
+    body: &Body<'_>,
+    columns: &Columns,
+    table: &Roles,
+    height: usize,
+    header: &Header,
+    options: &ScanOptions,
+    notes: &mut Vec<String>,
+) -> Result<Found, ScanReadError> {
+    match table.positions {
+        [Some(x), Some(y)] => {
+            let places = PointColumns { x, y, height };
+            grid::read(body, columns, places, header, options, notes)
+        }
+        [Some(position), None] | [None, Some(position)] => {
+            let profile = ProfileColumns { position, height, validity: table.validity };
+            profile::read(body, columns, profile, header, options, notes)
+        }
+        [None, None] => {
+            let is_sized = options.size.or(options.fallback_size).or(options.metadata_size()).is_some();
+            if let Some(&in_its_place) = table.signals.iter().find(|_| !is_sized) {
+                header.refuse_no_length(in_its_place)?;
+            }
+            let heights: Decoded = columns.measured(height).collect();
+            line_of_heights(
+                heights,
+                header.height_unit(height),
+                header.table_factor(),
+                None,
+                header,
+                options,
+                notes,
+            )
+        }
+    }
 }
 
 /// Returns true if the text ends in what may be the first digits of a longer number.
@@ -96,31 +193,42 @@ fn ends_within_a_number(text: &str) -> bool {
     text.ends_with(|c: char| c.is_ascii_digit() || matches!(c, '.' | ',' | '-' | '+' | 'e' | 'E'))
 }
 
-/// Returns true if the first of three columns only counts the rows: it rises by one from row to row, and either it is
-/// named so, or the second column rises or falls throughout as no coordinate of a map does.
-fn counts_points(columns: &Columns, header: &Header) -> bool {
-    let rises_by_one = |column: Vec<f64>| column.windows(2).all(|pair| pair[1] - pair[0] == 1.0);
-    let second: Vec<f64> = columns.column(1).collect();
-    columns.rows() > 2
-        && rises_by_one(columns.column(0).collect())
-        && (header.has_index || second.is_sorted_by(|a, b| a < b) || second.is_sorted_by(|a, b| a > b))
-}
-
-/// Heights row after row, or along a line.
+/// Heights row after row, or along a line, which a preamble may give the length of.
 fn matrix(
     columns: Columns,
     is_map: bool,
+    length_m: Option<f64>,
     header: &Header,
     options: &ScanOptions,
     notes: &mut Vec<String>,
 ) -> Result<Found, ScanReadError> {
     let Columns { count, mut values, .. } = columns;
     let (height_unit, factor) = header.map_heights();
+    if !is_map {
+        return line_of_heights(values, height_unit, factor, length_m, header, options, notes);
+    }
     let units = Units::choose(options, header.lateral_unit, height_unit, notes);
     let to_m = units.height_to_m(FORMAT)?;
-    let points = values.values.len();
-    let (columns, rows) = if is_map { (count, points / count) } else { (points, 0) };
-    let size = header.size(columns, rows, &units)?;
+    let size = header.size(count, values.values.len() / count, &units)?;
+    values.values.iter_mut().for_each(|value| *value = to_m(*value * factor));
+    Ok(Found { columns: count, lateral: size.map_or(Lateral::Unknown, Lateral::Size), heights_m: values })
+}
+
+/// Heights at unknown places along a line.
+fn line_of_heights(
+    mut values: Decoded,
+    height_unit: Option<LengthUnit>,
+    factor: f64,
+    length_m: Option<f64>,
+    header: &Header,
+    options: &ScanOptions,
+    notes: &mut Vec<String>,
+) -> Result<Found, ScanReadError> {
+    let units = Units::choose(options, header.lateral_unit, height_unit, notes);
+    let to_m = units.height_to_m(FORMAT)?;
+    let columns = values.values.len();
+    let stated = length_m.map(|x_m| ScanSize { x_m, y_m: None });
+    let size = header.size(columns, 0, &units)?.or(stated);
     values.values.iter_mut().for_each(|value| *value = to_m(*value * factor));
     Ok(Found { columns, lateral: size.map_or(Lateral::Unknown, Lateral::Size), heights_m: values })
 }

@@ -1,19 +1,24 @@
 //! Profiles `x h`.
 
 use super::Found;
+use super::body::Body;
 use super::columns::Columns;
+use super::even_columns::is_counting;
 use super::header::Header;
 use super::style::FORMAT;
 use crate::channel::Lateral;
 use crate::choice_of_units::Units;
-use crate::error::{FilePlace, ScanReadError};
+use crate::error::ScanReadError;
 use crate::options::ScanOptions;
 use crate::raster::Decoded;
 use crate::readers::even_axis::evenly_spaced;
 
-/// Positions of the columns, from 0.
+/// The note on positions that may be no lengths.
+pub(super) const COUNTED: &str = "the positions are whole numbers without a unit in the file: if they only count the points, give the size of the scan";
+
+/// The columns of a profile, from 0.
 #[derive(Clone, Copy)]
-pub(super) struct Roles {
+pub(super) struct ProfileColumns {
     pub(super) position: usize,
     pub(super) height: usize,
     /// 0 where a height does not count.
@@ -22,22 +27,29 @@ pub(super) struct Roles {
 
 /// A profile at even spacing where the printed positions agree with one, else at uneven spacing.
 pub(super) fn read(
-    text: &str,
+    body: &Body<'_>,
     columns: &Columns,
-    roles: Roles,
+    roles: ProfileColumns,
     header: &Header,
     options: &ScanOptions,
     notes: &mut Vec<String>,
 ) -> Result<Found, ScanReadError> {
-    let Roles { position, height, validity } = roles;
+    let ProfileColumns { position, height, validity } = roles;
+    header.refuse_no_length(position)?;
+    header.refuse_no_length(height)?;
     let units = Units::choose(options, header.column_unit(position), header.height_unit(height), notes);
-    let height_to_m = units.height_to_m(FORMAT).map_err(|error| header.no_unit(height, error))?;
-    let length_to_m = units.length_to_m(FORMAT).map_err(|error| header.no_unit(position, error))?;
-    columns.refuse_missing_points(text, position, height)?;
+    units.refuse_bare_points(FORMAT)?;
+    let (height_to_m, factor) = (units.height_to_m(FORMAT)?, header.table_factor());
+    let length_to_m = units.length_to_m(FORMAT)?;
+    columns.refuse_missing_points(body, position, height)?;
+    let is_described = options.metadata.is_some();
+    if header.column_unit(position).is_none() && !is_described && is_counting(columns, position) {
+        notes.push(COUNTED.to_owned());
+    }
     let mut rows: Vec<(usize, f64)> =
         columns.measured(position).enumerate().filter_map(|(row, position)| Some((row, position?))).collect();
     let mut heights_m: Vec<Option<f64>> =
-        columns.measured(height).map(|height| height.map(&height_to_m)).collect();
+        columns.measured(height).map(|height| height.map(|height| height_to_m(height * factor))).collect();
     if let Some(validity) = validity {
         let flags = columns.measured(validity).map(|flag| flag.is_some_and(|flag| flag != 0.0));
         heights_m
@@ -53,16 +65,7 @@ pub(super) fn read(
         heights_m.reverse();
     }
     if let Some(pair) = rows.windows(2).find(|pair| pair[0].1 >= pair[1].1) {
-        let line = columns.line_of_row(text, pair[1].0);
-        let heights: Vec<f64> = columns.column(height).collect();
-        if heights.len() > 2 && heights.is_sorted_by(|a, b| a < b) {
-            let mend = "put positions into the first column and heights into the second";
-            return Err(FORMAT.unsupported(
-                FilePlace::Line(line),
-                "a profile with positions in the second column",
-                mend,
-            ));
-        }
+        let line = columns.line_of_row(body, pair[1].0);
         return Err(ScanReadError::PositionsDoNotRise { line, position: pair[1].1, before: pair[0].1 });
     }
     let (first, end) = (rows.first().map_or(0, |row| row.0), rows.last().map_or(0, |row| row.0 + 1));

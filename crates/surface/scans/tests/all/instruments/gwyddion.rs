@@ -1,6 +1,6 @@
 //! Files of Gwyddion.
 
-use scans::{Measure, ScanFormat};
+use scans::{Measure, ScanFormat, Unitless};
 
 use super::bytes::Bytes;
 use super::{Sample, assert_holds, channels, heights, heights_if_told};
@@ -176,7 +176,7 @@ fn images_are_read_with_their_units_titles_and_comments() {
     assert_eq!(all[1].as_ref().unwrap().measure, Measure::Other("V".to_owned()));
     assert_eq!(all[3].as_ref().unwrap().measure, Measure::Length);
     // Without any unit the size must be given.
-    refused!(all[2].as_ref().unwrap_err(), NoUnit { what: "heights" });
+    refused!(all[2].as_ref().unwrap_err(), NoUnit { what: Unitless::Heights });
 }
 
 #[test]

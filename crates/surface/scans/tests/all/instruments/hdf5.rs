@@ -2,7 +2,7 @@
 
 use crate::instruments::bytes::Bytes;
 use crate::instruments::{Sample, assert_holds, channels};
-use scans::{Probe, ScanFile, ScanOptions, ScanSize, read_scans};
+use scans::{Probe, ScanFile, ScanOptions, ScanSize, Unitless, read_scans};
 
 /// A message of an object header.
 fn message(kind: u16, content: &[u8]) -> Vec<u8> {
@@ -219,7 +219,10 @@ fn any_map_is_a_channel() {
     assert_holds(&file.scan, (3e-6, Some(2e-6)), &expected, 1e-22);
     assert_eq!((file.channel.as_deref(), file.channels.len()), (Some("scans/first"), 2));
     assert_eq!(file.notes, ["the first index of the dataset is taken to count the rows of the map"]);
-    refused!(read_scans(&plain(), "scan", &ScanOptions::default()).unwrap_err(), NoUnit { what: "heights" });
+    refused!(
+        read_scans(&plain(), "scan", &ScanOptions::default()).unwrap_err(),
+        NoUnit { what: Unitless::Heights }
+    );
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Binary waves of Igor.
 
-use scans::{Measure, Probe, ScanAxis, ScanOptions, read_scans};
+use scans::{Measure, Probe, ScanAxis, ScanOptions, Unitless, read_scans};
 
 use super::bytes::Bytes;
 use super::{Sample, assert_holds, channels, heights};
@@ -226,5 +226,5 @@ fn what_holds_no_heights_is_refused() {
     let over_time = Wave { units: ["m", "s", ""], ..table() };
     refused!(message(over_time), NoChannel { wanted: "channel of heights", channels: ["Left", "Right"] });
     let without_unit = Wave { units: ["", "um", "um"], note: "", labels: &[], ..Wave::scan() };
-    refused!(message(without_unit), NoUnit { what: "heights" });
+    refused!(message(without_unit), NoUnit { what: Unitless::Heights });
 }

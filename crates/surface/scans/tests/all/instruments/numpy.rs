@@ -1,6 +1,6 @@
 //! Arrays of NumPy, with unit and size told by the caller.
 
-use scans::{MeasuredScan, ScanOptions, ScanReadError, ScanSize, read_scans};
+use scans::{MeasuredScan, ScanOptions, ScanReadError, ScanSize, Unitless, read_scans};
 
 use crate::instruments::{Sample, assert_holds};
 use crate::support::zip_file::zipped;
@@ -106,5 +106,5 @@ fn what_is_no_line_or_map_is_refused() {
     let vast = array(1, "'<f8'", false, "(99999999999, 99999999999)", &[]);
     refused!(message(&vast), BadField { field: "the shape", value: "(99999999999, 99999999999)" });
     let unit = read_scans(&array(1, "'|u1'", false, "(3,)", &[1, 2, 3]), "scan", &ScanOptions::default());
-    refused!(unit.unwrap_err(), NoUnit { what: "heights" });
+    refused!(unit.unwrap_err(), NoUnit { what: Unitless::Heights });
 }

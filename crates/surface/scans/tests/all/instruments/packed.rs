@@ -8,7 +8,7 @@ use scans::{Mend, ScanFormat, ScanOption, ScanOptions, read_scans};
 
 use crate::support::zip_file::zipped;
 
-const PROFILE: &[u8] = b"# Unit: um\n0 1\n1 2\n2 4\n";
+const PROFILE: &[u8] = b"# Unit: um\n0 1\n1 4\n2 2\n";
 
 fn gzipped(bytes: &[u8]) -> Vec<u8> {
     let mut encoder = GzEncoder::new(Vec::new(), Compression::default());
@@ -29,7 +29,7 @@ fn heights_m(bytes: &[u8], options: &ScanOptions) -> Vec<Option<f64>> {
 #[test]
 fn what_is_packed_is_read() {
     let none = ScanOptions::default();
-    let expected = [Some(1e-6), Some(2e-6), Some(4e-6)];
+    let expected = [Some(1e-6), Some(4e-6), Some(2e-6)];
     assert_eq!(heights_m(&gzipped(PROFILE), &none), expected);
     // Several streams follow each other.
     assert_eq!(heights_m(&[gzipped(&PROFILE[..15]), gzipped(&PROFILE[15..])].concat(), &none), expected);

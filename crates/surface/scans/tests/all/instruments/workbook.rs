@@ -2,7 +2,7 @@
 
 use crate::instruments::{Sample, assert_holds, heights};
 use crate::support::zip_file::zipped;
-use scans::{Probe, ScanFormat, ScanOptions, ScanReadError, ScanSize, read_scans};
+use scans::{Probe, ScanFormat, ScanOptions, ScanReadError, ScanSize, Unitless, read_scans};
 
 const TYPES: &str = r#"<Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types"></Types>"#;
 const ROOT: &str = r#"<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Id="rId1" Type="http://schemas.openxmlformats.org/officeDocument/2006/relationships/officeDocument" Target="xl/workbook.xml"/></Relationships>"#;
@@ -91,7 +91,7 @@ fn positions_may_be_uneven_and_units_asked_for() {
     let points = [(Some(0.0), Some(1.0)), (None, Some(5.0)), (Some(1.0), Some(2.0)), (Some(3.0), Some(3.0))];
     let bytes = workbook(NAMES, &[], "Ra", &points);
     let refused = read_scans(&bytes, "scan", &ScanOptions::default()).unwrap_err();
-    refused!(refused, NoUnit { what: "lengths" });
+    refused!(refused, NoUnit { what: Unitless::Lengths });
     let options = ScanOptions { unit: "um".parse().ok(), ..ScanOptions::default() };
     let file = read_scans(&bytes, "scan", &options).unwrap().remove(0);
     assert_eq!(file.scan.positions_m().unwrap(), [0.0, 1e-6, 3e-6]);

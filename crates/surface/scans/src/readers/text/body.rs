@@ -1,0 +1,60 @@
+//! The lines of numbers of a text that are its scan, and those above them that are not.
+
+use super::preamble::Preamble;
+use super::style::{content, count_of_fields, holds_missing_points, holds_numbers, is_blank, is_comment};
+
+/// The lines of the numbers of a scan.
+pub(super) struct Body<'t> {
+    text: &'t str,
+    /// The first line, from 1.
+    pub(super) first_line: usize,
+    /// Numbers above it that are no heights.
+    pub(super) preamble: Preamble<'t>,
+}
+
+impl<'t> Body<'t> {
+    /// Finds the lines of numbers; none where there are none.
+    pub(super) fn find(text: &'t str) -> Option<Self> {
+        let preamble = Preamble::find(text);
+        let first_line = first_row(text, preamble.end())?;
+        Some(Self { text, first_line, preamble })
+    }
+
+    /// The whole text.
+    pub(super) fn text(&self) -> &'t str {
+        self.text
+    }
+
+    /// The lines of numbers, with all that follows the first of them, trimmed of blanks.
+    pub(super) fn rows(&self) -> impl Iterator<Item = (usize, &'t str)> {
+        let first = self.first_line;
+        content(self.text).skip_while(move |(number, _)| *number < first)
+    }
+
+    /// The same lines with the separators at their ends, which mark empty fields; tabs only where they are separators.
+    pub(super) fn whole_rows(&self, with_tabs: bool) -> impl Iterator<Item = (usize, &'t str)> {
+        let first = self.first_line;
+        let is_margin = move |character: char| is_blank(character) && !(with_tabs && character == '\t');
+        let lines =
+            self.text.lines().enumerate().map(move |(index, line)| (index + 1, line.trim_matches(is_margin)));
+        lines.filter(move |(number, line)| *number >= first && !line.is_empty() && !is_comment(line))
+    }
+}
+
+/// The first line of the scan behind a line: of numbers, or the first of the lines of missing points right above it
+/// with as many fields.
+fn first_row(text: &str, behind: usize) -> Option<usize> {
+    let mut missing: Option<(usize, usize)> = None;
+    for (number, line) in content(text).skip_while(|(number, _)| *number <= behind) {
+        let fields = count_of_fields(line);
+        if holds_numbers(line) {
+            return Some(missing.filter(|&(_, count)| count == fields).map_or(number, |(first, _)| first));
+        }
+        missing = match missing {
+            _ if !holds_missing_points(line) => None,
+            Some((first, count)) if count == fields => Some((first, count)),
+            _ => Some((number, fields)),
+        };
+    }
+    None
+}

@@ -1,0 +1,186 @@
+//! What the columns of a table hold: positions, heights, signals. Names and units decide, then the numbers.
+
+use super::columns::Columns;
+use super::even_columns::{is_constant, is_even, is_monotone};
+use super::heads::{Heads, Role};
+use crate::error::ScanReadError;
+
+/// Fewest rows in which positions that rise are no chance.
+const TELLING: usize = 3;
+/// Fewest rows in which a column of a map hardly rises by chance while others do not.
+const SURE: usize = 8;
+
+/// The columns of a table, from 0.
+#[derive(Debug, Default, PartialEq)]
+pub(super) struct Roles {
+    /// Positions along x and y.
+    pub(super) positions: [Option<usize>; 2],
+    /// 0 where a height does not count.
+    pub(super) validity: Option<usize>,
+    /// A channel each.
+    pub(super) heights: Vec<usize>,
+    /// Values that are no heights, a channel each.
+    pub(super) signals: Vec<usize>,
+}
+
+/// How the numbers of a text make scans.
+#[derive(Debug, PartialEq)]
+pub(super) enum Layout {
+    /// Heights row after row.
+    Map,
+    /// Columns of different kinds.
+    Table(Roles),
+}
+
+/// Decides what the columns hold. `is_map` is true where a size along both axes is known; `wanted` is the column of
+/// heights that the caller chose by its number.
+pub(super) fn decide(
+    columns: &Columns,
+    heads: &Heads,
+    is_map: bool,
+    wanted: Option<usize>,
+    notes: &mut Vec<String>,
+) -> Result<Layout, ScanReadError> {
+    let named: Vec<Option<Role>> =
+        (0..columns.count).map(|column| Role::of(&heads.of(column)?.name)).collect();
+    if named.iter().any(Option::is_some) && !(is_map && !heads.differ_in_units() && columns.count > 3)
+        || heads.differ_in_units() && columns.count > 2
+    {
+        return by_name(columns, heads, &named, wanted, notes).map(Layout::Table);
+    }
+    if is_map {
+        return Ok(Layout::Map);
+    }
+    by_numbers(columns, wanted, notes)
+}
+
+/// Roles by names and units, what they leave open by the numbers.
+fn by_name(
+    columns: &Columns,
+    heads: &Heads,
+    named: &[Option<Role>],
+    wanted: Option<usize>,
+    notes: &mut Vec<String>,
+) -> Result<Roles, ScanReadError> {
+    let is_length = |column: &usize| heads.foreign(*column).is_none();
+    let of = |role: Role| (0..columns.count).filter(move |column| named[*column] == Some(role));
+    let (mut x, mut y) = (of(Role::X).next(), of(Role::Y).next());
+    let mut heights: Vec<usize> = of(Role::Height).filter(is_length).collect();
+    let mut open: Vec<usize> =
+        (0..columns.count).filter(|column| named[*column].is_none()).filter(is_length).collect();
+    // Of `x y` the second is a height.
+    if heights.is_empty() && open.is_empty() {
+        heights.extend(y.take());
+    }
+    if x.is_none() && y.is_none() {
+        let rising: Vec<usize> =
+            open.iter().copied().filter(|column| is_monotone(columns, *column)).collect();
+        let is_only = columns.count == 2 || rising.len() == 1;
+        x = rising.first().copied().filter(|_| is_only && !(heights.is_empty() && open.len() == 1));
+        open.retain(|column| Some(*column) != x);
+        if let Some(x) = x {
+            notes.push(format!("{} rises or falls throughout: it is taken for positions", heads.name(x)));
+        }
+    }
+    if heights.is_empty() && x.is_some() && y.is_some() && open.is_empty() {
+        heights.extend(y.take());
+    }
+    let is_of_unit = |column: &usize| heads.unit(*column).is_some();
+    let all_open = heights.is_empty();
+    heights.extend(open.iter().copied().filter(|column| all_open || is_of_unit(column)));
+    // A map has positions along both axes; those of a line along one of them do not change.
+    if let (Some(at_x), Some(at_y)) = (x, y) {
+        if is_constant(columns, at_y) {
+            y = None;
+        } else if is_constant(columns, at_x) {
+            (x, y) = (Some(at_y), None);
+        }
+    } else if x.is_none() {
+        x = y.take();
+    }
+    heights.sort_unstable();
+    if let Some(wanted) = wanted.filter(|wanted| heights.contains(wanted)) {
+        heights.retain(|column| *column == wanted);
+    }
+    if heights.is_empty() {
+        return Err(no_heights(columns, heads));
+    }
+    let signals = (0..columns.count)
+        .filter(|column| !heights.contains(column) && ![x, y].contains(&Some(*column)))
+        .filter(|column| !matches!(named[*column], Some(Role::Counter | Role::Validity)))
+        .filter(|column| heads.foreign(*column).is_some() || named[*column] == Some(Role::Signal))
+        .collect();
+    Ok(Roles { positions: [x, y], validity: of(Role::Validity).next(), heights, signals })
+}
+
+/// The error of a table without a column of heights: the first whose unit is no length, else the last.
+fn no_heights(columns: &Columns, heads: &Heads) -> ScanReadError {
+    let column =
+        (0..columns.count).find(|column| heads.foreign(*column).is_some()).unwrap_or(columns.count - 1);
+    let (line, unit) = heads.foreign(column).unwrap_or((columns.first_line, ""));
+    ScanReadError::NoLength { line, column: column + 1, unit: unit.to_owned() }
+}
+
+/// Roles by the numbers alone.
+fn by_numbers(
+    columns: &Columns,
+    wanted: Option<usize>,
+    notes: &mut Vec<String>,
+) -> Result<Layout, ScanReadError> {
+    let (count, rows) = (columns.count, columns.measured(0).flatten().count());
+    let rising: Vec<usize> = (0..count).filter(|column| is_monotone(columns, *column)).collect();
+    let ask = || {
+        Err(ScanReadError::AmbiguousColumns {
+            line: columns.first_line,
+            columns: rising.iter().map(|column| column + 1).collect(),
+        })
+    };
+    let table = |position: usize, heights: Vec<usize>| {
+        Ok(Layout::Table(Roles { positions: [Some(position), None], heights, ..Roles::default() }))
+    };
+    if let Some(wanted) = wanted {
+        let position = rising.iter().copied().find(|column| *column != wanted);
+        return table(position.unwrap_or(usize::from(wanted == 0)), vec![wanted]);
+    }
+    match count {
+        2 if rows < TELLING || rising == [0] || rising.is_empty() => table(0, vec![1]),
+        2 if rising == [1] => ask(),
+        2 if rows >= SURE && is_even(columns, 0) && !is_even(columns, 1) => table(0, vec![1]),
+        2 => ask(),
+        3 if counts_points(columns) => {
+            notes.push("the first column counts the points: the others are a profile".to_owned());
+            table(1, vec![2])
+        }
+        3 if rows >= TELLING && rising.first() == Some(&0) => match rising.len() {
+            _ if is_constant(columns, 1) => table(0, vec![2]),
+            1 => several(0, count, notes),
+            _ => ask(),
+        },
+        3 => Ok(Layout::Table(Roles { positions: [Some(0), Some(1)], heights: vec![2], ..Roles::default() })),
+        // A map that is tilted rises in all its columns.
+        _ if rows < SURE || rising.is_empty() || rising.len() == count => Ok(Layout::Map),
+        _ if rising[0] == 0 && is_even(columns, 0) => several(0, count, notes),
+        _ if rising.len() == 1 => ask(),
+        _ => Ok(Layout::Map),
+    }
+}
+
+/// A table of several profiles over the positions in one column.
+fn several(position: usize, count: usize, notes: &mut Vec<String>) -> Result<Layout, ScanReadError> {
+    notes.push(format!(
+        "column {} rises or falls throughout: it is taken for positions, and each other column for heights; a size along both \
+         axes makes a map of them",
+        position + 1
+    ));
+    let heights = (0..count).filter(|column| *column != position).collect();
+    Ok(Layout::Table(Roles { positions: [Some(position), None], heights, ..Roles::default() }))
+}
+
+/// Returns true if the first of three columns only counts the rows: it rises by one from row to row, and the second
+/// rises or falls throughout as no coordinate of a map does.
+fn counts_points(columns: &Columns) -> bool {
+    let counter: Vec<f64> = columns.column(0).collect();
+    columns.rows() >= TELLING
+        && counter.windows(2).all(|pair| pair[1] - pair[0] == 1.0)
+        && is_monotone(columns, 1)
+}
