@@ -16,7 +16,6 @@ const ENTRY: &[u8] = b"PK\x01\x02";
 /// A ZIP file whose entries all lie inside it, and which unpacks to no more than it may.
 pub(crate) struct Archive<'b> {
     zip: ZipArchive<Cursor<&'b [u8]>>,
-    #[allow(dead_code, reason = "X3P knows its paths")]
     paths: Vec<String>,
     room: Room,
 }
@@ -38,7 +37,6 @@ impl<'b> Archive<'b> {
         Ok(Self { zip, paths, room: Room::new(bound) })
     }
 
-    #[allow(dead_code, reason = "X3P knows its paths")]
     pub(crate) fn paths(&self) -> impl Iterator<Item = &str> {
         self.paths.iter().map(String::as_str)
     }

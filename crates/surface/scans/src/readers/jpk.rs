@@ -1,7 +1,8 @@
 //! Image scans of JPK Instruments, `.jpk` and `.jpk-qi-image`: TIFF with a page a channel, described by tags of the
 //! maker's own.
 //!
-//! The layout is that which Gwyddion's importer, written by the maker, and SurfaceTopography's reader follow.
+//! The layout is that which Gwyddion's importer, written by the maker, and SurfaceTopography's reader follow. The first
+//! page is a thumbnail, which may have calibrations as channels do.
 
 use crate::channel::{Channel, Lateral, MOST_TEXT, Quantity, ScanAxis, shortened};
 use crate::error::{FilePlace, ScanReadError};
@@ -23,6 +24,7 @@ const COMMENT: u16 = 0x8005;
 const SAMPLE: u16 = 0x8007;
 const CANTILEVER_COMMENT: u16 = 0x8010;
 const SIZES: [u16; 2] = [0x8042, 0x8043];
+const POINTS: [u16; 2] = [0x8046, 0x8047];
 
 /// Tags of a channel.
 const IS_REFLECTED: u16 = 0x8045;
@@ -31,6 +33,11 @@ const IS_RETRACE: u16 = 0x8051;
 const CHANNEL_NAME: u16 = 0x8052;
 const SLOTS: u16 = 0x8080;
 const DEFAULT_SLOT: u16 = 0x8081;
+
+/// Marks of the page that is a picture.
+const SUBFILE_TYPE: u16 = 254;
+const REDUCED: u32 = 1;
+const THUMBNAIL: &str = "thumbnail";
 
 /// A slot is one way to make values of the numbers: so many tags from this one on for each.
 const FIRST_SLOT: u16 = 0x8090;
@@ -44,7 +51,7 @@ fn recognises(bytes: &[u8]) -> bool {
     first_page(FORMAT, bytes).is_some_and(|page| SIZES.iter().all(|&tag| page.number(tag).is_some()))
 }
 
-/// The pages with the name of a channel; the first is a picture for the eye.
+/// The pages that hold a channel.
 fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
     let tiff = Tiff::read(FORMAT, bytes)?;
     let Some(first) = tiff.pages.first() else { return Ok(Vec::new()) };
@@ -58,7 +65,8 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     let free_text = texts.filter(|text| !text.is_empty()).map(|text| text + "\n").collect();
     let free_text = shortened(free_text, MOST_TEXT);
     let mut left = bytes.len();
-    let named = tiff.pages.iter().filter_map(|page| Some((page, name(page)?)));
+    let pages = tiff.pages.iter().filter(|page| !is_picture(page, first));
+    let named = pages.filter_map(|page| Some((page, name(page)?)));
     let channels = named.map(|(page, name)| Channel {
         probe: Some(Probe::Tip),
         fast_axis: Some(ScanAxis::X),
@@ -68,7 +76,17 @@ fn channels<'b>(bytes: &'b [u8], _: &ScanOptions) -> Result<Vec<Channel<'b>>, Sc
     Ok(channels.collect())
 }
 
-/// Name of a channel, with the direction of the scan. The thumbnail may have a name, but has no slots.
+/// Returns true for a picture of the scan: marked as a reduced image, named so, or of another size than the grid.
+fn is_picture(page: &Page, first: &Page) -> bool {
+    let is_reduced = page.number(SUBFILE_TYPE).is_some_and(|flags| flags as u32 & REDUCED != 0);
+    let grid = POINTS.map(|tag| first.number(tag).filter(|&points| points > 0.0));
+    let [width, length] = page.size();
+    let is_other = grid[0].is_some_and(|points| Some(points) != width)
+        || grid[1].is_some_and(|points| Some(points) != length);
+    is_reduced || is_other || page.text(CHANNEL).is_some_and(|name| name == THUMBNAIL)
+}
+
+/// Name of a channel, with the direction of the scan.
 fn name(page: &Page) -> Option<String> {
     page.number(SLOTS)?;
     let name = page.text(CHANNEL_NAME).filter(|name| !name.is_empty()).or_else(|| page.text(CHANNEL))?;

@@ -3,6 +3,7 @@
 #[macro_use]
 mod support;
 
+mod field_files;
 mod instruments;
 mod scan_binary_errors;
 #[cfg(feature = "container")]

@@ -139,12 +139,14 @@ fn nanoscope_scans_that_are_no_squares() {
         let (x_m, y_m) = spacings_m(&file.scan);
         ((x_m * 8.0 * 1e9).round(), (y_m * 4.0 * 1e9).round(), file.notes)
     };
-    let note = "the file gives one size for both axes and an aspect ratio of 2:1, which counts".to_owned();
+    let note = "the file gives one size for both axes and an aspect ratio of 2:1: points are taken to be as far apart along \
+                both"
+        .to_owned();
     assert_eq!(size_m("500 250 nm", ""), (500.0, 250.0, vec![]));
     assert_eq!(size_m("500 nm", ""), (500.0, 250.0, vec![note.clone()]));
     assert_eq!(size_m("500 500 nm", "\\Lines: 4\r\n"), (500.0, 250.0, vec![note.clone()]));
     // The scan was stopped at half of its lines.
-    assert_eq!(size_m("500 500 nm", "\\Lines: 8\r\n"), (500.0, 125.0, vec![note]));
+    assert_eq!(size_m("500 500 nm", "\\Lines: 8\r\n"), (500.0, 250.0, vec![note]));
     let slow = "\\Lines: 8\r\n\\Scan Size: 500 nm\r\n\\Slow Axis Size: 250 nm\r\n";
     assert_eq!(size_m("500 500 nm", slow), (500.0, 125.0, vec![]));
 }

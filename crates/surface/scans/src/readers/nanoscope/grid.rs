@@ -115,8 +115,8 @@ fn version(header: &Header) -> u32 {
 /// The size of the image along x and y.
 ///
 /// Newer versions give the slow axis of the scan apart, and rightly only there. Older ones give it beside the fast
-/// axis, or leave it to the aspect ratio. Of a scan that is not square and was stopped early, both are those of all its
-/// lines.
+/// axis, or give that of the fast axis for both with an aspect ratio that is not 1. Such points are as far apart along
+/// both axes, whatever the ratio: Gwyddion and pySPM agree on files with 0.51216:1 and 2:1.
 fn size_m(
     header: &Header,
     section: &Section,
@@ -126,25 +126,24 @@ fn size_m(
     let [x_m, y_m] = lengths(&section.require("Scan size")?)?;
     let of_scan = header.scan_list("Scan size").zip(header.scan_list("Slow axis size"));
     let aspect = section.get("Aspect ratio");
-    let ratio = aspect.as_ref().and_then(ratio_of_sides);
+    let is_square = aspect.as_ref().is_none_or(|aspect| ratio_of_sides(aspect).is_none());
     let lines = header.scan_list("Lines").and_then(|lines| lines.count().ok());
     let measured =
         lines.filter(|&lines| points.rows < lines).map_or(1.0, |lines| points.rows as f64 / lines as f64);
     let [planned_columns, planned_rows] = points.planned.map(|points| points as f64);
     let [columns, rows] = [points.columns as f64 / planned_columns, points.rows as f64 / planned_rows];
-    Ok(match (of_scan, ratio) {
-        (Some((fast, slow)), ratio) => {
-            [lengths(&fast)?[0], lengths(&slow)?[0] * if ratio.is_some() { measured } else { 1.0 }]
-        }
-        (None, Some(ratio)) if x_m == y_m => {
-            let aspect = aspect.map(|aspect| aspect.text).unwrap_or_default();
-            notes.push(format!(
-                "the file gives one size for both axes and an aspect ratio of {aspect}, which counts"
-            ));
-            [x_m * columns, y_m / ratio * measured]
-        }
-        (None, _) => [x_m * columns, y_m * rows],
-    })
+    if let Some((fast, slow)) = of_scan {
+        return Ok([lengths(&fast)?[0], lengths(&slow)?[0] * if is_square { 1.0 } else { measured }]);
+    }
+    if x_m == y_m && !is_square {
+        let aspect = aspect.map(|aspect| aspect.text).unwrap_or_default();
+        notes.push(format!(
+            "the file gives one size for both axes and an aspect ratio of {aspect}: points are taken to be as far apart \
+             along both"
+        ));
+        return Ok([x_m * columns, x_m / planned_columns * points.rows as f64]);
+    }
+    Ok([x_m * columns, y_m * rows])
 }
 
 /// Ratio of the length of lines to the size across them, `2` of `2:1`; none for a square.

@@ -20,6 +20,11 @@ const STRIP_BYTES: u16 = 279;
 const SAMPLE_FORMAT: u16 = 339;
 
 impl<'b> Page<'b> {
+    /// Width and length of the image in points, where stated.
+    pub(in crate::readers) fn size(&self) -> [Option<f64>; 2] {
+        [WIDTH, LENGTH].map(|tag| self.number(tag))
+    }
+
     /// The image of the page: one number a point, not packed.
     ///
     /// `left` counts the bytes down that may be copied of the file, at first its size.

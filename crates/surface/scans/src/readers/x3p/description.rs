@@ -21,6 +21,7 @@ pub(super) struct Description {
     pub(super) points: Points,
     pub(super) probe: Option<Probe>,
     pub(super) free_text: String,
+    pub(super) notes: Vec<String>,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -40,7 +41,8 @@ pub(super) enum Points {
 }
 
 impl Description {
-    pub(super) fn read(index: &[u8]) -> Result<Self, ScanReadError> {
+    /// Parses the XML of an archive whose files are in a folder.
+    pub(super) fn read(index: &[u8], folder: &str) -> Result<Self, ScanReadError> {
         let syntax = |problem: String| ScanReadError::Syntax { file: INDEX.to_owned(), problem };
         let text = std::str::from_utf8(index).map_err(|error| syntax(format!("no UTF-8: {error}")))?;
         let text = text.trim_start_matches('\u{feff}');
@@ -71,6 +73,7 @@ impl Description {
         };
         let z = axes.child("CZ")?;
         z.one_of("AxisType", &["A"])?;
+        let notes = Vec::from_iter(z.unused_increment()?);
         let z = z.coordinate()?;
         let record = root.child("Record3")?;
         let (columns, rows) = if layout == Layout::Cloud {
@@ -101,18 +104,19 @@ impl Description {
             x,
             y,
             z,
-            points: points(&record)?,
+            points: points(&record, folder)?,
             probe: probe(&root),
             free_text: root
                 .child("Record2")
                 .and_then(|record| record.child("Comment"))
                 .map_or(String::new(), |comment| comment.text().to_owned()),
+            notes,
         })
     }
 }
 
 /// The data in the description, or the way to those in a file.
-fn points(record: &Element) -> Result<Points, ScanReadError> {
+fn points(record: &Element, folder: &str) -> Result<Points, ScanReadError> {
     if let Ok(list) = record.child("DataList") {
         let data = list.node.children().filter(|node| node.is_element() && node.tag_name().name() == "Datum");
         let numbers = |text: &str| {
@@ -136,8 +140,8 @@ fn points(record: &Element) -> Result<Points, ScanReadError> {
     })?;
     let valid = link.child("ValidPointsLink").ok().filter(|link| !link.text().is_empty());
     Ok(Points::Binary {
-        data: link.child("PointDataLink")?.path_inside()?,
-        valid: valid.map(|link| link.path_inside()).transpose()?,
+        data: link.child("PointDataLink")?.path_inside(folder)?,
+        valid: valid.map(|link| link.path_inside(folder)).transpose()?,
     })
 }
 

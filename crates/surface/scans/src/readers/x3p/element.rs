@@ -64,6 +64,9 @@ impl<'a, 'd> Element<'a, 'd> {
     }
 
     /// The type and scale of an axis whose values are in the data.
+    ///
+    /// Floating-point values are lengths in m: the schema of openGPS gives an increment to integers alone, and real
+    /// files with one, of x3ptools, have their lengths without it.
     pub(super) fn coordinate(&self) -> Result<Coordinate, ScanReadError> {
         let kind = self.child("DataType")?;
         let stored = match kind.text() {
@@ -73,17 +76,37 @@ impl<'a, 'd> Element<'a, 'd> {
             "D" => NumberType::F64,
             _ => return Err(kind.bad("I, L, F or D", "export the file again")),
         };
-        let number = |name: &str| self.child(name).ok().map(|child| child.number()).transpose();
-        let increment = number("Increment")?.unwrap_or(1.0);
+        let is_integer = matches!(stored, NumberType::I16 | NumberType::I32);
+        let increment = self.optional("Increment")?.filter(|_| is_integer).unwrap_or(1.0);
         if increment == 0.0 {
             return Err(self.child("Increment")?.bad("other than 0", "export the file again"));
         }
-        Ok(Coordinate { number: stored, increment, offset: number("Offset")?.unwrap_or(0.0) })
+        Ok(Coordinate { number: stored, increment, offset: self.optional("Offset")?.unwrap_or(0.0) })
     }
 
-    pub(super) fn path_inside(&self) -> Result<String, ScanReadError> {
+    /// A note on an increment that floating-point values do not take.
+    pub(super) fn unused_increment(&self) -> Result<Option<String>, ScanReadError> {
+        let is_float = self.child("DataType").is_ok_and(|kind| ["F", "D"].contains(&kind.text()));
+        let increment = self.optional("Increment")?.filter(|&increment| is_float && increment != 1.0);
+        Ok(increment.map(|increment| {
+            format!("heights are floating-point numbers in m: the increment {increment} of the file is not applied")
+        }))
+    }
+
+    /// A number that may be left out, or left empty.
+    fn optional(&self, name: &str) -> Result<Option<f64>, ScanReadError> {
+        let child = self.child(name).ok().filter(|child| !child.text().is_empty());
+        child.map(|child| child.number()).transpose()
+    }
+
+    /// The path of a file of the archive, given within its folder.
+    pub(super) fn path_inside(&self, folder: &str) -> Result<String, ScanReadError> {
         let path = self.text().to_owned();
-        if leads_outside(&path) { Err(ScanReadError::PathOutside { path }) } else { Ok(path) }
+        if leads_outside(&path) {
+            Err(ScanReadError::PathOutside { path })
+        } else {
+            Ok(format!("{folder}{path}"))
+        }
     }
 
     pub(super) fn bad(&self, bound: &str, mend: &'static str) -> ScanReadError {

@@ -33,8 +33,9 @@ fn recognises(bytes: &[u8]) -> bool {
 /// The one channel of a file, which has no name.
 fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
     let mut archive = Archive::open(bytes, options.unpacked_bound())?;
-    let index = archive.read_at_most(INDEX, LARGEST_INDEX)?;
-    let description = Description::read(&index)?;
+    let folder = folder(&archive)?;
+    let index = archive.read_at_most(&format!("{folder}{INDEX}"), LARGEST_INDEX)?;
+    let description = Description::read(&index, &folder)?;
     let data = description.data(&mut archive)?;
     let (columns, lateral, decoded) = match (description.layout, description.x, description.y) {
         (Layout::Profile, ScanAxis::Given(_), _) => {
@@ -49,8 +50,28 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
         (Layout::Surface | Layout::Cloud, ..) => on_grid(&description, data)?,
     };
     let samples = Samples::Decoded { columns, decoded };
-    let Description { probe, free_text, .. } = description;
-    Ok(vec![Channel { probe, free_text, ..Channel::new(None, Quantity::HEIGHTS_IN_M, lateral, samples) }])
+    let Description { probe, free_text, notes, .. } = description;
+    let channel = Channel::new(None, Quantity::HEIGHTS_IN_M, lateral, samples);
+    Ok(vec![Channel { probe, free_text, notes, ..channel }])
+}
+
+/// The folder of the archive that holds the files, with a slash behind it: some programs pack one, not its content.
+fn folder(archive: &Archive) -> Result<String, ScanReadError> {
+    let folders: Vec<&str> = archive
+        .paths()
+        .filter(|path| !path.starts_with("__MACOSX/"))
+        .filter_map(|path| path.strip_suffix(INDEX))
+        .filter(|folder| folder.is_empty() || folder.ends_with('/'))
+        .collect();
+    match folders[..] {
+        [folder] => Ok(folder.to_owned()),
+        _ if folders.contains(&"") => Ok(String::new()),
+        [] => Err(FORMAT.missing(FilePlace::File, format!("file '{INDEX}'"), "export the file again")),
+        _ => {
+            let found = format!("an archive with {} files named '{INDEX}'", folders.len());
+            Err(FORMAT.unsupported(FilePlace::File, found, "pack each scan into a file of its own"))
+        }
+    }
 }
 
 /// Points with positions of their own, which must lie on an even grid; grid points without any are missing.

@@ -86,6 +86,29 @@ fn channels_are_scaled_by_their_default_slot() {
 }
 
 #[test]
+fn pictures_with_calibrations_are_no_channels() {
+    let picture = |strips| page("Height", "m", "LinearScaling", false, strips);
+    let marked = |tag: Tag| {
+        let build = |strips| {
+            let grid = [Tag::long(0x8046, 3), Tag::long(0x8047, 2)];
+            let first = [first([3e-6, 1e-6]), grid.into()].concat();
+            let height = page("Height", "m", "LinearScaling", true, strips);
+            let mut thumbnail = picture(strips);
+            thumbnail.retain(|other| other.number != tag.number);
+            tiff(&[first, [vec![tag.clone()], thumbnail].concat(), height])
+        };
+        let end = build([(0, 0); 2]).len() as u32;
+        let mut bytes = build([(end + 6, 6), (end, 6)]);
+        bytes.extend([4i16, 5, -6, 1, 2, 3].map(i16::to_le_bytes).concat());
+        heights(&bytes).into_iter().filter_map(|file| file.channel).collect::<Vec<_>>()
+    };
+    for tag in [Tag::long(254, 1), Tag::text(0x8050, "thumbnail"), Tag::long(256, 1), Tag::long(257, 1)] {
+        assert_eq!(marked(tag), ["Height (Retrace)"]);
+    }
+    assert_eq!(marked(Tag::long(254, 0)), ["Height (Trace)", "Height (Retrace)"]);
+}
+
+#[test]
 fn a_unit_is_noted_since_the_file_has_its_own() {
     let read = |fallback_unit| {
         let options = ScanOptions { fallback_unit, ..ScanOptions::default() };

@@ -1,8 +1,9 @@
 //! A writer of TIFF files: pages of tags.
 
 /// A tag with its value.
+#[derive(Clone)]
 pub struct Tag {
-    number: u16,
+    pub number: u16,
     kind: u16,
     count: u32,
     value: Vec<u8>,

@@ -1,0 +1,67 @@
+//! Small files after public bug reports, with what another program reads in them; `tests/files/README.md` says whence
+//! they come.
+
+use scans::{MeasuredScan, ScanFile, ScanOptions, Statistics, read_scans};
+
+/// A file as it was made, with its name for messages.
+macro_rules! file {
+    ($name:literal) => {
+        ($name, include_bytes!(concat!("../files/", $name)).as_slice())
+    };
+}
+
+fn read((name, bytes): (&str, &[u8])) -> ScanFile {
+    read_scans(bytes, name, &ScanOptions::default())
+        .unwrap_or_else(|error| panic!("{name}: {error}"))
+        .remove(0)
+}
+
+/// Points, size in m, rms height and peak to valley in m, missing points.
+type Expected = ([usize; 2], [f64; 2], [f64; 2], usize);
+
+#[track_caller]
+fn assert_reads(scan: &MeasuredScan, (points, size_m, heights_m, gaps): Expected) {
+    let (columns, rows) = scan.points();
+    let (x_m, y_m) = scan.size_m();
+    assert_eq!([columns, rows.unwrap_or(1)], points);
+    assert_eq!(scan.missing_points().count(), gaps);
+    let found = Statistics::from_scan(scan).unwrap();
+    let numbers = [x_m, y_m.unwrap_or_default(), found.rms_height_m, found.peak_to_valley_m];
+    for (found, expected) in numbers.into_iter().zip([size_m, heights_m].concat()) {
+        assert!((found / expected - 1.0).abs() < 1e-5, "{found} is not {expected}");
+    }
+}
+
+#[test]
+fn files_hold_what_other_programs_find() {
+    for (file, expected) in [
+        (file!("nms_real_layout.nms"), ([10, 8], [3.125e-6, 2.5e-6], [8.46861e-7, 3.0e-6], 0)),
+        (file!("jpk_thumbnail_with_slots.jpk"), ([16, 12], [2e-6, 1.5e-6], [1.23941e-8, 3.98038e-8], 0)),
+        (file!("nanoscope_aspect_0.512.spm"), ([20, 14], [3e-7, 2.1e-7], [2.29402e-7, 7.84851e-7], 0)),
+    ] {
+        assert_reads(&read(file).scan, expected);
+    }
+}
+
+#[cfg(feature = "x3p")]
+#[test]
+fn archives_within_a_folder_are_read() {
+    for (file, expected) in [
+        (file!("x3p_in_folder.x3p"), ([9, 6], [2.25e-5, 1.5e-5], [7.95884e-7, 3.34551e-6], 1)),
+        (
+            file!("x3ptools_csafe-logo.x3p"),
+            ([741, 419], [4.77945e-4, 2.70255e-4], [6.57530e-8, 6.19608e-7], 0),
+        ),
+    ] {
+        assert_reads(&read(file).scan, expected);
+    }
+    // Its increment of 1e-6 is not applied, and said so.
+    assert_eq!(read(file!("x3ptools_csafe-logo.x3p")).notes.len(), 1);
+}
+
+#[test]
+fn a_thumbnail_is_no_channel() {
+    let file = read(file!("jpk_thumbnail_with_slots.jpk"));
+    assert_eq!(file.channel.as_deref(), Some("Height (Trace)"));
+    assert_eq!(file.channels, ["Height (Trace)"]);
+}
