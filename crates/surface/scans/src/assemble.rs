@@ -1,6 +1,6 @@
 //! Assembly of a channel to a scan: choice of channel, unit and size.
 
-use crate::channel::{Channel, Lateral, Quantity, UnitsBy};
+use crate::channel::{Channel, Lateral, Quantity, UNNAMED, UnitsBy};
 use crate::choice_of_size;
 use crate::choice_of_size::refuse_size;
 use crate::choice_of_units::{Units, own_scale_note, refuse_unit};
@@ -22,9 +22,6 @@ const SIZE_AGREEMENT: f64 = 1e-4;
 /// Relative difference of the stated size and that of the points above which a note says so.
 const STATED_AGREEMENT: f64 = 0.01;
 
-/// Name of a channel without one, where a channel is asked for.
-pub(crate) const UNNAMED: &str = "unnamed";
-
 /// The channel asked for, else the one that the metadata chose, else the first of heights.
 pub(crate) fn chosen<'b>(
     format: ScanFormat,
@@ -35,10 +32,12 @@ pub(crate) fn chosen<'b>(
     let all: Vec<String> = channels.iter().map(label).collect();
     let (found, wanted) = if let Some(wanted) = &options.channel {
         let exactly = all.iter().position(|name| name == wanted);
-        let found = exactly
-            .or_else(|| all.iter().position(|name| without_bracket(name) == wanted))
-            .or_else(|| all.iter().position(|name| name.strip_prefix("column ") == Some(wanted)));
-        (found, format!("channel '{wanted}'"))
+        let loosely = || {
+            let fits = |&at: &usize| is_short_for(wanted, &all[at]);
+            let is_heights = |&at: &usize| fits(&at) && channels[at].is_heights();
+            (0..all.len()).find(is_heights).or_else(|| (0..all.len()).find(fits))
+        };
+        (exactly.or_else(loosely), format!("channel '{wanted}'"))
     } else if let Some(source) = options.metadata.as_ref().and_then(|metadata| metadata.data_source) {
         let found = (source < all.len()).then_some(source);
         // A file of one channel leaves nothing to choose.
@@ -59,9 +58,15 @@ pub(crate) fn names_of_heights(channels: &[Channel<'_>]) -> Vec<String> {
     heights.filter_map(|channel| channel.name.clone()).collect()
 }
 
-/// A name without the direction of the scan behind it.
-fn without_bracket(name: &str) -> &str {
-    name.strip_suffix(')').and_then(|name| name.rsplit_once(" (")).map_or(name, |(name, _)| name)
+/// Returns true if a name is that of a channel without its number, or without the direction or title in brackets too, or
+/// the number of a column without a name.
+fn is_short_for(short: &str, name: &str) -> bool {
+    let plain = match name.rsplit_once(" #") {
+        Some((plain, number)) if number.parse::<usize>().is_ok() => plain,
+        _ => name,
+    };
+    let bare = plain.strip_suffix(')').and_then(|name| name.split_once(" (")).map_or(plain, |(name, _)| name);
+    short == plain || short == bare || name.strip_prefix("column ") == Some(short)
 }
 
 /// Decodes a channel, completed from options and metadata. `with_heights` lists all channels of heights.

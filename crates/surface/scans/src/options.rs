@@ -14,7 +14,8 @@ pub const IGNORED: &str = "ignoring ";
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ScanOptions {
     /// The channel to read, by one of the names in [`ScanFile::channels`](crate::ScanFile::channels), or such a name
-    /// without the bracket at its end. Without it the first height channel is read.
+    /// without its number or the bracket at its end; of several that fit, the first with heights. Without it the first
+    /// height channel is read.
     pub channel: Option<String>,
     /// The measurement to read from a container, by its name or that of its data file. Without it all are read. Also
     /// the file to read from any other ZIP file, which without it may hold one scan.

@@ -1,6 +1,7 @@
 //! Reading of files: one scan, those of a container, or every channel.
 
 use crate::assemble::{assembled, chosen, names_of_heights};
+use crate::channel::numbered;
 use crate::error::ScanReadError;
 use crate::file::ScanFile;
 use crate::measure::Measure;
@@ -57,7 +58,7 @@ pub fn visit_channels(
         return Ok(());
     }
     let reader = reader_of(bytes).ok_or_else(|| unknown_format(bytes, name))?;
-    let channels = (reader.channels)(bytes, options)?;
+    let channels = numbered((reader.channels)(bytes, options)?);
     let with_heights = names_of_heights(&channels);
     if options.channel.is_some() {
         let channel = chosen(reader.format, channels, options)?;

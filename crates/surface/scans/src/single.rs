@@ -3,8 +3,8 @@
 #[cfg(not(feature = "archives"))]
 use std::borrow::Cow;
 
-use crate::assemble::{UNNAMED, assembled, chosen, names_of_heights};
-use crate::channel::Channel;
+use crate::assemble::{assembled, chosen, names_of_heights};
+use crate::channel::{Channel, UNNAMED, numbered};
 use crate::error::ScanReadError;
 use crate::file::ScanFile;
 use crate::format::ScanFormat;
@@ -33,7 +33,7 @@ pub(crate) fn read_unpacked(
     options: &ScanOptions,
 ) -> Result<ScanFile, ScanReadError> {
     let reader = reader_of(bytes).ok_or_else(|| unknown_format(bytes, name))?;
-    let channels = (reader.channels)(bytes, options)?;
+    let channels = numbered((reader.channels)(bytes, options)?);
     let with_heights = names_of_heights(&channels);
     let channel = chosen(reader.format, channels, options)?;
     refuse_no_length(reader.format, &channel, &with_heights)?;

@@ -3,7 +3,7 @@
 mod names;
 
 pub(crate) use crate::texts::{MOST_TEXT, shortened};
-pub(crate) use names::{is_named_after_height, is_named_after_signal};
+pub(crate) use names::{UNNAMED, is_named_after_height, is_named_after_signal, numbered};
 
 use crate::error::{FilePlace, ScanReadError};
 use crate::format::ScanFormat;

@@ -1,7 +1,12 @@
 //! Quantities by the names of channels.
 
-use super::Quantity;
+use std::collections::HashMap;
+
+use super::{Channel, Quantity};
 use units::LengthUnit;
+
+/// Name of a channel without one, where a channel is asked for.
+pub(crate) const UNNAMED: &str = "unnamed";
 
 impl Quantity {
     /// Classifies numbers by their unit, as the file writes it and as a length where it is one: heights unless their
@@ -30,4 +35,19 @@ pub(crate) fn is_named_after_signal(name: &str) -> bool {
     const WORDS: [&str; 8] =
         ["amplitude", "deflection", "error", "vibration", "xaxis", "xsens", "yaxis", "ysens"];
     !is_height && WORDS.iter().any(|word| name.contains(word))
+}
+
+/// Numbers channels of one name by their place among them, `Height #2`. The first with heights, else the first of all,
+/// keeps the name as it is.
+pub(crate) fn numbered(mut channels: Vec<Channel<'_>>) -> Vec<Channel<'_>> {
+    let mut of_name: HashMap<String, Vec<usize>> = HashMap::new();
+    for (at, channel) in channels.iter().enumerate() {
+        of_name.entry(channel.name.clone().unwrap_or_else(|| UNNAMED.to_owned())).or_default().push(at);
+    }
+    for (name, places) in of_name {
+        let plain = places.iter().find(|&&at| channels[at].is_heights()).unwrap_or(&places[0]);
+        let others = places.iter().enumerate().filter(|(_, at)| *at != plain);
+        others.for_each(|(number, &at)| channels[at].name = Some(format!("{name} #{}", number + 1)));
+    }
+    channels
 }

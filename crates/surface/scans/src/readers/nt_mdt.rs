@@ -23,6 +23,8 @@ const MAGIC: &[u8] = &[0x01, 0xb0, 0x93, 0xff];
 const FIRST_FRAME: usize = 33;
 const FRAME_HEADER_BYTES: usize = 22;
 const SCANNED: u16 = 0;
+/// Most bytes of a title that are shown.
+const MOST_TITLE: usize = 100;
 
 /// The signals by their number.
 const SIGNALS: [&str; 19] = [
@@ -129,14 +131,32 @@ fn scanned<'b>(
         zero: if z.origin.is_finite() { z.origin } else { 0.0 },
         ..Raster::within(NumberType::I16, columns, rows, own, mode.at)
     };
-    let name = SIGNALS.get(signal).map_or_else(|| format!("signal {signal}"), |name| (*name).to_owned());
-    let quantity = Quantity::named(&name, other_unit(z.unit), length_unit(z.unit));
+    let signal = SIGNALS.get(signal).map_or_else(|| format!("signal {signal}"), |name| (*name).to_owned());
+    let quantity = Quantity::named(&signal, other_unit(z.unit), length_unit(z.unit));
+    let name = match title(own, mode.at.saturating_add(columns * rows * 2)) {
+        Some(title) => format!("{signal} ({title})"),
+        None => signal,
+    };
     let lateral = match (x.spacing_m(), y.spacing_m()) {
         (Some(x_m), Some(y_m)) => Lateral::Spacing { x_m, y_m: Some(y_m) },
         _ => Lateral::Unknown,
     };
     let channel = Channel::new(Some(name), quantity, lateral, Samples::Raster(raster));
     Ok(Some(Channel { probe: Some(Probe::Tip), ..channel }))
+}
+
+/// The title behind the numbers of a frame, in the code page of Cyrillic: its length in bytes, then its letters.
+fn title(frame: &[u8], offset: usize) -> Option<String> {
+    let mut cursor = Cursor::new(FORMAT, frame, ByteOrder::Little).at(offset);
+    let length = cursor.u32("the length of the title").ok()? as usize;
+    let letters = cursor.take(length, "the title").ok()?;
+    let letter = |&byte: &u8| match byte {
+        0xc0.. => char::from_u32(0x410 + u32::from(byte - 0xc0)).unwrap_or(char::REPLACEMENT_CHARACTER),
+        0x20..0x7f => char::from(byte),
+        _ => ' ',
+    };
+    let title: String = letters.iter().take(MOST_TITLE).map(letter).collect();
+    Some(title.trim().to_owned()).filter(|title| !title.is_empty())
 }
 
 fn length_unit(code: i16) -> Option<LengthUnit> {
