@@ -24,6 +24,8 @@ pub enum ForeignFile {
     ForceCurve,
     /// A Nanoscope file with its data as text.
     NanoscopeText,
+    /// A file of this instrument or program, in a format that is not read.
+    Instrument(&'static str),
     /// HDF5 or NetCDF-4, which not every build reads.
     Hdf5,
     /// A ZIP file without a known scan.
@@ -31,7 +33,7 @@ pub enum ForeignFile {
 }
 
 /// Beginnings of files; of several that fit, the first counts.
-const BEGINNINGS: [(&[u8], ForeignFile); 13] = [
+const BEGINNINGS: [(&[u8], ForeignFile); 23] = [
     (b"\x89PNG", ForeignFile::Picture("PNG")),
     (b"\xff\xd8\xff", ForeignFile::Picture("JPEG")),
     (b"GIF8", ForeignFile::Picture("GIF")),
@@ -45,6 +47,16 @@ const BEGINNINGS: [(&[u8], ForeignFile); 13] = [
     (b"\x89HDF\r\n\x1a\n", ForeignFile::Hdf5),
     (b"<svg", ForeignFile::Picture("SVG")),
     (b"PK", ForeignFile::Zip),
+    (b"[Paramco32]", ForeignFile::Instrument("Createc image (.dat)")),
+    (b"[Paramet32]", ForeignFile::Instrument("Createc image (.dat)")),
+    (b"[Parameter]", ForeignFile::Instrument("Createc image (.dat)")),
+    (b"[ParVERT", ForeignFile::Instrument("Createc spectrum (.vert)")),
+    (b"ONTMATRX", ForeignFile::Instrument("Omicron Matrix file (.mtrx)")),
+    (b"OLYMPUSRAWFORMAT", ForeignFile::Instrument("Olympus raw image (.oir)")),
+    (b"\0\0\0\0TPPH", ForeignFile::Instrument("high-speed AFM film (.asd)")),
+    (b"MATLAB 7.3 MAT-file", ForeignFile::Instrument("MATLAB file of version 7.3; save it with '-v7'")),
+    (b"Grid dim=", ForeignFile::Instrument("Nanonis grid of spectra (.3ds)")),
+    (b"ZISRAWFILE", ForeignFile::Instrument("Zeiss image (.czi)")),
 ];
 
 /// Bytes at the beginning in which the kind of a text shows.
@@ -63,7 +75,20 @@ impl ForeignFile {
             Some(Self::Zip) if holds("word/document.xml") || holds("ppt/presentation.xml") => {
                 Some(Self::Document)
             }
+            Some(Self::Zip) if holds("shared-data/header.properties") => {
+                Some(Self::Instrument("JPK force curve or map"))
+            }
+            Some(Self::Zip) if holds("index.xml") && holds("recipe.txt") => {
+                Some(Self::Instrument("Sensofar PLUX file without a layer of heights (LAYER_0)"))
+            }
+            Some(Self::Picture(_)) if holds("TiffTagDescData") => {
+                Some(Self::Instrument("Olympus LEXT image (.lext)"))
+            }
             Some(kind) => Some(kind),
+            None if has(0, b"\x01\0\0\0") && has(24, b"TP\0\0PH\0\0") => {
+                Some(Self::Instrument("high-speed AFM film (.asd)"))
+            }
+            None if has(2, b"S\0T\0i\0M\0a\0g\0e\0") => Some(Self::Instrument("RHK image (.sm4)")),
             None if has(0, b"RIFF") && has(8, b"WEBP") => Some(Self::Picture("WebP")),
             None if has(0, b"BM") && has(6, b"\0\0\0\0") => Some(Self::Picture("BMP")),
             None if has(4, b"ftyphei") || has(4, b"ftypavif") => Some(Self::Picture("HEIF")),
@@ -83,6 +108,9 @@ impl ForeignFile {
     pub fn advice(self) -> &'static str {
         match self {
             Self::Picture(_) | Self::Pdf | Self::Document => "export the heights as text, CSV or .xlsx",
+            Self::Instrument(_) => {
+                "export the heights with the maker's program or Gwyddion, as .gsf, .x3p or text"
+            }
             Self::WebPage => "download the file that the page offers",
             Self::OldOffice | Self::OpenDocument => "save it as .xlsx or CSV",
             Self::ForceCurve => "export an image of heights",
@@ -104,6 +132,7 @@ impl fmt::Display for ForeignFile {
             Self::OpenDocument => f.write_str("a LibreOffice file"),
             Self::ForceCurve => f.write_str("a Nanoscope force curve"),
             Self::NanoscopeText => f.write_str("a Nanoscope file with its data as text"),
+            Self::Instrument(file) => write!(f, "a file that is not read: {file}"),
             Self::Hdf5 => f.write_str("HDF5 or NetCDF-4"),
             Self::Zip => f.write_str("a ZIP file without a known scan"),
         }
@@ -126,6 +155,17 @@ mod tests {
             (b"\n<!DOCTYPE html>", Some(ForeignFile::WebPage)),
             (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1\0", Some(ForeignFile::OldOffice)),
             (b"PK\x03\x04\0\0word/document.xml", Some(ForeignFile::Document)),
+            (b"[Paramco32]\r\nNum.X", Some(ForeignFile::Instrument("Createc image (.dat)"))),
+            (b"\0\0\0\0TPPH\x83\0", Some(ForeignFile::Instrument("high-speed AFM film (.asd)"))),
+            (
+                b"\x01\0\0\0\xd3\0\0\0 \0\0\0\xa4\x03\0\0\t\0\0\0%\0\0\0TP\0\0PH\0\0",
+                Some(ForeignFile::Instrument("high-speed AFM film (.asd)")),
+            ),
+            (b"\xaa\0S\0T\0i\0M\0a\0g\0e\0 \0", Some(ForeignFile::Instrument("RHK image (.sm4)"))),
+            (
+                b"PK\x03\x04 index.xml recipe.txt",
+                Some(ForeignFile::Instrument("Sensofar PLUX file without a layer of heights (LAYER_0)")),
+            ),
             (b"BM 1 2\n", None),
             (b"% position height\n0 1\n", None),
             (b"", None),
