@@ -1,7 +1,7 @@
 //! Reading of files: one scan, those of a container, or every channel.
 
 use crate::assemble::{assembled, chosen, names_of_heights};
-use crate::channel::numbered;
+use crate::channel::{Channel, numbered};
 use crate::error::ScanReadError;
 use crate::file::ScanFile;
 use crate::measure::Measure;
@@ -43,7 +43,7 @@ pub fn read_scans(bytes: &[u8], name: &str, options: &ScanOptions) -> Result<Vec
 /// scans are visited.
 ///
 /// # Errors
-/// [`ScanReadError`] for a file that no reader knows; the visitor gets the error of a single channel.
+/// [`ScanReadError`] for a file that no reader knows, or without the channels that are visited; the visitor gets the error of a single channel.
 pub fn visit_channels(
     bytes: &[u8],
     name: &str,
@@ -64,6 +64,10 @@ pub fn visit_channels(
         let channel = chosen(reader.format, channels, options)?;
         visit(assembled(reader.format, channel, &with_heights, name, options));
         return Ok(());
+    }
+    if !all_channels && !channels.iter().any(Channel::is_heights) {
+        // Its error names the channels that there are.
+        return chosen(reader.format, channels, options).map(|_| ());
     }
     let is_wanted = |measure: &Measure| all_channels || *measure == Measure::Height;
     for channel in channels.into_iter().filter(|channel| is_wanted(&channel.measure())) {

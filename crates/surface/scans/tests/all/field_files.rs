@@ -1,7 +1,7 @@
 //! Small files after public bug reports, with what another program reads in them; `tests/files/README.md` says whence
 //! they come.
 
-use scans::{MeasuredScan, ScanFile, ScanOptions, Statistics, read_scans};
+use scans::{MeasuredScan, ScanFile, ScanOptions, Statistics, read_scans, visit_channels};
 
 /// A file as it was made, with its name for messages.
 macro_rules! file {
@@ -37,6 +37,7 @@ fn files_hold_what_other_programs_find() {
     for (file, expected) in [
         (file!("nms_real_layout.nms"), ([10, 8], [3.125e-6, 2.5e-6], [8.46861e-7, 3.0e-6], 0)),
         (file!("jpk_thumbnail_with_slots.jpk"), ([16, 12], [2e-6, 1.5e-6], [1.23941e-8, 3.98038e-8], 0)),
+        (file!("small.gsf"), ([20, 12], [2e-6, 1.2e-6], [1.79543e-9, 9.52303e-9], 0)),
         (file!("nanoscope_aspect_0.512.spm"), ([20, 14], [3e-7, 2.1e-7], [2.29402e-7, 7.84851e-7], 0)),
     ] {
         assert_reads(&read(file).scan, expected);
@@ -64,4 +65,19 @@ fn a_thumbnail_is_no_channel() {
     let file = read(file!("jpk_thumbnail_with_slots.jpk"));
     assert_eq!(file.channel.as_deref(), Some("Height (Trace)"));
     assert_eq!(file.channels, ["Height (Trace)"]);
+}
+
+#[test]
+fn a_file_without_heights_names_its_channels() {
+    let (name, bytes) = file!("no_heights.gwy");
+    let visit = |all: bool| {
+        let mut found = Vec::new();
+        visit_channels(bytes, name, &ScanOptions::default(), all, |file| found.push(file.unwrap()))
+            .map(|()| found.len())
+    };
+    refused!(
+        visit(false).unwrap_err(),
+        NoChannel { wanted: "channel of heights", channels: vec!["Amplitude".to_owned()] }
+    );
+    assert_eq!(visit(true).unwrap(), 1);
 }
