@@ -98,4 +98,10 @@ formats! {
     MarWin = "MarWin",
     /// NT-MDT: `.mdt`.
     NtMdt = "NT-MDT",
+    /// Gwyddion Simple Field: `.gsf`.
+    Gsf = "GSF",
+    /// Nanonis scanning probe microscopes: `.sxm`.
+    Nanonis = "Nanonis",
+    /// MATLAB, version 5: `.mat`.
+    Matlab = "MATLAB",
 }

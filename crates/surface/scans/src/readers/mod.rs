@@ -11,6 +11,7 @@ pub(crate) mod container;
 mod digital_surf;
 mod even_axis;
 mod frt;
+mod gsf;
 mod gwyddion;
 #[cfg(feature = "hdf5")]
 mod hdf5;
@@ -19,12 +20,14 @@ mod jpk;
 mod keyence;
 #[cfg(feature = "archives")]
 mod marwin;
+mod matlab;
 mod measured_line;
 mod metropro;
 mod molecular_imaging;
 #[cfg(feature = "mountains")]
 mod mountains_map;
 mod nanofocus;
+mod nanonis;
 mod nanoscope;
 mod nanosurf;
 mod netcdf;
@@ -74,6 +77,7 @@ pub(crate) const READERS: &[Reader] = &[
     bcr::READER,
     digital_surf::READER,
     frt::READER,
+    gsf::READER,
     gwyddion::READER,
     #[cfg(feature = "hdf5")]
     hdf5::READER,
@@ -82,11 +86,13 @@ pub(crate) const READERS: &[Reader] = &[
     keyence::READER,
     #[cfg(feature = "archives")]
     marwin::READER,
+    matlab::READER,
     metropro::READER,
     molecular_imaging::READER,
     #[cfg(feature = "mountains")]
     mountains_map::READER,
     nanofocus::READER,
+    nanonis::READER,
     nanoscope::READER,
     nanosurf::READER,
     netcdf::READER,

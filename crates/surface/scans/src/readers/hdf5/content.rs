@@ -20,6 +20,8 @@ const SMALL: u64 = 1 << 20;
 
 pub(super) struct Content {
     pub(super) entries: Vec<Entry>,
+    /// The groups below the root, each with its path.
+    pub(super) groups: Vec<(String, Group)>,
     room: Room,
 }
 
@@ -37,9 +39,34 @@ impl Content {
         let most = usize::try_from(bound).unwrap_or(usize::MAX);
         let limits = OpenOptions::default().with_max_read_bytes(most).with_max_chunk_bytes(most);
         let file = Hdf5File::from_bytes_with_options(bytes, limits).map_err(failure)?;
-        let mut entries = Vec::new();
-        collect(&file.root_group().map_err(failure)?, "", 0, &mut entries)?;
-        Ok(Self { entries, room: Room::new(bound) })
+        let mut content = Self { entries: Vec::new(), groups: Vec::new(), room: Room::new(bound) };
+        content.collect(&file.root_group().map_err(failure)?, "", 0)?;
+        Ok(content)
+    }
+
+    /// Adds the datasets of a group and of those in it.
+    fn collect(&mut self, group: &Group, path: &str, depth: usize) -> Result<(), ScanReadError> {
+        let (groups, datasets) = group.members().map_err(failure)?;
+        for dataset in datasets {
+            self.entries.push(Entry { path: format!("{path}{}", dataset.name()), dataset });
+        }
+        if self.entries.len() + self.groups.len() + groups.len() > MOST_DATASETS {
+            let what = "the HDF5 file".to_owned();
+            return Err(ScanReadError::ArchiveTooLarge {
+                what,
+                bound: MOST_DATASETS as u64,
+                unit: "datasets and groups",
+            });
+        }
+        if depth == DEEPEST {
+            return Ok(());
+        }
+        for group in groups {
+            let path = format!("{path}{}", group.name());
+            self.collect(&group, &format!("{path}/"), depth + 1)?;
+            self.groups.push((path, group));
+        }
+        Ok(())
     }
 
     /// A dataset by its path.
@@ -69,24 +96,6 @@ impl Content {
     pub(super) fn values(&mut self, at: usize) -> Result<Vec<f64>, ScanReadError> {
         Ok(self.raster(at)?.decode(FORMAT)?.values)
     }
-}
-
-/// Adds the datasets of a group and of those in it.
-fn collect(group: &Group, path: &str, depth: usize, entries: &mut Vec<Entry>) -> Result<(), ScanReadError> {
-    let (groups, datasets) = group.members().map_err(failure)?;
-    for dataset in datasets {
-        entries.push(Entry { path: format!("{path}{}", dataset.name()), dataset });
-    }
-    if entries.len() > MOST_DATASETS {
-        let what = "the HDF5 file".to_owned();
-        return Err(ScanReadError::ArchiveTooLarge { what, bound: MOST_DATASETS as u64, unit: "datasets" });
-    }
-    if depth == DEEPEST {
-        return Ok(());
-    }
-    groups
-        .iter()
-        .try_for_each(|group| collect(group, &format!("{path}{}/", group.name()), depth + 1, entries))
 }
 
 impl Entry {

@@ -1,10 +1,11 @@
-//! HDF5: NetCDF-4 files in the layout of contact.engineering, `.datx` of Zygo, and any other file whose datasets of
+//! HDF5: NetCDF-4 files in the layout of contact.engineering, `.datx` of Zygo, fast scans of JPK, and any other file whose datasets of
 //! real numbers are taken for maps and lines without unit and size.
 //!
 //! The first index of such a map counts its rows, as in images.
 
 mod content;
 mod datx;
+mod jpk;
 mod netcdf4;
 
 use crate::channel::{Channel, Lateral, Quantity};
@@ -27,6 +28,9 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
     let mut content = Content::read(bytes, options)?;
     if content.entries.iter().any(datx::is_surface) {
         return datx::channels(&mut content);
+    }
+    if content.groups.iter().any(|(_, group)| jpk::is_measurement(group)) {
+        return jpk::channels(&mut content);
     }
     if let Some(heights) = content.find("heights") {
         return netcdf4::channels(&mut content, heights, options);

@@ -95,6 +95,11 @@ struct Part {
 
 /// A file; parts that share a group follow each other.
 fn file(parts: &[Part]) -> Vec<u8> {
+    file_with(parts, &[])
+}
+
+/// A file with attributes of groups.
+fn file_with(parts: &[Part], groups: &[(&[&str], Vec<Vec<u8>>)]) -> Vec<u8> {
     let mut file = Bytes::default();
     file.put(b"\x89HDF\r\n\x1a\n")
         .put([0, 0, 0, 0, 0, 8, 8, 0])
@@ -134,7 +139,8 @@ fn file(parts: &[Part]) -> Vec<u8> {
         });
         children = others;
         children.push((parent, file.0.len() as u64));
-        file.put(header(&links.collect::<Vec<_>>()));
+        let own = groups.iter().filter(|(path, _)| *path == parent).flat_map(|(_, own)| own.clone());
+        file.put(header(&links.chain(own).collect::<Vec<_>>()));
     }
     let (end, root) = (file.0.len() as u64, children[0].1);
     file.0[40..48].copy_from_slice(&end.to_le_bytes());
@@ -198,9 +204,45 @@ fn netcdf4(is_uneven: bool) -> Vec<u8> {
     file(&[heights(&[2, 3], &MAP), mask, x, axis(&["y"], &[3], &[0.0, 2.0, 4.0], 6.0)])
 }
 
+/// Two frames of 3 x 2 counts as columns, with a thumbnail beside them.
+fn jpk(is_reflected: bool) -> Vec<u8> {
+    let scan = [
+        number("position-pattern.grid.ilength", 3.0),
+        number("position-pattern.grid.jlength", 2.0),
+        number("position-pattern.grid.ulength", 6e-8),
+        number("position-pattern.grid.vlength", 4e-8),
+        text("position-pattern.grid.reflect", if is_reflected { "true" } else { "false" }),
+    ];
+    let channel = [
+        text("channel.name", "height"),
+        text("channel.fancy-name", "Height"),
+        text("retrace", "true"),
+        text("net-encoder.scaling.type", "linear"),
+        text("net-encoder.scaling.unit.unit", "m"),
+        number("net-encoder.scaling.multiplier", -1e-9),
+        number("net-encoder.scaling.offset", 5e-9),
+    ];
+    let part =
+        |path, lengths, values: &[f64]| Part { path, lengths, values: values.to_vec(), attributes: vec![] };
+    let counts = [1.0, 10.0, 2.0, 20.0, 3.0, 30.0, 4.0, 40.0, 5.0, 50.0, 6.0, 60.0];
+    let parts = [
+        part(&["Measurement_000", "Channel_001", "Height"], &[6, 2], &counts),
+        part(&["Measurement_000", "Channel_001", "thumbnail"], &[4, 1], &[0.0; 4]),
+        part(&["Measurement_000", "Position_Values"], &[6, 2], &counts),
+    ];
+    let groups: [(&[&str], _); 2] =
+        [(&["Measurement_000"], scan.to_vec()), (&["Measurement_000", "Channel_001"], channel.to_vec())];
+    file_with(&parts, &groups)
+}
+
 pub fn samples() -> Vec<Sample> {
     let sample = |name, bytes| Sample { name, bytes };
-    vec![sample("plain", plain()), sample("zygo", datx("Pixels")), sample("netcdf4", netcdf4(false))]
+    vec![
+        sample("plain", plain()),
+        sample("zygo", datx("Pixels")),
+        sample("netcdf4", netcdf4(false)),
+        sample("jpk", jpk(false)),
+    ]
 }
 
 fn read(bytes: &[u8]) -> ScanFile {
@@ -233,6 +275,18 @@ fn files_of_zygo_tell_unit_size_and_missing_points() {
     assert_holds(&found[0].scan, (3e-6, Some(4e-6)), &expected, 1e-22);
     let refused = read_scans(&datx("Volts"), "scan", &ScanOptions::default()).unwrap_err();
     refused!(refused, BadField { field: "'X Converter'", value: "in 'Volts'" });
+}
+
+#[test]
+fn fast_scans_of_jpk_have_a_channel_a_frame() {
+    let all: Vec<_> = channels(&jpk(false), true).into_iter().map(Result::unwrap).collect();
+    let names: Vec<_> = all.iter().map(|file| file.channel.as_deref().unwrap()).collect();
+    assert_eq!(names, ["Height (Retrace, frame 1)", "Height (Retrace, frame 2)"]);
+    let size = (6e-8, Some(4e-8));
+    assert_holds(&all[0].scan, size, &[1e-9, 0.0, -1e-9, 4e-9, 3e-9, 2e-9].map(Some), 1e-22);
+    assert_holds(&all[1].scan, size, &[-35e-9, -45e-9, -55e-9, -5e-9, -15e-9, -25e-9].map(Some), 1e-22);
+    assert_eq!(all[0].probe, Some(Probe::Tip));
+    assert_holds(&read(&jpk(true)).scan, size, &[4e-9, 3e-9, 2e-9, 1e-9, 0.0, -1e-9].map(Some), 1e-22);
 }
 
 #[test]

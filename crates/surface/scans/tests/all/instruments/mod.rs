@@ -9,16 +9,19 @@ mod bounds;
 mod bytes;
 mod digital_surf;
 mod frt;
+mod gsf;
 mod gwyddion;
 mod hdf5;
 mod igor;
 mod jpk;
 mod keyence;
 mod marwin;
+mod matlab;
 mod metropro;
 mod molecular_imaging;
 mod mountains_map;
 mod nanofocus;
+mod nanonis;
 mod nanosurf;
 mod nt_mdt;
 mod numpy;
@@ -60,16 +63,19 @@ fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
         (ScanFormat::Bcr, bcr::samples()),
         (ScanFormat::DigitalSurf, digital_surf::samples()),
         (ScanFormat::Frt, frt::samples()),
+        (ScanFormat::Gsf, gsf::samples()),
         (ScanFormat::Gwyddion, gwyddion::samples()),
         (ScanFormat::Hdf5, hdf5::samples()),
         (ScanFormat::Igor, igor::samples()),
         (ScanFormat::Jpk, jpk::samples()),
         (ScanFormat::Keyence, keyence::samples()),
         (ScanFormat::MarWin, marwin::samples()),
+        (ScanFormat::Matlab, matlab::samples()),
         (ScanFormat::MetroPro, metropro::samples()),
         (ScanFormat::MolecularImaging, molecular_imaging::samples()),
         (ScanFormat::MountainsMap, mountains_map::samples()),
         (ScanFormat::NanoFocus, nanofocus::samples()),
+        (ScanFormat::Nanonis, nanonis::samples()),
         (ScanFormat::Nanosurf, nanosurf::samples()),
         (ScanFormat::NtMdt, nt_mdt::samples()),
         (ScanFormat::Numpy, numpy::samples()),
@@ -99,11 +105,16 @@ pub fn refusal(bytes: &[u8]) -> ScanReadError {
     read_scans(bytes, "scan", &ScanOptions::default()).unwrap_err()
 }
 
-/// Every channel of a file.
+/// The channels of a file: all, or those of heights, of which there may be none.
 pub fn channels(bytes: &[u8], all: bool) -> Vec<Result<ScanFile, ScanReadError>> {
     let mut found = Vec::new();
-    visit_channels(bytes, "scan", &ScanOptions::default(), all, |channel| found.push(channel)).unwrap();
-    found
+    match visit_channels(bytes, "scan", &ScanOptions::default(), all, |channel| found.push(channel)) {
+        Err(ScanReadError::NoChannel { .. }) if !all => Vec::new(),
+        visited => {
+            visited.unwrap();
+            found
+        }
+    }
 }
 
 /// Asserts points, size in m to 1e-12, heights in m (nothing at missing points) within a resolution.
