@@ -22,7 +22,8 @@ pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels 
 
 /// Its texts are read as any text is.
 fn recognises(bytes: &[u8]) -> bool {
-    let is_text = || bytes.split(|&byte| byte == b'\n').nth(1).is_some_and(|line| line.starts_with(b"WSxM ASCII"));
+    let is_text =
+        || bytes.split(|&byte| byte == b'\n').nth(1).is_some_and(|line| line.starts_with(b"WSxM ASCII"));
     bytes.starts_with(b"WSxM file copyright") && !is_text()
 }
 

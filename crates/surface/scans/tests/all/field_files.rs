@@ -1,7 +1,10 @@
 //! Small files after public bug reports, with what another program reads in them; `tests/files/README.md` says whence
 //! they come.
 
-use scans::{MeasuredScan, ScanFile, ScanOptions, Statistics, read_scans, visit_channels};
+use scans::{
+    MeasuredScan, Mend, ScanFile, ScanOption, ScanOptions, ScanReadError, Statistics, read_scans,
+    visit_channels,
+};
 
 /// A file as it was made, with its name for messages.
 macro_rules! file {
@@ -10,10 +13,12 @@ macro_rules! file {
     };
 }
 
-fn read((name, bytes): (&str, &[u8])) -> ScanFile {
-    read_scans(bytes, name, &ScanOptions::default())
-        .unwrap_or_else(|error| panic!("{name}: {error}"))
-        .remove(0)
+fn read(file: (&str, &[u8])) -> ScanFile {
+    read_with(file, &ScanOptions::default())
+}
+
+fn read_with((name, bytes): (&str, &[u8]), options: &ScanOptions) -> ScanFile {
+    read_scans(bytes, name, options).unwrap_or_else(|error| panic!("{name}: {error}")).remove(0)
 }
 
 /// Points, size in m, rms height and peak to valley in m, missing points.
@@ -28,7 +33,7 @@ fn assert_reads(scan: &MeasuredScan, (points, size_m, heights_m, gaps): Expected
     let found = Statistics::from_scan(scan).unwrap();
     let numbers = [x_m, y_m.unwrap_or_default(), found.rms_height_m, found.peak_to_valley_m];
     for (found, expected) in numbers.into_iter().zip([size_m, heights_m].concat()) {
-        assert!((found / expected - 1.0).abs() < 1e-5, "{found} is not {expected}");
+        assert!((found - expected).abs() <= 1e-5 * expected, "{found} is not {expected}");
     }
 }
 
@@ -80,4 +85,54 @@ fn a_file_without_heights_names_its_channels() {
         NoChannel { wanted: "channel of heights", channels: vec!["Amplitude".to_owned()] }
     );
     assert_eq!(visit(true).unwrap(), 1);
+}
+
+#[test]
+fn texts_hold_what_their_headers_and_columns_say() {
+    for (file, expected) in [
+        (file!("columns_z_then_x.csv"), ([4, 1], [4e-6, 0.0], [4.43706e-7, 1.1e-6], 0)),
+        (file!("quoted_profile.csv"), ([4, 1], [2e-6, 0.0], [3.391165e-10, 9e-10], 0)),
+        (file!("dabam-010.dat"), ([435, 1], [0.4437, 0.0], [8.77485e-9, 3.395e-8], 0)),
+        (file!("wsxm_xyz.txt"), ([4, 3], [8e-9, 9e-9], [8.57159e-10, 2.3e-9], 0)),
+        (file!("wyko_nm.asc"), ([5, 6], [8e-6, 1.2e-5], [4.20745e-8, 2.0026e-7], 1)),
+        (file!("wyko_two_blocks.asc"), ([5, 6], [8e-6, 1.2e-5], [4.20745e-8, 2.0026e-7], 1)),
+        (file!("zygo_format1.xyz"), ([4, 3], [2e-5, 1.5e-5], [8.90816e-7, 2.3e-6], 1)),
+    ] {
+        assert_reads(&read(file).scan, expected);
+    }
+    let residual = ScanOptions { channel: Some("Residual Heigth".to_owned()), ..ScanOptions::default() };
+    let found = read_with(file!("dabam-010.dat"), &residual);
+    let rms_m = Statistics::from_scan(&found.scan).unwrap().rms_height_m;
+    assert!((rms_m / 3.04479e-9 - 1.0).abs() < 1e-5, "{rms_m}");
+    assert_eq!(found.channels, ["Measured heigth", "Residual Heigth"]);
+}
+
+#[test]
+fn texts_of_testers_need_a_unit() {
+    let expected = ([400, 1], [4e-3, 0.0], [5.53000e-7, 1.7576e-6], 0);
+    let um = ScanOptions { fallback_unit: "um".parse().ok(), ..ScanOptions::default() };
+    let tester = read_with(file!("tx1_length_count_heights.tx1"), &um);
+    assert_reads(&tester.scan, expected);
+    assert_eq!(tester.notes.len(), 1, "{:?}", tester.notes);
+    let (name, bytes) = file!("stylus_mm_um_no_header.txt");
+    let error = read_scans(bytes, name, &ScanOptions::default()).unwrap_err();
+    assert_eq!(error.mend(), Some(Mend::Give(ScanOption::Units)));
+    let options =
+        ScanOptions { fallback_unit: "mm".parse().ok(), fallback_height_unit: "um".parse().ok(), ..um };
+    let stylus = read_with((name, bytes), &options);
+    assert_reads(&stylus.scan, ([400, 1], [4e-4, 0.0], [5.53002e-7, 1.75769e-6], 0));
+    let slope = Statistics::from_scan(&stylus.scan).unwrap().rms_slope_x.unwrap();
+    assert!((slope / 0.0748644 - 1.0).abs() < 1e-5, "{slope}");
+}
+
+#[test]
+fn slopes_are_no_heights() {
+    let (name, bytes) = file!("dabam-001.dat");
+    for unit in [None, "um".parse().ok()] {
+        let options = ScanOptions { fallback_unit: unit, ..ScanOptions::default() };
+        let error = read_scans(bytes, name, &options).unwrap_err();
+        let is_told =
+            matches!(&error, ScanReadError::NoLength { line: 4, column: 2, unit } if unit == "urad");
+        assert!(is_told, "{error}");
+    }
 }

@@ -12,4 +12,5 @@ mod scan_corpus;
 mod scan_corruption;
 mod scan_round_trip;
 mod scan_samples;
+mod scan_tables;
 mod scan_text;

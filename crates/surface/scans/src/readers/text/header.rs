@@ -300,16 +300,18 @@ impl Header {
             let of_spacing = |length: Length| Length { value: length.value * points as f64, ..length };
             self.sizes[axis].or(self.spacings[axis].map(of_spacing))
         };
-        // A bare number may be in pixels unless the header gives the lateral unit.
-        let is_sure = |length: &Length| length.unit.is_some() || self.lateral_unit.is_some();
+        // A bare size may count pixels unless the header gives the lateral unit; a spacing does not.
+        let is_sure = |axis: usize, length: &Length| {
+            length.unit.is_some() || self.lateral_unit.is_some() || self.sizes[axis].is_none()
+        };
         let to_m = |length: Length| -> Result<f64, ScanReadError> {
             match length.unit {
                 Some(unit) => Ok(unit.to_m(length.value)),
                 None => Ok(units.length_to_m(FORMAT)?(length.value)),
             }
         };
-        let Some(x) = axis(0, columns).filter(is_sure) else { return Ok(None) };
-        let y = if rows == 0 { None } else { axis(1, rows).filter(is_sure) };
+        let Some(x) = axis(0, columns).filter(|length| is_sure(0, length)) else { return Ok(None) };
+        let y = if rows == 0 { None } else { axis(1, rows).filter(|length| is_sure(1, length)) };
         Ok(Some(ScanSize { x_m: to_m(x)?, y_m: y.map(to_m).transpose()? }))
     }
 }

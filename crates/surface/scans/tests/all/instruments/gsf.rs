@@ -36,7 +36,7 @@ fn fields_have_their_units_and_begin_at_the_top() {
 #[test]
 fn what_a_field_lacks_is_asked_for() {
     let bare = gsf("XRes = 3\nYRes = 2\n");
-    refused!(refusal(&bare), NoUnit { what: "heights" });
+    refused!(refusal(&bare), NoUnit { what: scans::Unitless::Heights });
     let options = |size| ScanOptions { unit: "nm".parse().ok(), size, ..ScanOptions::default() };
     refused!(read_scans(&bare, "scan", &options(None)).unwrap_err(), NoSize { what: "how large the map is" });
     let size = Some(ScanSize { x_m: 3e-6, y_m: Some(2e-6) });

@@ -103,7 +103,7 @@ fn rows_of_a_matrix_are_those_of_the_map() {
         &[1e-6, 3e-6, 2e-6, 4e-6].map(Some),
         1e-19,
     );
-    refused!(refusal(&samples[0].bytes), NoUnit { what: "heights" });
+    refused!(refusal(&samples[0].bytes), NoUnit { what: scans::Unitless::Heights });
 }
 
 #[test]

@@ -39,8 +39,10 @@ mod vision64;
 mod workbook;
 mod wsxm;
 mod wyko;
+mod wyko_ascii;
 mod x3p;
 mod zeta;
+mod zygo_xyz;
 
 use std::io::{Cursor, Read};
 
@@ -89,9 +91,10 @@ fn samples() -> Vec<(ScanFormat, Vec<Sample>)> {
         (ScanFormat::Vision64, vision64::samples()),
         (ScanFormat::Workbook, workbook::samples()),
         (ScanFormat::Wsxm, wsxm::samples()),
-        (ScanFormat::Wyko, wyko::samples()),
+        (ScanFormat::Wyko, wyko::samples().into_iter().chain(wyko_ascii::samples()).collect()),
         (ScanFormat::X3p, x3p::samples()),
         (ScanFormat::Zeta, zeta::samples()),
+        (ScanFormat::ZygoXyz, zygo_xyz::samples()),
     ]
 }
 
