@@ -53,7 +53,7 @@ macro_rules! remark_codes {
             /// Returns true if a remark names an option, a key or a column without effect.
             #[must_use]
             pub fn is_on_idle_input(self) -> bool {
-                let first = ["scene-note", "unused-column", "surface.scans.idle-option", "surface.scans.same-data", "surface.scans.scan.spike"];
+                let first = ["scene-note", "unused-column", "surface.scans.idle-option", "surface.scans.same-data", "surface.scans.scan.spike", "surface.scans.scan.steep", "surface.scans.scan.long"];
                 first.contains(&self.name())
             }
 
@@ -111,9 +111,15 @@ remark_codes! {
     CurvaturesCompared "surface.scans.scan.curvatures" Caution
         "{files}: rms curvature {real} 1/m from neighbouring points, {spectral} 1/m from the spectrum ({difference})";
     Spike "surface.scans.scan.spike" Caution
-        "{files}: a height of {height_m}[ in row {row}][ at point {point}] lies {times} times as far off as others do: if it is an error, write \
+        "[{files}: ]a height of {height_m}[ in row {row}][ at point {point}] lies {times} times as far off as others do: if it is an error, write \
          nan in its place"
         short "{files}: one point lies {times} times as far off as others do";
+    ScanSteep "surface.scans.scan.steep" Caution
+        "[{files}: ]rms slope {slope}, which no surface has that an instrument follows: check the units of lengths and of heights, and the size"
+        short "{files}: rms slope {slope}: are the units right?";
+    ScanLong "surface.scans.scan.long" Caution
+        "[{files}: ]{length_m} long, which few scans are: check the unit of lengths, and the size"
+        short "{files}: {length_m} long: is the unit right?";
     SlopesAlike "surface.scans.scan.lines" Passed "{files}: rms slope {along} along the lines, {across} across them";
     SlopesDiffer "surface.scans.scan.lines" Caution
         "{files}: rms slope {along} along the lines, {across} across them; they differ by {bound}x or more: lines are offset against each \

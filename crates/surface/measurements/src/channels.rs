@@ -3,6 +3,7 @@
 use roughness::{HeightParameters, Parameter};
 use scans::{Measure, Probe, ScanAxis, ScanFile, Statistics, visit_channels};
 use tables::Table;
+use units::SceneKeys;
 use units::display::{counted, length};
 use units::printable::printable_line;
 
@@ -226,6 +227,9 @@ fn note(file: &ScanFile, found: Option<Statistics>) -> String {
         (Some(Probe::Microscope), None) => parts.push("no tip".to_owned()),
         _ => {}
     }
+    let doubt = found.as_ref().filter(|_| file.measure == Measure::Height);
+    let doubt = doubt.and_then(|found| topography::doubt_of_scan(&file.scan, found));
+    parts.extend(doubt.map(|doubt| doubt.words(&SceneKeys)));
     parts.extend(file.notes.iter().cloned());
     parts.join("; ")
 }

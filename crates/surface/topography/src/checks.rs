@@ -6,6 +6,7 @@ use scans::Scan;
 use units::{Remark, RemarkCode};
 
 use crate::piecewise::nonuniform_line_spectrum_to;
+use crate::plausibility::implausible;
 use crate::remark::{FundamentalMode, SLOPES_DIFFER};
 use crate::rows::{Lines, Rows};
 use crate::skewness::clear_skewness;
@@ -52,6 +53,8 @@ pub struct Checks {
     pub spectral_curvature_per_m: Option<f64>,
     /// Skewness Rsk of a trace, where it is clearly not that of Gaussian heights, see [`clear_skewness`].
     pub skewness: Option<f64>,
+    /// Length along the scan lines \[m\].
+    pub length_m: f64,
     /// A point far off all others, as errors of an instrument leave.
     pub spike: Option<Spike>,
     /// State of the mode whose wavelength is the length of the scan.
@@ -80,6 +83,7 @@ impl Checks {
             real_curvature_per_m: real.curvature_per_m,
             spectral_curvature_per_m: spectral.and_then(|spectral| spectral.curvature_per_m),
             skewness: clear_skewness(scan, preparation.detrend),
+            length_m: length_m(scan),
             spike: Spike::find(scan),
             fundamental: match fundamental_kept(scan, preparation.detrend) {
                 _ if !spectrum.holds_fundamental() => FundamentalMode::Absent,
@@ -107,6 +111,7 @@ impl Checks {
             curvatures.map(|found| self.compared(RemarkCode::CurvaturesCompared, found)),
             self.slope_across.map(|across| slopes_of_map(self.real_slope, across)),
             self.skewness.map(|skewness| Remark::new(RemarkCode::TraceSkewed).with("skewness", skewness)),
+            implausible(self.real_slope.max(self.slope_across.unwrap_or(0.0)), self.length_m),
             self.spike.map(Spike::remark),
             Some(self.fundamental.remark()),
         ]
@@ -151,6 +156,15 @@ fn slopes_of_map(along: f64, across: f64) -> Remark {
     let is_alike = along == across || (along / across).ln().abs() < SLOPES_DIFFER.ln();
     let code = if is_alike { RemarkCode::SlopesAlike } else { RemarkCode::SlopesDiffer };
     Remark::new(code).with("along", along).with("across", across).with("bound", SLOPES_DIFFER)
+}
+
+fn length_m(scan: &Scan) -> f64 {
+    match scan {
+        Scan::UniformLine(line) => line.length_m(),
+        Scan::NonuniformLine(line) => line.length_m(),
+        Scan::Map(map) => map.spacing_x_m() * map.columns() as f64,
+        Scan::Lines(lines) => lines.length_m(),
+    }
 }
 
 fn largest_gap(scan: &Scan) -> f64 {
@@ -216,6 +230,7 @@ mod tests {
             real_curvature_per_m: None,
             spectral_curvature_per_m: None,
             skewness: None,
+            length_m: 1e-6,
             spike: None,
             fundamental: FundamentalMode::Kept { share: 0.85, used: false },
         };

@@ -1,12 +1,14 @@
 //! Points far off all others of a scan.
 
-use scans::Scan;
+use scans::{MeasuredScan, Scan};
 use units::{Remark, RemarkCode};
 
 /// Least distance of a spike from the median height, over the median distance.
 const FAR: f64 = 1e3;
 /// Largest share of points that are spikes, not steps.
 const FEW: f64 = 1e-3;
+/// Largest share of points of one height that are marks of missing points.
+const MARKS: f64 = 0.5;
 /// Number of points that tell the median.
 const SAMPLED: usize = 1 << 16;
 
@@ -25,7 +27,8 @@ pub struct Spike {
 }
 
 impl Spike {
-    /// Finds the point farthest off the median, if it is far and as good as alone there.
+    /// Finds the point farthest off the median, if it is far and as good as alone there, or all that are far have one
+    /// height, as numbers in the place of missing points have.
     pub(crate) fn find(scan: &Scan) -> Option<Self> {
         let (heights_m, columns) = match scan {
             Scan::UniformLine(line) => (line.heights_m(), None),
@@ -33,23 +36,48 @@ impl Spike {
             Scan::Map(map) => (map.heights_m(), Some(map.columns())),
             Scan::Lines(lines) => (lines.heights_m(), None),
         };
+        let is_whole = !matches!(scan, Scan::Lines(_));
+        Self::among(heights_m, |at| {
+            (
+                columns.map(|columns| at / columns + 1),
+                is_whole.then_some(columns.map_or(at, |columns| at % columns) + 1),
+            )
+        })
+    }
+
+    /// Finds such a point among those that have a height.
+    #[must_use]
+    pub fn in_measured(scan: &MeasuredScan) -> Option<Self> {
+        let (columns, rows) = scan.points();
+        let known = scan.heights_m().enumerate().filter_map(|(at, height_m)| Some((at, height_m?)));
+        let (places, heights_m): (Vec<usize>, Vec<f64>) = known.unzip();
+        Self::among(&heights_m, |at| match rows {
+            Some(_) => (Some(places[at] / columns + 1), Some(places[at] % columns + 1)),
+            None => (None, Some(places[at] + 1)),
+        })
+    }
+
+    /// Finds such a point; `place_of` gives its row and its place there.
+    fn among(heights_m: &[f64], place_of: impl Fn(usize) -> (Option<usize>, Option<usize>)) -> Option<Self> {
+        if heights_m.is_empty() {
+            return None;
+        }
         let sampled = heights_m.iter().step_by(heights_m.len().div_ceil(SAMPLED));
         let middle_m = median(sampled.clone().copied().collect());
         let usual_m = median(sampled.map(|height_m| (height_m - middle_m).abs()).collect());
         let is_far = |height_m: &f64| (height_m - middle_m).abs() > FAR * usual_m;
-        let far = heights_m.iter().filter(|height_m| is_far(height_m)).count();
-        if usual_m <= 0.0 || far == 0 || far as f64 > (FEW * heights_m.len() as f64).max(1.0) {
+        let mut far = heights_m.iter().filter(|height_m| is_far(height_m)).peekable();
+        let first_m = *far.peek()?;
+        let (count, of_first) =
+            far.fold((0, 0), |(all, alike), height_m| (all + 1, alike + usize::from(height_m == first_m)));
+        let most = if of_first == count { MARKS } else { FEW };
+        if usual_m <= 0.0 || count as f64 > (most * heights_m.len() as f64).max(1.0) {
             return None;
         }
         let distance_m = |at: usize| (heights_m[at] - middle_m).abs();
         let at = (0..heights_m.len()).max_by(|a, b| distance_m(*a).total_cmp(&distance_m(*b)))?;
-        let is_whole = !matches!(scan, Scan::Lines(_));
-        Some(Self {
-            row: columns.map(|columns| at / columns + 1),
-            point: is_whole.then_some(columns.map_or(at, |columns| at % columns) + 1),
-            height_m: heights_m[at],
-            times: distance_m(at) / usual_m,
-        })
+        let (row, point) = place_of(at);
+        Some(Self { row, point, height_m: heights_m[at], times: distance_m(at) / usual_m })
     }
 
     /// The remark on it.
@@ -84,7 +112,13 @@ mod tests {
         assert!((1e7..2e7).contains(&spike.times), "{}", spike.times);
         let map = Scan::Map(HeightMap::new(100, 1e-6, 1e-6, spiked).unwrap());
         assert_eq!(Spike::find(&map).map(|spike| (spike.row, spike.point)), Some((Some(6), Some(1))));
-        let step = wave(1000).into_iter().enumerate().map(|(at, height_m)| height_m + f64::from(at < 50));
+        let gappy = MeasuredScan::with_missing_points(map, (0..200).collect());
+        let spike = Spike::in_measured(&gappy).unwrap();
+        assert_eq!((spike.row, spike.point, spike.height_m), (Some(6), Some(1), 1.0));
+        // A third of all points, but of one height.
+        let marked = wave(1000).into_iter().enumerate().map(|(at, m)| if at % 3 == 1 { -9999e-6 } else { m });
+        assert_eq!(Spike::find(&line(marked.collect())).map(|spike| spike.point), Some(Some(2)));
+        let step = wave(1000).into_iter().enumerate().map(|(at, height_m)| height_m + f64::from(at < 500));
         let tilted = wave(1000).into_iter().enumerate().map(|(at, height_m)| height_m + at as f64);
         for heights_m in [wave(1000), step.collect(), tilted.collect(), vec![0.0; 9]] {
             assert_eq!(Spike::find(&line(heights_m)), None);

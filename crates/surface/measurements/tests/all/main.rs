@@ -2,6 +2,7 @@
 
 mod channels;
 mod in_memory;
+mod mutated_texts;
 #[path = "../../../scans/tests/all/support/nanoscope.rs"]
 #[allow(dead_code, reason = "written for the tests of the reader")]
 mod nanoscope;

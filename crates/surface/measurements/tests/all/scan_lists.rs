@@ -32,7 +32,7 @@ fn a_row_says_what_is_known_of_an_instrument() {
 fn bad_lists_are_refused_with_their_place() {
     assert_eq!(
         read("file,width\na.txt,3nm\n").unwrap_err(),
-        "scans.csv: column width is not an option of a scan; use file, unit, channel, size, tip_radius, shortest, \
+        "scans.csv: column width is not an option of a scan; use file, unit, height_unit, channel, size, tip_radius, shortest, \
          gaps, direction, detrend, instrument, z_calibration or slope_uncertainty"
     );
     let bad = read("file,size\na.txt,3\n").unwrap_err();

@@ -28,6 +28,7 @@ fn names_decide_before_places() {
         "height [um];flag note;position [mm]\n1;7;0.0\n2;7;0.5\n4;7;1.0\n",
         "n,x_mm,time (s),z_um\n0,0.0,5,1\n1,0.5,6,2\n2,1.0,7,4\n",
         "# x (mm)  z (um)\n0.0 1\n0.5 2\n1.0 4\n",
+        "No.\tx\tz\n\tmm\tum\n1\t0.0\t1\n2\t0.5\t2\n3\t1.0\t4\n",
         "Distance\tDepth\nmm\tum\n0.0\t1\n0.5\t2\n1.0\t4\n",
         "\"x, mm\",\"z, um\"\n\"0.0\",\"1\"\n\"0.5\",\"2\"\n\"1.0\",\"4\"\n",
     ] {
@@ -134,6 +135,22 @@ fn headers_tell_factors_spacings_and_marks() {
     assert_eq!((found.size_m().0, found.height_m(1), found.height_m(6)), (2e-6, Some(4e-9), None));
     let found = map("x spacing\t500 nm/pixel\nz scale\t0.25 nm\n");
     assert_eq!((found.size_m().0, found.height_m(1)), (2e-6, Some(0.5e-9)));
+}
+
+#[test]
+fn blocks_and_line_ends_are_told() {
+    let heights = rows(10, |at| format!("{:.3}", rough(at)));
+    let sized = ScanOptions { size: Some(ScanSize { x_m: 1e-6, y_m: None }), ..in_unit("nm") };
+    refused!(refusal(format!("{heights}\n{heights}").as_bytes(), &sized), Unsupported {});
+    // An empty line behind each, or at the ends, separates nothing.
+    for text in [heights.replace('\n', "\n\n"), format!("\n\n{heights}\n\n"), heights.replace('\n', "\r")] {
+        assert_eq!(read(&text, &sized).scan.points(), (10, None));
+    }
+    refused!(refusal(b"0;1,234\n1;567\n2;12,345\n", &in_unit("nm")), BadField {});
+    let marked = read("0.0 3\n0.5 -9999\n1.0 2\n", &in_unit("nm"));
+    assert!(marked.notes[0].contains("'no data = -9999'"), "{:?}", marked.notes);
+    let declared = read("# no data = -9999\n0.0 1\n0.5 3\n1.0 -9999\n1.5 2\n", &in_unit("nm"));
+    assert_eq!((declared.scan.missing_points().count(), declared.notes.len()), (1, 0));
 }
 
 #[test]

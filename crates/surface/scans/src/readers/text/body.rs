@@ -31,6 +31,26 @@ impl<'t> Body<'t> {
         content(self.text).skip_while(move |(number, _)| *number < first)
     }
 
+    /// The first line of numbers behind an empty one, where empty lines separate blocks of them, not each from the next.
+    pub(super) fn second_block(&self) -> Option<usize> {
+        let (mut rows, mut breaks, mut first_break) = (0, 0, None);
+        let mut is_behind_empty = false;
+        for (index, line) in self.text.lines().enumerate().skip(self.first_line - 1) {
+            let line = line.trim_matches(is_blank);
+            if line.is_empty() {
+                is_behind_empty = rows > 0;
+            } else if !is_comment(line) {
+                if is_behind_empty {
+                    breaks += 1;
+                    first_break.get_or_insert(index + 1);
+                }
+                rows += 1;
+                is_behind_empty = false;
+            }
+        }
+        first_break.filter(|_| breaks + 1 < rows)
+    }
+
     /// The same lines with the separators at their ends, which mark empty fields; tabs only where they are separators.
     pub(super) fn whole_rows(&self, with_tabs: bool) -> impl Iterator<Item = (usize, &'t str)> {
         let first = self.first_line;

@@ -6,6 +6,7 @@ use super::body::Body;
 use super::precision::Precision;
 use super::separator::Separator;
 use super::style::{is_missing, shortened};
+use super::thousands::Thousands;
 use crate::error::ScanReadError;
 use crate::raster::Decoded;
 
@@ -40,9 +41,13 @@ impl Columns {
             printed: vec![Precision::default(); if used.len() <= NARROW { used.len() } else { 1 }],
         };
         let mut decimals = Decimals::default();
+        let mut thousands = vec![Thousands::default(); columns.printed.len()];
         let mut scratch = String::new();
         for (line, row) in lines(body, separator, used.end) {
             for (index, field) in separator.split(row).skip(used.start).take(used.len()).enumerate() {
+                // Of a wide matrix all columns are written alike.
+                let written = index.min(thousands.len() - 1);
+                thousands[written].take(field, line);
                 let field = decimals.with_point(field, line, &mut scratch)?;
                 columns.values.push(number(field, line, used.start + index + 1)?);
                 if let Some(printed) = columns.printed.get_mut(index) {
@@ -50,6 +55,7 @@ impl Columns {
                 }
             }
         }
+        thousands.iter().try_for_each(Thousands::refuse)?;
         Ok(columns)
     }
 
@@ -62,10 +68,11 @@ impl Columns {
         (fields.len() == self.count).then_some(fields)
     }
 
-    /// The fields of a single column as they are written, with their lines.
+    /// The numbers of a single column as they are written, with their lines.
     pub(super) fn as_written<'t>(&self, body: &Body<'t>) -> Vec<(usize, &'t str)> {
         let field = |row: &'t str| self.separator.split(row).nth(self.used.start).unwrap_or_default();
-        lines(body, self.separator, self.used.end).map(|(line, row)| (line, field(row))).collect()
+        let fields = lines(body, self.separator, self.used.end).map(|(line, row)| (line, field(row)));
+        fields.filter(|(_, field)| !is_missing(field) && !field.is_empty()).collect()
     }
 
     /// Number of rows.
@@ -74,12 +81,12 @@ impl Columns {
     }
 
     /// A column, from 0; 0 where a field marks a missing point.
-    pub(crate) fn column(&self, index: usize) -> impl Iterator<Item = f64> {
+    pub(crate) fn column(&self, index: usize) -> impl Iterator<Item = f64> + Clone {
         self.values.values.iter().skip(index).step_by(self.count).copied()
     }
 
     /// A column that may have missing points, from 0.
-    pub(crate) fn measured(&self, index: usize) -> impl Iterator<Item = Option<f64>> {
+    pub(crate) fn measured(&self, index: usize) -> impl Iterator<Item = Option<f64>> + Clone {
         let at =
             move |(row, value)| (!self.values.missing.contains(row * self.count + index)).then_some(value);
         self.column(index).enumerate().map(at)

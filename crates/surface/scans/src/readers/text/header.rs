@@ -59,12 +59,15 @@ impl Header {
             if is_below && !is_comment(line.trim_start()) {
                 continue;
             }
-            let line = line.trim_matches(|c: char| c.is_whitespace() || "#%\u{feff}".contains(c));
+            // A tab at the ends is that of an empty column.
+            let with_tabs =
+                line.trim_matches(|c: char| c != '\t' && (c.is_whitespace() || "#%\u{feff}".contains(c)));
+            let line = with_tabs.trim();
             let known = key_and_value(line);
             match known {
                 Some((Key::Channel, _)) if is_below => return Err(second_channel(number)),
                 Some((key, value)) if !is_below => header.set(key, value, number)?,
-                None if !is_below => header.take_line(line, number, columns)?,
+                None if !is_below => header.take_line(with_tabs, number, columns)?,
                 _ => {}
             }
             if !line.is_empty() && known.is_none() && header.free_text.len() + line.len() < MOST_FREE_TEXT {
@@ -79,7 +82,8 @@ impl Header {
     }
 
     /// Takes a line without a key and a colon: a factor, a row of a table of facts, names of columns.
-    fn take_line(&mut self, line: &str, number: usize, columns: &Columns) -> Result<(), ScanReadError> {
+    fn take_line(&mut self, with_tabs: &str, number: usize, columns: &Columns) -> Result<(), ScanReadError> {
+        let line = with_tabs.trim();
         if self.set_conversion(line, number)? {
             return Ok(());
         }
@@ -92,7 +96,7 @@ impl Header {
                 self.tabled_sizes[axis] = length(value, number).ok().flatten().or(self.tabled_sizes[axis]);
             }
             Some((key, value)) => self.set(key, value, number)?,
-            None if self.heads.take_line(line, number, columns) => {}
+            None if self.heads.take_line(with_tabs, number, columns) => {}
             None if names_a_number(line) => self.unread.push(line.to_owned()),
             None => {}
         }

@@ -13,12 +13,14 @@ mod precision;
 mod profile;
 mod quotes;
 mod roles;
+mod sentinel;
 mod separator;
 mod style;
+mod thousands;
 
 use crate::channel::{Channel, Lateral, Quantity, Samples, UnitsBy};
 use crate::choice_of_units::Units;
-use crate::error::ScanReadError;
+use crate::error::{FilePlace, ScanReadError};
 use crate::foreign::ForeignFile;
 use crate::metadata::Probe;
 use crate::numbers;
@@ -103,10 +105,15 @@ pub(super) fn channels_of_text<'b>(
     };
     match layout {
         Layout::Map => {
+            if let Some(line) = body.second_block() {
+                let mend = "write each scan into a file of its own, or delete the empty lines";
+                return Err(FORMAT.unsupported(FilePlace::Line(line), "a second block of numbers", mend));
+            }
             if !is_map {
                 preamble::refuse_odd_count(&columns.as_written(&body))?;
             }
             header.refuse_no_length(0)?;
+            notes.extend(sentinel::note(columns.values.values.iter().copied()));
             let found = matrix(columns, is_map, length_m, &header, options, &mut notes)?;
             Ok(vec![finish(header.channel.clone(), Quantity::HEIGHTS_IN_M, found, notes)])
         }
@@ -123,6 +130,7 @@ pub(super) fn channels_of_text<'b>(
             let mut channels = Vec::new();
             for &height in &table.heights {
                 let mut notes = notes.clone();
+                notes.extend(sentinel::note(columns.measured(height).flatten()));
                 let found = of_table(&body, &columns, &table, height, &header, options, &mut notes)?;
                 channels.push(finish(name(height), Quantity::HEIGHTS_IN_M, found, notes));
             }

@@ -115,19 +115,28 @@ fn by_count<'t>(
     looked_at: &[(usize, &'t str, bool)],
     lines: impl FnOnce() -> usize,
 ) -> Option<Vec<(usize, &'t str)>> {
-    let is_one = |(_, text, is_numeric): &(usize, &str, bool)| *is_numeric && Width::of(text).all == 1;
-    let first = looked_at.get(..MOST.min(looked_at.len()))?;
-    let mut stated =
-        first.iter().enumerate().filter_map(|(at, (_, text, _))| Some((at, numbers::count(text)?)));
-    if !first.iter().all(is_one) || stated.clone().next().is_none() {
+    let is_words = |(_, _, is_numeric): &&(usize, &str, bool)| !is_numeric;
+    let (words, last_words) = (
+        looked_at.iter().filter(is_words).count(),
+        looked_at.iter().rfind(is_words).map_or(0, |(line, ..)| *line),
+    );
+    let first: Vec<(usize, &str)> = looked_at
+        .iter()
+        .filter(|line| !is_words(line))
+        .take(MOST)
+        .map(|(line, text, _)| (*line, *text))
+        .collect();
+    let mut stated = first.iter().enumerate().filter_map(|(at, (_, text))| Some((at, numbers::count(text)?)));
+    if !first.iter().all(|(_, text)| Width::of(text).all == 1) || stated.clone().next().is_none() {
         return None;
     }
-    let all = lines();
+    let all = lines() - words;
     // Other numbers may stand between the count and the heights.
     let end = stated.find_map(|(at, count)| {
         Some(all.checked_sub(count)?).filter(|end| *end > at && *end < MOST && count >= TELLING)
     })?;
-    Some(first[..end].iter().map(|(line, text, _)| (*line, *text)).collect())
+    let is_behind_words = first.get(end).is_some_and(|(line, _)| *line > last_words);
+    is_behind_words.then(|| first[..end].to_vec())
 }
 
 /// The number of fields of a line, with empty ones at its end and without.
@@ -151,7 +160,7 @@ impl Width {
 pub(super) fn refuse_odd_count(fields: &[(usize, &str)]) -> Result<(), ScanReadError> {
     let decimals = |field: &str| field.split_once(['.', ',']).map_or(0, |(_, decimals)| decimals.len());
     let is_count = |field: &str| numbers::count(field).is_some_and(|count| count > 1);
-    let Some(&(line, odd)) = fields.iter().take(3).find(|(_, field)| is_count(field)) else { return Ok(()) };
+    let Some(&(line, odd)) = fields.iter().take(3).rfind(|(_, field)| is_count(field)) else { return Ok(()) };
     let mut others = fields.iter().filter(|(at, _)| *at > line).map(|(_, field)| decimals(field));
     let Some(usual) = others.next().filter(|usual| *usual > 0) else { return Ok(()) };
     if fields.len() < TELLING || !others.all(|other| other == usual) {

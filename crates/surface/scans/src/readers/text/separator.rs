@@ -66,7 +66,15 @@ fn comma_separates(line: &str) -> Option<bool> {
                 && !decimals.contains(',')
         }
     };
+    // Whole numbers have neither a sign before zero nor zeros before their digits.
+    let is_surely_decimal = |word: &str| {
+        word.split_once(',')
+            .is_some_and(|(whole, decimals)| whole == "-0" || decimals.len() > 1 && decimals.starts_with('0'))
+    };
     let may_be_decimal = words.clone().all(is_decimal);
+    if may_be_decimal && words.clone().any(is_surely_decimal) {
+        return Some(false);
+    }
     // A lone number with a decimal comma looks like two whole numbers.
     if may_be_decimal && words.nth(1).is_none() { None } else { Some(!may_be_decimal) }
 }
@@ -87,6 +95,8 @@ mod tests {
             ("0,5 1,25", Some(false)),
             ("0 1,25", Some(false)),
             ("0,5", None),
+            ("0,05", Some(false)),
+            ("-0,5", Some(false)),
             ("0,5e-3", None),
             ("0 5", None),
         ] {

@@ -65,8 +65,11 @@ pub(crate) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ScanReadError> {
     }))
 }
 
-/// Makes one word of the mark of missing points that is two, which blanks would separate.
+/// Ends lines as lines end where returns alone do, and makes one word of the mark of missing points that is two, which
+/// blanks would separate.
 fn with_whole_marks(text: Cow<'_, str>) -> Cow<'_, str> {
+    let has = |byte: u8| memchr::memchr(byte, text.as_bytes()).is_some();
+    let text = if has(b'\r') && !has(b'\n') { Cow::Owned(text.replace('\r', "\n")) } else { text };
     const MARKS: [&str; 3] = ["No Data", "no data", "NO DATA"];
     let is_in = |mark: &&str| memmem::find(text.as_bytes(), mark.as_bytes()).is_some();
     let found: Vec<&str> = MARKS.into_iter().filter(is_in).collect();
