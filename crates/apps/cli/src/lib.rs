@@ -22,6 +22,7 @@ mod suggestion;
 mod targets;
 mod terminal;
 mod timings;
+mod written;
 
 use std::ffi::OsString;
 use std::process::ExitCode;

@@ -36,6 +36,7 @@ mod scan_size;
 mod single;
 mod statistics;
 mod texts;
+mod writers;
 
 #[cfg(any(feature = "archives", feature = "x3p", feature = "container", feature = "workbook"))]
 #[cfg_attr(not(feature = "archives"), allow(dead_code, reason = "fewer formats unpack less"))]
@@ -62,6 +63,7 @@ pub use readers::container::read_metadata;
 pub use scan_size::ScanSize;
 pub use statistics::Statistics;
 pub use units::LengthUnit;
+pub use writers::{ScanWriteError, WrittenFormat};
 
 /// The example of the page runs.
 #[cfg(doctest)]

@@ -15,6 +15,7 @@ use crate::failure::Failure;
 use crate::flags::{Flags, refuse_first};
 use crate::picture::Picture;
 use crate::place::Place;
+use crate::written::WrittenScan;
 
 /// Files of instruments to look into.
 #[derive(Debug, ClapArgs)]
@@ -30,6 +31,9 @@ pub(crate) struct ScanArgs {
     /// Draw the heights: maps in colours with their gaps grey, the middle line, the histogram; of several channels, FILE-2, FILE-3 and so on
     #[arg(long, value_name = "FILE.svg|FILE.png")]
     pub figure: Option<Picture>,
+    /// Write the heights of one channel in m, with their gaps: .gsf (maps, single precision), .x3p, .nc (double precision)
+    #[arg(long, value_name = "FILE.gsf|FILE.x3p|FILE.nc", conflicts_with = "all_channels")]
+    pub write: Option<WrittenScan>,
 }
 
 /// Files of instruments, and the evaluation of their heights.

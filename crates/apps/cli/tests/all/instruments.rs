@@ -149,3 +149,49 @@ fn the_keys_of_scans_that_the_template_shows_are_keys_that_there_are() {
     bench.write("own.toml", template.replace("psd = \"my_psd.csv\"\n", &shown));
     bench.run(&["run", "own.toml"]).refused_naming(&["map.001"]);
 }
+
+#[test]
+fn heights_are_written_for_other_programs() {
+    let bench = Bench::new();
+    bench.write("map.txt", map(5)).write("line.txt", "# x (um) h (nm)\n0 1\n0.5 3\n1 2\n1.5 2\n");
+    let rms = |name: &str| {
+        let run = bench.run(&["scan", name]);
+        assert_eq!((run.status, column(&run.stdout, "gaps")[0]), (0, "5"), "{}", run.stderr);
+        numbers(&run.stdout, "rms_height_m")[0]
+    };
+    for (name, accuracy) in [("map.gsf", 1e-6), ("map.x3p", 1e-14), ("map.nc", 1e-14)] {
+        let run = bench.run(&["scan", "map.txt", "--write", name]);
+        assert_eq!(run.status, 0, "{}", run.stderr);
+        assert!(run.stderr.contains(&format!("{name}: map.txt, Topo")), "{}", run.stderr);
+        assert!((rms(name) / rms("map.txt") - 1.0).abs() < accuracy);
+    }
+    for (call, word) in [
+        (vec!["map.txt", "--write", "map.txt"], "must end in .gsf, .x3p, .nc"),
+        (vec!["map.gsf", "--write", "map.gsf"], "--write"),
+        (vec!["map.txt", "line.txt", "--write", "both.nc"], "takes one file"),
+        (vec!["line.txt", "--write", "line.gsf"], "write it as .x3p or .nc"),
+        (vec!["map.txt", "--all-channels", "--write", "all.nc"], "--all-channels"),
+    ] {
+        let run = bench.run(&[vec!["scan"], call].concat());
+        assert_eq!(run.status, 2, "{}", run.stderr);
+        assert!(run.stderr.contains(word), "{}", run.stderr);
+    }
+    assert!(!bench.path("both.nc").exists() && !bench.path("line.gsf").exists());
+    let run = bench.run(&["scan", "line.txt", "--write", "line.x3p"]);
+    assert_eq!(run.status, 0, "{}", run.stderr);
+}
+
+#[test]
+fn a_file_without_heights_ends_with_its_channels() {
+    let bench = Bench::new();
+    let field =
+        b"Gwyddion Simple Field 1.0\nXRes = 2\nYRes = 2\nXReal = 1\nYReal = 1\nXYUnits = m\nZUnits = V\n\
+                  Title = Amplitude\n\0";
+    let mut bytes = field.to_vec();
+    bytes.resize(bytes.len().next_multiple_of(4) + 16, 0);
+    bench.write("volts.gsf", bytes);
+    let run = bench.run(&["scan", "volts.gsf"]);
+    assert_eq!((run.status, run.stdout.as_str()), (2, ""));
+    assert!(run.stderr.contains("'Amplitude'"), "{}", run.stderr);
+    assert_eq!(bench.run(&["scan", "volts.gsf", "--all-channels"]).status, 0);
+}

@@ -11,7 +11,7 @@ pub(crate) mod container;
 mod digital_surf;
 mod even_axis;
 mod frt;
-mod gsf;
+pub(crate) mod gsf;
 mod gwyddion;
 #[cfg(feature = "hdf5")]
 mod hdf5;

@@ -14,3 +14,4 @@ mod scan_round_trip;
 mod scan_samples;
 mod scan_tables;
 mod scan_text;
+mod scan_writers;
