@@ -105,7 +105,8 @@ fn write(
             names.join(", ")
         )));
     };
-    let provenance = format!("{}; {} has SHA-256 {}", program(context.typed), request.path, loaded.sha256);
+    let name = Path::new(&request.path).file_name().unwrap_or_default().display();
+    let provenance = format!("{}; {name} has SHA-256 {}", program(context.typed), loaded.sha256);
     let bytes = target.format.write(scan, &provenance);
     let bytes = bytes.map_err(|error| Failure::Input(format!("writing {path}: {error}")))?;
     stage(files, &target.path, |out| out.write_all(&bytes))?;

@@ -8,7 +8,9 @@ pub(super) fn write(file: &ScanFile, provenance: &str) -> Result<Vec<u8>, ScanWr
     let ((columns, Some(rows)), (x_m, Some(y_m))) = (file.scan.points(), file.scan.size_m()) else {
         return Err(ScanWriteError::Profile { format: ".gsf" });
     };
-    let title = file.channel.as_deref().unwrap_or(&file.name).replace(['\n', '\r', '\0'], " ");
+    // gsffile takes no value with a second equals sign.
+    let [title, provenance] = [file.channel.as_deref().unwrap_or(&file.name), provenance]
+        .map(|text| text.replace(['\n', '\r', '\0'], " ").replace('=', ":"));
     let header = format!(
         "{TITLE}XRes = {columns}\nYRes = {rows}\nXReal = {x_m:e}\nYReal = {y_m:e}\nXYUnits = m\nZUnits = m\n\
          Title = {title}\nComment = {provenance}\n"

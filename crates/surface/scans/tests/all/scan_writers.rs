@@ -22,7 +22,7 @@ fn line() -> ScanFile {
 
 /// Reads what was written; what the format does not hold is taken from the file.
 fn again(format: WrittenFormat, file: &ScanFile) -> ScanFile {
-    let bytes = format.write(file, "truearea 1, of a.spm -- twice\nover").unwrap();
+    let bytes = format.write(file, "truearea 1, of a.spm:unit=um -- twice\nover").unwrap();
     read_scans(&bytes, "b", &ScanOptions::default()).unwrap().remove(0)
 }
 
@@ -49,7 +49,7 @@ fn maps_come_back_to_the_last_bit_with_their_gaps() {
     }
     let gsf = again(WrittenFormat::Gsf, &map());
     assert_eq!(gsf.channel.as_deref(), Some("Height (Trace)"));
-    assert_eq!(gsf.free_text, "truearea 1, of a.spm -- twice over");
+    assert_eq!(gsf.free_text, "truearea 1, of a.spm:unit:um -- twice over");
 }
 
 #[test]
