@@ -9,7 +9,7 @@ use std::fmt::Write;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use scans::ScanFormat;
+use scans::{FormatCheck, ScanFormat};
 use study::models::MODELS;
 
 use crate::committed_file;
@@ -63,18 +63,26 @@ pub fn page() -> io::Result<String> {
         let [cli, python, web] = front_ends.each_ref().map(|text| yes(has_word(text, &name)));
         let _ = writeln!(page, "| `{name}` | {answers} | {cli} | {python} | {web} |");
     }
-    let formats: Vec<String> = ScanFormat::ALL
-        .iter()
-        .filter(|format| **format != ScanFormat::Memory)
-        .map(ToString::to_string)
-        .collect();
+    let (mut on_real_files, mut on_made_files) = (Vec::new(), Vec::new());
+    for format in ScanFormat::ALL {
+        match format.check() {
+            FormatCheck::RealFiles(readers) => on_real_files.push(format!("{format} ({readers})")),
+            FormatCheck::MadeFiles(readers) => on_made_files.push(format!("{format} ({readers})")),
+            FormatCheck::NoFile => {}
+        }
+    }
     let _ = write!(
         page,
-        "\n## Formats of scans\n\n{} kinds of files, each also packed by gzip or ZIP: {}.\n\
+        "\n## Formats of scans\n\n{} kinds of files, each also packed by gzip or ZIP.\n\n\
+         {} were compared on real files with the programs in brackets: {}.\n\n\
+         {} were compared on made files alone, which a note says: {}.\n\n\
          [instruments.md](../guide/instruments.md#the-formats) says what is read of each, and [formats.md](formats.md) \
          how it was tested.\n",
-        formats.len(),
-        formats.join(", ")
+        on_real_files.len() + on_made_files.len(),
+        on_real_files.len(),
+        on_real_files.join(", "),
+        on_made_files.len(),
+        on_made_files.join(", ")
     );
     Ok(page)
 }

@@ -6,7 +6,7 @@ use crate::choice_of_size::refuse_size;
 use crate::choice_of_units::{Units, own_scale_note, refuse_unit};
 use crate::error::{FilePlace, ScanReadError};
 use crate::file::ScanFile;
-use crate::format::ScanFormat;
+use crate::format::{FormatCheck, ScanFormat, UNCHECKED};
 use crate::heights::{HeightMap, NonuniformLineScan, Scan, UniformLineScan};
 use crate::measured::MeasuredScan;
 use crate::metadata::MeasurementMetadata;
@@ -92,6 +92,9 @@ pub(crate) fn assembled(
         }
         (UnitsBy::Reader, _) => to_m(&quantity),
     };
+    if matches!(format.check(), FormatCheck::MadeFiles(_)) {
+        notes.push(UNCHECKED.to_owned());
+    }
     let (columns, mut decoded) = samples.decode(format)?;
     if let Some(height_to_m) = height_to_m {
         decoded.values.iter_mut().for_each(|value| *value = height_to_m(*value));

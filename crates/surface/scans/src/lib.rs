@@ -50,7 +50,7 @@ pub use channel::ScanAxis;
 pub use error::{FilePlace, Mend, ScanOption, ScanReadError, Unitless};
 pub use file::ScanFile;
 pub use foreign::ForeignFile;
-pub use format::ScanFormat;
+pub use format::{FormatCheck, ScanFormat};
 pub use heights::{HeightMap, NonuniformLineScan, ParallelLines, Scan, ScanError, UniformLineScan};
 pub use measure::Measure;
 pub use measured::MeasuredScan;

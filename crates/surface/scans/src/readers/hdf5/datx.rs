@@ -6,6 +6,7 @@ use hdf5_reader::Datatype;
 use super::content::{Content, Entry};
 use crate::channel::{Channel, Lateral, Quantity, Samples};
 use crate::error::ScanReadError;
+use crate::format::UNCHECKED;
 use crate::metadata::Probe;
 use crate::numbers;
 use crate::raster::{MissingMark, Raster};
@@ -37,8 +38,9 @@ fn channel<'b>(content: &mut Content, at: usize) -> Result<Channel<'b>, ScanRead
     let missing = entry.number_of("No Data").map_or(MissingMark::None, MissingMark::Equal);
     let samples = Samples::Raster(Raster { missing, ..raster });
     let quantity = Quantity::Heights(Some(unit));
-    let probe = Some(Probe::Microscope);
-    Ok(Channel { probe, ..Channel::new(Some("Surface".to_owned()), quantity, lateral, samples) })
+    // Other layouts of HDF5 were checked, this one was not.
+    let (probe, notes) = (Some(Probe::Microscope), vec![UNCHECKED.to_owned()]);
+    Ok(Channel { probe, notes, ..Channel::new(Some("Surface".to_owned()), quantity, lateral, samples) })
 }
 
 /// The length of a pixel in m, the second of the parameters of a converter.

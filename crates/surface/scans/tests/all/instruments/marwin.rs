@@ -68,7 +68,10 @@ fn uneven_profiles_leave_them_out() {
         other => panic!("{other:?}"),
     };
     let [scan] = heights(&of(UNEVEN_MM)).try_into().unwrap();
-    assert_eq!(scan.notes, ["1 of 4 points have no height and are left out of the unevenly spaced line"]);
+    assert_eq!(
+        scan.notes[1..],
+        ["1 of 4 points have no height and are left out of the unevenly spaced line"]
+    );
     assert_eq!(positions_m(scan.scan), (vec![1e-3, 1.5e-3, 2.75e-3], vec![0.25e-3, -0.5e-3, 0.125e-3]));
     let falling = UNEVEN_MM.map(|position| -position);
     let [scan] = heights(&of(falling)).try_into().unwrap();

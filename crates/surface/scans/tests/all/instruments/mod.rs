@@ -47,7 +47,8 @@ mod zygo_xyz;
 use std::io::{Cursor, Read};
 
 use scans::{
-    MeasuredScan, ScanFile, ScanFormat, ScanOptions, ScanReadError, ScanSize, read_scans, visit_channels,
+    FormatCheck, MeasuredScan, ScanFile, ScanFormat, ScanOptions, ScanReadError, ScanSize, read_scans,
+    visit_channels,
 };
 
 /// A file with what it holds.
@@ -158,6 +159,18 @@ fn every_sample_is_told_by_its_content_and_read() {
                     .unwrap_or_else(|error| panic!("{format} {name}: {error}"))
                     .is_empty()
             );
+        }
+    }
+}
+
+#[test]
+fn formats_that_no_real_file_has_checked_say_so() {
+    let notes = |bytes: &[u8]| heights_if_told(bytes).unwrap().remove(0).notes;
+    let is_noted = |bytes: &[u8]| notes(bytes).iter().any(|note| note.contains("not checked"));
+    for (format, samples) in samples() {
+        for Sample { name, bytes } in samples {
+            let is_unchecked = matches!(format.check(), FormatCheck::MadeFiles(_)) || name == "zygo";
+            assert_eq!(is_noted(&bytes), is_unchecked, "{format} {name}");
         }
     }
 }
