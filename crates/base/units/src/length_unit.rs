@@ -56,6 +56,14 @@ impl LengthUnit {
     /// The angstrom, with the letter or the sign of its own.
     pub const ANGSTROM: Self =
         Self::new(UnitScale::power_of_ten(-10), "\u{c5}", "angstrom", &["\u{212b}"], &["ångström", "å"]);
+    /// The kilo-angstrom of profilers, 100 nm.
+    pub const KILOANGSTROM: Self = Self::new(
+        UnitScale::power_of_ten(-7),
+        "k\u{c5}",
+        "kangstrom",
+        &["k\u{212b}"],
+        &["kiloangstrom", "kiloångström"],
+    );
     /// The picometre.
     pub const PICOMETRE: Self =
         Self::new(UnitScale::power_of_ten(-12), "pm", "pm", &[], &["picometer", "picometre"]);
@@ -73,18 +81,23 @@ impl LengthUnit {
         &["microinch", "microinche"],
     );
 
+    /// The thousandth of an inch, 25.4 um.
+    pub const MIL: Self = Self::new(UnitScale::decimal(254, -7), "mil", "mil", &["mils"], &[]);
+
     /// All units.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 12] = [
         Self::METRE,
         Self::CENTIMETRE,
         Self::MILLIMETRE,
         Self::MICROMETRE,
         Self::NANOMETRE,
         Self::ANGSTROM,
+        Self::KILOANGSTROM,
         Self::PICOMETRE,
         Self::KILOMETRE,
         Self::INCH,
         Self::MICROINCH,
+        Self::MIL,
     ];
 
     const fn new(
@@ -115,12 +128,13 @@ impl LengthUnit {
             .or_else(|| Self::parse_word(text))
     }
 
-    /// Parses a unit from an instrument's file, where `A` is the angstrom and `~m` (Nanoscope) the micrometre.
+    /// Parses a unit from an instrument's file, where `A` is the angstrom, `kA` a thousand of them, and `~m` (Nanoscope) the micrometre.
     #[must_use]
     pub fn parse_instrument(text: &str) -> Option<Self> {
         match text.trim() {
             "~m" => Some(Self::MICROMETRE),
             "A" => Some(Self::ANGSTROM),
+            "kA" => Some(Self::KILOANGSTROM),
             text => Self::parse(text),
         }
     }
@@ -215,6 +229,11 @@ mod tests {
             ("uin", 2.54e-8),
             ("\u{b5}in", 2.54e-8),
             ("microinches", 2.54e-8),
+            ("k\u{c5}", 1e-7),
+            ("kA", 1e-7),
+            ("KiloAngstroms", 1e-7),
+            ("mil", 2.54e-5),
+            ("mils", 2.54e-5),
         ] {
             assert_eq!(text.parse::<LengthUnit>().map(|unit| unit.to_m(1.0)), Ok(metre), "{text}");
         }
@@ -225,7 +244,7 @@ mod tests {
         assert!("UM".parse::<LengthUnit>().unwrap_err().to_string().ends_with("; use um"));
         assert_eq!(
             "ft".parse::<LengthUnit>().unwrap_err().to_string(),
-            "'ft' is not a unit of length; use one of m, cm, mm, µm, nm, Å, pm, km, inch, uin"
+            "'ft' is not a unit of length; use one of m, cm, mm, µm, nm, Å, kÅ, pm, km, inch, uin, mil"
         );
     }
 

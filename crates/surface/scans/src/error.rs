@@ -161,7 +161,7 @@ pub enum ScanReadError {
     },
     /// No line of numbers.
     #[error(
-        "reading text: the file holds no line of numbers, it must hold at least 2; write them without quotes and units, as 0.5 1.25"
+        "reading text: the file holds no line of numbers, it must hold at least 2; write them without units, as 0.5 1.25"
     )]
     NoRows,
     /// A field that is not a number.

@@ -408,7 +408,7 @@ mod tests {
         let message = |text: &str| header(text).err().map(|error| error.to_string()).unwrap_or_default();
         assert_eq!(
             message("# Channel: Phase\n# Value units: deg\n1 2"),
-            "reading text, line 2: the unit is 'deg', it must be one of m, cm, mm, µm, nm, Å, pm, km, inch, uin; export a channel of \
+            "reading text, line 2: the unit is 'deg', it must be one of m, cm, mm, µm, nm, Å, kÅ, pm, km, inch, uin, mil; export a channel of \
              heights, or correct the header"
         );
         assert_eq!(
