@@ -205,7 +205,7 @@ impl<'s> OwnScans<'s> {
         let weight = match average {
             Average::Arithmetic => {
                 let own: f64 = scans.iter().map(|(_, scan)| scan.c1d_m3).sum();
-                own / (bin.c1d_m3 * bin.measurements as f64)
+                own * bin.kept / (bin.c1d_m3 * bin.measurements as f64)
             }
             _ => scans.len() as f64 / bin.measurements as f64,
         };
@@ -213,7 +213,7 @@ impl<'s> OwnScans<'s> {
         let ln_mean = ln_of_places.iter().map(|(_, ln)| ln).sum::<f64>() / ln_of_places.len() as f64;
         let (deviations, beside) = match (self.only_map(), ln_of_places.len()) {
             (Some(_), _) if !first.parts_m3.is_empty() => parts(first),
-            (_, 1) => (Vec::new(), own_bins(first)),
+            (_, 1) => (Vec::new(), own_bins(first, bin.measurements)),
             _ => (ln_of_places.iter().map(|(place, ln)| (*place, ln - ln_mean)).collect(), Beside::Nothing),
         };
         Some(InstrumentBin {
@@ -249,7 +249,7 @@ impl<'s> OwnScans<'s> {
             let mean = places.iter().map(|(_, ln)| ln).sum::<f64>() / count;
             let squares: f64 = places.iter().map(|(_, ln)| (ln - mean).powi(2)).sum();
             let own: f64 =
-                scans.iter().map(|(_, bin)| own_bins(bin).variance()).sum::<f64>() / scans.len() as f64;
+                scans.iter().map(|(_, bin)| own_bins(bin, 2).variance()).sum::<f64>() / scans.len() as f64;
             (places.len() > 1).then(|| squares / (count - 1.0) - own)
         };
         let of_bins: Vec<f64> = self.in_bins.iter().filter_map(of_bin).collect();
@@ -299,14 +299,16 @@ fn parts(bin: &ScanBin) -> (Vec<(usize, f64)>, Beside) {
         bin.parts_m3.iter().map(|part_m3| part_m3 / bin.c1d_m3 - 1.0).enumerate().collect();
     let count = deviations.len() as f64;
     let shown = deviations.iter().map(|(_, off)| off * off).sum::<f64>() / (count * (count - 1.0));
-    let missing = own_bins(bin).variance() - shown;
+    let missing = own_bins(bin, 2).variance() - shown;
     (deviations, if missing > 0.0 { Beside::Variance(missing) } else { Beside::Nothing })
 }
 
-/// The scatter of a single scan by its own Fourier bins.
-fn own_bins(bin: &ScanBin) -> Beside {
+/// The scatter of a single scan by its own Fourier bins. The composite of several is freed from the bias of its logarithm, and
+/// so are the deviations from it.
+fn own_bins(bin: &ScanBin, measurements: usize) -> Beside {
     // Fewer than the two of one Fourier bin of one line there are none.
     let degrees_of_freedom = bin.degrees_of_freedom.unwrap_or(2.0);
-    let bias = -(Average::LogUnbiased.counted_m3(bin) / bin.c1d_m3).ln();
+    let is_unbiased = measurements > 1;
+    let bias = if is_unbiased { -(Average::LogUnbiased.counted_m3(bin) / bin.c1d_m3).ln() } else { 0.0 };
     Beside::OwnBins { degrees_of_freedom, bias }
 }

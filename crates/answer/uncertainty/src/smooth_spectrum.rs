@@ -87,6 +87,7 @@ mod tests {
                 centre_m: wavelength_m,
                 wavelength_m,
                 c1d_m3: c1d_m3(wavelength_m),
+                kept: 1.0,
                 measurements: 3,
                 standard_error_m3: None,
                 degrees_of_freedom: Some(6.0 + f64::from(at)),

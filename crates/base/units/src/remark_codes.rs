@@ -124,7 +124,14 @@ remark_codes! {
     SlopesDiffer "surface.scans.scan.lines" Caution
         "{files}: rms slope {along} along the lines, {across} across them; they differ by {bound}x or more: lines are offset against each \
          other, or the surface has a direction; the spectrum is that along the lines";
+    NarrowLine "surface.scans.scan.line" Caution
+        "{files}: waves of {wavelength_m} carry {share%} of the variance[, at {angle}° to the rows]: turned or milled? leaks and gaps \
+         depend on its direction"
+        short "{files}: waves of {wavelength_m} carry {share%} of the variance";
     TraceSkewed "surface.scans.scan.skewness" Note "{files}: heights are not Gaussian, Rsk {skewness}";
+    ModelsGet "surface.scans.kept" Caution
+        "in their bands models get {height%} of the rms height of the scans and {slope%} of their rms slope from neighbouring points[; waves \
+         of two to four points decide: is {shortest_m} real?]";
     FundamentalAbsent "surface.scans.scan.absent" Passed "{files}: the mode of the full length is absent";
     FundamentalKept "surface.scans.scan.kept" Passed
         "{files}: the mode of the full length keeps {share%} of its power; bin {used}";
@@ -434,6 +441,10 @@ remark_codes! {
     SkewedHeights "skewed-heights" Caution
         "{files}: heights are skewed, Rsk {skewness}, and every method here takes them as Gaussian: {touches} touches than is said."
         short "skewed heights, {touches} touches than is said";
+    DirectionalWaves "directional-waves" Caution
+        "{files}: waves of {wavelength_m} carry {share%} of the variance: turned or milled? Leaks and gaps depend on their direction, and \
+         every method here takes the surface as isotropic."
+        short "waves of {wavelength_m} carry {share%}, and leaks and gaps depend on their direction";
     LayUnknown "lay-unknown" Caution
         "Traces show no lay: a turned or ground face touches more than is said if traced across its lay, and less if along it."
         short "traces show no lay";

@@ -58,7 +58,7 @@ pub use amplitude::{AmplitudeDefinition, amplitudes};
 pub use convention::{Convention, ConversionError};
 pub use hole::{HOLE_FACTOR, Hole};
 pub use mccool::AsperityParameters;
-pub use moments::{Moments, Normalisation, cumulative_moments, cumulative_moments_to};
+pub use moments::{Moments, Normalisation, cumulative_moments, cumulative_moments_to, interval_integrals};
 pub use power_law::PowerLaw;
 pub use profile::ProfilePsd;
 pub use psd::Psd;

@@ -83,6 +83,11 @@ pub fn cumulative_moments_to(
     accumulate(psd.intervals().map_while(|interval| interval.down_to(cutoff_wavelength_m)), normalisation)
 }
 
+/// Computes Int C1D dq \[m^2\] and Int q^2 C1D dq between each two neighbouring samples, from long to short wavelengths.
+pub fn interval_integrals(psd: &ProfilePsd) -> Vec<[f64; 2]> {
+    psd.intervals().map(|interval| [interval.integral(0), interval.integral(2)]).collect()
+}
+
 fn accumulate(intervals: impl Iterator<Item = Interval>, normalisation: Normalisation) -> Vec<Moments> {
     let norm = normalisation.factor();
     let mut sums = [CompensatedSum::default(); 3];

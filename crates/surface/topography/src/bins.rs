@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 use std::num::NonZeroU32;
+use std::ops::Range;
 
 use serde::{Deserialize, Serialize};
 
@@ -21,7 +22,7 @@ pub enum BinMean {
 named!(BinMean, "mean of spectra", { Geometric => "geometric", Arithmetic => "arithmetic" });
 
 /// The samples of a spectrum in one bin.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Bin {
     /// Index j of the lower edge 10^(j/N) rad/m.
     pub(crate) index: i64,
@@ -29,6 +30,8 @@ pub(crate) struct Bin {
     pub(crate) wavelength_m: f64,
     /// Mean of the samples \[m^3\].
     pub(crate) c1d_m3: f64,
+    /// Its samples in the spectrum.
+    pub(crate) samples: Range<usize>,
 }
 
 /// Averages a spectrum in bins: bin j of N per decade covers 10^(j/N) <= q < 10^((j + 1)/N), q in rad/m.
@@ -54,12 +57,14 @@ pub(crate) fn log_bins(psd: &ProfilePsd, bins_per_decade: NonZeroU32, mean: BinM
     let groups = psd.wavelengths_m().chunk_by(|a, b| index(a) == index(b));
     groups
         .map(|wavelengths_m| {
-            let values_m3 = &psd.c1d_m3()[from..from + wavelengths_m.len()];
-            from += wavelengths_m.len();
+            let samples = from..from + wavelengths_m.len();
+            from = samples.end;
+            let values_m3 = &psd.c1d_m3()[samples.clone()];
             Bin {
                 index: index(&wavelengths_m[0]),
                 wavelength_m: BinMean::Geometric.mean(wavelengths_m),
                 c1d_m3: mean.mean(values_m3),
+                samples,
             }
         })
         .collect()
@@ -70,9 +75,14 @@ pub(crate) fn bin_index(q_rad_per_m: f64, bins_per_decade: NonZeroU32) -> i64 {
     (q_rad_per_m.log10() * f64::from(bins_per_decade.get())).floor() as i64
 }
 
+/// Returns the wavevector \[rad/m\] at a share of a bin, 0 at its lower edge and 1 at its upper one.
+pub(crate) fn wavevector_in_bin(index: i64, share: f64, bins_per_decade: NonZeroU32) -> f64 {
+    10f64.powf((index as f64 + share) / f64::from(bins_per_decade.get()))
+}
+
 /// Returns the wavelength \[m\] of the logarithmic centre of a bin.
 pub(crate) fn centre_m(index: i64, bins_per_decade: NonZeroU32) -> f64 {
-    TAU / 10f64.powf((index as f64 + 0.5) / f64::from(bins_per_decade.get()))
+    TAU / wavevector_in_bin(index, 0.5, bins_per_decade)
 }
 
 impl BinMean {

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use scans::Scan;
 use units::{Remark, RemarkCode};
 
+use crate::narrow_lines::NarrowLine;
 use crate::piecewise::nonuniform_line_spectrum_to;
 use crate::plausibility::implausible;
 use crate::remark::{FundamentalMode, SLOPES_DIFFER};
@@ -57,6 +58,8 @@ pub struct Checks {
     pub length_m: f64,
     /// A point far off all others, as errors of an instrument leave.
     pub spike: Option<Spike>,
+    /// Waves of one length that carry a large share of the variance.
+    pub line: Option<NarrowLine>,
     /// State of the mode whose wavelength is the length of the scan.
     pub fundamental: FundamentalMode,
 }
@@ -85,6 +88,7 @@ impl Checks {
             skewness: clear_skewness(scan, preparation.detrend),
             length_m: length_m(scan),
             spike: Spike::find(scan),
+            line: NarrowLine::find(scan, spectrum, preparation),
             fundamental: match fundamental_kept(scan, preparation.detrend) {
                 _ if !spectrum.holds_fundamental() => FundamentalMode::Absent,
                 Some(share) => FundamentalMode::Kept { share, used: preparation.flagged_bins() == 0 },
@@ -113,6 +117,7 @@ impl Checks {
             self.skewness.map(|skewness| Remark::new(RemarkCode::TraceSkewed).with("skewness", skewness)),
             implausible(self.real_slope.max(self.slope_across.unwrap_or(0.0)), self.length_m),
             self.spike.map(Spike::remark),
+            self.line.map(NarrowLine::remark),
             Some(self.fundamental.remark()),
         ]
         .into_iter()
@@ -232,6 +237,7 @@ mod tests {
             skewness: None,
             length_m: 1e-6,
             spike: None,
+            line: None,
             fundamental: FundamentalMode::Kept { share: 0.85, used: false },
         };
         let worded = |checks: &Checks| -> Vec<String> {

@@ -8,7 +8,9 @@ use spectrum::{Convention, Hole, Psd};
 use units::display::{length, three_digits};
 use units::{Remark, RemarkCode, RemarkLevel};
 
-use crate::composite::average_scan_bins;
+use crate::bins::centre_m;
+use crate::composite::{CompositeBin, average_scan_bins};
+use crate::models_get::ModelsGet;
 use crate::overlap::{DIRECTIONS_DIFFER, mixed_units};
 use crate::recipe::{Average, Recipe};
 use crate::remark::{SPECTRA_DIFFER, differ};
@@ -176,7 +178,9 @@ impl CompositeSpectrum {
         });
         let overlaps = self.overlap_remarks(&names);
         let holes = Hole::remark(RemarkCode::ScanHoles, &self.holes());
-        of_scans.chain(same).chain(directions).chain(overlaps).chain(self.bias()).chain(holes).collect()
+        let kept = ModelsGet::new(&self.composite.profile(), &self.scans).map(ModelsGet::remark);
+        let of_all = kept.into_iter().chain(self.bias()).chain(holes);
+        of_scans.chain(same).chain(directions).chain(overlaps).chain(of_all).collect()
     }
 
     /// Remarks on single scans; scans of which the same holds share a remark.
@@ -227,7 +231,13 @@ impl CompositeSpectrum {
     /// Remarks on the largest bias removed from the mean of logarithms.
     fn bias(&self) -> Option<Remark> {
         let average = self.recipe.average;
-        let bins = self.in_bins.iter().flatten().filter(|_| average == Average::LogUnbiased);
+        let averaged = |bin: &&CompositeBin| bin.measurements > 1;
+        let of_several: HashSet<u64> =
+            self.composite.bins.iter().filter(averaged).map(|bin| bin.centre_m.to_bits()).collect();
+        let is_averaged =
+            |bin: &&ScanBin| of_several.contains(&centre_m(bin.index, self.recipe.bins_per_decade).to_bits());
+        let bins = self.in_bins.iter().flatten();
+        let bins = bins.filter(|_| average == Average::LogUnbiased).filter(is_averaged);
         let factors = bins.map(|bin| (average.counted_m3(bin) / bin.c1d_m3, bin.wavelength_m));
         let (factor, wavelength_m) = factors.max_by(|a, b| a.0.total_cmp(&b.0))?;
         Some(Remark::new(RemarkCode::BiasRemoved).with("factor", factor).with("wavelength_m", wavelength_m))

@@ -9,6 +9,7 @@ use crate::checks::Checks;
 use crate::direction::{Direction, has_two, turned};
 use crate::line::LineSpectrum;
 use crate::lines::rows_spectrum;
+use crate::narrow_lines::{Peak, peaks};
 use crate::noise_floor::{NoiseFloor, noise_floor};
 use crate::piecewise::nonuniform_line_spectrum;
 use crate::recipe::Recipe;
@@ -43,6 +44,8 @@ pub struct ScanSpectrum {
     pub noise_floor: Option<NoiseFloor>,
     /// The spectrum in the reliable band.
     pub reliable: ProfilePsd,
+    /// Narrow lines of the spectrum.
+    pub(crate) peaks: Vec<Peak>,
     /// Checks of the spectrum.
     pub checks: Checks,
     /// Axis of the lines, if the map has a spectrum along each.
@@ -106,6 +109,7 @@ impl ScanSpectrum {
             channel: file.channel.clone(),
             preparation,
             noise_floor: noise_floor(&spectrum),
+            peaks: peaks(&spectrum, preparation.window),
             spectrum,
             band,
             band_end,

@@ -1,13 +1,12 @@
 //! Expectation of a composite.
 
 use spectrum::ProfilePsd;
-use topography::{BinMean, CompositeOptions, CompositeSpectrum, composite};
+use topography::CompositeSpectrum;
 
 use super::surface::KnownSurface;
 use crate::TrialError;
 
-/// Returns the composite of scans without scatter: the known spectrum at the wavelengths of each scan, averaged in
-/// the same bins.
+/// Returns the composite of scans without scatter: the known spectrum at the wavelengths of the measured one.
 ///
 /// # Errors
 /// [`TrialError::RandomSurface`] at wavelengths outside of the surface's band.
@@ -15,12 +14,6 @@ pub fn known_composite(
     surface: &KnownSurface,
     measured: &CompositeSpectrum,
 ) -> Result<ProfilePsd, TrialError> {
-    let known: Result<Vec<ProfilePsd>, TrialError> =
-        measured.scans.iter().map(|scan| surface.profile(scan.reliable.wavelengths_m())).collect();
-    let options = CompositeOptions {
-        bins_per_decade: measured.recipe.bins_per_decade,
-        inside: BinMean::Arithmetic,
-        across: BinMean::Geometric,
-    };
-    Ok(composite(&known?, &options)?.profile())
+    let wavelengths_m: Vec<f64> = measured.composite.bins.iter().map(|bin| bin.wavelength_m).collect();
+    surface.profile(&wavelengths_m)
 }

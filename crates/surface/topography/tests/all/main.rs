@@ -2,6 +2,8 @@
 
 mod gap_bias;
 mod gaps;
+mod kept_moments;
+mod narrow_lines;
 mod noise;
 mod skewness;
 mod tips;
