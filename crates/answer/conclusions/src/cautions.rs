@@ -133,6 +133,7 @@ pub(crate) fn cautions(
     }
     cautions.extend(softer_without_hardness(scene));
     cautions.extend(skewed_heights(scene));
+    cautions.extend(directional_waves(scene));
     cautions.extend(scene.surface.assumed().map(|body| new(RemarkCode::MadeOfNumbers).with("body", body)));
     cautions.extend(unknown_tip(scene));
     let guesses = uncertainty.into_iter().flat_map(|found| &found.guesses);
@@ -180,6 +181,7 @@ fn is_about_roughness(code: RemarkCode) -> bool {
             | RemarkCode::OneInstrument
             | RemarkCode::TipMayShow
             | RemarkCode::SkewedHeights
+            | RemarkCode::DirectionalWaves
             | RemarkCode::LayUnknown
             | RemarkCode::MadeOfNumbers
             | RemarkCode::NotMeasured
@@ -210,6 +212,15 @@ fn skewed_heights(scene: &Scene) -> Option<Remark> {
     let (note, skewness) = skewed.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
     let remark = Remark::new(RemarkCode::SkewedHeights).about(note.place.files.clone());
     Some(remark.with("skewness", skewness).with("touches", if skewness < 0.0 { "more" } else { "less" }))
+}
+
+/// The caution on the scan of which waves of one length carry most.
+fn directional_waves(scene: &Scene) -> Option<Remark> {
+    let notes = scene.surface.notes.iter().filter(|note| note.code == RemarkCode::NarrowLine);
+    let shares = notes.filter_map(|note| Some((note, note.number("share")?, note.number("wavelength_m")?)));
+    let (note, share, wavelength_m) = shares.max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let remark = Remark::new(RemarkCode::DirectionalWaves).about(note.place.files.clone());
+    Some(remark.with("share", share).with("wavelength_m", wavelength_m))
 }
 
 /// Returns true if the spectrum of a face comes from traces alone, which are taken as those of a surface without direction.

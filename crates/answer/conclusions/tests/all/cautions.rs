@@ -148,6 +148,20 @@ fn the_trace_whose_heights_are_skewed_most_is_named_and_maps_show_their_lay() {
 }
 
 #[test]
+fn the_scan_of_which_waves_of_one_length_carry_most_is_named() {
+    let line = |file: &str, share: f64| {
+        let remark = Remark::new(RemarkCode::NarrowLine).about(vec![file.to_owned()]);
+        remark.with("share", share).with("wavelength_m", 1e-4)
+    };
+    let mut answered = scene("plain", STEEL, "off = true", "");
+    answered.scene.surface.notes = vec![line("a.txt", 0.4), line("b.txt", 0.9)];
+    let conclusions = answered.conclusions();
+    let found = caution(&conclusions, RemarkCode::DirectionalWaves).unwrap();
+    assert_eq!((found.number("share"), found.number("wavelength_m")), (Some(0.9), Some(1e-4)));
+    assert_eq!((found.place.files.as_slice(), trust_left(found)), (&["b.txt".to_owned()][..], Trust::Fair));
+}
+
+#[test]
 fn cautions_on_roughness_are_left_out_where_the_area_hangs_on_the_hardness_and_nothing_else_is_asked() {
     let of = |hardness: &str, rest: &str| {
         let text = format!(
