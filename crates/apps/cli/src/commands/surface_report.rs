@@ -230,13 +230,29 @@ fn scan_at_fault<'q>(
     }
 }
 
-/// Asks for an option of a scan on a terminal; returns true if it was given.
+/// Asks for an option of a scan on a terminal; returns true if it was given. Of positions and heights the units may
+/// differ: that of lengths counts for heights, too, unless another is given.
 fn ask_for(scan: &mut ScanRequest, option: ScanOption) -> bool {
     let (key, subject, example) = match option {
+        ScanOption::Units => return ask_for_units(scan),
+        ScanOption::HeightUnit => ("height-unit", "unit of heights", "um"),
         ScanOption::Unit => ("unit", "unit of heights", "um"),
         ScanOption::Size => ("size", "size along the scan lines", "100 um"),
         _ => return false,
     };
+    ask_for_key(scan, key, subject, example)
+}
+
+/// Asks for the units of lengths and of heights.
+fn ask_for_units(scan: &mut ScanRequest) -> bool {
+    let is_given = ask_for_key(scan, "unit", "unit of lengths", "um");
+    let Some(unit) = scan.unit else { return is_given };
+    while scan.height_unit.is_none() && ask_for_key(scan, "height-unit", "unit of heights", unit.ascii()) {}
+    scan.height_unit = scan.height_unit.filter(|of_heights| *of_heights != unit);
+    true
+}
+
+fn ask_for_key(scan: &mut ScanRequest, key: &str, subject: &str, example: &str) -> bool {
     let Some(value) = ask(&format!("{subject} in {}", scan.path), example) else { return false };
     // An answer that is not a value is asked for again.
     match scan.with_option(key, &value) {

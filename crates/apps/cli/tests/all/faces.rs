@@ -238,7 +238,7 @@ fn a_terminal_is_asked_for_the_unit_of_the_other_face() {
     let bench = bench();
     let line =
         "report ring1.txt:unit=um --counterface-scans face1.txt --material 100Cr6 --pressure 10MPa --out o";
-    let ran = bench.run_on_terminal(&words(&[line]), "um\n");
+    let ran = bench.run_on_terminal(&words(&[line]), "um\n\n");
     assert_eq!(ran.status, 0, "{}", ran.stderr);
     let scene = bench.read("o/scene.toml");
     let (own, other) = scene.split_once("[counterface.surface]").unwrap();

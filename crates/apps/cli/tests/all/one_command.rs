@@ -56,12 +56,13 @@ fn a_terminal_is_asked_for_what_is_missing_and_again_for_what_cannot_be_read() {
     let bench = Bench::new();
     bench.write("flange.txt", trace());
     // A material that is none, a steel, the suggested pressure, a unit that is none, and micrometres.
-    let ran = bench.run_on_terminal(&["report", "flange.txt"], "unobtainium\n100Cr6\n\nfurlong\num\n");
+    let ran = bench.run_on_terminal(&["report", "flange.txt"], "unobtainium\n100Cr6\n\nfurlong\num\n\n");
     assert_eq!(ran.status, 0, "{ran:?}");
     for (question, times) in [
         ("material of the rough body? [steel 100Cr6]", 2),
         ("nominal pressure? [10 MPa]", 1),
-        ("unit of heights in flange.txt? [um]", 2),
+        ("unit of lengths in flange.txt? [um]", 2),
+        ("unit of heights in flange.txt? [um]", 1),
     ] {
         assert_eq!(ran.stderr.matches(question).count(), times, "{question}: {}", ran.stderr);
     }

@@ -50,7 +50,7 @@ fn values(key: &str) -> Vec<&'static str> {
         };
     }
     match key {
-        "unit" => vec!["nm", "mm"],
+        "unit" | "height-unit" => vec!["nm", "mm"],
         "channel" => vec!["Height", "Height Sensor", "Topo"],
         "size" => vec!["7um", "20um"],
         "tip-radius" => vec!["2um", "3um", "auto", "none"],

@@ -184,6 +184,7 @@ const VALUES: &[(&str, [&str; 2])] = &[
     ("realisations", ["2", "3"]),
     ("seed", ["5", "7"]),
     ("side", ["20um", "30um"]),
+    ("height_unit", ["nm", "mm"]),
     ("size", ["7um", "20um"]),
     ("tip_radius", ["3um", "10um"]),
     ("filter", ["3um", "1um"]),

@@ -164,6 +164,7 @@ const VALUES: &[(&str, &[&str])] = &[
     ("rolloff_wavelength", &["\"15 um\"", "\"30 um\""]),
     ("hurst", &["0.7", "0.9"]),
     ("file", &["\"named.txt\"", "\"heights.xlsx\""]),
+    ("height_unit", &["\"nm\"", "\"mm\""]),
     ("unit", &["\"nm\"", "\"mm\""]),
     ("channel", &["\"Height\"", "\"Height Sensor\""]),
     ("size", &["\"7 um\"", "\"20 um\""]),
