@@ -7,6 +7,8 @@ use std::process::Command;
 
 use tests::committed_file;
 
+use crate::followed_page::{Sources, files_below, follow};
+
 /// Files that adding a law touches: four of code, and the tests that all laws share.
 const FILES: usize = 5;
 
@@ -45,9 +47,6 @@ fn a_scene_is_carried_out_under_the_new_model() {
     assert!((area_fraction / 1e-3 - 1.0).abs() < 1e-6, "{area_fraction}");
 }
 "#;
-
-/// Files by their paths in the checkout.
-type Sources = BTreeMap<PathBuf, Vec<u8>>;
 
 #[test]
 fn the_page_touches_few_files_and_its_law_compiles_and_runs() {
@@ -133,42 +132,6 @@ fn collect(path: PathBuf, sources: &mut Sources) {
     }
 }
 
-/// Applies every block of code of the page to the file that the heading above it names, and returns these files.
-fn follow(page: &str, sources: &mut Sources) -> BTreeSet<PathBuf> {
-    let mut touched = BTreeSet::new();
-    for section in page.split("\n### `").skip(1) {
-        let section = section.split("\n## ").next().unwrap();
-        let file = PathBuf::from(section.split('`').next().unwrap());
-        for block in section.split("\n```").skip(1).step_by(2) {
-            let (language, code) = block.split_once('\n').unwrap();
-            match language {
-                "rust" => {
-                    let before = sources.insert(file.clone(), format!("{code}\n").into());
-                    assert!(before.is_none(), "{} is there already", file.display());
-                }
-                "diff" => {
-                    let text = sources.get_mut(&file).unwrap_or_else(|| panic!("no {}", file.display()));
-                    *text = changed(std::str::from_utf8(text).unwrap(), code, &file).into();
-                }
-                other => panic!("a block of {other:?} under {}", file.display()),
-            }
-            touched.insert(file.clone());
-        }
-    }
-    touched
-}
-
-/// A text with the lines of a block of differences changed.
-fn changed(text: &str, block: &str, file: &Path) -> String {
-    let [before, after] = ['+', '-'].map(|left_out| {
-        let lines = block.lines().filter(|line| !line.starts_with(left_out));
-        lines.map(|line| format!("{}\n", line.get(1..).unwrap_or(""))).collect::<String>()
-    });
-    let found = text.matches(&before).count();
-    assert_eq!(found, 1, "{} has the lines before this change {found} times:\n{block}", file.display());
-    text.replace(&before, &after)
-}
-
 /// Writes the files that differ, so that the others are not compiled again, and removes those that do not belong there.
 fn write(sources: &Sources, folder: &Path) {
     for old in files_below(folder) {
@@ -184,10 +147,4 @@ fn write(sources: &Sources, folder: &Path) {
         fs::create_dir_all(path.parent().unwrap()).unwrap();
         fs::write(path, bytes).unwrap();
     }
-}
-
-fn files_below(folder: &Path) -> Vec<PathBuf> {
-    let Ok(entries) = fs::read_dir(folder) else { return Vec::new() };
-    let below = |path: PathBuf| if path.is_dir() { files_below(&path) } else { vec![path] };
-    entries.flat_map(|entry| below(entry.unwrap().path())).collect()
 }

@@ -1,10 +1,12 @@
 //! The tests of this crate from outside, in one program: linking takes longer than running them.
 
+mod adding_a_format;
 mod adding_a_law;
 mod asperity_references;
 mod boundary_element_references;
 mod contact_challenge;
 mod documentation;
+mod followed_page;
 mod generated;
 mod golden;
 mod instrument_samples;

@@ -152,6 +152,8 @@ fn title(frame: &[u8], offset: usize) -> Option<String> {
     let letters = cursor.take(length, "the title").ok()?;
     let letter = |&byte: &u8| match byte {
         0xc0.. => char::from_u32(0x410 + u32::from(byte - 0xc0)).unwrap_or(char::REPLACEMENT_CHARACTER),
+        // A comma would end the name where a channel is asked for.
+        b',' => ' ',
         0x20..0x7f => char::from(byte),
         _ => ' ',
     };

@@ -113,7 +113,7 @@ impl Header {
     }
 
     fn channel<'b>(&self, frame: usize, frames: usize, raster: Raster<'b>) -> Channel<'b> {
-        let frame = if frames > 1 { format!(", frame {}", frame + 1) } else { String::new() };
+        let frame = if frames > 1 { format!(" frame {}", frame + 1) } else { String::new() };
         let quantity = Quantity::named(&self.name, &self.unit, LengthUnit::parse(&self.unit));
         let name = Some(format!("{} ({}{frame})", self.name, self.direction));
         Channel {

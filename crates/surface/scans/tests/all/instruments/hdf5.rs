@@ -281,7 +281,7 @@ fn files_of_zygo_tell_unit_size_and_missing_points() {
 fn fast_scans_of_jpk_have_a_channel_a_frame() {
     let all: Vec<_> = channels(&jpk(false), true).into_iter().map(Result::unwrap).collect();
     let names: Vec<_> = all.iter().map(|file| file.channel.as_deref().unwrap()).collect();
-    assert_eq!(names, ["Height (Retrace, frame 1)", "Height (Retrace, frame 2)"]);
+    assert_eq!(names, ["Height (Retrace frame 1)", "Height (Retrace frame 2)"]);
     let size = (6e-8, Some(4e-8));
     assert_holds(&all[0].scan, size, &[1e-9, 0.0, -1e-9, 4e-9, 3e-9, 2e-9].map(Some), 1e-22);
     assert_holds(&all[1].scan, size, &[-35e-9, -45e-9, -55e-9, -5e-9, -15e-9, -25e-9].map(Some), 1e-22);
