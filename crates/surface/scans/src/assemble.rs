@@ -46,7 +46,10 @@ pub(crate) fn chosen<'b>(
         let heights = || channels.iter().enumerate().filter(|(_, channel)| channel.is_heights());
         // If no channel can be read, the error of the first says why.
         let found = heights().find(|(_, channel)| channel.is_readable()).or_else(|| heights().next());
-        (found.map(|(at, _)| at), "channel of heights".to_owned())
+        let Some((at, _)) = found else {
+            return Err(ScanReadError::NoHeightChannel { format, channels: all });
+        };
+        (Some(at), String::new())
     };
     let found = found.and_then(|at| channels.into_iter().nth(at));
     found.ok_or(ScanReadError::NoChannel { format, wanted, channels: all })

@@ -87,7 +87,15 @@ pub enum ScanReadError {
         /// Advice.
         mend: &'static str,
     },
-    /// No channel or measurement of the name asked for, or none that holds heights.
+    /// A file none of whose channels holds heights of the surface.
+    #[error("reading {format}: no channel holds heights; there {}", list(.channels))]
+    NoHeightChannel {
+        /// Format of the file.
+        format: ScanFormat,
+        /// Names of its channels.
+        channels: Vec<String>,
+    },
+    /// No channel or measurement of the name asked for.
     #[error("reading {format}: there is no {wanted}; there {}", list(.channels))]
     NoChannel {
         /// Format of the file.

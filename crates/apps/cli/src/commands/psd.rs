@@ -19,7 +19,7 @@ use measurements::{
 use report::provenance::{of_surface, program};
 use report::scan_words;
 use report::scans_table::scans_table;
-use scans::{Mend, ScanOption};
+use scans::{Mend, ScanOption, ScanReadError};
 use spectrum::ReadOptions;
 use study::figure::composite_figure;
 use study::surface::Surface;
@@ -187,6 +187,11 @@ pub(super) fn refusal_of(request: Option<&ScanRequest>, error: TopographyError) 
             format!(
                 "; give a scan, or a command that takes a PSD, the other face's as --counterface-psd {file}"
             )
+        }
+        (ScanProblem::Format(problem), Some(file), _)
+            if matches!(**problem, ScanReadError::NoHeightChannel { .. }) =>
+        {
+            format!("; `truearea scan {file} --all-channels` shows what they hold")
         }
         (_, Some(file), Some(Mend::Give(wanted))) => option(wanted).map_or_else(
             || "; unpack it, and name the scans or their folder".to_owned(),

@@ -80,10 +80,7 @@ fn a_file_without_heights_names_its_channels() {
         visit_channels(bytes, name, &ScanOptions::default(), all, |file| found.push(file.unwrap()))
             .map(|()| found.len())
     };
-    refused!(
-        visit(false).unwrap_err(),
-        NoChannel { wanted: "channel of heights", channels: vec!["Amplitude".to_owned()] }
-    );
+    refused!(visit(false).unwrap_err(), NoHeightChannel { channels: vec!["Amplitude".to_owned()] });
     assert_eq!(visit(true).unwrap(), 1);
 }
 

@@ -224,7 +224,7 @@ fn what_holds_no_heights_is_refused() {
         BadField { field: "the number of points of the dimensions", value: "[0, 2, 3, 0]" }
     );
     let over_time = Wave { units: ["m", "s", ""], ..table() };
-    refused!(message(over_time), NoChannel { wanted: "channel of heights", channels: ["Left", "Right"] });
+    refused!(message(over_time), NoHeightChannel { channels: ["Left", "Right"] });
     let without_unit = Wave { units: ["", "um", "um"], note: "", labels: &[], ..Wave::scan() };
     refused!(message(without_unit), NoUnit { what: Unitless::Heights });
 }

@@ -113,8 +113,8 @@ fn vectors_are_lines_where_there_is_no_map() {
     assert_eq!(read(&file(&[line, map("z")]), None).channels, ["z"]);
     // Truth values and complex numbers are no heights.
     let flagged = |flag: u32| file(&[matrix("flag", 6 | flag, [2, 2], 2, &[1, 2, 3, 4])]);
-    refused!(refusal(&flagged(0x200)), NoChannel { wanted: "channel of heights" });
-    refused!(refusal(&flagged(0x800)), NoChannel { wanted: "channel of heights" });
+    refused!(refusal(&flagged(0x200)), NoHeightChannel {});
+    refused!(refusal(&flagged(0x800)), NoHeightChannel {});
 }
 
 #[test]

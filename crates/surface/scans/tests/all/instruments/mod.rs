@@ -113,7 +113,7 @@ pub fn refusal(bytes: &[u8]) -> ScanReadError {
 pub fn channels(bytes: &[u8], all: bool) -> Vec<Result<ScanFile, ScanReadError>> {
     let mut found = Vec::new();
     match visit_channels(bytes, "scan", &ScanOptions::default(), all, |channel| found.push(channel)) {
-        Err(ScanReadError::NoChannel { .. }) if !all => Vec::new(),
+        Err(ScanReadError::NoHeightChannel { .. }) if !all => Vec::new(),
         visited => {
             visited.unwrap();
             found

@@ -71,10 +71,7 @@ fn both_directions_are_read_from_their_bottom() {
 
 #[test]
 fn what_cannot_be_read_is_told() {
-    refused!(
-        refusal(&volts()),
-        NoChannel { wanted: "channel of heights", channels: ["Scan forward (Friction)"] }
-    );
+    refused!(refusal(&volts()), NoHeightChannel { channels: ["Scan forward (Friction)"] });
     let changed = |from: &str, to: &str| {
         let text: String = scan().iter().map(|byte| char::from(*byte)).collect();
         text.replace(from, to)

@@ -118,7 +118,7 @@ fn what_is_missing_is_told() {
         MissingField { field: "block 'Wavelength', which scales the heights" }
     );
     refused!(refusal(&without("Pixel_size")), NoSize { what: "how large the map is" });
-    refused!(refusal(&without("Raw")), NoChannel { wanted: "channel of heights", channels: ["Image"] });
+    refused!(refusal(&without("Raw")), NoHeightChannel { channels: ["Image"] });
 }
 
 #[test]

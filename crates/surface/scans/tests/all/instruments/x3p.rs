@@ -2,8 +2,10 @@
 
 use crate::instruments::refusal;
 use crate::instruments::{Sample, assert_holds, heights};
-use crate::support::zip_file::zipped;
-use scans::Probe;
+use crate::support::x3p::X3p;
+use crate::support::zip_file::{stored, zipped};
+use crate::support::{read_one, self_affine_map};
+use scans::{Probe, Scan, ScanOptions};
 
 fn axis(name: &str, axis_type: &str, data_type: &str, increment: f64) -> String {
     format!(
@@ -118,4 +120,31 @@ fn points_off_a_grid_and_damage_are_told() {
     refused!(list(&["1", "2", "3", "x"]), BadField { field: "the text", value: "'x'" });
     let even = listed("PCL", ("I", "A"), "<ListDimension>1</ListDimension>", &["1;2"]);
     refused!(refusal(&even), BadField { field: "the text", value: "'I'" });
+}
+
+#[test]
+fn archives_of_other_programs_are_read() {
+    let map = self_affine_map(4, 3);
+    let read = |data_type: char, folder: &str, change: &dyn Fn(String) -> String| {
+        let file = X3p { increment_m: 1.0, offset_m: 0.0, ..X3p::surface(data_type, 4, &map) };
+        let index = change(file.main_xml());
+        let [main, data] = ["main.xml", "bindata/data.bin"].map(|path| format!("{folder}{path}"));
+        read_one(&stored(&[(&main, index.as_bytes()), (&data, &file.data())]), &ScanOptions::default())
+    };
+    let heights_m = |folder: &str, change: &dyn Fn(String) -> String| {
+        let file = read('D', folder, change).unwrap();
+        let Scan::Map(map) = file.scan else { panic!("a map") };
+        (map.heights_m().to_vec(), file.notes.len())
+    };
+    assert_eq!(heights_m("scan 1/", &|index| index), (map.clone(), 0));
+    // Empty offsets are none.
+    assert_eq!(heights_m("", &|index| index.replace("<Offset>0</Offset>", "<Offset/>")), (map.clone(), 0));
+    // Floating-point heights take no increment; a note says so.
+    let scaled = |index: String| index.replace("<Increment>1</Increment>", "<Increment>1e-6</Increment>");
+    assert_eq!(heights_m("a/b/", &scaled), (map.clone(), 1));
+    let file = X3p::surface('D', 4, &map);
+    let (index, data) = (file.main_xml(), file.data());
+    let two =
+        stored(&[("a/main.xml", index.as_bytes()), ("b/main.xml", index.as_bytes()), ("a/data.bin", &data)]);
+    refused!(refusal(&two), Unsupported { found: "an archive with 2 files named 'main.xml'" });
 }
