@@ -18,7 +18,7 @@ use serde_spanned::Spanned;
 use spectrum::{Abscissa, AmplitudeDefinition, Convention, Normalisation};
 use stacked_contact::YieldingAreaLaw;
 use stat_contact::{Flattening, InterferenceLaw};
-use topography::{Average, Detrend, Direction, GapTreatment, Window};
+use topography::{Average, Detrend, Direction, GapTreatment, LineAverage, Window};
 
 use super::error::SceneError;
 use super::mistyped::explained;
@@ -77,6 +77,8 @@ pub(super) struct RawSurface {
     pub detrend: Option<Detrend>,
     pub window: Option<Window>,
     pub average: Option<Average>,
+    pub line_average: Option<LineAverage>,
+    pub remove_spikes: Option<bool>,
     pub bins_per_decade: Option<Spanned<i64>>,
     pub rms_height: Option<Typed<Length>>,
     pub rms_slope: Option<Spanned<f64>>,

@@ -70,6 +70,8 @@ fn refuse_idle_keys(key: &str, raw: &Spanned<RawSurface>) -> Result<(), SceneErr
         ("detrend", surface.detrend.is_some()),
         ("window", surface.window.is_some()),
         ("average", surface.average.is_some()),
+        ("line_average", surface.line_average.is_some()),
+        ("remove_spikes", surface.remove_spikes.is_some()),
         ("bins_per_decade", surface.bins_per_decade.is_some()),
     ];
     let [spectra, scans] = [(&of_spectra[..], "a psd"), (&of_scans[..], "scans")];
@@ -110,6 +112,8 @@ fn composite(key: &str, surface: &RawSurface, files: &dyn Files) -> Result<Surfa
         detrend: surface.detrend,
         window: surface.window,
         average: surface.average.unwrap_or_default(),
+        line_average: surface.line_average.unwrap_or_default(),
+        remove_spikes: surface.remove_spikes.unwrap_or_default(),
         bins_per_decade: bins_per_decade
             .map(|raw| count(&format!("{key}.bins_per_decade"), raw))
             .transpose()?

@@ -5,7 +5,7 @@ use std::collections::{BTreeSet, HashMap};
 use numerics::parallel::{Progress, Unobserved};
 use scans::ScanAxis;
 use tables::Table;
-use topography::{CompositeSpectrum, ScanSpectrum, TransformError, without_gaps};
+use topography::{CompositeSpectrum, ScanSpectrum, TransformError, without_gaps, without_spikes};
 use units::number;
 use units::printable::short_paths;
 
@@ -232,6 +232,7 @@ fn transform_input(
         if wanted == Sketches::PerScan {
             found.sketches.push(ScanSketch::new(&scan));
         }
+        let scan = if recipe.remove_spikes { without_spikes(scan).map_err(blame)? } else { scan };
         let scan = without_gaps(scan, recipe.gaps).map_err(blame)?;
         let instrument = InstrumentOfScan::new(request, &scan);
         found.maps.extend(MapPatch::from_file(&scan, &recipe, most_points));

@@ -1,6 +1,6 @@
 //! Measured heights, with missing points.
 
-use crate::heights::{HeightMap, Scan, ScanError, UniformLineScan};
+use crate::heights::{HeightMap, NonuniformLineScan, Scan, ScanError, UniformLineScan};
 use crate::missing_points::MissingPoints;
 
 /// A scan as an instrument gives it, with its missing points. [`MeasuredScan::complete`] refuses a scan that has to be
@@ -111,6 +111,24 @@ impl MeasuredScan {
                 })
             }
         }
+    }
+
+    /// Takes the heights of points away. Of unevenly spaced points, none of which is missing, nothing is left of them.
+    ///
+    /// # Errors
+    /// [`ScanError`] if fewer than two unevenly spaced points are left.
+    pub fn without_points(mut self, indices: &[usize]) -> Result<Self, ScanError> {
+        if let Scan::NonuniformLine(line) = &self.scan {
+            let gone: MissingPoints = indices.iter().copied().collect();
+            let kept = |values: &[f64]| {
+                let kept = values.iter().enumerate().filter(|(index, _)| !gone.contains(*index));
+                kept.map(|(_, value)| *value).collect::<Vec<f64>>()
+            };
+            let line = NonuniformLineScan::new(kept(line.positions_m()), kept(line.heights_m()))?;
+            return Ok(Scan::NonuniformLine(line).into());
+        }
+        indices.iter().for_each(|&index| self.missing.insert(index));
+        Ok(self)
     }
 
     /// Fills the missing points with heights in m, in their order.

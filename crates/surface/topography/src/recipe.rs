@@ -21,6 +21,10 @@ pub struct Recipe {
     pub window: Option<Window>,
     /// Average over measurements in a bin.
     pub average: Average,
+    /// Average over the lines of a map.
+    pub line_average: LineAverage,
+    /// True if spikes are removed first.
+    pub remove_spikes: bool,
     /// Logarithmic bins per decade of wavevectors.
     pub bins_per_decade: NonZeroU32,
     /// Tip radius \[m\] of scans without their own.
@@ -37,6 +41,8 @@ impl Default for Recipe {
             detrend: None,
             window: None,
             average: Average::default(),
+            line_average: LineAverage::default(),
+            remove_spikes: false,
             bins_per_decade: DEFAULT_BINS_PER_DECADE,
             tip_radius_m: None,
             gaps: GapTreatment::default(),
@@ -81,6 +87,12 @@ impl Recipe {
             self.average.name(),
             self.bins_per_decade
         );
+        if self.line_average != LineAverage::default() {
+            line += &format!(", average over lines: {}", self.line_average);
+        }
+        if self.remove_spikes {
+            line += ", spikes removed";
+        }
         if self.gaps != GapTreatment::default() {
             line += &format!(", gaps: {}", self.gaps);
         }
@@ -90,6 +102,19 @@ impl Recipe {
         line
     }
 }
+
+/// Average of the spectra of the lines of a map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum LineAverage {
+    /// The mean.
+    #[default]
+    Mean,
+    /// The median, divided by that of chi-squared numbers of mean 1: a few outlying lines do not move it.
+    Median,
+}
+
+units::named!(LineAverage, "average over lines", { Mean => "mean", Median => "median" });
 
 /// Average of the spectra of several measurements in a bin.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]

@@ -1,6 +1,6 @@
 //! The spectrum of a scan in its reliable band.
 
-use scans::{Scan, ScanAxis, ScanFile, ScanFormat};
+use scans::{IGNORED, Scan, ScanAxis, ScanFile, ScanFormat};
 use spectrum::ProfilePsd;
 use units::{Remark, RemarkCode, RemarkLevel};
 
@@ -9,10 +9,11 @@ use crate::checks::Checks;
 use crate::direction::{Direction, has_two, turned};
 use crate::line::LineSpectrum;
 use crate::lines::rows_spectrum;
+use crate::median_lines::{LEAST_LINES, median_spectrum};
 use crate::narrow_lines::{Peak, peaks};
 use crate::noise_floor::{NoiseFloor, noise_floor};
 use crate::piecewise::nonuniform_line_spectrum;
-use crate::recipe::Recipe;
+use crate::recipe::{LineAverage, Recipe};
 use crate::remark::BandEnd;
 use crate::rows::Lines;
 use crate::{BandLimits, Preparation, ReliableBand, TransformError};
@@ -99,8 +100,18 @@ impl ScanSpectrum {
     fn from_file(file: &ScanFile<Scan>, given: BandLimits, recipe: &Recipe) -> Result<Self, TransformError> {
         let preparation = recipe.preparation(file.is_periodic);
         let FoundBand { band, end: band_end, tip_remarks } = band_of(file, given, recipe)?;
-        let spectrum = line_spectrum(&file.scan, preparation);
+        let mut spectrum = line_spectrum(&file.scan, preparation);
         refuse_flat(&file.scan, &spectrum)?;
+        let mut notes = file.notes.clone();
+        if recipe.line_average == LineAverage::Median {
+            match Lines::from_scan(&file.scan) {
+                Lines::Even(rows) if rows.count() >= LEAST_LINES => {
+                    spectrum = median_spectrum(rows, spectrum, preparation);
+                }
+                _ => notes
+                    .push(format!("{IGNORED}the median over lines: it takes {LEAST_LINES} of them or more")),
+            }
+        }
         let reliable = spectrum.profile(&band)?;
         let checks = Checks::new(&file.scan, &spectrum, preparation, file.is_periodic);
         Ok(ScanSpectrum {
@@ -118,7 +129,7 @@ impl ScanSpectrum {
             checks,
             axis: None,
             fast_axis: file.fast_axis,
-            notes: file.notes.clone(),
+            notes,
         })
     }
 

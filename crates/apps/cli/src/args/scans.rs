@@ -6,7 +6,7 @@ use clap::Args as ClapArgs;
 use measurements::{Conventions, ScanRequest, TipRadius};
 use roughness::FormRemoval;
 use scans::LengthUnit;
-use topography::{Average, DEFAULT_BINS_PER_DECADE, Detrend, Direction, GapTreatment, Window};
+use topography::{Average, DEFAULT_BINS_PER_DECADE, Detrend, Direction, GapTreatment, LineAverage, Window};
 use units::{Length, Remark, RemarkCode, SignedLength, Spelling};
 
 use super::groups::CounterfaceSurfaceArgs;
@@ -162,6 +162,12 @@ pub(crate) struct ScansArgs {
     /// Average over scans that share a bin
     #[arg(long, value_parser = one_of::<Average, _>(Average::ALL), default_value_t)]
     pub average: Average,
+    /// Average over the lines of a map: median is not moved by a few outlying lines
+    #[arg(long, value_parser = one_of::<LineAverage, _>(LineAverage::ALL), default_value_t)]
+    pub line_average: LineAverage,
+    /// Fill spikes as missing points: those over 20 times as far from the points beside as others, if 0.5 % of all or fewer
+    #[arg(long)]
+    pub remove_spikes: bool,
     /// Logarithmic bins per decade of wavevectors
     #[arg(long, value_name = "N", value_parser = parse_count, default_value_t = DEFAULT_BINS_PER_DECADE)]
     pub bins_per_decade: NonZeroU32,
@@ -184,7 +190,7 @@ pub(crate) struct ScansArgs {
     #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", conflicts_with_all = CounterfaceSurfaceArgs::OPTIONS)]
     pub figure: Option<Picture>,
     /// The two-dimensional spectrum of one map instead, averaged radially: wavelength_m, wavevector_rad_per_m, Ciso_m4, modes
-    #[arg(long, conflicts_with_all = ["per_scan", "figure", "average", "bins_per_decade"], conflicts_with_all = CounterfaceSurfaceArgs::OPTIONS)]
+    #[arg(long, conflicts_with_all = ["per_scan", "figure", "average", "line_average", "remove_spikes", "bins_per_decade"], conflicts_with_all = CounterfaceSurfaceArgs::OPTIONS)]
     pub areal: bool,
 }
 

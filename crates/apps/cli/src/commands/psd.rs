@@ -34,6 +34,8 @@ pub(super) fn run(args: &ScansArgs, context: &Context<'_>) -> Result<(), Failure
         detrend: args.detrend,
         window: args.window,
         average: args.average,
+        line_average: args.line_average,
+        remove_spikes: args.remove_spikes,
         bins_per_decade: args.bins_per_decade,
         tip_radius_m: args.tip_radius.and_then(TipRadius::known_m),
         ..Recipe::default()

@@ -5,6 +5,7 @@ mod gaps;
 mod kept_moments;
 mod narrow_lines;
 mod noise;
+mod robust_averages;
 mod skewness;
 mod tips;
 mod transform_areal;
