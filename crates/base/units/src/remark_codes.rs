@@ -126,7 +126,7 @@ remark_codes! {
          other, or the surface has a direction; the spectrum is that along the lines";
     NarrowLine "surface.scans.scan.line" Caution
         "{files}: waves of {wavelength_m} carry {share%} of the variance[, at {angle}° to the rows]: turned or milled? leaks and gaps \
-         depend on its direction"
+         depend on their direction"
         short "{files}: waves of {wavelength_m} carry {share%} of the variance";
     TraceSkewed "surface.scans.scan.skewness" Note "{files}: heights are not Gaussian, Rsk {skewness}";
     ModelsGet "surface.scans.kept" Caution

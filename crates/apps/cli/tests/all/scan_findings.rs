@@ -15,7 +15,12 @@ fn line(points: usize, spacing_nm: f64) -> String {
 fn map(offset: f64) -> String {
     let row = |y: usize| {
         let shift = offset * (((y * 6007) % 97) as f64 / 97.0 - 0.5);
-        let height = |x: usize| format!("{:.6}", ((x * 7919 + y * 104_729) % 1009) as f64 / 1009.0 + shift);
+        let height = |x: usize| {
+            // Bits of a product, so that the heights have no lines as those of a remainder do.
+            let bits = ((x + 64 * y + 1) as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+            let bits = (bits ^ (bits >> 29)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+            format!("{:.6}", (bits >> 40) as f64 / 16_777_216.0 + shift)
+        };
         (0..64).map(height).collect::<Vec<_>>().join("\t")
     };
     let rows: Vec<String> = (0..64).map(row).collect();

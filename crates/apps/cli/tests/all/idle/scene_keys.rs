@@ -131,6 +131,7 @@ fn words(key: &str) -> Option<Vec<String>> {
         "detrend" => named!(topography::Detrend),
         "window" => named!(topography::Window),
         "average" => named!(topography::Average),
+        "line_average" => named!(topography::LineAverage),
         "gaps" => named!(topography::GapTreatment),
         "direction" => named!(topography::Direction),
         "base" => named!(study::layer_base::LayerBase),
@@ -143,7 +144,9 @@ fn words(key: &str) -> Option<Vec<String>> {
         "amplitude" => named!(spectrum::AmplitudeDefinition),
         "hardness_formula" => named!(asperity::Hardness),
         "gas" => named!(interface::gas::NamedGas),
-        "strain_gradient" | "all_models" | "off" => vec!["true".to_owned(), "false".to_owned()],
+        "strain_gradient" | "all_models" | "off" | "remove_spikes" => {
+            vec!["true".to_owned(), "false".to_owned()]
+        }
         _ => return None,
     })
 }
