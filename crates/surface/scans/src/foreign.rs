@@ -75,7 +75,7 @@ impl ForeignFile {
             Some(Self::Zip) if holds("word/document.xml") || holds("ppt/presentation.xml") => {
                 Some(Self::Document)
             }
-            Some(Self::Zip) if holds("shared-data/header.properties") => {
+            Some(Self::Zip) if holds("header.properties") && (holds("segments/0/") || holds("index/0/")) => {
                 Some(Self::Instrument("JPK force curve or map"))
             }
             Some(Self::Zip) if holds("index.xml") && holds("recipe.txt") => {

@@ -7,6 +7,7 @@ use flate2::read::MultiGzDecoder;
 
 use crate::archive::{Archive, is_named_in, is_zip};
 use crate::error::ScanReadError;
+use crate::foreign::ForeignFile;
 use crate::format::ScanFormat;
 use crate::metadata::file_name;
 use crate::options::ScanOptions;
@@ -103,6 +104,12 @@ fn only_scan(bytes: &[u8], options: &ScanOptions) -> Result<Option<Vec<u8>>, Sca
             Some(_) => recognised.add(path, content),
             None => {}
         }
+    }
+    // Texts beside the data of an instrument are no scans.
+    if recognised.paths.is_empty()
+        && let Some(kind @ ForeignFile::Instrument(_)) = ForeignFile::recognise(bytes)
+    {
+        return Err(ScanReadError::Foreign(kind));
     }
     let found = if recognised.paths.is_empty() { texts } else { recognised };
     if found.paths.len() > 1 {

@@ -131,5 +131,18 @@ fn slopes_are_no_heights() {
         let is_told =
             matches!(&error, ScanReadError::NoLength { line: 4, column: 2, unit } if unit == "urad");
         assert!(is_told, "{error}");
+#[cfg(feature = "archives")]
+#[test]
+fn archives_of_instruments_without_an_image_are_named() {
+    use crate::support::zip_file::stored;
+    use scans::ForeignFile;
+    let force = [
+        ("header.properties", b"type=force".as_slice()),
+        ("segments/0/segment-header.properties", b"1 2\n3 4\n"),
+    ];
+    let plux = [("index.xml", b"<xml/>".as_slice()), ("recipe.txt", b"1 2\n3 4\n")];
+    for files in [force, plux] {
+        let error = read_scans(&stored(&files), "scan", &ScanOptions::default()).unwrap_err();
+        assert!(matches!(error, ScanReadError::Foreign(ForeignFile::Instrument(_))), "{error}");
     }
 }
