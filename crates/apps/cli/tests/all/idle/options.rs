@@ -143,6 +143,7 @@ const VALUES: &[(&str, [&str; 2])] = &[
     ("list", ["list.csv", "other.csv"]),
     ("output", ["out.csv", "out.csv"]),
     ("figure", ["g.svg", "h.svg"]),
+    ("write", ["heights.nc", "heights.gsf"]),
     ("out", ["elsewhere", "elsewhere"]),
     ("material", ["silver", "gold"]),
     ("on", ["silver", "gold"]),
