@@ -33,7 +33,7 @@ pub enum ForeignFile {
 }
 
 /// Beginnings of files; of several that fit, the first counts.
-const BEGINNINGS: [(&[u8], ForeignFile); 23] = [
+const BEGINNINGS: [(&[u8], ForeignFile); 20] = [
     (b"\x89PNG", ForeignFile::Picture("PNG")),
     (b"\xff\xd8\xff", ForeignFile::Picture("JPEG")),
     (b"GIF8", ForeignFile::Picture("GIF")),
@@ -47,9 +47,6 @@ const BEGINNINGS: [(&[u8], ForeignFile); 23] = [
     (b"\x89HDF\r\n\x1a\n", ForeignFile::Hdf5),
     (b"<svg", ForeignFile::Picture("SVG")),
     (b"PK", ForeignFile::Zip),
-    (b"[Paramco32]", ForeignFile::Instrument("Createc image (.dat)")),
-    (b"[Paramet32]", ForeignFile::Instrument("Createc image (.dat)")),
-    (b"[Parameter]", ForeignFile::Instrument("Createc image (.dat)")),
     (b"[ParVERT", ForeignFile::Instrument("Createc spectrum (.vert)")),
     (b"ONTMATRX", ForeignFile::Instrument("Omicron Matrix file (.mtrx)")),
     (b"OLYMPUSRAWFORMAT", ForeignFile::Instrument("Olympus raw image (.oir)")),
@@ -61,6 +58,8 @@ const BEGINNINGS: [(&[u8], ForeignFile); 23] = [
 
 /// Bytes at the beginning in which the kind of a text shows.
 const LOOKED_AT: usize = 1024;
+/// Bytes of the header of a Createc image.
+const CREATEC_HEADER: usize = 1 << 14;
 
 impl ForeignFile {
     /// Recognises a file by its content; `None` for all that may hold numbers.
@@ -69,6 +68,7 @@ impl ForeignFile {
         let has = |offset: usize, word: &[u8]| bytes.get(offset..).is_some_and(|rest| rest.starts_with(word));
         // The name of a file in an archive is stored as it is.
         let holds = |name: &str| memmem::find(bytes, name.as_bytes()).is_some();
+        let start = &bytes[..bytes.len().min(CREATEC_HEADER)];
         let found = BEGINNINGS.iter().find(|(start, _)| bytes.starts_with(start)).map(|(_, kind)| *kind);
         match found {
             Some(Self::Zip) if has(30, b"mimetypeapplication/vnd.oasis") => Some(Self::OpenDocument),
@@ -87,6 +87,10 @@ impl ForeignFile {
             Some(kind) => Some(kind),
             None if has(0, b"\x01\0\0\0") && has(24, b"TP\0\0PH\0\0") => {
                 Some(Self::Instrument("high-speed AFM film (.asd)"))
+            }
+            // Other programs begin texts with '[Parameter]', too.
+            None if has(0, b"[Param") && memmem::find(start, b"Num.X / Num.X").is_some() => {
+                Some(Self::Instrument("Createc image (.dat)"))
             }
             None if has(2, b"S\0T\0i\0M\0a\0g\0e\0") => Some(Self::Instrument("RHK image (.sm4)")),
             None if has(0, b"RIFF") && has(8, b"WEBP") => Some(Self::Picture("WebP")),
@@ -155,7 +159,7 @@ mod tests {
             (b"\n<!DOCTYPE html>", Some(ForeignFile::WebPage)),
             (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1\0", Some(ForeignFile::OldOffice)),
             (b"PK\x03\x04\0\0word/document.xml", Some(ForeignFile::Document)),
-            (b"[Paramco32]\r\nNum.X", Some(ForeignFile::Instrument("Createc image (.dat)"))),
+            (b"[Paramco32]\r\nNum.X / Num.X=8", Some(ForeignFile::Instrument("Createc image (.dat)"))),
             (b"\0\0\0\0TPPH\x83\0", Some(ForeignFile::Instrument("high-speed AFM film (.asd)"))),
             (
                 b"\x01\0\0\0\xd3\0\0\0 \0\0\0\xa4\x03\0\0\t\0\0\0%\0\0\0TP\0\0PH\0\0",
@@ -166,6 +170,7 @@ mod tests {
                 b"PK\x03\x04 index.xml recipe.txt",
                 Some(ForeignFile::Instrument("Sensofar PLUX file without a layer of heights (LAYER_0)")),
             ),
+            (b"[Parameter]\nlength 4\n", None),
             (b"BM 1 2\n", None),
             (b"% position height\n0 1\n", None),
             (b"", None),
