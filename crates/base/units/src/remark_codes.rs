@@ -165,7 +165,7 @@ remark_codes! {
     SteepSurface "doubt.steep-surface" Caution
         "the rms slope of the surface is {rms_slope}, above 1: check the units of heights and lengths";
     FarTooSteepSurface "doubt.steep-surface" Caution
-        "the rms slope of the surface is {rms_slope}, 1000 times too high: nm and µm mixed up, or positions in mm? A line `mm um` above the columns of a scan says so";
+        "the rms slope of the surface is {rms_slope}, 1000 times too high: nm and µm mixed up, or positions in mm? Then write unit=mm,height-unit=um behind the file";
     SteepScale "doubt.steep-scale" Caution
         "the scale at {wavelength_m} is {aspect_ratio} times as high as it is long: check the units of heights and lengths";
     StrongerThanSolids "doubt.stronger-than-solids" Caution

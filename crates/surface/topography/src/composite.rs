@@ -120,79 +120,42 @@ fn average_bins(
     if measurements.is_empty() {
         return Err(TransformError::NoMeasurements);
     }
-    let mut gathered: BTreeMap<i64, Gathered> = BTreeMap::new();
+    let mut gathered: BTreeMap<i64, Vec<Measured<'_>>> = BTreeMap::new();
     for (at, measurement) in measurements.iter().enumerate() {
         let is_repeated = measurements[..at].contains(measurement);
         for bin in measurement {
-            gathered.entry(bin.index).or_default().add(bin, unbiasing(bin), is_repeated);
+            gathered.entry(bin.index).or_default().push((bin, is_repeated));
         }
     }
-    let ratios: Option<Vec<f64>> = gathered.values().map(Gathered::held_over_mean).collect();
-    let bins: Vec<CompositeBin> = gathered
-        .into_iter()
-        .map(|(index, gathered)| gathered.bin(centre_m(index, bins_per_decade), across))
-        .collect();
-    match (&bins[..], ratios) {
+    let average = |(index, measured): (&i64, &Vec<Measured<'_>>)| {
+        let distinct = || measured.iter().filter(|(_, is_repeated)| !is_repeated);
+        let is_mean = distinct().count() > 1;
+        let value_m3 = |(bin, _): &Measured<'_>| bin.c1d_m3 * if is_mean { unbiasing(bin) } else { 1.0 };
+        let wavelengths_m: Vec<f64> = measured.iter().map(|(bin, _)| bin.wavelength_m).collect();
+        let bin = CompositeBin {
+            centre_m: centre_m(*index, bins_per_decade),
+            wavelength_m: BinMean::Geometric.mean(&wavelengths_m),
+            c1d_m3: across.mean(&measured.iter().map(value_m3).collect::<Vec<f64>>()),
+            kept: 1.0,
+            measurements: measured.len(),
+            standard_error_m3: across.standard_error(&distinct().map(value_m3).collect::<Vec<f64>>()),
+            degrees_of_freedom: distinct().map(|(bin, _)| bin.degrees_of_freedom).sum(),
+        };
+        // Of all together: the logarithms of what is held and of means have different biases.
+        let held_m3: Option<f64> = measured.iter().map(|(bin, _)| bin.held_m3).sum();
+        let means_m3: f64 = measured.iter().map(|(bin, _)| bin.c1d_m3).sum();
+        (bin, held_m3.map(|held_m3| held_m3 / means_m3))
+    };
+    let (bins, held_over_means): (Vec<CompositeBin>, Vec<Option<f64>>) = gathered.iter().map(average).unzip();
+    match (&bins[..], held_over_means.into_iter().collect::<Option<Vec<f64>>>()) {
         ([CompositeBin { centre_m, .. }], _) => Err(TransformError::SingleBin { centre_m: *centre_m }),
         (_, None) => Ok(Composite { bins }),
         (_, Some(ratios)) => Ok(Composite { bins }.keeping(&ratios)),
     }
 }
 
-/// Values of all measurements in a bin.
-#[derive(Default)]
-struct Gathered {
-    wavelengths_m: Vec<f64>,
-    values_m3: Vec<f64>,
-    held_m3: Vec<Option<f64>>,
-    /// The factors that free the values of their bias.
-    unbiasing: Vec<f64>,
-    /// The numbers of the values that do not repeat an earlier one.
-    distinct: Vec<usize>,
-    /// The degrees of freedom of the distinct values.
-    freedoms: Vec<Option<f64>>,
-}
-
-impl Gathered {
-    fn add(&mut self, bin: &ScanBin, unbiasing: f64, is_repeated: bool) {
-        if !is_repeated {
-            self.distinct.push(self.values_m3.len());
-            self.freedoms.push(bin.degrees_of_freedom);
-        }
-        self.wavelengths_m.push(bin.wavelength_m);
-        self.values_m3.push(bin.c1d_m3);
-        self.held_m3.push(bin.held_m3);
-        self.unbiasing.push(unbiasing);
-    }
-
-    /// Values \[m^3\] without their bias, which only the mean of several logarithms has.
-    fn unbiased_m3(&self) -> Vec<f64> {
-        let is_mean = self.distinct.len() > 1;
-        let freed = |(value, factor): (&f64, &f64)| if is_mean { value * factor } else { *value };
-        self.values_m3.iter().zip(&self.unbiasing).map(freed).collect()
-    }
-
-    /// What the measurements hold about the bin over what their means would, of all together: logarithms of the two have
-    /// different biases.
-    fn held_over_mean(&self) -> Option<f64> {
-        let held_m3: Option<Vec<f64>> = self.held_m3.iter().copied().collect();
-        Some(BinMean::Arithmetic.mean(&held_m3?) / BinMean::Arithmetic.mean(&self.values_m3))
-    }
-
-    fn bin(self, centre_m: f64, across: BinMean) -> CompositeBin {
-        let values_m3 = self.unbiased_m3();
-        let distinct_m3: Vec<f64> = self.distinct.iter().map(|&at| values_m3[at]).collect();
-        CompositeBin {
-            centre_m,
-            wavelength_m: BinMean::Geometric.mean(&self.wavelengths_m),
-            c1d_m3: across.mean(&values_m3),
-            kept: 1.0,
-            measurements: values_m3.len(),
-            standard_error_m3: across.standard_error(&distinct_m3),
-            degrees_of_freedom: self.freedoms.iter().copied().sum(),
-        }
-    }
-}
+/// The bin of a measurement, and whether the measurement repeats an earlier one.
+type Measured<'m> = (&'m ScanBin, bool);
 
 impl Composite {
     /// Changes the values so that the spectrum holds about each bin so many times what its mean would.

@@ -8,8 +8,7 @@ use spectrum::{Convention, Hole, Psd};
 use units::display::{length, three_digits};
 use units::{Remark, RemarkCode, RemarkLevel};
 
-use crate::bins::centre_m;
-use crate::composite::{CompositeBin, average_scan_bins};
+use crate::composite::average_scan_bins;
 use crate::models_get::ModelsGet;
 use crate::overlap::{DIRECTIONS_DIFFER, mixed_units};
 use crate::recipe::{Average, Recipe};
@@ -231,13 +230,10 @@ impl CompositeSpectrum {
     /// Remarks on the largest bias removed from the mean of logarithms.
     fn bias(&self) -> Option<Remark> {
         let average = self.recipe.average;
-        let averaged = |bin: &&CompositeBin| bin.measurements > 1;
-        let of_several: HashSet<u64> =
-            self.composite.bins.iter().filter(averaged).map(|bin| bin.centre_m.to_bits()).collect();
-        let is_averaged =
-            |bin: &&ScanBin| of_several.contains(&centre_m(bin.index, self.recipe.bins_per_decade).to_bits());
-        let bins = self.in_bins.iter().flatten();
-        let bins = bins.filter(|_| average == Average::LogUnbiased).filter(is_averaged);
+        let mut reached: HashMap<i64, usize> = HashMap::new();
+        self.in_bins.iter().flatten().for_each(|bin| *reached.entry(bin.index).or_default() += 1);
+        let is_freed = |bin: &&ScanBin| average == Average::LogUnbiased && reached[&bin.index] > 1;
+        let bins = self.in_bins.iter().flatten().filter(is_freed);
         let factors = bins.map(|bin| (average.counted_m3(bin) / bin.c1d_m3, bin.wavelength_m));
         let (factor, wavelength_m) = factors.max_by(|a, b| a.0.total_cmp(&b.0))?;
         Some(Remark::new(RemarkCode::BiasRemoved).with("factor", factor).with("wavelength_m", wavelength_m))

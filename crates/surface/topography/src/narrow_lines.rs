@@ -179,21 +179,3 @@ fn turn_between_rows(rows: &Rows, preparation: Preparation, n: usize, stride: us
     }
     sum.arg()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::rows::Lines;
-    use scans::UniformLineScan;
-
-    #[test]
-    fn a_line_holds_its_samples_and_no_more() {
-        let wave = |i: usize| 1e-6 * (TAU * 20.3 * i as f64 / 512.0).sin();
-        let scan = Scan::UniformLine(UniformLineScan::new(1e-6, (0..512).map(wave).collect()).unwrap());
-        let Lines::Even(rows) = Lines::from_scan(&scan) else { panic!("an even line") };
-        let spectrum = rows_spectrum(rows, Preparation::default());
-        let found = peaks(&spectrum, Window::Hann);
-        assert_eq!((found.len(), found[0].highest, found[0].powers_m3.len()), (1, 20, 5));
-        assert!((found[0].waves() - 20.3).abs() < 0.02 && found[0].share(&spectrum) > 0.99);
-    }
-}

@@ -131,6 +131,9 @@ fn slopes_are_no_heights() {
         let is_told =
             matches!(&error, ScanReadError::NoLength { line: 4, column: 2, unit } if unit == "urad");
         assert!(is_told, "{error}");
+    }
+}
+
 #[cfg(feature = "archives")]
 #[test]
 fn archives_of_instruments_without_an_image_are_named() {
