@@ -2,12 +2,14 @@
 //! `publishing`, and the crates of evidence, `stress`, `trials` and `work-precision`.
 
 mod budgets;
+mod files;
 mod instructions;
 mod layers;
 mod programs;
 mod shared;
 
 use std::ffi::OsString;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use lexopt::prelude::*;
@@ -20,6 +22,9 @@ cargo xtask instructions [--accept]
                                counts instructions of the main kernels and the paper against the accepted counts (needs
                                valgrind); --accept takes the new counts
 cargo xtask layers             checks which crate may use which, what stays out of the core, and budgets of lines and words
+cargo xtask files --data FOLDER
+                               reads the files of instruments in a folder, of packages on PyPI, and compares them with what other readers
+                               found: docs/develop/compared_files.csv
 cargo xtask shared             runs the tests that need the folder shared/ beside the checkout
 cargo xtask python [--anew] [--wheel FILE]
                                builds the wheel and tries it in an environment below target/: tests, examples, notebooks, types
@@ -50,6 +55,10 @@ cargo xtask work-precision [PART]...
 ";
 
 enum Task {
+    /// Comparison of the files in a folder.
+    Files {
+        data: Option<PathBuf>,
+    },
     /// Program of another crate, and what it is called with.
     Program {
         name: &'static str,
@@ -99,6 +108,13 @@ fn main() -> ExitCode {
         Ok(Some(Task::Instructions { accept })) => instructions::run(accept),
         Ok(Some(Task::Layers)) => layers::run(),
         Ok(Some(Task::Shared)) => shared::run(),
+        Ok(Some(Task::Files { data })) => match data {
+            Some(folder) => files::run(&folder),
+            None => {
+                eprintln!("error: say where the files are: cargo xtask files --data FOLDER");
+                ExitCode::from(2)
+            }
+        },
         Ok(None) => {
             print!("{HELP}");
             ExitCode::SUCCESS
@@ -122,6 +138,7 @@ fn parse(mut parser: lexopt::Parser) -> Result<Option<Task>, lexopt::Error> {
                     Some("instructions") => Task::Instructions { accept: false },
                     Some("layers") => Task::Layers,
                     Some("shared") => Task::Shared,
+                    Some("files") => Task::Files { data: None },
                     Some(chore @ ("package" | "site" | "python" | "pyodide" | "web")) => {
                         Task::Publishing { chore: chore.to_owned(), arguments: following(&mut parser)? }
                     }
@@ -132,6 +149,7 @@ fn parse(mut parser: lexopt::Parser) -> Result<Option<Task>, lexopt::Error> {
                 };
                 task = Some(named);
             }
+            (Long("data"), Some(Task::Files { data })) => *data = Some(parser.value()?.into()),
             (Long("accept"), Some(Task::Instructions { accept })) => *accept = true,
             (Long("help") | Short('h'), _) => return Ok(None),
             (arg, _) => return Err(arg.unexpected()),
