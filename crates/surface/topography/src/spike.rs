@@ -49,12 +49,16 @@ impl Spike {
     #[must_use]
     pub fn in_measured(scan: &MeasuredScan) -> Option<Self> {
         let (columns, rows) = scan.points();
-        let known = scan.heights_m().enumerate().filter_map(|(at, height_m)| Some((at, height_m?)));
-        let (places, heights_m): (Vec<usize>, Vec<f64>) = known.unzip();
-        Self::among(&heights_m, |at| match rows {
-            Some(_) => (Some(places[at] / columns + 1), Some(places[at] % columns + 1)),
-            None => (None, Some(places[at] + 1)),
-        })
+        let named = |place: usize| match rows {
+            Some(_) => (Some(place / columns + 1), Some(place % columns + 1)),
+            None => (None, Some(place + 1)),
+        };
+        if let Some(heights_m) = scan.complete_heights_m() {
+            return Self::among(heights_m, named);
+        }
+        let known = || scan.heights_m().enumerate().filter_map(|(place, height_m)| Some((place, height_m?)));
+        let heights_m: Vec<f64> = known().map(|(_, height_m)| height_m).collect();
+        Self::among(&heights_m, |at| named(known().nth(at).map_or(at, |(place, _)| place)))
     }
 
     /// Finds such a point; `place_of` gives its row and its place there.
@@ -75,7 +79,7 @@ impl Spike {
             return None;
         }
         let distance_m = |at: usize| (heights_m[at] - middle_m).abs();
-        let at = (0..heights_m.len()).max_by(|a, b| distance_m(*a).total_cmp(&distance_m(*b)))?;
+        let at = (0..heights_m.len()).rev().max_by(|a, b| distance_m(*a).total_cmp(&distance_m(*b)))?;
         let (row, point) = place_of(at);
         Some(Self { row, point, height_m: heights_m[at], times: distance_m(at) / usual_m })
     }
