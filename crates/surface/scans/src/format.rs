@@ -95,7 +95,7 @@ formats! {
     /// FRT MicroProf: `.frt`.
     Frt = "FRT", RealFiles("Gwyddion, SurfaceTopography");
     /// NanoFocus: `.nms`.
-    NanoFocus = "NanoFocus", RealFiles("surfalize");
+    NanoFocus = "NanoFocus", MadeFiles("surfalize");
     /// Park Systems: `.tiff`.
     ParkTiff = "Park TIFF", RealFiles("Gwyddion, SurfaceTopography");
     /// TrueGage TrueMap: `.tmd`.

@@ -61,7 +61,7 @@ fn waves(across: f64) -> Vec<f64> {
 fn worn(heights_m: Vec<f64>) -> Vec<f64> {
     let mut sorted = heights_m.clone();
     sorted.sort_by(f64::total_cmp);
-    let plateau_m = sorted[sorted.len() * 4 / 5];
+    let plateau_m = sorted[sorted.len() * 7 / 10];
     heights_m.into_iter().map(|height_m| height_m.min(plateau_m + 0.05 * (height_m - plateau_m))).collect()
 }
 

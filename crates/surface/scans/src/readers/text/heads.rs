@@ -286,7 +286,7 @@ impl Role {
             let is_it = |word: &&str| {
                 word.strip_prefix(letter).is_some_and(|rest| rest.chars().all(|c| c.is_ascii_digit()))
             };
-            words.iter().any(|word| is_it(&word))
+            words.iter().any(|word| is_it(word))
                 || name.starts_with(letter)
                     && ["pos", "coord", "axis", "value", "data"]
                         .iter()
