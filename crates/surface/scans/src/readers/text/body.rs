@@ -31,15 +31,16 @@ impl<'t> Body<'t> {
         content(self.text).skip_while(move |(number, _)| *number < first)
     }
 
-    /// The first line of numbers behind an empty one, where empty lines separate blocks of them, not each from the next.
+    /// The first line of numbers behind an empty one or a comment, where such lines separate blocks of them, not each from
+    /// the next.
     pub(super) fn second_block(&self) -> Option<usize> {
         let (mut rows, mut breaks, mut first_break) = (0, 0, None);
         let mut is_behind_empty = false;
         for (index, line) in self.text.lines().enumerate().skip(self.first_line - 1) {
             let line = line.trim_matches(is_blank);
-            if line.is_empty() {
+            if line.is_empty() || is_comment(line) {
                 is_behind_empty = rows > 0;
-            } else if !is_comment(line) {
+            } else {
                 if is_behind_empty {
                     breaks += 1;
                     first_break.get_or_insert(index + 1);

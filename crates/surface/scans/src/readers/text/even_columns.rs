@@ -19,6 +19,18 @@ pub(super) fn is_even(columns: &Columns, column: usize) -> bool {
     even_spacing(&positions, columns.rounding(column)).is_some()
 }
 
+/// Returns true if the first two columns are the places of points that fill a grid, one each.
+pub(super) fn is_grid(columns: &Columns) -> bool {
+    let distinct = |column: usize| {
+        let mut values: Vec<f64> = columns.measured(column).flatten().collect();
+        values.sort_by(f64::total_cmp);
+        values.dedup();
+        values.len()
+    };
+    let (x, y) = (distinct(0), distinct(1));
+    x > 1 && y > 1 && x * y == columns.rows()
+}
+
 /// Returns true if all rows of a column are the same.
 pub(super) fn is_constant(columns: &Columns, column: usize) -> bool {
     let mut known = columns.measured(column).flatten();

@@ -49,12 +49,19 @@ pub(super) fn read(
     {
         notes.push(COUNTED.to_owned());
     }
+    let counted = [at_x, at_y].iter().all(|column| header.heads.unit(*column).is_none())
+        && [&x, &y].iter().all(|axis| axis.spacing == 1.0 && [0.0, 1.0].contains(&axis.first));
+    let stated = if counted && header.is_spaced() { header.size(x.count, y.count, &units)? } else { None };
+    if stated.is_some() {
+        notes.push("the places count the points, whose distance the header states".to_owned());
+    }
     let heights = fill(body, columns, places, &x, &y)?;
     let heights_m = heights
         .into_iter()
         .map(|height| height.flatten().map(|height| height_to_m(height * factor)))
         .collect::<Decoded>();
-    let lateral = Lateral::Spacing { x_m: x_to_m(x.spacing), y_m: Some(y_to_m(y.spacing)) };
+    let spaced = Lateral::Spacing { x_m: x_to_m(x.spacing), y_m: Some(y_to_m(y.spacing)) };
+    let lateral = stated.map_or(spaced, Lateral::Size);
     Ok(Found { columns: x.count, lateral, heights_m })
 }
 

@@ -3,9 +3,9 @@
 use super::body::Body;
 use super::columns::Columns;
 use super::heads::Heads;
-use super::keys::{Key, key_and_value, key_in_table, names_a_number};
+use super::keys::{Key, key_and_value, key_in_table};
 use super::lengths::{Length, factor, length, numbered_factor, stylus_radius_m, unit};
-use super::style::{FORMAT, is_comment, shortened};
+use super::style::{FORMAT, holds_numbers, is_comment, shortened};
 use crate::choice_of_units::Units;
 use crate::error::{FilePlace, ScanReadError};
 use crate::numbers;
@@ -97,7 +97,9 @@ impl Header {
             }
             Some((key, value)) => self.set(key, value, number)?,
             None if self.heads.take_line(with_tabs, number, columns) => {}
-            None if names_a_number(line) => self.unread.push(line.to_owned()),
+            None if line.contains(|c: char| c.is_ascii_digit()) && !holds_numbers(line) => {
+                self.unread.push(line.to_owned())
+            }
             None => {}
         }
         Ok(())
@@ -130,6 +132,10 @@ impl Header {
     fn set(&mut self, key: Key, value: &str, line: usize) -> Result<(), ScanReadError> {
         match key {
             Key::Channel => self.channel = Some(value.to_owned()),
+            // Of a length and a width the width is across.
+            Key::Size(0) if self.sizes[0].is_some() && self.sizes[1].is_none() => {
+                self.sizes[1] = length(value, line)?;
+            }
             Key::Size(axis) => self.sizes[axis] = length(value, line)?.or(self.sizes[axis]),
             Key::Spacing(axis) => self.spacings[axis] = length(value, line)?.or(self.spacings[axis]),
             Key::ToNanometres => {
@@ -191,6 +197,16 @@ impl Header {
     /// Returns true if the header gives both sizes of a map.
     pub(crate) fn is_matrix(&self) -> bool {
         self.sizes.iter().all(Option::is_some)
+    }
+
+    /// Returns true if the header gives the distance of points along x.
+    pub(crate) fn is_spaced(&self) -> bool {
+        self.spacings[0].is_some()
+    }
+
+    /// What heights beside no positions are multiplied by.
+    pub(crate) fn heights_factor(&self) -> f64 {
+        self.map_heights().1
     }
 
     /// The unit of the heights of a map, and what its numbers are multiplied by to be in it.
@@ -302,11 +318,14 @@ impl Header {
     ) -> Result<Option<ScanSize>, ScanReadError> {
         let axis = |axis: usize, points: usize| {
             let of_spacing = |length: Length| Length { value: length.value * points as f64, ..length };
-            self.sizes[axis].or(self.spacings[axis].map(of_spacing))
+            // Beside a distance of points a bare size may count them.
+            let spaced = self.spacings[axis].map(of_spacing);
+            let size = self.sizes[axis].filter(|size| size.unit.is_some() || spaced.is_none());
+            size.or(spaced)
         };
         // A bare size may count pixels unless the header gives the lateral unit; a spacing does not.
         let is_sure = |axis: usize, length: &Length| {
-            length.unit.is_some() || self.lateral_unit.is_some() || self.sizes[axis].is_none()
+            length.unit.is_some() || self.lateral_unit.is_some() || self.spacings[axis].is_some()
         };
         let to_m = |length: Length| -> Result<f64, ScanReadError> {
             match length.unit {

@@ -2,6 +2,7 @@
 
 use super::columns::Columns;
 use super::lengths::trailing_unit;
+use super::separator::Separator;
 use units::LengthUnit;
 
 /// The name of a column and its unit.
@@ -156,7 +157,7 @@ fn fields_in<'l>(line: &'l str, columns: &Columns) -> Option<Vec<&'l str>> {
     columns
         .fields_of(line)
         .filter(|_| columns.count > 1 || split_bracket(line).is_some() || LengthUnit::parse(line).is_some())
-        .or_else(|| ['\t', ';', ','].into_iter().find_map(separated))
+        .or_else(|| separated('\t').filter(|_| columns.separator == Separator::Blanks))
 }
 
 /// The names before as many brackets as there are columns, where blanks separate more words.
@@ -192,15 +193,31 @@ pub(super) enum Role {
     Counter,
     /// 0 where the height does not count.
     Validity,
+    /// 0 where the height counts, or the other way round.
+    Defect,
 }
 
 impl Role {
     /// The role that a name tells, if any.
     pub(super) fn of(name: &str) -> Option<Self> {
-        const COUNTERS: [&str; 13] = [
-            "index", "idx", "no", "no.", "nr", "nr.", "#", "n", "i", "point", "point no", "sample", "points",
+        const COUNTERS: [&str; 15] = [
+            "index",
+            "idx",
+            "no",
+            "no.",
+            "nr",
+            "nr.",
+            "#",
+            "n",
+            "i",
+            "point",
+            "point no",
+            "sample",
+            "points",
+            "messpunkt",
+            "pixel",
         ];
-        const SIGNALS: [&str; 26] = [
+        const SIGNALS: [&str; 29] = [
             "slope",
             "angle",
             "curvature",
@@ -225,8 +242,11 @@ impl Role {
             "error",
             "gray",
             "grey",
-            "red",
             "sigma",
+            "theta",
+            "second",
+            "elapsed",
+            "frequency",
         ];
         const HEIGHTS: [&str; 22] = [
             "height",
@@ -294,18 +314,20 @@ impl Role {
         };
         if COUNTERS.contains(&name) {
             Some(Self::Counter)
-        } else if ["valid", "validity", "mask", "flag"].contains(&name) {
+        } else if ["valid", "validity", "ok", "good"].contains(&name) {
             Some(Self::Validity)
+        } else if ["mask", "flag", "invalid", "bad", "outlier", "missing"].contains(&name) {
+            Some(Self::Defect)
         } else if says(&SIGNALS) {
             Some(Self::Signal)
         } else if letter('z') || letter('h') {
             Some(Self::Height)
-        } else if letter('x') {
-            Some(Self::X)
-        } else if letter('y') {
-            Some(Self::Y)
-        } else if says(&HEIGHTS) {
+        } else if says(&HEIGHTS) && !name.starts_with(['x', 'y']) {
             Some(Self::Height)
+        } else if letter('x') || ["easting", "column", "col"].contains(&name) {
+            Some(Self::X)
+        } else if letter('y') || ["northing", "row"].contains(&name) {
+            Some(Self::Y)
         } else if says(&POSITIONS) {
             Some(Self::X)
         } else {

@@ -40,6 +40,10 @@ const KEYS: [(Key, &[&str]); 16] = [
             "length",
             "scan length",
             "trace length",
+            "traverse length",
+            "measuring length",
+            "measurement length",
+            "länge",
             "profile length",
             "x amplitude",
             "šířka",
@@ -107,6 +111,10 @@ const KEYS: [(Key, &[&str]); 16] = [
             "cellsize",
             "cell size",
             "lateral resolution",
+            "xpixelsize",
+            "pixel size x",
+            "x pixel size",
+            "punktabstand",
             "xy calibration",
             "xy justierung",
             "xy캘리브레이션",
@@ -234,6 +242,13 @@ const KEYS: [(Key, &[&str]); 16] = [
             "fillvalue",
             "undefined value",
             "dummy value",
+            "void value",
+            "bad pixel value",
+            "blank value",
+            "null value",
+            "missingvalue",
+            "missing",
+            "invalid",
         ],
     ),
     (Key::Program, &["file format"]),
@@ -247,7 +262,7 @@ pub(super) fn key_and_value(line: &str) -> Option<(Key, &str)> {
 
 fn key(name: &str) -> Option<Key> {
     let name = name.to_lowercase().replace(['-', '_'], " ");
-    let name = name.trim();
+    let name = name.trim_matches(|c: char| c.is_whitespace() || "\"!/*".contains(c));
     KEYS.iter().find(|(_, names)| names.contains(&name)).map(|(key, _)| *key)
 }
 
@@ -268,14 +283,6 @@ pub(super) fn key_in_table(line: &str) -> Option<(Key, &str)> {
         };
         fits.then_some((key, value))
     })
-}
-
-/// Returns true for a name with a number behind it.
-pub(super) fn names_a_number(line: &str) -> bool {
-    let is_separator = |c: char| c.is_whitespace() || ":=,;".contains(c);
-    let is_number = |word: &str| word.replace(',', ".").parse().is_ok_and(f64::is_finite);
-    let mut words = line.split(is_separator).filter(|word| !word.is_empty());
-    words.next().is_some_and(|name| name.starts_with(char::is_alphabetic)) && words.take(4).any(is_number)
 }
 
 #[cfg(test)]

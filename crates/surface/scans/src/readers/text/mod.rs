@@ -8,6 +8,7 @@ mod header;
 mod heads;
 mod keys;
 mod lengths;
+mod line;
 mod preamble;
 mod precision;
 mod profile;
@@ -27,17 +28,16 @@ use crate::numbers;
 use crate::options::ScanOptions;
 use crate::raster::Decoded;
 use crate::readers::Reader;
-use crate::scan_size::ScanSize;
 use body::Body;
 use columns::Columns;
 use grid::PointColumns;
 use header::Header;
+use line::line_of_heights;
 use profile::ProfileColumns;
 use roles::{Layout, Roles};
 use style::FORMAT;
 
 pub(super) use style::decode;
-use units::LengthUnit;
 
 pub(super) const READER: Reader = Reader { format: FORMAT, recognises, channels };
 
@@ -131,8 +131,17 @@ pub(super) fn channels_of_text<'b>(
             for &height in &table.heights {
                 let mut notes = notes.clone();
                 notes.extend(sentinel::note(columns.measured(height).flatten()));
-                let found = of_table(&body, &columns, &table, height, &header, options, &mut notes)?;
-                channels.push(finish(name(height), Quantity::HEIGHTS_IN_M, found, notes));
+                match of_table(&body, &columns, &table, height, &header, options, &mut notes) {
+                    Ok(found) => channels.push(finish(name(height), Quantity::HEIGHTS_IN_M, found, notes)),
+                    Err(error) if is_one => return Err(error),
+                    // Others may be readable.
+                    Err(error) => channels.push(Channel::new(
+                        name(height),
+                        Quantity::HEIGHTS_IN_M,
+                        Lateral::Unknown,
+                        Samples::Unreadable(Box::new(error)),
+                    )),
+                }
             }
             for &signal in &table.signals {
                 let unit = header.heads.foreign(signal).map_or_else(String::new, |(_, unit)| unit.to_owned());
@@ -168,30 +177,22 @@ fn of_table(
     options: &ScanOptions,
     notes: &mut Vec<String>,
 ) -> Result<Found, ScanReadError> {
-    match table.positions {
-        [Some(x), Some(y)] => {
+    match (table.positions, table.position_of(height)) {
+        ([Some(x), Some(y)], _) => {
             let places = PointColumns { x, y, height };
             grid::read(body, columns, places, header, options, notes)
         }
-        [Some(position), None] | [None, Some(position)] => {
-            let profile = ProfileColumns { position, height, validity: table.validity };
+        (_, Some(position)) => {
+            let profile = ProfileColumns { position, height, mask: table.mask };
             profile::read(body, columns, profile, header, options, notes)
         }
-        [None, None] => {
+        (_, None) => {
             let is_sized = options.size.or(options.fallback_size).or(options.metadata_size()).is_some();
             if let Some(&in_its_place) = table.signals.iter().find(|_| !is_sized) {
                 header.refuse_no_length(in_its_place)?;
             }
             let heights: Decoded = columns.measured(height).collect();
-            line_of_heights(
-                heights,
-                header.height_unit(height),
-                header.table_factor(),
-                None,
-                header,
-                options,
-                notes,
-            )
+            line_of_heights(heights, header.height_unit(height), None, header, options, notes)
         }
     }
 }
@@ -213,30 +214,11 @@ fn matrix(
     let Columns { count, mut values, .. } = columns;
     let (height_unit, factor) = header.map_heights();
     if !is_map {
-        return line_of_heights(values, height_unit, factor, length_m, header, options, notes);
+        return line_of_heights(values, height_unit, length_m, header, options, notes);
     }
     let units = Units::choose(options, header.lateral_unit, height_unit, notes);
     let to_m = units.height_to_m(FORMAT)?;
     let size = header.size(count, values.values.len() / count, &units)?;
     values.values.iter_mut().for_each(|value| *value = to_m(*value * factor));
     Ok(Found { columns: count, lateral: size.map_or(Lateral::Unknown, Lateral::Size), heights_m: values })
-}
-
-/// Heights at unknown places along a line.
-fn line_of_heights(
-    mut values: Decoded,
-    height_unit: Option<LengthUnit>,
-    factor: f64,
-    length_m: Option<f64>,
-    header: &Header,
-    options: &ScanOptions,
-    notes: &mut Vec<String>,
-) -> Result<Found, ScanReadError> {
-    let units = Units::choose(options, header.lateral_unit, height_unit, notes);
-    let to_m = units.height_to_m(FORMAT)?;
-    let columns = values.values.len();
-    let stated = length_m.map(|x_m| ScanSize { x_m, y_m: None });
-    let size = header.size(columns, 0, &units)?.or(stated);
-    values.values.iter_mut().for_each(|value| *value = to_m(*value * factor));
-    Ok(Found { columns, lateral: size.map_or(Lateral::Unknown, Lateral::Size), heights_m: values })
 }

@@ -5,6 +5,8 @@ use super::body::Body;
 use super::columns::Columns;
 use super::even_columns::is_counting;
 use super::header::Header;
+use super::line::line_of_heights;
+use super::roles::Mask;
 use super::style::FORMAT;
 use crate::channel::Lateral;
 use crate::choice_of_units::Units;
@@ -21,8 +23,7 @@ pub(super) const COUNTED: &str = "the positions are whole numbers without a unit
 pub(super) struct ProfileColumns {
     pub(super) position: usize,
     pub(super) height: usize,
-    /// 0 where a height does not count.
-    pub(super) validity: Option<usize>,
+    pub(super) mask: Option<Mask>,
 }
 
 /// A profile at even spacing where the printed positions agree with one, else at uneven spacing.
@@ -34,7 +35,7 @@ pub(super) fn read(
     options: &ScanOptions,
     notes: &mut Vec<String>,
 ) -> Result<Found, ScanReadError> {
-    let ProfileColumns { position, height, validity } = roles;
+    let ProfileColumns { position, height, mask } = roles;
     header.refuse_no_length(position)?;
     header.refuse_no_length(height)?;
     let units = Units::choose(options, header.column_unit(position), header.height_unit(height), notes);
@@ -42,21 +43,31 @@ pub(super) fn read(
     let (height_to_m, factor) = (units.height_to_m(FORMAT)?, header.table_factor());
     let length_to_m = units.length_to_m(FORMAT)?;
     columns.refuse_missing_points(body, position, height)?;
-    let is_described = options.metadata.is_some();
-    if header.column_unit(position).is_none() && !is_described && is_counting(columns, position) {
-        notes.push(COUNTED.to_owned());
+    if header.column_unit(position).is_none() || header.is_spaced() {
+        if is_counting(columns, position)
+            && (header.is_spaced() || options.size.or(options.fallback_size).is_some())
+        {
+            notes.push(format!("{} counts the points, whose distance is known", header.heads.name(position)));
+            let heights: Decoded = columns.measured(height).collect();
+            return line_of_heights(heights, header.height_unit(height), None, header, options, notes);
+        }
+        if options.metadata.is_none()
+            && header.column_unit(position).is_none()
+            && is_counting(columns, position)
+        {
+            notes.push(COUNTED.to_owned());
+        }
     }
     let mut rows: Vec<(usize, f64)> =
         columns.measured(position).enumerate().filter_map(|(row, position)| Some((row, position?))).collect();
     let mut heights_m: Vec<Option<f64>> =
         columns.measured(height).map(|height| height.map(|height| height_to_m(height * factor))).collect();
-    if let Some(validity) = validity {
-        let flags = columns.measured(validity).map(|flag| flag.is_some_and(|flag| flag != 0.0));
-        heights_m
-            .iter_mut()
-            .zip(flags)
-            .filter(|(_, counts)| !counts)
-            .for_each(|(height_m, _)| *height_m = None);
+    if let Some(mask) = mask {
+        let counts = columns
+            .measured(mask.column)
+            .map(|mark| mark.is_some_and(|mark| (mark != 0.0) == mask.marks_valid));
+        let left_out = heights_m.iter_mut().zip(counts).filter(|(_, counts)| !counts);
+        left_out.for_each(|(height_m, _)| *height_m = None);
     }
     if rows.len() > 1 && rows.is_sorted_by(|a, b| a.1 > b.1) {
         notes.push("positions fall from line to line: the profile is read from its end".to_owned());

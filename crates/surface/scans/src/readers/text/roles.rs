@@ -1,7 +1,7 @@
 //! What the columns of a table hold: positions, heights, signals. Names and units decide, then the numbers.
 
 use super::columns::Columns;
-use super::even_columns::{is_constant, is_even, is_monotone};
+use super::even_columns::{is_constant, is_even, is_grid, is_monotone};
 use super::heads::{Heads, Role};
 use crate::error::ScanReadError;
 
@@ -15,12 +15,31 @@ const SURE: usize = 8;
 pub(super) struct Roles {
     /// Positions along x and y.
     pub(super) positions: [Option<usize>; 2],
-    /// 0 where a height does not count.
-    pub(super) validity: Option<usize>,
+    /// Positions of further profiles, each for the heights behind it.
+    pub(super) more_positions: Vec<usize>,
+    /// Tells which heights do not count.
+    pub(super) mask: Option<Mask>,
     /// A channel each.
     pub(super) heights: Vec<usize>,
     /// Values that are no heights, a channel each.
     pub(super) signals: Vec<usize>,
+}
+
+/// A column that tells which heights do not count.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Mask {
+    /// The column, from 0.
+    pub(super) column: usize,
+    /// True if numbers other than 0 mark what counts, false if they mark what does not.
+    pub(super) marks_valid: bool,
+}
+
+impl Roles {
+    /// The column of positions of a column of heights: the last before it, else the first of all.
+    pub(super) fn position_of(&self, height: usize) -> Option<usize> {
+        let more = self.more_positions.iter().rfind(|position| **position < height).copied();
+        more.or(self.positions[0]).or(self.positions[1])
+    }
 }
 
 /// How the numbers of a text make scans.
@@ -41,8 +60,13 @@ pub(super) fn decide(
     wanted: Option<usize>,
     notes: &mut Vec<String>,
 ) -> Result<Layout, ScanReadError> {
-    let named: Vec<Option<Role>> =
-        (0..columns.count).map(|column| Role::of(&heads.of(column)?.name)).collect();
+    // A unit of length says more than a name of signals that may be lengths.
+    let named: Vec<Option<Role>> = (0..columns.count)
+        .map(|column| {
+            let role = Role::of(&heads.of(column)?.name)?;
+            (role != Role::Signal || heads.unit(column).is_none()).then_some(role)
+        })
+        .collect();
     if named.iter().any(Option::is_some) && !(is_map && !heads.differ_in_units() && columns.count > 3)
         || heads.differ_in_units() && columns.count > 2
     {
@@ -68,10 +92,19 @@ fn by_name(
     let mut heights: Vec<usize> = of(Role::Height).filter(is_length).collect();
     let mut open: Vec<usize> =
         (0..columns.count).filter(|column| named[*column].is_none()).filter(is_length).collect();
-    // Of `x y` the second is a height.
+    let xs: Vec<usize> = of(Role::X).filter(is_length).collect();
+    // Of `x y` the second is a height, as of `x y x y`; so it is of two positions.
     if heights.is_empty() && open.is_empty() {
-        heights.extend(y.take());
+        heights.extend(of(Role::Y).filter(is_length));
+        y = None;
+        if let ([_, second], true) = (&xs[..], heights.is_empty()) {
+            heights.push(*second);
+        }
     }
+    let more_positions: Vec<usize> = match y {
+        None => xs.iter().skip(1).copied().filter(|column| !heights.contains(column)).collect(),
+        Some(_) => Vec::new(),
+    };
     if x.is_none() && y.is_none() {
         let rising: Vec<usize> =
             open.iter().copied().filter(|column| is_monotone(columns, *column)).collect();
@@ -85,9 +118,12 @@ fn by_name(
     if heights.is_empty() && x.is_some() && y.is_some() && open.is_empty() {
         heights.extend(y.take());
     }
-    let is_of_unit = |column: &usize| heads.unit(*column).is_some();
-    let all_open = heights.is_empty();
-    heights.extend(open.iter().copied().filter(|column| all_open || is_of_unit(column)));
+    let known = heights.len();
+    heights.extend(open.iter().copied());
+    if known > 0 && !open.is_empty() {
+        let names: Vec<String> = open.iter().map(|column| heads.name(*column)).collect();
+        notes.push(format!("what {} hold is not known: they are listed as heights", names.join(", ")));
+    }
     // A map has positions along both axes; those of a line along one of them do not change.
     if let (Some(at_x), Some(at_y)) = (x, y) {
         if is_constant(columns, at_y) {
@@ -107,10 +143,32 @@ fn by_name(
     }
     let signals = (0..columns.count)
         .filter(|column| !heights.contains(column) && ![x, y].contains(&Some(*column)))
-        .filter(|column| !matches!(named[*column], Some(Role::Counter | Role::Validity)))
+        .filter(|column| !matches!(named[*column], Some(Role::Counter | Role::Validity | Role::Defect)))
         .filter(|column| heads.foreign(*column).is_some() || named[*column] == Some(Role::Signal))
         .collect();
-    Ok(Roles { positions: [x, y], validity: of(Role::Validity).next(), heights, signals })
+    let mask = mask(columns, of(Role::Validity).next(), of(Role::Defect).next(), heads, notes);
+    Ok(Roles { positions: [x, y], more_positions, mask, heights, signals })
+}
+
+/// The column that tells which heights count: a name such as `mask` does not say how, so what is rarer marks what does
+/// not count.
+fn mask(
+    columns: &Columns,
+    valid: Option<usize>,
+    defect: Option<usize>,
+    heads: &Heads,
+    notes: &mut Vec<String>,
+) -> Option<Mask> {
+    if let Some(column) = valid {
+        return Some(Mask { column, marks_valid: true });
+    }
+    let column = defect?;
+    let all = columns.measured(column).flatten().count();
+    let marked = columns.measured(column).flatten().filter(|mark| *mark != 0.0).count();
+    let marks_valid = 2 * marked > all;
+    let left_out = if marks_valid { all - marked } else { marked };
+    notes.push(format!("{}: {left_out} of {all} points are left out as gaps", heads.name(column)));
+    Some(Mask { column, marks_valid })
 }
 
 /// The error of a table without a column of heights: the first whose unit is no length, else the last.
@@ -158,7 +216,25 @@ fn by_numbers(
         },
         3 => Ok(Layout::Table(Roles { positions: [Some(0), Some(1)], heights: vec![2], ..Roles::default() })),
         // A map that is tilted rises in all its columns.
+        _ if rows >= SURE && is_grid(columns) => {
+            notes.push(
+                "the first two columns are the places of points, each other one holds heights of them"
+                    .to_owned(),
+            );
+            let heights = (2..count).collect();
+            Ok(Layout::Table(Roles { positions: [Some(0), Some(1)], heights, ..Roles::default() }))
+        }
         _ if rows < SURE || rising.is_empty() || rising.len() == count => Ok(Layout::Map),
+        _ if count % 2 == 0 && rising == (0..count).step_by(2).collect::<Vec<_>>() => {
+            notes.push(
+                "every other column rises or falls throughout: it is taken for the positions of the next"
+                    .to_owned(),
+            );
+            let heights = (1..count).step_by(2).collect();
+            let more_positions = (2..count).step_by(2).collect();
+            let positions = [Some(0), None];
+            Ok(Layout::Table(Roles { positions, more_positions, heights, ..Roles::default() }))
+        }
         _ if rising[0] == 0 && is_even(columns, 0) => several(0, count, notes),
         _ if rising.len() == 1 => ask(),
         _ => Ok(Layout::Map),
@@ -168,8 +244,7 @@ fn by_numbers(
 /// A table of several profiles over the positions in one column.
 fn several(position: usize, count: usize, notes: &mut Vec<String>) -> Result<Layout, ScanReadError> {
     notes.push(format!(
-        "column {} rises or falls throughout: it is taken for positions, and each other column for heights; a size along both \
-         axes makes a map of them",
+        "column {} rises or falls throughout: it is taken for positions, and each other column for heights",
         position + 1
     ));
     let heights = (0..count).filter(|column| *column != position).collect();

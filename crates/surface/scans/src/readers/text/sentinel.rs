@@ -1,15 +1,35 @@
 //! Numbers that programs write in the place of missing points, without saying so.
 
 /// Such numbers, without their sign.
-const SENTINELS: [f64; 9] =
-    [999.0, 9999.0, 99999.0, 999_999.0, 32767.0, 32768.0, 65535.0, 2_147_483_648.0, 1e30];
+const SENTINELS: [f64; 13] = [
+    999.0,
+    999.25,
+    9999.0,
+    9999.99,
+    99999.0,
+    999_999.0,
+    32767.0,
+    32768.0,
+    65535.0,
+    2_147_483_647.0,
+    2_147_483_648.0,
+    1e10,
+    1e30,
+];
 /// How many times the range of all other heights such a number lies off it.
-const FAR: f64 = 3.0;
+const FAR: f64 = 0.5;
+/// Fewest repetitions of the lowest or the highest height that make it such a number.
+const REPEATED: usize = 3;
 
 /// Notes a number that is far off all other heights and may stand for missing points.
 pub(super) fn note(heights: impl Iterator<Item = f64> + Clone) -> Option<String> {
     let is_one = |height: &f64| SENTINELS.contains(&height.abs());
-    let found = heights.clone().find(is_one)?;
+    let ends = || {
+        [heights.clone().reduce(f64::min)?, heights.clone().reduce(f64::max)?]
+            .into_iter()
+            .find(|end| heights.clone().filter(|height| height == end).count() >= REPEATED)
+    };
+    let found = heights.clone().find(is_one).or_else(ends)?;
     let others = heights.clone().filter(|height| *height != found);
     let (low, high) = others
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), height| (low.min(height), high.max(height)));

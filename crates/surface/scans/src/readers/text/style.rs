@@ -119,7 +119,14 @@ pub(super) fn is_separator(character: char) -> bool {
 }
 
 pub(crate) fn is_comment(line: &str) -> bool {
-    line.starts_with(['#', '%']) && !line.split(is_separator).next().is_some_and(is_missing)
+    let begins_with_mark =
+        || line.split(is_separator).next().is_some_and(|word| is_missing(word) && !is_narrow_cell(word));
+    line.starts_with(['#', '%']) && !is_narrow_cell(line) && !begins_with_mark()
+}
+
+/// Returns true for what spreadsheets show in a cell that is too narrow for its number.
+fn is_narrow_cell(field: &str) -> bool {
+    field.len() >= 3 && field.bytes().all(|byte| byte == b'#')
 }
 
 pub(super) fn is_blank(character: char) -> bool {
@@ -136,6 +143,7 @@ pub(crate) fn is_missing(field: &str) -> bool {
     MISSING.iter().any(|missing| missing.eq_ignore_ascii_case(word))
         || word == NOT_MEASURED
         || "-*?".chars().any(is_filler)
+        || is_narrow_cell(field)
 }
 
 /// Returns true if a line consists of numbers, whatever separates them.
