@@ -175,3 +175,118 @@ fn a_unit_of_heights_may_be_given_alone() {
     assert_eq!((spacings_m(&scan).0, heights_m(&scan)), (1e-3, [1e-9, 3e-9, 2e-9].as_slice()));
     assert!(matches!(scan, Scan::UniformLine(_)));
 }
+
+#[test]
+fn each_profile_of_a_table_has_its_own_positions() {
+    let named =
+        rows(9, |at| format!("{0:.1};{1};{2:.1};{3}", at as f64 / 2.0, rough(at), at as f64, rough(at + 4)));
+    for (heads, unit) in
+        [("x1 (um);z1 (um);x2 (um);z2 (um)\n", None), ("x;y;x;y\n", Some("um")), ("", Some("um"))]
+    {
+        let text = format!("{heads}{named}");
+        let options = |channel: &str| ScanOptions {
+            channel: Some(channel.to_owned()),
+            fallback_unit: unit.and_then(|unit: &str| unit.parse().ok()),
+            ..ScanOptions::default()
+        };
+        let all = ScanOptions { channel: None, ..options("") };
+        let channels = read(&text, &all).channels;
+        assert_eq!(channels.len(), 2, "{heads}: {channels:?}");
+        for (channel, length_m) in channels.iter().zip([4.5e-6, 9e-6]) {
+            let found_m = read(&text, &options(channel)).scan.size_m().0;
+            assert!((found_m / length_m - 1.0).abs() < 1e-12, "{heads} {channel}: {found_m}");
+        }
+    }
+}
+
+#[test]
+fn masks_tell_what_does_not_count() {
+    let gaps = |head: &str, is_marked: u8, is_not: u8| {
+        let table =
+            rows(10, |at| format!("{at}.5;{};{}", rough(at), if at == 3 { is_marked } else { is_not }));
+        let found = read(&format!("x (um);z (um);{head}\n{table}"), &ScanOptions::default());
+        found.scan.missing_points().indices().collect::<Vec<_>>()
+    };
+    assert_eq!(gaps("valid", 0, 1), [3]);
+    assert_eq!((gaps("mask", 1, 0), gaps("flag", 0, 1), gaps("bad", 1, 0)), (vec![3], vec![3], vec![3]));
+}
+
+#[test]
+fn counted_points_take_their_distance_from_the_header_or_the_caller() {
+    let counted = rows(10, |at| format!("{at}\t{}", rough(at)));
+    let length_m = |text: &str, options: &ScanOptions| read(text, options).scan.size_m().0;
+    let stated = length_m(&format!("Spacing: 0.5 um\nUnit: um\n{counted}"), &ScanOptions::default());
+    let named = length_m(&format!("Spacing (um): 0.5\nNo.\tHeight (nm)\n{counted}"), &ScanOptions::default());
+    let sized = ScanOptions { fallback_size: Some(ScanSize { x_m: 5e-6, y_m: None }), ..in_unit("nm") };
+    for found_m in [stated, named, length_m(&counted, &sized)] {
+        assert!((found_m / 5e-6 - 1.0).abs() < 1e-12, "{found_m}");
+    }
+    let points = rows(12, |at| format!("{} {} {}", at % 4, at / 4, rough(at)));
+    let map = read(&format!("Pixel size: 0.5 um\nUnit: um\n{points}"), &ScanOptions::default());
+    assert_eq!(map.scan.size_m(), (2e-6, Some(1.5e-6)));
+}
+
+#[test]
+fn labels_of_a_map_are_no_heights() {
+    let cells =
+        |row: usize| (0..6).map(|column| rough(6 * row + column).to_string()).collect::<Vec<_>>().join(",");
+    let numbers = (0..6).map(|at| at.to_string()).collect::<Vec<_>>().join(",");
+    let places = (0..6).map(|at| format!("{:.1}", 0.5 * f64::from(at))).collect::<Vec<_>>().join(",");
+    let sized = ScanOptions { fallback_size: Some(ScanSize { x_m: 3e-6, y_m: None }), ..in_unit("um") };
+    let with_rows = |corner: &str, above: &str, step: f64| {
+        format!("{corner},{above}\n{}", rows(8, |row| format!("{:.2},{}", step * row as f64, cells(row))))
+    };
+    let without = format!("{numbers}\n{}", rows(8, cells));
+    for text in [
+        &without,
+        &with_rows("", &numbers, 1.0),
+        &with_rows("0", &places, 0.25),
+        &with_rows("y", &places, 0.25),
+    ] {
+        let found = read(text, &sized);
+        assert_eq!(
+            (found.scan.points(), found.scan.height_m(7)),
+            ((6, Some(8)), Some(rough(7) * 1e-6)),
+            "{text}"
+        );
+        assert!((found.scan.size_m().0 / 3e-6 - 1.0).abs() < 1e-12 && !found.notes.is_empty(), "{text}");
+    }
+    let placed = read(&with_rows("0", &places, 0.25), &in_unit("um"));
+    assert_eq!(placed.scan.size_m(), (3e-6, Some(2e-6)));
+}
+
+#[test]
+fn points_may_have_more_columns() {
+    let table = rows(12, |at| format!("{} {} {} {}", at % 4, at / 4, rough(at), 100 + at % 5));
+    let found = read(&table, &in_unit("um"));
+    assert_eq!((found.scan.points(), found.channels.len()), ((4, Some(3)), 2));
+}
+
+#[test]
+fn rows_at_the_edge_of_a_scan_belong_to_it() {
+    let sized = ScanOptions { size: Some(ScanSize { x_m: 4e-6, y_m: Some(4e-6) }), ..in_unit("um") };
+    for gap in ["***,***,***,***", "---,---,---,---", ",,,", "Bad,Bad,Bad,Bad"] {
+        let found = read(&format!("{gap}\n1.5,2,3,4\n5,6,7,8\n9,7,5,1\n"), &sized);
+        assert_eq!((found.scan.points(), found.scan.missing_points().count()), ((4, Some(4)), 4), "{gap}");
+    }
+    for row in ["0,OVER", "0.5,1.5,start"] {
+        let rest = if row.matches(',').count() == 1 { "0.5,2\n1.0,1\n" } else { "0.5,2,\n1.0,1,end\n" };
+        refused!(refusal(format!("{row}\n{rest}").as_bytes(), &in_unit("um")), NotANumber {});
+    }
+    let empty = read(",,1.5,2,3,4,5\n,,5,6,7,8,9\n,,9,7,5,1,2\n", &sized);
+    assert!(empty.notes.iter().any(|note| note.starts_with("2 empty columns")), "{:?}", empty.notes);
+}
+
+#[test]
+fn bare_widths_count_points_and_lengths_state_units() {
+    let map = rows(3, |at| format!("{} {} {} {}", rough(at), rough(at + 3), rough(at + 5), rough(at + 9)));
+    let size = |header: &str| read(&format!("{header}{map}"), &ScanOptions::default()).scan.size_m();
+    assert_eq!(size("Width: 4\nHeight: 3\nPixel size: 0.5 um\nUnit: um\n"), (2e-6, Some(1.5e-6)));
+    assert_eq!(size("Length: 4 um\nWidth: 3 um\nZ unit: nm\n"), (4e-6, Some(3e-6)));
+    let tester = format!(
+        "Scan Length (um): 5\nUnits: Angstroms\nX\tZ\n{}",
+        rows(10, |at| format!("{:.1}\t{}", at as f64 / 2.0, rough(at)))
+    );
+    let found = read(&tester, &ScanOptions::default());
+    assert_eq!((found.scan.size_m().0, found.scan.height_m(1)), (5e-6, Some(rough(1) * 1e-10)));
+}

@@ -25,6 +25,13 @@ impl<'t> Body<'t> {
         self.text
     }
 
+    /// The line right above the numbers, if it is neither empty nor a comment.
+    pub(super) fn line_above(&self) -> Option<(usize, &'t str)> {
+        let number = self.first_line.checked_sub(1).filter(|number| *number > self.preamble.end())?;
+        let line = self.text.lines().nth(number - 1)?.trim_matches(is_blank);
+        (!line.is_empty() && !is_comment(line)).then_some((number, line))
+    }
+
     /// The lines of numbers, with all that follows the first of them, trimmed of blanks.
     pub(super) fn rows(&self) -> impl Iterator<Item = (usize, &'t str)> {
         let first = self.first_line;

@@ -9,6 +9,7 @@ use super::style::{is_missing, shortened};
 use super::thousands::Thousands;
 use crate::error::ScanReadError;
 use crate::raster::Decoded;
+use units::LengthUnit;
 
 /// Most columns of a table, all of which may hold positions.
 const NARROW: usize = 16;
@@ -22,6 +23,10 @@ pub(crate) struct Columns {
     /// The first line of numbers.
     pub(crate) first_line: usize,
     pub(crate) separator: Separator,
+    /// Most fields of a line.
+    fields: usize,
+    /// Digits of the last number of the last two rows.
+    last_digits: (usize, usize),
     /// The fields of a line that are columns; those outside are empty in every row.
     used: Range<usize>,
     /// Precision of the columns; of a wide matrix that of the first alone.
@@ -31,29 +36,34 @@ pub(crate) struct Columns {
 impl Columns {
     pub(super) fn read(body: &Body<'_>) -> Result<Self, ScanReadError> {
         let separator = Separator::recognise(body)?;
-        let (first_line, used) = used_fields(body, separator)?;
+        let (first_line, used, fields) = used_fields(body, separator)?;
         let mut columns = Self {
             count: used.len(),
             values: Decoded::default(),
             first_line,
             separator,
             used: used.clone(),
+            fields,
+            last_digits: (0, 0),
             printed: vec![Precision::default(); if used.len() <= NARROW { used.len() } else { 1 }],
         };
         let mut decimals = Decimals::default();
         let mut thousands = vec![Thousands::default(); columns.printed.len()];
         let mut scratch = String::new();
         for (line, row) in lines(body, separator, used.end) {
+            let mut last = 0;
             for (index, field) in separator.split(row).skip(used.start).take(used.len()).enumerate() {
                 // Of a wide matrix all columns are written alike.
                 let written = index.min(thousands.len() - 1);
                 thousands[written].take(field, line);
                 let field = decimals.with_point(field, line, &mut scratch)?;
+                last = field.len();
                 columns.values.push(number(field, line, used.start + index + 1)?);
                 if let Some(printed) = columns.printed.get_mut(index) {
                     printed.take(field);
                 }
             }
+            columns.last_digits = (columns.last_digits.1, last);
         }
         thousands.iter().try_for_each(Thousands::refuse)?;
         Ok(columns)
@@ -73,6 +83,61 @@ impl Columns {
         let field = |row: &'t str| self.separator.split(row).nth(self.used.start).unwrap_or_default();
         let fields = lines(body, self.separator, self.used.end).map(|(line, row)| (line, field(row)));
         fields.filter(|(_, field)| !is_missing(field) && !field.is_empty()).collect()
+    }
+
+    /// Refuses words in the line right above the numbers where all else in it is written as in a row.
+    pub(super) fn refuse_words(&self, body: &Body<'_>) -> Result<(), ScanReadError> {
+        let Some((line, text)) = body.line_above() else { return Ok(()) };
+        let fields: Vec<&str> = self.separator.split(text).skip(self.used.start).take(self.count).collect();
+        let is_number = |field: &&str| field.parse::<f64>().is_ok();
+        let numbers = fields.iter().filter(|field| is_number(field)).count();
+        let is_row = fields.len() == self.count
+            && 2 * numbers >= self.count
+            && (fields.first().is_some_and(is_number) || self.count > 3);
+        let word = fields.iter().position(|field| {
+            !is_number(field)
+                && !field.is_empty()
+                && !is_missing(field)
+                && LengthUnit::parse_instrument(field).is_none()
+        });
+        match word.filter(|_| is_row && self.count > 1) {
+            None => Ok(()),
+            Some(column) => Err(ScanReadError::NotANumber {
+                line,
+                column: self.used.start + column + 1,
+                text: shortened(fields[column]),
+            }),
+        }
+    }
+
+    /// Notes empty columns at the edges of a map, which may be gaps.
+    pub(super) fn edge_note(&self) -> Option<String> {
+        let dropped = self.used.start + self.fields.saturating_sub(self.used.end + 1);
+        (self.count > 3 && dropped > 0).then(|| {
+            format!("{dropped} empty columns at the edges are left out: if they are gaps, write nan in them")
+        })
+    }
+
+    /// Returns true if the last number has fewer digits than the one above it, as one that is cut off has.
+    pub(super) fn ends_shorter(&self) -> bool {
+        self.last_digits.1 < self.last_digits.0
+    }
+
+    /// The number in a row and a column, where there is one.
+    pub(super) fn at(&self, row: usize, column: usize) -> Option<f64> {
+        let index = row * self.count + column;
+        self.values.values.get(index).copied().filter(|_| !self.values.missing.contains(index))
+    }
+
+    /// Drops the first row, the first column, or both.
+    pub(super) fn drop_edges(&mut self, row: bool, column: bool) {
+        let (from_row, from_column) = (usize::from(row), usize::from(column));
+        let kept = (from_row..self.rows())
+            .flat_map(|row| (from_column..self.count).map(move |column| (row, column)));
+        let values: Decoded = kept.map(|(row, column)| self.at(row, column)).collect();
+        self.values = values;
+        self.count -= from_column;
+        self.used.start += from_column;
     }
 
     /// Number of rows.
@@ -133,11 +198,11 @@ impl Columns {
     }
 }
 
-/// The first line of numbers, and which fields of the lines are columns: from the first to the last that is not empty
+/// The first line of numbers, which fields of the lines are columns, and how many it has: columns go from the first to the last that is not empty
 /// in every line, since instruments open and close lines with separators.
 ///
 /// Every line must have all of them, but for lines of separators alone, which may have fewer.
-fn used_fields(body: &Body<'_>, separator: Separator) -> Result<(usize, Range<usize>), ScanReadError> {
+fn used_fields(body: &Body<'_>, separator: Separator) -> Result<(usize, Range<usize>, usize), ScanReadError> {
     let rows = || {
         body.whole_rows(separator == Separator::Tab)
             .map(|(line, row)| (line, Extent::measure(separator, row)))
@@ -160,7 +225,7 @@ fn used_fields(body: &Body<'_>, separator: Separator) -> Result<(usize, Range<us
     // Lines are gone through again only where one of them is known to be too short.
     let short = (fewest < used.end).then(|| rows().find(is_short)).flatten();
     match short {
-        None => Ok((first_line, used)),
+        None => Ok((first_line, used, first.fields)),
         Some((line, row)) => {
             let expected = used.len();
             let found = row.fields.saturating_sub(used.start);

@@ -23,6 +23,8 @@ pub(crate) struct Header {
     /// Sizes that stand in a table above the points: they are compared, but make no matrix.
     tabled_sizes: [Option<Length>; 2],
     pub lateral_unit: Option<LengthUnit>,
+    /// True if `lateral_unit` is that of all numbers.
+    is_of_all: bool,
     value_unit: Option<LengthUnit>,
     /// Factor that takes values to their unit.
     value_factor: Option<f64>,
@@ -66,7 +68,7 @@ impl Header {
             let known = key_and_value(line);
             match known {
                 Some((Key::Channel, _)) if is_below => return Err(second_channel(number)),
-                Some((key, value)) if !is_below => header.set(key, value, number)?,
+                Some((key, ref value)) if !is_below => header.set(key, value, number)?,
                 None if !is_below => header.take_line(with_tabs, number, columns)?,
                 _ => {}
             }
@@ -74,6 +76,12 @@ impl Header {
                 header.free_text += line;
                 header.free_text.push('\n');
             }
+        }
+        // One unit for all is that of heights where a length along the line has another.
+        let along = [header.spacings[0], header.sizes[0], header.tabled_sizes[0]].into_iter().flatten();
+        if let Some(unit) = along.filter_map(|length| length.unit).next() {
+            header.lateral_unit =
+                header.lateral_unit.map(|lateral| if header.is_of_all { unit } else { lateral });
         }
         if header.sizes.iter().all(Option::is_none) {
             header.set_by_position(body.text(), columns)?;
@@ -93,9 +101,9 @@ impl Header {
         }
         match key_in_table(line) {
             Some((Key::Size(axis), value)) => {
-                self.tabled_sizes[axis] = length(value, number).ok().flatten().or(self.tabled_sizes[axis]);
+                self.tabled_sizes[axis] = length(&value, number).ok().flatten().or(self.tabled_sizes[axis]);
             }
-            Some((key, value)) => self.set(key, value, number)?,
+            Some((key, value)) => self.set(key, &value, number)?,
             None if self.heads.take_line(with_tabs, number, columns) => {}
             None if line.contains(|c: char| c.is_ascii_digit()) && !holds_numbers(line) => {
                 self.unread.push(line.to_owned())
@@ -163,10 +171,11 @@ impl Header {
                 let stated = value.split_whitespace().next().and_then(numbers::count);
                 self.counts.extend(stated.map(|stated| StatedCount { key, stated, line }));
             }
-            Key::LateralUnit => self.lateral_unit = Some(unit(value, line)?),
+            Key::LateralUnit => (self.lateral_unit, self.is_of_all) = (Some(unit(value, line)?), false),
             Key::ValueUnit => self.value_unit = Some(unit(value, line)?),
             Key::Unit => {
                 let unit = unit(value, line)?;
+                self.is_of_all |= self.lateral_unit.is_none();
                 self.lateral_unit.get_or_insert(unit);
                 self.value_unit.get_or_insert(unit);
             }
@@ -318,6 +327,12 @@ impl Header {
     ) -> Result<Option<ScanSize>, ScanReadError> {
         let axis = |axis: usize, points: usize| {
             let of_spacing = |length: Length| Length { value: length.value * points as f64, ..length };
+            // A height beside a distance of points and no width is none of a map, and a bare one counts rows.
+            let is_bare = |size: Option<Length>| size.is_none_or(|size| size.unit.is_none());
+            if axis == 1 && self.spacings[0].is_some() && (self.sizes[0].is_none() || is_bare(self.sizes[1]))
+            {
+                return self.spacings[1].map(of_spacing);
+            }
             // Beside a distance of points a bare size may count them.
             let spaced = self.spacings[axis].map(of_spacing);
             let size = self.sizes[axis].filter(|size| size.unit.is_some() || spaced.is_none());

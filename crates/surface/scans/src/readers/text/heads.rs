@@ -27,6 +27,10 @@ impl Heads {
     /// Takes a line for the names of the columns, or for the units below them, where it holds as many as there are
     /// columns. The last line of names counts.
     pub(super) fn take_line(&mut self, line: &str, number: usize, columns: &Columns) -> bool {
+        // Above a single column a line with a number states a fact.
+        if columns.count == 1 && line.contains(|c: char| c.is_ascii_digit()) {
+            return false;
+        }
         let found = fields_in(line, columns)
             .map(|fields| fields.iter().map(|field| Head::parse(field, number)).collect::<Vec<_>>());
         let Some(mut found) = found.or_else(|| named_by_brackets(line, number, columns.count)) else {
@@ -89,6 +93,14 @@ impl Heads {
         }
     }
 
+    /// Notes a factor in the name of a column, from 0, such as `z*100`.
+    pub(super) fn factor_note(&self, column: usize) -> Option<String> {
+        let name = &self.of(column)?.name;
+        let has_number = name.split(|c: char| !c.is_ascii_digit()).any(|digits| digits.len() > 1);
+        let is_factor = has_number && name.contains(['*', 'x', '\u{d7}', '/']);
+        is_factor.then(|| format!("the number in the name '{name}' is not used: is it a factor?"))
+    }
+
     /// Returns true if a column, from 0, has a name.
     pub(super) fn is_named(&self, column: usize) -> bool {
         self.of(column).is_some_and(|head| !head.name.is_empty())
@@ -112,6 +124,7 @@ impl Head {
             Some((name, inside)) if is_no_length(inside) || unit_like(inside) => {
                 (name, Some(inside.to_owned()))
             }
+            Some((name, "")) => (name, None),
             Some(_) => (field, None),
             None => match field.rsplit_once([' ', '/', '_', ',']) {
                 Some((name, _)) if unit.is_some() => (name, None),

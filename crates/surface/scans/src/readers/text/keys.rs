@@ -1,5 +1,7 @@
 //! Names of header fields, as programs write them.
 
+use std::borrow::Cow;
+
 use units::LengthUnit;
 
 /// A field known here.
@@ -254,10 +256,23 @@ const KEYS: [(Key, &[&str]); 16] = [
     (Key::Program, &["file format"]),
 ];
 
-/// A recognised key with what follows it behind a colon or an equals sign.
-pub(super) fn key_and_value(line: &str) -> Option<(Key, &str)> {
+/// A recognised key with what follows it behind a colon or an equals sign. A unit in brackets behind the key is that of
+/// the value.
+pub(super) fn key_and_value(line: &str) -> Option<(Key, Cow<'_, str>)> {
     let (name, value) = line.split_once([':', '=', '：'])?;
-    Some((key(name)?, value.trim()))
+    key_in_unit(name, value.trim())
+}
+
+/// The key that a name is, and its value with the unit that stands in brackets behind the name.
+fn key_in_unit<'l>(name: &str, value: &'l str) -> Option<(Key, Cow<'l, str>)> {
+    if let Some(key) = key(name) {
+        return Some((key, Cow::Borrowed(value)));
+    }
+    let (bare, unit) = name.trim().trim_matches('"').strip_suffix([')', ']'])?.split_once(['(', '['])?;
+    LengthUnit::parse_instrument(unit)?;
+    let is_length =
+        |key: &Key| matches!(key, Key::Size(_) | Key::Spacing(_) | Key::ValueRange | Key::Multiplier);
+    Some((key(bare).filter(is_length)?, Cow::Owned(format!("{value} {unit}"))))
 }
 
 fn key(name: &str) -> Option<Key> {
@@ -268,17 +283,17 @@ fn key(name: &str) -> Option<Key> {
 
 /// A key of a number or a unit with what follows it behind a comma, a semicolon, a tab or a blank, as tables of facts
 /// have it.
-pub(super) fn key_in_table(line: &str) -> Option<(Key, &str)> {
+pub(super) fn key_in_table(line: &str) -> Option<(Key, Cow<'_, str>)> {
     const SEPARATORS: [char; 3] = ['\t', ';', ','];
     let with_separators = SEPARATORS.into_iter().filter_map(|separator| line.split_once(separator));
     let blanks = line.match_indices(' ').map(|(at, _)| line.split_at(at));
     with_separators.chain(blanks).find_map(|(name, value)| {
-        let key = key(name)?;
         let value = value.trim().trim_end_matches([',', ';', '\t', ' ']);
+        let (key, value) = key_in_unit(name, value)?;
         let is_number = value.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
         let fits = match key {
             Key::Channel | Key::Program => false,
-            Key::LateralUnit | Key::ValueUnit | Key::Unit => LengthUnit::parse_instrument(value).is_some(),
+            Key::LateralUnit | Key::ValueUnit | Key::Unit => LengthUnit::parse_instrument(&value).is_some(),
             _ => is_number,
         };
         fits.then_some((key, value))

@@ -7,6 +7,7 @@ mod grid;
 mod header;
 mod heads;
 mod keys;
+mod labels;
 mod lengths;
 mod line;
 mod preamble;
@@ -32,6 +33,7 @@ use body::Body;
 use columns::Columns;
 use grid::PointColumns;
 use header::Header;
+use labels::Labels;
 use line::line_of_heights;
 use profile::ProfileColumns;
 use roles::{Layout, Roles};
@@ -77,18 +79,25 @@ pub(super) fn channels_of_text<'b>(
         columns.mark_missing(no_data);
     }
     let mut notes = Vec::new();
-    if ends_within_a_number(text) {
+    if ends_within_a_number(text) && columns.ends_shorter() {
         notes.push("the last line has no line end; is the file cut off?".to_owned());
     }
+    columns.refuse_words(&body)?;
+    notes.extend(columns.edge_note());
     let length_m = body.preamble.take(columns.count, columns.rows(), &mut notes)?;
     notes.extend(header.unread_note());
     let is_map =
         header.is_matrix() || columns.count > 3 && options.size.is_some_and(|size| size.y_m.is_some());
+    let labels = if columns.count > 3 { Labels::find(&columns, &header.heads) } else { None };
     let layout = match columns.count {
         1 => Layout::Map,
+        _ if labels.is_some() => Layout::Map,
         _ => roles::decide(&columns, &header.heads, is_map, wanted_column(&columns, options), &mut notes)?,
     };
     let is_map = layout == Layout::Map && columns.count > 1;
+    if let Some(labels) = &labels {
+        labels.take_off(&mut columns, &mut notes);
+    }
     notes.extend(header.check_counts(&columns, is_map)?);
     let finish = |name: Option<String>, quantity: Quantity, found: Found, mut notes: Vec<String>| {
         let stated_m = header.stated_m(matches!(found.lateral, Lateral::Size(_)));
@@ -114,7 +123,8 @@ pub(super) fn channels_of_text<'b>(
             }
             header.refuse_no_length(0)?;
             notes.extend(sentinel::note(columns.values.values.iter().copied()));
-            let found = matrix(columns, is_map, length_m, &header, options, &mut notes)?;
+            let spacings = labels.and_then(|labels| labels.spacings);
+            let found = matrix(columns, is_map, length_m, spacings, &header, options, &mut notes)?;
             Ok(vec![finish(header.channel.clone(), Quantity::HEIGHTS_IN_M, found, notes)])
         }
         Layout::Table(table) => {
@@ -130,17 +140,21 @@ pub(super) fn channels_of_text<'b>(
             let mut channels = Vec::new();
             for &height in &table.heights {
                 let mut notes = notes.clone();
+                notes.extend(header.heads.factor_note(height));
                 notes.extend(sentinel::note(columns.measured(height).flatten()));
                 match of_table(&body, &columns, &table, height, &header, options, &mut notes) {
                     Ok(found) => channels.push(finish(name(height), Quantity::HEIGHTS_IN_M, found, notes)),
                     Err(error) if is_one => return Err(error),
                     // Others may be readable.
-                    Err(error) => channels.push(Channel::new(
-                        name(height),
-                        Quantity::HEIGHTS_IN_M,
-                        Lateral::Unknown,
-                        Samples::Unreadable(Box::new(error)),
-                    )),
+                    Err(error) => channels.push(Channel {
+                        units: UnitsBy::Reader,
+                        ..Channel::new(
+                            name(height),
+                            Quantity::HEIGHTS_IN_M,
+                            Lateral::Unknown,
+                            Samples::Unreadable(Box::new(error)),
+                        )
+                    }),
                 }
             }
             for &signal in &table.signals {
@@ -207,6 +221,7 @@ fn matrix(
     columns: Columns,
     is_map: bool,
     length_m: Option<f64>,
+    spacings: Option<[f64; 2]>,
     header: &Header,
     options: &ScanOptions,
     notes: &mut Vec<String>,
@@ -220,5 +235,13 @@ fn matrix(
     let to_m = units.height_to_m(FORMAT)?;
     let size = header.size(count, values.values.len() / count, &units)?;
     values.values.iter_mut().for_each(|value| *value = to_m(*value * factor));
-    Ok(Found { columns: count, lateral: size.map_or(Lateral::Unknown, Lateral::Size), heights_m: values })
+    let lateral = match (size, spacings) {
+        (Some(size), _) => Lateral::Size(size),
+        (None, Some([x, y])) => {
+            let length_to_m = units.length_to_m(FORMAT)?;
+            Lateral::Spacing { x_m: length_to_m(x), y_m: Some(length_to_m(y)) }
+        }
+        (None, None) => Lateral::Unknown,
+    };
+    Ok(Found { columns: count, lateral, heights_m: values })
 }

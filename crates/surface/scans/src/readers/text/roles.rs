@@ -1,7 +1,7 @@
 //! What the columns of a table hold: positions, heights, signals. Names and units decide, then the numbers.
 
 use super::columns::Columns;
-use super::even_columns::{is_constant, is_even, is_grid, is_monotone};
+use super::even_columns::{is_constant, is_counting, is_even, is_grid, is_monotone};
 use super::heads::{Heads, Role};
 use crate::error::ScanReadError;
 
@@ -67,6 +67,12 @@ pub(super) fn decide(
             (role != Role::Signal || heads.unit(column).is_none()).then_some(role)
         })
         .collect();
+    // Columns of one name each with its number are those of a map.
+    let are_alike = columns.count > 3 && named[0].is_some() && named.iter().all(|role| *role == named[0]);
+    if are_alike && !heads.differ_in_units() {
+        notes.push("the columns are named alike: they are taken for those of a map".to_owned());
+        return Ok(Layout::Map);
+    }
     if named.iter().any(Option::is_some) && !(is_map && !heads.differ_in_units() && columns.count > 3)
         || heads.differ_in_units() && columns.count > 2
     {
@@ -118,12 +124,23 @@ fn by_name(
     if heights.is_empty() && x.is_some() && y.is_some() && open.is_empty() {
         heights.extend(y.take());
     }
-    let known = heights.len();
-    heights.extend(open.iter().copied());
-    if known > 0 && !open.is_empty() {
-        let names: Vec<String> = open.iter().map(|column| heads.name(*column)).collect();
-        notes.push(format!("what {} hold is not known: they are listed as heights", names.join(", ")));
+    // Of heights with units others have them, too; what counts is none.
+    let has_units = heights.iter().any(|column| heads.unit(*column).is_some());
+    let is_told = !heights.is_empty();
+    let (more, unknown): (Vec<usize>, Vec<usize>) = open.into_iter().partition(|column| {
+        !is_told || heads.unit(*column).is_some() || !has_units && !is_counting(columns, *column)
+    });
+    let names = |of: &[usize]| of.iter().map(|column| heads.name(*column)).collect::<Vec<_>>().join(", ");
+    if is_told && more.iter().any(|column| heads.unit(*column).is_none()) {
+        notes.push(format!(
+            "what these columns hold is not known, they are listed as heights: {}",
+            names(&more)
+        ));
     }
+    if !unknown.is_empty() {
+        notes.push(format!("what these columns hold is not known, they are not read: {}", names(&unknown)));
+    }
+    heights.extend(more);
     // A map has positions along both axes; those of a line along one of them do not change.
     if let (Some(at_x), Some(at_y)) = (x, y) {
         if is_constant(columns, at_y) {
@@ -197,7 +214,8 @@ fn by_numbers(
         Ok(Layout::Table(Roles { positions: [Some(position), None], heights, ..Roles::default() }))
     };
     if let Some(wanted) = wanted {
-        let position = rising.iter().copied().find(|column| *column != wanted);
+        let before = rising.iter().rfind(|column| **column < wanted);
+        let position = before.or_else(|| rising.iter().find(|column| **column != wanted)).copied();
         return table(position.unwrap_or(usize::from(wanted == 0)), vec![wanted]);
     }
     match count {

@@ -98,11 +98,19 @@ pub(crate) fn content(text: &str) -> impl Iterator<Item = (usize, &str)> {
     lines.filter(|(_, line)| !line.is_empty() && !is_comment(line))
 }
 
-/// Returns true if a line consists of words for missing points. Dashes do not count: they underline headers.
+/// Most columns of a text that is no map.
+const MOST_COLUMNS_OF_A_TABLE: usize = 3;
+
+/// Returns true if a line consists of marks of missing points, or of the separators of a map. Dashes count in maps
+/// alone: elsewhere they underline headers.
 pub(super) fn holds_missing_points(line: &str) -> bool {
     let mut words = line.split(is_separator).filter(|word| !word.is_empty()).peekable();
-    words.peek().is_some()
-        && words.all(|word| is_missing(word) && word.contains(char::is_alphabetic) && word != NOT_MEASURED)
+    let is_wide = count_of_fields(line) > MOST_COLUMNS_OF_A_TABLE;
+    let is_of_separators = is_wide && line.chars().all(is_separator);
+    let says_so = |word: &str| is_wide || word.contains(|c: char| c.is_alphabetic() || "*?".contains(c));
+    is_of_separators
+        || words.peek().is_some()
+            && words.all(|word| is_missing(word) && says_so(word) && word != NOT_MEASURED)
 }
 
 /// The fields of a line that need not have the separator of the file.
