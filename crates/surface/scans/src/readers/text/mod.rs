@@ -82,13 +82,15 @@ pub(super) fn channels_of_text<'b>(
     if ends_within_a_number(text) && columns.ends_shorter() {
         notes.push("the last line has no line end; is the file cut off?".to_owned());
     }
-    columns.refuse_words(&body)?;
     notes.extend(columns.edge_note());
     let length_m = body.preamble.take(columns.count, columns.rows(), &mut notes)?;
     notes.extend(header.unread_note());
     let is_map =
         header.is_matrix() || columns.count > 3 && options.size.is_some_and(|size| size.y_m.is_some());
     let labels = if columns.count > 3 { Labels::find(&columns, &header.heads) } else { None };
+    if labels.is_none() {
+        columns.refuse_words(&body)?;
+    }
     let layout = match columns.count {
         1 => Layout::Map,
         _ if labels.is_some() => Layout::Map,
