@@ -388,6 +388,7 @@ VALUES: dict[str, list[Any]] = {
     "to": ["one", "two"],
     "path_or_text": ["other.toml", SCENE.replace("100 MPa", "50 MPa")],
     "unit": ["nm", "mm"],
+    "height_unit": ["nm", "mm"],
     "channel": ["Topography", "Second"],
     "measurement": ["first", "second"],
     "instrument": ["AFM", "stylus"],

@@ -55,7 +55,7 @@ def test_gaps_stay_gaps() -> None:
         (3, "h: an object with heights() and physical_sizes is needed, and this is of type int"),
         (np.zeros((2, 2)), "h: an object with heights() and physical_sizes is needed, and this is of type ndarray"),
         (Topography(np.zeros(3), (1.0,), None), "h: its unit is None; give it one, such as unit='nm' where it is made"),
-        (Topography(np.zeros(3), (1.0,), "V"), "h: 'V' is not a unit of length; use one of m, cm, mm, µm, nm, Å, pm"),
+        (Topography(np.zeros(3), (1.0,), "V"), "h: 'V' is not a unit of length; use one of m, cm, mm, µm, nm, Å, kÅ"),
         (Topography(np.zeros(3), (1.0,), is_uniform=False), "h: its points are unevenly spaced; make it even with"),
         (Topography(np.zeros(3), None), "h: its physical_sizes is None; give it one where it is made"),
         (Topography(np.zeros(3), (1.0, 2.0)), "h: its heights have 1 axes and its physical_sizes 2"),

@@ -25,8 +25,8 @@ pub(crate) struct Columns {
     pub(crate) separator: Separator,
     /// Most fields of a line.
     fields: usize,
-    /// Digits of the last number of the last two rows.
-    last_digits: (usize, usize),
+    /// Most decimals of the last numbers of all rows but the last, and those of the last.
+    last_decimals: (usize, usize),
     /// The fields of a line that are columns; those outside are empty in every row.
     used: Range<usize>,
     /// Precision of the columns; of a wide matrix that of the first alone.
@@ -44,7 +44,7 @@ impl Columns {
             separator,
             used: used.clone(),
             fields,
-            last_digits: (0, 0),
+            last_decimals: (0, 0),
             printed: vec![Precision::default(); if used.len() <= NARROW { used.len() } else { 1 }],
         };
         let mut decimals = Decimals::default();
@@ -57,13 +57,13 @@ impl Columns {
                 let written = index.min(thousands.len() - 1);
                 thousands[written].take(field, line);
                 let field = decimals.with_point(field, line, &mut scratch)?;
-                last = field.len();
+                last = field.split_once('.').map_or(0, |(_, decimals)| decimals.len());
                 columns.values.push(number(field, line, used.start + index + 1)?);
                 if let Some(printed) = columns.printed.get_mut(index) {
                     printed.take(field);
                 }
             }
-            columns.last_digits = (columns.last_digits.1, last);
+            columns.last_decimals = (columns.last_decimals.0.max(columns.last_decimals.1), last);
         }
         thousands.iter().try_for_each(Thousands::refuse)?;
         Ok(columns)
@@ -118,9 +118,9 @@ impl Columns {
         })
     }
 
-    /// Returns true if the last number has fewer digits than the one above it, as one that is cut off has.
+    /// Returns true if the last number has fewer decimals than those above it, as one that is cut off has.
     pub(super) fn ends_shorter(&self) -> bool {
-        self.last_digits.1 < self.last_digits.0
+        self.last_decimals.1 < self.last_decimals.0
     }
 
     /// The number in a row and a column, where there is one.
