@@ -319,7 +319,7 @@ impl Role {
             let is_it = |word: &&str| {
                 word.strip_prefix(letter).is_some_and(|rest| rest.chars().all(|c| c.is_ascii_digit()))
             };
-            words.iter().any(|word| is_it(word))
+            words.iter().any(is_it)
                 || name.starts_with(letter)
                     && ["pos", "coord", "axis", "value", "data"]
                         .iter()
@@ -333,9 +333,7 @@ impl Role {
             Some(Self::Defect)
         } else if says(&SIGNALS) {
             Some(Self::Signal)
-        } else if letter('z') || letter('h') {
-            Some(Self::Height)
-        } else if says(&HEIGHTS) && !name.starts_with(['x', 'y']) {
+        } else if letter('z') || letter('h') || says(&HEIGHTS) && !name.starts_with(['x', 'y']) {
             Some(Self::Height)
         } else if letter('x') || ["easting", "column", "col"].contains(&name) {
             Some(Self::X)
