@@ -291,3 +291,40 @@ fn bare_widths_count_points_and_lengths_state_units() {
     assert!((found.scan.size_m().0 / 5e-6 - 1.0).abs() < 1e-12);
     assert_eq!(found.scan.height_m(1), Some(rough(1) * 1e-10));
 }
+
+#[test]
+fn words_below_the_numbers_are_named_and_not_read() {
+    let profile = rows(10, |at| format!("{:.1},{}", at as f64 / 2.0, rough(at)));
+    for footer in ["Ra,0.83,um\n", "\nRa = 0.83\nRz = 4.1\n", "Mean,0.1\n", "EOR\n"] {
+        let found = read(&format!("x (um),z (um)\n{profile}{footer}"), &ScanOptions::default());
+        assert_eq!(found.scan.points(), (10, None), "{footer}");
+        assert!(
+            found.notes.iter().any(|note| note.starts_with("not read below")),
+            "{footer} {:?}",
+            found.notes
+        );
+    }
+    let row = "1.5,2,3,4\n5,6,7,8\nOVER,1,2,3\n";
+    let sized = ScanOptions { size: Some(ScanSize { x_m: 4e-6, y_m: Some(4e-6) }), ..in_unit("um") };
+    refused!(refusal(row.as_bytes(), &sized), NotANumber { line: 3, column: 1, text: "OVER" });
+    refused!(refusal(format!("{profile}Profile 2\n{profile}").as_bytes(), &in_unit("um")), Ragged {});
+}
+
+#[test]
+fn headers_that_contradict_the_columns_are_told() {
+    let heights = rows(10, |at| format!("{:.3}", rough(at)));
+    let found =
+        read(&format!("Length: 4 mm\nSpacing: 0.5 um\nZ unit: nm\n{heights}"), &ScanOptions::default());
+    assert!(found.notes.iter().any(|note| note.contains("do not agree")), "{:?}", found.notes);
+    let wrapped =
+        rows(5, |row| (0..8).map(|at| rough(8 * row + at).to_string()).collect::<Vec<_>>().join(" "));
+    let line =
+        read(&format!("Number of points: 40\nSpacing: 0.5 um\nUnit: um\n{wrapped}"), &ScanOptions::default());
+    assert_eq!((line.scan.points(), line.scan.height_m(9)), ((40, None), Some(rough(9) * 1e-6)));
+    let profile = rows(10, |at| format!("{:.1} {}", at as f64 / 2.0, rough(at)));
+    let specimen = read(&format!("Width: 10 mm\nHeight: 5 mm\n{profile}"), &in_unit("um"));
+    assert_eq!(specimen.scan.points(), (10, None));
+    let commas = rows(4, |at| format!("2{at},490\t31,220\t12,345\t10,00{at}"));
+    let sized = ScanOptions { size: Some(ScanSize { x_m: 4e-6, y_m: Some(4e-6) }), ..in_unit("nm") };
+    assert!(read(&commas, &sized).notes.iter().any(|note| note.contains("decimal comma")));
+}

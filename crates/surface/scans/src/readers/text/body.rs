@@ -1,7 +1,10 @@
 //! The lines of numbers of a text that are its scan, and those above them that are not.
 
 use super::preamble::Preamble;
-use super::style::{content, count_of_fields, holds_missing_points, holds_numbers, is_blank, is_comment};
+use super::style::{
+    content, count_of_fields, holds_missing_points, holds_numbers, is_blank, is_comment, is_separator,
+    shortened,
+};
 
 /// The lines of the numbers of a scan.
 pub(super) struct Body<'t> {
@@ -10,17 +13,30 @@ pub(super) struct Body<'t> {
     pub(super) first_line: usize,
     /// Numbers above it that are no heights.
     pub(super) preamble: Preamble<'t>,
+    /// The lines below it, from the last on.
+    footer: Vec<&'t str>,
 }
 
 impl<'t> Body<'t> {
     /// Finds the lines of numbers; none where there are none.
     pub(super) fn find(text: &'t str) -> Option<Self> {
+        let (text, footer) = without_footer(text);
         let preamble = Preamble::find(text);
         let first_line = first_row(text, preamble.end())?;
-        Some(Self { text, first_line, preamble })
+        Some(Self { text, first_line, preamble, footer })
     }
 
-    /// The whole text.
+    /// Names the lines below the numbers.
+    pub(super) fn footer_note(&self) -> Option<String> {
+        let first = self.footer.last()?;
+        let more = match self.footer.len() - 1 {
+            0 => String::new(),
+            more => format!(" and {more} more"),
+        };
+        Some(format!("not read below the numbers: '{}'{more}", shortened(first)))
+    }
+
+    /// The text down to the last line of numbers.
     pub(super) fn text(&self) -> &'t str {
         self.text
     }
@@ -67,6 +83,35 @@ impl<'t> Body<'t> {
             self.text.lines().enumerate().map(move |(index, line)| (index + 1, line.trim_matches(is_margin)));
         lines.filter(move |(number, line)| *number >= first && !line.is_empty() && !is_comment(line))
     }
+}
+
+/// Most lines of statistics and remarks below a scan.
+const LONGEST_FOOTER: usize = 24;
+
+/// Separates the lines of words below the numbers, from the last on: statistics and remarks.
+fn without_footer(text: &str) -> (&str, Vec<&str>) {
+    let (mut kept, mut footer) = (text, Vec::new());
+    while footer.len() < LONGEST_FOOTER {
+        let end = kept.trim_end_matches(is_blank);
+        let start = end.rfind('\n').map_or(0, |at| at + 1);
+        let line = end[start..].trim_matches(is_blank);
+        if !is_of_words(line) {
+            break;
+        }
+        footer.push(line);
+        kept = &text[..start];
+    }
+    (kept, footer)
+}
+
+/// Returns true for a line of words, perhaps with numbers; not for a row of a map with a word in it.
+fn is_of_words(line: &str) -> bool {
+    let is_number = |word: &&str| word.parse::<f64>().is_ok();
+    let (words, numbers) = (count_of_fields(line), line.split(is_separator).filter(is_number).count());
+    line.starts_with(|c: char| c.is_alphabetic() || c == '"')
+        && !holds_numbers(line)
+        && !holds_missing_points(line)
+        && (words <= 3 || 2 * numbers < words)
 }
 
 /// The first line of the scan behind a line: of numbers, or the first of the lines of missing points right above it

@@ -23,6 +23,8 @@ pub(crate) struct Columns {
     /// The first line of numbers.
     pub(crate) first_line: usize,
     pub(crate) separator: Separator,
+    /// What is to be said of commas before three digits.
+    pub(super) comma_note: Option<String>,
     /// Most fields of a line.
     fields: usize,
     /// Most decimals of the last numbers of all rows but the last, and those of the last.
@@ -43,6 +45,7 @@ impl Columns {
             first_line,
             separator,
             used: used.clone(),
+            comma_note: None,
             fields,
             last_decimals: (0, 0),
             printed: vec![Precision::default(); if used.len() <= NARROW { used.len() } else { 1 }],
@@ -66,6 +69,7 @@ impl Columns {
             columns.last_decimals = (columns.last_decimals.0.max(columns.last_decimals.1), last);
         }
         thousands.iter().try_for_each(Thousands::refuse)?;
+        columns.comma_note = thousands.iter().find_map(Thousands::note);
         Ok(columns)
     }
 

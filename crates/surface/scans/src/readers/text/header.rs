@@ -208,6 +208,26 @@ impl Header {
         self.sizes.iter().all(Option::is_some)
     }
 
+    /// Returns true if the header states as many points as there are, and nothing across a line: its rows are one line.
+    pub(crate) fn is_wrapped_line(&self, columns: &Columns) -> bool {
+        let is_of_line =
+            |count: &StatedCount| count.key == Key::Points && count.stated == columns.count * columns.rows();
+        columns.count > 1
+            && self.counts.len() == 1
+            && self.counts.iter().all(is_of_line)
+            && self.spacings[0].or(self.sizes[0]).is_some()
+            && self.spacings[1].or(self.sizes[1]).is_none()
+    }
+
+    /// Notes a length that the points at the stated distances do not have.
+    pub(crate) fn length_note(&self, points: usize) -> Option<String> {
+        let (length, spacing) = (self.sizes[0].or(self.tabled_sizes[0])?, self.spacings[0]?);
+        let unit = |of: Length| of.unit.or(self.lateral_unit);
+        let (length_m, spacing_m) = (unit(length)?.to_m(length.value), unit(spacing)?.to_m(spacing.value));
+        let differs = (length_m - spacing_m * points as f64).abs() > 1.5 * spacing_m;
+        differs.then(|| "the header states a length and a distance of points that do not agree".to_owned())
+    }
+
     /// Returns true if the header gives the distance of points along x.
     pub(crate) fn is_spaced(&self) -> bool {
         self.spacings[0].is_some()

@@ -24,6 +24,7 @@ pub(super) fn line_of_heights(
     let units = Units::choose(options, header.lateral_unit, height_unit, notes);
     let to_m = units.height_to_m(FORMAT)?;
     let columns = values.values.len();
+    notes.extend(header.length_note(columns));
     let stated = length_m.map(|x_m| ScanSize { x_m, y_m: None });
     let size = header.size(columns, 0, &units)?.or(stated);
     values.values.iter_mut().for_each(|value| *value = to_m(*value * factor));

@@ -31,12 +31,13 @@ use crate::raster::Decoded;
 use crate::readers::Reader;
 use body::Body;
 use columns::Columns;
+use even_columns::is_even;
 use grid::PointColumns;
 use header::Header;
 use labels::Labels;
 use line::line_of_heights;
 use profile::ProfileColumns;
-use roles::{Layout, Roles};
+use roles::{Layout, Roles, SURE};
 use style::FORMAT;
 
 pub(super) use style::decode;
@@ -83,10 +84,13 @@ pub(super) fn channels_of_text<'b>(
         notes.push("the last line has no line end; is the file cut off?".to_owned());
     }
     notes.extend(columns.edge_note());
+    notes.extend(body.footer_note());
+    notes.extend(columns.comma_note.clone());
     let length_m = body.preamble.take(columns.count, columns.rows(), &mut notes)?;
     notes.extend(header.unread_note());
-    let is_map =
-        header.is_matrix() || columns.count > 3 && options.size.is_some_and(|size| size.y_m.is_some());
+    let is_profile = columns.count < 4 && columns.rows() >= SURE && is_even(&columns, 0);
+    let is_map = header.is_matrix() && !is_profile
+        || columns.count > 3 && options.size.is_some_and(|size| size.y_m.is_some());
     let labels = if columns.count > 3 { Labels::find(&columns, &header.heads) } else { None };
     if labels.is_none() {
         columns.refuse_words(&body)?;
@@ -96,11 +100,15 @@ pub(super) fn channels_of_text<'b>(
         _ if labels.is_some() => Layout::Map,
         _ => roles::decide(&columns, &header.heads, is_map, wanted_column(&columns, options), &mut notes)?,
     };
-    let is_map = layout == Layout::Map && columns.count > 1;
+    let is_wrapped = layout == Layout::Map && header.is_wrapped_line(&columns);
+    if is_wrapped {
+        notes.push("the header states one line of so many points: its rows follow each other".to_owned());
+    }
+    let is_map = layout == Layout::Map && columns.count > 1 && !is_wrapped;
     if let Some(labels) = &labels {
         labels.take_off(&mut columns, &mut notes);
     }
-    notes.extend(header.check_counts(&columns, is_map)?);
+    notes.extend(header.check_counts(&columns, is_map || is_wrapped)?);
     let finish = |name: Option<String>, quantity: Quantity, found: Found, mut notes: Vec<String>| {
         let stated_m = header.stated_m(matches!(found.lateral, Lateral::Size(_)));
         let samples = Samples::Decoded { columns: found.columns, decoded: found.heights_m };
@@ -120,7 +128,7 @@ pub(super) fn channels_of_text<'b>(
                 let mend = "write each scan into a file of its own, or delete the empty lines";
                 return Err(FORMAT.unsupported(FilePlace::Line(line), "a second block of numbers", mend));
             }
-            if !is_map {
+            if columns.count == 1 {
                 preamble::refuse_odd_count(&columns.as_written(&body))?;
             }
             header.refuse_no_length(0)?;

@@ -8,7 +8,7 @@ use crate::error::ScanReadError;
 /// Fewest rows in which positions that rise are no chance.
 const TELLING: usize = 3;
 /// Fewest rows in which a column of a map hardly rises by chance while others do not.
-const SURE: usize = 8;
+pub(super) const SURE: usize = 8;
 
 /// The columns of a table, from 0.
 #[derive(Debug, Default, PartialEq)]

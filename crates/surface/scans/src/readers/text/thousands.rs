@@ -40,6 +40,13 @@ impl Thousands {
         }
     }
 
+    /// Notes a column of which every number has a comma before three digits, behind more than one.
+    pub(super) fn note(&self) -> Option<String> {
+        let (_, grouped) = self.grouped.as_ref().filter(|_| !self.is_clear && self.small.is_none())?;
+        let lead = grouped.trim_start_matches(['+', '-']).split_once(',')?.0;
+        (lead.len() > 1).then(|| format!("numbers such as '{grouped}' are read with a decimal comma"))
+    }
+
     /// Refuses a column in which all marks may separate thousands.
     pub(super) fn refuse(&self) -> Result<(), ScanReadError> {
         let (Some((line, grouped)), Some(small), false) = (&self.grouped, &self.small, self.is_clear) else {
