@@ -107,7 +107,7 @@ fn scan(path: &Path) -> Result<Vec<Row>, String> {
     Ok(rows(&String::from_utf8_lossy(&output.stdout).replace(&path.display().to_string(), "")))
 }
 
-/// What differs between a row of the table and the channel that it is about.
+/// Compares a row of the table with the channel that it is about, and words the difference.
 fn difference(wanted: &Row, channels: &[Row]) -> Option<String> {
     let told = |problem: String| Some(format!("{}, {}: {problem}", wanted["file"], wanted["channel"]));
     let is_it = |row: &&Row| wanted["channel"].is_empty() || row["channel"] == wanted["channel"];

@@ -61,7 +61,7 @@ const KINDS: [Kind; 8] = [
     Kind::EsriGrid,
 ];
 
-/// Whether the rules say how a text is to be read.
+/// Class of a text: the rules say how to read it, or leave it open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Class {
     Readable,

@@ -283,6 +283,8 @@ fn bare_widths_count_points_and_lengths_state_units() {
     let size = |header: &str| read(&format!("{header}{map}"), &ScanOptions::default()).scan.size_m();
     assert_eq!(size("Width: 4\nHeight: 3\nPixel size: 0.5 um\nUnit: um\n"), (2e-6, Some(1.5e-6)));
     assert_eq!(size("Length: 4 um\nWidth: 3 um\nZ unit: nm\n"), (4e-6, Some(3e-6)));
+    // Two sizes along the rows make none across.
+    assert_eq!(size("X Size: 4 um\nScan Length: 4 um\nZ unit: nm\n").1, Some(3e-6));
     let tester = format!(
         "Scan Length (um): 5\nUnits: Angstroms\nX\tZ\n{}",
         rows(10, |at| format!("{:.1}\t{}", at as f64 / 2.0, rough(at)))
@@ -327,4 +329,23 @@ fn headers_that_contradict_the_columns_are_told() {
     let commas = rows(4, |at| format!("2{at},490\t31,220\t12,345\t10,00{at}"));
     let sized = ScanOptions { size: Some(ScanSize { x_m: 4e-6, y_m: Some(4e-6) }), ..in_unit("nm") };
     assert!(read(&commas, &sized).notes.iter().any(|note| note.contains("decimal comma")));
+}
+
+#[test]
+fn counted_points_keep_their_mask_and_take_the_size_that_is_given() {
+    let masked = rows(10, |at| format!("{at};{};{}", rough(at), u8::from(at == 4)));
+    let profile = read(&format!("Spacing: 0.5 um\nZ unit: nm\nx;z;mask\n{masked}"), &ScanOptions::default());
+    assert_eq!(profile.scan.missing_points().indices().collect::<Vec<_>>(), [4]);
+    let points = rows(12, |at| format!("{} {} {}", at % 4, at / 4, rough(at)));
+    let sized = ScanOptions { fallback_size: Some(ScanSize { x_m: 8e-6, y_m: None }), ..in_unit("nm") };
+    let map = read(&points, &ScanOptions { unit: None, fallback_unit: "nm".parse().ok(), ..sized });
+    assert_eq!(map.scan.size_m(), (8e-6, Some(6e-6)));
+}
+
+#[test]
+fn labels_above_a_row_of_gaps_stay_labels() {
+    let text = format!("y,0,1,2,3\n0,,,,\n{}", rows(6, |at| format!("{},1.5,{},2,3", at + 1, rough(at))));
+    let sized = ScanOptions { fallback_size: Some(ScanSize { x_m: 4e-6, y_m: None }), ..in_unit("um") };
+    let found = read(&text, &sized);
+    assert_eq!((found.scan.points(), found.scan.missing_points().count()), ((4, Some(7)), 4));
 }

@@ -75,7 +75,7 @@ impl<'t> Body<'t> {
         first_break.filter(|_| breaks + 1 < rows)
     }
 
-    /// The same lines with the separators at their ends, which mark empty fields; tabs only where they are separators.
+    /// Lines of numbers with the separators at their ends, which mark empty fields; tabs only where they are separators.
     pub(super) fn whole_rows(&self, with_tabs: bool) -> impl Iterator<Item = (usize, &'t str)> {
         let first = self.first_line;
         let is_margin = move |character: char| is_blank(character) && !(with_tabs && character == '\t');

@@ -23,7 +23,7 @@ pub(crate) struct Columns {
     /// The first line of numbers.
     pub(crate) first_line: usize,
     pub(crate) separator: Separator,
-    /// What is to be said of commas before three digits.
+    /// Note on commas before three digits.
     pub(super) comma_note: Option<String>,
     /// Most fields of a line.
     fields: usize,

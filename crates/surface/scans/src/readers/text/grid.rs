@@ -44,25 +44,26 @@ pub(super) fn read(
     columns.refuse_missing_points(body, at_y, height)?;
     let x = axis(body, columns, at_x, 'x')?;
     let y = axis(body, columns, at_y, 'y')?;
-    if header.column_unit(at_x).is_none()
-        && [&x, &y].iter().all(|axis| axis.spacing == 1.0 && [0.0, 1.0].contains(&axis.first))
-    {
-        notes.push(COUNTED.to_owned());
-    }
-    let counted = [at_x, at_y].iter().all(|column| header.heads.unit(*column).is_none())
-        && [&x, &y].iter().all(|axis| axis.spacing == 1.0 && [0.0, 1.0].contains(&axis.first));
-    let stated = if counted && header.is_spaced() { header.size(x.count, y.count, &units)? } else { None };
-    if stated.is_some() {
+    let counts = [&x, &y].iter().all(|axis| axis.spacing == 1.0 && [0.0, 1.0].contains(&axis.first));
+    let is_counted = counts && [at_x, at_y].iter().all(|column| header.heads.unit(*column).is_none());
+    let has_size = options.size.or(options.fallback_size).is_some();
+    let lateral = if is_counted && header.is_spaced() {
         notes.push("the places count the points, whose distance the header states".to_owned());
-    }
+        header.size(x.count, y.count, &units)?.map(Lateral::Size)
+    } else if is_counted && header.column_unit(at_x).is_none() && has_size {
+        notes.push("the places count the points of a map whose size is given".to_owned());
+        Some(Lateral::Unknown)
+    } else {
+        notes.extend((counts && header.column_unit(at_x).is_none()).then(|| COUNTED.to_owned()));
+        None
+    };
     let heights = fill(body, columns, places, &x, &y)?;
     let heights_m = heights
         .into_iter()
         .map(|height| height.flatten().map(|height| height_to_m(height * factor)))
         .collect::<Decoded>();
     let spaced = Lateral::Spacing { x_m: x_to_m(x.spacing), y_m: Some(y_to_m(y.spacing)) };
-    let lateral = stated.map_or(spaced, Lateral::Size);
-    Ok(Found { columns: x.count, lateral, heights_m })
+    Ok(Found { columns: x.count, lateral: lateral.unwrap_or(spaced), heights_m })
 }
 
 /// The axis of a column of positions; the error tells which lies farthest off an even one.

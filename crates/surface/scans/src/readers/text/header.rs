@@ -17,6 +17,10 @@ use units::LengthUnit;
 pub(crate) struct Header {
     /// The channel of the file, where it has a name.
     pub channel: Option<String>,
+    /// The length of a scan.
+    length: Option<Length>,
+    /// The width of a map.
+    width: Option<Length>,
     /// Along x and y.
     sizes: [Option<Length>; 2],
     spacings: [Option<Length>; 2],
@@ -77,6 +81,11 @@ impl Header {
                 header.free_text.push('\n');
             }
         }
+        // Of a length and a width the width is across.
+        if header.length.is_some() {
+            header.sizes[1] = header.sizes[1].or(header.width);
+        }
+        header.sizes[0] = header.sizes[0].or(header.length).or(header.width);
         // One unit for all is that of heights where a length along the line has another.
         let along = [header.spacings[0], header.sizes[0], header.tabled_sizes[0]].into_iter().flatten();
         if let Some(unit) = along.filter_map(|length| length.unit).next() {
@@ -100,7 +109,8 @@ impl Header {
             return Ok(());
         }
         match key_in_table(line) {
-            Some((Key::Size(axis), value)) => {
+            Some((key @ (Key::Size(_) | Key::Length | Key::Width), value)) => {
+                let axis = if let Key::Size(axis) = key { axis } else { 0 };
                 self.tabled_sizes[axis] = length(&value, number).ok().flatten().or(self.tabled_sizes[axis]);
             }
             Some((key, value)) => self.set(key, &value, number)?,
@@ -140,10 +150,8 @@ impl Header {
     fn set(&mut self, key: Key, value: &str, line: usize) -> Result<(), ScanReadError> {
         match key {
             Key::Channel => self.channel = Some(value.to_owned()),
-            // Of a length and a width the width is across.
-            Key::Size(0) if self.sizes[0].is_some() && self.sizes[1].is_none() => {
-                self.sizes[1] = length(value, line)?;
-            }
+            Key::Width => self.width = length(value, line)?.or(self.width),
+            Key::Length => self.length = length(value, line)?.or(self.length),
             Key::Size(axis) => self.sizes[axis] = length(value, line)?.or(self.sizes[axis]),
             Key::Spacing(axis) => self.spacings[axis] = length(value, line)?.or(self.spacings[axis]),
             Key::ToNanometres => {
@@ -233,11 +241,6 @@ impl Header {
         self.spacings[0].is_some()
     }
 
-    /// What heights beside no positions are multiplied by.
-    pub(crate) fn heights_factor(&self) -> f64 {
-        self.map_heights().1
-    }
-
     /// The unit of the heights of a map, and what its numbers are multiplied by to be in it.
     pub(crate) fn map_heights(&self) -> (Option<LengthUnit>, f64) {
         match (self.value_unit.or(self.heads.unit(0)), self.to_nanometres) {
@@ -261,7 +264,7 @@ impl Header {
         }
     }
 
-    /// What a value of a table is multiplied by, as the header states.
+    /// Returns the factor of heights in a table, as the header states it.
     pub(crate) fn table_factor(&self) -> f64 {
         self.value_factor.unwrap_or(1.0)
     }

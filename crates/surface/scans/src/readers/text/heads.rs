@@ -11,7 +11,7 @@ pub(super) struct Head {
     /// The name without the unit; empty where there is none.
     pub(super) name: String,
     pub(super) unit: Option<LengthUnit>,
-    /// What stands in the place of the unit and is no length, such as `s` and `mV`.
+    /// Unit that is no length, such as `s` and `mV`.
     pub(super) foreign: Option<String>,
     /// The line of the unit, from 1.
     line: usize,
@@ -79,7 +79,7 @@ impl Heads {
         self.of(column)?.unit
     }
 
-    /// What the unit of a column, from 0, is if it is no length, and its line.
+    /// Returns the unit of a column, from 0, that is no length, and its line.
     pub(super) fn foreign(&self, column: usize) -> Option<(usize, &str)> {
         let head = self.of(column)?;
         Some((head.line, head.foreign.as_deref()?))
@@ -192,7 +192,7 @@ fn count_of_known(heads: &[Head]) -> usize {
         .count()
 }
 
-/// What a column holds, by its name.
+/// Content of a column, by its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Role {
     /// Position along the profile or the rows of a map.

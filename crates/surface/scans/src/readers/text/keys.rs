@@ -9,6 +9,10 @@ use units::LengthUnit;
 pub(super) enum Key {
     Channel,
     Size(usize),
+    /// The length of a scan, beside which a width is across.
+    Length,
+    /// The width of a map, along its rows unless a length is.
+    Width,
     Spacing(usize),
     LateralUnit,
     ValueUnit,
@@ -29,35 +33,12 @@ pub(super) enum Key {
 }
 
 /// Keys in lower case with blanks for hyphens and underscores. Gwyddion translates those of its exports.
-const KEYS: [(Key, &[&str]); 16] = [
+const KEYS: [(Key, &[&str]); 18] = [
     (Key::Channel, &["channel", "kanál", "kanal", "canal", "canale", "チャネル", "채널", "канал"]),
+    (Key::Size(0), &["x length", "x size", "size x", "x range", "x amplitude"]),
     (
-        Key::Size(0),
-        &[
-            "width",
-            "x length",
-            "x size",
-            "size x",
-            "x range",
-            "length",
-            "scan length",
-            "trace length",
-            "traverse length",
-            "measuring length",
-            "measurement length",
-            "länge",
-            "profile length",
-            "x amplitude",
-            "šířka",
-            "breite",
-            "anchura",
-            "largeur",
-            "larghezza",
-            "幅",
-            "폭",
-            "largura",
-            "ширина",
-        ],
+        Key::Width,
+        &["width", "šířka", "breite", "anchura", "largeur", "larghezza", "幅", "폭", "largura", "ширина"],
     ),
     (
         Key::Size(1),
@@ -212,6 +193,19 @@ const KEYS: [(Key, &[&str]); 16] = [
         ],
     ),
     (Key::ToNanometres, &["bit2nm"]),
+    (
+        Key::Length,
+        &[
+            "length",
+            "scan length",
+            "trace length",
+            "profile length",
+            "traverse length",
+            "measuring length",
+            "measurement length",
+            "länge",
+        ],
+    ),
     (Key::ValueRange, &["z amplitude", "z range"]),
     (
         Key::Multiplier,
@@ -270,8 +264,12 @@ fn key_in_unit<'l>(name: &str, value: &'l str) -> Option<(Key, Cow<'l, str>)> {
     }
     let (bare, unit) = name.trim().trim_matches('"').strip_suffix([')', ']'])?.split_once(['(', '['])?;
     LengthUnit::parse_instrument(unit)?;
-    let is_length =
-        |key: &Key| matches!(key, Key::Size(_) | Key::Spacing(_) | Key::ValueRange | Key::Multiplier);
+    let is_length = |key: &Key| {
+        matches!(
+            key,
+            Key::Size(_) | Key::Length | Key::Width | Key::Spacing(_) | Key::ValueRange | Key::Multiplier
+        )
+    };
     Some((key(bare).filter(is_length)?, Cow::Owned(format!("{value} {unit}"))))
 }
 
@@ -318,7 +316,7 @@ mod tests {
             ("pt", ["Canal:", "Largura:", "Altura:", "Unidades de valor:"]),
             ("ru", ["Канал:", "Ширина:", "Высота:", "Единицы измерения:"]),
         ] {
-            let expected = [Key::Channel, Key::Size(0), Key::Size(1), Key::ValueUnit];
+            let expected = [Key::Channel, Key::Width, Key::Size(1), Key::ValueUnit];
             for (key, expected) in keys.into_iter().zip(expected) {
                 assert!(key_and_value(key).is_some_and(|(found, _)| found == expected), "{language} {key}");
             }

@@ -41,9 +41,9 @@ impl Labels {
             return None;
         }
         // Without labels beside the rows the first of those above stands over heights.
-        let corner = columns.at(0, 0);
+        let corner = columns.at(0, 0).zip(first_row.first());
         let continues =
-            corner.is_some_and(|corner| (first_row[0] - corner - across).abs() <= 1e-6 * across.abs());
+            corner.is_some_and(|(corner, first)| (first - corner - across).abs() <= 1e-6 * across.abs());
         if !has_column && !continues {
             return None;
         }

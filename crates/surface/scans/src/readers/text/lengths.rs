@@ -11,7 +11,7 @@ pub(super) struct Length {
     pub(super) unit: Option<LengthUnit>,
 }
 
-/// What spacings are per.
+/// Points that spacings are given for.
 const PER_POINT: [&str; 6] = ["/pixel", "/px", "/point", "/pt", "/sample", "/cell"];
 
 /// A number with or without a unit; none for what is not a number, the key of something else.

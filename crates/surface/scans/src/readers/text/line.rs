@@ -20,7 +20,7 @@ pub(super) fn line_of_heights(
     options: &ScanOptions,
     notes: &mut Vec<String>,
 ) -> Result<Found, ScanReadError> {
-    let factor = header.heights_factor();
+    let factor = header.map_heights().1;
     let units = Units::choose(options, header.lateral_unit, height_unit, notes);
     let to_m = units.height_to_m(FORMAT)?;
     let columns = values.values.len();

@@ -109,7 +109,7 @@ pub(super) fn channels_of_text<'b>(
         labels.take_off(&mut columns, &mut notes);
     }
     notes.extend(header.check_counts(&columns, is_map || is_wrapped)?);
-    let finish = |name: Option<String>, quantity: Quantity, found: Found, mut notes: Vec<String>| {
+    let finish = |name: Option<String>, quantity: Quantity, found: Found, notes: Vec<String>| {
         let stated_m = header.stated_m(matches!(found.lateral, Lateral::Size(_)));
         let samples = Samples::Decoded { columns: found.columns, decoded: found.heights_m };
         Channel {
@@ -118,7 +118,7 @@ pub(super) fn channels_of_text<'b>(
             probe: header.stylus_radius_m.map(|_| Probe::Tip),
             tip_radius_m: header.stylus_radius_m,
             free_text: header.free_text().to_owned(),
-            notes: std::mem::take(&mut notes),
+            notes,
             ..Channel::new(name, quantity, found.lateral, samples)
         }
     };

@@ -38,37 +38,27 @@ pub(super) fn read(
     let ProfileColumns { position, height, mask } = roles;
     header.refuse_no_length(position)?;
     header.refuse_no_length(height)?;
+    let heights: Vec<Option<f64>> = counting_heights(columns, height, mask);
+    let has_unit = header.column_unit(position).is_some();
+    if is_counting(columns, position) && (!has_unit || header.is_spaced()) {
+        if header.is_spaced() || options.size.or(options.fallback_size).is_some() {
+            notes.push(format!("{} counts the points, whose distance is known", header.heads.name(position)));
+            let heights: Decoded = heights.into_iter().collect();
+            return line_of_heights(heights, header.height_unit(height), None, header, options, notes);
+        }
+        if options.metadata.is_none() {
+            notes.push(COUNTED.to_owned());
+        }
+    }
     let units = Units::choose(options, header.column_unit(position), header.height_unit(height), notes);
     units.refuse_bare_points(FORMAT)?;
     let (height_to_m, factor) = (units.height_to_m(FORMAT)?, header.table_factor());
     let length_to_m = units.length_to_m(FORMAT)?;
     columns.refuse_missing_points(body, position, height)?;
-    if header.column_unit(position).is_none() || header.is_spaced() {
-        if is_counting(columns, position)
-            && (header.is_spaced() || options.size.or(options.fallback_size).is_some())
-        {
-            notes.push(format!("{} counts the points, whose distance is known", header.heads.name(position)));
-            let heights: Decoded = columns.measured(height).collect();
-            return line_of_heights(heights, header.height_unit(height), None, header, options, notes);
-        }
-        if options.metadata.is_none()
-            && header.column_unit(position).is_none()
-            && is_counting(columns, position)
-        {
-            notes.push(COUNTED.to_owned());
-        }
-    }
     let mut rows: Vec<(usize, f64)> =
         columns.measured(position).enumerate().filter_map(|(row, position)| Some((row, position?))).collect();
     let mut heights_m: Vec<Option<f64>> =
-        columns.measured(height).map(|height| height.map(|height| height_to_m(height * factor))).collect();
-    if let Some(mask) = mask {
-        let counts = columns
-            .measured(mask.column)
-            .map(|mark| mark.is_some_and(|mark| (mark != 0.0) == mask.marks_valid));
-        let left_out = heights_m.iter_mut().zip(counts).filter(|(_, counts)| !counts);
-        left_out.for_each(|(height_m, _)| *height_m = None);
-    }
+        heights.into_iter().map(|height| height.map(|height| height_to_m(height * factor))).collect();
     if rows.len() > 1 && rows.is_sorted_by(|a, b| a.1 > b.1) {
         notes.push("positions fall from line to line: the profile is read from its end".to_owned());
         let last = heights_m.len().saturating_sub(1);
@@ -88,6 +78,14 @@ pub(super) fn read(
     let heights_m: Decoded = rows.iter().map(|&(row, _)| heights_m.get(row).copied().flatten()).collect();
     let positions_m = rows.into_iter().map(|(_, position)| length_to_m(position)).collect();
     Ok(Found { columns: heights_m.values.len(), lateral: Lateral::Positions(positions_m), heights_m })
+}
+
+/// Heights without those that a mask says do not count.
+fn counting_heights(columns: &Columns, height: usize, mask: Option<Mask>) -> Vec<Option<f64>> {
+    let Some(mask) = mask else { return columns.measured(height).collect() };
+    let counts =
+        columns.measured(mask.column).map(|mark| mark.is_some_and(|mark| (mark != 0.0) == mask.marks_valid));
+    columns.measured(height).zip(counts).map(|(height, counts)| height.filter(|_| counts)).collect()
 }
 
 /// The spacing of rows with a position, where it is even; rows without one count as missing points.

@@ -42,7 +42,7 @@ impl Roles {
     }
 }
 
-/// How the numbers of a text make scans.
+/// Arrangement of the numbers of a text.
 #[derive(Debug, PartialEq)]
 pub(super) enum Layout {
     /// Heights row after row.
@@ -120,9 +120,6 @@ fn by_name(
         if let Some(x) = x {
             notes.push(format!("{} rises or falls throughout: it is taken for positions", heads.name(x)));
         }
-    }
-    if heights.is_empty() && x.is_some() && y.is_some() && open.is_empty() {
-        heights.extend(y.take());
     }
     // Of heights with units others have them, too; what counts is none.
     let has_units = heights.iter().any(|column| heads.unit(*column).is_some());

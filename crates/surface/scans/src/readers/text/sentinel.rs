@@ -16,7 +16,7 @@ const SENTINELS: [f64; 13] = [
     1e10,
     1e30,
 ];
-/// How many times the range of all other heights such a number lies off it.
+/// Least distance of such a number from all other heights, over their range.
 const FAR: f64 = 0.5;
 /// Fewest repetitions of the lowest or the highest height that make it such a number.
 const REPEATED: usize = 3;
