@@ -16,8 +16,8 @@ use crate::scan_spectrum::ScanSpectrum;
 pub struct ScanBin {
     /// Index j of the bin 10^(j/N) <= q < 10^((j + 1)/N) in rad/m.
     pub index: i64,
-    /// Wavelength at which the bin stands \[m\]: where its variance would have the same slope. The first and the last bin
-    /// stand at the ends of the band.
+    /// Wavelength at which the bin stands \[m\]: the geometric mean of its samples; with a narrow line, where its variance
+    /// would have the same slope. The first and the last bin stand at the ends of the band.
     pub wavelength_m: f64,
     /// Mean C1D of the samples \[m^3\]; for the first and the last bin continued to the end of the band.
     pub c1d_m3: f64,
@@ -51,17 +51,18 @@ impl ScanSpectrum {
         let found = log_bins(&self.reliable, bins_per_decade, BinMean::Arithmetic);
         let mut bins: Vec<ScanBin> = found.iter().cloned().map(ScanBin::from).collect();
         let of_bins = self.samples_of(&bins, bins_per_decade);
-        for (bin, samples) in bins.iter_mut().zip(of_bins) {
+        let masses = self.masses();
+        for ((bin, found), samples) in bins.iter_mut().zip(&found).zip(of_bins) {
             let (count, spectrum) = (samples.len() as f64, &self.spectrum);
             let lines = samples.iter().map(|&n| spectrum.independent_lines(n)).sum::<f64>() / count;
             let freedom = degrees_of_freedom(samples.len(), lines, self.preparation.window);
-            bin.degrees_of_freedom = Some(freedom / self.noisy_share(&samples).powi(2));
+            let noisy_share = self.noisy_share(&samples);
+            bin.degrees_of_freedom = Some(freedom / noisy_share.powi(2));
+            if noisy_share < 1.0 {
+                bin.wavelength_m = TAU / place(bin.index, &masses[found.samples.clone()], bins_per_decade);
+            }
             let mean = |c1d_m3: &Vec<f64>| samples.iter().map(|&n| c1d_m3[n - 1]).sum::<f64>() / count;
             bin.parts_m3 = spectrum.parts_m3.iter().map(mean).collect();
-        }
-        let masses = self.masses();
-        for (bin, found) in bins.iter_mut().zip(&found) {
-            bin.wavelength_m = TAU / place(bin.index, &masses[found.samples.clone()], bins_per_decade);
         }
         if bins.len() > 1 {
             let last = bins.len() - 1;

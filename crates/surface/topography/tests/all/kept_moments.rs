@@ -162,3 +162,24 @@ fn what_models_get_is_checked_after_binning() {
     );
     assert!(ModelsGet::new(&found.composite.profile(), &found.scans).unwrap().height < 0.5);
 }
+
+#[test]
+fn bins_without_a_line_stand_where_their_samples_do() {
+    let wavelengths_m = |seed: u64| -> Vec<f64> {
+        let scan = UniformLineScan::new(SPACING_M, self_affine_m(0.8, seed)).unwrap();
+        let bins = spectrum(Scan::UniformLine(scan), &Recipe::default());
+        bins.in_bins(Recipe::default().bins_per_decade).iter().map(|bin| bin.wavelength_m).collect()
+    };
+    let found = wavelengths_m(1);
+    assert_eq!(found, wavelengths_m(2));
+    // A line moves its own bin, to itself.
+    let rough_m = self_affine_m(0.8, 1);
+    let tone = line(|x_m| 1e-6 * (TAU * x_m / 43e-6).sin() + rough_m[(x_m / SPACING_M).round() as usize]);
+    let with_line = spectrum(tone, &Recipe::default()).in_bins(Recipe::default().bins_per_decade);
+    let moved: Vec<f64> = with_line
+        .iter()
+        .map(|bin| bin.wavelength_m)
+        .filter(|wavelength_m| !found.contains(wavelength_m))
+        .collect();
+    assert!(matches!(moved[..], [at_m] if (at_m / 43e-6 - 1.0).abs() < 0.03), "{moved:?}");
+}
