@@ -4,6 +4,7 @@
 //! * [`conductance`]: heat and current by Barber's analogy and by correlations for plastic contact, one circular
 //!   spot, and the effects that none of them includes;
 //! * [`finite_elements`]: contact and conductance laws as finite element codes read them;
+//! * [`flatness`]: parts that are not flat, and two limits of what that does;
 //! * [`gas`]: heat through the gas in the gaps, and its gas parameter;
 //! * [`leak`]: the range of the leak rate of a seal;
 //! * [`friction`]: friction of a contact of known area;
@@ -14,6 +15,7 @@
 pub mod adhesion;
 pub mod conductance;
 pub mod finite_elements;
+pub mod flatness;
 pub mod friction;
 pub mod gas;
 pub mod leak;

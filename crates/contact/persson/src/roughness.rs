@@ -107,6 +107,55 @@ impl Roughness {
         self
     }
 
+    /// Returns the roughness with one wave more, longer than all others: a straight wave of a mean square height \[m^2\], in a narrow
+    /// band that ends at its wavelength \[m\]. `None` if the roughness has waves as long, or none.
+    #[must_use]
+    pub fn with_long_wave(&self, wavelength_m: f64, mean_square_height_m2: f64) -> Option<Self> {
+        /// Relative width of the band.
+        const WIDTH: f64 = 1e-3;
+        let first = self.places.first()?;
+        let q = TAU / wavelength_m;
+        if q * (1.0 + WIDTH) > first.wavevector_rad_per_m {
+            return None;
+        }
+        // Profiles of an isotropic surface have half of its mean square gradient, and 3/8 of q^4 v.
+        let moments = [1.0, 0.5 * q * q, 0.375 * q.powi(4)].map(|per_m2| per_m2 * mean_square_height_m2);
+        let relative = self.layer.map_or(1.0, |layer| layer.relative_at(q));
+        let mean_square_gradient = q * q * mean_square_height_m2;
+        let stiffened_gradient = mean_square_gradient / (relative * relative);
+        let begun = Place {
+            wavelength_m: wavelength_m * (1.0 + WIDTH),
+            wavevector_rad_per_m: q / (1.0 + WIDTH),
+            mean_square_gradient: 0.0,
+            moments: [0.0; 3],
+            alpha: f64::INFINITY,
+            amplitude_m: (2.0 * mean_square_height_m2).sqrt(),
+            variance_exponent: 3.0,
+            gradient_exponent: 3.0,
+            stiffened_gradient: 0.0,
+        };
+        let ended = Place {
+            wavelength_m,
+            wavevector_rad_per_m: q,
+            mean_square_gradient,
+            moments,
+            alpha: nayak(moments),
+            stiffened_gradient,
+            ..begun
+        };
+        let behind = self.places.iter().map(|place| {
+            let moments = [0, 1, 2].map(|at| place.moments[at] + moments[at]);
+            Place {
+                moments,
+                alpha: nayak(moments),
+                mean_square_gradient: place.mean_square_gradient + mean_square_gradient,
+                stiffened_gradient: place.stiffened_gradient + stiffened_gradient,
+                ..*place
+            }
+        });
+        Some(Roughness { places: [begun, ended].into_iter().chain(behind).collect(), ..self.clone() })
+    }
+
     /// Cutoffs, from long to short wavelengths.
     #[must_use]
     pub fn places(&self) -> &[Place] {

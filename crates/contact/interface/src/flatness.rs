@@ -1,0 +1,223 @@
+//! Nominal contacts that are not flat: a deviation H over a length L, and two limits of what it does.
+//!
+//! One limit is a wave among the roughness, of wavelength 2 L and mean square height H^2/8; who has the spectrum adds it there. The
+//! other is a spherical cap of height H on a disc of diameter L, R = L^2/(8 H), which touches by Hertz on a part of the disc.
+
+use std::f64::consts::PI;
+use std::fmt;
+use std::str::FromStr;
+use std::sync::LazyLock;
+
+use numerics::GaussLegendre;
+use serde::Serialize;
+use units::{Bound, Length, OutOfBounds};
+
+/// Deviation of a nominal contact from a plane.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Flatness {
+    height_m: f64,
+    span_m: f64,
+}
+
+/// A spherical cap pressed on a flat by Hertz's theory: the part of the nominal contact that it loads, and the gap around it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cap {
+    pressure_pa: f64,
+    modulus_pa: f64,
+    radius_of_cap_m: f64,
+    /// Radius of the nominal contact \[m\].
+    nominal_m: f64,
+    /// Radius of the contact over that, at most 1.
+    relative_radius: f64,
+}
+
+/// Flatness that is not of the form `H over L`.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{text:?} is no flatness; write height over length, as 5 um over 40 mm{}", reason(.problem))]
+pub struct FlatnessError {
+    text: String,
+    problem: Option<String>,
+}
+
+static RULE: LazyLock<GaussLegendre> = LazyLock::new(|| GaussLegendre::new(24));
+
+impl Flatness {
+    /// Creates the flatness of a height H from valley to peak over a length L \[m\].
+    ///
+    /// # Errors
+    /// [`OutOfBounds`] unless both are positive, within thirty decades of 1, and H is below a tenth of L.
+    pub fn new(height_m: f64, span_m: f64) -> Result<Self, OutOfBounds> {
+        let height_m = Bound::Magnitude.check("height of a flatness in m", height_m)?;
+        let span_m = Bound::Magnitude.check("length of a flatness in m", span_m)?;
+        let below_a_tenth = Bound::Between { above: 0.0, below: 0.1 };
+        below_a_tenth.check("height of a flatness over its length", height_m / span_m)?;
+        Ok(Flatness { height_m, span_m })
+    }
+
+    /// Height H from valley to peak \[m\].
+    #[must_use]
+    pub fn height_m(&self) -> f64 {
+        self.height_m
+    }
+
+    /// Length L \[m\].
+    #[must_use]
+    pub fn span_m(&self) -> f64 {
+        self.span_m
+    }
+
+    /// Wavelength 2 L \[m\] of the deviation as a wave.
+    #[must_use]
+    pub fn wavelength_m(&self) -> f64 {
+        2.0 * self.span_m
+    }
+
+    /// Mean square height H^2/8 \[m^2\] of that wave.
+    #[must_use]
+    pub fn mean_square_height_m2(&self) -> f64 {
+        self.height_m * self.height_m / 8.0
+    }
+
+    /// Presses the deviation as a cap under a nominal pressure p > 0 \[Pa\] of the disc of diameter L, with a contact modulus E* > 0
+    /// \[Pa\]: a^3 = 3 F R/(4 E*).
+    #[must_use]
+    pub fn cap(&self, pressure_pa: f64, modulus_pa: f64) -> Cap {
+        let nominal_m = 0.5 * self.span_m;
+        let radius_of_cap_m = self.span_m * (self.span_m / self.height_m) / 8.0;
+        // In radii of the nominal contact, F = pi p and a^3 = (3 pi/4) (p/E*) (R/b).
+        let cube = 0.75 * PI * (pressure_pa / modulus_pa) * (radius_of_cap_m / nominal_m);
+        Cap { pressure_pa, modulus_pa, radius_of_cap_m, nominal_m, relative_radius: cube.cbrt().min(1.0) }
+    }
+}
+
+impl Cap {
+    /// Share of the nominal contact over which contact spreads, (a/b)^2; 1 where all of it is loaded.
+    #[must_use]
+    pub fn share(&self) -> f64 {
+        self.relative_radius * self.relative_radius
+    }
+
+    /// Mean over the nominal contact of a quantity per area that depends on the local pressure \[Pa\], and is 0 outside the contact.
+    pub fn mean_inside(&self, of: impl Fn(f64) -> f64) -> f64 {
+        if self.relative_radius >= 1.0 {
+            return of(self.pressure_pa);
+        }
+        // p = p_0 t with t^2 = 1 - (r/a)^2, and p_0 one and a half times the mean.
+        let peak_pa = 1.5 * self.pressure_pa / self.share();
+        self.share() * RULE.over(0.0, 1.0).map(|(t, weight)| 2.0 * t * weight * of(peak_pa * t)).sum::<f64>()
+    }
+
+    /// Mean over the nominal contact of a quantity per area that depends on the gap \[m\] between the smooth bodies, and is 0 inside the
+    /// contact.
+    pub fn mean_outside(&self, of: impl Fn(f64) -> f64) -> f64 {
+        let from = self.relative_radius;
+        RULE.over(from, 1.0).map(|(radius, weight)| 2.0 * radius * weight * of(self.gap_m(radius))).sum()
+    }
+
+    /// Mean gap \[m\] over the nominal contact between the smooth bodies.
+    #[must_use]
+    pub fn mean_gap_m(&self) -> f64 {
+        self.mean_outside(|gap_m| gap_m)
+    }
+
+    /// Compliance \[m/Pa\] of the constriction towards the contact, psi/(2 E* a) per nominal area with psi = (1 - a/b)^1.5 (Cooper,
+    /// Mikic & Yovanovich 1969, Int. J. Heat Mass Transfer 12:279); 0 where all is loaded.
+    #[must_use]
+    pub fn compliance_m_per_pa(&self) -> f64 {
+        let narrows = (1.0 - self.relative_radius).powf(1.5);
+        0.5 * PI * narrows * (self.nominal_m / self.modulus_pa) / self.relative_radius
+    }
+
+    /// Gap \[m\] between the smooth bodies at a radius over that of the nominal contact (Johnson 1985, Contact Mechanics, Eq. 3.42):
+    /// a^2/(pi R) \[sqrt(s^2 - 1) - (2 - s^2) arccos(1/s)\] at s = r/a.
+    fn gap_m(&self, relative_radius: f64) -> f64 {
+        let s = (relative_radius / self.relative_radius).max(1.0);
+        let shape = (s * s - 1.0).sqrt() - (2.0 - s * s) * (1.0 / s).acos();
+        let contact_m = self.relative_radius * self.nominal_m;
+        contact_m / PI * (contact_m / self.radius_of_cap_m) * shape
+    }
+}
+
+impl FromStr for Flatness {
+    type Err = FlatnessError;
+
+    /// Reads `5 um over 40 mm`.
+    fn from_str(text: &str) -> Result<Self, FlatnessError> {
+        let refused = |problem: Option<String>| FlatnessError { text: text.to_owned(), problem };
+        let (height, span) = text.split_once(" over ").ok_or_else(|| refused(None))?;
+        let length =
+            |part: &str| part.trim().parse::<Length>().map_err(|error| refused(Some(error.to_string())));
+        let (height, span) = (length(height)?, length(span)?);
+        Flatness::new(height.m, span.m).map_err(|error| refused(Some(error.to_string())))
+    }
+}
+
+impl fmt::Display for Flatness {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} over {}", units::display::length(self.height_m), units::display::length(self.span_m))
+    }
+}
+
+fn reason(problem: &Option<String>) -> String {
+    problem.as_ref().map_or_else(String::new, |problem| format!(": {problem}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn flatness() -> Flatness {
+        "5 um over 25 mm".parse().unwrap()
+    }
+
+    fn off(one: f64, other: f64) -> f64 {
+        (one / other - 1.0).abs()
+    }
+
+    #[test]
+    fn a_cap_touches_by_hertz() {
+        let cap = flatness().cap(1e5, 38e9);
+        // R = 15.625 m, F = 49.087 N: a^3 = 3 F R/(4 E*), a = 2.4740 mm.
+        let force_n = 1e5 * PI * 0.0125f64.powi(2);
+        let radius_m = (0.75 * force_n * 15.625 / 38e9).cbrt();
+        assert!(off(cap.share(), (radius_m / 0.0125).powi(2)) < 1e-12);
+        // The force is carried, whatever the pressure is where.
+        assert!(off(cap.mean_inside(|pressure_pa| pressure_pa), 1e5) < 1e-12);
+        assert!(off(cap.mean_inside(|_| 1.0), cap.share()) < 1e-12);
+        assert!(off(cap.mean_outside(|_| 1.0), 1.0 - cap.share()) < 1e-12);
+        // The stiffness of a Hertzian contact is 2 E* a.
+        let narrows = (1.0 - radius_m / 0.0125).powf(1.5);
+        let per_area = 2.0 * 38e9 * radius_m / (PI * 0.0125f64.powi(2));
+        assert!(off(cap.compliance_m_per_pa(), narrows / per_area) < 1e-12);
+    }
+
+    #[test]
+    fn the_gap_around_a_light_contact_is_the_cap() {
+        // Half of the height is the mean of a paraboloid; the contact lies a^2/R deeper.
+        let cap = flatness().cap(1.0, 38e9);
+        let contact_m = cap.share().sqrt() * 0.0125;
+        let by_shape_m = 2.5e-6 - contact_m * contact_m / 15.625;
+        assert!(off(cap.mean_gap_m(), by_shape_m) < 0.01, "{}", cap.mean_gap_m());
+        assert!(cap.gap_m(cap.share().sqrt()).abs() < 1e-20);
+    }
+
+    #[test]
+    fn what_is_pressed_flat_is_flat() {
+        let cap = flatness().cap(1e9, 38e9);
+        assert_eq!((cap.share(), cap.mean_gap_m(), cap.compliance_m_per_pa()), (1.0, 0.0, 0.0));
+        assert_eq!(cap.mean_inside(|pressure_pa| pressure_pa), 1e9);
+    }
+
+    #[test]
+    fn flatness_is_typed_as_height_over_length() {
+        let read = flatness();
+        assert!(off(read.height_m(), 5e-6) < 1e-15 && off(read.span_m(), 25e-3) < 1e-15);
+        assert!(off(read.mean_square_height_m2(), 25e-12 / 8.0) < 1e-14);
+        assert_eq!(read.to_string().parse(), Ok(read));
+        for wrong in
+            ["5 um", "5 over 25 mm", "5 um over 25", "25 mm over 5 um", "0 um over 25 mm", "5 um/25 mm"]
+        {
+            assert!(wrong.parse::<Flatness>().is_err(), "{wrong}");
+        }
+    }
+}
