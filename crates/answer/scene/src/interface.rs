@@ -5,6 +5,7 @@ use ::interface::leak::SealedJoint;
 use persson::sealing::PercolationThreshold;
 use serde_spanned::Spanned;
 use units::Bound;
+use units::display::length;
 
 use super::error::SceneError;
 use super::gas::resolve_gas;
@@ -50,6 +51,7 @@ pub(super) fn resolve_interface(
         conductivities,
         resistivities,
         gas: resolve_gas(own, material)?,
+        flatness: given(&own.flatness),
         nominal_area_m2,
         seal: raw.seal.as_ref().map(|seal| resolve_seal(seal, material)).transpose()?,
         shear_strength_pa: shear_strength.map(NominalPressure::pa),
@@ -70,13 +72,30 @@ fn asks(raw: &RawScene, has_nominal_area: bool) -> Asks {
     let is_open = raw.interface.as_ref().is_some_and(RawInterface::has_no_question);
     let asks_else = raw.interface.as_ref().is_some_and(|own| !own.has_no_question()) || raw.seal.is_some();
     let of_area = has_nominal_area && !asks_else;
-    Asks {
-        gap: is_open,
-        heat: of_area
-            || types(BodyProperty::ThermalConductivity)
-            || raw.interface.as_ref().is_some_and(names_gas),
-        current: of_area || types(BodyProperty::Resistivity),
+    let heat =
+        of_area || types(BodyProperty::ThermalConductivity) || raw.interface.as_ref().is_some_and(names_gas);
+    let current = of_area || types(BodyProperty::Resistivity);
+    // The flatness of parts asks for nothing where something else does.
+    let is_of_parts = raw.interface.as_ref().is_some_and(|own| own.flatness.is_some());
+    let gap = is_open && !(is_of_parts && (heat || current || raw.seal.is_some()));
+    Asks { gap, heat, current }
+}
+
+/// Refuses a flatness over less than the waves of the spectrum, which has it already.
+pub(super) fn check_flatness(raw: &RawScene, longest_m: f64) -> Result<(), SceneError> {
+    let Some(typed) = raw.interface.as_ref().and_then(|own| own.flatness.as_ref()) else { return Ok(()) };
+    // The wave has a band of its own beyond those of the spectrum.
+    if typed.value.wavelength_m() > 1.01 * longest_m {
+        return Ok(());
     }
+    let message = format!(
+        "key interface.flatness: {} is a wave of {}, and the spectrum has waves up to {}; give the flatness of the nominal contact, over its \
+         length, or leave it out",
+        typed.text,
+        length(typed.value.wavelength_m()),
+        length(longest_m)
+    );
+    Err(SceneError::at(typed.span(), message))
 }
 
 /// Resolves a tangential load: a coefficient of friction, with either a stress or its share of friction times pressure.

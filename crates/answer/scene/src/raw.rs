@@ -6,6 +6,7 @@ use std::ops::Range;
 use std::str::FromStr;
 use std::sync::LazyLock;
 
+use ::interface::flatness::Flatness;
 use ::interface::gas::NamedGas;
 use measurements::{Instrument, SlopeUncertainty, TipRadius, ZCalibration};
 use persson::Band;
@@ -353,6 +354,7 @@ pub(super) struct RawInterface {
     pub shear_strength: Option<Typed<Pressure>>,
     pub work_of_adhesion: Option<Typed<WorkOfAdhesion>>,
     pub range_of_attraction: Option<Typed<Length>>,
+    pub flatness: Option<Typed<Flatness>>,
     pub gas: Option<Typed<NamedGas>>,
     pub gas_temperature: Option<Typed<Temperature>>,
     pub gas_pressure: Option<Typed<Pressure>>,

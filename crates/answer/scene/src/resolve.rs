@@ -11,7 +11,7 @@ use super::curves::{curves_that_apply, resolve_curves};
 use super::error::SceneError;
 use super::figures::resolve_figures;
 use super::file_names;
-use super::interface::resolve_interface;
+use super::interface::{check_flatness, resolve_interface};
 use super::judge::resolve_judge;
 use super::loads::{nominal_area_m2, resolve_loads};
 use super::raw::{RawScene, given};
@@ -160,6 +160,7 @@ pub(super) fn resolve(
         (None, Some(other)) => own.against(resolve_surface("counterface.surface", other, files)?),
         (_, None) => own,
     };
+    check_flatness(raw, surface.psd.longest_wavelength_m())?;
     let scene = Scene {
         text: text.to_owned(),
         title: raw.title.clone().unwrap_or_else(|| surface.name.clone()),

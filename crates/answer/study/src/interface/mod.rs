@@ -1,5 +1,6 @@
 //! Quantities of an interface besides its area, and the scene's request for them.
 
+mod flat;
 mod gas;
 mod quantity;
 mod request;
@@ -8,6 +9,7 @@ mod sources;
 mod states;
 mod table;
 
+pub use flat::{FlatnessAdds, FlatnessRange};
 pub use gas::{GasError, GasInput};
 pub use quantity::{Quantity, Slot};
 pub use request::{AdhesionRequest, Asks, InterfaceRequest, Seal};

@@ -2,6 +2,7 @@
 
 use interface::adhesion::{StickyContact, fuller_tabor};
 use interface::conductance::{Conductivities, Resistivities};
+use interface::flatness::Flatness;
 use interface::gas::GapGas;
 use interface::leak::SealedJoint;
 use persson::Band;
@@ -27,6 +28,8 @@ pub struct InterfaceRequest {
     pub resistivities: Option<Resistivities>,
     /// The gas in the gaps; vacuum if absent.
     pub gas: Option<GapGas>,
+    /// The deviation of the nominal contact from a plane; flat if absent.
+    pub flatness: Option<Flatness>,
     /// The nominal area \[m^2\], if a force was given.
     pub nominal_area_m2: Option<f64>,
     /// The seal that the contact makes.

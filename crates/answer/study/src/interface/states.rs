@@ -16,6 +16,7 @@ use persson::separation::{LIGHT_CONTACT, LightLoads, STIFFNESS_WITHIN, Separatio
 use persson::{Roughness, constant_hardness, elastic};
 use spectrum::{Moments, Normalisation};
 
+use super::flat::FlatnessAdds;
 use super::quantity::{Quantity, Slot};
 use super::request::InterfaceRequest;
 use super::shear::sheared_pair;
@@ -64,6 +65,10 @@ struct ElasticStates {
     /// The response to the tangential load under every load, once it is read; `None` where everything slides.
     sheared: Vec<OnceLock<Option<ShearedContact>>>,
     constrictions: Vec<OnceLock<Option<MagnifiedContact>>>,
+    /// The same with the deviation of the nominal contact from a plane as a wave, if one is given.
+    with_wave: Option<Arc<ElasticStates>>,
+    /// The additions of both limits of that deviation under every load, once they are read.
+    flatness: Vec<OnceLock<[FlatnessAdds; 2]>>,
 }
 
 /// The corrected form of the theory that is nearest to boundary elements.
@@ -77,23 +82,39 @@ impl<'a> InterfaceStates<'a> {
         let (last, _) = results.moments.last()?;
         let moments = by_parseval(last, inputs.normalisation);
         let roughness = gap_law::roughness(results, inputs.normalisation, request.band);
-        let modulus_pa = inputs.pair.composite_modulus_pa();
-        let separation = SeparationLaw::from_roughness(&roughness, modulus_pa, request.energy_factor);
-        let sealing = request.seal.map(|seal| {
-            let correction = Some(CORRECTION_OF_SEALS);
-            SealingLaw::new(&roughness, modulus_pa, request.energy_factor, correction, seal.threshold)
+        let with_wave = request.flatness.and_then(|flatness| {
+            let mean_square_m2 = flatness.mean_square_height_m2();
+            let roughness = roughness.with_long_wave(flatness.wavelength_m(), mean_square_m2)?;
+            let moments = Moments { m0_m2: moments.m0_m2 + mean_square_m2, ..moments };
+            Some(Arc::new(ElasticStates::new(request, &inputs, roughness, moments)))
         });
-        let loads = inputs.pressures.len();
-        let elastic = ElasticStates {
-            moments,
-            roughness,
-            separation,
-            separations: vec![OnceLock::new(); loads],
-            sealing,
-            sheared: vec![OnceLock::new(); loads],
-            constrictions: vec![OnceLock::new(); loads],
-        };
+        let elastic = ElasticStates { with_wave, ..ElasticStates::new(request, &inputs, roughness, moments) };
         Some(InterfaceStates { request, inputs, elastic: Arc::new(elastic) })
+    }
+
+    /// Returns the same with the deviation from flat faces as a wave of the roughness; `None` without one.
+    #[must_use]
+    pub fn with_wave(&self) -> Option<Self> {
+        let elastic = Arc::clone(self.elastic.with_wave.as_ref()?);
+        Some(InterfaceStates { request: self.request, inputs: self.inputs.clone(), elastic })
+    }
+
+    /// Returns what both limits of the flatness add under a load, as a wave and as a cap; `None` without a flatness.
+    #[must_use]
+    pub fn flatness_limits(&self, load: usize) -> Option<[FlatnessAdds; 2]> {
+        let (flatness, with_wave) = self.request.flatness.zip(self.elastic.with_wave.as_ref())?;
+        let (pressure_pa, modulus_pa) = (self.pressure_pa(load), self.modulus_pa());
+        let compare = || {
+            let flat = self.separation(load);
+            let waves = with_wave.roughness.places();
+            let of_wave = waves.iter().find(|place| place.mean_square_gradient > 0.0);
+            let deviation_pa = of_wave.map_or(0.0, |wave| wave.variance_pa2(modulus_pa).sqrt());
+            [
+                FlatnessAdds::of_wave(&with_wave.separation, flat, pressure_pa, deviation_pa),
+                FlatnessAdds::of_cap(&flatness, &self.elastic.separation, flat, pressure_pa, modulus_pa),
+            ]
+        };
+        Some(*self.elastic.flatness[load].get_or_init(compare))
     }
 
     /// Takes another hardness of the softer body \[Pa\], and shares all else.
@@ -374,6 +395,13 @@ impl<'a> InterfaceStates<'a> {
         Some(of_gas.conductance_w_per_m2_k(gap_m, rms_height_m))
     }
 
+    /// Returns the conductance \[W/(m^2 K)\] of the gas over Gaussian gaps that the deviation from flat faces widens.
+    pub(super) fn gas_over_wave(&self, gap_m: f64) -> Option<f64> {
+        let rms_height_m = self.elastic.with_wave.as_ref()?.moments.rms_height_m();
+        let of_gas = self.request.gas.filter(|_| gap_m.is_finite())?;
+        Some(of_gas.conductance_w_per_m2_k(gap_m, rms_height_m))
+    }
+
     /// Distance of the mean planes of peaks that have flowed \[m\]; `None` without a hardness, and where everything touches.
     fn flowed_gap_m(&self, load: usize) -> Result<Option<f64>, InterfaceError> {
         let ratio = self.pressure_ratio(load)?;
@@ -460,8 +488,36 @@ impl<'a> InterfaceStates<'a> {
         self.inputs.pressures[load].pa()
     }
 
-    fn modulus_pa(&self) -> f64 {
+    pub(super) fn modulus_pa(&self) -> f64 {
         self.inputs.pair.composite_modulus_pa()
+    }
+}
+
+impl ElasticStates {
+    fn new(
+        request: &InterfaceRequest,
+        inputs: &InterfaceInputs<'_>,
+        roughness: Roughness,
+        moments: Moments,
+    ) -> Self {
+        let modulus_pa = inputs.pair.composite_modulus_pa();
+        let separation = SeparationLaw::from_roughness(&roughness, modulus_pa, request.energy_factor);
+        let sealing = request.seal.map(|seal| {
+            let correction = Some(CORRECTION_OF_SEALS);
+            SealingLaw::new(&roughness, modulus_pa, request.energy_factor, correction, seal.threshold)
+        });
+        let loads = inputs.pressures.len();
+        ElasticStates {
+            moments,
+            roughness,
+            separation,
+            separations: vec![OnceLock::new(); loads],
+            sealing,
+            sheared: vec![OnceLock::new(); loads],
+            constrictions: vec![OnceLock::new(); loads],
+            with_wave: None,
+            flatness: vec![OnceLock::new(); loads],
+        }
     }
 }
 
