@@ -6,7 +6,7 @@ use interface::friction::SlidingContact;
 use judge::Reference;
 use persson::separation::STIFFNESS_WITHIN;
 use serde::Serialize;
-use study::interface::{InterfaceStates, Quantity, Slot};
+use study::interface::{FlatnessRange, InterfaceStates, Quantity, Slot};
 use uncertainty::Uncertainty;
 
 use super::area::{AreaEstimate, Source};
@@ -52,6 +52,19 @@ pub struct AskedValue {
     pub high: f64,
     /// The state of the peaks that it is for; `None` if it does not depend on that.
     pub state: Option<PeakState>,
+    /// The value of flat faces, where a flatness is given that changes it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub flat: Option<f64>,
+}
+
+/// A value with its range.
+#[derive(Clone, Copy)]
+struct Ranged {
+    value: f64,
+    low: f64,
+    high: f64,
+    /// The value of flat faces, where a flatness changes it.
+    flat: Option<f64>,
 }
 
 /// A quantity by the theory of elastic peaks and by that of flowed ones.
@@ -95,9 +108,8 @@ impl Questions<'_> {
                 elastic_within: GAP_WITHIN,
             };
             found.extend(self.by_state(&gap));
-            found.extend(self.within(Quantity::Stiffness, STIFFNESS_WITHIN).map(|[value, low, high]| {
-                AskedValue { quantity: Quantity::Stiffness, value: Some(value), low, high, state: None }
-            }));
+            let stiffness = self.within(Quantity::Stiffness, STIFFNESS_WITHIN);
+            found.extend(stiffness.map(|stiffness| stiffness.answers(Quantity::Stiffness, None)));
         }
         if request.asks.heat {
             let heat = self.by_state(&ByState::heat(request.conductivities.is_some(), request.gas.is_some()));
@@ -124,20 +136,22 @@ impl Questions<'_> {
         let elastic = || self.within(quantities.elastic, quantities.elastic_within);
         let flowed = || self.within(quantities.flowed?, self.correlation_within(quantities.flowed?));
         let state = PeakState::new(self.states, self.load, self.area);
-        let (quantity, state, [value, low, high]) = match (state, elastic(), flowed()) {
+        let (quantity, state, found) = match (state, elastic(), flowed()) {
             (PeakState::Flowed, _, Some(flowed)) => (quantities.flowed?, PeakState::Flowed, flowed),
-            (PeakState::Partly, Some([value, low, high]), Some([flowed, ..])) => {
-                (quantities.elastic, PeakState::Partly, [value, low.min(flowed), high.max(flowed)])
+            (PeakState::Partly, Some(elastic), Some(Ranged { value: flowed, .. })) => {
+                let (low, high) = (elastic.low.min(flowed), elastic.high.max(flowed));
+                (quantities.elastic, PeakState::Partly, Ranged { low, high, ..elastic })
             }
             (state, elastic, None) => (quantities.elastic, state, elastic?),
             (_, None, Some(flowed)) => (quantities.flowed?, PeakState::Flowed, flowed),
             (PeakState::Elastic, Some(elastic), _) => (quantities.elastic, PeakState::Elastic, elastic),
         };
-        Some(AskedValue { quantity, value: Some(value), low, high, state: Some(state) })
+        Some(found.answers(quantity, Some(state)))
     }
 
-    /// A value with its range: the interval of uncertain inputs and the factor of the theory, whose logarithms add as squares.
-    fn within(&self, quantity: Quantity, factor: f64) -> Option<[f64; 3]> {
+    /// A value with its range: the interval of uncertain inputs and the factor of the theory, whose logarithms add as squares, about
+    /// both limits of the flatness.
+    fn within(&self, quantity: Quantity, factor: f64) -> Option<Ranged> {
         let of_theory = self.by_theory(quantity)?;
         let of_map = self.of_map(quantity);
         let value = of_map.map_or(of_theory, |over_theory| over_theory * of_theory);
@@ -153,7 +167,17 @@ impl Questions<'_> {
             [(of_theory / found.low).max(1.0), (found.high / of_theory).max(1.0)]
         });
         let wider = |ratio: f64| ratio.ln().hypot(factor.ln()).exp();
-        Some([value, value / wider(below), value * wider(above)])
+        let (wider_below, wider_above) = (wider(below), wider(above));
+        let limits = self.states.with_flatness(quantity, self.load, value).ok().flatten();
+        Some(match limits {
+            None => Ranged { value, low: value / wider_below, high: value * wider_above, flat: None },
+            Some(FlatnessRange { by_wave, by_cap }) => Ranged {
+                value: (by_wave * by_cap).sqrt(),
+                low: by_wave.min(by_cap) / wider_below,
+                high: by_wave.max(by_cap) * wider_above,
+                flat: Some(value),
+            },
+        })
     }
 
     /// The factor within which a correlation for flowed peaks holds; the gas beside its spots is known better.
@@ -203,6 +227,7 @@ impl Questions<'_> {
         AskedValue {
             quantity: resistance,
             value: conductance.value.map(inverse),
+            flat: conductance.flat.map(inverse),
             low: inverse(conductance.high),
             high: inverse(conductance.low),
             ..conductance
@@ -223,7 +248,15 @@ impl Questions<'_> {
             low: coefficient(self.area.low)?,
             high: coefficient(self.area.high)?,
             state: None,
+            flat: None,
         })
+    }
+}
+
+impl Ranged {
+    fn answers(self, quantity: Quantity, state: Option<PeakState>) -> AskedValue {
+        let Ranged { value, low, high, flat } = self;
+        AskedValue { quantity, value: Some(value), low, high, state, flat }
     }
 }
 

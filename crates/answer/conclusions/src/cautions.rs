@@ -145,6 +145,8 @@ pub(crate) fn cautions(
     cautions.extend(few_places(scene).filter(|_| uncertainty.is_none()));
     cautions.extend(states.and_then(|states| elastic_formulas(loads, states)));
     cautions.extend(traces_alone(scene).then(|| new(RemarkCode::LayUnknown)));
+    cautions.extend(states.and_then(|states| gap_not_settled(scene, states)));
+    cautions.extend(states.and_then(|states| spreads_over_part(loads, states)));
     if !on_roughness && states.is_none_or(|states| !needs_heights(states)) {
         cautions.retain(|caution| !is_about_roughness(caution.code));
     }
@@ -164,6 +166,34 @@ fn elastic_formulas(loads: &[AnswerUnderLoad], states: &InterfaceStates<'_>) -> 
     let largest = may_yield.filter_map(|load| states.plastic_share(load.load)).reduce(f64::max);
     let share = largest.filter(|share| *share > MOST_PLASTIC_SHARE)?;
     Some(Remark::new(RemarkCode::GapOfYieldingContact).with("share", share).with("what", what))
+}
+
+/// The caution on a spectrum that ends before the mean gap has settled, where something is asked that the longest waves decide.
+fn gap_not_settled(scene: &Scene, states: &InterfaceStates<'_>) -> Option<Remark> {
+    let request = states.request;
+    let is_asked = request.seal.is_some() || request.asks.gap || request.asks.heat || request.asks.current;
+    (is_asked && states.lacks_roll_off()).then(|| {
+        let longest_m = scene.surface.psd.longest_wavelength_m();
+        let flatness = request.flatness.map(|flatness| flatness.to_string());
+        let remark = Remark::new(RemarkCode::GapNotSettled).with("longest_m", longest_m);
+        flatness.into_iter().fold(remark, |remark, flatness| remark.with("flatness", flatness))
+    })
+}
+
+/// The caution that contact spreads over a part of a nominal contact that is not flat, with the load that spreads least.
+fn spreads_over_part(loads: &[AnswerUnderLoad], states: &InterfaceStates<'_>) -> Option<Remark> {
+    let flatness = states.request.flatness?;
+    // The lightest load spreads least.
+    let load = loads.iter().min_by(|a, b| a.nominal_pressure_pa.total_cmp(&b.nominal_pressure_pa))?;
+    let [wave, cap] = states.flatness_limits(load.load)?.map(|limit| limit.share);
+    let (low, high) = (wave.min(cap), wave.max(cap));
+    (low < 0.995).then(|| {
+        Remark::new(RemarkCode::SpreadsOverPart)
+            .with("flatness", flatness.to_string())
+            .with("low", low)
+            .with("high", high)
+            .with("load", load.label.as_str())
+    })
 }
 
 /// Returns true if something is asked that hangs on the heights of the roughness, even where the area does not.

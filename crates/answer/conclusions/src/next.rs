@@ -58,6 +58,11 @@ pub enum NextStep {
         /// The shortest wavelength of the spectrum \[m\].
         from_m: f64,
     },
+    /// The flatness of the nominal contact, since the spectrum ends before the mean gap has settled.
+    Flatness {
+        /// The longest wavelength of the spectrum \[m\].
+        from_m: f64,
+    },
     /// Longer waves, whose heights decide the gap and what follows from it.
     WiderScan {
         /// The longest wavelength of the spectrum \[m\].
@@ -121,6 +126,10 @@ pub(crate) fn next_steps(
     let tip = warned(&[RemarkCode::TipMayShow]).filter(|_| !hangs_on_hardness);
     let scan = tip.and_then(|tip| tip.place.files.first());
     steps.extend(scan.map(|scan| NextStep::TipRadius { scan: scan.clone() }));
+    let from_m = surface.psd.longest_wavelength_m();
+    let ends_early = warned(&[RemarkCode::GapNotSettled]).is_some();
+    let is_flat_or_not = states.is_some_and(|states| states.request.flatness.is_some());
+    steps.extend((ends_early && !is_flat_or_not).then_some(NextStep::Flatness { from_m }));
     let mut ranked = from_draws(evidence, load);
     let draws_strength = ranked
         .iter()
@@ -143,21 +152,13 @@ pub(crate) fn next_steps(
     let is_told = shorter_waves_are_told(evidence, load);
     let shortest_m = surface.psd.shortest_wavelength_m();
     steps.extend(still_falls.filter(|_| !is_told).map(|_| NextStep::FinerScan { from_m: shortest_m }));
-    let ends_early = |states: &&InterfaceStates<'_>| hangs_on_long_waves(states) && states.lacks_roll_off();
-    let from_m = surface.psd.longest_wavelength_m();
-    steps.extend(states.filter(ends_early).map(|_| NextStep::WiderScan { from_m }));
+    steps.extend((ends_early && is_flat_or_not).then_some(NextStep::WiderScan { from_m }));
     let adds_scans = steps.iter().any(|step| matches!(step, NextStep::MoreScans { .. }));
     let few = warned(&[RemarkCode::FewScans]).filter(|_| !adds_scans && !hangs_on_hardness);
     let instrument = few.and_then(|few| few.text("instrument"));
     steps.extend(instrument.map(|instrument| NextStep::SecondScan { instrument: instrument.to_owned() }));
     steps.truncate(MAX_STEPS);
     steps
-}
-
-/// Tells whether a scene asks for what the heights of the longest waves decide.
-fn hangs_on_long_waves(states: &InterfaceStates<'_>) -> bool {
-    let request = states.request;
-    request.seal.is_some() || request.asks.gap || request.asks.heat || request.asks.current
 }
 
 /// Tells whether the draws say where the area settles: it is a step of theirs already, or not worth one.

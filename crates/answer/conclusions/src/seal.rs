@@ -61,15 +61,29 @@ impl SealClosing {
     /// Finds the pressure; `None` if none closes the seal.
     pub(crate) fn new(states: &InterfaceStates<'_>, uncertainty: Option<&Uncertainty>) -> Option<Self> {
         let tight = Slot { quantity: Quantity::TightPressure, load: None, curve: None };
-        let nominal_pressure_pa = states.value(tight).ok().flatten()?;
+        let of_flat_pa = states.value(tight).ok().flatten()?;
         let interval = uncertainty.and_then(|found| found.quantity(tight));
+        let (low, high) = interval.map_or((1.0, 1.0), |found| {
+            ((found.low / of_flat_pa).min(1.0), (found.high / of_flat_pa).max(1.0))
+        });
+        let [least_pa, most_pa] = flatness_limits_pa(states, of_flat_pa).unwrap_or([of_flat_pa; 2]);
         Some(SealClosing {
-            nominal_pressure_pa,
-            low: interval.map_or(nominal_pressure_pa, |found| found.low.min(nominal_pressure_pa)),
-            high: interval.map_or(nominal_pressure_pa, |found| found.high.max(nominal_pressure_pa)),
-            by_yielding: states.closed_by_yielding_from_pa() == Some(nominal_pressure_pa),
+            nominal_pressure_pa: if least_pa < most_pa { (least_pa * most_pa).sqrt() } else { least_pa },
+            low: low * least_pa,
+            high: high * most_pa,
+            by_yielding: states.closed_by_yielding_from_pa() == Some(of_flat_pa),
         })
     }
+}
+
+/// The pressures \[Pa\] that close a seal by both limits of the flatness, in rising order: as a wave of the roughness, and as a cap that
+/// has to touch all over; `None` without a flatness.
+fn flatness_limits_pa(states: &InterfaceStates<'_>, of_flat_pa: f64) -> Option<[f64; 2]> {
+    let tight = Slot { quantity: Quantity::TightPressure, load: None, curve: None };
+    let by_wave_pa = states.with_wave()?.value(tight).ok().flatten()?;
+    let modulus_pa = states.inputs.pair.composite_modulus_pa();
+    let by_cap_pa = of_flat_pa.max(states.request.flatness?.flattening_pressure_pa(modulus_pa));
+    Some([by_wave_pa.min(by_cap_pa), by_wave_pa.max(by_cap_pa)])
 }
 
 impl SealUnderLoad {
@@ -85,7 +99,10 @@ impl SealUnderLoad {
             let slot = Slot { quantity, load: Some(load), curve: None };
             let value = states.value(slot).ok().flatten()?;
             let interval = uncertainty.and_then(|found| found.quantity(slot));
-            Some(interval.map_or([value, value], |found| [found.low.min(value), found.high.max(value)]))
+            let by_wave = states.with_wave().and_then(|states| states.value(slot).ok().flatten());
+            let [low, high] =
+                interval.map_or([value, value], |found| [found.low.min(value), found.high.max(value)]);
+            Some([low, by_wave.map_or(high, |by_wave| high * (by_wave / value).max(1.0))])
         };
         let [low, high] = [Quantity::LeakRateLow, Quantity::LeakRateHigh].map(rate);
         Some(SealUnderLoad {

@@ -416,6 +416,14 @@ remark_codes! {
     UpperBound "upper-bound" Caution
         "Upper bound: the spectrum ends at {shortest_m} and the area is still falling there."
         short "upper bound, the spectrum ends at {shortest_m}";
+    GapNotSettled "gap-not-settled" Caution
+        "The spectrum ends at {longest_m} before the mean gap has settled: [with {flatness} counted, ]longer waves decide gap, stiffness, heat \
+         and leaks."
+        short "gap not settled, the spectrum ends at {longest_m}";
+    SpreadsOverPart "spreads-over-part" Caution
+        "With {flatness}, contact spreads over {low%} to {high%} of the nominal contact at {load}. The share that touches is that of flat \
+         faces: what part of them lacks in area, the other carries in pressure."
+        short "contact spreads over {low%} to {high%} of the faces";
     TooSteep "too-steep" Caution
         "Below {from_m} slopes are too steep for every method used here, boundary elements included."
         short "slopes too steep below {from_m}";

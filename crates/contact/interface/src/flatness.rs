@@ -78,6 +78,12 @@ impl Flatness {
         self.height_m * self.height_m / 8.0
     }
 
+    /// Nominal pressure \[Pa\] from which on the cap touches over the whole disc, 16 E* H/(3 pi L).
+    #[must_use]
+    pub fn flattening_pressure_pa(&self, modulus_pa: f64) -> f64 {
+        16.0 / (3.0 * PI) * modulus_pa * (self.height_m / self.span_m)
+    }
+
     /// Presses the deviation as a cap under a nominal pressure p > 0 \[Pa\] of the disc of diameter L, with a contact modulus E* > 0
     /// \[Pa\]: a^3 = 3 F R/(4 E*).
     #[must_use]
@@ -206,6 +212,9 @@ mod tests {
         let cap = flatness().cap(1e9, 38e9);
         assert_eq!((cap.share(), cap.mean_gap_m(), cap.compliance_m_per_pa()), (1.0, 0.0, 0.0));
         assert_eq!(cap.mean_inside(|pressure_pa| pressure_pa), 1e9);
+        let from_pa = flatness().flattening_pressure_pa(38e9);
+        assert!(flatness().cap(0.999 * from_pa, 38e9).share() < 1.0);
+        assert_eq!(flatness().cap(1.001 * from_pa, 38e9).share(), 1.0);
     }
 
     #[test]

@@ -18,7 +18,7 @@ fn scene(surface: &str, bodies: &str, judge: &str, rest: &str) -> Answered {
 const STEEL: &str = "material = { youngs_modulus = \"200 GPa\", poisson_ratio = 0.3 }";
 const SMALL: &str = "grid = 32\nrealisations = 2";
 
-fn caution(conclusions: &Conclusions, code: RemarkCode) -> Option<&Remark> {
+pub fn caution(conclusions: &Conclusions, code: RemarkCode) -> Option<&Remark> {
     conclusions.cautions.iter().find(|caution| caution.code == code)
 }
 

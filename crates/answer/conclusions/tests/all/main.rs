@@ -2,6 +2,7 @@
 
 mod cautions;
 mod drawn_scenes;
+mod flatness;
 mod maps;
 mod next_steps;
 mod publications;

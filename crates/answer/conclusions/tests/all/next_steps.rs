@@ -6,6 +6,7 @@ use study::bodies::Body;
 use uncertainty::{Advice, Group, Settling, Step, StepKind};
 use units::{Remark, RemarkCode};
 
+use crate::cautions::caution;
 use crate::drawn_scenes::Answered;
 
 /// Elastic bodies on a spectrum with errors, under two loads.
@@ -201,17 +202,29 @@ fn the_hardness_of_a_softer_body_that_has_none_is_found_out_first() {
 }
 
 #[test]
-fn longer_waves_are_asked_for_where_gaps_are_and_the_spectrum_does_not_roll_off() {
-    let next = |psd: &str, rest: &str| {
+fn flatness_is_asked_for_where_gaps_are_and_the_spectrum_does_not_roll_off_and_then_longer_waves() {
+    let next = |psd: &str, rest: &str| -> Vec<NextStep> {
         let answered = Answered::new(&format!(
             "surface = {{ psd = \"{psd}\" }}\nmaterial = {{ youngs_modulus = \"200 GPa\", poisson_ratio = 0.3 }}\n[loads]\npressures = [\"10 MPa\"]\n\
              [[curve]]\nmodel = \"persson\"\n[judge]\noff = true\n{rest}"
         ));
-        let longest_m = answered.results.psd.longest_wavelength_m();
-        answered.conclusions().next.contains(&NextStep::WiderScan { from_m: longest_m })
+        let from_m = answered.results.psd.longest_wavelength_m();
+        let of_waves = [NextStep::Flatness { from_m }, NextStep::WiderScan { from_m }];
+        let conclusions = answered.conclusions();
+        let is_cautioned = caution(&conclusions, RemarkCode::GapNotSettled).is_some();
+        let steps: Vec<NextStep> =
+            conclusions.next.into_iter().filter(|step| of_waves.contains(step)).collect();
+        assert_eq!(is_cautioned, !steps.is_empty());
+        steps
     };
+    let flatness = "flatness = \"5 um over 40 mm\"\n";
     for asks in ["[interface]\n", "[interface]\ngas = \"air\"\n", "[seal]\n"] {
-        assert!(next("power.csv", asks) && !next("plain.csv", asks), "{asks}");
+        assert!(matches!(next("power.csv", asks)[..], [NextStep::Flatness { .. }]), "{asks}");
+        assert_eq!(next("plain.csv", asks), [], "{asks}");
     }
-    assert!(!next("power.csv", "") && !next("power.csv", "[interface]\nshear_strength = \"50 MPa\"\n"));
+    for asks in [format!("[interface]\n{flatness}"), format!("[seal]\n[interface]\n{flatness}")] {
+        assert!(matches!(next("power.csv", &asks)[..], [NextStep::WiderScan { .. }]), "{asks}");
+    }
+    assert_eq!(next("power.csv", ""), []);
+    assert_eq!(next("power.csv", "[interface]\nshear_strength = \"50 MPa\"\n"), []);
 }

@@ -352,8 +352,8 @@ fn check_next(conclusions: &Conclusions, seen: &mut Seen) {
     assert!(conclusions.loads.iter().all(|load| (load.cause == Cause::Adhesion) == sticks));
     assert!(!sticks || !warns(RemarkCode::UpperBound));
     let is_blocker = |step: &&NextStep| {
-        use NextStep::{Adhesion, HardnessOfSofter, MoreScales, Surface};
-        !matches!(step, Surface { .. } | MoreScales | Adhesion | HardnessOfSofter { .. })
+        use NextStep::{Adhesion, Flatness, HardnessOfSofter, MoreScales, Surface};
+        !matches!(step, Surface { .. } | MoreScales | Adhesion | Flatness { .. } | HardnessOfSofter { .. })
     };
     if matches!(middle.cause, Cause::Hardness { .. }) {
         let first = conclusions.next.iter().find(is_blocker);

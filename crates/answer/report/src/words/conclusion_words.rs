@@ -314,9 +314,10 @@ fn asked_words(asked: &AskedValue, at: &str) -> String {
         Some(PeakState::Flowed) => "; the peaks have flowed",
         Some(PeakState::Elastic) | None => "",
     };
+    let flat = asked.flat.map(|flat| format!("; {} if flat", interface_words::value(asked.quantity, flat)));
     let value = asked.value.map(|value| interface_words::value(asked.quantity, value));
     let words: Vec<String> = value.map(|value| format!("{value}{at}")).into_iter().chain(range).collect();
-    format!("{}{state}", words.join(", "))
+    format!("{}{state}{}", words.join(", "), flat.unwrap_or_default())
 }
 
 /// The response to a tangential load: `2.1 nm, 310 µJ/m² lost per cycle (50 % of sliding)`.
@@ -440,6 +441,10 @@ pub fn next_words(step: &NextStep) -> String {
         NextStep::FinerScan { from_m } => {
             format!("a scan finer than {}: the area still falls there", length(*from_m))
         }
+        NextStep::Flatness { from_m } => format!(
+            "measure the flatness of the parts (flatness = \"5 um over 40 mm\"): waves beyond {} decide gap, heat and leaks",
+            length(*from_m)
+        ),
         NextStep::WiderScan { from_m } => {
             format!("a scan wider than {}: longer waves decide gap, heat and leaks", length(*from_m))
         }

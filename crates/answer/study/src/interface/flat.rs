@@ -29,13 +29,10 @@ pub struct FlatnessRange {
 }
 
 impl FlatnessAdds {
-    /// The stiffness of the addition over the contact modulus \[Pa\]; `None` if it adds no compliance.
-    fn stiffness(&self, modulus_pa: f64) -> Result<Option<RelativeStiffness>, InterfaceError> {
-        let stiffness_pa_per_m = self.compliance_m_per_pa.recip();
-        stiffness_pa_per_m
-            .is_finite()
-            .then(|| RelativeStiffness::new(stiffness_pa_per_m, modulus_pa))
-            .transpose()
+    /// The stiffness of the addition over the contact modulus \[Pa\]; `None` if it adds no compliance, or less than the range of
+    /// magnitudes has.
+    fn stiffness(&self, modulus_pa: f64) -> Option<RelativeStiffness> {
+        RelativeStiffness::new(self.compliance_m_per_pa.recip(), modulus_pa).ok()
     }
 
     /// Compares a limit with flat faces.
@@ -103,7 +100,7 @@ impl InterfaceStates<'_> {
         load: usize,
         flat: f64,
     ) -> Result<Option<f64>, InterfaceError> {
-        let added = adds.stiffness(self.modulus_pa())?;
+        let added = adds.stiffness(self.modulus_pa());
         let in_series = |flat: f64, added: Option<f64>| {
             added.map_or(flat, |added| (flat.recip() + added.recip()).recip())
         };

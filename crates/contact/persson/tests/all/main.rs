@@ -2,4 +2,5 @@
 
 mod identities;
 mod layers;
+mod long_wave;
 mod sealing;

@@ -1,0 +1,97 @@
+//! Parts that are not flat: values with the range of both limits, the part of the nominal contact that contact spreads over, and seals.
+
+use conclusions::{AskedValue, Conclusions};
+use study::interface::Quantity;
+use units::RemarkCode;
+
+use crate::cautions::caution;
+use crate::drawn_scenes::Answered;
+
+/// Conductors under a load, of a spectrum up to 10 um.
+fn scene(hardness: &str, pressure: &str, rest: &str) -> Answered {
+    Answered::new(&format!(
+        "surface = {{ psd = \"plain.csv\" }}\nmaterial = {{ youngs_modulus = \"70 GPa\", poisson_ratio = 0.33, {hardness} \
+         thermal_conductivity = \"150 W/(m K)\", resistivity = \"3e-8 ohm m\" }}\n[counterface]\nthermal_conductivity = \"20 W/(m \
+         K)\"\nresistivity = \"7e-7 ohm m\"\n[loads]\npressures = [\"{pressure}\"]\n[judge]\noff = true\n[[curve]]\nmodel = \
+         \"persson\"\n{rest}"
+    ))
+}
+
+fn asked(conclusions: &Conclusions) -> Vec<AskedValue> {
+    conclusions.loads[0].asked.clone()
+}
+
+fn interface(flatness: &str, rest: &str) -> String {
+    format!("[interface]\nflatness = \"{flatness}\"\n{rest}")
+}
+
+#[test]
+fn the_range_spans_both_limits_and_names_flat_faces() {
+    for (hardness, gas) in
+        [("", ""), ("", "gas = \"air\"\n"), ("indentation_hardness = \"100 MPa\",", "gas = \"air\"\n")]
+    {
+        let flat = scene(hardness, "1 MPa", &format!("[interface]\n{gas}")).conclusions();
+        let bowed = scene(hardness, "1 MPa", &interface("200 nm over 2 mm", gas));
+        let states = bowed.scene.interface_states(&bowed.results).unwrap();
+        let bowed = bowed.conclusions();
+        assert!(!asked(&bowed).is_empty());
+        for found in asked(&bowed) {
+            let of_flat = asked(&flat).into_iter().find(|other| other.quantity == found.quantity).unwrap();
+            assert_eq!((found.flat, of_flat.flat), (of_flat.value, None));
+            let limits = states.with_flatness(found.quantity, 0, of_flat.value.unwrap()).unwrap().unwrap();
+            let [low, high] = [limits.by_wave.min(limits.by_cap), limits.by_wave.max(limits.by_cap)];
+            let value = found.value.unwrap();
+            assert!((value / (low * high).sqrt() - 1.0).abs() < 1e-12);
+            let wider = of_flat.high / of_flat.value.unwrap();
+            assert!((found.high / (wider * high) - 1.0).abs() < 1e-9, "{found:?}");
+            // A deviation adds to the gap, and takes from all that passes.
+            let is_gap = matches!(found.quantity, Quantity::MeanGap | Quantity::FlowedGap);
+            assert_eq!(value > of_flat.value.unwrap(), is_gap, "{found:?}");
+        }
+    }
+}
+
+#[test]
+fn a_deviation_that_is_small_or_pressed_flat_changes_nothing() {
+    for (pressure, flatness) in [("1 MPa", "1e-6 nm over 1 m"), ("5 GPa", "10 nm over 1 m")] {
+        let conclusions = scene("", pressure, &interface(flatness, "")).conclusions();
+        assert!(caution(&conclusions, RemarkCode::SpreadsOverPart).is_none());
+        assert!(!asked(&conclusions).is_empty());
+        for found in asked(&conclusions) {
+            let ratio = found.value.unwrap() / found.flat.unwrap();
+            assert!((ratio - 1.0).abs() < 0.01, "{found:?}");
+        }
+    }
+}
+
+#[test]
+fn the_part_over_which_contact_spreads_is_that_of_the_cap_and_of_the_wave() {
+    let bowed = scene("", "1 MPa", &interface("1 um over 20 mm", ""));
+    let states = bowed.scene.interface_states(&bowed.results).unwrap();
+    let [wave, cap] = states.flatness_limits(0).unwrap();
+    let modulus_pa = states.inputs.pair.composite_modulus_pa();
+    // (a/b)^3 = p/p_flat by Hertz; the pressure that flattens a wave has the root mean square E* h/2.
+    let flattening_pa = 16.0 / (3.0 * std::f64::consts::PI) * modulus_pa * 1e-6 / 20e-3;
+    assert!((cap.share / (1e6 / flattening_pa).powf(2.0 / 3.0) - 1.0).abs() < 1e-9);
+    let gradient = std::f64::consts::TAU / 40e-3 * 1e-6 / 8f64.sqrt();
+    let by_theory = persson::elastic::area_fraction(1e6, 0.5 * modulus_pa * gradient);
+    assert!((wave.share / by_theory - 1.0).abs() < 1e-6, "{} {by_theory}", wave.share);
+    let conclusions = bowed.conclusions();
+    let found = caution(&conclusions, RemarkCode::SpreadsOverPart).unwrap();
+    assert_eq!(found.number("low"), Some(wave.share.min(cap.share)));
+    assert_eq!(found.number("high"), Some(wave.share.max(cap.share)));
+}
+
+#[test]
+fn a_seal_that_is_not_flat_closes_later_and_leaks_more() {
+    let seal =
+        "[seal]\npressure_drop = \"1 bar\"\nviscosity = \"1 mPa s\"\nbreadth = \"1 m\"\nlength = \"5 mm\"\n";
+    let flat = scene("", "100 MPa", seal).conclusions();
+    let bowed = scene("", "100 MPa", &format!("{seal}{}", interface("10 um over 5 mm", ""))).conclusions();
+    let closes = |conclusions: &Conclusions| conclusions.seal.unwrap().closes.unwrap();
+    assert!(closes(&bowed).high > closes(&flat).high);
+    assert!(closes(&bowed).low <= closes(&bowed).nominal_pressure_pa);
+    let rate = |conclusions: &Conclusions| conclusions.loads[0].seal.unwrap().leak_rate_m3_per_s.unwrap();
+    assert_eq!(rate(&bowed)[0], rate(&flat)[0]);
+    assert!(rate(&bowed)[1] > rate(&flat)[1]);
+}
