@@ -27,6 +27,10 @@ const MAP_WITHIN: f64 = 1.05;
 /// scatter by as much about it where the hardness is that of a large indentation.
 const CORRELATION_WITHIN: f64 = 1.73;
 
+/// The factor, either way, by which both limits of flatness together miss elements on surfaces with a real long wave
+/// (`docs/develop/trials.md`).
+pub const FLATNESS_WITHIN: f64 = 1.2;
+
 /// The state of the peaks under a load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -168,13 +172,14 @@ impl Questions<'_> {
         });
         let wider = |ratio: f64| ratio.ln().hypot(factor.ln()).exp();
         let (wider_below, wider_above) = (wider(below), wider(above));
+        let with_flatness = |factor: f64| factor.ln().hypot(FLATNESS_WITHIN.ln()).exp();
         let limits = self.states.with_flatness(quantity, self.load, value).ok().flatten();
         Some(match limits {
             None => Ranged { value, low: value / wider_below, high: value * wider_above, flat: None },
             Some(FlatnessRange { by_wave, by_cap }) => Ranged {
                 value: (by_wave * by_cap).sqrt(),
-                low: by_wave.min(by_cap) / wider_below,
-                high: by_wave.max(by_cap) * wider_above,
+                low: by_wave.min(by_cap) / with_flatness(wider_below),
+                high: by_wave.max(by_cap) * with_flatness(wider_above),
                 flat: Some(value),
             },
         })

@@ -1,7 +1,8 @@
 //! Nominal contacts that are not flat: a deviation H over a length L, and two limits of what it does.
 //!
-//! One limit is a wave among the roughness, of wavelength 2 L and mean square height H^2/8; who has the spectrum adds it there. The
-//! other is a spherical cap of height H on a disc of diameter L, R = L^2/(8 H), which touches by Hertz on a part of the disc.
+//! One limit is a wave of wavelength 2 L and mean square height H^2/8: among the roughness, where who has the spectrum adds it, or as a
+//! smooth ridge, which touches by Westergaard. The other is a spherical cap of height H on a disc of diameter L, R = L^2/(8 H), which
+//! touches by Hertz on a part of the disc. Where the smooth bodies touch, the roughness has the local pressure.
 
 use std::f64::consts::PI;
 use std::fmt;
@@ -29,6 +30,34 @@ pub struct Cap {
     nominal_m: f64,
     /// Radius of the contact over that, at most 1.
     relative_radius: f64,
+}
+
+/// A straight wave pressed on a flat by the theory of Westergaard (1939), J. Appl. Mech. 6:A49.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ridge {
+    pressure_pa: f64,
+    modulus_pa: f64,
+    wavelength_m: f64,
+    /// Amplitude of the wave \[m\].
+    amplitude_m: f64,
+    /// Nominal pressure over that which flattens the wave, at most 1.
+    relative_pressure: f64,
+}
+
+/// A smooth deviation from a plane under a nominal pressure.
+pub trait Deviation {
+    /// Share of the nominal contact over which contact spreads; 1 where all of it is loaded.
+    fn share(&self) -> f64;
+
+    /// Mean over the nominal contact of a quantity per area that depends on the local pressure \[Pa\], and is 0 outside the contact.
+    fn mean_inside(&self, of: impl Fn(f64) -> f64) -> f64;
+
+    /// Mean over the nominal contact of a quantity per area that depends on the gap \[m\] between the smooth bodies, and is 0 inside the
+    /// contact.
+    fn mean_outside(&self, of: impl Fn(f64) -> f64) -> f64;
+
+    /// Compliance per nominal area \[m/Pa\] in excess of that of flat faces.
+    fn compliance_m_per_pa(&self) -> f64;
 }
 
 /// Flatness that is not of the form `H over L`.
@@ -84,6 +113,16 @@ impl Flatness {
         16.0 / (3.0 * PI) * modulus_pa * (self.height_m / self.span_m)
     }
 
+    /// Presses the deviation as a ridge under a nominal pressure p > 0 \[Pa\], with a contact modulus E* > 0 \[Pa\]. The wave is flat from
+    /// pi E* (H/2)/(2 L) on.
+    #[must_use]
+    pub fn ridge(&self, pressure_pa: f64, modulus_pa: f64) -> Ridge {
+        let (wavelength_m, amplitude_m) = (self.wavelength_m(), 0.5 * self.height_m);
+        let flat_from_pa = PI * modulus_pa * (amplitude_m / wavelength_m);
+        let relative_pressure = (pressure_pa / flat_from_pa).min(1.0);
+        Ridge { pressure_pa, modulus_pa, wavelength_m, amplitude_m, relative_pressure }
+    }
+
     /// Presses the deviation as a cap under a nominal pressure p > 0 \[Pa\] of the disc of diameter L, with a contact modulus E* > 0
     /// \[Pa\]: a^3 = 3 F R/(4 E*).
     #[must_use]
@@ -96,15 +135,13 @@ impl Flatness {
     }
 }
 
-impl Cap {
-    /// Share of the nominal contact over which contact spreads, (a/b)^2; 1 where all of it is loaded.
-    #[must_use]
-    pub fn share(&self) -> f64 {
+impl Deviation for Cap {
+    /// Returns (a/b)^2.
+    fn share(&self) -> f64 {
         self.relative_radius * self.relative_radius
     }
 
-    /// Mean over the nominal contact of a quantity per area that depends on the local pressure \[Pa\], and is 0 outside the contact.
-    pub fn mean_inside(&self, of: impl Fn(f64) -> f64) -> f64 {
+    fn mean_inside(&self, of: impl Fn(f64) -> f64) -> f64 {
         if self.relative_radius >= 1.0 {
             return of(self.pressure_pa);
         }
@@ -113,27 +150,20 @@ impl Cap {
         self.share() * RULE.over(0.0, 1.0).map(|(t, weight)| 2.0 * t * weight * of(peak_pa * t)).sum::<f64>()
     }
 
-    /// Mean over the nominal contact of a quantity per area that depends on the gap \[m\] between the smooth bodies, and is 0 inside the
-    /// contact.
-    pub fn mean_outside(&self, of: impl Fn(f64) -> f64) -> f64 {
+    fn mean_outside(&self, of: impl Fn(f64) -> f64) -> f64 {
         let from = self.relative_radius;
         RULE.over(from, 1.0).map(|(radius, weight)| 2.0 * radius * weight * of(self.gap_m(radius))).sum()
     }
 
-    /// Mean gap \[m\] over the nominal contact between the smooth bodies.
-    #[must_use]
-    pub fn mean_gap_m(&self) -> f64 {
-        self.mean_outside(|gap_m| gap_m)
-    }
-
-    /// Compliance \[m/Pa\] of the constriction towards the contact, psi/(2 E* a) per nominal area with psi = (1 - a/b)^1.5 (Cooper,
-    /// Mikic & Yovanovich 1969, Int. J. Heat Mass Transfer 12:279); 0 where all is loaded.
-    #[must_use]
-    pub fn compliance_m_per_pa(&self) -> f64 {
+    /// Returns psi/(2 E* a) per nominal area, of the constriction towards the contact, with psi = (1 - a/b)^1.5 (Cooper, Mikic &
+    /// Yovanovich 1969, Int. J. Heat Mass Transfer 12:279).
+    fn compliance_m_per_pa(&self) -> f64 {
         let narrows = (1.0 - self.relative_radius).powf(1.5);
         0.5 * PI * narrows * (self.nominal_m / self.modulus_pa) / self.relative_radius
     }
+}
 
+impl Cap {
     /// Gap \[m\] between the smooth bodies at a radius over that of the nominal contact (Johnson 1985, Contact Mechanics, Eq. 3.42):
     /// a^2/(pi R) \[sqrt(s^2 - 1) - (2 - s^2) arccos(1/s)\] at s = r/a.
     fn gap_m(&self, relative_radius: f64) -> f64 {
@@ -141,6 +171,49 @@ impl Cap {
         let shape = (s * s - 1.0).sqrt() - (2.0 - s * s) * (1.0 / s).acos();
         let contact_m = self.relative_radius * self.nominal_m;
         contact_m / PI * (contact_m / self.radius_of_cap_m) * shape
+    }
+}
+
+impl Deviation for Ridge {
+    /// Returns 2 a/lambda, with sin^2(pi a/lambda) the pressure over that of a flat wave.
+    fn share(&self) -> f64 {
+        2.0 / PI * self.relative_pressure.sqrt().asin()
+    }
+
+    fn mean_inside(&self, of: impl Fn(f64) -> f64) -> f64 {
+        // With s = sin(pi x/lambda) = s_a sin(theta), p = 2 pbar cos(pi x/lambda) cos(theta)/s_a.
+        let edge = self.relative_pressure.sqrt();
+        let at = |(theta, weight): (f64, f64)| {
+            let cosine = (1.0 - (edge * theta.sin()).powi(2)).sqrt();
+            let local_pa = 2.0 * self.pressure_pa * cosine * theta.cos() / edge;
+            weight * edge * theta.cos() / cosine * of(local_pa)
+        };
+        if edge >= 1.0 {
+            return of(self.pressure_pa);
+        }
+        2.0 / PI * RULE.over(0.0, 0.5 * PI).map(at).sum::<f64>()
+    }
+
+    fn mean_outside(&self, of: impl Fn(f64) -> f64) -> f64 {
+        let edge = self.relative_pressure.sqrt();
+        let nodes = RULE.over(edge.asin(), 0.5 * PI);
+        2.0 / PI * nodes.map(|(angle, weight)| weight * of(self.gap_m(angle.sin()))).sum::<f64>()
+    }
+
+    /// Returns lambda/(pi E*) ln(p_flat/p), the derivative of the mean gap of the wave.
+    fn compliance_m_per_pa(&self) -> f64 {
+        self.wavelength_m / (PI * self.modulus_pa) * -self.relative_pressure.ln()
+    }
+}
+
+impl Ridge {
+    /// Gap \[m\] between the smooth bodies at s = sin(pi x/lambda), 2 Delta \[s sqrt(s^2 - s_a^2) - s_a^2 arcosh(s/s_a)\], from the
+    /// pressure continued beyond the contact.
+    fn gap_m(&self, sine: f64) -> f64 {
+        let edge = self.relative_pressure.sqrt();
+        let sine = sine.max(edge);
+        let shape = sine * (sine * sine - edge * edge).sqrt() - edge * edge * (sine / edge).acosh();
+        2.0 * self.amplitude_m * shape
     }
 }
 
@@ -203,14 +276,43 @@ mod tests {
         let cap = flatness().cap(1.0, 38e9);
         let contact_m = cap.share().sqrt() * 0.0125;
         let by_shape_m = 2.5e-6 - contact_m * contact_m / 15.625;
-        assert!(off(cap.mean_gap_m(), by_shape_m) < 0.01, "{}", cap.mean_gap_m());
+        assert!(
+            off(cap.mean_outside(|gap_m| gap_m), by_shape_m) < 0.01,
+            "{}",
+            cap.mean_outside(|gap_m| gap_m)
+        );
         assert!(cap.gap_m(cap.share().sqrt()).abs() < 1e-20);
+    }
+
+    #[test]
+    fn a_ridge_touches_by_westergaard() {
+        // E* Delta/lambda pi = 38e9 * 2.5e-6/50e-3 pi = 5.969 MPa.
+        let flat_pa = PI * 38e9 * 2.5e-6 / 50e-3;
+        for relative in [1e-4_f64, 0.03, 0.4, 0.95] {
+            let ridge = flatness().ridge(relative * flat_pa, 38e9);
+            assert!(off((0.5 * PI * ridge.share()).sin().powi(2), relative) < 1e-12);
+            assert!(off(ridge.mean_inside(|pressure_pa| pressure_pa), relative * flat_pa) < 1e-10);
+            assert!(off(ridge.mean_inside(|_| 1.0), ridge.share()) < 1e-6);
+            // The mean gap is Delta [1 - P (1 - ln P)] at P = p/p_flat, and its slope is the compliance.
+            let mean_m = 2.5e-6 * (1.0 - relative * (1.0 - relative.ln()));
+            assert!(off(ridge.mean_outside(|gap_m| gap_m), mean_m) < 1e-3, "{relative}");
+            let slope = 2.5e-6 / flat_pa * -relative.ln();
+            assert!(off(ridge.compliance_m_per_pa(), slope) < 1e-10);
+        }
     }
 
     #[test]
     fn what_is_pressed_flat_is_flat() {
         let cap = flatness().cap(1e9, 38e9);
-        assert_eq!((cap.share(), cap.mean_gap_m(), cap.compliance_m_per_pa()), (1.0, 0.0, 0.0));
+        assert_eq!(
+            (cap.share(), cap.mean_outside(|gap_m| gap_m), cap.compliance_m_per_pa()),
+            (1.0, 0.0, 0.0)
+        );
+        let ridge = flatness().ridge(1e9, 38e9);
+        assert_eq!(
+            (ridge.share(), ridge.mean_outside(|gap_m| gap_m), ridge.compliance_m_per_pa()),
+            (1.0, 0.0, 0.0)
+        );
         assert_eq!(cap.mean_inside(|pressure_pa| pressure_pa), 1e9);
         let from_pa = flatness().flattening_pressure_pa(38e9);
         assert!(flatness().cap(0.999 * from_pa, 38e9).share() < 1.0);

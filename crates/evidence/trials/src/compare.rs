@@ -9,6 +9,7 @@ use serde::de::DeserializeOwned;
 use tables::staging::write_file;
 use trials::TrialError;
 use trials::elements::{self, ElementsRow};
+use trials::flatness_trials::{self, FlatnessRow};
 use trials::flattening_trials;
 use trials::gap_trials::{self, GapRow};
 use trials::judge_spectra::Set;
@@ -69,6 +70,19 @@ pub(crate) fn gaps(anew: bool) -> Outcome {
     }
     store(&rows, &csv)?;
     rewrite("docs/develop/trials.md", |page| gap_trials::written(page, &rows))
+}
+
+/// Compares both limits of flatness with boundary elements: `docs/develop/trials.md`.
+pub(crate) fn flatness(anew: bool) -> Outcome {
+    let csv = checkout("docs/develop/trials/flatness.csv");
+    let known: Vec<FlatnessRow> = stored(&csv, anew)?;
+    let mut rows: Vec<FlatnessRow> = Vec::new();
+    for trial in [Set::Calibration, Set::Report].map(flatness_trials::trials).concat() {
+        let of_trial: Vec<FlatnessRow> = known.iter().filter(|row| row.is_of(&trial)).copied().collect();
+        rows.extend(if of_trial.is_empty() { trial.rows()? } else { trial.beside(&of_trial)? });
+        store(&rows, &csv)?;
+    }
+    rewrite("docs/develop/trials.md", |page| flatness_trials::written(page, &rows))
 }
 
 /// Compares the judge of scenes with whole bands solved at once: `docs/develop/trials.md`.

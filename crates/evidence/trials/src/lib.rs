@@ -3,6 +3,7 @@
 //! * [`sections`]: every model against boundary elements (`docs/guide/which-model.md`);
 //! * [`judge_trials`] and [`layer_trials`]: the judge of scenes against whole bands solved at once (`docs/develop/trials.md`);
 //! * [`gap_trials`]: mean gap and stiffness of Persson's theory against boundary elements (`docs/develop/trials.md`);
+//! * [`flatness_trials`]: parts that are not flat against elements with a long wave (`docs/develop/trials.md`);
 //! * [`flattening_trials`]: spheres that flatten against elements that flow (`docs/develop/trials.md`);
 //! * [`scene_trials`]: the answer of reports on files of instruments (`docs/develop/trials.md`);
 //! * [`coverage`]: how often intervals of the area hold the truth (`docs/theory/intervals.md`).
@@ -11,6 +12,7 @@
 pub mod coverage;
 pub mod elements;
 mod error;
+pub mod flatness_trials;
 pub mod flattening_trials;
 pub mod gap_trials;
 pub mod judge_spectra;

@@ -10,7 +10,7 @@ use trials::coverage::{CELLS, TAILS_HEADER, tails, tails_rows};
 use uncertainty::UncertaintySettings;
 
 const HELP: &str = "\
-cargo xtask trials models|judge|layers|gaps|flattening [--anew]
+cargo xtask trials models|judge|layers|gaps|flatness|flattening [--anew]
         compares with boundary elements and rewrites tables of docs; presses missing surfaces only, --anew all
 cargo xtask trials scenes FOLDER [--program PATH] [--anew]
         compares reports of a program, truearea beside this one, on files of a folder with whole bands pressed at once
@@ -90,6 +90,7 @@ fn named(name: &std::ffi::OsStr) -> Option<Trials> {
         "judge" => comparison(compare::judge),
         "layers" => comparison(compare::layers),
         "gaps" => comparison(compare::gaps),
+        "flatness" => comparison(compare::flatness),
         "flattening" => comparison(compare::flattening),
         "scenes" => Some(Trials::Scenes {
             folder: PathBuf::from("."),

@@ -1,8 +1,10 @@
 //! Gap and compliance that parts which are not flat add to those of their roughness.
+//!
+//! As a wave, the deviation is one of the roughness in Persson's theory; as a cap, it is a smooth body on which the roughness has the local
+//! pressure. Peaks that flow get the same additions, since the deviation stays elastic.
 
 use ::interface::conductance::RelativeStiffness;
-use ::interface::flatness::Flatness;
-use persson::elastic;
+use ::interface::flatness::{Deviation, Ridge};
 use persson::separation::{Separation, SeparationLaw};
 
 use super::quantity::{Quantity, Slot};
@@ -45,33 +47,26 @@ impl FlatnessAdds {
         }
     }
 
-    /// Compares a wave, by the law of the roughness with it, with flat faces; `deviation_pa` is the root of the variance of the
-    /// pressure that flattens the wave.
+    /// Compares a wave, by the law of the roughness with it, with flat faces. A smooth ridge has its share.
     pub(super) fn of_wave(
         with_wave: &SeparationLaw,
         flat: Separation,
+        ridge: &Ridge,
         pressure_pa: f64,
-        deviation_pa: f64,
     ) -> Self {
-        Self::new(with_wave.whole(pressure_pa), flat, elastic::area_fraction(pressure_pa, deviation_pa))
+        Self::new(with_wave.whole(pressure_pa), flat, ridge.share())
     }
 
-    /// Compares a cap with flat faces. Around the contact the roughness keeps the gap of the nominal pressure.
-    pub(super) fn of_cap(
-        flatness: &Flatness,
-        law: &SeparationLaw,
-        flat: Separation,
-        pressure_pa: f64,
-        modulus_pa: f64,
-    ) -> Self {
-        let cap = flatness.cap(pressure_pa, modulus_pa);
-        let inside_m = cap.mean_inside(|local_pa| law.whole(local_pa).mean_gap_m);
-        let outside_m = cap.mean_outside(|gap_m| gap_m + flat.mean_gap_m);
-        let of_roughness = cap.mean_inside(|local_pa| law.whole(local_pa).stiffness_pa_per_m);
-        let compliance_m_per_pa = cap.compliance_m_per_pa() + of_roughness.recip();
+    /// Compares a smooth deviation under the roughness with flat faces. Around the contact the roughness keeps the gap of the nominal
+    /// pressure.
+    pub(super) fn of(deviation: &impl Deviation, law: &SeparationLaw, flat: Separation) -> Self {
+        let inside_m = deviation.mean_inside(|local_pa| law.whole(local_pa).mean_gap_m);
+        let outside_m = deviation.mean_outside(|gap_m| gap_m + flat.mean_gap_m);
+        let of_roughness = deviation.mean_inside(|local_pa| law.whole(local_pa).stiffness_pa_per_m);
+        let compliance_m_per_pa = deviation.compliance_m_per_pa() + of_roughness.recip();
         let limit =
             Separation { mean_gap_m: inside_m + outside_m, stiffness_pa_per_m: compliance_m_per_pa.recip() };
-        Self::new(limit, flat, cap.share())
+        Self::new(limit, flat, deviation.share())
     }
 }
 
@@ -87,15 +82,19 @@ impl InterfaceStates<'_> {
         load: usize,
         flat: f64,
     ) -> Result<Option<FlatnessRange>, InterfaceError> {
-        let Some([wave, cap]) = self.flatness_limits(load) else { return Ok(None) };
-        let by_wave = self.with(&wave, quantity, load, flat)?;
-        let by_cap = self.with(&cap, quantity, load, flat)?;
+        let Some((flatness, [wave, cap])) = self.request.flatness.zip(self.flatness_limits(load)) else {
+            return Ok(None);
+        };
+        let (pressure_pa, modulus_pa) = (self.pressure_pa(load), self.modulus_pa());
+        let by_wave = self.with(&wave, &flatness.ridge(pressure_pa, modulus_pa), quantity, load, flat)?;
+        let by_cap = self.with(&cap, &flatness.cap(pressure_pa, modulus_pa), quantity, load, flat)?;
         Ok(by_wave.zip(by_cap).map(|(by_wave, by_cap)| FlatnessRange { by_wave, by_cap }))
     }
 
     fn with(
         &self,
         adds: &FlatnessAdds,
+        deviation: &impl Deviation,
         quantity: Quantity,
         load: usize,
         flat: f64,
@@ -115,8 +114,10 @@ impl InterfaceStates<'_> {
         let with_gas = |gap: Quantity| -> Result<Option<f64>, InterfaceError> {
             let gap_m = self.value(Slot { quantity: gap, load: Some(load), curve: None })?;
             let flat_gas = gap_m.and_then(|gap_m| self.gas_over(gap_m)).unwrap_or(0.0);
-            let gas = gap_m.and_then(|gap_m| self.gas_over_wave(gap_m + adds.gap_m));
-            Ok(gas.map(|gas| gas + in_series((flat - flat_gas).max(0.0), heat())))
+            let over = |gap_m: Option<f64>| gap_m.and_then(|gap_m| self.gas_over(gap_m)).unwrap_or(0.0);
+            let gas = deviation.mean_inside(|local_pa| over(self.gap_under(gap, local_pa)))
+                + deviation.mean_outside(|beyond_m| over(gap_m.map(|gap_m| gap_m + beyond_m)));
+            Ok(Some(gas + in_series((flat - flat_gas).max(0.0), heat())))
         };
         Ok(match quantity {
             Quantity::MeanGap | Quantity::FlowedGap => Some(flat + adds.gap_m),

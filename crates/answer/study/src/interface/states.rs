@@ -106,12 +106,11 @@ impl<'a> InterfaceStates<'a> {
         let (pressure_pa, modulus_pa) = (self.pressure_pa(load), self.modulus_pa());
         let compare = || {
             let flat = self.separation(load);
-            let waves = with_wave.roughness.places();
-            let of_wave = waves.iter().find(|place| place.mean_square_gradient > 0.0);
-            let deviation_pa = of_wave.map_or(0.0, |wave| wave.variance_pa2(modulus_pa).sqrt());
+            let ridge = flatness.ridge(pressure_pa, modulus_pa);
+            let cap = flatness.cap(pressure_pa, modulus_pa);
             [
-                FlatnessAdds::of_wave(&with_wave.separation, flat, pressure_pa, deviation_pa),
-                FlatnessAdds::of_cap(&flatness, &self.elastic.separation, flat, pressure_pa, modulus_pa),
+                FlatnessAdds::of_wave(&with_wave.separation, flat, &ridge, pressure_pa),
+                FlatnessAdds::of(&cap, &self.elastic.separation, flat),
             ]
         };
         Some(*self.elastic.flatness[load].get_or_init(compare))
@@ -395,11 +394,15 @@ impl<'a> InterfaceStates<'a> {
         Some(of_gas.conductance_w_per_m2_k(gap_m, rms_height_m))
     }
 
-    /// Returns the conductance \[W/(m^2 K)\] of the gas over Gaussian gaps that the deviation from flat faces widens.
-    pub(super) fn gas_over_wave(&self, gap_m: f64) -> Option<f64> {
-        let rms_height_m = self.elastic.with_wave.as_ref()?.moments.rms_height_m();
-        let of_gas = self.request.gas.filter(|_| gap_m.is_finite())?;
-        Some(of_gas.conductance_w_per_m2_k(gap_m, rms_height_m))
+    /// Returns the gap \[m\] under a local pressure \[Pa\], of elastic peaks or of those that have flowed; `None` where everything touches.
+    pub(super) fn gap_under(&self, gap: Quantity, local_pa: f64) -> Option<f64> {
+        match gap {
+            Quantity::FlowedGap => {
+                let ratio = PressureRatio::new(local_pa, self.inputs.hardness_pa?).ok()?;
+                plastic_separation_m(self.elastic.moments.rms_height_m(), ratio)
+            }
+            _ => Some(self.elastic.separation.whole(local_pa).mean_gap_m),
+        }
     }
 
     /// Distance of the mean planes of peaks that have flowed \[m\]; `None` without a hardness, and where everything touches.
@@ -484,7 +487,7 @@ impl<'a> InterfaceStates<'a> {
         *self.elastic.constrictions[load].get_or_init(find)
     }
 
-    fn pressure_pa(&self, load: usize) -> f64 {
+    pub(super) fn pressure_pa(&self, load: usize) -> f64 {
         self.inputs.pressures[load].pa()
     }
 

@@ -2,6 +2,7 @@
 
 mod committed;
 mod coverage;
+mod flatness;
 mod flattening;
 mod gap_trials;
 mod judge_trials;
