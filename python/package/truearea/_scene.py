@@ -587,6 +587,7 @@ def report(
     counterface: Body | None = None,
     counterface_surface: Any = None,
     seal: bool = False,
+    flatness: str | None = None,
     strength_cap: Quantity | None = None,
     title: str | None = None,
     size: Any = None,
@@ -601,6 +602,8 @@ def report(
         The roughness of one face or both, the two bodies, the loads, and the title. Paths may say of their scan what its file leaves open: ``"trace.txt:unit=um"``.
     seal : bool, default False
         Ask from which pressure on the contact seals.
+    flatness : str, optional
+        Flatness of the nominal contact, height from valley to peak over its length: ``"5 um over 40 mm"``. Left out, the parts are flat.
     strength_cap : float or str, optional
         The most that a growing strength grows to [Pa].
     out : str or path-like, optional
@@ -633,7 +636,7 @@ def report(
         pressure=pressure,
         counterface=counterface,
         counterface_surface=counterface_surface,
-        interface=True,
+        interface=True if flatness is None else {"flatness": flatness},
         seal=seal,
         options=None if strength_cap is None else {"strength_cap": strength_cap},
         figures={"format": ["svg", "py"]},

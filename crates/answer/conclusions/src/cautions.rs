@@ -145,7 +145,7 @@ pub(crate) fn cautions(
     cautions.extend(few_places(scene).filter(|_| uncertainty.is_none()));
     cautions.extend(states.and_then(|states| elastic_formulas(loads, states)));
     cautions.extend(traces_alone(scene).then(|| new(RemarkCode::LayUnknown)));
-    cautions.extend(states.and_then(|states| gap_not_settled(scene, states)));
+    cautions.extend(states.and_then(|states| longer_waves(scene, states)));
     cautions.extend(states.and_then(|states| spreads_over_part(loads, states)));
     if !on_roughness && states.is_none_or(|states| !needs_heights(states)) {
         cautions.retain(|caution| !is_about_roughness(caution.code));
@@ -168,16 +168,19 @@ fn elastic_formulas(loads: &[AnswerUnderLoad], states: &InterfaceStates<'_>) -> 
     Some(Remark::new(RemarkCode::GapOfYieldingContact).with("share", share).with("what", what))
 }
 
-/// The caution on a spectrum that ends before the mean gap has settled, where something is asked that the longest waves decide.
-fn gap_not_settled(scene: &Scene, states: &InterfaceStates<'_>) -> Option<Remark> {
+/// The caution on waves longer than those of the spectrum, where something is asked that the longest waves decide: the spectrum ends before
+/// the mean gap has settled, or a few numbers say nothing of them.
+fn longer_waves(scene: &Scene, states: &InterfaceStates<'_>) -> Option<Remark> {
     let request = states.request;
     let is_asked = request.seal.is_some() || request.asks.gap || request.asks.heat || request.asks.current;
-    (is_asked && states.lacks_roll_off()).then(|| {
-        let longest_m = scene.surface.psd.longest_wavelength_m();
+    if is_asked && states.lacks_roll_off() {
+        let remark = Remark::new(RemarkCode::GapNotSettled)
+            .with("longest_m", scene.surface.psd.longest_wavelength_m());
         let flatness = request.flatness.map(|flatness| flatness.to_string());
-        let remark = Remark::new(RemarkCode::GapNotSettled).with("longest_m", longest_m);
-        flatness.into_iter().fold(remark, |remark, flatness| remark.with("flatness", flatness))
-    })
+        return Some(flatness.into_iter().fold(remark, |remark, flatness| remark.with("flatness", flatness)));
+    }
+    let is_guessed = scene.surface.assumed().is_some() && request.flatness.is_none();
+    (is_asked && is_guessed).then(|| Remark::new(RemarkCode::TakenAsFlat))
 }
 
 /// The caution that contact spreads over a part of a nominal contact that is not flat, with the load that spreads least.

@@ -32,6 +32,8 @@ pub struct ReportQuestion {
     pub strength_cap: Option<String>,
     /// True to ask from which pressure on the contact seals.
     pub seal: bool,
+    /// The deviation of the nominal contact from a plane; flat if absent.
+    pub flatness: Option<String>,
 }
 
 /// The roughness of a report.
@@ -159,6 +161,9 @@ impl ReportQuestion {
         }
         if self.material.name.is_some() || self.material.youngs_modulus.is_some() {
             text.set("interface", &nothing)?;
+        }
+        if let Some(flatness) = &self.flatness {
+            text.set("interface.flatness", flatness)?;
         }
         if self.seal {
             text.set("seal", &nothing)?;

@@ -72,13 +72,13 @@ fn asks(raw: &RawScene, has_nominal_area: bool) -> Asks {
     let is_open = raw.interface.as_ref().is_some_and(RawInterface::has_no_question);
     let asks_else = raw.interface.as_ref().is_some_and(|own| !own.has_no_question()) || raw.seal.is_some();
     let of_area = has_nominal_area && !asks_else;
-    let heat =
-        of_area || types(BodyProperty::ThermalConductivity) || raw.interface.as_ref().is_some_and(names_gas);
-    let current = of_area || types(BodyProperty::Resistivity);
-    // The flatness of parts asks for nothing where something else does.
-    let is_of_parts = raw.interface.as_ref().is_some_and(|own| own.flatness.is_some());
-    let gap = is_open && !(is_of_parts && (heat || current || raw.seal.is_some()));
-    Asks { gap, heat, current }
+    Asks {
+        gap: is_open,
+        heat: of_area
+            || types(BodyProperty::ThermalConductivity)
+            || raw.interface.as_ref().is_some_and(names_gas),
+        current: of_area || types(BodyProperty::Resistivity),
+    }
 }
 
 /// Refuses a flatness over less than the waves of the spectrum, which has it already.

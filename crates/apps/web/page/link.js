@@ -25,7 +25,7 @@ const isFile = (value) => isTableOf(() => true)(value) && isText(value.name) && 
  */
 const KEYS = {
   example: isText, material: isTableOf(isText), counterface: isTableOf(isText), pressure: isText, shortest_wavelength: isText,
-  seal: isTruth, drawn: isTableOf(isTruth), files: (value) => Array.isArray(value) && value.every(isFile),
+  seal: isTruth, flatness: isText, drawn: isTableOf(isTruth), files: (value) => Array.isArray(value) && value.every(isFile),
 };
 
 /**

@@ -394,6 +394,11 @@ function listen() {
     keepLink();
     changed();
   });
+  input("flatness").addEventListener("change", () => {
+    state.flatness = input("flatness").value.trim() || null;
+    keepLink();
+    changed();
+  });
   select("example").addEventListener("change", () => {
     state.example = select("example").value || null;
     state.material = null;
@@ -502,11 +507,13 @@ function fromLink() {
   state.pressure = found.pressure ?? null;
   state.shortest = found.shortest_wavelength ?? null;
   state.seal = found.seal === true;
+  state.flatness = found.flatness ?? null;
   state.drawn = found.drawn ?? {};
   select("example").value = state.example ?? "";
   input("pressure").value = state.pressure ?? input("pressure").value;
   input("shortest").value = state.shortest ?? "";
   input("seal").checked = state.seal;
+  input("flatness").value = state.flatness ?? "";
   if (state.material) fillBody("material", { ...state.material });
   if (state.counterface) fillBody("counterface", { ...state.counterface });
   showFiles();

@@ -11,6 +11,7 @@ export const state = {
   /** @type {string | null} */ pressure: null,
   /** @type {string | null} */ shortest: null,
   seal: false,
+  /** @type {string | null} */ flatness: null,
   /** @type {Record<string, boolean>} */ drawn: {},
 };
 
@@ -25,6 +26,7 @@ export function request() {
     pressure: state.pressure,
     shortest_wavelength: state.shortest,
     seal: state.seal,
+    flatness: state.flatness,
   };
 }
 

@@ -29,6 +29,8 @@ pub struct Request {
     pub shortest_wavelength: Option<String>,
     /// True to ask from which pressure on the contact seals.
     pub seal: bool,
+    /// Flatness of the nominal contact, height over length with units; absent for that of the scene, or flat.
+    pub flatness: Option<String>,
 }
 
 /// A file with the options that the page was given for it.
@@ -171,6 +173,9 @@ impl Request {
         if self.seal && !scene.has("seal") {
             scene.set("seal", &BTreeMap::<String, String>::new()).map_err(Refusal::new)?;
         }
+        if let Some(flatness) = &self.flatness {
+            scene.set("interface.flatness", flatness).map_err(Refusal::new)?;
+        }
         Ok(scene.to_string())
     }
 
@@ -208,6 +213,7 @@ impl Request {
             pressures: vec![self.pressure.clone().unwrap_or_else(|| "10 MPa".to_owned())],
             strength_cap: None,
             seal: self.seal,
+            flatness: self.flatness.clone(),
         })
     }
 }

@@ -420,6 +420,9 @@ remark_codes! {
         "The spectrum ends at {longest_m} before the mean gap has settled: [with {flatness} counted, ]longer waves decide gap, stiffness, heat \
          and leaks."
         short "gap not settled, the spectrum ends at {longest_m}";
+    TakenAsFlat "taken-as-flat" Caution
+        "Gap, stiffness, heat and leaks are those of flat parts: a few numbers say nothing of longer waves."
+        short "parts taken as flat";
     SpreadsOverPart "spreads-over-part" Caution
         "With {flatness}, contact spreads over {low%} to {high%} of the nominal contact at {load}. The share that touches is that of flat \
          faces: what part of them lacks in area, the other carries in pressure."

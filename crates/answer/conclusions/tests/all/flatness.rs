@@ -1,6 +1,6 @@
 //! Parts that are not flat: values with the range of both limits, the part of the nominal contact that contact spreads over, and seals.
 
-use conclusions::{AskedValue, Conclusions, FLATNESS_WITHIN};
+use conclusions::{AskedValue, Conclusions, FLATNESS_WITHIN, NextStep};
 use study::interface::Quantity;
 use units::RemarkCode;
 
@@ -96,4 +96,22 @@ fn a_seal_that_is_not_flat_closes_later_and_leaks_more() {
     let rate = |conclusions: &Conclusions| conclusions.loads[0].seal.unwrap().leak_rate_m3_per_s.unwrap();
     assert_eq!(rate(&bowed)[0], rate(&flat)[0]);
     assert!(rate(&bowed)[1] > rate(&flat)[1]);
+}
+
+#[test]
+fn a_few_numbers_say_nothing_of_longer_waves() {
+    let conclusions = |interface: &str| {
+        Answered::new(&format!(
+            "surface = {{ rms_height = \"0.8 um\", rms_slope = 0.1, mean_width = \"60 um\" }}\nmaterial = {{ youngs_modulus = \"70 GPa\", \
+             poisson_ratio = 0.33, thermal_conductivity = \"150 W/(m K)\" }}\n[counterface]\nthermal_conductivity = \"20 W/(m \
+             K)\"\n[loads]\npressures = [\"1 MPa\"]\n[judge]\noff = true\n[[curve]]\nmodel = \"persson\"\n{interface}"
+        ))
+        .conclusions()
+    };
+    let unknown = conclusions("");
+    assert!(caution(&unknown, RemarkCode::TakenAsFlat).is_some());
+    assert!(unknown.next.iter().any(|step| matches!(step, NextStep::Flatness { .. })), "{:?}", unknown.next);
+    let known = conclusions("[interface]\nflatness = \"1 um over 40 mm\"\n");
+    assert!(caution(&known, RemarkCode::TakenAsFlat).is_none());
+    assert!(!known.next.iter().any(|step| matches!(step, NextStep::Flatness { .. })));
 }

@@ -442,7 +442,7 @@ pub fn next_words(step: &NextStep) -> String {
             format!("a scan finer than {}: the area still falls there", length(*from_m))
         }
         NextStep::Flatness { from_m } => format!(
-            "measure the flatness of the parts (flatness = \"5 um over 40 mm\"): waves beyond {} decide gap, heat and leaks",
+            "measure the flatness of the parts (flatness = \"5 um over 40 mm\"): waves longer than {} decide gap, heat and leaks",
             length(*from_m)
         ),
         NextStep::WiderScan { from_m } => {

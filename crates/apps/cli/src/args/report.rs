@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args as ClapArgs;
+use interface::flatness::Flatness;
 use measurements::ScanRequest;
 use questions::BodyText;
 
@@ -23,6 +24,9 @@ pub(crate) struct ReportArgs {
     /// Nominal pressure, as 10MPa or 1e-3H; repeatable
     #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub pressure: Vec<String>,
+    /// Flatness of the nominal contact, as "5 um over 40 mm": height from valley to peak over its length; flat where not given
+    #[arg(long, value_name = "H over L")]
+    pub flatness: Option<Flatness>,
     /// Ask from which pressure on the contact seals
     #[arg(long)]
     pub seal: bool,
