@@ -376,6 +376,7 @@ VALUES: dict[str, list[Any]] = {
     "gas_pressure": ["10 kPa", "1 MPa"],
     "gas_conductivity": ["0.1 W/(m K)", "0.2 W/(m K)"],
     "gas_parameter": ["100 nm", "1 um"],
+    "flatness": ["1 um over 10 mm", "5 um over 40 mm"],
     "path": ["named.txt", "trace.txt"],
     "read_psd.path": ["psd.csv", "builtin:uncd-measured"],
     "Spectrum.write.path": ["out.csv", "other.csv"],

@@ -19,7 +19,7 @@ use scene::file_names::{INTERFACE_TABLE, JUDGE_TABLES, REPORT_TABLES, UNCERTAINT
 use serde::Serialize;
 use study::figure::{Figure, FigureData, PictureFormat, Shows, over_scans};
 use study::interface::Slot;
-use study::interface::{InterfaceStates, slots_table};
+use study::interface::{FlatnessRange, InterfaceStates, slots_table};
 use study::plan::{Cutoffs, Results};
 use study::result_tables;
 use tables::{Format, Table};
@@ -406,10 +406,21 @@ fn interface_table(states: &InterfaceStates<'_>, scene: &Scene, uncertainty: Opt
         slots.iter().map(move |slot| uncertainty.and_then(|found| found.quantity(*slot)).map(of))
     };
     let level = |slot: &Slot| uncertainty.filter(|found| found.quantity(*slot).is_some());
-    slots_table(&scene.needs, &slots)
+    let limits = |of: fn(FlatnessRange) -> f64| {
+        found
+            .iter()
+            .map(move |(slot, flat)| states.with_flatness(slot.quantity, slot.load?, *flat).ok()?.map(of))
+    };
+    let table = slots_table(&scene.needs, &slots)
         .with_numbers("value", found.iter().map(|(_, value)| *value))
         .with_numbers("median", interval(|interval| interval.median))
         .with_numbers("low", interval(|interval| interval.low))
         .with_numbers("high", interval(|interval| interval.high))
-        .with_numbers("level", slots.iter().map(|slot| level(slot).map(|found| found.settings.level)))
+        .with_numbers("level", slots.iter().map(|slot| level(slot).map(|found| found.settings.level)));
+    if states.request.flatness.is_none() {
+        return table;
+    }
+    table
+        .with_numbers("with_wave", limits(|range| range.by_wave))
+        .with_numbers("with_cap", limits(|range| range.by_cap))
 }

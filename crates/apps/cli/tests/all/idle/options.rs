@@ -197,6 +197,7 @@ const VALUES: &[(&str, [&str; 2])] = &[
     ("cylinder_radius", ["2mm", "500um"]),
     ("adhesion_range", ["500nm", "2um"]),
     ("gas_parameter", ["100nm", "1um"]),
+    ("flatness", ["1 um over 10 mm", "5 um over 40 mm"]),
     ("cutoff", ["500nm", "2um"]),
     ("shortest", ["3um", "2500nm"]),
     ("longest", ["9um", "7um"]),

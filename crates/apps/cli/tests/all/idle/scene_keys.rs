@@ -230,6 +230,7 @@ const VALUES: &[(&str, &[&str])] = &[
     ("gas_pressure", &["\"10 kPa\"", "\"1 MPa\""]),
     ("gas_conductivity", &["\"0.1 W/(m K)\"", "\"0.2 W/(m K)\""]),
     ("gas_parameter", &["\"100 nm\"", "\"1 um\""]),
+    ("flatness", &["\"1 um over 10 mm\"", "\"5 um over 40 mm\""]),
     ("friction", &["0.2", "0.5"]),
     ("tangential_stress", &["\"50 kPa\"", "\"200 kPa\""]),
     ("share_of_sliding", &["0.3", "0.8"]),
