@@ -7,6 +7,7 @@
 //! * [`PressedLoad`]: one load on every surface, each with its [`PressedState`], and their [`Mean`];
 //! * [`Indenter`]: a smooth ball or cylinder pressed onto a rough flat;
 //! * [`AdhesivePressing`]: surfaces that attract each other, under loads and pulled apart;
+//! * [`Outline`]: the points of a map that belong to the specimen, and its own compliance;
 //! * [`PressedPatches`]: connected regions of the contact;
 //! * [`ContactField`]: pressures and gaps of one surface under one load, which can be written as NetCDF.
 
@@ -23,6 +24,7 @@ mod press;
 mod pressing;
 mod random_choices;
 mod relief;
+mod specimen;
 mod state;
 mod surfaces;
 mod table;
@@ -39,6 +41,7 @@ pub use press::{press, progress_steps};
 pub use pressing::{ImposedLoad, Pressing};
 pub use random_choices::RandomChoices;
 pub use relief::{Boundary, Relief};
+pub use specimen::{Outline, SpecimenCompliance, stiffness_without};
 pub use state::PressedState;
 pub use surfaces::{RandomSurfaces, Surfaces};
 pub use table::{means_table, states_table};

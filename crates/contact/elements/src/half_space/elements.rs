@@ -230,21 +230,53 @@ impl Elements {
         contact_modulus_pa: f64,
         progress: &dyn Progress,
     ) -> Result<Option<f64>, HalfSpaceError> {
-        let points = self.heights.len();
-        Bound::Magnitude.check("contact modulus in Pa", contact_modulus_pa)?;
         self.grid.check_size(contact.pressures_pa.len())?;
         let touching: Vec<u32> = (0u32..)
             .zip(contact.touching())
             .filter_map(|(point, touches)| touches.then_some(point))
             .collect();
-        if self.periodic && touching.len() == points {
+        if self.periodic && touching.len() == self.heights.len() {
             return Ok(None);
         }
-        let (operators, state) = (&mut self.operators, &mut self.state);
-        let approach =
-            approach_per_pressure(points, &touching, operators, state, || !progress.is_cancelled());
+        self.stiffness_together(&touching, contact_modulus_pa, progress).map(Some)
+    }
+
+    /// Returns the mean pressure over the grid that closes the bodies by 1 m \[Pa/m\] while some points stay together and no
+    /// other joins, to 1e-8.
+    ///
+    /// # Errors
+    /// [`HalfSpaceError`] for a modulus out of bounds, and if `progress` cancels.
+    pub(crate) fn stiffness_together(
+        &mut self,
+        together: &[u32],
+        contact_modulus_pa: f64,
+        progress: &dyn Progress,
+    ) -> Result<f64, HalfSpaceError> {
+        Bound::Magnitude.check("contact modulus in Pa", contact_modulus_pa)?;
+        let (points, operators, state) = (self.heights.len(), &mut self.operators, &mut self.state);
+        let approach = approach_per_pressure(points, together, operators, state, || !progress.is_cancelled());
         let approach = approach.ok_or(HalfSpaceError::Cancelled)?;
-        Ok(Some(self.unit_pa(contact_modulus_pa) / (approach * self.unit_m)))
+        Ok(self.unit_pa(contact_modulus_pa) / (approach * self.unit_m))
+    }
+
+    /// Returns the mean displacement of some points that all carry the same pressure, per mean pressure over the grid \[m/Pa\].
+    ///
+    /// # Errors
+    /// [`HalfSpaceError`] for a modulus out of bounds.
+    pub(crate) fn mean_displacement_m_per_pa(
+        &mut self,
+        loaded: &[u32],
+        contact_modulus_pa: f64,
+    ) -> Result<f64, HalfSpaceError> {
+        Bound::Magnitude.check("contact modulus in Pa", contact_modulus_pa)?;
+        let [pressures, displacements, ..] = self.state.maps();
+        pressures.fill(0.0);
+        loaded.iter().for_each(|&point| pressures[point as usize] = 1.0);
+        self.operators.compliance.apply(pressures, displacements);
+        let [sum] = sums::over(loaded.len(), |at| [displacements[loaded[at] as usize]]);
+        let count = loaded.len() as f64;
+        let per_mean = sum / count * (self.heights.len() as f64 / count);
+        Ok(per_mean * self.unit_m / self.unit_pa(contact_modulus_pa))
     }
 
     /// Converts the solved state to SI.

@@ -86,6 +86,9 @@ pub enum HalfSpaceError {
          out the layer"
     )]
     FreeLayer,
+    /// No point of the map belongs to a specimen.
+    #[error("pressing boundary elements: no point of the map has a height")]
+    NoSpecimen,
     /// The work was cancelled.
     #[error("pressing boundary elements: ended before the surface was in equilibrium")]
     Cancelled,

@@ -9,3 +9,4 @@ mod indenter;
 mod invariances;
 mod pressed;
 mod separation;
+mod specimen;
