@@ -77,5 +77,6 @@ pub fn relief(map: &HeightMap, heights_m: Vec<f64>, boundary: Boundary) -> Relie
         length_y_m: map.rows() as f64 * map.spacing_y_m(),
         heights_m,
         boundary,
+        is_missing: Vec::new(),
     }
 }

@@ -109,6 +109,7 @@ impl AdhesivePressing {
         if relief.boundary == Boundary::Free {
             return Err(AdhesiveError::FreeEdges);
         }
+        relief.check_whole()?;
         Ok(self.adhesion.resolution(&relief.grid()?, self.contact_modulus_pa)?)
     }
 

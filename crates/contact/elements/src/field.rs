@@ -27,7 +27,7 @@ pub struct ContactField<'s> {
     pub saturation_pa: Option<f64>,
     /// Pressure \[Pa\] at every point, row by row.
     pub pressures_pa: &'s [f64],
-    /// Gap \[m\] at every point, row by row; negative where the surfaces overlap.
+    /// Gap \[m\] at every point, row by row; negative where the surfaces overlap, infinite at missing points.
     pub gaps_m: &'s [f64],
 }
 
@@ -60,12 +60,15 @@ impl ContactField<'_> {
 
     /// Writes the field as NetCDF classic in the layout of contact.engineering: dimensions `y` and `x` with their
     /// coordinates, the variables `heights`, `pressure` and `gap` over both, and the attributes
-    /// `nominal_pressure_pa`, `contact_modulus_pa` and `boundary`.
+    /// `nominal_pressure_pa`, `contact_modulus_pa` and `boundary`. Heights and gaps of missing points are NaN, which readers of NetCDF
+    /// take for missing.
     ///
     /// # Errors
     /// The errors of `out`.
     pub fn write_netcdf(&self, out: &mut dyn Write) -> io::Result<()> {
-        let Relief { rows, columns, length_x_m, length_y_m, boundary, ref heights_m } = *self.relief;
+        let Relief { rows, columns, length_x_m, length_y_m, boundary, ref heights_m, ref is_missing } =
+            *self.relief;
+        let [heights_m, gaps_m] = [heights_m, self.gaps_m].map(|values_m| with_nan(values_m, is_missing));
         // The unit under the names of contact.engineering, whose layout this is, and of the CF conventions.
         let in_unit = |unit: &str| {
             ["unit", "units"]
@@ -86,12 +89,8 @@ impl ContactField<'_> {
             .collect(),
             values: (0..points).map(|point| point as f64 * length_m / points as f64).collect(),
         };
-        let over_both = |name, unit, values| Variable {
-            name,
-            dimensions: vec![0, 1],
-            attributes: in_unit(unit),
-            values: Cow::Borrowed(values),
-        };
+        let over_both =
+            |name, unit, values| Variable { name, dimensions: vec![0, 1], attributes: in_unit(unit), values };
         let file = NetcdfFile {
             dimensions: vec![("y", rows), ("x", columns)],
             attributes: vec![
@@ -102,11 +101,24 @@ impl ContactField<'_> {
             variables: vec![
                 coordinate("y", 0, rows, length_y_m),
                 coordinate("x", 1, columns, length_x_m),
-                over_both("heights", "m", &heights_m[..]),
-                over_both("pressure", "Pa", self.pressures_pa),
-                over_both("gap", "m", self.gaps_m),
+                over_both("heights", "m", heights_m),
+                over_both("pressure", "Pa", Cow::Borrowed(self.pressures_pa)),
+                over_both("gap", "m", gaps_m),
             ],
         };
         file.write(out)
     }
+}
+
+/// Returns the values with NaN at missing points, as files and arrays mark them.
+#[must_use]
+pub fn with_nan<'v>(values: &'v [f64], is_missing: &[bool]) -> Cow<'v, [f64]> {
+    if is_missing.is_empty() {
+        return Cow::Borrowed(values);
+    }
+    values
+        .iter()
+        .zip(is_missing)
+        .map(|(&value, &is_missing)| if is_missing { f64::NAN } else { value })
+        .collect()
 }

@@ -241,6 +241,7 @@ impl Indenter {
                 .check(name, number)
                 .map_err(|error| IndenterError::OutOfBounds { shape, error })?;
         }
+        flat.check_whole()?;
         self.check_extent(flat, self.hertz_radius_m(pressing.contact_modulus_pa))?;
         let (loaded, nominal_pressure_pa) = match shape {
             IndenterShape::Ball => {

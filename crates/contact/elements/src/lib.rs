@@ -31,7 +31,7 @@ mod table;
 
 pub use adhesive::{AdhesiveError, AdhesivePressing, AdhesiveState, Branch, adhesive_means, adhesive_table};
 pub use error::ElementsError;
-pub use field::{ContactField, PointState};
+pub use field::{ContactField, PointState, with_nan};
 pub use half_space::Approach;
 pub use indenter::{Indenter, IndenterError, IndenterPressing, IndenterShape, IndenterState, indenter_table};
 pub use mean::{Mean, PressedLoad};

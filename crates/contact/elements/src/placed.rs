@@ -92,7 +92,7 @@ impl Relief {
     pub(crate) fn less(&self, boundary: Boundary, shape_m: impl Fn(f64, f64) -> f64) -> Self {
         let heights_m = self.heights_m.iter().zip(self.places_m());
         let heights_m = heights_m.map(|(height_m, (x_m, y_m))| height_m - shape_m(x_m, y_m)).collect();
-        Self { heights_m, boundary, ..*self }
+        Self { heights_m, boundary, is_missing: self.is_missing.clone(), ..*self }
     }
 
     /// Rms height about the mean \[m\].

@@ -8,6 +8,7 @@ use crate::field::ContactField;
 use crate::mean::PressedLoad;
 use crate::pressing::{ImposedLoad, Pressing};
 use crate::relief::Relief;
+use crate::specimen::{SpecimenCompliance, stiffness_without};
 use crate::state::PressedState;
 use crate::surfaces::Surfaces;
 
@@ -34,9 +35,11 @@ pub fn press<E: From<ElementsError> + Send>(
         return Err(ElementsError::Nothing { surfaces: count, loads }.into());
     }
     pressing.check().map_err(ElementsError::from)?;
+    let compliances = compliances_m_per_pa(surfaces, pressing, progress)?;
     let states = numerics::parallel::map_indices(count * loads, |pair| {
         let (load, surface) = (pair / count, pair % count);
-        press_once(surfaces, surface, pressing, load, &see, progress)
+        let compliance_m_per_pa = compliances.get(surface).copied().unwrap_or_default();
+        press_once(surfaces, surface, pressing, compliance_m_per_pa, load, &see, progress)
     });
     let mut states = states.into_iter();
     let of_load = |load: &ImposedLoad| {
@@ -50,11 +53,29 @@ pub fn press<E: From<ElementsError> + Send>(
     pressing.loads.iter().map(of_load).collect()
 }
 
+/// Compliance of each specimen as a whole \[m/Pa\]; none if nothing is taken out.
+fn compliances_m_per_pa(
+    surfaces: &Surfaces,
+    pressing: &Pressing,
+    progress: &dyn Progress,
+) -> Result<Vec<f64>, ElementsError> {
+    let (kind, modulus_pa) = (pressing.compliance, pressing.contact_modulus_pa);
+    if kind == SpecimenCompliance::None {
+        return Ok(Vec::new());
+    }
+    let of_surface = |surface| {
+        let outline = surfaces.relief(surface)?.outline()?;
+        Ok(outline.compliance_m_per_pa(kind, modulus_pa, progress)?)
+    };
+    numerics::parallel::map_indices(surfaces.count(), of_surface).into_iter().collect()
+}
+
 /// Presses one surface under one load, and on every second point of its grid.
 fn press_once<E: From<ElementsError>>(
     surfaces: &Surfaces,
     surface: usize,
     pressing: &Pressing,
+    compliance_m_per_pa: f64,
     load: usize,
     see: &impl Fn(&ContactField<'_>) -> Result<(), E>,
     progress: &dyn Progress,
@@ -69,7 +90,9 @@ fn press_once<E: From<ElementsError>>(
     let contact = pressing.press(load, rms_gradient, &mut elements, progress).map_err(ElementsError::from)?;
     let stiffness_pa_per_m = if pressing.stiffness {
         let modulus_pa = pressing.contact_modulus_pa;
-        elements.stiffness_pa_per_m(&contact, modulus_pa, progress).map_err(ElementsError::from)?
+        let whole =
+            elements.stiffness_pa_per_m(&contact, modulus_pa, progress).map_err(ElementsError::from)?;
+        whole.and_then(|whole| stiffness_without(compliance_m_per_pa, whole))
     } else {
         None
     };

@@ -1,6 +1,7 @@
 //! Material and loads under which surfaces are pressed.
 
 use crate::half_space::{Approach, Closing, Contact, Elements, HalfSpaceError, Loading};
+use crate::specimen::SpecimenCompliance;
 use asperity::{LayerCompliance, MaterialPair};
 use numerics::parallel::Progress;
 
@@ -30,6 +31,8 @@ pub struct Pressing {
     pub tolerance: f64,
     /// True to compute the stiffness, which costs about half a solve more.
     pub stiffness: bool,
+    /// Compliance of the specimen as a whole that is taken out of the stiffness where edges are free.
+    pub compliance: SpecimenCompliance,
 }
 
 impl Pressing {
@@ -46,6 +49,7 @@ impl Pressing {
             saturation_pa: None,
             tolerance: Self::TOLERANCE,
             stiffness: false,
+            compliance: SpecimenCompliance::None,
         }
     }
 

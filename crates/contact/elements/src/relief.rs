@@ -1,6 +1,7 @@
 //! Heights of one surface to be pressed.
 
 use crate::half_space::{Contact, Elements, Grid, HalfSpaceError, Loading, OpenPaths, Sides, open_paths};
+use crate::specimen::Outline;
 use asperity::LayerCompliance;
 use numerics::parallel::Progress;
 use serde::{Deserialize, Serialize};
@@ -33,6 +34,9 @@ pub struct Relief {
     pub heights_m: Vec<f64>,
     /// Boundary condition at the edges.
     pub boundary: Boundary,
+    /// True at each missing point, row by row; empty if there is none. Missing points never touch, and their heights mean nothing.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub is_missing: Vec<bool>,
 }
 
 impl Relief {
@@ -51,15 +55,17 @@ impl Relief {
     }
 
     fn rms_slopes(&self) -> [f64; 2] {
-        let rms = |rises_m: &mut dyn Iterator<Item = f64>, run_m: f64| {
+        let rms = |pairs: &mut dyn Iterator<Item = (usize, usize)>, run_m: f64| {
+            let has_height = |point: usize| self.is_missing.get(point) != Some(&true);
+            let measured = pairs.filter(|&(one, next)| has_height(one) && has_height(next));
+            let rises_m = measured.map(|(one, next)| self.heights_m[next] - self.heights_m[one]);
             let (sum, count) = rises_m
                 .fold((0.0, 0usize), |(sum, count), rise_m| (sum + (rise_m / run_m).powi(2), count + 1));
             (sum / count.max(1) as f64).sqrt()
         };
-        let rows = self.heights_m.chunks_exact(self.columns.max(1));
-        let mut along_x = rows.flat_map(|row| row.windows(2).map(|pair| pair[1] - pair[0]));
-        let mut along_y =
-            self.heights_m.iter().zip(self.heights_m.iter().skip(self.columns)).map(|(a, b)| b - a);
+        let (points, columns) = (self.heights_m.len(), self.columns.max(1));
+        let mut along_x = (1..points).filter(|point| point % columns != 0).map(|point| (point - 1, point));
+        let mut along_y = (columns..points).map(|point| (point - columns, point));
         let spacings_m = self.spacings_m();
         [rms(&mut along_x, spacings_m[0]), rms(&mut along_y, spacings_m[1])]
     }
@@ -70,9 +76,10 @@ impl Relief {
         if !(self.rows.is_multiple_of(2) && self.columns.is_multiple_of(2)) {
             return None;
         }
-        let rows = self.heights_m.chunks_exact(self.columns).step_by(2);
-        let heights_m = rows.flat_map(|row| row.iter().step_by(2).copied()).collect();
-        Some(Self { rows: self.rows / 2, columns: self.columns / 2, heights_m, ..*self })
+        let (rows, columns) = (self.rows / 2, self.columns / 2);
+        let heights_m = every_second(&self.heights_m, self.columns);
+        let is_missing = every_second(&self.is_missing, self.columns);
+        Some(Self { rows, columns, heights_m, is_missing, ..*self })
     }
 
     /// Presses the relief once.
@@ -85,7 +92,7 @@ impl Relief {
 
     /// Elements under the relief, on half-spaces or on a layer.
     pub(crate) fn elements(&self, layer: Option<&LayerCompliance>) -> Result<Elements, HalfSpaceError> {
-        match (self.boundary, layer) {
+        let elements = match (self.boundary, layer) {
             (Boundary::Periodic, None) => Elements::periodic(self.grid()?, &self.heights_m),
             (Boundary::Free, None) => Elements::free(self.grid()?, &self.heights_m),
             (Boundary::Periodic, Some(layer)) => {
@@ -94,17 +101,53 @@ impl Relief {
                 })
             }
             (Boundary::Free, Some(_)) => Err(HalfSpaceError::FreeLayer),
+        }?;
+        if self.is_missing.is_empty() {
+            return Ok(elements);
+        }
+        Ok(elements.on(&self.outline()?, &self.heights_m, &self.is_missing))
+    }
+
+    /// Returns the outline of the specimen on the map.
+    ///
+    /// # Errors
+    /// [`HalfSpaceError`] if no point has a height, and for numbers of points and lengths out of their bounds.
+    pub fn outline(&self) -> Result<Outline, HalfSpaceError> {
+        let none_is_missing = vec![false; self.rows * self.columns];
+        let is_missing = if self.is_missing.is_empty() { &none_is_missing } else { &self.is_missing };
+        Outline::new(self.grid()?, self.boundary, is_missing)
+    }
+
+    /// Checks that every point has a height.
+    pub(crate) fn check_whole(&self) -> Result<(), HalfSpaceError> {
+        match self.is_missing.iter().filter(|is_missing| **is_missing).count() {
+            0 => Ok(()),
+            missing => Err(HalfSpaceError::MissingPoints { missing }),
         }
     }
 
-    /// Open paths across the contact. The surroundings of a map that is not periodic are unknown, so no path leads
-    /// through them.
+    /// Open paths across the contact. The surroundings of a map that is not periodic, and of a specimen on it, are unknown, so no
+    /// path leads through them; paths lead from edge to edge of the rectangle that the specimen fills.
     pub(crate) fn open_paths(&self, contact: &Contact) -> Result<OpenPaths, HalfSpaceError> {
         let sides = match self.boundary {
             Boundary::Periodic => Sides::Periodic,
             Boundary::Free => Sides::Walls,
         };
-        open_paths(&self.grid()?, sides, &contact.touching())
+        let mut is_shut = contact.touching();
+        if self.is_missing.is_empty() {
+            return open_paths(&self.grid()?, sides, &is_shut);
+        }
+        let outline = self.outline()?;
+        let is_inside = outline.is_inside();
+        is_shut.iter_mut().zip(is_inside).for_each(|(is_shut, is_inside)| *is_shut |= !is_inside);
+        let is_row = |row: &usize| is_inside[row * self.columns..][..self.columns].contains(&true);
+        let is_column =
+            |column: &usize| is_inside[*column..].iter().step_by(self.columns).any(|&inside| inside);
+        let rows: Vec<usize> = (0..self.rows).filter(is_row).collect();
+        let columns: Vec<usize> = (0..self.columns).filter(is_column).collect();
+        let at = |&row: &usize| columns.iter().map(move |column| row * self.columns + column);
+        let is_shut: Vec<bool> = rows.iter().flat_map(at).map(|point| is_shut[point]).collect();
+        open_paths(&Grid::new(rows.len(), columns.len(), 1.0, 1.0)?, sides, &is_shut)
     }
 
     /// Returns the grid of its points.
@@ -114,4 +157,9 @@ impl Relief {
     pub fn grid(&self) -> Result<Grid, HalfSpaceError> {
         Grid::new(self.rows, self.columns, self.length_x_m, self.length_y_m)
     }
+}
+
+/// Every second value of every second row.
+fn every_second<T: Copy>(values: &[T], columns: usize) -> Vec<T> {
+    values.chunks_exact(columns).step_by(2).flat_map(|row| row.iter().step_by(2).copied()).collect()
 }

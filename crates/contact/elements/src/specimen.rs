@@ -41,9 +41,12 @@ impl Outline {
     /// Finds the outline among the missing points of a map.
     ///
     /// # Errors
-    /// [`HalfSpaceError`] if all points lie outside, or if `is_missing` has another size than the grid.
+    /// [`HalfSpaceError`] if no point has a height, or if `is_missing` has another size than the grid.
     pub fn new(grid: Grid, boundary: Boundary, is_missing: &[bool]) -> Result<Self, HalfSpaceError> {
         grid.check_size(is_missing.len())?;
+        if !is_missing.contains(&false) {
+            return Err(HalfSpaceError::NoSpecimen);
+        }
         let (rows, columns) = (grid.rows(), grid.columns());
         let mut is_inside = vec![true; grid.points()];
         // Points outside whose neighbours have not been visited.
@@ -74,9 +77,6 @@ impl Outline {
             }
         }
         let points = is_inside.iter().filter(|is_inside| **is_inside).count();
-        if points == 0 {
-            return Err(HalfSpaceError::NoSpecimen);
-        }
         Ok(Self { grid, boundary, is_inside, points })
     }
 
@@ -84,6 +84,12 @@ impl Outline {
     #[must_use]
     pub fn is_inside(&self) -> &[bool] {
         &self.is_inside
+    }
+
+    /// Number of points that belong to the specimen.
+    #[must_use]
+    pub fn points(&self) -> usize {
+        self.points
     }
 
     /// Nominal area of the specimen over the area of the frame.

@@ -10,7 +10,8 @@ pub struct PressedState {
     pub numbers: ContactNumbers,
     /// Corrected area fraction on every second point of the grid; `None` without such a grid.
     pub area_fraction_coarser: Option<f64>,
-    /// Pressure that would close the bodies by 1 m \[Pa/m\]; `None` if no gap is left, or if it was not computed.
+    /// Pressure that would close the bodies by 1 m \[Pa/m\], without the compliance of the specimen as a whole where that is taken
+    /// out; `None` if no gap is left, or if it was not computed.
     pub stiffness_pa_per_m: Option<f64>,
     /// Open paths across the surface; they may be as narrow as a point of the grid.
     pub open: OpenPaths,

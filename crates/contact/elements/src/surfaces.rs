@@ -96,7 +96,10 @@ impl Surfaces {
     pub(crate) fn coarser(&self, relief: &Relief) -> Option<Relief> {
         match self {
             Surfaces::Maps(_) => {
-                relief.every_second_point().filter(|coarse| coarse.rows > 1 && coarse.columns > 1)
+                let is_map = |coarse: &Relief| coarse.rows > 1 && coarse.columns > 1;
+                let has_heights =
+                    |coarse: &Relief| coarse.is_missing.is_empty() || coarse.is_missing.contains(&false);
+                relief.every_second_point().filter(|coarse| is_map(coarse) && has_heights(coarse))
             }
             Surfaces::Random(random) => {
                 let [spacing_x_m, spacing_y_m] = relief.spacings_m();
@@ -120,6 +123,7 @@ impl RandomSurfaces {
             length_y_m: surface.length_y_m,
             heights_m: surface.heights_m,
             boundary: Boundary::Periodic,
+            is_missing: Vec::new(),
         })
     }
 }

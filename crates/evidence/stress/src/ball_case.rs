@@ -27,7 +27,15 @@ impl BallCase {
     fn relief(&self) -> Relief {
         let SmallMap { rows, columns, length_x_m, length_y_m, ref heights_m } = self.map;
         let heights_m = heights_m.clone();
-        Relief { rows, columns, length_x_m, length_y_m, heights_m, boundary: Boundary::Free }
+        Relief {
+            rows,
+            columns,
+            length_x_m,
+            length_y_m,
+            heights_m,
+            boundary: Boundary::Free,
+            is_missing: Vec::new(),
+        }
     }
 
     fn press(&self) -> Result<IndenterState, IndenterError> {

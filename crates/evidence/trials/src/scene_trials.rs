@@ -240,6 +240,7 @@ fn mirrored(file: &str, files: &BTreeMap<String, Vec<u8>>, shortest_m: f64) -> R
         length_y_m: surface.length_y_m,
         heights_m: surface.heights_m,
         boundary: Boundary::Periodic,
+        is_missing: Vec::new(),
     })
 }
 

@@ -221,7 +221,11 @@ impl AdhesiveElements {
         let mean_m = sums::over(count, |at| [heights_m[at]])[0] / count as f64;
         let [squares] = sums::over(count, |at| [(heights_m[at] - mean_m).powi(2)]);
         // A flat surface has no unit of its own; the range will do.
-        let unit_m = if is_flat(heights_m) { adhesion.range_m } else { (squares / count as f64).sqrt() };
+        let unit_m = if is_flat(heights_m.iter().copied()) {
+            adhesion.range_m
+        } else {
+            (squares / count as f64).sqrt()
+        };
         let unit_pa = 0.5 * contact_modulus_pa * grid.unit_wave_number_per_m() * unit_m;
         let heights: Vec<f64> = heights_m.iter().map(|height_m| (height_m - mean_m) / unit_m).collect();
         let map = [grid.rows(), grid.columns()];
@@ -469,8 +473,8 @@ impl AdhesiveElements {
     fn contact(&self, gradient: &Gradient, iterations: usize, is_rounded: bool) -> AdhesiveContact {
         let points = self.gaps.len();
         let net = |at: usize| gradient.values[at].max(0.0) - self.strength;
-        let touching = count(&self.grid, true, |at| self.gaps[at] == 0.0);
-        let repulsive = count(&self.grid, true, |at| self.gaps[at] == 0.0 && net(at) > 0.0);
+        let touching = count(&self.grid, true, points, |at| self.gaps[at] == 0.0);
+        let repulsive = count(&self.grid, true, points, |at| self.gaps[at] == 0.0 && net(at) > 0.0);
         let [gap, attraction] = sums::over(points, |at| [self.gaps[at], self.attraction(self.gaps[at])]);
         let closed = (0..points).filter(|&at| self.gaps[at] == 0.0);
         let pressures_pa = (0..points).map(|at| {

@@ -10,16 +10,16 @@ const PERIMETER_SHARE: f64 = (std::f64::consts::PI - 1.0 + std::f64::consts::LN_
 /// Count of points of one kind, with the number of changes between them and the others along rows and columns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Count {
-    /// Share of all points.
+    /// Share of the nominal points.
     pub(crate) share: f64,
-    /// Share of the grid by which their perimeter makes the count too large or too small.
+    /// Share of the nominal points by which their perimeter makes the count too large or too small.
     pub(crate) perimeter: f64,
 }
 
-/// Counts points; the edges of the grid close if it is `periodic`.
+/// Counts points, as shares of so many `nominal_points`; the edges of the grid close if it is `periodic`.
 ///
 /// On a line the ends of a segment lose or gain nothing on average, so its perimeter counts for nothing.
-pub(crate) fn count(grid: &Grid, periodic: bool, is: impl Fn(usize) -> bool) -> Count {
+pub(crate) fn count(grid: &Grid, periodic: bool, nominal_points: usize, is: impl Fn(usize) -> bool) -> Count {
     let (rows, columns) = (grid.rows(), grid.columns());
     let (mut points, mut changes) = (0usize, 0usize);
     for row in 0..rows {
@@ -36,7 +36,7 @@ pub(crate) fn count(grid: &Grid, periodic: bool, is: impl Fn(usize) -> bool) -> 
             }
         }
     }
-    let total = (rows * columns) as f64;
+    let total = nominal_points as f64;
     let perimeter = if grid.is_line() { 0.0 } else { PERIMETER_SHARE * changes as f64 / total };
     Count { share: points as f64 / total, perimeter }
 }

@@ -1,7 +1,5 @@
 //! Solution of a contact problem.
 
-use crate::half_space::sums;
-
 /// End of a solve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
@@ -16,19 +14,19 @@ pub enum Ending {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct ContactNumbers {
-    /// Load over the area of the grid \[Pa\].
+    /// Load over the nominal area \[Pa\].
     pub nominal_pressure_pa: f64,
-    /// Share of the points in contact, with a pressure above 1e-10 of the nominal one.
+    /// Share of the nominal points in contact, with a pressure above 1e-10 of the nominal one.
     pub area_fraction: f64,
     /// Area fraction less the staircase around each spot (Yastrebov, Anciaux & Molinari 2017, Tribol. Int. 114:161).
     pub area_fraction_corrected: f64,
-    /// Share of the points at the saturation; 0 without one.
+    /// Share of the nominal points at the saturation; 0 without one.
     pub plastic_area_fraction: f64,
     /// Plastic area fraction plus the staircase around each spot, because here the points below the saturation are overcounted.
     pub plastic_area_fraction_corrected: f64,
-    /// Mean over all points of the gap where it is open \[m\].
+    /// Mean over all points with a height of the gap where it is open \[m\].
     pub mean_gap_m: f64,
-    /// Mean over all points of the depth by which the surfaces overlap \[m\]: the plastic deformation.
+    /// Mean over all points with a height of the depth by which the surfaces overlap \[m\]: the plastic deformation.
     pub mean_plastic_depth_m: f64,
     /// Largest pressure \[Pa\].
     pub largest_pressure_pa: f64,
@@ -58,7 +56,7 @@ pub struct Contact {
     /// Pressure \[Pa\] at every point, row by row.
     pub pressures_pa: Vec<f64>,
     /// Gap \[m\] at every point, row by row; negative where the surfaces overlap, by plastic flow or within the
-    /// tolerance.
+    /// tolerance, infinite at missing points.
     pub gaps_m: Vec<f64>,
 }
 
@@ -70,9 +68,7 @@ impl Contact {
     /// [`area_fraction`](ContactNumbers::area_fraction).
     #[must_use]
     pub fn touching(&self) -> Vec<bool> {
-        let points = self.pressures_pa.len();
-        let [sum_pa] = sums::over(points, |point| [self.pressures_pa[point]]);
-        let least_pa = TOUCHING * sum_pa / points as f64;
+        let least_pa = TOUCHING * self.numbers.nominal_pressure_pa;
         self.pressures_pa.iter().map(|&pressure_pa| pressure_pa > least_pa).collect()
     }
 }

@@ -156,15 +156,23 @@ fn mean_overlap(heights: &[f64], offset: f64) -> f64 {
 }
 
 impl Descent<'_> {
-    /// Sets the same pressure everywhere.
+    /// Sets the same pressure at all points that are not left out.
     fn start(&mut self) {
-        let points = self.problem.heights.len();
-        self.state.pressures.fill(self.mean);
-        self.state.change.fill(0.0);
-        self.state.response.fill(0.0);
-        self.state.free.clear();
-        self.state.free.extend(0..points as u32);
-        if self.operators.uniform_displaces {
+        let heights = self.problem.heights;
+        let State { pressures, change, response, free, .. } = &mut *self.state;
+        change.fill(0.0);
+        response.fill(0.0);
+        free.clear();
+        free.extend((0u32..).zip(heights).filter_map(|(point, height)| height.is_finite().then_some(point)));
+        let are_all = free.len() == heights.len();
+        if are_all {
+            pressures.fill(self.mean);
+        } else {
+            pressures.fill(0.0);
+            let share = heights.len() as f64 / free.len() as f64;
+            free.iter().for_each(|&point| pressures[point as usize] = share * self.mean);
+        }
+        if self.operators.uniform_displaces || !are_all {
             self.renew();
         } else {
             self.state.gaps.iter_mut().zip(self.problem.heights).for_each(|(gap, height)| *gap = -height);

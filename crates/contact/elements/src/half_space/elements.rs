@@ -11,6 +11,7 @@ use crate::half_space::loading::{Approach, Closing, Loading};
 use crate::half_space::problem::{Held, Operators, Problem, State};
 use crate::half_space::stiffness::approach_per_pressure;
 use crate::half_space::{Grid, HalfSpaceError, operators, sums};
+use crate::specimen::Outline;
 
 /// Number of progress steps of a solve: the residual's way to the tolerance, in decades, is divided into as many.
 pub const PROGRESS_STEPS: usize = 100;
@@ -23,8 +24,12 @@ const LEAST_LOAD: f64 = 1e-13;
 pub struct Elements {
     grid: Grid,
     periodic: bool,
-    /// Heights over their mean, in units of `unit_m`.
+    /// Heights over their mean, in units of `unit_m`; minus infinity at points that are left out, which never touch.
     heights: Vec<f64>,
+    /// Number of points that are not left out.
+    laid_out: usize,
+    /// Number of points of the nominal area.
+    nominal_points: usize,
     mean_height_m: f64,
     /// Unit of length; that of a flat surface, which has none of its own, is chosen with each load.
     unit_m: f64,
@@ -89,30 +94,65 @@ impl Elements {
         operators: impl FnOnce() -> Operators,
     ) -> Result<Self, HalfSpaceError> {
         grid.check_heights(heights_m)?;
-        let points = heights_m.len() as f64;
+        let points = heights_m.len();
+        let mut elements = Self {
+            grid,
+            periodic,
+            heights: Vec::new(),
+            laid_out: points,
+            nominal_points: points,
+            mean_height_m: 0.0,
+            unit_m: 0.0,
+            is_flat: false,
+            longest_wave,
+            operators: operators(),
+            state: State::new(points),
+        };
+        elements.scale(heights_m, |_| false);
+        Ok(elements)
+    }
+
+    /// Leaves out the missing points of an outline: they never touch. Loads and areas are then over the area of the specimen.
+    pub(crate) fn on(mut self, outline: &Outline, heights_m: &[f64], is_missing: &[bool]) -> Self {
+        self.laid_out = is_missing.iter().filter(|is_missing| !**is_missing).count();
+        self.nominal_points = outline.points();
+        self.scale(heights_m, |point| is_missing[point]);
+        self
+    }
+
+    /// Counts heights from the mean of those that are not missing, in units of their rms.
+    fn scale(&mut self, heights_m: &[f64], is_missing: impl Fn(usize) -> bool) {
+        let points = self.laid_out as f64;
+        let laid_out = || (0..heights_m.len()).filter(|&point| !is_missing(point));
         // Over the first height, so that those far above their rms height lose no digits.
-        let first_m = heights_m[0];
-        let [sum] = sums::over(heights_m.len(), |point| [heights_m[point] - first_m]);
+        let first_m = laid_out().next().map_or(0.0, |point| heights_m[point]);
+        let over_first_m = |point: usize| if is_missing(point) { 0.0 } else { heights_m[point] - first_m };
+        let [sum] = sums::over(heights_m.len(), |point| [over_first_m(point)]);
         let mean_over_first_m = sum / points;
-        let over_mean_m = |height_m: f64| (height_m - first_m) - mean_over_first_m;
-        let mean_height_m = first_m + mean_over_first_m;
-        let is_flat = is_flat(heights_m);
-        let unit_m = if is_flat {
-            grid.length_x_m()
+        let over_mean_m = |point: usize| over_first_m(point) - mean_over_first_m;
+        self.mean_height_m = first_m + mean_over_first_m;
+        self.is_flat = is_flat(laid_out().map(|point| heights_m[point]));
+        self.unit_m = if self.is_flat {
+            self.grid.length_x_m()
         } else {
-            let largest_m =
-                heights_m.iter().fold(0.0f64, |largest, height_m| largest.max(over_mean_m(*height_m).abs()));
+            let largest_m = laid_out().fold(0.0f64, |largest, point| largest.max(over_mean_m(point).abs()));
             let [squares] = sums::over(heights_m.len(), |point| {
-                let height = over_mean_m(heights_m[point]) / largest_m;
+                let height = if is_missing(point) { 0.0 } else { over_mean_m(point) / largest_m };
                 [height * height]
             });
             largest_m * (squares / points).sqrt()
         };
-        let height = |height_m: &f64| if is_flat { 0.0 } else { over_mean_m(*height_m) / unit_m };
-        let heights: Vec<f64> = heights_m.iter().map(height).collect();
-        let state = State::new(heights.len());
-        let operators = operators();
-        Ok(Self { grid, periodic, heights, mean_height_m, unit_m, is_flat, longest_wave, operators, state })
+        let height = |point: usize| match () {
+            () if is_missing(point) => f64::NEG_INFINITY,
+            () if self.is_flat => 0.0,
+            () => over_mean_m(point) / self.unit_m,
+        };
+        self.heights = (0..heights_m.len()).map(height).collect();
+    }
+
+    /// Share of the grid that the nominal area covers.
+    fn nominal_share(&self) -> f64 {
+        self.nominal_points as f64 / self.heights.len() as f64
     }
 
     /// Grid of points.
@@ -126,7 +166,7 @@ impl Elements {
         0.5 * contact_modulus_pa * (self.grid.unit_wave_number_per_m() * self.unit_m) / self.longest_wave
     }
 
-    /// Presses the surface with a force over the area of the grid; `progress` receives [`PROGRESS_STEPS`] steps.
+    /// Presses the surface with a force over its nominal area; `progress` receives [`PROGRESS_STEPS`] steps.
     ///
     /// # Errors
     /// [`HalfSpaceError`] for a load, modulus, saturation or tolerance out of bounds, for a load that cannot be
@@ -142,8 +182,15 @@ impl Elements {
             let nominal_pressure_pa = loading.nominal_pressure_pa;
             return Err(HalfSpaceError::TooLight { nominal_pressure_pa, least_pa });
         }
+        if let Some(saturation_pa) = loading.saturation_pa
+            && saturation_pa * self.laid_out as f64
+                <= loading.nominal_pressure_pa * self.nominal_points as f64
+        {
+            let nominal_pressure_pa = loading.nominal_pressure_pa;
+            return Err(HalfSpaceError::CannotBeCarried { nominal_pressure_pa, saturation_pa });
+        }
         let outcome = self.descend(
-            Held::Mean(loading.nominal_pressure_pa / unit_pa),
+            Held::Mean(loading.nominal_pressure_pa / unit_pa * self.nominal_share()),
             loading.saturation_pa.map(|saturation_pa| saturation_pa / unit_pa),
             loading.tolerance,
             progress,
@@ -172,7 +219,7 @@ impl Elements {
         let [sum] = sums::over(self.heights.len(), |point| [self.state.pressures[point]]);
         let loading = Loading {
             contact_modulus_pa: closing.contact_modulus_pa,
-            nominal_pressure_pa: sum / self.heights.len() as f64 * unit_pa,
+            nominal_pressure_pa: sum / self.nominal_points as f64 * unit_pa,
             saturation_pa: closing.saturation_pa,
             tolerance: closing.tolerance,
         };
@@ -238,7 +285,8 @@ impl Elements {
         if self.periodic && touching.len() == self.heights.len() {
             return Ok(None);
         }
-        self.stiffness_together(&touching, contact_modulus_pa, progress).map(Some)
+        let over_grid = self.stiffness_together(&touching, contact_modulus_pa, progress)?;
+        Ok(Some(over_grid / self.nominal_share()))
     }
 
     /// Returns the mean pressure over the grid that closes the bodies by 1 m \[Pa/m\] while some points stay together and no
@@ -285,16 +333,23 @@ impl Elements {
         let pressures_pa: Vec<f64> = self.state.pressures.iter().map(|pressure| pressure * unit_pa).collect();
         let gaps_m: Vec<f64> =
             self.state.gaps.iter().map(|gap| (gap - outcome.offset) * self.unit_m).collect();
-        let touching = count(&self.grid, self.periodic, |point| loading.touches_at(pressures_pa[point]));
+        let touching = count(&self.grid, self.periodic, self.nominal_points, |point| {
+            loading.touches_at(pressures_pa[point])
+        });
         let flowing = loading.saturation_pa.map_or(Count::NONE, |_| {
-            count(&self.grid, self.periodic, |point| loading.yields_at(pressures_pa[point]))
+            count(&self.grid, self.periodic, self.nominal_points, |point| {
+                loading.yields_at(pressures_pa[point])
+            })
         });
         let [open_m, sunk_m, work] = sums::over(points, |point| {
-            let displacement = self.state.gaps[point] + self.heights[point];
             let gap_m = gaps_m[point];
+            if gap_m == f64::INFINITY {
+                return [0.0; 3];
+            }
+            let displacement = self.state.gaps[point] + self.heights[point];
             [gap_m.max(0.0), (-gap_m).max(0.0), pressures_pa[point] * displacement]
         });
-        let count = points as f64;
+        let count = self.laid_out as f64;
         Contact {
             numbers: ContactNumbers {
                 nominal_pressure_pa: loading.nominal_pressure_pa,
@@ -313,7 +368,7 @@ impl Elements {
                 residual: outcome.residual,
                 ending: outcome.ending,
             },
-            energy_j_per_m2: 0.5 * self.unit_m * work / count,
+            energy_j_per_m2: 0.5 * self.unit_m * work / self.nominal_points as f64,
             offset_m: outcome.offset * self.unit_m - self.mean_height_m,
             pressures_pa,
             gaps_m,
@@ -323,9 +378,9 @@ impl Elements {
 
 /// Returns true if the heights have no size of their own: if they span less than any length in bounds. The mean of equal heights
 /// is off by rounding, so distances from it do not tell.
-pub(crate) fn is_flat(heights_m: &[f64]) -> bool {
-    let ends = |(low, high): (f64, f64), height_m: &f64| (low.min(*height_m), high.max(*height_m));
-    let (lowest_m, highest_m) = heights_m.iter().fold((f64::INFINITY, f64::NEG_INFINITY), ends);
+pub(crate) fn is_flat(heights_m: impl Iterator<Item = f64>) -> bool {
+    let ends = |(low, high): (f64, f64), height_m: f64| (low.min(height_m), high.max(height_m));
+    let (lowest_m, highest_m) = heights_m.fold((f64::INFINITY, f64::NEG_INFINITY), ends);
     !Bound::Magnitude.admits(highest_m - lowest_m)
 }
 

@@ -86,6 +86,15 @@ pub enum HalfSpaceError {
          out the layer"
     )]
     FreeLayer,
+    /// Only a flat is pressed onto a map with missing points, without adhesion.
+    #[error(
+        "pressing boundary elements: {missing} points have no height, and only a flat without adhesion is pressed onto a map with \
+         missing points; have them filled (gaps = \"harmonic\")"
+    )]
+    MissingPoints {
+        /// Number of missing points.
+        missing: usize,
+    },
     /// No point of the map belongs to a specimen.
     #[error("pressing boundary elements: no point of the map has a height")]
     NoSpecimen,

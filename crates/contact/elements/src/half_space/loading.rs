@@ -13,7 +13,7 @@ const FLOWING: f64 = 1e-9;
 pub struct Loading {
     /// Contact modulus E* \[Pa\]; 1/E* is the sum of (1 - nu^2)/E over both bodies.
     pub contact_modulus_pa: f64,
-    /// Load over the area of the grid \[Pa\].
+    /// Load over the nominal area \[Pa\]: that of the grid, or of the specimen on it.
     pub nominal_pressure_pa: f64,
     /// Pressure at which the surface yields, an indentation hardness \[Pa\]; `None` if it is elastic throughout.
     pub saturation_pa: Option<f64>,

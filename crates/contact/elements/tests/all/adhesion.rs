@@ -109,6 +109,7 @@ fn sticky(pressures_pa: &[f64]) -> (Surfaces, AdhesivePressing) {
         length_y_m: grid.length_y_m(),
         heights_m,
         boundary: Boundary::Periodic,
+        is_missing: Vec::new(),
     };
     let pressing = AdhesivePressing {
         contact_modulus_pa: 1.0,

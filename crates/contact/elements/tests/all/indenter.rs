@@ -23,6 +23,7 @@ fn smooth(rows: usize, columns: usize, spacing_m: f64) -> Relief {
         length_y_m: rows as f64 * spacing_m,
         heights_m: vec![0.0; rows * columns],
         boundary: Boundary::Free,
+        is_missing: Vec::new(),
     }
 }
 
@@ -60,6 +61,7 @@ fn reference_map(name: &str) -> Relief {
         length_y_m: map.rows() as f64 * map.spacing_y_m(),
         heights_m: map.heights_m().to_vec(),
         boundary: Boundary::Periodic,
+        is_missing: Vec::new(),
     }
 }
 

@@ -120,6 +120,7 @@ fn a_ball_under_a_free_boundary_is_that_of_hertz() {
         length_y_m: side_m,
         heights_m: heights_m.collect(),
         boundary: Boundary::Free,
+        is_missing: Vec::new(),
     };
     let pressing = Pressing { stiffness: true, ..elastic(&[4.0 / 3.0 * 0.25f64.powi(3)]) };
     let pressed = press(&Surfaces::Maps(vec![relief]), &pressing, unseen, &Unobserved).unwrap();
@@ -146,6 +147,7 @@ fn waves_along_one_direction_shut_the_other_one() {
         length_y_m: 1.0,
         heights_m: (0..32 * 32).map(|at| 0.01 * (TAU * f64::from(at % 32) / 16.0).cos()).collect(),
         boundary,
+        is_missing: Vec::new(),
     };
     for boundary in [Boundary::Periodic, Boundary::Free] {
         let pressed =
