@@ -355,7 +355,7 @@ impl<'s> Case<'s> {
 
     /// The first measured maps behind the spectrum, which are pressed.
     pub fn maps(&self) -> &[MapPatch] {
-        let maps = self.scene.surface.made_from.as_ref().map_or(&[][..], |scans| &scans.maps);
+        let maps = self.scene.surface.maps();
         &maps[..maps.len().min(MAX_MAPS)]
     }
 

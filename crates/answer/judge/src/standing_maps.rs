@@ -111,7 +111,8 @@ fn surface(map: &MapPatch, case: &Case<'_>) -> RandomSurface {
     let (surface, end_m) = (&case.scene.surface, case.band().shortest_m);
     let is_cut = end_m > (1.0 + 1e-9) * surface.psd.shortest_wavelength_m();
     // The last bin of a composite lies above the shortest wavelength that its scans show.
-    let scans = surface.made_from.iter().flat_map(|made_from| &made_from.spectrum.scans);
+    let faces = surface.each().into_iter().filter_map(|face| face.made_from.as_ref());
+    let scans = faces.flat_map(|made_from| &made_from.spectrum.scans);
     let shown_m = scans.map(|scan| scan.band.shortest_m).fold(end_m, f64::min);
     let shortest_m = if is_cut { end_m } else { shown_m };
     if shortest_m > ENDS_WITH_MAP * spacing_m { waves.down_to(shortest_m).surface() } else { waves.surface() }

@@ -6,8 +6,8 @@ use findings::doubts::{self, PressedBodies};
 use spectrum::random_surfaces::{AreaSpectrum, GridBand, Phases};
 
 use elements::{
-    Approach, Boundary, ContactField, ElementsError, ImposedLoad, PressedLoad, Pressing, RandomChoices,
-    RandomSurfaces, Relief, Surfaces,
+    Approach, Boundary, ContactField, ElementsError, ImposedLoad, PressedLoad, PressedState, Pressing,
+    RandomChoices, RandomSurfaces, Relief, SpecimenCompliance, Surfaces,
 };
 use numerics::parallel::Progress;
 use serde::{Deserialize, Serialize};
@@ -59,6 +59,8 @@ pub struct ElementsQuestion {
     pub tolerance: Option<f64>,
     /// Random surfaces, for a spectrum.
     pub random: RandomInput,
+    /// Compliance of the specimen that is taken out of the stiffness of maps with free edges; nothing if absent.
+    pub compliance: Option<SpecimenCompliance>,
 }
 
 /// Load that elements are pressed by, or a distance that they are pressed to.
@@ -201,8 +203,18 @@ impl ElementsQuestion {
     pub fn on_maps(&self, maps: Vec<Relief>) -> Result<PreparedElements, QuestionError> {
         let (material, pressing) = self.pressing()?;
         let mut notes = notes_on_maps(&material, &maps);
-        if maps.iter().any(|map| map.boundary == Boundary::Free) {
-            notes.push(Remark::new(RemarkCode::StiffnessOfPunch));
+        for map in &maps {
+            notes.extend(note_on_missing(map)?);
+        }
+        let is_free = maps.iter().any(|map| map.boundary == Boundary::Free);
+        match (is_free, self.compliance) {
+            (true, None) => notes.push(Remark::new(RemarkCode::StiffnessOfPunch)),
+            (false, Some(_)) => {
+                return Err(QuestionError::Unused(Box::new(
+                    Remark::new(RemarkCode::NoFreeEdges).on("compliance"),
+                )));
+            }
+            _ => {}
         }
         let hardness_pa = material.hardness_pa();
         Ok(Prepared { surfaces: Surfaces::Maps(maps), notes, pressing, hardness_pa })
@@ -220,6 +232,7 @@ impl ElementsQuestion {
             saturation_pa: saturation_pa.transpose()?,
             tolerance: self.tolerance.unwrap_or(Pressing::TOLERANCE),
             stiffness: true,
+            compliance: self.compliance.unwrap_or_default(),
             ..Pressing::between(&material.pair)
         };
         pressing.check().map_err(ElementsError::from)?;
@@ -255,9 +268,12 @@ impl PreparedElements {
         let bodies = PressedBodies { name: ELEMENTS, modulus_pa, hardness_pa, is_elastic: true };
         let area = |load: &PressedLoad| (load.nominal_pressure_pa, load.mean().best_area_fraction());
         let areas: Vec<_> = pressed.iter().map(area).collect();
-        let notes =
-            [remarks_on_pressed(&pressed), doubts::of_contact(&bodies, Some(("saturation", "1H")), &areas)]
-                .concat();
+        let notes = [
+            remarks_on_pressed(&pressed),
+            remarks_on_compliance(&pressed, self.pressing.compliance),
+            doubts::of_contact(&bodies, Some(("saturation", "1H")), &areas),
+        ]
+        .concat();
         Ok((pressed, notes))
     }
 }
@@ -361,6 +377,42 @@ pub(crate) fn remarks_on_pressed(loads: &[PressedLoad]) -> Vec<Remark> {
     let unloading = loads.windows(2).any(is_unloaded).then(|| Remark::new(RemarkCode::Unloading));
     let of_loads = coarse.into_iter().chain(rounded).chain(closed_paths(loads));
     of_loads.chain(unloading).collect()
+}
+
+/// Remarks on the compliance of the specimen that was taken out of the stiffness.
+fn remarks_on_compliance(loads: &[PressedLoad], kind: SpecimenCompliance) -> Vec<Remark> {
+    let code = match kind {
+        SpecimenCompliance::None => return Vec::new(),
+        SpecimenCompliance::Punch => RemarkCode::StiffnessWithoutPunch,
+        SpecimenCompliance::Even => RemarkCode::StiffnessWithoutEven,
+    };
+    let of_map =
+        |state: &PressedState| Remark::new(code).with("compliance_m_per_pa", state.compliance_m_per_pa);
+    let is_gone = |load: &&PressedLoad| load.states.iter().any(|state| state.stiffness_pa_per_m.is_none());
+    let gone: Vec<String> =
+        loads.iter().filter(is_gone).map(|load| pressure(load.nominal_pressure_pa)).collect();
+    let nothing =
+        (!gone.is_empty()).then(|| Remark::new(RemarkCode::NoStiffnessLeft).with("loads", gone.join(", ")));
+    loads.iter().take(1).flat_map(|load| load.states.iter().map(of_map)).chain(nothing).collect()
+}
+
+/// Note on the missing points of a map; `None` if it has none.
+fn note_on_missing(map: &Relief) -> Result<Option<Remark>, QuestionError> {
+    if map.is_missing.is_empty() {
+        return Ok(None);
+    }
+    let outline = map.outline().map_err(ElementsError::from)?;
+    let missing = map.is_missing.iter().filter(|is_missing| **is_missing).count();
+    let outside = map.is_missing.len() - outline.points();
+    let [length_x_m, length_y_m] = [map.length_x_m, map.length_y_m];
+    Ok(Some(
+        Remark::new(RemarkCode::MissingPointsOpen)
+            .with("outside", outside)
+            .with("holes", missing - outside)
+            .with("share", outline.share())
+            .with("length_x_m", length_x_m)
+            .with("length_y_m", length_y_m),
+    ))
 }
 
 /// The loads at which contact closes the paths from edge to edge; `None` if every surface is open in both directions.

@@ -2,6 +2,7 @@
 
 use elements::{Boundary, ElementsError, ImposedLoad, Pressing, Relief, Surfaces};
 use findings::doubts;
+use measurements::MapOfFile;
 use scans::HeightMap;
 use scene::Scene;
 use serde::{Deserialize, Serialize};
@@ -31,7 +32,7 @@ impl MapQuestion {
     /// repeat themselves, which a layer needs.
     #[must_use]
     pub fn from_scene(scene: &Scene, map: usize) -> Option<Self> {
-        let patch = scene.surface.made_from.as_ref()?.maps.get(map)?.middle(MOST_POINTS);
+        let patch = scene.surface.maps().get(map)?.middle(MOST_POINTS);
         let material = scene.material.as_ref().filter(|material| material.pair.layer().is_none())?;
         let boundary = if patch.is_periodic { Boundary::Periodic } else { Boundary::Free };
         Some(MapQuestion {
@@ -65,6 +66,18 @@ impl MapQuestion {
         let surfaces = Surfaces::Maps(vec![self.relief.clone()]);
         Ok(Prepared { surfaces, notes, pressing, hardness_pa: self.saturation_pa })
     }
+}
+
+/// Returns a measured map as it is pressed, with edges that its file states unless others are chosen.
+#[must_use]
+pub fn relief_of_file(file: &MapOfFile, boundary: Option<Boundary>) -> Relief {
+    let own = if file.is_periodic { Boundary::Periodic } else { Boundary::Free };
+    let points = file.map.heights_m().len();
+    let is_missing = match file.missing.is_empty() {
+        true => Vec::new(),
+        false => (0..points).map(|point| file.missing.contains(point)).collect(),
+    };
+    Relief { is_missing, ..relief(&file.map, file.map.heights_m().to_vec(), boundary.unwrap_or(own)) }
 }
 
 /// Returns a map, with heights \[m\] of its own or others in their place, as it is pressed.

@@ -42,6 +42,8 @@ pub struct MeasuredOptions {
     pub recipe: Recipe,
     /// True if heights repeat themselves, whatever the file says.
     pub repeats: bool,
+    /// The map that faces a map; nothing to a spectrum.
+    pub facing: Option<ScanRequest>,
 }
 
 impl Measured {
@@ -68,7 +70,11 @@ impl Measured {
             return Surface::load(name, files, &options.spectrum)
                 .map(|found| Self::Spectrum(Box::new(found)));
         }
-        let found = MapOfFile::read(request, &bytes, files, &options.recipe, options.repeats);
+        let (recipe, repeats) = (&options.recipe, options.repeats);
+        let found = match &options.facing {
+            Some(other) => MapOfFile::read_facing([request, other], &bytes, files, recipe, repeats),
+            None => MapOfFile::read(request, &bytes, files, recipe, repeats),
+        };
         match (found, options.kind) {
             (Ok(map), _) => Ok(Self::Map(Box::new(map))),
             // A text that is neither may have been meant as either.

@@ -18,7 +18,7 @@ use units::{Remark, RemarkCode};
 use crate::bodies::Body;
 use crate::given_roughness::GivenRoughness;
 use measurements::{
-    CompositeOfFiles, Files, ScanProblem, ScanRequest, ScansInFolders, TopographyError, heights_in,
+    CompositeOfFiles, Files, MapPatch, ScanProblem, ScanRequest, ScansInFolders, TopographyError, heights_in,
 };
 
 /// Columns of the two faces in the table of a sum: spectrum and standard errors.
@@ -175,6 +175,8 @@ pub struct Surface {
     pub sources: Vec<SourceFile>,
     /// The two surfaces, if this is the sum of two.
     pub parts: Option<Box<[Surface; 2]>>,
+    /// The sum of the two maps, if it is the sum of two surfaces that were scanned as one map each.
+    facing: Option<MapPatch>,
     /// The wavelengths that were not measured, from long to short. There neighbouring samples of the spectrum
     /// are a factor of [`spectrum::HOLE_FACTOR`] or more apart. For the sum of two surfaces, these are the holes of
     /// either.
@@ -240,6 +242,7 @@ impl Surface {
             roughness: None,
             sources: Vec::new(),
             parts: None,
+            facing: None,
             holes: Vec::new(),
         }
     }
@@ -322,6 +325,14 @@ impl Surface {
                 .with("shortest_m", shortest_m),
             None => Remark::new(RemarkCode::NothingShared),
         });
+        let facing = match (self.maps(), other.maps()) {
+            ([own], [faced]) if self.is_one_scan() && other.is_one_scan() => own.facing(faced),
+            _ => None,
+        };
+        let facing = facing.map(|(map, remarks)| {
+            notes.extend(remarks);
+            map
+        });
         let remarks = [&self, &other].into_iter().flat_map(Surface::named_remarks).collect();
         let path = |of: &'_ Surface| match &of.sources[..] {
             [one] => one.name.clone(),
@@ -332,7 +343,7 @@ impl Surface {
         let name = paths.map(|path| short[&path].clone()).join(" against ");
         let sources = [&self.sources[..], &other.sources[..]].concat();
         let parts = Some(Box::new([self, other]));
-        Surface { remarks, notes, sources, parts, holes, ..Self::plain(name, sum.psd) }
+        Surface { remarks, notes, sources, parts, facing, holes, ..Self::plain(name, sum.psd) }
     }
 
     /// Returns the samples between two wavelengths \[m\], both included; the ends of the spectrum if absent. The part no longer
@@ -353,7 +364,15 @@ impl Surface {
         let psd =
             psd.profile().expect("a spectrum of profiles needs no conversion").with_surface_of(&self.psd);
         let holes = psd.holes();
-        Ok(Surface { psd, made_from: None, roughness: None, parts: None, holes, ..self.clone() })
+        Ok(Surface {
+            psd,
+            made_from: None,
+            roughness: None,
+            parts: None,
+            facing: None,
+            holes,
+            ..self.clone()
+        })
     }
 
     /// Makes a table that reads back as this spectrum: of a composite that of [`CompositeOfFiles::table`], of others the columns
@@ -389,6 +408,21 @@ impl Surface {
             Some(parts) => parts.iter().flat_map(Surface::each).collect(),
             None => vec![self],
         }
+    }
+
+    /// Returns the maps behind the spectrum, for boundary elements; of a sum the sum of its maps, if each surface is one map.
+    #[must_use]
+    pub fn maps(&self) -> &[MapPatch] {
+        match (&self.facing, &self.made_from) {
+            (Some(facing), _) => std::slice::from_ref(facing),
+            (None, Some(scans)) => &scans.maps,
+            (None, None) => &[],
+        }
+    }
+
+    /// Returns true if the spectrum is that of a single file.
+    fn is_one_scan(&self) -> bool {
+        self.files().len() == 1
     }
 
     /// Returns true if its spectrum has standard errors and is not made from scans.

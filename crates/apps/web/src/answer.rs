@@ -130,7 +130,6 @@ impl Desk {
         let psd = &scene.surface.psd;
         let (material, counterface, _) = stated(&text);
         let wavelengths_m = psd.wavelengths_m().to_vec();
-        let made_from = scene.surface.made_from.as_ref();
         let of_faces = scene.surface.each().into_iter().filter_map(|face| face.made_from.as_ref());
         let page_note = |note: &Remark| PageNote {
             is_warning: note.level == RemarkLevel::Caution,
@@ -147,8 +146,7 @@ impl Desk {
             c1d_m3: psd.c1d_m3().to_vec(),
             wavelengths_m,
             spectrum: SpectrumCurve::new(&scene.surface),
-            maps: made_from
-                .map_or_else(Vec::new, |scans| scans.maps.iter().map(|map| map.name.clone()).collect()),
+            maps: scene.surface.maps().iter().map(|map| map.name.clone()).collect(),
             scans: of_faces.map(|scans| scans_table::scans_table(&scans.spectrum)).collect(),
             notes,
         };

@@ -289,8 +289,24 @@ remark_codes! {
     SteepWaves "random-surfaces.made-surfaces" Note
         "doubtful: these slopes take {pressure_over_modulus} E* to flatten, and a linear-elastic half-space needs small slopes (up to {bound} \
          E*)";
+    FacingMaps "facing-maps" Note "{other} faces {own}: it is turned over (x to -x) and added[; {differ}]";
+    FacingSizesApart "facing-maps" Caution
+        "{larger} is {ratio} times as large as {smaller}: check unit and size of both";
+    FacesFit "facing-maps" Caution
+        "the faces fit into each other: the sum of their heights is {share} times as steep as if they did not, and spectra add as if they \
+         did not; trust the pressed map";
+    MissingPointsOpen "pressed" Note
+        "missing points never touch: {outside} lie outside the specimen, {holes} in holes of it; nominal pressure and area fractions are over \
+         the {share%} of {length_x_m} x {length_y_m} that it fills";
     StiffnessOfPunch "pressed" Note
-        "the edges are free: stiffness_pa_per_m is that of the map and of the half-space around it, as of a punch as large as the map";
+        "the edges are free: stiffness_pa_per_m is that of the map and of the half-space around it, as of a punch as large as the map; \
+         {--compliance=punch} takes the punch out, {--compliance=even} the mean displacement under even pressure";
+    StiffnessWithoutPunch "pressed" Note
+        "stiffness_pa_per_m is without the specimen's own compliance as a rigid punch, {compliance_m_per_pa#} m/Pa";
+    StiffnessWithoutEven "pressed" Note
+        "stiffness_pa_per_m is without the specimen's own compliance under even pressure, {compliance_m_per_pa#} m/Pa";
+    NoStiffnessLeft "pressed" Note
+        "at {loads} stiffness_pa_per_m is empty: the whole contact is no more compliant than the specimen's own compliance";
     Unloading "pressed" Caution
         "a load follows a larger one: each presses the surface as it was before it yielded, so this is no unloading; for that press \
          heights + min(gap, 0) of {--fields} without {--saturation}";
@@ -357,6 +373,7 @@ remark_codes! {
         "{option} does not affect a {kind}; leave it out, or say what the file is with {--as}";
     OtherQuantity "scene-note" Note "{option} does not affect {--quantity=@quantity}; leave it out";
     OtherDialect "scene-note" Note "{option} does not affect {--dialect=@dialect}; leave it out";
+    NoFreeEdges "scene-note" Note "{option} affects only maps with free edges; leave it out, or give {--boundary=free}";
     Replaced "scene-note" Note "{option} has no effect beside {--@other}; leave one of them out";
     FigureShowsSomethingElse "scene-note" Note "{option} has no effect on what this figure shows";
     NoCurveUsesIt "scene-note" Note "{option} has no effect: no curve depends on it";

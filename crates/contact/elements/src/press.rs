@@ -114,5 +114,11 @@ fn press_once<E: From<ElementsError>>(
     })?;
     let open = relief.open_paths(&contact).map_err(ElementsError::from)?;
     let area_fraction_coarser = coarser.map(|coarser| coarser.numbers.area_fraction_corrected);
-    Ok(PressedState { numbers: contact.numbers, area_fraction_coarser, stiffness_pa_per_m, open })
+    Ok(PressedState {
+        numbers: contact.numbers,
+        area_fraction_coarser,
+        stiffness_pa_per_m,
+        compliance_m_per_pa,
+        open,
+    })
 }

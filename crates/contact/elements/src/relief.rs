@@ -73,12 +73,24 @@ impl Relief {
     /// Returns every second point of every second row; `None` if a side is odd.
     #[must_use]
     pub fn every_second_point(&self) -> Option<Self> {
+        self.every_second_column_from(0)
+    }
+
+    /// Returns every second point of a map, from the half of its columns that is higher on average: then the mirror image of a map
+    /// has the mirror image of its points, and exchanged faces the same area.
+    pub(crate) fn every_second_of_map(&self) -> Option<Self> {
+        let sum_m = |half: &Self| half.heights_m.iter().sum::<f64>();
+        let [even, odd] = [self.every_second_column_from(0)?, self.every_second_column_from(1)?];
+        Some(if sum_m(&odd) > sum_m(&even) { odd } else { even })
+    }
+
+    fn every_second_column_from(&self, first: usize) -> Option<Self> {
         if !(self.rows.is_multiple_of(2) && self.columns.is_multiple_of(2)) {
             return None;
         }
         let (rows, columns) = (self.rows / 2, self.columns / 2);
-        let heights_m = every_second(&self.heights_m, self.columns);
-        let is_missing = every_second(&self.is_missing, self.columns);
+        let heights_m = every_second(&self.heights_m, self.columns, first);
+        let is_missing = every_second(&self.is_missing, self.columns, first);
         Some(Self { rows, columns, heights_m, is_missing, ..*self })
     }
 
@@ -159,7 +171,8 @@ impl Relief {
     }
 }
 
-/// Every second value of every second row.
-fn every_second<T: Copy>(values: &[T], columns: usize) -> Vec<T> {
-    values.chunks_exact(columns).step_by(2).flat_map(|row| row.iter().step_by(2).copied()).collect()
+/// Every second value of every second row, from a column on.
+fn every_second<T: Copy>(values: &[T], columns: usize, first: usize) -> Vec<T> {
+    let rows = values.chunks_exact(columns).step_by(2);
+    rows.flat_map(|row| row[first..].iter().step_by(2).copied()).collect()
 }

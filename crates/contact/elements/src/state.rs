@@ -13,6 +13,8 @@ pub struct PressedState {
     /// Pressure that would close the bodies by 1 m \[Pa/m\], without the compliance of the specimen as a whole where that is taken
     /// out; `None` if no gap is left, or if it was not computed.
     pub stiffness_pa_per_m: Option<f64>,
+    /// Compliance of the specimen as a whole \[m/Pa\] that was taken out of the stiffness; 0 if none was.
+    pub compliance_m_per_pa: f64,
     /// Open paths across the surface; they may be as narrow as a point of the grid.
     pub open: OpenPaths,
 }

@@ -99,7 +99,7 @@ impl Surfaces {
                 let is_map = |coarse: &Relief| coarse.rows > 1 && coarse.columns > 1;
                 let has_heights =
                     |coarse: &Relief| coarse.is_missing.is_empty() || coarse.is_missing.contains(&false);
-                relief.every_second_point().filter(|coarse| is_map(coarse) && has_heights(coarse))
+                relief.every_second_of_map().filter(|coarse| is_map(coarse) && has_heights(coarse))
             }
             Surfaces::Random(random) => {
                 let [spacing_x_m, spacing_y_m] = relief.spacings_m();

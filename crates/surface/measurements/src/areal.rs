@@ -1,6 +1,6 @@
 //! The two-dimensional spectrum of a map.
 
-use topography::{Direction, MapSpectrum, Recipe};
+use topography::{Direction, GapTreatment, MapSpectrum, Recipe};
 
 use crate::error::{ScanProblem, TopographyError};
 use crate::files::Files;
@@ -37,7 +37,9 @@ pub fn areal_spectrum(
         return Err(TopographyError::for_file(&request.path, problem));
     }
     let Loaded { scans, sha256 } = load(request, files)?;
-    let file = only_scan(request, scans, recipe.gaps, ScanProblem::NotOneMap)?;
+    // A spectrum needs a height at every point.
+    let gaps = if recipe.gaps == GapTreatment::Keep { GapTreatment::Refuse } else { recipe.gaps };
+    let (file, _) = only_scan(request, scans, gaps, ScanProblem::NotOneMap)?;
     let map = map_in(request, &file, ScanProblem::LineHasNoArea)?;
     let found = MapSpectrum::new(map, &file, request.limits(), recipe)
         .map_err(|error| untransformed(request, error))?;

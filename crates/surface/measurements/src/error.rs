@@ -94,6 +94,14 @@ pub enum ScanProblem {
         "boundary elements press a line only if it repeats itself: choose the boundary periodic, or give its spectrum"
     )]
     LineIsNoSurface,
+    /// A line and a map face each other.
+    #[error(
+        "this profile has no heights to add to those of the map {map}; give two maps, or press the sum of their spectra"
+    )]
+    LineFacesMap {
+        /// The file of the map.
+        map: String,
+    },
     /// An areal spectrum was requested of no scan or of several.
     #[error("the file holds {0} scans, and an areal spectrum needs one map; choose it by its channel")]
     NotOneMap(usize),

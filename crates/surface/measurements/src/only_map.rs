@@ -1,24 +1,35 @@
 //! The one map of a file, for areal spectra and boundary elements.
 
-use scans::{HeightMap, Scan, ScanFile};
+use scans::{HeightMap, MissingPoints, Scan, ScanFile};
 use topography::{GapTreatment, TransformError, map_of, without_gaps};
 
 use crate::error::{ScanProblem, TopographyError};
 use crate::request::ScanRequest;
 
-/// Returns the one scan of a file, without missing points; `not_one` makes the error for another number of scans.
+/// Returns the one scan of a file, and its missing points if they are kept; `not_one` makes the error for another number of scans.
 pub(crate) fn only_scan(
     request: &ScanRequest,
     mut scans: Vec<ScanFile>,
     gaps: GapTreatment,
     not_one: fn(usize) -> ScanProblem,
-) -> Result<ScanFile<Scan>, TopographyError> {
+) -> Result<(ScanFile<Scan>, MissingPoints), TopographyError> {
     match (scans.pop(), scans.len()) {
-        (Some(file), 0) => without_gaps(file, gaps).map_err(|error| untransformed(request, error)),
+        (Some(file), 0) if gaps == GapTreatment::Keep => Ok(with_zeros(file)),
+        (Some(file), 0) => without_gaps(file, gaps)
+            .map(|file| (file, MissingPoints::default()))
+            .map_err(|error| untransformed(request, error)),
         (file, others) => {
             Err(TopographyError::for_file(&request.path, not_one(others + usize::from(file.is_some()))))
         }
     }
+}
+
+/// Puts 0 in the place of missing points, and returns them.
+fn with_zeros(file: ScanFile) -> (ScanFile<Scan>, MissingPoints) {
+    let missing = file.scan.missing_points().clone();
+    let zeros = vec![0.0; missing.count()];
+    let filled = file.try_map(|scan| scan.filled(&zeros)).expect("a height of 0 for each missing point");
+    (filled, missing)
 }
 
 /// Returns the map of a scan; `no_map` is the error for a line.

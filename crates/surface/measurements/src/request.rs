@@ -130,6 +130,10 @@ impl ScanRequest {
     pub(crate) const OF_MAPS: [&str; 7] =
         ["unit", "height-unit", "channel", "size", "gaps", "direction", "detrend"];
 
+    /// Options of a map that faces one that is pressed: the trend is that of their sum.
+    pub(crate) const OF_FACING_MAPS: [&str; 6] =
+        ["unit", "height-unit", "channel", "size", "gaps", "direction"];
+
     /// Refuses the first option that is given and not among these.
     ///
     /// # Errors

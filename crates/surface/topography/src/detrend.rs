@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::height_rows::{HeightRows, Slices};
 use crate::sums::{Spread, dot, sum_of, sums_of};
-use scans::{HeightMap, MeasuredScan};
+use scans::{HeightMap, MeasuredScan, Scan, UniformLineScan};
 use units::named;
 
 /// Trend subtracted from the heights before they are transformed, fitted by least squares.
@@ -42,6 +42,28 @@ pub fn detrended_m(map: &HeightMap, detrend: Detrend) -> Vec<f64> {
 #[must_use]
 pub fn without_form_m(scan: &MeasuredScan) -> Vec<Option<f64>> {
     Form::fit(scan).removed_m(scan).collect()
+}
+
+/// Subtracts the trend of a map through the points that have a height \[m\].
+#[must_use]
+pub fn without_trend_m(map: &MeasuredScan, detrend: Detrend) -> Vec<Option<f64>> {
+    let heights_m: Vec<Option<f64>> = map.heights_m().collect();
+    let less_mean = |heights_m: &[Option<f64>]| {
+        let (sum_m, count) =
+            heights_m.iter().flatten().fold((0.0, 0.0), |(sum, count), height| (sum + height, count + 1.0));
+        heights_m.iter().map(|height_m| height_m.map(|height_m| height_m - sum_m / count)).collect::<Vec<_>>()
+    };
+    let less_line = |row: &[Option<f64>]| {
+        let missing = (0..row.len()).filter(|&at| row[at].is_none()).collect();
+        let known_m = row.iter().map(|height_m| height_m.unwrap_or(0.0)).collect();
+        let line = UniformLineScan::new(1.0, known_m).expect("a row of a map is a line");
+        without_form_m(&MeasuredScan::with_missing_points(Scan::UniformLine(line), missing))
+    };
+    match detrend {
+        Detrend::Mean => less_mean(&heights_m),
+        Detrend::Line => heights_m.chunks(map.points().0).flat_map(less_line).collect(),
+        Detrend::Plane => without_form_m(map),
+    }
 }
 
 /// The least-squares plane or line through the points of a scan that have a height.

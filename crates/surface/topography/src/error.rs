@@ -63,7 +63,7 @@ pub enum TransformError {
     /// More missing points than can be filled.
     #[error(
         "{:.1} % of the points have no height, and at most {:.0} % can be filled; crop the scan, use only lines without \
-         missing points (gaps = \"lines\"), or measure with an instrument that loses fewer points",
+         missing points (gaps = \"lines\"), press a map with them (bem, gaps = \"keep\"), or measure with an instrument that loses fewer points",
         100.0 * share, 100.0 * bound
     )]
     TooManyGaps {

@@ -26,9 +26,13 @@ pub enum GapTreatment {
     /// Stretches have no wavelengths beyond their length. If points are missing on steep flanks, the stretches lie
     /// where the surface is flat, and the spectrum is too low.
     Lines,
+    /// Keeps them: they never touch. For maps that are pressed; spectra refuse them.
+    Keep,
 }
 
-units::named!(GapTreatment, "treatment of gaps", { Refuse => "refuse", Harmonic => "harmonic", Lines => "lines" });
+units::named!(GapTreatment, "treatment of gaps", {
+    Refuse => "refuse", Harmonic => "harmonic", Lines => "lines", Keep => "keep",
+});
 
 /// Largest share of missing points that is filled.
 pub const MOST_FILLED: f64 = 0.2;
@@ -36,10 +40,11 @@ pub const MOST_FILLED: f64 = 0.2;
 /// Removes missing points from the scan of a file, with a note on the treatment.
 ///
 /// # Errors
-/// [`TransformError::Gaps`] if they are refused, [`TransformError::TooManyGaps`] for more than are filled,
+/// [`TransformError::Gaps`] if they are refused or kept, [`TransformError::TooManyGaps`] for more than are filled,
 /// [`TransformError::NoLines`] if no line without them is left, [`TransformError::NoHeights`] if no point has a height.
 pub fn without_gaps(file: ScanFile, treatment: GapTreatment) -> Result<ScanFile<Scan>, TransformError> {
-    if file.scan.missing_points().is_empty() || treatment == GapTreatment::Refuse {
+    let is_refused = matches!(treatment, GapTreatment::Refuse | GapTreatment::Keep);
+    if is_refused || file.scan.missing_points().is_empty() {
         return file.try_map(|scan| Ok(scan.complete()?));
     }
     let count = count(&file.scan);

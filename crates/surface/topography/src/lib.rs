@@ -64,7 +64,7 @@ pub use checks::{Checks, fundamental_kept};
 pub use composite::{Composite, CompositeBin, CompositeOptions, composite};
 pub use composite_spectrum::{CompositeSpectrum, InstrumentsDisagree};
 pub use derivatives::{ScanBoundary, real_space_derivatives, real_space_derivatives_across};
-pub use detrend::{Detrend, Form, detrended_m, without_form_m};
+pub use detrend::{Detrend, Form, detrended_m, without_form_m, without_trend_m};
 pub use direction::Direction;
 pub use error::TransformError;
 pub use gap_treatment::{GapTreatment, MOST_FILLED, without_gaps};

@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use clap::Args as ClapArgs;
-use elements::{Boundary, RandomChoices};
+use elements::{Boundary, RandomChoices, SpecimenCompliance};
 use measurements::ScanRequest;
 use questions::{BranchChoice, LoadInput, MaterialInput, RandomInput};
 use spectrum::random_surfaces::Phases;
@@ -110,6 +110,10 @@ pub(crate) struct MapArgs {
     /// Trend subtracted from the heights: by default a plane, from periodic data the mean
     #[arg(long, value_parser = one_of::<Detrend, _>(Detrend::ALL))]
     pub detrend: Option<Detrend>,
+    /// What is taken out of the stiffness of a map with free edges: nothing, the approach of its outline as a rigid punch, or the
+    /// mean displacement under even pressure on it
+    #[arg(long, value_name = "KIND", conflicts_with_all = ["ball_radius", "cylinder_radius", "work_of_adhesion"], value_parser = one_of::<SpecimenCompliance, _>(SpecimenCompliance::ALL))]
+    pub compliance: Option<SpecimenCompliance>,
     #[command(flatten)]
     pub defaults: FileDefaults,
     #[command(flatten)]
@@ -134,8 +138,9 @@ impl BemArgs {
 
 impl MapArgs {
     /// The options of maps, and whether each is given.
-    pub fn given(&self) -> [(&'static str, bool); 8] {
+    pub fn given(&self) -> [(&'static str, bool); 9] {
         [
+            ("compliance", self.compliance.is_some()),
             ("boundary", self.boundary.is_some()),
             ("detrend", self.detrend.is_some()),
             ("unit", self.defaults.unit.is_some()),

@@ -5,10 +5,10 @@ use std::sync::{Mutex, PoisonError};
 
 use elements::half_space::HalfSpaceError;
 use elements::{Boundary, ContactField, ElementsError, IndenterShape, Relief, Surfaces};
-use measurements::MapOfFile;
+use measurements::{ScanProblem, ScanRequest, TopographyError};
 use questions::{
     AdhesionQuestion, Answer, ElementsLoad, ElementsQuestion, IndenterQuestion, Prepared, QuestionError,
-    relief,
+    relief_of_file,
 };
 use report::chart::maps::FieldPicture;
 use report::provenance::program;
@@ -17,7 +17,7 @@ use spectrum::ReadOptions;
 use study::measured::{Kind, Measured, MeasuredOptions};
 use study::surface::{Surface, SurfaceError};
 use tables::staging::{NewFolder, StagedFiles, folder_of};
-use topography::Recipe;
+use topography::{GapTreatment, Recipe};
 use units::{Length, Remark, RemarkCode, WorkOfAdhesion};
 
 use super::{Context, FaceReader, announce_figure, psd, reading_options, say_all};
@@ -55,6 +55,7 @@ pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> 
         saturation: args.saturation,
         tolerance: Some(args.tolerance),
         random: args.random.input(),
+        compliance: args.map.compliance,
     };
     question.check()?;
     let mut timings = Timings::start();
@@ -174,33 +175,60 @@ fn write(
 
 /// Map or spectrum of the file, and comments on where it comes from.
 fn load(args: &BemArgs, context: &Context<'_>) -> Result<(Measured, Vec<String>), Failure> {
-    refuse_replaced(std::slice::from_ref(&args.surface), args.map.given())?;
-    let request = args.map.treatment.complete(args.map.defaults.complete(&args.surface));
+    let other = &args.reading.other;
+    refuse_replaced(
+        &[std::slice::from_ref(&args.surface), &other.counterface_scans].concat(),
+        args.map.given(),
+    )?;
+    let complete = |file: &ScanRequest| args.map.treatment.complete(args.map.defaults.complete(file));
+    let facing = match &other.counterface_scans[..] {
+        [one] => Some(complete(one)),
+        _ => None,
+    };
+    // Heights that nobody measured are not added to those of the other face.
+    let gaps = if facing.is_some() { GapTreatment::Keep } else { GapTreatment::default() };
     let options = MeasuredOptions {
         kind: args.kind,
         spectrum: reading_options(&args.reading),
-        recipe: Recipe { detrend: args.map.detrend, ..Recipe::default() },
+        recipe: Recipe { detrend: args.map.detrend, gaps, ..Recipe::default() },
         repeats: args.map.boundary == Some(Boundary::Periodic),
+        facing,
     };
     let foreign = |kind: Kind| Remark::new(RemarkCode::OtherKindOfFile).with("kind", kind.to_string());
     announce_figure(args.figure.figure.as_ref())?;
     announce("--patches", args.patches.clone().map(Place::File))?;
-    let found = Measured::load(&request, &Folder::current(), &options).map_err(|error| match error {
+    let folder = Folder::current();
+    let found = Measured::load(&complete(&args.surface), &folder, &options).map_err(|error| match error {
+        SurfaceError::Scans(TopographyError {
+            problem: ScanProblem::HoldsASpectrum,
+            file: Some(file),
+            ..
+        }) => beside_a_map(&args.surface, &file),
         SurfaceError::Scans(error) => psd::refused(error),
         error => Failure::input(error),
     })?;
-    let folder = Folder::current();
-    let reader = FaceReader { folder: &folder, options: options.spectrum, recipe: options.recipe };
-    let other = reader.counterface(&args.reading.other)?;
-    let found = match (found, other) {
-        (found, None) => found,
-        (Measured::Spectrum(own), Some(other)) => Measured::Spectrum(Box::new(own.against(other))),
-        (Measured::Map(_), Some(other)) => {
-            let (own, other) = (&args.surface.path, &other.name);
-            return Err(Failure::Input(format!(
-                "--counterface-*: spectra add, and {own} is pressed as it is; press `truearea psd {own} {other} --sum`"
-            )));
+    let found = match found {
+        Measured::Spectrum(own) => {
+            let recipe = Recipe { gaps: GapTreatment::default(), ..options.recipe };
+            let reader = FaceReader { folder: &folder, options: options.spectrum, recipe };
+            Measured::Spectrum(match reader.counterface(other)? {
+                Some(other) => Box::new(own.against(other)),
+                None => own,
+            })
         }
+        map @ Measured::Map(_) => match (&other.counterface_psd, &other.counterface_scans[..]) {
+            (Some(psd), _) => {
+                return Err(beside_a_map(&args.surface, &psd.path));
+            }
+            (None, several @ [_, _, ..]) => {
+                return Err(Failure::Input(format!(
+                    "--counterface-scans: {} files are given, and a map is pressed onto one other map; give the one that faces {}",
+                    several.len(),
+                    args.surface.path
+                )));
+            }
+            _ => map,
+        },
     };
     let mut comments = vec![program(context.typed)];
     match &found {
@@ -219,6 +247,15 @@ fn load(args: &BemArgs, context: &Context<'_>) -> Result<(Measured, Vec<String>)
     Ok((found, comments))
 }
 
+/// Refuses a spectrum that faces a map.
+fn beside_a_map(own: &ScanRequest, other: &str) -> Failure {
+    let own = &own.path;
+    Failure::Input(format!(
+        "{other}: a spectrum has no heights to add to those of {own}; give its map as --counterface-scans, or press the sum of both \
+         spectra: `truearea psd {own} {other} --sum`"
+    ))
+}
+
 /// Reads the surfaces and prepares them by one of two methods of a question; says the notes on them, and returns comments on where
 /// they come from and how they were made.
 fn prepare<P>(
@@ -230,7 +267,7 @@ fn prepare<P>(
 ) -> Result<(Prepared<P>, Vec<String>), Failure> {
     let (measured, mut comments) = load(args, context)?;
     let prepared = match measured {
-        Measured::Map(map) => on_map(of_file(&map, boundary))?,
+        Measured::Map(map) => on_map(relief_of_file(&map, boundary))?,
         Measured::Spectrum(surface) => on(&surface)?,
     };
     say_all(&prepared.notes, &Flags);
@@ -238,12 +275,6 @@ fn prepare<P>(
         comments.push(elements_words::random_surfaces(random));
     }
     Ok((prepared, comments))
-}
-
-/// A map as it is pressed, with the edges that its file states unless others are chosen.
-fn of_file(file: &MapOfFile, boundary: Option<Boundary>) -> Relief {
-    let own = if file.is_periodic { Boundary::Periodic } else { Boundary::Free };
-    relief(&file.map, file.map.heights_m().to_vec(), boundary.unwrap_or(own))
 }
 
 /// The files of pressures and gaps, in a folder of their own.

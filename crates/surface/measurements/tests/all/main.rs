@@ -1,6 +1,7 @@
 //! The tests of this crate from outside, in one program: linking takes longer than running them.
 
 mod channels;
+mod facing;
 mod in_memory;
 mod mutated_texts;
 #[path = "../../../scans/tests/all/support/nanoscope.rs"]

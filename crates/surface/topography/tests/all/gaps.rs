@@ -103,7 +103,7 @@ fn too_many_gaps_are_refused_with_what_to_do() {
     assert_eq!(
         refusal(GapTreatment::Harmonic, &|_, column| column < 3).to_string(),
         "30.0 % of the points have no height, and at most 20 % can be filled; crop the scan, use only lines without missing \
-         points (gaps = \"lines\"), or measure with an instrument that loses fewer points"
+         points (gaps = \"lines\"), press a map with them (bem, gaps = \"keep\"), or measure with an instrument that loses fewer points"
     );
     assert!(matches!(refusal(GapTreatment::Refuse, &|row, _| row == 3), TransformError::Gaps(_)));
     for treatment in [GapTreatment::Harmonic, GapTreatment::Lines] {
