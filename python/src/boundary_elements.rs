@@ -2,19 +2,20 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use elements::{Boundary, ContactField, ElementsError, IndenterShape, Relief};
+use elements::{Boundary, ContactField, ElementsError, IndenterShape, Relief, SpecimenCompliance, with_nan};
+use measurements::PartialMap;
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
 use questions::{
-    AdhesionQuestion, BranchChoice, ElementsLoad, ElementsQuestion, IndenterQuestion, LoadInput,
-    QuestionError,
+    AdhesionQuestion, BranchChoice, ElementsLoad, ElementsQuestion, IndenterQuestion, LoadInput, Prepared,
+    QuestionError, relief,
 };
-use scans::HeightMap;
+use scans::{HeightMap, MissingPoints};
 use study::surface::Surface;
-use topography::{Recipe, detrended_m};
-use units::{Force, WorkOfAdhesion};
+use topography::Recipe;
+use units::{Force, Remark, WorkOfAdhesion};
 
 use crate::answer::{PyAnswer, columns, refused};
 use crate::arguments::{
@@ -29,12 +30,15 @@ use crate::work::{Observer, carry_out, held};
 /// and numbers of adhesion.
 type Pressed<'py> = (PyAnswer, Bound<'py, PyDict>);
 
-/// Surfaces before they are pressed: the spectrum of random ones; or one map or several of heights \[m\], row by row along x, with
-/// the lengths along x and y, and whether the heights repeat themselves beyond the map, if that is known.
+/// One map or several of heights \[m\], row by row along x, NaN at missing points, with the lengths along x and y, and whether the
+/// heights repeat themselves beyond the map, if that is known.
+type Heights<'py> = (PyReadonlyArrayDyn<'py, f64>, [Given<'py>; 2], Option<bool>);
+
+/// Surfaces before they are pressed: the spectrum of random ones; or maps, and the one that faces a single one.
 #[derive(FromPyObject)]
 pub enum Bodies<'py> {
     Spectrum(Bound<'py, PySurface>),
-    Maps(PyReadonlyArrayDyn<'py, f64>, [Given<'py>; 2], Option<bool>),
+    Maps(Heights<'py>, Option<Heights<'py>>),
 }
 
 impl Bodies<'_> {
@@ -43,26 +47,29 @@ impl Bodies<'_> {
         &self,
         arguments: &Arguments<'_>,
         edges: Option<Boundary>,
-        on_maps: impl FnOnce(Vec<Relief>) -> Result<P, QuestionError>,
-        on: impl FnOnce(&Surface) -> Result<P, QuestionError>,
-    ) -> PyResult<P> {
-        let prepared = match self {
+        on_maps: impl FnOnce(Vec<Relief>) -> Result<Prepared<P>, QuestionError>,
+        on: impl FnOnce(&Surface) -> Result<Prepared<P>, QuestionError>,
+    ) -> PyResult<Prepared<P>> {
+        match self {
             Bodies::Spectrum(surface) => {
-                refuse_idle(arguments, ["size", "periodic", "detrend"], "a spectrum, only on heights")?;
-                on(&surface.get().surface)
+                let of_maps = ["size", "periodic", "detrend", "gaps", "compliance"];
+                refuse_idle(arguments, of_maps, "a spectrum, only on heights")?;
+                on(&surface.get().surface).map_err(refused)
             }
-            Bodies::Maps(heights_m, size, repeats) => {
+            Bodies::Maps(heights, facing) => {
                 let of_random = arguments.random()?.given().map(|(name, _)| name).into_iter();
                 refuse_idle(arguments, of_random.chain(["per_realisation"]), "heights, only on a spectrum")?;
-                on_maps(maps(heights_m, size, *repeats, arguments, edges)?)
+                let (reliefs, notes) = reliefs(heights, facing.as_ref(), arguments, edges)?;
+                let mut prepared = on_maps(reliefs).map_err(refused)?;
+                prepared.notes.splice(..0, notes);
+                Ok(prepared)
             }
-        };
-        prepared.map_err(refused)
+        }
     }
 
     /// True for several surfaces of which each is reported.
     fn are_reported_each(&self, arguments: &Arguments<'_>) -> PyResult<bool> {
-        let are_maps = matches!(self, Bodies::Maps(heights_m, ..) if heights_m.ndim() == 3);
+        let are_maps = matches!(self, Bodies::Maps((heights_m, ..), _) if heights_m.ndim() == 3);
         Ok(are_maps || arguments.flag("per_realisation")?)
     }
 }
@@ -82,42 +89,71 @@ fn refuse_idle<'n>(
     Ok(())
 }
 
-fn maps(
-    heights_m: &PyReadonlyArrayDyn<'_, f64>,
-    size: &[Given<'_>; 2],
-    repeats: Option<bool>,
+/// Maps as they are pressed, and notes on the sum of two.
+fn reliefs(
+    heights: &Heights<'_>,
+    facing: Option<&Heights<'_>>,
     arguments: &Arguments<'_>,
     edges: Option<Boundary>,
-) -> PyResult<Vec<Relief>> {
-    let [length_x_m, length_y_m] = [length_m("size[0]", &size[0])?, length_m("size[1]", &size[1])?];
+) -> PyResult<(Vec<Relief>, Vec<Remark>)> {
+    let mut maps = partial_maps("surface", heights)?;
+    let (mut repeats, mut notes) = (heights.2, Vec::new());
+    let rows = heights.0.shape().iter().rev().nth(1).copied().unwrap_or_default();
+    if let Some(facing) = facing {
+        let other = "counterface_surface";
+        let of_other = partial_maps(other, facing)?;
+        let ([own], [faced]) = (&maps[..], &of_other[..]) else {
+            return Err(of_argument(other, "one map faces one map; press each pair by itself"));
+        };
+        let sum = own.facing(faced).map_err(|error| of_argument(other, error))?;
+        notes = sum.remarks_on_sum(("surface", own), (other, faced));
+        let is_whole = own.has_grid_of(faced);
+        repeats = repeats.zip(facing.2).map(|(own, other)| own && other && is_whole);
+        maps = vec![sum];
+    }
     let periodic = arguments.get("periodic", truth)?;
     let recipe =
         Recipe { detrend: arguments.get("detrend", choice_or(["none", "mean"]))?, ..Recipe::default() };
     let detrend = recipe.preparation([repeats, periodic].contains(&Some(true))).detrend;
     let own = if periodic.or(repeats) == Some(true) { Boundary::Periodic } else { Boundary::Free };
+    let boundary = edges.unwrap_or(own);
+    if rows == 1 && boundary == Boundary::Free {
+        return Err(of_argument("surface", "one row is a line, which is pressed only with periodic=True"));
+    }
+    let relief = |map: &PartialMap| {
+        let whole =
+            Relief { is_missing: map.is_missing(), ..relief(&map.map, map.detrended_m(detrend), boundary) };
+        // A line was detrended as two equal rows.
+        if rows > 1 {
+            return whole;
+        }
+        let (mut heights_m, mut is_missing) = (whole.heights_m, whole.is_missing);
+        heights_m.truncate(whole.columns);
+        is_missing.truncate(whole.columns);
+        Relief { rows: 1, length_y_m: 0.5 * whole.length_y_m, heights_m, is_missing, ..whole }
+    };
+    Ok((maps.iter().map(relief).collect(), notes))
+}
+
+/// Maps of an argument as measured; a line as two equal rows.
+fn partial_maps(name: &str, (heights_m, size, _): &Heights<'_>) -> PyResult<Vec<PartialMap>> {
+    let [length_x_m, length_y_m] = [length_m("size[0]", &size[0])?, length_m("size[1]", &size[1])?];
     let [.., rows, columns] = *heights_m.shape() else {
-        return Err(of_argument("surface", "a map of rows and columns is needed"));
+        return Err(of_argument(name, "a map of rows and columns is needed"));
     };
     let (x_m, y_m) = (length_x_m / columns as f64, length_y_m / rows as f64);
     let heights_m = heights_m.as_array();
     // In C order, without a copy of arrays that have it.
     let heights_m = heights_m.as_standard_layout();
     let heights_m = heights_m.as_slice().expect("an array in C order is a slice");
-    let relief = |heights_m: &[f64]| {
-        let boundary = edges.unwrap_or(own);
-        if rows == 1 && boundary == Boundary::Free {
-            return Err(of_argument(
-                "surface",
-                "one row is a line, which is pressed only with periodic=True",
-            ));
-        }
-        // A line is detrended as two equal rows.
-        let map = HeightMap::new(columns, x_m, y_m, heights_m.repeat(if rows == 1 { 2 } else { 1 }));
-        let mut heights_m = detrended_m(&map.map_err(|error| of_argument("surface", error))?, detrend);
-        heights_m.truncate(rows * columns);
-        Ok(Relief { rows, columns, length_x_m, length_y_m, heights_m, boundary })
+    let map = |heights_m: &[f64]| {
+        let heights_m = heights_m.repeat(if rows == 1 { 2 } else { 1 });
+        let missing: MissingPoints = (0..heights_m.len()).filter(|&at| heights_m[at].is_nan()).collect();
+        let known_m = heights_m.iter().map(|height_m| if height_m.is_nan() { 0.0 } else { *height_m });
+        let map = HeightMap::new(columns, x_m, y_m, known_m.collect());
+        Ok(PartialMap { map: map.map_err(|error| of_argument(name, error))?, missing })
     };
-    heights_m.chunks(rows * columns).map(relief).collect()
+    heights_m.chunks(rows * columns).map(map).collect()
 }
 
 /// Presses a ball onto a map, or onto random surfaces.
@@ -137,7 +173,7 @@ pub fn press_ball<'py>(
         tolerance: arguments.get("tolerance", number)?,
         random: arguments.random()?,
     };
-    if matches!(&bodies, Bodies::Maps(heights_m, ..) if heights_m.ndim() == 3) {
+    if matches!(&bodies, Bodies::Maps((heights_m, ..), _) if heights_m.ndim() == 3) {
         return Err(of_argument("surface", "a ball is pressed onto one map; give each by itself"));
     }
     let on_map = |mut maps: Vec<Relief>| question.on_map(maps.swap_remove(0));
@@ -225,6 +261,7 @@ pub fn press_flat<'py>(
         saturation: arguments.get("saturation", quantity)?,
         tolerance: arguments.get("tolerance", number)?,
         random: arguments.random()?,
+        compliance: arguments.get("compliance", choice::<SpecimenCompliance>)?,
         ..ElementsQuestion::default()
     };
     let prepared =
@@ -243,9 +280,10 @@ pub fn press_flat<'py>(
             let [pressures_pa, gaps_m, heights_m] = &mut *held(fields);
             let at = points * (field.load * count + field.surface);
             pressures_pa[at..at + points].copy_from_slice(field.pressures_pa);
-            gaps_m[at..at + points].copy_from_slice(field.gaps_m);
+            let is_missing = &field.relief.is_missing;
+            gaps_m[at..at + points].copy_from_slice(&with_nan(field.gaps_m, is_missing));
             let at = points * field.surface;
-            heights_m[at..at + points].copy_from_slice(&field.relief.heights_m);
+            heights_m[at..at + points].copy_from_slice(&with_nan(&field.relief.heights_m, is_missing));
         }
         if let Some(patches) = &patches {
             let found = field.patches()?;

@@ -101,7 +101,7 @@ def test_types_of_names_are_those_that_the_crates_know(of_crates: Callable[[str]
         shared = {"Detrend": ["none"], "Form": ["mean"]}.get(name, [])
         assert set(get_args(getattr(_choices, name))) == {*names, *shared}, name
     others = {name for name in vars(_choices) if name[0].isupper() and name != "Literal"} - set(known)
-    assert others == {"ConductanceModel", "EnergyFactor", "GapModel", "ShearedModel"}
+    assert others == {"ConductanceModel", "EnergyFactor", "GapModel", "MapGaps", "ShearedModel"}
     correlations = get_args(_choices.ConductanceCorrelation)
     assert set(get_args(_choices.ConductanceModel)) == {*get_args(LawModel), *correlations}
     assert set(get_args(GapModel)) == {*get_args(LawModel), "bem"}

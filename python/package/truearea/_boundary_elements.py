@@ -10,6 +10,7 @@ import numpy as np
 
 from truearea import _native
 from truearea._arrays import lengths_of, metres
+from truearea._choices import Compliance, MapGaps
 from truearea._curves import Pressures
 from truearea._grammar import AnyMaterial, faces_of, material_of
 from truearea._material import Quantity
@@ -147,6 +148,8 @@ def boundary_elements(
     mean_gap: Pressures | None = None,
     indentation: Pressures | None = None,
     saturation: Quantity | None = None,
+    gaps: MapGaps | None = None,
+    compliance: Compliance | None = None,
     fields: bool = False,
     patches: bool = False,
     **options: Unpack[FlatOptions],
@@ -179,6 +182,12 @@ def boundary_elements(
     tolerance : float, default 1e-6
         The residual at which the iteration stops, above 0 and at most 0.1. The residual is the mean of ``|gap|`` over the points
         in contact below the saturation, weighted with their pressures and divided by the rms height: an exact solution has 0.
+    gaps : {"refuse", "keep"}, optional
+        What becomes of heights that are masked or NaN. Kept ones never touch; where edges are free, those that reach the edge of the
+        map lie outside the specimen, and pressures and areas are over the rest. Refused where left out, but kept between two maps.
+    compliance : {"none", "punch", "even"}, optional
+        What is taken out of the stiffness of maps with free edges: the approach of the specimen's outline as a rigid punch, or its
+        mean displacement under even pressure; nothing where left out.
     fields : bool, default False
         Give pressure and gap of every point as well.
     patches : bool, default False
@@ -216,6 +225,8 @@ def boundary_elements(
         "mean_gap": mean_gap,
         "indentation": indentation,
         "saturation": saturation,
+        "gaps": gaps,
+        "compliance": compliance,
         "fields": fields,
         "patches": patches,
         **options,
@@ -247,55 +258,74 @@ def press(call: Any, surface: Any, material: AnyMaterial, arguments: dict[str, A
     """Lets the core press surfaces: its answer, what else is known of the surfaces, and the axis of several of them."""
     core = material_of(material)
     if isinstance(surface, (str, os.PathLike, Spectrum)):
-        surface = faces_of(surface, arguments)
-    elif arguments.pop("counterface_surface", None) is not None:
+        spectrum = faces_of(surface, arguments)
+        with observed(arguments.get("progress")) as observer:
+            answer, beside = call(spectrum._native, core, arguments, observer)
+        return answer, beside, "surface"
+    other = arguments.pop("counterface_surface", None)
+    if isinstance(other, (str, os.PathLike, Spectrum)):
         raise InputError(
-            "counterface_surface: spectra add, and a map is pressed as it is; press Spectrum.from_heights(h, size) and this"
+            "counterface_surface: a spectrum has no heights to add to those of a map; give its heights, or press "
+            "Spectrum.from_heights(h, size) and this"
         )
-    maps = None if isinstance(surface, Spectrum) else _maps(surface, arguments.get("size"))
+    keeps = {None: other is not None, "keep": True, "refuse": False}.get(gaps := arguments.get("gaps"))
+    if keeps is None:
+        raise InputError(f"gaps: {gaps!r} is none of refuse and keep")
+    size = arguments.get("size")
+    maps = _maps("surface", surface, size, keeps)
+    facing = None
+    if other is not None:
+        # An array has the size of the surface, unless that has its own and says nothing of arrays.
+        facing = _maps("counterface_surface", other, None if _knows_its_size(other) else size, keeps)
     with observed(arguments.get("progress")) as observer:
-        answer, beside = call(surface._native if maps is None else maps, core, arguments, observer)
-    return answer, beside, "surface" if maps is None else "map" if maps[0].ndim == 3 else ""
+        answer, beside = call((maps, facing), core, arguments, observer)
+    return answer, beside, "map" if maps[0].ndim == 3 else ""
 
 
-def _maps(surface: Any, size: Any) -> tuple[FloatArray, list[Any], bool | None]:
+def _knows_its_size(surface: Any) -> bool:
+    return isinstance(surface, Scan) or is_topography(surface)
+
+
+def _maps(argument: str, surface: Any, size: Any, keeps: bool) -> tuple[FloatArray, list[Any], bool | None]:
     """Maps of heights, the lengths of each, and whether they repeat themselves; None for an array, which does not say it."""
     own: tuple[float, ...] | None = None
     repeats: bool | None
-    if isinstance(surface, (list, tuple)) and surface and all(isinstance(one, Scan) or is_topography(one) for one in surface):
-        each = [_maps(one, size) for one in surface]
+    if isinstance(surface, (list, tuple)) and surface and all(_knows_its_size(one) for one in surface):
+        each = [_maps(argument, one, size, keeps) for one in surface]
         if any((one.shape, lengths, repeats) != (each[0][0].shape, *each[0][1:]) for one, lengths, repeats in each):
-            raise InputError("surface: its maps have to be of one shape, size and kind of edges; press each by itself")
+            raise InputError(f"{argument}: its maps have to be of one shape, size and kind of edges; press each by itself")
         return np.stack([one for one, _, _ in each]), *each[0][1:]
     if isinstance(surface, Scan):
         given, own, repeats = surface.heights_m, surface.size_m, surface.is_periodic
     elif is_topography(surface):
-        given, own, repeats = heights_and_size(surface, "surface")
+        given, own, repeats = heights_and_size(surface, argument)
     else:
         given, repeats = surface, None
     if own is None and size is None:
         raise InputError("size is needed: the lengths (lx, ly) of the map, in m or as text")
     if own is not None and size is not None:
         raise InputError(f"size has no effect on a {type(surface).__name__}, which knows its own; leave it out")
-    heights = _heights(given)
-    return heights, lengths_of("surface", "size", size if own is None else own, heights.shape[-2:]), repeats
+    heights = _heights(argument, given, keeps)
+    return heights, lengths_of(argument, "size", size if own is None else own, heights.shape[-2:]), repeats
 
 
-def _heights(given: Any) -> FloatArray:
-    """Maps of heights, whole."""
-    masked = int(np.count_nonzero(np.ma.getmaskarray(given))) if isinstance(given, np.ma.MaskedArray) else 0
-    if masked:
-        raise InputError(f"surface: {masked} of {np.size(given)} heights are masked; fill them before the map is pressed")
-    heights = metres("surface", given)
+def _heights(argument: str, given: Any, keeps: bool) -> FloatArray:
+    """Maps of heights; missing ones are NaN where they are kept."""
+    mask = np.ma.getmaskarray(given) if isinstance(given, np.ma.MaskedArray) else None
+    mend = "fill them before the map is pressed, or keep them with gaps='keep'"
+    if mask is not None and mask.any():
+        if not keeps:
+            raise InputError(f"{argument}: {np.count_nonzero(mask)} of {mask.size} heights are masked; {mend}")
+        given = np.where(mask, np.nan, np.ma.getdata(given))
+    heights = metres(argument, given)
     if heights.ndim not in (2, 3):
-        raise InputError(f"surface: a map of rows and columns is needed, or several, and this has {heights.ndim} axes")
+        raise InputError(f"{argument}: a map of rows and columns is needed, or several, and this has {heights.ndim} axes")
     if not heights.size:
-        raise InputError("surface: it has no heights")
-    unknown = heights.size - int(np.count_nonzero(np.isfinite(heights)))
-    if unknown:
-        raise InputError(
-            f"surface: {unknown} of {heights.size} heights are NaN or infinite; fill them before the map is pressed"
-        )
+        raise InputError(f"{argument}: it has no heights")
+    unknown = np.isinf(heights) if keeps else ~np.isfinite(heights)
+    if unknown.any():
+        kind = "infinite; fill them before the map is pressed" if keeps else f"NaN or infinite; {mend}"
+        raise InputError(f"{argument}: {np.count_nonzero(unknown)} of {heights.size} heights are {kind}")
     return heights
 
 

@@ -73,8 +73,14 @@ Window = Literal["hann", "none"]
 Average = Literal["log-unbiased", "log", "arithmetic"]
 """Means across scans that share a bin."""
 
-Gaps = Literal["refuse", "harmonic", "lines"]
-"""Treatments of missing points."""
+Gaps = Literal["refuse", "harmonic", "lines", "keep"]
+"""Treatments of missing points; kept ones are refused by spectra."""
+
+MapGaps = Literal["refuse", "keep"]
+"""Treatments of missing points of a map that is pressed."""
+
+Compliance = Literal["none", "punch", "even"]
+"""Compliances of a specimen as a whole that are taken out of a stiffness."""
 
 Direction = Literal["x", "y", "both"]
 """Axes of a map along which spectra are taken."""

@@ -37,7 +37,7 @@ pub use gap::{FoundLaw, GapModel, GapQuestion, LawForm, LawQuestion, remarks_on_
 pub use indenter::{IndenterQuestion, PreparedIndenter};
 pub use layer::LayerInput;
 pub use loads::LoadInput;
-pub use map_question::{MapQuestion, relief, relief_of_file};
+pub use map_question::{MapQuestion, relief, relief_of_map};
 pub use material::{BodyInput, MaterialInput};
 pub use note::{remark_on_sampling, remarks_on_separation};
 pub use report_question::{BodyText, ReportQuestion, ReportSurface};

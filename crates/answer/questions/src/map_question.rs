@@ -2,7 +2,7 @@
 
 use elements::{Boundary, ElementsError, ImposedLoad, Pressing, Relief, Surfaces};
 use findings::doubts;
-use measurements::MapOfFile;
+use measurements::PartialMap;
 use scans::HeightMap;
 use scene::Scene;
 use serde::{Deserialize, Serialize};
@@ -68,16 +68,13 @@ impl MapQuestion {
     }
 }
 
-/// Returns a measured map as it is pressed, with edges that its file states unless others are chosen.
+/// Returns a map without its trend as it is pressed; its missing points never touch.
 #[must_use]
-pub fn relief_of_file(file: &MapOfFile, boundary: Option<Boundary>) -> Relief {
-    let own = if file.is_periodic { Boundary::Periodic } else { Boundary::Free };
-    let points = file.map.heights_m().len();
-    let is_missing = match file.missing.is_empty() {
-        true => Vec::new(),
-        false => (0..points).map(|point| file.missing.contains(point)).collect(),
-    };
-    Relief { is_missing, ..relief(&file.map, file.map.heights_m().to_vec(), boundary.unwrap_or(own)) }
+pub fn relief_of_map(heights: &PartialMap, boundary: Boundary) -> Relief {
+    Relief {
+        is_missing: heights.is_missing(),
+        ..relief(&heights.map, heights.map.heights_m().to_vec(), boundary)
+    }
 }
 
 /// Returns a map, with heights \[m\] of its own or others in their place, as it is pressed.

@@ -231,6 +231,7 @@ fn every_name_of_a_choice_is_unique() {
         "Direction": Direction, "Phases": Phases, "Dialect": Dialect, "UnitSystem": UnitSystem, "LawForm": LawForm,
         "LawQuantity": LawQuantity, "Gas": NamedGas, "ConductanceCorrelation": PlasticCorrelation, "Form": FormRemoval,
         "Conventions": Conventions, "Template": Template, "Branch": BranchChoice,
+        "Compliance": elements::SpecimenCompliance,
     );
     // Checks that were passed are not shown.
     known.insert("NoteLevel", RemarkLevel::ALL[1..].iter().map(|level| level.name()).collect());

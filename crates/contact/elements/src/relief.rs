@@ -79,9 +79,11 @@ impl Relief {
     /// Returns every second point of a map, from the half of its columns that is higher on average: then the mirror image of a map
     /// has the mirror image of its points, and exchanged faces the same area.
     pub(crate) fn every_second_of_map(&self) -> Option<Self> {
-        let sum_m = |half: &Self| half.heights_m.iter().sum::<f64>();
         let [even, odd] = [self.every_second_column_from(0)?, self.every_second_column_from(1)?];
-        Some(if sum_m(&odd) > sum_m(&even) { odd } else { even })
+        let sum_m = |half: &Self| half.heights_m.iter().sum::<f64>();
+        let size_m: f64 = self.heights_m.iter().map(|height_m| height_m.abs()).sum();
+        // Rounding does not decide between halves of one mean.
+        Some(if sum_m(&odd) - sum_m(&even) > 1e-9 * size_m { odd } else { even })
     }
 
     fn every_second_column_from(&self, first: usize) -> Option<Self> {

@@ -224,7 +224,7 @@ fn random(spectrum: &AreaSpectrum) -> Result<Surfaces, TrialError> {
 /// A map beside its mirror images, which repeats itself, without waves shorter than those that are trusted.
 fn mirrored(file: &str, files: &BTreeMap<String, Vec<u8>>, shortest_m: f64) -> Result<Relief, TrialError> {
     let request = ScanRequest { path: file.to_owned(), ..ScanRequest::default() };
-    let map = MapOfFile::read(&request, &files[file], files, &Recipe::default(), false)?.map;
+    let map = MapOfFile::read(&request, &files[file], files, &Recipe::default(), false)?.heights.map;
     let rows = map.heights_m().chunks_exact(map.columns());
     let wide: Vec<Vec<f64>> = rows.map(|row| row.iter().chain(row.iter().rev()).copied().collect()).collect();
     let heights_m: Vec<f64> = wide.iter().chain(wide.iter().rev()).flatten().copied().collect();

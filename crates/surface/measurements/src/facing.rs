@@ -1,6 +1,7 @@
 //! Two maps that face each other, as one map that a flat is pressed onto.
 
-use scans::{HeightMap, MissingPoints, ScanError};
+use scans::{HeightMap, MeasuredScan, MissingPoints, Scan, ScanError};
+use topography::{Detrend, detrended_m, without_trend_m};
 use units::display::{length, three_digits};
 use units::{Remark, RemarkCode};
 
@@ -53,15 +54,34 @@ impl PartialMap {
     }
 
     /// Returns true if both maps have the same points.
-    pub(crate) fn has_grid_of(&self, other: &Self) -> bool {
+    #[must_use]
+    pub fn has_grid_of(&self, other: &Self) -> bool {
         let (own, other) = (&self.map, &other.map);
         (own.columns(), own.rows()) == (other.columns(), other.rows())
             && are_same(own.spacing_x_m(), other.spacing_x_m())
             && are_same(own.spacing_y_m(), other.spacing_y_m())
     }
 
+    /// Returns the heights \[m\] without the trend through the points that have one; 0 at missing points.
+    #[must_use]
+    pub fn detrended_m(&self, detrend: Detrend) -> Vec<f64> {
+        if self.missing.is_empty() {
+            return detrended_m(&self.map, detrend);
+        }
+        let scan = MeasuredScan::with_missing_points(Scan::Map(self.map.clone()), self.missing.clone());
+        without_trend_m(&scan, detrend).into_iter().map(|rest_m| rest_m.unwrap_or(0.0)).collect()
+    }
+
+    /// Returns for each point, row by row, true if it is missing; nothing if none is.
+    #[must_use]
+    pub fn is_missing(&self) -> Vec<bool> {
+        let points = if self.missing.is_empty() { 0 } else { self.map.heights_m().len() };
+        (0..points).map(|point| self.missing.contains(point)).collect()
+    }
+
     /// Notes what was done with two maps of these names to get this sum of them.
-    pub(crate) fn remarks_on_sum(&self, own: (&str, &Self), other: (&str, &Self)) -> Vec<Remark> {
+    #[must_use]
+    pub fn remarks_on_sum(&self, own: (&str, &Self), other: (&str, &Self)) -> Vec<Remark> {
         let mut remark = Remark::new(RemarkCode::FacingMaps).with("own", own.0).with("other", other.0);
         if !own.1.has_grid_of(other.1) {
             let differ = format!(

@@ -1,7 +1,7 @@
 //! The detrended heights of one map, or of two that face each other, for boundary elements.
 
-use scans::{HeightMap, MeasuredScan, MissingPoints, Scan, ScanError};
-use topography::{Direction, Recipe, TransformError, detrended_m, readings, without_trend_m};
+use scans::{HeightMap, MissingPoints, Scan, ScanError};
+use topography::{Direction, Recipe, TransformError, readings};
 use units::Remark;
 
 use crate::error::{ScanProblem, TopographyError};
@@ -15,10 +15,8 @@ use crate::request::ScanRequest;
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct MapOfFile {
-    /// Heights minus their trend; 0 at missing points.
-    pub map: HeightMap,
-    /// Points without a height, where they are kept.
-    pub missing: MissingPoints,
+    /// Heights minus their trend; points without a height are missing where they are kept.
+    pub heights: PartialMap,
     /// True if the file declares the map periodic.
     pub is_periodic: bool,
     /// Provenance: the file with its SHA-256 and the detrending.
@@ -166,17 +164,11 @@ impl RawMap {
     /// Subtracts the trend through the points that have a height.
     fn detrended(self, request: &ScanRequest, recipe: &Recipe) -> Result<MapOfFile, TopographyError> {
         let detrend = recipe.preparation(self.repeats).detrend;
+        let rest_m = self.heights.detrended_m(detrend);
         let PartialMap { map, missing } = self.heights;
-        let (columns, x_m, y_m) = (map.columns(), map.spacing_x_m(), map.spacing_y_m());
-        let rest_m = if missing.is_empty() {
-            detrended_m(&map, detrend)
-        } else {
-            let scan = MeasuredScan::with_missing_points(Scan::Map(map), missing.clone());
-            without_trend_m(&scan, detrend).into_iter().map(|rest_m| rest_m.unwrap_or(0.0)).collect()
-        };
+        let map = HeightMap::new(map.columns(), map.spacing_x_m(), map.spacing_y_m(), rest_m);
         Ok(MapOfFile {
-            map: HeightMap::new(columns, x_m, y_m, rest_m).map_err(|error| broken(request, error))?,
-            missing,
+            heights: PartialMap { map: map.map_err(|error| broken(request, error))?, missing },
             is_periodic: self.is_periodic,
             provenance: format!("map: {}, detrend {detrend}", self.provenance),
             remarks: self.remarks,

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 
 use elements::{
     Boundary, ElementsError, Indenter, IndenterPressing, IndenterShape, IndenterState, PressedLoad, Pressing,
-    Relief,
+    Relief, SpecimenCompliance,
 };
 use numerics::parallel::Unobserved;
 use questions::{
@@ -39,6 +39,7 @@ fn map(boundary: Boundary, height_m: impl Fn(f64, f64) -> f64) -> Relief {
         length_y_m: SIDE_M,
         heights_m: (0..POINTS * POINTS).map(at).map(|(x, y)| height_m(x, y)).collect(),
         boundary,
+        is_missing: Vec::new(),
     }
 }
 
@@ -191,6 +192,54 @@ fn remarks_on_pressed_maps_name_coarse_grids_rounding_and_loads_that_unload_noth
     let flows = Some(FLATTENS_PA);
     assert!(yields(flows, &[high, low]) && !yields(flows, &[low, high]) && !yields(flows, &[high, high]));
     assert!(!yields(None, &[high, low]) && !yields(Some(1e12), &[high, low]));
+}
+
+#[test]
+fn the_compliance_of_a_specimen_is_noted_with_what_is_left() {
+    let free = Relief { boundary: Boundary::Free, ..ridge() };
+    let pressed_with = |compliance, map: &Relief| {
+        let question = ElementsQuestion { compliance, ..flat(&[1e7]) };
+        let prepared = question.on_maps(vec![map.clone()]).unwrap();
+        let (loads, notes) = prepared.answer::<ElementsError>(|_| Ok(()), &Unobserved).unwrap();
+        let codes = prepared.notes.iter().chain(&notes).map(|note| note.code).collect::<Vec<_>>();
+        (loads[0].states[0], codes)
+    };
+    let (whole, noted) = pressed_with(None, &free);
+    assert!(noted.contains(&RemarkCode::StiffnessOfPunch));
+    let kinds = [
+        (SpecimenCompliance::Punch, RemarkCode::StiffnessWithoutPunch),
+        (SpecimenCompliance::Even, RemarkCode::StiffnessWithoutEven),
+    ];
+    for (kind, code) in kinds {
+        let (state, noted) = pressed_with(Some(kind), &free);
+        assert!(noted.contains(&code) && !noted.contains(&RemarkCode::StiffnessOfPunch));
+        let sum = 1.0 / state.stiffness_pa_per_m.unwrap() + state.compliance_m_per_pa;
+        assert!((sum * whole.stiffness_pa_per_m.unwrap() - 1.0).abs() < 1e-12);
+    }
+    assert!(pressed_with(Some(SpecimenCompliance::None), &free).0 == whole);
+    let level = Relief { heights_m: vec![0.0; POINTS * POINTS], ..free };
+    let (state, noted) = pressed_with(Some(SpecimenCompliance::Punch), &level);
+    assert!(state.stiffness_pa_per_m.is_none() && noted.contains(&RemarkCode::NoStiffnessLeft));
+    let question = ElementsQuestion { compliance: Some(SpecimenCompliance::Even), ..flat(&[1e7]) };
+    let Err(QuestionError::Unused(idle)) = question.on_maps(vec![ridge()]) else { panic!("a periodic map") };
+    assert_eq!((idle.code, idle.place.option.as_deref()), (RemarkCode::NoFreeEdges, Some("compliance")));
+}
+
+#[test]
+fn missing_points_are_counted_by_kind() {
+    let from_middle = |point: usize| {
+        let [x, y] = [point % POINTS, point / POINTS].map(|at| at as f64 + 0.5 - 0.5 * POINTS as f64);
+        x.hypot(y)
+    };
+    let ring = |point: usize| from_middle(point) > 0.45 * POINTS as f64 || from_middle(point) < 3.0;
+    let map =
+        Relief { boundary: Boundary::Free, is_missing: (0..POINTS * POINTS).map(ring).collect(), ..ridge() };
+    let notes = flat(&[1e7]).on_maps(vec![map.clone()]).unwrap().notes;
+    let note = notes.iter().find(|note| note.code == RemarkCode::MissingPointsOpen).unwrap();
+    let holes = (0..POINTS * POINTS).filter(|&point| from_middle(point) < 3.0).count();
+    let missing = map.is_missing.iter().filter(|is_missing| **is_missing).count();
+    assert_eq!(note.number("holes"), Some(holes as f64));
+    assert_eq!(note.number("outside"), Some((missing - holes) as f64));
 }
 
 #[test]

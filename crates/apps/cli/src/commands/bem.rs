@@ -8,7 +8,7 @@ use elements::{Boundary, ContactField, ElementsError, IndenterShape, Relief, Sur
 use measurements::{ScanProblem, ScanRequest, TopographyError};
 use questions::{
     AdhesionQuestion, Answer, ElementsLoad, ElementsQuestion, IndenterQuestion, Prepared, QuestionError,
-    relief_of_file,
+    relief_of_map,
 };
 use report::chart::maps::FieldPicture;
 use report::provenance::program;
@@ -267,7 +267,10 @@ fn prepare<P>(
 ) -> Result<(Prepared<P>, Vec<String>), Failure> {
     let (measured, mut comments) = load(args, context)?;
     let prepared = match measured {
-        Measured::Map(map) => on_map(relief_of_file(&map, boundary))?,
+        Measured::Map(map) => {
+            let own = if map.is_periodic { Boundary::Periodic } else { Boundary::Free };
+            on_map(relief_of_map(&map.heights, boundary.unwrap_or(own)))?
+        }
         Measured::Spectrum(surface) => on(&surface)?,
     };
     say_all(&prepared.notes, &Flags);

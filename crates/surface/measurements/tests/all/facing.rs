@@ -144,9 +144,9 @@ fn two_files_are_the_file_of_their_sum() {
         let pair = read(&files, "own.txt", "other.txt", &recipe).unwrap();
         let sum: ScanRequest = "sum.txt".parse().unwrap();
         let sum = MapOfFile::read(&sum, &files["sum.txt"], &files, &recipe, false).unwrap();
-        assert_eq!(pair.missing, sum.missing);
-        assert_eq!(pair.missing.count(), 6);
-        for (pair_m, sum_m) in pair.map.heights_m().iter().zip(sum.map.heights_m()) {
+        assert_eq!(pair.heights.missing, sum.heights.missing);
+        assert_eq!(pair.heights.missing.count(), 6);
+        for (pair_m, sum_m) in pair.heights.map.heights_m().iter().zip(sum.heights.map.heights_m()) {
             assert!((pair_m - sum_m).abs() < 3e-15, "{detrend}: {pair_m} {sum_m}");
         }
         assert!(pair.provenance.contains("own.txt") && pair.provenance.contains("other.txt"));
@@ -163,7 +163,7 @@ fn differences_of_size_are_noted() {
         let found = read(&files, "own.txt", other, &recipe).unwrap();
         let noted: Vec<(RemarkCode, bool)> =
             found.remarks.iter().map(|remark| (remark.code, remark.text("differ").is_some())).collect();
-        (found.map.columns(), noted)
+        (found.heights.map.columns(), noted)
     };
     assert_eq!(noted("other.txt"), (16, vec![(RemarkCode::FacingMaps, false)]));
     assert_eq!(noted("small.txt"), (12, vec![(RemarkCode::FacingMaps, true)]));
@@ -202,12 +202,15 @@ fn a_trend_is_fitted_through_the_points_that_are_left() {
     let request: ScanRequest = "plane.txt".parse().unwrap();
     let read =
         |detrend| MapOfFile::read(&request, &files["plane.txt"], &files, &keeping(detrend), false).unwrap();
-    let largest_m =
-        |detrend| read(detrend).map.heights_m().iter().fold(0.0f64, |most, height| most.max(height.abs()));
+    let largest_m = |detrend| {
+        read(detrend).heights.map.heights_m().iter().fold(0.0f64, |most, height| most.max(height.abs()))
+    };
     assert!(largest_m(Detrend::Plane) < 1e-14 && largest_m(Detrend::Line) < 1e-14);
     assert!(largest_m(Detrend::Mean) > 1e-6);
     let mean = read(Detrend::Mean);
-    let measured = (0..144).filter(|&point| !mean.missing.contains(point));
-    assert!(measured.map(|point| mean.map.heights_m()[point]).sum::<f64>().abs() < 1e-18 * 54.0 * 1e4);
-    assert_eq!(mean.missing.count(), 144 - 54);
+    let measured = (0..144).filter(|&point| !mean.heights.missing.contains(point));
+    assert!(
+        measured.map(|point| mean.heights.map.heights_m()[point]).sum::<f64>().abs() < 1e-18 * 54.0 * 1e4
+    );
+    assert_eq!(mean.heights.missing.count(), 144 - 54);
 }

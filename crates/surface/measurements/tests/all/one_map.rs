@@ -64,7 +64,7 @@ fn a_direction_is_refused_of_an_areal_spectrum_and_told_of_a_map_that_is_pressed
 
     let told_of = |options: &str| {
         let found = pressed(&map, options).unwrap();
-        (found.map.columns(), format!("{:?}", found.remarks).contains("direction both"))
+        (found.heights.map.columns(), format!("{:?}", found.remarks).contains("direction both"))
     };
     assert_eq!(told_of(":direction=both"), (64, true));
     assert_eq!(told_of(":direction=y"), (48, false));
