@@ -31,6 +31,7 @@ mod spectra;
 mod statistical;
 mod support;
 mod tables;
+mod two_maps;
 mod uncertainty;
 #[path = "../../../../surface/scans/tests/all/support/zip_file.rs"]
 #[allow(dead_code, reason = "written for the tests of readers")]
