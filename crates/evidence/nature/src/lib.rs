@@ -1,0 +1,13 @@
+//! Measured contacts beside what the program predicts of them, behind `docs/guide/nature.md`:
+//!
+//! * [`resistance`]: measured thermal resistances as rows with types;
+//! * [`joint`]: rock joints, from the map of their aperture and the measured closure.
+//!
+//! The measurements are those of others and are not part of the repository: `cargo xtask nature --data FOLDER`.
+#![deny(missing_docs)]
+
+mod error;
+pub mod joint;
+pub mod resistance;
+
+pub use error::NatureError;

@@ -1,0 +1,3 @@
+//! Compares measured contacts with predictions: `cargo xtask nature`.
+
+fn main() {}

@@ -1,0 +1,4 @@
+//! The tests of this crate from outside, in one program: linking takes longer than running them.
+
+mod joints;
+mod resistances;
