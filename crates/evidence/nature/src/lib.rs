@@ -1,6 +1,7 @@
 //! Measured contacts beside what the program predicts of them, behind `docs/guide/nature.md`:
 //!
 //! * [`resistance`]: measured thermal resistances as rows with types;
+//! * [`prediction`]: the rules by which a resistance is predicted;
 //! * [`joint`]: rock joints, from the map of their aperture and the measured closure.
 //!
 //! The measurements are those of others and are not part of the repository: `cargo xtask nature --data FOLDER`.
@@ -8,6 +9,7 @@
 
 mod error;
 pub mod joint;
+pub mod prediction;
 pub mod resistance;
 
 pub use error::NatureError;

@@ -1,4 +1,5 @@
 //! The tests of this crate from outside, in one program: linking takes longer than running them.
 
 mod joints;
+mod predictions;
 mod resistances;
