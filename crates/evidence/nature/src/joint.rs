@@ -12,6 +12,7 @@ use serde::{Deserialize, Serialize};
 use units::LengthUnit;
 
 use crate::NatureError;
+use crate::table::rounded;
 
 /// Radius of the discs \[m\].
 pub const DISC_RADIUS_M: f64 = 61e-3;
@@ -239,11 +240,11 @@ impl ApertureMap {
                             joint: joint.to_owned(),
                             seat,
                             compliance,
-                            youngs_modulus_gpa: 1e-9 * youngs_modulus_pa,
-                            pressure_mpa: 1e-6 * step.pressure_pa,
-                            area_fraction: *area_fraction,
-                            stiffness_pa_per_m,
-                            measured_pa_per_m: step.stiffness_pa_per_m,
+                            youngs_modulus_gpa: rounded(1e-9 * youngs_modulus_pa),
+                            pressure_mpa: rounded(1e-6 * step.pressure_pa),
+                            area_fraction: rounded(*area_fraction),
+                            stiffness_pa_per_m: rounded(stiffness_pa_per_m),
+                            measured_pa_per_m: rounded(step.stiffness_pa_per_m),
                         });
                     }
                 }

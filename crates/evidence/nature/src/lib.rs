@@ -2,7 +2,8 @@
 //!
 //! * [`resistance`]: measured thermal resistances as rows with types;
 //! * [`prediction`]: the rules by which a resistance is predicted;
-//! * [`joint`]: rock joints, from the map of their aperture and the measured closure.
+//! * [`joint`]: rock joints, from the map of their aperture and the measured closure;
+//! * [`table`]: the committed tables and what they say.
 //!
 //! The measurements are those of others and are not part of the repository: `cargo xtask nature --data FOLDER`.
 #![deny(missing_docs)]
@@ -11,5 +12,6 @@ mod error;
 pub mod joint;
 pub mod prediction;
 pub mod resistance;
+pub mod table;
 
 pub use error::NatureError;
