@@ -26,12 +26,12 @@ fn a_prediction_knows_nothing_of_the_measurement() {
 
 #[test]
 fn flat_faces_in_vacuum_follow_yovanovich() {
-    // The long wave of 1 um adds 1/8 um^2 to the mean square height.
+    // A long wave of 1 um on each face adds 2^2/8 um^2 to the mean square height.
     let mut at = Positions::only(Unknown::FlatnessLimit, -1.0);
-    at = at.and(Unknown::FlatnessHeight, -1.0);
+    at = at.and(Unknown::FirstFlatness, -1.0).and(Unknown::SecondFlatness, -1.0);
     let [_, spots] = conductances(&row(), 1.0, &at).unwrap();
     let faces_um = [1.0f64, 2.0].map(|ra_um| (std::f64::consts::FRAC_PI_2).sqrt() * ra_um);
-    let sigma_um = (faces_um[0].powi(2) + faces_um[1].powi(2) + 0.125).sqrt();
+    let sigma_um = (faces_um[0].powi(2) + faces_um[1].powi(2) + 0.5).sqrt();
     let slopes = faces_um.map(|sigma_um| (0.076 * sigma_um.sqrt() * 0.152 * sigma_um.powf(0.4)).sqrt());
     let slope = slopes[0].hypot(slopes[1]);
     // Three times 276 MPa, and the square root of twice that.
@@ -52,7 +52,9 @@ fn each_unknown_moves_the_conductance_as_it_should() {
         (Unknown::Hardness, false),
         (Unknown::Scatter, true),
         (Unknown::Slope, true),
-        (Unknown::FlatnessHeight, false),
+        (Unknown::FirstFlatness, false),
+        (Unknown::SecondFlatness, false),
+        (Unknown::Repeatability, true),
     ] {
         let [low, high] = moved(unknown);
         assert!(if rises { low < 1.0 && 1.0 < high } else { high < 1.0 && 1.0 < low }, "{unknown:?}");
