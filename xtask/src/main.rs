@@ -1,5 +1,5 @@
 //! Project chores, by name: `cargo xtask reproduce`, `golden`, `docs`, `instructions`, `layers`, `shared`, those of the crate
-//! `publishing`, and the crates of evidence, `stress`, `trials` and `work-precision`.
+//! `publishing`, and the crates of evidence, `stress`, `trials`, `nature` and `work-precision`.
 
 mod budgets;
 mod files;
@@ -49,6 +49,9 @@ cargo xtask trials scenes FOLDER [--program PATH] [--anew]
                                compares reports on the files of a folder with whole bands pressed at once (minutes)
 cargo xtask trials coverage [--studies N] [--draws N] [--seed S] [--cell N]... [--first N]
                                counts how often intervals of the area hold the truth, in studies of known surfaces (minutes)
+cargo xtask nature --data FOLDER [--out FOLDER]
+                               predicts measured contacts, rock joints and thermal resistances, and rewrites docs/guide/nature.md (minutes);
+                               with --out writes the tables there, prints those of the page, and leaves docs alone
 cargo xtask work-precision [PART]...
                                measures run time and error beside scipy and others, and rewrites the tables of
                                docs/develop/performance.md (minutes); with names such as laws or elements only theirs
@@ -145,6 +148,7 @@ fn parse(mut parser: lexopt::Parser) -> Result<Option<Task>, lexopt::Error> {
                     Some("stress") => in_release("truearea-stress", &mut parser)?,
                     Some("trials") => Task::Trials { arguments: following(&mut parser)? },
                     Some("work-precision") => in_release("truearea-work-precision", &mut parser)?,
+                    Some("nature") => program("truearea-nature", &mut parser)?,
                     _ => return Err(Value(name).unexpected()),
                 };
                 task = Some(named);

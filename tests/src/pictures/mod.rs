@@ -7,6 +7,7 @@
 //! ```
 
 pub mod contact_challenge;
+mod nature;
 mod responses;
 mod same_picture;
 mod sinusoid;
@@ -58,6 +59,8 @@ pub fn pictures() -> Vec<Picture> {
         contact_challenge::area_over_load(),
         responses::pull_off(),
         responses::shear_loop(),
+        nature::resistances(),
+        nature::joints(),
     ]
     .into()
 }

@@ -9,33 +9,15 @@ pub enum NatureError {
     /// A table cannot be read or written.
     #[error("a table: {0}")]
     Table(#[from] csv::Error),
-    /// A material that the rules do not know.
-    #[error("the rules know no material '{0}'; add it to `Solid`")]
-    Material(String),
-    /// A gas that the rules do not know.
-    #[error("the rules know no gas '{0}'; they know air, n2 and he")]
-    Gas(String),
-    /// A gas pressure whose unit cannot be told.
-    #[error(
-        "a gas pressure of {stored} is decoded as {decoded_pa} Pa, which is neither the same nor a thousandth"
-    )]
-    GasPressure {
-        /// Number in the data base.
-        stored: f64,
-        /// Number after decoding \[Pa\].
-        decoded_pa: f64,
-    },
+    /// A material, a gas, or a property that the rules do not know.
+    #[error("the rules know no {0} '{1}'")]
+    Unknown(&'static str, String),
+    /// A gas pressure, as stored and as decoded \[Pa\], whose unit cannot be told.
+    #[error("a gas pressure stored as {0} cannot be {1} Pa, which is neither the same nor a thousandth")]
+    GasPressure(f64, f64),
     /// A number is out of its bounds.
     #[error(transparent)]
     OutOfBounds(#[from] units::OutOfBounds),
-    /// The table of materials lacks a property.
-    #[error("the table of materials has no {property} of {material}")]
-    Property {
-        /// Name of the material.
-        material: &'static str,
-        /// Name of the property.
-        property: &'static str,
-    },
     /// A map of apertures cannot be read.
     #[error("reading a map of apertures: {0}")]
     Scan(#[from] scans::ScanReadError),

@@ -6,8 +6,8 @@ use std::process::ExitCode;
 
 use lexopt::prelude::*;
 use nature::joint::{ApertureMap, JointRow, read_closure};
-use nature::resistance;
 use nature::table::{self, ResistanceRow, resistance_rows};
+use nature::{page, resistance};
 use serde::Serialize;
 use tables::staging::write_file;
 
@@ -15,7 +15,7 @@ const HELP: &str = "\
 cargo xtask nature --data FOLDER [--out FOLDER]
         predicts the measured contacts of a folder (tcr/tcr.csv, rock_joints/NAME_closure.csv with NAME_aperture_2um.npy) and
         rewrites docs/develop/nature/*.csv and the tables of docs/guide/nature.md; with --out writes both tables into that folder
-        and prints those of the page, and docs stay as they are (half an hour; the measurements are not part of the repository)
+        and prints those of the page, and docs stay as they are (minutes; the measurements are not part of the repository)
 ";
 
 const CLOSURE: &str = "_closure.csv";
@@ -67,7 +67,15 @@ fn compare(Options { data, out }: &Options) -> Result<(), Box<dyn Error>> {
     std::fs::create_dir_all(&tables)?;
     store(&resistances, &tables.join("resistances.csv"))?;
     store(&joints, &tables.join("joints.csv"))?;
-    Ok(())
+    if out.is_some() {
+        for (name, contents) in page::sections(&resistances, &joints) {
+            println!("\n{name}\n\n{contents}");
+        }
+        return Ok(());
+    }
+    let path = checkout("docs/guide/nature.md");
+    let page = page::written(&std::fs::read_to_string(&path)?, &resistances, &joints)?;
+    Ok(write_file(&path, page)?)
 }
 
 /// Predicts the resistances of a file; none if it is missing.

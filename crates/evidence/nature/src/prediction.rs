@@ -42,7 +42,7 @@ pub enum Unknown {
     Ra,
     /// Conductivity of the grade of the solids: 10 %, 20 % above 100 C, since the table is for room temperature.
     Conductivity,
-    /// Hardness of the softer solid: see `Unknown::hardening`.
+    /// Hardness of the softer solid: see [`SOLIDS`](crate::resistance::SOLIDS).
     Hardness,
     /// Scatter of measured conductances about the correlations where slope and hardness are measured as well: a factor of 1.3 (Yovanovich
     /// 1982 has 12 to 18 % rms; ends are at nine of ten). It also is the range of u_0 of elastic spots.
@@ -80,6 +80,8 @@ pub struct Prediction {
     pub stated: [f64; 2],
     /// Without gas, with all unknowns at their central values.
     pub without_gas: f64,
+    /// By the limits of flatness, a long wave and a cap.
+    pub limits: [f64; 2],
 }
 
 impl Unknown {
@@ -97,19 +99,6 @@ impl Unknown {
         Self::FlatnessLength,
         Self::Repeatability,
     ];
-
-    /// Microhardness of machined faces over three times the strength of the table, by solid:
-    /// * aluminium 6061-T6 hardly hardens: 1, to 2 of shallow indents;
-    /// * the table has the least strength of annealed steel, which hardens: 2 at 8 % of strain (Tabor 1951), to 6 of indents of 10 um
-    ///   (Hegazy 1985: 6.27 GPa (d/um)^-0.229 for steel 304);
-    /// * ceramics have a hardness of their own in the table: 1, to 1.2.
-    fn hardening(solid: Solid) -> [f64; 2] {
-        match solid {
-            Solid::Aluminium6061 => [1.0, 2.0],
-            Solid::Steel304 | Solid::Steel316L => [2.0, 6.0],
-            Solid::Alumina | Solid::Silicon => [1.0, 1.2],
-        }
-    }
 
     /// Returns true for what the row states, if with a spread.
     #[must_use]
@@ -152,33 +141,22 @@ struct TabledSolid {
 }
 
 impl TabledSolid {
-    fn new(solid: Solid) -> Result<Self, NatureError> {
-        // Steel 316L has the row of 304: the table has no other austenitic steel, and both conduct alike within 10 %.
-        let name = match solid {
-            Solid::Aluminium6061 => "6061-T6",
-            Solid::Steel304 | Solid::Steel316L => "304",
-            Solid::Alumina => "alumina",
-            Solid::Silicon => "silicon",
-        };
-        let lacks = |property: &'static str| move || NatureError::Property { material: name, property };
-        let row = materials::named(name).map_err(|_| NatureError::Material(name.to_owned()))?;
-        let modulus: Modulus = row.quantity(BodyProperty::YoungsModulus).ok_or_else(lacks("modulus"))?;
-        let poisson_ratio = row.poisson_ratio().ok_or_else(lacks("Poisson's ratio"))?;
+    fn new(solid: &Solid) -> Result<Self, NatureError> {
+        let lacks = |what: &'static str| move || NatureError::Unknown(what, solid.tabled.to_owned());
+        let row = materials::named(solid.tabled).map_err(|_| lacks("material")())?;
+        let modulus: Modulus = row.quantity(BodyProperty::YoungsModulus).ok_or_else(lacks("modulus of"))?;
+        let poisson_ratio = row.poisson_ratio().ok_or_else(lacks("Poisson's ratio of"))?;
         let conductivity: ThermalConductivity =
-            row.quantity(BodyProperty::ThermalConductivity).ok_or_else(lacks("conductivity"))?;
-        let given = row.quantity::<IndentationHardness>(BodyProperty::IndentationHardness);
-        let hardness_pa = match given {
-            Some(hardness) => hardness.pa,
-            None => {
-                let strength: Pressure =
-                    row.quantity(BodyProperty::YieldStrength).ok_or_else(lacks("strength"))?;
-                3.0 * strength.pascals(None).ok_or_else(lacks("strength"))?
-            }
-        };
+            row.quantity(BodyProperty::ThermalConductivity).ok_or_else(lacks("conductivity of"))?;
+        let hardness: Option<IndentationHardness> = row.quantity(BodyProperty::IndentationHardness);
+        let strength: Option<Pressure> = row.quantity(BodyProperty::YieldStrength);
+        let by_strength = || Some(3.0 * strength?.pascals(None)?);
+        let hardness_pa = hardness.map(|hardness| hardness.pa).or_else(by_strength);
+        let hardness_pa = hardness_pa.ok_or_else(lacks("hardness of"))?;
         Ok(Self {
             body: ElasticBody::new(modulus.pa, poisson_ratio)?,
             conductivity_w_per_m_k: conductivity.w_per_m_k,
-            hardness_pa: Unknown::hardening(solid).map(|factor| factor * hardness_pa),
+            hardness_pa: solid.hardening.map(|factor| factor * hardness_pa),
         })
     }
 }
@@ -356,5 +334,8 @@ pub fn predict(row: &MeasuredResistance) -> Result<Option<Prediction>, NatureErr
         }
     }
     let range = |[down, up]: [f64; 2]| [central * (-down.sqrt()).exp(), central * up.sqrt().exp()];
-    Ok(Some(Prediction { central, range: range(squares[0]), stated: range(squares[1]), without_gas }))
+    let limits = [-1.0, 1.0].map(|position| Positions::only(Unknown::FlatnessLimit, position));
+    let [wave, cap] = limits.map(|at| conductances(row, gas_pressure_pa, &at));
+    let limits = [wave?[0], cap?[0]];
+    Ok(Some(Prediction { limits, central, range: range(squares[0]), stated: range(squares[1]), without_gas }))
 }

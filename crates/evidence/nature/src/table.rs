@@ -43,23 +43,11 @@ pub struct ResistanceRow {
     pub stated_high: f64,
     /// Predicted value without gas.
     pub without_gas: f64,
+    /// Predicted value if flatness is a long wave.
+    pub long_wave: f64,
+    /// Predicted value if flatness is a cap.
+    pub cap: f64,
 }
-
-/// Exponents in nominal pressure of a pair, each of conductance ~ p^n over rows that differ in p alone.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Exponents {
-    /// Number of rows.
-    pub rows: usize,
-    /// Of the measured values.
-    pub measured: f64,
-    /// Of the predicted values.
-    pub predicted: f64,
-    /// Of the predicted values without gas.
-    pub without_gas: f64,
-}
-
-/// Pressure of a gas up to which it carries nothing between the faces \[Pa\].
-pub const NEAR_VACUUM_PA: f64 = 10.0;
 
 /// Predicts all bare joints whose gas pressure is known; also returns the number of bare rows where it is doubtful.
 ///
@@ -75,7 +63,7 @@ pub fn resistance_rows(measured: &[MeasuredResistance]) -> Result<(Vec<Resistanc
         };
         rows.push(ResistanceRow {
             id: row.id,
-            pair: row.solids.map(|solid| solid.name()).join("-"),
+            pair: row.solids.map(|solid| solid.name).join("-"),
             gas: row.gas.to_string(),
             gas_pressure_pa,
             ra_low_um: rounded(1e6 * row.ra_m[0]),
@@ -89,6 +77,8 @@ pub fn resistance_rows(measured: &[MeasuredResistance]) -> Result<(Vec<Resistanc
             stated_low: rounded(prediction.stated[0]),
             stated_high: rounded(prediction.stated[1]),
             without_gas: rounded(prediction.without_gas),
+            long_wave: rounded(prediction.limits[0]),
+            cap: rounded(prediction.limits[1]),
         });
     }
     Ok((rows, doubtful))
@@ -117,12 +107,6 @@ impl ResistanceRow {
     pub fn stated_width(&self) -> f64 {
         self.stated_high / self.stated_low
     }
-
-    /// Returns true if the gas carries next to nothing.
-    #[must_use]
-    pub fn is_near_vacuum(&self) -> bool {
-        self.gas_pressure_pa <= NEAR_VACUUM_PA
-    }
 }
 
 /// Value that a share of the values does not exceed; `None` of none.
@@ -134,10 +118,10 @@ pub fn percentile(values: impl Iterator<Item = f64>, share: f64) -> Option<f64> 
     values.get(rank.max(1) - 1).copied()
 }
 
-/// Exponents in pressure over some rows: one slope through all groups of rows that differ in pressure alone. `None` if no group has
-/// two pressures.
+/// Exponents n of conductance ~ p^n, measured, predicted, predicted without gas, and by both limits of flatness, with the number of rows:
+/// one slope each through all groups of rows that differ in pressure alone. `None` if no group has two pressures.
 #[must_use]
-pub fn exponents<'r>(rows: impl Iterator<Item = &'r ResistanceRow>) -> Option<Exponents> {
+pub fn exponents<'r>(rows: impl Iterator<Item = &'r ResistanceRow>) -> Option<(usize, [f64; 5])> {
     let mut groups: BTreeMap<String, Vec<&ResistanceRow>> = BTreeMap::new();
     for row in rows {
         let ResistanceRow { pair, gas, gas_pressure_pa, ra_low_um, ra_high_um, temperature_c, .. } = row;
@@ -160,12 +144,9 @@ pub fn exponents<'r>(rows: impl Iterator<Item = &'r ResistanceRow>) -> Option<Ex
         }
         products / squares
     };
-    (!groups.is_empty()).then(|| Exponents {
-        rows: groups.values().map(Vec::len).sum(),
-        measured: slope(|row| row.measured),
-        predicted: slope(|row| row.predicted),
-        without_gas: slope(|row| row.without_gas),
-    })
+    let of: [fn(&ResistanceRow) -> f64; 5] =
+        [|row| row.measured, |row| row.predicted, |row| row.without_gas, |row| row.long_wave, |row| row.cap];
+    (!groups.is_empty()).then(|| (groups.values().map(Vec::len).sum(), of.map(slope)))
 }
 
 /// Reads a table.

@@ -2,12 +2,12 @@
 
 use interface::gas::NamedGas;
 use nature::prediction::{Positions, Unknown, conductances, predict};
-use nature::resistance::{GasPressure, MeasuredResistance, Solid};
+use nature::resistance::{GasPressure, MeasuredResistance, solid};
 
 fn row() -> MeasuredResistance {
     MeasuredResistance {
         id: 1,
-        solids: [Solid::Aluminium6061; 2],
+        solids: [solid("al6061").unwrap(); 2],
         interstitial: None,
         gas: NamedGas::Nitrogen,
         gas_pressure: GasPressure::Known(1.0),
@@ -101,7 +101,7 @@ fn gas_adds_and_a_doubtful_pressure_makes_no_prediction() {
 #[test]
 fn polished_hard_faces_stay_elastic() {
     let hard = MeasuredResistance {
-        solids: [Solid::Alumina; 2],
+        solids: [solid("al2o3").unwrap(); 2],
         ra_m: [0.1e-6; 2],
         gas_pressure: GasPressure::Known(1e-3),
         ..row()
