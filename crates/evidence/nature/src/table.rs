@@ -118,10 +118,10 @@ pub fn percentile(values: impl Iterator<Item = f64>, share: f64) -> Option<f64> 
     values.get(rank.max(1) - 1).copied()
 }
 
-/// Exponents n of conductance ~ p^n, measured, predicted, predicted without gas, and by both limits of flatness, with the number of rows:
-/// one slope each through all groups of rows that differ in pressure alone. `None` if no group has two pressures.
+/// Exponents n of conductance ~ p^n, measured, predicted, predicted without gas, and by both limits of flatness: one
+/// slope each through all groups of rows that differ in pressure alone. `None` if no group has two pressures.
 #[must_use]
-pub fn exponents<'r>(rows: impl Iterator<Item = &'r ResistanceRow>) -> Option<(usize, [f64; 5])> {
+pub fn exponents<'r>(rows: impl Iterator<Item = &'r ResistanceRow>) -> Option<[f64; 5]> {
     let mut groups: BTreeMap<String, Vec<&ResistanceRow>> = BTreeMap::new();
     for row in rows {
         let ResistanceRow { pair, gas, gas_pressure_pa, ra_low_um, ra_high_um, temperature_c, .. } = row;
@@ -146,7 +146,7 @@ pub fn exponents<'r>(rows: impl Iterator<Item = &'r ResistanceRow>) -> Option<(u
     };
     let of: [fn(&ResistanceRow) -> f64; 5] =
         [|row| row.measured, |row| row.predicted, |row| row.without_gas, |row| row.long_wave, |row| row.cap];
-    (!groups.is_empty()).then(|| (groups.values().map(Vec::len).sum(), of.map(slope)))
+    (!groups.is_empty()).then(|| of.map(slope))
 }
 
 /// Reads a table.
