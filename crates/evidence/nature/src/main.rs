@@ -75,7 +75,9 @@ fn compare(Options { data, out }: &Options) -> Result<(), Box<dyn Error>> {
     }
     let path = checkout("docs/guide/nature.md");
     let page = page::written(&std::fs::read_to_string(&path)?, &resistances, &joints)?;
-    Ok(write_file(&path, page)?)
+    write_file(&path, page)?;
+    println!("rewrote docs/guide/nature.md; cargo xtask docs draws its pictures");
+    Ok(())
 }
 
 /// Predicts the resistances of a file; none if it is missing.

@@ -27,6 +27,7 @@ const CHAPTERS: [(&str, &str, &[&str]); 4] = [
             "bolted-joint.md",
             "bearing-race.md",
             "contact-challenge.md",
+            "nature.md",
             "instruments.md",
             "spectrum.md",
         ],
