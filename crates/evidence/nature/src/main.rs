@@ -63,14 +63,18 @@ fn options() -> Result<Option<Options>, lexopt::Error> {
 fn compare(Options { data, out }: &Options) -> Result<(), Box<dyn Error>> {
     let resistances = resistances(&data.join("tcr/tcr.csv"))?;
     let joints = joints(&data.join("rock_joints"))?;
+    if resistances.is_empty() && joints.is_empty() {
+        return Err(format!("{} has neither tcr/tcr.csv nor rock_joints", data.display()).into());
+    }
+    if out.is_none() && (resistances.is_empty() || joints.is_empty()) {
+        return Err("the page needs both resistances and joints; give --out FOLDER for one of them".into());
+    }
     let tables = out.clone().unwrap_or_else(|| checkout("docs/develop/nature"));
     std::fs::create_dir_all(&tables)?;
     store(&resistances, &tables.join("resistances.csv"))?;
     store(&joints, &tables.join("joints.csv"))?;
     if out.is_some() {
-        for (name, contents) in page::sections(&resistances, &joints) {
-            println!("\n{name}\n\n{contents}");
-        }
+        page::sections(&resistances, &joints).iter().for_each(|(name, text)| println!("\n{name}\n\n{text}"));
         return Ok(());
     }
     let path = checkout("docs/guide/nature.md");

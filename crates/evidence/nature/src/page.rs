@@ -46,14 +46,16 @@ pub fn written(page: &str, rows: &[ResistanceRow], joints: &[JointRow]) -> Resul
         .map_err(NatureError::Page)
 }
 
-/// Names and contents of the sections that tables and joints make.
+/// Names and contents of the sections that both tables make; an empty table makes none.
 #[must_use]
-pub fn sections(rows: &[ResistanceRow], joints: &[JointRow]) -> [(&'static str, String); 3] {
-    [
-        ("resistances", format!("{}\n{}", shares(rows), summary(rows))),
-        ("exponents", exponents_by_pair(rows)),
-        ("joints", joints_by_load(joints)),
-    ]
+pub fn sections(rows: &[ResistanceRow], joints: &[JointRow]) -> Vec<(&'static str, String)> {
+    let of_resistances = || {
+        let shares = format!("{}\n{}", shares(rows), summary(rows));
+        [("resistances", shares), ("exponents", exponents_by_pair(rows))]
+    };
+    let resistances = (!rows.is_empty()).then(of_resistances).into_iter().flatten();
+    let joints = (!joints.is_empty()).then(|| ("joints", joints_by_load(joints)));
+    resistances.chain(joints).collect()
 }
 
 fn median(values: impl Iterator<Item = f64>) -> String {
@@ -90,7 +92,7 @@ fn summary(rows: &[ResistanceRow]) -> String {
         "{inside} of {} rows ({}) lie inside. High over low is at most {} in nine of ten rows; from {HEAVY_MPA} MPa up, what the \
          rows state leaves at most a factor of {}. Measured over predicted by the cap alone is {}; by the long wave, {}.",
         rows.len(),
-        percent(inside as f64 / rows.len().max(1) as f64),
+        percent(inside as f64 / rows.len() as f64),
         three_digits(widest),
         three_digits(heavy.fold(1.0, f64::max)),
         by_limit(|row| row.cap),
