@@ -19,7 +19,7 @@ pub(super) fn resistances() -> Picture {
 /// Stiffness of rock joints.
 pub(super) fn joints() -> Picture {
     let figure = joints_figure(&committed::<JointRow>("joints"));
-    let subject = "range over seats, compliances of the specimen, E = 10 to 12 GPa; nothing is fitted";
+    let subject = "range over seats, compliances and E = 10 to 12 GPa; nothing is fitted";
     Picture { name: "nature-joints", svg: chart::svg(&figure, subject, &[PROVENANCE.to_owned()]) }
 }
 

@@ -202,7 +202,7 @@ pub fn joints_figure(joints: &[JointRow]) -> FigureData {
         let computed = |load: (&str, f64)| (load.1, ends(joints, load, |row| row.stiffness_pa_per_m));
         series.push(Series::under(&format!("{name}, measured"), at, of_joint().map(measured).collect()));
         bands.push(FigureBand {
-            label: "range of the computed".to_owned(),
+            label: "computed, all choices".to_owned(),
             kind: BandKind::Interval,
             load: Some(at),
             curve_index: 0,
