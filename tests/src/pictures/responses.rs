@@ -36,6 +36,7 @@ pub(super) fn pull_off() -> Picture {
         length_y_m: length_m,
         heights_m: (0..POINTS).map(height_m).collect(),
         boundary: Boundary::Periodic,
+        is_missing: Vec::new(),
     };
     let answer = question.on_maps(vec![wave]).and_then(|prepared| prepared.answer(&Unobserved));
     let subject = "wave, E* = 4 MPa, w = 10 mJ/m², ρ = 50 nm";

@@ -256,8 +256,15 @@ impl FlatnessTrial {
                 Form::Dome => 0.25 * height_m * (cosine(column) + cosine(row)),
             };
         }
-        let boundary = Boundary::Periodic;
-        Relief { rows: POINTS, columns: POINTS, length_x_m: BOX_M, length_y_m: BOX_M, heights_m, boundary }
+        Relief {
+            rows: POINTS,
+            columns: POINTS,
+            length_x_m: BOX_M,
+            length_y_m: BOX_M,
+            heights_m,
+            boundary: Boundary::Periodic,
+            is_missing: Vec::new(),
+        }
     }
 
     /// Scene of the roughness with the flatness as a user would state it.
