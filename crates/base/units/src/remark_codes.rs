@@ -441,8 +441,8 @@ remark_codes! {
         "Gap, stiffness, heat and leaks are those of flat parts: a few numbers say nothing of longer waves."
         short "parts taken as flat";
     SpreadsOverPart "spreads-over-part" Caution
-        "With {flatness}, contact spreads over {low%} to {high%} of the nominal contact at {load}. The share that touches is that of flat \
-         faces: what part of them lacks in area, the other carries in pressure."
+        "With {flatness}, contact spreads over {low%} to {high%} of the nominal contact at {load}, under as much more pressure: the share \
+         that touches stays that of flat faces."
         short "contact spreads over {low%} to {high%} of the faces";
     TooSteep "too-steep" Caution
         "Below {from_m} slopes are too steep for every method used here, boundary elements included."

@@ -162,7 +162,7 @@ fn of_flowed_peaks(states: &InterfaceStates<'_>, scene: &Scene) -> Vec<String> {
 /// Assumptions of a tangential load, and the loads under which everything slides.
 fn of_shear(states: &InterfaceStates<'_>, scene: &Scene) -> Vec<String> {
     let assumed = "the tangential load acts in one direction on a constant normal load, without adhesion; displacement and stiffness are \
-                   those of the roughness, in excess of smooth bodies";
+                   those of the roughness on flat faces, in excess of smooth bodies";
     let sliding = states.sliding_loads();
     let slides = loads_where(scene, |load| alone(sliding.contains(&load)));
     let slides = slides.map(|loads| {
