@@ -506,3 +506,47 @@ fn maps_are_pressed_as_finely_as_the_budget_allows() {
     assert!(error(coarsest * (1.0 - 1e-9)).iter().all(Option::is_none));
     assert!(error(coarsest * (1.0 + 1e-9)).iter().any(Option::is_some));
 }
+
+/// Heights of one map and of another that faces it.
+fn facing(own_m: &[f64], other_m: &[f64]) -> Vec<f64> {
+    let rows = own_m.chunks(POINTS).zip(other_m.chunks(POINTS));
+    rows.flat_map(|(own, other)| own.iter().zip(other.iter().rev()).map(|(own, other)| own + other)).collect()
+}
+
+fn judged_faces(own_m: &[f64], other_m: &[f64]) -> (Scene, Judgement) {
+    let files = Scans(vec![("own.txt", text(own_m)), ("other.txt", text(other_m))]);
+    let scan = |name: &str| format!("scans = [{{ file = \"{name}\", unit = \"m\", size = \"6.4 um\" }}]");
+    let scene = format!(
+        "[surface]\n{}\n[material]\nyoungs_modulus = \"100 GPa\"\npoisson_ratio = 0\n[counterface.surface]\n{}\n[interface]\n\
+         [loads]\npressures = [\"{PRESSURE_PA} Pa\"]\n[[curve]]\nmodel = \"persson\"\n",
+        scan("own.txt"),
+        scan("other.txt")
+    );
+    let scene = Scene::parse(&scene, &files, &Overrides::default()).unwrap_or_else(|error| panic!("{error}"));
+    let results = scene.plan().compute().unwrap();
+    let judgement = JudgePlan::new(&scene, &results, &coarse(64, 2)).run(&Unobserved).unwrap();
+    (scene, judgement)
+}
+
+#[test]
+fn faces_that_are_one_map_each_are_pressed_as_their_sum() {
+    let own_m = waves(1.0);
+    let (scene, judgement) = judged_faces(&own_m, &worn(own_m.clone()));
+    let exact = pressed(&facing(&own_m, &worn(own_m.clone())), None);
+    let headline = judgement.headline(0).unwrap();
+    assert_holds(headline, exact);
+    let stiffness = headline.maps.unwrap().stiffness_pa_per_m.unwrap();
+    assert!((stiffness / exact[3] - 1.0).abs() < 0.02, "{stiffness} {exact:?}");
+    let codes = |scene: &Scene| scene.surface.notes.iter().map(|note| note.code).collect::<Vec<_>>();
+    assert!(
+        codes(&scene).contains(&RemarkCode::FacingMaps) && !codes(&scene).contains(&RemarkCode::FacesFit)
+    );
+
+    // Halves of one joint: most of their heights cancel, which their spectra do not know.
+    let mate_m: Vec<f64> =
+        facing(&vec![0.0; own_m.len()], &own_m).iter().map(|height_m| -0.6 * height_m).collect();
+    let (scene, judgement) = judged_faces(&own_m, &mate_m);
+    assert!(codes(&scene).contains(&RemarkCode::FacesFit));
+    let exact = pressed(&facing(&own_m, &mate_m), None);
+    assert_holds(judgement.headline(0).unwrap(), exact);
+}

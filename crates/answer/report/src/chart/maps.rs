@@ -70,7 +70,7 @@ impl FieldPicture {
         Self::of_values(&title, pressures_pa, 1e-10 * nominal_pressure_pa, size_m, columns, pressure)
     }
 
-    /// Draws gaps, white in contact.
+    /// Draws gaps, white in contact, grey at missing points.
     #[must_use]
     pub fn of_gap(field: &ContactField<'_>) -> Self {
         // In contact the gap is zero within the tolerance; the pressure tells which points those are.
@@ -83,7 +83,7 @@ impl FieldPicture {
         Self::of_values(&title, &open_m, 0.0, [relief.length_x_m, relief.length_y_m], relief.columns, length)
     }
 
-    /// Colours values above `nothing` up to the largest one, on a rectangle of a size in m.
+    /// Colours values above `nothing` up to the largest finite one, on a rectangle of a size in m.
     fn of_values(
         title: &str,
         values: &[f64],
@@ -92,8 +92,13 @@ impl FieldPicture {
         columns: usize,
         in_words: fn(f64) -> String,
     ) -> Self {
-        let largest = values.iter().fold(0.0, |largest: f64, &value| largest.max(value));
-        let colour_of = |value: &f64| if *value > nothing { map_colour(value / largest) } else { [255; 3] };
+        let finite = values.iter().copied().filter(|value| value.is_finite());
+        let largest = finite.fold(0.0, f64::max);
+        let colour_of = |&value: &f64| match value {
+            f64::INFINITY => MISSING,
+            value if value > nothing => map_colour(value / largest),
+            _ => [255; 3],
+        };
         let colours = values.iter().map(colour_of).collect();
         Self::new(title, size_m, ["0", &in_words(largest)], columns, colours, None)
     }
